@@ -1,0 +1,1 @@
+//! The tribos command: friction laws, final motion, runs and reports.

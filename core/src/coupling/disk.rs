@@ -1,0 +1,162 @@
+//! A disk contact with its dimensions: radius, coefficient, load.
+
+use super::{Coupling, ReducedWrench};
+use crate::law::{LawError, validated_coefficient};
+use crate::patch::UniformDisk;
+use crate::real::Real;
+use crate::twist::{Twist, Wrench, WrenchJacobian};
+use nalgebra::{Matrix3, Vector2};
+
+/// Friction of a uniform disk: a coupling (law and accuracy tier), a coefficient and a patch.
+///
+/// *Units*: any consistent set. With N the load, γ the coefficient and R the radius,
+/// force = γ N F(v, ωR) and torque = γ N R T(v, ωR).
+///
+/// ```
+/// use tribos_core::coupling::{DiskFriction, table::Coulomb};
+/// use tribos_core::patch::UniformDisk;
+/// use tribos_core::twist::Twist;
+///
+/// let puck = DiskFriction::new(Coulomb, 0.3_f32, UniformDisk::new(0.04)?)?;
+/// let wrench = puck.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)); // N, m/s, rad/s
+/// assert!(wrench.force.x < 0.0 && wrench.torque < 0.0);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiskFriction<R, C> {
+    coupling: C,
+    coefficient: R,
+    radius: R,
+}
+
+/// Force and torque that oppose the motion, as magnitudes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Magnitudes<R> {
+    /// Friction force.
+    pub force: R,
+    /// Friction torque.
+    pub torque: R,
+}
+
+/// Derivatives of [`Magnitudes`] with respect to sliding speed and spin.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MagnitudesJacobian<R> {
+    /// ∂force/∂speed
+    pub force_speed: R,
+    /// ∂force/∂spin
+    pub force_spin: R,
+    /// ∂torque/∂speed, equal to ∂force/∂spin
+    pub torque_speed: R,
+    /// ∂torque/∂spin
+    pub torque_spin: R,
+}
+
+impl<R: Real, C: Coupling<R>> DiskFriction<R, C> {
+    /// *Domain*: 0 ≤ `coefficient` < ∞. The coefficient multiplies the coupling's own (1 for the
+    /// power-law tiers).
+    pub fn new(coupling: C, coefficient: R, patch: UniformDisk<R>) -> Result<Self, LawError> {
+        let coefficient = validated_coefficient(coefficient)?;
+        Ok(Self {
+            coupling,
+            coefficient,
+            radius: patch.radius(),
+        })
+    }
+
+    /// Force and torque magnitudes at sliding speed and spin; signs of both are ignored.
+    ///
+    /// *Domain*: any; zero at rest, see [`Coupling`] for infinite and NaN arguments. `load` is
+    /// taken as it is, so that a negative load (a contact that pulls) is the caller's to exclude.
+    #[inline]
+    pub fn magnitudes(&self, load: R, speed: R, spin: R) -> Magnitudes<R> {
+        let ReducedWrench { force, torque } =
+            self.coupling.reduced_wrench(speed, spin * self.radius);
+        let strength = self.coefficient * load;
+        Magnitudes {
+            force: strength * force,
+            torque: strength * self.radius * torque,
+        }
+    }
+
+    /// Derivatives of [`DiskFriction::magnitudes`] for speed ≥ 0 and spin ≥ 0.
+    #[inline]
+    pub fn magnitudes_jacobian(&self, load: R, speed: R, spin: R) -> MagnitudesJacobian<R> {
+        let j = self.coupling.reduced_jacobian(speed, spin * self.radius);
+        let strength = self.coefficient * load;
+        let mixed = strength * self.radius * j.mixed;
+        MagnitudesJacobian {
+            force_speed: strength * j.force_slide,
+            force_spin: mixed,
+            torque_speed: mixed,
+            torque_spin: strength * self.radius * self.radius * j.torque_rim,
+        }
+    }
+
+    /// The wrench on the patch, against its twist.
+    #[inline]
+    pub fn wrench(&self, load: R, twist: &Twist<R>) -> Wrench<R> {
+        let speed = twist.speed();
+        let Magnitudes { force, torque } = self.magnitudes(load, speed, twist.spin);
+        if speed == R::ZERO {
+            let none = Vector2::new(R::ZERO, R::ZERO);
+            return Wrench {
+                force: none,
+                torque: -torque.copysign(twist.spin),
+            };
+        }
+        let drag = force / speed;
+        Wrench {
+            force: Vector2::new(-(drag * twist.velocity.x), -(drag * twist.velocity.y)),
+            torque: -torque.copysign(twist.spin),
+        }
+    }
+
+    /// ∂wrench/∂twist, symmetric, and negative semidefinite for a law that never weakens.
+    ///
+    /// *Special values*: at rest the diagonal is that of [`Coupling::reduced_jacobian`], negated.
+    pub fn wrench_jacobian(&self, load: R, twist: &Twist<R>) -> WrenchJacobian<R> {
+        let speed = twist.speed();
+        let j = self
+            .coupling
+            .reduced_jacobian(speed, twist.spin * self.radius);
+        let strength = self.coefficient * load;
+        let (cos, sin) = if speed == R::ZERO {
+            (R::ONE, R::ZERO)
+        } else {
+            (twist.velocity.x / speed, twist.velocity.y / speed)
+        };
+        // Along the velocity ∂F/∂v resists, across it the drag F/v; alike at rest.
+        let (along, across) = (strength * j.force_slide, strength * j.force_per_slide);
+        let (xx, xy, yy) = if along == across {
+            (along, R::ZERO, along)
+        } else {
+            let (cc, ss) = (cos * cos, sin * sin);
+            (
+                along * cc + across * ss,
+                (along - across) * cos * sin,
+                along * ss + across * cc,
+            )
+        };
+        let mixed = strength * self.radius * j.mixed * R::ONE.copysign(twist.spin);
+        let (xn, yn) = (mixed * cos, mixed * sin);
+        let nn = strength * self.radius * self.radius * j.torque_rim;
+        Matrix3::new(-xx, -xy, -xn, -xy, -yy, -yn, -xn, -yn, -nn)
+    }
+
+    /// Wrenches of many twists under one load; pairs beyond the shorter slice are left alone.
+    pub fn wrench_batch(&self, load: R, twists: &[Twist<R>], wrenches: &mut [Wrench<R>]) {
+        for (twist, wrench) in twists.iter().zip(wrenches) {
+            *wrench = self.wrench(load, twist);
+        }
+    }
+
+    /// The radius of the patch.
+    pub fn radius(&self) -> R {
+        self.radius
+    }
+
+    /// The coefficient γ (μ for Coulomb).
+    pub fn coefficient(&self) -> R {
+        self.coefficient
+    }
+}

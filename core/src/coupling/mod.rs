@@ -1,0 +1,75 @@
+//! Law × patch → wrench: what a twist (sliding and spin) costs in force and torque.
+//!
+//! A caller picks an accuracy tier by type:
+//!
+//! | tier | types | f64 error of F, T | size | cost |
+//! |---|---|---|---|---|
+//! | table | [`table::Coulomb`], [`table::Table64`], [`table::Table32`] | a few ulp | 23 KiB (f32: 3 KiB) | quickest, same for every α |
+//! | compact | [`compact::Coulomb`], [`compact::Power`] | tens of ulp | code only | several times slower |
+//! | quadrature | [`quadrature::DiskQuadrature`] | 1e-6 | 1 KiB | any local law |
+//!
+//! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
+
+mod octave;
+mod profile;
+
+pub mod compact;
+mod disk;
+pub mod quadrature;
+
+pub mod table;
+
+pub use disk::{DiskFriction, Magnitudes, MagnitudesJacobian};
+pub use profile::{Profile, unscaled_wrench};
+
+use crate::real::Real;
+
+/// Magnitudes of friction force and torque, reduced: F per coefficient × load, T per
+/// coefficient × load × radius. Both oppose the motion.
+///
+/// *Units*: speed^α for the power law, none for Coulomb. With rim speed 1 they are the
+/// dimensionless functions 𝓕(ε), 𝓣(ε) of the velocity ratio ε = v/(ωR).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ReducedWrench<R> {
+    /// F
+    pub force: R,
+    /// T
+    pub torque: R,
+}
+
+/// Derivatives of a [`ReducedWrench`] with respect to sliding speed v and rim speed w.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ReducedJacobian<R> {
+    /// F/v, the drag of a small sideways velocity (finite at v = 0).
+    pub force_per_slide: R,
+    /// ∂F/∂v
+    pub force_slide: R,
+    /// ∂F/∂w = ∂T/∂v
+    pub mixed: R,
+    /// ∂T/∂w
+    pub torque_rim: R,
+}
+
+/// Friction of a uniform disk of radius 1 under unit load.
+///
+/// All methods are total. Signs of the arguments are ignored. At rest (v = w = 0) the wrench is
+/// zero and the Jacobian the limit of damping: infinite where the law is steeper than linear.
+/// One infinite speed gives the limit of the ratio; two infinite speeds or a NaN give NaN.
+pub trait Coupling<R: Real> {
+    /// Force and torque for sliding speed `slide` and rim speed `rim` = |ω|R.
+    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R>;
+
+    /// Analytic derivatives at the same arguments.
+    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R>;
+}
+
+impl<R: Real, C: Coupling<R> + ?Sized> Coupling<R> for &C {
+    #[inline]
+    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
+        (**self).reduced_wrench(slide, rim)
+    }
+    #[inline]
+    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
+        (**self).reduced_jacobian(slide, rim)
+    }
+}

@@ -1,0 +1,196 @@
+//! The two functions of one variable that carry the whole coupling of the uniform disk.
+//!
+//! Let v be the sliding speed, w = ωR the rim speed, h ∈ [0, 1] the smaller over the larger of the
+//! two and x = h². For the local law |u|^α the dissipation potential is
+//! D(v, w) = ⟨|u|^(α+1)⟩/(α+1), homogeneous of degree α + 1, and its gradient is (F, T). With
+//!
+//! ```text
+//! Φ(x) = ₂F₁((1−α)/2, −(1+α)/2; 2; x),      Θ(x) = (1+α)/4 · ₂F₁((1−α)/2, (1−α)/2; 3; x)
+//! ```
+//!
+//! sliding leads (v > w):  F = v^α Φ,    T = v^α h Θ;
+//! spinning leads (v ≤ w): F = w^α h Φ,  T = w^α ( 2/(3+α) · (1−x) Φ + x Θ ).
+//!
+//! The last line replaces the torque's own hypergeometric function, 2/(3+α) ₂F₁((1−α)/2,
+//! −(3+α)/2; 1; x): contiguous to Φ and Θ, it is their combination with positive coefficients, so
+//! that nothing cancels for any α > −1. Gauss' relations also give
+//! Θ = 2/(3+α) · ( (1+α)/2 Φ + (1−x) Φ' ), hence Φ and Φ' alone are enough to build everything,
+//! and the Jacobian needs Φ' and nothing else:
+//!
+//! ```text
+//! F/v   = m^(α−1) Φ                                  (m = the larger speed, in both regimes)
+//! ∂F/∂v = m^(α−1) (αΦ − 2xΦ')  |  m^(α−1) (Φ + 2xΦ')          sliding | spinning leads
+//! ∂F/∂w = ∂T/∂v = m^(α−1) 2hΦ' |  −m^(α−1) h ((1−α)Φ + 2xΦ')
+//! ∂T/∂w = (α T − v ∂T/∂v)/w, with w divided out
+//! ```
+//!
+//! *Source*: eqs. 3.6–3.10 of the sliding-disk literature (Farkas, Bartels, Unger, Wolf,
+//! Phys. Rev. Lett. 90 (2003) 248302, for α = 0); the forms above were checked with 50 digits.
+
+#[cfg(doc)]
+use super::Coupling;
+use super::{ReducedJacobian, ReducedWrench};
+use crate::real::Real;
+
+/// A way to evaluate Φ, Θ and Φ' for one exponent: what an accuracy tier implements.
+pub trait Profile<R: Real> {
+    /// The exponent α > −1 of the local law.
+    fn exponent(&self) -> R;
+
+    /// Φ and Θ at h ∈ [0, 1].
+    fn force_and_torque_factors(&self, ratio: R) -> [R; 2];
+
+    /// Φ and Φ' (with respect to x = h²) at z = 1 − h².
+    fn force_factor_and_slope(&self, complement: R) -> [R; 2];
+
+    /// `speed`^α.
+    fn speed_scale(&self, speed: R) -> R;
+
+    /// `speed`^(α−1).
+    fn rate_scale(&self, speed: R) -> R;
+}
+
+/// The two speeds in order, and their ratio.
+struct Ordered<R> {
+    sliding_leads: bool,
+    major: R,
+    ratio: R,
+    /// 1 − ratio² to full relative accuracy is only made where it is needed.
+    minor: R,
+}
+
+impl<R: Real> Ordered<R> {
+    #[inline]
+    fn new(slide: R, rim: R) -> Self {
+        let (slide, rim) = (slide.abs(), rim.abs());
+        let sliding_leads = slide > rim;
+        let (major, minor) = if sliding_leads {
+            (slide, rim)
+        } else {
+            (rim, slide)
+        };
+        Self {
+            sliding_leads,
+            major,
+            minor,
+            ratio: minor / major,
+        }
+    }
+
+    /// 1 − ratio², without cancellation near equal speeds.
+    #[inline]
+    fn complement(&self) -> R {
+        (self.major - self.minor) / self.major * (R::ONE + self.ratio)
+    }
+}
+
+/// 2/(3+α): the reduced torque of pure spinning.
+#[inline]
+fn pure_spin_torque<R: Real>(alpha: R) -> R {
+    R::TWO / (R::ONE + R::TWO + alpha)
+}
+
+/// F/m^α and T/m^α from the factors.
+#[inline]
+fn unscaled<R: Real, P: Profile<R>>(profile: &P, speeds: &Ordered<R>) -> ReducedWrench<R> {
+    let [phi, theta] = profile.force_and_torque_factors(speeds.ratio);
+    let h = speeds.ratio;
+    let x = h * h;
+    // Weights instead of two formulas: which speed leads is a coin toss to the branch predictor.
+    let pure_spin = pure_spin_torque(profile.exponent()) * (R::ONE - x);
+    let lead = speeds.sliding_leads;
+    let force_weight = if lead { R::ONE } else { h };
+    let (phi_weight, theta_weight) = if lead { (R::ZERO, h) } else { (pure_spin, x) };
+    ReducedWrench {
+        force: force_weight * phi,
+        torque: phi_weight * phi + theta_weight * theta,
+    }
+}
+
+/// The wrench with the power of the velocity scale left out, (F, T)/max(v, w)^α: what a caller
+/// that keeps the scale itself needs. Zero at rest.
+#[inline]
+pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
+    let speeds = Ordered::new(slide, rim);
+    if speeds.major == R::ZERO {
+        return ReducedWrench {
+            force: R::ZERO,
+            torque: R::ZERO,
+        };
+    }
+    unscaled(profile, &speeds)
+}
+
+/// [`Coupling::reduced_wrench`] of a profile.
+#[inline]
+pub(super) fn wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
+    let speeds = Ordered::new(slide, rim);
+    if speeds.major == R::ZERO {
+        return ReducedWrench {
+            force: R::ZERO,
+            torque: R::ZERO,
+        };
+    }
+    let scale = profile.speed_scale(speeds.major);
+    let ReducedWrench { force, torque } = unscaled(profile, &speeds);
+    ReducedWrench {
+        force: scale * force,
+        torque: scale * torque,
+    }
+}
+
+/// [`Coupling::reduced_jacobian`] of a profile.
+#[inline]
+pub(super) fn jacobian<R: Real, P: Profile<R>>(
+    profile: &P,
+    slide: R,
+    rim: R,
+) -> ReducedJacobian<R> {
+    let speeds = Ordered::new(slide, rim);
+    let alpha = profile.exponent();
+    if speeds.major == R::ZERO {
+        return at_rest(alpha);
+    }
+    let h = speeds.ratio;
+    let x = h * h;
+    let z = speeds.complement();
+    let [phi, slope] = profile.force_factor_and_slope(z);
+    // Θ from Φ and Φ': one table read serves all.
+    let theta = pure_spin_torque(alpha) * (R::HALF * (R::ONE + alpha) * phi + z * slope);
+    let twice = R::TWO * slope;
+    let (force_slide, mixed, torque_rim);
+    if speeds.sliding_leads {
+        force_slide = alpha * phi - x * twice;
+        mixed = h * twice;
+        torque_rim = alpha * theta - twice;
+    } else {
+        force_slide = phi + x * twice;
+        mixed = -h * ((R::ONE - alpha) * phi + x * twice);
+        let torque = pure_spin_torque(alpha) * z * phi + x * theta;
+        torque_rim = alpha * torque - h * mixed;
+    }
+    let scale = profile.rate_scale(speeds.major);
+    ReducedJacobian {
+        force_per_slide: scale * phi,
+        force_slide: scale * force_slide,
+        mixed: scale * mixed,
+        torque_rim: scale * torque_rim,
+    }
+}
+
+/// The Jacobian at v = w = 0: zero for α > 1, the constant damping for α = 1, infinite below.
+fn at_rest<R: Real>(alpha: R) -> ReducedJacobian<R> {
+    let (slide, rim) = if alpha > R::ONE {
+        (R::ZERO, R::ZERO)
+    } else if alpha == R::ONE {
+        (R::ONE, R::HALF)
+    } else {
+        (R::INFINITY, R::INFINITY)
+    };
+    ReducedJacobian {
+        force_per_slide: slide,
+        force_slide: slide,
+        mixed: R::ZERO,
+        torque_rim: rim,
+    }
+}

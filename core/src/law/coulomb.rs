@@ -1,0 +1,38 @@
+//! Dry friction that does not depend on speed.
+
+use super::{LawError, LocalLaw, validated_coefficient};
+use crate::real::Real;
+
+/// Coulomb's law: friction = μ × load, against the sliding velocity.
+///
+/// *Units*: μ is dimensionless. *Source*: eq. 3.6 with α = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Coulomb<R> {
+    mu: R,
+}
+
+impl<R: Real> Coulomb<R> {
+    /// *Domain*: 0 ≤ `mu` < ∞.
+    pub fn new(mu: R) -> Result<Self, LawError> {
+        Ok(Self {
+            mu: validated_coefficient(mu)?,
+        })
+    }
+
+    /// The dynamic friction coefficient μ.
+    pub fn mu(&self) -> R {
+        self.mu
+    }
+}
+
+impl<R: Real> LocalLaw<R> for Coulomb<R> {
+    #[inline]
+    fn friction(&self, _: R) -> R {
+        self.mu
+    }
+    #[inline]
+    fn slope(&self, _: R) -> R {
+        R::ZERO
+    }
+}

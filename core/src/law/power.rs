@@ -1,0 +1,58 @@
+//! Friction that grows or falls with a power of the speed.
+
+use super::{LawError, LocalLaw, validated_coefficient, validated_exponent};
+use crate::real::Real;
+
+/// γ|v|^α for real α > −1.
+///
+/// The dissipation potential γ|v|^(α+1)/(α+1) is convex only for α ≥ 0: below, friction falls with
+/// speed, diverges at rest, and neither uniqueness nor implicit steps are promised.
+///
+/// *Units*: γ carries (time/length)^α. (The literature also writes γ^α for this product.)
+/// *Source*: eq. 3.6.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PowerLaw<R> {
+    alpha: R,
+    coefficient: R,
+}
+
+impl<R: Real> PowerLaw<R> {
+    /// Largest exponent of the law: beyond it, reduced forces overflow for ordinary speeds.
+    pub const MAX_EXPONENT: f64 = 128.0;
+
+    /// *Domain*: −1 < `alpha` ≤ [`PowerLaw::MAX_EXPONENT`], 0 ≤ `coefficient` < ∞.
+    pub fn new(alpha: R, coefficient: R) -> Result<Self, LawError> {
+        validated_exponent(alpha.to_f64(), Self::MAX_EXPONENT)?;
+        Ok(Self {
+            alpha,
+            coefficient: validated_coefficient(coefficient)?,
+        })
+    }
+
+    /// The exponent α.
+    pub fn alpha(&self) -> R {
+        self.alpha
+    }
+
+    /// The coefficient γ.
+    pub fn coefficient(&self) -> R {
+        self.coefficient
+    }
+
+    /// True for α ≥ 0: the potential is convex and friction monotone.
+    pub fn is_convex(&self) -> bool {
+        self.alpha >= R::ZERO
+    }
+}
+
+impl<R: Real> LocalLaw<R> for PowerLaw<R> {
+    #[inline]
+    fn friction(&self, speed: R) -> R {
+        self.coefficient * speed.pow(self.alpha)
+    }
+    #[inline]
+    fn slope(&self, speed: R) -> R {
+        self.coefficient * self.alpha * speed.pow(self.alpha - R::ONE)
+    }
+}

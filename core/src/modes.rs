@@ -1,0 +1,256 @@
+//! Final motion: where the velocity ratio ε = v/(ωR) of a free slider goes.
+//!
+//! With C = I/(M R²) the equations of motion (3.25) give the autonomous equation
+//! dε/d(−ln ω) = g(ε) = ε − C F/T (3.27). Its zeros are the fixed points: ε = 0 (pure spinning),
+//! ε = ∞ (pure sliding) and, for C between 2/(3+α) and (1+α)/4, one finite ε₀. Solved for C,
+//! C_α(ε) = ε T/F, which the factors of [`crate::coupling::Profile`] turn into
+//!
+//! ```text
+//! (3+α)(C_α − C) = (2 − 4C) − (1−α)(1 − C) + 2zΦ'/Φ       ε ≥ 1, x = 1/ε²
+//! (3+α)(C_α − C) = (2 − 4C) − (1−α)(x − C) + 2xzΦ'/Φ      ε ≤ 1, x = ε²
+//! ```
+//!
+//! with z = 1 − x: every term keeps its relative accuracy when α → 1, where C_α becomes constant.
+//! C_α falls with ε for α < 1 and rises for α > 1 (checked for −0.9 ≤ α ≤ 9), hence ε₀ is unique,
+//! stable for α < 1 and unstable for α > 1.
+
+use crate::coupling::Profile;
+use crate::real::Real;
+
+/// How ε moves near a fixed point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Stability {
+    /// ε returns to it.
+    Stable,
+    /// ε stays wherever it is put (α = 1 with C = 1/2).
+    Semistable,
+    /// ε leaves it.
+    Unstable,
+}
+
+/// All fixed points of one slider.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FixedPoints<R> {
+    /// Stability of pure spinning, ε = 0.
+    pub spinning: Stability,
+    /// The finite fixed point ε₀, where there is exactly one.
+    pub finite: Option<(R, Stability)>,
+    /// Stability of pure sliding, ε = ∞.
+    pub sliding: Stability,
+}
+
+/// What dominates just before rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FinalMode<R> {
+    /// ε → 0.
+    Spinning,
+    /// ε → ∞.
+    Sliding,
+    /// Both motions fade in the fixed proportion ε.
+    Together {
+        /// The ratio they approach or keep.
+        ratio: R,
+    },
+}
+
+/// The ratio of inertia C = I/(M R²) is not positive and finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct InertiaError {
+    /// What was given.
+    pub given: f64,
+}
+
+impl core::fmt::Display for InertiaError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(
+            f,
+            "the inertia ratio C = I/(M R^2) must be positive and finite, not {}",
+            self.given
+        )
+    }
+}
+
+impl core::error::Error for InertiaError {}
+
+/// Limits of C between which a finite fixed point exists, (c_min, c_max) (table 3.2).
+///
+/// *Domain*: α > −1.
+pub fn inertia_interval<R: Real>(alpha: R) -> (R, R) {
+    let (spinning, sliding) = interval_ends(alpha);
+    if spinning < sliding {
+        (spinning, sliding)
+    } else {
+        (sliding, spinning)
+    }
+}
+
+/// C_α(0) = 2/(3+α) and C_α(∞) = (1+α)/4.
+fn interval_ends<R: Real>(alpha: R) -> (R, R) {
+    let three = R::ONE + R::TWO;
+    (
+        R::TWO / (three + alpha),
+        (R::ONE + alpha) / (R::TWO + R::TWO),
+    )
+}
+
+/// The final motion of sliders that share a law and an inertia ratio.
+///
+/// ```
+/// use tribos_core::{coupling::table::Coulomb, modes::Modes};
+/// let disk = Modes::new(Coulomb, 0.5_f64)?;
+/// assert!((disk.finite_fixed_point().unwrap() - 0.653001789206).abs() < 1e-12);
+/// # Ok::<(), tribos_core::modes::InertiaError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Modes<R, P> {
+    profile: P,
+    inertia_ratio: R,
+}
+
+impl<R: Real, P: Profile<R>> Modes<R, P> {
+    /// *Domain*: 0 < `inertia_ratio` < ∞; 1/2 for a disk on its own face.
+    pub fn new(profile: P, inertia_ratio: R) -> Result<Self, InertiaError> {
+        if inertia_ratio > R::ZERO && inertia_ratio.is_finite() {
+            Ok(Self {
+                profile,
+                inertia_ratio,
+            })
+        } else {
+            Err(InertiaError {
+                given: inertia_ratio.to_f64(),
+            })
+        }
+    }
+
+    /// g(ε) = ε − C F/T, the growth of ε per e-fold of spin-down (3.27).
+    ///
+    /// *Domain*: ε ≥ 0. *Accuracy*: a few ulp of ε·max(1, C/C_α).
+    pub fn growth(&self, ratio: R) -> R {
+        ratio * (R::ONE - self.inertia_ratio / self.inertia_ratio_of(ratio))
+    }
+
+    /// C_α(ε) = ε T/F: the inertia ratio for which ε is a fixed point.
+    ///
+    /// *Domain*: 0 ≤ ε ≤ ∞.
+    pub fn inertia_ratio_of(&self, ratio: R) -> R {
+        let three = R::ONE + R::TWO;
+        let alpha = self.profile.exponent();
+        let (h, sliding_leads) = if ratio > R::ONE {
+            (R::ONE / ratio, true)
+        } else {
+            (ratio, false)
+        };
+        let [phi, theta] = self.profile.force_and_torque_factors(h);
+        if sliding_leads {
+            theta / phi
+        } else {
+            let x = h * h;
+            R::TWO / (three + alpha) * (R::ONE - x) + x * theta / phi
+        }
+    }
+
+    /// (3+α)(C_α − C) at ratio h (ε ≤ 1) or 1/h (`sliding_leads`).
+    fn excess(&self, h: R, sliding_leads: bool) -> R {
+        let c = self.inertia_ratio;
+        let beta = R::ONE - self.profile.exponent();
+        let x = h * h;
+        let z = (R::ONE - h) * (R::ONE + h);
+        let [phi, slope] = self.profile.force_factor_and_slope(z);
+        let constant = R::TWO * (R::ONE - R::TWO * c);
+        let bend = R::TWO * z * slope / phi;
+        if sliding_leads {
+            constant - beta * (R::ONE - c) + bend
+        } else {
+            constant - beta * (x - c) + x * bend
+        }
+    }
+
+    /// The finite fixed point ε₀, if C lies inside the interval of [`inertia_interval`].
+    ///
+    /// *Accuracy*: bisection to neighbouring numbers; the last digits are those of Φ'/Φ divided by
+    /// the slope of C_α (1e-13 for the disk with C = 1/2 and any α ≠ 1).
+    pub fn finite_fixed_point(&self) -> Option<R> {
+        let alpha = self.profile.exponent();
+        let (spinning, sliding) = interval_ends(alpha);
+        let c = self.inertia_ratio;
+        let inside = (c > spinning && c < sliding) || (c > sliding && c < spinning);
+        if !inside {
+            return None;
+        }
+        let at_one = self.excess(R::ONE, false);
+        let falling = alpha < R::ONE;
+        let sliding_leads = (at_one > R::ZERO) == falling;
+        // The excess has the sign of `at_one` at h = 1 and the other sign at h = 0.
+        let (mut low, mut high) = (R::ZERO, R::ONE);
+        while let middle = R::HALF * (low + high)
+            && middle > low
+            && middle < high
+        {
+            if (self.excess(middle, sliding_leads) > R::ZERO) == (at_one > R::ZERO) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        Some(if sliding_leads { R::ONE / high } else { high })
+    }
+
+    /// Stability of ε = 0, ε = ∞ and of ε₀ if it exists.
+    pub fn fixed_points(&self) -> FixedPoints<R> {
+        let alpha = self.profile.exponent();
+        let c = self.inertia_ratio;
+        let (spinning, sliding) = interval_ends(alpha);
+        if alpha == R::ONE && c == R::HALF {
+            let all = Stability::Semistable;
+            return FixedPoints {
+                spinning: all,
+                finite: None,
+                sliding: all,
+            };
+        }
+        // g has the sign of C_α − C; on the border itself C_α's own fall or rise decides.
+        let falls = alpha < R::ONE;
+        let leaves_zero = if c == spinning { !falls } else { spinning > c };
+        let reaches_infinity = if c == sliding { falls } else { sliding > c };
+        let stability = |stable| {
+            if stable {
+                Stability::Stable
+            } else {
+                Stability::Unstable
+            }
+        };
+        FixedPoints {
+            spinning: stability(!leaves_zero),
+            finite: self
+                .finite_fixed_point()
+                .map(|ratio| (ratio, stability(falls))),
+            sliding: stability(reaches_infinity),
+        }
+    }
+
+    /// Where a motion that starts with ratio `initial` ends.
+    ///
+    /// *Domain*: 0 ≤ `initial` ≤ ∞. An unstable fixed point is kept only if hit exactly.
+    pub fn final_mode(&self, initial: R) -> FinalMode<R> {
+        if initial == R::ZERO {
+            return FinalMode::Spinning;
+        }
+        if initial == R::INFINITY {
+            return FinalMode::Sliding;
+        }
+        let points = self.fixed_points();
+        match points.finite {
+            Some((ratio, Stability::Stable)) => FinalMode::Together { ratio },
+            Some((ratio, _)) if initial == ratio => FinalMode::Together { ratio },
+            Some((ratio, _)) if initial < ratio => FinalMode::Spinning,
+            Some(_) => FinalMode::Sliding,
+            None if points.spinning == Stability::Semistable => {
+                FinalMode::Together { ratio: initial }
+            }
+            None if points.spinning == Stability::Stable => FinalMode::Spinning,
+            None => FinalMode::Sliding,
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! The scalar of the kernel and its only door to elementary functions.
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// A binary floating-point number: `f32` or `f64`.
+///
+/// Square root and power always come from the `libm` crate, so that a result has the same
+/// bits on every supported platform, whatever features other crates of the build switch on.
+/// The kernel never contracts a product and a sum into one rounding.
+pub trait Real:
+    Copy
+    + PartialOrd
+    + Debug
+    + Default
+    + nalgebra::Scalar
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + sealed::Sealed
+{
+    /// 0
+    const ZERO: Self;
+    /// 1/2
+    const HALF: Self;
+    /// 1
+    const ONE: Self;
+    /// 2
+    const TWO: Self;
+    /// π, rounded to the type.
+    const PI: Self;
+    /// Gap between 1 and the next larger number.
+    const EPSILON: Self;
+    /// Smallest normal number.
+    const MIN_POSITIVE: Self;
+    /// Positive infinity.
+    const INFINITY: Self;
+    /// Exponent and first mantissa bit of 1, as [`Real::half_octave`] counts them.
+    const HALF_OCTAVE_OF_ONE: usize;
+
+    /// The number of this type nearest to `value`.
+    fn from_f64(value: f64) -> Self;
+    /// This number as `f64`, exact.
+    fn to_f64(self) -> f64;
+    /// Absolute value; NaN stays NaN.
+    fn abs(self) -> Self;
+    /// Magnitude of `self` with the sign of `sign`.
+    fn copysign(self, sign: Self) -> Self;
+    /// Square root, correctly rounded; NaN below zero.
+    fn sqrt(self) -> Self;
+    /// `self` to the power `exponent`, within one unit in the last place.
+    fn pow(self, exponent: Self) -> Self;
+    /// True unless infinite or NaN.
+    fn is_finite(self) -> bool;
+    /// Number of half octaves from the smallest number up to `self` ≥ 0: each interval
+    /// [2ᵏ, 1.5·2ᵏ) and [1.5·2ᵏ, 2ᵏ⁺¹) has its own count. No logarithm is taken.
+    fn half_octave(self) -> usize;
+
+    /// Length of the vector (`self`, `other`) without overflow or underflow on the way.
+    ///
+    /// *Accuracy*: 2 ulp. *Special values*: NaN if either is NaN; infinite if either is infinite
+    /// and none is NaN.
+    #[inline]
+    fn hypot(self, other: Self) -> Self {
+        let (a, b) = (self.abs(), other.abs());
+        let (large, small) = if a > b { (a, b) } else { (b, a) };
+        if large == Self::ZERO || large == Self::INFINITY {
+            // `+ small` keeps a NaN.
+            return large + small;
+        }
+        let ratio = small / large;
+        large * (Self::ONE + ratio * ratio).sqrt()
+    }
+}
+
+macro_rules! impl_real {
+    ($real:ty, $mantissa:expr, $sqrt:path, $pow:path, $fabs:path, $copysign:path) => {
+        impl Real for $real {
+            const ZERO: Self = 0.0;
+            const HALF: Self = 0.5;
+            const ONE: Self = 1.0;
+            const TWO: Self = 2.0;
+            const PI: Self = core::f64::consts::PI as $real;
+            const EPSILON: Self = <$real>::EPSILON;
+            const MIN_POSITIVE: Self = <$real>::MIN_POSITIVE;
+            const INFINITY: Self = <$real>::INFINITY;
+            const HALF_OCTAVE_OF_ONE: usize =
+                ((1.0 as $real).to_bits() >> ($mantissa - 1)) as usize;
+
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                value as $real
+            }
+            #[inline]
+            fn to_f64(self) -> f64 {
+                self as f64
+            }
+            #[inline]
+            fn abs(self) -> Self {
+                $fabs(self)
+            }
+            #[inline]
+            fn copysign(self, sign: Self) -> Self {
+                $copysign(self, sign)
+            }
+            #[inline]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+            #[inline]
+            fn pow(self, exponent: Self) -> Self {
+                $pow(self, exponent)
+            }
+            #[inline]
+            fn is_finite(self) -> bool {
+                <$real>::is_finite(self)
+            }
+            #[inline]
+            fn half_octave(self) -> usize {
+                (self.to_bits() >> ($mantissa - 1)) as usize
+            }
+        }
+    };
+}
+
+/// Stored mantissa bits of the two types.
+const MANTISSA_F32: u32 = f32::MANTISSA_DIGITS - 1;
+const MANTISSA_F64: u32 = f64::MANTISSA_DIGITS - 1;
+
+impl_real!(
+    f32,
+    MANTISSA_F32,
+    libm::sqrtf,
+    libm::powf,
+    libm::fabsf,
+    libm::copysignf
+);
+impl_real!(
+    f64,
+    MANTISSA_F64,
+    libm::sqrt,
+    libm::pow,
+    libm::fabs,
+    libm::copysign
+);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hypot_survives_the_ends_of_the_range() {
+        let hypot = <f64 as Real>::hypot;
+        assert_eq!(hypot(3e300, 4e300), 5e300);
+        assert_eq!(hypot(-3e-320, 4e-320), 5e-320);
+        assert_eq!(hypot(0.0, 0.0), 0.0);
+        assert_eq!(hypot(f64::INFINITY, 1.0), f64::INFINITY);
+        assert!(hypot(f64::NAN, f64::INFINITY).is_nan());
+        assert!(<f32 as Real>::hypot(0.0, f32::NAN).is_nan());
+    }
+
+    #[test]
+    fn half_octaves_count_without_gaps() {
+        assert_eq!(1.0_f64.half_octave(), f64::HALF_OCTAVE_OF_ONE);
+        assert_eq!(0.99_f64.half_octave() + 1, f64::HALF_OCTAVE_OF_ONE);
+        assert_eq!(0.74_f32.half_octave() + 2, f32::HALF_OCTAVE_OF_ONE);
+        assert_eq!(0.0_f32.half_octave(), 0);
+    }
+}

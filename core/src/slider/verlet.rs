@@ -1,0 +1,49 @@
+//! The fixed-step method of the thesis.
+
+use super::{Motion, Slider};
+use crate::coupling::{Coupling, Profile, ReducedWrench};
+use crate::real::Real;
+
+impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
+    /// One velocity-Verlet step of size `duration` (thesis 3.4.5).
+    ///
+    /// The force depends on velocity, hence the second half kick uses the predicted velocity.
+    /// Friction cannot reverse a motion: a speed that would change sign becomes zero, which is
+    /// where the method's error of order `duration` at rest comes from.
+    ///
+    /// *Domain*: `duration` > 0. *Accuracy*: second order while both speeds exceed
+    /// `duration` × deceleration, first order at the stop.
+    pub fn verlet_step(&self, motion: &Motion<R>, duration: R) -> Motion<R> {
+        let rim = (motion.spin * self.radius).abs();
+        let half = R::HALF * duration;
+        let [a0, b0] = self.accelerations(motion.speed, rim);
+        let predicted = [
+            not_reversed(motion.speed + duration * a0),
+            not_reversed(rim + duration * b0),
+        ];
+        let [a1, b1] = self.accelerations(predicted[0], predicted[1]);
+        let rim_after = not_reversed(rim + half * (b0 + b1));
+        let turned = not_reversed(rim + half * b0) * duration / self.radius;
+        Motion {
+            time: motion.time + duration,
+            speed: not_reversed(motion.speed + half * (a0 + a1)),
+            spin: (rim_after / self.radius).copysign(motion.spin),
+            distance: motion.distance + not_reversed(motion.speed + half * a0) * duration,
+            angle: motion.angle + turned.copysign(motion.spin),
+        }
+    }
+
+    /// dv/dt and dw/dt.
+    fn accelerations(&self, slide: R, rim: R) -> [R; 2] {
+        let ReducedWrench { force, torque } = self.profile.reduced_wrench(slide, rim);
+        [
+            -(self.deceleration * force),
+            -(self.deceleration * torque / self.inertia_ratio),
+        ]
+    }
+}
+
+/// Zero instead of a negative speed; NaN stays NaN.
+fn not_reversed<R: Real>(speed: R) -> R {
+    if speed < R::ZERO { R::ZERO } else { speed }
+}

@@ -1,0 +1,7 @@
+//! Special functions with bounded work and stated accuracy. Nothing here knows any physics.
+
+pub mod elliptic;
+pub mod hypergeometric;
+
+pub use elliptic::CompleteElliptic;
+pub use hypergeometric::Gauss;

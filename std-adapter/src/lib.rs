@@ -1,0 +1,1 @@
+//! Solid friction on a host: scenes, sliding bodies, records.
