@@ -1,0 +1,45 @@
+//! Numbers as text that loses nothing.
+
+use serde_json::Value;
+
+/// `value` with 17 significant digits, which identify every f64; `inf`, `-inf` or `nan` otherwise.
+pub fn number(value: f64) -> String {
+    if value.is_finite() {
+        format!("{value:.16e}")
+    } else if value.is_nan() {
+        "nan".into()
+    } else if value > 0.0 {
+        "inf".into()
+    } else {
+        "-inf".into()
+    }
+}
+
+/// `value` as JSON with 17 significant digits; infinities and NaN, which JSON lacks, as strings.
+pub fn json_number(value: f64) -> Value {
+    let text = number(value);
+    match text.parse::<serde_json::Number>() {
+        Ok(number) => Value::Number(number),
+        Err(_) => Value::String(text),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_number_reads_back_to_the_same_bits() {
+        for value in [0.1, -1.0 / 3.0, 5e-324, f64::MAX, 0.0, 1e22] {
+            assert_eq!(
+                number(value).parse::<f64>().map(f64::to_bits),
+                Ok(value.to_bits())
+            );
+            assert_eq!(
+                json_number(value).to_string().parse::<f64>().ok(),
+                Some(value)
+            );
+        }
+        assert_eq!(json_number(f64::INFINITY), Value::String("inf".into()));
+    }
+}

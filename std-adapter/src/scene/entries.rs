@@ -1,0 +1,110 @@
+//! Keys and values of a scene with the place each was written at.
+
+use super::problem::{Origin, Problem};
+use std::collections::BTreeMap;
+use toml::de::{DeTable, DeValue};
+
+/// A value as written.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Value {
+    Number(f64),
+    Text(String),
+    /// Anything else, by its TOML name.
+    Other(&'static str),
+}
+
+impl Value {
+    /// The kind in words.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Number(_) => "a number",
+            Self::Text(_) => "a text",
+            Self::Other(kind) => kind,
+        }
+    }
+}
+
+/// All keys of a scene.
+#[derive(Debug, Default)]
+pub(super) struct Entries {
+    pub values: BTreeMap<String, (Value, Origin)>,
+}
+
+impl Entries {
+    /// Parses the file and puts the overrides over it. What cannot be read becomes a problem.
+    pub fn parse(text: &str, overrides: &[String]) -> (Self, Vec<Problem>) {
+        let mut entries = Self::default();
+        let mut problems = Vec::new();
+        // Bytes that editors put first and TOML does not know.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        match DeTable::parse(text) {
+            Ok(table) => {
+                for (key, value) in table.get_ref() {
+                    let origin = Origin::Line(line_of(text, key.span().start));
+                    let value = read_value(value.get_ref());
+                    entries
+                        .values
+                        .insert(key.get_ref().to_string(), (value, origin));
+                }
+            }
+            Err(error) => {
+                let line = error.span().map_or(1, |span| line_of(text, span.start));
+                let message = format!(
+                    "not TOML: {}; write lines of the form key = value",
+                    error.message()
+                );
+                problems.push(Problem::new(Origin::Line(line), message));
+            }
+        }
+        for item in overrides {
+            match item.split_once('=') {
+                Some((key, value)) if !key.trim().is_empty() => {
+                    let value = read_override(value.trim());
+                    entries
+                        .values
+                        .insert(key.trim().to_owned(), (value, Origin::Override));
+                }
+                _ => problems.push(Problem::new(
+                    Origin::Override,
+                    format!("`{item}` is not of the form key=value"),
+                )),
+            }
+        }
+        (entries, problems)
+    }
+}
+
+/// Line number, from 1, of a byte of the text.
+fn line_of(text: &str, byte: usize) -> usize {
+    text.bytes().take(byte).filter(|&b| b == b'\n').count() + 1
+}
+
+fn read_value(value: &DeValue<'_>) -> Value {
+    match value {
+        DeValue::Float(number) => parsed(number.as_str()),
+        DeValue::Integer(number) => match i64::from_str_radix(number.as_str(), number.radix()) {
+            Ok(integer) => Value::Number(integer as f64),
+            Err(_) => parsed(number.as_str()),
+        },
+        DeValue::String(text) => Value::Text(text.to_string()),
+        other => Value::Other(match other {
+            DeValue::Boolean(_) => "a boolean",
+            DeValue::Datetime(_) => "a date",
+            DeValue::Array(_) => "an array",
+            _ => "a table",
+        }),
+    }
+}
+
+fn parsed(text: &str) -> Value {
+    text.parse()
+        .map_or(Value::Other("an unreadable number"), Value::Number)
+}
+
+/// A value of an override: TOML if it reads as such, otherwise bare text.
+fn read_override(text: &str) -> Value {
+    match DeValue::parse(text) {
+        Ok(value) => read_value(value.get_ref()),
+        Err(_) => Value::Text(text.to_owned()),
+    }
+}

@@ -1,0 +1,213 @@
+//! The vocabulary of a scene: which keys there are and which values each may take.
+
+use super::entries::{Entries, Value};
+use super::problem::{Origin, Problem};
+
+/// One key of a scene file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Key {
+    /// Its name.
+    pub name: &'static str,
+    /// Its unit in SI, or "-" for a pure number or text.
+    pub unit: &'static str,
+    /// What it means.
+    pub meaning: &'static str,
+    /// What it may be.
+    pub domain: Domain,
+}
+
+/// What a value may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Domain {
+    /// Any finite number.
+    Finite,
+    /// Finite and ≥ 0.
+    NotNegative,
+    /// Finite and > 0.
+    Positive,
+    /// `above` < value ≤ `up_to`.
+    Between {
+        /// Exclusive lower end.
+        above: f64,
+        /// Inclusive upper end.
+        up_to: f64,
+    },
+    /// A whole number from 1 to `up_to`.
+    Count {
+        /// Largest.
+        up_to: f64,
+    },
+    /// One of these words.
+    OneOf(&'static [&'static str]),
+}
+
+impl Domain {
+    /// In words.
+    pub fn describe(&self) -> String {
+        match self {
+            Self::Finite => "a finite number".into(),
+            Self::NotNegative => "a finite number >= 0".into(),
+            Self::Positive => "a finite number > 0".into(),
+            Self::Between { above, up_to } => format!("a number > {above} and <= {up_to}"),
+            Self::Count { up_to } => format!("a whole number from 1 to {up_to}"),
+            Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
+        }
+    }
+
+    /// True if the number belongs to the domain.
+    fn admits(&self, x: f64) -> bool {
+        x.is_finite()
+            && match *self {
+                Self::Finite => true,
+                Self::NotNegative => x >= 0.0,
+                Self::Positive => x > 0.0,
+                Self::Between { above, up_to } => x > above && x <= up_to,
+                Self::Count { up_to } => x >= 1.0 && x <= up_to && x.fract() == 0.0,
+                Self::OneOf(_) => false,
+            }
+    }
+}
+
+/// Takes values out of entries and collects what is wrong with them.
+pub(super) struct Reader {
+    keys: &'static [Key],
+    entries: Entries,
+    problems: Vec<Problem>,
+}
+
+impl Reader {
+    /// Starts with a complaint about every key that is not in the vocabulary.
+    pub fn new(keys: &'static [Key], entries: Entries, mut problems: Vec<Problem>) -> Self {
+        for (name, (_, origin)) in &entries.values {
+            if !keys.iter().any(|key| key.name == name) {
+                problems.push(Problem::new(*origin, unknown(keys, name)));
+            }
+        }
+        Self {
+            keys,
+            entries,
+            problems,
+        }
+    }
+
+    /// A number that must be there. NaN, with a problem noted, if it is not or is out of domain.
+    pub fn required(&mut self, name: &str) -> f64 {
+        match self.optional(name) {
+            Some(number) => number,
+            None => {
+                if !self.is_given(name) {
+                    let key = self.key(name);
+                    let message = format!(
+                        "`{name}` is missing: {} [{}], {}",
+                        key.meaning,
+                        key.unit,
+                        key.domain.describe()
+                    );
+                    self.problems.push(Problem::new(Origin::File, message));
+                }
+                f64::NAN
+            }
+        }
+    }
+
+    /// A number that may be left out.
+    pub fn optional(&mut self, name: &str) -> Option<f64> {
+        let domain = self.key(name).domain;
+        let (value, origin) = self.entries.values.get(name)?;
+        let message = match value {
+            Value::Number(x) if domain.admits(*x) => return Some(*x),
+            Value::Number(x) => format!("`{name}` must be {}, not {x}", domain.describe()),
+            other => format!(
+                "`{name}` must be {}, not {}",
+                domain.describe(),
+                other.kind()
+            ),
+        };
+        self.problems.push(Problem::new(*origin, message));
+        None
+    }
+
+    /// Index of a word among those that its key admits; the first if left out.
+    pub fn word(&mut self, name: &str) -> usize {
+        let domain = self.key(name).domain;
+        let (Domain::OneOf(words), Some((value, origin))) = (domain, self.entries.values.get(name))
+        else {
+            return 0;
+        };
+        let message = match value {
+            Value::Text(text) => match words.iter().position(|word| word == text) {
+                Some(index) => return index,
+                None => format!("`{name}` must be {}, not \"{text}\"", domain.describe()),
+            },
+            other => format!(
+                "`{name}` must be {}, not {}",
+                domain.describe(),
+                other.kind()
+            ),
+        };
+        self.problems.push(Problem::new(*origin, message));
+        0
+    }
+
+    /// True if the key stands in the file or an override.
+    pub fn is_given(&self, name: &str) -> bool {
+        self.entries.values.contains_key(name)
+    }
+
+    /// Notes a problem at the place of `name`.
+    pub fn object(&mut self, name: &str, message: String) {
+        let origin = self
+            .entries
+            .values
+            .get(name)
+            .map_or(Origin::File, |(_, origin)| *origin);
+        self.problems.push(Problem::new(origin, message));
+    }
+
+    /// `scene` if nothing was wrong, else all problems in the order of the file.
+    pub fn finish<T>(mut self, scene: T) -> Result<T, Vec<Problem>> {
+        if self.problems.is_empty() {
+            return Ok(scene);
+        }
+        self.problems.sort_by_key(|problem| match problem.origin {
+            Origin::Line(line) => (0, line),
+            Origin::Override => (1, 0),
+            Origin::File => (2, 0),
+        });
+        Err(self.problems)
+    }
+
+    /// The vocabulary's entry; unknown names are the program's own mistake and read as free text.
+    fn key(&self, name: &str) -> Key {
+        const FREE: Key = Key {
+            name: "",
+            unit: "-",
+            meaning: "",
+            domain: Domain::Finite,
+        };
+        self.keys
+            .iter()
+            .copied()
+            .find(|key| key.name == name)
+            .unwrap_or(FREE)
+    }
+}
+
+/// The complaint about an unknown key, with the nearest known one or all of them.
+fn unknown(keys: &[Key], name: &str) -> String {
+    /// Jaro–Winkler similarity from which a key counts as meant.
+    const SIMILAR: f64 = 0.8;
+    let nearest = keys
+        .iter()
+        .map(|key| (strsim::jaro_winkler(name, key.name), key.name))
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    match nearest {
+        Some((similarity, key)) if similarity >= SIMILAR => {
+            format!("unknown key `{name}`; did you mean `{key}`?")
+        }
+        _ => {
+            let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
+            format!("unknown key `{name}`; the keys are {}", names.join(", "))
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! What a user writes: a TOML file and overrides become a typed, validated scene.
+//!
+//! All refusals happen here, before any work, and all at once: each names the file and line (or
+//! the override), what is wrong and what would be valid.
+
+mod entries;
+mod key;
+mod problem;
+mod slider;
+
+pub use key::{Domain, Key};
+pub use problem::{Problem, SceneError};
+pub use slider::{SliderScene, Stepper, Units};
+
+use entries::Entries;
+use std::path::Path;
+
+/// Reads the scene in `path` with `overrides` of the form `key=value` put over it.
+pub fn read_slider(path: &Path, overrides: &[String]) -> Result<SliderScene, SceneError> {
+    let text = std::fs::read_to_string(path).map_err(|cause| SceneError::Unreadable {
+        path: path.to_path_buf(),
+        cause,
+    })?;
+    parse_slider(&path.display().to_string(), &text, overrides)
+}
+
+/// As [`read_slider`], from text; `name` stands for the file in messages.
+pub fn parse_slider(
+    name: &str,
+    text: &str,
+    overrides: &[String],
+) -> Result<SliderScene, SceneError> {
+    let (entries, problems) = Entries::parse(text, overrides);
+    SliderScene::from_entries(entries, problems).map_err(|problems| SceneError::Invalid {
+        name: name.to_owned(),
+        problems,
+    })
+}

@@ -1,0 +1,85 @@
+//! What is wrong with a scene, in words for a person.
+
+use std::fmt;
+use std::path::PathBuf;
+
+/// Where a value was written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Origin {
+    /// Line of the file, from 1.
+    Line(usize),
+    /// An override on the command line.
+    Override,
+    /// Nowhere: it is missing.
+    File,
+}
+
+/// One thing that is wrong, and its cure.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    pub(super) origin: Origin,
+    pub(super) message: String,
+}
+
+impl Problem {
+    pub(super) fn new(origin: Origin, message: impl Into<String>) -> Self {
+        Self {
+            origin,
+            message: message.into(),
+        }
+    }
+
+    /// What is wrong and what would be valid, without the place.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+}
+
+/// A scene that cannot be run.
+#[derive(Debug)]
+pub enum SceneError {
+    /// The file cannot be read.
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        cause: std::io::Error,
+    },
+    /// The scene says something that makes no sense.
+    Invalid {
+        /// Name of the file.
+        name: String,
+        /// Everything that is wrong, in the order of the file.
+        problems: Vec<Problem>,
+    },
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unreadable { path, cause } => {
+                write!(f, "cannot read the scene {}: {cause}", path.display())
+            }
+            Self::Invalid { name, problems } => {
+                for (i, Problem { origin, message }) in problems.iter().enumerate() {
+                    let newline = if i > 0 { "\n" } else { "" };
+                    match origin {
+                        Origin::Line(line) => write!(f, "{newline}{name}:{line}: {message}")?,
+                        Origin::Override => write!(f, "{newline}--set: {message}")?,
+                        Origin::File => write!(f, "{newline}{name}: {message}")?,
+                    }
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+impl std::error::Error for SceneError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Unreadable { cause, .. } => Some(cause),
+            Self::Invalid { .. } => None,
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Sliding bodies.
+
+mod outcome;
+mod simulation;
+
+pub use outcome::{Ending, Outcome};
+pub use simulation::{COLUMNS, SlideSimulation};
+
+use crate::run::drive;
+use crate::scene::SliderScene;
+use tribos_core::coupling::{Coupling, Profile, table};
+use tribos_core::law::LawError;
+use tribos_core::modes::InertiaError;
+use tribos_core::slider::SliderError;
+
+/// Why a validated scene could not be run to its end.
+#[derive(Debug, thiserror::Error)]
+pub enum SlideError {
+    /// A step this short needs too many of them.
+    #[error(
+        "a time_step of {time_step} s needs {steps:.3e} steps, more than {most:.0e}; \
+         use at least {at_least:.1e} s"
+    )]
+    TooManySteps {
+        /// The step asked for.
+        time_step: f64,
+        /// Steps that it needs.
+        steps: f64,
+        /// Steps allowed.
+        most: f64,
+        /// Shortest step allowed.
+        at_least: f64,
+    },
+    /// The numbers left the range of f64.
+    #[error("the motion is no longer finite after step {step}; its scales are too far apart")]
+    NotFinite {
+        /// The step.
+        step: u64,
+    },
+    /// The kernel refused the law.
+    #[error(transparent)]
+    Law(#[from] LawError),
+    /// The kernel refused the body.
+    #[error(transparent)]
+    Slider(#[from] SliderError),
+    /// The kernel refused the inertia ratio.
+    #[error(transparent)]
+    Inertia(#[from] InertiaError),
+}
+
+/// Everything a run of one slider gives.
+#[derive(Clone, Debug)]
+pub struct SlideRun {
+    /// Lines of the series, columns as in [`COLUMNS`].
+    pub series: Vec<[f64; COLUMNS.len()]>,
+    /// The summary.
+    pub outcome: Outcome,
+}
+
+/// Runs a scene to its end; `progress` sees the fraction done after every step.
+///
+/// ```
+/// use tribos::{scene::parse_slider, slide::run};
+/// let text = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0\ngravity = 9.81\n\
+///             radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5";
+/// let scene = parse_slider("disk.toml", text, &["spin=0".into()])?;
+/// let result = run(&scene, |_| ())?;
+/// assert!((result.outcome.distance - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn run(scene: &SliderScene, progress: impl FnMut(f64)) -> Result<SlideRun, SlideError> {
+    if scene.alpha == 0.0 {
+        run_with(table::Coulomb, scene, progress)
+    } else {
+        run_with(table::Table64::new(scene.alpha)?, scene, progress)
+    }
+}
+
+fn run_with<P: Profile<f64> + Coupling<f64> + Copy>(
+    profile: P,
+    scene: &SliderScene,
+    mut progress: impl FnMut(f64),
+) -> Result<SlideRun, SlideError> {
+    let mut simulation = SlideSimulation::new(profile, scene)?;
+    let mut series = Vec::new();
+    drive(&mut simulation, |row, done| {
+        series.push(row);
+        progress(done);
+    })?;
+    Ok(SlideRun {
+        series,
+        outcome: simulation.outcome()?,
+    })
+}

@@ -1,0 +1,88 @@
+//! The summary of a slide.
+
+use crate::record::json_number;
+use crate::scene::SliderScene;
+use serde_json::{Map, Value};
+use tribos_core::modes::FinalMode;
+
+/// Why a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// Both motions stopped, in the same instant.
+    Rest,
+    /// Both speeds fell below the scene's stop_fraction.
+    Faded,
+    /// The scene's duration was over.
+    Duration,
+}
+
+/// What came out of a run, in the units of its scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outcome {
+    /// Why it ended.
+    pub ending: Ending,
+    /// Time at the end: the stop time if the body rests [s].
+    pub time: f64,
+    /// Distance covered [m].
+    pub distance: f64,
+    /// Angle turned [rad].
+    pub angle: f64,
+    /// Velocity ratio v/(|ω|R) at the end, its limit if the body rests.
+    pub ratio: f64,
+    /// What the theory of fixed points says of the end.
+    pub limit: FinalMode<f64>,
+    /// Steps taken.
+    pub steps: u64,
+    /// Kinetic energy at the launch [J].
+    pub initial_energy: f64,
+    /// Work of friction, integrated from its power [J].
+    pub dissipated_energy: f64,
+    /// |work − loss of kinetic energy| / initial energy.
+    pub energy_error: f64,
+}
+
+impl Outcome {
+    /// The summary as JSON; `stop_time` is null if the body does not rest.
+    pub fn json(&self, scene: &SliderScene) -> Value {
+        let mut map = Map::new();
+        let ending = match self.ending {
+            Ending::Rest => "rest",
+            Ending::Faded => "faded",
+            Ending::Duration => "duration",
+        };
+        map.insert("ending".into(), ending.into());
+        let rests = self.ending == Ending::Rest;
+        let stop_time = if rests {
+            json_number(self.time)
+        } else {
+            Value::Null
+        };
+        map.insert("stop_time".into(), stop_time);
+        let (mode, limit) = match self.limit {
+            FinalMode::Spinning => ("spinning", 0.0),
+            FinalMode::Sliding => ("sliding", f64::INFINITY),
+            FinalMode::Together { ratio } => ("together", ratio),
+        };
+        for (name, value) in [
+            ("end_time", self.time),
+            ("distance", self.distance),
+            ("angle", self.angle),
+            ("final_ratio", self.ratio),
+            ("limit_ratio", limit),
+        ] {
+            map.insert(name.into(), json_number(value));
+        }
+        map.insert("final_mode".into(), mode.into());
+        map.insert("steps".into(), self.steps.into());
+        for (name, value) in [
+            ("initial_energy", self.initial_energy),
+            ("energy_dissipated", self.dissipated_energy),
+            ("energy_error", self.energy_error),
+        ] {
+            map.insert(name.into(), json_number(value));
+        }
+        map.insert("scene".into(), scene.json());
+        map.insert("version".into(), env!("CARGO_PKG_VERSION").into());
+        Value::Object(map)
+    }
+}

@@ -1,0 +1,283 @@
+//! One slider followed from its launch to its end, with its energy book.
+
+use super::{Ending, Outcome, SlideError};
+use crate::run::Simulation;
+use crate::scene::{SliderScene, Stepper};
+use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::modes::Modes;
+use tribos_core::slider::{Motion, Rest, Slider};
+
+/// Columns of the series: SI units in SI scenes (s, m/s, rad/s, m, rad, -, J, J).
+pub const COLUMNS: [&str; 8] = [
+    "time",
+    "speed",
+    "spin",
+    "distance",
+    "angle",
+    "ratio",
+    "kinetic_energy",
+    "dissipated_energy",
+];
+
+/// Steps beyond which a series no longer fits a sensible file.
+const MOST_STEPS: f64 = 1e7;
+/// Verlet steps for one recorded step of the exact method, when none is asked for.
+const VERLET_REFINEMENT: f64 = 50.0;
+/// Nodes and weights of the 5-point Gauss–Legendre rule on [0, 1], which integrates the power.
+const POWER_NODES: [[f64; 2]; 5] = [
+    [0.046_910_077_030_668, 0.118_463_442_528_094_54],
+    [0.230_765_344_947_158_45, 0.239_314_335_249_683_23],
+    [0.5, 0.284_444_444_444_444_44],
+    [0.769_234_655_052_841_5, 0.239_314_335_249_683_23],
+    [0.953_089_922_969_332, 0.118_463_442_528_094_54],
+];
+
+/// How long a step is.
+#[derive(Clone, Copy, Debug)]
+enum StepLength {
+    /// Always the same.
+    Fixed(f64),
+    /// This fraction of the time in which the present speeds would fade.
+    OfFading(f64),
+}
+
+/// A slider under way.
+#[derive(Debug)]
+pub struct SlideSimulation<P> {
+    slider: Slider<f64, P>,
+    scene: SliderScene,
+    deceleration: f64,
+    length: StepLength,
+    /// Time of rest, or of fading, or the duration asked for.
+    end: f64,
+    start: Motion<f64>,
+    motion: Motion<f64>,
+    rest: Option<Rest<f64>>,
+    /// Work of friction, integrated from the power.
+    dissipated: f64,
+    steps: u64,
+}
+
+impl<P: Profile<f64> + Coupling<f64> + Copy> SlideSimulation<P> {
+    /// Prepares a run; the whole motion is scouted once to choose and check the step.
+    pub fn new(profile: P, scene: &SliderScene) -> Result<Self, SlideError> {
+        let deceleration = scene.coefficient * scene.gravity;
+        let slider = Slider::new(profile, deceleration, scene.radius, scene.inertia_ratio)?;
+        let start = Motion::launched(scene.speed, scene.spin);
+        let mut simulation = Self {
+            slider,
+            scene: *scene,
+            deceleration,
+            length: StepLength::OfFading(fading_fraction(scene)),
+            end: f64::INFINITY,
+            start,
+            motion: start,
+            rest: None,
+            dissipated: 0.0,
+            steps: 0,
+        };
+        simulation.end = simulation
+            .scout()?
+            .min(scene.duration.unwrap_or(f64::INFINITY));
+        simulation.length = simulation.choose_length()?;
+        Ok(simulation)
+    }
+
+    /// Time of rest (α < 1), or until both speeds have faded.
+    fn scout(&self) -> Result<f64, SlideError> {
+        if let Some(rest) = self.slider.to_rest(&self.start) {
+            return Ok(rest.motion.time);
+        }
+        if let Some(duration) = self.scene.duration {
+            return Ok(duration);
+        }
+        let mut motion = self.start;
+        let mut step = 0;
+        while !self.has_faded(&motion) {
+            step += 1;
+            motion = self.slider.advance(&motion, self.length_of(&motion)).motion;
+            if !motion.time.is_finite() {
+                return Err(SlideError::NotFinite { step });
+            }
+        }
+        Ok(motion.time)
+    }
+
+    /// The step that was asked for, or one that suits the motion.
+    fn choose_length(&self) -> Result<StepLength, SlideError> {
+        let refinement = match self.scene.stepper {
+            Stepper::Exact => 1.0,
+            Stepper::Verlet => VERLET_REFINEMENT,
+        };
+        let Some(time_step) = self.scene.time_step else {
+            let never_rests = self.scene.alpha >= 1.0 && self.scene.duration.is_none();
+            return Ok(if never_rests {
+                StepLength::OfFading(fading_fraction(&self.scene) / refinement)
+            } else {
+                StepLength::Fixed(self.end / (f64::from(self.scene.samples) * refinement))
+            });
+        };
+        let steps = self.end / time_step;
+        if steps > MOST_STEPS {
+            let at_least = self.end / MOST_STEPS;
+            return Err(SlideError::TooManySteps {
+                time_step,
+                steps,
+                most: MOST_STEPS,
+                at_least,
+            });
+        }
+        Ok(StepLength::Fixed(time_step))
+    }
+
+    fn length_of(&self, motion: &Motion<f64>) -> f64 {
+        match self.length {
+            StepLength::Fixed(length) => length,
+            StepLength::OfFading(fraction) => {
+                let scale = motion.speed.max((motion.spin * self.scene.radius).abs());
+                fraction * scale.powf(1.0 - self.scene.alpha) / self.deceleration
+            }
+        }
+    }
+
+    /// True when both speeds are below the scene's fraction of their start.
+    fn has_faded(&self, motion: &Motion<f64>) -> bool {
+        let limit = self.scene.stop_fraction;
+        motion.speed <= limit * self.start.speed
+            && motion.spin.abs() <= limit * self.start.spin.abs()
+    }
+
+    /// Work of friction in `duration` from `motion` on, along the exact motion.
+    fn work(&self, motion: &Motion<f64>, duration: f64) -> f64 {
+        let power = POWER_NODES.iter().map(|[node, weight]| {
+            let at = self.slider.advance(motion, node * duration).motion;
+            weight * self.slider.dissipation_per_mass(&at)
+        });
+        self.scene.mass * duration * power.sum::<f64>()
+    }
+
+    fn exact_step(&mut self, duration: f64) {
+        let after = self.slider.advance(&self.motion, duration);
+        let moving = match &after.rest {
+            Some(rest) => rest.motion.time - self.motion.time,
+            None => duration,
+        };
+        self.dissipated += self.work(&self.motion, moving);
+        self.rest = after.rest;
+        self.motion = match after.rest {
+            Some(rest) => rest.motion,
+            None => after.motion,
+        };
+    }
+
+    /// Trapezoid rule for the power: of the method's own order.
+    fn verlet_step(&mut self, duration: f64) {
+        let before = self.motion;
+        self.motion = self.slider.verlet_step(&before, duration);
+        let power = self.slider.dissipation_per_mass(&before)
+            + self.slider.dissipation_per_mass(&self.motion);
+        self.dissipated += 0.5 * self.scene.mass * duration * power;
+        if self.motion.is_at_rest() {
+            let ratio = self.slider.ratio(&before);
+            self.rest = Some(Rest {
+                motion: self.motion,
+                ratio,
+                substeps: 0,
+            });
+        }
+    }
+
+    /// The summary of what has happened so far.
+    pub fn outcome(&self) -> Result<Outcome, SlideError> {
+        let energy = |motion| self.scene.mass * self.slider.energy_per_mass(motion);
+        let initial = energy(&self.start);
+        let lost = initial - energy(&self.motion);
+        let ratio_at_start = self.slider.ratio(&self.start);
+        let modes = Modes::new(*self.slider.profile(), self.scene.inertia_ratio)?;
+        Ok(Outcome {
+            ending: if self.rest.is_some() {
+                Ending::Rest
+            } else if self.has_faded(&self.motion) {
+                Ending::Faded
+            } else {
+                Ending::Duration
+            },
+            time: self.motion.time,
+            distance: self.motion.distance,
+            angle: self.motion.angle,
+            ratio: match &self.rest {
+                Some(rest) => rest.ratio,
+                None => self.slider.ratio(&self.motion),
+            },
+            limit: modes.final_mode(ratio_at_start),
+            steps: self.steps,
+            initial_energy: initial,
+            dissipated_energy: self.dissipated,
+            energy_error: (self.dissipated - lost).abs() / initial,
+        })
+    }
+}
+
+/// Steps of fading that make the scene's number of samples between the start and its end.
+fn fading_fraction(scene: &SliderScene) -> f64 {
+    -scene.stop_fraction.ln() / f64::from(scene.samples)
+}
+
+impl<P: Profile<f64> + Coupling<f64> + Copy> Simulation for SlideSimulation<P> {
+    type Record = [f64; COLUMNS.len()];
+    type Error = SlideError;
+
+    fn record(&self) -> Self::Record {
+        let Motion {
+            time,
+            speed,
+            spin,
+            distance,
+            angle,
+        } = self.motion;
+        let ratio = match &self.rest {
+            Some(rest) => rest.ratio,
+            None => self.slider.ratio(&self.motion),
+        };
+        let energy = self.scene.mass * self.slider.energy_per_mass(&self.motion);
+        [
+            time,
+            speed,
+            spin,
+            distance,
+            angle,
+            ratio,
+            energy,
+            self.dissipated,
+        ]
+    }
+
+    fn step(&mut self) -> Result<bool, SlideError> {
+        let left = self
+            .scene
+            .duration
+            .map_or(f64::INFINITY, |end| end - self.motion.time);
+        let duration = self.length_of(&self.motion).min(left);
+        match self.scene.stepper {
+            Stepper::Exact => self.exact_step(duration),
+            Stepper::Verlet => self.verlet_step(duration),
+        }
+        self.steps += 1;
+        if !self
+            .record()
+            .iter()
+            .take(5)
+            .chain([&self.dissipated])
+            .all(|x| x.is_finite())
+        {
+            return Err(SlideError::NotFinite { step: self.steps });
+        }
+        let over = duration >= left;
+        let faded = self.scene.alpha >= 1.0 && self.has_faded(&self.motion);
+        Ok(self.rest.is_none() && !over && !(faded && self.scene.duration.is_none()))
+    }
+
+    fn progress(&self) -> f64 {
+        (self.motion.time / self.end).clamp(0.0, 1.0)
+    }
+}
