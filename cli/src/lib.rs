@@ -1,1 +1,5 @@
-//! The tribos command: friction laws, final motion, runs and reports.
+//! The `tribos` command: arguments in, reports out. The physics is in `tribos` and `tribos-core`.
+
+pub mod command;
+pub mod failure;
+pub mod report;

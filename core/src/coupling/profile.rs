@@ -50,6 +50,29 @@ pub trait Profile<R: Real> {
     fn rate_scale(&self, speed: R) -> R;
 }
 
+impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
+    #[inline]
+    fn exponent(&self) -> R {
+        (**self).exponent()
+    }
+    #[inline]
+    fn force_and_torque_factors(&self, ratio: R) -> [R; 2] {
+        (**self).force_and_torque_factors(ratio)
+    }
+    #[inline]
+    fn force_factor_and_slope(&self, complement: R) -> [R; 2] {
+        (**self).force_factor_and_slope(complement)
+    }
+    #[inline]
+    fn speed_scale(&self, speed: R) -> R {
+        (**self).speed_scale(speed)
+    }
+    #[inline]
+    fn rate_scale(&self, speed: R) -> R {
+        (**self).rate_scale(speed)
+    }
+}
+
 /// The two speeds in order, and their ratio.
 struct Ordered<R> {
     sliding_leads: bool,

@@ -76,7 +76,7 @@ pub fn run(scene: &SliderScene, progress: impl FnMut(f64)) -> Result<SlideRun, S
     }
 }
 
-fn run_with<P: Profile<f64> + Coupling<f64> + Copy>(
+fn run_with<P: Profile<f64> + Coupling<f64>>(
     profile: P,
     scene: &SliderScene,
     mut progress: impl FnMut(f64),

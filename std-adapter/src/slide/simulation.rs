@@ -58,7 +58,7 @@ pub struct SlideSimulation<P> {
     steps: u64,
 }
 
-impl<P: Profile<f64> + Coupling<f64> + Copy> SlideSimulation<P> {
+impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
     /// Prepares a run; the whole motion is scouted once to choose and check the step.
     pub fn new(profile: P, scene: &SliderScene) -> Result<Self, SlideError> {
         let deceleration = scene.coefficient * scene.gravity;
@@ -193,7 +193,7 @@ impl<P: Profile<f64> + Coupling<f64> + Copy> SlideSimulation<P> {
         let initial = energy(&self.start);
         let lost = initial - energy(&self.motion);
         let ratio_at_start = self.slider.ratio(&self.start);
-        let modes = Modes::new(*self.slider.profile(), self.scene.inertia_ratio)?;
+        let modes = Modes::new(self.slider.profile(), self.scene.inertia_ratio)?;
         Ok(Outcome {
             ending: if self.rest.is_some() {
                 Ending::Rest
@@ -223,7 +223,7 @@ fn fading_fraction(scene: &SliderScene) -> f64 {
     -scene.stop_fraction.ln() / f64::from(scene.samples)
 }
 
-impl<P: Profile<f64> + Coupling<f64> + Copy> Simulation for SlideSimulation<P> {
+impl<P: Profile<f64> + Coupling<f64>> Simulation for SlideSimulation<P> {
     type Record = [f64; COLUMNS.len()];
     type Error = SlideError;
 

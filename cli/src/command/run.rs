@@ -1,0 +1,133 @@
+//! `tribos run`: a scene simulated, its results in a folder.
+
+use crate::failure::Failure;
+use crate::report::figure::{Axis, Figure, Guide, Series};
+use crate::report::image;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+use tribos::record::{series_csv, write_atomically};
+use tribos::scene::{self, SliderScene, Units};
+use tribos::slide::{self, COLUMNS, SlideRun};
+
+/// Simulates the scene and writes summary.json, series.csv, motion.svg and motion.png.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = examples())]
+pub struct Arguments {
+    /// The scene, a TOML file such as scenes/disk.toml.
+    scene: PathBuf,
+    /// Folder for the results; made if missing, files in it are replaced.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Replace or add a key of the scene; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+}
+
+/// Examples and the vocabulary of a scene.
+fn examples() -> String {
+    let mut text = String::from(
+        "Examples:\n  \
+         tribos run scenes/disk.toml --out out/disk\n  \
+         tribos run scenes/disk.toml --out out/fast --set spin=50 --set alpha=0.5\n  \
+         tribos run scenes/disk.toml --out out/verlet --set stepper=verlet --set time_step=1e-4\n\n\
+         Keys of a scene:\n",
+    );
+    for key in SliderScene::KEYS {
+        let domain = key.domain.describe();
+        text += &format!(
+            "  {:<14} [{}] {}; {domain}\n",
+            key.name, key.unit, key.meaning
+        );
+    }
+    text
+}
+
+impl Arguments {
+    /// Runs and writes.
+    pub fn execute(self) -> Result<(), Failure> {
+        let scene = scene::read_slider(&self.scene, &self.overrides).map_err(Failure::input)?;
+        let result = slide::run(&scene, Ticker::new().closure())?;
+        let rows = result.series.iter().map(<[f64; COLUMNS.len()]>::as_slice);
+        let csv = series_csv(&COLUMNS, rows);
+        write_atomically(&self.out.join("series.csv"), csv.as_bytes())?;
+        image::write_both(&self.out, "motion", &figure(&scene, &result))?;
+        // Last: a summary stands only beside complete results.
+        let summary = format!("{:#}\n", result.outcome.json(&scene));
+        write_atomically(&self.out.join("summary.json"), summary.as_bytes())?;
+        self.report(&scene, &result);
+        Ok(())
+    }
+
+    /// A few lines for the person at the terminal.
+    fn report(&self, scene: &SliderScene, result: &SlideRun) {
+        let outcome = &result.outcome;
+        let (s, m) = match scene.units {
+            Units::Si => (" s", " m"),
+            Units::Dimensionless => ("", ""),
+        };
+        println!(
+            "ending        {:?} after {} steps",
+            outcome.ending, outcome.steps
+        );
+        println!("time          {:.12}{s}", outcome.time);
+        println!("distance      {:.12}{m}", outcome.distance);
+        println!("angle         {:.12} rad", outcome.angle);
+        println!("final ratio   {:.12}", outcome.ratio);
+        println!(
+            "energy error  {:.1e} of the initial energy",
+            outcome.energy_error
+        );
+        println!("written to    {}", self.out.display());
+    }
+}
+
+/// Sliding and rim speed over time.
+fn figure(scene: &SliderScene, result: &SlideRun) -> Figure {
+    let unit = match scene.units {
+        Units::Si => [" [s]", " [m/s]"],
+        Units::Dimensionless => ["", " [√(gR)]"],
+    };
+    let curve = |value: &dyn Fn(&[f64; COLUMNS.len()]) -> f64| {
+        result
+            .series
+            .iter()
+            .map(|row| (row[0], value(row)))
+            .collect::<Vec<_>>()
+    };
+    let figure = Figure::new(
+        format!("Sliding and spinning to rest, α = {}", scene.alpha),
+        Axis::linear(format!("time{}", unit[0])),
+        Axis::linear(format!("speed{}", unit[1])),
+    )
+    .series(Series::line("sliding, v", curve(&|row| row[1])))
+    .series(Series::line(
+        "rim, |ω|R",
+        curve(&|row| (row[2] * scene.radius).abs()),
+    ));
+    match result.outcome.ending {
+        slide::Ending::Rest => figure.guide(Guide::vertical(result.outcome.time, "rest")),
+        _ => figure,
+    }
+}
+
+/// Tells on standard error how far a long run is, once a second.
+struct Ticker {
+    last: Instant,
+}
+
+impl Ticker {
+    fn new() -> Self {
+        Self {
+            last: Instant::now(),
+        }
+    }
+
+    fn closure(mut self) -> impl FnMut(f64) {
+        move |done| {
+            if self.last.elapsed() > Duration::from_secs(1) {
+                self.last = Instant::now();
+                eprintln!("{:5.1} % done", 100.0 * done);
+            }
+        }
+    }
+}

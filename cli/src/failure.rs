@@ -1,0 +1,63 @@
+//! Why a command ended without its result, and the exit code that tells.
+
+use std::process::ExitCode;
+use tribos::record::WriteError;
+use tribos::slide::SlideError;
+
+/// Exit code of a run that failed.
+const RUN_FAILED: u8 = 1;
+/// Exit code of bad usage or input; clap uses the same.
+const BAD_INPUT: u8 = 2;
+
+/// A failed command.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// What the user gave cannot be used; the message names the cure.
+    #[error("{0}")]
+    Input(String),
+    /// The work itself failed.
+    #[error("{0}")]
+    Run(String),
+}
+
+impl Failure {
+    /// Bad input, from anything that explains itself.
+    pub fn input(message: impl ToString) -> Self {
+        Self::Input(message.to_string())
+    }
+
+    /// A failed run, from anything that explains itself.
+    pub fn run(message: impl ToString) -> Self {
+        Self::Run(message.to_string())
+    }
+
+    /// 2 for bad input, 1 for a failed run.
+    pub fn exit_code(&self) -> ExitCode {
+        ExitCode::from(match self {
+            Self::Input(_) => BAD_INPUT,
+            Self::Run(_) => RUN_FAILED,
+        })
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        Self::run(error)
+    }
+}
+
+impl From<SlideError> for Failure {
+    fn from(error: SlideError) -> Self {
+        match error {
+            SlideError::NotFinite { .. } => Self::run(error),
+            // The kernel or the planning refused a number of the scene.
+            _ => Self::input(error),
+        }
+    }
+}
+
+impl From<crate::report::figure::FigureError> for Failure {
+    fn from(error: crate::report::figure::FigureError) -> Self {
+        Self::run(error)
+    }
+}

@@ -1,0 +1,40 @@
+//! A drawing as files, by their ending.
+
+use super::figure::{Figure, FigureError, Panels};
+use crate::failure::Failure;
+use std::path::Path;
+use tribos::record::write_atomically;
+
+/// Anything that can be drawn.
+pub trait Drawing {
+    /// As SVG text.
+    fn to_svg(&self) -> Result<String, FigureError>;
+    /// As a PNG file.
+    fn to_png(&self) -> Result<Vec<u8>, FigureError>;
+}
+
+impl Drawing for Figure {
+    fn to_svg(&self) -> Result<String, FigureError> {
+        self.svg()
+    }
+    fn to_png(&self) -> Result<Vec<u8>, FigureError> {
+        self.png()
+    }
+}
+
+impl Drawing for Panels {
+    fn to_svg(&self) -> Result<String, FigureError> {
+        self.svg()
+    }
+    fn to_png(&self) -> Result<Vec<u8>, FigureError> {
+        self.png()
+    }
+}
+
+/// Writes `stem`.svg and `stem`.png into `folder`; returns the SVG.
+pub fn write_both(folder: &Path, stem: &str, drawing: &dyn Drawing) -> Result<String, Failure> {
+    let svg = drawing.to_svg()?;
+    write_atomically(&folder.join(format!("{stem}.svg")), svg.as_bytes())?;
+    write_atomically(&folder.join(format!("{stem}.png")), &drawing.to_png()?)?;
+    Ok(svg)
+}

@@ -1,0 +1,5 @@
+//! What people look at: figures, text tables and the page of a reproduction.
+
+pub mod figure;
+pub mod image;
+pub mod page;

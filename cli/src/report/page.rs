@@ -1,0 +1,299 @@
+//! A self-contained web page that compares our results with a thesis.
+
+use std::fmt::Write as _;
+
+/// Look of the page; figures stay on white cards in dark mode.
+const STYLE: &str = "\
+:root{color-scheme:light dark;--text:#1c1f23;--soft:#5b6570;--back:#fbfbfa;--card:#fff;\
+--line:#d9dde1;--zebra:#f3f5f6;--link:#0b5cad;--good:#1a7f46;--bad:#b3261e;--open:#8a5a00}
+@media(prefers-color-scheme:dark){:root{--text:#e4e7ea;--soft:#a2abb4;--back:#16191c;\
+--card:#1e2226;--line:#363c42;--zebra:#22272b;--link:#7fb8ef;--good:#6fcf97;--bad:#ff8f85;\
+--open:#e6b566}}
+*{box-sizing:border-box}
+body{margin:0 auto;padding:2rem 1.2rem 4rem;max-width:62rem;background:var(--back);\
+color:var(--text);font:16px/1.55 system-ui,-apple-system,'Segoe UI',Roboto,sans-serif}
+h1{font-size:1.9rem;line-height:1.2;margin:0 0 1rem}
+h2{font-size:1.35rem;margin:3rem 0 .6rem;padding-top:1rem;border-top:1px solid var(--line)}
+p{margin:.6rem 0;max-width:48rem}
+a{color:var(--link)}
+.environment,figcaption{color:var(--soft);font-size:.9rem}
+figure{margin:1.2rem 0}
+.card{background:#fff;border:1px solid var(--line);border-radius:6px;padding:.6rem;overflow-x:auto}
+.card svg{display:block;max-width:100%;height:auto;margin:0 auto}
+.files a{margin-right:.8rem;white-space:nowrap}
+.scroll{overflow-x:auto}
+table{border-collapse:collapse;width:100%;font-size:.93rem;margin:1rem 0;background:var(--card)}
+th,td{text-align:left;vertical-align:top;padding:.45rem .7rem;border:1px solid var(--line)}
+th{background:var(--zebra)}
+tbody tr:nth-child(even){background:var(--zebra)}
+td.number{text-align:right;font-variant-numeric:tabular-nums}
+tfoot td{font-weight:600}
+.agrees{color:var(--good)}.erratum,.differs{color:var(--bad)}.unchecked{color:var(--open)}
+.verdict{font-weight:600}
+";
+
+/// The whole page.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Page {
+    /// Heading of the page and title of the window.
+    pub title: String,
+    /// Paragraphs under the heading.
+    pub intro: Vec<String>,
+    /// One line on program version, machine and settings; may be empty.
+    pub environment: String,
+    /// Parts of the report in order.
+    pub sections: Vec<Section>,
+}
+
+/// One part of the report.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Section {
+    /// Name for links to this section, unique on the page.
+    pub id: String,
+    /// Heading.
+    pub heading: String,
+    /// Paragraphs.
+    pub text: Vec<String>,
+    /// The figure, if the section has one.
+    pub figure: Option<FigureRef>,
+    /// Rows of the comparison table.
+    pub claims: Vec<Claim>,
+}
+
+/// A figure shown inside the page and the files beside the page.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct FigureRef {
+    /// Trusted SVG text, put into the page as it is.
+    pub svg: String,
+    /// Relative names of the files to link, such as CSV, SVG and PNG.
+    pub files: Vec<String>,
+    /// Text under the figure.
+    pub caption: String,
+}
+
+/// One statement of the thesis and what became of it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Claim {
+    /// The statement.
+    pub statement: String,
+    /// Value in the thesis.
+    pub thesis: String,
+    /// Our value.
+    pub ours: String,
+    /// Difference between the two.
+    pub difference: String,
+    /// Our judgement.
+    pub verdict: Verdict,
+}
+
+/// Outcome of checking a claim.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Verdict {
+    /// Our result agrees with the thesis.
+    Agrees,
+    /// The thesis is wrong; the text tells what is right.
+    Erratum(String),
+    /// The results differ and it is open who is right.
+    Differs,
+    /// The claim was not checked.
+    NotChecked,
+}
+
+// How many claims ended in which verdict.
+#[derive(Debug, Clone, Copy, Default)]
+struct Counts([usize; 4]);
+
+impl Page {
+    /// The page as one HTML document.
+    pub fn html(&self) -> String {
+        let title = escape(&self.title);
+        let mut html = format!(
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
+        );
+        html.push_str(&paragraphs(&self.intro));
+        if !self.environment.is_empty() {
+            let line = escape(&self.environment);
+            html.push_str(&format!("<p class=\"environment\">{line}</p>\n"));
+        }
+        html.push_str(&self.contents());
+        for section in &self.sections {
+            html.push_str(&section.html());
+        }
+        html.push_str("</body>\n</html>\n");
+        html
+    }
+
+    // The table of contents with the verdicts of each section.
+    fn contents(&self) -> String {
+        let mut rows = String::new();
+        let mut total = Counts::default();
+        for section in &self.sections {
+            let counts = Counts::of(&section.claims);
+            total.add(counts);
+            let (id, heading) = (anchor(&section.id), escape(&section.heading));
+            let link = format!("<a href=\"#{id}\">{heading}</a>");
+            rows.push_str(&counts.row(&link));
+        }
+        let total = total.row("All sections");
+        format!(
+            "<nav class=\"scroll\">\n<table>\n<thead><tr><th>Section</th><th>Agrees</th>\
+             <th>Errata</th><th>Differs</th><th>Not checked</th></tr></thead>\n\
+             <tbody>\n{rows}</tbody>\n<tfoot>\n{total}</tfoot>\n</table>\n</nav>\n"
+        )
+    }
+}
+
+impl Section {
+    // The section with text, figure and table.
+    fn html(&self) -> String {
+        let (id, heading) = (anchor(&self.id), escape(&self.heading));
+        let text = paragraphs(&self.text);
+        let figure = self.figure.as_ref().map(FigureRef::html);
+        let figure = figure.unwrap_or_default();
+        let claims = table(&self.claims);
+        format!("<section id=\"{id}\">\n<h2>{heading}</h2>\n{text}{figure}{claims}</section>\n")
+    }
+}
+
+impl FigureRef {
+    // The drawing on a card, then caption and links.
+    fn html(&self) -> String {
+        let mut links = String::new();
+        for file in &self.files {
+            let (target, name) = (address(file), escape(file));
+            let _ = write!(links, "<a href=\"{target}\">{name}</a> ");
+        }
+        let (caption, svg) = (escape(&self.caption), self.svg.trim());
+        format!(
+            "<figure>\n<div class=\"card\" role=\"img\" aria-label=\"{caption}\">\n{svg}\n</div>\n\
+             <figcaption>{caption}\n<div class=\"files\">{links}</div></figcaption>\n</figure>\n"
+        )
+    }
+}
+
+impl Claim {
+    // One row of the comparison table.
+    fn row(&self) -> String {
+        let cells = [&self.statement, &self.thesis, &self.ours, &self.difference];
+        let cells: String = cells
+            .iter()
+            .map(|cell| format!("<td>{}</td>", escape(cell)))
+            .collect();
+        format!("<tr>{cells}<td>{}</td></tr>\n", self.verdict.html())
+    }
+}
+
+impl Verdict {
+    // Place among the counts.
+    fn index(&self) -> usize {
+        match self {
+            Self::Agrees => 0,
+            Self::Erratum(_) => 1,
+            Self::Differs => 2,
+            Self::NotChecked => 3,
+        }
+    }
+
+    // The verdict in words.
+    fn html(&self) -> String {
+        let word =
+            |class: &str, word: &str| format!("<span class=\"verdict {class}\">{word}</span>");
+        match self {
+            Self::Agrees => word("agrees", "agrees"),
+            Self::Erratum(text) => {
+                let text = escape(text);
+                format!("{}<br>{text}", word("erratum", "the thesis is wrong"))
+            }
+            Self::Differs => word("differs", "differs"),
+            Self::NotChecked => word("unchecked", "not checked"),
+        }
+    }
+}
+
+impl Counts {
+    // Counts the verdicts of some claims.
+    fn of(claims: &[Claim]) -> Self {
+        let mut counts = Self::default();
+        for claim in claims {
+            counts.0[claim.verdict.index()] += 1;
+        }
+        counts
+    }
+
+    // Adds other counts.
+    fn add(&mut self, other: Self) {
+        for (sum, part) in self.0.iter_mut().zip(other.0) {
+            *sum += part;
+        }
+    }
+
+    // One row of the table of contents; the name is ready HTML.
+    fn row(&self, name: &str) -> String {
+        let cells = self
+            .0
+            .map(|count| format!("<td class=\"number\">{count}</td>"));
+        format!("<tr><td>{name}</td>{}</tr>\n", cells.concat())
+    }
+}
+
+// The comparison table, or nothing without claims.
+fn table(claims: &[Claim]) -> String {
+    if claims.is_empty() {
+        return String::new();
+    }
+    let rows: String = claims.iter().map(Claim::row).collect();
+    format!(
+        "<div class=\"scroll\">\n<table>\n<thead><tr><th>Claim (thesis)</th><th>Thesis</th>\
+         <th>Ours</th><th>Difference</th><th>Verdict</th></tr></thead>\n\
+         <tbody>\n{rows}</tbody>\n</table>\n</div>\n"
+    )
+}
+
+// Each text as one paragraph.
+fn paragraphs(texts: &[String]) -> String {
+    let paragraphs = texts
+        .iter()
+        .map(|text| format!("<p>{}</p>\n", escape(text)));
+    paragraphs.collect()
+}
+
+// Text with all characters that mean something in HTML replaced.
+fn escape(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '&' => safe.push_str("&amp;"),
+            '"' => safe.push_str("&quot;"),
+            '\'' => safe.push_str("&#39;"),
+            other => safe.push(other),
+        }
+    }
+    safe
+}
+
+// A section name that can stand in a link.
+fn anchor(id: &str) -> String {
+    let keep = |character: char| character.is_ascii_alphanumeric() || "-_.".contains(character);
+    let characters = id.chars();
+    characters.map(|c| if keep(c) { c } else { '-' }).collect()
+}
+
+// A relative file name as a link target.
+fn address(file: &str) -> String {
+    let mut target = String::new();
+    for byte in file.bytes() {
+        if byte.is_ascii_alphanumeric() || b"-_./~".contains(&byte) {
+            target.push(char::from(byte));
+        } else {
+            let _ = write!(target, "%{byte:02X}");
+        }
+    }
+    target
+}
+
+#[cfg(test)]
+mod tests;
