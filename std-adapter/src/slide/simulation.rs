@@ -114,7 +114,10 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
             return Ok(if never_rests {
                 StepLength::OfFading(fading_fraction(&self.scene) / refinement)
             } else {
-                StepLength::Fixed(self.end / (f64::from(self.scene.samples) * refinement))
+                // A little longer, lest rounding leave a sliver for one more step.
+                StepLength::Fixed(
+                    self.end * (1.0 + 1e-12) / (f64::from(self.scene.samples) * refinement),
+                )
             });
         };
         let steps = self.end / time_step;

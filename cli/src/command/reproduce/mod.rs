@@ -1,17 +1,214 @@
-//! `tribos reproduce`
+//! `tribos reproduce`: the thesis' results, claim by claim.
+
+mod asymptotics;
+mod coupling;
+mod double_disk;
+mod exhibit;
+mod growth;
+mod interval;
+mod local_law;
+mod odd;
+mod stopping;
+
 use crate::failure::Failure;
-use std::path::PathBuf;
-/// Reproduce.
+use crate::report::image;
+use crate::report::page::{Claim, FigureRef, Page, Section, Verdict};
+use exhibit::Exhibit;
+use std::path::{Path, PathBuf};
+use tribos::record::{series_csv, write_atomically};
+
+/// Reproduce the results of chapter 3 (sections 3.2 to 3.4) of the thesis on coupled friction:
+/// every figure and table as CSV, SVG and PNG, and index.html with the thesis' claims, our
+/// numbers and the difference.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
-    /// Folder.
+    /// Folder for the report; made if missing, files in it are replaced.
+    #[arg(long, value_name = "DIR", required_unless_present = "list")]
+    out: Option<PathBuf>,
+    /// What to reproduce, such as 3.4 or table-3.1; everything if left out.
+    names: Vec<String>,
+    /// List the names and stop.
     #[arg(long)]
-    out: PathBuf,
+    list: bool,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  tribos reproduce --out out/thesis
+  tribos reproduce --out out/thesis 3.4 3.13 table-3.1
+  tribos reproduce --list";
+
+/// Makes one exhibit.
+type Maker = fn() -> Result<Exhibit, Failure>;
+
+/// All exhibits in the order of the thesis.
+const EXHIBITS: &[(&str, Maker)] = &[
+    ("3.3", local_law::figure_3_3),
+    ("3.4", coupling::figure_3_4),
+    ("table-3.1", asymptotics::table_3_1),
+    ("3.6", growth::figure_3_6),
+    ("3.7", growth::figure_3_7),
+    ("3.8", growth::figure_3_8),
+    ("3.9", interval::figure_3_9),
+    ("table-3.2", interval::table_3_2),
+    ("3.10", interval::figure_3_10),
+    ("3.11", stopping::figure_3_11),
+    ("3.13", double_disk::figure_3_13),
+    ("appendix-a", odd::appendix_a),
+];
+
 impl Arguments {
-    /// Do.
+    /// Makes the report. Fails if a claim differs for a reason that is not a known erratum.
     pub fn execute(self) -> Result<(), Failure> {
-        let _ = self.out;
-        Ok(())
+        let chosen = chosen(&self.names)?;
+        let Some(out) = self.out.filter(|_| !self.list) else {
+            for (name, _) in chosen {
+                println!("{name}");
+            }
+            return Ok(());
+        };
+        let mut sections = Vec::new();
+        for (name, make) in chosen {
+            let section = write_exhibit(&out, name, make()?)?;
+            println!("{name:<11} {}", tally(&section.claims));
+            sections.push(section);
+        }
+        let claims: Vec<Claim> = sections.iter().flat_map(|s| s.claims.clone()).collect();
+        write_atomically(&out.join("claims.csv"), claims_csv(&sections).as_bytes())?;
+        write_atomically(&out.join("index.html"), page(sections).html().as_bytes())?;
+        println!("{:<11} {}", "together", tally(&claims));
+        println!("open {}", out.join("index.html").display());
+        match claims
+            .iter()
+            .filter(|claim| claim.verdict == Verdict::Differs)
+            .count()
+        {
+            0 => Ok(()),
+            n => Err(Failure::run(format!(
+                "{n} claims differ without a known reason"
+            ))),
+        }
+    }
+}
+
+/// The exhibits that the names mean; `fig3.4`, `figure-3.4` and `3.4` are the same.
+fn chosen(names: &[String]) -> Result<Vec<(&'static str, Maker)>, Failure> {
+    if names.is_empty() {
+        return Ok(EXHIBITS.to_vec());
+    }
+    let plain = |name: &str| {
+        let lower = name.to_lowercase().replace(['-', '_', ' '], "");
+        lower.replace("figure", "").replace("fig", "")
+    };
+    names
+        .iter()
+        .map(|name| {
+            EXHIBITS
+                .iter()
+                .find(|(known, _)| plain(known) == plain(name))
+                .copied()
+                .ok_or_else(|| {
+                    let all: Vec<&str> = EXHIBITS.iter().map(|(known, _)| *known).collect();
+                    Failure::input(format!(
+                        "`{name}` is unknown; the names are {}",
+                        all.join(", ")
+                    ))
+                })
+        })
+        .collect()
+}
+
+/// Writes the exhibit's files and makes its section of the page.
+fn write_exhibit(out: &Path, name: &str, exhibit: Exhibit) -> Result<Section, Failure> {
+    let stem = if name.starts_with('3') {
+        format!("figure-{name}")
+    } else {
+        name.to_owned()
+    };
+    let rows = exhibit.rows.iter().map(Vec::as_slice);
+    let csv = series_csv(&exhibit.columns, rows);
+    write_atomically(&out.join(format!("{stem}.csv")), csv.as_bytes())?;
+    let svg = image::write_both(out, &stem, exhibit.drawing.as_ref())?;
+    let files = ["csv", "svg", "png"].map(|ending| format!("{stem}.{ending}"));
+    Ok(Section {
+        id: stem,
+        heading: exhibit.heading,
+        text: exhibit.text,
+        figure: Some(FigureRef {
+            svg,
+            files: files.to_vec(),
+            caption: exhibit.caption,
+        }),
+        claims: exhibit.claims,
+    })
+}
+
+/// "5 agree, 1 erratum".
+fn tally(claims: &[Claim]) -> String {
+    let count = |test: fn(&Verdict) -> bool| claims.iter().filter(|c| test(&c.verdict)).count();
+    let mut text = format!("{:>2} agree", count(|v| *v == Verdict::Agrees));
+    for (n, what) in [
+        (
+            count(|v| matches!(v, Verdict::Erratum(_))),
+            "errata of the thesis",
+        ),
+        (count(|v| *v == Verdict::NotChecked), "not checked"),
+        (count(|v| *v == Verdict::Differs), "DIFFER"),
+    ] {
+        if n > 0 {
+            text += &format!(", {n} {what}");
+        }
+    }
+    text
+}
+
+/// All claims as CSV text.
+fn claims_csv(sections: &[Section]) -> String {
+    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+    let mut text = String::from("exhibit,claim,thesis,ours,difference,verdict\n");
+    for section in sections {
+        for claim in &section.claims {
+            let verdict = match &claim.verdict {
+                Verdict::Agrees => "agrees".into(),
+                Verdict::Erratum(reason) => format!("thesis wrong: {reason}"),
+                Verdict::Differs => "differs".into(),
+                Verdict::NotChecked => "not checked".into(),
+            };
+            let fields = [
+                &section.id,
+                &claim.statement,
+                &claim.thesis,
+                &claim.ours,
+                &claim.difference,
+                &verdict,
+            ];
+            text += &fields.map(|field| quoted(field)).join(",");
+            text.push('\n');
+        }
+    }
+    text
+}
+
+fn page(sections: Vec<Section>) -> Page {
+    Page {
+        title: "Coupled friction of a sliding, spinning disk: the thesis reproduced".into(),
+        intro: vec![
+            "A rigid body with a flat circular contact slides with speed v and spins with ω on a \
+             plane. Every surface element resists with γ|u|^α per unit load along its own \
+             velocity u. The net force is γN·F and the torque γNR·T, functions of the velocity \
+             ratio ε = v/(ωR). Chapter 3 of the thesis gives them for α = 0, 1, 3, follows the \
+             motion to its end, and names the final modes."
+                .into(),
+            "Here F and T come from one hypergeometric formula for every real α > −1. Each \
+             section shows the thesis' figure computed anew, with the claims made there, our \
+             numbers and the difference. Where the thesis is wrong, the row says how."
+                .into(),
+        ],
+        environment: format!(
+            "tribos {}, table tier in f64; `tribos reproduce` makes this page.",
+            env!("CARGO_PKG_VERSION")
+        ),
+        sections,
     }
 }

@@ -1,0 +1,116 @@
+//! Table 3.1: force and torque for ε ≪ 1 and ε ≫ 1.
+
+use super::exhibit::{Exhibit, at, claim, erratum, geometric, table};
+use crate::failure::Failure;
+use crate::report::figure::{Axis, Figure, Legend, Panels, Series};
+use crate::report::page::Claim;
+
+const EXPONENTS: [f64; 6] = [-0.5, 0.0, 0.5, 1.0, 2.0, 3.0];
+/// Ratio at which the limits are compared; they err like its square.
+const SMALL: f64 = 1e-6;
+
+/// F/ε, T, F/ε^α and T/ε^(α−1): the four limits at both ends.
+pub fn table_3_1() -> Result<Exhibit, Failure> {
+    let mut rows = Vec::new();
+    let mut claims = Vec::new();
+    let mut slow = Figure::new(
+        "ε ≪ 1: T/T(0)",
+        Axis::log10("ε"),
+        Axis::linear("T (3+α)/2").range(0.8, 1.5),
+    )
+    .legend(Legend::Below);
+    let mut fast = Figure::new(
+        "ε ≫ 1: T over its limit",
+        Axis::log10("ε"),
+        Axis::linear("T ε^(1−α) 4/(1+α)").range(0.8, 1.5),
+    )
+    .legend(Legend::Below);
+    for alpha in EXPONENTS {
+        let law = table(alpha)?;
+        let label = format!("α = {alpha}");
+        let [f_slow, t_slow] = at(&law, SMALL);
+        let [f_fast, t_fast] = at(&law, 1.0 / SMALL);
+        let limits = [
+            f_slow / SMALL,
+            t_slow,
+            f_fast * SMALL.powf(alpha),
+            t_fast * SMALL.powf(alpha - 1.0),
+        ];
+        rows.push([vec![alpha], limits.to_vec()].concat());
+        claims.extend(limit_claims(alpha, limits));
+        let curve = |from, to, scale: &dyn Fn(f64, f64) -> f64| {
+            let one = |ratio| (ratio, scale(ratio, at(&law, ratio)[1]));
+            geometric(from, to, 100)
+                .into_iter()
+                .map(one)
+                .collect::<Vec<_>>()
+        };
+        let pure_spin = (3.0 + alpha) / 2.0;
+        slow = slow.series(Series::line(
+            &label,
+            curve(1e-3, 1.0, &|_, t| t * pure_spin),
+        ));
+        let pure_slide = 4.0 / (1.0 + alpha);
+        let scaled = |ratio: f64, t| t * ratio.powf(1.0 - alpha) * pure_slide;
+        fast = fast.series(Series::line(&label, curve(1.0, 1e3, &scaled)));
+    }
+    claims.push(cubic_torque()?);
+    Ok(Exhibit {
+        heading: "Table 3.1: limits of fast spinning and of fast sliding".into(),
+        text: vec![format!(
+            "With ωR = 1 the table says F → ε and T → 2/(3+α) for ε ≪ 1, F → ε^α and \
+             T → (1+α)/4·ε^(α−1) for ε ≫ 1. The numbers are taken at ε = {SMALL:e} and its inverse."
+        )],
+        caption: "How fast the torque reaches its two limits.".into(),
+        drawing: Box::new(Panels::new("", 2).figure(slow).figure(fast).cell(520, 420)),
+        columns: vec![
+            "alpha",
+            "force_slow",
+            "torque_slow",
+            "force_fast",
+            "torque_fast",
+        ],
+        rows,
+        claims,
+    })
+}
+
+fn limit_claims(alpha: f64, limits: [f64; 4]) -> Vec<Claim> {
+    let (slow, fast) = (2.0 / (3.0 + alpha), (1.0 + alpha) / 4.0);
+    // The next terms are of relative order ε² = 1e-12, with coefficients of order one.
+    let tolerance = 20.0 * SMALL * SMALL;
+    let names = ["ε ≪ 1: F/ε", "ε ≪ 1: T", "ε ≫ 1: F/ε^α", "ε ≫ 1: T/ε^(α−1)"];
+    let printed = [
+        ("1".to_owned(), 1.0),
+        (format!("2/(3+α) = {slow:.6}"), slow),
+        ("1".to_owned(), 1.0),
+        (format!("(1+α)/4 = {fast:.6}"), fast),
+    ];
+    names
+        .into_iter()
+        .zip(printed)
+        .zip(limits)
+        .map(|((name, (text, value)), ours)| {
+            claim(
+                &format!("α = {alpha}, {name}"),
+                (&text, value),
+                ours,
+                tolerance,
+            )
+        })
+        .collect()
+}
+
+/// Section 3.3 prints the cubic torque for ε ≫ 1 with a third and one power of ωR too many.
+fn cubic_torque() -> Result<Claim, Failure> {
+    let law = table(3.0)?;
+    // At ωR = 1 the surplus power of ωR does not show, the third does.
+    let ours = at(&law, 1.0 / SMALL)[1] * SMALL * SMALL;
+    Ok(erratum(
+        "Section 3.3, α = 3, ε ≫ 1: torque over γN R (ωR) v²",
+        ("(1/3)·(ωR)", 1.0 / 3.0),
+        ours,
+        1.0,
+        "the torque is γN R (ωR) v², as table 3.1 says: no third, one power of ωR",
+    ))
+}

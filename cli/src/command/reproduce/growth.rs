@@ -1,0 +1,265 @@
+//! Figures 3.6, 3.7 and 3.8: growth of the velocity ratio and its fixed points.
+
+use super::exhibit::{Exhibit, claim, linear, modes, refutation, short, statement};
+use crate::failure::Failure;
+use crate::report::figure::{Axis, Figure, Guide, Legend, Panels, Series};
+use crate::report::page::Claim;
+use tribos_core::modes::{FixedPoints, Stability, inertia_interval};
+
+/// The golden ratio (√5 − 1)/2, the limit of ε₀ for α → 1.
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+
+/// Curves of g over ε for several exponents, as series and as rows.
+fn curves(
+    exponents: &[f64],
+    inertia_ratio: f64,
+    ratios: &[f64],
+) -> Result<(Vec<Series>, Vec<Vec<f64>>), Failure> {
+    let mut rows: Vec<Vec<f64>> = ratios.iter().map(|&ratio| vec![ratio]).collect();
+    let mut series = Vec::new();
+    for &alpha in exponents {
+        let modes = modes(alpha, inertia_ratio)?;
+        let points: Vec<_> = ratios
+            .iter()
+            .map(|&ratio| (ratio, modes.growth(ratio)))
+            .collect();
+        for (row, (_, growth)) in rows.iter_mut().zip(&points) {
+            row.push(*growth);
+        }
+        series.push(Series::line(format!("α = {alpha}"), points));
+    }
+    Ok((series, rows))
+}
+
+fn figure(title: &str, range: (f64, f64), growth: (f64, f64), series: Vec<Series>) -> Figure {
+    let empty = Figure::new(
+        title,
+        Axis::linear("velocity ratio ε").range(range.0, range.1),
+        Axis::linear("g(ε)").range(growth.0, growth.1),
+    );
+    series
+        .into_iter()
+        .fold(empty, Figure::series)
+        .guide(Guide::horizontal(0.0, ""))
+}
+
+/// Words for the three fixed points.
+fn in_words(points: &FixedPoints<f64>) -> String {
+    let finite = match points.finite {
+        Some((ratio, stability)) => format!("ε₀ = {ratio:.9} {stability:?}"),
+        None => "no ε₀".into(),
+    };
+    format!("0 {:?}, {finite}, ∞ {:?}", points.spinning, points.sliding)
+}
+
+/// Checks the stabilities of 0, of ε₀ if there is one, and of ∞.
+fn stabilities(
+    what: &str,
+    thesis: &str,
+    points: &FixedPoints<f64>,
+    expected: (Stability, Option<Stability>, Stability),
+) -> Claim {
+    let found = (
+        points.spinning,
+        points.finite.map(|(_, stability)| stability),
+        points.sliding,
+    );
+    statement(what, thesis, in_words(points), found == expected)
+}
+
+/// g for α = 0, 1, 3 and the disk.
+pub fn figure_3_6() -> Result<Exhibit, Failure> {
+    use Stability::{Semistable, Stable, Unstable};
+    let (series, rows) = curves(&[0.0, 1.0, 3.0], 0.5, &linear(0.0, 1.5, 300))?;
+    let drawing = figure(
+        "g(ε) of the disk, C = 1/2",
+        (0.0, 1.5),
+        (-0.25, 0.35),
+        series,
+    );
+    let points = [0.0, 1.0, 3.0].map(|alpha| modes(alpha, 0.5).map(|modes| modes.fixed_points()));
+    let [dry, linear_law, cubic] = points;
+    let (dry, linear_law, cubic) = (dry?, linear_law?, cubic?);
+    let finite = |points: &FixedPoints<f64>| points.finite.map_or(f64::NAN, |(ratio, _)| ratio);
+    let largest_linear = rows.iter().map(|row| row[2].abs()).fold(0.0, f64::max);
+    // 3.30: g₃ = ε − (ε³ + ε)/(2 (1/3 + ε²)).
+    let deviation = rows
+        .iter()
+        .map(|row| {
+            (row[3] - (row[0] - (row[0].powi(3) + row[0]) / (2.0 / 3.0 + 2.0 * row[0] * row[0])))
+                .abs()
+        })
+        .fold(0.0, f64::max);
+    let claims = vec![
+        claim(
+            "α = 0: stable fixed point",
+            ("≈ 0.653", 0.653),
+            finite(&dry),
+            5e-4,
+        ),
+        claim(
+            "α = 0: its value to all digits (errata's 50-digit value)",
+            ("0.653001789206", 0.653_001_789_205_598),
+            finite(&dry),
+            1e-14,
+        ),
+        claim(
+            "its inverse (after Voyerli and Eriksen)",
+            ("≈ 1.53", 1.53),
+            1.0 / finite(&dry),
+            5e-3,
+        ),
+        stabilities(
+            "α = 0: stabilities",
+            "0 unstable, ε₀ stable",
+            &dry,
+            (Unstable, Some(Stable), Unstable),
+        ),
+        claim(
+            "α = 1 (3.29): g vanishes; largest |g|",
+            ("0", 0.0),
+            largest_linear,
+            1e-15,
+        ),
+        stabilities(
+            "α = 1: stabilities",
+            "all semistable",
+            &linear_law,
+            (Semistable, None, Semistable),
+        ),
+        claim(
+            "α = 3: unstable fixed point",
+            ("√3/3", 1.0 / 3f64.sqrt()),
+            finite(&cubic),
+            1e-14,
+        ),
+        claim(
+            "α = 3 (3.30): largest deviation of g",
+            ("0", 0.0),
+            deviation,
+            1e-14,
+        ),
+        stabilities(
+            "α = 3: stabilities",
+            "0 and ∞ stable, ε₀ unstable",
+            &cubic,
+            (Stable, Some(Unstable), Stable),
+        ),
+    ];
+    Ok(Exhibit {
+        heading: "Figure 3.6: growth of the velocity ratio for α = 0, 1, 3".into(),
+        text: vec![
+            "While the disk slows down, dε/d(−ln ω) = g(ε). Where g is positive the ratio grows \
+             and sliding gains; where it is negative spinning gains. Zeros are fixed points."
+                .into(),
+        ],
+        caption: "Under dry friction every motion ends at ε₀ ≈ 0.653: sliding and spinning stop \
+                  together."
+            .into(),
+        drawing: Box::new(drawing),
+        columns: vec!["ratio", "g_alpha_0", "g_alpha_1", "g_alpha_3"],
+        rows,
+        claims,
+    })
+}
+
+/// The transition from α = 0 to α = 1.
+pub fn figure_3_7() -> Result<Exhibit, Failure> {
+    let exponents = [0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0];
+    let (series, rows) = curves(&exponents, 0.5, &linear(0.0, 1.2, 240))?;
+    let (zoomed, _) = curves(&exponents, 0.5, &linear(0.6, 0.67, 140))?;
+    let whole = figure("g(ε), C = 1/2", (0.0, 1.2), (-0.16, 0.06), series).legend(Legend::Below);
+    let zoom = figure("its zeros", (0.6, 0.67), (-0.01, 0.012), zoomed).legend(Legend::Below);
+    Ok(Exhibit {
+        heading: "Figure 3.7: from Coulomb to linear friction".into(),
+        text: vec![
+            "The thesis integrated these curves numerically with the trapezoid rule; here they \
+             are exact. Towards α = 1 the whole curve flattens, but its zero stays finite and \
+             tends to the golden ratio: to first order in 1 − α the condition g = 0 reads \
+             x² − 3x + 1 = 0 with x = ε²."
+                .into(),
+        ],
+        caption: "Right: the zeros, which the thesis shows as an inset.".into(),
+        drawing: Box::new(Panels::new("", 2).figure(whole).figure(zoom).cell(520, 420)),
+        columns: vec!["ratio", "0", "0.1", "0.25", "0.5", "0.75", "0.9", "1"],
+        rows,
+        claims: transition_claims(&exponents)?,
+    })
+}
+
+fn transition_claims(exponents: &[f64]) -> Result<Vec<Claim>, Failure> {
+    let mut claims = Vec::new();
+    let mut zeros = Vec::new();
+    for &alpha in exponents.iter().filter(|&&alpha| alpha < 1.0) {
+        let points = modes(alpha, 0.5)?.fixed_points();
+        if let Some((ratio, _)) = points.finite {
+            zeros.push(ratio);
+        }
+        let stable = matches!(points.finite, Some((_, Stability::Stable)));
+        let what = format!("α = {alpha}: a finite, stable fixed point exists");
+        claims.push(statement(&what, "stable", in_words(&points), stable));
+    }
+    let (low, high) = zeros
+        .iter()
+        .fold((f64::MAX, 0.0_f64), |(l, h), &z| (l.min(z), h.max(z)));
+    claims.push(refutation(
+        "Inset: the zeros lie between 0.62 and 0.64",
+        "[0.62, 0.64]",
+        format!("from {} (α = 0.9) to {} (α = 0)", short(low), short(high)),
+        high > 0.64,
+        "the range for 0 ≤ α < 1 is (0.618034, 0.653002]; inside [0.62, 0.64] only for \
+         0.32616 ≤ α ≤ 0.93190",
+    ));
+    let near = modes(1.0 - 1e-9, 0.5)?
+        .finite_fixed_point()
+        .unwrap_or(f64::NAN);
+    claims.push(claim(
+        "Limit α → 1, taken at 1 − 1e-9 (not in the thesis)",
+        ("(√5 − 1)/2", GOLDEN),
+        near,
+        1e-9,
+    ));
+    Ok(claims)
+}
+
+/// The ring's inertia on the disk's contact.
+pub fn figure_3_8() -> Result<Exhibit, Failure> {
+    let (series, rows) = curves(&[0.0, 1.0, 3.0], 1.0, &linear(0.0, 1.5, 300))?;
+    let drawing = figure("g(ε) with C = 1", (0.0, 1.5), (-1.5, 0.2), series);
+    let mut claims = Vec::new();
+    for alpha in [0.0, 1.0, 3.0] {
+        let points = modes(alpha, 1.0)?.fixed_points();
+        let only_spinning = points.spinning == Stability::Stable
+            && points.finite.is_none()
+            && points.sliding == Stability::Unstable;
+        let what = format!("α = {alpha}: ε = 0 is stable, and the only stable point");
+        claims.push(statement(
+            &what,
+            "ε = 0 stable",
+            in_words(&points),
+            only_spinning,
+        ));
+    }
+    let border = inertia_interval(3.0).1;
+    claims.push(refutation(
+        "Section 3.4.5: C = 1 exceeds the upper bound for α = 3",
+        "1 > c₃,max",
+        format!("c₃,max = {border}"),
+        border == 1.0,
+        "the two are equal: C = 1 is the border itself. The conclusion stands",
+    ));
+    Ok(Exhibit {
+        heading: "Figure 3.8: all mass at the rim, C = 1".into(),
+        text: vec![
+            "With C = 1 the final motion is spinning for all three exponents. (The contact is \
+             still the disk; a thin ring that rests on its rim has other force and torque \
+             functions and other bounds of C.)"
+                .into(),
+        ],
+        caption: "g is negative everywhere.".into(),
+        drawing: Box::new(drawing),
+        columns: vec!["ratio", "g_alpha_0", "g_alpha_1", "g_alpha_3"],
+        rows,
+        claims,
+    })
+}

@@ -1,0 +1,188 @@
+//! Figures 3.9 and 3.10 and table 3.2: which bodies have a finite fixed point.
+
+use super::exhibit::{Exhibit, claim, geometric, linear, modes, statement};
+use crate::command::modes::diagram;
+use crate::failure::Failure;
+use crate::report::figure::{Axis, Figure, Guide, Series};
+use crate::report::page::Claim;
+use tribos_core::modes::{Stability, inertia_interval};
+
+/// Ratios so far out that the limits are reached to rounding: the next terms are of order ε².
+const FAR: f64 = 1e9;
+
+/// C_α(ε₀) for α = 0, 1, 3.
+pub fn figure_3_9() -> Result<Exhibit, Failure> {
+    let ratios = geometric(1e-2, 1e2, 300);
+    let mut rows: Vec<Vec<f64>> = ratios.iter().map(|&ratio| vec![ratio]).collect();
+    let mut figure = Figure::new(
+        "Inertia ratio for which ε₀ is a fixed point",
+        Axis::log10("ε₀"),
+        Axis::linear("C").range(0.0, 1.1),
+    );
+    let mut claims = Vec::new();
+    for alpha in [0.0, 1.0, 3.0] {
+        let modes = modes(alpha, 0.5)?;
+        let curve: Vec<_> = ratios
+            .iter()
+            .map(|&r| (r, modes.inertia_ratio_of(r)))
+            .collect();
+        let falls = curve.windows(2).all(|w| w[1].1 < w[0].1);
+        let rises = curve.windows(2).all(|w| w[1].1 > w[0].1);
+        let (thesis, holds) = match alpha {
+            1.0 => (
+                "constant 1/2",
+                curve.iter().all(|p| (p.1 - 0.5).abs() < 1e-15),
+            ),
+            0.0 => ("bijective", falls),
+            _ => ("bijective", rises),
+        };
+        let shown = format!(
+            "{} at {} ratios",
+            if falls {
+                "falls"
+            } else if rises {
+                "rises"
+            } else {
+                "constant"
+            },
+            curve.len()
+        );
+        claims.push(statement(
+            &format!("α = {alpha}: C as a function of ε₀"),
+            thesis,
+            shown,
+            holds,
+        ));
+        for (row, (_, c)) in rows.iter_mut().zip(&curve) {
+            row.push(*c);
+        }
+        figure = figure.series(Series::line(format!("α = {alpha}"), curve));
+    }
+    Ok(Exhibit {
+        heading: "Figure 3.9: C as a function of the fixed point".into(),
+        text: vec![
+            "Asked the other way round: which C = I/(MR²) puts the fixed point at ε₀?".into(),
+        ],
+        caption: "Each curve runs between its two limits of table 3.2.".into(),
+        drawing: Box::new(figure.guide(Guide::horizontal(0.5, "disk"))),
+        columns: vec!["ratio", "c_alpha_0", "c_alpha_1", "c_alpha_3"],
+        rows,
+        claims,
+    })
+}
+
+/// The limits of C_α.
+pub fn table_3_2() -> Result<Exhibit, Failure> {
+    let thirds = [("2/3", 2.0 / 3.0), ("1/2", 0.5), ("1/3", 1.0 / 3.0)];
+    let quarters = [("1/4", 0.25), ("1/2", 0.5), ("1", 1.0)];
+    let mut rows = Vec::new();
+    let mut claims = Vec::new();
+    for ((alpha, slow), fast) in [0.0, 1.0, 3.0].into_iter().zip(thirds).zip(quarters) {
+        let modes = modes(alpha, 0.5)?;
+        let (at_zero, at_infinity) = (
+            modes.inertia_ratio_of(1.0 / FAR),
+            modes.inertia_ratio_of(FAR),
+        );
+        claims.push(claim(
+            &format!("α = {alpha}: C for ε₀ → 0"),
+            slow,
+            at_zero,
+            1e-15,
+        ));
+        claims.push(claim(
+            &format!("α = {alpha}: C for ε₀ → ∞"),
+            fast,
+            at_infinity,
+            1e-15,
+        ));
+        rows.push(vec![alpha, at_zero, at_infinity]);
+    }
+    let column = |i: usize| rows.iter().map(|row| (row[0], row[i])).collect::<Vec<_>>();
+    let figure = Figure::new(
+        "Limits of C",
+        Axis::linear("α").range(-0.2, 3.2),
+        Axis::linear("C").range(0.0, 1.1),
+    )
+    .series(Series::points("ε₀ → 0", column(1)))
+    .series(Series::points("ε₀ → ∞", column(2)));
+    Ok(Exhibit {
+        heading: "Table 3.2: limits of C".into(),
+        text: vec![format!("Evaluated at ε₀ = {:e} and {FAR:e}.", 1.0 / FAR)],
+        caption: "The six numbers of the table.".into(),
+        drawing: Box::new(figure),
+        columns: vec!["alpha", "c_at_zero", "c_at_infinity"],
+        rows,
+        claims,
+    })
+}
+
+/// The phase diagram.
+pub fn figure_3_10() -> Result<Exhibit, Failure> {
+    let rows = linear(0.0, 5.0, 200)
+        .into_iter()
+        .map(|alpha| {
+            let (low, high) = inertia_interval(alpha);
+            vec![alpha, low, high]
+        })
+        .collect();
+    Ok(Exhibit {
+        heading: "Figure 3.10: phase diagram of final motion".into(),
+        text: vec![
+            "Between its two borders, 2/(3+α) and (1+α)/4, a finite fixed point exists: stable \
+             for α < 1, unstable for α > 1. Above both, spinning remains; below both, sliding. \
+             The claims are checked against the exact g at many points of the plane, not against \
+             the formulas of the borders."
+                .into(),
+        ],
+        caption: "Final motion in the plane of exponent and inertia ratio.".into(),
+        drawing: Box::new(diagram::figure(None)),
+        columns: vec!["alpha", "c_min", "c_max"],
+        rows,
+        claims: plane_claims()?,
+    })
+}
+
+/// Signs of g on a grid of the plane against the diagram's regions.
+fn plane_claims() -> Result<Vec<Claim>, Failure> {
+    let ratios = geometric(1e-6, 1e6, 60);
+    let (mut points, mut right, mut single, mut fitting) = (0, 0, 0, 0);
+    for alpha in linear(-0.9, 9.0, 99)
+        .into_iter()
+        .filter(|alpha| (alpha - 1.0).abs() > 1e-9)
+    {
+        let (low, high) = inertia_interval(alpha);
+        for c in linear(0.03, 2.53, 25) {
+            let modes = modes(alpha, c)?;
+            let signs: Vec<bool> = ratios.iter().map(|&r| modes.growth(r) > 0.0).collect();
+            let changes = signs.windows(2).filter(|w| w[0] != w[1]).count();
+            let inside = c > low && c < high;
+            points += 1;
+            single += usize::from(changes <= 1);
+            right += usize::from((changes == 1) == inside);
+            let stable = matches!(modes.fixed_points().finite, Some((_, Stability::Stable)));
+            // g falls through zero at a stable point.
+            fitting += usize::from(!inside || (signs[0] == stable && stable == (alpha < 1.0)));
+        }
+    }
+    let all = |n: usize| format!("{n} of {points} points of the plane, −0.9 ≤ α ≤ 9");
+    Ok(vec![
+        statement(
+            "A finite fixed point exists exactly for c_min < C < c_max",
+            "interval I_α",
+            all(right),
+            right == points,
+        ),
+        statement(
+            "There is only one finite fixed point",
+            "bijective",
+            all(single),
+            single == points,
+        ),
+        statement(
+            "It is stable for α < 1 and unstable for α > 1",
+            "as in the figure",
+            all(fitting),
+            fitting == points,
+        ),
+    ])
+}

@@ -1,0 +1,134 @@
+//! Appendix A: the double sums for odd exponents, as printed and mended.
+
+use super::exhibit::{Exhibit, at, claim, erratum, linear, table};
+use crate::failure::Failure;
+use crate::report::figure::{Axis, Figure, Series};
+
+/// Ratio at which the sums are compared.
+const RATIO: f64 = 0.7;
+
+fn factorial(n: u32) -> f64 {
+    (1..=n).map(f64::from).product()
+}
+
+/// ⟨sinˡ⟩ over the circle: (l−1)!!/l!! for even l, zero for odd.
+fn mean_of_sine_power(l: u32) -> f64 {
+    if l % 2 == 1 {
+        return 0.0;
+    }
+    (1..=l / 2)
+        .map(|k| f64::from(2 * k - 1) / f64::from(2 * k))
+        .product()
+}
+
+/// F (A.7) for α = 2n + 1; `with_l_factorial` mends the denominator.
+fn force_sum(n: u32, ratio: f64, with_l_factorial: bool) -> f64 {
+    double_sum(n, ratio, with_l_factorial, |k, l| {
+        let even = 2.0 * ratio / f64::from(2 * k - l + 2) * mean_of_sine_power(l);
+        even - 2.0 / f64::from(2 * k - l + 3) * mean_of_sine_power(l + 1)
+    })
+}
+
+/// T (A.9) for α = 2n + 1; `odd_factor` is 2, printed as 1.
+fn torque_sum(n: u32, ratio: f64, odd_factor: f64) -> f64 {
+    double_sum(n, ratio, true, |k, l| {
+        let even = 2.0 / f64::from(2 * k - l + 4) * mean_of_sine_power(l);
+        even - odd_factor * ratio / f64::from(2 * k - l + 3) * mean_of_sine_power(l + 1)
+    })
+}
+
+fn double_sum(n: u32, ratio: f64, l_factorial: bool, term: impl Fn(u32, u32) -> f64) -> f64 {
+    let mut sum = 0.0;
+    for k in 0..=n {
+        let outer = ratio.powi(2 * (n - k) as i32) / factorial(n - k);
+        for l in 0..=k {
+            let divisor = factorial(k - l) * if l_factorial { factorial(l) } else { 1.0 };
+            sum += outer * (-2.0 * ratio).powi(l as i32) / divisor * term(k, l);
+        }
+    }
+    factorial(n) * sum
+}
+
+/// A printed value with its factor.
+fn factor(printed: f64, ours: f64) -> String {
+    format!("{printed:.6}, {:.4} times ours", printed / ours)
+}
+
+/// The sums against the kernel.
+pub fn appendix_a() -> Result<Exhibit, Failure> {
+    let mut claims = Vec::new();
+    let mut figure = Figure::new(
+        "Odd exponents: force",
+        Axis::linear("velocity ratio ε"),
+        Axis::log10("F"),
+    );
+    let ratios = linear(0.02, 2.0, 99);
+    let mut rows: Vec<Vec<f64>> = ratios.iter().map(|&ratio| vec![ratio]).collect();
+    for n in 0..=4 {
+        let alpha = f64::from(2 * n + 1);
+        let law = table(alpha)?;
+        let [force, torque] = at(&law, RATIO);
+        let (right_force, right_torque) = (force_sum(n, RATIO, true), torque_sum(n, RATIO, 2.0));
+        let relative = |ours: f64, sum: f64| ours / sum;
+        claims.push(claim(
+            &format!("A.7 with l!, α = {alpha}: F(0.7) over the sum"),
+            ("1", 1.0),
+            relative(force, right_force),
+            1e-13,
+        ));
+        claims.push(claim(
+            &format!("A.9 with 2ε, α = {alpha}: T(0.7) over the sum"),
+            ("1", 1.0),
+            relative(torque, right_torque),
+            1e-13,
+        ));
+        if n >= 2 {
+            let printed = force_sum(n, RATIO, false);
+            claims.push(erratum(
+                &format!("A.7 as printed, α = {alpha}: F(0.7)"),
+                (&factor(printed, force), printed),
+                force,
+                right_force,
+                "l! is missing in the denominator of the inner sum; no effect for α = 1 and 3",
+            ));
+        }
+        if n >= 1 {
+            let printed = torque_sum(n, RATIO, 1.0);
+            claims.push(erratum(
+                &format!("A.9 as printed, α = {alpha}: T(0.7)"),
+                (&factor(printed, torque), printed),
+                torque,
+                right_torque,
+                "the odd branch needs −2ε; as printed it contradicts eq. 3.22",
+            ));
+        }
+        let curve: Vec<_> = ratios
+            .iter()
+            .map(|&ratio| (ratio, at(&law, ratio)[0]))
+            .collect();
+        for (row, (_, value)) in rows.iter_mut().zip(&curve) {
+            row.push(*value);
+        }
+        figure = figure.series(Series::line(format!("α = {alpha}"), curve));
+    }
+    Ok(Exhibit {
+        heading: "Appendix A: odd exponents".into(),
+        text: vec![
+            "For odd α the integrand is a polynomial and the thesis gives double sums. Mended, \
+             they agree with the general formula; as printed they do not."
+                .into(),
+        ],
+        caption: "Force over the velocity ratio at ωR = 1.".into(),
+        drawing: Box::new(figure),
+        columns: vec![
+            "ratio",
+            "f_alpha_1",
+            "f_alpha_3",
+            "f_alpha_5",
+            "f_alpha_7",
+            "f_alpha_9",
+        ],
+        rows,
+        claims,
+    })
+}

@@ -1,0 +1,147 @@
+//! Figure 3.11: how a motion fades for different exponents, and who travels farther.
+
+use super::exhibit::{Exhibit, claim, linear, refutation, short, statement, table};
+use crate::failure::Failure;
+use crate::report::figure::{Axis, Figure, Series};
+use crate::report::page::Claim;
+use tribos_core::coupling::table::Table64;
+use tribos_core::slider::{Motion, Slider};
+
+/// Disk with γg = 1 and R = 1.
+fn disk(alpha: f64) -> Result<Slider<f64, Table64>, Failure> {
+    Slider::new(table(alpha)?, 1.0, 1.0, 0.5).map_err(Failure::run)
+}
+
+const START: f64 = 1.0;
+const END: f64 = 5.0;
+
+/// Sliding speed over time for α = 0, 1, 3.
+pub fn figure_3_11() -> Result<Exhibit, Failure> {
+    let times = linear(0.0, END, 250);
+    let mut rows: Vec<Vec<f64>> = times.iter().map(|&time| vec![time]).collect();
+    let mut figure = Figure::new(
+        "Fading of the sliding speed, disk with ω₀R = v₀",
+        Axis::linear("time [v₀^(1−α)/(γg)]").range(0.0, END),
+        Axis::linear("v/v₀").range(0.0, 1.0),
+    );
+    for alpha in [0.0, 1.0, 3.0] {
+        let slider = disk(alpha)?;
+        let start = Motion::launched(START, START);
+        let curve: Vec<_> = times
+            .iter()
+            .map(|&time| (time, slider.advance(&start, time).motion.speed))
+            .collect();
+        for (row, (_, speed)) in rows.iter_mut().zip(&curve) {
+            row.push(*speed);
+        }
+        figure = figure.series(Series::line(format!("α = {alpha}"), curve));
+    }
+    let mut claims = laws_of_fading()?;
+    claims.extend(travel()?);
+    Ok(Exhibit {
+        heading: "Figure 3.11: stopping times".into(),
+        text: vec![
+            "Below α = 1 the body rests after a finite time, at α = 1 it fades exponentially, \
+             above only with a power of time. The stepper follows each to rounding accuracy."
+                .into(),
+        ],
+        caption: "Under dry friction the disk stops; under linear and cubic friction it never \
+                  does."
+            .into(),
+        drawing: Box::new(figure),
+        columns: vec!["time", "speed_alpha_0", "speed_alpha_1", "speed_alpha_3"],
+        rows,
+        claims,
+    })
+}
+
+/// Eq. 3.34 and the exponential, against the stepper.
+fn laws_of_fading() -> Result<Vec<Claim>, Failure> {
+    let sliding = Motion::launched(START, 0.0);
+    let speed_at = |alpha: f64, time: f64| -> Result<f64, Failure> {
+        Ok(disk(alpha)?.advance(&sliding, time).motion.speed)
+    };
+    // v = [1 − (1 − α) t]^(1/(1−α))
+    let fading = |alpha: f64, time: f64| (1.0 - (1.0 - alpha) * time).powf(1.0 / (1.0 - alpha));
+    let mut claims = Vec::new();
+    for (alpha, time) in [(0.0, 0.7), (0.5, 1.3), (2.0, 20.0), (3.0, 1e4)] {
+        let what = format!("3.34: v at t = {time} for α = {alpha}, pure sliding");
+        let value = fading(alpha, time);
+        claims.push(claim(
+            &what,
+            (&short(value), value),
+            speed_at(alpha, time)?,
+            1e-13,
+        ));
+    }
+    let spinning = Motion::launched(START, START);
+    let decay = disk(1.0)?.advance(&spinning, END).motion.speed;
+    let exponential = (-END).exp();
+    claims.push(claim(
+        "α = 1: v = exp(−t) at t = 5, spinning or not",
+        (&short(exponential), exponential),
+        decay,
+        1e-14,
+    ));
+    let rests =
+        |alpha: f64| -> Result<bool, Failure> { Ok(disk(alpha)?.to_rest(&spinning).is_some()) };
+    let finite = rests(-0.5)? && rests(0.0)? && rests(0.5)? && rests(0.9)?;
+    claims.push(statement(
+        "α < 1: rest in finite time",
+        "finite",
+        "α = −0.5, 0, 0.5, 0.9 rest".into(),
+        finite,
+    ));
+    let endless = !rests(1.0)? && !rests(3.0)?;
+    claims.push(statement(
+        "α ≥ 1: infinite time",
+        "infinite",
+        "α = 1, 3 never rest".into(),
+        endless,
+    ));
+    let exponent: f64 = 1.0 / (1.0 + 0.5);
+    claims.push(refutation(
+        "After 3.34: for α < 1 the exponent 1/(1−α) is larger than one",
+        "> 1",
+        format!("α = −0.5: {exponent:.6}, and the body still rests in finite time"),
+        exponent < 1.0,
+        "only for 0 < α < 1; for α < 0 it is below one, and stopping is still in finite time",
+    ));
+    Ok(claims)
+}
+
+/// Spinning disks travel farther; both motions stop together.
+fn travel() -> Result<Vec<Claim>, Failure> {
+    let slider = disk(0.0)?;
+    let mut distances = Vec::new();
+    let mut together = true;
+    for spin in [0.0, 0.5, 1.0, 2.0, 4.0] {
+        let mut motion = Motion::launched(START, spin);
+        // With fixed steps: the last moving state still slides and spins.
+        let rest = loop {
+            let step = slider.advance(&motion, 0.01);
+            match step.rest {
+                Some(rest) => break rest,
+                None => motion = step.motion,
+            }
+        };
+        together &= spin == 0.0 || (motion.speed > 0.0 && motion.spin > 0.0);
+        distances.push(rest.motion.distance);
+    }
+    let farther = distances.windows(2).all(|w| w[1] > w[0]);
+    let shown: Vec<String> = distances.iter().map(|x| format!("{x:.4}")).collect();
+    Ok(vec![
+        statement(
+            "The spinning disk slides farther (3.1); ω₀R/v₀ = 0, 0.5, 1, 2, 4",
+            "farther",
+            format!("distances {}", shown.join(", ")),
+            farther,
+        ),
+        statement(
+            "Sliding and spinning stop at the same time (α = 0, C = 1/2)",
+            "same time",
+            "same step of 0.01 for every spin".into(),
+            together,
+        ),
+    ])
+}
