@@ -11,7 +11,7 @@ mod sealed {
 
 /// A binary floating-point number: `f32` or `f64`.
 ///
-/// Square root and power always come from the `libm` crate, so that a result has the same
+/// Square root, power and exponential always come from the `libm` crate, so that a result has the same
 /// bits on every supported platform, whatever features other crates of the build switch on.
 /// The kernel never contracts a product and a sum into one rounding.
 pub trait Real:
@@ -61,8 +61,12 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// `self` to the power `exponent`, within one unit in the last place.
     fn pow(self, exponent: Self) -> Self;
+    /// e to the power `self`, within one unit in the last place.
+    fn exp(self) -> Self;
     /// True unless infinite or NaN.
     fn is_finite(self) -> bool;
+    /// True for NaN.
+    fn is_nan(self) -> bool;
     /// Number of half octaves from the smallest number up to `self` ≥ 0: each interval
     /// [2ᵏ, 1.5·2ᵏ) and [1.5·2ᵏ, 2ᵏ⁺¹) has its own count. No logarithm is taken.
     fn half_octave(self) -> usize;
@@ -85,7 +89,7 @@ pub trait Real:
 }
 
 macro_rules! impl_real {
-    ($real:ty, $mantissa:expr, $sqrt:path, $pow:path, $fabs:path, $copysign:path) => {
+    ($real:ty, $mantissa:expr, $sqrt:path, $pow:path, $exp:path, $fabs:path, $copysign:path) => {
         impl Real for $real {
             const ZERO: Self = 0.0;
             const HALF: Self = 0.5;
@@ -123,6 +127,14 @@ macro_rules! impl_real {
                 $pow(self, exponent)
             }
             #[inline]
+            fn exp(self) -> Self {
+                $exp(self)
+            }
+            #[inline]
+            fn is_nan(self) -> bool {
+                <$real>::is_nan(self)
+            }
+            #[inline]
             fn is_finite(self) -> bool {
                 <$real>::is_finite(self)
             }
@@ -143,6 +155,7 @@ impl_real!(
     MANTISSA_F32,
     libm::sqrtf,
     libm::powf,
+    libm::expf,
     libm::fabsf,
     libm::copysignf
 );
@@ -151,6 +164,7 @@ impl_real!(
     MANTISSA_F64,
     libm::sqrt,
     libm::pow,
+    libm::exp,
     libm::fabs,
     libm::copysign
 );

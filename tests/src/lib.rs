@@ -1,1 +1,14 @@
 //! What is promised, checked against independent sources.
+//!
+//! The tests stand in `tests/`, one file a promise; here are their shared parts. No module of
+//! this crate computes friction except [`rim_mean`], an oracle of its own; all other oracles are
+//! the tables of `tables/` or formulas of the test that uses them.
+
+pub mod bits;
+pub mod reference;
+pub mod rim_mean;
+pub mod sweep;
+pub mod tables;
+pub mod tiers;
+pub mod tolerance;
+pub mod worst;

@@ -1,7 +1,7 @@
 //! The tier without tables: a few KiB of code, tens of ulp.
 
 use super::octave::force_function;
-use super::profile::{self, Profile};
+use super::profile::{self, Profile, half_powers};
 use super::{Coupling, ReducedJacobian, ReducedWrench};
 use crate::law::{LawError, PowerLaw, validated_exponent};
 use crate::real::Real;
@@ -48,6 +48,9 @@ impl<R: Real> Profile<R> for Coulomb {
     fn rate_scale(&self, speed: R) -> R {
         R::ONE / speed
     }
+    fn half_scales(&self, speed: R) -> [R; 2] {
+        [R::ONE, R::ONE / speed.sqrt()]
+    }
 }
 
 impl<R: Real> Coupling<R> for Coulomb {
@@ -64,7 +67,8 @@ impl<R: Real> Coupling<R> for Coulomb {
 /// |v|^α for any −1 < α ≤ 128, from the power series and its continuation.
 ///
 /// Works in f64 inside, for f32 too: on a processor without f64 it is slow.
-/// *Accuracy*: at most 1e-14 relative in f64 for α ≥ −0.9 and α ≤ 20 (f32: 2 ulp).
+/// *Accuracy*: at most 1e-14 relative in f64 for −0.99 ≤ α ≤ 50; in f32 5 ulp for
+/// −0.75 ≤ α ≤ 10.
 /// *Cost*: one series away from equal speeds; near them up to 52 expansions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Power<R> {
@@ -112,6 +116,9 @@ impl<R: Real> Profile<R> for Power<R> {
     #[inline]
     fn rate_scale(&self, speed: R) -> R {
         speed.pow(self.alpha - R::ONE)
+    }
+    fn half_scales(&self, speed: R) -> [R; 2] {
+        half_powers(speed, self.alpha)
     }
 }
 

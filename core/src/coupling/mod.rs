@@ -54,7 +54,10 @@ pub struct ReducedJacobian<R> {
 ///
 /// All methods are total. Signs of the arguments are ignored. At rest (v = w = 0) the wrench is
 /// zero and the Jacobian the limit of damping: infinite where the law is steeper than linear.
-/// One infinite speed gives the limit of the ratio; two infinite speeds or a NaN give NaN.
+/// NaN in either argument gives NaN in every result, and so do two infinite speeds. One infinite
+/// speed gives Coulomb's limit of the ratio; for other laws a limit that depends on more than the
+/// ratio is NaN, and the Jacobian is NaN for any infinite speed. A result that leaves the number
+/// range is infinite or zero; one that does not is right, whatever its factors do.
 pub trait Coupling<R: Real> {
     /// Force and torque for sliding speed `slide` and rim speed `rim` = |ω|R.
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R>;

@@ -48,6 +48,9 @@ pub trait Profile<R: Real> {
 
     /// `speed`^(α−1).
     fn rate_scale(&self, speed: R) -> R;
+
+    /// Square roots of the two scales, for results whose scale alone leaves the number range.
+    fn half_scales(&self, speed: R) -> [R; 2];
 }
 
 impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
@@ -70,6 +73,10 @@ impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
     #[inline]
     fn rate_scale(&self, speed: R) -> R {
         (**self).rate_scale(speed)
+    }
+    #[inline]
+    fn half_scales(&self, speed: R) -> [R; 2] {
+        (**self).half_scales(speed)
     }
 }
 
@@ -98,6 +105,12 @@ impl<R: Real> Ordered<R> {
             minor,
             ratio: minor / major,
         }
+    }
+
+    /// True if nothing moves; false for NaN.
+    #[inline]
+    fn at_rest(&self) -> bool {
+        self.major == R::ZERO && self.minor == R::ZERO
     }
 
     /// 1 − ratio², without cancellation near equal speeds.
@@ -135,7 +148,7 @@ fn unscaled<R: Real, P: Profile<R>>(profile: &P, speeds: &Ordered<R>) -> Reduced
 #[inline]
 pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
     let speeds = Ordered::new(slide, rim);
-    if speeds.major == R::ZERO {
+    if speeds.at_rest() {
         return ReducedWrench {
             force: R::ZERO,
             torque: R::ZERO,
@@ -148,18 +161,21 @@ pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) ->
 #[inline]
 pub(super) fn wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
     let speeds = Ordered::new(slide, rim);
-    if speeds.major == R::ZERO {
+    if speeds.at_rest() {
         return ReducedWrench {
             force: R::ZERO,
             torque: R::ZERO,
         };
     }
-    let scale = profile.speed_scale(speeds.major);
     let ReducedWrench { force, torque } = unscaled(profile, &speeds);
-    ReducedWrench {
-        force: scale * force,
-        torque: scale * torque,
-    }
+    let scale = profile.speed_scale(speeds.major);
+    let [force, torque] = if is_ordinary(scale) {
+        [scale * force, scale * torque]
+    } else {
+        let [half, _] = profile.half_scales(speeds.major);
+        [force, torque].map(|x| in_halves(x, half, speeds.major))
+    };
+    ReducedWrench { force, torque }
 }
 
 /// [`Coupling::reduced_jacobian`] of a profile.
@@ -171,7 +187,7 @@ pub(super) fn jacobian<R: Real, P: Profile<R>>(
 ) -> ReducedJacobian<R> {
     let speeds = Ordered::new(slide, rim);
     let alpha = profile.exponent();
-    if speeds.major == R::ZERO {
+    if speeds.at_rest() {
         return at_rest(alpha);
     }
     let h = speeds.ratio;
@@ -193,12 +209,44 @@ pub(super) fn jacobian<R: Real, P: Profile<R>>(
         torque_rim = alpha * torque - h * mixed;
     }
     let scale = profile.rate_scale(speeds.major);
+    let entries = [phi, force_slide, mixed, torque_rim];
+    let [force_per_slide, force_slide, mixed, torque_rim] = if is_ordinary(scale) {
+        entries.map(|x| scale * x)
+    } else {
+        let [_, half] = profile.half_scales(speeds.major);
+        entries.map(|x| in_halves(x, half, speeds.major))
+    };
     ReducedJacobian {
-        force_per_slide: scale * phi,
-        force_slide: scale * force_slide,
-        mixed: scale * mixed,
-        torque_rim: scale * torque_rim,
+        force_per_slide,
+        force_slide,
+        mixed,
+        torque_rim,
     }
+}
+
+/// True if a product with `scale` can be formed at once.
+#[inline]
+fn is_ordinary<R: Real>(scale: R) -> bool {
+    scale >= R::MIN_POSITIVE && scale.is_finite()
+}
+
+/// `x` times the square of `half`; zero stays zero for a finite `major` speed.
+#[cold]
+fn in_halves<R: Real>(x: R, half: R, major: R) -> R {
+    if x == R::ZERO && major.is_finite() {
+        x
+    } else {
+        x * half * half
+    }
+}
+
+/// Square roots of `speed`^α and `speed`^(α−1).
+#[cold]
+pub(super) fn half_powers<R: Real>(speed: R, alpha: R) -> [R; 2] {
+    [
+        speed.pow(R::HALF * alpha),
+        speed.pow(R::HALF * (alpha - R::ONE)),
+    ]
 }
 
 /// The Jacobian at v = w = 0: zero for α > 1, the constant damping for α = 1, infinite below.

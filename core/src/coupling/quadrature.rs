@@ -27,9 +27,10 @@ use crate::real::Real;
 ///
 /// The reduced wrench includes the law's own coefficient.
 ///
-/// *Accuracy*: for laws as smooth as |v|^α, relative error of F and T at most 1e-8 for α ≥ 0 and
-/// 2e-6 for α ≥ −0.5; Jacobian 1e-5 for α ≥ 0, absolute in units of F/v. A law with a feature
+/// *Accuracy*: for laws as smooth as |v|^α, relative error of F and T at most 1e-8 for 0 ≤ α ≤ 5
+/// and 2e-6 for α ≥ −0.5; Jacobian 1e-5 for 0 ≤ α ≤ 5, absolute in units of F/v. A law with a feature
 /// narrower than 1/32 of the speed range on the disk is averaged over.
+/// *Domain*: speeds whose (α+1)st powers are in range; NaN for infinite speeds.
 /// *Cost*: 32 law evaluations for the force, 256 for the torque.
 ///
 /// ```

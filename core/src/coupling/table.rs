@@ -1,7 +1,7 @@
 //! The quickest tier: polynomial tables, a few ulp, the same cost for every exponent.
 
 use super::octave::{self, Cell};
-use super::profile::{self, Profile};
+use super::profile::{self, Profile, half_powers};
 use super::{Coupling, ReducedJacobian, ReducedWrench};
 use crate::law::{LawError, validated_exponent};
 use crate::real::Real;
@@ -141,6 +141,9 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CE
     fn rate_scale(&self, speed: R) -> R {
         speed.pow(self.alpha - R::ONE)
     }
+    fn half_scales(&self, speed: R) -> [R; 2] {
+        half_powers(speed, self.alpha)
+    }
 }
 
 impl<R: Real, const CELLS: usize, const TERMS: usize> Coupling<R> for Table<R, CELLS, TERMS> {
@@ -218,6 +221,9 @@ impl<R: CoulombTable> Profile<R> for Coulomb {
     #[inline]
     fn rate_scale(&self, speed: R) -> R {
         R::ONE / speed
+    }
+    fn half_scales(&self, speed: R) -> [R; 2] {
+        [R::ONE, R::ONE / speed.sqrt()]
     }
 }
 

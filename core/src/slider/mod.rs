@@ -4,13 +4,17 @@
 //! With κ = γ g (deceleration per speed^α), w = |ω|R and C = I/(M R²), eq. 3.25 reads
 //! dv/dt = −κ F(v, w), dw/dt = −κ T(v, w)/C.
 //!
-//! Two steppers share the state: [`Slider::advance`], which adapts and stops exactly, and
-//! [`Slider::verlet_step`], the fixed-step method of the thesis.
+//! Three ways on from a state: [`Slider::to_rest`] goes to the end, [`Slider::advance`] a given
+//! time, both to rounding accuracy; [`Slider::verlet_step`] is the fixed-step method of the
+//! thesis.
 
 mod advance;
+mod rest;
+mod runge_kutta;
 mod verlet;
 
-pub use advance::{Advance, Rest};
+pub use advance::Advance;
+pub use rest::Rest;
 
 use crate::coupling::{Coupling, Profile, ReducedWrench};
 use crate::modes::InertiaError;

@@ -1,6 +1,7 @@
 //! Gauss' function ₂F₁(a, b; c; x) on [0, 1] for c − a − b > 0.
 //!
-//! Two regimes. For x ≤ 1/2 the power series converges at least like 2⁻ⁿ. Beyond, with z = 1 − x,
+//! Two regimes. For x ≤ 1/2 the power series converges at least like 2⁻ⁿ (and for large c − a − b
+//! it serves all of [0, 1]). Beyond, with z = 1 − x,
 //! the differential equation is continued by Taylor expansions whose centres halve z: every
 //! expansion then converges like 2⁻ⁿ, whatever the exponents at x = 1 are. There is no connection
 //! formula, hence no Γ function and no special case when c − a − b is close to an integer.
@@ -34,6 +35,9 @@ const MAX_TERMS: usize = 1200;
 const Z_END: f64 = 1.0 / (1u64 << 60) as f64;
 /// Border of the two regimes.
 const HALF: f64 = 0.5;
+/// From this c − a − b on the power series converges fast enough at x = 1 too, like n⁻⁹, and the
+/// continuation, whose equation has growing solutions there, is not needed.
+const SERIES_EXCESS: f64 = 8.0;
 
 impl Gauss {
     /// Fixes the parameters.
@@ -54,7 +58,7 @@ impl Gauss {
     /// assert!((f.value - 1.1125268837560) < 1e-2);
     /// ```
     pub const fn at(&self, x: f64, z: f64) -> Jet {
-        if z >= HALF || z.is_nan() {
+        if z >= HALF || z.is_nan() || self.c - self.a - self.b > SERIES_EXCESS {
             return self.series(x);
         }
         let mut state = self.series(HALF);
@@ -89,7 +93,8 @@ impl Gauss {
         Jet { value, slope }
     }
 
-    /// Power series about x = 0, with compensated sums. *Domain*: 0 ≤ x ≤ 1/2.
+    /// Power series about x = 0, with compensated sums. *Domain*: 0 ≤ x ≤ 1/2, or up to 1 for
+    /// c − a − b > 8.
     pub const fn series(&self, x: f64) -> Jet {
         let (mut value, mut value_low) = (1.0, 0.0);
         let (mut slope, mut slope_low) = (0.0, 0.0);

@@ -46,7 +46,6 @@ enum StepLength {
 pub struct SlideSimulation<P> {
     slider: Slider<f64, P>,
     scene: SliderScene,
-    deceleration: f64,
     length: StepLength,
     /// Time of rest, or of fading, or the duration asked for.
     end: f64,
@@ -67,7 +66,6 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         let mut simulation = Self {
             slider,
             scene: *scene,
-            deceleration,
             length: StepLength::OfFading(fading_fraction(scene)),
             end: f64::INFINITY,
             start,
@@ -137,8 +135,8 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         match self.length {
             StepLength::Fixed(length) => length,
             StepLength::OfFading(fraction) => {
-                let scale = motion.speed.max((motion.spin * self.scene.radius).abs());
-                fraction * scale.powf(1.0 - self.scene.alpha) / self.deceleration
+                let energy = self.slider.energy_per_mass(motion);
+                fraction * 2.0 * energy / self.slider.dissipation_per_mass(motion)
             }
         }
     }
@@ -150,11 +148,18 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
             && motion.spin.abs() <= limit * self.start.spin.abs()
     }
 
-    /// Work of friction in `duration` from `motion` on, along the exact motion.
-    fn work(&self, motion: &Motion<f64>, duration: f64) -> f64 {
+    /// Work of friction in `duration` from `motion` on, along the exact motion. Towards rest the
+    /// power vanishes like a fractional power of the time left; the cube makes it smooth.
+    fn work(&self, motion: &Motion<f64>, duration: f64, rests: bool) -> f64 {
         let power = POWER_NODES.iter().map(|[node, weight]| {
-            let at = self.slider.advance(motion, node * duration).motion;
-            weight * self.slider.dissipation_per_mass(&at)
+            let left = 1.0 - node;
+            let (at, weight) = if rests {
+                (1.0 - left * left * left, 3.0 * left * left * weight)
+            } else {
+                (*node, *weight)
+            };
+            let state = self.slider.advance(motion, at * duration).motion;
+            weight * self.slider.dissipation_per_mass(&state)
         });
         self.scene.mass * duration * power.sum::<f64>()
     }
@@ -165,7 +170,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
             Some(rest) => rest.motion.time - self.motion.time,
             None => duration,
         };
-        self.dissipated += self.work(&self.motion, moving);
+        self.dissipated += self.work(&self.motion, moving, after.rest.is_some());
         self.rest = after.rest;
         self.motion = match after.rest {
             Some(rest) => rest.motion,

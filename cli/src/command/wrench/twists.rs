@@ -42,7 +42,9 @@ fn parse(text: &[u8]) -> Result<Vec<[f64; 2]>, String> {
     let mut twists = Vec::new();
     for record in reader.records() {
         let record = record.map_err(|error| in_words(&error))?;
-        let line = record.position().map_or(0, csv::Position::line);
+        let line = record
+            .position()
+            .map_or(0, |position| line_of(text, position));
         let mut twist = [0.0; 2];
         for ((value, column), name) in twist.iter_mut().zip(columns).zip(COLUMNS) {
             let text = record.get(column).unwrap_or("");
@@ -55,6 +57,13 @@ fn parse(text: &[u8]) -> Result<Vec<[f64; 2]>, String> {
         return Err("2: no twists; give one speed,spin pair a line".into());
     }
     Ok(twists)
+}
+
+/// Line of a record, past the blank lines that the reader counts to it.
+fn line_of(text: &[u8], position: &csv::Position) -> u64 {
+    let rest = text.iter().skip(position.byte() as usize);
+    let blank = rest.take_while(|byte| byte.is_ascii_whitespace());
+    position.line() + blank.filter(|&&byte| byte == b'\n').count() as u64
 }
 
 /// A CSV error with its line first.

@@ -1,15 +1,9 @@
-//! Axes and the span of values they show.
+//! Axes, the span of values they show, and their ticks.
 
-use super::error::FigureError;
-
-// Share of the data span left free at each end of an automatic range.
-const MARGIN: f64 = 0.04;
-
-// Values beyond this size are treated as infinite.
-const HUGE: f64 = 1e300;
-
-// Positions this many plot widths away are as good as any farther ones.
-const FAR: f64 = 1e4;
+use super::FigureError;
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+use plotters::coord::types::RangedCoordf64;
+use std::ops::Range;
 
 /// How values are spread along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,8 +18,8 @@ pub enum Scale {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     pub(super) label: String,
-    pub(super) scale: Scale,
     pub(super) range: Option<(f64, f64)>,
+    scale: Scale,
 }
 
 impl Axis {
@@ -33,8 +27,8 @@ impl Axis {
     pub fn new(label: impl Into<String>, scale: Scale) -> Self {
         Self {
             label: label.into(),
-            scale,
             range: None,
+            scale,
         }
     }
 
@@ -57,7 +51,7 @@ impl Axis {
 }
 
 /// The shown span of an axis, in powers of ten on a log axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Span {
     pub scale: Scale,
     pub low: f64,
@@ -67,53 +61,33 @@ pub(super) struct Span {
 impl Span {
     /// Takes the fixed range of an axis or fits one around the values.
     pub fn new(axis: &Axis, values: impl Iterator<Item = f64>) -> Result<Self, FigureError> {
+        let scale = axis.scale;
         let Some((low, high)) = axis.range else {
-            return Ok(Self::around(axis.scale, values));
+            let units = values.filter_map(|value| unit(scale, value));
+            return Ok(Self::around(scale, units.collect()));
         };
-        let ends = unit(axis.scale, low).zip(unit(axis.scale, high));
-        match ends {
-            Some((from, to)) if to - from > 1e-9 * from.abs().max(to.abs()) => Ok(Self {
-                scale: axis.scale,
-                low: from,
-                high: to,
-            }),
-            _ => Err(FigureError::Range {
-                axis: axis.label.clone(),
-                low,
-                high,
-            }),
+        match unit(scale, low).zip(unit(scale, high)) {
+            Some((low, high)) if high - low > grain(scale, low, high) => {
+                Ok(Self { scale, low, high })
+            }
+            _ => Err(FigureError::Range(axis.label.clone(), low, high)),
         }
     }
 
-    // Fits a span around all values that can be shown, with a margin.
-    fn around(scale: Scale, values: impl Iterator<Item = f64>) -> Self {
-        let ends =
-            values
-                .filter_map(|value| unit(scale, value))
-                .fold(None, |ends, unit| match ends {
-                    None => Some((unit, unit)),
-                    Some((low, high)) => Some((unit.min(low), unit.max(high))),
-                });
-        let (low, high) = ends.unwrap_or((0.0, 1.0));
-        let size = low.abs().max(high.abs());
-
-        // A constant gets a window of its own size around it.
-        if high - low <= 1e-9 * size || high == low {
-            let half = match scale {
-                Scale::Linear if size > 0.0 => 0.5 * size,
-                _ => 0.5,
-            };
-            let (low, high) = (low - half, high + half);
-            return Self { scale, low, high };
-        }
+    // Fits a span around all values with a margin; a constant gets one of its own size.
+    fn around(scale: Scale, mut units: Vec<f64>) -> Self {
+        units.sort_by(f64::total_cmp);
+        let low = units.first().copied().unwrap_or(0.0);
+        let high = units.last().copied().unwrap_or(1.0);
+        let margin = match scale {
+            _ if high - low > grain(scale, low, high) => 0.04 * (high - low),
+            Scale::Linear if high != 0.0 => 0.5 * high.abs(),
+            _ => 0.5,
+        };
 
         // The margin does not carry a positive axis below zero.
-        let margin = MARGIN * (high - low);
-        let floor = if scale == Scale::Linear && low >= 0.0 {
-            0.0
-        } else {
-            f64::NEG_INFINITY
-        };
+        let positive = scale == Scale::Linear && low >= 0.0 && high > 0.0;
+        let floor = if positive { 0.0 } else { f64::MIN };
         Self {
             scale,
             low: (low - margin).max(floor),
@@ -121,75 +95,98 @@ impl Span {
         }
     }
 
-    /// Position of a value, 0 at the low end and 1 at the high end.
+    /// Share of the axis at a value, 0 at the low and 1 at the high end.
     pub fn place(&self, value: f64) -> Option<f64> {
-        let unit = unit(self.scale, value)?;
-        let position = (unit - self.low) / (self.high - self.low);
-        Some(position.clamp(-FAR, FAR))
+        unit(self.scale, value).map(|unit| self.share(unit).clamp(-1e4, 1e4))
     }
 
-    /// Position that puts values a log axis cannot show at its far low end.
-    pub fn place_or_end(&self, value: f64) -> Option<f64> {
-        if value.is_nan() {
-            return None;
+    // Share of the axis at a value given in the unit of the axis.
+    fn share(&self, unit: f64) -> f64 {
+        (unit - self.low) / (self.high - self.low)
+    }
+
+    /// Places and labels of about `count` ticks.
+    pub fn ticks(&self, count: usize) -> Ticks {
+        let (mut low, mut high) = (self.low, self.high);
+        if self.scale == Scale::Log10 {
+            let decades = low.ceil() as i32..=high.floor() as i32;
+            let stride = ((high - low) / count as f64).ceil() as usize;
+            let tick = |power| (self.share(f64::from(power)), ten_to(power));
+            let ticks: Vec<_> = decades.step_by(stride).map(tick).collect();
+            if ticks.len() > 1 {
+                return Ticks(ticks);
+            }
+            (low, high) = (10_f64.powf(low), 10_f64.powf(high));
         }
-        let end = if value > 0.0 { FAR } else { -FAR };
-        Some(self.place(value).unwrap_or(end))
+
+        // Round values, found by plotters on a span of everyday size.
+        let size = 10_f64.powi((high - low).log10().floor() as i32);
+        let points = RangedCoordf64::from(low / size..high / size).key_points(count);
+
+        // Very large and very small values share one power of ten.
+        let largest = low.abs().max(high.abs());
+        let everyday = (1e-2..1e5).contains(&largest);
+        let power = largest.log10().floor() * f64::from(u8::from(!everyday));
+        let factor = format!("·{}", ten_to(power as i32));
+        let label = |value: f64| {
+            let digits = (value / 10_f64.powf(power) * 1e9).round() / 1e9 + 0.0;
+            let plain = everyday || digits == 0.0;
+            digits.to_string().replace('-', "−") + if plain { "" } else { &factor }
+        };
+        let values = points.into_iter().map(|point| point * size);
+        let ticks = values.filter_map(|value| Some((self.place(value)?, label(value))));
+        Ticks(ticks.collect())
+    }
+}
+
+/// Places and labels of ticks on an axis that runs from 0 to 1 for plotters.
+pub(super) struct Ticks(pub Vec<(f64, String)>);
+
+impl Ranged for Ticks {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, at: &f64, (low, high): (i32, i32)) -> i32 {
+        low + (at * f64::from(high - low)).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
+        self.0.iter().map(|tick| tick.0).collect()
+    }
+
+    fn range(&self) -> Range<f64> {
+        0.0..1.0
+    }
+}
+
+impl ValueFormatter<f64> for Ticks {
+    fn format_ext(&self, at: &f64) -> String {
+        let tick = self.0.iter().find(|tick| tick.0 == *at);
+        tick.map_or(String::new(), |tick| tick.1.clone())
     }
 }
 
 // Value in the unit of the axis, or nothing when it cannot be shown.
 fn unit(scale: Scale, value: f64) -> Option<f64> {
     match scale {
-        Scale::Linear => (value.abs() < HUGE).then_some(value),
-        Scale::Log10 => (value > 1.0 / HUGE && value < HUGE).then(|| value.log10()),
+        Scale::Linear => (value.abs() < 1e300).then_some(value),
+        Scale::Log10 => (1e-300..1e300).contains(&value).then(|| value.log10()),
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+// The smallest span between two ends that can be told from rounding errors.
+fn grain(scale: Scale, low: f64, high: f64) -> f64 {
+    let least = if scale == Scale::Log10 { 1.0 } else { 0.0 };
+    1e-9 * low.abs().max(high.abs()).max(least)
+}
 
-    #[test]
-    fn log_axis_shows_positive_values_only() -> Result<(), FigureError> {
-        let values = [-1.0, 0.0, f64::NAN, f64::INFINITY, 1e-3, 1e2];
-        let span = Span::new(&Axis::log10("x"), values.into_iter())?;
-        assert!((-3.5..-3.0).contains(&span.low) && (2.0..2.5).contains(&span.high));
-        assert_eq!(span.place(0.0), None);
-        assert_eq!(span.place(-3.0), None);
-        assert!(span.place(1.0).is_some());
-        Ok(())
-    }
-
-    #[test]
-    fn empty_and_constant_data_still_span_something() -> Result<(), FigureError> {
-        for scale in [Scale::Linear, Scale::Log10] {
-            for values in [
-                vec![],
-                vec![2.0],
-                vec![1e-250; 3],
-                vec![0.0; 2],
-                vec![1e299],
-            ] {
-                let span = Span::new(&Axis::new("x", scale), values.into_iter())?;
-                assert!(span.high > span.low && (span.high - span.low).is_finite());
-            }
-        }
-        Ok(())
-    }
-
-    #[test]
-    fn impossible_ranges_are_errors() {
-        let none = || std::iter::empty();
-        for (low, high) in [
-            (1.0, 1.0),
-            (2.0, 1.0),
-            (f64::NAN, 1.0),
-            (0.0, f64::INFINITY),
-        ] {
-            assert!(Span::new(&Axis::linear("x").range(low, high), none()).is_err());
-        }
-        assert!(Span::new(&Axis::log10("x").range(0.0, 1.0), none()).is_err());
-        assert!(Span::new(&Axis::linear("x").range(0.0, 1.0), none()).is_ok());
-    }
+// A power of ten in superscript digits.
+fn ten_to(power: i32) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |sign: char| {
+        sign.to_digit(10)
+            .map_or('⁻', |digit| RAISED[digit as usize])
+    };
+    let power = power.to_string();
+    "10".chars().chain(power.chars().map(raised)).collect()
 }

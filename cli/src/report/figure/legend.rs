@@ -1,18 +1,15 @@
 //! The legend: which line belongs to which series.
 
-use super::curves;
-use super::font;
-use super::scene::{Anchor, Color, Point, Rect, Scene, snapped};
-use super::series::Series;
+use super::canvas::{Area, PX, fitting, font, width};
+use super::{Figure, FigureError, chart};
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-// Text size, line height, sample length and gaps in pixels.
+// Text size in pixels; line height, sample length and gap in SVG units.
 const SIZE: f64 = 13.0;
-const LINE: f64 = 18.0;
-const SAMPLE: f64 = 28.0;
-const GAP: f64 = 7.0;
-const PAD: f64 = 8.0;
-
-const TEXT: Color = Color(40, 40, 40);
+const LINE: i32 = 20 * PX;
+const SAMPLE: i32 = 28 * PX;
+const GAP: i32 = 8 * PX;
 
 /// Where the legend stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -34,128 +31,80 @@ pub enum Legend {
     Hidden,
 }
 
-// One legend entry at its place inside the block.
-#[derive(Debug, Clone, PartialEq)]
-struct Entry {
-    at: Point,
-    lines: Vec<String>,
-    index: usize,
+/// A legend laid out as a grid of equal cells.
+pub(super) struct Block<'f> {
+    figure: &'f Figure,
+    size: f64,
+    cell: i32,
+    rows: i32,
+    columns: i32,
 }
 
-/// A legend laid out from its own upper left corner.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Block {
-    entries: Vec<Entry>,
-    pub width: f64,
-    pub height: f64,
-}
-
-impl Block {
-    /// Entries under each other, texts wrapped to a width.
-    pub fn column(series: &[Series], limit: f64) -> Self {
-        let mut block = Self::default();
-        let room = (limit - SAMPLE - GAP - 2.0 * PAD).max(40.0);
-        for (index, label) in labelled(series) {
-            let lines = font::wrap(label, SIZE, room);
-            let at = (PAD, PAD + block.height);
-            block.width = block.width.max(SAMPLE + GAP + widest(&lines));
-            block.height += LINE * lines.len() as f64 + 3.0;
-            block.entries.push(Entry { at, lines, index });
+impl<'f> Block<'f> {
+    /// Plans a legend: side by side below a plot, else one entry under another.
+    pub fn new(figure: &'f Figure, area: &Area) -> Self {
+        let labels = figure.series.iter().map(|series| series.label.as_str());
+        let shown = labels.filter(|label| !label.is_empty());
+        let count = shown.clone().count() as i32;
+        let longest = shown.max_by_key(|label| width(label, SIZE)).unwrap_or("");
+        let full = area.dim_in_pixel().0 as i32;
+        let sample = SAMPLE + 3 * GAP;
+        let below = figure.legend == Legend::Below;
+        let room = if below { full } else { full * 2 / 5 };
+        let size = fitting(longest, SIZE, room - sample);
+        let cell = sample + width(longest, size);
+        let columns = if below { full / cell } else { 1 }.clamp(1, count.max(1));
+        Self {
+            figure,
+            size,
+            cell,
+            rows: (count + columns - 1) / columns,
+            columns,
         }
-        block.padded()
     }
 
-    /// Entries side by side in as many rows as needed.
-    pub fn rows(series: &[Series], limit: f64) -> Self {
-        let mut block = Self::default();
-        let (mut x, mut y, mut row) = (0.0, 0.0, 0.0_f64);
-        for (index, label) in labelled(series) {
-            let lines = font::wrap(label, SIZE, (limit - SAMPLE - GAP - 2.0 * PAD).max(40.0));
-            let width = SAMPLE + GAP + widest(&lines);
-            if x > 0.0 && x + width > limit - 2.0 * PAD {
-                (x, y, row) = (0.0, y + row, 0.0);
-            }
-            row = row.max(LINE * lines.len() as f64);
-            let at = (PAD + x, PAD + y);
-            block.entries.push(Entry { at, lines, index });
-            block.width = block.width.max(x + width);
-            block.height = y + row;
-            x += width + 2.5 * GAP;
+    /// Splits off room for a legend outside the plot.
+    pub fn split<'a>(&self, area: &Area<'a>) -> (Area<'a>, Area<'a>) {
+        let (full, height) = area.dim_in_pixel();
+        match self.figure.legend {
+            Legend::Right => area.split_horizontally(full as i32 - self.cell * self.rows.min(1)),
+            Legend::Below => area.split_vertically(height as i32 - LINE * self.rows - GAP),
+            _ => (area.clone(), area.clone()),
         }
-        block.padded()
     }
 
-    /// Whether there is nothing to show.
-    pub fn is_empty(&self) -> bool {
-        self.entries.is_empty()
-    }
-
-    /// Box of the legend in a corner of the plot.
-    pub fn corner(&self, legend: Legend, plot: &Rect) -> Rect {
-        let inset = 8.0;
-        let right = matches!(legend, Legend::TopRight | Legend::BottomRight);
-        let bottom = matches!(legend, Legend::BottomLeft | Legend::BottomRight);
-        let left = if right {
-            plot.right - inset - self.width
-        } else {
-            plot.left + inset
+    /// Draws the legend at its place beside or inside the plot.
+    pub fn draw<'a>(&self, side: &Area<'a>, plot: &Area<'a>) -> Result<(), FigureError> {
+        let (wide, high) = (self.cell * self.columns, LINE * self.rows);
+        let (full, height) = plot.dim_in_pixel();
+        let (right, low) = (full as i32 - wide - GAP, height as i32 - high - GAP);
+        let middle = (side.dim_in_pixel().0 as i32 - wide) / 2;
+        let (area, (left, top)) = match self.figure.legend {
+            Legend::Hidden => return Ok(()),
+            Legend::Right => (side, (0, GAP)),
+            Legend::Below => (side, (middle, GAP)),
+            Legend::TopLeft => (plot, (GAP, GAP)),
+            Legend::TopRight => (plot, (right, GAP)),
+            Legend::BottomLeft => (plot, (GAP, low)),
+            Legend::BottomRight => (plot, (right, low)),
         };
-        let top = if bottom {
-            plot.bottom - inset - self.height
-        } else {
-            plot.top + inset
-        };
-        let (left, top) = (snapped(left), snapped(top));
-        let (right, bottom) = (left + self.width, top + self.height);
-        Rect::new(left, top, snapped(right), snapped(bottom))
+        let corners = [(left, top), (left + wide, top + high)];
+        area.draw(&Rectangle::new(corners, WHITE.mix(0.85).filled()))?;
+        self.entries(area, (left, top))
     }
 
-    /// Draws the entries from an upper left corner on.
-    pub fn draw(&self, (left, top): Point, series: &[Series], scene: &mut Scene) {
-        for entry in &self.entries {
-            let Some(shown) = series.get(entry.index) else {
-                continue;
-            };
-            let (x, y) = (left + entry.at.0, top + entry.at.1);
-            sample((x, y + LINE / 2.0), shown, entry.index, scene);
-            for (row, line) in entry.lines.iter().enumerate() {
-                let baseline = y + LINE * row as f64 + LINE / 2.0 + 0.36 * SIZE;
-                let at = (x + SAMPLE + GAP, baseline);
-                scene.text(line, at, SIZE, TEXT, Anchor::Start);
-            }
+    // Draws a piece of line and the label of each series.
+    fn entries(&self, area: &Area, (left, top): (i32, i32)) -> Result<(), FigureError> {
+        let style = font(self.size).pos(Pos::new(HPos::Left, VPos::Center));
+        let all = self.figure.series.iter().enumerate();
+        let shown = all.filter(|(_, series)| !series.label.is_empty());
+        for ((index, series), cell) in shown.zip(0..) {
+            let x = left + GAP + cell % self.columns * self.cell;
+            let y = top + LINE / 2 + cell / self.columns * LINE;
+            let ends = vec![(x, y), (x + SAMPLE, y)];
+            chart::curve(area, (series, index), vec![ends], vec![(x + SAMPLE / 2, y)])?;
+            area.draw_text(&series.label, &style, (x + SAMPLE + GAP, y))?;
         }
-    }
-
-    // Adds the border around the entries.
-    fn padded(mut self) -> Self {
-        if self.is_empty() {
-            return Self::default();
-        }
-        self.width += 2.0 * PAD;
-        self.height += 2.0 * PAD;
-        self
-    }
-}
-
-// Series that have a label, with their place.
-fn labelled(series: &[Series]) -> impl Iterator<Item = (usize, &str)> {
-    let labels = series.iter().map(|series| series.label.trim());
-    labels.enumerate().filter(|(_, label)| !label.is_empty())
-}
-
-// Width of the longest line.
-fn widest(lines: &[String]) -> f64 {
-    let widths = lines.iter().map(|line| font::width(line, SIZE));
-    widths.fold(0.0, f64::max)
-}
-
-// A short piece of the line and its marker.
-fn sample((x, y): Point, series: &Series, index: usize, scene: &mut Scene) {
-    let color = series.shown_color(index);
-    if series.style.has_line() {
-        curves::line(&[(x, y), (x + SAMPLE, y)], series.style, color, scene);
-    }
-    if series.style.has_markers() {
-        curves::marker((x + SAMPLE / 2.0, y), index, color, scene);
+        Ok(())
     }
 }

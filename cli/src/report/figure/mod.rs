@@ -1,31 +1,19 @@
 //! Scientific line plots, drawn to SVG and PNG from one description.
 
 mod axis;
-mod curves;
-mod error;
-mod font;
-mod frame;
-mod guides;
-mod layout;
+mod canvas;
+mod chart;
+mod clip;
 mod legend;
-mod paint;
+mod marks;
 mod panels;
-mod scene;
-mod series;
-mod ticks;
 
 pub use axis::{Axis, Scale};
-pub use error::FigureError;
-pub use guides::{Guide, Region};
 pub use legend::Legend;
+pub use marks::{Color, Guide, Region, Series, Style};
 pub use panels::Panels;
-pub use scene::Color;
-pub use series::{Series, Style};
 
-use scene::{Rect, Scene};
-
-/// Width and height in pixels when none is given.
-const DEFAULT_SIZE: (u32, u32) = (900, 560);
+use plotters::drawing::DrawingAreaErrorKind;
 
 /// One plot: two axes with curves, reference lines and filled regions.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,7 +39,7 @@ impl Figure {
             guides: Vec::new(),
             regions: Vec::new(),
             legend: Legend::default(),
-            size: DEFAULT_SIZE,
+            size: (900, 560),
         }
     }
 
@@ -92,21 +80,33 @@ impl Figure {
 
     /// Draws the figure as an SVG document.
     pub fn svg(&self) -> Result<String, FigureError> {
-        paint::svg(&self.scene()?)
+        canvas::svg(self.size, |area| chart::draw(self, area))
     }
 
     /// Draws the figure as a PNG file.
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
-        paint::png(&self.scene()?)
+        canvas::png(&self.svg()?)
     }
+}
 
-    // Lays the figure out over its whole canvas.
-    fn scene(&self) -> Result<Scene, FigureError> {
-        let mut scene = Scene::new(self.size)?;
-        let cell = Rect::new(0.0, 0.0, f64::from(self.size.0), f64::from(self.size.1));
-        layout::draw(self, cell, &mut scene)?;
-        Ok(scene)
-    }
+/// Reasons a figure cannot be drawn.
+#[derive(Debug, thiserror::Error)]
+pub enum FigureError {
+    /// A given axis range is empty, not finite, or not positive on a log axis.
+    #[error("axis \"{0}\" cannot span {1} to {2}")]
+    Range(String, f64, f64),
+    /// The canvas is too small to hold a plot or too large to draw.
+    #[error("a figure of {0} x {1} pixels cannot be drawn")]
+    Size(u32, u32),
+    /// The embedded font was not accepted.
+    #[error("the embedded font cannot be read")]
+    Font,
+    /// The SVG could not be drawn.
+    #[error("drawing failed: {0}")]
+    Draw(#[from] DrawingAreaErrorKind<std::io::Error>),
+    /// The PNG could not be made from the SVG.
+    #[error("PNG encoding failed: {0}")]
+    Png(String),
 }
 
 #[cfg(test)]

@@ -1,0 +1,75 @@
+//! The four derivatives of force and torque, by tier.
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use std::hint::black_box;
+use std::time::Duration;
+use tribos_benches::mix;
+use tribos_core::coupling::quadrature::DiskQuadrature;
+use tribos_core::coupling::table::{self, Table64};
+use tribos_core::coupling::{Coupling, ReducedJacobian, compact};
+use tribos_core::law;
+use tribos_core::real::Real;
+
+const SEED: u64 = 1;
+/// Relative step of the central differences that check the derivatives, and what they can err by
+/// where the derivatives bend slowly.
+const STEP: f64 = 1e-5;
+const CHECK: f64 = 1e-4;
+
+/// Compares ∂F/∂v and ∂T/∂w with central differences at one moderate pair.
+fn assert_right<C: Coupling<f64>>(coupling: &C) {
+    let (v, w) = (0.4, 1.0);
+    let at = |v, w| coupling.reduced_wrench(v, w);
+    let force = (at(v + STEP, w).force - at(v - STEP, w).force) / (2.0 * STEP);
+    let torque = (at(v, w + STEP).torque - at(v, w - STEP).torque) / (2.0 * STEP);
+    let found = coupling.reduced_jacobian(v, w);
+    assert!((found.force_slide - force).abs() < CHECK, "dF/dv");
+    assert!((found.torque_rim - torque).abs() < CHECK, "dT/dw");
+}
+
+fn time<R: Real>(criterion: &mut Criterion, name: &str, pairs: &[[R; 2]], c: &impl Coupling<R>) {
+    let mut results = vec![ReducedJacobian::default(); pairs.len()];
+    let mut group = criterion.benchmark_group("jacobian");
+    group.throughput(Throughput::Elements(pairs.len() as u64));
+    group.bench_function(BenchmarkId::from_parameter(name), |bencher| {
+        bencher.iter(|| {
+            for (&[slide, rim], result) in black_box(pairs).iter().zip(&mut results) {
+                *result = c.reduced_jacobian(slide, rim);
+            }
+            black_box(&mut results);
+        });
+    });
+    group.finish();
+}
+
+fn jacobian(criterion: &mut Criterion) {
+    let pairs = mix::long_pairs(SEED);
+    let narrow = mix::narrowed(&pairs);
+    let few: Vec<_> = pairs.iter().step_by(10).copied().collect();
+    let half = Table64::new(0.5).expect("1/2 is a valid exponent");
+    let power = compact::Power::new(0.5).expect("1/2 is a valid exponent");
+    let law = law::Coulomb::new(1.0).expect("1 is a valid coefficient");
+    let quadrature = DiskQuadrature::new(law);
+    assert_right(&table::Coulomb);
+    assert_right(&half);
+    assert_right(&compact::Coulomb);
+    assert_right(&power);
+    assert_right(&quadrature);
+
+    time(criterion, "table", &pairs, &table::Coulomb);
+    time(criterion, "table f32", &narrow, &table::Coulomb);
+    time(criterion, "table alpha 0.5", &pairs, &half);
+    time(criterion, "compact", &pairs, &compact::Coulomb);
+    time(criterion, "compact alpha 0.5", &few, &power);
+    time(criterion, "quadrature", &few, &quadrature);
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default()
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_secs(1))
+        .sample_size(40);
+    targets = jacobian
+}
+criterion_main!(benches);

@@ -1,0 +1,63 @@
+//! Force and torque: every tier and every method it is compared with, over the mix.
+//!
+//! The group `price` is the proof that nobody pays for what is not named: Coulomb's table, a table
+//! of another exponent without the power of the scale, and with it.
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use std::time::Duration;
+use tribos_benches::catalogue;
+use tribos_benches::methods::{Inputs, Method};
+use tribos_benches::mix;
+
+const SEED: u64 = 1;
+/// Beyond this n one evaluation takes milliseconds and the front's few samples suffice.
+const LARGEST_TRAPEZOID: &str = "trapezoid 512";
+
+/// Checks a method, then times one sweep.
+fn time(criterion: &mut Criterion, group: &str, method: &Method, inputs: &Inputs) {
+    let inputs = inputs.thinned(method.stride);
+    method.assert_right(&inputs);
+    let mut run = method.runner(&inputs);
+    let mut group = criterion.benchmark_group(group);
+    group.throughput(Throughput::Elements(inputs.wide.len() as u64));
+    group.bench_function(&method.name, |bencher| bencher.iter(&mut run));
+    group.finish();
+}
+
+fn wrench(criterion: &mut Criterion) {
+    let inputs = Inputs::new(mix::long_pairs(SEED));
+    let mut all = catalogue::tiers().expect("alpha = 0 is a valid exponent");
+    all.extend(catalogue::baselines());
+    all.extend(catalogue::exponents().expect("the listed exponents are valid"));
+    for method in all.iter().filter(|method| method.name != LARGEST_TRAPEZOID) {
+        time(criterion, "wrench", method, &inputs);
+    }
+}
+
+fn price(criterion: &mut Criterion) {
+    let inputs = Inputs::new(mix::long_pairs(SEED));
+    let mut all = catalogue::tiers().expect("alpha = 0 is a valid exponent");
+    all.extend(catalogue::exponents().expect("the listed exponents are valid"));
+    let named = [
+        "table",
+        "table alpha 0.5 unscaled",
+        "table alpha 0.5",
+        "table alpha 1.5",
+    ];
+    for method in all
+        .iter()
+        .filter(|method| named.contains(&method.name.as_str()))
+    {
+        time(criterion, "price", method, &inputs);
+    }
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default()
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_secs(1))
+        .sample_size(40);
+    targets = wrench, price
+}
+criterion_main!(benches);

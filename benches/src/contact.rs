@@ -1,0 +1,81 @@
+//! A contact with its dimensions: one call a twist against the batch.
+
+use crate::mix::Lcg;
+use core::f64::consts::TAU;
+use std::hint::black_box;
+use tribos_core::coupling::DiskFriction;
+use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::patch::UniformDisk;
+use tribos_core::real::Real;
+use tribos_core::twist::{Twist, Wrench};
+
+/// Why the contact of the benches could not be made; it does not happen.
+type Refused = Box<dyn core::error::Error>;
+
+/// Radius, coefficient and load of the contact.
+const RADIUS: f64 = 0.08;
+const MU: f64 = 0.3;
+const LOAD: f64 = 1.7;
+
+/// A disk of radius 8 cm with μ = 0.3 under many twists.
+#[derive(Clone, Debug)]
+pub struct Contact<R: Real> {
+    disk: DiskFriction<R, Coulomb>,
+    twists: Vec<Twist<R>>,
+    wrenches: Vec<Wrench<R>>,
+}
+
+impl<R: CoulombTable> Contact<R> {
+    /// Twists with the speeds of `pairs`.
+    pub fn new(pairs: &[[f64; 2]], seed: u64) -> Result<Self, Refused> {
+        let patch = UniformDisk::new(R::from_f64(RADIUS))?;
+        let twists = twists(pairs, seed);
+        Ok(Self {
+            disk: DiskFriction::new(Coulomb, R::from_f64(MU), patch)?,
+            wrenches: vec![Wrench::ZERO; twists.len()],
+            twists,
+        })
+    }
+
+    /// One call a twist, each out of the optimiser's sight.
+    pub fn one_by_one(&mut self) -> &[Wrench<R>] {
+        let load = R::from_f64(LOAD);
+        for (twist, wrench) in self.twists.iter().zip(&mut self.wrenches) {
+            *wrench = black_box(self.disk.wrench(load, black_box(twist)));
+        }
+        &self.wrenches
+    }
+
+    /// All twists in one call.
+    pub fn batch(&mut self) -> &[Wrench<R>] {
+        let (twists, wrenches) = (black_box(&self.twists), black_box(&mut self.wrenches));
+        self.disk.wrench_batch(R::from_f64(LOAD), twists, wrenches);
+        &self.wrenches
+    }
+
+    /// Panics unless both ways agree to the bit.
+    pub fn assert_right(&mut self) {
+        let single = self.one_by_one().to_vec();
+        assert!(
+            single == self.batch(),
+            "the batch differs from single calls"
+        );
+    }
+}
+
+/// Twists with the speeds of `pairs` in random directions of sliding and spin.
+fn twists<R: Real>(pairs: &[[f64; 2]], seed: u64) -> Vec<Twist<R>> {
+    let mut random = Lcg::new(seed);
+    let twist = |&[slide, rim]: &[f64; 2]| {
+        let angle = random.uniform(0.0, TAU);
+        let sense = if random.unit() < 0.5 { -1.0 } else { 1.0 };
+        let components = [
+            slide * angle.cos(),
+            slide * angle.sin(),
+            sense * rim / RADIUS,
+        ];
+        let [x, y, spin] = components.map(R::from_f64);
+        Twist::new(x, y, spin)
+    };
+    pairs.iter().map(twist).collect()
+}

@@ -1,0 +1,225 @@
+//! Stops of a sliding, spinning disk by steppers with a fixed step.
+
+use crate::baselines::PURE_SPIN_TORQUE;
+use tribos_core::coupling::table::Coulomb;
+use tribos_core::slider::{Motion, Slider};
+
+/// A stepper that has not stopped by then never will.
+const MAX_STEPS: u32 = 20_000_000;
+/// Newton's rounds and relative tolerance of the ellipsoid's multiplier.
+const NEWTON_ROUNDS: usize = 20;
+const NEWTON_TOLERANCE: f64 = 1e-12;
+
+/// The disk of the comparison with engines: R = 8 cm, μ = 0.3, C = 1/2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Disk {
+    /// Contact radius in m.
+    pub radius: f64,
+    /// μ g in m/s².
+    pub deceleration: f64,
+    /// C = I/(M R²).
+    pub inertia_ratio: f64,
+}
+
+/// The disk of the front.
+pub const DISK: Disk = Disk {
+    radius: 0.08,
+    deceleration: 0.3 * 9.81,
+    inertia_ratio: 0.5,
+};
+/// Launch speed in m/s.
+pub const SPEED: f64 = 1.0;
+/// Launch spins in rad/s.
+pub const SPINS: [f64; 3] = [5.0, 12.5, 50.0];
+
+/// Time and distance until nothing moves; NaN if it never came to rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop {
+    /// s
+    pub time: f64,
+    /// m
+    pub distance: f64,
+}
+
+impl Stop {
+    const NEVER: Self = Self {
+        time: f64::NAN,
+        distance: f64::NAN,
+    };
+
+    fn of(motion: &Motion<f64>) -> Self {
+        Self {
+            time: motion.time,
+            distance: motion.distance,
+        }
+    }
+}
+
+/// A way to follow a stop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stepper {
+    /// `Slider::to_rest`.
+    ToRest,
+    /// `Slider::advance` in steps of dt.
+    Advance(f64),
+    /// `Slider::verlet_step` of dt.
+    Verlet(f64),
+    /// Semi-implicit Euler with independent clamps.
+    Decoupled(f64),
+    /// Implicit Euler with the friction ellipsoid, as MuJoCo's elliptic cone has it.
+    Ellipsoid(f64),
+}
+
+impl Stepper {
+    /// As it appears in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ToRest => "to_rest",
+            Self::Advance(_) => "advance",
+            Self::Verlet(_) => "verlet",
+            Self::Decoupled(_) => "decoupled clamps",
+            Self::Ellipsoid(_) => "ellipsoid",
+        }
+    }
+
+    /// The step, if there is one.
+    pub fn step(self) -> Option<f64> {
+        match self {
+            Self::ToRest => None,
+            Self::Advance(dt) | Self::Verlet(dt) | Self::Decoupled(dt) | Self::Ellipsoid(dt) => {
+                Some(dt)
+            }
+        }
+    }
+
+    /// Follows `slider`, which must be that of [`DISK`], from its launch to rest.
+    pub fn stop(self, slider: &Slider<f64, Coulomb>, launch: &Motion<f64>) -> Stop {
+        match self {
+            Self::ToRest => {
+                let rest = slider.to_rest(launch);
+                rest.map_or(Stop::NEVER, |rest| Stop::of(&rest.motion))
+            }
+            Self::Advance(dt) => advanced(slider, launch, dt),
+            Self::Verlet(dt) => stepped(launch, |motion| slider.verlet_step(motion, dt)),
+            Self::Decoupled(dt) => stepped(launch, |motion| clamped(motion, dt)),
+            Self::Ellipsoid(dt) => stepped(launch, |motion| dissipated(motion, dt)),
+        }
+    }
+}
+
+/// Fixed calls of the exact stepper; the last one tells when rest came.
+fn advanced(slider: &Slider<f64, Coulomb>, launch: &Motion<f64>, dt: f64) -> Stop {
+    let mut motion = *launch;
+    for _ in 0..MAX_STEPS {
+        let after = slider.advance(&motion, dt);
+        if let Some(rest) = after.rest {
+            return Stop::of(&rest.motion);
+        }
+        motion = after.motion;
+    }
+    Stop::NEVER
+}
+
+/// Steps until nothing moves.
+fn stepped(launch: &Motion<f64>, step: impl Fn(&Motion<f64>) -> Motion<f64>) -> Stop {
+    let mut motion = *launch;
+    for _ in 0..MAX_STEPS {
+        motion = step(&motion);
+        if motion.is_at_rest() {
+            return Stop::of(&motion);
+        }
+    }
+    Stop::NEVER
+}
+
+/// The motion after a step that ends with the given speeds; positions move with them.
+fn moved(motion: &Motion<f64>, speed: f64, rim: f64, dt: f64) -> Motion<f64> {
+    let spin = rim / DISK.radius;
+    Motion {
+        time: motion.time + dt,
+        speed,
+        spin,
+        distance: motion.distance + speed * dt,
+        angle: motion.angle + spin * dt,
+    }
+}
+
+/// Each speed loses its own full friction and stops at zero.
+fn clamped(motion: &Motion<f64>, dt: f64) -> Motion<f64> {
+    let impulse = DISK.deceleration * dt;
+    let rim = motion.spin * DISK.radius;
+    let speed = (motion.speed - impulse).max(0.0);
+    let rim = (rim - impulse * PURE_SPIN_TORQUE / DISK.inertia_ratio).max(0.0);
+    moved(motion, speed, rim, dt)
+}
+
+/// Greatest dissipation on the ellipsoid with the speeds after the step.
+///
+/// With the multiplier λ the impulses are λ v' and λ T₀² w', hence v' = v/(1 + λ) and
+/// w' = w/(1 + λT₀²/C); λ follows from λ √(v'² + T₀² w'²) = μ g dt. The left side is concave in
+/// λ, so that Newton's method from the smallest λ never oversteps.
+fn dissipated(motion: &Motion<f64>, dt: f64) -> Motion<f64> {
+    let impulse = DISK.deceleration * dt;
+    let (speed, rim) = (motion.speed, motion.spin * DISK.radius);
+    let stiffness = PURE_SPIN_TORQUE * PURE_SPIN_TORQUE / DISK.inertia_ratio;
+    // The impulse that stops everything lies inside: λ is infinite.
+    if speed.hypot(rim * DISK.inertia_ratio / PURE_SPIN_TORQUE) <= impulse {
+        return moved(motion, 0.0, 0.0, dt);
+    }
+    let mut multiplier = impulse / speed.hypot(PURE_SPIN_TORQUE * rim);
+    for _ in 0..NEWTON_ROUNDS {
+        let (slow, slow_rim) = (1.0 + multiplier, 1.0 + multiplier * stiffness);
+        let (a, b) = (speed / slow, PURE_SPIN_TORQUE * rim / slow_rim);
+        let norm = a.hypot(b);
+        let missing = impulse - multiplier * norm;
+        let slope = (a * a / slow + b * b / slow_rim) / norm;
+        multiplier += missing / slope;
+        if missing <= NEWTON_TOLERANCE * impulse {
+            break;
+        }
+    }
+    let (slow, slow_rim) = (1.0 + multiplier, 1.0 + multiplier * stiffness);
+    moved(motion, speed / slow, rim / slow_rim, dt)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn slider() -> Slider<f64, Coulomb> {
+        Slider::new(Coulomb, DISK.deceleration, DISK.radius, DISK.inertia_ratio).unwrap()
+    }
+
+    #[test]
+    fn exact_and_small_steps_meet() {
+        let launch = Motion::launched(SPEED, 12.5);
+        let exact = Stepper::ToRest.stop(&slider(), &launch);
+        assert!((exact.time - 0.45542).abs() < 1e-5 && (exact.distance - 0.21658).abs() < 1e-5);
+        let advanced = Stepper::Advance(1e-3).stop(&slider(), &launch);
+        assert!((advanced.distance - exact.distance).abs() < 1e-11);
+        let verlet = Stepper::Verlet(1e-4).stop(&slider(), &launch);
+        assert!((verlet.distance - exact.distance).abs() < 1e-5);
+    }
+
+    #[test]
+    fn comparators_stop_where_their_own_laws_say() {
+        // Without spin all laws agree: v²/(2 μ g), v/(μ g).
+        let launch = Motion::launched(SPEED, 0.0);
+        for stepper in [Stepper::Decoupled(1e-5), Stepper::Ellipsoid(1e-5)] {
+            let stop = stepper.stop(&slider(), &launch);
+            assert!((stop.distance - 0.5 / DISK.deceleration).abs() < 1e-5);
+            assert!((stop.time - 1.0 / DISK.deceleration).abs() < 3e-5);
+        }
+    }
+
+    #[test]
+    fn the_ellipsoid_keeps_its_impulse_on_the_boundary() {
+        let before = Motion::launched(SPEED, 12.5);
+        let after = dissipated(&before, 1e-3);
+        let force = before.speed - after.speed;
+        let torque = DISK.inertia_ratio * DISK.radius * (before.spin - after.spin);
+        let impulse = DISK.deceleration * 1e-3;
+        let norm = force.hypot(torque / PURE_SPIN_TORQUE);
+        assert!((norm / impulse - 1.0).abs() < 1e-9, "{norm} {impulse}");
+    }
+}

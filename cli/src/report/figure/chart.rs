@@ -1,0 +1,194 @@
+//! Draws one figure into a rectangle of the image.
+
+use super::axis::{Span, Ticks};
+use super::canvas::{Area, PX, fitting, font, width};
+use super::clip::{self, Point};
+use super::legend::Block;
+use super::marks::{Color, Guide, Region, Series, Style};
+use super::{Figure, FigureError};
+use plotters::coord::CoordTranslate;
+use plotters::element::DashedPathElement;
+use plotters::prelude::*;
+use plotters::style::Color as _;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+// Width of thin lines, and colours of the frame, the grid and reference lines.
+const THIN: u32 = PX as u32;
+const FRAME: RGBColor = RGBColor(80, 80, 80);
+const GRID: RGBColor = RGBColor(226, 226, 226);
+const GUIDE: RGBColor = RGBColor(140, 140, 140);
+
+// A plot in which both axes run from 0 to 1, and its inside.
+type Chart<'c, 'a> = ChartContext<'c, SVGBackend<'a>, Cartesian2d<Ticks, Ticks>>;
+type Plot<'a> = DrawingArea<SVGBackend<'a>, Cartesian2d<Ticks, Ticks>>;
+
+// Spans of the x and the y axis.
+type Spans = (Span, Span);
+
+/// Draws a figure with everything around its plot.
+pub(super) fn draw(figure: &Figure, area: &Area) -> Result<(), FigureError> {
+    let area = area.margin(6 * PX, 6 * PX, 6 * PX, 6 * PX);
+    let area = title(&figure.title, 16.0, &area)?;
+    let legend = Block::new(figure, &area);
+    let (body, side) = legend.split(&area);
+    let spans = spans(figure)?;
+    let chart = axes(figure, spans, &body)?;
+    let plot = chart.plotting_area();
+    for guide in &figure.guides {
+        rule(guide, spans, plot)?;
+    }
+
+    // Points that cannot be shown have no place and break the curve.
+    let place = |point: &Point| spans.0.place(point.0).zip(spans.1.place(point.1));
+    for (index, series) in figure.series.iter().enumerate() {
+        let places = || series.points.iter().map(place);
+        let seen = places().flatten().filter(|at| clip::inside(*at));
+        let pieces = clip::pieces(places());
+        curve(plot, (series, index), pieces, seen.collect())?;
+    }
+    for region in &figure.regions {
+        name(region, spans, plot)?;
+    }
+    legend.draw(&side, &plot.strip_coord_spec())
+}
+
+/// Writes a title, made smaller when too long, and returns the rest of the area.
+pub(super) fn title<'a>(text: &str, size: f64, area: &Area<'a>) -> Result<Area<'a>, FigureError> {
+    if text.is_empty() {
+        return Ok(area.clone());
+    }
+    let full = area.dim_in_pixel().0 as i32;
+    Ok(area.titled(text, font(fitting(text, size, full)))?)
+}
+
+/// Draws the lines and markers of a series.
+pub(super) fn curve<C: CoordTranslate<From: Clone>>(
+    area: &DrawingArea<SVGBackend, C>,
+    (series, index): (&Series, usize),
+    pieces: Vec<Vec<C::From>>,
+    points: Vec<C::From>,
+) -> Result<(), FigureError> {
+    let color = series.color.unwrap_or(Color::palette(index)).rgb();
+    let stroke = color.stroke_width(2 * THIN);
+    for piece in pieces {
+        match series.style {
+            Style::Points => {}
+            Style::Dashed => {
+                area.draw(&DashedPathElement::new(piece, 8 * PX, 5 * PX, stroke))?;
+            }
+            _ => area.draw(&PathElement::new(piece, stroke))?,
+        }
+    }
+    if matches!(series.style, Style::Points | Style::LinePoints) {
+        for at in points {
+            area.draw(&Circle::new(at, 7 * PX / 2, stroke.filled()))?;
+        }
+    }
+    Ok(())
+}
+
+// Spans of both axes from the points, regions and reference lines.
+fn spans(figure: &Figure) -> Result<Spans, FigureError> {
+    let corners = figure.regions.iter().flat_map(|region| &region.outline);
+    let points = figure.series.iter().flat_map(|series| &series.points);
+    let rules = figure.guides.iter().map(|guide| match guide {
+        Guide::Horizontal { at, .. } => (f64::NAN, *at),
+        Guide::Vertical { at, .. } => (*at, f64::NAN),
+    });
+    let points: Vec<Point> = points.chain(corners).copied().chain(rules).collect();
+    let x = Span::new(&figure.x, points.iter().map(|point| point.0))?;
+
+    // Heights of points beside the plot do not count.
+    let beside = |at: Option<f64>| at.is_some_and(|at| !(0.0..=1.0).contains(&at));
+    let seen = points.iter().filter(|point| !beside(x.place(point.0)));
+    Ok((x, Span::new(&figure.y, seen.map(|point| point.1))?))
+}
+
+// Draws axes as wide as their labels, with the regions between them.
+fn axes<'c, 'a>(
+    figure: &Figure,
+    spans: Spans,
+    area: &'c Area<'a>,
+) -> Result<Chart<'c, 'a>, FigureError> {
+    let (full, height) = area.dim_in_pixel();
+    let x_ticks = spans.0.ticks((full / (75 * THIN)).max(2) as usize);
+    let y_ticks = spans.1.ticks((height / (45 * THIN)).max(2) as usize);
+    let widest = y_ticks.0.iter().map(|(_, label)| width(label, 12.0)).max();
+    let named = |label: &str| if label.is_empty() { 0 } else { 22 * PX };
+    let mut chart = ChartBuilder::on(area)
+        .margin_right(14 * PX)
+        .margin_top(8 * PX)
+        .x_label_area_size(22 * PX + named(&figure.x.label))
+        .y_label_area_size(12 * PX + widest.unwrap_or(0) + named(&figure.y.label))
+        .build_cartesian_2d(x_ticks, y_ticks)?;
+    let plot = chart.plotting_area();
+    for region in &figure.regions {
+        let corners = region.outline.iter().map(|at| corner(*at, spans));
+        let corners = clip::polygon(&corners.collect::<Vec<_>>());
+        plot.draw(&Polygon::new(corners, region.fill.rgb()))?;
+    }
+    mesh(figure, &mut chart)?;
+    Ok(chart)
+}
+
+// Draws the grid, unless there are regions, the frame, ticks and the names of the axes.
+fn mesh(figure: &Figure, chart: &mut Chart) -> Result<(), FigureError> {
+    let (full, height) = chart.plotting_area().dim_in_pixel();
+    let size = fitting(&figure.x.label, 14.0, full as i32);
+    let size = fitting(&figure.y.label, size, height as i32);
+    let shown = f64::from(u8::from(figure.regions.is_empty()));
+    chart
+        .configure_mesh()
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(GRID.mix(shown).stroke_width(THIN))
+        .axis_style(FRAME.stroke_width(THIN))
+        .set_all_tick_mark_size(4 * PX)
+        .label_style(font(12.0))
+        .axis_desc_style(font(size))
+        .x_desc(&figure.x.label)
+        .y_desc(&figure.y.label)
+        .draw()?;
+    let border = vec![(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)];
+    let border = PathElement::new(border, FRAME.stroke_width(THIN));
+    Ok(chart.plotting_area().draw(&border)?)
+}
+
+// Place of a region corner; values a log axis cannot show stand at its far low end.
+fn corner((x, y): Point, spans: Spans) -> Point {
+    let end = |value: f64| if value > 0.0 { 1e4 } else { -1e4 };
+    let (across, up) = (spans.0.place(x), spans.1.place(y));
+    (across.unwrap_or(end(x)), up.unwrap_or(end(y)))
+}
+
+// Writes the label of a region, line by line around its place.
+fn name(region: &Region, spans: Spans, plot: &Plot) -> Result<(), FigureError> {
+    let style = font(14.0).pos(Pos::new(HPos::Center, VPos::Center));
+    let mut y = 9 * PX * (1 - region.label.lines().count() as i32);
+    for line in region.label.lines() {
+        let text = Text::new(line.to_owned(), (0, y), style.clone());
+        plot.draw(&(EmptyElement::at(corner(region.label_at, spans)) + text))?;
+        y += 18 * PX;
+    }
+    Ok(())
+}
+
+// Draws a reference line with its label at the upper or right end, if inside the plot.
+fn rule(guide: &Guide, spans: Spans, plot: &Plot) -> Result<(), FigureError> {
+    let (at, label, upright) = match guide {
+        Guide::Horizontal { at, label } => (spans.1.place(*at), label, false),
+        Guide::Vertical { at, label } => (spans.0.place(*at), label, true),
+    };
+    let Some(at) = at.filter(|at| (0.0..=1.0).contains(at)) else {
+        return Ok(());
+    };
+    let end = |far: f64| if upright { (at, far) } else { (far, at) };
+    let style = font(12.0).pos(Pos::new(HPos::Right, VPos::Bottom));
+    let (style, shift) = match upright {
+        true => (style.transform(FontTransform::Rotate270), (-PX, 5 * PX)),
+        false => (style, (-5 * PX, -PX)),
+    };
+    let line = PathElement::new(vec![end(0.0), end(1.0)], GUIDE.stroke_width(THIN));
+    plot.draw(&line)?;
+    let text = Text::new(label.clone(), shift, style);
+    Ok(plot.draw(&(EmptyElement::at(end(1.0)) + text))?)
+}

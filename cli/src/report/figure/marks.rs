@@ -1,0 +1,142 @@
+//! What a figure shows: curves, reference lines, filled regions and their colours.
+
+use plotters::style::RGBColor;
+
+/// An opaque colour: red, green, blue.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Color(pub u8, pub u8, pub u8);
+
+impl Color {
+    /// Colour-blind-safe line colours (Okabe and Ito), repeated after the seventh.
+    pub fn palette(index: usize) -> Self {
+        const COLORS: [Color; 7] = [
+            Color(0, 114, 178),
+            Color(213, 94, 0),
+            Color(0, 158, 115),
+            Color(204, 121, 167),
+            Color(230, 159, 0),
+            Color(86, 180, 233),
+            Color(30, 30, 30),
+        ];
+        COLORS[index % COLORS.len()]
+    }
+
+    /// The same colours mixed with white, for filled regions.
+    pub fn pale(index: usize) -> Self {
+        let Color(red, green, blue) = Self::palette(index);
+        let lighten = |part: u8| 255 - (255 - part) / 4;
+        Color(lighten(red), lighten(green), lighten(blue))
+    }
+
+    // The colour as plotters knows it.
+    pub(super) fn rgb(self) -> RGBColor {
+        RGBColor(self.0, self.1, self.2)
+    }
+}
+
+/// How the points of a series are shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Style {
+    /// A solid line.
+    Line,
+    /// A dashed line.
+    Dashed,
+    /// Markers only.
+    Points,
+    /// Markers joined by a solid line.
+    LinePoints,
+}
+
+/// A labelled list of points; one that cannot be shown breaks the line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    pub(super) label: String,
+    pub(super) points: Vec<(f64, f64)>,
+    pub(super) style: Style,
+    pub(super) color: Option<Color>,
+}
+
+impl Series {
+    /// A series in the next palette colour; an empty label keeps it out of the legend.
+    pub fn new(label: impl Into<String>, points: Vec<(f64, f64)>, style: Style) -> Self {
+        Self {
+            label: label.into(),
+            points,
+            style,
+            color: None,
+        }
+    }
+
+    /// A solid line.
+    pub fn line(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(label, points, Style::Line)
+    }
+
+    /// A dashed line.
+    pub fn dashed(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(label, points, Style::Dashed)
+    }
+
+    /// Markers only.
+    pub fn points(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(label, points, Style::Points)
+    }
+
+    /// Markers joined by a line.
+    pub fn line_points(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(label, points, Style::LinePoints)
+    }
+
+    /// Sets the colour instead of taking the next one.
+    #[must_use]
+    pub fn color(mut self, color: Color) -> Self {
+        self.color = Some(color);
+        self
+    }
+}
+
+/// A thin grey reference line across the plot.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Guide {
+    /// A line at one y value.
+    Horizontal {
+        /// The y value.
+        at: f64,
+        /// Text beside the line, may be empty.
+        label: String,
+    },
+    /// A line at one x value.
+    Vertical {
+        /// The x value.
+        at: f64,
+        /// Text beside the line, may be empty.
+        label: String,
+    },
+}
+
+impl Guide {
+    /// A line at one y value.
+    pub fn horizontal(at: f64, label: impl Into<String>) -> Self {
+        let label = label.into();
+        Self::Horizontal { at, label }
+    }
+
+    /// A line at one x value.
+    pub fn vertical(at: f64, label: impl Into<String>) -> Self {
+        let label = label.into();
+        Self::Vertical { at, label }
+    }
+}
+
+/// A filled polygon of a phase diagram.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Region {
+    /// Text inside the region; line breaks are kept.
+    pub label: String,
+    /// Corners in data coordinates.
+    pub outline: Vec<(f64, f64)>,
+    /// Fill colour; `Color::pale` gives fitting ones.
+    pub fill: Color,
+    /// Centre of the label in data coordinates.
+    pub label_at: (f64, f64),
+}

@@ -1,0 +1,79 @@
+//! The report and the phase diagram are complete and agree with the thesis.
+
+use assert_cmd::Command;
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+#[test]
+fn the_whole_report_is_made_and_no_claim_differs() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    Command::cargo_bin("tribos")?
+        .args(["reproduce", "--out"])
+        .arg(folder.path())
+        .assert()
+        .success();
+    let claims = std::fs::read_to_string(folder.path().join("claims.csv"))?;
+    assert!(!claims.contains("\"differs\""));
+    assert!(claims.lines().count() > 100);
+    assert_eq!(claims.matches("thesis wrong").count(), 12);
+    let page = std::fs::read_to_string(folder.path().join("index.html"))?;
+    for name in [
+        "3.3", "3.4", "3.6", "3.7", "3.8", "3.9", "3.10", "3.11", "3.13",
+    ] {
+        assert!(page.contains(&format!("Figure {name}:")), "{name}");
+        for ending in ["csv", "svg", "png"] {
+            let file = folder.path().join(format!("figure-{name}.{ending}"));
+            assert!(file.metadata()?.len() > 100, "{}", file.display());
+        }
+    }
+    for name in ["table-3.1", "table-3.2"] {
+        assert!(folder.path().join(format!("{name}.csv")).exists());
+    }
+    assert!(page.contains("0.653001789206"));
+    Ok(())
+}
+
+#[test]
+fn single_exhibits_are_found_under_several_names() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    for (name, file) in [("fig3.9", "figure-3.9.csv"), ("Table 3.2", "table-3.2.csv")] {
+        Command::cargo_bin("tribos")?
+            .args(["reproduce", name, "--out"])
+            .arg(folder.path())
+            .assert()
+            .success();
+        assert!(folder.path().join(file).exists());
+    }
+    assert!(!folder.path().join("figure-3.4.csv").exists());
+    Ok(())
+}
+
+#[test]
+fn modes_answers_in_json_and_draws() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    for ending in ["svg", "png", "csv"] {
+        let file = folder.path().join(format!("diagram.{ending}"));
+        let output = Command::cargo_bin("tribos")?
+            .args([
+                "modes",
+                "--alpha",
+                "0",
+                "--inertia-ratio",
+                "0.5",
+                "--format",
+                "json",
+                "--diagram",
+            ])
+            .arg(&file)
+            .output()?;
+        let answer: serde_json::Value = serde_json::from_slice(&output.stdout)?;
+        let points = answer["fixed_points"].as_array().ok_or("no points")?;
+        assert_eq!(points.len(), 3);
+        assert_eq!(points[1]["stability"], "stable");
+        let ratio = points[1]["ratio"].as_f64().ok_or("no ratio")?;
+        assert!((ratio - 0.653_001_789_205_597_6).abs() < 1e-15);
+        assert_eq!(answer["final_mode"], "together");
+        assert!(file.metadata()?.len() > 1000);
+    }
+    Ok(())
+}

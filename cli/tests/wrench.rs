@@ -1,0 +1,117 @@
+//! `tribos wrench` prints what the kernel computes, in the form that was asked for.
+
+use assert_cmd::Command;
+use std::f64::consts::PI;
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+fn tribos(arguments: &[&str]) -> Result<String, Box<dyn std::error::Error>> {
+    let output = Command::cargo_bin("tribos")?.args(arguments).output()?;
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    Ok(String::from_utf8(output.stdout)?)
+}
+
+#[test]
+fn one_twist_as_json_has_seventeen_digits() -> Outcome {
+    let text = tribos(&["wrench", "--speed", "1", "--spin", "1", "--format", "json"])?;
+    let value: serde_json::Value = serde_json::from_str(&text)?;
+    let force = value["force"].as_f64().ok_or("no force")?;
+    assert!((force - 8.0 / (3.0 * PI)).abs() < 2e-16);
+    let digits = value["torque"].to_string();
+    let mantissa = digits.split('e').next().ok_or("empty")?;
+    assert_eq!(
+        mantissa.chars().filter(char::is_ascii_digit).count(),
+        17,
+        "{digits}"
+    );
+    Ok(())
+}
+
+#[test]
+fn dimensions_scale_force_and_torque() -> Outcome {
+    let dimensionless = ["--speed", "0.5", "--spin", "1", "--format", "csv"];
+    let plain = tribos(&[&["wrench"][..], &dimensionless].concat())?;
+    // The same ratio v/(ωR) with radius 1/4, load 8 and coefficient 1/2.
+    let scaled = tribos(&[
+        "wrench",
+        "--speed",
+        "0.5",
+        "--spin",
+        "4",
+        "--radius",
+        "0.25",
+        "--load",
+        "8",
+        "--coefficient",
+        "0.5",
+        "--format",
+        "csv",
+    ])?;
+    let row = |text: &str| -> Vec<f64> {
+        let line = text.lines().nth(1).unwrap_or("");
+        line.split(',')
+            .filter_map(|cell| cell.parse().ok())
+            .collect()
+    };
+    let (plain, scaled) = (row(&plain), row(&scaled));
+    assert_eq!(scaled[2], 4.0 * plain[2]);
+    assert_eq!(scaled[3], plain[3]);
+    Ok(())
+}
+
+#[test]
+fn a_file_of_twists_becomes_csv_with_the_jacobian() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let twists = folder.path().join("twists.csv");
+    let output = folder.path().join("deep/wrenches.csv");
+    // Columns in any order, spaces allowed, signs ignored.
+    std::fs::write(&twists, "spin, speed\n1,0.25\n-2,-0.5\n0,0\n")?;
+    let (input, out) = (twists.display().to_string(), output.display().to_string());
+    let printed = tribos(&["wrench", "--twists", &input, "--jacobian", "--output", &out])?;
+    assert_eq!(printed, "");
+    let text = std::fs::read_to_string(&output)?;
+    let lines: Vec<&str> = text.lines().collect();
+    let header = "speed,spin,force,torque,dforce_dspeed,dforce_dspin,dtorque_dspeed,dtorque_dspin";
+    assert_eq!(lines[0], header);
+    assert_eq!(lines.len(), 4);
+    // Dry friction depends on the ratio only.
+    let cells = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(cells(lines[1])[2..4], cells(lines[2])[2..4]);
+    assert_eq!(cells(lines[3])[2], "0.0000000000000000e0");
+    Ok(())
+}
+
+#[test]
+fn all_tiers_and_precisions_agree() -> Outcome {
+    for alpha in ["-0.5", "0", "0.5", "1", "2.5"] {
+        let force = |more: &[&str]| -> Result<f64, Box<dyn std::error::Error>> {
+            let base = [
+                "wrench", "--alpha", alpha, "--speed", "0.8", "--spin", "1.1",
+            ];
+            let text = tribos(&[&base[..], &["--format", "json"], more].concat())?;
+            let value: serde_json::Value = serde_json::from_str(&text)?;
+            value["force"].as_f64().ok_or("no force".into())
+        };
+        let table = force(&[])?;
+        assert!((force(&["--tier", "compact"])? / table - 1.0).abs() < 1e-14);
+        assert!((force(&["--tier", "quadrature"])? / table - 1.0).abs() < 1e-6);
+        assert!((force(&["--precision", "f32"])? / table - 1.0).abs() < 1e-6);
+    }
+    Ok(())
+}
+
+#[test]
+fn a_large_exponent_is_served_without_tables() -> Outcome {
+    let text = tribos(&[
+        "wrench", "--alpha", "30", "--speed", "1", "--spin", "0", "--format", "csv",
+    ])?;
+    assert_eq!(
+        text.lines().nth(1).and_then(|line| line.split(',').nth(2)),
+        Some("1.0000000000000000e0")
+    );
+    Ok(())
+}

@@ -1,0 +1,100 @@
+//! One step of an embedded Runge–Kutta pair, for any small system.
+
+use crate::real::Real;
+
+/// Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19: order 5 with an error estimate of
+/// order 4.
+const STAGES: [[f64; 6]; 6] = [
+    [1.0 / 5.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+    [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0],
+    [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0],
+    [
+        19372.0 / 6561.0,
+        -25360.0 / 2187.0,
+        64448.0 / 6561.0,
+        -212.0 / 729.0,
+        0.0,
+        0.0,
+    ],
+    [
+        9017.0 / 3168.0,
+        -355.0 / 33.0,
+        46732.0 / 5247.0,
+        49.0 / 176.0,
+        -5103.0 / 18656.0,
+        0.0,
+    ],
+    [
+        35.0 / 384.0,
+        0.0,
+        500.0 / 1113.0,
+        125.0 / 192.0,
+        -2187.0 / 6784.0,
+        11.0 / 84.0,
+    ],
+];
+/// Difference of the two orders' weights.
+const ERROR: [f64; 7] = [
+    71.0 / 57600.0,
+    0.0,
+    -71.0 / 16695.0,
+    71.0 / 1920.0,
+    -17253.0 / 339200.0,
+    22.0 / 525.0,
+    -1.0 / 40.0,
+];
+
+/// Step control: safety factor and bounds of change.
+const SAFETY: f64 = 0.9;
+const SHRINK: f64 = 0.2;
+const GROW: f64 = 4.0;
+/// Local error tolerance in units of the rounding error.
+const TOLERANCE_ULPS: f64 = 4.0;
+
+/// One step of size `h` from `from`; returns the end point and the error estimate.
+pub(super) fn step<R: Real, const N: usize>(
+    from: &[R; N],
+    h: R,
+    derivative: impl Fn(&[R; N]) -> [R; N],
+) -> ([R; N], [R; N]) {
+    let mut slopes = [[R::ZERO; N]; 7];
+    slopes[0] = derivative(from);
+    let mut point = *from;
+    for (stage, row) in STAGES.iter().enumerate() {
+        point = *from;
+        for (slope, &weight) in slopes.iter().zip(row).take(stage + 1) {
+            add_scaled(&mut point, slope, h * R::from_f64(weight));
+        }
+        if let Some(next) = slopes.get_mut(stage + 1) {
+            *next = derivative(&point);
+        }
+    }
+    let mut error = [R::ZERO; N];
+    for (slope, &weight) in slopes.iter().zip(&ERROR) {
+        add_scaled(&mut error, slope, h * R::from_f64(weight));
+    }
+    (point, error)
+}
+
+/// True if a step with this error estimate is good, and the factor for the next size.
+pub(super) fn judge<R: Real>(error: R, admissible: bool) -> (bool, R) {
+    let tolerance = R::from_f64(TOLERANCE_ULPS) * R::EPSILON;
+    let accepted = error <= tolerance && admissible;
+    let (shrink, grow) = (R::from_f64(SHRINK), R::from_f64(GROW));
+    if !admissible {
+        return (false, shrink);
+    }
+    if error == R::ZERO {
+        return (accepted, grow);
+    }
+    let factor = R::from_f64(SAFETY) * (tolerance / error).pow(R::from_f64(0.2));
+    let factor = if factor > grow { grow } else { factor };
+    // NaN shrinks.
+    (accepted, if factor > shrink { factor } else { shrink })
+}
+
+fn add_scaled<R: Real, const N: usize>(sum: &mut [R; N], term: &[R; N], factor: R) {
+    for (s, t) in sum.iter_mut().zip(term) {
+        *s += factor * *t;
+    }
+}

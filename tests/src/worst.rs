@@ -1,0 +1,78 @@
+//! The largest error seen, with the argument where it is attained.
+
+use crate::tolerance::Bound;
+
+/// Keeps the largest of many errors.
+#[derive(Clone, Debug)]
+pub struct Worst {
+    quantity: &'static str,
+    error: f64,
+    place: String,
+    seen: usize,
+}
+
+impl Worst {
+    /// Nothing seen yet.
+    pub fn of(quantity: &'static str) -> Self {
+        Self {
+            quantity,
+            error: 0.0,
+            place: String::new(),
+            seen: 0,
+        }
+    }
+
+    /// Takes one error into account; NaN counts as infinite.
+    pub fn see(&mut self, error: f64, place: impl FnOnce() -> String) {
+        self.seen += 1;
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        if error > self.error {
+            self.error = error;
+            self.place = place();
+        }
+    }
+
+    /// The largest error so far.
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+
+    /// Fails if the largest error exceeds `bound`; prints it as a row of docs/accuracy.md.
+    ///
+    /// # Panics
+    /// If it does, or if nothing was seen.
+    #[track_caller]
+    pub fn assert_within(&self, bound: &Bound) {
+        assert!(self.seen > 0, "{}: nothing was checked", self.quantity);
+        println!(
+            "| {} | {:.2e} | {:.1e} | {} | {} |",
+            self.quantity, self.error, bound.limit, self.place, self.seen
+        );
+        assert!(
+            self.error <= bound.limit,
+            "{}: {:.3e} exceeds {:.1e} ({}) at {}",
+            self.quantity,
+            self.error,
+            bound.limit,
+            bound.reason,
+            self.place
+        );
+    }
+
+    /// As [`Worst::assert_within`] for a bound that excuses more than the `general` one: fails
+    /// also if the excuse is not needed.
+    ///
+    /// # Panics
+    /// If the error exceeds `bound` or stays below `general`.
+    #[track_caller]
+    pub fn assert_excused(&self, bound: &Bound, general: &Bound) {
+        self.assert_within(bound);
+        assert!(
+            self.error > general.limit,
+            "{}: {:.3e} no longer needs more than {:.1e}",
+            self.quantity,
+            self.error,
+            general.limit
+        );
+    }
+}

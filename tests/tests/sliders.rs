@@ -1,0 +1,245 @@
+//! A body slides and spins to rest: when, where, how, and in the steps of any clock.
+
+use tribos_core::coupling::table::{Coulomb, Table64};
+use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::slider::{Motion, Rest, Slider};
+use tribos_tests::reference::Reference;
+use tribos_tests::sweep::Lcg;
+use tribos_tests::tables::Table;
+use tribos_tests::tolerance;
+use tribos_tests::worst::Worst;
+
+const MU_G: f64 = 0.3 * 9.81;
+const RADIUS: f64 = 0.08;
+
+fn coulomb() -> Slider<f64, Coulomb> {
+    Slider::new(Coulomb, MU_G, RADIUS, 0.5).unwrap()
+}
+
+fn power(alpha: f64) -> Slider<f64, Table64> {
+    Slider::new(Table64::new(alpha).unwrap(), MU_G, RADIUS, 0.5).unwrap()
+}
+
+fn relative(got: f64, wanted: f64) -> f64 {
+    Reference::exact(wanted).relative(got)
+}
+
+#[test]
+fn stops_are_those_of_the_table() {
+    let [mut stop, mut direction] = ["stop time, distance, angle", "final ratio"].map(Worst::of);
+    for row in Table::read("stops.csv").rows() {
+        let (alpha, c) = (row.number("alpha"), row.number("inertia_ratio"));
+        let launched = Motion::launched(row.number("v0"), row.number("w0"));
+        let profile = Table64::new(alpha).unwrap();
+        let rest = Slider::new(profile, 1.0, 1.0, c)
+            .unwrap()
+            .to_rest(&launched)
+            .unwrap();
+        let place = || {
+            format!(
+                "alpha {alpha}, C {c}, v0 {}, w0 {}",
+                launched.speed, launched.spin
+            )
+        };
+        stop.see(row.reference("stop_time").relative(rest.motion.time), place);
+        stop.see(
+            row.reference("distance").relative(rest.motion.distance),
+            place,
+        );
+        stop.see(row.reference("angle").relative(rest.motion.angle), place);
+        assert!(rest.motion.is_at_rest());
+        match row.number("final_ratio") {
+            // Pure motions are approached, or given from the start.
+            0.0 => assert!(
+                rest.ratio < tolerance::STOP_PURE.limit,
+                "{}: {}",
+                place(),
+                rest.ratio
+            ),
+            f64::INFINITY => assert!(
+                1.0 / rest.ratio < tolerance::STOP_PURE.limit,
+                "{}: {}",
+                place(),
+                rest.ratio
+            ),
+            _ => direction.see(row.reference("final_ratio").relative(rest.ratio), place),
+        }
+    }
+    stop.assert_within(&tolerance::STOP);
+    direction.assert_within(&tolerance::STOP_RATIO);
+}
+
+#[test]
+fn a_puck_of_the_experiment_stops_where_the_mathematics_says() {
+    // R = 8 cm, μ = 0.3, 1 m/s: kernel-math.md, section 6.
+    for (spin, time, distance) in [
+        (0.0, 0.339_789_330_615_024, 0.169_894_665_307_512),
+        (5.0, 0.369_017_132_104_558, 0.176_861_185_300_839),
+    ] {
+        let rest = coulomb().to_rest(&Motion::launched(1.0, spin)).unwrap();
+        assert!(relative(rest.motion.time, time) <= tolerance::STOP.limit);
+        assert!(relative(rest.motion.distance, distance) <= tolerance::STOP.limit);
+    }
+    let rest = coulomb().to_rest(&Motion::launched(1.0, 5.0)).unwrap();
+    assert!(relative(rest.ratio, 0.653_001_789_205_6) <= tolerance::STOP_RATIO.limit);
+}
+
+/// Follows a motion in steps of `dt` until it rests; checks every step's laws.
+fn in_steps<P>(puck: &Slider<f64, P>, launched: Motion<f64>, dt: f64) -> Rest<f64>
+where
+    P: Profile<f64> + Coupling<f64>,
+{
+    let mut motion = launched;
+    for _ in 0..100_000 {
+        let step = puck.advance(&motion, dt);
+        let after = step.motion;
+        assert!(
+            after.speed >= 0.0 && after.speed <= motion.speed,
+            "{after:?}"
+        );
+        assert!(after.spin.abs() <= motion.spin.abs() && after.spin * launched.spin >= 0.0);
+        assert!(puck.energy_per_mass(&after) <= puck.energy_per_mass(&motion));
+        assert!(after.distance >= motion.distance && after.angle * launched.spin >= 0.0);
+        assert!(
+            (after.time - motion.time - dt).abs()
+                <= tolerance::ROUNDING.limit * after.time.max(1.0)
+        );
+        // Both motions end in the same step, which is the one that says so.
+        let still = launched.speed == 0.0 || launched.spin == 0.0;
+        assert_eq!(after.is_at_rest(), step.rest.is_some());
+        assert!(
+            still || (after.speed == 0.0) == (after.spin == 0.0),
+            "{after:?}"
+        );
+        if let Some(rest) = step.rest {
+            return rest;
+        }
+        motion = after;
+    }
+    panic!("still moving: {motion:?}");
+}
+
+#[test]
+fn the_clock_does_not_change_the_stop() {
+    let mut worst = Worst::of("stop in steps of 1e-4 to 0.1 s against one call");
+    for alpha in [-0.5, 0.0, 0.5] {
+        let puck = power(alpha);
+        for (speed, spin) in [(1.0, 0.0), (1.0, 5.0), (0.3, -40.0), (0.0, 10.0)] {
+            let launched = Motion::launched(speed, spin);
+            let whole = puck.to_rest(&launched).unwrap();
+            for dt in [1e-4, 1e-3, 1.0 / 60.0, 0.1] {
+                let rest = in_steps(&puck, launched, dt);
+                let place = || format!("alpha {alpha}, v0 {speed}, spin {spin}, dt {dt}");
+                worst.see(relative(rest.motion.time, whole.motion.time), place);
+                worst.see(relative(rest.motion.distance, whole.motion.distance), place);
+                worst.see(relative(rest.motion.angle, whole.motion.angle), place);
+            }
+        }
+    }
+    worst.assert_within(&tolerance::STEPS_AGREE);
+}
+
+#[test]
+fn random_launches_stop_sliding_and_spinning_together() {
+    let mut rng = Lcg::new(29);
+    for alpha in [-0.5, 0.0, 0.5] {
+        let puck = power(alpha);
+        for _ in 0..60 {
+            let (speed, spin) = (rng.log_between(1e-3, 10.0), rng.log_between(1e-2, 100.0));
+            let launched = Motion::launched(speed, spin);
+            let rest = puck.to_rest(&launched).unwrap();
+            let steps = rng.between(5.0, 60.0);
+            let stepped = in_steps(&puck, launched, rest.motion.time / steps);
+            assert!(
+                relative(stepped.motion.time, rest.motion.time) <= tolerance::STEPS_AGREE.limit
+            );
+            let ratio = tribos_core::modes::Modes::new(puck.profile(), 0.5);
+            let ratio = ratio.unwrap().finite_fixed_point().unwrap();
+            assert!(
+                relative(rest.ratio, ratio) <= tolerance::STOP_RATIO.limit,
+                "{}",
+                rest.ratio
+            );
+        }
+    }
+}
+
+#[test]
+fn energy_lost_is_the_work_of_friction() {
+    let puck = coulomb();
+    let launched = Motion::launched(1.0, 30.0);
+    let mut motion = launched;
+    let dt = 1e-3;
+    for _ in 0..300 {
+        let after = puck.advance(&motion, dt).motion;
+        let middle = puck.advance(&motion, 0.5 * dt).motion;
+        let power = [motion, middle, after].map(|m| puck.dissipation_per_mass(&m));
+        // Simpson's rule over the step.
+        let work = dt / 6.0 * (power[0] + 4.0 * power[1] + power[2]);
+        let lost = puck.energy_per_mass(&motion) - puck.energy_per_mass(&after);
+        assert!((work - lost).abs() <= tolerance::WORK.limit * puck.energy_per_mass(&launched));
+        motion = after;
+    }
+}
+
+#[test]
+fn motions_are_similar_in_every_unit() {
+    // Speeds by s, times by s^(1−α)/k, lengths by s^(2−α)/k: powers of two to the bit at α = 0.
+    let launched = Motion::launched(1.0, 12.5);
+    let one = Slider::new(Coulomb, 0.5, 0.0625, 0.5)
+        .unwrap()
+        .to_rest(&launched)
+        .unwrap();
+    for (s, k, r) in [
+        (4.0, 1.0, 1.0),
+        (1.0, 8.0, 1.0),
+        (0.25, 2.0, 16.0),
+        (1.0, 1.0, 1024.0),
+    ] {
+        let puck = Slider::new(Coulomb, 0.5 * k, 0.0625 * r, 0.5).unwrap();
+        let rest = puck.to_rest(&Motion::launched(s, 12.5 * s / r)).unwrap();
+        assert_eq!(rest.motion.time, one.motion.time * s / k);
+        assert_eq!(rest.motion.distance, one.motion.distance * s * s / k);
+        assert_eq!(rest.motion.angle, one.motion.angle * s * s / (k * r));
+        assert_eq!((rest.ratio, rest.substeps), (one.ratio, one.substeps));
+    }
+    let alpha = 0.5;
+    let one = power(alpha).to_rest(&launched).unwrap();
+    let s = 3.7_f64;
+    let rest = power(alpha)
+        .to_rest(&Motion::launched(s, 12.5 * s))
+        .unwrap();
+    let time = one.motion.time * s.powf(1.0 - alpha);
+    let distance = one.motion.distance * s.powf(2.0 - alpha);
+    assert!(relative(rest.motion.time, time) <= tolerance::STOP.limit);
+    assert!(relative(rest.motion.distance, distance) <= tolerance::STOP.limit);
+}
+
+#[test]
+fn zero_time_and_rest_change_nothing() {
+    let puck = coulomb();
+    let motion = Motion {
+        time: 3.0,
+        speed: 0.4,
+        spin: -2.0,
+        distance: 1.0,
+        angle: -7.0,
+    };
+    assert_eq!(puck.advance(&motion, 0.0).motion, motion);
+    let rest = Motion {
+        speed: 0.0,
+        spin: 0.0,
+        ..motion
+    };
+    let after = puck.advance(&rest, 0.5);
+    assert_eq!(after.motion, Motion { time: 3.5, ..rest });
+}
+
+#[test]
+fn impossible_sliders_are_refused() {
+    for bad in [0.0, -1.0, f64::INFINITY, f64::NAN] {
+        assert!(Slider::new(Coulomb, bad, 1.0, 0.5).is_err());
+        assert!(Slider::new(Coulomb, 1.0, bad, 0.5).is_err());
+        assert!(Slider::new(Coulomb, 1.0, 1.0, bad).is_err());
+    }
+}
