@@ -1,8 +1,9 @@
 //! Speed against error of one evaluation of force and torque.
 //!
 //! `cargo run --release -p tribos-benches --bin front -- [--out DIR] [--quick]` writes
-//! `front.csv`, `front.md` and `front.svg` to DIR (default: docs/front) and prints the ratios
-//! that matter. Errors are judged by double-double arithmetic (α = 0), by the compact tier (else).
+//! `front.csv` and `front.md` to DIR (default: docs/front) and prints the ratios that matter.
+//! Times come from eight mixes in a row, errors from one; the figure is not drawn yet.
+//! Errors are judged by double-double arithmetic (α = 0), by the compact tier (else).
 
 use std::process::ExitCode;
 use tribos_benches::args::Options;
@@ -72,7 +73,7 @@ fn run(options: &Options) -> Result<(), String> {
     Ok(())
 }
 
-/// The scatter of time against error.
+/// Place of the scatter of time against error: draws nothing yet.
 fn draw(_rows: &[Row]) {}
 
 /// Tiers, baselines and exponents.
@@ -203,8 +204,8 @@ fn sheet(rows: &[Row], rounds: usize) -> Sheet {
     Sheet {
         about: format!(
             "Force and torque of the uniform disk: median of {rounds} interleaved rounds and \
-             largest errors over the mix of 3800 velocity ratios; by `cargo run --release -p \
-             tribos-benches --bin front`"
+             largest errors over the mix of 3800 velocity ratios (integration: every 100th); by \
+             `cargo run --release -p tribos-benches --bin front`"
         ),
         header: vec![
             "method", "kind", "type", "alpha", "ns", "rel F", "rel T", "abs F", "abs T/T0",

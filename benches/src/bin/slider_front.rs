@@ -67,7 +67,7 @@ fn run(options: &Options) -> Result<(), String> {
     Ok(())
 }
 
-/// The scatter of time against error.
+/// Place of the scatter of time against error: draws nothing yet.
 fn draw(_rows: &[Row]) {}
 
 /// All steppers with all their steps.

@@ -25,15 +25,17 @@ pub struct Advance<R> {
 const FIRST: f64 = 1.0 / 16.0;
 /// Largest substep as a fraction of the fading time along the present direction.
 const LARGEST_FRACTION: f64 = 0.5;
-/// More substeps than a step can sensibly need: about 50 for each e-fold of the speeds, of which
-/// f64 holds 1,400.
-const MAX_SUBSTEPS: u32 = 1_000_000;
+/// More substeps than a step can need: about 150 for each e-fold of the speeds, of which f64
+/// holds 1,400.
+const MAX_SUBSTEPS: u32 = 250_000;
+/// A substep that must be shorter than this makes no progress: the rates are not finite.
+const SHORTEST: f64 = 1e-30;
 
 impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// Advances by `duration`, to rounding accuracy, through rest if it comes.
     ///
-    /// *Domain*: `duration` ≥ 0 and finite; a body at rest stays there. A speed that is not
-    /// finite gives a motion that is not.
+    /// *Domain*: `duration` ≥ 0 and finite; a body at rest stays there. Where speeds, rates or
+    /// their ratios leave the number range, speed and spin are NaN.
     /// *Accuracy*: about 1e-14 relative for each e-fold of the speeds (f64).
     /// *Cost*: one substep (7 wrenches) if `duration` is short against the time to rest.
     pub fn advance(&self, motion: &Motion<R>, duration: R) -> Advance<R> {
@@ -79,7 +81,7 @@ impl<'a, R: Real, P: Profile<R> + Coupling<R>> Run<'a, R, P> {
     /// Goes on until the time is over or the body rests.
     fn go(&mut self) -> Option<Rest<R>> {
         let beta = R::ONE - self.slider.profile.exponent();
-        while self.substeps < MAX_SUBSTEPS {
+        while self.substeps < MAX_SUBSTEPS && self.size > R::from_f64(SHORTEST) {
             let rim = (self.motion.spin * self.slider.radius).abs();
             let scale = self.motion.speed.hypot(rim);
             // False for NaN too.
@@ -106,6 +108,9 @@ impl<'a, R: Real, P: Profile<R> + Coupling<R>> Run<'a, R, P> {
             self.size = if self.size > limit { limit } else { self.size };
             self.substep(scale, unit, time_unit);
         }
+        // Out of range: no number rather than a wrong one.
+        self.motion.speed = R::INFINITY - R::INFINITY;
+        self.motion.spin = self.motion.speed;
         None
     }
 

@@ -91,7 +91,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
             let [loss, turning] = self.loss_and_turning(&state);
             let (settled, noise) = (R::from_f64(SETTLED_ULPS) * beta, R::from_f64(NOISE_ULPS));
             let least = R::EPSILON * loss * if settled > noise { settled } else { noise };
-            if turning.abs() <= least || substeps == MAX_SUBSTEPS {
+            if turning.abs() <= least || turning.is_nan() || substeps == MAX_SUBSTEPS {
                 return (self.closed(&state, loss), substeps);
             }
             let largest = R::from_f64(LARGEST) / (loss * beta);

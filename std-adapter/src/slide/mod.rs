@@ -31,7 +31,7 @@ pub enum SlideError {
         /// Shortest step allowed.
         at_least: f64,
     },
-    /// The numbers left the range of f64.
+    /// The numbers left the range of f64, or time no longer moves.
     #[error("the motion is no longer finite after step {step}; its scales are too far apart")]
     NotFinite {
         /// The step.

@@ -49,6 +49,8 @@ pub struct SlideSimulation<P> {
     length: StepLength,
     /// Time of rest, or of fading, or the duration asked for.
     end: f64,
+    /// The rest that the motion comes to, if it does.
+    coming: Option<Rest<f64>>,
     start: Motion<f64>,
     motion: Motion<f64>,
     rest: Option<Rest<f64>>,
@@ -64,10 +66,11 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         let slider = Slider::new(profile, deceleration, scene.radius, scene.inertia_ratio)?;
         let start = Motion::launched(scene.speed, scene.spin);
         let mut simulation = Self {
-            slider,
             scene: *scene,
             length: StepLength::OfFading(fading_fraction(scene)),
             end: f64::INFINITY,
+            coming: slider.to_rest(&start),
+            slider,
             start,
             motion: start,
             rest: None,
@@ -83,7 +86,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
 
     /// Time of rest (α < 1), or until both speeds have faded.
     fn scout(&self) -> Result<f64, SlideError> {
-        if let Some(rest) = self.slider.to_rest(&self.start) {
+        if let Some(rest) = &self.coming {
             return Ok(rest.motion.time);
         }
         if let Some(duration) = self.scene.duration {
@@ -93,8 +96,10 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         let mut step = 0;
         while !self.has_faded(&motion) {
             step += 1;
+            let before = motion.time;
             motion = self.slider.advance(&motion, self.length_of(&motion)).motion;
-            if !motion.time.is_finite() {
+            let moves_on = motion.time > before && motion.speed.is_finite();
+            if !moves_on {
                 return Err(SlideError::NotFinite { step });
             }
         }
@@ -165,17 +170,16 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
     }
 
     fn exact_step(&mut self, duration: f64) {
-        let after = self.slider.advance(&self.motion, duration);
-        let moving = match &after.rest {
-            Some(rest) => rest.motion.time - self.motion.time,
-            None => duration,
-        };
-        self.dissipated += self.work(&self.motion, moving, after.rest.is_some());
-        self.rest = after.rest;
-        self.motion = match after.rest {
+        let rest = self
+            .coming
+            .filter(|rest| rest.motion.time <= self.motion.time + duration);
+        let moving = rest.map_or(duration, |rest| rest.motion.time - self.motion.time);
+        self.dissipated += self.work(&self.motion, moving, rest.is_some());
+        self.motion = match &rest {
             Some(rest) => rest.motion,
-            None => after.motion,
+            None => self.slider.advance(&self.motion, duration).motion,
         };
+        self.rest = rest;
     }
 
     /// Trapezoid rule for the power: of the method's own order.
@@ -266,17 +270,20 @@ impl<P: Profile<f64> + Coupling<f64>> Simulation for SlideSimulation<P> {
             .duration
             .map_or(f64::INFINITY, |end| end - self.motion.time);
         let duration = self.length_of(&self.motion).min(left);
+        let before = self.motion.time;
         match self.scene.stepper {
             Stepper::Exact => self.exact_step(duration),
             Stepper::Verlet => self.verlet_step(duration),
         }
         self.steps += 1;
-        if !self
-            .record()
-            .iter()
-            .take(5)
-            .chain([&self.dissipated])
-            .all(|x| x.is_finite())
+        let stands_still = self.motion.time <= before;
+        if stands_still
+            || !self
+                .record()
+                .iter()
+                .take(5)
+                .chain([&self.dissipated])
+                .all(|x| x.is_finite())
         {
             return Err(SlideError::NotFinite { step: self.steps });
         }
