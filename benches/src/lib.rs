@@ -11,6 +11,7 @@ pub mod contact;
 pub mod errors;
 pub mod methods;
 pub mod mix;
+pub mod picture;
 pub mod reference;
 pub mod stepping;
 pub mod timing;

@@ -46,6 +46,8 @@ pub trait Real:
     const MIN_POSITIVE: Self;
     /// Positive infinity.
     const INFINITY: Self;
+    /// Not a number.
+    const NAN: Self;
     /// Exponent and first mantissa bit of 1, as [`Real::half_octave`] counts them.
     const HALF_OCTAVE_OF_ONE: usize;
 
@@ -99,6 +101,7 @@ macro_rules! impl_real {
             const EPSILON: Self = <$real>::EPSILON;
             const MIN_POSITIVE: Self = <$real>::MIN_POSITIVE;
             const INFINITY: Self = <$real>::INFINITY;
+            const NAN: Self = <$real>::NAN;
             const HALF_OCTAVE_OF_ONE: usize =
                 ((1.0 as $real).to_bits() >> ($mantissa - 1)) as usize;
 

@@ -10,8 +10,8 @@ use tribos_tests::bits;
 
 #[test]
 fn tables_have_the_same_bits_on_every_platform() {
-    assert_eq!(bits::tables_f64(), 0x80d0_6113_8ecc_2c99, "f64");
-    assert_eq!(bits::tables_f32(), 0xbcb9_2632_e08b_5b7b, "f32");
+    assert_eq!(bits::tables_f64(), 0x07b7_9742_e52d_13a8, "f64");
+    assert_eq!(bits::tables_f32(), 0xdb92_9c09_2d41_eea4, "f32");
 }
 
 #[test]
@@ -26,12 +26,12 @@ fn quadrature_has_the_same_bits_on_every_platform() {
 
 #[test]
 fn wrenches_have_the_same_bits_on_every_platform() {
-    assert_eq!(bits::wrenches(), 0x0b77_d2bc_8302_cca5);
+    assert_eq!(bits::wrenches(), 0x7d42_4370_655f_fc12);
 }
 
 #[test]
 fn sliders_have_the_same_bits_on_every_platform() {
-    assert_eq!(bits::sliders(), 0xa393_1074_de0d_4da4);
+    assert_eq!(bits::sliders(), 0xb2a0_db1f_591a_43b6);
 }
 
 #[test]

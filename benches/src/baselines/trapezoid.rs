@@ -10,6 +10,8 @@ use core::f64::consts::{PI, TAU};
 #[derive(Clone, Debug)]
 pub struct Trapezoid {
     alpha: f64,
+    /// Take a root instead of a power where α = 0 allows it.
+    root: bool,
     /// (cos φ, sin φ)
     directions: Vec<[f64; 2]>,
 }
@@ -19,12 +21,25 @@ impl Trapezoid {
     pub fn new(n: usize, alpha: f64) -> Self {
         let angle = |j: usize| TAU * j as f64 / n as f64;
         let directions = (0..n).map(|j| [angle(j).cos(), angle(j).sin()]).collect();
-        Self { alpha, directions }
+        Self {
+            alpha,
+            root: alpha == 0.0,
+            directions,
+        }
+    }
+
+    /// The same as a program for any exponent computes it: a power at every node, as the thesis
+    /// did, whatever α is.
+    pub fn for_any_exponent(n: usize, alpha: f64) -> Self {
+        Self {
+            root: false,
+            ..Self::new(n, alpha)
+        }
     }
 
     /// `[F, T]` for any α > −1; times the power of the speed, as the law has it.
     pub fn wrench(&self, slide: f64, rim: f64) -> [f64; 2] {
-        if self.alpha == 0.0 {
+        if self.root {
             self.sum(slide, rim, |speed_sq| 1.0 / speed_sq.sqrt())
         } else {
             let exponent = 0.5 * (self.alpha - 1.0);

@@ -1,10 +1,11 @@
 //! Speed against error of one evaluation of force and torque.
 //!
 //! `cargo run --release -p tribos-benches --bin front -- [--out DIR] [--quick]` writes
-//! `front.csv` and `front.md` to DIR (default: docs/front) and prints the ratios that matter.
-//! Times come from eight mixes in a row, errors from one; the figure is not drawn yet.
+//! `front.csv`, `front.md` and `front.svg` to DIR (default: docs/front) and prints the ratios that matter.
+//! Times come from eight mixes in a row, errors from one.
 //! Errors are judged by double-double arithmetic (α = 0), by the compact tier (else).
 
+use std::path::Path;
 use std::process::ExitCode;
 use tribos_benches::args::Options;
 use tribos_benches::baselines::trapezoid::Trapezoid;
@@ -13,6 +14,7 @@ use tribos_benches::contact::Contact;
 use tribos_benches::errors::Errors;
 use tribos_benches::methods::{Inputs, Kind, Method};
 use tribos_benches::mix;
+use tribos_benches::picture::{self, Place};
 use tribos_benches::timing::{self, Samples, Task};
 use tribos_benches::written::{self, Sheet, short};
 
@@ -29,6 +31,8 @@ const TRAPEZOID_ERROR: f64 = 1e-3;
 const TRAPEZOID_GRAIN: usize = 4;
 /// Its name among the tasks.
 const TRAPEZOID_TASK: &str = "trapezoid at 1e-3";
+/// The same with a power at every node.
+const GENERAL_TASK: &str = "trapezoid at 1e-3 for any alpha";
 
 /// One line of the front.
 #[derive(Debug)]
@@ -68,13 +72,30 @@ fn run(options: &Options) -> Result<(), String> {
     let report = format!("{}\n{ratios}", sheet.markdown());
     written::write(&options.out, "front.csv", &sheet.csv())?;
     written::write(&options.out, "front.md", &report)?;
-    draw(&rows);
+    draw(&options.out, &rows)?;
     print!("{report}");
     Ok(())
 }
 
-/// Place of the scatter of time against error: draws nothing yet.
-fn draw(_rows: &[Row]) {}
+/// Time against the larger relative error of force and torque, α = 0.
+fn draw(out: &Path, rows: &[Row]) -> Result<(), String> {
+    let places = rows
+        .iter()
+        .filter(|row| row.method.alpha == 0.0)
+        .map(|row| Place {
+            label: row.method.name.clone(),
+            group: row.method.kind.name().into(),
+            at: (row.nanoseconds, row.errors.relative()),
+        });
+    let axes = ["time per pair [ns]", "largest relative error of F and T"];
+    picture::scatter(
+        out,
+        "front",
+        "Speed against error, α = 0",
+        axes,
+        places.collect(),
+    )
+}
 
 /// Tiers, baselines and exponents.
 fn all_methods() -> Result<Vec<Method>, String> {
@@ -126,15 +147,20 @@ fn measure(
     rounds: usize,
 ) -> Result<Samples, String> {
     // A few evaluations of the large rule are enough: their cost hardly depends on the ratio.
-    let rule = Trapezoid::new(n, 0.0);
-    let evaluate = move |slide, rim| rule.wrench(slide, rim);
-    let large = Method::wide(TRAPEZOID_TASK, Kind::Integration, TRAPEZOID_ERROR, evaluate);
+    let large = [
+        (TRAPEZOID_TASK, Trapezoid::new(n, 0.0)),
+        (GENERAL_TASK, Trapezoid::for_any_exponent(n, 0.0)),
+    ]
+    .map(|(name, rule)| {
+        let evaluate = move |slide, rim| rule.wrench(slide, rim);
+        Method::wide(name, Kind::Integration, TRAPEZOID_ERROR, evaluate)
+    });
     let few = inputs.thinned(inputs.wide.len() / 4);
 
     let thinned: Vec<Inputs> = methods.iter().map(|m| inputs.thinned(m.stride)).collect();
     let task = |(method, inputs): (_, _)| method_task(method, inputs);
     let mut tasks: Vec<Task<'_>> = methods.iter().zip(&thinned).map(task).collect();
-    tasks.push(method_task(&large, &few));
+    tasks.extend(large.iter().map(|method| method_task(method, &few)));
     let pairs = &inputs.wide;
     for single in [true, false] {
         let mut wide = contact::<f64>(pairs)?;
@@ -226,7 +252,14 @@ fn ratios(samples: &Samples, n: usize) -> String {
     let lines = [
         ("table / quicker AGM".into(), agm),
         ("table / Bulirsch".into(), ratio("table", "bulirsch")),
-        (format!("trapezoid {n} (error 1e-3) / table"), trapezoid),
+        (
+            format!("trapezoid {n} (error 1e-3), root at every node / table"),
+            trapezoid,
+        ),
+        (
+            format!("trapezoid {n} (error 1e-3), power at every node / table"),
+            ratio(GENERAL_TASK, "table"),
+        ),
         ("table f64 / f32".into(), ratio("table", "table f32")),
         (
             "contact f64, batch / single".into(),

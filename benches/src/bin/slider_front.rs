@@ -5,8 +5,10 @@
 //! `to_rest`, which an independent integration confirms to 1e-13 (tests/tables/stops.csv).
 
 use std::hint::black_box;
+use std::path::Path;
 use std::process::ExitCode;
 use tribos_benches::args::Options;
+use tribos_benches::picture::{self, Place};
 use tribos_benches::stepping::{DISK, SPEED, SPINS, Stepper, Stop};
 use tribos_benches::timing::{self, Task};
 use tribos_benches::written::{self, Sheet, short};
@@ -14,6 +16,8 @@ use tribos_core::coupling::table::Coulomb;
 use tribos_core::slider::{Motion, Slider};
 
 /// Rounds of all methods, and of a quick look.
+/// Errors below rounding are shown at it.
+const ROUNDING: f64 = 1e-16;
 const ROUNDS: usize = 31;
 const QUICK_ROUNDS: usize = 3;
 /// Steps in s.
@@ -62,13 +66,28 @@ fn run(options: &Options) -> Result<(), String> {
     let sheet = sheet(&rows, rounds);
     written::write(&options.out, "slider_front.csv", &sheet.csv())?;
     written::write(&options.out, "slider_front.md", &sheet.markdown())?;
-    draw(&rows);
+    draw(&options.out, &rows)?;
     print!("{}", sheet.markdown());
     Ok(())
 }
 
-/// Place of the scatter of time against error: draws nothing yet.
-fn draw(_rows: &[Row]) {}
+/// Work against the error of the distance at the middle spin.
+fn draw(out: &Path, rows: &[Row]) -> Result<(), String> {
+    let places = rows
+        .iter()
+        .filter(|row| row.spin == SPINS[1])
+        .map(|row| Place {
+            label: match row.stepper.step() {
+                Some(step) => format!("{} {step:e} s", row.stepper.name()),
+                None => row.stepper.name().into(),
+            },
+            group: row.stepper.name().into(),
+            at: (row.microseconds, row.distance_error.abs().max(ROUNDING)),
+        });
+    let axes = ["time per stop [µs]", "relative error of the distance"];
+    let title = format!("A disk brought to rest, spin {} rad/s", SPINS[1]);
+    picture::scatter(out, "slider_front", &title, axes, places.collect())
+}
 
 /// All steppers with all their steps.
 fn steppers() -> Vec<Stepper> {

@@ -23,7 +23,7 @@ const TAYLOR: usize = 28;
 const SERIES: usize = 60;
 
 /// Builds the cells of exponent `alpha`: cell 0 is the end z = 0, then two cells an octave upward
-/// to z = 1. `CELLS` is 2·octaves + 1.
+/// to z < 1, and the last of these once more for z = 1. `CELLS` is 2·octaves + 2.
 pub(super) const fn cells<const CELLS: usize, const TERMS: usize>(
     alpha: f64,
 ) -> [Cell<f64, TERMS>; CELLS] {
@@ -34,8 +34,9 @@ pub(super) const fn cells<const CELLS: usize, const TERMS: usize>(
         terms: [[0.0; 2]; TERMS],
     }; CELLS];
     // The two cells [3/4, 1] and [1/2, 3/4], from the power series in x.
-    let mut i = CELLS - 1;
+    let mut i = CELLS - 2;
     out[i] = cell(alpha, 0.875, 0.125, &shifted_series(&phi, 0.125));
+    out[CELLS - 1] = out[i];
     i -= 1;
     out[i] = cell(alpha, 0.625, 0.125, &shifted_series(&phi, 0.375));
     // Below, the equation is continued from one center to the next.

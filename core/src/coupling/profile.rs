@@ -80,44 +80,70 @@ impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
     }
 }
 
-/// The two speeds in order, and their ratio.
-struct Ordered<R> {
-    sliding_leads: bool,
+/// The two speeds in units of the larger one.
+struct Scaled<R> {
     major: R,
-    ratio: R,
-    /// 1 − ratio² to full relative accuracy is only made where it is needed.
-    minor: R,
+    slide: R,
+    rim: R,
 }
 
-impl<R: Real> Ordered<R> {
+impl<R: Real> Scaled<R> {
     #[inline]
     fn new(slide: R, rim: R) -> Self {
         let (slide, rim) = (slide.abs(), rim.abs());
-        let sliding_leads = slide > rim;
-        let (major, minor) = if sliding_leads {
-            (slide, rim)
+        let major = if slide > rim { slide } else { rim };
+        let (a, b) = (slide / major, rim / major);
+        // One comparison finds rest (0/0), infinities (∞/∞) and NaN.
+        if a * b >= R::ZERO {
+            Self {
+                major,
+                slide: a,
+                rim: b,
+            }
         } else {
-            (rim, slide)
+            Self::unordinary(slide, rim)
+        }
+    }
+
+    /// Rest, infinities and NaN: the limit if only one speed is infinite, zeros at rest.
+    #[cold]
+    fn unordinary(slide: R, rim: R) -> Self {
+        let in_units = |speed: R, other: R| {
+            if speed == R::INFINITY && other < R::INFINITY {
+                R::ONE
+            } else if other == R::INFINITY && speed < R::INFINITY {
+                R::ZERO
+            } else if speed == R::INFINITY {
+                speed - other
+            } else {
+                // Zero, or NaN from either.
+                speed + R::ZERO * other
+            }
         };
         Self {
-            sliding_leads,
-            major,
-            minor,
-            ratio: minor / major,
+            major: slide + rim,
+            slide: in_units(slide, rim),
+            rim: in_units(rim, slide),
         }
     }
 
     /// True if nothing moves; false for NaN.
     #[inline]
     fn at_rest(&self) -> bool {
-        self.major == R::ZERO && self.minor == R::ZERO
+        self.major == R::ZERO
     }
 
-    /// 1 − ratio², without cancellation near equal speeds.
+    /// The smaller speed over the larger one: one of the two factors is 1.
     #[inline]
-    fn complement(&self) -> R {
-        (self.major - self.minor) / self.major * (R::ONE + self.ratio)
+    fn ratio(&self) -> R {
+        self.slide * self.rim
     }
+}
+
+/// 1 − h², without cancellation near equal speeds; NaN for infinite ones.
+#[inline]
+fn complement<R: Real>(slide: R, rim: R, major: R, ratio: R) -> R {
+    (slide.abs() - rim.abs()).abs() / major * (R::ONE + ratio)
 }
 
 /// 2/(3+α): the reduced torque of pure spinning.
@@ -127,19 +153,17 @@ fn pure_spin_torque<R: Real>(alpha: R) -> R {
 }
 
 /// F/m^α and T/m^α from the factors.
+///
+/// With a = v/m and h = min/max one pair of formulas serves both regimes, F = aΦ and
+/// T = 2/(3+α) (1−a²) Φ + a h Θ: which speed leads is a coin toss to a branch predictor.
 #[inline]
-fn unscaled<R: Real, P: Profile<R>>(profile: &P, speeds: &Ordered<R>) -> ReducedWrench<R> {
-    let [phi, theta] = profile.force_and_torque_factors(speeds.ratio);
-    let h = speeds.ratio;
-    let x = h * h;
-    // Weights instead of two formulas: which speed leads is a coin toss to the branch predictor.
-    let pure_spin = pure_spin_torque(profile.exponent()) * (R::ONE - x);
-    let lead = speeds.sliding_leads;
-    let force_weight = if lead { R::ONE } else { h };
-    let (phi_weight, theta_weight) = if lead { (R::ZERO, h) } else { (pure_spin, x) };
+fn unscaled<R: Real, P: Profile<R>>(profile: &P, speeds: &Scaled<R>) -> ReducedWrench<R> {
+    let (a, h) = (speeds.slide, speeds.ratio());
+    let [phi, theta] = profile.force_and_torque_factors(h);
+    let spin = pure_spin_torque(profile.exponent()) * (R::ONE - a * a);
     ReducedWrench {
-        force: force_weight * phi,
-        torque: phi_weight * phi + theta_weight * theta,
+        force: a * phi,
+        torque: spin * phi + a * h * theta,
     }
 }
 
@@ -147,7 +171,7 @@ fn unscaled<R: Real, P: Profile<R>>(profile: &P, speeds: &Ordered<R>) -> Reduced
 /// that keeps the scale itself needs. Zero at rest.
 #[inline]
 pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
-    let speeds = Ordered::new(slide, rim);
+    let speeds = Scaled::new(slide, rim);
     if speeds.at_rest() {
         return ReducedWrench {
             force: R::ZERO,
@@ -160,7 +184,7 @@ pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) ->
 /// [`Coupling::reduced_wrench`] of a profile.
 #[inline]
 pub(super) fn wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
-    let speeds = Ordered::new(slide, rim);
+    let speeds = Scaled::new(slide, rim);
     if speeds.at_rest() {
         return ReducedWrench {
             force: R::ZERO,
@@ -185,20 +209,20 @@ pub(super) fn jacobian<R: Real, P: Profile<R>>(
     slide: R,
     rim: R,
 ) -> ReducedJacobian<R> {
-    let speeds = Ordered::new(slide, rim);
+    let speeds = Scaled::new(slide, rim);
     let alpha = profile.exponent();
     if speeds.at_rest() {
         return at_rest(alpha);
     }
-    let h = speeds.ratio;
+    let h = speeds.ratio();
     let x = h * h;
-    let z = speeds.complement();
+    let z = complement(slide, rim, speeds.major, h);
     let [phi, slope] = profile.force_factor_and_slope(z);
     // Θ from Φ and Φ': one table read serves all.
     let theta = pure_spin_torque(alpha) * (R::HALF * (R::ONE + alpha) * phi + z * slope);
     let twice = R::TWO * slope;
     let (force_slide, mixed, torque_rim);
-    if speeds.sliding_leads {
+    if speeds.slide > speeds.rim {
         force_slide = alpha * phi - x * twice;
         mixed = h * twice;
         torque_rim = alpha * theta - twice;

@@ -7,11 +7,13 @@ use crate::law::{LawError, validated_exponent};
 use crate::real::Real;
 
 /// f64: 52 octaves of z reach the smallest gap between two speeds; degree 12.
-const CELLS_F64: usize = 2 * 52 + 1;
+const CELLS_F64: usize = 2 * 52 + 2;
 const TERMS_F64: usize = 13;
 /// f32: 23 octaves; degree 5.
-const CELLS_F32: usize = 2 * 23 + 1;
+const CELLS_F32: usize = 2 * 23 + 2;
 const TERMS_F32: usize = 6;
+/// One degree less is enough for α = 0 in f32, whose singularity is weaker than that of α < 0.
+const TERMS_COULOMB_F32: usize = 5;
 
 /// Largest exponent that a table resolves to its stated bound.
 pub const MAX_EXPONENT: f64 = 10.0;
@@ -57,20 +59,22 @@ impl Table32 {
             Err(error) => Err(error),
         }
     }
+}
 
+impl<const TERMS: usize> Table<f32, CELLS_F32, TERMS> {
     const fn build(alpha: f32) -> Self {
-        let wide: [Cell<f64, TERMS_F32>; CELLS_F32] = octave::cells(alpha as f64);
+        let wide: [Cell<f64, TERMS>; CELLS_F32] = octave::cells(alpha as f64);
         let mut cells = [Cell {
             center: 0.0,
             mirror: 0.0,
-            terms: [[0.0; 2]; TERMS_F32],
+            terms: [[0.0; 2]; TERMS],
         }; CELLS_F32];
         let mut i = 0;
         while i < CELLS_F32 {
             cells[i].center = wide[i].center as f32;
             cells[i].mirror = wide[i].mirror as f32;
             let mut n = 0;
-            while n < TERMS_F32 {
+            while n < TERMS {
                 let [phi, theta] = wide[i].terms[n];
                 cells[i].terms[n] = [phi as f32, theta as f32];
                 n += 1;
@@ -82,27 +86,48 @@ impl Table32 {
 }
 
 impl<R: Real, const CELLS: usize, const TERMS: usize> Table<R, CELLS, TERMS> {
-    /// The cell that holds z.
+    /// The cell that holds z in [0, 1]; some cell if z is NaN.
     #[inline]
     fn cell(&self, z: R) -> &Cell<R, TERMS> {
-        // Cells − 1 half octaves lie below one; z = 1 belongs to the last.
-        let below_one = const { R::HALF_OCTAVE_OF_ONE - CELLS };
-        let index = z.half_octave().saturating_sub(below_one);
-        &self.cells[if index < CELLS { index } else { CELLS - 1 }]
+        // z = 1 belongs to the last cell.
+        let below = const { R::HALF_OCTAVE_OF_ONE - (CELLS - 1) };
+        match self.cells.get(z.half_octave().saturating_sub(below)) {
+            Some(cell) => cell,
+            None => self.end_cell(),
+        }
     }
 
-    /// Φ and Θ at h, one Horner scheme on pairs.
+    /// The cell of z = 0; out of line, so that finding the others needs no clamp.
+    #[cold]
+    #[inline(never)]
+    fn end_cell(&self) -> &Cell<R, TERMS> {
+        &self.cells[0]
+    }
+
+    /// Φ and Θ at h: even and odd powers apart, on pairs.
     #[inline]
     fn factors(&self, ratio: R) -> [R; 2] {
         let x = ratio * ratio;
         let cell = self.cell(R::ONE - x);
         let u = cell.mirror - x;
-        let [mut phi, mut theta] = cell.terms[TERMS - 1];
-        for [a, b] in cell.terms.iter().rev().skip(1) {
-            phi = phi * u + *a;
-            theta = theta * u + *b;
+        let square = u * u;
+        let mut sums = [cell.terms[TERMS - 1], cell.terms[TERMS - 2]];
+        for n in (1..TERMS - 2).rev() {
+            let sum = &mut sums[(TERMS - 1 - n) % 2];
+            sum[0] = sum[0] * square + cell.terms[n][0];
+            sum[1] = sum[1] * square + cell.terms[n][1];
         }
-        [phi, theta]
+        // The sums end with the first and the second power.
+        let [first, second] = if TERMS.is_multiple_of(2) {
+            sums
+        } else {
+            [sums[1], sums[0]]
+        };
+        let [phi, theta] = cell.terms[0];
+        [
+            phi + (first[0] * u + second[0] * square),
+            theta + (first[1] * u + second[1] * square),
+        ]
     }
 
     /// Φ and Φ' at z = 1 − h²; Φ' = −dΦ/dz.
@@ -157,6 +182,9 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Coupling<R> for Table<R, C
     }
 }
 
+/// Table of α = 0 in f32.
+pub type CoulombTable32 = Table<f32, CELLS_F32, TERMS_COULOMB_F32>;
+
 /// A scalar with a Coulomb table in read-only memory.
 pub trait CoulombTable: Real + sealed::Sealed {
     /// The table's type.
@@ -181,10 +209,10 @@ impl CoulombTable for f64 {
 }
 
 impl CoulombTable for f32 {
-    type Table = Table32;
+    type Table = CoulombTable32;
     #[inline]
-    fn coulomb_table() -> &'static Table32 {
-        static TABLE: Table32 = Table32::build(0.0);
+    fn coulomb_table() -> &'static Self::Table {
+        static TABLE: CoulombTable32 = CoulombTable32::build(0.0);
         &TABLE
     }
 }

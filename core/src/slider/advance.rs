@@ -109,7 +109,7 @@ impl<'a, R: Real, P: Profile<R> + Coupling<R>> Run<'a, R, P> {
             self.substep(scale, unit, time_unit);
         }
         // Out of range: no number rather than a wrong one.
-        self.motion.speed = R::INFINITY - R::INFINITY;
+        self.motion.speed = R::NAN;
         self.motion.spin = self.motion.speed;
         None
     }
