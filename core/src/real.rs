@@ -12,7 +12,8 @@ mod sealed {
 /// A binary floating-point number: `f32` or `f64`.
 ///
 /// Square root, power and exponential always come from the `libm` crate, so that a result has the same
-/// bits on every supported platform, whatever features other crates of the build switch on.
+/// bits on every supported platform, whatever features other crates of the build switch on
+/// (`libm`'s own `arch` feature only swaps in instructions that round correctly, like its code).
 /// The kernel never contracts a product and a sum into one rounding.
 pub trait Real:
     Copy
