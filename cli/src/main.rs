@@ -8,7 +8,7 @@ use tribos_cli::command::Command;
 ///
 /// Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input.
 #[derive(Parser)]
-#[command(version, arg_required_else_help = true)]
+#[command(name = "tribos", version, arg_required_else_help = true)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,

@@ -60,7 +60,7 @@ const MODERATE: [f64; 13] = [
 const STEEP: [f64; 3] = [7.0, 9.0, 10.0];
 
 /// Ratios that a sweep of 800,000 a exponent found worst.
-const FOUND_WORST: [f32; 10] = [
+const FOUND_WORST: [f32; 12] = [
     1.747_881_3,
     1.938_435_7,
     1.934_747_9,
@@ -71,6 +71,8 @@ const FOUND_WORST: [f32; 10] = [
     0.999_220_8,
     81.846_86,
     1.815_121_9,
+    0.059_276,
+    1.414_25,
 ];
 
 #[test]

@@ -12,7 +12,7 @@ use tribos_core::law::{LawError, PowerLaw};
 pub enum Tier {
     /// Polynomial tables: a few ulp, quickest (alpha <= 10).
     Table,
-    /// Series without tables: tens of ulp, any alpha.
+    /// Series without tables: tens of ulp (alpha <= 128).
     Compact,
     /// Quadrature on fixed nodes: about 1e-8.
     Quadrature,

@@ -2,11 +2,11 @@
 //!
 //! A caller picks an accuracy tier by type:
 //!
-//! | tier | types | f64 error of F, T | size | cost |
+//! | tier | types | f64 error of F, T | size | cost, table = 1 |
 //! |---|---|---|---|---|
-//! | table | [`table::Coulomb`], [`table::Table64`], [`table::Table32`] | a few ulp | 23 KiB (f32: 3 KiB) | quickest, same for every α |
-//! | compact | [`compact::Coulomb`], [`compact::Power`] | tens of ulp | code only | several times slower |
-//! | quadrature | [`quadrature::DiskQuadrature`] | 1e-6 | 1 KiB | any local law |
+//! | table | [`table::Coulomb`], [`table::Table64`], [`table::Table32`] | a few ulp | 23 KiB (f32: 3 KiB) | 1, for every α |
+//! | compact | [`compact::Coulomb`], [`compact::Power`] | tens of ulp | code only | 5; any α: 150 |
+//! | quadrature | [`quadrature::DiskQuadrature`], any local law | 1e-8 for smooth laws | 1 KiB | 33 |
 //!
 //! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
 

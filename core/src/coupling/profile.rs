@@ -24,8 +24,8 @@
 //! ∂T/∂w = (α T − v ∂T/∂v)/w, with w divided out
 //! ```
 //!
-//! *Source*: eqs. 3.6–3.10 of the sliding-disk literature (Farkas, Bartels, Unger, Wolf,
-//! Phys. Rev. Lett. 90 (2003) 248302, for α = 0); the forms above were checked with 50 digits.
+//! *Source*: the integrals are eqs. 3.6–3.10 of the thesis (for α = 0: Farkas, Bartels, Unger, Wolf,
+//! Phys. Rev. Lett. 90 (2003) 248302); `docs/theory.md` derives the forms above.
 
 #[cfg(doc)]
 use super::Coupling;

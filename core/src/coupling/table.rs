@@ -33,7 +33,9 @@ pub type Table32 = Table<f32, CELLS_F32, TERMS_F32>;
 impl Table64 {
     /// Builds the table of exponent α; `const`, so that a `static` table can live in flash.
     ///
-    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Cost*: about 300,000 floating-point operations.
+    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Accuracy* of force and torque: 1.5e-15 relative for
+    /// α ≥ −0.75 (5 ulp at α = 0), 1.2e-14 below; Jacobian 2e-13 of F/v. *Cost*: about 300,000
+    /// floating-point operations.
     pub const fn new(alpha: f64) -> Result<Self, LawError> {
         match validated_exponent(alpha, MAX_EXPONENT) {
             Ok(alpha) => Ok(Self::build(alpha)),
@@ -52,7 +54,9 @@ impl Table64 {
 impl Table32 {
     /// Builds the table of exponent α in f64 arithmetic and rounds it; `const`.
     ///
-    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Cost*: about 150,000 operations in f64.
+    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Accuracy* of force and torque: 5 ulp for
+    /// −0.75 ≤ α ≤ 5, 8 ulp up to 10; Jacobian 6e-6 of F/v. *Cost*: about 150,000 operations in
+    /// f64.
     pub const fn new(alpha: f32) -> Result<Self, LawError> {
         match validated_exponent(alpha as f64, MAX_EXPONENT) {
             Ok(_) => Ok(Self::build(alpha)),

@@ -8,7 +8,7 @@ use crate::real::Real;
 /// The dissipation potential γ|v|^(α+1)/(α+1) is convex only for α ≥ 0: below, friction falls with
 /// speed, diverges at rest, and neither uniqueness nor implicit steps are promised.
 ///
-/// *Units*: γ carries (time/length)^α. (The literature also writes γ^α for this product.)
+/// *Units*: γ carries (time/length)^α. (The thesis writes γ^α for γ.)
 /// *Source*: eq. 3.6.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

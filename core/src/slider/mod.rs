@@ -161,7 +161,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
         motion.speed / (motion.spin * self.radius).abs()
     }
 
-    /// Velocity ratio's final motion.
+    /// The law and accuracy tier that the slider was made with.
     pub fn profile(&self) -> &P {
         &self.profile
     }

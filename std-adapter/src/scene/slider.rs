@@ -28,19 +28,19 @@ pub enum Stepper {
 /// A validated scene: every number is finite and in its domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SliderScene {
-    /// Initial sliding speed [m/s].
+    /// Initial sliding speed, in m/s.
     pub speed: f64,
-    /// Initial spin [rad/s].
+    /// Initial spin, in rad/s.
     pub spin: f64,
-    /// Friction coefficient γ (μ for alpha = 0) [(s/m)^alpha].
+    /// Friction coefficient γ (μ for alpha = 0), in (s/m)^alpha.
     pub coefficient: f64,
     /// Exponent of the local law.
     pub alpha: f64,
-    /// Gravity [m/s²].
+    /// Gravity, in m/s².
     pub gravity: f64,
-    /// Radius of the contact [m].
+    /// Radius of the contact, in m.
     pub radius: f64,
-    /// Mass [kg].
+    /// Mass, in kg.
     pub mass: f64,
     /// C = I/(M R²).
     pub inertia_ratio: f64,
@@ -48,9 +48,9 @@ pub struct SliderScene {
     pub units: Units,
     /// Stepper.
     pub stepper: Stepper,
-    /// Length of a step [s]; chosen from the motion if `None`.
+    /// Length of a step, in s; chosen from the motion if `None`.
     pub time_step: Option<f64>,
-    /// End of the run [s]; rest if `None`.
+    /// End of the run, in s; rest if `None`.
     pub duration: Option<f64>,
     /// The run ends when both speeds are below this fraction of their start (alpha ≥ 1).
     pub stop_fraction: f64,

@@ -21,11 +21,11 @@ pub enum Ending {
 pub struct Outcome {
     /// Why it ended.
     pub ending: Ending,
-    /// Time at the end: the stop time if the body rests [s].
+    /// Time at the end: the stop time if the body rests, in s.
     pub time: f64,
-    /// Distance covered [m].
+    /// Distance covered, in m.
     pub distance: f64,
-    /// Angle turned [rad].
+    /// Angle turned, in rad.
     pub angle: f64,
     /// Velocity ratio v/(|ω|R) at the end, its limit if the body rests.
     pub ratio: f64,
@@ -33,9 +33,9 @@ pub struct Outcome {
     pub limit: FinalMode<f64>,
     /// Steps taken.
     pub steps: u64,
-    /// Kinetic energy at the launch [J].
+    /// Kinetic energy at the launch, in J.
     pub initial_energy: f64,
-    /// Work of friction, integrated from its power [J].
+    /// Work of friction, integrated from its power, in J.
     pub dissipated_energy: f64,
     /// |work − loss of kinetic energy| / initial energy.
     pub energy_error: f64,

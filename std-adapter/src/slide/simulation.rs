@@ -209,10 +209,10 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         Ok(Outcome {
             ending: if self.rest.is_some() {
                 Ending::Rest
-            } else if self.has_faded(&self.motion) {
-                Ending::Faded
-            } else {
+            } else if self.scene.duration.is_some() {
                 Ending::Duration
+            } else {
+                Ending::Faded
             },
             time: self.motion.time,
             distance: self.motion.distance,

@@ -125,7 +125,7 @@ pub fn not_checked(what: &str, thesis: &str, why: &str) -> Claim {
     }
 }
 
-/// Twelve significant digits.
+/// Twelve decimals, or seven significant digits for very small and large numbers.
 pub fn short(x: f64) -> String {
     if x != 0.0 && x.is_finite() && !(1e-3..1e6).contains(&x.abs()) {
         format!("{x:.6e}")

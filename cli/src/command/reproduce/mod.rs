@@ -157,6 +157,11 @@ fn tally(claims: &[Claim]) -> String {
         (count(|v| *v == Verdict::Differs), "DIFFER"),
     ] {
         if n > 0 {
+            let what = if n == 1 {
+                what.replace("errata", "erratum")
+            } else {
+                what.into()
+            };
             text += &format!(", {n} {what}");
         }
     }
