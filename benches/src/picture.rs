@@ -16,7 +16,7 @@ pub struct Place {
 }
 
 /// Labels stand this factor above their point.
-const LIFT: f64 = 1.8;
+const LIFT: f64 = 7.0;
 
 /// Writes `name`.svg: both axes logarithmic, a colour a group, every method named at its point.
 pub fn scatter(

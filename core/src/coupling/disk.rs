@@ -144,6 +144,7 @@ impl<R: Real, C: Coupling<R>> DiskFriction<R, C> {
     }
 
     /// Wrenches of many twists under one load; pairs beyond the shorter slice are left alone.
+    #[inline]
     pub fn wrench_batch(&self, load: R, twists: &[Twist<R>], wrenches: &mut [Wrench<R>]) {
         for (twist, wrench) in twists.iter().zip(wrenches) {
             *wrench = self.wrench(load, twist);

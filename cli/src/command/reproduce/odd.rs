@@ -3,6 +3,8 @@
 use super::exhibit::{Exhibit, at, claim, erratum, linear, table};
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Series};
+use crate::report::page::Claim;
+use std::f64::consts::PI;
 
 /// Ratio at which the sums are compared.
 const RATIO: f64 = 0.7;
@@ -54,9 +56,21 @@ fn factor(printed: f64, ours: f64) -> String {
     format!("{printed:.6}, {:.4} times ours", printed / ours)
 }
 
+/// The sentence before A.6.
+fn even_powers_of_the_sine() -> Claim {
+    let integral = 2.0 * PI * mean_of_sine_power(4);
+    erratum(
+        "Before A.6: the integral of sinˡφ over the circle for even l; l = 4",
+        ("π", PI),
+        integral,
+        0.75 * PI,
+        "it is 2π (l−1)!!/l!!, which is π for l = 2 only",
+    )
+}
+
 /// The sums against the kernel.
 pub fn appendix_a() -> Result<Exhibit, Failure> {
-    let mut claims = Vec::new();
+    let mut claims = vec![even_powers_of_the_sine()];
     let mut figure = Figure::new(
         "Odd exponents: force",
         Axis::linear("velocity ratio ε"),
@@ -115,7 +129,8 @@ pub fn appendix_a() -> Result<Exhibit, Failure> {
         heading: "Appendix A: odd exponents".into(),
         text: vec![
             "For odd α the integrand is a polynomial and the thesis gives double sums. Mended, \
-             they agree with the general formula; as printed they do not."
+             they agree with the general formula; as printed they do not. (In eq. 3.22 the label \
+             T_n,1 should read T_n,3, and one term of its integrand lacks the fourth power of r.)"
                 .into(),
         ],
         caption: "Force over the velocity ratio at ωR = 1.".into(),

@@ -1,6 +1,6 @@
 //! Figure 3.11: how a motion fades for different exponents, and who travels farther.
 
-use super::exhibit::{Exhibit, claim, linear, refutation, short, statement, table};
+use super::exhibit::{Exhibit, claim, erratum, linear, refutation, short, statement, table};
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Series};
 use crate::report::page::Claim;
@@ -38,6 +38,7 @@ pub fn figure_3_11() -> Result<Exhibit, Failure> {
     }
     let mut claims = laws_of_fading()?;
     claims.extend(travel()?);
+    claims.push(dimensionless_equation()?);
     Ok(Exhibit {
         heading: "Figure 3.11: stopping times".into(),
         text: vec![
@@ -108,6 +109,23 @@ fn laws_of_fading() -> Result<Vec<Claim>, Failure> {
         "only for 0 < α < 1; for α < 0 it is below one, and stopping is still in finite time",
     ));
     Ok(claims)
+}
+
+/// Eq. 3.26 against a disk with dimensions: m, s, and γ = 1 for α = 3.
+fn dimensionless_equation() -> Result<Claim, Failure> {
+    let (alpha, gravity, radius, speed) = (3.0, 9.81, 0.08, 1.3);
+    let slider = Slider::new(table(alpha)?, gravity, radius, 0.5).map_err(Failure::run)?;
+    let power = slider.dissipation_per_mass(&Motion::launched(speed, 0.0));
+    let scale = f64::sqrt(gravity * radius);
+    // dv*/dt* over (v*)³, from the deceleration P/(M v) of the body.
+    let ours = power / speed / gravity / (speed / scale).powi(3);
+    Ok(erratum(
+        "3.26, α = 3: dv*/dt* over γ (v*)³ for pure sliding, g = 9.81, R = 0.08",
+        ("1", 1.0),
+        ours,
+        (gravity * radius).powf(alpha / 2.0),
+        "the factor (g R_c)^(α/2) is missing, unless γ absorbs it; 3.27 is not affected",
+    ))
 }
 
 /// Spinning disks travel farther; both motions stop together.
