@@ -1,4 +1,37 @@
-//! Coupled sliding and spinning friction: the kernel.
+//! Coupled sliding and spinning friction: a kernel without standard library or allocator.
+//!
+//! A body that slides with velocity v and spins with ω on a flat contact meets one friction, not
+//! two: every surface element resists along its own velocity v + ω × r. Everything here follows
+//! from the power that this dissipates, the *dissipation potential*; force and torque are its
+//! gradient, the Jacobian for controllers and implicit integrators its Hessian.
+//!
+//! ```
+//! use tribos_core::coupling::{DiskFriction, table::Coulomb};
+//! use tribos_core::{patch::UniformDisk, twist::Twist};
+//!
+//! let puck = DiskFriction::new(Coulomb, 0.3_f32, UniformDisk::new(0.04)?)?; // mu, radius in m
+//! let wrench = puck.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)); // load in N; m/s, m/s, rad/s
+//! assert!(wrench.force.x < 0.0 && wrench.torque < 0.0);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
+//!
+//! | module | what it knows |
+//! |---|---|
+//! | [`law`] | friction of one surface element: Coulomb, power law |
+//! | [`patch`] | the contact's shape and pressure: the uniform disk |
+//! | [`coupling`] | law × patch → force, torque and Jacobian, in accuracy tiers picked by type |
+//! | [`modes`] | where the ratio of sliding to spinning goes |
+//! | [`slider`] | a body followed to rest |
+//! | [`twist`] | motion in, wrench out |
+//! | [`special`], [`real`] | elliptic and hypergeometric functions; the scalar |
+//!
+//! # Contract
+//!
+//! - Constructors validate and return typed errors. All other functions are total: every bit
+//!   pattern gives a documented result, NaN stays NaN, nothing panics.
+//! - Same input, same bits: no platform mathematics, no fused multiply-add, and no feature that
+//!   changes a result. Features only add conversions (`glam`, `mint`) and logging (`defmt`).
+//! - A tier or law that is not named costs neither time nor flash.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -1,7 +1,7 @@
 //! The tier without tables: a few KiB of code, tens of ulp.
 
 use super::octave::force_function;
-use super::profile::{self, Profile, half_powers};
+use super::profile::{self, Profile};
 use super::{Coupling, ReducedJacobian, ReducedWrench};
 use crate::law::{LawError, PowerLaw, validated_exponent};
 use crate::real::Real;
@@ -108,17 +108,6 @@ impl<R: Real> Profile<R> for Power<R> {
         let z = complement.to_f64();
         let [phi, _, slope] = self.factors(1.0 - z, z);
         [R::from_f64(phi), R::from_f64(slope)]
-    }
-    #[inline]
-    fn speed_scale(&self, speed: R) -> R {
-        speed.pow(self.alpha)
-    }
-    #[inline]
-    fn rate_scale(&self, speed: R) -> R {
-        speed.pow(self.alpha - R::ONE)
-    }
-    fn half_scales(&self, speed: R) -> [R; 2] {
-        half_powers(speed, self.alpha)
     }
 }
 

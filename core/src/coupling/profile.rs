@@ -44,13 +44,26 @@ pub trait Profile<R: Real> {
     fn force_factor_and_slope(&self, complement: R) -> [R; 2];
 
     /// `speed`^α.
-    fn speed_scale(&self, speed: R) -> R;
+    #[inline]
+    fn speed_scale(&self, speed: R) -> R {
+        speed.pow(self.exponent())
+    }
 
     /// `speed`^(α−1).
-    fn rate_scale(&self, speed: R) -> R;
+    #[inline]
+    fn rate_scale(&self, speed: R) -> R {
+        speed.pow(self.exponent() - R::ONE)
+    }
 
     /// Square roots of the two scales, for results whose scale alone leaves the number range.
-    fn half_scales(&self, speed: R) -> [R; 2];
+    #[cold]
+    fn half_scales(&self, speed: R) -> [R; 2] {
+        let alpha = self.exponent();
+        [
+            speed.pow(R::HALF * alpha),
+            speed.pow(R::HALF * (alpha - R::ONE)),
+        ]
+    }
 }
 
 impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
@@ -262,15 +275,6 @@ fn in_halves<R: Real>(x: R, half: R, major: R) -> R {
     } else {
         x * half * half
     }
-}
-
-/// Square roots of `speed`^α and `speed`^(α−1).
-#[cold]
-pub(super) fn half_powers<R: Real>(speed: R, alpha: R) -> [R; 2] {
-    [
-        speed.pow(R::HALF * alpha),
-        speed.pow(R::HALF * (alpha - R::ONE)),
-    ]
 }
 
 /// The Jacobian at v = w = 0: zero for α > 1, the constant damping for α = 1, infinite below.

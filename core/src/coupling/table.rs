@@ -1,7 +1,7 @@
 //! The quickest tier: polynomial tables, a few ulp, the same cost for every exponent.
 
 use super::octave::{self, Cell};
-use super::profile::{self, Profile, half_powers};
+use super::profile::{self, Profile};
 use super::{Coupling, ReducedJacobian, ReducedWrench};
 use crate::law::{LawError, validated_exponent};
 use crate::real::Real;
@@ -161,17 +161,6 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CE
     #[inline]
     fn force_factor_and_slope(&self, complement: R) -> [R; 2] {
         self.factor_and_slope(complement)
-    }
-    #[inline]
-    fn speed_scale(&self, speed: R) -> R {
-        speed.pow(self.alpha)
-    }
-    #[inline]
-    fn rate_scale(&self, speed: R) -> R {
-        speed.pow(self.alpha - R::ONE)
-    }
-    fn half_scales(&self, speed: R) -> [R; 2] {
-        half_powers(speed, self.alpha)
     }
 }
 
