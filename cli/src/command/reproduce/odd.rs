@@ -68,6 +68,39 @@ fn even_powers_of_the_sine() -> Claim {
     )
 }
 
+/// Both sums of α = 2n + 1 against the kernel, mended and as printed.
+fn sum_claims(n: u32, alpha: f64, [force, torque]: [f64; 2]) -> Vec<Claim> {
+    let (right_force, right_torque) = (force_sum(n, RATIO, true), torque_sum(n, RATIO, 2.0));
+    let one = ("1", 1.0);
+    let force_name = format!("A.7 with l!, α = {alpha}: F(0.7) over the sum");
+    let torque_name = format!("A.9 with 2ε, α = {alpha}: T(0.7) over the sum");
+    let mut claims = vec![
+        claim(&force_name, one, force / right_force, 1e-13),
+        claim(&torque_name, one, torque / right_torque, 1e-13),
+    ];
+    if n >= 2 {
+        let printed = force_sum(n, RATIO, false);
+        claims.push(erratum(
+            &format!("A.7 as printed, α = {alpha}: F(0.7)"),
+            (&factor(printed, force), printed),
+            force,
+            right_force,
+            "l! is missing in the denominator of the inner sum; no effect for α = 1 and 3",
+        ));
+    }
+    if n >= 1 {
+        let printed = torque_sum(n, RATIO, 1.0);
+        claims.push(erratum(
+            &format!("A.9 as printed, α = {alpha}: T(0.7)"),
+            (&factor(printed, torque), printed),
+            torque,
+            right_torque,
+            "the odd branch needs −2ε; as printed it contradicts eq. 3.22",
+        ));
+    }
+    claims
+}
+
 /// The sums against the kernel.
 pub fn appendix_a() -> Result<Exhibit, Failure> {
     let mut claims = vec![even_powers_of_the_sine()];
@@ -81,41 +114,7 @@ pub fn appendix_a() -> Result<Exhibit, Failure> {
     for n in 0..=4 {
         let alpha = f64::from(2 * n + 1);
         let law = table(alpha)?;
-        let [force, torque] = at(&law, RATIO);
-        let (right_force, right_torque) = (force_sum(n, RATIO, true), torque_sum(n, RATIO, 2.0));
-        let relative = |ours: f64, sum: f64| ours / sum;
-        claims.push(claim(
-            &format!("A.7 with l!, α = {alpha}: F(0.7) over the sum"),
-            ("1", 1.0),
-            relative(force, right_force),
-            1e-13,
-        ));
-        claims.push(claim(
-            &format!("A.9 with 2ε, α = {alpha}: T(0.7) over the sum"),
-            ("1", 1.0),
-            relative(torque, right_torque),
-            1e-13,
-        ));
-        if n >= 2 {
-            let printed = force_sum(n, RATIO, false);
-            claims.push(erratum(
-                &format!("A.7 as printed, α = {alpha}: F(0.7)"),
-                (&factor(printed, force), printed),
-                force,
-                right_force,
-                "l! is missing in the denominator of the inner sum; no effect for α = 1 and 3",
-            ));
-        }
-        if n >= 1 {
-            let printed = torque_sum(n, RATIO, 1.0);
-            claims.push(erratum(
-                &format!("A.9 as printed, α = {alpha}: T(0.7)"),
-                (&factor(printed, torque), printed),
-                torque,
-                right_torque,
-                "the odd branch needs −2ε; as printed it contradicts eq. 3.22",
-            ));
-        }
+        claims.extend(sum_claims(n, alpha, at(&law, RATIO)));
         let curve: Vec<_> = ratios
             .iter()
             .map(|&ratio| (ratio, at(&law, ratio)[0]))
