@@ -4,7 +4,7 @@
 //! A change of them is a change of results: say so in the changelog under *Numerical results
 //! changed*. New values: `cargo run -p tribos-tests --example bits`.
 //!
-//! Seen equal: x86-64 with opt-levels 1 and 3, wasm32 under node.
+//! Seen equal: x86-64 with opt-levels 1 and 3, i686 with SSE2, aarch64, wasm32 under Node.
 
 use tribos_tests::bits;
 
