@@ -144,3 +144,40 @@ mod mint_vectors {
         }
     }
 }
+
+#[cfg(all(test, feature = "glam", feature = "mint"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn other_vectors_keep_their_components() {
+        let twist = Twist::new(1.0_f32, 2.0, 3.0);
+        assert_eq!(Twist::from(glam::Vec3::new(1.0, 2.0, 3.0)), twist);
+        assert_eq!(
+            Twist::from(mint::Vector3 {
+                x: 1.0_f32,
+                y: 2.0,
+                z: 3.0
+            }),
+            twist
+        );
+        assert_eq!(Twist::from(Vector3::new(1.0_f32, 2.0, 3.0)), twist);
+        let wrench = Wrench {
+            force: Vector2::new(4.0_f64, 5.0),
+            torque: 6.0,
+        };
+        assert_eq!(
+            <(glam::DVec2, f64)>::from(wrench),
+            (glam::DVec2::new(4.0, 5.0), 6.0)
+        );
+        assert_eq!(
+            mint::Vector3::from(wrench),
+            mint::Vector3 {
+                x: 4.0,
+                y: 5.0,
+                z: 6.0
+            }
+        );
+        assert_eq!(Vector3::from(wrench), Vector3::new(4.0, 5.0, 6.0));
+    }
+}
