@@ -1,8 +1,9 @@
 //! A contact with its dimensions: many twists in one call against one call a twist.
 
+mod settings;
+
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use std::time::Duration;
 use tribos_benches::contact::Contact;
 use tribos_benches::mix;
 use tribos_core::coupling::table::CoulombTable;
@@ -35,10 +36,7 @@ fn batch(criterion: &mut Criterion) {
 
 criterion_group! {
     name = benches;
-    config = Criterion::default()
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_secs(1))
-        .sample_size(40);
+    config = settings::criterion();
     targets = batch
 }
 criterion_main!(benches);

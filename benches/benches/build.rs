@@ -1,8 +1,9 @@
 //! What a table of a new exponent costs at run time.
 
+mod settings;
+
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
-use std::time::Duration;
 use tribos_core::coupling::Coupling;
 use tribos_core::coupling::table::{Table32, Table64};
 
@@ -30,10 +31,7 @@ fn build(criterion: &mut Criterion) {
 
 criterion_group! {
     name = benches;
-    config = Criterion::default()
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_secs(1))
-        .sample_size(40);
+    config = settings::criterion();
     targets = build
 }
 criterion_main!(benches);

@@ -1,8 +1,9 @@
 //! The four derivatives of force and torque, by tier.
 
+mod settings;
+
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use std::time::Duration;
 use tribos_benches::mix;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::table::{self, Table64};
@@ -66,10 +67,7 @@ fn jacobian(criterion: &mut Criterion) {
 
 criterion_group! {
     name = benches;
-    config = Criterion::default()
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_secs(1))
-        .sample_size(40);
+    config = settings::criterion();
     targets = jacobian
 }
 criterion_main!(benches);

@@ -1,8 +1,9 @@
 //! Force and torque where one motion dominates and where both are alike, apart from each other:
 //! branches that always go one way, and rounds that are always few or many.
 
+mod settings;
+
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use std::time::Duration;
 use tribos_benches::catalogue;
 use tribos_benches::methods::Inputs;
 use tribos_benches::mix::Region;
@@ -32,10 +33,7 @@ fn regions(criterion: &mut Criterion) {
 
 criterion_group! {
     name = benches;
-    config = Criterion::default()
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_secs(1))
-        .sample_size(40);
+    config = settings::criterion();
     targets = regions
 }
 criterion_main!(benches);

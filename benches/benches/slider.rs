@@ -1,8 +1,9 @@
 //! One sliding, spinning disk: a millisecond of it, and its whole stop.
 
+mod settings;
+
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
-use std::time::Duration;
 use tribos_benches::stepping::{DISK, SPEED, SPINS};
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::slider::{Motion, Slider};
@@ -38,10 +39,7 @@ fn slider(criterion: &mut Criterion) {
 
 criterion_group! {
     name = benches;
-    config = Criterion::default()
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_secs(1))
-        .sample_size(40);
+    config = settings::criterion();
     targets = slider
 }
 criterion_main!(benches);

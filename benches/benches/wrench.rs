@@ -3,8 +3,9 @@
 //! The group `price` is the proof that nobody pays for what is not named: Coulomb's table, a table
 //! of another exponent without the power of the scale, and with it.
 
+mod settings;
+
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use std::time::Duration;
 use tribos_benches::catalogue;
 use tribos_benches::methods::{Inputs, Method};
 use tribos_benches::mix;
@@ -54,10 +55,7 @@ fn price(criterion: &mut Criterion) {
 
 criterion_group! {
     name = benches;
-    config = Criterion::default()
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_secs(1))
-        .sample_size(40);
+    config = settings::criterion();
     targets = wrench, price
 }
 criterion_main!(benches);

@@ -1,26 +1,11 @@
 //! The stepper against closed forms, the fixed-step method and f32 against the stepper.
 
-use tribos_core::coupling::table::{Coulomb, Table64};
+use tribos_core::coupling::table::Coulomb;
 use tribos_core::slider::{Motion, Slider};
-use tribos_tests::reference::Reference;
+use tribos_tests::pucks::{MU_G, RADIUS, coulomb, power, relative};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
-
-const MU_G: f64 = 0.3 * 9.81;
-const RADIUS: f64 = 0.08;
-
-fn coulomb() -> Slider<f64, Coulomb> {
-    Slider::new(Coulomb, MU_G, RADIUS, 0.5).unwrap()
-}
-
-fn power(alpha: f64) -> Slider<f64, Table64> {
-    Slider::new(Table64::new(alpha).unwrap(), MU_G, RADIUS, 0.5).unwrap()
-}
-
-fn relative(got: f64, wanted: f64) -> f64 {
-    Reference::exact(wanted).relative(got)
-}
 
 #[test]
 fn laws_from_the_linear_one_up_never_rest_and_decay_as_equation_3_34() {

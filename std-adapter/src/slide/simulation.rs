@@ -23,6 +23,8 @@ pub const COLUMNS: [&str; 8] = [
 const MOST_STEPS: f64 = 1e7;
 /// Verlet steps for one recorded step of the exact method, when none is asked for.
 const VERLET_REFINEMENT: f64 = 50.0;
+/// Relative surplus of a chosen step, far above rounding and far below anything seen.
+const SLIVER: f64 = 1e-12;
 /// Nodes and weights of the 5-point Gauss–Legendre rule on [0, 1], which integrates the power.
 const POWER_NODES: [[f64; 2]; 5] = [
     [0.046_910_077_030_668, 0.118_463_442_528_094_54],
@@ -119,7 +121,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
             } else {
                 // A little longer, lest rounding leave a sliver for one more step.
                 StepLength::Fixed(
-                    self.end * (1.0 + 1e-12) / (f64::from(self.scene.samples) * refinement),
+                    self.end * (1.0 + SLIVER) / (f64::from(self.scene.samples) * refinement),
                 )
             });
         };
@@ -199,6 +201,14 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         }
     }
 
+    /// The present velocity ratio, its limit at rest.
+    fn ratio(&self) -> f64 {
+        match &self.rest {
+            Some(rest) => rest.ratio,
+            None => self.slider.ratio(&self.motion),
+        }
+    }
+
     /// The summary of what has happened so far.
     pub fn outcome(&self) -> Result<Outcome, SlideError> {
         let energy = |motion| self.scene.mass * self.slider.energy_per_mass(motion);
@@ -217,10 +227,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
             time: self.motion.time,
             distance: self.motion.distance,
             angle: self.motion.angle,
-            ratio: match &self.rest {
-                Some(rest) => rest.ratio,
-                None => self.slider.ratio(&self.motion),
-            },
+            ratio: self.ratio(),
             limit: modes.final_mode(ratio_at_start),
             steps: self.steps,
             initial_energy: initial,
@@ -247,10 +254,7 @@ impl<P: Profile<f64> + Coupling<f64>> Simulation for SlideSimulation<P> {
             distance,
             angle,
         } = self.motion;
-        let ratio = match &self.rest {
-            Some(rest) => rest.ratio,
-            None => self.slider.ratio(&self.motion),
-        };
+        let ratio = self.ratio();
         let energy = self.scene.mass * self.slider.energy_per_mass(&self.motion);
         [
             time,
