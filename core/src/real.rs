@@ -11,7 +11,7 @@ mod sealed {
 
 /// A binary floating-point number: `f32` or `f64`.
 ///
-/// Square root, power and exponential always come from the `libm` crate, so that a result has the same
+/// Elementary functions always come from the `libm` crate, so that a result has the same
 /// bits on every supported platform, whatever features other crates of the build switch on
 /// (`libm`'s own `arch` feature only swaps in instructions that round correctly, like its code).
 /// The kernel never contracts a product and a sum into one rounding.
@@ -66,6 +66,18 @@ pub trait Real:
     fn pow(self, exponent: Self) -> Self;
     /// e to the power `self`, within one unit in the last place.
     fn exp(self) -> Self;
+    /// e to the power `self`, minus one, within one unit in the last place also near zero.
+    fn exp_m1(self) -> Self;
+    /// Natural logarithm, within one unit in the last place; NaN below zero.
+    fn ln(self) -> Self;
+    /// Natural logarithm of 1 + `self`, within one unit in the last place also near zero.
+    fn ln_1p(self) -> Self;
+    /// Arc sine in radians, within one unit in the last place; NaN beyond ±1.
+    fn asin(self) -> Self;
+    /// Arc tangent in radians, within one unit in the last place.
+    fn atan(self) -> Self;
+    /// Inverse hyperbolic sine, within two units in the last place.
+    fn asinh(self) -> Self;
     /// True unless infinite or NaN.
     fn is_finite(self) -> bool;
     /// True for NaN.
@@ -92,7 +104,7 @@ pub trait Real:
 }
 
 macro_rules! impl_real {
-    ($real:ty, $mantissa:expr, $sqrt:path, $pow:path, $exp:path, $fabs:path, $copysign:path) => {
+    ($real:ty, $mantissa:expr, $($name:ident($($argument:ident),*) = $function:path;)*) => {
         impl Real for $real {
             const ZERO: Self = 0.0;
             const HALF: Self = 0.5;
@@ -114,26 +126,12 @@ macro_rules! impl_real {
             fn to_f64(self) -> f64 {
                 self as f64
             }
-            #[inline]
-            fn abs(self) -> Self {
-                $fabs(self)
-            }
-            #[inline]
-            fn copysign(self, sign: Self) -> Self {
-                $copysign(self, sign)
-            }
-            #[inline]
-            fn sqrt(self) -> Self {
-                $sqrt(self)
-            }
-            #[inline]
-            fn pow(self, exponent: Self) -> Self {
-                $pow(self, exponent)
-            }
-            #[inline]
-            fn exp(self) -> Self {
-                $exp(self)
-            }
+            $(
+                #[inline]
+                fn $name(self $(, $argument: Self)*) -> Self {
+                    $function(self $(, $argument)*)
+                }
+            )*
             #[inline]
             fn is_nan(self) -> bool {
                 <$real>::is_nan(self)
@@ -154,24 +152,34 @@ macro_rules! impl_real {
 const MANTISSA_F32: u32 = f32::MANTISSA_DIGITS - 1;
 const MANTISSA_F64: u32 = f64::MANTISSA_DIGITS - 1;
 
-impl_real!(
-    f32,
-    MANTISSA_F32,
-    libm::sqrtf,
-    libm::powf,
-    libm::expf,
-    libm::fabsf,
-    libm::copysignf
-);
-impl_real!(
-    f64,
-    MANTISSA_F64,
-    libm::sqrt,
-    libm::pow,
-    libm::exp,
-    libm::fabs,
-    libm::copysign
-);
+impl_real! {
+    f32, MANTISSA_F32,
+    abs() = libm::fabsf;
+    copysign(sign) = libm::copysignf;
+    sqrt() = libm::sqrtf;
+    pow(exponent) = libm::powf;
+    exp() = libm::expf;
+    exp_m1() = libm::expm1f;
+    ln() = libm::logf;
+    ln_1p() = libm::log1pf;
+    asin() = libm::asinf;
+    atan() = libm::atanf;
+    asinh() = libm::asinhf;
+}
+impl_real! {
+    f64, MANTISSA_F64,
+    abs() = libm::fabs;
+    copysign(sign) = libm::copysign;
+    sqrt() = libm::sqrt;
+    pow(exponent) = libm::pow;
+    exp() = libm::exp;
+    exp_m1() = libm::expm1;
+    ln() = libm::log;
+    ln_1p() = libm::log1p;
+    asin() = libm::asin;
+    atan() = libm::atan;
+    asinh() = libm::asinh;
+}
 
 #[cfg(test)]
 mod tests {

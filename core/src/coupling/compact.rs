@@ -2,7 +2,7 @@
 
 use super::octave::force_function;
 use super::profile::{self, Profile};
-use super::{Coupling, ReducedJacobian, ReducedWrench};
+use super::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
 use crate::law::{LawError, PowerLaw, validated_exponent};
 use crate::real::Real;
 use crate::special::CompleteElliptic;
@@ -52,6 +52,8 @@ impl<R: Real> Profile<R> for Coulomb {
         [R::ONE, R::ONE / speed.sqrt()]
     }
 }
+
+impl<R: Real> DryCoupling<R> for Coulomb {}
 
 impl<R: Real> Coupling<R> for Coulomb {
     #[inline]

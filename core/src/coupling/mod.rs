@@ -66,6 +66,14 @@ pub trait Coupling<R: Real> {
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R>;
 }
 
+/// A coupling whose wrench depends on the ratio of the two speeds alone: dry friction, α = 0.
+///
+/// Its wrenches form the limit surface, a closed convex set with a support function
+/// D(v, w) = v F + w T.
+pub trait DryCoupling<R: Real>: Coupling<R> {}
+
+impl<R: Real, C: DryCoupling<R> + ?Sized> DryCoupling<R> for &C {}
+
 impl<R: Real, C: Coupling<R> + ?Sized> Coupling<R> for &C {
     #[inline]
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {

@@ -2,7 +2,7 @@
 
 use super::octave::{self, Cell};
 use super::profile::{self, Profile};
-use super::{Coupling, ReducedJacobian, ReducedWrench};
+use super::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
 use crate::law::{LawError, validated_exponent};
 use crate::real::Real;
 
@@ -247,6 +247,8 @@ impl<R: CoulombTable> Profile<R> for Coulomb {
         [R::ONE, R::ONE / speed.sqrt()]
     }
 }
+
+impl<R: CoulombTable> DryCoupling<R> for Coulomb {}
 
 impl<R: CoulombTable> Coupling<R> for Coulomb {
     #[inline]
