@@ -4,12 +4,10 @@ the family p_q = (q+1)/pi (1-r^2)^q (thin ring q -> -1, flat punch -1/2, disk 0,
 annuli and polynomials in r^2.  Radius, load, coefficient and omega R are 1, v = eps.
 
     python3 generate_pressures.py make [--reference DIR] [--only NAME ...]
-    python3 generate_pressures.py check [--only NAME ...]
 
-`make` writes the CSV files next to this script; ring, hertz, punch, paraboloid and uniform_lateral are
-selections of the *_public.csv files in DIR and are skipped without --reference.  `check` compares the
-tables with direct integrals over the patch and prints the worst deviations.
-Needs Python 3.11+ and mpmath 1.3; numpy and scipy for `check`.
+writes the CSV files next to this script; ring, hertz, punch, paraboloid and uniform_lateral are
+selections of the *_public.csv files in DIR and are skipped without --reference.
+check_pressures.py compares the tables with direct integrals.  Needs Python 3.11+, mpmath 1.3.
 """
 import argparse
 import csv
@@ -20,7 +18,7 @@ from fractions import Fraction
 import mpmath as mp
 from mpmath import mpf
 
-from generate import HERE, Worst, confirmed, read, text
+from generate import HERE, confirmed, read, text
 
 # ---------------------------------------------------------------- closed forms
 # With s = alpha + 1, d = distance to the rotation centre (0, eps), <.> = mean weighted by the pressure:
@@ -188,14 +186,12 @@ NAMES = [*SELECTED, "uniform_lateral", "pressures", "annulus", "polynomial"]
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("action", choices=("make", "check"))
+    parser.add_argument("action", choices=("make",))
     parser.add_argument("--reference", help="folder with the *_public.csv files")
     parser.add_argument("--only", nargs="+", choices=NAMES, default=NAMES)
     args = parser.parse_args()
     for name in args.only:
-        if args.action == "check":
-            check(name)
-        elif name in (*SELECTED, "uniform_lateral") and not args.reference:
+        if name in (*SELECTED, "uniform_lateral") and not args.reference:
             print(f"{name}: skipped, needs --reference")
         elif name in SELECTED:
             make_selected(name, args.reference)
