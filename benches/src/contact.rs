@@ -3,9 +3,8 @@
 use crate::mix::Lcg;
 use core::f64::consts::TAU;
 use std::hint::black_box;
-use tribos_core::coupling::DiskFriction;
+use tribos_core::coupling::PatchFriction;
 use tribos_core::coupling::table::{Coulomb, CoulombTable};
-use tribos_core::patch::UniformDisk;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -20,7 +19,7 @@ const LOAD: f64 = 1.7;
 /// A disk of radius 8 cm with μ = 0.3 under many twists.
 #[derive(Clone, Debug)]
 pub struct Contact<R: Real> {
-    disk: DiskFriction<R, Coulomb>,
+    disk: PatchFriction<R, Coulomb>,
     twists: Vec<Twist<R>>,
     wrenches: Vec<Wrench<R>>,
 }
@@ -28,10 +27,10 @@ pub struct Contact<R: Real> {
 impl<R: CoulombTable> Contact<R> {
     /// Twists with the speeds of `pairs`.
     pub fn new(pairs: &[[f64; 2]], seed: u64) -> Result<Self, Refused> {
-        let patch = UniformDisk::new(R::from_f64(RADIUS))?;
+        let radius = R::from_f64(RADIUS);
         let twists = twists(pairs, seed);
         Ok(Self {
-            disk: DiskFriction::new(Coulomb, R::from_f64(MU), patch)?,
+            disk: PatchFriction::new(Coulomb, R::from_f64(MU), radius)?,
             wrenches: vec![Wrench::ZERO; twists.len()],
             twists,
         })

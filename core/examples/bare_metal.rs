@@ -13,10 +13,9 @@
 use core::hint::black_box;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::table::{self, Table32, Table64};
-use tribos_core::coupling::{Coupling, DiskFriction, compact};
+use tribos_core::coupling::{Coupling, PatchFriction, compact};
 use tribos_core::law::PowerLaw;
 use tribos_core::modes::Modes;
-use tribos_core::patch::UniformDisk;
 use tribos_core::slider::{Motion, Slider};
 use tribos_core::twist::Twist;
 
@@ -33,7 +32,7 @@ static HALF_POWER_F32: Table32 = match Table32::new(0.5) {
 
 /// Force and torque on a puck, the call of a controller's loop.
 fn controller(speed: f32, spin: f32) -> Option<[f32; 3]> {
-    let puck = DiskFriction::new(table::Coulomb, 0.3, UniformDisk::new(0.04).ok()?).ok()?;
+    let puck = PatchFriction::new(table::Coulomb, 0.3, 0.04).ok()?;
     let wrench = puck.wrench(1.7, &Twist::new(speed, 0.0, spin));
     Some([wrench.force.x, wrench.force.y, wrench.torque])
 }

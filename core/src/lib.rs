@@ -6,10 +6,10 @@
 //! gradient, the Jacobian for controllers and implicit integrators its Hessian.
 //!
 //! ```
-//! use tribos_core::coupling::{DiskFriction, table::Coulomb};
-//! use tribos_core::{patch::UniformDisk, twist::Twist};
+//! use tribos_core::coupling::{PatchFriction, table::Coulomb};
+//! use tribos_core::twist::Twist;
 //!
-//! let puck = DiskFriction::new(Coulomb, 0.3_f32, UniformDisk::new(0.04)?)?; // mu, radius in m
+//! let puck = PatchFriction::new(Coulomb, 0.3_f32, 0.04)?; // mu, radius in m
 //! let wrench = puck.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)); // load in N; m/s, m/s, rad/s
 //! assert!(wrench.force.x < 0.0 && wrench.torque < 0.0);
 //! # Ok::<(), Box<dyn core::error::Error>>(())

@@ -2,19 +2,12 @@
 //!
 //! With C = I/(M R²) the equations of motion (3.25) give the autonomous equation
 //! dε/d(−ln ω) = g(ε) = ε − C F/T (3.27). Its zeros are the fixed points: ε = 0 (pure spinning),
-//! ε = ∞ (pure sliding) and, for C between 2/(3+α) and (1+α)/4, one finite ε₀. Solved for C,
-//! C_α(ε) = ε T/F, which the factors of [`crate::coupling::Profile`] turn into
-//!
-//! ```text
-//! (3+α)(C_α − C) = (2 − 4C) − (1−α)(1 − C) + 2zΦ'/Φ       ε ≥ 1, x = 1/ε²
-//! (3+α)(C_α − C) = (2 − 4C) − (1−α)(x − C) + 2xzΦ'/Φ      ε ≤ 1, x = ε²
-//! ```
-//!
-//! with z = 1 − x: every term keeps its relative accuracy when α → 1, where C_α becomes constant.
-//! C_α falls with ε for α < 1 and rises for α > 1 (checked for −0.9 ≤ α ≤ 9), hence ε₀ is unique,
-//! stable for α < 1 and unstable for α > 1.
+//! ε = ∞ (pure sliding) and where C_α(ε) = ε T/F, the quotient Χ/Φ of [`crate::coupling::Profile`],
+//! passes C. For the pressures (1−r²)^q the ends of C_α are 1/n and (1+α)/(2(q+2)) with
+//! n = q + (3+α)/2; it falls from one to the other for α < 1 and rises for α > 1 (checked for
+//! −1 ≤ q ≤ 6 and −0.9 ≤ α ≤ 9), hence ε₀ is unique, stable for α < 1 and unstable for α > 1.
 
-use crate::coupling::Profile;
+use crate::coupling::{Lead, Profile, Speeds};
 use crate::real::Real;
 
 /// How ε moves near a fixed point.
@@ -23,7 +16,7 @@ use crate::real::Real;
 pub enum Stability {
     /// ε returns to it.
     Stable,
-    /// ε stays wherever it is put (α = 1 with C = 1/2).
+    /// ε stays wherever it is put (α = 1 with C = ⟨r²⟩, 1/2 for the uniform disk).
     Semistable,
     /// ε leaves it.
     Unstable,
@@ -74,25 +67,20 @@ impl core::fmt::Display for InertiaError {
 
 impl core::error::Error for InertiaError {}
 
-/// Limits of C between which a finite fixed point exists, (c_min, c_max) (table 3.2).
+/// Limits of C between which a finite fixed point exists, (c_min, c_max), for the pressure
+/// (1−r²)^`order` (for the uniform disk, order 0: table 3.2).
 ///
-/// *Domain*: α > −1.
-pub fn inertia_interval<R: Real>(alpha: R) -> (R, R) {
-    let (spinning, sliding) = interval_ends(alpha);
+/// *Domain*: α > −1, order ≥ −1.
+pub fn inertia_interval<R: Real>(alpha: R, order: R) -> (R, R) {
+    in_order(crate::coupling::inertia_ends(alpha, order))
+}
+
+fn in_order<R: Real>([spinning, sliding]: [R; 2]) -> (R, R) {
     if spinning < sliding {
         (spinning, sliding)
     } else {
         (sliding, spinning)
     }
-}
-
-/// C_α(0) = 2/(3+α) and C_α(∞) = (1+α)/4.
-fn interval_ends<R: Real>(alpha: R) -> (R, R) {
-    let three = R::ONE + R::TWO;
-    (
-        R::TWO / (three + alpha),
-        (R::ONE + alpha) / (R::TWO + R::TWO),
-    )
 }
 
 /// The final motion of sliders that share a law and an inertia ratio.
@@ -135,36 +123,18 @@ impl<R: Real, P: Profile<R>> Modes<R, P> {
     ///
     /// *Domain*: 0 ≤ ε ≤ ∞.
     pub fn inertia_ratio_of(&self, ratio: R) -> R {
-        let three = R::ONE + R::TWO;
-        let alpha = self.profile.exponent();
-        let (h, sliding_leads) = if ratio > R::ONE {
-            (R::ONE / ratio, true)
+        let at = if ratio > R::ONE {
+            Speeds::from_ratio(Lead::Sliding, R::ONE / ratio)
         } else {
-            (ratio, false)
+            Speeds::from_ratio(Lead::Spinning, ratio)
         };
-        let [phi, theta] = self.profile.force_and_torque_factors(h);
-        if sliding_leads {
-            theta / phi
-        } else {
-            let x = h * h;
-            R::TWO / (three + alpha) * (R::ONE - x) + x * theta / phi
-        }
+        let [phi, chi] = self.profile.factors(&at);
+        chi / phi
     }
 
-    /// (3+α)(C_α − C) at ratio h (ε ≤ 1) or 1/h (`sliding_leads`).
-    fn excess(&self, h: R, sliding_leads: bool) -> R {
-        let c = self.inertia_ratio;
-        let beta = R::ONE - self.profile.exponent();
-        let x = h * h;
-        let z = (R::ONE - h) * (R::ONE + h);
-        let [phi, slope] = self.profile.force_factor_and_slope(z);
-        let constant = R::TWO * (R::ONE - R::TWO * c);
-        let bend = R::TWO * z * slope / phi;
-        if sliding_leads {
-            constant - beta * (R::ONE - c) + bend
-        } else {
-            constant - beta * (x - c) + x * bend
-        }
+    /// The limits of C between which there is a finite fixed point, (c_min, c_max).
+    pub fn inertia_interval(&self) -> (R, R) {
+        in_order(self.profile.inertia_ends())
     }
 
     /// The finite fixed point ε₀, if C lies inside the interval of [`inertia_interval`].
@@ -172,37 +142,49 @@ impl<R: Real, P: Profile<R>> Modes<R, P> {
     /// *Accuracy*: bisection to neighbouring numbers; the last digits are those of Φ'/Φ divided by
     /// the slope of C_α (1e-13 for the disk with C = 1/2 and any α ≠ 1).
     pub fn finite_fixed_point(&self) -> Option<R> {
-        let alpha = self.profile.exponent();
-        let (spinning, sliding) = interval_ends(alpha);
         let c = self.inertia_ratio;
-        let inside = (c > spinning && c < sliding) || (c > sliding && c < spinning);
+        let (least, most) = self.inertia_interval();
+        let inside = c > least && c < most;
         if !inside {
             return None;
         }
-        let at_one = self.excess(R::ONE, false);
-        let falling = alpha < R::ONE;
-        let sliding_leads = (at_one > R::ZERO) == falling;
+        let at_one = self.excess(Lead::Spinning, R::ONE);
+        let falling = self.profile.exponent() < R::ONE;
+        let lead = if (at_one > R::ZERO) == falling {
+            Lead::Sliding
+        } else {
+            Lead::Spinning
+        };
         // The excess has the sign of `at_one` at h = 1 and the other sign at h = 0.
         let (mut low, mut high) = (R::ZERO, R::ONE);
         while let middle = R::HALF * (low + high)
             && middle > low
             && middle < high
         {
-            if (self.excess(middle, sliding_leads) > R::ZERO) == (at_one > R::ZERO) {
+            if (self.excess(lead, middle) > R::ZERO) == (at_one > R::ZERO) {
                 high = middle;
             } else {
                 low = middle;
             }
         }
-        Some(if sliding_leads { R::ONE / high } else { high })
+        Some(match lead {
+            Lead::Sliding => R::ONE / high,
+            Lead::Spinning => high,
+        })
+    }
+
+    /// C_α − C at the smaller over the larger speed, up to a positive factor.
+    fn excess(&self, lead: Lead, ratio: R) -> R {
+        let at = Speeds::from_ratio(lead, ratio);
+        self.profile.inertia_excess(&at, self.inertia_ratio)
     }
 
     /// Stability of ε = 0, ε = ∞ and of ε₀ if it exists.
     pub fn fixed_points(&self) -> FixedPoints<R> {
         let alpha = self.profile.exponent();
         let c = self.inertia_ratio;
-        let (spinning, sliding) = interval_ends(alpha);
-        if alpha == R::ONE && c == R::HALF {
+        let [spinning, sliding] = self.profile.inertia_ends();
+        if alpha == R::ONE && c == spinning {
             let all = Stability::Semistable;
             return FixedPoints {
                 spinning: all,

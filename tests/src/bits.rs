@@ -6,9 +6,8 @@
 use crate::sweep::Lcg;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::table::{self, Table32, Table64};
-use tribos_core::coupling::{Coupling, DiskFriction, compact};
+use tribos_core::coupling::{Coupling, PatchFriction, compact};
 use tribos_core::law::PowerLaw;
-use tribos_core::patch::UniformDisk;
 use tribos_core::real::Real;
 use tribos_core::slider::{Motion, Slider};
 use tribos_core::twist::Twist;
@@ -129,8 +128,7 @@ pub fn quadrature() -> u64 {
 /// Hash of wrenches and their Jacobians in the plane.
 pub fn wrenches() -> u64 {
     let mut hash = Fnv::new();
-    let patch = UniformDisk::new(0.04).expect("a radius");
-    let puck = DiskFriction::new(table::Coulomb, 0.3, patch).expect("a coefficient");
+    let puck = PatchFriction::new(table::Coulomb, 0.3, 0.04).expect("a coefficient");
     let mut rng = Lcg::new(11);
     for _ in 0..ARGUMENTS {
         let [x, y, spin] = [(); 3].map(|()| speed::<f64>(&mut rng) - speed::<f64>(&mut rng));

@@ -10,13 +10,13 @@ use tribos_tests::bits;
 
 #[test]
 fn tables_have_the_same_bits_on_every_platform() {
-    assert_eq!(bits::tables_f64(), 0x07b7_9742_e52d_13a8, "f64");
+    assert_eq!(bits::tables_f64(), 0x5b80_4d8b_1e25_0fc3, "f64");
     assert_eq!(bits::tables_f32(), 0xdb92_9c09_2d41_eea4, "f32");
 }
 
 #[test]
 fn compact_forms_have_the_same_bits_on_every_platform() {
-    assert_eq!(bits::compact(), 0xa754_4598_ea20_5966);
+    assert_eq!(bits::compact(), 0x4533_450e_f70b_6a4a);
 }
 
 #[test]
@@ -26,12 +26,12 @@ fn quadrature_has_the_same_bits_on_every_platform() {
 
 #[test]
 fn wrenches_have_the_same_bits_on_every_platform() {
-    assert_eq!(bits::wrenches(), 0x7d42_4370_655f_fc12);
+    assert_eq!(bits::wrenches(), 0x884e_69ff_ec82_bbd7);
 }
 
 #[test]
 fn sliders_have_the_same_bits_on_every_platform() {
-    assert_eq!(bits::sliders(), 0xb2a0_db1f_591a_43b6);
+    assert_eq!(bits::sliders(), 0x040b_628f_c818_7acd);
 }
 
 #[test]

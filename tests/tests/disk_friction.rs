@@ -2,8 +2,7 @@
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::coupling::{Coupling, DiskFriction, compact};
-use tribos_core::patch::UniformDisk;
+use tribos_core::coupling::{Coupling, PatchFriction, compact};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tolerance;
@@ -12,8 +11,8 @@ const RADIUS: f64 = 0.04;
 const LOAD: f64 = 1.7;
 const MU: f64 = 0.3;
 
-fn puck<C: Coupling<f64>>(coupling: C) -> DiskFriction<f64, C> {
-    DiskFriction::new(coupling, MU, UniformDisk::new(RADIUS).unwrap()).unwrap()
+fn puck<C: Coupling<f64>>(coupling: C) -> PatchFriction<f64, C> {
+    PatchFriction::new(coupling, MU, RADIUS).unwrap()
 }
 
 /// Twists with every quadrant, every ratio and the pure motions.
@@ -113,7 +112,7 @@ fn magnitudes_carry_the_units() {
 }
 
 /// Laws whose friction never weakens, and one that does.
-fn convex() -> Vec<(f64, DiskFriction<f64, Table64>)> {
+fn convex() -> Vec<(f64, PatchFriction<f64, Table64>)> {
     [0.0, 0.3, 1.0, 2.5, 6.0]
         .map(|alpha| (alpha, puck(Table64::new(alpha).unwrap())))
         .into()

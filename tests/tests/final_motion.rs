@@ -46,7 +46,7 @@ fn fixed_points_have_their_place_and_stability() {
 fn intervals_have_the_ends_of_the_table() {
     for row in Table::read("fixed_points.csv").rows() {
         let alpha = row.number("alpha");
-        let (low, high) = inertia_interval(alpha);
+        let (low, high) = inertia_interval(alpha, 0.0);
         let (at_zero, at_infinity) = (row.reference("C_at_0"), row.reference("C_at_inf"));
         let (at_low, at_high) = if alpha < 1.0 {
             (at_infinity, at_zero)
@@ -79,7 +79,7 @@ fn towards_the_linear_law_the_fixed_point_is_the_golden_ratio() {
 #[test]
 fn only_an_inertia_inside_the_interval_has_a_finite_fixed_point() {
     for alpha in [-0.5, 0.0, 0.5, 0.9, 1.5, 2.0, 3.0, 7.0] {
-        let (low, high): (f64, f64) = inertia_interval(alpha);
+        let (low, high): (f64, f64) = inertia_interval(alpha, 0.0);
         let has = |c: f64| modes(alpha, c).finite_fixed_point();
         for outside in [low, high, 0.99 * low, 1.01 * high] {
             assert_eq!(has(outside), None, "alpha {alpha}, C {outside}");
@@ -106,14 +106,14 @@ fn on_the_border_of_the_interval_the_fixed_point_merges_with_a_trivial_one() {
     );
     assert_eq!(modes(3.0, 1.0).final_mode(1e9), FinalMode::Spinning);
     // α = 3, C = c_min = 1/3: the same at ε = 0.
-    let third = inertia_interval(3.0_f64).0;
+    let third = inertia_interval(3.0_f64, 0.0).0;
     let points = modes(3.0, third).fixed_points();
     assert_eq!(
         (points.spinning, points.finite, points.sliding),
         (Stability::Unstable, None, Stability::Stable)
     );
     // α = 0: C = 2/3 draws everything to spinning, C = 1/4 to sliding.
-    let (low, high) = inertia_interval(0.0_f64);
+    let (low, high) = inertia_interval(0.0_f64, 0.0);
     assert_eq!(modes(0.0, high).final_mode(5.0), FinalMode::Spinning);
     assert_eq!(modes(0.0, low).final_mode(0.1), FinalMode::Sliding);
 }

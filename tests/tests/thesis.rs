@@ -174,7 +174,7 @@ fn table_3_2_and_the_double_disk_have_their_limits() {
         } else {
             (at_infinity, at_zero)
         };
-        assert_eq!(inertia_interval(alpha), wanted);
+        assert_eq!(inertia_interval(alpha, 0.0), wanted);
         let c = |e: f64| {
             let got = power(alpha, e);
             e * got.torque / got.force
@@ -186,7 +186,7 @@ fn table_3_2_and_the_double_disk_have_their_limits() {
     }
     // √(2c) bounds the ratio of radii, eqs. 3.35 and 3.36.
     let radii = |alpha: f64| {
-        let (low, high) = inertia_interval(alpha);
+        let (low, high) = inertia_interval(alpha, 0.0);
         ((2.0_f64 * low).sqrt(), (2.0 * high).sqrt())
     };
     let (low, high) = radii(0.0);

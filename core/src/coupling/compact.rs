@@ -1,12 +1,16 @@
 //! The tier without tables: a few KiB of code, tens of ulp.
 
-use super::octave::force_function;
-use super::profile::{self, Profile};
+use super::family;
+use super::lateral::{self, Lateral, LateralJacobian};
+use super::member::Member;
+use super::octave::Pair;
+use super::profile::{self, Profile, SmoothProfile};
+use super::speeds::{Lead, Speeds};
 use super::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
 use crate::law::{LawError, PowerLaw, validated_exponent};
+use crate::patch::PowerPressure;
 use crate::real::Real;
 use crate::special::CompleteElliptic;
-use crate::special::hypergeometric::Gauss;
 
 /// Coulomb friction, α = 0, from complete elliptic integrals by the arithmetic–geometric mean.
 ///
@@ -22,23 +26,15 @@ impl<R: Real> Profile<R> for Coulomb {
         R::ZERO
     }
     #[inline]
-    fn force_and_torque_factors(&self, ratio: R) -> [R; 2] {
-        let z = (R::ONE - ratio) * (R::ONE + ratio);
-        let [phi, slope] = self.force_factor_and_slope(z);
-        // Θ at α = 0; at z = 0 the slope is finite, so that z Φ' vanishes.
-        [phi, R::TWO / R::from_f64(3.0) * (R::HALF * phi + z * slope)]
+    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
+        let [phi, _, chi] = self.factors_and_slope(at);
+        [phi, chi]
     }
-    #[inline]
-    fn force_factor_and_slope(&self, complement: R) -> [R; 2] {
-        let third_of_pi = R::from_f64(4.0 / (3.0 * core::f64::consts::PI));
-        if complement == R::ZERO {
-            return [R::TWO * third_of_pi, -R::HALF * third_of_pi];
-        }
-        let CompleteElliptic { b, d, c, .. } = CompleteElliptic::new(complement);
-        [
-            third_of_pi * (R::TWO * b + complement * d),
-            R::HALF * third_of_pi * (c - d),
-        ]
+    fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
+        family::inertia_excess(self, R::ZERO, at, inertia_ratio)
+    }
+    fn inertia_ends(&self) -> [R; 2] {
+        family::inertia_ends(self.exponent(), R::ZERO)
     }
     #[inline]
     fn speed_scale(&self, _: R) -> R {
@@ -50,6 +46,28 @@ impl<R: Real> Profile<R> for Coulomb {
     }
     fn half_scales(&self, speed: R) -> [R; 2] {
         [R::ONE, R::ONE / speed.sqrt()]
+    }
+}
+
+impl<R: Real> SmoothProfile<R> for Coulomb {
+    #[inline]
+    fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        let third_of_pi = R::from_f64(4.0 / (3.0 * core::f64::consts::PI));
+        let complement = at.complement();
+        let [phi, slope] = if complement == R::ZERO {
+            [R::TWO * third_of_pi, -R::HALF * third_of_pi]
+        } else {
+            let CompleteElliptic { b, d, c, .. } = CompleteElliptic::new(complement);
+            [
+                third_of_pi * (R::TWO * b + complement * d),
+                R::HALF * third_of_pi * (c - d),
+            ]
+        };
+        [
+            phi,
+            slope,
+            family::torque_factor(R::ZERO, R::ZERO, at, [phi, slope]),
+        ]
     }
 }
 
@@ -66,34 +84,48 @@ impl<R: Real> Coupling<R> for Coulomb {
     }
 }
 
-/// |v|^α for any −1 < α ≤ 128, from the power series and its continuation.
+/// |v|^α for any −1 < α ≤ 128 under any pressure (1−r²)^q, from the power series and its
+/// continuation.
 ///
 /// Works in f64 inside, for f32 too: on a processor without f64 it is slow.
-/// *Accuracy*: at most 1e-14 relative in f64 for −0.99 ≤ α ≤ 50; in f32 5 ulp for
-/// −0.75 ≤ α ≤ 10.
+/// *Accuracy*: at most 1e-14 relative in f64 for −0.99 ≤ α ≤ 50 on the uniform disk; in f32 5 ulp
+/// for −0.75 ≤ α ≤ 10. Other pressures: 1e-13 in f64 (α ≥ −0.9), 16 ulp in f32.
 /// *Cost*: one series away from equal speeds; near them up to 52 expansions.
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, compact::Power};
+/// use tribos_core::patch::PowerPressure;
+/// let hertz = Power::with_pressure(0.0_f64, PowerPressure::HERTZ)?;
+/// let torque = hertz.reduced_wrench(0.0, 1.0).torque;
+/// assert!((torque - 3.0 * core::f64::consts::PI / 16.0).abs() < 1e-14);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
 pub struct Power<R> {
     alpha: R,
-    phi: Gauss,
+    order: R,
+    spinning: Pair,
+    sliding: Pair,
 }
 
 impl<R: Real> Power<R> {
-    /// *Domain*: −1 < `alpha` ≤ [`PowerLaw::MAX_EXPONENT`].
+    /// On a uniform disk. *Domain*: −1 < `alpha` ≤ [`PowerLaw::MAX_EXPONENT`].
     pub fn new(alpha: R) -> Result<Self, LawError> {
-        let wide = validated_exponent(alpha.to_f64(), PowerLaw::<R>::MAX_EXPONENT)?;
-        Ok(Self {
-            alpha,
-            phi: force_function(wide),
-        })
+        Self::with_pressure(alpha, PowerPressure::UNIFORM)
     }
 
-    /// Φ, Θ and Φ' in f64.
-    fn factors(&self, x: f64, z: f64) -> [f64; 3] {
-        let alpha = self.alpha.to_f64();
-        let phi = self.phi.at(x, z);
-        let theta = 2.0 / (3.0 + alpha) * (0.5 * (1.0 + alpha) * phi.value + z * phi.slope);
-        [phi.value, theta, phi.slope]
+    /// Under another pressure.
+    pub fn with_pressure(alpha: R, pressure: PowerPressure) -> Result<Self, LawError> {
+        let member = Member {
+            alpha: validated_exponent(alpha.to_f64(), PowerLaw::<R>::MAX_EXPONENT)?,
+            order: pressure.order(),
+        };
+        Ok(Self {
+            alpha,
+            order: R::from_f64(pressure.order()),
+            spinning: member.spinning(),
+            sliding: member.sliding(),
+        })
     }
 }
 
@@ -101,15 +133,29 @@ impl<R: Real> Profile<R> for Power<R> {
     fn exponent(&self) -> R {
         self.alpha
     }
-    fn force_and_torque_factors(&self, ratio: R) -> [R; 2] {
-        let h = ratio.to_f64();
-        let [phi, theta, _] = self.factors(h * h, (1.0 - h) * (1.0 + h));
-        [R::from_f64(phi), R::from_f64(theta)]
+    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
+        let [phi, _, chi] = self.factors_and_slope(at);
+        [phi, chi]
     }
-    fn force_factor_and_slope(&self, complement: R) -> [R; 2] {
-        let z = complement.to_f64();
-        let [phi, _, slope] = self.factors(1.0 - z, z);
-        [R::from_f64(phi), R::from_f64(slope)]
+    fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
+        family::inertia_excess(self, self.order, at, inertia_ratio)
+    }
+    fn inertia_ends(&self) -> [R; 2] {
+        family::inertia_ends(self.exponent(), self.order)
+    }
+}
+
+impl<R: Real> SmoothProfile<R> for Power<R> {
+    fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        let pair = match at.lead() {
+            Lead::Spinning => &self.spinning,
+            Lead::Sliding => &self.sliding,
+        };
+        let (x, z) = at.square_and_complement();
+        let phi = pair.gauss.at(x.to_f64(), z.to_f64());
+        let [phi, slope] = [phi.value, phi.slope].map(|y| R::from_f64(pair.scale * y));
+        let chi = family::torque_factor(self.order, self.alpha, at, [phi, slope]);
+        [phi, slope, chi]
     }
 }
 
@@ -119,5 +165,37 @@ impl<R: Real> Coupling<R> for Power<R> {
     }
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
         profile::jacobian(self, slide, rim)
+    }
+}
+
+impl<R: Real> Lateral<R> for Coulomb {
+    #[inline]
+    fn lateral(&self, slide: R, rim: R) -> R {
+        let divisor = lateral::divisor(R::ZERO, R::ZERO);
+        lateral::of_profile(self, divisor, slide, rim)
+    }
+    #[inline]
+    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
+        let divisor = lateral::divisor(R::ZERO, R::ZERO);
+        lateral::jacobian_of_profile(self, divisor, slide, rim)
+    }
+    fn mean_square_radius(&self) -> R {
+        R::HALF
+    }
+}
+
+impl<R: Real> Lateral<R> for Power<R> {
+    #[inline]
+    fn lateral(&self, slide: R, rim: R) -> R {
+        let divisor = lateral::divisor(self.order, self.alpha);
+        lateral::of_profile(self, divisor, slide, rim)
+    }
+    #[inline]
+    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
+        let divisor = lateral::divisor(self.order, self.alpha);
+        lateral::jacobian_of_profile(self, divisor, slide, rim)
+    }
+    fn mean_square_radius(&self) -> R {
+        R::ONE / (self.order + R::TWO)
     }
 }

@@ -10,17 +10,30 @@
 //!
 //! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
 
+mod annulus;
+mod family;
+mod friction;
+mod lateral;
+mod member;
 mod octave;
+mod polynomial;
 mod profile;
+mod side;
+mod speeds;
 
+pub mod closed;
 pub mod compact;
-mod disk;
 pub mod quadrature;
-
+pub mod round;
 pub mod table;
+pub mod tall;
 
-pub use disk::{DiskFriction, Magnitudes, MagnitudesJacobian};
-pub use profile::{Profile, unscaled_wrench};
+pub use annulus::Annulus;
+pub(crate) use family::inertia_ends;
+pub use friction::{FrictionError, Magnitudes, MagnitudesJacobian, PatchFriction};
+pub use lateral::{Lateral, LateralJacobian};
+pub use profile::{Profile, SmoothProfile, unscaled_wrench};
+pub use speeds::{Lead, Speeds};
 
 use crate::real::Real;
 

@@ -22,12 +22,31 @@ const TAYLOR: usize = 28;
 /// Terms of the power series about x = 0 used for the two cells above z = 1/2: 2⁻⁶⁰ at x = 1/2.
 const SERIES: usize = 60;
 
-/// Builds the cells of exponent `alpha`: cell 0 is the end z = 0, then two cells an octave upward
+/// Which function stands beside Φ in the cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Partner {
+    /// Θ = ((1+α)/2 Φ + zΦ')/n.
+    Theta,
+    /// zΦ/n + xΘ, the torque factor where spinning leads.
+    Blend,
+}
+
+/// A function Φ = `scale` · ₂F₁(…; x) with its partner.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair {
+    pub gauss: Gauss,
+    pub scale: f64,
+    pub alpha: f64,
+    /// 1/n
+    pub inv_moment: f64,
+    pub partner: Partner,
+}
+
+/// Builds the cells of a pair: cell 0 is the end z = 0, then two cells an octave upward
 /// to z < 1, and the last of these once more for z = 1. `CELLS` is 2·octaves + 2.
 pub(super) const fn cells<const CELLS: usize, const TERMS: usize>(
-    alpha: f64,
+    pair: &Pair,
 ) -> [Cell<f64, TERMS>; CELLS] {
-    let phi = force_function(alpha);
     let mut out = [Cell {
         center: 0.0,
         mirror: 1.0,
@@ -35,29 +54,24 @@ pub(super) const fn cells<const CELLS: usize, const TERMS: usize>(
     }; CELLS];
     // The two cells [3/4, 1] and [1/2, 3/4], from the power series in x.
     let mut i = CELLS - 2;
-    out[i] = cell(alpha, 0.875, 0.125, &shifted_series(&phi, 0.125));
+    out[i] = cell(pair, 0.875, 0.125, &shifted_series(&pair.gauss, 0.125));
     out[CELLS - 1] = out[i];
     i -= 1;
-    out[i] = cell(alpha, 0.625, 0.125, &shifted_series(&phi, 0.375));
+    out[i] = cell(pair, 0.625, 0.125, &shifted_series(&pair.gauss, 0.375));
     // Below, the equation is continued from one center to the next.
-    let mut walk = Walk::start(phi);
+    let mut walk = Walk::start(pair.gauss);
     let mut width = 0.25;
     while i > 1 {
         let upper = 1.75 * width;
         i -= 1;
-        out[i] = cell(alpha, upper, 0.25 * width, &walk.taylor_at(upper));
+        out[i] = cell(pair, upper, 0.25 * width, &walk.taylor_at(upper));
         let lower = 1.25 * width;
         i -= 1;
-        out[i] = cell(alpha, lower, 0.25 * width, &walk.taylor_at(lower));
+        out[i] = cell(pair, lower, 0.25 * width, &walk.taylor_at(lower));
         width *= 0.5;
     }
-    out[0] = end_cell(alpha, phi.at(1.0, 0.0));
+    out[0] = end_cell(pair, pair.gauss.at(1.0, 0.0));
     out
-}
-
-/// Φ = ₂F₁((1−α)/2, −(1+α)/2; 2; x).
-pub(super) const fn force_function(alpha: f64) -> Gauss {
-    Gauss::new(0.5 * (1.0 - alpha), -0.5 * (1.0 + alpha), 2.0)
 }
 
 /// The state of the continuation.
@@ -119,20 +133,25 @@ const fn shifted_series(phi: &Gauss, x: f64) -> [f64; TAYLOR] {
     out
 }
 
-/// Turns the expansion of Φ about `center` into one cell of Φ and Θ.
+/// Turns the expansion of Φ/`scale` about `center` into one cell of Φ and its partner.
 const fn cell<const TERMS: usize>(
-    alpha: f64,
+    pair: &Pair,
     center: f64,
     half_width: f64,
     phi: &[f64; TAYLOR],
 ) -> Cell<f64, TERMS> {
-    let theta = economized::<TERMS>(&torque_expansion(alpha, phi), half_width / center);
+    let theta = torque_expansion(pair, phi);
+    let partner = match pair.partner {
+        Partner::Theta => theta,
+        Partner::Blend => blended(pair.inv_moment, center, phi, &theta),
+    };
+    let partner = economized::<TERMS>(&partner, half_width / center);
     let phi = economized::<TERMS>(phi, half_width / center);
     let mut terms = [[0.0; 2]; TERMS];
-    let mut scale = 1.0;
+    let mut scale = pair.scale;
     let mut n = 0;
     while n < TERMS {
-        terms[n] = [phi[n] * scale, theta[n] * scale];
+        terms[n] = [phi[n] * scale, partner[n] * scale];
         scale /= half_width;
         n += 1;
     }
@@ -143,8 +162,8 @@ const fn cell<const TERMS: usize>(
     }
 }
 
-/// Θ = 2/(3+α) ((1+α)/2 Φ − z dΦ/dz), term by term in t: z d/dz tⁿ = n (tⁿ + tⁿ⁻¹).
-const fn torque_expansion(alpha: f64, phi: &[f64; TAYLOR]) -> [f64; TAYLOR] {
+/// Θ = ((1+α)/2 Φ − z dΦ/dz)/n, term by term in t: z d/dz tⁿ = n (tⁿ + tⁿ⁻¹).
+const fn torque_expansion(pair: &Pair, phi: &[f64; TAYLOR]) -> [f64; TAYLOR] {
     let mut out = [0.0; TAYLOR];
     let mut n = 0;
     while n < TAYLOR {
@@ -154,7 +173,26 @@ const fn torque_expansion(alpha: f64, phi: &[f64; TAYLOR]) -> [f64; TAYLOR] {
         } else {
             0.0
         };
-        out[n] = ((0.5 * (1.0 + alpha) - k) * phi[n] - next) * 2.0 / (3.0 + alpha);
+        out[n] = ((0.5 * (1.0 + pair.alpha) - k) * phi[n] - next) * pair.inv_moment;
+        n += 1;
+    }
+    out
+}
+
+/// zΦ/n + (1−z)Θ with z = `center` (1 + t).
+const fn blended(
+    inv_moment: f64,
+    center: f64,
+    phi: &[f64; TAYLOR],
+    theta: &[f64; TAYLOR],
+) -> [f64; TAYLOR] {
+    let mut out = [0.0; TAYLOR];
+    let mut before = 0.0;
+    let mut n = 0;
+    while n < TAYLOR {
+        let here = phi[n] * inv_moment - theta[n];
+        out[n] = theta[n] + center * (here + before);
+        before = here;
         n += 1;
     }
     out
@@ -195,12 +233,20 @@ const fn economized<const TERMS: usize>(taylor: &[f64; TAYLOR], ratio: f64) -> [
     out
 }
 
-/// The cell that holds z = 0 only: value and one-sided slope.
-const fn end_cell<const TERMS: usize>(alpha: f64, phi: Jet) -> Cell<f64, TERMS> {
-    let factor = 2.0 / (3.0 + alpha);
+/// The cell that holds z = 0 only: values, and one-sided slopes, which may be infinite.
+const fn end_cell<const TERMS: usize>(pair: &Pair, phi: Jet) -> Cell<f64, TERMS> {
+    let half = 0.5 * (1.0 + pair.alpha);
+    let chi = pair.inv_moment * half * phi.value;
     let mut terms = [[0.0; 2]; TERMS];
-    terms[0] = [phi.value, factor * 0.5 * (1.0 + alpha) * phi.value];
-    terms[1] = [-phi.slope, factor * 0.5 * (1.0 - alpha) * phi.slope];
+    terms[0] = [pair.scale * phi.value, pair.scale * chi];
+    let slope = match pair.partner {
+        // d(zΦ')/dz = Φ' where Φ is smooth enough to have a slope.
+        Partner::Theta => (1.0 - half) * pair.inv_moment * phi.slope,
+        Partner::Blend => {
+            (1.0 - half) * pair.inv_moment * phi.slope - chi + pair.inv_moment * phi.value
+        }
+    };
+    terms[1] = [-pair.scale * phi.slope, pair.scale * slope];
     Cell {
         center: 0.0,
         mirror: 1.0,

@@ -1,47 +1,60 @@
-//! The two functions of one variable that carry the whole coupling of the uniform disk.
+//! What a round patch under a power law comes to: two functions of the ratio of its speeds.
 //!
-//! Let v be the sliding speed, w = ωR the rim speed, h ∈ [0, 1] the smaller over the larger of the
-//! two and x = h². For the local law |u|^α the dissipation potential is
-//! D(v, w) = ⟨|u|^(α+1)⟩/(α+1), homogeneous of degree α + 1, and its gradient is (F, T). With
+//! Let v be the sliding speed, w = ωR the rim speed, m = max(v, w), h = min(v, w)/m and x = h².
+//! For the local law |u|^α the dissipation potential D(v, w) = ⟨|u|^(α+1)⟩/(α+1), a mean over the
+//! pressure, is homogeneous of degree α + 1. Its gradient is
 //!
 //! ```text
-//! Φ(x) = ₂F₁((1−α)/2, −(1+α)/2; 2; x),      Θ(x) = (1+α)/4 · ₂F₁((1−α)/2, (1−α)/2; 3; x)
+//! F = m^(α−1) v Φ,      T = m^(α−1) w Χ,      Φ and Χ functions of x, apart for v > w and v ≤ w
 //! ```
 //!
-//! sliding leads (v > w):  F = v^α Φ,    T = v^α h Θ;
-//! spinning leads (v ≤ w): F = w^α h Φ,  T = w^α ( 2/(3+α) · (1−x) Φ + x Θ ).
-//!
-//! The last line replaces the torque's own hypergeometric function, 2/(3+α) ₂F₁((1−α)/2,
-//! −(3+α)/2; 1; x): contiguous to Φ and Θ, it is their combination with positive coefficients, so
-//! that nothing cancels for any α > −1. Gauss' relations also give
-//! Θ = 2/(3+α) · ( (1+α)/2 Φ + (1−x) Φ' ), hence Φ and Φ' alone are enough to build everything,
-//! and the Jacobian needs Φ' and nothing else:
+//! and C_α(ε) = ε T/F, on which the final motion hangs, is Χ/Φ. The symmetry ∂F/∂w = ∂T/∂v ties
+//! the two, so that the Jacobian needs Φ' and nothing else:
 //!
 //! ```text
-//! F/v   = m^(α−1) Φ                                  (m = the larger speed, in both regimes)
+//! F/v   = m^(α−1) Φ
 //! ∂F/∂v = m^(α−1) (αΦ − 2xΦ')  |  m^(α−1) (Φ + 2xΦ')          sliding | spinning leads
 //! ∂F/∂w = ∂T/∂v = m^(α−1) 2hΦ' |  −m^(α−1) h ((1−α)Φ + 2xΦ')
 //! ∂T/∂w = (α T − v ∂T/∂v)/w, with w divided out
 //! ```
 //!
+//! For the pressures (1−r²)^q Gauss' relations give Χ from Φ and Φ' as well. With z = 1 − x and
+//! n = q + (3+α)/2, which is F'(0)/T(0),
+//!
+//! ```text
+//! Θ = ( (1+α)/2 Φ + z Φ' )/n
+//! sliding leads: Χ = Θ,      spinning leads: Χ = z Φ/n + x Θ
+//! ```
+//!
 //! *Source*: the integrals are eqs. 3.6–3.10 of the thesis (for α = 0: Farkas, Bartels, Unger, Wolf,
 //! Phys. Rev. Lett. 90 (2003) 248302); `docs/theory.md` derives the forms above.
 
-#[cfg(doc)]
-use super::Coupling;
+use super::speeds::{Lead, Speeds};
 use super::{ReducedJacobian, ReducedWrench};
 use crate::real::Real;
 
-/// A way to evaluate Φ, Θ and Φ' for one exponent: what an accuracy tier implements.
+/// A way to evaluate Φ and Χ for one exponent and pressure: what an accuracy tier implements.
 pub trait Profile<R: Real> {
     /// The exponent α > −1 of the local law.
     fn exponent(&self) -> R;
 
-    /// Φ and Θ at h ∈ [0, 1].
-    fn force_and_torque_factors(&self, ratio: R) -> [R; 2];
+    /// Φ and Χ.
+    fn factors(&self, at: &Speeds<R>) -> [R; 2];
 
-    /// Φ and Φ' (with respect to x = h²) at z = 1 − h².
-    fn force_factor_and_slope(&self, complement: R) -> [R; 2];
+    /// C_α(ε) − C up to a positive factor, by default 1: its sign decides the final motion.
+    /// A profile that can keeps its digits where C_α − C has none, at α → 1.
+    fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
+        let [phi, chi] = self.factors(at);
+        chi / phi - inertia_ratio
+    }
+
+    /// C_α(0) and C_α(∞), the ends of C_α = Χ/Φ.
+    fn inertia_ends(&self) -> [R; 2] {
+        [Lead::Spinning, Lead::Sliding].map(|lead| {
+            let [phi, chi] = self.factors(&Speeds::from_ratio(lead, R::ZERO));
+            chi / phi
+        })
+    }
 
     /// `speed`^α.
     #[inline]
@@ -66,18 +79,27 @@ pub trait Profile<R: Real> {
     }
 }
 
+/// A profile that knows the slope of Φ, which makes its Jacobian analytic.
+pub trait SmoothProfile<R: Real>: Profile<R> {
+    /// Φ, Φ' (with respect to x = h²) and Χ.
+    fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3];
+}
+
 impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
     #[inline]
     fn exponent(&self) -> R {
         (**self).exponent()
     }
     #[inline]
-    fn force_and_torque_factors(&self, ratio: R) -> [R; 2] {
-        (**self).force_and_torque_factors(ratio)
+    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
+        (**self).factors(at)
     }
     #[inline]
-    fn force_factor_and_slope(&self, complement: R) -> [R; 2] {
-        (**self).force_factor_and_slope(complement)
+    fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
+        (**self).inertia_excess(at, inertia_ratio)
+    }
+    fn inertia_ends(&self) -> [R; 2] {
+        (**self).inertia_ends()
     }
     #[inline]
     fn speed_scale(&self, speed: R) -> R {
@@ -93,90 +115,10 @@ impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
     }
 }
 
-/// The two speeds in units of the larger one.
-struct Scaled<R> {
-    major: R,
-    slide: R,
-    rim: R,
-}
-
-impl<R: Real> Scaled<R> {
+impl<R: Real, P: SmoothProfile<R> + ?Sized> SmoothProfile<R> for &P {
     #[inline]
-    fn new(slide: R, rim: R) -> Self {
-        let (slide, rim) = (slide.abs(), rim.abs());
-        let major = if slide > rim { slide } else { rim };
-        let (a, b) = (slide / major, rim / major);
-        // One comparison finds rest (0/0), infinities (∞/∞) and NaN.
-        if a * b >= R::ZERO {
-            Self {
-                major,
-                slide: a,
-                rim: b,
-            }
-        } else {
-            Self::unordinary(slide, rim)
-        }
-    }
-
-    /// Rest, infinities and NaN: the limit if only one speed is infinite, zeros at rest.
-    #[cold]
-    fn unordinary(slide: R, rim: R) -> Self {
-        let in_units = |speed: R, other: R| {
-            if speed == R::INFINITY && other < R::INFINITY {
-                R::ONE
-            } else if other == R::INFINITY && speed < R::INFINITY {
-                R::ZERO
-            } else if speed == R::INFINITY {
-                speed - other
-            } else {
-                // Zero, or NaN from either.
-                speed + R::ZERO * other
-            }
-        };
-        Self {
-            major: slide + rim,
-            slide: in_units(slide, rim),
-            rim: in_units(rim, slide),
-        }
-    }
-
-    /// True if nothing moves; false for NaN.
-    #[inline]
-    fn at_rest(&self) -> bool {
-        self.major == R::ZERO
-    }
-
-    /// The smaller speed over the larger one: one of the two factors is 1.
-    #[inline]
-    fn ratio(&self) -> R {
-        self.slide * self.rim
-    }
-}
-
-/// 1 − h², without cancellation near equal speeds; NaN for infinite ones.
-#[inline]
-fn complement<R: Real>(slide: R, rim: R, major: R, ratio: R) -> R {
-    (slide.abs() - rim.abs()).abs() / major * (R::ONE + ratio)
-}
-
-/// 2/(3+α): the reduced torque of pure spinning.
-#[inline]
-fn pure_spin_torque<R: Real>(alpha: R) -> R {
-    R::TWO / (R::ONE + R::TWO + alpha)
-}
-
-/// F/m^α and T/m^α from the factors.
-///
-/// With a = v/m and h = min/max one pair of formulas serves both regimes, F = aΦ and
-/// T = 2/(3+α) (1−a²) Φ + a h Θ: which speed leads is a coin toss to a branch predictor.
-#[inline]
-fn unscaled<R: Real, P: Profile<R>>(profile: &P, speeds: &Scaled<R>) -> ReducedWrench<R> {
-    let (a, h) = (speeds.slide, speeds.ratio());
-    let [phi, theta] = profile.force_and_torque_factors(h);
-    let spin = pure_spin_torque(profile.exponent()) * (R::ONE - a * a);
-    ReducedWrench {
-        force: a * phi,
-        torque: spin * phi + a * h * theta,
+    fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        (**self).factors_and_slope(at)
     }
 }
 
@@ -184,70 +126,79 @@ fn unscaled<R: Real, P: Profile<R>>(profile: &P, speeds: &Scaled<R>) -> ReducedW
 /// that keeps the scale itself needs. Zero at rest.
 #[inline]
 pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
-    let speeds = Scaled::new(slide, rim);
+    let speeds = Speeds::new(slide, rim);
     if speeds.at_rest() {
-        return ReducedWrench {
-            force: R::ZERO,
-            torque: R::ZERO,
-        };
+        return ReducedWrench::default();
     }
     unscaled(profile, &speeds)
 }
 
-/// [`Coupling::reduced_wrench`] of a profile.
+#[inline]
+fn unscaled<R: Real, P: Profile<R>>(profile: &P, speeds: &Speeds<R>) -> ReducedWrench<R> {
+    let [phi, chi] = profile.factors(speeds);
+    ReducedWrench {
+        force: speeds.slide * phi,
+        torque: speeds.rim * chi,
+    }
+}
+
+/// [`super::Coupling::reduced_wrench`] of a profile.
 #[inline]
 pub(super) fn wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
-    let speeds = Scaled::new(slide, rim);
+    let speeds = Speeds::new(slide, rim);
     if speeds.at_rest() {
-        return ReducedWrench {
-            force: R::ZERO,
-            torque: R::ZERO,
-        };
+        return ReducedWrench::default();
     }
     let ReducedWrench { force, torque } = unscaled(profile, &speeds);
-    let scale = profile.speed_scale(speeds.major);
-    let [force, torque] = if is_ordinary(scale) {
-        [scale * force, scale * torque]
-    } else {
-        let [half, _] = profile.half_scales(speeds.major);
-        [force, torque].map(|x| in_halves(x, half, speeds.major))
-    };
+    let [force, torque] = scaled(profile, speeds.major, [force, torque]);
     ReducedWrench { force, torque }
 }
 
-/// [`Coupling::reduced_jacobian`] of a profile.
+/// `entries` times `major`^α.
 #[inline]
-pub(super) fn jacobian<R: Real, P: Profile<R>>(
+pub(super) fn scaled<R: Real, P: Profile<R>, const N: usize>(
+    profile: &P,
+    major: R,
+    entries: [R; N],
+) -> [R; N] {
+    let scale = profile.speed_scale(major);
+    if is_ordinary(scale) {
+        entries.map(|x| scale * x)
+    } else {
+        let [half, _] = profile.half_scales(major);
+        entries.map(|x| in_halves(x, half, major))
+    }
+}
+
+/// [`super::Coupling::reduced_jacobian`] of a profile.
+#[inline]
+pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
     profile: &P,
     slide: R,
     rim: R,
 ) -> ReducedJacobian<R> {
-    let speeds = Scaled::new(slide, rim);
-    let alpha = profile.exponent();
+    let speeds = Speeds::new(slide, rim);
     if speeds.at_rest() {
-        return at_rest(alpha);
+        return at_rest(profile);
     }
+    let [phi, slope, chi] = profile.factors_and_slope(&speeds);
+    let alpha = profile.exponent();
     let h = speeds.ratio();
-    let x = h * h;
-    let z = complement(slide, rim, speeds.major, h);
-    let [phi, slope] = profile.force_factor_and_slope(z);
-    // Θ from Φ and Φ': one table read serves all.
-    let theta = pure_spin_torque(alpha) * (R::HALF * (R::ONE + alpha) * phi + z * slope);
-    let twice = R::TWO * slope;
-    let (force_slide, mixed, torque_rim);
-    if speeds.slide > speeds.rim {
-        force_slide = alpha * phi - x * twice;
-        mixed = h * twice;
-        torque_rim = alpha * theta - twice;
-    } else {
-        force_slide = phi + x * twice;
-        mixed = -h * ((R::ONE - alpha) * phi + x * twice);
-        let torque = pure_spin_torque(alpha) * z * phi + x * theta;
-        torque_rim = alpha * torque - h * mixed;
-    }
-    let scale = profile.rate_scale(speeds.major);
+    let bend = R::TWO * slope;
+    // At equal speeds the slope may be infinite while its products are finite or infinite.
+    let x_bend = h * h * bend;
+    let (force_slide, mixed, torque_rim) = match speeds.lead() {
+        Lead::Sliding => (alpha * phi - x_bend, h * bend, alpha * chi - bend),
+        Lead::Spinning => {
+            let mixed = -h * ((R::ONE - alpha) * phi + x_bend);
+            (phi + x_bend, mixed, alpha * chi - h * mixed)
+        }
+    };
     let entries = [phi, force_slide, mixed, torque_rim];
-    let [force_per_slide, force_slide, mixed, torque_rim] = if is_ordinary(scale) {
+    let scale = profile.rate_scale(speeds.major);
+    let [force_per_slide, force_slide, mixed, torque_rim] = if !speeds.major.is_finite() {
+        [R::NAN; 4]
+    } else if is_ordinary(scale) {
         entries.map(|x| scale * x)
     } else {
         let [_, half] = profile.half_scales(speeds.major);
@@ -263,13 +214,13 @@ pub(super) fn jacobian<R: Real, P: Profile<R>>(
 
 /// True if a product with `scale` can be formed at once.
 #[inline]
-fn is_ordinary<R: Real>(scale: R) -> bool {
+pub(super) fn is_ordinary<R: Real>(scale: R) -> bool {
     scale >= R::MIN_POSITIVE && scale.is_finite()
 }
 
 /// `x` times the square of `half`; zero stays zero for a finite `major` speed.
 #[cold]
-fn in_halves<R: Real>(x: R, half: R, major: R) -> R {
+pub(super) fn in_halves<R: Real>(x: R, half: R, major: R) -> R {
     if x == R::ZERO && major.is_finite() {
         x
     } else {
@@ -278,11 +229,13 @@ fn in_halves<R: Real>(x: R, half: R, major: R) -> R {
 }
 
 /// The Jacobian at v = w = 0: zero for α > 1, the constant damping for α = 1, infinite below.
-fn at_rest<R: Real>(alpha: R) -> ReducedJacobian<R> {
+pub(super) fn at_rest<R: Real, P: Profile<R>>(profile: &P) -> ReducedJacobian<R> {
+    let alpha = profile.exponent();
     let (slide, rim) = if alpha > R::ONE {
         (R::ZERO, R::ZERO)
     } else if alpha == R::ONE {
-        (R::ONE, R::HALF)
+        let [phi, chi] = profile.factors(&Speeds::from_ratio(Lead::Spinning, R::ZERO));
+        (phi, chi)
     } else {
         (R::INFINITY, R::INFINITY)
     };

@@ -1,28 +1,32 @@
 //! The quickest tier: polynomial tables, a few ulp, the same cost for every exponent.
 
-use super::octave::{self, Cell};
-use super::profile::{self, Profile};
+use super::family;
+use super::lateral::{self, Lateral, LateralJacobian};
+use super::member::Member;
+use super::profile::{self, Profile, SmoothProfile};
+use super::side::Side;
+use super::speeds::Speeds;
 use super::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
 use crate::law::{LawError, validated_exponent};
 use crate::real::Real;
 
 /// f64: 52 octaves of z reach the smallest gap between two speeds; degree 12.
-const CELLS_F64: usize = 2 * 52 + 2;
-const TERMS_F64: usize = 13;
+pub(super) const CELLS_F64: usize = 2 * 52 + 2;
+pub(super) const TERMS_F64: usize = 13;
 /// f32: 23 octaves; degree 5.
-const CELLS_F32: usize = 2 * 23 + 2;
-const TERMS_F32: usize = 6;
+pub(super) const CELLS_F32: usize = 2 * 23 + 2;
+pub(super) const TERMS_F32: usize = 6;
 /// One degree less is enough for α = 0 in f32, whose singularity is weaker than that of α < 0.
 const TERMS_COULOMB_F32: usize = 5;
 
 /// Largest exponent that a table resolves to its stated bound.
 pub const MAX_EXPONENT: f64 = 10.0;
 
-/// A table of Φ and Θ.
+/// A table of Φ and Θ of the uniform disk; Χ = (1−a²)Φ/n + a²Θ with a = v/m on both sides.
 #[derive(Clone, Copy, Debug)]
 pub struct Table<R, const CELLS: usize, const TERMS: usize> {
     alpha: R,
-    cells: [Cell<R, TERMS>; CELLS],
+    side: Side<R, CELLS, TERMS>,
 }
 
 /// Table of one exponent in f64 (23 KiB).
@@ -44,9 +48,10 @@ impl Table64 {
     }
 
     const fn build(alpha: f64) -> Self {
+        let disk = Member { alpha, order: 0.0 };
         Self {
             alpha,
-            cells: octave::cells(alpha),
+            side: Side::build(&disk.sliding()),
         }
     }
 }
@@ -67,85 +72,14 @@ impl Table32 {
 
 impl<const TERMS: usize> Table<f32, CELLS_F32, TERMS> {
     const fn build(alpha: f32) -> Self {
-        let wide: [Cell<f64, TERMS>; CELLS_F32] = octave::cells(alpha as f64);
-        let mut cells = [Cell {
-            center: 0.0,
-            mirror: 0.0,
-            terms: [[0.0; 2]; TERMS],
-        }; CELLS_F32];
-        let mut i = 0;
-        while i < CELLS_F32 {
-            cells[i].center = wide[i].center as f32;
-            cells[i].mirror = wide[i].mirror as f32;
-            let mut n = 0;
-            while n < TERMS {
-                let [phi, theta] = wide[i].terms[n];
-                cells[i].terms[n] = [phi as f32, theta as f32];
-                n += 1;
-            }
-            i += 1;
-        }
-        Self { alpha, cells }
-    }
-}
-
-impl<R: Real, const CELLS: usize, const TERMS: usize> Table<R, CELLS, TERMS> {
-    /// The cell that holds z in [0, 1]; some cell if z is NaN.
-    #[inline]
-    fn cell(&self, z: R) -> &Cell<R, TERMS> {
-        // z = 1 belongs to the last cell.
-        let below = const { R::HALF_OCTAVE_OF_ONE - (CELLS - 1) };
-        match self.cells.get(z.half_octave().saturating_sub(below)) {
-            Some(cell) => cell,
-            None => self.end_cell(),
-        }
-    }
-
-    /// The cell of z = 0; out of line, so that finding the others needs no clamp.
-    #[cold]
-    #[inline(never)]
-    fn end_cell(&self) -> &Cell<R, TERMS> {
-        &self.cells[0]
-    }
-
-    /// Φ and Θ at h: even and odd powers apart, on pairs.
-    #[inline]
-    fn factors(&self, ratio: R) -> [R; 2] {
-        let x = ratio * ratio;
-        let cell = self.cell(R::ONE - x);
-        let u = cell.mirror - x;
-        let square = u * u;
-        let mut sums = [cell.terms[TERMS - 1], cell.terms[TERMS - 2]];
-        for n in (1..TERMS - 2).rev() {
-            let sum = &mut sums[(TERMS - 1 - n) % 2];
-            sum[0] = sum[0] * square + cell.terms[n][0];
-            sum[1] = sum[1] * square + cell.terms[n][1];
-        }
-        // The sums end with the first and the second power.
-        let [first, second] = if TERMS.is_multiple_of(2) {
-            sums
-        } else {
-            [sums[1], sums[0]]
+        let disk = Member {
+            alpha: alpha as f64,
+            order: 0.0,
         };
-        let [phi, theta] = cell.terms[0];
-        [
-            phi + (first[0] * u + second[0] * square),
-            theta + (first[1] * u + second[1] * square),
-        ]
-    }
-
-    /// Φ and Φ' at z = 1 − h²; Φ' = −dΦ/dz.
-    #[inline]
-    fn factor_and_slope(&self, complement: R) -> [R; 2] {
-        let cell = self.cell(complement);
-        let u = complement - cell.center;
-        let mut phi = cell.terms[TERMS - 1][0];
-        let mut slope = R::ZERO;
-        for [a, _] in cell.terms.iter().rev().skip(1) {
-            slope = slope * u + phi;
-            phi = phi * u + *a;
+        Self {
+            alpha,
+            side: Side::rounded(&Side::build(&disk.sliding())),
         }
-        [phi, -slope]
     }
 }
 
@@ -155,12 +89,34 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CE
         self.alpha
     }
     #[inline]
-    fn force_and_torque_factors(&self, ratio: R) -> [R; 2] {
-        self.factors(ratio)
+    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
+        let h = at.ratio();
+        let [phi, theta] = self.side.at_square(h * h);
+        // One formula for both sides: which speed leads is a coin toss to a branch predictor.
+        let (a_sq, inv_n) = (at.slide * at.slide, pure_spin_torque(self.alpha));
+        [phi, inv_n * (R::ONE - a_sq) * phi + a_sq * theta]
     }
+    fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
+        family::inertia_excess(self, R::ZERO, at, inertia_ratio)
+    }
+    fn inertia_ends(&self) -> [R; 2] {
+        family::inertia_ends(self.exponent(), R::ZERO)
+    }
+}
+
+/// 2/(3+α): the reduced torque of pure spinning.
+#[inline]
+fn pure_spin_torque<R: Real>(alpha: R) -> R {
+    R::TWO / (R::ONE + R::TWO + alpha)
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table<R, CELLS, TERMS> {
     #[inline]
-    fn force_factor_and_slope(&self, complement: R) -> [R; 2] {
-        self.factor_and_slope(complement)
+    fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        let [phi, slope] = self.side.value_and_slope(at.complement());
+        // One table read serves all.
+        let chi = family::torque_factor(R::ZERO, self.alpha, at, [phi, slope]);
+        [phi, slope, chi]
     }
 }
 
@@ -181,7 +137,7 @@ pub type CoulombTable32 = Table<f32, CELLS_F32, TERMS_COULOMB_F32>;
 /// A scalar with a Coulomb table in read-only memory.
 pub trait CoulombTable: Real + sealed::Sealed {
     /// The table's type.
-    type Table: Profile<Self> + 'static;
+    type Table: SmoothProfile<Self> + 'static;
     /// The table of α = 0.
     fn coulomb_table() -> &'static Self::Table;
 }
@@ -228,12 +184,14 @@ impl<R: CoulombTable> Profile<R> for Coulomb {
         R::ZERO
     }
     #[inline]
-    fn force_and_torque_factors(&self, ratio: R) -> [R; 2] {
-        R::coulomb_table().force_and_torque_factors(ratio)
+    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
+        R::coulomb_table().factors(at)
     }
-    #[inline]
-    fn force_factor_and_slope(&self, complement: R) -> [R; 2] {
-        R::coulomb_table().force_factor_and_slope(complement)
+    fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
+        R::coulomb_table().inertia_excess(at, inertia_ratio)
+    }
+    fn inertia_ends(&self) -> [R; 2] {
+        R::coulomb_table().inertia_ends()
     }
     #[inline]
     fn speed_scale(&self, _: R) -> R {
@@ -248,6 +206,13 @@ impl<R: CoulombTable> Profile<R> for Coulomb {
     }
 }
 
+impl<R: CoulombTable> SmoothProfile<R> for Coulomb {
+    #[inline]
+    fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        R::coulomb_table().factors_and_slope(at)
+    }
+}
+
 impl<R: CoulombTable> DryCoupling<R> for Coulomb {}
 
 impl<R: CoulombTable> Coupling<R> for Coulomb {
@@ -258,5 +223,37 @@ impl<R: CoulombTable> Coupling<R> for Coulomb {
     #[inline]
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
         profile::jacobian(self, slide, rim)
+    }
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> Lateral<R> for Table<R, CELLS, TERMS> {
+    #[inline]
+    fn lateral(&self, slide: R, rim: R) -> R {
+        let divisor = lateral::divisor(R::ZERO, self.alpha);
+        lateral::of_profile(self, divisor, slide, rim)
+    }
+    #[inline]
+    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
+        let divisor = lateral::divisor(R::ZERO, self.alpha);
+        lateral::jacobian_of_profile(self, divisor, slide, rim)
+    }
+    fn mean_square_radius(&self) -> R {
+        R::HALF
+    }
+}
+
+impl<R: CoulombTable> Lateral<R> for Coulomb {
+    #[inline]
+    fn lateral(&self, slide: R, rim: R) -> R {
+        let divisor = lateral::divisor(R::ZERO, R::ZERO);
+        lateral::of_profile(self, divisor, slide, rim)
+    }
+    #[inline]
+    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
+        let divisor = lateral::divisor(R::ZERO, R::ZERO);
+        lateral::jacobian_of_profile(self, divisor, slide, rim)
+    }
+    fn mean_square_radius(&self) -> R {
+        R::HALF
     }
 }

@@ -1,8 +1,15 @@
 //! Contact patches: their shape and how they spread the load.
+//!
+//! Round patches are measured in units of their radius: a pressure says how a unit load is spread
+//! over the unit disk, and [`crate::coupling::PatchFriction`] adds the radius.
 
-mod uniform_disk;
+mod polynomial;
+mod power;
 
-pub use uniform_disk::UniformDisk;
+pub use polynomial::PolynomialPressure;
+pub use power::PowerPressure;
+
+use crate::real::Real;
 
 /// Why a patch was refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +20,29 @@ pub enum PatchError {
         /// What was given.
         given: f64,
     },
+    /// The order q of a pressure (1−r²)^q is not in [−1, `max`].
+    Order {
+        /// What was given.
+        given: f64,
+        /// Largest order served.
+        max: f64,
+    },
+    /// The inner over the outer radius of an annulus is not in [0, `max`].
+    InnerRatio {
+        /// What was given.
+        given: f64,
+        /// Thinnest annulus served; a thinner one is a ring.
+        max: f64,
+    },
+    /// The height of the centre of mass is negative, infinite or NaN.
+    Height {
+        /// What was given.
+        given: f64,
+    },
+    /// A polynomial pressure is negative somewhere on the patch, or not finite.
+    Negative,
+    /// The pressure carries no load.
+    NoLoad,
 }
 
 impl core::fmt::Display for PatchError {
@@ -24,8 +54,45 @@ impl core::fmt::Display for PatchError {
                     "the contact radius must be positive and finite, not {given}"
                 )
             }
+            Self::Order { given, max } => {
+                write!(
+                    f,
+                    "the order q of a pressure (1-r^2)^q must satisfy -1 <= q <= {max}, not {given}"
+                )
+            }
+            Self::InnerRatio { given, max } => {
+                write!(
+                    f,
+                    "inner radius / outer radius must be from 0 to {max}, not {given}; \
+                     a thinner annulus is a ring"
+                )
+            }
+            Self::Height { given } => {
+                write!(
+                    f,
+                    "the height of the centre of mass must be finite and not negative, not {given}"
+                )
+            }
+            Self::Negative => f.write_str(
+                "the pressure must be finite and nowhere negative on the patch; \
+                 change its coefficients",
+            ),
+            Self::NoLoad => {
+                f.write_str("the pressure carries no load; give a positive coefficient")
+            }
         }
     }
 }
 
 impl core::error::Error for PatchError {}
+
+/// `radius` if positive and finite.
+pub(crate) fn validated_radius<R: Real>(radius: R) -> Result<R, PatchError> {
+    if radius > R::ZERO && radius.is_finite() {
+        Ok(radius)
+    } else {
+        Err(PatchError::Radius {
+            given: radius.to_f64(),
+        })
+    }
+}

@@ -48,7 +48,7 @@ impl Gauss {
     /// Value and slope at x = 1 − z, given both x and z so that neither is rounded near its zero.
     ///
     /// *Domain*: 0 ≤ x ≤ 1; z below 2⁻⁶⁰ counts as 0. *Special values*: at z = 0 the slope is the
-    /// one-sided limit if c − a − b > 1, otherwise infinite. NaN in gives NaN out.
+    /// one-sided limit if c − a − b > 1, otherwise infinite with the sign of ab. NaN in gives NaN out.
     /// *Accuracy*: 4e-15 relative for the parameters of the friction disk with α ≥ −0.9
     /// (the tests compare with 25-digit values). *Cost*: at most 60 expansions.
     ///
@@ -80,17 +80,27 @@ impl Gauss {
         if z > Z_END { state } else { self.at_end(state) }
     }
 
-    /// f(1) and f'(1) from the state at z = 2⁻⁶⁰: f is linear there to 2⁻⁶⁰ and the equation
-    /// itself ties the slope to the value, (a + b + 1 − c) f' = −a b f … with its sign.
+    /// f(1) and f'(1) from the state at z = 2⁻⁶⁰. With e = c − a − b > 1 f is linear there and the
+    /// equation itself ties the slope to the value; below, f leaves its end like zᵉ.
     const fn at_end(&self, near: Jet) -> Jet {
         let excess = self.c - self.a - self.b;
-        let value = near.value;
-        let slope = if excess > 1.0 {
-            self.a * self.b * value / (excess - 1.0)
-        } else {
-            f64::INFINITY
-        };
-        Jet { value, slope }
+        let bend = self.a * self.b;
+        if excess > 1.0 {
+            return Jet {
+                value: near.value,
+                slope: bend * near.value / (excess - 1.0),
+            };
+        }
+        Jet {
+            value: near.value + Z_END * near.slope / excess,
+            slope: if bend > 0.0 {
+                f64::INFINITY
+            } else if bend < 0.0 {
+                f64::NEG_INFINITY
+            } else {
+                0.0
+            },
+        }
     }
 
     /// Power series about x = 0, with compensated sums. *Domain*: 0 ≤ x ≤ 1/2, or up to 1 for

@@ -18,7 +18,7 @@ fn borders(from: f64, to: f64) -> (Curve, Curve) {
     let alphas = (0..=STEPS).map(|i| from + (to - from) * i as f64 / STEPS as f64);
     alphas
         .map(|alpha| {
-            let (low, high) = inertia_interval(alpha);
+            let (low, high) = inertia_interval(alpha, 0.0);
             ((alpha, low), (alpha, high))
         })
         .unzip()

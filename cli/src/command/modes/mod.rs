@@ -94,7 +94,7 @@ impl Arguments {
             (None, None) if points.spinning == Stability::Semistable => None,
             (None, _) => Some(modes.final_mode(1.0)),
         };
-        let interval = inertia_interval(self.alpha);
+        let interval = inertia_interval(self.alpha, 0.0);
         Ok(Answer {
             alpha: self.alpha,
             inertia_ratio: self.inertia_ratio,

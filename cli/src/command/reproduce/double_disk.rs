@@ -114,7 +114,7 @@ fn ends_as_foretold<P: tribos_core::coupling::Profile<f64>>(
 }
 
 fn panel_claim(alpha: f64, radius: f64, right: usize) -> Claim {
-    let (low, high) = inertia_interval(alpha);
+    let (low, high) = inertia_interval(alpha, 0.0);
     let c = 0.5 * radius * radius;
     let thesis = match (alpha, c < low, c > high) {
         (_, true, _) => "all ε → ∞",
@@ -134,7 +134,7 @@ fn panel_claim(alpha: f64, radius: f64, right: usize) -> Claim {
 /// Eqs. 3.35 and 3.36.
 fn bounds() -> Vec<Claim> {
     let bound = |c: f64| (2.0 * c).sqrt();
-    let (dry, cubic) = (inertia_interval(0.0), inertia_interval(3.0));
+    let (dry, cubic) = (inertia_interval(0.0, 0.0), inertia_interval(3.0, 0.0));
     vec![
         claim(
             "3.35: lower bound of R/R_c, α = 0",

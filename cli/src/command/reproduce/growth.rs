@@ -264,7 +264,7 @@ pub fn figure_3_8() -> Result<Exhibit, Failure> {
             only_spinning,
         ));
     }
-    let border = inertia_interval(3.0).1;
+    let border = inertia_interval(3.0, 0.0).1;
     claims.push(refutation(
         "Section 3.4.5: C = 1 exceeds the upper bound for α = 3",
         "1 > c₃,max",

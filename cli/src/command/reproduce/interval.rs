@@ -121,7 +121,7 @@ pub fn figure_3_10() -> Result<Exhibit, Failure> {
     let rows = linear(0.0, 5.0, 200)
         .into_iter()
         .map(|alpha| {
-            let (low, high) = inertia_interval(alpha);
+            let (low, high) = inertia_interval(alpha, 0.0);
             vec![alpha, low, high]
         })
         .collect();
@@ -150,7 +150,7 @@ fn plane_claims() -> Result<Vec<Claim>, Failure> {
         .into_iter()
         .filter(|alpha| (alpha - 1.0).abs() > 1e-9)
     {
-        let (low, high) = inertia_interval(alpha);
+        let (low, high) = inertia_interval(alpha, 0.0);
         for c in linear(0.03, 2.53, 25) {
             let modes = modes(alpha, c)?;
             let signs: Vec<bool> = ratios.iter().map(|&r| modes.growth(r) > 0.0).collect();

@@ -10,8 +10,7 @@ use output::{Format, Line};
 use std::path::PathBuf;
 use tribos::record::write_atomically;
 use tribos_core::Real;
-use tribos_core::coupling::{Coupling, DiskFriction};
-use tribos_core::patch::UniformDisk;
+use tribos_core::coupling::{Coupling, PatchFriction};
 
 /// Friction force and torque of a uniform disk under the local law
 /// `coefficient` * |v|^`alpha`, as magnitudes that oppose the motion.
@@ -97,10 +96,10 @@ impl Arguments {
     fn evaluate<R: Tabulated>(&self, twists: &[[f64; 2]]) -> Result<Vec<Line>, Failure> {
         let coupling = tier::coupling::<R>(self.alpha, self.tier)?;
         let narrow = |name, x| in_range::<R>(name, x);
-        let patch = UniformDisk::new(narrow("radius", self.radius)?).map_err(Failure::input)?;
+        let radius = narrow("radius", self.radius)?;
         let coefficient = narrow("coefficient", self.coefficient)?;
         let friction =
-            DiskFriction::new(coupling.as_ref(), coefficient, patch).map_err(Failure::input)?;
+            PatchFriction::new(coupling.as_ref(), coefficient, radius).map_err(Failure::input)?;
         let load = narrow("load", self.load)?;
         twists
             .iter()
@@ -113,7 +112,7 @@ impl Arguments {
 
     fn line<R: Real>(
         &self,
-        friction: &DiskFriction<R, &dyn Coupling<R>>,
+        friction: &PatchFriction<R, &dyn Coupling<R>>,
         load: R,
         twist: [f64; 2],
         (speed, spin): (R, R),

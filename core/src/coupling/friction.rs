@@ -1,33 +1,54 @@
-//! A disk contact with its dimensions: radius, coefficient, load.
+//! A round contact with its dimensions: radius, coefficient, load.
 
 use super::{Coupling, ReducedWrench};
 use crate::law::{LawError, validated_coefficient};
-use crate::patch::UniformDisk;
+use crate::patch::{PatchError, validated_radius};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
 use nalgebra::{Matrix3, Vector2};
 
-/// Friction of a uniform disk: a coupling (law and accuracy tier), a coefficient and a patch.
+/// Friction of a round patch: a coupling (pressure, law and accuracy tier), a coefficient and a
+/// radius.
 ///
 /// *Units*: any consistent set. With N the load, γ the coefficient and R the radius,
 /// force = γ N F(v, ωR) and torque = γ N R T(v, ωR).
 ///
 /// ```
-/// use tribos_core::coupling::{DiskFriction, table::Coulomb};
-/// use tribos_core::patch::UniformDisk;
+/// use tribos_core::coupling::{PatchFriction, table::Coulomb};
 /// use tribos_core::twist::Twist;
 ///
-/// let puck = DiskFriction::new(Coulomb, 0.3_f32, UniformDisk::new(0.04)?)?;
+/// let puck = PatchFriction::new(Coulomb, 0.3_f32, 0.04)?;
 /// let wrench = puck.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)); // N, m/s, rad/s
 /// assert!(wrench.force.x < 0.0 && wrench.torque < 0.0);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DiskFriction<R, C> {
+pub struct PatchFriction<R, C> {
     coupling: C,
     coefficient: R,
     radius: R,
 }
+
+/// Why a friction was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum FrictionError {
+    /// The law makes no sense.
+    Law(LawError),
+    /// The patch makes no sense.
+    Patch(PatchError),
+}
+
+impl core::fmt::Display for FrictionError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Law(error) => error.fmt(f),
+            Self::Patch(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for FrictionError {}
 
 /// Force and torque that oppose the motion, as magnitudes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -51,15 +72,14 @@ pub struct MagnitudesJacobian<R> {
     pub torque_spin: R,
 }
 
-impl<R: Real, C: Coupling<R>> DiskFriction<R, C> {
-    /// *Domain*: 0 ≤ `coefficient` < ∞. The coefficient multiplies the coupling's own (1 for the
-    /// power-law tiers).
-    pub fn new(coupling: C, coefficient: R, patch: UniformDisk<R>) -> Result<Self, LawError> {
-        let coefficient = validated_coefficient(coefficient)?;
+impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
+    /// *Domain*: 0 ≤ `coefficient` < ∞, 0 < `radius` < ∞. The coefficient multiplies the
+    /// coupling's own (1 for the power-law tiers).
+    pub fn new(coupling: C, coefficient: R, radius: R) -> Result<Self, FrictionError> {
         Ok(Self {
             coupling,
-            coefficient,
-            radius: patch.radius(),
+            coefficient: validated_coefficient(coefficient).map_err(FrictionError::Law)?,
+            radius: validated_radius(radius).map_err(FrictionError::Patch)?,
         })
     }
 
@@ -78,7 +98,7 @@ impl<R: Real, C: Coupling<R>> DiskFriction<R, C> {
         }
     }
 
-    /// Derivatives of [`DiskFriction::magnitudes`] for speed ≥ 0 and spin ≥ 0.
+    /// Derivatives of [`PatchFriction::magnitudes`] for speed ≥ 0 and spin ≥ 0.
     #[inline]
     pub fn magnitudes_jacobian(&self, load: R, speed: R, spin: R) -> MagnitudesJacobian<R> {
         let j = self.coupling.reduced_jacobian(speed, spin * self.radius);
@@ -149,6 +169,11 @@ impl<R: Real, C: Coupling<R>> DiskFriction<R, C> {
         for (twist, wrench) in twists.iter().zip(wrenches) {
             *wrench = self.wrench(load, twist);
         }
+    }
+
+    /// The coupling.
+    pub fn coupling(&self) -> &C {
+        &self.coupling
     }
 
     /// The radius of the patch.

@@ -1,0 +1,159 @@
+//! A uniform annulus: the whole disk less its middle.
+
+use super::lateral::{Lateral, LateralJacobian};
+use super::profile::{Profile, in_halves, is_ordinary};
+use super::speeds::Speeds;
+use super::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
+use crate::patch::PatchError;
+use crate::real::Real;
+
+/// Uniform pressure between `inner_ratio` and 1 radii, from any tier of the uniform disk.
+///
+/// With k the inner over the outer radius, F = (F₁(v, w) − k² F₁(v, kw))/(1−k²) and the torque
+/// likewise with k³. *Accuracy*: that of the disk times 2/(1−k).
+///
+/// ```
+/// use tribos_core::coupling::{Annulus, Coupling, table};
+/// let band = Annulus::new(table::Coulomb, 0.5_f64)?;
+/// let torque = band.reduced_wrench(0.0, 1.0).torque;
+/// assert!((torque - (2.0 / 3.0) * (1.0 - 0.125) / (1.0 - 0.25)).abs() < 1e-15);
+/// # Ok::<(), tribos_core::patch::PatchError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Annulus<R, C> {
+    disk: C,
+    inner: R,
+}
+
+impl<R: Real, C> Annulus<R, C> {
+    /// Thinnest annulus: beyond, three digits are lost, and a ring is the better model.
+    pub const MAX_INNER_RATIO: f64 = 0.999;
+
+    /// *Domain*: 0 ≤ `inner_ratio` ≤ [`Annulus::MAX_INNER_RATIO`]; `disk` is a coupling of the
+    /// uniform disk.
+    pub fn new(disk: C, inner_ratio: R) -> Result<Self, PatchError> {
+        let max = Self::MAX_INNER_RATIO;
+        if inner_ratio >= R::ZERO && inner_ratio <= R::from_f64(max) {
+            Ok(Self {
+                disk,
+                inner: inner_ratio,
+            })
+        } else {
+            Err(PatchError::InnerRatio {
+                given: inner_ratio.to_f64(),
+                max,
+            })
+        }
+    }
+
+    /// (`whole` − k^`power` `middle`)/(1 − k²), the power as a product.
+    #[inline]
+    fn less(&self, whole: R, middle: R, factor: R) -> R {
+        (whole - factor * middle) / ((R::ONE - self.inner) * (R::ONE + self.inner))
+    }
+
+    /// k², k³, k⁴.
+    #[inline]
+    fn powers(&self) -> [R; 3] {
+        let square = self.inner * self.inner;
+        [square, square * self.inner, square * square]
+    }
+}
+
+impl<R: Real, C: Coupling<R>> Coupling<R> for Annulus<R, C> {
+    #[inline]
+    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
+        let [k2, k3, _] = self.powers();
+        let whole = self.disk.reduced_wrench(slide, rim);
+        let middle = self.disk.reduced_wrench(slide, self.inner * rim);
+        ReducedWrench {
+            force: self.less(whole.force, middle.force, k2),
+            torque: self.less(whole.torque, middle.torque, k3),
+        }
+    }
+
+    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
+        let [k2, k3, k4] = self.powers();
+        let whole = self.disk.reduced_jacobian(slide, rim);
+        if self.inner == R::ZERO {
+            return whole;
+        }
+        if slide == R::ZERO && rim == R::ZERO {
+            // Damping at rest: the torque's scales with ⟨r²⟩.
+            return ReducedJacobian {
+                torque_rim: whole.torque_rim * (R::ONE + k2),
+                ..whole
+            };
+        }
+        let middle = self.disk.reduced_jacobian(slide, self.inner * rim);
+        ReducedJacobian {
+            force_per_slide: self.less(whole.force_per_slide, middle.force_per_slide, k2),
+            force_slide: self.less(whole.force_slide, middle.force_slide, k2),
+            mixed: self.less(whole.mixed, middle.mixed, k3),
+            torque_rim: self.less(whole.torque_rim, middle.torque_rim, k4),
+        }
+    }
+}
+
+impl<R: Real, C: DryCoupling<R>> DryCoupling<R> for Annulus<R, C> {}
+
+impl<R: Real, P: Profile<R>> Profile<R> for Annulus<R, P> {
+    fn exponent(&self) -> R {
+        self.disk.exponent()
+    }
+
+    /// F/v and T/w at max(v, w) = 1.
+    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
+        let [k2, _, k4] = self.powers();
+        let [phi, chi] = self.disk.factors(at);
+        let inside = Speeds::new(at.slide, self.inner * at.rim);
+        if inside.at_rest() {
+            return [self.less(phi, R::ZERO, k2), self.less(chi, R::ZERO, k4)];
+        }
+        let scale = self.disk.rate_scale(inside.major);
+        let middle = self.disk.factors(&inside);
+        let [phi_middle, chi_middle] = if is_ordinary(scale) {
+            middle.map(|y| scale * y)
+        } else {
+            let [_, half] = self.disk.half_scales(inside.major);
+            middle.map(|y| in_halves(y, half, inside.major))
+        };
+        [
+            self.less(phi, phi_middle, k2),
+            self.less(chi, chi_middle, k4),
+        ]
+    }
+
+    fn speed_scale(&self, speed: R) -> R {
+        self.disk.speed_scale(speed)
+    }
+    fn rate_scale(&self, speed: R) -> R {
+        self.disk.rate_scale(speed)
+    }
+    fn half_scales(&self, speed: R) -> [R; 2] {
+        self.disk.half_scales(speed)
+    }
+}
+
+impl<R: Real, C: Lateral<R>> Lateral<R> for Annulus<R, C> {
+    fn lateral(&self, slide: R, rim: R) -> R {
+        let [_, k3, _] = self.powers();
+        let middle = self.disk.lateral(slide, self.inner * rim);
+        self.less(self.disk.lateral(slide, rim), middle, k3)
+    }
+
+    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
+        let [_, k3, k4] = self.powers();
+        let whole = self.disk.lateral_jacobian(slide, rim);
+        let middle = self.disk.lateral_jacobian(slide, self.inner * rim);
+        LateralJacobian {
+            slide: self.less(whole.slide, middle.slide, k3),
+            rim: self.less(whole.rim, middle.rim, k4),
+        }
+    }
+
+    fn mean_square_radius(&self) -> R {
+        let [k2, ..] = self.powers();
+        self.disk.mean_square_radius() * (R::ONE + k2)
+    }
+}

@@ -1,0 +1,197 @@
+//! Coulomb friction in closed form: pressures whose functions are elementary or elliptic.
+//!
+//! | type | pressure | v ≤ w | v > w |
+//! |---|---|---|---|
+//! | [`Ring`] | all on the rim | B | B + (1−m) D |
+//! | [`FlatPunch`] | 1/√(1−r²) | constant | arc sine |
+//! | [`Hertz`] | √(1−r²) | polynomial | arc sine |
+//!
+//! The uniform disk's is [`super::compact::Coulomb`]. No table, no power; *Accuracy*: 1e-14
+//! relative in f64, 1e-5 in f32. *Source*: `docs/theory.md`; Hertz: Johnson, Contact Mechanics,
+//! has the end values T(0) = 3π/16 and 1.
+
+use super::family;
+use super::lateral::{self, Lateral, LateralJacobian};
+use super::profile::{self, Profile, SmoothProfile};
+use super::speeds::{Lead, Speeds};
+use super::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
+use crate::patch::PowerPressure;
+use crate::real::Real;
+use crate::special::CompleteElliptic;
+use core::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_4, PI};
+
+/// A thin ring, q = −1: Φ = (2/π) B where spinning leads, (2/π)(B + (1−m) D) where sliding leads,
+/// with the complete elliptic integrals of parameter m = h².
+///
+/// *Special values*: at equal speeds ∂F/∂v and its like are infinite.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Ring;
+
+/// A rigid flat punch, q = −1/2: F = (π/4) ε for ε ≤ 1, (ε asin(1/ε) + √(ε²−1)/ε)/2 beyond.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FlatPunch;
+
+/// Hertz' pressure, q = 1/2: F = (3π/8) ε (1 − ε²/4) for ε ≤ 1, arc sines beyond.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Hertz;
+
+/// Φ and Φ' of one pressure at α = 0.
+trait ClosedForm {
+    const PRESSURE: PowerPressure;
+    fn force<R: Real>(at: &Speeds<R>) -> [R; 2];
+}
+
+impl ClosedForm for Ring {
+    const PRESSURE: PowerPressure = PowerPressure::RING;
+
+    fn force<R: Real>(at: &Speeds<R>) -> [R; 2] {
+        let (two_by_pi, inv_pi) = (R::from_f64(FRAC_2_PI), R::from_f64(FRAC_1_PI));
+        let z = at.complement();
+        let CompleteElliptic { b, d, c, .. } = CompleteElliptic::new(z);
+        match at.lead() {
+            Lead::Spinning => [two_by_pi * b, inv_pi * c],
+            Lead::Sliding => [two_by_pi * (b + z * d), -inv_pi * d],
+        }
+    }
+}
+
+/// Below this square of the ratio the arc sines cancel, and the series in it serve.
+const SERIES_BELOW: f64 = 0.25;
+/// Terms of those series: 4⁻²⁶ < 2⁻⁵².
+const SERIES_TERMS: usize = 26;
+
+impl ClosedForm for FlatPunch {
+    const PRESSURE: PowerPressure = PowerPressure::FLAT_PUNCH;
+
+    fn force<R: Real>(at: &Speeds<R>) -> [R; 2] {
+        if at.lead() == Lead::Spinning {
+            return [R::from_f64(FRAC_PI_4) + R::ZERO * at.ratio(), R::ZERO];
+        }
+        let (y, z) = at.square_and_complement();
+        if y < R::from_f64(SERIES_BELOW) {
+            return series(Self::PRESSURE.order() + 2.0, y);
+        }
+        let (h, root) = (at.ratio(), z.sqrt());
+        let p = h.asin() / h;
+        let four = R::TWO + R::TWO;
+        [R::HALF * (p + root), (root - p) / (four * y)]
+    }
+}
+
+impl ClosedForm for Hertz {
+    const PRESSURE: PowerPressure = PowerPressure::HERTZ;
+
+    fn force<R: Real>(at: &Speeds<R>) -> [R; 2] {
+        let (y, z) = at.square_and_complement();
+        let quarter = R::HALF * R::HALF;
+        if at.lead() == Lead::Spinning {
+            let front = R::from_f64(3.0 * PI / 8.0);
+            return [front * (R::ONE - quarter * y), -quarter * front];
+        }
+        if y < R::from_f64(SERIES_BELOW) {
+            return series(Self::PRESSURE.order() + 2.0, y);
+        }
+        let (h, root) = (at.ratio(), z.sqrt());
+        let p = h.asin() / h;
+        let (three, four) = (R::ONE + R::TWO, R::TWO + R::TWO);
+        // Φ = (3/16y) [ p (4y − 1) + √z (2y + 1) ], and its derivative with 1/√z divided out.
+        let sixteenth = R::from_f64(3.0 / 16.0) / y;
+        let value = sixteenth * (p * (four * y - R::ONE) + root * (R::TWO * y + R::ONE));
+        let slope =
+            R::HALF * sixteenth / y * (p * (three - four * y) - root * (three - R::TWO * y));
+        [value, slope]
+    }
+}
+
+/// ₂F₁(1/2, −1/2; `c`; y) and its slope for y < 1/4.
+fn series<R: Real>(c: f64, y: R) -> [R; 2] {
+    let (mut value, mut slope) = (R::ONE, R::ZERO);
+    let mut power = R::ONE;
+    let mut coefficient = 1.0;
+    for n in 0..SERIES_TERMS {
+        let k = n as f64;
+        coefficient *= (k + 0.5) * (k - 0.5) / ((c + k) * (k + 1.0));
+        slope += R::from_f64(coefficient * (k + 1.0)) * power;
+        power *= y;
+        value += R::from_f64(coefficient) * power;
+    }
+    [value, slope]
+}
+
+macro_rules! coupled {
+    ($($form:ty),*) => {$(
+        impl<R: Real> Profile<R> for $form {
+            #[inline]
+            fn exponent(&self) -> R {
+                R::ZERO
+            }
+            #[inline]
+            fn factors(&self, at: &Speeds<R>) -> [R; 2] {
+                let [phi, _, chi] = self.factors_and_slope(at);
+                [phi, chi]
+            }
+            fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
+                family::inertia_excess(self, order::<Self, R>(), at, inertia_ratio)
+            }
+            fn inertia_ends(&self) -> [R; 2] {
+                family::inertia_ends(self.exponent(), order::<Self, R>())
+            }
+            #[inline]
+            fn speed_scale(&self, _: R) -> R {
+                R::ONE
+            }
+            #[inline]
+            fn rate_scale(&self, speed: R) -> R {
+                R::ONE / speed
+            }
+            fn half_scales(&self, speed: R) -> [R; 2] {
+                [R::ONE, R::ONE / speed.sqrt()]
+            }
+        }
+
+        impl<R: Real> SmoothProfile<R> for $form {
+            #[inline]
+            fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
+                let force = Self::force(at);
+                let chi = family::torque_factor(order::<Self, R>(), R::ZERO, at, force);
+                [force[0], force[1], chi]
+            }
+        }
+
+        impl<R: Real> Coupling<R> for $form {
+            #[inline]
+            fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
+                profile::wrench(self, slide, rim)
+            }
+            #[inline]
+            fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
+                profile::jacobian(self, slide, rim)
+            }
+        }
+
+        impl<R: Real> DryCoupling<R> for $form {}
+
+        impl<R: Real> Lateral<R> for $form {
+            #[inline]
+            fn lateral(&self, slide: R, rim: R) -> R {
+                let divisor = lateral::divisor(order::<Self, R>(), R::ZERO);
+                lateral::of_profile(self, divisor, slide, rim)
+            }
+            #[inline]
+            fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
+                let divisor = lateral::divisor(order::<Self, R>(), R::ZERO);
+                lateral::jacobian_of_profile(self, divisor, slide, rim)
+            }
+            fn mean_square_radius(&self) -> R {
+                R::from_f64(Self::PRESSURE.mean_square_radius())
+            }
+        }
+    )*};
+}
+
+coupled!(Ring, FlatPunch, Hertz);
+
+#[inline]
+fn order<F: ClosedForm, R: Real>() -> R {
+    R::from_f64(F::PRESSURE.order())
+}

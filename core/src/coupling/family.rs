@@ -1,0 +1,66 @@
+//! The pressures (1−r²)^q: Χ from Φ and Φ', and the final motion's balance.
+
+use super::profile::SmoothProfile;
+use super::speeds::{Lead, Speeds};
+use crate::real::Real;
+
+/// n = q + (3+α)/2 = F'(0)/T(0).
+#[inline]
+pub(super) fn moment<R: Real>(order: R, alpha: R) -> R {
+    order + R::HALF * (R::ONE + R::TWO + alpha)
+}
+
+/// Χ from Φ and Φ', for pressure of order q under exponent α.
+#[inline]
+pub(super) fn torque_factor<R: Real>(
+    order: R,
+    alpha: R,
+    at: &Speeds<R>,
+    [phi, slope]: [R; 2],
+) -> R {
+    let (x, z) = at.square_and_complement();
+    let inv_n = R::ONE / moment(order, alpha);
+    // The slope's singularity is weaker than 1/z.
+    let z_slope = if z == R::ZERO { R::ZERO } else { z * slope };
+    let theta = inv_n * (R::HALF * (R::ONE + alpha) * phi + z_slope);
+    match at.lead() {
+        Lead::Sliding => theta,
+        Lead::Spinning => inv_n * z * phi + x * theta,
+    }
+}
+
+/// C_α(0) = 1/n and C_α(∞) = (1+α)/(2(q+2)) for the pressure (1−r²)^q.
+pub(crate) fn inertia_ends<R: Real>(alpha: R, order: R) -> [R; 2] {
+    // Sums of small integers and halves: exact for the α and q that people name.
+    let twice = R::TWO * order;
+    let spinning = R::TWO / (twice + (R::ONE + R::TWO + alpha));
+    let sliding = (R::ONE + alpha) / (twice + (R::TWO + R::TWO));
+    [spinning, sliding]
+}
+
+/// n (C_α − C), every term with its own relative accuracy when α → 1 and C_α becomes constant:
+///
+/// ```text
+/// n (C_α − C) = (1 − (q+2) C) − (1−α)/2 (1 − C) + zΦ'/Φ       sliding leads
+/// n (C_α − C) = (1 − (q+2) C) − (1−α)/2 (x − C) + xzΦ'/Φ      spinning leads
+/// ```
+pub(super) fn inertia_excess<R: Real, P: SmoothProfile<R>>(
+    profile: &P,
+    order: R,
+    at: &Speeds<R>,
+    inertia_ratio: R,
+) -> R {
+    let [phi, slope, _] = profile.factors_and_slope(at);
+    let (x, z) = at.square_and_complement();
+    let constant = R::ONE - (order + R::TWO) * inertia_ratio;
+    let beta = R::HALF * (R::ONE - profile.exponent());
+    let bend = if z == R::ZERO {
+        R::ZERO
+    } else {
+        z * slope / phi
+    };
+    match at.lead() {
+        Lead::Sliding => constant - beta * (R::ONE - inertia_ratio) + bend,
+        Lead::Spinning => constant - beta * (x - inertia_ratio) + x * bend,
+    }
+}

@@ -1,0 +1,124 @@
+//! The lateral function: what pressure that leans forward does to a spinning contact.
+//!
+//! Let the pressure gain a linear term, p (1 + l·r) with r in radii and l in the contact plane. The
+//! element at r then adds to the dissipation potential a multiple of one new function of the speeds,
+//!
+//! ```text
+//! D = D₀(v, w) − l_y v G(v, w),      x along the velocity, y to the left, spin counterclockwise
+//! ```
+//!
+//! Its gradient is all there is: a force l_x G to the right of the velocity, and from l_y the
+//! changes −l_y ∂(vG)/∂v of F and −l_y ∂(vG)/∂w of T. For the pressures (1−r²)^q G needs no function
+//! of its own,
+//!
+//! ```text
+//! v G = (w F + v T)/(2(n+1)),      n = q + (3+α)/2
+//! ```
+//!
+//! *Source*: eqs. 3.37 and 3.38 of the thesis, whose lateral function is 2G; `docs/theory.md`
+//! derives the rest.
+
+use super::Coupling;
+use super::profile::{self, SmoothProfile};
+use super::speeds::{Lead, Speeds};
+use crate::real::Real;
+
+/// A coupling that knows its lateral function.
+pub trait Lateral<R: Real>: Coupling<R> {
+    /// G: the lateral force per coefficient, load and unit of pressure gradient l along the
+    /// velocity (l = 1: the pressure vanishes at the trailing edge).
+    ///
+    /// *Units*: those of F. Zero without spin; signs of the arguments are ignored.
+    fn lateral(&self, slide: R, rim: R) -> R;
+
+    /// ∂(vG)/∂v and ∂(vG)/∂w: minus the change of F and T per unit of pressure gradient across
+    /// the velocity, towards the side that spinning moves forward least.
+    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R>;
+
+    /// ⟨r²⟩ of the pressure without gradient, in radii squared.
+    fn mean_square_radius(&self) -> R;
+}
+
+/// What a pressure gradient across the velocity takes from force and torque.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LateralJacobian<R> {
+    /// ∂(vG)/∂v
+    pub slide: R,
+    /// ∂(vG)/∂w
+    pub rim: R,
+}
+
+impl<R: Real, C: Lateral<R> + ?Sized> Lateral<R> for &C {
+    #[inline]
+    fn lateral(&self, slide: R, rim: R) -> R {
+        (**self).lateral(slide, rim)
+    }
+    #[inline]
+    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
+        (**self).lateral_jacobian(slide, rim)
+    }
+    #[inline]
+    fn mean_square_radius(&self) -> R {
+        (**self).mean_square_radius()
+    }
+}
+
+/// (w F + v T)/(`divisor` v) of a profile.
+#[inline]
+pub(super) fn of_profile<R: Real, P: SmoothProfile<R>>(
+    profile: &P,
+    divisor: R,
+    slide: R,
+    rim: R,
+) -> R {
+    let at = Speeds::new(slide, rim);
+    if at.at_rest() {
+        return R::ZERO;
+    }
+    let [phi, chi] = profile.factors(&at);
+    let [g] = profile::scaled(profile, at.major, [at.rim * (phi + chi) / divisor]);
+    g
+}
+
+/// The gradient of (w F + v T)/`divisor`.
+#[inline]
+pub(super) fn jacobian_of_profile<R: Real, P: SmoothProfile<R>>(
+    profile: &P,
+    divisor: R,
+    slide: R,
+    rim: R,
+) -> LateralJacobian<R> {
+    let at = Speeds::new(slide, rim);
+    if at.at_rest() {
+        return LateralJacobian::default();
+    }
+    let [phi, slope, chi] = profile.factors_and_slope(&at);
+    let (x, z) = at.square_and_complement();
+    let (h, alpha) = (at.ratio(), profile.exponent());
+    // The slope's singularity at equal speeds is weaker than 1/z.
+    let bend = if z == R::ZERO {
+        R::ZERO
+    } else {
+        R::TWO * z * slope
+    };
+    // F_v w + T + T_v v and F + F_w w + T_w v.
+    let entries = match at.lead() {
+        Lead::Spinning => {
+            let beta = R::ONE - alpha;
+            [
+                (R::ONE - x * beta) * phi + x * bend + chi,
+                h * ((alpha + x * beta) * phi + alpha * chi - x * bend),
+            ]
+        }
+        Lead::Sliding => [h * (alpha * phi + bend + chi), phi + alpha * chi - bend],
+    };
+    let entries = entries.map(|entry| entry / divisor);
+    let [slide, rim] = profile::scaled(profile, at.major, entries);
+    LateralJacobian { slide, rim }
+}
+
+/// 2(n+1) for pressure of order q under exponent α.
+#[inline]
+pub(super) fn divisor<R: Real>(order: R, alpha: R) -> R {
+    R::TWO * (super::family::moment(order, alpha) + R::ONE)
+}

@@ -1,0 +1,129 @@
+//! Tables for pressures that are a polynomial of r²: the weighted sum of their members' tables.
+
+use super::lateral::{self, Lateral, LateralJacobian};
+use super::profile::{self, Profile, SmoothProfile};
+use super::side::Sides;
+use super::speeds::Speeds;
+use super::table::{CELLS_F64, MAX_EXPONENT, TERMS_F64};
+use super::{Coupling, ReducedJacobian, ReducedWrench};
+use crate::law::{LawError, validated_exponent};
+use crate::patch::PolynomialPressure;
+
+/// A table of Φ and Χ for a polynomial pressure and one exponent, in f64 (46 KiB).
+///
+/// *Accuracy*: as [`super::round::RoundTable64`], times Σ|wⱼ| of the pressure's shares.
+#[derive(Clone, Copy, Debug)]
+pub struct PolynomialTable {
+    sides: Sides<f64, CELLS_F64, TERMS_F64>,
+}
+
+impl PolynomialTable {
+    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`].
+    ///
+    /// ```
+    /// use tribos_core::coupling::{Coupling, round::PolynomialTable};
+    /// use tribos_core::patch::PolynomialPressure;
+    /// // All load towards the rim: p ~ r².
+    /// let table = PolynomialTable::new(0.0, &PolynomialPressure::new([0.0, 1.0])?)?;
+    /// assert!((table.reduced_wrench(0.0, 1.0).torque - 0.8).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn new<const N: usize>(
+        alpha: f64,
+        pressure: &PolynomialPressure<N>,
+    ) -> Result<Self, LawError> {
+        let alpha = validated_exponent(alpha, MAX_EXPONENT)?;
+        Ok(Self {
+            sides: Sides::of_shares(alpha, *pressure.shares()),
+        })
+    }
+}
+
+impl Profile<f64> for PolynomialTable {
+    #[inline]
+    fn exponent(&self) -> f64 {
+        self.sides.alpha
+    }
+    #[inline]
+    fn factors(&self, at: &Speeds<f64>) -> [f64; 2] {
+        self.sides.factors(at)
+    }
+}
+
+impl SmoothProfile<f64> for PolynomialTable {
+    #[inline]
+    fn factors_and_slope(&self, at: &Speeds<f64>) -> [f64; 3] {
+        self.sides.factors_and_slope(at)
+    }
+}
+
+impl Coupling<f64> for PolynomialTable {
+    #[inline]
+    fn reduced_wrench(&self, slide: f64, rim: f64) -> ReducedWrench<f64> {
+        profile::wrench(self, slide, rim)
+    }
+    #[inline]
+    fn reduced_jacobian(&self, slide: f64, rim: f64) -> ReducedJacobian<f64> {
+        profile::jacobian(self, slide, rim)
+    }
+}
+
+/// A [`PolynomialTable`] with its lateral function (92 KiB together).
+#[derive(Clone, Copy, Debug)]
+pub struct LateralPolynomialTable {
+    table: PolynomialTable,
+    /// The same sum with every share over its own 2(n+1): (w F + v T)/v of it is G.
+    lateral: Sides<f64, CELLS_F64, TERMS_F64>,
+    mean_square_radius: f64,
+}
+
+impl LateralPolynomialTable {
+    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`].
+    pub fn new<const N: usize>(
+        alpha: f64,
+        pressure: &PolynomialPressure<N>,
+    ) -> Result<Self, LawError> {
+        let table = PolynomialTable::new(alpha, pressure)?;
+        let shares = pressure.shares().iter().enumerate();
+        let shares = shares.map(|(j, share)| share / lateral::divisor(j as f64, alpha));
+        Ok(Self {
+            table,
+            lateral: Sides::of_shares(alpha, shares),
+            mean_square_radius: pressure.mean_square_radius(),
+        })
+    }
+}
+
+impl Profile<f64> for LateralPolynomialTable {
+    #[inline]
+    fn exponent(&self) -> f64 {
+        self.table.exponent()
+    }
+    #[inline]
+    fn factors(&self, at: &Speeds<f64>) -> [f64; 2] {
+        self.table.factors(at)
+    }
+}
+
+impl Coupling<f64> for LateralPolynomialTable {
+    #[inline]
+    fn reduced_wrench(&self, slide: f64, rim: f64) -> ReducedWrench<f64> {
+        self.table.reduced_wrench(slide, rim)
+    }
+    #[inline]
+    fn reduced_jacobian(&self, slide: f64, rim: f64) -> ReducedJacobian<f64> {
+        self.table.reduced_jacobian(slide, rim)
+    }
+}
+
+impl Lateral<f64> for LateralPolynomialTable {
+    fn lateral(&self, slide: f64, rim: f64) -> f64 {
+        lateral::of_profile(&self.lateral, 1.0, slide, rim)
+    }
+    fn lateral_jacobian(&self, slide: f64, rim: f64) -> LateralJacobian<f64> {
+        lateral::jacobian_of_profile(&self.lateral, 1.0, slide, rim)
+    }
+    fn mean_square_radius(&self) -> f64 {
+        self.mean_square_radius
+    }
+}

@@ -1,0 +1,242 @@
+//! Cells of one pair of functions on 0 ≤ z ≤ 1: finding one, evaluating it.
+
+use super::member::Member;
+use super::octave::{self, Cell, Pair};
+use super::profile::{Profile, SmoothProfile};
+use super::speeds::{Lead, Speeds};
+use crate::real::Real;
+
+/// The cells of Φ and its partner.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Side<R, const CELLS: usize, const TERMS: usize> {
+    cells: [Cell<R, TERMS>; CELLS],
+}
+
+impl<const CELLS: usize, const TERMS: usize> Side<f64, CELLS, TERMS> {
+    pub const fn build(pair: &Pair) -> Self {
+        Self {
+            cells: octave::cells(pair),
+        }
+    }
+
+    fn empty() -> Self {
+        let cell = Cell {
+            center: 0.0,
+            mirror: 0.0,
+            terms: [[0.0; 2]; TERMS],
+        };
+        Self {
+            cells: [cell; CELLS],
+        }
+    }
+
+    /// Adds `weight` times another side, term by term; takes over its cells' centers, which are
+    /// the same for all.
+    fn add(&mut self, weight: f64, other: &Self) {
+        for (sum, cell) in self.cells.iter_mut().zip(&other.cells) {
+            (sum.center, sum.mirror) = (cell.center, cell.mirror);
+            for (terms, more) in sum.terms.iter_mut().zip(&cell.terms) {
+                for (term, x) in terms.iter_mut().zip(more) {
+                    *term += weight * x;
+                }
+            }
+        }
+    }
+}
+
+impl<const CELLS: usize, const TERMS: usize> Side<f32, CELLS, TERMS> {
+    /// Built in f64, then rounded.
+    pub const fn rounded(wide: &Side<f64, CELLS, TERMS>) -> Self {
+        let mut cells = [Cell {
+            center: 0.0,
+            mirror: 0.0,
+            terms: [[0.0; 2]; TERMS],
+        }; CELLS];
+        let mut i = 0;
+        while i < CELLS {
+            cells[i].center = wide.cells[i].center as f32;
+            cells[i].mirror = wide.cells[i].mirror as f32;
+            let mut n = 0;
+            while n < TERMS {
+                let [phi, partner] = wide.cells[i].terms[n];
+                cells[i].terms[n] = [phi as f32, partner as f32];
+                n += 1;
+            }
+            i += 1;
+        }
+        Self { cells }
+    }
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> Side<R, CELLS, TERMS> {
+    /// The cell that holds z in [0, 1]; some cell if z is NaN.
+    #[inline]
+    fn cell(&self, z: R) -> Option<&Cell<R, TERMS>> {
+        // z = 1 belongs to the last cell.
+        let below = const { R::HALF_OCTAVE_OF_ONE - (CELLS - 1) };
+        self.cells.get(z.half_octave().saturating_sub(below))
+    }
+
+    /// The cell of z = 0; out of line, so that finding the others needs no clamp.
+    #[cold]
+    #[inline(never)]
+    fn end_cell(&self) -> &Cell<R, TERMS> {
+        &self.cells[0]
+    }
+
+    /// Both functions at x = h², for functions as smooth as those of the uniform disk: near z = 0
+    /// the rounding of z does not matter to them.
+    #[inline]
+    pub fn at_square(&self, x: R) -> [R; 2] {
+        let cell = match self.cell(R::ONE - x) {
+            Some(cell) => cell,
+            None => self.end_cell(),
+        };
+        evaluated(cell, cell.mirror - x)
+    }
+
+    /// Both functions at z, for functions that may leave z = 0 with infinite slope.
+    #[inline]
+    pub fn at_complement(&self, z: R) -> [R; 2] {
+        match self.cell(z) {
+            Some(cell) if z > R::ZERO => evaluated(cell, z - cell.center),
+            _ => self.at_end(z),
+        }
+    }
+
+    /// Values at z = 0, whose slopes may be infinite; NaN for NaN.
+    #[cold]
+    #[inline(never)]
+    fn at_end(&self, z: R) -> [R; 2] {
+        self.cells[0].terms[0].map(|value| value + z)
+    }
+
+    /// Φ and Φ' at z; Φ' = −dΦ/dz.
+    #[inline]
+    pub fn value_and_slope(&self, z: R) -> [R; 2] {
+        if z == R::ZERO {
+            return self.end_and_slope();
+        }
+        let cell = match self.cell(z) {
+            Some(cell) => cell,
+            None => self.end_cell(),
+        };
+        let u = z - cell.center;
+        let mut phi = cell.terms[TERMS - 1][0];
+        let mut slope = R::ZERO;
+        for [a, _] in cell.terms.iter().rev().skip(1) {
+            slope = slope * u + phi;
+            phi = phi * u + *a;
+        }
+        [phi, -slope]
+    }
+
+    #[cold]
+    fn end_and_slope(&self) -> [R; 2] {
+        let [[phi, _], [slope, _], ..] = self.cells[0].terms[..] else {
+            return [R::NAN; 2];
+        };
+        [phi, -slope]
+    }
+}
+
+/// Even and odd powers apart, on pairs.
+#[inline]
+fn evaluated<R: Real, const TERMS: usize>(cell: &Cell<R, TERMS>, u: R) -> [R; 2] {
+    let square = u * u;
+    let mut sums = [cell.terms[TERMS - 1], cell.terms[TERMS - 2]];
+    for n in (1..TERMS - 2).rev() {
+        let sum = &mut sums[(TERMS - 1 - n) % 2];
+        sum[0] = sum[0] * square + cell.terms[n][0];
+        sum[1] = sum[1] * square + cell.terms[n][1];
+    }
+    // The sums end with the first and the second power.
+    let [first, second] = if TERMS.is_multiple_of(2) {
+        sums
+    } else {
+        [sums[1], sums[0]]
+    };
+    let [phi, partner] = cell.terms[0];
+    [
+        phi + (first[0] * u + second[0] * square),
+        partner + (first[1] * u + second[1] * square),
+    ]
+}
+
+/// The cells of both regimes under exponent α: Φ and Χ.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sides<R, const CELLS: usize, const TERMS: usize> {
+    pub alpha: R,
+    pub spinning: Side<R, CELLS, TERMS>,
+    pub sliding: Side<R, CELLS, TERMS>,
+}
+
+impl<const CELLS: usize, const TERMS: usize> Sides<f64, CELLS, TERMS> {
+    /// One pressure of the family.
+    pub const fn of_member(member: &Member) -> Self {
+        Self {
+            alpha: member.alpha,
+            spinning: Side::build(&member.spinning()),
+            sliding: Side::build(&member.sliding()),
+        }
+    }
+
+    /// Σ wⱼ times the pressure of order j.
+    pub fn of_shares(alpha: f64, shares: impl IntoIterator<Item = f64>) -> Self {
+        let mut sum = Self {
+            alpha,
+            spinning: Side::empty(),
+            sliding: Side::empty(),
+        };
+        let mut order = 0.0;
+        for share in shares {
+            let member = Self::of_member(&Member { alpha, order });
+            sum.spinning.add(share, &member.spinning);
+            sum.sliding.add(share, &member.sliding);
+            order += 1.0;
+        }
+        sum
+    }
+}
+
+impl<const CELLS: usize, const TERMS: usize> Sides<f32, CELLS, TERMS> {
+    /// Built in f64, then rounded.
+    pub const fn rounded(alpha: f32, wide: &Sides<f64, CELLS, TERMS>) -> Self {
+        Self {
+            alpha,
+            spinning: Side::rounded(&wide.spinning),
+            sliding: Side::rounded(&wide.sliding),
+        }
+    }
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> Sides<R, CELLS, TERMS> {
+    #[inline]
+    fn leading(&self, at: &Speeds<R>) -> &Side<R, CELLS, TERMS> {
+        match at.lead() {
+            Lead::Spinning => &self.spinning,
+            Lead::Sliding => &self.sliding,
+        }
+    }
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Sides<R, CELLS, TERMS> {
+    #[inline]
+    fn exponent(&self) -> R {
+        self.alpha
+    }
+    #[inline]
+    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
+        self.leading(at).at_complement(at.complement())
+    }
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Sides<R, CELLS, TERMS> {
+    #[inline]
+    fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        let (side, z) = (self.leading(at), at.complement());
+        let [_, chi] = side.at_complement(z);
+        let [phi, slope] = side.value_and_slope(z);
+        [phi, slope, chi]
+    }
+}

@@ -1,0 +1,120 @@
+//! The two speeds of a contact in units of the larger one.
+
+use crate::real::Real;
+
+/// Which of the two speeds is the larger one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lead {
+    /// The rim moves faster than the centre, w ≥ v.
+    Spinning,
+    /// The centre moves faster than the rim, v > w.
+    Sliding,
+}
+
+/// Sliding speed v and rim speed w = |ω|R in units of m = max(v, w).
+#[derive(Clone, Copy, Debug)]
+pub struct Speeds<R> {
+    /// m, zero only at rest.
+    pub(super) major: R,
+    /// v/m
+    pub(super) slide: R,
+    /// w/m
+    pub(super) rim: R,
+    /// |v − w|/m, from the speeds themselves.
+    gap: R,
+}
+
+impl<R: Real> Speeds<R> {
+    /// From two speeds; their signs are ignored.
+    #[inline]
+    pub fn new(slide: R, rim: R) -> Self {
+        let (slide, rim) = (slide.abs(), rim.abs());
+        let major = if slide > rim { slide } else { rim };
+        let (a, b) = (slide / major, rim / major);
+        // One comparison finds rest (0/0), infinities (∞/∞) and NaN.
+        if a * b >= R::ZERO {
+            Self {
+                major,
+                slide: a,
+                rim: b,
+                gap: (slide - rim).abs() / major,
+            }
+        } else {
+            Self::unordinary(slide, rim)
+        }
+    }
+
+    /// From the smaller over the larger speed, `ratio` in [0, 1], with m = 1.
+    #[inline]
+    pub fn from_ratio(lead: Lead, ratio: R) -> Self {
+        let (slide, rim) = match lead {
+            Lead::Spinning => (ratio, R::ONE),
+            Lead::Sliding => (R::ONE, ratio),
+        };
+        Self {
+            major: R::ONE,
+            slide,
+            rim,
+            gap: R::ONE - ratio,
+        }
+    }
+
+    /// Rest, infinities and NaN: the limit if only one speed is infinite, zeros at rest.
+    #[cold]
+    fn unordinary(slide: R, rim: R) -> Self {
+        let in_units = |speed: R, other: R| {
+            if speed == R::INFINITY && other < R::INFINITY {
+                R::ONE
+            } else if other == R::INFINITY && speed < R::INFINITY {
+                R::ZERO
+            } else if speed == R::INFINITY {
+                speed - other
+            } else {
+                // Zero, or NaN from either.
+                speed + R::ZERO * other
+            }
+        };
+        let (a, b) = (in_units(slide, rim), in_units(rim, slide));
+        Self {
+            major: slide + rim,
+            slide: a,
+            rim: b,
+            gap: (a - b).abs(),
+        }
+    }
+
+    /// True if nothing moves; false for NaN.
+    #[inline]
+    pub fn at_rest(&self) -> bool {
+        self.major == R::ZERO
+    }
+
+    /// Which speed leads; spinning if they are equal.
+    #[inline]
+    pub fn lead(&self) -> Lead {
+        if self.slide > self.rim {
+            Lead::Sliding
+        } else {
+            Lead::Spinning
+        }
+    }
+
+    /// h, the smaller speed over the larger one: one of the two factors is 1.
+    #[inline]
+    pub fn ratio(&self) -> R {
+        self.slide * self.rim
+    }
+
+    /// z = 1 − h², without cancellation near equal speeds.
+    #[inline]
+    pub fn complement(&self) -> R {
+        self.gap * (R::ONE + self.ratio())
+    }
+
+    /// x = h² and z = 1 − x, each without rounding near its zero.
+    #[inline]
+    pub(super) fn square_and_complement(&self) -> (R, R) {
+        let h = self.ratio();
+        (h * h, self.complement())
+    }
+}

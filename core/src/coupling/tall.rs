@@ -1,0 +1,269 @@
+//! A tall body: friction at its foot leans it forward, and its pressure with it.
+//!
+//! Friction F pulls at the foot, inertia at the centre of mass a height h above. While the body
+//! does not tip, the pressure balances that moment with a gradient, p (1 + l·r) with r in radii,
+//!
+//! ```text
+//! l = −λ F/(γN),      λ = 2 γ h/(R ⟨r²⟩)       (for a cylinder of height H, h = H/2: γ H/R · 2)
+//! ```
+//!
+//! and a pressure that leans makes spinning friction lateral ([`super::Lateral`]). Both ways of the
+//! circle close at once: with F₀, G, E = ∂(vG)/∂v of the upright body,
+//!
+//! ```text
+//! along: F = F₀/(1 + λ²GE),      lateral: λ G F,      torque: T₀ − λ²G F ∂(vG)/∂w
+//! ```
+//!
+//! *Source*: eqs. 3.37 and 3.38 of the thesis, which keep only the gradient along the velocity
+//! ([`FrontBack`]). The lateral force tips the body sideways as well, an effect of order λ² that
+//! [`AllRound`] includes.
+
+use super::{FrictionError, Lateral, LateralJacobian, PatchFriction, ReducedWrench};
+use crate::patch::PatchError;
+use crate::real::Real;
+use crate::twist::{Twist, Wrench};
+use core::marker::PhantomData;
+use nalgebra::Vector2;
+
+/// Reduced wrench under a pressure with gradient.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LeaningWrench<R> {
+    /// F against the velocity.
+    pub force: R,
+    /// Force to the right of the velocity for counterclockwise spin, to the left for clockwise.
+    pub lateral: R,
+    /// T against the spin.
+    pub torque: R,
+}
+
+/// The reduced wrench under the pressure p (1 + l·r), with `along` the component of l along the
+/// velocity and `across` that to the left of it for counterclockwise spin (to the right for
+/// clockwise).
+///
+/// *Domain*: |l| ≤ 1 keeps the pressure positive; beyond, the result is the formula's, not a
+/// body's. *Units*: those of F.
+pub fn leaning_wrench<R: Real, C: Lateral<R>>(
+    coupling: &C,
+    [slide, rim]: [R; 2],
+    [along, across]: [R; 2],
+) -> LeaningWrench<R> {
+    let ReducedWrench { force, torque } = coupling.reduced_wrench(slide, rim);
+    let lateral = along * coupling.lateral(slide, rim);
+    if across == R::ZERO {
+        return LeaningWrench {
+            force,
+            lateral,
+            torque,
+        };
+    }
+    let change = coupling.lateral_jacobian(slide, rim);
+    LeaningWrench {
+        force: force - across * change.slide,
+        lateral,
+        torque: torque - across * change.rim,
+    }
+}
+
+/// Which gradients of the pressure are followed.
+pub trait Lean: sealed::Sealed {
+    /// The wrench and the gradient (along, across) for λ = `lean`.
+    fn balance<R: Real, C: Lateral<R>>(
+        coupling: &C,
+        speeds: [R; 2],
+        lean: R,
+    ) -> (LeaningWrench<R>, [R; 2]);
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::FrontBack {}
+    impl Sealed for super::AllRound {}
+}
+
+/// Only the gradient along the velocity, from the upright body's force (eq. 3.37).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FrontBack;
+
+/// Both gradients, in balance with the forces that they cause.
+///
+/// *Cost*: a Jacobian more than [`FrontBack`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AllRound;
+
+impl Lean for FrontBack {
+    #[inline]
+    fn balance<R: Real, C: Lateral<R>>(
+        coupling: &C,
+        [slide, rim]: [R; 2],
+        lean: R,
+    ) -> (LeaningWrench<R>, [R; 2]) {
+        let ReducedWrench { force, torque } = coupling.reduced_wrench(slide, rim);
+        let along = lean * force;
+        let wrench = LeaningWrench {
+            force,
+            lateral: along * coupling.lateral(slide, rim),
+            torque,
+        };
+        (wrench, [along, R::ZERO])
+    }
+}
+
+impl Lean for AllRound {
+    fn balance<R: Real, C: Lateral<R>>(
+        coupling: &C,
+        [slide, rim]: [R; 2],
+        lean: R,
+    ) -> (LeaningWrench<R>, [R; 2]) {
+        let ReducedWrench { force, torque } = coupling.reduced_wrench(slide, rim);
+        let lateral = lean * coupling.lateral(slide, rim);
+        let LateralJacobian { slide, rim } = coupling.lateral_jacobian(slide, rim);
+        let force = force / (R::ONE + lean * lateral * slide);
+        let lateral = lateral * force;
+        let across = lean * lateral;
+        let wrench = LeaningWrench {
+            force,
+            lateral,
+            torque: torque - across * rim,
+        };
+        (wrench, [lean * force, across])
+    }
+}
+
+/// Whether the whole patch still bears.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Footing {
+    /// The pressure is positive everywhere.
+    Whole,
+    /// The pressure would be negative at the trailing edge: the body begins to tip.
+    Lifting,
+}
+
+/// The body begins to tip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Tips {
+    /// |l|, which must not exceed 1.
+    pub lean: f64,
+}
+
+impl core::fmt::Display for Tips {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(
+            f,
+            "the body tips: the pressure gradient is {} of what its foot can bear; \
+             lower the centre of mass or the friction",
+            self.lean
+        )
+    }
+}
+
+impl core::error::Error for Tips {}
+
+/// What friction does to a tall body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TallWrench<R: Real> {
+    /// Force at the foot and torque about the normal.
+    pub wrench: Wrench<R>,
+    /// Pressure gradient l, per radius, that balances the force.
+    pub lean: Vector2<R>,
+    /// Whether the wrench is that of a whole foot. If [`Footing::Lifting`], the gradient's share
+    /// in the wrench has been held at |l| = 1.
+    pub footing: Footing,
+}
+
+impl<R: Real> TallWrench<R> {
+    /// The wrench, unless the body tips.
+    pub fn whole(&self) -> Result<Wrench<R>, Tips> {
+        match self.footing {
+            Footing::Whole => Ok(self.wrench),
+            Footing::Lifting => Err(Tips {
+                lean: self.lean.x.hypot(self.lean.y).to_f64(),
+            }),
+        }
+    }
+}
+
+/// Friction of a body whose centre of mass stands above its foot.
+///
+/// *Units*: as [`PatchFriction`]. The wrench acts at the foot's centre.
+///
+/// ```
+/// use tribos_core::coupling::{PatchFriction, tall::{AllRound, TallFriction}, table::Coulomb};
+/// use tribos_core::twist::Twist;
+/// // A cylinder of radius 8 cm and height 16 cm: it drifts to the right when it spins left.
+/// let foot = PatchFriction::new(Coulomb, 0.2_f64, 0.08)?;
+/// let cylinder = TallFriction::<_, _, AllRound>::new(foot, 0.08)?; // centre of mass, m
+/// let wrench = cylinder.wrench(9.81, &Twist::new(1.0, 0.0, 10.0)).whole()?;
+/// assert!(wrench.force.x < 0.0 && wrench.force.y < 0.0);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TallFriction<R, C, L> {
+    foot: PatchFriction<R, C>,
+    /// λ
+    lean: R,
+    ways: PhantomData<L>,
+}
+
+impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
+    /// *Domain*: 0 ≤ `height` < ∞, of the centre of mass above the foot.
+    pub fn new(foot: PatchFriction<R, C>, height: R) -> Result<Self, FrictionError> {
+        let is_valid = height >= R::ZERO && height.is_finite();
+        if !is_valid {
+            return Err(FrictionError::Patch(PatchError::Height {
+                given: height.to_f64(),
+            }));
+        }
+        let arm = foot.radius() * foot.coupling().mean_square_radius();
+        Ok(Self {
+            lean: R::TWO * foot.coefficient() * height / arm,
+            foot,
+            ways: PhantomData,
+        })
+    }
+
+    /// Wrench, pressure gradient and footing at a twist.
+    ///
+    /// *Special values*: zero at rest; NaN in gives NaN out, with [`Footing::Lifting`].
+    pub fn wrench(&self, load: R, twist: &Twist<R>) -> TallWrench<R> {
+        let speed = twist.speed();
+        let speeds = [speed, (twist.spin * self.foot.radius()).abs()];
+        let coupling = self.foot.coupling();
+        let (mut reduced, [along, across]) = L::balance(coupling, speeds, self.lean);
+        let lean = along.hypot(across);
+        let footing = if lean <= R::ONE {
+            Footing::Whole
+        } else {
+            reduced = leaning_wrench(coupling, speeds, [along / lean, across / lean]);
+            Footing::Lifting
+        };
+        let strength = self.foot.coefficient() * load;
+        let (cos, sin) = if speed == R::ZERO {
+            (R::ONE, R::ZERO)
+        } else {
+            (twist.velocity.x / speed, twist.velocity.y / speed)
+        };
+        let sense = R::ONE.copysign(twist.spin);
+        let (back, side) = (strength * reduced.force, strength * reduced.lateral * sense);
+        let across = across * sense;
+        TallWrench {
+            wrench: Wrench {
+                force: Vector2::new(side * sin - back * cos, -(side * cos) - back * sin),
+                torque: -(strength * self.foot.radius() * reduced.torque * sense),
+            },
+            lean: Vector2::new(along * cos - across * sin, along * sin + across * cos),
+            footing,
+        }
+    }
+
+    /// The foot.
+    pub fn foot(&self) -> &PatchFriction<R, C> {
+        &self.foot
+    }
+
+    /// λ: the pressure gradient per unit of reduced force.
+    pub fn lean(&self) -> R {
+        self.lean
+    }
+}
