@@ -29,10 +29,10 @@ bounds! {
     TABLE_DEEP = 1.2e-14, "torque near equal speeds: its singular part is conditioned like 1/(1+alpha)";
     /// Elliptic integrals by the arithmetic-geometric mean, relative.
     AGM = 1e-14, "promised in coupling::compact; rounds of the mean add up near equal speeds";
-    /// Compact powers of −0.95 ≤ α ≤ 30, relative.
+    /// Compact powers of −0.99 ≤ α ≤ 30, relative.
     COMPACT = 2.5e-15, "speed power, series with compensated sums";
-    /// Compact powers of α < −0.95 or α > 30, relative.
-    COMPACT_ENDS = 1e-14, "conditioning 1/(1+alpha) of the torque below, powers of the ratio above";
+    /// Compact powers of α > 30, relative.
+    COMPACT_ENDS = 1e-14, "powers of the ratio with steep exponents";
     /// Quadrature for 0 ≤ α ≤ 5, relative.
     QUADRATURE = 4e-9, "1e-8 is promised; 8 radii, worst just below v = 2w";
     /// Quadrature for −0.5 ≤ α < 0, relative.
@@ -59,7 +59,7 @@ bounds! {
     SINGLE_ULPS = 5.0, "speed power, Horner scheme, weights, in f32";
     /// f32 table of 5 < α ≤ 10, ulp of f32.
     SINGLE_STEEP_ULPS = 8.0, "the profile rises by a factor 40 on one cell of degree 5; 7.05 in a sweep of 800,000 ratios";
-    /// f32 tiers of −0.99 ≤ α < −0.75, ulp of f32.
+    /// f32 tables of −0.99 ≤ α < −0.75, ulp of f32.
     SINGLE_DEEP_ULPS = 66.0, "1 - h^2 is rounded before the torque subtracts from it: 1/(1+alpha)";
     /// f32 AGM tier, relative.
     SINGLE_AGM = 2e-6, "5e-6 is promised; rounds of the mean add up near equal speeds";

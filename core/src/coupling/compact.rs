@@ -151,11 +151,13 @@ impl<R: Real> SmoothProfile<R> for Power<R> {
             Lead::Spinning => &self.spinning,
             Lead::Sliding => &self.sliding,
         };
+        let at = at.widened();
         let (x, z) = at.square_and_complement();
-        let phi = pair.gauss.at(x.to_f64(), z.to_f64());
-        let [phi, slope] = [phi.value, phi.slope].map(|y| R::from_f64(pair.scale * y));
-        let chi = family::torque_factor(self.order, self.alpha, at, [phi, slope]);
-        [phi, slope, chi]
+        let phi = pair.gauss.at(x, z);
+        let [phi, slope] = [phi.value, phi.slope].map(|y| pair.scale * y);
+        let [order, alpha] = [self.order, self.alpha].map(R::to_f64);
+        let chi = family::torque_factor(order, alpha, &at, [phi, slope]);
+        [phi, slope, chi].map(R::from_f64)
     }
 }
 

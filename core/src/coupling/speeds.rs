@@ -83,6 +83,17 @@ impl<R: Real> Speeds<R> {
         }
     }
 
+    /// The same in f64.
+    #[inline]
+    pub(super) fn widened(&self) -> Speeds<f64> {
+        Speeds {
+            major: self.major.to_f64(),
+            slide: self.slide.to_f64(),
+            rim: self.rim.to_f64(),
+            gap: self.gap.to_f64(),
+        }
+    }
+
     /// True if nothing moves; false for NaN.
     #[inline]
     pub fn at_rest(&self) -> bool {
