@@ -9,7 +9,7 @@ use crate::twist::{Twist, Wrench};
 /// (|force|/f_max)² + (torque/m_max)² ≤ 1 with f_max = μN and m_max = μN R T₀.
 ///
 /// *Error* for the uniform disk (T₀ = 2/3): the exact surface lies inside, down to gauge 0.934 at
-/// v/(ωR) = 0.775. See `docs/limit-surface.md` for forces and motions.
+/// v/(ωR) = 0.766. See `docs/limit-surface.md` for forces and motions.
 /// *Accuracy* as an ellipsoid: a few ulp.
 /// *Source*: R. D. Howe and M. R. Cutkosky, Int. J. Robotics Research 15 (1996) 531.
 ///
@@ -107,9 +107,16 @@ impl<R: Real> FrictionSet<R> for Ellipsoid<R> {
     fn wrench(&self, twist: &Twist<R>) -> Wrench<R> {
         self.surface.wrench(twist)
     }
+    /// A closed form here: √((|force|/f_max)² + (torque/m_max)²).
     #[inline]
     fn gauge(&self, wrench: &Wrench<R>) -> R {
-        self.surface.gauge(wrench)
+        let Wrench { force, torque } = wrench;
+        let lever = self.radius() * self.surface.coupling().spin_torque;
+        let length = force.x.hypot(force.y).hypot(*torque / lever);
+        if length == R::ZERO {
+            return length;
+        }
+        length / self.force_limit()
     }
     #[inline]
     fn twist_normal_to(&self, push: &Wrench<R>) -> Twist<R> {

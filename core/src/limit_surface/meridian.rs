@@ -160,12 +160,7 @@ impl<R: Real, C: DryCoupling<R>> Meridian<R, C> {
 
     /// The normal at the point of the curve nearest to one outside, in the norm
     /// √(f² + t²/`lever_sq`). `radial` is what [`Meridian::radial`] says about the point.
-    pub fn nearest(
-        &self,
-        point: ReducedWrench<R>,
-        lever_sq: R,
-        radial: &Radial<R>,
-    ) -> Normal<R> {
+    pub fn nearest(&self, point: ReducedWrench<R>, lever_sq: R, radial: &Radial<R>) -> Normal<R> {
         let ReducedWrench { force, torque } = near(point);
         let equal = &self.equal;
         let lead = if torque - equal.torque <= lever_sq * (force - equal.force) {
