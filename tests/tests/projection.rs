@@ -297,21 +297,23 @@ fn projecting_again_changes_neither_bits_nor_region() {
 #[test]
 fn huge_and_tiny_wrenches_have_the_right_nearest_point() {
     let disk = puck(Coulomb);
-    for huge in [1e20, 1e150, 1e290, 1e300] {
-        // Far away only the direction counts: the normal, hence the friction of that twist.
-        for (push, twist) in [
-            (wrench(3.0, 4.0, 0.0), Twist::new(0.6, 0.8, 0.0)),
-            (wrench(0.0, 0.0, -1.0), Twist::new(0.0, 0.0, -1.0)),
-            (
-                wrench(3.0, 4.0, 5.0 * RADIUS),
-                Twist::new(0.6, 0.8, 1.0 / RADIUS),
-            ),
-        ] {
-            let far = plus(&wrench(0.0, 0.0, 0.0), huge, &push);
-            let got = disk.project(&far).wrench;
-            let wanted = disk.wrench(&twist);
-            let error = norm(&plus(&got, 1.0, &wanted), RADIUS);
-            assert!(error <= 1e-15 * FORCE_LIMIT, "{far:?}: {got:?}");
+    for huge in [1e20, 1e150, 1e290, 1e305] {
+        // Far away only the direction counts: (force, torque/length²) is the normal.
+        for (x, y, torque) in [(0.3, 0.4, 0.0), (0.0, 0.0, -1.0), (0.3, 0.4, 0.5 * RADIUS)] {
+            for lever in [1.0, 1e-7, 1e-3, 30.0, 1e6] {
+                let far = plus(&wrench(0.0, 0.0, 0.0), huge, &wrench(x, y, torque));
+                let length = lever * RADIUS;
+                let got = disk.project_with_length(&far, length).wrench;
+                let wanted = disk.wrench(&Twist::new(x, y, torque / length / length));
+                let error = norm(&plus(&got, 1.0, &wanted), RADIUS);
+                let bound = tolerance::ACROSS_NORMAL
+                    .limit
+                    .max(2.0 / huge * (1.0 + lever * lever));
+                assert!(
+                    error <= bound * FORCE_LIMIT,
+                    "{far:?}, lever {lever}: {got:?}"
+                );
+            }
         }
     }
     for tiny in [1e-300, 1e-310, 5e-324] {

@@ -160,8 +160,10 @@ impl<R: Real, C: DryCoupling<R>> Meridian<R, C> {
 
     /// The normal at the point of the curve nearest to one outside, in the norm
     /// √(f² + t²/`lever_sq`). `radial` is what [`Meridian::radial`] says about the point.
+    ///
+    /// Products with a weight only overflow where the other component leads.
     pub fn nearest(&self, point: ReducedWrench<R>, lever_sq: R, radial: &Radial<R>) -> Normal<R> {
-        let ReducedWrench { force, torque } = near(point);
+        let ReducedWrench { force, torque } = point;
         let equal = &self.equal;
         let lead = if torque - equal.torque <= lever_sq * (force - equal.force) {
             Lead::Slide
@@ -221,20 +223,6 @@ impl<R: Real, C: DryCoupling<R>> Meridian<R, C> {
 #[inline]
 fn settled<R: Real>() -> R {
     R::from_f64(SETTLED_ULPS) * R::EPSILON
-}
-
-/// A point so far away that only its direction counts, brought nearer along it: its products with
-/// weights stay in range.
-#[inline]
-fn near<R: Real>(point: ReducedWrench<R>) -> ReducedWrench<R> {
-    let shrink = R::EPSILON * R::EPSILON;
-    if (point.force + point.torque) * shrink * shrink <= R::ONE {
-        return point;
-    }
-    ReducedWrench {
-        force: point.force * shrink,
-        torque: point.torque * shrink,
-    }
 }
 
 /// The zero in [0, 1] of a function that rises through it, by Newton steps kept in the bracket;
