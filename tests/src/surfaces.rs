@@ -44,7 +44,7 @@ pub fn power(wrench: &Wrench<f64>, twist: &Twist<f64>) -> f64 {
     wrench.force.dot(&twist.velocity) + wrench.torque * twist.spin
 }
 
-/// Largest difference of components, bit patterns aside: zero for equal numbers only.
+/// True if every component has the same bit pattern.
 pub fn same_bits(a: &Wrench<f64>, b: &Wrench<f64>) -> bool {
     [
         (a.force.x, b.force.x),

@@ -15,7 +15,7 @@ use crate::twist::{Twist, Wrench};
 /// The coupling's wrench must turn with its twist, without jumps, from (1, 0) in pure sliding to
 /// (0, T₀) in pure spinning, as that of every axisymmetric patch does; slopes may be infinite.
 ///
-/// *Accuracy* (f64): gauge, surface points and projections 1e-15 of the limits, the motion's ratio
+/// *Accuracy* (f64, table tier): gauge, surface points and projections 1e-15 of the limits, the motion's ratio
 /// 1e-15 relative; f32: 3e-7 of the limits.
 /// *Cost*, wrenches and Jacobians together: gauge 6 (at most 9), normal 8 (11), projection 6 inside
 /// and 13 outside (30, more for lengths far from the radius). Each of a projection's two searches
