@@ -15,9 +15,10 @@ use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::table::{self, Table32, Table64};
 use tribos_core::coupling::{Coupling, PatchFriction, compact};
 use tribos_core::law::PowerLaw;
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use tribos_core::modes::Modes;
 use tribos_core::slider::{Motion, Slider};
-use tribos_core::twist::Twist;
+use tribos_core::twist::{Twist, Wrench};
 
 /// A law with α = 1/2, prepared by the compiler: 23 KiB of flash, no RAM.
 static HALF_POWER: Table64 = match Table64::new(0.5) {
@@ -56,6 +57,10 @@ fn everything(a: f64, b: f64) -> Option<f64> {
     sum += slider.verlet_step(&Motion::launched(a, b), b).speed;
     let slider = Slider::new(&HALF_POWER_F32, x, y, 0.5).ok()?;
     sum_f32 += slider.advance(&Motion::launched(x, y), y).motion.time;
+    sum += set_sum(&LimitSurface::new(table::Coulomb, a, b).ok()?, a, b);
+    sum += set_sum(&Ellipsoid::new(a, b, b).ok()?, a, b);
+    sum_f32 += set_sum(&LimitSurface::new(table::Coulomb, x, y).ok()?, x, y);
+    sum_f32 += set_sum(&Ellipsoid::new(x, y, y).ok()?, x, y);
     Some(sum + f64::from(sum_f32))
 }
 
@@ -64,6 +69,18 @@ fn wrench_sum<R: tribos_core::Real>(coupling: &impl Coupling<R>, v: R, w: R) -> 
     let wrench = coupling.reduced_wrench(v, w);
     let jacobian = coupling.reduced_jacobian(v, w);
     wrench.force + wrench.torque + jacobian.force_slide + jacobian.mixed + jacobian.torque_rim
+}
+
+/// Both ways through a friction set.
+fn set_sum<R: tribos_core::Real>(set: &impl FrictionSet<R>, v: R, w: R) -> R {
+    let Wrench { force, torque } = set.wrench(&Twist::new(v, w, v));
+    let push = Wrench {
+        force: -(force + force),
+        torque: -torque,
+    };
+    let motion = set.twist_normal_to(&set.scale_to_surface(&push));
+    let carried = set.project_with_length(&push, w).wrench;
+    set.support(&motion) + set.gauge(&carried)
 }
 
 #[cfg(target_os = "none")]

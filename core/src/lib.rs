@@ -20,6 +20,7 @@
 //! | [`law`] | friction of one surface element: Coulomb, power law |
 //! | [`patch`] | the contact's shape and pressure: the uniform disk |
 //! | [`coupling`] | law × patch → force, torque and Jacobian, in accuracy tiers picked by type |
+//! | [`limit_surface`] | all wrenches that dry friction can carry: gauge, normal, projection |
 //! | [`modes`] | where the ratio of sliding to spinning goes |
 //! | [`slider`] | a body followed to rest |
 //! | [`twist`] | motion in, wrench out |
@@ -37,6 +38,7 @@
 
 pub mod coupling;
 pub mod law;
+pub mod limit_surface;
 pub mod modes;
 pub mod patch;
 pub mod real;

@@ -8,6 +8,7 @@ pub mod bits;
 pub mod pucks;
 pub mod reference;
 pub mod rim_mean;
+pub mod surfaces;
 pub mod sweep;
 pub mod tables;
 pub mod tiers;

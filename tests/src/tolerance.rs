@@ -97,6 +97,37 @@ bounds! {
     /// Legendre's relation, of K(m)K(1-m).
     LEGENDRE = 1e-15, "four products of integrals of a few ulp";
 
+    /// Gauge of surface points known to 32 digits, absolute.
+    GAUGE = 1e-15, "1e-12 is promised; dissipation of the table tier and three roundings";
+    /// Velocity ratio recovered from its own friction, relative.
+    NORMAL = 2e-15, "1e-12 is promised; table's error over the curvature of the surface";
+    /// The same for a ring, whose slopes are infinite at equal speeds.
+    NORMAL_RING = 4e-15, "the last Newton step only divides its error by a logarithm";
+    /// Gauge of projections against 1, in units of EPSILON; the collar is 64.
+    ON_SURFACE_ULPS = 8.0, "surface point and gauge round a few times each";
+    /// The same for couplings by the arithmetic-geometric mean.
+    ON_SURFACE_AGM_ULPS = 56.0, "noise of the mean near equal speeds, 31 ulp, in point and gauge";
+    /// Distance of a projection against brute force, of the set's size and the distance.
+    NEAREST_DISTANCE = 1e-15, "stationary in the normal: rounding only";
+    /// Projected wrench against brute force, over the root of the set's size and the distance.
+    NEAREST_POINT = 2e-7, "golden section resolves an argument to the root of rounding";
+    /// Displacement across the normal, of the set's size and the displacement.
+    ACROSS_NORMAL = 1e-15, "normal and surface point round a few times";
+    /// Friction of a projection's normal against the projection, of the set's size.
+    FRICTION_OF_NORMAL = 2e-14, "noise of the arithmetic-geometric mean near equal speeds, ring and disk";
+    /// Work of the displacement towards any wrench of the set, of the squared size.
+    POLAR = 1e-18, "rounding of two wrenches that nearly coincide";
+    /// Growth of the distance of two wrenches by projection, of the set's size.
+    EXPANSION = 1e-15, "surface points round to a few ulp of the limits";
+    /// The same in f32.
+    EXPANSION_SINGLE = 4e-7, "surface points round to a few ulp of the limits";
+    /// f32 projections against f64, of the set's size.
+    SINGLE_PROJECTION = 5e-7, "surface points round to a few ulp of the limits";
+    /// The ellipsoid against its closed forms, relative.
+    ELLIPSOID = 2e-15, "a dozen roundings";
+    /// Published errors of the ellipsoid, relative.
+    QUOTED_ELLIPSOID = 4e-3, "rounding of the quotation to three digits";
+
     /// Odd exponents against their polynomials, relative.
     POLYNOMIAL = 1e-15, "as TABLE, and the rounding of the polynomial";
     /// The thesis' formulas in f64 against the kernel, relative.

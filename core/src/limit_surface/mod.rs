@@ -1,0 +1,195 @@
+//! The limit surface: all wrenches that the dry friction of a patch can carry, as a convex set.
+//!
+//! A patch at rest carries any wrench of a closed convex set; a sliding patch resists with the
+//! wrench of the set's surface that dissipates most (Goyal, Ruina, Papadopoulos, Wear 143 (1991)
+//! 307). The set's support function is therefore the dissipated power D(twist), and the outward
+//! normal of the surface is a twist:
+//!
+//! ```text
+//! set = { x : x·twist ≤ D(twist) for every twist },      friction = −∂D/∂twist
+//! ```
+//!
+//! [`LimitSurface`] is this set for any [`crate::coupling::DryCoupling`], to rounding;
+//! [`Ellipsoid`] is the usual approximation. Both are a [`FrictionSet`].
+//!
+//! *Sign*: friction opposes the motion. A *push* is the wrench that moves the patch against its
+//! friction, and its motion is the outward normal. The set is symmetric: what it carries as
+//! friction it carries as push.
+//!
+//! ```
+//! use tribos_core::coupling::table::Coulomb;
+//! use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+//! use tribos_core::twist::{Twist, Wrench};
+//! use nalgebra::Vector2;
+//!
+//! let puck = LimitSurface::new(Coulomb, 0.51_f64, 0.04)?; // μN in N, radius in m
+//! // A motion, and the friction that it meets.
+//! let friction = puck.wrench(&Twist::new(0.1, 0.0, 2.0));
+//! assert!((puck.gauge(&friction) - 1.0).abs() < 1e-14);
+//! // A push, and the motion that it causes: friction balances the push.
+//! let push = Wrench { force: -friction.force, torque: -friction.torque };
+//! let motion = puck.twist_normal_to(&push);
+//! assert!((motion.velocity.x / motion.spin - 0.1 / 2.0).abs() < 1e-13);
+//! // More than friction can carry, brought back to the surface.
+//! let carried = puck.project(&Wrench { force: Vector2::new(1.0, 0.0), torque: 0.02 });
+//! assert!(puck.contains(&carried.wrench));
+//! # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
+//! ```
+
+mod ellipsoid;
+mod exact;
+mod meridian;
+mod polar;
+
+pub use ellipsoid::Ellipsoid;
+pub use exact::LimitSurface;
+
+use crate::real::Real;
+use crate::twist::{Twist, Wrench};
+
+/// Half width of the surface in units of the type's rounding error: a wrench with
+/// |gauge − 1| ≤ 64 [`Real::EPSILON`] counts as on the surface.
+///
+/// It covers the rounding of a surface point and of its gauge, for couplings that are themselves
+/// right to about 30 units (the AGM tier), so that no projection moves a projected wrench.
+pub const COLLAR_ULPS: f64 = 64.0;
+
+/// A closed convex set of wrenches with a smooth surface, symmetric like the friction of a disk.
+///
+/// All methods are total. NaN in gives NaN out. A wrench is infinite here if its force magnitude,
+/// its torque/radius or the ratio of these to the force limit overflows.
+pub trait FrictionSet<R: Real> {
+    /// The largest force, μN.
+    fn force_limit(&self) -> R;
+
+    /// The radius R of the patch, the lever that makes a speed of a spin.
+    fn radius(&self) -> R;
+
+    /// Support function: the largest wrench·twist of the set, which is the dissipated power.
+    ///
+    /// *Units*: power. *Special values*: 0 at rest.
+    fn support(&self, twist: &Twist<R>) -> R;
+
+    /// Friction on the patch that moves with `twist`: the surface point whose outward normal is
+    /// −`twist`.
+    ///
+    /// *Special values*: zero at rest; NaN for an infinite twist.
+    fn wrench(&self, twist: &Twist<R>) -> Wrench<R>;
+
+    /// The smallest λ ≥ 0 with `wrench`/λ in the set: below 1 inside, 1 on the surface.
+    ///
+    /// *Special values*: 0 for no wrench, infinite for an infinite one; with a force limit of zero
+    /// infinite for every wrench but zero.
+    fn gauge(&self, wrench: &Wrench<R>) -> R;
+
+    /// The motion that `push` causes: outward normal where the ray of `push` meets the surface.
+    ///
+    /// Friction under it is −`push`/gauge. *Units*: length/time and 1/time, scaled such that
+    /// |velocity|² + (spin·radius)² = 1. *Special values*: zero for no wrench, NaN for an infinite
+    /// one.
+    fn twist_normal_to(&self, push: &Wrench<R>) -> Twist<R>;
+
+    /// The wrench along the same ray on the surface, `wrench`/gauge.
+    ///
+    /// *Special values*: the zero wrench has no ray and stays; NaN for an infinite one.
+    fn scale_to_surface(&self, wrench: &Wrench<R>) -> Wrench<R>;
+
+    /// The nearest wrench of the set by the distance √(|Δforce|² + (Δtorque/`length`)²).
+    ///
+    /// The displacement is (velocity, `length`²·spin) of the normal times a factor ≥ 0.
+    /// *Domain*: 0 < `length` < ∞, NaN otherwise for wrenches outside. *Special values*: NaN for
+    /// an infinite wrench.
+    fn project_with_length(&self, wrench: &Wrench<R>, length: R) -> Projection<R>;
+
+    /// [`FrictionSet::project_with_length`] with the radius as length.
+    #[inline]
+    fn project(&self, wrench: &Wrench<R>) -> Projection<R> {
+        self.project_with_length(wrench, self.radius())
+    }
+
+    /// The motion that meets the friction `wrench`, scaled radially to the surface:
+    /// −[`FrictionSet::twist_normal_to`].
+    #[inline]
+    fn twist_resisted_by(&self, wrench: &Wrench<R>) -> Twist<R> {
+        let push = Wrench {
+            force: -wrench.force,
+            torque: -wrench.torque,
+        };
+        self.twist_normal_to(&push)
+    }
+
+    /// True if friction can carry `wrench`: gauge ≤ 1, and the collar of [`COLLAR_ULPS`].
+    #[inline]
+    fn contains(&self, wrench: &Wrench<R>) -> bool {
+        self.gauge(wrench) <= R::ONE + collar()
+    }
+}
+
+/// The half width of the surface.
+#[inline]
+fn collar<R: Real>() -> R {
+    R::from_f64(COLLAR_ULPS) * R::EPSILON
+}
+
+/// A wrench of the set nearest to a given one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projection<R: Real> {
+    /// The wrench. Bit for bit the given one if that was inside or on the surface.
+    pub wrench: Wrench<R>,
+    /// Where it lies.
+    pub region: Region<R>,
+}
+
+/// Where a projected wrench lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Region<R: Real> {
+    /// Gauge below 1: the contact sticks.
+    Inside,
+    /// Gauge 1: the contact slides.
+    OnSurface {
+        /// Outward normal, scaled as in [`FrictionSet::twist_normal_to`]. NaN with the wrench.
+        normal: Twist<R>,
+    },
+}
+
+/// Why a surface was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum SurfaceError {
+    /// The force limit is negative, infinite or NaN.
+    ForceLimit {
+        /// What was given.
+        given: f64,
+    },
+    /// The radius is not positive and finite.
+    Radius {
+        /// What was given.
+        given: f64,
+    },
+    /// The reduced torque of pure spinning is not positive and finite.
+    SpinTorque {
+        /// What was given.
+        given: f64,
+    },
+}
+
+impl core::fmt::Display for SurfaceError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::ForceLimit { given } => write!(
+                f,
+                "the force limit must be finite and not negative, not {given}"
+            ),
+            Self::Radius { given } => write!(
+                f,
+                "the contact radius must be positive and finite, not {given}"
+            ),
+            Self::SpinTorque { given } => write!(
+                f,
+                "the reduced torque of pure spinning must be positive and finite, not {given}"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for SurfaceError {}

@@ -1,0 +1,150 @@
+//! What tests of friction sets share: wrenches, distances, couplings with a purpose.
+
+use crate::sweep::Lcg;
+use nalgebra::Vector2;
+use std::cell::Cell;
+use tribos_core::Real;
+use tribos_core::coupling::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
+use tribos_core::special::CompleteElliptic;
+use tribos_core::twist::{Twist, Wrench};
+
+/// μN in N and R in m of every set that has dimensions: no powers of two.
+pub const FORCE_LIMIT: f64 = 0.51;
+/// See [`FORCE_LIMIT`].
+pub const RADIUS: f64 = 0.04;
+
+/// A wrench from its components.
+pub fn wrench<R: Real>(x: R, y: R, torque: R) -> Wrench<R> {
+    Wrench {
+        force: Vector2::new(x, y),
+        torque,
+    }
+}
+
+/// `a` + `factor` `b`.
+pub fn plus(a: &Wrench<f64>, factor: f64, b: &Wrench<f64>) -> Wrench<f64> {
+    Wrench {
+        force: a.force + b.force * factor,
+        torque: a.torque + b.torque * factor,
+    }
+}
+
+/// Inner product of two wrenches, torques over `length`.
+pub fn inner(a: &Wrench<f64>, b: &Wrench<f64>, length: f64) -> f64 {
+    a.force.dot(&b.force) + a.torque / length * (b.torque / length)
+}
+
+/// Length of a wrench, torque over `length`.
+pub fn norm(a: &Wrench<f64>, length: f64) -> f64 {
+    a.force.x.hypot(a.force.y).hypot(a.torque / length)
+}
+
+/// Power of a wrench on a twist.
+pub fn power(wrench: &Wrench<f64>, twist: &Twist<f64>) -> f64 {
+    wrench.force.dot(&twist.velocity) + wrench.torque * twist.spin
+}
+
+/// True if every component has the same bit pattern.
+pub fn same_bits(a: &Wrench<f64>, b: &Wrench<f64>) -> bool {
+    [
+        (a.force.x, b.force.x),
+        (a.force.y, b.force.y),
+        (a.torque, b.torque),
+    ]
+    .iter()
+    .all(|(a, b)| a.to_bits() == b.to_bits())
+}
+
+/// A wrench in any direction, one in four near a pole or on one; force and torque/`RADIUS` over
+/// `FORCE_LIMIT` together `size`.
+pub fn random_wrench(rng: &mut Lcg, size: f64) -> Wrench<f64> {
+    use std::f64::consts::{FRAC_PI_2, TAU};
+    let tilt = match rng.bits() >> 60 {
+        0 => 0.0,
+        1 => FRAC_PI_2,
+        2 => rng.log_between(1e-18, 1.0),
+        3 => FRAC_PI_2 - rng.log_between(1e-18, 1.0),
+        _ => rng.between(0.0, FRAC_PI_2),
+    };
+    let turn = rng.between(0.0, TAU);
+    let force = size * FORCE_LIMIT * if tilt == FRAC_PI_2 { 0.0 } else { tilt.cos() };
+    let torque = size * FORCE_LIMIT * RADIUS * tilt.sin();
+    let sign = if rng.unit() < 0.5 { 1.0 } else { -1.0 };
+    wrench(force * turn.cos(), force * turn.sin(), sign * torque)
+}
+
+/// Coulomb friction of a ring: D = (2/π)(2E − (1−h²)K) of the larger speed. At equal speeds the
+/// slopes are infinite like a logarithm.
+#[derive(Clone, Copy, Debug)]
+pub struct Ring;
+
+impl DryCoupling<f64> for Ring {}
+
+impl Coupling<f64> for Ring {
+    fn reduced_wrench(&self, slide: f64, rim: f64) -> ReducedWrench<f64> {
+        let (slide, rim) = (slide.abs(), rim.abs());
+        let (force, torque) = if slide > rim {
+            ring_factors(rim / slide)
+        } else {
+            let (torque, force) = ring_factors(slide / rim);
+            (force, torque)
+        };
+        ReducedWrench { force, torque }
+    }
+
+    fn reduced_jacobian(&self, slide: f64, rim: f64) -> ReducedJacobian<f64> {
+        let (slide, rim) = (slide.abs(), rim.abs());
+        let major = slide.max(rim);
+        let (a, b) = (slide / major, rim / major);
+        let h = a * b;
+        let rate = CompleteElliptic::new((1.0 - h) * (1.0 + h)).d * std::f64::consts::FRAC_2_PI;
+        ReducedJacobian {
+            force_per_slide: self.reduced_wrench(slide, rim).force / slide,
+            force_slide: b * b * rate / major,
+            mixed: -h * rate / major,
+            torque_rim: a * a * rate / major,
+        }
+    }
+}
+
+/// Leading and trailing component, (2/π) E and (2/π) h B.
+fn ring_factors(h: f64) -> (f64, f64) {
+    let integrals = CompleteElliptic::new((1.0 - h) * (1.0 + h));
+    let unit = std::f64::consts::FRAC_2_PI;
+    (unit * integrals.e(), unit * h * integrals.b)
+}
+
+/// A coupling that counts how often it is asked.
+#[derive(Debug)]
+pub struct Counting<C> {
+    coupling: C,
+    calls: Cell<u32>,
+}
+
+impl<C> Counting<C> {
+    /// Counts the calls of `coupling`.
+    pub fn new(coupling: C) -> Self {
+        Self {
+            coupling,
+            calls: Cell::new(0),
+        }
+    }
+
+    /// Wrenches and Jacobians since the last question.
+    pub fn take(&self) -> u32 {
+        self.calls.replace(0)
+    }
+}
+
+impl<R: Real, C: DryCoupling<R>> DryCoupling<R> for Counting<C> {}
+
+impl<R: Real, C: Coupling<R>> Coupling<R> for Counting<C> {
+    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
+        self.calls.set(self.calls.get() + 1);
+        self.coupling.reduced_wrench(slide, rim)
+    }
+    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
+        self.calls.set(self.calls.get() + 1);
+        self.coupling.reduced_jacobian(slide, rim)
+    }
+}
