@@ -114,6 +114,21 @@ bounds! {
     /// A factor quoted in errata.md with four digits, absolute.
     QUOTED = 6e-4, "rounding of the quotation";
 
+    /// Slopes of local laws against extrapolated differences, relative to |slope| + friction/speed.
+    LAW_SLOPE = 1e-10, "sixth-order differences with step 2^-7 of the speed: rounding 1e-16 x 2^7, truncation h^6";
+    /// Local laws in f32 against f64, relative to friction; slopes to |slope| + friction/speed.
+    LAW_SINGLE = 3e-5, "rate-and-state: 2^-24 x mu/a = 60 in the exponent, and the rounding of the parameters";
+    /// Local laws against their formula in extended precision, relative.
+    LAW = 2e-14, "rate-and-state: 2^-53 x 100 in the exponent";
+    /// Ages after a step against extended precision, relative.
+    AGE = 5e-15, "an exponential and four products";
+    /// Steps of an exact solution in one or in many parts, relative.
+    PARTS_OF_A_STEP = 1e-13, "64 roundings of the state, amplified by Ruina's logarithm";
+    /// Exact steps against Runge-Kutta of fourth order, relative to the steady value.
+    LAW_ODE = 2e-12, "4000 steps of 1/400 of the decay: h^4/120";
+    /// Linear law on the disk by quadrature against its closed form, relative.
+    LINEAR_ON_DISK = 1e-12, "polynomials are exact at the nodes";
+
     /// Finite fixed points, relative.
     FIXED_POINT = 5e-15, "1e-13 is promised; last digits of slope over value";
     /// Growth at a fixed point, of its ratio.
