@@ -115,19 +115,21 @@ bounds! {
     QUOTED = 6e-4, "rounding of the quotation";
 
     /// Slopes of local laws against extrapolated differences, relative to |slope| + friction/speed.
-    LAW_SLOPE = 1e-10, "sixth-order differences with step 2^-7 of the speed: rounding 1e-16 x 2^7, truncation h^6";
+    LAW_SLOPE = 4e-13, "sixth-order differences with step 2^-7 of the speed: rounding 1e-16 x 2^9, truncation h^6";
     /// Local laws in f32 against f64, relative to friction; slopes to |slope| + friction/speed.
-    LAW_SINGLE = 3e-5, "rate-and-state: 2^-24 x mu/a = 60 in the exponent, and the rounding of the parameters";
+    LAW_SINGLE = 5e-7, "rounding of the parameters, the most by the power of the speed and by cancelling slopes";
     /// Local laws against their formula in extended precision, relative.
-    LAW = 2e-14, "rate-and-state: 2^-53 x 100 in the exponent";
+    LAW = 6e-15, "rate-and-state: 2^-53 x mu/a = 60 in the exponent";
     /// Ages after a step against extended precision, relative.
-    AGE = 5e-15, "an exponential and four products";
+    AGE = 5e-16, "an exponential and four products";
+    /// Steps of laws with memory in f32 against f64, relative to the largest term.
+    STEP_SINGLE = 2e-6, "2^-24 x 16 decay times in the exponent while the start is remembered";
     /// Steps of an exact solution in one or in many parts, relative.
-    PARTS_OF_A_STEP = 1e-13, "64 roundings of the state, amplified by Ruina's logarithm";
+    PARTS_OF_A_STEP = 2e-14, "64 roundings of the state";
     /// Exact steps against Runge-Kutta of fourth order, relative to the steady value.
-    LAW_ODE = 2e-12, "4000 steps of 1/400 of the decay: h^4/120";
+    LAW_ODE = 2e-13, "the oracle: 4000 roundings, and h^4/120 for h = 1/400 of the decay time";
     /// Linear law on the disk by quadrature against its closed form, relative.
-    LINEAR_ON_DISK = 1e-12, "polynomials are exact at the nodes";
+    LINEAR_ON_DISK = 4e-15, "polynomials are exact at the nodes";
 
     /// Finite fixed points, relative.
     FIXED_POINT = 5e-15, "1e-13 is promised; last digits of slope over value";

@@ -80,6 +80,10 @@ fn laws<R: Real + 'static>() -> Vec<Named<R>> {
             Box::new(rate_state(0.015, 0.01, 0.0).steady()),
         ),
         (
+            "rate-and-state, neutral",
+            Box::new(rate_state(0.01, 0.01, 0.0).steady()),
+        ),
+        (
             "rate-and-state, no state",
             Box::new(rate_state(0.02, 0.0, 0.0).steady()),
         ),

@@ -15,6 +15,8 @@ pub struct ContactAge<R> {
 ///
 /// Both laws here rest at θ = D_c/V and are solved exactly while V is constant. They share the
 /// decay factor e^(−V dt/D_c).
+///
+/// *Accuracy*: some ulp, times V dt/D_c while the start is remembered.
 pub trait Evolution {
     /// θ after the time `dt` at constant `speed`.
     ///

@@ -88,7 +88,7 @@ impl<R: Real, E: Evolution> RateState<R, E> {
     pub fn coefficient(&self, speed: R, age: ContactAge<R>) -> R {
         let p = &self.parameters;
         let log_speed = ln_ratio(speed, p.reference_speed);
-        regularised(p, log_speed, self.strength(age)) + scaled(p.viscous, speed)
+        regularised(p, log_speed + self.strength(age) / p.a) + scaled(p.viscous, speed)
     }
 
     /// ∂μ/∂V at constant age: a/√(V² + q²) + η.
@@ -139,10 +139,9 @@ impl<R: Real, E: Evolution> RateState<R, E> {
     }
 }
 
-/// a asinh[(V/2V₀) e^(strength/a)] from ln(V/V₀), without overflow of the exponential.
+/// a asinh(V/q) from ln(2V/q), without overflow of the exponential.
 #[inline]
-pub(super) fn regularised<R: Real>(p: &RateStateParameters<R>, log_speed: R, strength: R) -> R {
-    let exponent = log_speed + strength / p.a;
+pub(super) fn regularised<R: Real>(p: &RateStateParameters<R>, exponent: R) -> R {
     if exponent > R::from_f64(LOGARITHMIC_FROM) {
         p.a * exponent
     } else {

@@ -86,29 +86,21 @@ impl<R: Real> SteadyRateState<R> {
     }
 }
 
-impl<R: Real> SteadyRateState<R> {
-    /// ln(V/V₀) and μ₀ − b ln(V/V₀)
-    #[inline]
-    fn log_speed_and_strength(&self, speed: R) -> (R, R) {
-        let p = &self.parameters;
-        let log_speed = ln_ratio(speed, p.reference_speed);
-        (log_speed, p.mu - scaled(p.b, log_speed))
-    }
-}
-
 impl<R: Real> LocalLaw<R> for SteadyRateState<R> {
     #[inline]
     fn friction(&self, speed: R) -> R {
-        let (log_speed, strength) = self.log_speed_and_strength(speed);
         let p = &self.parameters;
-        regularised(p, log_speed, strength) + scaled(p.viscous, speed)
+        // ln(2V/q)
+        let log_speed = ln_ratio(speed, p.reference_speed);
+        let exponent = scaled(R::ONE - p.b / p.a, log_speed) + p.mu / p.a;
+        regularised(p, exponent) + scaled(p.viscous, speed)
     }
     #[inline]
     fn slope(&self, speed: R) -> R {
-        let (_, strength) = self.log_speed_and_strength(speed);
         let p = &self.parameters;
+        let strength = p.mu - scaled(p.b, ln_ratio(speed, p.reference_speed));
         // d/dV of asinh(V/q) with q ∝ V^(b/a): (1 − b/a)/√(V² + q²).
-        let transition = transition_speed(p, strength);
-        (p.a - p.b) / speed.hypot(transition) + p.viscous
+        let steepness = R::ONE / speed.hypot(transition_speed(p, strength));
+        scaled(p.a - p.b, steepness) + p.viscous
     }
 }
