@@ -131,6 +131,9 @@ bounds! {
     /// Linear law on the disk by quadrature against its closed form, relative.
     LINEAR_ON_DISK = 4e-15, "polynomials are exact at the nodes";
 
+    /// Force of laws with several regimes by quadrature, relative.
+    REGIMES_ON_DISK = 4e-9, "1e-8 is promised; a Stribeck speed of a tenth of the speeds on the disk";
+
     /// Finite fixed points, relative.
     FIXED_POINT = 5e-15, "1e-13 is promised; last digits of slope over value";
     /// Growth at a fixed point, of its ratio.

@@ -201,6 +201,45 @@ fn laws_compose_with_the_disk() {
     }
 }
 
+/// F of a disk by 100,000 angles of its rim: v⟨2 sin²θ g(ρ)/ρ⟩.
+fn force_by_the_rim(law: &impl LocalLaw<f64>, v: f64, w: f64) -> f64 {
+    let count = 100_000;
+    let sum: f64 = (0..count)
+        .map(|i| {
+            let (sin, cos) = (PI * (f64::from(i) + 0.5) / f64::from(count)).sin_cos();
+            let speed = (v * v + w * w - 2.0 * v * w * cos).sqrt();
+            2.0 * sin * sin * law.friction(speed) / speed
+        })
+        .sum();
+    v * sum / f64::from(count)
+}
+
+fn see_disk(worst: &mut Worst, name: &str, law: impl LocalLaw<f64>, range: (f64, f64)) {
+    let disk = DiskQuadrature::new(law);
+    let mut rng = Lcg::new(83);
+    for i in 0..40 {
+        let mut speed = || rng.log_between(range.0, range.1);
+        // Every fourth disk rolls off its rim, where one point of it is at rest.
+        let (v, w) = (speed(), speed());
+        let w = if i % 4 == 0 { v } else { w };
+        let wanted = force_by_the_rim(disk.law(), v, w);
+        let error = (disk.reduced_wrench(v, w).force / wanted - 1.0).abs();
+        worst.see(error, || format!("{name}, ({v:e}, {w:e})"));
+    }
+}
+
+#[test]
+fn quadrature_serves_laws_with_several_regimes() {
+    let mut worst = Worst::of("laws with several regimes on a disk");
+    let weakening = rate_state(0.01, 0.015, 2.0).steady();
+    see_disk(&mut worst, "rate-and-state", weakening, (1e-6, 1.0));
+    see_disk(&mut worst, "Stribeck", stribeck(2.0, 0.5), (1e-3, 0.1));
+    see_disk(&mut worst, "plateau", plateau(-0.5, 0.5), (1e-5, 1.0));
+    let joint = lugre().steady_per_load(4.0).unwrap();
+    see_disk(&mut worst, "LuGre", joint, (1e-4, 1e-2));
+    worst.assert_within(&tolerance::REGIMES_ON_DISK);
+}
+
 #[test]
 fn a_body_slips_beyond_static_friction_only() {
     let wood = DryFriction::new(0.5_f64, 0.3).unwrap();
