@@ -37,6 +37,9 @@ fn rate_and_state_keeps_its_formula() {
         (1e-30, 1.0, 0.013531921056797524, 8.748046244687522e27),
         (1e-32, 0.01, 1.805672228182543e-07, 1.8056722279862993e25),
         (10.0, 1e-6, 20.51940952174521, 2.001),
+        (1e-31, 1e3, 0.09343127961798639, 9.999999846647042e28),
+        (1e-30, 1e4, 0.15099590686616182, 9.999999999998467e27),
+        (10.0, 1e6, 20.933874838484137, 2.001),
     ];
     let mut worst = Worst::of("rate-and-state friction");
     let single = RateState::<f32, Ruina>::new(RateStateParameters {
@@ -56,7 +59,7 @@ fn rate_and_state_keeps_its_formula() {
         // Far from the transition the logarithm is the same.
         let log = law.logarithmic(v, age(theta));
         assert!((log - mu).abs() < 1e-14 || v <= 1e-30);
-        // e^60 squared overflows f32; the law does not.
+        // The last exponent overflows f32; the law does not.
         let theta = ContactAge {
             theta: theta as f32,
         };
