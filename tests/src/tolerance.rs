@@ -145,6 +145,26 @@ bounds! {
     /// A factor quoted in errata.md with four digits, absolute.
     QUOTED = 6e-4, "rounding of the quotation";
 
+    /// Slopes of local laws against extrapolated differences, relative to |slope| + friction/speed.
+    LAW_SLOPE = 4e-13, "sixth-order differences with step 2^-7 of the speed: rounding 1e-16 x 2^9, truncation h^6";
+    /// Local laws in f32 against f64, relative to friction; slopes to |slope| + friction/speed.
+    LAW_SINGLE = 5e-7, "rounding of the parameters, the most by the power of the speed and by cancelling slopes";
+    /// Local laws against their formula in extended precision, relative.
+    LAW = 6e-15, "rate-and-state: 2^-53 x mu/a = 60 in the exponent";
+    /// Ages after a step against extended precision, relative.
+    AGE = 5e-16, "an exponential and four products";
+    /// Steps of laws with memory in f32 against f64, relative to the largest term.
+    STEP_SINGLE = 2e-6, "2^-24 x 16 decay times in the exponent while the start is remembered";
+    /// Steps of an exact solution in one or in many parts, relative.
+    PARTS_OF_A_STEP = 2e-14, "64 roundings of the state";
+    /// Exact steps against Runge-Kutta of fourth order, relative to the steady value.
+    LAW_ODE = 2e-13, "the oracle: 4000 roundings, and h^4/120 for h = 1/400 of the decay time";
+    /// Linear law on the disk by quadrature against its closed form, relative.
+    LINEAR_ON_DISK = 4e-15, "polynomials are exact at the nodes";
+
+    /// Force of laws with several regimes by quadrature, relative.
+    REGIMES_ON_DISK = 4e-9, "1e-8 is promised; a Stribeck speed of a tenth of the speeds on the disk";
+
     /// Finite fixed points, relative.
     FIXED_POINT = 5e-15, "1e-13 is promised; last digits of slope over value";
     /// Growth at a fixed point, of its ratio.

@@ -1,10 +1,66 @@
-//! Local friction laws: what a surface element that slides with a given speed resists with.
+//! Friction laws: what a surface element, a body or a joint that slides resists with.
+//!
+//! | law | friction depends on | [`LocalLaw`] |
+//! |---|---|---|
+//! | [`Coulomb`], [`DryFriction`] | load; rest or motion | dynamic friction |
+//! | [`PowerLaw`], [`PlateauPower`] | a power of the speed | yes |
+//! | [`Stribeck`] | speed: boundary and hydrodynamic lubrication | yes |
+//! | [`Ageing`] | time of rest | – |
+//! | [`RateState`] | speed and age, ageing law [`Dieterich`] or slip law [`Ruina`] | [`SteadyRateState`] |
+//! | [`LuGre`] | velocity and deflection of bristles | [`SteadyLuGre`] |
+//! | [`BowdenTabor`] | real area of contact | – |
+//! | [`Stokes`], [`InertialDrag`] | speed in a fluid | – |
+//!
+//! States ([`Age`], [`ContactAge`], [`Bristle`]) are small values that the caller keeps, one for
+//! each contact; a law never changes. [`Incline`] puts a body on a slope.
+//!
+//! Local laws couple sliding and spinning of a whole contact through
+//! [`DiskQuadrature`](crate::coupling::quadrature::DiskQuadrature):
+//!
+//! ```
+//! use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
+//! use tribos_core::law::{DryFriction, Stribeck};
+//! let law = Stribeck::new(DryFriction::new(0.2_f64, 0.1)?, 0.05, 2.0, 0.01)?;
+//! let disk = DiskQuadrature::new(law);
+//! assert!(disk.reduced_wrench(0.1, 0.5).force < disk.reduced_wrench(0.1, 0.0).force);
+//! # Ok::<(), tribos_core::law::LawError>(())
+//! ```
 
+mod ageing;
+mod bowden_tabor;
+mod contact_age;
 mod coulomb;
+mod drag;
+mod dry;
+mod error;
+mod grip;
+mod incline;
+mod limits;
+mod lugre;
+mod plateau;
 mod power;
+mod rate_state;
+mod real_area;
+mod steady_rate_state;
+mod stribeck;
 
+pub use ageing::{Age, Ageing};
+pub use bowden_tabor::BowdenTabor;
+pub use contact_age::{ContactAge, Dieterich, Evolution, Ruina};
 pub use coulomb::Coulomb;
+pub use drag::{DragRegime, InertialDrag, STOKES_CONSTANT, Stokes, crossover_reynolds, reynolds};
+pub use dry::DryFriction;
+pub use error::LawError;
+pub(crate) use error::{validated_coefficient, validated_exponent};
+pub use grip::Grip;
+pub use incline::{Incline, critical_angle};
+pub use lugre::{Bristle, LuGre, LuGreParameters, SteadyLuGre};
+pub use plateau::PlateauPower;
 pub use power::PowerLaw;
+pub use rate_state::{RateState, RateStateParameters};
+pub use real_area::{GreenwoodWilliamson, HertzSphere, Plastic, RealArea};
+pub use steady_rate_state::SteadyRateState;
+pub use stribeck::Stribeck;
 
 use crate::real::Real;
 
@@ -16,63 +72,4 @@ pub trait LocalLaw<R: Real> {
     fn friction(&self, speed: R) -> R;
     /// Derivative of [`LocalLaw::friction`] at `speed` > 0.
     fn slope(&self, speed: R) -> R;
-}
-
-/// Why a law was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum LawError {
-    /// The coefficient is negative, infinite or NaN.
-    Coefficient {
-        /// What was given.
-        given: f64,
-    },
-    /// The exponent is NaN or not in (−1, `max`].
-    Exponent {
-        /// What was given.
-        given: f64,
-        /// Largest exponent of the chosen tier.
-        max: f64,
-    },
-}
-
-impl core::fmt::Display for LawError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Coefficient { given } => {
-                write!(
-                    f,
-                    "the coefficient must be finite and not negative, not {given}"
-                )
-            }
-            Self::Exponent { given, max } => {
-                write!(
-                    f,
-                    "the exponent alpha must satisfy -1 < alpha <= {max}, not {given}"
-                )
-            }
-        }
-    }
-}
-
-impl core::error::Error for LawError {}
-
-/// `alpha` if −1 < alpha ≤ `max`.
-pub(crate) const fn validated_exponent(alpha: f64, max: f64) -> Result<f64, LawError> {
-    if alpha > -1.0 && alpha <= max {
-        Ok(alpha)
-    } else {
-        Err(LawError::Exponent { given: alpha, max })
-    }
-}
-
-/// `coefficient` if finite and not negative.
-pub(crate) fn validated_coefficient<R: Real>(coefficient: R) -> Result<R, LawError> {
-    if coefficient >= R::ZERO && coefficient.is_finite() {
-        Ok(coefficient)
-    } else {
-        Err(LawError::Coefficient {
-            given: coefficient.to_f64(),
-        })
-    }
 }
