@@ -11,9 +11,11 @@
 //! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
 
 mod annulus;
+mod dry;
 mod family;
 mod friction;
 mod lateral;
+mod lean_profile;
 mod member;
 mod octave;
 mod polynomial;
@@ -29,9 +31,11 @@ pub mod table;
 pub mod tall;
 
 pub use annulus::Annulus;
+pub use dry::Dry;
 pub(crate) use family::inertia_ends;
 pub use friction::{FrictionError, Magnitudes, MagnitudesJacobian, PatchFriction};
 pub use lateral::{Lateral, LateralJacobian};
+pub use lean_profile::LeanProfile;
 pub use profile::{Profile, SmoothProfile, unscaled_wrench};
 pub use speeds::{Lead, Speeds};
 

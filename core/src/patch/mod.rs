@@ -39,6 +39,11 @@ pub enum PatchError {
         /// What was given.
         given: f64,
     },
+    /// The lean of a tall body is negative, infinite or NaN.
+    Lean {
+        /// What was given.
+        given: f64,
+    },
     /// A polynomial pressure is negative somewhere on the patch, or not finite.
     Negative,
     /// The pressure carries no load.
@@ -72,6 +77,9 @@ impl core::fmt::Display for PatchError {
                     f,
                     "the height of the centre of mass must be finite and not negative, not {given}"
                 )
+            }
+            Self::Lean { given } => {
+                write!(f, "the lean must be finite and not negative, not {given}")
             }
             Self::Negative => f.write_str(
                 "the pressure must be finite and nowhere negative on the patch; \

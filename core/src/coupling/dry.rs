@@ -1,0 +1,104 @@
+//! A profile known to be dry friction.
+
+use super::{
+    Coupling, DryCoupling, Lateral, LateralJacobian, Profile, ReducedJacobian, ReducedWrench,
+};
+use super::{SmoothProfile, Speeds};
+use crate::law::LawError;
+use crate::real::Real;
+
+/// A profile whose exponent was found to be 0 at run time: it serves where the type must be a
+/// [`DryCoupling`], such as a limit surface.
+///
+/// ```
+/// use tribos_core::coupling::{Dry, round::RoundTable64};
+/// use tribos_core::limit_surface::LimitSurface;
+/// use tribos_core::patch::PowerPressure;
+/// let table = Dry::new(RoundTable64::new(0.0, PowerPressure::PARABOLOID)?)?;
+/// let pad = LimitSurface::new(&table, 0.5_f64, 0.01)?;
+/// assert!((pad.torque_limit() - 0.5 * 0.01 * 8.0 / 15.0).abs() < 1e-15);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dry<P> {
+    profile: P,
+}
+
+impl<P> Dry<P> {
+    /// *Domain*: a profile of exponent 0.
+    pub fn new<R: Real>(profile: P) -> Result<Self, LawError>
+    where
+        P: Profile<R>,
+    {
+        let alpha = profile.exponent();
+        if alpha == R::ZERO {
+            Ok(Self { profile })
+        } else {
+            Err(LawError::NotDry {
+                given: alpha.to_f64(),
+            })
+        }
+    }
+}
+
+impl<R: Real, P: Profile<R>> Profile<R> for Dry<P> {
+    #[inline]
+    fn exponent(&self) -> R {
+        R::ZERO
+    }
+    #[inline]
+    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
+        self.profile.factors(at)
+    }
+    fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
+        self.profile.inertia_excess(at, inertia_ratio)
+    }
+    fn inertia_ends(&self) -> [R; 2] {
+        self.profile.inertia_ends()
+    }
+    #[inline]
+    fn speed_scale(&self, _: R) -> R {
+        R::ONE
+    }
+    #[inline]
+    fn rate_scale(&self, speed: R) -> R {
+        R::ONE / speed
+    }
+    fn half_scales(&self, speed: R) -> [R; 2] {
+        [R::ONE, R::ONE / speed.sqrt()]
+    }
+}
+
+impl<R: Real, P: SmoothProfile<R>> SmoothProfile<R> for Dry<P> {
+    #[inline]
+    fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        self.profile.factors_and_slope(at)
+    }
+}
+
+impl<R: Real, P: SmoothProfile<R>> Coupling<R> for Dry<P> {
+    #[inline]
+    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
+        super::profile::wrench(self, slide, rim)
+    }
+    #[inline]
+    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
+        super::profile::jacobian(self, slide, rim)
+    }
+}
+
+impl<R: Real, P: SmoothProfile<R>> DryCoupling<R> for Dry<P> {}
+
+impl<R: Real, P: SmoothProfile<R> + Lateral<R>> Lateral<R> for Dry<P> {
+    #[inline]
+    fn lateral(&self, slide: R, rim: R) -> R {
+        self.profile.lateral(slide, rim)
+    }
+    #[inline]
+    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
+        self.profile.lateral_jacobian(slide, rim)
+    }
+    fn mean_square_radius(&self) -> R {
+        self.profile.mean_square_radius()
+    }
+}

@@ -1,0 +1,68 @@
+//! The profile of a tall body under dry friction: what its lean does to its final motion.
+
+use super::tall::{AllRound, Lean};
+use super::{DryCoupling, Lateral, Profile, Speeds};
+use crate::patch::PatchError;
+use crate::real::Real;
+
+/// Φ and Χ of a dry foot that carries a tall body, with the pressure gradient in balance with
+/// friction ([`AllRound`]).
+///
+/// Under dry friction the gradient depends on the ratio of the speeds alone, so that the velocity
+/// ratio obeys an autonomous equation as it does without lean: [`crate::modes::Modes`] of this
+/// profile are the tall body's. The lateral force turns the path and does not enter. At ε = 0
+/// the body does not lean; at ε = ∞, with λ the lean, C_α(∞) = χ − λ²χ² and χ = 1/(2(q+2)).
+///
+/// *Domain*: |l| ≤ 1 is the caller's to keep: λ ≤ 1 is enough.
+///
+/// ```
+/// use tribos_core::coupling::{LeanProfile, table::Coulomb};
+/// use tribos_core::modes::Modes;
+/// let upright = Modes::new(Coulomb, 0.5)?.finite_fixed_point();
+/// let tall = Modes::new(LeanProfile::new(Coulomb, 0.8)?, 0.5)?.finite_fixed_point();
+/// assert!(tall < upright);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeanProfile<R, P> {
+    foot: P,
+    lean: R,
+}
+
+/// A spin so slow that C_α has reached its end, and a power of two.
+const SLOW_SPIN: f64 = 1.0 / (1u64 << 27) as f64;
+/// The same for sliding.
+const SLOW_SLIDING: f64 = SLOW_SPIN;
+
+impl<R: Real, P: Profile<R> + DryCoupling<R> + Lateral<R>> LeanProfile<R, P> {
+    /// *Domain*: 0 ≤ `lean` < ∞, λ of [`super::tall`].
+    pub fn new(foot: P, lean: R) -> Result<Self, PatchError> {
+        if lean >= R::ZERO && lean.is_finite() {
+            Ok(Self { foot, lean })
+        } else {
+            Err(PatchError::Lean {
+                given: lean.to_f64(),
+            })
+        }
+    }
+}
+
+impl<R: Real, P: Profile<R> + DryCoupling<R> + Lateral<R>> Profile<R> for LeanProfile<R, P> {
+    fn exponent(&self) -> R {
+        R::ZERO
+    }
+
+    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
+        // F/v and T/w are even in both speeds: a slow one stands for none.
+        let no_less = |x: R, least: f64| {
+            let least = R::from_f64(least);
+            if x < least { least } else { x }
+        };
+        let (slide, rim) = (
+            no_less(at.slide, SLOW_SLIDING),
+            no_less(at.rim, SLOW_SPIN),
+        );
+        let (wrench, _) = AllRound::balance(&self.foot, [slide, rim], self.lean);
+        [wrench.force / slide, wrench.torque / rim]
+    }
+}
