@@ -1,0 +1,302 @@
+//! Each law without memory against what its source says of it.
+
+use std::f64::consts::PI;
+
+use tribos_core::law::{
+    Age, Ageing, BowdenTabor, Coulomb, Dieterich, DragRegime, DryFriction, GreenwoodWilliamson,
+    Grip, HertzSphere, Incline, InertialDrag, LawError, LocalLaw, LuGre, LuGreParameters, Plastic,
+    PlateauPower, RateState, RateStateParameters, RealArea, Stokes, Stribeck, critical_angle,
+    crossover_reynolds, reynolds,
+};
+use tribos_tests::laws::{differentiated, lugre, plateau, rate_state, stribeck};
+use tribos_tests::sweep::Lcg;
+
+#[test]
+fn a_body_slips_beyond_static_friction_only() {
+    let wood = DryFriction::new(0.5_f64, 0.3).unwrap();
+    for drive in [0.5_f64, -0.5, 0.0, 0.49] {
+        assert_eq!(wood.at_rest(drive), Grip::Stick);
+        assert_eq!(wood.net_drive(drive), 0.0);
+    }
+    for drive in [0.5_f64.next_up(), -0.7, f64::INFINITY, f64::NAN] {
+        assert_eq!(wood.at_rest(drive), Grip::Slip);
+    }
+    assert_eq!(wood.net_drive(0.75), 0.75 - 0.3);
+    assert_eq!(wood.net_drive(-0.75), 0.3 - 0.75);
+    assert!(wood.net_drive(f64::NAN).is_nan());
+}
+
+#[test]
+fn euler_s_incline_holds_up_to_the_critical_angle() {
+    let gravity = 9.81;
+    let on = |angle: f64| Incline::new(angle.sin(), angle.cos()).unwrap();
+    for mu in [0.0_f64, 0.1, 0.25, 1.0 / 3.0, 1.0, 5.0] {
+        let law = DryFriction::new(mu, 0.6 * mu).unwrap();
+        let critical = critical_angle(mu);
+        assert!((critical.tan() - mu).abs() < 1e-14 * (1.0 + mu * mu));
+        if mu > 0.0 {
+            assert_eq!(on(critical - 1e-9).acceleration_at_rest(&law, gravity), 0.0);
+        }
+        // Just above it slides with what static friction exceeds dynamic by.
+        let jump = gravity * 0.4 * mu * critical.cos();
+        let got = on(critical + 1e-9).acceleration_at_rest(&law, gravity);
+        assert!((got - jump).abs() < 1e-7 && got > 0.0, "{got} for {jump}");
+    }
+    let law = DryFriction::new(0.5, 0.3).unwrap();
+    let incline = on(0.4);
+    assert!((incline.angle() - 0.4).abs() < 1e-15);
+    let (down, up) = (
+        incline.acceleration_downhill(&law, gravity, 1.0),
+        incline.acceleration_uphill(&law, gravity, 1.0),
+    );
+    assert!((down + up - 2.0 * gravity * 0.4_f64.sin()).abs() < 1e-14);
+    assert!((up - down - 0.6 * gravity * 0.4_f64.cos()).abs() < 1e-14);
+    // A wall, and grades that would overflow.
+    let wall = Incline::new(1e200, 0.0).unwrap();
+    assert_eq!(wall.acceleration_at_rest(&law, gravity), gravity);
+    assert_eq!(
+        Incline::new(1e-300, 1e300)
+            .unwrap()
+            .acceleration_at_rest(&law, gravity),
+        0.0
+    );
+}
+
+#[test]
+fn static_friction_ages_with_the_logarithm_of_time() {
+    let law = Ageing::new(0.4, 0.03, 2.0).unwrap();
+    let of = |time| law.mu_static(Age { time });
+    for time in [0.0, 0.3, 2.0] {
+        assert_eq!(of(time), 0.4);
+    }
+    // The same gain for every decade, four days included.
+    for time in [2.0, 7.0, 3.5e4] {
+        let gain = of(10.0 * time) - of(time);
+        assert!((gain - 0.03 * 10.0_f64.ln()).abs() < 1e-15);
+        let rate = differentiated(of, 2.0 * time);
+        assert!((law.rate(Age { time: 2.0 * time }) / rate - 1.0).abs() < 1e-9);
+    }
+    assert!((of(20.0) - (0.4 + 0.03 * 10.0_f64.ln())).abs() < 1e-15);
+    assert!((of(f64::MAX) - (0.4 + 0.03 * (f64::MAX / 2.0).ln())).abs() < 1e-14);
+    assert_eq!(of(f64::INFINITY), f64::INFINITY);
+    assert!(of(f64::NAN).is_nan());
+    // Rest adds up, sliding forgets.
+    let age = Age::ZERO
+        .advance(3.0, Grip::Stick)
+        .advance(4.0, Grip::Stick);
+    assert_eq!(age.time, 7.0);
+    assert_eq!(age.advance(1.0, Grip::Slip), Age::ZERO);
+    // A drive between young and old strength.
+    assert_eq!(law.at_rest(Age::ZERO, 0.43), Grip::Slip);
+    assert_eq!(law.at_rest(Age { time: 10.0 }, 0.43), Grip::Stick);
+}
+
+#[test]
+fn plastic_junctions_give_coulomb_s_law() {
+    // The thesis' cube: 100 N on steel rest on 0.1 mm².
+    let friction = BowdenTabor::new(0.6e9_f64, Plastic::new(1e9).unwrap()).unwrap();
+    assert!((friction.contact().area(100.0) / 1e-7 - 1.0).abs() < 1e-15);
+    for load in [1e-6, 1.0, 1e6] {
+        assert!((friction.force(load) / (0.6 * load) - 1.0).abs() < 1e-15);
+        assert!((friction.effective_coefficient(load) - 0.6).abs() < 1e-15);
+        assert!((friction.slope(load) - 0.6).abs() < 1e-15);
+    }
+    assert_eq!(friction.coulomb().unwrap(), Coulomb::new(0.6).unwrap());
+    assert_eq!(friction.force(-1.0), 0.0);
+    assert!(friction.force(f64::NAN).is_nan());
+}
+
+#[test]
+fn a_sphere_indents_by_hertz() {
+    let (radius, modulus) = (0.02_f64, 7e10);
+    let sphere = HertzSphere::new(radius, modulus).unwrap();
+    for load in [1e-9, 1e-3, 1.0, 1e4] {
+        // Back from the contact radius: L = 4E*a³/(3R).
+        let a = (sphere.area(load) / PI).sqrt();
+        let back = 4.0 * modulus * a.powi(3) / (3.0 * radius);
+        assert!((back / load - 1.0).abs() < 1e-13, "{back} for {load}");
+        let per_load = sphere.area(load) / load;
+        assert!((sphere.area_per_load(load) / per_load - 1.0).abs() < 1e-13);
+        let slope = differentiated(|l| sphere.area(l), load);
+        assert!((sphere.slope(load) / slope - 1.0).abs() < 1e-10);
+    }
+    assert_eq!(sphere.area(0.0), 0.0);
+    assert_eq!(sphere.area_per_load(0.0), f64::INFINITY);
+    assert_eq!((sphere.area(-1.0), sphere.slope(-1.0)), (0.0, 0.0));
+    assert!(sphere.area(f64::NAN).is_nan() && sphere.slope(f64::NAN).is_nan());
+}
+
+/// ∫ f over [0, ∞) by the trapezoid of x = exp(t − e^(−t)), which dies twice exponentially at zero.
+fn half_line(scale: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let step = 1.0 / 64.0;
+    (-400..500)
+        .map(|i| {
+            let t = f64::from(i) * step;
+            let x = (t - (-t).exp()).exp();
+            f(scale * x) * scale * x * (1.0 + (-t).exp()) * step
+        })
+        .sum()
+}
+
+#[test]
+fn exponential_asperities_make_area_proportional_to_load() {
+    let (decay, tip, modulus) = (1e-6_f64, 2e-4, 1e11);
+    let rough = GreenwoodWilliamson::new(decay, tip, modulus).unwrap();
+    let sphere = HertzSphere::new(tip, modulus).unwrap();
+    for separation in [0.0_f64, 2e-6, 1e-5] {
+        // Sum of Hertz contacts of tips that reach `indent` beyond the separation.
+        let density = |indent: f64| 1e9 * (-(separation + indent) / decay).exp();
+        let load_of = |indent: f64| 4.0 / 3.0 * modulus * (tip * indent.powi(3)).sqrt();
+        let sum = |of: &dyn Fn(f64) -> f64| half_line(decay, |z| density(z) * of(z));
+        let (count, load) = (sum(&|_| 1.0), sum(&load_of));
+        let area = sum(&|z| sphere.area(load_of(z)));
+        assert!((rough.area(load) / area - 1.0).abs() < 1e-12);
+        assert!((rough.junction_area() * count / area - 1.0).abs() < 1e-12);
+        assert!((rough.mean_pressure() * area / load - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn stribeck_s_minimum_is_where_its_formula_says() {
+    let drop = 0.15 - 0.1;
+    // δ = 1: vₛ ln((μₛ − μ_d)/(k vₛ)); δ = 2 and 1/2: Lambert's W and a root, in 40 digits.
+    let exact = [
+        (1.0, 0.01 * (drop / (0.5_f64 * 0.01)).ln()),
+        (2.0, 0.019084020979734697),
+        (0.5, 0.017601983373620282),
+    ];
+    for (exponent, wanted) in exact {
+        let law = stribeck::<f64>(exponent, 0.5);
+        let got = law.minimum().unwrap();
+        assert!((got / wanted - 1.0).abs() < 1e-13, "{got} for {wanted}");
+        assert!(law.slope(0.999 * got) < 0.0 && law.slope(1.001 * got) > 0.0);
+        let single = stribeck::<f32>(exponent, 0.5).minimum().unwrap();
+        assert!((f64::from(single) / wanted - 1.0).abs() < 1e-5);
+    }
+    // No rise, no fall, or a film too stiff for the fall to show.
+    assert_eq!(stribeck::<f64>(2.0, 0.0).minimum(), None);
+    assert_eq!(stribeck::<f64>(1.0, 5.1).minimum(), None);
+    assert_eq!(stribeck::<f64>(2.0, 5.0).minimum(), None);
+    let flat = DryFriction::new(0.1, 0.1).unwrap();
+    assert_eq!(Stribeck::new(flat, 0.01, 1.0, 0.5).unwrap().minimum(), None);
+}
+
+#[test]
+fn stribeck_runs_from_boundary_to_hydrodynamic_friction() {
+    for exponent in [0.5, 1.0, 2.0] {
+        let law = stribeck::<f64>(exponent, 0.5);
+        assert_eq!(law.friction(0.0), 0.15);
+        let wanted = 0.1 + 0.05 * (-1.0_f64).exp() + 0.005;
+        assert!((law.friction(0.01) - wanted).abs() < 1e-16);
+        assert!((law.friction(1e3) - 500.1).abs() < 1e-12);
+        assert_eq!(
+            law.boundary(0.02) + law.hydrodynamic(0.02),
+            law.friction(0.02)
+        );
+    }
+    assert_eq!(stribeck::<f64>(0.5, 0.5).slope(0.0), f64::NEG_INFINITY);
+    let drop = 0.15 - 0.1;
+    assert!((stribeck::<f64>(1.0, 0.5).slope(0.0) - (0.5 - drop / 0.01)).abs() < 1e-14);
+    assert_eq!(stribeck::<f64>(2.0, 0.5).slope(0.0), 0.5);
+}
+
+#[test]
+fn drag_changes_from_viscous_to_inertial_where_the_forces_cross() {
+    let (density, viscosity, radius, constant) = (1e3, 1e-3, 2e-3, 0.7);
+    let slow = Stokes::new(viscosity, radius).unwrap();
+    let fast = InertialDrag::new(constant, density, radius).unwrap();
+    let crossover = crossover_reynolds(constant);
+    assert!((crossover - 6.0 * PI / 0.7).abs() < 1e-13);
+    for factor in [1e-3, 0.999, 1.001, 1e3] {
+        let speed = factor * crossover * viscosity / (density * radius);
+        let number = reynolds(density, speed, radius, viscosity);
+        assert!((number / (factor * crossover) - 1.0).abs() < 1e-14);
+        let regime = DragRegime::at(number, constant).unwrap();
+        assert_eq!(
+            regime == DragRegime::Viscous,
+            slow.force(speed) > fast.force(speed)
+        );
+        // Eq. 2.3: forces are functions of Re alone in units of ρv²r².
+        let unit = density * speed * speed * radius * radius;
+        assert!((slow.force(speed) / unit * number - 6.0 * PI).abs() < 1e-13);
+        assert!((fast.force(speed) / unit - constant).abs() < 1e-15);
+        assert!((slow.slope(speed) * speed / slow.force(speed) - 1.0).abs() < 1e-15);
+        assert!((fast.slope(speed) * speed / fast.force(speed) - 2.0).abs() < 1e-15);
+    }
+    assert_eq!(DragRegime::at(f64::NAN, constant), None);
+    assert_eq!(reynolds(1.0, 0.0, 1.0, 0.0), 0.0);
+    assert!(slow.force(f64::NAN).is_nan() && slow.slope(f64::NAN).is_nan());
+}
+
+#[test]
+fn the_plateau_joins_ice_at_rest_to_fast_sliding() {
+    for alpha in [-0.19, -0.5, -0.75] {
+        for rest in [0.0, 0.5, 1.0] {
+            let law = plateau::<f64>(alpha, rest);
+            let top = 0.008 * 1e-4_f64.powf(alpha);
+            assert!((law.friction(0.0) / top - rest).abs() < 1e-15);
+            // Nowhere farther from the two branches than documented, and below both.
+            let mut rng = Lcg::new(59);
+            for _ in 0..500 {
+                let v = rng.log_between(1e-4, 1e2);
+                let gap = 1.0 - law.friction(v) / (0.008 * v.powf(alpha));
+                let bound = -alpha / 2.0 * (1e-4 / v).powi(2) + (1.0 - rest) * 1e-7 / v;
+                assert!((-1e-14..=bound * (1.0 + 1e-9) + 1e-14).contains(&gap));
+                let v = rng.log_between(1e-7, 1e-4);
+                let gap = 1.0 - law.friction(v) / top;
+                let bound = -alpha / 2.0 * (v / 1e-4).powi(2) + (1.0 - rest) * 1e-7 / v;
+                assert!((-1e-14..=bound * (1.0 + 1e-9) + 1e-14).contains(&gap));
+            }
+            // The two decades of fig. 3.19 are flat within (1 − r)/11.
+            let flat = law.friction(1e-6) / top;
+            assert!(1.0 - flat <= (1.0 - rest) / 11.0 + 1e-4);
+        }
+    }
+    assert_eq!(plateau::<f64>(-0.5, 0.5).friction(f64::INFINITY), 0.0);
+}
+
+#[test]
+fn senseless_laws_are_refused() {
+    assert_eq!(
+        DryFriction::new(0.3, 0.5),
+        Err(LawError::Order {
+            smaller: "dynamic coefficient",
+            larger: "static coefficient"
+        })
+    );
+    let dry = DryFriction::new(0.5, 0.3).unwrap();
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(Stribeck::new(dry, bad, 1.0, 0.0).is_err());
+        assert!(Stribeck::new(dry, 1.0, bad, 0.0).is_err());
+        assert!(Ageing::new(0.3, 0.1, bad).is_err());
+        assert!(Plastic::new(bad).is_err());
+        assert!(HertzSphere::new(bad, 1.0).is_err() && HertzSphere::new(1.0, bad).is_err());
+        assert!(GreenwoodWilliamson::new(1.0, bad, 1.0).is_err());
+        assert!(Stokes::new(1.0, bad).is_err() && InertialDrag::new(bad, 1.0, 1.0).is_err());
+        assert!(PlateauPower::new(-0.5, 1.0, bad, 1e-9, 0.5).is_err());
+        assert!(PlateauPower::new(-0.5, 1.0, 1e-4, bad, 0.5).is_err());
+        assert!(lugre::<f64>().steady_per_load(bad).is_err());
+        let parameters = *rate_state::<f64>(0.01, 0.02, 0.0).parameters();
+        assert!(
+            RateState::<_, Dieterich>::new(RateStateParameters {
+                a: bad,
+                ..parameters
+            })
+            .is_err()
+        );
+        let parameters = *lugre::<f64>().parameters();
+        assert!(
+            LuGre::new(LuGreParameters {
+                coulomb_force: bad,
+                ..parameters
+            })
+            .is_err()
+        );
+    }
+    assert!(PlateauPower::new(-0.5, 1.0, 1e-4, 1e-3, 0.5).is_err());
+    assert!(PlateauPower::new(-0.5, 1.0, 1e-4, 1e-6, 1.5).is_err());
+    assert!(PlateauPower::new(0.5, 1.0, 1e-4, 1e-6, 0.5).is_err());
+    assert!(Incline::new(0.0, 0.0).is_err() && Incline::new(-1.0, 1.0).is_err());
+    let message = Plastic::new(-2.0).unwrap_err().to_string();
+    assert_eq!(message, "the hardness must be positive and finite, not -2");
+}
