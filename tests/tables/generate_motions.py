@@ -2,10 +2,9 @@
 """Reference motions to rest and modes of bodies whose contact pressure is not uniform.
 
     python3 generate_motions.py make [--only tilted_cylinder ring_stops modes_pressure]
-    python3 generate_motions.py check [--only ...]
 
-`make` writes the CSV files next to this script, `check` repeats the motions with an ODE solver in double
-precision and the tilted pressure by brute force.  Needs Python 3.11+ and mpmath 1.3; numpy, scipy for `check`.
+writes the CSV files next to this script; check_motions.py repeats the motions with an ODE solver.  Needs
+Python 3.11+, mpmath 1.3.
 
 Straight or curved, the motion reduces to integrals.  With v = s cos a, w = omega R = s sin a and
 dtau = s^(alpha-1) dt (units mu g = R = 1) the angle a is autonomous, monotone, and tends to a zero a0 of g:
@@ -24,7 +23,7 @@ from generate import Rule, deviation, read
 from generate_pressures import family, write
 
 DPS = 60
-HALVINGS_END, HALVINGS_RIM = 80, 60     # panels down to 2^-80 from a0 and 2^-60 from v = w
+HALVINGS = 80                           # panels down to 2^-80 from a0 and from v = w
 NODES = (26, 20)                        # the finer rule is written, the coarser one measures it
 
 # ---------------------------------------------------------------- forces at v = cos a, w = sin a: F, P, T
@@ -32,13 +31,49 @@ NODES = (26, 20)                        # the finer rule is written, the coarser
 
 def straight_force(q, alpha):
     """The family p_q, no lateral force."""
+    quick = COULOMB.get(q) if alpha == 0 else None
+
     def force(a):
-        co, si = mp.cos(a), mp.sin(a)
-        if si == 0:
-            return co ** alpha, mpf(0), mpf(0)
-        f, t = family(q, alpha, max(co, mpf(0)) / si)[:2]
+        co, si = max(mp.cos(a), mpf(0)), mp.sin(a)
+        eps = co / si
+        eps = mpf(1) if abs(eps - 1) < mpf(10) ** -45 else eps          # elliptic integrals are poor that close
+        f, t = quick(eps) if quick else family(q, alpha, eps)[:2]
         return si ** alpha * f, mpf(0), si ** alpha * t
     return force
+
+
+def coulomb_ring(eps):
+    """F, T of the thin ring at alpha = 0: T(eps) = F(1/eps)."""
+    m = min(eps, 1 / eps) ** 2
+    if m == 1:
+        return 2 / mp.pi, 2 / mp.pi
+    k, e = mp.ellipk(m), mp.ellipe(m)
+    if m == 0:
+        return mpf(0), mpf(1)
+    b, d = (e - (1 - m) * k) / m, (k - e) / m
+    slow, fast = 2 / mp.pi * mp.sqrt(m) * b, 2 / mp.pi * (b + (1 - m) * d)
+    return (slow, fast) if eps <= 1 else (fast, slow)
+
+
+def coulomb_punch(eps):
+    """F, T of the flat punch at alpha = 0."""
+    if eps <= 1:
+        return mp.pi / 4 * eps, mp.pi / 4 * (1 - eps ** 2 / 2)
+    a, w = mp.asin(1 / eps), mp.sqrt(eps * eps - 1)
+    return (eps * a + w / eps) / 2, (mpf(1) / 2 - eps ** 2 / 4) * a + w / 4
+
+
+def coulomb_hertz(eps):
+    """F, T under Hertz pressure at alpha = 0."""
+    x = eps * eps
+    if eps <= 1:
+        return 3 * mp.pi / 8 * eps * (1 - x / 4), 3 * mp.pi / 16 * (1 - x + 3 * x * x / 8)
+    a, w = mp.asin(1 / eps), mp.sqrt(x - 1)
+    return (mpf(3) / 4 * eps * (1 - x / 4) * a + w * (mpf(3) / 8 / eps + 3 * eps / 16),
+            (24 - 24 * x + 9 * x * x) / 64 * a + w * (18 - 9 * x) / 64)
+
+
+COULOMB = {-1: coulomb_ring, -0.5: coulomb_punch, 0.5: coulomb_hertz}      # closed forms, quicker than 2F1
 
 
 def coulomb_disk(eps):
@@ -78,38 +113,23 @@ def tilted_force(variant, kappa):
 # ---------------------------------------------------------------- motion to rest
 
 
-def halved(start, towards, levels):
-    """Panels from start, each half of what is left to `towards`; and where they stop."""
-    out, left = [], start
-    for _ in range(levels):
-        middle = (left + towards) / 2
-        out.append((left, middle))
-        left = middle
-    return out, left
-
-
-def doubled(start, rim, a0):
-    """Panels from start that grow with the distance from the rim, until half way to a0; and where they stop."""
-    out, gap = [], start - rim
-    while abs(start + gap - rim) < abs(a0 - rim) / 2:
-        out.append((start, start + gap))
-        start, gap = start + gap, 2 * gap
-    return out, start
-
-
 def all_panels(start, a0):
-    """Panels from start to next to a0, halved towards a0 and towards both sides of v = w."""
-    rim, tiny = mp.pi / 4, mpf(10) ** -30
-    out = []
-    if abs(a0 - rim) > tiny and (start - rim) * (a0 - rim) <= 0:          # v = w lies on the way
-        if start != rim:
-            out, start = halved(start, rim, HALVINGS_RIM)
-        beyond = rim + mp.sign(a0 - rim) * mpf(2) ** -HALVINGS_RIM
-        out, start = out + [(start, beyond)], beyond
-    if abs(a0 - rim) > tiny:
-        more, start = doubled(start, rim, a0)
-        out = out + more
-    return out + halved(start, a0, HALVINGS_END)[0]
+    """Panels from start to next to a0, none longer than its distance to where the integrands are singular."""
+    rim = mp.pi / 4
+    singular = {mpf(0), rim, mp.pi / 2, a0}
+
+    def split(lo, hi):
+        length = abs(hi - lo)
+        if length < mpf(2) ** -HALVINGS:
+            return [] if a0 in (lo, hi) else [(lo, hi)]
+        gap = min(0 if (lo - p) * (hi - p) <= 0 else min(abs(lo - p), abs(hi - p)) for p in singular)
+        if length <= gap:
+            return [(lo, hi)]
+        middle = (lo + hi) / 2
+        return split(lo, middle) + split(middle, hi)
+
+    cuts = [start] + [rim] * ((start - rim) * (a0 - rim) < 0) + [a0]
+    return [panel for lo, hi in zip(cuts, cuts[1:]) for panel in split(lo, hi)]
 
 
 class Motion:
@@ -182,7 +202,7 @@ def settled_angle(force, c, bounds):
 def heading_at(motion, lo, hi, ln_v):
     """Heading at the angle between lo and hi where the sliding speed is exp(ln_v)."""
     a = mp.findroot(lambda b: motion.ln_s + motion.over(lo, b)[0] + mp.log(mp.cos(b)) - ln_v,
-                    ((lo * 2 + hi) / 3, (lo + 2 * hi) / 3), solver="secant", tol=mpf(10) ** -70)
+                    (lo, hi), solver="anderson", tol=mpf(10) ** -70)
     return motion.heading + motion.over(lo, a)[1]
 
 
