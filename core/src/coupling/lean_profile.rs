@@ -10,8 +10,9 @@ use crate::real::Real;
 ///
 /// Under dry friction the gradient depends on the ratio of the speeds alone, so that the velocity
 /// ratio obeys an autonomous equation as it does without lean: [`crate::modes::Modes`] of this
-/// profile are the tall body's. The lateral force turns the path and does not enter. At ε = 0
-/// the body does not lean; at ε = ∞, with λ the lean, C_α(∞) = χ − λ²χ² and χ = 1/(2(q+2)).
+/// profile are the tall body's. The lateral force turns the path and does not enter. With λ the
+/// lean, C(0) grows by the factor 1 + λ²G(0)² and C(∞) = χ falls to χ − λ²χ² (χ = 1/4 for the
+/// uniform disk): a tall body settles at a larger ratio than a flat one.
 ///
 /// *Domain*: |l| ≤ 1 is the caller's to keep: λ ≤ 1 is enough.
 ///
@@ -20,7 +21,7 @@ use crate::real::Real;
 /// use tribos_core::modes::Modes;
 /// let upright = Modes::new(Coulomb, 0.5)?.finite_fixed_point();
 /// let tall = Modes::new(LeanProfile::new(Coulomb, 0.8)?, 0.5)?.finite_fixed_point();
-/// assert!(tall < upright);
+/// assert!(tall > upright);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,10 +59,7 @@ impl<R: Real, P: Profile<R> + DryCoupling<R> + Lateral<R>> Profile<R> for LeanPr
             let least = R::from_f64(least);
             if x < least { least } else { x }
         };
-        let (slide, rim) = (
-            no_less(at.slide, SLOW_SLIDING),
-            no_less(at.rim, SLOW_SPIN),
-        );
+        let (slide, rim) = (no_less(at.slide, SLOW_SLIDING), no_less(at.rim, SLOW_SPIN));
         let (wrench, _) = AllRound::balance(&self.foot, [slide, rim], self.lean);
         [wrench.force / slide, wrench.torque / rim]
     }

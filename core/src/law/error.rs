@@ -18,6 +18,11 @@ pub enum LawError {
         /// Largest exponent of the chosen tier.
         max: f64,
     },
+    /// The exponent is not 0, as dry friction has it.
+    NotDry {
+        /// What was given.
+        given: f64,
+    },
     /// A parameter is zero, negative, infinite or NaN.
     NotPositive {
         /// Which one.
@@ -56,6 +61,9 @@ impl core::fmt::Display for LawError {
                     f,
                     "the coefficient must be finite and not negative, not {given}"
                 )
+            }
+            Self::NotDry { given } => {
+                write!(f, "dry friction has the exponent alpha = 0, not {given}")
             }
             Self::Exponent { given, max } => {
                 write!(
