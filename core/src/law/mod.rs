@@ -73,3 +73,14 @@ pub trait LocalLaw<R: Real> {
     /// Derivative of [`LocalLaw::friction`] at `speed` > 0.
     fn slope(&self, speed: R) -> R;
 }
+
+impl<R: Real, L: LocalLaw<R> + ?Sized> LocalLaw<R> for &L {
+    #[inline]
+    fn friction(&self, speed: R) -> R {
+        (**self).friction(speed)
+    }
+    #[inline]
+    fn slope(&self, speed: R) -> R {
+        (**self).slope(speed)
+    }
+}

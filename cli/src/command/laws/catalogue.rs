@@ -1,0 +1,249 @@
+//! All friction laws of the kernel: formula, parameters, units, source.
+
+/// One law.
+#[derive(Debug)]
+pub struct Entry {
+    /// Name on the command line.
+    pub name: &'static str,
+    /// What it is.
+    pub summary: &'static str,
+    pub formula: &'static str,
+    pub parameters: &'static [Parameter],
+    pub source: &'static str,
+    /// True if it is a law of the local sliding speed, which couples with any patch.
+    pub is_local: bool,
+}
+
+/// One parameter of a law.
+#[derive(Debug)]
+pub struct Parameter {
+    pub name: &'static str,
+    pub unit: &'static str,
+    pub meaning: &'static str,
+    /// Used where it is left out; `None` if it must be given.
+    pub default: Option<f64>,
+}
+
+const fn needed(name: &'static str, unit: &'static str, meaning: &'static str) -> Parameter {
+    Parameter {
+        name,
+        unit,
+        meaning,
+        default: None,
+    }
+}
+
+const fn optional(
+    name: &'static str,
+    unit: &'static str,
+    meaning: &'static str,
+    default: f64,
+) -> Parameter {
+    Parameter {
+        name,
+        unit,
+        meaning,
+        default: Some(default),
+    }
+}
+
+/// The parameters that rate-and-state friction and its steady state share.
+const RATE_STATE: &[Parameter] = &[
+    needed("mu0", "-", "coefficient of steady sliding with v0"),
+    needed("a", "-", "direct effect of the speed"),
+    needed("b", "-", "effect of the age; b > a weakens"),
+    needed("v0", "m/s", "reference speed"),
+    needed("dc", "m", "memory length"),
+    optional("eta", "s/m", "viscous term of the inertial branch", 0.0),
+];
+
+/// All laws, local ones first.
+pub const LAWS: &[Entry] = &[
+    Entry {
+        name: "coulomb",
+        summary: "dry friction, independent of speed",
+        formula: "mu",
+        parameters: &[needed("mu", "-", "friction coefficient")],
+        source: "Coulomb 1785; thesis section 2.1, fig. 2.5",
+        is_local: true,
+    },
+    Entry {
+        name: "dry",
+        summary: "dry friction with a static and a dynamic coefficient",
+        formula: "mu_d sliding, at most mu_s at rest",
+        parameters: &[
+            needed("mu_s", "-", "static coefficient"),
+            needed("mu_d", "-", "dynamic coefficient, <= mu_s"),
+        ],
+        source: "Euler 1750; thesis section 2.1, fig. 2.5",
+        is_local: true,
+    },
+    Entry {
+        name: "power",
+        summary: "a power of the speed",
+        formula: "gamma v^alpha",
+        parameters: &[
+            needed("gamma", "(s/m)^alpha", "coefficient"),
+            needed("alpha", "-", "exponent, > -1"),
+        ],
+        source: "thesis eq. 3.6",
+        is_local: true,
+    },
+    Entry {
+        name: "plateau",
+        summary: "falling power law made finite at rest, as on ice",
+        formula: "gamma (v^2 + vp^2)^(alpha/2) (r + (1-r) v/(v + vd))",
+        parameters: &[
+            needed("gamma", "(s/m)^alpha", "coefficient of fast sliding"),
+            needed("alpha", "-", "exponent, -1 < alpha <= 0"),
+            optional("vp", "m/s", "speed below which friction is constant", 1e-4),
+            optional("vd", "m/s", "speed below which it drops", 1e-7),
+            optional("r", "-", "share of the plateau left at rest", 0.5),
+        ],
+        source: "thesis eq. 3.39 and fig. 3.19; closed form by this project",
+        is_local: true,
+    },
+    Entry {
+        name: "stribeck",
+        summary: "boundary lubrication, then hydrodynamic",
+        formula: "mu_d + (mu_s - mu_d) exp(-(v/vs)^delta) + k v",
+        parameters: &[
+            needed("mu_s", "-", "coefficient at rest"),
+            needed("mu_d", "-", "coefficient of the boundary branch, <= mu_s"),
+            needed("vs", "m/s", "Stribeck speed"),
+            optional("delta", "-", "exponent", 2.0),
+            optional("k", "s/m", "viscous coefficient", 0.0),
+        ],
+        source: "Stribeck 1902, form of Bo and Pavelescu 1982; thesis fig. 2.8",
+        is_local: true,
+    },
+    Entry {
+        name: "rate-state",
+        summary: "steady rate-and-state friction: creep weakens, inertia strengthens",
+        formula: "a asinh(v/q) + eta v,  q = 2 v0 exp(-(mu0 + b ln(v0/v))/a)",
+        parameters: RATE_STATE,
+        source: "Dieterich 1979, Ruina 1983; branches of Heslot et al. 1994, thesis fig. 2.7",
+        is_local: true,
+    },
+    Entry {
+        name: "lugre",
+        summary: "steady LuGre friction per load (the kernel has its bristles too)",
+        formula: "(fc + (fs - fc) exp(-(v/vs)^2) + s2 v)/load",
+        parameters: &[
+            needed("fc", "N", "Coulomb force"),
+            needed("fs", "N", "static force, >= fc"),
+            needed("vs", "m/s", "Stribeck speed"),
+            optional("s2", "N s/m", "viscous damping", 0.0),
+            optional("load", "N", "load at which the forces were measured", 1.0),
+        ],
+        source: "Canudas de Wit, Olsson, Astrom, Lischinsky 1995",
+        is_local: true,
+    },
+    Entry {
+        name: "ageing",
+        summary: "static friction grows with the time of rest",
+        formula: "mu_s(t) = A + B ln(t/t0), A for t < t0",
+        parameters: &[
+            needed("A", "-", "coefficient at the age t0"),
+            needed("B", "-", "growth per e-fold of the age"),
+            needed("t0", "s", "reference and cut-off age"),
+        ],
+        source: "thesis section 2.1, fig. 2.5",
+        is_local: false,
+    },
+    Entry {
+        name: "rate-state-ageing",
+        summary: "rate and state, age by Dieterich: theta' = 1 - v theta/dc",
+        formula: "mu0 + a ln(v/v0) + b ln(v0 theta/dc) + eta v (regularised)",
+        parameters: RATE_STATE,
+        source: "Dieterich 1979; regularised after Rice, Lapusta, Ranjith 2001",
+        is_local: false,
+    },
+    Entry {
+        name: "rate-state-slip",
+        summary: "rate and state, age by Ruina: theta' = -(v theta/dc) ln(v theta/dc)",
+        formula: "mu0 + a ln(v/v0) + b ln(v0 theta/dc) + eta v (regularised)",
+        parameters: RATE_STATE,
+        source: "Ruina 1983; regularised after Rice, Lapusta, Ranjith 2001",
+        is_local: false,
+    },
+    Entry {
+        name: "lugre-bristles",
+        summary: "LuGre with bristle state z",
+        formula: "F = s0 z + s1 z' + s2 v,  z' = v - s0 |v| z/(fc + (fs - fc) exp(-(v/vs)^2))",
+        parameters: &[
+            needed("fc", "N", "Coulomb force"),
+            needed("fs", "N", "static force, >= fc"),
+            needed("vs", "m/s", "Stribeck speed"),
+            needed("s0", "N/m", "stiffness of the bristles"),
+            needed("s1", "N s/m", "damping of the bristles"),
+            optional("s2", "N s/m", "viscous damping", 0.0),
+        ],
+        source: "Canudas de Wit, Olsson, Astrom, Lischinsky 1995",
+        is_local: false,
+    },
+    Entry {
+        name: "bowden-tabor",
+        summary: "shear of the real area of contact",
+        formula: "F = tau_c A(L);  plastic A = L/sigma_c, mu = tau_c/sigma_c",
+        parameters: &[
+            needed("tau_c", "Pa", "shear strength of junctions"),
+            needed("sigma_c", "Pa", "penetration hardness"),
+        ],
+        source: "Bowden and Tabor 1950; thesis eqs. 2.1, 2.2",
+        is_local: false,
+    },
+    Entry {
+        name: "bowden-tabor-hertz",
+        summary: "shear of one elastic sphere's contact: F ~ L^(2/3)",
+        formula: "F = tau_c pi (3 L R/(4 E))^(2/3)",
+        parameters: &[
+            needed("tau_c", "Pa", "shear strength"),
+            needed("R", "m", "radius of the sphere"),
+            needed("E", "Pa", "contact modulus"),
+        ],
+        source: "Hertz 1882; thesis section 2.2",
+        is_local: false,
+    },
+    Entry {
+        name: "bowden-tabor-greenwood",
+        summary: "shear of many elastic asperities: F ~ L",
+        formula: "F = tau_c L sqrt(pi R/s)/E",
+        parameters: &[
+            needed("tau_c", "Pa", "shear strength"),
+            needed("s", "m", "decay length of asperity heights"),
+            needed("R", "m", "radius of the tips"),
+            needed("E", "Pa", "contact modulus"),
+        ],
+        source: "Greenwood and Williamson 1966; thesis section 2.2",
+        is_local: false,
+    },
+    Entry {
+        name: "stokes",
+        summary: "viscous drag of a sphere, low Reynolds number",
+        formula: "F = 6 pi eta r v",
+        parameters: &[
+            needed("eta", "Pa s", "viscosity"),
+            needed("r", "m", "radius"),
+        ],
+        source: "Stokes 1851; thesis eq. 2.4",
+        is_local: false,
+    },
+    Entry {
+        name: "inertial-drag",
+        summary: "drag of a sphere, high Reynolds number rho v r/eta",
+        formula: "F = C2 rho v^2 r^2",
+        parameters: &[
+            needed("C2", "-", "constant, about 0.7 for a sphere"),
+            needed("rho", "kg/m^3", "density of the fluid"),
+            needed("r", "m", "radius"),
+        ],
+        source: "thesis section 2.3.2",
+        is_local: false,
+    },
+];
+
+/// The law of this name.
+pub fn find(name: &str) -> Option<&'static Entry> {
+    LAWS.iter().find(|law| law.name == name)
+}

@@ -1,0 +1,112 @@
+//! `tribos laws`: what laws there are, and curves of the local ones.
+
+mod catalogue;
+mod curve;
+mod spec;
+
+pub use spec::LawSpec;
+
+use crate::failure::Failure;
+use catalogue::{Entry, LAWS};
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+/// List the friction laws with formula, parameters, units and source, or draw a local one.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = EXAMPLES)]
+pub struct Arguments {
+    /// Names of laws to show; all if left out.
+    names: Vec<String>,
+    /// Output format.
+    #[arg(long, default_value = "text")]
+    format: Format,
+    /// Draw this local law over speed; may be repeated.
+    #[arg(long, value_name = "NAME:KEY=VALUE,…", requires = "out")]
+    curve: Vec<LawSpec>,
+    /// Slowest speed of the curve [m/s].
+    #[arg(long, default_value = "1e-6", value_parser = super::number::positive)]
+    from: f64,
+    /// Fastest speed of the curve [m/s].
+    #[arg(long, default_value = "10", value_parser = super::number::positive)]
+    to: f64,
+    /// File for the curve: FILE.svg, FILE.png or FILE.csv.
+    #[arg(long, value_name = "FILE", requires = "curve")]
+    out: Option<PathBuf>,
+}
+
+/// Format of the list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  tribos laws
+  tribos laws stribeck lugre --format json
+  tribos laws --curve stribeck:mu_s=0.15,mu_d=0.1,vs=0.01,k=0.5 --from 1e-4 --to 1 --out stribeck.svg
+Local laws couple with any contact:
+  tribos wrench --law stribeck:mu_s=0.15,mu_d=0.1,vs=0.01 --patch hertz --radius 0.01 --speed 0.1 --spin 5";
+
+impl Arguments {
+    /// Lists, or draws.
+    pub fn execute(self) -> Result<(), Failure> {
+        if let Some(path) = &self.out {
+            return curve::write(path, &self.curve, [self.from, self.to]);
+        }
+        let chosen = chosen(&self.names)?;
+        let text = match self.format {
+            Format::Text => chosen.iter().map(|law| text(law)).collect::<Vec<_>>().join("\n"),
+            Format::Json => {
+                let list: Vec<Value> = chosen.iter().map(|law| json(law)).collect();
+                format!("{:#}\n", Value::Array(list))
+            }
+        };
+        super::print(&text)
+    }
+}
+
+fn chosen(names: &[String]) -> Result<Vec<&'static Entry>, Failure> {
+    if names.is_empty() {
+        return Ok(LAWS.iter().collect());
+    }
+    let find = |name: &String| {
+        catalogue::find(name).ok_or_else(|| {
+            let all: Vec<&str> = LAWS.iter().map(|law| law.name).collect();
+            Failure::input(format!("unknown law `{name}`; the laws are {}", all.join(", ")))
+        })
+    };
+    names.iter().map(find).collect()
+}
+
+fn text(law: &Entry) -> String {
+    let local = if law.is_local { " (local)" } else { "" };
+    let mut text = format!("{}{local}\n  {}\n  {}\n", law.name, law.summary, law.formula);
+    for parameter in law.parameters {
+        let default = parameter
+            .default
+            .map_or(String::new(), |value| format!(" (default {value})"));
+        text += &format!(
+            "    {:<8} [{}] {}{default}\n",
+            parameter.name, parameter.unit, parameter.meaning
+        );
+    }
+    text + &format!("  source: {}\n", law.source)
+}
+
+fn json(law: &Entry) -> Value {
+    let parameters: Vec<Value> = law
+        .parameters
+        .iter()
+        .map(|p| json!({"name": p.name, "unit": p.unit, "meaning": p.meaning, "default": p.default}))
+        .collect();
+    json!({
+        "name": law.name,
+        "summary": law.summary,
+        "formula": law.formula,
+        "parameters": parameters,
+        "source": law.source,
+        "local": law.is_local,
+    })
+}
