@@ -15,6 +15,7 @@ mod profile;
 
 pub mod compact;
 mod disk;
+pub mod nodes;
 pub mod quadrature;
 
 pub mod table;

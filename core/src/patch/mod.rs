@@ -1,5 +1,10 @@
 //! Contact patches: their shape and how they spread the load.
 
+mod gauss_jacobi;
+pub mod nodes;
+pub mod polar;
+pub mod polygon;
+pub mod tripod;
 mod uniform_disk;
 
 pub use uniform_disk::UniformDisk;
