@@ -206,8 +206,9 @@ impl<L, P> NodeFriction<L, P> {
     {
         let total = self.patch.total_weight();
         if total == R::ZERO {
-            // Zero that keeps a NaN.
-            return R::ZERO * (twist.velocity.x + twist.velocity.y + twist.spin);
+            // Zeros that keep a NaN.
+            let [x, y] = [twist.velocity.x, twist.velocity.y];
+            return R::ZERO * x + R::ZERO * y + R::ZERO * twist.spin;
         }
         sum / total
     }

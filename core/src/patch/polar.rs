@@ -26,6 +26,8 @@ pub struct PolarRule<R> {
 impl<R: Real> PolarRule<R> {
     /// Most rings, and most angles on a ring.
     pub const MAX_ORDER: u32 = 1024;
+    /// Nodes of the [`PolarRule::standard`] rule.
+    pub const STANDARD_NODES: usize = 16 * 32;
 
     /// A uniform pressure on a disk of radius `radius` around the origin.
     ///
@@ -49,7 +51,14 @@ impl<R: Real> PolarRule<R> {
         })
     }
 
-    /// The same nodes' number for the exponent q of the pressure at the rim.
+    /// 16 rings × 32 angles of a uniform pressure: half a percent for every twist, see the table.
+    ///
+    /// *Domain*: 0 < `radius` < ∞.
+    pub fn standard(radius: R) -> Result<Self, PolarError> {
+        Self::new(radius, 16, 32)
+    }
+
+    /// As many nodes for a pressure that goes as (1 − r²/R²)^q.
     ///
     /// *Domain*: −1 < `q` ≤ [`PolarError::MAX_RIM_EXPONENT`].
     pub fn with_rim_exponent(self, q: R) -> Result<Self, PolarError> {
