@@ -14,7 +14,34 @@ use crate::real::Real;
 /// | 1 | parabolic |
 /// | −1/2 | a rigid flat punch on an elastic half space |
 ///
-/// The radii are Gauss–Jacobi in r², the angles equidistant, odd rings turned by half a step.
+/// The radii are Gauss–Jacobi in r², the angles equidistant, every other ring turned by half a
+/// step. Which error that leaves depends on where the instantaneous centre of rotation lies,
+/// ε = v/(|ω|R) radii from the centre of the disk:
+///
+/// - *inside* (ε < 1) friction u |u|^(α−1) is singular there, and the error falls as h^(2+α) with
+///   the distance h of the nodes, that is as (number of nodes)^(−1−α/2);
+/// - *outside* it falls geometrically, the faster the farther the centre;
+/// - for odd α ≥ 1 and enough nodes the rule is exact, wherever the centre.
+///
+/// *Accuracy*: error of force and torque, uniform pressure, unit load, radius and spin. Inside:
+/// root mean square over 2000 centres; the largest error is two to three times that for α ≥ 0, and
+/// without bound for α < 0, where a node next to the centre resists without bound. Outside: the
+/// largest error.
+///
+/// | rings × angles | inside, α = −1/2 | α = 0 | α = 1/2 | α = 3 | ε = 1.25, α = 0 | ε = 2, α = 0 |
+/// |---|---|---|---|---|---|---|
+/// | 8 × 16 | 2.8e-2 | 3.7e-3 | 4.2e-4 | 3e-15 | 6e-5 | 4e-8 |
+/// | 16 × 32 | 9.4e-3 | 9.4e-4 | 7.5e-5 | 3e-15 | 5e-7 | 1e-13 |
+/// | 32 × 64 | 3.3e-3 | 2.3e-4 | 1.3e-5 | 3e-15 | 3e-10 | 1e-14 |
+/// | order in h | 1.5 | 2.0 | 2.5 | exact | | |
+///
+/// ```
+/// use tribos_core::patch::nodes::NodeList;
+/// use tribos_core::patch::polar::PolarRule;
+/// let rule = PolarRule::new(0.04_f32, 8, 16)?.with_rim_exponent(0.5)?; // Hertz; radius in m
+/// let ball: NodeList<f32, 128> = rule.nodes_tilted(0.2, 0.0)?;
+/// # Ok::<(), tribos_core::patch::polar::PolarError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PolarRule<R> {
     radius: R,
@@ -51,8 +78,11 @@ impl<R: Real> PolarRule<R> {
         })
     }
 
-    /// 16 rings × 32 angles of a uniform pressure: half a percent for every twist, see the table.
+    /// 16 rings × 32 angles of a uniform pressure.
     ///
+    /// *Accuracy*: for Coulomb friction at most 5e-3 of load and load × radius for any twist
+    /// (q = −1/2, 0, 1/2); if ε ≥ 1.5, at most 1e-7 of them times v^α (α = −1/2, 0, 1/2, 3 and
+    /// q = −1/2, 1/2, 1).
     /// *Domain*: 0 < `radius` < ∞.
     pub fn standard(radius: R) -> Result<Self, PolarError> {
         Self::new(radius, 16, 32)

@@ -23,6 +23,18 @@ pub const NODES_PER_TRIANGLE: usize = 7;
 /// convex polygon, and shapes like L, T and +, but not like U. `divisions` from 1 to
 /// [`PolygonError::MAX_DIVISIONS`]. Edges that cross are refused if no corner spans only triangles
 /// of one sense; otherwise what is covered twice carries twice.
+/// *Accuracy*: area, centroid and all moments up to degree 5 to rounding. Friction: while the
+/// instantaneous centre of rotation lies inside, the error falls as h^(2+α) with the size h of the
+/// small triangles; outside as h⁶. A square of side 2 under Coulomb friction, unit load: root mean
+/// square 1.2e-2, 2.8e-3, 6.8e-4 with 56, 224, 896 nodes.
+///
+/// ```
+/// use tribos_core::patch::nodes::NodeList;
+/// use tribos_core::patch::polygon::polygon;
+/// let ell = [[0.0, 0.0], [0.2, 0.0], [0.2, 0.1], [0.1, 0.1], [0.1, 0.2], [0.0, 0.2]];
+/// let foot: NodeList<f64, 112> = polygon(&ell, 2)?;
+/// # Ok::<(), tribos_core::patch::polygon::PolygonError>(())
+/// ```
 pub fn polygon<R: Real, const CAPACITY: usize>(
     corners: &[[R; 2]],
     divisions: u32,
