@@ -205,7 +205,7 @@ fn tabulated(row: &Row<'_>, tilt: f64) -> NodeList<f64, ROOM> {
 fn four_pressures_and_their_tilts_agree_with_the_table() {
     let mut outside = Worst::of("standard rule, four pressures, tilted, centre outside");
     let mut inside = Worst::of("the same, centre inside");
-    for row in Table::read("pressures.csv").rows() {
+    for row in Table::read("node_pressures.csv").rows() {
         let (alpha, eps) = (row.number("alpha"), row.number("eps"));
         let [force, torque, sideways] = ["F", "T", "Fperp"].map(|name| row.number(name));
         let twist = Twist::new(eps, 0.0, 1.0);
