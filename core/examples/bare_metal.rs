@@ -11,12 +11,17 @@
 #![allow(unsafe_code)] // Exported symbols and the panic handler of the bare-metal build.
 
 use core::hint::black_box;
+use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::table::{self, Table32, Table64};
 use tribos_core::coupling::{Coupling, PatchFriction, compact};
 use tribos_core::law::PowerLaw;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use tribos_core::modes::Modes;
+use tribos_core::patch::nodes::{NodeList, NodePatch};
+use tribos_core::patch::polar::{self, PolarRule};
+use tribos_core::patch::polygon::polygon;
+use tribos_core::patch::tripod::tripod;
 use tribos_core::slider::{Motion, Slider};
 use tribos_core::twist::{Twist, Wrench};
 
@@ -61,7 +66,29 @@ fn everything(a: f64, b: f64) -> Option<f64> {
     sum += set_sum(&Ellipsoid::new(a, b, b).ok()?, a, b);
     sum_f32 += set_sum(&LimitSurface::new(table::Coulomb, x, y).ok()?, x, y);
     sum_f32 += set_sum(&Ellipsoid::new(x, y, y).ok()?, x, y);
+    sum += nodes_sum(a, b)?;
+    sum_f32 += nodes_sum(x, y)?;
     Some(sum + f64::from(sum_f32))
+}
+
+/// All kinds of node patches.
+fn nodes_sum<R: tribos_core::Real>(a: R, b: R) -> Option<R> {
+    let feet = [[a, b], [-a, b], [b, -a]];
+    let disk = PolarRule::new(a, 2, 6).ok()?.with_rim_exponent(b).ok()?;
+    let disk: NodeList<R, 12> = disk.nodes_tilted(a, b).ok()?;
+    let ring: NodeList<R, 6> = polar::ring(a, 6).ok()?;
+    let foot: NodeList<R, 28> = polygon(&feet, 2).ok()?;
+    let stool = tripod(feet, [R::ZERO; 2]).ok()?;
+    let mut sum = node_friction_sum(&disk, a, b)? + node_friction_sum(&ring, a, b)?;
+    sum += node_friction_sum(&foot, a, b)? + node_friction_sum(&stool, a, b)?;
+    Some(sum)
+}
+
+/// Wrench and Jacobian of one node patch.
+fn node_friction_sum<R: tribos_core::Real>(patch: &impl NodePatch<R>, a: R, b: R) -> Option<R> {
+    let friction = NodeFriction::new(PowerLaw::new(a, b).ok()?, patch);
+    let twist = Twist::new(a, b, b);
+    Some(friction.wrench(a, &twist).torque + friction.wrench_jacobian(a, &twist).m33)
 }
 
 /// Wrench and Jacobian of one coupling.

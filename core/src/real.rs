@@ -72,6 +72,10 @@ pub trait Real:
     fn ln(self) -> Self;
     /// Natural logarithm of 1 + `self`, within one unit in the last place also near zero.
     fn ln_1p(self) -> Self;
+    /// Sine of an angle in radians, within one unit in the last place.
+    fn sin(self) -> Self;
+    /// Cosine of an angle in radians, within one unit in the last place.
+    fn cos(self) -> Self;
     /// Arc sine in radians, within one unit in the last place; NaN beyond ±1.
     fn asin(self) -> Self;
     /// Arc tangent in radians, within one unit in the last place.
@@ -162,6 +166,8 @@ impl_real! {
     exp_m1() = libm::expm1f;
     ln() = libm::logf;
     ln_1p() = libm::log1pf;
+    sin() = libm::sinf;
+    cos() = libm::cosf;
     asin() = libm::asinf;
     atan() = libm::atanf;
     asinh() = libm::asinhf;
@@ -176,6 +182,8 @@ impl_real! {
     exp_m1() = libm::expm1;
     ln() = libm::log;
     ln_1p() = libm::log1p;
+    sin() = libm::sin;
+    cos() = libm::cos;
     asin() = libm::asin;
     atan() = libm::atan;
     asinh() = libm::asinh;

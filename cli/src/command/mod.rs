@@ -1,5 +1,6 @@
 //! The subcommands, one module each.
 
+mod laws;
 mod modes;
 mod number;
 mod reproduce;
@@ -8,6 +9,7 @@ mod tier;
 mod wrench;
 
 use crate::failure::Failure;
+use std::io::Write;
 
 /// What to do.
 #[derive(Debug, clap::Subcommand)]
@@ -16,6 +18,8 @@ pub enum Command {
     Wrench(wrench::Arguments),
     /// Final motion: fixed points of the velocity ratio and the phase diagram.
     Modes(modes::Arguments),
+    /// Friction laws: formulas, parameters, units, sources; curves of the local ones.
+    Laws(laws::Arguments),
     /// Simulate a scene.
     Run(run::Arguments),
     /// Reproduce the thesis' figures and tables, claim by claim.
@@ -28,8 +32,19 @@ impl Command {
         match self {
             Self::Wrench(arguments) => arguments.execute(),
             Self::Modes(arguments) => arguments.execute(),
+            Self::Laws(arguments) => arguments.execute(),
             Self::Run(arguments) => arguments.execute(),
             Self::Reproduce(arguments) => arguments.execute(),
         }
+    }
+}
+
+/// Prints; a reader that went away is not an error.
+fn print(text: &str) -> Result<(), Failure> {
+    match std::io::stdout().lock().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::run(format!(
+            "cannot write to standard output: {error}"
+        ))),
+        _ => Ok(()),
     }
 }

@@ -38,3 +38,24 @@ pub fn write_both(folder: &Path, stem: &str, drawing: &dyn Drawing) -> Result<St
     write_atomically(&folder.join(format!("{stem}.png")), &drawing.to_png()?)?;
     Ok(svg)
 }
+
+/// Writes the drawing, or its numbers, in the format that the file's ending names.
+pub fn write_as_named(
+    path: &Path,
+    drawing: &dyn Drawing,
+    csv: impl FnOnce() -> String,
+) -> Result<(), Failure> {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    let bytes = match ending {
+        Some("svg") => drawing.to_svg()?.into_bytes(),
+        Some("png") => drawing.to_png()?,
+        Some("csv") => csv().into_bytes(),
+        _ => {
+            return Err(Failure::input(format!(
+                "{}: end the name in .svg, .png or .csv",
+                path.display()
+            )));
+        }
+    };
+    Ok(write_atomically(path, &bytes)?)
+}

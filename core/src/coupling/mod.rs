@@ -8,6 +8,9 @@
 //! | compact | [`compact::Coulomb`], [`compact::Power`] | tens of ulp | code only | 5; any α: 150 |
 //! | quadrature | [`quadrature::DiskQuadrature`], any local law | 1e-8 for smooth laws | 1 KiB | 33 |
 //!
+//! [`nodes::NodeFriction`] couples any local law with a patch that is not a uniform disk: a few
+//! points, a polygon, any pressure map.
+//!
 //! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
 
 mod annulus;
@@ -25,6 +28,7 @@ mod speeds;
 
 pub mod closed;
 pub mod compact;
+pub mod nodes;
 pub mod quadrature;
 pub mod round;
 pub mod table;

@@ -3,8 +3,13 @@
 //! Round patches are measured in units of their radius: a pressure says how a unit load is spread
 //! over the unit disk, and [`crate::coupling::PatchFriction`] adds the radius.
 
+mod gauss_jacobi;
+pub mod nodes;
+pub mod polar;
+pub mod polygon;
 mod polynomial;
 mod power;
+pub mod tripod;
 
 pub use polynomial::PolynomialPressure;
 pub use power::PowerPressure;

@@ -13,7 +13,9 @@ const POINTS: usize = 400;
 /// Writes the curves in the format that the file's ending names.
 pub fn write(path: &Path, laws: &[LawSpec], [from, to]: [f64; 2]) -> Result<(), Failure> {
     if from >= to {
-        return Err(Failure::input(format!("--from {from} must be below --to {to}")));
+        return Err(Failure::input(format!(
+            "--from {from} must be below --to {to}"
+        )));
     }
     let speeds: Vec<f64> = (0..=POINTS)
         .map(|i| from * (to / from).powf(i as f64 / POINTS as f64))
@@ -21,7 +23,7 @@ pub fn write(path: &Path, laws: &[LawSpec], [from, to]: [f64; 2]) -> Result<(), 
     let mut rows: Vec<Vec<f64>> = speeds.iter().map(|&v| vec![v]).collect();
     let mut figure = Figure::new(
         "Friction of a surface element",
-        Axis::log("sliding speed [m/s]"),
+        Axis::log10("sliding speed [m/s]"),
         Axis::linear("friction per load"),
     );
     let names: Vec<String> = laws.iter().map(LawSpec::describe).collect();

@@ -57,7 +57,11 @@ impl Arguments {
         }
         let chosen = chosen(&self.names)?;
         let text = match self.format {
-            Format::Text => chosen.iter().map(|law| text(law)).collect::<Vec<_>>().join("\n"),
+            Format::Text => chosen
+                .iter()
+                .map(|law| text(law))
+                .collect::<Vec<_>>()
+                .join("\n"),
             Format::Json => {
                 let list: Vec<Value> = chosen.iter().map(|law| json(law)).collect();
                 format!("{:#}\n", Value::Array(list))
@@ -74,7 +78,10 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Entry>, Failure> {
     let find = |name: &String| {
         catalogue::find(name).ok_or_else(|| {
             let all: Vec<&str> = LAWS.iter().map(|law| law.name).collect();
-            Failure::input(format!("unknown law `{name}`; the laws are {}", all.join(", ")))
+            Failure::input(format!(
+                "unknown law `{name}`; the laws are {}",
+                all.join(", ")
+            ))
         })
     };
     names.iter().map(find).collect()
@@ -82,7 +89,10 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Entry>, Failure> {
 
 fn text(law: &Entry) -> String {
     let local = if law.is_local { " (local)" } else { "" };
-    let mut text = format!("{}{local}\n  {}\n  {}\n", law.name, law.summary, law.formula);
+    let mut text = format!(
+        "{}{local}\n  {}\n  {}\n",
+        law.name, law.summary, law.formula
+    );
     for parameter in law.parameters {
         let default = parameter
             .default
@@ -99,7 +109,9 @@ fn json(law: &Entry) -> Value {
     let parameters: Vec<Value> = law
         .parameters
         .iter()
-        .map(|p| json!({"name": p.name, "unit": p.unit, "meaning": p.meaning, "default": p.default}))
+        .map(
+            |p| json!({"name": p.name, "unit": p.unit, "meaning": p.meaning, "default": p.default}),
+        )
         .collect();
     json!({
         "name": law.name,

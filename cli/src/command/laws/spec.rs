@@ -23,8 +23,15 @@ impl FromStr for LawSpec {
     fn from_str(text: &str) -> Result<Self, String> {
         let (name, list) = text.split_once(':').unwrap_or((text, ""));
         let entry = catalogue::find(name.trim()).ok_or_else(|| {
-            let names: Vec<&str> = LAWS.iter().filter(|law| law.is_local).map(|l| l.name).collect();
-            format!("unknown law `{name}`; the local laws are {}", names.join(", "))
+            let names: Vec<&str> = LAWS
+                .iter()
+                .filter(|law| law.is_local)
+                .map(|l| l.name)
+                .collect();
+            format!(
+                "unknown law `{name}`; the local laws are {}",
+                names.join(", ")
+            )
         })?;
         if !entry.is_local {
             return Err(format!(
@@ -91,7 +98,11 @@ impl LawSpec {
     /// The law itself.
     pub fn law<R: Real>(&self) -> Result<Box<dyn LocalLaw<R>>, Failure> {
         self.build().map_err(|error| {
-            Failure::input(format!("{}: {error}; {}", self.entry.name, needs(self.entry)))
+            Failure::input(format!(
+                "{}: {error}; {}",
+                self.entry.name,
+                needs(self.entry)
+            ))
         })
     }
 
@@ -127,7 +138,16 @@ impl LawSpec {
                 };
                 Box::new(RateState::<R>::new(parameters)?.steady())
             }
-            ("lugre", &[coulomb_force, static_force, stribeck_speed, viscous_damping, load]) => {
+            (
+                "lugre",
+                &[
+                    coulomb_force,
+                    static_force,
+                    stribeck_speed,
+                    viscous_damping,
+                    load,
+                ],
+            ) => {
                 let parameters = LuGreParameters {
                     coulomb_force,
                     static_force,
@@ -160,9 +180,19 @@ mod tests {
                     format!("{}={value}", parameter.name)
                 })
                 .collect();
-            let spec: LawSpec = format!("{}:{}", entry.name, list.join(",")).parse().unwrap();
-            assert!(spec.law::<f64>().unwrap().friction(1.0) > 0.0, "{}", entry.name);
-            assert!(spec.law::<f32>().unwrap().friction(1.0) > 0.0, "{}", entry.name);
+            let spec: LawSpec = format!("{}:{}", entry.name, list.join(","))
+                .parse()
+                .unwrap();
+            assert!(
+                spec.law::<f64>().unwrap().friction(1.0) > 0.0,
+                "{}",
+                entry.name
+            );
+            assert!(
+                spec.law::<f32>().unwrap().friction(1.0) > 0.0,
+                "{}",
+                entry.name
+            );
         }
     }
 

@@ -89,7 +89,7 @@ impl Arguments {
             .render(&lines, self.twists.is_some());
         match &self.output {
             Some(path) => Ok(write_atomically(path, text.as_bytes())?),
-            None => output::print(&text),
+            None => super::print(&text),
         }
     }
 

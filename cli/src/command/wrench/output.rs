@@ -1,8 +1,6 @@
 //! Wrenches as text, JSON or CSV.
 
-use crate::failure::Failure;
 use serde_json::{Map, Value};
-use std::io::Write;
 use tribos::record::{json_number, series_csv};
 
 /// Format of the output.
@@ -95,15 +93,5 @@ impl Format {
                 series_csv(&columns, rows.iter().map(Vec::as_slice))
             }
         }
-    }
-}
-
-/// Prints; a reader that went away is not an error.
-pub fn print(text: &str) -> Result<(), Failure> {
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::run(format!(
-            "cannot write to standard output: {error}"
-        ))),
-        _ => Ok(()),
     }
 }

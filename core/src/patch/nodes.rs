@@ -1,0 +1,218 @@
+//! A contact at a number of points: where it touches, and how the load is shared.
+//!
+//! The points may be real (the feet of a tripod, the spikes of a shoe) or the nodes of a quadrature
+//! rule that stands for a continuous pressure ([`super::polar`], [`super::polygon`]).
+
+use crate::real::Real;
+
+/// One point of a contact.
+///
+/// *Units*: length; the weight is a share of the load in any unit, because only ratios of
+/// weights count.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Node<R> {
+    /// First coordinate in the contact plane, from the point that twist and wrench refer to.
+    pub x: R,
+    /// Second coordinate.
+    pub y: R,
+    /// Share of the load.
+    pub weight: R,
+}
+
+/// A set of valid nodes: finite positions, finite weights ≥ 0 with a finite sum.
+pub trait NodePatch<R: Real> {
+    /// All nodes, in the order in which they are summed.
+    fn nodes(&self) -> &[Node<R>];
+
+    /// Sum of the weights.
+    fn total_weight(&self) -> R;
+}
+
+impl<R: Real, P: NodePatch<R> + ?Sized> NodePatch<R> for &P {
+    #[inline]
+    fn nodes(&self) -> &[Node<R>] {
+        (**self).nodes()
+    }
+    #[inline]
+    fn total_weight(&self) -> R {
+        (**self).total_weight()
+    }
+}
+
+/// A fixed number of nodes.
+///
+/// ```
+/// use tribos_core::patch::nodes::{Node, Nodes};
+/// // A foot with its heel at the origin: the heel carries twice what the toe carries.
+/// let foot = Nodes::new([
+///     Node { x: 0.0, y: 0.0, weight: 2.0 },
+///     Node { x: 0.2, y: 0.0, weight: 1.0 },
+/// ]);
+/// assert!(foot.is_ok());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nodes<R, const N: usize> {
+    nodes: [Node<R>; N],
+    total_weight: R,
+}
+
+impl<R: Real, const N: usize> Nodes<R, N> {
+    /// *Domain*: finite positions, weights ≥ 0 of which at least one is positive, finite sum.
+    pub fn new(nodes: [Node<R>; N]) -> Result<Self, NodeError> {
+        let mut total_weight = R::ZERO;
+        for (index, node) in nodes.iter().enumerate() {
+            total_weight = total_with(total_weight, index, node)?;
+        }
+        if total_weight > R::ZERO {
+            Ok(Self {
+                nodes,
+                total_weight,
+            })
+        } else {
+            Err(NodeError::Unloaded)
+        }
+    }
+}
+
+impl<R: Real, const N: usize> NodePatch<R> for Nodes<R, N> {
+    #[inline]
+    fn nodes(&self) -> &[Node<R>] {
+        &self.nodes
+    }
+    #[inline]
+    fn total_weight(&self) -> R {
+        self.total_weight
+    }
+}
+
+/// A list of up to `CAPACITY` nodes, filled at run time, without an allocator.
+///
+/// *Size*: 24 bytes a node (f32: 12).
+///
+/// ```
+/// use tribos_core::patch::nodes::{Node, NodeList};
+/// let mut touching = NodeList::<f32, 4>::new();
+/// touching.push(Node { x: 0.1, y: 0.0, weight: 9.81 })?;
+/// # Ok::<(), tribos_core::patch::nodes::NodeError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct NodeList<R, const CAPACITY: usize> {
+    nodes: heapless::Vec<Node<R>, CAPACITY>,
+    total_weight: R,
+}
+
+impl<R: Real, const CAPACITY: usize> NodeList<R, CAPACITY> {
+    /// An empty list: it resists nothing.
+    pub fn new() -> Self {
+        Self {
+            nodes: heapless::Vec::new(),
+            total_weight: R::ZERO,
+        }
+    }
+
+    /// Adds one node; a refused node leaves the list as it was.
+    ///
+    /// *Domain*: finite position, weight ≥ 0, finite sum of weights, room for one more.
+    pub fn push(&mut self, node: Node<R>) -> Result<(), NodeError> {
+        let total_weight = total_with(self.total_weight, self.nodes.len(), &node)?;
+        match self.nodes.push(node) {
+            Ok(()) => {
+                self.total_weight = total_weight;
+                Ok(())
+            }
+            Err(_) => Err(NodeError::Full { capacity: CAPACITY }),
+        }
+    }
+
+    /// Removes all nodes.
+    pub fn clear(&mut self) {
+        *self = Self::new();
+    }
+}
+
+impl<R: Real, const CAPACITY: usize> Default for NodeList<R, CAPACITY> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<R: Real, const CAPACITY: usize> NodePatch<R> for NodeList<R, CAPACITY> {
+    #[inline]
+    fn nodes(&self) -> &[Node<R>] {
+        &self.nodes
+    }
+    #[inline]
+    fn total_weight(&self) -> R {
+        self.total_weight
+    }
+}
+
+/// The sum of weights after a valid `node`.
+fn total_with<R: Real>(total: R, index: usize, node: &Node<R>) -> Result<R, NodeError> {
+    if !(node.x.is_finite() && node.y.is_finite()) {
+        return Err(NodeError::Position {
+            index,
+            given: [node.x.to_f64(), node.y.to_f64()],
+        });
+    }
+    let sum = total + node.weight;
+    if node.weight >= R::ZERO && sum.is_finite() {
+        Ok(sum)
+    } else {
+        Err(NodeError::Weight {
+            index,
+            given: node.weight.to_f64(),
+        })
+    }
+}
+
+/// Why nodes were refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum NodeError {
+    /// A position is infinite or NaN.
+    Position {
+        /// Which node, from 0.
+        index: usize,
+        /// What was given.
+        given: [f64; 2],
+    },
+    /// A weight is negative or NaN, or makes the sum infinite.
+    Weight {
+        /// Which node, from 0.
+        index: usize,
+        /// What was given.
+        given: f64,
+    },
+    /// No node has a positive weight.
+    Unloaded,
+    /// There is no room for another node.
+    Full {
+        /// How many nodes there is room for.
+        capacity: usize,
+    },
+}
+
+impl core::fmt::Display for NodeError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Position {
+                index,
+                given: [x, y],
+            } => {
+                write!(f, "node {index} must lie at a finite place, not ({x}, {y})")
+            }
+            Self::Weight { index, given } => {
+                write!(
+                    f,
+                    "node {index} must carry a finite weight, not negative, not {given}"
+                )
+            }
+            Self::Unloaded => f.write_str("at least one node must carry load"),
+            Self::Full { capacity } => write!(f, "there is room for {capacity} nodes, not more"),
+        }
+    }
+}
+
+impl core::error::Error for NodeError {}

@@ -1,0 +1,85 @@
+//! A rigid body on three feet: statics alone tells what each carries.
+
+use super::nodes::{Node, NodeError, Nodes};
+use crate::real::Real;
+
+/// Shares of the load on three `feet`, sum 1, for a body whose weight acts above `centre`.
+///
+/// The share of a foot is the area that `centre` spans with the other two, over the area of all
+/// three. While the body accelerates, `centre` is not under the centre of mass but where gravity
+/// and inertia together meet the ground (the zero-moment point).
+///
+/// *Units*: length in, shares out. *Domain*: feet not in a line, `centre` between them.
+/// *Accuracy*: a few ulp for feet whose distances are not small against their coordinates.
+pub fn tripod_shares<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<[R; 3], TripodError> {
+    let [a, b, c] = feet;
+    let areas = [[centre, b, c], [a, centre, c], [a, b, centre]].map(twice_area);
+    let total = twice_area(feet);
+    if total == R::ZERO || !total.is_finite() {
+        return Err(TripodError::Line);
+    }
+    let shares = areas.map(|area| area / total);
+    match shares.iter().position(|&share| share < R::ZERO) {
+        Some(foot) => Err(TripodError::Tips { foot }),
+        None if shares.iter().any(|share| share.is_nan()) => Err(TripodError::Line),
+        None => Ok(shares),
+    }
+}
+
+/// The nodes of three `feet` that carry a body whose weight acts above `centre`, positions
+/// relative to `centre`.
+///
+/// ```
+/// use tribos_core::patch::tripod::tripod;
+/// let stool = tripod([[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]], [0.1, 0.1]);
+/// assert!(stool.is_ok());
+/// assert!(tripod([[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]], [0.2, 0.2]).is_err()); // it tips over
+/// ```
+pub fn tripod<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<Nodes<R, 3>, TripodError> {
+    let [a, b, c] = tripod_shares(feet, centre)?;
+    let [first, second, third] = feet;
+    let nodes = [(first, a), (second, b), (third, c)].map(|([x, y], weight)| Node {
+        x: x - centre[0],
+        y: y - centre[1],
+        weight,
+    });
+    Ok(Nodes::new(nodes)?)
+}
+
+/// Twice the signed area of a triangle.
+fn twice_area<R: Real>([a, b, c]: [[R; 2]; 3]) -> R {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+/// Why three feet were refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum TripodError {
+    /// The feet stand in a line, or not at finite places.
+    Line,
+    /// The body tips over: a foot would have to pull.
+    Tips {
+        /// Which foot lifts first, from 0.
+        foot: usize,
+    },
+    /// The nodes are not valid.
+    Nodes(NodeError),
+}
+
+impl From<NodeError> for TripodError {
+    fn from(error: NodeError) -> Self {
+        Self::Nodes(error)
+    }
+}
+
+impl core::fmt::Display for TripodError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Line => f.write_str("three feet must span a triangle of finite size"),
+            Self::Tips { foot } => write!(f, "the body tips over: foot {foot} would have to pull"),
+            Self::Nodes(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for TripodError {}
