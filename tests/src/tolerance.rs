@@ -116,7 +116,7 @@ bounds! {
     /// Friction of a projection's normal against the projection, of the set's size.
     FRICTION_OF_NORMAL = 2e-14, "noise of the arithmetic-geometric mean near equal speeds, ring and disk";
     /// Work of the displacement towards any wrench of the set, of the squared size.
-    POLAR = 1e-18, "rounding of two wrenches that nearly coincide";
+    POLAR = 1e-16, "the surface point rounds by half of 2.2e-16 of the scale, times a displacement of that scale";
     /// Growth of the distance of two wrenches by projection, of the set's size.
     EXPANSION = 1e-15, "surface points round to a few ulp of the limits";
     /// The same in f32.
