@@ -186,7 +186,7 @@ fn bad_files_of_twists_are_refused_with_their_line() -> Outcome {
     let path = folder.path().join("twists.csv");
     for (text, words) in [
         ("", "column `speed` is missing"),
-        ("speed,spin\n", "no twists"),
+        ("speed,spin\n", "no rows"),
         ("speed\n1\n", "1: column `spin` is missing"),
         ("speed,spin,load\n1,2,3\n", "unknown column `load`"),
         ("speed,spin\n1,2\n3\n", ":3: 1 columns instead of 2"),

@@ -1,8 +1,10 @@
 //! The subcommands, one module each.
 
+mod columns;
 mod laws;
 mod modes;
 mod number;
+mod patch;
 mod reproduce;
 mod run;
 mod tier;

@@ -1,11 +1,15 @@
 //! Accuracy tiers by name.
 
+use super::patch::PatchName;
 use crate::failure::Failure;
 use tribos_core::Real;
-use tribos_core::coupling::quadrature::DiskQuadrature;
+use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
 use tribos_core::coupling::table::{self, Table32, Table64};
-use tribos_core::coupling::{Coupling, compact};
-use tribos_core::law::{LawError, PowerLaw};
+use tribos_core::coupling::{
+    Annulus, Coupling, Lateral, LateralJacobian, ReducedJacobian, ReducedWrench, closed, compact,
+};
+use tribos_core::law::LawError;
+use tribos_core::patch::{PolynomialPressure, PowerPressure};
 
 /// How friction is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -14,7 +18,7 @@ pub enum Tier {
     Table,
     /// Series without tables: tens of ulp (alpha <= 128).
     Compact,
-    /// Quadrature on fixed nodes: about 1e-8.
+    /// Quadrature on fixed nodes: about 1e-8 on disk and annulus, 1e-4 elsewhere.
     Quadrature,
 }
 
@@ -29,43 +33,152 @@ pub enum Precision {
 
 /// A scalar whose tables the kernel can build.
 pub trait Tabulated: Real + table::CoulombTable {
-    /// The table tier of exponent `alpha` ≠ 0.
-    fn table(alpha: Self) -> Result<Box<dyn Coupling<Self>>, LawError>;
+    /// The table of the uniform disk under |v|^`alpha`.
+    fn disk(alpha: Self) -> Result<Box<dyn Lateral<Self>>, LawError>;
+    /// The table of another pressure.
+    fn round(alpha: Self, pressure: PowerPressure) -> Result<Box<dyn Lateral<Self>>, LawError>;
+    /// The table of a polynomial pressure, if there is one in this precision.
+    fn polynomial(alpha: Self, coefficients: &[f64]) -> Result<Box<dyn Lateral<Self>>, Failure>;
 }
 
 impl Tabulated for f64 {
-    fn table(alpha: f64) -> Result<Box<dyn Coupling<f64>>, LawError> {
+    fn disk(alpha: f64) -> Result<Box<dyn Lateral<f64>>, LawError> {
         Ok(Box::new(Table64::new(alpha)?))
+    }
+    fn round(alpha: f64, pressure: PowerPressure) -> Result<Box<dyn Lateral<f64>>, LawError> {
+        Ok(Box::new(RoundTable64::new(alpha, pressure)?))
+    }
+    fn polynomial(alpha: f64, coefficients: &[f64]) -> Result<Box<dyn Lateral<f64>>, Failure> {
+        let pressure = polynomial(coefficients)?;
+        LateralPolynomialTable::new(alpha, &pressure)
+            .map(|table| Box::new(table) as _)
+            .map_err(Failure::input)
     }
 }
 
 impl Tabulated for f32 {
-    fn table(alpha: f32) -> Result<Box<dyn Coupling<f32>>, LawError> {
+    fn disk(alpha: f32) -> Result<Box<dyn Lateral<f32>>, LawError> {
         Ok(Box::new(Table32::new(alpha)?))
+    }
+    fn round(alpha: f32, pressure: PowerPressure) -> Result<Box<dyn Lateral<f32>>, LawError> {
+        Ok(Box::new(RoundTable32::new(alpha, pressure)?))
+    }
+    fn polynomial(_: f32, _: &[f64]) -> Result<Box<dyn Lateral<f32>>, Failure> {
+        Err(Failure::input(
+            "polynomial patches need --precision f64, or --tier quadrature",
+        ))
     }
 }
 
-/// The coupling of |v|^alpha in the tier asked for, else in the quickest that serves alpha.
+/// Most coefficients of a polynomial pressure.
+const MOST_COEFFICIENTS: usize = PowerPressure::MAX_ORDER as usize + 1;
+
+/// The polynomial pressure of these coefficients, at most [`MOST_COEFFICIENTS`] of them.
+pub fn polynomial(coefficients: &[f64]) -> Result<PolynomialPressure<MOST_COEFFICIENTS>, Failure> {
+    let mut padded = [0.0; MOST_COEFFICIENTS];
+    for (slot, a) in padded.iter_mut().zip(coefficients) {
+        *slot = *a;
+    }
+    PolynomialPressure::new(padded).map_err(Failure::input)
+}
+
+/// The coupling of |v|^alpha on a round patch in the tier asked for, else in the quickest that
+/// serves alpha. `None` for patches and tiers that only quadrature serves.
 pub fn coupling<R: Tabulated>(
+    patch: &PatchName,
     alpha: f64,
     tier: Option<Tier>,
-) -> Result<Box<dyn Coupling<R>>, Failure> {
-    let narrow = R::from_f64(alpha);
+) -> Result<Option<AnyRound<R>>, Failure> {
     let served = alpha <= table::MAX_EXPONENT;
     let tier = tier.unwrap_or(if served { Tier::Table } else { Tier::Compact });
-    let built: Result<Box<dyn Coupling<R>>, LawError> = match tier {
-        Tier::Table if alpha == 0.0 => Ok(Box::new(table::Coulomb)),
-        Tier::Table => R::table(narrow),
-        Tier::Compact if alpha == 0.0 => Ok(Box::new(compact::Coulomb)),
-        Tier::Compact => compact::Power::new(narrow).map(|x| Box::new(x) as _),
-        Tier::Quadrature => {
-            PowerLaw::new(narrow, R::ONE).map(|law| Box::new(DiskQuadrature::new(law)) as _)
-        }
-    };
-    built.map_err(|error| match tier {
+    if tier == Tier::Quadrature || matches!(patch, PatchName::Points(_)) {
+        return Ok(None);
+    }
+    let explained = |error: LawError| match tier {
         Tier::Table if !served => {
             Failure::input(format!("{error} for --tier table; use --tier compact"))
         }
         _ => Failure::input(error),
+    };
+    let narrow = R::from_f64(alpha);
+    let built = match (patch, tier) {
+        (PatchName::Annulus(inner), _) => {
+            let disk = disk::<R>(alpha, tier).map_err(explained)?;
+            let annulus = Annulus::new(AnyRound(disk), R::from_f64(*inner));
+            Box::new(annulus.map_err(Failure::input)?)
+        }
+        (PatchName::Polynomial(coefficients), Tier::Table) => R::polynomial(narrow, coefficients)?,
+        (PatchName::Polynomial(_), _) => {
+            return Err(Failure::input(
+                "polynomial patches are served by --tier table (alpha <= 10) and quadrature",
+            ));
+        }
+        _ => round::<R>(patch, alpha, tier).map_err(explained)?,
+    };
+    Ok(Some(AnyRound(built)))
+}
+
+/// The uniform disk in the table or compact tier.
+fn disk<R: Tabulated>(alpha: f64, tier: Tier) -> Result<Box<dyn Lateral<R>>, LawError> {
+    let narrow = R::from_f64(alpha);
+    Ok(match tier {
+        Tier::Table if alpha == 0.0 => Box::new(table::Coulomb),
+        Tier::Table => R::disk(narrow)?,
+        _ if alpha == 0.0 => Box::new(compact::Coulomb),
+        _ => Box::new(compact::Power::new(narrow)?),
     })
+}
+
+/// A pressure (1−r²)^q in the table or compact tier; the latter in closed form where there is one.
+fn round<R: Tabulated>(
+    patch: &PatchName,
+    alpha: f64,
+    tier: Tier,
+) -> Result<Box<dyn Lateral<R>>, LawError> {
+    let narrow = R::from_f64(alpha);
+    let pressure = patch.pressure().unwrap_or(PowerPressure::UNIFORM);
+    Ok(match (patch, tier) {
+        (PatchName::Disk, _) => disk(alpha, tier)?,
+        (_, Tier::Table) => R::round(narrow, pressure)?,
+        (PatchName::Ring, _) if alpha == 0.0 => Box::new(closed::Ring),
+        (PatchName::Hertz, _) if alpha == 0.0 => Box::new(closed::Hertz),
+        (PatchName::Punch, _) if alpha == 0.0 => Box::new(closed::FlatPunch),
+        _ => Box::new(compact::Power::with_pressure(narrow, pressure)?),
+    })
+}
+
+/// Any coupling with a lateral function.
+pub struct AnyRound<R>(pub Box<dyn Lateral<R>>);
+
+impl<R: Real> Coupling<R> for AnyRound<R> {
+    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
+        self.0.reduced_wrench(slide, rim)
+    }
+    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
+        self.0.reduced_jacobian(slide, rim)
+    }
+}
+
+impl<R: Real> Lateral<R> for AnyRound<R> {
+    fn lateral(&self, slide: R, rim: R) -> R {
+        self.0.lateral(slide, rim)
+    }
+    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
+        self.0.lateral_jacobian(slide, rim)
+    }
+    fn mean_square_radius(&self) -> R {
+        self.0.mean_square_radius()
+    }
+}
+
+/// Any coupling.
+pub struct AnyCoupling<R>(pub Box<dyn Coupling<R>>);
+
+impl<R: Real> Coupling<R> for AnyCoupling<R> {
+    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
+        self.0.reduced_wrench(slide, rim)
+    }
+    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
+        self.0.reduced_jacobian(slide, rim)
+    }
 }

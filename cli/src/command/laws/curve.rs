@@ -6,6 +6,7 @@ use crate::report::figure::{Axis, Figure, Series};
 use crate::report::image;
 use std::path::Path;
 use tribos::record::series_csv;
+use tribos_core::law::LocalLaw;
 
 /// Points a curve.
 const POINTS: usize = 400;

@@ -4,7 +4,7 @@ mod catalogue;
 mod curve;
 mod spec;
 
-pub use spec::LawSpec;
+pub use spec::{AnyLaw, LawSpec};
 
 use crate::failure::Failure;
 use catalogue::{Entry, LAWS};

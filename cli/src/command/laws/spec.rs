@@ -94,10 +94,22 @@ fn needs(entry: &Entry) -> String {
     text
 }
 
+/// Any local law.
+pub struct AnyLaw<R>(pub Box<dyn LocalLaw<R>>);
+
+impl<R: Real> LocalLaw<R> for AnyLaw<R> {
+    fn friction(&self, speed: R) -> R {
+        self.0.friction(speed)
+    }
+    fn slope(&self, speed: R) -> R {
+        self.0.slope(speed)
+    }
+}
+
 impl LawSpec {
     /// The law itself.
-    pub fn law<R: Real>(&self) -> Result<Box<dyn LocalLaw<R>>, Failure> {
-        self.build().map_err(|error| {
+    pub fn law<R: Real>(&self) -> Result<AnyLaw<R>, Failure> {
+        self.build().map(AnyLaw).map_err(|error| {
             Failure::input(format!(
                 "{}: {error}; {}",
                 self.entry.name,

@@ -1,22 +1,43 @@
 //! `tribos wrench`: force and torque of one twist or of a file of twists.
 
+mod contact;
 mod output;
-mod twists;
 
-use super::number;
-use super::tier::{self, Precision, Tabulated, Tier};
+use super::laws::LawSpec;
+use super::patch::{PATCHES, PatchName};
+use super::tier::{Precision, Tabulated, Tier};
+use super::{columns, number};
 use crate::failure::Failure;
+use contact::{Contact, Request, in_range};
 use output::{Format, Line};
 use std::path::PathBuf;
 use tribos::record::write_atomically;
 use tribos_core::Real;
-use tribos_core::coupling::{Coupling, PatchFriction};
 
-/// Friction force and torque of a uniform disk under the local law
-/// `coefficient` * |v|^`alpha`, as magnitudes that oppose the motion.
+/// Friction force and torque of a contact under the local law `coefficient` * |v|^`alpha`, or
+/// another law, as magnitudes that oppose the motion.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
+    /// Contact patch.
+    #[arg(long, default_value = "disk", long_help = format!("Contact patch: {PATCHES}.\n\
+        The file of points has columns x,y [m] and weight; the body slides along x, `force` is \
+        against it, `lateral` to the right of it, `torque` against counterclockwise spin."))]
+    patch: PatchName,
+    /// Local law instead of coefficient and alpha; see `tribos laws`.
+    #[arg(long, value_name = "NAME:KEY=VALUE,…", conflicts_with_all = ["alpha", "coefficient"])]
+    law: Option<LawSpec>,
+    /// Lean of the pressure, p (1 + K x/radius) with x along the velocity; adds the column
+    /// `lateral`, the force to the right for counterclockwise spin.
+    #[arg(long, value_name = "K", value_parser = number::finite, allow_negative_numbers = true,
+          long_help = "Lean of the pressure, p (1 + K x/radius) with x along the velocity: \
+          K = F H/(Fn radius <r^2>) for a body of height H braked by F, which is 2 F H/(Fn radius) \
+          for the uniform disk (thesis eq. 3.37). Adds the column `lateral`: the force to the right \
+          of the velocity for counterclockwise spin.")]
+    tilt: Option<f64>,
+    /// What to do if --tilt would make the pressure negative.
+    #[arg(long, default_value = "error", value_enum)]
+    on_lift: OnLift,
     /// Exponent of the local law, > -1 (0 is Coulomb).
     #[arg(long, default_value = "0", value_parser = number::exponent, allow_negative_numbers = true)]
     alpha: f64,
@@ -29,11 +50,11 @@ pub struct Arguments {
     /// Radius of the contact [m].
     #[arg(long, default_value = "1", value_parser = number::positive, allow_negative_numbers = true)]
     radius: f64,
-    /// Sliding speed [m/s]; its sign is ignored.
+    /// Sliding speed [m/s]; its sign matters for points only.
     #[arg(long, value_parser = number::finite, allow_negative_numbers = true,
           required_unless_present = "twists", conflicts_with = "twists")]
     speed: Option<f64>,
-    /// Spin [rad/s]; its sign is ignored.
+    /// Spin [rad/s]; its sign matters for points only.
     #[arg(long, value_parser = number::finite, allow_negative_numbers = true,
           required_unless_present = "twists", conflicts_with = "twists")]
     spin: Option<f64>,
@@ -57,12 +78,26 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
+/// What to do with a body that tips.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum OnLift {
+    /// Refuse.
+    Error,
+    /// Hold the lean where the trailing edge is free of load.
+    Clamp,
+}
+
 const EXAMPLES: &str = "\
 Examples:
   A puck of 0.17 kg and 3 cm radius at 2 m/s and 40 rad/s:
     tribos wrench --coefficient 0.25 --load 1.67 --radius 0.03 --speed 2 --spin 40
   The dimensionless functions F and T at the ratio 0.5, with derivatives, as JSON:
     tribos wrench --alpha 0.5 --speed 0.5 --spin 1 --jacobian --format json
+  A ball on a soft pad with a Stribeck law, and a tall cylinder's sideways force:
+    tribos wrench --patch hertz --law stribeck:mu_s=0.2,mu_d=0.1,vs=0.01 --radius 0.01 --speed 0.1 --spin 5
+    tribos wrench --tilt 0.6 --coefficient 0.2 --load 10 --radius 0.08 --speed 1 --spin 5
+  Three feet (a CSV file with the header x,y,weight):
+    tribos wrench --patch points:feet.csv --coefficient 0.3 --load 20 --speed 0.5 --spin -2
   Many twists from a file, evaluated without tables in single precision:
     tribos wrench --twists twists.csv --tier compact --precision f32 --output wrenches.csv";
 
@@ -70,7 +105,7 @@ impl Arguments {
     /// Evaluates and prints.
     pub fn execute(self) -> Result<(), Failure> {
         let twists = match (&self.twists, self.speed, self.spin) {
-            (Some(path), ..) => twists::read(path)?,
+            (Some(path), ..) => columns::read(path, ["speed", "spin"])?,
             (None, Some(speed), Some(spin)) => vec![[speed, spin]],
             _ => return Err(Failure::input("give --speed and --spin, or --twists FILE")),
         };
@@ -94,51 +129,77 @@ impl Arguments {
     }
 
     fn evaluate<R: Tabulated>(&self, twists: &[[f64; 2]]) -> Result<Vec<Line>, Failure> {
-        let coupling = tier::coupling::<R>(self.alpha, self.tier)?;
-        let narrow = |name, x| in_range::<R>(name, x);
-        let radius = narrow("radius", self.radius)?;
-        let coefficient = narrow("coefficient", self.coefficient)?;
-        let friction =
-            PatchFriction::new(coupling.as_ref(), coefficient, radius).map_err(Failure::input)?;
-        let load = narrow("load", self.load)?;
+        let contact = Contact::<R>::new(&self.request()?)?;
+        let load = in_range("load", self.load)?;
         twists
             .iter()
             .map(|&[speed, spin]| {
-                let (v, w) = (narrow("speed", speed)?, narrow("spin", spin)?);
-                Ok(self.line(&friction, load, [speed, spin], (v, w)))
+                let twist = (in_range("speed", speed)?, in_range("spin", spin)?);
+                self.line(&contact, load, [speed, spin], twist)
             })
             .collect()
     }
 
+    /// The contact asked for; what makes no sense together is refused.
+    fn request(&self) -> Result<Request<'_>, Failure> {
+        let tilted = self.tilt.is_some_and(|tilt| tilt != 0.0);
+        let tilt = match (self.tilt, self.on_lift) {
+            (Some(tilt), OnLift::Error) if tilt.abs() > 1.0 => {
+                return Err(Failure::input(format!(
+                    "--tilt {tilt} makes the pressure negative: the body tips; \
+                     give -1 <= K <= 1, or --on-lift clamp"
+                )));
+            }
+            (tilt, _) => tilt.map(|tilt| tilt.clamp(-1.0, 1.0)),
+        };
+        if self.jacobian && (tilted || matches!(self.patch, PatchName::Points(_))) {
+            return Err(Failure::input(
+                "--jacobian is for round, upright patches: leave out --tilt and points",
+            ));
+        }
+        Ok(Request {
+            patch: &self.patch,
+            law: self.law.as_ref(),
+            alpha: self.alpha,
+            tier: self.tier,
+            coefficient: self.coefficient,
+            radius: self.radius,
+            tilt,
+        })
+    }
+
     fn line<R: Real>(
         &self,
-        friction: &PatchFriction<R, &dyn Coupling<R>>,
+        contact: &Contact<R>,
         load: R,
         twist: [f64; 2],
         (speed, spin): (R, R),
-    ) -> Line {
-        let wrench = friction.magnitudes(load, speed.abs(), spin.abs());
-        let jacobian = self.jacobian.then(|| {
-            let j = friction.magnitudes_jacobian(load, speed.abs(), spin.abs());
-            [j.force_speed, j.force_spin, j.torque_speed, j.torque_spin].map(R::to_f64)
-        });
-        Line {
+    ) -> Result<Line, Failure> {
+        let is_round = !matches!(self.patch, PatchName::Points(_));
+        // Round patches do not know left from right.
+        let (speed, spin) = if is_round {
+            (speed.abs(), spin.abs())
+        } else {
+            (speed, spin)
+        };
+        let resistance = contact.resistance(load, speed, spin);
+        let jacobian = match (self.jacobian, contact.jacobian(load, speed, spin)) {
+            (false, _) => None,
+            (true, Some(jacobian)) => Some(jacobian.map(R::to_f64)),
+            (true, None) => {
+                return Err(Failure::input(
+                    "--jacobian is not served by nodes; use --patch disk or annulus with --law, \
+                     or another tier",
+                ));
+            }
+        };
+        let with_lateral = self.tilt.is_some() || !is_round;
+        Ok(Line {
             twist,
-            force: wrench.force.to_f64(),
-            torque: wrench.torque.to_f64(),
+            force: resistance.force.to_f64(),
+            torque: resistance.torque.to_f64(),
+            lateral: with_lateral.then(|| resistance.lateral.to_f64()),
             jacobian,
-        }
-    }
-}
-
-/// `x` in the precision asked for; refused if it overflows there.
-fn in_range<R: Real>(name: &str, x: f64) -> Result<R, Failure> {
-    let narrow = R::from_f64(x);
-    if narrow.is_finite() {
-        Ok(narrow)
-    } else {
-        Err(Failure::input(format!(
-            "{name} {x} is too large for f32; use --precision f64"
-        )))
+        })
     }
 }

@@ -20,6 +20,8 @@ pub struct Line {
     pub twist: [f64; 2],
     pub force: f64,
     pub torque: f64,
+    /// Only where something can be lateral.
+    pub lateral: Option<f64>,
     pub jacobian: Option<[f64; 4]>,
 }
 
@@ -30,16 +32,18 @@ const JACOBIAN: [&str; 4] = [
     "dtorque_dspeed",
     "dtorque_dspin",
 ];
-/// Units of all eight in SI, for people.
-const UNITS: [&str; 8] = [
-    "m/s",
-    "rad/s",
-    "N",
-    "N m",
-    "N s/m",
-    "N s/rad",
-    "N s",
-    "N m s/rad",
+const LATERAL: &str = "lateral";
+/// Units in SI, for people.
+const UNITS: [(&str, &str); 9] = [
+    ("speed", "m/s"),
+    ("spin", "rad/s"),
+    ("force", "N"),
+    ("torque", "N m"),
+    (LATERAL, "N"),
+    ("dforce_dspeed", "N s/m"),
+    ("dforce_dspin", "N s/rad"),
+    ("dtorque_dspeed", "N s"),
+    ("dtorque_dspin", "N m s/rad"),
 ];
 
 impl Line {
@@ -47,6 +51,7 @@ impl Line {
     fn fields(&self) -> Vec<(&'static str, f64)> {
         let values = [self.twist[0], self.twist[1], self.force, self.torque];
         let mut fields: Vec<_> = COLUMNS.into_iter().zip(values).collect();
+        fields.extend(self.lateral.map(|x| (LATERAL, x)));
         if let Some(jacobian) = self.jacobian {
             fields.extend(JACOBIAN.into_iter().zip(jacobian));
         }
@@ -63,9 +68,13 @@ impl Line {
     }
 
     fn text(&self) -> String {
-        let lines = self.fields().into_iter().zip(UNITS);
-        lines
-            .map(|((name, x), unit)| format!("{name:<15} {x:.16e} {unit}\n"))
+        let unit = |name| {
+            let known = UNITS.iter().find(|(known, _)| *known == name);
+            known.map_or("", |(_, unit)| unit)
+        };
+        self.fields()
+            .into_iter()
+            .map(|(name, x)| format!("{name:<15} {x:.16e} {}\n", unit(name)))
             .collect()
     }
 }
@@ -87,9 +96,10 @@ impl Format {
                     .iter()
                     .map(|line| line.fields().iter().map(|f| f.1).collect())
                     .collect();
-                let with_jacobian = lines.iter().any(|line| line.jacobian.is_some());
-                let more: &[&str] = if with_jacobian { &JACOBIAN } else { &[] };
-                let columns = [&COLUMNS[..], more].concat();
+                let columns: Vec<&str> = lines
+                    .first()
+                    .map(|line| line.fields().iter().map(|f| f.0).collect())
+                    .unwrap_or_default();
                 series_csv(&columns, rows.iter().map(Vec::as_slice))
             }
         }

@@ -1,14 +1,12 @@
-//! A file of twists.
+//! CSV files with a fixed set of numeric columns.
 
 use crate::failure::Failure;
 use std::io::Read;
 use std::path::Path;
 
-/// Columns that the file must have, in any order, and no others.
-const COLUMNS: [&str; 2] = ["speed", "spin"];
-
-/// Reads speed and spin of every line; every refusal names the file and the line.
-pub fn read(path: &Path) -> Result<Vec<[f64; 2]>, Failure> {
+/// Reads the rows of a file that has these columns, in any order, and no others (`-` for standard
+/// input); every refusal names the file and the line.
+pub fn read<const N: usize>(path: &Path, columns: [&str; N]) -> Result<Vec<[f64; N]>, Failure> {
     let name = path.display();
     let fail = |error: std::io::Error| Failure::input(format!("cannot read {name}: {error}"));
     let mut text = Vec::new();
@@ -17,46 +15,50 @@ pub fn read(path: &Path) -> Result<Vec<[f64; 2]>, Failure> {
     } else {
         text = std::fs::read(path).map_err(fail)?;
     }
-    parse(&text).map_err(|message| Failure::input(format!("{name}:{message}")))
+    parse(&text, columns).map_err(|message| Failure::input(format!("{name}:{message}")))
 }
 
-fn parse(text: &[u8]) -> Result<Vec<[f64; 2]>, String> {
+fn parse<const N: usize>(text: &[u8], names: [&str; N]) -> Result<Vec<[f64; N]>, String> {
+    let wanted = names.join(",");
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .from_reader(text);
-    let headers = reader.headers().map_err(|error| in_words(&error))?.clone();
-    let mut columns = [0; 2];
-    for (column, name) in columns.iter_mut().zip(COLUMNS) {
+    let headers = reader
+        .headers()
+        .map_err(|error| in_words(&error, &wanted))?
+        .clone();
+    let mut columns = [0; N];
+    for (column, name) in columns.iter_mut().zip(names) {
         *column = headers
             .iter()
             .position(|header| header == name)
             .ok_or(format!(
-                "1: column `{name}` is missing; the header must be speed,spin"
+                "1: column `{name}` is missing; the header must be {wanted}"
             ))?;
     }
-    if let Some(extra) = headers.iter().find(|header| !COLUMNS.contains(header)) {
+    if let Some(extra) = headers.iter().find(|header| !names.contains(header)) {
         return Err(format!(
-            "1: unknown column `{extra}`; the header must be speed,spin"
+            "1: unknown column `{extra}`; the header must be {wanted}"
         ));
     }
-    let mut twists = Vec::new();
+    let mut rows = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(|error| in_words(&error))?;
+        let record = record.map_err(|error| in_words(&error, &wanted))?;
         let line = record
             .position()
             .map_or(0, |position| line_of(text, position));
-        let mut twist = [0.0; 2];
-        for ((value, column), name) in twist.iter_mut().zip(columns).zip(COLUMNS) {
+        let mut row = [0.0; N];
+        for ((value, column), name) in row.iter_mut().zip(columns).zip(names) {
             let text = record.get(column).unwrap_or("");
             *value = crate::command::number::finite(text)
                 .map_err(|cure| format!("{line}: {name} is `{text}`; {cure}"))?;
         }
-        twists.push(twist);
+        rows.push(row);
     }
-    if twists.is_empty() {
-        return Err("2: no twists; give one speed,spin pair a line".into());
+    if rows.is_empty() {
+        return Err(format!("2: no rows; give one line of {wanted} for each"));
     }
-    Ok(twists)
+    Ok(rows)
 }
 
 /// Line of a record, past the blank lines that the reader counts to it.
@@ -67,13 +69,13 @@ fn line_of(text: &[u8], position: &csv::Position) -> u64 {
 }
 
 /// A CSV error with its line first.
-fn in_words(error: &csv::Error) -> String {
+fn in_words(error: &csv::Error, wanted: &str) -> String {
     let line = error.position().map_or(1, csv::Position::line);
     match error.kind() {
         csv::ErrorKind::UnequalLengths {
             expected_len, len, ..
         } => {
-            format!("{line}: {len} columns instead of {expected_len}; give speed,spin")
+            format!("{line}: {len} columns instead of {expected_len}; give {wanted}")
         }
         csv::ErrorKind::Utf8 { .. } => {
             format!("{line}: not UTF-8 text; save the file as plain CSV")
