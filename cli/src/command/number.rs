@@ -39,6 +39,17 @@ pub fn ratio(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A lean from 0 to 1.
+pub fn lean(text: &str) -> Result<f64, String> {
+    finite(text).and_then(|x| {
+        if (0.0..=1.0).contains(&x) {
+            Ok(x)
+        } else {
+            Err("give a lean from 0 to 1; beyond, a body may tip".into())
+        }
+    })
+}
+
 /// An exponent that some tier can serve.
 pub fn exponent(text: &str) -> Result<f64, String> {
     let most = tribos_core::law::PowerLaw::<f64>::MAX_EXPONENT;

@@ -105,6 +105,13 @@ impl Profile<f64> for LateralPolynomialTable {
     }
 }
 
+impl SmoothProfile<f64> for LateralPolynomialTable {
+    #[inline]
+    fn factors_and_slope(&self, at: &Speeds<f64>) -> [f64; 3] {
+        self.table.factors_and_slope(at)
+    }
+}
+
 impl Coupling<f64> for LateralPolynomialTable {
     #[inline]
     fn reduced_wrench(&self, slide: f64, rim: f64) -> ReducedWrench<f64> {

@@ -1,19 +1,21 @@
 //! `tribos modes`: fixed points of the velocity ratio, the final mode, the phase diagram.
 
 pub mod diagram;
+mod profile;
 
 use super::number;
+use super::patch::PatchName;
 use crate::failure::Failure;
-use crate::report::image::Drawing;
+use crate::report::image;
+use diagram::Diagram;
 use serde_json::{Map, Value, json};
-use std::path::{Path, PathBuf};
-use tribos::record::{json_number, write_atomically};
-use tribos_core::coupling::compact::{self, Power};
-use tribos_core::coupling::table::{self, Table64};
-use tribos_core::modes::{FinalMode, FixedPoints, Modes, Stability, inertia_interval};
+use std::path::PathBuf;
+use tribos::record::json_number;
+use tribos_core::coupling::Profile;
+use tribos_core::modes::{FinalMode, FixedPoints, Modes, Stability};
 
 /// Where the velocity ratio v/(omega R) of a free slider goes: its fixed points for the exponent
-/// alpha and the inertia ratio C = I/(M R^2), and what dominates just before rest.
+/// alpha, the inertia ratio C = I/(M R^2) and the patch, and what dominates just before rest.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -23,6 +25,14 @@ pub struct Arguments {
     /// C = I/(M R^2), with R the radius of the contact: 0.5 for a disk on its own face.
     #[arg(long, value_parser = number::positive, allow_negative_numbers = true)]
     inertia_ratio: f64,
+    /// Contact patch: disk, ring, annulus:INNER, hertz, punch, paraboloid or
+    /// polynomial:a0,a1,... (r in radii).
+    #[arg(long, default_value = "disk")]
+    patch: PatchName,
+    /// Lean of a tall body, mu H/(radius <r^2>) for a body of height H: 2 mu H/radius for a
+    /// cylinder. Dry friction only; from 0 (flat) to 1.
+    #[arg(long, default_value = "0", value_parser = number::lean, allow_negative_numbers = true)]
+    lean: f64,
     /// Ratio at the launch; decides between two stable ends.
     #[arg(long, value_parser = number::ratio, allow_negative_numbers = true)]
     initial_ratio: Option<f64>,
@@ -47,6 +57,10 @@ Examples:
     tribos modes --alpha 0 --inertia-ratio 0.5
   Under cubic drag its end depends on its start:
     tribos modes --alpha 3 --inertia-ratio 0.5 --initial-ratio 0.7 --format json
+  A curling rock on its running band, under friction that falls with speed:
+    tribos modes --alpha -0.5 --inertia-ratio 2.69 --patch ring
+  A tall cylinder leans on its front edge and settles at a larger ratio:
+    tribos modes --alpha 0 --inertia-ratio 0.5 --lean 0.8
   The phase diagram with this body marked:
     tribos modes --alpha 0 --inertia-ratio 0.5 --diagram diagram.svg";
 
@@ -62,70 +76,63 @@ struct Answer {
 impl Arguments {
     /// Computes, prints and draws.
     pub fn execute(self) -> Result<(), Failure> {
-        let answer = if self.alpha == 0.0 {
-            self.answer(Modes::new(table::Coulomb, self.inertia_ratio))
-        } else if self.alpha <= table::MAX_EXPONENT {
-            let table = Table64::new(self.alpha).map_err(Failure::input)?;
-            self.answer(Modes::new(&table, self.inertia_ratio))
-        } else {
-            let power: compact::Power<f64> = Power::new(self.alpha).map_err(Failure::input)?;
-            self.answer(Modes::new(power, self.inertia_ratio))
-        }?;
+        let answer = profile::with(&self.patch, self.alpha, self.lean, Answering(&self))?;
         if let Some(path) = &self.diagram {
-            write_diagram(path, &answer)?;
+            let interval = |alpha| profile::with(&self.patch, alpha, 0.0, Interval);
+            let diagram = Diagram::whole(format!("{:?}", self.patch).to_lowercase(), interval)?;
+            let figure = diagram.figure(Some((answer.alpha, answer.inertia_ratio)));
+            image::write_as_named(path, &figure, || diagram.csv())?;
         }
         match self.format {
-            Format::Text => print!("{}", answer.text()),
-            Format::Json => println!("{:#}", answer.json()),
+            Format::Text => super::print(&answer.text()),
+            Format::Json => super::print(&format!("{:#}\n", answer.json())),
         }
-        Ok(())
     }
+}
 
-    fn answer<P: tribos_core::coupling::Profile<f64>>(
-        &self,
-        modes: Result<Modes<f64, P>, tribos_core::modes::InertiaError>,
-    ) -> Result<Answer, Failure> {
-        let modes = modes.map_err(Failure::input)?;
+/// Asks a profile for the answer.
+struct Answering<'a>(&'a Arguments);
+
+impl profile::Visitor for Answering<'_> {
+    type Output = Answer;
+
+    fn visit<P: Profile<f64>>(self, profile: P) -> Result<Answer, Failure> {
+        let Arguments {
+            alpha,
+            inertia_ratio,
+            initial_ratio,
+            ..
+        } = *self.0;
+        let modes = Modes::new(profile, inertia_ratio).map_err(Failure::input)?;
         let points = modes.fixed_points();
         // Without a start the end is known only where it does not depend on it.
-        let mode = match (self.initial_ratio, points.finite) {
+        let mode = match (initial_ratio, points.finite) {
             (Some(initial), _) => Some(modes.final_mode(initial)),
             (None, Some((_, Stability::Unstable))) => None,
             (None, None) if points.spinning == Stability::Semistable => None,
             (None, _) => Some(modes.final_mode(1.0)),
         };
-        let interval = inertia_interval(self.alpha, 0.0);
         Ok(Answer {
-            alpha: self.alpha,
-            inertia_ratio: self.inertia_ratio,
-            interval,
+            alpha,
+            inertia_ratio,
+            interval: modes.inertia_interval(),
             points,
             mode,
         })
     }
 }
 
-/// Writes the diagram in the format that the file's ending names.
-fn write_diagram(path: &Path, answer: &Answer) -> Result<(), Failure> {
-    let ending = path
-        .extension()
-        .and_then(|ending| ending.to_str())
-        .unwrap_or("");
-    let bytes = match ending {
-        "svg" => diagram::figure(Some((answer.alpha, answer.inertia_ratio)))
-            .to_svg()?
-            .into_bytes(),
-        "png" => diagram::figure(Some((answer.alpha, answer.inertia_ratio))).to_png()?,
-        "csv" => diagram::csv().into_bytes(),
-        _ => {
-            let message = format!(
-                "--diagram {}: end the name in .svg, .png or .csv",
-                path.display()
-            );
-            return Err(Failure::input(message));
-        }
-    };
-    Ok(write_atomically(path, &bytes)?)
+/// Asks a profile for its interval of C.
+struct Interval;
+
+impl profile::Visitor for Interval {
+    type Output = (f64, f64);
+
+    fn visit<P: Profile<f64>>(self, profile: P) -> Result<(f64, f64), Failure> {
+        // The interval does not depend on the body.
+        let modes = Modes::new(profile, 1.0).map_err(Failure::input)?;
+        Ok(modes.inertia_interval())
+    }
 }
 
 /// A stability in lower case.

@@ -1,7 +1,7 @@
 //! Figures 3.9 and 3.10 and table 3.2: which bodies have a finite fixed point.
 
 use super::exhibit::{Exhibit, claim, geometric, linear, modes, statement};
-use crate::command::modes::diagram;
+use crate::command::modes::diagram::Diagram;
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Guide, Series};
 use crate::report::page::Claim;
@@ -135,7 +135,7 @@ pub fn figure_3_10() -> Result<Exhibit, Failure> {
                 .into(),
         ],
         caption: "Final motion in the plane of exponent and inertia ratio.".into(),
-        drawing: Box::new(diagram::figure(None)),
+        drawing: Box::new(Diagram::uniform_disk()?.figure(None)),
         columns: vec!["alpha", "c_min", "c_max"],
         rows,
         claims: plane_claims()?,
