@@ -17,8 +17,8 @@
 //!
 //! | module | what it knows |
 //! |---|---|
-//! | [`law`] | friction of one surface element: Coulomb, power law |
-//! | [`patch`] | the contact's shape and pressure: the uniform disk; points, polygons, any pressure by nodes |
+//! | [`law`] | friction of one surface element: dry, power law, Stribeck, rate and state, LuGre, … |
+//! | [`patch`] | the contact's shape and pressure: round patches, points, polygons |
 //! | [`coupling`] | law × patch → force, torque and Jacobian, in accuracy tiers picked by type |
 //! | [`limit_surface`] | all wrenches that dry friction can carry: gauge, normal, projection |
 //! | [`modes`] | where the ratio of sliding to spinning goes |

@@ -1,15 +1,22 @@
 //! Law × patch → wrench: what a twist (sliding and spin) costs in force and torque.
 //!
-//! A caller picks an accuracy tier by type:
+//! A caller picks pressure, law and accuracy tier by type:
 //!
-//! | tier | types | f64 error of F, T | size | cost, table = 1 |
-//! |---|---|---|---|---|
-//! | table | [`table::Coulomb`], [`table::Table64`], [`table::Table32`] | a few ulp | 23 KiB (f32: 3 KiB) | 1, for every α |
-//! | compact | [`compact::Coulomb`], [`compact::Power`] | tens of ulp | code only | 5; any α: 150 |
-//! | quadrature | [`quadrature::DiskQuadrature`], any local law | 1e-8 for smooth laws | 1 KiB | 33 |
+//! | contact | table, a few ulp | compact, tens of ulp | quadrature, any local law |
+//! |---|---|---|---|
+//! | uniform disk | [`table::Coulomb`], [`table::Table64`], [`table::Table32`] | [`compact::Coulomb`], [`compact::Power`] | [`quadrature::DiskQuadrature`], 1e-8 |
+//! | (1−r²)^q: ring, punch, Hertz, … | [`round::RoundTable64`], [`round::RoundTable32`] | [`closed`] (Coulomb), [`compact::Power::with_pressure`] | nodes |
+//! | polynomial in r² | [`round::PolynomialTable`] | – | nodes |
+//! | annulus | [`Annulus`] of the disk's | [`Annulus`] of the disk's | [`Annulus`] of the disk's |
+//! | points, polygons, any pressure map | – | – | [`nodes::NodeFriction`] |
 //!
-//! [`nodes::NodeFriction`] couples any local law with a patch that is not a uniform disk: a few
-//! points, a polygon, any pressure map.
+//! Tables take 23 KiB a law on the uniform disk and 46 KiB elsewhere (f32: 3 and 6 KiB) and the same
+//! time for every pressure and exponent; compact tiers are code only, 5 times as slow, 150 times for
+//! any exponent.
+//!
+//! [`PatchFriction`] adds radius and coefficient. A pressure that leans makes spinning friction
+//! lateral ([`Lateral`]); [`tall::TallFriction`] finds the lean of a tall body. What a contact does
+//! not name costs it nothing.
 //!
 //! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
 
@@ -71,7 +78,7 @@ pub struct ReducedJacobian<R> {
     pub torque_rim: R,
 }
 
-/// Friction of a uniform disk of radius 1 under unit load.
+/// Friction of a round patch of radius 1 under unit load.
 ///
 /// All methods are total. Signs of the arguments are ignored. At rest (v = w = 0) the wrench is
 /// zero and the Jacobian the limit of damping: infinite where the law is steeper than linear.
