@@ -41,6 +41,16 @@ pub trait Profile<R: Real> {
     /// Φ and Χ.
     fn factors(&self, at: &Speeds<R>) -> [R; 2];
 
+    /// (F, T)/m^α = (a Φ, b Χ) with a = v/m and b = w/m.
+    #[inline]
+    fn unscaled(&self, at: &Speeds<R>) -> ReducedWrench<R> {
+        let [phi, chi] = self.factors(at);
+        ReducedWrench {
+            force: at.slide * phi,
+            torque: at.rim * chi,
+        }
+    }
+
     /// C_α(ε) − C up to a positive factor, by default 1: its sign decides the final motion.
     /// A profile that can keeps its digits where C_α − C has none, at α → 1.
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
@@ -95,6 +105,10 @@ impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
         (**self).factors(at)
     }
     #[inline]
+    fn unscaled(&self, at: &Speeds<R>) -> ReducedWrench<R> {
+        (**self).unscaled(at)
+    }
+    #[inline]
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
         (**self).inertia_excess(at, inertia_ratio)
     }
@@ -130,16 +144,7 @@ pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) ->
     if speeds.at_rest() {
         return ReducedWrench::default();
     }
-    unscaled(profile, &speeds)
-}
-
-#[inline]
-fn unscaled<R: Real, P: Profile<R>>(profile: &P, speeds: &Speeds<R>) -> ReducedWrench<R> {
-    let [phi, chi] = profile.factors(speeds);
-    ReducedWrench {
-        force: speeds.slide * phi,
-        torque: speeds.rim * chi,
-    }
+    profile.unscaled(&speeds)
 }
 
 /// [`super::Coupling::reduced_wrench`] of a profile.
@@ -149,7 +154,7 @@ pub(super) fn wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> R
     if speeds.at_rest() {
         return ReducedWrench::default();
     }
-    let ReducedWrench { force, torque } = unscaled(profile, &speeds);
+    let ReducedWrench { force, torque } = profile.unscaled(&speeds);
     let [force, torque] = scaled(profile, speeds.major, [force, torque]);
     ReducedWrench { force, torque }
 }

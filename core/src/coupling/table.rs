@@ -90,17 +90,36 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CE
     }
     #[inline]
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {
-        let h = at.ratio();
-        let [phi, theta] = self.side.at_square(h * h);
-        // One formula for both sides: which speed leads is a coin toss to a branch predictor.
-        let (a_sq, inv_n) = (at.slide * at.slide, pure_spin_torque(self.alpha));
-        [phi, inv_n * (R::ONE - a_sq) * phi + a_sq * theta]
+        let [phi, theta] = self.force_and_theta(at);
+        let a_sq = at.slide * at.slide;
+        let spin = pure_spin_torque(self.alpha) * (R::ONE - a_sq);
+        [phi, spin * phi + a_sq * theta]
+    }
+    /// One formula for both regimes, since which speed leads is a coin toss to a branch predictor,
+    /// and one whose two lines the compiler computes side by side.
+    #[inline]
+    fn unscaled(&self, at: &Speeds<R>) -> ReducedWrench<R> {
+        let [phi, theta] = self.force_and_theta(at);
+        let (a, h) = (at.slide, at.ratio());
+        let spin = pure_spin_torque(self.alpha) * (R::ONE - a * a);
+        ReducedWrench {
+            force: a * phi,
+            torque: spin * phi + a * h * theta,
+        }
     }
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
         family::inertia_excess(self, R::ZERO, at, inertia_ratio)
     }
     fn inertia_ends(&self) -> [R; 2] {
         family::inertia_ends(self.exponent(), R::ZERO)
+    }
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> Table<R, CELLS, TERMS> {
+    #[inline]
+    fn force_and_theta(&self, at: &Speeds<R>) -> [R; 2] {
+        let h = at.ratio();
+        self.side.at_square(h * h)
     }
 }
 
@@ -186,6 +205,10 @@ impl<R: CoulombTable> Profile<R> for Coulomb {
     #[inline]
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {
         R::coulomb_table().factors(at)
+    }
+    #[inline]
+    fn unscaled(&self, at: &Speeds<R>) -> ReducedWrench<R> {
+        R::coulomb_table().unscaled(at)
     }
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
         R::coulomb_table().inertia_excess(at, inertia_ratio)
