@@ -93,9 +93,9 @@ def confirmed_finite(function, *args):
     return [next(rest) if mp.isfinite(x) else x for x in shape]
 
 
-def write(name, about, columns, rows, needs_reference=False):
+def write(name, about, columns, rows, needs_reference=False, script="generate_pressures.py"):
     """One CSV: a comment line, the header, the rows."""
-    cmd = f"python3 generate_pressures.py make --only {name[:-4]}" + " --reference DIR" * needs_reference
+    cmd = f"python3 {script} make --only {name[:-4]}" + " --reference DIR" * needs_reference
     with open(os.path.join(HERE, name), "w", newline="") as f:
         f.write(f"# {about}; made by: {cmd}\n")
         out = csv.writer(f, lineterminator="\n")
