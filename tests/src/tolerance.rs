@@ -97,6 +97,45 @@ bounds! {
     /// Legendre's relation, of K(m)K(1-m).
     LEGENDRE = 1e-15, "four products of integrals of a few ulp";
 
+    /// Tables of pressures −1 ≤ q ≤ 6, −0.5 ≤ α ≤ 3, relative.
+    ROUND_TABLE = 4e-15, "series continued to every cell; worst for the ring at alpha = -0.5";
+    /// The same for −0.9 ≤ α ≤ 10.
+    ROUND_TABLE_ENDS = 3e-14, "torque: terms of steep exponents and high orders alternate; 1/(1+alpha) towards -1";
+    /// The same for α = −0.99.
+    ROUND_TABLE_DEEP = 1.2e-13, "torque while sliding leads is conditioned like 1/(1+alpha)";
+    /// Derivatives of tables of pressures at the tables' arguments, of the larger of themselves and F/v.
+    ROUND_JACOBIAN = 1.5e-12, "ring at alpha = -0.9: slope of a polynomial of a function like z^(1+alpha+q)";
+    /// The same on a dense sweep, α ≥ −0.5.
+    ROUND_JACOBIAN_DENSE = 8e-12, "ring at the cell borders, where an economized polynomial's slope is worst";
+    /// The same for −0.99 ≤ α < −0.5.
+    ROUND_JACOBIAN_DEEP = 1.2e-10, "as ROUND_JACOBIAN_DENSE, of a function steeper still";
+    /// Gradient of vG of tables of pressures, of the larger of itself and G.
+    ROUND_LATERAL_JACOBIAN = 3e-12, "the slope enters with the factor z";
+    /// Compact powers of pressures, −0.75 ≤ α ≤ 10, relative.
+    ROUND_COMPACT = 2.5e-15, "as COMPACT";
+    /// The same at α = −0.9.
+    ROUND_COMPACT_DEEP = 5e-15, "scale of the spinning side: quotient of two series at z = 0";
+    /// Derivatives of compact powers of pressures, of the larger of themselves and F/v.
+    ROUND_COMPACT_JACOBIAN = 2e-13, "ring at alpha = 0.001 and equal speeds: 1/alpha against a logarithm that almost cancels";
+    /// Closed forms of flat punch and Hertz, relative.
+    CLOSED = 5e-15, "arc sines cancel down to a square of the ratio of 1/4";
+    /// Derivatives of closed forms, of the larger of themselves and F/v.
+    CLOSED_JACOBIAN = 6e-15, "as CLOSED";
+    /// f32 closed forms, ulp of f32.
+    SINGLE_CLOSED_ULPS = 1e9, "";
+    /// f32 tables and compact powers of pressures, −0.5 ≤ α ≤ 3, ulp of f32.
+    SINGLE_ROUND_ULPS = 1e9, "";
+    /// f32 tables and compact powers of pressures, −0.75 ≤ α ≤ 10, ulp of f32.
+    SINGLE_ROUND_ENDS_ULPS = 1e9, "";
+    /// Lateral function of the uniform disk, relative.
+    DISK_LATERAL = 4e-15, "as ROUND_TABLE, up to alpha = 9";
+    /// Annuli, relative, of the factor 2/(1−k).
+    ANNULUS = 6e-16, "two disks' roundings; 3e-16 is half an ulp of either";
+    /// Derivatives of annuli, of the larger of themselves and F/v, of the factor 2/(1−k).
+    ANNULUS_JACOBIAN = 1e-14, "slopes of the disk's table";
+    /// Tables of polynomial pressures of degree 4, relative.
+    POLYNOMIAL_TABLE = 2e-15, "as ROUND_TABLE, times the sum of the shares' magnitudes";
+
     /// Odd exponents against their polynomials, relative.
     POLYNOMIAL = 1e-15, "as TABLE, and the rounding of the polynomial";
     /// The thesis' formulas in f64 against the kernel, relative.
