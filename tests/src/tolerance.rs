@@ -77,6 +77,8 @@ bounds! {
     DIFFERENCES = 2e-8, "truncation: third derivative x 2^-34/6; rounding 1e-16 x 2^17";
     /// The same for contacts in the plane, step 2⁻²⁰ of the speed, of the matrix norm.
     DIFFERENCES_IN_PLANE = 1e-6, "Coulomb's third derivative near equal speeds and near zero of either";
+    /// Derivatives of pressures against twice extrapolated differences, of F/v times the speeds' ratio.
+    RICHARDSON = 2e-12, "differences of steps down to 4e-4: 1e-16/4e-4, doubled by each extrapolation";
     /// What differs by a handful of roundings, relative.
     ROUNDING = 1e-15, "4 to 5 ulp";
     /// Largest eigenvalue of a negative semidefinite Jacobian, of its norm.
@@ -122,11 +124,15 @@ bounds! {
     /// Derivatives of closed forms, of the larger of themselves and F/v.
     CLOSED_JACOBIAN = 6e-15, "as CLOSED";
     /// f32 closed forms, ulp of f32.
-    SINGLE_CLOSED_ULPS = 1e9, "";
-    /// f32 tables and compact powers of pressures, −0.5 ≤ α ≤ 3, ulp of f32.
-    SINGLE_ROUND_ULPS = 1e9, "";
-    /// f32 tables and compact powers of pressures, −0.75 ≤ α ≤ 10, ulp of f32.
-    SINGLE_ROUND_ENDS_ULPS = 1e9, "";
+    SINGLE_CLOSED_ULPS = 60.0, "as CLOSED; the torque of Hertz just below v = 2w";
+    /// f32 tables of pressures −1 ≤ q ≤ 2, −0.75 ≤ α ≤ 3, ulp of f32.
+    SINGLE_ROUND_ULPS = 10.0, "as SINGLE_ULPS; the profile of q = 2 falls to a quarter over the cells";
+    /// The same at α = 5.
+    SINGLE_ROUND_STEEP_ULPS = 25.0, "terms of alternating sign in cells of degree 5";
+    /// The same for q ≤ 6 and −0.75 ≤ α ≤ 10.
+    SINGLE_ROUND_ENDS_ULPS = 220.0, "as SINGLE_ROUND_STEEP_ULPS: the profile spans a factor 100";
+    /// f32 compact powers of pressures, −0.75 ≤ α ≤ 10, ulp of f32.
+    SINGLE_ROUND_COMPACT_ULPS = 10.0, "speed power; the ratio's rounding near equal speeds for the ring";
     /// Lateral function of the uniform disk, relative.
     DISK_LATERAL = 4e-15, "as ROUND_TABLE, up to alpha = 9";
     /// Annuli, relative, of the factor 2/(1−k).

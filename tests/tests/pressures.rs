@@ -111,9 +111,9 @@ fn closed_forms_stay_within_their_bound() {
 
 #[test]
 fn closed_forms_and_f32_tables_hit_arguments_that_f32_can_hold() {
-    let [mut closed, mut table] = [
+    let [mut closed, mut rounds] = [
         "f32 closed F, T, G (ulp)",
-        "f32 round table F, T, G, alpha [-0.75, 5] (ulp)",
+        "f32 round tiers F, T, G, alpha [-0.75, 5] (ulp)",
     ]
     .map(Worst::of);
     let is_single = |x: f64| f64::from(x as f32) == x;
@@ -131,7 +131,7 @@ fn closed_forms_and_f32_tables_hit_arguments_that_f32_can_hold() {
                 let worst = if name.starts_with("closed") {
                     &mut closed
                 } else {
-                    &mut table
+                    &mut rounds
                 };
                 for (column, got) in [("F", got.force), ("T", got.torque), ("G", lateral)] {
                     worst.see(row.reference(column).ulps_f32(got), place);
@@ -140,7 +140,7 @@ fn closed_forms_and_f32_tables_hit_arguments_that_f32_can_hold() {
         }
     }
     closed.assert_within(&tolerance::SINGLE_CLOSED_ULPS);
-    table.assert_within(&tolerance::SINGLE_ROUND_ULPS);
+    rounds.assert_within(&tolerance::SINGLE_ROUND_ULPS);
 }
 
 #[test]
