@@ -1,7 +1,7 @@
 //! What is promised, checked against independent sources.
 //!
 //! The tests stand in `tests/`, one file a promise; here are their shared parts. No module of
-//! this crate computes friction except [`rim_mean`], an oracle of its own; all other oracles are
+//! this crate computes friction except [`rim_mean`] and [`tilted`], oracles of their own; all others are
 //! the tables of `tables/` or formulas of the test that uses them.
 
 pub mod bits;
@@ -12,5 +12,6 @@ pub mod rim_mean;
 pub mod sweep;
 pub mod tables;
 pub mod tiers;
+pub mod tilted;
 pub mod tolerance;
 pub mod worst;

@@ -133,6 +133,10 @@ bounds! {
     SINGLE_ROUND_ENDS_ULPS = 220.0, "as SINGLE_ROUND_STEEP_ULPS: the profile spans a factor 100";
     /// f32 compact powers of pressures, −0.75 ≤ α ≤ 10, ulp of f32.
     SINGLE_ROUND_COMPACT_ULPS = 10.0, "speed power; the ratio's rounding near equal speeds for the ring";
+    /// Leaning pressures against sums over the patch, of force plus torque.
+    LEANING = 2.5e-14, "sums of 12,000 elements: the oracle's own rounding";
+    /// Pressure gradient against the force that it balances, relative.
+    BALANCE = 1.2e-15, "quotients and rotations of a handful of roundings";
     /// Lateral function of the uniform disk, relative.
     DISK_LATERAL = 4e-15, "as ROUND_TABLE, up to alpha = 9";
     /// Annuli, relative, of the factor 2/(1−k).
