@@ -165,6 +165,14 @@ bounds! {
 
     /// Finite fixed points, relative.
     FIXED_POINT = 5e-15, "1e-13 is promised; last digits of slope over value";
+    /// Ends of C_α under pressures, relative.
+    INERTIA_ENDS = 2e-15, "2q + 3 + alpha cancels for the ring and alpha -> -1";
+    /// Finite fixed points by tables of pressures, relative.
+    TABLE_FIXED_POINT = 1e-12, "balance from the table's slope, as ROUND_JACOBIAN";
+    /// Finite fixed points by compact powers of pressures, relative.
+    PRESSURE_FIXED_POINT = 3e-15, "as FIXED_POINT";
+    /// Balance C F = ε T at the fixed point of one tier by force and torque of the other, relative.
+    FIXED_POINT_RESIDUAL = 6e-13, "as TABLE_FIXED_POINT";
     /// Growth at a fixed point, of its ratio.
     GROWTH_AT_FIXED_POINT = 1e-12, "rounding of C_alpha over its distance 1e-6 from the interval's end";
     /// The ratio recovered from its own inertia, relative.
