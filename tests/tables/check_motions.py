@@ -98,7 +98,7 @@ def straight_double(q, alpha):
 
 
 def by_ode(force, c, alpha, v0, w0, rtol):
-    """Time, x, y, angle, final ratio from the equations in tau, until the speed is negligible."""
+    """Time, x, y, angle from the equations in tau, until the speed is negligible."""
     p = 1 - alpha
 
     def slope(_, y):
@@ -114,7 +114,7 @@ def by_ode(force, c, alpha, v0, w0, rtol):
     while p * y[0] > -34:
         y = list(solve_ivp(slope, (0, 4), y, method="DOP853", rtol=rtol, atol=1e-16).y[:, -1])
     y[3] += math.exp(p * y[0]) / (p * -slope(0, y)[0])
-    return y[3], y[4], y[5], y[6], 1 / math.tan(y[1])
+    return y[3], y[4], y[5], y[6]
 
 
 def check_motions():
@@ -123,12 +123,12 @@ def check_motions():
         for r in read("tilted_cylinder.csv"):
             mu, g, radius, height, v0, spin0 = (float(r[c]) for c in ("mu", "g", "R", "H_over_R", "v0", "spin0"))
             got = by_ode(tilted_double(r["variant"], 2 * mu * height), 0.5, 0.0, v0, spin0 * radius, rtol)
-            units = (1 / (mu * g), 1 / (mu * g), 1 / (mu * g), 1 / (mu * g * radius), 1.0)
-            for c, x, u in zip(("t_stop", "x", "y", "angle", "ratio_end"), got, units):
+            units = (1 / (mu * g), 1 / (mu * g), 1 / (mu * g), 1 / (mu * g * radius))
+            for c, x, u in zip(("t_stop", "x", "y", "angle"), got, units):
                 tilted.add(mpf(x * u), mpf(r[c]), (*list(r.values())[:7], c))
         for r in read("ring_stops.csv"):
             q, alpha, c, v0, w0 = (float(r[x]) for x in ("q", "alpha", "inertia_ratio", "v0", "w0"))
-            t, x, _, angle, ratio = by_ode(straight_double(q, alpha), c, alpha, v0, w0, rtol)
+            t, x, _, angle = by_ode(straight_double(q, alpha), c, alpha, v0, w0, rtol)
             for n, value in (("stop_time", t), ("distance", x), ("angle", angle)):
                 stops.add(mpf(value), mpf(r[n]), (q, alpha, c, v0, w0, n))
         tilted.show()
