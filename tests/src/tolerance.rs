@@ -188,6 +188,8 @@ bounds! {
     STOP_PURE = 1e-6, "the slower motion dies with a power of the other, not at once";
     /// Final ratio, relative.
     STOP_RATIO = 1e-13, "direction at the last substep, where it turns by less than 8 roundings";
+    /// Final ratio under pressures, relative.
+    PRESSURE_STOP_RATIO = 1.7e-14, "as STOP_RATIO";
     /// A run cut into steps against one call, relative.
     STEPS_AGREE = 2e-13, "thousands of roundings of the state";
     /// Free decay for α ≥ 1 against eq. 3.34, relative.

@@ -1,10 +1,9 @@
-//! Final motion under pressures: fixed points, their uniqueness and their ends; motions to rest.
+//! Final motion under pressures: fixed points, their uniqueness and their ends.
 
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::coupling::{Coupling, Profile, compact};
 use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
-use tribos_core::slider::{Motion, Slider};
 use tribos_tests::patches::pressure;
 use tribos_tests::pucks::relative;
 use tribos_tests::sweep;
@@ -250,81 +249,4 @@ fn a_dry_ring_on_its_own_rim_keeps_equal_speeds() {
         (ratio - 1.0).abs() <= tolerance::PRESSURE_FIXED_POINT.limit,
         "{ratio}"
     );
-}
-
-fn to_rest<P: Profile<f64> + Coupling<f64>>(profile: P, c: f64, motion: Motion<f64>) -> [f64; 4] {
-    let slider = Slider::new(profile, 1.0, 1.0, c).expect("in range");
-    let rest = slider.to_rest(&motion).expect("an exponent below one");
-    assert!(rest.motion.is_at_rest());
-    [
-        rest.motion.time,
-        rest.motion.distance,
-        rest.motion.angle,
-        rest.ratio,
-    ]
-}
-
-#[test]
-fn rings_stop_alike_in_every_tier_and_end_at_their_fixed_point() {
-    for (v, w) in [(1.0, 0.4), (1.0, 1.0), (0.3, 1.0), (1.0, -4.0)] {
-        let launched = Motion::launched(v, w);
-        let one = to_rest(Ring, 0.8, launched);
-        for other in [
-            to_rest(table(-1.0, 0.0), 0.8, launched),
-            to_rest(compact(-1.0, 0.0), 0.8, launched),
-        ] {
-            for (a, b) in one.iter().zip(other) {
-                assert!(
-                    relative(*a, b) <= tolerance::STOP.limit,
-                    "({v}, {w}): {one:?} {other:?}"
-                );
-            }
-        }
-        let modes = Modes::new(Ring, 0.8_f64).expect("in range");
-        let wanted = modes.finite_fixed_point().expect("inside");
-        assert!(
-            relative(one[3], wanted) <= tolerance::STOP_RATIO.limit,
-            "{} {wanted}",
-            one[3]
-        );
-    }
-}
-
-#[test]
-fn a_dry_ring_with_equal_speeds_stops_in_closed_form() {
-    // C = 1: v = w for ever, both decelerate by F(1) = 2/pi.
-    let [time, distance, angle, ratio] = to_rest(Ring, 1.0, Motion::launched(1.0, 1.0));
-    let deceleration = core::f64::consts::FRAC_2_PI;
-    assert!(
-        relative(time, 1.0 / deceleration) <= tolerance::STOP.limit,
-        "{time}"
-    );
-    assert!(
-        relative(distance, 0.5 / deceleration) <= tolerance::STOP.limit,
-        "{distance}"
-    );
-    assert!(
-        relative(angle, 0.5 / deceleration) <= tolerance::STOP.limit,
-        "{angle}"
-    );
-    assert!(
-        relative(ratio, 1.0) <= tolerance::STOP_RATIO.limit,
-        "{ratio}"
-    );
-}
-
-#[test]
-fn stops_under_pressures_are_the_same_by_table_and_series() {
-    for order in [-1.0, -0.5, 0.5, 1.0] {
-        for c in [0.3, 0.6, 0.9] {
-            let launched = Motion::launched(1.0, 1.0);
-            let [time, distance, angle, _] = to_rest(table(order, 0.0), c, launched);
-            let [again, far, turned, _] = to_rest(compact(order, 0.0), c, launched);
-            assert!(relative(time, again) <= tolerance::STOP.limit);
-            assert!(relative(distance, far) <= tolerance::STOP.limit);
-            assert!(relative(angle, turned) <= tolerance::STOP.limit);
-            // Coupling lowers the force: pure sliding would stop at time 1 after a way of 1/2.
-            assert!(time > 1.0 && distance > 0.5, "{time} {distance}");
-        }
-    }
 }
