@@ -4,10 +4,14 @@
 //! part; the kernel's own roots and powers come from the `libm` crate.
 
 use crate::sweep::Lcg;
+use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
 use tribos_core::coupling::quadrature::DiskQuadrature;
+use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
 use tribos_core::coupling::table::{self, Table32, Table64};
-use tribos_core::coupling::{Coupling, PatchFriction, compact};
+use tribos_core::coupling::tall::{AllRound, FrontBack, Lean, TallFriction};
+use tribos_core::coupling::{Annulus, Coupling, Lateral, PatchFriction, compact};
 use tribos_core::law::PowerLaw;
+use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
 use tribos_core::slider::{Motion, Slider};
 use tribos_core::twist::Twist;
@@ -144,6 +148,126 @@ pub fn wrenches() -> u64 {
     hash.0
 }
 
+/// Pressures of the sweep.
+const PRESSURES: [PowerPressure; 5] = [
+    PowerPressure::RING,
+    PowerPressure::FLAT_PUNCH,
+    PowerPressure::UNIFORM,
+    PowerPressure::HERTZ,
+    PowerPressure::PARABOLOID,
+];
+
+/// Wrench, Jacobian and lateral function with its gradient.
+fn patch<R: Real>(hash: &mut Fnv, tier: &dyn Lateral<R>) {
+    let mut rng = Lcg::new(19);
+    for n in 0..ARGUMENTS / 4 {
+        let slide: R = speed(&mut rng);
+        let rim = match n % 8 {
+            0 => slide,
+            1 => slide * R::from_f64(1.0 + 1.0 / 4096.0),
+            2 => slide * (R::ONE - R::EPSILON),
+            _ => speed(&mut rng),
+        };
+        let wrench = tier.reduced_wrench(slide, rim);
+        let jacobian = tier.reduced_jacobian(slide, rim);
+        let lateral = tier.lateral_jacobian(slide, rim);
+        for x in [
+            wrench.force,
+            wrench.torque,
+            jacobian.force_per_slide,
+            jacobian.force_slide,
+            jacobian.mixed,
+            jacobian.torque_rim,
+            tier.lateral(slide, rim),
+            lateral.slide,
+            lateral.rim,
+        ] {
+            hash.number(x);
+        }
+    }
+}
+
+/// Hash of the f64 tables of pressures, with annuli and a polynomial.
+pub fn pressures_f64() -> u64 {
+    let mut hash = Fnv::new();
+    let mixed = PolynomialPressure::new([0.25, 1.0, -0.5]).expect("positive");
+    for alpha in EXPONENTS {
+        for pressure in PRESSURES {
+            let table = RoundTable64::new(alpha, pressure).expect("in range");
+            patch(&mut hash, &table);
+            let power = compact::Power::with_pressure(alpha, pressure).expect("in range");
+            patch(&mut hash, &power);
+        }
+        let disk = Table64::new(alpha).expect("in range");
+        patch(&mut hash, &Annulus::new(disk, 0.625).expect("in range"));
+        let polynomial = LateralPolynomialTable::new(alpha, &mixed).expect("in range");
+        patch(&mut hash, &polynomial);
+    }
+    hash.0
+}
+
+/// Hash of the f32 tables of pressures, with annuli.
+pub fn pressures_f32() -> u64 {
+    let mut hash = Fnv::new();
+    for alpha in EXPONENTS.map(|alpha| alpha as f32) {
+        for pressure in PRESSURES {
+            let table = RoundTable32::new(alpha, pressure).expect("in range");
+            patch(&mut hash, &table);
+            let power = compact::Power::with_pressure(alpha, pressure).expect("in range");
+            patch(&mut hash, &power);
+        }
+        let disk = Table32::new(alpha).expect("in range");
+        patch(&mut hash, &Annulus::new(disk, 0.625).expect("in range"));
+    }
+    hash.0
+}
+
+/// Hash of the closed forms, f64 and f32.
+pub fn closed_forms() -> u64 {
+    let mut hash = Fnv::new();
+    patch::<f64>(&mut hash, &Ring);
+    patch::<f64>(&mut hash, &FlatPunch);
+    patch::<f64>(&mut hash, &Hertz);
+    patch::<f32>(&mut hash, &Ring);
+    patch::<f32>(&mut hash, &FlatPunch);
+    patch::<f32>(&mut hash, &Hertz);
+    hash.0
+}
+
+/// Hash of the wrenches of tall bodies, upright to tipping.
+pub fn tall() -> u64 {
+    let mut hash = Fnv::new();
+    for height in [0.0, 0.04, 0.16, 0.5] {
+        leaning::<f64, _, AllRound>(&mut hash, table::Coulomb, height);
+        leaning::<f64, _, FrontBack>(&mut hash, Hertz, height);
+        leaning::<f32, _, AllRound>(&mut hash, table::Coulomb, height);
+        let power = Table64::new(0.5).expect("in range");
+        leaning::<f64, _, AllRound>(&mut hash, power, height);
+    }
+    hash.0
+}
+
+fn leaning<R: Real, C: Lateral<R>, L: Lean>(hash: &mut Fnv, coupling: C, height: f64) {
+    let [coefficient, radius] = [0.25, 0.0625].map(R::from_f64);
+    let foot = PatchFriction::new(coupling, coefficient, radius).expect("in range");
+    let body = TallFriction::<R, C, L>::new(foot, R::from_f64(height)).expect("in range");
+    let mut rng = Lcg::new(29);
+    for _ in 0..ARGUMENTS / 4 {
+        let [x, y, spin] = [(); 3].map(|()| speed::<R>(&mut rng) - speed::<R>(&mut rng));
+        let got = body.wrench(R::from_f64(1.7), &Twist::new(x, y, spin));
+        for v in [
+            got.wrench.force.x,
+            got.wrench.force.y,
+            got.wrench.torque,
+            got.lean.x,
+            got.lean.y,
+        ] {
+            hash.number(v);
+        }
+        hash.feed(u64::from(got.whole().is_ok()));
+    }
+}
+
 /// Hash of whole motions: 200 steps and the rest, f64 and f32, α = 0 and 1/2.
 pub fn sliders() -> u64 {
     let mut hash = Fnv::new();
@@ -185,7 +309,7 @@ where
 }
 
 /// All hashes with their names.
-pub fn bits() -> [(&'static str, u64); 6] {
+pub fn bits() -> [(&'static str, u64); 10] {
     [
         ("tables f64", tables_f64()),
         ("tables f32", tables_f32()),
@@ -193,5 +317,9 @@ pub fn bits() -> [(&'static str, u64); 6] {
         ("quadrature", quadrature()),
         ("wrenches", wrenches()),
         ("sliders", sliders()),
+        ("pressures f64", pressures_f64()),
+        ("pressures f32", pressures_f32()),
+        ("closed forms", closed_forms()),
+        ("tall", tall()),
     ]
 }

@@ -1,11 +1,12 @@
 //! What is promised, checked against independent sources.
 //!
 //! The tests stand in `tests/`, one file a promise; here are their shared parts. No module of
-//! this crate computes friction except [`rim_mean`], an oracle of its own; all other oracles are
+//! this crate computes friction except [`rim_mean`] and [`tilted`], oracles of their own; all others are
 //! the tables of `tables/` or formulas of the test that uses them.
 
 pub mod bits;
 pub mod laws;
+pub mod patches;
 pub mod pucks;
 pub mod reference;
 pub mod rim_mean;
@@ -13,5 +14,6 @@ pub mod surfaces;
 pub mod sweep;
 pub mod tables;
 pub mod tiers;
+pub mod tilted;
 pub mod tolerance;
 pub mod worst;

@@ -64,6 +64,40 @@ pub fn ratios(count: usize) -> Vec<f64> {
     out
 }
 
+/// Arguments at both borders of every table cell in z = 1 − ε², and their neighbours.
+pub fn cell_borders() -> Vec<f64> {
+    let mut out = Vec::new();
+    for octave in 0..52 {
+        for start in [1.0, 0.75] {
+            let z = start * 0.5_f64.powi(octave);
+            let ratio = (1.0 - z).sqrt();
+            out.extend([ratio, ratio.next_up(), ratio.next_down()].map(f64::abs));
+        }
+    }
+    let above: Vec<f64> = out
+        .iter()
+        .filter(|r| r.is_normal())
+        .map(|r| 1.0 / r)
+        .collect();
+    out.extend(above);
+    out
+}
+
+/// Pairs of speeds (v, w) a part 2⁻ᵏ of them apart, k = 1…52, either leading, with numbers whose
+/// quotient does not happen to be exact.
+pub fn nearly_equal() -> Vec<(f64, f64)> {
+    let mut out = Vec::new();
+    for base in [1.0, 1.1, 0.7, 0.531_415, 123.456] {
+        for halvings in 1..=52 {
+            let gap = 0.5_f64.powi(halvings);
+            for other in [base * (1.0 + gap), base * (1.0 - gap)] {
+                out.extend([(base, other), (other, base)]);
+            }
+        }
+    }
+    out
+}
+
 /// [`ratios`] rounded to `f32`, with the `f32` neighbours of 1.
 pub fn ratios_f32(count: usize) -> Vec<f32> {
     let mut out: Vec<f32> = ratios(count).iter().map(|&r| r as f32).collect();

@@ -77,6 +77,8 @@ bounds! {
     DIFFERENCES = 2e-8, "truncation: third derivative x 2^-34/6; rounding 1e-16 x 2^17";
     /// The same for contacts in the plane, step 2⁻²⁰ of the speed, of the matrix norm.
     DIFFERENCES_IN_PLANE = 1e-6, "Coulomb's third derivative near equal speeds and near zero of either";
+    /// Derivatives of pressures against twice extrapolated differences, of F/v times the speeds' ratio.
+    RICHARDSON = 2e-12, "differences of steps down to 4e-4: 1e-16/4e-4, doubled by each extrapolation";
     /// What differs by a handful of roundings, relative.
     ROUNDING = 1e-15, "4 to 5 ulp";
     /// Largest eigenvalue of a negative semidefinite Jacobian, of its norm.
@@ -127,6 +129,52 @@ bounds! {
     ELLIPSOID = 2e-15, "a dozen roundings";
     /// Published errors of the ellipsoid, relative.
     QUOTED_ELLIPSOID = 4e-3, "rounding of the quotation to three digits";
+    /// Tables of pressures −1 ≤ q ≤ 6, −0.5 ≤ α ≤ 3, relative.
+    ROUND_TABLE = 4e-15, "series continued to every cell; worst for the ring at alpha = -0.5";
+    /// The same for −0.9 ≤ α ≤ 10.
+    ROUND_TABLE_ENDS = 3e-14, "torque: terms of steep exponents and high orders alternate; 1/(1+alpha) towards -1";
+    /// The same for α = −0.99.
+    ROUND_TABLE_DEEP = 1.2e-13, "torque while sliding leads is conditioned like 1/(1+alpha)";
+    /// Derivatives of tables of pressures at the tables' arguments, of the larger of themselves and F/v.
+    ROUND_JACOBIAN = 1.5e-12, "ring at alpha = -0.9: slope of a polynomial of a function like z^(1+alpha+q)";
+    /// The same on a dense sweep, α ≥ −0.5.
+    ROUND_JACOBIAN_DENSE = 8e-12, "ring at the cell borders, where an economized polynomial's slope is worst";
+    /// The same for −0.99 ≤ α < −0.5.
+    ROUND_JACOBIAN_DEEP = 1.2e-10, "as ROUND_JACOBIAN_DENSE, of a function steeper still";
+    /// Gradient of vG of tables of pressures, of the larger of itself and G.
+    ROUND_LATERAL_JACOBIAN = 3e-12, "the slope enters with the factor z";
+    /// Compact powers of pressures, −0.75 ≤ α ≤ 10, relative.
+    ROUND_COMPACT = 2.5e-15, "as COMPACT";
+    /// The same at α = −0.9.
+    ROUND_COMPACT_DEEP = 5e-15, "scale of the spinning side: quotient of two series at z = 0";
+    /// Derivatives of compact powers of pressures, of the larger of themselves and F/v.
+    ROUND_COMPACT_JACOBIAN = 2e-13, "ring at alpha = 0.001 and equal speeds: 1/alpha against a logarithm that almost cancels";
+    /// Closed forms of flat punch and Hertz, relative.
+    CLOSED = 5e-15, "arc sines cancel down to a square of the ratio of 1/4";
+    /// Derivatives of closed forms, of the larger of themselves and F/v.
+    CLOSED_JACOBIAN = 6e-15, "as CLOSED";
+    /// f32 closed forms, ulp of f32.
+    SINGLE_CLOSED_ULPS = 60.0, "as CLOSED; the torque of Hertz just below v = 2w";
+    /// f32 tables of pressures −1 ≤ q ≤ 2, −0.75 ≤ α ≤ 3, ulp of f32.
+    SINGLE_ROUND_ULPS = 10.0, "as SINGLE_ULPS; the profile of q = 2 falls to a quarter over the cells";
+    /// The same at α = 5.
+    SINGLE_ROUND_STEEP_ULPS = 25.0, "terms of alternating sign in cells of degree 5";
+    /// The same for q ≤ 6 and −0.75 ≤ α ≤ 10.
+    SINGLE_ROUND_ENDS_ULPS = 220.0, "as SINGLE_ROUND_STEEP_ULPS: the profile spans a factor 100";
+    /// f32 compact powers of pressures, −0.75 ≤ α ≤ 10, ulp of f32.
+    SINGLE_ROUND_COMPACT_ULPS = 10.0, "speed power; the ratio's rounding near equal speeds for the ring";
+    /// Leaning pressures against sums over the patch, of force plus torque.
+    LEANING = 2.5e-14, "sums of 12,000 elements: the oracle's own rounding";
+    /// Pressure gradient against the force that it balances, relative.
+    BALANCE = 1.2e-15, "quotients and rotations of a handful of roundings";
+    /// Lateral function of the uniform disk, relative.
+    DISK_LATERAL = 4e-15, "as ROUND_TABLE, up to alpha = 9";
+    /// Annuli, relative, of the factor 2/(1−k).
+    ANNULUS = 6e-16, "two disks' roundings; 3e-16 is half an ulp of either";
+    /// Derivatives of annuli, of the larger of themselves and F/v, of the factor 2/(1−k).
+    ANNULUS_JACOBIAN = 1e-14, "slopes of the disk's table";
+    /// Tables of polynomial pressures of degree 4, relative.
+    POLYNOMIAL_TABLE = 2e-15, "as ROUND_TABLE, times the sum of the shares' magnitudes";
 
     /// Odd exponents against their polynomials, relative.
     POLYNOMIAL = 1e-15, "as TABLE, and the rounding of the polynomial";
@@ -167,6 +215,14 @@ bounds! {
 
     /// Finite fixed points, relative.
     FIXED_POINT = 5e-15, "1e-13 is promised; last digits of slope over value";
+    /// Ends of C_α under pressures, relative.
+    INERTIA_ENDS = 2e-15, "2q + 3 + alpha cancels for the ring and alpha -> -1";
+    /// Finite fixed points by tables of pressures, relative.
+    TABLE_FIXED_POINT = 1e-12, "balance from the table's slope, as ROUND_JACOBIAN";
+    /// Finite fixed points by compact powers of pressures, relative.
+    PRESSURE_FIXED_POINT = 3e-15, "as FIXED_POINT";
+    /// Balance C F = ε T at the fixed point of one tier by force and torque of the other, relative.
+    FIXED_POINT_RESIDUAL = 6e-13, "as TABLE_FIXED_POINT";
     /// Growth at a fixed point, of its ratio.
     GROWTH_AT_FIXED_POINT = 1e-12, "rounding of C_alpha over its distance 1e-6 from the interval's end";
     /// The ratio recovered from its own inertia, relative.
@@ -182,6 +238,8 @@ bounds! {
     STOP_PURE = 1e-6, "the slower motion dies with a power of the other, not at once";
     /// Final ratio, relative.
     STOP_RATIO = 1e-13, "direction at the last substep, where it turns by less than 8 roundings";
+    /// Final ratio under pressures, relative.
+    PRESSURE_STOP_RATIO = 1.7e-14, "as STOP_RATIO";
     /// A run cut into steps against one call, relative.
     STEPS_AGREE = 2e-13, "thousands of roundings of the state";
     /// Free decay for α ≥ 1 against eq. 3.34, relative.

@@ -14,30 +14,11 @@ const EXPONENTS: [f64; 15] = [
     -0.75, -0.5, -0.25, -0.1, 0.0, 0.02, 0.3, 0.75, 1.0, 1.5, 2.5, 4.0, 5.5, 8.0, 10.0,
 ];
 
-/// Arguments at both borders of every table cell in z = 1 − ε², and their neighbours.
-fn cell_borders() -> Vec<f64> {
-    let mut out = Vec::new();
-    for octave in 0..52 {
-        for start in [1.0, 0.75] {
-            let z = start * 0.5_f64.powi(octave);
-            let ratio = (1.0 - z).sqrt();
-            out.extend([ratio, ratio.next_up(), ratio.next_down()].map(f64::abs));
-        }
-    }
-    let above: Vec<f64> = out
-        .iter()
-        .filter(|r| r.is_normal())
-        .map(|r| 1.0 / r)
-        .collect();
-    out.extend(above);
-    out
-}
-
 #[test]
 fn coulomb_table_agrees_with_the_arithmetic_geometric_mean() {
     let [mut force, mut torque] = ["table - AGM, F (ulp)", "table - AGM, T (ulp)"].map(Worst::of);
     let mut ratios = sweep::ratios(20_000);
-    ratios.extend(cell_borders());
+    ratios.extend(sweep::cell_borders());
     for ratio in ratios {
         let got = table::Coulomb.reduced_wrench(ratio, 1.0);
         let mean = compact::Coulomb.reduced_wrench(ratio, 1.0);
@@ -54,7 +35,7 @@ fn tables_agree_with_the_compact_form_on_every_cell() {
     let mut wrench = Worst::of("table - compact, F and T");
     let mut jacobian = Worst::of("table - compact, Jacobian (of F/v)");
     let mut ratios = sweep::ratios(2_000);
-    ratios.extend(cell_borders());
+    ratios.extend(sweep::cell_borders());
     for alpha in EXPONENTS {
         let table = Table64::new(alpha).unwrap();
         let compact = compact::Power::new(alpha).unwrap();

@@ -35,8 +35,24 @@ fn sliders_have_the_same_bits_on_every_platform() {
 }
 
 #[test]
+fn pressures_have_the_same_bits_on_every_platform() {
+    assert_eq!(bits::pressures_f64(), 0x6eb2_9e99_6901_ae75, "f64");
+    assert_eq!(bits::pressures_f32(), 0xc86a_15af_e682_2141, "f32");
+}
+
+#[test]
+fn closed_forms_have_the_same_bits_on_every_platform() {
+    assert_eq!(bits::closed_forms(), 0x65a2_afe1_76cb_8e81);
+}
+
+#[test]
+fn tall_bodies_have_the_same_bits_on_every_platform() {
+    assert_eq!(bits::tall(), 0xdc4c_dbf0_9482_0034);
+}
+
+#[test]
 fn the_hash_sees_a_single_bit() {
-    // All six hashes differ and none is the empty one.
+    // All hashes differ and none is the empty one.
     let mut seen: Vec<u64> = bits::bits().iter().map(|(_, hash)| *hash).collect();
     seen.sort_unstable();
     seen.dedup();

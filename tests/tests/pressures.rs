@@ -1,69 +1,298 @@
-//! Force, torque, lateral function and derivatives of other pressures against 25-digit tables.
+//! Force, torque and lateral function of every pressure at every row of the tables with 25 and
+//! more digits, and the derivatives of the first two.
 
-use tribos_core::coupling::round::RoundTable64;
-use tribos_core::coupling::{Coupling, Lateral, compact};
-use tribos_core::patch::PowerPressure;
-use tribos_tests::tables::Table;
+use tribos_core::coupling::round::{LateralPolynomialTable, PolynomialTable};
+use tribos_core::coupling::{Annulus, Coupling, Lateral};
+use tribos_core::patch::PolynomialPressure;
+use tribos_tests::patches::{self, RowErrors};
+use tribos_tests::reference::Reference;
+use tribos_tests::tables::{Row, Table};
+use tribos_tests::tolerance;
+use tribos_tests::worst::Worst;
 
-#[test]
-fn probe() {
-    for name in [
-        "ring.csv",
-        "hertz.csv",
-        "punch.csv",
-        "paraboloid.csv",
-        "pressures.csv",
-    ] {
-        let table = Table::read(name);
-        for which in 0..2 {
-            let mut worst: [(f64, String); 5] = std::array::from_fn(|_| (0.0, String::new()));
-            for row in table.rows() {
-                let (q, alpha, eps) = (row.number("q"), row.number("alpha"), row.number("eps"));
-                let p = PowerPressure::new(q).unwrap();
-                let t;
-                let c;
-                let tier: (&dyn Coupling<f64>, &dyn Lateral<f64>) = if which == 0 {
-                    t = RoundTable64::new(alpha, p).unwrap();
-                    (&t, &t)
-                } else {
-                    c = compact::Power::with_pressure(alpha, p).unwrap();
-                    (&c, &c)
-                };
-                let w = tier.0.reduced_wrench(eps, 1.0);
-                let j = tier.0.reduced_jacobian(eps, 1.0);
-                let g = tier.1.lateral(eps, 1.0);
-                let gname = "G";
-                for (i, (n, x)) in [
-                    ("F", w.force),
-                    ("T", w.torque),
-                    (gname, g),
-                    ("dF", j.force_slide),
-                    ("dT", j.mixed),
-                ]
-                .into_iter()
-                .enumerate()
-                {
-                    let want = row.number(n);
-                    if !want.is_finite() {
-                        if x != want {
-                            println!("{name} {q} {alpha} {eps} {n}: {x} {want}");
-                        }
-                        continue;
-                    }
-                    let e = if want == 0.0 {
-                        x.abs()
-                    } else {
-                        ((x - want) / want).abs()
-                    };
-                    if e > worst[i].0 || e.is_nan() {
-                        worst[i] = (e, format!("{n} q {q} alpha {alpha} eps {eps}: {x} {want}"));
-                    }
+const POWERS: [&str; 5] = [
+    "ring.csv",
+    "hertz.csv",
+    "punch.csv",
+    "paraboloid.csv",
+    "pressures.csv",
+];
+
+/// The worst of one tier over all rows of the powers (1−r²)^q with `low` ≤ α ≤ `high`.
+fn powers(names: [&'static str; 5], tier_name: &str, [low, high]: [f64; 2]) -> RowErrors {
+    let [force, torque, lateral, force_slide, mixed] = names;
+    let mut errors = RowErrors::of([force, torque, lateral], [force_slide, mixed]);
+    for table in POWERS.map(Table::read) {
+        for order in table.distinct("q") {
+            for alpha in table.distinct("alpha") {
+                if !(low..=high).contains(&alpha) {
+                    continue;
                 }
-            }
-            println!("{name} {which}");
-            for w in &worst {
-                println!("   {:.1e} {}", w.0, w.1);
+                let tiers = patches::tiers::<f64>(order, alpha);
+                let Some((_, tier)) = tiers.iter().find(|(name, _)| *name == tier_name) else {
+                    continue;
+                };
+                let here = |row: &Row| row.number("q") == order && row.number("alpha") == alpha;
+                for row in table.rows().filter(here) {
+                    let ratio = row.number("eps");
+                    let place = || format!("q {order}, alpha {alpha}, eps {ratio:e}");
+                    errors.see(tier.as_ref(), &row, place);
+                }
             }
         }
     }
+    errors
+}
+
+#[test]
+fn tables_of_moderate_exponents_stay_within_twenty_ulps() {
+    let names = [
+        "f64 round table F, alpha [-0.5, 3]",
+        "f64 round table T, alpha [-0.5, 3]",
+        "f64 round table G, alpha [-0.5, 3]",
+        "f64 round table dF, alpha [-0.5, 3]",
+        "f64 round table dT, alpha [-0.5, 3]",
+    ];
+    powers(names, "round table", [-0.5, 3.0])
+        .assert_within(&tolerance::ROUND_TABLE, &tolerance::ROUND_JACOBIAN);
+}
+
+#[test]
+fn tables_of_all_exponents_stay_within_their_bound() {
+    let names = [
+        "f64 round table F, alpha [-0.9, 10]",
+        "f64 round table T, alpha [-0.9, 10]",
+        "f64 round table G, alpha [-0.9, 10]",
+        "f64 round table dF, alpha [-0.9, 10]",
+        "f64 round table dT, alpha [-0.9, 10]",
+    ];
+    powers(names, "round table", [-0.9, 10.0])
+        .assert_within(&tolerance::ROUND_TABLE_ENDS, &tolerance::ROUND_JACOBIAN);
+}
+
+#[test]
+fn compact_powers_stay_within_their_bound() {
+    let names = [
+        "f64 round compact F, alpha [-0.75, 10]",
+        "f64 round compact T, alpha [-0.75, 10]",
+        "f64 round compact G, alpha [-0.75, 10]",
+        "f64 round compact dF, alpha [-0.75, 10]",
+        "f64 round compact dT, alpha [-0.75, 10]",
+    ];
+    powers(names, "round compact", [-0.75, 10.0]).assert_within(
+        &tolerance::ROUND_COMPACT,
+        &tolerance::ROUND_COMPACT_JACOBIAN,
+    );
+    let names = [
+        "f64 round compact F, alpha -0.9",
+        "f64 round compact T, alpha -0.9",
+        "f64 round compact G, alpha -0.9",
+        "f64 round compact dF, alpha -0.9",
+        "f64 round compact dT, alpha -0.9",
+    ];
+    powers(names, "round compact", [-0.9, -0.9]).assert_within(
+        &tolerance::ROUND_COMPACT_DEEP,
+        &tolerance::ROUND_COMPACT_JACOBIAN,
+    );
+}
+
+#[test]
+fn closed_forms_stay_within_their_bound() {
+    let names = ["ring F", "ring T", "ring G", "ring dF", "ring dT"];
+    powers(names, "closed ring", [0.0, 0.0])
+        .assert_within(&tolerance::AGM, &tolerance::CLOSED_JACOBIAN);
+    let names = ["punch F", "punch T", "punch G", "punch dF", "punch dT"];
+    powers(names, "closed punch", [0.0, 0.0])
+        .assert_within(&tolerance::CLOSED, &tolerance::CLOSED_JACOBIAN);
+    let names = ["Hertz F", "Hertz T", "Hertz G", "Hertz dF", "Hertz dT"];
+    powers(names, "closed Hertz", [0.0, 0.0])
+        .assert_within(&tolerance::CLOSED, &tolerance::CLOSED_JACOBIAN);
+}
+
+#[test]
+fn closed_forms_and_f32_tables_hit_arguments_that_f32_can_hold() {
+    let [mut closed, mut rounds] = [
+        "f32 closed F, T, G (ulp)",
+        "f32 round tiers F, T, G, alpha [-0.75, 5] (ulp)",
+    ]
+    .map(Worst::of);
+    let is_single = |x: f64| f64::from(x as f32) == x;
+    for rows in POWERS.map(Table::read) {
+        for row in rows.rows() {
+            let [order, alpha, ratio] = ["q", "alpha", "eps"].map(|column| row.number(column));
+            let served = (-0.75..=5.0).contains(&alpha) && row.number("T") > 1e-30;
+            if !(is_single(order) && is_single(alpha) && is_single(ratio) && served) {
+                continue;
+            }
+            for (name, tier) in patches::tiers::<f32>(order, alpha) {
+                let got = tier.reduced_wrench(ratio as f32, 1.0);
+                let lateral = tier.lateral(ratio as f32, 1.0);
+                let place = || format!("{name}, q {order}, alpha {alpha}, eps {ratio:e}");
+                let worst = if name.starts_with("closed") {
+                    &mut closed
+                } else {
+                    &mut rounds
+                };
+                for (column, got) in [("F", got.force), ("T", got.torque), ("G", lateral)] {
+                    worst.see(row.reference(column).ulps_f32(got), place);
+                }
+            }
+        }
+    }
+    closed.assert_within(&tolerance::SINGLE_CLOSED_ULPS);
+    rounds.assert_within(&tolerance::SINGLE_ROUND_ULPS);
+}
+
+#[test]
+fn lateral_function_of_the_uniform_disk_stays_within_its_bound() {
+    let [mut exact, mut elliptic] = [
+        "f64 uniform disk G, alpha [-0.9, 10]",
+        "f64 uniform disk G, AGM",
+    ]
+    .map(Worst::of);
+    let table = Table::read("uniform_lateral.csv");
+    for alpha in table.distinct("alpha") {
+        let mut tiers = patches::disks::<f64>(alpha);
+        tiers.extend(patches::tiers(0.0, alpha).into_iter().take(2));
+        for (name, tier) in &tiers {
+            for row in table.rows().filter(|row| row.number("alpha") == alpha) {
+                let ratio = row.number("eps");
+                let error = row.reference("G").relative(tier.lateral(ratio, 1.0));
+                let worst = if *name == "coulomb compact" {
+                    &mut elliptic
+                } else {
+                    &mut exact
+                };
+                worst.see(error, || format!("{name}, alpha {alpha}, eps {ratio:e}"));
+            }
+        }
+    }
+    exact.assert_within(&tolerance::DISK_LATERAL);
+    elliptic.assert_within(&tolerance::AGM);
+}
+
+/// The disk's factor of cancellation under an annulus of inner ratio k: 2/(1−k).
+fn cancellation(inner: f64) -> f64 {
+    2.0 / (1.0 - inner)
+}
+
+/// Errors of F, T, G and of the derivatives of annuli, in units of the cancellation's factor.
+fn annulus(
+    quantities: [&'static str; 2],
+    tiers_of: impl Fn(f64) -> Vec<patches::PatchTier<f64>>,
+) -> [Worst; 2] {
+    let [mut wrench, mut derivatives] = quantities.map(Worst::of);
+    let table = Table::read("annulus.csv");
+    for alpha in table.distinct("alpha") {
+        for (name, tier) in tiers_of(alpha) {
+            for row in table.rows().filter(|row| row.number("alpha") == alpha) {
+                let [inner, ratio] = ["k", "eps"].map(|column| row.number(column));
+                let band = Annulus::new(tier.as_ref(), inner).expect("an inner ratio in range");
+                let place = || format!("{name}, k {inner}, alpha {alpha}, eps {ratio:e}");
+                let got = band.reduced_wrench(ratio, 1.0);
+                let got = [got.force, got.torque, band.lateral(ratio, 1.0)];
+                for (column, got) in ["F", "T", "G"].into_iter().zip(got) {
+                    let error = row.reference(column).relative(got);
+                    wrench.see(error / cancellation(inner), place);
+                }
+                let got = band.reduced_jacobian(ratio, 1.0);
+                let drag = row.number("F") / ratio;
+                for (column, got) in [("dF", got.force_slide), ("dT", got.mixed)] {
+                    let error = patches::slope_error(&row.reference(column), got, drag);
+                    derivatives.see(error / cancellation(inner), place);
+                }
+            }
+        }
+    }
+    [wrench, derivatives]
+}
+
+#[test]
+fn annuli_lose_what_cancels_and_no_more() {
+    let names = [
+        "f64 annulus F, T, G (of 2/(1-k))",
+        "f64 annulus dF, dT (of 2/(1-k))",
+    ];
+    let [wrench, derivatives] = annulus(names, |alpha| {
+        let mut tiers = patches::disks::<f64>(alpha);
+        tiers.extend(patches::tiers(0.0, alpha).into_iter().take(2));
+        tiers.retain(|(name, _)| *name != "coulomb compact");
+        tiers
+    });
+    wrench.assert_within(&tolerance::ANNULUS);
+    derivatives.assert_within(&tolerance::ANNULUS_JACOBIAN);
+    let names = [
+        "f64 annulus from AGM F, T, G (of 2/(1-k))",
+        "f64 annulus from AGM dF, dT (of 2/(1-k))",
+    ];
+    let [wrench, derivatives] = annulus(names, |alpha| {
+        let mut tiers = patches::disks::<f64>(alpha);
+        tiers.retain(|(name, _)| *name == "coulomb compact");
+        tiers
+    });
+    wrench.assert_within(&tolerance::AGM);
+    derivatives.assert_within(&tolerance::ANNULUS_JACOBIAN);
+}
+
+#[test]
+fn polynomial_pressures_stay_within_their_bound() {
+    let mut errors = RowErrors::of(
+        ["f64 polynomial F", "f64 polynomial T", "f64 polynomial G"],
+        ["f64 polynomial dF", "f64 polynomial dT"],
+    );
+    let table = Table::read("polynomial.csv");
+    let mut built: Option<([f64; 4], LateralPolynomialTable)> = None;
+    for row in table.rows() {
+        let key = ["a0", "a1", "a2", "alpha"].map(|column| row.number(column));
+        let [a0, a1, a2, alpha] = key;
+        if built.as_ref().is_none_or(|(of, _)| *of != key) {
+            let pressure = PolynomialPressure::new([a0, a1, a2]).expect("a positive pressure");
+            let table = LateralPolynomialTable::new(alpha, &pressure).expect("in range");
+            built = Some((key, table));
+        }
+        let Some((_, tier)) = &built else { continue };
+        let ratio = row.number("eps");
+        let place = || format!("a {a0} {a1} {a2}, alpha {alpha}, eps {ratio:e}");
+        errors.see(tier, &row, place);
+    }
+    errors.assert_within(&tolerance::POLYNOMIAL_TABLE, &tolerance::ROUND_JACOBIAN);
+}
+
+#[test]
+fn polynomial_table_is_the_lateral_one_without_its_lateral_function() {
+    let pressure = PolynomialPressure::new([0.2, 1.0, 0.3]).expect("a positive pressure");
+    let plain = PolynomialTable::new(0.5, &pressure).expect("in range");
+    let lateral = LateralPolynomialTable::new(0.5, &pressure).expect("in range");
+    for ratio in [0.0, 0.3, 1.0, 1.7, 1e5] {
+        assert_eq!(
+            plain.reduced_wrench(ratio, 1.0),
+            lateral.reduced_wrench(ratio, 1.0)
+        );
+        assert_eq!(
+            plain.reduced_jacobian(ratio, 1.0),
+            lateral.reduced_jacobian(ratio, 1.0)
+        );
+    }
+}
+
+#[test]
+fn infinite_slopes_of_the_tables_are_infinite() {
+    // Rows at equal speeds, where q + α ≤ -1/2 or so: +-inf, never a large number.
+    let table = Table::read("pressures.csv");
+    let mut seen = 0;
+    for row in table.rows().filter(|row| !row.number("dF").is_finite()) {
+        let (order, alpha) = (row.number("q"), row.number("alpha"));
+        for (name, tier) in patches::tiers::<f64>(order, alpha) {
+            let got = tier.reduced_jacobian(row.number("eps"), 1.0);
+            for (column, got) in [("dF", got.force_slide), ("dT", got.mixed)] {
+                let wanted: &Reference = &row.reference(column);
+                assert_eq!(
+                    got, wanted.high,
+                    "{name}, q {order}, alpha {alpha}: {column}"
+                );
+            }
+            seen += 1;
+        }
+    }
+    assert!(seen > 0, "no such row");
 }

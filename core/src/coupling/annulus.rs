@@ -10,7 +10,8 @@ use crate::real::Real;
 /// Uniform pressure between `inner_ratio` and 1 radii, from any tier of the uniform disk.
 ///
 /// With k the inner over the outer radius, F = (F₁(v, w) − k² F₁(v, kw))/(1−k²) and the torque
-/// likewise with k³. *Accuracy*: that of the disk times 2/(1−k).
+/// likewise with k³. *Accuracy*: that of the disk times 2/(1−k). *Special values*: as [`Coupling`],
+/// but NaN where both disks leave the number range.
 ///
 /// ```
 /// use tribos_core::coupling::{Annulus, Coupling, table};
@@ -49,6 +50,9 @@ impl<R: Real, C> Annulus<R, C> {
     /// (`whole` − k^`power` `middle`)/(1 − k²), the power as a product.
     #[inline]
     fn less(&self, whole: R, middle: R, factor: R) -> R {
+        if self.inner == R::ZERO {
+            return whole;
+        }
         (whole - factor * middle) / ((R::ONE - self.inner) * (R::ONE + self.inner))
     }
 

@@ -18,7 +18,7 @@ use super::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
 use crate::patch::PowerPressure;
 use crate::real::Real;
 use crate::special::CompleteElliptic;
-use core::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_4, PI};
+use core::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
 
 /// A thin ring, q = −1: Φ = (2/π) B where spinning leads, (2/π)(B + (1−m) D) where sliding leads,
 /// with the complete elliptic integrals of parameter m = h².
@@ -71,8 +71,7 @@ impl ClosedForm for FlatPunch {
         if y < R::from_f64(SERIES_BELOW) {
             return series(Self::PRESSURE.order() + 2.0, y);
         }
-        let (h, root) = (at.ratio(), z.sqrt());
-        let p = h.asin() / h;
+        let [root, p] = root_and_arc(at.ratio(), z);
         let four = R::TWO + R::TWO;
         [R::HALF * (p + root), (root - p) / (four * y)]
     }
@@ -91,8 +90,7 @@ impl ClosedForm for Hertz {
         if y < R::from_f64(SERIES_BELOW) {
             return series(Self::PRESSURE.order() + 2.0, y);
         }
-        let (h, root) = (at.ratio(), z.sqrt());
-        let p = h.asin() / h;
+        let [root, p] = root_and_arc(at.ratio(), z);
         let (three, four) = (R::ONE + R::TWO, R::TWO + R::TWO);
         // Φ = (3/16y) [ p (4y − 1) + √z (2y + 1) ], and its derivative with 1/√z divided out.
         let sixteenth = R::from_f64(3.0 / 16.0) / y;
@@ -101,6 +99,13 @@ impl ClosedForm for Hertz {
             R::HALF * sixteenth / y * (p * (three - four * y) - root * (three - R::TWO * y));
         [value, slope]
     }
+}
+
+/// √z and asin(h)/h for h ≥ 1/2: near equal speeds z knows the angle to its last digit, h does not.
+#[inline]
+fn root_and_arc<R: Real>(h: R, z: R) -> [R; 2] {
+    let root = z.sqrt();
+    [root, (R::from_f64(FRAC_PI_2) - root.asin()) / h]
 }
 
 /// ₂F₁(1/2, −1/2; `c`; y) and its slope for y < 1/4.
