@@ -1,7 +1,9 @@
 //! The subcommands, one module each.
 
+mod inverse;
 mod modes;
 mod number;
+mod patch;
 mod reproduce;
 mod run;
 mod tier;
@@ -16,6 +18,8 @@ pub enum Command {
     Wrench(wrench::Arguments),
     /// Final motion: fixed points of the velocity ratio and the phase diagram.
     Modes(modes::Arguments),
+    /// The launches after which a body comes to rest at a wanted pose.
+    Inverse(inverse::Arguments),
     /// Simulate a scene.
     Run(run::Arguments),
     /// Reproduce the thesis' figures and tables, claim by claim.
@@ -28,6 +32,7 @@ impl Command {
         match self {
             Self::Wrench(arguments) => arguments.execute(),
             Self::Modes(arguments) => arguments.execute(),
+            Self::Inverse(arguments) => arguments.execute(),
             Self::Run(arguments) => arguments.execute(),
             Self::Reproduce(arguments) => arguments.execute(),
         }

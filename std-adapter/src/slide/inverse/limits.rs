@@ -66,13 +66,13 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
             0.0
         } else {
             let ends = ((0.0, in_place - angle), (speed, most - angle));
-            let slowest = rising_root(ends.0, ends.1, |v| turned(v, spin) - angle);
+            let slowest = rising_root(ends.0, ends.1, 0.0, |v| turned(v, spin) - angle);
             self.reach(slowest, spin)[0]
         };
         let ends = ((0.0, -angle), (spin, most - angle));
         let least_spin = match angle {
             0.0 => 0.0,
-            _ => rising_root(ends.0, ends.1, |w| turned(speed, w) - angle),
+            _ => rising_root(ends.0, ends.1, 0.0, |w| turned(speed, w) - angle),
         };
         Some([nearest, self.reach(speed, least_spin)[0]])
     }

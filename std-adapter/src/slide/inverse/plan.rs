@@ -2,6 +2,7 @@
 
 use super::{InverseError, Launch, Limits, OutOfReach, Pose, RestMap};
 use crate::slide::inverse::solve::Throw;
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::num::NonZeroU32;
 use tribos_core::coupling::{Coupling, Profile};
@@ -115,7 +116,12 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         let mut solutions = Vec::new();
         for ladder in &ladders {
             let count = ladder.count(most);
-            let throw = |j| self.throw(distance, ladder.angle(j));
+            let mut known = BTreeMap::new();
+            let mut throw = |j: u64| {
+                *known
+                    .entry(j)
+                    .or_insert_with(|| self.throw(distance, ladder.angle(j)))
+            };
             let first = partition(0, count, |j| throw(j).speed > limits.max_speed());
             let end = partition(first, count, |j| throw(j).spin <= limits.max_spin());
             if end - first > MAX_SOLUTIONS {

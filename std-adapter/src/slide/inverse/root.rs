@@ -3,13 +3,15 @@
 /// Where a rising function passes zero.
 ///
 /// Chandrupatla, Adv. Eng. Softw. 28 (1997) 145: inverse quadratic interpolation where it is
-/// safe, else bisection. Ends where the function vanishes or the bracket has closed to rounding.
+/// safe, else bisection. Ends where the function is not above `enough` or the bracket has closed
+/// to rounding.
 ///
 /// *Domain*: `below.1` ≤ 0 ≤ `above.1`. Returns the argument with the smaller value of the last
 /// two.
 pub(super) fn rising_root(
     below: (f64, f64),
     above: (f64, f64),
+    enough: f64,
     mut function: impl FnMut(f64) -> f64,
 ) -> f64 {
     let (mut newest, mut other) = (above, below);
@@ -33,7 +35,7 @@ pub(super) fn rising_root(
         };
         let width = (other.0 - newest.0).abs();
         let grain = f64::EPSILON * best.0.abs();
-        if best.1 == 0.0 || width <= 2.0 * grain || value.is_nan() {
+        if best.1.abs() <= enough || width <= 2.0 * grain || value.is_nan() {
             return best.0;
         }
         share = interpolated(newest, other, third).clamp(grain / width, 1.0 - grain / width);
@@ -72,7 +74,7 @@ mod tests {
         ];
         for (function, low, high, wanted) in cases {
             let mut rounds = 0;
-            let root = rising_root((low, function(low)), (high, function(high)), |x| {
+            let root = rising_root((low, function(low)), (high, function(high)), 0.0, |x| {
                 rounds += 1;
                 function(x)
             });

@@ -17,6 +17,8 @@ pub(super) struct Throw {
 /// Paths whose logarithms differ by more than this have one pure motion: the other's part is far
 /// below every rounding error.
 const PURE: f64 = 230.0;
+/// The ratio of the paths is met to this, a tenth of its own rounding errors.
+const ENOUGH: f64 = 1e-15;
 /// Widening of a bracket that has not caught the root.
 const WIDEN: f64 = 2.0;
 
@@ -71,7 +73,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
                 } else {
                     (inner, outer)
                 };
-                return direction_of(rising_root(below, above, excess));
+                return direction_of(rising_root(below, above, ENOUGH, excess));
             }
             if step == 0.0 {
                 return direction_of(wanted);
