@@ -240,6 +240,14 @@ bounds! {
     STOP_RATIO = 1e-13, "direction at the last substep, where it turns by less than 8 roundings";
     /// Final ratio under pressures, relative.
     PRESSURE_STOP_RATIO = 1.7e-14, "as STOP_RATIO";
+    /// Rest pose of a solution of the inverse problem against its target, m and rad.
+    INVERSE_POSE = 1e-12, "PLACEHOLDER";
+    /// Launch recovered from its own rest pose, of the speed scale.
+    INVERSE_LAUNCH = 1e-12, "PLACEHOLDER";
+    /// Jacobian of the rest pose against differences of order 6, of unit speed.
+    INVERSE_JACOBIAN = 1e-8, "PLACEHOLDER";
+    /// The same within 5 % of equal speeds.
+    INVERSE_JACOBIAN_EQUAL = 5e-3, "PLACEHOLDER";
     /// A run cut into steps against one call, relative.
     STEPS_AGREE = 2e-13, "thousands of roundings of the state";
     /// Free decay for α ≥ 1 against eq. 3.34, relative.

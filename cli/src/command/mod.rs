@@ -1,10 +1,12 @@
 //! The subcommands, one module each.
 
 mod columns;
+mod inverse;
 mod laws;
 mod modes;
 mod number;
 mod patch;
+mod profile;
 mod reproduce;
 mod run;
 mod tier;
@@ -22,6 +24,8 @@ pub enum Command {
     Modes(modes::Arguments),
     /// Friction laws: formulas, parameters, units, sources; curves of the local ones.
     Laws(laws::Arguments),
+    /// The launches after which a body comes to rest at a wanted pose.
+    Inverse(inverse::Arguments),
     /// Simulate a scene.
     Run(run::Arguments),
     /// Reproduce the thesis' figures and tables, claim by claim.
@@ -35,6 +39,7 @@ impl Command {
             Self::Wrench(arguments) => arguments.execute(),
             Self::Modes(arguments) => arguments.execute(),
             Self::Laws(arguments) => arguments.execute(),
+            Self::Inverse(arguments) => arguments.execute(),
             Self::Run(arguments) => arguments.execute(),
             Self::Reproduce(arguments) => arguments.execute(),
         }

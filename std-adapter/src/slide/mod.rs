@@ -1,5 +1,6 @@
 //! Sliding bodies.
 
+pub mod inverse;
 mod outcome;
 mod simulation;
 

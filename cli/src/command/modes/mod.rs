@@ -1,10 +1,9 @@
 //! `tribos modes`: fixed points of the velocity ratio, the final mode, the phase diagram.
 
 pub mod diagram;
-mod profile;
 
-use super::number;
 use super::patch::PatchName;
+use super::{number, profile};
 use crate::failure::Failure;
 use crate::report::image;
 use diagram::Diagram;
@@ -76,9 +75,14 @@ struct Answer {
 impl Arguments {
     /// Computes, prints and draws.
     pub fn execute(self) -> Result<(), Failure> {
-        let answer = profile::with(&self.patch, self.alpha, self.lean, Answering(&self))?;
+        let answer = self.answer()?;
         if let Some(path) = &self.diagram {
-            let interval = |alpha| profile::with(&self.patch, alpha, 0.0, Interval);
+            let interval = |alpha| {
+                let profile = profile::upright(&self.patch, alpha)?;
+                // The interval does not depend on the body.
+                let modes = Modes::new(&*profile, 1.0).map_err(Failure::input)?;
+                Ok(modes.inertia_interval())
+            };
             let diagram = Diagram::whole(format!("{:?}", self.patch).to_lowercase(), interval)?;
             let figure = diagram.figure(Some((answer.alpha, answer.inertia_ratio)));
             image::write_as_named(path, &figure, || diagram.csv())?;
@@ -88,50 +92,37 @@ impl Arguments {
             Format::Json => super::print(&format!("{:#}\n", answer.json())),
         }
     }
-}
 
-/// Asks a profile for the answer.
-struct Answering<'a>(&'a Arguments);
+    fn answer(&self) -> Result<Answer, Failure> {
+        if self.lean == 0.0 {
+            return self.answer_of(&*profile::upright(&self.patch, self.alpha)?);
+        }
+        if self.alpha != 0.0 {
+            return Err(Failure::input(
+                "--lean needs --alpha 0: under other laws the lean changes with the speed, and \
+                 the velocity ratio obeys no equation of its own",
+            ));
+        }
+        self.answer_of(&*profile::leaning(&self.patch, self.lean)?)
+    }
 
-impl profile::Visitor for Answering<'_> {
-    type Output = Answer;
-
-    fn visit<P: Profile<f64>>(self, profile: P) -> Result<Answer, Failure> {
-        let Arguments {
-            alpha,
-            inertia_ratio,
-            initial_ratio,
-            ..
-        } = *self.0;
-        let modes = Modes::new(profile, inertia_ratio).map_err(Failure::input)?;
+    fn answer_of<P: Profile<f64> + ?Sized>(&self, profile: &P) -> Result<Answer, Failure> {
+        let modes = Modes::new(profile, self.inertia_ratio).map_err(Failure::input)?;
         let points = modes.fixed_points();
         // Without a start the end is known only where it does not depend on it.
-        let mode = match (initial_ratio, points.finite) {
+        let mode = match (self.initial_ratio, points.finite) {
             (Some(initial), _) => Some(modes.final_mode(initial)),
             (None, Some((_, Stability::Unstable))) => None,
             (None, None) if points.spinning == Stability::Semistable => None,
             (None, _) => Some(modes.final_mode(1.0)),
         };
         Ok(Answer {
-            alpha,
-            inertia_ratio,
+            alpha: self.alpha,
+            inertia_ratio: self.inertia_ratio,
             interval: modes.inertia_interval(),
             points,
             mode,
         })
-    }
-}
-
-/// Asks a profile for its interval of C.
-struct Interval;
-
-impl profile::Visitor for Interval {
-    type Output = (f64, f64);
-
-    fn visit<P: Profile<f64>>(self, profile: P) -> Result<(f64, f64), Failure> {
-        // The interval does not depend on the body.
-        let modes = Modes::new(profile, 1.0).map_err(Failure::input)?;
-        Ok(modes.inertia_interval())
     }
 }
 

@@ -1,0 +1,93 @@
+//! Why there is no launch.
+
+use super::{Limits, Pose, Solution};
+use tribos_core::slider::SliderError;
+
+/// Why a rest pose was not inverted.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum InverseError {
+    /// The kernel refused the body.
+    #[error(transparent)]
+    Body(#[from] SliderError),
+    /// α ≥ 1.
+    #[error("a body under |v|^{alpha} never comes to rest; the inverse problem needs alpha < 1")]
+    NeverRests {
+        /// The exponent.
+        alpha: f64,
+    },
+    /// A limit is negative, infinite or NaN.
+    #[error("the largest {name} must be finite and not negative, not {given}")]
+    Limit {
+        /// Which one.
+        name: &'static str,
+        /// What was given.
+        given: f64,
+    },
+    /// The target is not finite, or so far that the launch leaves the number range.
+    #[error(
+        "the target x {} m, y {} m, angle {} rad is not finite or its launch is not",
+        given.x, given.y, given.angle
+    )]
+    Target {
+        /// What was given.
+        given: Pose,
+    },
+    /// More solutions than anyone reads.
+    #[error(
+        "{count} numbers of turns lead there; lower the largest spin or ask for an exact angle"
+    )]
+    TooMany {
+        /// Their number in one sense.
+        count: u64,
+    },
+    /// No launch within the limits.
+    #[error(transparent)]
+    OutOfReach(Box<OutOfReach>),
+}
+
+/// A target beyond the limits: what it takes, and what the limits allow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutOfReach {
+    /// The launch that exceeds the limits least.
+    pub needed: Solution,
+    /// The limits.
+    pub limits: Limits,
+    /// Distance of the target, m.
+    pub distance: f64,
+    /// Shortest and farthest distance within the limits with the angle of `needed`, m; none if
+    /// the body cannot turn that far.
+    pub distances: Option<[f64; 2]>,
+    /// Farthest distance within the limits at any angle, m.
+    pub farthest: f64,
+    /// Largest angle within the limits at any distance, rad.
+    pub most: f64,
+}
+
+impl std::error::Error for OutOfReach {}
+
+impl std::fmt::Display for OutOfReach {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (speed, spin) = (self.needed.speed, self.needed.launch.spin);
+        write!(
+            f,
+            "out of reach: {:.6} m away after turning {:.6} rad takes {speed:.6} m/s and {spin:.6} \
+             rad/s, the limits are {} m/s and {} rad/s",
+            self.distance,
+            self.needed.angle,
+            self.limits.max_speed(),
+            self.limits.max_spin()
+        )?;
+        match self.distances {
+            Some([nearest, farthest]) => write!(
+                f,
+                "; with this angle they reach from {nearest:.6} to {farthest:.6} m"
+            )?,
+            None => f.write_str("; they do not turn it that far")?,
+        }
+        write!(
+            f,
+            " (at full speed and spin {:.6} m and {:.6} rad)",
+            self.farthest, self.most
+        )
+    }
+}

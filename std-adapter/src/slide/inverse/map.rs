@@ -1,0 +1,144 @@
+//! Launch → rest pose.
+
+use super::{InverseError, Launch, Pose};
+use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::slider::{Motion, Slider};
+
+/// Where a body comes to rest, as a function of its launch.
+///
+/// ```
+/// use tribos::slide::inverse::{Launch, RestMap};
+/// use tribos::kernel::coupling::table::Coulomb;
+/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// let end = disk.rest(&Launch { velocity: [0.0, 1.0], spin: 0.0 });
+/// assert_eq!(end.pose.x, 0.0);
+/// assert!((end.pose.y - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-14);
+/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct RestMap<P> {
+    /// The body with κ = R = 1.
+    unit: Slider<f64, P>,
+    deceleration: f64,
+    radius: f64,
+    inertia_ratio: f64,
+}
+
+/// The end of a throw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Landing {
+    /// Where and how it lies.
+    pub pose: Pose,
+    /// Time from launch to rest, s.
+    pub time: f64,
+}
+
+/// Paths and time to rest from unit scale, s² = v² + (ωR)² = 1, with κ = R = 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reduced {
+    /// X, path of the centre.
+    pub centre: f64,
+    /// Y, path of the rim.
+    pub rim: f64,
+    /// Time.
+    pub time: f64,
+}
+
+impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
+    /// *Domain*: α < 1; `deceleration` κ = γ g (μ g for Coulomb), `radius` of the contact and
+    /// `inertia_ratio` C = I/(M R²) positive and finite.
+    pub fn new(
+        profile: P,
+        deceleration: f64,
+        radius: f64,
+        inertia_ratio: f64,
+    ) -> Result<Self, InverseError> {
+        Slider::new(&profile, deceleration, radius, inertia_ratio)?;
+        let alpha = profile.exponent();
+        if alpha >= 1.0 {
+            return Err(InverseError::NeverRests { alpha });
+        }
+        Ok(Self {
+            unit: Slider::new(profile, 1.0, 1.0, inertia_ratio)?,
+            deceleration,
+            radius,
+            inertia_ratio,
+        })
+    }
+
+    /// The rest pose, starting at the origin with angle 0. Without sliding x = y = 0.
+    ///
+    /// *Accuracy*: 1e-14 relative in distance and angle. *Special values*: NaN for a launch that
+    /// is not finite.
+    pub fn rest(&self, launch: &Launch) -> Landing {
+        let [x, y] = launch.velocity;
+        let speed = x.hypot(y);
+        let motion = Motion::launched(speed, launch.spin * self.radius);
+        let Some(rest) = self.unit.to_rest(&motion) else {
+            return Landing {
+                pose: Pose {
+                    x: f64::NAN,
+                    y: f64::NAN,
+                    angle: f64::NAN,
+                },
+                time: f64::NAN,
+            };
+        };
+        let distance = rest.motion.distance / self.deceleration;
+        let along = |component: f64| match speed {
+            0.0 => 0.0,
+            _ => distance * (component / speed),
+        };
+        Landing {
+            pose: Pose {
+                x: along(x),
+                y: along(y),
+                angle: rest.motion.angle / (self.deceleration * self.radius),
+            },
+            time: rest.motion.time / self.deceleration,
+        }
+    }
+
+    /// Kinetic energy per mass, (v² + C (ωR)²)/2, J/kg.
+    pub fn energy_per_mass(&self, launch: &Launch) -> f64 {
+        let [x, y] = launch.velocity;
+        let rim = launch.spin * self.radius;
+        0.5 * (x * x + y * y + self.inertia_ratio * rim * rim)
+    }
+
+    /// X, Y and time in the direction (c, n) = (v, ωR)/s.
+    pub(super) fn reduced(&self, [c, n]: [f64; 2]) -> Reduced {
+        let rest = self.unit.to_rest(&Motion::launched(c, n));
+        let motion = rest.map_or(Motion::launched(f64::NAN, f64::NAN), |rest| rest.motion);
+        Reduced {
+            centre: motion.distance,
+            rim: motion.angle,
+            time: motion.time,
+        }
+    }
+
+    /// p = 2 − α, the degree of both paths in the speeds.
+    pub(super) fn degree(&self) -> f64 {
+        2.0 - self.profile().exponent()
+    }
+
+    /// Friction law and pressure.
+    pub fn profile(&self) -> &P {
+        self.unit.profile()
+    }
+
+    /// κ = γ g.
+    pub fn deceleration(&self) -> f64 {
+        self.deceleration
+    }
+
+    /// Radius of the contact.
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// C = I/(M R²).
+    pub fn inertia_ratio(&self) -> f64 {
+        self.inertia_ratio
+    }
+}

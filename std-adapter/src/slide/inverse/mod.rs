@@ -1,0 +1,78 @@
+//! The inverse sliding problem: how to launch a body that shall come to rest at a wanted pose.
+//!
+//! A flat axisymmetric body under |v|^α, α < 1, slides straight and rests after a finite distance
+//! d and angle θ. With (v, |ω|R) = s (cos φ, sin φ) and p = 2 − α the equations of motion are
+//! homogeneous:
+//!
+//! ```text
+//! d = s^p X(φ)/κ,      R|θ| = s^p Y(φ)/κ
+//! ```
+//!
+//! **One launch for each distance and angle.** The direction φ obeys an equation of its own,
+//! dφ/dτ = m(φ), and so moves one way, towards a fixed point. (X, Y) is a positive sum of all the
+//! directions (cos φ, sin φ) still to come; its own direction A therefore lies ahead of φ. From
+//! m X' = p k X − cos φ and m Y' = p k Y − sin φ,
+//!
+//! ```text
+//! A' = sin(A − φ) / (m hypot(X, Y)) > 0
+//! ```
+//!
+//! A rises from 0 to π/2, for every exponent α < 1, pressure and inertia ratio: the wanted
+//! R|θ|/d fixes φ, then the distance fixes s. There are no double roots.
+//!
+//! **More is more.** For α < 1, ∂F/∂w = ∂T/∂v < 0: each motion eases the other. Such a system
+//! keeps the order of its states, hence d and |θ| never fall if v or |ω| grows. At a given
+//! distance more turns need more spin and less speed; the reach of launch limits is the image of
+//! their corners and edges.
+//!
+//! `docs/inverse.md` has the proofs. *Source*: the problem is that of Partridge and Spong, and of
+//! Han and Park; the reduction to one monotone function is this project's own.
+//!
+//! ```
+//! use tribos::slide::inverse::{Limits, Pose, RestMap, Turns};
+//! use tribos::kernel::coupling::table::Coulomb;
+//!
+//! let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+//! let target = Pose { x: 1.2, y: 0.3, angle: 1.57 };
+//! let limits = Limits::new(3.0, 100.0)?; // m/s, rad/s
+//! let launches = disk.launches(&target, Turns::Exact, &limits)?;
+//! let end = disk.rest(&launches[0].launch);
+//! assert!((end.pose.x - 1.2).abs() < 1e-12 && (end.pose.angle - 1.57).abs() < 1e-12);
+//! # Ok::<(), tribos::slide::inverse::InverseError>(())
+//! ```
+
+mod error;
+mod jacobian;
+mod limits;
+mod map;
+mod plan;
+mod root;
+mod runge_kutta;
+mod slope;
+mod solve;
+
+pub use error::{InverseError, OutOfReach};
+pub use jacobian::PoseJacobian;
+pub use limits::Limits;
+pub use map::{Landing, RestMap};
+pub use plan::{MAX_SOLUTIONS, Solution, Turns};
+
+/// Velocity of the centre and spin at the start, m/s and rad/s.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Launch {
+    /// Components of the velocity.
+    pub velocity: [f64; 2],
+    /// Spin; positive turns the first axis towards the second.
+    pub spin: f64,
+}
+
+/// Place of the centre and angle turned, from where the body started, m and rad.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose {
+    /// Along the first axis.
+    pub x: f64,
+    /// Along the second axis.
+    pub y: f64,
+    /// Angle turned, not reduced to one turn.
+    pub angle: f64,
+}

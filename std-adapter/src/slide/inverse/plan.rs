@@ -1,0 +1,235 @@
+//! Rest pose → every launch within the limits.
+
+use super::{InverseError, Launch, Limits, OutOfReach, Pose, RestMap};
+use crate::slide::inverse::solve::Throw;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::num::NonZeroU32;
+use tribos_core::coupling::{Coupling, Profile};
+
+/// What the wanted angle means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turns {
+    /// The total angle turned on the way, of either sign.
+    Exact,
+    /// The orientation at rest, the same after every 2π/`symmetry`: any number of turns, in both
+    /// senses.
+    Modulo {
+        /// Order of the body's rotational symmetry, 1 for none.
+        symmetry: NonZeroU32,
+    },
+}
+
+/// One launch that ends at the wanted pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solution {
+    /// The launch.
+    pub launch: Launch,
+    /// |velocity|, m/s.
+    pub speed: f64,
+    /// Direction of the velocity from the first axis, rad; 0 for a spin in place, where it is
+    /// free.
+    pub direction: f64,
+    /// Total angle turned, rad.
+    pub angle: f64,
+    /// Time from launch to rest, s.
+    pub time: f64,
+    /// Kinetic energy per mass, J/kg.
+    pub energy_per_mass: f64,
+}
+
+impl Solution {
+    /// Full turns on the way, of either sign.
+    pub fn turns(&self) -> f64 {
+        self.angle / TAU
+    }
+}
+
+/// Most solutions that are listed.
+pub const MAX_SOLUTIONS: u64 = 10_000;
+/// A turn more than the farthest one is tried, against rounding.
+const SPARE: f64 = 1e-9;
+
+/// Angles of one sense, `first` + j `step`, that share an orientation.
+struct Ladder {
+    sense: f64,
+    first: f64,
+    step: f64,
+}
+
+impl Ladder {
+    fn angle(&self, j: u64) -> f64 {
+        self.first + j as f64 * self.step
+    }
+
+    /// Angles up to `most`, all of which are tried.
+    fn count(&self, most: f64) -> u64 {
+        if self.step == 0.0 {
+            return 1;
+        }
+        let last = (most * (1.0 + SPARE) - self.first) / self.step;
+        if last >= 0.0 { last as u64 + 1 } else { 0 }
+    }
+}
+
+impl Turns {
+    /// The angles that a wanted `angle` admits, positive sense first.
+    fn ladders(self, angle: f64) -> Vec<Ladder> {
+        let Self::Modulo { symmetry } = self else {
+            return vec![Ladder {
+                sense: 1.0_f64.copysign(angle),
+                first: angle.abs(),
+                step: 0.0,
+            }];
+        };
+        let step = TAU / f64::from(symmetry.get());
+        let left = angle.rem_euclid(step);
+        // Zero belongs to one sense only.
+        let right = step - left;
+        [(1.0, left), (-1.0, right)]
+            .map(|(sense, first)| Ladder { sense, first, step })
+            .into()
+    }
+}
+
+impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
+    /// Every launch within `limits` that comes to rest at `target`, by rising kinetic energy.
+    ///
+    /// For each total angle there is exactly one launch ([the module](super) says why), and along
+    /// the turns the speed needed falls while the spin needed rises: those admissible follow each
+    /// other, and both ends are found by bisection.
+    ///
+    /// *Accuracy*: the rest pose of every solution meets `target` to 1e-12 of the distance and
+    /// of the angle turned. *Cost*: about ten motions to rest a solution.
+    pub fn launches(
+        &self,
+        target: &Pose,
+        turns: Turns,
+        limits: &Limits,
+    ) -> Result<Vec<Solution>, InverseError> {
+        let distance = target.x.hypot(target.y);
+        if !distance.is_finite() || !target.angle.is_finite() {
+            return Err(InverseError::Target { given: *target });
+        }
+        let [farthest, most] = self.reach(limits.max_speed(), limits.max_spin());
+        let ladders = turns.ladders(target.angle);
+        let mut solutions = Vec::new();
+        for ladder in &ladders {
+            let count = ladder.count(most);
+            let mut known = BTreeMap::new();
+            let mut throw = |j: u64| {
+                *known
+                    .entry(j)
+                    .or_insert_with(|| self.throw(distance, ladder.angle(j)))
+            };
+            let first = partition(0, count, |j| throw(j).speed > limits.max_speed());
+            let end = partition(first, count, |j| throw(j).spin <= limits.max_spin());
+            if end - first > MAX_SOLUTIONS {
+                return Err(InverseError::TooMany { count: end - first });
+            }
+            let admissible = (first..end).map(|j| (ladder.sense * ladder.angle(j), throw(j)));
+            let all = admissible.map(|(angle, throw)| self.solution(target, angle, &throw));
+            solutions.extend(all.filter(|solution| is_within(solution, limits)));
+        }
+        if solutions.iter().any(|solution| !solution.time.is_finite()) {
+            return Err(InverseError::Target { given: *target });
+        }
+        if solutions.is_empty() {
+            let needed = ladders
+                .iter()
+                .map(|ladder| self.nearest(target, ladder, limits));
+            let Some(needed) =
+                needed.min_by(|a, b| excess(a, limits).total_cmp(&excess(b, limits)))
+            else {
+                return Err(InverseError::Target { given: *target });
+            };
+            return Err(InverseError::OutOfReach(Box::new(OutOfReach {
+                needed,
+                limits: *limits,
+                distance,
+                distances: self.distances(needed.angle, limits),
+                farthest,
+                most,
+            })));
+        }
+        solutions.sort_by(|a, b| a.energy_per_mass.total_cmp(&b.energy_per_mass));
+        Ok(solutions)
+    }
+
+    /// A throw of magnitudes, aimed at the target.
+    fn solution(&self, target: &Pose, angle: f64, throw: &Throw) -> Solution {
+        let distance = target.x.hypot(target.y);
+        let along = |component: f64| match distance {
+            0.0 => 0.0,
+            _ => throw.speed * (component / distance),
+        };
+        let launch = Launch {
+            velocity: [along(target.x), along(target.y)],
+            spin: throw.spin.copysign(angle),
+        };
+        Solution {
+            launch,
+            speed: throw.speed,
+            direction: match throw.speed {
+                0.0 => 0.0,
+                _ => target.y.atan2(target.x),
+            },
+            angle,
+            time: throw.time,
+            energy_per_mass: self.energy_per_mass(&launch),
+        }
+    }
+
+    /// The launch of one sense that exceeds the limits least. With more turns the speed needed
+    /// falls and the spin needed rises: it stands where their excesses cross.
+    fn nearest(&self, target: &Pose, ladder: &Ladder, limits: &Limits) -> Solution {
+        let distance = target.x.hypot(target.y);
+        let throw = |j| self.throw(distance, ladder.angle(j));
+        let sliding_exceeds_more =
+            |throw: &Throw| throw.speed * limits.max_spin() > throw.spin * limits.max_speed();
+        let solution = |j| self.solution(target, ladder.sense * ladder.angle(j), &throw(j));
+        if ladder.step == 0.0 || limits.max_speed() == 0.0 {
+            return solution(0);
+        }
+        let mut count = 1;
+        while count < MAX_SOLUTIONS && sliding_exceeds_more(&throw(count)) {
+            count *= 2;
+        }
+        let j = partition(0, count, |j| sliding_exceeds_more(&throw(j)));
+        let (before, after) = (solution(j.saturating_sub(1)), solution(j));
+        if excess(&before, limits) < excess(&after, limits) {
+            before
+        } else {
+            after
+        }
+    }
+}
+
+/// The first j of `from`..`to` for which `holds` no longer does; it never holds again.
+fn partition(from: u64, to: u64, mut holds: impl FnMut(u64) -> bool) -> u64 {
+    let (mut low, mut high) = (from, to.max(from));
+    while low < high {
+        let middle = low + (high - low) / 2;
+        if holds(middle) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+fn is_within(solution: &Solution, limits: &Limits) -> bool {
+    solution.speed <= limits.max_speed() && solution.launch.spin.abs() <= limits.max_spin()
+}
+
+/// How many times the limits are exceeded.
+fn excess(solution: &Solution, limits: &Limits) -> f64 {
+    let over = |needed: f64, limit: f64| match needed {
+        0.0 => 0.0,
+        _ => needed / limit,
+    };
+    let speed = over(solution.speed, limits.max_speed());
+    let spin = over(solution.launch.spin.abs(), limits.max_spin());
+    speed.max(spin)
+}

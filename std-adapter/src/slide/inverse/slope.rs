@@ -1,0 +1,157 @@
+//! How the paths to rest change with the direction of the launch.
+//!
+//! With (v, ωR) = s (cos φ, sin φ) = s (c, n), p = 2 − α, the loss k and the turning rate m of the
+//! direction (dφ/dτ = m, d ln s/dτ = −k), the path left to go is s^p X(φ)/κ. It shrinks by c s^p/κ
+//! a unit of τ, and likewise that of the rim:
+//!
+//! ```text
+//! m X' = p k X − c,        m Y' = p k Y − n                                            (1)
+//! ```
+//!
+//! Where m ≈ 0 both sides vanish. There, with the path left if the direction stayed, X_s = c/(pk),
+//! and after integration of ∫ e^(pL) c dτ by parts,
+//!
+//! ```text
+//! X' = p k₀ ∫ W X_s' dτ,     W = e^(pL) m/m₀,     dW/dτ = (m' − p k) W,     W(0) = 1   (2)
+//! ```
+//!
+//! which needs no quotient. It is followed until the direction turns briskly and (1) takes over,
+//! or until it has settled and the integral closes: W X_s'/(p k − m').
+
+use super::RestMap;
+use super::runge_kutta::{self, State};
+use tribos_core::coupling::{Coupling, Profile};
+
+/// A direction that turns by this fraction of the loss leaves 1e-13 of the slope to (1).
+const BRISK: f64 = 1e-2;
+/// A turning rate below this fraction of the loss changes nothing any more.
+const SETTLED: f64 = 1e-14;
+/// A weight this small is below rounding.
+const SPENT: f64 = 1e-17;
+/// First step in τ, and more steps than any integral needs.
+const FIRST: f64 = 1.0 / 32.0;
+const MAX_STEPS: u32 = 20_000;
+/// Half step of the difference quotient that serves where the law's own slope is infinite.
+const STEP: f64 = 1e-6;
+
+/// Loss and turning rate at one direction with their derivatives along the circle.
+struct Rates {
+    loss: f64,
+    turning: f64,
+    turning_slope: f64,
+    /// X_s' and Y_s'.
+    frozen: [f64; 2],
+}
+
+impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
+    /// X' and Y' at the direction (c, n).
+    ///
+    /// *Accuracy*: 1e-11 of max(1, X', Y'); 1e-6 for a thin ring whose direction has settled at
+    /// v = ωR, where the slopes of the law itself are infinite.
+    pub(super) fn slopes(&self, at: [f64; 2]) -> [f64; 2] {
+        self.followed(at).unwrap_or_else(|| self.difference(at))
+    }
+
+    /// By (1) or (2); none where the law has no slope.
+    fn followed(&self, [c, n]: [f64; 2]) -> Option<[f64; 2]> {
+        let [start, turning] = self.loss_and_turning([c, n]);
+        if turning.abs() >= BRISK * start {
+            return Some(self.brisk([c, n]));
+        }
+        // c, n, W and the two integrals.
+        let mut state: State = [c, n, 1.0, 0.0, 0.0];
+        let mut size = FIRST / start;
+        let p = self.degree();
+        for _ in 0..MAX_STEPS {
+            let [c, n, weight, x, y] = state;
+            let [loss, turning] = self.loss_and_turning([c, n]);
+            if turning.abs() >= BRISK * loss {
+                let left = weight * start / loss;
+                let [dx, dy] = self.brisk([c, n]);
+                return finite([p * start * x + left * dx, p * start * y + left * dy]);
+            }
+            let rates = self.rates([c, n]);
+            if turning.abs() <= SETTLED * loss || weight < SPENT {
+                let left = weight / (p * loss - rates.turning_slope);
+                let [dx, dy] = rates.frozen;
+                return finite([p * start * (x + left * dx), p * start * (y + left * dy)]);
+            }
+            let (next, error) = runge_kutta::step(&state, size, |y| self.derivative(y));
+            let (accepted, factor) = runge_kutta::judge(&next, &error);
+            if accepted {
+                state = next;
+            }
+            size *= factor;
+        }
+        None
+    }
+
+    /// By (1).
+    fn brisk(&self, at: [f64; 2]) -> [f64; 2] {
+        let [loss, turning] = self.loss_and_turning(at);
+        let paths = self.reduced(at);
+        let gain = self.degree() * loss;
+        [
+            (gain * paths.centre - at[0]) / turning,
+            (gain * paths.rim - at[1]) / turning,
+        ]
+    }
+
+    /// By a symmetric difference.
+    fn difference(&self, [c, n]: [f64; 2]) -> [f64; 2] {
+        let [after, before] = [STEP, -STEP].map(|turn| {
+            let (sin, cos) = turn.sin_cos();
+            self.reduced([c * cos - n * sin, n * cos + c * sin])
+        });
+        [
+            (after.centre - before.centre) / (2.0 * STEP),
+            (after.rim - before.rim) / (2.0 * STEP),
+        ]
+    }
+
+    fn derivative(&self, state: &State) -> State {
+        let [c, n, weight, ..] = *state;
+        let rates = self.rates([c, n]);
+        let [x, y] = rates.frozen;
+        [
+            -rates.turning * n,
+            rates.turning * c,
+            (rates.turning_slope - self.degree() * rates.loss) * weight,
+            weight * x,
+            weight * y,
+        ]
+    }
+
+    /// k = F c + T n/C and m = F n − T c/C.
+    pub(super) fn loss_and_turning(&self, [c, n]: [f64; 2]) -> [f64; 2] {
+        let wrench = self.profile().reduced_wrench(c, n);
+        let (force, spin_down) = (wrench.force, wrench.torque / self.inertia_ratio());
+        [force * c + spin_down * n, force * n - spin_down * c]
+    }
+
+    fn rates(&self, [c, n]: [f64; 2]) -> Rates {
+        let wrench = self.profile().reduced_wrench(c, n);
+        let slopes = self.profile().reduced_jacobian(c, n);
+        let (force, spin_down) = (wrench.force, wrench.torque / self.inertia_ratio());
+        // Derivatives along the circle, d(c, n) = (−n, c) dφ.
+        let force_turn = slopes.mixed * c - slopes.force_slide * n;
+        let spin_down_turn = (slopes.torque_rim * c - slopes.mixed * n) / self.inertia_ratio();
+        let loss = force * c + spin_down * n;
+        let turning = force * n - spin_down * c;
+        let loss_slope = force_turn * c + spin_down_turn * n - turning;
+        let gain = self.degree() * loss;
+        Rates {
+            loss,
+            turning,
+            turning_slope: force_turn * n - spin_down_turn * c + loss,
+            frozen: [
+                -(n + c * loss_slope / loss) / gain,
+                (c - n * loss_slope / loss) / gain,
+            ],
+        }
+    }
+}
+
+fn finite(pair: [f64; 2]) -> Option<[f64; 2]> {
+    pair.iter().all(|x| x.is_finite()).then_some(pair)
+}

@@ -1,0 +1,92 @@
+//! The one launch that goes a given distance while it turns a given angle.
+
+use super::RestMap;
+use super::root::rising_root;
+use tribos_core::coupling::{Coupling, Profile};
+
+/// Magnitudes of a launch, with its time to rest.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Throw {
+    /// v
+    pub speed: f64,
+    /// |ω|
+    pub spin: f64,
+    pub time: f64,
+}
+
+/// Paths whose logarithms differ by more than this have one pure motion: the other's part is far
+/// below every rounding error.
+const PURE: f64 = 230.0;
+/// The ratio of the paths is met to this, a tenth of its own rounding errors.
+const ENOUGH: f64 = 1e-15;
+/// Widening of a bracket that has not caught the root.
+const WIDEN: f64 = 2.0;
+
+impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
+    /// The launch for `distance` ≥ 0 and `angle` ≥ 0: unique, and it always exists.
+    pub(super) fn throw(&self, distance: f64, angle: f64) -> Throw {
+        let rim_path = angle * self.radius();
+        if distance == 0.0 && rim_path == 0.0 {
+            return Throw {
+                speed: 0.0,
+                spin: 0.0,
+                time: 0.0,
+            };
+        }
+        let direction = self.direction(distance, rim_path);
+        let paths = self.reduced(direction);
+        // The scale from both paths at once: s^p hypot(X, Y) = κ hypot(d, R angle).
+        let wanted = self.deceleration() * distance.hypot(rim_path);
+        let scale = (wanted / paths.centre.hypot(paths.rim)).powf(1.0 / self.degree());
+        let pace = scale.powf(self.degree() - 1.0);
+        let [c, n] = direction;
+        Throw {
+            speed: scale * c,
+            spin: scale * n / self.radius(),
+            time: pace * paths.time / self.deceleration(),
+        }
+    }
+
+    /// The direction (c, n) whose paths have the ratio wanted: ln(Y/X) rises with ln(n/c).
+    fn direction(&self, distance: f64, rim_path: f64) -> [f64; 2] {
+        let wanted = rim_path.ln() - distance.ln();
+        if wanted < -PURE {
+            return [1.0, 0.0];
+        }
+        if wanted > PURE {
+            return [0.0, 1.0];
+        }
+        let excess = |log_ratio: f64| {
+            let paths = self.reduced(direction_of(log_ratio));
+            (paths.rim / paths.centre).ln() - wanted
+        };
+        let near = (wanted, excess(wanted));
+        // A slope of one would put the root here; further out until the sign changes.
+        let mut step = -near.1;
+        let mut inner = near;
+        loop {
+            let at = wanted + step;
+            let outer = (at, excess(at));
+            if (outer.1 > 0.0) != (near.1 > 0.0) || outer.1 == 0.0 || !outer.1.is_finite() {
+                let (below, above) = if near.1 > 0.0 {
+                    (outer, inner)
+                } else {
+                    (inner, outer)
+                };
+                return direction_of(rising_root(below, above, ENOUGH, excess));
+            }
+            if step == 0.0 {
+                return direction_of(wanted);
+            }
+            inner = outer;
+            step *= WIDEN;
+        }
+    }
+}
+
+/// (c, n) with n/c = e^`log_ratio`.
+fn direction_of(log_ratio: f64) -> [f64; 2] {
+    let ratio = log_ratio.exp();
+    let length = ratio.hypot(1.0);
+    [1.0 / length, ratio / length]
+}
