@@ -1,5 +1,6 @@
 //! Sliding bodies.
 
+pub mod curling;
 mod outcome;
 pub mod planar;
 mod simulation;

@@ -86,7 +86,7 @@ const FOLDS: f64 = 40.0;
 /// e-folds granted to the velocity ratio to find its limit.
 const PATIENT_FOLDS: f64 = 100.0;
 /// A ratio that changes by less than this fraction in an e-fold has settled.
-const SETTLED: f64 = 1e-14;
+const SETTLED: f64 = 1e-13;
 /// e-folds of the speed that f64 holds with room to spare.
 const MOST_FOLDS: f64 = 600.0;
 /// More steps than 10,000 loops need.
@@ -184,8 +184,8 @@ impl<'a, B: Resistance> Journey<'a, B> {
             *steps += 1;
             let taken = if *size > LARGEST { LARGEST } else { *size };
             let (next, error) = runge_kutta::step(&self.state, taken, |y| self.derivative(y));
-            let (accepted, factor) =
-                runge_kutta::judge(self.weighed(&next, &error), TOLERANCE, true);
+            let error = self.weighed(&next, &error);
+            let (accepted, factor) = runge_kutta::judge(error, self.tolerance(), true);
             *size = taken * factor;
             let advances = self.state[9] + *size > self.state[9];
             if *steps >= MOST_STEPS || !advances {
@@ -195,6 +195,15 @@ impl<'a, B: Resistance> Journey<'a, B> {
                 self.state = normalized(next);
                 return Ok(taken);
             }
+        }
+    }
+
+    fn tolerance(&self) -> f64 {
+        let accuracy = self.body.accuracy();
+        if accuracy > TOLERANCE {
+            accuracy
+        } else {
+            TOLERANCE
         }
     }
 

@@ -35,6 +35,12 @@ pub trait Resistance: Debug {
     /// R, in m.
     fn radius(&self) -> f64;
 
+    /// Relative accuracy of [`Resistance::deceleration`], if it is no exact law: a journey takes no
+    /// finer steps.
+    fn accuracy(&self) -> f64 {
+        0.0
+    }
+
     /// |l|, the pressure gradient that keeps the body upright; above 1 it begins to tip.
     fn lean(&self, _velocity: [f64; 3]) -> f64 {
         0.0
@@ -53,6 +59,9 @@ impl Resistance for Box<dyn Resistance> {
     }
     fn radius(&self) -> f64 {
         (**self).radius()
+    }
+    fn accuracy(&self) -> f64 {
+        (**self).accuracy()
     }
     fn lean(&self, velocity: [f64; 3]) -> f64 {
         (**self).lean(velocity)
