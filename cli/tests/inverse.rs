@@ -104,7 +104,7 @@ fn an_exact_angle_has_one_launch_on_every_patch() -> Outcome {
 
 #[test]
 fn what_is_out_of_reach_ends_with_code_2_and_the_reach() -> Outcome {
-    let far = ["--x", "9", "--y", "0", "--angle", "0"];
+    let far = ["--x", "9", "--y", "0", "--angle", "1", "--turns", "exact"];
     let (code, out, error) = tribos(&[&PUCK, &LIMITS, &far])?;
     assert_eq!((code, out.as_str()), (Some(2), ""));
     for part in [

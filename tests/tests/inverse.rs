@@ -184,12 +184,10 @@ fn the_jacobian_is_that_of_extrapolated_differences() {
                     };
                     let jacobian = map.jacobian(&at);
                     let step = 4e-3 * ratio.min(1.0) / s;
-                    for component in 0..3 {
+                    // Angles in units of the rim's path.
+                    for (component, unit) in [1.0, 1.0, RADIUS].into_iter().enumerate() {
                         let wanted = richardson(&map, &at, component, step);
-                        // Angles in units of the rim's path.
-                        let unit = if component == 2 { RADIUS } else { 1.0 };
-                        for row in 0..3 {
-                            let length = if row == 2 { RADIUS } else { 1.0 };
+                        for (row, length) in [1.0, 1.0, RADIUS].into_iter().enumerate() {
                             let error = (jacobian[row][component] - wanted[row]) * length / unit;
                             let place =
                                 || format!("{name}, alpha {alpha}, C {inertia}, v/(wR) {ratio}");
