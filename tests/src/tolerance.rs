@@ -240,14 +240,15 @@ bounds! {
     STOP_RATIO = 1e-13, "direction at the last substep, where it turns by less than 8 roundings";
     /// Final ratio under pressures, relative.
     PRESSURE_STOP_RATIO = 1.7e-14, "as STOP_RATIO";
-    /// Rest pose of a solution of the inverse problem against its target, m and rad.
-    INVERSE_POSE = 1e-12, "PLACEHOLDER";
+    /// Rest pose of a solution of the inverse problem against its target, of the distance and of
+    /// the angle turned.
+    INVERSE_POSE = 1e-13, "1e-12 is promised; two motions to rest of 1e-14 each, and the ratio met to 1e-15";
     /// Launch recovered from its own rest pose, of the speed scale.
-    INVERSE_LAUNCH = 1e-12, "PLACEHOLDER";
+    INVERSE_LAUNCH = 3e-13, "as INVERSE_POSE over the slope of the rest's direction";
     /// Jacobian of the rest pose against differences of order 6, of unit speed.
-    INVERSE_JACOBIAN = 1e-8, "PLACEHOLDER";
+    INVERSE_JACOBIAN = 3e-9, "1e-8 is promised; rounding of the differences over their step";
     /// The same within 5 % of equal speeds.
-    INVERSE_JACOBIAN_EQUAL = 5e-3, "PLACEHOLDER";
+    INVERSE_JACOBIAN_EQUAL = 1e-3, "the differences' error: the law's own slopes are not smooth there";
     /// A run cut into steps against one call, relative.
     STEPS_AGREE = 2e-13, "thousands of roundings of the state";
     /// Free decay for α ≥ 1 against eq. 3.34, relative.

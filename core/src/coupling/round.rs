@@ -23,6 +23,9 @@ pub struct RoundTable<R, const CELLS: usize, const TERMS: usize> {
     sides: Sides<R, CELLS, TERMS>,
 }
 
+/// Exponents this close to 1 leave C_α too flat for a plain difference.
+const NEARLY_LINEAR: f64 = 0.125;
+
 /// Table in f64 (46 KiB).
 pub type RoundTable64 = RoundTable<f64, CELLS_F64, TERMS_F64>;
 /// Table in f32 (6 KiB).
@@ -31,8 +34,10 @@ pub type RoundTable32 = RoundTable<f32, CELLS_F32, TERMS_F32>;
 impl RoundTable64 {
     /// Builds the table; `const`, so that a `static` table can live in flash.
     ///
-    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Accuracy* of force and torque: 1e-14 relative for
-    /// α ≥ −0.75 and orders up to 2. *Cost*: about 600,000 floating-point operations.
+    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Accuracy* for orders up to 6: force, torque and lateral
+    /// function 4e-15 relative for −0.5 ≤ α ≤ 3, 3e-14 for −0.9 ≤ α ≤ 10; Jacobian 2e-13 of F/v for
+    /// q ≥ 0, 8e-12 below for α ≥ −0.5, 1.2e-10 for α ≥ −0.99. *Cost*: about 600,000 floating-point
+    /// operations.
     ///
     /// ```
     /// use tribos_core::coupling::{Coupling, round::RoundTable64};
@@ -59,8 +64,8 @@ impl RoundTable64 {
 impl RoundTable32 {
     /// Builds the table in f64 arithmetic and rounds it; `const`.
     ///
-    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Accuracy* of force and torque: 16 ulp for
-    /// −0.75 ≤ α ≤ 5 and orders up to 2.
+    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Accuracy* of force and torque for −0.75 ≤ α and orders
+    /// up to 2: 10 ulp for α ≤ 3, 25 ulp for α ≤ 5; 220 ulp for orders up to 6 and α ≤ 10.
     pub const fn new(alpha: f32, pressure: PowerPressure) -> Result<Self, LawError> {
         let order = pressure.order();
         match validated_exponent(alpha as f64, MAX_EXPONENT) {
@@ -83,7 +88,12 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for RoundTable<
         self.sides.factors(at)
     }
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
-        family::inertia_excess(&self.sides, self.order, at, inertia_ratio)
+        // The slope of a table is less accurate than its values: needed near α = 1 only.
+        if (self.exponent() - R::ONE).abs() < R::from_f64(NEARLY_LINEAR) {
+            return family::inertia_excess(&self.sides, self.order, at, inertia_ratio);
+        }
+        let [phi, chi] = self.factors(at);
+        chi / phi - inertia_ratio
     }
     fn inertia_ends(&self) -> [R; 2] {
         family::inertia_ends(self.exponent(), self.order)

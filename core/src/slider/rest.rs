@@ -50,7 +50,8 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     ///
     /// *Accuracy*: about 1e-14 relative in time, distance and angle, and 1e-14/(1−α) in the
     /// ratio (f64).
-    /// *Cost*: a few hundred substeps of 7 wrenches.
+    /// *Cost*: a few hundred substeps of 7 wrenches on a uniform disk, up to 2,000 under other
+    /// pressures.
     pub fn to_rest(&self, motion: &Motion<R>) -> Option<Rest<R>> {
         let (v, w) = (motion.speed, (motion.spin * self.radius).abs());
         let scale = v.hypot(w);
@@ -91,7 +92,11 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
             let [loss, turning] = self.loss_and_turning(&state);
             let (settled, noise) = (R::from_f64(SETTLED_ULPS) * beta, R::from_f64(NOISE_ULPS));
             let least = R::EPSILON * loss * if settled > noise { settled } else { noise };
-            if turning.abs() <= least || turning.is_nan() || substeps == MAX_SUBSTEPS {
+            // At marginal inertia ratios, and where noise hides that it has settled, the direction
+            // would turn for ever: it ends with the numbers that the time left can take.
+            let has_faded = (beta * state[2]).exp() < R::MIN_POSITIVE;
+            let has_settled = turning.abs() <= least || turning.is_nan();
+            if has_settled || has_faded || substeps == MAX_SUBSTEPS {
                 return (self.closed(&state, loss), substeps);
             }
             let largest = R::from_f64(LARGEST) / (loss * beta);

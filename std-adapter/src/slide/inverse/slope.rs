@@ -46,8 +46,8 @@ struct Rates {
 impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
     /// X' and Y' at the direction (c, n).
     ///
-    /// *Accuracy*: 1e-11 of max(1, X', Y'); 1e-6 for a thin ring whose direction has settled at
-    /// v = ωR, where the slopes of the law itself are infinite.
+    /// *Accuracy*: 1e-9, as [`RestMap::jacobian`] is checked; none is promised for a thin ring
+    /// whose direction has settled at v = ωR, where the slopes of the law itself are infinite.
     pub(super) fn slopes(&self, at: [f64; 2]) -> [f64; 2] {
         self.followed(at).unwrap_or_else(|| self.difference(at))
     }

@@ -1,0 +1,157 @@
+//! `tribos inverse` prints launches that lead to the pose, or says what is missing.
+
+use assert_cmd::Command;
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+const PUCK: [&str; 9] = [
+    "inverse",
+    "--coefficient",
+    "0.3",
+    "--radius",
+    "0.08",
+    "--inertia-ratio",
+    "0.5",
+    "--gravity",
+    "9.81",
+];
+const LIMITS: [&str; 4] = ["--max-speed", "3", "--max-spin", "40"];
+const TARGET: [&str; 6] = ["--x", "1.2", "--y", "0.3", "--angle", "90deg"];
+
+/// Exit code, standard output and standard error.
+fn tribos(parts: &[&[&str]]) -> Result<(Option<i32>, String, String), Box<dyn std::error::Error>> {
+    let output = Command::cargo_bin("tribos")?
+        .args(parts.concat())
+        .output()?;
+    Ok((
+        output.status.code(),
+        String::from_utf8(output.stdout)?,
+        String::from_utf8(output.stderr)?,
+    ))
+}
+
+#[test]
+fn launches_come_by_energy_in_every_format() -> Outcome {
+    let base: [&[&str]; 3] = [&PUCK, &LIMITS, &TARGET];
+    let (code, text, _) = tribos(&[&base[..], &[&["--format", "json", "--jacobian"]]].concat())?;
+    assert_eq!(code, Some(0));
+    let value: serde_json::Value = serde_json::from_str(&text)?;
+    let launches = value.as_array().ok_or("no array")?;
+    assert!(launches.len() > 1);
+    let number = |i: usize, name: &str| launches[i][name].as_f64().ok_or("no number");
+    for i in 0..launches.len() {
+        let (vx, vy) = (number(i, "vx")?, number(i, "vy")?);
+        assert!((vy / vx - 0.25).abs() < 1e-14);
+        assert!(number(i, "speed")? <= 3.0 && number(i, "spin")?.abs() <= 40.0);
+        let turns = number(i, "turns")? - 0.25;
+        assert!((turns - turns.round()).abs() < 1e-12);
+        // The next launch needs more energy.
+        if i > 0 {
+            assert!(number(i, "energy_per_mass")? >= number(i - 1, "energy_per_mass")?);
+        }
+        assert!(number(i, "dx_dvx")? > 0.0 && number(i, "dangle_dspin")? > 0.0);
+    }
+    let (_, csv, _) = tribos(&[&base[..], &[&["--format", "csv"]]].concat())?;
+    assert_eq!(csv.lines().count(), launches.len() + 1);
+    assert!(csv.starts_with("speed,spin,direction,vx,vy,angle,turns,time,energy_per_mass\n"));
+    let (_, text, _) = tribos(&base)?;
+    assert!(
+        text.starts_with(&format!("{} launches", launches.len())),
+        "{text}"
+    );
+    Ok(())
+}
+
+#[test]
+fn an_exact_angle_has_one_launch_on_every_patch() -> Outcome {
+    let patches = [
+        "disk",
+        "ring",
+        "annulus:0.5",
+        "hertz",
+        "punch",
+        "paraboloid",
+    ];
+    for patch in patches {
+        let asked = [
+            "--x", "0.5", "--y", "0", "--angle", "-400deg", "--turns", "exact",
+        ];
+        let body = [
+            "inverse",
+            "--coefficient",
+            "0.3",
+            "--radius",
+            "0.08",
+            "--inertia-ratio",
+            "0.6",
+        ];
+        let (code, csv, error) = tribos(&[
+            &body,
+            &LIMITS,
+            &asked,
+            &["--patch", patch, "--alpha", "-0.2", "--format", "csv"],
+        ])?;
+        assert_eq!(
+            (code, csv.lines().count()),
+            (Some(0), 2),
+            "{patch}: {error}"
+        );
+        let spin = csv.lines().nth(1).and_then(|line| line.split(',').nth(1));
+        assert!(spin.is_some_and(|spin| spin.starts_with('-')));
+    }
+    Ok(())
+}
+
+#[test]
+fn what_is_out_of_reach_ends_with_code_2_and_the_reach() -> Outcome {
+    let far = ["--x", "9", "--y", "0", "--angle", "1", "--turns", "exact"];
+    let (code, out, error) = tribos(&[&PUCK, &LIMITS, &far])?;
+    assert_eq!((code, out.as_str()), (Some(2), ""));
+    for part in [
+        "out of reach",
+        "m/s",
+        "the limits are 3 m/s and 40 rad/s",
+        "they reach from",
+    ] {
+        assert!(error.contains(part), "{error}");
+    }
+    Ok(())
+}
+
+#[test]
+fn bad_input_is_refused_with_its_cure() -> Outcome {
+    let cases: [(&[&str], &str); 6] = [
+        (&["--alpha", "1"], "never comes to rest"),
+        (&["--patch", "square"], "paraboloid"),
+        (&["--patch", "annulus"], "annulus:INNER"),
+        (&["--symmetry", "0"], "symmetry"),
+        (&["--plot", "reach.gif"], ".svg or .png"),
+        (&["--alpha", "-2"], "-1 < alpha"),
+    ];
+    for (more, words) in cases {
+        let (code, _, error) = tribos(&[&PUCK, &LIMITS, &TARGET, more])?;
+        assert_eq!(code, Some(2), "{more:?}");
+        assert!(error.contains(words), "{more:?}: {error}");
+    }
+    let (code, _, error) = tribos(&[
+        &PUCK,
+        &LIMITS,
+        &["--x", "1", "--y", "0", "--angle", "90grad"],
+    ])?;
+    assert!(code == Some(2) && error.contains("90deg"), "{error}");
+    let (code, _, error) = tribos(&[&PUCK, &TARGET])?;
+    assert!(code == Some(2) && error.contains("--max-speed"), "{error}");
+    Ok(())
+}
+
+#[test]
+fn the_reach_is_drawn() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let file = folder.path().join("reach.svg");
+    let name = file.display().to_string();
+    let (code, _, error) = tribos(&[&PUCK, &LIMITS, &TARGET, &["--plot", &name]])?;
+    assert_eq!(code, Some(0), "{error}");
+    let svg = std::fs::read_to_string(file)?;
+    assert!(svg.contains("distance in m") && svg.contains("launches to the target"));
+    Ok(())
+}
