@@ -1,12 +1,15 @@
 //! `tribos reproduce`: the thesis' results, claim by claim.
 
 mod asymptotics;
+mod classical;
 mod coupling;
+mod creep;
 mod double_disk;
 mod exhibit;
 mod growth;
 mod interval;
 mod local_law;
+mod lubrication;
 mod odd;
 mod stopping;
 
@@ -44,6 +47,9 @@ type Maker = fn() -> Result<Exhibit, Failure>;
 
 /// All exhibits in the order of the thesis.
 const EXHIBITS: &[(&str, Maker)] = &[
+    ("2.5", classical::figure_2_5),
+    ("2.7", creep::figure_2_7),
+    ("2.8", lubrication::figure_2_8),
     ("3.3", local_law::figure_3_3),
     ("3.4", coupling::figure_3_4),
     ("table-3.1", asymptotics::table_3_1),
@@ -99,7 +105,9 @@ fn chosen(names: &[String]) -> Result<Vec<(&'static str, Maker)>, Failure> {
     }
     let plain = |name: &str| {
         let lower = name.to_lowercase().replace(['-', '_', ' '], "");
-        lower.replace("figure", "").replace("fig", "")
+        ["figure", "fig", "section"]
+            .iter()
+            .fold(lower, |name, word| name.replace(word, ""))
     };
     names
         .iter()
@@ -121,10 +129,10 @@ fn chosen(names: &[String]) -> Result<Vec<(&'static str, Maker)>, Failure> {
 
 /// Writes the exhibit's files and makes its section of the page.
 fn write_exhibit(out: &Path, name: &str, exhibit: Exhibit) -> Result<Section, Failure> {
-    let stem = if name.starts_with('3') {
-        format!("figure-{name}")
-    } else {
-        name.to_owned()
+    let stem = match name.chars().next() {
+        Some('2' | '3') => format!("figure-{name}"),
+        Some('5') => format!("section-{name}"),
+        _ => name.to_owned(),
     };
     let rows = exhibit.rows.iter().map(Vec::as_slice);
     let csv = series_csv(&exhibit.columns, rows);
