@@ -7,11 +7,15 @@ mod creep;
 mod double_disk;
 mod exhibit;
 mod growth;
+mod ice;
 mod interval;
 mod local_law;
 mod lubrication;
 mod odd;
+mod pressure;
+mod pressure_modes;
 mod stopping;
+mod tilted;
 
 use crate::failure::Failure;
 use crate::report::image;
@@ -20,9 +24,9 @@ use exhibit::Exhibit;
 use std::path::{Path, PathBuf};
 use tribos::record::{series_csv, write_atomically};
 
-/// Reproduce the results of chapter 3 (sections 3.2 to 3.4) of the thesis on coupled friction:
-/// every figure and table as CSV, SVG and PNG, and index.html with the thesis' claims, our
-/// numbers and the difference.
+/// Reproduce the results of the thesis on friction laws and coupled friction (chapters 2 and 3,
+/// section 5.1 and appendix A): every figure and table as CSV, SVG and PNG, and index.html with
+/// the thesis' claims, our numbers and the difference.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -61,6 +65,10 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("3.10", interval::figure_3_10),
     ("3.11", stopping::figure_3_11),
     ("3.13", double_disk::figure_3_13),
+    ("3.16", tilted::figure_3_16),
+    ("3.19", ice::figure_3_19),
+    ("5.1", pressure::section_5_1),
+    ("5.1-modes", pressure_modes::section_5_1_modes),
     ("appendix-a", odd::appendix_a),
 ];
 
