@@ -134,7 +134,7 @@ impl<'a, R: Real, P: Profile<R> + Coupling<R>> Run<'a, R, P> {
         let (a, b) = (error[0].abs(), error[1].abs());
         let largest = if a > b || a.is_nan() { a } else { b };
         let admissible = to[0] >= R::ZERO && to[1] >= R::ZERO;
-        let (accepted, factor) = runge_kutta::judge(largest, admissible);
+        let (accepted, factor) = runge_kutta::judge(largest, runge_kutta::tolerance(), admissible);
         if accepted {
             let radius = self.slider.radius;
             let path = scale * time_unit;

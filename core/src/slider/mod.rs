@@ -10,7 +10,7 @@
 
 mod advance;
 mod rest;
-mod runge_kutta;
+pub mod runge_kutta;
 mod verlet;
 
 pub use advance::Advance;

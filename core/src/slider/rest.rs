@@ -98,7 +98,11 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
             size = if size > largest { largest } else { size };
             let (next, error) = runge_kutta::step(&state, size, |y| self.derivative(y));
             let admissible = next[0] >= R::ZERO && next[1] >= R::ZERO;
-            let (accepted, factor) = runge_kutta::judge(self.weighed(&next, &error), admissible);
+            let (accepted, factor) = runge_kutta::judge(
+                self.weighed(&next, &error),
+                runge_kutta::tolerance(),
+                admissible,
+            );
             if accepted {
                 state = normalized(next);
             }

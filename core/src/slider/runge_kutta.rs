@@ -1,4 +1,13 @@
-//! One step of an embedded Runge–Kutta pair, for any small system.
+//! One step of an embedded Runge–Kutta pair, for any small autonomous system.
+//!
+//! ```
+//! use tribos_core::slider::runge_kutta::{judge, step, tolerance};
+//! // x' = −x over a thousandth.
+//! let (end, error) = step(&[1.0_f64], 1e-3, |x| [-x[0]]);
+//! assert!((end[0] - 0.999000499833374992).abs() < 1e-15);
+//! let (accepted, _growth) = judge(error[0].abs(), tolerance(), true);
+//! assert!(accepted);
+//! ```
 
 use crate::real::Real;
 
@@ -51,8 +60,15 @@ const GROW: f64 = 4.0;
 /// Local error tolerance in units of the rounding error.
 const TOLERANCE_ULPS: f64 = 4.0;
 
+/// The tolerance of the exact steppers of [`super::Slider`]: 4 rounding errors.
+pub fn tolerance<R: Real>() -> R {
+    R::from_f64(TOLERANCE_ULPS) * R::EPSILON
+}
+
 /// One step of size `h` from `from`; returns the end point and the error estimate.
-pub(super) fn step<R: Real, const N: usize>(
+///
+/// *Cost*: 7 calls of `derivative`.
+pub fn step<R: Real, const N: usize>(
     from: &[R; N],
     h: R,
     derivative: impl Fn(&[R; N]) -> [R; N],
@@ -77,8 +93,10 @@ pub(super) fn step<R: Real, const N: usize>(
 }
 
 /// True if a step with this error estimate is good, and the factor for the next size.
-pub(super) fn judge<R: Real>(error: R, admissible: bool) -> (bool, R) {
-    let tolerance = R::from_f64(TOLERANCE_ULPS) * R::EPSILON;
+///
+/// `error` and `tolerance` are in the same units; a step that is not `admissible` for other
+/// reasons is refused whatever its error, and so is a NaN.
+pub fn judge<R: Real>(error: R, tolerance: R, admissible: bool) -> (bool, R) {
     let accepted = error <= tolerance && admissible;
     let (shrink, grow) = (R::from_f64(SHRINK), R::from_f64(GROW));
     if !admissible {

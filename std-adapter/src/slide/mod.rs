@@ -1,6 +1,8 @@
 //! Sliding bodies.
 
+pub mod curling;
 mod outcome;
+pub mod planar;
 mod simulation;
 
 pub use outcome::{Ending, Outcome};
@@ -8,9 +10,10 @@ pub use simulation::{COLUMNS, SlideSimulation};
 
 use crate::run::drive;
 use crate::scene::SliderScene;
-use tribos_core::coupling::{Coupling, Profile, table};
+use tribos_core::coupling::{Coupling, FrictionError, Profile, table};
 use tribos_core::law::LawError;
 use tribos_core::modes::InertiaError;
+use tribos_core::patch::PatchError;
 use tribos_core::slider::SliderError;
 
 /// Why a validated scene could not be run to its end.
@@ -37,6 +40,23 @@ pub enum SlideError {
         /// The step.
         step: u64,
     },
+    /// A tall body would tip, and the scene does not let it.
+    #[error(
+        "the body tips: at {time:.6} s the pressure gradient is {lean:.4} of what its foot can \
+         bear; lower `height` or `coefficient`, or set tipping = \"clamp\""
+    )]
+    Tips {
+        /// When.
+        time: f64,
+        /// |l|
+        lean: f64,
+    },
+    /// The kernel refused the friction.
+    #[error(transparent)]
+    Friction(#[from] FrictionError),
+    /// The kernel refused the contact patch.
+    #[error(transparent)]
+    Patch(#[from] PatchError),
     /// The kernel refused the law.
     #[error(transparent)]
     Law(#[from] LawError),

@@ -1,0 +1,27 @@
+//! Friction that differs left and right.
+
+use super::{CurlingModel, CurlingRock, IceLaw};
+use crate::slide::SlideError;
+use crate::slide::planar::Resistance;
+
+/// γ v^α with α < 0 under a rock that does not lean: the slower left side of a counterclockwise
+/// rock has the larger friction.
+///
+/// *Formula*: [`IceLaw`], uniform pressure. *Source*: section 3.5.2 of the thesis. *How sure*:
+/// certainly no curl, for every α: elements that mirror each other in the direction of motion
+/// pull sideways alike and opposite in front and at the back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeftRight {
+    /// Law of the ice.
+    pub ice: IceLaw,
+}
+
+impl CurlingModel for LeftRight {
+    fn name(&self) -> &'static str {
+        "left-right"
+    }
+
+    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
+        Ok(Box::new(rock.body(self.ice, 0.0)?))
+    }
+}

@@ -1,0 +1,48 @@
+//! The curling rock on ice, under models to choose from.
+//!
+//! Why a rock curls is not settled. Each model here is one published or plausible answer, with its
+//! formula, its source and how sure it is; none is *the* model. `docs/curling.md` holds them
+//! against what is observed.
+//!
+//! | type | friction at work | path for counterclockwise spin |
+//! |---|---|---|
+//! | [`Dry`] | Coulomb, pressure in front | right: the wrong way |
+//! | [`LeftRight`] | γ v^α | straight |
+//! | [`FrontBack`] | γ v^α, pressure in front | right: the wrong way |
+//! | [`BackHeavy`] | γ v^α, more at the back | left, in proportion to the spin |
+//! | [`Film`] | γ u^α, u against a dragged film | left, in proportion to the spin |
+//! | [`PivotSlide`] | γ v^α and a sideways pull | left, *less* with more spin |
+//! | [`ScratchGuide`] | γ v^α and guiding scratches | left, almost whatever the spin |
+
+mod back_heavy;
+mod dry;
+mod film;
+mod front_back;
+mod left_right;
+mod pivot_slide;
+mod ring_rule;
+mod rock;
+mod scratch_guide;
+mod sideways;
+
+pub use back_heavy::BackHeavy;
+pub use dry::Dry;
+pub use film::{Film, FilmRing};
+pub use front_back::FrontBack;
+pub use left_right::LeftRight;
+pub use pivot_slide::PivotSlide;
+pub use rock::{CurlingRock, IceLaw};
+pub use scratch_guide::ScratchGuide;
+
+use super::SlideError;
+use super::planar::Resistance;
+use std::fmt::Debug;
+
+/// An answer to the question why a rock curls.
+pub trait CurlingModel: Debug {
+    /// The name that scenes use.
+    fn name(&self) -> &'static str;
+
+    /// What the rock meets on the ice.
+    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError>;
+}

@@ -1,0 +1,70 @@
+//! Pivots about points on the slow side.
+
+use super::sideways::{Mechanism, Sideways};
+use super::{CurlingModel, CurlingRock, IceLaw};
+use crate::slide::SlideError;
+use crate::slide::planar::Resistance;
+use tribos_core::Real;
+
+/// A sideways pull that sums up many short pivots, after Leaney (2020).
+///
+/// *Formula*: friction [`IceLaw`] on the upright rock; force a γ w^α N towards the slow side (left
+/// for counterclockwise spin), w = |ω|R, and a torque of that force times R against the spin. It
+/// would stop the spin dead before the slide; below 0.02 rad/s, where the public code ends the
+/// spin, force and torque fade in proportion to w.
+/// *Source*: S. Leaney, Curling rock physics and smartphone rotation data, GeoConvention 2020,
+/// eqs. 1–5 with a = 0.014, in the form that public code gives it; the paper itself was not at
+/// hand. The pivot–slide theory of Shegelski & Lozowski (Cold Reg. Sci. Technol. 2016) has a
+/// formula of its own, which we have not found. *How sure*: a fit, not a theory; the pull *grows*
+/// as the spin falls, so that fast spin curls less than half as much as slow spin: kept as an
+/// example of how a model can meet the size of the curl and miss its trend.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PivotSlide {
+    /// Law of the ice.
+    pub ice: IceLaw,
+    /// a
+    pub weight: f64,
+}
+
+/// Spin below which the pivots fade, rad/s.
+const FADING_SPIN: f64 = 0.02;
+
+impl PivotSlide {
+    /// Leaney's a.
+    pub const WEIGHT: f64 = 0.014;
+}
+
+impl CurlingModel for PivotSlide {
+    fn name(&self) -> &'static str {
+        "pivot-slide"
+    }
+
+    fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
+        Ok(Box::new(Sideways {
+            body: rock.body(self.ice, 0.0)?,
+            mechanism: Pivots {
+                pull: self.weight * self.ice.coefficient * rock.gravity,
+                alpha: self.ice.alpha,
+                fading: FADING_SPIN * rock.band_radius,
+                inertia_ratio: rock.inertia_ratio,
+            },
+        }))
+    }
+}
+
+#[derive(Debug)]
+struct Pivots {
+    pull: f64,
+    alpha: f64,
+    /// Rim speed below which the pivots fade.
+    fading: f64,
+    inertia_ratio: f64,
+}
+
+impl Mechanism for Pivots {
+    fn added(&self, _slide: f64, rim: f64) -> [f64; 2] {
+        let regular = Real::pow(Real::hypot(rim, self.fading), self.alpha - 1.0);
+        let pull = self.pull * rim * regular;
+        [pull, pull / self.inertia_ratio]
+    }
+}

@@ -1,0 +1,77 @@
+//! The rock and the law of ice.
+
+use crate::slide::SlideError;
+use crate::slide::planar::{Foot, Gradient, TallBody};
+use tribos_core::coupling::PatchFriction;
+
+/// A curling rock on its running band.
+///
+/// *Units*: SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurlingRock {
+    /// Outer radius of the running band, of the thin ring if the band has no width, in m.
+    pub band_radius: f64,
+    /// Width of the band, in m.
+    pub band_width: f64,
+    /// Height of the centre of mass, in m.
+    pub height: f64,
+    /// C = I/(M R²) with R the band's radius.
+    pub inertia_ratio: f64,
+    /// In m/s².
+    pub gravity: f64,
+}
+
+impl CurlingRock {
+    /// A rock by the rules: height 11.4 cm, so that its middle is at 5.7 cm; diameter 29 cm, so
+    /// that a solid cylinder of that size has C = (14.5/6.25)²/2 = 2.69; a ring of diameter
+    /// 12.5 cm for the band (thesis, section 3.5.2). A real rock is rounded and hollow below: its
+    /// C is somewhat smaller.
+    pub const STANDARD: Self = Self {
+        band_radius: 0.0625,
+        band_width: 0.0,
+        height: 0.057,
+        inertia_ratio: 0.5 * (0.145 / 0.0625) * (0.145 / 0.0625),
+        gravity: 9.81,
+    };
+
+    /// The rock under a law of ice, its centre of mass at `height`.
+    pub(super) fn body(&self, ice: IceLaw, height: f64) -> Result<TallBody, SlideError> {
+        let inner_ratio = 1.0 - self.band_width / self.band_radius;
+        let foot = Foot::band(ice.alpha, inner_ratio)?;
+        let foot = PatchFriction::new(foot, ice.coefficient, self.band_radius)?;
+        let rest = [self.gravity, self.inertia_ratio];
+        TallBody::new(foot, height, Gradient::AllRound, rest)
+    }
+}
+
+/// Friction of ice per load, γ v^α.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IceLaw {
+    /// γ, in (s/m)^α.
+    pub coefficient: f64,
+    /// α
+    pub alpha: f64,
+}
+
+impl IceLaw {
+    /// Penner's, from frictional heat that flows into the ice (Am. J. Phys. 69 (2001) 332).
+    pub const PENNER: Self = Self {
+        coefficient: 0.008,
+        alpha: -0.5,
+    };
+    /// Measured in draw shots (Jensen & Shegelski, Can. J. Phys. 82 (2004) 791).
+    pub const DRAW: Self = Self {
+        coefficient: 0.0076,
+        alpha: -0.19,
+    };
+    /// Measured in slow shots with fast spin (same source).
+    pub const FAST_SPIN: Self = Self {
+        coefficient: 0.0103,
+        alpha: -0.75,
+    };
+    /// Coulomb friction on which a draw of 1.9866 m/s stops after 28.35 m: v²/(2 g x).
+    pub const DRY: Self = Self {
+        coefficient: 0.007_095,
+        alpha: 0.0,
+    };
+}

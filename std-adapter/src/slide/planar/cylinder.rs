@@ -1,0 +1,60 @@
+//! The tall cylinder.
+
+use super::{Foot, Gradient, TallBody};
+use crate::slide::SlideError;
+use tribos_core::coupling::PatchFriction;
+use tribos_core::patch::PowerPressure;
+
+/// A cylinder that slides on its flat side: counterclockwise spin bends its path to the right.
+///
+/// *Units*: SI. *Source*: section 3.5.1 of the thesis.
+///
+/// ```
+/// use tribos::slide::planar::{Journey, Launch, TallCylinder};
+/// let cylinder = TallCylinder { height: 0.16, ..TallCylinder::solid(0.2, 0.08) };
+/// let launch = Launch { velocity: [1.0, 0.0], spin: 5.0 };
+/// let body = cylinder.body(9.81)?;
+/// let end = Journey::new(&body, &launch, 1e-4)?.to_end()?;
+/// assert!((end.point.position[1] + 0.014632310).abs() < 1e-9);
+/// # Ok::<(), tribos::slide::SlideError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TallCylinder {
+    /// γ, in (s/m)^α; μ for α = 0.
+    pub coefficient: f64,
+    /// α of the local law.
+    pub alpha: f64,
+    /// In m.
+    pub radius: f64,
+    /// Of the cylinder, in m; its centre of mass is half way up.
+    pub height: f64,
+    /// C = I/(M R²) about its axis.
+    pub inertia_ratio: f64,
+    /// Under the cylinder at rest.
+    pub pressure: PowerPressure,
+    /// Which gradients are followed.
+    pub gradient: Gradient,
+}
+
+impl TallCylinder {
+    /// A solid, uniform cylinder on Coulomb friction, flat until a height is given.
+    pub fn solid(coefficient: f64, radius: f64) -> Self {
+        Self {
+            coefficient,
+            alpha: 0.0,
+            radius,
+            height: 0.0,
+            inertia_ratio: 0.5,
+            pressure: PowerPressure::UNIFORM,
+            gradient: Gradient::AllRound,
+        }
+    }
+
+    /// Its resistance under `gravity`, in m/s².
+    pub fn body(&self, gravity: f64) -> Result<TallBody, SlideError> {
+        let foot = Foot::round(self.alpha, self.pressure)?;
+        let foot = PatchFriction::new(foot, self.coefficient, self.radius)?;
+        let rest = [gravity, self.inertia_ratio];
+        TallBody::new(foot, 0.5 * self.height, self.gradient, rest)
+    }
+}

@@ -1,0 +1,359 @@
+//! The way to rest in the plane, in the logarithm of the speed.
+//!
+//! With V = (v_x, v_y, w) = s e, |e| = 1, and L = −ln(s/s₀) as the independent variable, dV/dt = −A
+//! becomes, with the power P = e·A > 0,
+//!
+//! ```text
+//! de/dL = e − A/P,   dt/dL = s/P,   d(x, y)/dL = s² (e_x, e_y)/P,   dangle/dL = s² e_w/(R P)
+//! ```
+//!
+//! No heading angle and no trigonometry: loops are turns of e. Rest is L → ∞, where time and place
+//! converge, so that nothing is stepped over. Errors of the sliding and of the spinning part of e
+//! are weighed by their own lengths: a slow slide under a fast spin keeps its digits.
+
+use super::Resistance;
+use crate::slide::SlideError;
+use tribos_core::Real;
+use tribos_core::slider::runge_kutta;
+
+/// How a body is set off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Launch {
+    /// Velocity of the centre of mass, in m/s.
+    pub velocity: [f64; 2],
+    /// Spin, positive counterclockwise, in rad/s.
+    pub spin: f64,
+}
+
+/// A moment of a journey that starts at time 0 in the origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// In s.
+    pub time: f64,
+    /// Of the centre, in m.
+    pub position: [f64; 2],
+    /// Of the centre, in m/s.
+    pub velocity: [f64; 2],
+    /// In rad/s.
+    pub spin: f64,
+    /// Turned, in rad.
+    pub angle: f64,
+    /// Length of the path, in m.
+    pub distance: f64,
+    /// Velocity ratio v/(|ω|R), its limit at rest (to 1e-12/(1−α) for α ≤ 0.9; beyond, it is still on
+    /// its way when the speeds leave the range of numbers).
+    pub ratio: f64,
+    /// Work of friction per mass, integrated from its power, in m²/s².
+    pub work: f64,
+    /// |l|, the pressure gradient.
+    pub lean: f64,
+}
+
+/// Why a journey ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// Sliding and spinning stopped, in the same instant.
+    Rest,
+    /// Both speeds fell below the given fraction: a law with α ≥ 1 never rests.
+    Faded,
+}
+
+/// The end of a journey.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arrival {
+    /// Time, place and angle at the end.
+    pub point: Point,
+    /// Why it ended.
+    pub ending: Ending,
+    /// Largest |l| on the way.
+    pub most_lean: f64,
+    /// Steps taken.
+    pub steps: u64,
+}
+
+/// e (3), time, x, y, angle × R, path length, work, L.
+type State = [f64; 10];
+
+/// Local error that a step may make: with it the tabulated stops of tall cylinders are met to
+/// 4e-14; ten times more gives 5e-13, a tenth costs half as many steps again and gains nothing.
+const TOLERANCE: f64 = 1e-13;
+/// First step.
+const FIRST: f64 = 1e-3;
+/// Largest step: the path bends smoothly between accepted steps.
+const LARGEST: f64 = 0.25;
+/// e-folds of the time left after which it is below rounding: e⁻⁴⁰ = 4e-18.
+const FOLDS: f64 = 40.0;
+/// e-folds granted to the velocity ratio to find its limit.
+const PATIENT_FOLDS: f64 = 100.0;
+/// A ratio that changes by less than this fraction in an e-fold has settled.
+const SETTLED: f64 = 1e-13;
+/// e-folds of the speed that f64 holds with room to spare.
+const MOST_FOLDS: f64 = 600.0;
+/// More steps than 10,000 loops need.
+const MOST_STEPS: u64 = 2_000_000;
+/// The sliding or spinning part of e is exact relative to this fraction of its first length.
+const FLOOR: f64 = 1e-6;
+/// Iterations of Newton's method for a time within a step; three are enough.
+const MOST_CORRECTIONS: u32 = 8;
+/// Squared cosine of 15 degrees: 24 points for each turn of the path.
+const BEND: f64 = 0.933_012_701_892_219_3;
+/// A turn is worth its points while this fraction of the path is still to come.
+const VISIBLE: f64 = 1e-6;
+
+/// A body on its way.
+#[derive(Debug)]
+pub struct Journey<'a, B> {
+    body: &'a B,
+    scale: f64,
+    /// First lengths of the sliding and the spinning part of e.
+    lengths: [f64; 2],
+    state: State,
+    /// Speeds that count as rest where rest is never reached.
+    stop_fraction: f64,
+}
+
+impl<'a, B: Resistance> Journey<'a, B> {
+    /// Sets a body off; `stop_fraction` matters for laws that never rest.
+    ///
+    /// *Domain*: a finite launch that moves, otherwise [`SlideError::NotFinite`].
+    pub fn new(body: &'a B, launch: &Launch, stop_fraction: f64) -> Result<Self, SlideError> {
+        let [x, y] = launch.velocity;
+        let rim = launch.spin * body.radius();
+        let slide = Real::hypot(x, y);
+        let scale = Real::hypot(slide, rim);
+        if scale == 0.0 || !scale.is_finite() {
+            return Err(SlideError::NotFinite { step: 0 });
+        }
+        let mut state = [0.0; 10];
+        [state[0], state[1], state[2]] = [x / scale, y / scale, rim / scale];
+        Ok(Self {
+            body,
+            scale,
+            lengths: [slide / scale, rim.abs() / scale],
+            state,
+            stop_fraction,
+        })
+    }
+
+    /// Follows the motion to its end.
+    pub fn to_end(self) -> Result<Arrival, SlideError> {
+        self.follow(&[], |_| ())
+    }
+
+    /// As [`Journey::to_end`]; `observe` sees the launch, the given times, which must ascend,
+    /// points between them wherever the path has turned by 15 degrees, and the end.
+    pub fn follow(
+        mut self,
+        times: &[f64],
+        mut observe: impl FnMut(&Point),
+    ) -> Result<Arrival, SlideError> {
+        let mut times = times.iter().copied().peekable();
+        let mut shown = self.state;
+        let mut most_lean = self.point(&shown).lean;
+        let mut size = FIRST;
+        let mut steps = 0;
+        observe(&self.point(&shown));
+        while !self.is_over() {
+            let from = self.state;
+            let taken = self.step(&mut size, &mut steps)?;
+            while let Some(time) = times.next_if(|&time| time < self.state[3]) {
+                if time > from[3] {
+                    let at = self.at_time(&from, taken, time);
+                    observe(&self.point(&at));
+                }
+            }
+            let here = self.point(&self.state);
+            most_lean = if here.lean > most_lean {
+                here.lean
+            } else {
+                most_lean
+            };
+            if self.has_turned(&shown) {
+                observe(&here);
+                shown = self.state;
+            }
+        }
+        let arrival = self.arrival(most_lean, steps);
+        observe(&arrival.point);
+        Ok(arrival)
+    }
+
+    /// One accepted step; returns its length.
+    fn step(&mut self, size: &mut f64, steps: &mut u64) -> Result<f64, SlideError> {
+        loop {
+            *steps += 1;
+            let taken = if *size > LARGEST { LARGEST } else { *size };
+            let (next, error) = runge_kutta::step(&self.state, taken, |y| self.derivative(y));
+            let error = self.weighed(&next, &error);
+            let (accepted, factor) = runge_kutta::judge(error, self.tolerance(), true);
+            *size = taken * factor;
+            let advances = self.state[9] + *size > self.state[9];
+            if *steps >= MOST_STEPS || !advances {
+                return Err(SlideError::NotFinite { step: *steps });
+            }
+            if accepted {
+                self.state = normalized(next);
+                return Ok(taken);
+            }
+        }
+    }
+
+    fn tolerance(&self) -> f64 {
+        let accuracy = self.body.accuracy();
+        if accuracy > TOLERANCE {
+            accuracy
+        } else {
+            TOLERANCE
+        }
+    }
+
+    fn derivative(&self, state: &State) -> State {
+        let [x, y, w, ..] = *state;
+        let speed = self.speed(state);
+        let [ax, ay, aw] = self.body.deceleration([speed * x, speed * y, speed * w]);
+        let power = x * ax + y * ay + w * aw;
+        // A motion that friction feeds has no end.
+        let power = if power > 0.0 { power } else { f64::NAN };
+        let (pace, reach) = (speed / power, speed * speed / power);
+        let work = x * ax + y * ay + self.body.inertia_ratio() * w * aw;
+        [
+            x - ax / power,
+            y - ay / power,
+            w - aw / power,
+            pace,
+            reach * x,
+            reach * y,
+            reach * w,
+            reach * Real::hypot(x, y),
+            reach * work,
+            1.0,
+        ]
+    }
+
+    /// s = s₀ e^(−L).
+    fn speed(&self, state: &State) -> f64 {
+        self.scale * Real::exp(-state[9])
+    }
+
+    /// The largest error, of each part relative to itself and of the place relative to the path.
+    fn weighed(&self, at: &State, error: &State) -> f64 {
+        let least = |length: f64, first: f64| {
+            let floor = first * FLOOR;
+            let length = if length < floor { floor } else { length };
+            length + f64::MIN_POSITIVE
+        };
+        let over = |error: f64, of: f64| error.abs() / (of.abs() + f64::MIN_POSITIVE);
+        let slide = least(Real::hypot(at[0], at[1]), self.lengths[0]);
+        let terms = [
+            Real::hypot(error[0], error[1]) / slide,
+            error[2].abs() / least(at[2].abs(), self.lengths[1]),
+            over(error[3], at[3]),
+            over(error[4], at[7]),
+            over(error[5], at[7]),
+            over(error[6], at[6]),
+            over(error[8], at[8]),
+        ];
+        terms
+            .into_iter()
+            .fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
+    }
+
+    /// True when nothing of size is left, or both speeds have faded.
+    fn is_over(&self) -> bool {
+        let folds = self.state[9];
+        let beta = 1.0 - self.body.exponent();
+        if beta > 0.0 {
+            let slower = if beta < 1.0 { beta } else { 1.0 };
+            let mut end = if self.has_settled() {
+                FOLDS
+            } else {
+                PATIENT_FOLDS
+            };
+            end /= slower;
+            return folds >= end || folds >= MOST_FOLDS;
+        }
+        let left = self.stop_fraction / Real::exp(-folds);
+        let slide = Real::hypot(self.state[0], self.state[1]);
+        folds >= MOST_FOLDS
+            || (slide <= left * self.lengths[0] && self.state[2].abs() <= left * self.lengths[1])
+    }
+
+    /// True if the velocity ratio has found its limit.
+    fn has_settled(&self) -> bool {
+        let [x, y, w, ..] = self.state;
+        let [dx, dy, dw, ..] = self.derivative(&self.state);
+        let slide_sq = x * x + y * y;
+        let is_pure = slide_sq == 0.0 || w == 0.0;
+        is_pure || ((x * dx + y * dy) / slide_sq - dw / w).abs() < SETTLED
+    }
+
+    /// The state at a time within the step of length `taken` from `from`.
+    fn at_time(&self, from: &State, taken: f64, time: f64) -> State {
+        let mut part = taken * (time - from[3]) / (self.state[3] - from[3]);
+        let mut at = *from;
+        for _ in 0..MOST_CORRECTIONS {
+            at = runge_kutta::step(from, part, |y| self.derivative(y)).0;
+            let off = time - at[3];
+            if off.abs() <= 2.0 * f64::EPSILON * time {
+                break;
+            }
+            part += off / self.derivative(&at)[3];
+        }
+        normalized(at)
+    }
+
+    /// True if the path has turned by 15 degrees since `shown` and what is left is visible.
+    fn has_turned(&self, shown: &State) -> bool {
+        let [x, y, ..] = self.state;
+        let along = x * shown[0] + y * shown[1];
+        let lengths = (x * x + y * y) * (shown[0] * shown[0] + shown[1] * shown[1]);
+        let turned = along < 0.0 || along * along < BEND * lengths;
+        turned && self.derivative(&self.state)[7] > VISIBLE * self.state[7]
+    }
+
+    fn point(&self, state: &State) -> Point {
+        let speed = self.speed(state);
+        let velocity = [speed * state[0], speed * state[1]];
+        let radius = self.body.radius();
+        Point {
+            time: state[3],
+            position: [state[4], state[5]],
+            velocity,
+            spin: speed * state[2] / radius,
+            angle: state[6] / radius,
+            distance: state[7],
+            ratio: Real::hypot(state[0], state[1]) / state[2].abs(),
+            work: state[8],
+            lean: self.body.lean([velocity[0], velocity[1], speed * state[2]]),
+        }
+    }
+
+    /// The end: what is left of the time closes as a power of the speed, the rest is nothing.
+    fn arrival(&self, most_lean: f64, steps: u64) -> Arrival {
+        let mut point = self.point(&self.state);
+        let beta = 1.0 - self.body.exponent();
+        let ending = if beta > 0.0 {
+            point.time += self.derivative(&self.state)[3] / beta;
+            point.velocity = [0.0, 0.0];
+            point.spin = 0.0;
+            Ending::Rest
+        } else {
+            Ending::Faded
+        };
+        Arrival {
+            point,
+            ending,
+            most_lean,
+            steps,
+        }
+    }
+}
+
+/// The direction back on the unit sphere.
+fn normalized(mut state: State) -> State {
+    let length = Real::hypot(Real::hypot(state[0], state[1]), state[2]);
+    for part in state.iter_mut().take(3) {
+        *part /= length;
+    }
+    state
+}

@@ -1,0 +1,69 @@
+//! Bodies whose friction is not only against their velocity: they slide along a path in the plane.
+//!
+//! A [`Resistance`] says how a body is slowed, a [`Journey`] follows it to rest. Two bodies are
+//! here, the tall [`TallCylinder`] and [`Pipe`]; [`super::curling`] has the curling rock.
+
+mod cylinder;
+mod foot;
+mod journey;
+mod pipe;
+mod tall;
+
+pub use cylinder::TallCylinder;
+pub use foot::Foot;
+pub use journey::{Arrival, Ending, Journey, Launch, Point};
+pub use pipe::Pipe;
+pub use tall::{Gradient, TallBody};
+
+use std::fmt::Debug;
+
+/// How a body that slides and spins in the plane is slowed.
+///
+/// Velocities are three speeds, (v_x, v_y, w) with the rim speed w = ωR, positive
+/// counterclockwise, so that all have one unit.
+pub trait Resistance: Debug {
+    /// A of dV/dt = −A: force per mass, and torque/(C M R), in m/s². The power against the motion,
+    /// V·A, must be positive.
+    fn deceleration(&self, velocity: [f64; 3]) -> [f64; 3];
+
+    /// The power of the common scale of all speeds that A follows towards rest.
+    fn exponent(&self) -> f64;
+
+    /// C = I/(M R²).
+    fn inertia_ratio(&self) -> f64;
+
+    /// R, in m.
+    fn radius(&self) -> f64;
+
+    /// Relative accuracy of [`Resistance::deceleration`], if it is no exact law: a journey takes no
+    /// finer steps.
+    fn accuracy(&self) -> f64 {
+        0.0
+    }
+
+    /// |l|, the pressure gradient that keeps the body upright; above 1 it begins to tip.
+    fn lean(&self, _velocity: [f64; 3]) -> f64 {
+        0.0
+    }
+}
+
+impl Resistance for Box<dyn Resistance> {
+    fn deceleration(&self, velocity: [f64; 3]) -> [f64; 3] {
+        (**self).deceleration(velocity)
+    }
+    fn exponent(&self) -> f64 {
+        (**self).exponent()
+    }
+    fn inertia_ratio(&self) -> f64 {
+        (**self).inertia_ratio()
+    }
+    fn radius(&self) -> f64 {
+        (**self).radius()
+    }
+    fn accuracy(&self) -> f64 {
+        (**self).accuracy()
+    }
+    fn lean(&self, velocity: [f64; 3]) -> f64 {
+        (**self).lean(velocity)
+    }
+}

@@ -1,0 +1,40 @@
+//! Penner's pipe.
+
+use super::{Foot, Gradient, TallBody};
+use crate::slide::SlideError;
+use tribos_core::coupling::PatchFriction;
+
+/// A hollow cylinder that stands and slides on its end.
+///
+/// *Units*: SI. *Source*: A. R. Penner, Am. J. Phys. 69 (2001) 332, who compared paths of such
+/// pipes with experiments; its equations are those of [`super::TallCylinder`] on a band.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pipe {
+    /// γ, in (s/m)^α; μ for α = 0.
+    pub coefficient: f64,
+    /// α of the local law.
+    pub alpha: f64,
+    /// Outer radius, in m.
+    pub radius: f64,
+    /// Inner radius over the outer one, from 0 to 1; 1 is a thin ring.
+    pub inner_ratio: f64,
+    /// Of the pipe, in m.
+    pub height: f64,
+    /// Which gradients are followed.
+    pub gradient: Gradient,
+}
+
+impl Pipe {
+    /// C = (1 + k²)/2 about its own axis.
+    pub fn inertia_ratio(&self) -> f64 {
+        0.5 * (1.0 + self.inner_ratio * self.inner_ratio)
+    }
+
+    /// Its resistance under `gravity`, in m/s².
+    pub fn body(&self, gravity: f64) -> Result<TallBody, SlideError> {
+        let foot = Foot::band(self.alpha, self.inner_ratio)?;
+        let foot = PatchFriction::new(foot, self.coefficient, self.radius)?;
+        let rest = [gravity, self.inertia_ratio()];
+        TallBody::new(foot, 0.5 * self.height, self.gradient, rest)
+    }
+}

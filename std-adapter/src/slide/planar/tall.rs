@@ -1,0 +1,105 @@
+//! Any body of revolution whose centre of mass stands above its foot.
+
+use super::{Foot, Resistance};
+use crate::slide::SlideError;
+use tribos_core::coupling::PatchFriction;
+use tribos_core::coupling::tall::{AllRound, FrontBack, TallFriction};
+use tribos_core::modes::InertiaError;
+use tribos_core::twist::Twist;
+
+/// Which pressure gradients are followed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Gradient {
+    /// Along and across the velocity.
+    #[default]
+    AllRound,
+    /// Along the velocity alone, the thesis' eq. 3.37.
+    FrontBack,
+}
+
+/// A tall body on its foot; beyond |l| = 1 the gradient's share in the friction is held.
+///
+/// *Units*: SI. *Source*: [`tribos_core::coupling::tall`].
+#[derive(Debug)]
+pub struct TallBody {
+    friction: Friction,
+    gravity: f64,
+    inertia_ratio: f64,
+}
+
+#[derive(Debug)]
+enum Friction {
+    AllRound(TallFriction<f64, Foot, AllRound>),
+    FrontBack(TallFriction<f64, Foot, FrontBack>),
+}
+
+impl TallBody {
+    /// A body on `foot`, its centre of mass at `height`.
+    ///
+    /// *Domain*: gravity and inertia ratio positive and finite; the rest as [`TallFriction::new`].
+    pub fn new(
+        foot: PatchFriction<f64, Foot>,
+        height: f64,
+        gradient: Gradient,
+        [gravity, inertia_ratio]: [f64; 2],
+    ) -> Result<Self, SlideError> {
+        for given in [gravity, inertia_ratio] {
+            let is_valid = given > 0.0 && given.is_finite();
+            if !is_valid {
+                return Err(SlideError::Inertia(InertiaError { given }));
+            }
+        }
+        let friction = match gradient {
+            Gradient::AllRound => Friction::AllRound(TallFriction::new(foot, height)?),
+            Gradient::FrontBack => Friction::FrontBack(TallFriction::new(foot, height)?),
+        };
+        Ok(Self {
+            friction,
+            gravity,
+            inertia_ratio,
+        })
+    }
+
+    fn foot(&self) -> &PatchFriction<f64, Foot> {
+        match &self.friction {
+            Friction::AllRound(friction) => friction.foot(),
+            Friction::FrontBack(friction) => friction.foot(),
+        }
+    }
+
+    fn wrench(&self, [x, y, rim]: [f64; 3]) -> tribos_core::coupling::tall::TallWrench<f64> {
+        let twist = Twist::new(x, y, rim / self.radius());
+        match &self.friction {
+            Friction::AllRound(friction) => friction.wrench(self.gravity, &twist),
+            Friction::FrontBack(friction) => friction.wrench(self.gravity, &twist),
+        }
+    }
+}
+
+impl Resistance for TallBody {
+    fn deceleration(&self, velocity: [f64; 3]) -> [f64; 3] {
+        let wrench = self.wrench(velocity).wrench;
+        [
+            -wrench.force.x,
+            -wrench.force.y,
+            -wrench.torque / (self.inertia_ratio * self.radius()),
+        ]
+    }
+
+    fn exponent(&self) -> f64 {
+        self.foot().coupling().exponent()
+    }
+
+    fn inertia_ratio(&self) -> f64 {
+        self.inertia_ratio
+    }
+
+    fn radius(&self) -> f64 {
+        self.foot().radius()
+    }
+
+    fn lean(&self, velocity: [f64; 3]) -> f64 {
+        let lean = self.wrench(velocity).lean;
+        tribos_core::Real::hypot(lean.x, lean.y)
+    }
+}
