@@ -12,6 +12,7 @@ mod interval;
 mod local_law;
 mod lubrication;
 mod odd;
+mod pipe;
 mod pressure;
 mod pressure_modes;
 mod stopping;
@@ -66,6 +67,7 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("3.11", stopping::figure_3_11),
     ("3.13", double_disk::figure_3_13),
     ("3.16", tilted::figure_3_16),
+    ("3.17", pipe::figure_3_17),
     ("3.19", ice::figure_3_19),
     ("5.1", pressure::section_5_1),
     ("5.1-modes", pressure_modes::section_5_1_modes),
@@ -213,17 +215,26 @@ fn claims_csv(sections: &[Section]) -> String {
 
 fn page(sections: Vec<Section>) -> Page {
     Page {
-        title: "Coupled friction of a sliding, spinning disk: the thesis reproduced".into(),
+        title: "Friction laws and coupled friction: the thesis reproduced".into(),
         intro: vec![
-            "A rigid body with a flat circular contact slides with speed v and spins with ω on a \
-             plane. Every surface element resists with γ|u|^α per unit load along its own \
-             velocity u. The net force is γN·F and the torque γNR·T, functions of the velocity \
-             ratio ε = v/(ωR). Chapter 3 of the thesis gives them for α = 0, 1, 3, follows the \
-             motion to its end, and names the final modes."
+            "Chapter 2 of the thesis presents the laws of solid friction: Coulomb's, the ageing of \
+             contacts, the real area that they touch with, and how friction depends on the speed, \
+             dry and lubricated. Chapter 3 couples sliding and spinning. A rigid body with a flat \
+             circular contact slides with speed v and spins with ω on a plane. Every surface \
+             element resists with γ|u|^α per unit load along its own velocity u. The net force is \
+             γN·F and the torque γNR·T, functions of the velocity ratio ε = v/(ωR)."
                 .into(),
-            "Here F and T come from one hypergeometric formula for every real α > −1. Each \
-             section shows the thesis' figure computed anew, with the claims made there, our \
-             numbers and the difference. Where the thesis is wrong, the row says how."
+            "The thesis gives F and T for α = 0, 1, 3, follows the motion to its end, and names \
+             the final modes; then it goes on to tall cylinders, which drift to the side, and to \
+             curling stones. Section 5.1 asks about other pressures and negative exponents, and \
+             appendix A treats odd exponents."
+                .into(),
+            "Here F and T come from one hypergeometric formula for every real α > −1 and every \
+             pressure (1−r²)^q. Each section shows the thesis' figure computed anew, with the \
+             claims made there, our numbers and the difference. Where the thesis is wrong, the row \
+             says how; where it gives no numbers to compare with, such as measured points, the row \
+             is not checked. Rows marked \"not in the thesis\" are ours and checked against \
+             closed forms or 30 digits."
                 .into(),
         ],
         environment: format!(

@@ -213,8 +213,8 @@ fn curling() -> Result<Vec<Claim>, Failure> {
             "Draw shot: both motions are seen to stop together, so a finite fixed point exists",
             "from the observation",
             &format!(
-                "not from the measured exponent −0.19 on a thin band: C lies {:.0} % above its \
-                 border, and so near to it the ratio changes slowly",
+                "not implied: for α < 1 the two end in the same instant, with or without it. With \
+                 the measured exponent −0.19 a thin band has none: C is {:.0} % above the border",
                 100.0 * (stone() / bounds.1 - 1.0)
             ),
         ),
