@@ -2,7 +2,7 @@
 
 use super::exhibit::{Exhibit, claim, geometric, linear, not_checked, points, statement};
 use crate::failure::Failure;
-use crate::report::figure::{Axis, Figure, Legend, Panels, Series};
+use crate::report::figure::{Axis, Color, Figure, Legend, Panels, Series};
 use crate::report::page::Claim;
 use tribos_core::law::{
     Age, Ageing, BowdenTabor, DryFriction, GreenwoodWilliamson, HertzSphere, Incline, LocalLaw,
@@ -49,7 +49,7 @@ pub fn figure_2_5() -> Result<Exhibit, Failure> {
         Axis::linear("friction per load").range(-0.6, 0.6),
     )
     .series(Series::line("in motion, μ_d", left.to_vec()))
-    .series(Series::line("", right.to_vec()).color(crate::report::figure::Color::palette(0)))
+    .series(Series::line("", right.to_vec()).color(Color::palette(0)))
     .series(Series::line(
         "at rest, up to μ_s",
         vec![(0.0, -wood.mu_static()), (0.0, wood.mu_static())],

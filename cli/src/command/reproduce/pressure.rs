@@ -198,7 +198,7 @@ fn torque(tables: &Tables) -> Vec<Claim> {
 
 /// Sections 3.5 and 3.6: the lateral force of a symmetric pressure.
 fn lateral() -> Result<Claim, Failure> {
-    /// Of a sum over 512 nodes of size 1/512, doubled at slow nodes.
+    /// Of sums over 512 nodes, relative.
     const ROUNDING_OF_SUM: f64 = 1e-14;
     let mut largest = 0.0_f64;
     // The rule's nodes lie inside: the ring is left out.
