@@ -14,11 +14,13 @@ fn the_whole_report_is_made_and_no_claim_differs() -> Outcome {
         .success();
     let claims = std::fs::read_to_string(folder.path().join("claims.csv"))?;
     assert!(!claims.contains("\"differs\""));
-    assert!(claims.lines().count() > 100);
-    assert_eq!(claims.matches("thesis wrong").count(), 14);
+    assert!(claims.lines().count() > 200);
+    assert_eq!(claims.matches("thesis wrong").count(), 16);
+    assert_eq!(claims.matches("\"not checked\"").count(), 14);
     let page = std::fs::read_to_string(folder.path().join("index.html"))?;
     for name in [
-        "3.3", "3.4", "3.6", "3.7", "3.8", "3.9", "3.10", "3.11", "3.13",
+        "2.5", "2.7", "2.8", "3.3", "3.4", "3.6", "3.7", "3.8", "3.9", "3.10", "3.11", "3.13",
+        "3.16", "3.17", "3.19",
     ] {
         assert!(page.contains(&format!("Figure {name}:")), "{name}");
         for ending in ["csv", "svg", "png"] {
@@ -26,7 +28,7 @@ fn the_whole_report_is_made_and_no_claim_differs() -> Outcome {
             assert!(file.metadata()?.len() > 100, "{}", file.display());
         }
     }
-    for name in ["table-3.1", "table-3.2"] {
+    for name in ["table-3.1", "table-3.2", "section-5.1", "section-5.1-modes"] {
         assert!(folder.path().join(format!("{name}.csv")).exists());
     }
     assert!(page.contains("0.653001789206"));
@@ -36,7 +38,12 @@ fn the_whole_report_is_made_and_no_claim_differs() -> Outcome {
 #[test]
 fn single_exhibits_are_found_under_several_names() -> Outcome {
     let folder = tempfile::tempdir()?;
-    for (name, file) in [("fig3.9", "figure-3.9.csv"), ("Table 3.2", "table-3.2.csv")] {
+    for (name, file) in [
+        ("fig3.9", "figure-3.9.csv"),
+        ("Table 3.2", "table-3.2.csv"),
+        ("Section 5.1", "section-5.1.csv"),
+        ("5.1 modes", "section-5.1-modes.csv"),
+    ] {
         Command::cargo_bin("tribos")?
             .args(["reproduce", name, "--out"])
             .arg(folder.path())

@@ -49,6 +49,11 @@ pub fn geometric(from: f64, to: f64, n: usize) -> Vec<f64> {
         .collect()
 }
 
+/// Column `y` of the rows against column `x`.
+pub fn points(rows: &[Vec<f64>], x: usize, y: usize) -> Vec<(f64, f64)> {
+    rows.iter().map(|row| (row[x], row[y])).collect()
+}
+
 /// A number of the thesis beside ours; agrees within `tolerance`, absolute.
 pub fn claim(statement: &str, thesis: (&str, f64), ours: f64, tolerance: f64) -> Claim {
     let difference = (ours - thesis.1).abs();

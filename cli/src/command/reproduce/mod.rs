@@ -1,14 +1,22 @@
 //! `tribos reproduce`: the thesis' results, claim by claim.
 
 mod asymptotics;
+mod classical;
 mod coupling;
+mod creep;
 mod double_disk;
 mod exhibit;
 mod growth;
+mod ice;
 mod interval;
 mod local_law;
+mod lubrication;
 mod odd;
+mod pipe;
+mod pressure;
+mod pressure_modes;
 mod stopping;
+mod tilted;
 
 use crate::failure::Failure;
 use crate::report::image;
@@ -17,9 +25,9 @@ use exhibit::Exhibit;
 use std::path::{Path, PathBuf};
 use tribos::record::{series_csv, write_atomically};
 
-/// Reproduce the results of chapter 3 (sections 3.2 to 3.4) of the thesis on coupled friction:
-/// every figure and table as CSV, SVG and PNG, and index.html with the thesis' claims, our
-/// numbers and the difference.
+/// Reproduce the results of the thesis on friction laws and coupled friction (chapters 2 and 3,
+/// section 5.1 and appendix A): every figure and table as CSV, SVG and PNG, and index.html with
+/// the thesis' claims, our numbers and the difference.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -44,6 +52,9 @@ type Maker = fn() -> Result<Exhibit, Failure>;
 
 /// All exhibits in the order of the thesis.
 const EXHIBITS: &[(&str, Maker)] = &[
+    ("2.5", classical::figure_2_5),
+    ("2.7", creep::figure_2_7),
+    ("2.8", lubrication::figure_2_8),
     ("3.3", local_law::figure_3_3),
     ("3.4", coupling::figure_3_4),
     ("table-3.1", asymptotics::table_3_1),
@@ -55,6 +66,11 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("3.10", interval::figure_3_10),
     ("3.11", stopping::figure_3_11),
     ("3.13", double_disk::figure_3_13),
+    ("3.16", tilted::figure_3_16),
+    ("3.17", pipe::figure_3_17),
+    ("3.19", ice::figure_3_19),
+    ("5.1", pressure::section_5_1),
+    ("5.1-modes", pressure_modes::section_5_1_modes),
     ("appendix-a", odd::appendix_a),
 ];
 
@@ -99,7 +115,9 @@ fn chosen(names: &[String]) -> Result<Vec<(&'static str, Maker)>, Failure> {
     }
     let plain = |name: &str| {
         let lower = name.to_lowercase().replace(['-', '_', ' '], "");
-        lower.replace("figure", "").replace("fig", "")
+        ["figure", "fig", "section"]
+            .iter()
+            .fold(lower, |name, word| name.replace(word, ""))
     };
     names
         .iter()
@@ -121,10 +139,10 @@ fn chosen(names: &[String]) -> Result<Vec<(&'static str, Maker)>, Failure> {
 
 /// Writes the exhibit's files and makes its section of the page.
 fn write_exhibit(out: &Path, name: &str, exhibit: Exhibit) -> Result<Section, Failure> {
-    let stem = if name.starts_with('3') {
-        format!("figure-{name}")
-    } else {
-        name.to_owned()
+    let stem = match name.chars().next() {
+        Some('2' | '3') => format!("figure-{name}"),
+        Some('5') => format!("section-{name}"),
+        _ => name.to_owned(),
     };
     let rows = exhibit.rows.iter().map(Vec::as_slice);
     let csv = series_csv(&exhibit.columns, rows);
@@ -197,17 +215,26 @@ fn claims_csv(sections: &[Section]) -> String {
 
 fn page(sections: Vec<Section>) -> Page {
     Page {
-        title: "Coupled friction of a sliding, spinning disk: the thesis reproduced".into(),
+        title: "Friction laws and coupled friction: the thesis reproduced".into(),
         intro: vec![
-            "A rigid body with a flat circular contact slides with speed v and spins with ω on a \
-             plane. Every surface element resists with γ|u|^α per unit load along its own \
-             velocity u. The net force is γN·F and the torque γNR·T, functions of the velocity \
-             ratio ε = v/(ωR). Chapter 3 of the thesis gives them for α = 0, 1, 3, follows the \
-             motion to its end, and names the final modes."
+            "Chapter 2 of the thesis presents the laws of solid friction: Coulomb's, the ageing of \
+             contacts, the real area that they touch with, and how friction depends on the speed, \
+             dry and lubricated. Chapter 3 couples sliding and spinning. A rigid body with a flat \
+             circular contact slides with speed v and spins with ω on a plane. Every surface \
+             element resists with γ|u|^α per unit load along its own velocity u. The net force is \
+             γN·F and the torque γNR·T, functions of the velocity ratio ε = v/(ωR)."
                 .into(),
-            "Here F and T come from one hypergeometric formula for every real α > −1. Each \
-             section shows the thesis' figure computed anew, with the claims made there, our \
-             numbers and the difference. Where the thesis is wrong, the row says how."
+            "The thesis gives F and T for α = 0, 1, 3, follows the motion to its end, and names \
+             the final modes; then it goes on to tall cylinders, which drift to the side, and to \
+             curling stones. Section 5.1 asks about other pressures and negative exponents, and \
+             appendix A treats odd exponents."
+                .into(),
+            "Here F and T come from one hypergeometric formula for every real α > −1 and every \
+             pressure (1−r²)^q. Each section shows the thesis' figure computed anew, with the \
+             claims made there, our numbers and the difference. Where the thesis is wrong, the row \
+             says how; where it gives no numbers to compare with, such as measured points, the row \
+             is not checked. Rows marked \"not in the thesis\" are ours and checked against \
+             closed forms or 30 digits."
                 .into(),
         ],
         environment: format!(

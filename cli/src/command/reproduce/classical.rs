@@ -1,0 +1,269 @@
+//! Figure 2.5 and sections 2.1 and 2.2: rest, motion, age, and the real area of contact.
+
+use super::exhibit::{Exhibit, claim, geometric, linear, not_checked, points, statement};
+use crate::failure::Failure;
+use crate::report::figure::{Axis, Color, Figure, Legend, Panels, Series};
+use crate::report::page::Claim;
+use tribos_core::law::{
+    Age, Ageing, BowdenTabor, DryFriction, GreenwoodWilliamson, HertzSphere, Incline, LocalLaw,
+    Plastic, RealArea, critical_angle,
+};
+
+/// Coefficients at rest and in motion, and growth of the first per e-fold of the age: ours, of the
+/// size of wood on wood.
+const MU_STATIC: f64 = 0.5;
+const MU_DYNAMIC: f64 = 0.3;
+const GROWTH: f64 = 0.02;
+/// Youngest and oldest contact shown, seconds: four days.
+const AGES: (f64, f64) = (1.0, 345_600.0);
+/// Hardness of steel, Pa, and the load on the steel cube, N (footnote 2).
+const HARDNESS: f64 = 1e9;
+const LOAD: f64 = 100.0;
+/// Edge of the steel cube, m.
+const EDGE: f64 = 0.1;
+
+fn wood() -> Result<DryFriction<f64>, Failure> {
+    DryFriction::new(MU_STATIC, MU_DYNAMIC).map_err(Failure::run)
+}
+
+fn ageing() -> Result<Ageing<f64>, Failure> {
+    Ageing::new(MU_STATIC, GROWTH, AGES.0).map_err(Failure::run)
+}
+
+/// Coulomb's graph, and static friction over the logarithm of the age.
+pub fn figure_2_5() -> Result<Exhibit, Failure> {
+    let (wood, ageing) = (wood()?, ageing()?);
+    let rows: Vec<Vec<f64>> = linear(-1.0, 1.0, 201)
+        .into_iter()
+        .zip(geometric(AGES.0, AGES.1, 201))
+        .map(|(v, time)| {
+            let friction = -wood.friction(v.abs()).copysign(v);
+            vec![v, friction, time, ageing.mu_static(Age { time })]
+        })
+        .collect();
+    let moving = points(&rows, 0, 1);
+    let (left, right) = moving.split_at(rows.len() / 2);
+    let graph = Figure::new(
+        "Coulomb graph",
+        Axis::linear("velocity v").range(-1.0, 1.0),
+        Axis::linear("friction per load").range(-0.6, 0.6),
+    )
+    .series(Series::line("in motion, μ_d", left.to_vec()))
+    .series(Series::line("", right.to_vec()).color(Color::palette(0)))
+    .series(Series::line(
+        "at rest, up to μ_s",
+        vec![(0.0, -wood.mu_static()), (0.0, wood.mu_static())],
+    ))
+    .legend(Legend::Below);
+    let age = Figure::new(
+        "Static friction",
+        Axis::log10("time of rest [s]"),
+        Axis::linear("μ_s").range(0.4, 0.8),
+    )
+    .series(Series::line("A + B ln t", points(&rows, 2, 3)))
+    .legend(Legend::Below);
+    let mut claims = rest_and_motion()?;
+    claims.extend(real_area()?);
+    claims.extend(elastic_area()?);
+    Ok(Exhibit {
+        heading: "Figure 2.5: Coulomb's law, at rest and in motion".into(),
+        text: vec![format!(
+            "The two laws of Coulomb with coefficients of our choice, {MU_STATIC} at rest and \
+             {MU_DYNAMIC} in motion, and static friction that grows by {GROWTH} per e-fold of the \
+             age. The claims of sections 2.1 and 2.2 on the real area of contact stand here too."
+        )],
+        caption: "Left: friction against velocity. Right: static friction against the time in \
+                  stationary contact."
+            .into(),
+        drawing: Box::new(Panels::new("", 2).figure(graph).figure(age).cell(520, 380)),
+        columns: vec!["velocity", "friction", "rest_time", "mu_static"],
+        rows,
+        claims,
+    })
+}
+
+/// Section 2.1.
+fn rest_and_motion() -> Result<Vec<Claim>, Failure> {
+    let (wood, ageing) = (wood()?, ageing()?);
+    let rounding = 4.0 * f64::EPSILON;
+    let speeds = geometric(1e-9, 1e9, 100);
+    let constant = speeds.iter().all(|&v| wood.friction(v) == MU_DYNAMIC);
+    let tangent = linear(0.05, 2.0, 39)
+        .into_iter()
+        .map(|mu| (critical_angle(mu).tan() / mu - 1.0).abs())
+        .fold(0.0, f64::max);
+    let decade = |time: f64| {
+        let [young, old] = [time, 10.0 * time].map(|time| ageing.mu_static(Age { time }));
+        old - young
+    };
+    let uneven = geometric(AGES.0, AGES.1 / 10.0, 50)
+        .into_iter()
+        .map(|time| (decade(time) / decade(AGES.0) - 1.0).abs())
+        .fold(0.0, f64::max);
+    Ok(vec![
+        claim(
+            "Euler: μ = tan of the critical angle; largest relative deviation, 0.05 ≤ μ ≤ 2",
+            ("0", 0.0),
+            tangent,
+            rounding,
+        ),
+        starts_with_a_jump()?,
+        statement(
+            "It takes more force to set a body into motion than to keep it there",
+            "μ_s ≥ μ_d",
+            "the law refuses μ_s = 0.3 with μ_d = 0.5".into(),
+            DryFriction::new(0.3, 0.5).is_err(),
+        ),
+        statement(
+            "Dynamic friction does not depend on the velocity",
+            "F_d = −sgn(v) μ_d L",
+            format!("{MU_DYNAMIC} at {} speeds from 1e-9 to 1e9", speeds.len()),
+            constant,
+        ),
+        claim(
+            "F_s = A + B ln t: equal ratios of age give equal growth; largest relative deviation",
+            ("0", 0.0),
+            uneven,
+            1e-12,
+        ),
+        claim("Bélidor's coefficient", ("≈ 0.35", 0.35), belidor(), 5e-3),
+        not_checked(
+            "Coulomb's data fit very well to A + B ln t",
+            "agreement by eye",
+            "the measurements are not published as numbers",
+        ),
+    ])
+}
+
+/// On an incline just steeper than the critical one.
+fn starts_with_a_jump() -> Result<Claim, Failure> {
+    let just_steeper = |law: &DryFriction<f64>| -> Result<f64, Failure> {
+        let angle = critical_angle(law.mu_static()) + 1e-9;
+        let incline = Incline::new(angle.sin(), angle.cos()).map_err(Failure::run)?;
+        Ok(incline.acceleration_at_rest(law, 1.0))
+    };
+    let one_coefficient = DryFriction::new(MU_STATIC, MU_STATIC).map_err(Failure::run)?;
+    let (jump, none) = (just_steeper(&wood()?)?, just_steeper(&one_coefficient)?);
+    let expected = (MU_STATIC - MU_DYNAMIC) * critical_angle(MU_STATIC).cos();
+    Ok(statement(
+        "Euler: slightly above the critical angle the block slides faster than one coefficient \
+         would let it",
+        "larger velocity",
+        format!("acceleration/g {jump:.6}, with one coefficient {none:.1e}"),
+        (jump - expected).abs() < 1e-8 && none < 1e-8,
+    ))
+}
+
+/// Spherical asperities, closely packed: the upper sphere is pulled out of its hollow over the
+/// line between two lower ones.
+fn belidor() -> f64 {
+    // Diameter 1: distance of the hollow from that line, and height of the sphere over the layer.
+    let (distance, height) = (1.0 / (2.0 * 3f64.sqrt()), (2.0 / 3.0f64).sqrt());
+    distance / height
+}
+
+/// Section 2.2, plastic junctions.
+fn real_area() -> Result<Vec<Claim>, Failure> {
+    let steel = Plastic::new(HARDNESS).map_err(Failure::run)?;
+    let shear = 0.4 * HARDNESS;
+    let junctions = BowdenTabor::new(shear, steel).map_err(Failure::run)?;
+    let coulomb = junctions.coulomb().map_err(Failure::run)?;
+    let square_millimetres = steel.area(LOAD) * 1e6;
+    Ok(vec![
+        claim(
+            "Footnote 2: real area of a steel cube, 100 N, in mm²",
+            ("0.1", 0.1),
+            square_millimetres,
+            f64::EPSILON,
+        ),
+        claim(
+            "Footnote 2: its fraction of the apparent area, side 10 cm",
+            ("1e-5", 1e-5),
+            steel.area(LOAD) / (EDGE * EDGE),
+            1e-20,
+        ),
+        claim(
+            "2.2: μ = τ_c/σ_c; F/L for τ_c = 0.4 σ_c and 100 N",
+            ("0.4", 0.4),
+            junctions.force(LOAD) / LOAD,
+            f64::EPSILON,
+        ),
+        claim(
+            "2.2: the same as a coefficient of Coulomb's law",
+            ("0.4", 0.4),
+            coulomb.mu(),
+            f64::EPSILON,
+        ),
+        claim(
+            "da Vinci: double load, double friction",
+            ("2", 2.0),
+            junctions.force(2.0 * LOAD) / junctions.force(LOAD),
+            f64::EPSILON,
+        ),
+    ])
+}
+
+/// d ln f/d ln L over a factor of 1000 in the load.
+fn exponent(f: impl Fn(f64) -> f64) -> f64 {
+    let ratio: f64 = 1e3;
+    (f(ratio * LOAD) / f(LOAD)).ln() / ratio.ln()
+}
+
+/// Section 2.2, elastic asperities.
+fn elastic_area() -> Result<Vec<Claim>, Failure> {
+    /// Steel: contact modulus in Pa. Tip radius and decay length of a ground surface in m.
+    const MODULUS: f64 = 1.1e11;
+    const TIP: f64 = 1e-5;
+    const DECAY: f64 = 1e-6;
+    let tip = HertzSphere::new(TIP, MODULUS).map_err(Failure::run)?;
+    let surface = GreenwoodWilliamson::new(DECAY, TIP, MODULUS).map_err(Failure::run)?;
+    let pressures = [0.0, 3.0, 6.0].map(|gap| mean_pressure(&tip, TIP, MODULUS, DECAY, gap));
+    let deviation = pressures
+        .iter()
+        .map(|p| (p / surface.mean_pressure() - 1.0).abs())
+        .fold(0.0, f64::max);
+    Ok(vec![
+        claim(
+            "One elastic sphere: a ∝ L^x, x",
+            ("1/3", 1.0 / 3.0),
+            exponent(|load| tip.contact_radius(load)),
+            1e-14,
+        ),
+        claim(
+            "One elastic sphere: area ∝ L^x, x",
+            ("2/3", 2.0 / 3.0),
+            exponent(|load| tip.area(load)),
+            1e-14,
+        ),
+        claim(
+            "Greenwood: elastic asperities of many heights, area ∝ L^x, x",
+            ("1", 1.0),
+            exponent(|load| surface.area(load)),
+            1e-14,
+        ),
+        claim(
+            "Greenwood: L/A summed over Hertz contacts at three separations; largest relative \
+             deviation from the law",
+            ("0", 0.0),
+            deviation,
+            1e-6,
+        ),
+    ])
+}
+
+/// L/A of asperities whose heights decay with length `decay`, `gap` decay lengths above the mean
+/// plane, by the midpoint rule over the heights.
+fn mean_pressure(tip: &HertzSphere<f64>, radius: f64, modulus: f64, decay: f64, gap: f64) -> f64 {
+    let (highest, steps) = (40.0, 40_000);
+    let step = highest / f64::from(steps);
+    let (mut area, mut load) = (0.0, 0.0);
+    for i in 0..steps {
+        let indentation = (f64::from(i) + 0.5) * step;
+        let number = (-(gap + indentation)).exp();
+        // Hertz: L = (4/3) E* √R_a δ^(3/2).
+        let one = 4.0 / 3.0 * modulus * radius.sqrt() * (indentation * decay).powf(1.5);
+        load += number * one;
+        area += number * tip.area(one);
+    }
+    load / area
+}

@@ -1,0 +1,204 @@
+//! Figure 3.19 and eq. 3.39: friction on ice, from rest to the speeds of curling.
+
+use super::exhibit::{Exhibit, claim, geometric, not_checked, points, short, statement};
+use crate::failure::Failure;
+use crate::report::figure::{Axis, Figure, Guide, Legend, Series};
+use crate::report::page::Claim;
+use tribos_core::law::{LocalLaw, PlateauPower, PowerLaw};
+
+/// γ and α of Penner's derivation, and the drop below the plateau (ours, m/s and share).
+const PENNER: (f64, f64) = (0.0080, -0.5);
+const DROP_SPEED: f64 = 1e-7;
+const REST_SHARE: f64 = 0.5;
+/// Measured laws of Shegelski et al. with the ends of the exponent of pure rotation.
+const DRAW: (f64, f64) = (0.0076, -0.19);
+const SLOW_SLIDE: (f64, f64) = (0.0103, -0.75);
+const ROTATION: (f64, [f64; 2]) = (0.0094, [-0.52, -0.82]);
+/// Bowden: aluminium on ice at −10 °C, at rest and at two speeds in m/s.
+const ALUMINIUM_AT_REST: f64 = 0.38;
+const ALUMINIUM: [(f64, f64); 2] = [(0.03, 0.34), (5.0, 0.04)];
+/// Range of the plateau in the thesis, m/s.
+const PLATEAU: (f64, f64) = (1e-6, 1e-4);
+
+fn power((coefficient, alpha): (f64, f64)) -> Result<PowerLaw<f64>, Failure> {
+    PowerLaw::new(alpha, coefficient).map_err(Failure::run)
+}
+
+fn granite() -> Result<PlateauPower<f64>, Failure> {
+    let plateau = PlateauPower::<f64>::ICE_PLATEAU_SPEED;
+    PlateauPower::new(PENNER.1, PENNER.0, plateau, DROP_SPEED, REST_SHARE).map_err(Failure::run)
+}
+
+/// Friction on ice over the speed.
+pub fn figure_3_19() -> Result<Exhibit, Failure> {
+    let granite = granite()?;
+    let laws = [
+        ("Penner, v^(−1/2)", power(PENNER)?),
+        ("draw shot, v^(−0.19)", power(DRAW)?),
+        ("slow slide, fast spin, v^(−0.75)", power(SLOW_SLIDE)?),
+        ("rotation, v^(−0.52)", power((ROTATION.0, ROTATION.1[0]))?),
+        ("rotation, v^(−0.82)", power((ROTATION.0, ROTATION.1[1]))?),
+    ];
+    let rows: Vec<Vec<f64>> = geometric(1e-9, 1e1, 400)
+        .into_iter()
+        .map(|v| {
+            let mut row = vec![v, granite.friction(v)];
+            // The fits are for stones in motion; below 1 cm/s they are not drawn.
+            row.extend(laws.iter().map(|(_, law)| {
+                let is_shown = v > 1e-2;
+                if is_shown { law.friction(v) } else { f64::NAN }
+            }));
+            row
+        })
+        .collect();
+    let mut figure = Figure::new(
+        "Friction on ice",
+        Axis::log10("velocity [m/s]"),
+        Axis::log10("coefficient of friction").range(1e-3, 2.0),
+    )
+    .series(Series::line("plateau and power", points(&rows, 0, 1)));
+    for (column, (label, _)) in laws.iter().enumerate() {
+        figure = figure.series(Series::dashed(*label, points(&rows, 0, column + 2)));
+    }
+    figure = figure
+        .series(Series::points("aluminium, Bowden", ALUMINIUM.to_vec()))
+        .guide(Guide::horizontal(ALUMINIUM_AT_REST, "aluminium at rest"))
+        .legend(Legend::Below);
+    let mut claims = plateau_claims(&granite)?;
+    claims.extend(fits()?);
+    claims.extend(unchecked());
+    Ok(Exhibit {
+        heading: "Figure 3.19: friction on ice".into(),
+        text: vec![format!(
+            "Penner's law 0.0080 v^(−1/2), made finite below {:e} m/s: a plateau, and a drop to \
+             the share {REST_SHARE} of it at rest, half way at {DROP_SPEED:e} m/s. Drop and share \
+             are ours: the thesis shows the measurements as a picture only. The other lines are the \
+             fits that it quotes, with v in m/s.",
+            PlateauPower::<f64>::ICE_PLATEAU_SPEED
+        )],
+        caption: "Friction on ice: the law with a plateau, the fits for curling stones, and two \
+                  measured points of aluminium."
+            .into(),
+        drawing: Box::new(figure),
+        columns: vec![
+            "speed",
+            "plateau_power",
+            "penner",
+            "draw",
+            "slow_slide_fast_spin",
+            "rotation_0.52",
+            "rotation_0.82",
+        ],
+        rows,
+        claims,
+    })
+}
+
+/// The law with a plateau against what the thesis says of ice.
+fn plateau_claims(granite: &PlateauPower<f64>) -> Result<Vec<Claim>, Failure> {
+    /// What "constant" may mean over two decades: ours. The power alone would change tenfold.
+    const CONSTANT: f64 = 0.2;
+    let values = geometric(PLATEAU.0, PLATEAU.1, 200);
+    let (low, high) = values
+        .into_iter()
+        .map(|v| granite.friction(v))
+        .fold((f64::MAX, 0.0_f64), |(l, h), f| (l.min(f), h.max(f)));
+    let (rest, slow) = (granite.friction(0.0), granite.friction(PLATEAU.0));
+    let pure = power(PENNER)?;
+    let at_one = granite.friction(1.0);
+    Ok(vec![
+        statement(
+            "Friction is constant for about two decades below 1e-4 m/s",
+            "1e-6 to 1e-4 m/s",
+            format!(
+                "from {low:.4} to {high:.4}, by {:.1} %",
+                100.0 * (1.0 - low / high)
+            ),
+            low / high > 1.0 - CONSTANT,
+        ),
+        statement(
+            "and decreases for vanishing velocity to a finite value",
+            "finite",
+            format!("{rest:.6} at rest, {slow:.6} at 1e-6 m/s"),
+            rest > 0.0 && rest < slow,
+        ),
+        statement(
+            "A negative exponent alone diverges for vanishing velocity",
+            "unphysical",
+            format!(
+                "Penner's law gives {:.0} at 1e-12 m/s",
+                pure.friction(1e-12)
+            ),
+            pure.friction(1e-12) > 1e3 && pure.friction(1e-24) > 1e9,
+        ),
+        statement(
+            "Friction decreases with increasing velocity above the plateau",
+            "decreases",
+            "at 200 speeds from 1e-4 to 10 m/s".into(),
+            geometric(PLATEAU.1, 1e1, 200)
+                .windows(2)
+                .all(|v| granite.friction(v[1]) < granite.friction(v[0])),
+        ),
+        claim(
+            "3.39, Penner: μ_d at 1 m/s with the plateau",
+            ("0.0080", 0.0080),
+            at_one,
+            5e-5,
+        ),
+        claim(
+            "3.39: relative deviation from γ v^α at 1 m/s",
+            ("0", 0.0),
+            at_one / pure.friction(1.0) - 1.0,
+            1e-7,
+        ),
+    ])
+}
+
+/// The quoted fits side by side.
+fn fits() -> Result<Vec<Claim>, Failure> {
+    let at_one: Vec<f64> = [PENNER, DRAW, SLOW_SLIDE, (ROTATION.0, ROTATION.1[0])]
+        .into_iter()
+        .map(|law| Ok(power(law)?.friction(1.0)))
+        .collect::<Result<_, Failure>>()?;
+    let highest = at_one.iter().copied().fold(0.0, f64::max);
+    let [(slow, more), (fast, less)] = ALUMINIUM;
+    let exponent = (more / less).ln() / (slow / fast).ln();
+    Ok(vec![
+        statement(
+            "Ice: an order of magnitude less friction than most other solids",
+            "order of magnitude",
+            format!("at most {highest} at 1 m/s in the four fits"),
+            highest < 0.1,
+        ),
+        statement(
+            "Aluminium at −10 °C: friction falls from rest to 5 m/s",
+            "0.38, 0.34, 0.04",
+            format!(
+                "between the two speeds like v^{}, inside −0.19 to −0.82",
+                short(exponent)
+            ),
+            ALUMINIUM_AT_REST > more && exponent < DRAW.1 && exponent > ROTATION.1[1],
+        ),
+    ])
+}
+
+/// Measurements.
+fn unchecked() -> Vec<Claim> {
+    vec![
+        not_checked(
+            "The measured friction of ice on granite and glass",
+            "three diagrams",
+            "the measurements are not published as numbers",
+        ),
+        not_checked(
+            "γ = 0.0080 from the material parameters of a curling stone",
+            "0.0080",
+            "the parameters are not in the thesis",
+        ),
+        not_checked(
+            "Penner: friction at the back would have to be 10 to 100 times that in front",
+            "10 – 100",
+            "the model's dimensions are not in the thesis",
+        ),
+    ]
+}
