@@ -74,7 +74,7 @@ fn sheet(
     let row = |(index, program): (usize, &Program)| {
         let mut cells = vec![
             program.item.group.into(),
-            format!("\"{}\"", program.item.name),
+            program.item.name.into(),
             program.precision.into(),
         ];
         for price in prices {
@@ -85,7 +85,10 @@ fn sheet(
         cells
     };
     let mut header = vec!["group", "named", "type"];
-    let columns = [["code 3", "data 3", "flash 3"], ["code s", "data s", "flash s"]];
+    let columns = [
+        ["code 3", "data 3", "flash 3"],
+        ["code s", "data s", "flash s"],
+    ];
     header.extend(columns[..levels.len()].iter().flatten());
     header.push("modules in the image");
     Sheet {

@@ -30,7 +30,10 @@ struct Row {
 
 fn main() -> ExitCode {
     let options = Options::read(std::env::args().skip(1));
-    match options.map_err(Into::into).and_then(|options| run(&options)) {
+    match options
+        .map_err(Into::into)
+        .and_then(|options| run(&options))
+    {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("patch_front: {message}");
@@ -96,7 +99,8 @@ const LEGEND: &str = "\
 Errors are the largest over fixed speeds: `rel F` and `rel T` relative, `of larger` the larger of \
 the two (and of the lateral force) over the larger of F and T, which is the load's scale where T or \
 F passes through zero. `x` is the time in units of the disk's Coulomb table in f64, the median of \
-the rounds' own ratios. `bytes` is what the value holds, with its table. Surfaces: the gauge of a \
+the rounds' own ratios. `bytes` is what the value holds, with its table; \
+the quadrature and all code are in flash.md. Surfaces: the gauge of a \
 point on the surface, the unit normal there, and the projection of a point half a force limit \
 outside.
 
@@ -104,7 +108,8 @@ Judges. `tables`: power laws in f64 on the reference tables of the tests (25 dig
 1e-10 to 1e12, to 1e-12 beside equal speeds; annulus and polynomial fewer), at rim speeds from 1/64 \
 to 64. `f64`: power laws in f32 on 3800 pairs, by the compact tier in f64 at the rounded speeds. \
 `area`: 48 pairs with ratios 1e-3 to 1e3 and gaps down to 1e-15, by double-exponential integration \
-around the centre of rotation, good to 1e-11 (its own test compares it with the tables). `sum`: 3800 \
+around the centre of rotation, good to 1e-12 of the larger and to 2e-10 of a small T (its own test \
+compares it with the tables). `sum`: 3800 \
 pairs, the same sum over the same points with 30 digits. Nodes judged by `area` stand for the \
 pressure; judged by `sum` they stand for themselves.
 
@@ -151,7 +156,14 @@ fn summary(rows: &[Row], nanoseconds: &[f64]) -> Sheet {
     Sheet {
         about: "By tier, over its patches and laws".into(),
         header: vec![
-            "tier", "type", "judge", "rows", "ns from", "to", "worst rel", "worst of larger",
+            "tier",
+            "type",
+            "judge",
+            "rows",
+            "ns from",
+            "to",
+            "worst rel",
+            "worst of larger",
         ],
         rows: keys.into_iter().map(line).collect(),
     }
@@ -182,7 +194,16 @@ fn full(rows: &[Row], nanoseconds: &[f64], samples: &Samples, rounds: usize) -> 
     Sheet {
         about: format!("Patch, law and tier: medians of {rounds} interleaved rounds"),
         header: vec![
-            "patch", "law", "tier", "type", "ns", "x", "rel F", "rel T", "of larger", "bytes",
+            "patch",
+            "law",
+            "tier",
+            "type",
+            "ns",
+            "x",
+            "rel F",
+            "rel T",
+            "of larger",
+            "bytes",
             "judge",
         ],
         rows: rows.iter().enumerate().map(cells).collect(),
@@ -192,15 +213,23 @@ fn full(rows: &[Row], nanoseconds: &[f64], samples: &Samples, rounds: usize) -> 
 /// Coulomb friction in f64, without surfaces.
 fn draw(out: &Path, rows: &[Row], nanoseconds: &[f64]) -> Result<(), String> {
     let is_drawn = |row: &Row| {
-        row.label.law == "Coulomb" && row.precision == "f64" && !row.label.patch.ends_with("surface")
+        row.label.law == "Coulomb"
+            && row.precision == "f64"
+            && !row.label.patch.ends_with("surface")
     };
-    let places = rows.iter().zip(nanoseconds).filter(|(row, _)| is_drawn(row));
+    let places = rows
+        .iter()
+        .zip(nanoseconds)
+        .filter(|(row, _)| is_drawn(row));
     let place = |(row, &time): (&Row, &f64)| Place {
         label: row.label.patch.into(),
         group: row.label.tier.into(),
         at: (time, row.worst.of_larger.max(ROUNDING)),
     };
-    let axes = ["time per pair [ns]", "largest error, of the larger of F and T"];
+    let axes = [
+        "time per pair [ns]",
+        "largest error, of the larger of F and T",
+    ];
     let title = "Patches under Coulomb friction, f64";
     picture::scatter(out, "patch_front", title, axes, places.map(place).collect())
 }

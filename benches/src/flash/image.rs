@@ -115,3 +115,17 @@ fn collect(folder: &Path, prefix: &str, modules: &mut Vec<String>) -> std::io::R
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mangled_names_tell_their_modules() {
+        let known = ["law", "law::lugre", "coupling"].map(String::from);
+        let inlined = b"_ZN11tribos_core3law5lugre14LuGre$LT$R$GT$4step17h0123456789abcdefE";
+        assert_eq!(named(inlined, &known), ["law::lugre"]);
+        assert!(named(b"_ZN4core5slice17h0123456789abcdefE", &known).is_empty());
+        assert!(named(b"lugre", &known).is_empty());
+    }
+}

@@ -44,7 +44,8 @@ macro_rules! round {
     };
 }
 
-const HALF_TABLE: &str = "static TABLE: Table = match Table::new(0.5) { Ok(table) => table, Err(_) => panic!() };";
+const HALF_TABLE: &str =
+    "static TABLE: Table = match Table::new(0.5) { Ok(table) => table, Err(_) => panic!() };";
 const HERTZ_TABLE: &str = "static TABLE: RoundTable = match RoundTable::new(0.0, PowerPressure::HERTZ) { Ok(table) => table, Err(_) => panic!() };";
 
 const fn law(name: &'static str, modules: &'static [&'static str], body: &'static str) -> Item {
@@ -95,7 +96,7 @@ pub const LAWS: [Item; 13] = [
     Some(law.coefficient(a, age))",
     ),
     law(
-        "rate and state, steady",
+        "rate and state: steady",
         &["law::rate_state", "law::steady_rate_state", "law::contact_age"],
         "let law = RateState::<R, Dieterich>::new(RateStateParameters { mu: 0.5, a: 0.01, b: 0.02, reference_speed: b, slip_distance: 1e-5, viscous: 0.0 }).ok()?;
     Some(law.steady().friction(a))",
@@ -107,7 +108,7 @@ pub const LAWS: [Item; 13] = [
     Some(law.step(Bristle { deflection: b }, a, b).1)",
     ),
     law(
-        "LuGre, steady",
+        "LuGre: steady",
         &["law::lugre"],
         "let law = LuGre::new(LuGreParameters { coulomb_force: 1.0, static_force: 1.5, stribeck_speed: b, stiffness: 1e5, bristle_damping: 300.0, viscous_damping: 0.5 }).ok()?;
     Some(law.steady_force(a))",
@@ -123,70 +124,162 @@ pub const LAWS: [Item; 13] = [
 
 /// Force and torque of the uniform disk.
 pub const TIERS: [Item; 6] = [
-    item(["tier", "table, Coulomb"], BOTH, round!["coupling::table", "coupling::side"], ["", "couple(&table::Coulomb, a, b)"]),
-    item(["tier", "table, alpha 0.5"], BOTH, round!["coupling::table", "coupling::side"], [HALF_TABLE, "couple(&TABLE, a, b)"]),
-    item(["tier", "compact, Coulomb"], BOTH, round!["coupling::compact", "special::elliptic"], ["", "couple(&compact::Coulomb, a, b)"]),
     item(
-        ["tier", "compact, alpha 0.5"],
+        ["tier", "table: Coulomb"],
         BOTH,
-        round!["coupling::compact", "coupling::member", "coupling::octave", "special::hypergeometric"],
+        round!["coupling::table", "coupling::side"],
+        ["", "couple(&table::Coulomb, a, b)"],
+    ),
+    item(
+        ["tier", "table: alpha 0.5"],
+        BOTH,
+        round!["coupling::table", "coupling::side"],
+        [HALF_TABLE, "couple(&TABLE, a, b)"],
+    ),
+    item(
+        ["tier", "compact: Coulomb"],
+        BOTH,
+        round!["coupling::compact", "special::elliptic"],
+        ["", "couple(&compact::Coulomb, a, b)"],
+    ),
+    item(
+        ["tier", "compact: alpha 0.5"],
+        BOTH,
+        round![
+            "coupling::compact",
+            "coupling::member",
+            "coupling::octave",
+            "special::hypergeometric"
+        ],
         ["", "couple(&compact::Power::new(0.5 as R).ok()?, a, b)"],
     ),
     item(
-        ["tier", "quadrature, Coulomb"],
+        ["tier", "quadrature: Coulomb"],
         BOTH,
         &["coupling::quadrature", "law::coulomb"],
-        ["", "couple(&DiskQuadrature::new(Coulomb::new(1.0 as R).ok()?), a, b)"],
+        [
+            "",
+            "couple(&DiskQuadrature::new(Coulomb::new(1.0 as R).ok()?), a, b)",
+        ],
     ),
     item(
-        ["tier", "quadrature, Stribeck"],
+        ["tier", "quadrature: Stribeck"],
         NARROW,
         &["coupling::quadrature", "law::stribeck", "law::dry"],
-        ["", "couple(&DiskQuadrature::new(Stribeck::new(DryFriction::new(0.5 as R, 0.25).ok()?, 0.5, 2.0, 0.125).ok()?), a, b)"],
+        [
+            "",
+            "couple(&DiskQuadrature::new(Stribeck::new(DryFriction::new(0.5 as R, 0.25).ok()?, 0.5, 2.0, 0.125).ok()?), a, b)",
+        ],
     ),
 ];
 
 /// Other patches.
 pub const PATCHES: [Item; 10] = [
-    item(["patch", "Hertz, table, Coulomb"], BOTH, round!["coupling::round", "coupling::side"], [HERTZ_TABLE, "couple(&TABLE, a, b)"]),
-    item(["patch", "Hertz, closed"], NARROW, round!["coupling::closed"], ["", "couple(&closed::Hertz, a, b)"]),
-    item(["patch", "punch, closed"], NARROW, round!["coupling::closed"], ["", "couple(&closed::FlatPunch, a, b)"]),
-    item(["patch", "ring, closed"], NARROW, round!["coupling::closed", "special::elliptic"], ["", "couple(&closed::Ring, a, b)"]),
     item(
-        ["patch", "annulus, table, Coulomb"],
+        ["patch", "Hertz: table: Coulomb"],
+        BOTH,
+        round!["coupling::round", "coupling::side"],
+        [HERTZ_TABLE, "couple(&TABLE, a, b)"],
+    ),
+    item(
+        ["patch", "Hertz: closed"],
+        NARROW,
+        round!["coupling::closed"],
+        ["", "couple(&closed::Hertz, a, b)"],
+    ),
+    item(
+        ["patch", "punch: closed"],
+        NARROW,
+        round!["coupling::closed"],
+        ["", "couple(&closed::FlatPunch, a, b)"],
+    ),
+    item(
+        ["patch", "ring: closed"],
+        NARROW,
+        round!["coupling::closed", "special::elliptic"],
+        ["", "couple(&closed::Ring, a, b)"],
+    ),
+    item(
+        ["patch", "annulus: table: Coulomb"],
         NARROW,
         round!["coupling::annulus", "coupling::table", "coupling::side"],
-        ["", "couple(&Annulus::new(table::Coulomb, 0.5 as R).ok()?, a, b)"],
+        [
+            "",
+            "couple(&Annulus::new(table::Coulomb, 0.5 as R).ok()?, a, b)",
+        ],
     ),
     item(
-        ["patch", "polynomial, table built at run time"],
+        ["patch", "polynomial: table built at run time"],
         WIDE,
-        round!["coupling::polynomial", "coupling::side", "coupling::member", "coupling::octave", "special::hypergeometric", "patch::polynomial"],
-        ["", "couple(&round::PolynomialTable::new(0.0, &PolynomialPressure::new([1.0, -2.0, 1.5]).ok()?).ok()?, a, b)"],
+        round![
+            "coupling::polynomial",
+            "coupling::side",
+            "coupling::member",
+            "coupling::octave",
+            "special::hypergeometric",
+            "patch::polynomial"
+        ],
+        [
+            "",
+            "couple(&round::PolynomialTable::new(0.0, &PolynomialPressure::new([1.0, -2.0, 1.5]).ok()?).ok()?, a, b)",
+        ],
     ),
     item(
-        ["patch", "tripod, Coulomb"],
+        ["patch", "tripod: Coulomb"],
         BOTH,
-        &["coupling::nodes", "law::coulomb", "patch::nodes", "patch::tripod"],
-        ["", "on_nodes(tripod([[1.0, 0.0], [-0.5, 0.75], [-0.5, -0.75]], [a, 0.0]).ok()?, a, b)"],
+        &[
+            "coupling::nodes",
+            "law::coulomb",
+            "patch::nodes",
+            "patch::tripod",
+        ],
+        [
+            "",
+            "on_nodes(tripod([[1.0, 0.0], [-0.5, 0.75], [-0.5, -0.75]], [a, 0.0]).ok()?, a, b)",
+        ],
     ),
     item(
-        ["patch", "100 nodes on a disk, Coulomb"],
+        ["patch", "100 nodes on a disk: Coulomb"],
         NARROW,
-        &["coupling::nodes", "law::coulomb", "patch::nodes", "patch::polar", "patch::gauss_jacobi"],
-        ["", "let nodes: NodeList<R, 100> = PolarRule::new(1.0 as R, 5, 20).ok()?.nodes().ok()?;\n    on_nodes(nodes, a, b)"],
+        &[
+            "coupling::nodes",
+            "law::coulomb",
+            "patch::nodes",
+            "patch::polar",
+            "patch::gauss_jacobi",
+        ],
+        [
+            "",
+            "let nodes: NodeList<R, 100> = PolarRule::new(1.0 as R, 5, 20).ok()?.nodes().ok()?;\n    on_nodes(nodes, a, b)",
+        ],
     ),
     item(
-        ["patch", "ring of 100 nodes, Coulomb"],
+        ["patch", "ring of 100 nodes: Coulomb"],
         NARROW,
-        &["coupling::nodes", "law::coulomb", "patch::nodes", "patch::polar"],
-        ["", "let nodes: NodeList<R, 100> = polar::ring(1.0 as R, 100).ok()?;\n    on_nodes(nodes, a, b)"],
+        &[
+            "coupling::nodes",
+            "law::coulomb",
+            "patch::nodes",
+            "patch::polar",
+        ],
+        [
+            "",
+            "let nodes: NodeList<R, 100> = polar::ring(1.0 as R, 100).ok()?;\n    on_nodes(nodes, a, b)",
+        ],
     ),
     item(
-        ["patch", "polygon, Coulomb"],
+        ["patch", "polygon: Coulomb"],
         NARROW,
-        &["coupling::nodes", "law::coulomb", "patch::nodes", "patch::polygon"],
-        ["", "let nodes: NodeList<R, 28> = polygon(&[[1.0, 0.0], [-0.5, 0.75], [-0.5, -a]], 2).ok()?;\n    on_nodes(nodes, a, b)"],
+        &[
+            "coupling::nodes",
+            "law::coulomb",
+            "patch::nodes",
+            "patch::polygon",
+        ],
+        [
+            "",
+            "let nodes: NodeList<R, 28> = polygon(&[[1.0, 0.0], [-0.5, 0.75], [-0.5, -a]], 2).ok()?;\n    on_nodes(nodes, a, b)",
+        ],
     ),
 ];
 
@@ -199,55 +292,115 @@ macro_rules! on_table {
 
 /// What stands on a coupling: each with the Coulomb table of its precision.
 pub const BODIES: [Item; 10] = [
-    item(["body", "disk with dimensions"], BOTH, on_table![], ["", "Some(disk()?.wrench(a, &Twist::new(a, b, b)).force.x)"]),
     item(
-        ["body", "tall, front-back"],
-        NARROW,
-        on_table!["coupling::tall"],
-        ["", "Some(TallFriction::<_, _, FrontBack>::new(disk()?, 0.25).ok()?.wrench(a, &Twist::new(a, b, b)).wrench.force.x)"],
+        ["body", "disk with dimensions"],
+        BOTH,
+        on_table![],
+        ["", "Some(disk()?.wrench(a, &Twist::new(a, b, b)).force.x)"],
     ),
     item(
-        ["body", "tall, all round"],
+        ["body", "tall: front-back"],
         NARROW,
         on_table!["coupling::tall"],
-        ["", "Some(TallFriction::<_, _, AllRound>::new(disk()?, 0.25).ok()?.wrench(a, &Twist::new(a, b, b)).wrench.force.x)"],
+        [
+            "",
+            "Some(TallFriction::<_, _, FrontBack>::new(disk()?, 0.25).ok()?.wrench(a, &Twist::new(a, b, b)).wrench.force.x)",
+        ],
+    ),
+    item(
+        ["body", "tall: all round"],
+        NARROW,
+        on_table!["coupling::tall"],
+        [
+            "",
+            "Some(TallFriction::<_, _, AllRound>::new(disk()?, 0.25).ok()?.wrench(a, &Twist::new(a, b, b)).wrench.force.x)",
+        ],
     ),
     item(
         ["limit surface", "gauge"],
         NARROW,
-        on_table!["limit_surface", "limit_surface::exact", "limit_surface::meridian", "limit_surface::polar"],
-        ["", "Some(LimitSurface::new(table::Coulomb, 1.0 as R, 1.0).ok()?.gauge(&push(a, b)))"],
+        on_table![
+            "limit_surface",
+            "limit_surface::exact",
+            "limit_surface::meridian",
+            "limit_surface::polar"
+        ],
+        [
+            "",
+            "Some(LimitSurface::new(table::Coulomb, 1.0 as R, 1.0).ok()?.gauge(&push(a, b)))",
+        ],
     ),
     item(
         ["limit surface", "projection"],
         BOTH,
-        on_table!["limit_surface", "limit_surface::exact", "limit_surface::meridian", "limit_surface::polar"],
-        ["", "Some(LimitSurface::new(table::Coulomb, 1.0 as R, 1.0).ok()?.project(&push(a, b)).wrench.torque)"],
+        on_table![
+            "limit_surface",
+            "limit_surface::exact",
+            "limit_surface::meridian",
+            "limit_surface::polar"
+        ],
+        [
+            "",
+            "Some(LimitSurface::new(table::Coulomb, 1.0 as R, 1.0).ok()?.project(&push(a, b)).wrench.torque)",
+        ],
     ),
     item(
-        ["limit surface", "ellipsoid, projection"],
+        ["limit surface", "ellipsoid: projection"],
         NARROW,
-        &["limit_surface", "limit_surface::ellipsoid", "limit_surface::exact", "limit_surface::meridian", "limit_surface::polar"],
-        ["", "Some(Ellipsoid::new(1.0 as R, 1.0, 0.625).ok()?.project(&push(a, b)).wrench.torque)"],
+        &[
+            "coupling",
+            "limit_surface",
+            "limit_surface::ellipsoid",
+            "limit_surface::exact",
+            "limit_surface::meridian",
+            "limit_surface::polar",
+        ],
+        [
+            "",
+            "Some(Ellipsoid::new(1.0 as R, 1.0, 0.625).ok()?.project(&push(a, b)).wrench.torque)",
+        ],
     ),
-    item(["motion", "final modes"], NARROW, on_table!["modes"], ["", "Modes::new(table::Coulomb, b).ok()?.finite_fixed_point()"]),
+    item(
+        ["motion", "final modes"],
+        NARROW,
+        on_table!["modes"],
+        [
+            "",
+            "Modes::new(table::Coulomb, b).ok()?.finite_fixed_point()",
+        ],
+    ),
     item(
         ["motion", "slider to rest"],
         BOTH,
         on_table!["modes", "slider", "slider::rest", "slider::runge_kutta"],
-        ["", "Some(slider()?.to_rest(&Motion::launched(a, b))?.motion.time)"],
+        [
+            "",
+            "Some(slider()?.to_rest(&Motion::launched(a, b))?.motion.time)",
+        ],
     ),
     item(
-        ["motion", "slider, a given time"],
+        ["motion", "slider: a given time"],
         NARROW,
-        on_table!["modes", "slider", "slider::rest", "slider::advance", "slider::runge_kutta"],
-        ["", "Some(slider()?.advance(&Motion::launched(a, b), b).motion.time)"],
+        on_table![
+            "modes",
+            "slider",
+            "slider::rest",
+            "slider::advance",
+            "slider::runge_kutta"
+        ],
+        [
+            "",
+            "Some(slider()?.advance(&Motion::launched(a, b), b).motion.time)",
+        ],
     ),
     item(
-        ["motion", "slider, Verlet step"],
+        ["motion", "slider: Verlet step"],
         NARROW,
         on_table!["slider", "slider::verlet"],
-        ["", "Some(slider()?.verlet_step(&Motion::launched(a, b), b).speed)"],
+        [
+            "",
+            "Some(slider()?.verlet_step(&Motion::launched(a, b), b).speed)",
+        ],
     ),
 ];
 

@@ -37,9 +37,9 @@ opt-level = "s"
 
 const PROGRAM: &str = r#"#![no_std]
 #![no_main]
-#![allow(unused_imports, dead_code, clippy::all)]
+#![allow(unused, clippy::all)]
 use core::hint::black_box;
-use nalgebra_free::*;
+use calls::*;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::tall::{AllRound, FrontBack, TallFriction};
@@ -59,7 +59,7 @@ type R = PRECISION;
 type Table = table::TableBITS;
 type RoundTable = round::RoundTableBITS;
 
-mod nalgebra_free {
+mod calls {
     use super::*;
     pub fn couple(coupling: &impl Coupling<R>, a: R, b: R) -> Option<R> {
         let wrench = coupling.reduced_wrench(a, b);

@@ -75,7 +75,8 @@ struct List(Vec<(&'static str, Friction)>);
 
 impl ForLaw<f64> for List {
     fn with<L: LocalLaw<f64> + Copy + 'static>(&mut self, name: &'static str, law: L) {
-        self.0.push((name, Box::new(move |speed| law.friction(speed))));
+        self.0
+            .push((name, Box::new(move |speed| law.friction(speed))));
     }
 }
 

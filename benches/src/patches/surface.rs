@@ -92,15 +92,21 @@ where
             let twist = surface.twist_normal_to(&wrench::<R>(force, torque));
             [twist.velocity.x, twist.spin]
         }),
-        Entry::new(projection, bytes, &projections, &off, move |force, torque| {
-            let carried = surface.project(&wrench::<R>(force, torque)).wrench;
-            [carried.force.x, carried.torque]
-        }),
+        Entry::new(
+            projection,
+            bytes,
+            &projections,
+            &off,
+            move |force, torque| {
+                let carried = surface.project(&wrench::<R>(force, torque)).wrench;
+                [carried.force.x, carried.torque]
+            },
+        ),
     ])
 }
 
-const TABLE: [&str; 3] = ["table, gauge", "table, motion", "table, projection"];
-const CLOSED: [&str; 3] = ["closed, gauge", "closed, motion", "closed, projection"];
+const TABLE: [&str; 3] = ["table gauge", "table motion", "table projection"];
+const CLOSED: [&str; 3] = ["closed gauge", "closed motion", "closed projection"];
 
 /// The disk by its table and in closed form, the ring and Hertz' pressure in closed form.
 pub fn rows<R: CoulombTable>() -> Result<Vec<Entry>, Refused> {
@@ -108,7 +114,17 @@ pub fn rows<R: CoulombTable>() -> Result<Vec<Entry>, Refused> {
     let mut rows = Vec::new();
     rows.extend(rows_of::<R, _>(disk, TABLE, bytes, table::Coulomb)?);
     rows.extend(rows_of::<R, _>(disk, CLOSED, 0, compact::Coulomb)?);
-    rows.extend(rows_of::<R, _>(["ring surface", "ring"], CLOSED, 0, closed::Ring)?);
-    rows.extend(rows_of::<R, _>(["Hertz surface", "hertz"], CLOSED, 0, closed::Hertz)?);
+    rows.extend(rows_of::<R, _>(
+        ["ring surface", "ring"],
+        CLOSED,
+        0,
+        closed::Ring,
+    )?);
+    rows.extend(rows_of::<R, _>(
+        ["Hertz surface", "hertz"],
+        CLOSED,
+        0,
+        closed::Hertz,
+    )?);
     Ok(rows)
 }

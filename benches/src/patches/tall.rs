@@ -60,7 +60,7 @@ fn row<R: Real, C: Lateral<R> + 'static, L: Lean + 'static>(
     bytes: usize,
     coupling: C,
 ) -> Result<Entry, Refused> {
-    let all_round = tier == "table, all round";
+    let all_round = tier == "table all round";
     let foot = PatchFriction::new(coupling, R::ONE, R::ONE)?;
     // λ = 2 γ h/(R ⟨r²⟩) with ⟨r²⟩ = 1/2.
     let height = R::from_f64(LEAN / 4.0);
@@ -94,8 +94,8 @@ pub fn rows<R: Tables>() -> Result<Vec<Entry>, Refused> {
     let mut rows = Vec::new();
     let frictions = laws::frictions()?;
     for ((alpha, law), (_, friction)) in laws::POWERS.into_iter().zip(&frictions) {
-        let along = (law, "table, front-back", friction);
-        let all = (law, "table, all round", friction);
+        let along = (law, "table front-back", friction);
+        let all = (law, "table all round", friction);
         if alpha == 0.0 {
             let bytes = size_of::<R::Table>();
             rows.push(row::<R, _, FrontBack>(along, bytes, table::Coulomb)?);
