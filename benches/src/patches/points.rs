@@ -25,31 +25,49 @@ const CENTRE: [f64; 2] = [0.0625, 0.0];
 
 type List<R> = NodeList<R, NODES>;
 
+/// Nodes, and the pressure that they stand for.
+struct Rule<R: Real> {
+    patch: &'static str,
+    pressure: Pressure,
+    nodes: List<R>,
+}
+
 /// The rules that stand for continuous pressures.
-fn rules<R: Real>() -> Result<Vec<(&'static str, Pressure, List<R>)>, Refused> {
+fn rules<R: Real>() -> Result<Vec<Rule<R>>, Refused> {
     let disk = PolarRule::new(R::ONE, RINGS, ANGLES)?;
-    let mut all = vec![("ring", Pressure::Ring, polar::ring(R::ONE, NODES as u32)?)];
-    for (name, q) in [
+    let mut all = vec![Rule {
+        patch: "ring",
+        pressure: Pressure::Ring,
+        nodes: polar::ring(R::ONE, NODES as u32)?,
+    }];
+    for (patch, q) in [
         ("disk", 0.0),
         ("punch", -0.5),
         ("Hertz", 0.5),
         ("paraboloid", 1.0),
     ] {
-        let nodes = disk.with_rim_exponent(R::from_f64(q))?.nodes()?;
-        all.push((name, Pressure::Power(q), nodes));
+        all.push(Rule {
+            patch,
+            pressure: Pressure::Power(q),
+            nodes: disk.with_rim_exponent(R::from_f64(q))?.nodes()?,
+        });
     }
     let [a, b, c] = POLYNOMIAL.map(R::from_f64);
     let nodes = disk.nodes_shaped(|x, y| {
         let r_sq = x * x + y * y;
         a + r_sq * (b + r_sq * c)
     })?;
-    all.push(("polynomial", Pressure::Polynomial(POLYNOMIAL), nodes));
+    all.push(Rule {
+        patch: "polynomial",
+        pressure: Pressure::Polynomial(POLYNOMIAL),
+        nodes,
+    });
     Ok(all)
 }
 
 struct Points<R: Real> {
     frictions: Vec<(&'static str, Friction)>,
-    rules: Vec<(&'static str, Pressure, List<R>)>,
+    rules: Vec<Rule<R>>,
     rows: Vec<Entry>,
 }
 
@@ -73,7 +91,12 @@ impl<R: Real> ForLaw<R> for Points<R> {
         let Some((_, friction)) = self.frictions.iter().find(|(known, _)| *known == name) else {
             return;
         };
-        for (patch, pressure, nodes) in &self.rules {
+        for Rule {
+            patch,
+            pressure,
+            nodes,
+        } in &self.rules
+        {
             let label = Label {
                 patch,
                 law: name,

@@ -43,14 +43,14 @@ impl Point {
 }
 
 /// Gauge, motion and projection of one surface; the wrenches stand in the place of the speeds.
-fn rows_of<R: Real, C: DryCoupling<R> + Copy + 'static>(
+fn rows_of<R: Real, C>(
     [patch, file]: [&'static str; 2],
     tier: [&'static str; 3],
     bytes: usize,
     coupling: C,
 ) -> Result<[Entry; 3], Refused>
 where
-    C: DryCoupling<f64>,
+    C: DryCoupling<R> + DryCoupling<f64> + Copy + 'static,
 {
     let surface = LimitSurface::new(coupling, R::ONE, R::ONE)?;
     let exact = tables::cases(Source::File(file), 0.0);
