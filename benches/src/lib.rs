@@ -1,16 +1,18 @@
 //! Speed against error: what the kernel costs, what it is worth, and what else there is.
 //!
-//! Two programs make the fronts that the documentation shows, from the code that the benches time:
-//! `front` (one evaluation of force and torque) and `slider_front` (one stop of a sliding,
-//! spinning disk). The benches under `benches/` time the same methods with criterion.
+//! Four programs make the fronts that the documentation shows: `front` (one evaluation of force and
+//! torque), `patch_front` (every patch, law and tier), `slider_front` (one stop of a sliding,
+//! spinning disk) and `flash` (what each costs in the memory of a microcontroller). The benches under `benches/` time the same methods with criterion.
 
 pub mod args;
 pub mod baselines;
 pub mod catalogue;
 pub mod contact;
 pub mod errors;
+pub mod flash;
 pub mod methods;
 pub mod mix;
+pub mod patches;
 pub mod picture;
 pub mod reference;
 pub mod stepping;

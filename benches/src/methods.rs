@@ -55,7 +55,7 @@ impl Inputs {
     }
 }
 
-type Sweep<R> = Box<dyn Fn(&[[R; 2]], &mut [[R; 2]])>;
+pub(crate) type Sweep<R> = Box<dyn Fn(&[[R; 2]], &mut [[R; 2]])>;
 
 enum Evaluation {
     Wide(Sweep<f64>),
@@ -88,7 +88,7 @@ impl fmt::Debug for Method {
 }
 
 /// The loop over a slice, compiled once a method, so that the method itself is inlined.
-fn sweep<R: Copy + 'static>(evaluate: impl Fn(R, R) -> [R; 2] + 'static) -> Sweep<R> {
+pub(crate) fn sweep<R: Copy + 'static>(evaluate: impl Fn(R, R) -> [R; 2] + 'static) -> Sweep<R> {
     Box::new(move |pairs, results| {
         for (&[slide, rim], result) in pairs.iter().zip(results) {
             *result = evaluate(slide, rim);

@@ -33,8 +33,8 @@ impl Wide {
         }
     }
 
-    /// One Newton step from the f64 root.
-    fn sqrt(self) -> Self {
+    /// The square root: one Newton step from the f64 root.
+    pub fn sqrt(self) -> Self {
         if self.high == 0.0 {
             return self;
         }

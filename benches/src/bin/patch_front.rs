@@ -1,0 +1,235 @@
+//! Every patch × law × tier: error, time and size.
+//!
+//! `cargo run --release -p tribos-benches --bin patch_front -- [--out DIR] [--quick]` writes
+//! `patch_front.csv`, `patch_front.md` and `patch_front.svg` to DIR (default: docs/front).
+
+use std::path::Path;
+use std::process::ExitCode;
+use tribos_benches::args::Options;
+use tribos_benches::patches::{Entry, Label, Refused, Worst, points, round, surface, tall};
+use tribos_benches::picture::{self, Place};
+use tribos_benches::timing::{self, Samples, Task};
+use tribos_benches::written::{self, Sheet, short};
+
+/// Rounds of all rows, and of a quick look.
+const ROUNDS: usize = 31;
+const QUICK_ROUNDS: usize = 3;
+/// Errors below rounding are drawn at it.
+const ROUNDING: f64 = 1e-17;
+/// Times are told in units of this row's, too: Coulomb's table of the disk in f64.
+const UNIT: usize = 0;
+
+/// What is left of an entry once its task runs.
+#[derive(Debug)]
+struct Row {
+    label: Label,
+    precision: &'static str,
+    bytes: usize,
+    worst: Worst,
+}
+
+fn main() -> ExitCode {
+    let options = Options::read(std::env::args().skip(1));
+    match options
+        .map_err(Into::into)
+        .and_then(|options| run(&options))
+    {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("patch_front: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(options: &Options) -> Result<(), Refused> {
+    let (rows, tasks) = split(entries()?);
+    let rounds = if options.quick { QUICK_ROUNDS } else { ROUNDS };
+    let samples = timing::interleaved(tasks, rounds);
+    let nanoseconds: Vec<f64> = samples.medians().iter().map(|s| 1e9 * s).collect();
+    let full = full(&rows, &nanoseconds, &samples, rounds);
+    let report = format!(
+        "{}\n{}\n{LEGEND}\n{}",
+        machine(),
+        summary(&rows, &nanoseconds).markdown(),
+        full.markdown()
+    );
+    written::write(&options.out, "patch_front.csv", &full.csv())?;
+    written::write(&options.out, "patch_front.md", &report)?;
+    draw(&options.out, &rows, &nanoseconds)?;
+    print!("{report}");
+    Ok(())
+}
+
+/// All rows; Coulomb's table of the disk in f64 is the first.
+fn entries() -> Result<Vec<Entry>, Refused> {
+    let mut all = round::powers::<f64>()?;
+    all.extend(round::powers::<f32>()?);
+    all.extend(round::polynomial()?);
+    all.extend(round::quadratures::<f64>()?);
+    all.extend(round::quadratures::<f32>()?);
+    all.extend(points::rules_for_pressures::<f64>()?);
+    all.extend(points::rules_for_pressures::<f32>()?);
+    all.extend(points::given::<f64>()?);
+    all.extend(points::given::<f32>()?);
+    all.extend(tall::rows::<f64>()?);
+    all.extend(tall::rows::<f32>()?);
+    all.extend(surface::rows::<f64>()?);
+    all.extend(surface::rows::<f32>()?);
+    Ok(all)
+}
+
+fn split(entries: Vec<Entry>) -> (Vec<Row>, Vec<Task<'static>>) {
+    let part = |(index, entry): (usize, Entry)| {
+        let row = Row {
+            label: entry.label,
+            precision: entry.precision,
+            bytes: entry.bytes,
+            worst: entry.worst,
+        };
+        // Names only have to differ.
+        let task = Task::new(index.to_string(), entry.elements, entry.run);
+        (row, task)
+    };
+    entries.into_iter().enumerate().map(part).unzip()
+}
+
+/// What the columns mean, and what there is not.
+const LEGEND: &str = "\
+Errors are the largest over fixed speeds: `rel F` and `rel T` relative, `of larger` the larger of \
+the two (and of the lateral force) over the larger of F and T, which is the load's scale where T or \
+F passes through zero. `x` is the time in units of the disk's Coulomb table in f64, the median of \
+the rounds' own ratios. `bytes` is what the value holds, with its table; \
+the quadrature and all code are in flash.md. Surfaces: the gauge of a \
+point on the surface, the unit normal there, and the projection of a point half a force limit \
+outside.
+
+Judges. `tables`: power laws in f64 on the reference tables of the tests (25 digits and more; ratios \
+1e-10 to 1e12, to 1e-12 beside equal speeds; annulus and polynomial fewer), at rim speeds from 1/64 \
+to 64. `f64`: power laws in f32 on 3800 pairs, by the compact tier in f64 at the rounded speeds. \
+`area`: 48 pairs with ratios 1e-3 to 1e3 and gaps down to 1e-15, by double-exponential integration \
+around the centre of rotation, good to 1e-12 of the larger and to 2e-10 of a small T (its own test \
+compares it with the tables). `sum`: 3800 \
+pairs, the same sum over the same points with 30 digits. Nodes judged by `area` stand for the \
+pressure; judged by `sum` they stand for themselves.
+
+Not there, because no such combination exists: closed forms for the paraboloid, the polynomial and \
+any law but Coulomb's; compact, quadrature and f32 tables for the polynomial; tables and compact \
+forms for laws that are no power; quadrature for pressures other than uniform (nodes serve them); \
+nodes for the annulus. The tripod and the nodes that stand for themselves have a 30-digit judge for \
+power laws only, the tall cylinder a table for power laws only.
+";
+
+fn machine() -> String {
+    format!(
+        "`cargo run --release -p tribos-benches --bin patch_front`, on a shared {} machine: ratios \
+         within the run are steadier than nanoseconds.\n",
+        std::env::consts::ARCH
+    )
+}
+
+/// By tier and precision: the span of times, the largest errors.
+fn summary(rows: &[Row], nanoseconds: &[f64]) -> Sheet {
+    let mut keys: Vec<(&str, &str, &str)> = rows.iter().map(key).collect();
+    keys.sort_unstable();
+    keys.dedup();
+    let line = |wanted: (&'static str, &'static str, &'static str)| {
+        let of_key = |i: &usize| key(&rows[*i]) == wanted;
+        let members: Vec<usize> = (0..rows.len()).filter(of_key).collect();
+        let times = members.iter().map(|&i| nanoseconds[i]);
+        let most = |of: fn(&Worst) -> f64| {
+            let errors = members.iter().map(|&i| of(&rows[i].worst));
+            short(errors.fold(0.0, f64::max))
+        };
+        let (tier, precision, judge) = wanted;
+        vec![
+            tier.into(),
+            precision.into(),
+            judge.into(),
+            members.len().to_string(),
+            short(times.clone().fold(f64::INFINITY, f64::min)),
+            short(times.fold(0.0, f64::max)),
+            most(|worst| worst.force.max(worst.torque)),
+            most(|worst| worst.of_larger),
+        ]
+    };
+    Sheet {
+        about: "By tier, over its patches and laws".into(),
+        header: vec![
+            "tier",
+            "type",
+            "judge",
+            "rows",
+            "ns from",
+            "to",
+            "worst rel",
+            "worst of larger",
+        ],
+        rows: keys.into_iter().map(line).collect(),
+    }
+}
+
+fn key(row: &Row) -> (&'static str, &'static str, &'static str) {
+    (row.label.tier, row.precision, row.label.judge)
+}
+
+/// The whole table.
+fn full(rows: &[Row], nanoseconds: &[f64], samples: &Samples, rounds: usize) -> Sheet {
+    let cells = |(index, row): (usize, &Row)| {
+        let ratio = samples.ratio(&index.to_string(), &UNIT.to_string());
+        vec![
+            row.label.patch.into(),
+            row.label.law.into(),
+            row.label.tier.into(),
+            row.precision.into(),
+            short(nanoseconds[index]),
+            short(ratio.unwrap_or(f64::NAN)),
+            short(row.worst.force),
+            short(row.worst.torque),
+            short(row.worst.of_larger),
+            row.bytes.to_string(),
+            row.label.judge.into(),
+        ]
+    };
+    Sheet {
+        about: format!("Patch, law and tier: medians of {rounds} interleaved rounds"),
+        header: vec![
+            "patch",
+            "law",
+            "tier",
+            "type",
+            "ns",
+            "x",
+            "rel F",
+            "rel T",
+            "of larger",
+            "bytes",
+            "judge",
+        ],
+        rows: rows.iter().enumerate().map(cells).collect(),
+    }
+}
+
+/// Coulomb friction in f64, without surfaces.
+fn draw(out: &Path, rows: &[Row], nanoseconds: &[f64]) -> Result<(), String> {
+    let is_drawn = |row: &Row| {
+        row.label.law == "Coulomb"
+            && row.precision == "f64"
+            && !row.label.patch.ends_with("surface")
+    };
+    let places = rows
+        .iter()
+        .zip(nanoseconds)
+        .filter(|(row, _)| is_drawn(row));
+    let place = |(row, &time): (&Row, &f64)| Place {
+        label: row.label.patch.into(),
+        group: row.label.tier.into(),
+        at: (time, row.worst.of_larger.max(ROUNDING)),
+    };
+    let axes = [
+        "time per pair [ns]",
+        "largest error, of the larger of F and T",
+    ];
+    let title = "Patches under Coulomb friction, f64";
+    picture::scatter(out, "patch_front", title, axes, places.map(place).collect())
+}

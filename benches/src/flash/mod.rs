@@ -1,0 +1,106 @@
+//! What naming an item of the kernel costs in flash, and that the unnamed costs nothing.
+//!
+//! Each item has a bare-metal program of its own that names it and nothing else. Its size beyond
+//! that of a program that names nothing is the item's price. Symbols and debug records of the
+//! linked image tell which modules of the kernel are in it: every function leaves its name there,
+//! inlined or not.
+
+pub mod image;
+pub mod items;
+pub mod programs;
+
+use image::{Flash, Image};
+use items::{BASELINE, BODIES, LAWS, PATCHES, PLUMBING, TIERS};
+use programs::Program;
+
+/// All programs, the baseline of each precision first.
+pub fn all_programs() -> Vec<Program> {
+    let items = [BASELINE].into_iter().chain(LAWS).chain(TIERS);
+    let items = items.chain(PATCHES).chain(BODIES);
+    let pairs = items.flat_map(|item| item.precisions.iter().map(move |&p| (item, p)));
+    let program = |(number, (item, precision))| Program {
+        item,
+        precision,
+        number,
+    };
+    pairs.enumerate().map(program).collect()
+}
+
+/// Fails if `image` holds a module that its program does not name, or shows none that it does:
+/// then the records that this judgement rests on are gone.
+pub fn assert_named(program: &Program, image: &Image) -> Result<(), String> {
+    let is_allowed = |module: &&String| {
+        let module = module.as_str();
+        program.item.modules.contains(&module)
+            || (PLUMBING.contains(&module) && program.item.group != BASELINE.group)
+    };
+    let Program {
+        item, precision, ..
+    } = program;
+    let shown = |module: &&str| image.modules.contains(*module);
+    if item.group != BASELINE.group && !item.modules.iter().any(shown) {
+        return Err(format!(
+            "{} {} in {precision} shows no module",
+            item.group, item.name
+        ));
+    }
+    let unnamed: Vec<&String> = image.modules.iter().filter(|m| !is_allowed(m)).collect();
+    if unnamed.is_empty() {
+        Ok(())
+    } else {
+        Err(format!(
+            "{} {} in {precision} holds modules that it does not name: {unnamed:?}",
+            item.group, item.name
+        ))
+    }
+}
+
+/// The price of a program beside the baseline.
+pub fn price(image: &Image, baseline: &Image) -> Flash {
+    image.flash.beyond(baseline.flash)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    fn verdict(program: &Program, modules: &[&str]) -> Result<(), String> {
+        let image = Image {
+            flash: Flash::default(),
+            modules: modules.iter().map(ToString::to_string).collect(),
+        };
+        assert_named(program, &image)
+    }
+
+    #[test]
+    fn an_unnamed_module_is_found() {
+        let programs = all_programs();
+        let of = |name| programs.iter().find(|p| p.item.name == name).unwrap();
+        assert!(verdict(of("nothing"), &[]).is_ok());
+        assert!(verdict(of("nothing"), &["real"]).is_err());
+        let lugre = of("LuGre");
+        assert!(verdict(lugre, &["law::lugre", "real"]).is_ok());
+        assert!(verdict(lugre, &["law::lugre", "law::stribeck"]).is_err());
+        assert!(verdict(lugre, &["real"]).is_err());
+    }
+
+    #[test]
+    fn items_name_modules_of_the_kernel_and_have_names_of_their_own() {
+        let known = image::modules_of_kernel().unwrap();
+        let mut names = BTreeSet::new();
+        for Program {
+            item, precision, ..
+        } in all_programs()
+        {
+            for module in item.modules.iter().chain(&PLUMBING) {
+                assert!(known.iter().any(|k| k == module), "{module}");
+            }
+            assert!(
+                names.insert((item.group, item.name, precision)),
+                "{}",
+                item.name
+            );
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! The limit surface: gauge, motion and projection, judged by points that lie on it.
+
+use super::round::{TABLE_STRIDE, timed};
+use super::tables::{self, Source};
+use super::{Case, Entry, Label, Refused};
+use crate::reference::Wide;
+use nalgebra::Vector2;
+use tribos_core::coupling::table::{self, CoulombTable};
+use tribos_core::coupling::{Coupling, DryCoupling, closed, compact};
+use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+use tribos_core::real::Real;
+use tribos_core::twist::Wrench;
+
+/// How far outside the surface the projected points are, in units of the largest force.
+const OUTSIDE: f64 = 0.5;
+
+fn wrench<R: Real>(force: R, torque: R) -> Wrench<R> {
+    Wrench {
+        force: Vector2::new(force, R::ZERO),
+        torque,
+    }
+}
+
+/// A point of the surface and its outward normal.
+#[derive(Clone, Copy)]
+struct Point {
+    wrench: [f64; 2],
+    normal: [f64; 2],
+}
+
+impl Point {
+    fn new([slide, rim]: [f64; 2], wrench: [f64; 2]) -> Self {
+        let length = slide.hypot(rim);
+        Self {
+            wrench,
+            normal: [slide / length, rim / length],
+        }
+    }
+
+    fn outside(self) -> [f64; 2] {
+        [0, 1].map(|i| self.wrench[i] + OUTSIDE * self.normal[i])
+    }
+}
+
+/// Gauge, motion and projection of one surface; the wrenches stand in the place of the speeds.
+fn rows_of<R: Real, C>(
+    [patch, file]: [&'static str; 2],
+    tier: [&'static str; 3],
+    bytes: usize,
+    coupling: C,
+) -> Result<[Entry; 3], Refused>
+where
+    C: DryCoupling<R> + DryCoupling<f64> + Copy + 'static,
+{
+    let surface = LimitSurface::new(coupling, R::ONE, R::ONE)?;
+    let exact = tables::cases(Source::File(file), 0.0);
+    let exact: Vec<Point> = exact
+        .iter()
+        .map(|case| Point::new(case.speeds, case.exact.map(|y| y.high)))
+        .collect();
+    let point = |speeds: [f64; 2]| {
+        let found = Coupling::<f64>::reduced_wrench(&coupling, speeds[0], speeds[1]);
+        Point::new(speeds, [found.force, found.torque])
+    };
+    let points: Vec<Point> = timed(TABLE_STRIDE).into_iter().map(point).collect();
+    let [on, off]: [Vec<[f64; 2]>; 2] = [
+        points.iter().map(|point| point.wrench).collect(),
+        points.iter().map(|point| point.outside()).collect(),
+    ];
+    let cases = |given: fn(Point) -> [f64; 2], wanted: fn(Point) -> [f64; 2]| -> Vec<Case> {
+        let case = |&point: &Point| Case {
+            speeds: given(point),
+            exact: wanted(point).map(Wide::new),
+        };
+        exact.iter().map(case).collect()
+    };
+    let label = |tier| Label {
+        patch,
+        law: "Coulomb",
+        tier,
+        judge: "tables",
+    };
+    let gauges = cases(|point| point.wrench, |_| [1.0, 0.0]);
+    let motions = cases(|point| point.wrench, |point| point.normal);
+    let projections = cases(Point::outside, |point| point.wrench);
+    let [gauge, motion, projection] = tier.map(label);
+    Ok([
+        Entry::new(gauge, bytes, &gauges, &on, move |force, torque| {
+            [surface.gauge(&wrench::<R>(force, torque)), R::ZERO]
+        }),
+        Entry::new(motion, bytes, &motions, &on, move |force, torque| {
+            let twist = surface.twist_normal_to(&wrench::<R>(force, torque));
+            [twist.velocity.x, twist.spin]
+        }),
+        Entry::new(
+            projection,
+            bytes,
+            &projections,
+            &off,
+            move |force, torque| {
+                let carried = surface.project(&wrench::<R>(force, torque)).wrench;
+                [carried.force.x, carried.torque]
+            },
+        ),
+    ])
+}
+
+const TABLE: [&str; 3] = ["table gauge", "table motion", "table projection"];
+const CLOSED: [&str; 3] = ["closed gauge", "closed motion", "closed projection"];
+
+/// The disk by its table and in closed form, the ring and Hertz' pressure in closed form.
+pub fn rows<R: CoulombTable>() -> Result<Vec<Entry>, Refused> {
+    let (disk, bytes) = (["disk surface", "uniform"], size_of::<R::Table>());
+    let mut rows = Vec::new();
+    rows.extend(rows_of::<R, _>(disk, TABLE, bytes, table::Coulomb)?);
+    rows.extend(rows_of::<R, _>(disk, CLOSED, 0, compact::Coulomb)?);
+    rows.extend(rows_of::<R, _>(
+        ["ring surface", "ring"],
+        CLOSED,
+        0,
+        closed::Ring,
+    )?);
+    rows.extend(rows_of::<R, _>(
+        ["Hertz surface", "hertz"],
+        CLOSED,
+        0,
+        closed::Hertz,
+    )?);
+    Ok(rows)
+}
