@@ -18,6 +18,11 @@ const SPINS: [f64; 3] = [0.75, 1.5, 3.0];
 /// Launch of a slow shot with fast spin: about 3.5 m forward under Penner's law.
 const SLOW: [f64; 2] = [0.16, 20.0];
 
+/// Of the table: a draw at three spins, at 1.5 rad/s, and the slow shot, in SI.
+const HEADING: &str = "\
+| model | curl, 0.75 / 1.5 / 3 rad/s | forward, time | slow: forward, left, time | v/(ωR) at rest |
+|---|---|---|---|---|";
+
 fn main() -> Result<(), SlideError> {
     let ice = IceLaw::PENNER;
     let models: [&dyn CurlingModel; 8] = [
@@ -49,37 +54,53 @@ fn main() -> Result<(), SlideError> {
             onset: ScratchGuide::ONSET,
         },
     ];
-    println!(
-        "| model | curl at 0.75 / 1.5 / 3 rad/s, m | distance, m | time, s | slow shot: forward, left, m | time, s | v/(ωR) at the end |"
-    );
-    println!("|---|---|---|---|---|---|---|");
+    println!("{HEADING}");
     for model in models {
-        let mut draws = Vec::new();
-        for spin in SPINS {
-            draws.push(shot(model, DRAW, spin)?);
-        }
-        let slow = shot(model, SLOW[0], SLOW[1])?;
-        let curls: Vec<String> = draws
-            .iter()
-            .map(|d| format!("{:+.3}", d.point.position[1]))
-            .collect();
-        let [.., draw, _] = draws.as_slice() else {
-            continue;
-        };
-        println!(
-            "| {} | {} | {:.2} | {:.2} | {:.2}, {:+.2} | {:.1} | {:.2} |",
-            model.name(),
-            curls.join(" / "),
-            draw.point.position[0],
-            draw.point.time,
-            slow.point.position[0],
-            slow.point.position[1],
-            slow.point.time,
-            slow.point.ratio,
-        );
-        eprintln!("{:?} steps {} {}", model, draw.steps, slow.steps);
+        println!("{}", line(model)?);
+    }
+    for back_to_front in [10.0, 100.0, f64::INFINITY] {
+        let model = BackHeavy { ice, back_to_front };
+        let spin = spin_for_a_metre(&model)?;
+        println!("back-heavy {back_to_front}: 1 m at {spin:.2} rad/s");
     }
     Ok(())
+}
+
+/// One model's line of the table.
+fn line(model: &dyn CurlingModel) -> Result<String, SlideError> {
+    let mut curls = Vec::new();
+    for spin in SPINS {
+        let curl = shot(model, DRAW, spin)?.point.position[1];
+        curls.push(format!("{curl:+.3}"));
+    }
+    let draw = shot(model, DRAW, SPINS[1])?.point;
+    let [speed, spin] = SLOW;
+    let slow = shot(model, speed, spin)?.point;
+    Ok(format!(
+        "| {} | {} | {:.2}, {:.1} | {:.2}, {:+.2}, {:.1} | {:.2} |",
+        model.name(),
+        curls.join(" / "),
+        draw.position[0],
+        draw.time,
+        slow.position[0],
+        slow.position[1],
+        slow.time,
+        slow.ratio,
+    ))
+}
+
+/// The spin at which a draw curls by 1 m, by bisection to a hundredth.
+fn spin_for_a_metre(model: &dyn CurlingModel) -> Result<f64, SlideError> {
+    let (mut low, mut high) = (0.0, 10.0);
+    while high - low > 5e-3 {
+        let middle = 0.5 * (low + high);
+        if shot(model, DRAW, middle)?.point.position[1] < 1.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Ok(high)
 }
 
 fn shot(model: &dyn CurlingModel, speed: f64, spin: f64) -> Result<Arrival, SlideError> {

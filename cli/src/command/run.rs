@@ -1,15 +1,18 @@
 //! `tribos run`: a scene simulated, its results in a folder.
 
+mod path;
+
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Guide, Series};
 use crate::report::image;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use tribos::record::{series_csv, write_atomically};
-use tribos::scene::{self, SliderScene, Units};
+use tribos::scene::{self, Key, PlanarScene, Scene, SliderScene, Units};
 use tribos::slide::{self, COLUMNS, SlideRun};
 
-/// Simulates the scene and writes summary.json, series.csv, motion.svg and motion.png.
+/// Simulates the scene and writes summary.json, series.csv and a plot: motion.svg and motion.png of
+/// a disk, path.svg and path.png of any other body.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = examples())]
 pub struct Arguments {
@@ -29,10 +32,21 @@ fn examples() -> String {
         "Examples:\n  \
          tribos run scenes/disk.toml --out out/disk\n  \
          tribos run scenes/disk.toml --out out/fast --set spin=50 --set alpha=0.5\n  \
-         tribos run scenes/disk.toml --out out/verlet --set stepper=verlet --set time_step=1e-4\n\n\
-         Keys of a scene:\n",
+         tribos run scenes/disk.toml --out out/verlet --set stepper=verlet --set time_step=1e-4\n  \
+         tribos run scenes/cylinder.toml --out out/cylinder --set spin=-12\n  \
+         tribos run scenes/curling-draw.toml --out out/draw --set model=pivot-slide\n",
     );
-    for key in SliderScene::KEYS {
+    text += &vocabulary("a scene", SliderScene::KEYS);
+    for body in ["cylinder", "pipe", "curling"] {
+        let keys = PlanarScene::keys(body).unwrap_or_default();
+        text += &vocabulary(&format!("a scene with body = \"{body}\""), keys);
+    }
+    text
+}
+
+fn vocabulary(of: &str, keys: &[Key]) -> String {
+    let mut text = format!("\nKeys of {of}:\n");
+    for key in keys {
         let domain = key.domain.describe();
         text += &format!(
             "  {:<14} [{}] {}; {domain}\n",
@@ -45,16 +59,22 @@ fn examples() -> String {
 impl Arguments {
     /// Runs and writes.
     pub fn execute(self) -> Result<(), Failure> {
-        let scene = scene::read_slider(&self.scene, &self.overrides).map_err(Failure::input)?;
-        let result = slide::run(&scene, Ticker::new().closure())?;
+        match scene::read_scene(&self.scene, &self.overrides).map_err(Failure::input)? {
+            Scene::Disk(scene) => self.slide(&scene),
+            Scene::Planar(scene) => path::run(&scene, &self.out),
+        }
+    }
+
+    fn slide(&self, scene: &SliderScene) -> Result<(), Failure> {
+        let result = slide::run(scene, Ticker::new().closure())?;
         let rows = result.series.iter().map(<[f64; COLUMNS.len()]>::as_slice);
         let csv = series_csv(&COLUMNS, rows);
         write_atomically(&self.out.join("series.csv"), csv.as_bytes())?;
-        image::write_both(&self.out, "motion", &figure(&scene, &result))?;
+        image::write_both(&self.out, "motion", &figure(scene, &result))?;
         // Last: a summary stands only beside complete results.
-        let summary = format!("{:#}\n", result.outcome.json(&scene));
+        let summary = format!("{:#}\n", result.outcome.json(scene));
         write_atomically(&self.out.join("summary.json"), summary.as_bytes())?;
-        self.report(&scene, &result);
+        self.report(scene, &result);
         Ok(())
     }
 

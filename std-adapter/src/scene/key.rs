@@ -32,6 +32,8 @@ pub enum Domain {
         /// Inclusive upper end.
         up_to: f64,
     },
+    /// From 0 to 1, both included.
+    Fraction,
     /// A whole number from 1 to `up_to`.
     Count {
         /// Largest.
@@ -49,6 +51,7 @@ impl Domain {
             Self::NotNegative => "a finite number >= 0".into(),
             Self::Positive => "a finite number > 0".into(),
             Self::Between { above, up_to } => format!("a number > {above} and <= {up_to}"),
+            Self::Fraction => "a number from 0 to 1".into(),
             Self::Count { up_to } => format!("a whole number from 1 to {up_to}"),
             Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
         }
@@ -62,6 +65,7 @@ impl Domain {
                 Self::NotNegative => x >= 0.0,
                 Self::Positive => x > 0.0,
                 Self::Between { above, up_to } => x > above && x <= up_to,
+                Self::Fraction => (0.0..=1.0).contains(&x),
                 Self::Count { up_to } => x >= 1.0 && x <= up_to && x.fract() == 0.0,
                 Self::OneOf(_) => false,
             }

@@ -3,12 +3,17 @@
 //! All refusals happen here, before any work, and all at once: each names the file and line (or
 //! the override), what is wrong and what would be valid.
 
+mod body;
+mod curling;
 mod entries;
 mod key;
+mod planar;
 mod problem;
 mod slider;
 
+pub use body::{Scene, parse_scene, read_scene};
 pub use key::{Domain, Key};
+pub use planar::{PlanarBody, PlanarScene, Tipping};
 pub use problem::{Problem, SceneError};
 pub use slider::{SliderScene, Stepper, Units};
 
@@ -17,11 +22,14 @@ use std::path::Path;
 
 /// Reads the scene in `path` with `overrides` of the form `key=value` put over it.
 pub fn read_slider(path: &Path, overrides: &[String]) -> Result<SliderScene, SceneError> {
-    let text = std::fs::read_to_string(path).map_err(|cause| SceneError::Unreadable {
+    parse_slider(&path.display().to_string(), &text_of(path)?, overrides)
+}
+
+fn text_of(path: &Path) -> Result<String, SceneError> {
+    std::fs::read_to_string(path).map_err(|cause| SceneError::Unreadable {
         path: path.to_path_buf(),
         cause,
-    })?;
-    parse_slider(&path.display().to_string(), &text, overrides)
+    })
 }
 
 /// As [`read_slider`], from text; `name` stands for the file in messages.

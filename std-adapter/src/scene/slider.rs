@@ -60,11 +60,11 @@ pub struct SliderScene {
 
 /// Below this fraction of its initial value a speed counts as rest where the motion never ends
 /// (thesis, section 3.4.5).
-const STOP_FRACTION: f64 = 1e-4;
+pub(super) const STOP_FRACTION: f64 = 1e-4;
 /// Steps recorded unless the scene says otherwise.
-const SAMPLES: f64 = 200.0;
+pub(super) const SAMPLES: f64 = 200.0;
 /// Bounds of what a file can reasonably hold.
-const MOST_SAMPLES: f64 = 1_000_000.0;
+pub(super) const MOST_SAMPLES: f64 = 1_000_000.0;
 
 impl SliderScene {
     /// The vocabulary, in the order of the documentation.
@@ -146,6 +146,7 @@ impl SliderScene {
                 up_to: MOST_SAMPLES,
             },
         ),
+        super::body::BODY,
     ];
 
     pub(super) fn from_entries(
@@ -155,6 +156,10 @@ impl SliderScene {
         let mut reader = Reader::new(Self::KEYS, entries, problems);
         let units = [Units::Si, Units::Dimensionless][reader.word("units").min(1)];
         let stepper = [Stepper::Exact, Stepper::Verlet][reader.word("stepper").min(1)];
+        if reader.word("body") != 0 {
+            let message = "only a disk is read here; this body has a vocabulary of its own";
+            reader.object("body", message.into());
+        }
         let [gravity, radius, mass] =
             ["gravity", "radius", "mass"].map(|name| scale(&mut reader, units, name));
         let scene = Self {
@@ -232,7 +237,12 @@ fn scale(reader: &mut Reader, units: Units, name: &str) -> f64 {
     }
 }
 
-const fn key(name: &'static str, unit: &'static str, meaning: &'static str, domain: Domain) -> Key {
+pub(super) const fn key(
+    name: &'static str,
+    unit: &'static str,
+    meaning: &'static str,
+    domain: Domain,
+) -> Key {
     Key {
         name,
         unit,

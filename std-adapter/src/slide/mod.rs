@@ -3,10 +3,12 @@
 pub mod curling;
 pub mod inverse;
 mod outcome;
+mod path;
 pub mod planar;
 mod simulation;
 
 pub use outcome::{Ending, Outcome};
+pub use path::{PATH_COLUMNS, PathOutcome, PathRun, run_path};
 pub use simulation::{COLUMNS, SlideSimulation};
 
 use crate::run::drive;
@@ -43,13 +45,14 @@ pub enum SlideError {
     },
     /// A tall body would tip, and the scene does not let it.
     #[error(
-        "the body tips: at {time:.6} s the pressure gradient is {lean:.4} of what its foot can \
-         bear; lower `height` or `coefficient`, or set tipping = \"clamp\""
+        "the body tips: from {time:.6} s on its foot cannot bear the pressure gradient, which \
+         reaches {lean:.4} of the limit; lower `height` or `coefficient`, or set \
+         tipping = \"clamp\""
     )]
     Tips {
-        /// When.
+        /// When it begins to, in s.
         time: f64,
-        /// |l|
+        /// Largest |l| on the way.
         lean: f64,
     },
     /// The kernel refused the friction.

@@ -52,8 +52,8 @@ impl CurlingModel for Film {
 
 /// A ring on a film, by a fixed rule of 256 points.
 ///
-/// *Accuracy* of the force for α = −1/2: 1e-12 where v and w differ by a twentieth, 1e-2 where they
-/// meet and an element of the ring stands still.
+/// *Accuracy* of force and torque for α = −1/2: 1e-12 where v and (1−f)w differ by a tenth, 1e-6 by
+/// a twentieth, and 2e-2 where they meet and an element of the ring stands still.
 #[derive(Clone, Debug)]
 pub struct FilmRing {
     /// (cos φ, sin φ) of the points.
@@ -92,8 +92,9 @@ impl FilmRing {
 }
 
 impl Resistance for FilmRing {
-    fn deceleration(&self, [x, y, rim]: [f64; 3]) -> [f64; 3] {
+    fn deceleration(&self, [x, y, signed_rim]: [f64; 3]) -> [f64; 3] {
         let speed = Real::hypot(x, y);
+        let (rim, sense) = (signed_rim.abs(), Real::copysign(1.0, signed_rim));
         let (mut back, mut side, mut torque) = (0.0, 0.0, 0.0);
         let [mean, half_change] = self.film;
         let whole = Real::hypot(speed, rim);
@@ -119,6 +120,7 @@ impl Resistance for FilmRing {
         } else {
             (x / speed, y / speed)
         };
+        let (side, torque) = (side * sense, torque * sense);
         [
             self.strength * (back * cos - side * sin),
             self.strength * (back * sin + side * cos),

@@ -36,7 +36,7 @@ pub struct ScratchGuide {
 
 impl ScratchGuide {
     /// σ that makes a draw with 1.5 rad/s curl by about 1 m.
-    pub const STRENGTH: f64 = 0.0004;
+    pub const STRENGTH: f64 = 0.0006;
     /// δ: about half a degree.
     pub const ONSET: f64 = 0.01;
 }

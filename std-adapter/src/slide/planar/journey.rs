@@ -67,6 +67,8 @@ pub struct Arrival {
     pub ending: Ending,
     /// Largest |l| on the way.
     pub most_lean: f64,
+    /// When |l| first exceeded 1 and the body began to tip, in s.
+    pub tips_at: Option<f64>,
     /// Steps taken.
     pub steps: u64,
 }
@@ -149,10 +151,12 @@ impl<'a, B: Resistance> Journey<'a, B> {
     ) -> Result<Arrival, SlideError> {
         let mut times = times.iter().copied().peekable();
         let mut shown = self.state;
-        let mut most_lean = self.point(&shown).lean;
+        let start = self.point(&shown);
+        let mut uprightness = Uprightness::default();
+        uprightness.see(&start);
+        observe(&start);
         let mut size = FIRST;
         let mut steps = 0;
-        observe(&self.point(&shown));
         while !self.is_over() {
             let from = self.state;
             let taken = self.step(&mut size, &mut steps)?;
@@ -163,17 +167,13 @@ impl<'a, B: Resistance> Journey<'a, B> {
                 }
             }
             let here = self.point(&self.state);
-            most_lean = if here.lean > most_lean {
-                here.lean
-            } else {
-                most_lean
-            };
+            uprightness.see(&here);
             if self.has_turned(&shown) {
                 observe(&here);
                 shown = self.state;
             }
         }
-        let arrival = self.arrival(most_lean, steps);
+        let arrival = self.arrival(uprightness, steps);
         observe(&arrival.point);
         Ok(arrival)
     }
@@ -329,7 +329,7 @@ impl<'a, B: Resistance> Journey<'a, B> {
     }
 
     /// The end: what is left of the time closes as a power of the speed, the rest is nothing.
-    fn arrival(&self, most_lean: f64, steps: u64) -> Arrival {
+    fn arrival(&self, uprightness: Uprightness, steps: u64) -> Arrival {
         let mut point = self.point(&self.state);
         let beta = 1.0 - self.body.exponent();
         let ending = if beta > 0.0 {
@@ -343,8 +343,27 @@ impl<'a, B: Resistance> Journey<'a, B> {
         Arrival {
             point,
             ending,
-            most_lean,
+            most_lean: uprightness.most_lean,
+            tips_at: uprightness.tips_at,
             steps,
+        }
+    }
+}
+
+/// How far the body has leant.
+#[derive(Clone, Copy, Debug, Default)]
+struct Uprightness {
+    most_lean: f64,
+    tips_at: Option<f64>,
+}
+
+impl Uprightness {
+    fn see(&mut self, point: &Point) {
+        if point.lean > self.most_lean {
+            self.most_lean = point.lean;
+        }
+        if point.lean > 1.0 && self.tips_at.is_none() {
+            self.tips_at = Some(point.time);
         }
     }
 }

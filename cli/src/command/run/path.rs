@@ -1,0 +1,103 @@
+//! Bodies that slide along a path in the plane.
+
+use crate::failure::Failure;
+use crate::report::figure::{Axis, Figure, Series};
+use crate::report::image;
+use std::path::Path;
+use tribos::record::{series_csv, write_atomically};
+use tribos::scene::PlanarScene;
+use tribos::slide::planar::Ending;
+use tribos::slide::{PATH_COLUMNS, PathRun, run_path};
+
+/// Runs the scene and writes its results into the folder.
+pub fn run(scene: &PlanarScene, out: &Path) -> Result<(), Failure> {
+    let result = run_path(scene)?;
+    let rows = result
+        .series
+        .iter()
+        .map(<[f64; PATH_COLUMNS.len()]>::as_slice);
+    let csv = series_csv(&PATH_COLUMNS, rows);
+    write_atomically(&out.join("series.csv"), csv.as_bytes())?;
+    image::write_both(out, "path", &figure(scene, &result))?;
+    // Last: a summary stands only beside complete results.
+    let summary = format!("{:#}\n", result.outcome.json(scene));
+    write_atomically(&out.join("summary.json"), summary.as_bytes())?;
+    report(&result, out);
+    Ok(())
+}
+
+/// A few lines for the person at the terminal.
+fn report(result: &PathRun, out: &Path) {
+    let arrival = &result.outcome.arrival;
+    let [x, y] = arrival.point.position;
+    let ending = match arrival.ending {
+        Ending::Rest => "Rest",
+        Ending::Faded => "Faded",
+    };
+    println!("ending        {ending} after {} steps", arrival.steps);
+    println!("time          {:.12} s", arrival.point.time);
+    println!("forward       {x:.12} m");
+    println!("curl          {y:.12} m, to the left if positive");
+    println!("angle         {:.12} rad", arrival.point.angle);
+    println!("final ratio   {:.12}", arrival.point.ratio);
+    match arrival.tips_at {
+        Some(time) => println!("lean          held at its limit from {time:.6} s on"),
+        None => println!(
+            "lean          at most {:.6} of its limit",
+            arrival.most_lean
+        ),
+    }
+    println!(
+        "energy error  {:.1e} of the initial energy",
+        result.outcome.energy_error
+    );
+    println!("written to    {}", out.display());
+}
+
+/// Width of the figure, and what frame and labels take of both sides, in pixels.
+const WIDTH: f64 = 900.0;
+const FRAME: [f64; 2] = [100.0, 105.0];
+/// Bounds of the height.
+const HEIGHTS: [f64; 2] = [360.0, 900.0];
+/// Paths flatter than this are stretched across.
+const FLAT: f64 = 0.15;
+/// Free part of a span at each end.
+const MARGIN: f64 = 0.06;
+
+/// The path, in equal scales unless it is very flat.
+fn figure(scene: &PlanarScene, result: &PathRun) -> Figure {
+    let points: Vec<(f64, f64)> = result.series.iter().map(|row| (row[1], row[2])).collect();
+    let xs = span(points.iter().map(|point| point.0));
+    let ys = span(points.iter().map(|point| point.1));
+    let (long, across) = (xs[1] - xs[0], ys[1] - ys[0]);
+    let direction = if scene.spin < 0.0 {
+        "clockwise"
+    } else {
+        "counterclockwise"
+    };
+    let title = format!("Path of a body that spins {direction}");
+    let axes = [Axis::linear("forward [m]"), Axis::linear("to the left [m]")];
+    let [x, y] = axes;
+    if across < FLAT * long || long == 0.0 {
+        return Figure::new(format!("{title} (scales differ)"), x, y)
+            .series(Series::line("", points));
+    }
+    // Equal scales: the picture's shape follows the path, what is left over goes to the margins.
+    let wide = WIDTH - FRAME[0];
+    let high = (wide * across / long + FRAME[1]).clamp(HEIGHTS[0], HEIGHTS[1]) - FRAME[1];
+    let scale = (long / wide).max(across / high) * (1.0 + 2.0 * MARGIN);
+    let around = |[low, high]: [f64; 2], pixels: f64| {
+        let (middle, half) = (0.5 * (low + high), 0.5 * pixels * scale);
+        [middle - half, middle + half]
+    };
+    let ([x0, x1], [y0, y1]) = (around(xs, wide), around(ys, high));
+    Figure::new(title, x.range(x0, x1), y.range(y0, y1))
+        .series(Series::line("", points))
+        .size(WIDTH as u32, (high + FRAME[1]) as u32)
+}
+
+fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    })
+}

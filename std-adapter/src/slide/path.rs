@@ -1,0 +1,167 @@
+//! A planar scene run to its end.
+
+use super::SlideError;
+use super::planar::{Arrival, Ending, Journey, Launch, Point, Resistance};
+use crate::record::json_number;
+use crate::scene::{PlanarBody, PlanarScene, Tipping};
+use serde_json::{Map, Value};
+
+/// Columns of the series: s, m, m, m/s, m/s, rad/s, rad, –, –, J, J.
+pub const PATH_COLUMNS: [&str; 11] = [
+    "time",
+    "x",
+    "y",
+    "vx",
+    "vy",
+    "spin",
+    "angle",
+    "ratio",
+    "lean",
+    "kinetic_energy",
+    "dissipated_energy",
+];
+
+/// Everything a run of a planar scene gives.
+#[derive(Clone, Debug)]
+pub struct PathRun {
+    /// Lines of the series, columns as in [`PATH_COLUMNS`].
+    pub series: Vec<[f64; PATH_COLUMNS.len()]>,
+    /// The summary.
+    pub outcome: PathOutcome,
+}
+
+/// What came out of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathOutcome {
+    /// The end of the journey.
+    pub arrival: Arrival,
+    /// Kinetic energy at the launch, in J.
+    pub initial_energy: f64,
+    /// |work − loss of kinetic energy| / initial energy.
+    pub energy_error: f64,
+    /// In kg.
+    mass: f64,
+}
+
+/// Runs a scene to its end.
+///
+/// ```
+/// use tribos::{scene::{Scene, parse_scene}, slide::run_path};
+/// let text = "body = \"curling\"\nmodel = \"scratch-guide\"\nspeed = 1.9866\nspin = 1.5";
+/// let Scene::Planar(scene) = parse_scene("draw.toml", text, &[])? else { unreachable!() };
+/// let end = run_path(&scene)?.outcome.arrival.point;
+/// assert!(end.position[0] > 28.3 && end.position[1] > 0.9); // m, left
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn run_path(scene: &PlanarScene) -> Result<PathRun, SlideError> {
+    let body = resistance(scene)?;
+    let launch = Launch {
+        velocity: [scene.speed, 0.0],
+        spin: scene.spin,
+    };
+    let journey = || Journey::new(&body, &launch, scene.stop_fraction);
+    let scouted = journey()?.to_end()?;
+    if let (Tipping::Refuse, Some(time)) = (scene.tipping, scouted.tips_at) {
+        let lean = scouted.most_lean;
+        return Err(SlideError::Tips { time, lean });
+    }
+    let interval = scouted.point.time / f64::from(scene.samples);
+    let times: Vec<f64> = (1..scene.samples)
+        .map(|k| interval * f64::from(k))
+        .collect();
+    let energy = |point: &Point| scene.mass * energy_per_mass(&body, point);
+    let mut series = Vec::new();
+    let arrival = journey()?.follow(&times, |point| {
+        series.push(row(point, energy(point), scene.mass));
+    })?;
+    let initial_energy = series.first().map_or(f64::NAN, |row| row[9]);
+    let lost = initial_energy - energy(&arrival.point);
+    let work = scene.mass * arrival.point.work;
+    Ok(PathRun {
+        series,
+        outcome: PathOutcome {
+            arrival,
+            initial_energy,
+            energy_error: (work - lost).abs() / initial_energy,
+            mass: scene.mass,
+        },
+    })
+}
+
+fn resistance(scene: &PlanarScene) -> Result<Box<dyn Resistance>, SlideError> {
+    match &scene.body {
+        PlanarBody::Cylinder(cylinder) => Ok(Box::new(cylinder.body(scene.gravity)?)),
+        PlanarBody::Pipe(pipe) => Ok(Box::new(pipe.body(scene.gravity)?)),
+        PlanarBody::Curling(rock, model) => model.resistance(rock),
+    }
+}
+
+/// (v² + C (ωR)²)/2
+fn energy_per_mass(body: &impl Resistance, point: &Point) -> f64 {
+    let [x, y] = point.velocity;
+    let rim = point.spin * body.radius();
+    0.5 * (x * x + y * y + body.inertia_ratio() * rim * rim)
+}
+
+fn row(point: &Point, energy: f64, mass: f64) -> [f64; PATH_COLUMNS.len()] {
+    let ([x, y], [vx, vy]) = (point.position, point.velocity);
+    [
+        point.time,
+        x,
+        y,
+        vx,
+        vy,
+        point.spin,
+        point.angle,
+        point.ratio,
+        point.lean,
+        energy,
+        mass * point.work,
+    ]
+}
+
+impl PathOutcome {
+    /// The summary as JSON; `stop_time` is null if the body does not rest.
+    pub fn json(&self, scene: &PlanarScene) -> Value {
+        let Arrival {
+            point,
+            ending,
+            most_lean,
+            tips_at,
+            steps,
+        } = self.arrival;
+        let (name, stop_time) = match ending {
+            Ending::Rest => ("rest", json_number(point.time)),
+            Ending::Faded => ("faded", Value::Null),
+        };
+        let mut map = Map::new();
+        map.insert("ending".into(), name.into());
+        map.insert("stop_time".into(), stop_time);
+        for (name, value) in [
+            ("end_time", point.time),
+            ("x", point.position[0]),
+            ("y", point.position[1]),
+            ("curl", point.position[1]),
+            ("path_length", point.distance),
+            ("angle", point.angle),
+            ("final_ratio", point.ratio),
+            ("max_lean", most_lean),
+        ] {
+            map.insert(name.into(), json_number(value));
+        }
+        map.insert("tipped".into(), tips_at.is_some().into());
+        let tipped_at = tips_at.map_or(Value::Null, json_number);
+        map.insert("tipped_at".into(), tipped_at);
+        map.insert("steps".into(), steps.into());
+        for (name, value) in [
+            ("initial_energy", self.initial_energy),
+            ("energy_dissipated", self.mass * point.work),
+            ("energy_error", self.energy_error),
+        ] {
+            map.insert(name.into(), json_number(value));
+        }
+        map.insert("scene".into(), scene.json());
+        map.insert("version".into(), env!("CARGO_PKG_VERSION").into());
+        Value::Object(map)
+    }
+}
