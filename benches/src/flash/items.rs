@@ -21,8 +21,9 @@ const NARROW: &[&str] = &["f32"];
 const WIDE: &[&str] = &["f64"];
 const BOTH: &[&str] = &["f32", "f64"];
 
-/// Modules that are no feature of their own.
-pub const PLUMBING: [&str; 5] = [
+/// Modules that are no feature of their own; `coupling` itself has its traits only.
+pub const PLUMBING: [&str; 6] = [
+    "coupling",
     "real",
     "twist",
     "law::error",
@@ -348,7 +349,6 @@ pub const BODIES: [Item; 10] = [
         ["limit surface", "ellipsoid: projection"],
         NARROW,
         &[
-            "coupling",
             "limit_surface",
             "limit_surface::ellipsoid",
             "limit_surface::exact",
