@@ -123,7 +123,7 @@ fn bad_input_is_refused_with_its_cure() -> Outcome {
     let cases: [(&[&str], &str); 6] = [
         (&["--alpha", "1"], "never comes to rest"),
         (&["--patch", "square"], "paraboloid"),
-        (&["--patch", "annulus"], "annulus:INNER"),
+        (&["--patch", "annulus"], "annulus:0.8"),
         (&["--symmetry", "0"], "symmetry"),
         (&["--plot", "reach.gif"], ".svg or .png"),
         (&["--alpha", "-2"], "-1 < alpha"),

@@ -166,9 +166,11 @@ impl ValueFormatter<f64> for Ticks {
     }
 }
 
-// Value in the unit of the axis, or nothing when it cannot be shown.
+// Value in the unit of the axis, or nothing when it cannot be shown. On a linear axis what is next
+// to the smallest numbers is nought: a span of them has no round values.
 fn unit(scale: Scale, value: f64) -> Option<f64> {
     match scale {
+        Scale::Linear if value.abs() < 1e-280 => Some(0.0),
         Scale::Linear => (value.abs() < 1e300).then_some(value),
         Scale::Log10 => (1e-300..1e300).contains(&value).then(|| value.log10()),
     }

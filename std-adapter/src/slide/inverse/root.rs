@@ -66,7 +66,8 @@ mod tests {
 
     #[test]
     fn roots_are_found_to_the_last_digit_in_few_rounds() {
-        let cases: [(fn(f64) -> f64, f64, f64, f64); 4] = [
+        type Case = (fn(f64) -> f64, f64, f64, f64);
+        let cases: [Case; 4] = [
             (|x| x * x - 2.0, 0.0, 2.0, 2.0_f64.sqrt()),
             (|x| x.exp() - 1e-3, -40.0, 4.0, 1e-3_f64.ln()),
             (|x| (x - 0.3).cbrt(), 0.0, 1.0, 0.3),
