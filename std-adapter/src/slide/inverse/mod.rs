@@ -47,7 +47,6 @@ mod limits;
 mod map;
 mod plan;
 mod root;
-mod runge_kutta;
 mod slope;
 mod solve;
 

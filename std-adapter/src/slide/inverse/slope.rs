@@ -19,9 +19,14 @@
 //! or until it has settled and the integral closes: W X_s'/(p k − m').
 
 use super::RestMap;
-use super::runge_kutta::{self, State};
 use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::slider::runge_kutta;
 
+/// c, n, W, ∫ W X_s' dτ, ∫ W Y_s' dτ.
+type State = [f64; 5];
+
+/// Local tolerance of a step.
+const TOLERANCE: f64 = 1e-14;
 /// A direction that turns by this fraction of the loss leaves 1e-13 of the slope to (1).
 const BRISK: f64 = 1e-2;
 /// A turning rate below this fraction of the loss changes nothing any more.
@@ -77,7 +82,9 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
                 return finite([p * start * (x + left * dx), p * start * (y + left * dy)]);
             }
             let (next, error) = runge_kutta::step(&state, size, |y| self.derivative(y));
-            let (accepted, factor) = runge_kutta::judge(&next, &error);
+            let admissible = next[0] >= 0.0 && next[1] >= 0.0;
+            let (accepted, factor) =
+                runge_kutta::judge(worst(&next, &error), TOLERANCE, admissible);
             if accepted {
                 state = next;
             }
@@ -154,4 +161,15 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
 
 fn finite(pair: [f64; 2]) -> Option<[f64; 2]> {
     pair.iter().all(|x| x.is_finite()).then_some(pair)
+}
+
+/// The largest error. The direction counts relative to its own components, so that a small one
+/// keeps its digits.
+fn worst(at: &State, error: &State) -> f64 {
+    let units = [at[0].abs(), at[1].abs(), 1.0, 1.0, 1.0];
+    let terms = error.iter().zip(units).map(|(error, unit)| match error {
+        0.0 => 0.0,
+        _ => error.abs() / unit,
+    });
+    terms.fold(0.0, |a: f64, b| if b > a || b.is_nan() { b } else { a })
 }
