@@ -127,16 +127,6 @@ impl<R: Real, P: Profile<R>> Profile<R> for Annulus<R, P> {
             self.less(chi, chi_middle, k4),
         ]
     }
-
-    fn speed_scale(&self, speed: R) -> R {
-        self.disk.speed_scale(speed)
-    }
-    fn rate_scale(&self, speed: R) -> R {
-        self.disk.rate_scale(speed)
-    }
-    fn half_scales(&self, speed: R) -> [R; 2] {
-        self.disk.half_scales(speed)
-    }
 }
 
 impl<R: Real, C: Lateral<R>> Lateral<R> for Annulus<R, C> {

@@ -141,17 +141,6 @@ macro_rules! coupled {
             fn inertia_ends(&self) -> [R; 2] {
                 family::inertia_ends(self.exponent(), order::<Self, R>())
             }
-            #[inline]
-            fn speed_scale(&self, _: R) -> R {
-                R::ONE
-            }
-            #[inline]
-            fn rate_scale(&self, speed: R) -> R {
-                R::ONE / speed
-            }
-            fn half_scales(&self, speed: R) -> [R; 2] {
-                [R::ONE, R::ONE / speed.sqrt()]
-            }
         }
 
         impl<R: Real> SmoothProfile<R> for $form {

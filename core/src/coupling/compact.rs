@@ -36,17 +36,6 @@ impl<R: Real> Profile<R> for Coulomb {
     fn inertia_ends(&self) -> [R; 2] {
         family::inertia_ends(self.exponent(), R::ZERO)
     }
-    #[inline]
-    fn speed_scale(&self, _: R) -> R {
-        R::ONE
-    }
-    #[inline]
-    fn rate_scale(&self, speed: R) -> R {
-        R::ONE / speed
-    }
-    fn half_scales(&self, speed: R) -> [R; 2] {
-        [R::ONE, R::ONE / speed.sqrt()]
-    }
 }
 
 impl<R: Real> SmoothProfile<R> for Coulomb {

@@ -56,17 +56,6 @@ impl<R: Real, P: Profile<R>> Profile<R> for Dry<P> {
     fn inertia_ends(&self) -> [R; 2] {
         self.profile.inertia_ends()
     }
-    #[inline]
-    fn speed_scale(&self, _: R) -> R {
-        R::ONE
-    }
-    #[inline]
-    fn rate_scale(&self, speed: R) -> R {
-        R::ONE / speed
-    }
-    fn half_scales(&self, speed: R) -> [R; 2] {
-        [R::ONE, R::ONE / speed.sqrt()]
-    }
 }
 
 impl<R: Real, P: SmoothProfile<R>> SmoothProfile<R> for Dry<P> {

@@ -69,19 +69,32 @@ pub trait Profile<R: Real> {
     /// `speed`^α.
     #[inline]
     fn speed_scale(&self, speed: R) -> R {
-        speed.pow(self.exponent())
+        let alpha = self.exponent();
+        if alpha == R::ZERO {
+            R::ONE
+        } else {
+            speed.pow(alpha)
+        }
     }
 
     /// `speed`^(α−1).
     #[inline]
     fn rate_scale(&self, speed: R) -> R {
-        speed.pow(self.exponent() - R::ONE)
+        let alpha = self.exponent();
+        if alpha == R::ZERO {
+            R::ONE / speed
+        } else {
+            speed.pow(alpha - R::ONE)
+        }
     }
 
     /// Square roots of the two scales, for results whose scale alone leaves the number range.
     #[cold]
     fn half_scales(&self, speed: R) -> [R; 2] {
         let alpha = self.exponent();
+        if alpha == R::ZERO {
+            return [R::ONE, R::ONE / speed.sqrt()];
+        }
         [
             speed.pow(R::HALF * alpha),
             speed.pow(R::HALF * (alpha - R::ONE)),
@@ -114,18 +127,6 @@ impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
     }
     fn inertia_ends(&self) -> [R; 2] {
         (**self).inertia_ends()
-    }
-    #[inline]
-    fn speed_scale(&self, speed: R) -> R {
-        (**self).speed_scale(speed)
-    }
-    #[inline]
-    fn rate_scale(&self, speed: R) -> R {
-        (**self).rate_scale(speed)
-    }
-    #[inline]
-    fn half_scales(&self, speed: R) -> [R; 2] {
-        (**self).half_scales(speed)
     }
 }
 

@@ -216,17 +216,6 @@ impl<R: CoulombTable> Profile<R> for Coulomb {
     fn inertia_ends(&self) -> [R; 2] {
         R::coulomb_table().inertia_ends()
     }
-    #[inline]
-    fn speed_scale(&self, _: R) -> R {
-        R::ONE
-    }
-    #[inline]
-    fn rate_scale(&self, speed: R) -> R {
-        R::ONE / speed
-    }
-    fn half_scales(&self, speed: R) -> [R; 2] {
-        [R::ONE, R::ONE / speed.sqrt()]
-    }
 }
 
 impl<R: CoulombTable> SmoothProfile<R> for Coulomb {
