@@ -51,6 +51,21 @@ fn tall_bodies_have_the_same_bits_on_every_platform() {
 }
 
 #[test]
+fn contacts_at_nodes_have_the_same_bits_on_every_platform() {
+    assert_eq!(bits::nodes(), 0xaca1_d7fc_d221_d32b);
+}
+
+#[test]
+fn limit_surfaces_have_the_same_bits_on_every_platform() {
+    assert_eq!(bits::limit_surfaces(), 0x6487_4066_e7ec_b2f1);
+}
+
+#[test]
+fn laws_have_the_same_bits_on_every_platform() {
+    assert_eq!(bits::laws(), 0x91e2_16c3_543e_2622);
+}
+
+#[test]
 fn the_hash_sees_a_single_bit() {
     // All hashes differ and none is the empty one.
     let mut seen: Vec<u64> = bits::bits().iter().map(|(_, hash)| *hash).collect();

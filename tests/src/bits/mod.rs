@@ -3,6 +3,10 @@
 //! Inputs come from integers and + − × / alone, so that no platform's mathematics library takes
 //! part; the kernel's own roots and powers come from the `libm` crate.
 
+mod more;
+
+pub use more::{laws, limit_surfaces, nodes};
+
 use crate::sweep::Lcg;
 use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
 use tribos_core::coupling::quadrature::DiskQuadrature;
@@ -309,7 +313,7 @@ where
 }
 
 /// All hashes with their names.
-pub fn bits() -> [(&'static str, u64); 10] {
+pub fn bits() -> [(&'static str, u64); 13] {
     [
         ("tables f64", tables_f64()),
         ("tables f32", tables_f32()),
@@ -321,5 +325,8 @@ pub fn bits() -> [(&'static str, u64); 10] {
         ("pressures f32", pressures_f32()),
         ("closed forms", closed_forms()),
         ("tall", tall()),
+        ("nodes", nodes()),
+        ("limit surfaces", limit_surfaces()),
+        ("laws", laws()),
     ]
 }

@@ -1,0 +1,146 @@
+//! Bits of contacts at nodes, limit surfaces and laws with memory.
+
+use super::{ARGUMENTS, Fnv, speed};
+use crate::sweep::Lcg;
+use nalgebra::Vector2;
+use tribos_core::coupling::closed::Ring;
+use tribos_core::coupling::nodes::NodeFriction;
+use tribos_core::coupling::{DryCoupling, table};
+use tribos_core::law::{
+    Bristle, ContactAge, Dieterich, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPower,
+    RateState, RateStateParameters, Ruina, Stribeck,
+};
+use tribos_core::limit_surface::{FrictionSet, LimitSurface, Region};
+use tribos_core::patch::nodes::NodeList;
+use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polygon::polygon;
+use tribos_core::real::Real;
+use tribos_core::twist::{Twist, Wrench};
+
+/// Hash of contacts at nodes: a rule for a leaning pressure and a polygon, f64 and f32.
+pub fn nodes() -> u64 {
+    let mut hash = Fnv::new();
+    nodes_of::<f64>(&mut hash);
+    nodes_of::<f32>(&mut hash);
+    hash.0
+}
+
+fn nodes_of<R: Real>(hash: &mut Fnv) {
+    let real = R::from_f64;
+    let rule = PolarRule::new(real(0.5), 8, 16).expect("a rule");
+    let rule = rule.with_rim_exponent(R::HALF).expect("in range");
+    let disk: NodeList<R, 128> = rule.nodes_tilted(real(0.25), R::ZERO).expect("128 nodes");
+    let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75]].map(|corner| corner.map(real));
+    let plate: NodeList<R, 112> = polygon(&corners, 4).expect("a triangle");
+    let dry = DryFriction::new(real(0.5), real(0.25)).expect("in range");
+    let law = Stribeck::new(dry, real(0.125), R::TWO, real(0.0625)).expect("in range");
+    let mut rng = Lcg::new(37);
+    for _ in 0..ARGUMENTS / 20 {
+        let [x, y, spin] = [(); 3].map(|()| speed::<R>(&mut rng) - speed::<R>(&mut rng));
+        let twist = Twist::new(x, y, spin);
+        for patch in [
+            &disk as &dyn tribos_core::patch::nodes::NodePatch<R>,
+            &plate,
+        ] {
+            let friction = NodeFriction::new(law, patch);
+            let wrench = friction.wrench(real(1.5), &twist);
+            for v in [wrench.force.x, wrench.force.y, wrench.torque] {
+                hash.number(v);
+            }
+            for &v in friction.wrench_jacobian(real(1.5), &twist).iter() {
+                hash.number(v);
+            }
+        }
+    }
+}
+
+/// Hash of gauges, normals and projections, f64 and f32.
+pub fn limit_surfaces() -> u64 {
+    let mut hash = Fnv::new();
+    surface::<f64, _>(&mut hash, table::Coulomb);
+    surface::<f64, _>(&mut hash, Ring);
+    surface::<f32, _>(&mut hash, table::Coulomb);
+    hash.0
+}
+
+fn surface<R: Real, C: DryCoupling<R>>(hash: &mut Fnv, coupling: C) {
+    let [limit, radius] = [0.75, 0.25].map(R::from_f64);
+    let set = LimitSurface::new(coupling, limit, radius).expect("in range");
+    let mut rng = Lcg::new(41);
+    for _ in 0..ARGUMENTS / 4 {
+        let [x, y, torque] = [(); 3].map(|()| speed::<R>(&mut rng) - speed::<R>(&mut rng));
+        let push = Wrench {
+            force: Vector2::new(x, y),
+            torque,
+        };
+        let motion = set.twist_normal_to(&push);
+        let projection = set.project(&push);
+        for v in [
+            set.gauge(&push),
+            motion.velocity.x,
+            motion.velocity.y,
+            motion.spin,
+            projection.wrench.force.x,
+            projection.wrench.force.y,
+            projection.wrench.torque,
+        ] {
+            hash.number(v);
+        }
+        hash.feed(u64::from(projection.region == Region::Inside));
+    }
+}
+
+/// Hash of local laws and of laws with memory, f64 and f32.
+pub fn laws() -> u64 {
+    let mut hash = Fnv::new();
+    laws_of::<f64>(&mut hash);
+    laws_of::<f32>(&mut hash);
+    hash.0
+}
+
+fn laws_of<R: Real>(hash: &mut Fnv) {
+    let real = R::from_f64;
+    let rock = RateStateParameters {
+        mu: real(0.6),
+        a: real(0.01),
+        b: real(0.015),
+        reference_speed: real(1e-6),
+        slip_distance: real(1e-5),
+        viscous: real(0.1),
+    };
+    let ageing = RateState::<R, Dieterich>::new(rock).expect("in range");
+    let slip = RateState::<R, Ruina>::new(rock).expect("in range");
+    let joint = LuGre::new(LuGreParameters {
+        coulomb_force: real(1.0),
+        static_force: real(1.5),
+        stribeck_speed: real(1e-3),
+        stiffness: real(1e5),
+        bristle_damping: real(316.0),
+        viscous_damping: real(0.4),
+    });
+    let joint = joint.expect("in range");
+    let ice = PlateauPower::new(real(-0.5), real(0.008), real(1e-4), real(1e-7), R::HALF);
+    let ice = ice.expect("in range");
+    let mut rng = Lcg::new(43);
+    let (mut young, mut old) = (ContactAge { theta: R::ONE }, ContactAge { theta: R::ONE });
+    let mut bristle = Bristle::RELAXED;
+    for _ in 0..ARGUMENTS {
+        let (v, dt) = (speed::<R>(&mut rng), real(1.0 / 1024.0));
+        young = ageing.advance(young, v, dt);
+        old = slip.advance(old, v, dt);
+        let force;
+        (bristle, force) = joint.step(bristle, v - R::ONE, dt);
+        for x in [
+            young.theta,
+            old.theta,
+            ageing.coefficient(v, young),
+            ageing.steady().friction(v),
+            bristle.deflection,
+            force,
+            ice.friction(v),
+            ice.slope(v),
+        ] {
+            hash.number(x);
+        }
+    }
+}
