@@ -212,7 +212,7 @@ fn the_rule_of_the_film_is_as_accurate_as_it_says() {
     }
     let near = (0..=100).map(|k| error([1.0, 0.0, 0.95 + 1e-3 * f64::from(k)]));
     let worst = near.fold(0.0, f64::max);
-    assert!((1e-3..2e-2).contains(&worst), "{worst:e}");
+    assert!((1e-2..4e-2).contains(&worst), "{worst:e}");
 }
 
 #[test]

@@ -61,12 +61,25 @@ const FRAME: [f64; 2] = [100.0, 105.0];
 const HEIGHTS: [f64; 2] = [360.0, 900.0];
 /// Paths flatter than this are stretched across.
 const FLAT: f64 = 0.15;
+/// Lengths too small for an axis, in m.
+const INVISIBLE: f64 = 1e-200;
 /// Free part of a span at each end.
 const MARGIN: f64 = 0.06;
 
 /// The path, in equal scales unless it is very flat.
 fn figure(scene: &PlanarScene, result: &PathRun) -> Figure {
-    let points: Vec<(f64, f64)> = result.series.iter().map(|row| (row[1], row[2])).collect();
+    let visible = |length: f64| {
+        if length.abs() < INVISIBLE {
+            0.0
+        } else {
+            length
+        }
+    };
+    let points: Vec<(f64, f64)> = result
+        .series
+        .iter()
+        .map(|row| (visible(row[1]), visible(row[2])))
+        .collect();
     let xs = span(points.iter().map(|point| point.0));
     let ys = span(points.iter().map(|point| point.1));
     let (long, across) = (xs[1] - xs[0], ys[1] - ys[0]);

@@ -53,7 +53,7 @@ impl CurlingModel for Film {
 /// A ring on a film, by a fixed rule of 256 points.
 ///
 /// *Accuracy* of force and torque for α = −1/2: 1e-12 where v and (1−f)w differ by a tenth, 1e-6 by
-/// a twentieth, and 2e-2 where they meet and an element of the ring stands still.
+/// a twentieth, and 4e-2 where they meet and an element of the ring stands still.
 #[derive(Clone, Debug)]
 pub struct FilmRing {
     /// (cos φ, sin φ) of the points.

@@ -91,8 +91,10 @@ const PATIENT_FOLDS: f64 = 100.0;
 const SETTLED: f64 = 1e-13;
 /// e-folds of the speed that f64 holds with room to spare.
 const MOST_FOLDS: f64 = 600.0;
-/// More steps than 10,000 loops need.
-const MOST_STEPS: u64 = 2_000_000;
+/// More steps than 300 loops need.
+const MOST_STEPS: u64 = 200_000;
+/// Parts of e, and lengths against others, that are nothing: their relative errors are rounding.
+const NOTHING: f64 = 1e-200;
 /// The sliding or spinning part of e is exact relative to this fraction of its first length.
 const FLOOR: f64 = 1e-6;
 /// Iterations of Newton's method for a time within a step; three are enough.
@@ -240,9 +242,9 @@ impl<'a, B: Resistance> Journey<'a, B> {
         let least = |length: f64, first: f64| {
             let floor = first * FLOOR;
             let length = if length < floor { floor } else { length };
-            length + f64::MIN_POSITIVE
+            length + NOTHING
         };
-        let over = |error: f64, of: f64| error.abs() / (of.abs() + f64::MIN_POSITIVE);
+        let over = |error: f64, of: f64| error.abs() / (of.abs() + NOTHING);
         let slide = least(Real::hypot(at[0], at[1]), self.lengths[0]);
         let terms = [
             Real::hypot(error[0], error[1]) / slide,
