@@ -100,9 +100,9 @@ bounds! {
     LEGENDRE = 1e-15, "four products of integrals of a few ulp";
 
     /// Gauge of surface points known to 32 digits, absolute.
-    GAUGE = 1e-15, "1e-12 is promised; dissipation of the table tier and three roundings";
+    GAUGE = 1e-15, "dissipation of the table tier and three roundings";
     /// Velocity ratio recovered from its own friction, relative.
-    NORMAL = 2e-15, "1e-12 is promised; table's error over the curvature of the surface";
+    NORMAL = 2e-15, "table's error over the curvature of the surface";
     /// The same for a ring, whose slopes are infinite at equal speeds.
     NORMAL_RING = 4e-15, "the last Newton step only divides its error by a logarithm";
     /// Gauge of projections against 1, in units of EPSILON; the collar is 64.

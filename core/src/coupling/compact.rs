@@ -77,9 +77,9 @@ impl<R: Real> Coupling<R> for Coulomb {
 /// continuation.
 ///
 /// Works in f64 inside, for f32 too: on a processor without f64 it is slow.
-/// *Accuracy*: at most 1e-14 relative in f64 for −0.99 ≤ α ≤ 50 on the uniform disk; in f32 5 ulp
-/// for −0.75 ≤ α ≤ 10. Other pressures: 1e-14 in f64 (α ≥ −0.9; 4e-13 towards −0.99), 10 ulp in
-/// f32.
+/// *Accuracy* on the uniform disk: at most 1e-14 relative in f64 for −0.99 ≤ α ≤ 50; in f32 5 ulp
+/// for −0.75 ≤ α ≤ 8, 6 ulp up to 10. Other pressures: 1e-14 in f64 for α ≥ −0.9 (4e-13 towards
+/// −0.99), 10 ulp in f32.
 /// *Cost*: one series away from equal speeds; near them up to 52 expansions.
 ///
 /// ```
