@@ -30,10 +30,8 @@ pub struct LeanProfile<R, P> {
     lean: R,
 }
 
-/// A spin so slow that C_α has reached its end, and a power of two.
-const SLOW_SPIN: f64 = 1.0 / (1u64 << 27) as f64;
-/// The same for sliding.
-const SLOW_SLIDING: f64 = SLOW_SPIN;
+/// A speed, of the larger one, so slow that C has reached its end: its square is below rounding.
+const SLOW: f64 = 1.0 / (1u64 << 27) as f64;
 
 impl<R: Real, P: Profile<R> + DryCoupling<R> + Lateral<R>> LeanProfile<R, P> {
     /// *Domain*: 0 ≤ `lean` < ∞, λ of [`super::tall`].
@@ -55,11 +53,8 @@ impl<R: Real, P: Profile<R> + DryCoupling<R> + Lateral<R>> Profile<R> for LeanPr
 
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {
         // F/v and T/w are even in both speeds: a slow one stands for none.
-        let no_less = |x: R, least: f64| {
-            let least = R::from_f64(least);
-            if x < least { least } else { x }
-        };
-        let (slide, rim) = (no_less(at.slide, SLOW_SLIDING), no_less(at.rim, SLOW_SPIN));
+        let slow = R::from_f64(SLOW);
+        let [slide, rim] = [at.slide, at.rim].map(|x| if x < slow { slow } else { x });
         let (wrench, _) = AllRound::balance(&self.foot, [slide, rim], self.lean);
         [wrench.force / slide, wrench.torque / rim]
     }
