@@ -140,6 +140,17 @@ pub const LAWS: &[Entry] = &[
         is_local: true,
     },
     Entry {
+        name: "incline",
+        summary: "a body at rest on a slope holds up to Euler's critical angle",
+        formula: "theta_c = atan(mu_s);  beyond, it starts with g (sin theta - mu_d cos theta)",
+        parameters: &[
+            needed("mu_s", "-", "static coefficient"),
+            needed("mu_d", "-", "dynamic coefficient, <= mu_s"),
+        ],
+        source: "Euler 1750; thesis section 2.1, fig. 2.2",
+        is_local: false,
+    },
+    Entry {
         name: "ageing",
         summary: "static friction grows with the time of rest",
         formula: "mu_s(t) = A + B ln(t/t0), A for t < t0",
