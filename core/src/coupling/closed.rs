@@ -10,11 +10,10 @@
 //! relative in f64, 1e-5 in f32. *Source*: `docs/theory.md`; Hertz: Johnson, Contact Mechanics,
 //! has the end values T(0) = 3π/16 and 1.
 
+use super::DryCoupling;
 use super::family;
-use super::lateral::{self, Lateral, LateralJacobian};
-use super::profile::{self, Profile, SmoothProfile};
+use super::profile::{Profile, SmoothProfile};
 use super::speeds::{Lead, Speeds};
-use super::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
 use crate::patch::PowerPressure;
 use crate::real::Real;
 use crate::special::CompleteElliptic;
@@ -123,7 +122,7 @@ fn series<R: Real>(c: f64, y: R) -> [R; 2] {
     [value, slope]
 }
 
-macro_rules! coupled {
+macro_rules! dry_profiles {
     ($($form:ty),*) => {$(
         impl<R: Real> Profile<R> for $form {
             #[inline]
@@ -152,38 +151,13 @@ macro_rules! coupled {
             }
         }
 
-        impl<R: Real> Coupling<R> for $form {
-            #[inline]
-            fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
-                profile::wrench(self, slide, rim)
-            }
-            #[inline]
-            fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
-                profile::jacobian(self, slide, rim)
-            }
-        }
-
         impl<R: Real> DryCoupling<R> for $form {}
 
-        impl<R: Real> Lateral<R> for $form {
-            #[inline]
-            fn lateral(&self, slide: R, rim: R) -> R {
-                let divisor = lateral::divisor(order::<Self, R>(), R::ZERO);
-                lateral::of_profile(self, divisor, slide, rim)
-            }
-            #[inline]
-            fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
-                let divisor = lateral::divisor(order::<Self, R>(), R::ZERO);
-                lateral::jacobian_of_profile(self, divisor, slide, rim)
-            }
-            fn mean_square_radius(&self) -> R {
-                R::from_f64(Self::PRESSURE.mean_square_radius())
-            }
-        }
+        family::coupled!([R: Real] $form, |_form| order::<Self, R>());
     )*};
 }
 
-coupled!(Ring, FlatPunch, Hertz);
+dry_profiles!(Ring, FlatPunch, Hertz);
 
 #[inline]
 fn order<F: ClosedForm, R: Real>() -> R {

@@ -1,12 +1,11 @@
 //! The tier without tables: a few KiB of code, tens of ulp.
 
+use super::DryCoupling;
 use super::family;
-use super::lateral::{self, Lateral, LateralJacobian};
 use super::member::Member;
 use super::octave::Pair;
-use super::profile::{self, Profile, SmoothProfile};
+use super::profile::{Profile, SmoothProfile};
 use super::speeds::{Lead, Speeds};
-use super::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
 use crate::law::{LawError, PowerLaw, validated_exponent};
 use crate::patch::PowerPressure;
 use crate::real::Real;
@@ -61,17 +60,6 @@ impl<R: Real> SmoothProfile<R> for Coulomb {
 }
 
 impl<R: Real> DryCoupling<R> for Coulomb {}
-
-impl<R: Real> Coupling<R> for Coulomb {
-    #[inline]
-    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
-        profile::wrench(self, slide, rim)
-    }
-    #[inline]
-    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
-        profile::jacobian(self, slide, rim)
-    }
-}
 
 /// |v|^α for any −1 < α ≤ 128 under any pressure (1−r²)^q, from the power series and its
 /// continuation.
@@ -151,43 +139,6 @@ impl<R: Real> SmoothProfile<R> for Power<R> {
     }
 }
 
-impl<R: Real> Coupling<R> for Power<R> {
-    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
-        profile::wrench(self, slide, rim)
-    }
-    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
-        profile::jacobian(self, slide, rim)
-    }
-}
+family::coupled!([R: Real] Coulomb, |_coulomb| R::ZERO);
 
-impl<R: Real> Lateral<R> for Coulomb {
-    #[inline]
-    fn lateral(&self, slide: R, rim: R) -> R {
-        let divisor = lateral::divisor(R::ZERO, R::ZERO);
-        lateral::of_profile(self, divisor, slide, rim)
-    }
-    #[inline]
-    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
-        let divisor = lateral::divisor(R::ZERO, R::ZERO);
-        lateral::jacobian_of_profile(self, divisor, slide, rim)
-    }
-    fn mean_square_radius(&self) -> R {
-        R::HALF
-    }
-}
-
-impl<R: Real> Lateral<R> for Power<R> {
-    #[inline]
-    fn lateral(&self, slide: R, rim: R) -> R {
-        let divisor = lateral::divisor(self.order, self.alpha);
-        lateral::of_profile(self, divisor, slide, rim)
-    }
-    #[inline]
-    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
-        let divisor = lateral::divisor(self.order, self.alpha);
-        lateral::jacobian_of_profile(self, divisor, slide, rim)
-    }
-    fn mean_square_radius(&self) -> R {
-        R::ONE / (self.order + R::TWO)
-    }
-}
+family::coupled!([R: Real] Power<R>, |power| power.order);

@@ -64,3 +64,37 @@ pub(super) fn inertia_excess<R: Real, P: SmoothProfile<R>>(
         Lead::Spinning => constant - beta * (x - inertia_ratio) + x * bend,
     }
 }
+
+/// [`super::Coupling`] and [`super::Lateral`] of a smooth profile, from its order q.
+macro_rules! coupled {
+    ([$($generics:tt)*] $profile:ty, |$this:ident| $order:expr) => {
+        impl<$($generics)*> $crate::coupling::Coupling<R> for $profile {
+            #[inline]
+            fn reduced_wrench(&self, slide: R, rim: R) -> $crate::coupling::ReducedWrench<R> {
+                $crate::coupling::profile::wrench(self, slide, rim)
+            }
+            #[inline]
+            fn reduced_jacobian(&self, slide: R, rim: R) -> $crate::coupling::ReducedJacobian<R> {
+                $crate::coupling::profile::jacobian(self, slide, rim)
+            }
+        }
+
+        impl<$($generics)*> $crate::coupling::Lateral<R> for $profile {
+            #[inline]
+            fn lateral(&self, slide: R, rim: R) -> R {
+                let $this = self;
+                $crate::coupling::lateral::of_order(self, $order, slide, rim)
+            }
+            #[inline]
+            fn lateral_jacobian(&self, slide: R, rim: R) -> $crate::coupling::LateralJacobian<R> {
+                let $this = self;
+                $crate::coupling::lateral::jacobian_of_order(self, $order, slide, rim)
+            }
+            fn mean_square_radius(&self) -> R {
+                let $this = self;
+                R::ONE / ($order + R::TWO)
+            }
+        }
+    };
+}
+pub(super) use coupled;

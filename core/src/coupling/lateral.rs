@@ -117,6 +117,23 @@ pub(super) fn jacobian_of_profile<R: Real, P: SmoothProfile<R>>(
     LateralJacobian { slide, rim }
 }
 
+/// G of the pressure of order q.
+#[inline]
+pub(super) fn of_order<R: Real, P: SmoothProfile<R>>(profile: &P, order: R, slide: R, rim: R) -> R {
+    of_profile(profile, divisor(order, profile.exponent()), slide, rim)
+}
+
+/// The gradient of vG for the pressure of order q.
+#[inline]
+pub(super) fn jacobian_of_order<R: Real, P: SmoothProfile<R>>(
+    profile: &P,
+    order: R,
+    slide: R,
+    rim: R,
+) -> LateralJacobian<R> {
+    jacobian_of_profile(profile, divisor(order, profile.exponent()), slide, rim)
+}
+
 /// 2(n+1) for pressure of order q under exponent α.
 #[inline]
 pub(super) fn divisor<R: Real>(order: R, alpha: R) -> R {

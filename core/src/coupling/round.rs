@@ -4,14 +4,12 @@
 //! one for spinning and one for sliding, each of Φ and Χ.
 
 use super::family;
-use super::lateral::{self, Lateral, LateralJacobian};
 use super::member::Member;
-use super::profile::{self, Profile, SmoothProfile};
+use super::profile::{Profile, SmoothProfile};
 use super::side::Sides;
 use super::speeds::Speeds;
 use super::table::MAX_EXPONENT;
 use super::table::{CELLS_F32, CELLS_F64, TERMS_F32, TERMS_F64};
-use super::{Coupling, ReducedJacobian, ReducedWrench};
 use crate::law::{LawError, validated_exponent};
 use crate::patch::PowerPressure;
 use crate::real::Real;
@@ -109,31 +107,6 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R>
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Coupling<R> for RoundTable<R, CELLS, TERMS> {
-    #[inline]
-    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
-        profile::wrench(self, slide, rim)
-    }
-    #[inline]
-    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
-        profile::jacobian(self, slide, rim)
-    }
-}
-
-impl<R: Real, const CELLS: usize, const TERMS: usize> Lateral<R> for RoundTable<R, CELLS, TERMS> {
-    #[inline]
-    fn lateral(&self, slide: R, rim: R) -> R {
-        let divisor = lateral::divisor(self.order, self.exponent());
-        lateral::of_profile(self, divisor, slide, rim)
-    }
-    #[inline]
-    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
-        let divisor = lateral::divisor(self.order, self.exponent());
-        lateral::jacobian_of_profile(self, divisor, slide, rim)
-    }
-    fn mean_square_radius(&self) -> R {
-        R::ONE / (self.order + R::TWO)
-    }
-}
-
 pub use super::polynomial::{LateralPolynomialTable, PolynomialTable};
+
+family::coupled!([R: Real, const CELLS: usize, const TERMS: usize] RoundTable<R, CELLS, TERMS>, |table| table.order);

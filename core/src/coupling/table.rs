@@ -1,12 +1,11 @@
 //! The quickest tier: polynomial tables, a few ulp, the same cost for every exponent.
 
 use super::family;
-use super::lateral::{self, Lateral, LateralJacobian};
 use super::member::Member;
-use super::profile::{self, Profile, SmoothProfile};
+use super::profile::{Profile, SmoothProfile};
 use super::side::Side;
 use super::speeds::Speeds;
-use super::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
+use super::{DryCoupling, ReducedWrench};
 use crate::law::{LawError, validated_exponent};
 use crate::real::Real;
 
@@ -139,17 +138,6 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Coupling<R> for Table<R, CELLS, TERMS> {
-    #[inline]
-    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
-        profile::wrench(self, slide, rim)
-    }
-    #[inline]
-    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
-        profile::jacobian(self, slide, rim)
-    }
-}
-
 /// Table of α = 0 in f32.
 pub type CoulombTable32 = Table<f32, CELLS_F32, TERMS_COULOMB_F32>;
 
@@ -227,45 +215,6 @@ impl<R: CoulombTable> SmoothProfile<R> for Coulomb {
 
 impl<R: CoulombTable> DryCoupling<R> for Coulomb {}
 
-impl<R: CoulombTable> Coupling<R> for Coulomb {
-    #[inline]
-    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
-        profile::wrench(self, slide, rim)
-    }
-    #[inline]
-    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
-        profile::jacobian(self, slide, rim)
-    }
-}
+family::coupled!([R: Real, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>, |_table| R::ZERO);
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Lateral<R> for Table<R, CELLS, TERMS> {
-    #[inline]
-    fn lateral(&self, slide: R, rim: R) -> R {
-        let divisor = lateral::divisor(R::ZERO, self.alpha);
-        lateral::of_profile(self, divisor, slide, rim)
-    }
-    #[inline]
-    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
-        let divisor = lateral::divisor(R::ZERO, self.alpha);
-        lateral::jacobian_of_profile(self, divisor, slide, rim)
-    }
-    fn mean_square_radius(&self) -> R {
-        R::HALF
-    }
-}
-
-impl<R: CoulombTable> Lateral<R> for Coulomb {
-    #[inline]
-    fn lateral(&self, slide: R, rim: R) -> R {
-        let divisor = lateral::divisor(R::ZERO, R::ZERO);
-        lateral::of_profile(self, divisor, slide, rim)
-    }
-    #[inline]
-    fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R> {
-        let divisor = lateral::divisor(R::ZERO, R::ZERO);
-        lateral::jacobian_of_profile(self, divisor, slide, rim)
-    }
-    fn mean_square_radius(&self) -> R {
-        R::HALF
-    }
-}
+family::coupled!([R: CoulombTable] Coulomb, |_table| R::ZERO);
