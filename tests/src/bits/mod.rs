@@ -61,10 +61,10 @@ fn speed<R: Real>(rng: &mut Lcg) -> R {
     R::from_f64(mantissa * power / 2048.0)
 }
 
-/// Wrench and Jacobian of a tier over one stream of arguments.
-fn coupling<R: Real>(hash: &mut Fnv, tier: &dyn Coupling<R>) {
-    let mut rng = Lcg::new(7);
-    for n in 0..ARGUMENTS {
+/// `count` pairs of sliding and rim speed, three in eight of them equal or nearly so.
+fn arguments<R: Real>(seed: u64, count: usize) -> impl Iterator<Item = (R, R)> {
+    let mut rng = Lcg::new(seed);
+    (0..count).map(move |n| {
         let slide: R = speed(&mut rng);
         let rim = match n % 8 {
             0 => slide,
@@ -72,18 +72,30 @@ fn coupling<R: Real>(hash: &mut Fnv, tier: &dyn Coupling<R>) {
             2 => slide * (R::ONE - R::EPSILON),
             _ => speed(&mut rng),
         };
-        let wrench = tier.reduced_wrench(slide, rim);
-        let jacobian = tier.reduced_jacobian(slide, rim);
-        for x in [
-            wrench.force,
-            wrench.torque,
-            jacobian.force_per_slide,
-            jacobian.force_slide,
-            jacobian.mixed,
-            jacobian.torque_rim,
-        ] {
-            hash.number(x);
-        }
+        (slide, rim)
+    })
+}
+
+/// Wrench and Jacobian at one pair of speeds.
+fn at<R: Real>(hash: &mut Fnv, tier: &dyn Coupling<R>, (slide, rim): (R, R)) {
+    let wrench = tier.reduced_wrench(slide, rim);
+    let jacobian = tier.reduced_jacobian(slide, rim);
+    for x in [
+        wrench.force,
+        wrench.torque,
+        jacobian.force_per_slide,
+        jacobian.force_slide,
+        jacobian.mixed,
+        jacobian.torque_rim,
+    ] {
+        hash.number(x);
+    }
+}
+
+/// Wrench and Jacobian of a tier over one stream of arguments.
+fn coupling<R: Real>(hash: &mut Fnv, tier: &dyn Coupling<R>) {
+    for speeds in arguments(7, ARGUMENTS) {
+        at(hash, tier, speeds);
     }
 }
 
@@ -163,29 +175,10 @@ const PRESSURES: [PowerPressure; 5] = [
 
 /// Wrench, Jacobian and lateral function with its gradient.
 fn patch<R: Real>(hash: &mut Fnv, tier: &dyn Lateral<R>) {
-    let mut rng = Lcg::new(19);
-    for n in 0..ARGUMENTS / 4 {
-        let slide: R = speed(&mut rng);
-        let rim = match n % 8 {
-            0 => slide,
-            1 => slide * R::from_f64(1.0 + 1.0 / 4096.0),
-            2 => slide * (R::ONE - R::EPSILON),
-            _ => speed(&mut rng),
-        };
-        let wrench = tier.reduced_wrench(slide, rim);
-        let jacobian = tier.reduced_jacobian(slide, rim);
-        let lateral = tier.lateral_jacobian(slide, rim);
-        for x in [
-            wrench.force,
-            wrench.torque,
-            jacobian.force_per_slide,
-            jacobian.force_slide,
-            jacobian.mixed,
-            jacobian.torque_rim,
-            tier.lateral(slide, rim),
-            lateral.slide,
-            lateral.rim,
-        ] {
+    for (slide, rim) in arguments(19, ARGUMENTS / 4) {
+        at(hash, tier, (slide, rim));
+        let gradient = tier.lateral_jacobian(slide, rim);
+        for x in [tier.lateral(slide, rim), gradient.slide, gradient.rim] {
             hash.number(x);
         }
     }
