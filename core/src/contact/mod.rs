@@ -31,9 +31,9 @@
 
 mod block;
 mod body;
-mod contact;
 mod disc;
 mod friction;
+mod local;
 mod modes;
 mod normal;
 mod pair;
@@ -42,9 +42,9 @@ mod vector;
 
 pub use block::Block;
 pub use body::{Body, Plate, Sphere};
-pub use contact::Contact;
 pub use disc::project_on_disc;
 pub use friction::{ContactFriction, Grasp, Thresholds};
+pub use local::Contact;
 pub use modes::{
     AboutNormal, Absent, AllModes, AxialPart, Frictionless, InPlane, Modal, Modes, PlanarPart,
     Sliding, SlidingRolling, SlidingTorsion,
