@@ -1,0 +1,280 @@
+//! Pairs of spheres near each other, by linked cells.
+
+use super::grid::Grid;
+use super::{AXES, PeriodicBox};
+use nalgebra::Vector3;
+
+/// Why there is no list of neighbours.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum NeighbourError {
+    /// As many radii as positions are needed.
+    #[error("{positions} positions need as many radii, not {radii}")]
+    Lengths {
+        /// Number of positions.
+        positions: usize,
+        /// Number of radii.
+        radii: usize,
+    },
+    /// Particles are numbered in 32 bits.
+    #[error(
+        "{given} particles are more than the {} that pairs can number",
+        u32::MAX
+    )]
+    TooMany {
+        /// Their number.
+        given: usize,
+    },
+    /// A place is not finite.
+    #[error("particle {particle}: {} is {given}, not finite", AXES[*axis])]
+    Position {
+        /// Index of the particle.
+        particle: usize,
+        /// 0, 1 or 2 for x, y or z.
+        axis: usize,
+        /// The coordinate.
+        given: f64,
+    },
+    /// A radius is negative, infinite or NaN.
+    #[error("particle {particle}: the radius must be finite and not negative, not {given}")]
+    Radius {
+        /// Index of the particle.
+        particle: usize,
+        /// What was given.
+        given: f64,
+    },
+    /// The largest gap is infinite or NaN.
+    #[error("the largest gap of neighbours must be finite, not {given}")]
+    Skin {
+        /// What was given.
+        given: f64,
+    },
+    /// Two particles could be neighbours over more than one image.
+    #[error(
+        "the largest distance of neighbours, {reach}, exceeds half the period along {}, {length}; \
+         a larger box or a smaller skin is needed",
+        AXES[*axis]
+    )]
+    Reach {
+        /// 0, 1 or 2 for x, y or z.
+        axis: usize,
+        /// Two largest radii and the skin.
+        reach: f64,
+        /// The period.
+        length: f64,
+    },
+}
+
+/// A particle as it lies in its cell.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    position: Vector3<f64>,
+    radius: f64,
+    index: u32,
+}
+
+/// Memory of a search, to be used again by the next.
+#[derive(Clone, Debug, Default)]
+pub struct Cells {
+    /// Cell of each particle.
+    cell_of: Vec<usize>,
+    /// Where each cell begins in `entries`; one more at the end.
+    starts: Vec<u32>,
+    /// The particles, cell by cell.
+    entries: Vec<Entry>,
+    /// For the median.
+    radii: Vec<f64>,
+    /// i in the upper half, j in the lower: what sorts quickly.
+    keys: Vec<u64>,
+    pairs: Vec<[u32; 2]>,
+}
+
+/// All pairs i < j with |xⱼ − xᵢ| − rᵢ − rⱼ < `skin`, in ascending order of (i, j); distances are
+/// those of [`PeriodicBox::displacement`].
+///
+/// *Domain*: finite positions, inside the cell or not; radii finite and ≥ 0; `skin` finite, negative
+/// for overlapping pairs only; two largest radii and the skin at most half of every period. *Cost*:
+/// proportional to particles and pairs for radii alike and places spread evenly; each sphere looks
+/// as far as its own diameter and the skin for smaller ones, so that few large spheres among many
+/// small ones are not dear. Far outliers along an open axis make cells coarse and the search
+/// slower. A loop over time keeps a [`Cells`] instead.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::space::{PeriodicBox, pairs::neighbours};
+/// let space = PeriodicBox::new([Some(10.0), None, None])?;
+/// let positions = [Vector3::new(0.5, 0.0, 0.0), Vector3::new(9.0, 0.0, 0.0)];
+/// assert_eq!(neighbours(&space, &positions, &[1.0, 1.0], 0.0)?, [[0, 1]]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn neighbours(
+    space: &PeriodicBox,
+    positions: &[Vector3<f64>],
+    radii: &[f64],
+    skin: f64,
+) -> Result<Vec<[u32; 2]>, NeighbourError> {
+    let mut cells = Cells::default();
+    cells.find(space, positions, radii, skin)?;
+    Ok(cells.pairs)
+}
+
+impl Cells {
+    /// The pairs of [`neighbours`], without new memory once the buffers have grown.
+    pub fn find(
+        &mut self,
+        space: &PeriodicBox,
+        positions: &[Vector3<f64>],
+        radii: &[f64],
+        skin: f64,
+    ) -> Result<&[[u32; 2]], NeighbourError> {
+        self.pairs.clear();
+        check(positions, radii, skin)?;
+        check_reach(space, radii, skin)?;
+        let grid = Grid::new(space, positions, 2.0 * self.median(radii) + skin);
+        self.sort_into(&grid, space, positions, radii);
+        self.search(&grid, space, skin);
+        // Cells come in the order of space, pairs in the order of particles.
+        self.keys.sort_unstable();
+        let pair = |&key: &u64| [(key >> 32) as u32, key as u32];
+        self.pairs.extend(self.keys.iter().map(pair));
+        Ok(&self.pairs)
+    }
+
+    /// Median radius, 0 of none.
+    fn median(&mut self, radii: &[f64]) -> f64 {
+        self.radii.clear();
+        self.radii.extend_from_slice(radii);
+        let middle = radii.len() / 2;
+        if radii.is_empty() {
+            0.0
+        } else {
+            *self.radii.select_nth_unstable_by(middle, f64::total_cmp).1
+        }
+    }
+
+    /// Counting sort of the particles by cell; within one by index.
+    fn sort_into(
+        &mut self,
+        grid: &Grid,
+        space: &PeriodicBox,
+        positions: &[Vector3<f64>],
+        radii: &[f64],
+    ) {
+        self.cell_of.clear();
+        self.cell_of
+            .extend(positions.iter().map(|place| grid.cell(&space.wrap(place))));
+        // Ends of the cells, lowered to their starts as the particles go in from the last.
+        self.starts.clear();
+        self.starts.resize(grid.cells() + 1, 0);
+        for &cell in &self.cell_of {
+            self.starts[cell] += 1;
+        }
+        let mut end = 0;
+        for start in &mut self.starts {
+            end += *start;
+            *start = end;
+        }
+        let blank = Entry {
+            position: Vector3::zeros(),
+            radius: 0.0,
+            index: 0,
+        };
+        self.entries.clear();
+        self.entries.resize(positions.len(), blank);
+        for (index, &cell) in self.cell_of.iter().enumerate().rev() {
+            self.starts[cell] -= 1;
+            self.entries[self.starts[cell] as usize] = Entry {
+                position: positions[index],
+                radius: radii[index],
+                index: index as u32,
+            };
+        }
+    }
+
+    /// Every sphere looks for those that are smaller, or as large and of a lower index.
+    fn search(&mut self, grid: &Grid, space: &PeriodicBox, skin: f64) {
+        self.keys.clear();
+        for entry in &self.entries {
+            let reach = 2.0 * entry.radius + skin;
+            if reach <= 0.0 {
+                continue;
+            }
+            grid.near(&space.wrap(&entry.position), reach, |cells| {
+                let from = self.starts[*cells.start()] as usize;
+                let to = self.starts[cells.end() + 1] as usize;
+                for other in &self.entries[from..to] {
+                    let is_mine = (other.radius, other.index) < (entry.radius, entry.index);
+                    if is_mine && is_near(space, entry, other, skin) {
+                        let low = entry.index.min(other.index);
+                        let high = entry.index.max(other.index);
+                        self.keys.push(u64::from(low) << 32 | u64::from(high));
+                    }
+                }
+            });
+        }
+    }
+}
+
+/// Whether the gap between two spheres is below `skin`.
+#[inline]
+fn is_near(space: &PeriodicBox, a: &Entry, b: &Entry, skin: f64) -> bool {
+    let distance = space.displacement(&a.position, &b.position).norm();
+    distance - (a.radius + b.radius) < skin
+}
+
+/// Refuses what is not finite.
+fn check(positions: &[Vector3<f64>], radii: &[f64], skin: f64) -> Result<(), NeighbourError> {
+    if positions.len() != radii.len() {
+        return Err(NeighbourError::Lengths {
+            positions: positions.len(),
+            radii: radii.len(),
+        });
+    }
+    if u32::try_from(positions.len()).is_err() {
+        return Err(NeighbourError::TooMany {
+            given: positions.len(),
+        });
+    }
+    if !skin.is_finite() {
+        return Err(NeighbourError::Skin { given: skin });
+    }
+    for (particle, (place, &radius)) in positions.iter().zip(radii).enumerate() {
+        if let Some(axis) = (0..3).find(|&axis| !place[axis].is_finite()) {
+            return Err(NeighbourError::Position {
+                particle,
+                axis,
+                given: place[axis],
+            });
+        }
+        if !radius.is_finite() || radius < 0.0 {
+            return Err(NeighbourError::Radius {
+                particle,
+                given: radius,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Refuses boxes so small that a pair could meet over two images.
+fn check_reach(space: &PeriodicBox, radii: &[f64], skin: f64) -> Result<(), NeighbourError> {
+    if radii.len() < 2 {
+        return Ok(());
+    }
+    // The two largest radii.
+    let [most, next] = radii.iter().fold([0.0_f64; 2], |[most, next], &radius| {
+        [most.max(radius), next.max(most.min(radius))]
+    });
+    let reach = most + next + skin;
+    for (axis, length) in space.lengths().into_iter().enumerate() {
+        if let Some(length) = length
+            && reach > 0.5 * length
+        {
+            return Err(NeighbourError::Reach {
+                axis,
+                reach,
+                length,
+            });
+        }
+    }
+    Ok(())
+}

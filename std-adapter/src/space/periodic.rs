@@ -1,0 +1,102 @@
+//! Space that repeats itself along some axes.
+
+use nalgebra::Vector3;
+
+/// Names of the axes, as messages spell them.
+pub const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Lengths after which space repeats, each axis periodic or open.
+///
+/// The cell stands at the origin: a periodic axis runs from 0 to its length. Any unit of length.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PeriodicBox {
+    lengths: [Option<f64>; 3],
+}
+
+/// A length that cannot be a period.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("the period along {} must be finite and positive, not {given}", AXES[*axis])]
+pub struct PeriodicBoxError {
+    /// 0, 1 or 2 for x, y or z.
+    pub axis: usize,
+    /// What was given.
+    pub given: f64,
+}
+
+impl PeriodicBox {
+    /// Open along every axis.
+    pub const OPEN: Self = Self { lengths: [None; 3] };
+
+    /// A box with these periods, `None` for an open axis. *Domain*: finite, > 0.
+    pub fn new(lengths: [Option<f64>; 3]) -> Result<Self, PeriodicBoxError> {
+        for (axis, length) in lengths.into_iter().enumerate() {
+            match length {
+                Some(given) if given.is_nan() || given <= 0.0 || given.is_infinite() => {
+                    return Err(PeriodicBoxError { axis, given });
+                }
+                _ => {}
+            }
+        }
+        Ok(Self { lengths })
+    }
+
+    /// The periods, `None` for an open axis.
+    pub fn lengths(&self) -> [Option<f64>; 3] {
+        self.lengths
+    }
+
+    /// Shortest way from `a` to `b`: b − a, less whole periods.
+    ///
+    /// *Domain*: any; NaN and infinite coordinates give NaN along their axis, or infinity along an
+    /// open one. At half a period the sign of b − a stays. `displacement(b, a)` is its negative to
+    /// the bit. *Accuracy*: one rounding of b − a within a period of each other, half an ulp of
+    /// each place else.
+    #[inline]
+    pub fn displacement(&self, a: &Vector3<f64>, b: &Vector3<f64>) -> Vector3<f64> {
+        let straight = b - a;
+        Vector3::new(
+            nearest_image(straight.x, self.lengths[0]),
+            nearest_image(straight.y, self.lengths[1]),
+            nearest_image(straight.z, self.lengths[2]),
+        )
+    }
+
+    /// The image of `x` in the cell: periodic coordinates in [0, length), open ones unchanged.
+    ///
+    /// *Domain*: any; NaN and infinity give NaN along a periodic axis.
+    pub fn wrap(&self, x: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::new(
+            wrapped(x.x, self.lengths[0]),
+            wrapped(x.y, self.lengths[1]),
+            wrapped(x.z, self.lengths[2]),
+        )
+    }
+}
+
+/// `distance` less whole periods, at most half of one.
+#[inline]
+fn nearest_image(distance: f64, length: Option<f64>) -> f64 {
+    match length {
+        None => distance,
+        // The common case: most pairs are far nearer than half a period.
+        Some(length) if distance.abs() <= 0.5 * length => distance,
+        Some(length) => distance - length * (distance / length).round(),
+    }
+}
+
+/// `x` less whole periods, in [0, length).
+fn wrapped(x: f64, length: Option<f64>) -> f64 {
+    match length {
+        None => x,
+        Some(length) if (0.0..length).contains(&x) => x,
+        Some(length) => {
+            let inside = x - length * (x / length).floor();
+            // A small negative number rounds to the whole length, which is the image of 0.
+            if inside < 0.0 || inside >= length {
+                0.0
+            } else {
+                inside
+            }
+        }
+    }
+}
