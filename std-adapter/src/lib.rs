@@ -5,6 +5,7 @@
 //! particles and who is near whom are in [`space`]. The physics is in [`tribos_core`], re-exported
 //! here as [`kernel`].
 
+pub mod cd;
 pub mod record;
 pub mod run;
 pub mod scene;

@@ -76,6 +76,11 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
         self.step.allowance
     }
 
+    /// True if cohesion is a resistance that lets the gap, now open, stay as it is.
+    pub fn rests_open(&self) -> bool {
+        self.step.rests_open
+    }
+
     /// The impulse on the second body so far.
     #[inline(always)]
     pub fn impulse(&self) -> &Modal<R, M> {

@@ -102,7 +102,7 @@ pub(crate) struct NormalStep<R> {
     /// rebound: minus the speed at which the bodies part.
     pub allowance: R,
     /// True if a gap stays open without a pull.
-    rests_open: bool,
+    pub rests_open: bool,
 }
 
 impl<R: Real> NormalStep<R> {
