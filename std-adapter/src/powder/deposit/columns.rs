@@ -1,0 +1,115 @@
+//! Deposited spheres by the column of the base that they stand in.
+
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+
+/// Columns along one side at most: a million of them in all.
+const MOST_COLUMNS: f64 = 1024.0;
+
+/// A deposited sphere as it stands in its column.
+#[derive(Clone, Copy, Debug)]
+struct Resident {
+    position: Vector3<f64>,
+    radius: f64,
+    index: u32,
+}
+
+/// Square columns over the base, each sorted by height.
+#[derive(Debug)]
+pub struct Columns {
+    space: PeriodicBox,
+    inv_width: f64,
+    side: usize,
+    columns: Vec<Vec<Resident>>,
+    largest: f64,
+}
+
+/// Where a falling sphere meets a deposited one.
+#[derive(Clone, Copy, Debug)]
+pub struct Meeting {
+    /// The deposited sphere.
+    pub index: u32,
+    /// Its centre.
+    pub centre: Vector3<f64>,
+    /// Its radius.
+    pub radius: f64,
+    /// From its centre to that of the falling one.
+    pub way: Vector3<f64>,
+}
+
+impl Columns {
+    /// Empty columns, at least `reach` wide, over a base of `width` with the periods of `space`;
+    /// spheres have radii up to `largest`.
+    pub fn new(space: PeriodicBox, width: f64, reach: f64, largest: f64) -> Self {
+        let side = (width / reach).floor().clamp(1.0, MOST_COLUMNS);
+        Self {
+            space,
+            inv_width: side / width,
+            side: side as usize,
+            columns: vec![Vec::new(); side as usize * side as usize],
+            largest,
+        }
+    }
+
+    /// Adds a sphere in its place among the heights.
+    pub fn insert(&mut self, index: u32, position: Vector3<f64>, radius: f64) {
+        let (x, y) = (self.number(position.x), self.number(position.y));
+        let column = &mut self.columns[y * self.side + x];
+        // Near the end: deposits grow upwards.
+        let place = column.partition_point(|other| other.position.z <= position.z);
+        column.insert(
+            place,
+            Resident {
+                position,
+                radius,
+                index,
+            },
+        );
+    }
+
+    /// The first sphere that another, falling down the vertical of `above`, meets above the height
+    /// `above.z`: as the distance of centres falls to its radius and `reach`, at most what the
+    /// columns were made for.
+    pub fn first_meeting(&self, above: Vector3<f64>, reach: f64) -> Option<Meeting> {
+        let mut first: Option<Meeting> = None;
+        let mut floor = above.z;
+        let farthest = reach + self.largest;
+        for y in self.around(above.y) {
+            for x in self.around(above.x) {
+                // From the top until even a meeting straight above would be too low.
+                for other in self.columns[y * self.side + x].iter().rev() {
+                    if other.position.z + farthest <= floor {
+                        break;
+                    }
+                    let mut way = self.space.displacement(&other.position, &above);
+                    let distance = reach + other.radius;
+                    let rise_sq = distance * distance - way.x * way.x - way.y * way.y;
+                    way.z = rise_sq.max(0.0).sqrt();
+                    let height = other.position.z + way.z;
+                    if rise_sq >= 0.0 && height > floor {
+                        floor = height;
+                        first = Some(Meeting {
+                            index: other.index,
+                            centre: other.position,
+                            radius: other.radius,
+                            way,
+                        });
+                    }
+                }
+            }
+        }
+        first
+    }
+
+    /// Column number of a coordinate in [0, width).
+    fn number(&self, x: f64) -> usize {
+        ((x * self.inv_width) as usize).min(self.side - 1)
+    }
+
+    /// The column of a coordinate and its neighbours on both sides, each once.
+    fn around(&self, x: f64) -> impl Iterator<Item = usize> + use<> {
+        let (side, own) = (self.side, self.number(x));
+        // From the left neighbour on, around the period.
+        (0..side.min(3)).map(move |step| (own + side - 1 + step) % side)
+    }
+}

@@ -1,0 +1,137 @@
+//! Ballistic deposits: spheres that fall one by one and stick (thesis, section 4.5).
+
+mod columns;
+mod error;
+mod grow;
+mod porosity;
+
+pub use error::DepositError;
+
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+
+/// Stream of random numbers that deposits draw from: x, y and, where radii differ, the radius of
+/// each sphere, in this order.
+pub const STREAM: u64 = 0;
+
+/// Spheres at most, for which some 4 GB of memory are enough.
+pub const MOST_SPHERES: usize = 20_000_000;
+
+/// How deposits grow.
+///
+/// Spheres fall one by one down −z on a square base, periodic in x and y, each at a random place.
+/// A falling sphere is *captured* by the first of
+///
+/// - a deposited sphere, as the distance of the centres falls to the capture radius,
+/// - the substrate z = 0, as the height of the centre falls to the capture radius,
+///
+/// and goes the shortest way to it, at once and for good: along the line of centres until the
+/// spheres touch, or straight down until it lies on the substrate. A sphere that touches another
+/// on its way down to the substrate sticks to that.
+///
+/// *A deposit is a forest without overlaps*: every sphere touches the one that holds it, its
+/// parent, or the substrate. Let the sphere be captured at p, a distance r_capt from its parent and
+/// at least r_capt from every other sphere; it moves by r_capt − 2R to q. A ball of radius 2R
+/// around q lies within the ball of radius r_capt around p, and no centre does. The way to the
+/// substrate is R longer than that: there, spheres in the way are looked for, which there are
+/// where r_capt < 2.5 R.
+///
+/// *Unequal radii*: capture is by the gap between the surfaces, r_capt − 2r̄ for every pair with
+/// r̄ the middle of the bounds, r_capt − r̄ for the substrate; the proof above stays (a factor of
+/// the radii instead would let a sphere be drawn into a smaller one).
+///
+/// Any unit of length. In the thesis' units R = 1, and r_capt = 3 gives a porosity of 92 %.
+///
+/// ```
+/// use tribos::powder::deposit::{Ballistic, Until};
+/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Height(61.5), 1)?;
+/// assert!((deposit.porosity() - 0.92).abs() < 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ballistic {
+    space: PeriodicBox,
+    width: f64,
+    radii: [f64; 2],
+    capture_radius: f64,
+}
+
+/// When a deposit is complete.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Until {
+    /// With the first sphere whose highest point reaches this height above the substrate. That
+    /// sphere stays, so that the [height](Deposit::height) of the deposit, where a piston just
+    /// touches it, lies between this one and a sphere's diameter more.
+    Height(f64),
+    /// With so many spheres.
+    Count(usize),
+}
+
+/// Spheres that rest on each other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Deposit {
+    /// Centres in the order of their arrival; x and y in [0, width).
+    pub positions: Vec<Vector3<f64>>,
+    /// Radii.
+    pub radii: Vec<f64>,
+    /// The sphere that each one touches, an earlier one; `None` for the substrate.
+    pub parents: Vec<Option<u32>>,
+    /// Side of the square base, period of x and y.
+    pub width: f64,
+    /// Highest point of all spheres.
+    pub height: f64,
+}
+
+impl Ballistic {
+    /// Equal spheres of `radius` on a base of `width` × `width`. *Domain*: all finite and
+    /// positive, 2 radius ≤ `capture_radius` ≤ width/2.
+    pub fn new(width: f64, radius: f64, capture_radius: f64) -> Result<Self, DepositError> {
+        Self::uneven(width, [radius; 2], capture_radius)
+    }
+
+    /// Spheres of radii uniform between two bounds. *Domain*: all finite and positive, the bounds
+    /// in order, their sum ≤ `capture_radius`, and the two largest capture within width/2.
+    pub fn uneven(width: f64, radii: [f64; 2], capture_radius: f64) -> Result<Self, DepositError> {
+        let [low, high] = radii;
+        for (name, given) in [
+            ("width", width),
+            ("smallest radius", low),
+            ("largest radius", high),
+            ("capture radius", capture_radius),
+        ] {
+            if !given.is_finite() || given <= 0.0 {
+                return Err(DepositError::NotPositive { name, given });
+            }
+        }
+        let space = PeriodicBox::new([Some(width), Some(width), None])?;
+        let least = low + high;
+        let farthest = high - low + capture_radius;
+        if low > high {
+            Err(DepositError::Radii { low, high })
+        } else if capture_radius < least {
+            Err(DepositError::CaptureRadius {
+                given: capture_radius,
+                least,
+            })
+        } else if farthest > 0.5 * width {
+            Err(DepositError::Narrow { width, farthest })
+        } else {
+            Ok(Self {
+                space,
+                width,
+                radii,
+                capture_radius,
+            })
+        }
+    }
+
+    /// The gap between surfaces at which spheres capture each other.
+    fn capture_gap(&self) -> f64 {
+        self.capture_radius - (self.radii[0] + self.radii[1])
+    }
+
+    /// The gap above the substrate at which it captures.
+    fn substrate_gap(&self) -> f64 {
+        self.capture_radius - 0.5 * (self.radii[0] + self.radii[1])
+    }
+}

@@ -1,0 +1,3 @@
+//! Cohesive powders of spheres.
+
+pub mod deposit;

@@ -1,0 +1,43 @@
+//! Random numbers that are the same bits everywhere, for ever.
+
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng as _;
+
+/// 2⁻⁵³, the distance of the numbers in [0, 1).
+const UNIT: f64 = 1.0 / 9_007_199_254_740_992.0;
+
+/// Seeded numbers: PCG XSL RR 128/64 (O'Neill 2014), its 128-bit state from the seed by two numbers
+/// of SplitMix64 (Steele, Lea & Flood 2014), so that neighbouring seeds have nothing in common.
+///
+/// Only the 64 bits come from a library, all else is computed here: no version of it changes a
+/// result. The streams of one seed belong to different purposes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Random(Pcg64);
+
+impl Random {
+    /// Generator of a seed and a stream; any numbers.
+    pub fn new(seed: u64, stream: u64) -> Self {
+        let mut state = seed;
+        let [high, low] = [(); 2].map(|()| u128::from(split_mix(&mut state)));
+        Self(Pcg64::new(high << 64 | low, stream.into()))
+    }
+
+    /// The next 64 bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0.next_u64()
+    }
+
+    /// Uniform in [0, 1), a multiple of 2⁻⁵³: the upper 53 of the next 64 bits.
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 * UNIT
+    }
+}
+
+/// One number of SplitMix64, with the constants of its authors.
+fn split_mix(state: &mut u64) -> u64 {
+    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let mut z = *state;
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
