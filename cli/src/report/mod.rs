@@ -3,3 +3,6 @@
 pub mod figure;
 pub mod image;
 pub mod page;
+pub mod sheet;
+mod solid;
+pub mod surface;

@@ -17,7 +17,7 @@ pub enum Scale {
 /// One axis of a figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    pub(super) label: String,
+    pub(in crate::report) label: String,
     pub(super) range: Option<(f64, f64)>,
     scale: Scale,
 }
@@ -52,7 +52,7 @@ impl Axis {
 
 /// The shown span of an axis, in powers of ten on a log axis.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Span {
+pub(in crate::report) struct Span {
     pub scale: Scale,
     pub low: f64,
     pub high: f64,
@@ -170,7 +170,7 @@ impl Span {
 }
 
 /// Places and labels of ticks on an axis that runs from 0 to 1 for plotters.
-pub(super) struct Ticks(pub Vec<(f64, String)>);
+pub(in crate::report) struct Ticks(pub Vec<(f64, String)>);
 
 impl Ranged for Ticks {
     type FormatOption = NoDefaultFormatting;
