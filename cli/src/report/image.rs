@@ -1,6 +1,7 @@
 //! A drawing as files, by their ending.
 
 use super::figure::{Figure, FigureError, Panels, canvas};
+use super::packing::PackingPicture;
 use super::surface::Surface;
 use crate::failure::Failure;
 use std::path::Path;
@@ -37,6 +38,15 @@ impl Drawing for Panels {
 }
 
 impl Drawing for Surface {
+    fn to_svg(&self) -> Result<String, FigureError> {
+        self.svg()
+    }
+    fn extent(&self) -> (u32, u32) {
+        self.extent()
+    }
+}
+
+impl Drawing for PackingPicture {
     fn to_svg(&self) -> Result<String, FigureError> {
         self.svg()
     }

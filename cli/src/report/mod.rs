@@ -2,6 +2,7 @@
 
 pub mod figure;
 pub mod image;
+pub mod packing;
 pub mod page;
 pub mod sheet;
 mod solid;
