@@ -19,7 +19,7 @@ const BESIDE: f64 = 8.0;
 const SMALL: f64 = 12.0;
 const LARGE: f64 = 14.0;
 /// Pixels between two labels, about.
-const APART: f64 = 34.0;
+const APART: f64 = 30.0;
 
 // One axis in the picture: where its ticks stand, and where they point to.
 struct Edge {
