@@ -148,12 +148,15 @@ fn error_bars_reach_one_error_up_and_down() -> Result<(), FigureError> {
         figure.legend(Legend::Hidden).svg()
     };
 
-    // Two stems with two caps each; the first stem is twice as long as the second.
+    // Two stems with two caps each; the first is twice as long as the second and ends beside the
+    // second's middle.
     let whole = strokes(&draw(0.0, 4.0)?);
     let stems: Vec<_> = whole.iter().filter(|end| end[0] == end[2]).collect();
     let length = |stem: &[f64; 4]| (stem[1] - stem[3]).abs();
     assert_eq!((whole.len(), stems.len()), (6, 2));
     assert!((length(stems[0]) / length(stems[1]) - 2.0).abs() < 0.01);
+    let top = stems[0][1].min(stems[0][3]);
+    assert!((top - (stems[1][1] + stems[1][3]) / 2.0).abs() < 0.5);
 
     // Cut by the plot: no cap at the end outside, and the ends count for the range.
     assert_eq!(strokes(&draw(1.0, 4.0)?).len(), 5);
