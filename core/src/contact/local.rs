@@ -50,6 +50,11 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
         contact
     }
 
+    /// Distances of the centres from the contact point.
+    pub fn arms(&self) -> [R; 2] {
+        self.arms
+    }
+
     /// Unit normal, from the first body to the second.
     pub fn normal(&self) -> &Vector3<R> {
         &self.normal

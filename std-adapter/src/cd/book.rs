@@ -11,8 +11,8 @@
 //! modes take, the last what inelastic collisions take. No term but the work and a pull of cohesion
 //! that closes a gap can raise the energy, so nothing is created.
 
+use super::setup::Wall;
 use super::spheres::Spheres;
-use super::world::Wall;
 use nalgebra::Vector3;
 use tribos_core::contact::{AxialPart, ContactFriction, PlanarPart, Sphere};
 
@@ -47,21 +47,18 @@ impl Book {
         self.work - spent - self.stilled - kept
     }
 
-    /// Books one step: `before` are the spheres at its start.
+    /// Books one step; spheres and walls are those at its start.
     pub fn enter<F: ContactFriction<f64>>(
         &mut self,
-        before: &[Sphere<f64>],
-        walls: &[Wall],
+        awake: &[bool],
+        (before, walls): (&[Sphere<f64>], &[Wall]),
         problem: &Spheres<F>,
         gravity: &Vector3<f64>,
         dt: f64,
     ) {
         let mut kinetic = 0.0;
         let mut initial = 0.0;
-        for (old, new) in before.iter().zip(&problem.spheres) {
-            if new.inv_mass <= 0.0 {
-                continue;
-            }
+        for ((old, new), awake) in before.iter().zip(&problem.spheres).zip(awake) {
             let (mass, inertia) = (1.0 / new.inv_mass, 1.0 / new.inv_inertia);
             let energy = |v: &Vector3<f64>, w: &Vector3<f64>| {
                 0.5 * (mass * v.norm_squared() + inertia * w.norm_squared())
@@ -69,8 +66,7 @@ impl Book {
             kinetic += energy(&new.velocity, &new.spin);
             initial += energy(&old.velocity, &old.spin);
             self.normal += energy(&(new.velocity - old.velocity), &(new.spin - old.spin));
-            // Sleepers feel no gravity: their contacts carry it.
-            if new.velocity != old.velocity || new.velocity != Vector3::zeros() {
+            if *awake {
                 self.work += mass * gravity.dot(&new.velocity) * dt;
             }
         }

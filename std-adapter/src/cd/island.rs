@@ -1,22 +1,21 @@
 //! Bodies that rest together cost nothing until something touches them.
 
+use super::assemble::Touching;
 use super::book::Book;
-use super::world::Wall;
-use tribos_core::contact::{Sphere, Touch};
+use super::setup::Wall;
+use tribos_core::contact::Sphere;
 
 /// Steps of stillness before a group of bodies is left alone.
 const PATIENCE: u8 = 4;
 
 /// Who is awake.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Rest {
     awake: Vec<bool>,
     /// Steps for which each body has been still.
     still: Vec<u8>,
     /// Group of each body, one more for walls that move.
     group: Vec<u32>,
-    /// Speed (of the surface too) below which a body is still; 0 keeps everything awake.
-    pub still_speed: f64,
 }
 
 impl Rest {
@@ -26,7 +25,6 @@ impl Rest {
             awake: vec![true; bodies],
             still: vec![0; bodies],
             group: Vec::new(),
-            still_speed: 0.0,
         }
     }
 
@@ -38,11 +36,12 @@ impl Rest {
     /// Finds groups of touching bodies; one that has an awake member is awake.
     pub fn wake(
         &mut self,
-        pairs: &[([u32; 2], Touch<f64>)],
-        walls: &[([u32; 2], Touch<f64>)],
+        still_speed: f64,
+        pairs: &[Touching],
+        walls: &[Touching],
         plates: &[Wall],
     ) {
-        if self.still_speed <= 0.0 {
+        if still_speed <= 0.0 {
             return;
         }
         let count = self.awake.len() as u32;
@@ -71,15 +70,14 @@ impl Rest {
     }
 
     /// Puts groups to sleep in which everybody has been still for long enough.
-    pub fn settle(&mut self, spheres: &mut [Sphere<f64>], book: &mut Book) {
-        if self.still_speed <= 0.0 {
+    pub fn settle(&mut self, still_speed: f64, spheres: &mut [Sphere<f64>], book: &mut Book) {
+        if still_speed <= 0.0 {
             return;
         }
-        let limit = self.still_speed;
         for (sphere, still) in spheres.iter().zip(&mut self.still) {
             // A solid sphere's surface speed from its inertia: R² = 2.5 I/m.
             let turn = sphere.spin.norm() * (2.5 * sphere.inv_mass / sphere.inv_inertia).sqrt();
-            let moves = sphere.velocity.norm() + turn > limit;
+            let moves = sphere.velocity.norm() + turn > still_speed;
             *still = if moves { 0 } else { still.saturating_add(1) };
         }
         let count = self.awake.len();

@@ -5,10 +5,10 @@ use super::spheres::{Link, Spheres};
 use tribos_core::contact::{ContactFriction, Modal, Modes};
 
 /// Forces of contacts that were, in ascending order of their bodies.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Memory<M: Modes<f64>> {
     /// Bodies and mean force (impulse over step), pairs and walls.
-    pub(super) forces: [Vec<([u32; 2], Modal<f64, M>)>; 2],
+    pub forces: [Vec<([u32; 2], Modal<f64, M>)>; 2],
 }
 
 impl<M: Modes<f64>> Default for Memory<M> {
@@ -25,7 +25,11 @@ impl<M: Modes<f64>> Memory<M> {
         let pairs = problem.pairs.len();
         for (forces, start) in [(&self.forces[0], 0), (&self.forces[1], pairs)] {
             let mut old = forces.iter().peekable();
-            let links = if start == 0 { &problem.pairs } else { &problem.walls };
+            let links = if start == 0 {
+                &problem.pairs
+            } else {
+                &problem.walls
+            };
             let found: Vec<_> = links
                 .iter()
                 .map(|link| {

@@ -1,23 +1,26 @@
 //! Contact dynamics: rigid spheres and plates with constraint forces (thesis, section 4.4).
 
-mod anderson;
+mod accelerated;
+mod assemble;
 mod book;
 mod island;
 mod memory;
-mod momentum;
 mod nsgs;
 mod operator;
 mod residual;
+mod setup;
 mod solver;
 mod spheres;
 mod world;
 
+pub use accelerated::Accelerated;
 pub use book::Book;
+pub use island::Rest;
+pub use memory::Memory;
 pub use nsgs::{Effort, Order, Stop, Sweeper, solve};
 pub use operator::{Blind, Change, Impulse, Operator, Restless, Visit, Watch};
 pub use residual::{Coefficients, Residual, residual};
+pub use setup::{Laws, Pace, Setup, Wall, WorldError, solid};
 pub use solver::{Method, Solver};
 pub use spheres::{Link, Spheres};
-pub use world::{Laws, Pace, StepReport, Wall, World, WorldError, solid};
-pub use momentum::Momentum;
-pub use anderson::Anderson;
+pub use world::{State, StepReport, World};

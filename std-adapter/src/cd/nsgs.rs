@@ -1,8 +1,7 @@
 //! Non-linear Gauss–Seidel: every contact in turn, until a rule says stop.
 
 use super::operator::{Blind, Change, Operator, Restless, Visit};
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
+use crate::random::Random;
 
 /// In which order a sweep goes over the contacts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,13 +33,13 @@ pub enum Stop {
 pub struct Sweeper {
     order: Order,
     turn: u64,
-    stream: Pcg64Mcg,
+    random: Random,
     permutation: Vec<u32>,
 }
 
 impl Sweeper {
-    /// Starts at the first sweep of the order.
-    pub fn new(order: Order) -> Self {
+    /// Starts at the first sweep; random orders differ from stream to stream.
+    pub fn new(order: Order, stream: u64) -> Self {
         let seed = match order {
             Order::Random { seed } => seed,
             _ => 0,
@@ -48,13 +47,17 @@ impl Sweeper {
         Self {
             order,
             turn: 0,
-            stream: Pcg64Mcg::seed_from_u64(seed),
+            random: Random::new(seed, stream),
             permutation: Vec::new(),
         }
     }
 
     /// One sweep.
-    pub fn sweep<O: Operator, W: super::operator::Watch>(&mut self, problem: &mut O, watch: &mut W) {
+    pub fn sweep<O: Operator, W: super::operator::Watch>(
+        &mut self,
+        problem: &mut O,
+        watch: &mut W,
+    ) {
         self.turn += 1;
         match self.order {
             Order::Fixed => problem.sweep(Visit::Forward, watch),
@@ -73,7 +76,7 @@ impl Sweeper {
         self.permutation.extend(0..count as u32);
         for last in (1..count).rev() {
             // The product's upper half: a bias of at most count/2⁶⁴.
-            let drawn = (u128::from(self.stream.next_u64()) * (last as u128 + 1)) >> 64;
+            let drawn = (u128::from(self.random.bits()) * (last as u128 + 1)) >> 64;
             self.permutation.swap(last, drawn as usize);
         }
     }
@@ -89,7 +92,12 @@ pub struct Effort {
 }
 
 /// Sweeps until `stop` or `most` sweeps.
-pub fn solve<O: Operator>(problem: &mut O, sweeper: &mut Sweeper, stop: Stop, most: usize) -> Effort {
+pub fn solve<O: Operator>(
+    problem: &mut O,
+    sweeper: &mut Sweeper,
+    stop: Stop,
+    most: usize,
+) -> Effort {
     for sweeps in 1..=most {
         let met = match stop {
             Stop::Fixed => {

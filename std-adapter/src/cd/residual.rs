@@ -62,7 +62,12 @@ struct Sum {
 }
 
 impl Sum {
-    fn add<M: Modes<f64>>(&mut self, link: &Link<M>, u: &Modal<f64, M>, [mu, mu_t, mu_n]: [f64; 3]) {
+    fn add<M: Modes<f64>>(
+        &mut self,
+        link: &Link<M>,
+        u: &Modal<f64, M>,
+        [mu, mu_t, mu_n]: [f64; 3],
+    ) {
         let contact = &link.contact;
         let (p, block, lever) = (contact.impulse(), contact.block(), contact.lever());
         let (bound, gap_speed) = (contact.bound(), u.normal + contact.allowance());
@@ -82,8 +87,18 @@ impl Sum {
         }
 
         // Friction: p is the point of the disc nearest to p − m U.
-        let sliding = disc(p.sliding.vector(), u.sliding.vector(), block.mass_sliding, mu * bound);
-        let rolling = disc(p.rolling.vector(), u.rolling.vector(), block.inertia, mu_t * bound * lever);
+        let sliding = disc(
+            p.sliding.vector(),
+            u.sliding.vector(),
+            block.mass_sliding,
+            mu * bound,
+        );
+        let rolling = disc(
+            p.rolling.vector(),
+            u.rolling.vector(),
+            block.inertia,
+            mu_t * bound * lever,
+        );
         let (torsion, spin) = (p.torsion.component(), u.torsion.component());
         let limit = (mu_n * bound * lever).max(0.0);
         let mut twist = 0.0;
@@ -126,6 +141,10 @@ fn resting(p: f64, u: f64, cohesion: f64, mass: f64) -> f64 {
 fn disc(p: Vector3<f64>, u: Vector3<f64>, mass: f64, limit: f64) -> (Vector3<f64>, f64) {
     let trial = p - u * mass;
     let (size, limit) = (trial.norm(), limit.max(0.0));
-    let nearest = if size > limit { trial * (limit / size) } else { trial };
+    let nearest = if size > limit {
+        trial * (limit / size)
+    } else {
+        trial
+    };
     (p - nearest, p.norm() - limit)
 }

@@ -1,7 +1,6 @@
 //! Which method solves the contacts of a step.
 
-use super::anderson::Anderson;
-use super::momentum::Momentum;
+use super::accelerated::Accelerated;
 use super::nsgs::{self, Effort, Order, Stop, Sweeper};
 use super::spheres::Spheres;
 use tribos_core::contact::{ContactFriction, Modal, Modes};
@@ -16,17 +15,10 @@ pub enum Method {
         /// Rule.
         stop: Stop,
     },
-    /// Gauss–Seidel with momentum, to a relative change.
-    Momentum {
-        /// Tolerance.
+    /// Gauss–Seidel with conjugate directions.
+    Accelerated {
+        /// Largest change of a sweep relative to P, in the root mean square.
         tolerance: f64,
-    },
-    /// Anderson acceleration, to a relative change.
-    Anderson {
-        /// Tolerance.
-        tolerance: f64,
-        /// Window.
-        window: usize,
     },
 }
 
@@ -41,41 +33,34 @@ pub struct Solver {
     pub warm_start: bool,
 }
 
-/// Buffers and streams of a method.
+/// Buffers of the methods.
 #[derive(Debug)]
-pub(super) struct SolverState<M: Modes<f64>> {
-    sweeper: Sweeper,
-    momentum: Momentum<Modal<f64, M>>,
-    anderson: Anderson<Modal<f64, M>>,
+pub(super) struct Workspace<M: Modes<f64>> {
+    accelerated: Accelerated<Modal<f64, M>>,
 }
 
-impl<M: Modes<f64>> SolverState<M> {
-    pub fn new(solver: &Solver) -> Self {
-        let order = match solver.method {
-            Method::GaussSeidel { order, .. } => order,
-            _ => Order::Alternating,
-        };
-        let window = match solver.method {
-            Method::Anderson { window, .. } => window,
-            _ => 0,
-        };
+impl<M: Modes<f64>> Default for Workspace<M> {
+    fn default() -> Self {
         Self {
-            sweeper: Sweeper::new(order),
-            momentum: Momentum::default(),
-            anderson: Anderson::new(window),
+            accelerated: Accelerated::default(),
         }
     }
+}
 
+impl<M: Modes<f64>> Workspace<M> {
+    /// Solves the problem of a step; its number picks the stream of random orders.
     pub fn solve<F: ContactFriction<f64, Modes = M>>(
         &mut self,
         solver: &Solver,
         problem: &mut Spheres<F>,
+        step: u64,
     ) -> Effort {
         let most = solver.most_sweeps;
         match solver.method {
-            Method::GaussSeidel { stop, .. } => nsgs::solve(problem, &mut self.sweeper, stop, most),
-            Method::Momentum { tolerance } => self.momentum.solve(problem, tolerance, most),
-            Method::Anderson { tolerance, .. } => self.anderson.solve(problem, tolerance, most),
+            Method::GaussSeidel { order, stop } => {
+                nsgs::solve(problem, &mut Sweeper::new(order, step), stop, most)
+            }
+            Method::Accelerated { tolerance } => self.accelerated.solve(problem, tolerance, most),
         }
     }
 }

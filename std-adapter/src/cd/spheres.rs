@@ -39,6 +39,25 @@ pub struct Spheres<F: ContactFriction<f64>> {
 }
 
 impl<F: ContactFriction<f64>> Spheres<F> {
+    /// No bodies, no contacts.
+    pub fn new(friction: [F; 2]) -> Self {
+        Self {
+            spheres: Vec::new(),
+            plates: Vec::new(),
+            free: (Vec::new(), Vec::new()),
+            pairs: Vec::new(),
+            walls: Vec::new(),
+            friction,
+        }
+    }
+
+    /// Brings the velocities in line with new bodies, contacts and guesses.
+    pub fn start(&mut self) {
+        self.spheres.clone_from(&self.free.0);
+        self.plates.clone_from(&self.free.1);
+        self.refresh();
+    }
+
     /// All links in the order of their numbers.
     pub fn links(&self) -> impl Iterator<Item = &Link<F::Modes>> {
         self.pairs.iter().chain(&self.walls)
@@ -145,8 +164,12 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
                 (0..walls).for_each(|index| self.visit_wall(index, watch));
             }
             Visit::Backward => {
-                (0..walls).rev().for_each(|index| self.visit_wall(index, watch));
-                (0..pairs).rev().for_each(|index| self.visit_pair(index, watch));
+                (0..walls)
+                    .rev()
+                    .for_each(|index| self.visit_wall(index, watch));
+                (0..pairs)
+                    .rev()
+                    .for_each(|index| self.visit_pair(index, watch));
             }
             Visit::Listed(order) => {
                 for &index in order {

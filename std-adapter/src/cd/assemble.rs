@@ -1,0 +1,164 @@
+//! The contact problem of a step: who touches whom, free velocities, guessed impulses.
+
+use super::residual::Coefficients;
+use super::setup::WorldError;
+use super::spheres::Link;
+use super::world::World;
+use tribos_core::contact::{Contact, ContactFriction, NormalLaw, Touch};
+
+/// Bodies of a contact, and its geometry.
+pub(super) type Touching = ([u32; 2], Touch<f64>);
+
+/// Extra distance of listed neighbours over those that may touch, in motions of a step: a longer
+/// list serves for more steps.
+const SKIN: f64 = 8.0;
+/// Distance at which surfaces may meet in a step: two bodies, each moving twice the usual motion.
+const MEETING: f64 = 4.0;
+
+impl<F: ContactFriction<f64> + Coefficients> World<F> {
+    /// Distance within which two surfaces may act on each other in a step.
+    fn reach(&self) -> f64 {
+        let range = |law: &NormalLaw<f64>| law.cohesion().range();
+        let [pair, wall] = &self.setup.laws.normal;
+        range(pair)
+            .max(range(wall))
+            .max(MEETING * self.setup.pace.motion)
+    }
+
+    /// Renews the list of neighbours once something has moved half the extra distance.
+    pub(super) fn list_neighbours(&mut self) -> Result<(), WorldError> {
+        let skin = SKIN * self.setup.pace.motion;
+        let far = |(x, y): (&_, &_)| nalgebra::Vector3::norm(&(x - y)) > 0.5 * skin;
+        let positions = &self.state.positions;
+        let listed = self.listed_at.len() == positions.len();
+        if listed && !positions.iter().zip(&self.listed_at).any(far) {
+            return Ok(());
+        }
+        let reach = self.reach() + skin;
+        let found = self
+            .cells
+            .find(&self.setup.space, positions, &self.setup.radii, reach);
+        let found = found.map_err(|cause| WorldError::Neighbours {
+            step: self.state.steps,
+            cause,
+        })?;
+        self.neighbours.clear();
+        self.neighbours.extend_from_slice(found);
+        self.listed_at.clone_from(&self.state.positions);
+        Ok(())
+    }
+
+    /// Sets up the problem of a step of length `dt`.
+    pub(super) fn assemble(&mut self, dt: f64) -> Result<(), WorldError> {
+        let (pairs, walls) = (self.touching_pairs()?, self.touching_walls()?);
+        let state = &mut self.state;
+        state
+            .rest
+            .wake(self.setup.still_speed, &pairs, &walls, &state.walls);
+        let awake = state.rest.awake();
+        let problem = &mut self.problem;
+
+        // Free motion of what is awake.
+        problem.free.0.clone_from(&state.spheres);
+        for (sphere, _) in problem
+            .free
+            .0
+            .iter_mut()
+            .zip(awake)
+            .filter(|(_, awake)| **awake)
+        {
+            sphere.velocity += self.setup.gravity * dt;
+        }
+        problem.free.1.clear();
+        problem
+            .free
+            .1
+            .extend(state.walls.iter().map(|wall| wall.plate));
+        for (plate, wall) in problem.free.1.iter_mut().zip(&state.walls) {
+            plate.velocity += wall.outward * (wall.force * plate.inv_mass * dt);
+        }
+
+        // Contacts, from the velocities at the start of the step.
+        let [pair, wall] = &self.setup.laws.normal;
+        problem.pairs.clear();
+        for (bodies, touch) in &pairs {
+            let [a, b] = bodies.map(|body| body as usize);
+            if awake[a] || awake[b] {
+                let contact = Contact::new(touch, pair, &state.spheres[a], &state.spheres[b], dt);
+                problem.pairs.push(Link {
+                    bodies: *bodies,
+                    contact,
+                });
+            }
+        }
+        problem.walls.clear();
+        for (bodies, touch) in &walls {
+            let [a, b] = bodies.map(|body| body as usize);
+            if awake[a] {
+                let (a, b) = (&state.spheres[a], &state.walls[b].plate);
+                let contact = Contact::new(touch, wall, a, b, dt);
+                problem.walls.push(Link {
+                    bodies: *bodies,
+                    contact,
+                });
+            }
+        }
+        if self.setup.solver.warm_start {
+            state.memory.recall(problem, dt);
+        }
+        problem.start();
+        Ok(())
+    }
+
+    /// Pairs of spheres that may act on each other, in ascending order.
+    fn touching_pairs(&self) -> Result<Vec<Touching>, WorldError> {
+        let (reach, radii) = (self.reach(), &self.setup.radii);
+        let mut found = Vec::new();
+        for &[a, b] in &self.neighbours {
+            let [i, j] = [a as usize, b as usize];
+            let positions = &self.state.positions;
+            let apart = self.setup.space.displacement(&positions[i], &positions[j]);
+            if apart.norm() - radii[i] - radii[j] > reach {
+                continue;
+            }
+            let touch = Touch::spheres(&apart, [radii[i], radii[j]]);
+            let touch = touch.map_err(|cause| WorldError::Touch {
+                step: self.state.steps,
+                body: i,
+                other: format!("sphere {j}"),
+                cause,
+            })?;
+            found.push(([a, b], touch));
+        }
+        Ok(found)
+    }
+
+    /// Spheres and walls that may act on each other, sphere by sphere.
+    fn touching_walls(&self) -> Result<Vec<Touching>, WorldError> {
+        let reach = self.reach();
+        let mut found = Vec::new();
+        for (i, (x, &radius)) in self
+            .state
+            .positions
+            .iter()
+            .zip(&self.setup.radii)
+            .enumerate()
+        {
+            for (w, wall) in self.state.walls.iter().enumerate() {
+                let height = wall.outward.dot(x) - wall.place;
+                if height - radius > reach {
+                    continue;
+                }
+                let touch = Touch::plate(height, &wall.outward, radius);
+                let touch = touch.map_err(|cause| WorldError::Touch {
+                    step: self.state.steps,
+                    body: i,
+                    other: format!("wall {w}"),
+                    cause,
+                })?;
+                found.push(([i as u32, w as u32], touch));
+            }
+        }
+        Ok(found)
+    }
+}

@@ -1,0 +1,225 @@
+//! What a world is made of.
+
+use super::solver::Solver;
+use crate::space::PeriodicBox;
+use crate::space::pairs::NeighbourError;
+use nalgebra::Vector3;
+use tribos_core::contact::{NormalLaw, Plate, Sphere, TouchError};
+
+/// A plane that bounds the space of the spheres: a wall, or a piston if it has a finite mass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall {
+    /// Unit normal, into the space of the spheres.
+    pub outward: Vector3<f64>,
+    /// Position along the normal: points x of the plane have outward·x = place.
+    pub place: f64,
+    /// Velocity and inverse mass. A piston moves along its normal alone.
+    pub plate: Plate<f64>,
+    /// Force on it along the normal; positive pushes it into the spheres' space.
+    pub force: f64,
+}
+
+impl Wall {
+    /// A wall that stands still.
+    pub fn fixed(outward: Vector3<f64>, place: f64) -> Self {
+        Self::piston(outward, place, f64::INFINITY, 0.0)
+    }
+
+    /// A plate of this mass, at rest, pushed by `force`.
+    pub fn piston(outward: Vector3<f64>, place: f64, mass: f64, force: f64) -> Self {
+        Self {
+            outward,
+            place,
+            plate: Plate {
+                velocity: Vector3::zeros(),
+                inv_mass: 1.0 / mass,
+            },
+            force,
+        }
+    }
+}
+
+/// Contact laws of a world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Laws<F> {
+    /// Along the normal: between spheres, and at walls.
+    pub normal: [NormalLaw<f64>; 2],
+    /// Friction: between spheres, and at walls.
+    pub friction: [F; 2],
+}
+
+impl<F: Copy> Laws<F> {
+    /// The same laws between spheres and at walls.
+    pub fn uniform(normal: NormalLaw<f64>, friction: F) -> Self {
+        Self {
+            normal: [normal; 2],
+            friction: [friction; 2],
+        }
+    }
+}
+
+/// Bounds of the time step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pace {
+    /// Longest step, a time.
+    pub longest: f64,
+    /// Farthest that a body may be expected to move in a step, a length. A step in which something
+    /// moves more than twice as far is taken again, halved.
+    pub motion: f64,
+}
+
+/// A world at time 0.
+#[derive(Clone, Debug)]
+pub struct Setup<F> {
+    /// Periodic axes.
+    pub space: PeriodicBox,
+    /// Centres.
+    pub positions: Vec<Vector3<f64>>,
+    /// Radii, velocities and masses; see [`solid`].
+    pub radii: Vec<f64>,
+    /// Velocities, inverse masses and inertias.
+    pub spheres: Vec<Sphere<f64>>,
+    /// Walls.
+    pub walls: Vec<Wall>,
+    /// Laws.
+    pub laws: Laws<F>,
+    /// Acceleration of all spheres.
+    pub gravity: Vector3<f64>,
+    /// Bounds of the step.
+    pub pace: Pace,
+    /// How contacts are solved.
+    pub solver: Solver,
+    /// Speed, of the surface too, below which a group of touching bodies is left alone until
+    /// something touches it; 0 keeps everything awake.
+    pub still_speed: f64,
+}
+
+/// Largest deviation of a unit normal's length from 1.
+const UNIT: f64 = 1e-12;
+
+impl<F> Setup<F> {
+    /// Refuses what no step could work with.
+    pub(super) fn check(&self) -> Result<(), WorldError> {
+        let Pace { longest, motion } = self.pace;
+        let valid = |x: f64| x > 0.0 && x.is_finite();
+        if !(valid(longest) && valid(motion)) {
+            return Err(WorldError::Pace { longest, motion });
+        }
+        let [positions, radii] = [self.positions.len(), self.radii.len()];
+        let spheres = self.spheres.len();
+        if positions != spheres || radii != spheres {
+            return Err(WorldError::Count {
+                positions,
+                radii,
+                spheres,
+            });
+        }
+        let sphere = |sphere: &Sphere<f64>| {
+            valid(sphere.inv_mass)
+                && valid(sphere.inv_inertia)
+                && (sphere.velocity.norm() + sphere.spin.norm()).is_finite()
+        };
+        if let Some(body) = self.spheres.iter().position(|body| !sphere(body)) {
+            return Err(WorldError::Sphere { body });
+        }
+        let wall = |wall: &Wall| {
+            (wall.outward.norm() - 1.0).abs() <= UNIT
+                && (wall.place + wall.force + wall.plate.velocity.norm()).is_finite()
+                && wall.plate.inv_mass >= 0.0
+                && wall.plate.inv_mass.is_finite()
+        };
+        match self.walls.iter().position(|plane| !wall(plane)) {
+            Some(wall) => Err(WorldError::Wall { wall }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A solid sphere at rest.
+pub fn solid(radius: f64, density: f64) -> Sphere<f64> {
+    let mass = 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3) * density;
+    Sphere {
+        velocity: Vector3::zeros(),
+        spin: Vector3::zeros(),
+        inv_mass: 1.0 / mass,
+        inv_inertia: 1.0 / (0.4 * mass * radius * radius),
+    }
+}
+
+/// A world that cannot start or go on.
+#[derive(Debug, thiserror::Error)]
+pub enum WorldError {
+    /// Two bodies have no normal.
+    #[error("step {step}: sphere {body} and {other}: {cause}")]
+    Touch {
+        /// Step of the run.
+        step: u64,
+        /// First body.
+        body: usize,
+        /// The other sphere, or the wall.
+        other: String,
+        /// What is wrong.
+        #[source]
+        cause: TouchError,
+    },
+    /// The list of neighbours could not be made.
+    #[error("step {step}: {cause}")]
+    Neighbours {
+        /// Step of the run.
+        step: u64,
+        /// What is wrong.
+        #[source]
+        cause: NeighbourError,
+    },
+    /// A velocity is infinite or NaN.
+    #[error("step {step}: the velocity of sphere {body} is not finite")]
+    NotFinite {
+        /// Step of the run.
+        step: u64,
+        /// Which sphere.
+        body: usize,
+    },
+    /// No step is short enough.
+    #[error("step {step}: something moves {speed:e} however short the step; its load is too large")]
+    TooFast {
+        /// Step of the run.
+        step: u64,
+        /// Its speed.
+        speed: f64,
+    },
+    /// Nothing may move by the bounds of the step.
+    #[error(
+        "the longest step and the largest motion must be positive and finite, \
+         not {longest} and {motion}"
+    )]
+    Pace {
+        /// Given.
+        longest: f64,
+        /// Given.
+        motion: f64,
+    },
+    /// Not one radius and one set of velocities a position.
+    #[error(
+        "{positions} positions, {radii} radii and {spheres} spheres: give one of each a sphere"
+    )]
+    Count {
+        /// Given.
+        positions: usize,
+        /// Given.
+        radii: usize,
+        /// Given.
+        spheres: usize,
+    },
+    /// A sphere has no mass or no finite state.
+    #[error("sphere {body}: mass and inertia must be positive and finite, velocities finite")]
+    Sphere {
+        /// Which sphere.
+        body: usize,
+    },
+    /// A wall's normal is not a unit vector, or its state is not finite.
+    #[error("wall {wall}: the normal must have length 1, place, velocity and force must be finite")]
+    Wall {
+        /// Which wall.
+        wall: usize,
+    },
+}
