@@ -29,6 +29,7 @@ impl Ballistic {
             radii: Vec::new(),
             parents: Vec::new(),
             width: self.width,
+            space: self.space,
             height: 0.0,
         };
         while deposit.height < height && deposit.positions.len() < count {

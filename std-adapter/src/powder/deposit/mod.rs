@@ -1,10 +1,12 @@
 //! Ballistic deposits: spheres that fall one by one and stick (thesis, section 4.5).
 
 mod columns;
+mod contacts;
 mod error;
 mod grow;
 mod porosity;
 
+pub use contacts::SUBSTRATE;
 pub use error::DepositError;
 
 use crate::space::PeriodicBox;
@@ -76,8 +78,10 @@ pub struct Deposit {
     pub radii: Vec<f64>,
     /// The sphere that each one touches, an earlier one; `None` for the substrate.
     pub parents: Vec<Option<u32>>,
-    /// Side of the square base, period of x and y.
+    /// Side of the square base.
     pub width: f64,
+    /// The space, periodic in x and y after `width`.
+    pub space: PeriodicBox,
     /// Highest point of all spheres.
     pub height: f64,
 }
