@@ -22,6 +22,7 @@
 //! | [`coupling`] | law × patch → force, torque and Jacobian, in accuracy tiers picked by type |
 //! | [`limit_surface`] | all wrenches that dry friction can carry: gauge, normal, projection |
 //! | [`modes`] | where the ratio of sliding to spinning goes |
+//! | [`contact`] | contacts that open, slide, roll and spin: impulses under thresholds |
 //! | [`slider`] | a body followed to rest |
 //! | [`twist`] | motion in, wrench out |
 //! | [`special`], [`real`] | elliptic and hypergeometric functions; the scalar |
@@ -36,6 +37,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+pub mod contact;
 pub mod coupling;
 pub mod law;
 pub mod limit_surface;

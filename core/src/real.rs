@@ -1,7 +1,7 @@
 //! The scalar of the kernel and its only door to elementary functions.
 
 use core::fmt::Debug;
-use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 mod sealed {
     pub trait Sealed {}
@@ -29,6 +29,9 @@ pub trait Real:
     + AddAssign
     + SubAssign
     + MulAssign
+    + DivAssign
+    + Send
+    + Sync
     + sealed::Sealed
 {
     /// 0

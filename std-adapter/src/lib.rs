@@ -5,6 +5,7 @@
 //! particles and who is near whom are in [`space`], powders in [`powder`], seeded random numbers in
 //! [`random`]. The physics is in [`tribos_core`], re-exported here as [`kernel`].
 
+pub mod cd;
 pub mod powder;
 pub mod random;
 pub mod record;

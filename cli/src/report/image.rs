@@ -1,6 +1,8 @@
 //! A drawing as files, by their ending.
 
-use super::figure::{Figure, FigureError, Panels};
+use super::figure::{Figure, FigureError, Panels, canvas};
+use super::packing::PackingPicture;
+use super::surface::Surface;
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::record::write_atomically;
@@ -10,15 +12,19 @@ pub trait Drawing {
     /// As SVG text.
     fn to_svg(&self) -> Result<String, FigureError>;
     /// As a PNG file.
-    fn to_png(&self) -> Result<Vec<u8>, FigureError>;
+    fn to_png(&self) -> Result<Vec<u8>, FigureError> {
+        canvas::png(&self.to_svg()?)
+    }
+    /// Width and height in pixels.
+    fn extent(&self) -> (u32, u32);
 }
 
 impl Drawing for Figure {
     fn to_svg(&self) -> Result<String, FigureError> {
         self.svg()
     }
-    fn to_png(&self) -> Result<Vec<u8>, FigureError> {
-        self.png()
+    fn extent(&self) -> (u32, u32) {
+        self.extent()
     }
 }
 
@@ -26,8 +32,26 @@ impl Drawing for Panels {
     fn to_svg(&self) -> Result<String, FigureError> {
         self.svg()
     }
-    fn to_png(&self) -> Result<Vec<u8>, FigureError> {
-        self.png()
+    fn extent(&self) -> (u32, u32) {
+        self.extent()
+    }
+}
+
+impl Drawing for Surface {
+    fn to_svg(&self) -> Result<String, FigureError> {
+        self.svg()
+    }
+    fn extent(&self) -> (u32, u32) {
+        self.extent()
+    }
+}
+
+impl Drawing for PackingPicture {
+    fn to_svg(&self) -> Result<String, FigureError> {
+        self.svg()
+    }
+    fn extent(&self) -> (u32, u32) {
+        self.extent()
     }
 }
 

@@ -2,4 +2,8 @@
 
 pub mod figure;
 pub mod image;
+pub mod packing;
 pub mod page;
+pub mod sheet;
+mod solid;
+pub mod surface;

@@ -128,7 +128,7 @@ pub(super) fn positive<R: Real>(parameter: &'static str, value: R) -> Result<R, 
 }
 
 /// `value` if finite and not negative.
-pub(super) fn not_negative<R: Real>(parameter: &'static str, value: R) -> Result<R, LawError> {
+pub(crate) fn not_negative<R: Real>(parameter: &'static str, value: R) -> Result<R, LawError> {
     if value >= R::ZERO && value.is_finite() {
         Ok(value)
     } else {
@@ -140,7 +140,7 @@ pub(super) fn not_negative<R: Real>(parameter: &'static str, value: R) -> Result
 }
 
 /// `value` if in [0, 1].
-pub(super) fn fraction<R: Real>(parameter: &'static str, value: R) -> Result<R, LawError> {
+pub(crate) fn fraction<R: Real>(parameter: &'static str, value: R) -> Result<R, LawError> {
     if value >= R::ZERO && value <= R::ONE {
         Ok(value)
     } else {

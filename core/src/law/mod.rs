@@ -51,6 +51,7 @@ pub use coulomb::Coulomb;
 pub use drag::{DragRegime, InertialDrag, STOKES_CONSTANT, Stokes, crossover_reynolds, reynolds};
 pub use dry::DryFriction;
 pub use error::LawError;
+pub(crate) use error::{fraction as validated_fraction, not_negative as validated_not_negative};
 pub(crate) use error::{validated_coefficient, validated_exponent};
 pub use grip::Grip;
 pub use incline::{Incline, critical_angle};

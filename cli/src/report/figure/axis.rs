@@ -3,7 +3,7 @@
 use super::FigureError;
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use plotters::coord::types::RangedCoordf64;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 /// How values are spread along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub enum Scale {
 /// One axis of a figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    pub(super) label: String,
+    pub(in crate::report) label: String,
     pub(super) range: Option<(f64, f64)>,
     scale: Scale,
 }
@@ -52,7 +52,7 @@ impl Axis {
 
 /// The shown span of an axis, in powers of ten on a log axis.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Span {
+pub(in crate::report) struct Span {
     pub scale: Scale,
     pub low: f64,
     pub high: f64,
@@ -105,14 +105,44 @@ impl Span {
         (unit - self.low) / (self.high - self.low)
     }
 
+    // Powers of ten inside the span of a log axis.
+    fn decades(&self) -> RangeInclusive<i32> {
+        self.low.ceil() as i32..=self.high.floor() as i32
+    }
+
+    // Decades from one labelled tick of a log axis to the next.
+    fn stride(&self, count: usize) -> usize {
+        ((self.high - self.low) / count as f64).ceil() as usize
+    }
+
+    /// Places between the `ticks` of a log axis: the eight values inside each decade, or the
+    /// decades left out where not each has a label. An axis labelled by round values has none.
+    pub fn fine_ticks(&self, count: usize) -> Vec<f64> {
+        let decades = self.decades();
+        let stride = self.stride(count);
+        if self.scale == Scale::Linear || decades.clone().step_by(stride).count() < 2 {
+            return Vec::new();
+        }
+        let powers = decades.start() - 1..=*decades.end();
+        let parts = |power: i32| (2..=9).map(move |part: i32| (power, f64::from(part).log10()));
+        let units: Vec<f64> = if stride == 1 {
+            let all = powers.flat_map(parts);
+            all.map(|(power, part)| f64::from(power) + part).collect()
+        } else {
+            let left_out = decades.enumerate().filter(|(at, _)| at % stride != 0);
+            left_out.map(|(_, power)| f64::from(power)).collect()
+        };
+        let places = units.into_iter().map(|unit| self.share(unit));
+        places.filter(|at| (0.0..=1.0).contains(at)).collect()
+    }
+
     /// Places and labels of about `count` ticks.
     pub fn ticks(&self, count: usize) -> Ticks {
         let (mut low, mut high) = (self.low, self.high);
         if self.scale == Scale::Log10 {
-            let decades = low.ceil() as i32..=high.floor() as i32;
-            let stride = ((high - low) / count as f64).ceil() as usize;
             let tick = |power| (self.share(f64::from(power)), ten_to(power));
-            let ticks: Vec<_> = decades.step_by(stride).map(tick).collect();
+            let decades = self.decades().step_by(self.stride(count));
+            let ticks: Vec<_> = decades.map(tick).collect();
             if ticks.len() > 1 {
                 return Ticks(ticks);
             }
@@ -140,7 +170,7 @@ impl Span {
 }
 
 /// Places and labels of ticks on an axis that runs from 0 to 1 for plotters.
-pub(super) struct Ticks(pub Vec<(f64, String)>);
+pub(in crate::report) struct Ticks(pub Vec<(f64, String)>);
 
 impl Ranged for Ticks {
     type FormatOption = NoDefaultFormatting;

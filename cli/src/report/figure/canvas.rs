@@ -8,16 +8,13 @@ use resvg::{tiny_skia, usvg};
 use std::sync::Arc;
 
 /// SVG units per pixel: plotters knows whole units only and a pixel is too coarse.
-pub(super) const PX: i32 = 10;
+pub(in crate::report) const PX: i32 = 10;
 
 /// A rectangle of the image, measured in SVG units.
 pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// Draws on a white canvas and returns the SVG document.
-pub(super) fn svg(
-    (width, height): (u32, u32),
-    paint: impl Fn(&Area) -> Result<(), FigureError>,
-) -> Result<String, FigureError> {
+/// Refuses sizes that cannot be drawn and makes the font known, before any text is measured.
+pub(in crate::report) fn prepare((width, height): (u32, u32)) -> Result<(), FigureError> {
     if ![width, height]
         .iter()
         .all(|side| (120..=4000).contains(side))
@@ -25,7 +22,15 @@ pub(super) fn svg(
         return Err(FigureError::Size(width, height));
     }
     let face = dejavu::sans::regular();
-    register_font("sans-serif", FontStyle::Normal, face).map_err(|_| FigureError::Font)?;
+    register_font("sans-serif", FontStyle::Normal, face).map_err(|_| FigureError::Font)
+}
+
+/// Draws on a white canvas and returns the SVG document.
+pub(super) fn svg(
+    (width, height): (u32, u32),
+    paint: impl Fn(&Area) -> Result<(), FigureError>,
+) -> Result<String, FigureError> {
+    prepare((width, height))?;
     let fine = (width * PX as u32, height * PX as u32);
     let mut text = String::new();
     let root = SVGBackend::with_string(&mut text, fine).into_drawing_area();
@@ -41,7 +46,7 @@ pub(super) fn svg(
 }
 
 /// Renders an SVG document as a PNG file with the embedded font.
-pub(super) fn png(svg: &str) -> Result<Vec<u8>, FigureError> {
+pub(in crate::report) fn png(svg: &str) -> Result<Vec<u8>, FigureError> {
     let mut options = usvg::Options::default();
     let face = Arc::new(dejavu::sans::regular());
     let fonts = options.fontdb_mut();
@@ -69,13 +74,13 @@ pub(super) fn font(size: f64) -> TextStyle<'static> {
 }
 
 /// Width of a text in SVG units, slightly generous.
-pub(super) fn width(text: &str, size: f64) -> i32 {
+pub(in crate::report) fn width(text: &str, size: f64) -> i32 {
     let measured = font(size).font.box_size(text);
     measured.map_or(0, |(width, _)| width as i32)
 }
 
 /// A font size at which a text is no wider than `room`, at most `size`.
-pub(super) fn fitting(text: &str, size: f64, room: i32) -> f64 {
+pub(in crate::report) fn fitting(text: &str, size: f64, room: i32) -> f64 {
     let needed = f64::from(width(text, size).max(1));
     size * (f64::from(room) / needed).clamp(0.4, 1.0)
 }

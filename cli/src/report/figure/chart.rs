@@ -12,8 +12,12 @@ use plotters::prelude::*;
 use plotters::style::Color as _;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-// Width of thin lines, and colours of the frame, the grid and reference lines.
+// Width of thin lines, half the width of an error bar's caps, length of ticks without a label.
 const THIN: u32 = PX as u32;
+const CAP: i32 = 4 * PX;
+const FINE_TICK: i32 = 5 * PX / 2;
+
+// Colours of the frame, the grid and reference lines.
 const FRAME: RGBColor = RGBColor(80, 80, 80);
 const GRID: RGBColor = RGBColor(226, 226, 226);
 const GUIDE: RGBColor = RGBColor(140, 140, 140);
@@ -44,6 +48,7 @@ pub(super) fn draw(figure: &Figure, area: &Area) -> Result<(), FigureError> {
         let places = || series.points.iter().map(place);
         let seen = places().flatten().filter(|at| clip::inside(*at));
         let pieces = clip::pieces(places());
+        whiskers((series, index), spans, plot)?;
         curve(plot, (series, index), pieces, seen.collect())?;
     }
     for region in &figure.regions {
@@ -87,7 +92,31 @@ pub(super) fn curve<C: CoordTranslate<From: Clone>>(
     Ok(())
 }
 
-// Spans of both axes from the points, regions and reference lines.
+// Draws the error bars of a series with a cap at each end inside the plot.
+fn whiskers(
+    (series, index): (&Series, usize),
+    spans: Spans,
+    plot: &Plot,
+) -> Result<(), FigureError> {
+    let color = series.color.unwrap_or(Color::palette(index)).rgb();
+    let stroke = color.stroke_width(3 * THIN / 2);
+    for ends in series.whiskers() {
+        if spans.0.place(ends[0].0).is_none() {
+            continue;
+        }
+        let ends = ends.map(|end| corner(end, spans));
+        for piece in clip::pieces(ends.into_iter().map(Some)) {
+            plot.draw(&PathElement::new(piece, stroke))?;
+        }
+        for end in ends.into_iter().filter(|end| clip::inside(*end)) {
+            let cap = PathElement::new(vec![(-CAP, 0), (CAP, 0)], stroke);
+            plot.draw(&(EmptyElement::at(end) + cap))?;
+        }
+    }
+    Ok(())
+}
+
+// Spans of both axes from the points, error bars, regions and reference lines.
 fn spans(figure: &Figure) -> Result<Spans, FigureError> {
     let corners = figure.regions.iter().flat_map(|region| &region.outline);
     let points = figure.series.iter().flat_map(|series| &series.points);
@@ -95,7 +124,9 @@ fn spans(figure: &Figure) -> Result<Spans, FigureError> {
         Guide::Horizontal { at, .. } => (f64::NAN, *at),
         Guide::Vertical { at, .. } => (*at, f64::NAN),
     });
-    let points: Vec<Point> = points.chain(corners).copied().chain(rules).collect();
+    let ends = figure.series.iter().flat_map(Series::whiskers).flatten();
+    let points = points.chain(corners).copied().chain(ends).chain(rules);
+    let points: Vec<Point> = points.collect();
     let x = Span::new(&figure.x, points.iter().map(|point| point.0))?;
 
     // Heights of points beside the plot do not count.
@@ -111,8 +142,9 @@ fn axes<'c, 'a>(
     area: &'c Area<'a>,
 ) -> Result<Chart<'c, 'a>, FigureError> {
     let (full, height) = area.dim_in_pixel();
-    let x_ticks = spans.0.ticks((full / (75 * THIN)).max(2) as usize);
-    let y_ticks = spans.1.ticks((height / (45 * THIN)).max(2) as usize);
+    let across = (full / (75 * THIN)).max(2) as usize;
+    let up = (height / (45 * THIN)).max(2) as usize;
+    let (x_ticks, y_ticks) = (spans.0.ticks(across), spans.1.ticks(up));
     let widest = y_ticks.0.iter().map(|(_, label)| width(label, 12.0)).max();
     let named = |label: &str| if label.is_empty() { 0 } else { 22 * PX };
     let mut chart = ChartBuilder::on(area)
@@ -128,6 +160,8 @@ fn axes<'c, 'a>(
         plot.draw(&Polygon::new(corners, region.fill.rgb()))?;
     }
     mesh(figure, &mut chart)?;
+    let fine = [spans.0.fine_ticks(across), spans.1.fine_ticks(up)];
+    fine_ticks(fine, chart.plotting_area())?;
     Ok(chart)
 }
 
@@ -153,7 +187,18 @@ fn mesh(figure: &Figure, chart: &mut Chart) -> Result<(), FigureError> {
     Ok(chart.plotting_area().draw(&border)?)
 }
 
-// Place of a region corner; values a log axis cannot show stand at its far low end.
+// Draws the ticks between the labelled ones of a log axis, outside the frame.
+fn fine_ticks([x, y]: [Vec<f64>; 2], plot: &Plot) -> Result<(), FigureError> {
+    let across = x.into_iter().map(|at| ((at, 0.0), (0, FINE_TICK)));
+    let up = y.into_iter().map(|at| ((0.0, at), (-FINE_TICK, 0)));
+    for (at, end) in across.chain(up) {
+        let mark = PathElement::new(vec![(0, 0), end], FRAME.stroke_width(THIN));
+        plot.draw(&(EmptyElement::at(at) + mark))?;
+    }
+    Ok(())
+}
+
+// Place of a corner or end; values a log axis cannot show stand at its far low end.
 fn corner((x, y): Point, spans: Spans) -> Point {
     let end = |value: f64| if value > 0.0 { 1e4 } else { -1e4 };
     let (across, up) = (spans.0.place(x), spans.1.place(y));

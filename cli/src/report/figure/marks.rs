@@ -54,6 +54,7 @@ pub struct Series {
     pub(super) points: Vec<(f64, f64)>,
     pub(super) style: Style,
     pub(super) color: Option<Color>,
+    pub(super) errors: Vec<f64>,
 }
 
 impl Series {
@@ -64,6 +65,7 @@ impl Series {
             points,
             style,
             color: None,
+            errors: Vec::new(),
         }
     }
 
@@ -92,6 +94,22 @@ impl Series {
     pub fn color(mut self, color: Color) -> Self {
         self.color = Some(color);
         self
+    }
+
+    /// Puts a whisker from y − error to y + error on each point, in the order of the points and the
+    /// unit of y; a point whose error is missing, not finite or not positive has none.
+    #[must_use]
+    pub fn errors(mut self, errors: Vec<f64>) -> Self {
+        self.errors = errors;
+        self
+    }
+
+    // The lower and the upper end of each whisker.
+    pub(super) fn whiskers(&self) -> impl Iterator<Item = [(f64, f64); 2]> {
+        let pairs = self.points.iter().zip(&self.errors);
+        let shown = pairs
+            .filter(|(point, error)| point.1.is_finite() && error.is_finite() && **error > 0.0);
+        shown.map(|((x, y), error)| [(*x, y - error), (*x, y + error)])
     }
 }
 

@@ -1,7 +1,7 @@
 //! Scientific line plots, drawn to SVG and PNG from one description.
 
-mod axis;
-mod canvas;
+pub(in crate::report) mod axis;
+pub(in crate::report) mod canvas;
 mod chart;
 mod clip;
 mod legend;
@@ -76,6 +76,11 @@ impl Figure {
     pub fn size(mut self, width: u32, height: u32) -> Self {
         self.size = (width, height);
         self
+    }
+
+    /// Width and height in pixels.
+    pub fn extent(&self) -> (u32, u32) {
+        self.size
     }
 
     /// Draws the figure as an SVG document.

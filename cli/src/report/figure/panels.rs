@@ -37,15 +37,31 @@ impl Panels {
         self
     }
 
-    /// Draws the grid as an SVG document; an empty grid still has one cell.
-    pub fn svg(&self) -> Result<String, FigureError> {
+    /// Width and height of the whole grid in pixels.
+    pub fn extent(&self) -> (u32, u32) {
+        let (rows, columns) = self.grid();
+        let height = self.cell.1.saturating_mul(rows);
+        let width = self.cell.0.saturating_mul(columns);
+        (width, height.saturating_add(self.head()))
+    }
+
+    // Rows and columns of the cells in use.
+    fn grid(&self) -> (u32, u32) {
         let count = u32::try_from(self.figures.len()).unwrap_or(u32::MAX).max(1);
         let columns = self.columns.min(count);
-        let rows = count.div_ceil(columns);
-        let head = if self.title.is_empty() { 0 } else { 34 };
-        let width = self.cell.0.saturating_mul(columns);
-        let height = self.cell.1.saturating_mul(rows).saturating_add(head);
-        canvas::svg((width, height), |root| {
+        (count.div_ceil(columns), columns)
+    }
+
+    // Height of the title in pixels.
+    fn head(&self) -> u32 {
+        if self.title.is_empty() { 0 } else { 34 }
+    }
+
+    /// Draws the grid as an SVG document; an empty grid still has one cell.
+    pub fn svg(&self) -> Result<String, FigureError> {
+        let (rows, columns) = self.grid();
+        let head = self.head();
+        canvas::svg(self.extent(), |root| {
             let (top, body) = root.split_vertically(head as i32 * PX);
             chart::title(&self.title, 18.0, &top.margin(9 * PX, 0, 0, 0))?;
             let cells: Vec<Area> = body.split_evenly((rows as usize, columns as usize));

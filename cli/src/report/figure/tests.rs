@@ -124,3 +124,71 @@ fn panels_hold_all_figures() -> Result<(), FigureError> {
     assert!(Panels::new("", 0).svg().is_ok());
     Ok(())
 }
+
+// Ends of every two-point line drawn in the colour 1, 2, 3, in pixels.
+fn strokes(svg: &str) -> Vec<[f64; 4]> {
+    let lines = svg.lines().filter(|line| line.contains("#010203"));
+    let points = lines.filter_map(|line| line.split("points=\"").nth(1)?.split('"').next());
+    let numbers = |text: &str| {
+        let parts = text.split([' ', ',']).filter_map(|part| part.parse().ok());
+        let ends: Vec<f64> = parts.map(|at: f64| at / f64::from(canvas::PX)).collect();
+        ends.try_into().ok()
+    };
+    points.filter_map(numbers).collect()
+}
+
+#[test]
+fn error_bars_reach_one_error_up_and_down() -> Result<(), FigureError> {
+    let points = vec![(0.0, 1.0), (1.0, 2.0), (2.0, 2.0), (3.0, 3.0)];
+    let series = Series::points("", points).color(Color(1, 2, 3));
+    let series = series.errors(vec![1.0, 0.5, f64::NAN]);
+    let draw = |low: f64, high: f64| {
+        let y = Axis::linear("").range(low, high);
+        let figure = Figure::new("", Axis::linear(""), y).series(series.clone());
+        figure.legend(Legend::Hidden).svg()
+    };
+
+    // Two stems with two caps each; the first is twice as long as the second and ends beside the
+    // second's middle.
+    let whole = strokes(&draw(0.0, 4.0)?);
+    let stems: Vec<_> = whole.iter().filter(|end| end[0] == end[2]).collect();
+    let length = |stem: &[f64; 4]| (stem[1] - stem[3]).abs();
+    assert_eq!((whole.len(), stems.len()), (6, 2));
+    assert!((length(stems[0]) / length(stems[1]) - 2.0).abs() < 0.01);
+    let top = stems[0][1].min(stems[0][3]);
+    assert!((top - (stems[1][1] + stems[1][3]) / 2.0).abs() < 0.5);
+
+    // Cut by the plot: no cap at the end outside, and the ends count for the range.
+    assert_eq!(strokes(&draw(1.0, 4.0)?).len(), 5);
+    let spread = Series::points("", vec![(0.0, 10.0)]).errors(vec![5.0]);
+    let open = Figure::new("", Axis::linear(""), Axis::linear("")).series(spread);
+    assert!(open.svg()?.contains("\n14\n"));
+    Ok(())
+}
+
+#[test]
+fn log_axes_have_eight_fine_ticks_a_decade() -> Result<(), FigureError> {
+    let fine = |axis: Axis, count| {
+        let span = axis::Span::new(&axis, std::iter::empty())?;
+        Ok::<_, FigureError>((span.fine_ticks(count), span.low, span.high))
+    };
+    let (two, low, high) = fine(Axis::log10("").range(1.0, 100.0), 5)?;
+    let values = two.iter().map(|at| 10_f64.powf(low + at * (high - low)));
+    let values: Vec<i64> = values.map(|value| value.round() as i64).collect();
+    let expected = [2, 3, 4, 5, 6, 7, 8, 9, 20, 30, 40, 50, 60, 70, 80, 90];
+    assert_eq!(values, expected);
+
+    // Begun decades have theirs; with every third decade labelled the other two are fine ticks.
+    assert_eq!(
+        fine(Axis::log10("").range(0.5, 20.0), 5)?.0.len(),
+        5 + 8 + 1
+    );
+    assert_eq!(fine(Axis::log10("").range(1.0, 1e9), 3)?.0.len(), 6);
+    for axis in [
+        Axis::linear("").range(1.0, 100.0),
+        Axis::log10("").range(2.0, 9.0),
+    ] {
+        assert!(fine(axis, 5)?.0.is_empty());
+    }
+    Ok(())
+}

@@ -1,0 +1,165 @@
+//! Pictures of spheres in a periodic box between a substrate and a piston: the spheres themselves,
+//! or the network of forces between them.
+
+mod forces;
+mod plates;
+mod spheres;
+mod state;
+
+pub use state::{Contact, Packing, PackingError};
+
+use super::figure::axis::Axis;
+use super::figure::{FigureError, canvas};
+use super::solid::paper::Paper;
+use super::solid::view::{Frame, View, corners};
+use forces::Network;
+use spheres::Balls;
+
+/// Where the eye stands: a little to the right of the front and above.
+const AZIMUTH: f64 = -1.13;
+const ELEVATION: f64 = 0.2;
+
+/// A picture of one state.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PackingPicture {
+    title: String,
+    hall: Hall,
+    content: Content,
+    headroom: f64,
+    size: (u32, u32),
+}
+
+// The box and its plates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Hall {
+    lengths: [f64; 2],
+    piston: Option<f64>,
+    // Top of what stands in it.
+    top: f64,
+    // Thickness of the plates.
+    plate: f64,
+}
+
+// What is shown in the box.
+#[derive(Debug, Clone, PartialEq)]
+enum Content {
+    Spheres(Balls),
+    Forces(Network),
+}
+
+impl PackingPicture {
+    /// The spheres, coloured by the height of their centres.
+    pub fn spheres(title: impl Into<String>, packing: &Packing) -> Self {
+        let balls = Balls::by_height(packing);
+        Self::new(title, packing, Content::Spheres(balls))
+    }
+
+    /// The normal forces as lines between centres, as wide as the force is large: compression and
+    /// tension in two colours. A wall's contact runs from the centre straight to the nearer plate.
+    /// Contacts without a force, or with one that is not finite, are left out.
+    pub fn forces(
+        title: impl Into<String>,
+        packing: &Packing,
+        contacts: &[Contact],
+    ) -> Result<Self, PackingError> {
+        let network = Network::new(packing, contacts)?;
+        Ok(Self::new(title, packing, Content::Forces(network)))
+    }
+
+    fn new(title: impl Into<String>, packing: &Packing, content: Content) -> Self {
+        Self {
+            title: title.into(),
+            hall: packing.hall(),
+            content,
+            headroom: 0.0,
+            size: (430, 620),
+        }
+    }
+
+    /// Colours the spheres by one value each instead of their height; the axis names the colours
+    /// and may fix their range. A value that is not finite is grey. No effect on forces.
+    pub fn color_by(mut self, axis: Axis, values: &[f64]) -> Result<Self, PackingError> {
+        if let Content::Spheres(balls) = &mut self.content {
+            balls.color_by(axis, values)?;
+        }
+        Ok(self)
+    }
+
+    /// Sets the force that is drawn as wide as a sphere, instead of the largest one, and the unit
+    /// written beside it: pictures to compare need the same. No effect on spheres.
+    #[must_use]
+    pub fn full_force(mut self, force: f64, unit: impl Into<String>) -> Self {
+        if let Content::Forces(network) = &mut self.content {
+            network.full_force(force, unit.into());
+        }
+        self
+    }
+
+    /// Leaves room for a box this high, so that pictures of one kind side by side have one scale;
+    /// no effect if it is not finite.
+    #[must_use]
+    pub fn headroom(mut self, height: f64) -> Self {
+        if height.is_finite() {
+            self.headroom = height;
+        }
+        self
+    }
+
+    /// Sets the size in pixels.
+    #[must_use]
+    pub fn size(mut self, width: u32, height: u32) -> Self {
+        self.size = (width, height);
+        self
+    }
+
+    /// Width and height in pixels.
+    pub fn extent(&self) -> (u32, u32) {
+        self.size
+    }
+
+    /// Draws the picture as an SVG document.
+    pub fn svg(&self) -> Result<String, FigureError> {
+        let mut paper = Paper::new(self.size)?;
+        let frame = paper.title(&self.title);
+        let frame = match &self.content {
+            Content::Spheres(balls) => balls.legend(&mut paper, frame)?,
+            Content::Forces(network) => network.legend(&mut paper, frame),
+        };
+
+        // From the back to the front: far edges and substrate, the content, near edges and piston.
+        let view = self.view(frame);
+        plates::behind(&mut paper, &view, &self.hall);
+        match &self.content {
+            Content::Spheres(balls) => balls.draw(&mut paper, &view)?,
+            Content::Forces(network) => network.draw(&mut paper, &view),
+        }
+        plates::before(&mut paper, &view, &self.hall);
+        Ok(paper.svg())
+    }
+
+    /// Draws the picture as a PNG file.
+    pub fn png(&self) -> Result<Vec<u8>, FigureError> {
+        canvas::png(&self.svg()?)
+    }
+
+    // The box with its plates in a frame; spheres at the border stand out by their radius.
+    fn view(&self, [left, top, right, bottom]: Frame) -> View {
+        // Space around the box, px.
+        const ROOM: f64 = 8.0;
+        let Hall {
+            lengths: [x, y],
+            plate,
+            ..
+        } = self.hall;
+        let height = self.hall.top.max(self.headroom);
+        let all = corners(
+            [-plate, -plate, -plate],
+            [x + plate, y + plate, height + plate],
+        );
+        let frame = [left + ROOM, top + ROOM, right - ROOM, bottom - ROOM];
+        View::new(AZIMUTH, ELEVATION).fitted(&all, frame)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,45 @@
+//! Effective masses: how the modes of one contact answer to its impulses.
+//!
+//! For spheres the normal mode and torsion stand alone. Sliding and rolling are coupled by
+//! k = R₁/I₁ − R₂/I₂: a rolling torque T changes the sliding velocity by k T × n, a sliding force F
+//! the rolling velocity by k n × F. For equal spheres k = 0, which is why methods that leave the
+//! coupling out are limited to them (thesis, section 5.2).
+
+use super::body::Body;
+use super::touch::Touch;
+use crate::real::Real;
+
+/// The answer of a contact's relative velocity to its impulses.
+///
+/// *Units*: mass, mass, mass·length², 1/(mass·length).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block<R> {
+    /// Effective mass along the normal.
+    pub mass_normal: R,
+    /// Effective mass across it.
+    pub mass_sliding: R,
+    /// Effective moment of inertia, of rolling and of torsion; infinite when nothing can turn.
+    pub inertia: R,
+    /// Coupling k of sliding and rolling.
+    pub coupling: R,
+}
+
+impl<R: Real> Block<R> {
+    /// The block of two bodies.
+    ///
+    /// *Special values*: a mode that nothing can move has an infinite mass.
+    pub fn new(touch: &Touch<R>, a: &impl Body<R>, b: &impl Body<R>) -> Self {
+        let [arm_a, arm_b] = touch.arms;
+        let (turn_a, turn_b) = (a.inv_inertia(), b.inv_inertia());
+        Self {
+            mass_normal: R::ONE / (a.inv_mass_normal() + b.inv_mass_normal()),
+            mass_sliding: R::ONE
+                / (a.inv_mass_tangential()
+                    + b.inv_mass_tangential()
+                    + arm_a * arm_a * turn_a
+                    + arm_b * arm_b * turn_b),
+            inertia: R::ONE / (turn_a + turn_b),
+            coupling: arm_a * turn_a - arm_b * turn_b,
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! What meets at a contact: a sphere that moves freely, or a plate.
+
+use super::vector::{add_scaled, zero};
+use crate::real::Real;
+use nalgebra::Vector3;
+
+/// A body as contacts see it.
+///
+/// *Units*: any consistent set; inverse masses in 1/mass, inverse inertias in 1/(mass·length²).
+pub trait Body<R: Real> {
+    /// Velocity of the centre.
+    fn velocity(&self) -> Vector3<R>;
+    /// Angular velocity.
+    fn spin(&self) -> Vector3<R>;
+    /// How far a unit impulse along the normal moves it.
+    fn inv_mass_normal(&self) -> R;
+    /// How far a unit impulse across the normal moves it.
+    fn inv_mass_tangential(&self) -> R;
+    /// How far a unit angular impulse turns it.
+    fn inv_inertia(&self) -> R;
+    /// Takes up the impulse `sign`·(`along`·normal + `across`) and the angular impulse `angular`.
+    fn push(
+        &mut self,
+        sign: R,
+        normal: &Vector3<R>,
+        along: R,
+        across: &Vector3<R>,
+        angular: &Vector3<R>,
+    );
+}
+
+/// A sphere, free in all six directions. Infinite mass is an inverse of 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere<R> {
+    /// Velocity of the centre.
+    pub velocity: Vector3<R>,
+    /// Angular velocity.
+    pub spin: Vector3<R>,
+    /// 1/m.
+    pub inv_mass: R,
+    /// 1/I about any axis through the centre.
+    pub inv_inertia: R,
+}
+
+/// A plate that impulses move along its normal alone: a wall (inverse mass 0) or a piston.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plate<R> {
+    /// Velocity; its part in the plane is driven and feels no impulse.
+    pub velocity: Vector3<R>,
+    /// 1/m, 0 for a wall.
+    pub inv_mass: R,
+}
+
+impl<R: Real> Body<R> for Sphere<R> {
+    #[inline(always)]
+    fn velocity(&self) -> Vector3<R> {
+        self.velocity
+    }
+    #[inline(always)]
+    fn spin(&self) -> Vector3<R> {
+        self.spin
+    }
+    #[inline(always)]
+    fn inv_mass_normal(&self) -> R {
+        self.inv_mass
+    }
+    #[inline(always)]
+    fn inv_mass_tangential(&self) -> R {
+        self.inv_mass
+    }
+    #[inline(always)]
+    fn inv_inertia(&self) -> R {
+        self.inv_inertia
+    }
+    #[inline(always)]
+    fn push(
+        &mut self,
+        sign: R,
+        normal: &Vector3<R>,
+        along: R,
+        across: &Vector3<R>,
+        angular: &Vector3<R>,
+    ) {
+        let impulse = add_scaled(across, along, normal);
+        self.velocity = add_scaled(&self.velocity, sign * self.inv_mass, &impulse);
+        self.spin = add_scaled(&self.spin, self.inv_inertia, angular);
+    }
+}
+
+impl<R: Real> Body<R> for Plate<R> {
+    #[inline(always)]
+    fn velocity(&self) -> Vector3<R> {
+        self.velocity
+    }
+    #[inline(always)]
+    fn spin(&self) -> Vector3<R> {
+        zero()
+    }
+    #[inline(always)]
+    fn inv_mass_normal(&self) -> R {
+        self.inv_mass
+    }
+    #[inline(always)]
+    fn inv_mass_tangential(&self) -> R {
+        R::ZERO
+    }
+    #[inline(always)]
+    fn inv_inertia(&self) -> R {
+        R::ZERO
+    }
+    #[inline(always)]
+    fn push(&mut self, sign: R, normal: &Vector3<R>, along: R, _: &Vector3<R>, _: &Vector3<R>) {
+        self.velocity = add_scaled(&self.velocity, sign * self.inv_mass * along, normal);
+    }
+}

@@ -1,0 +1,38 @@
+//! The nearest point of a disc.
+
+use super::vector::{dot, length};
+use crate::real::Real;
+use nalgebra::Vector3;
+
+/// Rounding of a projected vector's own length: within it a vector counts as inside, so that
+/// projecting twice changes nothing.
+const COLLAR_ULPS: f64 = 4.0;
+
+/// The vector of length ≤ `bound` nearest to `q`: dry friction that resists as much as it may.
+///
+/// *Special values*: `q` itself, to the bit, inside; NaN for a NaN in either. *Domain*:
+/// `bound` ≥ 0. *Accuracy*: 3 ulp of the length.
+#[inline(always)]
+pub fn project_on_disc<R: Real>(q: &Vector3<R>, bound: R) -> Vector3<R> {
+    let length_sq = dot(q, q);
+    let in_range = length_sq > R::MIN_POSITIVE && length_sq < R::INFINITY;
+    if !in_range {
+        return project_extreme(q, bound);
+    }
+    let length = length_sq.sqrt();
+    if length <= bound * (R::ONE + R::from_f64(COLLAR_ULPS) * R::EPSILON) {
+        *q
+    } else {
+        q * (bound / length)
+    }
+}
+
+/// Vectors whose square leaves the range of the scalar.
+#[cold]
+fn project_extreme<R: Real>(q: &Vector3<R>, bound: R) -> Vector3<R> {
+    let length = length(q);
+    if length <= bound {
+        return *q;
+    }
+    q / length * bound
+}

@@ -1,0 +1,228 @@
+//! One contact in one time step: relative velocity in, impulse out.
+
+use super::block::Block;
+use super::body::Body;
+use super::friction::{ContactFriction, Grasp};
+use super::modes::{AxialPart, Modal, Modes, PlanarPart};
+use super::normal::{NormalLaw, NormalStep};
+use super::pair::{gyration, solve_pair};
+use super::touch::Touch;
+use super::vector::{cross, tangential};
+use crate::real::Real;
+use nalgebra::Vector3;
+
+/// A contact prepared for a step, with its impulse so far.
+///
+/// [`Contact::update`] is the local solution for everything else held fixed: sweeping it over all
+/// contacts of a system is the non-linear Gauss–Seidel method (Jean 1999).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact<R: Real, M: Modes<R>> {
+    normal: Vector3<R>,
+    arms: [R; 2],
+    lever: R,
+    block: Block<R>,
+    step: NormalStep<R>,
+    impulse: Modal<R, M>,
+}
+
+impl<R: Real, M: Modes<R>> Contact<R, M> {
+    /// Prepares the contact for a step of length `dt` > 0 from the bodies' velocities at its start.
+    ///
+    /// *Domain*: at least one of the bodies can move; with `dt` ≤ 0 or NaN, or two immovable
+    /// bodies, the impulses become NaN or infinite.
+    pub fn new(
+        touch: &Touch<R>,
+        law: &NormalLaw<R>,
+        a: &impl Body<R>,
+        b: &impl Body<R>,
+        dt: R,
+    ) -> Self {
+        let mut contact = Self {
+            normal: touch.normal,
+            arms: touch.arms,
+            lever: touch.lever,
+            block: Block::new(touch, a, b),
+            step: NormalStep::new(law, touch.gap, R::ZERO, dt),
+            impulse: Modal::default(),
+        };
+        let approach = contact.velocity(a, b).normal;
+        contact.step = NormalStep::new(law, touch.gap, approach, dt);
+        contact
+    }
+
+    /// Unit normal, from the first body to the second.
+    pub fn normal(&self) -> &Vector3<R> {
+        &self.normal
+    }
+
+    /// r_eff
+    pub fn lever(&self) -> R {
+        self.lever
+    }
+
+    /// Effective masses.
+    pub fn block(&self) -> &Block<R> {
+        &self.block
+    }
+
+    /// F_coh dt if the contact is within the range of cohesion, else 0.
+    pub fn cohesion(&self) -> R {
+        self.step.cohesion
+    }
+
+    /// Normal velocity, with its sign turned, at which the law takes the contact as closed:
+    /// max(gap, 0)/dt, or minus the rebound speed.
+    pub fn allowance(&self) -> R {
+        self.step.allowance
+    }
+
+    /// True if cohesion is a resistance that lets the gap, now open, stay as it is.
+    pub fn rests_open(&self) -> bool {
+        self.step.rests_open
+    }
+
+    /// The impulse on the second body so far.
+    #[inline(always)]
+    pub fn impulse(&self) -> &Modal<R, M> {
+        &self.impulse
+    }
+
+    /// P = normal impulse + F_coh dt, what all friction is proportional to.
+    #[inline(always)]
+    pub fn bound(&self) -> R {
+        self.impulse.normal + self.step.cohesion
+    }
+
+    /// Sets the impulse without telling the bodies; what lies across the present normal is kept.
+    pub fn set_impulse(&mut self, impulse: &Modal<R, M>) {
+        self.impulse = *impulse;
+        if M::Sliding::PRESENT {
+            let vector = tangential(&impulse.sliding.vector(), &self.normal);
+            self.impulse.sliding = M::Sliding::of(vector);
+        }
+        if M::Rolling::PRESENT {
+            let vector = tangential(&impulse.rolling.vector(), &self.normal);
+            self.impulse.rolling = M::Rolling::of(vector);
+        }
+    }
+
+    /// The nearest impulse that cohesion and friction admit, without telling the bodies: for
+    /// guesses, such as those of the last step.
+    pub fn admit<F: ContactFriction<R, Modes = M>>(&mut self, friction: &F) {
+        if self.impulse.normal < -self.step.cohesion {
+            self.impulse.normal = -self.step.cohesion;
+        }
+        let bound = self.bound();
+        let grasp = Grasp {
+            sliding: self.impulse.sliding.vector(),
+            torsion: self.impulse.torsion.component(),
+        };
+        let held = friction.hold(&grasp, bound, self.lever, gyration(&self.block));
+        self.impulse.sliding = M::Sliding::of(held.sliding);
+        self.impulse.torsion = M::Torsion::of(held.torsion);
+        let rolling = self.impulse.rolling.vector();
+        self.impulse.rolling = M::Rolling::of(friction.hold_rolling(&rolling, bound, self.lever));
+    }
+
+    /// Velocity of the second body relative to the first, mode by mode.
+    #[inline(always)]
+    pub fn velocity(&self, a: &impl Body<R>, b: &impl Body<R>) -> Modal<R, M> {
+        let n = &self.normal;
+        let drift = b.velocity() - a.velocity();
+        let mut velocity = Modal {
+            normal: super::vector::dot(&drift, n),
+            ..Modal::default()
+        };
+        if M::Sliding::PRESENT {
+            let turning = a.spin() * self.arms[0] + b.spin() * self.arms[1];
+            let slip = drift - n * velocity.normal - cross(&turning, n);
+            velocity.sliding = M::Sliding::of(slip);
+        }
+        if M::Rolling::PRESENT || M::Torsion::PRESENT {
+            let turning = b.spin() - a.spin();
+            let spin = super::vector::dot(&turning, n);
+            velocity.torsion = M::Torsion::of(spin);
+            velocity.rolling = M::Rolling::of(turning - n * spin);
+        }
+        velocity
+    }
+
+    /// Gives the bodies an impulse at this contact.
+    #[inline(always)]
+    pub fn apply(&self, impulse: &Modal<R, M>, a: &mut impl Body<R>, b: &mut impl Body<R>) {
+        let n = &self.normal;
+        let across = impulse.sliding.vector();
+        let mut on_a = super::vector::zero();
+        let mut on_b = on_a;
+        if M::Rolling::PRESENT || M::Torsion::PRESENT {
+            on_b = impulse.angular(n);
+            on_a = -on_b;
+        }
+        if M::Sliding::PRESENT {
+            let moment = cross(n, &across);
+            on_a -= moment * self.arms[0];
+            on_b -= moment * self.arms[1];
+        }
+        a.push(-R::ONE, n, impulse.normal, &across, &on_a);
+        b.push(R::ONE, n, impulse.normal, &across, &on_b);
+    }
+
+    /// The impulse that obeys the contact's laws with everything else as it is, applied; returns
+    /// the change.
+    ///
+    /// Along the normal this is closed form, and so is friction unless sliding and rolling are
+    /// coupled and one of them slips (then at most 96 rounds, to rounding).
+    #[inline(always)]
+    pub fn update<F: ContactFriction<R, Modes = M>>(
+        &mut self,
+        friction: &F,
+        a: &mut impl Body<R>,
+        b: &mut impl Body<R>,
+    ) -> Modal<R, M> {
+        let velocity = self.velocity(a, b);
+        let new = self.solve(friction, &velocity);
+        let change = new.minus(&self.impulse);
+        self.impulse = new;
+        self.apply(&change, a, b);
+        change
+    }
+
+    /// The impulse that obeys the contact's laws, from the relative velocity under the present one.
+    #[inline(always)]
+    fn solve<F: ContactFriction<R, Modes = M>>(
+        &self,
+        friction: &F,
+        velocity: &Modal<R, M>,
+    ) -> Modal<R, M> {
+        let (block, old) = (&self.block, &self.impulse);
+        let trial = old.normal - block.mass_normal * velocity.normal;
+        let mut new = Modal {
+            normal: self.step.impulse(trial, block.mass_normal),
+            ..Modal::default()
+        };
+        if !M::Sliding::PRESENT {
+            return new;
+        }
+        let bound = new.normal + self.step.cohesion;
+        if M::Rolling::PRESENT && block.coupling != R::ZERO {
+            let place = (block, &self.normal, self.lever);
+            let (held, rolling) = solve_pair(friction, place, bound, old, velocity);
+            new.sliding = M::Sliding::of(held.sliding);
+            new.torsion = M::Torsion::of(held.torsion);
+            new.rolling = M::Rolling::of(rolling);
+            return new;
+        }
+        let trial = Grasp {
+            sliding: old.sliding.vector() - velocity.sliding.vector() * block.mass_sliding,
+            torsion: old.torsion.component() - block.inertia * velocity.torsion.component(),
+        };
+        let held = friction.hold(&trial, bound, self.lever, gyration(block));
+        new.sliding = M::Sliding::of(held.sliding);
+        new.torsion = M::Torsion::of(held.torsion);
+        if M::Rolling::PRESENT {
+            let trial = old.rolling.vector() - velocity.rolling.vector() * block.inertia;
+            new.rolling = M::Rolling::of(friction.hold_rolling(&trial, bound, self.lever));
+        }
+        new
+    }
+}

@@ -1,0 +1,224 @@
+//! Which relative motions of a contact are resisted: what is not named is not stored nor computed.
+
+use super::vector::{dot, zero};
+use crate::real::Real;
+use core::fmt::Debug;
+use nalgebra::Vector3;
+
+/// The share of a [`Modal`] that lies in the contact plane: [`InPlane`] or [`Absent`].
+pub trait PlanarPart<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync {
+    /// False for [`Absent`].
+    const PRESENT: bool;
+    /// The vector, zero if absent.
+    fn vector(&self) -> Vector3<R>;
+    /// Keeps the vector, or drops it if absent.
+    fn of(vector: Vector3<R>) -> Self;
+}
+
+/// The share of a [`Modal`] about the normal: [`AboutNormal`] or [`Absent`].
+pub trait AxialPart<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync {
+    /// False for [`Absent`].
+    const PRESENT: bool;
+    /// The component, zero if absent.
+    fn component(&self) -> R;
+    /// Keeps the component, or drops it if absent.
+    fn of(component: R) -> Self;
+}
+
+/// A mode that the contact does not have. It takes no room.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Absent;
+
+impl<R: Real> PlanarPart<R> for Absent {
+    const PRESENT: bool = false;
+    #[inline(always)]
+    fn vector(&self) -> Vector3<R> {
+        zero()
+    }
+    #[inline(always)]
+    fn of(_: Vector3<R>) -> Self {
+        Self
+    }
+}
+
+impl<R: Real> AxialPart<R> for Absent {
+    const PRESENT: bool = false;
+    #[inline(always)]
+    fn component(&self) -> R {
+        R::ZERO
+    }
+    #[inline(always)]
+    fn of(_: R) -> Self {
+        Self
+    }
+}
+
+/// A vector in the contact plane, in the axes of space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InPlane<R>(pub Vector3<R>);
+
+impl<R: Real> Default for InPlane<R> {
+    fn default() -> Self {
+        Self(zero())
+    }
+}
+
+impl<R: Real> PlanarPart<R> for InPlane<R> {
+    const PRESENT: bool = true;
+    #[inline(always)]
+    fn vector(&self) -> Vector3<R> {
+        self.0
+    }
+    #[inline(always)]
+    fn of(vector: Vector3<R>) -> Self {
+        Self(vector)
+    }
+}
+
+/// A component about the normal.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AboutNormal<R>(pub R);
+
+impl<R: Real> AxialPart<R> for AboutNormal<R> {
+    const PRESENT: bool = true;
+    #[inline(always)]
+    fn component(&self) -> R {
+        self.0
+    }
+    #[inline(always)]
+    fn of(component: R) -> Self {
+        Self(component)
+    }
+}
+
+/// A set of modes, named by a type.
+pub trait Modes<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync + 'static {
+    /// Unknowns of a contact, the normal one included.
+    const UNKNOWNS: usize;
+    /// Two directions of sliding.
+    type Sliding: PlanarPart<R>;
+    /// Two axes of rolling.
+    type Rolling: PlanarPart<R>;
+    /// Spinning about the normal.
+    type Torsion: AxialPart<R>;
+}
+
+macro_rules! modes {
+    ($($(#[$doc:meta])* $name:ident: $unknowns:literal, $sliding:ty, $rolling:ty, $torsion:ty;)*) => {
+        $(
+            $(#[$doc])*
+            #[derive(Clone, Copy, Debug, Default, PartialEq)]
+            pub struct $name;
+
+            impl<R: Real> Modes<R> for $name {
+                const UNKNOWNS: usize = $unknowns;
+                type Sliding = $sliding;
+                type Rolling = $rolling;
+                type Torsion = $torsion;
+            }
+        )*
+    };
+}
+
+modes! {
+    /// Only the normal force: 1 unknown.
+    Frictionless: 1, Absent, Absent, Absent;
+    /// Normal force and sliding friction: 3 unknowns.
+    Sliding: 3, InPlane<R>, Absent, Absent;
+    /// Sliding and torsion friction: 4 unknowns.
+    SlidingTorsion: 4, InPlane<R>, Absent, AboutNormal<R>;
+    /// Sliding and rolling friction: 5 unknowns.
+    SlidingRolling: 5, InPlane<R>, InPlane<R>, Absent;
+    /// Sliding, rolling and torsion friction: 6 unknowns.
+    AllModes: 6, InPlane<R>, InPlane<R>, AboutNormal<R>;
+}
+
+/// One number or vector a mode: an impulse, or the relative velocity that it does work on.
+///
+/// *Units*: momentum and angular momentum as impulse; length/time and 1/time as velocity. *Sign*:
+/// an impulse acts on the second body, its opposite on the first; a velocity is that of the second
+/// body less that of the first.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Modal<R: Real, M: Modes<R>> {
+    /// Along the normal, which points from the first body to the second: positive pushes apart.
+    pub normal: R,
+    /// Force impulse in the contact plane, sliding velocity.
+    pub sliding: M::Sliding,
+    /// Torque impulse in the contact plane, rolling velocity.
+    pub rolling: M::Rolling,
+    /// Torque impulse about the normal, spin.
+    pub torsion: M::Torsion,
+}
+
+impl<R: Real, M: Modes<R>> Modal<R, M> {
+    /// `self` + `factor` · `other`
+    #[inline(always)]
+    pub fn plus_scaled(&self, factor: R, other: &Self) -> Self {
+        Self {
+            normal: self.normal + factor * other.normal,
+            sliding: M::Sliding::of(self.sliding.vector() + other.sliding.vector() * factor),
+            rolling: M::Rolling::of(self.rolling.vector() + other.rolling.vector() * factor),
+            torsion: M::Torsion::of(self.torsion.component() + factor * other.torsion.component()),
+        }
+    }
+
+    /// `self` − `other`
+    #[inline(always)]
+    pub fn minus(&self, other: &Self) -> Self {
+        Self {
+            normal: self.normal - other.normal,
+            sliding: M::Sliding::of(self.sliding.vector() - other.sliding.vector()),
+            rolling: M::Rolling::of(self.rolling.vector() - other.rolling.vector()),
+            torsion: M::Torsion::of(self.torsion.component() - other.torsion.component()),
+        }
+    }
+
+    /// Sum over the modes of the products with `other`: work, if one is an impulse and one a
+    /// velocity.
+    #[inline(always)]
+    pub fn dot(&self, other: &Self) -> R {
+        let mut sum = self.normal * other.normal;
+        if M::Sliding::PRESENT {
+            sum += dot(&self.sliding.vector(), &other.sliding.vector());
+        }
+        if M::Rolling::PRESENT {
+            sum += dot(&self.rolling.vector(), &other.rolling.vector());
+        }
+        if M::Torsion::PRESENT {
+            sum += self.torsion.component() * other.torsion.component();
+        }
+        sum
+    }
+
+    /// Two impulses compared: torques count by the force at the distance `lever`.
+    #[inline(always)]
+    pub fn dot_with_lever(&self, other: &Self, lever: R) -> R {
+        let mut sum = self.normal * other.normal;
+        if M::Sliding::PRESENT {
+            sum += dot(&self.sliding.vector(), &other.sliding.vector());
+        }
+        let mut torques = R::ZERO;
+        if M::Rolling::PRESENT {
+            torques += dot(&self.rolling.vector(), &other.rolling.vector());
+        }
+        if M::Torsion::PRESENT {
+            torques += self.torsion.component() * other.torsion.component();
+        }
+        if M::Rolling::PRESENT || M::Torsion::PRESENT {
+            sum += torques / (lever * lever);
+        }
+        sum
+    }
+
+    /// Force (or velocity) along the normal and in the plane, as one vector.
+    #[inline(always)]
+    pub fn linear(&self, normal: &Vector3<R>) -> Vector3<R> {
+        normal * self.normal + self.sliding.vector()
+    }
+
+    /// Torque (or angular velocity) about the normal and in the plane, as one vector.
+    #[inline(always)]
+    pub fn angular(&self, normal: &Vector3<R>) -> Vector3<R> {
+        normal * self.torsion.component() + self.rolling.vector()
+    }
+}

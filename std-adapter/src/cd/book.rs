@@ -1,0 +1,130 @@
+//! Where the energy goes.
+//!
+//! With velocities v⁺ after and v⁻ before a step of implicit Euler, impulses p and external loads
+//! f, the kinetic energy T changes by
+//!
+//! ```text
+//! T⁺ − T⁻ = f·v⁺ dt + Σ p·U⁺ − ½ |v⁺ − v⁻|²_M
+//! ```
+//!
+//! exactly: the first term is work done from outside (positions move with v⁺), the second what the
+//! modes take, the last what inelastic collisions take. No term but the work and a pull of cohesion
+//! that closes a gap can raise the energy, so nothing is created.
+
+use super::spheres::Spheres;
+use super::world::Wall;
+use nalgebra::Vector3;
+use tribos_core::contact::{AxialPart, ContactFriction, PlanarPart, Sphere};
+
+/// Energies of a run so far. *Units*: energy.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Book {
+    /// Work of walls' loads and of gravity.
+    pub work: f64,
+    /// Lost in collisions and by closing gaps.
+    pub normal: f64,
+    /// Lost in sliding.
+    pub sliding: f64,
+    /// Lost in rolling.
+    pub rolling: f64,
+    /// Lost in torsion.
+    pub torsion: f64,
+    /// Work against cohesion: what contacts that are stretched hold, and what broken ones took.
+    pub cohesion: f64,
+    /// Taken from bodies laid to rest.
+    pub stilled: f64,
+    /// Kinetic energy now, and at the start.
+    pub kinetic: f64,
+    /// Kinetic energy at the first entry.
+    pub kinetic_initial: Option<f64>,
+}
+
+impl Book {
+    /// What the book does not account for: rounding.
+    pub fn imbalance(&self) -> f64 {
+        let spent = self.normal + self.sliding + self.rolling + self.torsion + self.cohesion;
+        let kept = self.kinetic - self.kinetic_initial.unwrap_or(0.0);
+        self.work - spent - self.stilled - kept
+    }
+
+    /// Books one step: `before` are the spheres at its start.
+    pub fn enter<F: ContactFriction<f64>>(
+        &mut self,
+        before: &[Sphere<f64>],
+        walls: &[Wall],
+        problem: &Spheres<F>,
+        gravity: &Vector3<f64>,
+        dt: f64,
+    ) {
+        let mut kinetic = 0.0;
+        let mut initial = 0.0;
+        for (old, new) in before.iter().zip(&problem.spheres) {
+            if new.inv_mass <= 0.0 {
+                continue;
+            }
+            let (mass, inertia) = (1.0 / new.inv_mass, 1.0 / new.inv_inertia);
+            let energy = |v: &Vector3<f64>, w: &Vector3<f64>| {
+                0.5 * (mass * v.norm_squared() + inertia * w.norm_squared())
+            };
+            kinetic += energy(&new.velocity, &new.spin);
+            initial += energy(&old.velocity, &old.spin);
+            self.normal += energy(&(new.velocity - old.velocity), &(new.spin - old.spin));
+            // Sleepers feel no gravity: their contacts carry it.
+            if new.velocity != old.velocity || new.velocity != Vector3::zeros() {
+                self.work += mass * gravity.dot(&new.velocity) * dt;
+            }
+        }
+        for (wall, plate) in walls.iter().zip(&problem.plates) {
+            self.work += wall.force * wall.outward.dot(&plate.velocity) * dt;
+            if plate.inv_mass > 0.0 {
+                let mass = 1.0 / plate.inv_mass;
+                kinetic += 0.5 * mass * plate.velocity.norm_squared();
+                initial += 0.5 * mass * wall.plate.velocity.norm_squared();
+                self.normal += 0.5 * mass * (plate.velocity - wall.plate.velocity).norm_squared();
+            }
+        }
+        self.kinetic_initial.get_or_insert(initial);
+        self.kinetic = kinetic;
+        self.contacts(problem);
+    }
+
+    /// What each mode takes: −p·U⁺.
+    fn contacts<F: ContactFriction<f64>>(&mut self, problem: &Spheres<F>) {
+        for link in &problem.pairs {
+            let [a, b] = link.bodies.map(|body| &problem.spheres[body as usize]);
+            let velocity = link.contact.velocity(a, b);
+            self.modes(&link.contact, &velocity);
+        }
+        for link in &problem.walls {
+            let [a, b] = link.bodies.map(|body| body as usize);
+            let (a, b) = (&problem.spheres[a], &problem.plates[b]);
+            let velocity = link.contact.velocity(a, b);
+            self.modes(&link.contact, &velocity);
+            // A driven wall does work through what its normal does not feel.
+            let driven = b.velocity - link.contact.normal() * b.velocity.dot(link.contact.normal());
+            self.work += link.contact.impulse().sliding.vector().dot(&driven);
+        }
+    }
+
+    fn modes<M: tribos_core::contact::Modes<f64>>(
+        &mut self,
+        contact: &tribos_core::contact::Contact<f64, M>,
+        u: &tribos_core::contact::Modal<f64, M>,
+    ) {
+        let p = contact.impulse();
+        // P pushes, cohesion pulls.
+        self.normal -= contact.bound() * u.normal;
+        self.cohesion += contact.cohesion() * u.normal;
+        self.sliding -= p.sliding.vector().dot(&u.sliding.vector());
+        self.rolling -= p.rolling.vector().dot(&u.rolling.vector());
+        self.torsion -= p.torsion.component() * u.torsion.component();
+    }
+
+    /// Books the energy of a body that is laid to rest.
+    pub fn still(&mut self, sphere: &Sphere<f64>) {
+        let energy = 0.5 * sphere.velocity.norm_squared() / sphere.inv_mass
+            + 0.5 * sphere.spin.norm_squared() / sphere.inv_inertia;
+        self.stilled += energy;
+        self.kinetic -= energy;
+    }
+}

@@ -1,0 +1,121 @@
+//! Bodies that rest together cost nothing until something touches them.
+
+use super::book::Book;
+use super::world::Wall;
+use tribos_core::contact::{Sphere, Touch};
+
+/// Steps of stillness before a group of bodies is left alone.
+const PATIENCE: u8 = 4;
+
+/// Who is awake.
+#[derive(Clone, Debug)]
+pub struct Rest {
+    awake: Vec<bool>,
+    /// Steps for which each body has been still.
+    still: Vec<u8>,
+    /// Group of each body, one more for walls that move.
+    group: Vec<u32>,
+    /// Speed (of the surface too) below which a body is still; 0 keeps everything awake.
+    pub still_speed: f64,
+}
+
+impl Rest {
+    /// Everybody awake.
+    pub fn new(bodies: usize) -> Self {
+        Self {
+            awake: vec![true; bodies],
+            still: vec![0; bodies],
+            group: Vec::new(),
+            still_speed: 0.0,
+        }
+    }
+
+    /// One flag a body.
+    pub fn awake(&self) -> &[bool] {
+        &self.awake
+    }
+
+    /// Finds groups of touching bodies; one that has an awake member is awake.
+    pub fn wake(
+        &mut self,
+        pairs: &[([u32; 2], Touch<f64>)],
+        walls: &[([u32; 2], Touch<f64>)],
+        plates: &[Wall],
+    ) {
+        if self.still_speed <= 0.0 {
+            return;
+        }
+        let count = self.awake.len() as u32;
+        self.group.clear();
+        self.group.extend(0..=count);
+        for ([a, b], _) in pairs {
+            join(&mut self.group, *a, *b);
+        }
+        // A wall that can move, or does, joins what it touches.
+        let moves = |wall: &Wall| wall.plate.inv_mass > 0.0 || wall.plate.velocity.norm() > 0.0;
+        for ([a, wall], _) in walls {
+            if plates.get(*wall as usize).is_some_and(moves) {
+                join(&mut self.group, *a, count);
+            }
+        }
+        let mut awake = vec![false; self.group.len()];
+        awake[find(&mut self.group, count) as usize] = true;
+        for body in 0..count {
+            if self.awake[body as usize] {
+                awake[find(&mut self.group, body) as usize] = true;
+            }
+        }
+        for body in 0..count {
+            self.awake[body as usize] = awake[find(&mut self.group, body) as usize];
+        }
+    }
+
+    /// Puts groups to sleep in which everybody has been still for long enough.
+    pub fn settle(&mut self, spheres: &mut [Sphere<f64>], book: &mut Book) {
+        if self.still_speed <= 0.0 {
+            return;
+        }
+        let limit = self.still_speed;
+        for (sphere, still) in spheres.iter().zip(&mut self.still) {
+            // A solid sphere's surface speed from its inertia: R² = 2.5 I/m.
+            let turn = sphere.spin.norm() * (2.5 * sphere.inv_mass / sphere.inv_inertia).sqrt();
+            let moves = sphere.velocity.norm() + turn > limit;
+            *still = if moves { 0 } else { still.saturating_add(1) };
+        }
+        let count = self.awake.len();
+        let mut restless = vec![false; self.group.len()];
+        restless[find(&mut self.group, count as u32) as usize] = true;
+        for body in 0..count {
+            if self.still[body] < PATIENCE {
+                restless[find(&mut self.group, body as u32) as usize] = true;
+            }
+        }
+        for body in 0..count {
+            let awake = restless[find(&mut self.group, body as u32) as usize];
+            if self.awake[body] && !awake {
+                let sphere = &mut spheres[body];
+                book.still(sphere);
+                sphere.velocity.fill(0.0);
+                sphere.spin.fill(0.0);
+            }
+            self.awake[body] = awake;
+        }
+    }
+}
+
+/// Root of a body's group; paths are halved on the way.
+fn find(group: &mut [u32], mut body: u32) -> u32 {
+    while group[body as usize] != body {
+        let above = group[group[body as usize] as usize];
+        group[body as usize] = above;
+        body = above;
+    }
+    body
+}
+
+/// Joins two groups under the smaller root.
+fn join(group: &mut [u32], a: u32, b: u32) {
+    let [a, b] = [a, b].map(|body| find(group, body));
+    let (low, high) = if a < b { (a, b) } else { (b, a) };
+    group[high as usize] = low;
+}

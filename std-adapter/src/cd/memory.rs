@@ -1,0 +1,67 @@
+//! Impulses of the last step, as a first guess for the next.
+
+use super::operator::Operator;
+use super::spheres::{Link, Spheres};
+use tribos_core::contact::{ContactFriction, Modal, Modes};
+
+/// Forces of contacts that were, in ascending order of their bodies.
+#[derive(Clone, Debug)]
+pub struct Memory<M: Modes<f64>> {
+    /// Bodies and mean force (impulse over step), pairs and walls.
+    pub(super) forces: [Vec<([u32; 2], Modal<f64, M>)>; 2],
+}
+
+impl<M: Modes<f64>> Default for Memory<M> {
+    fn default() -> Self {
+        Self {
+            forces: [Vec::new(), Vec::new()],
+        }
+    }
+}
+
+impl<M: Modes<f64>> Memory<M> {
+    /// Gives contacts that were there before the force that they had.
+    pub fn recall<F: ContactFriction<f64, Modes = M>>(&self, problem: &mut Spheres<F>, dt: f64) {
+        let pairs = problem.pairs.len();
+        for (forces, start) in [(&self.forces[0], 0), (&self.forces[1], pairs)] {
+            let mut old = forces.iter().peekable();
+            let links = if start == 0 { &problem.pairs } else { &problem.walls };
+            let found: Vec<_> = links
+                .iter()
+                .map(|link| {
+                    while old.next_if(|(bodies, _)| *bodies < link.bodies).is_some() {}
+                    old.next_if(|(bodies, _)| *bodies == link.bodies)
+                })
+                .collect();
+            for (index, force) in found.into_iter().enumerate() {
+                if let Some((_, force)) = force {
+                    let impulse = Modal::default().plus_scaled(dt, force);
+                    problem.guess(start + index, &impulse);
+                }
+            }
+        }
+    }
+
+    /// Remembers the forces of this step, and those between bodies that slept through it.
+    pub fn keep<F: ContactFriction<f64, Modes = M>>(
+        &mut self,
+        problem: &Spheres<F>,
+        dt: f64,
+        awake: &[bool],
+    ) {
+        let force = |link: &Link<M>| {
+            let force = Modal::default().plus_scaled(1.0 / dt, link.contact.impulse());
+            (link.bodies, force)
+        };
+        let sleeps = |body: u32| !awake[body as usize];
+        let [pairs, walls] = &mut self.forces;
+        pairs.retain(|(bodies, _)| bodies.iter().all(|&body| sleeps(body)));
+        pairs.extend(problem.pairs.iter().map(force));
+        walls.retain(|(bodies, _)| sleeps(bodies[0]));
+        walls.extend(problem.walls.iter().map(force));
+        // Sleepers and others, each in order: nearly sorted.
+        for forces in [pairs, walls] {
+            forces.sort_by_key(|(bodies, _)| *bodies);
+        }
+    }
+}

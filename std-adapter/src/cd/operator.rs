@@ -1,0 +1,140 @@
+//! What a global solver needs to know of a contact problem, whatever its bodies are.
+
+/// An impulse of one contact: an element of a vector space.
+pub trait Impulse: Copy + Default {
+    /// `self` + `factor` · `other`
+    #[must_use]
+    fn plus_scaled(&self, factor: f64, other: &Self) -> Self;
+}
+
+/// Looks on while a sweep goes over the contacts.
+pub trait Watch: Clone + Send {
+    /// Sees one contact: squares of its impulse's change and of P, the force scale of its friction.
+    fn see(&mut self, change_sq: f64, bound: f64);
+    /// Adds what another watcher saw after this one.
+    fn join(&mut self, later: &Self);
+}
+
+/// The order in which a sweep visits contacts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Visit<'a> {
+    /// As they are numbered.
+    Forward,
+    /// The last first.
+    Backward,
+    /// As listed.
+    Listed(&'a [u32]),
+}
+
+/// A contact problem: impulses at contacts, and bodies that answer to them.
+///
+/// The operator holds the present impulses and the velocities that belong to them.
+pub trait Operator {
+    /// Impulse of one contact.
+    type Impulse: Impulse;
+
+    /// Number of contacts.
+    fn contacts(&self) -> usize;
+
+    /// The present impulse.
+    fn impulse(&self, contact: usize) -> Self::Impulse;
+
+    /// Product of two impulses of a contact, torques counted as forces at a lever.
+    fn dot(&self, contact: usize, a: &Self::Impulse, b: &Self::Impulse) -> f64;
+
+    /// Replaces the impulse by the nearest admissible one; velocities go stale until
+    /// [`Operator::refresh`].
+    fn guess(&mut self, contact: usize, impulse: &Self::Impulse);
+
+    /// Works the velocities out anew from all impulses, in the order of the contacts.
+    fn refresh(&mut self);
+
+    /// Lets every contact in turn solve its own laws with the others held.
+    fn sweep<W: Watch>(&mut self, visit: Visit<'_>, watch: &mut W);
+}
+
+/// Sees nothing, costs nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Blind;
+
+impl Watch for Blind {
+    #[inline(always)]
+    fn see(&mut self, _: f64, _: f64) {}
+    fn join(&mut self, _: &Self) {}
+}
+
+/// How much one sweep changed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Change {
+    /// Σ |Δp|²
+    pub change_sq: f64,
+    /// Σ P²
+    pub bound_sq: f64,
+    /// Σ |Δp| and Σ P, for the mean.
+    pub mean: [f64; 2],
+}
+
+impl Change {
+    /// √(Σ|Δp|²/ΣP²), 0 without contacts.
+    pub fn relative(&self) -> f64 {
+        ratio(self.change_sq, self.bound_sq).sqrt()
+    }
+
+    /// ⟨|Δp|⟩/⟨P⟩, the global criterion of Unger and Kertész (2003).
+    pub fn relative_mean(&self) -> f64 {
+        ratio(self.mean[0], self.mean[1])
+    }
+}
+
+/// `change`/`scale`, where nothing changed 0 even of nothing.
+fn ratio(change: f64, scale: f64) -> f64 {
+    if change == 0.0 { 0.0 } else { change / scale }
+}
+
+impl Watch for Change {
+    #[inline(always)]
+    fn see(&mut self, change_sq: f64, bound: f64) {
+        self.change_sq += change_sq;
+        self.bound_sq += bound * bound;
+        self.mean[0] += change_sq.sqrt();
+        self.mean[1] += bound;
+    }
+
+    fn join(&mut self, later: &Self) {
+        self.change_sq += later.change_sq;
+        self.bound_sq += later.bound_sq;
+        self.mean[0] += later.mean[0];
+        self.mean[1] += later.mean[1];
+    }
+}
+
+/// Counts contacts whose impulse changed by more than a fraction of P.
+#[derive(Clone, Copy, Debug)]
+pub struct Restless {
+    tolerance_sq: f64,
+    /// Contacts seen that changed by more.
+    pub count: usize,
+}
+
+impl Restless {
+    /// Counts changes above `tolerance`·P.
+    pub fn above(tolerance: f64) -> Self {
+        Self {
+            tolerance_sq: tolerance * tolerance,
+            count: 0,
+        }
+    }
+}
+
+impl Watch for Restless {
+    #[inline(always)]
+    fn see(&mut self, change_sq: f64, bound: f64) {
+        // A change of nothing is at rest, whatever the bound; NaN is not.
+        let rests = change_sq <= self.tolerance_sq * bound * bound;
+        self.count += usize::from(!rests);
+    }
+
+    fn join(&mut self, later: &Self) {
+        self.count += later.count;
+    }
+}
