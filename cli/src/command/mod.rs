@@ -1,6 +1,7 @@
 //! The subcommands, one module each.
 
 mod columns;
+mod deposit;
 mod inverse;
 mod laws;
 mod modes;
@@ -28,6 +29,8 @@ pub enum Command {
     Inverse(inverse::Arguments),
     /// Simulate a scene.
     Run(run::Arguments),
+    /// Ballistic deposits of spheres: grown, exported, their porosity.
+    Deposit(deposit::Arguments),
     /// Reproduce the thesis' figures and tables, claim by claim.
     Reproduce(reproduce::Arguments),
 }
@@ -41,6 +44,7 @@ impl Command {
             Self::Laws(arguments) => arguments.execute(),
             Self::Inverse(arguments) => arguments.execute(),
             Self::Run(arguments) => arguments.execute(),
+            Self::Deposit(arguments) => arguments.execute(),
             Self::Reproduce(arguments) => arguments.execute(),
         }
     }

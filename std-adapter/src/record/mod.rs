@@ -3,7 +3,13 @@
 mod atomic;
 mod number;
 mod series;
+mod snapshot;
+mod vtk;
+mod xyz;
 
 pub use atomic::{WriteError, write_atomically};
 pub use number::{json_number, number};
 pub use series::series_csv;
+pub use snapshot::{ContactRow, Partner, Snapshot, SnapshotError};
+pub use vtk::{contacts_vtp, particles_vtp};
+pub use xyz::extended_xyz;

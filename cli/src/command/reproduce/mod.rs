@@ -7,6 +7,7 @@ mod classical;
 mod contact_laws;
 mod coupling;
 mod creep;
+mod deposit;
 mod double_disk;
 mod exhibit;
 mod growth;
@@ -29,7 +30,7 @@ use std::path::{Path, PathBuf};
 use tribos::record::{series_csv, write_atomically};
 
 /// Reproduce the results of the thesis on friction laws and coupled friction (chapters 2 and 3,
-/// section 5.1 and appendix A): every figure and table as CSV, SVG and PNG, and index.html with
+/// section 5.1 and appendix A) and on ballistic deposits (section 4.5): every figure and table as CSV, SVG and PNG, and index.html with
 /// the thesis' claims, our numbers and the difference.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
@@ -72,6 +73,7 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("3.16", tilted::figure_3_16),
     ("3.17", pipe::figure_3_17),
     ("3.19", ice::figure_3_19),
+    ("4.5", deposit::figure_4_5),
     ("5.1", pressure::section_5_1),
     ("5.1-modes", pressure_modes::section_5_1_modes),
     ("appendix-a", odd::appendix_a),
@@ -143,7 +145,7 @@ fn chosen(names: &[String]) -> Result<Vec<(&'static str, Maker)>, Failure> {
 /// Writes the exhibit's files and makes its section of the page.
 fn write_exhibit(out: &Path, name: &str, exhibit: Exhibit) -> Result<Section, Failure> {
     let stem = match name.chars().next() {
-        Some('2' | '3') => format!("figure-{name}"),
+        Some('2' | '3' | '4') => format!("figure-{name}"),
         Some('5') => format!("section-{name}"),
         _ => name.to_owned(),
     };
@@ -231,6 +233,9 @@ fn page(sections: Vec<Section>) -> Page {
              the final modes; then it goes on to tall cylinders, which drift to the side, and to \
              curling stones. Section 5.1 asks about other pressures and negative exponents, and \
              appendix A treats odd exponents."
+                .into(),
+            "Chapter 4 compacts cohesive powders of spheres with rolling and torsion friction; section \
+             4.5 grows the loose deposits that it starts from."
                 .into(),
             "Here F and T come from one hypergeometric formula for every real α > −1 and every \
              pressure (1−r²)^q. Each section shows the thesis' figure computed anew, with the \

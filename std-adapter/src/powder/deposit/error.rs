@@ -41,8 +41,8 @@ pub enum DepositError {
         /// Largest distance of capture.
         farthest: f64,
     },
-    /// No sphere at all.
-    #[error("a deposit has one sphere or more")]
+    /// No sphere at all, or a cut below the first.
+    #[error("a deposit has one sphere or more; ask for one, or for a height above a diameter")]
     Empty,
     /// More spheres than memory.
     #[error("the deposit needs more than {MOST_SPHERES} spheres; make it lower or narrower")]

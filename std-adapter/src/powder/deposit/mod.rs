@@ -1,10 +1,13 @@
 //! Ballistic deposits: spheres that fall one by one and stick (thesis, section 4.5).
 
 mod columns;
+mod contacts;
+mod cut;
 mod error;
 mod grow;
 mod porosity;
 
+pub use contacts::SUBSTRATE;
 pub use error::DepositError;
 
 use crate::space::PeriodicBox;
@@ -44,7 +47,7 @@ pub const MOST_SPHERES: usize = 20_000_000;
 ///
 /// ```
 /// use tribos::powder::deposit::{Ballistic, Until};
-/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Height(61.5), 1)?;
+/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Cut(61.5), 1)?;
 /// assert!((deposit.porosity() - 0.92).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -63,6 +66,15 @@ pub enum Until {
     /// sphere stays, so that the [height](Deposit::height) of the deposit, where a piston just
     /// touches it, lies between this one and a sphere's diameter more.
     Height(f64),
+    /// Grown higher and cut at this height: spheres that reach above it are taken away, so that the
+    /// deposit has the density of the bulk up to the cut. Every parent stays, as it stands below
+    /// (of unequal radii, what a removed sphere held goes too). Growth ends as soon as so many
+    /// spheres in a row have come to rest above the cut as would cover the base ten times.
+    ///
+    /// A piston at the cut nearly touches the highest sphere (0.15R below on 20R × 20R). Spheres
+    /// and porosities of the thesis come out so, 470 on 20R × 20R to 61.5R and 1015 on 25R × 25R to
+    /// 87.5R; deposits that end with a [height](Self::Height) are loose below it, with 9 % less.
+    Cut(f64),
     /// With so many spheres.
     Count(usize),
 }
@@ -76,8 +88,10 @@ pub struct Deposit {
     pub radii: Vec<f64>,
     /// The sphere that each one touches, an earlier one; `None` for the substrate.
     pub parents: Vec<Option<u32>>,
-    /// Side of the square base, period of x and y.
+    /// Side of the square base.
     pub width: f64,
+    /// The space, periodic in x and y after `width`.
+    pub space: PeriodicBox,
     /// Highest point of all spheres.
     pub height: f64,
 }

@@ -1,0 +1,164 @@
+//! The state of many particles at one time, as exports take it.
+
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+
+/// Particles and contacts at one time, borrowed. Any consistent units.
+#[derive(Clone, Copy, Debug)]
+pub struct Snapshot<'a> {
+    /// The time.
+    pub time: f64,
+    /// What repeats; places are shown in its cell.
+    pub space: PeriodicBox,
+    /// Where the drawn box begins and ends along open axes; without meaning along periodic ones.
+    pub extents: [[f64; 2]; 3],
+    /// Centres.
+    pub positions: &'a [Vector3<f64>],
+    /// Radii.
+    pub radii: &'a [f64],
+    /// Velocities, where there are any.
+    pub velocities: Option<&'a [Vector3<f64>]>,
+    /// Angular velocities, where there are any.
+    pub spins: Option<&'a [Vector3<f64>]>,
+    /// Names of the species without blanks, `X` if left out.
+    pub species: Option<&'a [&'a str]>,
+    /// Contacts.
+    pub contacts: &'a [ContactRow],
+}
+
+/// One contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactRow {
+    /// A particle.
+    pub a: u32,
+    /// What it touches.
+    pub b: Partner,
+    /// Unit vector from a to b.
+    pub normal: Vector3<f64>,
+    /// Distance of the surfaces, negative for overlap.
+    pub gap: f64,
+    /// Force on b; along the normal it pushes, against it it pulls.
+    pub force: Vector3<f64>,
+    /// Torque on b at the contact.
+    pub torque: Vector3<f64>,
+}
+
+/// The other side of a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Partner {
+    /// A particle.
+    Particle(u32),
+    /// A wall by its number.
+    Wall(u32),
+}
+
+/// A snapshot that contradicts itself.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SnapshotError {
+    /// A list is not as long as the positions.
+    #[error("{positions} positions need as many {name}, not {given}")]
+    Lengths {
+        /// Which list.
+        name: &'static str,
+        /// Number of positions.
+        positions: usize,
+        /// Length of the list.
+        given: usize,
+    },
+    /// A contact of a particle that is not there.
+    #[error("contact {contact} names particle {particle}, but there are {positions}, from 0 on")]
+    Contact {
+        /// Index of the contact.
+        contact: usize,
+        /// The particle.
+        particle: u32,
+        /// Number of positions.
+        positions: usize,
+    },
+    /// A name that would be read as more than one column, or as none.
+    #[error("particle {particle}: the species `{given}` must be one word")]
+    Species {
+        /// Index of the particle.
+        particle: usize,
+        /// What was given.
+        given: String,
+    },
+}
+
+impl Partner {
+    /// The particle, if it is one.
+    pub fn particle(self) -> Option<u32> {
+        match self {
+            Self::Particle(index) => Some(index),
+            Self::Wall(_) => None,
+        }
+    }
+}
+
+impl ContactRow {
+    /// Force along the normal, positive for pressure.
+    pub fn normal_force(&self) -> f64 {
+        self.force.dot(&self.normal)
+    }
+
+    /// Magnitude of the force across the normal.
+    pub fn tangential_force(&self) -> f64 {
+        (self.force - self.normal * self.normal_force()).norm()
+    }
+}
+
+impl Snapshot<'_> {
+    /// Refuses lists of different lengths, unknown particles and names that are no words.
+    pub fn check(&self) -> Result<(), SnapshotError> {
+        let positions = self.positions.len();
+        for (name, given) in [
+            ("radii", Some(self.radii.len())),
+            ("velocities", self.velocities.map(<[_]>::len)),
+            ("spins", self.spins.map(<[_]>::len)),
+            ("species", self.species.map(<[_]>::len)),
+        ] {
+            if let Some(given) = given.filter(|&given| given != positions) {
+                return Err(SnapshotError::Lengths {
+                    name,
+                    positions,
+                    given,
+                });
+            }
+        }
+        for (contact, row) in self.contacts.iter().enumerate() {
+            let unknown = |&index: &u32| index as usize >= positions;
+            if let Some(particle) = row.particles().find(unknown) {
+                return Err(SnapshotError::Contact {
+                    contact,
+                    particle,
+                    positions,
+                });
+            }
+        }
+        let is_word = |name: &str| name.split_whitespace().eq([name]);
+        let mut names = self.species.unwrap_or_default().iter().enumerate();
+        match names.find(|(_, name)| !is_word(name)) {
+            Some((particle, name)) => Err(SnapshotError::Species {
+                particle,
+                given: (*name).into(),
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// Number of contacts of each particle, walls included.
+    pub(super) fn coordination(&self) -> Vec<u32> {
+        let mut counts = vec![0; self.positions.len()];
+        for index in self.contacts.iter().flat_map(ContactRow::particles) {
+            counts[index as usize] += 1;
+        }
+        counts
+    }
+}
+
+impl ContactRow {
+    /// The particles that touch.
+    fn particles(&self) -> impl Iterator<Item = u32> + use<> {
+        [Some(self.a), self.b.particle()].into_iter().flatten()
+    }
+}

@@ -1,0 +1,62 @@
+//! Particles as extended XYZ, which OVITO and ASE read.
+
+use super::{Snapshot, SnapshotError, number};
+use nalgebra::Vector3;
+
+/// Species where no name is given; chemistry programs know it as "no element".
+const NAMELESS: &str = "X";
+
+/// One frame of extended XYZ: species, id from 0, place in the cell, radius and coordination, then
+/// velocity and angular velocity where there are any, 17 significant digits each.
+///
+/// Columns have the names that OVITO knows (`velo`, `omega`, `n_neighb`). Frames one after another
+/// are a trajectory. OVITO takes places for fractions of the cell if all lie between 0 and 1.
+pub fn extended_xyz(snapshot: &Snapshot) -> Result<String, SnapshotError> {
+    snapshot.check()?;
+    let mut text = format!("{}\n{}\n", snapshot.positions.len(), header(snapshot));
+    let coordination = snapshot.coordination();
+    for (index, place) in snapshot.positions.iter().enumerate() {
+        let species = snapshot.species.map_or(NAMELESS, |names| names[index]);
+        let place = triple(&snapshot.space.wrap(place));
+        let radius = number(snapshot.radii[index]);
+        let contacts = coordination[index];
+        text += &format!("{species} {index} {place} {radius} {contacts}");
+        for vectors in [snapshot.velocities, snapshot.spins].into_iter().flatten() {
+            text += " ";
+            text += &triple(&vectors[index]);
+        }
+        text.push('\n');
+    }
+    Ok(text)
+}
+
+/// Cell, periods and columns.
+fn header(snapshot: &Snapshot) -> String {
+    let lengths = snapshot.space.lengths();
+    let mut lattice = [0.0; 9];
+    let mut origin = Vector3::zeros();
+    for (axis, [low, high]) in snapshot.extents.into_iter().enumerate() {
+        lattice[4 * axis] = lengths[axis].unwrap_or(high - low);
+        origin[axis] = if lengths[axis].is_some() { 0.0 } else { low };
+    }
+    let flag = |length: Option<f64>| if length.is_some() { "T" } else { "F" };
+    let mut columns = String::from("species:S:1:id:I:1:pos:R:3:radius:R:1:n_neighb:I:1");
+    if snapshot.velocities.is_some() {
+        columns += ":velo:R:3";
+    }
+    if snapshot.spins.is_some() {
+        columns += ":omega:R:3";
+    }
+    format!(
+        "Lattice=\"{}\" Origin=\"{}\" pbc=\"{}\" Properties={columns} Time={}",
+        lattice.map(number).join(" "),
+        triple(&origin),
+        lengths.map(flag).join(" "),
+        number(snapshot.time)
+    )
+}
+
+fn triple(vector: &Vector3<f64>) -> String {
+    let [x, y, z] = [vector.x, vector.y, vector.z].map(number);
+    format!("{x} {y} {z}")
+}
