@@ -4,11 +4,14 @@ use super::operator::Operator;
 use super::spheres::{Link, Spheres};
 use tribos_core::contact::{ContactFriction, Modal, Modes};
 
+/// The force of a contact that was, with the bodies that it joined.
+pub type Kept<M> = ([u32; 2], Modal<f64, M>);
+
 /// Forces of contacts that were, in ascending order of their bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Memory<M: Modes<f64>> {
     /// Bodies and mean force (impulse over step), pairs and walls.
-    pub forces: [Vec<([u32; 2], Modal<f64, M>)>; 2],
+    pub forces: [Vec<Kept<M>>; 2],
 }
 
 impl<M: Modes<f64>> Default for Memory<M> {

@@ -16,7 +16,7 @@ mod world;
 pub use accelerated::Accelerated;
 pub use book::Book;
 pub use island::Rest;
-pub use memory::Memory;
+pub use memory::{Kept, Memory};
 pub use nsgs::{Effort, Order, Stop, Sweeper, solve};
 pub use operator::{Blind, Change, Impulse, Operator, Restless, Visit, Watch};
 pub use residual::{Coefficients, Residual, residual};
