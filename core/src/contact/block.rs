@@ -42,4 +42,9 @@ impl<R: Real> Block<R> {
             coupling: arm_a * turn_a - arm_b * turn_b,
         }
     }
+
+    /// The lever at which a force costs as much as a torque: √(I/m_t).
+    pub fn gyration(&self) -> R {
+        (self.inertia / self.mass_sliding).sqrt()
+    }
 }

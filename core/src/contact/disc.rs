@@ -15,15 +15,19 @@ const COLLAR_ULPS: f64 = 4.0;
 #[inline(always)]
 pub fn project_on_disc<R: Real>(q: &Vector3<R>, bound: R) -> Vector3<R> {
     let length_sq = dot(q, q);
+    // A square that is rounded at full precision; a bound whose own square is not then decides as
+    // 0 or infinity would, which is right.
     let in_range = length_sq > R::MIN_POSITIVE && length_sq < R::INFINITY;
     if !in_range {
         return project_extreme(q, bound);
     }
-    let length = length_sq.sqrt();
-    if length <= bound * (R::ONE + R::from_f64(COLLAR_ULPS) * R::EPSILON) {
-        *q
+    let collar = R::ONE + R::from_f64(COLLAR_ULPS) * R::EPSILON;
+    // bound/length, with root and reciprocal side by side.
+    let scale = bound * (length_sq.sqrt() * (R::ONE / length_sq));
+    q * if length_sq <= bound * bound * collar {
+        R::ONE
     } else {
-        q * (bound / length)
+        scale
     }
 }
 

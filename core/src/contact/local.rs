@@ -5,7 +5,7 @@ use super::body::Body;
 use super::friction::{ContactFriction, Grasp};
 use super::modes::{AxialPart, Modal, Modes, PlanarPart};
 use super::normal::{NormalLaw, NormalStep};
-use super::pair::{gyration, solve_pair};
+use super::pair::solve_pair;
 use super::touch::Touch;
 use super::vector::{cross, tangential};
 use crate::real::Real;
@@ -122,7 +122,7 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
             sliding: self.impulse.sliding.vector(),
             torsion: self.impulse.torsion.component(),
         };
-        let held = friction.hold(&grasp, bound, self.lever, gyration(&self.block));
+        let held = friction.hold(&grasp, bound, self.lever, &self.block);
         self.impulse.sliding = M::Sliding::of(held.sliding);
         self.impulse.torsion = M::Torsion::of(held.torsion);
         let rolling = self.impulse.rolling.vector();
@@ -156,20 +156,19 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
     #[inline(always)]
     pub fn apply(&self, impulse: &Modal<R, M>, a: &mut impl Body<R>, b: &mut impl Body<R>) {
         let n = &self.normal;
-        let across = impulse.sliding.vector();
-        let mut on_a = super::vector::zero();
-        let mut on_b = on_a;
-        if M::Rolling::PRESENT || M::Torsion::PRESENT {
-            on_b = impulse.angular(n);
-            on_a = -on_b;
-        }
+        let force = impulse.linear(n);
+        a.push(-R::ONE, &force, impulse.normal, n);
+        b.push(R::ONE, &force, impulse.normal, n);
         if M::Sliding::PRESENT {
-            let moment = cross(n, &across);
-            on_a -= moment * self.arms[0];
-            on_b -= moment * self.arms[1];
+            let moment = cross(n, &impulse.sliding.vector());
+            a.turn(-self.arms[0], &moment);
+            b.turn(-self.arms[1], &moment);
         }
-        a.push(-R::ONE, n, impulse.normal, &across, &on_a);
-        b.push(R::ONE, n, impulse.normal, &across, &on_b);
+        if M::Rolling::PRESENT || M::Torsion::PRESENT {
+            let torque = impulse.angular(n);
+            a.turn(-R::ONE, &torque);
+            b.turn(R::ONE, &torque);
+        }
     }
 
     /// The impulse that obeys the contact's laws with everything else as it is, applied; returns
@@ -221,7 +220,7 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
             sliding: old.sliding.vector() - velocity.sliding.vector() * block.mass_sliding,
             torsion: old.torsion.component() - block.inertia * velocity.torsion.component(),
         };
-        let held = friction.hold(&trial, bound, self.lever, gyration(block));
+        let held = friction.hold(&trial, bound, self.lever, block);
         new.sliding = M::Sliding::of(held.sliding);
         new.torsion = M::Torsion::of(held.torsion);
         if M::Rolling::PRESENT {

@@ -15,6 +15,7 @@ const SETTLED_ULPS: f64 = 4.0;
 
 /// The friction impulses that obey their thresholds for normal impulse P − F_coh dt = `bound` less
 /// cohesion, given `old` impulses and the relative `velocity` under them.
+#[inline(never)]
 pub(super) fn solve_pair<R: Real, F: ContactFriction<R>>(
     friction: &F,
     (block, normal, lever): (&Block<R>, &Vector3<R>, R),
@@ -23,7 +24,6 @@ pub(super) fn solve_pair<R: Real, F: ContactFriction<R>>(
     velocity: &Modal<R, F::Modes>,
 ) -> (Grasp<R>, Vector3<R>) {
     let k = block.coupling;
-    let gyration = gyration(block);
     let (sliding_0, rolling_0) = (old.sliding.vector(), old.rolling.vector());
     let torsion = old.torsion.component() - block.inertia * velocity.torsion.component();
     if let Some(stick) = sticking(block, normal, old, velocity) {
@@ -31,7 +31,7 @@ pub(super) fn solve_pair<R: Real, F: ContactFriction<R>>(
             sliding: stick.0,
             torsion,
         };
-        let held = friction.hold(&grasp, bound, lever, gyration);
+        let held = friction.hold(&grasp, bound, lever, block);
         if held.sliding == stick.0 && friction.hold_rolling(&stick.1, bound, lever) == stick.1 {
             return (held, stick.1);
         }
@@ -44,7 +44,7 @@ pub(super) fn solve_pair<R: Real, F: ContactFriction<R>>(
             sliding: sliding_0 - slip * block.mass_sliding,
             torsion,
         };
-        held = friction.hold(&trial, bound, lever, gyration);
+        held = friction.hold(&trial, bound, lever, block);
         let roll = velocity.rolling.vector() + cross(normal, &(held.sliding - sliding_0)) * k;
         let turned = friction.hold_rolling(&(rolling_0 - roll * block.inertia), bound, lever);
         let (moved, turn) = (held.sliding - sliding, turned - rolling);
@@ -54,12 +54,6 @@ pub(super) fn solve_pair<R: Real, F: ContactFriction<R>>(
         }
     }
     (held, rolling)
-}
-
-/// Ratio of a torque to the force that costs as much: √(I/m_t).
-#[inline(always)]
-pub(super) fn gyration<R: Real>(block: &Block<R>) -> R {
-    (block.inertia / block.mass_sliding).sqrt()
 }
 
 /// The impulses that stop sliding and rolling alike, unless the block is singular.
