@@ -2,7 +2,8 @@
 //!
 //! A contact of two spheres has six relative motions: one along the normal, two of sliding, two of
 //! rolling, one of torsion. Each law names the modes that it resists, by type, and the others are
-//! neither stored nor computed. In one step of implicit time stepping (Moreau–Jean) the impulse of
+//! neither stored nor computed. [`Thresholds`] limit each mode for itself; [`CoupledFriction`] gives
+//! sliding and torsion the one set that friction on a patch has. In one step of implicit time stepping (Moreau–Jean) the impulse of
 //! a contact follows from the relative velocity that the bodies would have without it:
 //!
 //! ```
@@ -31,18 +32,20 @@
 
 mod block;
 mod body;
-mod contact;
+mod coupled;
 mod disc;
 mod friction;
 mod modes;
 mod normal;
 mod pair;
+mod time_step;
 mod touch;
+mod update;
 mod vector;
 
 pub use block::Block;
 pub use body::{Body, Plate, Sphere};
-pub use contact::Contact;
+pub use coupled::CoupledFriction;
 pub use disc::project_on_disc;
 pub use friction::{ContactFriction, Grasp, Thresholds};
 pub use modes::{
@@ -50,4 +53,6 @@ pub use modes::{
     Sliding, SlidingRolling, SlidingTorsion,
 };
 pub use normal::{Attraction, Cohesion, NormalLaw};
+pub use time_step::{TimeStep, TimeStepError};
 pub use touch::{Touch, TouchError};
+pub use update::Contact;
