@@ -263,4 +263,29 @@ bounds! {
     PURE_SLIDING = 4e-15, "closes in one step; a power and three products";
     /// Work of friction by Simpson's rule against energy lost, relative to the energy.
     WORK = 1e-11, "Simpson's rule over 1 ms of 0.4 s, worst next to the stop";
+
+    /// Impulses of a contact against the table, of all impulses with P.
+    CONTACT = 1e-14, "measured below";
+    /// The same in f32.
+    CONTACT_SINGLE = 1e-5, "measured below";
+    /// Coupled sliding and torsion against the table, of the same.
+    CONTACT_COUPLED = 1e-14, "measured below";
+    /// Friction beyond its threshold, relative.
+    CONTACT_THRESHOLD = 1e-14, "measured below";
+    /// What a second update of the same contact changes, of all impulses with P.
+    CONTACT_AGAIN = 1e-12, "measured below";
+    /// The same in f32.
+    CONTACT_AGAIN_SINGLE = 1e-4, "measured below";
+    /// Power of friction against its motion, of the largest impulse times speed.
+    CONTACT_POWER = 1e-12, "measured below";
+    /// Momentum and angular momentum created by a contact, of that exchanged.
+    CONTACT_MOMENTUM = 1e-14, "measured below";
+    /// Impulses of a contact turned in space, of all impulses with P.
+    CONTACT_TURNED = 1e-12, "measured below";
+    /// Trajectories of one body followed in steps, relative to their closed form.
+    CONTACT_MOTION = 1e-10, "measured below";
+    /// A fitted cohesion work or time, in steps.
+    CONTACT_STEPS = 2.0, "first order: events fall between two steps";
+    /// Residual of a manifold judged by laws of its own, relative.
+    MANIFOLD = 1e-10, "measured below";
 }
