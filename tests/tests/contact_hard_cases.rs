@@ -213,6 +213,7 @@ fn what_cannot_move_takes_no_impulse() {
     assert_eq!((components(contact.impulse()), fixed), ([0.0; 8], before));
     // One that turns about a fixed centre: sliding and rolling are the same motion.
     let mut wheel = Sphere {
+        velocity: Vector3::zeros(),
         inv_inertia: 2.5,
         spin: Vector3::new(0.3, 1.0, 0.2),
         ..before
@@ -315,7 +316,7 @@ fn coupled_sets_of_any_scale() {
     // A contact that is all but open: far outside, and still on the set.
     for bound in [1e-30, 1e-100, 1e-300] {
         let got = friction.hold(&shape, bound, 1.0, 0.5);
-        let size = got.sliding.norm() / bound;
+        let size = (got.sliding / bound).norm();
         assert!(
             size > 0.1 && size <= 0.5 * (1.0 + 1e-14),
             "{bound}: {got:?}"

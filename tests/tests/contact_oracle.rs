@@ -102,7 +102,7 @@ fn sliding_and_rolling_of_unequal_spheres_are_solved_together() {
 #[test]
 fn sliding_and_torsion_meet_the_exact_set() {
     let worst = worst::<f64, _>("contact, coupled torsion", "coupled", exact);
-    worst.assert_within(&tolerance::CONTACT_COUPLED);
+    worst.assert_within(&tolerance::CONTACT);
 }
 
 #[test]
