@@ -2,8 +2,8 @@
 
 use nalgebra::{Rotation3, Unit, Vector3};
 use tribos_core::contact::{
-    AxialPart, Body, Contact, ContactFriction, CoupledFriction, Modal, PlanarPart, Sphere,
-    Thresholds, Touch, project_on_disc,
+    AxialPart, Body, ContactFriction, CoupledFriction, Modal, PlanarPart, Sphere, Thresholds,
+    Touch, project_on_disc,
 };
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};

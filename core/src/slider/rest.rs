@@ -175,7 +175,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
 /// The direction back on the unit circle.
 fn normalized<R: Real>(mut state: State<R>) -> State<R> {
     let length = state[0].hypot(state[1]);
-    state[0] = state[0] / length;
-    state[1] = state[1] / length;
+    state[0] /= length;
+    state[1] /= length;
     state
 }
