@@ -43,12 +43,13 @@ fn no_normal_no_touch() {
 
 #[test]
 fn a_small_sphere_keeps_the_digits_of_its_arm() {
-    for ratio in [1e3_f64, 1e6, 1e9, 1e12] {
-        let touch = Touch::spheres(&Vector3::new(ratio + 1.0, 0.0, 0.0), [ratio, 1.0]).unwrap();
+    for ratio in [1.1e3_f64, 1.3e6, 1.7e9, 1.9e12] {
+        let radii = [ratio, 0.3];
+        let touch = Touch::spheres(&Vector3::new(ratio + 0.3, 0.0, 0.0), radii).unwrap();
         let [large, small] = touch.arms;
-        assert!((small - 1.0).abs() < 1e-15, "{ratio}: {small}");
+        assert!((small / 0.3 - 1.0).abs() < 1e-15, "{ratio}: {small}");
         assert!((large / ratio - 1.0).abs() < 1e-15);
-        assert!((touch.lever * (1.0 + 1.0 / ratio) - 1.0).abs() < 1e-15);
+        assert!((touch.lever * (1.0 / ratio + 1.0 / 0.3) - 1.0).abs() < 1e-15);
     }
 }
 
