@@ -3,7 +3,7 @@
 //! All thresholds are proportional to P = F_n + F_coh, so that they vanish when the contact opens
 //! (thesis, eqs. 4.1–4.3).
 
-use super::block::Block;
+use super::block::Masses;
 use super::disc::project_on_disc;
 use super::modes::{AllModes, Frictionless, Modes, Sliding, SlidingRolling, SlidingTorsion};
 use crate::law::{LawError, validated_not_negative};
@@ -26,10 +26,10 @@ pub trait ContactFriction<R: Real>: Copy {
     type Modes: Modes<R>;
 
     /// The admissible pair nearest to `trial`, in the metric that makes one contact's update exact:
-    /// |Δsliding|² + (Δtorsion/[gyration](Block::gyration))².
+    /// |Δsliding|² + (Δtorsion/[gyration](Masses::gyration))².
     ///
     /// `bound` is P in force or impulse; `lever` is r_eff.
-    fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, block: &Block<R>) -> Grasp<R>;
+    fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, masses: &Masses<R>) -> Grasp<R>;
 
     /// The admissible rolling torque nearest to `trial`.
     fn hold_rolling(&self, trial: &Vector3<R>, bound: R, lever: R) -> Vector3<R>;
@@ -123,7 +123,7 @@ impl<R: Real, M: Modes<R>> ContactFriction<R> for Thresholds<R, M> {
     type Modes = M;
 
     #[inline(always)]
-    fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, _: &Block<R>) -> Grasp<R> {
+    fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, _: &Masses<R>) -> Grasp<R> {
         Grasp {
             sliding: project_on_disc(&trial.sliding, self.sliding * bound),
             torsion: clamp(trial.torsion, self.torsion * (bound * lever)),
