@@ -154,6 +154,21 @@ fn what_it_finds_obeys_the_laws_of_every_contact() {
 }
 
 #[test]
+#[cfg(target_pointer_width = "64")]
+fn bodies_and_contacts_take_the_memory_that_the_documentation_tells() {
+    let growth = |large: usize, small: usize| large - small;
+    let body = growth(
+        size_of::<Manifold<f64, All, 3, 1>>(),
+        size_of::<Manifold<f64, All, 2, 1>>(),
+    );
+    let contact = growth(
+        size_of::<Manifold<f64, All, 2, 2>>(),
+        size_of::<Manifold<f64, All, 2, 1>>(),
+    );
+    assert_eq!((body, contact), (120, 248));
+}
+
+#[test]
 fn what_does_not_fit_is_refused_and_changes_nothing() {
     let friction = Thresholds::sliding(0.3).unwrap();
     let mut small = Manifold::<f64, _, 2, 1>::new(no_bounce(), friction);
