@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, Cohesion, Contact, ContactFriction, CoupledFriction, Grasp, NormalLaw, Plate,
-    Sphere, Thresholds, TimeStep, Touch, TouchError, project_on_disc,
+    Attraction, Cohesion, Contact, ContactFriction, CoupledFriction, Grasp, Masses, NormalLaw,
+    Plate, Sphere, Thresholds, TimeStep, Touch, TouchError, project_on_disc,
 };
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::LimitSurface;
@@ -14,6 +14,11 @@ fn exact(mu: f64, ratio: f64) -> LimitSurface<f64, Coulomb> {
     LimitSurface::new(Coulomb, mu, ratio).unwrap()
 }
 
+/// Masses whose gyration is half a length.
+const HALF: Masses<f64> = Masses {
+    sliding: 4.0,
+    torsion: 1.0,
+};
 #[test]
 fn no_normal_no_touch() {
     let zero = Vector3::zeros();
@@ -297,14 +302,14 @@ fn coupled_sets_of_any_scale() {
         sliding: Vector3::new(2.0, 1.0, 0.0),
         torsion: -0.5,
     };
-    let wanted = friction.hold(&shape, 1.0, 1.0, 0.5);
+    let wanted = friction.hold(&shape, 1.0, 1.0, &HALF);
     assert!(wanted != shape);
     for scale in [1e-290, 1e-100, 1e100, 1e290] {
         let trial = Grasp {
             sliding: shape.sliding * scale,
             torsion: shape.torsion * scale,
         };
-        let got = friction.hold(&trial, scale, 1.0, 0.5);
+        let got = friction.hold(&trial, scale, 1.0, &HALF);
         assert!(
             (got.sliding / scale - wanted.sliding).norm() < 1e-14,
             "{scale}"
@@ -316,7 +321,7 @@ fn coupled_sets_of_any_scale() {
     }
     // A contact that is all but open: far outside, and still on the set.
     for bound in [1e-30, 1e-100, 1e-300] {
-        let got = friction.hold(&shape, bound, 1.0, 0.5);
+        let got = friction.hold(&shape, bound, 1.0, &HALF);
         let size = (got.sliding / bound).norm();
         assert!(
             size > 0.1 && size <= 0.5 * (1.0 + 1e-14),
@@ -324,9 +329,9 @@ fn coupled_sets_of_any_scale() {
         );
         assert!(got.torsion < 0.0);
     }
-    let open = friction.hold(&shape, 0.0, 1.0, 0.5);
+    let open = friction.hold(&shape, 0.0, 1.0, &HALF);
     assert_eq!((open.sliding.norm(), open.torsion), (0.0, 0.0));
     let smooth = CoupledFriction::sliding_torsion(exact(0.0, 0.25));
-    let free = smooth.hold(&shape, 1.0, 1.0, 0.5);
+    let free = smooth.hold(&shape, 1.0, 1.0, &HALF);
     assert_eq!((free.sliding.norm(), free.torsion), (0.0, 0.0));
 }

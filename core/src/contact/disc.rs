@@ -4,14 +4,15 @@ use super::vector::{dot, length};
 use crate::real::Real;
 use nalgebra::Vector3;
 
-/// Rounding of a projected vector's own length: within it a vector counts as inside, so that
-/// projecting twice changes nothing.
-const COLLAR_ULPS: f64 = 4.0;
+/// Rounding of a projected vector's own square: within it a vector counts as inside, so that
+/// projecting twice changes nothing. Root, reciprocal, two products, the components and the sum of
+/// their squares each round by half a unit, all but the last counted twice in the square.
+const COLLAR_ULPS: f64 = 8.0;
 
 /// The vector of length ≤ `bound` nearest to `q`: dry friction that resists as much as it may.
 ///
 /// *Special values*: `q` itself, to the bit, inside; NaN for a NaN in either. *Domain*:
-/// `bound` ≥ 0. *Accuracy*: 3 ulp of the length.
+/// `bound` ≥ 0. *Accuracy*: 4 ulp of the length.
 #[inline(always)]
 pub fn project_on_disc<R: Real>(q: &Vector3<R>, bound: R) -> Vector3<R> {
     let length_sq = dot(q, q);
