@@ -152,10 +152,10 @@ impl Compaction {
         let mut compaction = Self {
             scene: scene.clone(),
             window: Window::starting(deposit.height),
+            contacts: deposit.contacts(),
             deposit,
             packing,
             solid,
-            contacts: Vec::new(),
             stress: Stress::default(),
             report: StepReport::default(),
             complete: None,
@@ -227,7 +227,7 @@ impl Compaction {
         &self.deposit
     }
 
-    /// Contacts after the last step, with their forces.
+    /// Contacts after the last step, with their forces; those of the deposit before the first.
     pub fn contacts(&self) -> &[ContactRow] {
         &self.contacts
     }

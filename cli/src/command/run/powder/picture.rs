@@ -21,6 +21,12 @@ pub fn packing(
     let percent = outcome.porosity.map(|porosity| 100.0 * porosity);
     let title = |name: &str, percent: f64| format!("{name}, {percent:.1} % empty");
 
+    // Both coloured by the place in the deposit: how the layers sink and mix.
+    let layers: Vec<f64> = before.positions.iter().map(|[_, _, z]| *z).collect();
+    let picture = |name: &str, percent: f64, packing: &Packing<'_>| {
+        let picture = PackingPicture::spheres(title(name, percent), packing).headroom(top);
+        picture.color_by(Axis::linear("initial height"), &layers)
+    };
     let initial = before.packing(scene.width, outcome.heights[0])?;
     let blocked = after.packing(scene.width, outcome.heights[1])?;
     let forces =
@@ -28,8 +34,8 @@ pub fn packing(
     let [mu, mu_t, mu_n] = scene.friction;
     let name = format!("Compaction, μ = {mu}, μ_t = {mu_t}, μ_n = {mu_n}");
     Ok(Sheet::new(name, 3)
-        .drawing(PackingPicture::spheres(title("Initial", percent[0]), &initial).headroom(top))
-        .drawing(PackingPicture::spheres(title("Final", percent[1]), &blocked).headroom(top))
+        .drawing(picture("Initial", percent[0], &initial).map_err(Failure::run)?)
+        .drawing(picture("Final", percent[1], &blocked).map_err(Failure::run)?)
         .drawing(forces.headroom(top)))
 }
 
