@@ -6,6 +6,7 @@
 
 pub mod bits;
 pub mod laws;
+pub mod packings;
 pub mod patches;
 pub mod pucks;
 pub mod reference;
