@@ -26,7 +26,7 @@ pub fn dry() -> NormalLaw<f64> {
     NormalLaw::new(Cohesion::NONE, 0.0).expect("the law is valid")
 }
 
-/// Conjugate sweeps to a tolerance, from the last step's forces.
+/// Sweeps with momentum to a tolerance, from the last step's forces.
 pub fn accelerated(tolerance: f64) -> Solver {
     Solver {
         method: Method::Accelerated { tolerance },
