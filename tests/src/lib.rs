@@ -7,6 +7,7 @@
 pub mod bits;
 pub mod contacts;
 pub mod laws;
+pub mod packings;
 pub mod patches;
 pub mod pucks;
 pub mod reference;
