@@ -113,7 +113,7 @@ impl<R: Real, S: FrictionSet<R>> CoupledFriction<R, S, AllModes> {
 impl<R, S, M> ContactFriction<R> for CoupledFriction<R, S, M>
 where
     R: Real,
-    S: FrictionSet<R> + Copy,
+    S: FrictionSet<R> + Copy + Send + Sync,
     M: Modes<R>,
 {
     type Modes = M;

@@ -21,7 +21,7 @@ pub struct Grasp<R> {
 }
 
 /// The set of friction impulses that a contact can carry, for the modes that it has.
-pub trait ContactFriction<R: Real>: Copy {
+pub trait ContactFriction<R: Real>: Copy + Send + Sync {
     /// Which modes.
     type Modes: Modes<R>;
 

@@ -8,7 +8,9 @@ pub trait Impulse: Copy + Default {
 }
 
 /// Looks on while a sweep goes over the contacts.
-pub trait Watch: Clone + Send {
+pub trait Watch: Send {
+    /// A watcher of the same kind that has seen nothing.
+    fn fork(&self) -> Self;
     /// Sees one contact: squares of its impulse's change and of P, the force scale of its friction.
     fn see(&mut self, change_sq: f64, bound: f64);
     /// Adds what another watcher saw after this one.
@@ -58,6 +60,9 @@ pub trait Operator {
 pub struct Blind;
 
 impl Watch for Blind {
+    fn fork(&self) -> Self {
+        Self
+    }
     #[inline(always)]
     fn see(&mut self, _: f64, _: f64) {}
     fn join(&mut self, _: &Self) {}
@@ -92,6 +97,10 @@ fn ratio(change: f64, scale: f64) -> f64 {
 }
 
 impl Watch for Change {
+    fn fork(&self) -> Self {
+        Self::default()
+    }
+
     #[inline(always)]
     fn see(&mut self, change_sq: f64, bound: f64) {
         self.change_sq += change_sq;
@@ -127,6 +136,10 @@ impl Restless {
 }
 
 impl Watch for Restless {
+    fn fork(&self) -> Self {
+        Self { count: 0, ..*self }
+    }
+
     #[inline(always)]
     fn see(&mut self, change_sq: f64, bound: f64) {
         // A change of nothing is at rest, whatever the bound; NaN is not.

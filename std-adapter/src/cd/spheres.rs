@@ -2,6 +2,7 @@
 
 use super::operator::{Impulse, Operator, Visit, Watch};
 use super::schedule::Schedule;
+use rayon::prelude::*;
 use tribos_core::contact::{Contact, ContactFriction, Modal, Modes, Plate, Sphere};
 
 impl<M: Modes<f64>> Impulse for Modal<f64, M> {
@@ -68,10 +69,42 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         self.pairs.iter().chain(&self.walls)
     }
 
-    #[inline(always)]
-    fn visit_pair<W: Watch>(&mut self, index: usize, watch: &mut W) {
-        if let Some(link) = self.pairs.get_mut(index) {
-            update_pair(link, &self.friction[0], &mut self.spheres, watch);
+    /// Sweeps the pairs: blocks side by side, then those across. What the watch sees does not depend
+    /// on how many threads there are.
+    fn sweep_pairs<W: Watch>(&mut self, way: Way, watch: &mut W) {
+        let friction = self.friction[0];
+        let blocks = self.schedule.blocks.len();
+        let across = self
+            .schedule
+            .blocks
+            .last()
+            .map_or(0, |block| block.pairs.end);
+        if way == Way::Backward {
+            let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[across..]);
+            sweep_links(pairs, 0, spheres, &friction, way, watch);
+        }
+        let mut parts = Vec::with_capacity(blocks);
+        let (mut spheres, mut pairs) = (&mut self.spheres[..], &mut self.pairs[..across]);
+        for block in &self.schedule.blocks {
+            let (own, rest) = spheres.split_at_mut(block.spheres.len());
+            let (links, others) = pairs.split_at_mut(block.pairs.len());
+            (spheres, pairs) = (rest, others);
+            parts.push((block.spheres.start as u32, own, links, watch.fork()));
+        }
+        let sweep = |(first, spheres, links, watch): &mut (u32, &mut [_], &mut [_], W)| {
+            sweep_links(links, *first, spheres, &friction, way, watch);
+        };
+        if across >= WORTHWHILE && rayon::current_num_threads() > 1 {
+            parts.par_iter_mut().for_each(sweep);
+        } else {
+            parts.iter_mut().for_each(sweep);
+        }
+        for (_, _, _, seen) in &parts {
+            watch.join(seen);
+        }
+        if way == Way::Forward {
+            let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[across..]);
+            sweep_links(pairs, 0, spheres, &friction, way, watch);
         }
     }
 
@@ -88,18 +121,36 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     }
 }
 
-/// Solves one pair and tells the watch.
-#[inline(always)]
-pub(super) fn update_pair<F: ContactFriction<f64>, W: Watch>(
-    link: &mut Link<F::Modes>,
-    friction: &F,
+/// Which end a sweep starts at.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Way {
+    Forward,
+    Backward,
+}
+
+/// Contacts below which threads cost more than they gain.
+const WORTHWHILE: usize = 2_000;
+
+/// Solves pairs one after the other; `spheres` starts with the number `first`.
+fn sweep_links<F: ContactFriction<f64>, W: Watch>(
+    links: &mut [Link<F::Modes>],
+    first: u32,
     spheres: &mut [Sphere<f64>],
+    friction: &F,
+    way: Way,
     watch: &mut W,
 ) {
-    let bodies = link.bodies.map(|body| body as usize);
-    if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
-        let change = link.contact.update(friction, a, b);
-        report(&link.contact, &change, watch);
+    let mut update = |link: &mut Link<F::Modes>| {
+        let bodies = link.bodies.map(|body| (body - first) as usize);
+        if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
+            let change = link.contact.update(friction, a, b);
+            report(&link.contact, &change, watch);
+        }
+    };
+    if way == Way::Forward {
+        links.iter_mut().for_each(update);
+    } else {
+        links.iter_mut().rev().for_each(&mut update);
     }
 }
 
@@ -165,22 +216,21 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
         let (pairs, walls) = (self.pairs.len(), self.walls.len());
         match visit {
             Visit::Forward => {
-                (0..pairs).for_each(|index| self.visit_pair(index, watch));
+                self.sweep_pairs(Way::Forward, watch);
                 (0..walls).for_each(|index| self.visit_wall(index, watch));
             }
             Visit::Backward => {
                 (0..walls)
                     .rev()
                     .for_each(|index| self.visit_wall(index, watch));
-                (0..pairs)
-                    .rev()
-                    .for_each(|index| self.visit_pair(index, watch));
+                self.sweep_pairs(Way::Backward, watch);
             }
             Visit::Listed(order) => {
                 for &index in order {
                     let index = index as usize;
-                    if index < pairs {
-                        self.visit_pair(index, watch);
+                    if let Some(link) = self.pairs.get_mut(index..=index) {
+                        let friction = self.friction[0];
+                        sweep_links(link, 0, &mut self.spheres, &friction, Way::Forward, watch);
                     } else {
                         self.visit_wall(index - pairs, watch);
                     }
