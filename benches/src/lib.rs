@@ -1,8 +1,10 @@
 //! Speed against error: what the kernel costs, what it is worth, and what else there is.
 //!
-//! Four programs make the fronts that the documentation shows: `front` (one evaluation of force and
+//! Five programs make the fronts that the documentation shows: `front` (one evaluation of force and
 //! torque), `patch_front` (every patch, law and tier), `slider_front` (one stop of a sliding,
-//! spinning disk) and `flash` (what each costs in the memory of a microcontroller). The benches under `benches/` time the same methods with criterion.
+//! spinning disk), `contact_front` (contacts of packings and their solvers) and `flash` (what each
+//! costs in the memory of a microcontroller). The benches under `benches/` time the same methods
+//! with criterion.
 
 pub mod args;
 pub mod baselines;
@@ -12,6 +14,7 @@ pub mod errors;
 pub mod flash;
 pub mod methods;
 pub mod mix;
+pub mod packing;
 pub mod patches;
 pub mod picture;
 pub mod reference;

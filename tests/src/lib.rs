@@ -5,7 +5,9 @@
 //! the tables of `tables/` or formulas of the test that uses them.
 
 pub mod bits;
+pub mod contacts;
 pub mod laws;
+pub mod packings;
 pub mod patches;
 pub mod pucks;
 pub mod reference;

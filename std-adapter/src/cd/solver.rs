@@ -15,7 +15,7 @@ pub enum Method {
         /// Rule.
         stop: Stop,
     },
-    /// Gauss–Seidel with conjugate directions.
+    /// Gauss–Seidel with momentum, as [`Accelerated`] does it.
     Accelerated {
         /// Largest change of a sweep relative to P, in the root mean square.
         tolerance: f64,

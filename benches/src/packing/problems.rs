@@ -1,0 +1,74 @@
+//! One step of contact dynamics for a packing under load, without impulses so far.
+
+use super::jammed::{Jammed, NotJammed};
+use nalgebra::Vector3;
+use tribos::cd::{Link, Spheres, solid};
+use tribos::space::pairs::neighbours;
+use tribos_core::contact::{Cohesion, Contact, ContactFriction, NormalLaw, Plate, Touch};
+
+/// Length of the step. Without cohesion and open gaps the problem scales with it.
+const STEP: f64 = 0.01;
+/// Load of the upper plate on an area R².
+const PRESSURE: f64 = 1.0;
+
+/// The step of a packing whose upper plate is pushed down; a plate as heavy as all spheres.
+pub fn pressed<F: ContactFriction<f64>>(
+    packing: &Jammed,
+    friction: F,
+) -> Result<Spheres<F>, NotJammed> {
+    let Jammed {
+        space,
+        positions,
+        radii,
+        height,
+    } = packing;
+    let law = NormalLaw::new(Cohesion::NONE, 0.0).map_err(|error| NotJammed(error.to_string()))?;
+    let mut problem = Spheres::new([friction; 2]);
+    let spheres: Vec<_> = radii.iter().map(|&radius| solid(radius, 1.0)).collect();
+    let mass: f64 = spheres.iter().map(|sphere| 1.0 / sphere.inv_mass).sum();
+    let area = space.lengths()[0].unwrap_or(1.0) * space.lengths()[1].unwrap_or(1.0);
+
+    let refused = |error: tribos_core::contact::TouchError| NotJammed(error.to_string());
+    for [a, b] in neighbours(space, positions, radii, 0.0)? {
+        let [i, j] = [a as usize, b as usize];
+        let apart = space.displacement(&positions[i], &positions[j]);
+        let touch = Touch::spheres(&apart, [radii[i], radii[j]]).map_err(refused)?;
+        let contact = Contact::new(&touch, &law, &spheres[i], &spheres[j], STEP);
+        problem.pairs.push(Link {
+            bodies: [a, b],
+            contact,
+        });
+    }
+    // A floor, and a plate under load.
+    let up = Vector3::z();
+    let still = Plate {
+        velocity: Vector3::zeros(),
+        inv_mass: 0.0,
+    };
+    let piston = Plate {
+        inv_mass: 1.0 / mass,
+        ..still
+    };
+    let planes = [(up, 0.0, still), (-up, -height, piston)];
+    for (i, (x, &radius)) in positions.iter().zip(radii).enumerate() {
+        for (w, (outward, place, plate)) in planes.iter().enumerate() {
+            let above = outward.dot(x) - place;
+            if above > radius {
+                continue;
+            }
+            let touch = Touch::plate(above, outward, radius).map_err(refused)?;
+            let contact = Contact::new(&touch, &law, &spheres[i], plate, STEP);
+            problem.walls.push(Link {
+                bodies: [i as u32, w as u32],
+                contact,
+            });
+        }
+    }
+    let falling = Plate {
+        velocity: -up * (PRESSURE * area / mass * STEP),
+        ..piston
+    };
+    problem.free = (spheres, vec![still, falling]);
+    problem.start();
+    Ok(problem)
+}

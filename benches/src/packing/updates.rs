@@ -1,0 +1,138 @@
+//! Contact updates per second: plain sweeps without a watch, for every set of modes.
+
+use super::jammed::{NotJammed, UNEVEN, jammed};
+use super::problems::pressed;
+use crate::timing::median;
+use std::hint::black_box;
+use std::time::Instant;
+use tribos::cd::{Accelerated, Blind, Coefficients, Link, Operator, Spheres, Visit, residual};
+use tribos_core::contact::{
+    AllModes, ContactFriction, Frictionless, Modes, Sliding, SlidingRolling, SlidingTorsion,
+    Thresholds,
+};
+
+/// Spheres of the packing, and width of its square.
+const COUNT: usize = 1000;
+const WIDTH: f64 = 18.0;
+const SEED: u64 = 1;
+/// Coefficients: sliding as in the thesis, small enough that some contacts roll and spin.
+const MU: [f64; 3] = [0.3, 0.1, 0.1];
+/// Sweeps of a sample. A cold one starts from nothing each time.
+const SWEEPS: usize = 10;
+/// Residual of the converged state, and sweeps that it may take.
+const CONVERGED: f64 = 1e-6;
+const MOST_SWEEPS: usize = 100_000;
+
+/// What one set of modes costs.
+#[derive(Clone, Debug)]
+pub struct Cost {
+    /// Set of modes.
+    pub modes: &'static str,
+    /// Alike or unlike radii, cold or converged.
+    pub state: &'static str,
+    /// Unknowns of a contact.
+    pub unknowns: usize,
+    /// Size of a contact and the names of its bodies.
+    pub bytes: usize,
+    /// Contacts of the packing.
+    pub contacts: usize,
+    /// Median time of one update.
+    pub seconds: f64,
+}
+
+/// One problem, ready to be swept over and over.
+struct Sample {
+    cost: Cost,
+    /// Starts anew, sweeps, tells seconds an update.
+    run: Box<dyn FnMut() -> f64>,
+    times: Vec<f64>,
+}
+
+/// Times all sets of modes, `rounds` times in turn.
+pub fn measure(rounds: usize) -> Result<Vec<Cost>, NotJammed> {
+    let refused = |error: tribos_core::law::LawError| NotJammed(error.to_string());
+    let [mu, mu_t, mu_n] = MU;
+    let all = Thresholds::all(mu, mu_t, mu_n).map_err(refused)?;
+    let rolling = Thresholds::sliding_rolling(mu, mu_t).map_err(refused)?;
+    let torsion = Thresholds::sliding_torsion(mu, mu_n).map_err(refused)?;
+    let sliding = Thresholds::sliding(mu).map_err(refused)?;
+    let mut samples = Vec::new();
+    for uneven in [0.0, UNEVEN] {
+        samples.extend(sample::<_, AllModes>("all six", uneven, all)?);
+        samples.extend(sample::<_, SlidingRolling>(
+            "sliding, rolling",
+            uneven,
+            rolling,
+        )?);
+        samples.extend(sample::<_, SlidingTorsion>(
+            "sliding, torsion",
+            uneven,
+            torsion,
+        )?);
+        samples.extend(sample::<_, Sliding>("sliding", uneven, sliding)?);
+        samples.extend(sample::<_, Frictionless>(
+            "frictionless",
+            uneven,
+            Thresholds::none(),
+        )?);
+    }
+    for _ in 0..rounds {
+        for sample in &mut samples {
+            sample.times.push((sample.run)());
+        }
+    }
+    let finish = |sample: Sample| Cost {
+        seconds: median(&sample.times),
+        ..sample.cost
+    };
+    Ok(samples.into_iter().map(finish).collect())
+}
+
+/// The packing cold and converged, for one set of modes.
+fn sample<F, M>(modes: &'static str, uneven: f64, friction: F) -> Result<[Sample; 2], NotJammed>
+where
+    F: ContactFriction<f64, Modes = M> + Coefficients + 'static,
+    M: Modes<f64>,
+{
+    let cold = pressed(&jammed(COUNT, WIDTH, uneven, SEED)?, friction)?;
+    let mut solved = cold.clone();
+    Accelerated::default().solve(&mut solved, CONVERGED, MOST_SWEEPS);
+    let left = residual(&solved).relative;
+    if left.is_nan() || left > 10.0 * CONVERGED {
+        return Err(NotJammed(format!(
+            "{modes}: residual {left:e} of a solution"
+        )));
+    }
+    let states = if uneven == 0.0 {
+        ["equal, cold", "equal, converged"]
+    } else {
+        ["unequal, cold", "unequal, converged"]
+    };
+    let make = |state, problem: Spheres<F>| Sample {
+        cost: Cost {
+            modes,
+            state,
+            unknowns: M::UNKNOWNS,
+            bytes: size_of::<Link<M>>(),
+            contacts: problem.contacts(),
+            seconds: f64::NAN,
+        },
+        run: sweeps(problem),
+        times: Vec::new(),
+    };
+    Ok([make(states[0], cold), make(states[1], solved)])
+}
+
+/// Sweeps from the same start each time; the start is made outside of the time.
+fn sweeps<F: ContactFriction<f64> + 'static>(start: Spheres<F>) -> Box<dyn FnMut() -> f64> {
+    let mut problem = start.clone();
+    Box::new(move || {
+        problem.clone_from(&start);
+        let clock = Instant::now();
+        for _ in 0..SWEEPS {
+            black_box(&mut problem).sweep(Visit::Forward, &mut Blind);
+        }
+        black_box(&problem);
+        clock.elapsed().as_secs_f64() / (SWEEPS * start.contacts()) as f64
+    })
+}
