@@ -101,7 +101,7 @@ impl Arguments {
         let pause = Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX);
         let told = powder::Progress::Told;
         let compaction = powder::simulate(scene, &self.out, start, pause, told)?;
-        let outcome = compaction.outcome()?;
+        let outcome = compaction.outcome();
         powder::write(scene, &compaction, &outcome, &self.out)?;
         powder::forget_checkpoint(&self.out)?;
         powder::report(&outcome, &self.out)

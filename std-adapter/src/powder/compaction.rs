@@ -102,7 +102,7 @@ pub(super) struct Totals {
 /// if let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? {
 ///     let mut compaction = Compaction::new(&scene)?;
 ///     drive(&mut compaction, |_, _| ())?;
-///     let outcome = compaction.outcome()?;
+///     let outcome = compaction.outcome();
 ///     assert!(outcome.porosity[1] < outcome.porosity[0]);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -252,13 +252,13 @@ impl Compaction {
     }
 
     /// The summary of what has happened so far.
-    pub fn outcome(&self) -> Result<Outcome, CompactionError> {
+    pub fn outcome(&self) -> Outcome {
         let height = self.height();
         let [low, high] = BULK.map(|share| share * height);
         let (positions, radii) = (self.packing.positions(), self.packing.radii());
         let bulk = volume_between(positions, radii, [low, high]);
         let scene = &self.scene;
-        Ok(Outcome {
+        Outcome {
             ending: self.ending,
             time: self.packing.clock().0,
             steps: self.steps(),
@@ -275,7 +275,7 @@ impl Compaction {
             unmet: self.totals.unmet,
             book: *self.packing.book(),
             wall_seconds: self.wall_seconds(),
-        })
+        }
     }
 
     /// Means over the last complete window, or over what there is of the first.
@@ -384,7 +384,7 @@ impl Simulation for Compaction {
         self.totals.unmet += u64::from(!self.report.effort.met);
         self.measure(&before)?;
         self.ending = self.judge();
-        if self.ending.is_some() || self.steps() % self.scene.samples == 0 {
+        if self.ending.is_some() || self.steps().is_multiple_of(self.scene.samples) {
             self.series.push(self.record());
         }
         Ok(self.ending.is_none())

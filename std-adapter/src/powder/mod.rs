@@ -16,3 +16,6 @@ pub use outcome::Outcome;
 pub use packing::PISTON;
 pub use statistics::Statistics;
 pub use stress::Stress;
+
+#[cfg(test)]
+mod tests;

@@ -110,7 +110,7 @@ impl Task {
             Err(Failure::Input(_)) => simulate(Start::Fresh)?,
             other => other?,
         };
-        let outcome = compaction.outcome()?;
+        let outcome = compaction.outcome();
         let summary = outcome.json(&self.scene);
         write_atomically(&file, format!("{summary:#}\n").as_bytes())?;
         powder::forget_checkpoint(&self.folder)?;

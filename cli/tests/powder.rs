@@ -1,0 +1,380 @@
+//! `tribos run` and `tribos sweep` of powders: complete, resumable, repeatable results.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+/// Some twenty spheres.
+const TINY: &str =
+    "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\npiston_mass = 100\n";
+
+/// Writes the scene into the folder and begins a command on it.
+fn tribos(folder: &Path, command: &str) -> Result<Command, Box<dyn std::error::Error>> {
+    let scene = folder.join("tiny.toml");
+    std::fs::write(&scene, TINY)?;
+    let mut tribos = Command::cargo_bin("tribos")?;
+    tribos.arg(command).arg(scene);
+    Ok(tribos)
+}
+
+fn summary(out: &Path) -> Result<Value, Box<dyn std::error::Error>> {
+    let text = std::fs::read_to_string(out.join("summary.json"))?;
+    Ok(serde_json::from_str(&text)?)
+}
+
+fn number(value: &Value, place: &str) -> f64 {
+    let number = value.pointer(place).and_then(Value::as_f64);
+    number.unwrap_or(f64::NAN)
+}
+
+#[test]
+fn a_run_leaves_summary_series_states_and_pictures() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let out = folder.path().join("out");
+    let mut command = tribos(folder.path(), "run")?;
+    command.args(["--set", "rolling=0.3", "--out"]).arg(&out);
+    let output = command.output()?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    let told = String::from_utf8(output.stdout)?;
+    for words in ["blocked: ", "stress_zz", "of which", "rolling", "imbalance"] {
+        assert!(told.contains(words), "{words} not in {told}");
+    }
+
+    let summary = summary(&out)?;
+    assert_eq!(summary["ending"], "blocked");
+    for place in [
+        "/porosity_initial",
+        "/porosity_final",
+        "/particles",
+        "/contacts",
+        "/steps",
+        "/iterations_total",
+        "/stress_zz_plus",
+        "/stress_zz_minus",
+        "/residual_final",
+        "/max_overlap",
+        "/wall_seconds",
+        "/dissipation/normal",
+        "/dissipation/sliding",
+        "/dissipation/rolling",
+        "/dissipation/torsion",
+        "/dissipation/cohesion",
+        "/scene/pressure",
+    ] {
+        assert!(number(&summary, place).is_finite(), "{place}");
+    }
+    assert!((number(&summary, "/stress_zz") - 1.0).abs() < 0.01);
+    assert_eq!(summary["scene"]["rolling"].as_f64(), Some(0.3));
+    // Porosity, spheres and heights belong together (eq. 4.5).
+    let solid = number(&summary, "/particles") * 4.0 / 3.0 * std::f64::consts::PI;
+    for end in ["initial", "final"] {
+        let height = number(&summary, &format!("/height_{end}"));
+        let porosity = number(&summary, &format!("/porosity_{end}"));
+        assert!((1.0 - solid / (64.0 * height) - porosity).abs() < 1e-12);
+    }
+    // The pressure does its work on the way of the piston.
+    let way = number(&summary, "/height_initial") - number(&summary, "/height_final");
+    assert!((number(&summary, "/energy/work") / (0.64 * way) - 1.0).abs() < 1e-9);
+    // The substrate and the piston count twice in no list of contacts.
+    let ends: f64 = summary["statistics"]["coordination"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .enumerate()
+        .map(|(n, spheres)| n as f64 * spheres.as_f64().unwrap_or(f64::NAN))
+        .sum();
+    let walls = number(&summary, "/statistics/wall_contacts");
+    assert_eq!(ends, 2.0 * number(&summary, "/contacts") + walls);
+
+    let series = std::fs::read_to_string(out.join("series.csv"))?;
+    assert!(series.starts_with("time,step,piston_height,porosity,contacts,stress_zz,sweeps,"));
+    let last: Vec<f64> = series
+        .lines()
+        .last()
+        .unwrap_or_default()
+        .split(',')
+        .map(str::parse)
+        .collect::<Result<_, _>>()?;
+    assert_eq!(last[1], number(&summary, "/steps"));
+    assert_eq!(last[3], number(&summary, "/porosity_final"));
+    let particles = number(&summary, "/particles");
+    for state in ["initial", "final"] {
+        let xyz = std::fs::read_to_string(out.join(format!("{state}.xyz")))?;
+        assert_eq!(xyz.lines().count() as f64, particles + 2.0);
+        let vtp = std::fs::read_to_string(out.join(format!("{state}.vtp")))?;
+        assert!(vtp.contains(&format!("NumberOfVerts=\"{particles}\"")));
+    }
+    let network = std::fs::read_to_string(out.join("final-contacts.vtp"))?;
+    let lines = number(&summary, "/contacts") + walls;
+    assert!(network.contains(&format!("NumberOfLines=\"{lines}\"")));
+    for plot in ["packing.svg", "packing.png", "series.svg", "series.png"] {
+        assert!(out.join(plot).metadata()?.len() > 1000, "{plot}");
+    }
+    assert!(!out.join("checkpoint.json").exists());
+    Ok(())
+}
+
+#[test]
+fn a_killed_run_goes_on_to_the_same_bits() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let [whole, broken] = ["whole", "broken"].map(|name| folder.path().join(name));
+    let sets = ["--set", "steps=400", "--set", "rolling=0.1"];
+    let mut command = tribos(folder.path(), "run")?;
+    command
+        .args(sets)
+        .arg("--out")
+        .arg(&whole)
+        .assert()
+        .success();
+
+    // A checkpoint after every step, until the run is killed somewhere on its way.
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"))
+        .arg("run")
+        .arg(folder.path().join("tiny.toml"))
+        .args(sets)
+        .args(["--checkpoint", "0", "--out"])
+        .arg(&broken)
+        .stdout(std::process::Stdio::null())
+        .stderr(std::process::Stdio::null())
+        .spawn()?;
+    let patience = Instant::now();
+    let steps = || -> Option<u64> {
+        let text = std::fs::read_to_string(broken.join("checkpoint.json")).ok()?;
+        serde_json::from_str::<Value>(&text).ok()?["steps"].as_u64()
+    };
+    while steps().unwrap_or(0) < 30 {
+        assert!(
+            patience.elapsed() < Duration::from_secs(60),
+            "no checkpoint"
+        );
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill()?;
+    child.wait()?;
+    let at = steps().unwrap_or(0);
+    assert!((30..400).contains(&at), "killed at {at}");
+    assert!(!broken.join("summary.json").exists());
+
+    // Not for another scene.
+    let mut other = tribos(folder.path(), "run")?;
+    let refused = other.args(["--resume", "--out"]).arg(&broken).output()?;
+    assert_eq!(refused.status.code(), Some(2));
+    let said = String::from_utf8(refused.stderr)?;
+    assert!(
+        said.contains("`rolling` is") && said.contains("without --resume"),
+        "{said}"
+    );
+
+    let mut command = tribos(folder.path(), "run")?;
+    command.args(sets).args(["--resume", "--out"]).arg(&broken);
+    command.assert().success();
+    for file in ["series.csv", "final.xyz", "final.vtp", "final-contacts.vtp"] {
+        let bytes = std::fs::read(whole.join(file))?;
+        assert!(bytes == std::fs::read(broken.join(file))?, "{file}");
+    }
+    let [mut one, mut other] = [summary(&whole)?, summary(&broken)?];
+    for summary in [&mut one, &mut other] {
+        summary["wall_seconds"] = 0.into();
+    }
+    assert_eq!(one, other);
+    // Done: there is nothing left to go on from.
+    let mut again = tribos(folder.path(), "run")?;
+    let refused = again
+        .args(sets)
+        .args(["--resume", "--out"])
+        .arg(&broken)
+        .output()?;
+    assert_eq!(refused.status.code(), Some(2));
+    Ok(())
+}
+
+#[test]
+fn bad_powders_are_refused_with_their_line_and_cure() -> Outcome {
+    for (old, new, place, words) in [
+        ("width = 8\n", "", "tiny.toml:", "`width` is missing"),
+        ("height = 12\n", "", "tiny.toml:", "or give `count`"),
+        (
+            "height = 12",
+            "height = 12\ncount = 9",
+            "tiny.toml:4",
+            "not both",
+        ),
+        (
+            "width = 8",
+            "width = 5",
+            "tiny.toml:2",
+            "must be twice that",
+        ),
+        (
+            "height = 12",
+            "height = 12\ncapture_radius = 1",
+            "tiny.toml:4",
+            "at least 2",
+        ),
+        (
+            "height = 12",
+            "height = 12\nradius_spread = 1",
+            "tiny.toml:4",
+            "less than 1",
+        ),
+        ("height = 12", "height = 1", "error", "above a diameter"),
+        ("pressure = 0.01", "pressure = 0", "tiny.toml:4", "> 0"),
+        ("pressure = 0.01", "rolling = -0.1", "tiny.toml:4", ">= 0"),
+        (
+            "pressure = 0.01",
+            "torsoin = 0.1",
+            "tiny.toml:4",
+            "did you mean `torsion`?",
+        ),
+        (
+            "pressure = 0.01",
+            "order = \"fixed\"",
+            "tiny.toml:4",
+            "\"gauss-seidel\" only",
+        ),
+        (
+            "pressure = 0.01",
+            "wall = \"rough\"",
+            "tiny.toml:4",
+            "\"smooth\"",
+        ),
+        (
+            "pressure = 0.01",
+            "restitution = 2",
+            "tiny.toml:4",
+            "from 0 to 1",
+        ),
+        ("pressure = 0.01", "motion = 3", "tiny.toml:4", "<= 0.5"),
+        (
+            "pressure = 0.01",
+            "seed = 1.5",
+            "tiny.toml:4",
+            "a whole number",
+        ),
+        (
+            "pressure = 0.01",
+            "solver = \"gauss-seidel\"\nstop = \"fixed\"\ntolerance = 1e-3",
+            "tiny.toml:6",
+            "not used",
+        ),
+    ] {
+        let folder = tempfile::tempdir()?;
+        let out = folder.path().join("out");
+        let scene = folder.path().join("tiny.toml");
+        assert!(TINY.contains(old));
+        std::fs::write(&scene, TINY.replace(old, new))?;
+        let mut command = Command::cargo_bin("tribos")?;
+        let output = command
+            .arg("run")
+            .arg(scene)
+            .arg("--out")
+            .arg(&out)
+            .output()?;
+        let said = String::from_utf8(output.stderr)?;
+        assert_eq!(output.status.code(), Some(2), "{new} {said}");
+        assert!(said.contains(place) && said.contains(words), "{new} {said}");
+        assert!(!out.exists(), "{new}");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_sweep_averages_its_runs_and_keeps_them() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let [serial, parallel] = ["serial", "parallel"].map(|name| folder.path().join(name));
+    let sweep = |out: &Path, jobs: &str| -> Result<String, Box<dyn std::error::Error>> {
+        let mut command = tribos(folder.path(), "sweep")?;
+        command.args(["--set", "rolling=0,0.3", "--set", "torsion=0,0.3"]);
+        command.args([
+            "--set",
+            "steps=200",
+            "--seeds",
+            "2",
+            "--jobs",
+            jobs,
+            "--out",
+        ]);
+        let output = command.arg(out).output()?;
+        let said = String::from_utf8(output.stderr)?;
+        assert!(output.status.success(), "{said}");
+        Ok(said)
+    };
+    assert_eq!(sweep(&serial, "1")?.lines().count(), 8);
+    sweep(&parallel, "3")?;
+    let table = std::fs::read_to_string(serial.join("sweep.csv"))?;
+    assert_eq!(table, std::fs::read_to_string(parallel.join("sweep.csv"))?);
+
+    // Means and deviations of two are half the sum and the difference over √2.
+    let lines: Vec<Vec<&str>> = table
+        .lines()
+        .map(|line| line.split(',').collect())
+        .collect();
+    assert_eq!(lines.len(), 5);
+    assert_eq!(
+        lines[0][..6],
+        [
+            "rolling",
+            "torsion",
+            "steps",
+            "runs",
+            "blocked",
+            "porosity_final"
+        ]
+    );
+    assert_eq!(lines[2][..4], ["0", "0.3", "200", "2"]);
+    let run = |seed: u32| serial.join(format!("runs/rolling=0,torsion=0.3,steps=200,seed={seed}"));
+    let [a, b] = [
+        number(&summary(&run(1))?, "/porosity_final"),
+        number(&summary(&run(2))?, "/porosity_final"),
+    ];
+    let [mean, deviation]: [f64; 2] = [lines[2][5].parse()?, lines[2][6].parse()?];
+    assert!(a != b && (mean - 0.5 * (a + b)).abs() < 1e-15);
+    assert!((deviation - (a - b).abs() / 2.0_f64.sqrt()).abs() < 1e-15);
+    for plot in ["sweep.svg", "sweep.png"] {
+        assert!(serial.join(plot).metadata()?.len() > 1000, "{plot}");
+    }
+
+    // What was interrupted: one run is missing, one belongs to another scene.
+    std::fs::remove_file(run(1).join("summary.json"))?;
+    let other = run(2).join("summary.json");
+    let text = std::fs::read_to_string(&other)?;
+    std::fs::write(&other, text.replace("\"pressure\": 1", "\"pressure\": 2"))?;
+    let said = sweep(&serial, "2")?;
+    assert_eq!(said.lines().count(), 2, "{said}");
+    assert_eq!(table, std::fs::read_to_string(serial.join("sweep.csv"))?);
+    Ok(())
+}
+
+#[test]
+fn impossible_sweeps_are_refused_before_any_run() -> Outcome {
+    let cases: [(&[&str], &str); 6] = [
+        (&["--set", "rolling"], "not of the form"),
+        (&["--set", "rolling=0,0"], "twice"),
+        (&["--set", "rolling=0", "--set", "rolling=1"], "at once"),
+        (&["--set", "rolling=0,-1"], ">= 0"),
+        (&["--set", "seed=1,2", "--seeds", "2"], "one or the other"),
+        (&["--set", "body=disk"], "body = \"powder\""),
+    ];
+    for (arguments, words) in cases {
+        let folder = tempfile::tempdir()?;
+        let out = folder.path().join("out");
+        let mut command = tribos(folder.path(), "sweep")?;
+        if arguments[1] == "body=disk" {
+            let disk = format!("{}/../scenes/disk.toml", env!("CARGO_MANIFEST_DIR"));
+            command = Command::cargo_bin("tribos")?;
+            command.args(["sweep", &disk]);
+        } else {
+            command.args(arguments);
+        }
+        let output = command.arg("--out").arg(&out).output()?;
+        let said = String::from_utf8(output.stderr)?;
+        assert_eq!(output.status.code(), Some(2), "{arguments:?} {said}");
+        assert!(said.contains(words), "{arguments:?} {said}");
+        assert!(!out.exists(), "{arguments:?}");
+    }
+    Ok(())
+}

@@ -1,0 +1,267 @@
+use super::blocked::WINDOW_STEPS;
+use super::*;
+use crate::record::{ContactRow, Partner};
+use crate::run::{Simulation, drive};
+use crate::scene::{Criterion, PowderScene, Scene, parse_scene};
+use nalgebra::{Matrix3, Vector3};
+
+type Tested = Result<(), Box<dyn std::error::Error>>;
+
+// Some twenty spheres, a fraction of a second.
+const TINY: &str =
+    "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\npiston_mass = 100\n";
+
+fn scene(overrides: &[&str]) -> Result<PowderScene, Box<dyn std::error::Error>> {
+    let items: Vec<String> = overrides.iter().map(|item| (*item).into()).collect();
+    match parse_scene("tiny.toml", TINY, &items)? {
+        Scene::Powder(scene) => Ok(*scene),
+        _ => Err("no powder".into()),
+    }
+}
+
+fn finished(overrides: &[&str]) -> Result<Compaction, Box<dyn std::error::Error>> {
+    let mut compaction = Compaction::new(&scene(overrides)?)?;
+    drive(&mut compaction, |_, _| ())?;
+    Ok(compaction)
+}
+
+fn touching(a: u32, b: Partner, normal: Vector3<f64>, force: Vector3<f64>) -> ContactRow {
+    ContactRow {
+        a,
+        b,
+        normal,
+        gap: 0.0,
+        force,
+        torque: Vector3::zeros(),
+    }
+}
+
+#[test]
+fn a_column_under_load_has_the_stress_of_its_load() {
+    // Two spheres of radius 1 between plates 4 apart, 10 by 10, pressed with 3, pulled apart by 1.
+    let up = Vector3::z();
+    let column = |load: f64| {
+        [
+            touching(0, Partner::Wall(0), -up, -up * load),
+            touching(0, Partner::Particle(1), up, up * load),
+            touching(1, Partner::Wall(1), up, up * load),
+        ]
+    };
+    let branch = |row: &ContactRow| row.normal * (1.0 + f64::from(row.b.particle().is_some()));
+    let volume = 10.0 * 10.0 * 4.0;
+    let pressed = Stress::of(&column(3.0), branch, volume);
+    let expected = Matrix3::from_diagonal(&Vector3::new(0.0, 0.0, 3.0 / 100.0));
+    assert!((pressed.total() - expected).norm() < 1e-16);
+    assert_eq!(pressed.minus, Matrix3::zeros());
+    let pulled = Stress::of(&column(-1.0), branch, volume);
+    assert!((pulled.minus.m33 + 0.01).abs() < 1e-16);
+    assert_eq!(pulled.plus, Matrix3::zeros());
+    // A shear force counts by the sign of the normal one, and is not symmetric alone.
+    let sheared = touching(0, Partner::Particle(1), up, Vector3::new(0.5, 0.0, -1.0));
+    let sheared = Stress::of(&[sheared], branch, 1.0);
+    assert_eq!((sheared.minus.m13, sheared.minus.m31), (1.0, 0.0));
+}
+
+#[test]
+fn every_condition_of_balance_is_needed() {
+    let stress = |zz: f64| Stress {
+        plus: Matrix3::from_diagonal(&Vector3::new(0.0, 0.0, zz)),
+        minus: Matrix3::zeros(),
+    };
+    let good = Means {
+        moved: 9e-5,
+        piston: 0.504,
+        net: 9e-4,
+        contact: 0.1,
+        stress: stress(0.00504),
+    };
+    let blocked = |means: &Means, criterion| means.is_blocked(criterion, 0.005, 100.0);
+    assert!(blocked(&good, Criterion::Balance) && blocked(&good, Criterion::Piston));
+    let moving = Means {
+        moved: 1.1e-4,
+        ..good
+    };
+    assert!(!blocked(&moving, Criterion::Balance) && !blocked(&moving, Criterion::Piston));
+    for bad in [
+        Means {
+            piston: 0.494,
+            ..good
+        },
+        Means {
+            piston: 0.506,
+            ..good
+        },
+        Means {
+            net: 1.1e-3,
+            ..good
+        },
+        Means {
+            stress: stress(0.00506),
+            ..good
+        },
+        Means {
+            stress: stress(f64::NAN),
+            ..good
+        },
+    ] {
+        assert!(!blocked(&bad, Criterion::Balance), "{bad:?}");
+        assert!(blocked(&bad, Criterion::Piston), "{bad:?}");
+    }
+}
+
+#[test]
+fn windows_average_over_time_and_wait_for_slow_pistons() {
+    let mut window = Window::starting(5.0);
+    window.add(1.0, &Stress::default(), [1.0, 0.0, 2.0]);
+    window.add(3.0, &Stress::default(), [5.0, 4.0, 2.0]);
+    let means = window.means(4.5);
+    assert_eq!((means.moved, means.piston), (0.5, 4.0));
+    assert_eq!((means.net, means.contact), (3.0, 2.0));
+    for _ in 0..WINDOW_STEPS - 2 {
+        assert!(!window.is_full(1.0, 1.0));
+        window.add(0.01, &Stress::default(), [0.0; 3]);
+    }
+    // √(2 · 100 · 10⁻⁴ · mass/load) = 0.14 √(mass/load), and the window is 6 long.
+    assert!(window.is_full(1.0, 1.0) && window.is_full(1700.0, 1.0));
+    assert!(!window.is_full(1900.0, 1.0));
+}
+
+#[test]
+fn contacts_are_counted_by_sign_and_threshold() {
+    let x = Vector3::x();
+    // P is 2 under a push of 1 and 0.75 under a pull of 0.25; μ P is 0.6 and 0.225.
+    let slides = touching(0, Partner::Particle(1), x, Vector3::new(1.0, 0.6, 0.0));
+    let sticks = touching(1, Partner::Particle(2), x, Vector3::new(-0.25, 0.0, 0.1));
+    let mut rolls = touching(0, Partner::Wall(0), x, Vector3::new(4.0, 0.0, 0.0));
+    rolls.gap = -0.125;
+    let mut spins = sticks;
+    // r_eff is ½: μ_n P r_eff = 0.5 · 0.75 · 0.5.
+    spins.torque = Vector3::new(-0.1875, 0.05, 0.0);
+    (spins.a, spins.b) = (0, Partner::Particle(2));
+    let rows = [slides, sticks, rolls, spins];
+    let found = Statistics::of(&rows, &[1.0; 4], [0.3, 0.2, 0.5], 0.01);
+    assert_eq!((found.contacts, found.wall_contacts), (3, 1));
+    assert_eq!(found.coordination, [1, 0, 2, 1]);
+    assert_eq!(found.mean_coordination(), 7.0 / 4.0);
+    assert_eq!((found.signs, found.compression), ([1, 2], [1.0, 1.0]));
+    assert_eq!((found.tension, found.max_overlap), ([0.25, 0.25], 0.125));
+    let third = Some(1.0 / 3.0);
+    assert_eq!(found.at_threshold, [third, Some(0.0), third]);
+    let smooth = Statistics::of(&rows, &[1.0; 4], [0.0; 3], 0.01);
+    assert_eq!(smooth.at_threshold, [None; 3]);
+}
+
+#[test]
+fn a_blocked_packing_carries_the_load_whatever_its_modes() -> Tested {
+    let mut last = 1.0;
+    for (modes, names) in [
+        (
+            ["rolling=1", "torsion=1", "sliding=0.3"],
+            "rolling torsion sliding",
+        ),
+        (["rolling=1", "torsion=0", "sliding=0.3"], "rolling sliding"),
+        (["rolling=0", "torsion=1", "sliding=0.3"], "torsion sliding"),
+        (["rolling=0", "torsion=0", "sliding=0.3"], "sliding"),
+        (["rolling=0", "torsion=0", "sliding=0"], ""),
+    ] {
+        let compaction = finished(&modes)?;
+        let outcome = compaction.outcome();
+        assert_eq!(outcome.ending, Some(Ending::Blocked), "{modes:?}");
+        let [total, plus, minus] = outcome.stress_zz();
+        assert!((total - 1.0).abs() < 0.01, "{modes:?} {total}");
+        assert!(
+            (plus + minus - total).abs() < 1e-12 && minus < 0.0,
+            "{modes:?} {minus}"
+        );
+        assert!(outcome.residual < 1e-3, "{}", outcome.residual);
+        assert!(outcome.book.imbalance().abs() < 1e-9 * outcome.book.work);
+        // Less resistance, less room; modes without a coefficient take no energy.
+        assert!(
+            outcome.porosity[1] < last,
+            "{modes:?} {:?}",
+            outcome.porosity
+        );
+        last = outcome.porosity[1];
+        for (name, energy) in outcome.dissipation() {
+            let resists = ["normal", "cohesion"].contains(&name) || names.contains(name);
+            assert_eq!(energy != 0.0, resists, "{modes:?} {name} {energy}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn a_resumed_run_ends_with_the_same_bits() -> Tested {
+    for modes in [["rolling=0.1", "torsion=0.1"], ["rolling=0", "torsion=0"]] {
+        let scene = scene(&modes)?;
+        let whole = finished(&modes)?;
+        let mut first = Compaction::new(&scene)?;
+        // In the middle of a window, between two lines of the series.
+        while first.steps() < whole.steps() / 2 + 7 {
+            assert!(first.step()?);
+        }
+        let kept = first.checkpoint();
+        drop(first);
+        let mut second = Compaction::resume(&scene, &kept)?;
+        drive(&mut second, |_, _| ())?;
+        let ends = [&whole, &second].map(Compaction::checkpoint);
+        let [a, b] = ends.each_ref().map(|text| without_clock(text));
+        assert!(a? == b?);
+        let [mut a, mut b] = [whole.outcome(), second.outcome()];
+        (a.wall_seconds, b.wall_seconds) = (0.0, 0.0);
+        assert_eq!(a, b);
+        assert_eq!(whole.series(), second.series());
+        assert_eq!(whole.contacts(), second.contacts());
+    }
+    Ok(())
+}
+
+fn without_clock(checkpoint: &str) -> Result<serde_json::Value, serde_json::Error> {
+    let mut value: serde_json::Value = serde_json::from_str(checkpoint)?;
+    value["wall_seconds"] = 0.into();
+    Ok(value)
+}
+
+#[test]
+fn checkpoints_of_other_scenes_and_damaged_ones_are_refused() -> Tested {
+    let here = scene(&[])?;
+    let mut compaction = Compaction::new(&here)?;
+    assert!(compaction.step()?);
+    let kept = compaction.checkpoint();
+    let refusal = |scene: &PowderScene, text: &str| {
+        let told = Compaction::resume(scene, text).map(|_| ());
+        told.map_or_else(|error| error.to_string(), |()| "accepted".into())
+    };
+    let other = refusal(&scene(&["rolling=0.5"])?, &kept);
+    assert!(other.contains("`rolling` is 0.0") && other.contains("5.0000000000000000e-1 here"));
+    assert!(refusal(&here, "{").contains("run without --resume"));
+    assert!(refusal(&here, "{}").contains("not version 1"));
+    let mut value: serde_json::Value = serde_json::from_str(&kept)?;
+    let positions = value["positions"].as_str().unwrap_or_default().to_owned();
+    for damage in [
+        "",
+        &positions[..48],
+        &positions[1..],
+        &positions.replace('3', "x"),
+    ] {
+        value["positions"] = damage.into();
+        assert!(refusal(&here, &value.to_string()).contains("cannot be read"));
+    }
+    value["positions"] = positions.into();
+    assert_eq!(refusal(&here, &value.to_string()), "accepted");
+    Ok(())
+}
+
+#[test]
+fn a_run_ends_with_its_time_or_its_steps() -> Tested {
+    let short = finished(&["steps=30", "samples=7"])?;
+    assert_eq!((short.ending(), short.steps()), (Some(Ending::Steps), 30));
+    // The start, every seventh step, the end.
+    let steps: Vec<f64> = short.series().iter().map(|row| row[1]).collect();
+    assert_eq!(steps, [0.0, 7.0, 14.0, 21.0, 28.0, 30.0]);
+    let timed = finished(&["duration=5"])?;
+    let time = timed.outcome().time;
+    assert_eq!(timed.ending(), Some(Ending::Time));
+    assert!((5.0..5.2).contains(&time), "{time}");
+    Ok(())
+}
