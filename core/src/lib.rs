@@ -23,6 +23,7 @@
 //! | [`limit_surface`] | all wrenches that dry friction can carry: gauge, normal, projection |
 //! | [`modes`] | where the ratio of sliding to spinning goes |
 //! | [`contact`] | contacts that open, slide, roll and spin: impulses under thresholds |
+//! | [`manifold`] | a dozen such contacts solved together, in a fixed amount of memory |
 //! | [`slider`] | a body followed to rest |
 //! | [`twist`] | motion in, wrench out |
 //! | [`special`], [`real`] | elliptic and hypergeometric functions; the scalar |
@@ -41,6 +42,7 @@ pub mod contact;
 pub mod coupling;
 pub mod law;
 pub mod limit_surface;
+pub mod manifold;
 pub mod modes;
 pub mod patch;
 pub mod real;

@@ -31,3 +31,16 @@ pub fn drive<S: Simulation>(
         }
     }
 }
+
+/// Runs to the end; `watch` sees the simulation before the first step and after every one, and can
+/// stop it: where a checkpoint cannot be written, for one.
+pub fn drive_watched<S: Simulation, E: From<S::Error>>(
+    simulation: &mut S,
+    mut watch: impl FnMut(&S) -> Result<(), E>,
+) -> Result<(), E> {
+    watch(simulation)?;
+    while simulation.step()? {
+        watch(simulation)?;
+    }
+    Ok(())
+}

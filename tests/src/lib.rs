@@ -5,6 +5,7 @@
 //! the tables of `tables/` or formulas of the test that uses them.
 
 pub mod bits;
+pub mod contacts;
 pub mod laws;
 pub mod packings;
 pub mod patches;

@@ -263,4 +263,27 @@ bounds! {
     PURE_SLIDING = 4e-15, "closes in one step; a power and three products";
     /// Work of friction by Simpson's rule against energy lost, relative to the energy.
     WORK = 1e-11, "Simpson's rule over 1 ms of 0.4 s, worst next to the stop";
+
+    /// Impulses of a contact against the table, of P and the momentum that meets.
+    CONTACT = 2e-15, "velocity, mass and projection round a dozen times";
+    /// The same in f32.
+    CONTACT_SINGLE = 5e-7, "as CONTACT";
+    /// Friction beyond its threshold, relative.
+    CONTACT_THRESHOLD = 1e-15, "the collar of 4 roundings inside which a projection moves nothing";
+    /// What a second update of the same contact changes, of P and the momentum that meets.
+    CONTACT_AGAIN = 3e-15, "the velocity left is rounded anew";
+    /// The same in f32.
+    CONTACT_AGAIN_SINGLE = 5e-7, "as CONTACT_AGAIN";
+    /// Power of friction against its motion, of impulse times speed where the spheres meet.
+    CONTACT_POWER = 3e-15, "a sticking contact keeps the rounding of its velocity";
+    /// Momentum and angular momentum created by a contact, of what the spheres have and exchange.
+    CONTACT_MOMENTUM = 3e-16, "each velocity rounds once; the arms add up to 2 ulp";
+    /// Impulses of a contact turned in space, of P and the momentum that meets.
+    CONTACT_TURNED = 5e-15, "the rotation's own rounding, conditioned by masses 1 to 1e9";
+    /// One body followed in steps, relative to its closed form.
+    CONTACT_MOTION = 3e-13, "20,000 roundings of the velocity";
+    /// Work of a bond or time of a stop against its closed form, in steps.
+    CONTACT_STEPS = 1.0, "the event falls between two steps";
+    /// Several contacts against statics and their laws, relative.
+    MANIFOLD = 1e-12, "1e-14 is asked of the last sweep; a column converges slowly";
 }

@@ -66,6 +66,11 @@ fn laws_have_the_same_bits_on_every_platform() {
 }
 
 #[test]
+fn impulses_of_contacts_have_the_same_bits_on_every_platform() {
+    assert_eq!(bits::contacts(), 0x8d4b_97ef_f3e9_9454);
+}
+
+#[test]
 fn the_hash_sees_a_single_bit() {
     // All hashes differ and none is the empty one.
     let mut seen: Vec<u64> = bits::bits().iter().map(|(_, hash)| *hash).collect();

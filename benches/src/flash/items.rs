@@ -404,6 +404,108 @@ pub const BODIES: [Item; 10] = [
     ),
 ];
 
+/// Modules of one contact under thresholds.
+macro_rules! impulse {
+    ($($more:literal),* $(,)?) => {
+        &[
+            "contact",
+            "contact::block",
+            "contact::body",
+            "contact::update",
+            "contact::disc",
+            "contact::friction",
+            "contact::modes",
+            "contact::normal",
+            "contact::touch",
+            "contact::vector",
+            $($more),*
+        ]
+    };
+}
+
+/// Impulses of contacts: one update of a ball on a plate, and a manifold of two such.
+pub const IMPULSES: [Item; 7] = [
+    item(
+        ["impulse", "frictionless"],
+        NARROW,
+        impulse![],
+        ["", "struck(Thresholds::none(), a, b)"],
+    ),
+    item(
+        ["impulse", "sliding"],
+        BOTH,
+        impulse![],
+        ["", "struck(Thresholds::sliding(b).ok()?, a, b)"],
+    ),
+    item(
+        ["impulse", "sliding, torsion"],
+        NARROW,
+        impulse![],
+        ["", "struck(Thresholds::sliding_torsion(b, b).ok()?, a, b)"],
+    ),
+    item(
+        ["impulse", "sliding, rolling, torsion"],
+        BOTH,
+        impulse!["contact::pair"],
+        ["", "struck(Thresholds::all(b, b, a).ok()?, a, b)"],
+    ),
+    item(
+        ["impulse", "coupled: exact"],
+        NARROW,
+        round![
+            "coupling::table",
+            "coupling::side",
+            "limit_surface",
+            "limit_surface::exact",
+            "limit_surface::meridian",
+            "limit_surface::polar",
+            "contact",
+            "contact::block",
+            "contact::body",
+            "contact::update",
+            "contact::coupled",
+            "contact::friction",
+            "contact::modes",
+            "contact::normal",
+            "contact::pair",
+            "contact::touch",
+            "contact::vector"
+        ],
+        [
+            "",
+            "struck(CoupledFriction::sliding_torsion(LimitSurface::new(table::Coulomb, b, 0.5).ok()?), a, b)",
+        ],
+    ),
+    item(
+        ["impulse", "coupled: ellipsoid"],
+        NARROW,
+        impulse![
+            "limit_surface",
+            "limit_surface::ellipsoid",
+            "limit_surface::exact",
+            "limit_surface::meridian",
+            "limit_surface::polar",
+            "contact::coupled",
+            "contact::pair"
+        ],
+        [
+            "",
+            "struck(CoupledFriction::sliding_torsion(Ellipsoid::new(b, 0.5, 0.625).ok()?), a, b)",
+        ],
+    ),
+    item(
+        ["impulse", "manifold: sliding"],
+        BOTH,
+        impulse![
+            "manifold",
+            "manifold::member",
+            "manifold::solve",
+            "contact::time_step"
+        ],
+        ["", "gripped(Thresholds::sliding(b).ok()?, a, b)"],
+    ),
+];
+
 /// Names nothing of the kernel.
 pub const BASELINE: Item = Item {
     group: "baseline",

@@ -10,13 +10,13 @@ pub mod items;
 pub mod programs;
 
 use image::{Flash, Image};
-use items::{BASELINE, BODIES, LAWS, PATCHES, PLUMBING, TIERS};
+use items::{BASELINE, BODIES, IMPULSES, LAWS, PATCHES, PLUMBING, TIERS};
 use programs::Program;
 
 /// All programs, the baseline of each precision first.
 pub fn all_programs() -> Vec<Program> {
     let items = [BASELINE].into_iter().chain(LAWS).chain(TIERS);
-    let items = items.chain(PATCHES).chain(BODIES);
+    let items = items.chain(PATCHES).chain(BODIES).chain(IMPULSES);
     let pairs = items.flat_map(|item| item.precisions.iter().map(move |&p| (item, p)));
     let program = |(number, (item, precision))| Program {
         item,

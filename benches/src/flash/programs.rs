@@ -21,6 +21,8 @@ publish = false
 
 [dependencies]
 tribos-core = { path = "CORE" }
+# Of the version in the lock file.
+nalgebra = { version = "*", default-features = false, features = ["libm-force"] }
 
 # Debug records tell which functions were inlined; they take no flash.
 [profile.release]
@@ -40,12 +42,15 @@ const PROGRAM: &str = r#"#![no_std]
 #![allow(unused, clippy::all)]
 use core::hint::black_box;
 use calls::*;
+use nalgebra::Vector3;
+use tribos_core::contact::{Body, Cohesion, Contact, ContactFriction, CoupledFriction, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::tall::{AllRound, FrontBack, TallFriction};
 use tribos_core::coupling::{Annulus, Coupling, PatchFriction, closed, compact, round, table};
 use tribos_core::law::*;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
+use tribos_core::manifold::{Manifold, Start, Stop};
 use tribos_core::modes::Modes;
 use tribos_core::patch::nodes::{NodeList, NodePatch};
 use tribos_core::patch::polar::{self, PolarRule};
@@ -78,6 +83,33 @@ mod calls {
     pub fn push(a: R, b: R) -> Wrench<R> {
         let Twist { velocity, spin } = Twist::new(a, b, b);
         Wrench { force: velocity, torque: spin }
+    }
+    pub fn ball(a: R, b: R) -> Sphere<R> {
+        let still = Vector3::new(a, b, -b);
+        Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 2.5 }
+    }
+    pub fn floor() -> Plate<R> {
+        Plate { velocity: Vector3::new(0.0, 0.0, 0.0), inv_mass: 0.0 }
+    }
+    pub fn struck<F: ContactFriction<R>>(friction: F, a: R, b: R) -> Option<R> {
+        let touch = Touch::plate(1.0, &Vector3::new(0.0, 0.0, 1.0), 1.0).ok()?;
+        let law = NormalLaw::new(Cohesion::NONE, 0.0).ok()?;
+        let (mut ball, mut floor) = (ball(a, b), floor());
+        let mut contact = Contact::new(&touch, &law, &ball, &floor, b);
+        contact.update(&friction, &mut ball, &mut floor);
+        Some(ball.velocity.x + ball.spin.y)
+    }
+    pub fn gripped<F: ContactFriction<R>>(friction: F, a: R, b: R) -> Option<R> {
+        let law = NormalLaw::new(Cohesion::NONE, 0.0).ok()?;
+        let mut all = Manifold::<R, F, 3, 2>::new(law, friction);
+        let ball = all.push_sphere(ball(a, b)).ok()?;
+        for side in [1.0, -1.0] {
+            let plate = all.push_plate(floor()).ok()?;
+            let touch = Touch::plate(1.0, &Vector3::new(0.0, 0.0, side), 1.0).ok()?;
+            all.push_contact(ball, plate, touch).ok()?;
+        }
+        let report = all.solve(TimeStep::new(a).ok()?, Start::Last, Stop { sweeps: 10, tolerance: b });
+        Some(all.body(ball)?.velocity().x + report.residual)
     }
 }
 

@@ -10,6 +10,7 @@ mod patch;
 mod profile;
 mod reproduce;
 mod run;
+mod sweep;
 mod tier;
 mod wrench;
 
@@ -31,6 +32,8 @@ pub enum Command {
     Run(run::Arguments),
     /// Ballistic deposits of spheres: grown, exported, their porosity.
     Deposit(deposit::Arguments),
+    /// A powder compacted for all combinations of some keys and seeds.
+    Sweep(sweep::Arguments),
     /// Reproduce the thesis' figures and tables, claim by claim.
     Reproduce(reproduce::Arguments),
 }
@@ -45,6 +48,7 @@ impl Command {
             Self::Inverse(arguments) => arguments.execute(),
             Self::Run(arguments) => arguments.execute(),
             Self::Deposit(arguments) => arguments.execute(),
+            Self::Sweep(arguments) => arguments.execute(),
             Self::Reproduce(arguments) => arguments.execute(),
         }
     }

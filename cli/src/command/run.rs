@@ -1,18 +1,23 @@
 //! `tribos run`: a scene simulated, its results in a folder.
 
 mod path;
+pub mod powder;
 
+use super::number;
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Guide, Series};
 use crate::report::image;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use tribos::record::{series_csv, write_atomically};
-use tribos::scene::{self, Key, PlanarScene, Scene, SliderScene, Units};
+use tribos::scene::{self, Key, PlanarScene, PowderScene, Scene, SliderScene, Units};
 use tribos::slide::{self, COLUMNS, SlideRun};
 
 /// Simulates the scene and writes summary.json, series.csv and a plot: motion.svg and motion.png of
-/// a disk, path.svg and path.png of any other body.
+/// a disk, path.svg and path.png of a body in the plane.
+///
+/// Of a powder: series.svg and .png, packing.svg and .png (spheres before and after, the forces),
+/// and both states as initial and final .xyz (OVITO, ASE), .vtp and -contacts.vtp (ParaView).
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = examples())]
 pub struct Arguments {
@@ -24,6 +29,18 @@ pub struct Arguments {
     /// Replace or add a key of the scene; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
+    /// A powder: go on from the checkpoint in DIR, to the same result as without the break.
+    #[arg(long)]
+    resume: bool,
+    /// A powder: seconds from one checkpoint in DIR to the next.
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        default_value = "60",
+        value_parser = number::not_negative,
+        allow_negative_numbers = true
+    )]
+    checkpoint: f64,
 }
 
 /// Examples and the vocabulary of a scene.
@@ -34,13 +51,16 @@ fn examples() -> String {
          tribos run scenes/disk.toml --out out/fast --set spin=50 --set alpha=0.5\n  \
          tribos run scenes/disk.toml --out out/verlet --set stepper=verlet --set time_step=1e-4\n  \
          tribos run scenes/cylinder.toml --out out/cylinder --set spin=-12\n  \
-         tribos run scenes/curling-draw.toml --out out/draw --set model=pivot-slide\n",
+         tribos run scenes/curling-draw.toml --out out/draw --set model=pivot-slide\n  \
+         tribos run scenes/compaction-small.toml --out out/powder --set rolling=0.3\n  \
+         tribos run scenes/compaction-large.toml --out out/large --resume\n",
     );
     text += &vocabulary("a scene", SliderScene::KEYS);
     for body in ["cylinder", "pipe", "curling"] {
         let keys = PlanarScene::keys(body).unwrap_or_default();
         text += &vocabulary(&format!("a scene with body = \"{body}\""), keys);
     }
+    text += &vocabulary("a scene with body = \"powder\"", PowderScene::KEYS);
     text
 }
 
@@ -59,10 +79,32 @@ fn vocabulary(of: &str, keys: &[Key]) -> String {
 impl Arguments {
     /// Runs and writes.
     pub fn execute(self) -> Result<(), Failure> {
-        match scene::read_scene(&self.scene, &self.overrides).map_err(Failure::input)? {
+        let scene = scene::read_scene(&self.scene, &self.overrides).map_err(Failure::input)?;
+        if self.resume && !matches!(scene, Scene::Powder(_)) {
+            return Err(Failure::input(
+                "--resume is for powders only; this scene takes a moment, run it anew",
+            ));
+        }
+        match scene {
             Scene::Disk(scene) => self.slide(&scene),
             Scene::Planar(scene) => path::run(&scene, &self.out),
+            Scene::Powder(scene) => self.compact(&scene),
         }
+    }
+
+    fn compact(&self, scene: &PowderScene) -> Result<(), Failure> {
+        let start = if self.resume {
+            powder::Start::Resume
+        } else {
+            powder::Start::Fresh
+        };
+        let pause = Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX);
+        let told = powder::Progress::Told;
+        let compaction = powder::simulate(scene, &self.out, start, pause, told)?;
+        let outcome = compaction.outcome()?;
+        powder::write(scene, &compaction, &outcome, &self.out)?;
+        powder::forget_checkpoint(&self.out)?;
+        powder::report(&outcome, &self.out)
     }
 
     fn slide(&self, scene: &SliderScene) -> Result<(), Failure> {

@@ -11,6 +11,7 @@
 #![allow(unsafe_code)] // Exported symbols and the panic handler of the bare-metal build.
 
 mod contacts;
+mod impulses;
 mod laws;
 mod nodes;
 
@@ -28,10 +29,16 @@ fn controller(speed: f32, spin: f32) -> Option<[f32; 3]> {
 /// Every other public computation once, in both precisions.
 fn everything(a: f64, b: f64) -> Option<f64> {
     let (x, y) = (a as f32, b as f32);
-    let wide =
-        contacts::wide(a, b)? + contacts::either(a, b)? + nodes::all(a, b)? + laws::all(a, b)?;
-    let single =
-        contacts::single(x, y)? + contacts::either(x, y)? + nodes::all(x, y)? + laws::all(x, y)?;
+    let wide = contacts::wide(a, b)?
+        + contacts::either(a, b)?
+        + nodes::all(a, b)?
+        + laws::all(a, b)?
+        + impulses::all(a, b)?;
+    let single = contacts::single(x, y)?
+        + contacts::either(x, y)?
+        + nodes::all(x, y)?
+        + laws::all(x, y)?
+        + impulses::all(x, y)?;
     Some(wide + f64::from(single))
 }
 
@@ -62,6 +69,11 @@ mod bare {
 #[cfg(not(target_os = "none"))]
 fn main() {
     println!("force x, y [N], torque [N m]: {:?}", controller(1.0, 20.0));
+    println!(
+        "i {:?} {:?}",
+        impulses::all(0.4, 0.3),
+        impulses::all(0.4f32, 0.3)
+    );
     println!("checksum of everything else: {:?}", everything(0.4, 0.3));
     black_box(());
 }

@@ -18,7 +18,7 @@ pub struct Block<R> {
     pub mass_normal: R,
     /// Effective mass across it.
     pub mass_sliding: R,
-    /// Effective moment of inertia, of rolling and of torsion; infinite when nothing can turn.
+    /// Effective moment of inertia, of rolling and of torsion.
     pub inertia: R,
     /// Coupling k of sliding and rolling.
     pub coupling: R,
@@ -27,19 +27,54 @@ pub struct Block<R> {
 impl<R: Real> Block<R> {
     /// The block of two bodies.
     ///
-    /// *Special values*: a mode that nothing can move has an infinite mass.
+    /// *Special values*: a mode that nothing can move has the mass 0, so that it takes no impulse.
     pub fn new(touch: &Touch<R>, a: &impl Body<R>, b: &impl Body<R>) -> Self {
         let [arm_a, arm_b] = touch.arms;
         let (turn_a, turn_b) = (a.inv_inertia(), b.inv_inertia());
         Self {
-            mass_normal: R::ONE / (a.inv_mass_normal() + b.inv_mass_normal()),
-            mass_sliding: R::ONE
-                / (a.inv_mass_tangential()
+            mass_normal: mass(a.inv_mass_normal() + b.inv_mass_normal()),
+            mass_sliding: mass(
+                a.inv_mass_tangential()
                     + b.inv_mass_tangential()
                     + arm_a * arm_a * turn_a
-                    + arm_b * arm_b * turn_b),
-            inertia: R::ONE / (turn_a + turn_b),
+                    + arm_b * arm_b * turn_b,
+            ),
+            inertia: mass(turn_a + turn_b),
             coupling: arm_a * turn_a - arm_b * turn_b,
         }
+    }
+
+    /// What sliding and torsion feel.
+    #[inline(always)]
+    pub fn masses(&self) -> Masses<R> {
+        Masses {
+            sliding: self.mass_sliding,
+            torsion: self.inertia,
+        }
+    }
+}
+
+/// Effective masses of sliding and torsion: the metric in which friction is projected.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Masses<R> {
+    /// A mass.
+    pub sliding: R,
+    /// A moment of inertia.
+    pub torsion: R,
+}
+
+impl<R: Real> Masses<R> {
+    /// The lever at which a force costs as much as a torque: √(I/m_t). 0 where nothing can turn.
+    pub fn gyration(&self) -> R {
+        (self.torsion / self.sliding).sqrt()
+    }
+}
+
+/// The inverse of a mass' inverse; 0 for what cannot move.
+fn mass<R: Real>(inverse: R) -> R {
+    if inverse == R::ZERO {
+        R::ZERO
+    } else {
+        R::ONE / inverse
     }
 }

@@ -18,15 +18,10 @@ pub trait Body<R: Real> {
     fn inv_mass_tangential(&self) -> R;
     /// How far a unit angular impulse turns it.
     fn inv_inertia(&self) -> R;
-    /// Takes up the impulse `sign`·(`along`·normal + `across`) and the angular impulse `angular`.
-    fn push(
-        &mut self,
-        sign: R,
-        normal: &Vector3<R>,
-        along: R,
-        across: &Vector3<R>,
-        angular: &Vector3<R>,
-    );
+    /// Takes up `sign` times an impulse at its centre, whose part along the normal is `along`.
+    fn push(&mut self, sign: R, impulse: &Vector3<R>, along: R, normal: &Vector3<R>);
+    /// Takes up `factor` times an angular impulse.
+    fn turn(&mut self, factor: R, angular: &Vector3<R>);
 }
 
 /// A sphere, free in all six directions. Infinite mass is an inverse of 0.
@@ -73,17 +68,12 @@ impl<R: Real> Body<R> for Sphere<R> {
         self.inv_inertia
     }
     #[inline(always)]
-    fn push(
-        &mut self,
-        sign: R,
-        normal: &Vector3<R>,
-        along: R,
-        across: &Vector3<R>,
-        angular: &Vector3<R>,
-    ) {
-        let impulse = add_scaled(across, along, normal);
-        self.velocity = add_scaled(&self.velocity, sign * self.inv_mass, &impulse);
-        self.spin = add_scaled(&self.spin, self.inv_inertia, angular);
+    fn push(&mut self, sign: R, impulse: &Vector3<R>, _: R, _: &Vector3<R>) {
+        self.velocity = add_scaled(&self.velocity, sign * self.inv_mass, impulse);
+    }
+    #[inline(always)]
+    fn turn(&mut self, factor: R, angular: &Vector3<R>) {
+        self.spin = add_scaled(&self.spin, factor * self.inv_inertia, angular);
     }
 }
 
@@ -109,7 +99,9 @@ impl<R: Real> Body<R> for Plate<R> {
         R::ZERO
     }
     #[inline(always)]
-    fn push(&mut self, sign: R, normal: &Vector3<R>, along: R, _: &Vector3<R>, _: &Vector3<R>) {
+    fn push(&mut self, sign: R, _: &Vector3<R>, along: R, normal: &Vector3<R>) {
         self.velocity = add_scaled(&self.velocity, sign * self.inv_mass * along, normal);
     }
+    #[inline(always)]
+    fn turn(&mut self, _: R, _: &Vector3<R>) {}
 }

@@ -4,26 +4,31 @@ use super::vector::{dot, length};
 use crate::real::Real;
 use nalgebra::Vector3;
 
-/// Rounding of a projected vector's own length: within it a vector counts as inside, so that
-/// projecting twice changes nothing.
-const COLLAR_ULPS: f64 = 4.0;
+/// Rounding of a projected vector's own square: within it a vector counts as inside, so that
+/// projecting twice changes nothing. Root, reciprocal, two products, the components and the sum of
+/// their squares each round by half a unit, all but the last counted twice in the square.
+const COLLAR_ULPS: f64 = 8.0;
 
 /// The vector of length ≤ `bound` nearest to `q`: dry friction that resists as much as it may.
 ///
 /// *Special values*: `q` itself, to the bit, inside; NaN for a NaN in either. *Domain*:
-/// `bound` ≥ 0. *Accuracy*: 3 ulp of the length.
+/// `bound` ≥ 0. *Accuracy*: 4 ulp of the length.
 #[inline(always)]
 pub fn project_on_disc<R: Real>(q: &Vector3<R>, bound: R) -> Vector3<R> {
     let length_sq = dot(q, q);
+    // A square that is rounded at full precision; a bound whose own square is not then decides as
+    // 0 or infinity would, which is right.
     let in_range = length_sq > R::MIN_POSITIVE && length_sq < R::INFINITY;
     if !in_range {
         return project_extreme(q, bound);
     }
-    let length = length_sq.sqrt();
-    if length <= bound * (R::ONE + R::from_f64(COLLAR_ULPS) * R::EPSILON) {
-        *q
+    let collar = R::ONE + R::from_f64(COLLAR_ULPS) * R::EPSILON;
+    // bound/length, with root and reciprocal side by side.
+    let scale = bound * (length_sq.sqrt() * (R::ONE / length_sq));
+    q * if length_sq <= bound * bound * collar {
+        R::ONE
     } else {
-        q * (bound / length)
+        scale
     }
 }
 

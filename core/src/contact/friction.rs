@@ -3,6 +3,7 @@
 //! All thresholds are proportional to P = F_n + F_coh, so that they vanish when the contact opens
 //! (thesis, eqs. 4.1–4.3).
 
+use super::block::Masses;
 use super::disc::project_on_disc;
 use super::modes::{AllModes, Frictionless, Modes, Sliding, SlidingRolling, SlidingTorsion};
 use crate::law::{LawError, validated_not_negative};
@@ -25,10 +26,10 @@ pub trait ContactFriction<R: Real>: Copy {
     type Modes: Modes<R>;
 
     /// The admissible pair nearest to `trial`, in the metric that makes one contact's update exact:
-    /// |Δsliding|² + (Δtorsion/`gyration`)².
+    /// |Δsliding|² + (Δtorsion/[gyration](Masses::gyration))².
     ///
     /// `bound` is P in force or impulse; `lever` is r_eff.
-    fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, gyration: R) -> Grasp<R>;
+    fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, masses: &Masses<R>) -> Grasp<R>;
 
     /// The admissible rolling torque nearest to `trial`.
     fn hold_rolling(&self, trial: &Vector3<R>, bound: R, lever: R) -> Vector3<R>;
@@ -122,7 +123,7 @@ impl<R: Real, M: Modes<R>> ContactFriction<R> for Thresholds<R, M> {
     type Modes = M;
 
     #[inline(always)]
-    fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, _: R) -> Grasp<R> {
+    fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, _: &Masses<R>) -> Grasp<R> {
         Grasp {
             sliding: project_on_disc(&trial.sliding, self.sliding * bound),
             torsion: clamp(trial.torsion, self.torsion * (bound * lever)),
@@ -138,11 +139,9 @@ impl<R: Real, M: Modes<R>> ContactFriction<R> for Thresholds<R, M> {
 /// `x` limited to ±`bound`; NaN stays NaN.
 #[inline(always)]
 fn clamp<R: Real>(x: R, bound: R) -> R {
-    if x.abs() <= bound {
-        x
-    } else if x.abs() > bound {
-        bound.copysign(x)
-    } else {
-        x + bound
-    }
+    let size = x.abs();
+    // Two selections, no branch: torsion sticks here and slips there.
+    let beyond = if size > bound { bound } else { R::NAN };
+    let size = if size <= bound { size } else { beyond };
+    size.copysign(x)
 }

@@ -2,8 +2,10 @@
 //!
 //! A contact of two spheres has six relative motions: one along the normal, two of sliding, two of
 //! rolling, one of torsion. Each law names the modes that it resists, by type, and the others are
-//! neither stored nor computed. In one step of implicit time stepping (Moreau–Jean) the impulse of
-//! a contact follows from the relative velocity that the bodies would have without it:
+//! neither stored nor computed. [`Thresholds`] limit each mode for itself; [`CoupledFriction`] gives
+//! sliding and torsion the one set that friction on a patch has. In one step of implicit time
+//! stepping (Moreau–Jean) the impulse of a contact follows from the relative velocity that the
+//! bodies would have without it:
 //!
 //! ```
 //! use nalgebra::Vector3;
@@ -31,23 +33,27 @@
 
 mod block;
 mod body;
+mod coupled;
 mod disc;
 mod friction;
-mod local;
 mod modes;
 mod normal;
 mod pair;
+mod time_step;
 mod touch;
+mod update;
 mod vector;
 
-pub use block::Block;
+pub use block::{Block, Masses};
 pub use body::{Body, Plate, Sphere};
+pub use coupled::CoupledFriction;
 pub use disc::project_on_disc;
 pub use friction::{ContactFriction, Grasp, Thresholds};
-pub use local::Contact;
 pub use modes::{
     AboutNormal, Absent, AllModes, AxialPart, Frictionless, InPlane, Modal, Modes, PlanarPart,
     Sliding, SlidingRolling, SlidingTorsion,
 };
 pub use normal::{Attraction, Cohesion, NormalLaw};
+pub use time_step::{TimeStep, TimeStepError};
 pub use touch::{Touch, TouchError};
+pub use update::Contact;

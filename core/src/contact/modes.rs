@@ -213,12 +213,22 @@ impl<R: Real, M: Modes<R>> Modal<R, M> {
     /// Force (or velocity) along the normal and in the plane, as one vector.
     #[inline(always)]
     pub fn linear(&self, normal: &Vector3<R>) -> Vector3<R> {
-        normal * self.normal + self.sliding.vector()
+        let along = normal * self.normal;
+        if M::Sliding::PRESENT {
+            along + self.sliding.vector()
+        } else {
+            along
+        }
     }
 
     /// Torque (or angular velocity) about the normal and in the plane, as one vector.
     #[inline(always)]
     pub fn angular(&self, normal: &Vector3<R>) -> Vector3<R> {
-        normal * self.torsion.component() + self.rolling.vector()
+        let about = normal * self.torsion.component();
+        if M::Rolling::PRESENT {
+            about + self.rolling.vector()
+        } else {
+            about
+        }
     }
 }

@@ -109,6 +109,8 @@ impl<R: Real> NormalStep<R> {
     /// Prepares a step of length `dt` from gap and normal velocity at its start.
     pub fn new(law: &NormalLaw<R>, gap: R, velocity: R, dt: R) -> Self {
         let cohesion = &law.cohesion;
+        // Time runs forwards or not at all.
+        let dt = if dt > R::ZERO { dt } else { R::NAN };
         // An old overlap is not pushed out: that would create energy (Unger and Kertész 2003,
         // eq. 33).
         let open = if gap < R::ZERO { R::ZERO } else { gap };

@@ -1,88 +1,162 @@
 //! Sliding and rolling at one contact, solved together.
+//!
+//! Four cases, by which of the two slips. While one sticks, its equation eliminates it, and what is
+//! left is isotropic in the plane: one projection with the mass that the other feels then. Only
+//! where both slip do they take turns. The problem is convex: the first case that does not
+//! contradict itself is the answer.
 
-use super::block::Block;
+use super::block::{Block, Masses};
 use super::friction::{ContactFriction, Grasp};
-use super::modes::{AxialPart, Modal, Modes, PlanarPart};
-use super::vector::{cross, dot};
+use super::modes::{AxialPart, Modal, PlanarPart};
+use super::vector::cross;
 use crate::real::Real;
 use nalgebra::Vector3;
 
-/// Rounds of sliding and rolling in turn. Each brings the pair nearer by k² m_t I ≤ 5/7 for solid
-/// spheres and plates, so that this many leave less than 1e-14; two rounds are the rule.
+/// Turns of sliding and rolling while both slip. Each brings the pair nearer by k² m_t I, at most
+/// 5/7 for touching solid spheres and plates, so that this many leave less than 1e-14.
 const MOST_ROUNDS: usize = 96;
 /// Relative change below which the rounds end, in units of rounding.
 const SETTLED_ULPS: f64 = 4.0;
+/// What is left of one motion when the other is stopped below which the two count as the same, as
+/// for a ball on an axle: rounding of the block, in units of it.
+const SINGULAR_ULPS: f64 = 64.0;
 
-/// The friction impulses that obey their thresholds for normal impulse P − F_coh dt = `bound` less
-/// cohesion, given `old` impulses and the relative `velocity` under them.
-pub(super) fn solve_pair<R: Real, F: ContactFriction<R>>(
-    friction: &F,
-    (block, normal, lever): (&Block<R>, &Vector3<R>, R),
-    bound: R,
-    old: &Modal<R, F::Modes>,
-    velocity: &Modal<R, F::Modes>,
-) -> (Grasp<R>, Vector3<R>) {
-    let k = block.coupling;
-    let gyration = gyration(block);
-    let (sliding_0, rolling_0) = (old.sliding.vector(), old.rolling.vector());
-    let torsion = old.torsion.component() - block.inertia * velocity.torsion.component();
-    if let Some(stick) = sticking(block, normal, old, velocity) {
-        let grasp = Grasp {
-            sliding: stick.0,
-            torsion,
-        };
-        let held = friction.hold(&grasp, bound, lever, gyration);
-        if held.sliding == stick.0 && friction.hold_rolling(&stick.1, bound, lever) == stick.1 {
-            return (held, stick.1);
+/// One contact's sliding and rolling with everything else fixed.
+pub(super) struct Pair<'a, R, F> {
+    pub friction: &'a F,
+    pub block: &'a Block<R>,
+    pub normal: &'a Vector3<R>,
+    pub lever: R,
+    /// P
+    pub bound: R,
+    /// Impulses so far; torsion as it would be if it stuck.
+    pub old: Grasp<R>,
+    pub old_rolling: Vector3<R>,
+    /// Velocities under them.
+    pub slip: Vector3<R>,
+    pub roll: Vector3<R>,
+}
+
+impl<'a, R: Real, F: ContactFriction<R>> Pair<'a, R, F> {
+    /// Gathers what the contact knows, given its `old` impulses and the `velocity` under them.
+    #[inline(always)]
+    pub fn new(
+        friction: &'a F,
+        (block, normal, lever): (&'a Block<R>, &'a Vector3<R>, R),
+        bound: R,
+        old: &Modal<R, F::Modes>,
+        velocity: &Modal<R, F::Modes>,
+    ) -> Self {
+        Self {
+            friction,
+            block,
+            normal,
+            lever,
+            bound,
+            old: Grasp {
+                sliding: old.sliding.vector(),
+                torsion: old.torsion.component() - block.inertia * velocity.torsion.component(),
+            },
+            old_rolling: old.rolling.vector(),
+            slip: velocity.sliding.vector(),
+            roll: velocity.rolling.vector(),
         }
     }
-    let (mut sliding, mut rolling) = (sliding_0, rolling_0);
-    let mut held = Grasp { sliding, torsion };
-    for _ in 0..MOST_ROUNDS {
-        let slip = velocity.sliding.vector() + cross(&(rolling - rolling_0), normal) * k;
+
+    /// The impulses that obey their thresholds.
+    #[inline(never)]
+    pub fn solve(&self) -> (Grasp<R>, Vector3<R>) {
+        let (m, inertia, k) = (
+            self.block.mass_sliding,
+            self.block.inertia,
+            self.block.coupling,
+        );
+        // 1 − k² m I, the share of each mass' inverse that is left when the other motion is stopped.
+        let left = R::ONE - k * k * m * inertia;
+        let distinct = left > R::from_f64(SINGULAR_ULPS) * R::EPSILON;
+        if !distinct {
+            return self.take_turns(self.old_rolling);
+        }
+
+        // Rolling sticks: sliding feels the mass m/left.
+        let slip = self.slip - cross(&self.roll, self.normal) * (k * inertia);
+        let held = self.hold(&slip, m / left);
+        let rolling = self.rolling_that_sticks(&held.sliding);
+        let turned = self.hold_rolling(&rolling);
+        if turned == rolling {
+            return (held, rolling);
+        }
+
+        // Sliding sticks: rolling feels the moment I/left.
+        let roll = self.roll - cross(self.normal, &self.slip) * (k * m);
+        let turned = self.hold_rolling(&(self.old_rolling - roll * (inertia / left)));
+        let slip = self.slip_after(&turned);
+        let sliding = self.old.sliding - slip * m;
+        let held = self.hold(&slip, m);
+        if held.sliding == sliding {
+            return (held, turned);
+        }
+        self.take_turns(turned)
+    }
+
+    /// Both slip.
+    #[cold]
+    fn take_turns(&self, start: Vector3<R>) -> (Grasp<R>, Vector3<R>) {
+        let mut rolling = start;
+        let mut held = self.hold(&self.slip_after(&rolling), self.block.mass_sliding);
+        for _ in 0..MOST_ROUNDS {
+            let turned = self.hold_rolling(&self.rolling_that_sticks(&held.sliding));
+            let slid = self.hold(&self.slip_after(&turned), self.block.mass_sliding);
+            let settled = negligible(&(turned - rolling), &turned)
+                && negligible(&(slid.sliding - held.sliding), &slid.sliding);
+            (held, rolling) = (slid, turned);
+            if settled {
+                break;
+            }
+        }
+        (held, rolling)
+    }
+
+    /// Sliding velocity after a rolling torque.
+    #[inline(always)]
+    fn slip_after(&self, rolling: &Vector3<R>) -> Vector3<R> {
+        self.slip + cross(&(rolling - self.old_rolling), self.normal) * self.block.coupling
+    }
+
+    /// The rolling torque that stops rolling under a sliding force.
+    #[inline(always)]
+    fn rolling_that_sticks(&self, sliding: &Vector3<R>) -> Vector3<R> {
+        let turn = cross(self.normal, &(sliding - self.old.sliding)) * self.block.coupling;
+        self.old_rolling - (self.roll + turn) * self.block.inertia
+    }
+
+    /// The sliding force and torsion torque that resist `slip` of a given mass.
+    #[inline(always)]
+    fn hold(&self, slip: &Vector3<R>, mass: R) -> Grasp<R> {
         let trial = Grasp {
-            sliding: sliding_0 - slip * block.mass_sliding,
-            torsion,
+            sliding: self.old.sliding - slip * mass,
+            torsion: self.old.torsion,
         };
-        held = friction.hold(&trial, bound, lever, gyration);
-        let roll = velocity.rolling.vector() + cross(normal, &(held.sliding - sliding_0)) * k;
-        let turned = friction.hold_rolling(&(rolling_0 - roll * block.inertia), bound, lever);
-        let (moved, turn) = (held.sliding - sliding, turned - rolling);
-        (sliding, rolling) = (held.sliding, turned);
-        if negligible(&moved, &sliding) && negligible(&turn, &rolling) {
-            break;
-        }
+        let masses = Masses {
+            sliding: mass,
+            torsion: self.block.inertia,
+        };
+        self.friction.hold(&trial, self.bound, self.lever, &masses)
     }
-    (held, rolling)
+
+    #[inline(always)]
+    fn hold_rolling(&self, trial: &Vector3<R>) -> Vector3<R> {
+        self.friction.hold_rolling(trial, self.bound, self.lever)
+    }
 }
 
-/// Ratio of a torque to the force that costs as much: √(I/m_t).
+/// In sums of magnitudes: no square that could vanish for small grains.
 #[inline(always)]
-pub(super) fn gyration<R: Real>(block: &Block<R>) -> R {
-    (block.inertia / block.mass_sliding).sqrt()
-}
-
-/// The impulses that stop sliding and rolling alike, unless the block is singular.
-fn sticking<R: Real, M: Modes<R>>(
-    block: &Block<R>,
-    normal: &Vector3<R>,
-    old: &Modal<R, M>,
-    velocity: &Modal<R, M>,
-) -> Option<(Vector3<R>, Vector3<R>)> {
-    // Δp = −m (s + c × …): the two planar equations s + Δp/m + k Δτ × n = 0 and
-    // w + Δτ/I + k n × Δp = 0, solved for Δp with n × (Δτ × n) = Δτ.
-    let (m, inertia, k) = (block.mass_sliding, block.inertia, block.coupling);
-    let (s, w) = (velocity.sliding.vector(), velocity.rolling.vector());
-    let determinant = R::ONE - k * k * m * inertia;
-    if determinant <= R::ZERO || determinant.is_nan() {
-        return None;
-    }
-    let push = (s - cross(&w, normal) * (k * inertia)) * (-m / determinant);
-    let turn = (w + cross(normal, &push) * k) * -inertia;
-    Some((old.sliding.vector() + push, old.rolling.vector() + turn))
-}
-
 fn negligible<R: Real>(change: &Vector3<R>, value: &Vector3<R>) -> bool {
-    let ulps = R::from_f64(SETTLED_ULPS) * R::EPSILON;
-    dot(change, change) <= ulps * ulps * dot(value, value)
+    sum(change) <= R::from_f64(SETTLED_ULPS) * R::EPSILON * sum(value)
+}
+
+#[inline(always)]
+fn sum<R: Real>(v: &Vector3<R>) -> R {
+    v.x.abs() + v.y.abs() + v.z.abs()
 }

@@ -12,7 +12,8 @@ pub struct Touch<R> {
     /// Distance of the surfaces; negative where they overlap.
     pub gap: R,
     /// Distances of the two centres from the contact point, along the normal. They add up to the
-    /// distance of the centres, so that a contact changes no angular momentum; 0 for a plate.
+    /// distance of the centres, to 2 ulp, so that a contact changes no angular momentum; 0 for a
+    /// plate.
     pub arms: [R; 2],
     /// r_eff = 1/(1/R₁ + 1/R₂), the lever of rolling and torsion friction (thesis, section 4.3.2);
     /// the sphere's own radius at a plate.
@@ -23,9 +24,10 @@ pub struct Touch<R> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum TouchError {
-    /// The centres coincide, or the sphere's centre lies in the plate: there is no normal.
+    /// The centres coincide (to less than [`Real::MIN_POSITIVE`]), or the sphere's centre lies in
+    /// the plate: there is no normal.
     NoNormal,
-    /// A position or radius is infinite or NaN, or a radius is not positive.
+    /// A position, a radius or the sum of both is infinite or NaN, or a radius is not positive.
     NotFinite,
 }
 
@@ -47,20 +49,20 @@ impl<R: Real> Touch<R> {
     pub fn spheres(displacement: &Vector3<R>, radii: [R; 2]) -> Result<Self, TouchError> {
         let distance = length(displacement);
         let [first, second] = radii;
-        if !(valid(first) && valid(second) && distance.is_finite()) {
+        let reach = first + second;
+        if !(valid(first) && valid(second) && reach.is_finite() && distance.is_finite()) {
             return Err(TouchError::NotFinite);
         }
-        if distance == R::ZERO {
+        if distance < R::MIN_POSITIVE {
             return Err(TouchError::NoNormal);
         }
-        let reach = first + second;
-        // The contact point divides the distance in the ratio of the radii.
-        let share = first / reach;
-        let arm = distance * share;
+        // The contact point divides the distance in the ratio of the radii. Both arms come from
+        // their own share: the difference to the other one would cost a small sphere its digits.
+        let [share, other] = [first / reach, second / reach];
         Ok(Self {
             normal: displacement / distance,
             gap: distance - reach,
-            arms: [arm, distance - arm],
+            arms: [distance * share, distance * other],
             lever: share * second,
         })
     }

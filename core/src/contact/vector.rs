@@ -36,6 +36,17 @@ pub(crate) fn length<R: Real>(a: &Vector3<R>) -> R {
     a.x.hypot(a.y).hypot(a.z)
 }
 
+/// |a| as in [`length`], without divisions unless its square leaves the range of the scalar.
+#[inline(always)]
+pub(crate) fn magnitude<R: Real>(a: &Vector3<R>) -> R {
+    let length_sq = dot(a, a);
+    if length_sq > R::MIN_POSITIVE && length_sq < R::INFINITY {
+        length_sq.sqrt()
+    } else {
+        length(a)
+    }
+}
+
 /// The zero vector.
 #[inline(always)]
 pub(crate) fn zero<R: Real>() -> Vector3<R> {

@@ -28,6 +28,20 @@ impl Rest {
         }
     }
 
+    /// As it was left, from what [`Rest::awake`] and [`Rest::still`] told of each body.
+    pub fn restored(awake: Vec<bool>, still: Vec<u8>) -> Self {
+        Self {
+            awake,
+            still,
+            group: Vec::new(),
+        }
+    }
+
+    /// Steps for which each body has been still.
+    pub fn still(&self) -> &[u8] {
+        &self.still
+    }
+
     /// One flag a body.
     pub fn awake(&self) -> &[bool] {
         &self.awake

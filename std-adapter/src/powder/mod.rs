@@ -1,3 +1,18 @@
 //! Cohesive powders of spheres.
 
+mod blocked;
+mod checkpoint;
+mod compaction;
 pub mod deposit;
+mod outcome;
+mod packing;
+mod statistics;
+mod stress;
+
+pub use blocked::{Means, Window};
+pub use checkpoint::CheckpointError;
+pub use compaction::{COLUMNS, Compaction, CompactionError, Ending};
+pub use outcome::Outcome;
+pub use packing::PISTON;
+pub use statistics::Statistics;
+pub use stress::Stress;

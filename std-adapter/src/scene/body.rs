@@ -3,6 +3,7 @@
 use super::entries::{Entries, Value};
 use super::key::{Domain, Key};
 use super::planar::PlanarScene;
+use super::powder::PowderScene;
 use super::problem::{Origin, Problem};
 use super::slider::{SliderScene, key};
 use super::{SceneError, text_of};
@@ -12,8 +13,8 @@ use std::path::Path;
 pub(super) const BODY: Key = key(
     "body",
     "-",
-    "what slides (default disk)",
-    Domain::OneOf(&["disk", "cylinder", "pipe", "curling"]),
+    "what the scene is about (default disk)",
+    Domain::OneOf(&["disk", "cylinder", "pipe", "curling", "powder"]),
 );
 
 /// A validated scene of any body.
@@ -23,6 +24,8 @@ pub enum Scene {
     Disk(SliderScene),
     /// A body that slides along a path in the plane.
     Planar(PlanarScene),
+    /// A powder under a piston.
+    Powder(Box<PowderScene>),
 }
 
 /// Reads the scene in `path` with `overrides` of the form `key=value` put over it.
@@ -56,6 +59,10 @@ fn read(entries: Entries, problems: Vec<Problem>) -> Result<Scene, Vec<Problem>>
     };
     if body == "disk" {
         return SliderScene::from_entries(entries, problems).map(Scene::Disk);
+    }
+    if body == "powder" {
+        let scene = PowderScene::from_entries(entries, problems)?;
+        return Ok(Scene::Powder(Box::new(scene)));
     }
     match PlanarScene::keys(&body) {
         Some(keys) => PlanarScene::from_entries(keys, entries, problems).map(Scene::Planar),

@@ -197,6 +197,14 @@ impl Taker {
         self.note(key, value)
     }
 
+    /// A number that may be left out; null then.
+    pub fn optional(&mut self, key: Key) -> Option<f64> {
+        let value = self.reader.optional(key.name);
+        let json = value.map_or(Value::Null, json_number);
+        self.values.insert(key.name.into(), json);
+        value
+    }
+
     /// The index of a word.
     pub fn word(&mut self, key: Key) -> usize {
         let index = self.reader.word(key.name);

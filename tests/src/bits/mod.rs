@@ -3,8 +3,10 @@
 //! Inputs come from integers and + − × / alone, so that no platform's mathematics library takes
 //! part; the kernel's own roots and powers come from the `libm` crate.
 
+mod contacts;
 mod more;
 
+pub use contacts::contacts;
 pub use more::{laws, limit_surfaces, nodes};
 
 use crate::sweep::Lcg;
@@ -306,7 +308,7 @@ where
 }
 
 /// All hashes with their names.
-pub fn bits() -> [(&'static str, u64); 13] {
+pub fn bits() -> [(&'static str, u64); 14] {
     [
         ("tables f64", tables_f64()),
         ("tables f32", tables_f32()),
@@ -321,5 +323,6 @@ pub fn bits() -> [(&'static str, u64); 13] {
         ("nodes", nodes()),
         ("limit surfaces", limit_surfaces()),
         ("laws", laws()),
+        ("contacts", contacts()),
     ]
 }

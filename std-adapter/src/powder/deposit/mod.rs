@@ -9,6 +9,7 @@ mod porosity;
 
 pub use contacts::SUBSTRATE;
 pub use error::DepositError;
+pub use porosity::{BULK, volume_between};
 
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;

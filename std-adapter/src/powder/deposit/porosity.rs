@@ -1,11 +1,12 @@
 //! How much of a deposit is empty.
 
 use super::Deposit;
+use nalgebra::Vector3;
 use std::f64::consts::PI;
 
 /// The bulk: a quarter of the height away from the substrate, whose spheres stand denser, and from
 /// the highest point, below which the last ones stand apart.
-const BULK: [f64; 2] = [0.25, 0.75];
+pub const BULK: [f64; 2] = [0.25, 0.75];
 
 impl Deposit {
     /// Free share of the volume below the highest point, from 0 to 1.
@@ -26,16 +27,18 @@ impl Deposit {
     /// Share of the volume between two heights that spheres fill, with the exact volumes of those
     /// cut by a plane. *Domain*: `low` < `high`; NaN for equal heights.
     pub fn solid_fraction(&self, low: f64, high: f64) -> f64 {
-        let solid: f64 = self
-            .positions
-            .iter()
-            .zip(&self.radii)
-            .map(|(centre, &radius)| {
-                volume_below(high - centre.z, radius) - volume_below(low - centre.z, radius)
-            })
-            .sum();
-        solid / (self.width * self.width * (high - low))
+        let volume = volume_between(&self.positions, &self.radii, [low, high]);
+        volume / (self.width * self.width * (high - low))
     }
+}
+
+/// Volume of spheres between two heights, with the exact volumes of those cut by a plane.
+pub fn volume_between(positions: &[Vector3<f64>], radii: &[f64], [low, high]: [f64; 2]) -> f64 {
+    let spheres = positions.iter().zip(radii);
+    let between = |(centre, &radius): (&Vector3<f64>, &f64)| {
+        volume_below(high - centre.z, radius) - volume_below(low - centre.z, radius)
+    };
+    spheres.map(between).sum()
 }
 
 /// Volume of a sphere below a plane `height` above its centre.

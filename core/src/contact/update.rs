@@ -5,7 +5,7 @@ use super::body::Body;
 use super::friction::{ContactFriction, Grasp};
 use super::modes::{AxialPart, Modal, Modes, PlanarPart};
 use super::normal::{NormalLaw, NormalStep};
-use super::pair::{gyration, solve_pair};
+use super::pair::Pair;
 use super::touch::Touch;
 use super::vector::{cross, tangential};
 use crate::real::Real;
@@ -28,8 +28,8 @@ pub struct Contact<R: Real, M: Modes<R>> {
 impl<R: Real, M: Modes<R>> Contact<R, M> {
     /// Prepares the contact for a step of length `dt` > 0 from the bodies' velocities at its start.
     ///
-    /// *Domain*: at least one of the bodies can move; with `dt` ≤ 0 or NaN, or two immovable
-    /// bodies, the impulses become NaN or infinite.
+    /// *Special values*: `dt` ≤ 0 or NaN makes the impulses NaN. Modes that neither body can follow
+    /// take no impulse.
     pub fn new(
         touch: &Touch<R>,
         law: &NormalLaw<R>,
@@ -122,7 +122,7 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
             sliding: self.impulse.sliding.vector(),
             torsion: self.impulse.torsion.component(),
         };
-        let held = friction.hold(&grasp, bound, self.lever, gyration(&self.block));
+        let held = friction.hold(&grasp, bound, self.lever, &self.block.masses());
         self.impulse.sliding = M::Sliding::of(held.sliding);
         self.impulse.torsion = M::Torsion::of(held.torsion);
         let rolling = self.impulse.rolling.vector();
@@ -156,27 +156,26 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
     #[inline(always)]
     pub fn apply(&self, impulse: &Modal<R, M>, a: &mut impl Body<R>, b: &mut impl Body<R>) {
         let n = &self.normal;
-        let across = impulse.sliding.vector();
-        let mut on_a = super::vector::zero();
-        let mut on_b = on_a;
-        if M::Rolling::PRESENT || M::Torsion::PRESENT {
-            on_b = impulse.angular(n);
-            on_a = -on_b;
-        }
+        let force = impulse.linear(n);
+        a.push(-R::ONE, &force, impulse.normal, n);
+        b.push(R::ONE, &force, impulse.normal, n);
         if M::Sliding::PRESENT {
-            let moment = cross(n, &across);
-            on_a -= moment * self.arms[0];
-            on_b -= moment * self.arms[1];
+            let moment = cross(n, &impulse.sliding.vector());
+            a.turn(-self.arms[0], &moment);
+            b.turn(-self.arms[1], &moment);
         }
-        a.push(-R::ONE, n, impulse.normal, &across, &on_a);
-        b.push(R::ONE, n, impulse.normal, &across, &on_b);
+        if M::Rolling::PRESENT || M::Torsion::PRESENT {
+            let torque = impulse.angular(n);
+            a.turn(-R::ONE, &torque);
+            b.turn(R::ONE, &torque);
+        }
     }
 
     /// The impulse that obeys the contact's laws with everything else as it is, applied; returns
     /// the change.
     ///
-    /// Along the normal this is closed form, and so is friction unless sliding and rolling are
-    /// coupled and one of them slips (then at most 96 rounds, to rounding).
+    /// All of it is closed form, unless sliding and rolling are coupled and both slip (then at most
+    /// 96 rounds, to rounding) or the friction's own set has none.
     #[inline(always)]
     pub fn update<F: ContactFriction<R, Modes = M>>(
         &mut self,
@@ -205,25 +204,24 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
             normal: self.step.impulse(trial, block.mass_normal),
             ..Modal::default()
         };
-        if !M::Sliding::PRESENT {
-            return new;
-        }
         let bound = new.normal + self.step.cohesion;
-        if M::Rolling::PRESENT && block.coupling != R::ZERO {
+        if M::Sliding::PRESENT && M::Rolling::PRESENT && block.coupling != R::ZERO {
             let place = (block, &self.normal, self.lever);
-            let (held, rolling) = solve_pair(friction, place, bound, old, velocity);
+            let (held, rolling) = Pair::new(friction, place, bound, old, velocity).solve();
             new.sliding = M::Sliding::of(held.sliding);
             new.torsion = M::Torsion::of(held.torsion);
             new.rolling = M::Rolling::of(rolling);
             return new;
         }
-        let trial = Grasp {
-            sliding: old.sliding.vector() - velocity.sliding.vector() * block.mass_sliding,
-            torsion: old.torsion.component() - block.inertia * velocity.torsion.component(),
-        };
-        let held = friction.hold(&trial, bound, self.lever, gyration(block));
-        new.sliding = M::Sliding::of(held.sliding);
-        new.torsion = M::Torsion::of(held.torsion);
+        if M::Sliding::PRESENT || M::Torsion::PRESENT {
+            let trial = Grasp {
+                sliding: old.sliding.vector() - velocity.sliding.vector() * block.mass_sliding,
+                torsion: old.torsion.component() - block.inertia * velocity.torsion.component(),
+            };
+            let held = friction.hold(&trial, bound, self.lever, &block.masses());
+            new.sliding = M::Sliding::of(held.sliding);
+            new.torsion = M::Torsion::of(held.torsion);
+        }
         if M::Rolling::PRESENT {
             let trial = old.rolling.vector() - velocity.rolling.vector() * block.inertia;
             new.rolling = M::Rolling::of(friction.hold_rolling(&trial, bound, self.lever));

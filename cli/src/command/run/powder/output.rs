@@ -1,0 +1,102 @@
+//! What a compaction leaves behind.
+
+use super::picture;
+use crate::failure::Failure;
+use crate::report::image;
+use std::path::Path;
+use tribos::powder::{COLUMNS, Compaction, Ending, Outcome};
+use tribos::record::{
+    Snapshot, SnapshotError, contacts_vtp, extended_xyz, particles_vtp, series_csv,
+    write_atomically,
+};
+use tribos::scene::PowderScene;
+
+/// A format of a state: text of a snapshot.
+type Export = fn(&Snapshot<'_>) -> Result<String, SnapshotError>;
+
+/// Endings of the names of a state's files, and what they hold.
+const EXPORTS: [(&str, Export); 3] = [
+    (".xyz", extended_xyz),
+    (".vtp", particles_vtp),
+    ("-contacts.vtp", contacts_vtp),
+];
+
+/// Writes series, states, pictures and at last the summary.
+pub fn write(
+    scene: &PowderScene,
+    compaction: &Compaction,
+    outcome: &Outcome,
+    out: &Path,
+) -> Result<(), Failure> {
+    let rows = compaction.series().iter();
+    let csv = series_csv(&COLUMNS, rows.map(<[f64; COLUMNS.len()]>::as_slice));
+    write_atomically(&out.join("series.csv"), csv.as_bytes())?;
+
+    let deposit = compaction.deposit();
+    let contacts = deposit.contacts();
+    states(&deposit.snapshot(&contacts), "initial", out)?;
+    compaction.with_snapshot(|snapshot| states(snapshot, "final", out))?;
+
+    image::write_both(
+        out,
+        "packing",
+        &picture::packing(scene, compaction, outcome)?,
+    )?;
+    image::write_both(out, "series", &picture::series(compaction, outcome))?;
+    // Last: a summary stands only beside complete results.
+    let summary = format!("{:#}\n", outcome.json(scene));
+    Ok(write_atomically(
+        &out.join("summary.json"),
+        summary.as_bytes(),
+    )?)
+}
+
+/// A state in all formats.
+fn states(snapshot: &Snapshot<'_>, stem: &str, out: &Path) -> Result<(), Failure> {
+    for (ending, export) in EXPORTS {
+        let text = export(snapshot).map_err(Failure::run)?;
+        write_atomically(&out.join(format!("{stem}{ending}")), text.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// A few lines for the person at the terminal.
+pub fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
+    let ending = match outcome.ending {
+        Some(Ending::Blocked) => "blocked",
+        Some(Ending::Time) => "duration over before the packing was blocked",
+        Some(Ending::Steps) | None => "steps done before the packing was blocked",
+    };
+    let [before, after] = outcome.porosity.map(|porosity| 100.0 * porosity);
+    let [total, plus, minus] = outcome.stress_zz();
+    let mut text = format!(
+        "ending        {ending}: {} steps, {} sweeps, {:.1} s\n\
+         particles     {}, {} contacts, {:.2} a sphere\n\
+         porosity      {after:.3} % from {before:.3} %\n\
+         stress_zz     {total:.3} = {plus:.3} {minus:+.3} of the pressure\n\
+         residual      {:.1e}, overlap {:.1e} R\n",
+        outcome.steps,
+        outcome.iterations,
+        outcome.wall_seconds,
+        outcome.particles,
+        outcome.statistics.contacts,
+        outcome.statistics.mean_coordination(),
+        outcome.residual,
+        outcome.statistics.max_overlap,
+    );
+    text += &budget(outcome);
+    text += &format!("written to    {}\n", out.display());
+    crate::command::print(&text)
+}
+
+/// Where the work went.
+fn budget(outcome: &Outcome) -> String {
+    let work = outcome.book.work;
+    let mut text = format!("work          {work:.6}, of which\n");
+    for (name, energy) in outcome.dissipation() {
+        let share = 100.0 * energy / work;
+        text += &format!("  {name:<11} {energy:.6} ({share:.1} %)\n");
+    }
+    text += &format!("  imbalance   {:.1e}\n", outcome.book.imbalance());
+    text
+}

@@ -1,0 +1,48 @@
+//! Final porosity over the keys of a sweep.
+
+use super::grid::Grid;
+use super::table::Table;
+use crate::failure::Failure;
+use crate::report::figure::{Axis, Figure, Series};
+use crate::report::image;
+use crate::report::surface::Surface;
+use std::path::Path;
+
+/// Draws a surface over two keys with several numbers each, a line over one; nothing if there are
+/// more of them, or keys with several words.
+pub fn write(grid: &Grid, table: &Table, out: &Path) -> Result<(), Failure> {
+    let several = |at: &usize| grid.keys[*at].values.len() > 1;
+    let varied: Vec<usize> = (0..grid.keys.len()).filter(several).collect();
+    let numbers: Option<Vec<Vec<f64>>> = varied.iter().map(|&at| grid.keys[at].numbers()).collect();
+    let name = |at: usize| Axis::linear(grid.keys[varied[at]].key.clone());
+    match numbers.as_deref() {
+        Some([xs]) => {
+            let figure = line(name(0), xs, table);
+            image::write_both(out, "sweep", &figure)?;
+        }
+        Some([xs, ys]) => {
+            // Combinations count the second key first.
+            let at = |i: usize, j: usize| table.porosity(i * ys.len() + j);
+            let axes = [name(0), name(1), Axis::linear("porosity")];
+            let surface = Surface::new("Final porosity", axes, [xs, ys], |i, j| at(i, j).0)
+                .errors(|i, j| at(i, j).1);
+            image::write_both(out, "sweep", &surface)?;
+        }
+        _ => {}
+    }
+    Ok(())
+}
+
+/// Porosity with whiskers of one standard deviation.
+fn line(axis: Axis, xs: &[f64], table: &Table) -> Figure {
+    let mut points: Vec<(f64, (f64, f64))> = xs
+        .iter()
+        .enumerate()
+        .map(|(index, &x)| (x, table.porosity(index)))
+        .collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let means = points.iter().map(|(x, (mean, _))| (*x, *mean)).collect();
+    let errors = points.iter().map(|(_, (_, error))| *error).collect();
+    Figure::new("Final porosity", axis, Axis::linear("porosity"))
+        .series(Series::line_points("", means).errors(errors))
+}

@@ -1,0 +1,41 @@
+//! The length of a step in time.
+
+use crate::real::Real;
+
+/// A length of time that steps can be made of: positive and finite.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct TimeStep<R>(R);
+
+/// A step that is zero, negative, infinite or NaN.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TimeStepError {
+    /// What was given.
+    pub given: f64,
+}
+
+impl<R: Real> TimeStep<R> {
+    /// *Domain*: 0 < `dt` < ∞.
+    pub fn new(dt: R) -> Result<Self, TimeStepError> {
+        if dt > R::ZERO && dt.is_finite() {
+            Ok(Self(dt))
+        } else {
+            let given = dt.to_f64();
+            Err(TimeStepError { given })
+        }
+    }
+
+    /// Its length.
+    pub fn dt(self) -> R {
+        self.0
+    }
+}
+
+impl core::fmt::Display for TimeStepError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let given = self.given;
+        write!(f, "a time step must be positive and finite, not {given}")
+    }
+}
+
+impl core::error::Error for TimeStepError {}

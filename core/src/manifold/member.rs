@@ -1,0 +1,99 @@
+//! Spheres and plates in one list.
+
+use crate::contact::{Body, Plate, Sphere};
+use crate::real::Real;
+use nalgebra::Vector3;
+
+/// A body of a manifold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Member<R> {
+    /// Moves freely.
+    Sphere(Sphere<R>),
+    /// Moves along its normal alone.
+    Plate(Plate<R>),
+}
+
+/// A body with what acts on it from outside.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Loaded<R> {
+    pub member: Member<R>,
+    pub force: Vector3<R>,
+    pub torque: Vector3<R>,
+}
+
+impl<R: Real> Loaded<R> {
+    pub fn new(member: Member<R>) -> Self {
+        let zero = Vector3::new(R::ZERO, R::ZERO, R::ZERO);
+        Self {
+            member,
+            force: zero,
+            torque: zero,
+        }
+    }
+
+    /// Lets gravity and the outer force act for a time.
+    pub fn accelerate(&mut self, gravity: &Vector3<R>, dt: R) {
+        match &mut self.member {
+            Member::Sphere(sphere) => {
+                sphere.velocity += self.force * (sphere.inv_mass * dt);
+                sphere.spin += self.torque * (sphere.inv_inertia * dt);
+                if sphere.inv_mass != R::ZERO {
+                    sphere.velocity += gravity * dt;
+                }
+            }
+            Member::Plate(plate) => plate.velocity += self.force * (plate.inv_mass * dt),
+        }
+    }
+}
+
+impl<R: Real> Body<R> for Member<R> {
+    #[inline]
+    fn velocity(&self) -> Vector3<R> {
+        match self {
+            Self::Sphere(sphere) => sphere.velocity(),
+            Self::Plate(plate) => plate.velocity(),
+        }
+    }
+    #[inline]
+    fn spin(&self) -> Vector3<R> {
+        match self {
+            Self::Sphere(sphere) => sphere.spin(),
+            Self::Plate(plate) => plate.spin(),
+        }
+    }
+    #[inline]
+    fn inv_mass_normal(&self) -> R {
+        match self {
+            Self::Sphere(sphere) => sphere.inv_mass_normal(),
+            Self::Plate(plate) => plate.inv_mass_normal(),
+        }
+    }
+    #[inline]
+    fn inv_mass_tangential(&self) -> R {
+        match self {
+            Self::Sphere(sphere) => sphere.inv_mass_tangential(),
+            Self::Plate(plate) => plate.inv_mass_tangential(),
+        }
+    }
+    #[inline]
+    fn inv_inertia(&self) -> R {
+        match self {
+            Self::Sphere(sphere) => sphere.inv_inertia(),
+            Self::Plate(plate) => plate.inv_inertia(),
+        }
+    }
+    #[inline(always)]
+    fn push(&mut self, sign: R, impulse: &Vector3<R>, along: R, normal: &Vector3<R>) {
+        match self {
+            Self::Sphere(sphere) => sphere.push(sign, impulse, along, normal),
+            Self::Plate(plate) => plate.push(sign, impulse, along, normal),
+        }
+    }
+    #[inline(always)]
+    fn turn(&mut self, factor: R, angular: &Vector3<R>) {
+        match self {
+            Self::Sphere(sphere) => sphere.turn(factor, angular),
+            Self::Plate(plate) => plate.turn(factor, angular),
+        }
+    }
+}

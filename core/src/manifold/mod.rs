@@ -1,0 +1,234 @@
+//! A handful of contacts solved together, without an allocator: a ball between fingers, a stack.
+//!
+//! A [`Manifold`] holds up to `BODIES` spheres and plates and up to `CONTACTS` contacts between
+//! them, and gives all their impulses in one time step by the non-linear Gauss–Seidel method (Jean
+//! 1999). Where the bodies are is the caller's business: it moves them by their velocities and
+//! tells the contacts' geometry.
+//!
+//! ```
+//! use nalgebra::Vector3;
+//! use tribos_core::contact::{Cohesion, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch};
+//! use tribos_core::manifold::{Manifold, Start, Stop};
+//!
+//! // A ball of 1 kg and 5 cm held by two fingers that press with 40 N each.
+//! let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+//! let friction = Thresholds::sliding_torsion(0.3_f32, 0.02)?;
+//! let mut grip = Manifold::<f32, _, 3, 2>::new(law, friction);
+//! let still = Vector3::new(0.0, 0.0, 0.0);
+//! let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
+//! let ball = grip.push_sphere(ball)?;
+//! let mut contacts = [None; 2];
+//! for (contact, inwards) in contacts.iter_mut().zip([1.0, -1.0]) {
+//!     let finger = grip.push_plate(Plate { velocity: still, inv_mass: 10.0 })?;
+//!     grip.set_force(finger, Vector3::new(40.0 * inwards, 0.0, 0.0), still)?;
+//!     let touch = Touch::plate(0.05, &Vector3::new(inwards, 0.0, 0.0), 0.05)?;
+//!     *contact = Some(grip.push_contact(ball, finger, touch)?);
+//! }
+//! grip.set_gravity(Vector3::new(0.0, 0.0, -9.81));
+//! let report = grip.solve(TimeStep::new(1e-3)?, Start::Last, Stop { sweeps: 50, tolerance: 1e-5 });
+//! assert!(report.converged);
+//! // 9.81 N by friction, of which 24 N are to be had: it does not fall.
+//! assert!(grip.body(ball).is_some_and(|body| body.velocity().z.abs() < 1e-6));
+//! let force = contacts[0].and_then(|contact| grip.force(contact));
+//! assert!(force.is_some_and(|force| (force.normal - 40.0).abs() < 1e-2));
+//! # use tribos_core::contact::Body;
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
+
+mod member;
+mod solve;
+
+pub use member::Member;
+pub use solve::{Report, Start, Stop};
+
+use crate::contact::{Contact, ContactFriction, Modal, NormalLaw, Plate, Sphere, Touch};
+use crate::real::Real;
+use heapless::Vec;
+use member::Loaded;
+use nalgebra::Vector3;
+
+/// A body of a manifold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct BodyHandle(usize);
+
+/// A contact of a manifold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ContactHandle(usize);
+
+/// Why a manifold refused something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum ManifoldError {
+    /// There is no room for another body or contact.
+    Full {
+        /// How many there is room for.
+        capacity: usize,
+    },
+    /// No body or contact here has that handle: it is from another manifold, or from before the
+    /// contacts were cleared.
+    Unknown,
+    /// A body cannot touch itself.
+    SameBody,
+}
+
+impl core::fmt::Display for ManifoldError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Full { capacity } => write!(f, "there is room for {capacity} only"),
+            Self::Unknown => f.write_str("the handle names nothing in this manifold"),
+            Self::SameBody => f.write_str("a contact needs two different bodies"),
+        }
+    }
+}
+
+impl core::error::Error for ManifoldError {}
+
+/// Up to `CONTACTS` contacts of one law between up to `BODIES` bodies.
+///
+/// *Units*: any consistent set. *Size* in f64 with all modes: 120 bytes a body, 248 a contact.
+#[derive(Clone, Debug)]
+pub struct Manifold<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize> {
+    law: NormalLaw<R>,
+    friction: F,
+    gravity: Vector3<R>,
+    bodies: Vec<Loaded<R>, BODIES>,
+    contacts: Vec<Joint<R, F>, CONTACTS>,
+}
+
+/// Two bodies that touch.
+#[derive(Clone, Copy, Debug)]
+struct Joint<R: Real, F: ContactFriction<R>> {
+    bodies: [usize; 2],
+    touch: Touch<R>,
+    /// Nothing before the first step.
+    solved: Option<Solved<R, F>>,
+}
+
+/// A contact in its last step.
+#[derive(Clone, Copy, Debug)]
+struct Solved<R: Real, F: ContactFriction<R>> {
+    contact: Contact<R, F::Modes>,
+    inv_dt: R,
+}
+
+impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
+    Manifold<R, F, BODIES, CONTACTS>
+{
+    /// No bodies, no contacts, no gravity.
+    pub fn new(law: NormalLaw<R>, friction: F) -> Self {
+        Self {
+            law,
+            friction,
+            gravity: Vector3::new(R::ZERO, R::ZERO, R::ZERO),
+            bodies: Vec::new(),
+            contacts: Vec::new(),
+        }
+    }
+
+    /// Adds a sphere.
+    pub fn push_sphere(&mut self, sphere: Sphere<R>) -> Result<BodyHandle, ManifoldError> {
+        self.push_body(Member::Sphere(sphere))
+    }
+
+    /// Adds a plate.
+    pub fn push_plate(&mut self, plate: Plate<R>) -> Result<BodyHandle, ManifoldError> {
+        self.push_body(Member::Plate(plate))
+    }
+
+    fn push_body(&mut self, member: Member<R>) -> Result<BodyHandle, ManifoldError> {
+        let handle = BodyHandle(self.bodies.len());
+        match self.bodies.push(Loaded::new(member)) {
+            Ok(()) => Ok(handle),
+            Err(_) => Err(ManifoldError::Full { capacity: BODIES }),
+        }
+    }
+
+    /// Adds a contact; the touch's normal leads from `first` to `second`, and at a plate the sphere
+    /// is the first.
+    pub fn push_contact(
+        &mut self,
+        first: BodyHandle,
+        second: BodyHandle,
+        touch: Touch<R>,
+    ) -> Result<ContactHandle, ManifoldError> {
+        if first == second {
+            return Err(ManifoldError::SameBody);
+        }
+        let bodies = [first.0, second.0];
+        if bodies.iter().any(|&body| body >= self.bodies.len()) {
+            return Err(ManifoldError::Unknown);
+        }
+        let handle = ContactHandle(self.contacts.len());
+        let joint = Joint {
+            bodies,
+            touch,
+            solved: None,
+        };
+        match self.contacts.push(joint) {
+            Ok(()) => Ok(handle),
+            Err(_) => Err(ManifoldError::Full { capacity: CONTACTS }),
+        }
+    }
+
+    /// Acceleration of all spheres that are not of infinite mass. Plates follow their
+    /// [force](Self::set_force) alone.
+    pub fn set_gravity(&mut self, gravity: Vector3<R>) {
+        self.gravity = gravity;
+    }
+
+    /// Force and torque on a body from outside, from the next step on. Those on a plate move it as
+    /// they are: along its normal is the caller's business.
+    pub fn set_force(
+        &mut self,
+        body: BodyHandle,
+        force: Vector3<R>,
+        torque: Vector3<R>,
+    ) -> Result<(), ManifoldError> {
+        let body = self.bodies.get_mut(body.0).ok_or(ManifoldError::Unknown)?;
+        (body.force, body.torque) = (force, torque);
+        Ok(())
+    }
+
+    /// Where a contact is now; its impulses are kept as the next guess.
+    pub fn set_touch(
+        &mut self,
+        contact: ContactHandle,
+        touch: Touch<R>,
+    ) -> Result<(), ManifoldError> {
+        let joint = self.contacts.get_mut(contact.0);
+        joint.ok_or(ManifoldError::Unknown)?.touch = touch;
+        Ok(())
+    }
+
+    /// Forgets all contacts, and their handles; bodies stay.
+    pub fn clear_contacts(&mut self) {
+        self.contacts.clear();
+    }
+
+    /// A body with its velocities.
+    pub fn body(&self, body: BodyHandle) -> Option<&Member<R>> {
+        self.bodies.get(body.0).map(|body| &body.member)
+    }
+
+    /// The same, to be changed from outside.
+    pub fn body_mut(&mut self, body: BodyHandle) -> Option<&mut Member<R>> {
+        self.bodies.get_mut(body.0).map(|body| &mut body.member)
+    }
+
+    /// A contact as it was solved last, with its impulse.
+    pub fn contact(&self, contact: ContactHandle) -> Option<&Contact<R, F::Modes>> {
+        Some(&self.solved(contact)?.contact)
+    }
+
+    /// Force and torque on the second body in the last step: impulse/dt.
+    pub fn force(&self, contact: ContactHandle) -> Option<Modal<R, F::Modes>> {
+        let Solved { contact, inv_dt } = self.solved(contact)?;
+        Some(Modal::default().plus_scaled(*inv_dt, contact.impulse()))
+    }
+
+    fn solved(&self, contact: ContactHandle) -> Option<&Solved<R, F>> {
+        self.contacts.get(contact.0)?.solved.as_ref()
+    }
+}

@@ -1,0 +1,136 @@
+//! One time step: everything from outside, then sweeps over the contacts until they agree.
+
+use super::member::Loaded;
+use super::{Joint, Manifold, Solved};
+use crate::contact::{AxialPart, PlanarPart};
+use crate::contact::{Contact, ContactFriction, Modal, Modes, TimeStep};
+use crate::real::Real;
+use nalgebra::Vector3;
+
+/// What the sweeps begin with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Start {
+    /// The impulses of the last step, made admissible: contacts that last are nearly right at once.
+    #[default]
+    Last,
+    /// No impulses.
+    Zero,
+}
+
+/// When the sweeps end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop<R> {
+    /// At the latest after so many.
+    pub sweeps: u32,
+    /// Before that, when a sweep has changed the impulses by less than this part of them. 0 asks
+    /// for all sweeps unless nothing changes any more.
+    pub tolerance: R,
+}
+
+/// How the sweeps ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Report<R> {
+    /// Sweeps done.
+    pub sweeps: u32,
+    /// What the last sweep changed, over all impulses; torques count by their force at r_eff. It
+    /// tells how fast things still move, not how far they are from the end: slow convergence leaves
+    /// an error that is larger by 1/(1 − rate).
+    pub residual: R,
+    /// True if that is no more than the tolerance.
+    pub converged: bool,
+}
+
+impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
+    Manifold<R, F, BODIES, CONTACTS>
+{
+    /// Takes all bodies' velocities through one time step.
+    ///
+    /// A rebound is decided by the velocities before gravity and outer forces act.
+    /// *Special values*: NaN in a body or touch spreads to whatever it touches, and never converges.
+    /// *Cost*: one [`Contact::update`] per contact and sweep.
+    pub fn solve(&mut self, step: TimeStep<R>, start: Start, stop: Stop<R>) -> Report<R> {
+        let dt = step.dt();
+        self.prepare(dt, start);
+        for body in &mut self.bodies {
+            body.accelerate(&self.gravity, dt);
+        }
+        self.apply_guesses();
+        let mut report = Report {
+            sweeps: 0,
+            residual: R::INFINITY,
+            converged: false,
+        };
+        while report.sweeps < stop.sweeps && !report.converged {
+            let [change, total] = self.sweep();
+            report.sweeps += 1;
+            report.residual = if change == R::ZERO {
+                change
+            } else {
+                change / total
+            };
+            report.converged = report.residual <= stop.tolerance;
+        }
+        report
+    }
+
+    /// Contacts from their geometry and the velocities at the start of the step.
+    fn prepare(&mut self, dt: R, start: Start) {
+        let inv_dt = R::ONE / dt;
+        for joint in &mut self.contacts {
+            let Some([a, b]) = pair(&mut self.bodies, joint.bodies) else {
+                continue;
+            };
+            let mut contact = Contact::new(&joint.touch, &self.law, &a.member, &b.member, dt);
+            if let (Start::Last, Some(last)) = (start, &joint.solved) {
+                // Forces last, impulses grow with the step.
+                let guess = Modal::default().plus_scaled(last.inv_dt * dt, last.contact.impulse());
+                contact.set_impulse(&guess);
+                contact.admit(&self.friction);
+            }
+            joint.solved = Some(Solved { contact, inv_dt });
+        }
+    }
+
+    /// Gives the bodies the impulses that the sweeps begin with.
+    fn apply_guesses(&mut self) {
+        for Joint { bodies, solved, .. } in &mut self.contacts {
+            if let (Some([a, b]), Some(Solved { contact, .. })) =
+                (pair(&mut self.bodies, *bodies), solved)
+            {
+                contact.apply(contact.impulse(), &mut a.member, &mut b.member);
+            }
+        }
+    }
+
+    /// Updates every contact once; returns the magnitudes of all changes and of all impulses.
+    fn sweep(&mut self) -> [R; 2] {
+        let (mut change, mut total) = (R::ZERO, R::ZERO);
+        for Joint { bodies, solved, .. } in &mut self.contacts {
+            if let (Some([a, b]), Some(Solved { contact, .. })) =
+                (pair(&mut self.bodies, *bodies), solved)
+            {
+                let moved = contact.update(&self.friction, &mut a.member, &mut b.member);
+                change += size(&moved, contact.lever());
+                total += size(contact.impulse(), contact.lever());
+            }
+        }
+        [change, total]
+    }
+}
+
+/// Two bodies at once.
+#[inline]
+fn pair<R>(bodies: &mut [Loaded<R>], indices: [usize; 2]) -> Option<[&mut Loaded<R>; 2]> {
+    bodies.get_disjoint_mut(indices).ok()
+}
+
+/// Sum of an impulse's components: no square that could vanish for small grains.
+fn size<R: Real, M: Modes<R>>(impulse: &Modal<R, M>, lever: R) -> R {
+    let torques = impulse.torsion.component().abs() + sum(&impulse.rolling.vector());
+    impulse.normal.abs() + sum(&impulse.sliding.vector()) + torques / lever
+}
+
+fn sum<R: Real>(v: &Vector3<R>) -> R {
+    v.x.abs() + v.y.abs() + v.z.abs()
+}

@@ -1,0 +1,105 @@
+//! Has the packing come to rest? Means over windows of steps, and what they are compared with.
+
+use super::stress::Stress;
+use crate::scene::Criterion;
+
+/// Least number of steps in a window: pseudo-elastic waves of an iteration that stops early take
+/// some ten steps across the thesis' systems.
+pub const WINDOW_STEPS: u64 = 200;
+/// Largest motion of the piston in a window, in R. Thesis: "has not changed".
+const PISTON_MOTION: f64 = 1e-4;
+/// A window lasts long enough for a piston without resistance to go so many times farther.
+const DECISIVE: f64 = 100.0;
+/// Largest deviation of the force on the piston and of σ_zz from the applied load: a hundredth,
+/// a tenth of the digit in which table 4.1 is given.
+const LOAD_DEVIATION: f64 = 1e-2;
+/// Largest mean net force on a sphere over the mean contact force.
+const UNBALANCED: f64 = 1e-2;
+
+/// Sums over the steps of a window, each weighted with its length.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Window {
+    /// Steps so far.
+    pub steps: u64,
+    /// Time so far.
+    pub time: f64,
+    /// Height of the piston at the start.
+    pub start: f64,
+    /// ∫ σ dt
+    pub stress: Stress,
+    /// Integrals of the contact force on the piston, the mean net force on a sphere and the mean
+    /// normal force of a contact.
+    pub forces: [f64; 3],
+}
+
+/// Means over a window.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Means {
+    /// |Change of the piston's height|, a length.
+    pub moved: f64,
+    /// Contact force on the piston.
+    pub piston: f64,
+    /// Net force on a sphere.
+    pub net: f64,
+    /// |Normal force| of a contact.
+    pub contact: f64,
+    /// Stress.
+    pub stress: Stress,
+}
+
+impl Window {
+    /// A window that begins with the piston at this height.
+    pub fn starting(at: f64) -> Self {
+        Self {
+            start: at,
+            ..Self::default()
+        }
+    }
+
+    /// Adds a step of length `dt`; forces as in [`Window::forces`].
+    pub fn add(&mut self, dt: f64, stress: &Stress, forces: [f64; 3]) {
+        self.steps += 1;
+        self.time += dt;
+        self.stress = self.stress.plus_scaled(dt, stress);
+        for (sum, force) in self.forces.iter_mut().zip(forces) {
+            *sum += force * dt;
+        }
+    }
+
+    /// True once the window says something about a piston of this mass under this load.
+    pub fn is_full(&self, mass: f64, load: f64) -> bool {
+        let least = (2.0 * DECISIVE * PISTON_MOTION * mass / load).sqrt();
+        self.steps >= WINDOW_STEPS && self.time >= least
+    }
+
+    /// Means, with the piston now at this height.
+    pub fn means(&self, height: f64) -> Means {
+        let [piston, net, contact] = self.forces.map(|sum| sum / self.time);
+        Means {
+            moved: (height - self.start).abs(),
+            piston,
+            net,
+            contact,
+            stress: Stress::default().plus_scaled(1.0 / self.time, &self.stress),
+        }
+    }
+}
+
+impl Means {
+    /// Whether the packing is blocked under this pressure on this area.
+    ///
+    /// The piston moved by less than 10⁻⁴ R. Balance asks for more: the contact force on the piston
+    /// and σ_zz are within 1 % of what is applied, and the net force on a sphere is less than 1 % of
+    /// a contact force, in the mean.
+    pub fn is_blocked(&self, criterion: Criterion, pressure: f64, area: f64) -> bool {
+        let stands = self.moved < PISTON_MOTION;
+        let near = |value: f64, applied: f64| (value / applied - 1.0).abs() < LOAD_DEVIATION;
+        let balances = near(self.piston, pressure * area)
+            && near(self.stress.total().m33, pressure)
+            && self.net < UNBALANCED * self.contact;
+        match criterion {
+            Criterion::Piston => stands,
+            Criterion::Balance => stands && balances,
+        }
+    }
+}

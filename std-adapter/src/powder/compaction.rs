@@ -1,0 +1,398 @@
+//! A deposit under a piston, followed until it is blocked (thesis, sections 4.5 and 4.6).
+
+use super::blocked::{Means, Window};
+use super::checkpoint::{Checkpoint, CheckpointError};
+use super::deposit::{BULK, Deposit, DepositError, volume_between};
+use super::outcome::Outcome;
+use super::packing::{self, BuildError, PISTON, Packing, branch, build};
+use super::statistics::Statistics;
+use super::stress::Stress;
+use crate::cd::{StepReport, WorldError};
+use crate::record::{ContactRow, Snapshot};
+use crate::run::Simulation;
+use crate::scene::PowderScene;
+use std::f64::consts::PI;
+use std::time::Instant;
+use tribos_core::contact::{Sphere, TouchError};
+use tribos_core::law::LawError;
+
+/// Columns of the series, in the units of the scene; `stress_zz` in units of the applied pressure.
+pub const COLUMNS: [&str; 15] = [
+    "time",
+    "step",
+    "piston_height",
+    "porosity",
+    "contacts",
+    "stress_zz",
+    "sweeps",
+    "residual",
+    "kinetic",
+    "dissipated_normal",
+    "dissipated_sliding",
+    "dissipated_rolling",
+    "dissipated_torsion",
+    "dissipated_cohesion",
+    "work",
+];
+
+/// Why a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// The packing is blocked.
+    Blocked,
+    /// The scene's duration was over.
+    Time,
+    /// The scene's steps were done.
+    Steps,
+}
+
+/// A compaction that cannot start or go on.
+#[derive(Debug, thiserror::Error)]
+pub enum CompactionError {
+    /// The deposit cannot be grown.
+    #[error(transparent)]
+    Deposit(#[from] DepositError),
+    /// The kernel refused a law.
+    #[error(transparent)]
+    Law(#[from] LawError),
+    /// The world cannot start or go on.
+    #[error(transparent)]
+    World(#[from] WorldError),
+    /// Two bodies have no normal.
+    #[error("after step {step}: {cause}")]
+    Touch {
+        /// Step of the run.
+        step: u64,
+        /// What is wrong.
+        #[source]
+        cause: TouchError,
+    },
+    /// The checkpoint is of no use.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
+}
+
+impl From<BuildError> for CompactionError {
+    fn from(error: BuildError) -> Self {
+        match error {
+            BuildError::Law(error) => error.into(),
+            BuildError::World(error) => error.into(),
+        }
+    }
+}
+
+/// What adds up over a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Totals {
+    /// Sweeps of the solver.
+    pub iterations: u64,
+    /// Steps in which the solver's rule was not met.
+    pub unmet: u64,
+    /// Time on the clock, in s, up to the last start.
+    pub wall_seconds: f64,
+}
+
+/// A compaction under way.
+///
+/// ```
+/// use tribos::powder::Compaction;
+/// use tribos::run::drive;
+/// use tribos::scene::{Scene, parse_scene};
+/// let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+/// if let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? {
+///     let mut compaction = Compaction::new(&scene)?;
+///     drive(&mut compaction, |_, _| ())?;
+///     let outcome = compaction.outcome()?;
+///     assert!(outcome.porosity[1] < outcome.porosity[0]);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Compaction {
+    scene: PowderScene,
+    deposit: Deposit,
+    packing: Box<dyn Packing>,
+    /// Volume of all spheres.
+    solid: f64,
+    contacts: Vec<ContactRow>,
+    stress: Stress,
+    report: StepReport,
+    window: Window,
+    complete: Option<(Window, f64)>,
+    totals: Totals,
+    series: Vec<[f64; COLUMNS.len()]>,
+    ending: Option<Ending>,
+    started: Instant,
+}
+
+impl Compaction {
+    /// The scene's deposit with the piston on its highest sphere.
+    pub fn new(scene: &PowderScene) -> Result<Self, CompactionError> {
+        Self::begin(scene, None)
+    }
+
+    /// Goes on from a [checkpoint](Compaction::checkpoint) of a run of the same scene, to the same
+    /// bits as without the break.
+    pub fn resume(scene: &PowderScene, checkpoint: &str) -> Result<Self, CompactionError> {
+        let checkpoint = Checkpoint::read(checkpoint, scene)?;
+        Self::begin(scene, Some(checkpoint))
+    }
+
+    fn begin(scene: &PowderScene, kept: Option<Checkpoint>) -> Result<Self, CompactionError> {
+        let deposit = scene.ballistic.grow(scene.until, scene.seed)?;
+        if let Some(kept) = &kept {
+            kept.fits(deposit.positions.len())?;
+        }
+        let packing = build(scene, &deposit, kept.as_ref().map(|kept| &kept.frozen))?;
+        let solid = deposit
+            .radii
+            .iter()
+            .map(|r| 4.0 / 3.0 * PI * r * r * r)
+            .sum();
+        let mut compaction = Self {
+            scene: scene.clone(),
+            window: Window::starting(deposit.height),
+            contacts: deposit.contacts(),
+            deposit,
+            packing,
+            solid,
+            stress: Stress::default(),
+            report: StepReport::default(),
+            complete: None,
+            totals: Totals::default(),
+            series: Vec::new(),
+            ending: None,
+            started: Instant::now(),
+        };
+        match kept {
+            Some(kept) => {
+                compaction.window = kept.window;
+                compaction.complete = kept.complete;
+                compaction.totals = kept.totals;
+                compaction.series = kept.series;
+            }
+            None => compaction.series.push(compaction.record()),
+        }
+        Ok(compaction)
+    }
+
+    /// The run as a file, to go on from.
+    pub fn checkpoint(&self) -> String {
+        let checkpoint = Checkpoint {
+            frozen: self.packing.freeze(),
+            window: self.window,
+            complete: self.complete,
+            totals: Totals {
+                wall_seconds: self.wall_seconds(),
+                ..self.totals
+            },
+            series: self.series.clone(),
+        };
+        checkpoint.text(&self.scene)
+    }
+
+    /// Height of the piston.
+    pub fn height(&self) -> f64 {
+        // Its normal points down.
+        -self.packing.walls()[PISTON as usize].place
+    }
+
+    /// Free share of the volume below the piston (thesis, eq. 4.5).
+    pub fn porosity(&self) -> f64 {
+        1.0 - self.solid / (self.area() * self.height())
+    }
+
+    /// What the last step did.
+    pub fn last_step(&self) -> &StepReport {
+        &self.report
+    }
+
+    /// Steps so far.
+    pub fn steps(&self) -> u64 {
+        self.packing.clock().1
+    }
+
+    /// Why the run has ended, if it has.
+    pub fn ending(&self) -> Option<Ending> {
+        self.ending
+    }
+
+    /// Lines of the series so far, columns as in [`COLUMNS`].
+    pub fn series(&self) -> &[[f64; COLUMNS.len()]] {
+        &self.series
+    }
+
+    /// The deposit that the run began with.
+    pub fn deposit(&self) -> &Deposit {
+        &self.deposit
+    }
+
+    /// Contacts after the last step, with their forces; those of the deposit before the first.
+    pub fn contacts(&self) -> &[ContactRow] {
+        &self.contacts
+    }
+
+    /// Hands the present state to `export`.
+    pub fn with_snapshot<T>(&self, export: impl FnOnce(&Snapshot<'_>) -> T) -> T {
+        let spheres = self.packing.spheres();
+        let velocities: Vec<_> = spheres.iter().map(|sphere| sphere.velocity).collect();
+        let spins: Vec<_> = spheres.iter().map(|sphere| sphere.spin).collect();
+        let side = [0.0, self.scene.width];
+        export(&Snapshot {
+            time: self.packing.clock().0,
+            space: self.deposit.space,
+            extents: [side, side, [0.0, self.height()]],
+            positions: self.packing.positions(),
+            radii: self.packing.radii(),
+            velocities: Some(&velocities),
+            spins: Some(&spins),
+            species: None,
+            contacts: &self.contacts,
+        })
+    }
+
+    /// The summary of what has happened so far.
+    pub fn outcome(&self) -> Result<Outcome, CompactionError> {
+        let height = self.height();
+        let [low, high] = BULK.map(|share| share * height);
+        let (positions, radii) = (self.packing.positions(), self.packing.radii());
+        let bulk = volume_between(positions, radii, [low, high]);
+        let scene = &self.scene;
+        Ok(Outcome {
+            ending: self.ending,
+            time: self.packing.clock().0,
+            steps: self.steps(),
+            particles: radii.len(),
+            heights: [self.deposit.height, height],
+            porosity: [self.deposit.porosity(), self.porosity()],
+            bulk_porosity: 1.0 - bulk / (self.area() * (high - low)),
+            means: self.means(),
+            pressure: scene.pressure,
+            area: self.area(),
+            statistics: Statistics::of(&self.contacts, radii, scene.friction, scene.cohesion_range),
+            residual: self.report.residual.relative,
+            iterations: self.totals.iterations,
+            unmet: self.totals.unmet,
+            book: *self.packing.book(),
+            wall_seconds: self.wall_seconds(),
+        })
+    }
+
+    /// Means over the last complete window, or over what there is of the first.
+    fn means(&self) -> Means {
+        match &self.complete {
+            Some((window, height)) => window.means(*height),
+            None => self.window.means(self.height()),
+        }
+    }
+
+    fn area(&self) -> f64 {
+        self.scene.width * self.scene.width
+    }
+
+    fn wall_seconds(&self) -> f64 {
+        self.totals.wall_seconds + self.started.elapsed().as_secs_f64()
+    }
+
+    /// Contacts and stress after a step; adds both to the window.
+    fn measure(&mut self, before: &[Sphere<f64>]) -> Result<(), CompactionError> {
+        let step = self.steps();
+        let contacts = self.packing.contacts();
+        self.contacts = contacts.map_err(|cause| CompactionError::Touch { step, cause })?;
+        let radii = self.packing.radii();
+        let volume = self.area() * self.height();
+        self.stress = Stress::of(&self.contacts, |contact| branch(contact, radii), volume);
+        let dt = self.report.dt;
+
+        // Push on the piston, mean net force on a sphere, mean normal force of a contact.
+        let at_piston = self
+            .contacts
+            .iter()
+            .filter(|row| packing::is_at(row, PISTON));
+        let piston = at_piston.map(|row| row.force.z).sum();
+        let net: f64 = before
+            .iter()
+            .zip(self.packing.spheres())
+            .map(|(old, new)| (new.velocity - old.velocity).norm() / (new.inv_mass * dt))
+            .sum();
+        let normal: f64 = self
+            .contacts
+            .iter()
+            .map(|row| row.normal_force().abs())
+            .sum();
+        let forces = [
+            piston,
+            net / radii.len() as f64,
+            normal / self.contacts.len().max(1) as f64,
+        ];
+        self.window.add(dt, &self.stress, forces);
+        Ok(())
+    }
+
+    /// Closes a full window and judges it; otherwise looks at the scene's limits.
+    fn judge(&mut self) -> Option<Ending> {
+        let scene = &self.scene;
+        let height = self.height();
+        let mut blocked = false;
+        if self.window.is_full(scene.piston_mass, scene.load()) {
+            let means = self.window.means(height);
+            blocked = means.is_blocked(scene.blocked, scene.pressure, self.area());
+            self.complete = Some((self.window, height));
+            self.window = Window::starting(height);
+        }
+        let (time, steps) = self.packing.clock();
+        if blocked {
+            Some(Ending::Blocked)
+        } else if scene.duration.is_some_and(|end| time >= end) {
+            Some(Ending::Time)
+        } else {
+            (steps >= scene.steps).then_some(Ending::Steps)
+        }
+    }
+}
+
+impl Simulation for Compaction {
+    type Record = [f64; COLUMNS.len()];
+    type Error = CompactionError;
+
+    fn record(&self) -> Self::Record {
+        let (time, step) = self.packing.clock();
+        let book = self.packing.book();
+        [
+            time,
+            step as f64,
+            self.height(),
+            self.porosity(),
+            self.contacts.len() as f64,
+            self.stress.total().m33 / self.scene.pressure,
+            self.report.effort.sweeps as f64,
+            self.report.residual.relative,
+            book.kinetic,
+            book.normal,
+            book.sliding,
+            book.rolling,
+            book.torsion,
+            book.cohesion,
+            book.work,
+        ]
+    }
+
+    fn step(&mut self) -> Result<bool, CompactionError> {
+        let before = self.packing.spheres().to_vec();
+        self.report = self.packing.step()?;
+        self.totals.iterations += self.report.effort.sweeps as u64;
+        self.totals.unmet += u64::from(!self.report.effort.met);
+        self.measure(&before)?;
+        self.ending = self.judge();
+        if self.ending.is_some() || self.steps() % self.scene.samples == 0 {
+            self.series.push(self.record());
+        }
+        Ok(self.ending.is_none())
+    }
+
+    fn progress(&self) -> f64 {
+        let (time, steps) = self.packing.clock();
+        let of_time = self.scene.duration.map_or(0.0, |end| time / end);
+        of_time.max(steps as f64 / self.scene.steps as f64).min(1.0)
+    }
+}

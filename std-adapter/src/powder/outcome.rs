@@ -1,0 +1,152 @@
+//! The summary of a compaction.
+
+use super::blocked::Means;
+use super::compaction::Ending;
+use super::statistics::Statistics;
+use crate::cd::Book;
+use crate::record::json_number;
+use crate::scene::PowderScene;
+use nalgebra::Matrix3;
+use serde_json::{Map, Value};
+
+/// What came out of a compaction, in the units of its scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// Why it ended; `None` if it has not.
+    pub ending: Option<Ending>,
+    /// Time at the end.
+    pub time: f64,
+    /// Steps taken.
+    pub steps: u64,
+    /// Spheres.
+    pub particles: usize,
+    /// Height of the piston at the start and at the end.
+    pub heights: [f64; 2],
+    /// Free share of the volume below the piston, at the start and at the end (thesis, eq. 4.5).
+    pub porosity: [f64; 2],
+    /// Free share of the volume in the middle half of the height, at the end.
+    pub bulk_porosity: f64,
+    /// Means over the last window of steps.
+    pub means: Means,
+    /// Pressure on the piston.
+    pub pressure: f64,
+    /// Area of the piston.
+    pub area: f64,
+    /// Contacts at the end.
+    pub statistics: Statistics,
+    /// Relative residual of the contact laws in the last step.
+    pub residual: f64,
+    /// Sweeps of all steps.
+    pub iterations: u64,
+    /// Steps in which the solver's rule was not met.
+    pub unmet: u64,
+    /// Energies.
+    pub book: Book,
+    /// Time on the clock, in s.
+    pub wall_seconds: f64,
+}
+
+impl Outcome {
+    /// σ_zz: of all contacts, of those that push and of those that pull, in units of the applied
+    /// pressure (thesis, table 4.1).
+    pub fn stress_zz(&self) -> [f64; 3] {
+        let stress = &self.means.stress;
+        [stress.total(), stress.plus, stress.minus].map(|tensor| tensor.m33 / self.pressure)
+    }
+
+    /// Where the energy went: names and energies.
+    pub fn dissipation(&self) -> [(&'static str, f64); 5] {
+        [
+            ("normal", self.book.normal),
+            ("sliding", self.book.sliding),
+            ("rolling", self.book.rolling),
+            ("torsion", self.book.torsion),
+            ("cohesion", self.book.cohesion),
+        ]
+    }
+
+    /// The summary as JSON; `stress_zz` and its shares in units of the applied pressure, the
+    /// tensors in F_coh/R².
+    pub fn json(&self, scene: &PowderScene) -> Value {
+        let mut map = Map::new();
+        let ending = match self.ending {
+            Some(Ending::Blocked) => "blocked".into(),
+            Some(Ending::Time) => "time".into(),
+            Some(Ending::Steps) => "steps".into(),
+            None => Value::Null,
+        };
+        map.insert("ending".into(), ending);
+        let mut put = |name: &str, value: Value| map.insert(name.into(), value);
+        put("porosity_initial", json_number(self.porosity[0]));
+        put("porosity_final", json_number(self.porosity[1]));
+        put("porosity_bulk", json_number(self.bulk_porosity));
+        put("height_initial", json_number(self.heights[0]));
+        put("height_final", json_number(self.heights[1]));
+        put("particles", self.particles.into());
+        put("contacts", self.statistics.contacts.into());
+        put("time", json_number(self.time));
+        put("steps", self.steps.into());
+        put("iterations_total", self.iterations.into());
+        put("steps_unmet", self.unmet.into());
+        let names = ["stress_zz", "stress_zz_plus", "stress_zz_minus"];
+        for (name, stress) in names.iter().zip(self.stress_zz()) {
+            put(name, json_number(stress));
+        }
+        put("residual_final", json_number(self.residual));
+        put("max_overlap", json_number(self.statistics.max_overlap));
+        put("balance", self.balance());
+        put("stress", self.stress());
+        put("statistics", self.statistics.json());
+        let energies = self.dissipation();
+        put("dissipation", object(&energies));
+        let others = [
+            ("work", self.book.work),
+            ("stilled", self.book.stilled),
+            ("kinetic", self.book.kinetic),
+            ("imbalance", self.book.imbalance()),
+        ];
+        put("energy", object(&others));
+        put("wall_seconds", json_number(self.wall_seconds));
+        put("scene", scene.json());
+        put("version", env!("CARGO_PKG_VERSION").into());
+        Value::Object(map)
+    }
+
+    /// What the criterion of blocked packings looks at.
+    fn balance(&self) -> Value {
+        object(&[
+            ("piston_moved", self.means.moved),
+            (
+                "piston_force",
+                self.means.piston / (self.pressure * self.area),
+            ),
+            ("net_force", self.means.net / self.means.contact),
+        ])
+    }
+
+    /// The tensors, row by row.
+    fn stress(&self) -> Value {
+        let stress = &self.means.stress;
+        let mut map = Map::new();
+        for (name, tensor) in [
+            ("total", stress.total()),
+            ("plus", stress.plus),
+            ("minus", stress.minus),
+        ] {
+            map.insert(name.into(), rows(&tensor));
+        }
+        Value::Object(map)
+    }
+}
+
+fn rows(tensor: &Matrix3<f64>) -> Value {
+    let row = |i: usize| (0..3).map(|j| json_number(tensor[(i, j)])).collect();
+    Value::Array((0..3).map(row).map(Value::Array).collect())
+}
+
+fn object(numbers: &[(&str, f64)]) -> Value {
+    let entries = numbers
+        .iter()
+        .map(|(name, value)| ((*name).to_owned(), json_number(*value)));
+    Value::Object(entries.collect())
+}

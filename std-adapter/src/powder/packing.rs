@@ -1,0 +1,300 @@
+//! A world whose contact modes are hidden: whole steps, states, contacts.
+
+use super::checkpoint::Frozen;
+use super::deposit::{Deposit, SUBSTRATE};
+use crate::cd::{
+    Book, Coefficients, Laws, Memory, Rest, Setup, State, StepReport, Wall, World, WorldError,
+    solid,
+};
+use crate::record::{ContactRow, Partner};
+use crate::scene::{PowderScene, WallLaw};
+use nalgebra::Vector3;
+use std::fmt::Debug;
+use tribos_core::contact::{
+    AxialPart, Cohesion, ContactFriction, Modal, Modes, NormalLaw, PlanarPart, Sphere, Thresholds,
+    Touch, TouchError,
+};
+use tribos_core::law::LawError;
+
+/// Number of the piston among the walls.
+pub const PISTON: u32 = 1;
+
+/// Cohesion and density are the units.
+const STRENGTH: f64 = 1.0;
+const DENSITY: f64 = 1.0;
+
+/// Spheres between a substrate and a piston, of any contact modes.
+pub(super) trait Packing: Debug {
+    /// Takes one step.
+    fn step(&mut self) -> Result<StepReport, WorldError>;
+    /// Time so far, and steps.
+    fn clock(&self) -> (f64, u64);
+    /// Centres.
+    fn positions(&self) -> &[Vector3<f64>];
+    /// Radii.
+    fn radii(&self) -> &[f64];
+    /// Velocities and masses.
+    fn spheres(&self) -> &[Sphere<f64>];
+    /// Substrate and piston.
+    fn walls(&self) -> &[Wall];
+    /// Energies.
+    fn book(&self) -> &Book;
+    /// Contacts that carry a force or lie within the range of cohesion, with the forces of the last
+    /// step at the present places.
+    fn contacts(&self) -> Result<Vec<ContactRow>, TouchError>;
+    /// Everything that a run goes on from.
+    fn freeze(&self) -> Frozen;
+}
+
+/// Builds the packing of a scene, at its start or as it was frozen. Modes whose coefficient is zero
+/// are left out where there is a type without them.
+pub(super) fn build(
+    scene: &PowderScene,
+    deposit: &Deposit,
+    frozen: Option<&Frozen>,
+) -> Result<Box<dyn Packing>, BuildError> {
+    let [mu, mu_t, mu_n] = scene.friction;
+    let at = (scene, deposit, frozen);
+    match scene.friction.map(|mu| mu > 0.0) {
+        [false, false, false] => boxed(at, [Thresholds::none(); 2]),
+        [true, false, false] => boxed(
+            at,
+            both(scene, Thresholds::sliding(mu)?, Thresholds::sliding(0.0)?),
+        ),
+        [true, false, true] => boxed(
+            at,
+            both(
+                scene,
+                Thresholds::sliding_torsion(mu, mu_n)?,
+                Thresholds::sliding_torsion(0.0, 0.0)?,
+            ),
+        ),
+        [true, true, false] => boxed(
+            at,
+            both(
+                scene,
+                Thresholds::sliding_rolling(mu, mu_t)?,
+                Thresholds::sliding_rolling(0.0, 0.0)?,
+            ),
+        ),
+        _ => boxed(
+            at,
+            both(
+                scene,
+                Thresholds::all(mu, mu_t, mu_n)?,
+                Thresholds::all(0.0, 0.0, 0.0)?,
+            ),
+        ),
+    }
+}
+
+/// What a packing cannot be built of.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum BuildError {
+    /// The kernel refused a law.
+    #[error(transparent)]
+    Law(#[from] LawError),
+    /// The world refused the setup.
+    #[error(transparent)]
+    World(#[from] WorldError),
+}
+
+/// Friction between spheres and at walls.
+fn both<F: Copy>(scene: &PowderScene, rough: F, smooth: F) -> [F; 2] {
+    match scene.wall {
+        WallLaw::Full => [rough, rough],
+        WallLaw::Smooth | WallLaw::Bare => [rough, smooth],
+    }
+}
+
+/// A world with these modes.
+fn boxed<M: Modes<f64>>(
+    (scene, deposit, frozen): (&PowderScene, &Deposit, Option<&Frozen>),
+    friction: [Thresholds<f64, M>; 2],
+) -> Result<Box<dyn Packing>, BuildError> {
+    let cohesion = Cohesion::new(STRENGTH, scene.cohesion_range, scene.attraction)?;
+    let pair = NormalLaw::new(cohesion, scene.restitution)?;
+    let wall = match scene.wall {
+        WallLaw::Full | WallLaw::Smooth => pair,
+        WallLaw::Bare => NormalLaw::new(Cohesion::NONE, scene.restitution)?,
+    };
+    let up = Vector3::z();
+    let setup = Setup {
+        space: deposit.space,
+        positions: deposit.positions.clone(),
+        radii: deposit.radii.clone(),
+        spheres: deposit.radii.iter().map(|&r| solid(r, DENSITY)).collect(),
+        // In the order of SUBSTRATE and PISTON.
+        walls: vec![
+            Wall::fixed(up, 0.0),
+            Wall::piston(-up, -deposit.height, scene.piston_mass, scene.load()),
+        ],
+        laws: Laws {
+            normal: [pair, wall],
+            friction,
+        },
+        gravity: Vector3::zeros(),
+        pace: scene.pace,
+        solver: scene.solver,
+        still_speed: scene.still_speed,
+    };
+    let mut world = World::new(setup)?;
+    if let Some(frozen) = frozen {
+        thaw(frozen, world.state_mut());
+    }
+    Ok(Box::new(world))
+}
+
+/// Puts a frozen state into a fresh one of the same bodies.
+fn thaw<M: Modes<f64>>(frozen: &Frozen, state: &mut State<M>) {
+    state.time = frozen.time;
+    state.steps = frozen.steps;
+    state.positions.clone_from(&frozen.positions);
+    for (sphere, [velocity, spin]) in state.spheres.iter_mut().zip(&frozen.motions) {
+        (sphere.velocity, sphere.spin) = (*velocity, *spin);
+    }
+    for (wall, (place, velocity)) in state.walls.iter_mut().zip(&frozen.walls) {
+        (wall.place, wall.plate.velocity) = (*place, *velocity);
+    }
+    state.book = frozen.book;
+    state.rest = Rest::restored(frozen.awake.clone(), frozen.still.clone());
+    let modal = |(bodies, force): &([u32; 2], Force)| {
+        let modal = Modal {
+            normal: force.normal,
+            sliding: M::Sliding::of(force.sliding),
+            rolling: M::Rolling::of(force.rolling),
+            torsion: M::Torsion::of(force.torsion),
+        };
+        (*bodies, modal)
+    };
+    state.memory = Memory {
+        forces: [0, 1].map(|kind: usize| frozen.forces[kind].iter().map(modal).collect()),
+    };
+}
+
+/// Force and torque of a contact, of all modes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Force {
+    pub normal: f64,
+    pub sliding: Vector3<f64>,
+    pub rolling: Vector3<f64>,
+    pub torsion: f64,
+}
+
+impl Force {
+    fn of<M: Modes<f64>>(modal: &Modal<f64, M>) -> Self {
+        Self {
+            normal: modal.normal,
+            sliding: modal.sliding.vector(),
+            rolling: modal.rolling.vector(),
+            torsion: modal.torsion.component(),
+        }
+    }
+
+    /// As a row of a table, with the geometry of the contact.
+    fn row(&self, a: u32, b: Partner, touch: &Touch<f64>) -> ContactRow {
+        let normal = touch.normal;
+        ContactRow {
+            a,
+            b,
+            normal,
+            gap: touch.gap,
+            force: normal * self.normal + self.sliding,
+            torque: normal * self.torsion + self.rolling,
+        }
+    }
+}
+
+impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
+    fn step(&mut self) -> Result<StepReport, WorldError> {
+        World::step(self)
+    }
+
+    fn clock(&self) -> (f64, u64) {
+        (self.state().time, self.state().steps)
+    }
+
+    fn positions(&self) -> &[Vector3<f64>] {
+        &self.state().positions
+    }
+
+    fn radii(&self) -> &[f64] {
+        &self.setup().radii
+    }
+
+    fn spheres(&self) -> &[Sphere<f64>] {
+        &self.state().spheres
+    }
+
+    fn walls(&self) -> &[Wall] {
+        &self.state().walls
+    }
+
+    fn book(&self) -> &Book {
+        &self.state().book
+    }
+
+    fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {
+        let (setup, state) = (self.setup(), self.state());
+        let [pairs, walls] = &state.memory.forces;
+        let [pair_law, wall_law] = &setup.laws.normal;
+        let mut rows = Vec::with_capacity(pairs.len() + walls.len());
+        for ([a, b], force) in pairs {
+            let [i, j] = [*a as usize, *b as usize];
+            let apart = setup
+                .space
+                .displacement(&state.positions[i], &state.positions[j]);
+            let touch = Touch::spheres(&apart, [setup.radii[i], setup.radii[j]])?;
+            if force.normal != 0.0 || touch.gap <= pair_law.cohesion().range() {
+                rows.push(Force::of(force).row(*a, Partner::Particle(*b), &touch));
+            }
+        }
+        for ([a, b], force) in walls {
+            let (i, wall) = (*a as usize, &state.walls[*b as usize]);
+            let height = wall.outward.dot(&state.positions[i]) - wall.place;
+            let touch = Touch::plate(height, &wall.outward, setup.radii[i])?;
+            if force.normal != 0.0 || touch.gap <= wall_law.cohesion().range() {
+                rows.push(Force::of(force).row(*a, Partner::Wall(*b), &touch));
+            }
+        }
+        Ok(rows)
+    }
+
+    fn freeze(&self) -> Frozen {
+        let state = self.state();
+        let kept = |kind: usize| {
+            let forces = state.memory.forces[kind].iter();
+            forces
+                .map(|(bodies, modal)| (*bodies, Force::of(modal)))
+                .collect()
+        };
+        Frozen {
+            time: state.time,
+            steps: state.steps,
+            positions: state.positions.clone(),
+            motions: state.spheres.iter().map(|s| [s.velocity, s.spin]).collect(),
+            walls: state
+                .walls
+                .iter()
+                .map(|wall| (wall.place, wall.plate.velocity))
+                .collect(),
+            book: state.book,
+            forces: [kept(0), kept(1)],
+            awake: state.rest.awake().to_vec(),
+            still: state.rest.still().to_vec(),
+        }
+    }
+}
+
+/// From the first centre of a contact to the second, or straight to the wall.
+pub(super) fn branch(contact: &ContactRow, radii: &[f64]) -> Vector3<f64> {
+    let other = contact.b.particle().map_or(0.0, |b| radii[b as usize]);
+    contact.normal * (radii[contact.a as usize] + other + contact.gap)
+}
+
+/// True for a contact of a sphere with this wall.
+pub(super) fn is_at(contact: &ContactRow, wall: u32) -> bool {
+    contact.b == Partner::Wall(wall)
+}
+
+const _: () = assert!(SUBSTRATE == 0 && PISTON == 1);

@@ -1,0 +1,147 @@
+//! How a packing hangs together: coordination, forces, thresholds.
+
+use crate::record::ContactRow;
+use crate::record::json_number;
+use nalgebra::Vector3;
+use serde_json::{Map, Value};
+
+/// Contacts whose P, in F_coh, is less carry nothing: cohesion pulls them together in vain.
+const IDLE: f64 = 1e-9;
+/// A force this near its threshold, relatively, is at it: more than what a turn of the normal in a
+/// step takes off.
+const AT_THRESHOLD: f64 = 1.0 - 1e-3;
+
+/// Numbers about the contacts of a packing. *Units*: R, F_coh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Contacts between spheres.
+    pub contacts: usize,
+    /// Contacts with substrate and piston.
+    pub wall_contacts: usize,
+    /// Number of spheres with 0, 1, 2, … contacts, walls included.
+    pub coordination: Vec<usize>,
+    /// Contacts between spheres that push, and that pull.
+    pub signs: [usize; 2],
+    /// Mean and largest normal force of those that push.
+    pub compression: [f64; 2],
+    /// Mean and largest pull of the others.
+    pub tension: [f64; 2],
+    /// Shares of the contacts between spheres that are at the threshold of sliding, rolling,
+    /// torsion; `None` for modes without friction.
+    pub at_threshold: [Option<f64>; 3],
+    /// Deepest overlap, a length; 0 if there is none.
+    pub max_overlap: f64,
+}
+
+impl Statistics {
+    /// Counts; `friction` is μ, μ_t, μ_n, and F_coh = 1 acts up to the gap `range`.
+    pub fn of(contacts: &[ContactRow], radii: &[f64], friction: [f64; 3], range: f64) -> Self {
+        let mut counts = vec![0; radii.len()];
+        let mut found = Self::default();
+        let mut sums = [0.0; 2];
+        let (mut carrying, mut at) = (0_usize, [0_usize; 3]);
+        for contact in contacts {
+            counts[contact.a as usize] += 1;
+            found.max_overlap = found.max_overlap.max(-contact.gap);
+            let Some(b) = contact.b.particle() else {
+                found.wall_contacts += 1;
+                continue;
+            };
+            counts[b as usize] += 1;
+            found.contacts += 1;
+
+            // Pushes and pulls.
+            let force = contact.normal_force();
+            if force > 0.0 {
+                found.signs[0] += 1;
+                sums[0] += force;
+                found.compression[1] = found.compression[1].max(force);
+            } else if force < 0.0 {
+                found.signs[1] += 1;
+                sums[1] -= force;
+                found.tension[1] = found.tension[1].max(-force);
+            }
+
+            // Modes at their thresholds.
+            let bound = force + if contact.gap <= range { 1.0 } else { 0.0 };
+            if bound > IDLE {
+                let [ra, rb] = [radii[contact.a as usize], radii[b as usize]];
+                let lever = bound / (1.0 / ra + 1.0 / rb);
+                carrying += 1;
+                let loads = loads(contact);
+                for (mode, count) in at.iter_mut().enumerate() {
+                    let unit = if mode == 0 { bound } else { lever };
+                    *count += usize::from(loads[mode] >= AT_THRESHOLD * friction[mode] * unit);
+                }
+            }
+        }
+        found.coordination = histogram(&counts);
+        let mean = |sum: f64, count: usize| if count > 0 { sum / count as f64 } else { 0.0 };
+        found.compression[0] = mean(sums[0], found.signs[0]);
+        found.tension[0] = mean(sums[1], found.signs[1]);
+        found.at_threshold = [0, 1, 2]
+            .map(|mode: usize| (friction[mode] > 0.0).then(|| mean(at[mode] as f64, carrying)));
+        found
+    }
+
+    /// Mean number of contacts of a sphere, walls included.
+    pub fn mean_coordination(&self) -> f64 {
+        let spheres: usize = self.coordination.iter().sum();
+        let ends: usize = self
+            .coordination
+            .iter()
+            .enumerate()
+            .map(|(n, k)| n * k)
+            .sum();
+        ends as f64 / spheres as f64
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        let pair = |[mean, most]: [f64; 2], count: usize| {
+            let mut map = Map::new();
+            map.insert("contacts".into(), count.into());
+            map.insert("mean".into(), json_number(mean));
+            map.insert("largest".into(), json_number(most));
+            Value::Object(map)
+        };
+        let mut map = Map::new();
+        map.insert("wall_contacts".into(), self.wall_contacts.into());
+        map.insert(
+            "mean_coordination".into(),
+            json_number(self.mean_coordination()),
+        );
+        map.insert("coordination".into(), self.coordination.clone().into());
+        map.insert("compression".into(), pair(self.compression, self.signs[0]));
+        map.insert("tension".into(), pair(self.tension, self.signs[1]));
+        let mut shares = Map::new();
+        for (name, share) in ["sliding", "rolling", "torsion"]
+            .iter()
+            .zip(self.at_threshold)
+        {
+            shares.insert((*name).into(), share.map_or(Value::Null, json_number));
+        }
+        map.insert("at_threshold".into(), Value::Object(shares));
+        Value::Object(map)
+    }
+}
+
+/// Sliding force, rolling torque, torsion torque.
+fn loads(contact: &ContactRow) -> [f64; 3] {
+    let across = |v: &Vector3<f64>| (v - contact.normal * v.dot(&contact.normal)).norm();
+    [
+        across(&contact.force),
+        across(&contact.torque),
+        contact.torque.dot(&contact.normal).abs(),
+    ]
+}
+
+/// How many spheres have 0, 1, 2, … contacts.
+fn histogram(counts: &[usize]) -> Vec<usize> {
+    let most = counts.iter().copied().max().unwrap_or(0);
+    let mut histogram = vec![0; most + 1];
+    for &count in counts {
+        histogram[count] += 1;
+    }
+    histogram
+}

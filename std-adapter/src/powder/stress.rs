@@ -1,0 +1,52 @@
+//! The stress that contacts carry (thesis, eq. 4.10).
+
+use crate::record::ContactRow;
+use nalgebra::{Matrix3, Vector3};
+
+/// Stress tensor, positive for compression. *Units*: force over area.
+///
+/// *Formula*: σ_ij = Σ F_i l_j/V over all contacts, F the force on the second body, l from the first
+/// centre to the second, or straight to the wall: the sign of the thesis turned, so that the piston's
+/// pressure counts as positive. With wall contacts in the sum, σ_zz is the pressure on the piston
+/// wherever all forces balance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stress {
+    /// Share of contacts whose normal force pushes.
+    pub plus: Matrix3<f64>,
+    /// Share of contacts whose normal force pulls.
+    pub minus: Matrix3<f64>,
+}
+
+impl Stress {
+    /// Stress in a volume; `branch` is the vector l of a contact.
+    pub fn of(
+        contacts: &[ContactRow],
+        branch: impl Fn(&ContactRow) -> Vector3<f64>,
+        volume: f64,
+    ) -> Self {
+        let mut stress = Self::default();
+        for contact in contacts {
+            let share = contact.force * branch(contact).transpose() / volume;
+            if contact.normal_force() < 0.0 {
+                stress.minus += share;
+            } else {
+                stress.plus += share;
+            }
+        }
+        stress
+    }
+
+    /// Both shares.
+    pub fn total(&self) -> Matrix3<f64> {
+        self.plus + self.minus
+    }
+
+    /// `self` + `factor` · `other`
+    #[must_use]
+    pub fn plus_scaled(&self, factor: f64, other: &Self) -> Self {
+        Self {
+            plus: self.plus + other.plus * factor,
+            minus: self.minus + other.minus * factor,
+        }
+    }
+}

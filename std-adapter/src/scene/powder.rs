@@ -1,0 +1,470 @@
+//! The scene of a cohesive powder under a piston (thesis, section 4.5).
+
+use super::body::BODY;
+use super::entries::Entries;
+use super::key::{Domain, Key, Reader};
+use super::planar::Taker;
+use super::problem::Problem;
+use super::slider::key;
+use crate::cd::{Method, Order, Pace, Solver, Stop};
+use crate::powder::deposit::{Ballistic, Until};
+use serde_json::{Map, Value};
+use tribos_core::contact::Attraction;
+
+/// What spheres do at substrate and piston.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WallLaw {
+    /// The law of spheres.
+    Full,
+    /// Cohesion without friction.
+    Smooth,
+    /// Neither.
+    Bare,
+}
+
+/// When a packing counts as blocked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Criterion {
+    /// Forces balance and the piston stands.
+    Balance,
+    /// The piston stands (thesis, section 4.5).
+    Piston,
+}
+
+/// A validated scene. *Units*: lengths in mean radii R of the spheres, forces in F_coh, the density
+/// of the spheres is 1: times are in √(ρR⁴/F_coh).
+#[derive(Clone, Debug)]
+pub struct PowderScene {
+    /// How the deposit grows.
+    pub ballistic: Ballistic,
+    /// Side of the square base.
+    pub width: f64,
+    /// Where it ends.
+    pub until: Until,
+    /// Seed of the deposit.
+    pub seed: u64,
+    /// μ, μ_t and μ_n between spheres.
+    pub friction: [f64; 3],
+    /// On the piston, in F_coh/R².
+    pub pressure: f64,
+    /// d_c
+    pub cohesion_range: f64,
+    /// What cohesion does within its range.
+    pub attraction: Attraction,
+    /// Newton's coefficient.
+    pub restitution: f64,
+    /// What spheres do at the walls.
+    pub wall: WallLaw,
+    /// Mass of the piston, in ρR³.
+    pub piston_mass: f64,
+    /// How contacts are solved.
+    pub solver: Solver,
+    /// Bounds of the time step.
+    pub pace: Pace,
+    /// Speed below which spheres that nothing disturbs are left alone.
+    pub still_speed: f64,
+    /// When the packing counts as blocked.
+    pub blocked: Criterion,
+    /// Most steps.
+    pub steps: u64,
+    /// End of the run, if it is not blocked before.
+    pub duration: Option<f64>,
+    /// Steps from one line of the series to the next.
+    pub samples: u64,
+    values: Map<String, Value>,
+}
+
+const WIDTH: Key = key(
+    "width",
+    "R",
+    "side of the square base, periodic in x and y",
+    Domain::Positive,
+);
+const HEIGHT: Key = key(
+    "height",
+    "R",
+    "cut of the deposit, where the piston starts; or give `count`",
+    Domain::Positive,
+);
+const COUNT: Key = key(
+    "count",
+    "-",
+    "number of spheres, in place of `height`",
+    Domain::Count { up_to: 1e6 },
+);
+const CAPTURE: Key = key(
+    "capture_radius",
+    "R",
+    "distance of centres at which a falling sphere is captured (default 3)",
+    Domain::Positive,
+);
+const SPREAD: Key = key(
+    "radius_spread",
+    "R",
+    "radii uniform from 1 - spread to 1 + spread (default 0)",
+    Domain::NotNegative,
+);
+const SEED: Key = key(
+    "seed",
+    "-",
+    "of the deposit's random numbers (default 1)",
+    // What f64 counts.
+    Domain::Count {
+        up_to: 9_007_199_254_740_992.0,
+    },
+);
+const SLIDING: Key = key(
+    "sliding",
+    "-",
+    "mu: sliding force over P = F_n + F_coh (default 0.3)",
+    Domain::NotNegative,
+);
+const ROLLING: Key = key(
+    "rolling",
+    "-",
+    "mu_t: rolling torque over P r_eff (default 0)",
+    Domain::NotNegative,
+);
+const TORSION: Key = key(
+    "torsion",
+    "-",
+    "mu_n: torsion torque over P r_eff (default 0)",
+    Domain::NotNegative,
+);
+const PRESSURE: Key = key(
+    "pressure",
+    "F_coh/R^2",
+    "on the piston (default 0.0025)",
+    Domain::Positive,
+);
+const RANGE: Key = key(
+    "cohesion_range",
+    "R",
+    "d_c: cohesion acts up to this gap (default 0.01)",
+    Domain::NotNegative,
+);
+const ATTRACTION: Key = key(
+    "attraction",
+    "-",
+    "cohesion at a gap: a constant pull, or a resistance to opening (default pull)",
+    Domain::OneOf(&["pull", "resistance"]),
+);
+const RESTITUTION: Key = key(
+    "restitution",
+    "-",
+    "speed after an impact over speed before (default 0)",
+    Domain::Fraction,
+);
+const WALL: Key = key(
+    "wall",
+    "-",
+    "substrate and piston: law of spheres, cohesion only, neither (default full)",
+    Domain::OneOf(&["full", "smooth", "none"]),
+);
+const MASS: Key = key(
+    "piston_mass",
+    "rho R^3",
+    "mass of the piston (default 1000)",
+    Domain::Positive,
+);
+const SOLVER: Key = key(
+    "solver",
+    "-",
+    "method for the contacts of a step (default accelerated)",
+    Domain::OneOf(&["accelerated", "gauss-seidel"]),
+);
+const ORDER: Key = key(
+    "order",
+    "-",
+    "gauss-seidel: order of the contacts in a sweep (default alternating)",
+    Domain::OneOf(&["alternating", "fixed", "random"]),
+);
+const STOP: Key = key(
+    "stop",
+    "-",
+    "gauss-seidel: after `sweeps`, or by change of any or of all contacts (default global)",
+    Domain::OneOf(&["global", "local", "fixed"]),
+);
+const TOLERANCE: Key = key(
+    "tolerance",
+    "-",
+    "change of a sweep, relative to P, at which sweeps stop (default 1e-4)",
+    Domain::Between {
+        above: 0.0,
+        up_to: 1.0,
+    },
+);
+const SWEEPS: Key = key(
+    "sweeps",
+    "-",
+    "N_I: most sweeps a step; all of them with stop = \"fixed\" (default 1000)",
+    Domain::Count { up_to: 1e6 },
+);
+const WARM_START: Key = key(
+    "warm_start",
+    "-",
+    "whether a step starts from the forces of the last one (default on)",
+    Domain::OneOf(&["on", "off"]),
+);
+const MOTION: Key = key(
+    "motion",
+    "R",
+    "farthest that a sphere may move in a step (default 0.05)",
+    Domain::Between {
+        above: 0.0,
+        up_to: 0.5,
+    },
+);
+const TIME_STEP: Key = key(
+    "time_step",
+    "sqrt(rho R^4/F_coh)",
+    "longest step (default 0.2)",
+    Domain::Positive,
+);
+const STILL: Key = key(
+    "still_speed",
+    "sqrt(F_coh/rho)/R",
+    "slower groups that nothing touches are left alone (default 1e-7; 0 never)",
+    Domain::NotNegative,
+);
+const BLOCKED: Key = key(
+    "blocked",
+    "-",
+    "the end: forces balance and the piston stands, or it stands (default balance)",
+    Domain::OneOf(&["balance", "piston"]),
+);
+const STEPS: Key = key(
+    "steps",
+    "-",
+    "end of the run if it is not blocked before (default 200000)",
+    Domain::Count { up_to: 1e9 },
+);
+const DURATION: Key = key(
+    "duration",
+    "sqrt(rho R^4/F_coh)",
+    "the same as a time (default: none)",
+    Domain::Positive,
+);
+const SAMPLES: Key = key(
+    "samples",
+    "-",
+    "steps from one line of the series to the next (default 20)",
+    Domain::Count { up_to: 1e9 },
+);
+
+/// Distance of centres at which a sphere is captured (thesis, section 4.5).
+const CAPTURE_RADIUS: f64 = 3.0;
+/// Friction between spheres (thesis, section 4.6).
+const SLIDING_COEFFICIENT: f64 = 0.3;
+/// Pressure on the piston and its mass (thesis, section 4.5).
+const THESIS_PRESSURE: f64 = 1.0 / 400.0;
+const THESIS_MASS: f64 = 1000.0;
+/// Van der Waals attraction, F = A R/(12 D²) beyond the closest distance D₀ = 0.165 nm
+/// (Israelachvili, Intermolecular and Surface Forces), takes the work F(D₀) D₀ to break: d_c is D₀.
+/// A hundredth of R belongs to spheres of 16 nm, a nano-powder.
+const NANO_RANGE: f64 = 1e-2;
+/// A tenfold smaller or larger tolerance leaves the final porosity as it is.
+const SWEEP_TOLERANCE: f64 = 1e-4;
+/// A bound for steps in which the tolerance is out of reach.
+const MOST_SWEEPS: f64 = 1000.0;
+/// A twentieth of a radius keeps the angle by which a normal turns in a step small.
+const STEP_MOTION: f64 = 0.05;
+/// Longest step: the pressure moves the piston by 10⁻⁵ R in it from rest.
+const LONGEST: f64 = 0.2;
+/// A speed with which a sphere would cross a hundredth of its radius in 10⁵ units of time.
+const STILL_SPEED: f64 = 1e-7;
+/// Runs of the thesis' systems block within some thousand steps.
+const MOST_STEPS: f64 = 200_000.0;
+/// Some hundred lines a run.
+const SAMPLE_STEPS: f64 = 20.0;
+/// Seed unless one is given.
+const FIRST_SEED: f64 = 1.0;
+/// Stream of random orders of sweeps: another seed than the deposit's is of no use.
+const ORDER_SEED: u64 = 1;
+
+impl PowderScene {
+    /// The vocabulary, in the order of the documentation.
+    pub const KEYS: &'static [Key] = &[
+        BODY,
+        WIDTH,
+        HEIGHT,
+        COUNT,
+        CAPTURE,
+        SPREAD,
+        SEED,
+        SLIDING,
+        ROLLING,
+        TORSION,
+        PRESSURE,
+        RANGE,
+        ATTRACTION,
+        RESTITUTION,
+        WALL,
+        MASS,
+        SOLVER,
+        ORDER,
+        STOP,
+        TOLERANCE,
+        SWEEPS,
+        WARM_START,
+        MOTION,
+        TIME_STEP,
+        STILL,
+        BLOCKED,
+        STEPS,
+        DURATION,
+        SAMPLES,
+    ];
+
+    pub(super) fn from_entries(
+        entries: Entries,
+        problems: Vec<Problem>,
+    ) -> Result<Self, Vec<Problem>> {
+        let mut take = Taker {
+            reader: Reader::new(Self::KEYS, entries, problems),
+            values: Map::new(),
+        };
+        take.word(BODY);
+        let width = take.required(WIDTH);
+        let until = until(&mut take);
+        let ballistic = ballistic(&mut take, width);
+        let seed = take.or(SEED, FIRST_SEED) as u64;
+        let friction = [
+            take.or(SLIDING, SLIDING_COEFFICIENT),
+            take.or(ROLLING, 0.0),
+            take.or(TORSION, 0.0),
+        ];
+        let pressure = take.or(PRESSURE, THESIS_PRESSURE);
+        let cohesion_range = take.or(RANGE, NANO_RANGE);
+        let attraction = [Attraction::Pull, Attraction::Resistance][take.word(ATTRACTION).min(1)];
+        let restitution = take.or(RESTITUTION, 0.0);
+        let wall = [WallLaw::Full, WallLaw::Smooth, WallLaw::Bare][take.word(WALL).min(2)];
+        let piston_mass = take.or(MASS, THESIS_MASS);
+        let solver = solver(&mut take);
+        let pace = Pace {
+            motion: take.or(MOTION, STEP_MOTION),
+            longest: take.or(TIME_STEP, LONGEST),
+        };
+        let still_speed = take.or(STILL, STILL_SPEED);
+        let blocked = [Criterion::Balance, Criterion::Piston][take.word(BLOCKED).min(1)];
+        let steps = take.or(STEPS, MOST_STEPS) as u64;
+        let duration = take.optional(DURATION);
+        let samples = take.or(SAMPLES, SAMPLE_STEPS) as u64;
+        let Some(ballistic) = ballistic else {
+            // A problem is noted; the scene in hand is never given out.
+            return take.reader.finish(()).and(Err(Vec::new()));
+        };
+        take.reader.finish(Self {
+            ballistic,
+            width,
+            until,
+            seed,
+            friction,
+            pressure,
+            cohesion_range,
+            attraction,
+            restitution,
+            wall,
+            piston_mass,
+            solver,
+            pace,
+            still_speed,
+            blocked,
+            steps,
+            duration,
+            samples,
+            values: take.values,
+        })
+    }
+
+    /// The scene with everything that was left to defaults, as JSON.
+    pub fn json(&self) -> Value {
+        Value::Object(self.values.clone())
+    }
+
+    /// Force on the piston.
+    pub fn load(&self) -> f64 {
+        self.pressure * self.width * self.width
+    }
+}
+
+/// One of height and count.
+fn until(take: &mut Taker) -> Until {
+    let (height, count) = (take.optional(HEIGHT), take.optional(COUNT));
+    let given = [HEIGHT, COUNT].map(|key| take.reader.is_given(key.name));
+    match given {
+        [true, true] => {
+            let message = "give `height` or `count`, not both";
+            take.reader.object(COUNT.name, message.into());
+        }
+        [false, false] => {
+            let message = "`height` is missing: the cut of the deposit [R]; or give `count`";
+            take.reader.object(HEIGHT.name, message.into());
+        }
+        _ => {}
+    }
+    match count {
+        Some(count) => Until::Count(count as usize),
+        None => Until::Cut(height.unwrap_or(f64::NAN)),
+    }
+}
+
+/// The deposit's law, if width, capture radius and spread fit together.
+fn ballistic(take: &mut Taker, width: f64) -> Option<Ballistic> {
+    let capture = take.or(CAPTURE, CAPTURE_RADIUS);
+    let spread = take.or(SPREAD, 0.0);
+    if spread >= 1.0 {
+        let message = format!("`radius_spread` must be less than 1, not {spread}");
+        take.reader.object(SPREAD.name, message);
+        return None;
+    }
+    if width.is_nan() {
+        return None;
+    }
+    match Ballistic::uneven(width, [1.0 - spread, 1.0 + spread], capture) {
+        Ok(ballistic) => Some(ballistic),
+        Err(error) => {
+            let given = [CAPTURE, WIDTH].map(|key| take.reader.is_given(key.name));
+            let name = if given[0] { CAPTURE.name } else { WIDTH.name };
+            take.reader.object(name, error.to_string());
+            None
+        }
+    }
+}
+
+/// The method and its rules.
+fn solver(take: &mut Taker) -> Solver {
+    let is_classical = take.word(SOLVER) == 1;
+    let (order, stop) = (take.word(ORDER), take.word(STOP));
+    if !is_classical {
+        for key in [ORDER, STOP] {
+            if take.reader.is_given(key.name) {
+                let message = format!(
+                    "`{}` is for solver \"gauss-seidel\" only; leave it out",
+                    key.name
+                );
+                take.reader.object(key.name, message);
+            }
+        }
+    }
+    let is_fixed = is_classical && stop == 2;
+    if is_fixed && take.reader.is_given(TOLERANCE.name) {
+        let message = "`tolerance` is not used with stop = \"fixed\"; leave it out";
+        take.reader.object(TOLERANCE.name, message.into());
+    }
+    let tolerance = take.or(TOLERANCE, SWEEP_TOLERANCE);
+    let method = if is_classical {
+        let random = Order::Random { seed: ORDER_SEED };
+        Method::GaussSeidel {
+            order: [Order::Alternating, Order::Fixed, random][order.min(2)],
+            stop: [Stop::Global(tolerance), Stop::Local(tolerance), Stop::Fixed][stop.min(2)],
+        }
+    } else {
+        Method::Accelerated { tolerance }
+    };
+    Solver {
+        method,
+        most_sweeps: take.or(SWEEPS, MOST_SWEEPS) as usize,
+        warm_start: take.word(WARM_START) == 0,
+    }
+}
