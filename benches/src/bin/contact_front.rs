@@ -97,7 +97,7 @@ fn time_updates(options: &Options) -> Result<String, String> {
     let sheet = updates::sheet(&costs, rounds, COMMAND);
     written::write(&options.out, "contact_updates.csv", &sheet.csv())?;
     let peers = Sheet {
-        about: "Figures of another machine of the same kind, one core:".into(),
+        about: "Figures of another machine of the same kind:".into(),
         header: vec!["program", "contact", "speed"],
         rows: PEERS.map(|row| row.map(String::from).to_vec()).to_vec(),
     };

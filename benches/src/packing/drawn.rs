@@ -12,11 +12,14 @@ const PANEL: (u32, u32) = (640, 460);
 /// Residual whose work is drawn against size.
 const TARGET: f64 = 1e-6;
 
+/// Reads sweeps or time.
+type Cost = fn(&Work) -> f64;
+
 /// Residual against sweeps and against time, a row a problem; plain sweeps after fixed numbers.
 pub fn residuals(folder: &Path, rungs: &[Rung]) -> Result<(), String> {
     let mut problems: Vec<_> = rungs.iter().map(|rung| rung.problem).collect();
     problems.dedup();
-    let costs: [(&str, fn(&Work) -> f64); 2] = [
+    let costs: [(&str, Cost); 2] = [
         ("sweeps", |work| work.sweeps as f64),
         ("time [ms]", |work| 1e3 * work.seconds),
     ];
