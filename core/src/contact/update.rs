@@ -111,8 +111,15 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
         }
     }
 
+    /// Sets the impulse without telling the bodies, for one that lies across the normal already.
+    #[inline(always)]
+    pub fn set_impulse_in_plane(&mut self, impulse: &Modal<R, M>) {
+        self.impulse = *impulse;
+    }
+
     /// The nearest impulse that cohesion and friction admit, without telling the bodies: for
     /// guesses, such as those of the last step.
+    #[inline]
     pub fn admit<F: ContactFriction<R, Modes = M>>(&mut self, friction: &F) {
         if self.impulse.normal < -self.step.cohesion {
             self.impulse.normal = -self.step.cohesion;

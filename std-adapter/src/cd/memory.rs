@@ -1,6 +1,5 @@
 //! Impulses of the last step, as a first guess for the next.
 
-use super::operator::Operator;
 use super::spheres::{Link, Spheres};
 use tribos_core::contact::{ContactFriction, Modal, Modes};
 
@@ -25,28 +24,9 @@ impl<M: Modes<f64>> Default for Memory<M> {
 impl<M: Modes<f64>> Memory<M> {
     /// Gives contacts that were there before the force that they had.
     pub fn recall<F: ContactFriction<f64, Modes = M>>(&self, problem: &mut Spheres<F>, dt: f64) {
-        let pairs = problem.pairs.len();
-        for (forces, start) in [(&self.forces[0], 0), (&self.forces[1], pairs)] {
-            let mut old = forces.iter().peekable();
-            let links = if start == 0 {
-                &problem.pairs
-            } else {
-                &problem.walls
-            };
-            let found: Vec<_> = links
-                .iter()
-                .map(|link| {
-                    while old.next_if(|(bodies, _)| *bodies < link.bodies).is_some() {}
-                    old.next_if(|(bodies, _)| *bodies == link.bodies)
-                })
-                .collect();
-            for (index, force) in found.into_iter().enumerate() {
-                if let Some((_, force)) = force {
-                    let impulse = Modal::default().plus_scaled(dt, force);
-                    problem.guess(start + index, &impulse);
-                }
-            }
-        }
+        let [pair, wall] = problem.friction;
+        recall(&self.forces[0], &mut problem.pairs, &pair, dt);
+        recall(&self.forces[1], &mut problem.walls, &wall, dt);
     }
 
     /// Remembers the forces of this step, and those between bodies that slept through it.
@@ -69,6 +49,25 @@ impl<M: Modes<f64>> Memory<M> {
         // Sleepers and others, each in order: nearly sorted.
         for forces in [pairs, walls] {
             forces.sort_by_key(|(bodies, _)| *bodies);
+        }
+    }
+}
+
+/// Finds the old forces of links; both are in ascending order of their bodies.
+fn recall<M: Modes<f64>, F: ContactFriction<f64, Modes = M>>(
+    forces: &[Kept<M>],
+    links: &mut [Link<M>],
+    friction: &F,
+    dt: f64,
+) {
+    let mut old = forces.iter().peekable();
+    for link in links {
+        while old.next_if(|(bodies, _)| *bodies < link.bodies).is_some() {}
+        if let Some((_, force)) = old.next_if(|(bodies, _)| *bodies == link.bodies) {
+            // The normal has turned since.
+            link.contact
+                .set_impulse(&Modal::default().plus_scaled(dt, force));
+            link.contact.admit(friction);
         }
     }
 }

@@ -8,6 +8,7 @@ mod memory;
 mod nsgs;
 mod operator;
 mod residual;
+mod schedule;
 mod setup;
 mod solver;
 mod spheres;

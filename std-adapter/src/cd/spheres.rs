@@ -1,6 +1,7 @@
 //! Spheres and plates in contact, as an operator.
 
 use super::operator::{Impulse, Operator, Visit, Watch};
+use super::schedule::Schedule;
 use tribos_core::contact::{Contact, ContactFriction, Modal, Modes, Plate, Sphere};
 
 impl<M: Modes<f64>> Impulse for Modal<f64, M> {
@@ -36,6 +37,7 @@ pub struct Spheres<F: ContactFriction<f64>> {
     pub walls: Vec<Link<F::Modes>>,
     /// Friction between spheres, and at plates.
     pub friction: [F; 2],
+    schedule: Schedule,
 }
 
 impl<F: ContactFriction<f64>> Spheres<F> {
@@ -48,11 +50,14 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             pairs: Vec::new(),
             walls: Vec::new(),
             friction,
+            schedule: Schedule::default(),
         }
     }
 
-    /// Brings the velocities in line with new bodies, contacts and guesses.
+    /// Puts the pairs in the order in which they are swept, and brings the velocities in line with
+    /// new bodies, contacts and guesses.
     pub fn start(&mut self) {
+        self.schedule.arrange(self.free.0.len(), &mut self.pairs);
         self.spheres.clone_from(&self.free.0);
         self.plates.clone_from(&self.free.1);
         self.refresh();
@@ -134,7 +139,7 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
             None => (self.walls.get_mut(walls), &self.friction[1]),
         };
         if let Some(link) = link {
-            link.contact.set_impulse(impulse);
+            link.contact.set_impulse_in_plane(impulse);
             link.contact.admit(friction);
         }
     }

@@ -1,0 +1,80 @@
+//! In which order the pairs of a packing are visited.
+//!
+//! Spheres are cut into blocks of neighbouring numbers. Pairs inside a block come block by block, so
+//! that blocks can be swept side by side; pairs across blocks come last. Within each of these groups
+//! pairs are sorted by colours, such that no sphere has two pairs of a colour: consecutive updates
+//! then do not wait for each other's velocities. The order depends on the contacts alone, never on
+//! the number of threads.
+
+use super::spheres::Link;
+use std::ops::Range;
+use tribos_core::contact::Modes;
+
+/// Spheres of a block: a few hundred kilobytes with their contacts, what a core's own cache holds.
+const BLOCK: usize = 1024;
+
+/// A block of spheres and the pairs inside.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Block {
+    /// Numbers of the spheres.
+    pub spheres: Range<usize>,
+    /// Places of the pairs.
+    pub pairs: Range<usize>,
+}
+
+/// The order of visits.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Schedule {
+    /// Blocks in order.
+    pub blocks: Vec<Block>,
+    /// Group and colour of each pair, and where it goes.
+    keys: Vec<(u32, u32, u32)>,
+    /// Colours that each sphere has, group by group.
+    taken: Vec<u64>,
+}
+
+impl Schedule {
+    /// Sorts the pairs.
+    pub fn arrange<M: Modes<f64>>(&mut self, spheres: usize, pairs: &mut Vec<Link<M>>) {
+        let count = spheres.div_ceil(BLOCK).max(1);
+        let across = count as u32;
+        let block = |sphere: u32| sphere / BLOCK as u32;
+        self.keys.clear();
+        for (index, link) in pairs.iter().enumerate() {
+            let [a, b] = link.bodies.map(block);
+            let group = if a == b { a } else { across };
+            self.keys.push((group, 0, index as u32));
+        }
+        self.colour(spheres, across, pairs);
+        self.keys.sort_unstable();
+        let sorted: Vec<_> = self.keys.iter().map(|key| pairs[key.2 as usize]).collect();
+        *pairs = sorted;
+
+        let mut start = 0;
+        self.blocks.clear();
+        for group in 0..count {
+            let length = self.keys[start..].partition_point(|key| key.0 <= group as u32);
+            self.blocks.push(Block {
+                spheres: group * BLOCK..((group + 1) * BLOCK).min(spheres),
+                pairs: start..start + length,
+            });
+            start += length;
+        }
+    }
+
+    /// Gives each pair the first colour that neither of its spheres has yet, inside and across
+    /// blocks apart. Spheres with very many contacts share the last colour.
+    fn colour<M: Modes<f64>>(&mut self, spheres: usize, across: u32, pairs: &[Link<M>]) {
+        self.taken.clear();
+        self.taken.resize(2 * spheres, 0);
+        for (key, link) in self.keys.iter_mut().zip(pairs) {
+            let apart = if key.0 == across { spheres } else { 0 };
+            let [a, b] = link.bodies.map(|body| body as usize + apart);
+            let free = (self.taken[a] | self.taken[b]).trailing_ones();
+            let colour = free.min(u64::BITS - 1);
+            self.taken[a] |= 1 << colour;
+            self.taken[b] |= 1 << colour;
+            key.1 = colour;
+        }
+    }
+}
