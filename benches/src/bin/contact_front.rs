@@ -1,17 +1,45 @@
-//! Contact dynamics: cost of an update, work against residual, work against size.
+//! Contact dynamics: cost of an update, residual against work, work against size.
 //!
 //! `cargo run --release -p tribos-benches --bin contact_front -- [--out DIR] [--quick]
-//! [--only PART]` writes a CSV for every part and `contact_front.md` for all of them to DIR
-//! (default: docs/front). Parts: `updates`.
+//! [--only PART]` writes tables and pictures of every part, and `contact_front.md` with all of them,
+//! to DIR (default: docs/front). Parts: `updates`, `residual`, `scaling`; one alone leaves
+//! `contact_front.md` as it is.
 
+use std::fmt::Write as _;
 use std::process::ExitCode;
 use tribos_benches::args::Options;
-use tribos_benches::packing::updates::{self, Cost};
-use tribos_benches::written::{self, Sheet, short};
+use tribos_benches::packing::scaling::Extent;
+use tribos_benches::packing::{drawn, ladder, scaling, updates};
+use tribos_benches::written::{self, Sheet};
 
 /// Rounds of all updates, and of a quick look.
 const ROUNDS: usize = 101;
 const QUICK_ROUNDS: usize = 15;
+/// Most sweeps of a method on the jammed box, and in a quick look.
+const MOST_SWEEPS: usize = 10_000;
+const QUICK_SWEEPS: usize = 1000;
+
+const COMMAND: &str = "by `cargo run --release -p tribos-benches --bin contact_front`";
+
+/// What others report for a contact update or a step of contacts.
+const PEERS: [[&str; 3]; 4] = [
+    [
+        "single-file C++ program, Gauss-Seidel",
+        "sliding",
+        "about 50 million updates/s",
+    ],
+    [
+        "YADE",
+        "sliding, rolling, torsion (springs)",
+        "2 to 3.3 million/s",
+    ],
+    [
+        "LIGGGHTS",
+        "sliding, rolling, torsion (springs)",
+        "18 million/s",
+    ],
+    ["Chrono NSC", "470 spheres, 100 sweeps", "6 to 9 ms a step"],
+];
 
 fn main() -> ExitCode {
     match arguments().and_then(|(options, only)| run(&options, only.as_deref())) {
@@ -34,54 +62,97 @@ fn arguments() -> Result<(Options, Option<String>), String> {
     Ok((Options::read(words.into_iter())?, only))
 }
 
+/// A part: writes its files and returns its tables under a heading.
+type Part = fn(&Options) -> Result<String, String>;
+
 fn run(options: &Options, only: Option<&str>) -> Result<(), String> {
-    match only {
-        None | Some("updates") => {}
-        Some(other) => return Err(format!("unknown part {other}; known: updates")),
+    let parts: [(&str, Part); 3] = [
+        ("updates", time_updates),
+        ("residual", climb_ladders),
+        ("scaling", grow),
+    ];
+    let wanted = |name: &str| only.is_none_or(|only| only == name);
+    if !parts.iter().any(|(name, _)| wanted(name)) {
+        let names = parts.map(|(name, _)| name).join(", ");
+        return Err(format!("unknown part; known: {names}"));
     }
-    let rounds = if options.quick { QUICK_ROUNDS } else { ROUNDS };
-    let costs = updates::measure(rounds).map_err(|error| error.to_string())?;
-    let sheet = updates_sheet(&costs, rounds);
-    written::write(&options.out, "contact_updates.csv", &sheet.csv())?;
-    print!("{}", sheet.markdown());
+    let mut page = String::from("# Contacts of packings: speed, residual, size\n");
+    for (name, part) in parts {
+        if wanted(name) {
+            let text = part(options)?;
+            println!("{text}");
+            let _ = write!(page, "\n{text}");
+        }
+    }
+    if only.is_none() {
+        written::write(&options.out, "contact_front.md", &page)?;
+    }
     Ok(())
 }
 
-/// Updates a second, and what a contact costs beside one with all modes.
-fn updates_sheet(costs: &[Cost], rounds: usize) -> Sheet {
-    let cells = |cost: &Cost| {
-        let full = costs.iter().find(|other| other.state == cost.state);
-        let of_full = full.map_or(f64::NAN, |full| cost.seconds / full.seconds);
-        let bytes = full.map_or(f64::NAN, |full| cost.bytes as f64 / full.bytes as f64);
-        vec![
-            cost.modes.into(),
-            cost.state.replace(", ", " "),
-            cost.unknowns.to_string(),
-            cost.contacts.to_string(),
-            short(1e9 * cost.seconds),
-            short(1e-6 / cost.seconds),
-            short(of_full),
-            cost.bytes.to_string(),
-            short(bytes),
-        ]
+/// Updates a second for every set of modes, beside the figures of others.
+fn time_updates(options: &Options) -> Result<String, String> {
+    let rounds = if options.quick { QUICK_ROUNDS } else { ROUNDS };
+    let costs = updates::measure(rounds).map_err(|error| error.to_string())?;
+    let sheet = updates::sheet(&costs, rounds, COMMAND);
+    written::write(&options.out, "contact_updates.csv", &sheet.csv())?;
+    let peers = Sheet {
+        about: "Figures of another machine of the same kind:".into(),
+        header: vec!["program", "contact", "speed"],
+        rows: PEERS.map(|row| row.map(String::from).to_vec()).to_vec(),
     };
-    Sheet {
-        about: format!(
-            "Contact updates on one core: sweeps over a jammed box of 1,000 spheres under load \
-             without a watch, median of {rounds} interleaved rounds; by `cargo run --release -p \
-             tribos-benches --bin contact_front -- --only updates`"
-        ),
-        header: vec![
-            "modes",
-            "state",
-            "unknowns",
-            "contacts",
-            "ns per update",
-            "million/s",
-            "time of all six",
-            "bytes",
-            "bytes of all six",
-        ],
-        rows: costs.iter().map(cells).collect(),
-    }
+    Ok(format!(
+        "## Updates\n\n{}\n{}",
+        sheet.markdown(),
+        peers.markdown()
+    ))
+}
+
+/// Residual against work for all methods and rules.
+fn climb_ladders(options: &Options) -> Result<String, String> {
+    let most = if options.quick {
+        QUICK_SWEEPS
+    } else {
+        MOST_SWEEPS
+    };
+    let (rungs, contests) = ladder::measure(most).map_err(|error| error.to_string())?;
+    let all = ladder::rungs_sheet(&rungs, COMMAND);
+    written::write(&options.out, "contact_residual.csv", &all.csv())?;
+    let sheet = ladder::contest_sheet(&contests, COMMAND);
+    written::write(&options.out, "contact_contest.csv", &sheet.csv())?;
+    drawn::residuals(&options.out, &rungs)?;
+    Ok(format!(
+        "## Residual against work\n\n{}\n![Residual against sweeps and time](contact_residual.svg)\
+         \n\nAll rules and levels: [contact_residual.csv](contact_residual.csv).\n",
+        sheet.markdown()
+    ))
+}
+
+/// Sweeps against size.
+fn grow(options: &Options) -> Result<String, String> {
+    let extent = if options.quick {
+        Extent {
+            chains: vec![12, 25, 50, 100],
+            towers: vec![250, 500, 1000],
+            cubes: vec![500, 1000, 2000],
+            updates: 1e8,
+        }
+    } else {
+        Extent {
+            chains: vec![12, 25, 50, 100, 200, 400, 800, 1600, 3200],
+            towers: vec![250, 500, 1000, 2000, 4000],
+            cubes: vec![500, 1600, 5000, 16_000, 50_000],
+            updates: 2e9,
+        }
+    };
+    let points = scaling::measure(&extent).map_err(|error| error.to_string())?;
+    let all = scaling::points_sheet(&points, COMMAND);
+    written::write(&options.out, "contact_scaling.csv", &all.csv())?;
+    let laws = scaling::laws_sheet(&scaling::laws(&points), COMMAND);
+    drawn::sizes(&options.out, &points)?;
+    Ok(format!(
+        "## Work against size\n\n{}\n{}\n![Sweeps against size](contact_scaling.svg)\n",
+        laws.markdown(),
+        all.markdown()
+    ))
 }

@@ -6,7 +6,7 @@ use tribos::space::pairs::{Cells, NeighbourError};
 use tribos::space::{PeriodicBox, PeriodicBoxError};
 
 /// Solid fraction, above random close packing (0.64): contacts are more than forces can tell.
-const SOLID_FRACTION: f64 = 0.66;
+pub const SOLID_FRACTION: f64 = 0.66;
 /// Half width of the radii around 1, which keeps a quick compression from making a crystal.
 pub const UNEVEN: f64 = 0.1;
 /// Extra distance of listed neighbours, so that a list serves many steps.

@@ -1,5 +1,11 @@
-//! Contact problems of contact dynamics and what solvers make of them.
+//! Contact problems of packings, their solvers and what both cost.
 
+pub mod conjugate;
+pub mod drawn;
 pub mod jammed;
+pub mod ladder;
+pub mod powder;
 pub mod problems;
+pub mod scaling;
 pub mod updates;
+pub mod work;

@@ -1,15 +1,18 @@
-//! One step of contact dynamics for a packing under load, without impulses so far.
+//! One step of contact dynamics for packings under load, without impulses so far.
 
 use super::jammed::{Jammed, NotJammed};
 use nalgebra::Vector3;
-use tribos::cd::{Link, Spheres, solid};
+use tribos::cd::{Link, Operator, Spheres, solid};
+use tribos::space::PeriodicBox;
 use tribos::space::pairs::neighbours;
-use tribos_core::contact::{Cohesion, Contact, ContactFriction, NormalLaw, Plate, Touch};
+use tribos_core::contact::{Cohesion, Contact, ContactFriction, Modal, NormalLaw, Plate, Touch};
 
 /// Length of the step. Without cohesion and open gaps the problem scales with it.
 const STEP: f64 = 0.01;
 /// Load of the upper plate on an area R².
 const PRESSURE: f64 = 1.0;
+/// Gap at which surfaces count as touching: above rounding, nothing beside a motion.
+const TOUCHING: f64 = 1e-9;
 
 /// The step of a packing whose upper plate is pushed down; a plate as heavy as all spheres.
 pub fn pressed<F: ContactFriction<f64>>(
@@ -29,7 +32,7 @@ pub fn pressed<F: ContactFriction<f64>>(
     let area = space.lengths()[0].unwrap_or(1.0) * space.lengths()[1].unwrap_or(1.0);
 
     let refused = |error: tribos_core::contact::TouchError| NotJammed(error.to_string());
-    for [a, b] in neighbours(space, positions, radii, 0.0)? {
+    for [a, b] in neighbours(space, positions, radii, TOUCHING)? {
         let [i, j] = [a as usize, b as usize];
         let apart = space.displacement(&positions[i], &positions[j]);
         let touch = Touch::spheres(&apart, [radii[i], radii[j]]).map_err(refused)?;
@@ -53,7 +56,7 @@ pub fn pressed<F: ContactFriction<f64>>(
     for (i, (x, &radius)) in positions.iter().zip(radii).enumerate() {
         for (w, (outward, place, plate)) in planes.iter().enumerate() {
             let above = outward.dot(x) - place;
-            if above > radius {
+            if above - radius > TOUCHING {
                 continue;
             }
             let touch = Touch::plate(above, outward, radius).map_err(refused)?;
@@ -71,4 +74,23 @@ pub fn pressed<F: ContactFriction<f64>>(
     problem.free = (spheres, vec![still, falling]);
     problem.start();
     Ok(problem)
+}
+
+/// A chain of touching spheres that stands upright between the plates.
+pub fn chain(count: usize) -> Jammed {
+    let place = |index| Vector3::z() * (2.0 * index as f64 + 1.0);
+    Jammed {
+        space: PeriodicBox::OPEN,
+        positions: (0..count).map(place).collect(),
+        radii: vec![1.0; count],
+        height: 2.0 * count as f64,
+    }
+}
+
+/// Takes all impulses away.
+pub fn cool<F: ContactFriction<f64>>(problem: &mut Spheres<F>) {
+    for contact in 0..problem.contacts() {
+        problem.guess(contact, &Modal::default());
+    }
+    problem.refresh();
 }

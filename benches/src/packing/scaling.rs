@@ -1,0 +1,273 @@
+//! Sweeps to a residual against the size of a packing: diffusion of information, (L/d)² for plain
+//! sweeps (Unger and Kertész 2003), and waves, L/d, for accelerated ones.
+
+use super::jammed::{Jammed, NotJammed, UNEVEN, jammed};
+use super::problems::{chain, pressed};
+use super::work::{Method, Work, work_to};
+use crate::written::{Sheet, short};
+use tribos::cd::{Coefficients, Operator, Order, Spheres};
+use tribos_core::contact::{ContactFriction, Thresholds};
+use tribos_tests::packings::rough;
+
+/// Residuals to reach.
+const TARGETS: [f64; 2] = [1e-6, 1e-8];
+/// Plain and accelerated.
+pub const METHODS: [Method; 2] = [Method::GaussSeidel(Order::Fixed), Method::Accelerated];
+/// Width of a tower, in radii.
+const TOWER: f64 = 8.0;
+/// Width of a cube of `count` spheres, in radii: as high as wide.
+fn cube(count: usize) -> f64 {
+    (4.0 / 3.0 * std::f64::consts::PI * count as f64 / super::jammed::SOLID_FRACTION).cbrt()
+}
+/// Sliding, rolling and torsion coefficients.
+const MU: [f64; 3] = [0.3, 0.1, 0.1];
+const SEED: u64 = 1;
+/// Most sweeps of any run.
+const MOST_SWEEPS: usize = 1_000_000;
+
+/// Sizes of the families, and the contact updates that a run may be expected to take.
+#[derive(Clone, Debug)]
+pub struct Extent {
+    /// Spheres of chains.
+    pub chains: Vec<usize>,
+    /// Spheres of towers.
+    pub towers: Vec<usize>,
+    /// Spheres of cubes.
+    pub cubes: Vec<usize>,
+    /// Most contact updates of a run.
+    pub updates: f64,
+}
+
+/// Work of one method on one packing.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// Chain, tower or cube, and its friction.
+    pub family: &'static str,
+    /// Spheres and contacts.
+    pub size: [usize; 2],
+    /// Height over diameter.
+    pub length: f64,
+    /// Method.
+    pub method: Method,
+    /// Residual to reach.
+    pub target: f64,
+    /// What it took.
+    pub work: Work,
+}
+
+/// All families; sizes that would take too long for a method are left out.
+pub fn measure(extent: &Extent) -> Result<Vec<Point>, NotJammed> {
+    let (smooth, all) = (Thresholds::none(), rough(MU[0], MU[1], MU[2]));
+    let mut points = Vec::new();
+    for &count in &extent.chains {
+        let packing = chain(count);
+        grow(
+            "chain",
+            &packing,
+            &pressed(&packing, smooth)?,
+            extent,
+            &mut points,
+        );
+    }
+    for &count in &extent.towers {
+        let packing = jammed(count, TOWER, UNEVEN, SEED)?;
+        let family = "tower, frictionless";
+        grow(
+            family,
+            &packing,
+            &pressed(&packing, smooth)?,
+            extent,
+            &mut points,
+        );
+        let packing = jammed(count, TOWER, 0.0, SEED)?;
+        grow(
+            "tower, all modes",
+            &packing,
+            &pressed(&packing, all)?,
+            extent,
+            &mut points,
+        );
+    }
+    for &count in &extent.cubes {
+        let packing = jammed(count, cube(count), UNEVEN, SEED)?;
+        let family = "cube, frictionless";
+        grow(
+            family,
+            &packing,
+            &pressed(&packing, smooth)?,
+            extent,
+            &mut points,
+        );
+        let packing = jammed(count, cube(count), 0.0, SEED)?;
+        grow(
+            "cube, all modes",
+            &packing,
+            &pressed(&packing, all)?,
+            extent,
+            &mut points,
+        );
+    }
+    Ok(points)
+}
+
+/// All methods and targets on one packing.
+fn grow<F>(
+    family: &'static str,
+    packing: &Jammed,
+    problem: &Spheres<F>,
+    extent: &Extent,
+    points: &mut Vec<Point>,
+) where
+    F: ContactFriction<f64> + Coefficients,
+{
+    let contacts = problem.contacts();
+    let affordable = (extent.updates / contacts as f64) as usize;
+    for method in METHODS {
+        for target in TARGETS {
+            let Some(work) = work_to(problem, method, target, affordable.min(MOST_SWEEPS)) else {
+                break;
+            };
+            points.push(Point {
+                family,
+                size: [packing.positions.len(), contacts],
+                length: 0.5 * packing.height,
+                method,
+                target,
+                work,
+            });
+        }
+    }
+}
+
+/// A power law through points of one family.
+#[derive(Clone, Debug)]
+pub struct Law {
+    /// Family.
+    pub family: &'static str,
+    /// Method.
+    pub method: Method,
+    /// Residual to reach.
+    pub target: f64,
+    /// Points.
+    pub points: usize,
+    /// Range of L/d.
+    pub lengths: [f64; 2],
+    /// Exponent of L/d.
+    pub exponent: f64,
+}
+
+/// Least squares of the logarithms, for every family of at least three sizes.
+pub fn laws(points: &[Point]) -> Vec<Law> {
+    let mut families: Vec<_> = points.iter().map(|point| point.family).collect();
+    families.dedup();
+    let mut seen = Vec::new();
+    families.retain(|family| {
+        !seen.contains(family) && {
+            seen.push(*family);
+            true
+        }
+    });
+    let mut laws = Vec::new();
+    for family in families {
+        for (method, target) in METHODS
+            .iter()
+            .flat_map(|&m| TARGETS.map(|target| (m, target)))
+        {
+            let of_law = |point: &&Point| {
+                point.family == family && point.method == method && point.target == target
+            };
+            let logs: Vec<[f64; 2]> = points
+                .iter()
+                .filter(of_law)
+                .map(|point| [point.length.ln(), (point.work.sweeps as f64).ln()])
+                .collect();
+            if logs.len() >= 3 {
+                laws.push(Law {
+                    family,
+                    method,
+                    target,
+                    points: logs.len(),
+                    lengths: [logs[0][0].exp(), logs[logs.len() - 1][0].exp()],
+                    exponent: slope(&logs),
+                });
+            }
+        }
+    }
+    laws
+}
+
+/// Slope of the straight line nearest to points in the square of y.
+fn slope(points: &[[f64; 2]]) -> f64 {
+    let count = points.len() as f64;
+    let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / count);
+    let moment = |a: usize, b: usize| -> f64 {
+        let product = |point: &[f64; 2]| (point[a] - mean[a]) * (point[b] - mean[b]);
+        points.iter().map(product).sum()
+    };
+    moment(0, 1) / moment(0, 0)
+}
+
+/// Every point.
+pub fn points_sheet(points: &[Point], command: &str) -> Sheet {
+    let cells = |point: &Point| {
+        let [spheres, contacts] = point.size;
+        vec![
+            point.family.replace(',', ""),
+            spheres.to_string(),
+            contacts.to_string(),
+            short(point.length),
+            point.method.name().into(),
+            format!("{:.0e}", point.target),
+            point.work.sweeps.to_string(),
+            short(point.work.seconds),
+        ]
+    };
+    Sheet {
+        about: format!(
+            "Work to a residual against size: a chain, towers and cubes of a jammed packing under \
+             a loaded plate, cold starts; {command}"
+        ),
+        header: vec![
+            "family", "spheres", "contacts", "L/d", "method", "residual", "sweeps", "s",
+        ],
+        rows: points.iter().map(cells).collect(),
+    }
+}
+
+/// Fitted exponents beside those of theory.
+pub fn laws_sheet(laws: &[Law], command: &str) -> Sheet {
+    let cells = |law: &Law| {
+        let theory = if law.method == Method::Accelerated {
+            1
+        } else {
+            2
+        };
+        vec![
+            law.family.replace(',', ""),
+            law.method.name().into(),
+            format!("{:.0e}", law.target),
+            law.points.to_string(),
+            format!("{} to {}", short(law.lengths[0]), short(law.lengths[1])),
+            format!("{:.2}", law.exponent),
+            theory.to_string(),
+        ]
+    };
+    Sheet {
+        about: format!("Exponents of sweeps in L/d, by least squares of logarithms; {command}"),
+        header: vec![
+            "family", "method", "residual", "sizes", "L/d", "exponent", "theory",
+        ],
+        rows: laws.iter().map(cells).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slopes_are_those_of_power_laws() {
+        let points = [1.0_f64, 2.0, 5.0, 11.0].map(|x| [x.ln(), (3.0 * x.powf(1.7)).ln()]);
+        assert!((slope(&points) - 1.7).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,135 @@
+//! Sweeps and time that a method takes to a residual. The residual is worked out from impulses
+//! anew, outside of the time.
+
+use super::conjugate;
+use std::time::Instant;
+use tribos::cd::{Accelerated, Blind, Coefficients, Effort, Order, Spheres, Sweeper, residual};
+use tribos_core::contact::ContactFriction;
+
+/// What is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Plain non-linear Gauss–Seidel.
+    GaussSeidel(Order),
+    /// Conjugate directions over symmetric sweeps, the baseline.
+    Conjugate,
+    /// Sweeps with momentum.
+    Accelerated,
+}
+
+/// Plain and accelerated methods.
+pub const METHODS: [Method; 5] = [
+    Method::GaussSeidel(Order::Fixed),
+    Method::GaussSeidel(Order::Alternating),
+    Method::GaussSeidel(Order::Random { seed: 1 }),
+    Method::Conjugate,
+    Method::Accelerated,
+];
+
+impl Method {
+    /// As it appears in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::GaussSeidel(Order::Fixed) => "GS fixed order",
+            Self::GaussSeidel(Order::Alternating) => "GS alternating",
+            Self::GaussSeidel(Order::Random { .. }) => "GS random order",
+            Self::Conjugate => "conjugate",
+            Self::Accelerated => "accelerated",
+        }
+    }
+
+    /// Solves by the method's own rule; plain sweeps are not meant here.
+    pub(super) fn iterate<F: ContactFriction<f64>>(
+        self,
+        problem: &mut Spheres<F>,
+        tolerance: f64,
+        most: usize,
+    ) -> Effort {
+        match self {
+            Self::Accelerated => Accelerated::default().solve(problem, tolerance, most),
+            _ => conjugate::solve(problem, tolerance, most),
+        }
+    }
+}
+
+/// What was spent, and what was reached.
+#[derive(Clone, Copy, Debug)]
+pub struct Work {
+    /// Sweeps, extrapolations included.
+    pub sweeps: usize,
+    /// Time of them.
+    pub seconds: f64,
+    /// Residual in the end.
+    pub residual: f64,
+}
+
+/// Between two looks at the residual plain sweeps grow by one in so many.
+const LOOKS: usize = 50;
+/// First tolerance tried for a residual, in its units, and the ratio to the next.
+const FIRST: f64 = 2.0;
+const NEXT: f64 = 0.8;
+
+/// The work to a residual of `target`, `None` if `most` sweeps do not reach it.
+pub fn work_to<F>(start: &Spheres<F>, method: Method, target: f64, most: usize) -> Option<Work>
+where
+    F: ContactFriction<f64> + Coefficients,
+{
+    match method {
+        Method::GaussSeidel(order) => plain_to(start, order, target, most),
+        _ => tolerances_to(start, method, target, most),
+    }
+}
+
+/// Plain sweeps with a look at the residual now and then.
+fn plain_to<F>(start: &Spheres<F>, order: Order, target: f64, most: usize) -> Option<Work>
+where
+    F: ContactFriction<f64> + Coefficients,
+{
+    let mut problem = start.clone();
+    let mut sweeper = Sweeper::new(order, 0);
+    let (mut sweeps, mut seconds) = (0, 0.0);
+    while sweeps < most {
+        let more = 1 + sweeps / LOOKS;
+        let clock = Instant::now();
+        for _ in 0..more {
+            sweeper.sweep(&mut problem, &mut Blind);
+        }
+        seconds += clock.elapsed().as_secs_f64();
+        sweeps += more;
+        let residual = residual(&problem).relative;
+        if residual <= target {
+            return Some(Work {
+                sweeps,
+                seconds,
+                residual,
+            });
+        }
+    }
+    None
+}
+
+/// The first tolerance, from coarse to fine, that does it.
+fn tolerances_to<F>(start: &Spheres<F>, method: Method, target: f64, most: usize) -> Option<Work>
+where
+    F: ContactFriction<f64> + Coefficients,
+{
+    let mut tolerance = FIRST * target;
+    loop {
+        let mut problem = start.clone();
+        let clock = Instant::now();
+        let effort = method.iterate(&mut problem, tolerance, most);
+        let seconds = clock.elapsed().as_secs_f64();
+        let residual = residual(&problem).relative;
+        if residual <= target {
+            return Some(Work {
+                sweeps: effort.sweeps,
+                seconds,
+                residual,
+            });
+        }
+        if !effort.met {
+            return None;
+        }
+        tolerance *= NEXT;
+    }
+}
