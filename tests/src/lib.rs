@@ -6,6 +6,7 @@
 
 pub mod bits;
 pub mod laws;
+pub mod least_distance;
 pub mod packings;
 pub mod patches;
 pub mod pucks;
