@@ -7,6 +7,7 @@
 pub mod bits;
 pub mod contacts;
 pub mod laws;
+pub mod least_distance;
 pub mod packings;
 pub mod patches;
 pub mod pucks;

@@ -30,7 +30,7 @@ pub fn dry() -> NormalLaw<f64> {
 pub fn accelerated(tolerance: f64) -> Solver {
     Solver {
         method: Method::Accelerated { tolerance },
-        most_sweeps: 100_000,
+        most_sweeps: 5_000,
         warm_start: true,
     }
 }
