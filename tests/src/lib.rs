@@ -5,6 +5,7 @@
 //! the tables of `tables/` or formulas of the test that uses them.
 
 pub mod bits;
+pub mod hard;
 pub mod laws;
 pub mod least_distance;
 pub mod packings;
@@ -12,6 +13,7 @@ pub mod patches;
 pub mod pucks;
 pub mod reference;
 pub mod rim_mean;
+pub mod sound;
 pub mod surfaces;
 pub mod sweep;
 pub mod tables;
