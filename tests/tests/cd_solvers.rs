@@ -383,7 +383,7 @@ fn a_watch_that_joins_sees_what_one_watch_sees() {
     use tribos::cd::{Change, Restless};
     let seen = [(1.0, 2.0), (0.5, 0.1), (1e-9, 3.0)];
     let mut whole = (Change::default(), Restless::above(0.1));
-    let mut parts = whole.clone();
+    let mut parts = whole;
     for (change_sq, bound) in seen {
         let mut part = (Change::default(), Restless::above(0.1));
         for watch in [&mut whole, &mut part] {
