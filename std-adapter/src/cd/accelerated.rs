@@ -42,15 +42,35 @@ const EXTRAPOLATION: usize = 1;
 /// What a restart leaves of the momentum's age: between 1/4 and 3/4 nothing depends on it.
 const LEFT: f64 = 0.5;
 
+/// When the iteration may stop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Goal {
+    /// Largest change of a sweep relative to P, in the root mean square.
+    pub relative: f64,
+    /// Largest normal speed that a sweep still corrects at any contact. Where heavy bodies lie on
+    /// light ones forces change slowly and this tells that they are not yet right.
+    pub speed: f64,
+}
+
+impl From<f64> for Goal {
+    /// By the relative change alone.
+    fn from(relative: f64) -> Self {
+        Self {
+            relative,
+            speed: f64::INFINITY,
+        }
+    }
+}
+
 impl<I: Impulse> Accelerated<I> {
-    /// Iterates until a sweep changes the impulses by less than `tolerance`·P in the root mean
-    /// square, or for `most` sweeps. An extrapolation counts as one.
+    /// Iterates until a sweep reaches the goal, or for `most` sweeps. An extrapolation counts as one.
     pub fn solve<O: Operator<Impulse = I>>(
         &mut self,
         problem: &mut O,
-        tolerance: f64,
+        goal: impl Into<Goal>,
         most: usize,
     ) -> Effort {
+        let goal = goal.into();
         let contacts = problem.contacts();
         self.start.clear();
         self.start
@@ -62,7 +82,7 @@ impl<I: Impulse> Accelerated<I> {
             let mut change = Change::default();
             problem.sweep(Visit::Forward, &mut change);
             sweeps += 1;
-            if change.relative() <= tolerance {
+            if change.relative() <= goal.relative && change.speed <= goal.speed {
                 return Effort { sweeps, met: true };
             }
             let older = 0.5 * (1.0 + (1.0 + 4.0 * age * age).sqrt());

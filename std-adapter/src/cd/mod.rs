@@ -14,7 +14,7 @@ mod solver;
 mod spheres;
 mod world;
 
-pub use accelerated::Accelerated;
+pub use accelerated::{Accelerated, Goal};
 pub use book::Book;
 pub use island::Rest;
 pub use memory::{Kept, Memory};

@@ -11,8 +11,9 @@ pub trait Impulse: Copy + Default {
 pub trait Watch: Send {
     /// A watcher of the same kind that has seen nothing.
     fn fork(&self) -> Self;
-    /// Sees one contact: squares of its impulse's change and of P, the force scale of its friction.
-    fn see(&mut self, change_sq: f64, bound: f64);
+    /// Sees one contact: the square of its impulse's change, P, the force scale of its friction, and
+    /// the normal speed that the change took from it.
+    fn see(&mut self, change_sq: f64, bound: f64, speed: f64);
     /// Adds what another watcher saw after this one.
     fn join(&mut self, later: &Self);
 }
@@ -64,7 +65,7 @@ impl Watch for Blind {
         Self
     }
     #[inline(always)]
-    fn see(&mut self, _: f64, _: f64) {}
+    fn see(&mut self, _: f64, _: f64, _: f64) {}
     fn join(&mut self, _: &Self) {}
 }
 
@@ -77,6 +78,8 @@ pub struct Change {
     pub bound_sq: f64,
     /// Σ |Δp| and Σ P, for the mean.
     pub mean: [f64; 2],
+    /// Largest normal speed that a contact corrected.
+    pub speed: f64,
 }
 
 impl Change {
@@ -96,13 +99,20 @@ fn ratio(change: f64, scale: f64) -> f64 {
     if change == 0.0 { 0.0 } else { change / scale }
 }
 
+/// The larger of two numbers, NaN if either is.
+#[inline(always)]
+fn largest(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
+}
+
 impl Watch for Change {
     fn fork(&self) -> Self {
         Self::default()
     }
 
     #[inline(always)]
-    fn see(&mut self, change_sq: f64, bound: f64) {
+    fn see(&mut self, change_sq: f64, bound: f64, speed: f64) {
+        self.speed = largest(self.speed, speed);
         self.change_sq += change_sq;
         self.bound_sq += bound * bound;
         self.mean[0] += change_sq.sqrt();
@@ -114,6 +124,7 @@ impl Watch for Change {
         self.bound_sq += later.bound_sq;
         self.mean[0] += later.mean[0];
         self.mean[1] += later.mean[1];
+        self.speed = largest(self.speed, later.speed);
     }
 }
 
@@ -141,7 +152,7 @@ impl Watch for Restless {
     }
 
     #[inline(always)]
-    fn see(&mut self, change_sq: f64, bound: f64) {
+    fn see(&mut self, change_sq: f64, bound: f64, _: f64) {
         // A change of nothing is at rest, whatever the bound; NaN is not.
         let rests = change_sq <= self.tolerance_sq * bound * bound;
         self.count += usize::from(!rests);

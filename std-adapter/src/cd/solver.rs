@@ -1,6 +1,6 @@
 //! Which method solves the contacts of a step.
 
-use super::accelerated::Accelerated;
+use super::accelerated::{Accelerated, Goal};
 use super::nsgs::{self, Effort, Order, Stop, Sweeper};
 use super::spheres::Spheres;
 use tribos_core::contact::{ContactFriction, Modal, Modes};
@@ -48,19 +48,24 @@ impl<M: Modes<f64>> Default for Workspace<M> {
 }
 
 impl<M: Modes<f64>> Workspace<M> {
-    /// Solves the problem of a step; its number picks the stream of random orders.
+    /// Solves the problem of a step. Its number picks the stream of random orders; `speed` is what
+    /// the accelerated method may leave of a closing speed.
     pub fn solve<F: ContactFriction<f64, Modes = M>>(
         &mut self,
         solver: &Solver,
         problem: &mut Spheres<F>,
-        step: u64,
+        (step, speed): (u64, f64),
     ) -> Effort {
         let most = solver.most_sweeps;
         match solver.method {
             Method::GaussSeidel { order, stop } => {
                 nsgs::solve(problem, &mut Sweeper::new(order, step), stop, most)
             }
-            Method::Accelerated { tolerance } => self.accelerated.solve(problem, tolerance, most),
+            Method::Accelerated { tolerance } => {
+                let relative = tolerance;
+                self.accelerated
+                    .solve(problem, Goal { relative, speed }, most)
+            }
         }
     }
 }

@@ -161,7 +161,8 @@ fn report<M: Modes<f64>, W: Watch>(
     watch: &mut W,
 ) {
     let change_sq = change.dot_with_lever(change, contact.lever());
-    watch.see(change_sq, contact.bound());
+    let speed = change.normal.abs() / contact.block().mass_normal;
+    watch.see(change_sq, contact.bound(), speed);
 }
 
 impl<F: ContactFriction<f64>> Operator for Spheres<F> {

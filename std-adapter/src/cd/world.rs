@@ -62,6 +62,9 @@ pub struct World<F: ContactFriction<f64>> {
     workspace: Workspace<F::Modes>,
 }
 
+/// What a step may leave of an approach at a closed contact, in the largest motion of a step: by so
+/// much two bodies may come to overlap in it. Only the accelerated method looks at it.
+const OVERLAP: f64 = 1e-3;
 /// How often a step is halved before the state counts as hopeless.
 const MOST_HALVINGS: u32 = 40;
 
@@ -122,10 +125,10 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         self.list_neighbours()?;
         for _ in 0..MOST_HALVINGS {
             self.assemble(dt)?;
-            let solver = &self.setup.solver;
+            let step = (self.state.steps, OVERLAP * self.setup.pace.motion / dt);
             let effort = self
                 .workspace
-                .solve(solver, &mut self.problem, self.state.steps);
+                .solve(&self.setup.solver, &mut self.problem, step);
             let speed = self.fastest(&self.problem.spheres, &self.problem.plates)?;
             // Contacts were sought as far as two bodies come that both move so much.
             if speed * dt <= 2.0 * self.setup.pace.motion {
