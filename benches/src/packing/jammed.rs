@@ -14,7 +14,7 @@ const SKIN: f64 = 0.3;
 /// Step of the relaxation, in √(m/k): a sixth of what twelve springs would allow.
 const STEP: f64 = 0.1;
 /// Largest force that is left, in k R; contacts overlap by about 1e-2 R.
-const RELAXED: f64 = 1e-7;
+const RELAXED: f64 = 1e-5;
 /// Most steps of the relaxation.
 const MOST_STEPS: usize = 20_000;
 

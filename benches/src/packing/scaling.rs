@@ -1,7 +1,7 @@
 //! Sweeps to a residual against the size of a packing: diffusion of information, (L/d)² for plain
 //! sweeps (Unger and Kertész 2003), and waves, L/d, for accelerated ones.
 
-use super::jammed::{Jammed, NotJammed, UNEVEN, jammed};
+use super::jammed::{Jammed, NotJammed, jammed};
 use super::problems::{chain, pressed};
 use super::work::{Method, Work, work_to};
 use crate::written::{Sheet, short};
@@ -70,7 +70,7 @@ pub fn measure(extent: &Extent) -> Result<Vec<Point>, NotJammed> {
         );
     }
     for &count in &extent.towers {
-        let packing = jammed(count, TOWER, UNEVEN, SEED)?;
+        let packing = jammed(count, TOWER, 0.0, SEED)?;
         let family = "tower, frictionless";
         grow(
             family,
@@ -79,7 +79,6 @@ pub fn measure(extent: &Extent) -> Result<Vec<Point>, NotJammed> {
             extent,
             &mut points,
         );
-        let packing = jammed(count, TOWER, 0.0, SEED)?;
         grow(
             "tower, all modes",
             &packing,
@@ -89,7 +88,7 @@ pub fn measure(extent: &Extent) -> Result<Vec<Point>, NotJammed> {
         );
     }
     for &count in &extent.cubes {
-        let packing = jammed(count, cube(count), UNEVEN, SEED)?;
+        let packing = jammed(count, cube(count), 0.0, SEED)?;
         let family = "cube, frictionless";
         grow(
             family,
@@ -98,7 +97,6 @@ pub fn measure(extent: &Extent) -> Result<Vec<Point>, NotJammed> {
             extent,
             &mut points,
         );
-        let packing = jammed(count, cube(count), 0.0, SEED)?;
         grow(
             "cube, all modes",
             &packing,
