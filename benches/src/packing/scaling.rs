@@ -119,9 +119,24 @@ fn grow<F>(
     F: ContactFriction<f64> + Coefficients,
 {
     let contacts = problem.contacts();
+    let mut sizes: Vec<_> = points
+        .iter()
+        .filter(|point| point.family == family)
+        .map(|point| point.size)
+        .collect();
+    sizes.dedup();
+    let sizes_before = sizes.len();
     let affordable = (extent.updates / contacts as f64) as usize;
     for method in METHODS {
         for target in TARGETS {
+            let same = |point: &&Point| {
+                point.family == family && point.method == method && point.target == target
+            };
+            // What the size before could not afford, this one cannot.
+            let reached = points.iter().filter(same).count();
+            if reached < sizes_before {
+                continue;
+            }
             let Some(work) = work_to(problem, method, target, affordable.min(MOST_SWEEPS)) else {
                 break;
             };
