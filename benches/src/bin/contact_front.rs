@@ -153,7 +153,7 @@ fn grow(options: &Options) -> Result<String, String> {
     } else {
         Extent {
             chains: vec![12, 25, 50, 100, 200, 400, 800, 1600, 3200],
-            towers: vec![250, 500, 1000, 2000, 4000],
+            towers: vec![125, 250, 500, 1000, 2000],
             cubes: vec![500, 1600, 5000, 16_000, 50_000],
             updates: 4e8,
         }
