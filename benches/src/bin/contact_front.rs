@@ -154,8 +154,8 @@ fn grow(options: &Options) -> Result<String, String> {
         Extent {
             chains: vec![12, 25, 50, 100, 200, 400, 800, 1600, 3200],
             towers: vec![125, 250, 500, 1000, 2000],
-            cubes: vec![500, 1600, 5000, 16_000, 50_000],
-            updates: 4e8,
+            cubes: vec![500, 1000, 2000, 5000],
+            updates: 2e8,
         }
     };
     let points = scaling::measure(&extent).map_err(|error| error.to_string())?;

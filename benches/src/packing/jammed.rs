@@ -15,7 +15,7 @@ const SKIN: f64 = 0.3;
 const STEP: f64 = 0.1;
 const LONGEST: f64 = 0.3;
 /// Largest force that is left, in k R; contacts overlap by about 1e-2 R.
-const RELAXED: f64 = 1e-5;
+const RELAXED: f64 = 1e-4;
 /// Most steps of the relaxation.
 const MOST_STEPS: usize = 20_000;
 
