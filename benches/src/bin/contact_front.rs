@@ -2,10 +2,9 @@
 //!
 //! `cargo run --release -p tribos-benches --bin contact_front -- [--out DIR] [--quick]
 //! [--only PART]` writes tables and pictures of every part, and `contact_front.md` with all of them,
-//! to DIR (default: docs/front). Parts: `updates`, `residual`, `scaling`; one alone leaves
-//! `contact_front.md` as it is.
+//! to DIR (default: docs/front). Parts: `updates`, `residual`, `scaling`; one alone takes the place
+//! of its section in `contact_front.md`.
 
-use std::fmt::Write as _;
 use std::process::ExitCode;
 use tribos_benches::args::Options;
 use tribos_benches::packing::scaling::Extent;
@@ -20,6 +19,10 @@ const MOST_SWEEPS: usize = 10_000;
 const QUICK_SWEEPS: usize = 1000;
 
 const COMMAND: &str = "by `cargo run --release -p tribos-benches --bin contact_front`";
+
+/// The page of all parts, and its title.
+const PAGE: &str = "contact_front.md";
+const TITLE: &str = "# Contacts of packings: speed, residual, size\n";
 
 /// What others report for a contact update or a step of contacts.
 const PEERS: [[&str; 3]; 4] = [
@@ -76,18 +79,28 @@ fn run(options: &Options, only: Option<&str>) -> Result<(), String> {
         let names = parts.map(|(name, _)| name).join(", ");
         return Err(format!("unknown part; known: {names}"));
     }
-    let mut page = String::from("# Contacts of packings: speed, residual, size\n");
     for (name, part) in parts {
         if wanted(name) {
             let text = part(options)?;
             println!("{text}");
-            let _ = write!(page, "\n{text}");
+            let old = std::fs::read_to_string(options.out.join(PAGE)).unwrap_or_default();
+            written::write(&options.out, PAGE, &with_section(&old, &text))?;
         }
     }
-    if only.is_none() {
-        written::write(&options.out, "contact_front.md", &page)?;
-    }
     Ok(())
+}
+
+/// The page with a section in the place of the one with its heading, or at the end.
+fn with_section(page: &str, section: &str) -> String {
+    let mut sections: Vec<&str> = page.split("\n## ").skip(1).map(str::trim_end).collect();
+    let section = section.trim_start_matches("## ").trim_end();
+    let same = |old: &&str| old.lines().next() == section.lines().next();
+    match sections.iter().position(same) {
+        Some(place) => sections[place] = section,
+        None => sections.push(section),
+    }
+    let sections = sections.iter().map(|text| format!("\n## {text}\n"));
+    TITLE.to_owned() + &sections.collect::<String>()
 }
 
 /// Updates a second for every set of modes, beside the figures of others.
@@ -140,9 +153,9 @@ fn grow(options: &Options) -> Result<String, String> {
     } else {
         Extent {
             chains: vec![12, 25, 50, 100, 200, 400, 800, 1600, 3200],
-            towers: vec![250, 500, 1000, 2000, 4000],
-            cubes: vec![500, 1600, 5000, 16_000, 50_000],
-            updates: 2e9,
+            towers: vec![125, 250, 500, 1000, 2000],
+            cubes: vec![500, 1000, 2000, 5000],
+            updates: 2e8,
         }
     };
     let points = scaling::measure(&extent).map_err(|error| error.to_string())?;
@@ -155,4 +168,17 @@ fn grow(options: &Options) -> Result<String, String> {
         laws.markdown(),
         all.markdown()
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_section_takes_its_own_place() {
+        let page = with_section(&with_section("", "## A\n\none\n"), "## B\n\ntwo\n");
+        assert_eq!(page, format!("{TITLE}\n## A\n\none\n\n## B\n\ntwo\n"));
+        let page = with_section(&page, "## A\n\nthree\n");
+        assert_eq!(page, format!("{TITLE}\n## A\n\nthree\n\n## B\n\ntwo\n"));
+    }
 }

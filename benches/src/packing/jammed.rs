@@ -11,10 +11,11 @@ pub const SOLID_FRACTION: f64 = 0.66;
 pub const UNEVEN: f64 = 0.1;
 /// Extra distance of listed neighbours, so that a list serves many steps.
 const SKIN: f64 = 0.3;
-/// Step of the relaxation, in √(m/k): a sixth of what twelve springs would allow.
+/// Steps of the relaxation, first and longest, in √(m/k): half of what twelve springs would allow.
 const STEP: f64 = 0.1;
+const LONGEST: f64 = 0.3;
 /// Largest force that is left, in k R; contacts overlap by about 1e-2 R.
-const RELAXED: f64 = 1e-7;
+const RELAXED: f64 = 1e-4;
 /// Most steps of the relaxation.
 const MOST_STEPS: usize = 20_000;
 
@@ -86,10 +87,12 @@ pub fn jammed(count: usize, width: f64, uneven: f64, seed: u64) -> Result<Jammed
 }
 
 /// Brings soft spheres to rest: velocities are turned towards the force and stopped when they lead
-/// uphill (Bitzek et al. 2006, with a fixed step).
+/// uphill (Bitzek et al., Phys. Rev. Lett. 97 (2006) 170201, with its constants).
 fn relax(packing: &mut Jammed) -> Result<(), NotJammed> {
-    /// Share of the velocity that is turned in a step.
+    // Share of the velocity that is turned in a step, and how both change.
     const TURN: f64 = 0.1;
+    const PATIENCE: usize = 5;
+    let (mut step, mut turn, mut downhill) = (STEP, TURN, 0);
     let count = packing.positions.len();
     let mut velocities = vec![Vector3::zeros(); count];
     let mut forces = vec![Vector3::zeros(); count];
@@ -113,6 +116,15 @@ fn relax(packing: &mut Jammed) -> Result<(), NotJammed> {
             let sum: f64 = list.iter().map(Vector3::norm_squared).sum();
             sum.sqrt()
         });
+        if power > 0.0 {
+            downhill += 1;
+            if downhill > PATIENCE {
+                step = (1.1 * step).min(LONGEST);
+                turn *= 0.99;
+            }
+        } else {
+            (step, turn, downhill) = (0.5 * step, TURN, 0);
+        }
         for ((x, v), f) in packing
             .positions
             .iter_mut()
@@ -120,12 +132,12 @@ fn relax(packing: &mut Jammed) -> Result<(), NotJammed> {
             .zip(&forces)
         {
             *v = if power > 0.0 {
-                *v * (1.0 - TURN) + f * (TURN * sizes[1] / sizes[0])
+                *v * (1.0 - turn) + f * (turn * sizes[1] / sizes[0])
             } else {
                 Vector3::zeros()
             };
-            *v += f * STEP;
-            *x += *v * STEP;
+            *v += f * step;
+            *x += *v * step;
         }
     }
     Err(NotJammed(format!(

@@ -1,7 +1,7 @@
 //! Sweeps to a residual against the size of a packing: diffusion of information, (L/d)² for plain
 //! sweeps (Unger and Kertész 2003), and waves, L/d, for accelerated ones.
 
-use super::jammed::{Jammed, NotJammed, UNEVEN, jammed};
+use super::jammed::{Jammed, NotJammed, jammed};
 use super::problems::{chain, pressed};
 use super::work::{Method, Work, work_to};
 use crate::written::{Sheet, short};
@@ -70,7 +70,7 @@ pub fn measure(extent: &Extent) -> Result<Vec<Point>, NotJammed> {
         );
     }
     for &count in &extent.towers {
-        let packing = jammed(count, TOWER, UNEVEN, SEED)?;
+        let packing = jammed(count, TOWER, 0.0, SEED)?;
         let family = "tower, frictionless";
         grow(
             family,
@@ -79,7 +79,6 @@ pub fn measure(extent: &Extent) -> Result<Vec<Point>, NotJammed> {
             extent,
             &mut points,
         );
-        let packing = jammed(count, TOWER, 0.0, SEED)?;
         grow(
             "tower, all modes",
             &packing,
@@ -89,7 +88,7 @@ pub fn measure(extent: &Extent) -> Result<Vec<Point>, NotJammed> {
         );
     }
     for &count in &extent.cubes {
-        let packing = jammed(count, cube(count), UNEVEN, SEED)?;
+        let packing = jammed(count, cube(count), 0.0, SEED)?;
         let family = "cube, frictionless";
         grow(
             family,
@@ -98,7 +97,6 @@ pub fn measure(extent: &Extent) -> Result<Vec<Point>, NotJammed> {
             extent,
             &mut points,
         );
-        let packing = jammed(count, cube(count), 0.0, SEED)?;
         grow(
             "cube, all modes",
             &packing,
@@ -121,9 +119,24 @@ fn grow<F>(
     F: ContactFriction<f64> + Coefficients,
 {
     let contacts = problem.contacts();
+    let mut sizes: Vec<_> = points
+        .iter()
+        .filter(|point| point.family == family)
+        .map(|point| point.size)
+        .collect();
+    sizes.dedup();
+    let sizes_before = sizes.len();
     let affordable = (extent.updates / contacts as f64) as usize;
     for method in METHODS {
         for target in TARGETS {
+            let same = |point: &&Point| {
+                point.family == family && point.method == method && point.target == target
+            };
+            // What the size before could not afford, this one cannot.
+            let reached = points.iter().filter(same).count();
+            if reached < sizes_before {
+                continue;
+            }
             let Some(work) = work_to(problem, method, target, affordable.min(MOST_SWEEPS)) else {
                 break;
             };
