@@ -6,6 +6,7 @@
 
 pub mod bits;
 pub mod contacts;
+pub mod hard;
 pub mod laws;
 pub mod least_distance;
 pub mod packings;
@@ -13,6 +14,7 @@ pub mod patches;
 pub mod pucks;
 pub mod reference;
 pub mod rim_mean;
+pub mod sound;
 pub mod surfaces;
 pub mod sweep;
 pub mod tables;

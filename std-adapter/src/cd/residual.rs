@@ -5,8 +5,12 @@
 
 use super::operator::Operator;
 use super::spheres::{Link, Spheres};
-use nalgebra::Vector3;
-use tribos_core::contact::{AxialPart, ContactFriction, Modal, Modes, PlanarPart, Thresholds};
+use nalgebra::{Vector2, Vector3};
+use tribos_core::contact::{
+    AxialPart, Contact, ContactFriction, CoupledFriction, Modal, Modes, PlanarPart, Thresholds,
+};
+use tribos_core::limit_surface::FrictionSet;
+use tribos_core::twist::{Twist, Wrench};
 
 /// Violation of the contact laws. *Units*: those of the problem.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -25,6 +29,22 @@ pub struct Residual {
 pub trait Coefficients {
     /// μ, μ_t and μ_n.
     fn coefficients(&self) -> [f64; 3];
+
+    /// The set of sliding forces and torsion torques for P = 1 and r_eff = 1, where the two have
+    /// one threshold.
+    fn joint(&self) -> Option<&dyn FrictionSet<f64>> {
+        None
+    }
+}
+
+impl<S: FrictionSet<f64>, M> Coefficients for CoupledFriction<f64, S, M> {
+    fn coefficients(&self) -> [f64; 3] {
+        [self.mu(), self.mu_rolling(), self.mu_torsion()]
+    }
+
+    fn joint(&self) -> Option<&dyn FrictionSet<f64>> {
+        Some(self.set())
+    }
 }
 
 impl<M> Coefficients for Thresholds<f64, M> {
@@ -33,7 +53,7 @@ impl<M> Coefficients for Thresholds<f64, M> {
     }
 }
 
-/// Judges a problem with independent thresholds.
+/// Judges a problem.
 pub fn residual<F>(problem: &Spheres<F>) -> Residual
 where
     F: ContactFriction<f64> + Coefficients,
@@ -41,7 +61,7 @@ where
     let mut fresh = problem.clone();
     fresh.refresh();
     let mut sum = Sum::default();
-    let [pair, wall] = [&problem.friction[0], &problem.friction[1]].map(Coefficients::coefficients);
+    let [pair, wall] = &problem.friction;
     for link in &fresh.pairs {
         let [a, b] = link.bodies.map(|body| &fresh.spheres[body as usize]);
         sum.add(link, &link.contact.velocity(a, b), pair);
@@ -66,8 +86,9 @@ impl Sum {
         &mut self,
         link: &Link<M>,
         u: &Modal<f64, M>,
-        [mu, mu_t, mu_n]: [f64; 3],
+        friction: &impl Coefficients,
     ) {
+        let [mu, mu_t, mu_n] = friction.coefficients();
         let contact = &link.contact;
         let (p, block, lever) = (contact.impulse(), contact.block(), contact.lever());
         let (bound, gap_speed) = (contact.bound(), u.normal + contact.allowance());
@@ -86,36 +107,36 @@ impl Sum {
             r.complementarity = r.complementarity.max((bound * gap_speed).abs());
         }
 
-        // Friction: p is the point of the disc nearest to p − m U.
-        let sliding = disc(
-            p.sliding.vector(),
-            u.sliding.vector(),
-            block.mass_sliding,
-            mu * bound,
-        );
-        let rolling = disc(
-            p.rolling.vector(),
-            u.rolling.vector(),
-            block.inertia,
-            mu_t * bound * lever,
-        );
-        let (torsion, spin) = (p.torsion.component(), u.torsion.component());
-        let limit = (mu_n * bound * lever).max(0.0);
-        let mut twist = 0.0;
-        if M::Torsion::PRESENT {
-            twist = torsion - (torsion - block.inertia * spin).clamp(-limit, limit);
-            r.excess = r.excess.max((torsion.abs() - limit) / lever);
-        }
         let mut map_sq = normal * normal;
-        if M::Sliding::PRESENT {
-            map_sq += sliding.0.norm_squared();
-            r.excess = r.excess.max(sliding.1);
-        }
+        let mut excess = 0.0_f64;
         if M::Rolling::PRESENT {
-            map_sq += rolling.0.norm_squared() / (lever * lever);
-            r.excess = r.excess.max(rolling.1 / lever);
+            let limit = mu_t * bound * lever;
+            let (p, u) = (p.rolling.vector(), u.rolling.vector());
+            let (map, beyond) = disc(p, u, block.inertia, limit);
+            map_sq += map.norm_squared() / (lever * lever);
+            excess = excess.max(beyond / lever);
         }
-        self.map_sq += map_sq + twist * twist / (lever * lever);
+        if let Some(set) = friction.joint() {
+            let (joint_sq, beyond) = joint(set, contact, u);
+            map_sq += joint_sq;
+            excess = excess.max(beyond);
+        } else {
+            if M::Sliding::PRESENT {
+                let (p, u) = (p.sliding.vector(), u.sliding.vector());
+                let (map, beyond) = disc(p, u, block.mass_sliding, mu * bound);
+                map_sq += map.norm_squared();
+                excess = excess.max(beyond);
+            }
+            if M::Torsion::PRESENT {
+                let (p, spin) = (p.torsion.component(), u.torsion.component());
+                let limit = (mu_n * bound * lever).max(0.0);
+                let map = p - (p - block.inertia * spin).clamp(-limit, limit);
+                map_sq += (map / lever).powi(2);
+                excess = excess.max((p.abs() - limit) / lever);
+            }
+        }
+        self.residual.excess = self.residual.excess.max(excess);
+        self.map_sq += map_sq;
         self.bound_sq += bound * bound;
     }
 
@@ -147,4 +168,36 @@ fn disc(p: Vector3<f64>, u: Vector3<f64>, mass: f64, limit: f64) -> (Vector3<f64
         trial
     };
     (p - nearest, p.norm() - limit)
+}
+
+/// Sliding and torsion under one threshold, without its projection: an upper bound of the natural
+/// map's square, and how far the pair lies outside.
+///
+/// With y = proj(p − m U) the map p − y is at most m U, and |p − y|² ≤ m δ with the power δ by which
+/// friction falls short of the largest possible, P·support(U) + p·U: what a nearest point has to do
+/// with the support of a convex set.
+fn joint<M: Modes<f64>>(
+    set: &dyn FrictionSet<f64>,
+    contact: &Contact<f64, M>,
+    u: &Modal<f64, M>,
+) -> (f64, f64) {
+    let (p, block) = (contact.impulse(), contact.block());
+    let (bound, lever) = (contact.bound().max(0.0), contact.lever());
+    let (slip, spin) = (u.sliding.vector(), u.torsion.component());
+    let (force, torque) = (p.sliding.vector(), p.torsion.component());
+    let power = bound * set.support(&Twist::new(slip.norm(), 0.0, spin * lever));
+    let short = power + force.dot(&slip) + torque * spin;
+    let energy = block.mass_sliding * slip.norm_squared() + block.inertia * spin * spin;
+    let map_sq = block.mass_sliding * energy.min(short.abs());
+    let gauge = set.gauge(&Wrench {
+        force: Vector2::new(force.norm(), 0.0),
+        torque: torque / lever,
+    });
+    // Of nothing the gauge is 0, whatever the bound.
+    let beyond = if gauge == 0.0 {
+        0.0
+    } else {
+        (gauge - bound) * set.force_limit()
+    };
+    (map_sq, beyond)
 }

@@ -94,6 +94,8 @@ pub struct Setup<F> {
     pub still_speed: f64,
 }
 
+/// Masses between which squares of impulses neither vanish nor overflow: the solvers compare them.
+const MASSES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 /// Largest deviation of a unit normal's length from 1.
 const UNIT: f64 = 1e-12;
 
@@ -105,6 +107,10 @@ impl<F> Setup<F> {
         if !(valid(longest) && valid(motion)) {
             return Err(WorldError::Pace { longest, motion });
         }
+        let given = self.still_speed;
+        if !(given >= 0.0 && given.is_finite()) {
+            return Err(WorldError::StillSpeed { given });
+        }
         let [positions, radii] = [self.positions.len(), self.radii.len()];
         let spheres = self.spheres.len();
         if positions != spheres || radii != spheres {
@@ -114,8 +120,15 @@ impl<F> Setup<F> {
                 spheres,
             });
         }
+        if let Some(body) = self.radii.iter().position(|radius| !valid(*radius)) {
+            let given = self.radii[body];
+            return Err(WorldError::Radius { body, given });
+        }
+        if !self.gravity.iter().all(|part| part.is_finite()) {
+            return Err(WorldError::Gravity);
+        }
         let sphere = |sphere: &Sphere<f64>| {
-            valid(sphere.inv_mass)
+            MASSES.contains(&(1.0 / sphere.inv_mass))
                 && valid(sphere.inv_inertia)
                 && (sphere.velocity.norm() + sphere.spin.norm()).is_finite()
         };
@@ -198,6 +211,12 @@ pub enum WorldError {
         /// Given.
         motion: f64,
     },
+    /// Everything or nothing would count as still.
+    #[error("the speed of stillness must be finite and not negative, not {given}")]
+    StillSpeed {
+        /// Given.
+        given: f64,
+    },
     /// Not one radius and one set of velocities a position.
     #[error(
         "{positions} positions, {radii} radii and {spheres} spheres: give one of each a sphere"
@@ -210,8 +229,22 @@ pub enum WorldError {
         /// Given.
         spheres: usize,
     },
-    /// A sphere has no mass or no finite state.
-    #[error("sphere {body}: mass and inertia must be positive and finite, velocities finite")]
+    /// A radius is not positive and finite.
+    #[error("sphere {body}: the radius must be positive and finite, not {given}")]
+    Radius {
+        /// Which sphere.
+        body: usize,
+        /// Given.
+        given: f64,
+    },
+    /// Gravity is infinite or NaN.
+    #[error("gravity must be finite")]
+    Gravity,
+    /// A sphere has no mass that can be computed with, or no finite state.
+    #[error(
+        "sphere {body}: the mass must lie between 1e-100 and 1e100, the inertia must be positive \
+         and finite, velocities finite; other units help"
+    )]
     Sphere {
         /// Which sphere.
         body: usize,

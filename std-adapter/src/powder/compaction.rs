@@ -15,6 +15,7 @@ use std::f64::consts::PI;
 use std::time::Instant;
 use tribos_core::contact::{Sphere, TouchError};
 use tribos_core::law::LawError;
+use tribos_core::limit_surface::SurfaceError;
 
 /// Columns of the series, in the units of the scene; `stress_zz` in units of the applied pressure.
 pub const COLUMNS: [&str; 15] = [
@@ -55,6 +56,9 @@ pub enum CompactionError {
     /// The kernel refused a law.
     #[error(transparent)]
     Law(#[from] LawError),
+    /// The kernel refused a set of sliding and torsion.
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
     /// The world cannot start or go on.
     #[error(transparent)]
     World(#[from] WorldError),
@@ -76,6 +80,7 @@ impl From<BuildError> for CompactionError {
     fn from(error: BuildError) -> Self {
         match error {
             BuildError::Law(error) => error.into(),
+            BuildError::Surface(error) => error.into(),
             BuildError::World(error) => error.into(),
         }
     }
@@ -269,7 +274,12 @@ impl Compaction {
             means: self.means(),
             pressure: scene.pressure,
             area: self.area(),
-            statistics: Statistics::of(&self.contacts, radii, scene.friction, scene.cohesion_range),
+            statistics: Statistics::of(
+                &self.contacts,
+                radii,
+                scene.thresholds(),
+                scene.cohesion_range,
+            ),
             residual: self.report.residual.relative,
             iterations: self.totals.iterations,
             unmet: self.totals.unmet,

@@ -7,14 +7,16 @@ use crate::cd::{
     solid,
 };
 use crate::record::{ContactRow, Partner};
-use crate::scene::{PowderScene, WallLaw};
+use crate::scene::{Coupling, PowderScene, WallLaw};
 use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_core::contact::{
-    AxialPart, Cohesion, ContactFriction, Modal, Modes, NormalLaw, PlanarPart, Sphere, Thresholds,
-    Touch, TouchError,
+    AxialPart, Cohesion, ContactFriction, CoupledFriction, Modal, Modes, NormalLaw, PlanarPart,
+    Sphere, Thresholds, Touch, TouchError,
 };
+use tribos_core::coupling::table;
 use tribos_core::law::LawError;
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, SurfaceError};
 
 /// Number of the piston among the walls.
 pub const PISTON: u32 = 1;
@@ -55,6 +57,21 @@ pub(super) fn build(
 ) -> Result<Box<dyn Packing>, BuildError> {
     let [mu, mu_t, mu_n] = scene.friction;
     let at = (scene, deposit, frozen);
+    if mu > 0.0 && mu_n > 0.0 {
+        // The contact's radius, in r_eff, follows from its two thresholds.
+        let radius = mu_n / (mu * SPIN_TORQUE);
+        match scene.coupling {
+            Coupling::Independent => {}
+            Coupling::Ellipsoid => {
+                let set = |mu| Ellipsoid::new(mu, radius, SPIN_TORQUE);
+                return coupled(at, [set(mu)?, set(0.0)?]);
+            }
+            Coupling::Exact => {
+                let set = |mu| LimitSurface::new(table::Coulomb, mu, radius);
+                return coupled(at, [set(mu)?, set(0.0)?]);
+            }
+        }
+    }
     match scene.friction.map(|mu| mu > 0.0) {
         [false, false, false] => boxed(at, [Thresholds::none(); 2]),
         [true, false, false] => boxed(
@@ -88,12 +105,34 @@ pub(super) fn build(
     }
 }
 
+/// Torque of a spinning contact over force limit and radius, under uniform pressure.
+const SPIN_TORQUE: f64 = 2.0 / 3.0;
+
+/// A world in which sliding and torsion share a set: between spheres, and where walls are smooth.
+fn coupled<S: FrictionSet<f64> + Copy + Debug + Send + Sync + 'static>(
+    at: (&PowderScene, &Deposit, Option<&Frozen>),
+    [rough, smooth]: [S; 2],
+) -> Result<Box<dyn Packing>, BuildError> {
+    let scene = at.0;
+    let mu_t = scene.friction[1];
+    if mu_t > 0.0 {
+        let law = |set, mu_t| CoupledFriction::all(set, mu_t);
+        boxed(at, both(scene, law(rough, mu_t)?, law(smooth, 0.0)?))
+    } else {
+        let law = CoupledFriction::sliding_torsion;
+        boxed(at, both(scene, law(rough), law(smooth)))
+    }
+}
+
 /// What a packing cannot be built of.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum BuildError {
     /// The kernel refused a law.
     #[error(transparent)]
     Law(#[from] LawError),
+    /// The kernel refused a set.
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
     /// The world refused the setup.
     #[error(transparent)]
     World(#[from] WorldError),
@@ -108,9 +147,9 @@ fn both<F: Copy>(scene: &PowderScene, rough: F, smooth: F) -> [F; 2] {
 }
 
 /// A world with these modes.
-fn boxed<M: Modes<f64>>(
+fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
     (scene, deposit, frozen): (&PowderScene, &Deposit, Option<&Frozen>),
-    friction: [Thresholds<f64, M>; 2],
+    friction: [F; 2],
 ) -> Result<Box<dyn Packing>, BuildError> {
     let cohesion = Cohesion::new(STRENGTH, scene.cohesion_range, scene.attraction)?;
     let pair = NormalLaw::new(cohesion, scene.restitution)?;

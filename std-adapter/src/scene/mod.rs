@@ -15,7 +15,7 @@ mod slider;
 pub use body::{Scene, parse_scene, read_scene};
 pub use key::{Domain, Key};
 pub use planar::{PlanarBody, PlanarScene, Tipping};
-pub use powder::{Criterion, PowderScene, WallLaw};
+pub use powder::{Coupling, Criterion, PowderScene, WallLaw};
 pub use problem::{Problem, SceneError};
 pub use slider::{SliderScene, Stepper, Units};
 

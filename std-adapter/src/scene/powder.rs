@@ -22,6 +22,17 @@ pub enum WallLaw {
     Bare,
 }
 
+/// How the thresholds of sliding and torsion depend on each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coupling {
+    /// Not at all (thesis, eqs. 4.1 and 4.2).
+    Independent,
+    /// By an ellipsoid with these thresholds for axes.
+    Ellipsoid,
+    /// By the limit surface of a round contact under uniform pressure with these thresholds.
+    Exact,
+}
+
 /// When a packing counts as blocked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Criterion {
@@ -45,6 +56,8 @@ pub struct PowderScene {
     pub seed: u64,
     /// μ, μ_t and μ_n between spheres.
     pub friction: [f64; 3],
+    /// How sliding and torsion go together.
+    pub coupling: Coupling,
     /// On the piston, in F_coh/R².
     pub pressure: f64,
     /// d_c
@@ -130,6 +143,12 @@ const TORSION: Key = key(
     "-",
     "mu_n: torsion torque over P r_eff (default 0)",
     Domain::NotNegative,
+);
+const COUPLING: Key = key(
+    "coupling",
+    "-",
+    "of the thresholds of sliding and torsion (default independent)",
+    Domain::OneOf(&["independent", "ellipsoid", "exact"]),
 );
 const PRESSURE: Key = key(
     "pressure",
@@ -295,6 +314,7 @@ impl PowderScene {
         SLIDING,
         ROLLING,
         TORSION,
+        COUPLING,
         PRESSURE,
         RANGE,
         ATTRACTION,
@@ -334,6 +354,8 @@ impl PowderScene {
             take.or(ROLLING, 0.0),
             take.or(TORSION, 0.0),
         ];
+        let shapes = [Coupling::Independent, Coupling::Ellipsoid, Coupling::Exact];
+        let coupling = shapes[take.word(COUPLING).min(2)];
         let pressure = take.or(PRESSURE, THESIS_PRESSURE);
         let cohesion_range = take.or(RANGE, NANO_RANGE);
         let attraction = [Attraction::Pull, Attraction::Resistance][take.word(ATTRACTION).min(1)];
@@ -360,6 +382,7 @@ impl PowderScene {
             until,
             seed,
             friction,
+            coupling,
             pressure,
             cohesion_range,
             attraction,
@@ -380,6 +403,15 @@ impl PowderScene {
     /// The scene with everything that was left to defaults, as JSON.
     pub fn json(&self) -> Value {
         Value::Object(self.values.clone())
+    }
+
+    /// Coefficients of the modes that have a threshold of their own; 0 for others.
+    pub fn thresholds(&self) -> [f64; 3] {
+        let [mu, mu_t, mu_n] = self.friction;
+        match self.coupling {
+            Coupling::Independent => [mu, mu_t, mu_n],
+            Coupling::Ellipsoid | Coupling::Exact => [0.0, mu_t, 0.0],
+        }
     }
 
     /// Force on the piston.

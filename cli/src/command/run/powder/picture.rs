@@ -26,8 +26,13 @@ pub fn packing(
     };
     let initial = before.packing(scene.width, outcome.heights[0])?;
     let blocked = after.packing(scene.width, outcome.heights[1])?;
-    let forces =
-        PackingPicture::forces("Final forces", &blocked, &after.contacts).map_err(Failure::run)?;
+    let largest = after
+        .contacts
+        .iter()
+        .map(|contact| contact.normal_force.abs());
+    let forces = PackingPicture::forces("Final forces", &blocked, &after.contacts)
+        .map_err(Failure::run)?
+        .full_force(largest.fold(0.0, f64::max), "F_coh");
     let [mu, mu_t, mu_n] = scene.friction;
     let name = format!("Compaction, μ = {mu}, μ_t = {mu_t}, μ_n = {mu_n}");
     Ok(Sheet::new(name, 3)
