@@ -133,7 +133,7 @@ fn cohesion_claims() -> Result<Vec<Claim>, Failure> {
     let mut claims = vec![pushed()?];
     for (name, attraction) in READINGS {
         let pair = Pair::equal(attraction)?;
-        let pull = bearable(&pair, 2.0 * STRENGTH, |size| pulled(size))?;
+        let pull = bearable(&pair, 2.0 * STRENGTH, pulled)?;
         claims.push(claim(
             &format!("{name}: a pull that is stronger than F_coh cannot be compensated"),
             ("F_coh = 1", STRENGTH),

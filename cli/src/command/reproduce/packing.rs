@@ -36,9 +36,10 @@ pub fn figure_4_6(runs: &Runs) -> Result<Exhibit, Failure> {
             "The {} system, {} spheres of the first seed, without rolling and torsion friction; \
              the thesis shows the large one and does not say with which torques. Colours are the \
              heights in the deposit; the third picture shows the forces that hold the blocked \
-             packing. `--full` takes the large system.",
+             packing{}.",
             system.name(),
-            run.outcome.particles
+            run.outcome.particles,
+            runs.hint("; `--full` takes the large system")
         )],
         caption: "Initial and final packing, and the final forces.".into(),
         drawing: Box::new(powder::packing(&run.scene, &run.states, &run.outcome)?),

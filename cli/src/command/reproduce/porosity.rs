@@ -130,7 +130,7 @@ pub fn figure_4_7(runs: &Runs) -> Result<Exhibit, Failure> {
     }
     Ok(Exhibit {
         heading: "Figure 4.7: final porosity over rolling and torsion friction".into(),
-        text: text(),
+        text: text(runs),
         caption: "Final porosity; whiskers are standard deviations of single deposits.".into(),
         drawing: Box::new(sheet),
         columns: vec![
@@ -146,8 +146,8 @@ pub fn figure_4_7(runs: &Runs) -> Result<Exhibit, Failure> {
     })
 }
 
-fn text() -> Vec<String> {
-    vec![
+fn text(runs: &Runs) -> Vec<String> {
+    let mut text = vec![
         "The thesis states the pressure F_coh/(400R²), the piston's mass, μ = 0.3 and the law of \
          the contacts. It does not state the range of cohesion d_c, what happens where spheres \
          touch the bottom and the piston, the step, the sweeps of its iteration or when that \
@@ -160,8 +160,13 @@ fn text() -> Vec<String> {
          porosity does: a converged iteration ends above the thesis' numbers. The rows with our \
          own trials show two of the causes."
             .into(),
+    ];
+    let hint = runs.hint(
         "Two deposits of the small system, at the four corners; `--full` takes the whole grid, and \
-         the large system."
-            .into(),
-    ]
+         the large system.",
+    );
+    if !hint.is_empty() {
+        text.push(hint.into());
+    }
+    text
 }
