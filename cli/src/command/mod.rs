@@ -6,6 +6,7 @@ mod inverse;
 mod laws;
 mod modes;
 mod number;
+mod parallel;
 mod patch;
 mod profile;
 mod reproduce;

@@ -93,6 +93,9 @@ pub enum Verdict {
     Agrees,
     /// The thesis is wrong; the text tells what is right.
     Erratum(String),
+    /// The results differ, and conditions that the thesis does not state decide; the text tells
+    /// which.
+    Unstated(String),
     /// The results differ and it is open who is right.
     Differs,
     /// The claim was not checked.
@@ -101,7 +104,7 @@ pub enum Verdict {
 
 // How many claims ended in which verdict.
 #[derive(Debug, Clone, Copy, Default)]
-struct Counts([usize; 4]);
+struct Counts([usize; 5]);
 
 impl Page {
     /// The page as one HTML document.
@@ -139,7 +142,8 @@ impl Page {
         let total = total.row("All sections");
         format!(
             "<nav class=\"scroll\">\n<table>\n<thead><tr><th>Section</th><th>Agrees</th>\
-             <th>Errata</th><th>Differs</th><th>Not checked</th></tr></thead>\n\
+             <th>Errata</th><th>Differs, conditions not stated</th><th>Differs</th>\
+             <th>Not checked</th></tr></thead>\n\
              <tbody>\n{rows}</tbody>\n<tfoot>\n{total}</tfoot>\n</table>\n</nav>\n"
         )
     }
@@ -191,8 +195,9 @@ impl Verdict {
         match self {
             Self::Agrees => 0,
             Self::Erratum(_) => 1,
-            Self::Differs => 2,
-            Self::NotChecked => 3,
+            Self::Unstated(_) => 2,
+            Self::Differs => 3,
+            Self::NotChecked => 4,
         }
     }
 
@@ -205,6 +210,10 @@ impl Verdict {
             Self::Erratum(text) => {
                 let text = escape(text);
                 format!("{}<br>{text}", word("erratum", "the thesis is wrong"))
+            }
+            Self::Unstated(text) => {
+                let (text, words) = (escape(text), "differs, conditions not stated");
+                format!("{}<br>{text}", word("differs", words))
             }
             Self::Differs => word("differs", "differs"),
             Self::NotChecked => word("unchecked", "not checked"),

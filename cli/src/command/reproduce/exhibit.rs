@@ -138,3 +138,65 @@ pub fn short(x: f64) -> String {
         format!("{x:.12}")
     }
 }
+
+/// A number that hangs on conditions which the thesis does not state.
+pub struct Conditional<'a> {
+    /// What it is.
+    pub statement: &'a str,
+    /// As printed, and its value.
+    pub thesis: (&'a str, f64),
+    /// As shown, and its value.
+    pub ours: (String, f64),
+    /// Agrees within this, absolute.
+    pub tolerance: f64,
+    /// Where ours was found before: outside of it something is wrong with ours.
+    pub known: std::ops::RangeInclusive<f64>,
+    /// What decides.
+    pub reason: &'a str,
+}
+
+impl Conditional<'_> {
+    /// Agrees, differs for the reason given, or just differs.
+    pub fn claim(self) -> Claim {
+        let ours = self.ours.1;
+        let difference = (ours - self.thesis.1).abs();
+        Claim {
+            statement: self.statement.into(),
+            thesis: self.thesis.0.into(),
+            ours: self.ours.0,
+            difference: format!("{difference:.1e}"),
+            verdict: if difference <= self.tolerance {
+                Verdict::Agrees
+            } else if self.known.contains(&ours) {
+                Verdict::Unstated(self.reason.into())
+            } else {
+                Verdict::Differs
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_condition_excuses_only_what_was_found_before() {
+        let verdict = |ours: f64| {
+            let conditional = Conditional {
+                statement: "porosity",
+                thesis: ("54 %", 0.54),
+                ours: (short(ours), ours),
+                tolerance: 0.02,
+                known: 0.65..=0.69,
+                reason: "d_c",
+            };
+            conditional.claim().verdict
+        };
+        assert_eq!(verdict(0.55), Verdict::Agrees);
+        assert_eq!(verdict(0.67), Verdict::Unstated("d_c".into()));
+        for strange in [0.60, 0.75, f64::NAN] {
+            assert_eq!(verdict(strange), Verdict::Differs);
+        }
+    }
+}

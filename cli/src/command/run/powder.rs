@@ -4,6 +4,7 @@ mod output;
 mod picture;
 
 pub use output::{report, write};
+pub use picture::{State, packing};
 
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};

@@ -1,12 +1,11 @@
 //! The runs of a sweep, some at a time.
 
 use super::grid::Grid;
+use crate::command::parallel::in_order;
 use crate::command::run::powder::{self, Progress, Start};
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 use tribos::record::write_atomically;
 use tribos::scene::{self, PowderScene, Scene};
@@ -68,29 +67,13 @@ fn powder_scene(file: &Path, overrides: &[String]) -> Result<PowderScene, Failur
 /// Runs the tasks in `jobs` threads; summaries in the order of the tasks, whatever the threads do.
 /// All runs are tried; the first that failed in that order is told.
 pub fn run(tasks: &[Task], jobs: usize) -> Result<Vec<Value>, Failure> {
-    let next = AtomicUsize::new(0);
-    let results: Vec<_> = tasks.iter().map(|_| Mutex::new(None)).collect();
-    std::thread::scope(|scope| {
-        for _ in 0..jobs.min(tasks.len()) {
-            scope.spawn(|| {
-                while let Some((task, slot)) = {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    tasks.get(index).zip(results.get(index))
-                } {
-                    let result = task.summary();
-                    if let Ok(mut slot) = slot.lock() {
-                        *slot = Some(result);
-                    }
-                }
-            });
-        }
-    });
+    let results = in_order(tasks.len(), jobs, |index| tasks[index].summary());
     let lost = || Err(Failure::run("a run ended without a result"));
     results
         .into_iter()
         .zip(tasks)
         .map(|(slot, task)| {
-            let result = slot.into_inner().ok().flatten().unwrap_or_else(lost);
+            let result = slot.unwrap_or_else(lost);
             result.map_err(|failure| task.named(failure))
         })
         .collect()

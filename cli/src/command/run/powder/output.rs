@@ -40,7 +40,7 @@ pub fn write(
     image::write_both(
         out,
         "packing",
-        &picture::packing(scene, compaction, outcome)?,
+        &picture::packing(scene, &picture::State::both(compaction), outcome)?,
     )?;
     image::write_both(out, "series", &picture::series(compaction, outcome))?;
     // Last: a summary stands only beside complete results.

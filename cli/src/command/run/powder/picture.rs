@@ -11,13 +11,10 @@ use tribos::scene::PowderScene;
 /// Initial and final spheres in one scale, and the final forces.
 pub fn packing(
     scene: &PowderScene,
-    compaction: &Compaction,
+    [before, after]: &[State; 2],
     outcome: &Outcome,
 ) -> Result<Sheet, Failure> {
-    let deposit = compaction.deposit();
     let top = outcome.heights[0];
-    let before = State::of(&deposit.snapshot(&[]));
-    let after = compaction.with_snapshot(State::of);
     let percent = outcome.porosity.map(|porosity| 100.0 * porosity);
     let title = |name: &str, percent: f64| format!("{name}, {percent:.1} % empty");
 
@@ -76,13 +73,21 @@ pub fn series(compaction: &Compaction, outcome: &Outcome) -> Panels {
 }
 
 /// A snapshot as pictures take it.
-struct State {
-    positions: Vec<[f64; 3]>,
+#[derive(Debug)]
+pub struct State {
+    /// Centres.
+    pub positions: Vec<[f64; 3]>,
     radii: Vec<f64>,
     contacts: Vec<Contact>,
 }
 
 impl State {
+    /// The deposit that the run began with, and what has become of it.
+    pub fn both(compaction: &Compaction) -> [Self; 2] {
+        let before = Self::of(&compaction.deposit().snapshot(&[]));
+        [before, compaction.with_snapshot(Self::of)]
+    }
+
     fn of(snapshot: &Snapshot<'_>) -> Self {
         let contact = |row: &ContactRow| Contact {
             a: row.a as usize,

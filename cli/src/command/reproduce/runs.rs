@@ -1,0 +1,212 @@
+//! The compactions behind chapter 4, each run once for all exhibits.
+
+use crate::command::parallel::in_order;
+use crate::command::run::powder::State;
+use crate::failure::Failure;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::available_parallelism;
+use tribos::powder::{Compaction, Outcome};
+use tribos::run::drive_watched;
+use tribos::scene::{PowderScene, Scene, parse_scene};
+
+/// How much is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effort {
+    /// What takes a minute or two.
+    Quick,
+    /// Everything that the thesis shows.
+    Full,
+}
+
+/// A system of the thesis (section 4.5).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum System {
+    /// 470 spheres.
+    Small,
+    /// 1015 spheres.
+    Large,
+}
+
+impl System {
+    /// Its name in the thesis.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Small => "small",
+            Self::Large => "large",
+        }
+    }
+
+    /// Side of the base and height of the piston at the start, in R.
+    pub fn size(self) -> [f64; 2] {
+        match self {
+            Self::Small => [20.0, 61.5],
+            Self::Large => [25.0, 87.5],
+        }
+    }
+}
+
+/// One compaction: a system, and the keys of its scene that are not the defaults.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Case {
+    system: System,
+    keys: Vec<String>,
+}
+
+impl Case {
+    /// μ = 0.3 and these rolling and torsion coefficients.
+    pub fn new(system: System, [rolling, torsion]: [f64; 2], seed: u64) -> Self {
+        let keys = vec![
+            format!("rolling={rolling}"),
+            format!("torsion={torsion}"),
+            format!("seed={seed}"),
+        ];
+        Self { system, keys }
+    }
+
+    /// With one more key, `key=value`.
+    pub fn with(mut self, key: &str) -> Self {
+        self.keys.push(key.into());
+        self
+    }
+
+    fn scene(&self) -> Result<PowderScene, Failure> {
+        let [width, height] = self.system.size();
+        let text = format!("body = \"powder\"\nwidth = {width}\nheight = {height}\n");
+        match parse_scene("compaction", &text, &self.keys).map_err(Failure::input)? {
+            Scene::Powder(scene) => Ok(*scene),
+            _ => Err(Failure::run("a powder became something else")),
+        }
+    }
+}
+
+impl fmt::Display for Case {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} system, {}", self.system.name(), self.keys.join(", "))
+    }
+}
+
+/// What is kept of a compaction.
+#[derive(Debug)]
+pub struct Run {
+    /// What was run.
+    pub scene: PowderScene,
+    /// The summary.
+    pub outcome: Outcome,
+    /// The packing at the start and at the end.
+    pub states: [State; 2],
+}
+
+impl Run {
+    fn of(case: &Case) -> Result<Self, Failure> {
+        let scene = case.scene()?;
+        let mut compaction = Compaction::new(&scene)?;
+        drive_watched(&mut compaction, |_| Ok::<(), Failure>(()))?;
+        Ok(Self {
+            outcome: compaction.outcome(),
+            states: State::both(&compaction),
+            scene,
+        })
+    }
+}
+
+/// All compactions so far.
+#[derive(Debug)]
+pub struct Runs {
+    effort: Effort,
+    done: Mutex<BTreeMap<Case, Arc<Run>>>,
+}
+
+impl Runs {
+    /// None yet.
+    pub fn new(effort: Effort) -> Self {
+        Self {
+            effort,
+            done: Mutex::default(),
+        }
+    }
+
+    /// How much to compute.
+    pub fn effort(&self) -> Effort {
+        self.effort
+    }
+
+    /// What more there would be, if there is.
+    pub fn hint<'a>(&self, more: &'a str) -> &'a str {
+        match self.effort {
+            Effort::Quick => more,
+            Effort::Full => "",
+        }
+    }
+
+    /// The cases in their order. Those that are missing run now, as many at a time as the machine
+    /// has cores, each told on standard error.
+    pub fn of(&self, cases: &[Case]) -> Result<Vec<Arc<Run>>, Failure> {
+        let mut done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut missing: Vec<&Case> = cases
+            .iter()
+            .filter(|case| !done.contains_key(*case))
+            .collect();
+        missing.sort();
+        missing.dedup();
+
+        let threads = available_parallelism().map_or(1, NonZero::get);
+        let ended = AtomicUsize::new(0);
+        let results = in_order(missing.len(), threads, |index| {
+            let run = Run::of(missing[index])?;
+            let count = ended.fetch_add(1, Ordering::Relaxed) + 1;
+            tell(missing[index], &run.outcome, [count, missing.len()]);
+            Ok::<_, Failure>(run)
+        });
+        for (case, result) in missing.into_iter().zip(results) {
+            let run = result.unwrap_or_else(|| Err(Failure::run("a run was lost")))?;
+            done.insert(case.clone(), Arc::new(run));
+        }
+        let kept = cases.iter().filter_map(|case| done.get(case).cloned());
+        Ok(kept.collect())
+    }
+
+    /// One case.
+    pub fn one(&self, case: &Case) -> Result<Arc<Run>, Failure> {
+        let mut runs = self.of(std::slice::from_ref(case))?;
+        runs.pop().ok_or_else(|| Failure::run("a run was lost"))
+    }
+}
+
+/// One line on standard error.
+fn tell(case: &Case, outcome: &Outcome, [count, all]: [usize; 2]) {
+    eprintln!(
+        "{count:>3} of {all}: {case}: porosity {:.2} % after {} steps, {:.1} s",
+        100.0 * outcome.porosity[1],
+        outcome.steps,
+        outcome.wall_seconds
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_case_is_run_once_and_answers_in_the_order_asked() -> Result<(), Failure> {
+        let runs = Runs::new(Effort::Quick);
+        let case = |seed| Case::new(System::Small, [0.0; 2], seed).with("steps=2");
+        let first = runs.of(&[case(2), case(1), case(2)])?;
+        assert!(Arc::ptr_eq(&first[0], &first[2]) && !Arc::ptr_eq(&first[0], &first[1]));
+        assert!(Arc::ptr_eq(&first[1], &runs.one(&case(1))?));
+        assert_eq!(first[0].scene.seed, 2);
+        assert_eq!(first[1].scene.seed, 1);
+        assert_eq!(first[1].outcome.steps, 2);
+        Ok(())
+    }
+
+    #[test]
+    fn a_refused_key_is_an_input_failure() {
+        let runs = Runs::new(Effort::Quick);
+        let case = Case::new(System::Large, [0.0; 2], 1).with("sweeps=many");
+        assert!(matches!(runs.one(&case), Err(Failure::Input(_))));
+    }
+}
