@@ -6,17 +6,17 @@ use tribos_tests::hard::{TOLERANCES, cases, refusals};
 /// Largest error and overlap of each case at the two tolerances: measured, rounded up.
 ///
 /// Where a heavy body lies on a light one, a sweep takes back only the ratio of their masses of
-/// what is wrong: the change of a sweep says little, and the usual tolerance stops far too early.
+/// what is wrong: what a sweep leaves of the approach ends it, not its change.
 const BOUNDS: [(&str, [f64; 2], [f64; 2]); 13] = [
-    ("chain of 200", [2e-3, 1e-7], [3e-4, 3e-10]),
-    ("column of 50", [4e-2, 5e-8], [2e-3, 3e-9]),
-    ("one sphere, plate of 1e6", [0.9, 1e-8], [0.1, 5e-3]),
-    ("two spheres", [0.9, 1e-8], [0.1, 4e-4]),
-    ("tower of 12", [0.9, 1e-8], [0.1, 1e-4]),
+    ("chain of 200", [2e-3, 1e-7], [3e-4, 4e-10]),
+    ("column of 50", [1e-3, 2e-6], [5e-4, 2e-9]),
+    ("one sphere, plate of 1e6", [3e-5, 6e-5], [1e-3, 5e-4]),
+    ("two spheres", [3e-5, 6e-5], [1e-3, 5e-4]),
+    ("tower of 12", [4e-6, 1e-5], [6e-4, 2e-7]),
     ("jammed box", [1e-5, 1e-12], [1e-5, 1e-11]),
     ("pull of exactly", [1e-15, 1e-15], [1e-15, 1e-15]),
     ("push of exactly", [1e-15, 1e-15], [1e-15, 1e-15]),
-    ("pair with an overlap", [1e-14, 1e-14], [1e-6, 1e-12]),
+    ("pair with an overlap", [2e-8, 3e-14], [1e-6, 1e-12]),
     (
         "sliding on a sphere of radius 1e3",
         [4e-4, 4e-4],
@@ -27,8 +27,8 @@ const BOUNDS: [(&str, [f64; 2], [f64; 2]); 13] = [
         [4e-7, 4e-7],
         [1e-15, 1e-15],
     ),
-    ("chain of 20, radius 1e-30", [2e-3, 2e-9], [2e-5, 2e-11]),
-    ("chain of 20, radius 1e30", [2e-3, 2e-9], [2e-5, 2e-11]),
+    ("chain of 20, radius 1e-30", [2e-3, 2e-9], [3e-5, 3e-11]),
+    ("chain of 20, radius 1e30", [2e-3, 2e-9], [3e-5, 3e-11]),
 ];
 
 #[test]
