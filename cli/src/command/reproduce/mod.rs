@@ -48,7 +48,7 @@ pub struct Arguments {
     /// What to reproduce, such as 3.4 or table-3.1; everything if left out.
     names: Vec<String>,
     /// Compact powders for everything that the thesis shows (4.6, 4.7, table 4.1), not for a sample
-    /// of it: an hour instead of a minute.
+    /// of it: ten to twenty minutes instead of one.
     #[arg(long)]
     full: bool,
     /// List the names and stop.
