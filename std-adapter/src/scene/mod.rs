@@ -9,6 +9,7 @@ mod entries;
 mod key;
 mod planar;
 mod powder;
+mod powder_keys;
 mod problem;
 mod slider;
 
