@@ -249,3 +249,25 @@ fn a_ball_falls_rebounds_with_e_and_keeps_what_it_should() {
         assert!((world.state().book.normal - lost).abs() < 1e-14);
     }
 }
+
+#[test]
+fn driven_walls_do_the_work_that_is_booked() {
+    // A floor that carries a ball along, and one that also lifts it.
+    for lift in [0.0, 0.2] {
+        let mut setup = chain(1, Laws::uniform(dry(), rough(0.3, 0.1, 0.1)));
+        setup.walls[0].plate.velocity = Vector3::new(0.5, 0.0, lift);
+        let mut world = World::new(setup).expect("the setup is valid");
+        for _ in 0..100 {
+            world.step().expect("the step is taken");
+        }
+        let book = &world.state().book;
+        assert!(book.imbalance().abs() < 1e-13, "{book:?}");
+        // The ball has taken up speed, which only the floor can have given.
+        let gravity = lift * world.state().time * world.state().spheres[0].inv_mass.recip();
+        assert!(
+            book.kinetic > 0.01 && book.work + gravity > book.kinetic,
+            "{book:?}"
+        );
+        assert!(book.sliding > 0.0);
+    }
+}

@@ -34,7 +34,9 @@ pub enum TouchError {
 impl core::fmt::Display for TouchError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
-            Self::NoNormal => "the centres coincide or the centre lies in the plate: there is no normal",
+            Self::NoNormal => {
+                "the centres coincide or the centre lies in the plate: there is no normal"
+            }
             Self::NotFinite => "positions must be finite, radii positive and finite",
         })
     }

@@ -19,7 +19,7 @@ use tribos_core::contact::{AxialPart, ContactFriction, PlanarPart, Sphere};
 /// Energies of a run so far. *Units*: energy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Book {
-    /// Work of walls' loads and of gravity.
+    /// Work of walls' loads, of what drives walls, and of gravity.
     pub work: f64,
     /// Lost in collisions and by closing gaps.
     pub normal: f64,
@@ -71,8 +71,8 @@ impl Book {
             }
         }
         for (wall, plate) in walls.iter().zip(&problem.plates) {
-            self.work += wall.force * wall.outward.dot(&plate.velocity) * dt;
             if plate.inv_mass > 0.0 {
+                self.work += wall.force * wall.outward.dot(&plate.velocity) * dt;
                 let mass = 1.0 / plate.inv_mass;
                 kinetic += 0.5 * mass * plate.velocity.norm_squared();
                 initial += 0.5 * mass * wall.plate.velocity.norm_squared();
@@ -96,9 +96,16 @@ impl Book {
             let (a, b) = (&problem.spheres[a], &problem.plates[b]);
             let velocity = link.contact.velocity(a, b);
             self.modes(&link.contact, &velocity);
-            // A driven wall does work through what its normal does not feel.
-            let driven = b.velocity - link.contact.normal() * b.velocity.dot(link.contact.normal());
-            self.work += link.contact.impulse().sliding.vector().dot(&driven);
+            // What drives a wall bears the impulse on it: all of it if the wall feels none, else
+            // what is across the normal.
+            let normal = link.contact.normal();
+            let felt = if b.inv_mass > 0.0 {
+                normal * b.velocity.dot(normal)
+            } else {
+                Vector3::zeros()
+            };
+            let impulse = link.contact.impulse().linear(normal);
+            self.work -= impulse.dot(&(b.velocity - felt));
         }
     }
 
