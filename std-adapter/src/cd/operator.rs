@@ -101,7 +101,7 @@ fn ratio(change: f64, scale: f64) -> f64 {
 
 /// The larger of two numbers, NaN if either is.
 #[inline(always)]
-fn largest(a: f64, b: f64) -> f64 {
+pub(super) fn largest(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
 

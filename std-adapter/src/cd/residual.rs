@@ -3,7 +3,7 @@
 //! Velocities are worked out anew from the impulses. Each law is read as a set: what it asks of a
 //! contact is written down here once more, from the formulas, not through [`Contact::update`].
 
-use super::operator::Operator;
+use super::operator::{Operator, largest};
 use super::spheres::{Link, Spheres};
 use nalgebra::{Vector2, Vector3};
 use tribos_core::contact::{
@@ -101,10 +101,10 @@ impl Sum {
         } else {
             bound - (bound - block.mass_normal * gap_speed).max(0.0)
         };
-        r.penetration = r.penetration.max(-gap_speed);
-        r.excess = r.excess.max(-bound);
+        r.penetration = largest(r.penetration, -gap_speed);
+        r.excess = largest(r.excess, -bound);
         if !rests {
-            r.complementarity = r.complementarity.max((bound * gap_speed).abs());
+            r.complementarity = largest(r.complementarity, (bound * gap_speed).abs());
         }
 
         let mut map_sq = normal * normal;
@@ -114,28 +114,28 @@ impl Sum {
             let (p, u) = (p.rolling.vector(), u.rolling.vector());
             let (map, beyond) = disc(p, u, block.inertia, limit);
             map_sq += map.norm_squared() / (lever * lever);
-            excess = excess.max(beyond / lever);
+            excess = largest(excess, beyond / lever);
         }
         if let Some(set) = friction.joint() {
             let (joint_sq, beyond) = joint(set, contact, u);
             map_sq += joint_sq;
-            excess = excess.max(beyond);
+            excess = largest(excess, beyond);
         } else {
             if M::Sliding::PRESENT {
                 let (p, u) = (p.sliding.vector(), u.sliding.vector());
                 let (map, beyond) = disc(p, u, block.mass_sliding, mu * bound);
                 map_sq += map.norm_squared();
-                excess = excess.max(beyond);
+                excess = largest(excess, beyond);
             }
             if M::Torsion::PRESENT {
                 let (p, spin) = (p.torsion.component(), u.torsion.component());
                 let limit = (mu_n * bound * lever).max(0.0);
                 let map = p - (p - block.inertia * spin).clamp(-limit, limit);
                 map_sq += (map / lever).powi(2);
-                excess = excess.max((p.abs() - limit) / lever);
+                excess = largest(excess, (p.abs() - limit) / lever);
             }
         }
-        self.residual.excess = self.residual.excess.max(excess);
+        self.residual.excess = largest(self.residual.excess, excess);
         self.map_sq += map_sq;
         self.bound_sq += bound * bound;
     }
