@@ -12,8 +12,9 @@ mod sealed {
 /// A binary floating-point number: `f32` or `f64`.
 ///
 /// Elementary functions always come from the `libm` crate, so that a result has the same
-/// bits on every supported platform, whatever features other crates of the build switch on
-/// (`libm`'s own `arch` feature only swaps in instructions that round correctly, like its code).
+/// bits on every supported platform, whatever features other crates of the build switch on.
+/// Only square roots are instructions where the processor has one (`libm`'s feature `arch`,
+/// `tribos-sqrt`): these round correctly, as the code in software does.
 /// The kernel never contracts a product and a sum into one rounding.
 pub trait Real:
     Copy
@@ -163,7 +164,7 @@ impl_real! {
     f32, MANTISSA_F32,
     abs() = libm::fabsf;
     copysign(sign) = libm::copysignf;
-    sqrt() = libm::sqrtf;
+    sqrt() = tribos_sqrt::sqrtf;
     pow(exponent) = libm::powf;
     exp() = libm::expf;
     exp_m1() = libm::expm1f;

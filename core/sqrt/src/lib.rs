@@ -1,0 +1,43 @@
+//! The square root of an `f32` by the quickest way that rounds correctly.
+//!
+//! IEEE 754 leaves a square root no freedom, so that an instruction and a careful routine give the
+//! same bits. `libm` takes the instruction of x86-64 and AArch64 but not that of 32-bit Arm, where a
+//! root in software costs about sixty instructions; `core` has no stable function for it. This crate
+//! is that one instruction, apart from a kernel that forbids unsafe code.
+//!
+//! The floating-point unit must work as it does after reset: a program that sets flush-to-zero in
+//! FPSCR loses subnormal numbers here as everywhere else.
+#![no_std]
+
+/// Square root, correctly rounded.
+///
+/// *Special values*: NaN below zero and for NaN; √−0 = −0.
+#[inline]
+pub fn sqrtf(x: f32) -> f32 {
+    #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+    return vsqrt(x);
+    #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
+    return libm::sqrtf(x);
+}
+
+/// The instruction that every floating-point unit of 32-bit Arm has.
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+#[inline]
+#[allow(unsafe_code)] // One instruction.
+fn vsqrt(x: f32) -> f32 {
+    let root: u32;
+    // Units for single precision alone have no register class of their own in Rust.
+    // SAFETY: of what the compiler may use only the named core register and s0 change; the
+    // exception flags are not read by Rust.
+    unsafe {
+        core::arch::asm!(
+            "vmov s0, {bits}",
+            "vsqrt.f32 s0, s0",
+            "vmov {bits}, s0",
+            bits = inlateout(reg) x.to_bits() => root,
+            out("s0") _,
+            options(pure, nomem, nostack, preserves_flags),
+        );
+    }
+    f32::from_bits(root)
+}
