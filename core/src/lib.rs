@@ -24,6 +24,7 @@
 //! | [`modes`] | where the ratio of sliding to spinning goes |
 //! | [`contact`] | contacts that open, slide, roll and spin: impulses under thresholds |
 //! | [`manifold`] | a dozen such contacts solved together, in a fixed amount of memory |
+//! | [`planar`] | a body pushed and turned on its patch: implicit steps that hold what friction holds |
 //! | [`slider`] | a body followed to rest |
 //! | [`twist`] | motion in, wrench out |
 //! | [`special`], [`real`] | elliptic and hypergeometric functions; the scalar |
@@ -45,6 +46,7 @@ pub mod limit_surface;
 pub mod manifold;
 pub mod modes;
 pub mod patch;
+pub mod planar;
 pub mod real;
 pub mod slider;
 pub mod special;

@@ -1,0 +1,110 @@
+//! A body on its patch in the plane, pushed and turned: implicit steps that hold what friction holds.
+//!
+//! Dry friction is the dissipation potential's gradient only while the patch moves; at rest it is
+//! whatever balances the push, up to the limit surface. One implicit step knows both. With the mass
+//! matrix M, the push J (an impulse) and the set S of wrenches that friction carries,
+//!
+//! ```text
+//! M (u⁺ − u) = J + Δt f,   f ∈ S opposes u⁺    ⇔    Δt f = the point of Δt S nearest to −(M u + J)
+//! ```
+//!
+//! measured by kinetic energy (Moreau, Eur. J. Mech. A 13 (1994) 93). If that point is −(M u + J)
+//! itself the body rests, to the last bit, for as long as the push stays within S. Otherwise the step
+//! is taken by the implicit midpoint rule, which is of second order.
+//!
+//! ```
+//! use tribos_core::contact::TimeStep;
+//! use tribos_core::coupling::table::Coulomb;
+//! use tribos_core::limit_surface::LimitSurface;
+//! use tribos_core::planar::PlanarBody;
+//! use tribos_core::twist::{Twist, Wrench};
+//! use nalgebra::Vector2;
+//!
+//! // A puck of 0.17 kg and 4 cm radius; friction carries up to 0.5 N.
+//! let puck = PlanarBody::new(0.17_f64, 0.5 * 0.17 * 0.04 * 0.04)?;
+//! let ice = LimitSurface::new(Coulomb, 0.5, 0.04)?;
+//! let dt = TimeStep::new(1.0 / 60.0)?;
+//! let held = Wrench { force: Vector2::new(0.4, 0.0), torque: 0.0 };
+//! let rest = puck.step(&ice, &Twist::new(0.0, 0.0, 0.0), &held, dt);
+//! assert!(rest.is_at_rest && rest.twist == Twist::new(0.0, 0.0, 0.0));
+//! let slides = puck.step(&ice, &Twist::new(1.0, 0.0, 20.0), &Wrench::ZERO, dt);
+//! assert!(slides.twist.speed() < 1.0 && slides.twist.spin < 20.0);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
+
+mod foot;
+mod step;
+
+pub use foot::{Foot, FootError};
+pub use step::PlanarStep;
+
+use crate::real::Real;
+
+/// Mass, and moment of inertia about the normal, of a body that a patch carries.
+///
+/// Twist, push and friction refer to the centre of mass' foot on the plane; the patch of a
+/// [`crate::limit_surface::FrictionSet`] is centred there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PlanarBody<R> {
+    mass: R,
+    inertia: R,
+    /// √(inertia/mass)
+    gyration: R,
+}
+
+/// A mass or moment of inertia that is not positive and finite, or a radius of gyration that is not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PlanarBodyError {
+    /// The mass that was given.
+    pub mass: f64,
+    /// The moment of inertia that was given.
+    pub inertia: f64,
+}
+
+impl<R: Real> PlanarBody<R> {
+    /// *Units*: mass, mass × length². *Domain*: both positive and finite, and so their ratio.
+    pub fn new(mass: R, inertia: R) -> Result<Self, PlanarBodyError> {
+        let valid = |x: R| x > R::ZERO && x.is_finite();
+        let gyration = (inertia / mass).sqrt();
+        if valid(mass) && valid(inertia) && valid(gyration) {
+            Ok(Self {
+                mass,
+                inertia,
+                gyration,
+            })
+        } else {
+            let (mass, inertia) = (mass.to_f64(), inertia.to_f64());
+            Err(PlanarBodyError { mass, inertia })
+        }
+    }
+
+    /// The mass.
+    pub fn mass(&self) -> R {
+        self.mass
+    }
+
+    /// The moment of inertia about the normal.
+    pub fn inertia(&self) -> R {
+        self.inertia
+    }
+
+    /// The radius of gyration, √(inertia/mass).
+    pub fn gyration(&self) -> R {
+        self.gyration
+    }
+}
+
+impl core::fmt::Display for PlanarBodyError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self { mass, inertia } = self;
+        write!(
+            f,
+            "mass and moment of inertia must be positive and finite, and so their ratio, not {mass} \
+             and {inertia}"
+        )
+    }
+}
+
+impl core::error::Error for PlanarBodyError {}

@@ -1,0 +1,112 @@
+//! The implicit step.
+
+use super::{Foot, PlanarBody};
+use crate::contact::TimeStep;
+use crate::limit_surface::FrictionSet;
+use crate::patch::nodes::NodePatch;
+use crate::real::Real;
+use crate::twist::{Twist, Wrench};
+use nalgebra::Vector2;
+
+/// The end of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanarStep<R: Real> {
+    /// The motion after the step.
+    pub twist: Twist<R>,
+    /// Friction, as its mean over the step. *Units*: force, force × length.
+    pub friction: Wrench<R>,
+    /// Friction holds the body: `twist` is zero, to the last bit.
+    pub is_at_rest: bool,
+}
+
+impl<R: Real> PlanarBody<R> {
+    /// The motion after `dt` under the friction of `set` and a constant `push`.
+    ///
+    /// *Units*: velocity, 1/time; force, force × length; time. *Accuracy*: second order in `dt`
+    /// while the body slides, first order in the step in which it starts or stops; rest is exact.
+    /// *Cost*: one projection where the push alone exceeds the largest force, two elsewhere.
+    /// *Special values*: NaN for NaN, and where momentum/`dt` overflows.
+    pub fn step(
+        &self,
+        set: &impl FrictionSet<R>,
+        twist: &Twist<R>,
+        push: &Wrench<R>,
+        dt: TimeStep<R>,
+    ) -> PlanarStep<R> {
+        let length = self.gyration;
+        self.step_within(twist, push, dt, |needed| {
+            set.project_with_length(needed, length).wrench
+        })
+    }
+
+    /// The same on a foot of many points.
+    ///
+    /// `foot` keeps the force of every point for the next step; on the `patch` of another step it
+    /// starts anew by [`Foot::release`]. *Cost*: see [`Foot::nearest`], once or twice.
+    pub fn step_on_foot<P: NodePatch<R>, const CAPACITY: usize>(
+        &self,
+        foot: &mut Foot<R, P, CAPACITY>,
+        twist: &Twist<R>,
+        push: &Wrench<R>,
+        dt: TimeStep<R>,
+    ) -> PlanarStep<R> {
+        let length = self.gyration;
+        self.step_within(twist, push, dt, |needed| foot.nearest(needed, length))
+    }
+
+    /// The step, given the wrench of friction nearest to the one `needed` for rest.
+    fn step_within(
+        &self,
+        twist: &Twist<R>,
+        push: &Wrench<R>,
+        dt: TimeStep<R>,
+        mut nearest: impl FnMut(&Wrench<R>) -> Wrench<R>,
+    ) -> PlanarStep<R> {
+        let dt = dt.dt();
+        // Friction that would end the step at rest, and the one that is.
+        let needed = self.needed_for_rest(twist, push, dt);
+        let ended = nearest(&needed);
+        if ended == needed {
+            return PlanarStep {
+                twist: Twist::new(R::ZERO, R::ZERO, R::ZERO),
+                friction: ended,
+                is_at_rest: true,
+            };
+        }
+        // The motion at half time under the friction that it meets itself.
+        let half = R::HALF * dt;
+        let needed = self.needed_for_rest(twist, push, half);
+        let midway = nearest(&needed);
+        // A body that rests at half time but not at the end has turned about: first order.
+        let friction = if midway == needed { ended } else { midway };
+        PlanarStep {
+            twist: self.moved(twist, push, &friction, dt),
+            friction,
+            is_at_rest: false,
+        }
+    }
+
+    /// −(M u/Δt + push)
+    #[inline]
+    fn needed_for_rest(&self, twist: &Twist<R>, push: &Wrench<R>, dt: R) -> Wrench<R> {
+        let (mass, inertia) = (self.mass / dt, self.inertia / dt);
+        Wrench {
+            force: Vector2::new(
+                -(mass * twist.velocity.x + push.force.x),
+                -(mass * twist.velocity.y + push.force.y),
+            ),
+            torque: -(inertia * twist.spin + push.torque),
+        }
+    }
+
+    /// u + Δt M⁻¹ (push + friction)
+    #[inline]
+    fn moved(&self, twist: &Twist<R>, push: &Wrench<R>, friction: &Wrench<R>, dt: R) -> Twist<R> {
+        let (rate, turn) = (dt / self.mass, dt / self.inertia);
+        Twist::new(
+            twist.velocity.x + rate * (push.force.x + friction.force.x),
+            twist.velocity.y + rate * (push.force.y + friction.force.y),
+            twist.spin + turn * (push.torque + friction.torque),
+        )
+    }
+}
