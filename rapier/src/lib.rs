@@ -1,0 +1,46 @@
+//! Friction of area contacts for [Rapier](https://rapier.rs): bodies that slide and spin at once.
+//!
+//! Rapier resists the sliding of contact points. A puck that spins slides farther than its points
+//! tell, because every element of the area resists along its own velocity. [`PatchContacts`] takes
+//! the friction of chosen pairs of colliders out of the engine and puts the exact friction of a
+//! patch in its place: a disk, a ring or a polygon. All else (normal forces, other contacts, joints)
+//! stays the engine's.
+//!
+//! ```
+//! use rapier3d::prelude::*;
+//! use tribos_rapier::{Patch, PatchContacts};
+//!
+//! let mut world = PhysicsWorld::new();
+//! world.gravity = Vector::new(0.0, -9.81, 0.0);
+//! let (_, table) = world.insert(RigidBodyBuilder::fixed(), ColliderBuilder::cuboid(2.0, 0.1, 2.0));
+//! let body = RigidBodyBuilder::dynamic()
+//!     .translation(Vector::new(0.0, 0.11, 0.0))
+//!     .linvel(Vector::new(1.0, 0.0, 0.0))
+//!     .angvel(Vector::new(0.0, 12.5, 0.0));
+//! let (puck, foot) = world.insert(body, ColliderBuilder::cylinder(0.01, 0.08));
+//!
+//! let mut patches = PatchContacts::new();
+//! patches.insert(foot, table, Patch::disk(0.3, 0.08)?, &mut world.colliders);
+//! for _ in 0..60 {
+//!     patches.step(&mut world); // instead of world.step()
+//! }
+//! assert_eq!(world.bodies[puck].linvel().x, 0.0);
+//! # Ok::<(), tribos_rapier::PatchError>(())
+//! ```
+//!
+//! *Accuracy*: travel and stop of a puck within 0.5 % of the exact solution at 60 steps a second.
+//! *At rest*: a patch that friction holds has no relative motion, to the last bit where the contact's
+//! normal is an axis of the world, and creeps no farther than the engine rounds elsewhere.
+//! *Limits*: the pressure stays evenly spread whatever leans on the body; the patch lies below the
+//! centre of mass; a turn of more than 45° a step needs `allow_fast_rotation` of the body, as always
+//! in Rapier. A ground that moves freely is met with its mass and its inertia about the normal, its
+//! lever to the patch is left out.
+
+mod contacts;
+mod frame;
+mod pair;
+mod patch;
+
+pub use contacts::PatchContacts;
+pub use pair::Stop;
+pub use patch::{Patch, PatchError};
