@@ -32,6 +32,7 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 
+mod balance;
 mod foot;
 mod step;
 

@@ -1,0 +1,161 @@
+//! The set of wrenches that many points carry, against the closed ring and by its own geometry.
+
+use nalgebra::Vector2;
+use tribos_core::coupling::closed::Ring;
+use tribos_core::coupling::nodes::NodeFriction;
+use tribos_core::law::Coulomb;
+use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
+use tribos_core::patch::polar::ring;
+use tribos_core::planar::Foot;
+use tribos_core::twist::{Twist, Wrench};
+use tribos_tests::sweep::Lcg;
+
+const CAPACITY: usize = 256;
+type Points = NodeList<f64, CAPACITY>;
+
+fn wrench(rng: &mut Lcg, force: f64, torque: f64) -> Wrench<f64> {
+    let [x, y, n] = [(); 3].map(|()| rng.between(-1.0, 1.0));
+    Wrench {
+        force: Vector2::new(force * x, force * y),
+        torque: torque * n,
+    }
+}
+
+fn distance(a: &Wrench<f64>, b: &Wrench<f64>, length: f64) -> f64 {
+    (a.force - b.force)
+        .norm()
+        .hypot((a.torque - b.torque) / length)
+}
+
+/// Points and loads at random: one to thirty, sometimes in a line, sometimes one carries nearly all.
+fn points(rng: &mut Lcg, case: usize) -> Points {
+    let mut points = Points::new();
+    for n in 0..1 + rng.bits() % 30 {
+        let [x, y] = [(); 2].map(|()| rng.between(-0.2, 0.2));
+        let node = Node {
+            x,
+            y: if case.is_multiple_of(4) { 0.0 } else { y },
+            weight: if case % 5 == 1 && n == 0 {
+                20.0
+            } else {
+                rng.unit() + 1e-3
+            },
+        };
+        points.push(node).expect("room");
+    }
+    points
+}
+
+#[test]
+fn a_ring_of_points_is_the_closed_ring() {
+    let (limit, radius, length) = (3.0, 0.1, 0.07);
+    let closed = LimitSurface::new(Ring, limit, radius).expect("valid");
+    let points: Points = ring(radius, 256).expect("it fits");
+    let mut foot: Foot<f64, _, CAPACITY> = Foot::new(points, limit).expect("valid");
+    let mut rng = Lcg::new(3);
+    let mut worst = 0.0_f64;
+    for _ in 0..2000 {
+        let wanted = wrench(&mut rng, 2.0 * limit, 2.0 * limit * radius);
+        let carried = closed.project_with_length(&wanted, length).wrench;
+        let got = foot.nearest(&wanted, length);
+        worst = worst.max(distance(&carried, &got, length) / limit);
+    }
+    println!("worst difference from the closed ring: {worst:.1e} of the limit");
+    // Where the ring turns about one of its points that point's share is at stake.
+    assert!(worst < 1.0 / 256.0);
+}
+
+#[test]
+fn the_friction_of_a_motion_is_on_the_surface_with_the_motion_as_normal() {
+    let mut rng = Lcg::new(7);
+    let mut worst = [0.0_f64; 2];
+    for case in 0..2000 {
+        let points = points(&mut rng, case);
+        let length = rng.log_between(0.03, 0.3);
+        let limit = rng.log_between(1e-6, 1e6);
+        let friction = NodeFriction::new(Coulomb::new(1.0).expect("valid"), points.clone());
+        let direction = wrench(&mut rng, 1.0, 1.0 / length);
+        let twist = Twist {
+            velocity: direction.force,
+            spin: direction.torque,
+        };
+        let on = friction.wrench(-limit, &twist); // along the motion
+        let reach = limit * rng.log_between(1e-5, 1e3);
+        let beyond = Wrench {
+            force: on.force + twist.velocity * reach,
+            torque: on.torque + twist.spin * reach * length * length,
+        };
+        let mut foot: Foot<f64, _, CAPACITY> = Foot::new(points, limit).expect("valid");
+        let size = distance(&beyond, &Wrench::ZERO, length);
+        let got = foot.nearest(&beyond, length);
+        worst[0] = worst[0].max(distance(&got, &on, length) / size);
+        // What is safely inside stays as it is.
+        let inside = Wrench {
+            force: on.force * (1.0 - 1e-9),
+            torque: on.torque * (1.0 - 1e-9),
+        };
+        assert_eq!(foot.nearest(&inside, length), inside);
+        let again = foot.nearest(&got, length);
+        worst[1] = worst[1].max(distance(&again, &got, length) / size);
+    }
+    println!(
+        "worst: from the motion {:.1e}, idempotent {:.1e} of the wrench",
+        worst[0], worst[1]
+    );
+    assert!(worst[0] < 1e-8 && worst[1] < 1e-8);
+}
+
+#[test]
+fn the_order_of_calls_does_not_matter_beyond_rounding() {
+    let mut rng = Lcg::new(11);
+    for case in 0..300 {
+        let points = points(&mut rng, case);
+        let total = points.total_weight();
+        let mut warm: Foot<f64, _, CAPACITY> = Foot::new(points.clone(), total).expect("valid");
+        for _ in 0..5 {
+            let wanted = wrench(&mut rng, 2.0 * total, 0.4 * total);
+            let mut cold: Foot<f64, _, CAPACITY> = Foot::new(points.clone(), total).expect("valid");
+            let [a, b] = [warm.nearest(&wanted, 0.1), cold.nearest(&wanted, 0.1)];
+            assert!(distance(&a, &b, 0.1) <= 1e-12 * total, "{a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn foreign_numbers_give_numbers_or_nan() {
+    let points = points(&mut Lcg::new(13), 3);
+    let extremes = [
+        0.0,
+        -0.0,
+        5e-324,
+        1e-300,
+        1e300,
+        f64::MAX,
+        f64::INFINITY,
+        f64::NAN,
+    ];
+    for x in extremes {
+        for n in extremes {
+            for length in extremes {
+                let mut foot: Foot<f64, _, CAPACITY> =
+                    Foot::new(points.clone(), 1.0).expect("valid");
+                let given = Wrench {
+                    force: Vector2::new(x, -x),
+                    torque: n,
+                };
+                let got = foot.nearest(&given, length);
+                let sane = x.is_finite() && n.is_finite() && (n / length).is_finite() && x < 1e308;
+                let wanted = length > 0.0 && length.is_finite() && (1.0 / length).is_finite();
+                if wanted && sane && n < 1e308 {
+                    assert!(
+                        got.force.x.abs() <= x.abs().max(1.0),
+                        "{x} {n} {length} {got:?}"
+                    );
+                } else if x.is_nan() || n.is_nan() || length.is_nan() {
+                    assert!(got.force.x.is_nan() && got.torque.is_nan());
+                }
+            }
+        }
+    }
+}
