@@ -11,6 +11,7 @@ pub mod laws;
 pub mod least_distance;
 pub mod packings;
 pub mod patches;
+pub mod public_items;
 pub mod pucks;
 pub mod reference;
 pub mod rim_mean;
