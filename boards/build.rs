@@ -38,6 +38,10 @@ REGION_ALIAS(\"REGION_STACK\", RAM);
 
 fn main() {
     println!("cargo::rerun-if-env-changed=TRIBOS_BOARD");
+    println!("cargo::rerun-if-env-changed=TRIBOS_CHAPTERS");
+    // Chapters of the digest program: none named means all.
+    let chapters = env::var("TRIBOS_CHAPTERS").unwrap_or_default();
+    println!("cargo::rustc-env=TRIBOS_CHAPTERS={chapters}");
     let [os, arch, target] = ["CARGO_CFG_TARGET_OS", "CARGO_CFG_TARGET_ARCH", "TARGET"]
         .map(|key| env::var(key).unwrap());
     if os != "none" {

@@ -4,7 +4,6 @@
 //! this crate computes friction except [`rim_mean`] and [`tilted`], oracles of their own; all others are
 //! the tables of `tables/` or formulas of the test that uses them.
 
-pub mod bits;
 pub mod contacts;
 pub mod hard;
 pub mod laws;
