@@ -4,13 +4,13 @@
 //! this crate computes friction except [`rim_mean`] and [`tilted`], oracles of their own; all others are
 //! the tables of `tables/` or formulas of the test that uses them.
 
-pub mod bits;
 pub mod contacts;
 pub mod hard;
 pub mod laws;
 pub mod least_distance;
 pub mod packings;
 pub mod patches;
+pub mod public_items;
 pub mod pucks;
 pub mod reference;
 pub mod rim_mean;

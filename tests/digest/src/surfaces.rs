@@ -1,7 +1,8 @@
 //! Bits of contacts at nodes, limit surfaces and laws with memory.
 
-use super::{ARGUMENTS, Fnv, speed};
-use crate::sweep::Lcg;
+use crate::ARGUMENTS;
+use crate::hash::Fnv;
+use crate::inputs::{Lcg, speed};
 use nalgebra::Vector2;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::nodes::NodeFriction;

@@ -1,12 +1,12 @@
 //! Bits of impulses of contacts, and of a manifold.
 
-use super::{ARGUMENTS, Fnv, speed};
-use crate::contacts::components;
-use crate::sweep::Lcg;
+use crate::ARGUMENTS;
+use crate::hash::Fnv;
+use crate::inputs::{Lcg, speed};
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, Cohesion, Contact, ContactFriction, CoupledFriction, NormalLaw, Plate, Sphere,
-    Thresholds, TimeStep, Touch,
+    Attraction, AxialPart, Cohesion, Contact, ContactFriction, CoupledFriction, Modal, Modes,
+    NormalLaw, PlanarPart, Plate, Sphere, Thresholds, TimeStep, Touch,
 };
 use tribos_core::coupling::table::{Coulomb, CoulombTable};
 use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
@@ -36,7 +36,7 @@ fn contacts_of<R: CoulombTable>(hash: &mut Fnv) {
     met(hash, &CoupledFriction::all(usual, mu_t).expect("in range"));
 }
 
-fn sphere<R: Real>(rng: &mut Lcg, radius: R) -> Sphere<R> {
+pub(crate) fn sphere<R: Real>(rng: &mut Lcg, radius: R) -> Sphere<R> {
     let mut vector = || Vector3::from([(); 3].map(|()| speed::<R>(rng) - speed::<R>(rng)));
     let inv_mass = R::ONE / (radius * radius * radius);
     Sphere {
@@ -111,4 +111,11 @@ fn manifold<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
             hash.number(*x);
         }
     }
+}
+
+/// All components: normal, sliding, rolling, torsion.
+pub(crate) fn components<R: Real, M: Modes<R>>(modal: &Modal<R, M>) -> [R; 8] {
+    let (s, r) = (modal.sliding.vector(), modal.rolling.vector());
+    let torsion = modal.torsion.component();
+    [modal.normal, s.x, s.y, s.z, r.x, r.y, r.z, torsion]
 }

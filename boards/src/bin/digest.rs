@@ -1,0 +1,52 @@
+//! Digests of the kernel's bits as this target computes them: `index digest instructions`, one
+//! chapter a line. `TRIBOS_CHAPTERS=2,3,8` at build time takes these chapters only, so that the
+//! image stays small; by default all are in.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+tribos_boards::main!(run);
+
+#[cfg(target_os = "none")]
+use tribos_digest::{CHAPTERS, Chapter};
+
+/// The chapters in the image; the linker drops the others.
+#[cfg(target_os = "none")]
+static CHOSEN: [Option<Chapter>; CHAPTERS.len()] = {
+    let mut chosen = [None; CHAPTERS.len()];
+    let mut index = 0;
+    while index < CHAPTERS.len() {
+        if is_listed(index, env!("TRIBOS_CHAPTERS").as_bytes()) {
+            chosen[index] = Some(CHAPTERS[index]);
+        }
+        index += 1;
+    }
+    chosen
+};
+
+/// True if the number stands in a list with commas; the empty list holds all.
+#[cfg(target_os = "none")]
+const fn is_listed(number: usize, list: &[u8]) -> bool {
+    let (mut at, mut read) = (0, 0);
+    while at < list.len() {
+        if list[at] == b',' {
+            if read == number {
+                return true;
+            }
+            read = 0;
+        } else {
+            read = 10 * read + (list[at] - b'0') as usize;
+        }
+        at += 1;
+    }
+    list.is_empty() || read == number
+}
+
+#[cfg(target_os = "none")]
+fn run() {
+    for (index, chapter) in CHOSEN.iter().enumerate() {
+        let Some(chapter) = chapter else { continue };
+        let mut digest = 0;
+        let count = tribos_boards::instructions(&mut || digest = (chapter.run)());
+        let count = count.unwrap_or(0);
+        tribos_boards::println!("{index} {digest:016x} {count}");
+    }
+}

@@ -1,0 +1,243 @@
+//! Bits of contacts piece by piece, and of a manifold over thousands of steps.
+
+use crate::contacts::{components, sphere};
+use crate::hash::Fnv;
+use crate::inputs::{Lcg, ends, pairs_of_ends, signed, speed, triples_of_ends};
+use nalgebra::Vector3;
+use tribos_core::contact::{
+    Attraction, Body, Cohesion, Contact, ContactFriction, CoupledFriction, Grasp, InPlane, Masses,
+    NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch, project_on_disc,
+};
+use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
+use tribos_core::manifold::{BodyHandle, Manifold, Member, Start, Stop};
+use tribos_core::real::Real;
+
+/// Digest of single contacts, f64 and f32.
+pub fn touching() -> u64 {
+    let mut hash = Fnv::new();
+    touching_of::<f64>(&mut hash);
+    touching_of::<f32>(&mut hash);
+    hash.0
+}
+
+fn touching_of<R: CoulombTable>(hash: &mut Fnv) {
+    let [mu, mu_t, mu_n] = [0.5, 0.125, 0.25].map(R::from_f64);
+    let exact = LimitSurface::new(Coulomb, mu, mu_n).expect("in range");
+    let usual = Ellipsoid::new(mu, mu_n, R::HALF).expect("in range");
+    let all = Thresholds::all(mu, mu_t, mu_n).expect("in range");
+    hash.numbers([all.mu(), all.mu_rolling(), all.mu_torsion()]);
+    let coupled = CoupledFriction::all(exact, mu_t).expect("in range");
+    hash.numbers([coupled.mu(), coupled.mu_rolling(), coupled.mu_torsion()]);
+    hash.number(coupled.set().force_limit());
+    pieces::<R, _>(hash, &Thresholds::none());
+    pieces(hash, &Thresholds::sliding(mu).expect("in range"));
+    let torsion = Thresholds::sliding_torsion(mu, mu_n).expect("in range");
+    pieces(hash, &torsion);
+    pieces(
+        hash,
+        &Thresholds::sliding_rolling(mu, mu_t).expect("in range"),
+    );
+    pieces(hash, &all);
+    pieces(hash, &CoupledFriction::sliding_torsion(usual));
+    pieces(hash, &coupled);
+    constructors::<R>(hash);
+}
+
+/// All that a contact tells and takes: updates of sphere on plate, guesses, holds at the ends.
+fn pieces<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
+    let mut rng = Lcg::new(157);
+    let mut last = None;
+    for round in 0..60 {
+        let attraction = [Attraction::Pull, Attraction::Resistance][round % 2];
+        let [strength, range, dt] = [0.75, 0.25, 0.0625].map(R::from_f64);
+        let cohesion = Cohesion::new(strength, range, attraction).expect("in range");
+        let law = NormalLaw::new(cohesion, R::from_f64(0.25)).expect("in range");
+        let height = R::from_f64([1.0, 1.125, 0.5][round % 3]);
+        let outward = sphere(&mut rng, R::ONE).velocity;
+        let Ok(touch) = Touch::plate(height, &outward, R::ONE) else {
+            continue;
+        };
+        let mut ball = sphere(&mut rng, R::ONE);
+        let velocity = sphere(&mut rng, R::ONE).velocity;
+        let inv_mass = R::HALF;
+        let mut plate = Plate { velocity, inv_mass };
+        let mut contact: Contact<R, F::Modes> = Contact::new(&touch, &law, &ball, &plate, dt);
+        // The last round's impulse as a guess.
+        if let Some(guess) = last {
+            contact.set_impulse(&guess);
+            contact.admit(friction);
+            contact.apply(contact.impulse(), &mut ball, &mut plate);
+        }
+        hash.numbers(components(&contact.update(friction, &mut ball, &mut plate)));
+        told(hash, &contact, &ball, &plate);
+        let twice = contact.impulse().plus_scaled(R::HALF, contact.impulse());
+        contact.set_impulse_in_plane(&twice);
+        hash.numbers(components(contact.impulse()));
+        last = Some(*contact.impulse());
+    }
+    holds(hash, friction);
+}
+
+fn told<R, M>(hash: &mut Fnv, contact: &Contact<R, M>, ball: &Sphere<R>, plate: &Plate<R>)
+where
+    R: Real,
+    M: tribos_core::contact::Modes<R>,
+{
+    let impulse = contact.impulse();
+    hash.numbers(components(impulse));
+    let motion = contact.velocity(ball, plate);
+    hash.numbers(components(&motion.minus(impulse)));
+    hash.numbers([
+        motion.dot(impulse),
+        motion.dot_with_lever(impulse, contact.lever()),
+    ]);
+    hash.numbers(impulse.linear(contact.normal()).iter().copied());
+    hash.numbers(impulse.angular(contact.normal()).iter().copied());
+    let block = contact.block();
+    hash.numbers([block.mass_normal, block.mass_sliding, block.inertia]);
+    hash.numbers([block.coupling, block.masses().gyration()]);
+    hash.numbers([contact.bound(), contact.cohesion(), contact.allowance()]);
+    hash.numbers(contact.arms());
+    hash.feed(u64::from(contact.rests_open()));
+    for x in ball.velocity.iter().chain(ball.spin.iter()) {
+        hash.number(*x);
+    }
+    hash.numbers(plate.velocity.iter().copied());
+    hash.numbers([plate.inv_mass_normal(), plate.inv_mass_tangential()]);
+    hash.number(plate.inv_inertia() + ball.inv_mass_tangential());
+}
+
+fn holds<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
+    let masses = Masses {
+        sliding: R::TWO,
+        torsion: R::HALF,
+    };
+    for [x, y, torsion] in triples_of_ends::<R>(211) {
+        let sliding = Vector3::new(x, y, R::ZERO);
+        let bound = R::ONE;
+        let held = friction.hold(&Grasp { sliding, torsion }, bound, R::HALF, &masses);
+        hash.numbers(held.sliding.iter().copied());
+        hash.number(held.torsion);
+        let rolling = friction.hold_rolling(&sliding, torsion, R::HALF);
+        hash.numbers(rolling.iter().copied());
+    }
+}
+
+fn constructors<R: Real>(hash: &mut Fnv) {
+    let zero = InPlane::<R>::default();
+    hash.numbers(zero.0.iter().copied());
+    for (x, y) in pairs_of_ends::<R>() {
+        let disc = project_on_disc(&Vector3::new(x, R::ONE, y), y);
+        hash.numbers(disc.iter().copied());
+        let outward = Vector3::new(x, y, R::ONE);
+        for touch in [
+            Touch::plate(x, &outward, y),
+            Touch::spheres(&outward, [x, y]),
+        ] {
+            hash.verdict(&touch);
+            if let Ok(touch) = touch {
+                hash.numbers(touch.normal.iter().copied());
+                hash.numbers([touch.gap, touch.lever]);
+                hash.numbers(touch.arms);
+            }
+        }
+        let cohesion = Cohesion::new(x, y, Attraction::Pull);
+        hash.verdict(&cohesion);
+        if let Ok(cohesion) = cohesion {
+            hash.numbers([cohesion.energy(), cohesion.strength(), cohesion.range()]);
+            hash.feed(u64::from(cohesion.attraction() == Attraction::Pull));
+            let law = NormalLaw::new(cohesion, x);
+            hash.maybe(law.ok().map(|law| law.restitution()));
+            hash.maybe(law.ok().map(|law| law.cohesion().range()));
+        }
+        hash.verdict(&Thresholds::sliding_torsion(x, y));
+        hash.maybe(TimeStep::new(x).ok().map(TimeStep::dt));
+    }
+}
+
+/// Steps of the manifold in each precision.
+const STEPS: usize = 2000;
+
+/// Digest of a manifold of three spheres on a plate, f64 and f32.
+pub fn manifold() -> u64 {
+    let mut hash = Fnv::new();
+    let usual = |mu| Ellipsoid::new(mu, 0.25, 0.5).expect("in range");
+    let friction = CoupledFriction::all(usual(0.5_f64), 0.125).expect("in range");
+    pile(&mut hash, friction, STEPS / 4);
+    pile(
+        &mut hash,
+        Thresholds::all(0.5_f32, 0.125, 0.25).expect("in range"),
+        STEPS,
+    );
+    hash.0
+}
+
+/// A plate shakes under one ball, which carries another, while forces vary.
+fn pile<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: F, steps: usize) {
+    let real = R::from_f64;
+    let law = NormalLaw::new(Cohesion::NONE, real(0.125)).expect("in range");
+    let mut pile = Manifold::<R, F, 3, 2>::new(law, friction);
+    let mut rng = Lcg::new(163);
+    let velocity = Vector3::new(R::ZERO, R::ZERO, R::ZERO);
+    let inv_mass = R::HALF;
+    let plate = pile.push_plate(Plate { velocity, inv_mass }).expect("room");
+    let balls = [(); 2].map(|()| pile.push_sphere(sphere(&mut rng, R::ONE)).expect("room"));
+    pile.set_gravity(Vector3::new(R::ZERO, real(0.25), -R::ONE));
+    let step = TimeStep::new(real(0.0625)).expect("positive");
+    let up = Vector3::new(R::ZERO, R::ZERO, R::ONE);
+    let resting = Touch::plate(R::ONE, &-up, R::ONE).expect("they touch");
+    let below = pile.push_contact(balls[0], plate, resting).expect("room");
+    let between = Touch::spheres(&(up * real(2.03125)), [R::ONE; 2]).expect("apart");
+    let above = pile
+        .push_contact(balls[0], balls[1], between)
+        .expect("room");
+    for count in 0..steps {
+        // Forces that keep the pile together, and twist it.
+        let sway = Vector3::from([(); 3].map(|()| signed::<R>(&mut rng) / real(1_048_576.0)));
+        pile.set_force(plate, up * real(3.0) + sway, velocity)
+            .expect("it is there");
+        pile.set_force(balls[1], -up, sway).expect("it is there");
+        let gap = real((count % 5) as f64 / 32.0 - 0.0625);
+        pile.set_touch(above, Touch { gap, ..between })
+            .expect("it is there");
+        let start = [Start::Last, Start::Zero][usize::from(count % 7 == 0)];
+        let stop = Stop {
+            sweeps: 4,
+            tolerance: real(0.0009765625),
+        };
+        let report = pile.solve(step, start, stop);
+        hash.number(report.residual);
+        hash.feed(u64::from(report.sweeps) | u64::from(report.converged) << 32);
+        for contact in [below, above] {
+            let force = pile.force(contact).expect("it is there");
+            hash.numbers(components(&force));
+        }
+        if let Some(Member::Sphere(ball)) = pile.body_mut(balls[1]) {
+            // Air takes a little of the spin.
+            ball.spin = ball.spin * real(0.96875);
+        }
+    }
+    members(hash, &pile, [plate, balls[0], balls[1]]);
+    let told = pile.contact(below).map(|contact| contact.bound());
+    hash.maybe(told);
+    pile.clear_contacts();
+    hash.maybe(pile.contact(below).map(|contact| contact.bound()));
+    let radius = speed(&mut rng);
+    let full = pile.push_sphere(sphere(&mut rng, radius));
+    hash.verdict(&full);
+}
+
+fn members<R, F>(hash: &mut Fnv, pile: &Manifold<R, F, 3, 2>, bodies: [BodyHandle; 3])
+where
+    R: Real,
+    F: ContactFriction<R>,
+{
+    for member in bodies.into_iter().filter_map(|body| pile.body(body)) {
+        hash.numbers(member.velocity().iter().copied());
+        hash.numbers(member.spin().iter().copied());
+        hash.numbers([member.inv_mass_normal(), member.inv_mass_tangential()]);
+        hash.number(member.inv_inertia());
+    }
+    hash.verdict(&TimeStep::new(ends::<R>()[0]));
+}
