@@ -11,8 +11,10 @@ use crate::real::Real;
 ///
 /// *Units*: length; the weight is a share of the load in any unit, because only ratios of
 /// weights count.
+/// *Layout*: that of a C structure of these three numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(C)]
 pub struct Node<R> {
     /// First coordinate in the contact plane, from the point that twist and wrench refer to.
     pub x: R,
