@@ -4,8 +4,8 @@ use std::path::Path;
 use std::{env, fs};
 
 /// Files of `src/double`, in the order of the header.
-const MODULES: [&str; 7] = [
-    "vectors", "law", "patch", "nodes", "surface", "slider", "contact",
+const MODULES: [&str; 8] = [
+    "vectors", "law", "patch", "nodes", "surface", "slider", "contact", "update",
 ];
 
 fn main() -> std::io::Result<()> {

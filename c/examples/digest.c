@@ -1,8 +1,8 @@
 /*
  * A digest of all functions of the header, in both precisions, over a seeded stream of inputs.
  *
- * The numbers are drawn from integers with powers of two, so that nothing rounds on the way: all
- * rounding happens in the library.
+ * The numbers are drawn from integers and powers of two without rounding, so that all rounding, but
+ * that of a sum here and there, happens in the library.
  */
 #include "demo.h"
 #include "tribos.h"

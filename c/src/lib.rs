@@ -31,6 +31,7 @@ pub mod double {
     pub mod patch;
     pub mod slider;
     pub mod surface;
+    pub mod update;
     pub mod vectors;
 }
 

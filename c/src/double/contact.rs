@@ -9,11 +9,9 @@ use crate::choice::tribos_attraction;
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::contact::{
-    Attraction, AxialPart, Block, Body, Cohesion, Contact, ContactFriction, CoupledFriction, Modal,
-    Modes, NormalLaw, PlanarPart, Plate, PreparedContact, Sphere, Thresholds, TimeStep, Touch,
+    AllModes, Attraction, AxialPart, Block, Body, Cohesion, Contact, Modal, Modes, NormalLaw,
+    PlanarPart, Plate, PreparedContact, Sphere, TimeStep, Touch,
 };
-use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::LimitSurface;
 
 /// A sphere, free in all directions.
 #[derive(Clone, Copy, Debug)]
@@ -271,38 +269,15 @@ unsafe fn prepared(
     let (touch, law) = (read(touch)?.into(), normal_law(read(law)?)?);
     let dt = TimeStep::new(dt)?.dt();
     // What is prepared does not depend on the modes.
-    let contact =
-        Contact::<f64, tribos_core::contact::AllModes>::new(&touch, &law, first, second, dt);
+    let contact = Contact::<f64, AllModes>::new(&touch, &law, first, second, dt);
     Ok(contact.prepared().into())
 }
 
-/// Updates the impulse and both bodies.
-#[inline(always)]
-unsafe fn update<F, A, B>(
-    contact: *const tribos_contact_f64,
-    friction: impl FnOnce() -> Result<F, tribos_status>,
-    (first, second): (*mut A, *mut B),
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status
-where
-    F: ContactFriction<f64>,
-    A: Copy + From<A::Kernel> + AsBody,
-    B: Copy + From<B::Kernel> + AsBody,
-{
-    answer(impulse, || {
-        let (contact, old) = (read(contact)?.into(), read(impulse)?.into());
-        let (mut a, mut b) = (read(first)?.body(), read(second)?.body());
-        let mut contact = Contact::resume(&contact, &old);
-        contact.update(&friction()?, &mut a, &mut b);
-        first.write(a.into());
-        second.write(b.into());
-        Ok(contact.impulse().into())
-    })
-}
-
 /// A structure that stands for a body of the kernel.
-trait AsBody {
+pub(super) trait AsBody {
+    /// Its type there.
     type Kernel: Body<f64>;
+    /// The body.
     fn body(self) -> Self::Kernel;
 }
 
@@ -381,230 +356,4 @@ pub unsafe extern "C" fn tribos_contact_plate_f64(
         let (a, b) = (read(first)?.body(), read(second)?.body());
         prepared(touch, law, &a, &b, dt)
     })
-}
-
-/// Updates a contact of two spheres. Only the normal impulse.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tribos_update_frictionless_spheres_f64(
-    contact: *const tribos_contact_f64,
-    first: *mut tribos_sphere_f64,
-    second: *mut tribos_sphere_f64,
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status {
-    update(contact, || Ok(Thresholds::none()), (first, second), impulse)
-}
-
-/// Updates a contact of two spheres. Normal impulse and sliding friction.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tribos_update_sliding_spheres_f64(
-    contact: *const tribos_contact_f64,
-    friction: *const tribos_thresholds_f64,
-    first: *mut tribos_sphere_f64,
-    second: *mut tribos_sphere_f64,
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status {
-    update(
-        contact,
-        || Ok(Thresholds::sliding(read(friction)?.sliding)?),
-        (first, second),
-        impulse,
-    )
-}
-
-/// Updates a contact of two spheres.
-/// Normal impulse, sliding and torsion friction, each with its own threshold.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tribos_update_sliding_torsion_spheres_f64(
-    contact: *const tribos_contact_f64,
-    friction: *const tribos_thresholds_f64,
-    first: *mut tribos_sphere_f64,
-    second: *mut tribos_sphere_f64,
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::sliding_torsion(f.sliding, f.torsion)?)
-        },
-        (first, second),
-        impulse,
-    )
-}
-
-/// Updates a contact of two spheres. Normal impulse, sliding and rolling friction.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tribos_update_sliding_rolling_spheres_f64(
-    contact: *const tribos_contact_f64,
-    friction: *const tribos_thresholds_f64,
-    first: *mut tribos_sphere_f64,
-    second: *mut tribos_sphere_f64,
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::sliding_rolling(f.sliding, f.rolling)?)
-        },
-        (first, second),
-        impulse,
-    )
-}
-
-/// Updates a contact of two spheres.
-/// Normal impulse, sliding, rolling and torsion friction, each with its own threshold.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tribos_update_all_spheres_f64(
-    contact: *const tribos_contact_f64,
-    friction: *const tribos_thresholds_f64,
-    first: *mut tribos_sphere_f64,
-    second: *mut tribos_sphere_f64,
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::all(f.sliding, f.rolling, f.torsion)?)
-        },
-        (first, second),
-        impulse,
-    )
-}
-
-/// Updates a contact of two spheres.
-/// Normal impulse, and sliding and torsion under the one threshold of a uniform disk: `sliding` is
-/// mu, `torsion` the radius of the disk over the lever, not a coefficient.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tribos_update_patch_spheres_f64(
-    contact: *const tribos_contact_f64,
-    friction: *const tribos_thresholds_f64,
-    first: *mut tribos_sphere_f64,
-    second: *mut tribos_sphere_f64,
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            let set = LimitSurface::new(Coulomb, f.sliding, f.torsion)?;
-            Ok(CoupledFriction::sliding_torsion(set))
-        },
-        (first, second),
-        impulse,
-    )
-}
-
-/// Updates a contact of a sphere with a plate. Only the normal impulse.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tribos_update_frictionless_plate_f64(
-    contact: *const tribos_contact_f64,
-    first: *mut tribos_sphere_f64,
-    second: *mut tribos_plate_f64,
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status {
-    update(contact, || Ok(Thresholds::none()), (first, second), impulse)
-}
-
-/// Updates a contact of a sphere with a plate. Normal impulse and sliding friction.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tribos_update_sliding_plate_f64(
-    contact: *const tribos_contact_f64,
-    friction: *const tribos_thresholds_f64,
-    first: *mut tribos_sphere_f64,
-    second: *mut tribos_plate_f64,
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status {
-    update(
-        contact,
-        || Ok(Thresholds::sliding(read(friction)?.sliding)?),
-        (first, second),
-        impulse,
-    )
-}
-
-/// Updates a contact of a sphere with a plate.
-/// Normal impulse, sliding and torsion friction, each with its own threshold.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tribos_update_sliding_torsion_plate_f64(
-    contact: *const tribos_contact_f64,
-    friction: *const tribos_thresholds_f64,
-    first: *mut tribos_sphere_f64,
-    second: *mut tribos_plate_f64,
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::sliding_torsion(f.sliding, f.torsion)?)
-        },
-        (first, second),
-        impulse,
-    )
-}
-
-/// Updates a contact of a sphere with a plate. Normal impulse, sliding and rolling friction.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tribos_update_sliding_rolling_plate_f64(
-    contact: *const tribos_contact_f64,
-    friction: *const tribos_thresholds_f64,
-    first: *mut tribos_sphere_f64,
-    second: *mut tribos_plate_f64,
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::sliding_rolling(f.sliding, f.rolling)?)
-        },
-        (first, second),
-        impulse,
-    )
-}
-
-/// Updates a contact of a sphere with a plate.
-/// Normal impulse, sliding, rolling and torsion friction, each with its own threshold.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tribos_update_all_plate_f64(
-    contact: *const tribos_contact_f64,
-    friction: *const tribos_thresholds_f64,
-    first: *mut tribos_sphere_f64,
-    second: *mut tribos_plate_f64,
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::all(f.sliding, f.rolling, f.torsion)?)
-        },
-        (first, second),
-        impulse,
-    )
-}
-
-/// Updates a contact of a sphere with a plate.
-/// Normal impulse, and sliding and torsion under the one threshold of a uniform disk: `sliding` is
-/// mu, `torsion` the radius of the disk over the lever, not a coefficient.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tribos_update_patch_plate_f64(
-    contact: *const tribos_contact_f64,
-    friction: *const tribos_thresholds_f64,
-    first: *mut tribos_sphere_f64,
-    second: *mut tribos_plate_f64,
-    impulse: *mut tribos_impulse_f64,
-) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            let set = LimitSurface::new(Coulomb, f.sliding, f.torsion)?;
-            Ok(CoupledFriction::sliding_torsion(set))
-        },
-        (first, second),
-        impulse,
-    )
 }
