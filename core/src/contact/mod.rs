@@ -39,6 +39,7 @@ mod friction;
 mod modes;
 mod normal;
 mod pair;
+mod prepared;
 mod time_step;
 mod touch;
 mod update;
@@ -54,6 +55,7 @@ pub use modes::{
     Sliding, SlidingRolling, SlidingTorsion,
 };
 pub use normal::{Attraction, Cohesion, NormalLaw};
+pub use prepared::PreparedContact;
 pub use time_step::{TimeStep, TimeStepError};
 pub use touch::{Touch, TouchError};
 pub use update::Contact;

@@ -6,6 +6,7 @@ use super::friction::{ContactFriction, Grasp};
 use super::modes::{AxialPart, Modal, Modes, PlanarPart};
 use super::normal::{NormalLaw, NormalStep};
 use super::pair::Pair;
+use super::prepared::PreparedContact;
 use super::touch::Touch;
 use super::vector::{cross, tangential};
 use crate::real::Real;
@@ -48,6 +49,37 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
         let approach = contact.velocity(a, b).normal;
         contact.step = NormalStep::new(law, touch.gap, approach, dt);
         contact
+    }
+
+    /// A contact prepared earlier, with its impulse so far.
+    #[inline]
+    pub fn resume(prepared: &PreparedContact<R>, impulse: &Modal<R, M>) -> Self {
+        Self {
+            normal: prepared.normal,
+            arms: prepared.arms,
+            lever: prepared.lever,
+            block: prepared.block,
+            step: NormalStep {
+                cohesion: prepared.cohesion,
+                allowance: prepared.allowance,
+                rests_open: prepared.rests_open,
+            },
+            impulse: *impulse,
+        }
+    }
+
+    /// All but the impulse, as plain numbers.
+    #[inline]
+    pub fn prepared(&self) -> PreparedContact<R> {
+        PreparedContact {
+            normal: self.normal,
+            arms: self.arms,
+            lever: self.lever,
+            block: self.block,
+            cohesion: self.step.cohesion,
+            allowance: self.step.allowance,
+            rests_open: self.step.rests_open,
+        }
     }
 
     /// Distances of the centres from the contact point.

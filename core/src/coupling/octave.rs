@@ -211,11 +211,12 @@ const fn economized<const TERMS: usize>(taylor: &[f64; TAYLOR], ratio: f64) -> [
         n += 1;
     }
     n = TAYLOR - 1;
-    while n >= TERMS {
+    // The upper bounds say nothing new, but the compiler sees by them that no index is too large.
+    while n >= TERMS && n < TAYLOR {
         // Tₙ/2ⁿ⁻¹ = sⁿ + …; the ratio of its coefficients two powers apart is rational.
         let mut coefficient = c[n];
         let mut k = n;
-        while k >= 2 {
+        while k >= 2 && k < TAYLOR {
             let top = (k * (k - 1)) as f64;
             let bottom = ((n - k + 2) * (n + k - 2)) as f64;
             coefficient *= -top / bottom;

@@ -3,14 +3,18 @@
 //! The points may be real (the feet of a tripod, the spikes of a shoe) or the nodes of a quadrature
 //! rule that stands for a continuous pressure ([`super::polar`], [`super::polygon`]).
 
+pub use super::borrowed::{NodeBuffer, NodeSlice};
+
 use crate::real::Real;
 
 /// One point of a contact.
 ///
 /// *Units*: length; the weight is a share of the load in any unit, because only ratios of
 /// weights count.
+/// *Layout*: that of a C structure of these three numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(C)]
 pub struct Node<R> {
     /// First coordinate in the contact plane, from the point that twist and wrench refer to.
     pub x: R,
@@ -40,6 +44,14 @@ impl<R: Real, P: NodePatch<R> + ?Sized> NodePatch<R> for &P {
     }
 }
 
+/// Somewhere to put nodes, one by one.
+pub trait NodeSink<R: Real>: NodePatch<R> {
+    /// Adds one node; a refused node leaves the others as they were.
+    ///
+    /// *Domain*: finite position, weight ≥ 0, finite sum of weights, room for one more.
+    fn push(&mut self, node: Node<R>) -> Result<(), NodeError>;
+}
+
 /// A fixed number of nodes.
 ///
 /// ```
@@ -60,18 +72,11 @@ pub struct Nodes<R, const N: usize> {
 impl<R: Real, const N: usize> Nodes<R, N> {
     /// *Domain*: finite positions, weights ≥ 0 of which at least one is positive, finite sum.
     pub fn new(nodes: [Node<R>; N]) -> Result<Self, NodeError> {
-        let mut total_weight = R::ZERO;
-        for (index, node) in nodes.iter().enumerate() {
-            total_weight = total_with(total_weight, index, node)?;
-        }
-        if total_weight > R::ZERO {
-            Ok(Self {
-                nodes,
-                total_weight,
-            })
-        } else {
-            Err(NodeError::Unloaded)
-        }
+        let total_weight = validated_total(&nodes)?;
+        Ok(Self {
+            nodes,
+            total_weight,
+        })
     }
 }
 
@@ -148,8 +153,27 @@ impl<R: Real, const CAPACITY: usize> NodePatch<R> for NodeList<R, CAPACITY> {
     }
 }
 
+impl<R: Real, const CAPACITY: usize> NodeSink<R> for NodeList<R, CAPACITY> {
+    fn push(&mut self, node: Node<R>) -> Result<(), NodeError> {
+        NodeList::push(self, node)
+    }
+}
+
+/// The positive sum of the weights of valid nodes.
+pub(super) fn validated_total<R: Real>(nodes: &[Node<R>]) -> Result<R, NodeError> {
+    let mut total_weight = R::ZERO;
+    for (index, node) in nodes.iter().enumerate() {
+        total_weight = total_with(total_weight, index, node)?;
+    }
+    if total_weight > R::ZERO {
+        Ok(total_weight)
+    } else {
+        Err(NodeError::Unloaded)
+    }
+}
+
 /// The sum of weights after a valid `node`.
-fn total_with<R: Real>(total: R, index: usize, node: &Node<R>) -> Result<R, NodeError> {
+pub(super) fn total_with<R: Real>(total: R, index: usize, node: &Node<R>) -> Result<R, NodeError> {
     if !(node.x.is_finite() && node.y.is_finite()) {
         return Err(NodeError::Position {
             index,

@@ -2,7 +2,7 @@
 
 use super::PatchError;
 use super::gauss_jacobi::GaussJacobi;
-use super::nodes::{Node, NodeError, NodeList};
+use super::nodes::{Node, NodeError, NodeList, NodeSink};
 use crate::real::Real;
 
 /// Rings × angles on a disk with pressure p ∝ (1 − r²/R²)^q · shape(x, y).
@@ -131,14 +131,31 @@ impl<R: Real> PolarRule<R> {
         shape: impl Fn(R, R) -> R,
     ) -> Result<NodeList<R, CAPACITY>, NodeError> {
         let mut list = NodeList::new();
+        self.nodes_into(&mut list, shape)?;
+        Ok(list)
+    }
+
+    /// [`PolarRule::nodes_shaped`] into memory of the caller's choice, behind the nodes that are
+    /// there already.
+    ///
+    /// *Special values*: what was added before an error stays.
+    pub fn nodes_into(
+        &self,
+        list: &mut impl NodeSink<R>,
+        shape: impl Fn(R, R) -> R,
+    ) -> Result<(), NodeError> {
         let rule = GaussJacobi::new(self.rings, self.rim_exponent);
         for (ring, node) in rule.nodes().enumerate() {
             let radius = self.radius * R::from_f64(Real::sqrt(node.s));
             let weight = R::from_f64(node.weight);
             let start = if ring % 2 == 0 { 0.0 } else { 0.5 };
-            push_ring(&mut list, self.angles, start, radius, weight, &shape)?;
+            push_ring(list, self.angles, start, radius, weight, &shape)?;
         }
-        loaded(list)
+        if list.total_weight() > R::ZERO {
+            Ok(())
+        } else {
+            Err(NodeError::Unloaded)
+        }
     }
 }
 
@@ -156,8 +173,8 @@ pub fn ring<R: Real, const CAPACITY: usize>(
 }
 
 /// One ring; `start` in steps of the angle.
-fn push_ring<R: Real, const CAPACITY: usize>(
-    list: &mut NodeList<R, CAPACITY>,
+fn push_ring<R: Real>(
+    list: &mut impl NodeSink<R>,
     angles: u32,
     start: f64,
     radius: R,
@@ -173,18 +190,6 @@ fn push_ring<R: Real, const CAPACITY: usize>(
         list.push(Node { x, y, weight })?;
     }
     Ok(())
-}
-
-/// `list` unless it carries nothing.
-fn loaded<R: Real, const CAPACITY: usize>(
-    list: NodeList<R, CAPACITY>,
-) -> Result<NodeList<R, CAPACITY>, NodeError> {
-    use super::nodes::NodePatch;
-    if list.total_weight() > R::ZERO {
-        Ok(list)
-    } else {
-        Err(NodeError::Unloaded)
-    }
 }
 
 /// Why a rule on a disk was refused.

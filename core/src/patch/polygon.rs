@@ -6,7 +6,7 @@
 //!
 //! *Source*: J. Radon, Monatsh. Math. 52 (1948) 286.
 
-use super::nodes::{Node, NodeError, NodeList};
+use super::nodes::{Node, NodeError, NodeList, NodeSink};
 use crate::real::Real;
 use nalgebra::Vector2;
 
@@ -39,6 +39,19 @@ pub fn polygon<R: Real, const CAPACITY: usize>(
     corners: &[[R; 2]],
     divisions: u32,
 ) -> Result<NodeList<R, CAPACITY>, PolygonError> {
+    let mut list = NodeList::new();
+    polygon_into(&mut list, corners, divisions)?;
+    Ok(list)
+}
+
+/// [`polygon`] into memory of the caller's choice, behind the nodes that are there already.
+///
+/// *Special values*: what was added before an error stays.
+pub fn polygon_into<R: Real>(
+    list: &mut impl NodeSink<R>,
+    corners: &[[R; 2]],
+    divisions: u32,
+) -> Result<(), PolygonError> {
     if corners.len() < 3 {
         return Err(PolygonError::Corners {
             given: corners.len(),
@@ -57,11 +70,10 @@ pub fn polygon<R: Real, const CAPACITY: usize>(
         .iter()
         .find(|&&apex| sees_everything(corners, apex))
         .ok_or(PolygonError::Hidden)?;
-    let mut list = NodeList::new();
     for triangle in fan(corners, *apex) {
-        push_triangle(&mut list, triangle, divisions)?;
+        push_triangle(list, triangle, divisions)?;
     }
-    Ok(list)
+    Ok(())
 }
 
 /// Twice the signed area of a triangle; zero if it is not larger than its own rounding.
@@ -93,8 +105,8 @@ fn sees_everything<R: Real>(corners: &[[R; 2]], apex: [R; 2]) -> bool {
 }
 
 /// The nodes of one triangle, cut into `divisions`² equal ones.
-fn push_triangle<R: Real, const CAPACITY: usize>(
-    list: &mut NodeList<R, CAPACITY>,
+fn push_triangle<R: Real>(
+    list: &mut impl NodeSink<R>,
     triangle: [[R; 2]; 3],
     divisions: u32,
 ) -> Result<(), NodeError> {
@@ -120,8 +132,8 @@ fn push_triangle<R: Real, const CAPACITY: usize>(
 }
 
 /// Radon's nodes on the triangle with one `corner` and two sides.
-fn push_small<R: Real, const CAPACITY: usize>(
-    list: &mut NodeList<R, CAPACITY>,
+fn push_small<R: Real>(
+    list: &mut impl NodeSink<R>,
     corner: Vector2<R>,
     first: Vector2<R>,
     second: Vector2<R>,

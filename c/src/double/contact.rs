@@ -1,0 +1,359 @@
+//! Contacts of rigid bodies that open, slide, roll and spin: impulses under thresholds.
+//!
+//! In each time step: find where bodies touch, prepare the contact from the velocities at the start
+//! of the step, let forces act on the bodies, then update. One update is the exact solution of one
+//! contact; sweeping updates over all contacts solves a system of them (non-linear Gauss-Seidel).
+
+use super::vectors::tribos_vector_f64;
+use crate::choice::tribos_attraction;
+use crate::memory::{answer, read};
+use crate::status::tribos_status;
+use tribos_core::contact::{
+    AllModes, Attraction, AxialPart, Block, Body, Cohesion, Contact, Modal, Modes, NormalLaw,
+    PlanarPart, Plate, PreparedContact, Sphere, TimeStep, Touch,
+};
+
+/// A sphere, free in all directions.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_sphere_f64 {
+    /// Velocity of the centre.
+    pub velocity: tribos_vector_f64,
+    /// Angular velocity.
+    pub spin: tribos_vector_f64,
+    /// 1/mass; 0 for an infinite one.
+    pub inv_mass: f64,
+    /// 1/(moment of inertia about any axis through the centre).
+    pub inv_inertia: f64,
+}
+
+/// A plate that impulses move along its normal alone: a wall or a piston.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_plate_f64 {
+    /// Velocity; its part in the plane is driven and feels no impulse.
+    pub velocity: tribos_vector_f64,
+    /// 1/mass; 0 for a wall.
+    pub inv_mass: f64,
+}
+
+/// Geometry of a contact.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_touch_f64 {
+    /// Unit normal, from the first body to the second.
+    pub normal: tribos_vector_f64,
+    /// Distance of the surfaces; negative where they overlap.
+    pub gap: f64,
+    /// Distances of the two centres from the contact point; 0 for a plate.
+    pub arms: [f64; 2],
+    /// 1/(1/R1 + 1/R2), the lever of rolling and torsion friction; the radius at a plate.
+    pub lever: f64,
+}
+
+/// The law along the normal.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_normal_law_f64 {
+    /// Pull of cohesion, a force, finite and not negative.
+    pub cohesion: f64,
+    /// Gap up to which it acts, finite and not negative.
+    pub cohesion_range: f64,
+    /// A value of tribos_attraction.
+    pub attraction: u32,
+    /// Speed after an impact over speed before, 0 to 1.
+    pub restitution: f64,
+}
+
+/// Friction coefficients, finite and not negative; a function takes those of its modes and ignores
+/// the others. P is the normal impulse plus cohesion.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_thresholds_f64 {
+    /// Sliding force over P.
+    pub sliding: f64,
+    /// Rolling torque over P x lever.
+    pub rolling: f64,
+    /// Torsion torque over P x lever.
+    pub torsion: f64,
+}
+
+/// An impulse on the second body; its opposite acts on the first. Start a contact with zeros.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_impulse_f64 {
+    /// Along the normal; positive pushes apart.
+    pub normal: f64,
+    /// Force impulse in the contact plane, in the axes of space.
+    pub sliding: tribos_vector_f64,
+    /// Torque impulse in the contact plane.
+    pub rolling: tribos_vector_f64,
+    /// Torque impulse about the normal.
+    pub torsion: f64,
+}
+
+/// A contact prepared for one time step; to be looked at, and changed at one's own risk.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_contact_f64 {
+    /// Unit normal, from the first body to the second.
+    pub normal: tribos_vector_f64,
+    /// Distances of the centres from the contact point.
+    pub arms: [f64; 2],
+    /// Lever of rolling and torsion friction.
+    pub lever: f64,
+    /// Effective mass along the normal.
+    pub mass_normal: f64,
+    /// Effective mass across it.
+    pub mass_sliding: f64,
+    /// Effective moment of inertia, of rolling and of torsion.
+    pub inertia: f64,
+    /// Coupling of sliding and rolling, 0 for equal spheres.
+    pub coupling: f64,
+    /// Impulse of cohesion in this step, 0 beyond its range.
+    pub cohesion: f64,
+    /// Speed of approach that counts as closed; minus the speed of a rebound.
+    pub allowance: f64,
+    /// 1 if cohesion lets the gap, now open, stay as it is; else 0.
+    pub rests_open: u32,
+}
+
+impl From<tribos_sphere_f64> for Sphere<f64> {
+    #[inline(always)]
+    fn from(s: tribos_sphere_f64) -> Self {
+        Self {
+            velocity: s.velocity.into(),
+            spin: s.spin.into(),
+            inv_mass: s.inv_mass,
+            inv_inertia: s.inv_inertia,
+        }
+    }
+}
+
+impl From<Sphere<f64>> for tribos_sphere_f64 {
+    #[inline(always)]
+    fn from(s: Sphere<f64>) -> Self {
+        Self {
+            velocity: s.velocity.into(),
+            spin: s.spin.into(),
+            inv_mass: s.inv_mass,
+            inv_inertia: s.inv_inertia,
+        }
+    }
+}
+
+impl From<tribos_plate_f64> for Plate<f64> {
+    #[inline(always)]
+    fn from(p: tribos_plate_f64) -> Self {
+        Self {
+            velocity: p.velocity.into(),
+            inv_mass: p.inv_mass,
+        }
+    }
+}
+
+impl From<Plate<f64>> for tribos_plate_f64 {
+    #[inline(always)]
+    fn from(p: Plate<f64>) -> Self {
+        Self {
+            velocity: p.velocity.into(),
+            inv_mass: p.inv_mass,
+        }
+    }
+}
+
+impl From<Touch<f64>> for tribos_touch_f64 {
+    fn from(t: Touch<f64>) -> Self {
+        Self {
+            normal: t.normal.into(),
+            gap: t.gap,
+            arms: t.arms,
+            lever: t.lever,
+        }
+    }
+}
+
+impl From<tribos_touch_f64> for Touch<f64> {
+    fn from(t: tribos_touch_f64) -> Self {
+        Self {
+            normal: t.normal.into(),
+            gap: t.gap,
+            arms: t.arms,
+            lever: t.lever,
+        }
+    }
+}
+
+impl From<PreparedContact<f64>> for tribos_contact_f64 {
+    fn from(c: PreparedContact<f64>) -> Self {
+        Self {
+            normal: c.normal.into(),
+            arms: c.arms,
+            lever: c.lever,
+            mass_normal: c.block.mass_normal,
+            mass_sliding: c.block.mass_sliding,
+            inertia: c.block.inertia,
+            coupling: c.block.coupling,
+            cohesion: c.cohesion,
+            allowance: c.allowance,
+            rests_open: c.rests_open.into(),
+        }
+    }
+}
+
+impl From<tribos_contact_f64> for PreparedContact<f64> {
+    #[inline(always)]
+    fn from(c: tribos_contact_f64) -> Self {
+        Self {
+            normal: c.normal.into(),
+            arms: c.arms,
+            lever: c.lever,
+            block: Block {
+                mass_normal: c.mass_normal,
+                mass_sliding: c.mass_sliding,
+                inertia: c.inertia,
+                coupling: c.coupling,
+            },
+            cohesion: c.cohesion,
+            allowance: c.allowance,
+            rests_open: c.rests_open != 0,
+        }
+    }
+}
+
+impl<M: Modes<f64>> From<tribos_impulse_f64> for Modal<f64, M> {
+    #[inline(always)]
+    fn from(i: tribos_impulse_f64) -> Self {
+        Self {
+            normal: i.normal,
+            sliding: M::Sliding::of(i.sliding.into()),
+            rolling: M::Rolling::of(i.rolling.into()),
+            torsion: M::Torsion::of(i.torsion),
+        }
+    }
+}
+
+impl<M: Modes<f64>> From<&Modal<f64, M>> for tribos_impulse_f64 {
+    #[inline(always)]
+    fn from(i: &Modal<f64, M>) -> Self {
+        Self {
+            normal: i.normal,
+            sliding: i.sliding.vector().into(),
+            rolling: i.rolling.vector().into(),
+            torsion: i.torsion.component(),
+        }
+    }
+}
+
+fn normal_law(law: tribos_normal_law_f64) -> Result<NormalLaw<f64>, tribos_status> {
+    const PULL: u32 = tribos_attraction::Pull as u32;
+    const RESISTANCE: u32 = tribos_attraction::Resistance as u32;
+    let attraction = match law.attraction {
+        PULL => Attraction::Pull,
+        RESISTANCE => Attraction::Resistance,
+        _ => return Err(tribos_status::Choice),
+    };
+    let cohesion = Cohesion::new(law.cohesion, law.cohesion_range, attraction)?;
+    Ok(NormalLaw::new(cohesion, law.restitution)?)
+}
+
+/// A contact between two bodies as they are at the start of the step.
+#[inline(always)]
+unsafe fn prepared(
+    touch: *const tribos_touch_f64,
+    law: *const tribos_normal_law_f64,
+    first: &impl Body<f64>,
+    second: &impl Body<f64>,
+    dt: f64,
+) -> Result<tribos_contact_f64, tribos_status> {
+    let (touch, law) = (read(touch)?.into(), normal_law(read(law)?)?);
+    let dt = TimeStep::new(dt)?.dt();
+    // What is prepared does not depend on the modes.
+    let contact = Contact::<f64, AllModes>::new(&touch, &law, first, second, dt);
+    Ok(contact.prepared().into())
+}
+
+/// A structure that stands for a body of the kernel.
+pub(super) trait AsBody {
+    /// Its type there.
+    type Kernel: Body<f64>;
+    /// The body.
+    fn body(self) -> Self::Kernel;
+}
+
+impl AsBody for tribos_sphere_f64 {
+    type Kernel = Sphere<f64>;
+    #[inline(always)]
+    fn body(self) -> Sphere<f64> {
+        self.into()
+    }
+}
+
+impl AsBody for tribos_plate_f64 {
+    type Kernel = Plate<f64>;
+    #[inline(always)]
+    fn body(self) -> Plate<f64> {
+        self.into()
+    }
+}
+
+/// Where two spheres touch; `displacement` leads from the first centre to the second.
+/// Accuracy: the normal to 4 ulp, the gap to 2 ulp of the distance.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_touch_spheres_f64(
+    displacement: *const tribos_vector_f64,
+    first_radius: f64,
+    second_radius: f64,
+    touch: *mut tribos_touch_f64,
+) -> tribos_status {
+    answer(touch, || {
+        let displacement = read(displacement)?.into();
+        Ok(Touch::spheres(&displacement, [first_radius, second_radius])?.into())
+    })
+}
+
+/// Where a sphere, the first body, whose centre is `height` above a plate touches it; `outward` is
+/// the plate's unit normal into the space of the sphere, taken as it is.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_touch_plate_f64(
+    height: f64,
+    outward: *const tribos_vector_f64,
+    radius: f64,
+    touch: *mut tribos_touch_f64,
+) -> tribos_status {
+    answer(touch, || {
+        Ok(Touch::plate(height, &read(outward)?.into(), radius)?.into())
+    })
+}
+
+/// Prepares a contact of two spheres for a step of length dt.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_contact_spheres_f64(
+    touch: *const tribos_touch_f64,
+    law: *const tribos_normal_law_f64,
+    first: *const tribos_sphere_f64,
+    second: *const tribos_sphere_f64,
+    dt: f64,
+    contact: *mut tribos_contact_f64,
+) -> tribos_status {
+    answer(contact, || {
+        let (a, b) = (read(first)?.body(), read(second)?.body());
+        prepared(touch, law, &a, &b, dt)
+    })
+}
+
+/// Prepares a contact of a sphere with a plate, the second body.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_contact_plate_f64(
+    touch: *const tribos_touch_f64,
+    law: *const tribos_normal_law_f64,
+    first: *const tribos_sphere_f64,
+    second: *const tribos_plate_f64,
+    dt: f64,
+    contact: *mut tribos_contact_f64,
+) -> tribos_status {
+    answer(contact, || {
+        let (a, b) = (read(first)?.body(), read(second)?.body());
+        prepared(touch, law, &a, &b, dt)
+    })
+}

@@ -1,0 +1,289 @@
+//! Round contact patches: the coupled friction of sliding and spinning.
+//!
+//! The wrench acts on the patch, against its twist; the Jacobian is symmetric. At rest the wrench is
+//! zero and the Jacobian the limit of damping, infinite for Coulomb friction. NaN in gives NaN out.
+//! The load is taken as it is: a negative one (a contact that pulls) is the caller's to exclude.
+
+use super::vectors::{tribos_jacobian_f64, tribos_twist_f64, tribos_wrench_f64};
+use crate::memory::{answer, read};
+use crate::status::tribos_status;
+use crate::table::tribos_power_table_f64;
+use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::table::{Coulomb, Table64};
+use tribos_core::coupling::{Annulus, Coupling, PatchFriction, compact};
+use tribos_core::patch::PowerPressure;
+
+/// A round contact.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_round_f64 {
+    /// Friction coefficient mu, or that of the power law, 0 <= coefficient < inf.
+    pub coefficient: f64,
+    /// Radius of the contact, positive and finite.
+    pub radius: f64,
+}
+
+/// What a power law adds for the tier without tables.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_power_patch_f64 {
+    /// Exponent, -1 < alpha <= 128.
+    pub alpha: f64,
+    /// Order q of the pressure (1-r^2)^q, -1 <= q <= 8: -1 ring, -1/2 flat punch, 0 uniform,
+    /// 1/2 Hertz, 1 paraboloid.
+    pub pressure_order: f64,
+}
+
+/// The wrench of one coupling.
+#[inline(always)]
+unsafe fn wrench_of<C: Coupling<f64>>(
+    coupling: C,
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+) -> Result<tribos_wrench_f64, tribos_status> {
+    let (patch, twist) = (read(patch)?, read(twist)?);
+    let friction = PatchFriction::new(coupling, patch.coefficient, patch.radius)?;
+    Ok(friction.wrench(load, &twist.into()).into())
+}
+
+/// Its Jacobian.
+#[inline(always)]
+unsafe fn jacobian_of<C: Coupling<f64>>(
+    coupling: C,
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+) -> Result<tribos_jacobian_f64, tribos_status> {
+    let (patch, twist) = (read(patch)?, read(twist)?);
+    let friction = PatchFriction::new(coupling, patch.coefficient, patch.radius)?;
+    Ok(friction.wrench_jacobian(load, &twist.into()).into())
+}
+
+/// Uniform disk under Coulomb friction, by table: the quickest. Flash: 23 KiB of table (f32: 3).
+/// Accuracy: 5 ulp in force and torque.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_disk_wrench_f64(
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    wrench: *mut tribos_wrench_f64,
+) -> tribos_status {
+    answer(wrench, || wrench_of(Coulomb, patch, load, twist))
+}
+
+/// Jacobian of the uniform disk, by table.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_disk_jacobian_f64(
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    jacobian: *mut tribos_jacobian_f64,
+) -> tribos_status {
+    answer(jacobian, || jacobian_of(Coulomb, patch, load, twist))
+}
+
+/// Uniform disk under Coulomb friction without table, by elliptic integrals: a few KiB of code, 5
+/// times as slow. Accuracy: 1e-14 relative (f32: 5e-6).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_disk_compact_wrench_f64(
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    wrench: *mut tribos_wrench_f64,
+) -> tribos_status {
+    answer(wrench, || wrench_of(compact::Coulomb, patch, load, twist))
+}
+
+/// Jacobian of the uniform disk without table.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_disk_compact_jacobian_f64(
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    jacobian: *mut tribos_jacobian_f64,
+) -> tribos_status {
+    answer(jacobian, || {
+        jacobian_of(compact::Coulomb, patch, load, twist)
+    })
+}
+
+/// Uniform pressure between inner_ratio and 1 radii under Coulomb friction, by the disk's table.
+/// Domain: 0 <= inner_ratio <= 0.999. Accuracy: that of the disk times 2/(1 - inner_ratio).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_annulus_wrench_f64(
+    patch: *const tribos_round_f64,
+    inner_ratio: f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    wrench: *mut tribos_wrench_f64,
+) -> tribos_status {
+    answer(wrench, || {
+        wrench_of(Annulus::new(Coulomb, inner_ratio)?, patch, load, twist)
+    })
+}
+
+/// Jacobian of the annulus.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_annulus_jacobian_f64(
+    patch: *const tribos_round_f64,
+    inner_ratio: f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    jacobian: *mut tribos_jacobian_f64,
+) -> tribos_status {
+    answer(jacobian, || {
+        jacobian_of(Annulus::new(Coulomb, inner_ratio)?, patch, load, twist)
+    })
+}
+
+/// Hertz' pressure (a ball on a plane) under Coulomb friction, in closed form.
+/// Accuracy: 1e-14 relative (f32: 1e-5).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_hertz_wrench_f64(
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    wrench: *mut tribos_wrench_f64,
+) -> tribos_status {
+    answer(wrench, || wrench_of(Hertz, patch, load, twist))
+}
+
+/// Jacobian under Hertz' pressure.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_hertz_jacobian_f64(
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    jacobian: *mut tribos_jacobian_f64,
+) -> tribos_status {
+    answer(jacobian, || jacobian_of(Hertz, patch, load, twist))
+}
+
+/// A thin ring under Coulomb friction, by elliptic integrals.
+/// Accuracy: 1e-14 relative (f32: 1e-5).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_ring_wrench_f64(
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    wrench: *mut tribos_wrench_f64,
+) -> tribos_status {
+    answer(wrench, || wrench_of(Ring, patch, load, twist))
+}
+
+/// Jacobian of the ring. Special values: infinite where sliding and rim speed are equal.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_ring_jacobian_f64(
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    jacobian: *mut tribos_jacobian_f64,
+) -> tribos_status {
+    answer(jacobian, || jacobian_of(Ring, patch, load, twist))
+}
+
+/// A rigid flat punch on an elastic half space under Coulomb friction, in closed form.
+/// Accuracy: 1e-14 relative (f32: 1e-5).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_punch_wrench_f64(
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    wrench: *mut tribos_wrench_f64,
+) -> tribos_status {
+    answer(wrench, || wrench_of(FlatPunch, patch, load, twist))
+}
+
+/// Jacobian of the flat punch.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_punch_jacobian_f64(
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    jacobian: *mut tribos_jacobian_f64,
+) -> tribos_status {
+    answer(jacobian, || jacobian_of(FlatPunch, patch, load, twist))
+}
+
+fn compact_power(law: tribos_power_patch_f64) -> Result<compact::Power<f64>, tribos_status> {
+    #[allow(clippy::useless_conversion)] // Not in single precision.
+    let pressure = PowerPressure::new(law.pressure_order.into())?;
+    Ok(compact::Power::with_pressure(law.alpha, pressure)?)
+}
+
+/// Any exponent under any pressure (1-r^2)^q, without table. Works in f64 inside, for f32 too: on a
+/// processor without f64 it is slow. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_power_compact_wrench_f64(
+    law: *const tribos_power_patch_f64,
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    wrench: *mut tribos_wrench_f64,
+) -> tribos_status {
+    answer(wrench, || {
+        wrench_of(compact_power(read(law)?)?, patch, load, twist)
+    })
+}
+
+/// Its Jacobian.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_power_compact_jacobian_f64(
+    law: *const tribos_power_patch_f64,
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    jacobian: *mut tribos_jacobian_f64,
+) -> tribos_status {
+    answer(jacobian, || {
+        jacobian_of(compact_power(read(law)?)?, patch, load, twist)
+    })
+}
+
+/// Builds the table of one exponent for the uniform disk, -1 < alpha <= 10, in the caller's memory:
+/// 23 KiB (f32: 3). Cost: about 300,000 operations in f64, and as much stack as the f64 table has,
+/// twice, in both precisions.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_power_table_build_f64(
+    alpha: f64,
+    table: *mut tribos_power_table_f64,
+) -> tribos_status {
+    answer(table.cast::<Table64>(), || Ok(Table64::new(alpha)?))
+}
+
+/// The table behind a pointer, not copied.
+#[inline(always)]
+unsafe fn table_at<'a>(table: *const tribos_power_table_f64) -> Result<&'a Table64, tribos_status> {
+    table
+        .cast::<Table64>()
+        .as_ref()
+        .ok_or(tribos_status::NullPointer)
+}
+
+/// Uniform disk under the power law, by a table built before; as quick as Coulomb friction but for
+/// one power. Accuracy: 1.5e-15 relative for alpha >= -0.75 (f32: 5 ulp).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_power_table_wrench_f64(
+    table: *const tribos_power_table_f64,
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    wrench: *mut tribos_wrench_f64,
+) -> tribos_status {
+    answer(wrench, || wrench_of(table_at(table)?, patch, load, twist))
+}
+
+/// Its Jacobian.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_power_table_jacobian_f64(
+    table: *const tribos_power_table_f64,
+    patch: *const tribos_round_f64,
+    load: f64,
+    twist: *const tribos_twist_f64,
+    jacobian: *mut tribos_jacobian_f64,
+) -> tribos_status {
+    answer(jacobian, || {
+        jacobian_of(table_at(table)?, patch, load, twist)
+    })
+}

@@ -1,0 +1,178 @@
+//! One body that slides and spins to rest on a plane, on a uniform disk under Coulomb friction.
+
+use crate::memory::{answer, read};
+use crate::status::tribos_status;
+use tribos_core::coupling::table::Coulomb;
+use tribos_core::slider::{Motion, Slider};
+
+/// A sliding body; all positive and finite.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_slider_f64 {
+    /// mu x gravity.
+    pub deceleration: f64,
+    /// Radius of the contact.
+    pub radius: f64,
+    /// I/(M radius^2): 1/2 for a disk on its own face.
+    pub inertia_ratio: f64,
+}
+
+/// The state of a slider, in units that are consistent with its deceleration and radius.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_motion_f64 {
+    /// Time since the start.
+    pub time: f64,
+    /// Sliding speed, not negative.
+    pub speed: f64,
+    /// Spin, of either sign.
+    pub spin: f64,
+    /// Distance covered.
+    pub distance: f64,
+    /// Angle turned, in radians.
+    pub angle: f64,
+}
+
+/// The end of a motion.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_rest_f64 {
+    /// Time, distance and angle at rest; speeds zero.
+    pub motion: tribos_motion_f64,
+    /// Ratio of sliding to rim speed in the limit of rest.
+    pub ratio: f64,
+    /// Substeps taken.
+    pub substeps: u32,
+}
+
+/// The end of a step.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_advance_f64 {
+    /// The motion at the end of the step.
+    pub motion: tribos_motion_f64,
+    /// Ratio of sliding to rim speed in the limit of rest; NaN where the step ends in motion.
+    pub ratio: f64,
+    /// 1 in the step in which the body comes to rest, else 0.
+    pub came_to_rest: u32,
+    /// Substeps taken.
+    pub substeps: u32,
+}
+
+impl From<tribos_motion_f64> for Motion<f64> {
+    fn from(m: tribos_motion_f64) -> Self {
+        Self {
+            time: m.time,
+            speed: m.speed,
+            spin: m.spin,
+            distance: m.distance,
+            angle: m.angle,
+        }
+    }
+}
+
+impl From<Motion<f64>> for tribos_motion_f64 {
+    fn from(m: Motion<f64>) -> Self {
+        Self {
+            time: m.time,
+            speed: m.speed,
+            spin: m.spin,
+            distance: m.distance,
+            angle: m.angle,
+        }
+    }
+}
+
+#[inline(always)]
+unsafe fn slider_of(
+    slider: *const tribos_slider_f64,
+) -> Result<Slider<f64, Coulomb>, tribos_status> {
+    let s = read(slider)?;
+    Ok(Slider::new(
+        Coulomb,
+        s.deceleration,
+        s.radius,
+        s.inertia_ratio,
+    )?)
+}
+
+/// One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never turns
+/// it round. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_slider_verlet_step_f64(
+    slider: *const tribos_slider_f64,
+    motion: *mut tribos_motion_f64,
+    duration: f64,
+) -> tribos_status {
+    answer(motion, || {
+        let start = read(motion)?.into();
+        Ok(slider_of(slider)?.verlet_step(&start, duration).into())
+    })
+}
+
+/// Advances by duration >= 0 to rounding accuracy, through rest if it comes.
+/// Cost: one substep (7 wrenches) if duration is short against the time to rest; the step in which
+/// the body comes to rest takes 1,000 to 4,200 substeps.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_slider_advance_f64(
+    slider: *const tribos_slider_f64,
+    motion: *const tribos_motion_f64,
+    duration: f64,
+    advance: *mut tribos_advance_f64,
+) -> tribos_status {
+    answer(advance, || {
+        let start = read(motion)?.into();
+        let end = slider_of(slider)?.advance(&start, duration);
+        Ok(tribos_advance_f64 {
+            motion: end.motion.into(),
+            ratio: end.rest.map_or(f64::NAN, |rest| rest.ratio),
+            came_to_rest: end.rest.is_some().into(),
+            substeps: end.substeps,
+        })
+    })
+}
+
+/// Follows the motion to rest, to rounding accuracy; TRIBOS_STATUS_NO_REST for one that is not
+/// finite. Cost: 1,000 to 4,200 substeps of 7 wrenches.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_slider_to_rest_f64(
+    slider: *const tribos_slider_f64,
+    motion: *const tribos_motion_f64,
+    rest: *mut tribos_rest_f64,
+) -> tribos_status {
+    answer(rest, || {
+        let start = read(motion)?.into();
+        let end = slider_of(slider)?.to_rest(&start);
+        let end = end.ok_or(tribos_status::NoRest)?;
+        Ok(tribos_rest_f64 {
+            motion: end.motion.into(),
+            ratio: end.ratio,
+            substeps: end.substeps,
+        })
+    })
+}
+
+/// Kinetic energy per mass.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_slider_energy_f64(
+    slider: *const tribos_slider_f64,
+    motion: *const tribos_motion_f64,
+    energy_per_mass: *mut f64,
+) -> tribos_status {
+    answer(energy_per_mass, || {
+        Ok(slider_of(slider)?.energy_per_mass(&read(motion)?.into()))
+    })
+}
+
+/// Power lost to friction per mass.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_slider_dissipation_f64(
+    slider: *const tribos_slider_f64,
+    motion: *const tribos_motion_f64,
+    power_per_mass: *mut f64,
+) -> tribos_status {
+    answer(power_per_mass, || {
+        let motion = read(motion)?.into();
+        Ok(slider_of(slider)?.dissipation_per_mass(&motion))
+    })
+}

@@ -1,0 +1,265 @@
+//! One update of a prepared contact: the impulse that obeys its laws with all else as it is.
+//!
+//! Impulse and bodies are changed in place. Modes that a function does not have get no impulse. All
+//! is closed form, unless sliding and rolling are coupled and both slip (then at most 96 rounds) or
+//! friction is that of a patch (then the searches of its limit surface).
+
+use super::contact::{
+    AsBody, tribos_contact_f64, tribos_impulse_f64, tribos_plate_f64, tribos_sphere_f64,
+    tribos_thresholds_f64,
+};
+use crate::memory::{answer, read};
+use crate::status::tribos_status;
+use tribos_core::contact::{Contact, ContactFriction, CoupledFriction, Thresholds};
+use tribos_core::coupling::table::Coulomb;
+use tribos_core::limit_surface::LimitSurface;
+
+/// Updates the impulse and both bodies.
+#[inline(always)]
+unsafe fn update<F, A, B>(
+    contact: *const tribos_contact_f64,
+    friction: impl FnOnce() -> Result<F, tribos_status>,
+    (first, second): (*mut A, *mut B),
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status
+where
+    F: ContactFriction<f64>,
+    A: Copy + From<A::Kernel> + AsBody,
+    B: Copy + From<B::Kernel> + AsBody,
+{
+    answer(impulse, || {
+        let (contact, old) = (read(contact)?.into(), read(impulse)?.into());
+        let (mut a, mut b) = (read(first)?.body(), read(second)?.body());
+        let mut contact = Contact::resume(&contact, &old);
+        contact.update(&friction()?, &mut a, &mut b);
+        first.write(a.into());
+        second.write(b.into());
+        Ok(contact.impulse().into())
+    })
+}
+
+/// Updates a contact of two spheres. Only the normal impulse.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_update_frictionless_spheres_f64(
+    contact: *const tribos_contact_f64,
+    first: *mut tribos_sphere_f64,
+    second: *mut tribos_sphere_f64,
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status {
+    update(contact, || Ok(Thresholds::none()), (first, second), impulse)
+}
+
+/// Updates a contact of two spheres. Normal impulse and sliding friction.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_update_sliding_spheres_f64(
+    contact: *const tribos_contact_f64,
+    friction: *const tribos_thresholds_f64,
+    first: *mut tribos_sphere_f64,
+    second: *mut tribos_sphere_f64,
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status {
+    update(
+        contact,
+        || Ok(Thresholds::sliding(read(friction)?.sliding)?),
+        (first, second),
+        impulse,
+    )
+}
+
+/// Updates a contact of two spheres.
+/// Normal impulse, sliding and torsion friction, each with its own threshold.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_update_sliding_torsion_spheres_f64(
+    contact: *const tribos_contact_f64,
+    friction: *const tribos_thresholds_f64,
+    first: *mut tribos_sphere_f64,
+    second: *mut tribos_sphere_f64,
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status {
+    update(
+        contact,
+        || {
+            let f = read(friction)?;
+            Ok(Thresholds::sliding_torsion(f.sliding, f.torsion)?)
+        },
+        (first, second),
+        impulse,
+    )
+}
+
+/// Updates a contact of two spheres. Normal impulse, sliding and rolling friction.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_update_sliding_rolling_spheres_f64(
+    contact: *const tribos_contact_f64,
+    friction: *const tribos_thresholds_f64,
+    first: *mut tribos_sphere_f64,
+    second: *mut tribos_sphere_f64,
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status {
+    update(
+        contact,
+        || {
+            let f = read(friction)?;
+            Ok(Thresholds::sliding_rolling(f.sliding, f.rolling)?)
+        },
+        (first, second),
+        impulse,
+    )
+}
+
+/// Updates a contact of two spheres.
+/// Normal impulse, sliding, rolling and torsion friction, each with its own threshold.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_update_all_spheres_f64(
+    contact: *const tribos_contact_f64,
+    friction: *const tribos_thresholds_f64,
+    first: *mut tribos_sphere_f64,
+    second: *mut tribos_sphere_f64,
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status {
+    update(
+        contact,
+        || {
+            let f = read(friction)?;
+            Ok(Thresholds::all(f.sliding, f.rolling, f.torsion)?)
+        },
+        (first, second),
+        impulse,
+    )
+}
+
+/// Updates a contact of two spheres.
+/// Normal impulse, and sliding and torsion under the one threshold of a uniform disk: `sliding` is
+/// mu, `torsion` the radius of the disk over the lever, not a coefficient.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_update_patch_spheres_f64(
+    contact: *const tribos_contact_f64,
+    friction: *const tribos_thresholds_f64,
+    first: *mut tribos_sphere_f64,
+    second: *mut tribos_sphere_f64,
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status {
+    update(
+        contact,
+        || {
+            let f = read(friction)?;
+            let set = LimitSurface::new(Coulomb, f.sliding, f.torsion)?;
+            Ok(CoupledFriction::sliding_torsion(set))
+        },
+        (first, second),
+        impulse,
+    )
+}
+
+/// Updates a contact of a sphere with a plate. Only the normal impulse.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_update_frictionless_plate_f64(
+    contact: *const tribos_contact_f64,
+    first: *mut tribos_sphere_f64,
+    second: *mut tribos_plate_f64,
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status {
+    update(contact, || Ok(Thresholds::none()), (first, second), impulse)
+}
+
+/// Updates a contact of a sphere with a plate. Normal impulse and sliding friction.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_update_sliding_plate_f64(
+    contact: *const tribos_contact_f64,
+    friction: *const tribos_thresholds_f64,
+    first: *mut tribos_sphere_f64,
+    second: *mut tribos_plate_f64,
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status {
+    update(
+        contact,
+        || Ok(Thresholds::sliding(read(friction)?.sliding)?),
+        (first, second),
+        impulse,
+    )
+}
+
+/// Updates a contact of a sphere with a plate.
+/// Normal impulse, sliding and torsion friction, each with its own threshold.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_update_sliding_torsion_plate_f64(
+    contact: *const tribos_contact_f64,
+    friction: *const tribos_thresholds_f64,
+    first: *mut tribos_sphere_f64,
+    second: *mut tribos_plate_f64,
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status {
+    update(
+        contact,
+        || {
+            let f = read(friction)?;
+            Ok(Thresholds::sliding_torsion(f.sliding, f.torsion)?)
+        },
+        (first, second),
+        impulse,
+    )
+}
+
+/// Updates a contact of a sphere with a plate. Normal impulse, sliding and rolling friction.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_update_sliding_rolling_plate_f64(
+    contact: *const tribos_contact_f64,
+    friction: *const tribos_thresholds_f64,
+    first: *mut tribos_sphere_f64,
+    second: *mut tribos_plate_f64,
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status {
+    update(
+        contact,
+        || {
+            let f = read(friction)?;
+            Ok(Thresholds::sliding_rolling(f.sliding, f.rolling)?)
+        },
+        (first, second),
+        impulse,
+    )
+}
+
+/// Updates a contact of a sphere with a plate.
+/// Normal impulse, sliding, rolling and torsion friction, each with its own threshold.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_update_all_plate_f64(
+    contact: *const tribos_contact_f64,
+    friction: *const tribos_thresholds_f64,
+    first: *mut tribos_sphere_f64,
+    second: *mut tribos_plate_f64,
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status {
+    update(
+        contact,
+        || {
+            let f = read(friction)?;
+            Ok(Thresholds::all(f.sliding, f.rolling, f.torsion)?)
+        },
+        (first, second),
+        impulse,
+    )
+}
+
+/// Updates a contact of a sphere with a plate.
+/// Normal impulse, and sliding and torsion under the one threshold of a uniform disk: `sliding` is
+/// mu, `torsion` the radius of the disk over the lever, not a coefficient.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_update_patch_plate_f64(
+    contact: *const tribos_contact_f64,
+    friction: *const tribos_thresholds_f64,
+    first: *mut tribos_sphere_f64,
+    second: *mut tribos_plate_f64,
+    impulse: *mut tribos_impulse_f64,
+) -> tribos_status {
+    update(
+        contact,
+        || {
+            let f = read(friction)?;
+            let set = LimitSurface::new(Coulomb, f.sliding, f.torsion)?;
+            Ok(CoupledFriction::sliding_torsion(set))
+        },
+        (first, second),
+        impulse,
+    )
+}

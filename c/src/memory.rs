@@ -1,0 +1,59 @@
+//! What lies behind the pointers of a caller.
+
+use crate::status::tribos_status;
+
+/// A copy of the argument.
+#[inline(always)]
+pub(crate) unsafe fn read<T: Copy>(from: *const T) -> Result<T, tribos_status> {
+    if from.is_null() {
+        return Err(tribos_status::NullPointer);
+    }
+    Ok(from.read())
+}
+
+/// `count` arguments, which stay where they are.
+#[inline(always)]
+pub(crate) unsafe fn slice<'a, T>(from: *const T, count: usize) -> Result<&'a [T], tribos_status> {
+    fits::<T>(from.is_null(), count)?;
+    Ok(core::slice::from_raw_parts(from, count))
+}
+
+/// Memory for `count` answers.
+#[inline(always)]
+pub(crate) unsafe fn slice_mut<'a, T>(
+    to: *mut T,
+    count: usize,
+) -> Result<&'a mut [T], tribos_status> {
+    fits::<T>(to.is_null(), count)?;
+    Ok(core::slice::from_raw_parts_mut(to, count))
+}
+
+/// No array is larger than half of the memory that can be addressed.
+#[inline(always)]
+fn fits<T>(is_null: bool, count: usize) -> Result<(), tribos_status> {
+    if is_null {
+        Err(tribos_status::NullPointer)
+    } else if count > isize::MAX as usize / size_of::<T>() {
+        Err(tribos_status::Count)
+    } else {
+        Ok(())
+    }
+}
+
+/// Writes the result, or leaves the caller's memory as it is.
+#[inline(always)]
+pub(crate) unsafe fn answer<T>(
+    to: *mut T,
+    result: impl FnOnce() -> Result<T, tribos_status>,
+) -> tribos_status {
+    if to.is_null() {
+        return tribos_status::NullPointer;
+    }
+    match result() {
+        Ok(value) => {
+            to.write(value);
+            tribos_status::Ok
+        }
+        Err(refusal) => refusal,
+    }
+}

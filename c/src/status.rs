@@ -1,0 +1,292 @@
+//! What a function answers besides its result.
+
+use core::ffi::{CStr, c_char};
+use tribos_core::contact::{TimeStepError, TouchError};
+use tribos_core::coupling::FrictionError;
+use tribos_core::law::LawError;
+use tribos_core::limit_surface::SurfaceError;
+use tribos_core::modes::InertiaError;
+use tribos_core::patch::PatchError;
+use tribos_core::patch::nodes::NodeError;
+use tribos_core::patch::polar::PolarError;
+use tribos_core::patch::polygon::PolygonError;
+use tribos_core::patch::tripod::TripodError;
+use tribos_core::slider::SliderError;
+
+/// 0 if all went well; else the result was left as it was, and this tells why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(i32)]
+pub enum tribos_status {
+    /// The result has been written.
+    Ok = 0,
+    /// A pointer is null.
+    NullPointer = 1,
+    /// A count of elements is larger than any memory.
+    Count = 2,
+    /// A choice is none of those listed for it.
+    Choice = 3,
+    /// A friction coefficient is negative, infinite or NaN.
+    Coefficient = 10,
+    /// An exponent alpha is NaN or not between -1 (excluded) and the largest one of the tier.
+    Exponent = 11,
+    /// A parameter that must be positive and finite is not.
+    NotPositive = 12,
+    /// A parameter that must be finite and not negative is not.
+    Negative = 13,
+    /// A fraction is NaN or not between 0 and 1.
+    NotAFraction = 14,
+    /// Two parameters are in the wrong order, such as a dynamic coefficient above the static one.
+    Order = 15,
+    /// The law has no minimum at a positive speed.
+    NoMinimum = 16,
+    /// The radius of the contact is not positive and finite.
+    Radius = 20,
+    /// The order q of the pressure is not between -1 and 8.
+    PressureOrder = 21,
+    /// The inner over the outer radius of an annulus is not between 0 and 0.999.
+    InnerRatio = 22,
+    /// A node does not lie at a finite place.
+    NodePosition = 30,
+    /// A node's weight is negative or NaN, or makes the sum infinite.
+    NodeWeight = 31,
+    /// No node carries load.
+    Unloaded = 32,
+    /// The nodes do not fit into the memory given.
+    Full = 33,
+    /// Three feet stand in a line.
+    FeetInLine = 34,
+    /// A body on three feet tips over.
+    Tips = 35,
+    /// A polygon has fewer than 3 corners.
+    Corners = 36,
+    /// No corner of the polygon sees all of it, or it has no area.
+    Hidden = 37,
+    /// The number of divisions is not between 1 and 1024.
+    Divisions = 38,
+    /// The number of rings or angles is not between 1 and 1024.
+    Rings = 39,
+    /// The exponent of a pressure at the rim is not between -1 (excluded) and 64.
+    RimExponent = 40,
+    /// The force limit is negative, infinite or NaN.
+    ForceLimit = 50,
+    /// The reduced torque of pure spinning is not positive and finite.
+    SpinTorque = 51,
+    /// The deceleration of a slider is not positive and finite.
+    Deceleration = 60,
+    /// The inertia ratio of a slider is not positive and finite.
+    Inertia = 61,
+    /// The motion has no rest, or is not finite.
+    NoRest = 62,
+    /// There is no normal: centres coincide, or one lies in the plate.
+    NoNormal = 70,
+    /// A position or radius is not finite, or a radius is not positive.
+    NotFinite = 71,
+    /// A time step is not positive and finite.
+    TimeStep = 72,
+}
+
+impl tribos_status {
+    /// All of them.
+    pub const ALL: [Self; 33] = [
+        Self::Ok,
+        Self::NullPointer,
+        Self::Count,
+        Self::Choice,
+        Self::Coefficient,
+        Self::Exponent,
+        Self::NotPositive,
+        Self::Negative,
+        Self::NotAFraction,
+        Self::Order,
+        Self::NoMinimum,
+        Self::Radius,
+        Self::PressureOrder,
+        Self::InnerRatio,
+        Self::NodePosition,
+        Self::NodeWeight,
+        Self::Unloaded,
+        Self::Full,
+        Self::FeetInLine,
+        Self::Tips,
+        Self::Corners,
+        Self::Hidden,
+        Self::Divisions,
+        Self::Rings,
+        Self::RimExponent,
+        Self::ForceLimit,
+        Self::SpinTorque,
+        Self::Deceleration,
+        Self::Inertia,
+        Self::NoRest,
+        Self::NoNormal,
+        Self::NotFinite,
+        Self::TimeStep,
+    ];
+
+    fn text(self) -> &'static CStr {
+        match self {
+            Self::Ok => c"no error",
+            Self::NullPointer => c"a pointer is null",
+            Self::Count => c"a count is larger than any memory",
+            Self::Choice => c"a choice is none of those listed for it",
+            Self::Coefficient => c"the coefficient must be finite and not negative",
+            Self::Exponent => c"the exponent alpha must be above -1 and not above the largest one",
+            Self::NotPositive => c"a parameter must be positive and finite",
+            Self::Negative => c"a parameter must be finite and not negative",
+            Self::NotAFraction => c"a fraction must be between 0 and 1",
+            Self::Order => c"two parameters are in the wrong order",
+            Self::NoMinimum => c"the law has no minimum at a positive speed",
+            Self::Radius => c"the contact radius must be positive and finite",
+            Self::PressureOrder => c"the order of the pressure must be between -1 and 8",
+            Self::InnerRatio => c"inner radius / outer radius must be between 0 and 0.999",
+            Self::NodePosition => c"a node must lie at a finite place",
+            Self::NodeWeight => c"a node must carry a finite weight, not negative",
+            Self::Unloaded => c"at least one node must carry load",
+            Self::Full => c"the nodes do not fit: give more memory",
+            Self::FeetInLine => c"three feet must span a triangle",
+            Self::Tips => c"the body tips over: a foot would have to pull",
+            Self::Corners => c"a polygon has at least 3 corners",
+            Self::Hidden => c"a corner must see all of the polygon: cut it into several",
+            Self::Divisions => c"divisions must be from 1 to 1024",
+            Self::Rings => c"rings and angles must be from 1 to 1024",
+            Self::RimExponent => c"the exponent at the rim must be above -1 and not above 64",
+            Self::ForceLimit => c"the force limit must be finite and not negative",
+            Self::SpinTorque => c"the reduced torque of spinning must be positive and finite",
+            Self::Deceleration => c"the deceleration must be positive and finite",
+            Self::Inertia => c"the inertia ratio must be positive and finite",
+            Self::NoRest => c"the motion has no rest, or is not finite",
+            Self::NoNormal => c"centres coincide or lie in the plate: there is no normal",
+            Self::NotFinite => c"positions must be finite, radii positive and finite",
+            Self::TimeStep => c"a time step must be positive and finite",
+        }
+    }
+}
+
+/// What a status means, in one line of English that lives as long as the program.
+///
+/// *Special values*: a number that is no status gives "no such status".
+#[unsafe(no_mangle)]
+pub extern "C" fn tribos_status_text(status: i32) -> *const c_char {
+    let known = tribos_status::ALL.iter().find(|s| **s as i32 == status);
+    known.map_or(c"no such status", |s| s.text()).as_ptr()
+}
+
+impl From<LawError> for tribos_status {
+    fn from(error: LawError) -> Self {
+        match error {
+            LawError::Coefficient { .. } => Self::Coefficient,
+            LawError::Exponent { .. } | LawError::NotDry { .. } => Self::Exponent,
+            LawError::NotPositive { .. } => Self::NotPositive,
+            LawError::Negative { .. } => Self::Negative,
+            LawError::NotAFraction { .. } => Self::NotAFraction,
+            LawError::Order { .. } => Self::Order,
+        }
+    }
+}
+
+impl From<PatchError> for tribos_status {
+    fn from(error: PatchError) -> Self {
+        match error {
+            PatchError::Radius { .. } => Self::Radius,
+            PatchError::Order { .. } => Self::PressureOrder,
+            PatchError::InnerRatio { .. } => Self::InnerRatio,
+            PatchError::Height { .. } | PatchError::Lean { .. } | PatchError::Negative => {
+                Self::Negative
+            }
+            PatchError::NoLoad => Self::Unloaded,
+        }
+    }
+}
+
+impl From<FrictionError> for tribos_status {
+    fn from(error: FrictionError) -> Self {
+        match error {
+            FrictionError::Law(error) => error.into(),
+            FrictionError::Patch(error) => error.into(),
+        }
+    }
+}
+
+impl From<NodeError> for tribos_status {
+    fn from(error: NodeError) -> Self {
+        match error {
+            NodeError::Position { .. } => Self::NodePosition,
+            NodeError::Weight { .. } => Self::NodeWeight,
+            NodeError::Unloaded => Self::Unloaded,
+            NodeError::Full { .. } => Self::Full,
+        }
+    }
+}
+
+impl From<TripodError> for tribos_status {
+    fn from(error: TripodError) -> Self {
+        match error {
+            TripodError::Line => Self::FeetInLine,
+            TripodError::Tips { .. } => Self::Tips,
+            TripodError::Nodes(error) => error.into(),
+        }
+    }
+}
+
+impl From<PolygonError> for tribos_status {
+    fn from(error: PolygonError) -> Self {
+        match error {
+            PolygonError::Corners { .. } => Self::Corners,
+            PolygonError::Hidden => Self::Hidden,
+            PolygonError::Divisions { .. } => Self::Divisions,
+            PolygonError::Nodes(error) => error.into(),
+        }
+    }
+}
+
+impl From<PolarError> for tribos_status {
+    fn from(error: PolarError) -> Self {
+        match error {
+            PolarError::Radius(error) => error.into(),
+            PolarError::Order { .. } => Self::Rings,
+            PolarError::RimExponent { .. } => Self::RimExponent,
+            PolarError::Nodes(error) => error.into(),
+        }
+    }
+}
+
+impl From<SurfaceError> for tribos_status {
+    fn from(error: SurfaceError) -> Self {
+        match error {
+            SurfaceError::ForceLimit { .. } => Self::ForceLimit,
+            SurfaceError::Radius { .. } => Self::Radius,
+            SurfaceError::SpinTorque { .. } => Self::SpinTorque,
+        }
+    }
+}
+
+impl From<InertiaError> for tribos_status {
+    fn from(_: InertiaError) -> Self {
+        Self::Inertia
+    }
+}
+
+impl From<SliderError> for tribos_status {
+    fn from(error: SliderError) -> Self {
+        match error {
+            SliderError::Deceleration { .. } => Self::Deceleration,
+            SliderError::Radius { .. } => Self::Radius,
+            SliderError::Inertia(error) => error.into(),
+        }
+    }
+}
+
+impl From<TouchError> for tribos_status {
+    fn from(error: TouchError) -> Self {
+        match error {
+            TouchError::NoNormal => Self::NoNormal,
+            TouchError::NotFinite => Self::NotFinite,
+        }
+    }
+}
+
+impl From<TimeStepError> for tribos_status {
+    fn from(_: TimeStepError) -> Self {
+        Self::TimeStep
+    }
+}

@@ -1,0 +1,176 @@
+//! Contacts of spheres and plates.
+
+use super::stream::{Precision, Range, Stream};
+use nalgebra::Vector3;
+use tribos_core::contact::{
+    Attraction, AxialPart, Body, Cohesion, Contact, ContactFriction, CoupledFriction, Modal, Modes,
+    NormalLaw, PlanarPart, Plate, Sphere, Thresholds, TimeStep, Touch,
+};
+use tribos_core::coupling::table::Coulomb;
+use tribos_core::limit_surface::LimitSurface;
+use tribos_core::real::Real;
+
+/// An impulse in all modes.
+#[derive(Clone, Copy)]
+struct Impulse<R: Real> {
+    normal: R,
+    sliding: Vector3<R>,
+    rolling: Vector3<R>,
+    torsion: R,
+}
+
+/// Everything but the bodies.
+struct Case<R: Real> {
+    law: NormalLaw<R>,
+    dt: R,
+    mu: [R; 3],
+    start: Impulse<R>,
+}
+
+fn sphere<R: Precision>(s: &mut Stream) -> Sphere<R> {
+    Sphere {
+        velocity: s.vector(Range::Mild),
+        spin: s.vector(Range::Mild),
+        inv_mass: s.draw(Range::Fit),
+        inv_inertia: s.draw(Range::Fit),
+    }
+}
+
+pub fn both<R: Precision>(s: &mut Stream) {
+    let p: [R; 11] = s.draws(Range::Fit);
+    let (first, second) = (sphere(s), sphere(s));
+    let displacement = s.vector(Range::Mild);
+    let start = Impulse {
+        normal: s.draw(Range::Mild),
+        sliding: s.vector(Range::Mild),
+        rolling: s.vector(Range::Mild),
+        torsion: s.draw(Range::Mild),
+    };
+    let floor = Plate {
+        velocity: second.velocity,
+        inv_mass: p[10],
+    };
+    let attraction = match s.bits() >> 63 {
+        0 => Attraction::Pull,
+        _ => Attraction::Resistance,
+    };
+    let law = Cohesion::new(p[0], p[1], attraction)
+        .and_then(|cohesion| NormalLaw::new(cohesion, p[2] / R::TWO));
+    let case = law
+        .ok()
+        .zip(TimeStep::new(p[8]).ok())
+        .map(|(law, dt)| Case {
+            law,
+            dt: dt.dt(),
+            mu: [p[3], p[4], p[5]],
+            start,
+        });
+
+    let touch = Touch::spheres(&displacement, [p[6], p[7]]);
+    met(s, touch.ok(), case.as_ref(), first, second);
+    let up = Vector3::new(R::ZERO, R::ZERO, R::ONE);
+    let touch = Touch::plate(p[9], &up, p[6]);
+    met(s, touch.ok(), case.as_ref(), first, floor);
+}
+
+/// One contact under all kinds of friction.
+fn met<R: Precision>(
+    s: &mut Stream,
+    touch: Option<Touch<R>>,
+    case: Option<&Case<R>>,
+    a: Sphere<R>,
+    b: impl Body<R> + Fed<R> + Copy,
+) {
+    let Some(touch) = s.ok(touch.ok_or(())) else {
+        return;
+    };
+    s.numbers(touch.normal.iter().copied());
+    s.numbers([touch.gap, touch.arms[0], touch.arms[1], touch.lever]);
+    let Some(case) = s.ok(case.ok_or(())) else {
+        return;
+    };
+    let [sliding, rolling, torsion] = case.mu;
+    feed_contact(s, &touch, case, &a, &b);
+    update(s, Some(Thresholds::none()), &touch, case, a, b);
+    update(s, Thresholds::sliding(sliding).ok(), &touch, case, a, b);
+    let both = Thresholds::sliding_torsion(sliding, torsion);
+    update(s, both.ok(), &touch, case, a, b);
+    let both = Thresholds::sliding_rolling(sliding, rolling);
+    update(s, both.ok(), &touch, case, a, b);
+    let all = Thresholds::all(sliding, rolling, torsion);
+    update(s, all.ok(), &touch, case, a, b);
+    let set = LimitSurface::new(Coulomb, sliding, torsion);
+    let patch = set.map(CoupledFriction::sliding_torsion);
+    update(s, patch.ok(), &touch, case, a, b);
+}
+
+fn feed_contact<R: Precision>(
+    s: &mut Stream,
+    touch: &Touch<R>,
+    case: &Case<R>,
+    a: &impl Body<R>,
+    b: &impl Body<R>,
+) {
+    type Smooth = tribos_core::contact::Frictionless;
+    let contact = Contact::<R, Smooth>::new(touch, &case.law, a, b, case.dt);
+    let block = contact.block();
+    s.numbers(contact.normal().iter().copied());
+    s.numbers(contact.arms());
+    s.numbers([
+        contact.lever(),
+        block.mass_normal,
+        block.mass_sliding,
+        block.inertia,
+        block.coupling,
+        contact.cohesion(),
+        contact.allowance(),
+    ]);
+    s.feed_bits(contact.rests_open().into());
+}
+
+/// One update from the same start.
+fn update<R: Precision, F: ContactFriction<R>>(
+    s: &mut Stream,
+    friction: Option<F>,
+    touch: &Touch<R>,
+    case: &Case<R>,
+    mut a: Sphere<R>,
+    mut b: impl Body<R> + Fed<R>,
+) {
+    let Some(friction) = s.ok(friction.ok_or(())) else {
+        return;
+    };
+    let mut contact = Contact::<R, F::Modes>::new(touch, &case.law, &a, &b, case.dt);
+    contact.set_impulse_in_plane(&Modal {
+        normal: case.start.normal,
+        sliding: <F::Modes as Modes<R>>::Sliding::of(case.start.sliding),
+        rolling: <F::Modes as Modes<R>>::Rolling::of(case.start.rolling),
+        torsion: <F::Modes as Modes<R>>::Torsion::of(case.start.torsion),
+    });
+    contact.update(&friction, &mut a, &mut b);
+    let impulse = contact.impulse();
+    s.number(impulse.normal);
+    s.numbers(impulse.sliding.vector().iter().copied());
+    s.numbers(impulse.rolling.vector().iter().copied());
+    s.number(impulse.torsion.component());
+    a.feed(s);
+    b.feed(s);
+}
+
+/// A body whose state goes into the hash.
+trait Fed<R> {
+    fn feed(&self, s: &mut Stream);
+}
+
+impl<R: Real> Fed<R> for Sphere<R> {
+    fn feed(&self, s: &mut Stream) {
+        s.numbers(self.velocity.iter().copied());
+        s.numbers(self.spin.iter().copied());
+    }
+}
+
+impl<R: Real> Fed<R> for Plate<R> {
+    fn feed(&self, s: &mut Stream) {
+        s.numbers(self.velocity.iter().copied());
+    }
+}

@@ -1,0 +1,39 @@
+//! The digest of `examples/digest.c`, computed by the kernel itself: no function of the C interface
+//! takes part. The same draws in the same order, the same answers.
+
+mod contacts;
+mod laws;
+mod patches;
+mod points;
+mod sliders;
+mod stream;
+mod surfaces;
+
+use stream::{Precision, Range, Stream};
+
+/// What the C program prints.
+pub fn digest() -> u64 {
+    let mut stream = Stream::new();
+    all::<f64>(&mut stream);
+    all::<f32>(&mut stream);
+    stream.hash()
+}
+
+fn all<R: Precision>(s: &mut Stream) {
+    for n in 0..200 {
+        let range = if n % 2 == 1 { Range::Wide } else { Range::Mild };
+        laws::simple::<R>(s);
+        laws::with_state::<R>(s);
+        patches::round::<R>(s);
+        points::at_points::<R>(s);
+        surfaces::both::<R>(s, range);
+        sliders::steps::<R>(s, range);
+        contacts::both::<R>(s);
+    }
+    patches::tables::<R>(s);
+    for n in 0..40 {
+        patches::powers::<R>(s);
+        points::rules::<R>(s);
+        sliders::ways::<R>(s, n % 8 == 0);
+    }
+}

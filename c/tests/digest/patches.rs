@@ -1,0 +1,80 @@
+//! Round patches.
+
+use super::stream::{Precision, Range, Stream};
+use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::{Annulus, Coupling, PatchFriction, compact, table};
+use tribos_core::patch::PowerPressure;
+use tribos_core::twist::Twist;
+
+/// A patch and what acts on it.
+struct Case<R: Precision> {
+    coefficient: R,
+    radius: R,
+    load: R,
+    twist: Twist<R>,
+}
+
+impl<R: Precision> Case<R> {
+    /// Wrench and Jacobian.
+    fn feed<C: Coupling<R>, E>(&self, s: &mut Stream, coupling: Result<C, E>) {
+        let friction = coupling
+            .ok()
+            .and_then(|c| PatchFriction::new(c, self.coefficient, self.radius).ok())
+            .ok_or(());
+        let friction = friction.as_ref();
+        s.wrench_of(friction.map(|f| f.wrench(self.load, &self.twist)));
+        s.jacobian_of(friction.map(|f| f.wrench_jacobian(self.load, &self.twist)));
+    }
+}
+
+fn sound<C>(coupling: C) -> Result<C, ()> {
+    Ok(coupling)
+}
+
+pub fn round<R: Precision>(s: &mut Stream) {
+    let [coefficient, radius, load, inner]: [R; 4] = s.draws(Range::Fit);
+    let case = Case {
+        coefficient,
+        radius,
+        load,
+        twist: s.twist(Range::Wide),
+    };
+    case.feed(s, sound(table::Coulomb));
+    case.feed(s, sound(compact::Coulomb));
+    case.feed(s, Annulus::new(table::Coulomb, inner / R::TWO));
+    case.feed(s, sound(Hertz));
+    case.feed(s, sound(Ring));
+    case.feed(s, sound(FlatPunch));
+}
+
+pub fn powers<R: Precision>(s: &mut Stream) {
+    let [alpha, order, coefficient, radius, load]: [R; 5] = s.draws(Range::Fit);
+    let case = Case {
+        coefficient,
+        radius,
+        load,
+        twist: s.twist(Range::Mild),
+    };
+    let pressure = PowerPressure::new((order - R::ONE).to_f64()).ok();
+    let alpha = R::TWO * alpha - R::ONE;
+    let law = pressure.and_then(|p| compact::Power::with_pressure(alpha, p).ok());
+    case.feed(s, law.ok_or(()));
+}
+
+pub fn tables<R: Precision>(s: &mut Stream) {
+    for alpha in [-0.5, 0.5, 3.0, -1.0, 11.0, 1.0] {
+        let Some(table) = s.ok(R::table(R::from_f64(alpha)).ok_or(())) else {
+            continue;
+        };
+        for _ in 0..40 {
+            let [coefficient, radius, load] = s.draws(Range::Fit);
+            let case = Case {
+                coefficient,
+                radius,
+                load,
+                twist: s.twist(Range::Wide),
+            };
+            case.feed(s, sound(&table));
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! Builds the library as users do, and programs in C with it.
+
+// Each test file uses a part.
+#![allow(dead_code)]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::{env, fs};
+
+/// The board's target.
+pub const BOARD: &str = "thumbv7em-none-eabihf";
+/// Switch that makes a missing tool a failure.
+const REQUIRE: &str = "TRIBOS_REQUIRE_TARGETS";
+
+/// Warnings are errors. No contraction: C itself only draws and hashes here, and does it the same
+/// way everywhere.
+const FLAGS: [&str; 8] = [
+    "-Wall",
+    "-Wextra",
+    "-Werror",
+    "-O2",
+    "-ffp-contract=off",
+    "-ffunction-sections",
+    "-fdata-sections",
+    "-Wl,--gc-sections",
+];
+const BOARD_FLAGS: [&str; 9] = [
+    "-mcpu=cortex-m4",
+    "-mthumb",
+    "-mfloat-abi=hard",
+    "-mfpu=fpv4-sp-d16",
+    "-std=gnu99",
+    "-ffreestanding",
+    "-nostdlib",
+    "-Wl,-z,noexecstack",
+    "-Tboard.ld",
+];
+
+/// A folder of this package.
+pub fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
+}
+
+/// A place for what a test builds.
+pub fn scratch(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+/// True if `tool` can be run; says what is missing if not.
+pub fn has(tool: &str) -> bool {
+    if Command::new(tool).arg("--version").output().is_ok() {
+        return true;
+    }
+    missing(&format!("`{tool}` is not installed"));
+    false
+}
+
+/// A part of the test that cannot be run here.
+fn missing(what: &str) {
+    assert!(
+        env::var_os(REQUIRE).is_none(),
+        "{what}, and {REQUIRE} is set"
+    );
+    println!("not tested: {what}");
+}
+
+/// The static library, or nothing where the target's own library is not installed.
+pub fn archive(target: Option<&str>) -> Option<PathBuf> {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["build", "--release", "--message-format=json"]);
+    cargo.current_dir(env!("CARGO_MANIFEST_DIR"));
+    if let Some(target) = target {
+        cargo.args(["--target", target]);
+    }
+    let output = cargo.output().expect("cargo runs");
+    if !output.status.success() {
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        let stdout = String::from_utf8_lossy(&output.stdout);
+        assert!(
+            stdout.contains("E0463") || stderr.contains("E0463"),
+            "{stderr}"
+        );
+        missing("the target is not installed (rustup target add)");
+        return None;
+    }
+    let messages = String::from_utf8(output.stdout).expect("cargo writes JSON");
+    let paths = messages.split('"');
+    let found = paths.filter(|text| text.ends_with("libtribos_c.a")).last();
+    Some(PathBuf::from(found.expect("a static library")))
+}
+
+/// Compiles files of `examples` for this computer, or other files by their full path.
+pub fn compile_for_host(files: &[&str], archive: &Path, program: &Path) {
+    let mut cc = Command::new("cc");
+    cc.args(FLAGS).args(["-std=c99", "-pedantic"]);
+    compile(cc.args(files).arg(archive), program);
+}
+
+/// Compiles files of `examples` for the board.
+pub fn compile_for_board(files: &[&str], archive: &Path, program: &Path) {
+    let mut cc = Command::new("arm-none-eabi-gcc");
+    cc.args(FLAGS).args(BOARD_FLAGS);
+    compile(cc.args(files).arg(archive).arg("-lgcc"), program);
+}
+
+fn compile(cc: &mut Command, program: &Path) {
+    cc.current_dir(folder("examples")).arg("-I../include");
+    let output = cc.arg("-o").arg(program).output().expect("a compiler");
+    assert!(output.status.success(), "{cc:?}\n{}", text(&output.stderr));
+}
+
+/// What a program prints.
+pub fn printed(command: &mut Command) -> String {
+    let Output {
+        status,
+        stdout,
+        stderr,
+    } = command.output().expect("a program");
+    assert!(
+        status.success(),
+        "{status}\n{}{}",
+        text(&stdout),
+        text(&stderr)
+    );
+    text(&stdout)
+}
+
+pub fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// The header.
+pub fn header() -> String {
+    fs::read_to_string(folder("include/tribos.h")).expect("the header")
+}

@@ -1,0 +1,321 @@
+//! What is not admitted is refused, and told.
+
+mod programs;
+
+use programs::{archive, compile_for_host, has, header, printed, scratch};
+use std::collections::BTreeSet;
+use std::ffi::CStr;
+use std::fmt::Write;
+use std::fs;
+use std::process::Command;
+use tribos_c::double::contact::*;
+use tribos_c::double::law::*;
+use tribos_c::double::nodes::*;
+use tribos_c::double::patch::*;
+use tribos_c::double::slider::*;
+use tribos_c::double::surface::*;
+use tribos_c::double::vectors::*;
+use tribos_c::status::{tribos_status, tribos_status_text};
+
+/// Calls of one function with null for each of its pointers and for all of them, other pointers to
+/// numbers that are all 1.
+fn calls(prototype: &str) -> String {
+    let (name, arguments) = prototype.split_once('(').expect("a function");
+    let (_, name) = name.rsplit_once(' ').expect("a type");
+    let ones = if name.ends_with("_f64") {
+        "doubles"
+    } else {
+        "floats"
+    };
+    let is_pointer: Vec<_> = arguments.split(',').map(|a| a.contains('*')).collect();
+    let call = |is_null: &dyn Fn(usize) -> bool| {
+        let values = is_pointer
+            .iter()
+            .enumerate()
+            .map(|(i, &pointer)| match pointer {
+                true if is_null(i) => "0",
+                true => ones,
+                false => "1",
+            });
+        format!("{name}({})", values.collect::<Vec<_>>().join(", "))
+    };
+    let mut text = format!(
+        "    check(\"{name}\", {} == TRIBOS_STATUS_NULL_POINTER);\n",
+        call(&|_| true)
+    );
+    for (null, _) in is_pointer
+        .iter()
+        .enumerate()
+        .filter(|(_, pointer)| **pointer)
+    {
+        let one = call(&|i| i == null);
+        let _ = writeln!(text, "    check(\"{name}\", {one} != TRIBOS_STATUS_OK);");
+    }
+    text
+}
+
+#[test]
+fn every_function_refuses_null() {
+    if !has("cc") {
+        return;
+    }
+    let Some(archive) = archive(None) else { return };
+    let header = header();
+    let prototypes = header
+        .split(";\n")
+        .filter_map(|text| text.find("\ntribos_status tribos_").map(|at| &text[at..]));
+    let calls: String = prototypes.map(calls).collect();
+    assert!(calls.matches("check(").count() > 500);
+    let source = scratch("null.c");
+    let text = format!(
+        "#include \"tribos.h\"\n#include <stdio.h>\n\
+         static double ones_f64[8192];\nstatic float ones_f32[8192];\nstatic int refused = 1;\n\
+         static void check(const char *name, int right)\n{{\n    if (!right) {{\n        \
+         puts(name);\n        refused = 0;\n    }}\n}}\n\
+         int main(void)\n{{\n    void *doubles = ones_f64, *floats = ones_f32;\n    int i;\n\n    \
+         for (i = 0; i < 8192; ++i) {{\n        ones_f64[i] = 1;\n        ones_f32[i] = 1;\n    }}\n\
+         {calls}    return !refused;\n}}\n"
+    );
+    fs::write(&source, text).expect("a file");
+    let program = scratch("null");
+    compile_for_host(
+        &[source.to_str().expect("a plain path")],
+        &archive,
+        &program,
+    );
+    assert_eq!(printed(&mut Command::new(program)), "");
+}
+
+#[test]
+fn every_status_has_its_own_number_and_text() {
+    let text = |status| {
+        // SAFETY: texts are constants that end with 0.
+        let text = unsafe { CStr::from_ptr(tribos_status_text(status)) };
+        text.to_str().expect("plain text")
+    };
+    let numbers: BTreeSet<_> = tribos_status::ALL.iter().map(|s| *s as i32).collect();
+    let texts: BTreeSet<_> = numbers.iter().map(|n| text(*n)).collect();
+    assert_eq!(numbers.len(), tribos_status::ALL.len());
+    assert_eq!(texts.len(), tribos_status::ALL.len());
+    for unknown in [-1, 4, 99, i32::MIN, i32::MAX] {
+        assert_eq!(text(unknown), "no such status");
+    }
+    let in_header = header().matches("  TRIBOS_STATUS_").count();
+    assert_eq!(in_header, tribos_status::ALL.len());
+}
+
+/// One refused call for each status.
+#[test]
+fn every_refusal_is_told_by_its_status() {
+    use tribos_status as S;
+    let mut seen = BTreeSet::from([S::Ok as i32, S::NullPointer as i32]);
+    let mut expect = |got: S, wanted: S| {
+        assert_eq!(got, wanted);
+        seen.insert(wanted as i32);
+    };
+    let twist = tribos_twist_f64 {
+        x: 1.0,
+        y: 0.0,
+        spin: 1.0,
+    };
+    let mut wrench = tribos_wrench_f64 {
+        x: 7.0,
+        y: 7.0,
+        torque: 7.0,
+    };
+    let mut x = 7.0;
+    // SAFETY: all pointers are those of variables.
+    unsafe {
+        let patch = |coefficient, radius| tribos_round_f64 {
+            coefficient,
+            radius,
+        };
+        let mut disk = |p| tribos_disk_wrench_f64(&p, 1.0, &twist, &mut wrench);
+        expect(disk(patch(-1.0, 1.0)), S::Coefficient);
+        expect(disk(patch(1.0, 0.0)), S::Radius);
+        let sound = patch(1.0, 1.0);
+        expect(
+            tribos_annulus_wrench_f64(&sound, 1.0, 1.0, &twist, &mut wrench),
+            S::InnerRatio,
+        );
+        let mut power = |alpha, pressure_order| {
+            let law = tribos_power_patch_f64 {
+                alpha,
+                pressure_order,
+            };
+            tribos_power_compact_wrench_f64(&law, &sound, 1.0, &twist, &mut wrench)
+        };
+        expect(power(-1.0, 0.0), S::Exponent);
+        expect(power(0.0, 9.0), S::PressureOrder);
+
+        let dry = |mu_static, mu_dynamic| tribos_dry_f64 {
+            mu_static,
+            mu_dynamic,
+        };
+        expect(
+            tribos_dry_friction_f64(&dry(0.1, 0.2), 1.0, &mut x),
+            S::Order,
+        );
+        let stribeck = |stribeck_speed, viscous| tribos_stribeck_f64 {
+            dry: dry(0.2, 0.1),
+            stribeck_speed,
+            exponent: 1.0,
+            viscous,
+        };
+        expect(
+            tribos_stribeck_friction_f64(&stribeck(0.0, 0.0), 1.0, &mut x),
+            S::NotPositive,
+        );
+        expect(
+            tribos_stribeck_friction_f64(&stribeck(1.0, -1.0), 1.0, &mut x),
+            S::Negative,
+        );
+        expect(
+            tribos_stribeck_minimum_f64(&stribeck(1.0, 0.0), &mut x),
+            S::NoMinimum,
+        );
+
+        let law = tribos_coulomb_f64 { mu: 0.1 };
+        let mut at = |node: tribos_node_f64, count| {
+            tribos_nodes_coulomb_wrench_f64(&law, &node, count, 1.0, &twist, &mut wrench)
+        };
+        let node = |x, weight| tribos_node_f64 { x, y: 0.0, weight };
+        expect(at(node(f64::NAN, 1.0), 1), S::NodePosition);
+        expect(at(node(0.0, -1.0), 1), S::NodeWeight);
+        expect(at(node(0.0, 0.0), 1), S::Unloaded);
+        expect(at(node(0.0, 1.0), usize::MAX), S::Count);
+
+        let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 2.0], [5.0, 5.0]]
+            .map(|[x, y]| tribos_point_f64 { x, y });
+        let mut nodes = [node(0.0, 0.0); 8];
+        let mut filled = 0;
+        let mut polygon = |from: usize, count, divisions| {
+            let corners = points[from..].as_ptr();
+            tribos_polygon_nodes_f64(
+                corners,
+                count,
+                divisions,
+                nodes.as_mut_ptr(),
+                8,
+                &mut filled,
+            )
+        };
+        expect(polygon(0, 3, 1), S::Ok);
+        expect(polygon(0, 3, 2), S::Full);
+        expect(polygon(0, 2, 1), S::Corners);
+        expect(polygon(0, 3, 0), S::Divisions);
+        let line = [points[0]; 3];
+        let to = nodes.as_mut_ptr();
+        expect(
+            tribos_polygon_nodes_f64(line.as_ptr(), 3, 1, to, 8, &mut filled),
+            S::Hidden,
+        );
+        expect(
+            tribos_tripod_nodes_f64(line.as_ptr(), &points[0], to),
+            S::FeetInLine,
+        );
+        expect(
+            tribos_tripod_nodes_f64(points.as_ptr(), &points[4], to),
+            S::Tips,
+        );
+        let mut rule = |rings, rim_exponent| {
+            let rule = tribos_disk_rule_f64 {
+                radius: 1.0,
+                rings,
+                angles: 1,
+                rim_exponent,
+                tilt_x: 0.0,
+                tilt_y: 0.0,
+            };
+            tribos_disk_nodes_f64(&rule, to, 8, &mut filled)
+        };
+        expect(rule(0, 0.0), S::Rings);
+        expect(rule(1, -1.0), S::RimExponent);
+
+        let mut power = |force_limit, spin_torque| {
+            let set = tribos_ellipsoid_f64 {
+                force_limit,
+                radius: 1.0,
+                spin_torque,
+            };
+            tribos_ellipsoid_support_f64(&set, &twist, &mut x)
+        };
+        expect(power(-1.0, 1.0), S::ForceLimit);
+        expect(power(1.0, 0.0), S::SpinTorque);
+
+        let mut motion = tribos_motion_f64 {
+            time: 0.0,
+            speed: 1.0,
+            spin: 1.0,
+            distance: 0.0,
+            angle: 0.0,
+        };
+        let mut step = |deceleration, inertia_ratio| {
+            let slider = tribos_slider_f64 {
+                deceleration,
+                radius: 1.0,
+                inertia_ratio,
+            };
+            tribos_slider_verlet_step_f64(&slider, &mut motion, 1e-3)
+        };
+        expect(step(0.0, 1.0), S::Deceleration);
+        expect(step(1.0, 0.0), S::Inertia);
+        let slider = tribos_slider_f64 {
+            deceleration: 1.0,
+            radius: 1.0,
+            inertia_ratio: 1.0,
+        };
+        let mut rest = tribos_rest_f64 {
+            motion,
+            ratio: 0.0,
+            substeps: 0,
+        };
+        motion.speed = f64::INFINITY;
+        expect(
+            tribos_slider_to_rest_f64(&slider, &motion, &mut rest),
+            S::NoRest,
+        );
+
+        let up = tribos_vector_f64 {
+            x: 0.0,
+            y: 0.0,
+            z: 1.0,
+        };
+        let mut touch = tribos_touch_f64 {
+            normal: up,
+            gap: 0.0,
+            arms: [1.0; 2],
+            lever: 0.5,
+        };
+        expect(
+            tribos_touch_plate_f64(0.0, &up, 1.0, &mut touch),
+            S::NoNormal,
+        );
+        expect(
+            tribos_touch_plate_f64(1.0, &up, 0.0, &mut touch),
+            S::NotFinite,
+        );
+        let ball = tribos_sphere_f64 {
+            velocity: up,
+            spin: up,
+            inv_mass: 1.0,
+            inv_inertia: 1.0,
+        };
+        let mut contact = std::mem::zeroed::<tribos_contact_f64>();
+        let mut prepare = |attraction, restitution, dt| {
+            let law = tribos_normal_law_f64 {
+                cohesion: 0.0,
+                cohesion_range: 0.0,
+                attraction,
+                restitution,
+            };
+            tribos_contact_spheres_f64(&touch, &law, &ball, &ball, dt, &mut contact)
+        };
+        expect(prepare(2, 0.0, 1.0), S::Choice);
+        expect(prepare(0, 2.0, 1.0), S::NotAFraction);
+        expect(prepare(0, 0.0, 0.0), S::TimeStep);
+    }
+    // Nothing was written on the way.
+    assert_eq!([wrench.x, wrench.y, wrench.torque, x], [7.0; 4]);
+    assert_eq!(seen.len(), tribos_status::ALL.len());
+}
