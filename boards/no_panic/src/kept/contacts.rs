@@ -5,8 +5,7 @@ use tribos_core::Real;
 use tribos_core::contact::{
     AboutNormal, Absent, AllModes, AxialPart, Block, Body, Cohesion, Contact, ContactFriction,
     CoupledFriction, Frictionless, InPlane, Masses, Modal, Modes, NormalLaw, PlanarPart, Plate,
-    Sliding, SlidingRolling, SlidingTorsion, Sphere, Thresholds, TimeStep, Touch,
-    project_on_disc,
+    Sliding, SlidingRolling, SlidingTorsion, Sphere, Thresholds, TimeStep, Touch, project_on_disc,
 };
 use tribos_core::coupling::table::{Coulomb, CoulombTable};
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};

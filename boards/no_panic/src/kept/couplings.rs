@@ -12,8 +12,8 @@ use tribos_core::coupling::tall::{
     AllRound, FrontBack, Lean, TallFriction, TallWrench, leaning_wrench,
 };
 use tribos_core::coupling::{
-    Annulus, Coupling, Dry, Lateral, LeanProfile, PatchFriction, Profile, SmoothProfile,
-    Speeds, closed, compact, unscaled_wrench,
+    Annulus, Coupling, Dry, Lateral, LeanProfile, PatchFriction, Profile, SmoothProfile, Speeds,
+    closed, compact, unscaled_wrench,
 };
 use tribos_core::law::{DryFriction, LocalLaw, PowerLaw};
 use tribos_core::patch::nodes::{NodeList, NodePatch, Nodes};
@@ -174,4 +174,3 @@ fn tall<R: Real, C: Lateral<R>, L: Lean>(keeper: &mut impl Keeper) {
         TallWrench::<R>::whole,
     );
 }
-
