@@ -2,8 +2,8 @@
 //!
 //! Five programs make the fronts that the documentation shows: `front` (one evaluation of force and
 //! torque), `patch_front` (every patch, law and tier), `slider_front` (one stop of a sliding,
-//! spinning disk), `contact_front` (contacts of packings and their solvers) and `flash` (what each
-//! costs in the memory of a microcontroller). The benches under `benches/` time the same methods
+//! spinning disk), `contact_front` (contacts of packings and their solvers) and `firmware` (what each
+//! costs on a microcontroller). The benches under `benches/` time the same methods
 //! with criterion.
 
 pub mod args;
@@ -11,7 +11,7 @@ pub mod baselines;
 pub mod catalogue;
 pub mod contact;
 pub mod errors;
-pub mod flash;
+pub mod firmware;
 pub mod methods;
 pub mod mix;
 pub mod packing;

@@ -1,0 +1,103 @@
+//! Local laws: one friction, or one step of a state.
+
+use super::{Code, Item, NARROW, item};
+
+const fn law(
+    name: &'static str,
+    modules: &'static [&'static str],
+    prepare: &'static str,
+    call: &'static str,
+) -> Item {
+    item(["law", name], NARROW, modules, Code::new(prepare, call))
+}
+
+const RATE_AND_STATE: &str = "RateState::<R, Dieterich>::new(RateStateParameters { mu: 0.5, a: 0.01, b: 0.02, reference_speed: b, slip_distance: 1e-5, viscous: 0.0 }).ok()?";
+const RATE_AND_STATE_STEADY: &str = "RateState::<R, Dieterich>::new(RateStateParameters { mu: 0.5, a: 0.01, b: 0.02, reference_speed: b, slip_distance: 1e-5, viscous: 0.0 }).ok()?.steady()";
+const LUGRE: &str = "LuGre::new(LuGreParameters { coulomb_force: 1.0, static_force: 1.5, stribeck_speed: b, stiffness: 1e5, bristle_damping: 300.0, viscous_damping: 0.5 }).ok()?";
+
+/// One speed in, one coefficient or force out.
+pub const LAWS: [Item; 13] = [
+    law(
+        "Coulomb",
+        &["law::coulomb"],
+        "Coulomb::new(b).ok()?",
+        "object.friction(a)",
+    ),
+    law(
+        "dry friction",
+        &["law::dry", "law::grip"],
+        "DryFriction::new(0.5 as R, 0.25).ok()?",
+        "object.net_drive(a)",
+    ),
+    law(
+        "power",
+        &["law::power"],
+        "PowerLaw::new(0.5, b).ok()?",
+        "object.friction(a)",
+    ),
+    law(
+        "plateau",
+        &["law::plateau"],
+        "PlateauPower::new(-0.5, b, 1e-2, 1e-4, 0.5).ok()?",
+        "object.friction(a)",
+    ),
+    law(
+        "Stribeck",
+        &["law::stribeck", "law::dry"],
+        "Stribeck::new(DryFriction::new(0.5, 0.25).ok()?, b, 2.0, 0.125).ok()?",
+        "object.friction(a)",
+    ),
+    law(
+        "ageing",
+        &["law::ageing", "law::grip"],
+        "Ageing::new(0.25, 0.125, b).ok()?",
+        "object.mu_static(Age::default().advance(a, object.at_rest(Age::default(), b)))",
+    ),
+    law(
+        "rate and state",
+        &["law::rate_state", "law::contact_age"],
+        RATE_AND_STATE,
+        "let age = object.advance(ContactAge { theta: b }, a, b);
+        object.coefficient(a, age)",
+    ),
+    law(
+        "rate and state: steady",
+        &[
+            "law::rate_state",
+            "law::steady_rate_state",
+            "law::contact_age",
+        ],
+        RATE_AND_STATE_STEADY,
+        "object.friction(a)",
+    ),
+    law(
+        "LuGre",
+        &["law::lugre"],
+        LUGRE,
+        "object.step(Bristle { deflection: b }, a, b).1",
+    ),
+    law(
+        "LuGre: steady",
+        &["law::lugre"],
+        LUGRE,
+        "object.steady_force(a)",
+    ),
+    law(
+        "Bowden-Tabor on Hertz",
+        &["law::bowden_tabor", "law::real_area"],
+        "BowdenTabor::new(1e6, HertzSphere::new(b, 1e9).ok()?).ok()?",
+        "object.force(a)",
+    ),
+    law(
+        "Stokes",
+        &["law::drag"],
+        "Stokes::new(b, 1e-3).ok()?",
+        "object.force(a)",
+    ),
+    law(
+        "inertial drag",
+        &["law::drag"],
+        "InertialDrag::new(b, 1.25, 1e-3).ok()?",
+        "object.force(a)",
+    ),
+];

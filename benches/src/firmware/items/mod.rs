@@ -1,0 +1,118 @@
+//! The items whose cost is told: what each program prepares and what it calls.
+
+mod bodies;
+mod impulses;
+mod laws;
+mod patches;
+mod tiers;
+
+use bodies::BODIES;
+use impulses::IMPULSES;
+use laws::LAWS;
+use patches::PATCHES;
+use tiers::TIERS;
+
+/// Something that a program may name.
+///
+/// The three code fragments see the scalar `R`, the numbers `a` and `b`, and the [`Input`] `given`
+/// of the programs' template.
+///
+/// [`Input`]: super::programs
+#[derive(Clone, Copy, Debug)]
+pub struct Item {
+    /// Law, tier, patch, …
+    pub group: &'static str,
+    /// As it appears in reports.
+    pub name: &'static str,
+    /// Modules of the kernel that the program may contain, beside [`PLUMBING`].
+    pub modules: &'static [&'static str],
+    /// In which precisions it is built.
+    pub precisions: &'static [&'static str],
+    /// What is called, and how.
+    pub code: Code,
+}
+
+/// Fragments of Rust.
+#[derive(Clone, Copy, Debug)]
+pub struct Code {
+    /// Statics of the program.
+    pub statics: &'static str,
+    /// The object that is prepared once; `?` on an option refuses.
+    pub prepare: &'static str,
+    /// What becomes of the `object` before each call, not counted.
+    pub ready: &'static str,
+    /// The call on the `object`: an `R`.
+    pub call: &'static str,
+}
+
+impl Code {
+    const fn new(prepare: &'static str, call: &'static str) -> Self {
+        Self {
+            statics: "",
+            prepare,
+            ready: "",
+            call,
+        }
+    }
+
+    const fn with_statics(self, statics: &'static str) -> Self {
+        Self { statics, ..self }
+    }
+
+    const fn with_ready(self, ready: &'static str) -> Self {
+        Self { ready, ..self }
+    }
+}
+
+const NARROW: &[&str] = &["f32"];
+const WIDE: &[&str] = &["f64"];
+const BOTH: &[&str] = &["f32", "f64"];
+
+/// Modules that are no feature of their own; `coupling` itself has its traits only.
+pub const PLUMBING: [&str; 6] = [
+    "coupling",
+    "real",
+    "twist",
+    "law::error",
+    "law::limits",
+    "coupling::speeds",
+];
+
+/// Modules of every round patch under a power law.
+macro_rules! round {
+    ($($more:literal),* $(,)?) => {
+        &[
+            "coupling::profile",
+            "coupling::family",
+            "coupling::lateral",
+            "coupling::friction",
+            "patch::power",
+            $($more),*
+        ]
+    };
+}
+use round;
+
+const fn item(
+    [group, name]: [&'static str; 2],
+    precisions: &'static [&'static str],
+    modules: &'static [&'static str],
+    code: Code,
+) -> Item {
+    Item {
+        group,
+        name,
+        modules,
+        precisions,
+        code,
+    }
+}
+
+/// Names nothing of the kernel.
+pub const BASELINE: Item = item(["baseline", "nothing"], BOTH, &[], Code::new("()", "a + b"));
+
+/// All items, the baseline first.
+pub fn all() -> impl Iterator<Item = Item> {
+    let items = [BASELINE].into_iter().chain(LAWS).chain(TIERS);
+    items.chain(PATCHES).chain(BODIES).chain(IMPULSES)
+}

@@ -1,0 +1,65 @@
+//! Force and torque of the uniform disk, without dimensions.
+
+use super::{BOTH, Code, Item, NARROW, item, round};
+
+const HALF_TABLE: &str =
+    "static TABLE: Table = match Table::new(0.5) { Ok(table) => table, Err(_) => panic!() };";
+
+const fn tier(
+    name: &'static str,
+    precisions: &'static [&'static str],
+    modules: &'static [&'static str],
+    prepare: &'static str,
+) -> Item {
+    item(
+        ["tier", name],
+        precisions,
+        modules,
+        Code::new(prepare, "couple(object, a, b)"),
+    )
+}
+
+/// One sliding speed and one rim speed in.
+pub const TIERS: [Item; 6] = [
+    tier(
+        "table: Coulomb",
+        BOTH,
+        round!["coupling::table", "coupling::side"],
+        "table::Coulomb",
+    ),
+    item(
+        ["tier", "table: alpha 0.5"],
+        BOTH,
+        round!["coupling::table", "coupling::side"],
+        Code::new("&TABLE", "couple(object, a, b)").with_statics(HALF_TABLE),
+    ),
+    tier(
+        "compact: Coulomb",
+        BOTH,
+        round!["coupling::compact", "special::elliptic"],
+        "compact::Coulomb",
+    ),
+    tier(
+        "compact: alpha 0.5",
+        BOTH,
+        round![
+            "coupling::compact",
+            "coupling::member",
+            "coupling::octave",
+            "special::hypergeometric"
+        ],
+        "compact::Power::new(0.5 as R).ok()?",
+    ),
+    tier(
+        "quadrature: Coulomb",
+        BOTH,
+        &["coupling::quadrature", "law::coulomb"],
+        "DiskQuadrature::new(Coulomb::new(1.0 as R).ok()?)",
+    ),
+    tier(
+        "quadrature: Stribeck",
+        NARROW,
+        &["coupling::quadrature", "law::stribeck", "law::dry"],
+        "DiskQuadrature::new(Stribeck::new(DryFriction::new(0.5 as R, 0.25).ok()?, 0.5, 2.0, 0.125).ok()?)",
+    ),
+];

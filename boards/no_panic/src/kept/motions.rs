@@ -1,0 +1,43 @@
+//! Modes of motion and sliders.
+
+use super::{Keeper, keep};
+use tribos_core::Real;
+use tribos_core::coupling::table::CoulombTable;
+use tribos_core::coupling::{Coupling, Profile, compact, table};
+use tribos_core::modes::{Modes, inertia_interval};
+use tribos_core::slider::runge_kutta::{judge, step, tolerance};
+use tribos_core::slider::{Motion, Slider};
+
+/// Motions of one precision.
+pub fn all<R: CoulombTable>(keeper: &mut impl Keeper) {
+    keep!(keeper:
+        inertia_interval::<R>,
+        Motion::<R>::launched,
+        Motion::<R>::is_at_rest,
+        tolerance::<R>,
+        judge::<R>,
+    );
+    keep!(keeper: step::<R, 3> => fn(&[R; 3], R, fn(&[R; 3]) -> [R; 3]) -> ([R; 3], [R; 3]));
+    moving::<R, table::Coulomb>(keeper);
+    moving::<R, compact::Power<R>>(keeper);
+}
+
+fn moving<R: Real, P: Profile<R> + Coupling<R>>(keeper: &mut impl Keeper) {
+    keep!(keeper:
+        Modes::<R, P>::new,
+        Modes::<R, P>::growth,
+        Modes::<R, P>::inertia_ratio_of,
+        Modes::<R, P>::inertia_interval,
+        Modes::<R, P>::finite_fixed_point,
+        Modes::<R, P>::fixed_points,
+        Modes::<R, P>::final_mode,
+        Slider::<R, P>::new,
+        Slider::<R, P>::energy_per_mass,
+        Slider::<R, P>::dissipation_per_mass,
+        Slider::<R, P>::ratio,
+        Slider::<R, P>::profile,
+        Slider::<R, P>::to_rest,
+        Slider::<R, P>::advance,
+        Slider::<R, P>::verlet_step,
+    );
+}
