@@ -33,6 +33,7 @@
 
 mod block;
 mod body;
+mod both_slip;
 mod coupled;
 mod disc;
 mod friction;

@@ -6,6 +6,7 @@
 //! contradict itself is the answer.
 
 use super::block::{Block, Masses};
+use super::both_slip::BothSlip;
 use super::friction::{ContactFriction, Grasp};
 use super::modes::{AxialPart, Modal, PlanarPart};
 use super::vector::cross;
@@ -102,8 +103,10 @@ impl<'a, R: Real, F: ContactFriction<R>> Pair<'a, R, F> {
     /// Both slip.
     #[cold]
     fn take_turns(&self, start: Vector3<R>) -> (Grasp<R>, Vector3<R>) {
-        let mut rolling = start;
-        let mut held = self.hold(&self.slip_after(&rolling), self.block.mass_sliding);
+        let mut held = self.hold(&self.slip_after(&start), self.block.mass_sliding);
+        let turned = self.hold_rolling(&self.rolling_that_sticks(&held.sliding));
+        let mut rolling = self.near_balance(&held.sliding, &turned).unwrap_or(turned);
+        held = self.hold(&self.slip_after(&rolling), self.block.mass_sliding);
         for _ in 0..MOST_ROUNDS {
             let turned = self.hold_rolling(&self.rolling_that_sticks(&held.sliding));
             let slid = self.hold(&self.slip_after(&turned), self.block.mass_sliding);
@@ -115,6 +118,23 @@ impl<'a, R: Real, F: ContactFriction<R>> Pair<'a, R, F> {
             }
         }
         (held, rolling)
+    }
+
+    /// The rolling torque at which the turns end, if both thresholds stay what they are now.
+    fn near_balance(&self, sliding: &Vector3<R>, rolling: &Vector3<R>) -> Option<Vector3<R>> {
+        let (n, k) = (self.normal, self.block.coupling);
+        let [inv_mass, inv_inertia] =
+            [self.block.mass_sliding, self.block.inertia].map(|m| R::ONE / m);
+        let old = cross(n, &self.old_rolling);
+        let both = BothSlip {
+            inv_mass,
+            inv_inertia,
+            coupling: k,
+            sliding: self.old.sliding * inv_mass - self.slip - old * k,
+            rolling: old * inv_inertia - cross(n, &self.roll) - self.old.sliding * k,
+        };
+        let turned = both.rolling([sliding, &cross(n, rolling)])?;
+        Some(cross(&turned, n))
     }
 
     /// Sliding velocity after a rolling torque.
