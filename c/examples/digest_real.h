@@ -103,17 +103,17 @@ static void LOCAL(powers)(struct stream *s)
 {
     REAL p[5];
     NAME(round) patch;
-    NAME(power_patch) law;
+    NAME(power_compact) power;
     NAME(twist) twist;
 
     LOCAL(draws)(s, FIT, p, 5);
     twist = LOCAL(draw_twist)(s, MILD);
-    law.alpha = 2 * p[0] - 1;
-    law.pressure_order = p[1] - 1;
+    power.built = 0;
+    (void)ok(s, NAME(power_compact_build)(2 * p[0] - 1, p[1] - 1, &power));
     patch.coefficient = p[2];
     patch.radius = p[3];
-    WRENCH(NAME(power_compact_wrench)(&law, &patch, p[4], &twist, &out));
-    JACOBIAN(NAME(power_compact_jacobian)(&law, &patch, p[4], &twist, &out));
+    WRENCH(NAME(power_compact_wrench)(&power, &patch, p[4], &twist, &out));
+    JACOBIAN(NAME(power_compact_jacobian)(&power, &patch, p[4], &twist, &out));
 }
 
 static void LOCAL(tables)(struct stream *s)

@@ -37,6 +37,8 @@ enum tribos_status
   TRIBOS_STATUS_COUNT = 2,
   // A choice is none of those listed for it.
   TRIBOS_STATUS_CHOICE = 3,
+  // The memory of a table was not filled by its build function.
+  TRIBOS_STATUS_NOT_BUILT = 4,
   // A friction coefficient is negative, infinite or NaN.
   TRIBOS_STATUS_COEFFICIENT = 10,
   // An exponent alpha is NaN or not between -1 (excluded) and the largest one of the tier.
@@ -228,20 +230,21 @@ typedef struct tribos_jacobian_f64 {
   double rows[3][3];
 } tribos_jacobian_f64;
 
-// What a power law adds for the tier without tables.
-typedef struct tribos_power_patch_f64 {
-  // Exponent, -1 < alpha <= 128.
-  double alpha;
-  // Order q of the pressure (1-r^2)^q, -1 <= q <= 8: -1 ring, -1/2 flat punch, 0 uniform,
-  // 1/2 Hertz, 1 paraboloid.
-  double pressure_order;
-} tribos_power_patch_f64;
+// One exponent under one pressure, built by `tribos_power_compact_build_f64` and opaque otherwise.
+typedef struct tribos_power_compact_f64 {
+  // Not to be looked at.
+  uint64_t opaque[24];
+  // Tells that it has been built.
+  uint32_t built;
+} tribos_power_compact_f64;
 
 // A table of one exponent, built by `tribos_power_table_build_f64` and opaque otherwise. It may be
 // copied and moved, but not to a program with another version of the library.
 typedef struct tribos_power_table_f64 {
   // Not to be looked at.
   double opaque[2969];
+  // Tells that it has been built.
+  uint32_t built;
 } tribos_power_table_f64;
 
 // One point of a contact.
@@ -559,20 +562,21 @@ typedef struct tribos_jacobian_f32 {
   float rows[3][3];
 } tribos_jacobian_f32;
 
-// What a power law adds for the tier without tables.
-typedef struct tribos_power_patch_f32 {
-  // Exponent, -1 < alpha <= 128.
-  float alpha;
-  // Order q of the pressure (1-r^2)^q, -1 <= q <= 8: -1 ring, -1/2 flat punch, 0 uniform,
-  // 1/2 Hertz, 1 paraboloid.
-  float pressure_order;
-} tribos_power_patch_f32;
+// One exponent under one pressure, built by `tribos_power_compact_build_f32` and opaque otherwise.
+typedef struct tribos_power_compact_f32 {
+  // Not to be looked at.
+  uint64_t opaque[24];
+  // Tells that it has been built.
+  uint32_t built;
+} tribos_power_compact_f32;
 
 // A table of one exponent, built by `tribos_power_table_build_f32` and opaque otherwise. It may be
 // copied and moved, but not to a program with another version of the library.
 typedef struct tribos_power_table_f32 {
   // Not to be looked at.
   float opaque[673];
+  // Tells that it has been built.
+  uint32_t built;
 } tribos_power_table_f32;
 
 // One point of a contact.
@@ -786,7 +790,7 @@ typedef struct tribos_thresholds_f32 {
 } tribos_thresholds_f32;
 
 // All of them.
-#define tribos_status_ALL { tribos_status_Ok, tribos_status_NullPointer, tribos_status_Count, tribos_status_Choice, tribos_status_Coefficient, tribos_status_Exponent, tribos_status_NotPositive, tribos_status_Negative, tribos_status_NotAFraction, tribos_status_Order, tribos_status_NoMinimum, tribos_status_Radius, tribos_status_PressureOrder, tribos_status_InnerRatio, tribos_status_NodePosition, tribos_status_NodeWeight, tribos_status_Unloaded, tribos_status_Full, tribos_status_FeetInLine, tribos_status_Tips, tribos_status_Corners, tribos_status_Hidden, tribos_status_Divisions, tribos_status_Rings, tribos_status_RimExponent, tribos_status_ForceLimit, tribos_status_SpinTorque, tribos_status_Deceleration, tribos_status_Inertia, tribos_status_NoRest, tribos_status_NoNormal, tribos_status_NotFinite, tribos_status_TimeStep, }
+#define tribos_status_ALL { tribos_status_Ok, tribos_status_NullPointer, tribos_status_Count, tribos_status_Choice, tribos_status_NotBuilt, tribos_status_Coefficient, tribos_status_Exponent, tribos_status_NotPositive, tribos_status_Negative, tribos_status_NotAFraction, tribos_status_Order, tribos_status_NoMinimum, tribos_status_Radius, tribos_status_PressureOrder, tribos_status_InnerRatio, tribos_status_NodePosition, tribos_status_NodeWeight, tribos_status_Unloaded, tribos_status_Full, tribos_status_FeetInLine, tribos_status_Tips, tribos_status_Corners, tribos_status_Hidden, tribos_status_Divisions, tribos_status_Rings, tribos_status_RimExponent, tribos_status_ForceLimit, tribos_status_SpinTorque, tribos_status_Deceleration, tribos_status_Inertia, tribos_status_NoRest, tribos_status_NoNormal, tribos_status_NotFinite, tribos_status_TimeStep, }
 
 #ifdef __cplusplus
 extern "C" {
@@ -981,24 +985,30 @@ tribos_status tribos_punch_jacobian_f64(const struct tribos_round_f64 *patch,
                                         const struct tribos_twist_f64 *twist,
                                         struct tribos_jacobian_f64 *jacobian);
 
-// Any exponent under any pressure (1-r^2)^q, without table. Works in f64 inside, for f32 too: on a
-// processor without f64 it is slow. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
-tribos_status tribos_power_compact_wrench_f64(const struct tribos_power_patch_f64 *law,
+// Prepares one exponent, -1 < alpha <= 128, under the pressure (1-r^2)^q of order q, -1 <= q <= 8:
+// -1 ring, -1/2 flat punch, 0 uniform, 1/2 Hertz, 1 paraboloid. Cost: some 200 wrenches unless q = 0.
+tribos_status tribos_power_compact_build_f64(double alpha,
+                                             double pressure_order,
+                                             struct tribos_power_compact_f64 *power);
+
+// Any exponent under any pressure (1-r^2)^q, without table. Works in double precision inside, for _f32
+// too: on a processor that has none it is slow. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
+tribos_status tribos_power_compact_wrench_f64(const struct tribos_power_compact_f64 *power,
                                               const struct tribos_round_f64 *patch,
                                               double load,
                                               const struct tribos_twist_f64 *twist,
                                               struct tribos_wrench_f64 *wrench);
 
 // Its Jacobian.
-tribos_status tribos_power_compact_jacobian_f64(const struct tribos_power_patch_f64 *law,
+tribos_status tribos_power_compact_jacobian_f64(const struct tribos_power_compact_f64 *power,
                                                 const struct tribos_round_f64 *patch,
                                                 double load,
                                                 const struct tribos_twist_f64 *twist,
                                                 struct tribos_jacobian_f64 *jacobian);
 
 // Builds the table of one exponent for the uniform disk, -1 < alpha <= 10, in the caller's memory:
-// 23 KiB (f32: 3). Cost: about 300,000 operations in f64, and as much stack as the f64 table has,
-// twice, in both precisions.
+// 23 KiB (f32: 3). Cost: about 300,000 operations in double precision (f32: half as many, in double
+// precision too), and 49 KiB of stack on a Cortex-M4 (f32: 13).
 tribos_status tribos_power_table_build_f64(double alpha, struct tribos_power_table_f64 *table);
 
 // Uniform disk under the power law, by a table built before; as quick as Coulomb friction but for
@@ -1488,24 +1498,30 @@ tribos_status tribos_punch_jacobian_f32(const struct tribos_round_f32 *patch,
                                         const struct tribos_twist_f32 *twist,
                                         struct tribos_jacobian_f32 *jacobian);
 
-// Any exponent under any pressure (1-r^2)^q, without table. Works in f32 inside, for f32 too: on a
-// processor without f32 it is slow. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
-tribos_status tribos_power_compact_wrench_f32(const struct tribos_power_patch_f32 *law,
+// Prepares one exponent, -1 < alpha <= 128, under the pressure (1-r^2)^q of order q, -1 <= q <= 8:
+// -1 ring, -1/2 flat punch, 0 uniform, 1/2 Hertz, 1 paraboloid. Cost: some 200 wrenches unless q = 0.
+tribos_status tribos_power_compact_build_f32(float alpha,
+                                             float pressure_order,
+                                             struct tribos_power_compact_f32 *power);
+
+// Any exponent under any pressure (1-r^2)^q, without table. Works in double precision inside, for _f32
+// too: on a processor that has none it is slow. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
+tribos_status tribos_power_compact_wrench_f32(const struct tribos_power_compact_f32 *power,
                                               const struct tribos_round_f32 *patch,
                                               float load,
                                               const struct tribos_twist_f32 *twist,
                                               struct tribos_wrench_f32 *wrench);
 
 // Its Jacobian.
-tribos_status tribos_power_compact_jacobian_f32(const struct tribos_power_patch_f32 *law,
+tribos_status tribos_power_compact_jacobian_f32(const struct tribos_power_compact_f32 *power,
                                                 const struct tribos_round_f32 *patch,
                                                 float load,
                                                 const struct tribos_twist_f32 *twist,
                                                 struct tribos_jacobian_f32 *jacobian);
 
 // Builds the table of one exponent for the uniform disk, -1 < alpha <= 10, in the caller's memory:
-// 23 KiB (f32: 3). Cost: about 300,000 operations in f32, and as much stack as the f32 table has,
-// twice, in both precisions.
+// 23 KiB (f32: 3). Cost: about 300,000 operations in double precision (f32: half as many, in double
+// precision too), and 49 KiB of stack on a Cortex-M4 (f32: 13).
 tribos_status tribos_power_table_build_f32(float alpha, struct tribos_power_table_f32 *table);
 
 // Uniform disk under the power law, by a table built before; as quick as Coulomb friction but for

@@ -25,6 +25,8 @@ pub enum tribos_status {
     Count = 2,
     /// A choice is none of those listed for it.
     Choice = 3,
+    /// The memory of a table was not filled by its build function.
+    NotBuilt = 4,
     /// A friction coefficient is negative, infinite or NaN.
     Coefficient = 10,
     /// An exponent alpha is NaN or not between -1 (excluded) and the largest one of the tier.
@@ -87,11 +89,12 @@ pub enum tribos_status {
 
 impl tribos_status {
     /// All of them.
-    pub const ALL: [Self; 33] = [
+    pub const ALL: [Self; 34] = [
         Self::Ok,
         Self::NullPointer,
         Self::Count,
         Self::Choice,
+        Self::NotBuilt,
         Self::Coefficient,
         Self::Exponent,
         Self::NotPositive,
@@ -129,6 +132,7 @@ impl tribos_status {
             Self::NullPointer => c"a pointer is null",
             Self::Count => c"a count is larger than any memory",
             Self::Choice => c"a choice is none of those listed for it",
+            Self::NotBuilt => c"the memory was not filled by its build function",
             Self::Coefficient => c"the coefficient must be finite and not negative",
             Self::Exponent => c"the exponent alpha must be above -1 and not above the largest one",
             Self::NotPositive => c"a parameter must be positive and finite",

@@ -1,5 +1,8 @@
-//! Memory for tables of the power law.
+//! Memory that callers lend for what takes long to build.
 
+use crate::status::tribos_status;
+use core::ptr::addr_of;
+use tribos_core::coupling::compact::Power;
 use tribos_core::coupling::table::{Table32, Table64};
 
 /// A table of one exponent, built by `tribos_power_table_build_f64` and opaque otherwise. It may be
@@ -9,6 +12,8 @@ use tribos_core::coupling::table::{Table32, Table64};
 pub struct tribos_power_table_f64 {
     /// Not to be looked at.
     pub opaque: [f64; 2969],
+    /// Tells that it has been built.
+    pub built: u32,
 }
 
 /// A table of one exponent, built by `tribos_power_table_build_f32` and opaque otherwise. It may be
@@ -18,12 +23,91 @@ pub struct tribos_power_table_f64 {
 pub struct tribos_power_table_f32 {
     /// Not to be looked at.
     pub opaque: [f32; 673],
+    /// Tells that it has been built.
+    pub built: u32,
 }
 
-// A table consists of numbers alone: any content of the memory is one, sense or no sense.
-const _: () = {
-    assert!(size_of::<Table64>() == size_of::<tribos_power_table_f64>());
-    assert!(align_of::<Table64>() == align_of::<tribos_power_table_f64>());
-    assert!(size_of::<Table32>() == size_of::<tribos_power_table_f32>());
-    assert!(align_of::<Table32>() == align_of::<tribos_power_table_f32>());
-};
+/// One exponent under one pressure, built by `tribos_power_compact_build_f64` and opaque otherwise.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_power_compact_f64 {
+    /// Not to be looked at.
+    pub opaque: [u64; 24],
+    /// Tells that it has been built.
+    pub built: u32,
+}
+
+/// One exponent under one pressure, built by `tribos_power_compact_build_f32` and opaque otherwise.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_power_compact_f32 {
+    /// Not to be looked at.
+    pub opaque: [u64; 24],
+    /// Tells that it has been built.
+    pub built: u32,
+}
+
+/// What `built` holds then: no memory has it by chance.
+const BUILT: u32 = 0x7472_6962;
+
+/// Lent memory whose first field is the room for `Held`.
+pub(crate) trait Lent {
+    /// What is built there.
+    type Held;
+    /// Whether it has been; a number that only [`build`] writes.
+    unsafe fn built(lent: *const Self) -> *const u32;
+}
+
+macro_rules! lent {
+    ($($lent:ident for $held:ty;)*) => {$(
+        impl Lent for $lent {
+            type Held = $held;
+            #[inline(always)]
+            unsafe fn built(lent: *const Self) -> *const u32 {
+                addr_of!((*lent).built)
+            }
+        }
+        const _: () = {
+            assert!(size_of::<$held>() <= core::mem::offset_of!($lent, built));
+            assert!(align_of::<$held>() <= align_of::<$lent>());
+        };
+    )*};
+}
+
+lent! {
+    tribos_power_table_f64 for Table64;
+    tribos_power_table_f32 for Table32;
+    tribos_power_compact_f64 for Power<f64>;
+    tribos_power_compact_f32 for Power<f32>;
+}
+
+/// Fills lent memory, or leaves it as it is.
+#[inline(always)]
+pub(crate) unsafe fn build<L: Lent, E: Into<tribos_status>>(
+    lent: *mut L,
+    held: impl FnOnce() -> Result<L::Held, E>,
+) -> tribos_status {
+    if lent.is_null() {
+        return tribos_status::NullPointer;
+    }
+    match held() {
+        Ok(held) => {
+            lent.cast::<L::Held>().write(held);
+            L::built(lent).cast_mut().write(BUILT);
+            tribos_status::Ok
+        }
+        Err(refusal) => refusal.into(),
+    }
+}
+
+/// What lent memory holds, not copied.
+#[inline(always)]
+pub(crate) unsafe fn held<'a, L: Lent>(lent: *const L) -> Result<&'a L::Held, tribos_status> {
+    if lent.is_null() {
+        Err(tribos_status::NullPointer)
+    } else if L::built(lent).read() != BUILT {
+        Err(tribos_status::NotBuilt)
+    } else {
+        Ok(&*lent.cast::<L::Held>())
+    }
+}

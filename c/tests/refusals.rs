@@ -16,6 +16,7 @@ use tribos_c::double::slider::*;
 use tribos_c::double::surface::*;
 use tribos_c::double::vectors::*;
 use tribos_c::status::{tribos_status, tribos_status_text};
+use tribos_c::table::tribos_power_compact_f64;
 
 /// Calls of one function with null for each of its pointers and for all of them, other pointers to
 /// numbers that are all 1.
@@ -97,7 +98,7 @@ fn every_status_has_its_own_number_and_text() {
     let texts: BTreeSet<_> = numbers.iter().map(|n| text(*n)).collect();
     assert_eq!(numbers.len(), tribos_status::ALL.len());
     assert_eq!(texts.len(), tribos_status::ALL.len());
-    for unknown in [-1, 4, 99, i32::MIN, i32::MAX] {
+    for unknown in [-1, 5, 99, i32::MIN, i32::MAX] {
         assert_eq!(text(unknown), "no such status");
     }
     let in_header = header().matches("  TRIBOS_STATUS_").count();
@@ -138,13 +139,10 @@ fn every_refusal_is_told_by_its_status() {
             tribos_annulus_wrench_f64(&sound, 1.0, 1.0, &twist, &mut wrench),
             S::InnerRatio,
         );
-        let mut power = |alpha, pressure_order| {
-            let law = tribos_power_patch_f64 {
-                alpha,
-                pressure_order,
-            };
-            tribos_power_compact_wrench_f64(&law, &sound, 1.0, &twist, &mut wrench)
-        };
+        let mut lent = std::mem::zeroed::<tribos_power_compact_f64>();
+        let unbuilt = tribos_power_compact_wrench_f64(&lent, &sound, 1.0, &twist, &mut wrench);
+        expect(unbuilt, S::NotBuilt);
+        let mut power = |alpha, order| tribos_power_compact_build_f64(alpha, order, &mut lent);
         expect(power(-1.0, 0.0), S::Exponent);
         expect(power(0.0, 9.0), S::PressureOrder);
 

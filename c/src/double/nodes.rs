@@ -1,7 +1,7 @@
 //! Contacts at points, and rules that make points of an area.
 //!
-//! Each call looks at all nodes once to check them; beside the square root and the division that a
-//! node costs anyway this is little. A node that does not move carries nothing.
+//! Each call checks all nodes, which makes it a third dearer than the kernel's own on a desktop
+//! processor. A node that does not move carries nothing.
 
 use super::law::{Local, tribos_coulomb_f64, tribos_power_f64, tribos_stribeck_f64};
 use super::vectors::{tribos_jacobian_f64, tribos_twist_f64, tribos_wrench_f64};

@@ -7,7 +7,7 @@
 use super::vectors::{tribos_jacobian_f64, tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
-use crate::table::tribos_power_table_f64;
+use crate::table::{build, held, tribos_power_compact_f64, tribos_power_table_f64};
 use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
 use tribos_core::coupling::table::{Coulomb, Table64};
 use tribos_core::coupling::{Annulus, Coupling, PatchFriction, compact};
@@ -21,17 +21,6 @@ pub struct tribos_round_f64 {
     pub coefficient: f64,
     /// Radius of the contact, positive and finite.
     pub radius: f64,
-}
-
-/// What a power law adds for the tier without tables.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct tribos_power_patch_f64 {
-    /// Exponent, -1 < alpha <= 128.
-    pub alpha: f64,
-    /// Order q of the pressure (1-r^2)^q, -1 <= q <= 8: -1 ring, -1/2 flat punch, 0 uniform,
-    /// 1/2 Hertz, 1 paraboloid.
-    pub pressure_order: f64,
 }
 
 /// The wrench of one coupling.
@@ -206,59 +195,55 @@ pub unsafe extern "C" fn tribos_punch_jacobian_f64(
     answer(jacobian, || jacobian_of(FlatPunch, patch, load, twist))
 }
 
-fn compact_power(law: tribos_power_patch_f64) -> Result<compact::Power<f64>, tribos_status> {
-    #[allow(clippy::useless_conversion)] // Not in single precision.
-    let pressure = PowerPressure::new(law.pressure_order.into())?;
-    Ok(compact::Power::with_pressure(law.alpha, pressure)?)
+/// Prepares one exponent, -1 < alpha <= 128, under the pressure (1-r^2)^q of order q, -1 <= q <= 8:
+/// -1 ring, -1/2 flat punch, 0 uniform, 1/2 Hertz, 1 paraboloid. Cost: some 200 wrenches unless q = 0.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_power_compact_build_f64(
+    alpha: f64,
+    pressure_order: f64,
+    power: *mut tribos_power_compact_f64,
+) -> tribos_status {
+    build(power, || {
+        #[allow(clippy::useless_conversion)] // Not in single precision.
+        let pressure = PowerPressure::new(pressure_order.into())?;
+        Ok::<_, tribos_status>(compact::Power::with_pressure(alpha, pressure)?)
+    })
 }
 
-/// Any exponent under any pressure (1-r^2)^q, without table. Works in f64 inside, for f32 too: on a
-/// processor without f64 it is slow. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
+/// Any exponent under any pressure (1-r^2)^q, without table. Works in double precision inside, for _f32
+/// too: on a processor that has none it is slow. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_power_compact_wrench_f64(
-    law: *const tribos_power_patch_f64,
+    power: *const tribos_power_compact_f64,
     patch: *const tribos_round_f64,
     load: f64,
     twist: *const tribos_twist_f64,
     wrench: *mut tribos_wrench_f64,
 ) -> tribos_status {
-    answer(wrench, || {
-        wrench_of(compact_power(read(law)?)?, patch, load, twist)
-    })
+    answer(wrench, || wrench_of(held(power)?, patch, load, twist))
 }
 
 /// Its Jacobian.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_power_compact_jacobian_f64(
-    law: *const tribos_power_patch_f64,
+    power: *const tribos_power_compact_f64,
     patch: *const tribos_round_f64,
     load: f64,
     twist: *const tribos_twist_f64,
     jacobian: *mut tribos_jacobian_f64,
 ) -> tribos_status {
-    answer(jacobian, || {
-        jacobian_of(compact_power(read(law)?)?, patch, load, twist)
-    })
+    answer(jacobian, || jacobian_of(held(power)?, patch, load, twist))
 }
 
 /// Builds the table of one exponent for the uniform disk, -1 < alpha <= 10, in the caller's memory:
-/// 23 KiB (f32: 3). Cost: about 300,000 operations in f64, and as much stack as the f64 table has,
-/// twice, in both precisions.
+/// 23 KiB (f32: 3). Cost: about 300,000 operations in double precision (f32: half as many, in double
+/// precision too), and 49 KiB of stack on a Cortex-M4 (f32: 13).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_power_table_build_f64(
     alpha: f64,
     table: *mut tribos_power_table_f64,
 ) -> tribos_status {
-    answer(table.cast::<Table64>(), || Ok(Table64::new(alpha)?))
-}
-
-/// The table behind a pointer, not copied.
-#[inline(always)]
-unsafe fn table_at<'a>(table: *const tribos_power_table_f64) -> Result<&'a Table64, tribos_status> {
-    table
-        .cast::<Table64>()
-        .as_ref()
-        .ok_or(tribos_status::NullPointer)
+    build(table, || Table64::new(alpha))
 }
 
 /// Uniform disk under the power law, by a table built before; as quick as Coulomb friction but for
@@ -271,7 +256,7 @@ pub unsafe extern "C" fn tribos_power_table_wrench_f64(
     twist: *const tribos_twist_f64,
     wrench: *mut tribos_wrench_f64,
 ) -> tribos_status {
-    answer(wrench, || wrench_of(table_at(table)?, patch, load, twist))
+    answer(wrench, || wrench_of(held(table)?, patch, load, twist))
 }
 
 /// Its Jacobian.
@@ -283,7 +268,5 @@ pub unsafe extern "C" fn tribos_power_table_jacobian_f64(
     twist: *const tribos_twist_f64,
     jacobian: *mut tribos_jacobian_f64,
 ) -> tribos_status {
-    answer(jacobian, || {
-        jacobian_of(table_at(table)?, patch, load, twist)
-    })
+    answer(jacobian, || jacobian_of(held(table)?, patch, load, twist))
 }

@@ -103,11 +103,12 @@ fn projected<S: FrictionSet<f64>>(
     wrench: tribos_wrench_f64,
     length: f64,
 ) -> tribos_projection_f64 {
-    if length == f64::ZERO {
-        set.project(&wrench.into()).into()
+    let length = if length == f64::ZERO {
+        set.radius()
     } else {
-        set.project_with_length(&wrench.into(), length).into()
-    }
+        length
+    };
+    set.project_with_length(&wrench.into(), length).into()
 }
 
 /// The power that the patch dissipates with a twist: the largest wrench . twist of the set.

@@ -58,6 +58,7 @@ pub fn powers<R: Precision>(s: &mut Stream) {
     let pressure = PowerPressure::new((order - R::ONE).to_f64()).ok();
     let alpha = R::TWO * alpha - R::ONE;
     let law = pressure.and_then(|p| compact::Power::with_pressure(alpha, p).ok());
+    let law = s.ok(law.ok_or(()));
     case.feed(s, law.ok_or(()));
 }
 

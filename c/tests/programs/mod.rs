@@ -85,7 +85,7 @@ pub fn archive(target: Option<&str>) -> Option<PathBuf> {
     }
     let messages = String::from_utf8(output.stdout).expect("cargo writes JSON");
     let paths = messages.split('"');
-    let found = paths.filter(|text| text.ends_with("libtribos_c.a")).last();
+    let found = paths.rev().find(|text| text.ends_with("libtribos_c.a"));
     Some(PathBuf::from(found.expect("a static library")))
 }
 
