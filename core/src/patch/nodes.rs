@@ -52,6 +52,7 @@ impl<R: Real, P: NodePatch<R> + ?Sized> NodePatch<R> for &P {
 /// assert!(foot.is_ok());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Nodes<R, const N: usize> {
     nodes: [Node<R>; N],
     total_weight: R,
