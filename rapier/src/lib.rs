@@ -38,9 +38,12 @@
 
 mod contacts;
 mod frame;
+mod handed;
 mod pair;
 mod patch;
+mod reduced;
+mod touching;
 
 pub use contacts::PatchContacts;
-pub use pair::Stop;
+pub use pair::{Friction, Stop};
 pub use patch::{Patch, PatchError};
