@@ -24,7 +24,7 @@ impl PatchContacts {
 
     /// Gives the contact of `foot` on `ground` a patch, in place of the engine's friction.
     ///
-    /// A pair that has one already gets the new one. The colliders' hook that sets their friction
+    /// A pair that has one already goes on with the new one: another floor, ice that is swept. The colliders' hook that sets their friction
     /// aside is switched on.
     pub fn insert(
         &mut self,
@@ -41,7 +41,7 @@ impl PatchContacts {
         }
         let pair = Pair::new(foot, ground, patch);
         match self.pairs.binary_search_by_key(&pair.key(), Pair::key) {
-            Ok(at) => self.pairs[at] = pair,
+            Ok(at) => self.pairs[at].repatch(pair),
             Err(at) => self.pairs.insert(at, pair),
         }
     }

@@ -93,6 +93,15 @@ impl Pair {
         }
     }
 
+    /// Goes on with the patch of `other`, from what is known of the contact.
+    pub(crate) fn repatch(&mut self, other: Self) {
+        if self.foot == other.foot {
+            self.patch = other.patch;
+        } else {
+            *self = other;
+        }
+    }
+
     /// Hands the friction of the coming step to the engine.
     pub(crate) fn begin(
         &mut self,

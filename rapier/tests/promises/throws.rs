@@ -110,35 +110,31 @@ fn a_box_and_a_puck_slide_alike_in_all_directions() {
     let cube = ColliderBuilder::cuboid(side, 0.05, side);
     let exact = 1.0 / (2.0 * MU * GRAVITY);
     for (name, shape, half, patch) in [
-        ("box", cube, 0.05, square()),
-        ("puck", puck_shape(), HALF_HEIGHT, disk()),
+        ("box", &cube, 0.05, square()),
+        ("box, engine alone", &cube, 0.05, None),
+        ("puck", &puck_shape(), HALF_HEIGHT, disk()),
+        ("puck, engine alone", &puck_shape(), HALF_HEIGHT, None),
     ] {
-        let ways: Vec<[f32; 2]> = (0..24)
-            .map(|i| {
-                travel_along(
-                    i as f32 * core::f32::consts::TAU / 24.0,
-                    half,
-                    shape.clone(),
-                    &patch,
-                )
-            })
-            .collect();
         let [mut least, mut most, mut across] = [f32::MAX, 0.0, 0.0_f32];
-        for [along, aside] in ways {
+        for i in 0..24 {
+            let angle = i as f32 * core::f32::consts::TAU / 24.0;
+            let [along, aside] = travel_along(angle, half, shape.clone(), &patch);
             least = least.min(along);
             most = most.max(along);
             across = across.max(aside.abs());
         }
-        println!("{name}: {least} to {most} m (exact {exact}), across {across} m");
-        assert!(
-            most - least < 2e-6,
-            "{name}: travel from {least} to {most} m"
-        );
-        assert!(across < 2e-6, "{name}: {across} m across");
-        assert!(
-            (most / exact - 1.0).abs() < 5e-3,
-            "{name}: {most} for {exact} m"
-        );
+        println!("{name}: {least} to {most} m (exact {exact}), across {across:.1e} m");
+        if patch.is_some() {
+            assert!(
+                most - least < 1e-5,
+                "{name}: travel from {least} to {most} m"
+            );
+            assert!(across < 2e-6, "{name}: {across} m across");
+            assert!(
+                (most / exact - 1.0).abs() < 1e-3,
+                "{name}: {most} for {exact} m"
+            );
+        }
     }
 }
 
