@@ -125,7 +125,7 @@ impl Pair {
         let dt = TimeStep::new(parameters.dt).ok()?;
         let load = known.touching.load;
         let foreseen = self.patch.step(&reduced.body, load, &before, &pushed, dt)?;
-        let share = match foreseen.is_at_rest {
+        let share = match foreseen.is_at_rest && !is_zero(&before) {
             true => self.patch.share(load, &foreseen.friction, &before)?,
             false => 1.0,
         };
@@ -202,14 +202,15 @@ impl Pair {
                 accelerate(body, change, 1.0);
             }
         }
-        let share = match judged.is_at_rest {
-            true => self.patch.share(touching.load, &judged.friction, &before)?,
-            false => 1.0,
+        self.stop = match judged.is_at_rest && touching.load > 0.0 && !self.friction.holds {
+            true => {
+                let share = self.patch.share(touching.load, &judged.friction, &before)?;
+                Some(Stop {
+                    within_step: share * parameters.dt,
+                })
+            }
+            false => None,
         };
-        self.stop =
-            (judged.is_at_rest && touching.load > 0.0 && !self.friction.holds).then_some(Stop {
-                within_step: share * parameters.dt,
-            });
         self.remember(&frame, touching, &judged, without(&others, &push));
         Some(())
     }
@@ -291,6 +292,10 @@ fn offset(
         velocity: change.velocity * -late - before.velocity * cut,
         spin: change.spin * -late - before.spin * cut,
     }
+}
+
+fn is_zero(twist: &Twist<f32>) -> bool {
+    *twist == Twist::new(0.0, 0.0, 0.0)
 }
 
 fn sum(one: &Wrench<f32>, other: &Wrench<f32>) -> Wrench<f32> {

@@ -24,7 +24,7 @@ impl<R: Real> PlanarBody<R> {
     ///
     /// *Units*: velocity, 1/time; force, force × length; time. *Accuracy*: second order in `dt`
     /// while the body slides, first order in the step in which it starts or stops; rest is exact.
-    /// *Cost*: one projection where the push alone exceeds the largest force, two elsewhere.
+    /// *Cost*: one projection far from rest, two near it.
     /// *Special values*: NaN for NaN, and where momentum/`dt` overflows.
     pub fn step(
         &self,
@@ -34,7 +34,8 @@ impl<R: Real> PlanarBody<R> {
         dt: TimeStep<R>,
     ) -> PlanarStep<R> {
         let length = self.gyration;
-        self.step_within(twist, push, dt, |needed| {
+        let limits = [set.force_limit(), set.force_limit() * set.radius()];
+        self.step_within(twist, push, dt, limits, |needed| {
             set.project_with_length(needed, length).wrench
         })
     }
@@ -42,7 +43,7 @@ impl<R: Real> PlanarBody<R> {
     /// The same on a foot of many points.
     ///
     /// `foot` keeps the force of every point for the next step; on the `patch` of another step it
-    /// starts anew by [`Foot::release`]. *Cost*: see [`Foot::nearest`], once or twice.
+    /// starts anew by [`Foot::release`]. *Cost*: see [`Foot::nearest`], once far from rest, twice near it.
     pub fn step_on_foot<P: NodePatch<R>, const CAPACITY: usize>(
         &self,
         foot: &mut Foot<R, P, CAPACITY>,
@@ -51,34 +52,42 @@ impl<R: Real> PlanarBody<R> {
         dt: TimeStep<R>,
     ) -> PlanarStep<R> {
         let length = self.gyration;
-        self.step_within(twist, push, dt, |needed| foot.nearest(needed, length))
+        let limits = [foot.force_limit(), R::INFINITY];
+        self.step_within(twist, push, dt, limits, |needed| {
+            foot.nearest(needed, length)
+        })
     }
 
-    /// The step, given the wrench of friction nearest to the one `needed` for rest.
+    /// The step, given bounds of force and torque of friction, and the wrench of friction nearest to
+    /// the one needed for rest.
     fn step_within(
         &self,
         twist: &Twist<R>,
         push: &Wrench<R>,
         dt: TimeStep<R>,
+        limits: [R; 2],
         mut nearest: impl FnMut(&Wrench<R>) -> Wrench<R>,
     ) -> PlanarStep<R> {
         let dt = dt.dt();
         // Friction that would end the step at rest, and the one that is.
-        let needed = self.needed_for_rest(twist, push, dt);
-        let ended = nearest(&needed);
-        if ended == needed {
+        let at_end = self.needed_for_rest(twist, push, dt);
+        let ended = (!is_beyond(&at_end, limits)).then(|| nearest(&at_end));
+        if ended == Some(at_end) {
             return PlanarStep {
                 twist: Twist::new(R::ZERO, R::ZERO, R::ZERO),
-                friction: ended,
+                friction: at_end,
                 is_at_rest: true,
             };
         }
         // The motion at half time under the friction that it meets itself.
         let half = R::HALF * dt;
-        let needed = self.needed_for_rest(twist, push, half);
-        let midway = nearest(&needed);
+        let at_half = self.needed_for_rest(twist, push, half);
+        let midway = nearest(&at_half);
         // A body that rests at half time but not at the end has turned about: first order.
-        let friction = if midway == needed { ended } else { midway };
+        let friction = match midway == at_half {
+            true => ended.unwrap_or_else(|| nearest(&at_end)),
+            false => midway,
+        };
         PlanarStep {
             twist: self.moved(twist, push, &friction, dt),
             friction,
@@ -109,4 +118,13 @@ impl<R: Real> PlanarBody<R> {
             twist.spin + turn * (push.torque + friction.torque),
         )
     }
+}
+
+/// By how much friction must be exceeded to be exceeded beyond all rounding.
+const BEYOND: f64 = 1.01;
+
+/// True if friction with these largest force and torque can surely not be `wrench`.
+fn is_beyond<R: Real>(wrench: &Wrench<R>, [force, torque]: [R; 2]) -> bool {
+    let beyond = R::from_f64(BEYOND);
+    wrench.force.x.hypot(wrench.force.y) > beyond * force || wrench.torque.abs() > beyond * torque
 }

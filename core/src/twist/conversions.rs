@@ -170,7 +170,10 @@ mod tests {
         assert_round_trip!(f32, Vec3, Vec3::from_array);
         assert_round_trip!(f64, DVec3, DVec3::from_array);
         assert_wrench_round_trip!(f32, (Vec2, f32), |[x, y, z]: [f32; 3]| (Vec2::new(x, y), z));
-        assert_wrench_round_trip!(f64, (DVec2, f64), |[x, y, z]: [f64; 3]| (DVec2::new(x, y), z));
+        assert_wrench_round_trip!(f64, (DVec2, f64), |[x, y, z]: [f64; 3]| (
+            DVec2::new(x, y),
+            z
+        ));
     }
 
     #[cfg(feature = "mint")]

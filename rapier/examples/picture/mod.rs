@@ -1,5 +1,8 @@
 //! Paths seen from above as an SVG picture, where one is asked for.
 
+// No example needs all of it.
+#![allow(dead_code)]
+
 use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -7,7 +10,7 @@ use std::path::PathBuf;
 /// A rectangle of the floor with what moved on it; x to the right, z down, in metres.
 pub struct Picture {
     /// Two opposite corners.
-    pub corners: [[f32; 2]; 2],
+    corners: [[f32; 2]; 2],
     body: String,
 }
 
