@@ -128,3 +128,67 @@ fn is_beyond<R: Real>(wrench: &Wrench<R>, [force, torque]: [R; 2]) -> bool {
     let beyond = R::from_f64(BEYOND);
     wrench.force.x.hypot(wrench.force.y) > beyond * force || wrench.torque.abs() > beyond * torque
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coupling::table::Coulomb;
+    use crate::limit_surface::LimitSurface;
+
+    const LIMIT: f64 = 0.5;
+    const DT: f64 = 1.0 / 60.0;
+
+    /// Motions from far away from rest to near it, and pushes from none to more than friction carries.
+    fn cases() -> impl Iterator<Item = (Twist<f64>, Wrench<f64>)> {
+        (0..2000).map(|i| {
+            // Golden angles and their like spread evenly.
+            let part = |k: f64| (f64::from(i) * k).fract() - 0.5;
+            let scale = libm::exp(-10.0 * (part(0.618_033_988_75) + 0.5));
+            let twist = Twist::new(
+                4.0 * scale * part(0.754_877_666_25),
+                4.0 * scale * part(0.569_840_290_99),
+                100.0 * scale * part(0.819_172_513_4),
+            );
+            let push = Wrench {
+                force: Vector2::new(part(0.671_043_606_7), part(0.549_700_477_9)) * 1.5,
+                torque: 0.02 * part(0.445_041_867_9),
+            };
+            (twist, push)
+        })
+    }
+
+    #[test]
+    fn friction_is_that_of_the_motion_at_half_time_or_holds() {
+        let body = PlanarBody::new(0.17, 0.5 * 0.17 * 0.04 * 0.04).unwrap();
+        let set = LimitSurface::new(Coulomb, LIMIT, 0.04).unwrap();
+        let dt = TimeStep::new(DT).unwrap();
+        let [mut rests, mut slides] = [0, 0];
+        for (twist, push) in cases() {
+            let step = body.step(&set, &twist, &push, dt);
+            assert!(set.gauge(&step.friction) <= 1.0 + 1e-9);
+            // Newton's law over the step.
+            let after = body.moved(&twist, &push, &step.friction, DT);
+            let left = (after.velocity - step.twist.velocity).norm();
+            assert!(left < 1e-12 && (after.spin - step.twist.spin).abs() < 1e-10);
+            if step.is_at_rest {
+                assert_eq!(step.twist, Twist::new(0.0, 0.0, 0.0));
+                rests += 1;
+                continue;
+            }
+            let half = body.moved(&twist, &push, &step.friction, 0.5 * DT);
+            let power = |of: &Wrench<f64>, at: &Twist<f64>| {
+                of.force.dot(&at.velocity) + of.torque * at.spin
+            };
+            let most = set.support(&half).min(set.support(&step.twist));
+            // Largest dissipation at half time, or at the end where the body has turned about.
+            let given = [half, step.twist].map(|at| set.support(&at) + power(&step.friction, &at));
+            let least = given[0].min(given[1]);
+            assert!(
+                least.abs() < 1e-7 * (1.0 + most),
+                "{twist:?} {push:?} {given:?}"
+            );
+            slides += 1;
+        }
+        assert!(rests > 100 && slides > 1000, "{rests} {slides}");
+    }
+}
