@@ -9,6 +9,7 @@ pub mod cross;
 pub mod hard;
 pub mod laws;
 pub mod least_distance;
+pub mod linked;
 pub mod packings;
 pub mod patches;
 pub mod public_items;

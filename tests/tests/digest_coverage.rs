@@ -3,7 +3,8 @@
 
 use std::path::Path;
 use std::process::Command;
-use tribos_tests::public_items::{linked_functions, not_linked, public_functions};
+use tribos_tests::linked::{linked_functions, not_linked};
+use tribos_tests::public_items::public_functions;
 
 /// Functions that no digest needs, with the reason.
 const EXCEPTIONS: [(&str, &str); 0] = [];

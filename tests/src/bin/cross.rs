@@ -35,8 +35,7 @@ fn run(options: &Options) -> Result<bool, String> {
     if let Some(path) = &options.out {
         fs::write(path, &table).map_err(|e| format!("{}: {e}", path.display()))?;
     }
-    let lacking = |row: &Row| matches!(row.outcome, Outcome::Missing(_));
-    let incomplete = options.missing == Missing::Failure && rows.iter().any(lacking);
+    let incomplete = options.missing == Missing::Failure && rows.iter().any(Row::is_lacking);
     Ok(!incomplete && !rows.iter().any(Row::is_broken))
 }
 

@@ -13,7 +13,7 @@ usage: cargo run -p tribos-tests --bin cross -- [options]
   --only NAME      this row only; may be repeated
   --out FILE       the table as Markdown
   --limit SECONDS  longest time for one program to run (default: 1200)
-  --require-all    a row whose tools are missing is a failure, not a warning
+  --require-all    a promised row whose tools are missing is a failure, not a warning
   --help           this
 
 Rows: ";

@@ -55,8 +55,13 @@ impl Row {
                 self.platform.promised && first_difference(answers).is_some()
             }
             Outcome::Missing(_) => false,
-            Outcome::Failed(_) => true,
+            Outcome::Failed(_) => self.platform.promised,
         }
+    }
+
+    /// True if a promise could not be checked.
+    pub fn is_lacking(&self) -> bool {
+        self.platform.promised && matches!(self.outcome, Outcome::Missing(_))
     }
 
     /// The row as a line of Markdown.
