@@ -11,7 +11,7 @@
 //! given A and B they are linear; Newton's method finds A and B, on 1/|p| and 1/|τ′|, which are
 //! nearly linear in them (Moré & Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983) 553).
 
-use super::vector::{dot, magnitude};
+use super::vector::dot;
 use crate::real::Real;
 use nalgebra::Vector3;
 
@@ -32,19 +32,20 @@ pub(super) struct BothSlip<R: Real> {
 impl<R: Real> BothSlip<R> {
     /// The turned rolling torque τ′, from a guess `[p, τ′]` whose lengths are a and b.
     ///
-    /// `None` where Newton's method leaves the domain.
+    /// `None` where Newton's method leaves the domain, and where squares leave the number range.
+    #[inline(never)]
     pub(super) fn rolling(&self, [p, t]: [&Vector3<R>; 2]) -> Option<Vector3<R>> {
-        let (k, a, b) = (self.coupling, magnitude(p), magnitude(t));
+        let (k, a, b) = (self.coupling, length(p), length(t));
         let mut multiplier = [
-            magnitude(&(self.sliding + t * k)) / a,
-            magnitude(&(self.rolling + p * k)) / b,
+            length(&(self.sliding + t * k)) / a,
+            length(&(self.rolling + p * k)) / b,
         ];
         for _ in 0..MOST_STEPS {
             let [first, second] = multiplier;
             let inverse = R::ONE / (first * second - k * k);
             let p = (self.sliding * second + self.rolling * k) * inverse;
             let t = (self.rolling * first + self.sliding * k) * inverse;
-            let (pp, tt, pt) = (magnitude(&p), magnitude(&t), dot(&p, &t));
+            let (pp, tt, pt) = (length(&p), length(&t), dot(&p, &t));
             let [over_p, over_t] = [pp / a - R::ONE, tt / b - R::ONE];
             // −∂(|p|, |τ′|)/∂(A, B) and the lengths that are too many.
             let [xx, xy] = [second * pp * inverse, k * pt * inverse / pp];
@@ -68,4 +69,10 @@ impl<R: Real> BothSlip<R> {
         }
         None
     }
+}
+
+/// |a|, if its square can be told.
+#[inline(always)]
+fn length<R: Real>(a: &Vector3<R>) -> R {
+    dot(a, a).sqrt()
 }

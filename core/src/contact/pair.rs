@@ -1,9 +1,9 @@
 //! Sliding and rolling at one contact, solved together.
 //!
 //! Four cases, by which of the two slips. While one sticks, its equation eliminates it, and what is
-//! left is isotropic in the plane: one projection with the mass that the other feels then. Only
-//! where both slip do they take turns. The problem is convex: the first case that does not
-//! contradict itself is the answer.
+//! left is isotropic in the plane: one projection with the mass that the other feels then. Where
+//! both slip two multipliers are found, and the two motions take turns from there. The problem is
+//! convex: the first case that does not contradict itself is the answer.
 
 use super::block::{Block, Masses};
 use super::both_slip::BothSlip;
