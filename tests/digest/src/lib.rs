@@ -68,7 +68,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 33] = [
+pub const CHAPTERS: [Chapter; 34] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),
@@ -91,6 +91,7 @@ pub const CHAPTERS: [Chapter; 33] = [
     little("rate and state", memory::rate_and_state),
     little("bristles", memory::bristles),
     little("patches", patches::patches),
+    memory("standard rule", patches::standard_rule),
     little("flash tables", profiles::flash_tables),
     little("plain forms", profiles::plain_forms),
     memory("polynomials", profiles::polynomials),

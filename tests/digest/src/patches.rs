@@ -23,6 +23,20 @@ pub fn patches() -> u64 {
     hash.0
 }
 
+/// Digest of the standard rule, f64 and f32.
+pub fn standard_rule() -> u64 {
+    let mut hash = Fnv::new();
+    standard_rule_of::<f64>(&mut hash);
+    standard_rule_of::<f32>(&mut hash);
+    hash.0
+}
+
+fn standard_rule_of<R: Real>(hash: &mut Fnv) {
+    let rule = PolarRule::standard(R::HALF).expect("a rule");
+    let nodes: NodeList<R, 512> = rule.nodes().expect("room");
+    listed(hash, &nodes);
+}
+
 fn listed<R: Real>(hash: &mut Fnv, patch: &dyn NodePatch<R>) {
     for node in patch.nodes() {
         hash.numbers([node.x, node.y, node.weight]);
@@ -43,9 +57,6 @@ fn rules<R: Real>(hash: &mut Fnv) {
         let nodes: NodeList<R, ROOM> = shaped.expect("room");
         listed(hash, &nodes);
     }
-    let whole: Result<NodeList<R, 512>, _> =
-        PolarRule::standard(real(0.5)).expect("a rule").nodes();
-    listed(hash, &whole.expect("room"));
     let rim: NodeList<R, ROOM> = ring(real(2.0), 17).expect("room");
     listed(hash, &rim);
     for x in ends::<R>() {
@@ -69,8 +80,8 @@ fn points<R: Real>(hash: &mut Fnv) {
         [-1.0, -1.5],
         [1.25, -1.5],
     ];
-    for divisions in [1, 2, 3] {
-        let plate: NodeList<R, 256> =
+    for divisions in [1, 2] {
+        let plate: NodeList<R, 112> =
             polygon(&hexagon.map(|c| c.map(real)), divisions).expect("a convex polygon");
         listed(hash, &plate);
     }

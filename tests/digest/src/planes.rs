@@ -36,7 +36,7 @@ fn planes_of<R: CoulombTable>(hash: &mut Fnv) {
     hash.number(stool.law().alpha());
     hash.number(stool.patch().total_weight());
     let mut rng = Lcg::new(137);
-    let random = [(); 150].map(|()| twist::<R>(&mut rng));
+    let random = [(); 48].map(|()| twist::<R>(&mut rng));
     for motion in random.into_iter().chain(ends_of_twists(23)) {
         hash.wrench(&puck.wrench(real(1.7), &motion));
         hash.numbers(puck.wrench_jacobian(real(1.7), &motion).iter().copied());
@@ -49,7 +49,7 @@ fn planes_of<R: CoulombTable>(hash: &mut Fnv) {
         hash.numbers([slopes.force_speed, slopes.force_spin]);
         hash.numbers([slopes.torque_speed, slopes.torque_spin]);
     }
-    let mut wrenches = [Wrench::ZERO; 150];
+    let mut wrenches = [Wrench::ZERO; 48];
     puck.wrench_batch(real(0.25), &random, &mut wrenches);
     for (wrench, motion) in wrenches.into_iter().zip(random) {
         let as_vector = Vector3::from(wrench);
