@@ -14,7 +14,7 @@ const MARGIN: f32 = 1.5;
 const BUDGET: u64 = 8_400;
 /// How near the way of a push must be that was foreseen with all forces known, relative: the
 /// controller's step is ten times as long.
-const NEAR: f32 = 0.02;
+const NEAR: f32 = 2e-3;
 
 /// Runs and tells everything; `None` if a parameter is refused.
 pub fn print() -> Option<()> {
@@ -156,7 +156,7 @@ fn tell_ways(after: &Phase, known: [f32; 2], checks: &mut Checks) {
     let near = |known: f32, truth: f32| (known - truth).abs() <= NEAR * truth.abs();
     let [known_travel, known_angle] = known;
     checks.check(
-        "with forces known its way is foreseen to 2 %",
+        "with forces known its way is foreseen to 0.2 %",
         near(known_travel, travel) && near(known_angle, angle),
     );
 }
