@@ -43,6 +43,8 @@ pub mod contact;
 pub mod coupling;
 pub mod law;
 pub mod limit_surface;
+#[cfg(feature = "defmt")]
+mod logging;
 pub mod manifold;
 pub mod modes;
 pub mod patch;

@@ -24,6 +24,7 @@ pub enum Stability {
 
 /// All fixed points of one slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FixedPoints<R> {
     /// Stability of pure spinning, ε = 0.
     pub spinning: Stability,
@@ -35,6 +36,7 @@ pub struct FixedPoints<R> {
 
 /// What dominates just before rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FinalMode<R> {
     /// ε → 0.
     Spinning,
@@ -92,6 +94,7 @@ fn in_order<R: Real>([spinning, sliding]: [R; 2]) -> (R, R) {
 /// # Ok::<(), tribos_core::modes::InertiaError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Modes<R, P> {
     profile: P,
     inertia_ratio: R,

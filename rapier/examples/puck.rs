@@ -1,9 +1,13 @@
-//! A spinning puck thrown on a table at 60 steps a second: exact, by Rapier alone, with its patch.
+//! A spinning puck thrown on a table: exact, by Rapier alone, with its patch.
 //!
-//! `cargo run --release -p tribos-rapier --example puck`
+//! `cargo run --release -p tribos-rapier --example puck [PICTURE.svg]`
 
+mod picture;
+
+use picture::{COLOURS, Picture};
 use rapier3d::prelude::*;
 use std::error::Error;
+use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::slider::{Motion, Slider};
 use tribos_rapier::{Patch, PatchContacts};
@@ -13,6 +17,17 @@ const RADIUS: f32 = 0.08;
 const HALF_HEIGHT: f32 = 0.01;
 const GRAVITY: f32 = 9.81;
 const SPEED: f32 = 1.0;
+const SPINS: [f32; 6] = [0.0, 5.0, 12.5, 20.0, 30.0, 50.0];
+const STEPS_A_SECOND: f32 = 60.0;
+const STEPS: usize = 300;
+/// What counts as rest where the engine does not tell: m/s, rad/s.
+const STILL: [f32; 2] = [1e-3, 1e-2];
+
+#[derive(Clone, Copy, Debug)]
+enum Foot {
+    Disk,
+    Ring,
+}
 
 /// How far the puck went, and when it stopped.
 #[derive(Clone, Copy, Debug)]
@@ -21,14 +36,13 @@ struct Throw {
     stop: f64,
 }
 
-fn exact(spin: f32) -> Result<Throw, Box<dyn Error>> {
-    let puck = Slider::new(
-        Coulomb,
-        f64::from(MU) * f64::from(GRAVITY),
-        f64::from(RADIUS),
-        0.5,
-    )?;
-    let rest = puck.to_rest(&Motion::launched(f64::from(SPEED), f64::from(spin)));
+fn exact(foot: Foot, spin: f32) -> Result<Throw, Box<dyn Error>> {
+    let (deceleration, radius) = (f64::from(MU) * f64::from(GRAVITY), f64::from(RADIUS));
+    let thrown = Motion::launched(f64::from(SPEED), f64::from(spin));
+    let rest = match foot {
+        Foot::Disk => Slider::new(Coulomb, deceleration, radius, 0.5)?.to_rest(&thrown),
+        Foot::Ring => Slider::new(Ring, deceleration, radius, 0.5)?.to_rest(&thrown),
+    };
     let motion = rest.ok_or("the puck never stops")?.motion;
     Ok(Throw {
         travel: motion.distance,
@@ -39,6 +53,7 @@ fn exact(spin: f32) -> Result<Throw, Box<dyn Error>> {
 fn world(spin: f32) -> (PhysicsWorld, RigidBodyHandle, [ColliderHandle; 2]) {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::new(0.0, -GRAVITY, 0.0);
+    world.integration_parameters.dt = STEPS_A_SECOND.recip();
     let table = ColliderBuilder::cuboid(5.0, 0.1, 5.0).friction(MU);
     let (_, table) = world.insert(RigidBodyBuilder::fixed(), table);
     let body = RigidBodyBuilder::dynamic()
@@ -52,62 +67,84 @@ fn world(spin: f32) -> (PhysicsWorld, RigidBodyHandle, [ColliderHandle; 2]) {
     (world, body, [puck, table])
 }
 
-fn thrown(spin: f32, mut patches: Option<PatchContacts>) -> Result<Throw, Box<dyn Error>> {
+/// A throw with the patch, or with Rapier's own friction without one.
+fn thrown(spin: f32, patch: Option<Patch>) -> Throw {
     let (mut world, body, [puck, table]) = world(spin);
-    if let Some(patches) = &mut patches {
-        patches.insert(puck, table, Patch::disk(MU, RADIUS)?, &mut world.colliders);
+    let mut patches = PatchContacts::new();
+    let is_alone = patch.is_none();
+    if let Some(patch) = patch {
+        patches.insert(puck, table, patch, &mut world.colliders);
     }
     let dt = f64::from(world.integration_parameters.dt);
     let mut stop = f64::NAN;
-    for step in 0..300 {
-        match &mut patches {
-            Some(patches) => {
-                patches.step(&mut world);
-                if let Some(rest) = patches.stop(puck, table) {
-                    stop = f64::from(step) * dt + f64::from(rest.within_step);
-                }
-            }
-            None => {
-                world.step();
-                let body = &world.bodies[body];
-                let still = body.linvel().length() < 1e-3 && body.angvel().y.abs() < 1e-2;
-                if still && stop.is_nan() {
-                    stop = f64::from(step + 1) * dt;
-                }
-            }
+    for step in 0..STEPS {
+        patches.step(&mut world);
+        if let Some(rest) = patches.stop(puck, table) {
+            stop = step as f64 * dt + f64::from(rest.within_step);
+        }
+        let body = &world.bodies[body];
+        let is_still = body.linvel().length() < STILL[0] && body.angvel().y.abs() < STILL[1];
+        if is_alone && is_still && stop.is_nan() {
+            stop = (step + 1) as f64 * dt;
         }
     }
     let place = world.bodies[body].translation();
-    Ok(Throw {
+    Throw {
         travel: f64::from(place.x.hypot(place.z)),
         stop,
-    })
+    }
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!("disk: mu {MU}, radius {RADIUS} m, thrown at {SPEED} m/s; 60 steps a second");
+    picture::asked_for()?;
     println!(
-        "{:>8} {:>24} {:>26} {:>26}",
-        "spin", "exact", "Rapier alone", "Rapier, disk patch"
+        "A puck of {RADIUS} m radius, mu {MU}, thrown at {SPEED} m/s; {STEPS_A_SECOND} steps a second.\n"
     );
     println!(
-        "{:>8} {:>12} {:>11} {:>13} {:>12} {:>13} {:>12}",
-        "rad/s", "travel m", "stop s", "travel %", "stop %", "travel %", "stop %"
+        "| foot | spin, rad/s | travel, m | stop, s | Rapier alone: travel | stop | with the patch: travel | stop |"
     );
-    for spin in [0.0, 5.0, 12.5, 20.0, 30.0, 50.0] {
-        let exact = exact(spin)?;
-        let alone = thrown(spin, None)?;
-        let patch = thrown(spin, Some(PatchContacts::new()))?;
-        let percent = |is: f64, should: f64| 100.0 * (is / should - 1.0);
-        println!(
-            "{spin:>8} {:>12.5} {:>11.5} {:>+13.2} {:>+12.2} {:>+13.2} {:>+12.2}",
-            exact.travel,
-            exact.stop,
-            percent(alone.travel, exact.travel),
-            percent(alone.stop, exact.stop),
-            percent(patch.travel, exact.travel),
-            percent(patch.stop, exact.stop),
-        );
+    println!("|---|---|---|---|---|---|---|---|");
+    let mut picture = Picture::new([[-0.1, 0.0], [0.8, 0.6]]);
+    for (foot, patch) in [
+        (Foot::Disk, Patch::disk(MU, RADIUS)?),
+        (Foot::Ring, Patch::ring(MU, RADIUS)?),
+    ] {
+        let mut travels: [Vec<[f32; 2]>; 3] = Default::default();
+        for spin in SPINS {
+            let throws = [
+                exact(foot, spin)?,
+                thrown(spin, None),
+                thrown(spin, Some(patch.clone())),
+            ];
+            let [exact, alone, with] = throws;
+            let percent = |is: f64, should: f64| 100.0 * (is / should - 1.0);
+            println!(
+                "| {foot:?} | {spin} | {:.4} | {:.4} | {:+.2} % | {:+.2} % | {:+.2} % | {:+.2} % |",
+                exact.travel,
+                exact.stop,
+                percent(alone.travel, exact.travel),
+                percent(alone.stop, exact.stop),
+                percent(with.travel, exact.travel),
+                percent(with.stop, exact.stop),
+            );
+            for (line, throw) in travels.iter_mut().zip(throws) {
+                line.push([throw.travel as f32, 0.05 + 0.01 * spin]);
+            }
+        }
+        for (line, colour) in travels.iter().zip(COLOURS) {
+            picture.path(colour, line);
+        }
     }
-    Ok(())
+    for (line, text) in ["exact", "Rapier alone", "with the patch"]
+        .into_iter()
+        .enumerate()
+    {
+        picture.text(COLOURS[line], [0.6, 0.05 + 0.03 * line as f32], text);
+    }
+    picture.text(
+        "black",
+        [-0.08, 0.59],
+        "travel to the right, 0.9 m; spin down, 0 to 50 rad/s",
+    );
+    picture.save_where_asked()
 }

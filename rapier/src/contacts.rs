@@ -1,15 +1,16 @@
 //! All pairs with a patch, around the engine's step.
 
-use crate::pair::{Pair, Stop, Touching};
+use crate::pair::{Friction, Handles, Pair, Stop};
 use crate::patch::Patch;
+use crate::touching::touching;
 use rapier3d::prelude::*;
-use tribos_core::twist::Wrench;
 
 /// Pairs of colliders whose friction is that of a patch.
 ///
 /// Use [`PatchContacts::step`] instead of [`PhysicsWorld::step`], or with a pipeline of your own
 /// [`PatchContacts::begin_step`], the pipeline's step with `self` as hooks, and
-/// [`PatchContacts::finish_step`]. Pairs are treated in the order in which they were inserted.
+/// [`PatchContacts::finish_step`]. Pairs are treated in the order of their handles. Hooks of your own
+/// call [`PhysicsHooks::modify_solver_contacts`] of this one.
 #[derive(Debug, Default)]
 pub struct PatchContacts {
     pairs: Vec<Pair>,
@@ -23,7 +24,7 @@ impl PatchContacts {
 
     /// Gives the contact of `foot` on `ground` a patch, in place of the engine's friction.
     ///
-    /// A pair that has one already gets the new one. The colliders' hook that sets their friction
+    /// A pair that has one already goes on with the new one: another floor, ice that is swept. The colliders' hook that sets their friction
     /// aside is switched on.
     pub fn insert(
         &mut self,
@@ -38,15 +39,32 @@ impl PatchContacts {
                 collider.set_active_hooks(hooks);
             }
         }
-        self.remove(foot, ground);
-        self.pairs.push(Pair::new(foot, ground, patch));
+        let pair = Pair::new(foot, ground, patch);
+        match self.pairs.binary_search_by_key(&pair.key(), Pair::key) {
+            Ok(at) => self.pairs[at].repatch(pair),
+            Err(at) => self.pairs.insert(at, pair),
+        }
     }
 
     /// Gives the pair back to the engine's friction; true if it had a patch.
     pub fn remove(&mut self, foot: ColliderHandle, ground: ColliderHandle) -> bool {
-        let before = self.pairs.len();
-        self.pairs.retain(|pair| !pair.is_of(foot, ground));
-        self.pairs.len() < before
+        let at = self
+            .pairs
+            .binary_search_by_key(&key(foot, ground), Pair::key);
+        if let Ok(at) = at {
+            self.pairs.remove(at);
+        }
+        at.is_ok()
+    }
+
+    /// How many pairs there are. Pairs of removed colliders leave with the next step.
+    pub fn len(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// True if there are no pairs.
+    pub fn is_empty(&self) -> bool {
+        self.pairs.is_empty()
     }
 
     /// Advances the world by one step of its own length.
@@ -80,6 +98,9 @@ impl PatchContacts {
         bodies: &mut RigidBodySet,
         colliders: &ColliderSet,
     ) {
+        let is_there =
+            |pair: &Pair| colliders.contains(pair.foot) && colliders.contains(pair.ground);
+        self.pairs.retain(is_there);
         for pair in &mut self.pairs {
             if let Some(handles) = bodies_of(pair, bodies, colliders) {
                 pair.begin(gravity, parameters, bodies, handles);
@@ -97,21 +118,16 @@ impl PatchContacts {
     ) {
         for pair in self.pairs.iter_mut().rev() {
             if let Some(handles) = bodies_of(pair, bodies, colliders) {
-                let touching = touching(
-                    pair,
-                    &bodies[handles[0]],
-                    colliders,
-                    narrow_phase,
-                    parameters.dt,
-                );
+                let foot = bodies.get(handles.0);
+                let touching = foot
+                    .and_then(|foot| touching(pair, foot, colliders, narrow_phase, parameters.dt));
                 pair.finish(parameters, bodies, handles, touching);
             }
         }
     }
 
-    /// Friction on the foot in the last step, as force and torque about the normal, in axes of the
-    /// contact. `None` for a pair without patch.
-    pub fn friction(&self, foot: ColliderHandle, ground: ColliderHandle) -> Option<Wrench<f32>> {
+    /// Friction on the foot in the last step. `None` for a pair without patch.
+    pub fn friction(&self, foot: ColliderHandle, ground: ColliderHandle) -> Option<Friction> {
         self.pair(foot, ground).map(|pair| pair.friction)
     }
 
@@ -121,7 +137,9 @@ impl PatchContacts {
     }
 
     fn pair(&self, a: ColliderHandle, b: ColliderHandle) -> Option<&Pair> {
-        self.pairs.iter().find(|pair| pair.is_of(a, b))
+        let key = key(a, b);
+        let at = self.pairs.binary_search_by_key(&key, Pair::key).ok()?;
+        self.pairs.get(at)
     }
 }
 
@@ -135,63 +153,31 @@ impl PhysicsHooks for PatchContacts {
     }
 }
 
+/// The same for both orders of two colliders.
+type Key = [(u32, u32); 2];
+
+fn key(a: ColliderHandle, b: ColliderHandle) -> Key {
+    let [a, b] = [a, b].map(ColliderHandle::into_raw_parts);
+    [a.min(b), a.max(b)]
+}
+
 impl Pair {
-    fn is_of(&self, a: ColliderHandle, b: ColliderHandle) -> bool {
-        [self.foot, self.ground] == [a, b] || [self.foot, self.ground] == [b, a]
+    fn key(&self) -> Key {
+        key(self.foot, self.ground)
     }
 }
 
-/// The bodies of foot and ground, if both are still there.
-fn bodies_of(
-    pair: &Pair,
-    bodies: &RigidBodySet,
-    colliders: &ColliderSet,
-) -> Option<[RigidBodyHandle; 2]> {
-    let [foot, ground] = [pair.foot, pair.ground].map(|handle| colliders.get(handle)?.parent());
+/// The bodies of foot and ground, if the engine treats the pair.
+fn bodies_of(pair: &Pair, bodies: &RigidBodySet, colliders: &ColliderSet) -> Option<Handles> {
+    let [foot, ground] = [pair.foot, pair.ground].map(|handle| colliders.get(handle));
     let (foot, ground) = (foot?, ground?);
-    (bodies.contains(foot) && bodies.contains(ground) && foot != ground).then_some([foot, ground])
-}
-
-/// The pair's contact after a step of length `dt`; `None` if nothing pushed.
-fn touching(
-    pair: &Pair,
-    foot: &RigidBody,
-    colliders: &ColliderSet,
-    narrow_phase: &NarrowPhase,
-    dt: f32,
-) -> Option<Touching> {
-    let contact = narrow_phase.contact_pair(pair.foot, pair.ground)?;
-    let collider = colliders.get(pair.foot)?;
-    // The engine's normal points from the first collider to the second.
-    let is_second = contact.collider1 == pair.ground;
-    let mut impulse = Vector::ZERO;
-    let mut moment = Vector::ZERO;
-    for manifold in contact.manifolds() {
-        let normal = manifold.data.normal * if is_second { 1.0 } else { -1.0 };
-        // Points that the solver did not see keep the impulse of an earlier step.
-        for solved in manifold.data.solver_contacts.iter() {
-            let [index] = solved.contact_indices();
-            let Some(point) = manifold.points.get(index as usize) else {
-                continue;
-            };
-            let local = if is_second {
-                point.local_p2
-            } else {
-                point.local_p1
-            };
-            let arm = collider.position().transform_point(local) - foot.center_of_mass();
-            impulse += normal * point.data.impulse;
-            moment += arm * point.data.impulse;
-        }
-    }
-    let size = impulse.length();
-    if !(size > 0.0) {
+    if !(foot.is_enabled() && ground.is_enabled()) {
         return None;
     }
-    let normal = impulse / size;
-    Some(Touching {
-        load: size / dt,
-        normal,
-        depth: -moment.dot(normal) / size,
-    })
+    let is_there = |handle| bodies.get(handle).is_some_and(RigidBody::is_enabled);
+    let body = foot.parent().filter(|&handle| is_there(handle))?;
+    match ground.parent() {
+        Some(below) => (is_there(below) && below != body).then_some((body, Some(below))),
+        None => Some((body, None)),
+    }
 }

@@ -2,7 +2,6 @@
 
 use nalgebra::Vector2;
 use rapier3d::prelude::*;
-use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
 
 /// Right-handed axes of a contact, the normal pointing from the ground to the foot.
@@ -47,49 +46,37 @@ impl Frame {
     }
 
     /// A vector of the plane in the world.
-    pub(crate) fn world(&self, [x, y]: [f32; 2]) -> Vector {
-        self.first * x + self.second * y
+    pub(crate) fn world(&self, vector: &Vector2<f32>) -> Vector {
+        self.first * vector.x + self.second * vector.y
+    }
+
+    /// The part of a vector in the plane.
+    pub(crate) fn flat(&self, vector: Vector) -> Vector {
+        vector - self.normal * self.normal.dot(vector)
     }
 }
 
-/// Velocities of a body.
-pub(crate) fn motion(body: &RigidBody) -> [Vector; 2] {
-    [body.linvel(), body.angvel()]
+/// The motion of the foot against the ground, at the foot's centre of mass. A ground without body
+/// stands still.
+pub(crate) fn relative(frame: &Frame, foot: &RigidBody, ground: Option<&RigidBody>) -> Twist<f32> {
+    let (below, turn) = ground.map_or((Vector::ZERO, Vector::ZERO), |ground| {
+        let below = ground.velocity_at_point(foot.center_of_mass());
+        (below, ground.angvel())
+    });
+    frame.twist(foot.linvel() - below, foot.angvel() - turn)
 }
 
-/// What moves against what: the foot's share of a common impulse, and the reduced body.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Reduced {
-    pub(crate) body: PlanarBody<f32>,
-    /// 1/mass and 1/inertia of the foot and of the ground, in the plane.
-    inverse: [[f32; 2]; 2],
+/// How fast the velocity of the ground below the foot changes because the ground turns.
+pub(crate) fn carried(foot: &RigidBody, ground: Option<&RigidBody>) -> Vector {
+    ground.map_or(Vector::ZERO, |ground| {
+        ground.angvel().cross(foot.linvel() - ground.linvel())
+    })
 }
 
-impl Reduced {
-    /// `None` if neither can be moved.
-    pub(crate) fn new(foot: &RigidBody, ground: &RigidBody, frame: &Frame) -> Option<Self> {
-        let inverse = [foot, ground].map(|body| {
-            if !body.is_dynamic() {
-                return [0.0; 2];
-            }
-            let properties = body.mass_properties();
-            let turn = properties.effective_world_inv_inertia * frame.normal;
-            [1.0 / body.mass(), turn.dot(frame.normal)]
-        });
-        let [[m1, i1], [m2, i2]] = inverse;
-        let body = PlanarBody::new(1.0 / (m1 + m2), 1.0 / (i1 + i2)).ok()?;
-        Some(Self { body, inverse })
-    }
-
-    /// Shares a change of the relative twist: changes of the foot's and the ground's velocities.
-    pub(crate) fn shared(&self, change: &Twist<f32>, frame: &Frame) -> [[Vector; 2]; 2] {
-        let [[m1, i1], [m2, i2]] = self.inverse;
-        let (m, i) = (m1 + m2, i1 + i2);
-        let linear = frame.world([change.velocity.x, change.velocity.y]);
-        let angular = frame.normal * change.spin;
-        [
-            [linear * (m1 / m), angular * (i1 / i)],
-            [linear * -(m2 / m), angular * -(i2 / i)],
-        ]
+/// `to` − `from`
+pub(crate) fn difference(to: &Twist<f32>, from: &Twist<f32>) -> Twist<f32> {
+    Twist {
+        velocity: to.velocity - from.velocity,
+        spin: to.spin - from.spin,
     }
 }

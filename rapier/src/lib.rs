@@ -32,15 +32,25 @@
 //! *At rest*: a patch that friction holds has no relative motion, to the last bit where the contact's
 //! normal is an axis of the world, and creeps no farther than the engine rounds elsewhere.
 //! *Limits*: the pressure stays evenly spread whatever leans on the body; the patch lies below the
-//! centre of mass; a turn of more than 45° a step needs `allow_fast_rotation` of the body, as always
-//! in Rapier. A ground that moves freely is met with its mass and its inertia about the normal, its
-//! lever to the patch is left out.
+//! centre of mass; friction is known from the second step of a contact on, and a push that comes anew
+//! through another body one step late; a turn of more than 45° a step needs `allow_fast_rotation` of
+//! the body, as always in Rapier. A ground that moves freely is met with its mass and its inertia
+//! about the normal, its lever to the patch is left out. Links of multibodies are not moved. With
+//! `max_ccd_substeps` above 1 a step that the engine splits is judged by its last part.
 
 mod contacts;
 mod frame;
+mod handed;
 mod pair;
 mod patch;
+mod reduced;
+mod touching;
 
 pub use contacts::PatchContacts;
-pub use pair::Stop;
+pub use pair::{Friction, Stop};
 pub use patch::{Patch, PatchError};
+
+/// The examples of the guide.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/games.md")]
+struct Guide;

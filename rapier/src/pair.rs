@@ -4,17 +4,28 @@
 //! foreseen by an implicit step of the kernel and the friction is handed over as a force; after it
 //! the same step is taken again with the load and the pushes that the engine has found. What it
 //! gives is the motion: at rest that is zero to the last bit.
-//!
-//! The engine moves a body by its velocity at the end of each of its n substeps, so that a body under
-//! constant deceleration goes too far back by half of what a substep takes. The velocity is offset
-//! during the step such that the way is that of the mean velocity.
 
-use crate::frame::{Frame, Reduced, motion};
+use crate::frame::{Frame, carried, difference, relative};
+use crate::handed::Handed;
 use crate::patch::Patch;
+use crate::reduced::{Reduced, accelerate, is_free};
 use rapier3d::prelude::*;
 use tribos_core::contact::TimeStep;
 use tribos_core::planar::PlanarStep;
 use tribos_core::twist::{Twist, Wrench};
+
+/// Friction on a foot, as its mean over a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Friction {
+    /// In newtons, in axes of the world, at the contact.
+    pub force: Vector,
+    /// About the contact's normal, in newton metres, in axes of the world.
+    pub torque: Vector,
+    /// What presses the foot to the ground, in newtons.
+    pub load: f32,
+    /// The foot does not move against the ground.
+    pub holds: bool,
+}
 
 /// Where the sliding ended within the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,29 +34,38 @@ pub struct Stop {
     pub within_step: f32,
 }
 
+/// The bodies of a foot and its ground; a collider without body stands still.
+pub(crate) type Handles = (RigidBodyHandle, Option<RigidBodyHandle>);
+
+/// A contact as the engine has left it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Touching {
+    /// In newtons.
+    pub(crate) load: f32,
+    /// From the ground to the foot.
+    pub(crate) normal: Vector,
+    /// From the centre of mass of the foot to the contact, against the normal, in metres.
+    pub(crate) depth: f32,
+}
+
 /// What a step has shown and the next one foresees with.
 #[derive(Clone, Copy, Debug)]
 struct Known {
-    /// N
-    load: f32,
-    normal: Vector,
-    /// From the centre of mass to the contact, along the normal, in metres.
-    depth: f32,
-    /// All pushes but friction in the plane, if friction held against them.
+    touching: Touching,
+    /// Pushes in the plane beyond those expected, if friction held against them.
     held: Option<Wrench<f32>>,
 }
 
-/// What was done before the engine's step.
+/// What was foreseen before the engine's step.
 #[derive(Debug)]
 struct Begun {
     frame: Frame,
     reduced: Reduced,
     before: Twist<f32>,
+    /// Pushes that were expected.
+    push: Wrench<f32>,
     friction: Wrench<f32>,
-    /// Changes of velocity to take back.
-    offset: [[Vector; 2]; 2],
-    /// Forces that the user had set on the foot and the ground.
-    user: [[Vector; 2]; 2],
+    handed: Handed,
 }
 
 /// A foot on its ground.
@@ -53,10 +73,10 @@ struct Begun {
 pub(crate) struct Pair {
     pub(crate) foot: ColliderHandle,
     pub(crate) ground: ColliderHandle,
-    pub(crate) patch: Patch,
+    patch: Patch,
     known: Option<Known>,
     begun: Option<Begun>,
-    pub(crate) friction: Wrench<f32>,
+    pub(crate) friction: Friction,
     pub(crate) stop: Option<Stop>,
 }
 
@@ -68,8 +88,17 @@ impl Pair {
             patch,
             known: None,
             begun: None,
-            friction: Wrench::ZERO,
+            friction: Friction::default(),
             stop: None,
+        }
+    }
+
+    /// Goes on with the patch of `other`, from what is known of the contact.
+    pub(crate) fn repatch(&mut self, other: Self) {
+        if self.foot == other.foot {
+            self.patch = other.patch;
+        } else {
+            *self = other;
         }
     }
 
@@ -79,57 +108,48 @@ impl Pair {
         gravity: Vector,
         parameters: &IntegrationParameters,
         bodies: &mut RigidBodySet,
-        handles: [RigidBodyHandle; 2],
+        handles: Handles,
     ) -> Option<()> {
         self.begun = None;
         let known = self.known?;
-        let [foot, ground] = handles.map(|handle| &bodies[handle]);
+        let (foot, ground) = looked_up(bodies, handles)?;
         if foot.is_sleeping() {
             return None;
         }
-        let frame = self.frame(known.normal, foot);
+        let frame = self.frame(known.touching.normal, foot);
         let reduced = Reduced::new(foot, ground, &frame)?;
         let before = relative(&frame, foot, ground);
-        let push = known.held.unwrap_or_else(|| {
-            let pull = |body: &RigidBody| match body.is_dynamic() {
-                true => gravity * body.gravity_scale() + body.user_force() / body.mass(),
-                false => Vector::ZERO,
-            };
-            let force = (pull(foot) - pull(ground)) * reduced.body.mass();
-            frame.wrench(force, foot.user_torque())
-        });
+        let push = expected(gravity, &reduced, &frame, foot, ground);
+        let pushed = known.held.map_or(push, |held| sum(&push, &held));
+        // The motion at the end, and the part of the step that it takes to stop.
         let dt = TimeStep::new(parameters.dt).ok()?;
-        let foreseen = self
-            .patch
-            .step(&reduced.body, known.load, &before, &push, dt)?;
-        let share = match foreseen.is_at_rest {
-            true => self.patch.share(known.load, &foreseen.friction)?,
+        let load = known.touching.load;
+        let foreseen = self.patch.step(&reduced.body, load, &before, &pushed, dt)?;
+        let share = match foreseen.is_at_rest && !is_zero(&before) {
+            true => self.patch.share(load, &foreseen.friction, &before)?,
             false => 1.0,
         };
-        let substeps = parameters.num_solver_iterations + foot.additional_solver_iterations();
-        let offset = reduced.shared(&offset(&before, &foreseen, share, substeps), &frame);
-        let user = [foot, ground].map(|body| [body.user_force(), body.user_torque()]);
-        let push = [foreseen.friction.force.x, foreseen.friction.force.y];
-        let force = frame.world(push);
-        let torque = frame.normal * foreseen.friction.torque;
-        let lever = frame.normal * -known.depth;
-        for ((handle, sign), velocity) in handles.into_iter().zip([1.0, -1.0]).zip(&offset) {
-            let body = &mut bodies[handle];
-            if body.is_dynamic() {
-                // On the ground the friction acts at the contact, too.
-                let arm = if sign > 0.0 { lever } else { Vector::ZERO };
-                body.add_force(force * sign, false);
-                body.add_torque((torque + arm.cross(force)) * sign, false);
-                accelerate(body, velocity, 1.0);
-            }
+        let extra = |body: &RigidBody| body.additional_solver_iterations();
+        let most = extra(foot).max(ground.map_or(0, extra));
+        let substeps = (parameters.num_solver_iterations + most).max(1);
+        let mut offset = reduced.shared(&offset(&before, &foreseen, share, substeps), &frame);
+        let turned = frame.flat(carried(foot, ground)) * parameters.dt;
+        if reduced.moved[0] {
+            offset[0][0] -= turned * (0.5 / substeps as f32);
         }
+        // The force acts at the contact; a ground takes it at its centre of mass.
+        let force = frame.world(&foreseen.friction.force);
+        let torque = frame.normal * foreseen.friction.torque;
+        let lever = (frame.normal * -known.touching.depth).cross(force);
+        let forces = [[force, torque + lever], [-force, -torque]];
+        let handed = Handed::over(bodies, handles, reduced.moved, forces, offset);
         self.begun = Some(Begun {
             frame,
             reduced,
             before,
+            push,
             friction: foreseen.friction,
-            offset,
-            user,
+            handed,
         });
         Some(())
     }
@@ -139,76 +159,80 @@ impl Pair {
         &mut self,
         parameters: &IntegrationParameters,
         bodies: &mut RigidBodySet,
-        handles: [RigidBodyHandle; 2],
+        handles: Handles,
         touching: Option<Touching>,
     ) -> Option<()> {
         self.stop = None;
         let begun = self.begun.take();
         if let Some(begun) = &begun {
-            for ((handle, velocity), user) in handles.into_iter().zip(&begun.offset).zip(begun.user)
-            {
-                let body = &mut bodies[handle];
-                if body.is_dynamic() {
-                    accelerate(body, velocity, -1.0);
-                    body.reset_forces(false);
-                    body.reset_torques(false);
-                    body.add_force(user[0], false);
-                    body.add_torque(user[1], false);
-                }
-            }
+            begun.handed.taken_back(bodies, handles);
         }
-        let [foot, ground] = handles.map(|handle| &bodies[handle]);
+        let (foot, ground) = looked_up(bodies, handles)?;
         if foot.is_sleeping() {
             return None;
         }
-        let touching = touching.or_else(|| {
-            // A contact that opened in a step that friction was meant for carries nothing.
-            let normal = begun.as_ref()?.frame.normal;
-            Some(Touching {
-                load: 0.0,
-                normal,
-                depth: 0.0,
-            })
-        })?;
-        let frame = match &begun {
-            Some(begun) => begun.frame,
-            None => self.frame(touching.normal, foot),
-        };
-        let reduced = match &begun {
-            Some(begun) => begun.reduced,
-            None => Reduced::new(foot, ground, &frame)?,
-        };
-        let after = relative(&frame, foot, ground);
-        let (before, others) = match &begun {
-            Some(begun) => (begun.before, others(&reduced, begun, &after, parameters.dt)),
-            None => (after, Wrench::ZERO),
+        let Some(touching) = touching.or_else(|| open(begun.as_ref()?)) else {
+            self.friction = Friction::default();
+            return None;
         };
         let dt = TimeStep::new(parameters.dt).ok()?;
+        let (frame, reduced) = match &begun {
+            Some(begun) => (begun.frame, begun.reduced),
+            None => {
+                let frame = self.frame(touching.normal, foot);
+                (frame, Reduced::new(foot, ground, &frame)?)
+            }
+        };
+        let after = relative(&frame, foot, ground);
+        // All pushes but friction, as their mean over the step, and what of them was expected.
+        let (before, others, push) = match &begun {
+            Some(begun) => {
+                let all = reduced.push(&difference(&after, &begun.before), parameters.dt);
+                (begun.before, without(&all, &begun.friction), begun.push)
+            }
+            None => (after, Wrench::ZERO, Wrench::ZERO),
+        };
         let judged = self
             .patch
             .step(&reduced.body, touching.load, &before, &others, dt)?;
         let changes = reduced.shared(&difference(&judged.twist, &after), &frame);
-        for (handle, change) in handles.into_iter().zip(&changes) {
-            let body = &mut bodies[handle];
-            if body.is_dynamic() {
+        for (handle, change) in [Some(handles.0), handles.1].into_iter().zip(&changes) {
+            let body = handle.and_then(|handle| bodies.get_mut(handle));
+            if let Some(body) = body.filter(|body| is_free(body)) {
                 accelerate(body, change, 1.0);
             }
         }
-        let was_held = self.known.is_some_and(|known| known.held.is_some());
-        if judged.is_at_rest && !was_held {
-            let share = self.patch.share(touching.load, &judged.friction)?;
-            self.stop = Some(Stop {
-                within_step: share * parameters.dt,
-            });
-        }
-        self.friction = judged.friction;
-        self.known = (touching.load > 0.0).then_some(Known {
-            load: touching.load,
-            normal: touching.normal,
-            depth: touching.depth,
-            held: judged.is_at_rest.then_some(others),
-        });
+        self.stop = match judged.is_at_rest && touching.load > 0.0 && !self.friction.holds {
+            true => {
+                let share = self.patch.share(touching.load, &judged.friction, &before)?;
+                Some(Stop {
+                    within_step: share * parameters.dt,
+                })
+            }
+            false => None,
+        };
+        self.remember(&frame, touching, &judged, without(&others, &push));
         Some(())
+    }
+
+    fn remember(
+        &mut self,
+        frame: &Frame,
+        touching: Touching,
+        judged: &PlanarStep<f32>,
+        unexpected: Wrench<f32>,
+    ) {
+        let touches = touching.load > 0.0;
+        self.friction = Friction {
+            force: frame.world(&judged.friction.force),
+            torque: frame.normal * judged.friction.torque,
+            load: touching.load,
+            holds: touches && judged.is_at_rest,
+        };
+        self.known = touches.then_some(Known {
+            touching,
+            held: judged.is_at_rest.then_some(unexpected),
+        });
     }
 
     fn frame(&self, normal: Vector, foot: &RigidBody) -> Frame {
@@ -220,33 +244,42 @@ impl Pair {
     }
 }
 
-/// A contact as the engine has left it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Touching {
-    /// In newtons.
-    pub(crate) load: f32,
-    /// From the ground to the foot.
-    pub(crate) normal: Vector,
-    /// From the centre of mass of the foot down to the contact, in metres.
-    pub(crate) depth: f32,
+fn looked_up(bodies: &RigidBodySet, handles: Handles) -> Option<(&RigidBody, Option<&RigidBody>)> {
+    let ground = handles.1.and_then(|handle| bodies.get(handle));
+    Some((bodies.get(handles.0)?, ground))
 }
 
-/// The twist of the foot against the ground.
-fn relative(frame: &Frame, foot: &RigidBody, ground: &RigidBody) -> Twist<f32> {
-    let [[linear, angular], [_, turn]] = [foot, ground].map(motion);
-    let below = ground.velocity_at_point(foot.center_of_mass());
-    frame.twist(linear - below, angular - turn)
+/// A contact that opened in a step that friction was meant for: it carries nothing.
+fn open(begun: &Begun) -> Option<Touching> {
+    Some(Touching {
+        load: 0.0,
+        normal: begun.frame.normal,
+        depth: 0.0,
+    })
 }
 
-fn difference(to: &Twist<f32>, from: &Twist<f32>) -> Twist<f32> {
-    Twist {
-        velocity: to.velocity - from.velocity,
-        spin: to.spin - from.spin,
-    }
+/// What gravity, the forces of the user and the turning of the ground will push.
+fn expected(
+    gravity: Vector,
+    reduced: &Reduced,
+    frame: &Frame,
+    foot: &RigidBody,
+    ground: Option<&RigidBody>,
+) -> Wrench<f32> {
+    let pull = |body: &RigidBody| match is_free(body) {
+        true => gravity * body.gravity_scale() + body.user_force() / body.mass(),
+        false => Vector::ZERO,
+    };
+    let relative = pull(foot) - ground.map_or(Vector::ZERO, pull) - carried(foot, ground);
+    frame.wrench(relative * reduced.body.mass(), foot.user_torque())
 }
 
 /// The change of velocity for the time of the step that makes the engine's way that of the mean
-/// velocity. Friction that ends the motion takes the given `share` of the step for it.
+/// velocity.
+///
+/// The engine moves a body by its velocity at the end of each of its n substeps, so that a body under
+/// constant deceleration is late by half of what a substep takes. Friction that ends the motion needs
+/// the given `share` of the step for it, and what is left of the way is cut.
 fn offset(
     before: &Twist<f32>,
     foreseen: &PlanarStep<f32>,
@@ -254,8 +287,6 @@ fn offset(
     substeps: usize,
 ) -> Twist<f32> {
     let change = difference(&foreseen.twist, before);
-    // The mean of the velocities after each of n substeps lies change/(2n) beyond that of start and
-    // end; a stop before the end cuts what is left of the way.
     let [late, cut] = [0.5 / substeps as f32, 0.5 * (1.0 - share)];
     Twist {
         velocity: change.velocity * -late - before.velocity * cut,
@@ -263,18 +294,20 @@ fn offset(
     }
 }
 
-/// The mean of all forces but friction over the step.
-fn others(reduced: &Reduced, begun: &Begun, after: &Twist<f32>, dt: f32) -> Wrench<f32> {
-    let change = difference(after, &begun.before);
-    let Wrench { force, torque } = begun.friction;
+fn is_zero(twist: &Twist<f32>) -> bool {
+    *twist == Twist::new(0.0, 0.0, 0.0)
+}
+
+fn sum(one: &Wrench<f32>, other: &Wrench<f32>) -> Wrench<f32> {
     Wrench {
-        force: change.velocity * (reduced.body.mass() / dt) - force,
-        torque: change.spin * (reduced.body.inertia() / dt) - torque,
+        force: one.force + other.force,
+        torque: one.torque + other.torque,
     }
 }
 
-fn accelerate(body: &mut RigidBody, change: &[Vector; 2], sign: f32) {
-    let [linear, angular] = motion(body);
-    body.set_linvel(linear + change[0] * sign, false);
-    body.set_angvel(angular + change[1] * sign, false);
+fn without(sum: &Wrench<f32>, part: &Wrench<f32>) -> Wrench<f32> {
+    Wrench {
+        force: sum.force - part.force,
+        torque: sum.torque - part.torque,
+    }
 }

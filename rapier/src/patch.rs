@@ -5,7 +5,7 @@ use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
-use tribos_core::patch::nodes::NodeList;
+use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
 use tribos_core::patch::polygon::{PolygonError, polygon};
 use tribos_core::planar::{Foot, FootError, PlanarBody, PlanarStep};
 use tribos_core::twist::{Twist, Wrench};
@@ -117,8 +117,14 @@ impl Patch {
         })
     }
 
-    /// How much of what the patch can carry `friction` is: at most 1.
-    pub(crate) fn share(&self, load: f32, friction: &Wrench<f32>) -> Option<f32> {
+    /// How much of what the patch can carry `friction` is, at most 1: by how far it could grow, for a
+    /// polygon by the power that it takes from the motion `twist`.
+    pub(crate) fn share(
+        &self,
+        load: f32,
+        friction: &Wrench<f32>,
+        twist: &Twist<f32>,
+    ) -> Option<f32> {
         let limit = self.mu * load;
         let share = match &self.shape {
             Shape::Disk { radius } => LimitSurface::new(Coulomb, limit, *radius)
@@ -127,11 +133,24 @@ impl Patch {
             Shape::Ring { radius } => LimitSurface::new(Ring, limit, *radius)
                 .ok()?
                 .gauge(friction),
-            // Of the force alone: a lower bound.
-            Shape::Polygon(_) => friction.force.x.hypot(friction.force.y) / limit,
+            Shape::Polygon(foot) => {
+                let power = friction.force.dot(&twist.velocity) + friction.torque * twist.spin;
+                -power / (limit * mean_speed(foot.patch(), twist))
+            }
         };
-        Some(share.min(1.0))
+        // Nothing resists nothing: no share.
+        Some(if share > 0.0 { share.min(1.0) } else { 0.0 })
     }
+}
+
+/// The mean speed of the points, by weight.
+fn mean_speed(points: &NodeList<f32, POINTS>, twist: &Twist<f32>) -> f32 {
+    let of = |node: &Node<f32>| {
+        let x = twist.velocity.x - twist.spin * node.y;
+        let y = twist.velocity.y + twist.spin * node.x;
+        node.weight * x.hypot(y)
+    };
+    points.nodes().iter().map(of).sum::<f32>() / points.total_weight()
 }
 
 fn valid_radius(radius: f32) -> Result<f32, PatchError> {

@@ -5,9 +5,11 @@
 //! the tables of `tables/` or formulas of the test that uses them.
 
 pub mod contacts;
+pub mod cross;
 pub mod hard;
 pub mod laws;
 pub mod least_distance;
+pub mod linked;
 pub mod packings;
 pub mod patches;
 pub mod public_items;

@@ -49,12 +49,10 @@ fn run(options: &Options) -> Result<(), String> {
     Ok(())
 }
 
+/// Beside this program, so that two copies of the project do not meet.
 fn workshop(purpose: Purpose, programs: &[Program]) -> Result<Workshop, String> {
-    Workshop::write(
-        &std::env::temp_dir().join("tribos-firmware"),
-        purpose,
-        programs,
-    )
+    let here = std::env::current_exe().map_err(|error| format!("cannot find myself: {error}"))?;
+    Workshop::write(&here.with_file_name("firmware-programs"), purpose, programs)
 }
 
 /// Flash and modules of every row.

@@ -100,7 +100,7 @@ Errors are the largest over fixed speeds: `rel F` and `rel T` relative, `of larg
 the two (and of the lateral force) over the larger of F and T, which is the load's scale where T or \
 F passes through zero. `x` is the time in units of the disk's Coulomb table in f64, the median of \
 the rounds' own ratios. `bytes` is what the value holds, with its table; \
-the quadrature and all code are in flash.md. Surfaces: the gauge of a \
+the quadrature and all code are in firmware.md. Surfaces: the gauge of a \
 point on the surface, the unit normal there, and the projection of a point half a force limit \
 outside.
 

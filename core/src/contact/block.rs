@@ -13,6 +13,7 @@ use crate::real::Real;
 ///
 /// *Units*: mass, mass, mass·length², 1/(mass·length).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Block<R> {
     /// Effective mass along the normal.
     pub mass_normal: R,
@@ -56,6 +57,7 @@ impl<R: Real> Block<R> {
 
 /// Effective masses of sliding and torsion: the metric in which friction is projected.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Masses<R> {
     /// A mass.
     pub sliding: R,

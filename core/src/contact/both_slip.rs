@@ -11,14 +11,12 @@
 //! given A and B they are linear; Newton's method finds A and B, on 1/|p| and 1/|τ′|, which are
 //! nearly linear in them (Moré & Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983) 553).
 
-use super::vector::{dot, length};
+use super::vector::{dot, magnitude};
 use crate::real::Real;
 use nalgebra::Vector3;
 
 /// Newton steps at most; four bring most contacts to rounding.
 const MOST_STEPS: usize = 6;
-/// Relative error of both lengths at which the steps end: the next one would leave its square.
-const NEAR: f64 = 1e-4;
 
 /// The linear system.
 pub(super) struct BothSlip<R: Real> {
@@ -36,17 +34,17 @@ impl<R: Real> BothSlip<R> {
     ///
     /// `None` where Newton's method leaves the domain.
     pub(super) fn rolling(&self, [p, t]: [&Vector3<R>; 2]) -> Option<Vector3<R>> {
-        let (k, a, b) = (self.coupling, length(p), length(t));
+        let (k, a, b) = (self.coupling, magnitude(p), magnitude(t));
         let mut multiplier = [
-            length(&(self.sliding + t * k)) / a,
-            length(&(self.rolling + p * k)) / b,
+            magnitude(&(self.sliding + t * k)) / a,
+            magnitude(&(self.rolling + p * k)) / b,
         ];
         for _ in 0..MOST_STEPS {
             let [first, second] = multiplier;
             let inverse = R::ONE / (first * second - k * k);
             let p = (self.sliding * second + self.rolling * k) * inverse;
             let t = (self.rolling * first + self.sliding * k) * inverse;
-            let (pp, tt, pt) = (length(&p), length(&t), dot(&p, &t));
+            let (pp, tt, pt) = (magnitude(&p), magnitude(&t), dot(&p, &t));
             let [over_p, over_t] = [pp / a - R::ONE, tt / b - R::ONE];
             // −∂(|p|, |τ′|)/∂(A, B) and the lengths that are too many.
             let [xx, xy] = [second * pp * inverse, k * pt * inverse / pp];
@@ -61,7 +59,8 @@ impl<R: Real> BothSlip<R> {
             if !admissible {
                 return None;
             }
-            if over_p.abs() + over_t.abs() < R::from_f64(NEAR) {
+            // The next error is the square of this one.
+            if over_p * over_p + over_t * over_t <= R::EPSILON {
                 let [first, second] = multiplier;
                 let inverse = R::ONE / (first * second - k * k);
                 return Some((self.rolling * first + self.sliding * k) * inverse);

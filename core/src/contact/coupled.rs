@@ -41,6 +41,7 @@ use nalgebra::{Vector2, Vector3};
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CoupledFriction<R, S, M> {
     set: S,
     /// Largest torque for P = 1 and r_eff = 1.

@@ -46,6 +46,7 @@ pub trait ContactFriction<R: Real>: Copy + Send + Sync {
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Thresholds<R, M> {
     sliding: R,
     rolling: R,

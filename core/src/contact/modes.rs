@@ -27,6 +27,7 @@ pub trait AxialPart<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync {
 
 /// A mode that the contact does not have. It takes no room.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Absent;
 
 impl<R: Real> PlanarPart<R> for Absent {
@@ -77,6 +78,7 @@ impl<R: Real> PlanarPart<R> for InPlane<R> {
 
 /// A component about the normal.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AboutNormal<R>(pub R);
 
 impl<R: Real> AxialPart<R> for AboutNormal<R> {
@@ -108,6 +110,7 @@ macro_rules! modes {
         $(
             $(#[$doc])*
             #[derive(Clone, Copy, Debug, Default, PartialEq)]
+            #[cfg_attr(feature = "defmt", derive(defmt::Format))]
             pub struct $name;
 
             impl<R: Real> Modes<R> for $name {

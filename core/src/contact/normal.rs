@@ -22,6 +22,7 @@ pub enum Attraction {
 
 /// Cohesion of a contact. *Units*: force, length.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cohesion<R> {
     strength: R,
     range: R,
@@ -68,6 +69,7 @@ impl<R: Real> Cohesion<R> {
 
 /// The law along the normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NormalLaw<R> {
     cohesion: Cohesion<R>,
     restitution: R,

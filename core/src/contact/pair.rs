@@ -76,7 +76,8 @@ impl<'a, R: Real, F: ContactFriction<R>> Pair<'a, R, F> {
         let left = R::ONE - k * k * m * inertia;
         let distinct = left > R::from_f64(SINGULAR_ULPS) * R::EPSILON;
         if !distinct {
-            return self.take_turns(self.old_rolling);
+            let held = self.hold(&self.slip, m);
+            return self.take_turns(held);
         }
 
         // Rolling sticks: sliding feels the mass m/left.
@@ -97,13 +98,12 @@ impl<'a, R: Real, F: ContactFriction<R>> Pair<'a, R, F> {
         if held.sliding == sliding {
             return (held, turned);
         }
-        self.take_turns(turned)
+        self.take_turns(held)
     }
 
-    /// Both slip.
+    /// Both slip, from a guess of what sliding does.
     #[cold]
-    fn take_turns(&self, start: Vector3<R>) -> (Grasp<R>, Vector3<R>) {
-        let mut held = self.hold(&self.slip_after(&start), self.block.mass_sliding);
+    fn take_turns(&self, mut held: Grasp<R>) -> (Grasp<R>, Vector3<R>) {
         let turned = self.hold_rolling(&self.rolling_that_sticks(&held.sliding));
         let mut rolling = self.near_balance(&held.sliding, &turned).unwrap_or(turned);
         held = self.hold(&self.slip_after(&rolling), self.block.mass_sliding);

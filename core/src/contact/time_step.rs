@@ -4,6 +4,7 @@ use crate::real::Real;
 
 /// A length of time that steps can be made of: positive and finite.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TimeStep<R>(R);
 
 /// A step that is zero, negative, infinite or NaN.

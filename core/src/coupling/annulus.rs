@@ -21,6 +21,7 @@ use crate::real::Real;
 /// # Ok::<(), tribos_core::patch::PatchError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Annulus<R, C> {
     disk: C,
     inner: R,

@@ -24,14 +24,17 @@ use core::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
 ///
 /// *Special values*: at equal speeds ∂F/∂v and its like are infinite.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ring;
 
 /// A rigid flat punch, q = −1/2: F = (π/4) ε for ε ≤ 1, (ε asin(1/ε) + √(ε²−1)/ε)/2 beyond.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FlatPunch;
 
 /// Hertz' pressure, q = 1/2: F = (3π/8) ε (1 − ε²/4) for ε ≤ 1, arc sines beyond.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hertz;
 
 /// Φ and Φ' of one pressure at α = 0.

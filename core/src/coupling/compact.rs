@@ -17,6 +17,7 @@ use crate::special::CompleteElliptic;
 /// *Accuracy*: at most 1e-14 relative in f64 (5e-6 in f32).
 /// *Source*: eqs. 3.11 and 3.13 in the integrals B, C, D, which do not cancel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coulomb;
 
 impl<R: Real> Profile<R> for Coulomb {

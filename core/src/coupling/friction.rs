@@ -23,6 +23,7 @@ use nalgebra::{Matrix3, Vector2};
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PatchFriction<R, C> {
     coupling: C,
     coefficient: R,
@@ -52,6 +53,7 @@ impl core::error::Error for FrictionError {}
 
 /// Force and torque that oppose the motion, as magnitudes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Magnitudes<R> {
     /// Friction force.
     pub force: R,
@@ -61,6 +63,7 @@ pub struct Magnitudes<R> {
 
 /// Derivatives of [`Magnitudes`] with respect to sliding speed and spin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MagnitudesJacobian<R> {
     /// ∂force/∂speed
     pub force_speed: R,

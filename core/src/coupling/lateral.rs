@@ -41,6 +41,7 @@ pub trait Lateral<R: Real>: Coupling<R> {
 
 /// What a pressure gradient across the velocity takes from force and torque.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LateralJacobian<R> {
     /// ∂(vG)/∂v
     pub slide: R,

@@ -25,6 +25,7 @@ use crate::real::Real;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LeanProfile<R, P> {
     foot: P,
     lean: R,

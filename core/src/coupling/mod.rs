@@ -58,6 +58,7 @@ use crate::real::Real;
 /// *Units*: speed^α for the power law, none for Coulomb. With rim speed 1 they are the
 /// dimensionless functions 𝓕(ε), 𝓣(ε) of the velocity ratio ε = v/(ωR).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ReducedWrench<R> {
     /// F
     pub force: R,
@@ -67,6 +68,7 @@ pub struct ReducedWrench<R> {
 
 /// Derivatives of a [`ReducedWrench`] with respect to sliding speed v and rim speed w.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ReducedJacobian<R> {
     /// F/v, the drag of a small sideways velocity (finite at v = 0).
     pub force_per_slide: R,

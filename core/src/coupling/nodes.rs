@@ -40,6 +40,7 @@ use nalgebra::{Matrix3, Vector2};
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NodeFriction<L, P> {
     law: L,
     patch: P,

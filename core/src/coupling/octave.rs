@@ -216,6 +216,7 @@ const fn economized<const TERMS: usize>(taylor: &[f64; TAYLOR], ratio: f64) -> [
         // Tₙ/2ⁿ⁻¹ = sⁿ + …; the ratio of its coefficients two powers apart is rational.
         let mut coefficient = c[n];
         let mut k = n;
+        // k ≤ n anyway; said again so that no compiler keeps a check of the index.
         while k >= 2 && k < TAYLOR {
             let top = (k * (k - 1)) as f64;
             let bottom = ((n - k + 2) * (n + k - 2)) as f64;

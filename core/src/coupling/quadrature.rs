@@ -41,6 +41,7 @@ use crate::real::Real;
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DiskQuadrature<L> {
     law: L,
 }

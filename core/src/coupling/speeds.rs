@@ -4,6 +4,7 @@ use crate::real::Real;
 
 /// Which of the two speeds is the larger one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Lead {
     /// The rim moves faster than the centre, w ≥ v.
     Spinning,
@@ -13,6 +14,7 @@ pub enum Lead {
 
 /// Sliding speed v and rim speed w = |ω|R in units of m = max(v, w).
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Speeds<R> {
     /// m, zero only at rest.
     pub(super) major: R,

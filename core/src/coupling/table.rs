@@ -183,6 +183,7 @@ impl CoulombTable for f32 {
 /// assert!((w.force - 8.0 / (3.0 * core::f64::consts::PI)).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coulomb;
 
 impl<R: CoulombTable> Profile<R> for Coulomb {

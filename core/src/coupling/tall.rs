@@ -27,6 +27,7 @@ use nalgebra::Vector2;
 
 /// Reduced wrench under a pressure with gradient.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LeaningWrench<R> {
     /// F against the velocity.
     pub force: R,
@@ -82,12 +83,14 @@ mod sealed {
 
 /// Only the gradient along the velocity, from the upright body's force (eq. 3.37).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FrontBack;
 
 /// Both gradients, in balance with the forces that they cause.
 ///
 /// *Cost*: a Jacobian more than [`FrontBack`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AllRound;
 
 impl Lean for FrontBack {
@@ -199,6 +202,7 @@ impl<R: Real> TallWrench<R> {
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TallFriction<R, C, L> {
     foot: PatchFriction<R, C>,
     /// λ

@@ -133,6 +133,7 @@ fn collar<R: Real>() -> R {
 
 /// A wrench of the set nearest to a given one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Projection<R: Real> {
     /// The wrench. Bit for bit the given one if that was inside or on the surface.
     pub wrench: Wrench<R>,
@@ -142,6 +143,7 @@ pub struct Projection<R: Real> {
 
 /// Where a projected wrench lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Region<R: Real> {
     /// Gauge below 1: the contact sticks.
     Inside,

@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 
 /// A body of a manifold.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Member<R> {
     /// Moves freely.
     Sphere(Sphere<R>),

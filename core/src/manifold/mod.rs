@@ -35,6 +35,8 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 
+#[cfg(feature = "defmt")]
+mod logging;
 mod member;
 mod solve;
 

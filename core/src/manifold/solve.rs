@@ -20,6 +20,7 @@ pub enum Start {
 
 /// When the sweeps end.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stop<R> {
     /// At the latest after so many.
     pub sweeps: u32,
@@ -30,6 +31,7 @@ pub struct Stop<R> {
 
 /// How the sweeps ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Report<R> {
     /// Sweeps done.
     pub sweeps: u32,

@@ -64,6 +64,7 @@ pub trait NodeSink<R: Real>: NodePatch<R> {
 /// assert!(foot.is_ok());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Nodes<R, const N: usize> {
     nodes: [Node<R>; N],
     total_weight: R,

@@ -43,6 +43,7 @@ use crate::real::Real;
 /// # Ok::<(), tribos_core::patch::polar::PolarError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PolarRule<R> {
     radius: R,
     rings: u32,

@@ -84,6 +84,11 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
         }
     }
 
+    /// The largest force, μN.
+    pub fn force_limit(&self) -> R {
+        self.force_limit
+    }
+
     /// The points.
     pub fn patch(&self) -> &P {
         &self.patch

@@ -24,7 +24,7 @@ impl<R: Real> PlanarBody<R> {
     ///
     /// *Units*: velocity, 1/time; force, force × length; time. *Accuracy*: second order in `dt`
     /// while the body slides, first order in the step in which it starts or stops; rest is exact.
-    /// *Cost*: one projection where the push alone exceeds the largest force, two elsewhere.
+    /// *Cost*: one projection far from rest, two near it.
     /// *Special values*: NaN for NaN, and where momentum/`dt` overflows.
     pub fn step(
         &self,
@@ -34,7 +34,8 @@ impl<R: Real> PlanarBody<R> {
         dt: TimeStep<R>,
     ) -> PlanarStep<R> {
         let length = self.gyration;
-        self.step_within(twist, push, dt, |needed| {
+        let limits = [set.force_limit(), set.force_limit() * set.radius()];
+        self.step_within(twist, push, dt, limits, |needed| {
             set.project_with_length(needed, length).wrench
         })
     }
@@ -42,7 +43,7 @@ impl<R: Real> PlanarBody<R> {
     /// The same on a foot of many points.
     ///
     /// `foot` keeps the force of every point for the next step; on the `patch` of another step it
-    /// starts anew by [`Foot::release`]. *Cost*: see [`Foot::nearest`], once or twice.
+    /// starts anew by [`Foot::release`]. *Cost*: see [`Foot::nearest`], once far from rest, twice near it.
     pub fn step_on_foot<P: NodePatch<R>, const CAPACITY: usize>(
         &self,
         foot: &mut Foot<R, P, CAPACITY>,
@@ -51,34 +52,42 @@ impl<R: Real> PlanarBody<R> {
         dt: TimeStep<R>,
     ) -> PlanarStep<R> {
         let length = self.gyration;
-        self.step_within(twist, push, dt, |needed| foot.nearest(needed, length))
+        let limits = [foot.force_limit(), R::INFINITY];
+        self.step_within(twist, push, dt, limits, |needed| {
+            foot.nearest(needed, length)
+        })
     }
 
-    /// The step, given the wrench of friction nearest to the one `needed` for rest.
+    /// The step, given bounds of force and torque of friction, and the wrench of friction nearest to
+    /// the one needed for rest.
     fn step_within(
         &self,
         twist: &Twist<R>,
         push: &Wrench<R>,
         dt: TimeStep<R>,
+        limits: [R; 2],
         mut nearest: impl FnMut(&Wrench<R>) -> Wrench<R>,
     ) -> PlanarStep<R> {
         let dt = dt.dt();
         // Friction that would end the step at rest, and the one that is.
-        let needed = self.needed_for_rest(twist, push, dt);
-        let ended = nearest(&needed);
-        if ended == needed {
+        let at_end = self.needed_for_rest(twist, push, dt);
+        let ended = (!is_beyond(&at_end, limits)).then(|| nearest(&at_end));
+        if ended == Some(at_end) {
             return PlanarStep {
                 twist: Twist::new(R::ZERO, R::ZERO, R::ZERO),
-                friction: ended,
+                friction: at_end,
                 is_at_rest: true,
             };
         }
         // The motion at half time under the friction that it meets itself.
         let half = R::HALF * dt;
-        let needed = self.needed_for_rest(twist, push, half);
-        let midway = nearest(&needed);
+        let at_half = self.needed_for_rest(twist, push, half);
+        let midway = nearest(&at_half);
         // A body that rests at half time but not at the end has turned about: first order.
-        let friction = if midway == needed { ended } else { midway };
+        let friction = match midway == at_half {
+            true => ended.unwrap_or_else(|| nearest(&at_end)),
+            false => midway,
+        };
         PlanarStep {
             twist: self.moved(twist, push, &friction, dt),
             friction,
@@ -108,5 +117,78 @@ impl<R: Real> PlanarBody<R> {
             twist.velocity.y + rate * (push.force.y + friction.force.y),
             twist.spin + turn * (push.torque + friction.torque),
         )
+    }
+}
+
+/// By how much friction must be exceeded to be exceeded beyond all rounding.
+const BEYOND: f64 = 1.01;
+
+/// True if friction with these largest force and torque can surely not be `wrench`.
+fn is_beyond<R: Real>(wrench: &Wrench<R>, [force, torque]: [R; 2]) -> bool {
+    let beyond = R::from_f64(BEYOND);
+    wrench.force.x.hypot(wrench.force.y) > beyond * force || wrench.torque.abs() > beyond * torque
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coupling::table::Coulomb;
+    use crate::limit_surface::LimitSurface;
+
+    const LIMIT: f64 = 0.5;
+    const DT: f64 = 1.0 / 60.0;
+
+    /// Motions from far away from rest to near it, and pushes from none to more than friction carries.
+    fn cases() -> impl Iterator<Item = (Twist<f64>, Wrench<f64>)> {
+        (0..2000).map(|i| {
+            // Golden angles and their like spread evenly.
+            let part = |k: f64| (f64::from(i) * k).fract() - 0.5;
+            let scale = libm::exp(-10.0 * (part(0.618_033_988_75) + 0.5));
+            let twist = Twist::new(
+                4.0 * scale * part(0.754_877_666_25),
+                4.0 * scale * part(0.569_840_290_99),
+                100.0 * scale * part(0.819_172_513_4),
+            );
+            let push = Wrench {
+                force: Vector2::new(part(0.671_043_606_7), part(0.549_700_477_9)) * 1.5,
+                torque: 0.02 * part(0.445_041_867_9),
+            };
+            (twist, push)
+        })
+    }
+
+    #[test]
+    fn friction_is_that_of_the_motion_at_half_time_or_holds() {
+        let body = PlanarBody::new(0.17, 0.5 * 0.17 * 0.04 * 0.04).unwrap();
+        let set = LimitSurface::new(Coulomb, LIMIT, 0.04).unwrap();
+        let dt = TimeStep::new(DT).unwrap();
+        let [mut rests, mut slides] = [0, 0];
+        for (twist, push) in cases() {
+            let step = body.step(&set, &twist, &push, dt);
+            assert!(set.gauge(&step.friction) <= 1.0 + 1e-9);
+            // Newton's law over the step.
+            let after = body.moved(&twist, &push, &step.friction, DT);
+            let left = (after.velocity - step.twist.velocity).norm();
+            assert!(left < 1e-12 && (after.spin - step.twist.spin).abs() < 1e-10);
+            if step.is_at_rest {
+                assert_eq!(step.twist, Twist::new(0.0, 0.0, 0.0));
+                rests += 1;
+                continue;
+            }
+            let half = body.moved(&twist, &push, &step.friction, 0.5 * DT);
+            let power = |of: &Wrench<f64>, at: &Twist<f64>| {
+                of.force.dot(&at.velocity) + of.torque * at.spin
+            };
+            let most = set.support(&half).min(set.support(&step.twist));
+            // Largest dissipation at half time, or at the end where the body has turned about.
+            let given = [half, step.twist].map(|at| set.support(&at) + power(&step.friction, &at));
+            let least = given[0].min(given[1]);
+            assert!(
+                least.abs() < 1e-7 * (1.0 + most),
+                "{twist:?} {push:?} {given:?}"
+            );
+            slides += 1;
+        }
+        assert!(rests > 100 && slides > 1000, "{rests} {slides}");
     }
 }

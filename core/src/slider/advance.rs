@@ -12,6 +12,7 @@ use crate::real::Real;
 
 /// What [`Slider::advance`] returns.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Advance<R> {
     /// The motion at the end of the step.
     pub motion: Motion<R>,

@@ -24,6 +24,7 @@ use crate::real::Real;
 ///
 /// *Units*: consistent with the slider's deceleration and radius.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Motion<R> {
     /// Time since the start.
     pub time: R,
@@ -104,6 +105,7 @@ impl core::error::Error for SliderError {}
 /// # Ok::<(), tribos_core::slider::SliderError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Slider<R, P> {
     profile: P,
     deceleration: R,

@@ -19,6 +19,7 @@ use crate::real::Real;
 
 /// The end of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rest<R> {
     /// Time, distance and angle at rest; speeds zero.
     pub motion: Motion<R>,

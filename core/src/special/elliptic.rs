@@ -7,6 +7,7 @@ use crate::real::Real;
 /// With Δ² = 1 − m sin²φ and all integrals over [0, π/2]:
 /// B = ∫cos²φ/Δ, D = ∫sin²φ/Δ, C = (D − B)/m; K = B + D and E = B + (1 − m) D.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CompleteElliptic<R> {
     /// B(m): π/4 at m = 0, 1 at m = 1.
     pub b: R,

@@ -13,6 +13,7 @@
 /// *Domain*: c > 0 and c − a − b > 0 (finite at x = 1); |a|, |b| up to about 500.
 /// *Source*: the recurrence is the hypergeometric equation (DLMF 15.10.1) expanded about 1 − z.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Gauss {
     a: f64,
     b: f64,
@@ -21,6 +22,7 @@ pub struct Gauss {
 
 /// Value and x-derivative of a function.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Jet {
     /// f(x)
     pub value: f64,

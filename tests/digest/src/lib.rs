@@ -68,7 +68,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 32] = [
+pub const CHAPTERS: [Chapter; 33] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),
@@ -93,6 +93,7 @@ pub const CHAPTERS: [Chapter; 32] = [
     little("patches", patches::patches),
     little("flash tables", profiles::flash_tables),
     little("plain forms", profiles::plain_forms),
+    memory("polynomials", profiles::polynomials),
     little("modes", profiles::modes),
     little("planes", planes::planes),
     little("leaning", planes::leaning),

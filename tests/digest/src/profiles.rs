@@ -5,7 +5,9 @@ use crate::inputs::{Lcg, arguments, ends, pairs_of_ends, speed, unit};
 use crate::tiers::at;
 use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
 use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::round::{RoundTable32, RoundTable64};
+use tribos_core::coupling::round::{
+    LateralPolynomialTable, PolynomialTable, RoundTable32, RoundTable64,
+};
 use tribos_core::coupling::table::{self, CoulombTable, Table32, Table64};
 use tribos_core::coupling::{
     Annulus, Dry, Lateral, Lead, LeanProfile, Profile, SmoothProfile, Speeds, compact,
@@ -13,7 +15,7 @@ use tribos_core::coupling::{
 };
 use tribos_core::law::PowerLaw;
 use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
-use tribos_core::patch::PowerPressure;
+use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
 
 const fn made<T: Copy, E: Copy>(table: Result<T, E>) -> T {
@@ -37,6 +39,22 @@ pub fn flash_tables() -> u64 {
     smooth(&mut hash, &RIM_32, 200);
     smooth::<f64, _>(&mut hash, &table::Coulomb, 200);
     smooth::<f32, _>(&mut hash, &table::Coulomb, 200);
+    hash.0
+}
+
+/// Digest of tables for mixtures of pressures, made at run time.
+pub fn polynomials() -> u64 {
+    let mut hash = Fnv::new();
+    let mixed = PolynomialPressure::new([0.25, 1.0, -0.5]).expect("positive");
+    for alpha in [0.0, 0.5] {
+        let table = PolynomialTable::new(alpha, &mixed).expect("in range");
+        profile(&mut hash, &table, 60);
+        for speeds in arguments(167, 60) {
+            at(&mut hash, &table, speeds);
+        }
+        let table = LateralPolynomialTable::new(alpha, &mixed).expect("in range");
+        smooth(&mut hash, &table, 60);
+    }
     hash.0
 }
 

@@ -39,7 +39,7 @@ macro_rules! exact {
             "contact::friction",
             "contact::modes",
             "contact::normal",
-            "contact::pair",
+            "contact::pair", "contact::both_slip",
             "contact::touch",
             "contact::vector",
             $($more),*
@@ -57,7 +57,8 @@ macro_rules! ellipsoid {
             "limit_surface::meridian",
             "limit_surface::polar",
             "contact::coupled",
-            "contact::pair"
+            "contact::pair",
+            "contact::both_slip"
         ]
     };
 }
@@ -95,19 +96,19 @@ pub const IMPULSES: [Item; 11] = [
     struck(
         "sliding, rolling",
         NARROW,
-        impulse!["contact::pair"],
+        impulse!["contact::pair", "contact::both_slip"],
         "Struck::on_floor(Thresholds::sliding_rolling(b, a).ok()?)?",
     ),
     struck(
         "sliding, rolling, torsion",
         BOTH,
-        impulse!["contact::pair"],
+        impulse!["contact::pair", "contact::both_slip"],
         "Struck::on_floor(Thresholds::all(b, a, b).ok()?)?",
     ),
     struck(
         "sliding, rolling, torsion: two balls",
         NARROW,
-        impulse!["contact::pair"],
+        impulse!["contact::pair", "contact::both_slip"],
         "Struck::on_ball(Thresholds::all(b, a, b).ok()?)?",
     ),
     struck(

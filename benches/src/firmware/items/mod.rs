@@ -14,10 +14,8 @@ use tiers::TIERS;
 
 /// Something that a program may name.
 ///
-/// The three code fragments see the scalar `R`, the numbers `a` and `b`, and the [`Input`] `given`
-/// of the programs' template.
-///
-/// [`Input`]: super::programs
+/// The code fragments see the scalar `R`, the numbers `a` and `b`, and the `Input` named `given` of
+/// the template `programs/common.txt`.
 #[derive(Clone, Copy, Debug)]
 pub struct Item {
     /// Law, tier, patch, …

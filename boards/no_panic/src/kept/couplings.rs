@@ -12,8 +12,8 @@ use tribos_core::coupling::tall::{
     AllRound, FrontBack, Lean, TallFriction, TallWrench, leaning_wrench,
 };
 use tribos_core::coupling::{
-    Annulus, Coupling, Dry, Lateral, LeanProfile, PatchFriction, Profile, SmoothProfile, Speeds,
-    closed, compact, unscaled_wrench,
+    Annulus, Coupling, Dry, DryCoupling, Lateral, LeanProfile, PatchFriction, Profile,
+    SmoothProfile, Speeds, closed, compact, unscaled_wrench,
 };
 use tribos_core::law::{DryFriction, LocalLaw, PowerLaw};
 use tribos_core::patch::nodes::{NodeList, NodePatch, Nodes};
@@ -141,10 +141,7 @@ fn dry<R: Real, P: SmoothProfile<R> + Lateral<R>>(keeper: &mut impl Keeper) {
     lean::<R, Dry<P>>(keeper);
 }
 
-fn lean<R: Real, P: SmoothProfile<R> + Lateral<R>>(keeper: &mut impl Keeper)
-where
-    P: tribos_core::coupling::DryCoupling<R>,
-{
+fn lean<R: Real, P: Profile<R> + DryCoupling<R> + Lateral<R>>(keeper: &mut impl Keeper) {
     keep!(keeper: LeanProfile::<R, P>::new);
     profile::<R, LeanProfile<R, P>>(keeper);
 }

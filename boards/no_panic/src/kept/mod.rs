@@ -2,6 +2,7 @@
 //!
 //! A function whose address is handed out has to be compiled for all arguments: nothing that a
 //! caller knows about them can remove a branch.
+#![allow(clippy::type_complexity)] // Types of functions, to settle their generic arguments.
 
 mod contacts;
 mod couplings;

@@ -1,0 +1,23 @@
+//! What is logged of a manifold.
+
+use super::Manifold;
+use crate::contact::ContactFriction;
+use crate::real::Real;
+use defmt::{Format, Formatter};
+
+impl<R, F, const BODIES: usize, const CONTACTS: usize> Format for Manifold<R, F, BODIES, CONTACTS>
+where
+    R: Real + Format,
+    F: ContactFriction<R> + Format,
+{
+    fn format(&self, f: Formatter) {
+        defmt::write!(
+            f,
+            "manifold of {=usize} bodies and {=usize} contacts: {}, {}",
+            self.bodies.len(),
+            self.contacts.len(),
+            self.law,
+            self.friction
+        );
+    }
+}

@@ -1,0 +1,7 @@
+//! The digests of `tribos-digest` on every platform that this machine can build for and emulate.
+
+pub mod options;
+pub mod platforms;
+mod process;
+pub mod report;
+pub mod work;

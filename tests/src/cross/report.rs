@@ -1,0 +1,194 @@
+//! The table of all platforms.
+
+use super::platforms::Platform;
+use super::work::Answer;
+use std::fmt::Write;
+use std::time::Duration;
+use tribos_digest::{CHAPTERS, pinned, whole};
+
+/// How a row ended.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// It answered.
+    Ran {
+        /// Its digests.
+        answers: Vec<Answer>,
+        /// Programs that the chapters were divided into.
+        images: usize,
+        /// Time in the machine.
+        time: Duration,
+    },
+    /// Something to be installed is not there: the commands for it.
+    Missing(Vec<String>),
+    /// It did not build or run: why.
+    Failed(String),
+}
+
+/// A platform and how it ended.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The platform.
+    pub platform: Platform,
+    /// Its end.
+    pub outcome: Outcome,
+}
+
+const HEADER: &str = "\
+| row | target | machine | chapters | digest | equal | instructions | seconds |
+|---|---|---|---:|---|---|---:|---:|
+";
+
+/// The first chapter whose digest is not the pinned one.
+pub fn first_difference(answers: &[Answer]) -> Option<&'static str> {
+    let differs = |answer: &&Answer| pinned(CHAPTERS[answer.chapter].name) != Some(answer.digest);
+    answers
+        .iter()
+        .find(differs)
+        .map(|answer| CHAPTERS[answer.chapter].name)
+}
+
+impl Row {
+    /// True if what is promised of the platform did not come out.
+    pub fn is_broken(&self) -> bool {
+        match &self.outcome {
+            Outcome::Ran { answers, .. } => {
+                self.platform.promised && first_difference(answers).is_some()
+            }
+            Outcome::Missing(_) => false,
+            Outcome::Failed(_) => self.platform.promised,
+        }
+    }
+
+    /// True if a promise could not be checked.
+    pub fn is_lacking(&self) -> bool {
+        self.platform.promised && matches!(self.outcome, Outcome::Missing(_))
+    }
+
+    /// The row as a line of Markdown.
+    pub fn line(&self) -> String {
+        let platform = &self.platform;
+        let (name, target) = (platform.name, platform.target.unwrap_or("this one"));
+        let machine = platform.machine_name();
+        let cells = match &self.outcome {
+            Outcome::Ran {
+                answers,
+                images,
+                time,
+            } => ran(platform, answers, *images, *time),
+            Outcome::Missing(_) => "- | - | missing | - | -".into(),
+            Outcome::Failed(_) => "- | - | failed | - | -".into(),
+        };
+        format!("| {name} | {target} | {machine} | {cells} |")
+    }
+}
+
+fn ran(platform: &Platform, answers: &[Answer], images: usize, time: Duration) -> String {
+    let chapters = match images {
+        1 => answers.len().to_string(),
+        _ => format!("{} in {images} images", answers.len()),
+    };
+    let digest = whole(answers.iter().map(|answer| answer.digest));
+    let promise = if platform.promised { "" } else { "outside: " };
+    let equal = match first_difference(answers) {
+        None => "yes".into(),
+        Some(name) => format!("no, first in \"{name}\""),
+    };
+    let counts: Option<u64> = answers.iter().map(|answer| answer.instructions).sum();
+    let counts = counts.map_or("-".into(), grouped);
+    let seconds = time.as_secs_f64();
+    format!("{chapters} | `{digest:016x}` | {promise}{equal} | {counts} | {seconds:.1}")
+}
+
+/// A number in groups of three digits.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut out = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            out.push(' ');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+/// The whole table, and what to do about rows that did not run.
+pub fn table(rows: &[Row]) -> String {
+    let mut out = String::from(HEADER);
+    for row in rows {
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "{}", row.line());
+    }
+    out.push_str(
+        "\nEqual: every chapter has the digest of tests/digest/digests.txt. The digest of a row is \
+         over the chapters it ran.\nNot promised: x87 registers (i586), compilers that contract \
+         a product and a sum (`-ffp-contract=fast`).\n",
+    );
+    for row in rows {
+        let name = row.platform.name;
+        let _ = match &row.outcome {
+            Outcome::Missing(commands) => {
+                writeln!(
+                    out,
+                    "\n{name} did not run; for it: {}",
+                    commands.join(" && ")
+                )
+            }
+            Outcome::Failed(message) => writeln!(out, "\n{name} failed: {message}"),
+            Outcome::Ran { answers, .. } => differences(&mut out, name, answers),
+        };
+    }
+    out
+}
+
+/// Every chapter that differs, with both digests.
+fn differences(out: &mut String, row: &str, answers: &[Answer]) -> std::fmt::Result {
+    for answer in answers {
+        let name = CHAPTERS[answer.chapter].name;
+        let (got, wanted) = (answer.digest, pinned(name).unwrap_or_default());
+        if got != wanted {
+            writeln!(
+                out,
+                "\n{row}: \"{name}\" is {got:#018x}, not {wanted:#018x}"
+            )?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cross::platforms::PLATFORMS;
+
+    fn row(change: u64) -> Row {
+        let answers = (0..CHAPTERS.len()).map(|chapter| Answer {
+            chapter,
+            digest: pinned(CHAPTERS[chapter].name).unwrap() ^ if chapter == 4 { change } else { 0 },
+            instructions: Some(1000),
+        });
+        let outcome = Outcome::Ran {
+            answers: answers.collect(),
+            images: 1,
+            time: Duration::from_secs(1),
+        };
+        let platform = PLATFORMS[0];
+        Row { platform, outcome }
+    }
+
+    #[test]
+    fn one_bit_breaks_a_row_and_is_named() {
+        assert!(!row(0).is_broken() && row(0).line().contains("| yes |"));
+        let broken = row(1);
+        assert!(broken.is_broken());
+        assert!(broken.line().contains(CHAPTERS[4].name));
+    }
+
+    #[test]
+    fn numbers_are_grouped_from_the_right() {
+        assert_eq!(
+            [7, 1234, 1_000_000].map(grouped),
+            ["7", "1 234", "1 000 000"]
+        );
+    }
+}

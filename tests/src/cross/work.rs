@@ -1,0 +1,236 @@
+//! Builds and runs one platform's digests.
+
+use super::platforms::{Machine, Platform, Tool};
+use super::process::output;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::{Duration, Instant};
+use std::{env, fs};
+use tribos_digest::CHAPTERS;
+
+/// Longest time for one build.
+const BUILD_LIMIT: Duration = Duration::from_secs(1800);
+/// QEMU's clock: one nanosecond an instruction, so that whole chapters can be counted.
+const ICOUNT: &str = "shift=0,sleep=off";
+/// What the linker says of an image too large for its flash.
+const TOO_LARGE: &str = "will not fit in region";
+
+/// Runs every chapter of the wasm module given as argument.
+const NODE_SCRIPT: &str = "
+const bytes = require('fs').readFileSync(process.argv[1]);
+const { digest } = new WebAssembly.Instance(new WebAssembly.Module(bytes), {}).exports;
+for (let index = 0, got; (got = BigInt.asUintN(64, digest(index))) !== 0n; index++)
+  console.log(`${index} ${got.toString(16)}`);
+";
+
+/// One chapter as a platform computed it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Answer {
+    /// Its index among all chapters.
+    pub chapter: usize,
+    /// What came out.
+    pub digest: u64,
+    /// Instructions, where they are counted.
+    pub instructions: Option<u64>,
+}
+
+/// A program and the chapters in it.
+#[derive(Clone, Debug)]
+pub struct Image {
+    file: PathBuf,
+    chapters: Vec<usize>,
+}
+
+/// What a platform lacks: one line for each thing, with the command that brings it.
+pub fn missing(platform: &Platform) -> Vec<String> {
+    let absent = |tool: &&Tool| {
+        let [name, arguments @ ..] = tool.check else {
+            return false;
+        };
+        output(Command::new(name).args(arguments), BUILD_LIMIT).is_err()
+    };
+    let tools = platform.tools.iter().filter(absent);
+    let mut lines: Vec<String> = tools.map(|tool| tool.install.into()).collect();
+    lines.extend(
+        platform
+            .target
+            .filter(|target| !is_installed(target))
+            .map(|target| format!("rustup target add {target}")),
+    );
+    lines
+}
+
+fn is_installed(target: &str) -> bool {
+    let root = output(
+        Command::new("rustc").args(["--print", "sysroot"]),
+        BUILD_LIMIT,
+    );
+    let library = |root: String| Path::new(root.trim()).join("lib/rustlib").join(target);
+    root.is_ok_and(|root| library(root).join("lib").is_dir())
+}
+
+/// Builds the programs of a platform: one, or as many as its flash asks for.
+///
+/// # Errors
+/// What cargo or the linker said.
+pub fn build(platform: &Platform) -> Result<Vec<Image>, String> {
+    let mut open = vec![platform.chapters()];
+    let mut images = Vec::new();
+    while let Some(chapters) = open.pop() {
+        match image(platform, &chapters) {
+            Ok(image) => images.push(image),
+            // Half the chapters in each of two images.
+            Err(message) if message.contains(TOO_LARGE) && chapters.len() > 1 => {
+                let (first, second) = chapters.split_at(chapters.len() / 2);
+                open.extend([second.to_vec(), first.to_vec()]);
+            }
+            Err(message) => return Err(message),
+        }
+    }
+    Ok(images)
+}
+
+fn image(platform: &Platform, chapters: &[usize]) -> Result<Image, String> {
+    let listed: Vec<String> = chapters.iter().map(usize::to_string).collect();
+    let target_dir = target_dir();
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
+    cargo.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    cargo.args(["build", "--quiet", "--profile", platform.profile]);
+    cargo.arg("--target-dir").arg(&target_dir);
+    for setting in platform.config {
+        cargo.args(["--config", setting]);
+    }
+    cargo.env("RUSTFLAGS", platform.flags);
+    cargo.env_remove("CARGO_ENCODED_RUSTFLAGS");
+    if let Some(target) = platform.target {
+        cargo.args(["--target", target]);
+    }
+    let made = match platform.machine {
+        Machine::Host(_) => {
+            cargo.args(["-p", "tribos-digest", "--example", "print"]);
+            "examples/print"
+        }
+        Machine::Node => {
+            cargo.args(["-p", "tribos-digest", "--example", "wasm"]);
+            "examples/wasm.wasm"
+        }
+        Machine::Board { board, .. } => {
+            cargo.args(["-p", "tribos-boards", "--bin", "digest"]);
+            cargo.env("TRIBOS_BOARD", board);
+            cargo.env("TRIBOS_CHAPTERS", listed.join(","));
+            "digest"
+        }
+    };
+    output(&mut cargo, BUILD_LIMIT)?;
+    // Kept apart: the next build may overwrite it.
+    let folder = [("dev", "debug")]
+        .into_iter()
+        .find(|(of, _)| *of == platform.profile);
+    let folder = folder.map_or(platform.profile, |(_, folder)| folder);
+    let built = target_dir.join(platform.target.unwrap_or(""));
+    let file = target_dir.join(format!("{}-{}", platform.name, chapters[0]));
+    let built = built.join(folder).join(made);
+    fs::copy(&built, &file).map_err(|e| format!("{}: {e}", built.display()))?;
+    let chapters = chapters.to_vec();
+    Ok(Image { file, chapters })
+}
+
+/// A folder of our own, so that no other build waits for ours.
+fn target_dir() -> PathBuf {
+    let usual = concat!(env!("CARGO_MANIFEST_DIR"), "/../target").into();
+    let root: PathBuf = env::var_os("CARGO_TARGET_DIR").unwrap_or(usual).into();
+    root.join("cross")
+}
+
+/// Runs the images one after the other: the answers in the order of the chapters, and the time.
+///
+/// # Errors
+/// A program that fails, takes too long or does not answer for each of its chapters.
+pub fn run(
+    platform: &Platform,
+    images: &[Image],
+    limit: Duration,
+) -> Result<(Vec<Answer>, Duration), String> {
+    let begin = Instant::now();
+    let mut answers = Vec::new();
+    for image in images {
+        let text = output(&mut command(platform, &image.file), limit)?;
+        let lines = text.lines().map(answer).collect::<Result<Vec<_>, _>>()?;
+        let told: Vec<usize> = lines.iter().map(|answer| answer.chapter).collect();
+        if told != image.chapters {
+            return Err(format!(
+                "chapters {told:?} answered, not {:?}",
+                image.chapters
+            ));
+        }
+        answers.extend(lines);
+    }
+    answers.sort_by_key(|answer| answer.chapter);
+    Ok((answers, begin.elapsed()))
+}
+
+fn command(platform: &Platform, file: &Path) -> Command {
+    match platform.machine {
+        Machine::Host([]) => Command::new(file),
+        Machine::Host([emulator, arguments @ ..]) => {
+            let mut command = Command::new(emulator);
+            command.args(arguments).arg(file);
+            command
+        }
+        Machine::Node => {
+            let mut command = Command::new("node");
+            command.args(["-e", NODE_SCRIPT]).arg(file);
+            command
+        }
+        Machine::Board {
+            emulator, board, ..
+        } => {
+            let mut command = Command::new(emulator);
+            command.args(["-M", board, "-nographic", "-icount", ICOUNT]);
+            command.args(["-semihosting-config", "enable=on,target=native"]);
+            // RISC-V's machine would start a firmware of its own.
+            if board == "virt" {
+                command.args(["-bios", "none"]);
+            }
+            command.arg("-kernel").arg(file);
+            command
+        }
+    }
+}
+
+/// `index digest [instructions]`
+fn answer(line: &str) -> Result<Answer, String> {
+    let wrong = || format!("an answer that cannot be read: {line}");
+    let mut words = line.split_whitespace();
+    let mut word = || words.next();
+    let chapter = word().and_then(|w| w.parse().ok()).ok_or_else(wrong)?;
+    let digest = word().and_then(|w| u64::from_str_radix(w, 16).ok());
+    let digest = digest.ok_or_else(wrong)?;
+    let instructions = word()
+        .and_then(|w| w.parse().ok())
+        .filter(|&count| count > 0);
+    if chapter >= CHAPTERS.len() {
+        return Err(wrong());
+    }
+    Ok(Answer {
+        chapter,
+        digest,
+        instructions,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn answers_are_read_whole_or_refused() {
+        let got = answer("3 00ff 17").unwrap();
+        assert_eq!([got.chapter as u64, got.digest], [3, 255]);
+        assert_eq!(got.instructions, Some(17));
+        assert_eq!(answer("0 1").unwrap().instructions, None);
+        for wrong in ["", "3", "x 1 1", "3 g 1", "99999 1 1"] {
+            answer(wrong).unwrap_err();
+        }
+    }
+}
