@@ -84,3 +84,8 @@ pub fn explain() {
          thumbv6m-none-eabi, riscv32imac-unknown-none-elf or riscv64gc-unknown-none-elf."
     );
 }
+
+/// Keeps the code of the guide compiling.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/firmware.md")]
+struct Guide;
