@@ -30,18 +30,27 @@
 #![cfg_attr(target_os = "none", allow(unsafe_code))]
 
 #[cfg(target_os = "none")]
+mod checks;
+#[cfg(target_os = "none")]
+#[doc(hidden)]
+pub mod console;
+#[cfg(target_os = "none")]
 mod counter;
+mod decimal;
 #[cfg(target_os = "none")]
 mod run;
 #[cfg(target_os = "none")]
 mod stack;
 
 #[cfg(target_os = "none")]
+pub use checks::Checks;
+#[cfg(target_os = "none")]
 pub use counter::instructions;
+pub use decimal::Decimal;
 #[cfg(target_os = "none")]
 pub use run::start;
 #[cfg(target_os = "none")]
-pub use semihosting::{eprintln, print, println, process::exit};
+pub use semihosting::process::exit;
 #[cfg(target_os = "none")]
 pub use stack::{free, stack_used};
 
@@ -70,8 +79,13 @@ macro_rules! main {
 /// Says on a host how to get the program onto a board.
 #[cfg(not(target_os = "none"))]
 pub fn explain() {
-    println!(
+    std::println!(
         "This program runs on a microcontroller: add --target thumbv7em-none-eabihf, \
          thumbv6m-none-eabi, riscv32imac-unknown-none-elf or riscv64gc-unknown-none-elf."
     );
 }
+
+/// Keeps the code of the guide compiling.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/firmware.md")]
+struct Guide;

@@ -1,10 +1,11 @@
 //! From reset to exit: how a program begins and how it ends.
 
+use crate::eprintln;
 #[cfg(target_arch = "arm")]
 use cortex_m_rt::{ExceptionFrame, exception};
 #[cfg(any(target_arch = "riscv32", target_arch = "riscv64"))]
 use riscv_rt as _;
-use semihosting::{eprintln, process::exit};
+use semihosting::process::exit;
 
 /// Runs a program and ends it: as done, or as failed if its stack has met its statics.
 pub fn start(run: fn()) -> ! {

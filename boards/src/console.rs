@@ -1,0 +1,83 @@
+//! Lines on the terminal of the emulator, without a panic of our own: `semihosting`'s macros keep
+//! one for formatters that fail.
+
+use core::fmt::{Arguments, Error, Result, Write};
+
+/// Where a program may write to.
+#[cfg(not(feature = "silent"))]
+struct Terminal<W>(W);
+
+#[cfg(not(feature = "silent"))]
+impl<W: semihosting::io::Write> Write for Terminal<W> {
+    fn write_str(&mut self, text: &str) -> Result {
+        let mut left = text.as_bytes();
+        while !left.is_empty() {
+            let written = self.0.write(left).map_err(|_| Error)?;
+            // A terminal that takes nothing would be asked for ever.
+            left = match left.get(written..) {
+                Some(rest) if written > 0 => rest,
+                _ => return Err(Error),
+            };
+        }
+        Ok(())
+    }
+}
+
+/// Where text goes that nobody reads: it is formatted, byte by byte, all the same.
+#[cfg(feature = "silent")]
+struct Nowhere;
+
+#[cfg(feature = "silent")]
+impl Write for Nowhere {
+    fn write_str(&mut self, text: &str) -> Result {
+        for byte in text.bytes() {
+            core::hint::black_box(byte);
+        }
+        core::hint::black_box(Ok(())).map_err(|()| Error)
+    }
+}
+
+/// What [`crate::print`] does. There is nobody to tell that it failed.
+#[doc(hidden)]
+pub fn tell(text: Arguments<'_>) {
+    #[cfg(not(feature = "silent"))]
+    if let Ok(out) = semihosting::io::stdout() {
+        let _ = Terminal(out).write_fmt(text);
+    }
+    #[cfg(feature = "silent")]
+    let _ = Nowhere.write_fmt(text);
+}
+
+/// What [`crate::eprintln`] does.
+#[doc(hidden)]
+pub fn complain(text: Arguments<'_>) {
+    #[cfg(not(feature = "silent"))]
+    if let Ok(out) = semihosting::io::stderr() {
+        let _ = Terminal(out).write_fmt(text);
+    }
+    #[cfg(feature = "silent")]
+    let _ = Nowhere.write_fmt(text);
+}
+
+/// Writes to the output of the emulator.
+#[macro_export]
+macro_rules! print {
+    ($($text:tt)*) => { $crate::console::tell(::core::format_args!($($text)*)) };
+}
+
+/// Writes a line to the output of the emulator.
+#[macro_export]
+macro_rules! println {
+    () => { $crate::print!("\n") };
+    ($($text:tt)*) => { $crate::print!("{}\n", ::core::format_args!($($text)*)) };
+}
+
+/// Writes a line to the errors of the emulator.
+#[macro_export]
+macro_rules! eprintln {
+    ($($text:tt)*) => {
+        $crate::console::complain(
+            ::core::format_args!("{}\n", ::core::format_args!($($text)*))
+        )
+    };
+}

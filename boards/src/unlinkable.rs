@@ -1,0 +1,12 @@
+//! A panic handler that cannot be linked: an image with it has no panic left.
+
+unsafe extern "C" {
+    /// Defined nowhere.
+    fn a_panic_is_reachable() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    // SAFETY: never linked, hence never called.
+    unsafe { a_panic_is_reachable() }
+}
