@@ -2,14 +2,16 @@
 //! numbers nobody wants to read.
 
 use crate::contact::{
-    AxialPart, Contact, Grasp, InPlane, Modal, Modes, PlanarPart, Plate, Sphere, Touch,
+    AxialPart, Contact, Grasp, InPlane, Modal, Modes, PlanarPart, Plate, PreparedContact, Sphere,
+    Touch,
 };
 use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable};
 use crate::coupling::table::Table;
 use crate::coupling::tall::TallWrench;
 use crate::coupling::{DryCoupling, Lateral, Profile, compact};
 use crate::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
-use crate::patch::nodes::{NodeList, NodePatch};
+use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
+use crate::planar::{Foot, PlanarStep};
 use crate::real::Real;
 use defmt::{Format, Formatter, write};
 use nalgebra::Vector3;
@@ -165,5 +167,41 @@ impl<R: Real + Format> Format for compact::Power<R> {
     fn format(&self, f: Formatter) {
         let (exponent, mean_square) = (self.exponent(), self.mean_square_radius());
         write!(f, "compact, exponent {}, mean r² {}", exponent, mean_square);
+    }
+}
+
+impl<R: Real + Format> Format for PreparedContact<R> {
+    fn format(&self, f: Formatter) {
+        let normal = Components(self.normal);
+        write!(f, "prepared contact along {}, {}", normal, self.block);
+    }
+}
+
+impl<R: Real + Format> Format for NodeSlice<'_, R> {
+    fn format(&self, f: Formatter) {
+        write!(f, "nodes {}", self.nodes());
+    }
+}
+
+impl<R: Real + Format> Format for NodeBuffer<'_, R> {
+    fn format(&self, f: Formatter) {
+        write!(f, "nodes {}", self.nodes());
+    }
+}
+
+impl<R: Real + Format> Format for PlanarStep<R> {
+    fn format(&self, f: Formatter) {
+        write!(
+            f,
+            "{} under {}, at rest: {}",
+            self.twist, self.friction, self.is_at_rest
+        );
+    }
+}
+
+impl<R: Real + Format, P: NodePatch<R>, const CAPACITY: usize> Format for Foot<R, P, CAPACITY> {
+    fn format(&self, f: Formatter) {
+        let points = self.patch().nodes().len();
+        write!(f, "foot of {} points, limit {}", points, self.force_limit());
     }
 }

@@ -86,10 +86,11 @@ impl<R: Real> Balance<'_, R> {
                     break;
                 }
             } else {
-                smoothing = smoothing * real(SHRINK);
+                smoothing *= real(SHRINK);
             }
         }
-        let is_held = norm(&left) <= none || !(self.potential(&left, R::ZERO) < R::ZERO);
+        let moves = self.potential(&left, R::ZERO) < R::ZERO;
+        let is_held = norm(&left) <= none || !moves;
         Remainder {
             left,
             smoothing,
@@ -110,7 +111,7 @@ impl<R: Real> Balance<'_, R> {
             if self.potential(&(from + step * share), smoothing) <= enough {
                 break;
             }
-            share = share * R::HALF;
+            share *= R::HALF;
         }
         (from + step * share, norm(&step) * share)
     }

@@ -26,9 +26,9 @@ impl<R: Real> PlanarBody<R> {
     /// while the body slides, first order in the step in which it starts or stops; rest is exact.
     /// *Cost*: one projection far from rest, two near it.
     /// *Special values*: NaN for NaN, and where momentum/`dt` overflows.
-    pub fn step(
+    pub fn step<S: FrictionSet<R>>(
         &self,
-        set: &impl FrictionSet<R>,
+        set: &S,
         twist: &Twist<R>,
         push: &Wrench<R>,
         dt: TimeStep<R>,

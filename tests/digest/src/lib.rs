@@ -13,6 +13,7 @@
 mod bodies;
 mod contacts;
 mod hash;
+mod holding;
 mod inputs;
 mod laws;
 mod memory;
@@ -68,7 +69,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 34] = [
+pub const CHAPTERS: [Chapter; 35] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),
@@ -103,6 +104,7 @@ pub const CHAPTERS: [Chapter; 34] = [
     speed("extreme motions", motions::extremes),
     little("touching", touching::touching),
     little("manifold", touching::manifold),
+    little("holding", holding::holding),
 ];
 
 const DIGESTS: &str = include_str!("../digests.txt");

@@ -114,6 +114,8 @@ fn modal<R: Real, M: Modes<R>>(keeper: &mut impl Keeper) {
 
 fn contact<R: Real, M: Modes<R>>(keeper: &mut impl Keeper) {
     keep!(keeper:
+        Contact::<R, M>::prepared,
+        Contact::<R, M>::resume,
         Contact::<R, M>::arms,
         Contact::<R, M>::normal,
         Contact::<R, M>::lever,

@@ -2,9 +2,11 @@
 
 use super::{Keeper, keep};
 use tribos_core::Real;
-use tribos_core::patch::nodes::{Node, NodeError, NodeList, NodePatch, Nodes};
+use tribos_core::patch::nodes::{
+    Node, NodeBuffer, NodeError, NodeList, NodePatch, NodeSink, NodeSlice, Nodes,
+};
 use tribos_core::patch::polar::{PolarError, PolarRule, ring};
-use tribos_core::patch::polygon::{PolygonError, polygon};
+use tribos_core::patch::polygon::{PolygonError, polygon, polygon_into};
 use tribos_core::patch::tripod::{TripodError, tripod, tripod_shares};
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 
@@ -32,6 +34,18 @@ pub fn all<R: Real>(keeper: &mut impl Keeper) {
     node_patch::<R, NodeList<R, 12>>(keeper);
     node_patch::<R, &NodeList<R, 12>>(keeper);
     node_patch::<R, &Nodes<R, 3>>(keeper);
+    node_patch::<R, NodeSlice<R>>(keeper);
+    node_patch::<R, NodeBuffer<R>>(keeper);
+    sink::<R, NodeBuffer<R>>(keeper);
+    sink::<R, NodeList<R, 12>>(keeper);
+    keep!(keeper: NodeSlice::<R>::new, NodeBuffer::<R>::new);
+}
+
+/// What takes the nodes of rules.
+fn sink<R: Real, S: NodeSink<R>>(keeper: &mut impl Keeper) {
+    keep!(keeper: <S as NodeSink<R>>::push);
+    keep!(keeper: polygon_into::<R> => fn(&mut S, &[[R; 2]], u32) -> Result<(), PolygonError>);
+    keep!(keeper: PolarRule::<R>::nodes_into => fn(&PolarRule<R>, &mut S) -> Result<(), NodeError>);
 }
 
 fn node_patch<R: Real, P: NodePatch<R>>(keeper: &mut impl Keeper) {
