@@ -98,7 +98,7 @@ fn pendulum<R: Real>(hash: &mut Fnv) {
         hash.numbers(next);
         hash.numbers(error);
         hash.number(factor);
-        h = h * factor;
+        h *= factor;
         if accepted {
             state = next;
         }

@@ -140,14 +140,14 @@ pub fn modes() -> u64 {
     let mut hash = Fnv::new();
     speeds::<f64>(&mut hash);
     speeds::<f32>(&mut hash);
-    modes_of::<f64, _>(&mut hash, table::Coulomb);
-    modes_of::<f32, _>(&mut hash, table::Coulomb);
+    modes_of::<f64, _>(&mut hash, &table::Coulomb);
+    modes_of::<f32, _>(&mut hash, &table::Coulomb);
     modes_of(&mut hash, &HALF_64);
     modes_of(&mut hash, &HALF_32);
     modes_of(&mut hash, &HERTZ_64);
     modes_of(&mut hash, &RIM_32);
-    modes_of::<f64, _>(&mut hash, Hertz);
-    modes_of::<f32, _>(&mut hash, Ring);
+    modes_of::<f64, _>(&mut hash, &Hertz);
+    modes_of::<f32, _>(&mut hash, &Ring);
     for alpha in [-0.75, 0.0, 0.5, 1.0, 2.0] {
         for order in ends::<f64>() {
             let (least, most) = inertia_interval(alpha, order);
@@ -167,7 +167,7 @@ fn speeds<R: Real>(hash: &mut Fnv) {
     }
 }
 
-fn modes_of<R: Real, P: Profile<R> + Copy>(hash: &mut Fnv, profile: P) {
+fn modes_of<R: Real, P: Profile<R>>(hash: &mut Fnv, profile: &P) {
     for c in [0.125, 0.4, 0.5, 0.625, 0.75, 1.0] {
         let modes = Modes::new(profile, R::from_f64(c)).expect("in range");
         hash.maybe(modes.finite_fixed_point());

@@ -215,7 +215,7 @@ fn pile<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: F, steps: usiz
         }
         if let Some(Member::Sphere(ball)) = pile.body_mut(balls[1]) {
             // Air takes a little of the spin.
-            ball.spin = ball.spin * real(0.96875);
+            ball.spin *= real(0.96875);
         }
     }
     members(hash, &pile, [plate, balls[0], balls[1]]);
