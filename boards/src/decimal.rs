@@ -47,7 +47,7 @@ mod tests {
 
     #[test]
     fn decimals_are_rounded_and_padded() {
-        assert_eq!(Decimal::<2>(3.14159).to_string(), "3.14");
+        assert_eq!(Decimal::<2>(5.6789).to_string(), "5.68");
         assert_eq!(Decimal::<3>(-0.0625).to_string(), "-0.063");
         assert_eq!(Decimal::<3>(1.004).to_string(), "1.004");
         assert_eq!(Decimal::<0>(41.5).to_string(), "42");

@@ -1,6 +1,6 @@
 //! A parallel gripper at 1 kHz: its joint with friction made up for, and what its pads hold.
 //!
-//! The firmware is [`controller`] and the foreseen [`object`]; [`joint`] and a second object, in
+//! The firmware is `controller` and the foreseen `object`; `joint` and a second object, in
 //! finer steps and with other parameters, stand for the machine. Ends as failed if a promise of the
 //! report does not hold.
 #![cfg_attr(target_os = "none", no_std, no_main)]

@@ -99,7 +99,8 @@ fn follow(pile: &mut Pile, steps: u32) -> Option<Phase> {
 }
 
 fn tell(name: &str, phase: &Phase) {
-    let steps = phase.steps.max(1);
+    let steps = phase.steps;
+    let mean = phase.instructions.checked_div(u64::from(steps));
     println!("{name}, {steps} steps");
     println!(
         "  sweeps: mean {}, most {}; {} steps ended before they converged",
@@ -114,7 +115,7 @@ fn tell(name: &str, phase: &Phase) {
     );
     println!(
         "  instructions a step: mean {}, worst {}",
-        phase.instructions / u64::from(steps),
+        mean.unwrap_or(0),
         phase.worst
     );
 }
