@@ -1,6 +1,7 @@
 //! Why a command ended without its result, and the exit code that tells.
 
 use std::process::ExitCode;
+use tribos::golden::MeasureError;
 use tribos::record::WriteError;
 use tribos::slide::SlideError;
 
@@ -8,6 +9,8 @@ use tribos::slide::SlideError;
 const RUN_FAILED: u8 = 1;
 /// Exit code of bad usage or input; clap uses the same.
 const BAD_INPUT: u8 = 2;
+/// Exit code of results that differ from those pinned.
+const MISMATCH: u8 = 3;
 
 /// A failed command.
 #[derive(Debug, thiserror::Error)]
@@ -18,6 +21,9 @@ pub enum Failure {
     /// The work itself failed.
     #[error("{0}")]
     Run(String),
+    /// The work was done and its results differ from those pinned.
+    #[error("{0}")]
+    Mismatch(String),
 }
 
 impl Failure {
@@ -31,11 +37,12 @@ impl Failure {
         Self::Run(message.to_string())
     }
 
-    /// 2 for bad input, 1 for a failed run.
+    /// 2 for bad input, 1 for a failed run, 3 for results that differ from those pinned.
     pub fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
             Self::Input(_) => BAD_INPUT,
             Self::Run(_) => RUN_FAILED,
+            Self::Mismatch(_) => MISMATCH,
         })
     }
 }
@@ -52,6 +59,15 @@ impl From<SlideError> for Failure {
             SlideError::NotFinite { .. } => Self::run(error),
             // The kernel or the planning refused a number of the scene.
             _ => Self::input(error),
+        }
+    }
+}
+
+impl From<MeasureError> for Failure {
+    fn from(error: MeasureError) -> Self {
+        match error {
+            MeasureError::Slide(error) => error.into(),
+            MeasureError::Compaction(error) => error.into(),
         }
     }
 }

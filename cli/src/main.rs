@@ -6,7 +6,8 @@ use tribos_cli::command::Command;
 
 /// Solid friction: laws, final motion, simulations and the thesis' results reproduced.
 ///
-/// Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input.
+/// Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input, 3 results
+/// differ from those pinned.
 #[derive(Parser)]
 #[command(name = "tribos", version, arg_required_else_help = true)]
 struct Arguments {

@@ -1,11 +1,12 @@
 //! Solid friction on a host: whatever allocates, reads files or writes them.
 //!
 //! A scene file becomes a validated scene ([`scene`]), an application turns it into a simulation
-//! ([`slide`]), one driver runs it ([`run`]) and its results are kept ([`record`]). Places of many
+//! ([`slide`]), one driver runs it ([`run`]) and its results are kept ([`record`]) or pinned to the bit ([`golden`]). Places of many
 //! particles and who is near whom are in [`space`], rigid spheres in contact in [`cd`],
 //! powders of them in [`powder`], seeded random numbers in [`random`]. The physics is in [`tribos_core`], re-exported here as [`kernel`].
 
 pub mod cd;
+pub mod golden;
 pub mod powder;
 pub mod random;
 pub mod record;

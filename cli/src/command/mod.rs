@@ -2,6 +2,7 @@
 
 mod columns;
 mod deposit;
+mod golden;
 mod inverse;
 mod laws;
 mod modes;
@@ -33,6 +34,8 @@ pub enum Command {
     Run(run::Arguments),
     /// Ballistic deposits of spheres: grown, exported, their porosity.
     Deposit(deposit::Arguments),
+    /// Results of scenes pinned to the bit, and checked on other machines or later.
+    Golden(golden::Arguments),
     /// A powder compacted for all combinations of some keys and seeds.
     Sweep(sweep::Arguments),
     /// Reproduce the thesis' figures and tables, claim by claim.
@@ -49,6 +52,7 @@ impl Command {
             Self::Inverse(arguments) => arguments.execute(),
             Self::Run(arguments) => arguments.execute(),
             Self::Deposit(arguments) => arguments.execute(),
+            Self::Golden(arguments) => arguments.execute(),
             Self::Sweep(arguments) => arguments.execute(),
             Self::Reproduce(arguments) => arguments.execute(),
         }

@@ -131,7 +131,8 @@ impl Sum {
                 let (p, spin) = (p.torsion.component(), u.torsion.component());
                 let limit = (mu_n * bound * lever).max(0.0);
                 let map = p - (p - block.inertia * spin).clamp(-limit, limit);
-                map_sq += (map / lever).powi(2);
+                let reduced = map / lever;
+                map_sq += reduced * reduced;
                 excess = largest(excess, (p.abs() - limit) / lever);
             }
         }

@@ -150,7 +150,7 @@ impl<F> Setup<F> {
 
 /// A solid sphere at rest.
 pub fn solid(radius: f64, density: f64) -> Sphere<f64> {
-    let mass = 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3) * density;
+    let mass = 4.0 / 3.0 * std::f64::consts::PI * (radius * radius * radius) * density;
     Sphere {
         velocity: Vector3::zeros(),
         spin: Vector3::zeros(),

@@ -3,6 +3,7 @@
 use super::{Ending, Outcome, SlideError};
 use crate::run::Simulation;
 use crate::scene::{SliderScene, Stepper};
+use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
 use tribos_core::modes::Modes;
 use tribos_core::slider::{Motion, Rest, Slider};
@@ -239,7 +240,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
 
 /// Steps of fading that make the scene's number of samples between the start and its end.
 fn fading_fraction(scene: &SliderScene) -> f64 {
-    -scene.stop_fraction.ln() / f64::from(scene.samples)
+    -Real::ln(scene.stop_fraction) / f64::from(scene.samples)
 }
 
 impl<P: Profile<f64> + Coupling<f64>> Simulation for SlideSimulation<P> {

@@ -103,12 +103,15 @@ fn extent(length: Option<f64>, axis: usize, positions: &[Vector3<f64>]) -> [f64;
     }
 }
 
+/// Cells along an axis whose cube is still a finite number, about the cube root of the largest one.
+const MOST_CELLS: f64 = 5.6e102;
+
 /// Whole cells at least `edge` wide, one or more.
 fn cells_along(extent: f64, edge: f64) -> f64 {
     let cells = (extent / edge).floor();
     // Also the answer to 0/0 and to no particles at all.
     if cells >= 1.0 {
-        cells.min(f64::MAX.cbrt())
+        cells.min(MOST_CELLS)
     } else {
         1.0
     }

@@ -120,6 +120,7 @@ impl Task {
         match failure {
             Failure::Input(message) => Failure::Input(format!("{name}: {message}")),
             Failure::Run(message) => Failure::Run(format!("{name}: {message}")),
+            Failure::Mismatch(message) => Failure::Mismatch(format!("{name}: {message}")),
         }
     }
 }

@@ -29,6 +29,7 @@ fn half([cos, _]: [f64; 2]) -> [f64; 2] {
 }
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests {
     use super::*;
 

@@ -1,6 +1,7 @@
 //! Derivatives of the rest pose.
 
 use super::{Launch, RestMap};
+use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
 
 /// ∂(x, y, angle)/∂(v_x, v_y, ω), a row for each of x, y, angle.
@@ -27,8 +28,8 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
     /// scales; next to v = ωR the differences lose their order and confirm 2e-4.
     pub fn jacobian(&self, launch: &Launch) -> PoseJacobian {
         let [x, y] = launch.velocity;
-        let (v, w) = (x.hypot(y), launch.spin.abs() * self.radius());
-        let s = v.hypot(w);
+        let (v, w) = (Real::hypot(x, y), launch.spin.abs() * self.radius());
+        let s = Real::hypot(v, w);
         if s == 0.0 || !s.is_finite() {
             return [[0.0 * s; 3]; 3];
         }
@@ -36,7 +37,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         let paths = self.reduced([c, n]);
         let [dx, dy] = self.slopes([c, n]);
         let p = self.degree();
-        let unit = s.powf(p - 1.0) / self.deceleration();
+        let unit = Real::pow(s, p - 1.0) / self.deceleration();
         let by_speed = |path: f64, slope: f64| unit * (p * path * c - slope * n);
         let by_rim = |path: f64, slope: f64| unit * (p * path * n + slope * c);
         let along = by_speed(paths.centre, dx);

@@ -1,6 +1,7 @@
 //! Launch → rest pose.
 
 use super::{InverseError, Launch, Pose};
+use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
 use tribos_core::slider::{Motion, Slider};
 
@@ -72,7 +73,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
     /// is not finite.
     pub fn rest(&self, launch: &Launch) -> Landing {
         let [x, y] = launch.velocity;
-        let speed = x.hypot(y);
+        let speed = Real::hypot(x, y);
         let motion = Motion::launched(speed, launch.spin * self.radius);
         let Some(rest) = self.unit.to_rest(&motion) else {
             return Landing {

@@ -5,6 +5,7 @@ use crate::slide::inverse::solve::Throw;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::num::NonZeroU32;
+use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
 
 /// What the wanted angle means.
@@ -107,7 +108,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         turns: Turns,
         limits: &Limits,
     ) -> Result<Vec<Solution>, InverseError> {
-        let distance = target.x.hypot(target.y);
+        let distance = Real::hypot(target.x, target.y);
         if !distance.is_finite() || !target.angle.is_finite() {
             return Err(InverseError::Target { given: *target });
         }
@@ -158,7 +159,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
 
     /// A throw of magnitudes, aimed at the target.
     fn solution(&self, target: &Pose, angle: f64, throw: &Throw) -> Solution {
-        let distance = target.x.hypot(target.y);
+        let distance = Real::hypot(target.x, target.y);
         let along = |component: f64| match distance {
             0.0 => 0.0,
             _ => throw.speed * (component / distance),
@@ -172,7 +173,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
             speed: throw.speed,
             direction: match throw.speed {
                 0.0 => 0.0,
-                _ => target.y.atan2(target.x),
+                _ => libm::atan2(target.y, target.x),
             },
             angle,
             time: throw.time,
@@ -183,7 +184,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
     /// The launch of one sense that exceeds the limits least. With more turns the speed needed
     /// falls and the spin needed rises: it stands where their excesses cross.
     fn nearest(&self, target: &Pose, ladder: &Ladder, limits: &Limits) -> Solution {
-        let distance = target.x.hypot(target.y);
+        let distance = Real::hypot(target.x, target.y);
         let throw = |j| self.throw(distance, ladder.angle(j));
         let sliding_exceeds_more =
             |throw: &Throw| throw.speed * limits.max_spin() > throw.spin * limits.max_speed();

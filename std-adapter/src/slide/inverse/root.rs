@@ -61,6 +61,7 @@ fn interpolated(newest: (f64, f64), other: (f64, f64), third: (f64, f64)) -> f64
 }
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests {
     use super::*;
 

@@ -19,6 +19,7 @@
 //! or until it has settled and the integral closes: W X_s'/(p k − m').
 
 use super::RestMap;
+use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
 use tribos_core::slider::runge_kutta;
 
@@ -107,7 +108,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
     /// By a symmetric difference.
     fn difference(&self, [c, n]: [f64; 2]) -> [f64; 2] {
         let [after, before] = [STEP, -STEP].map(|turn| {
-            let (sin, cos) = turn.sin_cos();
+            let (sin, cos) = (Real::sin(turn), Real::cos(turn));
             self.reduced([c * cos - n * sin, n * cos + c * sin])
         });
         [

@@ -2,6 +2,7 @@
 
 use super::RestMap;
 use super::root::rising_root;
+use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
 
 /// Magnitudes of a launch, with its time to rest.
@@ -36,9 +37,12 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         let direction = self.direction(distance, rim_path);
         let paths = self.reduced(direction);
         // The scale from both paths at once: s^p hypot(X, Y) = κ hypot(d, R angle).
-        let wanted = self.deceleration() * distance.hypot(rim_path);
-        let scale = (wanted / paths.centre.hypot(paths.rim)).powf(1.0 / self.degree());
-        let pace = scale.powf(self.degree() - 1.0);
+        let wanted = self.deceleration() * Real::hypot(distance, rim_path);
+        let scale = Real::pow(
+            wanted / Real::hypot(paths.centre, paths.rim),
+            1.0 / self.degree(),
+        );
+        let pace = Real::pow(scale, self.degree() - 1.0);
         let [c, n] = direction;
         Throw {
             speed: scale * c,
@@ -49,7 +53,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
 
     /// The direction (c, n) whose paths have the ratio wanted: ln(Y/X) rises with ln(n/c).
     fn direction(&self, distance: f64, rim_path: f64) -> [f64; 2] {
-        let wanted = rim_path.ln() - distance.ln();
+        let wanted = Real::ln(rim_path) - Real::ln(distance);
         if wanted < -PURE {
             return [1.0, 0.0];
         }
@@ -58,7 +62,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         }
         let excess = |log_ratio: f64| {
             let paths = self.reduced(direction_of(log_ratio));
-            (paths.rim / paths.centre).ln() - wanted
+            Real::ln(paths.rim / paths.centre) - wanted
         };
         let near = (wanted, excess(wanted));
         // A slope of one would put the root here; further out until the sign changes.
@@ -86,7 +90,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
 
 /// (c, n) with n/c = e^`log_ratio`.
 fn direction_of(log_ratio: f64) -> [f64; 2] {
-    let ratio = log_ratio.exp();
-    let length = ratio.hypot(1.0);
+    let ratio = Real::exp(log_ratio);
+    let length = Real::hypot(ratio, 1.0);
     [1.0 / length, ratio / length]
 }

@@ -1,0 +1,50 @@
+//! `tribos golden`: results pinned to the bit, and checked.
+
+mod place;
+mod verify;
+mod write;
+
+use crate::failure::Failure;
+use std::time::{Duration, Instant};
+
+/// Pins what scenes compute, and checks that they still compute it, to the last bit.
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Task {
+    /// Runs scenes and writes what they computed into one file.
+    Write(write::Arguments),
+    /// Runs the scenes of such a file again and compares: one line a scene.
+    ///
+    /// Exit codes: 0 all the same, 3 results differ, 2 a scene is missing, changed or refused, 1 a run
+    /// failed; where several apply, the first of 3, 1, 2.
+    Verify(verify::Arguments),
+}
+
+impl Arguments {
+    /// Does it.
+    pub fn execute(self) -> Result<(), Failure> {
+        match self.task {
+            Task::Write(arguments) => arguments.execute(),
+            Task::Verify(arguments) => arguments.execute(),
+        }
+    }
+}
+
+/// How often the terminal is told of a long run.
+const TOLD: Duration = Duration::from_secs(2);
+
+/// Tells on standard error which scene is being run, for how long.
+fn ticker(name: &str) -> impl FnMut() {
+    let (start, mut told) = (Instant::now(), Instant::now());
+    move || {
+        if told.elapsed() >= TOLD {
+            told = Instant::now();
+            eprintln!("{name}: running for {:.0} s", start.elapsed().as_secs_f64());
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! `tribos golden write`
+
+use super::place::{folder_of, relative};
+use super::ticker;
+use crate::failure::Failure;
+use std::path::PathBuf;
+use tribos::golden::{Golden, Pinned, measure};
+use tribos::record::write_atomically;
+use tribos::scene::{self, Scene};
+
+/// Runs scenes and writes what they computed into one file.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:\n  \
+    tribos golden write scenes/disk.toml scenes/pipe-a.toml --out scenes/my-golden.toml\n  \
+    tribos golden write scenes/disk.toml --set spin=50 --out fast.toml\n  \
+    tribos golden verify fast.toml")]
+pub struct Arguments {
+    /// Scenes, TOML files such as scenes/disk.toml.
+    #[arg(required = true, value_name = "SCENE")]
+    scenes: Vec<PathBuf>,
+    /// The file to write; one of that name is replaced.
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// Replace or add a key of every scene; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+}
+
+impl Arguments {
+    /// Runs and writes. All scenes are read before the first is run.
+    pub fn execute(self) -> Result<(), Failure> {
+        let scenes: Vec<Scene> = self
+            .scenes
+            .iter()
+            .map(|path| scene::read_scene(path, &self.overrides).map_err(Failure::input))
+            .collect::<Result<_, _>>()?;
+        if let Some(path) = self.scenes.iter().find(|path| **path == self.out) {
+            let name = path.display();
+            let message = format!("--out {name} is one of the scenes; name another file");
+            return Err(Failure::input(message));
+        }
+        let folder = folder_of(&self.out);
+        std::fs::create_dir_all(folder)
+            .map_err(|error| Failure::run(format!("cannot make {}: {error}", folder.display())))?;
+
+        let mut golden = Golden::default();
+        for (path, scene) in self.scenes.iter().zip(&scenes) {
+            let name = relative(path, folder);
+            let measured = measure(scene, ticker(&name))?;
+            let pinned = Pinned::new(name, self.overrides.clone(), &measured);
+            let [columns, quantities, _] = pinned.results();
+            println!(
+                "{}: {} rows of {columns} columns, {quantities} quantities",
+                pinned.path,
+                pinned.rows()
+            );
+            golden.scenes.push(pinned);
+        }
+        write_atomically(&self.out, golden.text().as_bytes())?;
+        println!("written to {}", self.out.display());
+        Ok(())
+    }
+}

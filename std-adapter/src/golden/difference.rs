@@ -1,0 +1,113 @@
+//! How a run differs from what is pinned, in words for a person.
+
+use super::quantity::Quantity;
+use std::fmt;
+
+/// A run compared with what is pinned.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// The same bits.
+    Same,
+    /// Other parameters, here the first of them: the results cannot be compared.
+    SceneChanged(String),
+    /// The same scene with other results.
+    Differs(Difference),
+}
+
+/// What differs first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Earliest in the series.
+    pub series: Option<SeriesDifference>,
+    /// First in the summary.
+    pub summary: Option<SummaryDifference>,
+    /// First part of the final state.
+    pub state: Option<String>,
+    /// Columns, quantities and parts of the state that differ.
+    pub count: usize,
+}
+
+/// A difference of the series.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SeriesDifference {
+    /// A pinned column that the run does not have.
+    Missing(String),
+    /// A column of the run that is not pinned.
+    New(String),
+    /// A block of rows.
+    Block {
+        /// The column.
+        column: String,
+        /// First and last row, from 0.
+        rows: [usize; 2],
+        /// Times of these rows in the run.
+        times: [f64; 2],
+        /// Rows of the run, and pinned.
+        lengths: [usize; 2],
+    },
+}
+
+/// A difference of the summary.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SummaryDifference {
+    /// Which quantity.
+    pub name: String,
+    /// Its value in the run, if it has one.
+    pub is: Option<Quantity>,
+    /// Its pinned value, if it has one.
+    pub was: Option<Quantity>,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let series = self.series.iter().map(ToString::to_string);
+        let summary = self.summary.iter().map(ToString::to_string);
+        let state = self
+            .state
+            .iter()
+            .map(|name| format!("final state: {name} differ"));
+        let told: Vec<String> = series.chain(summary).chain(state).collect();
+        f.write_str(&told.join("; "))?;
+        match self.count.saturating_sub(told.len()) {
+            0 => Ok(()),
+            others => write!(f, "; and {others} more"),
+        }
+    }
+}
+
+impl fmt::Display for SeriesDifference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Missing(name) => write!(f, "series column \"{name}\" is missing"),
+            Self::New(name) => write!(f, "series column \"{name}\" is not pinned"),
+            Self::Block {
+                column,
+                rows: [from, to],
+                times: [start, end],
+                lengths: [is, was],
+            } => {
+                write!(
+                    f,
+                    "series column \"{column}\" differs first in rows {from}..{to} \
+                     (time {start:.4} to {end:.4})"
+                )?;
+                if is != was {
+                    write!(f, "; series has {is} rows, pinned {was}")?;
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+impl fmt::Display for SummaryDifference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = &self.name;
+        match (&self.is, &self.was) {
+            (Some(is), Some(was)) => write!(f, "summary \"{name}\" is {is}, pinned {was}"),
+            (Some(is), None) => write!(f, "summary \"{name}\" is {is} and is not pinned"),
+            (None, Some(was)) => write!(f, "summary \"{name}\" is missing, pinned {was}"),
+            (None, None) => write!(f, "summary \"{name}\""),
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! A scene run, and everything of it that a golden file pins.
+
+use super::digest::Digest;
+use super::quantity::{Quantity, leaves};
+use crate::powder::{self, Compaction, CompactionError};
+use crate::record::{ContactRow, Partner, Snapshot};
+use crate::run::drive;
+use crate::scene::Scene;
+use crate::slide::{self, SlideError};
+use nalgebra::Vector3;
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// A scene that could not be run to its end.
+#[derive(Debug, thiserror::Error)]
+pub enum MeasureError {
+    /// A sliding body.
+    #[error(transparent)]
+    Slide(#[from] SlideError),
+    /// A powder.
+    #[error(transparent)]
+    Compaction(#[from] CompactionError),
+}
+
+/// What a scene computed.
+#[derive(Clone, Debug)]
+pub struct Measurement {
+    /// Resolved parameters of the scene, defaults included.
+    pub parameters: BTreeMap<String, Quantity>,
+    /// Quantities of the summary in its order, without clock times.
+    pub summary: Vec<(String, Quantity)>,
+    /// Names of the series' columns; the first is the time.
+    pub columns: Vec<&'static str>,
+    /// Lines of the series.
+    pub rows: Vec<Vec<f64>>,
+    /// Digests of the final state, for powders.
+    pub state: Vec<(&'static str, u64)>,
+}
+
+/// Branches of a summary that are no results.
+const NO_RESULTS: [&str; 3] = ["scene", "version", "wall_seconds"];
+
+/// Runs the scene to its end; `watch` is called after every step.
+pub fn measure(scene: &Scene, mut watch: impl FnMut()) -> Result<Measurement, MeasureError> {
+    match scene {
+        Scene::Disk(scene) => {
+            let run = slide::run(scene, |_| watch())?;
+            let rows = run.series.iter().map(|row| row.to_vec());
+            let summary = run.outcome.json(scene);
+            Ok(Measurement::new(&summary, &slide::COLUMNS, rows))
+        }
+        Scene::Planar(scene) => {
+            let run = slide::run_path(scene)?;
+            let rows = run.series.iter().map(|row| row.to_vec());
+            let summary = run.outcome.json(scene);
+            Ok(Measurement::new(&summary, &slide::PATH_COLUMNS, rows))
+        }
+        Scene::Powder(scene) => {
+            let mut compaction = Compaction::new(scene)?;
+            drive(&mut compaction, |_, _| watch())?;
+            let rows = compaction.series().iter().map(|row| row.to_vec());
+            let summary = compaction.outcome().json(scene);
+            let mut measurement = Measurement::new(&summary, &powder::COLUMNS, rows);
+            measurement.state = compaction.with_snapshot(state);
+            Ok(measurement)
+        }
+    }
+}
+
+impl Measurement {
+    /// From a summary, which holds the scene, and a series.
+    fn new(
+        summary: &Value,
+        columns: &[&'static str],
+        rows: impl Iterator<Item = Vec<f64>>,
+    ) -> Self {
+        let mut parameters: BTreeMap<_, _> =
+            leaves(&summary["scene"], |_| false).into_iter().collect();
+        // A disk's scene need not name its body.
+        parameters
+            .entry("body".into())
+            .or_insert_with(|| Quantity::Text("disk".into()));
+        Self {
+            parameters,
+            summary: leaves(summary, |name| NO_RESULTS.contains(&name)),
+            columns: columns.to_vec(),
+            rows: rows.collect(),
+            state: Vec::new(),
+        }
+    }
+
+    /// Digests of one column over blocks of `block_rows` rows, the last one shorter.
+    pub(super) fn blocks(&self, column: usize, block_rows: usize) -> Vec<u64> {
+        let cell = |row: &Vec<f64>| row.get(column).copied().unwrap_or(f64::NAN);
+        self.rows
+            .chunks(block_rows.max(1))
+            .map(|rows| Digest::of(rows.iter().map(cell)))
+            .collect()
+    }
+}
+
+/// Digests of places, motions and contacts.
+fn state(snapshot: &Snapshot<'_>) -> Vec<(&'static str, u64)> {
+    let digest = |vectors: &[Vector3<f64>]| Digest::of(vectors.iter().flat_map(components));
+    vec![
+        ("positions", digest(snapshot.positions)),
+        ("radii", Digest::of(snapshot.radii.iter().copied())),
+        (
+            "velocities",
+            digest(snapshot.velocities.unwrap_or_default()),
+        ),
+        ("spins", digest(snapshot.spins.unwrap_or_default())),
+        ("contacts", contacts(snapshot.contacts)),
+    ]
+}
+
+fn contacts(rows: &[ContactRow]) -> u64 {
+    let mut digest = Digest::EMPTY;
+    for row in rows {
+        let (kind, partner) = match row.b {
+            Partner::Particle(index) => (0.0, index),
+            Partner::Wall(index) => (1.0, index),
+        };
+        let names = [f64::from(row.a), kind, f64::from(partner), row.gap];
+        let vectors = [row.normal, row.force, row.torque];
+        for number in names.into_iter().chain(vectors.iter().flat_map(components)) {
+            digest.number(number);
+        }
+    }
+    digest.value()
+}
+
+fn components(vector: &Vector3<f64>) -> [f64; 3] {
+    [vector.x, vector.y, vector.z]
+}
