@@ -45,7 +45,8 @@ pub fn all<R: Real>(keeper: &mut impl Keeper) {
 fn sink<R: Real, S: NodeSink<R>>(keeper: &mut impl Keeper) {
     keep!(keeper: <S as NodeSink<R>>::push);
     keep!(keeper: polygon_into::<R> => fn(&mut S, &[[R; 2]], u32) -> Result<(), PolygonError>);
-    keep!(keeper: PolarRule::<R>::nodes_into => fn(&PolarRule<R>, &mut S) -> Result<(), NodeError>);
+    keep!(keeper: PolarRule::<R>::nodes_into
+        => fn(&PolarRule<R>, &mut S, fn(R, R) -> R) -> Result<(), NodeError>);
 }
 
 fn node_patch<R: Real, P: NodePatch<R>>(keeper: &mut impl Keeper) {

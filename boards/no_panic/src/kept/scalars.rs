@@ -14,6 +14,8 @@ pub fn all<R: Real>(keeper: &mut impl Keeper) {
         Twist::<R>::speed,
         <Twist<R> as From<Vector3<R>>>::from,
         <Vector3<R> as From<Wrench<R>>>::from,
+        <Wrench<R> as From<Vector3<R>>>::from,
+        <Vector3<R> as From<Twist<R>>>::from,
         CompleteElliptic::<R>::new,
         CompleteElliptic::<R>::k,
         CompleteElliptic::<R>::e,
