@@ -139,7 +139,7 @@ fn sweeps<F: ContactFriction<f64> + 'static>(start: Spheres<F>) -> Box<dyn FnMut
 }
 
 /// Updates a second, and what a contact costs beside one with all modes.
-pub fn sheet(costs: &[Cost], rounds: usize, command: &str) -> Sheet {
+pub fn sheet(costs: &[Cost], rounds: usize) -> Sheet {
     let cells = |cost: &Cost| {
         let full = costs.iter().find(|other| other.state == cost.state);
         let of_full = full.map_or(f64::NAN, |full| cost.seconds / full.seconds);
@@ -159,7 +159,7 @@ pub fn sheet(costs: &[Cost], rounds: usize, command: &str) -> Sheet {
     Sheet {
         about: format!(
             "Contact updates on one core: sweeps over a jammed box of 1,000 spheres under load \
-             without a watch, median of {rounds} interleaved rounds; {command}"
+             without a watch, median of {rounds} interleaved rounds"
         ),
         header: vec![
             "modes",
