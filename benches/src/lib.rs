@@ -8,6 +8,7 @@
 pub mod args;
 pub mod baselines;
 pub mod catalogue;
+pub mod clock;
 pub mod contact;
 pub mod errors;
 pub mod firmware;

@@ -14,7 +14,7 @@ pub fn now(options: &Options) -> String {
         format!(", load average {load} at the start")
     });
     format!(
-        "Made {date} on {}, cores: {cores}{load}; {compiler}; by `{}`",
+        "Made {date} on {}, cores: {cores}{load}; {compiler}; times are the processor's; by `{}`",
         processor(),
         options.command()
     )

@@ -4,8 +4,8 @@ use super::jammed::NotJammed;
 use super::powder::compacting;
 use super::problems::{chain, pressed};
 use super::work::{METHODS, Method, Work, work_to};
+use crate::clock::Clock;
 use crate::written::{Sheet, short};
-use std::time::Instant;
 use tribos::cd::{self, Coefficients, Laws, Operator, Order, Spheres, Stop, Sweeper, residual};
 use tribos_core::contact::{ContactFriction, Thresholds};
 use tribos_tests::packings::{dry, first_problem, jammed_box, rough};
@@ -196,9 +196,9 @@ where
     F: ContactFriction<f64> + Coefficients,
 {
     let mut solved = start.clone();
-    let clock = Instant::now();
+    let clock = Clock::start();
     let effort = solve(&mut solved);
-    let seconds = clock.elapsed().as_secs_f64();
+    let seconds = clock.seconds();
     Rung {
         problem,
         method,

@@ -2,10 +2,10 @@
 
 use super::jammed::{NotJammed, UNEVEN, jammed};
 use super::problems::pressed;
+use crate::clock::Clock;
 use crate::timing::median;
 use crate::written::{Sheet, short};
 use std::hint::black_box;
-use std::time::Instant;
 use tribos::cd::{Accelerated, Blind, Coefficients, Link, Operator, Spheres, Visit, residual};
 use tribos_core::contact::{
     AllModes, ContactFriction, Frictionless, Modes, Sliding, SlidingRolling, SlidingTorsion,
@@ -129,12 +129,12 @@ fn sweeps<F: ContactFriction<f64> + 'static>(start: Spheres<F>) -> Box<dyn FnMut
     let mut problem = start.clone();
     Box::new(move || {
         problem.clone_from(&start);
-        let clock = Instant::now();
+        let clock = Clock::start();
         for _ in 0..SWEEPS {
             black_box(&mut problem).sweep(Visit::Forward, &mut Blind);
         }
         black_box(&problem);
-        clock.elapsed().as_secs_f64() / (SWEEPS * start.contacts()) as f64
+        clock.seconds() / (SWEEPS * start.contacts()) as f64
     })
 }
 
