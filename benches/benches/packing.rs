@@ -1,5 +1,5 @@
 //! Contact dynamics of a jammed box: a sweep for every set of modes, the setting up of a step, and
-//! the residual. The program `contact_front` tells speeds beside accuracy.
+//! the residual. The front `contacts` tells speeds beside accuracy.
 
 mod settings;
 

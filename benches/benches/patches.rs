@@ -1,6 +1,6 @@
 //! Every patch under Coulomb friction in f64: tables, closed forms, tall bodies, limit surfaces.
 //!
-//! The rows are those of the program `patch_front`, which tells errors beside times.
+//! The rows are those of the front `patches`, which tells errors beside times.
 
 mod settings;
 

@@ -16,13 +16,17 @@ pub const TRAPEZOIDS: [usize; 3] = [32, 128, 512];
 /// The kernel's tiers for α = 0.
 pub fn tiers() -> Result<Vec<Method>, LawError> {
     let quadrature = DiskQuadrature::new(Coulomb::new(1.0)?);
+    let quadrature_narrow = DiskQuadrature::new(Coulomb::new(1.0_f32)?);
     let power = compact::Power::new(0.0)?;
+    let power_narrow = compact::Power::new(0.0_f32)?;
     let wrench = |slide, rim| as_pair(table::Coulomb.reduced_wrench(slide, rim));
     let narrow = |slide, rim| as_pair(table::Coulomb.reduced_wrench(slide, rim));
     let compact = |slide, rim| as_pair(compact::Coulomb.reduced_wrench(slide, rim));
     let compact_narrow = |slide, rim| as_pair(compact::Coulomb.reduced_wrench(slide, rim));
     let power = move |slide, rim| as_pair(power.reduced_wrench(slide, rim));
     let quadrature = move |slide, rim| as_pair(quadrature.reduced_wrench(slide, rim));
+    let power_narrow = move |slide, rim| as_pair(power_narrow.reduced_wrench(slide, rim));
+    let quadrature_narrow = move |slide, rim| as_pair(quadrature_narrow.reduced_wrench(slide, rim));
     let tier = Kind::Tier;
     Ok(vec![
         Method::wide("table", tier, 1e-15, wrench),
@@ -30,7 +34,9 @@ pub fn tiers() -> Result<Vec<Method>, LawError> {
         Method::wide("compact", tier, 1e-14, compact),
         Method::narrow("compact f32", tier, 5e-6, compact_narrow),
         Method::wide("compact power", tier, 2e-15, power).every(10),
+        Method::narrow("compact power f32", tier, 1e-6, power_narrow).every(10),
         Method::wide("quadrature", tier, 1e-8, quadrature).every(10),
+        Method::narrow("quadrature f32", tier, 1e-5, quadrature_narrow).every(10),
     ])
 }
 
@@ -79,8 +85,13 @@ pub fn exponents() -> Result<Vec<Method>, LawError> {
         methods.push(Method::wide(name, Kind::Tier, bound, full).with_exponent(alpha, false));
     }
     let table: &'static Table32 = Box::leak(Box::new(Table32::new(0.5)?));
+    let full = move |slide, rim| as_pair(table.reduced_wrench(slide, rim));
     let bare = move |slide, rim| as_pair(unscaled_wrench(table, slide, rim));
-    let name = "table f32 alpha 0.5 unscaled";
-    methods.push(Method::narrow(name, Kind::Tier, 1e-6, bare).with_exponent(0.5, true));
+    let narrow = "table f32 alpha 0.5";
+    methods.push(
+        Method::narrow(format!("{narrow} unscaled"), Kind::Tier, 1e-6, bare)
+            .with_exponent(0.5, true),
+    );
+    methods.push(Method::narrow(narrow, Kind::Tier, 1e-6, full).with_exponent(0.5, false));
     Ok(methods)
 }

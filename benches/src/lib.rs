@@ -1,22 +1,24 @@
 //! Speed against error: what the kernel costs, what it is worth, and what else there is.
 //!
-//! Five programs make the fronts that the documentation shows: `front` (one evaluation of force and
-//! torque), `patch_front` (every patch, law and tier), `slider_front` (one stop of a sliding,
-//! spinning disk), `contact_front` (contacts of packings and their solvers) and `firmware` (what each
-//! costs on a microcontroller). The benches under `benches/` time the same methods
-//! with criterion.
+//! One program, `fronts`, makes the fronts that the documentation shows: kernel (one evaluation of
+//! force and torque), patches (every patch, law and tier), integrators (one stop of a sliding,
+//! spinning disk), contacts (of packings, and their solvers) and firmware (what each costs on a
+//! microcontroller). The benches under `benches/` time the same methods with criterion.
 
 pub mod args;
 pub mod baselines;
 pub mod catalogue;
+pub mod clock;
 pub mod contact;
 pub mod errors;
 pub mod firmware;
+pub mod fronts;
 pub mod methods;
 pub mod mix;
 pub mod packing;
 pub mod patches;
 pub mod picture;
+pub mod power_law;
 pub mod reference;
 pub mod stepping;
 pub mod timing;

@@ -1,8 +1,13 @@
 //! Stops of a sliding, spinning disk by steppers with a fixed step.
 
 use crate::baselines::PURE_SPIN_TORQUE;
+use tribos_core::contact::TimeStep;
+use tribos_core::coupling::Coupling;
 use tribos_core::coupling::table::Coulomb;
+use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+use tribos_core::planar::PlanarBody;
 use tribos_core::slider::{Motion, Slider};
+use tribos_core::twist::{Twist, Wrench};
 
 /// A stepper that has not stopped by then never will.
 const MAX_STEPS: u32 = 20_000_000;
@@ -64,6 +69,10 @@ pub enum Stepper {
     Advance(f64),
     /// `Slider::verlet_step` of dt.
     Verlet(f64),
+    /// `PlanarBody::step` of dt on the disk's limit surface.
+    Implicit(f64),
+    /// Explicit Euler with the exact friction at the start of the step, clamped at zero speed.
+    Explicit(f64),
     /// Semi-implicit Euler with independent clamps.
     Decoupled(f64),
     /// Implicit Euler with the friction ellipsoid, as MuJoCo's elliptic cone has it.
@@ -77,6 +86,8 @@ impl Stepper {
             Self::ToRest => "to_rest",
             Self::Advance(_) => "advance",
             Self::Verlet(_) => "verlet",
+            Self::Implicit(_) => "implicit step",
+            Self::Explicit(_) => "explicit Euler",
             Self::Decoupled(_) => "decoupled clamps",
             Self::Ellipsoid(_) => "ellipsoid",
         }
@@ -86,9 +97,12 @@ impl Stepper {
     pub fn step(self) -> Option<f64> {
         match self {
             Self::ToRest => None,
-            Self::Advance(dt) | Self::Verlet(dt) | Self::Decoupled(dt) | Self::Ellipsoid(dt) => {
-                Some(dt)
-            }
+            Self::Advance(dt)
+            | Self::Verlet(dt)
+            | Self::Implicit(dt)
+            | Self::Explicit(dt)
+            | Self::Decoupled(dt)
+            | Self::Ellipsoid(dt) => Some(dt),
         }
     }
 
@@ -101,6 +115,8 @@ impl Stepper {
             }
             Self::Advance(dt) => advanced(slider, launch, dt),
             Self::Verlet(dt) => stepped(launch, |motion| slider.verlet_step(motion, dt)),
+            Self::Implicit(dt) => held(launch, dt).unwrap_or(Stop::NEVER),
+            Self::Explicit(dt) => stepped(launch, |motion| pushed(motion, dt)),
             Self::Decoupled(dt) => stepped(launch, |motion| clamped(motion, dt)),
             Self::Ellipsoid(dt) => stepped(launch, |motion| dissipated(motion, dt)),
         }
@@ -130,6 +146,49 @@ fn stepped(launch: &Motion<f64>, step: impl Fn(&Motion<f64>) -> Motion<f64>) -> 
         }
     }
     Stop::NEVER
+}
+
+/// Implicit steps of a body of unit mass; distance by the trapezoid rule.
+///
+/// The share of the friction limit that ends the last step tells when in it rest came.
+fn held(launch: &Motion<f64>, dt: f64) -> Option<Stop> {
+    let inertia = DISK.inertia_ratio * DISK.radius * DISK.radius;
+    let body = PlanarBody::new(1.0, inertia).ok()?;
+    let set = LimitSurface::new(Coulomb, DISK.deceleration, DISK.radius).ok()?;
+    let step = TimeStep::new(dt).ok()?;
+    let mut twist = Twist::new(launch.speed, 0.0, launch.spin);
+    let mut stop = Stop::of(launch);
+    for _ in 0..MAX_STEPS {
+        let after = body.step(&set, &twist, &Wrench::ZERO, step);
+        let share = if after.is_at_rest {
+            set.gauge(&after.friction)
+        } else {
+            1.0
+        };
+        stop.distance += 0.5 * share * dt * (twist.velocity.x + after.twist.velocity.x);
+        stop.time += share * dt;
+        if after.is_at_rest {
+            return Some(stop);
+        }
+        twist = after.twist;
+    }
+    None
+}
+
+/// Friction of the speeds before the step slows it; the place moves with them, too.
+fn pushed(motion: &Motion<f64>, dt: f64) -> Motion<f64> {
+    let impulse = DISK.deceleration * dt;
+    let rim = motion.spin * DISK.radius;
+    let friction = Coulomb.reduced_wrench(motion.speed, rim);
+    let speed = (motion.speed - impulse * friction.force).max(0.0);
+    let rim = (rim - impulse * friction.torque / DISK.inertia_ratio).max(0.0);
+    Motion {
+        time: motion.time + dt,
+        speed,
+        spin: rim / DISK.radius,
+        distance: motion.distance + motion.speed * dt,
+        angle: motion.angle + motion.spin * dt,
+    }
 }
 
 /// The motion after a step that ends with the given speeds; positions move with them.
@@ -199,13 +258,22 @@ mod tests {
         assert!((advanced.distance - exact.distance).abs() < 1e-11);
         let verlet = Stepper::Verlet(1e-4).stop(&slider(), &launch);
         assert!((verlet.distance - exact.distance).abs() < 1e-5);
+        let implicit = Stepper::Implicit(1e-3).stop(&slider(), &launch);
+        assert!((implicit.distance - exact.distance).abs() < 1e-6);
+        assert!((implicit.time - exact.time).abs() < 1e-6);
+        let explicit = Stepper::Explicit(1e-4).stop(&slider(), &launch);
+        assert!((explicit.distance - exact.distance).abs() < 1e-4);
     }
 
     #[test]
     fn comparators_stop_where_their_own_laws_say() {
         // Without spin all laws agree: v²/(2 μ g), v/(μ g).
         let launch = Motion::launched(SPEED, 0.0);
-        for stepper in [Stepper::Decoupled(1e-5), Stepper::Ellipsoid(1e-5)] {
+        for stepper in [
+            Stepper::Explicit(1e-5),
+            Stepper::Decoupled(1e-5),
+            Stepper::Ellipsoid(1e-5),
+        ] {
             let stop = stepper.stop(&slider(), &launch);
             assert!((stop.distance - 0.5 / DISK.deceleration).abs() < 1e-5);
             assert!((stop.time - 1.0 / DISK.deceleration).abs() < 3e-5);

@@ -1,12 +1,14 @@
-//! Wall-clock times on a noisy machine: interleaved rounds, medians, ratios within a round.
+//! Times on a noisy machine: interleaved rounds, medians, ratios within a round.
 //!
 //! All tasks run once a round, so that a slow second of the machine hits them alike. A ratio is
 //! the median of the rounds' ratios, not the ratio of two medians.
 
-use std::time::{Duration, Instant};
+use crate::clock::Clock;
 
-/// A sample shorter than this is lost in the clock and the scheduler.
-const SHORTEST_SAMPLE: Duration = Duration::from_micros(250);
+/// A sample shorter than this is lost in the clock and the scheduler; in s.
+const SHORTEST_SAMPLE: f64 = 250e-6;
+/// The shortest time that a run can take; in s.
+const SHORTEST_RUN: f64 = 1e-9;
 
 /// Something to time.
 pub struct Task<'a> {
@@ -39,20 +41,20 @@ impl<'a> Task<'a> {
 
     /// Runs it `repeats` times; seconds per evaluation.
     fn sample(&mut self, repeats: u32) -> f64 {
-        let start = Instant::now();
+        let clock = Clock::start();
         for _ in 0..repeats {
             (self.run)();
         }
-        start.elapsed().as_secs_f64() / (f64::from(repeats) * self.elements as f64)
+        clock.seconds() / (f64::from(repeats) * self.elements as f64)
     }
 
     /// Runs that fill the shortest sample, from a warm second run.
     fn repeats(&mut self) -> u32 {
         (self.run)();
-        let start = Instant::now();
+        let clock = Clock::start();
         (self.run)();
-        let once = start.elapsed().max(Duration::from_nanos(1));
-        (SHORTEST_SAMPLE.as_nanos() / once.as_nanos()) as u32 + 1
+        let once = clock.seconds().max(SHORTEST_RUN);
+        (SHORTEST_SAMPLE / once) as u32 + 1
     }
 }
 

@@ -1,5 +1,6 @@
 //! Emulated microcontrollers: what a call costs on them.
 
+use crate::fronts::made::first_line;
 use std::path::Path;
 use std::process::Command;
 
@@ -34,6 +35,8 @@ pub const CORTEX_M0_LARGE: Board = Board {
     ..CORTEX_M0
 };
 
+const EMULATOR: &str = "qemu-system-arm";
+
 /// One item on one board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cost {
@@ -67,14 +70,14 @@ impl Board {
 
     /// Runs a measuring image.
     pub fn run(&self, image: &Path) -> Result<Cost, String> {
-        let output = Command::new("qemu-system-arm")
+        let output = Command::new(EMULATOR)
             .args(["-M", self.machine, "-nographic"])
             .args(["-semihosting-config", "enable=on,target=native"])
             // An instruction takes 2^10 ns, so that the timer resolves each.
             .args(["-icount", "shift=10,sleep=off", "-kernel"])
             .arg(image)
             .output()
-            .map_err(|error| format!("cannot run qemu-system-arm: {error}; install QEMU"))?;
+            .map_err(|error| format!("cannot run {EMULATOR}: {error}; install QEMU"))?;
         let said = String::from_utf8_lossy(&output.stdout);
         let complaint = String::from_utf8_lossy(&output.stderr);
         let failed = || format!("{} on {}: {said}{complaint}", image.display(), self.machine);
@@ -83,6 +86,11 @@ impl Board {
         }
         told(&said).ok_or_else(failed)
     }
+}
+
+/// QEMU's version.
+pub fn emulator() -> Result<String, String> {
+    first_line(EMULATOR, &["--version"]).map_err(|error| format!("{error}; install QEMU"))
 }
 
 /// The line that a measuring program prints.

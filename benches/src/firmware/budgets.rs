@@ -41,6 +41,11 @@ impl Budget {
         [program.item.group, program.item.name] == self.item && program.precision == "f32"
     }
 
+    /// True if neither limit is passed.
+    pub fn is_kept(&self, instructions: u64, flash: u64) -> bool {
+        instructions <= self.instructions && self.flash.is_none_or(|limit| flash <= limit)
+    }
+
     /// "kept", or by how much it is missed.
     pub fn verdict(&self, instructions: u64, flash: u64) -> String {
         let over = |spent: u64, limit: u64, unit| {
@@ -51,7 +56,7 @@ impl Budget {
             self.flash.and_then(|limit| over(flash, limit, "bytes")),
         ];
         let complaints: Vec<String> = complaints.into_iter().flatten().collect();
-        if complaints.is_empty() {
+        if self.is_kept(instructions, flash) {
             "kept".into()
         } else {
             complaints.join(", ")

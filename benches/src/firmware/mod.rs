@@ -11,12 +11,16 @@ pub mod board;
 pub mod budgets;
 pub mod image;
 pub mod items;
+pub mod prices;
 pub mod programs;
 pub mod report;
 
 use image::{Flash, Image};
 use items::{BASELINE, PLUMBING};
 use programs::Program;
+
+/// The group of tiers among the items.
+pub const TIER: &str = "tier";
 
 /// All programs, the baseline of each precision first.
 pub fn all_programs() -> Vec<Program> {
@@ -28,6 +32,7 @@ pub fn all_programs() -> Vec<Program> {
     };
     pairs.enumerate().map(program).collect()
 }
+
 /// Fails if `image` holds a module that its program does not name, or shows none that it does:
 /// then the records that this judgement rests on are gone.
 pub fn assert_named(program: &Program, image: &Image) -> Result<(), String> {

@@ -1,14 +1,10 @@
 //! The cost table.
 
 use super::board::{CORTEX_M0, CORTEX_M4F, Cost};
-use super::budgets::BUDGETS;
+use super::budgets::{BUDGETS, Budget};
 use super::image::Flash;
 use super::programs::Program;
 use crate::written::Sheet;
-use std::process::Command;
-
-/// The command that makes the table.
-const COMMAND: &str = "cargo run --release -p tribos-benches --bin firmware";
 
 /// What is known of one program.
 #[derive(Clone, Debug)]
@@ -70,24 +66,8 @@ impl Row {
     }
 }
 
-/// By what and when the table was made.
-pub fn about() -> Result<String, String> {
-    let first_line = |program: &str, argument: &str| {
-        let output = Command::new(program).arg(argument).output();
-        let output = output.map_err(|error| format!("cannot run {program}: {error}"))?;
-        let text = String::from_utf8_lossy(&output.stdout);
-        Ok::<_, String>(text.lines().next().unwrap_or_default().to_string())
-    };
-    Ok(format!(
-        "Made by `{COMMAND}` with {}; {}; {}",
-        first_line("rustc", "--version")?,
-        first_line("qemu-system-arm", "--version")?,
-        first_line("date", "+%Y-%m-%d")?
-    ))
-}
-
 /// Every number.
-pub fn csv(about: &str, rows: &[Row], levels: &[&str]) -> String {
+pub fn all(rows: &[Row], levels: &[&str]) -> Sheet {
     let mut header = vec!["group", "named", "type"];
     let columns = [
         ["code 3", "data 3", "flash 3"],
@@ -109,15 +89,14 @@ pub fn csv(about: &str, rows: &[Row], levels: &[&str]) -> String {
         cells
     };
     Sheet {
-        about: about.into(),
+        about: "Bytes of flash; instructions and bytes of stack of a call".into(),
         header,
         rows: rows.iter().map(row).collect(),
     }
-    .csv()
 }
 
 /// Budgets, then flash, instructions and stack of everything.
-pub fn markdown(about: &str, rows: &[Row], levels: &[&str]) -> String {
+pub fn markdown(rows: &[Row], levels: &[&str]) -> String {
     let mut header = vec!["group", "named", "type"];
     header.extend(&["flash 3", "flash s"][..levels.len()]);
     header.extend(["M4F mean", "M4F worst", "M4F stack"]);
@@ -134,7 +113,7 @@ pub fn markdown(about: &str, rows: &[Row], levels: &[&str]) -> String {
         rows: rows.iter().map(row).collect(),
     };
     format!(
-        "# What the kernel costs a microcontroller\n\n{about}.\n\n## Budgets\n\n{}\n## All items\n\n{}",
+        "## Budgets\n\n{}\n## All items\n\n{}",
         budgets(rows).markdown(),
         all.markdown()
     )
@@ -159,19 +138,26 @@ fn explained() -> String {
     )
 }
 
-fn budgets(rows: &[Row]) -> Sheet {
-    let row = |budget: &super::budgets::Budget| {
+/// What was spent of every budget; "not measured" where QEMU is missing.
+pub fn budgets(rows: &[Row]) -> Sheet {
+    let row = |budget: &Budget| {
         let row = rows.iter().find(|row| budget.is_of(&row.program))?;
-        let (cost, flash) = (row.fast?, row.flash.first()?.total());
+        let flash = row.flash.first()?.total();
         let limit = |limit: Option<u64>| limit.map_or("-".into(), |limit| limit.to_string());
+        let [mean, worst, verdict] =
+            row.fast
+                .map_or(["-", "-", "not measured"].map(String::from), |cost| {
+                    let verdict = budget.verdict(cost.worst, flash);
+                    [cost.mean.to_string(), cost.worst.to_string(), verdict]
+                });
         Some(vec![
-            budget.item.join(", "),
+            budget.item.join(": ").replace(',', ""),
             budget.instructions.to_string(),
-            cost.mean.to_string(),
-            cost.worst.to_string(),
+            mean,
+            worst,
             limit(budget.flash),
             flash.to_string(),
-            budget.verdict(cost.worst, flash),
+            verdict.replace(", ", " and "),
         ])
     };
     Sheet {
@@ -190,4 +176,14 @@ fn budgets(rows: &[Row]) -> Sheet {
         ],
         rows: BUDGETS.iter().filter_map(row).collect(),
     }
+}
+
+/// Of the budgets that were measured, which are kept.
+pub fn kept(rows: &[Row]) -> Vec<bool> {
+    let of = |budget: &Budget| {
+        let row = rows.iter().find(|row| budget.is_of(&row.program))?;
+        let flash = row.flash.first()?.total();
+        Some(budget.is_kept(row.fast?.worst, flash))
+    };
+    BUDGETS.iter().filter_map(of).collect()
 }

@@ -40,7 +40,7 @@ pub fn residuals(folder: &Path, rungs: &[Rung]) -> Result<(), String> {
             panels = panels.figure(figure);
         }
     }
-    write(folder, "contact_residual", &panels)
+    write(folder, "contacts_residual", &panels)
 }
 
 /// Sweeps against size, a panel a family.
@@ -66,7 +66,7 @@ pub fn sizes(folder: &Path, points: &[Point]) -> Result<(), String> {
         }
         panels = panels.figure(figure);
     }
-    write(folder, "contact_scaling", &panels)
+    write(folder, "contacts_scaling", &panels)
 }
 
 fn write(folder: &Path, stem: &str, drawing: &dyn Drawing) -> Result<(), String> {

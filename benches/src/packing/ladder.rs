@@ -4,8 +4,8 @@ use super::jammed::NotJammed;
 use super::powder::compacting;
 use super::problems::{chain, pressed};
 use super::work::{METHODS, Method, Work, work_to};
+use crate::clock::Clock;
 use crate::written::{Sheet, short};
-use std::time::Instant;
 use tribos::cd::{self, Coefficients, Laws, Operator, Order, Spheres, Stop, Sweeper, residual};
 use tribos_core::contact::{ContactFriction, Thresholds};
 use tribos_tests::packings::{dry, first_problem, jammed_box, rough};
@@ -196,9 +196,9 @@ where
     F: ContactFriction<f64> + Coefficients,
 {
     let mut solved = start.clone();
-    let clock = Instant::now();
+    let clock = Clock::start();
     let effort = solve(&mut solved);
-    let seconds = clock.elapsed().as_secs_f64();
+    let seconds = clock.seconds();
     Rung {
         problem,
         method,
@@ -213,7 +213,7 @@ where
 }
 
 /// Every rung.
-pub fn rungs_sheet(rungs: &[Rung], command: &str) -> Sheet {
+pub fn rungs_sheet(rungs: &[Rung]) -> Sheet {
     let cells = |rung: &Rung| {
         vec![
             rung.problem.replace(',', ""),
@@ -226,10 +226,9 @@ pub fn rungs_sheet(rungs: &[Rung], command: &str) -> Sheet {
         ]
     };
     Sheet {
-        about: format!(
-            "Cold starts: residual sqrt(sum |p - proj(p - m U)|^2 / sum P^2) against work, an \
-             extrapolation counted as a sweep; {command}"
-        ),
+        about: "Cold starts: residual sqrt(sum |p - proj(p - m U)|^2 / sum P^2) against work, an \
+                extrapolation counted as a sweep"
+            .into(),
         header: vec![
             "problem", "method", "rule", "met", "sweeps", "ms", "residual",
         ],
@@ -239,7 +238,7 @@ pub fn rungs_sheet(rungs: &[Rung], command: &str) -> Sheet {
 
 /// Sweeps and time to the same residual, and how much less the accelerated method takes than plain
 /// sweeps in a fixed order.
-pub fn contest_sheet(contests: &[Contest], command: &str) -> Sheet {
+pub fn contest_sheet(contests: &[Contest]) -> Sheet {
     let cells = |contest: &Contest| {
         let of = |wanted| METHODS.iter().position(|&method| method == wanted);
         let work = |wanted| of(wanted).and_then(|index| contest.works[index]);
@@ -270,11 +269,10 @@ pub fn contest_sheet(contests: &[Contest], command: &str) -> Sheet {
     header.extend(names);
     header.extend(["fewer sweeps", "less time"]);
     Sheet {
-        about: format!(
-            "Sweeps (and time) from a cold start to a residual, - where the most sweeps do not \
-             reach it; the last columns compare the accelerated method with plain sweeps in a \
-             fixed order; {command}"
-        ),
+        about: "Sweeps (and time) from a cold start to a residual, - where the most sweeps do not \
+                reach it; the last columns compare the accelerated method with plain sweeps in a \
+                fixed order"
+            .into(),
         header,
         rows: contests.iter().map(cells).collect(),
     }

@@ -4,6 +4,7 @@
 use super::jammed::{Jammed, NotJammed, jammed};
 use super::problems::{chain, pressed};
 use super::work::{Method, Work, work_to};
+use crate::power_law::exponent;
 use crate::written::{Sheet, short};
 use tribos::cd::{Coefficients, Operator, Order, Spheres};
 use tribos_core::contact::{ContactFriction, Thresholds};
@@ -189,19 +190,16 @@ pub fn laws(points: &[Point]) -> Vec<Law> {
             let of_law = |point: &&Point| {
                 point.family == family && point.method == method && point.target == target
             };
-            let logs: Vec<[f64; 2]> = points
-                .iter()
-                .filter(of_law)
-                .map(|point| [point.length.ln(), (point.work.sweeps as f64).ln()])
-                .collect();
-            if logs.len() >= 3 {
+            let of_size = |point: &Point| [point.length, point.work.sweeps as f64];
+            let line: Vec<[f64; 2]> = points.iter().filter(of_law).map(of_size).collect();
+            if line.len() >= 3 {
                 laws.push(Law {
                     family,
                     method,
                     target,
-                    points: logs.len(),
-                    lengths: [logs[0][0].exp(), logs[logs.len() - 1][0].exp()],
-                    exponent: slope(&logs),
+                    points: line.len(),
+                    lengths: [line[0][0], line[line.len() - 1][0]],
+                    exponent: exponent(line),
                 });
             }
         }
@@ -209,19 +207,8 @@ pub fn laws(points: &[Point]) -> Vec<Law> {
     laws
 }
 
-/// Slope of the straight line nearest to points in the square of y.
-fn slope(points: &[[f64; 2]]) -> f64 {
-    let count = points.len() as f64;
-    let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / count);
-    let moment = |a: usize, b: usize| -> f64 {
-        let product = |point: &[f64; 2]| (point[a] - mean[a]) * (point[b] - mean[b]);
-        points.iter().map(product).sum()
-    };
-    moment(0, 1) / moment(0, 0)
-}
-
 /// Every point.
-pub fn points_sheet(points: &[Point], command: &str) -> Sheet {
+pub fn points_sheet(points: &[Point]) -> Sheet {
     let cells = |point: &Point| {
         let [spheres, contacts] = point.size;
         vec![
@@ -236,10 +223,9 @@ pub fn points_sheet(points: &[Point], command: &str) -> Sheet {
         ]
     };
     Sheet {
-        about: format!(
-            "Work to a residual against size: a chain, towers and cubes of a jammed packing under \
-             a loaded plate, cold starts; {command}"
-        ),
+        about: "Work to a residual against size: a chain, towers and cubes of a jammed packing \
+                under a loaded plate, cold starts"
+            .into(),
         header: vec![
             "family", "spheres", "contacts", "L/d", "method", "residual", "sweeps", "s",
         ],
@@ -248,7 +234,7 @@ pub fn points_sheet(points: &[Point], command: &str) -> Sheet {
 }
 
 /// Fitted exponents beside those of theory.
-pub fn laws_sheet(laws: &[Law], command: &str) -> Sheet {
+pub fn laws_sheet(laws: &[Law]) -> Sheet {
     let cells = |law: &Law| {
         let theory = if law.method == Method::Accelerated {
             1
@@ -266,21 +252,10 @@ pub fn laws_sheet(laws: &[Law], command: &str) -> Sheet {
         ]
     };
     Sheet {
-        about: format!("Exponents of sweeps in L/d, by least squares of logarithms; {command}"),
+        about: "Exponents of sweeps in L/d, by least squares of logarithms".into(),
         header: vec![
             "family", "method", "residual", "sizes", "L/d", "exponent", "theory",
         ],
         rows: laws.iter().map(cells).collect(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn slopes_are_those_of_power_laws() {
-        let points = [1.0_f64, 2.0, 5.0, 11.0].map(|x| [x.ln(), (3.0 * x.powf(1.7)).ln()]);
-        assert!((slope(&points) - 1.7).abs() < 1e-12);
     }
 }

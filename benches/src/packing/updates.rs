@@ -2,10 +2,10 @@
 
 use super::jammed::{NotJammed, UNEVEN, jammed};
 use super::problems::pressed;
+use crate::clock::Clock;
 use crate::timing::median;
 use crate::written::{Sheet, short};
 use std::hint::black_box;
-use std::time::Instant;
 use tribos::cd::{Accelerated, Blind, Coefficients, Link, Operator, Spheres, Visit, residual};
 use tribos_core::contact::{
     AllModes, ContactFriction, Frictionless, Modes, Sliding, SlidingRolling, SlidingTorsion,
@@ -129,17 +129,17 @@ fn sweeps<F: ContactFriction<f64> + 'static>(start: Spheres<F>) -> Box<dyn FnMut
     let mut problem = start.clone();
     Box::new(move || {
         problem.clone_from(&start);
-        let clock = Instant::now();
+        let clock = Clock::start();
         for _ in 0..SWEEPS {
             black_box(&mut problem).sweep(Visit::Forward, &mut Blind);
         }
         black_box(&problem);
-        clock.elapsed().as_secs_f64() / (SWEEPS * start.contacts()) as f64
+        clock.seconds() / (SWEEPS * start.contacts()) as f64
     })
 }
 
 /// Updates a second, and what a contact costs beside one with all modes.
-pub fn sheet(costs: &[Cost], rounds: usize, command: &str) -> Sheet {
+pub fn sheet(costs: &[Cost], rounds: usize) -> Sheet {
     let cells = |cost: &Cost| {
         let full = costs.iter().find(|other| other.state == cost.state);
         let of_full = full.map_or(f64::NAN, |full| cost.seconds / full.seconds);
@@ -159,7 +159,7 @@ pub fn sheet(costs: &[Cost], rounds: usize, command: &str) -> Sheet {
     Sheet {
         about: format!(
             "Contact updates on one core: sweeps over a jammed box of 1,000 spheres under load \
-             without a watch, median of {rounds} interleaved rounds; {command}"
+             without a watch, median of {rounds} interleaved rounds"
         ),
         header: vec![
             "modes",

@@ -2,7 +2,7 @@
 //! anew, outside of the time.
 
 use super::conjugate;
-use std::time::Instant;
+use crate::clock::Clock;
 use tribos::cd::{Accelerated, Blind, Coefficients, Effort, Order, Spheres, Sweeper, residual};
 use tribos_core::contact::ContactFriction;
 
@@ -90,11 +90,11 @@ where
     let (mut sweeps, mut seconds) = (0, 0.0);
     while sweeps < most {
         let more = 1 + sweeps / LOOKS;
-        let clock = Instant::now();
+        let clock = Clock::start();
         for _ in 0..more {
             sweeper.sweep(&mut problem, &mut Blind);
         }
-        seconds += clock.elapsed().as_secs_f64();
+        seconds += clock.seconds();
         sweeps += more;
         let residual = residual(&problem).relative;
         if residual <= target {
@@ -116,9 +116,9 @@ where
     let mut tolerance = FIRST * target;
     loop {
         let mut problem = start.clone();
-        let clock = Instant::now();
+        let clock = Clock::start();
         let effort = method.iterate(&mut problem, tolerance, most);
-        let seconds = clock.elapsed().as_secs_f64();
+        let seconds = clock.seconds();
         let residual = residual(&problem).relative;
         if residual <= target {
             return Some(Work {

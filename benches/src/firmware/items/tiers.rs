@@ -1,6 +1,7 @@
 //! Force and torque of the uniform disk, without dimensions.
 
 use super::{BOTH, Code, Item, NARROW, item, round};
+use crate::firmware::TIER;
 
 const HALF_TABLE: &str =
     "static TABLE: Table = match Table::new(0.5) { Ok(table) => table, Err(_) => panic!() };";
@@ -12,7 +13,7 @@ const fn tier(
     prepare: &'static str,
 ) -> Item {
     item(
-        ["tier", name],
+        [TIER, name],
         precisions,
         modules,
         Code::new(prepare, "couple(object, a, b)"),
@@ -20,7 +21,7 @@ const fn tier(
 }
 
 /// One sliding speed and one rim speed in.
-pub const TIERS: [Item; 6] = [
+pub const TIERS: [Item; 7] = [
     tier(
         "table: Coulomb",
         BOTH,
@@ -28,7 +29,7 @@ pub const TIERS: [Item; 6] = [
         "table::Coulomb",
     ),
     item(
-        ["tier", "table: alpha 0.5"],
+        [TIER, "table: alpha 0.5"],
         BOTH,
         round!["coupling::table", "coupling::side"],
         Code::new("&TABLE", "couple(object, a, b)").with_statics(HALF_TABLE),
@@ -49,6 +50,17 @@ pub const TIERS: [Item; 6] = [
             "special::hypergeometric"
         ],
         "compact::Power::new(0.5 as R).ok()?",
+    ),
+    tier(
+        "compact: power alpha 0",
+        BOTH,
+        round![
+            "coupling::compact",
+            "coupling::member",
+            "coupling::octave",
+            "special::hypergeometric"
+        ],
+        "compact::Power::new(0.0 as R).ok()?",
     ),
     tier(
         "quadrature: Coulomb",

@@ -1,52 +1,23 @@
-//! What each law, patch, tier and body costs a microcontroller when named, and that it costs none
-//! else.
+//! Builds, weighs and runs the programs.
 //!
-//! `cargo run --release -p tribos-benches --bin firmware -- [--out DIR] [--quick]` writes
-//! `firmware.csv` and `firmware.md` to DIR (default: docs/front). Flash is that of small programs
-//! for `thumbv7em-none-eabihf`; instructions and stack are those of calls on a Cortex-M4F and a
-//! Cortex-M0 that QEMU (`qemu-system-arm`) emulates. `--quick` leaves out opt-level "s", and
-//! measures only what has a budget, on the Cortex-M4F. It fails if the image of a program holds a
-//! module of the kernel that the program does not name.
+//! Flash is that of small programs for `thumbv7em-none-eabihf`; instructions and stack are those of
+//! calls on a Cortex-M4F and a Cortex-M0 that QEMU (`qemu-system-arm`) emulates.
 
+use super::board::{self, Board, CORTEX_M0, CORTEX_M0_LARGE, CORTEX_M4F, Cost};
+use super::image::{Flash, Image, modules_of_kernel};
+use super::items::{BASELINE, PLUMBING};
+use super::programs::{LEVELS, Program, Purpose, Workshop};
+use super::report::Row;
+use super::{assert_named, price};
 use std::collections::BTreeSet;
-use std::process::ExitCode;
-use tribos_benches::args::Options;
-use tribos_benches::firmware::board::{Board, CORTEX_M0, CORTEX_M0_LARGE, CORTEX_M4F, Cost};
-use tribos_benches::firmware::budgets::BUDGETS;
-use tribos_benches::firmware::image::{Flash, Image, modules_of_kernel};
-use tribos_benches::firmware::items::{BASELINE, PLUMBING};
-use tribos_benches::firmware::programs::{LEVELS, Program, Purpose, Workshop};
-use tribos_benches::firmware::report::{self, Row};
-use tribos_benches::firmware::{all_programs, assert_named, price};
-use tribos_benches::written;
 
-fn main() -> ExitCode {
-    match Options::read(std::env::args().skip(1)).and_then(|options| run(&options)) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("firmware: {message}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn run(options: &Options) -> Result<(), String> {
-    let programs = all_programs();
-    let mut rows: Vec<Row> = programs.iter().map(Row::of).collect();
-    let levels = if options.quick { 1 } else { LEVELS.len() };
-    weigh(&mut rows, levels)?;
-    measure(&mut rows, options.quick)?;
-    let levels: Vec<&str> = LEVELS[..levels].iter().map(|(level, _)| *level).collect();
-    let about = report::about()?;
-    let markdown = report::markdown(&about, &rows, &levels);
-    written::write(
-        &options.out,
-        "firmware.csv",
-        &report::csv(&about, &rows, &levels),
-    )?;
-    written::write(&options.out, "firmware.md", &markdown)?;
-    print!("{markdown}");
-    Ok(())
+/// Boards to measure on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Boards {
+    /// The Cortex-M4F alone.
+    Fast,
+    /// And the Cortex-M0.
+    Both,
 }
 
 /// Beside this program, so that two copies of the project do not meet.
@@ -55,8 +26,10 @@ fn workshop(purpose: Purpose, programs: &[Program]) -> Result<Workshop, String> 
     Workshop::write(&here.with_file_name("firmware-programs"), purpose, programs)
 }
 
-/// Flash and modules of every row.
-fn weigh(rows: &mut [Row], levels: usize) -> Result<(), String> {
+/// Flash and modules of every row at the first `levels` of [`LEVELS`].
+///
+/// Fails if the image of a program holds a module of the kernel that the program does not name.
+pub fn weigh(rows: &mut [Row], levels: usize) -> Result<(), String> {
     let known = modules_of_kernel()?;
     let programs: Vec<Program> = rows.iter().map(|row| row.program).collect();
     let workshop = workshop(Purpose::Flash, &programs)?;
@@ -101,25 +74,30 @@ fn features(modules: &BTreeSet<String>) -> String {
     features.join(" ")
 }
 
-/// Instructions and stack: of all rows on both boards, or of those with a budget on one.
-fn measure(rows: &mut [Row], quick: bool) -> Result<(), String> {
-    let has_budget = |row: &&mut Row| BUDGETS.iter().any(|budget| budget.is_of(&row.program));
-    let mut rows: Vec<&mut Row> = rows
-        .iter_mut()
-        .filter(|row| !quick || has_budget(row))
-        .collect();
+/// Why calls cannot be measured here, if they cannot.
+pub fn obstacle(boards: Boards) -> Option<String> {
+    let boards = match boards {
+        Boards::Fast => &[CORTEX_M4F][..],
+        Boards::Both => &[CORTEX_M4F, CORTEX_M0],
+    };
+    let missing = boards.iter().find_map(|board| board.installed().err());
+    missing.or(board::emulator().err())
+}
+
+/// Instructions and stack of the rows.
+pub fn measure(mut rows: Vec<&mut Row>, boards: Boards) -> Result<(), String> {
     let programs: Vec<Program> = rows.iter().map(|row| row.program).collect();
     let workshop = workshop(Purpose::Measure, &programs)?;
     let fast = on_board(&workshop, &CORTEX_M4F, &programs)?;
     for (row, cost) in rows.iter_mut().zip(fast) {
         row.fast = Some(cost?);
     }
-    if quick {
+    if boards == Boards::Fast {
         return Ok(());
     }
     let small = on_board(&workshop, &CORTEX_M0, &programs)?;
     let mut left = Vec::new();
-    for (row, cost) in rows.iter_mut().zip(small) {
+    for (row, cost) in rows.into_iter().zip(small) {
         row.small = cost.ok();
         if row.small.is_none() {
             left.push(row);
@@ -127,7 +105,7 @@ fn measure(rows: &mut [Row], quick: bool) -> Result<(), String> {
     }
     let programs: Vec<Program> = left.iter().map(|row| row.program).collect();
     let large = on_board(&workshop, &CORTEX_M0_LARGE, &programs)?;
-    for (row, cost) in left.iter_mut().zip(large) {
+    for (row, cost) in left.into_iter().zip(large) {
         row.small = Some(cost?);
         row.fits_small = false;
     }

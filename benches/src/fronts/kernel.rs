@@ -1,22 +1,22 @@
 //! Speed against error of one evaluation of force and torque.
 //!
-//! `cargo run --release -p tribos-benches --bin front -- [--out DIR] [--quick]` writes
-//! `front.csv`, `front.md` and `front.svg` to DIR (default: docs/front) and prints the ratios that matter.
 //! Times come from eight mixes in a row, errors from one.
 //! Errors are judged by double-double arithmetic (α = 0), by the compact tier (else).
 
+use super::{Finding, Front, Setting};
+use crate::baselines::trapezoid::Trapezoid;
+use crate::catalogue;
+use crate::contact::Contact;
+use crate::errors::Errors;
+use crate::firmware::prices::{self, Boards};
+use crate::firmware::report::Row as Priced;
+use crate::firmware::{TIER, all_programs};
+use crate::methods::{Inputs, Kind, Method};
+use crate::mix;
+use crate::picture::{self, Place};
+use crate::timing::{self, Samples, Task};
+use crate::written::{Sheet, short};
 use std::path::Path;
-use std::process::ExitCode;
-use tribos_benches::args::Options;
-use tribos_benches::baselines::trapezoid::Trapezoid;
-use tribos_benches::catalogue;
-use tribos_benches::contact::Contact;
-use tribos_benches::errors::Errors;
-use tribos_benches::methods::{Inputs, Kind, Method};
-use tribos_benches::mix;
-use tribos_benches::picture::{self, Place};
-use tribos_benches::timing::{self, Samples, Task};
-use tribos_benches::written::{self, Sheet, short};
 
 /// Seed of the mix.
 const SEED: u64 = 1;
@@ -34,47 +34,121 @@ const TRAPEZOID_TASK: &str = "trapezoid at 1e-3";
 /// The same with a power at every node.
 const GENERAL_TASK: &str = "trapezoid at 1e-3 for any alpha";
 
+/// Methods, without their precision, that are items of the firmware's front.
+const ITEMS: [(&str, &str); 5] = [
+    ("table", "table: Coulomb"),
+    ("table alpha 0.5", "table: alpha 0.5"),
+    ("compact", "compact: Coulomb"),
+    ("compact power", "compact: power alpha 0"),
+    ("quadrature", "quadrature: Coulomb"),
+];
+const PICTURE: &str = "kernel.svg";
+const TARGETS_PICTURE: &str = "kernel_targets.svg";
+
 /// One line of the front.
 #[derive(Debug)]
 struct Row {
     method: Method,
     nanoseconds: f64,
     errors: Errors,
+    /// Instructions of a call on the Cortex-M4F and the Cortex-M0.
+    instructions: [Option<u64>; 2],
 }
 
-fn main() -> ExitCode {
-    match Options::read(std::env::args().skip(1)).and_then(|options| run(&options)) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("front: {message}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn run(options: &Options) -> Result<(), String> {
+/// Makes the front; `counted` are the firmware's rows of the same run, else tiers are counted anew.
+pub fn run(setting: &Setting<'_>, counted: Option<&[Priced]>) -> Result<Finding, String> {
+    let (own, obstacle) = match counted {
+        Some(_) => (Vec::new(), None),
+        None => count(setting.quick)?,
+    };
+    let counted = counted.unwrap_or(&own);
     let inputs = Inputs::new(mix::pairs(SEED));
     let methods = all_methods()?;
     let errors: Vec<Errors> = methods.iter().map(|m| judge(m, &inputs)).collect();
     let n = trapezoid_at(TRAPEZOID_ERROR, &inputs.thinned(SLOW_STRIDE));
-    let rounds = if options.quick { QUICK_ROUNDS } else { ROUNDS };
+    let rounds = if setting.quick { QUICK_ROUNDS } else { ROUNDS };
     let samples = measure(&methods, &Inputs::new(mix::long_pairs(SEED)), n, rounds)?;
-    let ratios = ratios(&samples, n);
 
     let timed = methods.into_iter().zip(errors).zip(samples.medians());
     let row = |((method, errors), seconds)| Row {
+        instructions: instructions(&method, counted),
         method,
         errors,
         nanoseconds: 1e9 * seconds,
     };
     let rows: Vec<Row> = timed.map(row).collect();
     let sheet = sheet(&rows, rounds);
-    let report = format!("{}\n{ratios}", sheet.markdown());
-    written::write(&options.out, "front.csv", &sheet.csv())?;
-    written::write(&options.out, "front.md", &report)?;
-    draw(&options.out, &rows)?;
-    print!("{report}");
-    Ok(())
+    setting.table("kernel", &sheet)?;
+    let drawn = draw_targets(setting.out, &rows)?;
+    let drawn = drawn.map_or(String::new(), |name| {
+        format!("![Instructions against error]({name})\n\n")
+    });
+    let missing = match obstacle {
+        Some(reason) => format!("Instructions are not measured: {reason}.\n\n"),
+        None => String::new(),
+    };
+    let body = format!(
+        "![Time against error]({PICTURE})\n\n{drawn}{missing}{}\n{}",
+        sheet.markdown(),
+        ratios(&samples, n)
+    );
+    setting.page(Front::Kernel, &body)?;
+    draw(setting.out, &rows)?;
+    Ok(Finding {
+        line: line(&rows, &samples),
+        picture: PICTURE,
+    })
+}
+
+/// Counts the instructions of the tiers; tells why not if that is impossible here.
+fn count(quick: bool) -> Result<(Vec<Priced>, Option<String>), String> {
+    let programs = all_programs();
+    let tiers = programs.iter().filter(|program| program.item.group == TIER);
+    let mut rows: Vec<Priced> = tiers.map(Priced::of).collect();
+    let boards = if quick { Boards::Fast } else { Boards::Both };
+    let obstacle = prices::obstacle(boards);
+    if obstacle.is_none() {
+        prices::measure(rows.iter_mut().collect(), boards)?;
+    }
+    Ok((rows, obstacle))
+}
+
+/// Mean instructions of a call on both targets.
+fn instructions(method: &Method, counted: &[Priced]) -> [Option<u64>; 2] {
+    let bare = method.name.replace(" f32", "");
+    let item = ITEMS.iter().find(|(name, _)| *name == bare);
+    let of_method = |row: &&Priced| {
+        let program = &row.program;
+        let is_item = item.is_some_and(|(_, item)| program.item.name == *item);
+        program.item.group == TIER && is_item && program.precision == method.precision()
+    };
+    let row = counted.iter().find(of_method);
+    [row.and_then(|row| row.fast), row.and_then(|row| row.small)]
+        .map(|cost| cost.map(|cost| cost.mean))
+}
+
+/// What the front says.
+fn line(rows: &[Row], samples: &Samples) -> String {
+    let of = |name: &str| rows.iter().find(|row| row.method.name == name);
+    let error = |name| short(of(name).map_or(f64::NAN, |row| row.errors.relative()));
+    let time = |name| short(of(name).map_or(f64::NAN, |row| row.nanoseconds));
+    let ratio = |name| short(samples.ratio(name, "table").unwrap_or(f64::NAN));
+    let [fast, small] = of("table f32").map_or([None; 2], |row| row.instructions);
+    let told = |count: Option<u64>| count.map_or("(not measured)".into(), |n| n.to_string());
+    format!(
+        "The table gives force and torque with a relative error of {} in {} ns here (f32: {} in {} ns, \
+         {} instructions on a Cortex-M4F, {} on an M0); without a table it takes {} times as long, by \
+         an AGM as usual {}, by quadrature {}.",
+        error("table"),
+        time("table"),
+        error("table f32"),
+        time("table f32"),
+        told(fast),
+        told(small),
+        ratio("compact"),
+        ratio("agm"),
+        ratio("quadrature"),
+    )
 }
 
 /// Time against the larger relative error of force and torque, α = 0.
@@ -90,11 +164,41 @@ fn draw(out: &Path, rows: &[Row]) -> Result<(), String> {
     let axes = ["time per pair [ns]", "largest relative error of F and T"];
     picture::scatter(
         out,
-        "front",
+        "kernel",
         "Speed against error, α = 0",
         axes,
         places.collect(),
     )
+}
+
+/// Instructions against the same error, by target and precision; the picture's name, if there is
+/// something to draw.
+fn draw_targets(out: &Path, rows: &[Row]) -> Result<Option<&'static str>, String> {
+    let places = rows.iter().flat_map(|row| {
+        let place = |(count, target): (Option<u64>, &str)| {
+            Some(Place {
+                label: row.method.name.clone(),
+                group: format!("{target}, {}", row.method.precision()),
+                at: (count? as f64, row.errors.relative()),
+            })
+        };
+        let targets = row
+            .instructions
+            .into_iter()
+            .zip(["Cortex-M4F", "Cortex-M0"]);
+        targets.filter_map(place).collect::<Vec<_>>()
+    });
+    let places: Vec<Place> = places.collect();
+    if places.is_empty() {
+        return Ok(None);
+    }
+    let axes = [
+        "instructions of a call, mean",
+        "largest relative error of F and T",
+    ];
+    let title = "Tiers on microcontrollers";
+    picture::scatter(out, "kernel_targets", title, axes, places)?;
+    Ok(Some(TARGETS_PICTURE))
 }
 
 /// Tiers, baselines and exponents.
@@ -206,7 +310,9 @@ fn sheet(rows: &[Row], rounds: usize) -> Sheet {
             method,
             nanoseconds,
             errors,
+            instructions,
         } = row;
+        let counted = |count: Option<u64>| count.map_or("-".into(), |count| count.to_string());
         // Absolute errors have a scale of their own for every other exponent.
         let absolute = |error| {
             if method.alpha == 0.0 {
@@ -221,6 +327,8 @@ fn sheet(rows: &[Row], rounds: usize) -> Sheet {
             method.precision().into(),
             method.alpha.to_string(),
             short(*nanoseconds),
+            counted(instructions[0]),
+            counted(instructions[1]),
             short(errors.relative_force),
             short(errors.relative_torque),
             absolute(errors.absolute_force),
@@ -230,11 +338,13 @@ fn sheet(rows: &[Row], rounds: usize) -> Sheet {
     Sheet {
         about: format!(
             "Force and torque of the uniform disk: median of {rounds} interleaved rounds and \
-             largest errors over the mix of 3800 velocity ratios (integration: every 100th); by \
-             `cargo run --release -p tribos-benches --bin front`"
+             largest errors over the mix of 3800 velocity ratios (integration: every 100th); M4F and \
+             M0: mean instructions of a call over the 256 inputs of the firmware front, - where not \
+             counted"
         ),
         header: vec![
-            "method", "kind", "type", "alpha", "ns", "rel F", "rel T", "abs F", "abs T/T0",
+            "method", "kind", "type", "alpha", "ns", "M4F", "M0", "rel F", "rel T", "abs F",
+            "abs T/T0",
         ],
         rows: rows.iter().map(cells).collect(),
     }
@@ -285,4 +395,34 @@ fn ratios(samples: &Samples, n: usize) -> String {
     ];
     let line = |(name, value): &(String, f64)| format!("- {name}: {}\n", short(*value));
     lines.iter().map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::firmware::board::Cost;
+
+    #[test]
+    fn every_counted_item_is_a_method_in_both_precisions() {
+        let methods = all_methods().unwrap();
+        let cost = Cost {
+            mean: 7,
+            worst: 9,
+            stack: 0,
+            worst_at: 0,
+        };
+        for (name, item) in ITEMS {
+            let programs = all_programs();
+            let of_item = programs.iter().filter(|program| program.item.name == item);
+            let mut rows: Vec<Priced> = of_item.map(Priced::of).collect();
+            assert_eq!(rows.len(), 2, "{item}");
+            rows.iter_mut().for_each(|row| row.fast = Some(cost));
+            let counted = methods
+                .iter()
+                .filter(|m| instructions(m, &rows)[0] == Some(7));
+            let counted: Vec<&Method> = counted.collect();
+            assert_eq!(counted.len(), 2, "{name}: {counted:?}");
+            assert_ne!(counted[0].precision(), counted[1].precision());
+        }
+    }
 }

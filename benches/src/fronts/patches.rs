@@ -1,15 +1,11 @@
 //! Every patch × law × tier: error, time and size.
-//!
-//! `cargo run --release -p tribos-benches --bin patch_front -- [--out DIR] [--quick]` writes
-//! `patch_front.csv`, `patch_front.md` and `patch_front.svg` to DIR (default: docs/front).
 
+use super::{Finding, Front, Setting};
+use crate::patches::{Entry, Label, Refused, Worst, points, round, surface, tall};
+use crate::picture::{self, Place};
+use crate::timing::{self, Samples, Task};
+use crate::written::{Sheet, short};
 use std::path::Path;
-use std::process::ExitCode;
-use tribos_benches::args::Options;
-use tribos_benches::patches::{Entry, Label, Refused, Worst, points, round, surface, tall};
-use tribos_benches::picture::{self, Place};
-use tribos_benches::timing::{self, Samples, Task};
-use tribos_benches::written::{self, Sheet, short};
 
 /// Rounds of all rows, and of a quick look.
 const ROUNDS: usize = 31;
@@ -18,6 +14,7 @@ const QUICK_ROUNDS: usize = 3;
 const ROUNDING: f64 = 1e-17;
 /// Times are told in units of this row's, too: Coulomb's table of the disk in f64.
 const UNIT: usize = 0;
+const PICTURE: &str = "patches.svg";
 
 /// What is left of an entry once its task runs.
 #[derive(Debug)]
@@ -28,37 +25,45 @@ struct Row {
     worst: Worst,
 }
 
-fn main() -> ExitCode {
-    let options = Options::read(std::env::args().skip(1));
-    match options
-        .map_err(Into::into)
-        .and_then(|options| run(&options))
-    {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("patch_front: {message}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn run(options: &Options) -> Result<(), Refused> {
+/// Makes the front.
+pub fn run(setting: &Setting<'_>) -> Result<Finding, Refused> {
     let (rows, tasks) = split(entries()?);
-    let rounds = if options.quick { QUICK_ROUNDS } else { ROUNDS };
+    let rounds = if setting.quick { QUICK_ROUNDS } else { ROUNDS };
     let samples = timing::interleaved(tasks, rounds);
     let nanoseconds: Vec<f64> = samples.medians().iter().map(|s| 1e9 * s).collect();
     let full = full(&rows, &nanoseconds, &samples, rounds);
-    let report = format!(
-        "{}\n{}\n{LEGEND}\n{}",
-        machine(),
+    setting.table("patches", &full)?;
+    let body = format!(
+        "![Time against error]({PICTURE})\n\n{}\n{LEGEND}\n{}",
         summary(&rows, &nanoseconds).markdown(),
         full.markdown()
     );
-    written::write(&options.out, "patch_front.csv", &full.csv())?;
-    written::write(&options.out, "patch_front.md", &report)?;
-    draw(&options.out, &rows, &nanoseconds)?;
-    print!("{report}");
-    Ok(())
+    setting.page(Front::Patches, &body)?;
+    draw(setting.out, &rows, &nanoseconds)?;
+    Ok(Finding {
+        line: line(&rows, &samples),
+        picture: PICTURE,
+    })
+}
+
+/// What the front says: the tables of all round patches and laws in f64.
+fn line(rows: &[Row], samples: &Samples) -> String {
+    let of_tables =
+        |index: &usize| rows[*index].label.tier == "table" && rows[*index].precision == "f64";
+    let tables: Vec<usize> = (0..rows.len()).filter(of_tables).collect();
+    let ratio = |&index: &usize| samples.ratio(&index.to_string(), &UNIT.to_string());
+    let ratios: Vec<f64> = tables.iter().filter_map(ratio).collect();
+    let worst = tables.iter().map(|&index| rows[index].worst.of_larger);
+    format!(
+        "Tables serve {} combinations of patch and power law in f64 with errors up to {} of the larger \
+         of force and torque, in {} to {} times the time of the disk's Coulomb table (powers of the \
+         speed included); {} rows of other tiers and precisions tell the price of everything else.",
+        tables.len(),
+        short(worst.fold(0.0, f64::max)),
+        short(ratios.iter().copied().fold(f64::INFINITY, f64::min)),
+        short(ratios.iter().copied().fold(0.0, f64::max)),
+        rows.len() - tables.len(),
+    )
 }
 
 /// All rows; Coulomb's table of the disk in f64 is the first.
@@ -100,7 +105,7 @@ Errors are the largest over fixed speeds: `rel F` and `rel T` relative, `of larg
 the two (and of the lateral force) over the larger of F and T, which is the load's scale where T or \
 F passes through zero. `x` is the time in units of the disk's Coulomb table in f64, the median of \
 the rounds' own ratios. `bytes` is what the value holds, with its table; \
-the quadrature and all code are in firmware.md. Surfaces: the gauge of a \
+the quadrature and all code are in [firmware.md](firmware.md). Surfaces: the gauge of a \
 point on the surface, the unit normal there, and the projection of a point half a force limit \
 outside.
 
@@ -119,14 +124,6 @@ forms for laws that are no power; quadrature for pressures other than uniform (n
 nodes for the annulus. The tripod and the nodes that stand for themselves have a 30-digit judge for \
 power laws only, the tall cylinder a table for power laws only.
 ";
-
-fn machine() -> String {
-    format!(
-        "`cargo run --release -p tribos-benches --bin patch_front`, on a shared {} machine: ratios \
-         within the run are steadier than nanoseconds.\n",
-        std::env::consts::ARCH
-    )
-}
 
 /// By tier and precision: the span of times, the largest errors.
 fn summary(rows: &[Row], nanoseconds: &[f64]) -> Sheet {
@@ -231,5 +228,5 @@ fn draw(out: &Path, rows: &[Row], nanoseconds: &[f64]) -> Result<(), String> {
         "largest error, of the larger of F and T",
     ];
     let title = "Patches under Coulomb friction, f64";
-    picture::scatter(out, "patch_front", title, axes, places.map(place).collect())
+    picture::scatter(out, "patches", title, axes, places.map(place).collect())
 }

@@ -1,0 +1,115 @@
+//! What each law, patch, tier and body costs a microcontroller when named, and that it costs none
+//! else.
+
+use super::{Finding, Front, Setting};
+use crate::firmware::board;
+use crate::firmware::budgets::BUDGETS;
+use crate::firmware::prices::{self, Boards};
+use crate::firmware::programs::{LEVELS, Program};
+use crate::firmware::report::{self, Row};
+use crate::firmware::{TIER, all_programs};
+use crate::picture::{self, Place};
+use std::path::Path;
+
+const PICTURE: &str = "firmware.svg";
+/// Flash below this is drawn at it.
+const LEAST_FLASH: u64 = 1;
+
+/// Makes the front; its rows are for the kernel's.
+///
+/// A quick look leaves out opt-level "s", and measures only tiers and what has a budget, on the
+/// Cortex-M4F. Without QEMU nothing is measured, and the page says so.
+pub fn run(setting: &Setting<'_>) -> Result<(Finding, Vec<Row>), String> {
+    let mut rows: Vec<Row> = all_programs().iter().map(Row::of).collect();
+    let levels = if setting.quick { 1 } else { LEVELS.len() };
+    prices::weigh(&mut rows, levels)?;
+    let obstacle = measure(&mut rows, setting.quick)?;
+    let levels: Vec<&str> = LEVELS[..levels].iter().map(|(level, _)| *level).collect();
+    setting.table("firmware", &report::all(&rows, &levels))?;
+    setting.table("firmware_budgets", &report::budgets(&rows))?;
+    let emulated = match (board::emulator(), obstacle) {
+        (Ok(emulator), None) => format!("Emulated by {emulator}"),
+        (_, obstacle) => format!("Nothing is measured: {}", obstacle.unwrap_or_default()),
+    };
+    let body = format!(
+        "{emulated}.\n\n![Flash and instructions]({PICTURE})\n\n{}",
+        report::markdown(&rows, &levels)
+    );
+    setting.page(Front::Firmware, &body)?;
+    draw(setting.out, &rows)?;
+    let finding = Finding {
+        line: line(&rows),
+        picture: PICTURE,
+    };
+    Ok((finding, rows))
+}
+
+/// Measures what is wanted; tells why not if that is impossible here.
+fn measure(rows: &mut [Row], quick: bool) -> Result<Option<String>, String> {
+    let is_wanted = |program: &Program| {
+        let has_budget = BUDGETS.iter().any(|budget| budget.is_of(program));
+        !quick || has_budget || program.item.group == TIER
+    };
+    let boards = if quick { Boards::Fast } else { Boards::Both };
+    let obstacle = prices::obstacle(boards);
+    if obstacle.is_none() {
+        let rows = rows.iter_mut().filter(|row| is_wanted(&row.program));
+        prices::measure(rows.collect(), boards)?;
+    }
+    Ok(obstacle)
+}
+
+/// Flash against instructions in f32 on the Cortex-M4F; flash alone where nothing was measured.
+fn draw(out: &Path, rows: &[Row]) -> Result<(), String> {
+    let place = |row: &Row| {
+        let flash = row.flash.first()?.total().max(LEAST_FLASH);
+        let instructions = row.fast.map_or(1, |cost| cost.mean);
+        Some(Place {
+            label: row.program.item.name.into(),
+            group: row.program.item.group.into(),
+            at: (flash as f64, instructions as f64),
+        })
+    };
+    let is_drawn = |row: &&Row| {
+        let measured = rows.iter().any(|row| row.fast.is_some());
+        let Program {
+            item, precision, ..
+        } = row.program;
+        precision == "f32" && item.group != "baseline" && (row.fast.is_some() || !measured)
+    };
+    picture::scatter(
+        out,
+        "firmware",
+        "What naming an item costs, f32 on a Cortex-M4F",
+        ["flash [bytes]", "instructions of a call, mean"],
+        rows.iter().filter(is_drawn).filter_map(place).collect(),
+    )
+}
+
+/// What the front says: budgets, with the smallest disk beside them.
+fn line(rows: &[Row]) -> String {
+    let kept = report::kept(rows);
+    let flash = |row: &Row| row.flash.first().map_or(0, |flash| flash.total());
+    let first = BUDGETS.iter().find_map(|budget| {
+        let row = rows.iter().find(|row| budget.is_of(&row.program))?;
+        Some((budget, row))
+    });
+    let disk = first.map_or(String::new(), |(budget, row)| {
+        let counted = row
+            .fast
+            .map_or("unmeasured".into(), |cost| cost.mean.to_string());
+        format!(
+            "; a {} takes {counted} instructions on average and {} bytes of flash",
+            budget.item[1],
+            flash(row)
+        )
+    });
+    let budgets = match kept.len() {
+        0 => "No call was measured for want of QEMU".into(),
+        known => format!(
+            "{} of {known} budgets of the Cortex-M4F are kept",
+            kept.iter().filter(|&&kept| kept).count()
+        ),
+    };
+    format!("{budgets}{disk}; no image holds a module of the kernel that its item does not name.")
+}

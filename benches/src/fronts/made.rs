@@ -1,0 +1,78 @@
+//! When, on what and by what a front was made.
+
+use crate::args::Options;
+use std::fs;
+use std::process::Command;
+
+/// Date, machine, load, compiler and command, in one line.
+pub fn now(options: &Options) -> String {
+    let date = first_line("date", &["+%Y-%m-%d"]).unwrap_or("on an unknown day".into());
+    let compiler = std::env::var("RUSTC").unwrap_or("rustc".into());
+    let compiler = first_line(&compiler, &["-V"]).unwrap_or("rustc of unknown version".into());
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let load = load().map_or(String::new(), |load| {
+        format!(", load average {load} at the start")
+    });
+    format!(
+        "Made {date} on {}, cores: {cores}{load}; {compiler}; times are the processor's; by `{}`",
+        processor(),
+        options.command()
+    )
+}
+
+/// What a program prints first.
+pub fn first_line(program: &str, arguments: &[&str]) -> Result<String, String> {
+    let output = Command::new(program).args(arguments).output();
+    let output = output.map_err(|error| format!("cannot run {program}: {error}"))?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    match text.lines().next() {
+        Some(line) if output.status.success() => Ok(line.to_string()),
+        _ => Err(format!("{program} says nothing")),
+    }
+}
+
+/// The model that Linux tells, else the architecture.
+fn processor() -> String {
+    let told = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = model(&told).map(|model| format!("{model} ({})", std::env::consts::ARCH));
+    model.unwrap_or(std::env::consts::ARCH.into())
+}
+
+fn model(told: &str) -> Option<String> {
+    let line = told.lines().find(|line| line.starts_with("model name"))?;
+    let (_, model) = line.split_once(':')?;
+    Some(model.trim().to_string())
+}
+
+/// Of the last minute: what else the machine does.
+fn load() -> Option<String> {
+    let told = fs::read_to_string("/proc/loadavg").ok()?;
+    told.split(' ').next().map(String::from)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fronts::Front;
+
+    #[test]
+    fn the_header_tells_machine_compiler_date_and_command() {
+        let options = Options {
+            out: "somewhere".into(),
+            quick: true,
+            fronts: vec![Front::Kernel],
+        };
+        let made = now(&options);
+        for part in ["Made 20", "cores: ", "rustc ", "--only kernel --quick"] {
+            assert!(made.contains(part), "{part} is missing: {made}");
+        }
+        assert!(!made.contains("somewhere") && !made.contains('\n'));
+    }
+
+    #[test]
+    fn a_processor_has_its_model() {
+        let told = "processor\t: 0\nmodel name\t: Some CPU @ 2 GHz\n";
+        assert_eq!(model(told).as_deref(), Some("Some CPU @ 2 GHz"));
+        assert_eq!(model("processor : 0"), None);
+    }
+}

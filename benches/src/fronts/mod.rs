@@ -1,0 +1,147 @@
+//! The fronts that the documentation shows: each a page, tables and pictures in one folder.
+
+pub mod contacts;
+pub mod firmware;
+pub mod index;
+pub mod integrators;
+pub mod kernel;
+pub mod made;
+pub mod patches;
+
+use crate::args::Options;
+use crate::written::{self, Sheet};
+use std::path::Path;
+use std::time::Instant;
+
+/// A front.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Front {
+    /// One evaluation of force and torque.
+    Kernel,
+    /// Every patch, law and tier.
+    Patches,
+    /// One stop of a sliding, spinning disk.
+    Integrators,
+    /// Contacts of packings and their solvers.
+    Contacts,
+    /// What each item costs a microcontroller.
+    Firmware,
+}
+
+impl Front {
+    /// In the order of the index.
+    pub const ALL: [Self; 5] = [
+        Self::Kernel,
+        Self::Patches,
+        Self::Integrators,
+        Self::Contacts,
+        Self::Firmware,
+    ];
+
+    /// The order of work: what builds comes before what is timed, and the kernel's front shows
+    /// instructions that the firmware's counts.
+    const WORK: [Self; 5] = [
+        Self::Firmware,
+        Self::Kernel,
+        Self::Patches,
+        Self::Integrators,
+        Self::Contacts,
+    ];
+
+    /// Of the option, and of the front's files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Kernel => "kernel",
+            Self::Patches => "patches",
+            Self::Integrators => "integrators",
+            Self::Contacts => "contacts",
+            Self::Firmware => "firmware",
+        }
+    }
+
+    /// The heading of its page.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Kernel => "Force and torque: speed against error",
+            Self::Patches => "Every patch, law and tier: speed, error, size",
+            Self::Integrators => "A disk brought to rest: step, order, error, cost",
+            Self::Contacts => "Contacts of packings: speed, residual, size",
+            Self::Firmware => "What the kernel costs a microcontroller",
+        }
+    }
+
+    /// The front of that name.
+    pub fn named(name: &str) -> Result<Self, String> {
+        let found = Self::ALL.into_iter().find(|front| front.name() == name);
+        found.ok_or_else(|| {
+            let known = Self::ALL.map(Self::name).join(", ");
+            format!("no front has the name {name:?}; known: {known}")
+        })
+    }
+}
+
+/// Where a front goes, how long it measures, and what stands above its tables.
+#[derive(Clone, Debug)]
+pub struct Setting<'a> {
+    /// Folder for the results.
+    pub out: &'a Path,
+    /// Few rounds.
+    pub quick: bool,
+    /// Date, machine, compiler and command.
+    pub made: &'a str,
+}
+
+impl Setting<'_> {
+    /// Writes a table as `stem`.csv.
+    fn table(&self, stem: &str, sheet: &Sheet) -> Result<(), String> {
+        let text = format!("# {}\n{}", self.made, sheet.csv());
+        written::write(self.out, &format!("{stem}.csv"), &text)
+    }
+
+    /// Writes the page of a front.
+    fn page(&self, front: Front, body: &str) -> Result<(), String> {
+        let text = format!("# {}\n\n{}.\n\n{body}", front.title(), self.made);
+        written::write(self.out, &format!("{}.md", front.name()), &text)
+    }
+}
+
+/// What a front says in one line, and the picture that shows it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// One line, with the figures of this run.
+    pub line: String,
+    /// Name of a file beside the page.
+    pub picture: &'static str,
+}
+
+/// Makes the fronts asked for, and their part of the index.
+pub fn run(options: &Options) -> Result<(), String> {
+    let made = made::now(options);
+    let setting = Setting {
+        out: &options.out,
+        quick: options.quick,
+        made: &made,
+    };
+    println!("{made}");
+    let mut counted = None;
+    let wanted = |front: &Front| options.fronts.contains(front);
+    for front in Front::WORK.into_iter().filter(wanted) {
+        let clock = Instant::now();
+        let finding = match front {
+            Front::Firmware => {
+                let (finding, rows) = firmware::run(&setting)?;
+                counted = Some(rows);
+                finding
+            }
+            Front::Kernel => kernel::run(&setting, counted.as_deref())?,
+            Front::Patches => patches::run(&setting).map_err(|error| error.to_string())?,
+            Front::Integrators => integrators::run(&setting)?,
+            Front::Contacts => contacts::run(&setting)?,
+        };
+        index::enter(&setting, front, &finding)?;
+        let seconds = clock.elapsed().as_secs();
+        println!("{} ({seconds} s): {}", front.name(), finding.line);
+    }
+    println!("written to {}", options.out.display());
+    Ok(())
+}
