@@ -159,3 +159,44 @@ fn foreign_numbers_give_numbers_or_nan() {
         }
     }
 }
+
+#[test]
+fn single_precision_follows() {
+    let mut rng = Lcg::new(17);
+    let mut worst = 0.0_f64;
+    for case in 0..1000 {
+        let points = points(&mut rng, case);
+        let mut narrow_points = NodeList::<f32, CAPACITY>::new();
+        let mut wide_points = Points::new();
+        for node in points.nodes() {
+            let [x, y, weight] = [node.x, node.y, node.weight].map(|value| value as f32);
+            narrow_points.push(Node { x, y, weight }).expect("room");
+            let [x, y, weight] = [x, y, weight].map(f64::from);
+            wide_points.push(Node { x, y, weight }).expect("room");
+        }
+        let mut narrow: Foot<f32, _, CAPACITY> = Foot::new(narrow_points, 3.0).expect("valid");
+        let mut wide: Foot<f64, _, CAPACITY> = Foot::new(wide_points, 3.0).expect("valid");
+        let wanted = wrench(&mut rng, 6.0, 0.6);
+        let [x, y, n] = [wanted.force.x, wanted.force.y, wanted.torque].map(|value| value as f32);
+        let got = narrow.nearest(
+            &Wrench {
+                force: Vector2::new(x, y),
+                torque: n,
+            },
+            0.125,
+        );
+        let wanted = Wrench {
+            force: Vector2::new(f64::from(x), f64::from(y)),
+            torque: f64::from(n),
+        };
+        let right = wide.nearest(&wanted, 0.125);
+        let got = Wrench {
+            force: Vector2::new(f64::from(got.force.x), f64::from(got.force.y)),
+            torque: f64::from(got.torque),
+        };
+        let size = distance(&wanted, &Wrench::ZERO, 0.125);
+        worst = worst.max(distance(&got, &right, 0.125) / size);
+    }
+    println!("worst in f32: {worst:.1e} of the wrench");
+    assert!(worst < 1e-5);
+}
