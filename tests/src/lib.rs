@@ -5,6 +5,7 @@
 //! the tables of `tables/` or formulas of the test that uses them.
 
 pub mod contacts;
+pub mod fuzz;
 pub mod hard;
 pub mod laws;
 pub mod least_distance;
