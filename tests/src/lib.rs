@@ -6,6 +6,7 @@
 
 pub mod contacts;
 pub mod cross;
+pub mod fuzz;
 pub mod hard;
 pub mod laws;
 pub mod least_distance;

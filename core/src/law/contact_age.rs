@@ -62,6 +62,10 @@ impl Evolution for Ruina {
     fn evolved<R: Real>(theta: R, speed: R, slip_distance: R, dt: R) -> R {
         let slid = speed * dt / slip_distance;
         if slid == R::ZERO || theta == R::ZERO {
+            // However far it slides, no age stays none.
+            if slid == R::INFINITY {
+                return theta;
+            }
             // Sums and products that are zero, unless one of the arguments is NaN.
             return theta + theta * slid;
         }

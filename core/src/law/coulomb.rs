@@ -28,11 +28,11 @@ impl<R: Real> Coulomb<R> {
 
 impl<R: Real> LocalLaw<R> for Coulomb<R> {
     #[inline]
-    fn friction(&self, _: R) -> R {
-        self.mu
+    fn friction(&self, speed: R) -> R {
+        if speed.is_nan() { speed } else { self.mu }
     }
     #[inline]
-    fn slope(&self, _: R) -> R {
-        R::ZERO
+    fn slope(&self, speed: R) -> R {
+        if speed.is_nan() { speed } else { R::ZERO }
     }
 }

@@ -1,5 +1,6 @@
 //! Friction that grows or falls with a power of the speed.
 
+use super::limits::scaled;
 use super::{LawError, LocalLaw, validated_coefficient, validated_exponent};
 use crate::real::Real;
 
@@ -49,10 +50,21 @@ impl<R: Real> PowerLaw<R> {
 impl<R: Real> LocalLaw<R> for PowerLaw<R> {
     #[inline]
     fn friction(&self, speed: R) -> R {
-        self.coefficient * speed.pow(self.alpha)
+        scaled(self.coefficient, power(speed, self.alpha))
     }
     #[inline]
     fn slope(&self, speed: R) -> R {
-        self.coefficient * self.alpha * speed.pow(self.alpha - R::ONE)
+        let slope = power(speed, self.alpha - R::ONE);
+        scaled(self.coefficient * self.alpha, slope)
+    }
+}
+
+/// `speed` to the power `exponent`; NaN stays NaN, also to the power 0.
+#[inline]
+fn power<R: Real>(speed: R, exponent: R) -> R {
+    if speed.is_nan() {
+        speed
+    } else {
+        speed.pow(exponent)
     }
 }

@@ -112,7 +112,13 @@ impl<R: Real> FrictionSet<R> for Ellipsoid<R> {
     fn gauge(&self, wrench: &Wrench<R>) -> R {
         let Wrench { force, torque } = wrench;
         let lever = self.radius() * self.surface.coupling().spin_torque;
-        let length = force.x.hypot(force.y).hypot(*torque / lever);
+        // A lever below the range of numbers bears no torque, and none needs none.
+        let reduced = if *torque == R::ZERO {
+            *torque
+        } else {
+            *torque / lever
+        };
+        let length = force.x.hypot(force.y).hypot(reduced);
         if length == R::ZERO {
             return length;
         }

@@ -30,8 +30,9 @@ impl<R: Real> CompleteElliptic<R> {
     /// complement as input keeps everything exact at m → 1.
     ///
     /// *Domain*: 0 ≤ `complement` ≤ 1. *Special values*: at 0, B = 1 and C, D, K are infinite,
-    /// E = 1; outside the domain or for NaN, NaN. *Accuracy*: relative error at most 8 ulp in
-    /// K, D, C, and 4 ulp·K in B and E (B is the difference of two terms of size K).
+    /// E = 1; below 0 and for NaN, NaN; above 1 the continuation to m < 0, of which no accuracy is
+    /// promised. *Accuracy*: relative error at most 8 ulp in K, D, C, and 4 ulp·K in B and E (B is
+    /// the difference of two terms of size K).
     /// *Source*: Abramowitz & Stegun 17.6; Fukushima, J. Comput. Appl. Math. 235 (2011) 4140.
     ///
     /// ```

@@ -1,0 +1,221 @@
+//! Contacts of spheres and plates, alone and a few at once.
+
+use super::check::{finite, holds};
+use super::{Broken, Source};
+use tribos_core::contact::{
+    AllModes, Attraction, AxialPart, Body, Cohesion, Contact, ContactFriction, CoupledFriction,
+    Modal, Modes, NormalLaw, PlanarPart, Plate, Sphere, Thresholds, TimeStep, Touch,
+};
+use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
+use tribos_core::manifold::{Manifold, Start, Stop};
+use tribos_core::real::Real;
+
+/// One update of one contact under one friction.
+pub fn contacts(source: &mut Source) -> Result<(), Broken> {
+    if source.one_in(2) {
+        of::<f64>(source)
+    } else {
+        of::<f32>(source)
+    }
+}
+
+fn of<R: CoulombTable>(source: &mut Source) -> Result<(), Broken> {
+    let [mu, rolling, torsion] = [(); 3].map(|()| source.size::<R>());
+    match source.below(7) {
+        0 => updated::<R, _>(source, &Thresholds::none()),
+        1 => Thresholds::sliding(mu).map_or(Ok(()), |law| updated(source, &law)),
+        2 => Thresholds::sliding_torsion(mu, torsion).map_or(Ok(()), |law| updated(source, &law)),
+        3 => Thresholds::sliding_rolling(mu, rolling).map_or(Ok(()), |law| updated(source, &law)),
+        4 => Thresholds::all(mu, rolling, torsion).map_or(Ok(()), |law| updated(source, &law)),
+        5 => {
+            let set = LimitSurface::new(Coulomb, mu, source.positive());
+            set.map_or(Ok(()), |set| {
+                updated(source, &CoupledFriction::sliding_torsion(set))
+            })
+        }
+        _ => {
+            let set = Ellipsoid::new(mu, source.positive(), source.positive());
+            let Ok(set) = set else {
+                return Ok(());
+            };
+            CoupledFriction::all(set, rolling).map_or(Ok(()), |law| updated(source, &law))
+        }
+    }
+}
+
+fn sphere<R: Real>(source: &mut Source) -> Sphere<R> {
+    Sphere {
+        velocity: source.vector(),
+        spin: source.vector(),
+        inv_mass: source.size(),
+        inv_inertia: source.size(),
+    }
+}
+
+fn plate<R: Real>(source: &mut Source) -> Plate<R> {
+    Plate {
+        velocity: source.vector(),
+        inv_mass: source.size(),
+    }
+}
+
+fn normal_law<R: Real>(source: &mut Source) -> Option<NormalLaw<R>> {
+    let attraction = source.one_of(&[Attraction::Pull, Attraction::Resistance]);
+    let cohesion = match source.below(2) {
+        0 => Cohesion::NONE,
+        _ => Cohesion::new(source.size(), source.size(), attraction).ok()?,
+    };
+    let restitution = if source.one_in(2) {
+        R::ZERO
+    } else {
+        source.unit()
+    };
+    NormalLaw::new(cohesion, restitution).ok()
+}
+
+fn updated<R: Real, F: ContactFriction<R>>(
+    source: &mut Source,
+    friction: &F,
+) -> Result<(), Broken> {
+    let Some(law) = normal_law::<R>(source) else {
+        return Ok(());
+    };
+    let (across, radius) = (source.vector(), source.positive::<R>());
+    let mut a = sphere::<R>(source);
+    let dt = source.positive();
+    if source.one_in(2) {
+        let Ok(touch) = Touch::spheres(&across, [radius, source.positive()]) else {
+            return Ok(());
+        };
+        let mut b = sphere(source);
+        between(source, friction, &law, &touch, dt, &mut a, &mut b)
+    } else {
+        // The direction of a pair of spheres is the plate's unit normal.
+        let Ok(aside) = Touch::spheres(&across, [R::ONE; 2]) else {
+            return Ok(());
+        };
+        let Ok(touch) = Touch::plate(source.number(), &aside.normal, radius) else {
+            return Ok(());
+        };
+        let mut b = plate(source);
+        between(source, friction, &law, &touch, dt, &mut a, &mut b)
+    }
+}
+
+fn between<R: Real, F: ContactFriction<R>, B: Body<R>>(
+    source: &mut Source,
+    friction: &F,
+    law: &NormalLaw<R>,
+    touch: &Touch<R>,
+    dt: R,
+    a: &mut Sphere<R>,
+    b: &mut B,
+) -> Result<(), Broken> {
+    let normal = touch.normal;
+    let unit = normal.x * normal.x + normal.y * normal.y + normal.z * normal.z;
+    let close = (unit - R::ONE).abs() <= R::from_f64(16.0) * R::EPSILON;
+    holds(close, "a unit normal", &[normal.x, normal.y, normal.z])?;
+    let mut contact: Contact<R, F::Modes> = Contact::new(touch, law, a, b, dt);
+    for _ in 0..2 {
+        contact.update(friction, a, b);
+    }
+    let impulse = *contact.impulse();
+    finite(source, "impulse", components(&impulse))?;
+    finite(
+        source,
+        "velocity after a contact",
+        a.velocity.iter().copied(),
+    )?;
+    if source.is_mild() {
+        holds(
+            contact.bound() >= R::ZERO,
+            "bound ≥ 0",
+            &[contact.bound(), impulse.normal],
+        )?;
+    }
+    // Warm start, and the hold that the impulse has on the sphere.
+    contact.set_impulse(&impulse);
+    contact.admit(friction);
+    contact.set_impulse_in_plane(&impulse.plus_scaled(R::HALF, &impulse));
+    contact.apply(&impulse, a, b);
+    finite(source, "impulse", components(contact.impulse()))?;
+    let resumed: Contact<R, F::Modes> = Contact::resume(&contact.prepared(), contact.impulse());
+    let same = resumed.impulse() == contact.impulse();
+    holds(
+        same || !source.is_mild(),
+        "a resumed contact is the same",
+        &components(resumed.impulse()),
+    )
+}
+
+fn components<R: Real, M: Modes<R>>(modal: &Modal<R, M>) -> [R; 8] {
+    let (s, r) = (modal.sliding.vector(), modal.rolling.vector());
+    let torsion = modal.torsion.component();
+    [modal.normal, s.x, s.y, s.z, r.x, r.y, r.z, torsion]
+}
+
+/// Three bodies and up to three contacts, some steps.
+pub fn manifolds(source: &mut Source) -> Result<(), Broken> {
+    if source.one_in(2) {
+        manifold::<f64>(source)
+    } else {
+        manifold::<f32>(source)
+    }
+}
+
+fn manifold<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let [mu, rolling, torsion] = [(); 3].map(|()| source.size::<R>());
+    let (Some(law), Ok(friction)) = (
+        normal_law(source),
+        Thresholds::<R, AllModes>::all(mu, rolling, torsion),
+    ) else {
+        return Ok(());
+    };
+    let Ok(step) = TimeStep::new(source.positive()) else {
+        return Ok(());
+    };
+    let mut pile = Manifold::<R, _, 3, 3>::new(law, friction);
+    let bodies = [
+        pile.push_sphere(sphere(source)),
+        pile.push_sphere(sphere(source)),
+        pile.push_plate(plate(source)),
+    ];
+    let [Ok(a), Ok(b), Ok(floor)] = bodies else {
+        return Err("three bodies have no room for three".into());
+    };
+    holds(
+        pile.push_plate(plate(source)).is_err(),
+        "a full manifold refuses",
+        &[mu],
+    )?;
+    for (one, other) in [(a, b), (a, floor), (b, floor)] {
+        let radii = [source.positive(), source.positive()];
+        if let Ok(touch) = Touch::spheres(&source.vector(), radii) {
+            let _ = pile.push_contact(one, other, touch);
+        }
+    }
+    pile.set_gravity(source.vector());
+    let _ = pile.set_force(a, source.vector(), source.vector());
+    let stop = Stop {
+        sweeps: source.below(8) as u32,
+        tolerance: source.size(),
+    };
+    for start in [Start::Zero, Start::Last] {
+        let report = pile.solve(step, start, stop);
+        holds(
+            report.sweeps <= stop.sweeps.max(1),
+            "bounded sweeps",
+            &[report.residual],
+        )?;
+    }
+    for body in [a, b, floor] {
+        let member = pile.body(body).ok_or("a body is gone")?;
+        finite(
+            source,
+            "velocity in a manifold",
+            member.velocity().iter().copied(),
+        )?;
+    }
+    Ok(())
+}

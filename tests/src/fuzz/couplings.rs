@@ -1,0 +1,181 @@
+//! Reduced wrenches of round patches and their derivatives.
+
+use super::check::{all_nan, finite, holds, numbers};
+use super::{Broken, Source};
+use std::sync::OnceLock;
+use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::quadrature::DiskQuadrature;
+use tribos_core::coupling::round::RoundTable64;
+use tribos_core::coupling::table::{self, CoulombTable, Table32, Table64};
+use tribos_core::coupling::{Annulus, Coupling, Lateral, Profile, Speeds, compact};
+use tribos_core::law::PowerLaw;
+use tribos_core::patch::PowerPressure;
+use tribos_core::real::Real;
+
+const EXPONENTS: [f64; 6] = [-0.9, -0.5, 0.25, 1.0, 1.5, 3.0];
+
+fn tables() -> &'static [Table64] {
+    static TABLES: OnceLock<Vec<Table64>> = OnceLock::new();
+    TABLES.get_or_init(|| EXPONENTS.iter().flat_map(|&a| Table64::new(a)).collect())
+}
+
+fn small_tables() -> &'static [Table32] {
+    static TABLES: OnceLock<Vec<Table32>> = OnceLock::new();
+    TABLES.get_or_init(|| {
+        EXPONENTS
+            .iter()
+            .flat_map(|&a| Table32::new(a as f32))
+            .collect()
+    })
+}
+
+fn round_tables() -> &'static [RoundTable64] {
+    static TABLES: OnceLock<Vec<RoundTable64>> = OnceLock::new();
+    TABLES.get_or_init(|| {
+        let pressures = [
+            PowerPressure::RING,
+            PowerPressure::HERTZ,
+            PowerPressure::PARABOLOID,
+        ];
+        let of = |alpha: f64| pressures.map(|pressure| RoundTable64::new(alpha, pressure));
+        EXPONENTS
+            .iter()
+            .flat_map(|&alpha| of(alpha))
+            .flatten()
+            .collect()
+    })
+}
+
+/// One tier at one pair of speeds.
+pub fn couplings(source: &mut Source) -> Result<(), Broken> {
+    match source.below(12) {
+        0 => lateral::<f64>(source, &table::Coulomb),
+        1 => lateral::<f32>(source, &table::Coulomb),
+        2 => exact::<f64>(source, &compact::Coulomb),
+        3 => exact::<f32>(source, &compact::Coulomb),
+        4 => closed::<f64>(source),
+        5 => closed::<f32>(source),
+        6 => {
+            let index = source.below(tables().len());
+            exact(source, &tables()[index])
+        }
+        7 => {
+            let index = source.below(small_tables().len());
+            exact(source, &small_tables()[index])
+        }
+        8 => {
+            let index = source.below(round_tables().len());
+            lateral(source, &round_tables()[index])
+        }
+        9 => {
+            let power = compact::Power::new(source.one_of(&EXPONENTS));
+            power.map_or(Ok(()), |power| exact::<f64>(source, &power))
+        }
+        10 => annulus(source),
+        _ => quadrature(source),
+    }
+}
+
+fn closed<R: CoulombTable>(source: &mut Source) -> Result<(), Broken> {
+    match source.below(3) {
+        0 => lateral::<R>(source, &Ring),
+        1 => lateral::<R>(source, &FlatPunch),
+        _ => lateral::<R>(source, &Hertz),
+    }
+}
+
+/// Finite speeds give forces ≥ 0 and derivatives that are numbers; NaN gives NaN.
+fn exact<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), Broken> {
+    let (slide, rim) = (source.number::<R>(), source.number::<R>());
+    let wrench = tier.reduced_wrench(slide, rim);
+    let jacobian = tier.reduced_jacobian(slide, rim);
+    let slopes = [
+        jacobian.force_per_slide,
+        jacobian.force_slide,
+        jacobian.mixed,
+        jacobian.torque_rim,
+    ];
+    let values = [slide, rim, wrench.force, wrench.torque];
+    if slide.is_nan() || rim.is_nan() {
+        all_nan("wrench", [wrench.force, wrench.torque])?;
+        return all_nan("Jacobian", slopes);
+    }
+    if slide.is_finite() && rim.is_finite() {
+        let resists = wrench.force >= R::ZERO && wrench.torque >= R::ZERO;
+        holds(resists, "force and torque ≥ 0", &values)?;
+        numbers("Jacobian", slopes)?;
+        finite(source, "wrench", [wrench.force, wrench.torque])?;
+    }
+    Ok(())
+}
+
+fn lateral<R: Real>(source: &mut Source, tier: &impl Lateral<R>) -> Result<(), Broken> {
+    let mut again = source.clone();
+    exact(source, tier)?;
+    let (slide, rim) = (again.number::<R>(), again.number::<R>());
+    let (value, gradient) = (tier.lateral(slide, rim), tier.lateral_jacobian(slide, rim));
+    if slide.is_nan() || rim.is_nan() {
+        return all_nan("lateral force", [value]);
+    }
+    if slide.is_finite() && rim.is_finite() {
+        numbers("lateral force", [value])?;
+    }
+    let _ = gradient;
+    finite(source, "lateral force", [value])
+}
+
+fn annulus(source: &mut Source) -> Result<(), Broken> {
+    let ratio = if source.is_mild() {
+        source.unit::<f64>() * 0.9
+    } else {
+        source.number()
+    };
+    let Ok(ring) = Annulus::new(table::Coulomb, ratio) else {
+        return Ok(());
+    };
+    let (slide, rim) = (source.number(), source.number());
+    let (wrench, jacobian) = (
+        ring.reduced_wrench(slide, rim),
+        ring.reduced_jacobian(slide, rim),
+    );
+    finite(
+        source,
+        "wrench of an annulus",
+        [wrench.force, wrench.torque],
+    )?;
+    let speeds = Speeds::new(slide, rim);
+    let [phi, chi] = ring.factors(&speeds);
+    if slide.is_finite() && rim.is_finite() && slide * rim != 0.0 {
+        finite(source, "factors of an annulus", [phi, chi])?;
+    }
+    let _ = jacobian;
+    // Differences of two disks: a rounding error below zero is theirs.
+    let least = -1e-12;
+    let resists = wrench.force >= least && wrench.torque >= least;
+    holds(
+        resists || !source.is_mild(),
+        "force and torque ≥ 0",
+        &[slide, rim, wrench.force, wrench.torque],
+    )
+}
+
+fn quadrature(source: &mut Source) -> Result<(), Broken> {
+    let alpha = source.one_of(&EXPONENTS);
+    let Ok(law) = PowerLaw::new(alpha, 1.0) else {
+        return Ok(());
+    };
+    let disk = DiskQuadrature::new(law);
+    let (slide, rim) = (source.number::<f64>(), source.number::<f64>());
+    let wrench = disk.reduced_wrench(slide, rim);
+    if slide.is_nan() || rim.is_nan() {
+        all_nan("quadrature", [wrench.force, wrench.torque])?;
+    }
+    finite(source, "quadrature", [wrench.force, wrench.torque])?;
+    let _ = disk.reduced_jacobian(slide, rim);
+    let resists = wrench.force >= 0.0 && wrench.torque >= 0.0;
+    holds(
+        resists || !source.is_mild(),
+        "force and torque ≥ 0",
+        &[slide, rim, wrench.force, wrench.torque],
+    )
+}

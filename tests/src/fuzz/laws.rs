@@ -1,0 +1,316 @@
+//! Laws of a surface element.
+
+use super::check::{all_nan, finite, holds, numbers};
+use super::{Broken, Source};
+use tribos_core::law::{
+    Age, Ageing, BowdenTabor, Bristle, ContactAge, Coulomb, Dieterich, DragRegime, DryFriction,
+    Evolution, GreenwoodWilliamson, Grip, HertzSphere, Incline, InertialDrag, LocalLaw, LuGre,
+    LuGreParameters, Plastic, PlateauPower, PowerLaw, RateState, RateStateParameters, RealArea,
+    Ruina, Stokes, Stribeck, critical_angle, crossover_reynolds, reynolds,
+};
+use tribos_core::real::Real;
+
+/// Laws without memory, in either precision.
+pub fn memoryless(source: &mut Source) -> Result<(), Broken> {
+    if source.one_in(2) {
+        memoryless_of::<f64>(source)
+    } else {
+        memoryless_of::<f32>(source)
+    }
+}
+
+fn memoryless_of<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    match source.below(7) {
+        0 => dry::<R>(source),
+        1 => {
+            let law = Coulomb::<R>::new(source.size());
+            law.map_or(Ok(()), |law| local(source, "Coulomb", &law))
+        }
+        2 => {
+            let alpha = exponent::<R>(source);
+            let law = PowerLaw::new(alpha, source.size());
+            law.map_or(Ok(()), |law| local(source, "power law", &law))
+        }
+        3 => stribeck::<R>(source),
+        4 => plateau::<R>(source),
+        5 => drag::<R>(source),
+        _ => areas::<R>(source),
+    }
+}
+
+/// −1 < α ≤ 4, or anything.
+fn exponent<R: Real>(source: &mut Source) -> R {
+    if source.is_mild() || source.one_in(2) {
+        source.unit::<R>() * R::from_f64(5.0) - R::from_f64(0.99)
+    } else {
+        source.number()
+    }
+}
+
+/// Friction is a number that does not push; finite for mild speeds.
+fn local<R: Real>(source: &mut Source, name: &str, law: &impl LocalLaw<R>) -> Result<(), Broken> {
+    let v = source.positive::<R>();
+    let (friction, slope) = (law.friction(v), law.slope(v));
+    if v.is_nan() {
+        return all_nan(name, [friction, slope]);
+    }
+    finite(source, name, [friction, slope])?;
+    if v > R::ZERO && v.is_finite() {
+        holds(
+            friction >= R::ZERO,
+            &format!("{name}: friction ≥ 0"),
+            &[v, friction],
+        )?;
+    }
+    Ok(())
+}
+
+fn dry<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let [a, b] = [source.size::<R>(), source.size()];
+    let (most, least) = if a > b { (a, b) } else { (b, a) };
+    let Ok(law) = DryFriction::new(most, least) else {
+        return Ok(());
+    };
+    local(source, "dry friction", &law)?;
+    let drive = source.number::<R>();
+    let net = law.net_drive(drive);
+    finite(source, "net drive", [net, critical_angle(law.mu_static())])?;
+    if drive.is_nan() {
+        all_nan("net drive", [net])?;
+        return holds(law.at_rest(drive) == Grip::Slip, "NaN slips", &[drive]);
+    }
+    let Ok(slope) = Incline::new(source.size(), source.size::<R>()) else {
+        return Ok(());
+    };
+    let (gravity, v) = (source.positive(), source.positive());
+    finite(
+        source,
+        "incline",
+        [
+            slope.angle(),
+            slope.drive_per_load(),
+            slope.acceleration_at_rest(&law, gravity),
+            slope.acceleration_downhill(&law, gravity, v),
+            slope.acceleration_uphill(&law, gravity, v),
+        ]
+        .map(|x| {
+            if slope.angle() < R::from_f64(1.5) {
+                x
+            } else {
+                R::ZERO
+            }
+        }),
+    )
+}
+
+fn stribeck<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let dynamic = source.size::<R>();
+    let Ok(dry) = DryFriction::new(dynamic + source.size(), dynamic) else {
+        return Ok(());
+    };
+    let power = if source.is_mild() {
+        source.unit::<R>() + R::ONE
+    } else {
+        source.size()
+    };
+    let Ok(law) = Stribeck::new(dry, source.positive(), power, source.size()) else {
+        return Ok(());
+    };
+    let v = source.positive::<R>();
+    finite(
+        source,
+        "Stribeck's parts",
+        [law.boundary(v), law.hydrodynamic(v)],
+    )?;
+    finite(source, "Stribeck's minimum", law.minimum())?;
+    local(source, "Stribeck", &law)
+}
+
+fn plateau<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let alpha = -source.unit::<R>();
+    let (drop, more) = (source.positive::<R>(), source.size::<R>());
+    let share = source.unit();
+    let law = PlateauPower::new(alpha, source.size(), drop + more, drop, share);
+    law.map_or(Ok(()), |law| local(source, "plateau", &law))
+}
+
+fn drag<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let v = source.number::<R>();
+    if let Ok(law) = Stokes::<R>::new(source.positive(), source.positive()) {
+        finite(source, "Stokes", [law.force(v), law.slope(v)])?;
+    }
+    let (density, radius) = (source.positive::<R>(), source.positive());
+    if let Ok(law) = InertialDrag::new(source.positive(), density, radius) {
+        finite(source, "inertial drag", [law.force(v), law.slope(v)])?;
+    }
+    let number = reynolds(density, v.abs(), radius, source.positive());
+    let crossover = crossover_reynolds(source.positive::<R>());
+    finite(source, "Reynolds number", [number, crossover])?;
+    let regime = DragRegime::at(number, source.positive());
+    holds(
+        number.is_nan() || regime.is_some() || !source.is_mild(),
+        "a regime",
+        &[number],
+    )
+}
+
+fn areas<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    match source.below(3) {
+        0 => Plastic::<R>::new(source.positive()).map_or(Ok(()), |area| junctions(source, area)),
+        1 => {
+            let area = HertzSphere::<R>::new(source.positive(), source.positive());
+            area.map_or(Ok(()), |area| junctions(source, area))
+        }
+        _ => {
+            let [a, b, c] = [(); 3].map(|()| source.positive::<R>());
+            GreenwoodWilliamson::new(a, b, c).map_or(Ok(()), |area| junctions(source, area))
+        }
+    }
+}
+
+fn junctions<R: Real, A: RealArea<R> + Copy>(source: &mut Source, area: A) -> Result<(), Broken> {
+    let load = source.positive::<R>();
+    let values = [area.area(load), area.slope(load), area.area_per_load(load)];
+    if load.is_nan() {
+        return all_nan("contact area", values);
+    }
+    finite(source, "contact area", values)?;
+    let Ok(law) = BowdenTabor::new(source.positive(), area) else {
+        return Ok(());
+    };
+    let force = law.force(load);
+    finite(
+        source,
+        "junctions",
+        [force, law.slope(load), law.effective_coefficient(load)],
+    )?;
+    holds(
+        force >= R::ZERO || !source.is_mild(),
+        "friction ≥ 0",
+        &[load, force],
+    )
+}
+
+/// Ageing, rate and state, bristles, in either precision.
+pub fn with_memory(source: &mut Source) -> Result<(), Broken> {
+    match source.below(6) {
+        0 => ageing::<f64>(source),
+        1 => ageing::<f32>(source),
+        2 => rocks::<f64, Dieterich>(source),
+        3 => rocks::<f64, Ruina>(source),
+        4 => bristles::<f64>(source),
+        _ => bristles::<f32>(source),
+    }
+}
+
+fn ageing<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let Ok(law) = Ageing::<R>::new(source.size(), source.size(), source.positive()) else {
+        return Ok(());
+    };
+    let age = Age {
+        time: source.size(),
+    };
+    finite(source, "ageing", [law.mu_static(age), law.rate(age)])?;
+    let drive = source.number();
+    let later = age.advance(source.size(), law.at_rest(age, drive));
+    finite(source, "age", [later.time])
+}
+
+fn rocks<R: Real, E: Evolution>(source: &mut Source) -> Result<(), Broken> {
+    let [mu, b, viscous] = [(); 3].map(|()| source.size::<R>());
+    let [a, reference_speed, slip_distance] = [(); 3].map(|()| source.positive());
+    let law = RateState::<R, E>::new(RateStateParameters {
+        mu,
+        a,
+        b,
+        reference_speed,
+        slip_distance,
+        viscous,
+    });
+    let Ok(law) = law else {
+        return Ok(());
+    };
+    let (theta, v, dt) = (source.positive::<R>(), source.size(), source.size());
+    let age = law.advance(ContactAge { theta }, v, dt);
+    let coefficient = law.coefficient(v, age);
+    let finite_in = [theta, v, dt]
+        .iter()
+        .all(|x| x.is_finite() && *x >= R::ZERO);
+    if finite_in {
+        numbers("age of contacts", [age.theta])?;
+        holds(age.theta >= R::ZERO, "age ≥ 0", &[theta, v, dt, age.theta])?;
+    }
+    // A state near the ends of the range may carry b/a beyond it.
+    let steep = (b / a) > R::from_f64(8.0) || (mu / a) > R::from_f64(8.0);
+    if !steep {
+        finite(
+            source,
+            "rate and state",
+            [coefficient, law.steady_age(v + R::ONE).theta],
+        )?;
+        holds(
+            coefficient >= R::ZERO || !source.is_mild(),
+            "friction ≥ 0",
+            &[v, coefficient],
+        )?;
+    }
+    let steady = law.steady();
+    let _ = (law.slope(v, age), law.logarithmic(v, age), steady.minimum());
+    let _ = (
+        steady.critical_stiffness(theta),
+        steady.critical_stiffness_at(theta, v),
+    );
+    let _ = (steady.friction(v), steady.slope(v));
+    Ok(())
+}
+
+fn bristles<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let coulomb_force = source.positive::<R>();
+    let law = LuGre::new(LuGreParameters {
+        coulomb_force,
+        static_force: coulomb_force + source.size(),
+        stribeck_speed: source.positive(),
+        stiffness: source.positive(),
+        bristle_damping: source.size(),
+        viscous_damping: source.size(),
+    });
+    let Ok(law) = law else {
+        return Ok(());
+    };
+    let most = law.largest_deflection();
+    let deflection = if source.is_mild() {
+        (source.unit::<R>() - R::HALF) * most
+    } else {
+        source.number()
+    };
+    let (v, dt) = (source.number::<R>(), source.size());
+    let (next, force) = law.step(Bristle { deflection }, v, dt);
+    if deflection.is_nan() || v.is_nan() {
+        all_nan("bristle", [next.deflection, force])?;
+    }
+    finite(source, "bristle", [next.deflection, force])?;
+    let steady = law.steady_force(v);
+    finite(
+        source,
+        "steady force",
+        [steady, law.steady_bristle_force(v), law.rate(next, v)],
+    )?;
+    holds(
+        steady * v >= R::ZERO || !source.is_mild(),
+        "steady force resists",
+        &[v, steady],
+    )?;
+    if source.is_mild() {
+        let bound = most * (R::ONE + R::from_f64(64.0) * R::EPSILON);
+        holds(
+            next.deflection.abs() <= bound,
+            "bristle within its bound",
+            &[next.deflection, most],
+        )?;
+    }
+    let _ = (law.passive_up_to(), law.force(next, v));
+    match law.steady_per_load(source.positive()) {
+        Ok(law) => local(source, "steady bristles", &law),
+        Err(_) => Ok(()),
+    }
+}

@@ -1,0 +1,143 @@
+//! A seeded generator of inputs that no test thought of, for every platform.
+//!
+//! [`TARGETS`] take one input each: made from a seed, used, judged. [`run`] catches panics, measures
+//! the time of each input and reports what was found with the seed that repeats it. The properties are
+//!
+//! - no panic, whatever the input, and no input that takes longer than [`SLOW`];
+//! - finite results of mild inputs: magnitudes from 2⁻¹² to 2¹² and zero, within each domain;
+//! - results that are numbers for every finite input, and NaN for NaN, where the documentation says so;
+//! - friction that dissipates;
+//! - refusals that name their place.
+
+mod check;
+mod contacts;
+mod couplings;
+mod laws;
+mod motions;
+mod patches;
+mod planes;
+mod sets;
+mod source;
+mod special;
+mod texts;
+
+pub use check::Broken;
+pub use source::{Regime, Source, seed_of};
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::{Duration, Instant};
+
+/// Something that takes inputs.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// Its name.
+    pub name: &'static str,
+    /// Inputs of it in a thousand: slow ones get fewer.
+    pub share: u64,
+    /// Takes one input.
+    pub take: fn(&mut Source) -> Result<(), Broken>,
+}
+
+const fn target(
+    name: &'static str,
+    share: u64,
+    take: fn(&mut Source) -> Result<(), Broken>,
+) -> Target {
+    Target { name, share, take }
+}
+
+/// Everything that takes inputs.
+pub const TARGETS: [Target; 17] = [
+    target("scenes", 20, texts::scenes),
+    target("overrides", 20, texts::overrides),
+    target("checkpoints", 2, texts::checkpoints),
+    target("golden files", 5, texts::golden_files),
+    target("laws", 120, laws::memoryless),
+    target("laws with memory", 120, laws::with_memory),
+    target("special functions", 100, special::special),
+    target("couplings", 130, couplings::couplings),
+    target("patches", 30, patches::patches),
+    target("planes", 100, planes::planes),
+    target("limit surfaces", 60, sets::sets),
+    target("contacts", 150, contacts::contacts),
+    target("manifolds", 40, contacts::manifolds),
+    target("modes", 40, motions::modes),
+    target("sliders", 13, motions::sliders),
+    target("planar steps", 30, planes::steps),
+    target("feet", 20, planes::feet),
+];
+
+/// An input that takes longer is a finding.
+pub const SLOW: Duration = Duration::from_secs(5);
+/// Findings of a target that are kept.
+const KEPT: usize = 5;
+
+/// An input with a broken property.
+#[derive(Clone, Debug)]
+pub struct Finding {
+    /// The seed that makes the input.
+    pub seed: u64,
+    /// What is broken.
+    pub broken: Broken,
+}
+
+/// What a run saw.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// Inputs taken.
+    pub inputs: u64,
+    /// The first findings.
+    pub findings: Vec<Finding>,
+    /// How many there were.
+    pub found: u64,
+    /// The longest time of an input, and its seed.
+    pub slowest: (Duration, u64),
+}
+
+/// Takes the input of one seed.
+pub fn take(target: &Target, seed: u64) -> Result<(), Broken> {
+    let mut source = Source::new(seed);
+    let caught = catch_unwind(AssertUnwindSafe(|| (target.take)(&mut source)));
+    caught.unwrap_or_else(|panic| {
+        let text = panic
+            .downcast_ref::<String>()
+            .map(String::as_str)
+            .or_else(|| panic.downcast_ref::<&str>().copied());
+        Err(format!("panic: {}", text.unwrap_or("without a message")))
+    })
+}
+
+/// Takes the inputs `range` of the run with `seed`.
+pub fn run(target: &Target, seed: u64, range: std::ops::Range<u64>) -> Report {
+    let mut report = Report::default();
+    for index in range {
+        let own = seed_of(seed, index);
+        let start = Instant::now();
+        let mut outcome = take(target, own);
+        let time = start.elapsed();
+        if time > SLOW && outcome.is_ok() {
+            outcome = Err(format!("it took {:.1} s", time.as_secs_f64()));
+        }
+        report.inputs += 1;
+        report.slowest = report.slowest.max((time, own));
+        if let Err(broken) = outcome {
+            report.found += 1;
+            if report.findings.len() < KEPT {
+                report.findings.push(Finding { seed: own, broken });
+            }
+        }
+    }
+    report
+}
+
+impl Report {
+    /// Both together.
+    pub fn merged(mut self, other: Self) -> Self {
+        self.inputs += other.inputs;
+        self.found += other.found;
+        self.findings.extend(other.findings);
+        self.findings.truncate(KEPT);
+        self.slowest = self.slowest.max(other.slowest);
+        self
+    }
+}

@@ -1,0 +1,102 @@
+//! Limit surfaces and ellipsoids: gauge, support, projection.
+
+use super::check::{at_most, finite, holds};
+use super::planes::{dissipates, twist, wrench};
+use super::{Broken, Source};
+use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
+use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Region};
+use tribos_core::real::Real;
+
+/// A set and a question.
+pub fn sets(source: &mut Source) -> Result<(), Broken> {
+    if source.one_in(2) {
+        of::<f64>(source)
+    } else {
+        of::<f32>(source)
+    }
+}
+
+fn of<R: CoulombTable>(source: &mut Source) -> Result<(), Broken> {
+    let (force, radius) = (source.size::<R>(), source.positive::<R>());
+    match source.below(6) {
+        0 => LimitSurface::new(Hertz, force, radius).map_or(Ok(()), |set| asked(source, &set)),
+        1 => LimitSurface::new(Ring, force, radius).map_or(Ok(()), |set| asked(source, &set)),
+        2 => LimitSurface::new(FlatPunch, force, radius).map_or(Ok(()), |set| asked(source, &set)),
+        3 => {
+            let set = Ellipsoid::new(force, radius, source.positive());
+            set.map_or(Ok(()), |set| asked(source, &set))
+        }
+        _ => LimitSurface::new(Coulomb, force, radius).map_or(Ok(()), |set| asked(source, &set)),
+    }
+}
+
+fn asked<R: Real, S: FrictionSet<R>>(source: &mut Source, set: &S) -> Result<(), Broken> {
+    let motion = twist::<R>(source);
+    let (power, met) = (set.support(&motion), set.wrench(&motion));
+    finite(source, "support", [power])?;
+    holds(
+        power >= R::ZERO || !source.is_mild(),
+        "support ≥ 0",
+        &[power],
+    )?;
+    dissipates(source, &met, &motion)?;
+
+    let push = if source.one_in(3) {
+        met
+    } else {
+        wrench(source)
+    };
+    let parts = [push.force.x, push.force.y, push.torque];
+    let gauge = set.gauge(&push);
+    if parts.iter().any(|x| x.is_nan()) {
+        return holds(
+            gauge.is_nan(),
+            "NaN has no gauge",
+            &[parts[0], parts[1], parts[2], gauge],
+        );
+    }
+    let is_finite = parts.iter().all(|x| x.is_finite());
+    holds(
+        gauge >= R::ZERO || !is_finite,
+        "gauge ≥ 0",
+        &[parts[0], parts[1], parts[2], gauge],
+    )?;
+    let resisted = set.twist_resisted_by(&push);
+    let surface = set.scale_to_surface(&push);
+    let length = if source.one_in(2) {
+        set.radius()
+    } else {
+        source.positive()
+    };
+    let near = set.project_with_length(&push, length);
+    if set.force_limit() > R::ZERO {
+        finite(source, "gauge", [gauge])?;
+        finite(
+            source,
+            "normal",
+            [resisted.velocity.x, resisted.velocity.y, resisted.spin],
+        )?;
+        finite(
+            source,
+            "radial wrench",
+            [surface.force.x, surface.force.y, surface.torque],
+        )?;
+    }
+    finite(
+        source,
+        "projection",
+        [near.wrench.force.x, near.wrench.force.y, near.wrench.torque],
+    )?;
+    if near.region == Region::Inside {
+        holds(near.wrench == push, "inside nothing changes", &parts)?;
+    } else if source.is_mild() && set.force_limit() > R::ZERO {
+        at_most(
+            "a projection lies in the set",
+            set.gauge(&near.wrench),
+            R::ONE,
+            R::ONE,
+        )?;
+    }
+    Ok(())
+}

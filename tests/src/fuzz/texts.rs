@@ -1,0 +1,236 @@
+//! Files that people and programs write: scenes, overrides, checkpoints, golden files.
+
+use super::{Broken, Source};
+use std::sync::OnceLock;
+use tribos::golden::{Golden, Measurement, Pinned, measure};
+use tribos::powder::Compaction;
+use tribos::run::Simulation;
+use tribos::scene::{PlanarScene, PowderScene, Scene, SceneError, SliderScene, parse_scene};
+
+/// Scenes that inputs are made from.
+const SCENES: [&str; 7] = [
+    include_str!("../../../scenes/disk.toml"),
+    include_str!("../../../scenes/cylinder.toml"),
+    include_str!("../../../scenes/pipe-a.toml"),
+    include_str!("../../../scenes/curling-draw.toml"),
+    include_str!("../../../scenes/curling-slow.toml"),
+    include_str!("../../../scenes/compaction-small.toml"),
+    include_str!("../../../scenes/compaction-large.toml"),
+];
+/// Values that a scene may be given.
+const VALUES: [&str; 24] = [
+    "0",
+    "-0.0",
+    "1",
+    "-1",
+    "0.5",
+    "1e-320",
+    "1e308",
+    "1e999",
+    "nan",
+    "-inf",
+    "0x1F",
+    "0b11",
+    "1_000",
+    "9223372036854775808",
+    "true",
+    "\"\"",
+    "\"disk\"",
+    "\"powder\"",
+    "[1, 2]",
+    "{ a = 1 }",
+    "1979-05-27",
+    "\"\\u0000\"",
+    "'raw'",
+    "2.0",
+];
+/// A powder that takes a moment.
+const TINY: &str =
+    "body = \"powder\"\nwidth = 6\nheight = 6\npressure = 0.02\nsteps = 4\nsamples = 1\n";
+
+fn vocabulary() -> &'static [&'static str] {
+    static KEYS: OnceLock<Vec<&'static str>> = OnceLock::new();
+    KEYS.get_or_init(|| {
+        let bodies = ["cylinder", "pipe", "curling"];
+        let planar = bodies
+            .iter()
+            .filter_map(|body| PlanarScene::keys(body))
+            .flatten();
+        let others = SliderScene::KEYS.iter().chain(PowderScene::KEYS);
+        others.chain(planar).map(|key| key.name).collect()
+    })
+}
+
+/// A text with some changes: lines of the vocabulary, lines gone or twice, other bytes.
+fn mutated(source: &mut Source, text: &str) -> String {
+    let mut lines: Vec<Vec<u8>> = text.lines().map(|line| line.as_bytes().to_vec()).collect();
+    for _ in 0..1 + source.below(4) {
+        let at = source.below(lines.len());
+        match source.below(6) {
+            0 => lines.insert(at, entry(source).into_bytes()),
+            1 => {
+                let line = lines[at].clone();
+                lines.push(line);
+            }
+            2 if lines.len() > 1 => {
+                lines.remove(at);
+            }
+            3 => lines[at] = entry(source).into_bytes(),
+            _ => scramble(source, &mut lines[at]),
+        }
+    }
+    if source.one_in(16) {
+        let size = source.below(200);
+        lines = vec![(0..size).map(|_| source.bits() as u8).collect()];
+    }
+    String::from_utf8_lossy(&lines.join(&b'\n')).into_owned()
+}
+
+fn entry(source: &mut Source) -> String {
+    let (key, value) = (source.one_of(vocabulary()), value(source));
+    format!("{key} = {value}")
+}
+
+fn value(source: &mut Source) -> String {
+    if source.one_in(2) {
+        source.one_of(&VALUES).into()
+    } else {
+        format!("{:?}", source.number::<f64>())
+    }
+}
+
+/// Some bytes changed, gone or added.
+fn scramble(source: &mut Source, line: &mut Vec<u8>) {
+    for _ in 0..1 + source.below(3) {
+        let at = source.below(line.len() + 1);
+        let byte = if source.one_in(2) {
+            source.one_of(b"=\"'[]{}.-_#0189eEx,\\\n\t ")
+        } else {
+            source.bits() as u8
+        };
+        match source.below(3) {
+            0 if at < line.len() => {
+                line.remove(at);
+            }
+            1 if at < line.len() => line[at] = byte,
+            _ => line.insert(at, byte),
+        }
+    }
+}
+
+/// A scene file: accepted with parameters that are numbers, or refused with places.
+pub fn scenes(source: &mut Source) -> Result<(), Broken> {
+    let base = source.one_of(&SCENES);
+    let text = mutated(source, base);
+    judged(parse_scene("scene.toml", &text, &[])).map_err(|broken| format!("{broken}\n{text}"))
+}
+
+/// A good scene with overrides of all kinds.
+pub fn overrides(source: &mut Source) -> Result<(), Broken> {
+    let text = source.one_of(&SCENES);
+    let mut all = Vec::new();
+    for _ in 0..1 + source.below(3) {
+        let mut item = format!("{}={}", source.one_of(vocabulary()), value(source)).into_bytes();
+        if source.one_in(4) {
+            scramble(source, &mut item);
+        }
+        all.push(String::from_utf8_lossy(&item).into_owned());
+    }
+    judged(parse_scene("scene.toml", text, &all)).map_err(|broken| format!("{broken}\n{all:?}"))
+}
+
+fn judged(read: Result<Scene, SceneError>) -> Result<(), Broken> {
+    match read {
+        Ok(scene) => {
+            let json = match &scene {
+                Scene::Disk(scene) => scene.json(),
+                Scene::Planar(scene) => scene.json(),
+                Scene::Powder(scene) => scene.json(),
+            };
+            let text = json.to_string();
+            match ["\"nan\"", "\"inf\"", "\"-inf\""]
+                .iter()
+                .find(|bad| text.contains(*bad))
+            {
+                Some(bad) => Err(format!("a scene with {bad} was accepted: {text}")),
+                None => Ok(()),
+            }
+        }
+        Err(SceneError::Invalid { problems, .. }) if problems.is_empty() => {
+            Err("a scene was refused without a reason".into())
+        }
+        Err(error) => {
+            let said = error.to_string();
+            let has_place = said.starts_with("scene.toml:") || said.starts_with("--set: ");
+            if has_place {
+                Ok(())
+            } else {
+                Err(format!("a refusal without a place: {said}"))
+            }
+        }
+    }
+}
+
+/// The tiny powder and its checkpoint after two steps.
+fn checkpoint() -> Option<&'static (PowderScene, String)> {
+    static KEPT: OnceLock<Option<(PowderScene, String)>> = OnceLock::new();
+    let made = KEPT.get_or_init(|| {
+        let Ok(Scene::Powder(scene)) = parse_scene("tiny.toml", TINY, &[]) else {
+            return None;
+        };
+        let mut compaction = Compaction::new(&scene).ok()?;
+        for _ in 0..2 {
+            compaction.step().ok()?;
+        }
+        Some((*scene, compaction.checkpoint()))
+    });
+    made.as_ref()
+}
+
+/// A damaged checkpoint: refused, or a run that goes on or ends with an error.
+pub fn checkpoints(source: &mut Source) -> Result<(), Broken> {
+    let (scene, text) = checkpoint().ok_or("the tiny powder cannot be run")?;
+    // One line of JSON: cut at its commas, so that single entries change.
+    let lines = text.replace(',', ",\n");
+    let damaged = mutated(source, &lines).replace(",\n", ",");
+    if let Ok(mut compaction) = Compaction::resume(scene, &damaged) {
+        let _ = compaction.step();
+        let _ = compaction.outcome();
+    }
+    Ok(())
+}
+
+fn golden() -> Option<&'static (Measurement, String)> {
+    static KEPT: OnceLock<Option<(Measurement, String)>> = OnceLock::new();
+    let made = KEPT.get_or_init(|| {
+        let scene = parse_scene("disk.toml", SCENES[0], &["samples=20".into()]).ok()?;
+        let measured = measure(&scene, || ()).ok()?;
+        let scenes = vec![Pinned::new("disk.toml".into(), vec![], &measured)];
+        let text = Golden { scenes }.text();
+        Some((measured, text))
+    });
+    made.as_ref()
+}
+
+/// A damaged golden file: refused with its line, or compared.
+pub fn golden_files(source: &mut Source) -> Result<(), Broken> {
+    let (measured, text) = golden().ok_or("the disk cannot be run")?;
+    let text = mutated(source, text);
+    match Golden::parse("golden.toml", &text) {
+        Ok(golden) => {
+            for scene in &golden.scenes {
+                let _ = format!("{:?}", scene.compare(measured));
+            }
+            let again = Golden::parse("golden.toml", &golden.text());
+            if again.as_ref() == Ok(&golden) || golden.scenes.is_empty() {
+                Ok(())
+            } else {
+                Err(format!(
+                    "written again it reads differently: {again:?}\n{text}"
+                ))
+            }
+        }
+        Err(error) if error.to_string().starts_with("golden.toml:") => Ok(()),
+        Err(error) => Err(format!("a refusal without a place: {error}")),
+    }
+}

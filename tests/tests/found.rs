@@ -1,0 +1,52 @@
+//! Inputs that broke a property once, found by `--bin fuzz`, in the smallest form.
+
+use nalgebra::Vector2;
+use tribos_core::law::{Coulomb, Dieterich, Evolution, LocalLaw, PowerLaw, Ruina};
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet};
+use tribos_core::twist::Wrench;
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+#[test]
+fn coulomb_s_law_does_not_launder_nan() -> Outcome {
+    let law = Coulomb::new(0.5)?;
+    assert!(law.friction(f64::NAN).is_nan());
+    assert!(law.slope(f64::NAN).is_nan());
+    assert_eq!([law.friction(3.0), law.slope(3.0)], [0.5, 0.0]);
+    Ok(())
+}
+
+#[test]
+fn a_power_law_does_not_launder_nan_and_without_a_coefficient_is_nothing() -> Outcome {
+    for alpha in [0.0, 1.0, 2.0] {
+        let law = PowerLaw::new(alpha, 0.5)?;
+        assert!(law.friction(f64::NAN).is_nan() && law.slope(f64::NAN).is_nan());
+        // The power overflows.
+        let none = PowerLaw::new(alpha, 0.0)?;
+        assert_eq!([none.friction(1e300), none.slope(1e300)], [0.0; 2]);
+    }
+    Ok(())
+}
+
+#[test]
+fn a_lever_below_the_range_of_numbers_leaves_the_gauge_of_a_force() -> Outcome {
+    // radius × torque is less than the smallest number.
+    let set = Ellipsoid::new(2.0, 1e-200, 1e-200)?;
+    let push = |x: f64, torque: f64| Wrench {
+        force: Vector2::new(x, 0.0),
+        torque,
+    };
+    assert_eq!(set.gauge(&push(0.0, 0.0)), 0.0);
+    assert_eq!(set.gauge(&push(-1.0, 0.0)), 0.5);
+    assert_eq!(set.gauge(&push(1.0, 1e-9)), f64::INFINITY);
+    assert!(set.gauge(&push(1.0, f64::NAN)).is_nan());
+    Ok(())
+}
+
+#[test]
+fn a_contact_without_age_has_none_after_a_slide_beyond_the_range_of_numbers() {
+    // speed × time overflows.
+    assert_eq!(Ruina::evolved(0.0, 1e300, 1.0, 1e300), 0.0);
+    assert_eq!(Dieterich::evolved(0.0, 1e300, 1.0, 1e300), 1e-300);
+    assert!(Ruina::evolved(0.0, f64::NAN, 1.0, 1.0).is_nan());
+}

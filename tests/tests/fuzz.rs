@@ -1,0 +1,32 @@
+//! No input breaks a property: 20,000 seeded ones a target.
+
+use tribos_tests::fuzz::{TARGETS, Target, run};
+
+const INPUTS: u64 = 20_000;
+
+fn assert_nothing_is_found(target: &Target, inputs: u64) {
+    let report = run(target, 7, 0..inputs);
+    let first = report.findings.first();
+    assert!(
+        report.found == 0,
+        "{} of {} inputs; --only \"{}\" --repeat {:?}",
+        report.found,
+        report.inputs,
+        target.name,
+        first.map(|finding| (finding.seed, &finding.broken))
+    );
+}
+
+#[test]
+fn no_input_of_the_kernel_breaks_a_property() {
+    for target in TARGETS.iter().skip(4) {
+        assert_nothing_is_found(target, INPUTS);
+    }
+}
+
+#[test]
+fn no_file_makes_a_reader_panic() {
+    for target in TARGETS.iter().take(4) {
+        assert_nothing_is_found(target, INPUTS);
+    }
+}
