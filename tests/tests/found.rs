@@ -1,9 +1,12 @@
 //! Inputs that broke a property once, found by `--bin fuzz`, in the smallest form.
 
 use nalgebra::Vector2;
+use tribos_core::coupling::PatchFriction;
+use tribos_core::coupling::closed::Hertz;
 use tribos_core::law::{Coulomb, Dieterich, Evolution, LocalLaw, PowerLaw, Ruina};
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet};
-use tribos_core::twist::Wrench;
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
+use tribos_core::patch::tripod::tripod_shares;
+use tribos_core::twist::{Twist, Wrench};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
@@ -49,4 +52,43 @@ fn a_contact_without_age_has_none_after_a_slide_beyond_the_range_of_numbers() {
     assert_eq!(Ruina::evolved(0.0, 1e300, 1.0, 1e300), 0.0);
     assert_eq!(Dieterich::evolved(0.0, 1e300, 1.0, 1e300), 1e-300);
     assert!(Ruina::evolved(0.0, f64::NAN, 1.0, 1.0).is_nan());
+}
+
+#[test]
+fn a_force_limit_of_minus_zero_is_none() -> Outcome {
+    let set = LimitSurface::new(Hertz, -0.0, 1.0)?;
+    let push = Wrench {
+        force: Vector2::new(1.0, 0.0),
+        torque: 0.5,
+    };
+    assert_eq!(set.gauge(&push), f64::INFINITY);
+    Ok(())
+}
+
+#[test]
+fn a_spin_that_is_no_number_leaves_no_force() -> Outcome {
+    let puck = PatchFriction::<f64, _>::new(Hertz, 0.5, 1.0)?;
+    let wrench = puck.wrench(1.0, &Twist::new(0.0, 0.0, f64::NAN));
+    assert!(wrench.force.x.is_nan() && wrench.force.y.is_nan() && wrench.torque.is_nan());
+    let spinning = puck.wrench(1.0, &Twist::new(0.0, 0.0, 2.0));
+    assert_eq!(spinning.force, Vector2::new(0.0, 0.0));
+    Ok(())
+}
+
+#[test]
+fn feet_in_a_line_but_for_rounding_are_refused() {
+    // 0.1 + 0.2 is not 0.3: the area is a rounding error.
+    let feet = [[0.0, 0.0], [0.1 + 0.2, 1.0], [0.3 * 3.0, 3.0]];
+    if let Ok(shares) = tripod_shares(feet, [0.3, 1.0]) {
+        assert!(shares.iter().all(|share| *share <= 2.0), "{shares:?}");
+    }
+    // An area below the range of numbers is none.
+    assert!(tripod_shares([[0.0, 0.0], [1e-160, 0.0], [0.0, 1e-160]], [1.0, 1.0]).is_err());
+    assert!(
+        tripod_shares(
+            [[0.0, 0.0], [1e-150, 0.0], [1e-150, 1e-150]],
+            [1e-150, 0.5e-150]
+        )
+        .is_ok()
+    );
 }

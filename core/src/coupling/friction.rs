@@ -121,9 +121,10 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         let speed = twist.speed();
         let Magnitudes { force, torque } = self.magnitudes(load, speed, twist.spin);
         if speed == R::ZERO {
-            let none = Vector2::new(R::ZERO, R::ZERO);
+            // Zero, unless the spin is not a number.
+            let none = if force.is_nan() { force } else { R::ZERO };
             return Wrench {
-                force: none,
+                force: Vector2::new(none, none),
                 torque: -torque.copysign(twist.spin),
             };
         }

@@ -51,7 +51,8 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
         }
         Ok(Self {
             meridian: Meridian::new(coupling),
-            force_limit,
+            // A quotient by −0 would have the wrong sign.
+            force_limit: force_limit.abs(),
             radius,
         })
     }

@@ -21,7 +21,8 @@ pub fn tripod_shares<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<[R; 3
     let shares = areas.map(|area| area / total);
     match shares.iter().position(|&share| share < R::ZERO) {
         Some(foot) => Err(TripodError::Tips { foot }),
-        None if shares.iter().any(|share| share.is_nan()) => Err(TripodError::Line),
+        // Areas that are rounding errors, or none.
+        None if !shares.iter().all(|&share| share <= R::TWO) => Err(TripodError::Line),
         None => Ok(shares),
     }
 }
