@@ -303,11 +303,13 @@ mod tests {
     fn measured_orders_are_those_of_the_methods() {
         let slider = Slider::new(Coulomb, DISK.deceleration, DISK.radius, DISK.inertia_ratio);
         let slider = slider.unwrap();
-        let of = |family: [Stepper; 3]| orders(&slider, &family)[1];
-        let implicit = of([4e-3, 2e-3, 1e-3].map(Stepper::Implicit));
-        let explicit = of([4e-3, 2e-3, 1e-3].map(Stepper::Explicit));
-        let clamps = of([4e-3, 2e-3, 1e-3].map(Stepper::Decoupled));
-        assert!((1.7..2.5).contains(&implicit), "{implicit}");
+        // Fine enough that the few steps before rest do not tell.
+        let steps = [4e-4, 2e-4, 1e-4];
+        let of = |stepper: fn(f64) -> Stepper| orders(&slider, &steps.map(stepper))[1];
+        let implicit = of(Stepper::Implicit);
+        let explicit = of(Stepper::Explicit);
+        let clamps = of(Stepper::Decoupled);
+        assert!((1.7..2.3).contains(&implicit), "{implicit}");
         assert!((0.8..1.2).contains(&explicit), "{explicit}");
         assert!(clamps.abs() < 0.2, "{clamps}");
     }

@@ -3,14 +3,14 @@
 //! Times come from eight mixes in a row, errors from one.
 //! Errors are judged by double-double arithmetic (α = 0), by the compact tier (else).
 
+mod instructions;
+
 use super::{Finding, Front, Setting};
 use crate::baselines::trapezoid::Trapezoid;
 use crate::catalogue;
 use crate::contact::Contact;
 use crate::errors::Errors;
-use crate::firmware::prices::{self, Boards};
 use crate::firmware::report::Row as Priced;
-use crate::firmware::{TIER, all_programs};
 use crate::methods::{Inputs, Kind, Method};
 use crate::mix;
 use crate::picture::{self, Place};
@@ -34,14 +34,6 @@ const TRAPEZOID_TASK: &str = "trapezoid at 1e-3";
 /// The same with a power at every node.
 const GENERAL_TASK: &str = "trapezoid at 1e-3 for any alpha";
 
-/// Methods, without their precision, that are items of the firmware's front.
-const ITEMS: [(&str, &str); 5] = [
-    ("table", "table: Coulomb"),
-    ("table alpha 0.5", "table: alpha 0.5"),
-    ("compact", "compact: Coulomb"),
-    ("compact power", "compact: power alpha 0"),
-    ("quadrature", "quadrature: Coulomb"),
-];
 const PICTURE: &str = "kernel.svg";
 const TARGETS_PICTURE: &str = "kernel_targets.svg";
 
@@ -59,7 +51,7 @@ struct Row {
 pub fn run(setting: &Setting<'_>, counted: Option<&[Priced]>) -> Result<Finding, String> {
     let (own, obstacle) = match counted {
         Some(_) => (Vec::new(), None),
-        None => count(setting.quick)?,
+        None => instructions::count(setting.quick)?,
     };
     let counted = counted.unwrap_or(&own);
     let inputs = Inputs::new(mix::pairs(SEED));
@@ -71,7 +63,7 @@ pub fn run(setting: &Setting<'_>, counted: Option<&[Priced]>) -> Result<Finding,
 
     let timed = methods.into_iter().zip(errors).zip(samples.medians());
     let row = |((method, errors), seconds)| Row {
-        instructions: instructions(&method, counted),
+        instructions: instructions::of(&method, counted),
         method,
         errors,
         nanoseconds: 1e9 * seconds,
@@ -98,33 +90,6 @@ pub fn run(setting: &Setting<'_>, counted: Option<&[Priced]>) -> Result<Finding,
         line: line(&rows, &samples),
         picture: PICTURE,
     })
-}
-
-/// Counts the instructions of the tiers; tells why not if that is impossible here.
-fn count(quick: bool) -> Result<(Vec<Priced>, Option<String>), String> {
-    let programs = all_programs();
-    let tiers = programs.iter().filter(|program| program.item.group == TIER);
-    let mut rows: Vec<Priced> = tiers.map(Priced::of).collect();
-    let boards = if quick { Boards::Fast } else { Boards::Both };
-    let obstacle = prices::obstacle(boards);
-    if obstacle.is_none() {
-        prices::measure(rows.iter_mut().collect(), boards)?;
-    }
-    Ok((rows, obstacle))
-}
-
-/// Mean instructions of a call on both targets.
-fn instructions(method: &Method, counted: &[Priced]) -> [Option<u64>; 2] {
-    let bare = method.name.replace(" f32", "");
-    let item = ITEMS.iter().find(|(name, _)| *name == bare);
-    let of_method = |row: &&Priced| {
-        let program = &row.program;
-        let is_item = item.is_some_and(|(_, item)| program.item.name == *item);
-        program.item.group == TIER && is_item && program.precision == method.precision()
-    };
-    let row = counted.iter().find(of_method);
-    [row.and_then(|row| row.fast), row.and_then(|row| row.small)]
-        .map(|cost| cost.map(|cost| cost.mean))
 }
 
 /// What the front says.
@@ -395,34 +360,4 @@ fn ratios(samples: &Samples, n: usize) -> String {
     ];
     let line = |(name, value): &(String, f64)| format!("- {name}: {}\n", short(*value));
     lines.iter().map(line).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::firmware::board::Cost;
-
-    #[test]
-    fn every_counted_item_is_a_method_in_both_precisions() {
-        let methods = all_methods().unwrap();
-        let cost = Cost {
-            mean: 7,
-            worst: 9,
-            stack: 0,
-            worst_at: 0,
-        };
-        for (name, item) in ITEMS {
-            let programs = all_programs();
-            let of_item = programs.iter().filter(|program| program.item.name == item);
-            let mut rows: Vec<Priced> = of_item.map(Priced::of).collect();
-            assert_eq!(rows.len(), 2, "{item}");
-            rows.iter_mut().for_each(|row| row.fast = Some(cost));
-            let counted = methods
-                .iter()
-                .filter(|m| instructions(m, &rows)[0] == Some(7));
-            let counted: Vec<&Method> = counted.collect();
-            assert_eq!(counted.len(), 2, "{name}: {counted:?}");
-            assert_ne!(counted[0].precision(), counted[1].precision());
-        }
-    }
 }
