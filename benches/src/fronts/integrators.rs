@@ -242,12 +242,15 @@ fn stops(rows: &[Row], rounds: usize) -> Sheet {
 /// Errors of distance and time at the middle spin, against the step and against the cost.
 fn draw(out: &Path, rows: &[Row]) -> Result<(), String> {
     let title = format!("A disk brought to rest, {} rad/s", SPINS[1]);
+    // The one without steps last, so that the others have the same colours in all panels.
+    let mut families = families();
+    families.sort_by_key(|family| family[0].step().is_none());
     let mut panels = Panels::new(title, 2).cell(PANEL.0, PANEL.1);
     for (quantity, i) in [("distance", 1), ("time", 0)] {
         for (label, by_step) in [("step [s]", true), ("time per stop [µs]", false)] {
             let error = Axis::log10(format!("relative error of {quantity}"));
             let mut figure = Figure::new(quantity, Axis::log10(label), error).legend(Legend::Below);
-            for family in families() {
+            for family in &families {
                 let name = family[0].name();
                 let of_line = |row: &&Row| row.stepper.name() == name && row.spin == SPINS[1];
                 let point = |row: &Row| {
