@@ -48,6 +48,8 @@ const HELD_ULPS: f64 = 16.0;
 const MOST_STEPS: usize = 120;
 /// Halvings of a step.
 const MOST_HALVINGS: usize = 40;
+/// Rounding of φ, whose terms are of the size |q| |e|, in rounding errors.
+const ROUNDING_ULPS: f64 = 32.0;
 /// Share of the linear decrease that a step must bring.
 const ENOUGH: f64 = 0.1;
 
@@ -104,7 +106,8 @@ impl<R: Real> Balance<'_, R> {
         let step = solved(&matrix, &(-gradient));
         let slope = gradient.x * step.x + gradient.y * step.y + gradient.z * step.z;
         let start = self.potential(from, smoothing);
-        let rounding = R::EPSILON * start.abs();
+        // Near the end φ falls by less than it rounds: then every step is taken.
+        let rounding = R::from_f64(ROUNDING_ULPS) * R::EPSILON * norm(&self.wanted) * norm(from);
         let mut share = R::ONE;
         for _ in 0..MOST_HALVINGS {
             let enough = start + R::from_f64(ENOUGH) * share * slope + rounding;

@@ -106,7 +106,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
     /// *Domain*: 0 < `length` < ∞. *Special values*: `wrench` itself, to the bit, where the foot
     /// carries it; NaN for NaN and infinities. *Accuracy*: for the given points 1e-8 of the wrench,
     /// f32: 1e-5; wrenches outside by less than 16 rounding errors count as carried. Where the wrench is
-    /// thousands of times what the foot carries that is much of the answer: use f64 there.
+    /// thousands of times what the foot carries that is much of the answer: take f64 there.
     /// *Cost*: one pass over the points where the forces of the last call carry the wrench, else 20
     /// to 60 passes of two roots a point.
     pub fn nearest(&mut self, wrench: &Wrench<R>, length: R) -> Wrench<R> {
