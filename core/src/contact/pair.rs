@@ -134,7 +134,7 @@ impl<'a, R: Real, F: ContactFriction<R>> Pair<'a, R, F> {
             rolling: old * inv_inertia - cross(n, &self.roll) - self.old.sliding * k,
         };
         let turned = both.rolling([sliding, &cross(n, rolling)])?;
-        Some(cross(&turned, n))
+        sum(&turned).is_finite().then(|| cross(&turned, n))
     }
 
     /// Sliding velocity after a rolling torque.

@@ -11,6 +11,9 @@
 //! σ takes a few Newton steps, whose matrix 1 + Σ … is at least the unit matrix; then σ shrinks. A
 //! wrench that the foot carries has e = 0, which σ reaches with it: φ ≥ 0 there tells it from a slow
 //! motion, for which φ = −|e|²/2.
+//!
+//! All is done in double precision, whatever the scalar: near the kinks of φ the matrix spans more
+//! than single precision holds.
 
 use crate::patch::nodes::Node;
 use crate::real::Real;
@@ -20,17 +23,17 @@ use nalgebra::Vector3;
 pub(super) struct Balance<'a, R: Real> {
     pub(super) nodes: &'a [Node<R>],
     /// 1/length
-    pub(super) inv_length: R,
+    pub(super) inv_length: f64,
     /// μN/(sum of weights)
-    pub(super) unit: R,
+    pub(super) unit: f64,
     /// The wrench q, its torque over the length.
-    pub(super) wanted: Vector3<R>,
+    pub(super) wanted: Vector3<f64>,
 }
 
 /// The remainder, and σ at the end.
-pub(super) struct Remainder<R: Real> {
-    pub(super) left: Vector3<R>,
-    pub(super) smoothing: R,
+pub(super) struct Remainder {
+    pub(super) left: Vector3<f64>,
+    pub(super) smoothing: f64,
     pub(super) is_held: bool,
 }
 
@@ -54,24 +57,18 @@ const ROUNDING_ULPS: f64 = 32.0;
 const ENOUGH: f64 = 0.1;
 
 /// Gradient and matrix of φ.
-struct Model<R: Real> {
-    gradient: Vector3<R>,
+struct Model {
+    gradient: Vector3<f64>,
     /// xx, xy, yy, xn, yn, nn
-    matrix: [R; 6],
+    matrix: [f64; 6],
 }
 
 impl<R: Real> Balance<'_, R> {
     /// Finds the remainder of a wrench of the given `size` = |q|, finite and positive.
-    pub(super) fn solve(&self, size: R) -> Remainder<R> {
-        let real = R::from_f64;
+    pub(super) fn solve(&self, size: f64) -> Remainder {
         let mut left = self.wanted;
-        let mut smoothing = real(FIRST) * size;
-        let none = real(HELD_ULPS) * R::EPSILON * size;
-        let sharp = if R::EPSILON > real(SHARP) {
-            R::EPSILON
-        } else {
-            real(SHARP)
-        };
+        let mut smoothing = FIRST * size;
+        let none = HELD_ULPS * R::EPSILON.to_f64() * size;
         for _ in 0..MOST_STEPS {
             let (next, step) = self.newton(&left, smoothing);
             left = next;
@@ -79,19 +76,19 @@ impl<R: Real> Balance<'_, R> {
             if length <= none {
                 break;
             }
-            let unsettled = step > real(CONVERGED) * length && step > real(CONVERGED) * smoothing;
+            let unsettled = step > CONVERGED * length && step > CONVERGED * smoothing;
             if unsettled {
                 continue;
             }
-            if smoothing <= sharp * length {
+            if smoothing <= SHARP * length {
                 if step <= none {
                     break;
                 }
             } else {
-                smoothing *= real(SHRINK);
+                smoothing *= SHRINK;
             }
         }
-        let moves = self.potential(&left, R::ZERO) < R::ZERO;
+        let moves = self.potential(&left, 0.0) < 0.0;
         let is_held = norm(&left) <= none || !moves;
         Remainder {
             left,
@@ -101,62 +98,68 @@ impl<R: Real> Balance<'_, R> {
     }
 
     /// One damped step; returns where it leads and how long it is.
-    fn newton(&self, from: &Vector3<R>, smoothing: R) -> (Vector3<R>, R) {
+    fn newton(&self, from: &Vector3<f64>, smoothing: f64) -> (Vector3<f64>, f64) {
         let Model { gradient, matrix } = self.model(from, smoothing);
         let step = solved(&matrix, &(-gradient));
         let slope = gradient.x * step.x + gradient.y * step.y + gradient.z * step.z;
         let start = self.potential(from, smoothing);
         // Near the end φ falls by less than it rounds: then every step is taken.
-        let rounding = R::from_f64(ROUNDING_ULPS) * R::EPSILON * norm(&self.wanted) * norm(from);
-        let mut share = R::ONE;
+        let rounding = ROUNDING_ULPS * f64::EPSILON * norm(&self.wanted) * norm(from);
+        let mut share = 1.0;
         for _ in 0..MOST_HALVINGS {
-            let enough = start + R::from_f64(ENOUGH) * share * slope + rounding;
+            let enough = start + ENOUGH * share * slope + rounding;
             if self.potential(&(from + step * share), smoothing) <= enough {
                 break;
             }
-            share *= R::HALF;
+            share *= 0.5;
         }
         (from + step * share, norm(&step) * share)
     }
 
+    /// A point in units of the norm's length.
+    #[inline]
+    fn place(&self, node: &Node<R>) -> [f64; 2] {
+        [node.x, node.y].map(|x| x.to_f64() * self.inv_length)
+    }
+
     /// Velocity of a point, and √(|u|² + σ²).
     #[inline]
-    fn motion(&self, node: &Node<R>, e: &Vector3<R>, smoothing: R) -> [R; 3] {
-        let [x, y] = [node.x * self.inv_length, node.y * self.inv_length];
+    fn motion(&self, node: &Node<R>, e: &Vector3<f64>, smoothing: f64) -> [f64; 3] {
+        let [x, y] = self.place(node);
         let u = [e.x - e.z * y, e.y + e.z * x];
         let speed = u[0].hypot(u[1]);
         [u[0], u[1], speed.hypot(smoothing)]
     }
 
     /// φ
-    fn potential(&self, e: &Vector3<R>, smoothing: R) -> R {
+    fn potential(&self, e: &Vector3<f64>, smoothing: f64) -> f64 {
         let [x, y, z] = [self.wanted.x, self.wanted.y, self.wanted.z];
-        let own = R::HALF * (e.x * e.x + e.y * e.y + e.z * e.z);
+        let own = 0.5 * (e.x * e.x + e.y * e.y + e.z * e.z);
         let mut sum = own - (x * e.x + y * e.y + z * e.z);
         for node in self.nodes {
             let [_, _, speed] = self.motion(node, e, smoothing);
-            sum += self.unit * node.weight * (speed - smoothing);
+            sum += self.unit * node.weight.to_f64() * (speed - smoothing);
         }
         sum
     }
 
-    fn model(&self, e: &Vector3<R>, smoothing: R) -> Model<R> {
+    fn model(&self, e: &Vector3<f64>, smoothing: f64) -> Model {
         let mut gradient = e - self.wanted;
-        let mut matrix = [R::ONE, R::ZERO, R::ONE, R::ZERO, R::ZERO, R::ONE];
+        let mut matrix = [1.0, 0.0, 1.0, 0.0, 0.0, 1.0];
         for node in self.nodes {
             let [ux, uy, speed] = self.motion(node, e, smoothing);
-            if speed == R::ZERO {
+            if speed == 0.0 {
                 continue;
             }
-            let [x, y] = [node.x * self.inv_length, node.y * self.inv_length];
-            let rate = self.unit * node.weight / speed;
+            let [x, y] = self.place(node);
+            let rate = self.unit * node.weight.to_f64() / speed;
             let [fx, fy] = [rate * ux, rate * uy];
             gradient += Vector3::new(fx, fy, x * fy - y * fx);
             // rate (1 − u uᵀ/speed²), moved to the centre.
             let [cx, cy] = [ux / speed, uy / speed];
-            let xx = rate * (R::ONE - cx * cx);
+            let xx = rate * (1.0 - cx * cx);
             let xy = -(rate * cx * cy);
-            let yy = rate * (R::ONE - cy * cy);
+            let yy = rate * (1.0 - cy * cy);
             let [xn, yn] = [x * xy - y * xx, x * yy - y * xy];
             let entries = [xx, xy, yy, xn, yn, x * yn - y * xn];
             for (sum, entry) in matrix.iter_mut().zip(entries) {
@@ -167,13 +170,13 @@ impl<R: Real> Balance<'_, R> {
     }
 
     /// Force of one point at the remainder `e`.
-    pub(super) fn force(&self, node: &Node<R>, e: &Vector3<R>, smoothing: R) -> [R; 2] {
+    pub(super) fn force(&self, node: &Node<R>, e: &Vector3<f64>, smoothing: f64) -> [R; 2] {
         let [ux, uy, speed] = self.motion(node, e, smoothing);
-        if speed == R::ZERO {
+        if speed == 0.0 {
             return [R::ZERO; 2];
         }
-        let rate = self.unit * node.weight / speed;
-        [rate * ux, rate * uy]
+        let rate = self.unit * node.weight.to_f64() / speed;
+        [rate * ux, rate * uy].map(R::from_f64)
     }
 }
 
@@ -183,7 +186,7 @@ pub(super) fn norm<R: Real>(e: &Vector3<R>) -> R {
 }
 
 /// The solution of a symmetric system whose matrix is at least the unit matrix (L D Lᵀ).
-fn solved<R: Real>([xx, xy, yy, xn, yn, nn]: &[R; 6], right: &Vector3<R>) -> Vector3<R> {
+fn solved([xx, xy, yy, xn, yn, nn]: &[f64; 6], right: &Vector3<f64>) -> Vector3<f64> {
     let (a, b) = (*xy / *xx, *xn / *xx);
     let second = *yy - a * *xy;
     let c = (*yn - a * *xn) / second;

@@ -105,8 +105,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
     ///
     /// *Domain*: 0 < `length` < ∞. *Special values*: `wrench` itself, to the bit, where the foot
     /// carries it; NaN for NaN and infinities. *Accuracy*: for the given points 1e-8 of the wrench,
-    /// f32: 1e-5; wrenches outside by less than 16 rounding errors count as carried. Where the wrench is
-    /// thousands of times what the foot carries that is much of the answer: take f64 there.
+    /// f32: to rounding; wrenches outside by less than 16 rounding errors count as carried. Both precisions compute in f64.
     /// *Cost*: one pass over the points where the forces of the last call carry the wrench, else 20
     /// to 60 passes of two roots a point.
     pub fn nearest(&mut self, wrench: &Wrench<R>, length: R) -> Wrench<R> {
@@ -122,13 +121,14 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
         if self.carries_as_it_is(wrench, inv_length, size) {
             return *wrench;
         }
+        let torque = wrench.torque.to_f64() / length.to_f64();
         let balance = Balance {
             nodes: self.patch.nodes(),
-            inv_length,
-            unit: self.unit(),
-            wanted,
+            inv_length: 1.0 / length.to_f64(),
+            unit: self.force_limit.to_f64() / self.patch.total_weight().to_f64(),
+            wanted: Vector3::new(wrench.force.x.to_f64(), wrench.force.y.to_f64(), torque),
         };
-        let found = balance.solve(size);
+        let found = balance.solve(norm(&balance.wanted));
         let Remainder {
             left,
             smoothing,
@@ -147,8 +147,11 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
             return *wrench;
         }
         Wrench {
-            force: Vector2::new(wrench.force.x - left.x, wrench.force.y - left.y),
-            torque: wrench.torque - left.z * length,
+            force: Vector2::new(
+                R::from_f64(balance.wanted.x - left.x),
+                R::from_f64(balance.wanted.y - left.y),
+            ),
+            torque: R::from_f64((balance.wanted.z - left.z) * length.to_f64()),
         }
     }
 
