@@ -81,7 +81,7 @@ impl<R: Real> Balance<'_, R> {
                 continue;
             }
             if smoothing <= SHARP * length {
-                if step <= none {
+                if step <= HELD_ULPS * f64::EPSILON * size {
                     break;
                 }
             } else {

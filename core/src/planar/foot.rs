@@ -104,7 +104,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
     /// The wrench of the foot's friction nearest to `wrench`, by √(|Δforce|² + (Δtorque/`length`)²).
     ///
     /// *Domain*: 0 < `length` < ∞. *Special values*: `wrench` itself, to the bit, where the foot
-    /// carries it; NaN for NaN and infinities. *Accuracy*: for the given points 1e-8 of the wrench,
+    /// carries it; NaN for NaN and infinities. *Accuracy*: for the given points 1e-12 of the wrench,
     /// f32: to rounding; wrenches outside by less than 16 rounding errors count as carried. Both precisions compute in f64.
     /// *Cost*: one pass over the points where the forces of the last call carry the wrench, else 20
     /// to 60 passes of two roots a point.
