@@ -105,7 +105,8 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
     ///
     /// *Domain*: 0 < `length` < ∞. *Special values*: `wrench` itself, to the bit, where the foot
     /// carries it; NaN for NaN and infinities. *Accuracy*: for the given points 1e-12 of the wrench,
-    /// f32: to rounding; wrenches outside by less than 16 rounding errors count as carried. Both precisions compute in f64.
+    /// f32: 1e-6; wrenches outside by less than 64 rounding errors count as carried. Both precisions
+    /// compute in f64.
     /// *Cost*: one pass over the points where the forces of the last call carry the wrench, else 20
     /// to 60 passes of two roots a point.
     pub fn nearest(&mut self, wrench: &Wrench<R>, length: R) -> Wrench<R> {

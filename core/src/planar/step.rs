@@ -24,7 +24,7 @@ impl<R: Real> PlanarBody<R> {
     ///
     /// *Units*: velocity, 1/time; force, force × length; time. *Accuracy*: second order in `dt`
     /// while the body slides, first order in the step in which it starts or stops; rest is exact.
-    /// *Cost*: one projection far from rest, two near it.
+    /// *Cost*: a wrench, and one projection far from rest, two near it.
     /// *Special values*: NaN for NaN, and where momentum/`dt` overflows.
     pub fn step<S: FrictionSet<R>>(
         &self,
@@ -34,7 +34,9 @@ impl<R: Real> PlanarBody<R> {
         dt: TimeStep<R>,
     ) -> PlanarStep<R> {
         let length = self.gyration;
-        let limits = [set.force_limit(), set.force_limit() * set.radius()];
+        // Power at unit spin is the largest torque.
+        let torque_limit = set.support(&Twist::new(R::ZERO, R::ZERO, R::ONE));
+        let limits = [set.force_limit(), torque_limit];
         self.step_within(twist, push, dt, limits, |needed| {
             set.project_with_length(needed, length).wrench
         })
@@ -42,8 +44,8 @@ impl<R: Real> PlanarBody<R> {
 
     /// The same on a foot of many points.
     ///
-    /// `foot` keeps the force of every point for the next step; on the `patch` of another step it
-    /// starts anew by [`Foot::release`]. *Cost*: see [`Foot::nearest`], once far from rest, twice near it.
+    /// `foot` keeps the force of every point for the next step; [`Foot::release`] begins anew.
+    /// *Cost*: [`Foot::nearest`] once far from rest, twice near it.
     pub fn step_on_foot<P: NodePatch<R>, const CAPACITY: usize>(
         &self,
         foot: &mut Foot<R, P, CAPACITY>,
@@ -133,7 +135,7 @@ fn is_beyond<R: Real>(wrench: &Wrench<R>, [force, torque]: [R; 2]) -> bool {
 mod tests {
     use super::*;
     use crate::coupling::table::Coulomb;
-    use crate::limit_surface::LimitSurface;
+    use crate::limit_surface::{Ellipsoid, LimitSurface};
 
     const LIMIT: f64 = 0.5;
     const DT: f64 = 1.0 / 60.0;
@@ -155,6 +157,19 @@ mod tests {
             };
             (twist, push)
         })
+    }
+
+    #[test]
+    fn a_set_that_carries_more_torque_than_force_times_radius_holds_it() {
+        let body = PlanarBody::new(0.17, 0.5 * 0.17 * 0.04 * 0.04).unwrap();
+        let set = Ellipsoid::new(LIMIT, 0.04, 2.0).unwrap();
+        let push = Wrench {
+            force: Vector2::new(0.0, 0.0),
+            torque: 1.9 * LIMIT * 0.04,
+        };
+        let dt = TimeStep::new(DT).unwrap();
+        let step = body.step(&set, &Twist::new(0.0, 0.0, 0.0), &push, dt);
+        assert!(step.is_at_rest, "{step:?}");
     }
 
     #[test]
