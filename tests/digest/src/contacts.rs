@@ -1,7 +1,7 @@
 //! Bits of impulses of contacts, and of a manifold.
 
 use crate::ARGUMENTS;
-use crate::hash::Fnv;
+use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, speed};
 use nalgebra::Vector3;
 use tribos_core::contact::{
@@ -15,10 +15,7 @@ use tribos_core::real::Real;
 
 /// Hash of updates of contacts under every friction, f64 and f32.
 pub fn contacts() -> u64 {
-    let mut hash = Fnv::new();
-    contacts_of::<f64>(&mut hash);
-    contacts_of::<f32>(&mut hash);
-    hash.0
+    in_both(contacts_of::<f64>, contacts_of::<f32>)
 }
 
 fn contacts_of<R: CoulombTable>(hash: &mut Fnv) {

@@ -69,3 +69,11 @@ impl Fnv {
         self.numbers([value, gradient.slide, gradient.rim]);
     }
 }
+
+/// The digest of the same work in f64, then in f32.
+pub(crate) fn in_both(wide: fn(&mut Fnv), narrow: fn(&mut Fnv)) -> u64 {
+    let mut hash = Fnv::new();
+    wide(&mut hash);
+    narrow(&mut hash);
+    hash.0
+}

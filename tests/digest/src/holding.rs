@@ -1,6 +1,6 @@
 //! Bits of bodies on their patches: steps in the plane, feet of many points, nodes in lent memory.
 
-use crate::hash::Fnv;
+use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, signed, triples_of_ends, twist, unit};
 use nalgebra::{Vector2, Vector3};
 use tribos_core::contact::TimeStep;
@@ -19,10 +19,7 @@ const STEPS: usize = 120;
 
 /// Digest of planar steps, f64 and f32.
 pub fn holding() -> u64 {
-    let mut hash = Fnv::new();
-    held::<f64>(&mut hash);
-    held::<f32>(&mut hash);
-    hash.0
+    in_both(held::<f64>, held::<f32>)
 }
 
 fn held<R: CoulombTable>(hash: &mut Fnv) {

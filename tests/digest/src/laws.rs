@@ -1,6 +1,6 @@
 //! Bits of the laws of a surface element, in motion and at rest.
 
-use crate::hash::Fnv;
+use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, speed, unit};
 use tribos_core::law::{
     Age, Ageing, BowdenTabor, Coulomb, DragRegime, DryFriction, GreenwoodWilliamson, Grip,
@@ -11,10 +11,7 @@ use tribos_core::real::Real;
 
 /// Digest of friction against speed, f64 and f32.
 pub fn moving() -> u64 {
-    let mut hash = Fnv::new();
-    moving_of::<f64>(&mut hash);
-    moving_of::<f32>(&mut hash);
-    hash.0
+    in_both(moving_of::<f64>, moving_of::<f32>)
 }
 
 fn moving_of<R: Real>(hash: &mut Fnv) {

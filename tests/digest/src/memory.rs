@@ -1,6 +1,6 @@
 //! Bits of laws with memory: rate and state, bristles.
 
-use crate::hash::Fnv;
+use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, signed, speed};
 use crate::laws::local;
 use tribos_core::law::{
@@ -62,10 +62,7 @@ fn rocks<R: Real, E: Evolution>(hash: &mut Fnv) {
 
 /// Digest of the LuGre model, f64 and f32.
 pub fn bristles() -> u64 {
-    let mut hash = Fnv::new();
-    bristles_of::<f64>(&mut hash);
-    bristles_of::<f32>(&mut hash);
-    hash.0
+    in_both(bristles_of::<f64>, bristles_of::<f32>)
 }
 
 fn bristles_of<R: Real>(hash: &mut Fnv) {

@@ -1,6 +1,6 @@
 //! Bits of sliders over thousands of steps, and of the Runge–Kutta step by itself.
 
-use crate::hash::Fnv;
+use crate::hash::{Fnv, in_both};
 use crate::inputs::{pairs_of_ends, triples_of_ends};
 use tribos_core::coupling::closed::Hertz;
 use tribos_core::coupling::table::{self, CoulombTable};
@@ -14,10 +14,7 @@ const STEPS: usize = 1000;
 
 /// Digest of long motions, f64 and f32.
 pub fn motions() -> u64 {
-    let mut hash = Fnv::new();
-    motions_of::<f64>(&mut hash);
-    motions_of::<f32>(&mut hash);
-    hash.0
+    in_both(motions_of::<f64>, motions_of::<f32>)
 }
 
 fn motions_of<R: CoulombTable>(hash: &mut Fnv) {

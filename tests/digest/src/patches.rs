@@ -1,6 +1,6 @@
 //! Bits of contact patches: their nodes and shares.
 
-use crate::hash::Fnv;
+use crate::hash::{Fnv, in_both};
 use crate::inputs::{ends, pairs_of_ends};
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
 use tribos_core::patch::polar::{PolarRule, ring};
@@ -25,10 +25,7 @@ pub fn patches() -> u64 {
 
 /// Digest of the standard rule, f64 and f32.
 pub fn standard_rule() -> u64 {
-    let mut hash = Fnv::new();
-    standard_rule_of::<f64>(&mut hash);
-    standard_rule_of::<f32>(&mut hash);
-    hash.0
+    in_both(standard_rule_of::<f64>, standard_rule_of::<f32>)
 }
 
 fn standard_rule_of<R: Real>(hash: &mut Fnv) {

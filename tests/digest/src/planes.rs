@@ -1,6 +1,6 @@
 //! Bits of wrenches in the plane in both precisions, upright and leaning, and at the ends.
 
-use crate::hash::Fnv;
+use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, arguments, ends, speed, triples_of_ends, twist};
 use nalgebra::Vector3;
 use tribos_core::coupling::closed::Hertz;
@@ -18,10 +18,7 @@ use tribos_core::twist::{Twist, Wrench};
 
 /// Digest of patches in the plane, f64 and f32.
 pub fn planes() -> u64 {
-    let mut hash = Fnv::new();
-    planes_of::<f64>(&mut hash);
-    planes_of::<f32>(&mut hash);
-    hash.0
+    in_both(planes_of::<f64>, planes_of::<f32>)
 }
 
 fn planes_of<R: CoulombTable>(hash: &mut Fnv) {
@@ -70,10 +67,7 @@ pub(crate) fn ends_of_twists<R: Real>(every: usize) -> impl Iterator<Item = Twis
 
 /// Digest of tall bodies in both precisions.
 pub fn leaning() -> u64 {
-    let mut hash = Fnv::new();
-    leaning_of::<f64>(&mut hash);
-    leaning_of::<f32>(&mut hash);
-    hash.0
+    in_both(leaning_of::<f64>, leaning_of::<f32>)
 }
 
 fn leaning_of<R: CoulombTable>(hash: &mut Fnv) {

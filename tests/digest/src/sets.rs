@@ -1,6 +1,6 @@
 //! Bits of limit surfaces: every question, every kind of surface, both precisions.
 
-use crate::hash::Fnv;
+use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, speed, triples_of_ends, twist};
 use nalgebra::Vector2;
 use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
@@ -12,10 +12,7 @@ use tribos_core::twist::Wrench;
 
 /// Digest of limit surfaces, f64 and f32.
 pub fn sets() -> u64 {
-    let mut hash = Fnv::new();
-    sets_of::<f64>(&mut hash);
-    sets_of::<f32>(&mut hash);
-    hash.0
+    in_both(sets_of::<f64>, sets_of::<f32>)
 }
 
 fn sets_of<R: CoulombTable>(hash: &mut Fnv) {

@@ -1,16 +1,13 @@
 //! Bits of elementary and special functions.
 
-use crate::hash::Fnv;
+use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, signed, speed, unit};
 use tribos_core::real::Real;
 use tribos_core::special::{CompleteElliptic, Gauss};
 
 /// Digest of roots, powers, logarithms and angles, f64 and f32.
 pub fn elementary() -> u64 {
-    let mut hash = Fnv::new();
-    elementary_of::<f64>(&mut hash);
-    elementary_of::<f32>(&mut hash);
-    hash.0
+    in_both(elementary_of::<f64>, elementary_of::<f32>)
 }
 
 fn elementary_of<R: Real>(hash: &mut Fnv) {
@@ -54,10 +51,7 @@ fn two_arguments<R: Real>(hash: &mut Fnv, x: R, y: R) {
 
 /// Digest of complete elliptic integrals, f64 and f32.
 pub fn elliptic() -> u64 {
-    let mut hash = Fnv::new();
-    elliptic_of::<f64>(&mut hash);
-    elliptic_of::<f32>(&mut hash);
-    hash.0
+    in_both(elliptic_of::<f64>, elliptic_of::<f32>)
 }
 
 fn elliptic_of<R: Real>(hash: &mut Fnv) {

@@ -1,7 +1,7 @@
 //! Bits of contacts at nodes, limit surfaces and laws with memory.
 
 use crate::ARGUMENTS;
-use crate::hash::Fnv;
+use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, speed};
 use nalgebra::Vector2;
 use tribos_core::coupling::closed::Ring;
@@ -20,10 +20,7 @@ use tribos_core::twist::{Twist, Wrench};
 
 /// Hash of contacts at nodes: a rule for a leaning pressure and a polygon, f64 and f32.
 pub fn nodes() -> u64 {
-    let mut hash = Fnv::new();
-    nodes_of::<f64>(&mut hash);
-    nodes_of::<f32>(&mut hash);
-    hash.0
+    in_both(nodes_of::<f64>, nodes_of::<f32>)
 }
 
 fn nodes_of<R: Real>(hash: &mut Fnv) {
@@ -93,10 +90,7 @@ fn surface<R: Real, C: DryCoupling<R>>(hash: &mut Fnv, coupling: C) {
 
 /// Hash of local laws and of laws with memory, f64 and f32.
 pub fn laws() -> u64 {
-    let mut hash = Fnv::new();
-    laws_of::<f64>(&mut hash);
-    laws_of::<f32>(&mut hash);
-    hash.0
+    in_both(laws_of::<f64>, laws_of::<f32>)
 }
 
 fn laws_of<R: Real>(hash: &mut Fnv) {

@@ -1,7 +1,7 @@
 //! Bits of contacts piece by piece, and of a manifold over thousands of steps.
 
 use crate::contacts::{components, sphere};
-use crate::hash::Fnv;
+use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, signed, speed, triples_of_ends};
 use nalgebra::Vector3;
 use tribos_core::contact::{
@@ -15,10 +15,7 @@ use tribos_core::real::Real;
 
 /// Digest of single contacts, f64 and f32.
 pub fn touching() -> u64 {
-    let mut hash = Fnv::new();
-    touching_of::<f64>(&mut hash);
-    touching_of::<f32>(&mut hash);
-    hash.0
+    in_both(touching_of::<f64>, touching_of::<f32>)
 }
 
 fn touching_of<R: CoulombTable>(hash: &mut Fnv) {
