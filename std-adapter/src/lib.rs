@@ -7,6 +7,7 @@
 
 pub mod cd;
 pub mod golden;
+pub mod md;
 pub mod powder;
 pub mod random;
 pub mod record;

@@ -1,0 +1,132 @@
+//! Atoms, one array a property.
+
+use nalgebra::Vector3;
+
+/// Most species that a table of pairs can number.
+pub const MOST_SPECIES: usize = 64;
+
+/// Atoms of one or more species; consistent units, in reduced ones σ, ε and m are 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Atoms {
+    /// Places; periodic axes are not wrapped, so that ways travelled can be read off.
+    pub positions: Vec<Vector3<f64>>,
+    /// Velocities.
+    pub velocities: Vec<Vector3<f64>>,
+    /// Species, from 0.
+    pub species: Vec<u8>,
+    /// Mass of each species.
+    pub masses: Vec<f64>,
+}
+
+/// Atoms that make no sense.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum AtomsError {
+    /// The arrays have different lengths.
+    #[error(
+        "{positions} positions need as many velocities and species, not {velocities} and {species}"
+    )]
+    Lengths {
+        /// Number of positions.
+        positions: usize,
+        /// Number of velocities.
+        velocities: usize,
+        /// Number of species entries.
+        species: usize,
+    },
+    /// A coordinate or a velocity is not finite.
+    #[error("atom {atom}: its position and velocity must be finite")]
+    NotFinite {
+        /// Index of the atom, from 0.
+        atom: usize,
+    },
+    /// An atom of a species that has no mass.
+    #[error("atom {atom} is of species {species}, but only {known} have a mass")]
+    Species {
+        /// Index of the atom, from 0.
+        atom: usize,
+        /// Its species, from 1.
+        species: usize,
+        /// Number of species with a mass.
+        known: usize,
+    },
+    /// Too many species.
+    #[error("{given} species are more than the {MOST_SPECIES} that pairs can number")]
+    TooManySpecies {
+        /// Number of species.
+        given: usize,
+    },
+    /// A mass is not positive and finite.
+    #[error("species {species}: its mass must be finite and positive, not {given}")]
+    Mass {
+        /// The species, from 1.
+        species: usize,
+        /// What was given.
+        given: f64,
+    },
+}
+
+impl Atoms {
+    /// Atoms at rest, all of one species of mass 1.
+    pub fn at(positions: Vec<Vector3<f64>>) -> Self {
+        let count = positions.len();
+        Self {
+            positions,
+            velocities: vec![Vector3::zeros(); count],
+            species: vec![0; count],
+            masses: vec![1.0],
+        }
+    }
+
+    /// Number of atoms.
+    pub fn len(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// True without atoms.
+    pub fn is_empty(&self) -> bool {
+        self.positions.is_empty()
+    }
+
+    /// Mass of an atom.
+    #[inline]
+    pub fn mass(&self, atom: usize) -> f64 {
+        self.masses[usize::from(self.species[atom])]
+    }
+
+    /// Refuses arrays that do not fit, numbers that are not finite and species without a mass.
+    pub fn check(&self) -> Result<(), AtomsError> {
+        let count = self.len();
+        if self.velocities.len() != count || self.species.len() != count {
+            return Err(AtomsError::Lengths {
+                positions: count,
+                velocities: self.velocities.len(),
+                species: self.species.len(),
+            });
+        }
+        let known = self.masses.len();
+        if known > MOST_SPECIES {
+            return Err(AtomsError::TooManySpecies { given: known });
+        }
+        for (index, &given) in self.masses.iter().enumerate() {
+            if !given.is_finite() || given <= 0.0 {
+                let species = index + 1;
+                return Err(AtomsError::Mass { species, given });
+            }
+        }
+        for atom in 0..count {
+            let numbers = self.positions[atom].iter().chain(&self.velocities[atom]);
+            if !numbers.into_iter().all(|number| number.is_finite()) {
+                return Err(AtomsError::NotFinite { atom });
+            }
+            let species = usize::from(self.species[atom]) + 1;
+            if species > known {
+                return Err(AtomsError::Species {
+                    atom,
+                    species,
+                    known,
+                });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,225 @@
+//! Verlet lists: who is near whom, each pair once, valid while atoms move less than the skin allows.
+
+mod cells;
+mod chunk;
+mod images;
+
+pub use chunk::{Chunk, LANES, Site};
+pub use images::Slot;
+
+use crate::space::{AXES, PeriodicBox};
+use cells::Cells;
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+/// Slots that one chunk of the list owns. Chunks, not threads, decide the order of sums.
+const SLOTS_PER_CHUNK: usize = 4096;
+
+/// Why there is no list of neighbours.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ListError {
+    /// The cut-off or the skin is no length.
+    #[error("{what} must be finite and positive, not {given}")]
+    Length {
+        /// "the cut-off" or "the skin".
+        what: &'static str,
+        /// What was given.
+        given: f64,
+    },
+    /// Two atoms could meet over two images.
+    #[error(
+        "the cut-off {cutoff} exceeds half the period along {}, {length}: \
+         a larger box or a smaller cut-off is needed",
+        AXES[*axis]
+    )]
+    Cutoff {
+        /// 0, 1 or 2 for x, y or z.
+        axis: usize,
+        /// The cut-off.
+        cutoff: f64,
+        /// The period.
+        length: f64,
+    },
+    /// The skin reaches round the box.
+    #[error(
+        "cut-off and skin together, {reach}, exceed the period along {}, {length}: \
+         a smaller skin is needed",
+        AXES[*axis]
+    )]
+    Skin {
+        /// 0, 1 or 2 for x, y or z.
+        axis: usize,
+        /// Cut-off and skin.
+        reach: f64,
+        /// The period.
+        length: f64,
+    },
+    /// Atoms are numbered in 32 bits, images included.
+    #[error("{given} atoms are more than a list can number")]
+    TooMany {
+        /// Number of atoms.
+        given: usize,
+    },
+}
+
+/// All pairs nearer than cut-off and skin at the last build, in chunks.
+///
+/// An atom near the end of a period also stands behind the other end, as an image; a pair is atom
+/// and atom or atom and image, so that distances need no look at the box. Cells order the atoms:
+/// neighbours in space are neighbours in memory.
+#[derive(Clone, Debug)]
+pub struct VerletList {
+    space: PeriodicBox,
+    cutoff: f64,
+    skin: f64,
+    chunks: Vec<Chunk>,
+    /// Where the atoms were at the last build.
+    reference: Vec<Vector3<f64>>,
+    cells: Cells,
+    builds: u64,
+}
+
+impl VerletList {
+    /// A list yet to be built. *Domain*: `cutoff` and `skin` > 0 in the unit of the places; the
+    /// cut-off at most half of every period, cut-off and skin together at most a period.
+    pub fn new(space: PeriodicBox, cutoff: f64, skin: f64) -> Result<Self, ListError> {
+        for (what, given) in [("the cut-off", cutoff), ("the skin", skin)] {
+            if !given.is_finite() || given <= 0.0 {
+                return Err(ListError::Length { what, given });
+            }
+        }
+        for (axis, length) in space.lengths().into_iter().enumerate() {
+            let Some(length) = length else { continue };
+            if cutoff > 0.5 * length {
+                return Err(ListError::Cutoff {
+                    axis,
+                    cutoff,
+                    length,
+                });
+            }
+            let reach = cutoff + skin;
+            if reach > length {
+                return Err(ListError::Skin {
+                    axis,
+                    reach,
+                    length,
+                });
+            }
+        }
+        Ok(Self {
+            space,
+            cutoff,
+            skin,
+            chunks: Vec::new(),
+            reference: Vec::new(),
+            cells: Cells::default(),
+            builds: 0,
+        })
+    }
+
+    /// The box.
+    pub fn space(&self) -> &PeriodicBox {
+        &self.space
+    }
+
+    /// Pairs farther apart than this do not act on each other.
+    pub fn cutoff(&self) -> f64 {
+        self.cutoff
+    }
+
+    /// How much farther the list reaches than the cut-off.
+    pub fn skin(&self) -> f64 {
+        self.skin
+    }
+
+    /// Builds so far.
+    pub fn builds(&self) -> u64 {
+        self.builds
+    }
+
+    /// Where the atoms were at the last build: what a checkpoint keeps, since the order of sums
+    /// follows from it.
+    pub fn reference(&self) -> &[Vector3<f64>] {
+        &self.reference
+    }
+
+    /// The parts of the list.
+    pub fn chunks_mut(&mut self) -> &mut [Chunk] {
+        &mut self.chunks
+    }
+
+    /// Brings the list up to date: builds it where two atoms could have come nearer by the skin
+    /// since the last build, and moves the sites. True if it was built.
+    ///
+    /// *Domain*: finite places, which are not looked at again.
+    pub fn update(
+        &mut self,
+        positions: &[Vector3<f64>],
+        species: &[u8],
+    ) -> Result<bool, ListError> {
+        let is_stale = self.reference.len() != positions.len() || self.is_stale(positions);
+        if is_stale {
+            self.build(positions, species)?;
+        }
+        self.refresh(positions);
+        Ok(is_stale)
+    }
+
+    /// Builds the list for atoms at `positions`.
+    pub fn build(&mut self, positions: &[Vector3<f64>], species: &[u8]) -> Result<(), ListError> {
+        let reach = self.cutoff + self.skin;
+        let slots = images::slots(&self.space, positions, reach);
+        if u32::try_from(slots.len()).is_err() {
+            let given = positions.len();
+            return Err(ListError::TooMany { given });
+        }
+        self.cells.sort(positions, slots, reach);
+        let (cells, count) = (&self.cells, self.cells.slots().len());
+        let ends = (0..count).step_by(SLOTS_PER_CHUNK);
+        self.chunks = ends
+            .map(|start| start..(start + SLOTS_PER_CHUNK).min(count))
+            .collect::<Vec<_>>()
+            .into_par_iter()
+            .map(|owned| Chunk::build(cells, owned, reach * reach, species))
+            .collect();
+        self.reference.clear();
+        self.reference.extend_from_slice(positions);
+        self.builds += 1;
+        Ok(())
+    }
+
+    /// Moves the sites of a list to where the atoms are now.
+    pub fn refresh(&mut self, positions: &[Vector3<f64>]) {
+        self.chunks
+            .par_iter_mut()
+            .for_each(|chunk| chunk.refresh(positions));
+    }
+
+    /// Whether the two farthest ways since the last build add up to the skin.
+    fn is_stale(&self, positions: &[Vector3<f64>]) -> bool {
+        let [mut farthest, mut second] = [0.0_f64; 2];
+        for (now, then) in positions.iter().zip(&self.reference) {
+            let way_sq = (now - then).norm_squared();
+            if way_sq > second {
+                second = way_sq.min(farthest);
+                farthest = way_sq.max(farthest);
+            }
+        }
+        farthest.sqrt() + second.sqrt() > self.skin
+    }
+}
+
+/// Adds what the chunks hold for their slots to the atoms, chunk after chunk.
+pub fn gather<const N: usize>(
+    chunks: &[Chunk],
+    per_atom: &mut [[f64; N]],
+    of: impl Fn(&Chunk) -> &[[f64; N]],
+) {
+    for chunk in chunks {
+        for (slot, part) in chunk.window().iter().zip(of(chunk)) {
+            for (sum, part) in per_atom[slot.atom as usize].iter_mut().zip(part) {
+                *sum += part;
+            }
+        }
+    }
+}

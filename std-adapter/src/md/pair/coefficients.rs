@@ -1,0 +1,70 @@
+//! The Lennard-Jones potential of one pair of species, U = 4ε((σ/r)¹² − (σ/r)⁶) up to a cut-off.
+
+/// What is done about the jump at the cut-off.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shift {
+    /// Nothing: the energy jumps, and is not conserved by pairs that cross.
+    #[default]
+    None,
+    /// U − U(r_c): the energy is continuous.
+    Energy,
+    /// U − U(r_c) − (r − r_c)U'(r_c): energy and force are.
+    Force,
+}
+
+impl Shift {
+    /// The words a user may write.
+    pub const WORDS: [(&'static str, Self); 3] = [
+        ("none", Self::None),
+        ("energy", Self::Energy),
+        ("force", Self::Force),
+    ];
+}
+
+/// Numbers of one pair of species, ready for the loop.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Coefficients {
+    /// r_c².
+    pub cutoff_sq: f64,
+    /// 48εσ¹² and 24εσ⁶: −U'(r)/r = (force12/r⁶ − force6)/r⁸.
+    pub force12: f64,
+    /// See `force12`.
+    pub force6: f64,
+    /// 4εσ¹² and 4εσ⁶: U = (energy12/r⁶ − energy6)/r⁶ + offset + force_at_cutoff · r.
+    pub energy12: f64,
+    /// See `energy12`.
+    pub energy6: f64,
+    /// Constant part of the shift.
+    pub offset: f64,
+    /// −U'(r_c) where the force is shifted, else 0.
+    pub force_at_cutoff: f64,
+}
+
+impl Coefficients {
+    /// *Domain*: ε finite, σ and r_c finite and > 0.
+    pub fn new(epsilon: f64, sigma: f64, cutoff: f64, shift: Shift) -> Self {
+        let sigma_sq = sigma * sigma;
+        let sigma6 = sigma_sq * sigma_sq * sigma_sq;
+        let mut pair = Self {
+            cutoff_sq: cutoff * cutoff,
+            force12: 48.0 * epsilon * sigma6 * sigma6,
+            force6: 24.0 * epsilon * sigma6,
+            energy12: 4.0 * epsilon * sigma6 * sigma6,
+            energy6: 4.0 * epsilon * sigma6,
+            ..Self::default()
+        };
+        let inv_sq = 1.0 / pair.cutoff_sq;
+        let inv6 = inv_sq * inv_sq * inv_sq;
+        let energy = inv6 * (pair.energy12 * inv6 - pair.energy6);
+        let force = inv6 * (pair.force12 * inv6 - pair.force6) / cutoff;
+        match shift {
+            Shift::None => {}
+            Shift::Energy => pair.offset = -energy,
+            Shift::Force => {
+                pair.offset = -(energy + force * cutoff);
+                pair.force_at_cutoff = force;
+            }
+        }
+        pair
+    }
+}

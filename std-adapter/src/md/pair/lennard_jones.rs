@@ -1,0 +1,310 @@
+//! Lennard-Jones of any number of species.
+
+use super::{Coefficients, LANES, Lanes, Mixing, PairLaw, Shift, Tally, Wanted, forces};
+use crate::md::atoms::MOST_SPECIES;
+use crate::md::interaction::Interaction;
+use crate::md::neighbours::{Site, VerletList};
+use nalgebra::Vector3;
+
+/// Parameters that make no potential.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum LennardJonesError {
+    /// No species, or more than pairs can number.
+    #[error("there must be 1 to {MOST_SPECIES} species, not {given}")]
+    Species {
+        /// Number of species.
+        given: usize,
+    },
+    /// A number is not finite and positive.
+    #[error("{name}{first}{second} must be finite and positive, not {given}")]
+    Parameter {
+        /// "epsilon", "sigma" or "cutoff".
+        name: &'static str,
+        /// A species, from 1.
+        first: usize,
+        /// The other, from 1.
+        second: usize,
+        /// What was given.
+        given: f64,
+    },
+    /// A pair of a species that is not there.
+    #[error("there is no pair {first}{second} among {known} species")]
+    Pair {
+        /// A species, from 1.
+        first: usize,
+        /// The other, from 1.
+        second: usize,
+        /// Number of species.
+        known: usize,
+    },
+}
+
+/// ε, σ and r_c of a pair of species.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pairing {
+    /// Depth.
+    pub epsilon: f64,
+    /// Where the potential crosses 0.
+    pub sigma: f64,
+    /// Cut-off.
+    pub cutoff: f64,
+}
+
+/// U = 4ε((σ/r)¹² − (σ/r)⁶) between all pairs nearer than their cut-off. Any consistent units.
+///
+/// *Accuracy*: forces to a few 10⁻¹⁴ of their largest part. *Special values*: atoms in the same
+/// place give NaN.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LennardJones {
+    species: usize,
+    shift: Shift,
+    pairings: Vec<Pairing>,
+    table: Vec<Coefficients>,
+}
+
+impl LennardJones {
+    /// One species. *Domain*: all > 0 and finite.
+    pub fn single(pairing: Pairing, shift: Shift) -> Result<Self, LennardJonesError> {
+        Self::mixed(&[pairing], Mixing::default(), shift)
+    }
+
+    /// Species with their own parameters; those of unlike pairs are mixed, a cut-off as σ is.
+    pub fn mixed(
+        like: &[Pairing],
+        mixing: Mixing,
+        shift: Shift,
+    ) -> Result<Self, LennardJonesError> {
+        let species = like.len();
+        if species == 0 || species > MOST_SPECIES {
+            return Err(LennardJonesError::Species { given: species });
+        }
+        let mut all = Self {
+            species,
+            shift,
+            pairings: vec![like[0]; species * species],
+            table: vec![Coefficients::default(); species * species],
+        };
+        for first in 0..species {
+            for second in first..species {
+                let (a, b) = (like[first], like[second]);
+                let [epsilon, sigma] = mixing.mix([a.epsilon, a.sigma], [b.epsilon, b.sigma]);
+                let [_, cutoff] = mixing.mix([1.0, a.cutoff], [1.0, b.cutoff]);
+                let unlike = Pairing {
+                    epsilon,
+                    sigma,
+                    cutoff,
+                };
+                all.set(first, second, if first == second { a } else { unlike })?;
+            }
+        }
+        Ok(all)
+    }
+
+    /// Gives a pair of species, from 0, parameters of its own.
+    pub fn set(
+        &mut self,
+        first: usize,
+        second: usize,
+        pairing: Pairing,
+    ) -> Result<(), LennardJonesError> {
+        let known = self.species;
+        let (one, two) = (first + 1, second + 1);
+        if one.max(two) > known {
+            return Err(LennardJonesError::Pair {
+                first: one,
+                second: two,
+                known,
+            });
+        }
+        let Pairing {
+            epsilon,
+            sigma,
+            cutoff,
+        } = pairing;
+        for (name, given) in [("epsilon", epsilon), ("sigma", sigma), ("cutoff", cutoff)] {
+            if !given.is_finite() || given <= 0.0 {
+                return Err(LennardJonesError::Parameter {
+                    name,
+                    first: one,
+                    second: two,
+                    given,
+                });
+            }
+        }
+        for at in [first * known + second, second * known + first] {
+            self.pairings[at] = pairing;
+            self.table[at] = Coefficients::new(epsilon, sigma, cutoff, self.shift);
+        }
+        Ok(())
+    }
+
+    /// Parameters of a pair of species, from 0.
+    pub fn pairing(&self, first: usize, second: usize) -> Option<&Pairing> {
+        let is_known = first < self.species && second < self.species;
+        is_known.then(|| &self.pairings[first * self.species + second])
+    }
+
+    /// What is done at the cut-off.
+    pub fn shift(&self) -> Shift {
+        self.shift
+    }
+}
+
+impl Interaction for LennardJones {
+    fn cutoff(&self) -> f64 {
+        self.pairings
+            .iter()
+            .fold(0.0, |most, pairing| pairing.cutoff.max(most))
+    }
+
+    fn species(&self) -> usize {
+        self.species
+    }
+
+    fn forces(&self, list: &mut VerletList, onto: &mut [Vector3<f64>], wanted: Wanted) -> Tally {
+        // A loop for each: one species looks up nothing, a force that is not shifted takes no root.
+        let many = Many {
+            species: self.species,
+            table: &self.table,
+        };
+        match (self.species, self.shift) {
+            (1, Shift::Force) => forces(&Shifted(One(self.table[0])), list, onto, wanted),
+            (1, _) => forces(&Cut(One(self.table[0])), list, onto, wanted),
+            (_, Shift::Force) => forces(&Shifted(many), list, onto, wanted),
+            (_, _) => forces(&Cut(many), list, onto, wanted),
+        }
+    }
+}
+
+/// Where the coefficients of a block of pairs come from.
+trait Source: Sync {
+    type Kinds: Copy;
+
+    fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> Self::Kinds;
+
+    fn coefficients(&self, kinds: Self::Kinds, lane: usize) -> &Coefficients;
+}
+
+/// One species: always the same.
+struct One(Coefficients);
+
+impl Source for One {
+    type Kinds = ();
+
+    #[inline(always)]
+    fn kinds(&self, _: &Site, _: &[u32; LANES], _: &[Site]) {}
+
+    #[inline(always)]
+    fn coefficients(&self, (): (), _: usize) -> &Coefficients {
+        &self.0
+    }
+}
+
+/// More: a table.
+struct Many<'a> {
+    species: usize,
+    table: &'a [Coefficients],
+}
+
+impl Source for Many<'_> {
+    /// Places in the table.
+    type Kinds = [usize; LANES];
+
+    #[inline(always)]
+    fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> [usize; LANES] {
+        let row = usize::from(here.species) * self.species;
+        block.map(|other| row + usize::from(sites[other as usize].species))
+    }
+
+    #[inline(always)]
+    fn coefficients(&self, kinds: [usize; LANES], lane: usize) -> &Coefficients {
+        &self.table[kinds[lane]]
+    }
+}
+
+/// Truncated; the energy shifted or not.
+struct Cut<S>(S);
+
+impl<S: Source> PairLaw for Cut<S> {
+    type Kinds = S::Kinds;
+
+    #[inline(always)]
+    fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> S::Kinds {
+        self.0.kinds(here, block, sites)
+    }
+
+    #[inline(always)]
+    fn force_over_distance(&self, kinds: S::Kinds, r_sq: &Lanes) -> Lanes {
+        std::array::from_fn(|lane| {
+            let pair = self.0.coefficients(kinds, lane);
+            let inv_sq = 1.0 / r_sq[lane];
+            let inv6 = inv_sq * inv_sq * inv_sq;
+            let strength = inv6 * (pair.force12 * inv6 - pair.force6) * inv_sq;
+            if r_sq[lane] < pair.cutoff_sq {
+                strength
+            } else {
+                0.0
+            }
+        })
+    }
+
+    #[inline(always)]
+    fn energy(&self, kinds: S::Kinds, r_sq: &Lanes) -> Lanes {
+        std::array::from_fn(|lane| {
+            let pair = self.0.coefficients(kinds, lane);
+            let inv_sq = 1.0 / r_sq[lane];
+            let inv6 = inv_sq * inv_sq * inv_sq;
+            let energy = inv6 * (pair.energy12 * inv6 - pair.energy6) + pair.offset;
+            if r_sq[lane] < pair.cutoff_sq {
+                energy
+            } else {
+                0.0
+            }
+        })
+    }
+}
+
+/// Energy and force shifted to end at 0.
+struct Shifted<S>(S);
+
+impl<S: Source> PairLaw for Shifted<S> {
+    type Kinds = S::Kinds;
+
+    #[inline(always)]
+    fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> S::Kinds {
+        self.0.kinds(here, block, sites)
+    }
+
+    #[inline(always)]
+    fn force_over_distance(&self, kinds: S::Kinds, r_sq: &Lanes) -> Lanes {
+        std::array::from_fn(|lane| {
+            let pair = self.0.coefficients(kinds, lane);
+            let inv_sq = 1.0 / r_sq[lane];
+            let inv6 = inv_sq * inv_sq * inv_sq;
+            let inv = inv_sq.sqrt();
+            let strength =
+                inv6 * (pair.force12 * inv6 - pair.force6) * inv_sq - pair.force_at_cutoff * inv;
+            if r_sq[lane] < pair.cutoff_sq {
+                strength
+            } else {
+                0.0
+            }
+        })
+    }
+
+    #[inline(always)]
+    fn energy(&self, kinds: S::Kinds, r_sq: &Lanes) -> Lanes {
+        std::array::from_fn(|lane| {
+            let pair = self.0.coefficients(kinds, lane);
+            let inv_sq = 1.0 / r_sq[lane];
+            let inv6 = inv_sq * inv_sq * inv_sq;
+            let energy = inv6 * (pair.energy12 * inv6 - pair.energy6)
+                + (pair.offset + pair.force_at_cutoff * r_sq[lane].sqrt());
+            if r_sq[lane] < pair.cutoff_sq {
+                energy
+            } else {
+                0.0
+            }
+        })
+    }
+}

@@ -1,0 +1,36 @@
+//! Lennard-Jones parameters of unlike species from those of the like.
+
+/// How ε and σ of two species are mixed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mixing {
+    /// Both by geometric means (Good & Hope 1970).
+    #[default]
+    Geometric,
+    /// ε geometric, σ arithmetic (Lorentz 1881, Berthelot 1898).
+    Arithmetic,
+    /// Means of σ⁶ and of εσ⁶ (Waldman & Hagler 1993).
+    SixthPower,
+}
+
+impl Mixing {
+    /// The words a user may write, in the order of the variants.
+    pub const WORDS: [(&'static str, Self); 3] = [
+        ("geometric", Self::Geometric),
+        ("arithmetic", Self::Arithmetic),
+        ("sixthpower", Self::SixthPower),
+    ];
+
+    /// ε and σ of a pair from those of its species. *Domain*: > 0.
+    pub fn mix(self, [epsilon_a, sigma_a]: [f64; 2], [epsilon_b, sigma_b]: [f64; 2]) -> [f64; 2] {
+        let epsilon = (epsilon_a * epsilon_b).sqrt();
+        match self {
+            Self::Geometric => [epsilon, (sigma_a * sigma_b).sqrt()],
+            Self::Arithmetic => [epsilon, 0.5 * (sigma_a + sigma_b)],
+            Self::SixthPower => {
+                let [a, b] = [sigma_a, sigma_b].map(|sigma| sigma * sigma * sigma);
+                let mean = 0.5 * (a * a + b * b);
+                [epsilon * a * b / mean, libm::cbrt(mean).sqrt()]
+            }
+        }
+    }
+}
