@@ -1,0 +1,30 @@
+//! A torque on groups of atoms that gives all of them the same angular acceleration.
+
+use nalgebra::Vector3;
+
+/// F = m a n × (r − axis) on every atom of the driven groups, n upwards, until it is switched off.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TorqueDrive {
+    /// x and y of the axis.
+    pub axis: [f64; 2],
+    /// Angular acceleration a, over time².
+    pub acceleration: f64,
+    /// Time at which it ends.
+    pub until: f64,
+    /// The driven groups.
+    pub groups: Vec<usize>,
+}
+
+impl TorqueDrive {
+    /// Whether it acts at `time`.
+    pub fn is_on(&self, time: f64) -> bool {
+        time < self.until && self.acceleration != 0.0
+    }
+
+    /// Acceleration of an atom.
+    #[inline]
+    pub fn acceleration_at(&self, place: &Vector3<f64>) -> [f64; 2] {
+        let [x, y] = [place.x - self.axis[0], place.y - self.axis[1]];
+        [-self.acceleration * y, self.acceleration * x]
+    }
+}

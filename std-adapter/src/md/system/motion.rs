@@ -1,0 +1,259 @@
+//! One step: thermostats, kicks and drifts in a symmetric order.
+
+use super::{Integrator, System, SystemError};
+use crate::md::group::Hold;
+use crate::md::interaction::{Interaction, Wanted};
+use crate::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat};
+use nalgebra::Vector3;
+
+impl<I: Interaction> System<I> {
+    /// Advances by Δt. With `wanted` the sums of the interaction at the new places are computed.
+    ///
+    /// Velocity Verlet: thermostats and damping for Δt/2, kick Δt/2, drift Δt, forces, kick Δt/2,
+    /// thermostats and damping Δt/2 (Tuckerman, Berne & Martyna 1992); leap-frog the same, cut
+    /// before the drift. Langevin noise acts in the middle of the drift.
+    pub fn step(&mut self, wanted: Wanted) -> Result<(), SystemError> {
+        let half = 0.5 * self.time_step;
+        match self.integrator {
+            Integrator::VelocityVerlet => {
+                self.thermalise(half);
+                self.kick_all(half);
+                self.drift()?;
+                self.compute(wanted)?;
+                self.kick_all(half);
+                self.thermalise(half);
+            }
+            Integrator::LeapFrog => {
+                self.kick_all(half);
+                self.thermalise(self.time_step);
+                self.kick_all(half);
+                self.drift()?;
+                self.compute(wanted)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Velocities at the time of the places.
+    pub fn velocities_on_step(&self) -> Vec<Vector3<f64>> {
+        let mut velocities = self.atoms.velocities.clone();
+        if self.integrator == Integrator::LeapFrog {
+            self.kick(&mut velocities, 0.5 * self.time_step);
+        }
+        velocities
+    }
+
+    pub(super) fn kick_all(&mut self, time: f64) {
+        let mut velocities = std::mem::take(&mut self.atoms.velocities);
+        self.kick(&mut velocities, time);
+        self.atoms.velocities = velocities;
+    }
+
+    /// Velocities under the forces of the interaction, loads and the drive.
+    fn kick(&self, velocities: &mut [Vector3<f64>], time: f64) {
+        let now = self.time();
+        for (index, group) in self.groups.iter().enumerate() {
+            if !group.hold.is_driven_by_forces() {
+                continue;
+            }
+            let drive = self.drive.as_ref();
+            let drive = drive.filter(|d| d.is_on(now) && d.groups.contains(&index));
+            let common = self.common_lift(index);
+            for &atom in &self.members[index] {
+                let inv_mass = 1.0 / self.atoms.mass(atom);
+                let mut push = self.forces[atom] * inv_mass;
+                push.z = match group.hold {
+                    Hold::Plane => 0.0,
+                    Hold::Level => common,
+                    _ => push.z + group.load * inv_mass,
+                };
+                if let Some(drive) = drive {
+                    let [x, y] = drive.acceleration_at(&self.atoms.positions[atom]);
+                    push.x += x;
+                    push.y += y;
+                }
+                velocities[atom] += push * time;
+            }
+        }
+    }
+
+    /// Acceleration along z of a level group as a whole.
+    fn common_lift(&self, index: usize) -> f64 {
+        let group = &self.groups[index];
+        if group.hold != Hold::Level || self.members[index].is_empty() {
+            return 0.0;
+        }
+        let (mut force, mut mass) = (0.0, 0.0);
+        for &atom in &self.members[index] {
+            force += self.forces[atom].z + group.load;
+            mass += self.atoms.mass(atom);
+        }
+        force / mass
+    }
+
+    /// Damping and Nosé–Hoover thermostats.
+    fn thermalise(&mut self, time: f64) {
+        for index in 0..self.groups.len() {
+            let group = self.groups[index];
+            if !group.hold.is_driven_by_forces() {
+                continue;
+            }
+            if group.damping != 0.0 {
+                let factor = libm::exp(-group.damping * time);
+                for &atom in &self.members[index] {
+                    self.atoms.velocities[atom] *= factor;
+                }
+            }
+            if let Thermostat::NoseHoover(mut thermostat) = group.thermostat {
+                self.scale(index, &mut thermostat, time);
+                self.groups[index].thermostat = Thermostat::NoseHoover(thermostat);
+            }
+        }
+    }
+
+    /// Scales the velocities of a group, or what of them is not its common rotation.
+    fn scale(&mut self, index: usize, thermostat: &mut NoseHoover, time: f64) {
+        let freedoms = self.heat_freedoms(index);
+        match thermostat.spin() {
+            Spin::Counts => {
+                let factor = thermostat.scale(self.kinetic(index), freedoms, time);
+                for &atom in &self.members[index] {
+                    self.atoms.velocities[atom] *= factor;
+                }
+            }
+            Spin::Spared { axis } => {
+                let rate = self.mean_rate(index, axis);
+                let mut kinetic = 0.0;
+                for &atom in &self.members[index] {
+                    let common = self.turning(atom, axis, rate);
+                    let velocity = &mut self.atoms.velocities[atom];
+                    *velocity -= common;
+                    let mass = self.atoms.masses[usize::from(self.atoms.species[atom])];
+                    kinetic += 0.5 * mass * velocity.norm_squared();
+                }
+                let factor = thermostat.scale(kinetic, freedoms, time);
+                for &atom in &self.members[index] {
+                    let common = self.turning(atom, axis, rate);
+                    let velocity = &mut self.atoms.velocities[atom];
+                    *velocity = *velocity * factor + common;
+                }
+            }
+        }
+    }
+
+    /// Degrees of freedom of a group's heat.
+    pub fn heat_freedoms(&self, index: usize) -> f64 {
+        let group = &self.groups[index];
+        let all = group.hold.freedoms(self.members[index].len());
+        let spared = match &group.thermostat {
+            Thermostat::NoseHoover(thermostat) => {
+                usize::from(thermostat.spin() != Spin::Counts && all > 0)
+            }
+            _ => 0,
+        };
+        (all - spared) as f64
+    }
+
+    /// Kinetic energy of a group, of the velocities as they are kept.
+    fn kinetic(&self, index: usize) -> f64 {
+        let part = |&atom: &usize| {
+            0.5 * self.atoms.mass(atom) * self.atoms.velocities[atom].norm_squared()
+        };
+        self.members[index].iter().map(part).sum()
+    }
+
+    /// Angular momentum of a group over its moment of inertia about a vertical axis.
+    fn mean_rate(&self, index: usize, axis: [f64; 2]) -> f64 {
+        let (mut momentum, mut inertia) = (0.0, 0.0);
+        for &atom in &self.members[index] {
+            let (place, velocity) = (&self.atoms.positions[atom], &self.atoms.velocities[atom]);
+            let [x, y] = [place.x - axis[0], place.y - axis[1]];
+            let mass = self.atoms.mass(atom);
+            momentum += mass * (x * velocity.y - y * velocity.x);
+            inertia += mass * (x * x + y * y);
+        }
+        if inertia > 0.0 {
+            momentum / inertia
+        } else {
+            0.0
+        }
+    }
+
+    /// Velocity of an atom in a rotation about a vertical axis.
+    fn turning(&self, atom: usize, axis: [f64; 2], rate: f64) -> Vector3<f64> {
+        let place = &self.atoms.positions[atom];
+        Vector3::new(-rate * (place.y - axis[1]), rate * (place.x - axis[0]), 0.0)
+    }
+
+    /// Places, and the noise of Langevin groups in the middle.
+    fn drift(&mut self) -> Result<(), SystemError> {
+        let time = self.time_step;
+        for index in 0..self.groups.len() {
+            let group = self.groups[index];
+            match (group.hold, group.thermostat) {
+                (Hold::Frozen, _) => {}
+                (Hold::Turning { axis, rate }, _) => self.turn(index, axis, rate),
+                (_, Thermostat::Langevin(thermostat)) => {
+                    self.go(index, 0.5 * time);
+                    self.shake(index, &thermostat);
+                    self.go(index, 0.5 * time);
+                }
+                (_, _) => self.go(index, time),
+            }
+        }
+        self.steps += 1;
+        self.refuse_flights()
+    }
+
+    fn go(&mut self, index: usize, time: f64) {
+        for &atom in &self.members[index] {
+            let velocity = self.atoms.velocities[atom];
+            self.atoms.positions[atom] += velocity * time;
+        }
+    }
+
+    /// Friction and noise over a whole step, along the axes that are free.
+    fn shake(&mut self, index: usize, thermostat: &Langevin) {
+        let [kept, unit] = thermostat.factors(self.time_step);
+        let is_flat = matches!(self.groups[index].hold, Hold::Plane | Hold::Level);
+        let mut noise = Noise::new(self.seed, self.steps, index);
+        for &atom in &self.members[index] {
+            let size = unit / self.atoms.mass(atom).sqrt();
+            let velocity = &mut self.atoms.velocities[atom];
+            let lift = velocity.z;
+            *velocity = *velocity * kept + noise.vector() * size;
+            if is_flat {
+                velocity.z = lift;
+            }
+        }
+    }
+
+    /// Places and velocities of a group that turns at a given rate.
+    fn turn(&mut self, index: usize, axis: [f64; 2], rate: f64) {
+        let (sin, cos) = libm::sincos(rate * self.time_step);
+        for &atom in &self.members[index] {
+            let place = &mut self.atoms.positions[atom];
+            let [x, y] = [place.x - axis[0], place.y - axis[1]];
+            place.x = axis[0] + (cos * x - sin * y);
+            place.y = axis[1] + (sin * x + cos * y);
+            self.atoms.velocities[atom] = self.turning(atom, axis, rate);
+        }
+    }
+
+    /// Refuses velocities that carry an atom by more than half the cut-off in a step.
+    fn refuse_flights(&self) -> Result<(), SystemError> {
+        let limit = 0.5 * self.interaction.cutoff() / self.time_step;
+        let is_flight = |velocity: &Vector3<f64>| {
+            let speed_sq = velocity.norm_squared();
+            speed_sq.is_nan() || speed_sq > limit * limit
+        };
+        match self.atoms.velocities.iter().position(is_flight) {
+            None => Ok(()),
+            Some(atom) => Err(SystemError::BlownUp {
+                step: self.steps,
+                atom,
+                way: self.atoms.velocities[atom].norm() * self.time_step,
+            }),
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Langevin dynamics: friction and the noise that belongs to it.
+
+use super::{ThermostatError, check};
+use crate::random::Random;
+use nalgebra::Vector3;
+
+/// v' = … − γv + noise, exact over a step (Ornstein & Uhlenbeck 1930) in the middle of the drift
+/// (the splitting "BAOAB" of Leimkuhler & Matthews 2013, whose places have the right distribution
+/// to fourth order in the step for a harmonic force).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Langevin {
+    temperature: f64,
+    friction: f64,
+}
+
+impl Langevin {
+    /// *Domain*: temperature ≥ 0, an energy; friction γ > 0, over time.
+    pub fn new(temperature: f64, friction: f64) -> Result<Self, ThermostatError> {
+        check(temperature, "friction", friction)?;
+        Ok(Self {
+            temperature,
+            friction,
+        })
+    }
+
+    /// Target.
+    pub fn temperature(&self) -> f64 {
+        self.temperature
+    }
+
+    /// Factor of the velocities, and of unit noise for an atom of mass 1, over `time`.
+    pub fn factors(&self, time: f64) -> [f64; 2] {
+        let kept = libm::exp(-self.friction * time);
+        let lost = -libm::expm1(-2.0 * self.friction * time);
+        [kept, (self.temperature * lost).sqrt()]
+    }
+}
+
+/// Normal numbers of one group in one step; no other state, so that a run can go on at any step.
+#[derive(Clone, Debug)]
+pub struct Noise(Random);
+
+impl Noise {
+    /// The stream of a seed, a step and a group.
+    pub fn new(seed: u64, step: u64, group: usize) -> Self {
+        Self(Random::new(Random::new(seed, step).bits(), group as u64))
+    }
+
+    /// Three independent normal numbers (Box & Muller 1958), from four uniform ones.
+    pub fn vector(&mut self) -> Vector3<f64> {
+        let [x, y] = self.pair();
+        let [z, _] = self.pair();
+        Vector3::new(x, y, z)
+    }
+
+    fn pair(&mut self) -> [f64; 2] {
+        // 1 − u is never 0.
+        let radius = (-2.0 * libm::log(1.0 - self.0.unit())).sqrt();
+        let (sin, cos) = libm::sincos(std::f64::consts::TAU * self.0.unit());
+        [radius * cos, radius * sin]
+    }
+}

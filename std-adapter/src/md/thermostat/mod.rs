@@ -1,0 +1,50 @@
+//! What keeps the temperature of a group.
+
+mod langevin;
+mod nose_hoover;
+
+pub use langevin::{Langevin, Noise};
+pub use nose_hoover::{NoseHoover, Spin};
+
+/// The thermostat of a group. Temperatures are energies: k_B = 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Thermostat {
+    /// None.
+    #[default]
+    None,
+    /// Deterministic, with a conserved quantity.
+    NoseHoover(NoseHoover),
+    /// Friction and noise.
+    Langevin(Langevin),
+}
+
+/// A thermostat that makes no sense.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ThermostatError {
+    /// The temperature is negative or no number.
+    #[error("the temperature of a thermostat must be finite and not negative, not {given}")]
+    Temperature {
+        /// What was given.
+        given: f64,
+    },
+    /// The time or the rate is not positive.
+    #[error("the {what} of a thermostat must be finite and positive, not {given}")]
+    Rate {
+        /// "relaxation time" or "friction".
+        what: &'static str,
+        /// What was given.
+        given: f64,
+    },
+}
+
+/// Refuses what is no temperature and no positive `what`.
+fn check(temperature: f64, what: &'static str, given: f64) -> Result<(), ThermostatError> {
+    if !temperature.is_finite() || temperature < 0.0 {
+        let given = temperature;
+        return Err(ThermostatError::Temperature { given });
+    }
+    if !given.is_finite() || given <= 0.0 {
+        return Err(ThermostatError::Rate { what, given });
+    }
+    Ok(())
+}

@@ -1,0 +1,86 @@
+//! The thermostat of Nosé (1984) and Hoover (1985).
+
+use super::{ThermostatError, check};
+
+/// Whether the common rotation of a group about the vertical takes part.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Spin {
+    /// All motion is heat.
+    #[default]
+    Counts,
+    /// The mean rotation about this vertical axis is left alone: only what deviates from it is heat.
+    Spared {
+        /// x and y of the axis.
+        axis: [f64; 2],
+    },
+}
+
+/// A friction ξ that follows the kinetic energy: Q ξ' = 2K − gT, v' = … − ξv.
+///
+/// Half a step by Suzuki–Trotter splitting (Martyna, Tuckerman, Tobias & Klein 1996), reversible in
+/// time. E + Qξ²/2 + gTη is conserved as well as the energy is without it, where η' = ξ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoseHoover {
+    temperature: f64,
+    relaxation: f64,
+    spin: Spin,
+    friction: f64,
+    position: f64,
+}
+
+impl NoseHoover {
+    /// Keeps `temperature` within about `relaxation`, a time: Q = gT·relaxation². At T = 0 it does
+    /// nothing.
+    pub fn new(temperature: f64, relaxation: f64, spin: Spin) -> Result<Self, ThermostatError> {
+        check(temperature, "relaxation time", relaxation)?;
+        Ok(Self {
+            temperature,
+            relaxation,
+            spin,
+            friction: 0.0,
+            position: 0.0,
+        })
+    }
+
+    /// Target.
+    pub fn temperature(&self) -> f64 {
+        self.temperature
+    }
+
+    /// Whether the rotation takes part.
+    pub fn spin(&self) -> Spin {
+        self.spin
+    }
+
+    /// ξ and η, what a checkpoint keeps.
+    pub fn state(&self) -> [f64; 2] {
+        [self.friction, self.position]
+    }
+
+    /// Puts ξ and η back.
+    pub fn restore(&mut self, [friction, position]: [f64; 2]) {
+        (self.friction, self.position) = (friction, position);
+    }
+
+    /// Advances ξ and η by `time`; returns the factor of all velocities of a group with so much
+    /// kinetic energy and so many freedoms.
+    pub fn scale(&mut self, kinetic: f64, freedoms: f64, time: f64) -> f64 {
+        let inertia = freedoms * self.temperature * self.relaxation * self.relaxation;
+        if inertia <= 0.0 {
+            return 1.0;
+        }
+        let excess = |kinetic: f64| (2.0 * kinetic - freedoms * self.temperature) / inertia;
+        let middle = self.friction + 0.5 * time * excess(kinetic);
+        let factor = libm::exp(-middle * time);
+        self.position += middle * time;
+        self.friction = middle + 0.5 * time * excess(kinetic * factor * factor);
+        factor
+    }
+
+    /// Qξ²/2 + gTη.
+    pub fn energy(&self, freedoms: f64) -> f64 {
+        let heat = freedoms * self.temperature;
+        let speed = self.friction * self.relaxation;
+        heat * (0.5 * speed * speed + self.position)
+    }
+}
