@@ -68,6 +68,7 @@ impl From<MeasureError> for Failure {
         match error {
             MeasureError::Slide(error) => error.into(),
             MeasureError::Compaction(error) => error.into(),
+            MeasureError::Tip(error) => error.into(),
         }
     }
 }

@@ -15,5 +15,6 @@ pub mod run;
 pub mod scene;
 pub mod slide;
 pub mod space;
+pub mod tip;
 
 pub use tribos_core as kernel;

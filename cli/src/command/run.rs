@@ -1,8 +1,11 @@
 //! `tribos run`: a scene simulated, its results in a folder.
 
+pub mod long;
 mod path;
 pub mod powder;
+pub mod tip;
 
+use self::long::{Progress, Start, forget_checkpoint};
 use super::number;
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Guide, Series};
@@ -10,7 +13,7 @@ use crate::report::image;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use tribos::record::{series_csv, write_atomically};
-use tribos::scene::{self, Key, PlanarScene, PowderScene, Scene, SliderScene, Units};
+use tribos::scene::{self, Key, PlanarScene, PowderScene, Scene, SliderScene, TipScene, Units};
 use tribos::slide::{self, COLUMNS, SlideRun};
 
 /// Simulates the scene and writes summary.json, series.csv and a plot: motion.svg and motion.png of
@@ -18,6 +21,8 @@ use tribos::slide::{self, COLUMNS, SlideRun};
 ///
 /// Of a powder: series.svg and .png, packing.svg and .png (spheres before and after, the forces),
 /// and both states as initial and final .xyz (OVITO, ASE), .vtp and -contacts.vtp (ParaView).
+///
+/// Of a tip: angles.svg and .png (angles of the layers over time), tip.svg and .png (the atoms).
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = examples())]
 pub struct Arguments {
@@ -29,10 +34,10 @@ pub struct Arguments {
     /// Replace or add a key of the scene; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// A powder: go on from the checkpoint in DIR, to the same result as without the break.
+    /// A powder or a tip: go on from the checkpoint in DIR, to the same result as without the break.
     #[arg(long)]
     resume: bool,
-    /// A powder: seconds from one checkpoint in DIR to the next.
+    /// A powder or a tip: seconds from one checkpoint in DIR to the next.
     #[arg(
         long,
         value_name = "SECONDS",
@@ -53,7 +58,8 @@ fn examples() -> String {
          tribos run scenes/cylinder.toml --out out/cylinder --set spin=-12\n  \
          tribos run scenes/curling-draw.toml --out out/draw --set model=pivot-slide\n  \
          tribos run scenes/compaction-small.toml --out out/powder --set rolling=0.3\n  \
-         tribos run scenes/compaction-large.toml --out out/large --resume\n",
+         tribos run scenes/compaction-large.toml --out out/large --resume\n  \
+         tribos run scenes/tip-irreversible.toml --out out/tip --set lambda=0.04\n",
     );
     text += &vocabulary("a scene", SliderScene::KEYS);
     for body in ["cylinder", "pipe", "curling"] {
@@ -61,6 +67,7 @@ fn examples() -> String {
         text += &vocabulary(&format!("a scene with body = \"{body}\""), keys);
     }
     text += &vocabulary("a scene with body = \"powder\"", PowderScene::KEYS);
+    text += &vocabulary("a scene with body = \"tip\"", TipScene::KEYS);
     text
 }
 
@@ -80,30 +87,44 @@ impl Arguments {
     /// Runs and writes.
     pub fn execute(self) -> Result<(), Failure> {
         let scene = scene::read_scene(&self.scene, &self.overrides).map_err(Failure::input)?;
-        if self.resume && !matches!(scene, Scene::Powder(_)) {
+        if self.resume && !matches!(scene, Scene::Powder(_) | Scene::Tip(_)) {
             return Err(Failure::input(
-                "--resume is for powders only; this scene takes a moment, run it anew",
+                "--resume is for powders and tips only; this scene takes a moment, run it anew",
             ));
         }
         match scene {
             Scene::Disk(scene) => self.slide(&scene),
             Scene::Planar(scene) => path::run(&scene, &self.out),
             Scene::Powder(scene) => self.compact(&scene),
+            Scene::Tip(scene) => self.turn(&scene),
         }
     }
 
-    fn compact(&self, scene: &PowderScene) -> Result<(), Failure> {
+    /// Whether to go on from a checkpoint, and how often one is kept.
+    fn start_and_pause(&self) -> (Start, Duration) {
         let start = if self.resume {
-            powder::Start::Resume
+            Start::Resume
         } else {
-            powder::Start::Fresh
+            Start::Fresh
         };
         let pause = Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX);
-        let told = powder::Progress::Told;
-        let compaction = powder::simulate(scene, &self.out, start, pause, told)?;
+        (start, pause)
+    }
+
+    fn turn(&self, scene: &TipScene) -> Result<(), Failure> {
+        let (start, pause) = self.start_and_pause();
+        let run = tip::simulate(scene, &self.out, start, pause, Progress::Told)?;
+        tip::write(scene, &run, &self.out)?;
+        forget_checkpoint(&self.out)?;
+        tip::report(&run.outcome(), &self.out)
+    }
+
+    fn compact(&self, scene: &PowderScene) -> Result<(), Failure> {
+        let (start, pause) = self.start_and_pause();
+        let compaction = powder::simulate(scene, &self.out, start, pause, Progress::Told)?;
         let outcome = compaction.outcome();
         powder::write(scene, &compaction, &outcome, &self.out)?;
-        powder::forget_checkpoint(&self.out)?;
+        forget_checkpoint(&self.out)?;
         powder::report(&outcome, &self.out)
     }
 

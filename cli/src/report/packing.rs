@@ -9,7 +9,7 @@ mod state;
 pub use state::{Contact, Packing, PackingError};
 
 use super::figure::axis::Axis;
-use super::figure::{FigureError, canvas};
+use super::figure::{Color, FigureError, canvas};
 use super::solid::paper::Paper;
 use super::solid::view::{Frame, View, corners};
 use forces::Network;
@@ -27,6 +27,15 @@ pub struct PackingPicture {
     content: Content,
     headroom: f64,
     size: (u32, u32),
+    surroundings: Surroundings,
+}
+
+// What stands round the spheres.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Surroundings {
+    // Substrate, piston and the edges of the box.
+    Box,
+    Nothing,
 }
 
 // The box and its plates.
@@ -73,6 +82,7 @@ impl PackingPicture {
             content,
             headroom: 0.0,
             size: (430, 620),
+            surroundings: Surroundings::Box,
         }
     }
 
@@ -83,6 +93,22 @@ impl PackingPicture {
             balls.color_by(axis, values)?;
         }
         Ok(self)
+    }
+
+    /// Gives each sphere a colour of its own; no scale is drawn then. No effect on forces.
+    pub fn colors(mut self, colors: &[Color]) -> Result<Self, PackingError> {
+        if let Content::Spheres(balls) = &mut self.content {
+            balls.colors(colors)?;
+        }
+        Ok(self)
+    }
+
+    /// Leaves out the plates and the edges of the box.
+    #[must_use]
+    pub fn bare(mut self) -> Self {
+        self.surroundings = Surroundings::Nothing;
+        self.hall.plate = 0.0;
+        self
     }
 
     /// Sets the force that is drawn as wide as a sphere, instead of the largest one, and the unit
@@ -128,12 +154,16 @@ impl PackingPicture {
 
         // From the back to the front: far edges and substrate, the content, near edges and piston.
         let view = self.view(frame);
-        plates::behind(&mut paper, &view, &self.hall);
+        if self.surroundings == Surroundings::Box {
+            plates::behind(&mut paper, &view, &self.hall);
+        }
         match &self.content {
             Content::Spheres(balls) => balls.draw(&mut paper, &view)?,
             Content::Forces(network) => network.draw(&mut paper, &view),
         }
-        plates::before(&mut paper, &view, &self.hall);
+        if self.surroundings == Surroundings::Box {
+            plates::before(&mut paper, &view, &self.hall);
+        }
         Ok(paper.svg())
     }
 

@@ -7,6 +7,7 @@ use crate::record::{ContactRow, Partner, Snapshot};
 use crate::run::drive;
 use crate::scene::Scene;
 use crate::slide::{self, SlideError};
+use crate::tip::{TipError, TipRun};
 use nalgebra::Vector3;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -20,6 +21,9 @@ pub enum MeasureError {
     /// A powder.
     #[error(transparent)]
     Compaction(#[from] CompactionError),
+    /// A tip.
+    #[error(transparent)]
+    Tip(#[from] TipError),
 }
 
 /// What a scene computed.
@@ -30,10 +34,10 @@ pub struct Measurement {
     /// Quantities of the summary in its order, without clock times.
     pub summary: Vec<(String, Quantity)>,
     /// Names of the series' columns; the first is the time.
-    pub columns: Vec<&'static str>,
+    pub columns: Vec<String>,
     /// Lines of the series.
     pub rows: Vec<Vec<f64>>,
-    /// Digests of the final state, for powders.
+    /// Digests of the final state, for powders and tips.
     pub state: Vec<(&'static str, u64)>,
 }
 
@@ -64,6 +68,20 @@ pub fn measure(scene: &Scene, mut watch: impl FnMut()) -> Result<Measurement, Me
             measurement.state = compaction.with_snapshot(state);
             Ok(measurement)
         }
+        Scene::Tip(scene) => {
+            let mut run = TipRun::new(scene)?;
+            drive(&mut run, |_, _| watch())?;
+            let summary = run.outcome().json(scene);
+            let rows = run.series().iter().cloned();
+            let mut measurement = Measurement::new(&summary, &run.columns(), rows);
+            let atoms = run.system().atoms();
+            let digest = |vectors: &[Vector3<f64>]| Digest::of(vectors.iter().flat_map(components));
+            measurement.state = vec![
+                ("positions", digest(&atoms.positions)),
+                ("velocities", digest(&atoms.velocities)),
+            ];
+            Ok(measurement)
+        }
     }
 }
 
@@ -71,7 +89,7 @@ impl Measurement {
     /// From a summary, which holds the scene, and a series.
     fn new(
         summary: &Value,
-        columns: &[&'static str],
+        columns: &[impl ToString],
         rows: impl Iterator<Item = Vec<f64>>,
     ) -> Self {
         let mut parameters: BTreeMap<_, _> =
@@ -83,7 +101,7 @@ impl Measurement {
         Self {
             parameters,
             summary: leaves(summary, |name| NO_RESULTS.contains(&name)),
-            columns: columns.to_vec(),
+            columns: columns.iter().map(ToString::to_string).collect(),
             rows: rows.collect(),
             state: Vec::new(),
         }

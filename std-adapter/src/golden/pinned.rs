@@ -43,7 +43,7 @@ impl Pinned {
             rows: measured.rows.len(),
             block_rows,
             columns: columns
-                .map(|(index, name)| ((*name).into(), measured.blocks(index, block_rows)))
+                .map(|(index, name)| (name.clone(), measured.blocks(index, block_rows)))
                 .collect(),
             state: state.map(|(name, bits)| ((*name).into(), *bits)).collect(),
         }
@@ -105,15 +105,15 @@ impl Pinned {
 
     /// The earliest difference of the series, and the number of columns that differ.
     fn series_difference(&self, measured: &Measurement) -> (Option<SeriesDifference>, usize) {
-        let known = |name: &String| measured.columns.contains(&name.as_str());
+        let known = |name: &String| measured.columns.contains(name);
         if let Some(name) = self.columns.keys().find(|name| !known(name)) {
             return (Some(SeriesDifference::Missing(name.clone())), 1);
         }
         let mut first: Option<(usize, usize)> = None;
         let mut count = 0;
         for (index, name) in measured.columns.iter().enumerate() {
-            let Some(pinned) = self.columns.get(*name) else {
-                return (Some(SeriesDifference::New((*name).into())), 1);
+            let Some(pinned) = self.columns.get(name) else {
+                return (Some(SeriesDifference::New(name.clone())), 1);
             };
             let blocks = measured.blocks(index, self.block_rows);
             let longest = blocks.len().max(pinned.len());
@@ -139,7 +139,7 @@ impl Pinned {
             - 1;
         let time = |row: usize| measured.rows.get(row.min(rows - 1)).and_then(|r| r.first());
         SeriesDifference::Block {
-            column: measured.columns[column].into(),
+            column: measured.columns[column].clone(),
             rows: [from, to],
             times: [from, to].map(|row| match rows {
                 0 => f64::NAN,

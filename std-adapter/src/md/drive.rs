@@ -2,13 +2,15 @@
 
 use nalgebra::Vector3;
 
-/// F = m a n × (r − axis) on every atom of the driven groups, n upwards, until it is switched off.
+/// F = m a n × (r − axis) on every atom of the driven groups, n upwards, from one time to another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TorqueDrive {
     /// x and y of the axis.
     pub axis: [f64; 2],
     /// Angular acceleration a, over time².
     pub acceleration: f64,
+    /// Time at which it begins.
+    pub from: f64,
     /// Time at which it ends.
     pub until: f64,
     /// The driven groups.
@@ -18,7 +20,7 @@ pub struct TorqueDrive {
 impl TorqueDrive {
     /// Whether it acts at `time`.
     pub fn is_on(&self, time: f64) -> bool {
-        time < self.until && self.acceleration != 0.0
+        time >= self.from && time < self.until && self.acceleration != 0.0
     }
 
     /// Acceleration of an atom.

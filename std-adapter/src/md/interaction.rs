@@ -34,9 +34,23 @@ pub trait Interaction: Sync {
     fn forces(&self, list: &mut VerletList, forces: &mut [Vector3<f64>], wanted: Wanted) -> Tally;
 }
 
+impl<I: Interaction + ?Sized> Interaction for Box<I> {
+    fn cutoff(&self) -> f64 {
+        (**self).cutoff()
+    }
+
+    fn species(&self) -> usize {
+        (**self).species()
+    }
+
+    fn forces(&self, list: &mut VerletList, forces: &mut [Vector3<f64>], wanted: Wanted) -> Tally {
+        (**self).forces(list, forces, wanted)
+    }
+}
+
 /// Forces and sums for atoms as they are: the list is brought up to date first.
 pub fn evaluate(
-    interaction: &dyn Interaction,
+    interaction: &(impl Interaction + ?Sized),
     list: &mut VerletList,
     atoms: &Atoms,
     forces: &mut Vec<Vector3<f64>>,

@@ -1,20 +1,18 @@
 //! A run as a file: everything that it goes on from, to the same bits.
-//!
-//! JSON; lists of numbers are texts of 16 hexadecimal digits a number, the bits of each f64.
 
 use super::blocked::Window;
 use super::compaction::{COLUMNS, Totals};
 use super::packing::Force;
 use super::stress::Stress;
 use crate::cd::Book;
+use crate::record::CheckpointError;
+use crate::record::kept::{damaged, hex, numbers, same_scene, triple, vectors};
 use crate::scene::PowderScene;
 use nalgebra::{Matrix3, Vector3};
 use serde_json::{Map, Value};
 
 /// Version of the format.
 const VERSION: u64 = 1;
-/// Hexadecimal digits of an f64.
-const DIGITS: usize = 16;
 /// Numbers of a window, of the energy book, of a kept force with its bodies.
 const WINDOW: usize = 24;
 const BOOK: usize = 10;
@@ -46,27 +44,6 @@ pub(super) struct Checkpoint {
     pub complete: Option<(Window, f64)>,
     pub totals: Totals,
     pub series: Vec<[f64; COLUMNS.len()]>,
-}
-
-/// A checkpoint that a run cannot go on from.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum CheckpointError {
-    /// Not what this version writes.
-    #[error("the checkpoint is damaged or of another version ({0}); run without --resume")]
-    Format(String),
-    /// Of another scene.
-    #[error(
-        "the checkpoint belongs to another scene: `{key}` is {kept} there and {given} here; \
-         change it back, or run without --resume"
-    )]
-    Scene {
-        /// The first key that differs.
-        key: String,
-        /// In the checkpoint.
-        kept: String,
-        /// In the scene.
-        given: String,
-    },
 }
 
 impl Checkpoint {
@@ -195,59 +172,6 @@ impl Checkpoint {
             Err(damaged("numbers of spheres"))
         }
     }
-}
-
-fn damaged(name: &str) -> CheckpointError {
-    CheckpointError::Format(format!("`{name}` cannot be read"))
-}
-
-/// Refuses the first key that differs.
-fn same_scene(kept: &Value, given: &Value) -> Result<(), CheckpointError> {
-    let empty = Map::new();
-    let [kept, given] = [kept, given].map(|scene| scene.as_object().unwrap_or(&empty));
-    for key in given.keys().chain(kept.keys()) {
-        if kept.get(key) != given.get(key) {
-            let told = |scene: &Map<String, Value>| {
-                scene.get(key).map_or("missing".into(), Value::to_string)
-            };
-            return Err(CheckpointError::Scene {
-                key: key.clone(),
-                kept: told(kept),
-                given: told(given),
-            });
-        }
-    }
-    Ok(())
-}
-
-fn hex(numbers: &[f64]) -> String {
-    let mut text = String::with_capacity(DIGITS * numbers.len());
-    for number in numbers {
-        text += &format!("{:016x}", number.to_bits());
-    }
-    text
-}
-
-fn numbers(value: &Value, name: &str) -> Result<Vec<f64>, CheckpointError> {
-    let text = value[name].as_str().ok_or_else(|| damaged(name))?;
-    let (digits, rest) = text.as_bytes().as_chunks::<DIGITS>();
-    let number = |digits: &[u8; DIGITS]| {
-        let digits = std::str::from_utf8(digits).ok()?;
-        Some(f64::from_bits(u64::from_str_radix(digits, 16).ok()?))
-    };
-    let numbers: Option<Vec<f64>> = digits.iter().map(number).collect();
-    numbers
-        .filter(|_| rest.is_empty())
-        .ok_or_else(|| damaged(name))
-}
-
-fn triple(vector: &Vector3<f64>) -> [f64; 3] {
-    [vector.x, vector.y, vector.z]
-}
-
-fn vectors(numbers: &[f64]) -> Vec<Vector3<f64>> {
-    let triples = numbers.as_chunks().0.iter();
-    triples.map(|&[x, y, z]| Vector3::new(x, y, z)).collect()
 }
 
 fn book_numbers(book: &Book) -> [f64; BOOK] {

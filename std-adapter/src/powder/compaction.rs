@@ -1,13 +1,14 @@
 //! A deposit under a piston, followed until it is blocked (thesis, sections 4.5 and 4.6).
 
 use super::blocked::{Means, Window};
-use super::checkpoint::{Checkpoint, CheckpointError};
+use super::checkpoint::Checkpoint;
 use super::deposit::{BULK, Deposit, DepositError, volume_between};
 use super::outcome::Outcome;
 use super::packing::{self, BuildError, PISTON, Packing, branch, build};
 use super::statistics::Statistics;
 use super::stress::Stress;
 use crate::cd::{StepReport, WorldError};
+use crate::record::CheckpointError;
 use crate::record::{ContactRow, Snapshot};
 use crate::run::Simulation;
 use crate::scene::PowderScene;

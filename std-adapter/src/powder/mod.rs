@@ -9,8 +9,8 @@ mod packing;
 mod statistics;
 mod stress;
 
+pub use crate::record::CheckpointError;
 pub use blocked::{Means, Window};
-pub use checkpoint::CheckpointError;
 pub use compaction::{COLUMNS, Compaction, CompactionError, Ending};
 pub use outcome::Outcome;
 pub use packing::PISTON;

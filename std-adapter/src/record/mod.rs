@@ -1,6 +1,7 @@
 //! What a run leaves behind: numbers as text, whole files or none.
 
 mod atomic;
+pub(crate) mod kept;
 mod number;
 mod series;
 mod snapshot;
@@ -8,6 +9,7 @@ mod vtk;
 mod xyz;
 
 pub use atomic::{WriteError, write_atomically};
+pub use kept::CheckpointError;
 pub use number::{json_number, number};
 pub use series::series_csv;
 pub use snapshot::{ContactRow, Partner, Snapshot, SnapshotError};

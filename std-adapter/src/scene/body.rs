@@ -6,6 +6,7 @@ use super::planar::PlanarScene;
 use super::powder::PowderScene;
 use super::problem::{Origin, Problem};
 use super::slider::{SliderScene, key};
+use super::tip::TipScene;
 use super::{SceneError, text_of};
 use std::path::Path;
 
@@ -14,7 +15,7 @@ pub(super) const BODY: Key = key(
     "body",
     "-",
     "what the scene is about (default disk)",
-    Domain::OneOf(&["disk", "cylinder", "pipe", "curling", "powder"]),
+    Domain::OneOf(&["disk", "cylinder", "pipe", "curling", "powder", "tip"]),
 );
 
 /// A validated scene of any body.
@@ -26,6 +27,8 @@ pub enum Scene {
     Planar(PlanarScene),
     /// A powder under a piston.
     Powder(Box<PowderScene>),
+    /// A tip turned on a substrate.
+    Tip(Box<TipScene>),
 }
 
 /// Reads the scene in `path` with `overrides` of the form `key=value` put over it.
@@ -63,6 +66,10 @@ fn read(entries: Entries, problems: Vec<Problem>) -> Result<Scene, Vec<Problem>>
     if body == "powder" {
         let scene = PowderScene::from_entries(entries, problems)?;
         return Ok(Scene::Powder(Box::new(scene)));
+    }
+    if body == "tip" {
+        let scene = TipScene::from_entries(entries, problems)?;
+        return Ok(Scene::Tip(Box::new(scene)));
     }
     match PlanarScene::keys(&body) {
         Some(keys) => PlanarScene::from_entries(keys, entries, problems).map(Scene::Planar),

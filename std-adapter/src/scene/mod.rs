@@ -12,6 +12,8 @@ mod powder;
 mod powder_keys;
 mod problem;
 mod slider;
+mod tip;
+mod tip_keys;
 
 pub use body::{Scene, parse_scene, read_scene};
 pub use key::{Domain, Key};
@@ -19,6 +21,7 @@ pub use planar::{PlanarBody, PlanarScene, Tipping};
 pub use powder::{Coupling, Criterion, PowderScene, WallLaw};
 pub use problem::{Problem, SceneError};
 pub use slider::{SliderScene, Stepper, Units};
+pub use tip::{Bath, Lift, Reading, TipScene};
 
 use entries::Entries;
 use std::path::Path;

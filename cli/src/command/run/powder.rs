@@ -6,34 +6,14 @@ mod picture;
 pub use output::{report, write};
 pub use picture::{State, packing};
 
+use super::long::{Progress, Start, TOLD, checkpoint, kept};
 use crate::failure::Failure;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::{Duration, Instant};
 use tribos::powder::{Compaction, CompactionError};
 use tribos::record::write_atomically;
 use tribos::run::drive_watched;
 use tribos::scene::PowderScene;
-
-/// Whether a run starts or goes on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Start {
-    /// From the deposit.
-    Fresh,
-    /// From the checkpoint.
-    Resume,
-}
-
-/// Who is told how far a run is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Progress {
-    /// The terminal, once a second.
-    Told,
-    /// Nobody.
-    Silent,
-}
-
-/// How often the terminal is told.
-const TOLD: Duration = Duration::from_secs(1);
 
 /// Runs the scene to its end; a checkpoint in the folder is renewed after every `pause`.
 pub fn simulate(
@@ -64,33 +44,6 @@ pub fn simulate(
         Ok::<(), Failure>(())
     })?;
     Ok(compaction)
-}
-
-/// The checkpoint of a folder.
-fn checkpoint(out: &Path) -> PathBuf {
-    out.join("checkpoint.json")
-}
-
-/// The text of a checkpoint.
-fn kept(file: &Path) -> Result<String, Failure> {
-    std::fs::read_to_string(file).map_err(|error| {
-        let name = file.display();
-        Failure::input(format!(
-            "nothing to go on from: {name}: {error}; run without --resume"
-        ))
-    })
-}
-
-/// Takes away the checkpoint of a run that has left its results.
-pub fn forget_checkpoint(out: &Path) -> Result<(), Failure> {
-    let file = checkpoint(out);
-    match std::fs::remove_file(&file) {
-        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(Failure::run(format!(
-            "cannot remove {}: {error}",
-            file.display()
-        ))),
-        _ => Ok(()),
-    }
 }
 
 /// One line on standard error.

@@ -1,23 +1,32 @@
 //! The runs of a sweep, some at a time.
 
 use super::grid::Grid;
+use super::kind::{self, Kind};
 use crate::command::parallel::in_order;
-use crate::command::run::powder::{self, Progress, Start};
+use crate::command::run::long::{Progress, Start, forget_checkpoint};
+use crate::command::run::{powder, tip};
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tribos::record::write_atomically;
-use tribos::scene::{self, PowderScene, Scene};
+use tribos::scene::{self, PowderScene, Scene, TipScene};
 
 /// Time from one checkpoint of a run to the next.
 const PAUSE: Duration = Duration::from_secs(60);
+
+/// A scene that a sweep can run.
+#[derive(Debug)]
+enum Body {
+    Powder(Box<PowderScene>),
+    Tip(Box<TipScene>),
+}
 
 /// One run.
 #[derive(Debug)]
 pub struct Task {
     name: String,
-    scene: PowderScene,
+    body: Body,
     folder: PathBuf,
 }
 
@@ -30,37 +39,42 @@ pub fn tasks(file: &Path, grid: &Grid, seeds: u32, out: &Path) -> Result<Vec<Tas
     let mut tasks = Vec::new();
     for combination in 0..grid.len() {
         let overrides = grid.overrides(combination);
-        let first = powder_scene(file, &overrides)?.seed;
+        let first = body(file, &overrides)?.seed();
         for seed in first..first + u64::from(seeds) {
             let mut all = overrides.clone();
             if seeds > 1 {
                 all.push(format!("seed={seed}"));
             }
-            let scene = powder_scene(file, &all)?;
+            let body = body(file, &all)?;
             let name = if all.is_empty() {
                 "scene".to_owned()
             } else {
                 all.join(",")
             };
             let folder = out.join("runs").join(&name);
-            tasks.push(Task {
-                name,
-                scene,
-                folder,
-            });
+            tasks.push(Task { name, body, folder });
         }
     }
     Ok(tasks)
 }
 
-/// The scene with overrides, if it is a powder.
-fn powder_scene(file: &Path, overrides: &[String]) -> Result<PowderScene, Failure> {
+/// The scene with overrides, if it is one of a sweep.
+fn body(file: &Path, overrides: &[String]) -> Result<Body, Failure> {
     match scene::read_scene(file, overrides).map_err(Failure::input)? {
-        Scene::Powder(scene) => Ok(*scene),
+        Scene::Powder(scene) => Ok(Body::Powder(scene)),
+        Scene::Tip(scene) => Ok(Body::Tip(scene)),
         _ => Err(Failure::input(format!(
-            "{}: a sweep needs body = \"powder\"; use `tribos run` for other bodies",
+            "{}: a sweep needs body = \"powder\" or \"tip\"; use `tribos run` for other bodies",
             file.display()
         ))),
+    }
+}
+
+/// What is made of the summaries: all tasks are of one body.
+pub fn kind(tasks: &[Task]) -> &'static Kind {
+    match tasks.first().map(|task| &task.body) {
+        Some(Body::Tip(_)) => &kind::TIP,
+        _ => &kind::POWDER,
     }
 }
 
@@ -79,6 +93,60 @@ pub fn run(tasks: &[Task], jobs: usize) -> Result<Vec<Value>, Failure> {
         .collect()
 }
 
+impl Body {
+    fn seed(&self) -> u64 {
+        match self {
+            Self::Powder(scene) => scene.seed,
+            Self::Tip(scene) => scene.seed,
+        }
+    }
+
+    fn json(&self) -> Value {
+        match self {
+            Self::Powder(scene) => scene.json(),
+            Self::Tip(scene) => scene.json(),
+        }
+    }
+
+    /// Runs to the end, on from a checkpoint if there is one: the summary, and a line about it.
+    fn run(&self, folder: &Path) -> Result<(Value, String), Failure> {
+        match self {
+            Self::Powder(scene) => {
+                let run = resumed(|start| {
+                    powder::simulate(scene, folder, start, PAUSE, Progress::Silent)
+                })?;
+                let outcome = run.outcome();
+                let told = format!(
+                    "porosity {:.3} % after {} steps, {:.1} s",
+                    100.0 * outcome.porosity[1],
+                    outcome.steps,
+                    outcome.wall_seconds
+                );
+                Ok((outcome.json(scene), told))
+            }
+            Self::Tip(scene) => {
+                let run =
+                    resumed(|start| tip::simulate(scene, folder, start, PAUSE, Progress::Silent))?;
+                let outcome = run.outcome();
+                tip::write_series(&run, folder)?;
+                let told = format!(
+                    "{:.2} degrees driven, {:.2} after it",
+                    outcome.driven_angle, outcome.final_angle
+                );
+                Ok((outcome.json(scene), told))
+            }
+        }
+    }
+}
+
+/// A run on from its checkpoint, or from the start where there is none of the same scene.
+fn resumed<R>(simulate: impl Fn(Start) -> Result<R, Failure>) -> Result<R, Failure> {
+    match simulate(Start::Resume) {
+        Err(Failure::Input(_)) => simulate(Start::Fresh),
+        other => other,
+    }
+}
+
 impl Task {
     /// The summary that is there, or that of a run, which goes on from its checkpoint if it can.
     fn summary(&self) -> Result<Value, Failure> {
@@ -86,24 +154,10 @@ impl Task {
         if let Some(kept) = self.kept(&file) {
             return Ok(kept);
         }
-        let simulate =
-            |start| powder::simulate(&self.scene, &self.folder, start, PAUSE, Progress::Silent);
-        let compaction = match simulate(Start::Resume) {
-            // No checkpoint, or one of another scene.
-            Err(Failure::Input(_)) => simulate(Start::Fresh)?,
-            other => other?,
-        };
-        let outcome = compaction.outcome();
-        let summary = outcome.json(&self.scene);
+        let (summary, told) = self.body.run(&self.folder)?;
         write_atomically(&file, format!("{summary:#}\n").as_bytes())?;
-        powder::forget_checkpoint(&self.folder)?;
-        eprintln!(
-            "{}: porosity {:.3} % after {} steps, {:.1} s",
-            self.name,
-            100.0 * outcome.porosity[1],
-            outcome.steps,
-            outcome.wall_seconds
-        );
+        forget_checkpoint(&self.folder)?;
+        eprintln!("{}: {told}", self.name);
         Ok(summary)
     }
 
@@ -111,7 +165,7 @@ impl Task {
     fn kept(&self, file: &Path) -> Option<Value> {
         let text = std::fs::read_to_string(file).ok()?;
         let summary: Value = serde_json::from_str(&text).ok()?;
-        (summary["scene"] == self.scene.json()).then_some(summary)
+        (summary["scene"] == self.body.json()).then_some(summary)
     }
 
     /// A failure with the run's name before it.

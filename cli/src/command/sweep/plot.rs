@@ -1,4 +1,4 @@
-//! Final porosity over the keys of a sweep.
+//! A result over the keys of a sweep.
 
 use super::grid::Grid;
 use super::table::Table;
@@ -14,6 +14,7 @@ pub fn write(grid: &Grid, table: &Table, out: &Path) -> Result<(), Failure> {
     let several = |at: &usize| grid.keys[*at].values.len() > 1;
     let varied: Vec<usize> = (0..grid.keys.len()).filter(several).collect();
     let numbers: Option<Vec<Vec<f64>>> = varied.iter().map(|&at| grid.keys[at].numbers()).collect();
+    let [title, label] = table.kind().drawn;
     let name = |at: usize| Axis::linear(grid.keys[varied[at]].key.clone());
     match numbers.as_deref() {
         Some([xs]) => {
@@ -22,10 +23,10 @@ pub fn write(grid: &Grid, table: &Table, out: &Path) -> Result<(), Failure> {
         }
         Some([xs, ys]) => {
             // Combinations count the second key first.
-            let at = |i: usize, j: usize| table.porosity(i * ys.len() + j);
-            let axes = [name(0), name(1), Axis::linear("porosity")];
-            let surface = Surface::new("Final porosity", axes, [xs, ys], |i, j| at(i, j).0)
-                .errors(|i, j| at(i, j).1);
+            let at = |i: usize, j: usize| table.drawn(i * ys.len() + j);
+            let axes = [name(0), name(1), Axis::linear(label)];
+            let surface =
+                Surface::new(title, axes, [xs, ys], |i, j| at(i, j).0).errors(|i, j| at(i, j).1);
             image::write_both(out, "sweep", &surface)?;
         }
         _ => {}
@@ -33,16 +34,17 @@ pub fn write(grid: &Grid, table: &Table, out: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Porosity with whiskers of one standard deviation.
+/// The result with whiskers of one standard deviation.
 fn line(axis: Axis, xs: &[f64], table: &Table) -> Figure {
     let mut points: Vec<(f64, (f64, f64))> = xs
         .iter()
         .enumerate()
-        .map(|(index, &x)| (x, table.porosity(index)))
+        .map(|(index, &x)| (x, table.drawn(index)))
         .collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let means = points.iter().map(|(x, (mean, _))| (*x, *mean)).collect();
     let errors = points.iter().map(|(_, (_, error))| *error).collect();
-    Figure::new("Final porosity", axis, Axis::linear("porosity"))
+    let [title, label] = table.kind().drawn;
+    Figure::new(title, axis, Axis::linear(label))
         .series(Series::line_points("", means).errors(errors))
 }

@@ -1,33 +1,15 @@
 //! Means and standard deviations over the seeds of each combination.
 
 use super::grid::Grid;
+use super::kind::Kind;
 use crate::command::deposit::curve::statistics;
 use serde_json::Value;
 use tribos::record::number;
 
-/// Numbers of a summary that are averaged: column and place in the summary.
-const QUANTITIES: [(&str, &str); 16] = [
-    ("porosity_final", "/porosity_final"),
-    ("porosity_bulk", "/porosity_bulk"),
-    ("porosity_initial", "/porosity_initial"),
-    ("particles", "/particles"),
-    ("contacts", "/contacts"),
-    ("coordination", "/statistics/mean_coordination"),
-    ("stress_zz", "/stress_zz"),
-    ("stress_zz_plus", "/stress_zz_plus"),
-    ("stress_zz_minus", "/stress_zz_minus"),
-    ("steps", "/steps"),
-    ("iterations_total", "/iterations_total"),
-    ("dissipation_normal", "/dissipation/normal"),
-    ("dissipation_sliding", "/dissipation/sliding"),
-    ("dissipation_rolling", "/dissipation/rolling"),
-    ("dissipation_torsion", "/dissipation/torsion"),
-    ("dissipation_cohesion", "/dissipation/cohesion"),
-];
-
 /// A line a combination.
 #[derive(Debug)]
 pub struct Table {
+    kind: &'static Kind,
     names: Vec<String>,
     rows: Vec<Row>,
 }
@@ -37,26 +19,32 @@ pub struct Table {
 struct Row {
     values: Vec<String>,
     runs: usize,
-    /// Share of the runs that were blocked.
-    blocked: f64,
+    /// Share of the runs that ended with the kind's word.
+    share: f64,
     /// Mean and deviation of each quantity; a deviation of one run is NaN.
-    means: [(f64, f64); QUANTITIES.len()],
+    means: Vec<(f64, f64)>,
 }
 
 impl Table {
     /// Summaries in the order of the combinations, `seeds` of them each.
-    pub fn new(grid: &Grid, summaries: &[Value], seeds: usize) -> Self {
+    pub fn new(kind: &'static Kind, grid: &Grid, summaries: &[Value], seeds: usize) -> Self {
         let rows = summaries.chunks(seeds).enumerate();
         Self {
+            kind,
             names: grid.keys.iter().map(|swept| swept.key.clone()).collect(),
             rows: rows
-                .map(|(combination, runs)| Row::new(grid, combination, runs))
+                .map(|(combination, runs)| Row::new(kind, grid, combination, runs))
                 .collect(),
         }
     }
 
-    /// Mean final porosity of a combination and its deviation.
-    pub fn porosity(&self, combination: usize) -> (f64, f64) {
+    /// What the summaries are of.
+    pub fn kind(&self) -> &'static Kind {
+        self.kind
+    }
+
+    /// Mean of the drawn quantity of a combination and its deviation.
+    pub fn drawn(&self, combination: usize) -> (f64, f64) {
         let row = self.rows.get(combination);
         row.map_or((f64::NAN, f64::NAN), |row| row.means[0])
     }
@@ -67,16 +55,17 @@ impl Table {
         if !self.names.is_empty() {
             text.push(',');
         }
-        text += "runs,blocked";
-        for (name, _) in QUANTITIES {
+        text += &format!("runs,{}", self.kind.share[0]);
+        for (name, _) in self.kind.quantities {
             text += &format!(",{name},{name}_std");
         }
         text.push('\n');
         for row in &self.rows {
             let mut cells = row.values.clone();
             cells.push(row.runs.to_string());
-            cells.push(number(row.blocked));
-            for (mean, deviation) in row.means {
+            cells.push(number(row.share));
+            for (mean, deviation) in &row.means {
+                let (mean, deviation) = (*mean, *deviation);
                 cells.extend([number(mean), number(deviation)]);
             }
             text += &cells.join(",");
@@ -91,37 +80,40 @@ impl Table {
         for name in &self.names {
             text += &format!("{name:>14}");
         }
-        text += "  blocked   porosity [%]   contacts a sphere   stress_zz  plus    minus\n";
+        text += &format!("{:>14}", self.kind.share[0]);
+        for column in self.kind.told {
+            text += &format!("{:>24}", column.head);
+        }
+        text.push('\n');
         for row in &self.rows {
             for value in &row.values {
                 text += &format!("{value:>14}");
             }
-            let (porosity, deviation) = row.means[0];
-            let spread = if deviation.is_nan() {
-                String::new()
-            } else {
-                format!("± {:.2}", 100.0 * deviation)
-            };
-            let blocked = (row.blocked * row.runs as f64).round();
-            text += &format!(
-                "  {blocked:>3}/{:<3}   {:6.2} {spread:<7}  {:>10.2}  {:>14.3} {:>7.3} {:>7.3}\n",
-                row.runs,
-                100.0 * porosity,
-                row.means[5].0,
-                row.means[6].0,
-                row.means[7].0,
-                row.means[8].0,
-            );
+            let share = (row.share * row.runs as f64).round();
+            text += &format!("{:>14}", format!("{share}/{}", row.runs));
+            for column in self.kind.told {
+                let (mean, deviation) = row.means[column.quantity];
+                let [mean, deviation] = [mean, deviation].map(|x| column.factor * x);
+                let cell = if deviation.is_nan() {
+                    format!("{mean:.3}")
+                } else {
+                    format!("{mean:.3} ± {deviation:.3}")
+                };
+                text += &format!("{cell:>24}");
+            }
+            text.push('\n');
         }
         text
     }
 }
 
 impl Row {
-    fn new(grid: &Grid, combination: usize, runs: &[Value]) -> Self {
+    fn new(kind: &Kind, grid: &Grid, combination: usize, runs: &[Value]) -> Self {
         let chosen = grid.keys.iter().zip(grid.indices(combination));
-        let blocked = runs.iter().filter(|run| run["ending"] == "blocked").count();
-        let mean = |(_, place): (&str, &str)| {
+        let [_, place, word] = kind.share;
+        let is_so = |run: &&Value| run.pointer(place).is_some_and(|found| found == word);
+        let share = runs.iter().filter(is_so).count() as f64 / runs.len() as f64;
+        let mean = |(_, place): &(&str, &str)| {
             let number = |run: &Value| run.pointer(place).and_then(Value::as_f64);
             let values: Vec<f64> = runs
                 .iter()
@@ -134,8 +126,8 @@ impl Row {
                 .map(|(swept, index)| swept.values[index].clone())
                 .collect(),
             runs: runs.len(),
-            blocked: blocked as f64 / runs.len() as f64,
-            means: QUANTITIES.map(mean),
+            share,
+            means: kind.quantities.iter().map(mean).collect(),
         }
     }
 }

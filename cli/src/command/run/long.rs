@@ -1,0 +1,53 @@
+//! What long runs share: a checkpoint in their folder, and lines that tell how far they are.
+
+use crate::failure::Failure;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// How often the terminal is told.
+pub(super) const TOLD: Duration = Duration::from_secs(1);
+
+/// Whether a run starts or goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// From the deposit.
+    Fresh,
+    /// From the checkpoint.
+    Resume,
+}
+
+/// Who is told how far a run is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Progress {
+    /// The terminal, once a second.
+    Told,
+    /// Nobody.
+    Silent,
+}
+
+/// The checkpoint of a folder.
+pub(super) fn checkpoint(out: &Path) -> PathBuf {
+    out.join("checkpoint.json")
+}
+
+/// The text of a checkpoint.
+pub(super) fn kept(file: &Path) -> Result<String, Failure> {
+    std::fs::read_to_string(file).map_err(|error| {
+        let name = file.display();
+        Failure::input(format!(
+            "nothing to go on from: {name}: {error}; run without --resume"
+        ))
+    })
+}
+
+/// Takes away the checkpoint of a run that has left its results.
+pub fn forget_checkpoint(out: &Path) -> Result<(), Failure> {
+    let file = checkpoint(out);
+    match std::fs::remove_file(&file) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(Failure::run(format!(
+            "cannot remove {}: {error}",
+            file.display()
+        ))),
+        _ => Ok(()),
+    }
+}

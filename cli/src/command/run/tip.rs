@@ -1,0 +1,122 @@
+//! Tips turned on a substrate.
+
+mod picture;
+
+use super::long::{Progress, Start, TOLD, checkpoint, kept};
+use crate::failure::Failure;
+use crate::report::image;
+use std::path::Path;
+use std::time::{Duration, Instant};
+use tribos::record::{series_csv, write_atomically};
+use tribos::run::drive_watched;
+use tribos::scene::TipScene;
+use tribos::tip::{Outcome, TipError, TipRun, Verdict};
+
+pub use picture::series;
+
+/// Runs the scene to its end; a checkpoint in the folder is renewed after every `pause`.
+pub fn simulate(
+    scene: &TipScene,
+    out: &Path,
+    start: Start,
+    pause: Duration,
+    progress: Progress,
+) -> Result<TipRun, Failure> {
+    let file = checkpoint(out);
+    let mut run = match start {
+        Start::Fresh => TipRun::new(scene)?,
+        Start::Resume => TipRun::resume(scene, &kept(&file)?)?,
+    };
+    let (mut told, mut saved) = (Instant::now(), Instant::now());
+    drive_watched(&mut run, |run| {
+        if progress == Progress::Told && told.elapsed() >= TOLD {
+            let time = run.time();
+            eprintln!(
+                "time {time:9.2}  angle {:8.3} degrees",
+                run.angle().to_degrees()
+            );
+            told = Instant::now();
+        }
+        if run.series().len() > 1 && saved.elapsed() >= pause {
+            write_atomically(&file, run.checkpoint().as_bytes())?;
+            saved = Instant::now();
+        }
+        Ok::<(), Failure>(())
+    })?;
+    Ok(run)
+}
+
+/// The series as CSV.
+pub fn write_series(run: &TipRun, out: &Path) -> Result<(), Failure> {
+    let columns = run.columns();
+    let names: Vec<&str> = columns.iter().map(String::as_str).collect();
+    let csv = series_csv(&names, run.series().iter().map(Vec::as_slice));
+    Ok(write_atomically(&out.join("series.csv"), csv.as_bytes())?)
+}
+
+/// Writes series, pictures, the final state and at last the summary.
+pub fn write(scene: &TipScene, run: &TipRun, out: &Path) -> Result<(), Failure> {
+    let outcome = run.outcome();
+    write_series(run, out)?;
+    image::write_both(out, "angles", &series(scene, run, &outcome))?;
+    image::write_both(out, "tip", &picture::both_ends(scene, run)?)?;
+    let summary = format!("{:#}\n", outcome.json(scene));
+    Ok(write_atomically(
+        &out.join("summary.json"),
+        summary.as_bytes(),
+    )?)
+}
+
+/// A few lines for the person at the terminal.
+pub fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
+    let verdict = match outcome.verdict {
+        Verdict::Reversible => "reversible: the driven layers turned back",
+        Verdict::Irreversible => "irreversible: the driven layers did not turn back",
+        Verdict::Open => "open: the scene ends before it shows",
+    };
+    let interfaces = |list: &[usize]| match list {
+        [] => "none".to_owned(),
+        list => list
+            .iter()
+            .map(usize::to_string)
+            .collect::<Vec<_>>()
+            .join(", "),
+    };
+    let angles: Vec<String> = outcome
+        .layer_angles
+        .iter()
+        .map(|a| format!("{a:.2}"))
+        .collect();
+    let mut text = format!(
+        "verdict       {verdict}\n\
+         angle         {:.3} degrees driven, {:.3} at the end, {:.3} at most\n\
+         layers        {} degrees at the end, from below\n\
+         slipped       while driven {}, for good {} (0 is the contact, k above the tip's layer k)\n\
+         temperature   {:.4} eps/k_B of the tip's bath\n",
+        outcome.driven_angle,
+        outcome.final_angle,
+        outcome.largest_angle,
+        angles.join(", "),
+        interfaces(&outcome.slipped_driven),
+        interfaces(&outcome.slipped),
+        outcome.tip_temperature,
+    );
+    for plateau in &outcome.plateaus {
+        text += &format!(
+            "locked        {:.3} degrees from {:.1} to {:.1}\n",
+            plateau.angle, plateau.from, plateau.to
+        );
+    }
+    text += &format!("written to    {}\n", out.display());
+    crate::command::print(&text)
+}
+
+impl From<TipError> for Failure {
+    fn from(error: TipError) -> Self {
+        match error {
+            TipError::System(_) => Self::run(error),
+            // The scene or the checkpoint cannot be used.
+            _ => Self::input(error),
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! What checkpoints of all runs are made of: JSON, with lists of numbers as texts of 16 hexadecimal
+//! digits a number, the bits of each f64.
+
+use nalgebra::Vector3;
+use serde_json::{Map, Value};
+
+/// Hexadecimal digits of an f64.
+const DIGITS: usize = 16;
+
+/// A checkpoint that a run cannot go on from.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CheckpointError {
+    /// Not what this version writes.
+    #[error("the checkpoint is damaged or of another version ({0}); run without --resume")]
+    Format(String),
+    /// Of another scene.
+    #[error(
+        "the checkpoint belongs to another scene: `{key}` is {kept} there and {given} here; \
+         change it back, or run without --resume"
+    )]
+    Scene {
+        /// The first key that differs.
+        key: String,
+        /// In the checkpoint.
+        kept: String,
+        /// In the scene.
+        given: String,
+    },
+}
+
+/// The error of a part that makes no sense.
+pub(crate) fn damaged(name: &str) -> CheckpointError {
+    CheckpointError::Format(format!("`{name}` cannot be read"))
+}
+
+/// Refuses the first key that differs.
+pub(crate) fn same_scene(kept: &Value, given: &Value) -> Result<(), CheckpointError> {
+    let empty = Map::new();
+    let [kept, given] = [kept, given].map(|scene| scene.as_object().unwrap_or(&empty));
+    for key in given.keys().chain(kept.keys()) {
+        if kept.get(key) != given.get(key) {
+            let told = |scene: &Map<String, Value>| {
+                scene.get(key).map_or("missing".into(), Value::to_string)
+            };
+            return Err(CheckpointError::Scene {
+                key: key.clone(),
+                kept: told(kept),
+                given: told(given),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Numbers as their bits.
+pub(crate) fn hex(numbers: &[f64]) -> String {
+    let mut text = String::with_capacity(DIGITS * numbers.len());
+    for number in numbers {
+        text += &format!("{:016x}", number.to_bits());
+    }
+    text
+}
+
+/// The numbers of a part.
+pub(crate) fn numbers(value: &Value, name: &str) -> Result<Vec<f64>, CheckpointError> {
+    let text = value[name].as_str().ok_or_else(|| damaged(name))?;
+    let (digits, rest) = text.as_bytes().as_chunks::<DIGITS>();
+    let number = |digits: &[u8; DIGITS]| {
+        let digits = std::str::from_utf8(digits).ok()?;
+        Some(f64::from_bits(u64::from_str_radix(digits, 16).ok()?))
+    };
+    let numbers: Option<Vec<f64>> = digits.iter().map(number).collect();
+    numbers
+        .filter(|_| rest.is_empty())
+        .ok_or_else(|| damaged(name))
+}
+
+/// The coordinates.
+pub(crate) fn triple(vector: &Vector3<f64>) -> [f64; 3] {
+    [vector.x, vector.y, vector.z]
+}
+
+/// Vectors of coordinates one after another; a rest is left out.
+pub(crate) fn vectors(numbers: &[f64]) -> Vec<Vector3<f64>> {
+    let triples = numbers.as_chunks().0.iter();
+    triples.map(|&[x, y, z]| Vector3::new(x, y, z)).collect()
+}

@@ -1,0 +1,180 @@
+//! From a scene to atoms, groups, potential and drive.
+
+use super::shape::{Part, Site};
+use crate::md::atoms::Atoms;
+use crate::md::drive::TorqueDrive;
+use crate::md::group::{Group, Hold};
+use crate::md::pair::{LennardJones, LennardJonesError, Mixing, Pairing};
+use crate::md::system::Setup;
+use crate::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat, ThermostatError};
+use crate::scene::{Bath, Lift, Reading, TipScene};
+use crate::space::{PeriodicBox, PeriodicBoxError};
+use nalgebra::Vector3;
+
+/// Stream of the first velocities, apart from all steps' noise.
+const FIRST: u64 = u64::MAX;
+
+/// A tip that cannot be built.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum BuildError {
+    /// The box.
+    #[error(transparent)]
+    Space(#[from] PeriodicBoxError),
+    /// The potential.
+    #[error(transparent)]
+    Potential(#[from] LennardJonesError),
+    /// The thermostats.
+    #[error(transparent)]
+    Thermostat(#[from] ThermostatError),
+}
+
+/// What a run is made from, with the layer of each atom.
+#[derive(Debug)]
+pub struct TipSystem {
+    /// Atoms, groups in the order of [`Part::ALL`], drive.
+    pub setup: Setup<LennardJones>,
+    /// Layer of each atom, from the lowest of the substrate.
+    pub layer_of: Vec<usize>,
+}
+
+/// Builds the system of a scene.
+pub fn build(scene: &TipScene) -> Result<TipSystem, BuildError> {
+    let sites = scene.shape.sites();
+    let [x, y] = scene.shape.periods();
+    let groups = groups(scene)?;
+    let mut atoms = atoms(scene, &sites);
+    let number = |part: Part| Part::ALL.iter().position(|&other| other == part);
+    let group_of: Vec<u8> = sites
+        .iter()
+        .map(|site| number(site.part).unwrap_or_default() as u8)
+        .collect();
+    warm(scene, &groups, &group_of, &mut atoms);
+    let setup = Setup {
+        drive: Some(drive(scene, &sites)),
+        atoms,
+        space: PeriodicBox::new([Some(x), Some(y), None])?,
+        interaction: potential(scene)?,
+        skin: scene.skin,
+        groups,
+        group_of,
+        integrator: scene.integrator,
+        time_step: scene.time_step,
+        seed: scene.seed,
+    };
+    let layer_of = sites.iter().map(|site| site.layer).collect();
+    Ok(TipSystem { setup, layer_of })
+}
+
+/// Whether an atom belongs to the tip.
+fn is_of_tip(part: Part) -> bool {
+    matches!(part, Part::Apex | Part::TipBath | Part::Driven)
+}
+
+/// One species, or one for the substrate and one for the tip where they differ.
+fn atoms(scene: &TipScene, sites: &[Site]) -> Atoms {
+    let mut atoms = Atoms::at(sites.iter().map(|site| site.place).collect());
+    if scene.adhesion != 1.0 {
+        atoms.masses = vec![1.0; 2];
+        atoms.species = sites
+            .iter()
+            .map(|site| u8::from(is_of_tip(site.part)))
+            .collect();
+    }
+    atoms
+}
+
+fn potential(scene: &TipScene) -> Result<LennardJones, LennardJonesError> {
+    let like = Pairing {
+        epsilon: 1.0,
+        sigma: 1.0,
+        cutoff: scene.cutoff,
+    };
+    if scene.adhesion == 1.0 {
+        return LennardJones::single(like, scene.shift);
+    }
+    let mut potential = LennardJones::mixed(&[like, like], Mixing::default(), scene.shift)?;
+    let across = Pairing {
+        epsilon: scene.adhesion,
+        ..like
+    };
+    potential.set(0, 1, across)?;
+    Ok(potential)
+}
+
+/// Groups in the order of their parts.
+fn groups(scene: &TipScene) -> Result<Vec<Group>, ThermostatError> {
+    let axis = scene.shape.axis();
+    let of_part = |part: Part| {
+        let mut group = Group::default();
+        match part {
+            Part::Base => group.hold = Hold::Frozen,
+            Part::SubstrateBath => group.thermostat = thermostat(scene, Spin::Counts)?,
+            Part::TipBath => group.thermostat = thermostat(scene, Spin::Spared { axis })?,
+            Part::Surface | Part::Apex => {}
+            Part::Driven => {
+                group.damping = scene.damping;
+                (group.hold, group.load) = match scene.lift {
+                    Lift::Fixed => (Hold::Plane, 0.0),
+                    Lift::Loaded(force) => (Hold::Level, force),
+                };
+            }
+        }
+        Ok(group)
+    };
+    Part::ALL.into_iter().map(of_part).collect()
+}
+
+fn thermostat(scene: &TipScene, wanted: Spin) -> Result<Thermostat, ThermostatError> {
+    Ok(match scene.bath {
+        Bath::NoseHoover {
+            relaxation,
+            spares_spin,
+        } => {
+            let spin = if spares_spin { wanted } else { Spin::Counts };
+            Thermostat::NoseHoover(NoseHoover::new(scene.temperature, relaxation, spin)?)
+        }
+        Bath::Langevin(friction) => {
+            Thermostat::Langevin(Langevin::new(scene.temperature, friction)?)
+        }
+        Bath::None => Thermostat::None,
+    })
+}
+
+/// Velocities of twice the temperature: atoms on their sites give half of it to the lattice.
+fn warm(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms: &mut Atoms) {
+    let mut noise = Noise::new(scene.seed, FIRST, 0);
+    let speed = (2.0 * scene.temperature).sqrt();
+    for (velocity, &group) in atoms.velocities.iter_mut().zip(group_of) {
+        let drawn = noise.vector() * speed;
+        *velocity = match groups[usize::from(group)].hold {
+            Hold::Frozen | Hold::Turning { .. } => Vector3::zeros(),
+            Hold::Plane | Hold::Level => Vector3::new(drawn.x, drawn.y, 0.0),
+            Hold::Free => drawn,
+        };
+    }
+}
+
+/// The torque of the second stage.
+fn drive(scene: &TipScene, sites: &[Site]) -> TorqueDrive {
+    let axis = scene.shape.axis();
+    let arm = |site: &Site| libm::hypot(site.place.x - axis[0], site.place.y - axis[1]);
+    let arms = || {
+        sites
+            .iter()
+            .filter(|site| site.part == Part::Driven)
+            .map(arm)
+    };
+    let length = match scene.reading {
+        Reading::Angular => 1.0,
+        Reading::Mean => arms().sum::<f64>() / arms().count() as f64,
+        Reading::Largest => arms().fold(0.0, f64::max),
+    };
+    let [before, with, _] = scene.stage_steps();
+    TorqueDrive {
+        axis,
+        acceleration: scene.lambda / length,
+        from: before as f64 * scene.time_step,
+        until: (before + with) as f64 * scene.time_step,
+        groups: vec![Part::ALL.len() - 1],
+    }
+}

@@ -1,0 +1,85 @@
+//! A run of the tip as a file.
+
+use crate::md::system::State;
+use crate::record::CheckpointError;
+use crate::record::kept::{damaged, hex, numbers, same_scene, triple, vectors};
+use crate::scene::TipScene;
+use serde_json::{Map, Value};
+
+/// Version of the format.
+const VERSION: u64 = 1;
+
+/// A run between two lines of its series.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Checkpoint {
+    pub state: State,
+    /// Of the driven atoms and of each layer, in radians.
+    pub angles: Vec<f64>,
+    pub series: Vec<Vec<f64>>,
+}
+
+impl Checkpoint {
+    /// The file.
+    pub fn text(&self, scene: &TipScene) -> String {
+        let mut map = Map::new();
+        map.insert("tribos_tip".into(), VERSION.into());
+        map.insert("scene".into(), scene.json());
+        map.insert("steps".into(), self.state.steps.into());
+        let mut put = |name: &str, numbers: Vec<f64>| {
+            map.insert(name.into(), hex(&numbers).into());
+        };
+        for (name, vectors) in [
+            ("positions", &self.state.positions),
+            ("velocities", &self.state.velocities),
+            ("list", &self.state.reference),
+        ] {
+            put(name, vectors.iter().flat_map(triple).collect());
+        }
+        put(
+            "thermostats",
+            self.state.thermostats.iter().flatten().copied().collect(),
+        );
+        put("angles", self.angles.clone());
+        put("series", self.series.iter().flatten().copied().collect());
+        format!("{}\n", Value::Object(map))
+    }
+
+    /// Reads a file of the same scene, of so many atoms and numbers in a line of the series.
+    pub fn read(
+        text: &str,
+        scene: &TipScene,
+        atoms: usize,
+        width: usize,
+    ) -> Result<Self, CheckpointError> {
+        let value: Value = serde_json::from_str(text)
+            .map_err(|error| CheckpointError::Format(error.to_string()))?;
+        if value["tribos_tip"].as_u64() != Some(VERSION) {
+            let message = format!("not version {VERSION} of a tip");
+            return Err(CheckpointError::Format(message));
+        }
+        same_scene(&value["scene"], &scene.json())?;
+        let places = |name: &str| {
+            let places = vectors(&numbers(&value, name)?);
+            if places.len() == atoms {
+                Ok(places)
+            } else {
+                Err(damaged(name))
+            }
+        };
+        let series = numbers(&value, "series")?;
+        if series.is_empty() || !series.len().is_multiple_of(width) {
+            return Err(damaged("series"));
+        }
+        Ok(Self {
+            state: State {
+                steps: value["steps"].as_u64().ok_or_else(|| damaged("steps"))?,
+                positions: places("positions")?,
+                velocities: places("velocities")?,
+                reference: places("list")?,
+                thermostats: numbers(&value, "thermostats")?.as_chunks().0.to_vec(),
+            },
+            angles: numbers(&value, "angles")?,
+            series: series.chunks(width).map(<[f64]>::to_vec).collect(),
+        })
+    }
+}

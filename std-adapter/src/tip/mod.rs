@@ -1,0 +1,16 @@
+//! The tip on a substrate, turned by a torque (thesis, section 5.3): a [`scene::TipScene`] becomes a
+//! [`TipRun`], whose [`Outcome`] tells whether it turned back, where it locked in and which layers
+//! slipped.
+//!
+//! [`scene::TipScene`]: crate::scene::TipScene
+
+mod build;
+mod checkpoint;
+mod outcome;
+mod run;
+mod shape;
+
+pub use build::{BuildError, TipSystem, build};
+pub use outcome::{Outcome, Plateau, Verdict};
+pub use run::{TipError, TipRun};
+pub use shape::{LAYERS_OF_A_KIND, Outline, Part, Shape, Site};

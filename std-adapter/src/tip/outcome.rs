@@ -1,0 +1,188 @@
+//! What came out of a run: back or not, where it locked in, which layers slipped.
+
+use crate::record::json_number;
+use crate::scene::TipScene;
+use serde_json::{Value, json};
+
+/// Column of the driven layers' angle.
+const ANGLE: usize = 1;
+/// Times at the end of a stage over which angles are averaged, in τ.
+const END: f64 = 20.0;
+/// An angle below which the tip counts as turned back, in degrees. Thermal motion is a tenth of it.
+const BACK: f64 = 1.0;
+/// Two layers slipped if their angles differ by more, in degrees.
+const SLIPPED: f64 = 1.0;
+/// An angle is locked while it stays within this width, in degrees, ...
+const LOCKED_WIDTH: f64 = 1.0;
+/// ... for at least so long, in τ.
+const LOCKED_TIME: f64 = 15.0;
+
+/// Whether the driven layers turned back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// They did.
+    Reversible,
+    /// They did not.
+    Irreversible,
+    /// The run ended too early to tell.
+    Open,
+}
+
+/// A time during which the driven layers stood.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plateau {
+    /// In τ from the start of the drive.
+    pub from: f64,
+    /// The same.
+    pub to: f64,
+    /// Mean angle, in degrees.
+    pub angle: f64,
+}
+
+/// The result of a run. Angles in degrees, times in τ from the start of the drive.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// Whether it turned back.
+    pub verdict: Verdict,
+    /// Mean angle before the drive ended.
+    pub driven_angle: f64,
+    /// Largest angle.
+    pub largest_angle: f64,
+    /// Mean angle at the end.
+    pub final_angle: f64,
+    /// Mean angles of the tip's layers at the end, from below.
+    pub layer_angles: Vec<f64>,
+    /// Interfaces that slipped for good: 0 between substrate and tip, k above the tip's k-th layer.
+    pub slipped: Vec<usize>,
+    /// Interfaces that had slipped before the drive ended.
+    pub slipped_driven: Vec<usize>,
+    /// Where the driven layers stood while they were driven.
+    pub plateaus: Vec<Plateau>,
+    /// Mean temperature of the tip's bath while driven, ε/k_B.
+    pub tip_temperature: f64,
+    /// Lines of the series.
+    pub samples: usize,
+}
+
+impl Outcome {
+    /// Of a series whose angles of layers start at a column.
+    pub(super) fn of(scene: &TipScene, series: &[Vec<f64>], layers: usize) -> Self {
+        let [before, with, after] = scene.stage_steps();
+        let off = with as f64 * scene.time_step;
+        let end = (with + after) as f64 * scene.time_step;
+        let begin = -(before as f64) * scene.time_step;
+        let width = layers + scene.shape.tip_layers;
+        let driven = means(series, (off - END).max(0.0), off, width);
+        let last = means(series, (end - END).max(off), end, width);
+        let is_over = series.last().is_some_and(|line| line[0] >= end);
+        let on: Vec<[f64; 2]> = series
+            .iter()
+            .filter(|line| line[0] >= begin.max(0.0) && line[0] <= off)
+            .map(|line| [line[0], line[ANGLE]])
+            .collect();
+        let verdict = if !is_over {
+            Verdict::Open
+        } else if last[ANGLE].abs() < BACK {
+            Verdict::Reversible
+        } else {
+            Verdict::Irreversible
+        };
+        let largest = series.iter().map(|line| line[ANGLE]);
+        Self {
+            verdict,
+            driven_angle: driven[ANGLE],
+            largest_angle: largest.fold(
+                0.0,
+                |most: f64, x| if x.abs() > most.abs() { x } else { most },
+            ),
+            final_angle: last[ANGLE],
+            layer_angles: last[layers..].to_vec(),
+            slipped: slipped(&last[layers..]),
+            slipped_driven: slipped(&driven[layers..]),
+            plateaus: plateaus(&on),
+            tip_temperature: means(series, 0.0, off, width)[5],
+            samples: series.len(),
+        }
+    }
+
+    /// As JSON, with the scene.
+    pub fn json(&self, scene: &TipScene) -> Value {
+        let verdict = match self.verdict {
+            Verdict::Reversible => "reversible",
+            Verdict::Irreversible => "irreversible",
+            Verdict::Open => "open",
+        };
+        let plateau = |plateau: &Plateau| {
+            json!({
+                "from": json_number(plateau.from),
+                "to": json_number(plateau.to),
+                "angle_degrees": json_number(plateau.angle),
+            })
+        };
+        json!({
+            "scene": scene.json(),
+            "verdict": verdict,
+            "driven_angle_degrees": json_number(self.driven_angle),
+            "largest_angle_degrees": json_number(self.largest_angle),
+            "final_angle_degrees": json_number(self.final_angle),
+            "layer_angles_degrees": self.layer_angles.iter().copied().map(json_number).collect::<Vec<_>>(),
+            "slipped_interfaces": self.slipped,
+            "slipped_interfaces_while_driven": self.slipped_driven,
+            "plateaus": self.plateaus.iter().map(plateau).collect::<Vec<_>>(),
+            "tip_temperature": json_number(self.tip_temperature),
+            "samples": self.samples,
+        })
+    }
+}
+
+/// Means of all columns over a stretch of time; NaN where there is no line.
+fn means(series: &[Vec<f64>], from: f64, to: f64, width: usize) -> Vec<f64> {
+    let mut sums = vec![0.0; width];
+    let mut count = 0.0;
+    for line in series
+        .iter()
+        .filter(|line| line[0] >= from && line[0] <= to)
+    {
+        count += 1.0;
+        for (sum, value) in sums.iter_mut().zip(line) {
+            *sum += value;
+        }
+    }
+    sums.into_iter().map(|sum| sum / count).collect()
+}
+
+/// Interfaces across which the angles differ; the substrate stands.
+fn slipped(layers: &[f64]) -> Vec<usize> {
+    let below = std::iter::once(&0.0).chain(layers);
+    let is_slip = |(below, above): (&f64, &f64)| (above - below).abs() > SLIPPED;
+    let pairs = below.zip(layers).map(is_slip).enumerate();
+    pairs
+        .filter(|(_, is)| *is)
+        .map(|(index, _)| index)
+        .collect()
+}
+
+/// Longest stretches, one after another, in which the angle stays within a width.
+fn plateaus(curve: &[[f64; 2]]) -> Vec<Plateau> {
+    let mut found = Vec::new();
+    let mut start = 0;
+    while start < curve.len() {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        let stays = |[_, angle]: &&[f64; 2]| {
+            low = low.min(*angle);
+            high = high.max(*angle);
+            high - low <= LOCKED_WIDTH
+        };
+        let stretch: Vec<&[f64; 2]> = curve[start..].iter().take_while(stays).collect();
+        let [from, to] = [0, stretch.len() - 1].map(|at| stretch[at][0]);
+        if to - from >= LOCKED_TIME {
+            let sum: f64 = stretch.iter().map(|[_, angle]| angle).sum();
+            let angle = sum / stretch.len() as f64;
+            found.push(Plateau { from, to, angle });
+            start += stretch.len();
+        } else {
+            start += 1;
+        }
+    }
+    found
+}

@@ -1,0 +1,229 @@
+//! A tip on a substrate: (111) layers of a face-centred cubic crystal.
+
+use nalgebra::Vector3;
+
+/// Frozen and thermostatted layers of the substrate, driven and thermostatted ones of the tip.
+pub const LAYERS_OF_A_KIND: usize = 2;
+
+/// Outline of the tip's layers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outline {
+    /// A regular hexagon.
+    Hexagon,
+    /// A disk with the hexagon's corners on its rim.
+    Disk,
+    /// A hexagon that loses one atom a side from each layer to the one below.
+    Cone,
+}
+
+/// What a tip on a substrate is built from. Lengths in any unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shape {
+    /// Distance of neighbours d.
+    pub spacing: f64,
+    /// Atoms along x in a layer of the substrate, along the close-packed rows.
+    pub columns: usize,
+    /// Rows of the substrate along y, an even number.
+    pub rows: usize,
+    /// Layers of the substrate.
+    pub substrate_layers: usize,
+    /// Layers of the tip.
+    pub tip_layers: usize,
+    /// Atoms on a side of the tip's top layer.
+    pub side: usize,
+    /// Outline of its layers.
+    pub outline: Outline,
+    /// Angle by which the tip is turned about the vertical, in radians; 0 is in registry.
+    pub orientation: f64,
+    /// How much higher than in the crystal the driven layers stand.
+    pub raise: f64,
+}
+
+/// What an atom belongs to, from below (thesis, fig. 5.1, with its colours).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Black: held in place.
+    Base,
+    /// Green in the substrate: with a thermostat.
+    SubstrateBath,
+    /// Gray: free.
+    Surface,
+    /// Blue: free.
+    Apex,
+    /// Green in the tip: with a thermostat.
+    TipBath,
+    /// Red: driven.
+    Driven,
+}
+
+impl Part {
+    /// All, in the order of their numbers.
+    pub const ALL: [Self; 6] = [
+        Self::Base,
+        Self::SubstrateBath,
+        Self::Surface,
+        Self::Apex,
+        Self::TipBath,
+        Self::Driven,
+    ];
+
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Base => "base",
+            Self::SubstrateBath => "substrate bath",
+            Self::Surface => "surface",
+            Self::Apex => "apex",
+            Self::TipBath => "tip bath",
+            Self::Driven => "driven",
+        }
+    }
+}
+
+/// An atom of the crystal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Site {
+    /// Its place.
+    pub place: Vector3<f64>,
+    /// What it belongs to.
+    pub part: Part,
+    /// Its layer, from the lowest of the substrate.
+    pub layer: usize,
+}
+
+impl Shape {
+    /// Periods along x and y.
+    pub fn periods(&self) -> [f64; 2] {
+        [
+            self.columns as f64 * self.spacing,
+            self.rows as f64 * self.row_distance(),
+        ]
+    }
+
+    /// Where the tip's axis stands: on a site of the lowest layer next to the middle.
+    pub fn axis(&self) -> [f64; 2] {
+        // Even rows start at x = 0.
+        let row = self.rows / 2;
+        let start = if row.is_multiple_of(2) { 0.0 } else { 0.5 };
+        [
+            ((self.columns / 2) as f64 + start) * self.spacing,
+            row as f64 * self.row_distance(),
+        ]
+    }
+
+    /// Distance of two layers.
+    pub fn layer_distance(&self) -> f64 {
+        self.spacing * (2.0_f64 / 3.0).sqrt()
+    }
+
+    fn row_distance(&self) -> f64 {
+        0.5 * self.spacing * 3.0_f64.sqrt()
+    }
+
+    /// Number of layers.
+    pub fn layers(&self) -> usize {
+        self.substrate_layers + self.tip_layers
+    }
+
+    /// All atoms: the substrate's layers from below, then the tip's.
+    pub fn sites(&self) -> Vec<Site> {
+        let mut sites = Vec::new();
+        for layer in 0..self.layers() {
+            let part = self.part(layer);
+            let raise = if part == Part::Driven {
+                self.raise
+            } else {
+                0.0
+            };
+            let height = layer as f64 * self.layer_distance() + raise;
+            let places = if layer < self.substrate_layers {
+                self.substrate_layer(layer)
+            } else {
+                self.tip_layer(layer)
+            };
+            sites.extend(places.into_iter().map(|[x, y]| Site {
+                place: Vector3::new(x, y, height),
+                part,
+                layer,
+            }));
+        }
+        sites
+    }
+
+    /// What a layer belongs to.
+    pub fn part(&self, layer: usize) -> Part {
+        let from_top = self.layers() - 1 - layer;
+        if layer < LAYERS_OF_A_KIND {
+            Part::Base
+        } else if layer < 2 * LAYERS_OF_A_KIND {
+            Part::SubstrateBath
+        } else if layer < self.substrate_layers {
+            Part::Surface
+        } else if from_top < LAYERS_OF_A_KIND {
+            Part::Driven
+        } else if from_top < 2 * LAYERS_OF_A_KIND {
+            Part::TipBath
+        } else {
+            Part::Apex
+        }
+    }
+
+    /// From a site of the lowest layer to one of this layer above it: stacking ABC.
+    fn stacking(&self, layer: usize) -> f64 {
+        let step = self.spacing / 3.0_f64.sqrt();
+        match layer % 3 {
+            0 => 0.0,
+            1 => step,
+            _ => -step,
+        }
+    }
+
+    fn substrate_layer(&self, layer: usize) -> Vec<[f64; 2]> {
+        let [_, period] = self.periods();
+        let mut places = Vec::with_capacity(self.rows * self.columns);
+        for row in 0..self.rows {
+            let y = row as f64 * self.row_distance() + self.stacking(layer);
+            let y = if y < 0.0 { y + period } else { y };
+            let start = if row % 2 == 0 { 0.0 } else { 0.5 };
+            for column in 0..self.columns {
+                places.push([(column as f64 + start) * self.spacing, y]);
+            }
+        }
+        places
+    }
+
+    /// Sites of a layer round the axis, turned.
+    fn tip_layer(&self, layer: usize) -> Vec<[f64; 2]> {
+        let below_top = self.layers() - 1 - layer;
+        let side = match self.outline {
+            Outline::Cone => self.side - below_top.min(self.side - 1),
+            _ => self.side,
+        };
+        let (sin, cos) = libm::sincos(self.orientation);
+        let [x0, y0] = self.axis();
+        let place = |[x, y]: [f64; 2]| {
+            let y = y + self.stacking(layer);
+            [x0 + (cos * x - sin * y), y0 + (sin * x + cos * y)]
+        };
+        self.outlined(side).into_iter().map(place).collect()
+    }
+
+    /// Sites of a triangular lattice round the origin within an outline.
+    fn outlined(&self, side: usize) -> Vec<[f64; 2]> {
+        let reach = side as i64 - 1;
+        let is_inside = |q: i64, r: i64| match self.outline {
+            Outline::Disk => q * q + q * r + r * r <= reach * reach,
+            _ => q.abs().max(r.abs()).max((q + r).abs()) <= reach,
+        };
+        let mut places = Vec::new();
+        for r in -2 * reach..=2 * reach {
+            for q in -2 * reach..=2 * reach {
+                if is_inside(q, r) {
+                    let x = (q as f64 + 0.5 * r as f64) * self.spacing;
+                    places.push([x, r as f64 * self.row_distance()]);
+                }
+            }
+        }
+        places
+    }
+}
