@@ -11,7 +11,7 @@ mod tabulated;
 pub mod file;
 
 pub use sutton_chen::{SuttonChen, SuttonChenError, SuttonChenParameters};
-pub use tabulated::{ElementError, Tabulated};
+pub use tabulated::Tabulated;
 
 /// A function's value and its slope.
 type Jet = [f64; 2];

@@ -1,32 +1,11 @@
 //! Embedded atoms from tables.
 
-use super::file::PotentialFile;
+use super::file::{ElementError, PotentialFile};
 use super::spline::{Grid, Spline};
 use super::{Functions, Jet, PairJets, passes};
 use crate::md::interaction::{Interaction, Tally, Wanted};
 use crate::md::neighbours::VerletList;
 use nalgebra::Vector3;
-
-/// Species that a file does not know.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ElementError {
-    /// No such name.
-    #[error("there is no element `{name}` in the potential file, which has {}", known.join(", "))]
-    Name {
-        /// The name.
-        name: String,
-        /// Those in the file.
-        known: Vec<String>,
-    },
-    /// No such number.
-    #[error("there is no element number {number} in the potential file, which has {known}")]
-    Number {
-        /// Number of the element, from 1.
-        number: usize,
-        /// Number of elements in the file.
-        known: usize,
-    },
-}
 
 /// Embedded atoms whose functions come from a file, interpolated as LAMMPS does.
 ///
@@ -75,20 +54,6 @@ impl Tabulated {
             densities: of_elements(&|e| Spline::through(&file.densities[e], file.distance_step)),
             pairs: pairs.map(|(a, b)| pair(a, b)).collect(),
         })
-    }
-
-    /// One species for each name.
-    pub fn named(file: &PotentialFile, names: &[String]) -> Result<Self, ElementError> {
-        let number = |name: &String| {
-            let mut known = file.elements.iter();
-            let at = known.position(|element| element.name == *name);
-            at.ok_or_else(|| ElementError::Name {
-                name: name.clone(),
-                known: file.elements.iter().map(|e| e.name.clone()).collect(),
-            })
-        };
-        let elements: Vec<usize> = names.iter().map(number).collect::<Result<_, _>>()?;
-        Self::new(file, &elements)
     }
 }
 

@@ -36,7 +36,7 @@ pub(super) fn read(text: &str) -> Result<PotentialFile, TextError> {
     let pair = charge.iter().map(|&z| HARTREE_BOHR * z * z).collect();
     Ok(PotentialFile {
         elements: vec![Element {
-            name: format!("Z{number}"),
+            name: None,
             number,
             mass,
         }],

@@ -1,23 +1,15 @@
 //! Files of embedded-atom potentials in the formats of DYNAMO: `setfl` (`*.eam.alloy`) and `funcfl`
 //! (`*.eam`), as LAMMPS reads them.
 
+mod elements;
 mod funcfl;
 mod setfl;
 mod values;
 
+pub use elements::{Element, ElementError};
+
 use super::spline::FEWEST_KNOTS;
 use crate::md::text::{Line, Lines, TextError};
-
-/// An element of a potential file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Element {
-    /// Its name; a `funcfl` file has none but the atomic number.
-    pub name: String,
-    /// Atomic number.
-    pub number: u64,
-    /// Mass; in files for LAMMPS' metal units in g/mol.
-    pub mass: f64,
-}
 
 /// Tables of a potential, at knots from 0 on.
 #[derive(Clone, Debug, PartialEq)]

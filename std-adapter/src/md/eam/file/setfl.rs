@@ -28,6 +28,7 @@ pub(super) fn read(text: &str) -> Result<PotentialFile, TextError> {
     for name in names {
         let line = lines.need("the line of an element", CUT_SHORT)?;
         let (number, mass) = number_and_mass(line)?;
+        let name = Some(name);
         file.elements.push(Element { name, number, mass });
         let embedding = values(&mut lines, "the embedding energy", grids.density_knots)?;
         file.embeddings.push(embedding);

@@ -38,7 +38,15 @@ fn refused(number: usize, by: &str) -> String {
 #[test]
 fn tables_go_to_their_elements_and_pairs() {
     let file = read(&setfl()).unwrap();
-    assert_eq!(file.elements[1].name, "Ni");
+    let names = ["Ni", "Cu"].map(String::from);
+    assert_eq!(file.elements_of(Some(&names), 2), Ok(vec![1, 0]));
+    assert_eq!(file.elements_of(None, 2), Ok(vec![0, 1]));
+    let message = |names: Option<&[String]>| file.elements_of(names, 3).unwrap_err().to_string();
+    assert!(
+        message(Some(&["Ag".into()]))
+            .contains("no element `Ag` in the potential file, which has Cu, Ni")
+    );
+    assert!(message(None).contains("no element number 3"));
     assert_eq!(file.elements[1].mass, 58.7);
     assert_eq!(
         [file.embeddings[1][0], file.densities[1][5]],
