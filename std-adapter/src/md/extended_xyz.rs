@@ -77,6 +77,7 @@ fn frame(lines: &mut Lines) -> Result<Configuration, TextError> {
         ids,
         names,
         bounds,
+        has_box: header.bounds.is_some(),
         is_periodic: header.is_periodic,
         step: 0,
         forces: None,

@@ -19,27 +19,12 @@ use tribos::record::write_atomically;
 use units::Units;
 
 /// Forces, energy, virial and pressure of atoms as a file has them.
-///
-/// CONFIG is a LAMMPS data file (atom_style atomic), a LAMMPS text dump (its last frame) or extended
-/// XYZ (its last frame); the contents tell which. Boxes are orthogonal.
-///
-/// Writes forces.csv, with the columns id,fx,fy,fz in ascending order of the ids, and summary.json:
-///
-///   energy           potential energy
-///   kinetic_energy   of the velocities in the file, 0 without; masses from data or EAM files, else 1
-///   virial           xx, yy, zz, xy, xz, yz of the sum of r (x) F over pairs, an energy
-///   virial_trace     xx + yy + zz
-///   pressure         (2 kinetic_energy + virial_trace)/(3 volume), as LAMMPS' `press`
-///   pressure_tensor  its xx, yy, zz, xy, xz, yz
-///   volume           of the file's box, open axes from end to end
-///
-/// Units: lj is any consistent set, k_B = 1. metal is eV, angstrom, ps, g/mol and bar, converted with
-/// the numbers of LAMMPS (1 eV/A^3 = 1.6021765e6 bar, 1 g/mol A^2/ps^2 = 1.0364269e-4 eV).
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = EXAMPLES, verbatim_doc_comment)]
+#[command(after_long_help = MORE)]
 #[command(group(clap::ArgGroup::new("law").required(true).args(["pair", "eam"])))]
 pub struct Arguments {
-    /// File with the atoms.
+    /// Atoms: a LAMMPS data file (atom_style atomic), a LAMMPS text dump or extended XYZ, told by the
+    /// contents; of many frames the last. Boxes must be orthogonal.
     config: PathBuf,
     /// Lennard-Jones: lj:cutoff=R[,shift=none|energy|force][,mixing=geometric|arithmetic|sixthpower]
     /// and for species 1, 2 … [,epsilon11=E][,sigma11=S][,cutoff12=R]; epsilon10-2 from ten species on.
@@ -64,7 +49,20 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-const EXAMPLES: &str = "\
+const MORE: &str = "\
+Writes forces.csv, with the columns id,fx,fy,fz and the ids ascending, and summary.json with
+  energy           potential energy
+  kinetic_energy   of the velocities in the file, 0 without; masses are those of the data file or of
+                   the EAM file, else 1
+  virial           xx, yy, zz, xy, xz, yz of the sum of r (x) F over pairs, an energy
+  virial_trace     xx + yy + zz
+  pressure         (2 kinetic_energy + virial_trace)/(3 volume), which is LAMMPS' `press`
+  pressure_tensor  its xx, yy, zz, xy, xz, yz
+  volume           of the box in the file, open axes from end to end
+
+Units: lj is any consistent set with k_B = 1; metal is eV, angstrom, ps, g/mol and bar, converted with
+the numbers of LAMMPS (1 eV/A^3 = 1.6021765e6 bar, 1 g/mol A^2/ps^2 = 1.0364269e-4 eV).
+
 Examples:
   A LAMMPS data file, truncated at 2.5 sigma:
     tribos eval melt.data --pair lj:cutoff=2.5 --out out/melt
@@ -85,6 +83,12 @@ impl Arguments {
         let mut atoms = configuration::read(&text(&self.config)?)
             .map_err(|error| in_file(&self.config, error))?;
         if let Some(boundary) = &self.boundary {
+            if !atoms.has_box && boundary.is_periodic.contains(&true) {
+                return Err(in_file(
+                    &self.config,
+                    "a periodic axis needs its length: give Lattice in the second line",
+                ));
+            }
             atoms.is_periodic = boundary.is_periodic;
         }
         let (potential, units) = self.potential(&mut atoms)?;

@@ -30,7 +30,7 @@ pub fn failure(list: &mut VerletList, ids: &[u64]) -> Failure {
             pair.sort_unstable();
             let [first, second] = pair;
             Failure::input(format!(
-                "atoms {first} and {second} are {distance:e} apart, too near: the forces are not \
+                "atoms {first} and {second} are {distance:?} apart, too near: the forces are not \
                  finite; move them apart or take one away"
             ))
         }

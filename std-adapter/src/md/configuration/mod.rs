@@ -22,6 +22,8 @@ pub struct Configuration {
     pub names: Option<Vec<String>>,
     /// Ends of the box, low and high, along x, y and z.
     pub bounds: [[f64; 2]; 3],
+    /// False where the file has no box: its ends are then those of the places.
+    pub has_box: bool,
     /// Axes along which space repeats; a LAMMPS data file does not tell, then all.
     pub is_periodic: [bool; 3],
     /// Step at which the state was, 0 where the file does not tell.

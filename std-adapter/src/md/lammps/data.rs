@@ -62,6 +62,7 @@ impl Reader {
                 ids: Vec::new(),
                 names: None,
                 bounds: header.bounds,
+                has_box: true,
                 is_periodic: [true; 3],
                 step: 0,
                 forces: None,

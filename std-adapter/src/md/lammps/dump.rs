@@ -128,6 +128,7 @@ impl Head {
             ids: Vec::new(),
             names: None,
             bounds,
+            has_box: true,
             is_periodic,
             step: self.step,
             forces: columns.forces.map(|_| Vec::new()),
