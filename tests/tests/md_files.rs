@@ -108,7 +108,7 @@ fn wrong_data_is_refused_by_its_line() {
     says(
         2,
         "3 atoms",
-        &["line 17", "an atom is missing", "Atoms needs 3 lines"],
+        &["line 16", "an atom is missing", "Atoms needs 3 lines"],
     );
     says(
         2,
