@@ -21,12 +21,15 @@ fn eval(out: &Path, arguments: &[&str]) -> Result<(i32, String), Box<dyn std::er
     Ok((code, String::from_utf8(output.stderr)?))
 }
 
-/// Ids and forces of a CSV table.
-fn forces(path: &Path) -> Result<Vec<(u64, [f64; 3])>, Box<dyn std::error::Error>> {
+/// Id of an atom and the force on it.
+type Row = (u64, [f64; 3]);
+
+/// The rows of a CSV table.
+fn forces(path: &Path) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
     let text = std::fs::read_to_string(path)?;
     let mut lines = text.lines().skip_while(|line| line.starts_with('#'));
     assert_eq!(lines.next(), Some("id,fx,fy,fz"));
-    let row = |line: &str| -> Result<_, Box<dyn std::error::Error>> {
+    let row = |line: &str| -> Result<Row, Box<dyn std::error::Error>> {
         let cells: Vec<&str> = line.split(',').collect();
         Ok((
             cells[0].parse()?,
@@ -40,7 +43,7 @@ fn forces(path: &Path) -> Result<Vec<(u64, [f64; 3])>, Box<dyn std::error::Error
 fn compare(out: &Path, case: &str) -> Outcome {
     let ours = forces(&out.join("forces.csv"))?;
     let theirs = forces(&PathBuf::from(table(&format!("{case}.csv"))))?;
-    let ids = |rows: &[(u64, [f64; 3])]| rows.iter().map(|row| row.0).collect::<Vec<_>>();
+    let ids = |rows: &[Row]| rows.iter().map(|row| row.0).collect::<Vec<_>>();
     assert_eq!(ids(&ours), ids(&theirs));
     let largest = theirs
         .iter()

@@ -44,6 +44,7 @@ fn a_force_is_the_slope_of_the_energy() {
         let (forces, _) = computed(&all, law.as_ref());
         let largest = forces.iter().map(Vector3::norm).fold(0.0, f64::max);
         for atom in [0, 7, 123, 320, 499] {
+            let force = forces[all.ids[atom] as usize - 1];
             for axis in 0..3 {
                 let energy = |way: f64| {
                     let mut moved = all.clone();
@@ -54,8 +55,7 @@ fn a_force_is_the_slope_of_the_energy() {
                 let wide = (energy(2.0 * STEP) - energy(-2.0 * STEP)) / (4.0 * STEP);
                 let narrow = (energy(STEP) - energy(-STEP)) / (2.0 * STEP);
                 let slope = (4.0 * narrow - wide) / 3.0;
-                let id = all.ids[atom] as usize - 1;
-                let off = (slope + forces[id][axis]).abs() / largest;
+                let off = (slope + force[axis]).abs() / largest;
                 assert!(off < 1e-8, "atom {atom}, axis {axis}: {off:.1e}");
             }
         }
@@ -77,8 +77,7 @@ fn by_definition(all: &Configuration, given: &SuttonChenParameters) -> f64 {
     let mut energy = 0.0;
     for (i, a) in places.iter().enumerate() {
         let mut density = 0.0;
-        for (j, b) in places.iter().enumerate().filter(|&(j, _)| j != i) {
-            let _ = j;
+        for (_, b) in places.iter().enumerate().filter(|&(j, _)| j != i) {
             let mut way = b - a;
             for axis in 0..3 {
                 if let Some(length) = lengths[axis] {

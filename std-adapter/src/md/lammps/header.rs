@@ -12,20 +12,11 @@ pub(super) struct Header {
     pub bounds: [[f64; 2]; 3],
 }
 
-const SECTIONS: [&str; 6] = [
-    "Masses",
-    "Atoms",
-    "Velocities",
-    "Pair Coeffs",
-    "PairIJ Coeffs",
-    "Atom Type Labels",
-];
-
-/// The name of a section, if the line begins one; `other` for those that hold no atoms.
+/// The name of a section, if the line begins one: all else begins with a number.
 pub(super) fn section(line: Line<'_>) -> Option<&str> {
     let text = line.without_comment().text;
     let is_named = text.starts_with(|c: char| c.is_ascii_alphabetic());
-    (is_named || SECTIONS.contains(&text)).then_some(text)
+    is_named.then_some(text)
 }
 
 impl Header {
