@@ -60,7 +60,7 @@ fn tables_go_to_their_elements_and_pairs() {
 fn a_charge_becomes_a_pair_energy() {
     let text = "Cu\n29 63.5 3.6 fcc\n6 0.5 7 1.0 4.5\n1 2 3 4 5 6\n7 6 5 4 3 2 1\n0 0 0 0 0 0 9";
     let file = PotentialFile::read(text).unwrap();
-    assert_eq!(file.pair(0, 0)[1], 27.2 * 0.529 * 36.0);
+    assert_eq!(file.pair(0, 0)[1], 27.2 * 0.529 * 6.0 * 6.0);
     assert_eq!([file.embeddings[0].len(), file.densities[0].len()], [5, 6]);
 }
 
