@@ -26,7 +26,7 @@ impl Units {
         }
     }
 
-    /// Pressure of a unit of energy in a unit of volume; LAMMPS' number, 7e-8 below that of the SI.
+    /// Pressure of a unit of energy in a unit of volume; LAMMPS' number, 8e-8 below that of the SI.
     pub fn pressure_of_energy(self) -> f64 {
         match self {
             Self::Lj => 1.0,
