@@ -4,6 +4,7 @@
 //! this crate computes friction except [`rim_mean`] and [`tilted`], oracles of their own; all others are
 //! the tables of `tables/` or formulas of the test that uses them.
 
+pub mod atoms;
 pub mod contacts;
 pub mod cross;
 pub mod fuzz;

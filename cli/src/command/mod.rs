@@ -2,6 +2,7 @@
 
 mod columns;
 mod deposit;
+mod eval;
 mod golden;
 mod inverse;
 mod laws;
@@ -34,6 +35,8 @@ pub enum Command {
     Run(run::Arguments),
     /// Ballistic deposits of spheres: grown, exported, their porosity.
     Deposit(deposit::Arguments),
+    /// Forces, energy and pressure of atoms as a file has them.
+    Eval(eval::Arguments),
     /// Results of scenes pinned to the bit, and checked on other machines or later.
     Golden(golden::Arguments),
     /// A powder compacted for all combinations of some keys and seeds.
@@ -52,6 +55,7 @@ impl Command {
             Self::Inverse(arguments) => arguments.execute(),
             Self::Run(arguments) => arguments.execute(),
             Self::Deposit(arguments) => arguments.execute(),
+            Self::Eval(arguments) => arguments.execute(),
             Self::Golden(arguments) => arguments.execute(),
             Self::Sweep(arguments) => arguments.execute(),
             Self::Reproduce(arguments) => arguments.execute(),

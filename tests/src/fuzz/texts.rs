@@ -146,6 +146,7 @@ fn judged(read: Result<Scene, SceneError>) -> Result<(), Broken> {
                 Scene::Disk(scene) => scene.json(),
                 Scene::Planar(scene) => scene.json(),
                 Scene::Powder(scene) => scene.json(),
+                Scene::Tip(scene) => scene.json(),
             };
             let text = json.to_string();
             match ["\"nan\"", "\"inf\"", "\"-inf\""]

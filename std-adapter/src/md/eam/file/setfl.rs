@@ -1,0 +1,69 @@
+//! `setfl`: three lines of comment, the names, the grids, then F and ρ of each element and rφ of each
+//! pair.
+
+use super::values::{end, values};
+use super::{Element, Grids, PotentialFile, number_and_mass};
+use crate::md::atoms::MOST_SPECIES;
+use crate::md::text::{Lines, TextError};
+
+const CUT_SHORT: &str = "is the file cut short?";
+
+pub(super) fn read(text: &str) -> Result<PotentialFile, TextError> {
+    let mut lines = Lines::new(text);
+    for _ in 0..3 {
+        lines.need("a line of comment", CUT_SHORT)?;
+    }
+    let names = names(&mut lines)?;
+    let grids = Grids::read(&mut lines)?;
+    let mut file = PotentialFile {
+        elements: Vec::new(),
+        cutoff: grids.cutoff,
+        density_step: grids.density_step,
+        distance_step: grids.distance_step,
+        embeddings: Vec::new(),
+        densities: Vec::new(),
+        pairs: Vec::new(),
+    };
+    let pairs = names.len() * (names.len() + 1) / 2;
+    for name in names {
+        let line = lines.need("the line of an element", CUT_SHORT)?;
+        let (number, mass) = number_and_mass(line)?;
+        let name = Some(name);
+        file.elements.push(Element { name, number, mass });
+        let embedding = values(&mut lines, "the embedding energy", grids.density_knots)?;
+        file.embeddings.push(embedding);
+        let density = values(&mut lines, "the density", grids.distance_knots)?;
+        file.densities.push(density);
+    }
+    for _ in 0..pairs {
+        let pair = values(&mut lines, "the pair energy", grids.distance_knots)?;
+        file.pairs.push(pair);
+    }
+    end(&mut lines)?;
+    Ok(file)
+}
+
+/// The line `count name name …`.
+fn names(lines: &mut Lines) -> Result<Vec<String>, TextError> {
+    const WHAT: &str = "the line of elements";
+    let line = lines.need(WHAT, CUT_SHORT)?;
+    let words = line.words();
+    let Some((&first, names)) = words.split_first() else {
+        return Err(line.missing(WHAT, "give their number and names, as in `2 Cu Ni`"));
+    };
+    let count = line.whole("the number of elements", 1..=MOST_SPECIES as u64, first)?;
+    if names.len() as u64 != count {
+        let valid = format!("{count} names after their number");
+        return Err(line.invalid(WHAT, valid, line.text.trim()));
+    }
+    for (index, name) in names.iter().enumerate() {
+        if names[..index].contains(name) {
+            return Err(TextError::Twice {
+                line: line.number,
+                what: "the element",
+                given: (*name).into(),
+            });
+        }
+    }
+    Ok(names.iter().map(|&name| name.into()).collect())
+}

@@ -1,0 +1,188 @@
+//! The closed form of Sutton & Chen (1990), Philos. Mag. Lett. 61, 139.
+
+use super::{Functions, Jet, PairJets, passes};
+use crate::md::interaction::{Interaction, Tally, Wanted};
+use crate::md::neighbours::VerletList;
+use nalgebra::Vector3;
+
+/// E = ε (Σ (a/r)ⁿ S over pairs − c Σ √ρᵢ), ρᵢ = Σ (a/r)ᵐ S. Any consistent units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SuttonChenParameters {
+    /// Scale of the energy, > 0.
+    pub epsilon: f64,
+    /// Scale of the length, commonly the lattice constant, > 0.
+    pub a: f64,
+    /// Depth of the embedding, > 0.
+    pub c: f64,
+    /// Exponent of the repulsion, > m.
+    pub n: u32,
+    /// Exponent of the density, ≥ 1.
+    pub m: u32,
+    /// Where all ends.
+    pub cutoff: f64,
+    /// Where the taper S begins, 0 < `taper` < `cutoff`; nearer, the functions are as published.
+    pub taper: f64,
+}
+
+/// Parameters that make no potential.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum SuttonChenError {
+    /// A number is not finite and positive.
+    #[error("{name} must be finite and positive, not {given}")]
+    Parameter {
+        /// Name of the field.
+        name: &'static str,
+        /// What was given.
+        given: f64,
+    },
+    /// The exponents would not repel at short range.
+    #[error("the exponents must be n > m >= 1 and n <= {MOST}, not n = {n} and m = {m}", MOST = MOST_EXPONENT)]
+    Exponents {
+        /// Exponent of the repulsion.
+        n: u32,
+        /// Exponent of the density.
+        m: u32,
+    },
+    /// There is no room for the taper.
+    #[error("the taper must begin before the cut-off {cutoff}, not at {taper}")]
+    Taper {
+        /// Where it begins.
+        taper: f64,
+        /// The cut-off.
+        cutoff: f64,
+    },
+}
+
+/// Largest exponent; published ones end at 14.
+const MOST_EXPONENT: u32 = 64;
+
+/// One species after Sutton & Chen.
+///
+/// The sums of the original run over the whole lattice. Here (a/r)ⁿ and (a/r)ᵐ are multiplied by
+/// S = (1 − x)³ (1 + 3x + 6x²), x = (r − taper)/(cutoff − taper): 1 up to the taper, 0 at the cut-off,
+/// with two continuous derivatives. Energy and force are continuous everywhere, the force also for a
+/// lone pair that parts, whose density has a root: it ends as the root of the way that is left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SuttonChen {
+    given: SuttonChenParameters,
+    cutoff_sq: f64,
+}
+
+impl SuttonChen {
+    /// Checks the parameters.
+    pub fn new(given: SuttonChenParameters) -> Result<Self, SuttonChenError> {
+        let SuttonChenParameters {
+            epsilon,
+            a,
+            c,
+            n,
+            m,
+            cutoff,
+            taper,
+        } = given;
+        for (name, given) in [
+            ("epsilon", epsilon),
+            ("a", a),
+            ("c", c),
+            ("cutoff", cutoff),
+            ("taper", taper),
+        ] {
+            if !given.is_finite() || given <= 0.0 {
+                return Err(SuttonChenError::Parameter { name, given });
+            }
+        }
+        if m == 0 || n <= m || n > MOST_EXPONENT {
+            return Err(SuttonChenError::Exponents { n, m });
+        }
+        if taper >= cutoff {
+            return Err(SuttonChenError::Taper { taper, cutoff });
+        }
+        let cutoff_sq = cutoff * cutoff;
+        Ok(Self { given, cutoff_sq })
+    }
+
+    /// The parameters.
+    pub fn parameters(&self) -> &SuttonChenParameters {
+        &self.given
+    }
+
+    /// S.
+    #[inline]
+    fn taper(&self, r: f64) -> Jet {
+        let inv_width = 1.0 / (self.given.cutoff - self.given.taper);
+        let x = (r - self.given.taper) * inv_width;
+        if x <= 0.0 {
+            return [1.0, 0.0];
+        }
+        // At the cut-off rounding may leave less than nothing.
+        let left = (1.0 - x).max(0.0);
+        let value = left * left * left * (1.0 + 3.0 * x + 6.0 * x * x);
+        [value, -30.0 * x * x * left * left * inv_width]
+    }
+
+    /// (a/r)ᵏ S.
+    #[inline]
+    fn tapered_power(&self, k: u32, r: f64, [s, ds]: Jet) -> Jet {
+        let power = power(self.given.a / r, k);
+        [power * s, power * (ds - f64::from(k) / r * s)]
+    }
+}
+
+impl Functions for SuttonChen {
+    #[inline]
+    fn cutoff_sq(&self) -> f64 {
+        self.cutoff_sq
+    }
+
+    #[inline]
+    fn densities(&self, _: [u8; 2], r: f64) -> [f64; 2] {
+        [self.tapered_power(self.given.m, r, self.taper(r))[0]; 2]
+    }
+
+    #[inline]
+    fn pair(&self, _: [u8; 2], r: f64) -> PairJets {
+        let taper = self.taper(r);
+        let repulsion = self.tapered_power(self.given.n, r, taper);
+        let energy = repulsion.map(|part| self.given.epsilon * part);
+        ([self.tapered_power(self.given.m, r, taper); 2], energy)
+    }
+
+    #[inline]
+    fn embedding(&self, _: u8, density: f64) -> Jet {
+        // An atom without neighbours feels nothing, though the root's slope is infinite there.
+        if density == 0.0 {
+            return [0.0; 2];
+        }
+        let depth = -self.given.epsilon * self.given.c;
+        let root = density.sqrt();
+        [depth * root, 0.5 * depth / root]
+    }
+}
+
+impl Interaction for SuttonChen {
+    fn cutoff(&self) -> f64 {
+        self.given.cutoff
+    }
+
+    fn species(&self) -> usize {
+        1
+    }
+
+    fn forces(&self, list: &mut VerletList, onto: &mut [Vector3<f64>], wanted: Wanted) -> Tally {
+        passes::forces(self, list, onto, wanted)
+    }
+}
+
+/// xᵏ by squaring.
+#[inline]
+fn power(mut x: f64, mut k: u32) -> f64 {
+    let mut product = 1.0;
+    while k > 0 {
+        if k & 1 == 1 {
+            product *= x;
+        }
+        x *= x;
+        k >>= 1;
+    }
+    product
+}

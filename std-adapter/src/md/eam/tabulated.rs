@@ -1,0 +1,115 @@
+//! Embedded atoms from tables.
+
+use super::file::{ElementError, PotentialFile};
+use super::spline::{Grid, Spline};
+use super::{Functions, Jet, PairJets, passes};
+use crate::md::interaction::{Interaction, Tally, Wanted};
+use crate::md::neighbours::VerletList;
+use nalgebra::Vector3;
+
+/// Embedded atoms whose functions come from a file, interpolated as LAMMPS does.
+///
+/// *Domain*: distances above 0. *Special values*: densities beyond the table continue F in a straight
+/// line; atoms in the same place give NaN. *Accuracy*: a few ulp of what LAMMPS computes.
+#[derive(Clone, Debug)]
+pub struct Tabulated {
+    cutoff: f64,
+    cutoff_sq: f64,
+    distances: Grid,
+    charges: Grid,
+    /// Where the table of F ends.
+    densest: f64,
+    /// F of each species.
+    embeddings: Vec<Spline>,
+    /// What each species puts at others.
+    densities: Vec<Spline>,
+    /// rφ of each pair of species.
+    pairs: Vec<Spline>,
+}
+
+impl Tabulated {
+    /// One species for each element, which are numbers in the file from 0.
+    pub fn new(file: &PotentialFile, elements: &[usize]) -> Result<Self, ElementError> {
+        let known = file.elements.len();
+        if let Some(&beyond) = elements.iter().find(|&&element| element >= known) {
+            let number = beyond + 1;
+            return Err(ElementError::Number { number, known });
+        }
+        let of_elements = |table: &dyn Fn(usize) -> Spline| -> Vec<Spline> {
+            elements.iter().map(|&element| table(element)).collect()
+        };
+        let pair = |a: usize, b: usize| Spline::through(file.pair(a, b), file.distance_step);
+        let pairs = elements
+            .iter()
+            .flat_map(|&a| elements.iter().map(move |&b| (a, b)));
+        let knots = |tables: &[Vec<f64>]| tables.first().map_or(2, Vec::len);
+        let densest = file.density_step * (knots(&file.embeddings) - 1) as f64;
+        Ok(Self {
+            cutoff: file.cutoff,
+            cutoff_sq: file.cutoff * file.cutoff,
+            distances: Grid::new(file.distance_step, knots(&file.densities)),
+            charges: Grid::new(file.density_step, knots(&file.embeddings)),
+            densest,
+            embeddings: of_elements(&|e| Spline::through(&file.embeddings[e], file.density_step)),
+            densities: of_elements(&|e| Spline::through(&file.densities[e], file.distance_step)),
+            pairs: pairs.map(|(a, b)| pair(a, b)).collect(),
+        })
+    }
+}
+
+impl Functions for Tabulated {
+    #[inline]
+    fn cutoff_sq(&self) -> f64 {
+        self.cutoff_sq
+    }
+
+    #[inline]
+    fn densities(&self, [a, b]: [u8; 2], r: f64) -> [f64; 2] {
+        let spot = self.distances.spot(r);
+        let by_b = self.densities[usize::from(b)].value(spot);
+        if a == b {
+            return [by_b; 2];
+        }
+        [by_b, self.densities[usize::from(a)].value(spot)]
+    }
+
+    #[inline]
+    fn pair(&self, [a, b]: [u8; 2], r: f64) -> PairJets {
+        let spot = self.distances.spot(r);
+        let [a, b] = [usize::from(a), usize::from(b)];
+        let by_b = self.densities[b].jet(spot);
+        let by_a = if a == b {
+            by_b
+        } else {
+            self.densities[a].jet(spot)
+        };
+        let [product, slope] = self.pairs[a * self.densities.len() + b].jet(spot);
+        let inv = 1.0 / r;
+        let energy = product * inv;
+        ([by_b, by_a], [energy, slope * inv - energy * inv])
+    }
+
+    #[inline]
+    fn embedding(&self, species: u8, density: f64) -> Jet {
+        let [energy, slope] = self.embeddings[usize::from(species)].jet(self.charges.spot(density));
+        if density > self.densest {
+            [energy + slope * (density - self.densest), slope]
+        } else {
+            [energy, slope]
+        }
+    }
+}
+
+impl Interaction for Tabulated {
+    fn cutoff(&self) -> f64 {
+        self.cutoff
+    }
+
+    fn species(&self) -> usize {
+        self.densities.len()
+    }
+
+    fn forces(&self, list: &mut VerletList, onto: &mut [Vector3<f64>], wanted: Wanted) -> Tally {
+        passes::forces(self, list, onto, wanted)
+    }
+}

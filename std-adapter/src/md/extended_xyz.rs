@@ -1,0 +1,136 @@
+//! Reading extended XYZ, as ASE and OVITO write it; orthogonal cells.
+
+mod header;
+
+use super::atoms::{Atoms, MOST_SPECIES};
+use super::configuration::Configuration;
+use super::text::{Line, Lines, TextError};
+use header::Header;
+use nalgebra::Vector3;
+use std::collections::HashSet;
+
+const CUT_SHORT: &str = "is the file cut short?";
+
+/// The last frame of a file; all before it must be readable.
+///
+/// Columns `species` and `pos` are needed, `vel` (or `velo`, `velocities`) and `id` are read where
+/// they stand, others passed over. Species that are all numbers from 1 keep them, names are numbered
+/// in the order of their first appearance. Masses are 1. Without `Lattice` all axes are open and the
+/// box is as large as the atoms need.
+pub fn last_frame(text: &str) -> Result<Configuration, TextError> {
+    let mut lines = Lines::new(text);
+    let mut last = None;
+    loop {
+        while lines.peek().is_some_and(|line| line.text.trim().is_empty()) {
+            lines.next();
+        }
+        match (lines.peek(), last) {
+            (None, Some(frame)) => return Ok(frame),
+            _ => last = Some(frame(&mut lines)?),
+        }
+    }
+}
+
+fn frame(lines: &mut Lines) -> Result<Configuration, TextError> {
+    let line = lines.need("the number of atoms", "is the file empty?")?;
+    let most = u64::from(u32::MAX);
+    let count = line.whole("the number of atoms", 0..=most, line.text.trim())?;
+    let line = lines.need("the line of properties", CUT_SHORT)?;
+    let header = Header::read(line)?;
+    let mut atoms = Atoms::at(Vec::new());
+    let (mut ids, mut names) = (Vec::new(), Vec::new());
+    let mut seen = HashSet::new();
+    for index in 0..count {
+        let line = lines.need("an atom", CUT_SHORT)?;
+        let words = line.words();
+        if words.len() != header.count {
+            let valid = format!("{} columns as in Properties", header.count);
+            return Err(line.invalid("a line of an atom", valid, line.text));
+        }
+        atoms
+            .positions
+            .push(vector(line, "a coordinate", &words, header.place)?);
+        let velocity = header
+            .velocity
+            .map(|at| vector(line, "a velocity", &words, at));
+        let velocity = velocity.transpose()?.unwrap_or_else(Vector3::zeros);
+        atoms.velocities.push(velocity);
+        names.push((line, words[header.species]));
+        let id = match header.id {
+            Some(at) => line.whole("the number of an atom", 0..=u64::MAX, words[at])?,
+            None => index + 1,
+        };
+        if !seen.insert(id) {
+            return Err(TextError::Twice {
+                line: line.number,
+                what: "atom",
+                given: id.to_string(),
+            });
+        }
+        ids.push(id);
+    }
+    let names = number_species(&mut atoms, &names)?;
+    atoms.check()?;
+    let bounds = header.bounds.unwrap_or_else(|| extent(&atoms.positions));
+    Ok(Configuration {
+        atoms,
+        ids,
+        names,
+        bounds,
+        has_box: header.bounds.is_some(),
+        is_periodic: header.is_periodic,
+        step: 0,
+        forces: None,
+    })
+}
+
+/// Three words from a column on.
+fn vector(
+    line: Line,
+    what: &'static str,
+    words: &[&str],
+    from: usize,
+) -> Result<Vector3<f64>, TextError> {
+    let [x, y, z] = [0, 1, 2].map(|axis| line.number(what, words[from + axis]));
+    Ok(Vector3::new(x?, y?, z?))
+}
+
+/// Gives every atom its species; the names unless they are numbers.
+fn number_species(
+    atoms: &mut Atoms,
+    words: &[(Line, &str)],
+) -> Result<Option<Vec<String>>, TextError> {
+    let range = 1..=MOST_SPECIES;
+    let number = |(_, word): &(Line, &str)| word.parse().ok().filter(|n| range.contains(n));
+    let numbers: Option<Vec<usize>> = words.iter().map(number).collect();
+    if let Some(numbers) = numbers {
+        let most = numbers.iter().max().copied().unwrap_or(1);
+        atoms.species = numbers.iter().map(|number| (number - 1) as u8).collect();
+        atoms.masses = vec![1.0; most];
+        return Ok(None);
+    }
+    let mut names: Vec<String> = Vec::new();
+    for &(line, word) in words {
+        let known = names.iter().position(|name| name == word);
+        let species = known.unwrap_or(names.len());
+        if known.is_none() {
+            names.push(word.into());
+        }
+        if species >= MOST_SPECIES {
+            let valid = format!("one of at most {MOST_SPECIES}");
+            return Err(line.invalid("the species", valid, word));
+        }
+        atoms.species.push(species as u8);
+    }
+    atoms.masses = vec![1.0; names.len()];
+    Ok(Some(names))
+}
+
+/// From the lowest to the highest place along each axis.
+fn extent(places: &[Vector3<f64>]) -> [[f64; 2]; 3] {
+    std::array::from_fn(|axis| {
+        let mut along = places.iter().map(|place| place[axis]);
+        let first = along.next().unwrap_or(0.0);
+        along.fold([first; 2], |[low, high], x| [low.min(x), high.max(x)])
+    })
+}

@@ -1,0 +1,58 @@
+//! Which column of a dump holds what.
+
+use crate::md::text::{Line, TextError};
+
+/// Places of the columns that matter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Columns {
+    pub count: usize,
+    pub id: usize,
+    pub species: usize,
+    pub place: [usize; 3],
+    /// The places are parts of the box.
+    pub is_scaled: bool,
+    /// Image flags, where the places are wrapped.
+    pub images: Option<[usize; 3]>,
+    pub velocity: Option<[usize; 3]>,
+    pub forces: Option<[usize; 3]>,
+}
+
+/// Names of places, the best first: whether they are parts of the box, whether they are wrapped.
+const PLACES: [([&str; 3], bool, bool); 4] = [
+    (["xu", "yu", "zu"], false, false),
+    (["x", "y", "z"], false, true),
+    (["xsu", "ysu", "zsu"], true, false),
+    (["xs", "ys", "zs"], true, true),
+];
+
+impl Columns {
+    pub fn new(item: Line, names: &[&str]) -> Result<Self, TextError> {
+        let find = |name: &str| names.iter().position(|given| *given == name);
+        let three = |names: [&str; 3]| match names.map(find) {
+            [Some(x), Some(y), Some(z)] => Some([x, y, z]),
+            _ => None,
+        };
+        let need = |name: &'static str| {
+            let cure = || format!("dump it: ITEM: ATOMS names the columns {}", names.join(" "));
+            find(name).ok_or_else(|| item.missing(name, cure()))
+        };
+        let mut places = PLACES.iter();
+        let place = places.find_map(|&(names, is_scaled, is_wrapped)| {
+            three(names).map(|place| (place, is_scaled, is_wrapped))
+        });
+        let (place, is_scaled, is_wrapped) = place.ok_or_else(|| {
+            let cure = "dump x y z, xu yu zu, xs ys zs or xsu ysu zsu";
+            item.missing("a place", cure)
+        })?;
+        Ok(Self {
+            count: names.len(),
+            id: need("id")?,
+            species: need("type")?,
+            place,
+            is_scaled,
+            images: three(["ix", "iy", "iz"]).filter(|_| is_wrapped),
+            velocity: three(["vx", "vy", "vz"]),
+            forces: three(["fx", "fy", "fz"]),
+        })
+    }
+}

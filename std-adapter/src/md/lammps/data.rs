@@ -1,0 +1,208 @@
+//! Reading a data file.
+
+use super::header::{Header, section};
+use crate::md::atoms::Atoms;
+use crate::md::configuration::Configuration;
+use crate::md::text::{Line, Lines, TextError};
+use nalgebra::Vector3;
+use std::collections::HashMap;
+
+/// The atoms of a data file (`atom_style atomic`), periodic along all axes, which the file does not
+/// tell. Image flags move an atom by whole periods.
+pub fn read_data(text: &str) -> Result<Configuration, TextError> {
+    let mut lines = Lines::new(text);
+    let header = Header::read(&mut lines)?;
+    let mut reader = Reader::new(header);
+    while let Some(line) = lines.next() {
+        match section(line) {
+            Some("Masses") => reader.masses(&mut lines)?,
+            Some("Atoms") => reader.atoms(line, &mut lines)?,
+            Some("Velocities") => reader.velocities(&mut lines)?,
+            // Parameters of potentials, which are given elsewhere.
+            Some("Pair Coeffs" | "PairIJ Coeffs") => while body(&mut lines).is_some() {},
+            Some(other) => {
+                return Err(TextError::Unsupported {
+                    line: line.number,
+                    what: format!("the section `{other}`"),
+                    cure: "known are Masses, Atoms and Velocities; write the file with atom_style atomic",
+                });
+            }
+            None if line.without_comment().text.is_empty() => {}
+            None => {
+                let valid = "the name of a section: Masses, Atoms or Velocities";
+                return Err(line.invalid("what follows a section", valid, line.text.trim()));
+            }
+        }
+    }
+    reader.finish(lines)
+}
+
+/// The next line of a section; none at its end.
+fn body<'a>(lines: &mut Lines<'a>) -> Option<Line<'a>> {
+    lines.skip_blank();
+    let line = lines.peek().filter(|&line| section(line).is_none())?;
+    lines.next();
+    Some(line.without_comment())
+}
+
+struct Reader {
+    header: Header,
+    configuration: Configuration,
+    index_of: HashMap<u64, usize>,
+}
+
+impl Reader {
+    fn new(header: Header) -> Self {
+        let mut atoms = Atoms::at(Vec::new());
+        atoms.masses = vec![1.0; header.species];
+        Self {
+            header,
+            configuration: Configuration {
+                atoms,
+                ids: Vec::new(),
+                names: None,
+                bounds: header.bounds,
+                has_box: true,
+                is_periodic: [true; 3],
+                step: 0,
+                forces: None,
+            },
+            index_of: HashMap::new(),
+        }
+    }
+
+    fn species(&self, line: Line, word: &str) -> Result<usize, TextError> {
+        let range = 1..=self.header.species as u64;
+        Ok(line.whole("the type", range, word)? as usize - 1)
+    }
+
+    fn masses(&mut self, lines: &mut Lines) -> Result<(), TextError> {
+        let mut is_given = vec![false; self.header.species];
+        for _ in 0..self.header.species {
+            let Some(line) = body(lines) else {
+                return Err(cut(lines, "a mass", self.header.species, "Masses"));
+            };
+            let words = line.words();
+            let &[species, mass] = words.as_slice() else {
+                return Err(line.invalid("a line of Masses", "TYPE MASS", line.text));
+            };
+            let index = self.species(line, species)?;
+            if std::mem::replace(&mut is_given[index], true) {
+                return Err(twice(line, "the mass of type", species));
+            }
+            self.configuration.atoms.masses[index] = line.positive("the mass", mass)?;
+        }
+        Ok(())
+    }
+
+    fn atoms(&mut self, heading: Line, lines: &mut Lines) -> Result<(), TextError> {
+        if let Some((_, style)) = heading.text.split_once('#')
+            && style.trim() != "atomic"
+        {
+            return Err(TextError::Unsupported {
+                line: heading.number,
+                what: format!("the atom style `{}`", style.trim()),
+                cure: "write the file with atom_style atomic",
+            });
+        }
+        if !self.configuration.ids.is_empty() {
+            return Err(twice(heading, "the section", "Atoms"));
+        }
+        for _ in 0..self.header.atoms {
+            let Some(line) = body(lines) else {
+                return Err(cut(lines, "an atom", self.header.atoms, "Atoms"));
+            };
+            self.atom(line)?;
+        }
+        Ok(())
+    }
+
+    fn atom(&mut self, line: Line) -> Result<(), TextError> {
+        let words = line.words();
+        let &[id, species, x, y, z, ref flags @ ..] = words.as_slice() else {
+            return Err(wrong_atom(line));
+        };
+        if !matches!(flags.len(), 0 | 3) {
+            return Err(wrong_atom(line));
+        }
+        let number = line.whole("the number of an atom", 1..=u64::MAX, id)?;
+        let index = self.configuration.ids.len();
+        if self.index_of.insert(number, index).is_some() {
+            return Err(twice(line, "atom", id));
+        }
+        let mut place = vector(line, "a coordinate", [x, y, z])?;
+        let lengths = self.configuration.lengths();
+        for (axis, flag) in flags.iter().enumerate() {
+            let images: i32 = flag
+                .parse()
+                .map_err(|_| line.invalid("an image flag", "a whole number", flag))?;
+            if images != 0 {
+                place[axis] += f64::from(images) * lengths[axis];
+            }
+        }
+        let species = self.species(line, species)? as u8;
+        self.configuration.ids.push(number);
+        self.configuration.atoms.positions.push(place);
+        self.configuration.atoms.velocities.push(Vector3::zeros());
+        self.configuration.atoms.species.push(species);
+        Ok(())
+    }
+
+    fn velocities(&mut self, lines: &mut Lines) -> Result<(), TextError> {
+        let mut is_given = vec![false; self.configuration.ids.len()];
+        for _ in 0..self.header.atoms {
+            let Some(line) = body(lines) else {
+                return Err(cut(lines, "a velocity", self.header.atoms, "Velocities"));
+            };
+            let words = line.words();
+            let &[id, x, y, z] = words.as_slice() else {
+                return Err(line.invalid("a line of Velocities", "ID VX VY VZ", line.text));
+            };
+            let number = line.whole("the number of an atom", 1..=u64::MAX, id)?;
+            let Some(&index) = self.index_of.get(&number) else {
+                let valid = "that of an atom in the section Atoms, which stands before";
+                return Err(line.invalid("the number of an atom", valid, id));
+            };
+            if std::mem::replace(&mut is_given[index], true) {
+                return Err(twice(line, "the velocity of atom", id));
+            }
+            self.configuration.atoms.velocities[index] = vector(line, "a velocity", [x, y, z])?;
+        }
+        Ok(())
+    }
+
+    fn finish(self, mut lines: Lines) -> Result<Configuration, TextError> {
+        if self.configuration.ids.len() != self.header.atoms {
+            lines.need("the section Atoms", "is the file cut short?")?;
+        }
+        self.configuration.atoms.check()?;
+        Ok(self.configuration)
+    }
+}
+
+pub(super) fn vector(
+    line: Line,
+    what: &'static str,
+    words: [&str; 3],
+) -> Result<Vector3<f64>, TextError> {
+    let [x, y, z] = words.map(|word| line.number(what, word));
+    Ok(Vector3::new(x?, y?, z?))
+}
+
+fn twice(line: Line, what: &'static str, given: &str) -> TextError {
+    TextError::Twice {
+        line: line.number,
+        what,
+        given: given.into(),
+    }
+}
+
+fn cut(lines: &mut Lines, what: &'static str, count: usize, section: &str) -> TextError {
+    let cure = format!("{section} needs {count} lines");
+    lines.here().missing(what, cure)
+}
+
+fn wrong_atom(line: Line) -> TextError {
+    let valid = "ID TYPE X Y Z, and three image flags or none (atom_style atomic)";
+    line.invalid("a line of Atoms", valid, line.text)
+}

@@ -1,0 +1,190 @@
+//! Reading text dumps.
+
+use super::bounds::{bounds, tilted};
+use super::columns::Columns;
+use super::data::vector;
+use crate::md::atoms::{Atoms, MOST_SPECIES};
+use crate::md::configuration::Configuration;
+use crate::md::text::{Line, Lines, TextError};
+use nalgebra::Vector3;
+use std::collections::HashSet;
+
+const CUT_SHORT: &str = "is the file cut short?";
+
+/// All frames of a dump, in order. Columns may stand in any order; needed are `id`, `type` and one
+/// of `xu yu zu`, `x y z`, `xsu ysu zsu`, `xs ys zs`; velocities, forces and image flags are read
+/// where they stand, other columns passed over. A dump has no masses: all are 1.
+pub fn frames(text: &str) -> impl Iterator<Item = Result<Configuration, TextError>> {
+    let mut lines = Lines::new(text);
+    let mut is_over = false;
+    std::iter::from_fn(move || {
+        while lines.peek().is_some_and(|line| line.text.trim().is_empty()) {
+            lines.next();
+        }
+        if is_over || lines.peek().is_none() {
+            return None;
+        }
+        let frame = frame(&mut lines);
+        is_over = frame.is_err();
+        Some(frame)
+    })
+}
+
+/// The last frame of a dump; all before it must be readable.
+pub fn last_frame(text: &str) -> Result<Configuration, TextError> {
+    let mut last = None;
+    for frame in frames(text) {
+        last = Some(frame?);
+    }
+    last.ok_or_else(|| {
+        Lines::new("")
+            .here()
+            .missing("a frame", "is the file empty?")
+    })
+}
+
+fn frame(lines: &mut Lines) -> Result<Configuration, TextError> {
+    let mut head = Head::default();
+    loop {
+        let line = lines.need("ITEM: ATOMS", CUT_SHORT)?;
+        let Some(item) = line.text.trim().strip_prefix("ITEM:") else {
+            return Err(line.invalid("what follows an item", "a line `ITEM: …`", line.text));
+        };
+        let words: Vec<&str> = item.split_whitespace().collect();
+        match words.as_slice() {
+            ["TIMESTEP"] => head.step = count(lines, "the step", u64::MAX)?,
+            ["NUMBER", "OF", "ATOMS"] => {
+                head.atoms = Some(count(lines, "the number of atoms", u64::from(u32::MAX))?);
+            }
+            ["BOX", "BOUNDS", flags @ ..] => head.read_box(line, flags, lines)?,
+            // Units and time say nothing that matters here.
+            ["UNITS" | "TIME"] => {
+                lines.need("what follows an item", CUT_SHORT)?;
+            }
+            ["ATOMS", columns @ ..] => {
+                let columns = Columns::new(line, columns)?;
+                return head.atoms(line, &columns, lines);
+            }
+            _ => {
+                return Err(TextError::Unsupported {
+                    line: line.number,
+                    what: format!("`{}`", line.text.trim()),
+                    cure: "known are TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS and ATOMS",
+                });
+            }
+        }
+    }
+}
+
+/// A whole number on a line of its own.
+fn count(lines: &mut Lines, what: &'static str, most: u64) -> Result<u64, TextError> {
+    let line = lines.need(what, CUT_SHORT)?;
+    line.whole(what, 0..=most, line.text.trim())
+}
+
+/// What a frame says before its atoms.
+#[derive(Default)]
+struct Head {
+    step: u64,
+    atoms: Option<u64>,
+    space: Option<([[f64; 2]; 3], [bool; 3])>,
+}
+
+impl Head {
+    fn read_box(&mut self, item: Line, flags: &[&str], lines: &mut Lines) -> Result<(), TextError> {
+        let is_periodic = match flags {
+            // Old dumps do not tell.
+            [] => [true; 3],
+            &[x, y, z] => [x, y, z].map(|flag| flag == "pp"),
+            _ => return Err(tilted(item)),
+        };
+        let mut ends = [[0.0; 2]; 3];
+        for ends in &mut ends {
+            let line = lines.need("an axis of the box", CUT_SHORT)?;
+            match line.words().as_slice() {
+                &[low, high] => *ends = bounds(line, low, high)?,
+                [_, _, _] => return Err(tilted(line)),
+                _ => return Err(line.invalid("an axis of the box", "LOW HIGH", line.text)),
+            }
+        }
+        self.space = Some((ends, is_periodic));
+        Ok(())
+    }
+
+    fn atoms(
+        self,
+        item: Line,
+        columns: &Columns,
+        lines: &mut Lines,
+    ) -> Result<Configuration, TextError> {
+        let before = |what: &str| format!("give ITEM: {what} before ITEM: ATOMS");
+        let count = self.atoms;
+        let count = count.ok_or_else(|| item.missing("their number", before("NUMBER OF ATOMS")))?;
+        let (bounds, is_periodic) = self
+            .space
+            .ok_or_else(|| item.missing("the box", before("BOX BOUNDS")))?;
+        let mut all = Configuration {
+            atoms: Atoms::at(Vec::new()),
+            ids: Vec::new(),
+            names: None,
+            bounds,
+            has_box: true,
+            is_periodic,
+            step: self.step,
+            forces: columns.forces.map(|_| Vec::new()),
+        };
+        let mut seen = HashSet::new();
+        for _ in 0..count {
+            let line = lines.need("an atom", CUT_SHORT)?;
+            atom(&mut all, columns, line)?;
+            if let Some(id) = all.ids.last().filter(|&&id| !seen.insert(id)) {
+                return Err(TextError::Twice {
+                    line: line.number,
+                    what: "atom",
+                    given: id.to_string(),
+                });
+            }
+        }
+        let species = all.atoms.species.iter().max();
+        all.atoms.masses = vec![1.0; species.map_or(1, |&most| usize::from(most) + 1)];
+        all.atoms.check()?;
+        Ok(all)
+    }
+}
+
+fn atom(all: &mut Configuration, columns: &Columns, line: Line) -> Result<(), TextError> {
+    let words = line.words();
+    if words.len() != columns.count {
+        let valid = format!("{} columns as in ITEM: ATOMS", columns.count);
+        return Err(line.invalid("a line of an atom", valid, line.text));
+    }
+    let three = |what, at: [usize; 3]| vector(line, what, at.map(|column| words[column]));
+    let id = line.whole("the number of an atom", 1..=u64::MAX, words[columns.id])?;
+    let kinds = 1..=MOST_SPECIES as u64;
+    let species = line.whole("the type", kinds, words[columns.species])?;
+    let mut place = three("a coordinate", columns.place)?;
+    let lengths = all.lengths();
+    if columns.is_scaled {
+        for axis in 0..3 {
+            place[axis] = all.bounds[axis][0] + place[axis] * lengths[axis];
+        }
+    }
+    if let Some(flags) = columns.images {
+        let images = three("an image flag", flags)?;
+        for axis in 0..3 {
+            if images[axis] != 0.0 {
+                place[axis] += images[axis] * lengths[axis];
+            }
+        }
+    }
+    let velocity = columns.velocity.map(|at| three("a velocity", at));
+    all.ids.push(id);
+    all.atoms.species.push(species as u8 - 1);
+    all.atoms.positions.push(place);
+    let velocity = velocity.transpose()?.unwrap_or_else(Vector3::zeros);
+    all.atoms.velocities.push(velocity);
+    if let (Some(forces), Some(at)) = (&mut all.forces, columns.forces) {
+        forces.push(three("a force", at)?);
+    }
+    Ok(())
+}

@@ -1,0 +1,180 @@
+//! Text files line by line: words as numbers, refusals that name the line and what would be valid.
+
+use super::atoms::AtomsError;
+
+/// What is wrong with a file, and where.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum TextError {
+    /// A word that means something else or nothing.
+    #[error("line {line}: {what} must be {valid}, not `{given}`")]
+    Value {
+        /// Line, from 1.
+        line: usize,
+        /// What the word stands for.
+        what: &'static str,
+        /// What would be valid.
+        valid: String,
+        /// What was given.
+        given: String,
+    },
+    /// The file ends, or a line does, before something that is needed.
+    #[error("line {line}: {what} is missing; {cure}")]
+    Missing {
+        /// Line, from 1, where it should have been.
+        line: usize,
+        /// What is missing.
+        what: &'static str,
+        /// What to do.
+        cure: String,
+    },
+    /// Something valid in other programs.
+    #[error("line {line}: {what} cannot be read; {cure}")]
+    Unsupported {
+        /// Line, from 1.
+        line: usize,
+        /// What it is.
+        what: String,
+        /// What to do.
+        cure: &'static str,
+    },
+    /// The same thing twice.
+    #[error("line {line}: {what} {given} stands here for the second time")]
+    Twice {
+        /// Line, from 1.
+        line: usize,
+        /// What it is.
+        what: &'static str,
+        /// Which one.
+        given: String,
+    },
+    /// The atoms make no sense; they are numbered in the order of the file.
+    #[error(transparent)]
+    Atoms(#[from] AtomsError),
+}
+
+/// A line with its number, from 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line<'a> {
+    pub number: usize,
+    pub text: &'a str,
+}
+
+impl<'a> Line<'a> {
+    /// Without what follows a `#`, and without blanks at the ends.
+    pub fn without_comment(self) -> Self {
+        let text = self.text.split('#').next().unwrap_or_default().trim();
+        Self { text, ..self }
+    }
+
+    pub fn words(self) -> Vec<&'a str> {
+        self.text.split_whitespace().collect()
+    }
+
+    /// A finite number.
+    pub fn number(self, what: &'static str, word: &str) -> Result<f64, TextError> {
+        let number = word.parse::<f64>().ok().filter(|number| number.is_finite());
+        number.ok_or_else(|| self.invalid(what, "a finite number", word))
+    }
+
+    /// A finite number > 0.
+    pub fn positive(self, what: &'static str, word: &str) -> Result<f64, TextError> {
+        let number = self.number(what, word)?;
+        if number > 0.0 {
+            Ok(number)
+        } else {
+            Err(self.invalid(what, "a number > 0", word))
+        }
+    }
+
+    /// A whole number in a range.
+    pub fn whole(
+        self,
+        what: &'static str,
+        range: std::ops::RangeInclusive<u64>,
+        word: &str,
+    ) -> Result<u64, TextError> {
+        let number = word.parse().ok().filter(|number| range.contains(number));
+        number.ok_or_else(|| {
+            let valid = match *range.end() {
+                u64::MAX => format!("a whole number >= {}", range.start()),
+                end => format!("a whole number from {} to {end}", range.start()),
+            };
+            self.invalid(what, valid, word)
+        })
+    }
+
+    pub fn invalid(self, what: &'static str, valid: impl Into<String>, given: &str) -> TextError {
+        TextError::Value {
+            line: self.number,
+            what,
+            valid: valid.into(),
+            given: given.into(),
+        }
+    }
+
+    pub fn missing(self, what: &'static str, cure: impl Into<String>) -> TextError {
+        TextError::Missing {
+            line: self.number,
+            what,
+            cure: cure.into(),
+        }
+    }
+}
+
+/// The lines of a file, one after another.
+#[derive(Clone, Debug)]
+pub(super) struct Lines<'a> {
+    lines: std::iter::Peekable<std::iter::Enumerate<std::str::Lines<'a>>>,
+    last: usize,
+}
+
+impl<'a> Lines<'a> {
+    pub fn new(text: &'a str) -> Self {
+        Self {
+            lines: text.lines().enumerate().peekable(),
+            last: 0,
+        }
+    }
+
+    /// The next line, whatever it holds; `what` it should have been if there is none.
+    pub fn need(&mut self, what: &'static str, cure: &str) -> Result<Line<'a>, TextError> {
+        let here = self.here();
+        self.next().ok_or_else(|| here.missing(what, cure))
+    }
+
+    /// The next line, or an empty one behind the last.
+    pub fn here(&mut self) -> Line<'a> {
+        let number = self.last + 1;
+        self.peek().unwrap_or(Line { number, text: "" })
+    }
+
+    /// The next line, which stays.
+    pub fn peek(&mut self) -> Option<Line<'a>> {
+        self.lines.peek().map(|&(index, text)| Line {
+            number: index + 1,
+            text,
+        })
+    }
+
+    /// Passes over lines that are blank or all comment.
+    pub fn skip_blank(&mut self) {
+        while let Some(line) = self.peek()
+            && line.without_comment().text.is_empty()
+        {
+            self.next();
+        }
+    }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = Line<'a>;
+
+    fn next(&mut self) -> Option<Line<'a>> {
+        let (index, text) = self.lines.next()?;
+        self.last = index + 1;
+        Some(Line {
+            number: self.last,
+            text,
+        })
+    }
+}
