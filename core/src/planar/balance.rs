@@ -127,8 +127,9 @@ impl<R: Real> Balance<'_, R> {
     fn motion(&self, node: &Node<R>, e: &Vector3<f64>, smoothing: f64) -> [f64; 3] {
         let [x, y] = self.place(node);
         let u = [e.x - e.z * y, e.y + e.z * x];
-        let speed = u[0].hypot(u[1]);
-        [u[0], u[1], speed.hypot(smoothing)]
+        // By the trait's name: the method's could be that of the platform.
+        let speed = Real::hypot(Real::hypot(u[0], u[1]), smoothing);
+        [u[0], u[1], speed]
     }
 
     /// φ
