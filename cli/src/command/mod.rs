@@ -3,6 +3,7 @@
 mod columns;
 mod deposit;
 mod eval;
+mod export;
 mod golden;
 mod inverse;
 mod laws;
@@ -37,6 +38,8 @@ pub enum Command {
     Deposit(deposit::Arguments),
     /// Forces, energy and pressure of atoms as a file has them.
     Eval(eval::Arguments),
+    /// A scene as files of another program.
+    Export(export::Arguments),
     /// Results of scenes pinned to the bit, and checked on other machines or later.
     Golden(golden::Arguments),
     /// A powder compacted for all combinations of some keys and seeds.
@@ -56,6 +59,7 @@ impl Command {
             Self::Run(arguments) => arguments.execute(),
             Self::Deposit(arguments) => arguments.execute(),
             Self::Eval(arguments) => arguments.execute(),
+            Self::Export(arguments) => arguments.execute(),
             Self::Golden(arguments) => arguments.execute(),
             Self::Sweep(arguments) => arguments.execute(),
             Self::Reproduce(arguments) => arguments.execute(),

@@ -22,7 +22,8 @@ use tribos::slide::{self, COLUMNS, SlideRun};
 /// Of a powder: series.svg and .png, packing.svg and .png (spheres before and after, the forces),
 /// and both states as initial and final .xyz (OVITO, ASE), .vtp and -contacts.vtp (ParaView).
 ///
-/// Of a tip: angles.svg and .png (angles of the layers over time), tip.svg and .png (the atoms).
+/// Of a tip: angles.svg and .png (angles of the layers over time), tip.svg and .png (the atoms),
+/// initial.data and final.data (LAMMPS, OVITO; types are the parts from below).
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = examples())]
 pub struct Arguments {

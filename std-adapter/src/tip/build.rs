@@ -155,7 +155,7 @@ fn warm(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms: &mut Atoms) 
 }
 
 /// The torque of the second stage.
-fn drive(scene: &TipScene, sites: &[Site]) -> TorqueDrive {
+pub(super) fn drive(scene: &TipScene, sites: &[Site]) -> TorqueDrive {
     let axis = scene.shape.axis();
     let arm = |site: &Site| libm::hypot(site.place.x - axis[0], site.place.y - axis[1]);
     let arms = || {

@@ -6,6 +6,7 @@
 
 mod build;
 mod checkpoint;
+pub mod export;
 mod outcome;
 mod run;
 mod shape;

@@ -43,6 +43,7 @@ pub struct TipRun {
     scene: TipScene,
     system: System<LennardJones>,
     layer_of: Vec<usize>,
+    part_of: Vec<u8>,
     /// Driven atoms, then each layer of the tip from below.
     torsions: Vec<Torsion>,
     series: Vec<Vec<f64>>,
@@ -53,7 +54,9 @@ impl TipRun {
     pub fn new(scene: &TipScene) -> Result<Self, TipError> {
         let TipSystem { setup, layer_of } = build(scene)?;
         let torsions = torsions(scene, &layer_of, &setup.atoms.positions);
+        let part_of = setup.group_of.clone();
         let mut run = Self {
+            part_of,
             system: System::new(setup)?,
             scene: scene.clone(),
             layer_of,
@@ -74,6 +77,7 @@ impl TipRun {
             torsion.restore(angle);
         }
         Ok(Self {
+            part_of: setup.group_of.clone(),
             system: System::resume(setup, kept.state)?,
             scene: scene.clone(),
             layer_of,
@@ -100,6 +104,11 @@ impl TipRun {
     /// Layer of each atom, from the lowest of the substrate.
     pub fn layers(&self) -> &[usize] {
         &self.layer_of
+    }
+
+    /// Part of each atom, as a number in [`Part::ALL`].
+    pub fn parts(&self) -> &[u8] {
+        &self.part_of
     }
 
     /// Names of the columns: times in τ from the start of the drive, angles in degrees, those of

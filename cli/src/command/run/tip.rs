@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 use tribos::record::{series_csv, write_atomically};
 use tribos::run::drive_watched;
 use tribos::scene::TipScene;
+use tribos::tip::export;
 use tribos::tip::{Outcome, TipError, TipRun, Verdict};
 
 pub use picture::series;
@@ -54,12 +55,18 @@ pub fn write_series(run: &TipRun, out: &Path) -> Result<(), Failure> {
     Ok(write_atomically(&out.join("series.csv"), csv.as_bytes())?)
 }
 
-/// Writes series, pictures, the final state and at last the summary.
+/// Writes series, pictures, the first and the last state and at last the summary.
 pub fn write(scene: &TipScene, run: &TipRun, out: &Path) -> Result<(), Failure> {
     let outcome = run.outcome();
     write_series(run, out)?;
     image::write_both(out, "angles", &series(scene, run, &outcome))?;
     image::write_both(out, "tip", &picture::both_ends(scene, run)?)?;
+    let start = export::start(scene).map_err(Failure::input)?;
+    write_atomically(&out.join("initial.data"), start.data.as_bytes())?;
+    let atoms = run.system().atoms();
+    let velocities = run.system().velocities_on_step();
+    let end = export::data(scene, &atoms.positions, &velocities, run.parts());
+    write_atomically(&out.join("final.data"), end.as_bytes())?;
     let summary = format!("{:#}\n", outcome.json(scene));
     Ok(write_atomically(
         &out.join("summary.json"),

@@ -208,18 +208,3 @@ impl VerletList {
         farthest.sqrt() + second.sqrt() > self.skin
     }
 }
-
-/// Adds what the chunks hold for their slots to the atoms, chunk after chunk.
-pub fn gather<const N: usize>(
-    chunks: &[Chunk],
-    per_atom: &mut [[f64; N]],
-    of: impl Fn(&Chunk) -> &[[f64; N]],
-) {
-    for chunk in chunks {
-        for (slot, part) in chunk.window().iter().zip(of(chunk)) {
-            for (sum, part) in per_atom[slot.atom as usize].iter_mut().zip(part) {
-                *sum += part;
-            }
-        }
-    }
-}
