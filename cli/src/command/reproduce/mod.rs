@@ -25,19 +25,20 @@ mod runs;
 mod stopping;
 mod stress;
 mod tilted;
+mod tip;
 
 use crate::failure::Failure;
 use crate::report::image;
 use crate::report::page::{Claim, FigureRef, Page, Section, Verdict};
-use Maker::{Alone, Compacting};
+use Maker::{Alone, Running};
 use exhibit::Exhibit;
 use runs::{Effort, Runs};
 use std::path::{Path, PathBuf};
 use tribos::record::{series_csv, write_atomically};
 
 /// Reproduce the results of the thesis on friction laws and coupled friction (chapters 2 and 3,
-/// section 5.1 and appendix A) and on the compaction of cohesive powders (chapter 4): every figure
-/// and table as CSV, SVG and PNG, and index.html with the thesis' claims, our numbers and the
+/// section 5.1 and appendix A), on the compaction of cohesive powders (chapter 4) and on torsion
+/// friction of atoms (section 5.3): every figure and table as CSV, SVG and PNG, and index.html with the thesis' claims, our numbers and the
 /// difference.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
@@ -47,8 +48,8 @@ pub struct Arguments {
     out: Option<PathBuf>,
     /// What to reproduce, such as 3.4 or table-3.1; everything if left out.
     names: Vec<String>,
-    /// Compact powders for everything that the thesis shows (4.6, 4.7, table 4.1), not for a sample
-    /// of it: ten to twenty minutes instead of one.
+    /// Simulate everything that the thesis shows (4.6, 4.7, table 4.1, 5.2), not a sample of it: about
+    /// an hour instead of a minute.
     #[arg(long)]
     full: bool,
     /// List the names and stop.
@@ -68,15 +69,15 @@ Examples:
 enum Maker {
     /// In a moment.
     Alone(fn() -> Result<Exhibit, Failure>),
-    /// From compactions that exhibits share.
-    Compacting(fn(&Runs) -> Result<Exhibit, Failure>),
+    /// From simulations, quick or full; compactions are shared.
+    Running(fn(&Runs) -> Result<Exhibit, Failure>),
 }
 
 impl Maker {
     fn make(self, runs: &Runs) -> Result<Exhibit, Failure> {
         match self {
             Self::Alone(make) => make(),
-            Self::Compacting(make) => make(runs),
+            Self::Running(make) => make(runs),
         }
     }
 }
@@ -103,11 +104,16 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("4.2", Alone(contact_exhibits::figure_4_2)),
     ("4.3", Alone(contact_exhibits::figure_4_3)),
     ("4.5", Alone(deposit::figure_4_5)),
-    ("4.6", Compacting(packing::figure_4_6)),
-    ("4.7", Compacting(porosity::figure_4_7)),
-    ("table-4.1", Compacting(stress::table_4_1)),
-    ("5.1", Alone(pressure::section_5_1)),
-    ("5.1-modes", Alone(pressure_modes::section_5_1_modes)),
+    ("4.6", Running(packing::figure_4_6)),
+    ("4.7", Running(porosity::figure_4_7)),
+    ("table-4.1", Running(stress::table_4_1)),
+    ("section-5.1", Alone(pressure::section_5_1)),
+    (
+        "section-5.1-modes",
+        Alone(pressure_modes::section_5_1_modes),
+    ),
+    ("5.1", Alone(tip::figure_5_1)),
+    ("5.2", Running(tip::figure_5_2)),
     ("appendix-a", Alone(odd::appendix_a)),
 ];
 
@@ -158,7 +164,7 @@ fn chosen(names: &[String]) -> Result<Vec<(&'static str, Maker)>, Failure> {
     }
     let plain = |name: &str| {
         let lower = name.to_lowercase().replace(['-', '_', ' '], "");
-        ["figure", "fig", "section"]
+        ["figure", "fig"]
             .iter()
             .fold(lower, |name, word| name.replace(word, ""))
     };
@@ -183,8 +189,7 @@ fn chosen(names: &[String]) -> Result<Vec<(&'static str, Maker)>, Failure> {
 /// Writes the exhibit's files and makes its section of the page.
 fn write_exhibit(out: &Path, name: &str, exhibit: Exhibit) -> Result<Section, Failure> {
     let stem = match name.chars().next() {
-        Some('2' | '3' | '4') => format!("figure-{name}"),
-        Some('5') => format!("section-{name}"),
+        Some('2'..='5') => format!("figure-{name}"),
         _ => name.to_owned(),
     };
     let rows = exhibit.rows.iter().map(Vec::as_slice);
@@ -279,7 +284,8 @@ fn page(sections: Vec<Section>) -> Page {
                 .into(),
             "Chapter 4 compacts cohesive powders of spheres with rolling and torsion friction. What \
              it does not state about its simulations decides some of its numbers; where ours differ \
-             for that reason, the row says so and names what decides."
+             for that reason, the row says so and names what decides. Section 5.3 turns a tip of \
+             atoms on a substrate until it slips."
                 .into(),
             "Here F and T come from one hypergeometric formula for every real α > −1 and every \
              pressure (1−r²)^q. Each section shows the thesis' figure computed anew, with the \

@@ -13,7 +13,7 @@ use tribos::scene::TipScene;
 use tribos::tip::export;
 use tribos::tip::{Outcome, TipError, TipRun, Verdict};
 
-pub use picture::series;
+pub use picture::{atoms, series};
 
 /// Runs the scene to its end; a checkpoint in the folder is renewed after every `pause`.
 pub fn simulate(
