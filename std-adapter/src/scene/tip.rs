@@ -104,6 +104,8 @@ const USUAL_FRICTION: f64 = 1.0;
 const SETTLING: f64 = 50.0;
 const RETURN: f64 = 100.0;
 const SAMPLE_STEPS: f64 = 100.0;
+/// Three stages of so many steps are counted without rounding; a run takes years.
+const MOST_STEPS: f64 = 1e15;
 const FIRST_SEED: f64 = 1.0;
 
 impl TipScene {
@@ -174,6 +176,7 @@ impl TipScene {
         let seed = take.or(SEED, FIRST_SEED) as u64;
         let samples = take.or(SAMPLES, SAMPLE_STEPS) as u64;
         check_fit(&mut take, &shape, cutoff, skin);
+        check_steps(&mut take, stages, time_step);
         take.reader.finish(Self {
             shape,
             lambda,
@@ -272,12 +275,28 @@ fn check_fit(take: &mut Taker, shape: &Shape, cutoff: f64, skin: f64) {
         return;
     }
     let [x, y] = shape.periods();
-    let width = 2.0 * (shape.side as f64 - 1.0) * shape.spacing;
+    // Corners of two layers that are stacked to either side of the axis, however the tip is turned.
+    let aside = shape.spacing / 3.0_f64.sqrt();
+    let width = 2.0 * ((shape.side as f64 - 1.0) * shape.spacing + aside);
     for (key, period) in [(COLUMNS, x), (ROWS, y)] {
         let least = (width + cutoff).max(2.0 * cutoff).max(cutoff + skin);
         if period < least {
             let message = format!(
                 "`{}`: the period is {period:.3} sigma, but tip and cut-off need {least:.3}",
+                key.name
+            );
+            take.reader.object(key.name, message);
+        }
+    }
+}
+
+/// Every stage must have a number of steps that can be counted.
+fn check_steps(take: &mut Taker, stages: [f64; 3], time_step: f64) {
+    for (key, time) in [EQUILIBRATION, DRIVE, REST].into_iter().zip(stages) {
+        let steps = time / time_step;
+        if steps > MOST_STEPS {
+            let message = format!(
+                "`{}` is {steps:e} steps of `time_step`, more than {MOST_STEPS:e}",
                 key.name
             );
             take.reader.object(key.name, message);

@@ -1,5 +1,6 @@
 //! A run of the tip as a file.
 
+use super::shape::Part;
 use crate::md::system::State;
 use crate::record::CheckpointError;
 use crate::record::kept::{damaged, hex, numbers, same_scene, triple, vectors};
@@ -58,27 +59,36 @@ impl Checkpoint {
             return Err(CheckpointError::Format(message));
         }
         same_scene(&value["scene"], &scene.json())?;
-        let places = |name: &str| {
-            let places = vectors(&numbers(&value, name)?);
-            if places.len() == atoms {
-                Ok(places)
+        let finite = |name: &str, count: usize| {
+            let numbers = numbers(&value, name)?;
+            if numbers.len() == count && numbers.iter().all(|number| number.is_finite()) {
+                Ok(numbers)
             } else {
                 Err(damaged(name))
             }
         };
+        let places = |name: &str| Ok(vectors(&finite(name, 3 * atoms)?));
+        let steps = value["steps"].as_u64().ok_or_else(|| damaged("steps"))?;
+        let last: u64 = scene.stage_steps().into_iter().sum();
+        if steps > last {
+            return Err(damaged("steps"));
+        }
+        // One line at the start and one after every stretch of steps.
+        let lines = 1 + steps.div_ceil(scene.samples);
         let series = numbers(&value, "series")?;
-        if series.is_empty() || !series.len().is_multiple_of(width) {
+        if !series.len().is_multiple_of(width) || (series.len() / width) as u64 != lines {
             return Err(damaged("series"));
         }
+        let thermostats = finite("thermostats", 2 * Part::ALL.len())?;
         Ok(Self {
             state: State {
-                steps: value["steps"].as_u64().ok_or_else(|| damaged("steps"))?,
+                steps,
                 positions: places("positions")?,
                 velocities: places("velocities")?,
                 reference: places("list")?,
-                thermostats: numbers(&value, "thermostats")?.as_chunks().0.to_vec(),
+                thermostats: thermostats.as_chunks().0.to_vec(),
             },
-            angles: numbers(&value, "angles")?,
+            angles: finite("angles", 1 + scene.shape.tip_layers)?,
             series: series.chunks(width).map(<[f64]>::to_vec).collect(),
         })
     }

@@ -77,7 +77,7 @@ fn script(scene: &TipScene) -> String {
          group base type 1\ngroup driven type 6\ngroup mobile subtract all base\n\n\
          dump start all custom 1 start.dump id type x y z fx fy fz\n\
          dump_modify start sort id format float %.17g\nthermo_style custom step temp pe ke etotal press\n\
-         thermo_modify format float %.17g\nthermo {}\nrun 0\nundump start\n\n",
+         thermo_modify norm no format float %.17g\nthermo {}\nrun 0\nundump start\n\n",
         pair(scene),
         number(scene.skin),
         scene.samples
@@ -112,7 +112,10 @@ fn motion(scene: &TipScene) -> String {
     let temperature = number(scene.temperature);
     let seed = scene.seed % 900_000_000 + 1;
     let mut text = String::from("group baths type 2 5\ngroup plain subtract mobile baths\n");
+    let plain = "fix move mobile nve\n";
     text += &match scene.bath {
+        // At T = 0 it does nothing here, and LAMMPS refuses it.
+        Bath::NoseHoover { .. } if scene.temperature == 0.0 => plain.into(),
         Bath::NoseHoover { relaxation, .. } => {
             let relaxation = number(relaxation);
             let fix = format!("nvt temp {temperature} {temperature} {relaxation} tchain 1");
@@ -128,7 +131,7 @@ fn motion(scene: &TipScene) -> String {
              fix noise baths langevin {temperature} {temperature} {} {seed}\n",
             number(1.0 / friction)
         ),
-        Bath::None => "fix move mobile nve\n".into(),
+        Bath::None => plain.into(),
     };
     text += &match scene.lift {
         Lift::Fixed => "fix height driven setforce NULL NULL 0\n".to_owned(),

@@ -24,7 +24,7 @@ pub enum Verdict {
     Reversible,
     /// They did not.
     Irreversible,
-    /// The run ended too early to tell.
+    /// The run ended too early to tell, or has no time after the drive.
     Open,
 }
 
@@ -80,7 +80,7 @@ impl Outcome {
             .filter(|line| line[0] >= begin.max(0.0) && line[0] <= off)
             .map(|line| [line[0], line[ANGLE]])
             .collect();
-        let verdict = if !is_over {
+        let verdict = if !is_over || after == 0 {
             Verdict::Open
         } else if last[ANGLE].abs() < BACK {
             Verdict::Reversible
@@ -186,3 +186,6 @@ fn plateaus(curve: &[[f64; 2]]) -> Vec<Plateau> {
     }
     found
 }
+
+#[cfg(test)]
+mod tests;

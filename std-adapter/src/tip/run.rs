@@ -227,9 +227,12 @@ impl Simulation for TipRun {
         self.series.last().cloned().unwrap_or_default()
     }
 
-    /// Goes on to the next line of the series.
+    /// Goes on to the next line of the series; at the end it does nothing.
     fn step(&mut self) -> Result<bool, TipError> {
         let last = self.last_step();
+        if self.system.steps() >= last {
+            return Ok(false);
+        }
         let next = (self.system.steps() + self.scene.samples).min(last);
         while self.system.steps() < next {
             let wanted = if self.system.steps() + 1 == next {

@@ -5,10 +5,13 @@ use std::sync::OnceLock;
 use tribos::golden::{Golden, Measurement, Pinned, measure};
 use tribos::powder::Compaction;
 use tribos::run::Simulation;
-use tribos::scene::{PlanarScene, PowderScene, Scene, SceneError, SliderScene, parse_scene};
+use tribos::scene::{
+    PlanarScene, PowderScene, Scene, SceneError, SliderScene, TipScene, parse_scene,
+};
+use tribos::tip::TipRun;
 
 /// Scenes that inputs are made from.
-const SCENES: [&str; 7] = [
+const SCENES: [&str; 9] = [
     include_str!("../../../scenes/disk.toml"),
     include_str!("../../../scenes/cylinder.toml"),
     include_str!("../../../scenes/pipe-a.toml"),
@@ -16,9 +19,11 @@ const SCENES: [&str; 7] = [
     include_str!("../../../scenes/curling-slow.toml"),
     include_str!("../../../scenes/compaction-small.toml"),
     include_str!("../../../scenes/compaction-large.toml"),
+    include_str!("../../../scenes/tip-reversible.toml"),
+    LEAST,
 ];
 /// Values that a scene may be given.
-const VALUES: [&str; 24] = [
+const VALUES: [&str; 25] = [
     "0",
     "-0.0",
     "1",
@@ -37,6 +42,7 @@ const VALUES: [&str; 24] = [
     "\"\"",
     "\"disk\"",
     "\"powder\"",
+    "\"tip\"",
     "[1, 2]",
     "{ a = 1 }",
     "1979-05-27",
@@ -47,6 +53,10 @@ const VALUES: [&str; 24] = [
 /// A powder that takes a moment.
 const TINY: &str =
     "body = \"powder\"\nwidth = 6\nheight = 6\npressure = 0.02\nsteps = 4\nsamples = 1\n";
+/// A tip that takes a moment: a chain of atoms on a substrate.
+const LEAST: &str = "body = \"tip\"\nlambda = 0.1\ncolumns = 4\nrows = 4\nside = 1\n\
+                     substrate_layers = 4\ntip_layers = 4\ncutoff = 1.5\nspacing = 1.1\n\
+                     equilibration = 0\ndrive_time = 0.02\nrest_time = 0.02\nsamples = 1\n";
 
 fn vocabulary() -> &'static [&'static str] {
     static KEYS: OnceLock<Vec<&'static str>> = OnceLock::new();
@@ -57,6 +67,7 @@ fn vocabulary() -> &'static [&'static str] {
             .filter_map(|body| PlanarScene::keys(body))
             .flatten();
         let others = SliderScene::KEYS.iter().chain(PowderScene::KEYS);
+        let others = others.chain(TipScene::KEYS);
         others.chain(planar).map(|key| key.name).collect()
     })
 }
@@ -173,7 +184,7 @@ fn judged(read: Result<Scene, SceneError>) -> Result<(), Broken> {
 }
 
 /// The tiny powder and its checkpoint after two steps.
-fn checkpoint() -> Option<&'static (PowderScene, String)> {
+fn powder() -> Option<&'static (PowderScene, String)> {
     static KEPT: OnceLock<Option<(PowderScene, String)>> = OnceLock::new();
     let made = KEPT.get_or_init(|| {
         let Ok(Scene::Powder(scene)) = parse_scene("tiny.toml", TINY, &[]) else {
@@ -188,17 +199,44 @@ fn checkpoint() -> Option<&'static (PowderScene, String)> {
     made.as_ref()
 }
 
+/// The least tip and its checkpoint after two steps.
+fn tip() -> Option<&'static (TipScene, String)> {
+    static KEPT: OnceLock<Option<(TipScene, String)>> = OnceLock::new();
+    let made = KEPT.get_or_init(|| {
+        let Ok(Scene::Tip(scene)) = parse_scene("least.toml", LEAST, &[]) else {
+            return None;
+        };
+        let mut run = TipRun::new(&scene).ok()?;
+        for _ in 0..2 {
+            run.step().ok()?;
+        }
+        Some((*scene, run.checkpoint()))
+    });
+    made.as_ref()
+}
+
 /// A damaged checkpoint: refused, or a run that goes on or ends with an error.
 pub fn checkpoints(source: &mut Source) -> Result<(), Broken> {
-    let (scene, text) = checkpoint().ok_or("the tiny powder cannot be run")?;
-    // One line of JSON: cut at its commas, so that single entries change.
-    let lines = text.replace(',', ",\n");
-    let damaged = mutated(source, &lines).replace(",\n", ",");
-    if let Ok(mut compaction) = Compaction::resume(scene, &damaged) {
-        let _ = compaction.step();
-        let _ = compaction.outcome();
+    if source.one_in(2) {
+        let (scene, text) = powder().ok_or("the tiny powder cannot be run")?;
+        if let Ok(mut compaction) = Compaction::resume(scene, &damaged(source, text)) {
+            let _ = compaction.step();
+            let _ = compaction.outcome();
+        }
+    } else {
+        let (scene, text) = tip().ok_or("the least tip cannot be run")?;
+        if let Ok(mut run) = TipRun::resume(scene, &damaged(source, text)) {
+            let _ = run.step();
+            let _ = run.outcome().json(scene);
+        }
     }
     Ok(())
+}
+
+/// One line of JSON: cut at its commas, so that single entries change.
+fn damaged(source: &mut Source, text: &str) -> String {
+    let lines = text.replace(',', ",\n");
+    mutated(source, &lines).replace(",\n", ",")
 }
 
 fn golden() -> Option<&'static (Measurement, String)> {

@@ -89,7 +89,8 @@ impl<I: Interaction> System<I> {
         system.compute(Wanted::Sums)?;
         system.refuse_overlaps()?;
         if system.integrator == Integrator::LeapFrog {
-            system.kick_all(-0.5 * system.time_step);
+            let half = 0.5 * system.time_step;
+            system.kick_all(-half, -half);
         }
         Ok(system)
     }

@@ -14,19 +14,21 @@ impl<I: Interaction> System<I> {
     /// before the drift. Langevin noise acts in the middle of the drift.
     pub fn step(&mut self, wanted: Wanted) -> Result<(), SystemError> {
         let half = 0.5 * self.time_step;
+        // In the middle of the last step and of this one: what tells whether the drive is on.
+        let [last, this] = [self.time() - half, self.time() + half];
         match self.integrator {
             Integrator::VelocityVerlet => {
                 self.thermalise(half);
-                self.kick_all(half);
+                self.kick_all(half, this);
                 self.drift()?;
                 self.compute(wanted)?;
-                self.kick_all(half);
+                self.kick_all(half, this);
                 self.thermalise(half);
             }
             Integrator::LeapFrog => {
-                self.kick_all(half);
+                self.kick_all(half, last);
                 self.thermalise(self.time_step);
-                self.kick_all(half);
+                self.kick_all(half, this);
                 self.drift()?;
                 self.compute(wanted)?;
             }
@@ -38,26 +40,26 @@ impl<I: Interaction> System<I> {
     pub fn velocities_on_step(&self) -> Vec<Vector3<f64>> {
         let mut velocities = self.atoms.velocities.clone();
         if self.integrator == Integrator::LeapFrog {
-            self.kick(&mut velocities, 0.5 * self.time_step);
+            let half = 0.5 * self.time_step;
+            self.kick(&mut velocities, half, self.time() - half);
         }
         velocities
     }
 
-    pub(super) fn kick_all(&mut self, time: f64) {
+    pub(super) fn kick_all(&mut self, time: f64, at: f64) {
         let mut velocities = std::mem::take(&mut self.atoms.velocities);
-        self.kick(&mut velocities, time);
+        self.kick(&mut velocities, time, at);
         self.atoms.velocities = velocities;
     }
 
-    /// Velocities under the forces of the interaction, loads and the drive.
-    fn kick(&self, velocities: &mut [Vector3<f64>], time: f64) {
-        let now = self.time();
+    /// Velocities under the forces of the interaction, loads and, if it is on at `at`, the drive.
+    fn kick(&self, velocities: &mut [Vector3<f64>], time: f64, at: f64) {
         for (index, group) in self.groups.iter().enumerate() {
             if !group.hold.is_driven_by_forces() {
                 continue;
             }
             let drive = self.drive.as_ref();
-            let drive = drive.filter(|d| d.is_on(now) && d.groups.contains(&index));
+            let drive = drive.filter(|d| d.is_on(at) && d.groups.contains(&index));
             let common = self.common_lift(index);
             for &atom in &self.members[index] {
                 let inv_mass = 1.0 / self.atoms.mass(atom);

@@ -1,0 +1,468 @@
+//! Tips on a substrate: `tribos run`, `sweep`, `golden` and `export` of a small one.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+type Error = Box<dyn std::error::Error>;
+type Outcome = Result<(), Error>;
+
+/// 748 atoms, 400 steps.
+const TINY: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside = 3\n\
+                    substrate_layers = 4\ntip_layers = 4\nequilibration = 0.5\ndrive_time = 1\n\
+                    rest_time = 0.5\nsamples = 20\n";
+
+/// Begins a command in the folder, where the scene is `tiny.toml`.
+fn tribos(folder: &Path, arguments: &str) -> Result<Command, Error> {
+    std::fs::write(folder.join("tiny.toml"), TINY)?;
+    let mut tribos = Command::cargo_bin("tribos")?;
+    tribos.current_dir(folder).args(arguments.split(' '));
+    Ok(tribos)
+}
+
+/// Runs it: what was said on standard output and error.
+fn succeed(folder: &Path, arguments: &str) -> Result<[String; 2], Error> {
+    let output = tribos(folder, arguments)?.output()?;
+    let [out, err] = [output.stdout, output.stderr].map(String::from_utf8);
+    let (out, err) = (out?, err?);
+    assert!(output.status.success(), "{arguments}: {err}");
+    Ok([out, err])
+}
+
+/// Runs it in vain: the exit code and what was said.
+fn fail(folder: &Path, arguments: &str) -> Result<(Option<i32>, String), Error> {
+    let output = tribos(folder, arguments)?.output()?;
+    Ok((output.status.code(), String::from_utf8(output.stderr)?))
+}
+
+fn json(file: &Path) -> Result<Value, Error> {
+    Ok(serde_json::from_str(&std::fs::read_to_string(file)?)?)
+}
+
+/// The cells of a table.
+fn table(file: &Path) -> Result<Vec<Vec<String>>, Error> {
+    let text = std::fs::read_to_string(file)?;
+    let cells = |line: &str| line.split(',').map(String::from).collect();
+    Ok(text.lines().map(cells).collect())
+}
+
+#[test]
+fn a_run_leaves_series_summary_pictures_and_atoms() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let [told, _] = succeed(folder.path(), "run tiny.toml --out out")?;
+    let out = folder.path().join("out");
+    for words in [
+        "verdict       reversible",
+        "degrees driven",
+        "slipped",
+        "written to    out",
+    ] {
+        assert!(told.contains(words), "{words} not in {told}");
+    }
+    let series = table(&out.join("series.csv"))?;
+    let head = "time,angle,resisting_torque,height,substrate_temperature,tip_temperature,\
+                potential_energy,layer_1,layer_2,layer_3,layer_4";
+    assert_eq!(series[0].join(","), head);
+    // A line at the start and after every twenty steps of 400.
+    assert_eq!(series.len(), 22);
+    let numbers = |line: usize| -> Result<Vec<f64>, std::num::ParseFloatError> {
+        series[line].iter().map(|cell| cell.parse()).collect()
+    };
+    assert_eq!([numbers(1)?[0], numbers(21)?[0]], [-0.5, 1.5]);
+    for line in 1..22 {
+        assert!(
+            numbers(line)?.iter().all(|number| number.is_finite()),
+            "{line}"
+        );
+    }
+
+    let summary = json(&out.join("summary.json"))?;
+    assert_eq!(summary["verdict"], "reversible");
+    assert_eq!(summary["samples"], 21);
+    assert_eq!(summary["scene"]["lambda"].as_f64(), Some(0.02));
+    assert_eq!(summary["scene"]["cutoff"].as_f64(), Some(2.5));
+    let mut final_angle = 0.0;
+    // The rest is shorter than the stretch that angles are averaged over: 11 lines from its start.
+    for line in 11 + 5..=21 {
+        final_angle += numbers(line)?[1] / 6.0;
+    }
+    let found = summary["final_angle_degrees"].as_f64().unwrap_or(f64::NAN);
+    assert!((found - final_angle).abs() < 1e-12, "{found} {final_angle}");
+    for name in [
+        "driven_angle_degrees",
+        "largest_angle_degrees",
+        "tip_temperature",
+    ] {
+        assert!(summary[name].as_f64().is_some(), "{name}");
+    }
+    let layers = summary["layer_angles_degrees"].as_array().map(Vec::len);
+    assert_eq!(layers, Some(4));
+
+    for plot in ["angles.svg", "angles.png", "tip.svg", "tip.png"] {
+        assert!(out.join(plot).metadata()?.len() > 1000, "{plot}");
+    }
+    for state in ["initial.data", "final.data"] {
+        let text = std::fs::read_to_string(out.join(state))?;
+        assert!(
+            text.contains("748 atoms") && text.contains("6 atom types"),
+            "{state}"
+        );
+    }
+    assert!(!out.join("checkpoint.json").exists());
+    Ok(())
+}
+
+#[test]
+fn a_killed_run_goes_on_to_the_same_files() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let sets = "--set rest_time=4 --set samples=5";
+    succeed(folder.path(), &format!("run tiny.toml {sets} --out whole"))?;
+
+    // A checkpoint after every line of the series, until the run is killed somewhere on its way.
+    let broken = folder.path().join("broken");
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"))
+        .current_dir(folder.path())
+        .args(["run", "tiny.toml"])
+        .args(sets.split(' '))
+        .args(["--checkpoint", "0", "--out", "broken"])
+        .stdout(std::process::Stdio::null())
+        .stderr(std::process::Stdio::null())
+        .spawn()?;
+    let patience = Instant::now();
+    let steps = || json(&broken.join("checkpoint.json")).ok()?["steps"].as_u64();
+    while steps().unwrap_or(0) < 50 {
+        assert!(
+            patience.elapsed() < Duration::from_secs(60),
+            "no checkpoint"
+        );
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill()?;
+    child.wait()?;
+    let at = steps().unwrap_or(0);
+    assert!((50..1100).contains(&at), "killed at {at}");
+    assert!(!broken.join("summary.json").exists());
+
+    // Not for another scene, and not a damaged one.
+    let resume = format!("run tiny.toml {sets} --resume --out broken");
+    let (code, said) = fail(folder.path(), &format!("{resume} --set lambda=0.03"))?;
+    assert_eq!(code, Some(2));
+    let is_told = said.contains("`lambda` is") && said.contains("without --resume");
+    assert!(is_told, "{said}");
+    let file = broken.join("checkpoint.json");
+    let kept = std::fs::read_to_string(&file)?;
+    std::fs::write(
+        &file,
+        kept.replace("\"velocities\":\"", "\"velocities\":\"7ff8000000000000"),
+    )?;
+    let (code, said) = fail(folder.path(), &resume)?;
+    assert_eq!(code, Some(2));
+    assert!(said.contains("`velocities`"), "{said}");
+    std::fs::write(&file, kept)?;
+
+    succeed(folder.path(), &resume)?;
+    let files = [
+        "series.csv",
+        "summary.json",
+        "angles.svg",
+        "angles.png",
+        "tip.svg",
+        "tip.png",
+        "initial.data",
+        "final.data",
+    ];
+    for file in files {
+        let bytes = std::fs::read(folder.path().join("whole").join(file))?;
+        assert!(bytes == std::fs::read(broken.join(file))?, "{file}");
+    }
+    // Done: there is nothing left to go on from.
+    assert_eq!(fail(folder.path(), &resume)?.0, Some(2));
+    Ok(())
+}
+
+#[test]
+fn a_run_that_blows_up_says_where_and_keeps_its_checkpoint() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let run = "run tiny.toml --set lambda=1e6 --checkpoint 0 --out out";
+    let (code, said) = fail(folder.path(), run)?;
+    assert_eq!(code, Some(1), "{said}");
+    // The drive is on from step 100 on; a line of the series every twenty steps.
+    let is_told = said.contains("step 101: atom ") && said.contains("smaller time step");
+    assert!(is_told, "{said}");
+    let out = folder.path().join("out");
+    assert!(!out.join("summary.json").exists());
+    assert_eq!(json(&out.join("checkpoint.json"))?["steps"], 100);
+    // It goes on from there, to the same end.
+    assert_eq!(fail(folder.path(), &format!("{run} --resume"))?.1, said);
+    Ok(())
+}
+
+#[test]
+fn bad_tips_are_refused_with_their_line_and_cure() -> Outcome {
+    for (old, new, place, words) in [
+        ("lambda = 0.02\n", "", "tiny.toml:", "`lambda` is missing"),
+        (
+            "lambda = 0.02",
+            "lambda = \"x\"",
+            "tiny.toml:2",
+            "a finite number",
+        ),
+        (
+            "rows = 14",
+            "rows = 15",
+            "tiny.toml:4",
+            "`rows` must be even, not 15",
+        ),
+        (
+            "rows = 14",
+            "rows = 6",
+            "tiny.toml:4",
+            "tip and cut-off need",
+        ),
+        (
+            "columns = 12",
+            "columns = 0",
+            "tiny.toml:3",
+            "a whole number from 1",
+        ),
+        (
+            "columns = 12",
+            "columns = 6",
+            "tiny.toml:3",
+            "tip and cut-off need",
+        ),
+        (
+            "side = 3",
+            "side = 6",
+            "tiny.toml:3",
+            "tip and cut-off need",
+        ),
+        (
+            "side = 3",
+            "side = 0",
+            "tiny.toml:5",
+            "a whole number from 1",
+        ),
+        (
+            "side = 3",
+            "side = 3\ncutoff = 7",
+            "tiny.toml:3",
+            "tip and cut-off need",
+        ),
+        (
+            "side = 3",
+            "side = 3\nskin = 20",
+            "tiny.toml:3",
+            "tip and cut-off need",
+        ),
+        (
+            "side = 3",
+            "side = 3\nload = 1",
+            "tiny.toml:6",
+            "hold = \"level\"",
+        ),
+        ("side = 3", "side = 3\nskin = 0", "tiny.toml:6", "> 0"),
+        (
+            "side = 3",
+            "side = 3\norientation = 200",
+            "tiny.toml:6",
+            "180",
+        ),
+        (
+            "side = 3",
+            "side = 3\noutline = \"square\"",
+            "tiny.toml:6",
+            "\"hexagon\"",
+        ),
+        (
+            "side = 3",
+            "side = 3\nthermostat = \"cold\"",
+            "tiny.toml:6",
+            "\"langevin\"",
+        ),
+        (
+            "side = 3",
+            "side = 3\ndampign = 1",
+            "tiny.toml:6",
+            "did you mean `damping`?",
+        ),
+        ("side = 3", "side = 3\ntime_step = 1", "tiny.toml:6", "0.05"),
+        ("side = 3", "side = 3\ncutoff = 0.5", "tiny.toml:6", "10"),
+        (
+            "tip_layers = 4",
+            "tip_layers = 3",
+            "tiny.toml:7",
+            "must be at least 4, not 3",
+        ),
+        (
+            "substrate_layers = 4",
+            "substrate_layers = 3",
+            "tiny.toml:6",
+            "at least 4",
+        ),
+        (
+            "samples = 20",
+            "samples = 0",
+            "tiny.toml:11",
+            "a whole number from 1",
+        ),
+        (
+            "drive_time = 1",
+            "drive_time = 1e300",
+            "tiny.toml:9",
+            "steps of `time_step`",
+        ),
+        ("drive_time = 1", "drive_time = -1", "tiny.toml:9", ">= 0"),
+    ] {
+        let folder = tempfile::tempdir()?;
+        assert!(TINY.contains(old));
+        let mut command = tribos(folder.path(), "run tiny.toml --out out")?;
+        std::fs::write(folder.path().join("tiny.toml"), TINY.replace(old, new))?;
+        let output = command.output()?;
+        let said = String::from_utf8(output.stderr)?;
+        assert_eq!(output.status.code(), Some(2), "{new} {said}");
+        assert!(said.contains(place) && said.contains(words), "{new} {said}");
+        assert!(!folder.path().join("out").exists(), "{new}");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_sweep_tells_the_share_of_tips_that_turned_back() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let sets = "--set rest_time=0.2 --set temperature=1e-4 --set lambda=0,3";
+    let sweep = format!("sweep tiny.toml {sets} --seeds 2");
+    let [told, said] = succeed(folder.path(), &format!("{sweep} --jobs 1 --out serial"))?;
+    assert_eq!(said.lines().count(), 4, "{said}");
+    let shares = ["reversible", "2/2", "0/2"];
+    assert!(shares.iter().all(|share| told.contains(share)), "{told}");
+    succeed(folder.path(), &format!("{sweep} --jobs 3 --out parallel"))?;
+    let [serial, parallel] = ["serial", "parallel"].map(|name| folder.path().join(name));
+    let lines = table(&serial.join("sweep.csv"))?;
+    assert_eq!(lines, table(&parallel.join("sweep.csv"))?);
+
+    let head = [
+        "rest_time",
+        "temperature",
+        "lambda",
+        "runs",
+        "reversible",
+        "final_angle",
+        "final_angle_std",
+        "driven_angle",
+        "driven_angle_std",
+        "largest_angle",
+        "largest_angle_std",
+        "tip_temperature",
+        "tip_temperature_std",
+    ];
+    assert_eq!(lines[0], head);
+    assert_eq!(lines.len(), 3);
+    for (line, lambda, share) in [(1, "0", 1.0), (2, "3", 0.0)] {
+        assert_eq!(lines[line][..4], ["0.2", "1e-4", lambda, "2"]);
+        assert_eq!(lines[line][4].parse::<f64>()?, share);
+        let mut sum = 0.0;
+        for seed in [1, 2] {
+            let name = format!("runs/rest_time=0.2,temperature=1e-4,lambda={lambda},seed={seed}");
+            let summary = json(&serial.join(&name).join("summary.json"))?;
+            sum += summary["final_angle_degrees"].as_f64().ok_or("no angle")?;
+            assert_eq!(summary["verdict"] == "reversible", share == 1.0);
+            assert!(serial.join(&name).join("series.csv").exists());
+        }
+        assert!((lines[line][5].parse::<f64>()? - 0.5 * sum).abs() < 1e-13);
+    }
+    for plot in ["sweep.svg", "sweep.png"] {
+        assert!(serial.join(plot).metadata()?.len() > 1000, "{plot}");
+    }
+
+    // What was interrupted: one run is missing, with a checkpoint that is of no use.
+    let run = serial.join("runs/rest_time=0.2,temperature=1e-4,lambda=3,seed=1");
+    std::fs::remove_file(run.join("summary.json"))?;
+    std::fs::write(run.join("checkpoint.json"), "{}")?;
+    let [_, said] = succeed(folder.path(), &format!("{sweep} --out serial"))?;
+    assert_eq!(said.lines().count(), 1, "{said}");
+    assert_eq!(lines, table(&serial.join("sweep.csv"))?);
+    assert!(!run.join("checkpoint.json").exists());
+    Ok(())
+}
+
+#[test]
+fn a_golden_file_pins_a_tip_and_tells_what_changed() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    succeed(folder.path(), "golden write tiny.toml --out golden.toml")?;
+    let verify = "golden verify golden.toml";
+    let [said, _] = succeed(folder.path(), verify)?;
+    assert!(said.contains("tiny.toml: same, 21 rows"), "{said}");
+
+    // The last digit of the digest of the final velocities.
+    let file = folder.path().join("golden.toml");
+    let text = std::fs::read_to_string(&file)?;
+    let after = text.find("[scene.state]").ok_or("no state")?;
+    let (head, state) = text.split_at(after);
+    let at = state.find("velocities").ok_or("no velocities")?;
+    let digits = at + state[at..].find("\"0x").ok_or("no digest")? + 1..;
+    let digit = digits.start + 17;
+    let other = if state[digit..].starts_with('0') {
+        "1"
+    } else {
+        "0"
+    };
+    let changed = format!("{head}{}{other}{}", &state[..digit], &state[digit + 1..]);
+    std::fs::write(&file, changed)?;
+    let output = tribos(folder.path(), verify)?.output()?;
+    let said = String::from_utf8(output.stdout)?;
+    assert_eq!(output.status.code(), Some(3), "{said}");
+    assert!(said.contains("final state: velocities differ"), "{said}");
+    Ok(())
+}
+
+#[test]
+fn exported_atoms_have_the_energy_of_the_run() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    for (name, sets, pair) in [
+        ("plain", "", "lj:cutoff=2.5"),
+        (
+            "mixed",
+            " --set adhesion=0.5 --set shift=force --set orientation=15 --set raise=0.1",
+            "lj:cutoff=2.5,shift=force,epsilon14=0.5,epsilon15=0.5,epsilon16=0.5,epsilon24=0.5,\
+             epsilon25=0.5,epsilon26=0.5,epsilon34=0.5,epsilon35=0.5,epsilon36=0.5",
+        ),
+    ] {
+        succeed(folder.path(), &format!("run tiny.toml{sets} --out {name}"))?;
+        let [told, _] = succeed(
+            folder.path(),
+            &format!("export lammps tiny.toml{sets} --out {name}/lammps"),
+        )?;
+        assert!(told.contains("lmp -in in.tip"), "{told}");
+        let out = folder.path().join(name);
+        let script = std::fs::read_to_string(out.join("lammps/in.tip"))?;
+        for line in [
+            "read_data tip.data",
+            "run 100\n",
+            "run 200\nunfix torque\nrun 100\n",
+        ] {
+            assert!(script.contains(line), "{line} not in {script}");
+        }
+        let data = std::fs::read(out.join("lammps/tip.data"))?;
+        assert!(data == std::fs::read(out.join("initial.data"))?);
+        succeed(
+            folder.path(),
+            &format!(
+                "eval {name}/lammps/tip.data --pair {pair} --boundary p,p,f --out {name}/eval"
+            ),
+        )?;
+        let evaluated = json(&out.join("eval/summary.json"))?["energy"].as_f64();
+        let series = table(&out.join("series.csv"))?;
+        let at = series[0].iter().position(|name| name == "potential_energy");
+        let energy: f64 = series[1][at.ok_or("no column")?].parse()?;
+        let off = evaluated.ok_or("no energy")? / energy - 1.0;
+        assert!(off.abs() < 1e-12, "{name}: {off}");
+    }
+    let disk = format!("{}/../scenes/disk.toml", env!("CARGO_MANIFEST_DIR"));
+    let (code, said) = fail(folder.path(), &format!("export lammps {disk} --out none"))?;
+    assert_eq!(code, Some(2));
+    assert!(said.contains("body = \"tip\""), "{said}");
+    assert!(!folder.path().join("none").exists());
+    Ok(())
+}
