@@ -14,6 +14,7 @@ Usage: cargo run --release -p tribos-benches --bin fronts -- [OPTIONS]
                   patches      every patch, law and tier
                   integrators  a disk brought to rest: step, order, error, cost
                   contacts     contacts of packings: updates, residual against work, size
+                  atoms        molecular dynamics: speed, conserved energy against the step
                   firmware     flash, stack and instructions of each item; budgets
   --quick       few rounds and small problems: a look, not for publication
   --out DIR     where tables and pictures go (docs/fronts; with --quick target/fronts)
@@ -21,6 +22,7 @@ Usage: cargo run --release -p tribos-benches --bin fronts -- [OPTIONS]
 
 Instructions need qemu-system-arm and the targets thumbv7em-none-eabihf and thumbv6m-none-eabi of
 rustup. Without QEMU the firmware front tells flash alone, and the kernel's columns say so.
+The atoms front runs LAMMPS beside ours if `lmp` is on the PATH (Debian: lammps).
 ";
 
 /// What to make, where, and how long to measure.

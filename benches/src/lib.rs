@@ -2,8 +2,8 @@
 //!
 //! One program, `fronts`, makes the fronts that the documentation shows: kernel (one evaluation of
 //! force and torque), patches (every patch, law and tier), integrators (one stop of a sliding,
-//! spinning disk), contacts (of packings, and their solvers) and firmware (what each costs on a
-//! microcontroller). The benches under `benches/` time the same methods with criterion.
+//! spinning disk), contacts (of packings, and their solvers), atoms (molecular dynamics beside
+//! LAMMPS) and firmware (what each costs on a microcontroller). The benches under `benches/` time the same methods with criterion.
 
 pub mod args;
 pub mod baselines;

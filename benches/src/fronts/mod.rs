@@ -1,5 +1,6 @@
 //! The fronts that the documentation shows: each a page, tables and pictures in one folder.
 
+pub mod atoms;
 pub mod contacts;
 pub mod firmware;
 pub mod index;
@@ -24,28 +25,32 @@ pub enum Front {
     Integrators,
     /// Contacts of packings and their solvers.
     Contacts,
+    /// Molecular dynamics beside LAMMPS.
+    Atoms,
     /// What each item costs a microcontroller.
     Firmware,
 }
 
 impl Front {
     /// In the order of the index.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Kernel,
         Self::Patches,
         Self::Integrators,
         Self::Contacts,
+        Self::Atoms,
         Self::Firmware,
     ];
 
     /// The order of work: what builds comes before what is timed, and the kernel's front shows
     /// instructions that the firmware's counts.
-    const WORK: [Self; 5] = [
+    const WORK: [Self; 6] = [
         Self::Firmware,
         Self::Kernel,
         Self::Patches,
         Self::Integrators,
         Self::Contacts,
+        Self::Atoms,
     ];
 
     /// Of the option, and of the front's files.
@@ -55,6 +60,7 @@ impl Front {
             Self::Patches => "patches",
             Self::Integrators => "integrators",
             Self::Contacts => "contacts",
+            Self::Atoms => "atoms",
             Self::Firmware => "firmware",
         }
     }
@@ -66,6 +72,7 @@ impl Front {
             Self::Patches => "Every patch, law and tier: speed, error, size",
             Self::Integrators => "A disk brought to rest: step, order, error, cost",
             Self::Contacts => "Contacts of packings: speed, residual, size",
+            Self::Atoms => "Atoms in motion: speed, conserved energy",
             Self::Firmware => "What the kernel costs a microcontroller",
         }
     }
@@ -137,6 +144,7 @@ pub fn run(options: &Options) -> Result<(), String> {
             Front::Patches => patches::run(&setting).map_err(|error| error.to_string())?,
             Front::Integrators => integrators::run(&setting)?,
             Front::Contacts => contacts::run(&setting)?,
+            Front::Atoms => atoms::run(&setting)?,
         };
         index::enter(&setting, front, &finding)?;
         let seconds = clock.elapsed().as_secs();

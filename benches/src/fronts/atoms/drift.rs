@@ -1,0 +1,174 @@
+//! Energy that should be conserved: its drift and its fluctuation against the time step.
+
+use super::melt::Melt;
+use crate::power_law::{exponent, slope};
+use crate::written::{Sheet, short};
+use rayon::prelude::*;
+use tribos::md::interaction::Wanted;
+use tribos::md::observe::{conserved_energy, kinetic_energies, temperature};
+use tribos::md::pair::Shift;
+
+/// Cubes of four atoms along an edge: 864 atoms.
+const CUBES: usize = 6;
+/// Steps from the crystal to the melt.
+const MELTING: usize = 2000;
+/// Time steps in σ√(m/ε).
+const TIME_STEPS: [f64; 6] = [0.001, 0.002, 0.004, 0.005, 0.008, 0.01];
+/// From one look at the energy to the next: whole numbers of all the steps.
+const BETWEEN: f64 = 0.04;
+/// Looks, and those of a quick run.
+const LOOKS: usize = 500;
+const QUICK_LOOKS: usize = 25;
+
+/// What is done at the cut-off, as in tables and pictures.
+pub const SHIFTS: [(&str, Shift); 3] = [
+    ("truncated", Shift::None),
+    ("energy shifted", Shift::Energy),
+    ("force shifted", Shift::Force),
+];
+
+/// One run at constant energy; energies of an atom in ε, times in τ = σ√(m/ε).
+#[derive(Clone, Copy, Debug)]
+pub struct Run {
+    /// What is done at the cut-off.
+    pub shift: &'static str,
+    /// Time step.
+    pub time_step: f64,
+    /// Slope of the energy over time.
+    pub drift: f64,
+    /// Its standard error, looks taken as independent.
+    pub drift_error: f64,
+    /// Root mean square of what is left.
+    pub rms: f64,
+    /// Mean temperature.
+    pub temperature: f64,
+}
+
+/// All runs, from the same melt.
+pub fn measure(is_quick: bool) -> Result<Vec<Run>, String> {
+    let melt = Melt::after(CUBES, MELTING, Shift::Force)?;
+    let looks = if is_quick { QUICK_LOOKS } else { LOOKS };
+    // Long runs first, so that no core waits for the last.
+    let pairs = TIME_STEPS
+        .into_iter()
+        .flat_map(|dt| SHIFTS.map(|s| (dt, s)));
+    let cases: Vec<_> = pairs.collect();
+    let runs: Result<Vec<Run>, String> = cases
+        .into_par_iter()
+        .with_max_len(1)
+        .map(|(time_step, shift)| run(&melt, shift, time_step, looks))
+        .collect();
+    runs
+}
+
+fn run(melt: &Melt, shift: (&'static str, Shift), dt: f64, looks: usize) -> Result<Run, String> {
+    let mut system = melt.system(shift.1, dt)?;
+    let atoms = melt.atoms.len() as f64;
+    let steps = (BETWEEN / dt).round() as usize;
+    let (mut curve, mut heat) = (Vec::with_capacity(looks), 0.0);
+    for _ in 0..looks {
+        for step in 1..=steps {
+            let wanted = if step == steps {
+                Wanted::Sums
+            } else {
+                Wanted::Forces
+            };
+            system.step(wanted).map_err(|error| error.to_string())?;
+        }
+        curve.push([system.time(), conserved_energy(&system) / atoms]);
+        heat += temperature(kinetic_energies(&system)[0], system.heat_freedoms(0));
+    }
+    let [drift, drift_error, rms] = straight(&curve);
+    Ok(Run {
+        shift: shift.0,
+        time_step: dt,
+        drift,
+        drift_error,
+        rms,
+        temperature: heat / looks as f64,
+    })
+}
+
+/// Slope of the nearest straight line, its standard error, and the rms distance from it.
+fn straight(curve: &[[f64; 2]]) -> [f64; 3] {
+    let count = curve.len() as f64;
+    // Energies from the first on, so that their fluctuation is not lost in their size.
+    let curve: Vec<[f64; 2]> = curve.iter().map(|[t, e]| [*t, e - curve[0][1]]).collect();
+    let drift = slope(&curve);
+    let mean = [0, 1].map(|axis| curve.iter().map(|point| point[axis]).sum::<f64>() / count);
+    let square = |sum: f64, [t, e]: &[f64; 2]| {
+        let left = e - mean[1] - drift * (t - mean[0]);
+        sum + left * left
+    };
+    let rms = (curve.iter().fold(0.0, square) / count).sqrt();
+    let spread = curve.iter().map(|[t, _]| (t - mean[0]).powi(2));
+    [drift, rms / spread.sum::<f64>().sqrt(), rms]
+}
+
+/// Exponent of the time step in the fluctuation.
+pub fn order(runs: &[Run], shift: &str) -> f64 {
+    let of = runs.iter().filter(|run| run.shift == shift);
+    exponent(of.map(|run| [run.time_step, run.rms]))
+}
+
+/// A row for every run.
+pub fn sheet(runs: &[Run], is_quick: bool) -> Sheet {
+    let looks = if is_quick { QUICK_LOOKS } else { LOOKS };
+    let atoms = 4 * CUBES.pow(3);
+    let row = |run: &Run| {
+        vec![
+            run.shift.into(),
+            run.time_step.to_string(),
+            short(atoms as f64 / run.time_step),
+            short(run.rms),
+            short(run.drift),
+            short(run.drift_error),
+            short(run.temperature),
+        ]
+    };
+    let rows = SHIFTS.iter().flat_map(|&(shift, _)| {
+        let of = runs.iter().filter(move |run| run.shift == shift);
+        of.map(row)
+    });
+    Sheet {
+        about: format!(
+            "Energy of an atom of {atoms} in a melt over a time of {}: fluctuation about the nearest \
+             straight line, and its slope",
+            looks as f64 * BETWEEN
+        ),
+        header: vec![
+            "cut-off",
+            "dt",
+            "atom-steps per time",
+            "rms fluctuation",
+            "drift per time",
+            "error of the drift",
+            "temperature",
+        ],
+        rows: rows.collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_drift_is_told_from_a_fluctuation() {
+        let swing = |index: i32| if index % 2 == 0 { 0.1 } else { -0.1 };
+        let curve: Vec<[f64; 2]> = (0..1000)
+            .map(|index| {
+                let time = 0.01 * f64::from(index);
+                [time, 1e3 - 0.25 * time + swing(index)]
+            })
+            .collect();
+        let [drift, error, rms] = straight(&curve);
+        assert!((drift + 0.25).abs() < 3.0 * error, "{drift} {error}");
+        assert!((rms - 0.1).abs() < 1e-4, "{rms}");
+        // rms over the root of the sum of squared times, 10²/12 each.
+        assert!(
+            (error - 0.1 * (12.0_f64 / 1e5).sqrt()).abs() < 1e-5,
+            "{error}"
+        );
+    }
+}

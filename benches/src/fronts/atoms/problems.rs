@@ -1,0 +1,206 @@
+//! What both programs run: melts and the tip, from the same places and velocities.
+
+use super::lammps::Input;
+use super::melt::{CUTOFF, Melt, SKIN, TIME_STEP};
+use crate::clock::Clock;
+use tribos::md::atoms::Atoms;
+use tribos::md::configuration::Configuration;
+use tribos::md::interaction::Wanted;
+use tribos::md::lammps::data_file;
+use tribos::md::pair::{LennardJones, Shift};
+use tribos::md::system::System;
+use tribos::run::Simulation;
+use tribos::scene::{Scene, TipScene, parse_scene};
+use tribos::space::PeriodicBox;
+use tribos::tip::{TipRun, export};
+
+/// Runs of an exported tip before the driven one: forces at the start, and the time before.
+const TIP_RUNS_BEFORE: usize = 2;
+/// As scenes/tip-reversible.toml, shorter: 300 steps before the drive, 500 with it.
+const TIP: &str = "body = \"tip\"\nlambda = 0.017\n\
+                   equilibration = 1.5\ndrive_time = 2.5\nrest_time = 0";
+/// The same for a quick look.
+const QUICK_TIP: &str = "body = \"tip\"\nlambda = 0.017\n\
+                         equilibration = 0.5\ndrive_time = 0.5\nrest_time = 0";
+
+/// A problem: what moves, and for how long.
+#[derive(Debug)]
+pub enum Problem {
+    /// A melt at constant energy.
+    Melt {
+        /// Where it starts.
+        melt: Melt,
+        /// Steps that are timed.
+        steps: u64,
+    },
+    /// The driven tip.
+    Tip(Box<TipScene>),
+}
+
+/// One run of ours.
+#[derive(Debug)]
+pub struct Ran {
+    /// The processor's seconds.
+    pub seconds: f64,
+    /// Steps timed.
+    pub steps: u64,
+    /// Lists built meanwhile.
+    pub builds: u64,
+    /// Potential energy of an atom before the first step.
+    pub energy: f64,
+    /// Atoms at the end.
+    pub atoms: Atoms,
+    /// Their box.
+    pub space: PeriodicBox,
+    /// What acts between them.
+    pub interaction: LennardJones,
+}
+
+impl Ran {
+    fn new(system: &System<LennardJones>, energy: f64, since: &Since) -> Self {
+        let seconds = since.clock.seconds();
+        Self {
+            seconds,
+            steps: system.steps() - since.steps,
+            builds: system.list_builds() - since.builds,
+            energy,
+            atoms: system.atoms().clone(),
+            space: *system.space(),
+            interaction: system.interaction().clone(),
+        }
+    }
+}
+
+/// The moment from which is counted.
+struct Since {
+    steps: u64,
+    builds: u64,
+    clock: Clock,
+}
+
+impl Since {
+    fn now(system: &System<LennardJones>) -> Self {
+        Self {
+            steps: system.steps(),
+            builds: system.list_builds(),
+            clock: Clock::start(),
+        }
+    }
+}
+
+/// Potential energy of an atom.
+fn energy(system: &System<LennardJones>) -> f64 {
+    system.tally().energy / system.atoms().len() as f64
+}
+
+impl Problem {
+    /// A melt of `cubes`³ cubes of four atoms after some steps from the crystal.
+    pub fn melt(cubes: usize, before: usize, steps: u64) -> Result<Self, String> {
+        let melt = Melt::after(cubes, before, Shift::None)?;
+        Ok(Self::Melt { melt, steps })
+    }
+
+    /// The tip.
+    pub fn tip(is_quick: bool) -> Result<Self, String> {
+        let text = if is_quick { QUICK_TIP } else { TIP };
+        match parse_scene("tip", text, &[]).map_err(|error| error.to_string())? {
+            Scene::Tip(scene) => Ok(Self::Tip(scene)),
+            _ => Err("the scene of the tip is none".into()),
+        }
+    }
+
+    /// As it appears in tables.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Melt { .. } => "melt",
+            Self::Tip(_) => "tip, driven",
+        }
+    }
+
+    /// Runs ours.
+    pub fn run(&self) -> Result<Ran, String> {
+        match self {
+            Self::Melt { melt, steps } => {
+                let mut system = melt.system(Shift::None, TIME_STEP)?;
+                let energy = energy(&system);
+                let since = Since::now(&system);
+                advance(&mut system, *steps)?;
+                Ok(Ran::new(&system, energy, &since))
+            }
+            Self::Tip(scene) => run_tip(scene),
+        }
+    }
+
+    /// The same for LAMMPS.
+    pub fn input(&self) -> Result<Input, String> {
+        match self {
+            Self::Melt { melt, steps } => Ok(Input {
+                data: ("melt.data", melt_data(melt)),
+                script: melt_script(*steps),
+                timed: 0,
+            }),
+            Self::Tip(scene) => {
+                let files = export::start(scene).map_err(|error| error.to_string())?;
+                Ok(Input {
+                    data: ("tip.data", files.data),
+                    script: files.script,
+                    timed: TIP_RUNS_BEFORE,
+                })
+            }
+        }
+    }
+}
+
+/// Steps, with the sums after the last.
+fn advance(system: &mut System<LennardJones>, steps: u64) -> Result<(), String> {
+    for left in (0..steps).rev() {
+        let wanted = if left == 0 {
+            Wanted::Sums
+        } else {
+            Wanted::Forces
+        };
+        system.step(wanted).map_err(|error| error.to_string())?;
+    }
+    Ok(())
+}
+
+/// The tip, timed while it is driven; lines of the series included.
+fn run_tip(scene: &TipScene) -> Result<Ran, String> {
+    let mut run = TipRun::new(scene).map_err(|error| error.to_string())?;
+    let energy = energy(run.system());
+    let [before, with, _] = scene.stage_steps();
+    let until = |run: &mut TipRun, end: u64| -> Result<(), String> {
+        while run.system().steps() < end {
+            run.step().map_err(|error| error.to_string())?;
+        }
+        Ok(())
+    };
+    until(&mut run, before)?;
+    let since = Since::now(run.system());
+    until(&mut run, before + with)?;
+    Ok(Ran::new(run.system(), energy, &since))
+}
+
+fn melt_data(melt: &Melt) -> String {
+    let count = melt.atoms.len() as u64;
+    data_file(&Configuration {
+        atoms: melt.atoms.clone(),
+        ids: (1..=count).collect(),
+        names: None,
+        bounds: [[0.0, melt.edge]; 3],
+        has_box: true,
+        is_periodic: [true; 3],
+        step: 0,
+        forces: None,
+    })
+}
+
+/// LAMMPS' melt bench with lists that are never too old, as ours.
+fn melt_script(steps: u64) -> String {
+    format!(
+        "units lj\natom_style atomic\nread_data melt.data\npair_style lj/cut {CUTOFF}\n\
+         pair_coeff * * 1 1\nneighbor {SKIN} bin\nneigh_modify delay 0 every 1 check yes\n\
+         fix move all nve\nthermo_style custom step pe\nthermo_modify format float %.17g\n\
+         thermo {steps}\ntimestep {TIME_STEP}\nrun {steps}\n"
+    )
+}
