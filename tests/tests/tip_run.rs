@@ -205,11 +205,11 @@ fn damping_takes_its_share_of_the_driven_atoms_motion_only() -> Result<(), Error
     steps(&mut damped, 1)?;
     steps(&mut plain, 1)?;
     let time = scene.time_step;
-    for atom in 0..before.len() {
+    for (atom, force) in forces.iter().enumerate() {
         let after = &damped.atoms().positions[atom];
         if driven(&damped).contains(&atom) {
             let kept = before.velocities[atom] * (-rate * 0.5 * time).exp();
-            let mut push = forces[atom];
+            let mut push = *force;
             push.z = 0.0;
             let way = (kept + push * (0.5 * time)) * time;
             assert!((after - before.positions[atom] - way).norm() < 1e-14);
