@@ -24,5 +24,6 @@ pub mod sweep;
 pub mod tables;
 pub mod tiers;
 pub mod tilted;
+pub mod tips;
 pub mod tolerance;
 pub mod worst;

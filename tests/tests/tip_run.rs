@@ -1,34 +1,20 @@
-//! A tip in motion: drive, holds, load, damping, checkpoints, the same bits.
+//! A tip in motion: drive, holds, load, damping, stages.
 
 use nalgebra::Vector3;
 use tribos::md::interaction::Wanted;
 use tribos::md::observe::Torsion;
 use tribos::md::pair::LennardJones;
 use tribos::md::system::{System, SystemError};
-use tribos::record::CheckpointError;
 use tribos::run::Simulation;
-use tribos::scene::{Scene, TipScene, parse_scene};
-use tribos::tip::{Part, TipError, TipRun, Verdict, build};
+use tribos::scene::TipScene;
+use tribos::tip::{Part, TipError, TipRun, build};
+use tribos_tests::tips::{tiny, to_the_end};
 
 type Error = Box<dyn std::error::Error>;
 
-/// 748 atoms: a hexagon of three a side.
-const TINY: &str = "body = \"tip\"\ncolumns = 12\nrows = 14\nsubstrate_layers = 4\ntip_layers = 4\n\
-                    side = 3\nspacing = 1.1";
 /// Nothing moves but by forces.
 const COLD: &str = "temperature = 0\nthermostat = \"none\"\ndamping = 0\nequilibration = 0\n\
                     integrator = \"velocity-verlet\"";
-
-fn scene(text: &str) -> Result<TipScene, Error> {
-    match parse_scene("tip.toml", text, &[])? {
-        Scene::Tip(scene) => Ok(*scene),
-        other => Err(format!("{other:?}").into()),
-    }
-}
-
-fn tiny(text: &str) -> Result<TipScene, Error> {
-    scene(&format!("{TINY}\n{text}"))
-}
 
 /// Its system, before the first step.
 fn system(scene: &TipScene) -> Result<System<LennardJones>, Error> {
@@ -39,11 +25,6 @@ fn steps(system: &mut System<LennardJones>, count: usize) -> Result<(), Error> {
     for _ in 0..count {
         system.step(Wanted::Forces)?;
     }
-    Ok(())
-}
-
-fn to_the_end(run: &mut TipRun) -> Result<(), Error> {
-    while run.step()? {}
     Ok(())
 }
 
@@ -224,11 +205,11 @@ fn damping_takes_its_share_of_the_driven_atoms_motion_only() -> Result<(), Error
     steps(&mut damped, 1)?;
     steps(&mut plain, 1)?;
     let time = scene.time_step;
-    for atom in 0..before.len() {
+    for (atom, force) in forces.iter().enumerate() {
         let after = &damped.atoms().positions[atom];
         if driven(&damped).contains(&atom) {
             let kept = before.velocities[atom] * (-rate * 0.5 * time).exp();
-            let mut push = forces[atom];
+            let mut push = *force;
             push.z = 0.0;
             let way = (kept + push * (0.5 * time)) * time;
             assert!((after - before.positions[atom] - way).norm() < 1e-14);
@@ -265,139 +246,6 @@ fn the_angle_counts_turns_of_a_known_rotation() -> Result<(), Error> {
             let seen = torsion.look(&now);
             assert!((seen - angle).abs() < 1e-12, "{seen} {angle}");
             assert_eq!(seen, torsion.angle());
-        }
-    }
-    Ok(())
-}
-
-/// Every thermostat with both integrators; a thin skin, so that lists are built on the way.
-fn kinds() -> Result<Vec<TipScene>, Error> {
-    let mut scenes = Vec::new();
-    for bath in [
-        "thermostat = \"nose-hoover\"",
-        "thermostat = \"nose-hoover\"\nspin = \"counts\"\nadhesion = 0.5",
-        "thermostat = \"langevin\"\nhold = \"level\"\nload = 0.5",
-        "thermostat = \"none\"\noutline = \"disk\"\norientation = 20",
-    ] {
-        for integrator in ["leap-frog", "velocity-verlet"] {
-            scenes.push(tiny(&format!(
-                "{bath}\nintegrator = \"{integrator}\"\nlambda = 0.5\nskin = 0.05\nsamples = 7\n\
-                 equilibration = 0.1\ndrive_time = 0.1\nrest_time = 0.1"
-            ))?);
-        }
-    }
-    Ok(scenes)
-}
-
-#[test]
-fn a_run_goes_on_from_any_line_of_its_series_to_the_same_bits() -> Result<(), Error> {
-    for scene in kinds()? {
-        let mut whole = TipRun::new(&scene)?;
-        let mut kept = vec![whole.checkpoint()];
-        loop {
-            let goes_on = whole.step()?;
-            kept.push(whole.checkpoint());
-            if !goes_on {
-                break;
-            }
-        }
-        // 60 steps in stretches of 7.
-        assert_eq!(kept.len(), 10);
-        assert!(whole.system().list_builds() > 2);
-        for text in &kept {
-            let mut resumed = TipRun::resume(&scene, text)?;
-            assert_eq!(*text, resumed.checkpoint());
-            to_the_end(&mut resumed)?;
-            assert!(resumed.checkpoint() == whole.checkpoint());
-            assert_eq!(resumed.system().state(), whole.system().state());
-            assert_eq!(resumed.series(), whole.series());
-            assert_eq!(
-                resumed.outcome().json(&scene).to_string(),
-                whole.outcome().json(&scene).to_string()
-            );
-        }
-        assert_eq!(whole.progress(), 1.0);
-        assert_ne!(whole.outcome().verdict, Verdict::Open);
-    }
-    Ok(())
-}
-
-#[test]
-fn a_damaged_checkpoint_is_refused_with_what_is_wrong() -> Result<(), Error> {
-    let scene = kinds()?.swap_remove(0);
-    let mut run = TipRun::new(&scene)?;
-    run.step()?;
-    let text = run.checkpoint();
-    let nan = "7ff8000000000000";
-    let hex = |name: &str| -> Result<[&str; 3], Error> {
-        let (before, rest) = text
-            .split_once(&format!("\"{name}\":\""))
-            .ok_or("no such part")?;
-        let (digits, after) = rest.split_once('"').ok_or("no end")?;
-        Ok([before, digits, after])
-    };
-    for name in [
-        "positions",
-        "velocities",
-        "list",
-        "thermostats",
-        "angles",
-        "series",
-    ] {
-        let [before, digits, after] = hex(name)?;
-        let with = |digits: &str| format!("{before}\"{name}\":\"{digits}\"{after}");
-        assert_eq!(with(digits), text);
-        let mut damages = vec![
-            with(""),
-            with(&digits[16..]),
-            with(&format!("{digits}{nan}")),
-            with(&digits[1..]),
-            with(&format!("x{}", &digits[1..])),
-            text.replacen(&format!("\"{name}\":"), "\"other\":", 1),
-        ];
-        if name != "series" {
-            damages.push(with(&format!("{nan}{}", &digits[16..])));
-        }
-        for damaged in damages {
-            match TipRun::resume(&scene, &damaged) {
-                Err(TipError::Checkpoint(CheckpointError::Format(said))) => {
-                    assert!(said.contains(&format!("`{name}`")), "{name}: {said}");
-                }
-                other => return Err(format!("{name}: {:?}", other.is_ok()).into()),
-            }
-        }
-    }
-    for (from, to, words) in [
-        ("\"steps\":7", "\"steps\":-7", "`steps`"),
-        ("\"steps\":7", "\"steps\":18446744073709551615", "`steps`"),
-        ("\"steps\":7", "\"steps\":61", "`steps`"),
-        ("\"steps\":7", "\"steps\":15", "`series`"),
-        ("\"tribos_tip\":1", "\"tribos_tip\":2", "version"),
-        ("{", "[", "damaged"),
-    ] {
-        assert!(text.contains(from), "{from}");
-        match TipRun::resume(&scene, &text.replacen(from, to, 1)) {
-            Err(error) => assert!(error.to_string().contains(words), "{to}: {error}"),
-            Ok(_) => return Err(to.into()),
-        }
-    }
-    Ok(())
-}
-
-#[test]
-fn a_checkpoint_of_another_scene_is_refused_with_the_key() -> Result<(), Error> {
-    let text = TipRun::new(&tiny("lambda = 0.02")?)?.checkpoint();
-    for (other, key) in [
-        ("lambda = 0.03", "lambda"),
-        ("lambda = 0.02\nseed = 2", "seed"),
-        ("lambda = 0.02\nhold = \"level\"", "hold"),
-        ("lambda = 0.02\noutline = \"cone\"", "outline"),
-    ] {
-        match TipRun::resume(&tiny(other)?, &text) {
-            Err(TipError::Checkpoint(CheckpointError::Scene { key: found, .. })) => {
-                assert_eq!(found, key);
-            }
-            other => return Err(format!("{key}: {:?}", other.is_ok()).into()),
         }
     }
     Ok(())
@@ -465,31 +313,5 @@ fn stages_without_steps_are_no_stages() -> Result<(), Error> {
             "{key}"
         );
     }
-    Ok(())
-}
-
-#[test]
-fn results_do_not_depend_on_the_number_of_threads() -> Result<(), Error> {
-    // Several chunks of the list.
-    let text = "body = \"tip\"\ncolumns = 40\nrows = 40\nsubstrate_layers = 4\ntip_layers = 4\n\
-                side = 8\nlambda = 0.5\nskin = 0.1\nequilibration = 0.05\ndrive_time = 0.15\n\
-                rest_time = 0.05\nsamples = 10";
-    let mut ends = Vec::new();
-    for bath in ["nose-hoover", "langevin"] {
-        let scene = scene(&format!("{text}\nthermostat = \"{bath}\""))?;
-        for threads in [1, 2, 3] {
-            let pool = rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
-                .build()?;
-            let end = pool.install(|| -> Result<String, TipError> {
-                let mut run = TipRun::new(&scene)?;
-                while run.step()? {}
-                Ok(run.checkpoint())
-            })?;
-            ends.push(end);
-        }
-    }
-    assert!(ends.chunks(3).all(|of| of[0] == of[1] && of[1] == of[2]));
-    assert!(ends[0] != ends[3]);
     Ok(())
 }
