@@ -12,10 +12,11 @@ use tribos::space::PeriodicBox;
 /// Atoms in a volume of σ³, and the temperature of the crystal in ε/k_B.
 const DENSITY: f64 = 0.8442;
 const TEMPERATURE: f64 = 1.44;
-/// In σ.
+/// Of the potential, in σ.
 pub const CUTOFF: f64 = 2.5;
+/// Of the lists, in σ.
 pub const SKIN: f64 = 0.3;
-/// In σ√(m/ε).
+/// Δt in σ√(m/ε), of both programs.
 pub const TIME_STEP: f64 = 0.005;
 /// Stream of the first velocities.
 const SEED: u64 = 5;

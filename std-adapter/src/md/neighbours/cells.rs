@@ -7,6 +7,9 @@ use std::ops::Range;
 /// Cells per slot at most; far outliers make cells wider instead of more.
 const CELLS_PER_SLOT: f64 = 4.0;
 
+/// Of a cell's width: far more than rounding moves the border of a cell.
+const DOUBT: f64 = 1e-6;
+
 /// One axis: where its cells begin, how wide they are and how many, two of them outside all slots.
 #[derive(Clone, Copy, Debug, Default)]
 struct Axis {
@@ -31,6 +34,16 @@ impl Axis {
         let inner = ((x - self.low) * self.inv_width) as usize;
         inner.min(self.cells - 3) + 1
     }
+
+    /// Squares of the least distances from `x` to the cell before its own, its own and the next,
+    /// in doubt smaller.
+    fn gaps_sq(&self, x: f64) -> [f64; 3] {
+        let inside = (x - self.low) * self.inv_width - (self.cell(x) - 1) as f64;
+        [inside, 0.0, 1.0 - inside].map(|gap| {
+            let gap = (gap - DOUBT).max(0.0) / self.inv_width;
+            gap * gap
+        })
+    }
 }
 
 /// Slots in the order of their cells: x runs quickest, z slowest.
@@ -38,7 +51,8 @@ impl Axis {
 pub struct Cells {
     axes: [Axis; 3],
     slots: Vec<Slot>,
-    places: Vec<Vector3<f64>>,
+    /// Their places, an array an axis.
+    places: [Vec<f64>; 3],
     /// Cell of each slot.
     cell_of: Vec<u32>,
     /// First slot of each cell, and one more.
@@ -71,7 +85,8 @@ impl Cells {
         let order = || order.iter().map(|&slot| slot as usize);
         self.cell_of = order().map(|slot| cells[slot]).collect();
         self.slots = order().map(|slot| slots[slot]).collect();
-        self.places = self.slots.iter().map(place).collect();
+        let places: Vec<Vector3<f64>> = self.slots.iter().map(place).collect();
+        self.places = std::array::from_fn(|axis| places.iter().map(|place| place[axis]).collect());
         let count = |before: &mut u32, slot: &Slot| {
             *before += u32::from(slot.is_image);
             Some(*before)
@@ -119,9 +134,15 @@ impl Cells {
         &self.slots
     }
 
-    /// Their places.
-    pub fn places(&self) -> &[Vector3<f64>] {
-        &self.places
+    /// Their places along x, y and z.
+    pub fn places(&self) -> [&[f64]; 3] {
+        let [x, y, z] = &self.places;
+        [x, y, z]
+    }
+
+    /// Place of a slot.
+    pub fn place(&self, slot: usize) -> [f64; 3] {
+        self.places().map(|along| along[slot])
     }
 
     /// True if one of these slots is an image.
@@ -131,12 +152,30 @@ impl Cells {
 
     /// The nine rows of three cells round that of `slot`, as ranges of slots in ascending order.
     pub fn around(&self, slot: usize) -> [Range<usize>; 9] {
+        std::array::from_fn(|row| self.row(slot, row, [1, 1]))
+    }
+
+    /// One of these rows, with `beside` cells left and right of its middle one.
+    fn row(&self, slot: usize, row: usize, [left, right]: [usize; 2]) -> Range<usize> {
         let [x, y, _] = self.axes.map(|axis| axis.cells);
         let own = self.cell_of[slot] as usize;
+        let (dz, dy) = (row / 3, row % 3);
+        let middle = own + dz * x * y + dy * x - x * y - x;
+        self.starts[middle - left] as usize..self.starts[middle + right + 1] as usize
+    }
+
+    /// The same rows without the cells that are out of `reach_sq` as a whole.
+    pub fn in_reach(&self, slot: usize, reach_sq: f64) -> [Range<usize>; 9] {
+        let place = self.place(slot);
+        let [x, y, z]: [[f64; 3]; 3] =
+            std::array::from_fn(|axis| self.axes[axis].gaps_sq(place[axis]));
         std::array::from_fn(|row| {
-            let (dz, dy) = (row / 3, row % 3);
-            let middle = own + dz * x * y + dy * x - x * y - x;
-            self.starts[middle - 1] as usize..self.starts[middle + 2] as usize
+            let aside = z[row / 3] + y[row % 3];
+            if aside >= reach_sq {
+                return 0..0;
+            }
+            let beside = [x[0], x[2]].map(|gap_sq| usize::from(aside + gap_sq < reach_sq));
+            self.row(slot, row, beside)
         })
     }
 

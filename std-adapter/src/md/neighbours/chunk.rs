@@ -9,6 +9,9 @@ use std::ops::Range;
 /// vectors hold.
 pub const LANES: usize = 4;
 
+/// Distances tested side by side when a list is built.
+const ABREAST: usize = 8;
+
 /// Where the site stands that fills up the lanes: far from all others, its square still a number.
 const NOWHERE: f64 = 1e100;
 
@@ -61,11 +64,11 @@ impl Chunk {
             pairs: 0,
             window: slots,
         };
-        let mut row = Vec::new();
+        let mut row = Row::default();
         for slot in owned {
-            row.clear();
+            row.count = 0;
             if !cells.slots()[slot].is_image {
-                near(cells, slot, reach_sq, window.start, &mut row);
+                row.fill(cells, slot, reach_sq, window.start);
             }
             chunk.push_row(&mut row);
         }
@@ -73,11 +76,14 @@ impl Chunk {
     }
 
     /// Adds a row, its last block filled up with the site that is nowhere.
-    fn push_row(&mut self, row: &mut Vec<u32>) {
-        self.pairs += row.len();
+    fn push_row(&mut self, row: &mut Row) {
+        self.pairs += row.count;
         let nowhere = self.window.len() as u32;
-        row.resize(row.len().next_multiple_of(LANES), nowhere);
-        self.neighbours.extend_from_slice(row.as_chunks().0);
+        let full = row.count.next_multiple_of(LANES);
+        row.make_room(LANES);
+        row.sites[row.count..full].fill(nowhere);
+        self.neighbours
+            .extend_from_slice(row.sites[..full].as_chunks().0);
         self.starts.push(self.neighbours.len() as u32);
     }
 
@@ -122,29 +128,80 @@ impl Chunk {
     }
 }
 
-/// Neighbours of a slot that is no image: all images in reach, of the atoms those after it.
-fn near(cells: &Cells, slot: usize, reach_sq: f64, first: usize, row: &mut Vec<u32>) {
-    let place = cells.places()[slot];
-    for range in cells.around(slot) {
-        let later = range.start.max(slot + 1)..range.end;
-        // Rows behind the slot matter for their images only.
-        let before = range.start..range.end.min(slot);
-        if !before.is_empty() && cells.has_image(&before) {
-            let images = before.filter(|&other| cells.slots()[other].is_image);
-            let near =
-                images.filter(|&other| (cells.places()[other] - place).norm_squared() < reach_sq);
-            row.extend(near.map(|other| (other - first) as u32));
+/// Neighbours of one slot, in memory that is used again for the next.
+#[derive(Debug, Default)]
+struct Row {
+    /// Sites; those from `count` on mean nothing.
+    sites: Vec<u32>,
+    count: usize,
+}
+
+impl Row {
+    /// Neighbours of a slot that is no image: all images in reach, of the atoms those after it.
+    fn fill(&mut self, cells: &Cells, slot: usize, reach_sq: f64, first: usize) {
+        let place = cells.place(slot);
+        for range in cells.in_reach(slot, reach_sq) {
+            // Rows behind the slot matter for their images only.
+            let before = range.start..range.end.min(slot);
+            if !before.is_empty() && cells.has_image(&before) {
+                for other in before.filter(|&other| cells.slots()[other].is_image) {
+                    let [way_sq] = ways_sq(cells.place(other).map(|along| [along]), place);
+                    self.make_room(1);
+                    self.keep(other - first, way_sq < reach_sq);
+                }
+            }
+            let later = range.start.max(slot + 1)..range.end;
+            if !later.is_empty() {
+                self.test(cells.places(), place, reach_sq, later, first);
+            }
         }
-        if later.start >= later.end {
-            continue;
-        }
-        // Written always, kept if near: no branch to guess.
-        let mut end = row.len();
-        row.resize(end + later.len(), 0);
-        for (other, there) in later.clone().zip(&cells.places()[later]) {
-            row[end] = (other - first) as u32;
-            end += usize::from((there - place).norm_squared() < reach_sq);
-        }
-        row.truncate(end);
     }
+
+    /// Keeps those of `later` that are in reach, some distances side by side.
+    fn test(
+        &mut self,
+        places: [&[f64]; 3],
+        place: [f64; 3],
+        reach_sq: f64,
+        later: Range<usize>,
+        first: usize,
+    ) {
+        self.make_room(later.len());
+        let mut site = later.start - first;
+        let [x, y, z] = places.map(|along| along[later.clone()].as_chunks::<ABREAST>());
+        for ((x, y), z) in x.0.iter().zip(y.0).zip(z.0) {
+            for way_sq in ways_sq([*x, *y, *z], place) {
+                self.keep(site, way_sq < reach_sq);
+                site += 1;
+            }
+        }
+        for ((x, y), z) in x.1.iter().zip(y.1).zip(z.1) {
+            let [way_sq] = ways_sq([[*x], [*y], [*z]], place);
+            self.keep(site, way_sq < reach_sq);
+            site += 1;
+        }
+    }
+
+    fn make_room(&mut self, more: usize) {
+        let needed = self.count + more;
+        if self.sites.len() < needed {
+            self.sites.resize(needed.next_power_of_two(), 0);
+        }
+    }
+
+    /// Written always, kept if near: no branch to guess.
+    #[inline(always)]
+    fn keep(&mut self, site: usize, is_near: bool) {
+        self.sites[self.count] = site as u32;
+        self.count += usize::from(is_near);
+    }
+}
+
+/// Squares of the ways from `place` to some others.
+#[inline(always)]
+fn ways_sq<const N: usize>(there: [[f64; N]; 3], place: [f64; 3]) -> [f64; N] {
+    std::array::from_fn(|lane| {
+        let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| there[axis][lane] - place[axis]);
+        x * x + y * y + z * z
+    })
 }
