@@ -167,13 +167,18 @@ impl Interaction for LennardJones {
             species: self.species,
             table: &self.table,
         };
+        let one = One(self.table[0]);
         match (self.species, self.shift) {
-            (1, Shift::Force) => forces(&Shifted(One(self.table[0])), list, onto, wanted),
-            (1, _) => forces(&Cut(One(self.table[0])), list, onto, wanted),
-            (_, Shift::Force) => forces(&Shifted(many), list, onto, wanted),
-            (_, _) => forces(&Cut(many), list, onto, wanted),
+            (1, Shift::Force) => forces(&law(one, Shifted), list, onto, wanted),
+            (1, _) => forces(&law(one, Plain), list, onto, wanted),
+            (_, Shift::Force) => forces(&law(many, Shifted), list, onto, wanted),
+            (_, _) => forces(&law(many, Plain), list, onto, wanted),
         }
     }
+}
+
+fn law<S, E>(source: S, end: E) -> Truncated<S, E> {
+    Truncated { source, end }
 }
 
 /// Where the coefficients of a block of pairs come from.
@@ -222,26 +227,68 @@ impl Source for Many<'_> {
     }
 }
 
-/// Truncated; the energy shifted or not.
-struct Cut<S>(S);
+/// What is taken off a force before it is cut, and the energy that belongs to it.
+trait End: Sync {
+    /// Force over distance at 1/r².
+    fn force(&self, pair: &Coefficients, inv_sq: f64) -> f64;
 
-impl<S: Source> PairLaw for Cut<S> {
+    /// At r².
+    fn energy(&self, pair: &Coefficients, r_sq: f64) -> f64;
+}
+
+/// Nothing: no root is taken.
+struct Plain;
+
+impl End for Plain {
+    #[inline(always)]
+    fn force(&self, _: &Coefficients, _: f64) -> f64 {
+        0.0
+    }
+
+    #[inline(always)]
+    fn energy(&self, _: &Coefficients, _: f64) -> f64 {
+        0.0
+    }
+}
+
+/// The force at the cut-off.
+struct Shifted;
+
+impl End for Shifted {
+    #[inline(always)]
+    fn force(&self, pair: &Coefficients, inv_sq: f64) -> f64 {
+        pair.force_at_cutoff * inv_sq.sqrt()
+    }
+
+    #[inline(always)]
+    fn energy(&self, pair: &Coefficients, r_sq: f64) -> f64 {
+        pair.force_at_cutoff * r_sq.sqrt()
+    }
+}
+
+/// The potential with its coefficients and its end.
+struct Truncated<S, E> {
+    source: S,
+    end: E,
+}
+
+impl<S: Source, E: End> PairLaw for Truncated<S, E> {
     type Kinds = S::Kinds;
 
     #[inline(always)]
     fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> S::Kinds {
-        self.0.kinds(here, block, sites)
+        self.source.kinds(here, block, sites)
     }
 
     #[inline(always)]
     fn force_over_distance(&self, kinds: S::Kinds, r_sq: &Lanes) -> Lanes {
         std::array::from_fn(|lane| {
-            let pair = self.0.coefficients(kinds, lane);
+            let pair = self.source.coefficients(kinds, lane);
             let inv_sq = 1.0 / r_sq[lane];
             let inv6 = inv_sq * inv_sq * inv_sq;
             let strength = inv6 * (pair.force12 * inv6 - pair.force6) * inv_sq;
             if r_sq[lane] < pair.cutoff_sq {
-                strength
+                strength - self.end.force(pair, inv_sq)
             } else {
                 0.0
             }
@@ -251,57 +298,12 @@ impl<S: Source> PairLaw for Cut<S> {
     #[inline(always)]
     fn energy(&self, kinds: S::Kinds, r_sq: &Lanes) -> Lanes {
         std::array::from_fn(|lane| {
-            let pair = self.0.coefficients(kinds, lane);
+            let pair = self.source.coefficients(kinds, lane);
             let inv_sq = 1.0 / r_sq[lane];
             let inv6 = inv_sq * inv_sq * inv_sq;
-            let energy = inv6 * (pair.energy12 * inv6 - pair.energy6) + pair.offset;
+            let energy = inv6 * (pair.energy12 * inv6 - pair.energy6);
             if r_sq[lane] < pair.cutoff_sq {
-                energy
-            } else {
-                0.0
-            }
-        })
-    }
-}
-
-/// Energy and force shifted to end at 0.
-struct Shifted<S>(S);
-
-impl<S: Source> PairLaw for Shifted<S> {
-    type Kinds = S::Kinds;
-
-    #[inline(always)]
-    fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> S::Kinds {
-        self.0.kinds(here, block, sites)
-    }
-
-    #[inline(always)]
-    fn force_over_distance(&self, kinds: S::Kinds, r_sq: &Lanes) -> Lanes {
-        std::array::from_fn(|lane| {
-            let pair = self.0.coefficients(kinds, lane);
-            let inv_sq = 1.0 / r_sq[lane];
-            let inv6 = inv_sq * inv_sq * inv_sq;
-            let inv = inv_sq.sqrt();
-            let strength =
-                inv6 * (pair.force12 * inv6 - pair.force6) * inv_sq - pair.force_at_cutoff * inv;
-            if r_sq[lane] < pair.cutoff_sq {
-                strength
-            } else {
-                0.0
-            }
-        })
-    }
-
-    #[inline(always)]
-    fn energy(&self, kinds: S::Kinds, r_sq: &Lanes) -> Lanes {
-        std::array::from_fn(|lane| {
-            let pair = self.0.coefficients(kinds, lane);
-            let inv_sq = 1.0 / r_sq[lane];
-            let inv6 = inv_sq * inv_sq * inv_sq;
-            let energy = inv6 * (pair.energy12 * inv6 - pair.energy6)
-                + (pair.offset + pair.force_at_cutoff * r_sq[lane].sqrt());
-            if r_sq[lane] < pair.cutoff_sq {
-                energy
+                energy + (pair.offset + self.end.energy(pair, r_sq[lane]))
             } else {
                 0.0
             }
