@@ -30,7 +30,7 @@ pub struct Told {
     pub pairs: f64,
     /// Lists built.
     pub builds: f64,
-    /// Potential energy of an atom before the first step.
+    /// Potential energy before the first step.
     pub energy: f64,
 }
 

@@ -46,7 +46,7 @@ pub struct Ran {
     pub steps: u64,
     /// Lists built meanwhile.
     pub builds: u64,
-    /// Potential energy of an atom before the first step.
+    /// Potential energy before the first step.
     pub energy: f64,
     /// Atoms at the end.
     pub atoms: Atoms,
@@ -88,9 +88,9 @@ impl Since {
     }
 }
 
-/// Potential energy of an atom.
+/// Potential energy.
 fn energy(system: &System<LennardJones>) -> f64 {
-    system.tally().energy / system.atoms().len() as f64
+    system.tally().energy
 }
 
 impl Problem {
@@ -200,7 +200,7 @@ fn melt_script(steps: u64) -> String {
     format!(
         "units lj\natom_style atomic\nread_data melt.data\npair_style lj/cut {CUTOFF}\n\
          pair_coeff * * 1 1\nneighbor {SKIN} bin\nneigh_modify delay 0 every 1 check yes\n\
-         fix move all nve\nthermo_style custom step pe\nthermo_modify format float %.17g\n\
+         fix move all nve\nthermo_style custom step pe\nthermo_modify norm no format float %.17g\n\
          thermo {steps}\ntimestep {TIME_STEP}\nrun {steps}\n"
     )
 }

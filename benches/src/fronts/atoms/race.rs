@@ -72,7 +72,7 @@ fn agree(ours: f64, theirs: f64) -> Result<(), String> {
         Ok(())
     } else {
         Err(format!(
-            "LAMMPS' potential energy of an atom at the start is {theirs}, ours {ours}: \
+            "LAMMPS' potential energy at the start is {theirs}, ours {ours}: \
              they do not run the same"
         ))
     }

@@ -187,7 +187,8 @@ trait Source: Sync {
 
     fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> Self::Kinds;
 
-    fn coefficients(&self, kinds: Self::Kinds, lane: usize) -> &Coefficients;
+    /// One coefficient of every lane.
+    fn each(&self, kinds: Self::Kinds, of: impl Fn(&Coefficients) -> f64) -> Lanes;
 }
 
 /// One species: always the same.
@@ -200,8 +201,8 @@ impl Source for One {
     fn kinds(&self, _: &Site, _: &[u32; LANES], _: &[Site]) {}
 
     #[inline(always)]
-    fn coefficients(&self, (): (), _: usize) -> &Coefficients {
-        &self.0
+    fn each(&self, (): (), of: impl Fn(&Coefficients) -> f64) -> Lanes {
+        Lanes::splat(of(&self.0))
     }
 }
 
@@ -222,18 +223,18 @@ impl Source for Many<'_> {
     }
 
     #[inline(always)]
-    fn coefficients(&self, kinds: [usize; LANES], lane: usize) -> &Coefficients {
-        &self.table[kinds[lane]]
+    fn each(&self, kinds: [usize; LANES], of: impl Fn(&Coefficients) -> f64) -> Lanes {
+        Lanes::new(kinds.map(|kind| of(&self.table[kind])))
     }
 }
 
 /// What is taken off a force before it is cut, and the energy that belongs to it.
 trait End: Sync {
     /// Force over distance at 1/r².
-    fn force(&self, pair: &Coefficients, inv_sq: f64) -> f64;
+    fn force(&self, force_at_cutoff: Lanes, inv_sq: Lanes) -> Lanes;
 
     /// At r².
-    fn energy(&self, pair: &Coefficients, r_sq: f64) -> f64;
+    fn energy(&self, force_at_cutoff: Lanes, r_sq: Lanes) -> Lanes;
 }
 
 /// Nothing: no root is taken.
@@ -241,13 +242,13 @@ struct Plain;
 
 impl End for Plain {
     #[inline(always)]
-    fn force(&self, _: &Coefficients, _: f64) -> f64 {
-        0.0
+    fn force(&self, _: Lanes, _: Lanes) -> Lanes {
+        Lanes::ZERO
     }
 
     #[inline(always)]
-    fn energy(&self, _: &Coefficients, _: f64) -> f64 {
-        0.0
+    fn energy(&self, _: Lanes, _: Lanes) -> Lanes {
+        Lanes::ZERO
     }
 }
 
@@ -256,13 +257,13 @@ struct Shifted;
 
 impl End for Shifted {
     #[inline(always)]
-    fn force(&self, pair: &Coefficients, inv_sq: f64) -> f64 {
-        pair.force_at_cutoff * inv_sq.sqrt()
+    fn force(&self, force_at_cutoff: Lanes, inv_sq: Lanes) -> Lanes {
+        force_at_cutoff * inv_sq.sqrt()
     }
 
     #[inline(always)]
-    fn energy(&self, pair: &Coefficients, r_sq: f64) -> f64 {
-        pair.force_at_cutoff * r_sq.sqrt()
+    fn energy(&self, force_at_cutoff: Lanes, r_sq: Lanes) -> Lanes {
+        force_at_cutoff * r_sq.sqrt()
     }
 }
 
@@ -270,6 +271,15 @@ impl End for Shifted {
 struct Truncated<S, E> {
     source: S,
     end: E,
+}
+
+impl<S: Source, E: End> Truncated<S, E> {
+    /// The values where r is below the cut-off, else 0.
+    #[inline(always)]
+    fn within(&self, kinds: S::Kinds, r_sq: Lanes, values: Lanes) -> Lanes {
+        let cutoff_sq = self.source.each(kinds, |pair| pair.cutoff_sq);
+        r_sq.simd_lt(cutoff_sq).select(values, Lanes::ZERO)
+    }
 }
 
 impl<S: Source, E: End> PairLaw for Truncated<S, E> {
@@ -281,32 +291,29 @@ impl<S: Source, E: End> PairLaw for Truncated<S, E> {
     }
 
     #[inline(always)]
-    fn force_over_distance(&self, kinds: S::Kinds, r_sq: &Lanes) -> Lanes {
-        std::array::from_fn(|lane| {
-            let pair = self.source.coefficients(kinds, lane);
-            let inv_sq = 1.0 / r_sq[lane];
-            let inv6 = inv_sq * inv_sq * inv_sq;
-            let strength = inv6 * (pair.force12 * inv6 - pair.force6) * inv_sq;
-            if r_sq[lane] < pair.cutoff_sq {
-                strength - self.end.force(pair, inv_sq)
-            } else {
-                0.0
-            }
-        })
+    fn force_over_distance(&self, kinds: S::Kinds, r_sq: Lanes) -> Lanes {
+        let force12 = self.source.each(kinds, |pair| pair.force12);
+        let force6 = self.source.each(kinds, |pair| pair.force6);
+        let at_cutoff = self.source.each(kinds, |pair| pair.force_at_cutoff);
+        let inv_sq = Lanes::ONE / r_sq;
+        let inv6 = inv_sq * inv_sq * inv_sq;
+        let strength = inv6 * (force12 * inv6 - force6) * inv_sq;
+        self.within(kinds, r_sq, strength - self.end.force(at_cutoff, inv_sq))
     }
 
     #[inline(always)]
-    fn energy(&self, kinds: S::Kinds, r_sq: &Lanes) -> Lanes {
-        std::array::from_fn(|lane| {
-            let pair = self.source.coefficients(kinds, lane);
-            let inv_sq = 1.0 / r_sq[lane];
-            let inv6 = inv_sq * inv_sq * inv_sq;
-            let energy = inv6 * (pair.energy12 * inv6 - pair.energy6);
-            if r_sq[lane] < pair.cutoff_sq {
-                energy + (pair.offset + self.end.energy(pair, r_sq[lane]))
-            } else {
-                0.0
-            }
-        })
+    fn energy(&self, kinds: S::Kinds, r_sq: Lanes) -> Lanes {
+        let energy12 = self.source.each(kinds, |pair| pair.energy12);
+        let energy6 = self.source.each(kinds, |pair| pair.energy6);
+        let offset = self.source.each(kinds, |pair| pair.offset);
+        let at_cutoff = self.source.each(kinds, |pair| pair.force_at_cutoff);
+        let inv_sq = Lanes::ONE / r_sq;
+        let inv6 = inv_sq * inv_sq * inv_sq;
+        let energy = inv6 * (energy12 * inv6 - energy6);
+        self.within(
+            kinds,
+            r_sq,
+            energy + (offset + self.end.energy(at_cutoff, r_sq)),
+        )
     }
 }

@@ -15,8 +15,10 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 use sums::{ForcesOnly, Sums, Totals};
 
-/// A number for each of the pairs computed side by side.
-type Lanes = [f64; LANES];
+/// A number for each of the pairs computed side by side; every operation rounds as that of one
+/// number does.
+type Lanes = wide::f64x4;
+const _: () = assert!(size_of::<Lanes>() == LANES * size_of::<f64>());
 
 /// A force along the line of two atoms that ends at a cut-off.
 trait PairLaw: Sync {
@@ -27,10 +29,10 @@ trait PairLaw: Sync {
     fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> Self::Kinds;
 
     /// −U'(r)/r at these squares of r; 0 beyond the cut-off.
-    fn force_over_distance(&self, kinds: Self::Kinds, r_sq: &Lanes) -> Lanes;
+    fn force_over_distance(&self, kinds: Self::Kinds, r_sq: Lanes) -> Lanes;
 
     /// U(r); 0 beyond the cut-off.
-    fn energy(&self, kinds: Self::Kinds, r_sq: &Lanes) -> Lanes;
+    fn energy(&self, kinds: Self::Kinds, r_sq: Lanes) -> Lanes;
 }
 
 /// Forces of a law on all atoms, with the sums that are wanted.
@@ -67,28 +69,28 @@ fn over_pairs<L: PairLaw, S: Sums>(law: &L, chunk: &mut Chunk) -> Tally {
     let (sites, rows) = chunk.sites_and_rows();
     for (here, blocks) in rows {
         let own = sites[here];
-        let mut force = [[0.0; LANES]; 3];
+        let mut force = [Lanes::ZERO; 3];
         for block in blocks {
             let way = ways(&own, block, sites);
-            let r_sq = squares(&way);
+            let [x, y, z] = way;
+            let r_sq = x * x + y * y + z * z;
             let kinds = law.kinds(&own, block, sites);
-            let strength = law.force_over_distance(kinds, &r_sq);
-            let pull = way.map(|way| product(&strength, &way));
-            for axis in 0..3 {
-                for lane in 0..LANES {
-                    force[axis][lane] += pull[axis][lane];
-                }
+            let strength = law.force_over_distance(kinds, r_sq);
+            let pull = way.map(|way| strength * way);
+            for (sum, pull) in force.iter_mut().zip(pull) {
+                *sum += pull;
             }
+            let [x, y, z] = pull.map(Lanes::to_array);
             for (lane, &other) in block.iter().enumerate() {
                 let other = &mut sites[other as usize].force;
-                for axis in 0..3 {
-                    other[axis] -= pull[axis][lane];
-                }
+                other[0] -= x[lane];
+                other[1] -= y[lane];
+                other[2] -= z[lane];
             }
-            sums.add(|| law.energy(kinds, &r_sq), &way, &pull);
+            sums.add(|| law.energy(kinds, r_sq), &way, &pull);
         }
         for (sum, lanes) in sites[here].force.iter_mut().zip(force) {
-            *sum += across(&lanes);
+            *sum += across(lanes);
         }
     }
     sums.tally()
@@ -97,28 +99,15 @@ fn over_pairs<L: PairLaw, S: Sums>(law: &L, chunk: &mut Chunk) -> Tally {
 /// From each site of a block to `own`, axis by axis.
 #[inline(always)]
 fn ways(own: &Site, block: &[u32; LANES], sites: &[Site]) -> [Lanes; 3] {
-    let mut ways = [[0.0; LANES]; 3];
-    for (lane, &other) in block.iter().enumerate() {
-        let there = &sites[other as usize].place;
-        for axis in 0..3 {
-            ways[axis][lane] = own.place[axis] - there[axis];
-        }
-    }
-    ways
-}
-
-#[inline(always)]
-fn squares([x, y, z]: &[Lanes; 3]) -> Lanes {
-    std::array::from_fn(|lane| x[lane] * x[lane] + y[lane] * y[lane] + z[lane] * z[lane])
-}
-
-#[inline(always)]
-fn product(a: &Lanes, b: &Lanes) -> Lanes {
-    std::array::from_fn(|lane| a[lane] * b[lane])
+    let [a, b, c, d] = block.map(|other| &sites[other as usize].place);
+    std::array::from_fn(|axis| {
+        Lanes::splat(own.place[axis]) - Lanes::new([a[axis], b[axis], c[axis], d[axis]])
+    })
 }
 
 /// Sum over the lanes, halves first.
 #[inline(always)]
-fn across([a, b, c, d]: &Lanes) -> f64 {
+fn across(lanes: Lanes) -> f64 {
+    let [a, b, c, d] = lanes.to_array();
     (a + c) + (b + d)
 }

@@ -1,6 +1,6 @@
 //! What a loop over pairs sums up: nothing, or energy and virial.
 
-use super::{LANES, Lanes, Tally, across};
+use super::{Lanes, Tally, across};
 use nalgebra::Matrix3;
 
 /// Takes what a block of pairs adds.
@@ -42,19 +42,16 @@ const AXES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
 impl Sums for Totals {
     #[inline(always)]
     fn add(&mut self, energy: impl FnOnce() -> Lanes, way: &[Lanes; 3], force: &[Lanes; 3]) {
-        let energy = energy();
-        for lane in 0..LANES {
-            self.energy[lane] += energy[lane];
-            for (sum, [a, b]) in self.virial.iter_mut().zip(AXES) {
-                sum[lane] += way[a][lane] * force[b][lane];
-            }
+        self.energy += energy();
+        for (sum, [a, b]) in self.virial.iter_mut().zip(AXES) {
+            *sum += way[a] * force[b];
         }
     }
 
     fn tally(&self) -> Tally {
-        let [xx, yy, zz, xy, xz, yz] = self.virial.map(|lanes| across(&lanes));
+        let [xx, yy, zz, xy, xz, yz] = self.virial.map(across);
         Tally {
-            energy: across(&self.energy),
+            energy: across(self.energy),
             virial: Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz),
         }
     }
