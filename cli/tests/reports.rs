@@ -1,17 +1,48 @@
 //! The report and the phase diagram are complete and agree with the thesis.
 
 use assert_cmd::Command;
+use std::path::Path;
+use std::process::Stdio;
+use std::time::Duration;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 #[test]
-fn the_whole_report_is_made_and_no_claim_differs() -> Outcome {
+fn the_whole_report_is_made_through_kills_and_no_claim_differs() -> Outcome {
     let folder = tempfile::tempdir()?;
+    for seconds in [0.3, 2.0, 9.0] {
+        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"))
+            .args(["reproduce", "--checkpoint", "0.5", "--out"])
+            .arg(folder.path())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()?;
+        std::thread::sleep(Duration::from_secs_f64(seconds));
+        child.kill()?;
+        child.wait()?;
+        nothing_is_half_written(folder.path())?;
+    }
     Command::cargo_bin("tribos")?
         .args(["reproduce", "--out"])
         .arg(folder.path())
         .assert()
         .success();
+    nothing_is_half_written(folder.path())?;
+    // What the kills hit, undisturbed.
+    let whole = tempfile::tempdir()?;
+    Command::cargo_bin("tribos")?
+        .args(["reproduce", "--out"])
+        .arg(whole.path())
+        .args(["3.4", "4.5", "4.6"])
+        .assert()
+        .success();
+    for name in ["3.4", "4.5", "4.6"] {
+        for ending in ["csv", "svg", "png"] {
+            let file = format!("figure-{name}.{ending}");
+            let read = |folder: &Path| std::fs::read(folder.join(&file));
+            assert!(read(folder.path())? == read(whole.path())?, "{file}");
+        }
+    }
     let claims = std::fs::read_to_string(folder.path().join("claims.csv"))?;
     assert!(!claims.contains("\"differs\""));
     assert!(claims.lines().count() > 260);
@@ -89,6 +120,28 @@ fn modes_answers_in_json_and_draws() -> Outcome {
         assert!((ratio - 0.653_001_789_205_597_6).abs() < 1e-15);
         assert_eq!(answer["final_mode"], "together");
         assert!(file.metadata()?.len() > 1000);
+    }
+    Ok(())
+}
+
+/// Every file under its final name is whole: it ends as its format does.
+fn nothing_is_half_written(folder: &Path) -> Outcome {
+    for entry in std::fs::read_dir(folder).into_iter().flatten() {
+        let path = entry?.path();
+        let end: &[u8] = match path.extension().and_then(|ending| ending.to_str()) {
+            Some("csv") => b"\n",
+            Some("svg") => b"</svg>",
+            Some("html") => b"</html>",
+            Some("png") => b"IEND\xaeB`\x82",
+            // Folders, and what is being written under another name.
+            _ => continue,
+        };
+        let bytes = std::fs::read(&path)?;
+        assert!(
+            bytes.trim_ascii_end().ends_with(end.trim_ascii_end()),
+            "{}",
+            path.display()
+        );
     }
     Ok(())
 }

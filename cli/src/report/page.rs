@@ -1,5 +1,6 @@
 //! A self-contained web page that compares our results with a thesis.
 
+use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 
 /// Look of the page; figures stay on white cards in dark mode.
@@ -46,7 +47,7 @@ pub struct Page {
 }
 
 /// One part of the report.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Section {
     /// Name for links to this section, unique on the page.
     pub id: String,
@@ -61,7 +62,7 @@ pub struct Section {
 }
 
 /// A figure shown inside the page and the files beside the page.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct FigureRef {
     /// Trusted SVG text, put into the page as it is.
     pub svg: String,
@@ -72,7 +73,7 @@ pub struct FigureRef {
 }
 
 /// One statement of the thesis and what became of it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Claim {
     /// The statement.
     pub statement: String,
@@ -87,7 +88,7 @@ pub struct Claim {
 }
 
 /// Outcome of checking a claim.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Verdict {
     /// Our result agrees with the thesis.
     Agrees,

@@ -1,7 +1,7 @@
 //! A run as a file: everything that it goes on from, to the same bits.
 
 use super::blocked::Window;
-use super::compaction::{COLUMNS, Totals};
+use super::compaction::{COLUMNS, Ending, Totals};
 use super::packing::Force;
 use super::stress::Stress;
 use crate::cd::Book;
@@ -44,6 +44,8 @@ pub(super) struct Checkpoint {
     pub complete: Option<(Window, f64)>,
     pub totals: Totals,
     pub series: Vec<[f64; COLUMNS.len()]>,
+    /// Why it ended, if it has.
+    pub ending: Option<Ending>,
 }
 
 impl Checkpoint {
@@ -90,6 +92,7 @@ impl Checkpoint {
             .collect();
         map.insert("awake".into(), awake.into());
         map.insert("still".into(), frozen.still.clone().into());
+        map.insert("ending".into(), self.ending.map(Ending::name).into());
         format!("{}\n", Value::Object(map))
     }
 
@@ -147,6 +150,10 @@ impl Checkpoint {
                 wall_seconds: one("wall_seconds")?,
             },
             series: series.as_chunks().0.to_vec(),
+            ending: match value["ending"].as_str() {
+                None => None,
+                Some(name) => Some(Ending::named(name).ok_or_else(|| damaged("ending"))?),
+            },
         };
         Ok(checkpoint)
     }

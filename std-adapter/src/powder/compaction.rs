@@ -37,6 +37,9 @@ pub const COLUMNS: [&str; 15] = [
     "work",
 ];
 
+/// Column of the residual.
+const RESIDUAL: usize = 7;
+
 /// Why a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
@@ -46,6 +49,22 @@ pub enum Ending {
     Time,
     /// The scene's steps were done.
     Steps,
+}
+
+impl Ending {
+    /// As it stands in summaries and checkpoints.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Blocked => "blocked",
+            Self::Time => "time",
+            Self::Steps => "steps",
+        }
+    }
+
+    pub(super) fn named(name: &str) -> Option<Self> {
+        let mut all = [Self::Blocked, Self::Time, Self::Steps].into_iter();
+        all.find(|ending| ending.name() == name)
+    }
 }
 
 /// A compaction that cannot start or go on.
@@ -138,7 +157,7 @@ impl Compaction {
     }
 
     /// Goes on from a [checkpoint](Compaction::checkpoint) of a run of the same scene, to the same
-    /// bits as without the break.
+    /// bits as without the break. One that had ended is at its end again, and takes no more steps.
     pub fn resume(scene: &PowderScene, checkpoint: &str) -> Result<Self, CompactionError> {
         let checkpoint = Checkpoint::read(checkpoint, scene)?;
         Self::begin(scene, Some(checkpoint))
@@ -176,6 +195,8 @@ impl Compaction {
                 compaction.complete = kept.complete;
                 compaction.totals = kept.totals;
                 compaction.series = kept.series;
+                compaction.ending = kept.ending;
+                compaction.look_again()?;
             }
             None => compaction.series.push(compaction.record()),
         }
@@ -193,6 +214,7 @@ impl Compaction {
                 ..self.totals
             },
             series: self.series.clone(),
+            ending: self.ending,
         };
         checkpoint.text(&self.scene)
     }
@@ -305,6 +327,19 @@ impl Compaction {
         self.totals.wall_seconds + self.started.elapsed().as_secs_f64()
     }
 
+    /// What the last step left, from the forces that were kept; a run's last line has its residual.
+    fn look_again(&mut self) -> Result<(), CompactionError> {
+        let step = self.steps();
+        if step > 0 {
+            let contacts = self.packing.contacts();
+            self.contacts = contacts.map_err(|cause| CompactionError::Touch { step, cause })?;
+        }
+        if let (Some(_), Some(last)) = (self.ending, self.series.last()) {
+            self.report.residual.relative = last[RESIDUAL];
+        }
+        Ok(())
+    }
+
     /// Contacts and stress after a step; adds both to the window.
     fn measure(&mut self, before: &[Sphere<f64>]) -> Result<(), CompactionError> {
         let step = self.steps();
@@ -388,7 +423,11 @@ impl Simulation for Compaction {
         ]
     }
 
+    /// At its end a run takes no more steps.
     fn step(&mut self) -> Result<bool, CompactionError> {
+        if self.ending.is_some() {
+            return Ok(false);
+        }
         let before = self.packing.spheres().to_vec();
         self.report = self.packing.step()?;
         self.totals.iterations += self.report.effort.sweeps as u64;

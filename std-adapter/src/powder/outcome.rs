@@ -69,13 +69,7 @@ impl Outcome {
     /// tensors in F_coh/R².
     pub fn json(&self, scene: &PowderScene) -> Value {
         let mut map = Map::new();
-        let ending = match self.ending {
-            Some(Ending::Blocked) => "blocked".into(),
-            Some(Ending::Time) => "time".into(),
-            Some(Ending::Steps) => "steps".into(),
-            None => Value::Null,
-        };
-        map.insert("ending".into(), ending);
+        map.insert("ending".into(), self.ending.map(Ending::name).into());
         let mut put = |name: &str, value: Value| map.insert(name.into(), value);
         put("porosity_initial", json_number(self.porosity[0]));
         put("porosity_final", json_number(self.porosity[1]));

@@ -217,6 +217,21 @@ fn a_resumed_run_ends_with_the_same_bits() -> Tested {
 }
 
 #[test]
+fn a_checkpoint_of_the_end_is_the_end() -> Tested {
+    let modes = ["rolling=0.1", "torsion=0.1"];
+    let whole = finished(&modes)?;
+    assert_eq!(COLUMNS.iter().position(|name| *name == "residual"), Some(7));
+    let mut again = Compaction::resume(&scene(&modes)?, &whole.checkpoint())?;
+    assert!(!again.step()?);
+    let [mut a, mut b] = [whole.outcome(), again.outcome()];
+    (a.wall_seconds, b.wall_seconds) = (0.0, 0.0);
+    assert_eq!(a, b);
+    assert_eq!(whole.series(), again.series());
+    assert_eq!(whole.contacts(), again.contacts());
+    Ok(())
+}
+
+#[test]
 fn a_checkpoint_read_and_written_is_the_same() -> Tested {
     let scene = scene(&["rolling=0.1", "torsion=0.1", "height=40"])?;
     let mut compaction = Compaction::new(&scene)?;

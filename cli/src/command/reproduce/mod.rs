@@ -13,11 +13,13 @@ mod exhibit;
 mod growth;
 mod ice;
 mod interval;
+mod kept;
 mod local_law;
 mod lubrication;
 mod odd;
 mod packing;
 mod pipe;
+mod plan;
 mod porosity;
 mod pressure;
 mod pressure_modes;
@@ -27,19 +29,26 @@ mod stress;
 mod tilted;
 mod tip;
 
+use super::number;
 use crate::failure::Failure;
 use crate::report::image;
 use crate::report::page::{Claim, FigureRef, Page, Section, Verdict};
 use Maker::{Alone, Running};
 use exhibit::Exhibit;
+use kept::Kept;
+use plan::{Plan, Seconds};
 use runs::{Effort, Runs};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 use tribos::record::{series_csv, write_atomically};
 
 /// Reproduce the results of the thesis on friction laws and coupled friction (chapters 2 and 3,
 /// section 5.1 and appendix A), on the compaction of cohesive powders (chapter 4) and on torsion
 /// friction of atoms (section 5.3): every figure and table as CSV, SVG and PNG, and index.html with the thesis' claims, our numbers and the
 /// difference.
+///
+/// Tells first what it will cost. It may be interrupted at any time: the same command goes on, to the
+/// same files, from what DIR/kept has of it. Runs take all cores.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -52,6 +61,19 @@ pub struct Arguments {
     /// an hour instead of a minute.
     #[arg(long)]
     full: bool,
+    /// A sample of what takes long: fewer seeds, coefficients and spheres, shorter times. The
+    /// default; the page says where.
+    #[arg(long, conflicts_with = "full")]
+    quick: bool,
+    /// Seconds from one checkpoint of a run to the next.
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        default_value = "20",
+        value_parser = number::not_negative,
+        allow_negative_numbers = true
+    )]
+    checkpoint: f64,
     /// List the names and stop.
     #[arg(long)]
     list: bool,
@@ -69,15 +91,26 @@ Examples:
 enum Maker {
     /// In a moment.
     Alone(fn() -> Result<Exhibit, Failure>),
-    /// From simulations, quick or full; compactions are shared.
-    Running(fn(&Runs) -> Result<Exhibit, Failure>),
+    /// From simulations, quick or full; compactions are shared. With the costs of both.
+    Running(fn(&Runs) -> Result<Exhibit, Failure>, [Seconds; 2]),
 }
+
+/// What takes a moment costs.
+const MOMENT: Seconds = 0.1;
 
 impl Maker {
     fn make(self, runs: &Runs) -> Result<Exhibit, Failure> {
         match self {
             Self::Alone(make) => make(),
-            Self::Running(make) => make(runs),
+            Self::Running(make, _) => make(runs),
+        }
+    }
+
+    fn cost(self, effort: Effort) -> Seconds {
+        match (self, effort) {
+            (Self::Alone(_), _) => MOMENT,
+            (Self::Running(_, [quick, _]), Effort::Quick) => quick,
+            (Self::Running(_, [_, full]), Effort::Full) => full,
         }
     }
 }
@@ -104,16 +137,16 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("4.2", Alone(contact_exhibits::figure_4_2)),
     ("4.3", Alone(contact_exhibits::figure_4_3)),
     ("4.5", Alone(deposit::figure_4_5)),
-    ("4.6", Running(packing::figure_4_6)),
-    ("4.7", Running(porosity::figure_4_7)),
-    ("table-4.1", Running(stress::table_4_1)),
+    ("4.6", Running(packing::figure_4_6, [7.0, 25.0])),
+    ("4.7", Running(porosity::figure_4_7, [55.0, 2000.0])),
+    ("table-4.1", Running(stress::table_4_1, [1.0, 120.0])),
     ("section-5.1", Alone(pressure::section_5_1)),
     (
         "section-5.1-modes",
         Alone(pressure_modes::section_5_1_modes),
     ),
     ("5.1", Alone(tip::figure_5_1)),
-    ("5.2", Running(tip::figure_5_2)),
+    ("5.2", Running(tip::figure_5_2, [40.0, 2500.0])),
     ("appendix-a", Alone(odd::appendix_a)),
 ];
 
@@ -128,21 +161,21 @@ impl Arguments {
             }
             return Ok(());
         };
-        let runs = Runs::new(if self.full {
+        let effort = if self.full {
             Effort::Full
         } else {
             Effort::Quick
-        });
-        let mut sections = Vec::new();
-        for (name, maker) in chosen {
-            let section = write_exhibit(&out, name, maker.make(&runs)?)?;
-            println!("{name:<11} {}", tally(&section.claims));
-            sections.push(section);
-        }
+        };
+        let pause = Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX);
+        let runs = Runs::new(effort, Kept::open(&out, pause)?);
+        let sections = sections(&out, &chosen, &runs)?;
         let claims: Vec<Claim> = sections.iter().flat_map(|s| s.claims.clone()).collect();
         write_atomically(&out.join("claims.csv"), claims_csv(&sections).as_bytes())?;
-        write_atomically(&out.join("index.html"), page(sections).html().as_bytes())?;
-        println!("{:<11} {}", "together", tally(&claims));
+        write_atomically(
+            &out.join("index.html"),
+            page(sections, effort).html().as_bytes(),
+        )?;
+        println!("{:<17} {}", "together", tally(&claims));
         println!("open {}", out.join("index.html").display());
         match claims
             .iter()
@@ -155,6 +188,52 @@ impl Arguments {
             ))),
         }
     }
+}
+
+/// The sections in order: those that are finished as they are kept, the others made now.
+fn sections(
+    out: &Path,
+    chosen: &[(&'static str, Maker)],
+    runs: &Runs,
+) -> Result<Vec<Section>, Failure> {
+    let (effort, kept) = (runs.effort(), runs.kept());
+    let mut finished: Vec<Option<Section>> = chosen
+        .iter()
+        .map(|(name, _)| kept.section(name, effort))
+        .collect();
+    let missing = chosen
+        .iter()
+        .zip(&finished)
+        .filter(|(_, kept)| kept.is_none());
+    let cost = |(_, maker): &(&str, Maker)| maker.cost(effort);
+    let mut plan = Plan::new(missing.clone().map(|(exhibit, _)| cost(exhibit)).sum());
+    let count = missing.count();
+    eprintln!(
+        "{count} of {} exhibits to make, about {} on this machine ({})",
+        chosen.len(),
+        plan::told(plan.whole()),
+        effort.name()
+    );
+    for (exhibit, slot) in chosen.iter().zip(&mut finished) {
+        let (name, maker) = exhibit;
+        let left = match slot {
+            Some(section) => {
+                println!("{name:<17} {}, kept", tally(&section.claims));
+                continue;
+            }
+            None => {
+                let section = write_exhibit(out, name, maker.make(runs)?)?;
+                kept.keep(name, effort, &section)?;
+                println!("{name:<17} {}", tally(&section.claims));
+                *slot = Some(section);
+                plan.finish(cost(exhibit))
+            }
+        };
+        if !left.is_zero() {
+            eprintln!("about {} left", plan::told(left));
+        }
+    }
+    Ok(finished.into_iter().flatten().collect())
 }
 
 /// The exhibits that the names mean; `fig3.4`, `figure-3.4` and `3.4` are the same.
@@ -266,7 +345,7 @@ fn claims_csv(sections: &[Section]) -> String {
     text
 }
 
-fn page(sections: Vec<Section>) -> Page {
+fn page(sections: Vec<Section>, effort: Effort) -> Page {
     Page {
         title: "Friction laws and coupled friction: the thesis reproduced".into(),
         intro: vec![
@@ -295,10 +374,21 @@ fn page(sections: Vec<Section>) -> Page {
              closed forms or 30 digits."
                 .into(),
         ],
-        environment: format!(
-            "tribos {}, table tier in f64; `tribos reproduce` makes this page.",
-            env!("CARGO_PKG_VERSION")
-        ),
+        environment: environment(effort),
         sections,
     }
+}
+
+/// Program, effort and how to get more.
+fn environment(effort: Effort) -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    let made = match effort {
+        Effort::Quick => {
+            "A quick reproduction: what takes long (figures 4.6, 4.7, table 4.1, figure 5.2) is a \
+             sample, with fewer seeds, coefficients, spheres and times than the thesis has; \
+             `tribos reproduce --full` takes all of them."
+        }
+        Effort::Full => "A full reproduction, by `tribos reproduce --full`.",
+    };
+    format!("tribos {version}, table tier in f64. {made}")
 }

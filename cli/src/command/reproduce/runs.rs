@@ -1,7 +1,10 @@
 //! The compactions behind chapter 4, each run once for all exhibits.
 
+use super::kept::Kept;
+use super::plan;
 use crate::command::parallel::in_order;
-use crate::command::run::powder::State;
+use crate::command::run::long::{Progress, Start};
+use crate::command::run::powder::{self, State};
 use crate::failure::Failure;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -9,8 +12,9 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::available_parallelism;
-use tribos::powder::{Compaction, Outcome};
-use tribos::run::drive_watched;
+use std::time::Instant;
+use tribos::powder::Outcome;
+use tribos::record::write_atomically;
 use tribos::scene::{PowderScene, Scene, parse_scene};
 
 /// How much is computed.
@@ -20,6 +24,16 @@ pub enum Effort {
     Quick,
     /// Everything that the thesis shows.
     Full,
+}
+
+impl Effort {
+    /// In folders and on the page.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Quick => "quick",
+            Self::Full => "full",
+        }
+    }
 }
 
 /// A system of the thesis (section 4.5).
@@ -73,6 +87,11 @@ impl Case {
         self
     }
 
+    /// Name of its folder.
+    fn folder(&self) -> String {
+        format!("{},{}", self.system.name(), self.keys.join(","))
+    }
+
     fn scene(&self) -> Result<PowderScene, Failure> {
         let [width, height] = self.system.size();
         let text = format!("body = \"powder\"\nwidth = {width}\nheight = {height}\n");
@@ -101,10 +120,14 @@ pub struct Run {
 }
 
 impl Run {
-    fn of(case: &Case) -> Result<Self, Failure> {
+    /// From where its folder has it: the end, a checkpoint or the deposit.
+    fn of(case: &Case, kept: &Kept) -> Result<Self, Failure> {
         let scene = case.scene()?;
-        let mut compaction = Compaction::new(&scene)?;
-        drive_watched(&mut compaction, |_| Ok::<(), Failure>(()))?;
+        let folder = kept.run(&case.folder());
+        let run = |start| powder::simulate(&scene, &folder, start, kept.pause, Progress::Silent);
+        let compaction = from_checkpoint(run)?;
+        let end = compaction.checkpoint();
+        write_atomically(&folder.join("checkpoint.json"), end.as_bytes())?;
         Ok(Self {
             outcome: compaction.outcome(),
             states: State::both(&compaction),
@@ -117,14 +140,16 @@ impl Run {
 #[derive(Debug)]
 pub struct Runs {
     effort: Effort,
+    kept: Kept,
     done: Mutex<BTreeMap<Case, Arc<Run>>>,
 }
 
 impl Runs {
-    /// None yet.
-    pub fn new(effort: Effort) -> Self {
+    /// None yet but those kept.
+    pub fn new(effort: Effort, kept: Kept) -> Self {
         Self {
             effort,
+            kept,
             done: Mutex::default(),
         }
     }
@@ -132,6 +157,11 @@ impl Runs {
     /// How much to compute.
     pub fn effort(&self) -> Effort {
         self.effort
+    }
+
+    /// Where sections and runs are kept.
+    pub fn kept(&self) -> &Kept {
+        &self.kept
     }
 
     /// What more there would be, if there is.
@@ -154,11 +184,15 @@ impl Runs {
         missing.dedup();
 
         let threads = available_parallelism().map_or(1, NonZero::get);
-        let ended = AtomicUsize::new(0);
+        let batch = Batch::new(missing.len());
         let results = in_order(missing.len(), threads, |index| {
-            let run = Run::of(missing[index])?;
-            let count = ended.fetch_add(1, Ordering::Relaxed) + 1;
-            tell(missing[index], &run.outcome, [count, missing.len()]);
+            let run = Run::of(missing[index], &self.kept)?;
+            let (porosity, steps) = (100.0 * run.outcome.porosity[1], run.outcome.steps);
+            let what = format!(
+                "{}: porosity {porosity:.2} % after {steps} steps",
+                missing[index]
+            );
+            batch.tell(&what);
             Ok::<_, Failure>(run)
         });
         for (case, result) in missing.into_iter().zip(results) {
@@ -176,23 +210,64 @@ impl Runs {
     }
 }
 
-/// One line on standard error.
-fn tell(case: &Case, outcome: &Outcome, [count, all]: [usize; 2]) {
-    eprintln!(
-        "{count:>3} of {all}: {case}: porosity {:.2} % after {} steps, {:.1} s",
-        100.0 * outcome.porosity[1],
-        outcome.steps,
-        outcome.wall_seconds
-    );
+/// A run on from its checkpoint, or from the start where there is none of use.
+pub fn from_checkpoint<R>(run: impl Fn(Start) -> Result<R, Failure>) -> Result<R, Failure> {
+    match run(Start::Resume) {
+        Err(Failure::Input(_)) => run(Start::Fresh),
+        other => other,
+    }
+}
+
+/// Runs of one exhibit, told on standard error as they end.
+#[derive(Debug)]
+pub struct Batch {
+    runs: usize,
+    ended: AtomicUsize,
+    started: Instant,
+}
+
+impl Batch {
+    /// Starts now.
+    pub fn new(runs: usize) -> Self {
+        Self {
+            runs,
+            ended: AtomicUsize::new(0),
+            started: Instant::now(),
+        }
+    }
+
+    /// Tells that a run has ended, and about how long the others take.
+    pub fn tell(&self, what: &str) {
+        let ended = self.ended.fetch_add(1, Ordering::Relaxed) + 1;
+        let each = self.started.elapsed().div_f64(ended as f64);
+        let left = each.mul_f64((self.runs - ended) as f64);
+        let left = match self.runs - ended {
+            0 => String::new(),
+            _ => format!("; the others about {}", plan::told(left)),
+        };
+        eprintln!("  {ended:>3} of {} runs: {what}{left}", self.runs);
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::path::Path;
+    use std::time::Duration;
+
+    type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+    fn runs_in(folder: &Path) -> Result<Runs, Failure> {
+        Ok(Runs::new(
+            Effort::Quick,
+            Kept::open(folder, Duration::ZERO)?,
+        ))
+    }
 
     #[test]
-    fn a_case_is_run_once_and_answers_in_the_order_asked() -> Result<(), Failure> {
-        let runs = Runs::new(Effort::Quick);
+    fn a_case_is_run_once_and_answers_in_the_order_asked() -> Outcome {
+        let folder = tempfile::tempdir()?;
+        let runs = runs_in(folder.path())?;
         let case = |seed| Case::new(System::Small, [0.0; 2], seed).with("steps=2");
         let first = runs.of(&[case(2), case(1), case(2)])?;
         assert!(Arc::ptr_eq(&first[0], &first[2]) && !Arc::ptr_eq(&first[0], &first[1]));
@@ -200,13 +275,19 @@ mod tests {
         assert_eq!(first[0].scene.seed, 2);
         assert_eq!(first[1].scene.seed, 1);
         assert_eq!(first[1].outcome.steps, 2);
+        // Another process finds it at its end.
+        let again = runs_in(folder.path())?.one(&case(1))?;
+        assert_eq!(again.outcome.statistics, first[1].outcome.statistics);
+        assert_eq!(again.states[1].positions, first[1].states[1].positions);
         Ok(())
     }
 
     #[test]
-    fn a_refused_key_is_an_input_failure() {
-        let runs = Runs::new(Effort::Quick);
+    fn a_refused_key_is_an_input_failure() -> Outcome {
+        let folder = tempfile::tempdir()?;
+        let runs = runs_in(folder.path())?;
         let case = Case::new(System::Large, [0.0; 2], 1).with("sweeps=many");
         assert!(matches!(runs.one(&case), Err(Failure::Input(_))));
+        Ok(())
     }
 }

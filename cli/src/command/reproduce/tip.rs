@@ -1,18 +1,19 @@
 //! Figures 5.1 and 5.2: the tip on the substrate, and its angle over time.
 
 use super::exhibit::{Exhibit, not_checked, statement};
-use super::runs::{Effort, Runs};
+use super::runs::{Batch, Effort, Runs, from_checkpoint};
 use crate::command::parallel::in_order;
-use crate::command::run::tip::atoms;
+use crate::command::run::long::Progress;
+use crate::command::run::tip::{atoms, simulate};
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Guide, Series};
 use crate::report::page::{Claim, Verdict as Judged};
 use nalgebra::Vector3;
 use std::num::NonZero;
 use std::thread::available_parallelism;
-use tribos::run::drive_watched;
+use tribos::record::write_atomically;
 use tribos::scene::{Scene, TipScene, parse_scene};
-use tribos::tip::{Outcome, Part, TipRun, Verdict};
+use tribos::tip::{Outcome, Part, Verdict};
 
 /// Strengths of the torque: the thesis' two cases, and one that turns this tip for good.
 const QUICK: [f64; 3] = [0.017, 0.020, 0.060];
@@ -88,7 +89,7 @@ pub fn figure_5_1() -> Result<Exhibit, Failure> {
 
 /// Angles over time.
 pub fn figure_5_2(runs: &Runs) -> Result<Exhibit, Failure> {
-    let turned = all(runs.effort())?;
+    let turned = all(runs)?;
     let mut figure = Figure::new(
         "",
         Axis::linear("time [σ√(m/ε)]"),
@@ -117,8 +118,8 @@ pub fn figure_5_2(runs: &Runs) -> Result<Exhibit, Failure> {
     })
 }
 
-fn all(effort: Effort) -> Result<Vec<Turned>, Failure> {
-    let cases: Vec<(f64, u64)> = match effort {
+fn all(runs: &Runs) -> Result<Vec<Turned>, Failure> {
+    let cases: Vec<(f64, u64)> = match runs.effort() {
         Effort::Quick => QUICK.map(|lambda| (lambda, 1)).to_vec(),
         Effort::Full => FULL
             .iter()
@@ -126,28 +127,39 @@ fn all(effort: Effort) -> Result<Vec<Turned>, Failure> {
             .collect(),
     };
     let threads = available_parallelism().map_or(1, NonZero::get);
+    let batch = Batch::new(cases.len());
     let results = in_order(cases.len(), threads, |index| {
+        let turned = turn(cases[index], runs)?;
+        let (driven, after) = (turned.outcome.driven_angle, turned.outcome.final_angle);
         let (lambda, seed) = cases[index];
-        let scene = scene(lambda, seed, effort)?;
-        let mut run = TipRun::new(&scene)?;
-        drive_watched(&mut run, |_| Ok::<(), Failure>(()))?;
-        let outcome = run.outcome();
-        eprintln!(
-            "tip, lambda = {lambda}, seed {seed}: {:.2} degrees driven, {:.2} after it",
-            outcome.driven_angle, outcome.final_angle
-        );
-        Ok::<_, Failure>(Turned {
-            lambda,
-            seed,
-            series: run.series().to_vec(),
-            outcome,
-        })
+        batch.tell(&format!(
+            "tip, lambda={lambda}, seed={seed}: {driven:.2} degrees driven, {after:.2} after it"
+        ));
+        Ok::<_, Failure>(turned)
     });
     let lost = || Err(Failure::run("a run was lost"));
     results
         .into_iter()
         .map(|run| run.unwrap_or_else(lost))
         .collect()
+}
+
+/// One run, on from where its folder has it.
+fn turn((lambda, seed): (f64, u64), runs: &Runs) -> Result<Turned, Failure> {
+    let (effort, kept) = (runs.effort(), runs.kept());
+    let scene = scene(lambda, seed, effort)?;
+    let name = format!("tip,{},lambda={lambda},seed={seed}", effort.name());
+    let folder = kept.run(&name);
+    let run = |start| simulate(&scene, &folder, start, kept.pause, Progress::Silent);
+    let run = from_checkpoint(run)?;
+    let end = run.checkpoint();
+    write_atomically(&folder.join("checkpoint.json"), end.as_bytes())?;
+    Ok(Turned {
+        lambda,
+        seed,
+        series: run.series().to_vec(),
+        outcome: run.outcome(),
+    })
 }
 
 fn text(runs: &Runs) -> Vec<String> {

@@ -1,0 +1,116 @@
+//! What a report goes on from: finished sections, and runs with their checkpoints.
+
+use super::runs::Effort;
+use crate::failure::Failure;
+use crate::report::page::Section;
+use std::hash::{DefaultHasher, Hasher};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use tribos::record::write_atomically;
+
+/// Name of the folder in a report's.
+const FOLDER: &str = "kept";
+
+/// The part of a report's folder that no reader looks at. It belongs to one program: another one
+/// may compute other bits.
+#[derive(Debug)]
+pub struct Kept {
+    report: PathBuf,
+    folder: PathBuf,
+    /// Time from one checkpoint of a run to the next.
+    pub pause: Duration,
+}
+
+impl Kept {
+    /// Opens it, and takes away what another program has left there.
+    pub fn open(report: &Path, pause: Duration) -> Result<Self, Failure> {
+        let all = report.join(FOLDER);
+        let mine = all.join(program());
+        let others = std::fs::read_dir(&all).into_iter().flatten().flatten();
+        for other in others.filter(|other| other.path() != mine) {
+            let place = other.path();
+            std::fs::remove_dir_all(&place).map_err(|error| {
+                Failure::run(format!("cannot remove {}: {error}", place.display()))
+            })?;
+        }
+        Ok(Self {
+            report: report.to_owned(),
+            folder: mine,
+            pause,
+        })
+    }
+
+    /// The section of an exhibit, if it is finished and all its files are there.
+    pub fn section(&self, name: &str, effort: Effort) -> Option<Section> {
+        let text = std::fs::read_to_string(self.section_file(name, effort)).ok()?;
+        let section: Section = serde_json::from_str(&text).ok()?;
+        let there = |file: &String| self.report.join(file).exists();
+        let files = section.figure.iter().flat_map(|figure| &figure.files);
+        files.clone().all(there).then_some(section)
+    }
+
+    /// Keeps a section whose files are written.
+    pub fn keep(&self, name: &str, effort: Effort, section: &Section) -> Result<(), Failure> {
+        let text = serde_json::to_string(section).map_err(Failure::run)?;
+        let file = self.section_file(name, effort);
+        Ok(write_atomically(&file, text.as_bytes())?)
+    }
+
+    /// The folder of a run.
+    pub fn run(&self, name: &str) -> PathBuf {
+        self.folder.join("runs").join(name)
+    }
+
+    fn section_file(&self, name: &str, effort: Effort) -> PathBuf {
+        self.folder.join(effort.name()).join(format!("{name}.json"))
+    }
+}
+
+/// A name for this program: its version, and a digest of its file where that can be read.
+fn program() -> String {
+    let mut hasher = DefaultHasher::new();
+    let file = std::env::current_exe().and_then(std::fs::read);
+    hasher.write(&file.unwrap_or_default());
+    format!("{}-{:016x}", env!("CARGO_PKG_VERSION"), hasher.finish())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::page::FigureRef;
+
+    type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+    #[test]
+    fn a_section_is_kept_with_its_effort_while_its_files_are_there() -> Outcome {
+        let folder = tempfile::tempdir()?;
+        let kept = Kept::open(folder.path(), Duration::ZERO)?;
+        let section = Section {
+            heading: "Ångström".into(),
+            figure: Some(FigureRef {
+                files: vec!["a.csv".into()],
+                ..FigureRef::default()
+            }),
+            ..Section::default()
+        };
+        kept.keep("3.4", Effort::Quick, &section)?;
+        assert_eq!(kept.section("3.4", Effort::Quick), None);
+        std::fs::write(folder.path().join("a.csv"), "x\n")?;
+        assert_eq!(kept.section("3.4", Effort::Quick), Some(section));
+        assert_eq!(kept.section("3.4", Effort::Full), None);
+        Ok(())
+    }
+
+    #[test]
+    fn what_another_program_left_is_taken_away() -> Outcome {
+        let folder = tempfile::tempdir()?;
+        let other = folder.path().join(FOLDER).join("0.0.0-0123456789abcdef");
+        std::fs::create_dir_all(&other)?;
+        std::fs::create_dir_all(folder.path().join("mine"))?;
+        let kept = Kept::open(folder.path(), Duration::ZERO)?;
+        assert!(!other.exists() && folder.path().join("mine").exists());
+        std::fs::create_dir_all(kept.run("x"))?;
+        assert!(Kept::open(folder.path(), Duration::ZERO)?.run("x").exists());
+        Ok(())
+    }
+}
