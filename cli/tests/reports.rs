@@ -46,9 +46,9 @@ fn the_whole_report_is_made_through_kills_and_no_claim_differs() -> Outcome {
     let claims = std::fs::read_to_string(folder.path().join("claims.csv"))?;
     assert!(!claims.contains("\"differs\""));
     assert!(claims.lines().count() > 260);
-    assert_eq!(claims.matches("thesis wrong").count(), 17);
+    assert_eq!(claims.matches("thesis in error").count(), 17);
     assert_eq!(claims.matches("\"not checked\"").count(), 20);
-    let unstated = claims.matches("\"differs, conditions not stated: ");
+    let unstated = claims.matches("\"differs, with cause: ");
     assert_eq!(unstated.count(), 10);
     let page = std::fs::read_to_string(folder.path().join("index.html"))?;
     for name in [

@@ -81,6 +81,9 @@ pub struct Claim {
     pub thesis: String,
     /// Our value.
     pub ours: String,
+    /// How far our value can be off: scatter over seeds; empty where it is computed to the digits
+    /// shown.
+    pub uncertainty: String,
     /// Difference between the two.
     pub difference: String,
     /// Our judgement.
@@ -142,8 +145,8 @@ impl Page {
         }
         let total = total.row("All sections");
         format!(
-            "<nav class=\"scroll\">\n<table>\n<thead><tr><th>Section</th><th>Agrees</th>\
-             <th>Errata</th><th>Differs, conditions not stated</th><th>Differs</th>\
+            "<nav class=\"scroll\">\n<table>\n<thead><tr><th>Section</th><th>Reproduced</th>\
+             <th>Thesis in error</th><th>Differs, with cause</th><th>Differs</th>\
              <th>Not checked</th></tr></thead>\n\
              <tbody>\n{rows}</tbody>\n<tfoot>\n{total}</tfoot>\n</table>\n</nav>\n"
         )
@@ -179,9 +182,23 @@ impl FigureRef {
 }
 
 impl Claim {
+    /// With the uncertainty of our value.
+    pub fn uncertain(self, uncertainty: impl Into<String>) -> Self {
+        Self {
+            uncertainty: uncertainty.into(),
+            ..self
+        }
+    }
+
     // One row of the comparison table.
     fn row(&self) -> String {
-        let cells = [&self.statement, &self.thesis, &self.ours, &self.difference];
+        let cells = [
+            &self.statement,
+            &self.thesis,
+            &self.ours,
+            &self.uncertainty,
+            &self.difference,
+        ];
         let cells: String = cells
             .iter()
             .map(|cell| format!("<td>{}</td>", escape(cell)))
@@ -207,13 +224,13 @@ impl Verdict {
         let word =
             |class: &str, word: &str| format!("<span class=\"verdict {class}\">{word}</span>");
         match self {
-            Self::Agrees => word("agrees", "agrees"),
+            Self::Agrees => word("agrees", "reproduced"),
             Self::Erratum(text) => {
                 let text = escape(text);
-                format!("{}<br>{text}", word("erratum", "the thesis is wrong"))
+                format!("{}<br>{text}", word("erratum", "thesis in error"))
             }
             Self::Unstated(text) => {
-                let (text, words) = (escape(text), "differs, conditions not stated");
+                let (text, words) = (escape(text), "differs, with cause");
                 format!("{}<br>{text}", word("differs", words))
             }
             Self::Differs => word("differs", "differs"),
@@ -256,7 +273,7 @@ fn table(claims: &[Claim]) -> String {
     let rows: String = claims.iter().map(Claim::row).collect();
     format!(
         "<div class=\"scroll\">\n<table>\n<thead><tr><th>Claim (thesis)</th><th>Thesis</th>\
-         <th>Ours</th><th>Difference</th><th>Verdict</th></tr></thead>\n\
+         <th>Ours</th><th>Uncertainty of ours</th><th>Difference</th><th>Verdict</th></tr></thead>\n\
          <tbody>\n{rows}</tbody>\n</table>\n</div>\n"
     )
 }

@@ -125,25 +125,22 @@ fn system_claims() -> Result<Vec<Claim>, Failure> {
         )?;
         let (count, scatter) = statistics(&sample.particles);
         let away = (spheres - count) / scatter;
-        claims.push(statement(
+        let spheres = statement(
             &format!("Spheres of the {name}, {width}R × {width}R × {height}R, r_capt = 3R"),
             &format!("{spheres}"),
-            format!("{count:.0} ± {scatter:.0}; the thesis' is {away:.1} deviations away"),
+            format!("{count:.0}; the thesis' is {away:.1} deviations away"),
             away.abs() < 2.0,
-        ));
+        );
+        claims.push(spheres.uncertain(format!("± {scatter:.0}, {DEPOSITS} deposits")));
         // 92.3 % is stated for the last, "approximately 92 %" for all.
         let stated = if width < 40.0 {
             ("92 %", 0.92)
         } else {
             ("92.3 %", 0.923)
         };
-        let (porosity, _) = statistics(&sample.porosity);
-        claims.push(claim(
-            &format!("Porosity of the {name}"),
-            stated,
-            porosity,
-            0.01,
-        ));
+        let (porosity, scatter) = statistics(&sample.porosity);
+        let porosity = claim(&format!("Porosity of the {name}"), stated, porosity, 0.01);
+        claims.push(porosity.uncertain(format!("± {scatter:.1e}, {DEPOSITS} deposits")));
     }
     Ok(claims)
 }

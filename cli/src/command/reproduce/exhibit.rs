@@ -61,6 +61,7 @@ pub fn claim(statement: &str, thesis: (&str, f64), ours: f64, tolerance: f64) ->
         statement: statement.into(),
         thesis: thesis.0.into(),
         ours: short(ours),
+        uncertainty: String::new(),
         difference: format!("{difference:.1e}"),
         verdict: if difference <= tolerance {
             Verdict::Agrees
@@ -76,6 +77,7 @@ pub fn statement(statement: &str, thesis: &str, shown: String, holds: bool) -> C
         statement: statement.into(),
         thesis: thesis.into(),
         ours: shown,
+        uncertainty: String::new(),
         difference: String::new(),
         verdict: if holds {
             Verdict::Agrees
@@ -95,6 +97,7 @@ pub fn erratum(what: &str, printed: (&str, f64), ours: f64, right: f64, reason: 
         statement: what.into(),
         thesis: printed.0.into(),
         ours: short(ours),
+        uncertainty: String::new(),
         difference: format!("{:.1e}", (ours - printed.1).abs()),
         verdict: if printed_is_wrong && ours_is_right {
             Verdict::Erratum(reason.into())
@@ -110,6 +113,7 @@ pub fn refutation(what: &str, printed: &str, shown: String, refuted: bool, reaso
         statement: what.into(),
         thesis: printed.into(),
         ours: shown,
+        uncertainty: String::new(),
         difference: String::new(),
         verdict: if refuted {
             Verdict::Erratum(reason.into())
@@ -125,6 +129,7 @@ pub fn not_checked(what: &str, thesis: &str, why: &str) -> Claim {
         statement: what.into(),
         thesis: thesis.into(),
         ours: why.into(),
+        uncertainty: String::new(),
         difference: String::new(),
         verdict: Verdict::NotChecked,
     }
@@ -164,6 +169,7 @@ impl Conditional<'_> {
             statement: self.statement.into(),
             thesis: self.thesis.0.into(),
             ours: self.ours.0,
+            uncertainty: String::new(),
             difference: format!("{difference:.1e}"),
             verdict: if difference <= self.tolerance {
                 Verdict::Agrees

@@ -289,10 +289,10 @@ fn write_exhibit(out: &Path, name: &str, exhibit: Exhibit) -> Result<Section, Fa
     })
 }
 
-/// "5 agree, 1 erratum".
+/// "5 reproduced, 1 erratum of the thesis".
 fn tally(claims: &[Claim]) -> String {
     let count = |test: fn(&Verdict) -> bool| claims.iter().filter(|c| test(&c.verdict)).count();
-    let mut text = format!("{:>2} agree", count(|v| *v == Verdict::Agrees));
+    let mut text = format!("{:>2} reproduced", count(|v| *v == Verdict::Agrees));
     for (n, what) in [
         (
             count(|v| matches!(v, Verdict::Erratum(_))),
@@ -300,7 +300,7 @@ fn tally(claims: &[Claim]) -> String {
         ),
         (
             count(|v| matches!(v, Verdict::Unstated(_))),
-            "differ, conditions not stated",
+            "differ, with cause",
         ),
         (count(|v| *v == Verdict::NotChecked), "not checked"),
         (count(|v| *v == Verdict::Differs), "DIFFER"),
@@ -320,13 +320,13 @@ fn tally(claims: &[Claim]) -> String {
 /// All claims as CSV text.
 fn claims_csv(sections: &[Section]) -> String {
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
-    let mut text = String::from("exhibit,claim,thesis,ours,difference,verdict\n");
+    let mut text = String::from("exhibit,claim,thesis,ours,uncertainty,difference,verdict\n");
     for section in sections {
         for claim in &section.claims {
             let verdict = match &claim.verdict {
-                Verdict::Agrees => "agrees".into(),
-                Verdict::Erratum(reason) => format!("thesis wrong: {reason}"),
-                Verdict::Unstated(reason) => format!("differs, conditions not stated: {reason}"),
+                Verdict::Agrees => "reproduced".into(),
+                Verdict::Erratum(reason) => format!("thesis in error: {reason}"),
+                Verdict::Unstated(reason) => format!("differs, with cause: {reason}"),
                 Verdict::Differs => "differs".into(),
                 Verdict::NotChecked => "not checked".into(),
             };
@@ -335,6 +335,7 @@ fn claims_csv(sections: &[Section]) -> String {
                 &claim.statement,
                 &claim.thesis,
                 &claim.ours,
+                &claim.uncertainty,
                 &claim.difference,
                 &verdict,
             ];
@@ -371,7 +372,8 @@ fn page(sections: Vec<Section>, effort: Effort) -> Page {
              claims made there, our numbers and the difference. Where the thesis is wrong, the row \
              says how; where it gives no numbers to compare with, such as measured points, the row \
              is not checked. Rows marked \"not in the thesis\" are ours and checked against \
-             closed forms or 30 digits."
+             closed forms or 30 digits. The uncertainty is that of ours, a standard deviation over \
+             seeds; where there is none, ours is computed to the digits shown."
                 .into(),
         ],
         environment: environment(effort),

@@ -63,7 +63,7 @@ fn deposit_claims(system: System, spheres: f64) -> Result<Vec<Claim>, Failure> {
     let ballistic = Ballistic::new(width, 1.0, CAPTURE_RADIUS).map_err(Failure::run)?;
     let sample = Sample::new(&ballistic, Until::Cut(height), SEEDS)?;
     let (count, scatter) = statistics(&sample.particles);
-    let (porosity, _) = statistics(&sample.porosity);
+    let (porosity, of_porosity) = statistics(&sample.porosity);
     let mut tops = Vec::new();
     for seed in SEEDS {
         let deposit = ballistic.grow(Until::Cut(height), seed);
@@ -74,21 +74,24 @@ fn deposit_claims(system: System, spheres: f64) -> Result<Vec<Claim>, Failure> {
         statement(
             &format!("Spheres of the {name} system"),
             &format!("{spheres}"),
-            format!("{count:.0} ± {scatter:.0}, five deposits"),
+            format!("{count:.0}"),
             (spheres - count).abs() < 2.0 * scatter,
-        ),
+        )
+        .uncertain(format!("± {scatter:.0}, five deposits")),
         claim(
             &format!("Initial porosity of the {name} system"),
             ("92 %", 0.92),
             porosity,
             0.01,
-        ),
+        )
+        .uncertain(format!("± {of_porosity:.1e}, five deposits")),
         statement(
             &format!("Initially the piston of the {name} system nearly touches the highest sphere"),
             &format!("at {height}R"),
-            format!("highest points from {lowest:.2}R on, five deposits"),
+            format!("highest points from {lowest:.2}R on"),
             height - lowest < NEAR,
-        ),
+        )
+        .uncertain("five deposits"),
     ])
 }
 

@@ -49,6 +49,9 @@ pub fn table_4_1(runs: &Runs) -> Result<Exhibit, Failure> {
     let mut claims = line_claims(lines, &stresses);
     claims.extend(order_claims(&stresses));
     claims.extend(choice_claims(runs)?);
+    let claims = claims
+        .into_iter()
+        .map(|claim| claim.uncertain("one deposit"));
     Ok(Exhibit {
         heading: "Table 4.1: stress carried by pushing and by pulling contacts".into(),
         text: vec![
@@ -78,7 +81,7 @@ pub fn table_4_1(runs: &Runs) -> Result<Exhibit, Failure> {
             "stress_zz_minus",
         ],
         rows,
-        claims,
+        claims: claims.collect(),
     })
 }
 

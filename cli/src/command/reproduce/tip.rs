@@ -114,7 +114,10 @@ pub fn figure_5_2(runs: &Runs) -> Result<Exhibit, Failure> {
         drawing: Box::new(figure),
         columns: vec!["lambda", "seed", "time", "angle_degrees"],
         rows,
-        claims: claims(&turned),
+        claims: claims(&turned)
+            .into_iter()
+            .map(|claim| claim.uncertain(seeds(runs.effort())))
+            .collect(),
     })
 }
 
@@ -180,6 +183,14 @@ fn text(runs: &Runs) -> Vec<String> {
     text
 }
 
+/// How many runs of each strength stand behind a claim.
+fn seeds(effort: Effort) -> String {
+    match effort {
+        Effort::Quick => "one seed".into(),
+        Effort::Full => format!("{FULL_SEEDS} seeds"),
+    }
+}
+
 fn claims(turned: &[Turned]) -> Vec<Claim> {
     let is_back = |run: &&Turned| run.outcome.verdict == Verdict::Reversible;
     let below: Vec<&Turned> = turned
@@ -211,6 +222,7 @@ fn claims(turned: &[Turned]) -> Vec<Claim> {
             statement: "For λ ≥ 0.018 they do not".into(),
             thesis: "irreversible".into(),
             ours: format!("irreversible from λ = {weakest} on"),
+            uncertainty: String::new(),
             difference: String::new(),
             verdict: if all_stay {
                 Judged::Agrees

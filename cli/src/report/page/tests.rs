@@ -13,6 +13,7 @@ fn page() -> Page {
         statement: "a < b".to_owned(),
         thesis: "1".to_owned(),
         ours: "2".to_owned(),
+        uncertainty: String::new(),
         difference: "1".to_owned(),
         verdict,
     });
@@ -45,7 +46,7 @@ fn every_text_is_escaped() {
         "&lt;script&gt;",
         "a &lt; b",
         "sign of &lt;b&gt; &amp; &quot;c&quot;",
-        "differs, conditions not stated</span><br>range of &lt;cohesion&gt;",
+        "differs, with cause</span><br>range of &lt;cohesion&gt;",
         "ε &gt; 0",
     ] {
         assert!(html.contains(text), "{text}");
@@ -73,8 +74,8 @@ fn contents_count_the_verdicts_and_link_the_sections() {
 #[test]
 fn each_verdict_has_its_words() {
     let html = page().html();
-    assert_eq!(html.matches(">agrees</span>").count(), 2);
-    assert!(html.contains("the thesis is wrong") && html.contains("not checked"));
+    assert_eq!(html.matches(">reproduced</span>").count(), 2);
+    assert!(html.contains("thesis in error") && html.contains("not checked"));
     assert_eq!(
         Verdict::Differs.html(),
         "<span class=\"verdict differs\">differs</span>"

@@ -2,7 +2,7 @@
 
 use super::super::exhibit::{Conditional, claim, not_checked, statement};
 use super::super::runs::{Case, Runs, System};
-use super::Porosities;
+use super::{Porosities, SMALL_SEEDS};
 use crate::failure::Failure;
 use crate::report::page::Claim;
 use tribos::powder::Ending;
@@ -56,8 +56,12 @@ pub fn all(
 ) -> Result<Vec<Claim>, Failure> {
     let mut claims = shape(small);
     claims.extend(levels(small));
-    claims.extend(trials(runs)?);
-    claims.extend(smooth(runs, small)?);
+    let single = [trials(runs)?, smooth(runs, small)?].concat();
+    claims.extend(
+        single
+            .into_iter()
+            .map(|claim| claim.uncertain("one deposit")),
+    );
     claims.push(all_blocked(small));
     match large {
         Some(large) => claims.extend(grid(small, large)),
@@ -75,13 +79,19 @@ pub fn all(
     Ok(claims)
 }
 
-/// "66.3 ± 0.4 %".
-fn percent((mean, deviation): (f64, f64)) -> String {
-    if deviation.is_nan() {
-        format!("{:.1} %", 100.0 * mean)
-    } else {
-        format!("{:.1} ± {:.1} %", 100.0 * mean, 100.0 * deviation)
-    }
+/// "66.3 %".
+fn percent(share: f64) -> String {
+    format!("{:.1} %", 100.0 * share)
+}
+
+/// "± 0.4 points, two or more deposits": what a mean over deposits is good to.
+fn scatter(deviations: &[f64]) -> String {
+    let points = deviations.iter().map(|d| format!("{:.1}", 100.0 * d));
+    let points: Vec<String> = points.collect();
+    format!(
+        "± {} points, {SMALL_SEEDS} deposits or more",
+        points.join(", ")
+    )
 }
 
 /// Order, ratio and sum of the contributions.
@@ -90,7 +100,7 @@ fn shape(small: &Porosities) -> Vec<Claim> {
     let [none, torsion, rolling, both] = corners.map(|(mean, _)| mean);
     let deviations = corners.map(|(_, deviation)| deviation);
     let widest = deviations.iter().fold(0.0_f64, |most, d| most.max(*d));
-    let shown = corners.map(percent).join(", ");
+    let shown = corners.map(|(mean, _)| percent(mean)).join(", ");
     let excess = both - rolling - torsion + none;
     vec![
         statement(
@@ -99,7 +109,8 @@ fn shape(small: &Porosities) -> Vec<Claim> {
             "54, 62, 72, 82 %",
             shown,
             none < torsion && torsion < rolling && rolling < both,
-        ),
+        )
+        .uncertain(scatter(&deviations)),
         claim(
             "E₁(1,0) is about twice as big as E₁(0,1)",
             ("2", 2.0),
@@ -124,20 +135,23 @@ fn shape(small: &Porosities) -> Vec<Claim> {
 /// The porosities themselves.
 fn levels(small: &Porosities) -> Vec<Claim> {
     let (none, both) = (small.corner(0, 0), small.corner(1, 1));
-    let (start, _) = small.initial;
-    let points = |x: f64| (format!("{:.1} %", 100.0 * x), x);
-    let added = |i, j| points(small.corner(i, j).0 - none.0);
+    let (start, of_start) = small.initial;
+    let deviation = |parts: [f64; 2]| parts[0].hypot(parts[1]);
+    let added = |i, j| {
+        let (mean, own) = small.corner(i, j);
+        (mean - none.0, deviation([own, none.1]))
+    };
     let rows = [
         (
             "E₀ without rolling and torsion friction",
             ("54 %", 0.54),
-            (percent(none), none.0),
+            none,
             RANGE_DECIDES,
         ),
         (
             "Porosity at μ_t = μ_n = 1",
             ("82 %", 0.82),
-            (percent(both), both.0),
+            both,
             SOLVER_DECIDES,
         ),
         ("E₁(1,0)", ("18 %", 0.18), added(1, 0), LEVEL_DECIDES),
@@ -147,23 +161,24 @@ fn levels(small: &Porosities) -> Vec<Claim> {
             "Torques alone do not avoid compaction: the highest final porosity is less than the \
              initial one by",
             ("10 %", 0.1),
-            points(start - both.0),
+            (start - both.0, deviation([of_start, both.1])),
             SOLVER_DECIDES,
         ),
     ];
     let rows = rows.into_iter().zip(FOUND);
-    rows.map(|((statement, thesis, ours, reason), found)| {
+    rows.map(|((statement, thesis, (ours, deviation), reason), found)| {
         let tolerance = FLUCTUATION;
         let known = (found - tolerance).max(0.0)..=found + tolerance;
         Conditional {
             statement,
             thesis,
-            ours,
+            ours: (percent(ours), ours),
             tolerance,
             known,
             reason,
         }
         .claim()
+        .uncertain(scatter(&[deviation]))
     })
     .collect()
 }
