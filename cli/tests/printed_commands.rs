@@ -1,0 +1,227 @@
+//! Every command that the README, the docs and the help texts print does what it says: it runs.
+//!
+//! Powders and tips are cut short; with TRIBOS_PRINTED=whole they run to their ends.
+#![cfg(unix)]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+/// As printed for a reader who has the repository, and for one who has the command.
+const CALLS: [&str; 2] = ["cargo run --release -- ", "tribos "];
+/// Keys that cut a powder, and a tip, to a few steps.
+const SHORT: [(&str, &str); 2] = [
+    ("compaction-", " --set steps=2"),
+    (
+        "tip-",
+        " --set equilibration=0.01 --set drive_time=0.01 --set rest_time=0.01",
+    ),
+];
+/// Commands that need more than a folder: what shows that they work is said beside them.
+const ELSEWHERE: [(&str, &str); 3] = [
+    (
+        "--resume",
+        "a run that was killed: tests of powders and tips",
+    ),
+    ("--full", "an hour"),
+    (
+        "reproduce --out out/thesis\n",
+        "the test of the whole report",
+    ),
+];
+
+#[test]
+fn commands_of_the_readme_and_the_docs_run() -> Outcome {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut pages = vec![root.join("README.md")];
+    for entry in fs::read_dir(root.join("docs"))? {
+        pages.push(entry?.path());
+    }
+    pages.sort();
+    let texts = pages
+        .iter()
+        .filter(|page| page.extension().is_some_and(|e| e == "md"));
+    let texts: Result<Vec<String>, _> = texts.map(fs::read_to_string).collect();
+    let mut commands: Vec<String> = texts?.iter().flat_map(|text| printed(text)).collect();
+    assert!(commands.len() > 40, "{}", commands.len());
+    let mut seen = std::collections::HashSet::new();
+    commands.retain(|command| seen.insert(command.clone()));
+    all_run(&commands)
+}
+
+#[test]
+fn examples_of_the_help_texts_run() -> Outcome {
+    let help = |name: &str| -> Result<String, Box<dyn std::error::Error>> {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_tribos"));
+        let output = command.arg(name).arg("--help").output()?;
+        Ok(String::from_utf8(output.stdout)?)
+    };
+    let mut commands = Vec::new();
+    for name in subcommands()? {
+        commands.extend(printed(&help(&name)?));
+    }
+    assert!(commands.len() > 30, "{}", commands.len());
+    all_run(&commands)
+}
+
+/// Names in the list of commands.
+fn subcommands() -> Result<Vec<String>, Box<dyn std::error::Error>> {
+    let output = Command::new(env!("CARGO_BIN_EXE_tribos"))
+        .arg("help")
+        .output()?;
+    let text = String::from_utf8(output.stdout)?;
+    let list = text
+        .split("Commands:\n")
+        .nth(1)
+        .ok_or("no list of commands")?;
+    let lines = list.lines().take_while(|line| line.starts_with("  "));
+    let names = lines.filter_map(|line| line.strip_prefix("  ")?.split(' ').next());
+    let names = names.filter(|name| !name.is_empty() && *name != "help");
+    Ok(names.map(String::from).collect())
+}
+
+/// Commands in blocks of code and, where they have options and no gaps, in running text.
+fn printed(text: &str) -> Vec<String> {
+    let mut commands = Vec::new();
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        let mut whole = line.trim().to_owned();
+        if CALLS.iter().any(|call| whole.starts_with(call)) {
+            while whole.ends_with('\\') {
+                whole.pop();
+                whole += lines.next().unwrap_or_default().trim();
+            }
+            commands.push(whole);
+        } else {
+            let quoted = line.split('`').skip(1).step_by(2);
+            let is_whole = |quoted: &&str| quoted.starts_with("tribos ") && quoted.contains(" --");
+            commands.extend(quoted.filter(is_whole).map(String::from));
+        }
+    }
+    let placeholder = |word: &str| {
+        let gap = |c: char| c.is_ascii_uppercase() || ".[=".contains(c);
+        word.len() > 1 && word.chars().all(gap)
+    };
+    commands
+        .retain(|command| !command.contains(['…', '<']) && !command.split(' ').any(placeholder));
+    commands
+}
+
+/// Runs them one after another in one folder, as a reader does.
+fn all_run(commands: &[String]) -> Outcome {
+    let folder = tempfile::tempdir()?;
+    prepare(folder.path())?;
+    let mut failed = Vec::new();
+    for command in commands {
+        let whole = format!("{command}\n");
+        if ELSEWHERE.iter().any(|(part, _)| whole.contains(part)) {
+            continue;
+        }
+        if let Err(said) = runs(&line(command), folder.path())? {
+            failed.push(format!("{command}\n{said}"));
+        }
+    }
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+    Ok(())
+}
+
+/// What a shell gets: the command, cut short.
+fn line(command: &str) -> String {
+    let command = command.split(" #").next().unwrap_or_default().trim();
+    let [cargo, tribos] = CALLS;
+    let mut line = match command.strip_prefix(cargo) {
+        Some(rest) => format!("{tribos}{rest}"),
+        None => command.to_owned(),
+    };
+    let whole = std::env::var("TRIBOS_PRINTED").is_ok_and(|how| how == "whole");
+    let simulates = ["tribos run ", "tribos sweep "];
+    if !whole && simulates.iter().any(|call| line.starts_with(call)) {
+        let short = SHORT.iter().find(|(scene, _)| line.contains(scene));
+        line += short.map_or("", |(_, keys)| keys);
+    }
+    line
+}
+
+/// What it said, if it failed.
+fn runs(line: &str, folder: &Path) -> Result<Result<(), String>, Box<dyn std::error::Error>> {
+    let program = Path::new(env!("CARGO_BIN_EXE_tribos"));
+    let own = program.parent().ok_or("no folder")?.display();
+    let path = format!("{own}:{}", std::env::var("PATH")?);
+    let output = Command::new("sh")
+        .args(["-c", line])
+        .current_dir(folder)
+        .env("PATH", path)
+        .stdin(Stdio::null())
+        .output()?;
+    if output.status.success() {
+        return Ok(Ok(()));
+    }
+    Ok(Err(String::from_utf8_lossy(&output.stderr).into_owned()))
+}
+
+/// The scenes, and the files that a reader is taken to have.
+fn prepare(folder: &Path) -> Outcome {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    copy(&root.join("scenes"), &folder.join("scenes"))?;
+    fs::copy(root.join("scenes/disk.toml"), folder.join("my.toml"))?;
+    let atoms = root.join("tests/tables/md");
+    for (theirs, ours) in [
+        ("fcc500.data", "melt.data"),
+        ("slab576.data", "slab.data"),
+        ("binary500.data", "glass.data"),
+    ] {
+        fs::copy(atoms.join(theirs), folder.join(ours))?;
+    }
+    // A metal under the name of another.
+    let metal = fs::read_to_string(atoms.join("synthetic.eam.alloy"))?;
+    let metal = metal.replacen("2 Aa Bb", "2 Cu Bb", 1);
+    fs::write(folder.join("Cu_mishin1.eam.alloy"), metal)?;
+    fs::write(folder.join("copper.xyz"), copper())?;
+    fs::write(folder.join("twists.csv"), "speed,spin\n1,0\n0.5,20\n")?;
+    let feet = "x,y,weight\n0.1,0,0.4\n-0.1,0.1,0.3\n-0.1,-0.1,0.3\n";
+    fs::write(folder.join("feet.csv"), feet)?;
+    Ok(())
+}
+
+fn copy(from: &Path, to: &Path) -> Outcome {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let (path, name) = (
+            entry.as_ref().map(fs::DirEntry::path),
+            entry.as_ref().map(fs::DirEntry::file_name),
+        );
+        let (Ok(path), Ok(name)) = (path, name) else {
+            continue;
+        };
+        if path.is_dir() {
+            copy(&path, &to.join(name))?;
+        } else {
+            fs::copy(&path, to.join(name))?;
+        }
+    }
+    Ok(())
+}
+
+/// A crystal of 3 × 3 × 3 cubes of four atoms.
+fn copper() -> String {
+    const EDGE: f64 = 3.6;
+    let side = 3.0 * EDGE;
+    let mut text = format!(
+        "108\nLattice=\"{side} 0 0 0 {side} 0 0 0 {side}\" pbc=\"T T T\" Properties=species:S:1:pos:R:3\n"
+    );
+    for cell in 0..27 {
+        let corner = [cell % 3, cell / 3 % 3, cell / 9].map(f64::from);
+        for shift in [
+            [0.0, 0.0, 0.0],
+            [0.5, 0.5, 0.0],
+            [0.5, 0.0, 0.5],
+            [0.0, 0.5, 0.5],
+        ] {
+            let [x, y, z] = [0, 1, 2].map(|axis| EDGE * (corner[axis] + shift[axis]));
+            text += &format!("Cu {x} {y} {z}\n");
+        }
+    }
+    text
+}
