@@ -14,6 +14,7 @@ mod patch;
 mod profile;
 mod reproduce;
 mod run;
+mod scene;
 mod sweep;
 mod tier;
 mod wrench;
@@ -34,6 +35,8 @@ pub enum Command {
     Inverse(inverse::Arguments),
     /// Simulate a scene.
     Run(run::Arguments),
+    /// Scenes that come with the program; check a scene, start one, its JSON Schema.
+    Scene(scene::Arguments),
     /// Ballistic deposits of spheres: grown, exported, their porosity.
     Deposit(deposit::Arguments),
     /// Forces, energy and pressure of atoms as a file has them.
@@ -57,6 +60,7 @@ impl Command {
             Self::Laws(arguments) => arguments.execute(),
             Self::Inverse(arguments) => arguments.execute(),
             Self::Run(arguments) => arguments.execute(),
+            Self::Scene(arguments) => arguments.execute(),
             Self::Deposit(arguments) => arguments.execute(),
             Self::Eval(arguments) => arguments.execute(),
             Self::Export(arguments) => arguments.execute(),
