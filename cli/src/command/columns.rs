@@ -7,18 +7,36 @@ use std::path::Path;
 /// Reads the rows of a file that has these columns, in any order, and no others (`-` for standard
 /// input); every refusal names the file and the line.
 pub fn read<const N: usize>(path: &Path, columns: [&str; N]) -> Result<Vec<[f64; N]>, Failure> {
-    let name = path.display();
-    let fail = |error: std::io::Error| Failure::input(format!("cannot read {name}: {error}"));
+    let rows = parse(&text(path)?, columns)
+        .map_err(|message| Failure::input(format!("{}:{message}", path.display())))?;
+    Ok(rows.into_iter().map(|(_, row)| row).collect())
+}
+
+/// What stands in a file, or comes from standard input for `-`.
+pub fn text(path: &Path) -> Result<Vec<u8>, Failure> {
+    let fail =
+        |error: std::io::Error| Failure::input(format!("cannot read {}: {error}", path.display()));
     let mut text = Vec::new();
     if path == Path::new("-") {
         std::io::stdin().read_to_end(&mut text).map_err(fail)?;
     } else {
         text = std::fs::read(path).map_err(fail)?;
     }
-    parse(&text, columns).map_err(|message| Failure::input(format!("{name}:{message}")))
+    Ok(text)
 }
 
-fn parse<const N: usize>(text: &[u8], names: [&str; N]) -> Result<Vec<[f64; N]>, String> {
+/// Names of the columns of a file.
+pub fn header(text: &[u8]) -> Vec<String> {
+    let first = text.split(|&byte| byte == b'\n').next().unwrap_or_default();
+    let line = String::from_utf8_lossy(first);
+    line.split(',').map(|name| name.trim().to_owned()).collect()
+}
+
+/// Rows with their lines; a refusal begins with the line.
+pub fn parse<const N: usize>(
+    text: &[u8],
+    names: [&str; N],
+) -> Result<Vec<(u64, [f64; N])>, String> {
     let wanted = names.join(",");
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
@@ -53,7 +71,7 @@ fn parse<const N: usize>(text: &[u8], names: [&str; N]) -> Result<Vec<[f64; N]>,
             *value = crate::command::number::finite(text)
                 .map_err(|cure| format!("{line}: {name} is `{text}`; {cure}"))?;
         }
-        rows.push(row);
+        rows.push((line, row));
     }
     if rows.is_empty() {
         return Err(format!("2: no rows; give one line of {wanted} for each"));

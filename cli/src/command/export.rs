@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use std::path::PathBuf;
 use tribos::record::write_atomically;
-use tribos::scene::{self, Scene};
+use tribos::scene::Scene;
 use tribos::tip::export;
 
 /// Write a scene as files of another program, which then runs the same system.
@@ -25,7 +25,7 @@ enum Program {
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 struct Lammps {
-    /// The scene, a TOML file such as scenes/tip-reversible.toml.
+    /// The scene: a TOML file, or a name that `tribos scene list` has.
     scene: PathBuf,
     /// Folder for the files; made if missing, files in it are replaced.
     #[arg(long, value_name = "DIR")]
@@ -44,7 +44,7 @@ impl Arguments {
     /// Writes.
     pub fn execute(self) -> Result<(), Failure> {
         let Program::Lammps(lammps) = self.program;
-        let scene = scene::read_scene(&lammps.scene, &lammps.overrides).map_err(Failure::input)?;
+        let scene = super::scene::read(&lammps.scene, &lammps.overrides)?;
         let Scene::Tip(scene) = scene else {
             return Err(Failure::input(format!(
                 "{}: only scenes with body = \"tip\" are made of atoms",

@@ -3,7 +3,9 @@
 mod columns;
 mod deposit;
 mod eval;
+mod explain;
 mod export;
+mod fit;
 mod golden;
 mod inverse;
 mod laws;
@@ -14,6 +16,7 @@ mod patch;
 mod profile;
 mod reproduce;
 mod run;
+mod scene;
 mod sweep;
 mod tier;
 mod wrench;
@@ -34,8 +37,14 @@ pub enum Command {
     Inverse(inverse::Arguments),
     /// Simulate a scene.
     Run(run::Arguments),
+    /// Which laws, modes and unknowns a scene carries, and what they cost.
+    Explain(explain::Arguments),
+    /// Scenes that come with the program; check a scene, start one, its JSON Schema.
+    Scene(scene::Arguments),
     /// Ballistic deposits of spheres: grown, exported, their porosity.
     Deposit(deposit::Arguments),
+    /// Parameters of a friction law from measurements, with their standard errors.
+    Fit(fit::Arguments),
     /// Forces, energy and pressure of atoms as a file has them.
     Eval(eval::Arguments),
     /// A scene as files of another program.
@@ -57,7 +66,10 @@ impl Command {
             Self::Laws(arguments) => arguments.execute(),
             Self::Inverse(arguments) => arguments.execute(),
             Self::Run(arguments) => arguments.execute(),
+            Self::Explain(arguments) => arguments.execute(),
+            Self::Scene(arguments) => arguments.execute(),
             Self::Deposit(arguments) => arguments.execute(),
+            Self::Fit(arguments) => arguments.execute(),
             Self::Eval(arguments) => arguments.execute(),
             Self::Export(arguments) => arguments.execute(),
             Self::Golden(arguments) => arguments.execute(),

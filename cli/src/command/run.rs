@@ -13,7 +13,7 @@ use crate::report::image;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use tribos::record::{series_csv, write_atomically};
-use tribos::scene::{self, Key, PlanarScene, PowderScene, Scene, SliderScene, TipScene, Units};
+use tribos::scene::{Key, PlanarScene, PowderScene, Scene, SliderScene, TipScene, Units};
 use tribos::slide::{self, COLUMNS, SlideRun};
 
 /// Simulates the scene and writes summary.json, series.csv and a plot: motion.svg and motion.png of
@@ -27,7 +27,7 @@ use tribos::slide::{self, COLUMNS, SlideRun};
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = examples())]
 pub struct Arguments {
-    /// The scene, a TOML file such as scenes/disk.toml.
+    /// The scene: a TOML file, or a name that `tribos scene list` has.
     scene: PathBuf,
     /// Folder for the results; made if missing, files in it are replaced.
     #[arg(long, value_name = "DIR")]
@@ -53,7 +53,8 @@ pub struct Arguments {
 fn examples() -> String {
     let mut text = String::from(
         "Examples:\n  \
-         tribos run scenes/disk.toml --out out/disk\n  \
+         tribos run disk --out out/disk\n  \
+         tribos run my.toml --out out/mine\n  \
          tribos run scenes/disk.toml --out out/fast --set spin=50 --set alpha=0.5\n  \
          tribos run scenes/disk.toml --out out/verlet --set stepper=verlet --set time_step=1e-4\n  \
          tribos run scenes/cylinder.toml --out out/cylinder --set spin=-12\n  \
@@ -87,7 +88,7 @@ fn vocabulary(of: &str, keys: &[Key]) -> String {
 impl Arguments {
     /// Runs and writes.
     pub fn execute(self) -> Result<(), Failure> {
-        let scene = scene::read_scene(&self.scene, &self.overrides).map_err(Failure::input)?;
+        let scene = super::scene::read(&self.scene, &self.overrides)?;
         if self.resume && !matches!(scene, Scene::Powder(_) | Scene::Tip(_)) {
             return Err(Failure::input(
                 "--resume is for powders and tips only; this scene takes a moment, run it anew",

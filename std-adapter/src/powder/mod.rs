@@ -1,8 +1,10 @@
 //! Cohesive powders of spheres.
 
 mod blocked;
+mod carried;
 mod checkpoint;
 mod compaction;
+mod cost;
 pub mod deposit;
 mod outcome;
 mod packing;
@@ -11,7 +13,9 @@ mod stress;
 
 pub use crate::record::CheckpointError;
 pub use blocked::{Means, Window};
+pub use carried::{Carried, CarriedModes};
 pub use compaction::{COLUMNS, Compaction, CompactionError, Ending};
+pub use cost::{PowderCost, cost};
 pub use outcome::Outcome;
 pub use packing::PISTON;
 pub use statistics::Statistics;

@@ -1,5 +1,6 @@
 //! A world whose contact modes are hidden: whole steps, states, contacts.
 
+use super::carried::CarriedModes;
 use super::checkpoint::Frozen;
 use super::deposit::{Deposit, SUBSTRATE};
 use crate::cd::{
@@ -57,28 +58,27 @@ pub(super) fn build(
 ) -> Result<Box<dyn Packing>, BuildError> {
     let [mu, mu_t, mu_n] = scene.friction;
     let at = (scene, deposit, frozen);
-    if mu > 0.0 && mu_n > 0.0 {
-        // The contact's radius, in r_eff, follows from its two thresholds.
-        let radius = mu_n / (mu * SPIN_TORQUE);
-        match scene.coupling {
-            Coupling::Independent => {}
-            Coupling::Ellipsoid => {
-                let set = |mu| Ellipsoid::new(mu, radius, SPIN_TORQUE);
-                return coupled(at, [set(mu)?, set(0.0)?]);
-            }
-            Coupling::Exact => {
-                let set = |mu| LimitSurface::new(table::Coulomb, mu, radius);
-                return coupled(at, [set(mu)?, set(0.0)?]);
-            }
+    let carried = scene.carried();
+    // The contact's radius, in r_eff, follows from its two thresholds.
+    let radius = mu_n / (mu * SPIN_TORQUE);
+    match carried.coupling {
+        Coupling::Independent => {}
+        Coupling::Ellipsoid => {
+            let set = |mu| Ellipsoid::new(mu, radius, SPIN_TORQUE);
+            return coupled(at, [set(mu)?, set(0.0)?]);
+        }
+        Coupling::Exact => {
+            let set = |mu| LimitSurface::new(table::Coulomb, mu, radius);
+            return coupled(at, [set(mu)?, set(0.0)?]);
         }
     }
-    match scene.friction.map(|mu| mu > 0.0) {
-        [false, false, false] => boxed(at, [Thresholds::none(); 2]),
-        [true, false, false] => boxed(
+    match carried.modes {
+        CarriedModes::Normal => boxed(at, [Thresholds::none(); 2]),
+        CarriedModes::Sliding => boxed(
             at,
             both(scene, Thresholds::sliding(mu)?, Thresholds::sliding(0.0)?),
         ),
-        [true, false, true] => boxed(
+        CarriedModes::SlidingTorsion => boxed(
             at,
             both(
                 scene,
@@ -86,7 +86,7 @@ pub(super) fn build(
                 Thresholds::sliding_torsion(0.0, 0.0)?,
             ),
         ),
-        [true, true, false] => boxed(
+        CarriedModes::SlidingRolling => boxed(
             at,
             both(
                 scene,
@@ -94,7 +94,7 @@ pub(super) fn build(
                 Thresholds::sliding_rolling(0.0, 0.0)?,
             ),
         ),
-        _ => boxed(
+        CarriedModes::All => boxed(
             at,
             both(
                 scene,

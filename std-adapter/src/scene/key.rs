@@ -58,7 +58,7 @@ impl Domain {
     }
 
     /// True if the number belongs to the domain.
-    fn admits(&self, x: f64) -> bool {
+    pub(super) fn admits(&self, x: f64) -> bool {
         x.is_finite()
             && match *self {
                 Self::Finite => true,

@@ -1,5 +1,6 @@
 //! Sliding bodies.
 
+mod cost;
 pub mod curling;
 pub mod inverse;
 mod outcome;
@@ -7,6 +8,7 @@ mod path;
 pub mod planar;
 mod simulation;
 
+pub use cost::{Evaluation, EvaluationCost};
 pub use outcome::{Ending, Outcome};
 pub use path::{PATH_COLUMNS, PathOutcome, PathRun, run_path};
 pub use simulation::{COLUMNS, SlideSimulation};

@@ -88,7 +88,8 @@ pub fn run_path(scene: &PlanarScene) -> Result<PathRun, SlideError> {
     })
 }
 
-fn resistance(scene: &PlanarScene) -> Result<Box<dyn Resistance>, SlideError> {
+/// What the scene's body meets.
+pub(super) fn resistance(scene: &PlanarScene) -> Result<Box<dyn Resistance>, SlideError> {
     match &scene.body {
         PlanarBody::Cylinder(cylinder) => Ok(Box::new(cylinder.body(scene.gravity)?)),
         PlanarBody::Pipe(pipe) => Ok(Box::new(pipe.body(scene.gravity)?)),

@@ -6,12 +6,14 @@
 
 mod build;
 mod checkpoint;
+mod cost;
 pub mod export;
 mod outcome;
 mod run;
 mod shape;
 
 pub use build::{BuildError, TipSystem, build};
+pub use cost::{TipCost, cost};
 pub use outcome::{Outcome, Plateau, Verdict};
 pub use run::{TipError, TipRun};
 pub use shape::{LAYERS_OF_A_KIND, Outline, Part, Shape, Site};

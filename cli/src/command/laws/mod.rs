@@ -4,6 +4,7 @@ mod catalogue;
 mod curve;
 mod spec;
 
+pub use catalogue::find;
 pub use spec::{AnyLaw, LawSpec};
 
 use crate::failure::Failure;

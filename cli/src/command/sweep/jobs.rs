@@ -10,7 +10,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tribos::record::write_atomically;
-use tribos::scene::{self, PowderScene, Scene, TipScene};
+use tribos::scene::{PowderScene, Scene, TipScene};
 
 /// Time from one checkpoint of a run to the next.
 const PAUSE: Duration = Duration::from_secs(60);
@@ -60,7 +60,7 @@ pub fn tasks(file: &Path, grid: &Grid, seeds: u32, out: &Path) -> Result<Vec<Tas
 
 /// The scene with overrides, if it is one of a sweep.
 fn body(file: &Path, overrides: &[String]) -> Result<Body, Failure> {
-    match scene::read_scene(file, overrides).map_err(Failure::input)? {
+    match crate::command::scene::read(file, overrides)? {
         Scene::Powder(scene) => Ok(Body::Powder(scene)),
         Scene::Tip(scene) => Ok(Body::Tip(scene)),
         _ => Err(Failure::input(format!(

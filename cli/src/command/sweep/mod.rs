@@ -22,7 +22,8 @@ use tribos::record::write_atomically;
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
-    /// The scene, a TOML file with body = "powder" such as scenes/compaction-small.toml, or "tip".
+    /// The scene, with body = "powder" or "tip": a TOML file, or a name that `tribos scene list`
+    /// has.
     scene: PathBuf,
     /// A key of the scene with its values; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE,...")]

@@ -1,0 +1,106 @@
+//! `tribos explain`: which laws, modes and unknowns a scene carries, and what they cost.
+
+mod budget;
+mod powder;
+mod slide;
+mod tip;
+
+use super::scene;
+use crate::failure::Failure;
+use std::path::PathBuf;
+use tribos::scene::Scene;
+
+/// Says which laws, modes and unknowns a scene will carry and what they cost, so that it models only
+/// what it needs. Costs are measured here and now, in a fraction of a second.
+///
+/// With --out DIR of a finished run of a powder it tells where the energy went, and which modes
+/// could be left out.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = EXAMPLES)]
+pub struct Arguments {
+    /// The scene: a TOML file, or a name that `tribos scene list` has.
+    scene: PathBuf,
+    /// Replace or add a key of the scene; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+    /// Folder of a finished run of this scene: where its energy went.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  tribos explain compaction-small
+  tribos explain compaction-small --set rolling=0.1 --set torsion=0.1 --set coupling=exact
+  tribos explain tip-reversible --set cutoff=3
+  tribos explain cylinder --set pressure=hertz
+  tribos run compaction-small --set torsion=0.1 --out out/powder
+  tribos explain compaction-small --set torsion=0.1 --out out/powder";
+
+impl Arguments {
+    /// Prints.
+    pub fn execute(self) -> Result<(), Failure> {
+        let read = scene::read(&self.scene, &self.overrides)?;
+        let budget = match (&self.out, &read) {
+            (None, _) => String::new(),
+            (Some(out), Scene::Powder(scene)) => budget::text(scene, out, &self.command(out))?,
+            (Some(_), _) => {
+                return Err(Failure::input(
+                    "--out is for powders: only their runs keep a book of where energy goes",
+                ));
+            }
+        };
+        let text = match &read {
+            Scene::Disk(scene) => slide::disk(scene)?,
+            Scene::Planar(scene) => slide::planar(scene)?,
+            Scene::Powder(scene) => powder::text(scene)?,
+            Scene::Tip(scene) => tip::text(scene)?,
+        };
+        super::print(&(text + &budget))
+    }
+
+    /// The command that runs the scene beside `out`, to be completed by one more override.
+    fn command(&self, out: &std::path::Path) -> String {
+        let sets: String = self
+            .overrides
+            .iter()
+            .map(|item| format!(" --set {item}"))
+            .collect();
+        format!(
+            "tribos run {}{sets} --out {}-less",
+            self.scene.display(),
+            out.display()
+        )
+    }
+}
+
+/// A line with a head in the first column.
+fn line(head: &str, text: impl AsRef<str>) -> String {
+    format!("{head:<14}{}\n", text.as_ref())
+}
+
+/// A time in words.
+fn duration(seconds: f64) -> String {
+    const MINUTE: f64 = 60.0;
+    const HOUR: f64 = 3600.0;
+    if seconds < 1.0 {
+        "less than a second".into()
+    } else if seconds < 2.0 * MINUTE {
+        format!("about {seconds:.0} s")
+    } else if seconds < 2.0 * HOUR {
+        format!("about {:.0} min", seconds / MINUTE)
+    } else {
+        format!("about {:.1} h", seconds / HOUR)
+    }
+}
+
+/// A number of bytes in words.
+fn bytes(count: usize) -> String {
+    const KILO: f64 = 1000.0;
+    let count = count as f64;
+    if count < KILO * KILO {
+        format!("{:.0} kB", count / KILO)
+    } else {
+        format!("{:.1} MB", count / (KILO * KILO))
+    }
+}

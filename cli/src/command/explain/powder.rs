@@ -1,0 +1,162 @@
+//! What a powder carries.
+
+use super::{bytes, line};
+use crate::failure::Failure;
+use tribos::cd::Method;
+use tribos::powder::{CarriedModes, PowderCost, cost};
+use tribos::scene::{Coupling, PowderScene};
+use tribos_core::contact::Attraction;
+
+/// Names of the modes with friction, and the keys that switch them on.
+pub const MODES: [&str; 3] = ["sliding", "rolling", "torsion"];
+
+/// The whole account.
+pub fn text(scene: &PowderScene) -> Result<String, Failure> {
+    let cost = cost(scene)?;
+    let carried = scene.carried();
+    let mut text = line("contacts", modes(carried.modes));
+    text += &line(
+        "",
+        format!("{} unknowns each, {} bytes", cost.unknowns, cost.bytes),
+    );
+    text += &idle(scene);
+    text += &line("thresholds", thresholds(scene));
+    text += &line("coupling", coupling(carried.coupling));
+    text += &line("cohesion", cohesion(scene));
+    text += &line("solver", solver(scene));
+    text += &size(&cost);
+    text += &speed(&cost);
+    Ok(text)
+}
+
+fn modes(modes: CarriedModes) -> String {
+    let names = MODES.iter().zip(modes.has());
+    let carried: Vec<&str> = names
+        .filter(|(_, has)| *has)
+        .map(|(name, _)| *name)
+        .collect();
+    let absent: Vec<&str> = MODES
+        .iter()
+        .zip(modes.has())
+        .filter(|(_, has)| !has)
+        .map(|(name, _)| *name)
+        .collect();
+    let mut text = ["normal"]
+        .into_iter()
+        .chain(carried)
+        .collect::<Vec<_>>()
+        .join(", ");
+    if !absent.is_empty() {
+        text += &format!(
+            "; {} not resisted, neither stored nor computed",
+            absent.join(" and ")
+        );
+    }
+    text
+}
+
+/// Modes that are carried with a coefficient of zero.
+fn idle(scene: &PowderScene) -> String {
+    let has = scene.carried().modes.has();
+    let idle: Vec<&str> = MODES
+        .iter()
+        .enumerate()
+        .filter(|(mode, _)| {
+            has.get(*mode) == Some(&true) && scene.friction.get(*mode) == Some(&0.0)
+        })
+        .map(|(_, name)| *name)
+        .collect();
+    if idle.is_empty() {
+        return String::new();
+    }
+    line(
+        "",
+        format!(
+            "{} carried in vain: its coefficient is 0, but there is no type without it",
+            idle.join(" and ")
+        ),
+    )
+}
+
+fn thresholds(scene: &PowderScene) -> String {
+    let units = ["P", "P r_eff", "P r_eff"];
+    let has = scene.carried().modes.has();
+    let limits: Vec<String> = (0..MODES.len())
+        .filter(|&mode| has[mode])
+        .map(|mode| format!("{} {} {}", MODES[mode], scene.friction[mode], units[mode]))
+        .collect();
+    if limits.is_empty() {
+        return "none".into();
+    }
+    format!("{}, with P = F_n + F_coh", limits.join(", "))
+}
+
+fn coupling(coupling: Coupling) -> &'static str {
+    match coupling {
+        Coupling::Independent => "independent: each mode has its own threshold",
+        Coupling::Ellipsoid => {
+            "ellipsoid: sliding and torsion share a threshold, by an approximation"
+        }
+        Coupling::Exact => "exact: sliding and torsion share the limit surface of a round contact",
+    }
+}
+
+fn cohesion(scene: &PowderScene) -> String {
+    let how = match scene.attraction {
+        Attraction::Pull => "a constant pull",
+        Attraction::Resistance => "a resistance to opening",
+    };
+    format!("{how} up to a gap of {} R", scene.cohesion_range)
+}
+
+fn solver(scene: &PowderScene) -> String {
+    let solver = &scene.solver;
+    let most = solver.most_sweeps;
+    match solver.method {
+        Method::Accelerated { tolerance } => {
+            format!("accelerated Gauss-Seidel to {tolerance:e}, at most {most} sweeps a step")
+        }
+        Method::GaussSeidel { .. } => format!("Gauss-Seidel, at most {most} sweeps a step"),
+    }
+}
+
+fn size(cost: &PowderCost) -> String {
+    let [low, high] = cost.contacts;
+    let unknowns = cost.contacts.map(|contacts| contacts * cost.unknowns);
+    let mut text = line("spheres", format!("{} in the deposit", cost.spheres));
+    text += &line(
+        "expected",
+        format!(
+            "{low} to {high} contacts when compacted (2.0 to 2.6 a sphere), {} to {} unknowns",
+            unknowns[0], unknowns[1]
+        ),
+    );
+    text + &line("memory", format!("{} in the solver", bytes(cost.memory())))
+}
+
+fn speed(cost: &PowderCost) -> String {
+    const NANO: f64 = 1e9;
+    const MILLION: f64 = 1e-6;
+    const MILLI: f64 = 1e3;
+    let update = cost.update_seconds;
+    let mut text = line(
+        "update",
+        format!(
+            "{:.0} ns a contact here, {:.1} million a second; {:.2} times sliding alone",
+            NANO * update,
+            MILLION / update,
+            update / cost.sliding_seconds
+        ),
+    );
+    let [low, high] = cost
+        .contacts
+        .map(|contacts| MILLI * contacts as f64 * update);
+    text += &line(
+        "sweep",
+        format!("{low:.2} to {high:.2} ms over all contacts when compacted"),
+    );
+    text + &line(
+        "",
+        "steps and sweeps follow from the motion: `--out DIR` of a run tells them",
+    )
+}

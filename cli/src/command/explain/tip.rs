@@ -1,0 +1,107 @@
+//! What a tip carries.
+
+use super::{duration, line};
+use crate::failure::Failure;
+use tribos::md::pair::Shift;
+use tribos::md::system::Integrator;
+use tribos::scene::{Bath, Lift, TipScene};
+use tribos::tip::{Part, cost};
+
+/// The whole account.
+pub fn text(scene: &TipScene) -> Result<String, Failure> {
+    let cost = cost(scene)?;
+    let atoms: usize = cost.atoms.iter().sum();
+    let parts = Part::ALL.iter().zip(cost.atoms);
+    let parts: Vec<String> = parts
+        .filter(|(_, count)| *count > 0)
+        .map(|(part, count)| format!("{} {count}", part.name()))
+        .collect();
+    let mut text = line("atoms", format!("{atoms}: {}", parts.join(", ")));
+    text += &line(
+        "unknowns",
+        format!("{} components of places move", scene.freedoms()),
+    );
+    text += &line(
+        "pairs",
+        format!(
+            "{} within the cut-off of {} sigma, {:.1} an atom",
+            cost.pairs,
+            scene.cutoff,
+            2.0 * cost.pairs as f64 / atoms as f64
+        ),
+    );
+    text += &line("potential", potential(scene));
+    text += &line("thermostat", thermostat(scene));
+    text += &line("driven", driven(scene));
+    let [before, with, after] = cost.steps;
+    text += &line(
+        "steps",
+        format!(
+            "{} of {} tau, {}: {before} before the drive, {with} with it, {after} after",
+            before + with + after,
+            scene.time_step,
+            integrator(scene.integrator)
+        ),
+    );
+    const NANO: f64 = 1e9;
+    const MILLION: f64 = 1e-6;
+    let each = cost.atom_step_seconds;
+    text += &line(
+        "cost",
+        format!(
+            "{:.3e} atom-steps at {:.0} ns here, {:.1} million a second: {}",
+            cost.atom_steps(),
+            NANO * each,
+            MILLION / each,
+            duration(cost.seconds())
+        ),
+    );
+    Ok(text)
+}
+
+fn potential(scene: &TipScene) -> String {
+    let shift = match scene.shift {
+        Shift::None => "cut",
+        Shift::Energy => "shifted to zero energy",
+        Shift::Force => "shifted to zero force",
+    };
+    let species = if scene.adhesion == 1.0 {
+        "all atoms alike".to_owned()
+    } else {
+        format!("{} eps between tip and substrate", scene.adhesion)
+    };
+    format!("Lennard-Jones, {shift} at the cut-off, {species}")
+}
+
+fn thermostat(scene: &TipScene) -> String {
+    let groups = scene.thermostat_groups();
+    match scene.bath {
+        Bath::NoseHoover { relaxation, .. } => format!(
+            "Nose-Hoover on {groups} groups, one unknown each, relaxation {relaxation} tau, T = {}",
+            scene.temperature
+        ),
+        Bath::Langevin(rate) => format!(
+            "Langevin on {groups} groups, rate {rate} / tau, T = {}",
+            scene.temperature
+        ),
+        Bath::None => "none".into(),
+    }
+}
+
+fn driven(scene: &TipScene) -> String {
+    let lift = match scene.lift {
+        Lift::Fixed => "height of each atom fixed".to_owned(),
+        Lift::Loaded(force) => format!("one common height under {} eps/sigma an atom", -force),
+    };
+    format!(
+        "lambda {} eps/sigma^2, damping {} / tau, {lift}",
+        scene.lambda, scene.damping
+    )
+}
+
+fn integrator(integrator: Integrator) -> &'static str {
+    match integrator {
+        Integrator::LeapFrog => "leap-frog",
+        Integrator::VelocityVerlet => "velocity Verlet",
+    }
+}

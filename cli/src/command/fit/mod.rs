@@ -1,0 +1,146 @@
+//! `tribos fit`: parameters of a friction law from measurements.
+
+mod output;
+mod plot;
+mod table;
+
+use crate::failure::Failure;
+use crate::report::image;
+use std::num::NonZero;
+use std::path::PathBuf;
+use table::Table;
+use tribos::fit::{DataError, FitError, LawName, Options, fit, law_model};
+
+/// Fits a law of the kernel to measured friction by least squares and prints its parameters with
+/// standard errors, what the data do not tell, and how many of several starts agree.
+///
+/// The header of the file decides: `v,f` is friction f of steady sliding at speeds v [m/s]; `t,v,f`
+/// is a record over time [s], for laws with a memory (lugre, rate-state). A column `sigma` with the
+/// standard deviation of f gives points their weights. f is a coefficient, or a force [N] that --load
+/// makes a coefficient; forces of lugre may stay forces.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = EXAMPLES)]
+pub struct Arguments {
+    /// Measurements, a CSV file with the columns v,f or t,v,f and perhaps sigma; `-` for standard
+    /// input.
+    data: PathBuf,
+    /// The law.
+    #[arg(long)]
+    law: Law,
+    /// Load [N] at which forces were measured: friction is divided by it.
+    #[arg(long, value_name = "N", value_parser = super::number::positive)]
+    load: Option<f64>,
+    /// Keep a parameter at a value; may be repeated.
+    #[arg(long = "fix", value_name = "NAME=VALUE", value_parser = fixed)]
+    fixed: Vec<(String, f64)>,
+    /// Starts of the search, spread over what the data leave open.
+    #[arg(long, default_value = "16")]
+    starts: NonZero<usize>,
+    /// Folder for fit.toml, covariance.csv, residuals.csv, fit.svg and fit.png; made if missing, files
+    /// in it are replaced.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// Laws that can be fitted, by their names in `tribos laws`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Law {
+    /// Boundary, then hydrodynamic lubrication: mu_s, mu_d, vs, delta, k.
+    Stribeck,
+    /// Bristles: fc, fs, vs, s2; over time s0 and s1 as well.
+    Lugre,
+    /// A power of the speed: gamma, alpha.
+    Power,
+    /// Rate and state, ageing law: mu0, a, b, eta at a reference v0; over time dc as well.
+    RateState,
+    /// The same with the slip law.
+    RateStateSlip,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  tribos fit --law stribeck bearing.csv --out out/bearing
+  tribos fit --law stribeck forces.csv --load 12.5 --fix delta=2 --fix k=0
+  tribos fit --law power ice.csv
+  tribos fit --law lugre pull.csv --out out/joint          # t,v,f: bristles too
+  tribos fit --law rate-state steps.csv --fix v0=1e-6 --fix eta=0
+bearing.csv:
+  v,f,sigma
+  0.001,0.148,0.002
+  0.01,0.121,0.002
+The result as a law for other commands:
+  tribos wrench --law stribeck:mu_s=0.15,mu_d=0.08,vs=0.02,delta=1.5,k=0.1 --patch hertz \\
+      --radius 0.01 --speed 0.1 --spin 5";
+
+/// NAME=VALUE
+fn fixed(text: &str) -> Result<(String, f64), String> {
+    let (name, value) = text
+        .split_once('=')
+        .ok_or("give NAME=VALUE, such as delta=2")?;
+    Ok((name.trim().to_owned(), super::number::finite(value)?))
+}
+
+impl Arguments {
+    /// Fits, writes and prints.
+    pub fn execute(self) -> Result<(), Failure> {
+        let table = Table::read(&self.data, self.load)?;
+        let fail = |error| refusal(&table, error);
+        let data = table.data().map_err(|error| fail(FitError::Data(error)))?;
+        let model = law_model(self.law.name(), &data).map_err(fail)?;
+        let options = Options {
+            fixed: self.fixed.clone(),
+            starts: self.starts.get(),
+        };
+        let found = fit(model.as_ref(), &data, &options).map_err(fail)?;
+        let report = output::Report {
+            law: self.law,
+            table: &table,
+            fit: &found,
+            is_per_load: self.load.is_some(),
+        };
+        if let Some(out) = &self.out {
+            let figure = plot::panels(self.law, &data, &found)?;
+            image::write_both(out, "fit", &figure)?;
+            report.write(out)?;
+        }
+        super::print(&report.text())?;
+        match &self.out {
+            Some(out) => super::print(&format!("written to    {}\n", out.display())),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A refusal with file and line, where it is about a line.
+fn refusal(table: &Table, error: FitError) -> Failure {
+    let name = table.name.display();
+    match error {
+        FitError::Data(DataError::Point { point, message }) => {
+            let line = table.lines.get(point).copied().unwrap_or(1);
+            Failure::input(format!("{name}:{line}: {message}"))
+        }
+        error => Failure::input(format!("{name}: {error}")),
+    }
+}
+
+impl Law {
+    fn name(self) -> LawName {
+        match self {
+            Self::Stribeck => LawName::Stribeck,
+            Self::Lugre => LawName::LuGre,
+            Self::Power => LawName::Power,
+            Self::RateState => LawName::RateState,
+            Self::RateStateSlip => LawName::RateStateSlip,
+        }
+    }
+
+    /// Its name in the catalogue.
+    fn catalogued(self) -> &'static str {
+        match self {
+            Self::Stribeck => "stribeck",
+            Self::Lugre => "lugre",
+            Self::Power => "power",
+            Self::RateState | Self::RateStateSlip => "rate-state",
+        }
+    }
+}

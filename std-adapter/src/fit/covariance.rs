@@ -1,0 +1,60 @@
+//! How well the data determine the parameters.
+
+use nalgebra::DMatrix;
+
+/// What the Jacobian at the minimum says.
+#[derive(Clone, Debug)]
+pub(super) struct Certainty {
+    /// (JᵀJ)⁻¹ of the given columns; of combinations that nothing determines it has no share.
+    pub covariance: DMatrix<f64>,
+    /// Columns that trade against each other, or alone change nothing.
+    pub loose: Vec<Vec<usize>>,
+}
+
+/// Singular value of the Jacobian with columns of length 1, over the largest, below which a
+/// combination of parameters changes nothing: what differences leave of zero.
+const RANK: f64 = 1e-7;
+/// Length of a column over that of the data below which a parameter changes nothing.
+const EMPTY: f64 = 1e-10;
+/// Component from which a parameter takes part in a combination.
+const TAKES_PART: f64 = 0.05;
+
+/// From the Jacobian; `sizes` are the magnitudes of its coordinates and `length` that of the data.
+pub(super) fn certainty(jacobian: &DMatrix<f64>, sizes: &[f64], length: f64) -> Certainty {
+    let columns = jacobian.ncols();
+    let norms: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
+    let is_empty = |j: usize| norms[j] * sizes[j] <= EMPTY * length;
+    let full: Vec<usize> = (0..columns).filter(|&j| !is_empty(j)).collect();
+    let mut loose: Vec<Vec<usize>> = (0..columns)
+        .filter(|&j| is_empty(j))
+        .map(|j| vec![j])
+        .collect();
+    let mut covariance = DMatrix::zeros(columns, columns);
+    if full.is_empty() {
+        return Certainty { covariance, loose };
+    }
+    let scaled = DMatrix::from_fn(jacobian.nrows(), full.len(), |i, k| {
+        jacobian[(i, full[k])] / norms[full[k]]
+    });
+    let svd = scaled.qr().r().svd(false, true);
+    let v_t = svd
+        .v_t
+        .unwrap_or_else(|| DMatrix::identity(full.len(), full.len()));
+    let most = svd.singular_values.iter().copied().fold(0.0, f64::max);
+    // V Σ⁻² Vᵀ, without what is not determined.
+    for (k, sigma) in svd.singular_values.iter().enumerate() {
+        let direction = v_t.row(k);
+        if *sigma <= RANK * most {
+            let members = (0..full.len()).filter(|&j| direction[j].abs() > TAKES_PART);
+            loose.push(members.map(|j| full[j]).collect());
+            continue;
+        }
+        for (a, &i) in full.iter().enumerate() {
+            for (b, &j) in full.iter().enumerate() {
+                let share = direction[a] * direction[b] / (sigma * sigma);
+                covariance[(i, j)] += share / (norms[i] * norms[j]);
+            }
+        }
+    }
+    Certainty { covariance, loose }
+}

@@ -1,0 +1,198 @@
+//! Measurements: friction at speeds, or over time.
+
+/// How the surfaces moved.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Motion {
+    /// Steady sliding at these speeds.
+    Steady {
+        /// All > 0, in m/s.
+        speeds: Vec<f64>,
+    },
+    /// A record over time.
+    Series {
+        /// Rising, in s.
+        times: Vec<f64>,
+        /// At those times, of either sign, in m/s.
+        velocities: Vec<f64>,
+    },
+}
+
+/// Validated measurements. *Units*: SI; friction as a force or, per load, as a coefficient: the
+/// parameters come out likewise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Data {
+    pub(super) motion: Motion,
+    pub(super) friction: Vec<f64>,
+    pub(super) sigma: Option<Vec<f64>>,
+}
+
+/// A measurement that cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum DataError {
+    /// One point.
+    #[error("{message}")]
+    Point {
+        /// Which one, from 0.
+        point: usize,
+        /// What is wrong and what would be valid.
+        message: String,
+    },
+    /// Columns of different lengths.
+    #[error("columns have different lengths, {0} and {1}")]
+    Lengths(usize, usize),
+    /// All of them.
+    #[error("{0}")]
+    Whole(&'static str),
+}
+
+impl Data {
+    /// Friction of steady sliding.
+    ///
+    /// *Domain*: speeds finite and > 0, friction finite and positive on the whole, standard
+    /// deviations finite and > 0.
+    pub fn steady(
+        speeds: Vec<f64>,
+        friction: Vec<f64>,
+        sigma: Option<Vec<f64>>,
+    ) -> Result<Self, DataError> {
+        let wrong = |v: &f64| !(*v > 0.0 && v.is_finite());
+        refuse(&speeds, wrong, |v| {
+            format!(
+                "the speed of steady sliding must be > 0, not {v}; fold both directions into one"
+            )
+        })?;
+        Self::checked(Motion::Steady { speeds }, friction, sigma)
+    }
+
+    /// Friction over time. Between two times the velocity is taken for the mean of both.
+    ///
+    /// *Domain*: times finite and rising, velocities and friction finite, friction with the sign of
+    /// the velocity on the whole.
+    pub fn series(
+        times: Vec<f64>,
+        velocities: Vec<f64>,
+        friction: Vec<f64>,
+        sigma: Option<Vec<f64>>,
+    ) -> Result<Self, DataError> {
+        same_length(times.len(), velocities.len())?;
+        refuse(
+            &times,
+            |t| !t.is_finite(),
+            |t| format!("the time must be finite, not {t}"),
+        )?;
+        if let Some(point) = (1..times.len()).find(|&i| times[i] <= times[i - 1]) {
+            let message = format!(
+                "times must rise: {} does not come after {}",
+                times[point],
+                times[point - 1]
+            );
+            return Err(DataError::Point { point, message });
+        }
+        refuse(
+            &velocities,
+            |v| !v.is_finite(),
+            |v| format!("the velocity must be finite, not {v}"),
+        )?;
+        Self::checked(Motion::Series { times, velocities }, friction, sigma)
+    }
+
+    fn checked(
+        motion: Motion,
+        friction: Vec<f64>,
+        sigma: Option<Vec<f64>>,
+    ) -> Result<Self, DataError> {
+        let velocities = match &motion {
+            Motion::Steady { speeds } => speeds,
+            Motion::Series { velocities, .. } => velocities,
+        };
+        same_length(velocities.len(), friction.len())?;
+        refuse(
+            &friction,
+            |f| !f.is_finite(),
+            |f| format!("friction must be finite, not {f}"),
+        )?;
+        if let Some(sigma) = &sigma {
+            same_length(friction.len(), sigma.len())?;
+            refuse(
+                sigma,
+                |s| !(*s > 0.0 && s.is_finite()),
+                |s| format!("the standard deviation must be > 0, not {s}"),
+            )?;
+        }
+        let along = velocities.iter().zip(&friction);
+        let work: f64 = along.map(|(v, f)| f.copysign(f * v)).sum();
+        if work.is_nan() || work <= 0.0 {
+            return Err(DataError::Whole(
+                "friction must be positive where the speed is: it resists a body that moves with v",
+            ));
+        }
+        Ok(Self {
+            motion,
+            friction,
+            sigma,
+        })
+    }
+
+    /// How the surfaces moved.
+    pub fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    /// Friction of each point.
+    pub fn friction(&self) -> &[f64] {
+        &self.friction
+    }
+
+    /// Standard deviation of each point, if known.
+    pub fn sigma(&self) -> Option<&[f64]> {
+        self.sigma.as_deref()
+    }
+
+    /// Velocity of each point.
+    pub fn velocities(&self) -> &[f64] {
+        match &self.motion {
+            Motion::Steady { speeds } => speeds,
+            Motion::Series { velocities, .. } => velocities,
+        }
+    }
+
+    /// Smallest and largest |velocity| but 0.
+    pub(super) fn speeds(&self) -> [f64; 2] {
+        extremes(self.velocities().iter().map(|v| v.abs()))
+    }
+
+    /// Smallest and largest |friction| but 0.
+    pub(super) fn forces(&self) -> [f64; 2] {
+        extremes(self.friction.iter().map(|f| f.abs()))
+    }
+}
+
+fn same_length(one: usize, other: usize) -> Result<(), DataError> {
+    if one == other {
+        Ok(())
+    } else {
+        Err(DataError::Lengths(one, other))
+    }
+}
+
+/// The first value that is wrong, in words.
+fn refuse(
+    values: &[f64],
+    wrong: impl Fn(&f64) -> bool,
+    message: impl Fn(&f64) -> String,
+) -> Result<(), DataError> {
+    match values.iter().position(wrong) {
+        Some(point) => Err(DataError::Point {
+            point,
+            message: message(&values[point]),
+        }),
+        None => Ok(()),
+    }
+}
+
+fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let none = [f64::INFINITY, 0.0];
+    values
+        .filter(|x| *x > 0.0)
+        .fold(none, |[low, high], x| [low.min(x), high.max(x)])
+}

@@ -1,0 +1,88 @@
+//! Derivatives of residuals by differences.
+
+use nalgebra::DMatrix;
+
+/// Residuals as a function of the coordinates; `None` where the model refuses them.
+pub(super) type Residuals<'a> = dyn Fn(&[f64]) -> Option<Vec<f64>> + 'a;
+
+/// Step of a central difference of fourth order, relative to the size of a coordinate: ε^(1/5), where
+/// the errors of truncation and of rounding are alike, 3e-13.
+const STEP: f64 = 7.400_959_797_414_051e-4;
+/// Step of a one-sided difference of second order: ε^(1/3), 4e-11.
+const SHORT_STEP: f64 = 6.055_454_452_393_343e-6;
+
+/// ∂r/∂q at `q`; a coordinate whose steps would leave its bounds, or are refused, is stepped to one
+/// side.
+///
+/// `sizes` are the magnitudes of coordinates that may be near zero.
+pub(super) fn jacobian(
+    residuals: &Residuals<'_>,
+    q: &[f64],
+    here: &[f64],
+    bounds: &[[f64; 2]],
+    sizes: &[f64],
+) -> Option<DMatrix<f64>> {
+    let mut jacobian = DMatrix::zeros(here.len(), q.len());
+    for (j, mut column) in jacobian.column_iter_mut().enumerate() {
+        let size = if q[j].abs() > sizes[j] { q[j].abs() } else { sizes[j] };
+        let mut line = Line {
+            residuals,
+            place: q.to_vec(),
+            at: q[j],
+            index: j,
+            bounds: bounds[j],
+        };
+        let found = line
+            .central(STEP * size)
+            .or_else(|| line.one_sided(SHORT_STEP * size, here))
+            .or_else(|| line.one_sided(-SHORT_STEP * size, here))?;
+        column.copy_from_slice(&found);
+    }
+    Some(jacobian)
+}
+
+/// Residuals along one coordinate.
+struct Line<'a> {
+    residuals: &'a Residuals<'a>,
+    place: Vec<f64>,
+    at: f64,
+    index: usize,
+    bounds: [f64; 2],
+}
+
+impl Line<'_> {
+    /// The residuals at a distance; `None` beyond the bounds.
+    fn beyond(&mut self, shift: f64) -> Option<Vec<f64>> {
+        let moved = self.at + shift;
+        let [low, high] = self.bounds;
+        if !(low <= moved && moved <= high) {
+            return None;
+        }
+        self.place[self.index] = moved;
+        let found = (self.residuals)(&self.place);
+        self.place[self.index] = self.at;
+        found
+    }
+
+    /// What is added to the coordinate and what is divided by are the same number.
+    fn rounded(&self, step: f64) -> f64 {
+        (self.at + step) - self.at
+    }
+
+    /// (8 (f(h) − f(−h)) − (f(2h) − f(−2h)))/12h
+    fn central(&mut self, step: f64) -> Option<Vec<f64>> {
+        let h = self.rounded(step);
+        let [far, near] = [2.0 * h, h].map(|h| self.beyond(h).zip(self.beyond(-h)));
+        let ((far_up, far_down), (up, down)) = far.zip(near)?;
+        let slope = |i: usize| (8.0 * (up[i] - down[i]) - (far_up[i] - far_down[i])) / (12.0 * h);
+        Some((0..up.len()).map(slope).collect())
+    }
+
+    /// (4 f(h) − 3 f(0) − f(2h))/2h
+    fn one_sided(&mut self, step: f64, here: &[f64]) -> Option<Vec<f64>> {
+        let h = self.rounded(step);
+        let (near, far) = self.beyond(h).zip(self.beyond(2.0 * h))?;
+        let slope = |i: usize| (4.0 * near[i] - 3.0 * here[i] - far[i]) / (2.0 * h);
+        Some((0..near.len()).map(slope).collect())
+    }
+}

@@ -1,0 +1,176 @@
+//! LuGre: its steady curve, and its bristles over time.
+
+use super::super::Data;
+use super::super::parameter::{Model, Parameter, Range};
+use super::{between, distances, intervals, log_between, order};
+use tribos_core::law::{Bristle, LuGre, LuGreParameters};
+
+const PARAMETERS: [Parameter; 6] = [
+    Parameter {
+        name: "fc",
+        unit: "N",
+        meaning: "Coulomb force",
+        range: Range::Positive,
+    },
+    Parameter {
+        name: "fs",
+        unit: "N",
+        meaning: "static force",
+        range: Range::Positive,
+    },
+    Parameter {
+        name: "vs",
+        unit: "m/s",
+        meaning: "Stribeck speed",
+        range: Range::Positive,
+    },
+    Parameter {
+        name: "s2",
+        unit: "N s/m",
+        meaning: "viscous damping",
+        range: Range::NotNegative,
+    },
+    Parameter {
+        name: "s0",
+        unit: "N/m",
+        meaning: "stiffness of the bristles",
+        range: Range::Positive,
+    },
+    Parameter {
+        name: "s1",
+        unit: "N s/m",
+        meaning: "damping of the bristles",
+        range: Range::NotNegative,
+    },
+];
+/// The first four describe steady sliding.
+const STEADY: usize = 4;
+
+fn law(values: &[f64]) -> Option<LuGre<f64>> {
+    // Steady sliding does not feel the bristles.
+    let at = |index: usize| values.get(index).copied().unwrap_or(1.0);
+    LuGre::new(LuGreParameters {
+        coulomb_force: at(0),
+        static_force: at(1),
+        stribeck_speed: at(2),
+        viscous_damping: at(3),
+        stiffness: at(4),
+        bristle_damping: at(5),
+    })
+    .ok()
+}
+
+/// Starts of the parameters of steady sliding.
+fn steady_start(unit: &[f64], speeds: [f64; 2], [low, high]: [f64; 2]) -> Vec<f64> {
+    vec![
+        between(unit[0], [0.5 * low, low]),
+        between(unit[1], [0.5 * (low + high), 1.5 * high]),
+        log_between(unit[2], speeds),
+        unit[3] * high / speeds[1],
+    ]
+}
+
+/// Steady friction.
+pub(super) struct Steady<'a> {
+    speeds: &'a [f64],
+    fastest: [f64; 2],
+    forces: [f64; 2],
+}
+
+impl<'a> Steady<'a> {
+    pub fn new(data: &Data, speeds: &'a [f64]) -> Self {
+        Self {
+            speeds,
+            fastest: data.speeds(),
+            forces: data.forces(),
+        }
+    }
+}
+
+impl Model for Steady<'_> {
+    fn parameters(&self) -> &[Parameter] {
+        &PARAMETERS[..STEADY]
+    }
+
+    fn reference(&self, _: usize) -> Option<f64> {
+        None
+    }
+
+    fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
+        let law = law(values)?;
+        Some(self.speeds.iter().map(|&v| law.steady_force(v)).collect())
+    }
+
+    fn start(&self, unit: &[f64]) -> Vec<f64> {
+        steady_start(unit, self.fastest, self.forces)
+    }
+
+    fn repair(&self, values: &mut [f64], is_free: &[bool]) {
+        order(values, is_free, [0, 1]);
+    }
+}
+
+/// A record over time.
+pub(super) struct Series<'a> {
+    times: &'a [f64],
+    velocities: &'a [f64],
+    fastest: [f64; 2],
+    /// From half of the largest force to the largest.
+    forces: [f64; 2],
+    slid: [f64; 2],
+}
+
+impl<'a> Series<'a> {
+    pub fn new(data: &Data, times: &'a [f64], velocities: &'a [f64]) -> Self {
+        let [_, largest] = data.forces();
+        Self {
+            times,
+            velocities,
+            fastest: data.speeds(),
+            forces: [0.5 * largest, largest],
+            slid: distances(times, velocities),
+        }
+    }
+}
+
+impl Model for Series<'_> {
+    fn parameters(&self) -> &[Parameter] {
+        &PARAMETERS
+    }
+
+    fn reference(&self, _: usize) -> Option<f64> {
+        None
+    }
+
+    fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
+        let law = law(values)?;
+        let first = *self.velocities.first()?;
+        let mut bristle = Bristle::RELAXED;
+        if first != 0.0 {
+            bristle.deflection = law.steady_bristle_force(first).copysign(first) / values[4];
+        }
+        let mut forces = vec![law.force(bristle, first)];
+        let steps = intervals(self.times, self.velocities);
+        for ((dt, mean), &velocity) in steps.zip(&self.velocities[1..]) {
+            bristle = law.step(bristle, mean, dt).0;
+            forces.push(law.force(bristle, velocity));
+        }
+        Some(forces)
+    }
+
+    fn start(&self, unit: &[f64]) -> Vec<f64> {
+        let mut start = steady_start(unit, self.fastest, self.forces);
+        let force = self.forces[1];
+        // The bristles give way somewhere between the shortest and the whole distance.
+        let [shortest, whole] = self.slid;
+        start.push(log_between(unit[4], [force / whole, force / shortest]));
+        /// Damping of bristles, over the largest force at the largest speed.
+        const DAMPING: [f64; 2] = [1e-3, 1.0];
+        start.push(log_between(unit[5], DAMPING) * force / self.fastest[1]);
+        start
+    }
+
+    fn repair(&self, values: &mut [f64], is_free: &[bool]) {
+        order(values, is_free, [0, 1]);
+    }
+}

@@ -1,0 +1,108 @@
+//! The kernel's laws as models of data.
+
+mod lugre;
+mod power;
+mod rate_state;
+mod stribeck;
+
+use super::estimate::FitError;
+use super::parameter::Model;
+use super::{Data, Motion};
+use tribos_core::law::{Dieterich, LocalLaw, Ruina};
+
+/// A law that can be fitted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LawName {
+    /// Boundary and hydrodynamic lubrication; steady.
+    Stribeck,
+    /// Bristles; steady, or over time with their deflection.
+    LuGre,
+    /// A power of the speed; steady.
+    Power,
+    /// Rate and state with the ageing law of Dieterich; steady, or over time with its age.
+    RateState,
+    /// The same with the slip law of Ruina; steadily it is no other law.
+    RateStateSlip,
+}
+
+/// The law as a model of these data: in its steady form, or with its state over time.
+///
+/// Over time the state follows the kernel's exact step through each interval at the mean of the
+/// velocities at its ends; it begins as in steady sliding at the first velocity, relaxed if that is
+/// zero.
+pub fn law_model<'a>(law: LawName, data: &'a Data) -> Result<Box<dyn Model + 'a>, FitError> {
+    const STATELESS: &str =
+        "this law has no memory: give steady friction, columns v,f, or fit lugre or rate-state";
+    Ok(match (law, data.motion()) {
+        (LawName::Stribeck, Motion::Steady { speeds }) => {
+            Box::new(stribeck::Steady::new(data, speeds))
+        }
+        (LawName::Power, Motion::Steady { speeds }) => Box::new(power::Steady::new(data, speeds)),
+        (LawName::LuGre, Motion::Steady { speeds }) => Box::new(lugre::Steady::new(data, speeds)),
+        (LawName::LuGre, Motion::Series { times, velocities }) => {
+            Box::new(lugre::Series::new(data, times, velocities))
+        }
+        (LawName::RateState | LawName::RateStateSlip, Motion::Steady { speeds }) => {
+            Box::new(rate_state::Steady::new(data, speeds))
+        }
+        (LawName::RateState, Motion::Series { times, velocities }) => Box::new(
+            rate_state::Series::<Dieterich>::new(data, times, velocities)?,
+        ),
+        (LawName::RateStateSlip, Motion::Series { times, velocities }) => {
+            Box::new(rate_state::Series::<Ruina>::new(data, times, velocities)?)
+        }
+        (LawName::Stribeck | LawName::Power, Motion::Series { .. }) => {
+            return Err(FitError::Form(STATELESS));
+        }
+    })
+}
+
+/// Friction of a law at all speeds.
+fn steady(law: &impl LocalLaw<f64>, speeds: &[f64]) -> Vec<f64> {
+    speeds.iter().map(|&v| law.friction(v)).collect()
+}
+
+/// From `low` to `high` in equal ratios as `share` goes from 0 to 1.
+fn log_between(share: f64, [low, high]: [f64; 2]) -> f64 {
+    low * libm::pow(high / low, share)
+}
+
+/// From `low` to `high`.
+fn between(share: f64, [low, high]: [f64; 2]) -> f64 {
+    low + (high - low) * share
+}
+
+/// Puts `low` ≤ `high` in order, moving what is free: both to their mean, or one to the other.
+fn order(values: &mut [f64], is_free: &[bool], [low, high]: [usize; 2]) {
+    if values[low] <= values[high] {
+        return;
+    }
+    let meet = match [is_free[low], is_free[high]] {
+        [true, true] => 0.5 * (values[low] + values[high]),
+        [true, false] => values[high],
+        _ => values[low],
+    };
+    for index in [low, high] {
+        if is_free[index] {
+            values[index] = meet;
+        }
+    }
+}
+
+/// Intervals of a record and the mean of the velocities at their ends.
+fn intervals<'a>(times: &'a [f64], velocities: &'a [f64]) -> impl Iterator<Item = (f64, f64)> + 'a {
+    let lengths = times.windows(2).map(|pair| pair[1] - pair[0]);
+    lengths.zip(velocities.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])))
+}
+
+/// Shortest and whole distance slid in a record.
+fn distances(times: &[f64], velocities: &[f64]) -> [f64; 2] {
+    let slid = || intervals(times, velocities).map(|(dt, v)| (v * dt).abs());
+    let shortest = slid().filter(|x| *x > 0.0).fold(f64::INFINITY, f64::min);
+    let whole: f64 = slid().sum();
+    if shortest.is_finite() {
+        [shortest, whole]
+    } else {
+        [1.0, 1.0]
+    }
+}

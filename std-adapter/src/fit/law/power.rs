@@ -1,0 +1,66 @@
+//! γ|v|^α.
+
+use super::super::Data;
+use super::super::parameter::{Model, Parameter, Range};
+use super::{between, steady};
+use tribos_core::law::PowerLaw;
+
+const PARAMETERS: [Parameter; 2] = [
+    Parameter {
+        name: "gamma",
+        unit: "(s/m)^alpha",
+        meaning: "coefficient",
+        range: Range::Positive,
+    },
+    Parameter {
+        name: "alpha",
+        unit: "-",
+        meaning: "exponent",
+        range: Range::Between {
+            above: -1.0,
+            up_to: PowerLaw::<f64>::MAX_EXPONENT,
+        },
+    },
+];
+/// Exponents to start from.
+const EXPONENTS: [f64; 2] = [-0.9, 3.0];
+
+/// Steady friction.
+pub(super) struct Steady<'a> {
+    speeds: &'a [f64],
+    /// Geometric means of the extremes.
+    middle: [f64; 2],
+}
+
+impl<'a> Steady<'a> {
+    pub fn new(data: &Data, speeds: &'a [f64]) -> Self {
+        let mean = |[low, high]: [f64; 2]| (low * high).sqrt();
+        Self {
+            speeds,
+            middle: [mean(data.speeds()), mean(data.forces())],
+        }
+    }
+}
+
+impl Model for Steady<'_> {
+    fn parameters(&self) -> &[Parameter] {
+        &PARAMETERS
+    }
+
+    fn reference(&self, _: usize) -> Option<f64> {
+        None
+    }
+
+    fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
+        let law = PowerLaw::new(values[1], values[0]).ok()?;
+        Some(steady(&law, self.speeds))
+    }
+
+    /// Curves through the middle of the data.
+    fn start(&self, unit: &[f64]) -> Vec<f64> {
+        let alpha = between(unit[1], EXPONENTS);
+        let [speed, force] = self.middle;
+        let gamma = force / libm::pow(speed, alpha);
+        vec![gamma * (0.5 + unit[0]), alpha]
+    }
+}

@@ -1,0 +1,201 @@
+//! Rate and state: steady, and with its age over time.
+
+use super::super::estimate::FitError;
+use super::super::parameter::{Model, Parameter, Range};
+use super::super::{Data, DataError};
+use super::{between, distances, intervals, log_between, steady};
+use std::marker::PhantomData;
+use tribos_core::law::{Evolution, RateState, RateStateParameters};
+
+const PARAMETERS: [Parameter; 6] = [
+    Parameter {
+        name: "mu0",
+        unit: "-",
+        meaning: "coefficient of steady sliding with v0",
+        range: Range::NotNegative,
+    },
+    Parameter {
+        name: "a",
+        unit: "-",
+        meaning: "direct effect of the speed",
+        range: Range::Positive,
+    },
+    Parameter {
+        name: "b",
+        unit: "-",
+        meaning: "effect of the age",
+        range: Range::NotNegative,
+    },
+    Parameter {
+        name: "v0",
+        unit: "m/s",
+        meaning: "reference speed",
+        range: Range::Positive,
+    },
+    Parameter {
+        name: "eta",
+        unit: "s/m",
+        meaning: "viscous term",
+        range: Range::NotNegative,
+    },
+    Parameter {
+        name: "dc",
+        unit: "m",
+        meaning: "memory length",
+        range: Range::Positive,
+    },
+];
+/// The first five describe steady sliding.
+const STEADY: usize = 5;
+/// Place of v₀, which only says for which speed μ₀ is.
+const REFERENCE: usize = 3;
+/// Effects of rate and age to start from, over the coefficient: of rock 0.01 of 0.6.
+const EFFECTS: [f64; 2] = [3e-3, 0.1];
+
+fn law<E: Evolution>(values: &[f64]) -> Option<RateState<f64, E>> {
+    let &[mu, a, b, reference_speed, viscous, ref rest @ ..] = values else {
+        return None;
+    };
+    RateState::new(RateStateParameters {
+        mu,
+        a,
+        b,
+        reference_speed,
+        viscous,
+        // Steady sliding does not feel the memory length.
+        slip_distance: rest.first().copied().unwrap_or(1.0),
+    })
+    .ok()
+}
+
+/// What starts are taken from.
+struct Scales {
+    fastest: [f64; 2],
+    middle: f64,
+    forces: [f64; 2],
+}
+
+impl Scales {
+    fn of(data: &Data) -> Self {
+        let fastest = data.speeds();
+        Self {
+            fastest,
+            middle: (fastest[0] * fastest[1]).sqrt(),
+            forces: data.forces(),
+        }
+    }
+
+    fn start(&self, unit: &[f64]) -> Vec<f64> {
+        let mu = between(unit[0], self.forces);
+        vec![
+            mu,
+            mu * log_between(unit[1], EFFECTS),
+            mu * log_between(unit[2], EFFECTS),
+            self.middle,
+            // Of the friction at the largest speed a tenth at most.
+            0.1 * unit[4] * self.forces[1] / self.fastest[1],
+        ]
+    }
+}
+
+/// Steady friction.
+pub(super) struct Steady<'a> {
+    speeds: &'a [f64],
+    scales: Scales,
+}
+
+impl<'a> Steady<'a> {
+    pub fn new(data: &Data, speeds: &'a [f64]) -> Self {
+        Self {
+            speeds,
+            scales: Scales::of(data),
+        }
+    }
+}
+
+impl Model for Steady<'_> {
+    fn parameters(&self) -> &[Parameter] {
+        &PARAMETERS[..STEADY]
+    }
+
+    fn reference(&self, parameter: usize) -> Option<f64> {
+        (parameter == REFERENCE).then_some(self.scales.middle)
+    }
+
+    fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
+        let law = law::<tribos_core::law::Dieterich>(values)?.steady();
+        Some(steady(&law, self.speeds))
+    }
+
+    fn start(&self, unit: &[f64]) -> Vec<f64> {
+        self.scales.start(unit)
+    }
+}
+
+/// A record over time.
+pub(super) struct Series<'a, E> {
+    times: &'a [f64],
+    velocities: &'a [f64],
+    scales: Scales,
+    slid: [f64; 2],
+    evolution: PhantomData<E>,
+}
+
+impl<'a, E: Evolution> Series<'a, E> {
+    /// Refuses motion backwards and a start at rest: the age is then not known.
+    pub fn new(data: &Data, times: &'a [f64], velocities: &'a [f64]) -> Result<Self, FitError> {
+        if velocities.first().is_some_and(|v| *v <= 0.0) {
+            let message = "rate and state begins in steady sliding: the first velocity must be > 0";
+            return Err(refused(0, message));
+        }
+        if let Some(point) = velocities.iter().position(|v| *v < 0.0) {
+            return Err(refused(
+                point,
+                "rate and state knows no way back: velocities must be >= 0",
+            ));
+        }
+        Ok(Self {
+            times,
+            velocities,
+            scales: Scales::of(data),
+            slid: distances(times, velocities),
+            evolution: PhantomData,
+        })
+    }
+}
+
+fn refused(point: usize, message: &str) -> FitError {
+    FitError::Data(DataError::Point {
+        point,
+        message: message.into(),
+    })
+}
+
+impl<E: Evolution> Model for Series<'_, E> {
+    fn parameters(&self) -> &[Parameter] {
+        &PARAMETERS
+    }
+
+    fn reference(&self, parameter: usize) -> Option<f64> {
+        (parameter == REFERENCE).then_some(self.scales.middle)
+    }
+
+    fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
+        let law = law::<E>(values)?;
+        let first = *self.velocities.first()?;
+        let mut age = law.steady_age(first);
+        let mut friction = vec![law.coefficient(first, age)];
+        let steps = intervals(self.times, self.velocities);
+        for ((dt, mean), &velocity) in steps.zip(&self.velocities[1..]) {
+            age = law.advance(age, mean, dt);
+            friction.push(law.coefficient(velocity, age));
+        }
+        Some(friction)
+    }
+
+    fn start(&self, unit: &[f64]) -> Vec<f64> {
+        let mut start = self.scales.start(unit);
+        start.push(log_between(unit[5], self.slid));
+        start
+    }
+}

@@ -1,0 +1,93 @@
+//! μ_d + (μₛ − μ_d) exp(−(v/vₛ)^δ) + k v.
+
+use super::super::Data;
+use super::super::parameter::{Model, Parameter, Range};
+use super::{between, log_between, order, steady};
+use tribos_core::law::{DryFriction, Stribeck};
+
+const PARAMETERS: [Parameter; 5] = [
+    Parameter {
+        name: "mu_s",
+        unit: "-",
+        meaning: "coefficient at rest",
+        range: Range::NotNegative,
+    },
+    Parameter {
+        name: "mu_d",
+        unit: "-",
+        meaning: "coefficient of the boundary branch",
+        range: Range::NotNegative,
+    },
+    Parameter {
+        name: "vs",
+        unit: "m/s",
+        meaning: "Stribeck speed",
+        range: Range::Positive,
+    },
+    Parameter {
+        name: "delta",
+        unit: "-",
+        meaning: "exponent",
+        range: Range::Positive,
+    },
+    Parameter {
+        name: "k",
+        unit: "s/m",
+        meaning: "viscous coefficient",
+        range: Range::NotNegative,
+    },
+];
+/// Exponents to start from.
+const EXPONENTS: [f64; 2] = [0.5, 3.0];
+
+/// Steady friction.
+pub(super) struct Steady<'a> {
+    speeds: &'a [f64],
+    fastest: [f64; 2],
+    forces: [f64; 2],
+}
+
+impl<'a> Steady<'a> {
+    pub fn new(data: &Data, speeds: &'a [f64]) -> Self {
+        Self {
+            speeds,
+            fastest: data.speeds(),
+            forces: data.forces(),
+        }
+    }
+}
+
+impl Model for Steady<'_> {
+    fn parameters(&self) -> &[Parameter] {
+        &PARAMETERS
+    }
+
+    fn reference(&self, _: usize) -> Option<f64> {
+        None
+    }
+
+    fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
+        let &[mu_s, mu_d, speed, exponent, viscous] = values else {
+            return None;
+        };
+        let dry = DryFriction::new(mu_s, mu_d).ok()?;
+        let law = Stribeck::new(dry, speed, exponent, viscous).ok()?;
+        Some(steady(&law, self.speeds))
+    }
+
+    fn start(&self, unit: &[f64]) -> Vec<f64> {
+        let [low, high] = self.forces;
+        let mu_d = between(unit[1], [0.3 * low, low]);
+        vec![
+            between(unit[0], [0.5 * (low + high), 1.5 * high]),
+            mu_d,
+            log_between(unit[2], self.fastest),
+            log_between(unit[3], EXPONENTS),
+            unit[4] * high / self.fastest[1],
+        ]
+    }
+
+    fn repair(&self, values: &mut [f64], is_free: &[bool]) {
+        order(values, is_free, [1, 0]);
+    }
+}

@@ -1,0 +1,51 @@
+//! Parameters of friction laws from measurements: nonlinear least squares.
+//!
+//! The laws are the kernel's own ([`tribos_core::law`]), steady or with their states; nothing of
+//! them is written down again. [`Data`] are speeds with friction, or friction over time;
+//! [`law_model`] joins them with a law; [`fit`] seeks the parameters with the least sum of squared
+//! residuals, each divided by its standard deviation where that is known:
+//!
+//! - Levenberg–Marquardt (Moré 1978: columns scaled by their largest norms; damping after Nielsen
+//!   1999), every step from a singular value decomposition, derivatives by central differences. The
+//!   crate `levenberg-marquardt` 0.15 is for another version of nalgebra than ours.
+//! - Positive parameters are sought by their logarithms, others within their bounds; a parameter at
+//!   its bound stays there while the descent points outwards.
+//! - Several starts, spread by a Halton sequence over what the data leave open, the same every time.
+//!   How many ended at the best minimum is told.
+//! - Parameters that the data do not determine are named, with those that they trade against, in
+//!   place of a standard error.
+//!
+//! *Accuracy*: NIST's reference problems Misra1a, Thurber and MGH09 come out to 7 digits of the
+//! parameters and 6 of their standard deviations; what derivatives by differences leave.
+//!
+//! ```
+//! use tribos::fit::{Data, LawName, Options, fit, law_model};
+//! use tribos_core::law::{LocalLaw, PowerLaw};
+//! let law = PowerLaw::new(-0.5_f64, 0.008)?; // ice
+//! let speeds: Vec<f64> = (1..=20).map(|k| 0.1 * f64::from(k)).collect();
+//! let friction = speeds.iter().map(|&v| law.friction(v)).collect();
+//! let data = Data::steady(speeds, friction, None)?;
+//! let found = fit(law_model(LawName::Power, &data)?.as_ref(), &data, &Options::default())?;
+//! assert!((found.parameters[0].value - 0.008).abs() < 1e-12);
+//! assert!((found.parameters[1].value + 0.5).abs() < 1e-10);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod covariance;
+mod data;
+mod estimate;
+mod jacobian;
+mod law;
+mod minimise;
+mod parameter;
+mod starts;
+
+pub use data::{Data, DataError, Motion};
+pub use estimate::{Estimate, Fit, FitError, Known, Options, fit};
+pub use law::{LawName, law_model};
+pub use parameter::{Model, Parameter, Range};
+
+#[cfg(test)]
+mod nist;
+#[cfg(test)]
+mod tests;

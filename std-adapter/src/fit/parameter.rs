@@ -1,0 +1,114 @@
+//! Parameters of a model, and the coordinates in which they are sought.
+
+/// What a parameter may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Range {
+    /// Any finite number.
+    Any,
+    /// Finite and > 0: sought by its logarithm.
+    Positive,
+    /// Finite and ≥ 0.
+    NotNegative,
+    /// `above` < value ≤ `up_to`.
+    Between {
+        /// Exclusive lower end.
+        above: f64,
+        /// Inclusive upper end.
+        up_to: f64,
+    },
+}
+
+/// One parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameter {
+    /// Its name on the command line and in files.
+    pub name: &'static str,
+    /// Its unit, or "-" for a pure number.
+    pub unit: &'static str,
+    /// What it means.
+    pub meaning: &'static str,
+    /// What it may be.
+    pub range: Range,
+}
+
+/// What is fitted: a prediction for each point of the data.
+pub trait Model {
+    /// The parameters, in the order of all slices here.
+    fn parameters(&self) -> &[Parameter];
+
+    /// Values of parameters that are fixed unless something else is asked for, in the order of the
+    /// parameters: a reference that only names the scale of another one.
+    fn reference(&self, parameter: usize) -> Option<f64>;
+
+    /// One prediction a point; `None` where the law refuses the values.
+    fn predict(&self, values: &[f64]) -> Option<Vec<f64>>;
+
+    /// Values to start from, for a point of the unit cube with one coordinate a parameter.
+    fn start(&self, unit: &[f64]) -> Vec<f64>;
+
+    /// Moves values to the nearest that the law admits, where parameters bound each other. Those
+    /// that are not free must stay.
+    fn repair(&self, _values: &mut [f64], _is_free: &[bool]) {}
+}
+
+/// How near to an exclusive end a parameter may come.
+const MARGIN: f64 = 1e-9;
+
+impl Range {
+    /// True for values in the range.
+    pub fn admits(self, value: f64) -> bool {
+        value.is_finite()
+            && match self {
+                Self::Any => true,
+                Self::Positive => value > 0.0,
+                Self::NotNegative => value >= 0.0,
+                Self::Between { above, up_to } => value > above && value <= up_to,
+            }
+    }
+
+    /// In words.
+    pub fn describe(self) -> String {
+        match self {
+            Self::Any => "finite".into(),
+            Self::Positive => "> 0".into(),
+            Self::NotNegative => ">= 0".into(),
+            Self::Between { above, up_to } => format!("> {above} and <= {up_to}"),
+        }
+    }
+
+    /// The coordinate of a value.
+    pub(super) fn coordinate(self, value: f64) -> f64 {
+        match self {
+            Self::Positive => libm::log(value),
+            _ => value,
+        }
+    }
+
+    /// The value at a coordinate.
+    pub(super) fn value(self, coordinate: f64) -> f64 {
+        match self {
+            Self::Positive => libm::exp(coordinate),
+            _ => coordinate,
+        }
+    }
+
+    /// Derivative of the value by the coordinate.
+    pub(super) fn derivative(self, value: f64) -> f64 {
+        match self {
+            Self::Positive => value,
+            _ => 1.0,
+        }
+    }
+
+    /// Bounds of the coordinate, both included.
+    pub(super) fn bounds(self) -> [f64; 2] {
+        /// Logarithms of the smallest and largest values that are worth a try.
+        const LOGARITHMS: [f64; 2] = [-300.0, 300.0];
+        match self {
+            Self::Any => [f64::NEG_INFINITY, f64::INFINITY],
+            Self::Positive => LOGARITHMS,
+            Self::NotNegative => [0.0, f64::INFINITY],
+            Self::Between { above, up_to } => [above + MARGIN * (up_to - above).min(1.0), up_to],
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Which modes the contacts of a scene carry, and what they are limited by.
+
+use crate::cd::Link;
+use crate::scene::{Coupling, PowderScene};
+use tribos_core::contact::{
+    AllModes, Frictionless, Modes, Sliding, SlidingRolling, SlidingTorsion,
+};
+
+/// Modes of a contact for which there is a type; what is not named is neither stored nor computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CarriedModes {
+    /// The normal force alone.
+    Normal,
+    /// And sliding.
+    Sliding,
+    /// Sliding and torsion.
+    SlidingTorsion,
+    /// Sliding and rolling.
+    SlidingRolling,
+    /// Sliding, rolling and torsion.
+    All,
+}
+
+/// What limits the modes of a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Carried {
+    /// The modes.
+    pub modes: CarriedModes,
+    /// How the limits of sliding and torsion go together; independent where one of them is absent.
+    pub coupling: Coupling,
+}
+
+impl PowderScene {
+    /// What its contacts carry: the smallest set of modes for which there is a type. Modes with a
+    /// coefficient of zero in it are carried but never resist.
+    ///
+    /// ```
+    /// use tribos::scene::{Scene, parse_scene};
+    /// let text = "body = \"powder\"\nwidth = 6\nheight = 8\ntorsion = 0.1";
+    /// if let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? {
+    ///     assert_eq!(scene.carried().modes.unknowns(), 4); // normal, two of sliding, torsion
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn carried(&self) -> Carried {
+        let [slides, rolls, twists] = self.friction.map(|mu| mu > 0.0);
+        let modes = match [slides, rolls, twists] {
+            [false, false, false] => CarriedModes::Normal,
+            [true, false, false] => CarriedModes::Sliding,
+            [true, false, true] => CarriedModes::SlidingTorsion,
+            [true, true, false] => CarriedModes::SlidingRolling,
+            _ => CarriedModes::All,
+        };
+        let coupling = if slides && twists {
+            self.coupling
+        } else {
+            Coupling::Independent
+        };
+        Carried { modes, coupling }
+    }
+}
+
+impl CarriedModes {
+    /// Unknowns of a contact, the normal one included.
+    pub fn unknowns(self) -> usize {
+        match self {
+            Self::Normal => <Frictionless as Modes<f64>>::UNKNOWNS,
+            Self::Sliding => <Sliding as Modes<f64>>::UNKNOWNS,
+            Self::SlidingTorsion => <SlidingTorsion as Modes<f64>>::UNKNOWNS,
+            Self::SlidingRolling => <SlidingRolling as Modes<f64>>::UNKNOWNS,
+            Self::All => <AllModes as Modes<f64>>::UNKNOWNS,
+        }
+    }
+
+    /// Bytes of a contact in the solver.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::Normal => size_of::<Link<Frictionless>>(),
+            Self::Sliding => size_of::<Link<Sliding>>(),
+            Self::SlidingTorsion => size_of::<Link<SlidingTorsion>>(),
+            Self::SlidingRolling => size_of::<Link<SlidingRolling>>(),
+            Self::All => size_of::<Link<AllModes>>(),
+        }
+    }
+
+    /// Whether sliding, rolling and torsion are among them.
+    pub fn has(self) -> [bool; 3] {
+        match self {
+            Self::Normal => [false; 3],
+            Self::Sliding => [true, false, false],
+            Self::SlidingTorsion => [true, false, true],
+            Self::SlidingRolling => [true, true, false],
+            Self::All => [true; 3],
+        }
+    }
+}

@@ -1,0 +1,201 @@
+//! What a compaction will cost: spheres, contacts, unknowns, and the time of an update.
+
+use super::compaction::CompactionError;
+use super::deposit::Deposit;
+use super::packing::{Packing, build};
+use crate::cd::{Method, Order, Solver, Stop};
+use crate::scene::{Coupling, PowderScene};
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+use std::time::Instant;
+use tribos_core::contact::Sphere;
+
+/// What a scene will carry. *Units*: times in s on one core of this machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PowderCost {
+    /// Spheres of its deposit.
+    pub spheres: usize,
+    /// Contacts when it is compacted, from and to.
+    pub contacts: [usize; 2],
+    /// Unknowns of a contact.
+    pub unknowns: usize,
+    /// Bytes of a contact in the solver.
+    pub bytes: usize,
+    /// Time of an update of a contact.
+    pub update_seconds: f64,
+    /// The same with sliding friction alone, measured in turns with it.
+    pub sliding_seconds: f64,
+}
+
+/// Contacts a sphere in compacted packings: 2.0 to 2.2 in those of the thesis' systems, 3 in dense
+/// packings without friction (z = 6); with torques fewer hold as much.
+const CONTACTS_A_SPHERE: [f64; 2] = [2.0, 2.6];
+
+/// Grows the deposit, and times updates in a small block of spheres under load.
+///
+/// *Accuracy*: of the times some ten per cent, and that of unequal spheres or of thresholds that all
+/// slip is longer.
+pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
+    let deposit = scene.ballistic.grow(scene.until, scene.seed)?;
+    let spheres = deposit.positions.len();
+    /// A coefficient of dry friction.
+    const USUAL: f64 = 0.3;
+    let carried = scene.carried();
+    let mut plain = scene.clone();
+    // The same coefficient, or of smooth spheres the usual one.
+    let mu = scene.friction[0];
+    plain.friction = [if mu > 0.0 { mu } else { USUAL }, 0.0, 0.0];
+    plain.coupling = Coupling::Independent;
+    let [update_seconds, sliding_seconds] = update_seconds([scene, &plain])?;
+    Ok(PowderCost {
+        spheres,
+        contacts: CONTACTS_A_SPHERE.map(|share| (share * spheres as f64).round() as usize),
+        unknowns: carried.modes.unknowns(),
+        bytes: carried.modes.bytes(),
+        update_seconds,
+        sliding_seconds,
+    })
+}
+
+/// Spheres along an edge of the block, and their distance, a touch less than their diameters.
+const EDGE: usize = 6;
+const SPACING: f64 = 2.0 - 1e-6;
+/// How far the block is sheared a layer: tangents and normals mix.
+const SHEAR: f64 = 0.05;
+/// Sweeps of a step, so that nothing else of it counts, and how often it is timed.
+const SWEEPS: usize = 50;
+const ROUNDS: usize = 31;
+
+/// Time of an update under the laws of each scene: the least of interleaved rounds.
+fn update_seconds(scenes: [&PowderScene; 2]) -> Result<[f64; 2], CompactionError> {
+    let mut least = [f64::INFINITY; 2];
+    for _ in 0..ROUNDS {
+        for (scene, least) in scenes.iter().zip(&mut least) {
+            let mut packing = block(scene)?;
+            let start = Instant::now();
+            let report = packing.step()?;
+            let updates = (report.effort.sweeps * report.contacts).max(1);
+            *least = least.min(start.elapsed().as_secs_f64() / updates as f64);
+        }
+    }
+    Ok(least)
+}
+
+/// A block of equal spheres under the scene's laws and a fixed number of sweeps.
+fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
+    let width = EDGE as f64 * SPACING;
+    let rise = (SPACING * SPACING - 2.0 * SHEAR * SHEAR).sqrt();
+    let at = |index: usize| {
+        let place = [index % EDGE, index / EDGE % EDGE, index / (EDGE * EDGE)];
+        let [x, y, z] = place.map(|i| i as f64);
+        let aside = |x: f64| (x * SPACING + z * SHEAR).rem_euclid(width);
+        Vector3::new(aside(x), aside(y), 1.0 + z * rise)
+    };
+    let count = EDGE.pow(3);
+    let deposit = Deposit {
+        positions: (0..count).map(at).collect(),
+        radii: vec![1.0; count],
+        parents: vec![None; count],
+        width,
+        space: PeriodicBox::new([Some(width), Some(width), None]).unwrap_or_default(),
+        height: 2.0 + (EDGE - 1) as f64 * rise,
+    };
+    let mut timed = scene.clone();
+    timed.width = width;
+    timed.still_speed = 0.0;
+    timed.solver = Solver {
+        method: Method::GaussSeidel {
+            order: Order::Fixed,
+            stop: Stop::Fixed,
+        },
+        most_sweeps: SWEEPS,
+        warm_start: false,
+    };
+    Ok(build(&timed, &deposit, None)?)
+}
+
+impl PowderCost {
+    /// Bytes that the spheres and the most contacts take in the solver, without lists of neighbours.
+    pub fn memory(&self) -> usize {
+        // Place and radius; velocities and masses of the state, of the trial and without contacts.
+        let sphere = size_of::<Vector3<f64>>() + size_of::<f64>() + 3 * size_of::<Sphere<f64>>();
+        self.spheres * sphere + self.contacts[1] * self.bytes
+    }
+
+    /// Unknowns of a contact if one of its modes (sliding, rolling, torsion) were left out.
+    pub fn unknowns_without(scene: &PowderScene, mode: usize) -> usize {
+        let mut less = scene.clone();
+        if let Some(mu) = less.friction.get_mut(mode) {
+            *mu = 0.0;
+        }
+        less.carried().modes.unknowns()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Scene, parse_scene};
+
+    fn scene(keys: &str) -> PowderScene {
+        let text = format!("body = \"powder\"\nwidth = 6\nheight = 8\n{keys}");
+        match parse_scene("tiny.toml", &text, &[]).unwrap() {
+            Scene::Powder(scene) => *scene,
+            _ => unreachable!("a powder"),
+        }
+    }
+
+    #[test]
+    fn contacts_carry_the_unknowns_of_the_modes_that_resist() {
+        for (keys, unknowns, coupling) in [
+            ("sliding = 0", 1, Coupling::Independent),
+            (
+                "sliding = 0\ncoupling = \"exact\"",
+                1,
+                Coupling::Independent,
+            ),
+            ("", 3, Coupling::Independent),
+            ("torsion = 0.1", 4, Coupling::Independent),
+            ("torsion = 0.1\ncoupling = \"exact\"", 4, Coupling::Exact),
+            (
+                "rolling = 0.1\ncoupling = \"ellipsoid\"",
+                5,
+                Coupling::Independent,
+            ),
+            ("rolling = 0.1\ntorsion = 0.1", 6, Coupling::Independent),
+            ("sliding = 0\nrolling = 0.1", 6, Coupling::Independent),
+        ] {
+            let carried = scene(keys).carried();
+            assert_eq!(carried.modes.unknowns(), unknowns, "{keys}");
+            assert_eq!(carried.coupling, coupling, "{keys}");
+        }
+        let all = scene("rolling = 0.1\ntorsion = 0.1");
+        let without = [1, 2].map(|mode| PowderCost::unknowns_without(&all, mode));
+        assert_eq!(without, [4, 5]);
+    }
+
+    #[test]
+    fn a_block_under_any_laws_sweeps_all_of_its_contacts() {
+        for keys in [
+            "sliding = 0",
+            "",
+            "rolling = 1\ntorsion = 1\ncoupling = \"exact\"",
+            "cohesion_range = 0",
+        ] {
+            let report = block(&scene(keys)).unwrap().step().unwrap();
+            // Three a sphere, and two walls; the top layer has no layer above.
+            let expected = 3 * EDGE.pow(3) + EDGE.pow(2);
+            assert_eq!(
+                (report.effort.sweeps, report.contacts),
+                (SWEEPS, expected),
+                "{keys}"
+            );
+        }
+        let cost = cost(&scene("rolling = 0.1")).unwrap();
+        assert!(
+            cost.update_seconds > 0.0 && cost.update_seconds < 1e-4,
+            "{cost:?}"
+        );
+        assert!(cost.memory() > cost.spheres * 100);
+    }
+}

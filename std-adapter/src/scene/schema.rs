@@ -1,0 +1,165 @@
+//! The vocabulary as JSON Schema, from the same tables that the reader uses.
+//!
+//! An editor that has it completes keys and marks what the reader would refuse, as far as a schema
+//! can say it: that a pipe is narrower inside than outside is the reader's to tell.
+
+use super::key::{Domain, Key};
+use super::vocabulary::{Vocabulary, bodies, vocabulary};
+use serde_json::{Map, Number, Value, json};
+
+/// The dialect.
+const DRAFT: &str = "https://json-schema.org/draft/2020-12/schema";
+
+/// Keys of a body that are needed unless another key says otherwise: no part of `required`.
+const CONDITIONAL: [(&str, &[&str]); 2] = [
+    ("disk", &["gravity", "radius", "mass"]),
+    ("powder", &["height"]),
+];
+
+/// Body, key, and the word that another key must have for it.
+const ONLY_WITH: [(&str, &str, &str, &str); 9] = [
+    ("curling", "back_to_front", "model", "back-heavy"),
+    ("curling", "film_front", "model", "film"),
+    ("curling", "film_back", "model", "film"),
+    ("curling", "pivot", "model", "pivot-slide"),
+    ("curling", "scratch", "model", "scratch-guide"),
+    ("curling", "scratch_onset", "model", "scratch-guide"),
+    ("powder", "order", "solver", "gauss-seidel"),
+    ("powder", "stop", "solver", "gauss-seidel"),
+    ("tip", "load", "hold", "level"),
+];
+
+/// The schema of scenes of one body, or of all.
+///
+/// ```
+/// use tribos::scene::{schema, vocabulary};
+/// let tip = schema(vocabulary("tip").as_ref());
+/// assert_eq!(tip["properties"]["cutoff"]["exclusiveMinimum"], 1.0);
+/// assert_eq!(tip["required"], serde_json::json!(["lambda", "body"]));
+/// ```
+pub fn schema(body: Option<&Vocabulary>) -> Value {
+    let mut schema = match body {
+        Some(known) => branch(known),
+        None => {
+            let branches = bodies().filter_map(vocabulary);
+            let branches: Vec<Value> = branches.map(|known| branch(&known).into()).collect();
+            Map::from_iter([("oneOf".to_owned(), branches.into())])
+        }
+    };
+    schema.insert("$schema".into(), DRAFT.into());
+    let title = body.map_or("A scene of tribos".to_owned(), |known| {
+        format!("A scene of tribos with body = \"{}\"", known.body)
+    });
+    schema.insert("title".into(), title.into());
+    schema.into()
+}
+
+/// What holds for one body.
+fn branch(known: &Vocabulary) -> Map<String, Value> {
+    let defaults = known.defaults();
+    let property = |key: &Key| (key.name.to_owned(), property(key, defaults.get(key.name)));
+    let mut properties: Map<String, Value> = known.keys.iter().map(property).collect();
+    let body = json!({"const": known.body, "description": "what the scene is about"});
+    properties.insert("body".into(), body);
+    let mut branch = Map::new();
+    branch.insert("title".into(), known.body.into());
+    branch.insert("type".into(), "object".into());
+    branch.insert("properties".into(), properties.into());
+    branch.insert("required".into(), required(known).into());
+    branch.insert("additionalProperties".into(), false.into());
+    let conditions = conditions(known.body);
+    if !conditions.is_empty() {
+        branch.insert("allOf".into(), conditions.into());
+    }
+    branch
+}
+
+/// One key.
+fn property(key: &Key, default: Option<&Value>) -> Value {
+    let unit = match key.unit {
+        "-" => String::new(),
+        unit => format!(" [{unit}]"),
+    };
+    let mut property = Map::new();
+    property.insert(
+        "description".into(),
+        format!("{}{unit}", key.meaning).into(),
+    );
+    property.extend(domain(&key.domain));
+    let default = default.and_then(|value| match (value, key.domain) {
+        (Value::Number(number), Domain::Count { .. }) => Some((number.as_f64()? as u64).into()),
+        (Value::Number(number), _) => number.as_f64().map(short),
+        (word, _) => Some(word.clone()),
+    });
+    property.extend(default.map(|value| ("default".to_owned(), value)));
+    property.into()
+}
+
+/// What a value may be.
+fn domain(domain: &Domain) -> Map<String, Value> {
+    let rules = match *domain {
+        Domain::Finite => json!({"type": "number"}),
+        Domain::NotNegative => json!({"type": "number", "minimum": 0}),
+        Domain::Positive => json!({"type": "number", "exclusiveMinimum": 0}),
+        Domain::Between { above, up_to } => json!({
+            "type": "number", "exclusiveMinimum": short(above), "maximum": short(up_to)
+        }),
+        Domain::Fraction => json!({"type": "number", "minimum": 0, "maximum": 1}),
+        Domain::Count { up_to } => {
+            json!({"type": "integer", "minimum": 1, "maximum": up_to as u64})
+        }
+        Domain::OneOf(words) => json!({"type": "string", "enum": words}),
+    };
+    match rules {
+        Value::Object(rules) => rules,
+        _ => Map::new(),
+    }
+}
+
+/// The shortest text that reads back as the number.
+fn short(x: f64) -> Value {
+    Number::from_f64(x).map_or(Value::Null, Value::Number)
+}
+
+/// Keys that every scene of the body must have, in the order of the documentation.
+fn required(known: &Vocabulary) -> Vec<&'static str> {
+    let is_conditional = |name: &str| {
+        let mut all = CONDITIONAL.iter();
+        all.any(|(body, names)| *body == known.body && names.contains(&name))
+    };
+    let least = || known.least.iter().map(|(name, _)| *name);
+    let mut required: Vec<_> = least()
+        .filter(|name| *name != "body" && !is_conditional(name))
+        .collect();
+    required.extend(least().filter(|name| *name == "body"));
+    required
+}
+
+/// What keys say about each other.
+fn conditions(body: &str) -> Vec<Value> {
+    let mut conditions: Vec<Value> = ONLY_WITH
+        .iter()
+        .filter(|(of, ..)| *of == body)
+        .map(|(_, key, other, word)| json!({"if": says(other, word), "else": {"properties": {*key: false}}}))
+        .collect();
+    match body {
+        "disk" => conditions.push(json!({
+            "if": says("units", "dimensionless"),
+            "then": {"properties": {"gravity": {"const": 1}, "radius": {"const": 1}, "mass": {"const": 1}}},
+            "else": {"required": ["gravity", "radius", "mass"]}
+        })),
+        "powder" => conditions.push(json!({
+            "oneOf": [{"required": ["height"]}, {"required": ["count"]}]
+        })),
+        _ => {}
+    }
+    conditions
+}
+
+/// True of scenes in which a key has this word.
+fn says(key: &str, word: &str) -> Value {
+    json!({"properties": {key: {"const": word}}, "required": [key]})
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,119 @@
+//! Commented scene files with every key of their body.
+
+use super::key::{Domain, Key};
+use super::parse_scene;
+use super::vocabulary::{Vocabulary, given, resolved, vocabulary};
+use serde_json::Value;
+
+/// A scene of a body with all of its keys: those that must be given have plausible values, the
+/// others stand as comments with their defaults.
+pub fn template(known: &Vocabulary) -> String {
+    let mut text = format!(
+        "# A scene with body = \"{}\": values are examples, lines that begin with # are defaults.\n\n",
+        known.body
+    );
+    for (name, value) in known.least {
+        let comment = known.keys.iter().find(|key| key.name == *name).map(comment);
+        text += &line(&format!("{name} = {value}"), &comment.unwrap_or_default());
+    }
+    with_all_keys(&text)
+}
+
+/// The file, followed by the keys that it leaves out, as comments with the values in force.
+pub fn with_all_keys(text: &str) -> String {
+    let body = parse_scene("scene", text, &[]).map_or("", |scene| scene.body());
+    let Some(known) = vocabulary(body) else {
+        return text.to_owned();
+    };
+    let (given, values) = (given(text), resolved(text));
+    let mut all = format!(
+        "{}\n\n# What else may be set, with what holds now:\n",
+        text.trim_end()
+    );
+    for key in known.keys {
+        if key.name != "body" && !given.iter().any(|name| name == key.name) {
+            let value = values
+                .get(key.name)
+                .and_then(|value| toml_value(key, value));
+            let setting = format!("# {} = {}", key.name, value.unwrap_or_default());
+            all += &line(setting.trim_end(), &comment(key));
+        }
+    }
+    all
+}
+
+/// A value of a scene's JSON as TOML; nothing for null.
+pub fn toml_value(key: &Key, value: &Value) -> Option<String> {
+    match (value, key.domain) {
+        (Value::String(word), _) => Some(format!("\"{word}\"")),
+        (Value::Number(number), Domain::Count { .. }) => number.as_f64().map(|x| format!("{x}")),
+        (Value::Number(number), _) => number.as_f64().map(|x| format!("{x:?}")),
+        _ => None,
+    }
+}
+
+/// A setting with its comment in one column.
+fn line(setting: &str, comment: &str) -> String {
+    format!("{setting:<32} # {comment}\n")
+}
+
+/// Unit, meaning, domain.
+fn comment(key: &Key) -> String {
+    let unit = match key.unit {
+        "-" => String::new(),
+        unit => format!("{unit}; "),
+    };
+    format!("{unit}{}; {}", key.meaning, key.domain.describe())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{LIBRARY, bodies};
+
+    /// Every commented setting that has a value, as a setting.
+    fn uncommented(text: &str) -> String {
+        let lines = text.lines().map(|line| match line.strip_prefix("# ") {
+            Some(rest) if rest.split('#').next().is_some_and(is_setting) => rest,
+            _ => line,
+        });
+        lines.collect::<Vec<_>>().join("\n")
+    }
+
+    fn is_setting(text: &str) -> bool {
+        let (key, value) = text.split_once(" = ").unwrap_or_default();
+        !key.contains(' ') && !value.trim().is_empty()
+    }
+
+    #[test]
+    fn a_file_with_all_keys_says_what_it_said_before() {
+        let templates = bodies().map(|body| template(&vocabulary(body).unwrap()));
+        let files = LIBRARY.iter().map(|scene| scene.text.to_owned());
+        for text in templates.chain(files) {
+            let all = with_all_keys(&text);
+            assert_eq!(resolved(&text), resolved(&all));
+            assert!(!resolved(&all).is_empty());
+            let body = parse_scene("all", &all, &[]).unwrap().body();
+            for key in vocabulary(body)
+                .unwrap()
+                .keys
+                .iter()
+                .filter(|key| key.name != "body")
+            {
+                let names_it = |line: &str| {
+                    let rest = line.trim_start_matches("# ").strip_prefix(key.name);
+                    rest.is_some_and(|rest| rest.trim_start().starts_with('='))
+                };
+                assert!(all.lines().any(names_it), "{body}: {}", key.name);
+            }
+        }
+    }
+
+    #[test]
+    fn defaults_in_comments_are_values_that_hold() {
+        for scene in LIBRARY.iter().filter(|scene| scene.body() != "powder") {
+            let all = uncommented(&with_all_keys(scene.text));
+            assert_eq!(resolved(scene.text), resolved(&all), "{all}");
+        }
+    }
+}

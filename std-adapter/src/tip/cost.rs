@@ -1,0 +1,133 @@
+//! What a tip will cost: atoms, pairs, steps, and the time of an atom-step.
+
+use super::build::{TipSystem, build};
+use super::run::TipError;
+use super::shape::Part;
+use crate::md::interaction::Wanted;
+use crate::md::system::System;
+use crate::scene::{Bath, TipScene};
+use crate::space::PeriodicBox;
+use crate::space::pairs::neighbours;
+use nalgebra::Vector3;
+use std::time::Instant;
+
+/// What a scene will carry. *Units*: times in s on one core of this machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TipCost {
+    /// Atoms of each part, in the order of [`Part::ALL`].
+    pub atoms: [usize; Part::ALL.len()],
+    /// Pairs within the cut-off in the crystal.
+    pub pairs: usize,
+    /// Steps before, with and after the drive.
+    pub steps: [u64; 3],
+    /// Time of a step divided by the number of atoms.
+    pub atom_step_seconds: f64,
+}
+
+/// Steps that warm the list up, and steps that are timed.
+const WARM: usize = 2;
+const TIMED: usize = 20;
+
+impl TipScene {
+    /// Number of groups of atoms that a thermostat holds at the temperature.
+    pub fn thermostat_groups(&self) -> usize {
+        match self.bath {
+            Bath::None => 0,
+            Bath::NoseHoover { .. } | Bath::Langevin(_) => 2,
+        }
+    }
+
+    /// Components of the places of all atoms that move: none of the base, two of driven atoms whose
+    /// height is held or common.
+    pub fn freedoms(&self) -> usize {
+        let of = |part: Part| match part {
+            Part::Base => 0,
+            Part::Driven => 2,
+            _ => 3,
+        };
+        let sites = self.shape.sites();
+        let common = usize::from(matches!(self.lift, crate::scene::Lift::Loaded(_)));
+        sites.iter().map(|site| of(site.part)).sum::<usize>() + common
+    }
+}
+
+/// Builds the system and times its first steps.
+///
+/// *Accuracy*: of the time some ten per cent; later steps of a warmer system renew the list of
+/// neighbours more often.
+pub fn cost(scene: &TipScene) -> Result<TipCost, TipError> {
+    let TipSystem { setup, .. } = build(scene)?;
+    let mut atoms = [0; Part::ALL.len()];
+    for &group in &setup.group_of {
+        if let Some(count) = atoms.get_mut(usize::from(group)) {
+            *count += 1;
+        }
+    }
+    let pairs = pairs(&setup.atoms.positions, &setup.space, scene.cutoff);
+    let mut system = System::new(setup)?;
+    for _ in 0..WARM {
+        system.step(Wanted::Forces)?;
+    }
+    let start = Instant::now();
+    for _ in 0..TIMED {
+        system.step(Wanted::Forces)?;
+    }
+    let all: usize = atoms.iter().sum();
+    let atom_steps = (TIMED * all).max(1) as f64;
+    Ok(TipCost {
+        atoms,
+        pairs,
+        steps: scene.stage_steps(),
+        atom_step_seconds: start.elapsed().as_secs_f64() / atom_steps,
+    })
+}
+
+impl TipCost {
+    /// All atoms times all steps.
+    pub fn atom_steps(&self) -> f64 {
+        let [atoms, steps] = [
+            self.atoms.iter().sum::<usize>() as f64,
+            self.steps.iter().sum::<u64>() as f64,
+        ];
+        atoms * steps
+    }
+
+    /// Time of the whole run.
+    pub fn seconds(&self) -> f64 {
+        self.atom_steps() * self.atom_step_seconds
+    }
+}
+
+/// Pairs nearer than the cut-off. A box too small for them is refused with the scene.
+fn pairs(positions: &[Vector3<f64>], space: &PeriodicBox, cutoff: f64) -> usize {
+    let points = vec![0.0; positions.len()];
+    neighbours(space, positions, &points, cutoff).map_or(0, |pairs| pairs.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Scene, parse_scene};
+
+    #[test]
+    fn atoms_pairs_and_steps_are_those_of_the_crystal() {
+        let keys = "body = \"tip\"\nlambda = 0.01\ncolumns = 10\nrows = 12\nsubstrate_layers = 4\n\
+                    tip_layers = 4\nside = 2\ncutoff = 1.2\ndrive_time = 1\n";
+        let Ok(Scene::Tip(scene)) = parse_scene("tip.toml", keys, &[]) else {
+            unreachable!("a tip")
+        };
+        let cost = cost(&scene).unwrap();
+        // Two layers of 10 × 12 a part below, two hexagons of 7 atoms a part above.
+        assert_eq!(cost.atoms, [240, 240, 0, 0, 14, 14]);
+        assert_eq!(cost.steps, [10_000, 200, 20_000]);
+        // Nearest neighbours: 3 a site within a periodic layer and 3 to the next one; a hexagon of 7
+        // has 12 pairs, two stacked ones share 15, or 10 where the stacking goes back by two steps, and
+        // 21 go down to the substrate.
+        let substrate = 3 * 480 + 3 * 360;
+        let tip = 4 * 12 + 2 * 15 + 10;
+        assert_eq!(cost.pairs, substrate + tip + 21);
+        assert_eq!(scene.thermostat_groups(), 2);
+        assert_eq!(scene.freedoms(), 3 * 254 + 2 * 14);
+        assert!(cost.seconds() > 0.0);
+    }
+}
