@@ -14,6 +14,17 @@ pub struct WriteError {
     pub cause: std::io::Error,
 }
 
+impl WriteError {
+    /// Whether the disk is full, or the user's share of it, or the file larger than allowed.
+    pub fn is_out_of_room(&self) -> bool {
+        use std::io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
+        matches!(
+            self.cause.kind(),
+            StorageFull | QuotaExceeded | FileTooLarge
+        )
+    }
+}
+
 /// Writes `bytes` to `path` through a temporary file in the same folder, which is made if missing.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     let fail = |cause| WriteError {

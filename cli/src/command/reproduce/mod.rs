@@ -121,10 +121,16 @@ impl Arguments {
     /// Makes the report. Fails if a claim differs for no known reason: neither an erratum nor a condition
     /// that the thesis does not state.
     pub fn execute(self) -> Result<(), Failure> {
+        self.make().map_err(|failure| {
+            failure.going_on("Then give the same command again; a name after it makes one exhibit.")
+        })
+    }
+
+    fn make(self) -> Result<(), Failure> {
         let chosen = chosen(&self.names)?;
         let Some(out) = self.out.filter(|_| !self.list) else {
             for (name, _) in chosen {
-                println!("{name}");
+                super::print(&format!("{name}\n"))?;
             }
             return Ok(());
         };
@@ -136,14 +142,19 @@ impl Arguments {
         let mut sections = Vec::new();
         for (name, maker) in chosen {
             let section = write_exhibit(&out, name, maker.make(&runs)?)?;
-            println!("{name:<11} {}", tally(&section.claims));
+            super::print(&format!("{name:<11} {}\n", tally(&section.claims)))?;
             sections.push(section);
         }
         let claims: Vec<Claim> = sections.iter().flat_map(|s| s.claims.clone()).collect();
         write_atomically(&out.join("claims.csv"), claims_csv(&sections).as_bytes())?;
         write_atomically(&out.join("index.html"), page(sections).html().as_bytes())?;
-        println!("{:<11} {}", "together", tally(&claims));
-        println!("open {}", out.join("index.html").display());
+        let page = out.join("index.html");
+        super::print(&format!(
+            "{:<11} {}\nopen {}\n",
+            "together",
+            tally(&claims),
+            page.display()
+        ))?;
         match claims
             .iter()
             .filter(|claim| claim.verdict == Verdict::Differs)

@@ -178,12 +178,12 @@ impl Runs {
 
 /// One line on standard error.
 fn tell(case: &Case, outcome: &Outcome, [count, all]: [usize; 2]) {
-    eprintln!(
+    crate::command::tell(format_args!(
         "{count:>3} of {all}: {case}: porosity {:.2} % after {} steps, {:.1} s",
         100.0 * outcome.porosity[1],
         outcome.steps,
         outcome.wall_seconds
-    );
+    ));
 }
 
 #[cfg(test)]

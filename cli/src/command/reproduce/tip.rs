@@ -132,10 +132,10 @@ fn all(effort: Effort) -> Result<Vec<Turned>, Failure> {
         let mut run = TipRun::new(&scene)?;
         drive_watched(&mut run, |_| Ok::<(), Failure>(()))?;
         let outcome = run.outcome();
-        eprintln!(
+        crate::command::tell(format_args!(
             "tip, lambda = {lambda}, seed {seed}: {:.2} degrees driven, {:.2} after it",
             outcome.driven_angle, outcome.final_angle
-        );
+        ));
         Ok::<_, Failure>(Turned {
             lambda,
             seed,

@@ -40,6 +40,17 @@ pub(super) fn kept(file: &Path) -> Result<String, Failure> {
     })
 }
 
+/// What to do once a full disk has room: a long run loses what it did since its checkpoint.
+pub(super) fn how_to_go_on(out: &Path) -> String {
+    let file = checkpoint(out);
+    if file.exists() {
+        let name = file.display();
+        format!("Then go on from {name}: the same command with --resume.")
+    } else {
+        "Then give the same command again: there is no checkpoint yet.".into()
+    }
+}
+
 /// Takes away the checkpoint of a run that has left its results.
 pub fn forget_checkpoint(out: &Path) -> Result<(), Failure> {
     let file = checkpoint(out);
