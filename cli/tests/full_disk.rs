@@ -175,7 +175,7 @@ fn a_sweep_keeps_the_runs_that_were_done() -> Outcome {
     // Enough for summaries, too little for all tables and pictures.
     let output = tribos(folder.path(), &sweep("out"), Some(20))?;
     let words = [
-        "cannot write out/sweep.",
+        "cannot write out/",
         TOO_LARGE,
         KEPT,
         "the same command again",

@@ -71,6 +71,11 @@ impl Plan {
         })
     }
 
+    /// Whether another plan takes the same runs, wherever its scene lay.
+    pub fn takes_the_runs_of(&self, other: &Self) -> bool {
+        self.scene == other.scene && self.grid == other.grid && self.seeds == other.seeds
+    }
+
     /// Writes the plan into a folder.
     pub fn write(&self, out: &Path) -> Result<(), Failure> {
         let text = format!("{:#}\n", self.json());
