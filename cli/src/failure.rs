@@ -21,6 +21,9 @@ pub enum Failure {
     /// The work itself failed.
     #[error("{0}")]
     Run(String),
+    /// No room is left for a file; what was written before is whole and still there.
+    #[error("{0}")]
+    NoRoom(String),
     /// The work was done and its results differ from those pinned.
     #[error("{0}")]
     Mismatch(String),
@@ -37,11 +40,33 @@ impl Failure {
         Self::Run(message.to_string())
     }
 
+    /// The same failure with where it happened before it.
+    pub fn within(self, place: &str) -> Self {
+        self.reworded(|message| format!("{place}: {message}"))
+    }
+
+    /// If there was no room for a file: how to go on once there is.
+    pub fn going_on(self, how: &str) -> Self {
+        match self {
+            Self::NoRoom(message) => Self::NoRoom(format!("{message}\n  {how}")),
+            other => other,
+        }
+    }
+
+    fn reworded(self, word: impl FnOnce(String) -> String) -> Self {
+        match self {
+            Self::Input(message) => Self::Input(word(message)),
+            Self::Run(message) => Self::Run(word(message)),
+            Self::NoRoom(message) => Self::NoRoom(word(message)),
+            Self::Mismatch(message) => Self::Mismatch(word(message)),
+        }
+    }
+
     /// 2 for bad input, 1 for a failed run, 3 for results that differ from those pinned.
     pub fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
             Self::Input(_) => BAD_INPUT,
-            Self::Run(_) => RUN_FAILED,
+            Self::Run(_) | Self::NoRoom(_) => RUN_FAILED,
             Self::Mismatch(_) => MISMATCH,
         })
     }
@@ -49,7 +74,13 @@ impl Failure {
 
 impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
-        Self::run(error)
+        if error.is_out_of_room() {
+            Self::NoRoom(format!(
+                "{error}\n  Files written before it are whole and kept, also one of this name. Make room."
+            ))
+        } else {
+            Self::run(error)
+        }
     }
 }
 

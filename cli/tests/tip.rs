@@ -381,7 +381,7 @@ fn a_sweep_tells_the_share_of_tips_that_turned_back() -> Outcome {
     std::fs::remove_file(run.join("summary.json"))?;
     std::fs::write(run.join("checkpoint.json"), "{}")?;
     let [_, said] = succeed(folder.path(), &format!("{sweep} --out serial"))?;
-    assert_eq!(said.lines().count(), 1, "{said}");
+    assert_eq!(said.lines().count(), 2, "{said}");
     assert_eq!(lines, table(&serial.join("sweep.csv"))?);
     assert!(!run.join("checkpoint.json").exists());
     Ok(())

@@ -8,6 +8,7 @@ use tribos::tip::export;
 
 /// Write a scene as files of another program, which then runs the same system.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
     #[command(subcommand)]
     program: Program,
@@ -36,7 +37,7 @@ struct Lammps {
 }
 
 const EXAMPLES: &str = "\
-Example:
+Examples:
   tribos export lammps scenes/tip-irreversible.toml --out out/lammps
   cd out/lammps && lmp -in in.tip";
 

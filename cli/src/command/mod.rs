@@ -1,6 +1,7 @@
 //! The subcommands, one module each.
 
 mod columns;
+mod completions;
 mod deposit;
 mod eval;
 mod explain;
@@ -9,8 +10,10 @@ mod fit;
 mod golden;
 mod inverse;
 mod laws;
+mod manual;
 mod modes;
 mod number;
+mod overview;
 mod parallel;
 mod patch;
 mod profile;
@@ -22,7 +25,59 @@ mod tier;
 mod wrench;
 
 use crate::failure::Failure;
+use clap::builder::StyledStr;
+use clap::{CommandFactory, FromArgMatches};
+use std::fmt;
 use std::io::Write;
+
+/// Solid friction of bodies that slide and spin at once: laws, contacts, simulations.
+#[derive(Debug, clap::Parser)]
+#[command(name = "tribos", version, arg_required_else_help = true)]
+#[command(after_help = overview::EXAMPLES)]
+struct Program {
+    #[command(subcommand)]
+    command: Command,
+}
+
+/// The whole command line.
+pub fn program() -> clap::Command {
+    let program = overview::with_page(Program::command());
+    documentation()
+        .into_iter()
+        .fold(program, |program, (name, text)| {
+            program.mut_subcommand(name, |command| command.long_about(text))
+        })
+}
+
+/// What `--help` of a command begins with: the documentation of its arguments.
+fn documentation() -> [(&'static str, StyledStr); 11] {
+    fn of<A: clap::Args>() -> StyledStr {
+        let command = A::augment_args(clap::Command::new(""));
+        let text = command.get_long_about().or(command.get_about());
+        text.cloned().unwrap_or_default()
+    }
+    [
+        ("wrench", of::<wrench::Arguments>()),
+        ("modes", of::<modes::Arguments>()),
+        ("laws", of::<laws::Arguments>()),
+        ("inverse", of::<inverse::Arguments>()),
+        ("run", of::<run::Arguments>()),
+        ("deposit", of::<deposit::Arguments>()),
+        ("eval", of::<eval::Arguments>()),
+        ("export", of::<export::Arguments>()),
+        ("golden", of::<golden::Arguments>()),
+        ("sweep", of::<sweep::Arguments>()),
+        ("reproduce", of::<reproduce::Arguments>()),
+    ]
+}
+
+/// What the arguments of this process ask for; ends it with help or a refusal if that is the answer.
+pub fn parse() -> Command {
+    match Program::from_arg_matches(&program().get_matches()) {
+        Ok(program) => program.command,
+        Err(error) => error.exit(),
+    }
+}
 
 /// What to do.
 #[derive(Debug, clap::Subcommand)]
@@ -51,10 +106,14 @@ pub enum Command {
     Export(export::Arguments),
     /// Results of scenes pinned to the bit, and checked on other machines or later.
     Golden(golden::Arguments),
-    /// A powder compacted for all combinations of some keys and seeds.
+    /// A scene run for all combinations of some keys and seeds, on one machine or many.
     Sweep(sweep::Arguments),
     /// Reproduce the thesis' figures and tables, claim by claim.
     Reproduce(reproduce::Arguments),
+    /// Completions for bash, zsh, fish, PowerShell and elvish.
+    Completions(completions::Arguments),
+    /// Manual pages, one a command.
+    Man(manual::Arguments),
 }
 
 impl Command {
@@ -75,8 +134,17 @@ impl Command {
             Self::Golden(arguments) => arguments.execute(),
             Self::Sweep(arguments) => arguments.execute(),
             Self::Reproduce(arguments) => arguments.execute(),
+            Self::Completions(arguments) => arguments.execute(),
+            Self::Man(arguments) => arguments.execute(),
         }
     }
+}
+
+/// A line on standard error; work goes on if nobody can read it.
+pub fn tell(line: fmt::Arguments<'_>) {
+    // One write a line: lines of several threads do not mix.
+    let line = format!("{line}\n");
+    let _ = std::io::stderr().lock().write_all(line.as_bytes());
 }
 
 /// Prints; a reader that went away is not an error.

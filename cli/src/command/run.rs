@@ -94,12 +94,13 @@ impl Arguments {
                 "--resume is for powders and tips only; this scene takes a moment, run it anew",
             ));
         }
-        match scene {
+        let done = match scene {
             Scene::Disk(scene) => self.slide(&scene),
             Scene::Planar(scene) => path::run(&scene, &self.out),
             Scene::Powder(scene) => self.compact(&scene),
             Scene::Tip(scene) => self.turn(&scene),
-        }
+        };
+        done.map_err(|failure| failure.going_on(&long::how_to_go_on(&self.out)))
     }
 
     /// Whether to go on from a checkpoint, and how often one is kept.
@@ -139,30 +140,33 @@ impl Arguments {
         // Last: a summary stands only beside complete results.
         let summary = format!("{:#}\n", result.outcome.json(scene));
         write_atomically(&self.out.join("summary.json"), summary.as_bytes())?;
-        self.report(scene, &result);
-        Ok(())
+        self.report(scene, &result)
     }
 
     /// A few lines for the person at the terminal.
-    fn report(&self, scene: &SliderScene, result: &SlideRun) {
+    fn report(&self, scene: &SliderScene, result: &SlideRun) -> Result<(), Failure> {
         let outcome = &result.outcome;
         let (s, m) = match scene.units {
             Units::Si => (" s", " m"),
             Units::Dimensionless => ("", ""),
         };
-        println!(
-            "ending        {:?} after {} steps",
-            outcome.ending, outcome.steps
-        );
-        println!("time          {:.12}{s}", outcome.time);
-        println!("distance      {:.12}{m}", outcome.distance);
-        println!("angle         {:.12} rad", outcome.angle);
-        println!("final ratio   {:.12}", outcome.ratio);
-        println!(
-            "energy error  {:.1e} of the initial energy",
-            outcome.energy_error
-        );
-        println!("written to    {}", self.out.display());
+        super::print(&format!(
+            "ending        {:?} after {} steps\n\
+             time          {:.12}{s}\n\
+             distance      {:.12}{m}\n\
+             angle         {:.12} rad\n\
+             final ratio   {:.12}\n\
+             energy error  {:.1e} of the initial energy\n\
+             written to    {}\n",
+            outcome.ending,
+            outcome.steps,
+            outcome.time,
+            outcome.distance,
+            outcome.angle,
+            outcome.ratio,
+            outcome.energy_error,
+            self.out.display()
+        ))
     }
 }
 
@@ -211,7 +215,7 @@ impl Ticker {
         move |done| {
             if self.last.elapsed() > Duration::from_secs(1) {
                 self.last = Instant::now();
-                eprintln!("{:5.1} % done", 100.0 * done);
+                crate::command::tell(format_args!("{:5.1} % done", 100.0 * done));
             }
         }
     }

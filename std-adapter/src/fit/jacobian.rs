@@ -24,7 +24,11 @@ pub(super) fn jacobian(
 ) -> Option<DMatrix<f64>> {
     let mut jacobian = DMatrix::zeros(here.len(), q.len());
     for (j, mut column) in jacobian.column_iter_mut().enumerate() {
-        let size = if q[j].abs() > sizes[j] { q[j].abs() } else { sizes[j] };
+        let size = if q[j].abs() > sizes[j] {
+            q[j].abs()
+        } else {
+            sizes[j]
+        };
         let mut line = Line {
             residuals,
             place: q.to_vec(),

@@ -14,6 +14,17 @@ pub struct WriteError {
     pub cause: std::io::Error,
 }
 
+impl WriteError {
+    /// Whether the disk is full, or the user's share of it, or the file larger than allowed.
+    pub fn is_out_of_room(&self) -> bool {
+        use std::io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
+        matches!(
+            self.cause.kind(),
+            StorageFull | QuotaExceeded | FileTooLarge
+        )
+    }
+}
+
 /// Writes `bytes` to `path` through a temporary file in the same folder, which is made if missing.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     let fail = |cause| WriteError {
@@ -26,7 +37,8 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     };
     std::fs::create_dir_all(folder).map_err(fail)?;
     let mut file = tempfile::NamedTempFile::new_in(folder).map_err(fail)?;
-    file.write_all(bytes).map_err(fail)?;
+    // The plain file: errors do not name the temporary one.
+    file.as_file_mut().write_all(bytes).map_err(fail)?;
     readable_by_all(file.as_file()).map_err(fail)?;
     file.as_file().sync_all().map_err(fail)?;
     file.persist(path).map_err(|error| fail(error.error))?;

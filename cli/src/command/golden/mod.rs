@@ -9,10 +9,17 @@ use std::time::{Duration, Instant};
 
 /// Pins what scenes compute, and checks that they still compute it, to the last bit.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
     #[command(subcommand)]
     task: Task,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  Pin two scenes, and check them on another machine:
+    tribos golden write scenes/disk.toml scenes/cylinder.toml --out golden.toml
+    tribos golden verify golden.toml";
 
 #[derive(Debug, clap::Subcommand)]
 enum Task {
@@ -44,7 +51,10 @@ fn ticker(name: &str) -> impl FnMut() {
     move || {
         if told.elapsed() >= TOLD {
             told = Instant::now();
-            eprintln!("{name}: running for {:.0} s", start.elapsed().as_secs_f64());
+            crate::command::tell(format_args!(
+                "{name}: running for {:.0} s",
+                start.elapsed().as_secs_f64()
+            ));
         }
     }
 }

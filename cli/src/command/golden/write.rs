@@ -49,15 +49,14 @@ impl Arguments {
             let measured = measure(scene, ticker(&name))?;
             let pinned = Pinned::new(name, self.overrides.clone(), &measured);
             let [columns, quantities, _] = pinned.results();
-            println!(
-                "{}: {} rows of {columns} columns, {quantities} quantities",
+            crate::command::print(&format!(
+                "{}: {} rows of {columns} columns, {quantities} quantities\n",
                 pinned.path,
                 pinned.rows()
-            );
+            ))?;
             golden.scenes.push(pinned);
         }
         write_atomically(&self.out, golden.text().as_bytes())?;
-        println!("written to {}", self.out.display());
-        Ok(())
+        crate::command::print(&format!("written to {}\n", self.out.display()))
     }
 }

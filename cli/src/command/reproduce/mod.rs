@@ -154,10 +154,16 @@ impl Arguments {
     /// Makes the report. Fails if a claim differs for no known reason: neither an erratum nor a condition
     /// that the thesis does not state.
     pub fn execute(self) -> Result<(), Failure> {
+        self.make().map_err(|failure| {
+            failure.going_on("Then give the same command again; a name after it makes one exhibit.")
+        })
+    }
+
+    fn make(self) -> Result<(), Failure> {
         let chosen = chosen(&self.names)?;
         let Some(out) = self.out.filter(|_| !self.list) else {
             for (name, _) in chosen {
-                println!("{name}");
+                super::print(&format!("{name}\n"))?;
             }
             return Ok(());
         };
@@ -175,8 +181,13 @@ impl Arguments {
             &out.join("index.html"),
             page(sections, effort).html().as_bytes(),
         )?;
-        println!("{:<17} {}", "together", tally(&claims));
-        println!("open {}", out.join("index.html").display());
+        let page = out.join("index.html");
+        super::print(&format!(
+            "{:<17} {}\nopen {}\n",
+            "together",
+            tally(&claims),
+            page.display()
+        ))?;
         match claims
             .iter()
             .filter(|claim| claim.verdict == Verdict::Differs)
@@ -208,29 +219,29 @@ fn sections(
     let cost = |(_, maker): &(&str, Maker)| maker.cost(effort);
     let mut plan = Plan::new(missing.clone().map(|(exhibit, _)| cost(exhibit)).sum());
     let count = missing.count();
-    eprintln!(
+    super::tell(format_args!(
         "{count} of {} exhibits to make, about {} on this machine ({})",
         chosen.len(),
         plan::told(plan.whole()),
         effort.name()
-    );
+    ));
     for (exhibit, slot) in chosen.iter().zip(&mut finished) {
         let (name, maker) = exhibit;
         let left = match slot {
             Some(section) => {
-                println!("{name:<17} {}, kept", tally(&section.claims));
+                super::print(&format!("{name:<17} {}, kept\n", tally(&section.claims)))?;
                 continue;
             }
             None => {
                 let section = write_exhibit(out, name, maker.make(runs)?)?;
                 kept.keep(name, effort, &section)?;
-                println!("{name:<17} {}", tally(&section.claims));
+                super::print(&format!("{name:<17} {}\n", tally(&section.claims)))?;
                 *slot = Some(section);
                 plan.finish(cost(exhibit))
             }
         };
         if !left.is_zero() {
-            eprintln!("about {} left", plan::told(left));
+            super::tell(format_args!("about {} left", plan::told(left)));
         }
     }
     Ok(finished.into_iter().flatten().collect())

@@ -3,7 +3,7 @@
 use super::kept::Kept;
 use super::plan;
 use crate::command::parallel::in_order;
-use crate::command::run::long::{Progress, Start};
+use crate::command::run::long::{Progress, checkpoint, resumed};
 use crate::command::run::powder::{self, State};
 use crate::failure::Failure;
 use std::collections::BTreeMap;
@@ -125,9 +125,9 @@ impl Run {
         let scene = case.scene()?;
         let folder = kept.run(&case.folder());
         let run = |start| powder::simulate(&scene, &folder, start, kept.pause, Progress::Silent);
-        let compaction = from_checkpoint(run)?;
+        let compaction = resumed(run)?;
         let end = compaction.checkpoint();
-        write_atomically(&folder.join("checkpoint.json"), end.as_bytes())?;
+        write_atomically(&checkpoint(&folder), end.as_bytes())?;
         Ok(Self {
             outcome: compaction.outcome(),
             states: State::both(&compaction),
@@ -210,14 +210,6 @@ impl Runs {
     }
 }
 
-/// A run on from its checkpoint, or from the start where there is none of use.
-pub fn from_checkpoint<R>(run: impl Fn(Start) -> Result<R, Failure>) -> Result<R, Failure> {
-    match run(Start::Resume) {
-        Err(Failure::Input(_)) => run(Start::Fresh),
-        other => other,
-    }
-}
-
 /// Runs of one exhibit, told on standard error as they end.
 #[derive(Debug)]
 pub struct Batch {
@@ -245,7 +237,10 @@ impl Batch {
             0 => String::new(),
             _ => format!("; the others about {}", plan::told(left)),
         };
-        eprintln!("  {ended:>3} of {} runs: {what}{left}", self.runs);
+        crate::command::tell(format_args!(
+            "  {ended:>3} of {} runs: {what}{left}",
+            self.runs
+        ));
     }
 }
 

@@ -1,9 +1,9 @@
 //! Figures 5.1 and 5.2: the tip on the substrate, and its angle over time.
 
 use super::exhibit::{Exhibit, not_checked, statement};
-use super::runs::{Batch, Effort, Runs, from_checkpoint};
+use super::runs::{Batch, Effort, Runs};
 use crate::command::parallel::in_order;
-use crate::command::run::long::Progress;
+use crate::command::run::long::{Progress, checkpoint, resumed};
 use crate::command::run::tip::{atoms, simulate};
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Guide, Series};
@@ -154,9 +154,9 @@ fn turn((lambda, seed): (f64, u64), runs: &Runs) -> Result<Turned, Failure> {
     let name = format!("tip,{},lambda={lambda},seed={seed}", effort.name());
     let folder = kept.run(&name);
     let run = |start| simulate(&scene, &folder, start, kept.pause, Progress::Silent);
-    let run = from_checkpoint(run)?;
+    let run = resumed(run)?;
     let end = run.checkpoint();
-    write_atomically(&folder.join("checkpoint.json"), end.as_bytes())?;
+    write_atomically(&checkpoint(&folder), end.as_bytes())?;
     Ok(Turned {
         lambda,
         seed,

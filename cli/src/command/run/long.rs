@@ -26,7 +26,7 @@ pub enum Progress {
 }
 
 /// The checkpoint of a folder.
-pub(super) fn checkpoint(out: &Path) -> PathBuf {
+pub fn checkpoint(out: &Path) -> PathBuf {
     out.join("checkpoint.json")
 }
 
@@ -38,6 +38,25 @@ pub(super) fn kept(file: &Path) -> Result<String, Failure> {
             "nothing to go on from: {name}: {error}; run without --resume"
         ))
     })
+}
+
+/// A run on from its checkpoint, or from the start where there is none of the same scene.
+pub fn resumed<R>(simulate: impl Fn(Start) -> Result<R, Failure>) -> Result<R, Failure> {
+    match simulate(Start::Resume) {
+        Err(Failure::Input(_)) => simulate(Start::Fresh),
+        other => other,
+    }
+}
+
+/// What to do once a full disk has room: a long run loses what it did since its checkpoint.
+pub(super) fn how_to_go_on(out: &Path) -> String {
+    let file = checkpoint(out);
+    if file.exists() {
+        let name = file.display();
+        format!("Then go on from {name}: the same command with --resume.")
+    } else {
+        "Then give the same command again: there is no checkpoint yet.".into()
+    }
 }
 
 /// Takes away the checkpoint of a run that has left its results.

@@ -22,36 +22,38 @@ pub fn run(scene: &PlanarScene, out: &Path) -> Result<(), Failure> {
     // Last: a summary stands only beside complete results.
     let summary = format!("{:#}\n", result.outcome.json(scene));
     write_atomically(&out.join("summary.json"), summary.as_bytes())?;
-    report(&result, out);
-    Ok(())
+    report(&result, out)
 }
 
 /// A few lines for the person at the terminal.
-fn report(result: &PathRun, out: &Path) {
+fn report(result: &PathRun, out: &Path) -> Result<(), Failure> {
     let arrival = &result.outcome.arrival;
     let [x, y] = arrival.point.position;
     let ending = match arrival.ending {
         Ending::Rest => "Rest",
         Ending::Faded => "Faded",
     };
-    println!("ending        {ending} after {} steps", arrival.steps);
-    println!("time          {:.12} s", arrival.point.time);
-    println!("forward       {x:.12} m");
-    println!("curl          {y:.12} m, to the left if positive");
-    println!("angle         {:.12} rad", arrival.point.angle);
-    println!("final ratio   {:.12}", arrival.point.ratio);
-    match arrival.tips_at {
-        Some(time) => println!("lean          held at its limit from {time:.6} s on"),
-        None => println!(
-            "lean          at most {:.6} of its limit",
-            arrival.most_lean
-        ),
-    }
-    println!(
-        "energy error  {:.1e} of the initial energy",
-        result.outcome.energy_error
-    );
-    println!("written to    {}", out.display());
+    let lean = match arrival.tips_at {
+        Some(time) => format!("held at its limit from {time:.6} s on"),
+        None => format!("at most {:.6} of its limit", arrival.most_lean),
+    };
+    crate::command::print(&format!(
+        "ending        {ending} after {} steps\n\
+         time          {:.12} s\n\
+         forward       {x:.12} m\n\
+         curl          {y:.12} m, to the left if positive\n\
+         angle         {:.12} rad\n\
+         final ratio   {:.12}\n\
+         lean          {lean}\n\
+         energy error  {:.1e} of the initial energy\n\
+         written to    {}\n",
+        arrival.steps,
+        arrival.point.time,
+        arrival.point.angle,
+        arrival.point.ratio,
+        result.outcome.energy_error,
+        out.display()
+    ))
 }
 
 /// Width of the figure, and what frame and labels take of both sides, in pixels.

@@ -48,13 +48,13 @@ pub fn simulate(
 
 /// One line on standard error.
 fn tell(compaction: &Compaction, sweeps: usize, steps: u64) {
-    eprintln!(
+    crate::command::tell(format_args!(
         "step {:6}  height {:8.4}  porosity {:7.3} %  {:6.1} sweeps a step",
         compaction.steps(),
         compaction.height(),
         100.0 * compaction.porosity(),
         sweeps as f64 / steps.max(1) as f64
-    );
+    ));
 }
 
 impl From<CompactionError> for Failure {

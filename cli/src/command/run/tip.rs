@@ -32,10 +32,10 @@ pub fn simulate(
     drive_watched(&mut run, |run| {
         if progress == Progress::Told && told.elapsed() >= TOLD {
             let time = run.time();
-            eprintln!(
+            crate::command::tell(format_args!(
                 "time {time:9.2}  angle {:8.3} degrees",
                 run.angle().to_degrees()
-            );
+            ));
             told = Instant::now();
         }
         if run.series().len() > 1 && saved.elapsed() >= pause {

@@ -5,7 +5,7 @@ mod list;
 mod new;
 mod source;
 
-pub use source::read;
+pub use source::{read, text};
 
 use crate::failure::Failure;
 use std::path::PathBuf;

@@ -6,16 +6,24 @@ use tribos::scene::{self, LIBRARY, LibraryScene, Scene, library_scene};
 
 /// Reads the scene in the file, or that of this name where there is no such file.
 pub fn read(scene: &Path, overrides: &[String]) -> Result<Scene, Failure> {
-    match built_in(scene) {
-        Some(built_in) => scene::parse_scene(built_in.name, built_in.text, overrides),
-        None => scene::read_scene(scene, overrides),
+    let name = scene.display().to_string();
+    scene::parse_scene(&name, &text(scene)?, overrides).map_err(Failure::input)
+}
+
+/// Its text.
+pub fn text(scene: &Path) -> Result<String, Failure> {
+    if let Some(built_in) = built_in(scene) {
+        return Ok(built_in.text.into());
     }
-    .map_err(|error| match error {
+    std::fs::read_to_string(scene).map_err(|error| {
+        let name = scene.display();
         // A bare word that is no file may be a name that is misspelt.
-        scene::SceneError::Unreadable { .. } if is_word(scene) => {
-            Failure::input(format!("{error}; nor is it one of {}", names()))
-        }
-        error => Failure::input(error),
+        let names = if is_word(scene) {
+            format!("; nor is it one of {}", names())
+        } else {
+            String::new()
+        };
+        Failure::input(format!("cannot read {name}: {error}{names}"))
     })
 }
 

@@ -1,180 +1,133 @@
 //! The runs of a sweep, some at a time.
 
-use super::grid::Grid;
-use super::kind::{self, Kind};
+use super::body::Body;
+use super::progress::Progress;
 use crate::command::parallel::in_order;
-use crate::command::run::long::{Progress, Start, forget_checkpoint};
-use crate::command::run::{powder, tip};
+use crate::command::run::long::forget_checkpoint;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 use tribos::record::write_atomically;
-use tribos::scene::{PowderScene, Scene, TipScene};
-
-/// Time from one checkpoint of a run to the next.
-const PAUSE: Duration = Duration::from_secs(60);
-
-/// A scene that a sweep can run.
-#[derive(Debug)]
-enum Body {
-    Powder(Box<PowderScene>),
-    Tip(Box<TipScene>),
-}
 
 /// One run.
 #[derive(Debug)]
 pub struct Task {
-    name: String,
-    body: Body,
+    /// Its overrides, or "scene" if there are none.
+    pub name: String,
+    /// What is run.
+    pub body: Body,
     folder: PathBuf,
 }
 
-/// All runs, seeds changing first; every scene is read before any of them starts.
-pub fn tasks(file: &Path, grid: &Grid, seeds: u32, out: &Path) -> Result<Vec<Task>, Failure> {
-    if seeds > 1 && grid.keys.iter().any(|swept| swept.key == "seed") {
-        let message = "--seeds: `seed` is among the keys already; give one or the other";
-        return Err(Failure::input(message));
+/// How the cores are shared: runs at a time, and threads of each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Share {
+    jobs: usize,
+    threads: usize,
+}
+
+impl Share {
+    /// As many runs at a time as there are cores unless told otherwise; never more threads than
+    /// cores, unless more runs are asked for.
+    fn new(asked: Option<usize>, cores: usize, runs: usize) -> Self {
+        let jobs = asked.unwrap_or(cores).min(runs).max(1);
+        let threads = (cores / jobs).max(1);
+        Self { jobs, threads }
     }
-    let mut tasks = Vec::new();
-    for combination in 0..grid.len() {
-        let overrides = grid.overrides(combination);
-        let first = body(file, &overrides)?.seed();
-        for seed in first..first + u64::from(seeds) {
-            let mut all = overrides.clone();
-            if seeds > 1 {
-                all.push(format!("seed={seed}"));
-            }
-            let body = body(file, &all)?;
-            let name = if all.is_empty() {
-                "scene".to_owned()
-            } else {
-                all.join(",")
-            };
-            let folder = out.join("runs").join(&name);
-            tasks.push(Task { name, body, folder });
+}
+
+/// Summaries that are there already, in the order of the tasks.
+pub fn kept(tasks: &[Task]) -> Vec<Option<Value>> {
+    tasks.iter().map(Task::kept).collect()
+}
+
+/// Runs those of the tasks that have no summary yet, whatever the threads do to the same results.
+/// All are tried, unless the disk is full; the first that failed in the order of the tasks is told.
+pub fn run(tasks: &[&Task], asked: Option<usize>) -> Result<(), Failure> {
+    let missing: Vec<&Task> = tasks
+        .iter()
+        .copied()
+        .filter(|task| task.kept().is_none())
+        .collect();
+    // The number of threads that the environment or the machine allows.
+    let share = Share::new(asked, rayon::current_num_threads(), missing.len());
+    let kept = tasks.len() - missing.len();
+    let progress = Progress::start(tasks.len(), kept, share.jobs);
+    let full = AtomicBool::new(false);
+    let results = in_order(missing.len(), share.jobs, |index| {
+        if full.load(Ordering::Relaxed) {
+            return None;
+        }
+        let result = missing[index].run(share.threads, &progress);
+        if matches!(result, Err(Failure::NoRoom(_))) {
+            full.store(true, Ordering::Relaxed);
+        }
+        Some(result)
+    });
+    let lost = || Some(Err(Failure::run("a run ended without a result")));
+    let mut failures = Vec::new();
+    for (slot, task) in results.into_iter().zip(&missing) {
+        if let Some(Err(failure)) = slot.unwrap_or_else(lost) {
+            failures.push(failure.within(&task.name));
         }
     }
-    Ok(tasks)
-}
-
-/// The scene with overrides, if it is one of a sweep.
-fn body(file: &Path, overrides: &[String]) -> Result<Body, Failure> {
-    match crate::command::scene::read(file, overrides)? {
-        Scene::Powder(scene) => Ok(Body::Powder(scene)),
-        Scene::Tip(scene) => Ok(Body::Tip(scene)),
-        _ => Err(Failure::input(format!(
-            "{}: a sweep needs body = \"powder\" or \"tip\"; use `tribos run` for other bodies",
-            file.display()
-        ))),
-    }
-}
-
-/// What is made of the summaries: all tasks are of one body.
-pub fn kind(tasks: &[Task]) -> &'static Kind {
-    match tasks.first().map(|task| &task.body) {
-        Some(Body::Tip(_)) => &kind::TIP,
-        _ => &kind::POWDER,
-    }
-}
-
-/// Runs the tasks in `jobs` threads; summaries in the order of the tasks, whatever the threads do.
-/// All runs are tried; the first that failed in that order is told.
-pub fn run(tasks: &[Task], jobs: usize) -> Result<Vec<Value>, Failure> {
-    let results = in_order(tasks.len(), jobs, |index| tasks[index].summary());
-    let lost = || Err(Failure::run("a run ended without a result"));
-    results
-        .into_iter()
-        .zip(tasks)
-        .map(|(slot, task)| {
-            let result = slot.unwrap_or_else(lost);
-            result.map_err(|failure| task.named(failure))
-        })
-        .collect()
-}
-
-impl Body {
-    fn seed(&self) -> u64 {
-        match self {
-            Self::Powder(scene) => scene.seed,
-            Self::Tip(scene) => scene.seed,
-        }
-    }
-
-    fn json(&self) -> Value {
-        match self {
-            Self::Powder(scene) => scene.json(),
-            Self::Tip(scene) => scene.json(),
-        }
-    }
-
-    /// Runs to the end, on from a checkpoint if there is one: the summary, and a line about it.
-    fn run(&self, folder: &Path) -> Result<(Value, String), Failure> {
-        match self {
-            Self::Powder(scene) => {
-                let run = resumed(|start| {
-                    powder::simulate(scene, folder, start, PAUSE, Progress::Silent)
-                })?;
-                let outcome = run.outcome();
-                let told = format!(
-                    "porosity {:.3} % after {} steps, {:.1} s",
-                    100.0 * outcome.porosity[1],
-                    outcome.steps,
-                    outcome.wall_seconds
-                );
-                Ok((outcome.json(scene), told))
-            }
-            Self::Tip(scene) => {
-                let run =
-                    resumed(|start| tip::simulate(scene, folder, start, PAUSE, Progress::Silent))?;
-                let outcome = run.outcome();
-                tip::write_series(&run, folder)?;
-                let told = format!(
-                    "{:.2} degrees driven, {:.2} after it",
-                    outcome.driven_angle, outcome.final_angle
-                );
-                Ok((outcome.json(scene), told))
-            }
-        }
-    }
-}
-
-/// A run on from its checkpoint, or from the start where there is none of the same scene.
-fn resumed<R>(simulate: impl Fn(Start) -> Result<R, Failure>) -> Result<R, Failure> {
-    match simulate(Start::Resume) {
-        Err(Failure::Input(_)) => simulate(Start::Fresh),
-        other => other,
-    }
+    let first = failures.into_iter().next();
+    first.map_or(Ok(()), Err)
 }
 
 impl Task {
-    /// The summary that is there, or that of a run, which goes on from its checkpoint if it can.
-    fn summary(&self) -> Result<Value, Failure> {
-        let file = self.folder.join("summary.json");
-        if let Some(kept) = self.kept(&file) {
-            return Ok(kept);
-        }
-        let (summary, told) = self.body.run(&self.folder)?;
-        write_atomically(&file, format!("{summary:#}\n").as_bytes())?;
+    /// The run of a body with overrides; its results go to a folder in `out`.
+    pub fn new(overrides: &[String], body: Body, out: &Path) -> Self {
+        let name = match overrides {
+            [] => "scene".to_owned(),
+            all => all.join(","),
+        };
+        let folder = out.join("runs").join(&name);
+        Self { name, body, folder }
+    }
+
+    fn file(&self) -> PathBuf {
+        self.folder.join("summary.json")
+    }
+
+    /// Runs with so many threads and leaves the summary.
+    fn run(&self, threads: usize, progress: &Progress) -> Result<(), Failure> {
+        let began = Instant::now();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .map_err(|error| Failure::run(format!("cannot start a thread: {error}")))?;
+        let (summary, told) = pool.install(|| self.body.run(&self.folder))?;
+        write_atomically(&self.file(), format!("{summary:#}\n").as_bytes())?;
         forget_checkpoint(&self.folder)?;
-        eprintln!("{}: {told}", self.name);
-        Ok(summary)
+        progress.ended(&self.name, &told, began.elapsed());
+        Ok(())
     }
 
     /// The summary of an earlier run of the same scene.
-    fn kept(&self, file: &Path) -> Option<Value> {
-        let text = std::fs::read_to_string(file).ok()?;
+    fn kept(&self) -> Option<Value> {
+        let text = std::fs::read_to_string(self.file()).ok()?;
         let summary: Value = serde_json::from_str(&text).ok()?;
         (summary["scene"] == self.body.json()).then_some(summary)
     }
+}
 
-    /// A failure with the run's name before it.
-    fn named(&self, failure: Failure) -> Failure {
-        let name = &self.name;
-        match failure {
-            Failure::Input(message) => Failure::Input(format!("{name}: {message}")),
-            Failure::Run(message) => Failure::Run(format!("{name}: {message}")),
-            Failure::Mismatch(message) => Failure::Mismatch(format!("{name}: {message}")),
-        }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cores_are_shared_without_a_thread_too_many() {
+        let share = |asked, cores, runs| {
+            let Share { jobs, threads } = Share::new(asked, cores, runs);
+            [jobs, threads]
+        };
+        assert_eq!(share(None, 8, 100), [8, 1]);
+        assert_eq!(share(None, 8, 3), [3, 2]);
+        assert_eq!(share(Some(2), 8, 100), [2, 4]);
+        assert_eq!(share(Some(16), 8, 100), [16, 1]);
+        assert_eq!(share(None, 8, 0), [1, 8]);
     }
 }

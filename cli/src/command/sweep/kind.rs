@@ -27,8 +27,56 @@ pub struct Kind {
     pub told: &'static [Told],
 }
 
+/// Flat disks, in the units of their scene.
+pub static DISK: Kind = Kind {
+    quantities: &[
+        ("distance", "/distance"),
+        ("angle", "/angle"),
+        ("end_time", "/end_time"),
+        ("final_ratio", "/final_ratio"),
+        ("limit_ratio", "/limit_ratio"),
+        ("steps", "/steps"),
+        ("initial_energy", "/initial_energy"),
+        ("energy_dissipated", "/energy_dissipated"),
+        ("energy_error", "/energy_error"),
+    ],
+    drawn: ["Distance to rest", "distance"],
+    share: ["rest", "/ending", "rest"],
+    told: &[
+        told("distance", 0, 1.0),
+        told("angle [rad]", 1, 1.0),
+        told("time", 2, 1.0),
+        told("final ratio", 3, 1.0),
+    ],
+};
+
+/// Bodies along a path in the plane.
+pub static PLANAR: Kind = Kind {
+    quantities: &[
+        ("curl", "/curl"),
+        ("x", "/x"),
+        ("path_length", "/path_length"),
+        ("angle", "/angle"),
+        ("end_time", "/end_time"),
+        ("final_ratio", "/final_ratio"),
+        ("max_lean", "/max_lean"),
+        ("steps", "/steps"),
+        ("initial_energy", "/initial_energy"),
+        ("energy_dissipated", "/energy_dissipated"),
+        ("energy_error", "/energy_error"),
+    ],
+    drawn: ["Curl, to the left if positive", "curl [m]"],
+    share: ["rest", "/ending", "rest"],
+    told: &[
+        told("forward [m]", 1, 1.0),
+        told("curl [m]", 0, 1.0),
+        told("angle [rad]", 3, 1.0),
+        told("time [s]", 4, 1.0),
+    ],
+};
+
 /// Powders.
-pub const POWDER: Kind = Kind {
+pub static POWDER: Kind = Kind {
     quantities: &[
         ("porosity_final", "/porosity_final"),
         ("porosity_bulk", "/porosity_bulk"),
@@ -59,7 +107,7 @@ pub const POWDER: Kind = Kind {
 };
 
 /// Tips.
-pub const TIP: Kind = Kind {
+pub static TIP: Kind = Kind {
     quantities: &[
         ("final_angle", "/final_angle_degrees"),
         ("driven_angle", "/driven_angle_degrees"),

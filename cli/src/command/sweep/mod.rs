@@ -1,76 +1,194 @@
 //! `tribos sweep`: a scene run for all combinations of some keys and seeds.
 
+mod body;
+mod frame;
 mod grid;
 mod jobs;
 mod kind;
+mod output;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod part;
+mod plan;
 mod plot;
+mod progress;
+mod runs;
+mod slurm;
 mod table;
 
 use crate::failure::Failure;
 use grid::Grid;
+use jobs::Task;
+use part::Part;
+use plan::Plan;
+use slurm::JobArray;
 use std::num::NonZero;
-use std::path::PathBuf;
-use table::Table;
-use tribos::record::write_atomically;
+use std::path::{Path, PathBuf};
 
-/// Runs the scene of a powder or a tip for every combination of the values of its keys, each with several seeds,
-/// and writes a table of means and standard deviations: sweep.csv. Of two keys with several numbers
-/// each there is a surface, of one a line, of the final porosity or angle: sweep.svg and sweep.png.
+/// Runs a scene of any body for every combination of the values of its keys, each with several seeds
+/// if the body has one, and writes tables: sweep.csv, means and standard deviations over the seeds, and
+/// runs.csv, one row a run; sweep.parquet and runs.parquet hold the same. Of two keys with several numbers
+/// each there is a surface, of one a line, of the final porosity, angle, distance or curl: sweep.svg
+/// and sweep.png.
 ///
 /// Every run leaves its summary in DIR/runs. A sweep that was interrupted goes on where it stopped:
 /// runs whose summary is there are not taken again.
+///
+/// DIR/sweep.json is the plan: the scene's text and the keys. Other machines take a part of it,
+/// and a cluster a job array; then one command merges. See docs/sweeps.md.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
-    /// The scene, with body = "powder" or "tip": a TOML file, or a name that `tribos scene list`
-    /// has.
-    scene: PathBuf,
+    /// The scene: a TOML file, or a name that `tribos scene list` has.
+    #[arg(required_unless_present_any = ["plan", "merge"], requires = "out")]
+    scene: Option<PathBuf>,
     /// A key of the scene with its values; may be repeated.
-    #[arg(long = "set", value_name = "KEY=VALUE,...")]
+    #[arg(long = "set", value_name = "KEY=VALUE,...", conflicts_with_all = ["plan", "merge"])]
     sets: Vec<String>,
     /// Runs for each combination: the scene's seed and those after it.
-    #[arg(long, default_value = "1")]
+    #[arg(long, default_value = "1", conflicts_with_all = ["plan", "merge"])]
     seeds: NonZero<u32>,
-    /// Runs at a time.
-    #[arg(long, default_value = "1")]
-    jobs: NonZero<usize>,
+    /// Runs at a time; as many as there are cores if left out. Their threads share the cores.
+    #[arg(long, conflicts_with_all = ["merge", "slurm"])]
+    jobs: Option<NonZero<usize>>,
     /// Folder for the results; made if missing, files in it are replaced.
-    #[arg(long, value_name = "DIR")]
-    out: PathBuf,
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["plan", "merge"])]
+    out: Option<PathBuf>,
+    /// Take the sweep that DIR/sweep.json plans, instead of a scene.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["scene", "merge"])]
+    plan: Option<PathBuf>,
+    /// Take only part I of K, counted from 0; tables are made by --merge.
+    #[arg(long, value_name = "I/K", conflicts_with_all = ["merge", "slurm"])]
+    part: Option<Part>,
+    /// Make the tables of a sweep whose parts are done; names the runs that are missing.
+    #[arg(long, value_name = "DIR", conflicts_with = "scene")]
+    merge: Option<PathBuf>,
+    /// Run nothing here: write a job array for Slurm, DIR/job.sh.
+    #[arg(long, requires = "scene")]
+    slurm: bool,
+    /// Tasks of the array, each with its part of the runs; one a run, at most 100, if left out.
+    #[arg(long, value_name = "K", requires = "slurm")]
+    slurm_tasks: Option<NonZero<usize>>,
+    /// An option of sbatch for the script, such as --time=2:00:00; may be repeated.
+    #[arg(
+        long,
+        value_name = "OPTION",
+        requires = "slurm",
+        allow_hyphen_values = true
+    )]
+    slurm_option: Vec<String>,
 }
 
 const EXAMPLES: &str = "\
 Examples:
   Final porosity over rolling and torsion friction (fig. 4.7, small system):
     tribos sweep scenes/compaction-small.toml --set rolling=0,0.1,0.2,0.4,1 \\
-        --set torsion=0,0.1,0.2,0.4,1 --seeds 2 --jobs 4 --out out/figure-4.7
-  Over the range of cohesion, with error bars from five deposits:
+        --set torsion=0,0.1,0.2,0.4,1 --seeds 2 --out out/figure-4.7
+  Over the range of cohesion, with error bars from five deposits, two runs at a time:
     tribos sweep scenes/compaction-small.toml --set cohesion_range=1e-4,1e-3,1e-2 \\
-        --seeds 5 --out out/range
+        --seeds 5 --jobs 2 --out out/range
   Both readings of cohesion at a gap:
     tribos sweep scenes/compaction-small.toml --set attraction=pull,resistance --out out/pull
   Whether a tip turns back, over the torque, three seeds each (fig. 5.2):
     tribos sweep scenes/tip-irreversible.toml --set lambda=0.01,0.017,0.02,0.03 \\
-        --seeds 3 --jobs 2 --out out/tip";
+        --seeds 3 --out out/tip
+  How far a spinning disk slides, and how much a rock curls:
+    tribos sweep scenes/disk.toml --set spin=0,5,10,20,50 --out out/spin
+    tribos sweep scenes/curling-draw.toml --set spin=0.5,1,1.5,2 --set speed=1.9,2 --out out/curl
+  On two machines that share a folder (or copy DIR together afterwards):
+    tribos sweep scenes/compaction-small.toml --set rolling=0,1 --seeds 50 --out DIR --part 0/2
+    tribos sweep --plan DIR --part 1/2
+    tribos sweep --merge DIR
+  On a cluster, 20 tasks of 4 cores:
+    tribos sweep scenes/compaction-large.toml --set rolling=0,0.1,1 --seeds 100 --out DIR \\
+        --slurm --slurm-tasks 20 --slurm-option=--time=2:00:00 --slurm-option=--cpus-per-task=4
+    sbatch DIR/job.sh
+    tribos sweep --merge DIR";
+
+/// How to go on after a full disk.
+const GO_ON: &str = "Then give the same command again: runs that are done are not taken again.";
 
 impl Arguments {
     /// Runs, writes and prints.
     pub fn execute(self) -> Result<(), Failure> {
-        let grid = Grid::parse(&self.sets)?;
-        let tasks = jobs::tasks(&self.scene, &grid, self.seeds.get(), &self.out)?;
-        let summaries = jobs::run(&tasks, self.jobs.get())?;
-        let table = Table::new(
-            jobs::kind(&tasks),
-            &grid,
-            &summaries,
-            self.seeds.get() as usize,
-        );
-        write_atomically(&self.out.join("sweep.csv"), table.csv().as_bytes())?;
-        plot::write(&grid, &table, &self.out)?;
+        if let Some(out) = &self.merge {
+            let plan = Plan::read(out)?;
+            return tables(&plan, &plan.tasks(out)?, out);
+        }
+        let (plan, out) = self.planned()?;
+        let tasks = plan.tasks(&out)?;
+        if self.slurm {
+            return self.hand_over(&plan, &tasks, &out);
+        }
+        if self.plan.is_none() {
+            guard(&plan, &out)?;
+            plan.write(&out).map_err(|full| full.going_on(GO_ON))?;
+        }
+        let part = self.part.unwrap_or(Part::WHOLE);
+        let numbered = tasks.iter().enumerate();
+        let mine: Vec<&Task> = numbered
+            .filter(|(run, _)| part.has(*run))
+            .map(|(_, task)| task)
+            .collect();
+        jobs::run(&mine, self.jobs.map(NonZero::get)).map_err(|full| full.going_on(GO_ON))?;
+        match self.part {
+            None => tables(&plan, &tasks, &out),
+            Some(part) => super::print(&format!(
+                "part {} of {} is done: {} of {} runs\nafter all parts  tribos sweep --merge {}\n",
+                part.index,
+                part.count,
+                mine.len(),
+                tasks.len(),
+                out.display()
+            )),
+        }
+    }
+
+    /// The plan of a scene or of a folder, and the folder.
+    fn planned(&self) -> Result<(Plan, PathBuf), Failure> {
+        match (&self.plan, &self.scene, &self.out) {
+            (Some(out), _, _) => Ok((Plan::read(out)?, out.clone())),
+            (None, Some(scene), Some(out)) => {
+                let grid = Grid::parse(&self.sets)?;
+                Ok((Plan::new(scene, grid, self.seeds.get())?, out.clone()))
+            }
+            _ => Err(Failure::input("give a scene and --out DIR, or --plan DIR")),
+        }
+    }
+
+    /// Writes the plan and the job array.
+    fn hand_over(&self, plan: &Plan, tasks: &[Task], out: &Path) -> Result<(), Failure> {
+        let count = self.slurm_tasks.map(NonZero::get);
+        let array = JobArray::new(count, tasks.len(), &self.slurm_option)?;
+        guard(plan, out)?;
+        plan.write(out)?;
+        let script = array.write(out)?;
         super::print(&format!(
-            "{}written to    {}\n",
-            table.text(),
-            self.out.display()
+            "{} runs in {} tasks\nsubmit        sbatch {}\nafterwards    tribos sweep --merge {}\n",
+            tasks.len(),
+            array.tasks(),
+            script.display(),
+            out.display()
         ))
     }
+}
+
+/// A folder that was handed to a cluster keeps its plan: tasks that wait would take another.
+fn guard(plan: &Plan, out: &Path) -> Result<(), Failure> {
+    let script = out.join(slurm::SCRIPT);
+    if !script.exists() || Plan::read(out).is_ok_and(|kept| kept.takes_the_runs_of(plan)) {
+        return Ok(());
+    }
+    let [script, out] = [script.display(), out.display()];
+    Err(Failure::input(format!(
+        "{out} holds the job array of another sweep; give another --out, \
+         or remove {script} if that array is done"
+    )))
+}
+
+/// The tables of a complete sweep.
+fn tables(plan: &Plan, tasks: &[Task], out: &Path) -> Result<(), Failure> {
+    let summaries = output::complete(tasks, jobs::kept(tasks), out)?;
+    let text = output::write(plan, tasks, &summaries, out).map_err(|full| full.going_on(GO_ON))?;
+    super::print(&format!("{text}written to    {}\n", out.display()))
 }

@@ -1,5 +1,6 @@
 //! Means and standard deviations over the seeds of each combination.
 
+use super::frame::{Column, scalar};
 use super::grid::Grid;
 use super::kind::Kind;
 use crate::command::deposit::curve::statistics;
@@ -74,6 +75,29 @@ impl Table {
         text
     }
 
+    /// As columns, with the names and values of the CSV.
+    pub fn columns(&self) -> Vec<Column> {
+        let rows = || self.rows.iter();
+        let key = |(at, name): (usize, &String)| {
+            Column::given(name, rows().map(|row| row.values[at].clone()).collect())
+        };
+        let mut columns: Vec<Column> = self.names.iter().enumerate().map(key).collect();
+        columns.push(Column::integers("runs", rows().map(|row| row.runs as i64)));
+        columns.push(Column::numbers(
+            self.kind.share[0],
+            rows().map(|row| row.share),
+        ));
+        for (at, (name, _)) in self.kind.quantities.iter().enumerate() {
+            columns.push(Column::numbers(name, rows().map(|row| row.means[at].0)));
+            let deviation = format!("{name}_std");
+            columns.push(Column::numbers(
+                &deviation,
+                rows().map(|row| row.means[at].1),
+            ));
+        }
+        columns
+    }
+
     /// For the terminal.
     pub fn text(&self) -> String {
         let mut text = String::new();
@@ -114,7 +138,7 @@ impl Row {
         let is_so = |run: &&Value| run.pointer(place).is_some_and(|found| found == word);
         let share = runs.iter().filter(is_so).count() as f64 / runs.len() as f64;
         let mean = |(_, place): &(&str, &str)| {
-            let number = |run: &Value| run.pointer(place).and_then(Value::as_f64);
+            let number = |run: &Value| run.pointer(place).and_then(scalar);
             let values: Vec<f64> = runs
                 .iter()
                 .map(|run| number(run).unwrap_or(f64::NAN))

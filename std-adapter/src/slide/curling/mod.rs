@@ -40,7 +40,7 @@ use super::planar::Resistance;
 use std::fmt::Debug;
 
 /// An answer to the question why a rock curls.
-pub trait CurlingModel: Debug {
+pub trait CurlingModel: Debug + Send + Sync {
     /// The name that scenes use.
     fn name(&self) -> &'static str;
 

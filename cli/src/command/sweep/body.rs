@@ -1,0 +1,110 @@
+//! One run of a sweep: any body, from its scene to its summary.
+
+use super::kind::{self, Kind};
+use crate::command::run::long::{Progress, resumed};
+use crate::command::run::{powder, tip};
+use crate::failure::Failure;
+use serde_json::Value;
+use std::path::Path;
+use std::time::Duration;
+use tribos::scene::{self, PlanarScene, PowderScene, Scene, SliderScene, TipScene};
+use tribos::slide;
+
+/// Time from one checkpoint of a run to the next.
+const PAUSE: Duration = Duration::from_secs(60);
+
+/// A scene that a sweep runs.
+#[derive(Debug)]
+pub enum Body {
+    /// A flat disk on a straight path.
+    Disk(Box<SliderScene>),
+    /// A body along a path in the plane.
+    Planar(Box<PlanarScene>),
+    /// A powder under a piston.
+    Powder(Box<PowderScene>),
+    /// A tip on a substrate.
+    Tip(Box<TipScene>),
+}
+
+impl Body {
+    /// The scene of this text with overrides; `name` stands for its file in messages.
+    pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, Failure> {
+        let scene = scene::parse_scene(name, text, overrides).map_err(Failure::input)?;
+        Ok(match scene {
+            Scene::Disk(scene) => Self::Disk(Box::new(scene)),
+            Scene::Planar(scene) => Self::Planar(Box::new(scene)),
+            Scene::Powder(scene) => Self::Powder(scene),
+            Scene::Tip(scene) => Self::Tip(scene),
+        })
+    }
+
+    /// The seed, of bodies that have one.
+    pub fn seed(&self) -> Option<u64> {
+        match self {
+            Self::Disk(_) | Self::Planar(_) => None,
+            Self::Powder(scene) => Some(scene.seed),
+            Self::Tip(scene) => Some(scene.seed),
+        }
+    }
+
+    /// The scene as its summary has it.
+    pub fn json(&self) -> Value {
+        match self {
+            Self::Disk(scene) => scene.json(),
+            Self::Planar(scene) => scene.json(),
+            Self::Powder(scene) => scene.json(),
+            Self::Tip(scene) => scene.json(),
+        }
+    }
+
+    /// What a table is made of.
+    pub fn kind(&self) -> &'static Kind {
+        match self {
+            Self::Disk(_) => &kind::DISK,
+            Self::Planar(_) => &kind::PLANAR,
+            Self::Powder(_) => &kind::POWDER,
+            Self::Tip(_) => &kind::TIP,
+        }
+    }
+
+    /// Runs to the end, on from a checkpoint if there is one: the summary, and a line about it.
+    pub fn run(&self, folder: &Path) -> Result<(Value, String), Failure> {
+        match self {
+            Self::Disk(scene) => {
+                let outcome = slide::run(scene, |_| ())?.outcome;
+                let told = format!("distance {:.6}, {:.6} rad", outcome.distance, outcome.angle);
+                Ok((outcome.json(scene), told))
+            }
+            Self::Planar(scene) => {
+                let outcome = slide::run_path(scene)?.outcome;
+                let [x, y] = outcome.arrival.point.position;
+                Ok((outcome.json(scene), format!("{x:.6} m on, curl {y:.6} m")))
+            }
+            Self::Powder(scene) => compact(scene, folder),
+            Self::Tip(scene) => turn(scene, folder),
+        }
+    }
+}
+
+fn compact(scene: &PowderScene, folder: &Path) -> Result<(Value, String), Failure> {
+    let run = resumed(|start| powder::simulate(scene, folder, start, PAUSE, Progress::Silent))?;
+    let outcome = run.outcome();
+    let told = format!(
+        "porosity {:.3} % after {} steps, {:.1} s",
+        100.0 * outcome.porosity[1],
+        outcome.steps,
+        outcome.wall_seconds
+    );
+    Ok((outcome.json(scene), told))
+}
+
+fn turn(scene: &TipScene, folder: &Path) -> Result<(Value, String), Failure> {
+    let run = resumed(|start| tip::simulate(scene, folder, start, PAUSE, Progress::Silent))?;
+    let outcome = run.outcome();
+    tip::write_series(&run, folder)?;
+    let told = format!(
+        "{:.2} degrees driven, {:.2} after it",
+        outcome.driven_angle, outcome.final_angle
+    );
+    Ok((outcome.json(scene), told))
+}

@@ -1,0 +1,78 @@
+//! What a sweep that is complete leaves: its tables and their picture.
+
+use super::frame::{self, Column};
+use super::jobs::Task;
+use super::plan::Plan;
+use super::table::Table;
+use super::{plot, runs};
+use crate::failure::Failure;
+use serde_json::Value;
+use std::path::Path;
+use tribos::record::write_atomically;
+
+/// Most names of runs in a message.
+const MOST_NAMES: usize = 10;
+
+/// Writes all tables and pictures of a complete sweep: the table for the terminal.
+pub fn write(
+    plan: &Plan,
+    tasks: &[Task],
+    summaries: &[Value],
+    out: &Path,
+) -> Result<String, Failure> {
+    let seeds = plan.seeds as usize;
+    let table = Table::new(tasks[0].body.kind(), &plan.grid, summaries, seeds);
+    write_atomically(&out.join("sweep.csv"), table.csv().as_bytes())?;
+    let runs = runs::columns(&plan.grid, seeds, tasks, summaries);
+    let csv = frame::csv(&runs).map_err(Failure::run)?;
+    write_atomically(&out.join("runs.csv"), &csv)?;
+    parquet(&table.columns(), &out.join("sweep.parquet"))?;
+    parquet(&runs, &out.join("runs.parquet"))?;
+    plot::write(&plan.grid, &table, out)?;
+    Ok(table.text())
+}
+
+#[cfg(feature = "parquet")]
+fn parquet(columns: &[Column], file: &Path) -> Result<(), Failure> {
+    let bytes = super::parquet::bytes(columns).map_err(Failure::run)?;
+    Ok(write_atomically(file, &bytes)?)
+}
+
+/// Built without Parquet: the CSV files hold the same.
+#[cfg(not(feature = "parquet"))]
+fn parquet(_: &[Column], _: &Path) -> Result<(), Failure> {
+    Ok(())
+}
+
+/// All summaries, or which runs are missing.
+pub fn complete(
+    tasks: &[Task],
+    kept: Vec<Option<Value>>,
+    out: &Path,
+) -> Result<Vec<Value>, Failure> {
+    let missing: Vec<&str> = tasks
+        .iter()
+        .zip(&kept)
+        .filter(|(_, kept)| kept.is_none())
+        .map(|(task, _)| task.name.as_str())
+        .collect();
+    if missing.is_empty() {
+        return Ok(kept.into_iter().flatten().collect());
+    }
+    let mut text = format!("{} of {} runs are missing:", missing.len(), tasks.len());
+    for name in missing.iter().take(MOST_NAMES) {
+        text += &format!("\n  {name}");
+    }
+    if let Some(more) = missing
+        .len()
+        .checked_sub(MOST_NAMES)
+        .filter(|&more| more > 0)
+    {
+        text += &format!("\n  and {more} more");
+    }
+    text += &format!(
+        "\nTake them here with `tribos sweep --plan {}`, or start their part again.",
+        out.display()
+    );
+    Err(Failure::run(text))
+}

@@ -1,0 +1,165 @@
+//! What a sweep is to run, in one file: a scene edited later cannot mix two sweeps.
+
+use super::body::Body;
+use super::grid::{Grid, Swept};
+use super::jobs::Task;
+use crate::failure::Failure;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use tribos::record::write_atomically;
+
+/// Name of the file in a sweep's folder.
+pub const FILE: &str = "sweep.json";
+
+/// A scene's text, the keys that vary and the runs for each combination.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Plan {
+    scene_name: String,
+    scene: String,
+    /// The keys.
+    pub grid: Grid,
+    /// Runs for each combination.
+    pub seeds: u32,
+}
+
+impl Plan {
+    /// The scene in a file, as it is now.
+    pub fn new(file: &Path, grid: Grid, seeds: u32) -> Result<Self, Failure> {
+        if seeds > 1 && grid.keys.iter().any(|swept| swept.key == "seed") {
+            let message = "--seeds: `seed` is among the keys already; give one or the other";
+            return Err(Failure::input(message));
+        }
+        Ok(Self {
+            scene_name: file.display().to_string(),
+            scene: crate::command::scene::text(file)?,
+            grid,
+            seeds,
+        })
+    }
+
+    /// Where the plan of a folder is.
+    pub fn place(out: &Path) -> PathBuf {
+        out.join(FILE)
+    }
+
+    /// The plan in a folder.
+    pub fn read(out: &Path) -> Result<Self, Failure> {
+        let file = Self::place(out);
+        let name = file.display();
+        let text = std::fs::read_to_string(&file).map_err(|error| {
+            Failure::input(format!(
+                "no plan of a sweep: {name}: {error}; make one with `tribos sweep SCENE --set … --out DIR`"
+            ))
+        })?;
+        let value: Value = serde_json::from_str(&text)
+            .map_err(|error| Failure::input(format!("{name}: not a plan of a sweep: {error}")))?;
+        let version = &value["version"];
+        let ours = env!("CARGO_PKG_VERSION");
+        if version != ours {
+            return Err(Failure::input(format!(
+                "{name}: planned by tribos {version}, and this is \"{ours}\"; use the same version for all parts"
+            )));
+        }
+        Self::of(&value).ok_or_else(|| {
+            Failure::input(format!(
+                "{name}: not a plan of a sweep; make it anew with `tribos sweep SCENE --set … --out DIR`"
+            ))
+        })
+    }
+
+    /// Whether another plan takes the same runs, wherever its scene lay.
+    pub fn takes_the_runs_of(&self, other: &Self) -> bool {
+        self.scene == other.scene && self.grid == other.grid && self.seeds == other.seeds
+    }
+
+    /// Writes the plan into a folder.
+    pub fn write(&self, out: &Path) -> Result<(), Failure> {
+        let text = format!("{:#}\n", self.json());
+        Ok(write_atomically(&Self::place(out), text.as_bytes())?)
+    }
+
+    fn json(&self) -> Value {
+        let key = |swept: &Swept| json!({"key": swept.key, "values": swept.values});
+        let keys: Vec<Value> = self.grid.keys.iter().map(key).collect();
+        json!({
+            "version": env!("CARGO_PKG_VERSION"),
+            "scene_name": self.scene_name,
+            "scene": self.scene,
+            "keys": keys,
+            "seeds": self.seeds,
+        })
+    }
+
+    fn of(value: &Value) -> Option<Self> {
+        let text = |value: &Value| value.as_str().map(str::to_owned);
+        let swept = |key: &Value| {
+            let values = key["values"].as_array()?.iter().map(text);
+            Some(Swept {
+                key: text(&key["key"])?,
+                values: values.collect::<Option<_>>()?,
+            })
+        };
+        let keys = value["keys"].as_array()?.iter().map(swept);
+        Some(Self {
+            scene_name: text(&value["scene_name"])?,
+            scene: text(&value["scene"])?,
+            grid: Grid {
+                keys: keys.collect::<Option<_>>()?,
+            },
+            seeds: value["seeds"].as_u64()?.try_into().ok()?,
+        })
+    }
+
+    /// All runs, seeds changing first; every scene is read before any of them starts.
+    pub fn tasks(&self, out: &Path) -> Result<Vec<Task>, Failure> {
+        let mut tasks: Vec<Task> = Vec::new();
+        for combination in 0..self.grid.len() {
+            let overrides = self.grid.overrides(combination);
+            let first = self.body(&overrides)?;
+            if self.seeds == 1 {
+                tasks.push(Task::new(&overrides, first, out));
+                continue;
+            }
+            let Some(seed) = first.seed() else {
+                let message = "--seeds: this body has no seed, every run of it is the same; leave --seeds out";
+                return Err(Failure::input(message));
+            };
+            for seed in seed..seed + u64::from(self.seeds) {
+                let mut all = overrides.clone();
+                all.push(format!("seed={seed}"));
+                let body = self.body(&all)?;
+                tasks.push(Task::new(&all, body, out));
+            }
+        }
+        let kind = |task: &Task| std::ptr::from_ref(task.body.kind());
+        if tasks.iter().any(|task| kind(task) != kind(&tasks[0])) {
+            let message = "--set body=…: the results of one table must be of one kind of body";
+            return Err(Failure::input(message));
+        }
+        Ok(tasks)
+    }
+
+    fn body(&self, overrides: &[String]) -> Result<Body, Failure> {
+        Body::parse(&self.scene_name, &self.scene, overrides)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plan_reads_back_as_it_was() -> Result<(), Failure> {
+        let plan = Plan {
+            scene_name: "a \"b\".toml".into(),
+            scene: "speed = 1 # ünï\n\tspin = '''2'''".into(),
+            grid: Grid::parse(&["a=1,2".into(), "b=x y".into()])?,
+            seeds: 3,
+        };
+        assert_eq!(Plan::of(&plan.json()), Some(plan.clone()));
+        let mut broken = plan.json();
+        broken["keys"][1]["values"][0] = 3.into();
+        assert_eq!(Plan::of(&broken), None);
+        Ok(())
+    }
+}

@@ -1,0 +1,279 @@
+//! `tribos sweep` stopped, in parts, as a job array: the same tables to the byte.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::{Output, Stdio};
+use std::time::{Duration, Instant};
+
+type Error = Box<dyn std::error::Error>;
+type Outcome = Result<(), Error>;
+
+/// Some ten spheres, some milliseconds a run.
+const TINY: &str = "body = \"powder\"\nwidth = 7\nheight = 9\npressure = 0.01\npiston_mass = 100\n\
+                    steps = 300\n";
+/// 25 runs of it.
+const GRID: [&str; 4] = [
+    "--set",
+    "rolling=0,0.1,0.2,0.3,0.4",
+    "--set",
+    "torsion=0,0.1,0.2,0.3,0.4",
+];
+
+fn sweep(folder: &Path) -> Result<Command, Error> {
+    let mut tribos = Command::cargo_bin("tribos")?;
+    tribos.current_dir(folder).arg("sweep");
+    Ok(tribos)
+}
+
+/// What was said on standard output and error by a command that worked.
+fn succeed(mut command: Command) -> Result<[String; 2], Error> {
+    let output = command.output()?;
+    let [told, said] = texts(&output)?;
+    assert!(output.status.success(), "{command:?}\n{said}");
+    Ok([told, said])
+}
+
+fn texts(output: &Output) -> Result<[String; 2], Error> {
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec());
+    Ok([text(&output.stdout)?, text(&output.stderr)?])
+}
+
+/// A folder with the scene in tiny.toml, and the undisturbed sweep of 25 runs in `whole`.
+fn undisturbed() -> Result<tempfile::TempDir, Error> {
+    let folder = tempfile::tempdir()?;
+    std::fs::write(folder.path().join("tiny.toml"), TINY)?;
+    let mut command = sweep(folder.path())?;
+    command.arg("tiny.toml").args(GRID).args(["--out", "whole"]);
+    let [_, said] = succeed(command)?;
+    assert_eq!(said.lines().count(), 25, "{said}");
+    assert!(said.lines().all(|line| line.contains(" gone, ")), "{said}");
+    Ok(folder)
+}
+
+/// All that a sweep leaves beside its runs.
+fn assert_same_tables(folder: &Path, other: &str) -> Outcome {
+    let parquet: &[&str] = match cfg!(feature = "parquet") {
+        true => &["sweep.parquet", "runs.parquet"],
+        false => &[],
+    };
+    for name in ["sweep.csv", "runs.csv", "sweep.svg", "sweep.png"]
+        .iter()
+        .chain(parquet)
+    {
+        let [ours, theirs] = ["whole", other].map(|out| std::fs::read(folder.join(out).join(name)));
+        assert!(ours? == theirs?, "{other}: {name}");
+    }
+    Ok(())
+}
+
+fn summaries(out: &Path) -> Vec<PathBuf> {
+    let runs = std::fs::read_dir(out.join("runs")).into_iter().flatten();
+    let files = runs.flatten().map(|run| run.path().join("summary.json"));
+    files.filter(|file| file.exists()).collect()
+}
+
+#[test]
+fn a_killed_sweep_goes_on_to_the_undisturbed_tables() -> Outcome {
+    let folder = undisturbed()?;
+    let out = folder.path().join("killed");
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"))
+        .current_dir(folder.path())
+        .args(["sweep", "tiny.toml", "--jobs", "1", "--out", "killed"])
+        .args(GRID)
+        .stderr(Stdio::null())
+        .spawn()?;
+    let began = Instant::now();
+    while summaries(&out).len() < 5 && began.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_micros(200));
+    }
+    // SIGKILL: nothing can be tidied up.
+    child.kill()?;
+    child.wait()?;
+    let kept = summaries(&out).len();
+    assert!((5..25).contains(&kept), "killed too late: {kept} of 25");
+
+    let mut again = sweep(folder.path())?;
+    again.arg("tiny.toml").args(GRID).args(["--out", "killed"]);
+    let [_, said] = succeed(again)?;
+    let first = format!("{kept} of 25 runs kept");
+    assert_eq!(said.lines().next(), Some(first.as_str()));
+    assert_eq!(said.lines().count(), 26 - kept, "{said}");
+    assert_same_tables(folder.path(), "killed")
+}
+
+#[test]
+fn parts_on_two_machines_merge_to_the_undisturbed_tables() -> Outcome {
+    let folder = undisturbed()?;
+    let mut first = sweep(folder.path())?;
+    first.arg("tiny.toml").args(GRID);
+    let [told, said] = succeed({
+        first.args(["--out", "parts", "--part", "0/2"]);
+        first
+    })?;
+    assert_eq!(said.lines().count(), 13, "{said}");
+    assert!(told.contains("tribos sweep --merge parts"), "{told}");
+    assert!(!folder.path().join("parts/sweep.csv").exists());
+
+    // The other machine has a copy of the folder, and the scene was edited meanwhile.
+    let scene = folder.path().join("tiny.toml");
+    std::fs::write(&scene, TINY.replace("0.01", "0.02"))?;
+    let other = folder.path().join("other");
+    std::fs::create_dir(&other)?;
+    std::fs::copy(
+        folder.path().join("parts/sweep.json"),
+        other.join("sweep.json"),
+    )?;
+    let mut second = sweep(folder.path())?;
+    second.args(["--plan", "other", "--part", "1/2"]);
+    let [_, said] = succeed(second)?;
+    assert_eq!(said.lines().count(), 12, "{said}");
+
+    let mut early = sweep(folder.path())?;
+    let output = early.args(["--merge", "parts"]).output()?;
+    let [_, said] = texts(&output)?;
+    assert_eq!(output.status.code(), Some(1));
+    for words in [
+        "12 of 25 runs are missing",
+        "\n  rolling=0,torsion=0.1\n",
+        "and 2 more",
+        "tribos sweep --plan parts",
+    ] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+
+    // Runs come home; the same number of runs as in the plan, none of them new.
+    for summary in summaries(&other) {
+        let run = summary.parent().and_then(Path::file_name);
+        let home = folder.path().join("parts/runs").join(run.ok_or("a run")?);
+        std::fs::create_dir_all(&home)?;
+        std::fs::copy(&summary, home.join("summary.json"))?;
+    }
+    let mut merge = sweep(folder.path())?;
+    merge.args(["--merge", "parts"]);
+    assert_eq!(succeed(merge)?[1], "");
+    assert_same_tables(folder.path(), "parts")
+}
+
+#[test]
+fn a_job_array_holds_its_plan_and_gives_the_undisturbed_tables() -> Outcome {
+    let folder = undisturbed()?;
+    let hand_over = |sets: [&str; 4]| -> Result<Command, Error> {
+        let mut command = sweep(folder.path())?;
+        command.arg("tiny.toml").args(sets).args([
+            "--out",
+            "a b",
+            "--slurm",
+            "--slurm-tasks",
+            "3",
+            "--slurm-option",
+            "--time=5",
+        ]);
+        Ok(command)
+    };
+    let [told, _] = succeed(hand_over(GRID)?)?;
+    assert!(told.starts_with("25 runs in 3 tasks\n"), "{told}");
+    let script = std::fs::read_to_string(folder.path().join("a b/job.sh"))?;
+    assert!(script.contains("#SBATCH --array=0-2\n"), "{script}");
+    assert!(script.contains("#SBATCH --time=5\n"), "{script}");
+    assert!(folder.path().join("a b/logs").is_dir());
+
+    // As the cluster would start its tasks, from elsewhere.
+    let elsewhere = tempfile::tempdir()?;
+    if cfg!(unix) {
+        for task in ["2", "0", "1"] {
+            let mut bash = Command::new("bash");
+            bash.arg(folder.path().join("a b/job.sh"))
+                .current_dir(elsewhere.path())
+                .env("SLURM_ARRAY_TASK_ID", task);
+            succeed(bash)?;
+        }
+        let mut merge = sweep(folder.path())?;
+        merge.args(["--merge", "a b"]);
+        succeed(merge)?;
+        assert_same_tables(folder.path(), "a b")?;
+    }
+
+    // Tasks that still wait would take another plan.
+    let other = ["--set", "rolling=0", "--set", "torsion=1"];
+    let output = hand_over(other)?.output()?;
+    let [_, said] = texts(&output)?;
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("another sweep"), "{said}");
+    Ok(())
+}
+
+#[test]
+fn sliders_are_swept_to_the_numbers_of_their_runs() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let scenes = format!("{}/../scenes", env!("CARGO_MANIFEST_DIR"));
+    for (scene, key, column) in [
+        ("disk", "spin=2,12.5", "distance"),
+        ("cylinder", "spin=-3,3", "curl"),
+        ("curling-draw", "speed=1.9,2", "curl"),
+    ] {
+        let file = format!("{scenes}/{scene}.toml");
+        let mut command = sweep(folder.path())?;
+        command.args([&file, "--set", key, "--out", scene]);
+        succeed(command)?;
+        let table = std::fs::read_to_string(folder.path().join(scene).join("sweep.csv"))?;
+        let mut lines = table.lines();
+        let head: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
+        let at = head.iter().position(|name| *name == column);
+        let [key, last] = key.split_once('=').map(|(k, v)| [k, v]).ok_or("a key")?;
+        let last = last.split(',').next_back().unwrap_or_default();
+
+        let mut run = Command::cargo_bin("tribos")?;
+        run.current_dir(folder.path()).args(["run", &file, "--out"]);
+        run.args(["run", "--set", &format!("{key}={last}")]);
+        succeed(run)?;
+        let summary = std::fs::read_to_string(folder.path().join("run/summary.json"))?;
+        let summary: Value = serde_json::from_str(&summary)?;
+        let cell = lines
+            .last()
+            .unwrap_or_default()
+            .split(',')
+            .nth(at.ok_or("a column")?);
+        let [cell, number] = [
+            cell.and_then(|cell| cell.parse().ok()),
+            summary[column].as_f64(),
+        ];
+        assert!(number.is_some(), "{scene}");
+        assert_eq!(cell.map(f64::to_bits), number.map(f64::to_bits), "{scene}");
+        assert!(folder.path().join(scene).join("sweep.svg").exists());
+    }
+    Ok(())
+}
+
+#[test]
+fn impossible_shares_are_refused() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    std::fs::write(folder.path().join("tiny.toml"), TINY)?;
+    std::fs::create_dir(folder.path().join("old"))?;
+    let old = "{\"version\": \"0.0.0\", \"keys\": []}";
+    std::fs::write(folder.path().join("old/sweep.json"), old)?;
+    for (arguments, words) in [
+        ("tiny.toml", "--out"),
+        ("tiny.toml --out x --part 2/2", "0/2 and 1/2"),
+        ("--plan x", "no plan of a sweep"),
+        ("--merge x --part 0/2", "cannot be used with"),
+        ("--plan x --set rolling=1", "cannot be used with"),
+        ("--plan old", "same version"),
+        ("tiny.toml --out x --slurm-tasks 3", "--slurm"),
+        (
+            "tiny.toml --out x --slurm --slurm-option --array=1",
+            "--slurm-tasks",
+        ),
+        (
+            "tiny.toml --out x --set width=7,8 --set body=powder,disk",
+            "width",
+        ),
+    ] {
+        let output = sweep(folder.path())?.args(arguments.split(' ')).output()?;
+        let [_, said] = texts(&output)?;
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {said}");
+        assert!(said.contains(words), "{arguments}: {said}");
+        assert!(!folder.path().join("x").exists(), "{arguments}");
+    }
+    Ok(())
+}
