@@ -5,7 +5,10 @@ use std::path::Path;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
-fn tribos(folder: &Path, arguments: &[&str]) -> Result<(i32, String, String), Box<dyn std::error::Error>> {
+fn tribos(
+    folder: &Path,
+    arguments: &[&str],
+) -> Result<(i32, String, String), Box<dyn std::error::Error>> {
     let mut command = Command::cargo_bin("tribos")?;
     let output = command.current_dir(folder).args(arguments).output()?;
     Ok((
@@ -19,17 +22,51 @@ fn tribos(folder: &Path, arguments: &[&str]) -> Result<(i32, String, String), Bo
 fn every_body_tells_its_unknowns_and_cost() -> Outcome {
     let folder = tempfile::tempdir()?;
     for (arguments, words) in [
-        (&["disk"][..], &["2: sliding speed and spin", "Coulomb", "ns an evaluation"][..]),
-        (&["cylinder", "--set", "pressure=hertz"], &["Hertz", "table made at the start", "lateral"]),
-        (&["pipe-a"], &["annulus", "two disks"]),
-        (&["curling-draw", "--set", "model=film"], &["quadrature over 256 points"]),
         (
-            &["compaction-small", "--set", "height=12", "--set", "torsion=0.1", "--set", "coupling=exact"],
-            &["normal, sliding, torsion; rolling not resisted", "4 unknowns", "limit surface", "million a second", "kB"],
+            &["disk"][..],
+            &["2: sliding speed and spin", "Coulomb", "ns an evaluation"][..],
         ),
         (
-            &["tip-reversible", "--set", "substrate_layers=4", "--set", "tip_layers=4"],
-            &["atom-steps", "within the cut-off", "Nose-Hoover on 2 groups", "70000 of 0.005 tau"],
+            &["cylinder", "--set", "pressure=hertz"],
+            &["Hertz", "table made at the start", "lateral"],
+        ),
+        (&["pipe-a"], &["annulus", "two disks"]),
+        (
+            &["curling-draw", "--set", "model=film"],
+            &["quadrature over 256 points"],
+        ),
+        (
+            &[
+                "compaction-small",
+                "--set",
+                "height=12",
+                "--set",
+                "torsion=0.1",
+                "--set",
+                "coupling=exact",
+            ],
+            &[
+                "normal, sliding, torsion; rolling not resisted",
+                "4 unknowns",
+                "limit surface",
+                "million a second",
+                "kB",
+            ],
+        ),
+        (
+            &[
+                "tip-reversible",
+                "--set",
+                "substrate_layers=4",
+                "--set",
+                "tip_layers=4",
+            ],
+            &[
+                "atom-steps",
+                "within the cut-off",
+                "Nose-Hoover on 2 groups",
+                "70000 of 0.005 tau",
+            ],
         ),
     ] {
         let (code, told, said) = tribos(folder.path(), &[&["explain"], arguments].concat())?;
@@ -62,20 +99,29 @@ fn after_a_run_it_tells_where_the_energy_went_and_what_could_go() -> Outcome {
         assert!(told.contains(words), "{words} not in {told}");
     }
     // Shares of what was exchanged add up, those that gave energy counted alike.
-    let shares = told.lines().filter_map(|line| line.split_once(" %")).filter_map(|(head, _)| {
-        let name = head.split_whitespace().next()?;
-        let parts = ["normal", "sliding", "rolling", "torsion", "cohesion"];
-        let number: f64 = head.split_whitespace().last()?.parse().ok()?;
-        (parts.contains(&name) && head.split_whitespace().count() == 2).then_some(number.abs())
-    });
+    let shares = told
+        .lines()
+        .filter_map(|line| line.split_once(" %"))
+        .filter_map(|(head, _)| {
+            let name = head.split_whitespace().next()?;
+            let parts = ["normal", "sliding", "rolling", "torsion", "cohesion"];
+            let number: f64 = head.split_whitespace().last()?.parse().ok()?;
+            (parts.contains(&name) && head.split_whitespace().count() == 2).then_some(number.abs())
+        });
     let total: f64 = shares.sum();
     assert!((total - 100.0).abs() < 0.3, "{total}: {told}");
     assert!(!told.contains("sliding dissipated"), "{told}");
 
     let (code, _, said) = tribos(at, &["explain", "tiny.toml", "--out", "out"])?;
-    assert!(code == 2 && said.contains("`torsion` is 0.000001 there, 0 here"), "{said}");
+    assert!(
+        code == 2 && said.contains("`torsion` is 0.000001 there, 0 here"),
+        "{said}"
+    );
     let (code, _, said) = tribos(at, &["explain", "tiny.toml", "--out", "nowhere"])?;
-    assert!(code == 2 && said.contains("finished `tribos run`"), "{said}");
+    assert!(
+        code == 2 && said.contains("finished `tribos run`"),
+        "{said}"
+    );
     let (code, _, said) = tribos(at, &["explain", "disk", "--out", "out"])?;
     assert!(code == 2 && said.contains("powders"), "{said}");
     Ok(())

@@ -10,7 +10,10 @@ fn data(name: &str) -> String {
 }
 
 fn fit(arguments: &[&str]) -> Result<(i32, String, String), Box<dyn std::error::Error>> {
-    let output = Command::cargo_bin("tribos")?.arg("fit").args(arguments).output()?;
+    let output = Command::cargo_bin("tribos")?
+        .arg("fit")
+        .args(arguments)
+        .output()?;
     Ok((
         output.status.code().unwrap_or(-1),
         String::from_utf8(output.stdout)?,
@@ -21,10 +24,16 @@ fn fit(arguments: &[&str]) -> Result<(i32, String, String), Box<dyn std::error::
 /// Value and standard error of a parameter in fit.toml.
 fn parameter(out: &Path, name: &str) -> Result<[f64; 2], Box<dyn std::error::Error>> {
     let text = std::fs::read_to_string(out.join("fit.toml"))?;
-    let table = text.split(&format!("[parameters.{name}]")).nth(1).ok_or("no such table")?;
+    let table = text
+        .split(&format!("[parameters.{name}]"))
+        .nth(1)
+        .ok_or("no such table")?;
     let number = |key: &str| -> Result<f64, Box<dyn std::error::Error>> {
         let line = table.lines().find_map(|line| line.strip_prefix(key));
-        Ok(line.ok_or("no such key")?.trim_start_matches(" = ").parse()?)
+        Ok(line
+            .ok_or("no such key")?
+            .trim_start_matches(" = ")
+            .parse()?)
     };
     Ok([number("value")?, number("standard_error")?])
 }
@@ -36,12 +45,26 @@ fn a_bearing_gives_its_parameters_back_and_files_that_other_commands_take() -> O
     let path = out.to_str().ok_or("no text")?;
     let (code, told, said) = fit(&["--law", "stribeck", &data("bearing.csv"), "--out", path])?;
     assert_eq!(code, 0, "{said}");
-    for words in ["reduced chi^2", "degrees of freedom", "ended at the best minimum", "±"] {
+    for words in [
+        "reduced chi^2",
+        "degrees of freedom",
+        "ended at the best minimum",
+        "±",
+    ] {
         assert!(told.contains(words), "{words} not in {told}");
     }
-    for (name, truth) in [("mu_s", 0.15), ("mu_d", 0.08), ("vs", 0.02), ("delta", 1.5), ("k", 0.1)] {
+    for (name, truth) in [
+        ("mu_s", 0.15),
+        ("mu_d", 0.08),
+        ("vs", 0.02),
+        ("delta", 1.5),
+        ("k", 0.1),
+    ] {
         let [value, error] = parameter(&out, name)?;
-        assert!((value - truth).abs() < 3.0 * error, "{name}: {value} ± {error}");
+        assert!(
+            (value - truth).abs() < 3.0 * error,
+            "{name}: {value} ± {error}"
+        );
     }
     let residuals = std::fs::read_to_string(out.join("residuals.csv"))?;
     assert!(residuals.starts_with("v,f,prediction,residual,sigma\n"));
@@ -53,8 +76,19 @@ fn a_bearing_gives_its_parameters_back_and_files_that_other_commands_take() -> O
     }
     // The law as other commands take it.
     let law = told.lines().find_map(|line| line.strip_prefix("as a law"));
-    let wrench = ["wrench", "--speed", "0.1", "--spin", "1", "--law", law.ok_or("no law")?.trim()];
-    Command::cargo_bin("tribos")?.args(wrench).assert().success();
+    let wrench = [
+        "wrench",
+        "--speed",
+        "0.1",
+        "--spin",
+        "1",
+        "--law",
+        law.ok_or("no law")?.trim(),
+    ];
+    Command::cargo_bin("tribos")?
+        .args(wrench)
+        .assert()
+        .success();
     // The same data, the same bytes.
     let before = std::fs::read(out.join("fit.toml"))?;
     fit(&["--law", "stribeck", &data("bearing.csv"), "--out", path])?;
@@ -68,9 +102,19 @@ fn a_record_over_time_tells_of_bristles() -> Outcome {
     let path = folder.path().to_str().ok_or("no text")?;
     let (code, told, said) = fit(&["--law", "lugre", &data("joint.csv"), "--out", path])?;
     assert!(code == 0 && told.contains("lugre-bristles"), "{told}{said}");
-    for (name, truth) in [("fc", 1.0), ("fs", 1.5), ("vs", 0.01), ("s0", 1e4), ("s1", 30.0), ("s2", 10.0)] {
+    for (name, truth) in [
+        ("fc", 1.0),
+        ("fs", 1.5),
+        ("vs", 0.01),
+        ("s0", 1e4),
+        ("s1", 30.0),
+        ("s2", 10.0),
+    ] {
         let [value, error] = parameter(folder.path(), name)?;
-        assert!((value - truth).abs() < 3.0 * error && error < truth, "{name}: {value} ± {error}");
+        assert!(
+            (value - truth).abs() < 3.0 * error && error < truth,
+            "{name}: {value} ± {error}"
+        );
     }
     Ok(())
 }
@@ -89,11 +133,27 @@ fn what_the_data_do_not_tell_is_said_in_place_of_a_number() -> Outcome {
     let path = path.to_str().ok_or("no text")?;
     let (code, told, _) = fit(&["--law", "rate-state", path, "--fix", "eta=0"])?;
     assert_eq!(code, 0);
-    assert!(told.contains("only a combination of a and b; give --fix a=VALUE"), "{told}");
+    assert!(
+        told.contains("only a combination of a and b; give --fix a=VALUE"),
+        "{told}"
+    );
     assert!(!told.contains("inf") && !told.contains("NaN"), "{told}");
-    let (_, told, _) = fit(&["--law", "rate-state", path, "--fix", "eta=0", "--fix", "a=0.01", "--fix", "v0=1e-5"])?;
+    let (_, told, _) = fit(&[
+        "--law",
+        "rate-state",
+        path,
+        "--fix",
+        "eta=0",
+        "--fix",
+        "a=0.01",
+        "--fix",
+        "v0=1e-5",
+    ])?;
     assert!(!told.contains("warning"), "{told}");
-    assert!(told.contains("b=0.0150000") || told.contains("b=0.0149999"), "{told}");
+    assert!(
+        told.contains("b=0.0150000") || told.contains("b=0.0149999"),
+        "{told}"
+    );
     // Forces under a load are coefficients times the load.
     let (_, heavy, _) = fit(&["--law", "power", path, "--load", "2"])?;
     let (_, light, _) = fit(&["--law", "power", path, "--load", "1"])?;
@@ -107,24 +167,80 @@ fn bad_measurements_are_refused_with_their_line_and_cure() -> Outcome {
     let path = folder.path().join("m.csv");
     let name = path.to_str().ok_or("no text")?.to_owned();
     for (law, text, more, words) in [
-        ("power", "speed,f\n1,1\n", &[][..], "m.csv:1: column `v` is missing"),
-        ("power", "v,f\n1,1\n\n-1,1\n", &[], "m.csv:4: the speed of steady sliding must be > 0"),
+        (
+            "power",
+            "speed,f\n1,1\n",
+            &[][..],
+            "m.csv:1: column `v` is missing",
+        ),
+        (
+            "power",
+            "v,f\n1,1\n\n-1,1\n",
+            &[],
+            "m.csv:4: the speed of steady sliding must be > 0",
+        ),
         ("power", "v,f\n1,x\n", &[], "m.csv:2: f is `x`"),
-        ("power", "v,f\n1,1\n2,1\n", &[], "2 points cannot determine 2 parameters"),
-        ("power", "v,f\n1,-1\n2,-1\n3,-1\n", &[], "friction must be positive"),
-        ("power", "v,f,sigma\n1,1,0\n", &[], "m.csv:2: the standard deviation must be > 0"),
-        ("lugre", "t,v,f\n0,1,1\n0,1,1\n", &[], "m.csv:3: times must rise"),
+        (
+            "power",
+            "v,f\n1,1\n2,1\n",
+            &[],
+            "2 points cannot determine 2 parameters",
+        ),
+        (
+            "power",
+            "v,f\n1,-1\n2,-1\n3,-1\n",
+            &[],
+            "friction must be positive",
+        ),
+        (
+            "power",
+            "v,f,sigma\n1,1,0\n",
+            &[],
+            "m.csv:2: the standard deviation must be > 0",
+        ),
+        (
+            "lugre",
+            "t,v,f\n0,1,1\n0,1,1\n",
+            &[],
+            "m.csv:3: times must rise",
+        ),
         ("stribeck", "t,v,f\n0,1,1\n1,1,1\n", &[], "no memory"),
-        ("rate-state", "t,v,f\n0,1,1\n1,-1,-1\n", &[], "m.csv:3: rate and state knows no way back"),
-        ("power", "v,f\n1,1\n2,1\n3,1\n", &["--fix", "beta=1"], "the parameters are gamma, alpha"),
-        ("power", "v,f\n1,1\n2,1\n3,1\n", &["--fix", "alpha=-1"], "> -1"),
-        ("power", "v,f\n1,1\n2,1\n3,1\n", &["--fix", "alpha"], "NAME=VALUE"),
+        (
+            "rate-state",
+            "t,v,f\n0,1,1\n1,-1,-1\n",
+            &[],
+            "m.csv:3: rate and state knows no way back",
+        ),
+        (
+            "power",
+            "v,f\n1,1\n2,1\n3,1\n",
+            &["--fix", "beta=1"],
+            "the parameters are gamma, alpha",
+        ),
+        (
+            "power",
+            "v,f\n1,1\n2,1\n3,1\n",
+            &["--fix", "alpha=-1"],
+            "> -1",
+        ),
+        (
+            "power",
+            "v,f\n1,1\n2,1\n3,1\n",
+            &["--fix", "alpha"],
+            "NAME=VALUE",
+        ),
         ("power", "v,f\n1,1\n", &["--load", "0"], "> 0"),
         ("coulomb", "v,f\n1,1\n", &[], "stribeck"),
     ] {
         std::fs::write(&path, text)?;
         let out = folder.path().join("out");
-        let mut arguments = vec!["--law", law, name.as_str(), "--out", out.to_str().ok_or("no text")?];
+        let mut arguments = vec![
+            "--law",
+            law,
+            name.as_str(),
+            "--out",
+            out.to_str().ok_or("no text")?,
+        ];
         arguments.extend(more);
         let (code, _, said) = fit(&arguments)?;
         assert_eq!(code, 2, "{text}: {said}");
