@@ -1,8 +1,9 @@
 //! A fit: several searches, the best minimum, and how sure its parameters are.
 
 use super::covariance::certainty;
+use super::jacobian::Length;
 use super::minimise::{Minimum, Problem, free, minimise};
-use super::parameter::{Model, Parameter};
+use super::parameter::{Model, Parameter, Range};
 use super::starts::halton;
 use super::{Data, DataError};
 use nalgebra::DMatrix;
@@ -162,7 +163,7 @@ fn fixed(model: &dyn Model, given: &[(String, f64)]) -> Result<Vec<Option<f64>>,
 struct Search {
     best: Minimum,
     bounds: Vec<[f64; 2]>,
-    sizes: Vec<f64>,
+    lengths: Vec<Length>,
     /// √Σ (data/σ)²
     length: f64,
     starts: usize,
@@ -219,7 +220,7 @@ fn search(
         residuals: &residuals,
         repair: &repair,
         bounds: sought.iter().map(|&j| all[j].range.bounds()).collect(),
-        sizes: sizes(&points),
+        lengths: lengths(all, &sought, &points),
         floor: (f64::EPSILON * length).powi(2),
     };
     let ends: Vec<Minimum> = points
@@ -236,7 +237,7 @@ fn search(
         starts: ends.len(),
         at_best: ends.iter().filter(|end| end.cost <= limit).count(),
         bounds: problem.bounds,
-        sizes: problem.sizes,
+        lengths: problem.lengths,
         length,
         best,
     })
@@ -254,21 +255,24 @@ fn whole(model: &dyn Model, fixed: &[Option<f64>], sought: &[usize], q: &[f64]) 
     values
 }
 
-/// Largest magnitude of each coordinate among the starts.
-fn sizes(points: &[Vec<f64>]) -> Vec<f64> {
-    /// Where all starts are zero.
-    const UNIT: f64 = 1.0;
-    let count = points.first().map_or(0, Vec::len);
-    let largest = |j: usize| {
+/// Over which lengths predictions change: of what has no logarithm, a thousandth of the largest start
+/// at least, as it may come near zero.
+fn lengths(all: &[Parameter], sought: &[usize], points: &[Vec<f64>]) -> Vec<Length> {
+    const SHARE: f64 = 1e-3;
+    let largest = |k: usize| {
         points
             .iter()
-            .map(|point| point[j].abs())
+            .map(|point| point[k].abs())
             .fold(0.0, f64::max)
     };
-    (0..count)
-        .map(largest)
-        .map(|size| if size > 0.0 { size } else { UNIT })
-        .collect()
+    let length = |(k, &j): (usize, &usize)| match all[j].range {
+        Range::Positive => Length::Fold,
+        _ if largest(k) > 0.0 => Length::Own {
+            least: SHARE * largest(k),
+        },
+        _ => Length::Own { least: SHARE },
+    };
+    sought.iter().enumerate().map(length).collect()
 }
 
 impl Search {
@@ -294,7 +298,7 @@ impl Search {
         let columns = DMatrix::from_fn(best.residuals.len(), inside.len(), |i, k| {
             best.jacobian[(i, inside[k])]
         });
-        let sizes: Vec<f64> = inside.iter().map(|&k| self.sizes[k]).collect();
+        let sizes: Vec<f64> = inside.iter().map(|&k| self.lengths[k].least()).collect();
         let certain = certainty(&columns, &sizes, self.length);
         let freedoms = best.residuals.len() - sought.len();
         // Without known deviations the residuals tell how large they are.

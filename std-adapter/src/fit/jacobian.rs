@@ -5,7 +5,34 @@ use nalgebra::DMatrix;
 /// Residuals as a function of the coordinates; `None` where the model refuses them.
 pub(super) type Residuals<'a> = dyn Fn(&[f64]) -> Option<Vec<f64>> + 'a;
 
-/// Step of a central difference of fourth order, relative to the size of a coordinate: ε^(1/5), where
+/// Length of a coordinate over which residuals change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Length {
+    /// An e-fold of the value: 1 of a logarithm.
+    Fold,
+    /// The coordinate itself, but not less than this.
+    Own {
+        /// > 0
+        least: f64,
+    },
+}
+
+impl Length {
+    fn at(self, q: f64) -> f64 {
+        match self {
+            Self::Fold => 1.0,
+            Self::Own { least } if q.abs() <= least => least,
+            Self::Own { .. } => q.abs(),
+        }
+    }
+
+    /// At zero.
+    pub fn least(self) -> f64 {
+        self.at(0.0)
+    }
+}
+
+/// Step of a central difference of fourth order, relative to the length: ε^(1/5), where
 /// the errors of truncation and of rounding are alike, 3e-13.
 const STEP: f64 = 7.400_959_797_414_051e-4;
 /// Step of a one-sided difference of second order: ε^(1/3), 4e-11.
@@ -14,21 +41,16 @@ const SHORT_STEP: f64 = 6.055_454_452_393_343e-6;
 /// ∂r/∂q at `q`; a coordinate whose steps would leave its bounds, or are refused, is stepped to one
 /// side.
 ///
-/// `sizes` are the magnitudes of coordinates that may be near zero.
 pub(super) fn jacobian(
     residuals: &Residuals<'_>,
     q: &[f64],
     here: &[f64],
     bounds: &[[f64; 2]],
-    sizes: &[f64],
+    lengths: &[Length],
 ) -> Option<DMatrix<f64>> {
     let mut jacobian = DMatrix::zeros(here.len(), q.len());
     for (j, mut column) in jacobian.column_iter_mut().enumerate() {
-        let size = if q[j].abs() > sizes[j] {
-            q[j].abs()
-        } else {
-            sizes[j]
-        };
+        let size = lengths[j].at(q[j]);
         let mut line = Line {
             residuals,
             place: q.to_vec(),

@@ -1,6 +1,6 @@
 //! Levenberg–Marquardt within bounds.
 
-use super::jacobian::{Residuals, jacobian};
+use super::jacobian::{Length, Residuals, jacobian};
 use nalgebra::{DMatrix, DVector};
 
 /// A sum of squares to be made least.
@@ -11,8 +11,8 @@ pub(super) struct Problem<'a> {
     pub repair: &'a dyn Fn(&mut [f64]),
     /// Bounds of the coordinates.
     pub bounds: Vec<[f64; 2]>,
-    /// Magnitudes of the coordinates.
-    pub sizes: Vec<f64>,
+    /// Lengths over which residuals change.
+    pub lengths: Vec<Length>,
     /// Sum of squares below which residuals are rounding.
     pub floor: f64,
 }
@@ -44,79 +44,134 @@ const LAST_DAMPING: f64 = 1e20;
 /// Bates and Watts 1981) below which a search has converged: parameters are good to this fraction of
 /// their standard errors.
 const OFFSET: f64 = 1e-9;
-/// The same where rounding ends the descent.
+/// The same from which on undamped steps are taken without a look at the cost, whose last digits no
+/// longer tell which way is down.
+const NEAR: f64 = 1e-5;
+/// Where such a step overshoots and the offset grows, later ones are halved; below this share nothing
+/// but rounding moves it.
+const SHORTEST: f64 = 1.0 / 64.0;
+/// The offset that counts as converged where rounding ends the descent.
 const ROUGH_OFFSET: f64 = 1e-4;
+
+/// Singular value over the largest below which nothing changes in a direction: no step is taken
+/// along it, and none is missed.
+const FLAT: f64 = 1e-10;
 
 /// Searches from `start`; `None` if the model refuses it.
 pub(super) fn minimise(problem: &Problem<'_>, start: &[f64]) -> Option<Minimum> {
-    let mut q = start.to_vec();
-    admit(problem, &mut q);
-    let mut here = finite((problem.residuals)(&q)?)?;
-    let mut cost = square(&here);
-    let (mut damping, mut growth) = (FIRST_DAMPING, 2.0);
-    let mut scales = vec![0.0_f64; q.len()];
-    for iterations in 0..MOST {
+    let mut place = Place::at(problem, start.to_vec())?;
+    let mut pace = Pace {
+        damping: FIRST_DAMPING,
+        growth: 2.0,
+        share: 1.0,
+        last_offset: f64::INFINITY,
+    };
+    let mut iterations = 0;
+    loop {
+        let Place { q, residuals, cost } = &place;
         let slopes = jacobian(
             problem.residuals,
-            &q,
-            &here,
+            q,
+            residuals,
             &problem.bounds,
-            &problem.sizes,
+            &problem.lengths,
         )?;
-        let end = |q: &[f64], here: &[f64], slopes: DMatrix<f64>, converged| Minimum {
-            q: q.to_vec(),
-            residuals: here.to_vec(),
-            cost,
-            jacobian: slopes,
-            converged,
-            iterations,
+        let step = Step::new(problem, q, residuals, &slopes);
+        let offset = step.offset(*cost);
+        let is_done = *cost <= problem.floor || offset <= OFFSET;
+        let next = if is_done || iterations == MOST {
+            None
+        } else if offset <= NEAR {
+            pace.approach(problem, &place, &step, offset)
+        } else {
+            pace.descend(problem, &place, &step)
         };
-        for (scale, column) in scales.iter_mut().zip(slopes.column_iter()) {
-            *scale = scale.max(column.norm());
-        }
-        let step = Step::new(problem, &q, &here, &slopes, &scales);
-        if cost <= problem.floor || step.offset(cost) <= OFFSET {
-            return Some(end(&q, &here, slopes, true));
-        }
-        // Shorter and shorter steps until one goes down.
-        loop {
-            let mut trial = q.clone();
-            let predicted = step.take(damping, &mut trial);
-            admit(problem, &mut trial);
-            let found = (problem.residuals)(&trial).and_then(finite);
-            let below = found.map(|residuals| (square(&residuals), residuals));
-            if let Some((less, residuals)) = below.filter(|(sum, _)| *sum < cost) {
-                // Nielsen's rule: the better the linear model, the less damping.
-                let gain = (cost - less) / predicted;
-                let shrink = 1.0 - (2.0 * gain - 1.0).powi(3);
-                damping *= shrink.max(1.0 / 3.0);
-                growth = 2.0;
-                (q, here, cost) = (trial, residuals, less);
-                break;
-            }
-            damping *= growth;
-            growth *= 2.0;
-            if damping > LAST_DAMPING {
-                let converged = step.offset(cost) <= ROUGH_OFFSET;
-                return Some(end(&q, &here, slopes, converged));
+        match next {
+            Some(next) => place = next,
+            None => {
+                return Some(Minimum {
+                    q: place.q,
+                    residuals: place.residuals,
+                    cost: place.cost,
+                    jacobian: slopes,
+                    converged: is_done || offset <= ROUGH_OFFSET,
+                    iterations,
+                });
             }
         }
+        iterations += 1;
     }
-    let slopes = jacobian(
-        problem.residuals,
-        &q,
-        &here,
-        &problem.bounds,
-        &problem.sizes,
-    )?;
-    Some(Minimum {
-        q,
-        residuals: here,
-        cost,
-        jacobian: slopes,
-        converged: false,
-        iterations: MOST,
-    })
+}
+
+/// A point of the search.
+struct Place {
+    q: Vec<f64>,
+    residuals: Vec<f64>,
+    cost: f64,
+}
+
+impl Place {
+    /// The admitted point nearest to `q`; `None` if the model refuses it.
+    fn at(problem: &Problem<'_>, mut q: Vec<f64>) -> Option<Self> {
+        admit(problem, &mut q);
+        let residuals = (problem.residuals)(&q)?;
+        let cost = residuals.iter().map(|r| r * r).sum::<f64>();
+        cost.is_finite().then_some(Self { q, residuals, cost })
+    }
+}
+
+/// How far steps go.
+struct Pace {
+    damping: f64,
+    growth: f64,
+    /// Of an undamped step.
+    share: f64,
+    last_offset: f64,
+}
+
+impl Pace {
+    /// Shorter and shorter steps until one goes down; `None` if rounding hides all.
+    fn descend(&mut self, problem: &Problem<'_>, place: &Place, step: &Step) -> Option<Place> {
+        while self.damping <= LAST_DAMPING {
+            let mut trial = place.q.clone();
+            let predicted = step.take(self.damping, &mut trial);
+            let below = Place::at(problem, trial).filter(|trial| trial.cost < place.cost);
+            if let Some(below) = below {
+                // Nielsen's rule: the better the linear model, the less damping.
+                let gain = (place.cost - below.cost) / predicted;
+                let shrink = 1.0 - (2.0 * gain - 1.0).powi(3);
+                self.damping *= shrink.max(1.0 / 3.0);
+                self.growth = 2.0;
+                return Some(below);
+            }
+            self.damping *= self.growth;
+            self.growth *= 2.0;
+        }
+        None
+    }
+
+    /// An undamped step, or a share of it where such steps overshoot; `None` if rounding moves it.
+    fn approach(
+        &mut self,
+        problem: &Problem<'_>,
+        place: &Place,
+        step: &Step,
+        offset: f64,
+    ) -> Option<Place> {
+        if offset > self.last_offset {
+            self.share *= 0.5;
+        }
+        self.last_offset = offset;
+        if self.share < SHORTEST {
+            return None;
+        }
+        let mut trial = place.q.clone();
+        step.take(0.0, &mut trial);
+        for (x, at) in trial.iter_mut().zip(&place.q) {
+            *x = at + self.share * (*x - at);
+        }
+        Place::at(problem, trial)
+    }
 }
 
 /// Into the bounds, then to what the model admits.
@@ -147,19 +202,17 @@ struct Step {
 }
 
 impl Step {
-    fn new(
-        problem: &Problem<'_>,
-        q: &[f64],
-        here: &[f64],
-        slopes: &DMatrix<f64>,
-        scales: &[f64],
-    ) -> Self {
+    fn new(problem: &Problem<'_>, q: &[f64], here: &[f64], slopes: &DMatrix<f64>) -> Self {
         let r = DVector::from_column_slice(here);
         let gradient: Vec<f64> = slopes.column_iter().map(|column| column.dot(&r)).collect();
         let free = free(q, &problem.bounds, &gradient);
-        let scale = |j: usize| if scales[j] > 0.0 { scales[j] } else { 1.0 };
+        // Columns of length 1, so that units do not matter (Marquardt 1963).
+        let norms = free.iter().map(|&j| slopes.column(j).norm());
+        let scales: Vec<f64> = norms
+            .map(|norm| if norm > 0.0 { norm } else { 1.0 })
+            .collect();
         let scaled = DMatrix::from_fn(here.len(), free.len(), |i, k| {
-            slopes[(i, free[k])] / scale(free[k])
+            slopes[(i, free[k])] / scales[k]
         });
         let qr = scaled.qr();
         let mut turned = r;
@@ -173,8 +226,8 @@ impl Step {
             .v_t
             .unwrap_or_else(|| DMatrix::identity(rows, free.len()));
         Self {
-            scales: free.iter().map(|&j| scale(j)).collect(),
             free,
+            scales,
             shares,
             sigma: svd.singular_values,
             v_t,
@@ -184,7 +237,11 @@ impl Step {
     /// Moves `q`; returns by how much the linear model says that the cost falls.
     fn take(&self, damping: f64, q: &mut [f64]) -> f64 {
         let mut predicted = 0.0;
+        let most = self.sigma.iter().copied().fold(0.0, f64::max);
         let damped = self.sigma.zip_map(&self.shares, |s, c| {
+            if s <= FLAT * most {
+                return 0.0;
+            }
             let share = s * s + damping;
             let kept = damping / share;
             predicted += c * c * (1.0 - kept * kept);
@@ -199,8 +256,6 @@ impl Step {
 
     /// Length of what a full step would take off, over that of the residuals.
     fn offset(&self, cost: f64) -> f64 {
-        /// Directions in which nothing changes gain nothing.
-        const FLAT: f64 = 1e-10;
         let most = self.sigma.iter().copied().fold(0.0, f64::max);
         let pairs = self.sigma.iter().zip(self.shares.iter());
         let gained: f64 = pairs
@@ -209,12 +264,4 @@ impl Step {
             .sum();
         (gained / cost).sqrt()
     }
-}
-
-fn square(residuals: &[f64]) -> f64 {
-    residuals.iter().map(|r| r * r).sum()
-}
-
-fn finite(residuals: Vec<f64>) -> Option<Vec<f64>> {
-    residuals.iter().all(|r| r.is_finite()).then_some(residuals)
 }

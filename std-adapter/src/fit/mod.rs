@@ -5,8 +5,8 @@
 //! [`law_model`] joins them with a law; [`fit`] seeks the parameters with the least sum of squared
 //! residuals, each divided by its standard deviation where that is known:
 //!
-//! - Levenberg–Marquardt (Moré 1978: columns scaled by their largest norms; damping after Nielsen
-//!   1999), every step from a singular value decomposition, derivatives by central differences. The
+//! - Levenberg–Marquardt (Marquardt 1963; damping after Nielsen 1999), every step from a singular
+//!   value decomposition of the scaled Jacobian, derivatives by differences of fourth order. The
 //!   crate `levenberg-marquardt` 0.15 is for another version of nalgebra than ours.
 //! - Positive parameters are sought by their logarithms, others within their bounds; a parameter at
 //!   its bound stays there while the descent points outwards.
@@ -15,8 +15,8 @@
 //! - Parameters that the data do not determine are named, with those that they trade against, in
 //!   place of a standard error.
 //!
-//! *Accuracy*: NIST's reference problems Misra1a, Thurber and MGH09 come out to 7 digits of the
-//! parameters and 6 of their standard deviations; what derivatives by differences leave.
+//! *Accuracy*: NIST's reference problems Misra1a, Thurber and MGH09 come out to 8 digits of the
+//! parameters and 6 of their standard deviations, from both of its starts.
 //!
 //! ```
 //! use tribos::fit::{Data, LawName, Options, fit, law_model};

@@ -162,7 +162,7 @@ fn certified_values_and_deviations_come_out_from_both_starts() {
         {
             let fit = fitted(problem, start, range);
             let name = problem.name;
-            assert!(fit.converged, "{name}");
+            assert!(fit.converged, "{name} from {start:?}: {fit:?}");
             let close = |a: f64, b: f64, digits: i32| (a / b - 1.0).abs() < 10_f64.powi(-digits);
             assert!(
                 close(fit.cost, problem.sum_of_squares, 9),

@@ -1,5 +1,6 @@
 //! What a compaction will cost: spheres, contacts, unknowns, and the time of an update.
 
+use super::carried::CarriedModes;
 use super::compaction::CompactionError;
 use super::deposit::Deposit;
 use super::packing::{Packing, build};
@@ -27,9 +28,16 @@ pub struct PowderCost {
     pub sliding_seconds: f64,
 }
 
-/// Contacts a sphere in compacted packings: 2.0 to 2.2 in those of the thesis' systems, 3 in dense
-/// packings without friction (z = 6); with torques fewer hold as much.
-const CONTACTS_A_SPHERE: [f64; 2] = [2.0, 2.6];
+/// Contacts a sphere when compacted. The thesis' small system ends with 2.8 if it is smooth, with 2.1
+/// under sliding friction, and with 1.5 and 1.0 where rolling and torsion resist by 0.1 and by 1:
+/// the more a contact holds the fewer are needed.
+fn contacts_a_sphere(modes: CarriedModes) -> [f64; 2] {
+    match modes {
+        CarriedModes::Normal => [2.6, 3.0],
+        CarriedModes::Sliding | CarriedModes::SlidingTorsion => [2.0, 2.6],
+        CarriedModes::SlidingRolling | CarriedModes::All => [1.0, 2.0],
+    }
+}
 
 /// Grows the deposit, and times updates in a small block of spheres under load.
 ///
@@ -49,7 +57,8 @@ pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
     let [update_seconds, sliding_seconds] = update_seconds([scene, &plain])?;
     Ok(PowderCost {
         spheres,
-        contacts: CONTACTS_A_SPHERE.map(|share| (share * spheres as f64).round() as usize),
+        contacts: contacts_a_sphere(carried.modes)
+            .map(|share| (share * spheres as f64).round() as usize),
         unknowns: carried.modes.unknowns(),
         bytes: carried.modes.bytes(),
         update_seconds,

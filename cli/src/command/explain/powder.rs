@@ -25,7 +25,7 @@ pub fn text(scene: &PowderScene) -> Result<String, Failure> {
     text += &line("cohesion", cohesion(scene));
     text += &line("solver", solver(scene));
     text += &size(&cost);
-    text += &speed(&cost);
+    text += &speed(&cost, carried.modes);
     Ok(text)
 }
 
@@ -72,7 +72,7 @@ fn idle(scene: &PowderScene) -> String {
     line(
         "",
         format!(
-            "{} carried in vain: its coefficient is 0, but there is no type without it",
+            "{} carried with a coefficient of 0: there is no type without, and it is computed in vain",
             idle.join(" and ")
         ),
     )
@@ -127,33 +127,34 @@ fn size(cost: &PowderCost) -> String {
     text += &line(
         "expected",
         format!(
-            "{low} to {high} contacts when compacted (2.0 to 2.6 a sphere), {} to {} unknowns",
+            "{low} to {high} contacts when compacted, {} to {} unknowns",
             unknowns[0], unknowns[1]
         ),
     );
     text + &line("memory", format!("{} in the solver", bytes(cost.memory())))
 }
 
-fn speed(cost: &PowderCost) -> String {
+fn speed(cost: &PowderCost, modes: CarriedModes) -> String {
     const NANO: f64 = 1e9;
     const MILLION: f64 = 1e-6;
     const MILLI: f64 = 1e3;
     let update = cost.update_seconds;
-    let mut text = line(
-        "update",
-        format!(
-            "{:.0} ns a contact here, {:.1} million a second; {:.2} times sliding alone",
-            NANO * update,
-            MILLION / update,
-            update / cost.sliding_seconds
-        ),
+    let mut rate = format!(
+        "{:.0} ns a contact here, {:.1} million a second",
+        NANO * update,
+        MILLION / update
     );
+    if modes != CarriedModes::Sliding {
+        let ratio = update / cost.sliding_seconds;
+        rate += &format!(", {ratio:.2} times what sliding alone takes");
+    }
+    let mut text = line("update", rate);
     let [low, high] = cost
         .contacts
         .map(|contacts| MILLI * contacts as f64 * update);
     text += &line(
         "sweep",
-        format!("{low:.2} to {high:.2} ms over all contacts when compacted"),
+        format!("{low:.3} to {high:.3} ms over all contacts when compacted"),
     );
     text + &line(
         "",

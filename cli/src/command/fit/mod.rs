@@ -134,7 +134,17 @@ impl Law {
         }
     }
 
-    /// Its name in the catalogue.
+    /// Its name in the catalogue, of a record over time that of the law with its state.
+    fn with_memory(self, is_record: bool) -> &'static str {
+        match (self, is_record) {
+            (Self::Lugre, true) => "lugre-bristles",
+            (Self::RateState, true) => "rate-state-ageing",
+            (Self::RateStateSlip, true) => "rate-state-slip",
+            _ => self.catalogued(),
+        }
+    }
+
+    /// Its name in the catalogue of local laws.
     fn catalogued(self) -> &'static str {
         match self {
             Self::Stribeck => "stribeck",

@@ -27,12 +27,14 @@ pub struct Report<'a> {
 impl Report<'_> {
     /// For the person at the terminal.
     pub fn text(&self) -> String {
-        let formula = laws::find(self.law.catalogued()).map_or("", |entry| entry.formula);
-        let mut text = format!("law           {}: {formula}\n", self.law.catalogued());
+        let name = self.law.with_memory(self.table.is_record());
+        let formula = laws::find(name).map_or("", |entry| entry.formula);
+        let mut text = format!("law           {name}: {formula}\n");
         for estimate in &self.fit.parameters {
             text += &self.line(estimate);
         }
         text += &self.quality();
+        text += &self.undetermined();
         text += &self.entangled();
         text + &format!("as a law      {}\n", self.spec())
     }
@@ -43,22 +45,11 @@ impl Report<'_> {
             Known::StandardError(error) => told(estimate.value, *error),
             Known::Fixed => (format!("{:.6e}", estimate.value), "fixed".into()),
             Known::AtBound => (format!("{:.6e}", estimate.value), "at its bound".into()),
-            Known::Undetermined(others) if others.is_empty() => {
-                let how = format!("not determined; give --fix {}=VALUE", parameter.name);
-                (format!("{:.3e}", estimate.value), how)
-            }
-            Known::Undetermined(others) => {
-                let how = format!(
-                    "not determined: the data fix only a combination with {}; give --fix {}=VALUE",
-                    others.join(", "),
-                    parameter.name
-                );
-                (format!("{:.3e}", estimate.value), how)
-            }
+            Known::Undetermined(_) => (format!("{:.3e}", estimate.value), "not determined".into()),
         };
         let unit = self.unit(parameter.unit);
         format!(
-            "{:<13} {value:<15} {how:<16} [{unit}] {}\n",
+            "{:<13} {value:<14} {how:<14} [{unit}] {}\n",
             parameter.name, parameter.meaning
         )
     }
@@ -98,6 +89,26 @@ impl Report<'_> {
             text += "warning       the search did not come to its end: standard errors are rough\n";
         }
         text
+    }
+
+    /// Parameters of which the data tell nothing, or only a combination.
+    fn undetermined(&self) -> String {
+        let told = self.fit.parameters.iter().filter_map(|estimate| {
+            let name = estimate.parameter.name;
+            let Known::Undetermined(others) = &estimate.known else {
+                return None;
+            };
+            let why = if others.is_empty() {
+                format!("the data say nothing of {name}")
+            } else {
+                format!(
+                    "the data tell only a combination of {name} and {}",
+                    others.join(", ")
+                )
+            };
+            Some(format!("warning       {why}; give --fix {name}=VALUE\n"))
+        });
+        told.collect()
     }
 
     /// Pairs that the data hardly tell apart.
@@ -226,17 +237,20 @@ impl Report<'_> {
     }
 }
 
-/// Value and error with as many digits as the error tells.
+/// Value and error with two digits of the error.
 fn told(value: f64, error: f64) -> (String, String) {
-    /// Two digits of the error; f64 has no more than 16 of a value.
-    const MOST_DIGITS: f64 = 16.0;
-    let digits = if error > 0.0 && value != 0.0 {
-        ((value.abs() / error).log10().floor() + 1.0).clamp(1.0, MOST_DIGITS)
-    } else {
-        MOST_DIGITS
-    };
-    (
-        format!("{value:.*e}", digits as usize),
-        format!("± {error:.1e}"),
-    )
+    /// Values that are written without a power of ten.
+    const EVERYDAY: std::ops::Range<f64> = 1e-3..1e5;
+    /// f64 has no more digits.
+    const MOST_DIGITS: f64 = 15.0;
+    let power = |x: f64| if x > 0.0 { x.log10().floor() } else { 0.0 };
+    if EVERYDAY.contains(&value.abs()) {
+        let decimals = (1.0 - power(error)).clamp(0.0, MOST_DIGITS) as usize;
+        return (
+            format!("{value:.decimals$}"),
+            format!("± {error:.decimals$}"),
+        );
+    }
+    let digits = (power(value.abs()) - power(error) + 1.0).clamp(1.0, MOST_DIGITS) as usize;
+    (format!("{value:.digits$e}"), format!("± {error:.1e}"))
 }

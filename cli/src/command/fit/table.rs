@@ -81,6 +81,11 @@ impl Table {
         times.into_iter().chain(rest).collect()
     }
 
+    /// Whether it is a record over time.
+    pub fn is_record(&self) -> bool {
+        self.times.is_some()
+    }
+
     /// Standard deviations, if known.
     pub fn sigma(&self) -> Option<&[f64]> {
         self.sigma.as_deref()
