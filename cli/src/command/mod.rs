@@ -16,6 +16,7 @@ mod reproduce;
 mod run;
 mod sweep;
 mod tier;
+mod view;
 mod wrench;
 
 use crate::failure::Failure;
@@ -34,6 +35,8 @@ pub enum Command {
     Inverse(inverse::Arguments),
     /// Simulate a scene.
     Run(run::Arguments),
+    /// A run as a film in a web page, as pictures or as a film file.
+    View(view::Arguments),
     /// Ballistic deposits of spheres: grown, exported, their porosity.
     Deposit(deposit::Arguments),
     /// Forces, energy and pressure of atoms as a file has them.
@@ -57,6 +60,7 @@ impl Command {
             Self::Laws(arguments) => arguments.execute(),
             Self::Inverse(arguments) => arguments.execute(),
             Self::Run(arguments) => arguments.execute(),
+            Self::View(arguments) => arguments.execute(),
             Self::Deposit(arguments) => arguments.execute(),
             Self::Eval(arguments) => arguments.execute(),
             Self::Export(arguments) => arguments.execute(),

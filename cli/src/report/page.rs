@@ -269,7 +269,7 @@ fn paragraphs(texts: &[String]) -> String {
 }
 
 // Text with all characters that mean something in HTML replaced.
-fn escape(text: &str) -> String {
+pub(super) fn escape(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {
         match character {

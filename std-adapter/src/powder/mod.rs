@@ -4,6 +4,7 @@ mod blocked;
 mod checkpoint;
 mod compaction;
 pub mod deposit;
+mod frames;
 mod outcome;
 mod packing;
 mod statistics;

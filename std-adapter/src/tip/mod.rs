@@ -7,6 +7,7 @@
 mod build;
 mod checkpoint;
 pub mod export;
+mod frames;
 mod outcome;
 mod run;
 mod shape;

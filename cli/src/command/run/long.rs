@@ -25,6 +25,20 @@ pub enum Progress {
     Silent,
 }
 
+/// How a long run goes.
+#[derive(Clone, Copy, Debug)]
+pub struct Course {
+    /// Where it starts.
+    pub start: Start,
+    /// Time from one checkpoint to the next.
+    pub pause: Duration,
+    /// Frames kept at most, 0 for none; if nothing is said, the usual number, or as many as when the
+    /// run began.
+    pub frames: Option<u64>,
+    /// Who is told.
+    pub progress: Progress,
+}
+
 /// The checkpoint of a folder.
 pub(super) fn checkpoint(out: &Path) -> PathBuf {
     out.join("checkpoint.json")

@@ -3,7 +3,7 @@
 use super::grid::Grid;
 use super::kind::{self, Kind};
 use crate::command::parallel::in_order;
-use crate::command::run::long::{Progress, Start, forget_checkpoint};
+use crate::command::run::long::{Course, Progress, Start, forget_checkpoint};
 use crate::command::run::{powder, tip};
 use crate::failure::Failure;
 use serde_json::Value;
@@ -112,9 +112,7 @@ impl Body {
     fn run(&self, folder: &Path) -> Result<(Value, String), Failure> {
         match self {
             Self::Powder(scene) => {
-                let run = resumed(|start| {
-                    powder::simulate(scene, folder, start, PAUSE, Progress::Silent)
-                })?;
+                let run = resumed(|start| powder::simulate(scene, folder, &course(start)))?;
                 let outcome = run.outcome();
                 let told = format!(
                     "porosity {:.3} % after {} steps, {:.1} s",
@@ -125,8 +123,7 @@ impl Body {
                 Ok((outcome.json(scene), told))
             }
             Self::Tip(scene) => {
-                let run =
-                    resumed(|start| tip::simulate(scene, folder, start, PAUSE, Progress::Silent))?;
+                let run = resumed(|start| tip::simulate(scene, folder, &course(start)))?;
                 let outcome = run.outcome();
                 tip::write_series(&run, folder)?;
                 let told = format!(
@@ -136,6 +133,16 @@ impl Body {
                 Ok((outcome.json(scene), told))
             }
         }
+    }
+}
+
+/// Runs of a sweep keep checkpoints, no frames, and their peace.
+fn course(start: Start) -> Course {
+    Course {
+        start,
+        pause: PAUSE,
+        frames: Some(0),
+        progress: Progress::Silent,
     }
 }
 
