@@ -22,6 +22,7 @@ mod run;
 mod scene;
 mod sweep;
 mod tier;
+mod view;
 mod wrench;
 
 use crate::failure::Failure;
@@ -96,6 +97,8 @@ pub enum Command {
     Explain(explain::Arguments),
     /// Scenes that come with the program; check a scene, start one, its JSON Schema.
     Scene(scene::Arguments),
+    /// A run as a film in a web page, as pictures or as a film file.
+    View(view::Arguments),
     /// Ballistic deposits of spheres: grown, exported, their porosity.
     Deposit(deposit::Arguments),
     /// Parameters of a friction law from measurements, with their standard errors.
@@ -127,6 +130,7 @@ impl Command {
             Self::Run(arguments) => arguments.execute(),
             Self::Explain(arguments) => arguments.execute(),
             Self::Scene(arguments) => arguments.execute(),
+            Self::View(arguments) => arguments.execute(),
             Self::Deposit(arguments) => arguments.execute(),
             Self::Fit(arguments) => arguments.execute(),
             Self::Eval(arguments) => arguments.execute(),

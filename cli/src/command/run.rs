@@ -1,15 +1,17 @@
 //! `tribos run`: a scene simulated, its results in a folder.
 
+mod film;
 pub mod long;
 mod path;
 pub mod powder;
 pub mod tip;
 
-use self::long::{Progress, Start, forget_checkpoint};
+use self::long::{Course, Progress, Start, forget_checkpoint};
 use super::number;
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Guide, Series};
 use crate::report::image;
+pub use film::folder as frames_folder;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use tribos::record::{series_csv, write_atomically};
@@ -24,6 +26,8 @@ use tribos::slide::{self, COLUMNS, SlideRun};
 ///
 /// Of a tip: angles.svg and .png (angles of the layers over time), tip.svg and .png (the atoms),
 /// initial.data and final.data (LAMMPS, OVITO; types are the parts from below).
+///
+/// Of both: frames, the states of a film, which `tribos view DIR` shows in a browser.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = examples())]
 pub struct Arguments {
@@ -47,6 +51,10 @@ pub struct Arguments {
         allow_negative_numbers = true
     )]
     checkpoint: f64,
+    /// A powder or a tip: frames kept in DIR/frames at most, evenly spread over the steps; 0 for
+    /// none. They change no result. [default: 100, with --resume as the run began]
+    #[arg(long, value_name = "N", value_parser = film::number)]
+    frames: Option<u64>,
 }
 
 /// Examples and the vocabulary of a scene.
@@ -94,6 +102,11 @@ impl Arguments {
                 "--resume is for powders and tips only; this scene takes a moment, run it anew",
             ));
         }
+        if self.frames.is_some() && !matches!(scene, Scene::Powder(_) | Scene::Tip(_)) {
+            return Err(Failure::input(
+                "--frames is for powders and tips only; `tribos view` shows this scene from its series",
+            ));
+        }
         let done = match scene {
             Scene::Disk(scene) => self.slide(&scene),
             Scene::Planar(scene) => path::run(&scene, &self.out),
@@ -103,28 +116,29 @@ impl Arguments {
         done.map_err(|failure| failure.going_on(&long::how_to_go_on(&self.out)))
     }
 
-    /// Whether to go on from a checkpoint, and how often one is kept.
-    fn start_and_pause(&self) -> (Start, Duration) {
-        let start = if self.resume {
-            Start::Resume
-        } else {
-            Start::Fresh
-        };
-        let pause = Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX);
-        (start, pause)
+    /// Where a long run starts, and what is kept on the way.
+    fn course(&self) -> Course {
+        Course {
+            start: if self.resume {
+                Start::Resume
+            } else {
+                Start::Fresh
+            },
+            pause: Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX),
+            frames: self.frames,
+            progress: Progress::Told,
+        }
     }
 
     fn turn(&self, scene: &TipScene) -> Result<(), Failure> {
-        let (start, pause) = self.start_and_pause();
-        let run = tip::simulate(scene, &self.out, start, pause, Progress::Told)?;
+        let run = tip::simulate(scene, &self.out, &self.course())?;
         tip::write(scene, &run, &self.out)?;
         forget_checkpoint(&self.out)?;
         tip::report(&run.outcome(), &self.out)
     }
 
     fn compact(&self, scene: &PowderScene) -> Result<(), Failure> {
-        let (start, pause) = self.start_and_pause();
-        let compaction = powder::simulate(scene, &self.out, start, pause, Progress::Told)?;
+        let compaction = powder::simulate(scene, &self.out, &self.course())?;
         let outcome = compaction.outcome();
         powder::write(scene, &compaction, &outcome, &self.out)?;
         forget_checkpoint(&self.out)?;

@@ -4,6 +4,7 @@ pub mod figure;
 pub mod image;
 pub mod packing;
 pub mod page;
+pub mod player;
 pub mod sheet;
 mod solid;
 pub mod surface;

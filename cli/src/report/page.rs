@@ -1,5 +1,6 @@
 //! A self-contained web page that compares our results with a thesis.
 
+use super::player;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 
@@ -57,6 +58,8 @@ pub struct Section {
     pub text: Vec<String>,
     /// The figure, if the section has one.
     pub figure: Option<FigureRef>,
+    /// Trusted HTML of a film for the page's player, if the section has one.
+    pub film: Option<String>,
     /// Rows of the comparison table.
     pub claims: Vec<Claim>,
 }
@@ -117,7 +120,13 @@ impl Page {
         let mut html = format!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-             <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
+             <title>{title}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n{STYLE}</style>\n{}\
+             </head>\n<body>\n<h1>{title}</h1>\n",
+            if self.has_films() {
+                player::style()
+            } else {
+                String::new()
+            }
         );
         html.push_str(&paragraphs(&self.intro));
         if !self.environment.is_empty() {
@@ -128,8 +137,15 @@ impl Page {
         for section in &self.sections {
             html.push_str(&section.html());
         }
+        if self.has_films() {
+            html.push_str(&player::script());
+        }
         html.push_str("</body>\n</html>\n");
         html
+    }
+
+    fn has_films(&self) -> bool {
+        self.sections.iter().any(|section| section.film.is_some())
     }
 
     // The table of contents with the verdicts of each section.
@@ -161,7 +177,10 @@ impl Section {
         let figure = self.figure.as_ref().map(FigureRef::html);
         let figure = figure.unwrap_or_default();
         let claims = table(&self.claims);
-        format!("<section id=\"{id}\">\n<h2>{heading}</h2>\n{text}{figure}{claims}</section>\n")
+        let film = self.film.as_deref().unwrap_or_default();
+        format!(
+            "<section id=\"{id}\">\n<h2>{heading}</h2>\n{text}{figure}{film}{claims}</section>\n"
+        )
     }
 }
 
@@ -287,7 +306,7 @@ fn paragraphs(texts: &[String]) -> String {
 }
 
 // Text with all characters that mean something in HTML replaced.
-fn escape(text: &str) -> String {
+pub(super) fn escape(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {
         match character {

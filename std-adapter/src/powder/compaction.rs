@@ -219,6 +219,11 @@ impl Compaction {
         checkpoint.text(&self.scene)
     }
 
+    /// The scene that runs.
+    pub(super) fn scene(&self) -> &PowderScene {
+        &self.scene
+    }
+
     /// Height of the piston.
     pub fn height(&self) -> f64 {
         // Its normal points down.

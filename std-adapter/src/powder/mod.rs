@@ -6,6 +6,7 @@ mod checkpoint;
 mod compaction;
 mod cost;
 pub mod deposit;
+mod frames;
 mod outcome;
 mod packing;
 mod statistics;

@@ -63,15 +63,10 @@ impl Statistics {
             }
 
             // Modes at their thresholds.
-            let bound = force + if contact.gap <= range { 1.0 } else { 0.0 };
-            if bound > IDLE {
-                let [ra, rb] = [radii[contact.a as usize], radii[b as usize]];
-                let lever = bound / (1.0 / ra + 1.0 / rb);
+            if let Some(reached) = reached(contact, radii, friction, range) {
                 carrying += 1;
-                let loads = loads(contact);
-                for (mode, count) in at.iter_mut().enumerate() {
-                    let unit = if mode == 0 { bound } else { lever };
-                    *count += usize::from(loads[mode] >= AT_THRESHOLD * friction[mode] * unit);
+                for (is, count) in reached.into_iter().zip(&mut at) {
+                    *count += usize::from(is);
                 }
             }
         }
@@ -124,6 +119,25 @@ impl Statistics {
         map.insert("at_threshold".into(), Value::Object(shares));
         Value::Object(map)
     }
+}
+
+/// Which of sliding, rolling and torsion are at their thresholds; `None` where the contact carries
+/// nothing. A mode without friction always is.
+pub(super) fn reached(
+    contact: &ContactRow,
+    radii: &[f64],
+    friction: [f64; 3],
+    range: f64,
+) -> Option<[bool; 3]> {
+    let bound = contact.normal_force() + if contact.gap <= range { 1.0 } else { 0.0 };
+    if bound.is_nan() || bound <= IDLE {
+        return None;
+    }
+    let [ra, rb] = [Some(contact.a), contact.b.particle()]
+        .map(|body| body.map_or(f64::INFINITY, |body| radii[body as usize]));
+    let lever = bound / (1.0 / ra + 1.0 / rb);
+    let (loads, units) = (loads(contact), [bound, lever, lever]);
+    Some([0, 1, 2].map(|mode: usize| loads[mode] >= AT_THRESHOLD * friction[mode] * units[mode]))
 }
 
 /// Sliding force, rolling torque, torsion torque.

@@ -1,6 +1,7 @@
 //! What a run leaves behind: numbers as text, whole files or none.
 
 mod atomic;
+pub mod frames;
 pub(crate) mod kept;
 mod number;
 mod series;

@@ -8,6 +8,7 @@ mod build;
 mod checkpoint;
 mod cost;
 pub mod export;
+mod frames;
 mod outcome;
 mod run;
 mod shape;

@@ -111,6 +111,11 @@ impl TipRun {
         &self.part_of
     }
 
+    /// The scene that runs.
+    pub(super) fn scene(&self) -> &TipScene {
+        &self.scene
+    }
+
     /// Names of the columns: times in τ from the start of the drive, angles in degrees, those of
     /// the tip's layers from below.
     pub fn columns(&self) -> Vec<String> {
@@ -191,7 +196,7 @@ impl TipRun {
     }
 
     /// Mean height of the driven atoms.
-    fn height(&self) -> f64 {
+    pub(super) fn height(&self) -> f64 {
         let driven = self.system.members(Part::ALL.len() - 1);
         let sum: f64 = driven
             .iter()

@@ -150,6 +150,23 @@ impl Shape {
         sites
     }
 
+    /// One atom of each part of the tip, to see it turn: the one farthest to the right in the part's
+    /// top layer.
+    pub fn marked(&self) -> Vec<usize> {
+        let sites = self.sites();
+        let right_of = |&a: &usize, &b: &usize| {
+            let (a, b) = (&sites[a], &sites[b]);
+            let layers = a.layer.cmp(&b.layer);
+            layers.then(a.place.x.total_cmp(&b.place.x))
+        };
+        let top_right = |part: Part| {
+            let atoms = (0..sites.len()).filter(|&atom| sites[atom].part == part);
+            atoms.max_by(right_of)
+        };
+        let parts = [Part::Apex, Part::TipBath, Part::Driven];
+        parts.into_iter().filter_map(top_right).collect()
+    }
+
     /// What a layer belongs to.
     pub fn part(&self, layer: usize) -> Part {
         let from_top = self.layers() - 1 - layer;

@@ -61,6 +61,7 @@ pub fn table_3_1() -> Result<Exhibit, Failure> {
             "With ωR = 1 the table says F → ε and T → 2/(3+α) for ε ≪ 1, F → ε^α and \
              T → (1+α)/4·ε^(α−1) for ε ≫ 1. The numbers are taken at ε = {SMALL:e} and its inverse."
         )],
+        film: None,
         caption: "How fast the torque reaches its two limits.".into(),
         drawing: Box::new(Panels::new("", 2).figure(slow).figure(fast).cell(520, 420)),
         columns: vec![

@@ -72,6 +72,7 @@ pub fn figure_2_5() -> Result<Exhibit, Failure> {
              {MU_DYNAMIC} in motion, and static friction that grows by {GROWTH} per e-fold of the \
              age. The claims of sections 2.1 and 2.2 on the real area of contact stand here too."
         )],
+        film: None,
         caption: "Left: friction against velocity. Right: static friction against the time in \
                   stationary contact."
             .into(),

@@ -74,6 +74,7 @@ pub fn figure_4_2() -> Result<Exhibit, Failure> {
                  sliding speed under F_n = F_coh and 0."
             ),
         ],
+        film: None,
         caption: "Normal force over the gap in both readings, and friction over the sliding \
                   velocity."
             .into(),
@@ -114,6 +115,7 @@ pub fn figure_4_3() -> Result<Exhibit, Failure> {
              lever is r_eff = (1/R₁ + 1/R₂)⁻¹, half the radius of two equal spheres."
                 .into(),
         ],
+        film: None,
         caption: "Rolling and torsion torque over their angular velocities.".into(),
         drawing: Box::new(DRAWN.figure_4_3()),
         columns: vec![

@@ -53,6 +53,7 @@ pub fn figure_3_4() -> Result<Exhibit, Failure> {
              were independent overestimates both."
                 .into(),
         ],
+        film: None,
         caption: "Left: force and torque over the velocity ratio. Right: the pairs that occur, \
                   the limit curve of the disk."
             .into(),

@@ -53,6 +53,7 @@ pub fn figure_2_7() -> Result<Exhibit, Failure> {
              V₀ = {:e} m/s, D₀ = {:e} m and a viscous term of {} s/m. Only D₀ is the thesis'.",
             PAPER.mu, PAPER.a, PAPER.b, PAPER.reference_speed, PAPER.slip_distance, PAPER.viscous
         )],
+        film: None,
         caption: "Friction falls with the logarithm of the speed (creep, Cr) and rises with the \
                   speed itself (inertial, In)."
             .into(),

@@ -49,6 +49,7 @@ pub fn figure_4_5() -> Result<Exhibit, Failure> {
                  ends with the first sphere at that height is loose below it and has 9 % less."
             ),
         ],
+        film: None,
         caption: "Porosity against inverse capture radius.".into(),
         drawing: Box::new(curve.figure()),
         columns: COLUMNS.to_vec(),

@@ -85,6 +85,7 @@ pub fn figure_3_13() -> Result<Exhibit, Failure> {
              just below the interval, at R = R_c, and just above it."
                 .into(),
         ],
+        film: None,
         caption: "Upper row dry friction, lower row cubic friction; below, inside and above the \
                   interval of radii."
             .into(),

@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::report::image::Drawing;
 use crate::report::page::{Claim, Verdict};
+use crate::report::player::Film;
 use tribos_core::coupling::ReducedWrench;
 use tribos_core::coupling::{Coupling, table::Table64};
 use tribos_core::modes::Modes;
@@ -12,6 +13,8 @@ pub struct Exhibit {
     pub heading: String,
     pub text: Vec<String>,
     pub caption: String,
+    /// Shown below the figure.
+    pub film: Option<Film>,
     pub drawing: Box<dyn Drawing>,
     pub columns: Vec<&'static str>,
     pub rows: Vec<Vec<f64>>,

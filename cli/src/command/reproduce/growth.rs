@@ -82,6 +82,7 @@ pub fn figure_3_6() -> Result<Exhibit, Failure> {
              and sliding gains; where it is negative spinning gains. Zeros are fixed points."
                 .into(),
         ],
+        film: None,
         caption: "Under dry friction every motion ends at ε₀ ≈ 0.653: sliding and spinning stop \
                   together."
             .into(),
@@ -203,6 +204,7 @@ pub fn figure_3_7() -> Result<Exhibit, Failure> {
              x² − 3x + 1 = 0 with x = ε²."
                 .into(),
         ],
+        film: None,
         caption: "Right: the zeros, which the thesis shows as an inset.".into(),
         drawing: Box::new(Panels::new("", 2).figure(whole).figure(zoom).cell(520, 420)),
         columns: vec!["ratio", "0", "0.1", "0.25", "0.5", "0.75", "0.9", "1"],
@@ -280,6 +282,7 @@ pub fn figure_3_8() -> Result<Exhibit, Failure> {
              functions and other bounds of C.)"
                 .into(),
         ],
+        film: None,
         caption: "g is negative everywhere.".into(),
         drawing: Box::new(drawing),
         columns: vec!["ratio", "g_alpha_0", "g_alpha_1", "g_alpha_3"],

@@ -76,6 +76,7 @@ pub fn figure_3_19() -> Result<Exhibit, Failure> {
              fits that it quotes, with v in m/s.",
             PlateauPower::<f64>::ICE_PLATEAU_SPEED
         )],
+        film: None,
         caption: "Friction on ice: the law with a plateau, the fits for curling stones, and two \
                   measured points of aluminium."
             .into(),

@@ -63,6 +63,7 @@ pub fn figure_3_9() -> Result<Exhibit, Failure> {
         text: vec![
             "Asked the other way round: which C = I/(MR²) puts the fixed point at ε₀?".into(),
         ],
+        film: None,
         caption: "Each curve runs between its two limits of table 3.2.".into(),
         drawing: Box::new(figure.guide(Guide::horizontal(0.5, "disk"))),
         columns: vec!["ratio", "c_alpha_0", "c_alpha_1", "c_alpha_3"],
@@ -108,6 +109,7 @@ pub fn table_3_2() -> Result<Exhibit, Failure> {
     Ok(Exhibit {
         heading: "Table 3.2: limits of C".into(),
         text: vec![format!("Evaluated at ε₀ = {:e} and {FAR:e}.", 1.0 / FAR)],
+        film: None,
         caption: "The six numbers of the table.".into(),
         drawing: Box::new(figure),
         columns: vec!["alpha", "c_at_zero", "c_at_infinity"],
@@ -134,6 +136,7 @@ pub fn figure_3_10() -> Result<Exhibit, Failure> {
              the formulas of the borders."
                 .into(),
         ],
+        film: None,
         caption: "Final motion in the plane of exponent and inertia ratio.".into(),
         drawing: Box::new(Diagram::uniform_disk()?.figure(None)),
         columns: vec!["alpha", "c_min", "c_max"],

@@ -45,6 +45,7 @@ pub fn figure_3_3() -> Result<Exhibit, Failure> {
              At rest dynamic friction is undetermined; the kernel returns zero there."
                 .into(),
         ],
+        film: None,
         caption: "Friction of one surface element against its velocity.".into(),
         drawing: Box::new(figure),
         columns: vec![

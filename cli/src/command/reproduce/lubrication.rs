@@ -47,6 +47,7 @@ pub fn figure_2_8() -> Result<Exhibit, Failure> {
              as the thesis calls typical."
                 .into(),
         ],
+        film: None,
         caption: "Friction of a lubricated body against viscosity × velocity / load.".into(),
         drawing: Box::new(figure),
         columns: vec!["parameter", "friction", "boundary", "hydrodynamic"],

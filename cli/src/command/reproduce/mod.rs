@@ -296,6 +296,7 @@ fn write_exhibit(out: &Path, name: &str, exhibit: Exhibit) -> Result<Section, Fa
             files: files.to_vec(),
             caption: exhibit.caption,
         }),
+        film: exhibit.film.map(|film| film.fragment()),
         claims: exhibit.claims,
     })
 }

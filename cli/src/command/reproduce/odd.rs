@@ -132,6 +132,7 @@ pub fn appendix_a() -> Result<Exhibit, Failure> {
              T_n,1 should read T_n,3, and one term of its integrand lacks the fourth power of r.)"
                 .into(),
         ],
+        film: None,
         caption: "Force over the velocity ratio at ωR = 1.".into(),
         drawing: Box::new(figure),
         columns: vec![

@@ -22,7 +22,8 @@ pub fn figure_4_6(runs: &Runs) -> Result<Exhibit, Failure> {
         Effort::Quick => System::Small,
         Effort::Full => System::Large,
     };
-    let run = runs.one(&Case::new(system, [0.0, 0.0], 1))?;
+    let case = Case::new(system, [0.0, 0.0], 1);
+    let run = runs.one(&case)?;
     let mut claims = Vec::new();
     for (system, spheres) in [(System::Small, 470.0), (System::Large, 1015.0)] {
         claims.extend(deposit_claims(system, spheres)?);
@@ -41,6 +42,7 @@ pub fn figure_4_6(runs: &Runs) -> Result<Exhibit, Failure> {
             run.outcome.particles,
             runs.hint("; `--full` takes the large system")
         )],
+        film: Some(case.film(runs)?),
         caption: "Initial and final packing, and the final forces.".into(),
         drawing: Box::new(powder::packing(&run.scene, &run.states, &run.outcome)?),
         columns: vec![

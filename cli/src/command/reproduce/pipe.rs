@@ -91,6 +91,7 @@ pub fn figure_3_17() -> Result<Exhibit, Failure> {
              across the path are both followed.",
             1e3 * RADIUS * (1.0 - INNER_RATIO)
         )],
+        film: None,
         caption: "Paths from the origin to rest, for a pipe of our dimensions.".into(),
         drawing: Box::new(figure.size(640, 720)),
         columns: vec!["pipe", "time", "x", "y"],

@@ -131,6 +131,7 @@ pub fn figure_4_7(runs: &Runs) -> Result<Exhibit, Failure> {
     Ok(Exhibit {
         heading: "Figure 4.7: final porosity over rolling and torsion friction".into(),
         text: text(runs),
+        film: None,
         caption: "Final porosity; whiskers are standard deviations of single deposits.".into(),
         drawing: Box::new(sheet),
         columns: vec![

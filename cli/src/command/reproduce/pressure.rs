@@ -86,6 +86,7 @@ pub fn section_5_1() -> Result<Exhibit, Failure> {
              Hertz (1/2) and a paraboloid (1), from the outermost to the innermost."
                 .into(),
         ],
+        film: None,
         caption: "Force and torque under dry friction for pressures from the rim inwards.".into(),
         drawing: Box::new(panels),
         columns: vec![

@@ -74,6 +74,7 @@ pub fn section_5_1_modes() -> Result<Exhibit, Failure> {
                 stone()
             ),
         ],
+        film: None,
         caption: "Borders of the finite fixed point in the plane of exponent and inertia ratio, \
                   with curling stones at α = −0.75, −0.5 and −0.19."
             .into(),

@@ -3,9 +3,11 @@
 use super::kept::Kept;
 use super::plan;
 use crate::command::parallel::in_order;
-use crate::command::run::long::{Progress, checkpoint, resumed};
+use crate::command::run::long::{Course, checkpoint, resumed};
 use crate::command::run::powder::{self, State};
+use crate::command::view;
 use crate::failure::Failure;
+use crate::report::player::Film;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::num::NonZero;
@@ -16,6 +18,9 @@ use std::time::Instant;
 use tribos::powder::Outcome;
 use tribos::record::write_atomically;
 use tribos::scene::{PowderScene, Scene, parse_scene};
+
+/// Frames of a film in the report.
+pub const FRAMES: u64 = 80;
 
 /// How much is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,6 +92,20 @@ impl Case {
         self
     }
 
+    /// Frames kept: of the first packing without torques.
+    fn frames(&self) -> u64 {
+        if *self == Self::new(self.system, [0.0; 2], 1) {
+            FRAMES
+        } else {
+            0
+        }
+    }
+
+    /// Its film, once it has run.
+    pub fn film(&self, runs: &Runs) -> Result<Film, Failure> {
+        view::solid_film(&runs.kept.run(&self.folder()))
+    }
+
     /// Name of its folder.
     fn folder(&self) -> String {
         format!("{},{}", self.system.name(), self.keys.join(","))
@@ -124,7 +143,8 @@ impl Run {
     fn of(case: &Case, kept: &Kept) -> Result<Self, Failure> {
         let scene = case.scene()?;
         let folder = kept.run(&case.folder());
-        let run = |start| powder::simulate(&scene, &folder, start, kept.pause, Progress::Silent);
+        let course = |start| Course::one_of_many(start, kept.pause, case.frames());
+        let run = |start| powder::simulate(&scene, &folder, &course(start));
         let compaction = resumed(run)?;
         let end = compaction.checkpoint();
         write_atomically(&checkpoint(&folder), end.as_bytes())?;

@@ -46,6 +46,7 @@ pub fn figure_3_11() -> Result<Exhibit, Failure> {
              above only with a power of time. The stepper follows each to rounding accuracy."
                 .into(),
         ],
+        film: None,
         caption: "Under dry friction the disk stops; under linear and cubic friction it never \
                   does."
             .into(),

@@ -68,6 +68,7 @@ pub fn table_4_1(runs: &Runs) -> Result<Exhibit, Failure> {
              the compaction; one that starts from zero finds small forces."
                 .into(),
         ],
+        film: None,
         caption: "Partial stresses by line of the table, thesis and ours.".into(),
         drawing: Box::new(figure(&rows)),
         columns: vec![

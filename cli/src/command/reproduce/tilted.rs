@@ -70,6 +70,7 @@ pub fn figure_3_16() -> Result<Exhibit, Failure> {
              twice as high as the torque, 1/(4ε)."
                 .into(),
         ],
+        film: None,
         caption: "Force, torque, lateral function and their product, which is the lateral force \
                   over its dimensions."
             .into(),

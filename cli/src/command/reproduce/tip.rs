@@ -1,15 +1,17 @@
 //! Figures 5.1 and 5.2: the tip on the substrate, and its angle over time.
 
 use super::exhibit::{Exhibit, not_checked, statement};
-use super::runs::{Batch, Effort, Runs};
+use super::runs::{Batch, Effort, FRAMES, Runs};
 use crate::command::parallel::in_order;
-use crate::command::run::long::{Progress, checkpoint, resumed};
+use crate::command::run::long::{Course, checkpoint, resumed};
 use crate::command::run::tip::{atoms, simulate};
+use crate::command::view;
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Guide, Series};
 use crate::report::page::{Claim, Verdict as Judged};
 use nalgebra::Vector3;
 use std::num::NonZero;
+use std::path::PathBuf;
 use std::thread::available_parallelism;
 use tribos::record::write_atomically;
 use tribos::scene::{Scene, TipScene, parse_scene};
@@ -23,6 +25,8 @@ const FULL: [f64; 10] = [
 ];
 /// Runs of each strength.
 const FULL_SEEDS: u64 = 3;
+/// Strength and seed of the film: a tip that is turned for good.
+const FILMED: (f64, u64) = (0.060, 1);
 /// The last strength that the thesis found reversible.
 const REVERSIBLE: f64 = 0.017;
 /// What the position of the transition hangs on.
@@ -74,6 +78,7 @@ pub fn figure_5_1() -> Result<Exhibit, Failure> {
              keep their height and are driven; one atom of each part of the tip is yellow."
                 .into(),
         ],
+        film: None,
         caption: "The system before it moves.".into(),
         drawing: Box::new(atoms("", &scene, &places)?.size(760, 560)),
         columns: vec!["x", "y", "z", "part", "layer"],
@@ -109,6 +114,7 @@ pub fn figure_5_2(runs: &Runs) -> Result<Exhibit, Failure> {
     Ok(Exhibit {
         heading: "Figure 5.2: torsion angle over time".into(),
         text: text(runs),
+        film: Some(view::solid_film(&folder(FILMED.0, FILMED.1, runs))?),
         caption: "Angle of the driven layers for different strengths; the axis is cut at 60°."
             .into(),
         drawing: Box::new(figure),
@@ -149,11 +155,12 @@ fn all(runs: &Runs) -> Result<Vec<Turned>, Failure> {
 
 /// One run, on from where its folder has it.
 fn turn((lambda, seed): (f64, u64), runs: &Runs) -> Result<Turned, Failure> {
-    let (effort, kept) = (runs.effort(), runs.kept());
-    let scene = scene(lambda, seed, effort)?;
-    let name = format!("tip,{},lambda={lambda},seed={seed}", effort.name());
-    let folder = kept.run(&name);
-    let run = |start| simulate(&scene, &folder, start, kept.pause, Progress::Silent);
+    let kept = runs.kept();
+    let scene = scene(lambda, seed, runs.effort())?;
+    let folder = folder(lambda, seed, runs);
+    let frames = if (lambda, seed) == FILMED { FRAMES } else { 0 };
+    let course = |start| Course::one_of_many(start, kept.pause, frames);
+    let run = |start| simulate(&scene, &folder, &course(start));
     let run = resumed(run)?;
     let end = run.checkpoint();
     write_atomically(&checkpoint(&folder), end.as_bytes())?;
@@ -163,6 +170,13 @@ fn turn((lambda, seed): (f64, u64), runs: &Runs) -> Result<Turned, Failure> {
         series: run.series().to_vec(),
         outcome: run.outcome(),
     })
+}
+
+/// Of a run.
+fn folder(lambda: f64, seed: u64, runs: &Runs) -> PathBuf {
+    let effort = runs.effort().name();
+    runs.kept()
+        .run(&format!("tip,{effort},lambda={lambda},seed={seed}"))
 }
 
 fn text(runs: &Runs) -> Vec<String> {

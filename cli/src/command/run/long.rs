@@ -25,6 +25,32 @@ pub enum Progress {
     Silent,
 }
 
+/// How a long run goes.
+#[derive(Clone, Copy, Debug)]
+pub struct Course {
+    /// Where it starts.
+    pub start: Start,
+    /// Time from one checkpoint to the next.
+    pub pause: Duration,
+    /// Frames kept at most, 0 for none; if nothing is said, the usual number, or as many as when the
+    /// run began.
+    pub frames: Option<u64>,
+    /// Who is told.
+    pub progress: Progress,
+}
+
+impl Course {
+    /// One run of many, which nobody is told of; at most `frames` are kept of it.
+    pub fn one_of_many(start: Start, pause: Duration, frames: u64) -> Self {
+        Self {
+            start,
+            pause,
+            frames: Some(frames),
+            progress: Progress::Silent,
+        }
+    }
+}
+
 /// The checkpoint of a folder.
 pub fn checkpoint(out: &Path) -> PathBuf {
     out.join("checkpoint.json")

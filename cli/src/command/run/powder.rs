@@ -6,44 +6,56 @@ mod picture;
 pub use output::{report, write};
 pub use picture::{State, packing};
 
-use super::long::{Progress, Start, TOLD, checkpoint, kept};
+use super::film::{Film, Filmed};
+use super::long::{Course, Progress, Start, TOLD, checkpoint, kept};
 use crate::failure::Failure;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 use tribos::powder::{Compaction, CompactionError};
+use tribos::record::frames::{Bodies, Frame};
 use tribos::record::write_atomically;
 use tribos::run::drive_watched;
 use tribos::scene::PowderScene;
 
-/// Runs the scene to its end; a checkpoint in the folder is renewed after every `pause`.
-pub fn simulate(
-    scene: &PowderScene,
-    out: &Path,
-    start: Start,
-    pause: Duration,
-    progress: Progress,
-) -> Result<Compaction, Failure> {
+/// Runs the scene to its end, with checkpoints and frames in the folder.
+pub fn simulate(scene: &PowderScene, out: &Path, course: &Course) -> Result<Compaction, Failure> {
     let file = checkpoint(out);
-    let mut compaction = match start {
+    let mut compaction = match course.start {
         Start::Fresh => Compaction::new(scene)?,
         Start::Resume => Compaction::resume(scene, &kept(&file)?)?,
     };
+    let mut film = Film::of(&compaction, out, course.start, course.frames)?;
     let (mut told, mut saved) = (Instant::now(), Instant::now());
     let mut sweeps = 0;
     let mut since = compaction.steps();
     drive_watched(&mut compaction, |compaction| {
         sweeps += compaction.last_step().effort.sweeps;
-        if progress == Progress::Told && told.elapsed() >= TOLD {
+        if course.progress == Progress::Told && told.elapsed() >= TOLD {
             tell(compaction, sweeps, compaction.steps() - since);
             (told, sweeps, since) = (Instant::now(), 0, compaction.steps());
         }
-        if compaction.steps() > 0 && saved.elapsed() >= pause {
+        // Frames first: a checkpoint stands only beside all frames before it.
+        film.look(compaction)?;
+        if compaction.steps() > 0 && saved.elapsed() >= course.pause {
             write_atomically(&file, compaction.checkpoint().as_bytes())?;
             saved = Instant::now();
         }
         Ok::<(), Failure>(())
     })?;
+    film.end(&compaction)?;
     Ok(compaction)
+}
+
+impl Filmed for Compaction {
+    fn bodies(&self, limit: u64) -> Bodies {
+        self.bodies(limit)
+    }
+    fn steps(&self) -> u64 {
+        self.steps()
+    }
+    fn frame(&self) -> Frame {
+        self.frame()
+    }
 }
 
 /// One line on standard error.

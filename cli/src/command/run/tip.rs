@@ -2,11 +2,13 @@
 
 mod picture;
 
-use super::long::{Progress, Start, TOLD, checkpoint, kept};
+use super::film::{Film, Filmed};
+use super::long::{Course, Progress, Start, TOLD, checkpoint, kept};
 use crate::failure::Failure;
 use crate::report::image;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Instant;
+use tribos::record::frames::{Bodies, Frame};
 use tribos::record::{series_csv, write_atomically};
 use tribos::run::drive_watched;
 use tribos::scene::TipScene;
@@ -15,22 +17,17 @@ use tribos::tip::{Outcome, TipError, TipRun, Verdict};
 
 pub use picture::{atoms, series};
 
-/// Runs the scene to its end; a checkpoint in the folder is renewed after every `pause`.
-pub fn simulate(
-    scene: &TipScene,
-    out: &Path,
-    start: Start,
-    pause: Duration,
-    progress: Progress,
-) -> Result<TipRun, Failure> {
+/// Runs the scene to its end, with checkpoints and frames in the folder.
+pub fn simulate(scene: &TipScene, out: &Path, course: &Course) -> Result<TipRun, Failure> {
     let file = checkpoint(out);
-    let mut run = match start {
+    let mut run = match course.start {
         Start::Fresh => TipRun::new(scene)?,
         Start::Resume => TipRun::resume(scene, &kept(&file)?)?,
     };
+    let mut film = Film::of(&run, out, course.start, course.frames)?;
     let (mut told, mut saved) = (Instant::now(), Instant::now());
     drive_watched(&mut run, |run| {
-        if progress == Progress::Told && told.elapsed() >= TOLD {
+        if course.progress == Progress::Told && told.elapsed() >= TOLD {
             let time = run.time();
             crate::command::tell(format_args!(
                 "time {time:9.2}  angle {:8.3} degrees",
@@ -38,13 +35,28 @@ pub fn simulate(
             ));
             told = Instant::now();
         }
-        if run.series().len() > 1 && saved.elapsed() >= pause {
+        // Frames first: a checkpoint stands only beside all frames before it.
+        film.look(run)?;
+        if run.series().len() > 1 && saved.elapsed() >= course.pause {
             write_atomically(&file, run.checkpoint().as_bytes())?;
             saved = Instant::now();
         }
         Ok::<(), Failure>(())
     })?;
+    film.end(&run)?;
     Ok(run)
+}
+
+impl Filmed for TipRun {
+    fn bodies(&self, limit: u64) -> Bodies {
+        self.bodies(limit)
+    }
+    fn steps(&self) -> u64 {
+        self.system().steps()
+    }
+    fn frame(&self) -> Frame {
+        self.frame()
+    }
 }
 
 /// The series as CSV.

@@ -1,7 +1,7 @@
 //! One run of a sweep: any body, from its scene to its summary.
 
 use super::kind::{self, Kind};
-use crate::command::run::long::{Progress, resumed};
+use crate::command::run::long::{Course, Start, resumed};
 use crate::command::run::{powder, tip};
 use crate::failure::Failure;
 use serde_json::Value;
@@ -87,7 +87,7 @@ impl Body {
 }
 
 fn compact(scene: &PowderScene, folder: &Path) -> Result<(Value, String), Failure> {
-    let run = resumed(|start| powder::simulate(scene, folder, start, PAUSE, Progress::Silent))?;
+    let run = resumed(|start| powder::simulate(scene, folder, &course(start)))?;
     let outcome = run.outcome();
     let told = format!(
         "porosity {:.3} % after {} steps, {:.1} s",
@@ -99,7 +99,7 @@ fn compact(scene: &PowderScene, folder: &Path) -> Result<(Value, String), Failur
 }
 
 fn turn(scene: &TipScene, folder: &Path) -> Result<(Value, String), Failure> {
-    let run = resumed(|start| tip::simulate(scene, folder, start, PAUSE, Progress::Silent))?;
+    let run = resumed(|start| tip::simulate(scene, folder, &course(start)))?;
     let outcome = run.outcome();
     tip::write_series(&run, folder)?;
     let told = format!(
@@ -107,4 +107,8 @@ fn turn(scene: &TipScene, folder: &Path) -> Result<(Value, String), Failure> {
         outcome.driven_angle, outcome.final_angle
     );
     Ok((outcome.json(scene), told))
+}
+
+fn course(start: Start) -> Course {
+    Course::one_of_many(start, PAUSE, 0)
 }

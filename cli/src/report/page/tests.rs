@@ -30,6 +30,7 @@ fn page() -> Page {
                 files: vec!["fig 1.csv".to_owned(), "a/fig1.png".to_owned()],
                 caption: "ε > 0".to_owned(),
             }),
+            film: None,
             claims: claims.collect(),
         }],
     }

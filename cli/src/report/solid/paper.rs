@@ -190,8 +190,8 @@ pub fn mixed(Color(r, g, b): Color, other: Color, share: f64) -> Color {
     Color(mix(r, other.0), mix(g, other.1), mix(b, other.2))
 }
 
-// A colour as SVG writes it.
-fn hex(Color(red, green, blue): Color) -> String {
+/// A colour as SVG and web pages write it.
+pub fn hex(Color(red, green, blue): Color) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 

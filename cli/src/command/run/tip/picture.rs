@@ -3,20 +3,12 @@
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Color, Figure, Guide, Panels, Series};
 use crate::report::packing::{Packing, PackingPicture};
+use crate::report::player::PART_COLORS;
 use crate::report::sheet::Sheet;
 use nalgebra::Vector3;
 use tribos::scene::TipScene;
 use tribos::tip::{Outcome, Part, Shape, TipRun};
 
-/// Colours of the parts (thesis, fig. 5.1), from the base to the driven layers.
-const COLORS: [Color; 6] = [
-    Color(40, 40, 40),
-    Color(60, 160, 75),
-    Color(165, 165, 165),
-    Color(55, 105, 190),
-    Color(60, 160, 75),
-    Color(205, 55, 50),
-];
 /// One atom of each part of the tip is marked, to see it turn.
 const MARK: Color = Color(250, 205, 30);
 
@@ -27,22 +19,11 @@ pub fn colors(shape: &Shape) -> Vec<Color> {
         .iter()
         .map(|site| {
             let part = Part::ALL.iter().position(|&part| part == site.part);
-            COLORS[part.unwrap_or_default()]
+            PART_COLORS[part.unwrap_or_default()]
         })
         .collect();
-    for part in [Part::Apex, Part::TipBath, Part::Driven] {
-        // The one farthest to the right in the part's top layer.
-        let marked = (0..sites.len())
-            .filter(|&atom| sites[atom].part == part)
-            .max_by(|&a, &b| {
-                let key = |atom: usize| (sites[atom].layer, sites[atom].place.x);
-                key(a)
-                    .partial_cmp(&key(b))
-                    .unwrap_or(std::cmp::Ordering::Equal)
-            });
-        if let Some(atom) = marked {
-            colors[atom] = MARK;
-        }
+    for atom in shape.marked() {
+        colors[atom] = MARK;
     }
     colors
 }

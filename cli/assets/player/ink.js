@@ -1,0 +1,151 @@
+// Text and lines over the picture: readout, legend, axes, scale bar.
+
+const INK = "#22262b";
+const SOFT = "#59616b";
+
+/** Draws all of it on a context whose unit is a pixel of the page. */
+function drawInk(ink, view, frame, [width, height]) {
+  ink.clearRect(0, 0, width, height);
+  ink.textBaseline = "middle";
+  panel(ink, view.readout(frame).map((text) => ({ text })), 12, 12);
+  let top = 12;
+  for (const legend of view.legends()) top = drawLegend(ink, legend, width - 12, top, view, width);
+  drawAxes(ink, view.camera.axes(), 44, height - 44);
+  drawScaleBar(ink, view, width, height);
+}
+
+function font(ink, size, weight = "") {
+  ink.font = `${weight} ${size}px system-ui, "DejaVu Sans", sans-serif`;
+}
+
+/** A light card behind text; returns its size. */
+function card(ink, x, y, width, height) {
+  ink.fillStyle = "rgba(255,255,255,0.86)";
+  ink.beginPath();
+  ink.roundRect(x, y, width, height, 6);
+  ink.fill();
+}
+
+function panel(ink, lines, x, y) {
+  font(ink, 13);
+  const width = Math.max(...lines.map(({ text }) => ink.measureText(text).width)) + 20;
+  card(ink, x, y, width, 20 * lines.length + 10);
+  ink.fillStyle = INK;
+  ink.textAlign = "left";
+  lines.forEach(({ text }, k) => ink.fillText(text, x + 10, y + 15 + 20 * k));
+}
+
+/** A legend whose right side is given; returns where the next one may begin. */
+function drawLegend(ink, legend, right, top, view) {
+  const wide = 200;
+  const left = right - wide;
+  const title = legend.rods ? "normal force of a contact" : legend.label;
+  const rows = legend.rods ? 3 : (legend.kinds ? legend.kinds.length : 2) + legend.marked.length;
+  const height = 30 + 21 * rows + (legend.rods ? 4 : 4);
+  card(ink, left, top, wide, height);
+  font(ink, 13, "600");
+  ink.fillStyle = INK;
+  ink.textAlign = "left";
+  const unit = legend.unit ? ` [${legend.unit}]` : "";
+  ink.fillText(title + (legend.rods ? "" : unit), left + 10, top + 16, wide - 20);
+  font(ink, 12);
+  let y = top + 40;
+  if (legend.rods) drawRodLegend(ink, legend, left + 10, y, view);
+  else {
+    if (legend.kinds) for (const kind of legend.kinds) y = drawKind(ink, kind, left + 10, y);
+    else y = drawRamp(ink, legend, left + 10, y, wide - 20);
+    for (const kind of legend.marked) y = drawKind(ink, kind, left + 10, y);
+  }
+  return top + height + 8;
+}
+
+function drawKind(ink, { name, color }, x, y) {
+  ink.fillStyle = color;
+  ink.strokeStyle = "#00000055";
+  ink.beginPath();
+  ink.arc(x + 7, y, 6.5, 0, 7);
+  ink.fill();
+  ink.stroke();
+  ink.fillStyle = INK;
+  ink.textAlign = "left";
+  ink.fillText(name, x + 21, y);
+  return y + 21;
+}
+
+function drawRamp(ink, { ramp, scale }, x, y, width) {
+  ramp.forEach((color, k) => {
+    ink.fillStyle = color;
+    ink.fillRect(x + (k * width) / ramp.length, y - 7, width / ramp.length + 0.6, 13);
+  });
+  const middle = scale.logarithmic ? Math.sqrt(scale.low * scale.high) : 0.5 * (scale.low + scale.high);
+  const shown = (value) => (scale.whole ? String(Math.round(value)) : digits(Number(value.toPrecision(2))));
+  ink.fillStyle = INK;
+  ink.textAlign = "left";
+  ink.fillText((scale.logarithmic ? "≤ " : "") + shown(scale.low), x, y + 18);
+  if (!scale.whole) {
+    ink.textAlign = "center";
+    ink.fillText(shown(middle), x + width / 2, y + 18);
+  }
+  ink.textAlign = "right";
+  ink.fillText((scale.whole ? "" : "≥ ") + shown(scale.high), x + width, y + 18);
+  return y + 42;
+}
+
+function drawRodLegend(ink, { full, thickness, radius, unit }, x, y, view) {
+  const { canvas, camera } = view;
+  const ratio = canvas.width / Math.max(1, canvas.clientWidth);
+  const pixels = (camera.scale(canvas.width, canvas.height) / ratio) * radius * 2;
+  const samples = [["pushes", PUSH, false], ["pulls, with bands", PULL, true]];
+  for (const [name, color, bands] of samples) {
+    ink.fillStyle = `rgb(${color})`;
+    ink.fillRect(x, y - 3.5, 34, 7);
+    ink.fillStyle = "rgba(255,255,255,0.55)";
+    if (bands) for (const at of [6, 17, 28]) ink.fillRect(x + at, y - 3.5, 4.5, 7);
+    ink.fillStyle = INK;
+    ink.fillText(name, x + 42, y);
+    y += 21;
+  }
+  ink.fillStyle = SOFT;
+  ink.fillRect(x, y - Math.min(pixels, 18) / 2, 34, Math.min(pixels, 18));
+  ink.fillStyle = INK;
+  ink.fillText(`so thick: ${digits(Number((full / thickness).toPrecision(2)))} ${unit}`, x + 42, y);
+}
+
+/** Where x, y and z point. */
+function drawAxes(ink, { right, up, toward }, x, y) {
+  card(ink, x - 36, y - 36, 72, 72);
+  const axes = ["x", "y", "z"].map((name, k) => ({ name, dx: 24 * right[k], dy: -24 * up[k], near: toward[k] }));
+  axes.sort((a, b) => a.near - b.near);
+  font(ink, 12, "600");
+  ink.textAlign = "center";
+  for (const { name, dx, dy } of axes) {
+    ink.strokeStyle = SOFT;
+    ink.lineWidth = 1.8;
+    ink.beginPath();
+    ink.moveTo(x, y);
+    ink.lineTo(x + dx, y + dy);
+    ink.stroke();
+    const far = Math.hypot(dx, dy) || 1;
+    ink.fillStyle = INK;
+    ink.fillText(name, x + dx * (1 + 8 / Math.max(far, 8)), y + dy * (1 + 8 / Math.max(far, 8)));
+  }
+  ink.lineWidth = 1;
+}
+
+/** A length of 1, 2 or 5 times a power of ten that is about a seventh of the picture. */
+function drawScaleBar(ink, view, width, height) {
+  const { canvas, camera, meta } = view;
+  const scale = camera.scale(canvas.width, canvas.height) * (width / canvas.width);
+  const wanted = width / 7 / scale;
+  const decade = 10 ** Math.floor(Math.log10(wanted));
+  const length = [5, 2, 1].map((k) => k * decade).find((candidate) => candidate <= wanted) || decade;
+  const [x, y] = [width - 24 - length * scale, height - 22];
+  card(ink, x - 12, y - 22, length * scale + 24, 34);
+  ink.fillStyle = INK;
+  ink.fillRect(x, y, length * scale, 2.5);
+  ink.fillRect(x, y - 4, 1.5, 10);
+  ink.fillRect(x + length * scale - 1.5, y - 4, 1.5, 10);
+  font(ink, 12);
+  ink.textAlign = "center";
+  ink.fillText(`${digits(length)} ${meta.units.length}`, x + (length * scale) / 2, y - 11);
+}

@@ -1,0 +1,240 @@
+// A frame of a film in space: balls, rods for forces, plates and edges of the box.
+
+const PUSH = bytesOf("#d5301a");
+const PULL = bytesOf("#1a66d5");
+const MARK = bytesOf("#ffd21f");
+/** Half the thickness of the rod of a full force, in radii of the largest ball, and of the largest. */
+const FULL_ROD = 0.3;
+const LARGEST_ROD = 1.5;
+/** Thinner rods are left out. */
+const UNSEEN_ROD = 0.012;
+
+class SolidView {
+  constructor(film, canvas) {
+    Object.assign(this, { film, canvas, ...SolidView.start(canvas) });
+    this.meta = film.meta;
+    this.paints = paintsOf(film);
+    this.whole = this.bounds();
+    this.camera = new Camera(this.whole);
+    this.largest = film.radii.reduce((most, radius) => Math.max(most, radius), 0);
+    this.full = quantile(film.forces.map(Math.abs).filter((force) => force > 0), 0.98) || 1;
+    this.options = { color: Object.keys(this.paints)[0], balls: "solid", forces: "off", thickness: 1, fit: "film" };
+    for (const kind of [this.solid, this.glass]) kind.set("radius", this.radii());
+  }
+
+  static start(canvas) {
+    const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, preserveDrawingBuffer: true });
+    if (!gl) throw new Error("this page needs WebGL 2, which this browser does not offer");
+    return { gl, ...shapes(gl) };
+  }
+
+  /** The box of all frames and of the balls in it. */
+  bounds() {
+    const [low, high] = this.meta.box;
+    const room = this.film.radii[0] || 0;
+    return [low.map((x) => x - room), high.map((x) => x + room)];
+  }
+
+  /** What the camera fits into the picture: the box of the whole film, or of this frame. */
+  frameBox(frame) {
+    const [low, high] = this.whole;
+    const { height } = this.meta.frames[frame];
+    if (this.options.fit !== "frame" || this.meta.body === "tip") return this.whole;
+    return [low, [high[0], high[1], height + this.largest]];
+  }
+
+  /** Marked balls are a little larger. */
+  radii() {
+    const radii = this.film.radii.slice();
+    for (const body of this.meta.marked) radii[body] *= 1.12;
+    return radii;
+  }
+
+  /** The presets of a film, the first for the start. */
+  presets() {
+    const look = (color, balls, forces, fit = "film") => ({ color, balls, forces, fit });
+    if (this.meta.body === "tip") {
+      return { "Parts and marked atoms": look("part", "solid", "off"), "Layers": look("layer", "solid", "off"), "Speeds": look("speed", "solid", "off") };
+    }
+    const all = { "Spheres": look("layer", "solid", "off") };
+    if (this.paints.force) {
+      all["Forces"] = look("layer", "glass", "on", "frame");
+      all["Forces and dots"] = look("force", "dots", "on", "frame");
+      all["What contacts do"] = look("mode", "solid", "off", "frame");
+    }
+    return all;
+  }
+
+  /** What all shaders know: the directions and the scale of the picture. */
+  sight() {
+    const { camera, canvas } = this;
+    const axes = camera.axes();
+    const scale = camera.scale(canvas.width, canvas.height);
+    const ratio = canvas.width / Math.max(1, canvas.clientWidth || canvas.width);
+    const depth = camera.depth();
+    const near = camera.box[0].reduce((sum, low, k) => sum + 0.5 * (camera.box[1][k] - low) * Math.abs(axes.toward[k]), 0) / depth;
+    const [x, y] = [2 / canvas.width, 2 / canvas.height];
+    return {
+      ...axes,
+      frame: [scale * x, scale * y, camera.shift[0] * ratio * x, camera.shift[1] * ratio * y],
+      depth,
+      hazeNear: 0.5 - 0.5 * near,
+      hazeFar: 0.5 + 0.5 * near,
+      pixel: 1 / scale,
+    };
+  }
+
+  draw(frame) {
+    const { gl, canvas, options } = this;
+    this.camera.box = this.frameBox(frame);
+    const sight = this.sight();
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    gl.clearColor(1, 1, 1, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+    gl.disable(gl.BLEND);
+    if (this.meta.body === "powder") this.drawPlates([this.substrate()], sight);
+    this.drawRods(frame, sight);
+    if (options.balls === "solid" || options.balls === "dots") {
+      this.drawBalls(this.solid, frame, sight, options.balls === "dots" ? 0.28 : 1);
+    }
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    gl.depthMask(false);
+    if (options.balls === "glass") this.drawBalls(this.glass, frame, sight, 1);
+    if (this.meta.body === "powder") this.drawPlates([this.piston(frame)], sight);
+    gl.depthMask(true);
+  }
+
+  drawBalls(kind, frame, sight, size) {
+    const { film, meta } = this;
+    const { n } = film;
+    const color = this.paints[this.options.color].colors(frame);
+    const bytes = new Uint8Array(4 * n);
+    for (let k = 0; k < n; k += 1) bytes.set(color(k), 4 * k), (bytes[4 * k + 3] = 255);
+    for (const body of meta.marked) bytes.set(MARK, 4 * body);
+    kind.set("place", film.places.subarray(3 * n * frame, 3 * n * (frame + 1)));
+    kind.set("color", bytes);
+    kind.draw(n, sight, { low: meta.box[0], high: meta.box[1], size });
+  }
+
+  drawRods(frame, sight) {
+    const rods = { from: [], to: [], thick: [], color: [] };
+    const add = (from, to, thick, color) => {
+      rods.from.push(...from);
+      rods.to.push(...to);
+      rods.thick.push(thick);
+      rods.color.push(...color);
+    };
+    if (this.meta.body === "powder") this.edges(frame, sight, add);
+    if (this.options.forces === "on") this.forces(frame, add);
+    for (const name of ["from", "to", "thick"]) this.rods.set(name, new Float32Array(rods[name]));
+    this.rods.set("color", new Uint8Array(rods.color));
+    this.rods.draw(rods.thick.length, sight, { band: 0.8 * this.largest });
+  }
+
+  /** The upright edges of the box. */
+  edges(frame, sight, add) {
+    const [x, y] = this.meta.periods;
+    const top = this.meta.frames[frame].height;
+    for (const [u, v] of [[0, 0], [x, 0], [0, y], [x, y]]) add([u, v, 0], [u, v, top], 0.7 * sight.pixel, [150, 150, 150, 255]);
+  }
+
+  /** Rods of normal forces; one across a border of the periodic box is two halves. */
+  forces(frame, add) {
+    const { film, meta } = this;
+    const unit = (FULL_ROD * this.largest * this.options.thickness) / this.full;
+    for (let k = film.starts[frame]; k < film.starts[frame + 1]; k += 1) {
+      const force = film.forces[k];
+      const thick = Math.min(unit * Math.abs(force), LARGEST_ROD * FULL_ROD * this.largest);
+      if (!(thick >= UNSEEN_ROD * this.largest)) continue;
+      const color = [...(force > 0 ? PUSH : PULL), force > 0 ? 255 : 128];
+      const start = centre(film, frame, film.a[k]);
+      if (film.b[k] >= film.n) {
+        const piston = film.b[k] !== 0xffffffff;
+        add(start, [start[0], start[1], piston ? meta.frames[frame].height : 0], thick, color);
+        continue;
+      }
+      const end = centre(film, frame, film.b[k]);
+      const way = end.map((place, axis) => place - start[axis]);
+      const straight = way.slice();
+      for (const axis of [0, 1]) way[axis] -= meta.periods[axis] * Math.round(way[axis] / meta.periods[axis]);
+      const plus = (from, share) => from.map((place, axis) => place + share * way[axis]);
+      if (way[0] === straight[0] && way[1] === straight[1]) {
+        add(start, end, thick, color);
+      } else {
+        const share = film.radii[film.a[k]] / (film.radii[film.a[k]] + film.radii[film.b[k]]);
+        add(start, plus(start, share), thick, color);
+        add(plus(end, share - 1), end, thick, color);
+      }
+    }
+  }
+
+  drawPlates(plates, sight) {
+    const all = (name) => new Float32Array(plates.flatMap((plate) => plate[name]));
+    for (const name of ["from", "first", "second"]) this.plates.set(name, all(name));
+    this.plates.set("color", new Uint8Array(plates.flatMap((plate) => plate.color)));
+    this.plates.draw(plates.length, sight);
+  }
+
+  substrate() {
+    const [x, y] = this.meta.periods;
+    return { from: [0, 0, 0], first: [x, 0, 0], second: [0, y, 0], color: [196, 198, 206, 255] };
+  }
+
+  piston(frame) {
+    const [x, y] = this.meta.periods;
+    const top = this.meta.frames[frame].height;
+    return { from: [0, 0, top], first: [x, 0, 0], second: [0, y, 0], color: [105, 118, 145, 120] };
+  }
+
+  /** Lines of text about a frame. */
+  readout(frame) {
+    const { meta } = this;
+    const { step, time, height, measure } = meta.frames[frame];
+    const lines = [`step ${step}`, `time ${digits(time)} ${meta.units.time}`];
+    if (measure !== null) lines.push(meta.body === "tip" ? `angle ${measure.toFixed(2)}°` : `porosity ${(100 * measure).toFixed(2)} %`);
+    if (height !== null) lines.push(`${meta.body === "tip" ? "driven layers at" : "piston at"} ${digits(height)} ${meta.units.length}`);
+    return lines;
+  }
+
+  /** What the colours and the rods mean. */
+  legends() {
+    const { options, paints, meta } = this;
+    const legends = [];
+    if (options.balls !== "none") {
+      const marked = meta.marked.length ? [{ name: "marked atoms", color: "#ffd21f" }] : [];
+      legends.push({ ...paints[options.color], marked, ramp: meta.ramp });
+    }
+    if (options.forces === "on") legends.push({ rods: true, full: this.full, thickness: this.options.thickness, radius: FULL_ROD * this.largest, unit: meta.units.force });
+    return legends;
+  }
+}
+
+/** Four significant digits. */
+function digits(value) {
+  const size = Math.abs(value);
+  if (size !== 0 && (size < 1e-3 || size >= 1e6)) return value.toExponential(2).replace("e", "·10^");
+  return String(Number(value.toPrecision(4)));
+}
+
+Object.assign(SolidView.prototype, {
+  /** What can be chosen: name of the option, label, values with their names. */
+  choices() {
+    const colors = Object.entries(this.paints).map(([name, { label }]) => [name, label]);
+    const choices = [["color", "Colour", colors]];
+    const balls = [["solid", "solid"], ["glass", "glass"], ["dots", "dots"], ["none", "none"]];
+    choices.push(["balls", this.meta.body === "tip" ? "Atoms" : "Spheres", balls]);
+    if (this.paints.force) choices.push(["forces", "Forces", [["off", "off"], ["on", "on"]]], ["thickness", "Rods", [[0.5, "thin"], [1, "usual"], [2, "thick"]]]);
+    if (this.meta.body === "powder") choices.push(["fit", "Fit", [["film", "whole film"], ["frame", "this frame"]]]);
+    return choices;
+  },
+
+  ink(context, frame, size) {
+    drawInk(context, this, frame, size);
+  },
+
+  help() {
+    return "Drag to turn, wheel or pinch to zoom, shift-drag or two fingers to move. Space plays, arrow keys step, up and down tilt, + and − zoom, home and end.";
+  },
+});

@@ -1,0 +1,99 @@
+//! Frames of a run, kept while it runs.
+
+use crate::failure::Failure;
+use std::path::{Path, PathBuf};
+use tribos::record::frames::{Bodies, Frame, FrameError, FrameFolder};
+
+use super::long::Start;
+
+/// Frames kept where nobody says how many.
+const USUAL: u64 = 100;
+
+/// A run of which frames can be kept.
+pub(super) trait Filmed {
+    /// What all frames have in common.
+    fn bodies(&self, limit: u64) -> Bodies;
+    /// Steps so far.
+    fn steps(&self) -> u64;
+    /// The present state.
+    fn frame(&self) -> Frame;
+}
+
+/// Keeps frames of a run, or none.
+#[derive(Debug)]
+pub(super) struct Film(Option<FrameFolder>);
+
+/// Where the frames of a run are.
+pub fn folder(out: &Path) -> PathBuf {
+    out.join("frames")
+}
+
+impl Film {
+    /// Begins to keep at most `limit` frames, or goes on as the run began; frames of an earlier run
+    /// are removed.
+    pub fn of(
+        run: &impl Filmed,
+        out: &Path,
+        start: Start,
+        limit: Option<u64>,
+    ) -> Result<Self, Failure> {
+        let path = folder(out);
+        if start == Start::Resume {
+            return Self::resume(path, limit);
+        }
+        Ok(Self(match limit.unwrap_or(USUAL) {
+            0 => {
+                FrameFolder::clear(&path)?;
+                None
+            }
+            limit => Some(FrameFolder::begin(&path, &run.bodies(limit))?),
+        }))
+    }
+
+    /// The number of frames is that of the run's start: others would not be the same set.
+    fn resume(path: PathBuf, limit: Option<u64>) -> Result<Self, Failure> {
+        let kept = FrameFolder::resume(&path)?;
+        let there = kept.as_ref().map_or(0, FrameFolder::limit);
+        match limit {
+            Some(given) if given != there => {
+                let kept = there;
+                Err(FrameError::Limit { path, kept, given }.into())
+            }
+            _ => Ok(Self(kept)),
+        }
+    }
+
+    /// Sees the first state and every one after a step.
+    pub fn look(&mut self, run: &impl Filmed) -> Result<(), Failure> {
+        match &mut self.0 {
+            Some(folder) if folder.wants(run.steps()) => Ok(folder.add(&run.frame())?),
+            _ => Ok(()),
+        }
+    }
+
+    /// Sees the last state.
+    pub fn end(mut self, run: &impl Filmed) -> Result<(), Failure> {
+        match &mut self.0 {
+            Some(folder) => Ok(folder.finish(&run.frame())?),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A number of frames that can be kept.
+pub(super) fn number(text: &str) -> Result<u64, String> {
+    match text.trim().parse::<u64>() {
+        Ok(1) | Err(_) => Err("give 0 for none, or a whole number from 2 up".into()),
+        Ok(number) => Ok(number),
+    }
+}
+
+impl From<FrameError> for Failure {
+    fn from(error: FrameError) -> Self {
+        match error {
+            FrameError::Write(_) => Self::run(error),
+            // What is there cannot be used, or is asked for what it is not.
+            _ => Self::input(error),
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! A body in the plane from the series and the summary that its run left.
+
+use crate::failure::Failure;
+use crate::report::player::{Film, PathBody, Row, path_film};
+use serde_json::Value;
+use std::path::Path;
+
+/// Radius of the running band of a curling rock, in m, where the scene leaves it out.
+const BAND: f64 = 0.065;
+
+/// The film of a run.
+pub fn film(folder: &Path, scene: &Value) -> Result<Film, Failure> {
+    let name = scene["body"].as_str().unwrap_or("disk");
+    let number = |key: &str| scene[key].as_f64();
+    let body = PathBody {
+        name: name.into(),
+        radius: number("radius").or(number("band_radius")).unwrap_or(BAND),
+        is_si: scene["units"].as_str() != Some("dimensionless"),
+    };
+    let rows = rows(&folder.join("series.csv"))?;
+    let title = match name {
+        "disk" => "A disk that slides and spins to rest",
+        "cylinder" => "A tall cylinder that slides and spins to rest",
+        "pipe" => "An upright pipe that slides and spins to rest",
+        "curling" => "A curling rock",
+        other => other,
+    };
+    let kind = scene["model"].as_str();
+    let title = kind.map_or(title.into(), |model| format!("{title}, model {model}"));
+    Ok(path_film(&title, &body, &rows))
+}
+
+/// Rows of the series; a disk goes straight on.
+fn rows(file: &Path) -> Result<Vec<Row>, Failure> {
+    let named = |error: &dyn std::fmt::Display| {
+        Failure::input(format!("{}: {error}; run the scene again", file.display()))
+    };
+    let mut reader = csv::Reader::from_path(file).map_err(|error| named(&error))?;
+    let head = reader.headers().map_err(|error| named(&error))?.clone();
+    let column = |name: &str| head.iter().position(|column| column == name);
+    let [time, angle, spin] = ["time", "angle", "spin"].map(column);
+    let curved = ["x", "y", "vx", "vy"].map(column);
+    let straight = ["distance", "speed"].map(column);
+    let mut rows = Vec::new();
+    for line in reader.records() {
+        let line = line.map_err(|error| named(&error))?;
+        let cell = |column: Option<usize>| {
+            let text = line.get(column?)?;
+            text.parse::<f64>().ok().filter(|value| value.is_finite())
+        };
+        let row = || -> Option<Row> {
+            let (time, angle, spin) = (cell(time)?, cell(angle)?, cell(spin)?);
+            let [x, y, vx, vy] = match curved.map(cell) {
+                [Some(x), Some(y), Some(vx), Some(vy)] => [x, y, vx, vy],
+                _ => [cell(straight[0])?, 0.0, cell(straight[1])?, 0.0],
+            };
+            Some([time, x, y, angle, vx.hypot(vy), spin, vx, vy])
+        };
+        let place = line.position().map_or(0, csv::Position::line);
+        rows.push(row().ok_or_else(|| named(&format!("line {place} is not of a path")))?);
+    }
+    Ok(rows)
+}

@@ -1,0 +1,82 @@
+//! Single frames as pictures.
+
+use super::colors::{Look, contacts};
+use super::solid::Solid;
+use crate::failure::Failure;
+use crate::report::packing::{Packing, PackingPicture};
+use tribos::record::frames::{Frame, Kind};
+
+/// Size of pictures, px: even numbers, which film files need.
+const SIZES: [(u32, u32); 2] = [(520, 720), (860, 640)];
+
+/// Which frame is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Which {
+    /// By its number from 1.
+    Number(usize),
+    /// The last one.
+    Last,
+}
+
+/// A frame as the command line names it.
+pub fn which(text: &str) -> Result<Which, String> {
+    match (text.trim(), text.trim().parse()) {
+        ("last", _) => Ok(Which::Last),
+        (_, Ok(number)) if number > 0 => Ok(Which::Number(number)),
+        _ => Err("give numbers of frames from 1 up, or `last`".into()),
+    }
+}
+
+impl Which {
+    /// Its number, from 1, among so many.
+    pub fn number(self, frames: usize) -> Result<usize, Failure> {
+        match self {
+            Self::Last => Ok(frames),
+            Self::Number(number) if number <= frames => Ok(number),
+            Self::Number(number) => Err(Failure::input(format!(
+                "there is no frame {number}: give a number from 1 to {frames}, or `last`"
+            ))),
+        }
+    }
+}
+
+/// A frame drawn as PNG.
+pub fn png(run: &Solid, look: &Look, index: usize) -> Result<Vec<u8>, Failure> {
+    let frame = &run.frames[index];
+    let places: Vec<[f64; 3]> = frame.places.iter().map(|at| [at.x, at.y, at.z]).collect();
+    let is_powder = run.bodies.kind == Kind::Powder;
+    let piston = is_powder.then_some(frame.height);
+    let packing = Packing::new(&places, &run.bodies.radii, run.bodies.periods, piston);
+    let packing = packing.map_err(Failure::run)?;
+    let title = title(frame, run.bodies.kind);
+    let picture = match look.full_force {
+        Some(full) => PackingPicture::forces(title, &packing, &contacts(frame))
+            .map(|picture| picture.full_force(full, "F_coh")),
+        None => look.paint(PackingPicture::spheres(title, &packing), run, frame),
+    };
+    let (width, height) = SIZES[usize::from(!is_powder)];
+    let mut picture = picture.map_err(Failure::run)?.size(width, height);
+    if is_powder {
+        picture = picture.headroom(run.frames[0].height);
+    } else {
+        picture = picture.bare();
+    }
+    Ok(picture.png()?)
+}
+
+/// What the frame is.
+fn title(frame: &Frame, kind: Kind) -> String {
+    let Frame {
+        step,
+        time,
+        measure,
+        ..
+    } = frame;
+    match kind {
+        Kind::Powder => format!(
+            "step {step}, time {time:.1}, {:.1} % empty",
+            100.0 * measure
+        ),
+        Kind::Tip => format!("step {step}, time {time:.1}, angle {measure:.2}°"),
+    }
+}

@@ -1,0 +1,293 @@
+//! Frames of runs, and `tribos view`: the same frames after a break, a page that plays.
+
+mod browser;
+
+use assert_cmd::Command;
+use browser::Browser;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+type Error = Box<dyn std::error::Error>;
+type Outcome = Result<(), Error>;
+
+/// Some twenty spheres.
+const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
+                      piston_mass = 100\nrolling = 0.1\ntorsion = 0.1\n";
+/// 748 atoms, 400 steps.
+const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside = 3\n\
+                   substrate_layers = 4\ntip_layers = 4\nequilibration = 0.5\ndrive_time = 1\n\
+                   rest_time = 0.5\nsamples = 20\n";
+
+/// Runs a command in the folder, where the scenes are: exit code, output and errors.
+fn tribos(folder: &Path, arguments: &str) -> Result<(Option<i32>, String, String), Error> {
+    std::fs::write(folder.join("powder.toml"), POWDER)?;
+    std::fs::write(folder.join("tip.toml"), TIP)?;
+    let mut tribos = Command::cargo_bin("tribos")?;
+    let output = tribos
+        .current_dir(folder)
+        .args(arguments.split(' '))
+        .output()?;
+    let said = String::from_utf8(output.stderr)?;
+    Ok((
+        output.status.code(),
+        String::from_utf8(output.stdout)?,
+        said,
+    ))
+}
+
+/// Runs it with success.
+fn succeed(folder: &Path, arguments: &str) -> Result<String, Error> {
+    let (code, out, err) = tribos(folder, arguments)?;
+    assert_eq!(code, Some(0), "{arguments}: {err}");
+    Ok(out)
+}
+
+/// All files of a folder of frames.
+fn files(out: &Path) -> Result<BTreeMap<String, Vec<u8>>, Error> {
+    let mut files = BTreeMap::new();
+    for entry in std::fs::read_dir(out.join("frames"))? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        files.insert(name, std::fs::read(entry.path())?);
+    }
+    Ok(files)
+}
+
+#[test]
+fn a_killed_run_leaves_the_same_bounded_frames() -> Outcome {
+    let home = tempfile::tempdir()?;
+    let run = "run powder.toml --set steps=400 --frames 20";
+    succeed(home.path(), &format!("{run} --out whole"))?;
+    let whole = files(&home.path().join("whole"))?;
+    // 0, 32, …, 384, the end and what all have in common.
+    assert_eq!(whole.len(), 13 + 1 + 1);
+    assert!(whole.contains_key("000000000384.frame") && whole.contains_key("000000000400.frame"));
+
+    // No frames change nothing else.
+    succeed(
+        home.path(),
+        "run powder.toml --set steps=400 --frames 0 --out bare",
+    )?;
+    assert!(!home.path().join("bare/frames").exists());
+    for file in ["series.csv", "final.vtp", "final.xyz"] {
+        let [a, b] = ["whole", "bare"].map(|out| std::fs::read(home.path().join(out).join(file)));
+        assert!(a? == b?, "{file}");
+    }
+
+    // A few checkpoints only: frames run ahead of them.
+    let broken = home.path().join("broken");
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"))
+        .current_dir(home.path())
+        .args(run.split(' '))
+        .args(["--checkpoint", "0.02", "--out", "broken"])
+        .stdout(std::process::Stdio::null())
+        .stderr(std::process::Stdio::null())
+        .spawn()?;
+    let patience = Instant::now();
+    let is_under_way = || {
+        broken.join("checkpoint.json").exists() && broken.join("frames/000000000064.frame").exists()
+    };
+    while !is_under_way() {
+        assert!(
+            patience.elapsed() < Duration::from_secs(60),
+            "no checkpoint"
+        );
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill()?;
+    child.wait()?;
+    assert!(!broken.join("summary.json").exists(), "killed too late");
+    std::fs::write(
+        broken.join("frames/.tmpAb3"),
+        "a frame that was being written",
+    )?;
+
+    // As many as at the start, or none: other frames are not there any more.
+    let (code, _, said) = tribos(
+        home.path(),
+        "run powder.toml --set steps=400 --frames 30 --resume --out broken",
+    )?;
+    assert_eq!(code, Some(2));
+    assert!(
+        said.contains("--frames 20") && said.contains("without --resume"),
+        "{said}"
+    );
+    succeed(
+        home.path(),
+        "run powder.toml --set steps=400 --resume --out broken",
+    )?;
+    assert!(files(&broken)? == whole);
+    Ok(())
+}
+
+#[test]
+fn a_run_that_cannot_be_shown_says_why() -> Outcome {
+    let home = tempfile::tempdir()?;
+    succeed(
+        home.path(),
+        "run powder.toml --set steps=3 --frames 0 --out bare",
+    )?;
+    succeed(home.path(), "run powder.toml --set steps=3 --out few")?;
+    std::fs::create_dir_all(home.path().join("empty"))?;
+    for (arguments, words) in [
+        ("view nowhere", "nowhere: no run is there"),
+        ("view empty", "tribos run SCENE --out empty"),
+        ("view bare", "kept no frames; run it again"),
+        ("view few --still 0", "numbers of frames from 1 up"),
+        ("view few --still 9", "a number from 1 to 4"),
+        ("view few --still 1 --color part", "have no parts"),
+        ("view few --color speed", "go with --still or --film"),
+        ("view few --film out.avi", ".mp4, .webm or .gif"),
+        ("view few --rate 5", "--film"),
+        ("run powder.toml --frames 1 --out x", "0 for none"),
+    ] {
+        let (code, _, said) = tribos(home.path(), arguments)?;
+        assert_eq!(code, Some(2), "{arguments}: {said}");
+        assert!(said.contains(words), "{arguments}: {said}");
+    }
+    // A film needs its program.
+    let mut tribos = Command::cargo_bin("tribos")?;
+    tribos.current_dir(home.path()).env("PATH", "");
+    let output = tribos.args(["view", "few", "--film", "a.mp4"]).output()?;
+    let said = String::from_utf8(output.stderr)?;
+    assert_eq!(output.status.code(), Some(2));
+    assert!(said.contains("ffmpeg, which is not on the PATH"), "{said}");
+
+    // Half a frame.
+    let file = home.path().join("few/frames/000000000002.frame");
+    let bytes = std::fs::read(&file)?;
+    std::fs::write(&file, &bytes[..bytes.len() / 2])?;
+    let (code, _, said) = self::tribos(home.path(), "view few")?;
+    assert_eq!(code, Some(2));
+    assert!(said.contains("000000000002.frame is damaged"), "{said}");
+    assert!(!home.path().join("few/view.html").exists());
+    Ok(())
+}
+
+#[test]
+fn pictures_of_frames_are_drawn() -> Outcome {
+    let home = tempfile::tempdir()?;
+    succeed(home.path(), "run powder.toml --set steps=9 --out powder")?;
+    succeed(home.path(), "view powder --still 2,last --network")?;
+    succeed(home.path(), "run tip.toml --out tip")?;
+    // One frame every line of the series.
+    assert_eq!(files(&home.path().join("tip"))?.len(), 21 + 1);
+    succeed(home.path(), "view tip --still 21")?;
+    for file in [
+        "powder/still-2.png",
+        "powder/still-10.png",
+        "tip/still-21.png",
+    ] {
+        assert!(home.path().join(file).metadata()?.len() > 5000, "{file}");
+    }
+    Ok(())
+}
+
+/// Addresses that a page would load or link to.
+fn addresses(page: &str) -> Vec<&str> {
+    let starts = ["http://", "https://", "src=", "@import", "url("];
+    starts
+        .into_iter()
+        .filter(|start| page.contains(start))
+        .collect()
+}
+
+/// The state of the player, as an expression.
+fn of_player(what: &str) -> String {
+    format!("document.querySelector('.tribos-player').player.{what}")
+}
+
+const READY: &str =
+    "['ready', 'failed'].includes(document.querySelector('.tribos-player')?.dataset.state)";
+
+/// Colours that the drawing surface shows, by reading its pixels back.
+const SHADES: &str = "(() => { const { gl, canvas } = document.querySelector('.tribos-player').player.view; \
+    const pixels = new Uint8Array(4 * canvas.width * canvas.height); \
+    gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels); \
+    return new Set(new Uint32Array(pixels.buffer)).size; })()";
+
+#[test]
+fn the_page_plays_in_a_browser_without_a_network() -> Outcome {
+    let home = tempfile::tempdir()?;
+    succeed(
+        home.path(),
+        "run powder.toml --set steps=400 --frames 60 --out powder",
+    )?;
+    succeed(home.path(), "view powder")?;
+    succeed(home.path(), "run tip.toml --out tip")?;
+    succeed(home.path(), "view tip --out tip.html")?;
+    let cylinder = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/cylinder.toml");
+    succeed(home.path(), &format!("run {cylinder} --out cylinder"))?;
+    succeed(home.path(), "view cylinder")?;
+    let pages =
+        ["powder/view.html", "tip.html", "cylinder/view.html"].map(|file| home.path().join(file));
+    for page in &pages {
+        assert_eq!(
+            addresses(&std::fs::read_to_string(page)?),
+            [""; 0],
+            "{}",
+            page.display()
+        );
+    }
+
+    let Some(mut browser) = Browser::start(1100, 960)? else {
+        return Ok(());
+    };
+    browser.open(&pages[0], READY)?;
+    browser.wait(&format!("{SHADES} > 100"))?;
+    let first = browser.screenshot("powder.png")?;
+    assert!(first.width == 1100 && first.colors() > 100);
+
+    // Play goes on by itself, the arrow key by one, the scrub bar anywhere.
+    browser.click(".tribos-player .play")?;
+    browser.wait(&of_player("frame > 3"))?;
+    browser.click(".tribos-player .play")?;
+    browser.wait(&of_player("playing === false"))?;
+    let at = browser.value(&of_player("frame"))?.as_i64().unwrap_or(-1);
+    browser.press("ArrowRight")?;
+    assert_eq!(browser.value(&of_player("frame"))?, at + 1);
+    browser.click(".tribos-player .scrub")?;
+    let middle = browser.value(&of_player("frame"))?.as_i64().unwrap_or(-1);
+    let frames = browser
+        .value(&of_player("meta.frames.length"))?
+        .as_i64()
+        .unwrap_or(-1);
+    assert!((middle - frames / 2).abs() <= 2, "{middle} of {frames}");
+
+    // Other colours and the forces are other pictures, and the legend names them.
+    let mut seen = vec![first.pixels];
+    for look in [
+        "color: 'speed'",
+        "color: 'mode'",
+        "balls: 'glass', forces: 'on'",
+    ] {
+        browser.value(&of_player(&format!("choose({{ {look} }})")))?;
+        browser.wait(&of_player("waits !== true"))?;
+        seen.push(
+            browser
+                .screenshot(&format!("powder-{}.png", seen.len()))?
+                .pixels,
+        );
+    }
+    for (k, picture) in seen.iter().enumerate() {
+        assert!(!seen[..k].contains(picture), "{k}");
+    }
+    let label = browser.value("document.querySelector('.stage').getAttribute('aria-label')")?;
+    assert!(
+        label
+            .as_str()
+            .is_some_and(|label| label.contains("porosity")),
+        "{label}"
+    );
+    let saved = browser.value(&of_player("picture().toDataURL('image/png').length"))?;
+    assert!(saved.as_i64().unwrap_or(0) > 20_000, "{saved}");
+
+    for (page, name) in [(&pages[1], "tip.png"), (&pages[2], "cylinder.png")] {
+        browser.open(page, READY)?;
+        browser.value(&of_player("step(Infinity)"))?;
+        assert!(browser.screenshot(name)?.colors() > 50, "{name}");
+    }
+    assert_eq!(browser.complaints(), Vec::<String>::new());
+    Ok(())
+}

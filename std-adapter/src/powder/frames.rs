@@ -1,0 +1,71 @@
+//! A compaction as frames of a film.
+
+use super::compaction::Compaction;
+use super::statistics::reached;
+use crate::record::frames::{Bodies, Frame, FrameContact, Hold, Kind};
+use crate::record::{ContactRow, Partner};
+use crate::scene::{Coupling, PowderScene, WallLaw};
+
+impl Compaction {
+    /// What all frames have in common, of which `limit` are kept at most.
+    pub fn bodies(&self, limit: u64) -> Bodies {
+        Bodies {
+            kind: Kind::Powder,
+            limit,
+            stride: 1,
+            periods: [self.scene().width; 2],
+            radii: self.deposit().radii.clone(),
+            layers: Vec::new(),
+            parts: Vec::new(),
+            marked: Vec::new(),
+        }
+    }
+
+    /// The present state; the deposit's contacts before the first step carry nothing.
+    pub fn frame(&self) -> Frame {
+        let (scene, radii) = (self.scene(), &self.deposit().radii);
+        let [width, top] = [scene.width, self.height()].map(|side| side as f32);
+        self.with_snapshot(|now| Frame {
+            step: self.steps(),
+            time: now.time,
+            height: self.height(),
+            measure: self.porosity(),
+            corners: [[0.0; 3], [width, width, top]],
+            places: now.positions.iter().map(|x| now.space.wrap(x)).collect(),
+            speeds: now
+                .velocities
+                .into_iter()
+                .flatten()
+                .map(|velocity| velocity.norm() as f32)
+                .collect(),
+            contacts: now
+                .contacts
+                .iter()
+                .map(|row| FrameContact {
+                    a: row.a,
+                    b: row.b,
+                    normal_force: row.normal_force() as f32,
+                    hold: hold(row, radii, scene),
+                })
+                .collect(),
+        })
+    }
+}
+
+/// What a contact does. Sliding and torsion that share a set have no thresholds of their own.
+fn hold(row: &ContactRow, radii: &[f64], scene: &PowderScene) -> Hold {
+    let has_friction = match row.b {
+        Partner::Particle(_) => true,
+        Partner::Wall(_) => scene.wall == WallLaw::Full,
+    };
+    if !has_friction || scene.coupling != Coupling::Independent {
+        return Hold::OPEN;
+    }
+    let friction = scene.friction;
+    match reached(row, radii, friction, scene.cohesion_range) {
+        Some(reached) => {
+            Hold::of([0, 1, 2].map(|mode: usize| friction[mode] > 0.0 && reached[mode]))
+        }
+        None => Hold::OPEN,
+    }
+}

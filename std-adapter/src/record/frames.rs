@@ -1,0 +1,46 @@
+//! Frames of a run, for films: a few states of many, each a small file that exists whole or not at
+//! all.
+//!
+//! A folder of frames holds `bodies.json`, what stays the same, and `<step>.frame`, one state a file.
+//!
+//! # Format
+//!
+//! `bodies.json`: `format` (1), `body` (`powder` or `tip`), `frames` (how many are kept at most),
+//! `stride` (steps from one state that may be kept to the next), `periods` (sides of the cell along
+//! x and y), `radii` (one for all or one each); of a tip also `layers` and `parts` (one number an
+//! atom) and `marked` (atoms drawn in another colour).
+//!
+//! `<step>.frame`, all numbers little-endian, n particles and m contacts:
+//!
+//! | bytes | what |
+//! |---|---|
+//! | 4 | `TrFr` |
+//! | 4 | u32, version: 1 |
+//! | 8 | u64, step |
+//! | 8 | f64, time |
+//! | 8 | f64, height: of the piston's face, or the mean of the driven atoms |
+//! | 8 | f64, measure: porosity of a powder, angle of the driven layers in degrees |
+//! | 4, 4 | u32, n and m |
+//! | 12, 12 | f32, low and high corner of the box in which places are counted |
+//! | 6 n | u16, places: 0 is the low side, 65535 the high one |
+//! | 2 n | speeds: the upper half of an f32 |
+//! | 4 m, 4 m | u32, the sphere of a contact and its partner; 2³² − 1 − w for wall w |
+//! | 2 m | normal forces, positive for pressure: the upper half of an f32 |
+//! | m | u8, what the contact does: see [`Hold`] |
+//!
+//! *Accuracy*: a place to half a 65535th of the box's side (a millionth of the side more where an
+//! end is no f32), speeds and forces to 2⁻⁹ of their size. Any consistent units.
+//!
+//! Which states are kept depends on the number of steps alone ([`spacing`]), so that a run that was
+//! broken off and resumed leaves the same files.
+
+mod bodies;
+mod bytes;
+mod folder;
+mod frame;
+mod schedule;
+
+pub use bodies::{Bodies, Kind};
+pub use folder::{FrameError, FrameFolder};
+pub use frame::{Frame, FrameContact, Hold};
+pub use schedule::{FEWEST, spacing};

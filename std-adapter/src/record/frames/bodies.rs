@@ -1,0 +1,127 @@
+//! What all frames of a run have in common.
+
+use serde_json::{Value, json};
+
+/// The version of `bodies.json`.
+const FORMAT: u64 = 1;
+
+/// What a run is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Spheres under a piston. *Units*: R, F_coh, √(ρR⁴/F_coh).
+    Powder,
+    /// Atoms of a tip on a substrate. *Units*: σ, ε, σ√(m/ε).
+    Tip,
+}
+
+/// Bodies of a run, the same in all its frames.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bodies {
+    /// What they are.
+    pub kind: Kind,
+    /// How many frames are kept at most.
+    pub limit: u64,
+    /// Steps from one state that may be kept to the next, at least 1.
+    pub stride: u64,
+    /// Sides of the cell along x and y, which are periodic.
+    pub periods: [f64; 2],
+    /// Radii.
+    pub radii: Vec<f64>,
+    /// Layers from below; empty where there are none.
+    pub layers: Vec<u16>,
+    /// Parts, by their numbers in [`Part::ALL`](crate::tip::Part::ALL); empty where there are none.
+    pub parts: Vec<u8>,
+    /// Bodies to be seen among the others.
+    pub marked: Vec<u32>,
+}
+
+impl Kind {
+    const NAMES: [(Self, &str); 2] = [(Self::Powder, "powder"), (Self::Tip, "tip")];
+
+    /// As scenes call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Powder => Self::NAMES[0].1,
+            Self::Tip => Self::NAMES[1].1,
+        }
+    }
+}
+
+impl Bodies {
+    /// As the text of `bodies.json`.
+    pub(super) fn text(&self) -> String {
+        let one = self.radii.first().copied().unwrap_or_default();
+        let radii = if self.radii.iter().all(|&radius| radius == one) {
+            json!(one)
+        } else {
+            json!(self.radii)
+        };
+        let mut value = json!({
+            "format": FORMAT,
+            "body": self.kind.name(),
+            "particles": self.radii.len(),
+            "frames": self.limit,
+            "stride": self.stride,
+            "periods": self.periods,
+            "radii": radii,
+        });
+        if !self.layers.is_empty() {
+            value["layers"] = json!(self.layers);
+            value["parts"] = json!(self.parts);
+            value["marked"] = json!(self.marked);
+        }
+        format!("{value}\n")
+    }
+
+    /// From that text; `None` if it does not make sense.
+    pub(super) fn parse(text: &str) -> Option<Self> {
+        let value: Value = serde_json::from_str(text).ok()?;
+        if value["format"].as_u64() != Some(FORMAT) {
+            return None;
+        }
+        let name = value["body"].as_str()?;
+        let (kind, _) = Kind::NAMES.into_iter().find(|(_, known)| *known == name)?;
+        let count = usize::try_from(value["particles"].as_u64()?).ok()?;
+        // As many as numbers of 32 bits tell apart, walls left out.
+        if u32::try_from(count).ok()? > u32::MAX / 2 {
+            return None;
+        }
+        let radii = match value["radii"].as_f64() {
+            Some(one) => vec![one; count],
+            None => list(&value["radii"], Value::as_f64)?,
+        };
+        let small = |value: &Value| u16::try_from(value.as_u64()?).ok();
+        let tiny = |value: &Value| u8::try_from(value.as_u64()?).ok();
+        let index = |value: &Value| u32::try_from(value.as_u64()?).ok();
+        let bodies = Self {
+            kind,
+            limit: value["frames"].as_u64()?,
+            stride: value["stride"].as_u64()?,
+            periods: <[f64; 2]>::try_from(list(&value["periods"], Value::as_f64)?).ok()?,
+            radii,
+            layers: list(&value["layers"], small)?,
+            parts: list(&value["parts"], tiny)?,
+            marked: list(&value["marked"], index)?,
+        };
+        bodies.is_sound().then_some(bodies)
+    }
+
+    fn is_sound(&self) -> bool {
+        let positive = |x: &f64| *x > 0.0 && x.is_finite();
+        let count = self.radii.len();
+        self.stride > 0
+            && self.periods.iter().chain(&self.radii).all(positive)
+            && [self.layers.len(), self.parts.len()].map(|given| given == 0 || given == count)
+                == [true; 2]
+            && self.marked.iter().all(|&body| (body as usize) < count)
+    }
+}
+
+/// A list of numbers, empty where it is missing.
+fn list<T>(value: &Value, number: impl Fn(&Value) -> Option<T>) -> Option<Vec<T>> {
+    match value {
+        Value::Null => Some(Vec::new()),
+        Value::Array(items) => items.iter().map(number).collect(),
+        _ => None,
+    }
+}

@@ -1,0 +1,286 @@
+//! The folder of a run's frames: filled while it runs, thinned as it fills.
+
+use super::{Bodies, FEWEST, Frame, spacing};
+use crate::record::{WriteError, write_atomically};
+use std::path::{Path, PathBuf};
+
+/// What all frames have in common.
+const BODIES: &str = "bodies.json";
+/// Ending of a frame's name.
+const ENDING: &str = ".frame";
+/// How names begin of files that were being written when a run was killed.
+const UNFINISHED: &str = ".tmp";
+
+/// Frames that cannot be kept or read.
+#[derive(Debug, thiserror::Error)]
+pub enum FrameError {
+    /// A frame cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// A file or the folder cannot be read or removed.
+    #[error("{}: {cause}", path.display())]
+    Access {
+        /// Which.
+        path: PathBuf,
+        /// What the system said.
+        #[source]
+        cause: std::io::Error,
+    },
+    /// A file is not what it should be.
+    #[error("{} is damaged or of another version; run the scene again", .0.display())]
+    Damaged(PathBuf),
+    /// Frames of another run or of another number are there.
+    #[error(
+        "{}: {kept} frames are kept there, not {given}; give `--frames {kept}`, or run without --resume",
+        path.display()
+    )]
+    Limit {
+        /// The folder.
+        path: PathBuf,
+        /// As many as are kept.
+        kept: u64,
+        /// As many as are wanted now.
+        given: u64,
+    },
+}
+
+/// Frames of one run.
+#[derive(Debug)]
+pub struct FrameFolder {
+    path: PathBuf,
+    limit: u64,
+    stride: u64,
+    /// States between two frames that are there.
+    spacing: u64,
+}
+
+impl FrameFolder {
+    /// An empty folder for the frames of these bodies; frames of an earlier run are removed.
+    pub fn begin(path: &Path, bodies: &Bodies) -> Result<Self, FrameError> {
+        Self::clear(path)?;
+        write_atomically(&path.join(BODIES), bodies.text().as_bytes())?;
+        Ok(Self::of(path, bodies))
+    }
+
+    /// The folder of a run that goes on; `None` if it kept no frames.
+    pub fn resume(path: &Path) -> Result<Option<Self>, FrameError> {
+        let bodies = Self::bodies(path)?;
+        Ok(bodies.map(|bodies| Self::of(path, &bodies)))
+    }
+
+    fn of(path: &Path, bodies: &Bodies) -> Self {
+        Self {
+            path: path.to_path_buf(),
+            limit: bodies.limit.max(FEWEST),
+            stride: bodies.stride.max(1),
+            spacing: 0,
+        }
+    }
+
+    /// How many frames are kept at most.
+    pub fn limit(&self) -> u64 {
+        self.limit
+    }
+
+    /// Removes frames, if there are any, and the folder if nothing else is in it.
+    pub fn clear(path: &Path) -> Result<(), FrameError> {
+        if !path.exists() {
+            return Ok(());
+        }
+        remove(&path.join(BODIES))?;
+        remove_where(path, |_| true)?;
+        // Not empty: something of somebody else.
+        let _ = std::fs::remove_dir(path);
+        Ok(())
+    }
+
+    /// Whether the state after this many steps is kept for now.
+    pub fn wants(&self, step: u64) -> bool {
+        let states = step / self.stride;
+        step.is_multiple_of(self.stride) && states.is_multiple_of(spacing(states, self.limit))
+    }
+
+    /// Keeps a frame that is [wanted](Self::wants), and drops those that are not wanted any more.
+    pub fn add(&mut self, frame: &Frame) -> Result<(), FrameError> {
+        let now = spacing(frame.step / self.stride, self.limit);
+        if now != self.spacing {
+            let apart = now.saturating_mul(self.stride);
+            remove_where(&self.path, |step| !step.is_multiple_of(apart))?;
+            self.spacing = now;
+        }
+        self.write(frame)
+    }
+
+    /// Keeps the last state, wanted or not, and drops what is not wanted after so many steps.
+    pub fn finish(&mut self, frame: &Frame) -> Result<(), FrameError> {
+        let apart = spacing(frame.step / self.stride, self.limit).saturating_mul(self.stride);
+        let last = frame.step;
+        remove_where(&self.path, |step| {
+            step > last || (step != last && !step.is_multiple_of(apart))
+        })?;
+        self.write(frame)
+    }
+
+    fn write(&self, frame: &Frame) -> Result<(), FrameError> {
+        let file = self.path.join(format!("{:012}{ENDING}", frame.step));
+        Ok(write_atomically(&file, &frame.bytes())?)
+    }
+
+    /// What the frames of a folder have in common; `None` if there are no frames.
+    pub fn bodies(path: &Path) -> Result<Option<Bodies>, FrameError> {
+        let file = path.join(BODIES);
+        let text = match std::fs::read_to_string(&file) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            text => text.map_err(|cause| access(&file, cause))?,
+        };
+        match Bodies::parse(&text) {
+            Some(bodies) => Ok(Some(bodies)),
+            None => Err(FrameError::Damaged(file)),
+        }
+    }
+
+    /// Steps of the frames that are there, in order.
+    pub fn steps(path: &Path) -> Result<Vec<u64>, FrameError> {
+        let mut steps: Vec<u64> = names(path)?.iter().filter_map(|name| step(name)).collect();
+        steps.sort_unstable();
+        Ok(steps)
+    }
+
+    /// Reads the frame of a step, with as many bodies as there must be.
+    pub fn read(path: &Path, bodies: &Bodies, step: u64) -> Result<Frame, FrameError> {
+        let file = path.join(format!("{step:012}{ENDING}"));
+        let bytes = std::fs::read(&file).map_err(|cause| access(&file, cause))?;
+        let frame = Frame::parse(&bytes);
+        frame
+            .filter(|frame| frame.step == step && frame.places.len() == bodies.radii.len())
+            .ok_or(FrameError::Damaged(file))
+    }
+}
+
+fn access(path: &Path, cause: std::io::Error) -> FrameError {
+    FrameError::Access {
+        path: path.to_path_buf(),
+        cause,
+    }
+}
+
+/// Names of all files in a folder that are readable as text.
+fn names(path: &Path) -> Result<Vec<String>, FrameError> {
+    let fail = |cause| access(path, cause);
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(path).map_err(fail)? {
+        names.extend(entry.map_err(fail)?.file_name().into_string().ok());
+    }
+    Ok(names)
+}
+
+/// The step in a frame's name.
+fn step(name: &str) -> Option<u64> {
+    name.strip_suffix(ENDING)?.parse().ok()
+}
+
+/// Removes the frames of some steps, and what a killed run left half-written.
+fn remove_where(path: &Path, is_old: impl Fn(u64) -> bool) -> Result<(), FrameError> {
+    for name in names(path)? {
+        if name.starts_with(UNFINISHED) || step(&name).is_some_and(&is_old) {
+            remove(&path.join(name))?;
+        }
+    }
+    Ok(())
+}
+
+/// Removes a file, if it is there.
+fn remove(file: &Path) -> Result<(), FrameError> {
+    match std::fs::remove_file(file) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(access(file, error)),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::frames::Kind;
+
+    fn bodies(limit: u64, stride: u64) -> Bodies {
+        Bodies {
+            kind: Kind::Tip,
+            limit,
+            stride,
+            periods: [3.0, 4.0],
+            radii: vec![0.5],
+            layers: vec![9],
+            parts: vec![5],
+            marked: vec![0],
+        }
+    }
+
+    fn frame(step: u64) -> Frame {
+        Frame {
+            step,
+            corners: [[0.0; 3], [1.0; 3]],
+            places: vec![nalgebra::Vector3::new(0.25, 0.5, 0.75)],
+            speeds: vec![1.0],
+            ..Frame::default()
+        }
+    }
+
+    /// Runs from one step to another, the last one included if it is the end.
+    fn run(folder: &mut FrameFolder, steps: std::ops::Range<u64>) -> Result<(), FrameError> {
+        for step in steps {
+            if folder.wants(step) {
+                folder.add(&frame(step))?;
+            }
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn a_run_broken_anywhere_leaves_the_same_frames() -> Result<(), Box<dyn std::error::Error>> {
+        let home = tempfile::tempdir()?;
+        let whole = home.path().join("whole");
+        let mut folder = FrameFolder::begin(&whole, &bodies(10, 2))?;
+        run(&mut folder, 0..77)?;
+        folder.finish(&frame(77))?;
+        let steps = FrameFolder::steps(&whole)?;
+        assert_eq!(steps, [0, 16, 32, 48, 64, 77]);
+
+        for (checkpoint, killed) in [(0, 5), (30, 31), (30, 44), (31, 77), (76, 77)] {
+            let path = home.path().join("broken");
+            let mut folder = FrameFolder::begin(&path, &bodies(10, 2))?;
+            run(&mut folder, 0..killed)?;
+            std::fs::write(path.join(".tmpx7"), "half")?;
+            let mut folder = FrameFolder::resume(&path)?.ok_or("no frames")?;
+            assert_eq!(folder.limit(), 10);
+            run(&mut folder, checkpoint..77)?;
+            folder.finish(&frame(77))?;
+            assert_eq!(FrameFolder::steps(&path)?, steps, "{checkpoint} {killed}");
+            assert_eq!(std::fs::read_dir(&path)?.count(), 1 + steps.len());
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn a_folder_tells_what_it_holds() -> Result<(), Box<dyn std::error::Error>> {
+        let home = tempfile::tempdir()?;
+        let path = home.path().join("frames");
+        assert!(FrameFolder::resume(&path)?.is_none());
+        let given = bodies(5, 1);
+        FrameFolder::begin(&path, &given)?.add(&frame(3))?;
+        assert_eq!(FrameFolder::bodies(&path)?, Some(given.clone()));
+        assert_eq!(FrameFolder::read(&path, &given, 3)?.step, 3);
+        std::fs::write(path.join("000000000004.frame"), "TrFr")?;
+        let refused = FrameFolder::read(&path, &given, 4);
+        assert!(matches!(refused, Err(FrameError::Damaged(_))));
+        std::fs::write(path.join(BODIES), "{}")?;
+        assert!(matches!(
+            FrameFolder::bodies(&path),
+            Err(FrameError::Damaged(_))
+        ));
+        // Other people's files stay.
+        std::fs::write(path.join("notes.txt"), "mine")?;
+        FrameFolder::clear(&path)?;
+        assert_eq!(std::fs::read_dir(&path)?.count(), 1);
+        Ok(())
+    }
+}

@@ -1,0 +1,255 @@
+//! One state of a run, as a film needs it.
+
+use super::bytes::{Source, from_upper_half, upper_half};
+use crate::record::Partner;
+use nalgebra::Vector3;
+
+/// The first bytes of a frame, and the version that follows.
+const MAGIC: [u8; 4] = *b"TrFr";
+const VERSION: u32 = 1;
+/// The largest number of a place.
+const STEPS: f64 = u16::MAX as f64;
+
+/// A state. *Units*: those of the run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Frame {
+    /// Steps since the start.
+    pub step: u64,
+    /// Time.
+    pub time: f64,
+    /// Height of the piston's face, or mean height of the driven atoms.
+    pub height: f64,
+    /// Porosity of a powder, angle of a tip's driven layers in degrees.
+    pub measure: f64,
+    /// The box in which places are counted: low and high corner.
+    pub corners: [[f32; 3]; 2],
+    /// Centres; in a file to half a 65535th of the box's sides.
+    pub places: Vec<Vector3<f64>>,
+    /// Speeds; in a file to 2⁻⁹ of each.
+    pub speeds: Vec<f32>,
+    /// Contacts.
+    pub contacts: Vec<FrameContact>,
+}
+
+/// A contact in a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameContact {
+    /// A particle.
+    pub a: u32,
+    /// What it touches.
+    pub b: Partner,
+    /// Normal force, positive for pressure, negative for a pull; in a file to 2⁻⁹ of it.
+    pub normal_force: f32,
+    /// What it does.
+    pub hold: Hold,
+}
+
+/// What a contact does: the modes that are at their thresholds, as bits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Hold(pub u8);
+
+impl Hold {
+    /// No mode is at its threshold.
+    pub const STICKS: Self = Self(0);
+    /// The force across is at the threshold of sliding.
+    pub const SLIDES: Self = Self(1);
+    /// The torque across is at the threshold of rolling.
+    pub const ROLLS: Self = Self(2);
+    /// The torque along the normal is at the threshold of torsion.
+    pub const SPINS: Self = Self(4);
+    /// Nothing is carried, or there are no thresholds to compare with.
+    pub const OPEN: Self = Self(128);
+
+    /// Of the thresholds of sliding, rolling and torsion that are reached.
+    pub fn of(reached: [bool; 3]) -> Self {
+        let [slides, rolls, spins] = reached.map(u8::from);
+        Self(slides * Self::SLIDES.0 | rolls * Self::ROLLS.0 | spins * Self::SPINS.0)
+    }
+}
+
+impl Frame {
+    /// The frame as the bytes of a file.
+    pub(super) fn bytes(&self) -> Vec<u8> {
+        let (n, m) = (self.places.len(), self.contacts.len());
+        let mut bytes = Vec::with_capacity(72 + 8 * n + 11 * m);
+        bytes.extend(MAGIC);
+        bytes.extend(VERSION.to_le_bytes());
+        bytes.extend(self.step.to_le_bytes());
+        for number in [self.time, self.height, self.measure] {
+            bytes.extend(number.to_le_bytes());
+        }
+        for count in [n, m] {
+            bytes.extend((count as u32).to_le_bytes());
+        }
+        for side in self.corners.as_flattened() {
+            bytes.extend(side.to_le_bytes());
+        }
+        for place in &self.places {
+            for axis in 0..3 {
+                bytes.extend(self.count(axis, place[axis]).to_le_bytes());
+            }
+        }
+        for speed in &self.speeds {
+            bytes.extend(upper_half(*speed).to_le_bytes());
+        }
+        let contacts = || self.contacts.iter();
+        bytes.extend(contacts().flat_map(|contact| contact.a.to_le_bytes()));
+        bytes.extend(contacts().flat_map(|contact| number(contact.b).to_le_bytes()));
+        bytes.extend(contacts().flat_map(|contact| upper_half(contact.normal_force).to_le_bytes()));
+        bytes.extend(contacts().map(|contact| contact.hold.0));
+        bytes
+    }
+
+    /// A frame from the bytes of a file; `None` if they are not one.
+    pub(super) fn parse(bytes: &[u8]) -> Option<Self> {
+        let mut source = Source(bytes);
+        if source.take()? != MAGIC || u32::from_le_bytes(source.take()?) != VERSION {
+            return None;
+        }
+        let mut frame = Self {
+            step: u64::from_le_bytes(source.take()?),
+            time: f64::from_le_bytes(source.take()?),
+            height: f64::from_le_bytes(source.take()?),
+            measure: f64::from_le_bytes(source.take()?),
+            ..Self::default()
+        };
+        let n = u32::from_le_bytes(source.take()?) as usize;
+        let m = u32::from_le_bytes(source.take()?) as usize;
+        for side in frame.corners.as_flattened_mut() {
+            *side = f32::from_le_bytes(source.take()?);
+        }
+        let places: Vec<[u16; 3]> = source.list(n, |[a, b, c, d, e, f]| {
+            [[a, b], [c, d], [e, f]].map(u16::from_le_bytes)
+        })?;
+        let place = |counts: &[u16; 3]| Vector3::from_fn(|axis, _| frame.place(axis, counts[axis]));
+        frame.places = places.iter().map(place).collect();
+        let half = |bytes| from_upper_half(u16::from_le_bytes(bytes));
+        frame.speeds = source.list(n, half)?;
+        let a = source.list(m, u32::from_le_bytes)?;
+        let b = source.list(m, u32::from_le_bytes)?;
+        let forces = source.list(m, half)?;
+        let holds = source.list(m, |[hold]| Hold(hold))?;
+        frame.contacts = (0..m)
+            .map(|at| FrameContact {
+                a: a[at],
+                b: partner(b[at]),
+                normal_force: forces[at],
+                hold: holds[at],
+            })
+            .collect();
+        let known = |index: u32| (index as usize) < n;
+        let sound = frame
+            .contacts
+            .iter()
+            .all(|contact| known(contact.a) && contact.b.particle().is_none_or(known));
+        (source.0.is_empty() && sound).then_some(frame)
+    }
+
+    /// The number of a coordinate.
+    fn count(&self, axis: usize, place: f64) -> u16 {
+        let [low, high] = self.corners.map(|corner| f64::from(corner[axis]));
+        let share = (place - low) / (high - low);
+        // Out of the box counts as on its side, NaN as on the low one: the cast does both.
+        (STEPS * share).round() as u16
+    }
+
+    /// The coordinate of a number.
+    fn place(&self, axis: usize, count: u16) -> f64 {
+        let [low, high] = self.corners.map(|corner| f64::from(corner[axis]));
+        low + (high - low) * (f64::from(count) / STEPS)
+    }
+}
+
+/// Particles from 0 up, walls from the top down.
+fn number(partner: Partner) -> u32 {
+    match partner {
+        Partner::Particle(index) => index,
+        Partner::Wall(wall) => u32::MAX - wall,
+    }
+}
+
+fn partner(number: u32) -> Partner {
+    if number > u32::MAX / 2 {
+        Partner::Wall(u32::MAX - number)
+    } else {
+        Partner::Particle(number)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn frame() -> Frame {
+        let contact = |a, b, normal_force, hold| FrameContact {
+            a,
+            b,
+            normal_force,
+            hold,
+        };
+        Frame {
+            step: 1 << 40,
+            time: -0.1,
+            height: 61.5,
+            measure: f64::NAN,
+            corners: [[0.0, 0.0, -1.0], [20.0, 20.0, 61.5]],
+            places: (0..50)
+                .map(|k| Vector3::new(0.4, 0.399, 1.2) * f64::from(k))
+                .collect(),
+            speeds: (0..50).map(|k| 1e-7 * 1.7_f32.powi(k)).collect(),
+            contacts: vec![
+                contact(0, Partner::Particle(49), 0.3, Hold::STICKS),
+                contact(7, Partner::Wall(1), -1.25, Hold::of([true, false, true])),
+            ],
+        }
+    }
+
+    #[test]
+    fn a_frame_reads_back_as_near_as_promised() -> Result<(), &'static str> {
+        let written = frame();
+        let read = Frame::parse(&written.bytes()).ok_or("unread")?;
+        assert_eq!(
+            (read.step, read.time, read.height, read.corners),
+            (written.step, written.time, written.height, written.corners)
+        );
+        assert!(read.measure.is_nan());
+        for (a, b) in written.places.iter().zip(&read.places) {
+            for (axis, side) in [20.0, 20.0, 62.5].into_iter().enumerate() {
+                assert!((a[axis] - b[axis]).abs() <= 0.5001 * side / 65535.0);
+            }
+        }
+        for (a, b) in written.speeds.iter().zip(&read.speeds) {
+            assert!((a - b).abs() <= a / 512.0);
+        }
+        assert_eq!(read.contacts.len(), 2);
+        assert_eq!(read.contacts[0].b, Partner::Particle(49));
+        assert_eq!(read.contacts[1].b, Partner::Wall(1));
+        assert_eq!(read.contacts[1].hold, Hold(5));
+        assert_eq!(read.contacts[1].normal_force, -1.25);
+        // What is read is written again to the same bytes.
+        assert_eq!(read.bytes(), written.bytes());
+        Ok(())
+    }
+
+    #[test]
+    fn what_is_not_a_frame_is_refused() {
+        let bytes = frame().bytes();
+        for length in 0..bytes.len() {
+            assert!(Frame::parse(&bytes[..length]).is_none(), "{length}");
+        }
+        let mut longer = bytes.clone();
+        longer.push(0);
+        assert!(Frame::parse(&longer).is_none());
+        // Another format, another version, and a particle that is not there.
+        let first_contact = 72 + 8 * 50;
+        for at in [0, 4, first_contact] {
+            let mut other = bytes.clone();
+            other[at] = 77;
+            assert!(Frame::parse(&other).is_none(), "{at}");
+        }
+        // A count that no memory holds.
+        let mut huge = bytes;
+        huge[40..44].fill(0xff);
+        assert!(Frame::parse(&huge).is_none());
+    }
+}

@@ -1,0 +1,48 @@
+//! A turned tip as frames of a film.
+
+use super::run::TipRun;
+use crate::record::frames::{Bodies, Frame, Kind};
+
+impl TipRun {
+    /// What all frames have in common, of which `limit` are kept at most. Atoms are balls that touch
+    /// in the crystal.
+    pub fn bodies(&self, limit: u64) -> Bodies {
+        let shape = &self.scene().shape;
+        Bodies {
+            kind: Kind::Tip,
+            limit,
+            stride: self.scene().samples.max(1),
+            periods: shape.periods(),
+            radii: vec![0.5 * shape.spacing; self.layers().len()],
+            layers: self.layers().iter().map(|&layer| layer as u16).collect(),
+            parts: self.parts().to_vec(),
+            marked: shape.marked().into_iter().map(|atom| atom as u32).collect(),
+        }
+    }
+
+    /// The present state.
+    pub fn frame(&self) -> Frame {
+        let [x, y] = self.scene().shape.periods();
+        let cell = self.system().space();
+        let positions = &self.system().atoms().positions;
+        let places: Vec<_> = positions.iter().map(|place| cell.wrap(place)).collect();
+        // A box that holds all atoms; its ends are rounded outwards.
+        let heights = places.iter().map(|place| place.z);
+        let low = heights.clone().fold(f64::INFINITY, f64::min) as f32;
+        let high = heights.fold(f64::NEG_INFINITY, f64::max) as f32;
+        let velocities = self.system().velocities_on_step();
+        Frame {
+            step: self.system().steps(),
+            time: self.time(),
+            height: self.height(),
+            measure: self.angle().to_degrees(),
+            corners: [
+                [0.0, 0.0, low.next_down()],
+                [x as f32, y as f32, high.next_up()],
+            ],
+            places,
+            speeds: velocities.iter().map(|v| v.norm() as f32).collect(),
+            contacts: Vec::new(),
+        }
+    }
+}
