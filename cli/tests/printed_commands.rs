@@ -59,27 +59,11 @@ fn examples_of_the_help_texts_run() -> Outcome {
         Ok(String::from_utf8(output.stdout)?)
     };
     let mut commands = Vec::new();
-    for name in subcommands()? {
-        commands.extend(printed(&help(&name)?));
+    for command in tribos_cli::command::program().get_subcommands() {
+        commands.extend(printed(&help(command.get_name())?));
     }
     assert!(commands.len() > 30, "{}", commands.len());
     all_run(&commands)
-}
-
-/// Names in the list of commands.
-fn subcommands() -> Result<Vec<String>, Box<dyn std::error::Error>> {
-    let output = Command::new(env!("CARGO_BIN_EXE_tribos"))
-        .arg("help")
-        .output()?;
-    let text = String::from_utf8(output.stdout)?;
-    let list = text
-        .split("Commands:\n")
-        .nth(1)
-        .ok_or("no list of commands")?;
-    let lines = list.lines().take_while(|line| line.starts_with("  "));
-    let names = lines.filter_map(|line| line.strip_prefix("  ")?.split(' ').next());
-    let names = names.filter(|name| !name.is_empty() && *name != "help");
-    Ok(names.map(String::from).collect())
 }
 
 /// Commands in blocks of code and, where they have options and no gaps, in running text.
@@ -136,7 +120,7 @@ fn line(command: &str) -> String {
         None => command.to_owned(),
     };
     let whole = std::env::var("TRIBOS_PRINTED").is_ok_and(|how| how == "whole");
-    let simulates = ["tribos run ", "tribos sweep "];
+    let simulates = ["tribos run ", "tribos sweep ", "tribos explain "];
     if !whole && simulates.iter().any(|call| line.starts_with(call)) {
         let short = SHORT.iter().find(|(scene, _)| line.contains(scene));
         line += short.map_or("", |(_, keys)| keys);
@@ -182,6 +166,46 @@ fn prepare(folder: &Path) -> Outcome {
     fs::write(folder.join("twists.csv"), "speed,spin\n1,0\n0.5,20\n")?;
     let feet = "x,y,weight\n0.1,0,0.4\n-0.1,0.1,0.3\n-0.1,-0.1,0.3\n";
     fs::write(folder.join("feet.csv"), feet)?;
+    measurements(folder)
+}
+
+/// Friction over speed, and over time, as somebody may have measured it.
+fn measurements(folder: &Path) -> Outcome {
+    let speeds: Vec<f64> = (0..40).map(|i| 1e-4 * 1.25_f64.powi(i)).collect();
+    let noise = |i: usize| 1e-3 * ((7 * i % 11) as f64 - 5.0);
+    let steady = |f: &dyn Fn(f64) -> f64, columns: &str, rest: &str| {
+        let lines = speeds.iter().enumerate();
+        let lines = lines.map(|(i, v)| format!("{v},{}{rest}\n", f(*v) + noise(i)));
+        format!("{columns}\n{}", lines.collect::<String>())
+    };
+    let stribeck = |v: f64| 0.1 + 0.05 * (-(v / 0.01).powi(2)).exp() + 0.02 * v;
+    fs::write(
+        folder.join("bearing.csv"),
+        steady(&stribeck, "v,f,sigma", ",0.002"),
+    )?;
+    fs::write(
+        folder.join("forces.csv"),
+        steady(&|v| 12.5 * stribeck(v), "v,f", ""),
+    )?;
+    fs::write(
+        folder.join("ice.csv"),
+        steady(&|v| 0.05 * v.powf(0.5), "v,f", ""),
+    )?;
+    fs::write(
+        folder.join("steps.csv"),
+        steady(&|v| 0.6 - 0.01 * v.ln(), "v,f", ""),
+    )?;
+    let pull = (0..300).map(|i| {
+        let (t, v) = (1e-3 * f64::from(i), 0.05 * (0.04 * f64::from(i)).sin());
+        format!(
+            "{t},{v},{}\n",
+            (1.0 - (-30.0 * t).exp()) * v.signum() + 0.4 * v
+        )
+    });
+    fs::write(
+        folder.join("pull.csv"),
+        format!("t,v,f\n{}", pull.collect::<String>()),
+    )?;
     Ok(())
 }
 

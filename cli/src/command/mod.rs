@@ -51,7 +51,7 @@ pub fn program() -> clap::Command {
 }
 
 /// What `--help` of a command begins with: the documentation of its arguments.
-fn documentation() -> [(&'static str, StyledStr); 11] {
+fn documentation() -> [(&'static str, StyledStr); 15] {
     fn of<A: clap::Args>() -> StyledStr {
         let command = A::augment_args(clap::Command::new(""));
         let text = command.get_long_about().or(command.get_about());
@@ -69,6 +69,10 @@ fn documentation() -> [(&'static str, StyledStr); 11] {
         ("golden", of::<golden::Arguments>()),
         ("sweep", of::<sweep::Arguments>()),
         ("reproduce", of::<reproduce::Arguments>()),
+        ("view", of::<view::Arguments>()),
+        ("scene", of::<scene::Arguments>()),
+        ("explain", of::<explain::Arguments>()),
+        ("fit", of::<fit::Arguments>()),
     ]
 }
 

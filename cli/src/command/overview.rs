@@ -4,12 +4,13 @@ use clap::Command;
 use std::fmt::Write;
 
 /// The commands, by what they are for.
-pub const GROUPS: [(&str, &[&str]); 5] = [
-    ("One contact", &["wrench", "laws", "modes"]),
+pub const GROUPS: [(&str, &[&str]); 6] = [
+    ("One contact", &["wrench", "laws", "modes", "fit"]),
     (
         "Bodies, powders, atoms",
-        &["run", "inverse", "deposit", "eval", "export"],
+        &["run", "view", "inverse", "deposit", "eval", "export"],
     ),
+    ("What a run needs", &["scene", "explain"]),
     ("Many runs", &["sweep"]),
     ("Results that can be checked", &["golden", "reproduce"]),
     ("This command", &["completions", "man"]),
@@ -19,7 +20,7 @@ pub const GROUPS: [(&str, &[&str]); 5] = [
 pub const EXAMPLES: &str = "\
 Examples:
   A disk thrown at 1 m/s with 5 rad/s of spin, until it rests:
-    tribos run scenes/disk.toml --out out/disk
+    tribos run scenes/disk.toml --out out/disk && tribos view out/disk
   Force and torque of a ball on a soft pad that slides and spins:
     tribos wrench --patch hertz --speed 2 --spin 40 --radius 0.03
   How far the disk slides, over the spin, on all cores:
@@ -28,8 +29,8 @@ Examples:
 More:
   tribos COMMAND --help    what a command does, its options, examples
   tribos man --out DIR     the same as manual pages
-  docs/how-to.md           tasks one by one; docs/theory.md, docs/laws.md, docs/accuracy.md
-  scenes/                  scenes that run as they are
+  tribos scene list        scenes that run as they are
+  docs/index.md            the book: theory, laws, accuracy; docs/how-to.md, tasks one by one
 Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input, 3 results differ from those pinned.";
 
 /// The command with its first page.

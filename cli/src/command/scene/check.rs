@@ -9,6 +9,7 @@ use tribos::scene::{Scene, toml_value, vocabulary};
 /// Reads scenes as `tribos run` does and prints the values in force; or everything that is wrong,
 /// with file and line and what would be valid. Exit code 2 if anything is.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = super::EXAMPLES)]
 pub struct Check {
     /// Scenes: files, or names as `tribos scene list` has them.
     #[arg(required = true, value_name = "FILE")]

@@ -27,8 +27,10 @@ pub struct Arguments {
 #[derive(Debug, clap::Subcommand)]
 enum Action {
     /// Name, body and time of every scene that comes with the program.
+    #[command(after_long_help = EXAMPLES)]
     List,
     /// Print a scene.
+    #[command(after_long_help = EXAMPLES)]
     Show {
         /// Its name, as `tribos scene list` has it.
         name: String,
@@ -43,6 +45,7 @@ enum Action {
 
 /// The schema of all scenes, or of those of one body.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = EXAMPLES)]
 struct Schema {
     /// A body such as powder; all if left out.
     body: Option<String>,
@@ -56,9 +59,9 @@ Examples:
   tribos scene list
   tribos scene show compaction-small
   tribos run compaction-small --out out/powder
-  tribos scene new compaction-small --out my.toml
+  tribos scene new compaction-small --out mine.toml
   tribos scene new tip --out tip.toml
-  tribos scene check my.toml --set rolling=0.3
+  tribos scene check mine.toml --set rolling=0.3
   tribos scene schema --out tribos-scene.json
 With `#:schema ./tribos-scene.json` as its first line editors that know taplo check a scene as it
 is written.";

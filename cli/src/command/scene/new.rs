@@ -9,6 +9,7 @@ use tribos::scene::{bodies, library_scene, template, vocabulary, with_all_keys};
 /// Writes a scene of your own: a copy of one that comes with the program, or an example of a body,
 /// with a commented line for every key that it leaves out. Never replaces a file.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = super::EXAMPLES)]
 pub struct New {
     /// Name of a scene as `tribos scene list` has it, or a body such as powder or tip.
     #[arg(value_name = "NAME|BODY")]
