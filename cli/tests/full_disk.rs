@@ -172,6 +172,13 @@ fn a_sweep_keeps_the_runs_that_were_done() -> Outcome {
         Ok(())
     };
 
+    // Too little for a summary: two runs are under way, and no other begins.
+    let output = tribos(folder.path(), &sweep("none"), Some(4))?;
+    let words = ["summary.json", TOO_LARGE, KEPT, "0 of 9 runs are done"];
+    refused(folder.path(), output, &words)?;
+    let begun = std::fs::read_dir(folder.path().join("none/runs"))?.count();
+    assert!((1..=2).contains(&begun), "{begun} of 9 began");
+
     // Enough for summaries, too little for all tables and pictures.
     let output = tribos(folder.path(), &sweep("out"), Some(20))?;
     let words = [
@@ -200,6 +207,10 @@ fn a_sweep_keeps_the_runs_that_were_done() -> Outcome {
     let said = refused(folder.path(), output, &words)?;
     let ended = said.lines().filter(|line| line.contains(" gone, ")).count();
     assert!((1..9).contains(&ended), "{said}");
+    assert!(
+        said.contains(&format!("{ended} of 9 runs are done")),
+        "{said}"
+    );
     disk.enlarge()?;
     let said = succeed(folder.path(), &sweep("small"))?;
     let kept = format!("{ended} of 9 runs kept");

@@ -73,8 +73,9 @@ pub fn run(tasks: &[&Task], asked: Option<usize>) -> Result<(), Failure> {
             failures.push(failure.within(&task.name));
         }
     }
+    let done = format!("{} of {} runs are done.", progress.done(), tasks.len());
     let first = failures.into_iter().next();
-    first.map_or(Ok(()), Err)
+    first.map_or(Ok(()), |failure| Err(failure.going_on(&done)))
 }
 
 impl Task {

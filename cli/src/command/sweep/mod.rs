@@ -111,6 +111,10 @@ const GO_ON: &str = "Then give the same command again: runs that are done are no
 impl Arguments {
     /// Runs, writes and prints.
     pub fn execute(self) -> Result<(), Failure> {
+        self.take().map_err(|failure| failure.going_on(GO_ON))
+    }
+
+    fn take(self) -> Result<(), Failure> {
         if let Some(out) = &self.merge {
             let plan = Plan::read(out)?;
             return tables(&plan, &plan.tasks(out)?, out);
@@ -122,7 +126,7 @@ impl Arguments {
         }
         if self.plan.is_none() {
             guard(&plan, &out)?;
-            plan.write(&out).map_err(|full| full.going_on(GO_ON))?;
+            plan.write(&out)?;
         }
         let part = self.part.unwrap_or(Part::WHOLE);
         let numbered = tasks.iter().enumerate();
@@ -130,7 +134,7 @@ impl Arguments {
             .filter(|(run, _)| part.has(*run))
             .map(|(_, task)| task)
             .collect();
-        jobs::run(&mine, self.jobs.map(NonZero::get)).map_err(|full| full.going_on(GO_ON))?;
+        jobs::run(&mine, self.jobs.map(NonZero::get))?;
         match self.part {
             None => tables(&plan, &tasks, &out),
             Some(part) => super::print(&format!(
@@ -189,6 +193,6 @@ fn guard(plan: &Plan, out: &Path) -> Result<(), Failure> {
 /// The tables of a complete sweep.
 fn tables(plan: &Plan, tasks: &[Task], out: &Path) -> Result<(), Failure> {
     let summaries = output::complete(tasks, jobs::kept(tasks), out)?;
-    let text = output::write(plan, tasks, &summaries, out).map_err(|full| full.going_on(GO_ON))?;
+    let text = output::write(plan, tasks, &summaries, out)?;
     super::print(&format!("{text}written to    {}\n", out.display()))
 }

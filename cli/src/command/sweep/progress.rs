@@ -1,6 +1,6 @@
 //! How far a sweep is, on standard error.
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Counts runs as they end.
@@ -38,7 +38,7 @@ impl Progress {
 
     /// One run took so long; one line about it and about what is left.
     pub fn ended(&self, name: &str, told: &str, took: Duration) {
-        let mut ended = self.ended.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut ended = self.counts();
         ended.runs += 1;
         ended.spent += took;
         let done = self.kept + ended.runs;
@@ -51,6 +51,15 @@ impl Progress {
         crate::command::tell(format_args!(
             "{done}/{total} {name}: {told}; {gone} gone, {left}"
         ));
+    }
+
+    /// Runs that are done, those before the start among them.
+    pub fn done(&self) -> usize {
+        self.kept + self.counts().runs
+    }
+
+    fn counts(&self) -> MutexGuard<'_, Ended> {
+        self.ended.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
