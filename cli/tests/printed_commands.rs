@@ -20,12 +20,16 @@ const SHORT: [(&str, &str); 2] = [
     ),
 ];
 /// Commands that need more than a folder: what shows that they work is said beside them.
-const ELSEWHERE: [(&str, &str); 3] = [
+const ELSEWHERE: [(&str, &str); 7] = [
     (
         "--resume",
         "a run that was killed: tests of powders and tips",
     ),
     ("--full", "an hour"),
+    ("--film", "ffmpeg"),
+    ("Out-String", "PowerShell"),
+    ("&& man ", "a reader of manuals"),
+    ("sbatch", "Slurm: tests/slurm.sh"),
     (
         "reproduce --out out/thesis\n",
         "the test of the whole report",
@@ -111,21 +115,25 @@ fn all_run(commands: &[String]) -> Outcome {
     Ok(())
 }
 
-/// What a shell gets: the command, cut short.
+/// What a shell gets: the commands, cut short.
 fn line(command: &str) -> String {
-    let command = command.split(" #").next().unwrap_or_default().trim();
-    let [cargo, tribos] = CALLS;
-    let mut line = match command.strip_prefix(cargo) {
-        Some(rest) => format!("{tribos}{rest}"),
-        None => command.to_owned(),
-    };
+    let command = command.split(" #").next().unwrap_or_default();
     let whole = std::env::var("TRIBOS_PRINTED").is_ok_and(|how| how == "whole");
-    let simulates = ["tribos run ", "tribos sweep ", "tribos explain "];
-    if !whole && simulates.iter().any(|call| line.starts_with(call)) {
-        let short = SHORT.iter().find(|(scene, _)| line.contains(scene));
-        line += short.map_or("", |(_, keys)| keys);
-    }
-    line
+    let [cargo, tribos] = CALLS;
+    let each = command.split(" && ").map(|one| {
+        let one = one.trim();
+        let mut one = match one.strip_prefix(cargo) {
+            Some(rest) => format!("{tribos}{rest}"),
+            None => one.to_owned(),
+        };
+        let simulates = ["tribos run ", "tribos sweep ", "tribos explain "];
+        if !whole && simulates.iter().any(|call| one.starts_with(call)) {
+            let short = SHORT.iter().find(|(scene, _)| one.contains(scene));
+            one += short.map_or("", |(_, keys)| keys);
+        }
+        one
+    });
+    each.collect::<Vec<_>>().join(" && ")
 }
 
 /// What it said, if it failed.
@@ -137,6 +145,7 @@ fn runs(line: &str, folder: &Path) -> Result<Result<(), String>, Box<dyn std::er
         .args(["-c", line])
         .current_dir(folder)
         .env("PATH", path)
+        .env("HOME", folder)
         .stdin(Stdio::null())
         .output()?;
     if output.status.success() {
@@ -150,6 +159,14 @@ fn prepare(folder: &Path) -> Outcome {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     copy(&root.join("scenes"), &folder.join("scenes"))?;
     fs::copy(root.join("scenes/disk.toml"), folder.join("my.toml"))?;
+    // Where shells look for completions.
+    for place in [
+        ".local/share/bash-completion/completions",
+        ".zfunc",
+        ".config/fish/completions",
+    ] {
+        fs::create_dir_all(folder.join(place))?;
+    }
     let atoms = root.join("tests/tables/md");
     for (theirs, ours) in [
         ("fcc500.data", "melt.data"),
