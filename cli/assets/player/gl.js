@@ -5,21 +5,21 @@ const SIGHT = `#version 300 es
 precision highp float;
 uniform vec3 right, up, toward, middle;
 uniform vec4 frame;  // scale in x and y, shift in x and y, in clip coordinates
-uniform float depth;
+uniform float depth, hazeNear, hazeFar;
 vec4 seen(vec3 place) {
   vec3 at = place - middle;
   vec2 spot = vec2(dot(right, at), dot(up, at)) * frame.xy + frame.zw;
   return vec4(spot, -dot(toward, at) / depth, 1.0);
 }
+// Far things are paler: the share of white.
+float haze(vec4 place) {
+  return 0.42 * clamp((place.z - hazeNear) / (hazeFar - hazeNear), 0.0, 1.0);
+}
 `;
 
-/** Far things are paler. */
-const HAZE = `#version 300 es
+/** Begins every fragment shader. */
+const FRAGMENT = `#version 300 es
 precision highp float;
-uniform float hazeNear, hazeFar;
-vec3 hazed(vec3 color, float z) {
-  return mix(color, vec3(1.0), 0.42 * clamp((z - hazeNear) / (hazeFar - hazeNear), 0.0, 1.0));
-}
 `;
 
 function compile(gl, vertex, fragment) {
@@ -73,7 +73,7 @@ const vec2 corners[${points.length}] = vec2[](${points.map((point) => `vec2(${po
 #define corner corners[gl_VertexID % ${points.length}]
 #define of(name) texelFetch(name, ivec2(gl_VertexID / ${points.length} % ${ROW}, gl_VertexID / ${points.length} / ${ROW}), 0)
 `;
-    Object.assign(this, { gl, points, corners, copies: 0 }, compile(gl, SIGHT + head + vertex, HAZE + fragment));
+    Object.assign(this, { gl, points, corners, copies: 0 }, compile(gl, SIGHT + head + vertex, FRAGMENT + fragment));
     this.array = gl.createVertexArray();
     this.indices = gl.createBuffer();
     this.textures = {};

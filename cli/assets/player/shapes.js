@@ -5,11 +5,12 @@ const BALL = `
 uniform vec3 low, high;
 uniform float size;
 out vec2 at;
-out float bulge;
+flat out float bulge, pale;
 flat out vec3 paint;
 void main() {
   float r = of(radius).r * size;
   gl_Position = seen(mix(low, high, vec3(of(place).rgb) / 65535.0));
+  pale = haze(gl_Position);
   gl_Position.xy += corner * r * frame.xy;
   at = corner;
   bulge = r / depth;
@@ -18,7 +19,7 @@ void main() {
 
 const SOLID_BALL = `
 in vec2 at;
-in float bulge;
+flat in float bulge, pale;
 flat in vec3 paint;
 out vec4 shown;
 void main() {
@@ -30,23 +31,25 @@ void main() {
   glint *= glint, glint *= glint, glint *= glint, glint *= glint, glint *= glint;
   vec3 color = paint * light * min(1.0, 0.25 + 2.2 * front) + 0.2 * glint;
   gl_FragDepth = gl_FragCoord.z - 0.5 * front * bulge;
-  shown = vec4(hazed(color, gl_FragCoord.z), 1.0);
+  shown = vec4(color * (1.0 - pale) + pale, 1.0);
 }`;
 
 /** A glass ball: a faint rim, drawn over everything before it that is nearer. */
 const GLASS_BALL = `
 in vec2 at;
+flat in float pale;
 flat in vec3 paint;
 out vec4 shown;
 void main() {
   float outward = dot(at, at);
   if (outward > 1.0) discard;
-  shown = vec4(hazed(mix(vec3(0.45), paint, 0.75), gl_FragCoord.z), 0.06 + 0.3 * outward * outward * outward);
+  shown = vec4((paint * 0.75 + 0.11) * (1.0 - pale) + pale, 0.06 + 0.3 * outward * outward * outward);
 }`;
 
 /** A rod between two ends, turned to the eye; one that pulls has bands. */
 const ROD = `
 out float across, along;
+flat out float pale;
 flat out vec4 paint;
 void main() {
   vec3 first = of(from).xyz, last = of(to).xyz;
@@ -58,6 +61,7 @@ void main() {
   gl_Position = here;
   gl_Position.xy += corner.x * thick * vec2(-way.y, way.x) * frame.xy;
   gl_Position.z -= thick / depth;
+  pale = haze(here);
   across = corner.x;
   along = corner.y < 0.0 ? 0.0 : distance(first, last);
   paint = of(color);
@@ -65,6 +69,7 @@ void main() {
 
 const ROUND_ROD = `
 in float across, along;
+flat in float pale;
 flat in vec4 paint;
 uniform float band;
 out vec4 shown;
@@ -72,7 +77,7 @@ void main() {
   float front = sqrt(max(0.0, 1.0 - across * across));
   vec3 color = paint.rgb * (0.5 + 0.5 * front);
   if (paint.a < 0.75 && fract(along / band) > 0.65) color = mix(color, vec3(1.0), 0.5);
-  shown = vec4(hazed(color, gl_FragCoord.z), 1.0);
+  shown = vec4(color * (1.0 - pale) + pale, 1.0);
 }`;
 
 /** A flat parallelogram: a corner and two sides. */

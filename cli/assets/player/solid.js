@@ -104,8 +104,8 @@ class SolidView {
       ...axes,
       frame: [scale * x, scale * y, camera.shift[0] * ratio * x, camera.shift[1] * ratio * y],
       depth,
-      hazeNear: 0.5 - 0.5 * near,
-      hazeFar: 0.5 + 0.5 * near,
+      hazeNear: -near,
+      hazeFar: near,
       pixel: 1 / scale,
     };
   }
