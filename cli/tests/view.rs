@@ -193,6 +193,12 @@ fn addresses(page: &str) -> Vec<&str> {
         .collect()
 }
 
+/// The coordinates in a line of a file of states.
+fn coordinates(line: &str) -> Vec<f64> {
+    let words = line.split_whitespace().skip(2).take(3);
+    words.filter_map(|word| word.parse().ok()).collect()
+}
+
 /// The state of the player, as an expression.
 fn of_player(what: &str) -> String {
     format!("document.querySelector('.tribos-player').player.{what}")
@@ -238,6 +244,40 @@ fn the_page_plays_in_a_browser_without_a_network() -> Outcome {
     browser.wait(&format!("{SHADES} > 100"))?;
     let first = browser.screenshot("powder.png")?;
     assert!(first.width == 1100 && first.colors() > 100);
+
+    // The film's last frame is the run's last state, as near as two roundings to places allow.
+    let last = of_player("view.film");
+    let places = browser.value(&format!(
+        "(() => {{ const f = {last}; const [low, high] = f.meta.box; \
+         return Array.from(f.places.subarray(3 * f.n * (f.frames - 1)), \
+         (x, k) => low[k % 3] + (high[k % 3] - low[k % 3]) * x / 65535); }})()"
+    ))?;
+    let shown: Vec<f64> = places
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter_map(serde_json::Value::as_f64)
+        .collect();
+    let xyz = std::fs::read_to_string(home.path().join("powder/final.xyz"))?;
+    let exact: Vec<f64> = xyz.lines().skip(2).flat_map(coordinates).collect();
+    assert_eq!(shown.len(), exact.len());
+    for (shown, exact) in shown.iter().zip(&exact) {
+        assert!(
+            (shown - exact).abs() < 1.01 * 12.0 / 65535.0,
+            "{shown} {exact}"
+        );
+    }
+    let summary = std::fs::read_to_string(home.path().join("powder/summary.json"))?;
+    let summary: serde_json::Value = serde_json::from_str(&summary)?;
+    let most = browser.value(&format!(
+        "(() => {{ const f = {last}; const at = f.starts[f.frames - 1]; \
+         return f.forces.subarray(at).filter((_, k) => f.b[at + k] < f.n).reduce((a, b) => Math.max(a, b), 0); }})()"
+    ))?;
+    let largest = summary["statistics"]["compression"]["largest"]
+        .as_f64()
+        .unwrap_or(f64::NAN);
+    let error = most.as_f64().unwrap_or(f64::NAN) / largest - 1.0;
+    assert!(error.abs() <= 1.0 / 512.0, "{most} {largest}");
 
     // Play goes on by itself, the arrow key by one, the scrub bar anywhere.
     browser.click(".tribos-player .play")?;

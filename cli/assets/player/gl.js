@@ -5,21 +5,21 @@ const SIGHT = `#version 300 es
 precision highp float;
 uniform vec3 right, up, toward, middle;
 uniform vec4 frame;  // scale in x and y, shift in x and y, in clip coordinates
-uniform float depth;
+uniform float depth, hazeNear, hazeFar;
 vec4 seen(vec3 place) {
   vec3 at = place - middle;
   vec2 spot = vec2(dot(right, at), dot(up, at)) * frame.xy + frame.zw;
   return vec4(spot, -dot(toward, at) / depth, 1.0);
 }
+// Far things are paler: the share of white.
+float haze(vec4 place) {
+  return 0.42 * clamp((place.z - hazeNear) / (hazeFar - hazeNear), 0.0, 1.0);
+}
 `;
 
-/** Far things are paler. */
-const HAZE = `#version 300 es
+/** Begins every fragment shader. */
+const FRAGMENT = `#version 300 es
 precision highp float;
-uniform float hazeNear, hazeFar;
-vec3 hazed(vec3 color, float z) {
-  return mix(color, vec3(1.0), 0.42 * clamp((z - hazeNear) / (hazeFar - hazeNear), 0.0, 1.0));
-}
 `;
 
 function compile(gl, vertex, fragment) {
@@ -44,50 +44,89 @@ function compile(gl, vertex, fragment) {
   return { program, places };
 }
 
-/** A kind of thing drawn many times as the four corners of a quadrilateral. */
-class Instances {
-  /** `layout`: name → [numbers, GL type, normalized]; each has a buffer of its own. */
-  constructor(gl, vertex, fragment, layout) {
-    Object.assign(this, { gl, layout }, compile(gl, vertex, fragment));
+/** Texels in a row of the textures that hold numbers. */
+const ROW = 1024;
+/** How numbers lie in a texture: format inside and outside, type, numbers a texel, sampler. */
+const TEXELS = {
+  shorts: (gl) => [gl.RGB16UI, gl.RGB_INTEGER, gl.UNSIGNED_SHORT, 3, "usampler2D", Uint16Array],
+  bytes: (gl) => [gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, 4, "sampler2D", Uint8Array],
+  float: (gl) => [gl.R32F, gl.RED, gl.FLOAT, 1, "sampler2D", Float32Array],
+  floats: (gl) => [gl.RGBA32F, gl.RGBA, gl.FLOAT, 4, "sampler2D", Float32Array],
+};
+/** Corners of shapes, and those of their triangles. */
+const SHAPES = {
+  // Round the unit circle.
+  triangle: { points: [[-Math.sqrt(3), -1], [Math.sqrt(3), -1], [0, 2]], corners: [0, 1, 2] },
+  square: { points: [[-1, -1], [1, -1], [-1, 1], [1, 1]], corners: [0, 1, 2, 2, 1, 3] },
+};
+
+/** A thing drawn many times in one call: corners by their number, all else from textures. Software
+ * draws instances one by one, which takes ten times as long. */
+class Copies {
+  /** `layout`: name → a kind of `TEXELS`; the shader has `corner` and `of(name)`. */
+  constructor(gl, shape, layout, vertex, fragment) {
+    const { points, corners } = SHAPES[shape];
+    const kinds = Object.entries(layout).map(([name, kind]) => [name, TEXELS[kind](gl)]);
+    const head = `precision highp usampler2D;
+${kinds.map(([name, kind]) => `uniform highp ${kind[4]} ${name};`).join("\n")}
+const vec2 corners[${points.length}] = vec2[](${points.map((point) => `vec2(${point})`)});
+#define corner corners[gl_VertexID % ${points.length}]
+#define of(name) texelFetch(name, ivec2(gl_VertexID / ${points.length} % ${ROW}, gl_VertexID / ${points.length} / ${ROW}), 0)
+`;
+    Object.assign(this, { gl, points, corners, copies: 0 }, compile(gl, SIGHT + head + vertex, FRAGMENT + fragment));
     this.array = gl.createVertexArray();
-    this.buffers = {};
-    gl.bindVertexArray(this.array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 1, -1, -1, 1, 1, 1]), gl.STATIC_DRAW);
-    this.attribute("corner", 2, gl.FLOAT, false, 0);
-    for (const [name, [size, type, normalized]] of Object.entries(layout)) {
-      this.buffers[name] = gl.createBuffer();
-      gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[name]);
-      this.attribute(name, size, type, normalized, 1);
-    }
-    gl.bindVertexArray(null);
+    this.indices = gl.createBuffer();
+    this.textures = {};
+    for (const [name, kind] of kinds) this.textures[name] = { texture: gl.createTexture(), kind, rows: 0 };
   }
 
-  attribute(name, size, type, normalized, divisor) {
-    const { gl } = this;
-    const place = gl.getAttribLocation(this.program, name);
-    if (place < 0) return;
-    gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, size, type, normalized, 0, 0);
-    gl.vertexAttribDivisor(place, divisor);
-  }
-
+  /** Numbers of all copies. */
   set(name, numbers) {
     const { gl } = this;
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[name]);
-    gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.DYNAMIC_DRAW);
+    const entry = this.textures[name];
+    const [inside, outside, type, width, , List] = entry.kind;
+    const rows = Math.max(1, Math.ceil(numbers.length / width / ROW));
+    gl.bindTexture(gl.TEXTURE_2D, entry.texture);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    if (rows > entry.rows) {
+      gl.texImage2D(gl.TEXTURE_2D, 0, inside, ROW, rows, 0, outside, type, null);
+      for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
+      [entry.rows, entry.whole] = [rows, new List(rows * ROW * width)];
+    }
+    entry.whole.set(numbers);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, ROW, rows, outside, type, entry.whole);
+  }
+
+  /** Corners of the triangles of so many copies. */
+  index(count) {
+    const { gl, points, corners } = this;
+    this.copies = count;
+    const list = new Uint32Array(corners.length * count);
+    for (let k = 0; k < list.length; k += 1) {
+      list[k] = points.length * Math.floor(k / corners.length) + corners[k % corners.length];
+    }
+    gl.bindVertexArray(this.array);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, list, gl.STATIC_DRAW);
   }
 
   draw(count, sight, own = {}) {
     const { gl, places } = this;
+    if (count === 0) return;
     gl.useProgram(this.program);
     for (const [name, value] of Object.entries({ ...sight, ...own })) {
       if (!places[name]) continue;
       if (typeof value === "number") gl.uniform1f(places[name], value);
       else gl[`uniform${value.length}fv`](places[name], value);
     }
+    Object.entries(this.textures).forEach(([name, { texture }], unit) => {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.uniform1i(places[name], unit);
+    });
+    gl.activeTexture(gl.TEXTURE0);
     gl.bindVertexArray(this.array);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
-    gl.bindVertexArray(null);
+    if (count > this.copies) this.index(2 * count);
+    gl.drawElements(gl.TRIANGLES, this.corners.length * count, gl.UNSIGNED_INT, 0);
   }
 }

@@ -3,22 +3,44 @@
 const INK = "#22262b";
 const SOFT = "#59616b";
 
+/** Pages narrower than this have the legend below. */
+const NARROW = 620;
+/** Width of a legend. */
+const LEGEND = 200;
+
 /** Draws all of it on a context whose unit is a pixel of the page. */
 function drawInk(ink, view, frame, [width, height]) {
   ink.clearRect(0, 0, width, height);
   ink.textBaseline = "middle";
-  panel(ink, view.readout(frame).map((text) => ({ text })), 12, 12);
-  let top = 12;
-  for (const legend of view.legends()) top = drawLegend(ink, legend, width - 12, top, view, width);
-  drawAxes(ink, view.camera.axes(), 44, height - 44);
+  panel(ink, view.readout(frame), 12, 12);
+  const narrow = width < NARROW;
+  drawLegends(ink, view.legends(), [width, height], 12, view);
+  if (narrow) drawAxes(ink, view.camera.axes(), width - 44, 44);
+  else drawAxes(ink, view.camera.axes(), 44, height - 44);
   drawScaleBar(ink, view, width, height);
+}
+
+/** Legends one below the other: at the upper right, on a narrow page at the lower left. */
+function drawLegends(ink, legends, [width, height], top, view) {
+  const heights = legends.map(legendHeight);
+  const all = heights.reduce((sum, one) => sum + one + 8, 0);
+  let [x, y] = width < NARROW ? [12, height - all - 4] : [width - LEGEND - 12, top];
+  legends.forEach((legend, k) => {
+    drawLegend(ink, legend, x, y, heights[k], view);
+    y += heights[k] + 8;
+  });
+}
+
+function legendHeight(legend) {
+  const rows = legend.rods ? 3 : (legend.kinds ? legend.kinds.length : 2) + legend.marked.length;
+  return 34 + 21 * rows;
 }
 
 function font(ink, size, weight = "") {
   ink.font = `${weight} ${size}px system-ui, "DejaVu Sans", sans-serif`;
 }
 
-/** A light card behind text; returns its size. */
+/** A light card behind text. */
 function card(ink, x, y, width, height) {
   ink.fillStyle = "rgba(255,255,255,0.86)";
   ink.beginPath();
@@ -28,20 +50,16 @@ function card(ink, x, y, width, height) {
 
 function panel(ink, lines, x, y) {
   font(ink, 13);
-  const width = Math.max(...lines.map(({ text }) => ink.measureText(text).width)) + 20;
+  const width = Math.max(...lines.map((text) => ink.measureText(text).width)) + 20;
   card(ink, x, y, width, 20 * lines.length + 10);
   ink.fillStyle = INK;
   ink.textAlign = "left";
-  lines.forEach(({ text }, k) => ink.fillText(text, x + 10, y + 15 + 20 * k));
+  lines.forEach((text, k) => ink.fillText(text, x + 10, y + 15 + 20 * k));
 }
 
-/** A legend whose right side is given; returns where the next one may begin. */
-function drawLegend(ink, legend, right, top, view) {
-  const wide = 200;
-  const left = right - wide;
+function drawLegend(ink, legend, left, top, height, view) {
+  const wide = LEGEND;
   const title = legend.rods ? "normal force of a contact" : legend.label;
-  const rows = legend.rods ? 3 : (legend.kinds ? legend.kinds.length : 2) + legend.marked.length;
-  const height = 30 + 21 * rows + (legend.rods ? 4 : 4);
   card(ink, left, top, wide, height);
   font(ink, 13, "600");
   ink.fillStyle = INK;
@@ -56,7 +74,6 @@ function drawLegend(ink, legend, right, top, view) {
     else y = drawRamp(ink, legend, left + 10, y, wide - 20);
     for (const kind of legend.marked) y = drawKind(ink, kind, left + 10, y);
   }
-  return top + height + 8;
 }
 
 function drawKind(ink, { name, color }, x, y) {
@@ -77,17 +94,19 @@ function drawRamp(ink, { ramp, scale }, x, y, width) {
     ink.fillStyle = color;
     ink.fillRect(x + (k * width) / ramp.length, y - 7, width / ramp.length + 0.6, 13);
   });
-  const middle = scale.logarithmic ? Math.sqrt(scale.low * scale.high) : 0.5 * (scale.low + scale.high);
-  const shown = (value) => (scale.whole ? String(Math.round(value)) : digits(Number(value.toPrecision(2))));
+  const round = (value) => Number(value.toPrecision(2));
+  const [low, high] = [round(scale.low), round(scale.high)];
+  const middle = round(scale.logarithmic ? Math.sqrt(low * high) : 0.5 * (low + high));
+  const shown = (number) => (scale.whole ? String(Math.round(number)) : digits(number));
   ink.fillStyle = INK;
   ink.textAlign = "left";
-  ink.fillText((scale.logarithmic ? "≤ " : "") + shown(scale.low), x, y + 18);
+  ink.fillText((scale.logarithmic ? "≤ " : "") + shown(low), x, y + 18);
   if (!scale.whole) {
     ink.textAlign = "center";
     ink.fillText(shown(middle), x + width / 2, y + 18);
   }
   ink.textAlign = "right";
-  ink.fillText((scale.whole ? "" : "≥ ") + shown(scale.high), x + width, y + 18);
+  ink.fillText((scale.whole ? "" : "≥ ") + shown(high), x + width, y + 18);
   return y + 42;
 }
 

@@ -82,9 +82,10 @@ class PlaneView {
       pen.fillText(`${digits(point.x)}, ${digits(point.y)} ${unit}`, x + 6, y + (point.y > middle.y ? -16 : 16));
     }
     if (equal) return;
+    // In the corner that the path leaves free.
+    const rises = points[last].y > points[0].y;
     pen.textAlign = "left";
-    const [x, y] = place({ x: points[0].x, y: Math.min(points[0].y, points[last].y) });
-    pen.fillText("stretched across the path: scales differ", x, points[0].y > points[last].y ? y : place(points[last])[1]);
+    pen.fillText("scales differ", place(points[0])[0], place(points[last])[1] + (rises ? -16 : 16));
   }
 
   /** The body over a floor that moves past. */
@@ -178,9 +179,10 @@ class PlaneView {
     pen.clearRect(0, 0, width, height);
     pen.textBaseline = "middle";
     const top = Math.round(0.42 * height) + 12;
-    panel(pen, this.readout(frame).map((text) => ({ text })), 12, top);
+    panel(pen, this.readout(frame), 12, top);
     const legend = { kinds: [{ name: "mark on the body", color: "#d55e00" }, { name: "velocity", color: "#1b7f4d" }, { name: "path of the centre", color: "#0072b2" }], label: "close-up from above", marked: [] };
-    drawLegend(pen, legend, width - 12, top);
+    drawLegends(pen, [legend], [width, height], top);
+    if (width < NARROW) return;
     font(pen, 12);
     pen.fillStyle = SOFT;
     pen.textAlign = "right";

@@ -18,22 +18,26 @@ class Player {
     this.ink = make("canvas", { class: "ink", "aria-hidden": "true" });
     this.stage = make("div", { class: "stage", tabindex: "0", role: "img" }, this.canvas, this.ink);
     this.view = makeView(this.canvas);
-    root.replaceChildren(make("h2", {}, meta.title), this.toolbar(), this.stage, this.transport(), this.help());
+    root.replaceChildren(make("h2", {}, meta.title), this.looks(), this.stage, this.transport(), this.settings(), this.help());
     this.listen();
     const [first] = Object.values(this.view.presets());
     this.choose(first || {});
     this.resize();
   }
 
-  /** Presets, colours, forces, picture. */
-  toolbar() {
+  /** A button a preset. */
+  looks() {
+    this.presets = Object.entries(this.view.presets()).map(([name, look]) =>
+      make("button", { type: "button", class: "preset", onclick: () => this.choose(look) }, name));
+    return make("div", { class: "bar" }, ...this.presets);
+  }
+
+  /** Each option by itself, the view, the picture. */
+  settings() {
     const { view } = this;
     const bar = make("div", { class: "bar" });
-    this.presets = Object.entries(view.presets()).map(([name, look]) =>
-      make("button", { type: "button", class: "preset", onclick: () => this.choose(look) }, name));
-    bar.append(...this.presets);
     this.choices = {};
-    for (const [key, label, list] of this.view.choices()) {
+    for (const [key, label, list] of view.choices()) {
       const options = list.map(([value, name]) => make("option", { value }, name));
       this.choices[key] = make("select", { "aria-label": label, onchange: () => this.choose({ [key]: this.choices[key].value }) }, ...options);
       bar.append(make("label", {}, `${label} `, this.choices[key]));

@@ -2,27 +2,24 @@
 
 /** A ball: a square facing the eye, on which depth and light are those of a sphere. */
 const BALL = `
-in vec2 corner;
-in vec3 place;
-in float radius;
-in vec4 color;
 uniform vec3 low, high;
 uniform float size;
 out vec2 at;
-out float bulge;
+flat out float bulge, pale;
 flat out vec3 paint;
 void main() {
-  float r = radius * size * (color.a < 0.5 ? 0.0 : 1.0);
-  gl_Position = seen(mix(low, high, place));
+  float r = of(radius).r * size;
+  gl_Position = seen(mix(low, high, vec3(of(place).rgb) / 65535.0));
+  pale = haze(gl_Position);
   gl_Position.xy += corner * r * frame.xy;
   at = corner;
   bulge = r / depth;
-  paint = color.rgb;
+  paint = of(color).rgb;
 }`;
 
 const SOLID_BALL = `
 in vec2 at;
-in float bulge;
+flat in float bulge, pale;
 flat in vec3 paint;
 out vec4 shown;
 void main() {
@@ -30,47 +27,49 @@ void main() {
   if (outward > 1.0) discard;
   float front = sqrt(1.0 - outward);
   float light = 0.42 + 0.58 * max(0.0, dot(vec3(at, front), vec3(-0.33, 0.42, 0.845)));
-  float glint = pow(max(0.0, dot(vec3(at, front), vec3(-0.17, 0.22, 0.96))), 40.0);
-  vec3 color = paint * light * smoothstep(0.0, 0.35, front + 0.12) + 0.22 * glint;
+  float glint = max(0.0, dot(vec3(at, front), vec3(-0.17, 0.22, 0.96)));
+  glint *= glint, glint *= glint, glint *= glint, glint *= glint, glint *= glint;
+  vec3 color = paint * light * min(1.0, 0.25 + 2.2 * front) + 0.2 * glint;
   gl_FragDepth = gl_FragCoord.z - 0.5 * front * bulge;
-  shown = vec4(hazed(color, gl_FragCoord.z), 1.0);
+  shown = vec4(color * (1.0 - pale) + pale, 1.0);
 }`;
 
 /** A glass ball: a faint rim, drawn over everything before it that is nearer. */
 const GLASS_BALL = `
 in vec2 at;
+flat in float pale;
 flat in vec3 paint;
 out vec4 shown;
 void main() {
   float outward = dot(at, at);
   if (outward > 1.0) discard;
-  shown = vec4(hazed(mix(vec3(0.45), paint, 0.75), gl_FragCoord.z), 0.05 + 0.2 * outward * outward * outward);
+  shown = vec4((paint * 0.75 + 0.11) * (1.0 - pale) + pale, 0.06 + 0.3 * outward * outward * outward);
 }`;
 
 /** A rod between two ends, turned to the eye; one that pulls has bands. */
 const ROD = `
-in vec2 corner;
-in vec3 from, to;
-in float thick;
-in vec4 color;
 out float across, along;
+flat out float pale;
 flat out vec4 paint;
 void main() {
-  vec4 ends[2] = vec4[2](seen(from), seen(to));
-  vec4 here = corner.y < 0.0 ? ends[0] : ends[1];
-  vec2 way = (ends[1].xy - ends[0].xy) / frame.xy;
+  vec3 first = of(from).xyz, last = of(to).xyz;
+  float thick = of(from).w;
+  vec4 here = seen(corner.y < 0.0 ? first : last);
+  vec2 way = vec2(dot(right, last - first), dot(up, last - first));
   float reach = length(way);
   way = reach > 1e-9 ? way / reach : vec2(1.0, 0.0);
   gl_Position = here;
   gl_Position.xy += corner.x * thick * vec2(-way.y, way.x) * frame.xy;
   gl_Position.z -= thick / depth;
+  pale = haze(here);
   across = corner.x;
-  along = corner.y < 0.0 ? 0.0 : distance(from, to);
-  paint = color;
+  along = corner.y < 0.0 ? 0.0 : distance(first, last);
+  paint = of(color);
 }`;
 
 const ROUND_ROD = `
 in float across, along;
+flat in float pale;
 flat in vec4 paint;
 uniform float band;
 out vec4 shown;
@@ -78,18 +77,15 @@ void main() {
   float front = sqrt(max(0.0, 1.0 - across * across));
   vec3 color = paint.rgb * (0.5 + 0.5 * front);
   if (paint.a < 0.75 && fract(along / band) > 0.65) color = mix(color, vec3(1.0), 0.5);
-  shown = vec4(hazed(color, gl_FragCoord.z), 1.0);
+  shown = vec4(color * (1.0 - pale) + pale, 1.0);
 }`;
 
 /** A flat parallelogram: a corner and two sides. */
 const PLATE = `
-in vec2 corner;
-in vec3 from, first, second;
-in vec4 color;
 flat out vec4 paint;
 void main() {
-  gl_Position = seen(from + 0.5 * (corner.x + 1.0) * first + 0.5 * (corner.y + 1.0) * second);
-  paint = color;
+  gl_Position = seen(of(from).xyz + 0.5 * (corner.x + 1.0) * of(first).xyz + 0.5 * (corner.y + 1.0) * of(second).xyz);
+  paint = of(color);
 }`;
 
 const FLAT_PLATE = `
@@ -98,14 +94,13 @@ out vec4 shown;
 void main() { shown = paint; }`;
 
 function shapes(gl) {
-  const [bytes, float] = [[4, gl.UNSIGNED_BYTE, true], [3, gl.FLOAT, false]];
-  const ball = { place: [3, gl.UNSIGNED_SHORT, true], radius: [1, gl.FLOAT, false], color: bytes };
-  const rod = { from: float, to: float, thick: [1, gl.FLOAT, false], color: bytes };
-  const plate = { from: float, first: float, second: float, color: bytes };
+  const ball = { place: "shorts", radius: "float", color: "bytes" };
+  const rod = { from: "floats", to: "floats", color: "bytes" };
+  const plate = { from: "floats", first: "floats", second: "floats", color: "bytes" };
   return {
-    solid: new Instances(gl, SIGHT + BALL, HAZE + SOLID_BALL, ball),
-    glass: new Instances(gl, SIGHT + BALL, HAZE + GLASS_BALL, ball),
-    rods: new Instances(gl, SIGHT + ROD, HAZE + ROUND_ROD, rod),
-    plates: new Instances(gl, SIGHT + PLATE, HAZE + FLAT_PLATE, plate),
+    solid: new Copies(gl, "triangle", ball, BALL, SOLID_BALL),
+    glass: new Copies(gl, "triangle", ball, BALL, GLASS_BALL),
+    rods: new Copies(gl, "square", rod, ROD, ROUND_ROD),
+    plates: new Copies(gl, "square", plate, PLATE, FLAT_PLATE),
   };
 }

@@ -9,6 +9,29 @@ const LARGEST_ROD = 1.5;
 /** Thinner rods are left out. */
 const UNSEEN_ROD = 0.012;
 
+const EDGE = [150, 150, 150];
+/** Number of the piston as a partner; the substrate has the one above. */
+const PISTON = 0xfffffffe;
+
+/** Rods gathered for one drawing. */
+class Pile {
+  constructor(most) {
+    [this.from, this.to] = [new Float32Array(4 * most), new Float32Array(4 * most)];
+    this.color = new Uint8Array(4 * most);
+    this.count = 0;
+  }
+
+  add(x, y, z, u, v, w, thick, color, bands) {
+    const at = 4 * this.count;
+    const { from, to } = this;
+    [from[at], from[at + 1], from[at + 2], from[at + 3]] = [x, y, z, thick];
+    [to[at], to[at + 1], to[at + 2]] = [u, v, w];
+    for (let k = 0; k < 3; k += 1) this.color[at + k] = color[k];
+    this.color[at + 3] = bands;
+    this.count += 1;
+  }
+}
+
 class SolidView {
   constructor(film, canvas) {
     Object.assign(this, { film, canvas, ...SolidView.start(canvas) });
@@ -19,6 +42,9 @@ class SolidView {
     this.largest = film.radii.reduce((most, radius) => Math.max(most, radius), 0);
     this.full = quantile(film.forces.map(Math.abs).filter((force) => force > 0), 0.98) || 1;
     this.options = { color: Object.keys(this.paints)[0], balls: "solid", forces: "off", thickness: 1, fit: "film" };
+    const most = film.starts.reduce((largest, start, k) => Math.max(largest, start - (film.starts[k - 1] || 0)), 0);
+    this.pile = new Pile(2 * most + 4);
+    this.bytes = new Uint8Array(4 * film.n).fill(255);
     for (const kind of [this.solid, this.glass]) kind.set("radius", this.radii());
   }
 
@@ -78,8 +104,8 @@ class SolidView {
       ...axes,
       frame: [scale * x, scale * y, camera.shift[0] * ratio * x, camera.shift[1] * ratio * y],
       depth,
-      hazeNear: 0.5 - 0.5 * near,
-      hazeFar: 0.5 + 0.5 * near,
+      hazeNear: -near,
+      hazeFar: near,
       pixel: 1 / scale,
     };
   }
@@ -110,8 +136,11 @@ class SolidView {
     const { film, meta } = this;
     const { n } = film;
     const color = this.paints[this.options.color].colors(frame);
-    const bytes = new Uint8Array(4 * n);
-    for (let k = 0; k < n; k += 1) bytes.set(color(k), 4 * k), (bytes[4 * k + 3] = 255);
+    const { bytes } = this;
+    for (let k = 0; k < n; k += 1) {
+      const rgb = color(k);
+      for (let part = 0; part < 3; part += 1) bytes[4 * k + part] = rgb[part];
+    }
     for (const body of meta.marked) bytes.set(MARK, 4 * body);
     kind.set("place", film.places.subarray(3 * n * frame, 3 * n * (frame + 1)));
     kind.set("color", bytes);
@@ -119,59 +148,58 @@ class SolidView {
   }
 
   drawRods(frame, sight) {
-    const rods = { from: [], to: [], thick: [], color: [] };
-    const add = (from, to, thick, color) => {
-      rods.from.push(...from);
-      rods.to.push(...to);
-      rods.thick.push(thick);
-      rods.color.push(...color);
-    };
-    if (this.meta.body === "powder") this.edges(frame, sight, add);
-    if (this.options.forces === "on") this.forces(frame, add);
-    for (const name of ["from", "to", "thick"]) this.rods.set(name, new Float32Array(rods[name]));
-    this.rods.set("color", new Uint8Array(rods.color));
-    this.rods.draw(rods.thick.length, sight, { band: 0.8 * this.largest });
+    const rods = this.pile;
+    rods.count = 0;
+    if (this.meta.body === "powder") this.edges(frame, sight, rods);
+    if (this.options.forces === "on") this.forces(frame, rods);
+    for (const [name, width] of [["from", 4], ["to", 4], ["color", 4]]) this.rods.set(name, rods[name].subarray(0, width * rods.count));
+    this.rods.draw(rods.count, sight, { band: 0.8 * this.largest });
   }
 
   /** The upright edges of the box. */
-  edges(frame, sight, add) {
+  edges(frame, sight, rods) {
     const [x, y] = this.meta.periods;
     const top = this.meta.frames[frame].height;
-    for (const [u, v] of [[0, 0], [x, 0], [0, y], [x, y]]) add([u, v, 0], [u, v, top], 0.7 * sight.pixel, [150, 150, 150, 255]);
+    const thick = 0.7 * sight.pixel;
+    for (const [u, v] of [[0, 0], [x, 0], [0, y], [x, y]]) rods.add(u, v, 0, u, v, top, thick, EDGE, 255);
   }
 
   /** Rods of normal forces; one across a border of the periodic box is two halves. */
-  forces(frame, add) {
-    const { film, meta } = this;
-    const unit = (FULL_ROD * this.largest * this.options.thickness) / this.full;
+  forces(frame, rods) {
+    const { film, meta, largest } = this;
+    const { n, a, b, radii, places } = film;
+    const unit = (FULL_ROD * largest * this.options.thickness) / this.full;
+    const [low, high] = meta.box;
+    const step = low.map((x, axis) => (high[axis] - x) / 65535);
+    const [sideX, sideY] = meta.periods;
+    const top = meta.frames[frame].height;
+    const at = (particle, axis) => low[axis] + step[axis] * places[3 * (frame * n + particle) + axis];
     for (let k = film.starts[frame]; k < film.starts[frame + 1]; k += 1) {
       const force = film.forces[k];
-      const thick = Math.min(unit * Math.abs(force), LARGEST_ROD * FULL_ROD * this.largest);
-      if (!(thick >= UNSEEN_ROD * this.largest)) continue;
-      const color = [...(force > 0 ? PUSH : PULL), force > 0 ? 255 : 128];
-      const start = centre(film, frame, film.a[k]);
-      if (film.b[k] >= film.n) {
-        const piston = film.b[k] !== 0xffffffff;
-        add(start, [start[0], start[1], piston ? meta.frames[frame].height : 0], thick, color);
+      const thick = Math.min(unit * Math.abs(force), LARGEST_ROD * FULL_ROD * largest);
+      if (!(thick >= UNSEEN_ROD * largest)) continue;
+      const [color, bands] = force > 0 ? [PUSH, 255] : [PULL, 128];
+      const [x, y, z] = [at(a[k], 0), at(a[k], 1), at(a[k], 2)];
+      if (b[k] >= n) {
+        rods.add(x, y, z, x, y, b[k] === PISTON ? top : 0, thick, color, bands);
         continue;
       }
-      const end = centre(film, frame, film.b[k]);
-      const way = end.map((place, axis) => place - start[axis]);
-      const straight = way.slice();
-      for (const axis of [0, 1]) way[axis] -= meta.periods[axis] * Math.round(way[axis] / meta.periods[axis]);
-      const plus = (from, share) => from.map((place, axis) => place + share * way[axis]);
-      if (way[0] === straight[0] && way[1] === straight[1]) {
-        add(start, end, thick, color);
+      const [u, v, w] = [at(b[k], 0), at(b[k], 1), at(b[k], 2)];
+      const dx = u - x - sideX * Math.round((u - x) / sideX);
+      const dy = v - y - sideY * Math.round((v - y) / sideY);
+      if (Math.abs(u - x - dx) + Math.abs(v - y - dy) < 0.1 * largest) {
+        rods.add(x, y, z, u, v, w, thick, color, bands);
       } else {
-        const share = film.radii[film.a[k]] / (film.radii[film.a[k]] + film.radii[film.b[k]]);
-        add(start, plus(start, share), thick, color);
-        add(plus(end, share - 1), end, thick, color);
+        const share = radii[a[k]] / (radii[a[k]] + radii[b[k]]);
+        const rest = share - 1;
+        rods.add(x, y, z, x + share * dx, y + share * dy, z + share * (w - z), thick, color, bands);
+        rods.add(u + rest * dx, v + rest * dy, w + rest * (w - z), u, v, w, thick, color, bands);
       }
     }
   }
 
   drawPlates(plates, sight) {
-    const all = (name) => new Float32Array(plates.flatMap((plate) => plate[name]));
+    const all = (name) => new Float32Array(plates.flatMap((plate) => [...plate[name], 0]));
     for (const name of ["from", "first", "second"]) this.plates.set(name, all(name));
     this.plates.set("color", new Uint8Array(plates.flatMap((plate) => plate.color)));
     this.plates.draw(plates.length, sight);

@@ -64,16 +64,24 @@ impl Film {
     }
 
     /// Sees the first state and every one after a step.
-    pub fn look(&mut self, run: &impl Filmed) -> Result<(), Failure> {
+    pub fn look(&mut self, run: &impl Filmed) {
         match &mut self.0 {
-            Some(folder) if folder.wants(run.steps()) => Ok(folder.add(&run.frame())?),
-            _ => Ok(()),
+            Some(folder) if folder.wants(run.steps()) => folder.add(&run.frame()),
+            _ => {}
+        }
+    }
+
+    /// Before a checkpoint, which stands only beside all frames before it.
+    pub fn save(&mut self) -> Result<(), Failure> {
+        match &mut self.0 {
+            Some(folder) => Ok(folder.save()?),
+            None => Ok(()),
         }
     }
 
     /// Sees the last state.
-    pub fn end(mut self, run: &impl Filmed) -> Result<(), Failure> {
-        match &mut self.0 {
+    pub fn end(self, run: &impl Filmed) -> Result<(), Failure> {
+        match self.0 {
             Some(folder) => Ok(folder.finish(&run.frame())?),
             None => Ok(()),
         }

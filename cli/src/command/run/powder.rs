@@ -34,9 +34,9 @@ pub fn simulate(scene: &PowderScene, out: &Path, course: &Course) -> Result<Comp
             tell(compaction, sweeps, compaction.steps() - since);
             (told, sweeps, since) = (Instant::now(), 0, compaction.steps());
         }
-        // Frames first: a checkpoint stands only beside all frames before it.
-        film.look(compaction)?;
+        film.look(compaction);
         if compaction.steps() > 0 && saved.elapsed() >= course.pause {
+            film.save()?;
             write_atomically(&file, compaction.checkpoint().as_bytes())?;
             saved = Instant::now();
         }

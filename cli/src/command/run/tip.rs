@@ -35,9 +35,9 @@ pub fn simulate(scene: &TipScene, out: &Path, course: &Course) -> Result<TipRun,
             ));
             told = Instant::now();
         }
-        // Frames first: a checkpoint stands only beside all frames before it.
-        film.look(run)?;
+        film.look(run);
         if run.series().len() > 1 && saved.elapsed() >= course.pause {
+            film.save()?;
             write_atomically(&file, run.checkpoint().as_bytes())?;
             saved = Instant::now();
         }

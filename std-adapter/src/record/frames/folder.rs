@@ -1,7 +1,9 @@
 //! The folder of a run's frames: filled while it runs, thinned as it fills.
 
 use super::{Bodies, FEWEST, Frame, spacing};
+use crate::record::atomic::{Outlives, write};
 use crate::record::{WriteError, write_atomically};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// What all frames have in common.
@@ -44,14 +46,17 @@ pub enum FrameError {
     },
 }
 
-/// Frames of one run.
+/// Frames of one run: new ones are held back until they have to be on the disk, as most are dropped
+/// again.
 #[derive(Debug)]
 pub struct FrameFolder {
     path: PathBuf,
     limit: u64,
     stride: u64,
-    /// States between two frames that are there.
-    spacing: u64,
+    /// Steps from one frame to the next.
+    apart: u64,
+    /// Bytes of frames by their steps.
+    held: BTreeMap<u64, Vec<u8>>,
 }
 
 impl FrameFolder {
@@ -73,7 +78,8 @@ impl FrameFolder {
             path: path.to_path_buf(),
             limit: bodies.limit.max(FEWEST),
             stride: bodies.stride.max(1),
-            spacing: 0,
+            apart: 1,
+            held: BTreeMap::new(),
         }
     }
 
@@ -100,30 +106,44 @@ impl FrameFolder {
         step.is_multiple_of(self.stride) && states.is_multiple_of(spacing(states, self.limit))
     }
 
-    /// Keeps a frame that is [wanted](Self::wants), and drops those that are not wanted any more.
-    pub fn add(&mut self, frame: &Frame) -> Result<(), FrameError> {
-        let now = spacing(frame.step / self.stride, self.limit);
-        if now != self.spacing {
-            let apart = now.saturating_mul(self.stride);
-            remove_where(&self.path, |step| !step.is_multiple_of(apart))?;
-            self.spacing = now;
+    /// Takes a frame that is [wanted](Self::wants); drops those that are not wanted any more.
+    pub fn add(&mut self, frame: &Frame) {
+        self.thin(frame.step);
+        self.held.insert(frame.step, frame.bytes());
+    }
+
+    /// Brings all frames so far to the disk: before a checkpoint of the run, after which they will
+    /// not be made again.
+    pub fn save(&mut self) -> Result<(), FrameError> {
+        self.write(Outlives::Power)
+    }
+
+    /// Takes the last state, wanted or not, and writes all frames.
+    pub fn finish(mut self, frame: &Frame) -> Result<(), FrameError> {
+        self.thin(frame.step);
+        // Left by a run that went on longer than its last checkpoint.
+        remove_where(&self.path, |step| step > frame.step)?;
+        self.held.insert(frame.step, frame.bytes());
+        self.write(Outlives::Program)
+    }
+
+    /// Drops held frames that are not wanted after so many steps.
+    fn thin(&mut self, steps: u64) {
+        let apart = spacing(steps / self.stride, self.limit).saturating_mul(self.stride);
+        if apart != self.apart {
+            self.apart = apart;
+            self.held.retain(|step, _| step.is_multiple_of(apart));
         }
-        self.write(frame)
     }
 
-    /// Keeps the last state, wanted or not, and drops what is not wanted after so many steps.
-    pub fn finish(&mut self, frame: &Frame) -> Result<(), FrameError> {
-        let apart = spacing(frame.step / self.stride, self.limit).saturating_mul(self.stride);
-        let last = frame.step;
-        remove_where(&self.path, |step| {
-            step > last || (step != last && !step.is_multiple_of(apart))
-        })?;
-        self.write(frame)
-    }
-
-    fn write(&self, frame: &Frame) -> Result<(), FrameError> {
-        let file = self.path.join(format!("{:012}{ENDING}", frame.step));
-        Ok(write_atomically(&file, &frame.bytes())?)
+    /// Removes files that are not wanted any more, and writes what is held.
+    fn write(&mut self, outlives: Outlives) -> Result<(), FrameError> {
+        let apart = self.apart;
+        remove_where(&self.path, |step| !step.is_multiple_of(apart))?;
+        for (step, bytes) in std::mem::take(&mut self.held) {
+            write(&file(&self.path, step), &bytes, outlives)?;
+        }
+        Ok(())
     }
 
     /// What the frames of a folder have in common; `None` if there are no frames.
@@ -148,13 +168,18 @@ impl FrameFolder {
 
     /// Reads the frame of a step, with as many bodies as there must be.
     pub fn read(path: &Path, bodies: &Bodies, step: u64) -> Result<Frame, FrameError> {
-        let file = path.join(format!("{step:012}{ENDING}"));
+        let file = file(path, step);
         let bytes = std::fs::read(&file).map_err(|cause| access(&file, cause))?;
         let frame = Frame::parse(&bytes);
         frame
             .filter(|frame| frame.step == step && frame.places.len() == bodies.radii.len())
             .ok_or(FrameError::Damaged(file))
     }
+}
+
+/// Where the frame of a step is.
+fn file(path: &Path, step: u64) -> PathBuf {
+    path.join(format!("{step:012}{ENDING}"))
 }
 
 fn access(path: &Path, cause: std::io::Error) -> FrameError {
@@ -225,14 +250,13 @@ mod tests {
         }
     }
 
-    /// Runs from one step to another, the last one included if it is the end.
-    fn run(folder: &mut FrameFolder, steps: std::ops::Range<u64>) -> Result<(), FrameError> {
+    /// Runs over some steps.
+    fn run(folder: &mut FrameFolder, steps: std::ops::Range<u64>) {
         for step in steps {
             if folder.wants(step) {
-                folder.add(&frame(step))?;
+                folder.add(&frame(step));
             }
         }
-        Ok(())
     }
 
     #[test]
@@ -240,7 +264,7 @@ mod tests {
         let home = tempfile::tempdir()?;
         let whole = home.path().join("whole");
         let mut folder = FrameFolder::begin(&whole, &bodies(10, 2))?;
-        run(&mut folder, 0..77)?;
+        run(&mut folder, 0..77);
         folder.finish(&frame(77))?;
         let steps = FrameFolder::steps(&whole)?;
         assert_eq!(steps, [0, 16, 32, 48, 64, 77]);
@@ -248,11 +272,19 @@ mod tests {
         for (checkpoint, killed) in [(0, 5), (30, 31), (30, 44), (31, 77), (76, 77)] {
             let path = home.path().join("broken");
             let mut folder = FrameFolder::begin(&path, &bodies(10, 2))?;
-            run(&mut folder, 0..killed)?;
+            run(&mut folder, 0..checkpoint + 1);
+            folder.save()?;
+            // On the way to the next checkpoint some frames are written, some removed.
+            run(&mut folder, checkpoint + 1..killed);
+            folder.save()?;
+            let newest = FrameFolder::steps(&path)?.pop().unwrap_or(0);
+            if newest > checkpoint {
+                std::fs::remove_file(file(&path, newest))?;
+            }
             std::fs::write(path.join(".tmpx7"), "half")?;
             let mut folder = FrameFolder::resume(&path)?.ok_or("no frames")?;
             assert_eq!(folder.limit(), 10);
-            run(&mut folder, checkpoint..77)?;
+            run(&mut folder, checkpoint..77);
             folder.finish(&frame(77))?;
             assert_eq!(FrameFolder::steps(&path)?, steps, "{checkpoint} {killed}");
             assert_eq!(std::fs::read_dir(&path)?.count(), 1 + steps.len());
@@ -266,7 +298,7 @@ mod tests {
         let path = home.path().join("frames");
         assert!(FrameFolder::resume(&path)?.is_none());
         let given = bodies(5, 1);
-        FrameFolder::begin(&path, &given)?.add(&frame(3))?;
+        FrameFolder::begin(&path, &given)?.finish(&frame(3))?;
         assert_eq!(FrameFolder::bodies(&path)?, Some(given.clone()));
         assert_eq!(FrameFolder::read(&path, &given, 3)?.step, 3);
         std::fs::write(path.join("000000000004.frame"), "TrFr")?;

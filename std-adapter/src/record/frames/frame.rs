@@ -63,7 +63,7 @@ impl Hold {
     /// Of the thresholds of sliding, rolling and torsion that are reached.
     pub fn of(reached: [bool; 3]) -> Self {
         let [slides, rolls, spins] = reached.map(u8::from);
-        Self(slides * Self::SLIDES.0 | rolls * Self::ROLLS.0 | spins * Self::SPINS.0)
+        Self(slides * Self::SLIDES.0 + rolls * Self::ROLLS.0 + spins * Self::SPINS.0)
     }
 }
 
@@ -196,7 +196,9 @@ mod tests {
             places: (0..50)
                 .map(|k| Vector3::new(0.4, 0.399, 1.2) * f64::from(k))
                 .collect(),
-            speeds: (0..50).map(|k| 1e-7 * 1.7_f32.powi(k)).collect(),
+            speeds: (0..50)
+                .map(|k| 1e-7 * libm::exp2f(k as f32 / 1.3))
+                .collect(),
             contacts: vec![
                 contact(0, Partner::Particle(49), 0.3, Hold::STICKS),
                 contact(7, Partner::Wall(1), -1.25, Hold::of([true, false, true])),
