@@ -277,7 +277,7 @@ fn the_page_plays_in_a_browser_without_a_network() -> Outcome {
         .as_f64()
         .unwrap_or(f64::NAN);
     let error = most.as_f64().unwrap_or(f64::NAN) / largest - 1.0;
-    assert!(error.abs() <= 1.0 / 512.0, "{most} {largest}");
+    assert!(error.abs() <= 1.0 / 256.0, "{most} {largest}");
 
     // Play goes on by itself, the arrow key by one, the scrub bar anywhere.
     browser.click(".tribos-player .play")?;
