@@ -6,7 +6,7 @@ const SOFT = "#59616b";
 /** Pages narrower than this have the legend below. */
 const NARROW = 620;
 /** Width of a legend. */
-const LEGEND = 200;
+const LEGEND = 216;
 
 /** Draws all of it on a context whose unit is a pixel of the page. */
 function drawInk(ink, view, frame, [width, height]) {

@@ -58,10 +58,10 @@ function paintsOf(film) {
   const loads = (frame) => perParticle(film, frame, (sums, k, contact) => { sums[k] += Math.abs(film.forces[contact]); });
   const counts = (frame) => perParticle(film, frame, (sums, k) => { sums[k] += 1; });
   const some = [0.2, 0.4, 0.6, 0.8, 1].map((share) => Math.round(share * (film.frames - 1)));
-  const force = value("sum of a sphere's normal forces", meta.units.force, scaleOf(some.flatMap((at) => [...loads(at)]), false), loads);
+  const force = value("normal forces, summed", meta.units.force, scaleOf(some.flatMap((at) => [...loads(at)]), false), loads);
   const most = Math.max(1, quantile(some.flatMap((at) => [...counts(at)]), 0.999));
-  const coordination = value("contacts of a sphere", "", { low: 0, high: most, whole: true, share: (x) => x / most }, counts);
-  const mode = kinds("what its strongest contact does", HOLDS, (frame) => strongest(film, frame));
+  const coordination = value("number of contacts", "", { low: 0, high: most, whole: true, share: (x) => x / most }, counts);
+  const mode = kinds("the strongest contact", HOLDS, (frame) => strongest(film, frame));
   return { layer, force, coordination, mode, speed };
 }
 

@@ -25,14 +25,15 @@ class Player {
     this.resize();
   }
 
-  /** A button a preset. */
+  /** A button a preset, and the picture. */
   looks() {
     this.presets = Object.entries(this.view.presets()).map(([name, look]) =>
       make("button", { type: "button", class: "preset", onclick: () => this.choose(look) }, name));
-    return make("div", { class: "bar" }, ...this.presets);
+    const save = make("button", { type: "button", class: "save", onclick: () => this.save() }, "Save PNG");
+    return make("div", { class: "bar" }, ...this.presets, save);
   }
 
-  /** Each option by itself, the view, the picture. */
+  /** Each option by itself, and the view. */
   settings() {
     const { view } = this;
     const bar = make("div", { class: "bar" });
@@ -43,7 +44,6 @@ class Player {
       bar.append(make("label", {}, `${label} `, this.choices[key]));
     }
     bar.append(make("button", { type: "button", onclick: () => { view.camera.reset(); this.redraw(); } }, "Reset view"));
-    bar.append(make("button", { type: "button", class: "save", onclick: () => this.save() }, "Save PNG"));
     return bar;
   }
 

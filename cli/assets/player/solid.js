@@ -2,7 +2,8 @@
 
 const PUSH = bytesOf("#d5301a");
 const PULL = bytesOf("#1a66d5");
-const MARK = bytesOf("#ffd21f");
+/** Marked atoms, where parts have their colours and where a scale has. */
+const MARKS = { part: "#ffd21f", scale: "#e0281e" };
 /** Half the thickness of the rod of a full force, in radii of the largest ball, and of the largest. */
 const FULL_ROD = 0.3;
 const LARGEST_ROD = 1.5;
@@ -76,6 +77,10 @@ class SolidView {
     return radii;
   }
 
+  mark() {
+    return this.options.color === "part" ? MARKS.part : MARKS.scale;
+  }
+
   /** The presets of a film, the first for the start. */
   presets() {
     const look = (color, balls, forces, fit = "film") => ({ color, balls, forces, fit });
@@ -141,7 +146,8 @@ class SolidView {
       const rgb = color(k);
       for (let part = 0; part < 3; part += 1) bytes[4 * k + part] = rgb[part];
     }
-    for (const body of meta.marked) bytes.set(MARK, 4 * body);
+    const mark = bytesOf(this.mark());
+    for (const body of meta.marked) bytes.set(mark, 4 * body);
     kind.set("place", film.places.subarray(3 * n * frame, 3 * n * (frame + 1)));
     kind.set("color", bytes);
     kind.draw(n, sight, { low: meta.box[0], high: meta.box[1], size });
@@ -231,7 +237,7 @@ class SolidView {
     const { options, paints, meta } = this;
     const legends = [];
     if (options.balls !== "none") {
-      const marked = meta.marked.length ? [{ name: "marked atoms", color: "#ffd21f" }] : [];
+      const marked = meta.marked.length ? [{ name: "marked atoms", color: this.mark() }] : [];
       legends.push({ ...paints[options.color], marked, ramp: meta.ramp });
     }
     if (options.forces === "on") legends.push({ rods: true, full: this.full, thickness: this.options.thickness, radius: FULL_ROD * this.largest, unit: meta.units.force });

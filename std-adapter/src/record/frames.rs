@@ -29,7 +29,7 @@
 //! | m | u8, what the contact does: see [`Hold`] |
 //!
 //! *Accuracy*: a place to half a 65535th of the box's side (a millionth of the side more where an
-//! end is no f32), speeds and forces to 2⁻⁹ of their size. Any consistent units.
+//! end is no f32), speeds and forces to 2⁻⁸ of their size. Any consistent units.
 //!
 //! Which states are kept depends on the number of steps alone ([`spacing`]), so that a run that was
 //! broken off and resumed leaves the same files.

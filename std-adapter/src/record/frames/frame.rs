@@ -25,7 +25,7 @@ pub struct Frame {
     pub corners: [[f32; 3]; 2],
     /// Centres; in a file to half a 65535th of the box's sides.
     pub places: Vec<Vector3<f64>>,
-    /// Speeds; in a file to 2⁻⁹ of each.
+    /// Speeds; in a file to 2⁻⁸ of each.
     pub speeds: Vec<f32>,
     /// Contacts.
     pub contacts: Vec<FrameContact>,
@@ -38,7 +38,7 @@ pub struct FrameContact {
     pub a: u32,
     /// What it touches.
     pub b: Partner,
-    /// Normal force, positive for pressure, negative for a pull; in a file to 2⁻⁹ of it.
+    /// Normal force, positive for pressure, negative for a pull; in a file to 2⁻⁸ of it.
     pub normal_force: f32,
     /// What it does.
     pub hold: Hold,
@@ -221,7 +221,7 @@ mod tests {
             }
         }
         for (a, b) in written.speeds.iter().zip(&read.speeds) {
-            assert!((a - b).abs() <= a / 512.0);
+            assert!((a - b).abs() <= a / 256.0);
         }
         assert_eq!(read.contacts.len(), 2);
         assert_eq!(read.contacts[0].b, Partner::Particle(49));

@@ -7,7 +7,8 @@ pub const FEWEST: u64 = 2;
 /// the smallest for which those kept and the last one are not more than `limit`.
 ///
 /// The set is halved as it fills, and never refilled: what is kept after more states is a part of
-/// what was kept before, apart from the last. *Domain*: limits below [`FEWEST`] count as that.
+/// what was kept before, apart from the last. *Domain*: limits below [`FEWEST`] count as that;
+/// `u64::MAX` where a power of two has too many digits.
 ///
 /// ```
 /// use tribos::record::frames::spacing;
@@ -16,8 +17,11 @@ pub const FEWEST: u64 = 2;
 pub fn spacing(states: u64, limit: u64) -> u64 {
     let before_last = limit.max(FEWEST) - 1;
     let mut spacing = 1_u64;
-    while states / spacing >= before_last && spacing <= states {
-        spacing = spacing.saturating_mul(2);
+    while states / spacing >= before_last {
+        spacing = match spacing.checked_mul(2) {
+            Some(double) => double,
+            None => return u64::MAX,
+        };
     }
     spacing
 }
@@ -42,6 +46,9 @@ mod tests {
                 last = now;
             }
         }
-        assert_eq!(spacing(u64::MAX, 2), 1 << 63);
+        assert_eq!(
+            [2, 3].map(|limit| spacing(u64::MAX, limit)),
+            [u64::MAX, 1 << 63]
+        );
     }
 }
