@@ -134,7 +134,7 @@ fn what_the_data_do_not_tell_is_said_in_place_of_a_number() -> Outcome {
     let (code, told, _) = fit(&["--law", "rate-state", path, "--fix", "eta=0"])?;
     assert_eq!(code, 0);
     assert!(
-        told.contains("only a combination of a and b; give --fix a=VALUE"),
+        told.contains("only a combination of a and b; give --fix NAME=VALUE"),
         "{told}"
     );
     assert!(!told.contains("inf") && !told.contains("NaN"), "{told}");

@@ -34,7 +34,7 @@ impl Length {
 
 /// Step of a central difference of fourth order, relative to the length: ε^(1/5), where
 /// the errors of truncation and of rounding are alike, 3e-13.
-const STEP: f64 = 7.400_959_797_414_051e-4;
+const STEP: f64 = 7.400_959_797_414_05e-4;
 /// Step of a one-sided difference of second order: ε^(1/3), 4e-11.
 const SHORT_STEP: f64 = 6.055_454_452_393_343e-6;
 

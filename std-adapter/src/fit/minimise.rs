@@ -139,7 +139,8 @@ impl Pace {
             if let Some(below) = below {
                 // Nielsen's rule: the better the linear model, the less damping.
                 let gain = (place.cost - below.cost) / predicted;
-                let shrink = 1.0 - (2.0 * gain - 1.0).powi(3);
+                let surplus = 2.0 * gain - 1.0;
+                let shrink = 1.0 - surplus * surplus * surplus;
                 self.damping *= shrink.max(1.0 / 3.0);
                 self.growth = 2.0;
                 return Some(below);

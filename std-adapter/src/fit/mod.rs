@@ -35,9 +35,11 @@ mod covariance;
 mod data;
 mod estimate;
 mod jacobian;
+mod judge;
 mod law;
 mod minimise;
 mod parameter;
+mod search;
 mod starts;
 
 pub use data::{Data, DataError, Motion};
@@ -46,6 +48,8 @@ pub use law::{LawName, law_model};
 pub use parameter::{Model, Parameter, Range};
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod nist;
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests;

@@ -17,7 +17,10 @@ pub fn text(scene: &PowderScene) -> Result<String, Failure> {
     let mut text = line("contacts", modes(carried.modes));
     text += &line(
         "",
-        format!("{} unknowns each, {} bytes", cost.unknowns, cost.bytes),
+        format!(
+            "{} unknowns each (normal 1, sliding 2, rolling 2, torsion 1), {} bytes",
+            cost.unknowns, cost.bytes
+        ),
     );
     text += &idle(scene);
     text += &line("thresholds", thresholds(scene));
@@ -49,7 +52,7 @@ fn modes(modes: CarriedModes) -> String {
     if !absent.is_empty() {
         text += &format!(
             "; {} not resisted, neither stored nor computed",
-            absent.join(" and ")
+            absent.join(", ")
         );
     }
     text

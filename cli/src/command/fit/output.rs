@@ -11,6 +11,9 @@ use tribos::record::{number, series_csv, write_atomically};
 /// Correlation beyond which two parameters are hardly told apart.
 const ENTANGLED: f64 = 0.99;
 
+/// Standard deviations, of its own, by which a reduced χ² may exceed 1.
+const BEYOND: f64 = 5.0;
+
 /// A fit with what it came from.
 #[derive(Clone, Copy, Debug)]
 pub struct Report<'a> {
@@ -43,8 +46,8 @@ impl Report<'_> {
         let parameter = &estimate.parameter;
         let (value, how) = match &estimate.known {
             Known::StandardError(error) => told(estimate.value, *error),
-            Known::Fixed => (format!("{:.6e}", estimate.value), "fixed".into()),
-            Known::AtBound => (format!("{:.6e}", estimate.value), "at its bound".into()),
+            Known::Fixed => (plain(estimate.value), "fixed".into()),
+            Known::AtBound => (plain(estimate.value), "at its bound".into()),
             Known::Undetermined(_) => (format!("{:.3e}", estimate.value), "not determined".into()),
         };
         let unit = self.unit(parameter.unit);
@@ -82,6 +85,11 @@ impl Report<'_> {
             "residuals     {residuals}\nstarts        {} of {} ended at the best minimum\n",
             fit.at_best, fit.starts
         );
+        let scatter = (2.0 / freedoms as f64).sqrt();
+        if fit.is_weighted && fit.deviation() * fit.deviation() > 1.0 + BEYOND * scatter {
+            text +=
+                "warning       residuals are larger than sigma allows: the law or sigma is wrong\n";
+        }
         if fit.at_best == 1 && fit.starts > 1 {
             text += "warning       only one start ended there; try more --starts, or --fix a parameter\n";
         }
@@ -93,20 +101,23 @@ impl Report<'_> {
 
     /// Parameters of which the data tell nothing, or only a combination.
     fn undetermined(&self) -> String {
-        let told = self.fit.parameters.iter().filter_map(|estimate| {
-            let name = estimate.parameter.name;
-            let Known::Undetermined(others) = &estimate.known else {
-                return None;
-            };
-            let why = if others.is_empty() {
-                format!("the data say nothing of {name}")
-            } else {
-                format!(
-                    "the data tell only a combination of {name} and {}",
-                    others.join(", ")
-                )
-            };
-            Some(format!("warning       {why}; give --fix {name}=VALUE\n"))
+        let mut groups: Vec<Vec<&str>> = Vec::new();
+        for estimate in &self.fit.parameters {
+            if let Known::Undetermined(others) = &estimate.known {
+                let mut group = others.clone();
+                group.push(estimate.parameter.name);
+                group.sort_unstable();
+                if !groups.contains(&group) {
+                    groups.push(group);
+                }
+            }
+        }
+        let told = groups.iter().map(|group| match group.as_slice() {
+            [name] => format!("warning       the data say nothing of {name}; give --fix {name}=VALUE\n"),
+            names => format!(
+                "warning       the data tell only a combination of {}; give --fix NAME=VALUE for one\n",
+                names.join(" and ")
+            ),
         });
         told.collect()
     }
@@ -234,6 +245,15 @@ impl Report<'_> {
             estimate.value,
             self.unit(parameter.unit)
         )
+    }
+}
+
+/// A value that has no error.
+fn plain(value: f64) -> String {
+    if value == 0.0 {
+        "0".into()
+    } else {
+        format!("{value:.6e}")
     }
 }
 
