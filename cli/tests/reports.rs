@@ -1,6 +1,10 @@
 //! The report and the phase diagram are complete and agree with the thesis.
 
+#[allow(dead_code)]
+mod browser;
+
 use assert_cmd::Command;
+use browser::Browser;
 use std::path::Path;
 use std::process::Stdio;
 use std::time::Duration;
@@ -71,6 +75,24 @@ fn the_whole_report_is_made_through_kills_and_no_claim_differs() -> Outcome {
         assert!(folder.path().join(format!("{name}.csv")).exists());
     }
     assert!(page.contains("0.653001789206"));
+    the_page_is_shown(&folder.path().join("index.html"))
+}
+
+/// Every figure is there, films play, and the browser has nothing to complain of.
+fn the_page_is_shown(page: &Path) -> Outcome {
+    let Some(mut browser) = Browser::start(1200, 1600)? else {
+        return Ok(());
+    };
+    let films = "document.querySelectorAll('.tribos-player[data-state=ready]').length";
+    browser.open(page, &format!("{films} === 2"))?;
+    let shown = "[...document.querySelectorAll('figure svg')] \
+        .filter(svg => svg.getBoundingClientRect().height > 100).length";
+    assert_eq!(browser.value(shown)?, 28);
+    browser.click(".tribos-player .play")?;
+    browser.wait("document.querySelector('.tribos-player').player.frame > 3")?;
+    let picture = browser.screenshot("report.png")?;
+    assert!(picture.colors() > 100);
+    assert_eq!(browser.complaints(), [""; 0]);
     Ok(())
 }
 

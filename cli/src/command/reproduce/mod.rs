@@ -360,7 +360,7 @@ fn claims_csv(sections: &[Section]) -> String {
 
 fn page(sections: Vec<Section>, effort: Effort) -> Page {
     Page {
-        title: "Friction laws and coupled friction: the thesis reproduced".into(),
+        title: "Mesoscopic aspects of solid friction: the thesis reproduced".into(),
         intro: vec![
             "Chapter 2 of the thesis presents the laws of solid friction: Coulomb's, the ageing of \
              contacts, the real area that they touch with, and how friction depends on the speed, \
