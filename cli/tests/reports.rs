@@ -85,7 +85,7 @@ fn the_page_is_shown(page: &Path) -> Outcome {
     };
     let films = "document.querySelectorAll('.tribos-player[data-state=ready]').length";
     browser.open(page, &format!("{films} === 2"))?;
-    let shown = "[...document.querySelectorAll('figure svg')] \
+    let shown = "[...document.querySelectorAll('figure > .card > svg')] \
         .filter(svg => svg.getBoundingClientRect().height > 100).length";
     assert_eq!(browser.value(shown)?, 28);
     browser.click(".tribos-player .play")?;
