@@ -1,4 +1,4 @@
-//! Every command that the README, the docs and the help texts print does what it says: it runs.
+//! Every command that the README, the docs and the help texts print runs, and so does every scene.
 //!
 //! Powders and tips are cut short; with TRIBOS_PRINTED=whole they run to their ends.
 #![cfg(unix)]
@@ -53,6 +53,20 @@ fn commands_of_the_readme_and_the_docs_run() -> Outcome {
     let mut seen = std::collections::HashSet::new();
     commands.retain(|command| seen.insert(command.clone()));
     all_run(&commands)
+}
+
+#[test]
+fn every_scene_runs() -> Outcome {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut names = Vec::new();
+    for entry in fs::read_dir(root.join("scenes"))? {
+        names.push(entry?.file_name().to_string_lossy().into_owned());
+    }
+    names.retain(|name| name.ends_with(".toml") && !name.starts_with("golden"));
+    names.sort();
+    assert!(names.len() >= 11, "{names:?}");
+    let run = |name: &String| format!("tribos run scenes/{name} --out out/{name}");
+    all_run(&names.iter().map(run).collect::<Vec<_>>())
 }
 
 #[test]

@@ -5,19 +5,28 @@ mod browser;
 
 use assert_cmd::Command;
 use browser::Browser;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::time::Duration;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
+/// Exhibits for the test of kills: quick ones, and a compaction of some seconds.
+const KILLED: [&str; 4] = ["3.4", "3.9", "4.5", "4.6"];
+
+fn reproduce(folder: &Path) -> std::process::Command {
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"));
+    command.args(["reproduce", "--out"]).arg(folder);
+    command
+}
+
 #[test]
-fn the_whole_report_is_made_through_kills_and_no_claim_differs() -> Outcome {
+fn a_report_that_is_killed_and_gone_on_with_has_the_same_bits() -> Outcome {
     let folder = tempfile::tempdir()?;
-    for seconds in [0.3, 2.0, 9.0] {
-        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"))
-            .args(["reproduce", "--checkpoint", "0.5", "--out"])
-            .arg(folder.path())
+    for seconds in [0.2, 1.0, 3.0] {
+        let mut child = reproduce(folder.path())
+            .args(["--checkpoint", "0.5"])
+            .args(KILLED)
             .stdout(Stdio::null())
             .stderr(Stdio::null())
             .spawn()?;
@@ -26,42 +35,53 @@ fn the_whole_report_is_made_through_kills_and_no_claim_differs() -> Outcome {
         child.wait()?;
         nothing_is_half_written(folder.path())?;
     }
-    Command::cargo_bin("tribos")?
-        .args(["reproduce", "--out"])
-        .arg(folder.path())
-        .assert()
-        .success();
-    nothing_is_half_written(folder.path())?;
-    // What the kills hit, undisturbed.
-    let whole = tempfile::tempdir()?;
-    Command::cargo_bin("tribos")?
-        .args(["reproduce", "--out"])
-        .arg(whole.path())
-        .args(["3.4", "4.5", "4.6"])
-        .assert()
-        .success();
-    for name in ["3.4", "4.5", "4.6"] {
-        for ending in ["csv", "svg", "png"] {
-            let file = format!("figure-{name}.{ending}");
-            let read = |folder: &Path| std::fs::read(folder.join(&file));
-            assert!(read(folder.path())? == read(whole.path())?, "{file}");
+    let undisturbed = tempfile::tempdir()?;
+    for folder in [&folder, &undisturbed] {
+        let output = reproduce(folder.path()).args(KILLED).output()?;
+        assert!(output.status.success(), "{output:?}");
+        nothing_is_half_written(folder.path())?;
+    }
+    let mut files = 0;
+    for entry in std::fs::read_dir(undisturbed.path())? {
+        let name = entry?.file_name();
+        let read = |folder: &Path| std::fs::read(folder.join(&name));
+        if undisturbed.path().join(&name).is_file() {
+            let same = read(folder.path())? == read(undisturbed.path())?;
+            assert!(same, "{}", name.display());
+            files += 1;
         }
     }
-    let claims = std::fs::read_to_string(folder.path().join("claims.csv"))?;
+    assert_eq!(files, 3 * KILLED.len() + 2);
+    Ok(())
+}
+
+/// The report in the folder that TRIBOS_REPORT names, made by `tribos reproduce`; or one made now.
+#[test]
+fn the_whole_report_is_made_and_no_claim_differs() -> Outcome {
+    let made = tempfile::tempdir()?;
+    let folder = match std::env::var_os("TRIBOS_REPORT") {
+        Some(folder) => PathBuf::from(folder),
+        None => {
+            let output = reproduce(made.path()).output()?;
+            assert!(output.status.success(), "{output:?}");
+            made.path().to_owned()
+        }
+    };
+    let claims = std::fs::read_to_string(folder.join("claims.csv"))?;
     assert!(!claims.contains("\"differs\""));
     assert!(claims.lines().count() > 260);
     assert_eq!(claims.matches("thesis in error").count(), 17);
     assert_eq!(claims.matches("\"not checked\"").count(), 20);
     let unstated = claims.matches("\"differs, with cause: ");
     assert_eq!(unstated.count(), 10);
-    let page = std::fs::read_to_string(folder.path().join("index.html"))?;
+    let page = std::fs::read_to_string(folder.join("index.html"))?;
     for name in [
         "2.5", "2.7", "2.8", "3.3", "3.4", "3.6", "3.7", "3.8", "3.9", "3.10", "3.11", "3.13",
         "3.16", "3.17", "3.19", "4.2", "4.3", "4.5", "4.6", "4.7", "5.1", "5.2",
     ] {
         assert!(page.contains(&format!("Figure {name}:")), "{name}");
         for ending in ["csv", "svg", "png"] {
-            let file = folder.path().join(format!("figure-{name}.{ending}"));
+            let file = folder.join(format!("figure-{name}.{ending}"));
             assert!(file.metadata()?.len() > 100, "{}", file.display());
         }
     }
@@ -72,10 +92,10 @@ fn the_whole_report_is_made_through_kills_and_no_claim_differs() -> Outcome {
         "section-5.1",
         "section-5.1-modes",
     ] {
-        assert!(folder.path().join(format!("{name}.csv")).exists());
+        assert!(folder.join(format!("{name}.csv")).exists());
     }
     assert!(page.contains("0.653001789206"));
-    the_page_is_shown(&folder.path().join("index.html"))
+    the_page_is_shown(&folder.join("index.html"))
 }
 
 /// Every figure is there, films play, and the browser has nothing to complain of.

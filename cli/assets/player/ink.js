@@ -90,6 +90,7 @@ function drawKind(ink, { name, color }, x, y) {
 }
 
 function drawRamp(ink, { ramp, scale }, x, y, width) {
+  const lengthOf = (text) => ink.measureText(text).width;
   ramp.forEach((color, k) => {
     ink.fillStyle = color;
     ink.fillRect(x + (k * width) / ramp.length, y - 7, width / ramp.length + 0.6, 13);
@@ -98,15 +99,17 @@ function drawRamp(ink, { ramp, scale }, x, y, width) {
   const [low, high] = [round(scale.low), round(scale.high)];
   const middle = round(scale.logarithmic ? Math.sqrt(low * high) : 0.5 * (low + high));
   const shown = (number) => (scale.whole ? String(Math.round(number)) : digits(number));
+  const left = (scale.logarithmic ? "≤ " : "") + shown(low);
+  const right = (scale.whole ? "" : "≥ ") + shown(high);
   ink.fillStyle = INK;
   ink.textAlign = "left";
-  ink.fillText((scale.logarithmic ? "≤ " : "") + shown(low), x, y + 18);
-  if (!scale.whole) {
-    ink.textAlign = "center";
-    ink.fillText(shown(middle), x + width / 2, y + 18);
-  }
+  ink.fillText(left, x, y + 18);
   ink.textAlign = "right";
-  ink.fillText((scale.whole ? "" : "≥ ") + shown(high), x + width, y + 18);
+  ink.fillText(right, x + width, y + 18);
+  // The number in the middle, where it has room.
+  ink.textAlign = "center";
+  const [beside, own] = [Math.max(...[left, right].map(lengthOf)), lengthOf(shown(middle))];
+  if (!scale.whole && beside + own / 2 + 6 < width / 2) ink.fillText(shown(middle), x + width / 2, y + 18);
   return y + 42;
 }
 

@@ -245,10 +245,17 @@ class SolidView {
   }
 }
 
+/** "1.6·10⁻⁵": three digits, fewer where they are zeros. */
+function scientific(value) {
+  const [digits, power] = value.toExponential(2).split("e");
+  const raised = [...power.replace("+", "")].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]));
+  return `${Number(digits)}·10${raised.join("")}`;
+}
+
 /** Four significant digits. */
 function digits(value) {
   const size = Math.abs(value);
-  if (size !== 0 && (size < 1e-3 || size >= 1e6)) return value.toExponential(2).replace("e", "·10^");
+  if (size !== 0 && (size < 1e-3 || size >= 1e6)) return scientific(value);
   return String(Number(value.toPrecision(4)));
 }
 

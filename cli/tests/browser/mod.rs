@@ -168,10 +168,12 @@ impl Browser {
         Ok(())
     }
 
-    /// Clicks into the middle of the first element of a selector.
+    /// Brings the first element of a selector into view and clicks into its middle.
     pub fn click(&mut self, selector: &str) -> Result<(), Error> {
         let place = format!(
-            "(() => {{ const b = document.querySelector({}).getBoundingClientRect(); \
+            "(() => {{ const element = document.querySelector({}); \
+             element.scrollIntoView({{ block: 'center', behavior: 'instant' }}); \
+             const b = element.getBoundingClientRect(); \
              return [b.left + b.width / 2, b.top + b.height / 2]; }})()",
             json!(selector)
         );
