@@ -24,11 +24,22 @@ fn every_body_tells_its_unknowns_and_cost() -> Outcome {
     for (arguments, words) in [
         (
             &["disk"][..],
-            &["2: sliding speed and spin", "Coulomb", "ns an evaluation"][..],
+            // m v²/2 and m R² ω²/4 of the scene are 0.05 J and 0.004 J.
+            &[
+                "2: sliding speed and spin",
+                "Coulomb",
+                "ns an evaluation",
+                "92.6 % of it slowed the sliding",
+            ][..],
         ),
         (
             &["cylinder", "--set", "pressure=hertz"],
             &["Hertz", "table made at the start", "lateral"],
+        ),
+        (&["disk", "--set", "spin=1"], &["check with --set spin=0"]),
+        (
+            &["cylinder", "--set", "height=0.001"],
+            &["the path bends by 0.0"],
         ),
         (&["pipe-a"], &["annulus", "two disks"]),
         (
@@ -124,5 +135,30 @@ fn after_a_run_it_tells_where_the_energy_went_and_what_could_go() -> Outcome {
     );
     let (code, _, said) = tribos(at, &["explain", "disk", "--out", "out"])?;
     assert!(code == 2 && said.contains("powders"), "{said}");
+    Ok(())
+}
+
+#[test]
+fn after_a_tips_run_it_tells_its_work_and_how_long_a_drive_would_do() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let small = "body = \"tip\"\nlambda = 0.01\ncolumns = 12\nrows = 14\nside = 3\nspacing = 1.1\n\
+                 substrate_layers = 4\ntip_layers = 4\nequilibration = 5\ndrive_time = 80\nrest_time = 5\ntemperature = 0.01\n";
+    std::fs::write(folder.path().join("tip.toml"), small)?;
+    let at = folder.path();
+    let (code, _, said) = tribos(at, &["run", "tip.toml", "--out", "out"])?;
+    assert_eq!(code, 0, "{said}");
+    let (code, told, said) = tribos(at, &["explain", "tip.toml", "--out", "out"])?;
+    assert_eq!(code, 0, "{said}");
+    for words in ["eps of work", "slipped", "could go", "--set drive_time="] {
+        assert!(told.contains(words), "{words} not in {told}");
+    }
+    let (code, _, said) = tribos(
+        at,
+        &["explain", "tip.toml", "--set", "seed=2", "--out", "out"],
+    )?;
+    assert!(
+        code == 2 && said.contains("`seed` is 1 there, 2 here"),
+        "{said}"
+    );
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use tribos::md::interaction::Wanted;
-use tribos::md::observe::Torsion;
+use tribos::md::observe::{Torsion, conserved_energy};
 use tribos::md::pair::LennardJones;
 use tribos::md::system::{System, SystemError};
 use tribos::run::Simulation;
@@ -313,5 +313,21 @@ fn stages_without_steps_are_no_stages() -> Result<(), Error> {
             "{key}"
         );
     }
+    Ok(())
+}
+
+/// Atoms without thermostat, from rest: what the outcome says of the work against what they have.
+#[test]
+fn the_drives_work_is_what_the_atoms_gain() -> Result<(), Error> {
+    let scene = tiny(&format!(
+        "{COLD}\nshift = \"force\"\nlambda = 0.1\ntime_step = 0.002\ndrive_time = 4\nrest_time = 0\nsamples = 10"
+    ))?;
+    let mut run = TipRun::new(&scene)?;
+    let before = conserved_energy(run.system());
+    to_the_end(&mut run)?;
+    let gained = conserved_energy(run.system()) - before;
+    let work = run.outcome().energy.work;
+    // The driven layers are not quite rigid.
+    assert!((work / gained - 1.0).abs() < 0.02, "{work} {gained}");
     Ok(())
 }

@@ -7,11 +7,13 @@ mod outcome;
 mod path;
 pub mod planar;
 mod simulation;
+mod spent;
 
 pub use cost::{Evaluation, EvaluationCost};
 pub use outcome::{Ending, Outcome};
 pub use path::{PATH_COLUMNS, PathOutcome, PathRun, run_path};
 pub use simulation::{COLUMNS, SlideSimulation};
+pub use spent::Spent;
 
 use crate::run::drive;
 use crate::scene::SliderScene;

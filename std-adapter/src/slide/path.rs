@@ -40,7 +40,7 @@ pub struct PathOutcome {
     /// |work − loss of kinetic energy| / initial energy.
     pub energy_error: f64,
     /// In kg.
-    mass: f64,
+    pub(super) mass: f64,
 }
 
 /// Runs a scene to its end.

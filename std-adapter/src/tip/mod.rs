@@ -7,6 +7,7 @@
 mod build;
 mod checkpoint;
 mod cost;
+mod energy;
 pub mod export;
 mod frames;
 mod outcome;
@@ -15,6 +16,7 @@ mod shape;
 
 pub use build::{BuildError, TipSystem, build};
 pub use cost::{TipCost, cost};
+pub use energy::DriveEnergy;
 pub use outcome::{Outcome, Plateau, Verdict};
 pub use run::{TipError, TipRun};
 pub use shape::{LAYERS_OF_A_KIND, Outline, Part, Shape, Site};

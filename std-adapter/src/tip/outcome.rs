@@ -1,11 +1,14 @@
 //! What came out of a run: back or not, where it locked in, which layers slipped.
 
+use super::energy::DriveEnergy;
 use crate::record::json_number;
 use crate::scene::TipScene;
 use serde_json::{Value, json};
 
 /// Column of the driven layers' angle.
 const ANGLE: usize = 1;
+/// Column of the potential energy.
+const POTENTIAL: usize = 6;
 /// Times at the end of a stage over which angles are averaged, in τ.
 const END: f64 = 20.0;
 /// An angle below which the tip counts as turned back, in degrees. Thermal motion is a tenth of it.
@@ -60,18 +63,22 @@ pub struct Outcome {
     pub plateaus: Vec<Plateau>,
     /// Mean temperature of the tip's bath while driven, ε/k_B.
     pub tip_temperature: f64,
+    /// What became of the drive's work.
+    pub energy: DriveEnergy,
     /// Lines of the series.
     pub samples: usize,
 }
 
 impl Outcome {
-    /// Of a series whose angles of layers start at a column.
-    pub(super) fn of(scene: &TipScene, series: &[Vec<f64>], layers: usize) -> Self {
+    /// Of a series whose angles of layers start at a column, under a drive of so large a moment.
+    pub(super) fn of(scene: &TipScene, series: &[Vec<f64>], layers: usize, moment: f64) -> Self {
         let [before, with, after] = scene.stage_steps();
         let off = with as f64 * scene.time_step;
         let end = (with + after) as f64 * scene.time_step;
         let begin = -(before as f64) * scene.time_step;
         let width = layers + scene.shape.tip_layers;
+        let first = means(series, begin.max(-END), 0.0, width);
+        let turned = angle_at(series, off) - angle_at(series, 0.0);
         let driven = means(series, (off - END).max(0.0), off, width);
         let last = means(series, (end - END).max(off), end, width);
         let is_over = series.last().is_some_and(|line| line[0] >= end);
@@ -101,6 +108,15 @@ impl Outcome {
             slipped_driven: slipped(&driven[layers..]),
             plateaus: plateaus(&on),
             tip_temperature: means(series, 0.0, off, width)[5],
+            energy: DriveEnergy {
+                work: moment * turned.to_radians(),
+                stored: driven[POTENTIAL] - first[POTENTIAL],
+                released: driven[POTENTIAL] - last[POTENTIAL],
+                uncertainty: libm::hypot(
+                    standard_error(series, begin.max(-END), 0.0),
+                    standard_error(series, (off - END).max(0.0), off),
+                ),
+            },
             samples: series.len(),
         }
     }
@@ -130,6 +146,7 @@ impl Outcome {
             "slipped_interfaces_while_driven": self.slipped_driven,
             "plateaus": self.plateaus.iter().map(plateau).collect::<Vec<_>>(),
             "tip_temperature": json_number(self.tip_temperature),
+            "drive_energy": self.energy.json(),
             "samples": self.samples,
         })
     }
@@ -149,6 +166,29 @@ fn means(series: &[Vec<f64>], from: f64, to: f64, width: usize) -> Vec<f64> {
         }
     }
     sums.into_iter().map(|sum| sum / count).collect()
+}
+
+/// Of the mean potential energy over a stretch of time, as if lines were independent.
+fn standard_error(series: &[Vec<f64>], from: f64, to: f64) -> f64 {
+    let within = |line: &&Vec<f64>| line[0] >= from && line[0] <= to;
+    let energies: Vec<f64> = series
+        .iter()
+        .filter(within)
+        .map(|line| line[POTENTIAL])
+        .collect();
+    let count = energies.len() as f64;
+    let mean = energies.iter().sum::<f64>() / count;
+    let square: f64 = energies
+        .iter()
+        .map(|energy| (energy - mean) * (energy - mean))
+        .sum();
+    (square / (count * (count - 1.0))).sqrt()
+}
+
+/// The angle in the last line up to a time; NaN without one.
+fn angle_at(series: &[Vec<f64>], time: f64) -> f64 {
+    let until = series.iter().rev().find(|line| line[0] <= time);
+    until.map_or(f64::NAN, |line| line[ANGLE])
 }
 
 /// Interfaces across which the angles differ; the substrate stands.

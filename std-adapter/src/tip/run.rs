@@ -146,7 +146,8 @@ impl TipRun {
 
     /// What came out.
     pub fn outcome(&self) -> Outcome {
-        Outcome::of(&self.scene, &self.series, FIXED_COLUMNS.len())
+        let columns = FIXED_COLUMNS.len();
+        Outcome::of(&self.scene, &self.series, columns, self.drive_moment())
     }
 
     fn last_step(&self) -> u64 {
@@ -193,6 +194,20 @@ impl TipRun {
             (place.x - x0) * force.y - (place.y - y0) * force.x
         };
         -driven.iter().map(part).sum::<f64>()
+    }
+
+    /// Moment of the drive about its axis.
+    fn drive_moment(&self) -> f64 {
+        let (atoms, drive) = (self.system.atoms(), self.system.drive());
+        let Some(drive) = drive else { return 0.0 };
+        let [x0, y0] = drive.axis;
+        let part = |&atom: &usize| {
+            let place = &atoms.positions[atom];
+            let arm = [place.x - x0, place.y - y0];
+            atoms.mass(atom) * (arm[0] * arm[0] + arm[1] * arm[1])
+        };
+        let driven = self.system.members(Part::ALL.len() - 1);
+        drive.acceleration * driven.iter().map(part).sum::<f64>()
     }
 
     /// Mean height of the driven atoms.

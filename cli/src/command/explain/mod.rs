@@ -1,6 +1,6 @@
 //! `tribos explain`: which laws, modes and unknowns a scene carries, and what they cost.
 
-mod budget;
+mod after;
 mod powder;
 mod slide;
 mod tip;
@@ -13,8 +13,8 @@ use tribos::scene::Scene;
 /// Says which laws, modes and unknowns a scene will carry and what they cost, so that it models only
 /// what it needs. Costs are measured here and now, in a fraction of a second.
 ///
-/// With --out DIR of a finished run of a powder it tells where the energy went, and which modes
-/// could be left out.
+/// Then it tells where the energy went, and what could be left out: of a sliding body at once, since
+/// its run takes a moment; of a powder or a tip with --out DIR of a finished run.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -23,7 +23,7 @@ pub struct Arguments {
     /// Replace or add a key of the scene; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Folder of a finished run of this scene: where its energy went.
+    /// Folder of a finished run of this powder or tip: where its energy went.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
@@ -35,18 +35,23 @@ Examples:
   tribos explain tip-reversible --set cutoff=3
   tribos explain cylinder --set pressure=hertz
   tribos run compaction-small --set torsion=0.1 --out out/powder
-  tribos explain compaction-small --set torsion=0.1 --out out/powder";
+  tribos explain compaction-small --set torsion=0.1 --out out/powder
+  tribos run tip-reversible --set drive_time=200 --out out/tip
+  tribos explain tip-reversible --set drive_time=200 --out out/tip";
 
 impl Arguments {
     /// Prints.
     pub fn execute(self) -> Result<(), Failure> {
         let read = scene::read(&self.scene, &self.overrides)?;
-        let budget = match (&self.out, &read) {
+        let after = match (&self.out, &read) {
+            (None, Scene::Disk(scene)) => after::disk(scene)?,
+            (None, Scene::Planar(scene)) => after::planar(scene)?,
             (None, _) => String::new(),
-            (Some(out), Scene::Powder(scene)) => budget::text(scene, out, &self.command(out))?,
+            (Some(out), Scene::Powder(scene)) => after::powder(scene, out, &self.command(out))?,
+            (Some(out), Scene::Tip(scene)) => after::tip(scene, out)?,
             (Some(_), _) => {
                 return Err(Failure::input(
-                    "--out is for powders: only their runs keep a book of where energy goes",
+                    "--out is for powders and tips; a sliding body is accounted for without it",
                 ));
             }
         };
@@ -56,7 +61,8 @@ impl Arguments {
             Scene::Powder(scene) => powder::text(scene)?,
             Scene::Tip(scene) => tip::text(scene)?,
         };
-        super::print(&(text + &budget))
+        let gap = if after.is_empty() { "" } else { "\n" };
+        super::print(&(text + gap + &after))
     }
 
     /// The command that runs the scene beside `out`, to be completed by one more override.

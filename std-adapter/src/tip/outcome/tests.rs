@@ -19,7 +19,7 @@ fn outcome(angles: impl Fn(f64) -> [f64; 5], until: i32) -> Outcome {
         line
     };
     let series: Vec<Vec<f64>> = (-10..=until).map(line).collect();
-    Outcome::of(&scene, &series, 7)
+    Outcome::of(&scene, &series, 7, 30.0)
 }
 
 /// Turned by so much while driven and so much after it, all layers alike.
@@ -50,7 +50,7 @@ fn without_a_rest_nothing_is_known() {
         panic!("the scene is good");
     };
     let series = [vec![0.0; 13], [vec![1.0], vec![0.0; 12]].concat()];
-    assert_eq!(Outcome::of(&scene, &series, 7).verdict, Verdict::Open);
+    assert_eq!(Outcome::of(&scene, &series, 7, 30.0).verdict, Verdict::Open);
 }
 
 #[test]
@@ -110,12 +110,51 @@ fn plateaus_are_where_the_angle_stands_while_driven() {
 }
 
 #[test]
+fn work_is_moment_times_angle_and_what_is_not_stored_is_heat() {
+    let text = "body = \"tip\"\nlambda = 1\ntip_layers = 4\nequilibration = 30\ndrive_time = 100\n\
+                rest_time = 60\ntime_step = 0.01";
+    let Ok(Scene::Tip(scene)) = parse_scene("tip.toml", text, &[]) else {
+        panic!("the scene is good");
+    };
+    // An angle of 2 rad and a rise by 40, of which 25 come back.
+    let line = |time: i32| {
+        let (angle, potential) = match time {
+            ..=0 => (0.5, -100.0),
+            1..=100 => (2.5, -60.0),
+            _ => (0.5, -85.0),
+        };
+        [
+            f64::to_degrees(angle),
+            0.0,
+            0.0,
+            0.1,
+            0.2,
+            potential,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+        ]
+        .iter()
+        .fold(vec![f64::from(time)], |line, &x| [line, vec![x]].concat())
+    };
+    // The last lines of a stage belong to it.
+    let series: Vec<Vec<f64>> = (-30..=160).map(line).collect();
+    let energy = Outcome::of(&scene, &series, 7, 30.0).energy;
+    assert!((energy.work - 60.0).abs() < 1e-12, "{energy:?}");
+    assert!((energy.stored - 40.0).abs() < 1e-12, "{energy:?}");
+    assert!((energy.heat() - 20.0).abs() < 1e-12, "{energy:?}");
+    assert!((energy.released - 25.0).abs() < 1e-12, "{energy:?}");
+    assert_eq!(energy.uncertainty, 0.0);
+}
+
+#[test]
 fn a_summary_is_json_whatever_is_missing() {
     let text = "body = \"tip\"\nlambda = 1";
     let Ok(Scene::Tip(scene)) = parse_scene("tip.toml", text, &[]) else {
         panic!("the scene is good");
     };
-    let one = Outcome::of(&scene, &[[vec![-50.0], vec![0.0; 12]].concat()], 7);
+    let one = Outcome::of(&scene, &[[vec![-50.0], vec![0.0; 12]].concat()], 7, 30.0);
     let json = one.json(&scene);
     assert_eq!(json["verdict"], "open");
     assert!(json["final_angle_degrees"].as_f64().is_none());

@@ -1,7 +1,8 @@
-//! Where the energy of a finished run went, and what could have been left out.
+//! A finished run of a powder.
 
-use super::powder::MODES;
-use super::{duration, line};
+use super::{number, summary};
+use crate::command::explain::powder::MODES;
+use crate::command::explain::{duration, line};
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
@@ -15,18 +16,12 @@ const PARTS: [&str; 5] = ["normal", "sliding", "rolling", "torsion", "cohesion"]
 
 /// The account of the run in `out`; `command` runs the scene anew, with one more override.
 pub fn text(scene: &PowderScene, out: &Path, command: &str) -> Result<String, Failure> {
-    let summary = summary(out)?;
-    same_scene(scene, &summary, out)?;
-    let number = |place: &str| {
-        summary
-            .pointer(place)
-            .and_then(Value::as_f64)
-            .unwrap_or(f64::NAN)
-    };
+    let summary = summary(out, PowderScene::KEYS, &scene.json())?;
+    let number = |place: &str| number(&summary, place);
     let parts = PARTS.map(|part| number(&format!("/dissipation/{part}")));
     let total: f64 = parts.iter().map(|part| part.abs()).sum();
     let mut text = line(
-        "\nrun",
+        "run",
         format!(
             "{} steps, {} sweeps, {}",
             number("/steps"),
@@ -92,42 +87,4 @@ fn at_thresholds(summary: &Value) -> String {
         "at threshold",
         format!("{} of the contacts at the end", shares.join(", ")),
     )
-}
-
-fn summary(out: &Path) -> Result<Value, Failure> {
-    let path = out.join("summary.json");
-    let text = std::fs::read_to_string(&path).map_err(|cause| {
-        Failure::input(format!(
-            "cannot read {}: {cause}; give the --out of a finished `tribos run`",
-            path.display()
-        ))
-    })?;
-    serde_json::from_str(&text).map_err(|cause| {
-        Failure::input(format!("{}: {cause}; run the scene again", path.display()))
-    })
-}
-
-/// A budget of another scene would be no answer.
-fn same_scene(scene: &PowderScene, summary: &Value, out: &Path) -> Result<(), Failure> {
-    let (here, there) = (scene.json(), &summary["scene"]);
-    let keys = PowderScene::KEYS.iter().map(|key| key.name);
-    let differs = |name: &&str| here.get(name).map(plain) != there.get(name).map(plain);
-    match keys.into_iter().find(|name| differs(name)) {
-        None => Ok(()),
-        Some(name) => Err(Failure::input(format!(
-            "{} is of another scene: `{name}` is {} there, {} here; give the same scene and --set",
-            out.display(),
-            there.get(name).map_or("not set".into(), plain),
-            here.get(name).map_or("not set".into(), plain)
-        ))),
-    }
-}
-
-/// A value without the digits that only bits need.
-fn plain(value: &Value) -> String {
-    match value.as_f64() {
-        Some(x) => x.to_string(),
-        None if value.is_null() => "not set".into(),
-        None => value.to_string(),
-    }
 }

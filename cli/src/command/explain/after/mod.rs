@@ -1,0 +1,59 @@
+//! Where the energy of a run went, and what could have been left out.
+
+mod powder;
+mod slide;
+mod tip;
+
+pub use powder::text as powder;
+pub use slide::{disk, planar};
+pub use tip::text as tip;
+
+use crate::failure::Failure;
+use serde_json::Value;
+use std::path::Path;
+use tribos::scene::Key;
+
+/// The summary of a finished run of the scene that these keys of `here` describe.
+fn summary(out: &Path, keys: &[Key], here: &Value) -> Result<Value, Failure> {
+    let path = out.join("summary.json");
+    let text = std::fs::read_to_string(&path).map_err(|cause| {
+        Failure::input(format!(
+            "cannot read {}: {cause}; give the --out of a finished `tribos run`",
+            path.display()
+        ))
+    })?;
+    let summary: Value = serde_json::from_str(&text).map_err(|cause| {
+        Failure::input(format!("{}: {cause}; run the scene again", path.display()))
+    })?;
+    same_scene(keys, here, &summary["scene"], out)?;
+    Ok(summary)
+}
+
+/// A budget of another scene would be no answer.
+fn same_scene(keys: &[Key], here: &Value, there: &Value, out: &Path) -> Result<(), Failure> {
+    let differs = |name: &&str| here.get(name).map(plain) != there.get(name).map(plain);
+    match keys.iter().map(|key| key.name).find(|name| differs(name)) {
+        None => Ok(()),
+        Some(name) => Err(Failure::input(format!(
+            "{} is of another scene: `{name}` is {} there, {} here; give the same scene and --set",
+            out.display(),
+            there.get(name).map_or("not set".into(), plain),
+            here.get(name).map_or("not set".into(), plain)
+        ))),
+    }
+}
+
+/// A value without the digits that only bits need.
+fn plain(value: &Value) -> String {
+    match value.as_f64() {
+        Some(x) => x.to_string(),
+        None if value.is_null() => "not set".into(),
+        None => value.to_string(),
+    }
+}
+
+/// A number of a summary, NaN where it is missing.
+fn number(summary: &Value, place: &str) -> f64 {
+    let value = summary.pointer(place).and_then(Value::as_f64);
+    value.unwrap_or(f64::NAN)
+}

@@ -1,0 +1,66 @@
+//! Which motion the work of friction slowed.
+
+use super::{PathRun, SlideRun};
+use crate::scene::SliderScene;
+
+/// Work of friction in J, by the motion that it slowed.
+///
+/// A patch has one friction, and its force and torque go with both motions; the work of the force
+/// slows the sliding, that of the torque the spin.
+///
+/// ```
+/// use tribos::{scene::parse_slider, slide::run};
+/// let text = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0\ngravity = 9.81\n\
+///             radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5";
+/// let scene = parse_slider("disk.toml", text, &[])?;
+/// let spent = run(&scene, |_| ())?.spent(&scene);
+/// assert!((spent.sliding - 0.05).abs() < 1e-12); // m v²/2
+/// assert!((spent.spinning - 0.004).abs() < 1e-12); // m R² ω²/4
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spent {
+    /// Loss of m v²/2.
+    pub sliding: f64,
+    /// Loss of I ω²/2.
+    pub spinning: f64,
+}
+
+impl Spent {
+    /// Part of the spin in all, between 0 and 1 unless one motion gained energy from the other.
+    pub fn spinning_share(&self) -> f64 {
+        self.spinning / (self.sliding + self.spinning)
+    }
+
+    /// Between two lines of a series, each as its speed squared and its kinetic energy.
+    fn between(mass: f64, [first, last]: [[f64; 2]; 2]) -> Self {
+        let sliding = 0.5 * mass * (first[0] - last[0]);
+        let all = first[1] - last[1];
+        Self {
+            sliding,
+            spinning: all - sliding,
+        }
+    }
+}
+
+impl SlideRun {
+    /// Which motion lost the energy.
+    pub fn spent(&self, scene: &SliderScene) -> Spent {
+        let ends = ends(&self.series).map(|[_, speed, .., kinetic, _]| [speed * speed, kinetic]);
+        Spent::between(scene.mass, ends)
+    }
+}
+
+impl PathRun {
+    /// Which motion lost the energy.
+    pub fn spent(&self) -> Spent {
+        let ends = ends(&self.series)
+            .map(|[_, _, _, vx, vy, .., kinetic, _]| [vx * vx + vy * vy, kinetic]);
+        Spent::between(self.outcome.mass, ends)
+    }
+}
+
+/// The first line and the last, NaN without any.
+fn ends<const N: usize>(series: &[[f64; N]]) -> [[f64; N]; 2] {
+    [series.first(), series.last()].map(|line| line.copied().unwrap_or([f64::NAN; N]))
+}
