@@ -25,22 +25,9 @@ impl WriteError {
     }
 }
 
-/// What a file has to outlive.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Outlives {
-    /// The program that wrote it, killed at any moment.
-    Program,
-    /// The machine's power as well: waits for the disk.
-    Power,
-}
-
 /// Writes `bytes` to `path` through a temporary file in the same folder, which is made if missing.
+/// Once it returns, the file outlives the program and the machine's power.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-    write(path, bytes, Outlives::Power)
-}
-
-/// The same, for a file that has to outlive so much.
-pub(super) fn write(path: &Path, bytes: &[u8], outlives: Outlives) -> Result<(), WriteError> {
     let fail = |cause| WriteError {
         path: path.to_path_buf(),
         cause,
@@ -54,9 +41,7 @@ pub(super) fn write(path: &Path, bytes: &[u8], outlives: Outlives) -> Result<(),
     // The plain file: errors do not name the temporary one.
     file.as_file_mut().write_all(bytes).map_err(fail)?;
     readable_by_all(file.as_file()).map_err(fail)?;
-    if outlives == Outlives::Power {
-        file.as_file().sync_all().map_err(fail)?;
-    }
+    file.as_file().sync_all().map_err(fail)?;
     file.persist(path).map_err(|error| fail(error.error))?;
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use super::super::Data;
 use super::super::parameter::{Model, Parameter, Range};
-use super::{between, distances, intervals, log_between, order};
+use super::{Scales, between, distances, intervals, log_between, order};
 use tribos_core::law::{Bristle, LuGre, LuGreParameters};
 
 const PARAMETERS: [Parameter; 6] = [
@@ -61,30 +61,20 @@ fn law(values: &[f64]) -> Option<LuGre<f64>> {
 }
 
 /// Starts of the parameters of steady sliding.
-fn steady_start(unit: &[f64], speeds: [f64; 2], [low, high]: [f64; 2]) -> Vec<f64> {
+fn steady_start(unit: &[f64], scales: &Scales) -> Vec<f64> {
+    let [low, high] = scales.forces;
     vec![
         between(unit[0], [0.5 * low, low]),
         between(unit[1], [0.5 * (low + high), 1.5 * high]),
-        log_between(unit[2], speeds),
-        unit[3] * high / speeds[1],
+        log_between(unit[2], scales.speeds),
+        unit[3] * high / scales.speeds[1],
     ]
 }
 
 /// Steady friction.
 pub(super) struct Steady<'a> {
-    speeds: &'a [f64],
-    fastest: [f64; 2],
-    forces: [f64; 2],
-}
-
-impl<'a> Steady<'a> {
-    pub fn new(data: &Data, speeds: &'a [f64]) -> Self {
-        Self {
-            speeds,
-            fastest: data.speeds(),
-            forces: data.forces(),
-        }
-    }
+    pub speeds: &'a [f64],
+    pub scales: Scales,
 }
 
 impl Model for Steady<'_> {
@@ -102,7 +92,7 @@ impl Model for Steady<'_> {
     }
 
     fn start(&self, unit: &[f64]) -> Vec<f64> {
-        steady_start(unit, self.fastest, self.forces)
+        steady_start(unit, &self.scales)
     }
 
     fn repair(&self, values: &mut [f64], is_free: &[bool]) {
@@ -114,9 +104,8 @@ impl Model for Steady<'_> {
 pub(super) struct Series<'a> {
     times: &'a [f64],
     velocities: &'a [f64],
-    fastest: [f64; 2],
-    /// From half of the largest force to the largest.
-    forces: [f64; 2],
+    /// Forces from half of the largest to the largest.
+    scales: Scales,
     slid: [f64; 2],
 }
 
@@ -126,8 +115,10 @@ impl<'a> Series<'a> {
         Self {
             times,
             velocities,
-            fastest: data.speeds(),
-            forces: [0.5 * largest, largest],
+            scales: Scales {
+                speeds: data.speeds(),
+                forces: [0.5 * largest, largest],
+            },
             slid: distances(times, velocities),
         }
     }
@@ -159,14 +150,14 @@ impl Model for Series<'_> {
     }
 
     fn start(&self, unit: &[f64]) -> Vec<f64> {
-        let mut start = steady_start(unit, self.fastest, self.forces);
-        let force = self.forces[1];
+        let mut start = steady_start(unit, &self.scales);
+        let force = self.scales.forces[1];
         // The bristles give way somewhere between the shortest and the whole distance.
         let [shortest, whole] = self.slid;
         start.push(log_between(unit[4], [force / whole, force / shortest]));
         /// Damping of bristles, over the largest force at the largest speed.
         const DAMPING: [f64; 2] = [1e-3, 1.0];
-        start.push(log_between(unit[5], DAMPING) * force / self.fastest[1]);
+        start.push(log_between(unit[5], DAMPING) * force / self.scales.speeds[1]);
         start
     }
 

@@ -33,17 +33,18 @@ pub enum LawName {
 pub fn law_model<'a>(law: LawName, data: &'a Data) -> Result<Box<dyn Model + 'a>, FitError> {
     const STATELESS: &str =
         "this law has no memory: give steady friction, columns v,f, or fit lugre or rate-state";
+    let scales = Scales::of(data);
     Ok(match (law, data.motion()) {
         (LawName::Stribeck, Motion::Steady { speeds }) => {
-            Box::new(stribeck::Steady::new(data, speeds))
+            Box::new(stribeck::Steady { speeds, scales })
         }
         (LawName::Power, Motion::Steady { speeds }) => Box::new(power::Steady::new(data, speeds)),
-        (LawName::LuGre, Motion::Steady { speeds }) => Box::new(lugre::Steady::new(data, speeds)),
+        (LawName::LuGre, Motion::Steady { speeds }) => Box::new(lugre::Steady { speeds, scales }),
         (LawName::LuGre, Motion::Series { times, velocities }) => {
             Box::new(lugre::Series::new(data, times, velocities))
         }
         (LawName::RateState | LawName::RateStateSlip, Motion::Steady { speeds }) => {
-            Box::new(rate_state::Steady::new(data, speeds))
+            Box::new(rate_state::Steady { speeds, scales })
         }
         (LawName::RateState, Motion::Series { times, velocities }) => Box::new(
             rate_state::Series::<Dieterich>::new(data, times, velocities)?,
@@ -55,6 +56,27 @@ pub fn law_model<'a>(law: LawName, data: &'a Data) -> Result<Box<dyn Model + 'a>
             return Err(FitError::Form(STATELESS));
         }
     })
+}
+
+/// What starts are taken from: the least and the largest of what was measured.
+#[derive(Clone, Copy)]
+struct Scales {
+    speeds: [f64; 2],
+    forces: [f64; 2],
+}
+
+impl Scales {
+    fn of(data: &Data) -> Self {
+        Self {
+            speeds: data.speeds(),
+            forces: data.forces(),
+        }
+    }
+
+    /// Geometric mean of the extremes.
+    fn middle_speed(&self) -> f64 {
+        (self.speeds[0] * self.speeds[1]).sqrt()
+    }
 }
 
 /// Friction of a law at all speeds.

@@ -3,7 +3,7 @@
 use super::super::estimate::FitError;
 use super::super::parameter::{Model, Parameter, Range};
 use super::super::{Data, DataError};
-use super::{between, distances, intervals, log_between, steady};
+use super::{Scales, between, distances, intervals, log_between, steady};
 use std::marker::PhantomData;
 use tribos_core::law::{Evolution, RateState, RateStateParameters};
 
@@ -68,49 +68,23 @@ fn law<E: Evolution>(values: &[f64]) -> Option<RateState<f64, E>> {
     .ok()
 }
 
-/// What starts are taken from.
-struct Scales {
-    fastest: [f64; 2],
-    middle: f64,
-    forces: [f64; 2],
-}
-
-impl Scales {
-    fn of(data: &Data) -> Self {
-        let fastest = data.speeds();
-        Self {
-            fastest,
-            middle: (fastest[0] * fastest[1]).sqrt(),
-            forces: data.forces(),
-        }
-    }
-
-    fn start(&self, unit: &[f64]) -> Vec<f64> {
-        let mu = between(unit[0], self.forces);
-        vec![
-            mu,
-            mu * log_between(unit[1], EFFECTS),
-            mu * log_between(unit[2], EFFECTS),
-            self.middle,
-            // Of the friction at the largest speed a tenth at most.
-            0.1 * unit[4] * self.forces[1] / self.fastest[1],
-        ]
-    }
+/// Starts of the parameters of steady sliding.
+fn steady_start(unit: &[f64], scales: &Scales) -> Vec<f64> {
+    let mu = between(unit[0], scales.forces);
+    vec![
+        mu,
+        mu * log_between(unit[1], EFFECTS),
+        mu * log_between(unit[2], EFFECTS),
+        scales.middle_speed(),
+        // Of the friction at the largest speed a tenth at most.
+        0.1 * unit[4] * scales.forces[1] / scales.speeds[1],
+    ]
 }
 
 /// Steady friction.
 pub(super) struct Steady<'a> {
-    speeds: &'a [f64],
-    scales: Scales,
-}
-
-impl<'a> Steady<'a> {
-    pub fn new(data: &Data, speeds: &'a [f64]) -> Self {
-        Self {
-            speeds,
-            scales: Scales::of(data),
-        }
-    }
+    pub speeds: &'a [f64],
+    pub scales: Scales,
 }
 
 impl Model for Steady<'_> {
@@ -119,7 +93,7 @@ impl Model for Steady<'_> {
     }
 
     fn reference(&self, parameter: usize) -> Option<f64> {
-        (parameter == REFERENCE).then_some(self.scales.middle)
+        (parameter == REFERENCE).then_some(self.scales.middle_speed())
     }
 
     fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
@@ -128,7 +102,7 @@ impl Model for Steady<'_> {
     }
 
     fn start(&self, unit: &[f64]) -> Vec<f64> {
-        self.scales.start(unit)
+        steady_start(unit, &self.scales)
     }
 }
 
@@ -177,7 +151,7 @@ impl<E: Evolution> Model for Series<'_, E> {
     }
 
     fn reference(&self, parameter: usize) -> Option<f64> {
-        (parameter == REFERENCE).then_some(self.scales.middle)
+        (parameter == REFERENCE).then_some(self.scales.middle_speed())
     }
 
     fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
@@ -194,7 +168,7 @@ impl<E: Evolution> Model for Series<'_, E> {
     }
 
     fn start(&self, unit: &[f64]) -> Vec<f64> {
-        let mut start = self.scales.start(unit);
+        let mut start = steady_start(unit, &self.scales);
         start.push(log_between(unit[5], self.slid));
         start
     }

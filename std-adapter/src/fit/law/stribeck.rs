@@ -1,8 +1,7 @@
 //! μ_d + (μₛ − μ_d) exp(−(v/vₛ)^δ) + k v.
 
-use super::super::Data;
 use super::super::parameter::{Model, Parameter, Range};
-use super::{between, log_between, order, steady};
+use super::{Scales, between, log_between, order, steady};
 use tribos_core::law::{DryFriction, Stribeck};
 
 const PARAMETERS: [Parameter; 5] = [
@@ -42,19 +41,8 @@ const EXPONENTS: [f64; 2] = [0.5, 3.0];
 
 /// Steady friction.
 pub(super) struct Steady<'a> {
-    speeds: &'a [f64],
-    fastest: [f64; 2],
-    forces: [f64; 2],
-}
-
-impl<'a> Steady<'a> {
-    pub fn new(data: &Data, speeds: &'a [f64]) -> Self {
-        Self {
-            speeds,
-            fastest: data.speeds(),
-            forces: data.forces(),
-        }
-    }
+    pub speeds: &'a [f64],
+    pub scales: Scales,
 }
 
 impl Model for Steady<'_> {
@@ -76,14 +64,17 @@ impl Model for Steady<'_> {
     }
 
     fn start(&self, unit: &[f64]) -> Vec<f64> {
-        let [low, high] = self.forces;
+        let Scales {
+            speeds,
+            forces: [low, high],
+        } = self.scales;
         let mu_d = between(unit[1], [0.3 * low, low]);
         vec![
             between(unit[0], [0.5 * (low + high), 1.5 * high]),
             mu_d,
-            log_between(unit[2], self.fastest),
+            log_between(unit[2], speeds),
             log_between(unit[3], EXPONENTS),
-            unit[4] * high / self.fastest[1],
+            unit[4] * high / speeds[1],
         ]
     }
 

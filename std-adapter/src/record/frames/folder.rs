@@ -1,7 +1,6 @@
 //! The folder of a run's frames: filled while it runs, thinned as it fills.
 
 use super::{Bodies, FEWEST, Frame, spacing};
-use crate::record::atomic::{Outlives, write};
 use crate::record::{WriteError, write_atomically};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -112,10 +111,15 @@ impl FrameFolder {
         self.held.insert(frame.step, frame.bytes());
     }
 
-    /// Brings all frames so far to the disk: before a checkpoint of the run, after which they will
-    /// not be made again.
+    /// Brings all frames so far to the disk, without those that are not wanted any more: before a
+    /// checkpoint of the run, after which they will not be made again.
     pub fn save(&mut self) -> Result<(), FrameError> {
-        self.write(Outlives::Power)
+        let apart = self.apart;
+        remove_where(&self.path, |step| !step.is_multiple_of(apart))?;
+        for (step, bytes) in std::mem::take(&mut self.held) {
+            write_atomically(&file(&self.path, step), &bytes)?;
+        }
+        Ok(())
     }
 
     /// Takes the last state, wanted or not, and writes all frames.
@@ -124,7 +128,7 @@ impl FrameFolder {
         // Left by a run that went on longer than its last checkpoint.
         remove_where(&self.path, |step| step > frame.step)?;
         self.held.insert(frame.step, frame.bytes());
-        self.write(Outlives::Program)
+        self.save()
     }
 
     /// Drops held frames that are not wanted after so many steps.
@@ -134,16 +138,6 @@ impl FrameFolder {
             self.apart = apart;
             self.held.retain(|step, _| step.is_multiple_of(apart));
         }
-    }
-
-    /// Removes files that are not wanted any more, and writes what is held.
-    fn write(&mut self, outlives: Outlives) -> Result<(), FrameError> {
-        let apart = self.apart;
-        remove_where(&self.path, |step| !step.is_multiple_of(apart))?;
-        for (step, bytes) in std::mem::take(&mut self.held) {
-            write(&file(&self.path, step), &bytes, outlives)?;
-        }
-        Ok(())
     }
 
     /// What the frames of a folder have in common; `None` if there are no frames.
