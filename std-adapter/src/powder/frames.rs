@@ -1,10 +1,14 @@
 //! A compaction as frames of a film.
 
 use super::compaction::Compaction;
-use super::statistics::reached;
+use super::packing::joint_set;
+use super::statistics::{is_at, relative_loads};
 use crate::record::frames::{Bodies, Frame, FrameContact, Hold, Kind};
 use crate::record::{ContactRow, Partner};
-use crate::scene::{Coupling, PowderScene, WallLaw};
+use crate::scene::{PowderScene, WallLaw};
+use nalgebra::Vector2;
+use tribos_core::limit_surface::FrictionSet;
+use tribos_core::twist::Wrench;
 
 impl Compaction {
     /// What all frames have in common, of which `limit` are kept at most.
@@ -25,6 +29,7 @@ impl Compaction {
     pub fn frame(&self) -> Frame {
         let (scene, radii) = (self.scene(), &self.deposit().radii);
         let [width, top] = [scene.width, self.height()].map(|side| side as f32);
+        let joint = joint_set(scene);
         self.with_snapshot(|now| Frame {
             step: self.steps(),
             time: now.time,
@@ -45,27 +50,39 @@ impl Compaction {
                     a: row.a,
                     b: row.b,
                     normal_force: row.normal_force() as f32,
-                    hold: hold(row, radii, scene),
+                    hold: hold(row, radii, scene, joint.as_deref()),
                 })
                 .collect(),
         })
     }
 }
 
-/// What a contact does. Sliding and torsion that share a set have no thresholds of their own.
-fn hold(row: &ContactRow, radii: &[f64], scene: &PowderScene) -> Hold {
+/// What a contact does. Where sliding and torsion have a joint threshold they reach it together.
+pub(super) fn hold(
+    row: &ContactRow,
+    radii: &[f64],
+    scene: &PowderScene,
+    joint: Option<&dyn FrictionSet<f64>>,
+) -> Hold {
     let has_friction = match row.b {
         Partner::Particle(_) => true,
         Partner::Wall(_) => scene.wall == WallLaw::Full,
     };
-    if !has_friction || scene.coupling != Coupling::Independent {
+    let loads = relative_loads(row, radii, scene.cohesion_range);
+    let (true, Some(loads)) = (has_friction, loads) else {
         return Hold::OPEN;
+    };
+    let has_own =
+        |mode: usize| scene.friction[mode] > 0.0 && is_at(loads[mode], scene.friction[mode]);
+    let mut at = [0, 1, 2].map(has_own);
+    if let Some(set) = joint {
+        let [force, _, torque] = loads;
+        let wrench = Wrench {
+            force: Vector2::new(force, 0.0),
+            torque,
+        };
+        at[0] = is_at(set.gauge(&wrench), 1.0);
+        at[2] = at[0];
     }
-    let friction = scene.friction;
-    match reached(row, radii, friction, scene.cohesion_range) {
-        Some(reached) => {
-            Hold::of([0, 1, 2].map(|mode: usize| friction[mode] > 0.0 && reached[mode]))
-        }
-        None => Hold::OPEN,
-    }
+    Hold::of(at)
 }

@@ -59,18 +59,10 @@ pub(super) fn build(
     let [mu, mu_t, mu_n] = scene.friction;
     let at = (scene, deposit, frozen);
     let carried = scene.carried();
-    // The contact's radius, in r_eff, follows from its two thresholds.
-    let radius = mu_n / (mu * SPIN_TORQUE);
     match carried.coupling {
         Coupling::Independent => {}
-        Coupling::Ellipsoid => {
-            let set = |mu| Ellipsoid::new(mu, radius, SPIN_TORQUE);
-            return coupled(at, [set(mu)?, set(0.0)?]);
-        }
-        Coupling::Exact => {
-            let set = |mu| LimitSurface::new(table::Coulomb, mu, radius);
-            return coupled(at, [set(mu)?, set(0.0)?]);
-        }
+        Coupling::Ellipsoid => return coupled(at, [ellipsoid(scene, mu)?, ellipsoid(scene, 0.0)?]),
+        Coupling::Exact => return coupled(at, [exact(scene, mu)?, exact(scene, 0.0)?]),
     }
     match carried.modes {
         CarriedModes::Normal => boxed(at, [Thresholds::none(); 2]),
@@ -107,6 +99,33 @@ pub(super) fn build(
 
 /// Torque of a spinning contact over force limit and radius, under uniform pressure.
 const SPIN_TORQUE: f64 = 2.0 / 3.0;
+
+/// The contact's radius in r_eff, as its two thresholds have it.
+fn contact_radius(scene: &PowderScene) -> f64 {
+    let [mu, _, mu_n] = scene.friction;
+    mu_n / (mu * SPIN_TORQUE)
+}
+
+/// What a contact of a joint set carries at a coefficient, in P and P r_eff.
+fn ellipsoid(scene: &PowderScene, mu: f64) -> Result<Ellipsoid<f64>, SurfaceError> {
+    Ellipsoid::new(mu, contact_radius(scene), SPIN_TORQUE)
+}
+
+/// The same with the exact surface.
+fn exact(scene: &PowderScene, mu: f64) -> Result<LimitSurface<f64, table::Coulomb>, SurfaceError> {
+    LimitSurface::new(table::Coulomb, mu, contact_radius(scene))
+}
+
+/// What sliding force over P and torsion torque over P r_eff have for a joint threshold; `None`
+/// where each has its own.
+pub(super) fn joint_set(scene: &PowderScene) -> Option<Box<dyn FrictionSet<f64>>> {
+    let mu = scene.friction[0];
+    match scene.carried().coupling {
+        Coupling::Independent => None,
+        Coupling::Ellipsoid => Some(Box::new(ellipsoid(scene, mu).ok()?)),
+        Coupling::Exact => Some(Box::new(exact(scene, mu).ok()?)),
+    }
+}
 
 /// A world in which sliding and torsion share a set: between spheres, and where walls are smooth.
 fn coupled<S: FrictionSet<f64> + Copy + Debug + Send + Sync + 'static>(

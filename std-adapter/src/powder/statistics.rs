@@ -123,12 +123,24 @@ impl Statistics {
 
 /// Which of sliding, rolling and torsion are at their thresholds; `None` where the contact carries
 /// nothing. A mode without friction always is.
-pub(super) fn reached(
+fn reached(
     contact: &ContactRow,
     radii: &[f64],
     friction: [f64; 3],
     range: f64,
 ) -> Option<[bool; 3]> {
+    let loads = relative_loads(contact, radii, range)?;
+    Some([0, 1, 2].map(|mode: usize| is_at(loads[mode], friction[mode])))
+}
+
+/// Whether a load is at its threshold.
+pub(super) fn is_at(load: f64, threshold: f64) -> bool {
+    load >= AT_THRESHOLD * threshold
+}
+
+/// Sliding force over P, rolling and torsion torque over P r_eff: what coefficients are compared
+/// with. `None` where the contact carries nothing.
+pub(super) fn relative_loads(contact: &ContactRow, radii: &[f64], range: f64) -> Option<[f64; 3]> {
     let bound = contact.normal_force() + if contact.gap <= range { 1.0 } else { 0.0 };
     if bound.is_nan() || bound <= IDLE {
         return None;
@@ -136,8 +148,8 @@ pub(super) fn reached(
     let [ra, rb] = [Some(contact.a), contact.b.particle()]
         .map(|body| body.map_or(f64::INFINITY, |body| radii[body as usize]));
     let lever = bound / (1.0 / ra + 1.0 / rb);
-    let (loads, units) = (loads(contact), [bound, lever, lever]);
-    Some([0, 1, 2].map(|mode: usize| loads[mode] >= AT_THRESHOLD * friction[mode] * units[mode]))
+    let [force, rolling, torsion] = loads(contact);
+    Some([force / bound, rolling / lever, torsion / lever])
 }
 
 /// Sliding force, rolling torque, torsion torque.

@@ -1,5 +1,6 @@
 use super::blocked::WINDOW_STEPS;
 use super::*;
+use crate::record::frames::Hold;
 use crate::record::{ContactRow, Partner};
 use crate::run::{Simulation, drive};
 use crate::scene::{Criterion, PowderScene, Scene, parse_scene};
@@ -149,6 +150,27 @@ fn contacts_are_counted_by_sign_and_threshold() {
     assert_eq!(found.at_threshold, [third, Some(0.0), third]);
     let smooth = Statistics::of(&rows, &[1.0; 4], [0.0; 3], 0.01);
     assert_eq!(smooth.at_threshold, [None; 3]);
+}
+
+#[test]
+fn sliding_and_torsion_reach_a_joint_threshold_together() -> Tested {
+    // P is 2 and r_eff ½: 0.6 and 0.8 of the two thresholds lie on the ellipsoid, 0.5 and 0.8 within.
+    let contact = |share: f64| {
+        let force = Vector3::new(1.0, share * 0.3 * 2.0, 0.0);
+        let mut row = touching(0, Partner::Particle(1), Vector3::x(), force);
+        row.torque = Vector3::new(0.8 * 0.5 * 2.0 * 0.5, 0.0, 0.0);
+        row
+    };
+    let friction = ["torsion=0.5"];
+    for (coupling, slips) in [("independent", [false; 2]), ("ellipsoid", [true, false])] {
+        let scene = scene(&[&friction[..], &[&format!("coupling={coupling}")]].concat())?;
+        let joint = super::packing::joint_set(&scene);
+        for (share, slips) in [0.6, 0.5].into_iter().zip(slips) {
+            let found = super::frames::hold(&contact(share), &[1.0; 2], &scene, joint.as_deref());
+            assert_eq!(found, Hold::of([slips, false, slips]), "{coupling} {share}");
+        }
+    }
+    Ok(())
 }
 
 #[test]

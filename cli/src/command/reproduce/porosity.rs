@@ -1,6 +1,7 @@
 //! Figure 4.7: final porosity over rolling and torsion friction.
 
 mod claims;
+mod grid;
 
 pub(super) use claims::few_sweeps;
 

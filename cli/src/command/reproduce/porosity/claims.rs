@@ -2,18 +2,18 @@
 
 use super::super::exhibit::{Conditional, claim, not_checked, statement};
 use super::super::runs::{Case, Runs, System};
-use super::{Porosities, SMALL_SEEDS};
+use super::{Porosities, SMALL_SEEDS, grid};
 use crate::failure::Failure;
 use crate::report::page::Claim;
 use tribos::powder::Ending;
 
 /// The thesis' fluctuations of single runs of the small system: what its means and the differences
 /// of two of them are good to.
-const FLUCTUATION: f64 = 0.02;
+pub(super) const FLUCTUATION: f64 = 0.02;
 /// Two such fluctuations in E₁(1, 0) ≈ 18 % and E₁(0, 1) ≈ 8 % leave so much of their ratio open.
 const RATIO_TOLERANCE: f64 = 0.6;
 /// What the thesis calls about 3 %.
-const ADDITIVITY: f64 = 0.035;
+pub(super) const ADDITIVITY: f64 = 0.035;
 
 /// Why the level differs.
 const RANGE_DECIDES: &str = "d_c, the law at the walls, sweeps and end of the iteration are not \
@@ -64,7 +64,7 @@ pub fn all(
     );
     claims.push(all_blocked(small));
     match large {
-        Some(large) => claims.extend(grid(small, large)),
+        Some(large) => claims.extend(grid::all(small, large)),
         None => claims.push(not_checked(
             "Saturation above μ = 0.4, additivity and ratio at other values, the large system",
             "drawn",
@@ -80,7 +80,7 @@ pub fn all(
 }
 
 /// "66.3 %".
-fn percent(share: f64) -> String {
+pub(super) fn percent(share: f64) -> String {
     format!("{:.1} %", 100.0 * share)
 }
 
@@ -279,91 +279,12 @@ fn smooth(runs: &Runs, small: &Porosities) -> Result<Vec<Claim>, Failure> {
 }
 
 /// Nothing is counted that is still moving.
-fn all_blocked(small: &Porosities) -> Claim {
+pub(super) fn all_blocked(small: &Porosities) -> Claim {
     let [blocked, all] = small.blocked;
     statement(
         "Runs end in a blocked state, here with all forces balanced to 1 %",
         "blocked",
         format!("{blocked} of {all}"),
         blocked == all,
-    )
-}
-
-/// What only the whole grid shows.
-fn grid(small: &Porosities, large: &Porosities) -> Vec<Claim> {
-    /// From here on the thesis calls the porosity saturated.
-    const SATURATED: f64 = 0.4;
-    let mut claims = Vec::new();
-    for system in [small, large] {
-        let name = system.system.name();
-        let count = system.mus.len();
-        let mean = |i: usize, j: usize| system.at(i, j).0;
-        let added = |i, j| mean(i, j) - mean(0, 0);
-        let last = count - 1;
-
-        // Above 0.4 nothing changes any more.
-        let mut flat = 0.0_f64;
-        let high = (0..count).filter(|i| system.mus[*i] >= SATURATED);
-        for i in high.clone() {
-            for j in high.clone() {
-                flat = flat.max((mean(i, j) - mean(last, last)).abs());
-            }
-        }
-        claims.push(statement(
-            &format!("Saturation above 0.4, {name} system"),
-            "saturates",
-            format!("at most {:.1} % from E(1,1)", 100.0 * flat),
-            flat < ADDITIVITY,
-        ));
-
-        // Sum and ratio of the contributions.
-        let mut worst = 0.0_f64;
-        let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
-        for i in 1..count {
-            for j in 1..count {
-                worst = worst.max((added(i, j) - added(i, 0) - added(0, j)).abs());
-            }
-            let ratio = added(i, 0) / added(0, i);
-            ratios = (ratios.0.min(ratio), ratios.1.max(ratio));
-        }
-        claims.push(statement(
-            &format!("Eq. 4.7 for all pairs of coefficients, {name} system"),
-            "|ΔE| less than about 3 %",
-            format!("at most {:.1} %", 100.0 * worst),
-            worst < ADDITIVITY,
-        ));
-        claims.push(statement(
-            &format!("E₁(μ,0)/E₁(0,μ) is roughly independent of μ, {name} system"),
-            "≈ 2",
-            format!("between {:.1} and {:.1}", ratios.0, ratios.1),
-            ratios.0 > 1.0 && ratios.1 < 4.0,
-        ));
-    }
-    claims.push(sizes(small, large));
-    claims.push(all_blocked(large));
-    claims
-}
-
-/// Both systems agree.
-fn sizes(small: &Porosities, large: &Porosities) -> Claim {
-    let (mut sum, mut worst, mut count) = (0.0, 0.0_f64, 0.0);
-    for i in 0..small.mus.len() {
-        for j in 0..small.mus.len() {
-            let apart = (small.at(i, j).0 - large.at(i, j).0).abs();
-            sum += apart;
-            count += 1.0;
-            worst = worst.max(apart);
-        }
-    }
-    let mean = sum / count;
-    statement(
-        "The effect is quantitatively nearly the same for both systems",
-        "nearly the same",
-        format!(
-            "{:.1} % apart in the mean, {:.1} % at most",
-            100.0 * mean,
-            100.0 * worst
-        ),
-        mean < FLUCTUATION,
     )
 }
