@@ -16,6 +16,18 @@ mod sealed {
 /// Only square roots are instructions where the processor has one (`libm`'s feature `arch`,
 /// `tribos-sqrt`): these round correctly, as the code in software does.
 /// The kernel never contracts a product and a sum into one rounding.
+///
+/// ```
+/// use tribos_core::Real;
+/// /// Way in m on which dry friction stops a body.
+/// fn stopping_distance<R: Real>(speed: R, mu: R) -> R {
+///     let gravity = R::from_f64(10.0); // m/s^2, roughly
+///     speed * speed * R::HALF / (mu * gravity)
+/// }
+/// assert_eq!(stopping_distance(2.0_f32, 0.25), 0.8);
+/// assert_eq!(stopping_distance(2.0_f64, 0.25), 0.8);
+/// assert_eq!(Real::hypot(3e300_f64, 4e300), 5e300); // whose square is no number
+/// ```
 pub trait Real:
     Copy
     + PartialOrd

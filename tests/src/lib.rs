@@ -18,6 +18,7 @@ pub mod public_items;
 pub mod pucks;
 pub mod reference;
 pub mod rim_mean;
+pub mod shown;
 pub mod sound;
 pub mod surfaces;
 pub mod sweep;

@@ -12,6 +12,15 @@
 /// Square root, correctly rounded.
 ///
 /// *Special values*: NaN below zero and for NaN; √−0 = −0.
+///
+/// ```
+/// use tribos_sqrt::sqrtf;
+/// assert_eq!(sqrtf(2.0), core::f32::consts::SQRT_2);
+/// let smallest = f32::from_bits(1); // 2^-149
+/// assert_eq!(sqrtf(4.0 * smallest), 2.0 * sqrtf(smallest));
+/// assert!(sqrtf(-1.0).is_nan());
+/// assert!(sqrtf(-0.0).is_sign_negative());
+/// ```
 #[inline]
 pub fn sqrtf(x: f32) -> f32 {
     #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]

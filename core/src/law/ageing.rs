@@ -18,6 +18,9 @@ use crate::real::Real;
 /// let wood = Ageing::new(0.4_f64, 0.03, 1.0)?; // reference and cut-off 1 s
 /// let rested = Age::ZERO.advance(100.0, Grip::Stick);
 /// assert!((wood.mu_static(rested) - 0.538).abs() < 1e-3);
+/// assert!((wood.rate(rested) - 0.03 / 100.0).abs() < 1e-18); // B/t, in 1/s
+/// assert_eq!(wood.at_rest(rested, 0.5), Grip::Stick); // pulled with half the load
+/// assert_eq!(wood.at_rest(Age::ZERO, 0.5), Grip::Slip);
 /// assert_eq!(wood.mu_static(rested.advance(0.1, Grip::Slip)), 0.4);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```

@@ -13,12 +13,20 @@ use crate::real::Real;
 /// *Units*: pressure for τ_c; force for loads and friction. *Source*: thesis eq. 2.2.
 ///
 /// ```
-/// use tribos_core::law::{BowdenTabor, Plastic, RealArea};
+/// use tribos_core::law::{BowdenTabor, HertzSphere, Plastic, RealArea};
 /// let steel = Plastic::new(1e9_f64)?; // hardness in Pa
 /// assert!((steel.area(100.0) - 1e-7).abs() < 1e-20); // 100 N rest on 0.1 mm^2
 /// let friction = BowdenTabor::new(0.6e9, steel)?;
 /// assert!((friction.force(100.0) - 60.0).abs() < 1e-12);
 /// assert!((friction.coulomb()?.mu() - 0.6).abs() < 1e-15);
+///
+/// // One elastic ball: F goes as L^(2/3), so that eight times the load halves the coefficient.
+/// let ball = BowdenTabor::new(0.6e9, HertzSphere::new(5e-3_f64, 1e11)?)?; // m, Pa
+/// let [light, heavy] = [1.0, 8.0].map(|load| ball.effective_coefficient(load)); // N
+/// assert!((heavy / light - 0.5).abs() < 1e-14);
+/// assert!((ball.slope(1.0) / light - 2.0 / 3.0).abs() < 1e-14);
+/// let sheared = ball.shear_strength() * ball.contact().area(1.0);
+/// assert!((ball.force(1.0) / sheared - 1.0).abs() < 1e-15);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,6 +4,19 @@ use super::limits::ln_ratio;
 use crate::real::Real;
 
 /// State variable θ of rate-and-state friction: about the time that its junctions have lived.
+///
+/// ```
+/// use tribos_core::law::{ContactAge, Dieterich, RateState, RateStateParameters};
+/// let rock = RateState::<f64, Dieterich>::new(RateStateParameters {
+///     mu: 0.6, a: 0.010, b: 0.015,
+///     reference_speed: 1e-6, slip_distance: 1e-5, viscous: 0.0, // m/s, m
+/// })?;
+/// let young = ContactAge { theta: 1.0 }; // s
+/// let held = rock.advance(young, 0.0, 99.0); // at rest
+/// let healed = rock.coefficient(1e-6, held) - rock.coefficient(1e-6, young);
+/// assert!((healed - 0.015 * 100_f64.ln()).abs() < 1e-12); // b for each e-fold of the age
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ContactAge<R> {
@@ -17,6 +30,17 @@ pub struct ContactAge<R> {
 /// decay factor e^(−V dt/D_c).
 ///
 /// *Accuracy*: some ulp, times V dt/D_c while the start is remembered.
+///
+/// ```
+/// use tribos_core::law::{Dieterich, Evolution, Ruina};
+/// let memory = 1e-5_f64; // D_c in m
+/// // Steady sliding with 1 um/s keeps the age of 10 s.
+/// assert!((Dieterich::evolved(10.0, 1e-6, memory, 3.0) - 10.0).abs() < 1e-13);
+/// assert!((Ruina::evolved(10.0, 1e-6, memory, 3.0) - 10.0).abs() < 1e-13);
+/// // They differ at rest.
+/// assert_eq!(Dieterich::evolved(10.0, 0.0, memory, 3.0), 13.0);
+/// assert_eq!(Ruina::evolved(10.0, 0.0, memory, 3.0), 10.0);
+/// ```
 pub trait Evolution {
     /// θ after the time `dt` at constant `speed`.
     ///

@@ -6,6 +6,16 @@ use crate::real::Real;
 /// Coulomb's law: friction = μ × load, against the sliding velocity.
 ///
 /// *Units*: μ is dimensionless. *Source*: eq. 3.6 with α = 0.
+///
+/// ```
+/// use tribos_core::law::{Coulomb, LocalLaw};
+/// let rubber = Coulomb::new(0.8_f64)?;
+/// let [creeping, fast] = [1e-6, 10.0].map(|speed| rubber.friction(speed) * 12.0); // m/s, N
+/// assert_eq!(creeping, fast);
+/// assert_eq!(fast, rubber.mu() * 12.0);
+/// assert_eq!(rubber.slope(10.0), 0.0);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coulomb<R> {

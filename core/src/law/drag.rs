@@ -17,9 +17,10 @@ pub const STOKES_CONSTANT: f64 = 6.0 * core::f64::consts::PI;
 /// (Oseen) is 3/8 of Re. *Source*: Stokes; thesis eq. 2.4.
 ///
 /// ```
-/// use tribos_core::law::{Stokes, reynolds};
+/// use tribos_core::law::{STOKES_CONSTANT, Stokes, reynolds};
 /// let bead = Stokes::new(1e-3_f64, 1e-6)?; // water, 1 um
 /// assert!((bead.force(1e-4) - 1.885e-12).abs() < 1e-15); // N
+/// assert!((bead.slope(0.0) - STOKES_CONSTANT * 1e-3 * 1e-6).abs() < 1e-23); // N s/m
 /// assert!((reynolds(1e3, 1e-4, 1e-6, 1e-3) - 1e-4_f64).abs() < 1e-18);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
@@ -59,6 +60,19 @@ impl<R: Real> Stokes<R> {
 /// *Units*: SI or consistent. *Domain*: Re ≫ 1. A drag coefficient C_D that counts the cross
 /// section is C₂ = π C_D/2: 0.7 for a smooth sphere at 10³ < Re < 10⁵, where C_D is 0.44.
 /// *Source*: thesis section 2.3.2.
+///
+/// ```
+/// use core::f64::consts::PI;
+/// use tribos_core::law::InertialDrag;
+/// let (air, radius, weight) = (1.2, 0.02, 2.7e-3 * 9.81); // kg/m^3, m, N: table tennis
+/// let ball = InertialDrag::new(PI * 0.44 / 2.0, air, radius)?;
+/// // It falls at last with the speed at which C_D A rho v^2/2 carries its weight.
+/// let section = PI * radius * radius;
+/// let terminal = f64::sqrt(2.0 * weight / (0.44 * section * air)); // 9 m/s
+/// assert!((ball.force(terminal) - weight).abs() < 1e-15);
+/// assert!((ball.slope(terminal) * terminal - 2.0 * weight).abs() < 1e-15);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InertialDrag<R> {
@@ -109,6 +123,19 @@ pub fn crossover_reynolds<R: Real>(inertial_constant: R) -> R {
 }
 
 /// Which of two forces on the sphere is the larger.
+///
+/// ```
+/// use tribos_core::law::{DragRegime, InertialDrag, Stokes, crossover_reynolds};
+/// let (water, viscosity, radius) = (1e3, 1e-3, 1e-3); // kg/m^3, Pa s, m
+/// let crossover = crossover_reynolds(0.7_f64);
+/// let speed = crossover * viscosity / (water * radius); // 3 cm/s
+/// let viscous = Stokes::new(viscosity, radius)?.force(speed);
+/// let inertial = InertialDrag::new(0.7, water, radius)?.force(speed);
+/// assert!((viscous / inertial - 1.0).abs() < 1e-14);
+/// assert_eq!(DragRegime::at(crossover / 10.0, 0.7), Some(DragRegime::Viscous));
+/// assert_eq!(DragRegime::at(crossover * 10.0, 0.7), Some(DragRegime::Inertial));
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum DragRegime {

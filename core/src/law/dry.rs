@@ -14,6 +14,12 @@ use crate::real::Real;
 /// let wood = DryFriction::new(0.5_f64, 0.3)?;
 /// assert_eq!(wood.at_rest(0.45), Grip::Stick); // pulled with 0.45 of the load
 /// assert_eq!(wood.at_rest(0.55), Grip::Slip);
+///
+/// // It starts with a jump, in either direction.
+/// let jump = wood.mu_static() - wood.mu_dynamic();
+/// assert_eq!(wood.net_drive(0.5), 0.0);
+/// assert!((wood.net_drive(0.5 + 1e-9) - jump).abs() < 1e-8);
+/// assert_eq!(wood.net_drive(-0.7), -wood.net_drive(0.7));
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

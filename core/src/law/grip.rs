@@ -3,6 +3,16 @@
 use crate::real::Real;
 
 /// State of a contact.
+///
+/// ```
+/// use tribos_core::law::{DryFriction, Grip};
+/// let floor = DryFriction::new(0.5_f64, 0.4)?;
+/// let weight = 200.0; // N
+/// let pushed = [90.0, 110.0].map(|push| floor.at_rest(push / weight));
+/// assert_eq!(pushed, [Grip::Stick, Grip::Slip]);
+/// assert_eq!(floor.at_rest(f64::NAN), Grip::Slip); // what is not known holds nothing
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Grip {

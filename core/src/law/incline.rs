@@ -26,6 +26,20 @@ pub fn critical_angle<R: Real>(mu: R) -> R {
 /// assert!(incline.acceleration_at_rest(&wood, gravity) > 1.7); // slides with a jump
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
+///
+/// Gravity pulls down the slope whichever way a body slides, friction against its motion:
+///
+/// ```
+/// use tribos_core::law::{DryFriction, Incline};
+/// let (wood, gravity) = (DryFriction::new(0.5_f64, 0.3)?, 9.81); // m/s^2
+/// let slope = Incline::new(3.0_f64, 4.0)?; // sin 3/5, cos 4/5
+/// assert!((slope.angle().tan() - slope.drive_per_load()).abs() < 1e-15); // both 3/4
+/// let down = slope.acceleration_downhill(&wood, gravity, 1.0);
+/// let up = slope.acceleration_uphill(&wood, gravity, 1.0);
+/// assert!((up + down - 2.0 * gravity * 0.6).abs() < 1e-14);
+/// assert!((up - down - 2.0 * gravity * 0.3 * 0.8).abs() < 1e-14);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Incline<R> {

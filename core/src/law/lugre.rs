@@ -53,6 +53,11 @@ pub struct LuGreParameters<R> {
 /// assert!((joint.steady_force(0.1) - 1.04).abs() < 1e-12);
 /// assert!((force - 1.04).abs() < 0.01); // mean over the step, with the start
 /// assert!((bristle.deflection - 1e-5).abs() < 1e-18); // F_c/sigma_0
+///
+/// // The bristles carry g(v) now and bend no further; at most they could carry F_s.
+/// assert_eq!(joint.steady_bristle_force(0.1), 1.0);
+/// assert!(joint.rate(bristle, 0.1).abs() < 1e-15);
+/// assert!((joint.largest_deflection() - 1.5 * bristle.deflection).abs() < 1e-18);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,6 +170,26 @@ impl<R: Real> LuGre<R> {
     /// v²(σ₁(1 − Fₛ/F_c) + σ₂) ≥ 0. Infinite then, else the first bound with g = F_c.
     ///
     /// *Source*: the second condition is that of Barabanov and Ortega 2000.
+    ///
+    /// ```
+    /// use tribos_core::law::{Bristle, LuGre, LuGreParameters};
+    /// # let joint = LuGre::new(LuGreParameters {
+    /// #     coulomb_force: 1.0_f64, static_force: 1.5, stribeck_speed: 1e-3,
+    /// #     stiffness: 1e5, bristle_damping: 316.0, viscous_damping: 0.4,
+    /// # })?; // as above
+    /// // What the motion gives beyond what the bristles store, at their largest deflection.
+    /// let bristle = Bristle { deflection: joint.largest_deflection() };
+    /// let dissipated = |speed| {
+    ///     let stretch = joint.parameters().stiffness * bristle.deflection; // N
+    ///     joint.force(bristle, speed) * speed - stretch * joint.rate(bristle, speed) // W
+    /// };
+    /// let border = joint.passive_up_to(); // m/s
+    /// assert!(dissipated(0.9 * border) > 0.0 && dissipated(2.0 * border) < 0.0);
+    /// // Viscous damping sigma_1 (F_s - F_c)/F_c makes every speed passive.
+    /// let damped = LuGreParameters { viscous_damping: 158.0, ..*joint.parameters() };
+    /// assert_eq!(LuGre::new(damped)?.passive_up_to(), f64::INFINITY);
+    /// # Ok::<(), tribos_core::law::LawError>(())
+    /// ```
     pub fn passive_up_to(&self) -> R {
         let p = &self.parameters;
         let rise = p.static_force - p.coulomb_force;
@@ -206,6 +231,19 @@ impl<R: Real> LuGre<R> {
 /// Steady friction of a [`LuGre`] contact per load.
 ///
 /// *Units*: dimensionless, with the forces of the law and the load in one unit.
+///
+/// ```
+/// use tribos_core::law::{LocalLaw, LuGre, LuGreParameters, SteadyLuGre};
+/// let joint = LuGre::new(LuGreParameters {
+///     coulomb_force: 1.0_f64, static_force: 1.5, stribeck_speed: 1e-3, // N, N, m/s
+///     stiffness: 1e5, bristle_damping: 316.0, viscous_damping: 0.4, // N/m, N s/m
+/// })?;
+/// let steady: SteadyLuGre<f64> = joint.steady_per_load(10.0)?; // N
+/// // Far above the Stribeck speed (F_c + sigma_2 v)/load is left.
+/// assert!((steady.friction(0.1) - (1.0 + 0.4 * 0.1) / 10.0).abs() < 1e-15);
+/// assert!((steady.slope(0.1) - 0.4 / 10.0).abs() < 1e-15);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SteadyLuGre<R> {

@@ -68,6 +68,26 @@ use crate::real::Real;
 /// A law of the local sliding speed: friction force per unit load, along the velocity.
 ///
 /// *Units*: `speed` in any unit of velocity; the result is dimensionless.
+///
+/// A law of your own couples sliding and spinning like those here:
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
+/// use tribos_core::law::LocalLaw;
+/// /// Friction that saturates: 0.4 v/(v + 0.1 m/s).
+/// struct Saturating;
+/// impl LocalLaw<f64> for Saturating {
+///     fn friction(&self, speed: f64) -> f64 {
+///         0.4 * speed / (speed + 0.1)
+///     }
+///     fn slope(&self, speed: f64) -> f64 {
+///         0.4 * 0.1 / (speed + 0.1).powi(2)
+///     }
+/// }
+/// // A disk that does not spin has one speed everywhere.
+/// let disk = DiskQuadrature::new(Saturating);
+/// assert!((disk.reduced_wrench(0.3, 0.0).force - 0.3).abs() < 1e-12);
+/// ```
 pub trait LocalLaw<R: Real> {
     /// Friction per load at `speed` > 0.
     fn friction(&self, speed: R) -> R;

@@ -24,7 +24,8 @@ use crate::real::Real;
 ///
 /// ```
 /// use tribos_core::law::{LocalLaw, PlateauPower};
-/// let curling = PlateauPower::new(-0.5_f64, 0.008, 1e-4, 1e-7, 0.5)?;
+/// let plateau = PlateauPower::<f64>::ICE_PLATEAU_SPEED; // 1e-4 m/s
+/// let curling = PlateauPower::new(-0.5, 0.008, plateau, 1e-7, 0.5)?;
 /// assert!((curling.friction(1.0) - 0.008).abs() < 1e-8);
 /// assert!((curling.friction(0.0) - 0.4).abs() < 1e-14); // half of 0.008/sqrt(1e-4)
 /// # Ok::<(), tribos_core::law::LawError>(())

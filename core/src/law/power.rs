@@ -11,6 +11,18 @@ use crate::real::Real;
 ///
 /// *Units*: γ carries (time/length)^α. (The thesis writes γ^α for γ.)
 /// *Source*: eq. 3.6.
+///
+/// ```
+/// use tribos_core::law::{LocalLaw, PowerLaw};
+/// let ice = PowerLaw::new(-0.5_f64, 0.008)?; // speeds in m/s
+/// assert_eq!(ice.friction(1.0), ice.coefficient());
+/// assert!((ice.friction(4.0) - 0.004).abs() < 1e-17); // half at four times the speed
+/// let steepness = ice.slope(4.0) * 4.0 / ice.friction(4.0); // d ln(friction)/d ln(speed)
+/// assert!((steepness - ice.alpha()).abs() < 1e-15);
+/// assert!(!ice.is_convex()); // falls with speed
+/// assert!(PowerLaw::new(2.0 * PowerLaw::<f64>::MAX_EXPONENT, 0.008).is_err());
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PowerLaw<R> {

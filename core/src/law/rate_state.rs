@@ -41,7 +41,7 @@ pub struct RateStateParameters<R> {
 /// *Source*: Dieterich 1979, Ruina 1983; asinh: Rice, Lapusta and Ranjith 2001; thesis 2.3.1.
 ///
 /// ```
-/// use tribos_core::law::{RateState, RateStateParameters, Ruina};
+/// use tribos_core::law::{LocalLaw, RateState, RateStateParameters, Ruina};
 /// let rock = RateState::<f64, Ruina>::new(RateStateParameters {
 ///     mu: 0.6, a: 0.010, b: 0.015,
 ///     reference_speed: 1e-6, slip_distance: 1e-5, viscous: 0.0, // m/s, m
@@ -51,6 +51,11 @@ pub struct RateStateParameters<R> {
 /// let jump = rock.coefficient(1e-5, age); // ten times as fast: up at once, then down
 /// let later = rock.coefficient(1e-5, rock.advance(age, 1e-5, 100.0));
 /// assert!(jump > 0.6 && later < 0.6);
+/// assert!((rock.steady().friction(1e-5) - later).abs() < 1e-12); // after 100 D_c
+///
+/// // Far above q the original law holds, with the slope a/V.
+/// assert!((rock.logarithmic(1e-5, age) - jump).abs() < 1e-12);
+/// assert!((rock.slope(1e-5, age) - rock.parameters().a / 1e-5).abs() < 1e-9); // s/m
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,6 +9,18 @@ use crate::real::Real;
 /// The real area of contact of a load.
 ///
 /// *Units*: `load` in force; areas in length².
+///
+/// ```
+/// use tribos_core::law::{GreenwoodWilliamson, HertzSphere, Plastic, RealArea};
+/// fn growth(contact: &impl RealArea<f64>) -> f64 {
+///     contact.area(16.0) / contact.area(2.0) // eight times the load
+/// }
+/// // Flowing or rough: as the load, which is Coulomb's law. One elastic ball: as L^(2/3).
+/// assert!((growth(&Plastic::new(1e9)?) - 8.0).abs() < 1e-14);
+/// assert!((growth(&GreenwoodWilliamson::new(1e-6, 1e-4, 1e11)?) - 8.0).abs() < 1e-14);
+/// assert!((growth(&HertzSphere::new(5e-3, 1e11)?) - 4.0).abs() < 1e-13);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 pub trait RealArea<R: Real> {
     /// Area A(L); zero for L ≤ 0.
     fn area(&self, load: R) -> R;
@@ -21,6 +33,15 @@ pub trait RealArea<R: Real> {
 /// Junctions at the limit of plastic flow: A = L/σ_c.
 ///
 /// *Source*: Bowden and Tabor; thesis eq. 2.1.
+///
+/// ```
+/// use tribos_core::law::{Plastic, RealArea};
+/// let steel = Plastic::new(2e9_f64)?; // Pa
+/// let carried = steel.area(500.0) * steel.hardness(); // N
+/// assert!((carried - 500.0).abs() < 1e-12);
+/// assert_eq!(steel.area(-500.0), 0.0); // pulled apart
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Plastic<R> {
@@ -60,6 +81,17 @@ impl<R: Real> RealArea<R> for Plastic<R> {
 ///
 /// *Source*: Hertz; thesis section 2.2 (A ∝ L^⅔). *Accuracy*: 1e-14 relative in f64 for areas of
 /// ordinary size; the power multiplies the rounding of ⅓ by the logarithm of its base.
+///
+/// ```
+/// use tribos_core::law::{HertzSphere, RealArea};
+/// let ball = HertzSphere::new(0.01_f64, 75e9)?; // m, Pa
+/// let radius = ball.contact_radius(10.0); // under 10 N
+/// assert!((radius - 1e-4).abs() < 1e-18); // (3/4 * 10 * 0.01/75e9)^(1/3)
+/// let area = core::f64::consts::PI * 1e-8;
+/// assert!((ball.area(10.0) - area).abs() < 1e-21);
+/// assert!((ball.slope(10.0) * 10.0 - area * 2.0 / 3.0).abs() < 1e-21); // A goes as L^(2/3)
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HertzSphere<R> {
@@ -133,6 +165,19 @@ impl<R: Real> RealArea<R> for HertzSphere<R> {
 /// The separation drops out: area is proportional to load although every contact is elastic.
 ///
 /// *Source*: Greenwood and Williamson 1966; thesis section 2.2.
+///
+/// ```
+/// use tribos_core::law::{GreenwoodWilliamson, RealArea};
+/// let rough = GreenwoodWilliamson::new(1e-6_f64, 1e-4, 1e11)?; // m, m, Pa
+/// // More load makes more junctions, not larger ones.
+/// let junctions = |load| rough.area(load) / rough.junction_area();
+/// assert!((junctions(20.0) / junctions(10.0) - 2.0).abs() < 1e-15);
+/// // Smoother by a factor of four: half the pressure, twice the area.
+/// let smooth = GreenwoodWilliamson::new(0.25e-6, 1e-4, 1e11)?;
+/// assert!((smooth.mean_pressure() / rough.mean_pressure() - 0.5).abs() < 1e-15);
+/// assert!((smooth.area(10.0) / rough.area(10.0) - 2.0).abs() < 1e-14);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GreenwoodWilliamson<R> {

@@ -20,14 +20,18 @@ use crate::real::Real;
 /// thesis. *Accuracy*: as [`RateState`](super::RateState).
 ///
 /// ```
-/// use tribos_core::law::{Dieterich, LocalLaw, RateState, RateStateParameters};
-/// let paper = RateState::<f64, Dieterich>::new(RateStateParameters {
+/// use tribos_core::law::{Dieterich, RateState, RateStateParameters, SteadyRateState};
+/// let paper: SteadyRateState<f64> = RateState::<_, Dieterich>::new(RateStateParameters {
 ///     mu: 0.35, a: 0.01, b: 0.03,
 ///     reference_speed: 1e-6, slip_distance: 1e-6, viscous: 200.0, // m/s, m, s/m
 /// })?.steady();
-/// let slowest = paper.minimum().unwrap();
-/// assert!((slowest - 1e-4).abs() < 1e-12); // (b - a)/viscous
-/// assert!((paper.critical_stiffness(10.0) - 2e5).abs() < 1e-6); // N/m under 10 N
+/// let p = paper.parameters();
+/// let slowest = (p.b - p.a) / p.viscous; // 1e-4 m/s
+/// assert!(paper.minimum().is_some_and(|speed| (speed - slowest).abs() < 1e-12));
+/// // Under 10 N softer springs stick and slip; the faster they pull, the softer they may be.
+/// assert!((paper.critical_stiffness(10.0) - 2e5).abs() < 1e-6); // N/m
+/// assert!((paper.critical_stiffness_at(10.0, slowest / 2.0) - 1e5).abs() < 1e-6);
+/// assert!(paper.critical_stiffness_at(10.0, slowest).abs() < 1e-6);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -16,8 +16,11 @@ use crate::real::Real;
 /// ```
 /// use tribos_core::law::{DryFriction, LocalLaw, Stribeck};
 /// let bearing = Stribeck::new(DryFriction::new(0.15_f64, 0.1)?, 0.01, 2.0, 0.5)?;
-/// let slowest = bearing.minimum().unwrap(); // m/s
-/// assert!(bearing.slope(0.9 * slowest) < 0.0 && bearing.slope(1.1 * slowest) > 0.0);
+/// assert!((bearing.boundary(0.0) - 0.15).abs() < 1e-15); // no film at rest
+/// // At 1 m/s it carries: mu_d and the shear of the film are left.
+/// assert!((bearing.friction(1.0) - (0.1 + bearing.hydrodynamic(1.0))).abs() < 1e-15);
+/// let turns = |speed| bearing.slope(0.9 * speed) < 0.0 && bearing.slope(1.1 * speed) > 0.0;
+/// assert!(bearing.minimum().is_some_and(turns));
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

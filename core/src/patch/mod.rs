@@ -18,6 +18,15 @@ pub use power::PowerPressure;
 use crate::real::Real;
 
 /// Why a patch was refused.
+///
+/// ```
+/// use tribos_core::coupling::{Annulus, table::Coulomb};
+/// use tribos_core::patch::{PatchError, PolynomialPressure, PowerPressure};
+/// let max = PowerPressure::MAX_ORDER;
+/// assert_eq!(PowerPressure::new(-2.0), Err(PatchError::Order { given: -2.0, max }));
+/// assert_eq!(PolynomialPressure::new([0.0]), Err(PatchError::NoLoad));
+/// assert!(matches!(Annulus::new(Coulomb, 1.0), Err(PatchError::InnerRatio { .. })));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PatchError {

@@ -25,6 +25,19 @@ pub struct Node<R> {
 }
 
 /// A set of valid nodes: finite positions, finite weights ≥ 0 with a finite sum.
+///
+/// ```
+/// use tribos_core::patch::nodes::{Node, NodePatch, Nodes};
+/// /// Where along x the load acts.
+/// fn centre_of_pressure(patch: &impl NodePatch<f64>) -> f64 {
+///     let moment: f64 = patch.nodes().iter().map(|node| node.weight * node.x).sum();
+///     moment / patch.total_weight()
+/// }
+/// let heel = Node { x: 0.0, y: 0.0, weight: 300.0 }; // m, N
+/// let toe = Node { x: 0.2, y: 0.0, weight: 100.0 };
+/// assert!((centre_of_pressure(&Nodes::new([heel, toe])?) - 0.05).abs() < 1e-16);
+/// # Ok::<(), tribos_core::patch::nodes::NodeError>(())
+/// ```
 pub trait NodePatch<R: Real> {
     /// All nodes, in the order in which they are summed.
     fn nodes(&self) -> &[Node<R>];
@@ -45,6 +58,20 @@ impl<R: Real, P: NodePatch<R> + ?Sized> NodePatch<R> for &P {
 }
 
 /// Somewhere to put nodes, one by one.
+///
+/// ```
+/// use tribos_core::patch::nodes::{Node, NodeError, NodeList, NodePatch, NodeSink};
+/// /// Two runners of a sled.
+/// fn touch(ground: &mut impl NodeSink<f64>) -> Result<(), NodeError> {
+///     ground.push(Node { x: 0.0, y: -0.2, weight: 0.5 })?;
+///     ground.push(Node { x: 0.0, y: 0.2, weight: 0.5 })
+/// }
+/// let mut sled = NodeList::<f64, 2>::new();
+/// touch(&mut sled)?;
+/// assert_eq!(sled.total_weight(), 1.0);
+/// assert_eq!(touch(&mut sled), Err(NodeError::Full { capacity: 2 }));
+/// # Ok::<(), NodeError>(())
+/// ```
 pub trait NodeSink<R: Real>: NodePatch<R> {
     /// Adds one node; a refused node leaves the others as they were.
     ///
@@ -97,9 +124,12 @@ impl<R: Real, const N: usize> NodePatch<R> for Nodes<R, N> {
 /// *Size*: 24 bytes a node (f32: 12).
 ///
 /// ```
-/// use tribos_core::patch::nodes::{Node, NodeList};
+/// use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
 /// let mut touching = NodeList::<f32, 4>::new();
 /// touching.push(Node { x: 0.1, y: 0.0, weight: 9.81 })?;
+/// assert_eq!(touching.total_weight(), 9.81);
+/// touching.clear(); // lifted
+/// assert!(touching.nodes().is_empty());
 /// # Ok::<(), tribos_core::patch::nodes::NodeError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -193,6 +223,14 @@ pub(super) fn total_with<R: Real>(total: R, index: usize, node: &Node<R>) -> Res
 }
 
 /// Why nodes were refused.
+///
+/// ```
+/// use tribos_core::patch::nodes::{Node, NodeError, Nodes};
+/// let foot = |weight: f64| Node { x: 0.1, y: 0.0, weight };
+/// assert_eq!(Nodes::new([foot(0.0)]), Err(NodeError::Unloaded));
+/// let pulling = Nodes::new([foot(2.0), foot(-1.0)]);
+/// assert_eq!(pulling, Err(NodeError::Weight { index: 1, given: -1.0 }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum NodeError {

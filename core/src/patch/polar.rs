@@ -36,10 +36,13 @@ use crate::real::Real;
 /// | order in h | 1.5 | 2.0 | 2.5 | exact | | |
 ///
 /// ```
-/// use tribos_core::patch::nodes::NodeList;
+/// use tribos_core::patch::nodes::{NodeList, NodePatch};
 /// use tribos_core::patch::polar::PolarRule;
-/// let rule = PolarRule::new(0.04_f32, 8, 16)?.with_rim_exponent(0.5)?; // Hertz; radius in m
-/// let ball: NodeList<f32, 128> = rule.nodes_tilted(0.2, 0.0)?;
+/// let rule = PolarRule::new(0.04_f64, 8, 16)?.with_rim_exponent(0.5)?; // Hertz; radius in m
+/// let ball: NodeList<f64, 128> = rule.nodes_tilted(0.2, 0.0)?;
+/// // A tilt lx moves the load by lx R/(2q + 4).
+/// let moment: f64 = ball.nodes().iter().map(|node| node.weight * node.x).sum();
+/// assert!((moment / ball.total_weight() - 0.2 * 0.04 / 5.0).abs() < 1e-16);
 /// # Ok::<(), tribos_core::patch::polar::PolarError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,6 +88,17 @@ impl<R: Real> PolarRule<R> {
     /// (q = −1/2, 0, 1/2); if ε ≥ 1.5, at most 1e-7 of them times v^α (α = −1/2, 0, 1/2, 3 and
     /// q = −1/2, 1/2, 1).
     /// *Domain*: 0 < `radius` < ∞.
+    ///
+    /// ```
+    /// use tribos_core::patch::nodes::{NodeList, NodePatch};
+    /// use tribos_core::patch::polar::PolarRule;
+    /// const NODES: usize = PolarRule::<f64>::STANDARD_NODES;
+    /// let puck: NodeList<f64, NODES> = PolarRule::standard(0.04)?.nodes()?; // radius in m
+    /// let second = puck.nodes().iter().map(|n| n.weight * (n.x * n.x + n.y * n.y));
+    /// let mean_square = second.sum::<f64>() / puck.total_weight();
+    /// assert!((mean_square - 0.04 * 0.04 / 2.0).abs() < 1e-16); // that of a uniform disk
+    /// # Ok::<(), tribos_core::patch::polar::PolarError>(())
+    /// ```
     pub fn standard(radius: R) -> Result<Self, PolarError> {
         Self::new(radius, 16, 32)
     }
@@ -127,6 +141,17 @@ impl<R: Real> PolarRule<R> {
     ///
     /// With q = 0 the shape is the pressure itself; a singularity at the rim belongs into q.
     /// *Domain*: `shape` ≥ 0 and finite at all nodes; rings × angles ≤ `CAPACITY`.
+    ///
+    /// ```
+    /// use tribos_core::patch::nodes::{NodeList, NodePatch};
+    /// use tribos_core::patch::polar::PolarRule;
+    /// // A foot worn hollow along x: the pressure goes as y^2.
+    /// let foot: NodeList<f64, 128> = PolarRule::new(0.04, 8, 16)?.nodes_shaped(|_, y| y * y)?;
+    /// let second: f64 = foot.nodes().iter().map(|n| n.weight * n.y * n.y).sum();
+    /// // The mean of y^2 is that of y^4 over that of y^2 of the uniform disk, R^2/2.
+    /// assert!((second / foot.total_weight() - 0.04 * 0.04 / 2.0).abs() < 1e-16);
+    /// # Ok::<(), tribos_core::patch::polar::PolarError>(())
+    /// ```
     pub fn nodes_shaped<const CAPACITY: usize>(
         &self,
         shape: impl Fn(R, R) -> R,
@@ -140,6 +165,20 @@ impl<R: Real> PolarRule<R> {
     /// there already.
     ///
     /// *Special values*: what was added before an error stays.
+    ///
+    /// ```
+    /// use tribos_core::patch::nodes::{Node, NodeBuffer, NodeError, NodePatch};
+    /// use tribos_core::patch::polar::PolarRule;
+    /// let mut memory = [Node::default(); 30];
+    /// let mut feet = NodeBuffer::new(&mut memory);
+    /// let pad = PolarRule::new(0.01_f64, 3, 8)?; // 24 nodes
+    /// pad.nodes_into(&mut feet, |_, _| 1.0)?;
+    /// assert_eq!(feet.nodes().len(), 24);
+    /// let second = pad.nodes_into(&mut feet, |_, _| 1.0);
+    /// assert_eq!(second, Err(NodeError::Full { capacity: 30 }));
+    /// assert_eq!(feet.nodes().len(), 30);
+    /// # Ok::<(), tribos_core::patch::polar::PolarError>(())
+    /// ```
     pub fn nodes_into(
         &self,
         list: &mut impl NodeSink<R>,
@@ -163,6 +202,15 @@ impl<R: Real> PolarRule<R> {
 /// `angles` equidistant nodes on a circle: the limit q → −1, all load at the rim.
 ///
 /// *Domain*: 0 < `radius` < ∞; 1 ≤ `angles` ≤ `CAPACITY`.
+///
+/// ```
+/// use tribos_core::patch::nodes::{NodeList, NodePatch};
+/// use tribos_core::patch::polar::ring;
+/// let cup: NodeList<f64, 32> = ring(0.03, 32)?; // m
+/// assert!(cup.nodes().iter().all(|node| (node.x.hypot(node.y) - 0.03).abs() < 1e-16));
+/// assert_eq!(cup.total_weight(), 32.0);
+/// # Ok::<(), tribos_core::patch::polar::PolarError>(())
+/// ```
 pub fn ring<R: Real, const CAPACITY: usize>(
     radius: R,
     angles: u32,
@@ -194,6 +242,16 @@ fn push_ring<R: Real>(
 }
 
 /// Why a rule on a disk was refused.
+///
+/// ```
+/// use tribos_core::patch::polar::{PolarError, PolarRule};
+/// let most = PolarRule::<f64>::MAX_ORDER;
+/// assert!(PolarRule::new(0.04, most, 16).is_ok());
+/// assert_eq!(PolarRule::new(0.04, 0, 16), Err(PolarError::Order { given: 0 }));
+/// let steep = PolarRule::new(0.04, 8, 16)?.with_rim_exponent(PolarError::MAX_RIM_EXPONENT + 1.0);
+/// assert_eq!(steep, Err(PolarError::RimExponent { given: 65.0 }));
+/// # Ok::<(), PolarError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PolarError {

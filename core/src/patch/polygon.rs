@@ -29,10 +29,12 @@ pub const NODES_PER_TRIANGLE: usize = 7;
 /// square 1.2e-2, 2.8e-3, 6.8e-4 with 56, 224, 896 nodes.
 ///
 /// ```
-/// use tribos_core::patch::nodes::NodeList;
-/// use tribos_core::patch::polygon::polygon;
-/// let ell = [[0.0, 0.0], [0.2, 0.0], [0.2, 0.1], [0.1, 0.1], [0.1, 0.2], [0.0, 0.2]];
-/// let foot: NodeList<f64, 112> = polygon(&ell, 2)?;
+/// use tribos_core::patch::nodes::{NodeList, NodePatch};
+/// use tribos_core::patch::polygon::{NODES_PER_TRIANGLE, polygon};
+/// let ell = [[0.0, 0.0], [0.2, 0.0], [0.2, 0.1], [0.1, 0.1], [0.1, 0.2], [0.0, 0.2]]; // m
+/// const NODES: usize = NODES_PER_TRIANGLE * (6 - 2) * 2 * 2;
+/// let foot: NodeList<f64, NODES> = polygon(&ell, 2)?;
+/// assert!((foot.total_weight() - 0.03).abs() < 1e-16); // three squares of 0.1 m
 /// # Ok::<(), tribos_core::patch::polygon::PolygonError>(())
 /// ```
 pub fn polygon<R: Real, const CAPACITY: usize>(
@@ -47,6 +49,20 @@ pub fn polygon<R: Real, const CAPACITY: usize>(
 /// [`polygon`] into memory of the caller's choice, behind the nodes that are there already.
 ///
 /// *Special values*: what was added before an error stays.
+///
+/// ```
+/// use tribos_core::patch::nodes::{NodeList, NodePatch};
+/// use tribos_core::patch::polygon::polygon_into;
+/// // A U has no corner that sees all of it: three rectangles, by corner and size.
+/// let mut magnet = NodeList::<f64, 42>::new();
+/// let base = [0.0, 0.0, 0.3, 0.1];
+/// for [x, y, width, height] in [base, [0.0, 0.1, 0.1, 0.2], [0.2, 0.1, 0.1, 0.2]] {
+///     let (right, top) = (x + width, y + height);
+///     polygon_into(&mut magnet, &[[x, y], [right, y], [right, top], [x, top]], 1)?;
+/// }
+/// assert!((magnet.total_weight() - 0.07).abs() < 1e-15); // its area in m^2
+/// # Ok::<(), tribos_core::patch::polygon::PolygonError>(())
+/// ```
 pub fn polygon_into<R: Real>(
     list: &mut impl NodeSink<R>,
     corners: &[[R; 2]],
@@ -171,6 +187,18 @@ const RADON: [[f64; 3]; NODES_PER_TRIANGLE] = [
 ];
 
 /// Why a polygon was refused.
+///
+/// ```
+/// use tribos_core::patch::nodes::NodeList;
+/// use tribos_core::patch::polygon::{PolygonError, polygon};
+/// type Few = NodeList<f64, 100>;
+/// let u = [[0, 0], [3, 0], [3, 3], [2, 3], [2, 1], [1, 1], [1, 3], [0, 3]];
+/// let u = u.map(|corner| corner.map(f64::from));
+/// assert_eq!(polygon(&u, 1) as Result<Few, _>, Err(PolygonError::Hidden)); // cut it into three
+/// let given = PolygonError::MAX_DIVISIONS + 1;
+/// let fine: Result<Few, _> = polygon(&u, given);
+/// assert_eq!(fine, Err(PolygonError::Divisions { given }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PolygonError {

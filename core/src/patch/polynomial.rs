@@ -7,6 +7,17 @@ use super::{PatchError, PowerPressure};
 ///
 /// *Shape*: `N` coefficients, degree 2(N−1) in r. Shares of opposite sign cancel: results lose a
 /// factor Σ|wⱼ|.
+///
+/// ```
+/// use tribos_core::patch::{PatchError, PolynomialPressure};
+/// let hollow = PolynomialPressure::new([1.0, 1.0])?; // 1 + r^2 = 2 - (1 - r^2)
+/// let [uniform, paraboloid] = *hollow.shares();
+/// assert!((uniform - 4.0 / 3.0).abs() < 1e-15 && (paraboloid + 1.0 / 3.0).abs() < 1e-15);
+/// let mean = (1.0 / 2.0 + 1.0 / 3.0) / (1.0 + 1.0 / 2.0); // of s over (1 + s) ds, s = r^2
+/// assert!((hollow.mean_square_radius() - mean).abs() < 1e-15);
+/// assert_eq!(PolynomialPressure::new([1.0, -2.0]), Err(PatchError::Negative)); // pulls at the rim
+/// # Ok::<(), PatchError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PolynomialPressure<const N: usize> {

@@ -6,6 +6,23 @@ use super::PatchError;
 /// q → −1.
 ///
 /// *Domain*: −1 ≤ q ≤ [`PowerPressure::MAX_ORDER`].
+///
+/// ```
+/// use tribos_core::patch::PowerPressure;
+/// assert_eq!(PowerPressure::new(0.5), Ok(PowerPressure::HERTZ));
+/// assert_eq!(PowerPressure::FLAT_PUNCH.order(), -0.5);
+/// // From the rim towards the centre.
+/// for (pressure, mean_square_radius) in [
+///     (PowerPressure::RING, 1.0),
+///     (PowerPressure::FLAT_PUNCH, 2.0 / 3.0),
+///     (PowerPressure::UNIFORM, 1.0 / 2.0),
+///     (PowerPressure::HERTZ, 2.0 / 5.0),
+///     (PowerPressure::PARABOLOID, 1.0 / 3.0),
+/// ] {
+///     assert_eq!(pressure.mean_square_radius(), mean_square_radius);
+/// }
+/// assert!(PowerPressure::new(PowerPressure::MAX_ORDER + 1.0).is_err());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PowerPressure {

@@ -6,6 +6,14 @@ use crate::real::Real;
 ///
 /// With Δ² = 1 − m sin²φ and all integrals over [0, π/2]:
 /// B = ∫cos²φ/Δ, D = ∫sin²φ/Δ, C = (D − B)/m; K = B + D and E = B + (1 − m) D.
+///
+/// ```
+/// use tribos_core::special::CompleteElliptic;
+/// // Legendre's relation of m and 1 - m: E K' + E' K - K K' = pi/2.
+/// let (one, other) = (CompleteElliptic::new(0.3_f64), CompleteElliptic::new(0.7));
+/// let left = one.e() * other.k() + other.e() * one.k() - one.k() * other.k();
+/// assert!((left - core::f64::consts::FRAC_PI_2).abs() < 1e-14);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CompleteElliptic<R> {

@@ -12,6 +12,17 @@
 ///
 /// *Domain*: c > 0 and c − a − b > 0 (finite at x = 1); |a|, |b| up to about 500.
 /// *Source*: the recurrence is the hypergeometric equation (DLMF 15.10.1) expanded about 1 − z.
+///
+/// ```
+/// use tribos_core::special::Gauss;
+/// // F(-3, b; b; x) is (1 - x)^3: its coefficients about 0, its value and slope at 1/2, and its
+/// // coefficients about 1/2 in steps of -1/2, all of them short in binary.
+/// let cube = Gauss::new(-3.0, 2.0, 2.0);
+/// assert_eq!(cube.series_coefficients(), [1.0, -3.0, 3.0, -1.0, 0.0]);
+/// let middle = cube.series(0.5);
+/// assert_eq!([middle.value, middle.slope], [0.125, -0.75]);
+/// assert_eq!(cube.taylor(0.5, middle), [0.125, 0.375, 0.375, 0.125, 0.0]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Gauss {
@@ -21,6 +32,15 @@ pub struct Gauss {
 }
 
 /// Value and x-derivative of a function.
+///
+/// ```
+/// use core::f64::consts::PI;
+/// use tribos_core::special::{Gauss, hypergeometric::Jet};
+/// // F(1/2, 1/2; 3/2; s^2) is asin(s)/s; here s = 1/2.
+/// let Jet { value, slope } = Gauss::new(0.5, 0.5, 1.5).at(0.25, 0.75);
+/// assert!((value - PI / 3.0).abs() < 1e-14);
+/// assert!((slope - (4.0 / f64::sqrt(3.0) - 2.0 * PI / 3.0)).abs() < 1e-14); // by s^2
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Jet {
