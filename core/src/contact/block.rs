@@ -80,8 +80,8 @@ impl<R: Real> Block<R> {
 /// use tribos_core::contact::Masses;
 /// let hoop = Masses { sliding: 0.5_f64, torsion: 0.5 * 0.1 * 0.1 }; // kg, kg m²
 /// assert!((hoop.gyration() - 0.1).abs() < 1e-15); // all of its mass is that far out
-/// let rod = Masses { sliding: 0.5_f64, torsion: 0.0 }; // nothing can turn it
-/// assert_eq!(rod.gyration(), 0.0);
+/// let guided = Masses { sliding: 0.5_f64, torsion: 0.0 }; // nothing can turn it
+/// assert_eq!(guided.gyration(), 0.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

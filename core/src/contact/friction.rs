@@ -137,7 +137,7 @@ impl<R: Real> Thresholds<R, SlidingTorsion> {
     ///
     /// ```
     /// use tribos_core::contact::Thresholds;
-    /// // A fingertip that bears on a disk of 5 mm, of r_eff = 25 mm: μ_n = μ T₀ 5 mm/25 mm.
+    /// // A fingertip of r_eff = 25 mm that bears on a disk of 5 mm: μ_n = μ T₀ 5 mm/25 mm.
     /// let finger = Thresholds::sliding_torsion(0.9_f64, 0.9 * (2.0 / 3.0) * 0.2)?;
     /// assert!((finger.mu_torsion() - 0.12).abs() < 1e-15);
     /// # Ok::<(), tribos_core::law::LawError>(())

@@ -119,7 +119,7 @@ impl<R: Real> AxialPart<R> for AboutNormal<R> {
 /// use tribos_core::contact::{AllModes, Frictionless, Modal, Modes, SlidingTorsion};
 /// // What is not named takes no room.
 /// assert_eq!(size_of::<Modal<f32, Frictionless>>(), size_of::<f32>());
-/// assert_eq!(<AllModes as Modes<f32>>::UNKNOWNS, 6); // as many as two bodies have
+/// assert_eq!(<AllModes as Modes<f32>>::UNKNOWNS, 6); // all relative motions of two bodies
 /// assert_eq!(<SlidingTorsion as Modes<f32>>::UNKNOWNS, 4);
 /// ```
 pub trait Modes<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync + 'static {
