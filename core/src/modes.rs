@@ -11,6 +11,19 @@ use crate::coupling::{Lead, Profile, Speeds};
 use crate::real::Real;
 
 /// How ε moves near a fixed point.
+///
+/// ```
+/// use tribos_core::coupling::{compact::Power, table::Coulomb};
+/// use tribos_core::modes::{Modes, Stability};
+/// // A puck under dry friction leaves pure spinning, a thick hoop returns to it.
+/// let [puck, hoop] = [0.5, 0.8_f64].map(|inertia| Modes::new(Coulomb, inertia));
+/// assert_eq!(puck?.fixed_points().spinning, Stability::Unstable);
+/// assert_eq!(hoop?.fixed_points().spinning, Stability::Stable);
+/// // Oil slows both motions of a puck alike.
+/// let oiled = Modes::new(Power::new(1.0_f64)?, 0.5)?;
+/// assert_eq!(oiled.fixed_points().spinning, Stability::Semistable);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Stability {
@@ -23,6 +36,16 @@ pub enum Stability {
 }
 
 /// All fixed points of one slider.
+///
+/// ```
+/// use tribos_core::coupling::table::Coulomb;
+/// use tribos_core::modes::{FixedPoints, Modes, Stability};
+/// let FixedPoints { spinning, finite, sliding } = Modes::new(Coulomb, 0.5_f64)?.fixed_points();
+/// // Between two ends that it leaves there is one ratio to which the motion tends.
+/// assert_eq!([spinning, sliding], [Stability::Unstable; 2]);
+/// assert!(finite.is_some_and(|(_, stability)| stability == Stability::Stable));
+/// # Ok::<(), tribos_core::modes::InertiaError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FixedPoints<R> {
@@ -35,6 +58,17 @@ pub struct FixedPoints<R> {
 }
 
 /// What dominates just before rest.
+///
+/// ```
+/// use tribos_core::coupling::table::Coulomb;
+/// use tribos_core::modes::{FinalMode, Modes};
+/// // A disk loaded at its rim, one loaded at its hub, and a plain one, all thrown with v = ωR.
+/// let last = |inertia: f64| Ok(Modes::new(Coulomb, inertia)?.final_mode(1.0));
+/// assert_eq!(last(0.8)?, FinalMode::Spinning);
+/// assert_eq!(last(0.2)?, FinalMode::Sliding);
+/// assert!(matches!(last(0.5)?, FinalMode::Together { ratio } if ratio > 0.6 && ratio < 0.7));
+/// # Ok::<(), tribos_core::modes::InertiaError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FinalMode<R> {
@@ -73,6 +107,14 @@ impl core::error::Error for InertiaError {}
 /// (1−r²)^`order` (for the uniform disk, order 0: table 3.2).
 ///
 /// *Domain*: α > −1, order ≥ −1.
+///
+/// ```
+/// use tribos_core::modes::inertia_interval;
+/// // Uniform pressure and dry friction: from 1/4 to 2/3. A plain disk, 1/2, slides and spins to
+/// // the end; a hoop, 1, only spins.
+/// let (least, most) = inertia_interval(0.0, 0.0);
+/// assert_eq!((least, most), (0.25, 2.0 / 3.0));
+/// ```
 pub fn inertia_interval<R: Real>(alpha: R, order: R) -> (R, R) {
     in_order(crate::coupling::inertia_ends(alpha, order))
 }
@@ -90,7 +132,12 @@ fn in_order<R: Real>([spinning, sliding]: [R; 2]) -> (R, R) {
 /// ```
 /// use tribos_core::{coupling::table::Coulomb, modes::Modes};
 /// let disk = Modes::new(Coulomb, 0.5_f64)?;
-/// assert!((disk.finite_fixed_point().unwrap() - 0.653001789206).abs() < 1e-12);
+/// let ratio = disk.finite_fixed_point().unwrap_or(f64::NAN);
+/// assert!((ratio - 0.653001789206).abs() < 1e-12);
+/// // There C_α is the disk's own inertia, and the ratio does not change any more.
+/// assert!((disk.inertia_ratio_of(ratio) - 0.5).abs() < 1e-13);
+/// assert!(disk.growth(ratio).abs() < 1e-13);
+/// assert!(disk.growth(0.5) > 0.0 && disk.growth(1.0) < 0.0);
 /// # Ok::<(), tribos_core::modes::InertiaError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

@@ -7,6 +7,22 @@ use nalgebra::Vector3;
 /// A body as contacts see it.
 ///
 /// *Units*: any consistent set; inverse masses in 1/mass, inverse inertias in 1/(mass·length²).
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos_core::contact::{Body, Plate, Sphere};
+/// let still = Vector3::new(0.0, 0.0, 0.0);
+/// let mut ball = Sphere { velocity: still, spin: still, inv_mass: 2.0, inv_inertia: 500.0 };
+/// let mut wall = Plate { velocity: still, inv_mass: 0.0 };
+/// // An impulse and its opposite, in N s.
+/// let (kick, normal) = (Vector3::new(0.0, 0.3, 0.4), Vector3::new(0.0, 0.0, 1.0));
+/// ball.push(1.0, &kick, 0.4, &normal);
+/// wall.push(-1.0, &kick, 0.4, &normal);
+/// assert_eq!(ball.velocity(), kick * 2.0); // m/s
+/// assert_eq!(wall.velocity(), still);
+/// ball.turn(1.0, &Vector3::new(0.0, 0.0, 0.01)); // N m s
+/// assert_eq!(ball.spin().z, 0.01 * 500.0); // rad/s
+/// ```
 pub trait Body<R: Real> {
     /// Velocity of the centre.
     fn velocity(&self) -> Vector3<R>;

@@ -32,12 +32,13 @@ use nalgebra::{Vector2, Vector3};
 /// ```
 /// use tribos_core::contact::CoupledFriction;
 /// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
+/// use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 /// let exact = LimitSurface::new(Coulomb, 0.3_f64, 0.5)?; // mu, R_c/r_eff
 /// let billiard = CoupledFriction::sliding_torsion(exact);
 /// let usual = Ellipsoid::new(0.3_f32, 0.5, 2.0 / 3.0)?;
 /// let powder = CoupledFriction::all(usual, 0.1)?; // mu_rolling
 /// assert!((billiard.mu_torsion() - 0.1).abs() < 1e-15);
+/// assert_eq!([powder.mu(), powder.mu_rolling()], [powder.set().force_limit(), 0.1]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

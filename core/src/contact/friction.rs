@@ -12,6 +12,19 @@ use core::marker::PhantomData;
 use nalgebra::Vector3;
 
 /// A force across the normal and a torque about it, or the impulses of both.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos_core::contact::{ContactFriction, Grasp, Masses, Thresholds};
+/// // A fingertip with P = 10 N and r_eff = 25 mm.
+/// let skin = Thresholds::sliding_torsion(0.5, 0.1)?;
+/// let masses = Masses { sliding: 0.1, torsion: 1e-4 };
+/// let needed = Grasp { sliding: Vector3::new(6.0, 8.0, 0.0), torsion: -0.02 }; // N, N m
+/// let held = skin.hold(&needed, 10.0, 0.025, &masses);
+/// assert!((held.sliding - Vector3::new(3.0, 4.0, 0.0)).amax() < 1e-14); // it slips: μP = 5 N
+/// assert_eq!(held.torsion, -0.02); // and does not turn: up to 0.025 N m
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grasp<R> {
     /// In the contact plane.
@@ -21,6 +34,23 @@ pub struct Grasp<R> {
 }
 
 /// The set of friction impulses that a contact can carry, for the modes that it has.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos_core::contact::{ContactFriction, CoupledFriction, Grasp, Masses, Thresholds};
+/// use tribos_core::limit_surface::Ellipsoid;
+/// // What is left of a push of 2 N in a contact with P = 10 N, which a torque of 0.04 N m twists.
+/// fn left<F: ContactFriction<f64>>(friction: &F) -> f64 {
+///     let trial = Grasp { sliding: Vector3::new(2.0, 0.0, 0.0), torsion: 0.04 };
+///     let masses = Masses { sliding: 1.0, torsion: 1e-4 };
+///     friction.hold(&trial, 10.0, 0.01, &masses).sliding.x
+/// }
+/// // Both have the thresholds 3 N and 0.05 N m; one contact cannot reach them together.
+/// let apart = Thresholds::sliding_torsion(0.3, 0.5)?;
+/// let coupled = CoupledFriction::sliding_torsion(Ellipsoid::new(0.3, 1.0, 0.5 / 0.3)?);
+/// assert!(left(&apart) == 2.0 && left(&coupled) < 2.0);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub trait ContactFriction<R: Real>: Copy + Send + Sync {
     /// Which modes.
     type Modes: Modes<R>;
@@ -40,9 +70,12 @@ pub trait ContactFriction<R: Real>: Copy + Send + Sync {
 ///
 /// ```
 /// use tribos_core::contact::Thresholds;
-/// let powder = Thresholds::all(0.3_f64, 0.1, 0.1)?; // sliding, rolling, torsion
+/// let powder = Thresholds::all(0.3_f64, 0.1, 0.05)?; // sliding, rolling, torsion
+/// assert_eq!([powder.mu(), powder.mu_rolling(), powder.mu_torsion()], [0.3, 0.1, 0.05]);
 /// let billiard = Thresholds::sliding(0.2_f32)?;
 /// assert!(size_of_val(&billiard) <= size_of_val(&powder));
+/// assert_eq!(Thresholds::<f64, _>::none().mu(), 0.0);
+/// assert!(Thresholds::sliding(-0.2).is_err());
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,6 +134,14 @@ impl<R: Real> Thresholds<R, Sliding> {
 
 impl<R: Real> Thresholds<R, SlidingTorsion> {
     /// Sliding and torsion friction, μ and μ_n.
+    ///
+    /// ```
+    /// use tribos_core::contact::Thresholds;
+    /// // A fingertip of r_eff = 25 mm that bears on a disk of 5 mm: μ_n = μ T₀ 5 mm/25 mm.
+    /// let finger = Thresholds::sliding_torsion(0.9_f64, 0.9 * (2.0 / 3.0) * 0.2)?;
+    /// assert!((finger.mu_torsion() - 0.12).abs() < 1e-15);
+    /// # Ok::<(), tribos_core::law::LawError>(())
+    /// ```
     pub fn sliding_torsion(mu: R, mu_torsion: R) -> Result<Self, LawError> {
         Self::validated(mu, R::ZERO, mu_torsion)
     }
@@ -108,6 +149,16 @@ impl<R: Real> Thresholds<R, SlidingTorsion> {
 
 impl<R: Real> Thresholds<R, SlidingRolling> {
     /// Sliding and rolling friction, μ and μ_t.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tribos_core::contact::{ContactFriction, Thresholds};
+    /// let tyre = Thresholds::sliding_rolling(0.8_f64, 0.01)?;
+    /// // Under P = 4000 N at r_eff = 0.3 m rolling is resisted by 12 N m.
+    /// let resisted = tyre.hold_rolling(&Vector3::new(0.0, 50.0, 0.0), 4000.0, 0.3);
+    /// assert!((resisted.y - 0.01 * 4000.0 * 0.3).abs() < 1e-13);
+    /// # Ok::<(), tribos_core::law::LawError>(())
+    /// ```
     pub fn sliding_rolling(mu: R, mu_rolling: R) -> Result<Self, LawError> {
         Self::validated(mu, mu_rolling, R::ZERO)
     }

@@ -6,6 +6,17 @@ use core::fmt::Debug;
 use nalgebra::Vector3;
 
 /// The share of a [`Modal`] that lies in the contact plane: [`InPlane`] or [`Absent`].
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos_core::contact::{Absent, InPlane, PlanarPart};
+/// fn kept<P: PlanarPart<f64>>(vector: Vector3<f64>) -> Vector3<f64> {
+///     P::of(vector).vector()
+/// }
+/// let slip = Vector3::new(0.3, -0.1, 0.0); // m/s
+/// assert_eq!(kept::<InPlane<f64>>(slip), slip);
+/// assert_eq!(kept::<Absent>(slip), Vector3::zeros());
+/// ```
 pub trait PlanarPart<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync {
     /// False for [`Absent`].
     const PRESENT: bool;
@@ -16,6 +27,15 @@ pub trait PlanarPart<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync 
 }
 
 /// The share of a [`Modal`] about the normal: [`AboutNormal`] or [`Absent`].
+///
+/// ```
+/// use tribos_core::contact::{AboutNormal, Absent, AxialPart};
+/// fn kept<A: AxialPart<f64>>(component: f64) -> f64 {
+///     A::of(component).component()
+/// }
+/// assert_eq!(kept::<AboutNormal<f64>>(20.0), 20.0); // rad/s
+/// assert_eq!(kept::<Absent>(20.0), 0.0);
+/// ```
 pub trait AxialPart<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync {
     /// False for [`Absent`].
     const PRESENT: bool;
@@ -94,6 +114,14 @@ impl<R: Real> AxialPart<R> for AboutNormal<R> {
 }
 
 /// A set of modes, named by a type.
+///
+/// ```
+/// use tribos_core::contact::{AllModes, Frictionless, Modal, Modes, SlidingTorsion};
+/// // What is not named takes no room.
+/// assert_eq!(size_of::<Modal<f32, Frictionless>>(), size_of::<f32>());
+/// assert_eq!(<AllModes as Modes<f32>>::UNKNOWNS, 6); // all relative motions of two bodies
+/// assert_eq!(<SlidingTorsion as Modes<f32>>::UNKNOWNS, 4);
+/// ```
 pub trait Modes<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync + 'static {
     /// Unknowns of a contact, the normal one included.
     const UNKNOWNS: usize;
@@ -141,6 +169,24 @@ modes! {
 /// *Units*: momentum and angular momentum as impulse; length/time and 1/time as velocity. *Sign*:
 /// an impulse acts on the second body, its opposite on the first; a velocity is that of the second
 /// body less that of the first.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos_core::contact::{AboutNormal, Absent, InPlane, Modal, SlidingTorsion};
+/// let modal = |normal, sliding, torsion| Modal::<f64, SlidingTorsion> {
+///     normal,
+///     sliding: InPlane(Vector3::new(sliding, 0.0, 0.0)),
+///     rolling: Absent,
+///     torsion: AboutNormal(torsion),
+/// };
+/// let impulse = modal(2.0, -0.5, -0.25); // N s, N s, N m s
+/// let velocity = modal(0.0, 4.0, 8.0); // m/s, m/s, rad/s
+/// assert_eq!(impulse.dot(&velocity), -0.5 * 4.0 - 0.25 * 8.0); // friction's work, J
+/// // As vectors in space, with the normal up.
+/// let up = Vector3::new(0.0, 0.0, 1.0);
+/// assert_eq!(impulse.linear(&up), Vector3::new(-0.5, 0.0, 2.0));
+/// assert_eq!(impulse.angular(&up), Vector3::new(0.0, 0.0, -0.25));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Modal<R: Real, M: Modes<R>> {
     /// Along the normal, which points from the first body to the second: positive pushes apart.
@@ -155,6 +201,14 @@ pub struct Modal<R: Real, M: Modes<R>> {
 
 impl<R: Real, M: Modes<R>> Modal<R, M> {
     /// `self` + `factor` · `other`
+    ///
+    /// ```
+    /// use tribos_core::contact::{AboutNormal, Modal, SlidingTorsion};
+    /// let torsion = AboutNormal(0.5);
+    /// let a = Modal::<f64, SlidingTorsion> { normal: 2.0, torsion, ..Modal::default() };
+    /// assert_eq!(a.plus_scaled(1.0, &a).minus(&a), a);
+    /// assert_eq!(a.plus_scaled(-1.0, &a), Modal::default());
+    /// ```
     #[inline(always)]
     pub fn plus_scaled(&self, factor: R, other: &Self) -> Self {
         Self {
@@ -194,6 +248,13 @@ impl<R: Real, M: Modes<R>> Modal<R, M> {
     }
 
     /// Two impulses compared: torques count by the force at the distance `lever`.
+    ///
+    /// ```
+    /// use tribos_core::contact::{AboutNormal, Modal, SlidingTorsion};
+    /// let torsion = AboutNormal(0.5); // N m s: at a lever of 0.25 m as much as 2 N s
+    /// let twist = Modal::<f64, SlidingTorsion> { torsion, ..Modal::default() };
+    /// assert_eq!(twist.dot_with_lever(&twist, 0.25), 2.0 * 2.0);
+    /// ```
     #[inline(always)]
     pub fn dot_with_lever(&self, other: &Self, lever: R) -> R {
         let mut sum = self.normal * other.normal;

@@ -9,6 +9,26 @@ use crate::law::LawError;
 use crate::real::Real;
 
 /// What cohesion does within its range.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos_core::contact::*;
+/// # let still = Vector3::new(0.0, 0.0, 0.0);
+/// # let up = Vector3::new(0.0, 0.0, 1.0);
+/// // A ball of 1 kg let go 0.5 mm off a wall that attracts by 2 N up to 1 mm; a millisecond later.
+/// let speed = |attraction| -> Result<f64, Box<dyn core::error::Error>> {
+///     let mut ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
+///     let mut wall = Plate { velocity: still, inv_mass: 0.0 };
+///     let law = NormalLaw::new(Cohesion::new(2.0, 1e-3, attraction)?, 0.0)?;
+///     let touch = Touch::plate(0.0505, &up, 0.05)?;
+///     let mut contact = Contact::new(&touch, &law, &ball, &wall, 1e-3);
+///     contact.update(&Thresholds::none(), &mut ball, &mut wall);
+///     Ok(ball.velocity.z)
+/// };
+/// assert_eq!(speed(Attraction::Pull)?, -2.0 * 1e-3);
+/// assert_eq!(speed(Attraction::Resistance)?, 0.0);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Attraction {
@@ -21,6 +41,20 @@ pub enum Attraction {
 }
 
 /// Cohesion of a contact. *Units*: force, length.
+///
+/// ```
+/// use tribos_core::contact::{Attraction, Cohesion};
+/// use tribos_core::law::LawError;
+/// // Fine powder: 2 µN within 10 nm.
+/// let sticky = Cohesion::new(2e-6_f64, 1e-8, Attraction::Pull)?;
+/// assert!((sticky.energy() - 2e-14).abs() < 1e-29); // J to break a contact
+/// assert_eq!([sticky.strength(), sticky.range()], [2e-6, 1e-8]);
+/// assert_eq!(sticky.attraction(), Attraction::default());
+/// let parameter = "cohesion strength";
+/// let refused = Cohesion::new(-1.0, 0.0, Attraction::Pull);
+/// assert_eq!(refused, Err(LawError::Negative { parameter, given: -1.0 }));
+/// # Ok::<(), LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cohesion<R> {
@@ -68,6 +102,23 @@ impl<R: Real> Cohesion<R> {
 }
 
 /// The law along the normal.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos_core::contact::*;
+/// let law = NormalLaw::new(Cohesion::NONE, 0.5_f64)?;
+/// assert_eq!(law.cohesion().strength(), 0.0);
+/// // A ball hits a floor with 2 m/s, and leaves it with half of that.
+/// let (still, down) = (Vector3::new(0.0, 0.0, 0.0), Vector3::new(0.0, 0.0, -2.0));
+/// let mut ball = Sphere { velocity: down, spin: still, inv_mass: 4.0, inv_inertia: 1000.0 };
+/// let mut floor = Plate { velocity: still, inv_mass: 0.0 };
+/// let touch = Touch::plate(0.05, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+/// let mut contact = Contact::new(&touch, &law, &ball, &floor, 1e-3);
+/// contact.update(&Thresholds::none(), &mut ball, &mut floor);
+/// assert!((ball.velocity.z - law.restitution() * 2.0).abs() < 1e-15);
+/// assert!(NormalLaw::new(Cohesion::NONE, 1.5).is_err()); // no ball gains energy
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NormalLaw<R> {

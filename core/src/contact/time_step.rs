@@ -3,6 +3,14 @@
 use crate::real::Real;
 
 /// A length of time that steps can be made of: positive and finite.
+///
+/// ```
+/// use tribos_core::contact::{TimeStep, TimeStepError};
+/// let frame = TimeStep::new(1.0 / 60.0)?; // s
+/// assert_eq!(frame.dt(), 1.0 / 60.0);
+/// assert_eq!(TimeStep::new(-1e-3), Err(TimeStepError { given: -1e-3 })); // not back in time
+/// # Ok::<(), TimeStepError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TimeStep<R>(R);

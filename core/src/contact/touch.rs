@@ -21,6 +21,14 @@ pub struct Touch<R> {
 }
 
 /// Why a contact has no geometry.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos_core::contact::{Touch, TouchError};
+/// let [apart, nowhere] = [Vector3::new(0.1, 0.0, 0.0), Vector3::new(0.0, 0.0, 0.0)];
+/// assert_eq!(Touch::spheres(&nowhere, [0.03, 0.06]), Err(TouchError::NoNormal));
+/// assert_eq!(Touch::spheres(&apart, [0.03, -0.06]), Err(TouchError::NotFinite));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum TouchError {
@@ -48,6 +56,18 @@ impl<R: Real> Touch<R> {
     /// Two spheres; `displacement` leads from the first centre to the second.
     ///
     /// *Accuracy*: the normal to 4 ulp; the gap to 2 ulp of the distance.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tribos_core::contact::Touch;
+    /// // Balls of 3 and 6 cm, 10 cm apart.
+    /// let touch = Touch::spheres(&Vector3::new(0.0, 0.1, 0.0), [0.03_f64, 0.06])?;
+    /// assert_eq!(touch.normal, Vector3::new(0.0, 1.0, 0.0));
+    /// assert!((touch.gap - 0.01).abs() < 1e-16);
+    /// assert!((touch.arms[0] + touch.arms[1] - 0.1).abs() < 1e-16);
+    /// assert!((touch.lever - 0.02).abs() < 1e-17); // 1/(1/3 + 1/6) = 2
+    /// # Ok::<(), tribos_core::contact::TouchError>(())
+    /// ```
     pub fn spheres(displacement: &Vector3<R>, radii: [R; 2]) -> Result<Self, TouchError> {
         let distance = length(displacement);
         let [first, second] = radii;

@@ -16,6 +16,27 @@ use nalgebra::Vector3;
 ///
 /// [`Contact::update`] is the local solution for everything else held fixed: sweeping it over all
 /// contacts of a system is the non-linear Gauss–Seidel method (Jean 1999).
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos_core::contact::*;
+/// # let still = Vector3::new(0.0, 0.0, 0.0);
+/// # let spin = still;
+/// # let mut ball = Sphere { velocity: still, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
+/// # let mut table = Plate { velocity: still, inv_mass: 0.0 };
+/// // A ball of 1 kg that lies on a table, and sticks to it with 5 N.
+/// let dt = 1e-3;
+/// ball.velocity.z = -9.81 * dt;
+/// let law = NormalLaw::new(Cohesion::new(5.0, 1e-6, Attraction::Pull)?, 0.0)?;
+/// let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+/// let mut contact = Contact::new(&touch, &law, &ball, &table, dt);
+/// contact.update(&Thresholds::sliding(0.3)?, &mut ball, &mut table);
+/// // The table bears the weight; friction is bounded by weight and cohesion.
+/// assert!((contact.impulse().normal - 9.81 * dt).abs() < 1e-16);
+/// assert_eq!(contact.cohesion(), 5.0 * dt);
+/// assert!((contact.bound() - 14.81 * dt).abs() < 1e-16);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<R: Real, M: Modes<R>> {
     normal: Vector3<R>,
@@ -31,6 +52,25 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
     ///
     /// *Special values*: `dt` ≤ 0 or NaN makes the impulses NaN. Modes that neither body can follow
     /// take no impulse.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tribos_core::contact::*;
+    /// # let still = Vector3::new(0.0, 0.0, 0.0);
+    /// # let spin = still;
+    /// # let ball = Sphere { velocity: still, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
+    /// # let table = Plate { velocity: still, inv_mass: 0.0 };
+    /// // A ball of 5 cm and 1 kg, 1 mm above a table, and a step of 1 ms.
+    /// let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+    /// let touch = Touch::plate(0.051_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+    /// let contact = Contact::<f64, Sliding>::new(&touch, &law, &ball, &table, 1e-3);
+    /// // It may approach by 1 m/s before the table bears.
+    /// assert!((contact.allowance() - 1.0).abs() < 1e-12 && !contact.rests_open());
+    /// assert_eq!(*contact.normal(), Vector3::new(0.0, 0.0, -1.0)); // from the ball to the table
+    /// assert_eq!((contact.arms(), contact.lever()), ([0.051, 0.0], 0.05));
+    /// assert_eq!(contact.block().mass_normal, 1.0); // the table does not move
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     pub fn new(
         touch: &Touch<R>,
         law: &NormalLaw<R>,
@@ -52,6 +92,28 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
     }
 
     /// A contact prepared earlier, with its impulse so far.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tribos_core::contact::*;
+    /// # let still = Vector3::new(0.0, 0.0, 0.0);
+    /// # let spin = still;
+    /// # let mut ball = Sphere { velocity: still, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
+    /// # let mut table = Plate { velocity: still, inv_mass: 0.0 };
+    /// # ball.velocity.z = -1.0;
+    /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+    /// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+    /// # let friction = Thresholds::sliding(0.5)?;
+    /// let mut contact = Contact::new(&touch, &law, &ball, &table, 1e-3);
+    /// contact.update(&friction, &mut ball, &mut table);
+    /// // Kept as plain numbers, and taken up again, in one way or in two.
+    /// let kept = (contact.prepared(), *contact.impulse());
+    /// assert_eq!(Contact::resume(&kept.0, &kept.1), contact);
+    /// let mut again = Contact::resume(&kept.0, &Modal::default());
+    /// again.set_impulse_in_plane(&kept.1);
+    /// assert_eq!(again, contact);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     #[inline]
     pub fn resume(prepared: &PreparedContact<R>, impulse: &Modal<R, M>) -> Self {
         Self {
@@ -151,6 +213,28 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
 
     /// The nearest impulse that cohesion and friction admit, without telling the bodies: for
     /// guesses, such as those of the last step.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tribos_core::contact::*;
+    /// # let still = Vector3::new(0.0, 0.0, 0.0);
+    /// # let spin = still;
+    /// # let mut ball = Sphere { velocity: still, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
+    /// # let mut table = Plate { velocity: still, inv_mass: 0.0 };
+    /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+    /// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+    /// let mut contact = Contact::<_, Sliding>::new(&touch, &law, &ball, &table, 1e-3);
+    /// // The impulse of the last step, when the normal was another.
+    /// let sliding = InPlane(Vector3::new(3.0, 4.0, 7.0)); // N s
+    /// contact.set_impulse(&Modal { normal: 1.0, sliding, ..Modal::default() });
+    /// assert_eq!(contact.impulse().sliding.0, Vector3::new(3.0, 4.0, 0.0));
+    /// contact.admit(&Thresholds::sliding(0.5)?);
+    /// assert!((contact.impulse().sliding.0 - Vector3::new(0.3, 0.4, 0.0)).amax() < 1e-15);
+    /// // It is the table's; the ball takes the opposite.
+    /// contact.apply(contact.impulse(), &mut ball, &mut table);
+    /// assert!((ball.velocity - Vector3::new(-0.3, -0.4, 1.0)).amax() < 1e-15);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     #[inline]
     pub fn admit<F: ContactFriction<R, Modes = M>>(&mut self, friction: &F) {
         if self.impulse.normal < -self.step.cohesion {

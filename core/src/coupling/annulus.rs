@@ -29,6 +29,14 @@ pub struct Annulus<R, C> {
 
 impl<R: Real, C> Annulus<R, C> {
     /// Thinnest annulus: beyond, three digits are lost, and a ring is the better model.
+    ///
+    /// ```
+    /// use tribos_core::coupling::{Annulus, table::Coulomb};
+    /// use tribos_core::patch::PatchError;
+    /// let max = Annulus::<f64, Coulomb>::MAX_INNER_RATIO;
+    /// let refused = Annulus::new(Coulomb, 0.9999_f64);
+    /// assert_eq!(refused, Err(PatchError::InnerRatio { given: 0.9999, max }));
+    /// ```
     pub const MAX_INNER_RATIO: f64 = 0.999;
 
     /// *Domain*: 0 ≤ `inner_ratio` ≤ [`Annulus::MAX_INNER_RATIO`]; `disk` is a coupling of the

@@ -23,16 +23,43 @@ use core::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
 /// with the complete elliptic integrals of parameter m = h².
 ///
 /// *Special values*: at equal speeds ∂F/∂v and its like are infinite.
+///
+/// ```
+/// use core::f64::consts::FRAC_2_PI;
+/// use tribos_core::coupling::{Coupling, closed::Ring};
+/// // Sliding and spinning may change places.
+/// let [a, b] = [Ring.reduced_wrench(0.3_f64, 0.4), Ring.reduced_wrench(0.4, 0.3)];
+/// assert!((a.force - b.torque).abs() < 1e-14);
+/// assert!((Ring.reduced_wrench(1.0, 1.0).force - FRAC_2_PI).abs() < 1e-14);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ring;
 
 /// A rigid flat punch, q = −1/2: F = (π/4) ε for ε ≤ 1, (ε asin(1/ε) + √(ε²−1)/ε)/2 beyond.
+///
+/// ```
+/// use core::f64::consts::FRAC_PI_4;
+/// use tribos_core::coupling::{Coupling, closed::FlatPunch};
+/// // As long as spinning leads, the force is proportional to the sliding speed.
+/// let wrench = FlatPunch.reduced_wrench(0.5_f64, 1.0);
+/// assert!((wrench.force - 0.5 * FRAC_PI_4).abs() < 1e-14);
+/// assert!((FlatPunch.reduced_wrench(0.0_f64, 1.0).torque - FRAC_PI_4).abs() < 1e-14);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FlatPunch;
 
 /// Hertz' pressure, q = 1/2: F = (3π/8) ε (1 − ε²/4) for ε ≤ 1, arc sines beyond.
+///
+/// ```
+/// use core::f64::consts::PI;
+/// use tribos_core::coupling::{Coupling, closed::Hertz};
+/// let ball = Hertz.reduced_wrench(0.5_f64, 1.0); // pressed on a plane
+/// assert!((ball.force - 3.0 * PI / 8.0 * 0.5 * (1.0 - 0.25 / 4.0)).abs() < 1e-14);
+/// // Spinning in place it resists with the mean radius of the pressure.
+/// assert!((Hertz.reduced_wrench(0.0_f64, 1.0).torque - 3.0 * PI / 16.0).abs() < 1e-14);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hertz;

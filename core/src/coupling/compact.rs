@@ -16,6 +16,15 @@ use crate::special::CompleteElliptic;
 /// Φ = 4/(3π) (2B + (1−m) D) and Φ' = 2/(3π) (C − D) with m = h².
 /// *Accuracy*: at most 1e-14 relative in f64 (5e-6 in f32).
 /// *Source*: eqs. 3.11 and 3.13 in the integrals B, C, D, which do not cancel.
+///
+/// ```
+/// use core::f64::consts::PI;
+/// use tribos_core::coupling::{Coupling, compact::Coulomb};
+/// // At equal speeds the disk turns about a point of its rim. It dissipates as the mean distance
+/// // from there, which is 32/(9π) radii.
+/// let wrench = Coulomb.reduced_wrench(1.0_f64, 1.0);
+/// assert!((wrench.force + wrench.torque - 32.0 / (9.0 * PI)).abs() < 1e-13);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coulomb;
@@ -89,6 +98,15 @@ pub struct Power<R> {
 
 impl<R: Real> Power<R> {
     /// On a uniform disk. *Domain*: −1 < `alpha` ≤ [`PowerLaw::MAX_EXPONENT`].
+    ///
+    /// ```
+    /// use tribos_core::coupling::{Coupling, compact::Power};
+    /// // Viscous friction: force and torque do not know of each other.
+    /// let wrench = Power::new(1.0_f64)?.reduced_wrench(0.3, 0.4); // m/s
+    /// assert!((wrench.force - 0.3).abs() < 1e-15 && (wrench.torque - 0.4 / 2.0).abs() < 1e-15);
+    /// assert!(Power::new(-1.0_f64).is_err());
+    /// # Ok::<(), tribos_core::law::LawError>(())
+    /// ```
     pub fn new(alpha: R) -> Result<Self, LawError> {
         Self::with_pressure(alpha, PowerPressure::UNIFORM)
     }

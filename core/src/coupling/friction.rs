@@ -31,6 +31,14 @@ pub struct PatchFriction<R, C> {
 }
 
 /// Why a friction was refused.
+///
+/// ```
+/// use tribos_core::coupling::{FrictionError, PatchFriction, table::Coulomb};
+/// use tribos_core::patch::PatchError;
+/// let point = PatchFriction::new(Coulomb, 0.3_f64, 0.0); // no radius
+/// assert_eq!(point, Err(FrictionError::Patch(PatchError::Radius { given: 0.0 })));
+/// assert!(matches!(PatchFriction::new(Coulomb, -0.3_f64, 0.04), Err(FrictionError::Law(_))));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FrictionError {
@@ -52,6 +60,16 @@ impl core::fmt::Display for FrictionError {
 impl core::error::Error for FrictionError {}
 
 /// Force and torque that oppose the motion, as magnitudes.
+///
+/// ```
+/// use tribos_core::coupling::{Magnitudes, PatchFriction, table::Coulomb};
+/// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?; // mu, m
+/// // Under 1.7 N, spinning in place at 20 rad/s: 2/3 of μ N R.
+/// let Magnitudes { force, torque } = puck.magnitudes(1.7, 0.0, 20.0); // N, N m
+/// let most = puck.coefficient() * 1.7 * puck.radius();
+/// assert!(force == 0.0 && (torque - most * 2.0 / 3.0).abs() < 1e-16);
+/// # Ok::<(), tribos_core::coupling::FrictionError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Magnitudes<R> {
@@ -62,6 +80,17 @@ pub struct Magnitudes<R> {
 }
 
 /// Derivatives of [`Magnitudes`] with respect to sliding speed and spin.
+///
+/// ```
+/// use tribos_core::coupling::{MagnitudesJacobian, PatchFriction, table::Coulomb};
+/// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?; // mu, m
+/// let (speed, spin) = (1.0, 20.0); // m/s, rad/s
+/// let jacobian: MagnitudesJacobian<f64> = puck.magnitudes_jacobian(1.7, speed, spin);
+/// // Dry friction depends on the ratio of speed and spin alone.
+/// assert!((speed * jacobian.force_speed + spin * jacobian.force_spin).abs() < 1e-12);
+/// assert!((speed * jacobian.torque_speed + spin * jacobian.torque_spin).abs() < 1e-12);
+/// # Ok::<(), tribos_core::coupling::FrictionError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MagnitudesJacobian<R> {
@@ -138,6 +167,18 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     /// ∂wrench/∂twist, symmetric, and negative semidefinite for a law that never weakens.
     ///
     /// *Special values*: at rest the diagonal is that of [`Coupling::reduced_jacobian`], negated.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+    /// use tribos_core::twist::Twist;
+    /// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?;
+    /// let jacobian = puck.wrench_jacobian(1.7, &Twist::new(1.0, -0.5, 20.0)); // N; m/s, rad/s
+    /// assert_eq!(jacobian, jacobian.transpose());
+    /// // Dry friction stays when the whole motion becomes faster.
+    /// assert!((jacobian * Vector3::new(1.0, -0.5, 20.0)).amax() < 1e-12);
+    /// # Ok::<(), tribos_core::coupling::FrictionError>(())
+    /// ```
     pub fn wrench_jacobian(&self, load: R, twist: &Twist<R>) -> WrenchJacobian<R> {
         let speed = twist.speed();
         let j = self
@@ -168,6 +209,18 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     }
 
     /// Wrenches of many twists under one load; pairs beyond the shorter slice are left alone.
+    ///
+    /// ```
+    /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+    /// use tribos_core::twist::{Twist, Wrench};
+    /// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?;
+    /// let twists = [1.0, -1.0].map(|sign| Twist::new(sign * 0.2, 0.0, sign * 5.0)); // m/s, rad/s
+    /// let mut wrenches = [Wrench::ZERO; 2];
+    /// puck.wrench_batch(1.7, &twists, &mut wrenches);
+    /// assert_eq!(wrenches[0].force, -wrenches[1].force); // a motion and its reverse
+    /// assert_eq!(wrenches[0].torque, -wrenches[1].torque);
+    /// # Ok::<(), tribos_core::coupling::FrictionError>(())
+    /// ```
     #[inline]
     pub fn wrench_batch(&self, load: R, twists: &[Twist<R>], wrenches: &mut [Wrench<R>]) {
         for (twist, wrench) in twists.iter().zip(wrenches) {

@@ -24,6 +24,13 @@ use super::speeds::{Lead, Speeds};
 use crate::real::Real;
 
 /// A coupling that knows its lateral function.
+///
+/// ```
+/// use tribos_core::coupling::{Lateral, table::Coulomb};
+/// // Spinning in place under a pressure that leans: half the mean radius goes sideways.
+/// assert!((Coulomb.lateral(0.0_f64, 1.0) - 0.5 * 2.0 / 3.0).abs() < 1e-14);
+/// assert_eq!(Coulomb.lateral(1.0_f64, 0.0), 0.0); // sliding without spin: nothing
+/// ```
 pub trait Lateral<R: Real>: Coupling<R> {
     /// G: the lateral force per coefficient, load and unit of pressure gradient l along the
     /// velocity (l = 1: the pressure vanishes at the trailing edge).
@@ -40,6 +47,14 @@ pub trait Lateral<R: Real>: Coupling<R> {
 }
 
 /// What a pressure gradient across the velocity takes from force and torque.
+///
+/// ```
+/// use tribos_core::coupling::{Lateral, LateralJacobian, table::Coulomb};
+/// let (v, w) = (0.3_f64, 0.4);
+/// let LateralJacobian { slide, rim } = Coulomb.lateral_jacobian(v, w);
+/// // Under dry friction vG grows as the speeds do.
+/// assert!((v * slide + w * rim - v * Coulomb.lateral(v, w)).abs() < 1e-12);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LateralJacobian<R> {

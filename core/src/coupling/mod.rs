@@ -57,6 +57,15 @@ use crate::real::Real;
 ///
 /// *Units*: speed^α for the power law, none for Coulomb. With rim speed 1 they are the
 /// dimensionless functions 𝓕(ε), 𝓣(ε) of the velocity ratio ε = v/(ωR).
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, ReducedWrench, table::Coulomb};
+/// // A disk that spins in place: no force, and the mean radius 2/3 as the arm of the torque.
+/// let ReducedWrench { force, torque } = Coulomb.reduced_wrench(0.0_f64, 1.0);
+/// assert!(force == 0.0 && (torque - 2.0 / 3.0).abs() < 1e-15);
+/// // One that slides without spin: all of the force.
+/// assert!((Coulomb.reduced_wrench(1.0_f64, 0.0).force - 1.0).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ReducedWrench<R> {
@@ -67,6 +76,15 @@ pub struct ReducedWrench<R> {
 }
 
 /// Derivatives of a [`ReducedWrench`] with respect to sliding speed v and rim speed w.
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, ReducedJacobian, table::Coulomb};
+/// let (v, w) = (0.3_f64, 0.4);
+/// let ReducedJacobian { force_slide, mixed, torque_rim, .. } = Coulomb.reduced_jacobian(v, w);
+/// // Dry friction does not care how fast both motions are, as long as their ratio stays.
+/// assert!((v * force_slide + w * mixed).abs() < 1e-12);
+/// assert!((v * mixed + w * torque_rim).abs() < 1e-12);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ReducedJacobian<R> {
@@ -88,6 +106,18 @@ pub struct ReducedJacobian<R> {
 /// speed gives Coulomb's limit of the ratio; for other laws a limit that depends on more than the
 /// ratio is NaN, and the Jacobian is NaN for any infinite speed. A result that leaves the number
 /// range is infinite or zero; one that does not is right, whatever its factors do.
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, compact, table};
+/// // Force on a disk that spins at rim speed 1 and is pushed aside slowly, over that slow speed.
+/// fn drag(disk: &impl Coupling<f64>) -> f64 {
+///     disk.reduced_wrench(1e-4, 1.0).force / 1e-4
+/// }
+/// // Spinning makes dry friction viscous, F = ε − ε³/8 + …, in every tier.
+/// assert!((drag(&table::Coulomb) - 1.0).abs() < 2e-9);
+/// assert!((drag(&compact::Coulomb) - 1.0).abs() < 2e-9);
+/// assert!((table::Coulomb.reduced_jacobian(0.0_f64, 1.0).force_slide - 1.0).abs() < 1e-12);
+/// ```
 pub trait Coupling<R: Real> {
     /// Force and torque for sliding speed `slide` and rim speed `rim` = |ω|R.
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R>;
@@ -100,6 +130,18 @@ pub trait Coupling<R: Real> {
 ///
 /// Its wrenches form the limit surface, a closed convex set with a support function
 /// D(v, w) = v F + w T.
+///
+/// ```
+/// use tribos_core::coupling::{DryCoupling, table::Coulomb};
+/// // Power that friction takes, per coefficient and load.
+/// fn dissipation(dry: &impl DryCoupling<f64>, slide: f64, rim: f64) -> f64 {
+///     let wrench = dry.reduced_wrench(slide, rim);
+///     slide * wrench.force + rim * wrench.torque
+/// }
+/// // It doubles with the speeds.
+/// let [slow, fast] = [1.0, 2.0].map(|scale| dissipation(&Coulomb, 0.3 * scale, 0.4 * scale));
+/// assert!((fast - 2.0 * slow).abs() < 1e-15);
+/// ```
 pub trait DryCoupling<R: Real>: Coupling<R> {}
 
 impl<R: Real, C: DryCoupling<R> + ?Sized> DryCoupling<R> for &C {}

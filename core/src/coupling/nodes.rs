@@ -117,6 +117,26 @@ impl<L, P> NodeFriction<L, P> {
     ///
     /// *Special values*: a node at rest counts with the law's slope at rest where this is not
     /// negative: viscous damping stays, dry friction (whose limit is infinite) is left out.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tribos_core::coupling::nodes::NodeFriction;
+    /// use tribos_core::law::PowerLaw;
+    /// use tribos_core::patch::nodes::{Node, Nodes};
+    /// use tribos_core::twist::Twist;
+    /// let feet = [[0.0, 0.1], [0.1, -0.1], [-0.1, -0.1]]; // m
+    /// let feet = Nodes::new(feet.map(|[x, y]| Node { x, y, weight: 1.0_f64 }))?;
+    /// let oiled = NodeFriction::new(PowerLaw::new(1.0, 0.2)?, feet); // 0.2 s/m
+    /// // Viscous friction is linear: the Jacobian gives the wrench itself.
+    /// let (jacobian, wrench) = {
+    ///     let twist = Twist::new(0.3, 0.0, 2.0); // m/s, rad/s
+    ///     (oiled.wrench_jacobian(10.0, &twist), oiled.wrench(10.0, &twist))
+    /// };
+    /// let drag = jacobian * Vector3::new(0.3, 0.0, 2.0);
+    /// let wrench = Vector3::new(wrench.force.x, wrench.force.y, wrench.torque);
+    /// assert!((drag - wrench).amax() < 1e-14);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     pub fn wrench_jacobian<R: Real>(&self, load: R, twist: &Twist<R>) -> WrenchJacobian<R>
     where
         L: LocalLaw<R>,

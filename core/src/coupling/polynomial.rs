@@ -69,6 +69,18 @@ impl Coupling<f64> for PolynomialTable {
 }
 
 /// A [`PolynomialTable`] with its lateral function (92 KiB together).
+///
+/// ```
+/// use tribos_core::coupling::{Lateral, round::LateralPolynomialTable};
+/// use tribos_core::patch::PolynomialPressure;
+/// // All load towards the rim, p ~ r²: mean radius 4/5, mean square 2/3.
+/// let hollow = PolynomialPressure::new([0.0, 1.0])?;
+/// let table = LateralPolynomialTable::new(0.0, &hollow)?; // dry friction
+/// assert!((table.mean_square_radius() - 2.0 / 3.0).abs() < 1e-14);
+/// // Spinning in place under a pressure that leans: half the mean radius goes sideways.
+/// assert!((table.lateral(0.0, 1.0) - 0.8 / 2.0).abs() < 1e-14);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct LateralPolynomialTable {
     table: PolynomialTable,

@@ -34,6 +34,24 @@ use super::{ReducedJacobian, ReducedWrench};
 use crate::real::Real;
 
 /// A way to evaluate Φ and Χ for one exponent and pressure: what an accuracy tier implements.
+///
+/// ```
+/// use tribos_core::coupling::{Profile, Speeds, unscaled_wrench};
+/// // A lubricated disk, α = 1: F = v and T = w/2, each as if the other motion were not.
+/// struct Viscous;
+/// impl Profile<f64> for Viscous {
+///     fn exponent(&self) -> f64 {
+///         1.0
+///     }
+///     fn factors(&self, _: &Speeds<f64>) -> [f64; 2] {
+///         [1.0, 0.5]
+///     }
+/// }
+/// let wrench = unscaled_wrench(&Viscous, 0.3, 0.4); // in units of the larger speed
+/// assert!((0.4 * wrench.force - 0.3).abs() < 1e-15);
+/// assert!((0.4 * wrench.torque - 0.4 / 2.0).abs() < 1e-15);
+/// assert_eq!(Viscous.inertia_ends(), [0.5, 0.5]); // C does not depend on the motion
+/// ```
 pub trait Profile<R: Real> {
     /// The exponent α > −1 of the local law.
     fn exponent(&self) -> R;
@@ -103,6 +121,16 @@ pub trait Profile<R: Real> {
 }
 
 /// A profile that knows the slope of Φ, which makes its Jacobian analytic.
+///
+/// ```
+/// use core::f64::consts::PI;
+/// use tribos_core::coupling::{Lead, SmoothProfile, Speeds, closed::Hertz};
+/// // Hertz' Φ = (3π/8)(1 − x/4) falls evenly with x = h² as long as spinning leads.
+/// let at = Speeds::from_ratio(Lead::Spinning, 0.6_f64);
+/// let [phi, slope, _chi] = Hertz.factors_and_slope(&at);
+/// assert!((slope + 3.0 * PI / 32.0).abs() < 1e-15);
+/// assert!((phi - slope * 0.36 - 3.0 * PI / 8.0).abs() < 1e-15);
+/// ```
 pub trait SmoothProfile<R: Real>: Profile<R> {
     /// Φ, Φ' (with respect to x = h²) and Χ.
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3];
@@ -139,6 +167,18 @@ impl<R: Real, P: SmoothProfile<R> + ?Sized> SmoothProfile<R> for &P {
 
 /// The wrench with the power of the velocity scale left out, (F, T)/max(v, w)^α: what a caller
 /// that keeps the scale itself needs. Zero at rest.
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, compact::Power, unscaled_wrench};
+/// let turbulent = Power::new(2.0_f64)?; // friction as the square of the speed
+/// let wrench = turbulent.reduced_wrench(3.0, 4.0);
+/// let part = unscaled_wrench(&turbulent, 3.0, 4.0);
+/// assert!((part.force * 4.0_f64.powi(2) - wrench.force).abs() < 1e-13);
+/// // A motion so slow that the squares of its speeds vanish, and only they.
+/// assert_eq!(turbulent.reduced_wrench(3e-200, 4e-200).force, 0.0);
+/// assert!((unscaled_wrench(&turbulent, 3e-200, 4e-200).force - part.force).abs() < 1e-14);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[inline]
 pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
     let speeds = Speeds::new(slide, rim);

@@ -15,6 +15,21 @@ use crate::patch::PowerPressure;
 use crate::real::Real;
 
 /// A table of Φ and Χ for one pressure (1−r²)^q and one exponent.
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, round::{RoundTable, RoundTable32, RoundTable64}};
+/// use tribos_core::patch::PowerPressure;
+/// use tribos_core::real::Real;
+/// // Torque of spinning in place, in either precision.
+/// fn spinning<R: Real, const C: usize, const T: usize>(table: &RoundTable<R, C, T>) -> R {
+///     table.reduced_wrench(R::ZERO, R::ONE).torque
+/// }
+/// // Under dry friction it is the mean radius of the pressure: 8/15 for a paraboloid.
+/// let pad = PowerPressure::PARABOLOID;
+/// assert!((spinning(&RoundTable64::new(0.0, pad)?) - 8.0 / 15.0).abs() < 1e-14);
+/// assert!((spinning(&RoundTable32::new(0.0, pad)?) - 8.0 / 15.0).abs() < 1e-6);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct RoundTable<R, const CELLS: usize, const TERMS: usize> {
     order: R,
@@ -64,6 +79,15 @@ impl RoundTable32 {
     ///
     /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Accuracy* of force and torque for −0.75 ≤ α and orders
     /// up to 2: 10 ulp for α ≤ 3, 25 ulp for α ≤ 5; 220 ulp for orders up to 6 and α ≤ 10.
+    ///
+    /// ```
+    /// use tribos_core::coupling::round::RoundTable32;
+    /// use tribos_core::law::LawError;
+    /// use tribos_core::patch::PowerPressure;
+    /// assert!(size_of::<RoundTable32>() < 6 * 1024); // bytes of flash
+    /// let refused = RoundTable32::new(-1.0, PowerPressure::HERTZ);
+    /// assert!(matches!(refused, Err(LawError::Exponent { given: -1.0, .. })));
+    /// ```
     pub const fn new(alpha: f32, pressure: PowerPressure) -> Result<Self, LawError> {
         let order = pressure.order();
         match validated_exponent(alpha as f64, MAX_EXPONENT) {

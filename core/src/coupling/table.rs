@@ -19,9 +19,28 @@ pub(super) const TERMS_F32: usize = 6;
 const TERMS_COULOMB_F32: usize = 5;
 
 /// Largest exponent that a table resolves to its stated bound.
+///
+/// ```
+/// use tribos_core::coupling::table::{MAX_EXPONENT, Table64};
+/// use tribos_core::law::LawError;
+/// let refused = Table64::new(10.5).err();
+/// assert_eq!(refused, Some(LawError::Exponent { given: 10.5, max: MAX_EXPONENT }));
+/// ```
 pub const MAX_EXPONENT: f64 = 10.0;
 
 /// A table of Φ and Θ of the uniform disk; Χ = (1−a²)Φ/n + a²Θ with a = v/m on both sides.
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, table::{Table, Table32, Table64}};
+/// use tribos_core::real::Real;
+/// // Torque of spinning in place under friction v^α: the mean of r^(1+α), in either precision.
+/// fn spinning<R: Real, const C: usize, const T: usize>(table: &Table<R, C, T>) -> R {
+///     table.reduced_wrench(R::ZERO, R::ONE).torque
+/// }
+/// assert!((spinning(&Table64::new(0.5)?) - 2.0 / 3.5).abs() < 1e-14);
+/// assert!((spinning(&Table32::new(0.5)?) - 2.0 / 3.5).abs() < 1e-6);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Table<R, const CELLS: usize, const TERMS: usize> {
     alpha: R,
@@ -39,6 +58,16 @@ impl Table64 {
     /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Accuracy* of force and torque: 1.5e-15 relative for
     /// α ≥ −0.75 (5 ulp at α = 0), 1.2e-14 below; Jacobian 2e-13 of F/v. *Cost*: about 300,000
     /// floating-point operations.
+    ///
+    /// ```
+    /// use tribos_core::coupling::{Coupling, table::Table64};
+    /// static VISCOUS: Table64 = match Table64::new(1.0) {
+    ///     Ok(table) => table,
+    ///     Err(_) => panic!("the exponent is in range"),
+    /// };
+    /// let wrench = VISCOUS.reduced_wrench(0.3, 0.4); // F = v, T = w/2
+    /// assert!((wrench.force - 0.3).abs() < 1e-15 && (wrench.torque - 0.2).abs() < 1e-15);
+    /// ```
     pub const fn new(alpha: f64) -> Result<Self, LawError> {
         match validated_exponent(alpha, MAX_EXPONENT) {
             Ok(alpha) => Ok(Self::build(alpha)),
@@ -61,6 +90,14 @@ impl Table32 {
     /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Accuracy* of force and torque: 5 ulp for
     /// −0.75 ≤ α ≤ 5, 8 ulp up to 10; Jacobian 6e-6 of F/v. *Cost*: about 150,000 operations in
     /// f64.
+    ///
+    /// ```
+    /// use tribos_core::coupling::{Coupling, table::Table32};
+    /// assert!(size_of::<Table32>() < 3 * 1024); // bytes of flash
+    /// let wrench = Table32::new(1.0)?.reduced_wrench(0.3, 0.4); // F = v, T = w/2
+    /// assert!((wrench.force - 0.3).abs() < 1e-6 && (wrench.torque - 0.2).abs() < 1e-6);
+    /// # Ok::<(), tribos_core::law::LawError>(())
+    /// ```
     pub const fn new(alpha: f32) -> Result<Self, LawError> {
         match validated_exponent(alpha as f64, MAX_EXPONENT) {
             Ok(_) => Ok(Self::build(alpha)),
@@ -139,9 +176,25 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table
 }
 
 /// Table of α = 0 in f32.
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, table::{Coulomb, CoulombTable, CoulombTable32}};
+/// let table: &CoulombTable32 = f32::coulomb_table(); // what `Coulomb` reads
+/// assert_eq!(table.reduced_wrench(0.3, 0.4), Coulomb.reduced_wrench(0.3, 0.4));
+/// ```
 pub type CoulombTable32 = Table<f32, CELLS_F32, TERMS_COULOMB_F32>;
 
 /// A scalar with a Coulomb table in read-only memory.
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, table::{Coulomb, CoulombTable}};
+/// // For code that is generic in the scalar: the arm of a disk's torque, 2/3 of its radius.
+/// fn arm<R: CoulombTable>() -> R {
+///     Coulomb.reduced_wrench(R::ZERO, R::ONE).torque
+/// }
+/// assert!((arm::<f64>() - 2.0 / 3.0).abs() < 1e-15);
+/// assert!((arm::<f32>() - 2.0 / 3.0).abs() < 1e-6);
+/// ```
 pub trait CoulombTable: Real + sealed::Sealed {
     /// The table's type.
     type Table: SmoothProfile<Self> + 'static;

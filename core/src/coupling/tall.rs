@@ -26,6 +26,15 @@ use core::marker::PhantomData;
 use nalgebra::Vector2;
 
 /// Reduced wrench under a pressure with gradient.
+///
+/// ```
+/// use tribos_core::coupling::{table::Coulomb, tall::{LeaningWrench, leaning_wrench}};
+/// // Spinning in place, the pressure leaning half as far as it can: half of 1/3 goes sideways.
+/// let spinning = leaning_wrench(&Coulomb, [0.0_f64, 1.0], [0.5, 0.0]);
+/// let LeaningWrench { lateral, torque, .. } = spinning;
+/// assert!((lateral - 0.5 / 3.0).abs() < 1e-14);
+/// assert!((torque - 2.0 / 3.0).abs() < 1e-15); // as upright
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LeaningWrench<R> {
@@ -43,6 +52,17 @@ pub struct LeaningWrench<R> {
 ///
 /// *Domain*: |l| ≤ 1 keeps the pressure positive; beyond, the result is the formula's, not a
 /// body's. *Units*: those of F.
+///
+/// ```
+/// use tribos_core::coupling::{table::Coulomb, tall::leaning_wrench};
+/// // What force and torque lose where the pressure leans to one side of the velocity, they gain
+/// // where it leans as far to the other.
+/// let [left, level, right] = [0.5, 0.0, -0.5]
+///     .map(|across| leaning_wrench(&Coulomb, [0.3_f64, 0.4], [0.0, across]));
+/// assert!((left.force + right.force - 2.0 * level.force).abs() < 1e-15);
+/// assert!((left.torque + right.torque - 2.0 * level.torque).abs() < 1e-15);
+/// assert!(left.force < level.force);
+/// ```
 pub fn leaning_wrench<R: Real, C: Lateral<R>>(
     coupling: &C,
     [slide, rim]: [R; 2],
@@ -66,6 +86,18 @@ pub fn leaning_wrench<R: Real, C: Lateral<R>>(
 }
 
 /// Which gradients of the pressure are followed.
+///
+/// ```
+/// use tribos_core::coupling::{table::Coulomb, tall::{AllRound, FrontBack, Lean}};
+/// let (speeds, lean) = ([1.0_f64, 1.0], 0.1);
+/// let (simple, _) = FrontBack::balance(&Coulomb, speeds, lean);
+/// let (both, [along, across]) = AllRound::balance(&Coulomb, speeds, lean);
+/// // The gradient balances the very forces that it causes.
+/// assert!((along - lean * both.force).abs() < 1e-15);
+/// assert!((across - lean * both.lateral).abs() < 1e-15);
+/// // The sideways lean is an effect of second order.
+/// assert!((both.force - simple.force).abs() < lean * lean);
+/// ```
 pub trait Lean: sealed::Sealed {
     /// The wrench and the gradient (along, across) for λ = `lean`.
     fn balance<R: Real, C: Lateral<R>>(
@@ -82,6 +114,14 @@ mod sealed {
 }
 
 /// Only the gradient along the velocity, from the upright body's force (eq. 3.37).
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, table::Coulomb, tall::{FrontBack, Lean}};
+/// let (wrench, gradient) = FrontBack::balance(&Coulomb, [0.3_f64, 0.4], 0.5);
+/// let upright = Coulomb.reduced_wrench(0.3, 0.4);
+/// assert_eq!([wrench.force, wrench.torque], [upright.force, upright.torque]);
+/// assert_eq!(gradient, [0.5 * upright.force, 0.0]);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FrontBack;
@@ -133,6 +173,18 @@ impl Lean for AllRound {
 }
 
 /// Whether the whole patch still bears.
+///
+/// ```
+/// use tribos_core::coupling::tall::{AllRound, Footing, TallFriction};
+/// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+/// use tribos_core::twist::Twist;
+/// let foot = PatchFriction::new(Coulomb, 0.5_f64, 0.05)?; // mu, m
+/// let bottle = TallFriction::<_, _, AllRound>::new(foot, 0.1)?; // centre of mass, m
+/// // It tips when it slides, but not while it spins fast, where sliding meets little friction.
+/// let [slides, spins] = [0.0, 1000.0].map(|spin| bottle.wrench(5.0, &Twist::new(1.0, 0.0, spin)));
+/// assert_eq!([slides.footing, spins.footing], [Footing::Lifting, Footing::Whole]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Footing {
@@ -143,6 +195,20 @@ pub enum Footing {
 }
 
 /// The body begins to tip.
+///
+/// ```
+/// use tribos_core::coupling::tall::{AllRound, TallFriction, Tips};
+/// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+/// use tribos_core::twist::Twist;
+/// let foot = PatchFriction::new(Coulomb, 0.5_f64, 0.05)?; // mu, m
+/// let bottle = TallFriction::<_, _, AllRound>::new(foot, 0.1)?; // centre of mass, m
+/// // Sliding without spin, force μN: the gradient is 4 μ h/R.
+/// let Err(Tips { lean }) = bottle.wrench(5.0, &Twist::new(1.0, 0.0, 0.0)).whole() else {
+///     panic!("it tips")
+/// };
+/// assert!((lean - 4.0 * 0.5 * 0.1 / 0.05).abs() < 1e-14);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Tips {
@@ -164,6 +230,20 @@ impl core::fmt::Display for Tips {
 impl core::error::Error for Tips {}
 
 /// What friction does to a tall body.
+///
+/// ```
+/// use tribos_core::coupling::tall::{AllRound, TallFriction, TallWrench};
+/// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+/// use tribos_core::twist::Twist;
+/// let foot = PatchFriction::new(Coulomb, 0.2_f64, 0.08)?; // mu, m
+/// let (height, load) = (0.05, 9.81); // m, N
+/// let puck = TallFriction::<_, _, AllRound>::new(foot, height)?;
+/// let TallWrench { wrench, lean, .. } = puck.wrench(load, &Twist::new(1.0, 0.0, 10.0));
+/// // Friction's moment about the centre of mass is the pressure's: N R l/4 in the uniform disk.
+/// let pressure = lean * (load * 0.08 / 4.0);
+/// assert!((wrench.force * height + pressure).amax() < 1e-14);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TallWrench<R: Real> {
     /// Force at the foot and torque about the normal.
@@ -267,6 +347,16 @@ impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
     }
 
     /// λ: the pressure gradient per unit of reduced force.
+    ///
+    /// ```
+    /// use tribos_core::coupling::{PatchFriction, table::Coulomb, tall::{AllRound, TallFriction}};
+    /// let (mu, radius) = (0.5_f64, 0.05); // m
+    /// let foot = PatchFriction::new(Coulomb, mu, radius)?;
+    /// // Friction's resultant leaves the kern of the disk, a quarter of its radius: λ = 1.
+    /// let tall = TallFriction::<_, _, AllRound>::new(foot, radius / 4.0 / mu)?;
+    /// assert!((tall.lean() - 1.0).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     pub fn lean(&self) -> R {
         self.lean
     }

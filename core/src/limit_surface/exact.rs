@@ -20,6 +20,20 @@ use crate::twist::{Twist, Wrench};
 /// *Cost*, wrenches and Jacobians together: gauge 6 (at most 9), normal 8 (11), projection 6 inside
 /// and 13 outside (30, more for lengths far from the radius). Each of a projection's two searches
 /// ends after at most 64 pairs.
+///
+/// ```
+/// use tribos_core::coupling::table::Coulomb;
+/// use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+/// use tribos_core::twist::Twist;
+/// let puck = LimitSurface::new(Coulomb, 0.51_f64, 0.04)?; // N, m
+/// assert!((puck.torque_limit() - 0.51 * 0.04 * 2.0 / 3.0).abs() < 1e-17);
+/// // The ellipsoid with the same limits holds wrenches that the puck cannot carry.
+/// let usual = puck.ellipsoid()?;
+/// assert!((usual.torque_limit() - puck.torque_limit()).abs() < 1e-17);
+/// let friction = puck.wrench(&Twist::new(0.1, 0.0, 3.0)); // m/s, rad/s
+/// assert!(usual.gauge(&friction) < 0.94 && (puck.gauge(&friction) - 1.0).abs() < 1e-14);
+/// # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LimitSurface<R, C> {
     meridian: Meridian<R, C>,

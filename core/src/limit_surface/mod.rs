@@ -52,6 +52,18 @@ use crate::twist::{Twist, Wrench};
 ///
 /// It covers the rounding of a surface point and of its gauge, for couplings that are themselves
 /// right to about 30 units (the AGM tier), so that no projection moves a projected wrench.
+///
+/// ```
+/// use tribos_core::coupling::table::Coulomb;
+/// use tribos_core::limit_surface::{COLLAR_ULPS, FrictionSet, LimitSurface};
+/// use tribos_core::twist::Wrench;
+/// use nalgebra::Vector2;
+/// let puck = LimitSurface::new(Coulomb, 0.51_f64, 0.04)?;
+/// let once = puck.project(&Wrench { force: Vector2::new(1.0, 0.5), torque: 0.02 }).wrench;
+/// assert!((puck.gauge(&once) - 1.0).abs() <= COLLAR_ULPS * f64::EPSILON);
+/// assert_eq!(puck.project(&once).wrench, once); // to the bit
+/// # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
+/// ```
 pub const COLLAR_ULPS: f64 = 64.0;
 
 /// A closed convex set of wrenches with a smooth surface, symmetric like the friction of a disk.
@@ -132,6 +144,20 @@ fn collar<R: Real>() -> R {
 }
 
 /// A wrench of the set nearest to a given one.
+///
+/// ```
+/// use tribos_core::coupling::table::Coulomb;
+/// use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection, Region};
+/// use tribos_core::twist::Wrench;
+/// use nalgebra::Vector2;
+/// let puck = LimitSurface::new(Coulomb, 0.5_f64, 0.04)?; // N, m
+/// let pull = |x| Wrench { force: Vector2::new(x, 0.0), torque: 0.0 };
+/// // A pull that friction balances, and one that is too strong.
+/// let sticks = Projection { wrench: pull(0.3), region: Region::Inside };
+/// assert_eq!(puck.project(&pull(0.3)), sticks);
+/// assert!((puck.project(&pull(1.0)).wrench.force.x - 0.5).abs() < 1e-15);
+/// # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Projection<R: Real> {
@@ -142,6 +168,21 @@ pub struct Projection<R: Real> {
 }
 
 /// Where a projected wrench lies.
+///
+/// ```
+/// use tribos_core::coupling::table::Coulomb;
+/// use tribos_core::limit_surface::{FrictionSet, LimitSurface, Region};
+/// use tribos_core::twist::Wrench;
+/// use nalgebra::Vector2;
+/// let puck = LimitSurface::new(Coulomb, 0.5_f64, 0.04)?; // N, m
+/// let push = Wrench { force: Vector2::new(0.6, 0.8), torque: 0.0 };
+/// // Pushed through its centre it slides along the push and does not turn.
+/// let Region::OnSurface { normal } = puck.project(&push).region else {
+///     panic!("1 N is more than 0.5 N")
+/// };
+/// assert!((normal.velocity - push.force).amax() < 1e-14 && normal.spin == 0.0);
+/// # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Region<R: Real> {

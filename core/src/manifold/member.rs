@@ -5,6 +5,19 @@ use crate::real::Real;
 use nalgebra::Vector3;
 
 /// A body of a manifold.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos_core::contact::{Body, Plate, Sphere};
+/// use tribos_core::manifold::Member;
+/// let still = Vector3::new(0.0, 0.0, 0.0);
+/// let ball = Sphere { velocity: still, spin: still, inv_mass: 5.0, inv_inertia: 5000.0 };
+/// let piston = Plate { velocity: still, inv_mass: 0.1 };
+/// // Pushed along the normal both give way; across it the piston is guided.
+/// let members = [Member::Sphere(ball), Member::Plate(piston)];
+/// assert_eq!(members.map(|body| body.inv_mass_normal()), [5.0, 0.1]);
+/// assert_eq!(members.map(|body| body.inv_mass_tangential()), [5.0, 0.0]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Member<R> {

@@ -60,6 +60,26 @@ pub struct BodyHandle(usize);
 pub struct ContactHandle(usize);
 
 /// Why a manifold refused something.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos_core::contact::{Cohesion, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// use tribos_core::manifold::{BodyHandle, ContactHandle, Manifold, ManifoldError};
+/// # let still = Vector3::new(0.0, 0.0, 0.0);
+/// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
+/// # let table = Plate { velocity: still, inv_mass: 0.0 };
+/// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+/// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+/// let mut pair = Manifold::<f64, _, 2, 1>::new(law, Thresholds::none());
+/// let first: BodyHandle = pair.push_sphere(ball)?;
+/// let second: BodyHandle = pair.push_plate(table)?;
+/// assert_eq!(pair.push_sphere(ball), Err(ManifoldError::Full { capacity: 2 }));
+/// assert_eq!(pair.push_contact(first, first, touch), Err(ManifoldError::SameBody));
+/// let contact: ContactHandle = pair.push_contact(first, second, touch)?;
+/// pair.clear_contacts();
+/// assert_eq!(pair.set_touch(contact, touch), Err(ManifoldError::Unknown));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ManifoldError {
@@ -194,6 +214,34 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     }
 
     /// Where a contact is now; its impulses are kept as the next guess.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tribos_core::contact::{Body, Cohesion, NormalLaw, Plate, Sphere};
+    /// use tribos_core::contact::{Thresholds, TimeStep, Touch};
+    /// use tribos_core::manifold::{Manifold, Start, Stop};
+    /// # let still = Vector3::new(0.0, 0.0, 0.0);
+    /// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
+    /// # let table = Plate { velocity: still, inv_mass: 0.0 };
+    /// # let (law, dt) = (NormalLaw::new(Cohesion::NONE, 0.0)?, TimeStep::new(1e-3)?);
+    /// # let stop = Stop { sweeps: 10, tolerance: 1e-12 };
+    /// # let up = Vector3::new(0.0, 0.0, 1.0);
+    /// // A ball of 5 cm and 1 kg falls from 1 cm above a table.
+    /// let mut falls = Manifold::<f64, _, 2, 1>::new(law, Thresholds::none());
+    /// let (ball, table) = (falls.push_sphere(ball)?, falls.push_plate(table)?);
+    /// let mut height = 0.06;
+    /// let contact = falls.push_contact(ball, table, Touch::plate(height, &up, 0.05)?)?;
+    /// falls.set_gravity(up * -9.81);
+    /// for _ in 0..100 {
+    ///     falls.set_touch(contact, Touch::plate(height, &up, 0.05)?)?;
+    ///     falls.solve(dt, Start::Last, stop);
+    ///     height += dt.dt() * falls.body(ball).map_or(0.0, |ball| ball.velocity().z);
+    /// }
+    /// // It lies on the table, which bears its weight.
+    /// assert!((height - 0.05).abs() < 1e-15);
+    /// assert!(falls.force(contact).is_some_and(|force| (force.normal - 9.81).abs() < 1e-9));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     pub fn set_touch(
         &mut self,
         contact: ContactHandle,
@@ -215,6 +263,34 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     }
 
     /// The same, to be changed from outside.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tribos_core::contact::{Body, Cohesion, NormalLaw, Plate, Sphere};
+    /// use tribos_core::contact::{Thresholds, TimeStep, Touch};
+    /// use tribos_core::manifold::{Manifold, Member, Start, Stop};
+    /// # let still = Vector3::new(0.0, 0.0, 0.0);
+    /// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
+    /// # let table = Plate { velocity: still, inv_mass: 0.0 };
+    /// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+    /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+    /// # let stop = Stop { sweeps: 10, tolerance: 1e-12 };
+    /// // A solid ball of 5 cm and 1 kg on a belt, which is started at 0.1 m/s.
+    /// let mut belt = Manifold::<f64, _, 2, 1>::new(law, Thresholds::sliding(0.3)?);
+    /// let (ball, table) = (belt.push_sphere(ball)?, belt.push_plate(table)?);
+    /// belt.push_contact(ball, table, touch)?;
+    /// belt.set_gravity(Vector3::new(0.0, 0.0, -9.81));
+    /// if let Some(Member::Plate(table)) = belt.body_mut(table) {
+    ///     table.velocity.x = 0.1;
+    /// }
+    /// for _ in 0..20 {
+    ///     belt.solve(TimeStep::new(1e-3)?, Start::Last, stop);
+    /// }
+    /// // It rolls on the belt and follows with 2/7 of the belt's speed.
+    /// let speed = belt.body(ball).map_or(0.0, |ball| ball.velocity().x);
+    /// assert!((speed - 0.1 * 2.0 / 7.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     pub fn body_mut(&mut self, body: BodyHandle) -> Option<&mut Member<R>> {
         self.bodies.get_mut(body.0).map(|body| &mut body.member)
     }

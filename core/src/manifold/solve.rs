@@ -30,6 +30,26 @@ pub struct Stop<R> {
 }
 
 /// How the sweeps ended.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos_core::contact::{Cohesion, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch};
+/// use tribos_core::manifold::{Manifold, Report, Start, Stop};
+/// # let still = Vector3::new(0.0, 0.0, 0.0);
+/// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
+/// # let table = Plate { velocity: still, inv_mass: 0.0 };
+/// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
+/// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+/// // A ball on a table: one contact.
+/// let mut lies = Manifold::<f64, _, 2, 1>::new(law, Thresholds::sliding(0.3)?);
+/// let (ball, table) = (lies.push_sphere(ball)?, lies.push_plate(table)?);
+/// lies.push_contact(ball, table, touch)?;
+/// lies.set_gravity(Vector3::new(0.0, 0.0, -9.81));
+/// let stop = Stop { sweeps: 50, tolerance: 1e-12 };
+/// let Report { sweeps, converged, .. } = lies.solve(TimeStep::new(1e-3)?, Start::Zero, stop);
+/// assert!(converged && sweeps == 2); // one to solve it, one that changes nothing
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Report<R> {

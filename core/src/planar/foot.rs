@@ -34,6 +34,17 @@ pub struct Foot<R: Real, P, const CAPACITY: usize> {
 }
 
 /// Why a foot was refused.
+///
+/// ```
+/// use tribos_core::patch::nodes::{Node, Nodes};
+/// use tribos_core::planar::{Foot, FootError};
+/// let two = Nodes::new([-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5_f64 }))?;
+/// let small = Foot::<_, _, 1>::new(two, 10.0).err();
+/// assert_eq!(small, Some(FootError::Full { capacity: 1 }));
+/// let pulled = Foot::<_, _, 2>::new(two, -10.0).err();
+/// assert_eq!(pulled, Some(FootError::ForceLimit { given: -10.0 }));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FootError {
@@ -74,6 +85,22 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
     }
 
     /// Another load on the same points. *Domain*: as in [`Foot::new`].
+    ///
+    /// ```
+    /// use tribos_core::patch::nodes::{Node, Nodes};
+    /// use tribos_core::planar::Foot;
+    /// use tribos_core::twist::Wrench;
+    /// use nalgebra::Vector2;
+    /// let feet = Nodes::new([-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5_f64 }))?; // m
+    /// let mut table: Foot<f64, _, 2> = Foot::new(feet, 10.0)?; // N
+    /// let push = Wrench { force: Vector2::new(0.0, 3.0), torque: 0.0 };
+    /// assert_eq!(table.nearest(&push, 0.1), push); // held
+    /// table.set_force_limit(2.0)?; // someone lifts it a little
+    /// table.release();
+    /// let resisted = table.nearest(&push, 0.1);
+    /// assert!((resisted.force.y - table.force_limit()).abs() < 1e-11);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     pub fn set_force_limit(&mut self, force_limit: R) -> Result<(), FootError> {
         if force_limit >= R::ZERO && force_limit.is_finite() {
             self.force_limit = force_limit;

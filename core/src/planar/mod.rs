@@ -45,6 +45,17 @@ use crate::real::Real;
 ///
 /// Twist, push and friction refer to the centre of mass' foot on the plane; the patch of a
 /// [`crate::limit_surface::FrictionSet`] is centred there.
+///
+/// ```
+/// use tribos_core::planar::{PlanarBody, PlanarBodyError};
+/// // A disk of 0.17 kg and 4 cm: half of its mass counts at its rim.
+/// let puck = PlanarBody::new(0.17_f64, 0.5 * 0.17 * 0.04 * 0.04)?;
+/// assert!((puck.inertia() - puck.mass() * puck.gyration() * puck.gyration()).abs() < 1e-18);
+/// assert!((puck.gyration() - 0.04 / 2.0_f64.sqrt()).abs() < 1e-16);
+/// let refused = PlanarBody::new(0.17, 0.0);
+/// assert_eq!(refused, Err(PlanarBodyError { mass: 0.17, inertia: 0.0 }));
+/// # Ok::<(), PlanarBodyError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PlanarBody<R> {

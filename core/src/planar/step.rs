@@ -9,6 +9,22 @@ use crate::twist::{Twist, Wrench};
 use nalgebra::Vector2;
 
 /// The end of a step.
+///
+/// ```
+/// use tribos_core::contact::TimeStep;
+/// use tribos_core::coupling::table::Coulomb;
+/// use tribos_core::limit_surface::LimitSurface;
+/// use tribos_core::planar::{PlanarBody, PlanarStep};
+/// use tribos_core::twist::{Twist, Wrench};
+/// let puck = PlanarBody::new(0.17_f64, 1.36e-4)?; // kg, kg m²
+/// let ice = LimitSurface::new(Coulomb, 0.05, 0.04)?; // N, m
+/// let (motion, dt) = (Twist::new(2.0, 0.0, 0.0), TimeStep::new(0.01)?); // m/s, s
+/// let PlanarStep { twist, friction, is_at_rest } = puck.step(&ice, &motion, &Wrench::ZERO, dt);
+/// // Without spin friction is μN, and its impulse is what the momentum loses.
+/// assert!(!is_at_rest && (friction.force.x + 0.05).abs() < 1e-15);
+/// assert!((0.17 * (2.0 - twist.velocity.x) - 0.05 * 0.01).abs() < 1e-15);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarStep<R: Real> {
     /// The motion after the step.
@@ -46,6 +62,28 @@ impl<R: Real> PlanarBody<R> {
     ///
     /// `foot` keeps the force of every point for the next step; [`Foot::release`] begins anew.
     /// *Cost*: [`Foot::nearest`] once far from rest, twice near it.
+    ///
+    /// ```
+    /// use tribos_core::contact::TimeStep;
+    /// use tribos_core::patch::nodes::{Node, Nodes};
+    /// use tribos_core::planar::{Foot, PlanarBody};
+    /// use tribos_core::twist::{Twist, Wrench};
+    /// use nalgebra::Vector2;
+    /// // A chair of 5 kg on four legs, with friction of up to 20 N in all.
+    /// let legs = [[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]; // m
+    /// let legs = Nodes::new(legs.map(|[x, y]| Node { x, y, weight: 1.0_f64 }))?;
+    /// let (mut legs, chair) = (Foot::<_, _, 4>::new(legs, 20.0)?, PlanarBody::new(5.0, 0.4)?);
+    /// let (rest, dt) = (Twist::new(0.0, 0.0, 0.0), TimeStep::new(0.01)?);
+    /// // Four legs 0.2 √2 m away resist a twist by 5.7 N m: 5 N m they hold, 6 N m they do not.
+    /// let [held, turns] = [5.0, 6.0].map(|torque| {
+    ///     let push = Wrench { force: Vector2::new(0.0, 0.0), torque };
+    ///     chair.step_on_foot(&mut legs, &rest, &push, dt)
+    /// });
+    /// assert!(held.is_at_rest && held.friction.torque == -5.0);
+    /// let left = 6.0 - 20.0 * 0.2 * 2.0_f64.sqrt();
+    /// assert!((turns.twist.spin - left * 0.01 / 0.4).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     pub fn step_on_foot<P: NodePatch<R>, const CAPACITY: usize>(
         &self,
         foot: &mut Foot<R, P, CAPACITY>,

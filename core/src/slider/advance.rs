@@ -11,6 +11,21 @@ use crate::coupling::{Coupling, Profile, ReducedWrench};
 use crate::real::Real;
 
 /// What [`Slider::advance`] returns.
+///
+/// ```
+/// use tribos_core::coupling::table::Coulomb;
+/// use tribos_core::slider::{Advance, Motion, Slider};
+/// let puck = Slider::new(Coulomb, 3.0_f64, 0.08, 0.5)?; // μ g in m/s², m
+/// // Without spin it slows down evenly: v = v₀ − μ g t, and stops after v₀/(μ g).
+/// let start = Motion::launched(1.2, 0.0); // m/s
+/// let Advance { motion, rest, .. } = puck.advance(&start, 0.1); // s
+/// assert!((motion.speed - 0.9).abs() < 1e-13 && (motion.distance - 0.105).abs() < 1e-14);
+/// assert!(rest.is_none());
+/// let stops = puck.advance(&start, 1.0);
+/// assert!(stops.motion.is_at_rest());
+/// assert!(stops.rest.is_some_and(|rest| (rest.motion.time - 0.4).abs() < 1e-13));
+/// # Ok::<(), tribos_core::slider::SliderError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Advance<R> {

@@ -23,6 +23,14 @@ use crate::real::Real;
 /// The state of a slider.
 ///
 /// *Units*: consistent with the slider's deceleration and radius.
+///
+/// ```
+/// use tribos_core::slider::Motion;
+/// let thrown = Motion::launched(1.2, -30.0); // m/s, rad/s
+/// assert!(!thrown.is_at_rest());
+/// assert_eq!([thrown.time, thrown.distance, thrown.angle], [0.0; 3]);
+/// assert!(Motion { speed: 0.0, spin: 0.0, ..thrown }.is_at_rest());
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Motion<R> {
@@ -152,6 +160,19 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     }
 
     /// Power lost to friction per mass, κ (v F + w T).
+    ///
+    /// ```
+    /// use tribos_core::coupling::table::Coulomb;
+    /// use tribos_core::slider::{Motion, Slider};
+    /// let puck = Slider::new(Coulomb, 3.0_f64, 0.08, 0.5)?;
+    /// let start = Motion::launched(1.0, 5.0); // m/s, rad/s
+    /// let end = puck.advance(&start, 1e-4).motion; // s
+    /// // What friction takes is what the energy loses.
+    /// let lost = (puck.energy_per_mass(&start) - puck.energy_per_mass(&end)) / 1e-4;
+    /// let mean = 0.5 * (puck.dissipation_per_mass(&start) + puck.dissipation_per_mass(&end));
+    /// assert!((lost - mean).abs() < 1e-6);
+    /// # Ok::<(), tribos_core::slider::SliderError>(())
+    /// ```
     pub fn dissipation_per_mass(&self, motion: &Motion<R>) -> R {
         let rim = (motion.spin * self.radius).abs();
         let ReducedWrench { force, torque } = self.profile.reduced_wrench(motion.speed, rim);
@@ -159,6 +180,16 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     }
 
     /// Velocity ratio ε = v/(|ω|R); infinite without spin, NaN at rest.
+    ///
+    /// ```
+    /// use tribos_core::coupling::table::Coulomb;
+    /// use tribos_core::slider::{Motion, Slider};
+    /// let puck = Slider::new(Coulomb, 3.0_f64, 0.08, 0.5)?;
+    /// assert_eq!(puck.ratio(&Motion::launched(1.0, 5.0)), 1.0 / (5.0 * 0.08));
+    /// assert_eq!(puck.ratio(&Motion::launched(1.0, 0.0)), f64::INFINITY);
+    /// assert_eq!(*puck.profile(), Coulomb);
+    /// # Ok::<(), tribos_core::slider::SliderError>(())
+    /// ```
     pub fn ratio(&self, motion: &Motion<R>) -> R {
         motion.speed / (motion.spin * self.radius).abs()
     }

@@ -18,6 +18,20 @@ use crate::coupling::{Coupling, Profile, ReducedWrench};
 use crate::real::Real;
 
 /// The end of a motion.
+///
+/// ```
+/// use tribos_core::coupling::table::Coulomb;
+/// use tribos_core::modes::Modes;
+/// use tribos_core::slider::{Motion, Rest, Slider};
+/// let puck = Slider::new(Coulomb, 0.3 * 9.81, 0.08, 0.5_f64)?;
+/// let last = Modes::new(Coulomb, 0.5)?.finite_fixed_point().unwrap_or(f64::NAN);
+/// // However it is thrown, sliding and spinning end together, in one ratio.
+/// for (speed, spin) in [(2.0, 1.0), (0.1, 40.0)] {
+///     let rest: Option<Rest<f64>> = puck.to_rest(&Motion::launched(speed, spin)); // m/s, rad/s
+///     assert!(rest.is_some_and(|rest| (rest.ratio - last).abs() < 1e-12));
+/// }
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rest<R> {

@@ -13,6 +13,24 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     ///
     /// *Domain*: `duration` > 0. *Accuracy*: second order while both speeds exceed
     /// `duration` × deceleration, first order at the stop.
+    ///
+    /// ```
+    /// use tribos_core::coupling::table::Coulomb;
+    /// use tribos_core::slider::{Motion, Slider};
+    /// let puck = Slider::new(Coulomb, 3.0_f64, 0.08, 0.5)?;
+    /// let start = Motion::launched(1.0, 5.0);
+    /// let exact = puck.advance(&start, 0.1).motion;
+    /// let error = |steps: u32| {
+    ///     let mut motion = start;
+    ///     for _ in 0..steps {
+    ///         motion = puck.verlet_step(&motion, 0.1 / f64::from(steps));
+    ///     }
+    ///     (motion.speed - exact.speed).abs()
+    /// };
+    /// // Half the step, a quarter of the error.
+    /// assert!((error(50) / error(100) - 4.0).abs() < 0.2);
+    /// # Ok::<(), tribos_core::slider::SliderError>(())
+    /// ```
     pub fn verlet_step(&self, motion: &Motion<R>, duration: R) -> Motion<R> {
         let rim = (motion.spin * self.radius).abs();
         let half = R::HALF * duration;
