@@ -42,7 +42,7 @@ pub enum TipError {
 /// ```
 /// use tribos::run::Simulation;
 /// use tribos::scene::{Scene, parse_scene};
-/// use tribos::tip::{Part, TipError, TipRun};
+/// use tribos::tip::{Part, TipError, TipRun, Verdict};
 /// // A cold tip that is pushed for a moment: too short for the lattice to push back.
 /// let text = "body = \"tip\"\nlambda = 0.01\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
 ///             tip_layers = 4\nside = 2\ntemperature = 0\nequilibration = 0\n\
@@ -54,6 +54,7 @@ pub enum TipError {
 /// assert!((run.angle() / free - 1.0).abs() < 0.02);
 /// assert_eq!(run.columns()[..2], ["time", "angle"]);
 /// assert_eq!(run.series()[1][1], run.angle().to_degrees());
+/// assert_eq!(run.outcome().verdict, Verdict::Open); // it is not over
 /// // It can go on from a file, which keeps all that was.
 /// let again = TipRun::resume(&scene, &run.checkpoint())?;
 /// assert_eq!(again.series(), run.series());
