@@ -11,6 +11,18 @@ const UNIT: f64 = 1.0 / 9_007_199_254_740_992.0;
 ///
 /// Only the 64 bits come from a library, all else is computed here: no version of it changes a
 /// result. The streams of one seed belong to different purposes.
+///
+/// ```
+/// use tribos::random::Random;
+/// let mut numbers = Random::new(7, 0);
+/// assert_ne!(numbers.clone().bits(), Random::new(7, 1).bits()); // another stream
+/// let first = numbers.clone().bits() >> 11;
+/// assert_eq!(numbers.unit(), first as f64 / 2.0_f64.powi(53));
+/// // The mean of n uniform numbers is 1/2, with a standard error of 1/√(12 n).
+/// let n = 10_000;
+/// let mean = (0..n).map(|_| numbers.unit()).sum::<f64>() / f64::from(n);
+/// assert!((mean - 0.5).abs() < 5.0 / (12.0 * f64::from(n)).sqrt());
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Random(Pcg64);
 

@@ -6,6 +6,25 @@ use nalgebra::Vector3;
 pub const MOST_SPECIES: usize = 64;
 
 /// Atoms of one or more species; consistent units, in reduced ones σ, ε and m are 1.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::md::atoms::{Atoms, AtomsError, MOST_SPECIES};
+/// // Carbon monoxide, 1.128 Å long, with masses in g/mol.
+/// let mut atoms = Atoms::at(vec![Vector3::zeros(), Vector3::new(1.128, 0.0, 0.0)]);
+/// assert!(atoms.len() == 2 && !atoms.is_empty());
+/// atoms.masses = vec![12.011, 15.999];
+/// atoms.species = vec![0, 1];
+/// assert_eq!([atoms.mass(0), atoms.mass(1)], [12.011, 15.999]);
+/// atoms.check()?;
+/// atoms.masses.truncate(1); // oxygen is left without a mass
+/// let refused = AtomsError::Species { atom: 1, species: 2, known: 1 };
+/// assert_eq!(atoms.check(), Err(refused));
+/// let given = MOST_SPECIES + 1;
+/// atoms.masses = vec![1.0; given];
+/// assert_eq!(atoms.check(), Err(AtomsError::TooManySpecies { given }));
+/// # Ok::<(), AtomsError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Atoms {
     /// Places; periodic axes are not wrapped, so that ways travelled can be read off.

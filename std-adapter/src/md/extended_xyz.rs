@@ -13,6 +13,19 @@ const CUT_SHORT: &str = "is the file cut short?";
 
 /// The last frame of a file; all before it must be readable.
 ///
+/// ```
+/// use tribos::md::extended_xyz::last_frame;
+/// // One atom of argon on its way along x, at two times.
+/// let head = "1\nLattice=\"5 0 0 0 5 0 0 0 9\" pbc=\"T T F\" \
+///             Properties=species:S:1:pos:R:3:vel:R:3\n";
+/// let text = format!("{head}Ar 1 2 3 0.5 0 0\n{head}Ar 2 2 3 0.5 0 0\n");
+/// let last = last_frame(&text)?;
+/// assert_eq!(last.atoms.positions[0].x, 2.0);
+/// assert_eq!(last.atoms.velocities[0].x, 0.5);
+/// assert_eq!(last.space()?.lengths(), [Some(5.0), Some(5.0), None]); // open along z
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// Columns `species` and `pos` are needed, `vel` (or `velo`, `velocities`) and `id` are read where
 /// they stand, others passed over. Species that are all numbers from 1 keep them, names are numbered
 /// in the order of their first appearance. Masses are 1. Without `Lattice` all axes are open and the

@@ -24,6 +24,17 @@ pub enum Hold {
 }
 
 /// What is said of a group.
+///
+/// ```
+/// use tribos::md::group::{Group, Hold};
+/// let free = Group::default();
+/// assert_eq!(free.hold.freedoms(100), 300);
+/// // A flat layer under a load: x and y of each atom and one height.
+/// let layer = Group { hold: Hold::Level, load: -0.5, ..free };
+/// assert_eq!(layer.hold.freedoms(100), 201);
+/// let wheel = Hold::Turning { axis: [0.0; 2], rate: 1e-3 };
+/// assert!(wheel.freedoms(100) == 0 && !wheel.is_driven_by_forces());
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Group {
     /// How its atoms may move.

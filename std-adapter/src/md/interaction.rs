@@ -49,6 +49,25 @@ impl<I: Interaction + ?Sized> Interaction for Box<I> {
 }
 
 /// Forces and sums for atoms as they are: the list is brought up to date first.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::md::interaction::{Interaction, Tally, Wanted, evaluate};
+/// use tribos::md::pair::{LennardJones, Pairing, Shift};
+/// use tribos::md::{atoms::Atoms, neighbours::VerletList};
+/// use tribos::space::PeriodicBox;
+/// let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
+/// let potential = LennardJones::single(unit, Shift::None)?;
+/// let mut list = VerletList::new(PeriodicBox::OPEN, potential.cutoff(), 0.3)?;
+/// // Two atoms σ apart: U = 0 and −U' = 24 ε/σ, so that Σ r · F = 24 ε.
+/// let pair = Atoms::at(vec![Vector3::zeros(), Vector3::x()]);
+/// let mut forces = Vec::new();
+/// let sums: Tally = evaluate(&potential, &mut list, &pair, &mut forces, Wanted::Sums)?;
+/// assert!(sums.energy.abs() < 1e-14 && (sums.virial.trace() - 24.0).abs() < 1e-13);
+/// assert!((forces[1].x - 24.0).abs() < 1e-13);
+/// assert_eq!(forces[0], -forces[1]); // action and reaction
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn evaluate(
     interaction: &(impl Interaction + ?Sized),
     list: &mut VerletList,

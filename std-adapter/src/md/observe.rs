@@ -1,4 +1,37 @@
 //! What is read off a system: energies, temperature, pressure, angles.
+//!
+//! ```
+//! # use nalgebra::Vector3;
+//! # use tribos::md::{atoms::Atoms, group::Group, thermostat::Noise};
+//! # use tribos::md::pair::{LennardJones, Pairing, Shift};
+//! # use tribos::md::system::{Integrator, Setup, System};
+//! # use tribos::space::PeriodicBox;
+//! use tribos::md::observe::{conserved_energy, kinetic_energies, pressure, temperature};
+//! // Eight atoms out of each other's reach are an ideal gas: pV = N T, all energy is kinetic.
+//! let place = |k: u8| Vector3::new(k % 2, k / 2 % 2, k / 4).map(|n| 5.0 * f64::from(n));
+//! let mut atoms = Atoms::at((0..8).map(place).collect());
+//! let mut noise = Noise::new(1, 0, 0);
+//! atoms.velocities.fill_with(|| noise.vector());
+//! # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
+//! let system = System::new(Setup {
+//!     atoms,
+//!     space: PeriodicBox::new([Some(10.0); 3])?,
+//! #   interaction: LennardJones::single(unit, Shift::None)?,
+//! #   skin: 0.3,
+//!     groups: vec![Group::default()],
+//!     group_of: vec![0; 8],
+//!     // ...
+//! #   drive: None,
+//! #   integrator: Integrator::VelocityVerlet,
+//! #   time_step: 0.005,
+//! #   seed: 1,
+//! })?;
+//! let kinetic = kinetic_energies(&system)[0];
+//! let heat = temperature(kinetic, 3.0 * 8.0);
+//! assert!((pressure(&system, 1000.0) * 1000.0 / (8.0 * heat) - 1.0).abs() < 1e-14);
+//! assert_eq!(conserved_energy(&system), kinetic);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::interaction::Interaction;
 use super::system::System;
@@ -46,6 +79,23 @@ pub fn pressure<I: Interaction>(system: &System<I>, volume: f64) -> f64 {
 ///
 /// The angle is that of the best fit: Σ m r₀ × r over Σ m r₀ · r. It counts whole turns if it is
 /// looked at before half of one has passed.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use std::f64::consts::TAU;
+/// use tribos::md::observe::Torsion;
+/// // Three atoms on a circle of radius 1, turned by an angle.
+/// let corner = |angle: f64| Vector3::new(5.0 + angle.cos(), angle.sin(), 0.0);
+/// let turned = |by: f64| [0.0, 1.0, 2.0].map(|third| corner(by + third * TAU / 3.0));
+/// let mut ring = Torsion::new(vec![0, 1, 2], &turned(0.0));
+/// for third in 1..=6 {
+///     ring.look(&turned(f64::from(third) * TAU / 3.0));
+/// }
+/// assert!((ring.angle() - 2.0 * TAU).abs() < 1e-12); // two whole turns
+/// let mut resumed = Torsion::new(vec![0, 1, 2], &turned(0.0));
+/// resumed.restore(ring.angle());
+/// assert!((resumed.look(&turned(0.1)) - (2.0 * TAU + 0.1)).abs() < 1e-12);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Torsion {
     atoms: Vec<usize>,

@@ -3,6 +3,16 @@
 use super::atoms::AtomsError;
 
 /// What is wrong with a file, and where.
+///
+/// ```
+/// use tribos::md::{configuration::read, text::TextError};
+/// let Err(refused) = read("1\nProperties=species:S:1:pos:R:3\nAr 0 zero 0\n") else {
+///     unreachable!()
+/// };
+/// assert_eq!(refused.to_string(), "line 3: a coordinate must be a finite number, not `zero`");
+/// let short = read("2\nProperties=species:S:1:pos:R:3\nAr 0 0 0\n");
+/// assert!(matches!(short, Err(TextError::Missing { line: 4, .. }))); // of two atoms one
+/// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TextError {
     /// A word that means something else or nothing.

@@ -38,6 +38,24 @@ pub struct TipSystem {
 }
 
 /// Builds the system of a scene.
+///
+/// ```
+/// use tribos::scene::{Scene, parse_scene};
+/// use tribos::tip::{BuildError, Part, TipSystem, build};
+/// let text = "body = \"tip\"\nlambda = 0.01\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
+///             tip_layers = 4\nside = 2";
+/// let Scene::Tip(mut scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+/// let TipSystem { setup, layer_of } = build(&scene)?;
+/// assert_eq!(layer_of.last(), Some(&7)); // the highest of eight layers
+/// // The lowest layers are held, and all driven atoms have the angular acceleration λ.
+/// let base = (0..setup.atoms.len()).filter(|&atom| setup.group_of[atom] == 0);
+/// assert!(base.clone().all(|atom| setup.atoms.velocities[atom].norm() == 0.0));
+/// assert_eq!(base.count(), 2 * 8 * 8);
+/// assert_eq!(setup.drive.map(|drive| drive.acceleration), Some(0.01));
+/// scene.cutoff = 0.0; // no potential
+/// assert!(matches!(build(&scene), Err(BuildError::Potential(_))));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn build(scene: &TipScene) -> Result<TipSystem, BuildError> {
     let sites = scene.shape.sites();
     let [x, y] = scene.shape.periods();

@@ -53,6 +53,25 @@ impl TipScene {
 
 /// Builds the system and times its first steps.
 ///
+/// ```
+/// use tribos::scene::{Scene, parse_scene};
+/// use tribos::tip::{TipCost, cost};
+/// let text = "body = \"tip\"\nlambda = 0.01\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
+///             tip_layers = 4\nside = 2\nequilibration = 50\ndrive_time = 1\nrest_time = 100\n\
+///             time_step = 0.005";
+/// let Scene::Tip(scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+/// let told: TipCost = cost(&scene)?;
+/// // Two layers of 8 × 8 atoms a part below, two hexagons of 7 a part above.
+/// assert_eq!(told.atoms, [128, 128, 0, 0, 14, 14]);
+/// assert_eq!(told.steps, [10_000, 200, 20_000]);
+/// assert_eq!(told.atom_steps(), 284.0 * 30_200.0);
+/// assert_eq!(told.seconds(), told.atom_steps() * told.atom_step_seconds);
+/// // Driven atoms move in a plane, those of the base not at all; two groups have a bath.
+/// assert_eq!(scene.freedoms(), 3 * (128 + 14) + 2 * 14);
+/// assert_eq!(scene.thermostat_groups(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// *Accuracy*: of the time some ten per cent; later steps of a warmer system renew the list of
 /// neighbours more often.
 pub fn cost(scene: &TipScene) -> Result<TipCost, TipError> {

@@ -15,6 +15,25 @@ use nalgebra::Vector3;
 const ROOM: f64 = 10.0;
 
 /// A data file and an input script.
+///
+/// ```
+/// use tribos::md::lammps::read_data;
+/// use tribos::scene::{Scene, parse_scene};
+/// use tribos::tip::{build, export::{Export, data, start}};
+/// let text = "body = \"tip\"\nlambda = 0.01\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
+///             tip_layers = 4\nside = 2";
+/// let Scene::Tip(scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+/// let files: Export = start(&scene)?;
+/// assert!(files.script.contains("read_data tip.data"));
+/// // What is read is what Tribos starts from, to the bit.
+/// let setup = build(&scene)?.setup;
+/// let atoms = read_data(&files.data)?.atoms;
+/// assert_eq!(atoms.positions, setup.atoms.positions);
+/// assert_eq!(atoms.velocities, setup.atoms.velocities);
+/// // The same file from any places, such as those of a later step.
+/// assert_eq!(data(&scene, &atoms.positions, &atoms.velocities, &setup.group_of), files.data);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Export {
     /// Atoms at the start, with a type for each [`Part`], and their velocities.

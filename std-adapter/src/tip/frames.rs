@@ -21,6 +21,21 @@ impl TipRun {
     }
 
     /// The present state.
+    ///
+    /// ```
+    /// use tribos::scene::{Scene, parse_scene};
+    /// use tribos::tip::TipRun;
+    /// let text = "body = \"tip\"\nlambda = 0.01\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
+    ///             tip_layers = 4\nside = 2";
+    /// let Scene::Tip(scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+    /// let run = TipRun::new(&scene)?;
+    /// let (bodies, frame) = (run.bodies(100), run.frame());
+    /// assert_eq!(bodies.radii.len(), frame.places.len());
+    /// // Neighbours in the crystal touch, and nothing is turned before the drive.
+    /// assert_eq!(bodies.radii[0] + bodies.radii[1], scene.shape.spacing);
+    /// assert_eq!((frame.time, frame.measure), (-scene.stages[0], 0.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn frame(&self) -> Frame {
         let [x, y] = self.scene().shape.periods();
         let cell = self.system().space();

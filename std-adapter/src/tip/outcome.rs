@@ -43,6 +43,26 @@ pub struct Plateau {
 }
 
 /// The result of a run. Angles in degrees, times in τ from the start of the drive.
+///
+/// ```
+/// use tribos::run::drive;
+/// use tribos::scene::{Scene, parse_scene};
+/// use tribos::tip::{Outcome, Plateau, TipRun, Verdict};
+/// // A weak torque for a moment: nothing can slip, nothing stays turned.
+/// let text = "body = \"tip\"\nlambda = 0.001\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
+///             tip_layers = 4\nside = 2\ntemperature = 0\nequilibration = 0\n\
+///             drive_time = 0.1\nrest_time = 0.1\ntime_step = 0.005\nsamples = 5";
+/// let Scene::Tip(scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+/// let mut run = TipRun::new(&scene)?;
+/// drive(&mut run, |_, _| ())?;
+/// let outcome: Outcome = run.outcome();
+/// assert_eq!(outcome.verdict, Verdict::Reversible);
+/// assert_eq!(outcome.json(&scene)["verdict"], "reversible");
+/// assert!(outcome.slipped.is_empty() && outcome.samples == 1 + 40 / 5);
+/// let stood: &[Plateau] = &outcome.plateaus;
+/// assert!(stood.is_empty()); // it was not driven for long enough
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// Whether it turned back.

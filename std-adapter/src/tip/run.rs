@@ -38,6 +38,32 @@ pub enum TipError {
 }
 
 /// The tip of a scene in motion.
+///
+/// ```
+/// use tribos::run::Simulation;
+/// use tribos::scene::{Scene, parse_scene};
+/// use tribos::tip::{Part, TipError, TipRun, Verdict};
+/// // A cold tip that is pushed for a moment: too short for the lattice to push back.
+/// let text = "body = \"tip\"\nlambda = 0.01\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
+///             tip_layers = 4\nside = 2\ntemperature = 0\nequilibration = 0\n\
+///             drive_time = 0.04\nrest_time = 0\ntime_step = 0.005\nsamples = 4";
+/// let Scene::Tip(scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+/// let mut run = TipRun::new(&scene)?;
+/// run.step()?; // four steps of 0.005, to the next line of the series
+/// let free = 0.5 * scene.lambda * run.time() * run.time(); // angle = λt²/2
+/// assert!((run.angle() / free - 1.0).abs() < 0.02);
+/// assert_eq!(run.columns()[..2], ["time", "angle"]);
+/// assert_eq!(run.series()[1][1], run.angle().to_degrees());
+/// assert_eq!(run.outcome().verdict, Verdict::Open); // it is not over
+/// // It can go on from a file, which keeps all that was.
+/// let again = TipRun::resume(&scene, &run.checkpoint())?;
+/// assert_eq!(again.series(), run.series());
+/// assert!(matches!(TipRun::resume(&scene, "{}"), Err(TipError::Checkpoint(_))));
+/// // Atoms, each with its layer and its part.
+/// let last = run.system().atoms().len() - 1;
+/// assert_eq!((run.layers()[last], Part::ALL[usize::from(run.parts()[last])]), (7, Part::Driven));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct TipRun {
     scene: TipScene,

@@ -17,6 +17,30 @@ pub enum Outline {
 }
 
 /// What a tip on a substrate is built from. Lengths in any unit.
+///
+/// ```
+/// use tribos::tip::{Outline, Shape, Site};
+/// let shape = Shape {
+///     spacing: 1.0,
+///     columns: 8,
+///     rows: 8,
+///     substrate_layers: 4,
+///     tip_layers: 4,
+///     side: 2,
+///     outline: Outline::Hexagon,
+///     orientation: 0.0,
+///     raise: 0.0,
+/// };
+/// let sites: Vec<Site> = shape.sites();
+/// assert_eq!(sites.len(), 4 * 8 * 8 + 4 * 7); // four hexagons of seven atoms on top
+/// // In a face-centred cubic crystal an atom has a volume of d³/√2.
+/// let [x, y] = shape.periods();
+/// let volume = x * y * shape.layer_distance() / 64.0;
+/// assert!((volume - 0.5_f64.sqrt()).abs() < 1e-14);
+/// assert_eq!(shape.axis(), [0.5 * x, 0.5 * y]);
+/// let top = sites.iter().map(|site| site.place.z).fold(0.0, f64::max);
+/// assert_eq!(top, (shape.layers() - 1) as f64 * shape.layer_distance());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
     /// Distance of neighbours d.
@@ -40,6 +64,31 @@ pub struct Shape {
 }
 
 /// What an atom belongs to, from below (thesis, fig. 5.1, with its colours).
+///
+/// ```
+/// # use tribos::tip::{Outline, Shape};
+/// use tribos::tip::{LAYERS_OF_A_KIND, Part};
+/// # let shape = Shape {
+/// #     spacing: 1.0,
+/// #     columns: 8,
+/// #     rows: 8,
+/// #     substrate_layers: 5,
+/// #     tip_layers: 4,
+/// #     side: 2,
+/// #     outline: Outline::Hexagon,
+/// #     orientation: 0.0,
+/// #     raise: 0.0,
+/// # };
+/// // A substrate of five layers, a tip of four.
+/// let parts: Vec<Part> = (0..shape.layers()).map(|layer| shape.part(layer)).collect();
+/// let of_kind = Part::ALL.map(|part| parts.iter().filter(|&&other| other == part).count());
+/// assert_eq!(of_kind, [2, 2, 1, 0, 2, 2]);
+/// assert_eq!(of_kind[0], LAYERS_OF_A_KIND);
+/// // One atom to watch in each part that the tip has.
+/// let sites = shape.sites();
+/// let watched: Vec<_> = shape.marked().iter().map(|&atom| sites[atom].part.name()).collect();
+/// assert_eq!(watched, ["tip bath", "driven"]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Black: held in place.

@@ -33,6 +33,19 @@ impl Format {
 }
 
 /// The atoms of a file in any of the formats; the last frame where there are many.
+///
+/// ```
+/// use tribos::md::configuration::{Format, read};
+/// // A molecule of hydrogen, 0.74 Å long.
+/// let text = "2\nProperties=species:S:1:pos:R:3\nH 0 0 0\nH 0 0 0.74\n";
+/// assert_eq!(Format::of(text), Format::ExtendedXyz);
+/// assert_eq!(Format::of("ITEM: TIMESTEP\n0\n"), Format::Dump);
+/// assert_eq!(Format::of("Liquid argon\n\n864 atoms\n"), Format::Data);
+/// let hydrogen = read(text)?;
+/// assert_eq!(hydrogen.names, Some(vec!["H".into()]));
+/// assert_eq!(hydrogen.lengths(), [0.0, 0.0, 0.74]); // the file has no box
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn read(text: &str) -> Result<Configuration, TextError> {
     match Format::of(text) {
         Format::Data => lammps::read_data(text),

@@ -10,6 +10,20 @@ use nalgebra::Vector3;
 
 /// One state of numbered atoms in an orthogonal box.
 ///
+/// ```
+/// use tribos::md::configuration::{Configuration, read};
+/// // The cubic cell of copper, 3.615 Å wide.
+/// let text = "4\nLattice=\"3.615 0 0 0 3.615 0 0 0 3.615\"\nCu 0 0 0\nCu 0 1.8075 1.8075\n\
+///             Cu 1.8075 0 1.8075\nCu 1.8075 1.8075 0\n";
+/// let copper: Configuration = read(text)?;
+/// assert_eq!(copper.lengths(), [3.615; 3]);
+/// assert_eq!(copper.space()?.lengths(), [Some(3.615); 3]); // periodic along all axes
+/// // With 63.546 g/mol it weighs 8.93 g/cm³; 0.6022 of a g/(mol Å³) is one.
+/// let density = 4.0 * 63.546 / (0.602_214_076 * copper.volume());
+/// assert!((density - 8.93).abs() < 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// Places are those of the file, to the bit: they are not moved to a box that begins at 0, since
 /// only the periods matter to who is near whom.
 #[derive(Clone, Debug, PartialEq)]

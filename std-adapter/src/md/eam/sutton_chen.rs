@@ -58,6 +58,35 @@ const MOST_EXPONENT: u32 = 64;
 
 /// One species after Sutton & Chen.
 ///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::md::{atoms::Atoms, neighbours::VerletList};
+/// # use tribos::space::PeriodicBox;
+/// use tribos::md::eam::{SuttonChen, SuttonChenError, SuttonChenParameters};
+/// use tribos::md::interaction::{Interaction, Wanted, evaluate};
+/// let given = SuttonChenParameters {
+///     epsilon: 0.012382, // copper: eV and Å
+///     a: 3.61,
+///     c: 39.432,
+///     n: 9,
+///     m: 6,
+///     cutoff: 7.2,
+///     taper: 6.5,
+/// };
+/// let copper = SuttonChen::new(given)?;
+/// // Two atoms alone: E = ε ((a/r)⁹ − 2 c (a/r)³).
+/// # let mut list = VerletList::new(PeriodicBox::OPEN, copper.cutoff(), 0.3)?;
+/// # let mut forces = Vec::new();
+/// let pair = Atoms::at(vec![Vector3::zeros(), Vector3::x() * 2.3]);
+/// let energy = evaluate(&copper, &mut list, &pair, &mut forces, Wanted::Sums)?.energy;
+/// let cube = (copper.parameters().a / 2.3).powi(3);
+/// assert!((energy - 0.012382 * (cube.powi(3) - 2.0 * 39.432 * cube)).abs() < 1e-13);
+/// // Exponents that would not repel at short range are refused.
+/// let refused = SuttonChen::new(SuttonChenParameters { n: 6, ..given });
+/// assert_eq!(refused, Err(SuttonChenError::Exponents { n: 6, m: 6 }));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// The sums of the original run over the whole lattice. Here (a/r)ⁿ and (a/r)ᵐ are multiplied by
 /// S = (1 − x)³ (1 + 3x + 6x²), x = (r − taper)/(cutoff − taper): 1 up to the taper, 0 at the cut-off,
 /// with two continuous derivatives. Energy and force are continuous everywhere, the force also for a

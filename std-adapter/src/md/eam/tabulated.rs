@@ -9,6 +9,35 @@ use nalgebra::Vector3;
 
 /// Embedded atoms whose functions come from a file, interpolated as LAMMPS does.
 ///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::md::{atoms::Atoms, neighbours::VerletList};
+/// # use tribos::space::PeriodicBox;
+/// use tribos::md::eam::{Tabulated, file::{Element, ElementError, PotentialFile}};
+/// use tribos::md::interaction::{Interaction, Wanted, evaluate};
+/// // Straight lines, which the interpolation meets: F = −ρ, ρ = 5 − r and rφ = 5 − r.
+/// let line = |from: f64, step: f64| (0..=10).map(|k| from + step * f64::from(k)).collect();
+/// let file = PotentialFile {
+///     elements: vec![Element { name: None, number: 29, mass: 63.546 }],
+///     cutoff: 5.0,
+///     density_step: 0.5,
+///     distance_step: 0.5,
+///     embeddings: vec![line(0.0, -0.5)],
+///     densities: vec![line(5.0, -0.5)],
+///     pairs: vec![line(5.0, -0.5)],
+/// };
+/// let potential = Tabulated::new(&file, &[0])?;
+/// # let mut list = VerletList::new(PeriodicBox::OPEN, potential.cutoff(), 0.3)?;
+/// # let mut forces = Vec::new();
+/// let pair = Atoms::at(vec![Vector3::zeros(), Vector3::x() * 2.0]);
+/// let energy = evaluate(&potential, &mut list, &pair, &mut forces, Wanted::Sums)?.energy;
+/// assert!((energy - (-3.0 - 3.0 + 3.0 / 2.0)).abs() < 1e-14);
+/// // An element that the file has not.
+/// let refused = Tabulated::new(&file, &[1]);
+/// assert!(matches!(refused, Err(ElementError::Number { number: 2, known: 1 })));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// *Domain*: distances above 0. *Special values*: densities beyond the table continue F in a straight
 /// line; atoms in the same place give NaN. *Accuracy*: a few ulp of what LAMMPS computes.
 #[derive(Clone, Debug)]

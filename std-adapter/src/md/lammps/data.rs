@@ -9,6 +9,18 @@ use std::collections::HashMap;
 
 /// The atoms of a data file (`atom_style atomic`), periodic along all axes, which the file does not
 /// tell. Image flags move an atom by whole periods.
+///
+/// ```
+/// use tribos::md::lammps::read_data;
+/// let text = "Argon\n\n2 atoms\n1 atom types\n0 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n\n\
+///             Masses\n\n1 39.948\n\nAtoms # atomic\n\n1 1 0.5 2 2\n2 1 3.5 2 2 -1 0 0\n";
+/// let argon = read_data(text)?;
+/// assert_eq!(argon.atoms.masses, [39.948]);
+/// let places = &argon.atoms.positions;
+/// assert_eq!(places[1].x, -0.5); // its image one period back
+/// assert_eq!(argon.space()?.displacement(&places[0], &places[1]).norm(), 1.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn read_data(text: &str) -> Result<Configuration, TextError> {
     let mut lines = Lines::new(text);
     let header = Header::read(&mut lines)?;

@@ -14,6 +14,24 @@ const CUT_SHORT: &str = "is the file cut short?";
 /// All frames of a dump, in order. Columns may stand in any order; needed are `id`, `type` and one
 /// of `xu yu zu`, `x y z`, `xsu ysu zsu`, `xs ys zs`; velocities, forces and image flags are read
 /// where they stand, other columns passed over. A dump has no masses: all are 1.
+///
+/// ```
+/// use tribos::md::lammps::{frames, last_frame};
+/// // One atom whose place is given in parts of a box of 4 × 4 × 9.
+/// let head = |step: u64| {
+///     format!(
+///         "ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n1\n\
+///          ITEM: BOX BOUNDS pp pp ff\n0 4\n0 4\n0 9\nITEM: ATOMS id type xs ys zs\n"
+///     )
+/// };
+/// let text = head(0) + "7 1 0.25 0.5 0.5\n" + &head(100) + "7 1 0.5 0.5 0.5\n";
+/// let steps: Vec<u64> = frames(&text).flatten().map(|frame| frame.step).collect();
+/// assert_eq!(steps, [0, 100]);
+/// let last = last_frame(&text)?;
+/// assert_eq!(last.ids, [7]);
+/// assert_eq!(last.atoms.positions[0].as_slice(), [2.0, 2.0, 4.5]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn frames(text: &str) -> impl Iterator<Item = Result<Configuration, TextError>> {
     let mut lines = Lines::new(text);
     let mut is_over = false;

@@ -7,6 +7,13 @@ use std::fmt::Write as _;
 
 /// A data file. Places are not wrapped into the box; velocities stand in it unless all are 0.
 /// The steps, the periods and the forces are lost.
+///
+/// ```
+/// use tribos::md::{configuration::read, lammps::{data_file, read_data}};
+/// let atoms = read("2\nLattice=\"4 0 0 0 4 0 0 0 4\"\n1 0.1 0.2 0.3\n1 2 2 2\n")?;
+/// assert_eq!(read_data(&data_file(&atoms))?, atoms); // 0.1 to the bit
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn data_file(configuration: &Configuration) -> String {
     let atoms = &configuration.atoms;
     let mut text = format!(
@@ -38,6 +45,20 @@ pub fn data_file(configuration: &Configuration) -> String {
 
 /// One frame of a text dump: unwrapped places, velocities, and forces where there are any. Frames
 /// one after another are a trajectory.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::md::{configuration::read, lammps::{dump_frame, frames}};
+/// let start = read("1\nLattice=\"4 0 0 0 4 0 0 0 4\"\n1 3.9 2 2\n")?;
+/// let mut later = start.clone();
+/// later.step = 50;
+/// later.atoms.positions[0].x = 4.1; // beyond the end of the period, and left there
+/// later.forces = Some(vec![Vector3::new(0.0, 0.0, -1.0 / 3.0)]);
+/// let trajectory = dump_frame(&start) + &dump_frame(&later);
+/// let read_back: Vec<_> = frames(&trajectory).flatten().collect();
+/// assert_eq!(read_back, [start, later]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn dump_frame(configuration: &Configuration) -> String {
     let atoms = &configuration.atoms;
     let flags = configuration

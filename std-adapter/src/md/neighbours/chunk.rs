@@ -28,6 +28,35 @@ pub struct Site {
 }
 
 /// Owned slots with their neighbours.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::md::neighbours::{Chunk, LANES, Site, VerletList};
+/// use tribos::space::PeriodicBox;
+/// // Springs of stiffness 1 and no length between all neighbours.
+/// fn pull(chunk: &mut Chunk) {
+///     let nowhere = chunk.window().len(); // this site fills up the last block of a row
+///     let (sites, rows) = chunk.sites_and_rows();
+///     let way = |a: &Site, b: &Site| Vector3::from(b.place) - Vector3::from(a.place);
+///     for (here, blocks) in rows {
+///         let sites_of = |block: &[u32; LANES]| block.map(|site| site as usize);
+///         for there in blocks.iter().flat_map(sites_of).filter(|&site| site != nowhere) {
+///             let force = way(&sites[here], &sites[there]);
+///             sites[here].force = (Vector3::from(sites[here].force) + force).into();
+///             sites[there].force = (Vector3::from(sites[there].force) - force).into();
+///         }
+///     }
+/// }
+/// let places = [Vector3::zeros(), Vector3::new(3.0, 4.0, 0.0)];
+/// let mut list = VerletList::new(PeriodicBox::OPEN, 6.0, 0.5)?;
+/// list.update(&places, &[0, 0])?;
+/// let chunk = &mut list.chunks_mut()[0];
+/// pull(chunk);
+/// assert_eq!(chunk.pairs(), 1);
+/// let strengths = chunk.sites().iter().map(|site| Vector3::from(site.force).norm());
+/// assert_eq!(strengths.collect::<Vec<_>>(), [5.0, 5.0, 0.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Chunk {
     /// All slots in sight, ordered by cells.

@@ -4,6 +4,22 @@ use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 
 /// An atom or one of its images.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::md::neighbours::{Slot, VerletList};
+/// use tribos::space::PeriodicBox;
+/// // Two atoms 1 apart over the end of a period of 4: the left one stands at 4.5 too.
+/// let places = [Vector3::x() * 0.5, Vector3::x() * 3.5];
+/// let space = PeriodicBox::new([Some(4.0), None, None])?;
+/// let mut list = VerletList::new(space, 1.5, 0.3)?;
+/// list.update(&places, &[0, 0])?;
+/// let seen = list.chunks_mut()[0].window();
+/// let images: Vec<&Slot> = seen.iter().filter(|slot| slot.is_image).collect();
+/// assert_eq!(images.len(), 1);
+/// assert_eq!((images[0].atom, images[0].shift), (0, Vector3::x() * 4.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Slot {
     /// The atom.

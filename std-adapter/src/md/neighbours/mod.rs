@@ -67,6 +67,28 @@ pub enum ListError {
 /// An atom near the end of a period also stands behind the other end, as an image; a pair is atom
 /// and atom or atom and image, so that distances need no look at the box. Cells order the atoms:
 /// neighbours in space are neighbours in memory.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::md::neighbours::{ListError, VerletList};
+/// use tribos::space::PeriodicBox;
+/// // A simple cubic crystal of 4 × 4 × 4 atoms has three bonds of length 1 an atom.
+/// let place = |k: u8| Vector3::new(k % 4, k / 4 % 4, k / 16).map(f64::from);
+/// let mut places: Vec<_> = (0..64).map(place).collect();
+/// let space = PeriodicBox::new([Some(4.0); 3])?;
+/// let mut list = VerletList::new(space, 1.1, 0.2)?;
+/// assert!(list.update(&places, &[0; 64])?); // built
+/// assert_eq!(list.chunks_mut().iter().map(|chunk| chunk.pairs()).sum::<usize>(), 3 * 64);
+/// // One atom may move by the skin, and the list still holds.
+/// places[5].x += 0.9 * list.skin();
+/// assert!(!list.update(&places, &[0; 64])?);
+/// assert_eq!(list.builds(), 1);
+/// assert_eq!(list.reference()[5], place(5)); // where it was when the list was built
+/// // A cut-off may reach half the box at most.
+/// let refused = VerletList::new(*list.space(), 2.0 * list.cutoff(), 0.2);
+/// assert!(matches!(refused, Err(ListError::Cutoff { axis: 0, .. })));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct VerletList {
     space: PeriodicBox,
@@ -189,6 +211,23 @@ impl VerletList {
     }
 
     /// Moves the sites of a list to where the atoms are now.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tribos::{md::neighbours::VerletList, space::PeriodicBox};
+    /// // A run goes on from a checkpoint: the pairs of then, the distances of now.
+    /// let then = [Vector3::zeros(), Vector3::x() * 2.7];
+    /// let now = [Vector3::zeros(), Vector3::x() * 2.9];
+    /// let mut list = VerletList::new(PeriodicBox::OPEN, 2.5, 0.3)?;
+    /// list.build(&then, &[0, 0])?;
+    /// list.refresh(&now);
+    /// let chunk = &list.chunks_mut()[0];
+    /// assert_eq!(chunk.pairs(), 1); // a new list would have none
+    /// for (slot, site) in chunk.window().iter().zip(chunk.sites()) {
+    ///     assert_eq!(Vector3::from(site.place), now[slot.atom as usize]);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn refresh(&mut self, positions: &[Vector3<f64>]) {
         self.chunks
             .par_iter_mut()

@@ -22,6 +22,22 @@ impl Shift {
 }
 
 /// Numbers of one pair of species, ready for the loop.
+///
+/// ```
+/// use tribos::md::pair::{Coefficients, Shift};
+/// let energy = |pair: Coefficients, r: f64| {
+///     let inv6 = r.powi(-6);
+///     inv6 * (pair.energy12 * inv6 - pair.energy6) + pair.offset + pair.force_at_cutoff * r
+/// };
+/// // What is left 1e-4 before the cut-off: a jump, a kink, or neither.
+/// let pairs = Shift::WORDS.map(|(_, shift)| Coefficients::new(1.0, 1.0, 2.5, shift));
+/// let left = pairs.map(|pair| energy(pair, 2.4999));
+/// let at_cutoff = 4.0 * (2.5_f64.powi(-12) - 2.5_f64.powi(-6));
+/// assert!((left[0] - at_cutoff).abs() < 1e-5);
+/// let slope = -24.0 * (2.0 * 2.5_f64.powi(-12) - 2.5_f64.powi(-6)) / 2.5;
+/// assert!((left[1] + 1e-4 * slope).abs() < 1e-8);
+/// assert!(left[2].abs() < 1e-8);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Coefficients {
     /// r_c².

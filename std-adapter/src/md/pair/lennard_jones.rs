@@ -52,6 +52,24 @@ pub struct Pairing {
 
 /// U = 4ε((σ/r)¹² − (σ/r)⁶) between all pairs nearer than their cut-off. Any consistent units.
 ///
+/// ```
+/// use tribos::md::interaction::Interaction;
+/// use tribos::md::pair::{LennardJones, LennardJonesError, Mixing, Pairing, Shift};
+/// let argon = Pairing { epsilon: 119.8, sigma: 3.405, cutoff: 8.5 }; // K and Å
+/// let krypton = Pairing { epsilon: 164.0, sigma: 3.83, cutoff: 9.5 };
+/// let mut gas = LennardJones::mixed(&[argon, krypton], Mixing::Arithmetic, Shift::Energy)?;
+/// assert_eq!((gas.cutoff(), gas.shift()), (9.5, Shift::Energy));
+/// assert_eq!(gas.pairing(0, 1).map(|unlike| unlike.cutoff), Some(9.0));
+/// // Measured parameters in place of mixed ones; a pair has no order.
+/// gas.set(0, 1, Pairing { epsilon: 137.0, sigma: 3.6, cutoff: 9.0 })?;
+/// assert_eq!(gas.pairing(1, 0), gas.pairing(0, 1));
+/// let refused = LennardJones::single(Pairing { sigma: 0.0, ..argon }, Shift::None);
+/// let (first, second) = (1, 1);
+/// let why = LennardJonesError::Parameter { name: "sigma", first, second, given: 0.0 };
+/// assert_eq!(refused, Err(why));
+/// # Ok::<(), LennardJonesError>(())
+/// ```
+///
 /// *Accuracy*: forces to a few 10⁻¹⁴ of their largest part. *Special values*: atoms in the same
 /// place give NaN.
 #[derive(Clone, Debug, PartialEq)]

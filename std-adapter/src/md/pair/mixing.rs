@@ -1,6 +1,16 @@
 //! Lennard-Jones parameters of unlike species from those of the like.
 
 /// How ε and σ of two species are mixed.
+///
+/// ```
+/// use tribos::md::pair::Mixing;
+/// let [argon, krypton] = [[119.8, 3.405], [164.0, 3.83]]; // ε in K, σ in Å
+/// // The means of σ have the powers 0, 1 and 6: the higher, the larger.
+/// let sigmas = Mixing::WORDS.map(|(_, rule)| rule.mix(argon, krypton)[1]);
+/// assert!(sigmas.is_sorted() && 3.405 < sigmas[0] && sigmas[2] < 3.83);
+/// let [epsilon, _] = Mixing::Geometric.mix(argon, krypton);
+/// assert!((epsilon * epsilon - 119.8 * 164.0).abs() < 1e-10);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mixing {
     /// Both by geometric means (Good & Hope 1970).

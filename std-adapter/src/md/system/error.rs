@@ -4,6 +4,34 @@ use crate::md::atoms::AtomsError;
 use crate::md::neighbours::ListError;
 
 /// A system that cannot be set up, or that blew up.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::md::pair::{LennardJones, Pairing, Shift};
+/// # use tribos::md::{atoms::Atoms, group::Group};
+/// # use tribos::space::PeriodicBox;
+/// use tribos::md::system::{Integrator, Setup, System, SystemError};
+/// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
+/// # let interaction = LennardJones::single(unit, Shift::None)?;
+/// # let setup = |distance: f64, time_step: f64| Setup {
+/// #     atoms: Atoms::at(vec![Vector3::zeros(), Vector3::x() * distance]),
+/// #     space: PeriodicBox::OPEN,
+/// #     interaction: interaction.clone(),
+/// #     skin: 0.3,
+/// #     groups: vec![Group::default()],
+/// #     group_of: vec![0; 2],
+/// #     drive: None,
+/// #     integrator: Integrator::VelocityVerlet,
+/// #     time_step,
+/// #     seed: 1,
+/// # };
+/// // Two atoms a tenth of σ apart would be thrown out in the first step.
+/// let overlapping = System::new(setup(0.1, 0.005)).err();
+/// assert_eq!(overlapping, Some(SystemError::Overlap { pair: [0, 1], distance: 0.1 }));
+/// let backwards = System::new(setup(1.1, -0.005)).err();
+/// assert_eq!(backwards, Some(SystemError::TimeStep { given: -0.005 }));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum SystemError {
     /// Atoms that make no sense.

@@ -51,6 +51,37 @@ pub struct Setup<I> {
 }
 
 /// What a run goes on from, besides its setup, to the same bits.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::md::pair::{LennardJones, Pairing, Shift};
+/// # use tribos::md::{atoms::Atoms, group::Group, interaction::Wanted};
+/// # use tribos::space::PeriodicBox;
+/// use tribos::md::system::{Integrator, Setup, State, System};
+/// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
+/// # let interaction = LennardJones::single(unit, Shift::Force)?;
+/// # let setup = || Setup {
+/// #     atoms: Atoms::at(vec![Vector3::zeros(), Vector3::new(1.0, 0.3, 0.0)]),
+/// #     space: PeriodicBox::OPEN,
+/// #     interaction: interaction.clone(),
+/// #     skin: 0.3,
+/// #     groups: vec![Group::default()],
+/// #     group_of: vec![0; 2],
+/// #     drive: None,
+/// #     integrator: Integrator::VelocityVerlet,
+/// #     time_step: 0.005,
+/// #     seed: 1,
+/// # };
+/// // A run that is broken off after ten of twenty steps, and one that is not.
+/// let (mut whole, mut first) = (System::new(setup())?, System::new(setup())?);
+/// (0..20).try_for_each(|_| whole.step(Wanted::Forces))?;
+/// (0..10).try_for_each(|_| first.step(Wanted::Forces))?;
+/// let kept: State = first.state();
+/// let mut second = System::resume(setup(), kept)?;
+/// (0..10).try_for_each(|_| second.step(Wanted::Forces))?;
+/// assert_eq!(second.state(), whole.state()); // every bit
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
     /// Steps taken.
@@ -66,6 +97,46 @@ pub struct State {
 }
 
 /// Atoms in motion.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::md::pair::{LennardJones, Pairing, Shift};
+/// use tribos::md::system::{Integrator, Setup, System};
+/// use tribos::md::{atoms::Atoms, group::Group, interaction::{Interaction, Wanted}};
+/// use tribos::space::PeriodicBox;
+/// // Two atoms, a little farther apart than r₀ = 2^(1/6), where U'' = 72/r₀²: they vibrate with
+/// // ω = √(2 U''/m) = 12/r₀.
+/// let bond = 2.0_f64.powf(1.0 / 6.0);
+/// let period = std::f64::consts::TAU * bond / 12.0;
+/// let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
+/// let mut system = System::new(Setup {
+///     atoms: Atoms::at(vec![Vector3::zeros(), Vector3::x() * (bond + 1e-4)]),
+///     space: PeriodicBox::OPEN,
+///     interaction: LennardJones::single(unit, Shift::None)?,
+///     skin: 0.3,
+///     groups: vec![Group::default()],
+///     group_of: vec![0; 2],
+///     drive: None,
+///     integrator: Integrator::VelocityVerlet,
+///     time_step: period / 100.0,
+///     seed: 1,
+/// })?;
+/// let stretch = |system: &System<LennardJones>| {
+///     let places = &system.atoms().positions;
+///     (places[1] - places[0]).norm() - bond
+/// };
+/// while system.time() + 0.5 * system.time_step() < 0.5 * period {
+///     system.step(Wanted::Forces)?;
+/// }
+/// assert!((stretch(&system) + 1e-4).abs() < 1e-6); // after half a period as much too near
+/// system.step(Wanted::Sums)?;
+/// assert!((system.tally().energy + 1.0).abs() < 1e-6);
+/// assert_eq!(system.forces()[0], -system.forces()[1]);
+/// // Nothing moved farther than the skin allows: the first list still holds.
+/// assert_eq!((system.steps(), system.list_builds()), (51, 1));
+/// assert!(system.interaction().cutoff() < 3.0 && *system.space() == PeriodicBox::OPEN);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct System<I> {
     atoms: Atoms,
@@ -201,6 +272,41 @@ impl<I: Interaction> System<I> {
     }
 
     /// Replaces the torque drive: another protocol from here on.
+    ///
+    /// ```
+    /// # use nalgebra::Vector3;
+    /// # use tribos::md::pair::{LennardJones, Pairing, Shift};
+    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Wanted};
+    /// # use tribos::space::PeriodicBox;
+    /// # use tribos::md::{drive::TorqueDrive, system::{Integrator, Setup, System}};
+    /// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
+    /// # let mut system = System::new(Setup {
+    /// #     atoms: Atoms::at(vec![Vector3::x() * 2.0, Vector3::x() * -2.0]),
+    /// #     space: PeriodicBox::OPEN,
+    /// #     interaction: LennardJones::single(unit, Shift::None)?,
+    /// #     skin: 0.3,
+    /// #     groups: vec![Group::default()],
+    /// #     group_of: vec![0; 2],
+    /// #     drive: None,
+    /// #     integrator: Integrator::VelocityVerlet,
+    /// #     time_step: 0.005,
+    /// #     seed: 1,
+    /// # })?;
+    /// // Two atoms out of each other's reach, 2 from the axis: a torque for a time, then none.
+    /// let (axis, acceleration) = ([0.0; 2], 0.1);
+    /// let groups = vec![0];
+    /// system.set_drive(Some(TorqueDrive { axis, acceleration, from: 0.0, until: 9.0, groups }));
+    /// (0..20).try_for_each(|_| system.step(Wanted::Forces))?;
+    /// let speed = 2.0 * acceleration * system.time();
+    /// for &atom in system.members(0) {
+    ///     assert!((system.atoms().velocities[atom].norm() - speed).abs() < 1e-6);
+    /// }
+    /// system.set_drive(None);
+    /// let driven = system.atoms().velocities.clone();
+    /// system.step(Wanted::Forces)?;
+    /// assert!(system.drive().is_none() && system.atoms().velocities == driven);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn set_drive(&mut self, drive: Option<TorqueDrive>) {
         self.drive = drive;
     }

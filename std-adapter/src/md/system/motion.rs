@@ -37,6 +37,35 @@ impl<I: Interaction> System<I> {
     }
 
     /// Velocities at the time of the places.
+    ///
+    /// ```
+    /// # use nalgebra::Vector3;
+    /// # use tribos::md::pair::{LennardJones, Pairing, Shift};
+    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Wanted};
+    /// # use tribos::space::PeriodicBox;
+    /// # use tribos::md::system::{Integrator, Setup, System};
+    /// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
+    /// // An atom falls from rest with g = 2: leap-frog keeps its velocity of half a step ago.
+    /// let mut system = System::new(Setup {
+    ///     atoms: Atoms::at(vec![Vector3::zeros()]),
+    ///     groups: vec![Group { load: -2.0, ..Group::default() }],
+    ///     integrator: Integrator::LeapFrog,
+    ///     time_step: 0.01,
+    ///     // ...
+    /// #     space: PeriodicBox::OPEN,
+    /// #     interaction: LennardJones::single(unit, Shift::None)?,
+    /// #     skin: 0.3,
+    /// #     group_of: vec![0],
+    /// #     drive: None,
+    /// #     seed: 1,
+    /// })?;
+    /// (0..10).try_for_each(|_| system.step(Wanted::Forces))?;
+    /// let time = system.time();
+    /// assert!((system.atoms().velocities[0].z + 2.0 * (time - 0.005)).abs() < 1e-15);
+    /// assert!((system.velocities_on_step()[0].z + 2.0 * time).abs() < 1e-15);
+    /// assert!((system.atoms().positions[0].z + time * time).abs() < 1e-15); // g t²/2
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn velocities_on_step(&self) -> Vec<Vector3<f64>> {
         let mut velocities = self.atoms.velocities.clone();
         if self.integrator == Integrator::LeapFrog {
@@ -144,6 +173,35 @@ impl<I: Interaction> System<I> {
     }
 
     /// Degrees of freedom of a group's heat.
+    ///
+    /// ```
+    /// # use nalgebra::Vector3;
+    /// # use tribos::md::pair::{LennardJones, Pairing, Shift};
+    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Wanted};
+    /// # use tribos::space::PeriodicBox;
+    /// # use tribos::md::system::{Integrator, Setup, System};
+    /// # use tribos::md::thermostat::{NoseHoover, Spin, Thermostat};
+    /// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
+    /// // The common rotation of a turned body is no heat: one freedom less.
+    /// let bath = NoseHoover::new(0.1, 0.5, Spin::Spared { axis: [0.0; 2] })?;
+    /// let turned = Group { thermostat: Thermostat::NoseHoover(bath), ..Group::default() };
+    /// # let system = System::new(Setup {
+    /// #     atoms: Atoms::at(vec![Vector3::x(), -Vector3::x()]),
+    /// #     space: PeriodicBox::OPEN,
+    /// #     interaction: LennardJones::single(unit, Shift::None)?,
+    /// #     skin: 0.3,
+    /// #     groups: vec![turned, Group::default()],
+    /// #     group_of: vec![0; 2],
+    /// #     drive: None,
+    /// #     integrator: Integrator::VelocityVerlet,
+    /// #     time_step: 0.005,
+    /// #     seed: 1,
+    /// # })?;
+    /// assert_eq!(system.groups()[0], turned);
+    /// assert_eq!(system.members(0), [0, 1]);
+    /// assert_eq!(system.heat_freedoms(0), 3.0 * 2.0 - 1.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn heat_freedoms(&self, index: usize) -> f64 {
         let group = &self.groups[index];
         let all = group.hold.freedoms(self.members[index].len());

@@ -7,6 +7,16 @@ use nalgebra::Vector3;
 /// v' = … − γv + noise, exact over a step (Ornstein & Uhlenbeck 1930) in the middle of the drift
 /// (the splitting "BAOAB" of Leimkuhler & Matthews 2013, whose places have the right distribution
 /// to fourth order in the step for a harmonic force).
+///
+/// ```
+/// use tribos::md::thermostat::Langevin;
+/// let bath = Langevin::new(0.7, 1.5)?; // T and γ
+/// let [kept, noise] = bath.factors(0.2);
+/// assert!((kept - (-1.5_f64 * 0.2).exp()).abs() < 1e-15);
+/// // Friction takes as much as noise gives: a mean square velocity of T stays.
+/// assert!((kept * kept * bath.temperature() + noise * noise - 0.7).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Langevin {
     temperature: f64,
@@ -37,6 +47,17 @@ impl Langevin {
 }
 
 /// Normal numbers of one group in one step; no other state, so that a run can go on at any step.
+///
+/// ```
+/// use tribos::md::thermostat::Noise;
+/// let (seed, step, group) = (1, 40, 0);
+/// let mut noise = Noise::new(seed, step, group);
+/// assert_eq!(noise.clone().vector(), Noise::new(seed, step, group).vector());
+/// // The squares of three normal numbers add up to 3 on average, with a variance of 6.
+/// let n = 10_000;
+/// let mean = (0..n).map(|_| noise.vector().norm_squared()).sum::<f64>() / f64::from(n);
+/// assert!((mean - 3.0).abs() < 5.0 * (6.0 / f64::from(n)).sqrt());
+/// ```
 #[derive(Clone, Debug)]
 pub struct Noise(Random);
 

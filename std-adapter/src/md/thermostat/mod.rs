@@ -7,6 +7,17 @@ pub use langevin::{Langevin, Noise};
 pub use nose_hoover::{NoseHoover, Spin};
 
 /// The thermostat of a group. Temperatures are energies: k_B = 1.
+///
+/// ```
+/// use tribos::md::thermostat::{Langevin, Thermostat, ThermostatError};
+/// use tribos::md::group::Group;
+/// assert_eq!(Group::default().thermostat, Thermostat::None);
+/// let bath = Thermostat::Langevin(Langevin::new(0.1, 1.0)?);
+/// let group = Group { thermostat: bath, ..Group::default() };
+/// let refused = ThermostatError::Rate { what: "friction", given: -1.0 };
+/// assert_eq!(Langevin::new(0.1, -1.0), Err(refused));
+/// # Ok::<(), ThermostatError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Thermostat {
     /// None.

@@ -19,6 +19,26 @@ pub enum Spin {
 ///
 /// Half a step by Suzuki–Trotter splitting (Martyna, Tuckerman, Tobias & Klein 1996), reversible in
 /// time. E + Qξ²/2 + gTη is conserved as well as the energy is without it, where η' = ξ.
+///
+/// ```
+/// use tribos::md::thermostat::{NoseHoover, Spin};
+/// let mut bath = NoseHoover::new(0.1, 0.5, Spin::Counts)?;
+/// assert_eq!(bath.spin(), Spin::Counts);
+/// let (freedoms, kinetic) = (300.0, 30.0);
+/// assert!(2.0 * kinetic > freedoms * bath.temperature()); // too hot
+/// let start = bath.state();
+/// let factor = bath.scale(kinetic, freedoms, 0.005);
+/// // What motion loses, here 0.003, the thermostat keeps.
+/// let rest = kinetic * factor * factor;
+/// assert!(rest < 29.998 && (rest + bath.energy(freedoms) - kinetic).abs() < 1e-6);
+/// // Time runs back: velocities, ξ and η as at the start.
+/// let back = bath.scale(rest, freedoms, -0.005);
+/// assert!((factor * back - 1.0).abs() < 1e-15);
+/// assert!(bath.state().iter().all(|number| number.abs() < 1e-15));
+/// bath.restore(start); // to the bit
+/// assert_eq!(bath.state(), [0.0; 2]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoseHoover {
     temperature: f64,

@@ -12,6 +12,26 @@ use super::spline::FEWEST_KNOTS;
 use crate::md::text::{Line, Lines, TextError};
 
 /// Tables of a potential, at knots from 0 on.
+///
+/// ```
+/// use tribos::md::eam::file::{Element, ElementError, PotentialFile};
+/// // As `setfl`: six knots a table, all 0. Comment, names, grids, then F and ρ of each element.
+/// let zero = "0 0 0 0 0 0\n";
+/// let head = "comment\n\n\n2 Cu Ni\n6 0.5 6 1.0 4.5\n";
+/// let copper = format!("29 63.546 3.615 fcc\n{zero}{zero}");
+/// let nickel = format!("28 58.693 3.524 fcc\n{zero}{zero}");
+/// let file = PotentialFile::read(&format!("{head}{copper}{nickel}{zero}{zero}{zero}"))?;
+/// assert_eq!(file.pairs.len(), 3); // of Cu and Cu, Ni and Cu, Ni and Ni
+/// // A configuration that names nickel first.
+/// let names = ["Ni", "Cu"].map(String::from);
+/// assert_eq!(file.elements_of(Some(&names), 2), Ok(vec![1, 0]));
+/// let first: &Element = &file.elements[1];
+/// assert_eq!((first.number, first.mass), (28, 58.693));
+/// // Without names the third species is a third element, which is not there.
+/// let refused = file.elements_of(None, 3);
+/// assert_eq!(refused, Err(ElementError::Number { number: 3, known: 2 }));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PotentialFile {
     /// The elements.
