@@ -29,7 +29,7 @@ pub enum Turns {
 /// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
 /// let target = Pose { x: 1.0, y: 0.0, angle: 0.0 };
 /// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
-/// let all: Vec<Solution> = disk.launches(&target, turns, &Limits::new(3.0, 100.0)?)?;
+/// let all: Vec<Solution> = disk.launches(&target, turns, &Limits::new(3.0, 30.0)?)?;
 /// assert!(all.len() > 2);
 /// assert!(all.iter().all(|one| (one.turns() - one.turns().round()).abs() < 1e-12));
 /// // Spin only adds to the work of friction: the least is mu g d, without a turn.
