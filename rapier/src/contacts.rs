@@ -11,6 +11,35 @@ use rapier3d::prelude::*;
 /// [`PatchContacts::begin_step`], the pipeline's step with `self` as hooks, and
 /// [`PatchContacts::finish_step`]. Pairs are treated in the order of their handles. Hooks of your own
 /// call [`PhysicsHooks::modify_solver_contacts`] of this one.
+///
+/// ```
+/// use rapier3d::prelude::*;
+/// use tribos_rapier::{Patch, PatchContacts};
+///
+/// let mut world = PhysicsWorld::new();
+/// world.gravity = Vector::new(0.0, -9.81, 0.0);
+/// let table = world.insert_collider(ColliderBuilder::cuboid(2.0, 0.1, 2.0), None);
+/// let body = RigidBodyBuilder::dynamic()
+///     .translation(Vector::new(0.0, 0.11, 0.0))
+///     .linvel(Vector::new(1.0, 0.0, 0.0));
+/// let (_, foot) = world.insert(body, ColliderBuilder::cylinder(0.01, 0.08).mass(0.17));
+///
+/// let mut patches = PatchContacts::new();
+/// patches.insert(foot, table, Patch::disk(0.3, 0.08)?, &mut world.colliders);
+/// assert_eq!(patches.len(), 1);
+/// for _ in 0..10 {
+///     patches.step(&mut world);
+/// }
+/// let friction = patches.friction(foot, table).ok_or("no patch")?; // mu N against the motion
+/// assert!((friction.force.x + 0.3 * friction.load).abs() < 1e-3 * friction.load);
+/// let stops = (0..60).any(|_| {
+///     patches.step(&mut world);
+///     patches.stop(foot, table).is_some()
+/// });
+/// assert!(stops); // v/(mu g) is 0.34 s, 20 steps
+/// assert!(patches.remove(foot, table) && patches.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Default)]
 pub struct PatchContacts {
     pairs: Vec<Pair>,
@@ -24,8 +53,8 @@ impl PatchContacts {
 
     /// Gives the contact of `foot` on `ground` a patch, in place of the engine's friction.
     ///
-    /// A pair that has one already goes on with the new one: another floor, ice that is swept. The colliders' hook that sets their friction
-    /// aside is switched on.
+    /// A pair that has one already goes on with the new one: another floor, ice that is swept. The
+    /// colliders' hook that sets their friction aside is switched on.
     pub fn insert(
         &mut self,
         foot: ColliderHandle,
@@ -91,6 +120,37 @@ impl PatchContacts {
     }
 
     /// Foresees friction and hands it to the engine, before its step.
+    ///
+    /// ```
+    /// use rapier3d::prelude::*;
+    /// use tribos_rapier::{Patch, PatchContacts};
+    /// # type Sliding = (PhysicsWorld, RigidBodyHandle, PatchContacts);
+    /// # fn sliding() -> Result<Sliding, tribos_rapier::PatchError> {
+    /// # let mut world = PhysicsWorld::new();
+    /// # world.gravity = Vector::new(0.0, -9.81, 0.0);
+    /// # let table = world.insert_collider(ColliderBuilder::cuboid(2.0, 0.1, 2.0), None);
+    /// # let body = RigidBodyBuilder::dynamic()
+    /// #     .translation(Vector::new(0.0, 0.11, 0.0))
+    /// #     .linvel(Vector::new(1.0, 0.0, 0.0));
+    /// # let (puck, foot) = world.insert(body, ColliderBuilder::cylinder(0.01, 0.08).mass(0.17));
+    /// # let mut patches = PatchContacts::new();
+    /// # patches.insert(foot, table, Patch::disk(0.3, 0.08)?, &mut world.colliders);
+    /// # Ok((world, puck, patches))
+    /// # }
+    /// let (mut world, puck, mut patches) = sliding()?;
+    /// let (mut other, same_puck, mut same_patches) = sliding()?;
+    /// for _ in 0..10 {
+    ///     let parameters = world.integration_parameters;
+    ///     patches.begin_step(world.gravity, &parameters, &mut world.bodies, &world.colliders);
+    ///     world.step_with_events(&patches, &()); // the step of your own pipeline
+    ///     let (bodies, colliders) = (&mut world.bodies, &world.colliders);
+    ///     patches.finish_step(&parameters, bodies, colliders, &world.narrow_phase);
+    ///     same_patches.step_with_events(&mut other, &()); // all three
+    /// }
+    /// assert!(world.bodies[puck].linvel().x < 1.0);
+    /// assert_eq!(world.bodies[puck].linvel(), other.bodies[same_puck].linvel());
+    /// # Ok::<(), tribos_rapier::PatchError>(())
+    /// ```
     pub fn begin_step(
         &mut self,
         gravity: Vector,

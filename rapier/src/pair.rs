@@ -15,6 +15,28 @@ use tribos_core::planar::PlanarStep;
 use tribos_core::twist::{Twist, Wrench};
 
 /// Friction on a foot, as its mean over a step.
+///
+/// ```
+/// use rapier3d::prelude::*;
+/// use tribos_rapier::{Friction, Patch, PatchContacts};
+/// # let mut world = PhysicsWorld::new();
+/// # world.gravity = Vector::new(0.0, -9.81, 0.0);
+/// # let table = world.insert_collider(ColliderBuilder::cuboid(2.0, 0.1, 2.0), None);
+/// # let body = RigidBodyBuilder::dynamic()
+/// #     .translation(Vector::new(0.0, 0.11, 0.0))
+/// #     .linvel(Vector::new(0.0, 0.0, 0.0));
+/// # let (puck, foot) = world.insert(body, ColliderBuilder::cylinder(0.01, 0.08).mass(0.17));
+/// # let mut patches = PatchContacts::new();
+/// patches.insert(foot, table, Patch::disk(0.3, 0.08)?, &mut world.colliders);
+/// world.bodies[puck].add_force(Vector::new(0.2, 0.0, 0.0), true); // mu N is 0.5 N
+/// for _ in 0..30 {
+///     patches.step(&mut world);
+/// }
+/// let Friction { force, load, holds, .. } = patches.friction(foot, table).ok_or("no patch")?;
+/// assert!(holds && (force.x + 0.2).abs() < 1e-3);
+/// assert!((load - 0.17 * 9.81).abs() < 1e-2 * load); // its weight
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Friction {
     /// In newtons, in axes of the world, at the contact.
@@ -28,6 +50,29 @@ pub struct Friction {
 }
 
 /// Where the sliding ended within the last step.
+///
+/// ```
+/// use rapier3d::prelude::*;
+/// use tribos_rapier::{Patch, PatchContacts, Stop};
+/// # let mut world = PhysicsWorld::new();
+/// # world.gravity = Vector::new(0.0, -9.81, 0.0);
+/// # let table = world.insert_collider(ColliderBuilder::cuboid(2.0, 0.1, 2.0), None);
+/// # let body = RigidBodyBuilder::dynamic()
+/// #     .translation(Vector::new(0.0, 0.11, 0.0))
+/// #     .linvel(Vector::new(1.0, 0.0, 0.0));
+/// # let (_, foot) = world.insert(body, ColliderBuilder::cylinder(0.01, 0.08).mass(0.17));
+/// # let mut patches = PatchContacts::new();
+/// patches.insert(foot, table, Patch::disk(0.3, 0.08)?, &mut world.colliders);
+/// let dt = world.integration_parameters.dt;
+/// let found = (0..60).find_map(|step| {
+///     patches.step(&mut world);
+///     patches.stop(foot, table).map(|stop| (step as f32 * dt, stop))
+/// });
+/// let (before, Stop { within_step }) = found.ok_or("still on its way")?;
+/// let exact = 1.0 / (0.3 * 9.81); // v/(mu g)
+/// assert!((before + within_step - exact).abs() < 5e-3 * exact);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
     /// Time from the beginning of the step in which the patch came to rest, in seconds.

@@ -16,6 +16,16 @@ const POINTS: usize = 256;
 /// A patch of Coulomb friction under a body, centred below its centre of mass.
 ///
 /// The pressure is spread evenly: over a disk, along a ring, over a polygon.
+///
+/// ```
+/// use tribos_rapier::{Patch, PatchError};
+/// let puck = Patch::disk(0.1, 0.04)?;
+/// let cup = Patch::ring(0.3, 0.03)?;
+/// let rectangle = [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]]; // m
+/// let parcel = Patch::polygon(0.4, &rectangle, 2)?; // 7 · 2 · 2² = 56 points
+/// assert_eq!([puck.mu(), cup.mu(), parcel.mu()], [0.1, 0.3, 0.4]);
+/// # Ok::<(), PatchError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Patch {
     mu: f32,
@@ -30,6 +40,16 @@ enum Shape {
 }
 
 /// Why a patch was refused.
+///
+/// ```
+/// use tribos_rapier::{Patch, PatchError};
+/// assert_eq!(Patch::disk(-0.1, 0.04).err(), Some(PatchError::Coefficient { given: -0.1 }));
+/// assert_eq!(Patch::ring(0.1, 0.0).err(), Some(PatchError::Radius { given: 0.0 }));
+/// let line = Patch::polygon(0.1, &[[0.0, 0.0], [0.1, 0.0]], 2); // two corners
+/// assert!(matches!(line, Err(PatchError::Polygon(_))));
+/// let fine = Patch::polygon(0.1, &[[0.0, 0.0], [0.1, 0.0], [0.0, 0.1]], 7); // 343 points
+/// assert!(matches!(fine, Err(PatchError::Polygon(_))));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PatchError {
     /// The coefficient of friction is negative, infinite or NaN.

@@ -1,6 +1,29 @@
 //! The one driver of simulations: step, record, tell how far.
 
 /// Something that advances step by step.
+///
+/// ```
+/// use tribos::run::{Simulation, drive};
+/// /// A block that brakes with 2 m/s².
+/// struct Block { speed: f64, way: f64 }
+/// impl Simulation for Block {
+///     type Record = f64;
+///     type Error = std::convert::Infallible;
+///     fn record(&self) -> f64 { self.way }
+///     fn step(&mut self) -> Result<bool, Self::Error> {
+///         let end = (self.speed - 2.0 * 0.25).max(0.0); // after 0.25 s
+///         self.way += 0.25 * 0.5 * (self.speed + end);
+///         self.speed = end;
+///         Ok(end > 0.0)
+///     }
+///     fn progress(&self) -> f64 { 1.0 - self.speed / 3.0 }
+/// }
+/// let mut ways = Vec::new();
+/// drive(&mut Block { speed: 3.0, way: 0.0 }, |way, _done| ways.push(way))?;
+/// assert_eq!(ways.len(), 1 + 6); // the start and 3 m/s over 0.5 m/s a step
+/// assert_eq!(ways.last(), Some(&2.25)); // v²/(2 a)
+/// # Ok::<(), std::convert::Infallible>(())
+/// ```
 pub trait Simulation {
     /// One line of its series.
     type Record;
@@ -34,6 +57,19 @@ pub fn drive<S: Simulation>(
 
 /// Runs to the end; `watch` sees the simulation before the first step and after every one, and can
 /// stop it: where a checkpoint cannot be written, for one.
+///
+/// ```
+/// use tribos::run::{Simulation, drive_watched};
+/// use tribos::{kernel::coupling::table::Coulomb, scene::parse_slider, slide::SlideSimulation};
+/// # let text = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0\ngravity = 9.81\n\
+/// #             radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5";
+/// let mut puck = SlideSimulation::new(Coulomb, &parse_slider("disk.toml", text, &[])?)?;
+/// let stopped: Result<(), Box<dyn std::error::Error>> = drive_watched(&mut puck, |puck| {
+///     if puck.progress() < 0.5 { Ok(()) } else { Err("half the time is over".into()) }
+/// });
+/// assert!(stopped.is_err() && puck.progress() < 0.51); // 200 steps: none is longer than 0.005
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn drive_watched<S: Simulation, E: From<S::Error>>(
     simulation: &mut S,
     mut watch: impl FnMut(&S) -> Result<(), E>,

@@ -19,6 +19,19 @@ pub enum Motion {
 
 /// Validated measurements. *Units*: SI; friction as a force or, per load, as a coefficient: the
 /// parameters come out likewise.
+///
+/// ```
+/// use tribos::fit::{Data, DataError, Motion};
+/// // A block drawn to and fro: s, m/s, N and the standard deviation of the force.
+/// let (times, velocities) = (vec![0.0, 0.1, 0.2], vec![0.2, 0.0, -0.2]);
+/// let data = Data::series(times, velocities, vec![1.5, 0.1, -1.5], Some(vec![0.05; 3]))?;
+/// assert!(matches!(data.motion(), Motion::Series { .. }));
+/// assert_eq!((data.velocities()[2], data.friction()[2]), (-0.2, -1.5)); // it resists
+/// assert_eq!(data.sigma(), Some(&[0.05; 3][..]));
+/// // A force that drives the body is no friction.
+/// assert!(matches!(Data::steady(vec![0.2], vec![-1.5], None), Err(DataError::Whole(_))));
+/// # Ok::<(), DataError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Data {
     pub(super) motion: Motion,

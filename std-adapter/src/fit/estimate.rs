@@ -49,6 +49,22 @@ pub struct Estimate {
 }
 
 /// A fitted model.
+///
+/// ```
+/// use tribos::fit::{Data, Estimate, Fit, Known, LawName, Options, fit, law_model};
+/// // Friction over load at speeds that lie evenly about 1 m/s on a scale of ratios.
+/// let data = Data::steady(vec![0.25, 0.5, 2.0, 4.0], vec![0.31, 0.29, 0.29, 0.31], None)?;
+/// let found: Fit = fit(law_model(LawName::Power, &data)?.as_ref(), &data, &Options::default())?;
+/// // By symmetry alpha is 0: gamma is the mean, its standard error s/√n, and they do not trade.
+/// assert!(found.value("alpha").is_some_and(|alpha| alpha.abs() < 1e-6));
+/// let s = (4.0 * 0.01_f64.powi(2) / 2.0).sqrt(); // two points more than parameters
+/// assert!((found.deviation() - s).abs() < 1e-6);
+/// let gamma: &Estimate = found.determined().next().ok_or("no gamma")?;
+/// assert!((gamma.value - 0.30).abs() < 1e-6);
+/// assert!(matches!(gamma.known, Known::StandardError(e) if (e - s / 2.0).abs() < 1e-6));
+/// assert!(found.correlation(0, 1).abs() < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
     /// All parameters, in the order of the model.
@@ -74,6 +90,18 @@ pub struct Fit {
 }
 
 /// Why there is no fit.
+///
+/// ```
+/// use tribos::fit::{Data, FitError, LawName, Options, fit, law_model};
+/// let data = Data::steady(vec![0.5], vec![0.3], None)?;
+/// let model = law_model(LawName::Power, &data)?;
+/// let refused = fit(model.as_ref(), &data, &Options::default());
+/// assert_eq!(refused, Err(FitError::TooFew { points: 1, free: 2 }));
+/// let fixed = vec![("gamma".into(), 0.3), ("alpha".into(), 0.0)];
+/// let refused = fit(model.as_ref(), &data, &Options { fixed, ..Options::default() });
+/// assert_eq!(refused, Err(FitError::NothingFree));
+/// # Ok::<(), FitError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FitError {
     /// A measurement.

@@ -1,6 +1,15 @@
 //! Parameters of a model, and the coordinates in which they are sought.
 
 /// What a parameter may be.
+///
+/// ```
+/// use tribos::fit::Range;
+/// let exponent = Range::Between { above: -1.0, up_to: 2.0 };
+/// assert!(exponent.admits(2.0) && !exponent.admits(-1.0));
+/// assert_eq!(exponent.describe(), "> -1 and <= 2");
+/// assert!(Range::NotNegative.admits(0.0) && !Range::Positive.admits(0.0));
+/// assert!(!Range::Any.admits(f64::INFINITY)); // all ranges are finite
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Range {
     /// Any finite number.
@@ -32,6 +41,29 @@ pub struct Parameter {
 }
 
 /// What is fitted: a prediction for each point of the data.
+///
+/// ```
+/// use tribos::fit::{Data, Model, Options, Parameter, Range, fit};
+/// /// Coulomb friction and a viscous film, a + b v.
+/// struct Film(Vec<f64>);
+/// const A: Parameter =
+///     Parameter { name: "a", unit: "N", meaning: "dry friction", range: Range::NotNegative };
+/// const B: Parameter = Parameter { name: "b", unit: "N s/m", meaning: "drag", ..A };
+/// impl Model for Film {
+///     fn parameters(&self) -> &[Parameter] { &[A, B] }
+///     fn reference(&self, _: usize) -> Option<f64> { None }
+///     fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
+///         Some(self.0.iter().map(|v| values[0] + values[1] * v).collect())
+///     }
+///     fn start(&self, unit: &[f64]) -> Vec<f64> { unit.to_vec() }
+/// }
+/// let speeds = vec![1.0, 2.0, 3.0];
+/// let data = Data::steady(speeds.clone(), vec![2.5, 3.0, 3.5], None)?; // on the line 2 + v/2
+/// let found = fit(&Film(speeds), &data, &Options::default())?;
+/// assert!((found.parameters[0].value - 2.0).abs() < 1e-9);
+/// assert!((found.parameters[1].value - 0.5).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Model {
     /// The parameters, in the order of all slices here.
     fn parameters(&self) -> &[Parameter];

@@ -15,6 +15,23 @@ pub enum Verdict {
 }
 
 /// What differs first.
+///
+/// ```
+/// use tribos::golden::{Difference, Pinned, SeriesDifference, SummaryDifference, Verdict, measure};
+/// # use tribos::scene::parse_scene;
+/// # let text = "body = \"curling\"\nmodel = \"dry\"\nspeed = 2\nspin = 1.5";
+/// let mut run = measure(&parse_scene("rock.toml", text, &[])?, || ())?;
+/// let pinned = Pinned::new("rock.toml".into(), vec![], &run);
+/// run.rows[9][1] = run.rows[9][1].next_up(); // the last bit of a place
+/// let lost = run.summary.pop();
+/// let Verdict::Differs(found) = pinned.compare(&run) else { unreachable!() };
+/// let Difference { series, summary, count, .. } = found;
+/// assert!(matches!(series, Some(SeriesDifference::Block { column, .. }) if column == "x"));
+/// let (name, was) = lost.ok_or("no summary")?;
+/// assert_eq!(summary, Some(SummaryDifference { name, is: None, was: Some(was) }));
+/// assert_eq!(count, 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
     /// Earliest in the series.

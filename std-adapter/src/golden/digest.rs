@@ -4,6 +4,18 @@
 //! for this hash take whole numbers in the order of bytes of the machine.
 
 /// 64-bit Fowler–Noll–Vo hash, version 1a, over numbers and texts.
+///
+/// ```
+/// use tribos::golden::{Digest, canonical_bits};
+/// let (offset, prime) = (0xcbf2_9ce4_8422_2325_u64, 0x0100_0000_01b3_u64); // FNV-1a
+/// assert_eq!(Digest::EMPTY.value(), offset);
+/// let mut digest = Digest::EMPTY;
+/// digest.number(0.0); // eight bytes of zero: a multiplication each
+/// assert_eq!(digest.value(), offset.wrapping_mul(prime.wrapping_pow(8)));
+/// assert_eq!(Digest::of([0.0]), digest.value());
+/// assert_ne!(Digest::of([-0.0]), digest.value()); // every bit counts
+/// assert_eq!(canonical_bits(-f64::NAN), canonical_bits(f64::NAN)); // but those of NaN
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Digest(u64);
 

@@ -13,6 +13,17 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// A scene that could not be run to its end.
+///
+/// ```
+/// use tribos::golden::{MeasureError, measure};
+/// use tribos::scene::{parse_scene, vocabulary};
+/// use tribos::slide::SlideError;
+/// let cylinder = vocabulary("cylinder").ok_or("no cylinder")?.least_text(); // 8 cm wide
+/// let tower = parse_scene("tower.toml", &cylinder, &["height=1".into()])?;
+/// let tipped = measure(&tower, || ());
+/// assert!(matches!(tipped, Err(MeasureError::Slide(SlideError::Tips { .. }))));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, thiserror::Error)]
 pub enum MeasureError {
     /// A sliding body.
@@ -27,6 +38,17 @@ pub enum MeasureError {
 }
 
 /// What a scene computed.
+///
+/// ```
+/// use tribos::golden::{Measurement, measure};
+/// use tribos::scene::{parse_scene, vocabulary};
+/// let disk = vocabulary("disk").ok_or("no disk")?.least_text(); // 1 m/s, mu = 0.3
+/// let run: Measurement = measure(&parse_scene("disk.toml", &disk, &["spin=0".into()])?, || ())?;
+/// assert_eq!(run.columns[0], "time");
+/// let stop = run.rows.last().ok_or("no rows")?[0];
+/// assert!((stop - 1.0 / (0.3 * 9.81)).abs() < 1e-13); // v/(mu g)
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Measurement {
     /// Resolved parameters of the scene, defaults included.

@@ -32,6 +32,11 @@ pub use quantity::Quantity;
 pub use read::GoldenError;
 
 /// Version of the format.
+///
+/// ```
+/// use tribos::golden::{FORMAT, Golden};
+/// assert!(Golden::default().text().contains(&format!("format = {FORMAT}\n")));
+/// ```
 pub const FORMAT: i64 = 1;
 
 /// A golden file.

@@ -5,6 +5,14 @@ use serde_json::Value;
 use std::fmt;
 
 /// One value of a summary or of a scene.
+///
+/// ```
+/// use tribos::golden::Quantity;
+/// assert_eq!(Quantity::Number(1.0).to_string(), "0x3ff0000000000000 (1.0)"); // IEEE 754
+/// assert_ne!(Quantity::Number(0.0), Quantity::Number(-0.0)); // other bits
+/// assert_eq!(Quantity::Number(f64::NAN), Quantity::Number(-f64::NAN)); // one NaN for all
+/// assert_ne!(Quantity::Text("1.0".into()), Quantity::Number(1.0));
+/// ```
 #[derive(Clone, Debug)]
 pub enum Quantity {
     /// A number, compared by its bits.

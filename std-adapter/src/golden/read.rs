@@ -7,6 +7,14 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// A file that cannot be checked against.
+///
+/// ```
+/// use tribos::golden::{Golden, GoldenError};
+/// let old = Golden::parse("old.toml", "format = 0");
+/// assert!(matches!(old, Err(GoldenError::Version { given, .. }) if given == "0"));
+/// let cut = Golden::parse("cut.toml", "format = 1\n\n[[scene]]\npath = \"disk.t");
+/// assert!(matches!(cut, Err(GoldenError::Damaged { line: 4, .. })));
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum GoldenError {
     /// Written in another version of the format.

@@ -32,6 +32,16 @@ pub enum Scene {
 }
 
 /// Reads the scene in `path` with `overrides` of the form `key=value` put over it.
+///
+/// ```
+/// use std::path::Path;
+/// use tribos::scene::{Scene, SceneError, read_scene};
+/// let scene = read_scene(Path::new("../scenes/disk.toml"), &["speed=2".into()])?;
+/// assert!(matches!(scene, Scene::Disk(disk) if disk.speed == 2.0)); // m/s
+/// let nowhere = read_scene(Path::new("nowhere.toml"), &[]);
+/// assert!(matches!(nowhere, Err(SceneError::Unreadable { .. })));
+/// # Ok::<(), SceneError>(())
+/// ```
 pub fn read_scene(path: &Path, overrides: &[String]) -> Result<Scene, SceneError> {
     parse_scene(&path.display().to_string(), &text_of(path)?, overrides)
 }

@@ -4,6 +4,17 @@ use super::entries::{Entries, Value};
 use super::problem::{Origin, Problem};
 
 /// One key of a scene file.
+///
+/// ```
+/// use tribos::scene::{Domain, Key, SliderScene};
+/// let is_exponent = |key: &&Key| key.name == "alpha";
+/// let alpha = SliderScene::KEYS.iter().find(is_exponent).ok_or("no alpha")?;
+/// // At alpha = -1 friction would have no finite torque.
+/// assert!(matches!(alpha.domain, Domain::Between { above, .. } if above == -1.0));
+/// assert!(alpha.domain.describe().starts_with("a number > -1 and <= "));
+/// assert_eq!(alpha.unit, "-");
+/// # Ok::<(), &str>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Key {
     /// Its name.

@@ -12,6 +12,16 @@ pub struct LibraryScene {
 }
 
 /// The scenes of the folder `scenes/` that ship inside the program, by body and size.
+///
+/// ```
+/// use tribos::scene::{LIBRARY, LibraryScene};
+/// let disk: &LibraryScene = &LIBRARY[0];
+/// assert_eq!(disk.name, "disk");
+/// assert!(disk.summary().starts_with("A disk thrown over a table"));
+/// assert_eq!(disk.takes(), "a moment");
+/// let powders = LIBRARY.iter().filter(|scene| scene.body() == "powder");
+/// assert!(powders.count() >= 2); // small and large
+/// ```
 pub const LIBRARY: &[LibraryScene] = &[
     LibraryScene {
         name: "disk",

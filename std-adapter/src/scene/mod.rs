@@ -35,6 +35,19 @@ use entries::Entries;
 use std::path::Path;
 
 /// Reads the scene in `path` with `overrides` of the form `key=value` put over it.
+///
+/// ```
+/// use std::path::Path;
+/// use tribos::{scene::read_slider, slide::run};
+/// // Spin lengthens the way: 17 cm without.
+/// let ways = ["spin=0", "spin=50"].map(|spin| {
+///     let scene = read_slider(Path::new("../scenes/disk.toml"), &[spin.into()])?;
+///     Ok::<_, Box<dyn std::error::Error>>(run(&scene, |_| ())?.outcome.distance)
+/// });
+/// let [slid, spun] = ways;
+/// assert!((slid? - 0.170).abs() < 1e-3 && spun? > 3.0 * 0.170);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn read_slider(path: &Path, overrides: &[String]) -> Result<SliderScene, SceneError> {
     parse_slider(&path.display().to_string(), &text_of(path)?, overrides)
 }
@@ -47,6 +60,16 @@ fn text_of(path: &Path) -> Result<String, SceneError> {
 }
 
 /// As [`read_slider`], from text; `name` stands for the file in messages.
+///
+/// ```
+/// use tribos::scene::{SceneError, parse_slider};
+/// let text = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0\ngravity = 9.81\n\
+///             radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5";
+/// assert_eq!(parse_slider("disk.toml", text, &["spin=-5".into()])?.spin, -5.0); // clockwise
+/// let pipe = parse_slider("disk.toml", text, &["body=pipe".into()]);
+/// assert!(matches!(pipe, Err(SceneError::Invalid { problems, .. }) if problems.len() == 1));
+/// # Ok::<(), SceneError>(())
+/// ```
 pub fn parse_slider(
     name: &str,
     text: &str,

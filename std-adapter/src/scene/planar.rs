@@ -34,6 +34,20 @@ pub enum Tipping {
 }
 
 /// A validated scene, in SI units: every number is finite and in its domain.
+///
+/// ```
+/// use tribos::scene::{PlanarBody, PlanarScene, Scene, Tipping, parse_scene, vocabulary};
+/// let text = vocabulary("cylinder").ok_or("no cylinder")?.least_text();
+/// let parsed = parse_scene("cylinder.toml", &text, &["tipping=clamp".into()])?;
+/// let Scene::Planar(scene) = parsed else { unreachable!() };
+/// assert_eq!(scene.tipping, Tipping::Clamp);
+/// let PlanarBody::Cylinder(cylinder) = &scene.body else { unreachable!() };
+/// assert_eq!(cylinder.inertia_ratio, 0.5); // solid, as no other is given
+/// assert_eq!(scene.json()["inertia_ratio"], 0.5);
+/// assert!(PlanarScene::keys("pipe").is_some_and(|keys| keys[0].name == "body"));
+/// assert!(PlanarScene::keys("disk").is_none()); // its path is straight
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct PlanarScene {
     /// What slides.

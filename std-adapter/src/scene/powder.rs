@@ -44,6 +44,20 @@ pub enum Criterion {
 
 /// A validated scene. *Units*: lengths in mean radii R of the spheres, forces in F_coh, the density
 /// of the spheres is 1: times are in √(ρR⁴/F_coh).
+///
+/// ```
+/// use tribos::scene::{Coupling, Criterion, PowderScene, Scene, WallLaw, parse_scene};
+/// let text = "body = \"powder\"\nwidth = 20\nheight = 61.5\nwall = \"smooth\"\n\
+///             sliding = 0.3\nrolling = 0.1\ntorsion = 0.2\ncoupling = \"exact\"";
+/// let Scene::Powder(scene) = parse_scene("powder.toml", text, &[])? else { unreachable!() };
+/// assert!((scene.load() - 1.0).abs() < 1e-15); // 400 R² under F_coh/400 a square radius
+/// assert_eq!((scene.wall, scene.blocked), (WallLaw::Smooth, Criterion::Balance));
+/// // Sliding and torsion share one limit surface; rolling keeps a threshold of its own.
+/// assert_eq!(scene.coupling, Coupling::Exact);
+/// assert_eq!(scene.thresholds(), [0.0, 0.1, 0.0]);
+/// assert!(PowderScene::KEYS.iter().all(|key| scene.json().get(key.name).is_some()));
+/// # Ok::<(), tribos::scene::SceneError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct PowderScene {
     /// How the deposit grows.

@@ -36,6 +36,17 @@ impl Problem {
 }
 
 /// A scene that cannot be run.
+///
+/// ```
+/// use tribos::scene::{Problem, SceneError, parse_scene};
+/// let text = "body = \"curling\"\nspeed = -2\nspinn = 1.5";
+/// let Err(error) = parse_scene("rock.toml", text, &[]) else { unreachable!() };
+/// assert!(error.to_string().starts_with("rock.toml:2: `speed` must be a finite number >= 0"));
+/// let SceneError::Invalid { problems, .. } = error else { unreachable!() };
+/// let messages: Vec<&str> = problems.iter().map(Problem::message).collect();
+/// assert_eq!(messages.len(), 3); // all at once, and `spin` is missing
+/// assert_eq!(messages[1], "unknown key `spinn`; did you mean `spin`?");
+/// ```
 #[derive(Debug)]
 pub enum SceneError {
     /// The file cannot be read.

@@ -26,6 +26,21 @@ pub enum Stepper {
 }
 
 /// A validated scene: every number is finite and in its domain.
+///
+/// ```
+/// use tribos::{scene::{SliderScene, Stepper, Units, parse_slider}, slide::run};
+/// let text = "units = \"dimensionless\"\nspeed = 1\nspin = 0\ncoefficient = 0.25\n\
+///             alpha = 0\ninertia_ratio = 0.5";
+/// let scene: SliderScene = parse_slider("disk.toml", text, &[])?;
+/// assert_eq!((scene.units, scene.stepper), (Units::Dimensionless, Stepper::Exact));
+/// assert_eq!([scene.gravity, scene.radius, scene.mass], [1.0; 3]);
+/// let way = run(&scene, |_| ())?.outcome.distance; // in radii
+/// assert!((way - 2.0).abs() < 1e-13); // v²/(2 mu g)
+/// let values = scene.json();
+/// let others = SliderScene::KEYS.iter().filter(|key| key.name != "body");
+/// assert!(others.clone().all(|key| values.get(key.name).is_some()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SliderScene {
     /// Initial sliding speed, in m/s.

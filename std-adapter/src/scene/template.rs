@@ -7,6 +7,16 @@ use serde_json::Value;
 
 /// A scene of a body with all of its keys: those that must be given have plausible values, the
 /// others stand as comments with their defaults.
+///
+/// ```
+/// use tribos::scene::{parse_scene, template, vocabulary};
+/// let pipe = vocabulary("pipe").ok_or("no pipe")?;
+/// let text = template(&pipe);
+/// assert!(pipe.keys.iter().all(|key| text.contains(key.name)));
+/// assert!(text.contains("# alpha = 0.0")); // Coulomb, unless it is changed
+/// assert_eq!(parse_scene("pipe.toml", &text, &[])?.body(), "pipe");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn template(known: &Vocabulary) -> String {
     let mut text = format!(
         "# A scene with body = \"{}\": values are examples, lines that begin with # are defaults.\n\n",
@@ -20,6 +30,16 @@ pub fn template(known: &Vocabulary) -> String {
 }
 
 /// The file, followed by the keys that it leaves out, as comments with the values in force.
+///
+/// ```
+/// use tribos::scene::{parse_scene, with_all_keys};
+/// let text = "body = \"curling\"\nspeed = 2.0\nspin = 1.5";
+/// let all = with_all_keys(text);
+/// assert!(all.starts_with(text) && all.contains("# mass = 20.0")); // kg
+/// let [before, after] = [text, &all].map(|text| parse_scene("rock.toml", text, &[]));
+/// assert_eq!(before?.json(), after?.json());
+/// # Ok::<(), tribos::scene::SceneError>(())
+/// ```
 pub fn with_all_keys(text: &str) -> String {
     let body = parse_scene("scene", text, &[]).map_or("", |scene| scene.body());
     let Some(known) = vocabulary(body) else {
@@ -43,6 +63,15 @@ pub fn with_all_keys(text: &str) -> String {
 }
 
 /// A value of a scene's JSON as TOML; nothing for null.
+///
+/// ```
+/// use tribos::scene::{Domain, SliderScene, toml_value};
+/// let [speed, counted] = [&SliderScene::KEYS[0], &SliderScene::KEYS[13]];
+/// assert!(matches!(counted.domain, Domain::Count { .. }));
+/// assert_eq!(toml_value(speed, &2.into()), Some("2.0".into())); // TOML tells 2.0 from 2
+/// assert_eq!(toml_value(counted, &200.into()), Some("200".into()));
+/// assert_eq!(toml_value(speed, &serde_json::Value::Null), None);
+/// ```
 pub fn toml_value(key: &Key, value: &Value) -> Option<String> {
     match (value, key.domain) {
         (Value::String(word), _) => Some(format!("\"{word}\"")),

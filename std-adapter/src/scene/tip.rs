@@ -48,6 +48,19 @@ pub enum Bath {
 }
 
 /// A validated scene. *Units*: σ, ε and m of the Lennard-Jones atoms are 1, times in σ√(m/ε).
+///
+/// ```
+/// use tribos::scene::{Bath, Lift, Reading, Scene, TipScene, parse_scene};
+/// let text = "body = \"tip\"\nlambda = 0.017\nhold = \"level\"\nload = 0.5\n\
+///             thermostat = \"none\"\nequilibration = 20\ndrive_time = 200\n\
+///             rest_time = 100\ntime_step = 0.005";
+/// let Scene::Tip(scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+/// assert_eq!((scene.reading, scene.bath), (Reading::Angular, Bath::None));
+/// assert_eq!(scene.lift, Lift::Loaded(-0.5)); // down
+/// assert_eq!(scene.stage_steps(), [4_000, 40_000, 20_000]);
+/// assert!(TipScene::KEYS.iter().all(|key| scene.json().get(key.name).is_some()));
+/// # Ok::<(), tribos::scene::SceneError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct TipScene {
     /// Crystal and tip.

@@ -7,6 +7,19 @@ use super::{PlanarBody, PlanarScene, PowderScene, Scene, SliderScene, TipScene, 
 use serde_json::{Map, Value};
 
 /// A body that scenes can be about.
+///
+/// ```
+/// use tribos::scene::{Vocabulary, bodies, parse_scene, vocabulary};
+/// for body in bodies() {
+///     let known: Vocabulary = vocabulary(body).ok_or(body)?;
+///     let scene = parse_scene("least.toml", &known.least_text(), &[])?;
+///     assert_eq!(scene.body(), body);
+///     // What it leaves out holds by default.
+///     let values = scene.json();
+///     assert!(known.defaults().iter().all(|(name, value)| values[name] == *value));
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vocabulary {
     /// Value of the key `body`.

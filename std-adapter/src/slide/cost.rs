@@ -10,6 +10,23 @@ use tribos_core::coupling::{Annulus, Coupling};
 use tribos_core::patch::PowerPressure;
 
 /// Where force and torque come from.
+///
+/// ```
+/// use tribos::scene::{Scene, parse_scene, vocabulary};
+/// use tribos::slide::Evaluation;
+/// let evaluation = |body: &str, set: &str| {
+///     let text = vocabulary(body).ok_or("no such body")?.least_text();
+///     Ok::<_, Box<dyn std::error::Error>>(match parse_scene(body, &text, &[set.into()])? {
+///         Scene::Disk(scene) => Some(scene.evaluation()),
+///         Scene::Planar(scene) => Some(scene.evaluation()),
+///         _ => None,
+///     })
+/// };
+/// assert_eq!(evaluation("disk", "alpha=0")?, Some(Evaluation::CoulombTable));
+/// assert_eq!(evaluation("disk", "alpha=-0.5")?, Some(Evaluation::PowerTable));
+/// assert_eq!(evaluation("cylinder", "pressure=hertz")?, Some(Evaluation::PressureTable));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Evaluation {
     /// A disk under uniform pressure and Coulomb's law: a table in the program.
@@ -28,6 +45,16 @@ pub enum Evaluation {
 }
 
 /// Cost of one evaluation. *Units*: s on one core of this machine.
+///
+/// ```
+/// use tribos::scene::{parse_slider, vocabulary};
+/// use tribos::slide::EvaluationCost;
+/// let disk = vocabulary("disk").ok_or("no disk")?.least_text();
+/// let cost: EvaluationCost = parse_slider("disk.toml", &disk, &[])?.evaluation_cost()?;
+/// assert!(cost.seconds > 0.0 && cost.seconds < 1e-3);
+/// assert!(cost.table_seconds > 0.0); // for comparison
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvaluationCost {
     /// Of the scene's friction; in the plane with the lateral force and the leaning pressure.

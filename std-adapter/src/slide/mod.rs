@@ -24,6 +24,15 @@ use tribos_core::patch::PatchError;
 use tribos_core::slider::SliderError;
 
 /// Why a validated scene could not be run to its end.
+///
+/// ```
+/// use tribos::scene::{parse_slider, vocabulary};
+/// use tribos::slide::{SlideError, run};
+/// let text = vocabulary("disk").ok_or("no disk")?.least_text(); // at rest after 0.4 s
+/// let scene = parse_slider("disk.toml", &text, &["time_step=1e-12".into()])?;
+/// assert!(matches!(run(&scene, |_| ()), Err(SlideError::TooManySteps { .. })));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, thiserror::Error)]
 pub enum SlideError {
     /// A step this short needs too many of them.
@@ -77,6 +86,19 @@ pub enum SlideError {
 }
 
 /// Everything a run of one slider gives.
+///
+/// ```
+/// use tribos::scene::{parse_slider, vocabulary};
+/// use tribos::slide::{SlideRun, run};
+/// let text = vocabulary("disk").ok_or("no disk")?.least_text();
+/// let SlideRun { series, outcome } = run(&parse_slider("disk.toml", &text, &[])?, |_| ())?;
+/// assert_eq!(series.len() as u64, outcome.steps + 1);
+/// for [.., kinetic, dissipated] in series {
+///     let sum = kinetic + dissipated; // stays what it was at the launch
+///     assert!((sum - outcome.initial_energy).abs() < 1e-9 * outcome.initial_energy);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct SlideRun {
     /// Lines of the series, columns as in [`COLUMNS`].

@@ -17,6 +17,24 @@ pub enum Ending {
 }
 
 /// What came out of a run, in the units of its scene.
+///
+/// ```
+/// use tribos::kernel::modes::FinalMode;
+/// use tribos::scene::{parse_slider, vocabulary};
+/// use tribos::slide::{Ending, Outcome, run};
+/// let text = vocabulary("disk").ok_or("no disk")?.least_text(); // 1 m/s, 5 rad/s, 8 cm, 0.1 kg
+/// let scene = parse_slider("disk.toml", &text, &[])?;
+/// let end: Outcome = run(&scene, |_| ())?.outcome;
+/// assert_eq!(end.ending, Ending::Rest);
+/// // A disk under Coulomb friction stops at v = 0.653 ωR, whatever the launch.
+/// assert!((end.ratio - 0.653).abs() < 1e-3);
+/// assert!(matches!(end.limit, FinalMode::Together { ratio } if (ratio - end.ratio).abs() < 1e-6));
+/// let energy = 0.5 * 0.1 * (1.0 + 0.5 * 0.4 * 0.4); // M (v² + C (ωR)²)/2
+/// assert!((end.initial_energy - energy).abs() < 1e-15);
+/// assert!((end.dissipated_energy - energy).abs() < 1e-9 * energy);
+/// assert_eq!(end.json(&scene)["ending"], "rest");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
     /// Why it ended.

@@ -22,6 +22,23 @@ pub const PATH_COLUMNS: [&str; 11] = [
 ];
 
 /// Everything a run of a planar scene gives.
+///
+/// ```
+/// use tribos::scene::{Scene, parse_scene, vocabulary};
+/// use tribos::slide::{PATH_COLUMNS, PathOutcome, PathRun, run_path};
+/// let text = vocabulary("pipe").ok_or("no pipe")?.least_text(); // 1.74 m/s, mu = 0.2
+/// let parsed = parse_scene("pipe.toml", &text, &["spin=0".into()])?;
+/// let Scene::Planar(scene) = parsed else { unreachable!() };
+/// let PathRun { series, outcome } = run_path(&scene)?;
+/// // Without spin the pipe leans, but friction stays mu N.
+/// let x = PATH_COLUMNS.iter().position(|name| *name == "x").ok_or("no x")?;
+/// let way = series.last().ok_or("no rows")?[x];
+/// assert!((way - 1.74 * 1.74 / (2.0 * 0.2 * 9.81)).abs() < 1e-12);
+/// let PathOutcome { arrival, energy_error, .. } = outcome;
+/// assert!(arrival.most_lean > 0.0 && energy_error < 1e-12);
+/// assert_eq!(outcome.json(&scene)["curl"], 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct PathRun {
     /// Lines of the series, columns as in [`PATH_COLUMNS`].

@@ -45,6 +45,25 @@ enum StepLength {
 }
 
 /// A slider under way.
+///
+/// ```
+/// use tribos::kernel::coupling::table::Coulomb;
+/// use tribos::run::Simulation;
+/// use tribos::scene::{parse_slider, vocabulary};
+/// use tribos::slide::{COLUMNS, Ending, SlideSimulation};
+/// let text = vocabulary("disk").ok_or("no disk")?.least_text();
+/// let mut disk = SlideSimulation::new(Coulomb, &parse_slider("disk.toml", &text, &[])?)?;
+/// assert_eq!(COLUMNS[1..3], ["speed", "spin"]);
+/// let mut before = disk.record();
+/// while disk.step()? {
+///     before = disk.record();
+/// }
+/// // Sliding and spinning stop in the same instant.
+/// assert!(before[1] > 0.0 && before[2] > 0.0);
+/// assert_eq!(disk.record()[1..3], [0.0, 0.0]);
+/// assert_eq!((disk.outcome()?.ending, disk.progress()), (Ending::Rest, 1.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct SlideSimulation<P> {
     slider: Slider<f64, P>,

@@ -15,6 +15,18 @@ use tribos_core::coupling::tall::{LeaningWrench, leaning_wrench};
 /// Penner (Am. J. Phys. 69 (2001) 332) examined, in the linear form of eq. 3.37 of the thesis; his
 /// profile around the band is not known to us. *How sure*: the sign and the proportion to the spin
 /// are; the cause and the size are not, and Penner's experiment excludes ratios as large as needed.
+///
+/// ```
+/// use tribos::slide::curling::{BackHeavy, CurlingModel, CurlingRock, IceLaw};
+/// let side = |back_to_front: f64| {
+///     let model = BackHeavy { ice: IceLaw::PENNER, back_to_front };
+///     let body = model.resistance(&CurlingRock::STANDARD)?;
+///     Ok::<_, tribos::slide::SlideError>(-body.deceleration([2.0, 0.0, 0.1])[1]) // to the left
+/// };
+/// assert!(side(1.0)?.abs() < 1e-15); // evenly rough: straight
+/// assert!(side(10.0)? > side(2.0)? && side(2.0)? > 0.0);
+/// # Ok::<(), tribos::slide::SlideError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BackHeavy {
     /// Law of the ice.

@@ -30,6 +30,20 @@ const ACCURACY: f64 = 1e-9;
 /// film is likely; that it lets the front go and holds the back is assumed here to get the sign
 /// right, for the thesis notes that the film alone does not explain it. Even the largest
 /// difference, f from 1 to 0, curls too little and in proportion to the spin.
+///
+/// ```
+/// use tribos::slide::curling::{CurlingModel, CurlingRock, Film, IceLaw};
+/// let (rock, ice) = (CurlingRock::STANDARD, IceLaw::PENNER);
+/// // A film that turns with the band leaves the spin alone.
+/// let whole = Film { ice, front: 1.0, back: 1.0 }.resistance(&rock)?;
+/// let [back, side, spin_down] = whole.deceleration([2.0, 0.0, 0.1]);
+/// let friction = ice.coefficient * 2.0_f64.powf(ice.alpha) * rock.gravity;
+/// assert!((back - friction).abs() < 1e-14 && side.abs() < 1e-14 && spin_down.abs() < 1e-14);
+/// // One that goes along in front only lets the back hold: to the left.
+/// let front = Film { ice, front: 1.0, back: 0.0 }.resistance(&rock)?;
+/// assert!(front.deceleration([2.0, 0.0, 0.1])[1] < 0.0);
+/// # Ok::<(), tribos::slide::SlideError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Film {
     /// Law of the ice.
@@ -54,6 +68,20 @@ impl CurlingModel for Film {
 ///
 /// *Accuracy* of force and torque for α = −1/2: 1e-12 where v and (1−f)w differ by a tenth, 1e-6 by
 /// a twentieth, and 4e-2 where they meet and an element of the ring stands still.
+///
+/// ```
+/// use tribos::slide::curling::{CurlingModel, CurlingRock, Film, FilmRing, IceLaw, LeftRight};
+/// use tribos::slide::{SlideError, planar::Resistance};
+/// let (rock, ice) = (CurlingRock::STANDARD, IceLaw::PENNER);
+/// // Without a film it is the ring on bare ice, which the kernel integrates.
+/// let ring = FilmRing::new(&Film { ice, front: 0.0, back: 0.0 }, &rock)?;
+/// let bare = LeftRight { ice }.resistance(&rock)?;
+/// let [a, b] = [ring.deceleration([2.0, 0.0, 0.1]), bare.deceleration([2.0, 0.0, 0.1])];
+/// assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12));
+/// let steep = Film { ice: IceLaw { alpha: -1.0, ..ice }, front: 0.0, back: 0.0 };
+/// assert!(matches!(FilmRing::new(&steep, &rock), Err(SlideError::Law(_))));
+/// # Ok::<(), tribos::slide::SlideError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct FilmRing {
     /// (cos φ, sin φ) of the points.

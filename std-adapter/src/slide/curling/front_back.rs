@@ -12,6 +12,16 @@ use crate::slide::planar::Resistance;
 ///
 /// *Domain*: γ v^α exceeds every bound towards rest. Where |l| would pass 1 (below 1 mm/s) the
 /// gradient is held there.
+///
+/// ```
+/// use tribos::slide::curling::{CurlingModel, CurlingRock, FrontBack, IceLaw};
+/// let body = FrontBack { ice: IceLaw::PENNER }.resistance(&CurlingRock::STANDARD)?;
+/// let [left_turning, right_turning] =
+///     [0.1, -0.1].map(|rim| body.deceleration([2.0, 0.0, rim])[1]);
+/// assert!(left_turning > 0.0); // counterclockwise spin bends to the right
+/// assert_eq!(left_turning, -right_turning);
+/// # Ok::<(), tribos::slide::SlideError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrontBack {
     /// Law of the ice.

@@ -10,6 +10,17 @@ use crate::slide::planar::Resistance;
 /// *Formula*: [`IceLaw`], uniform pressure. *Source*: section 3.5.2 of the thesis. *How sure*:
 /// certainly no curl, for every α: elements that mirror each other in the direction of motion
 /// pull sideways alike and opposite in front and at the back.
+///
+/// ```
+/// use tribos::slide::curling::{CurlingModel, CurlingRock, IceLaw, LeftRight};
+/// let body = LeftRight { ice: IceLaw::PENNER }.resistance(&CurlingRock::STANDARD)?;
+/// let [back, side, spin_down] = body.deceleration([2.0, 0.0, 0.1]);
+/// assert_eq!(side, 0.0);
+/// // alpha = -1/2: a quarter of the speeds, twice the friction.
+/// let slow = body.deceleration([0.5, 0.0, 0.025]);
+/// assert!((slow[0] - 2.0 * back).abs() < 1e-14 && (slow[2] - 2.0 * spin_down).abs() < 1e-14);
+/// # Ok::<(), tribos::slide::SlideError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeftRight {
     /// Law of the ice.

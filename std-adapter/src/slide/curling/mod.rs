@@ -40,6 +40,23 @@ use super::planar::Resistance;
 use std::fmt::Debug;
 
 /// An answer to the question why a rock curls.
+///
+/// ```
+/// use tribos::slide::curling::{CurlingModel, CurlingRock, Dry, IceLaw, LeftRight};
+/// use tribos::slide::planar::{Journey, Launch};
+/// let models: [Box<dyn CurlingModel>; 2] =
+///     [Box::new(Dry { coefficient: 0.0071 }), Box::new(LeftRight { ice: IceLaw::PENNER })];
+/// assert_eq!([models[0].name(), models[1].name()], ["dry", "left-right"]);
+/// let curl = |model: &Box<dyn CurlingModel>| {
+///     let body = model.resistance(&CurlingRock::STANDARD)?;
+///     let launch = Launch { velocity: [2.0, 0.0], spin: 1.5 };
+///     let end = Journey::new(&body, &launch, 1e-4)?.to_end()?;
+///     Ok::<_, tribos::slide::SlideError>(end.point.position[1])
+/// };
+/// assert!(curl(&models[0])? < 0.0); // to the right
+/// assert_eq!(curl(&models[1])?, 0.0);
+/// # Ok::<(), tribos::slide::SlideError>(())
+/// ```
 pub trait CurlingModel: Debug + Send + Sync {
     /// The name that scenes use.
     fn name(&self) -> &'static str;

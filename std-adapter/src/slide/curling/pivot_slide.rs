@@ -18,6 +18,17 @@ use tribos_core::Real;
 /// formula of its own, which we have not found. *How sure*: a fit, not a theory; the pull *grows*
 /// as the spin falls, so that fast spin curls less than half as much as slow spin: kept as an
 /// example of how a model can meet the size of the curl and miss its trend.
+///
+/// ```
+/// use tribos::slide::curling::{CurlingModel, CurlingRock, IceLaw, PivotSlide};
+/// let (rock, ice, weight) = (CurlingRock::STANDARD, IceLaw::PENNER, PivotSlide::WEIGHT);
+/// let body = PivotSlide { ice, weight }.resistance(&rock)?;
+/// let left = |rim: f64| -body.deceleration([2.0, 0.0, rim])[1];
+/// let pull = weight * ice.coefficient * 0.1_f64.powf(ice.alpha) * rock.gravity;
+/// assert!((left(0.1) - pull).abs() < 1e-3 * pull); // 0.1 m/s is far above the fading
+/// assert!((left(0.4) - 0.5 * left(0.1)).abs() < 1e-3 * pull); // faster spin pulls less
+/// # Ok::<(), tribos::slide::SlideError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PivotSlide {
     /// Law of the ice.

@@ -7,6 +7,14 @@ use tribos_core::coupling::PatchFriction;
 /// A curling rock on its running band.
 ///
 /// *Units*: SI.
+///
+/// ```
+/// use tribos::slide::curling::CurlingRock;
+/// let rock = CurlingRock::STANDARD;
+/// // A solid cylinder of 14.5 cm, measured by a band of 6.25 cm.
+/// let ratio = 0.5 * 0.145_f64.powi(2) / rock.band_radius.powi(2);
+/// assert!((rock.inertia_ratio - ratio).abs() < 1e-14);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurlingRock {
     /// Outer radius of the running band, of the thin ring if the band has no width, in m.
@@ -45,6 +53,16 @@ impl CurlingRock {
 }
 
 /// Friction of ice per load, γ v^α.
+///
+/// ```
+/// use tribos::slide::curling::IceLaw;
+/// let friction = |ice: IceLaw, v: f64| ice.coefficient * v.powf(ice.alpha);
+/// for ice in [IceLaw::PENNER, IceLaw::DRAW, IceLaw::FAST_SPIN] {
+///     assert!((0.005..0.008).contains(&friction(ice, 2.0))); // of the load, at 2 m/s
+///     assert!(friction(ice, 0.5) > friction(ice, 2.0)); // ice holds a slow rock faster
+/// }
+/// assert_eq!(friction(IceLaw::DRY, 0.5), friction(IceLaw::DRY, 2.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IceLaw {
     /// γ, in (s/m)^α.

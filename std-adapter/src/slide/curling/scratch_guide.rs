@@ -24,6 +24,19 @@ use tribos_core::Real;
 /// *How sure*: the mechanism is well supported (scratched ice steers even a rock without spin);
 /// this form is a reading of it, with σ fitted to nothing but a curl of about 1 m and δ chosen
 /// small.
+///
+/// ```
+/// use tribos::slide::curling::{CurlingModel, CurlingRock, IceLaw, ScratchGuide};
+/// let (strength, onset) = (ScratchGuide::STRENGTH, ScratchGuide::ONSET);
+/// let rock = CurlingRock::STANDARD;
+/// let body = ScratchGuide { ice: IceLaw::PENNER, strength, onset }.resistance(&rock)?;
+/// let left = |rim: f64| -body.deceleration([2.0, 0.0, rim])[1] / (strength * rock.gravity);
+/// assert_eq!(left(0.0), 0.0);
+/// // Far above the onset (2 m/s times 0.01) the force hardly knows the spin.
+/// assert!([0.1, 0.2, 0.3].iter().all(|&rim| (0.97..1.0).contains(&left(rim))));
+/// assert!((left(0.02) - 0.5_f64.sqrt()).abs() < 1e-3); // at the onset
+/// # Ok::<(), tribos::slide::SlideError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScratchGuide {
     /// Law of the ice.

@@ -46,6 +46,21 @@ pub enum InverseError {
 }
 
 /// A target beyond the limits: what it takes, and what the limits allow.
+///
+/// ```
+/// use tribos::slide::inverse::{InverseError, Limits, OutOfReach, Pose, RestMap, Turns};
+/// use tribos::kernel::coupling::table::Coulomb;
+/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// let (target, limits) = (Pose { x: 10.0, y: 0.0, angle: 0.0 }, Limits::new(3.0, 100.0)?);
+/// let thrown = disk.launches(&target, Turns::Exact, &limits);
+/// let Err(InverseError::OutOfReach(why)) = thrown else { unreachable!() };
+/// let OutOfReach { needed, distances, .. } = *why;
+/// // Without spin the way is v²/(2 mu g).
+/// assert!((needed.speed - (2.0_f64 * 0.3 * 9.81 * 10.0).sqrt()).abs() < 1e-12);
+/// let farthest = distances.ok_or(InverseError::Target { given: target })?[1];
+/// assert!((farthest - 3.0 * 3.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-12);
+/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfReach {
     /// The launch that exceeds the limits least.

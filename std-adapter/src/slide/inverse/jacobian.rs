@@ -26,6 +26,18 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
     ///
     /// *Accuracy*: within 1e-9 of extrapolated differences, whose own error that is, for unit
     /// scales; next to v = ωR the differences lose their order and confirm 2e-4.
+    ///
+    /// ```
+    /// use tribos::slide::inverse::{Launch, PoseJacobian, RestMap};
+    /// use tribos::kernel::coupling::table::Coulomb;
+    /// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+    /// let by: PoseJacobian = disk.jacobian(&Launch { velocity: [1.0, 0.0], spin: 0.0 });
+    /// // x = v²/(2 mu g), and a small turn of the velocity turns the way.
+    /// assert!((by[0][0] - 1.0 / (0.3 * 9.81)).abs() < 1e-13);
+    /// assert!((by[1][1] - 0.5 / (0.3 * 9.81)).abs() < 1e-13);
+    /// assert_eq!([by[0][1], by[0][2], by[2][0]], [0.0; 3]); // the rest is even or odd in the spin
+    /// # Ok::<(), tribos::slide::inverse::InverseError>(())
+    /// ```
     pub fn jacobian(&self, launch: &Launch) -> PoseJacobian {
         let [x, y] = launch.velocity;
         let (v, w) = (Real::hypot(x, y), launch.spin.abs() * self.radius());

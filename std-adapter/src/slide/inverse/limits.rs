@@ -6,6 +6,24 @@ use tribos_core::coupling::{Coupling, Profile};
 
 /// The fastest launch: a solution is admissible if |velocity| ≤ `max_speed` and |spin| ≤ `max_spin`,
 /// to the bit.
+///
+/// ```
+/// use tribos::slide::inverse::{InverseError, Limits, RestMap};
+/// use tribos::kernel::coupling::table::Coulomb;
+/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// let limits = Limits::new(3.0, 50.0)?;
+/// assert_eq!((limits.max_speed(), limits.max_spin()), (3.0, 50.0));
+/// // Alone, v²/(2 mu g) and ω²/2 over (2/3) mu g/(C R); together both go on for longer.
+/// let (way, angle) = (9.0 / (2.0 * 0.3 * 9.81), 2500.0 * 0.08 * 3.0 / (8.0 * 0.3 * 9.81));
+/// assert!((disk.reach(3.0, 0.0)[0] - way).abs() < 1e-13);
+/// assert!((disk.reach(0.0, 50.0)[1] - angle).abs() < 1e-12);
+/// let [far, most] = disk.reach(3.0, 50.0);
+/// assert!(far > way && most > angle);
+/// assert_eq!(disk.distances(0.0, &limits), Some([0.0, disk.reach(3.0, 0.0)[0]]));
+/// assert_eq!(disk.distances(2.0 * most, &limits), None);
+/// assert!(matches!(Limits::new(-3.0, 50.0), Err(InverseError::Limit { name: "speed", .. })));
+/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     max_speed: f64,

@@ -26,6 +26,22 @@ pub struct RestMap<P> {
 }
 
 /// The end of a throw.
+///
+/// ```
+/// use tribos::slide::inverse::{Landing, Launch, RestMap};
+/// use tribos::kernel::coupling::Profile;
+/// use tribos::kernel::coupling::table::Coulomb;
+/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// assert_eq!((disk.deceleration(), disk.radius(), disk.inertia_ratio()), (0.3 * 9.81, 0.08, 0.5));
+/// let alpha: f64 = disk.profile().exponent();
+/// assert_eq!(alpha, 0.0); // Coulomb's
+/// let launch = Launch { velocity: [0.6, 0.8], spin: 0.0 }; // 1 m/s
+/// let Landing { pose, time } = disk.rest(&launch);
+/// assert!((time - 1.0 / (0.3 * 9.81)).abs() < 1e-14); // v/(mu g)
+/// let work = 0.3 * 9.81 * pose.x.hypot(pose.y); // of friction, per mass
+/// assert!((work - disk.energy_per_mass(&launch)).abs() < 1e-14);
+/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landing {
     /// Where and how it lies.

@@ -57,6 +57,17 @@ pub use map::{Landing, RestMap};
 pub use plan::{MAX_SOLUTIONS, Solution, Turns};
 
 /// Velocity of the centre and spin at the start, m/s and rad/s.
+///
+/// ```
+/// use tribos::slide::inverse::{Launch, RestMap};
+/// use tribos::kernel::coupling::table::Coulomb;
+/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// let throw = Launch { velocity: [1.0, 0.0], spin: 12.5 };
+/// let mirrored = Launch { spin: -12.5, ..throw };
+/// let [left, right] = [throw, mirrored].map(|launch| disk.rest(&launch).pose);
+/// assert_eq!([left.x, left.y, left.angle], [right.x, right.y, -right.angle]);
+/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Launch {
     /// Components of the velocity.

@@ -22,6 +22,21 @@ pub enum Turns {
 }
 
 /// One launch that ends at the wanted pose.
+///
+/// ```
+/// use tribos::slide::inverse::{Limits, Pose, RestMap, Solution, Turns};
+/// use tribos::kernel::coupling::table::Coulomb;
+/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// let target = Pose { x: 1.0, y: 0.0, angle: 0.0 };
+/// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
+/// let all: Vec<Solution> = disk.launches(&target, turns, &Limits::new(3.0, 30.0)?)?;
+/// assert!(all.len() > 2);
+/// assert!(all.iter().all(|one| (one.turns() - one.turns().round()).abs() < 1e-12));
+/// // Spin only adds to the work of friction: the least is mu g d, without a turn.
+/// assert_eq!(all[0].turns(), 0.0);
+/// assert!((all[0].energy_per_mass - 0.3 * 9.81).abs() < 1e-12);
+/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution {
     /// The launch.
@@ -47,6 +62,17 @@ impl Solution {
 }
 
 /// Most solutions that are listed.
+///
+/// ```
+/// use tribos::slide::inverse::{InverseError, Limits, MAX_SOLUTIONS, Pose, RestMap, Turns};
+/// use tribos::kernel::coupling::table::Coulomb;
+/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
+/// let spins = Limits::new(3.0, 1e4)?; // ω² 3 R/(8 mu g) = 10⁶ rad
+/// let all = disk.launches(&Pose::default(), turns, &spins);
+/// assert!(matches!(all, Err(InverseError::TooMany { count }) if count > MAX_SOLUTIONS));
+/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// ```
 pub const MAX_SOLUTIONS: u64 = 10_000;
 /// A turn more than the farthest one is tried, against rounding.
 const SPARE: f64 = 1e-9;

@@ -10,6 +10,21 @@ use tribos_core::coupling::{
 use tribos_core::patch::PowerPressure;
 
 /// A round foot, or a band, under the power law: the kernel's coupling for it, chosen at run time.
+///
+/// ```
+/// use tribos::kernel::coupling::Coupling;
+/// use tribos::kernel::patch::PowerPressure;
+/// use tribos::slide::planar::Foot;
+/// // Torque of a spin in place over mu N R: the mean radius under the pressure.
+/// let torque = |foot: Foot| foot.reduced_wrench(0.0, 1.0).torque;
+/// assert!((torque(Foot::round(0.0, PowerPressure::UNIFORM)?) - 2.0 / 3.0).abs() < 1e-14);
+/// let hertz = Foot::round(0.0, PowerPressure::HERTZ)?;
+/// assert!((torque(hertz) - 3.0 * std::f64::consts::PI / 16.0).abs() < 1e-14);
+/// let band = Foot::band(0.0, 0.5)?;
+/// assert_eq!(band.exponent(), 0.0);
+/// assert!((torque(band) - 2.0 / 3.0 * (1.0 - 0.125) / (1.0 - 0.25)).abs() < 1e-14);
+/// # Ok::<(), tribos::slide::SlideError>(())
+/// ```
 pub struct Foot {
     coupling: Box<dyn Lateral<f64>>,
     exponent: f64,

@@ -21,6 +21,25 @@ use std::fmt::Debug;
 ///
 /// Velocities are three speeds, (v_x, v_y, w) with the rim speed w = ωR, positive
 /// counterclockwise, so that all have one unit.
+///
+/// ```
+/// use tribos::slide::planar::{Ending, Journey, Launch, Resistance};
+/// /// A disk on a film of oil: velocity and spin fade with 2/s.
+/// #[derive(Debug)]
+/// struct Oiled;
+/// impl Resistance for Oiled {
+///     fn deceleration(&self, velocity: [f64; 3]) -> [f64; 3] { velocity.map(|v| 2.0 * v) }
+///     fn exponent(&self) -> f64 { 1.0 }
+///     fn inertia_ratio(&self) -> f64 { 0.5 }
+///     fn radius(&self) -> f64 { 0.08 }
+/// }
+/// let launch = Launch { velocity: [1.0, 0.0], spin: 5.0 };
+/// let end = Journey::new(&Oiled, &launch, 1e-6)?.to_end()?;
+/// assert_eq!(end.ending, Ending::Faded);
+/// assert!((end.point.position[0] - 0.5).abs() < 1e-6); // v/k, but for the last millionth
+/// assert!((end.point.angle - 2.5).abs() < 1e-5); // ω/k
+/// # Ok::<(), tribos::slide::SlideError>(())
+/// ```
 pub trait Resistance: Debug {
     /// A of dV/dt = −A: force per mass, and torque/(C M R), in m/s². The power against the motion,
     /// V·A, must be positive.

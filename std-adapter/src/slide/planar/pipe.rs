@@ -8,6 +8,24 @@ use tribos_core::coupling::PatchFriction;
 ///
 /// *Units*: SI. *Source*: A. R. Penner, Am. J. Phys. 69 (2001) 332, who compared paths of such
 /// pipes with experiments; its equations are those of [`super::TallCylinder`] on a band.
+///
+/// ```
+/// use tribos::slide::planar::{Gradient, Pipe, Resistance};
+/// let thin = Pipe {
+///     coefficient: 0.3,
+///     alpha: 0.0,
+///     radius: 0.05,
+///     inner_ratio: 1.0,
+///     height: 0.15,
+///     gradient: Gradient::AllRound,
+/// };
+/// assert_eq!(thin.inertia_ratio(), 1.0); // all mass at R
+/// assert_eq!(Pipe { inner_ratio: 0.0, ..thin }.inertia_ratio(), 0.5); // solid
+/// // All friction acts at R, too: the rim of a spinning ring slows down with mu g.
+/// let [_, _, rim] = thin.body(9.81)?.deceleration([0.0, 0.0, 0.5]);
+/// assert!((rim - 0.3 * 9.81).abs() < 1e-14);
+/// # Ok::<(), tribos::slide::SlideError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pipe {
     /// γ, in (s/m)^α; μ for α = 0.

@@ -20,6 +20,23 @@ pub enum Gradient {
 /// A tall body on its foot; beyond |l| = 1 the gradient's share in the friction is held.
 ///
 /// *Units*: SI. *Source*: [`tribos_core::coupling::tall`].
+///
+/// ```
+/// use tribos::kernel::coupling::PatchFriction;
+/// use tribos::kernel::patch::PowerPressure;
+/// use tribos::slide::SlideError;
+/// use tribos::slide::planar::{Foot, Gradient, Resistance, TallBody};
+/// let body = |height: f64, gravity: f64| {
+///     let foot = PatchFriction::new(Foot::round(0.0, PowerPressure::UNIFORM)?, 0.3, 0.08)?;
+///     TallBody::new(foot, height, Gradient::AllRound, [gravity, 0.5])
+/// };
+/// // The pressure p (1 + l x/R) has the moment N R l/4, which bears that of friction, mu N h.
+/// let lean = body(0.05, 9.81)?.lean([1.0, 0.0, 0.0]);
+/// assert!((lean - 4.0 * 0.3 * 0.05 / 0.08).abs() < 1e-14);
+/// assert!(body(0.10, 9.81)?.lean([1.0, 0.0, 0.0]) > 1.0); // it begins to tip
+/// assert!(matches!(body(0.05, 0.0), Err(SlideError::Inertia(_))));
+/// # Ok::<(), SlideError>(())
+/// ```
 #[derive(Debug)]
 pub struct TallBody {
     friction: Friction,
