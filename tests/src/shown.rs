@@ -1,21 +1,29 @@
 //! Which public items of a crate an example shows, read from its source.
 //!
 //! An item is shown if an example names it where its reader looks: in the file that defines it, in
-//! its own words or those of its neighbours, or on the page of a module above. What is called by the
-//! name of its type, such as a constructor, needs an example that names both. Fields, variants and
-//! what a trait asks of others are shown by their owner.
+//! its own words or those of its neighbours, or on the page of a module above. A method has to be
+//! called; what is called by the name of its type, such as a constructor, needs an example that
+//! names both. Fields, variants and what a trait asks of others are shown by their owner.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 use syn::{Attribute, Expr, ImplItem, Item, Lit, Meta, TraitItem, Type, UseTree, Visibility};
 
-/// An item that users can name.
+/// An item with `pub`.
 #[derive(Debug)]
 struct Declared {
     file: PathBuf,
-    /// The type that it belongs to.
-    owner: Option<String>,
+    name: String,
+    /// It stands in a public module.
+    public: bool,
+}
+
+/// A function or a constant of a type.
+#[derive(Debug)]
+struct Member {
+    file: PathBuf,
+    owner: String,
     name: String,
     /// It is called by the name of its owner, not on a value.
     by_owner: bool,
@@ -23,11 +31,12 @@ struct Declared {
 
 #[derive(Debug, Default)]
 struct Crate {
-    /// Names that users can write.
-    exported: BTreeSet<String>,
     declared: Vec<Declared>,
-    /// The examples of each file, as their words.
-    examples: BTreeMap<PathBuf, Vec<BTreeSet<String>>>,
+    members: Vec<Member>,
+    /// Names that public modules bring out, with the file of the module.
+    uses: BTreeSet<(PathBuf, String)>,
+    /// The examples of each file.
+    examples: BTreeMap<PathBuf, Vec<String>>,
 }
 
 /// Public items of the crate whose `lib.rs` stands in `src` that no example shows, as
@@ -38,38 +47,56 @@ struct Crate {
 pub fn without_example(src: &Path) -> io::Result<Vec<String>> {
     let mut found = Crate::default();
     found.file(&src.join("lib.rs"), src, true)?;
-    let lacking = found.declared.iter().filter(|item| found.lacks(item));
-    let place = |item: &Declared| {
-        let file = item.file.strip_prefix(src).unwrap_or(&item.file);
-        let owner = item.owner.iter().map(|owner| format!("{owner}::"));
-        format!(
-            "{}: {}{}",
-            file.display(),
-            owner.collect::<String>(),
-            item.name
-        )
-    };
-    Ok(lacking.map(place).collect())
+    let items = found.declared.iter().filter(|item| found.is_public(item));
+    let items = items.filter(|item| !found.shows(&item.file, |text| has_word(text, &item.name)));
+    let members = found
+        .members
+        .iter()
+        .filter(|member| found.owner_is_public(member));
+    let members = members.filter(|member| {
+        !found.shows(&member.file, |text| {
+            is_called(text, &member.name) && (!member.by_owner || has_word(text, &member.owner))
+        })
+    });
+    let file = |path: &Path| path.strip_prefix(src).unwrap_or(path).display().to_string();
+    let items = items.map(|item| format!("{}: {}", file(&item.file), item.name));
+    let members =
+        members.map(|member| format!("{}: {}::{}", file(&member.file), member.owner, member.name));
+    Ok(items.chain(members).collect())
 }
 
 impl Crate {
-    fn lacks(&self, item: &Declared) -> bool {
-        let public = item.owner.as_ref().unwrap_or(&item.name);
-        let shows = |example: &BTreeSet<String>| {
-            example.contains(&item.name) && (!item.by_owner || example.contains(public))
+    fn is_public(&self, item: &Declared) -> bool {
+        let brought = |page: PathBuf| self.uses.contains(&(page, item.name.clone()));
+        item.public || above(&item.file).into_iter().any(brought)
+    }
+
+    /// The owner stands in the same folder, or in a module above.
+    fn owner_is_public(&self, member: &Member) -> bool {
+        let near = |item: &&Declared| {
+            item.name == member.owner
+                && (item.file.parent() == member.file.parent()
+                    || pages(&member.file).contains(&item.file))
         };
-        let pages = pages(&item.file);
+        self.declared
+            .iter()
+            .filter(near)
+            .any(|item| self.is_public(item))
+    }
+
+    fn shows(&self, file: &Path, what: impl Fn(&str) -> bool) -> bool {
+        let pages = pages(file);
         let mut examples = pages
             .iter()
             .filter_map(|page| self.examples.get(page))
             .flatten();
-        self.exported.contains(public) && !examples.any(shows)
+        examples.any(|text| what(text))
     }
 
     fn file(&mut self, path: &Path, folder: &Path, public: bool) -> io::Result<()> {
         let wrong = |e| io::Error::other(format!("{}: {e}", path.display()));
         let parsed = syn::parse_file(&fs::read_to_string(path)?).map_err(wrong)?;
-        self.words(path, &parsed.attrs);
+        self.keep_examples(path, &parsed.attrs);
         self.items(&parsed.items, path, folder, public)
     }
 
@@ -85,7 +112,7 @@ impl Crate {
                 Item::Mod(module) if module.attrs.iter().all(|a| !a.path().is_ident("cfg")) => {
                     let seen = public && is_public(&module.vis);
                     let inner = folder.join(module.ident.to_string());
-                    self.words(path, &module.attrs);
+                    self.keep_examples(path, &module.attrs);
                     if let Some((_, items)) = &module.content {
                         self.items(items, path, &inner, seen)?;
                     } else {
@@ -97,7 +124,7 @@ impl Crate {
                     }
                 }
                 Item::Use(import) if public && is_public(&import.vis) => {
-                    names(&import.tree, &mut self.exported)
+                    names(&import.tree, path, &mut self.uses)
                 }
                 Item::Fn(f) => self.declare(path, &f.attrs, &f.vis, &f.sig.ident, public),
                 Item::Struct(s) => self.declare(path, &s.attrs, &s.vis, &s.ident, public),
@@ -108,12 +135,12 @@ impl Crate {
                     self.declare(path, &t.attrs, &t.vis, &t.ident, public);
                     for part in &t.items {
                         if let TraitItem::Fn(f) = part {
-                            self.words(path, &f.attrs);
+                            self.keep_examples(path, &f.attrs);
                         }
                     }
                 }
                 Item::Impl(block) => {
-                    self.words(path, &block.attrs);
+                    self.keep_examples(path, &block.attrs);
                     self.members(block, path);
                 }
                 _ => {}
@@ -130,19 +157,14 @@ impl Crate {
         name: &syn::Ident,
         public: bool,
     ) {
-        self.words(path, attributes);
+        self.keep_examples(path, attributes);
         if !is_public(visibility) {
             return;
         }
-        let name = name.to_string();
-        if public {
-            self.exported.insert(name.clone());
-        }
         self.declared.push(Declared {
             file: path.to_owned(),
-            owner: None,
-            name,
-            by_owner: false,
+            name: name.to_string(),
+            public,
         });
     }
 
@@ -157,10 +179,10 @@ impl Crate {
                 ImplItem::Const(c) => (&c.attrs, &c.vis, &c.ident, true),
                 _ => continue,
             };
-            self.words(path, attributes);
+            self.keep_examples(path, attributes);
             // Methods of a trait are the trait's.
-            if block.trait_.is_none() && is_public(visibility) {
-                self.declared.push(Declared {
+            if let (None, true, Some(owner)) = (&block.trait_, is_public(visibility), &owner) {
+                self.members.push(Member {
                     file: path.to_owned(),
                     owner: owner.clone(),
                     name: name.to_string(),
@@ -170,27 +192,52 @@ impl Crate {
         }
     }
 
-    /// Keeps the words of the examples in some documentation.
-    fn words(&mut self, path: &Path, attributes: &[Attribute]) {
+    /// Keeps the examples in some documentation.
+    fn keep_examples(&mut self, path: &Path, attributes: &[Attribute]) {
         let lines: Vec<String> = attributes.iter().filter_map(documentation).collect();
-        let examples = self.examples.entry(path.to_owned()).or_default();
-        for example in lines.join("\n").split("```").skip(1).step_by(2) {
-            let words = example.split(|c: char| !c.is_alphanumeric() && c != '_');
-            examples.push(words.map(String::from).collect());
-        }
+        let text = lines.join("\n");
+        let examples = text.split("```").skip(1).step_by(2).map(String::from);
+        self.examples
+            .entry(path.to_owned())
+            .or_default()
+            .extend(examples);
     }
 }
 
-/// The file and those of the modules above it, from which a reader comes; not the crate's own.
-fn pages(file: &Path) -> Vec<PathBuf> {
-    let mut pages = vec![file.to_owned()];
-    for folder in file
-        .ancestors()
-        .skip(1)
-        .take_while(|folder| !folder.ends_with("src"))
-    {
+fn is_in_word(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+fn has_word(text: &str, name: &str) -> bool {
+    text.split(|c| !is_in_word(c)).any(|word| word == name)
+}
+
+/// `.name` or `::name`.
+fn is_called(text: &str, name: &str) -> bool {
+    text.match_indices(name).any(|(at, _)| {
+        let (before, after) = (&text[..at], &text[at + name.len()..]);
+        (before.ends_with('.') || before.ends_with("::")) && !after.starts_with(is_in_word)
+    })
+}
+
+/// The files of the modules above one, from which a reader comes, up to the crate's own.
+fn above(file: &Path) -> Vec<PathBuf> {
+    let mut pages = Vec::new();
+    for folder in file.ancestors().skip(1) {
+        if folder.ends_with("src") {
+            pages.push(folder.join("lib.rs"));
+            break;
+        }
         pages.extend([folder.join("mod.rs"), folder.with_extension("rs")]);
     }
+    pages
+}
+
+/// The file and those above it but the crate's own.
+fn pages(file: &Path) -> Vec<PathBuf> {
+    let mut pages = above(file);
+    pages.pop();
+    pages.push(file.to_owned());
     pages
 }
 
@@ -212,12 +259,15 @@ fn is_public(visibility: &Visibility) -> bool {
 }
 
 /// The names that a `use` brings out.
-fn names(tree: &UseTree, into: &mut BTreeSet<String>) {
-    match tree {
-        UseTree::Path(path) => names(&path.tree, into),
-        UseTree::Group(group) => group.items.iter().for_each(|tree| names(tree, into)),
-        UseTree::Name(name) => drop(into.insert(name.ident.to_string())),
-        UseTree::Rename(name) => drop(into.insert(name.ident.to_string())),
-        UseTree::Glob(_) => {}
-    }
+fn names(tree: &UseTree, file: &Path, into: &mut BTreeSet<(PathBuf, String)>) {
+    let name = match tree {
+        UseTree::Path(path) => return names(&path.tree, file, into),
+        UseTree::Group(group) => {
+            return group.items.iter().for_each(|tree| names(tree, file, into));
+        }
+        UseTree::Glob(_) => return,
+        UseTree::Name(name) => &name.ident,
+        UseTree::Rename(name) => &name.ident,
+    };
+    into.insert((file.to_owned(), name.to_string()));
 }
