@@ -191,27 +191,27 @@ impl Compaction {
 
     /// Goes on from a [checkpoint](Compaction::checkpoint) of a run of the same scene, to the same
     /// bits as without the break. One that had ended is at its end again, and takes no more steps.
-///
-/// ```
-/// use tribos::powder::Compaction;
-/// use tribos::run::Simulation;
-/// # use tribos::scene::{Scene, parse_scene};
-/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
-/// let mut whole = Compaction::new(&scene)?;
-/// for _ in 0..5 {
-///     whole.step()?;
-/// }
-/// let kept = whole.checkpoint();
-/// whole.step()?;
-///
-/// let mut broken = Compaction::resume(&scene, &kept)?;
-/// assert_eq!(broken.steps(), 5);
-/// broken.step()?;
-/// assert_eq!(broken.last_step(), whole.last_step());
-/// assert_eq!(broken.contacts(), whole.contacts()); // forces to the bit
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
+    ///
+    /// ```
+    /// use tribos::powder::Compaction;
+    /// use tribos::run::Simulation;
+    /// # use tribos::scene::{Scene, parse_scene};
+    /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+    /// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+    /// let mut whole = Compaction::new(&scene)?;
+    /// for _ in 0..5 {
+    ///     whole.step()?;
+    /// }
+    /// let kept = whole.checkpoint();
+    /// whole.step()?;
+    ///
+    /// let mut broken = Compaction::resume(&scene, &kept)?;
+    /// assert_eq!(broken.steps(), 5);
+    /// broken.step()?;
+    /// assert_eq!(broken.last_step(), whole.last_step());
+    /// assert_eq!(broken.contacts(), whole.contacts()); // forces to the bit
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn resume(scene: &PowderScene, checkpoint: &str) -> Result<Self, CompactionError> {
         let checkpoint = Checkpoint::read(checkpoint, scene)?;
         Self::begin(scene, Some(checkpoint))
@@ -320,19 +320,19 @@ impl Compaction {
     }
 
     /// Hands the present state to `export`.
-///
-/// ```
-/// use tribos::powder::Compaction;
-/// use tribos::record::extended_xyz;
-/// # use tribos::scene::{Scene, parse_scene};
-/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
-/// let compaction = Compaction::new(&scene)?;
-/// let frame = compaction.with_snapshot(|now| extended_xyz(now))?;
-/// // A line a sphere, and two before them.
-/// assert_eq!(frame.lines().count(), compaction.deposit().positions.len() + 2);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
+    ///
+    /// ```
+    /// use tribos::powder::Compaction;
+    /// use tribos::record::extended_xyz;
+    /// # use tribos::scene::{Scene, parse_scene};
+    /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+    /// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+    /// let compaction = Compaction::new(&scene)?;
+    /// let frame = compaction.with_snapshot(|now| extended_xyz(now))?;
+    /// // A line a sphere, and two before them.
+    /// assert_eq!(frame.lines().count(), compaction.deposit().positions.len() + 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn with_snapshot<T>(&self, export: impl FnOnce(&Snapshot<'_>) -> T) -> T {
         let spheres = self.packing.spheres();
         let velocities: Vec<_> = spheres.iter().map(|sphere| sphere.velocity).collect();

@@ -137,13 +137,13 @@ impl Ballistic {
 
     /// Spheres of radii uniform between two bounds. *Domain*: all finite and positive, the bounds
     /// in order, their sum ≤ `capture_radius`, and the two largest capture within width/2.
-///
-/// ```
-/// use tribos::powder::deposit::{Ballistic, Until};
-/// let deposit = Ballistic::uneven(20.0, [0.8, 1.2], 3.0)?.grow(Until::Count(100), 1)?;
-/// assert!(deposit.radii.iter().all(|radius| (0.8..=1.2).contains(radius)));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
+    ///
+    /// ```
+    /// use tribos::powder::deposit::{Ballistic, Until};
+    /// let deposit = Ballistic::uneven(20.0, [0.8, 1.2], 3.0)?.grow(Until::Count(100), 1)?;
+    /// assert!(deposit.radii.iter().all(|radius| (0.8..=1.2).contains(radius)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn uneven(width: f64, radii: [f64; 2], capture_radius: f64) -> Result<Self, DepositError> {
         let [low, high] = radii;
         for (name, given) in [

@@ -19,18 +19,18 @@ impl Deposit {
 
     /// Free share of the volume in the middle half of the height, from 0 to 1: free of the ends
     /// where the deposit is many times higher than its structure.
-///
-/// ```
-/// use tribos::powder::deposit::{BULK, Ballistic, Until};
-/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Cut(61.5), 1)?;
-/// let [low, high] = BULK.map(|share| share * deposit.height);
-/// assert_eq!(deposit.bulk_porosity(), 1.0 - deposit.solid_fraction(low, high));
-/// // The two halves of a deposit hold all of its spheres.
-/// let (middle, top) = (0.5 * deposit.height, deposit.height);
-/// let halves = deposit.solid_fraction(0.0, middle) + deposit.solid_fraction(middle, top);
-/// assert!((1.0 - 0.5 * halves - deposit.porosity()).abs() < 1e-12);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
+    ///
+    /// ```
+    /// use tribos::powder::deposit::{BULK, Ballistic, Until};
+    /// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Cut(61.5), 1)?;
+    /// let [low, high] = BULK.map(|share| share * deposit.height);
+    /// assert_eq!(deposit.bulk_porosity(), 1.0 - deposit.solid_fraction(low, high));
+    /// // The two halves of a deposit hold all of its spheres.
+    /// let (middle, top) = (0.5 * deposit.height, deposit.height);
+    /// let halves = deposit.solid_fraction(0.0, middle) + deposit.solid_fraction(middle, top);
+    /// assert!((1.0 - 0.5 * halves - deposit.porosity()).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn bulk_porosity(&self) -> f64 {
         let [low, high] = BULK.map(|share| share * self.height);
         1.0 - self.solid_fraction(low, high)
