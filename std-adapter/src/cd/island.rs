@@ -14,7 +14,7 @@ const PATIENCE: u8 = 4;
 /// use nalgebra::Vector3;
 /// use tribos::cd::{Book, Rest, solid};
 /// use tribos::kernel::contact::Touch;
-/// // Two balls of 1 cm that touch and do not move: after a few steps they sleep.
+/// // Two balls that touch and do not move: after a few steps they sleep.
 /// let pairs = [([0, 1], Touch::spheres(&Vector3::new(0.02, 0.0, 0.0), [0.01; 2])?)];
 /// let mut balls = [solid(0.01, 2500.0); 2];
 /// let mut rest = Rest::new(2);

@@ -64,7 +64,7 @@ pub enum Visit<'a> {
 ///         a.0 * b.0
 ///     }
 ///     fn guess(&mut self, contact: usize, push: &Push) {
-///         self.pushes[contact] = Push(push.0.max(0.0));
+///         self.pushes[contact] = if push.0 < 0.0 { Push(0.0) } else { *push };
 ///     }
 ///     fn refresh(&mut self) {
 ///         let [first, second] = self.pushes.map(|push| push.0);

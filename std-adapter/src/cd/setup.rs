@@ -178,7 +178,7 @@ impl<F> Setup<F> {
 ///
 /// ```
 /// use tribos::cd::solid;
-/// // A steel ball of 1 cm: 33 g, and an inertia of 2/5 m R².
+/// // A steel ball with a radius of 1 cm: 33 g, and an inertia of 2/5 m R².
 /// let ball = solid(0.01, 7850.0);
 /// assert!((1.0 / ball.inv_mass - 0.0329).abs() < 1e-4);
 /// assert!((ball.inv_mass / ball.inv_inertia - 0.4 * 0.01 * 0.01).abs() < 1e-18);

@@ -155,7 +155,7 @@ pub(super) struct Totals {
 /// drive(&mut compaction, |_, _| ())?;
 /// let outcome = compaction.outcome();
 /// assert!(outcome.porosity[1] < outcome.porosity[0]);
-/// // Spheres keep their volume: what is solid of a column goes up as the piston goes down.
+/// // Spheres keep their volume: the solid share grows as the height shrinks.
 /// let solid = |porosity: f64, height: f64| (1.0 - porosity) * height;
 /// let before = solid(outcome.porosity[0], compaction.deposit().height);
 /// assert!((solid(compaction.porosity(), compaction.height()) / before - 1.0).abs() < 1e-12);
@@ -328,7 +328,7 @@ impl Compaction {
     /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
     /// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
     /// let compaction = Compaction::new(&scene)?;
-    /// let frame = compaction.with_snapshot(|now| extended_xyz(now))?;
+    /// let frame = compaction.with_snapshot(extended_xyz)?;
     /// // A line a sphere, and two before them.
     /// assert_eq!(frame.lines().count(), compaction.deposit().positions.len() + 2);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

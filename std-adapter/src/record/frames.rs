@@ -41,6 +41,7 @@
 //! assert!((last.places[0].z - 3.0).abs() <= 0.51 * 10.0 / 65535.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
 //! # Format
 //!
 //! `bodies.json`: `format` (1), `body` (`powder` or `tip`), `frames` (how many are kept at most),

@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::record::{Snapshot, SnapshotError, particles_vtp};
+/// # use tribos::record::{Snapshot, particles_vtp};
 /// # use tribos::space::PeriodicBox;
 /// # let pair = Snapshot {
 /// #     time: 0.0,
