@@ -196,7 +196,10 @@ impl Crate {
     fn keep_examples(&mut self, path: &Path, attributes: &[Attribute]) {
         let lines: Vec<String> = attributes.iter().filter_map(documentation).collect();
         let text = lines.join("\n");
-        let examples = text.split("```").skip(1).step_by(2).map(String::from);
+        let blocks = text.split("```").skip(1).step_by(2);
+        let examples = blocks
+            .filter(|block| !block.starts_with("text"))
+            .map(String::from);
         self.examples
             .entry(path.to_owned())
             .or_default()

@@ -279,6 +279,7 @@ impl<R: Real> TallWrench<R> {
 /// let cylinder = TallFriction::<_, _, AllRound>::new(foot, 0.08)?; // centre of mass, m
 /// let wrench = cylinder.wrench(9.81, &Twist::new(1.0, 0.0, 10.0)).whole()?;
 /// assert!(wrench.force.x < 0.0 && wrench.force.y < 0.0);
+/// assert_eq!(cylinder.foot().radius(), 0.08);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

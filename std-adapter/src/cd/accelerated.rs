@@ -20,6 +20,36 @@ use super::nsgs::Effort;
 use super::operator::{Change, Impulse, Operator, Visit};
 
 /// Buffers of the iteration, kept from step to step.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::cd::{
+/// #     Accelerated, Goal, Link, Order, Spheres, Stop, Sweeper, residual, solve,
+/// # };
+/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// # let (up, dt) = (Vector3::z(), 1e-3);
+/// # let velocity = up * (-9.81 * dt);
+/// # let ball = Sphere { velocity, spin: Vector3::zeros(), inv_mass: 1.0, inv_inertia: 1e3 };
+/// # let floor = Plate { velocity: Vector3::zeros(), inv_mass: 0.0 };
+/// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+/// # let touch = Touch::spheres(&(up * 0.1), [0.05; 2])?;
+/// # let contact = Contact::new(&touch, &law, &ball, &ball, dt);
+/// # let mut column = Spheres::new([Thresholds::sliding(0.3)?; 2]);
+/// # column.free = (vec![ball; 20], vec![floor]);
+/// # column.pairs = (1..20).map(|top| Link { bodies: [top - 1, top], contact }).collect();
+/// # let touch = Touch::plate(0.05, &up, 0.05)?;
+/// # let contact = Contact::new(&touch, &law, &ball, &floor, dt);
+/// # column.walls.push(Link { bodies: [0, 0], contact });
+/// # column.start();
+/// // The weight of a column of twenty balls has to find its way down. For the work of 100 sweeps
+/// // momentum comes nearer to it than sweeps alone.
+/// let mut swept = column.clone();
+/// solve(&mut swept, &mut Sweeper::new(Order::Fixed, 0), Stop::Fixed, 100);
+/// let never = Goal { relative: 0.0, speed: 0.0 };
+/// Accelerated::default().solve(&mut column, never, 100);
+/// assert!(residual(&column).relative < 0.1 * residual(&swept).relative);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Accelerated<I> {
     /// Impulses before the sweep, y.

@@ -17,6 +17,33 @@ use nalgebra::Vector3;
 use tribos_core::contact::{AxialPart, ContactFriction, PlanarPart, Sphere};
 
 /// Energies of a run so far. *Units*: energy.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::cd::{Book, Link, Order, Spheres, Stop, Sweeper, Wall, solve};
+/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// # let (up, dt) = (Vector3::z(), 1e-3);
+/// # let (spin, velocity) = (Vector3::zeros(), Vector3::new(1.0, 0.0, -2.0));
+/// # let ball = Sphere { velocity, spin, inv_mass: 1.0, inv_inertia: 1e3 };
+/// # let floor = Plate { velocity: Vector3::zeros(), inv_mass: 0.0 };
+/// # let touch = Touch::plate(0.05, &up, 0.05)?;
+/// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+/// # let contact = Contact::new(&touch, &law, &ball, &floor, dt);
+/// # let mut problem = Spheres::new([Thresholds::sliding(0.0)?; 2]);
+/// # problem.free = (vec![ball], vec![floor]);
+/// # problem.walls.push(Link { bodies: [0, 0], contact });
+/// # problem.start();
+/// // A ball of 1 kg falls on a smooth floor at 2 m/s, does not rebound, and drifts on at 1 m/s.
+/// solve(&mut problem, &mut Sweeper::new(Order::Fixed, 0), Stop::Fixed, 1);
+/// let mut book = Book::default();
+/// let before = (&[ball][..], &[Wall::fixed(up, 0.0)][..]);
+/// book.enter(&[true], before, &problem, &Vector3::zeros(), dt);
+/// assert_eq!((book.normal, book.kinetic), (2.0, 0.5)); // J
+/// // What is left goes if the ball is stopped by hand.
+/// book.still(&problem.spheres[0]);
+/// assert_eq!((book.stilled, book.kinetic, book.imbalance()), (0.5, 0.0, 0.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Book {
     /// Work of walls' loads, of what drives walls, and of gravity.

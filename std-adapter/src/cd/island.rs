@@ -9,6 +9,26 @@ use tribos_core::contact::Sphere;
 const PATIENCE: u8 = 4;
 
 /// Who is awake.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::cd::{Book, Rest, solid};
+/// use tribos::kernel::contact::Touch;
+/// // Two balls that touch and do not move: after a few steps they sleep.
+/// let pairs = [([0, 1], Touch::spheres(&Vector3::new(0.02, 0.0, 0.0), [0.01; 2])?)];
+/// let mut balls = [solid(0.01, 2500.0); 2];
+/// let mut rest = Rest::new(2);
+/// for _ in 0..10 {
+///     rest.wake(1e-3, &pairs, &[], &[]);
+///     rest.settle(1e-3, &mut balls, &mut Book::default());
+/// }
+/// assert_eq!(rest.awake(), [false, false]);
+/// // Who is touched by somebody awake wakes up.
+/// let mut rest = Rest::restored(vec![false, true], rest.still().to_vec());
+/// rest.wake(1e-3, &pairs, &[], &[]);
+/// assert_eq!(rest.awake(), [true, true]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rest {
     awake: Vec<bool>,

@@ -4,9 +4,40 @@ use super::spheres::{Link, Spheres};
 use tribos_core::contact::{ContactFriction, Modal, Modes};
 
 /// The force of a contact that was, with the bodies that it joined.
+///
+/// See [`Memory`] for an example.
 pub type Kept<M> = ([u32; 2], Modal<f64, M>);
 
 /// Forces of contacts that were, in ascending order of their bodies.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::cd::{Kept, Link, Memory, Order, Spheres, Stop, Sweeper, solve};
+/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// # let (up, dt) = (Vector3::z(), 1e-3);
+/// # let (spin, velocity) = (Vector3::zeros(), Vector3::new(0.0, 0.0, -9.81 * dt));
+/// # let ball = Sphere { velocity, spin, inv_mass: 1.0, inv_inertia: 1e3 };
+/// # let floor = Plate { velocity: Vector3::zeros(), inv_mass: 0.0 };
+/// # let touch = Touch::plate(0.05, &up, 0.05)?;
+/// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+/// # let contact = Contact::new(&touch, &law, &ball, &floor, dt);
+/// # let mut problem = Spheres::new([Thresholds::sliding(0.3)?; 2]);
+/// # problem.free = (vec![ball], vec![floor]);
+/// # problem.walls.push(Link { bodies: [0, 0], contact });
+/// # problem.start();
+/// // A ball of 1 kg that rests on the floor, after a step of 1 ms.
+/// solve(&mut problem, &mut Sweeper::new(Order::Fixed, 0), Stop::Fixed, 1);
+/// let mut memory = Memory::default();
+/// memory.keep(&problem, dt, &[true]);
+/// let (bodies, force): Kept<_> = memory.forces[1][0];
+/// assert_eq!(bodies, [0, 0]); // sphere 0 and wall 0
+/// assert!((force.normal - 9.81).abs() < 1e-12);
+/// // The impulse that its next step begins with, if that is three times as long.
+/// memory.recall(&mut problem, 3.0 * dt);
+/// let guess = problem.walls[0].contact.impulse().normal;
+/// assert!((guess - 9.81 * 3.0 * dt).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Memory<M: Modes<f64>> {
     /// Bodies and mean force (impulse over step), pairs and walls.

@@ -29,6 +29,32 @@ pub enum Stop {
 }
 
 /// Sweeps over permutations or in turn.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::cd::{Change, Link, Order, Spheres, Sweeper};
+/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// # let (up, dt) = (Vector3::z(), 1e-3);
+/// # let (spin, velocity) = (Vector3::zeros(), Vector3::new(1.0, 0.0, -0.01));
+/// # let ball = Sphere { velocity, spin, inv_mass: 1.0, inv_inertia: 1e3 };
+/// # let floor = Plate { velocity: Vector3::zeros(), inv_mass: 0.0 };
+/// # let touch = Touch::plate(0.05, &up, 0.05)?;
+/// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+/// # let contact = Contact::new(&touch, &law, &ball, &floor, dt);
+/// # let mut problem = Spheres::new([Thresholds::sliding(0.3)?; 2]);
+/// # problem.free = (vec![ball], vec![floor]);
+/// # problem.walls.push(Link { bodies: [0, 0], contact });
+/// # problem.start();
+/// // A ball that slides on the floor: its one contact is solved by the first sweep, and the second
+/// // has nothing to do.
+/// let mut sweeper = Sweeper::new(Order::Alternating, 0);
+/// let [mut first, mut second] = [Change::default(); 2];
+/// sweeper.sweep(&mut problem, &mut first);
+/// sweeper.sweep(&mut problem, &mut second);
+/// assert!(first.relative() > 1.0); // all of the friction as well
+/// assert!(second.relative() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Sweeper {
     order: Order,
@@ -92,6 +118,40 @@ pub struct Effort {
 }
 
 /// Sweeps until `stop` or `most` sweeps.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::cd::{Effort, Link, Order, Spheres, Stop, Sweeper, solve};
+/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// # let (up, dt) = (Vector3::z(), 1e-3);
+/// # let velocity = up * (-9.81 * dt);
+/// # let ball = Sphere { velocity, spin: Vector3::zeros(), inv_mass: 1.0, inv_inertia: 1e3 };
+/// # let floor = Plate { velocity: Vector3::zeros(), inv_mass: 0.0 };
+/// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+/// # let touch = Touch::spheres(&(up * 0.1), [0.05; 2])?;
+/// # let contact = Contact::new(&touch, &law, &ball, &ball, dt);
+/// # let mut column = Spheres::new([Thresholds::sliding(0.3)?; 2]);
+/// # column.free = (vec![ball; 5], vec![floor]);
+/// # column.pairs = (1..5).map(|top| Link { bodies: [top - 1, top], contact }).collect();
+/// # let touch = Touch::plate(0.05, &up, 0.05)?;
+/// # let contact = Contact::new(&touch, &law, &ball, &floor, dt);
+/// # column.walls.push(Link { bodies: [0, 0], contact });
+/// # column.start();
+/// // A column of five balls of 1 kg: in any order of visits the floor comes to bear 5 kg.
+/// for order in [Order::Fixed, Order::Alternating, Order::Random { seed: 1 }] {
+///     let mut trial = column.clone();
+///     let mut sweeper = Sweeper::new(order, 0);
+///     let effort = solve(&mut trial, &mut sweeper, Stop::Global(1e-12), 1000);
+///     assert!(effort.met && effort.sweeps < 1000);
+///     let floor = trial.walls[0].contact.impulse().normal / dt;
+///     assert!((floor - 5.0 * 9.81).abs() < 1e-6);
+/// }
+/// // A fixed number of sweeps is always done.
+/// let mut sweeper = Sweeper::new(Order::Fixed, 0);
+/// let effort = solve(&mut column, &mut sweeper, Stop::Fixed, 3);
+/// assert_eq!(effort, Effort { sweeps: 3, met: true });
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn solve<O: Operator>(
     problem: &mut O,
     sweeper: &mut Sweeper,

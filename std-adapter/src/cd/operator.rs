@@ -1,6 +1,8 @@
 //! What a global solver needs to know of a contact problem, whatever its bodies are.
 
 /// An impulse of one contact: an element of a vector space.
+///
+/// See [`Operator`] for an example.
 pub trait Impulse: Copy + Default {
     /// `self` + `factor` · `other`
     #[must_use]
@@ -32,6 +34,64 @@ pub enum Visit<'a> {
 /// A contact problem: impulses at contacts, and bodies that answer to them.
 ///
 /// The operator holds the present impulses and the velocities that belong to them.
+///
+/// ```
+/// use tribos::cd::{Impulse, Operator, Order, Stop, Sweeper, Visit, Watch, solve};
+///
+/// /// Wagons of 1 t in a row; their buffers push and do not pull.
+/// struct Train {
+///     free: [f64; 3], // m/s, without contacts
+///     speeds: [f64; 3],
+///     pushes: [Push; 2],
+/// }
+/// #[derive(Clone, Copy, Default)]
+/// struct Push(f64); // t m/s
+///
+/// impl Impulse for Push {
+///     fn plus_scaled(&self, factor: f64, other: &Self) -> Self {
+///         Self(self.0 + factor * other.0)
+///     }
+/// }
+/// impl Operator for Train {
+///     type Impulse = Push;
+///     fn contacts(&self) -> usize {
+///         2
+///     }
+///     fn impulse(&self, contact: usize) -> Push {
+///         self.pushes[contact]
+///     }
+///     fn dot(&self, _: usize, a: &Push, b: &Push) -> f64 {
+///         a.0 * b.0
+///     }
+///     fn guess(&mut self, contact: usize, push: &Push) {
+///         self.pushes[contact] = if push.0 < 0.0 { Push(0.0) } else { *push };
+///     }
+///     fn refresh(&mut self) {
+///         let [first, second] = self.pushes.map(|push| push.0);
+///         let [a, b, c] = self.free;
+///         self.speeds = [a - first, b + first - second, c + second];
+///     }
+///     fn sweep<W: Watch>(&mut self, _: Visit<'_>, watch: &mut W) {
+///         for contact in 0..2 {
+///             // Half the closing speed: a wagon meets another of the same mass.
+///             let closing = self.speeds[contact] - self.speeds[contact + 1];
+///             let old = self.pushes[contact];
+///             self.guess(contact, &Push(old.0 + 0.5 * closing));
+///             let change = self.pushes[contact].0 - old.0;
+///             self.refresh();
+///             watch.see(change * change, self.pushes[contact].0, 2.0 * change.abs());
+///         }
+///     }
+/// }
+///
+/// // One wagon runs into two at rest, and takes them along.
+/// let free = [3.0, 0.0, 0.0];
+/// let mut train = Train { free, speeds: free, pushes: [Push(0.0); 2] };
+/// solve(&mut train, &mut Sweeper::new(Order::Fixed, 0), Stop::Local(1e-12), 100);
+/// for speed in train.speeds {
+///     assert!((speed - 1.0).abs() < 1e-9);
+/// }
+/// ```
 pub trait Operator {
     /// Impulse of one contact.
     type Impulse: Impulse;
@@ -57,6 +117,12 @@ pub trait Operator {
 }
 
 /// Sees nothing, costs nothing.
+///
+/// ```
+/// use tribos::cd::{Blind, Watch};
+/// Blind.see(1.0, 1.0, 1.0);
+/// assert_eq!(size_of::<Blind>(), 0);
+/// ```
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Blind;
 
@@ -70,6 +136,18 @@ impl Watch for Blind {
 }
 
 /// How much one sweep changed.
+///
+/// ```
+/// use tribos::cd::{Change, Watch};
+/// // Two contacts: |Δp| of 3 and 4 where P is 10 each, and no speed but 0.2 at the second.
+/// let mut change = Change::default();
+/// change.see(9.0, 10.0, 0.0);
+/// let mut other = change.fork(); // on another thread
+/// other.see(16.0, 10.0, 0.2);
+/// change.join(&other);
+/// assert!((change.relative() - (25.0_f64 / 200.0).sqrt()).abs() < 1e-15);
+/// assert_eq!((change.relative_mean(), change.speed), (7.0 / 20.0, 0.2));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Change {
     /// Σ |Δp|²
@@ -129,6 +207,15 @@ impl Watch for Change {
 }
 
 /// Counts contacts whose impulse changed by more than a fraction of P.
+///
+/// ```
+/// use tribos::cd::{Restless, Watch};
+/// let mut watch = Restless::above(0.1);
+/// watch.see(0.5 * 0.5, 10.0, 0.0); // |Δp| is a twentieth of P
+/// watch.see(2.0 * 2.0, 10.0, 0.0); // a fifth
+/// watch.see(f64::NAN, 10.0, 0.0); // never at rest
+/// assert_eq!(watch.count, 2);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Restless {
     tolerance_sq: f64,

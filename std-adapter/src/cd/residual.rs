@@ -13,6 +13,8 @@ use tribos_core::limit_surface::FrictionSet;
 use tribos_core::twist::{Twist, Wrench};
 
 /// Violation of the contact laws. *Units*: those of the problem.
+///
+/// See [`residual`] for an example.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residual {
     /// Largest speed at which a closed contact still closes; times the step, the overlap made in it.
@@ -26,6 +28,20 @@ pub struct Residual {
 }
 
 /// Coefficients of friction as the residual needs them.
+///
+/// ```
+/// use tribos::cd::Coefficients;
+/// use tribos::kernel::contact::{AllModes, CoupledFriction, Thresholds};
+/// use tribos::kernel::limit_surface::Ellipsoid;
+/// let apart = Thresholds::<f64, AllModes>::all(0.3, 0.1, 0.05)?;
+/// assert_eq!(apart.coefficients(), [0.3, 0.1, 0.05]);
+/// assert!(apart.joint().is_none());
+/// // A round contact of half the effective radius: μ_n is 2/3 of μ/2 under uniform pressure.
+/// let together = CoupledFriction::all(Ellipsoid::new(0.3, 0.5, 2.0 / 3.0)?, 0.1)?;
+/// assert!((together.coefficients()[2] - 0.1).abs() < 1e-15);
+/// assert!(together.joint().is_some());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Coefficients {
     /// μ, μ_t and μ_n.
     fn coefficients(&self) -> [f64; 3];
@@ -54,6 +70,29 @@ impl<M> Coefficients for Thresholds<f64, M> {
 }
 
 /// Judges a problem.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::cd::{Link, Order, Residual, Spheres, Stop, Sweeper, residual, solve};
+/// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// # let (up, dt) = (Vector3::z(), 1e-3);
+/// # let (spin, velocity) = (Vector3::zeros(), Vector3::new(1.0, 0.0, -2.0));
+/// # let ball = Sphere { velocity, spin, inv_mass: 1.0, inv_inertia: 1e3 };
+/// # let floor = Plate { velocity: Vector3::zeros(), inv_mass: 0.0 };
+/// # let touch = Touch::plate(0.05, &up, 0.05)?;
+/// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+/// # let contact = Contact::new(&touch, &law, &ball, &floor, dt);
+/// # let mut problem = Spheres::new([Thresholds::sliding(0.3)?; 2]);
+/// # problem.free = (vec![ball], vec![floor]);
+/// # problem.walls.push(Link { bodies: [0, 0], contact });
+/// # problem.start();
+/// // A ball that comes down at 2 m/s and slides: without an impulse it would enter the floor.
+/// assert_eq!(residual(&problem).penetration, 2.0);
+/// solve(&mut problem, &mut Sweeper::new(Order::Fixed, 0), Stop::Fixed, 1);
+/// let left: Residual = residual(&problem);
+/// assert!(left.relative < 1e-15 && left.penetration <= 0.0 && left.excess < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn residual<F>(problem: &Spheres<F>) -> Residual
 where
     F: ContactFriction<f64> + Coefficients,

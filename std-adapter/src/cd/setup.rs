@@ -7,6 +7,17 @@ use nalgebra::Vector3;
 use tribos_core::contact::{NormalLaw, Plate, Sphere, TouchError};
 
 /// A plane that bounds the space of the spheres: a wall, or a piston if it has a finite mass.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::cd::Wall;
+/// let floor = Wall::fixed(Vector3::z(), 0.0);
+/// assert_eq!(floor.plate.inv_mass, 0.0); // no force moves it
+/// // A lid of 2 kg under its own weight, 10 cm above: its normal points down, into the box.
+/// let lid = Wall::piston(-Vector3::z(), -0.1, 2.0, 2.0 * 9.81);
+/// assert_eq!(lid.force * lid.plate.inv_mass, 9.81);
+/// assert_eq!(lid.outward.dot(&Vector3::new(0.3, 0.2, 0.1)), lid.place); // a point of it
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wall {
     /// Unit normal, into the space of the spheres.
@@ -40,6 +51,19 @@ impl Wall {
 }
 
 /// Contact laws of a world.
+///
+/// ```
+/// use tribos::cd::Laws;
+/// use tribos::kernel::contact::{Attraction, Cohesion, NormalLaw, Thresholds};
+/// // Cohesive spheres that also roll and spin with resistance, between walls without friction.
+/// let cohesion = Cohesion::new(1.0, 0.01, Attraction::Pull)?;
+/// let rough = Thresholds::all(0.3, 0.1, 0.1)?;
+/// let alike = Laws::uniform(NormalLaw::new(cohesion, 0.0)?, rough);
+/// let laws = Laws { friction: [rough, Thresholds::all(0.0, 0.0, 0.0)?], ..alike };
+/// assert_eq!(laws.normal[0], laws.normal[1]);
+/// assert_eq!(laws.friction.map(|law| law.mu()), [0.3, 0.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Laws<F> {
     /// Along the normal: between spheres, and at walls.
@@ -69,6 +93,8 @@ pub struct Pace {
 }
 
 /// A world at time 0.
+///
+/// The [module](super) has an example.
 #[derive(Clone, Debug)]
 pub struct Setup<F> {
     /// Periodic axes.
@@ -149,6 +175,14 @@ impl<F> Setup<F> {
 }
 
 /// A solid sphere at rest.
+///
+/// ```
+/// use tribos::cd::solid;
+/// // A steel ball with a radius of 1 cm: 33 g, and an inertia of 2/5 m R².
+/// let ball = solid(0.01, 7850.0);
+/// assert!((1.0 / ball.inv_mass - 0.0329).abs() < 1e-4);
+/// assert!((ball.inv_mass / ball.inv_inertia - 0.4 * 0.01 * 0.01).abs() < 1e-18);
+/// ```
 pub fn solid(radius: f64, density: f64) -> Sphere<f64> {
     let mass = 4.0 / 3.0 * std::f64::consts::PI * (radius * radius * radius) * density;
     Sphere {
@@ -160,6 +194,38 @@ pub fn solid(radius: f64, density: f64) -> Sphere<f64> {
 }
 
 /// A world that cannot start or go on.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::cd::{
+/// #     Laws, Method, Order, Pace, Setup, Solver, Stop, World, WorldError, solid,
+/// # };
+/// # use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
+/// # use tribos::space::PeriodicBox;
+/// # let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, Thresholds::none());
+/// # let setup = Setup {
+/// #     space: PeriodicBox::OPEN,
+/// #     positions: vec![Vector3::zeros(), Vector3::x() * 0.1],
+/// #     radii: vec![0.05; 2],
+/// #     spheres: vec![solid(0.05, 1900.0); 2],
+/// #     walls: Vec::new(),
+/// #     laws: smooth,
+/// #     gravity: Vector3::zeros(),
+/// #     pace: Pace { longest: 1e-3, motion: 0.01 },
+/// #     solver: Solver {
+/// #         method: Method::GaussSeidel { order: Order::Fixed, stop: Stop::Local(1e-9) },
+/// #         most_sweeps: 100,
+/// #         warm_start: true,
+/// #     },
+/// #     still_speed: 0.0,
+/// # };
+/// // Two balls, but a radius for one of them alone.
+/// let short = World::new(Setup { radii: vec![0.05], ..setup.clone() });
+/// assert!(matches!(short, Err(WorldError::Count { positions: 2, radii: 1, spheres: 2 })));
+/// let stuck = World::new(Setup { pace: Pace { longest: 0.0, motion: 0.01 }, ..setup });
+/// assert!(matches!(stuck, Err(WorldError::Pace { .. })));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, thiserror::Error)]
 pub enum WorldError {
     /// Two bodies have no normal.

@@ -23,6 +23,8 @@ pub enum Method {
 }
 
 /// How contacts are solved.
+///
+/// The [module](super) has an example.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solver {
     /// The method.

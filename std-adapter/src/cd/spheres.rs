@@ -13,6 +13,8 @@ impl<M: Modes<f64>> Impulse for Modal<f64, M> {
 }
 
 /// A contact and the bodies that it joins.
+///
+/// See [`Spheres`] for an example.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Link<M: Modes<f64>> {
     /// First body, a sphere; second body, a sphere or a plate.
@@ -24,6 +26,35 @@ pub struct Link<M: Modes<f64>> {
 /// The contact problem of one time step.
 ///
 /// Contacts are numbered: pairs of spheres first, those with plates after them.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::cd::{Link, Order, Spheres, Stop, Sweeper, solve};
+/// use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
+/// // Two balls of 1 kg and 5 cm, one upon the other; gravity has pulled for 1 ms.
+/// let (up, dt) = (Vector3::z(), 1e-3);
+/// let velocity = up * (-9.81 * dt);
+/// let ball = Sphere { velocity, spin: Vector3::zeros(), inv_mass: 1.0, inv_inertia: 1e3 };
+/// let floor = Plate { velocity: Vector3::zeros(), inv_mass: 0.0 };
+/// let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
+/// let mut stack = Spheres::new([Thresholds::sliding(0.3)?; 2]);
+/// stack.free = (vec![ball; 2], vec![floor]);
+/// let touch = Touch::spheres(&(up * 0.1), [0.05; 2])?;
+/// let contact = Contact::new(&touch, &law, &ball, &ball, dt);
+/// stack.pairs.push(Link { bodies: [0, 1], contact });
+/// let touch = Touch::plate(0.05, &up, 0.05)?;
+/// let contact = Contact::new(&touch, &law, &ball, &floor, dt);
+/// stack.walls.push(Link { bodies: [0, 0], contact });
+/// stack.start();
+/// let effort = solve(&mut stack, &mut Sweeper::new(Order::Fixed, 0), Stop::Local(1e-12), 1000);
+/// assert!(effort.met);
+/// // The lower ball carries one weight, the floor two.
+/// let forces = stack.links().map(|link| link.contact.impulse().normal / dt);
+/// for (force, weight) in forces.zip([9.81, 2.0 * 9.81]) {
+///     assert!((force - weight).abs() < 1e-9);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Spheres<F: ContactFriction<f64>> {
     /// Spheres with the velocities that belong to the present impulses.

@@ -50,6 +50,50 @@ pub struct State<M: Modes<f64>> {
 }
 
 /// Spheres, walls and their contacts.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::cd::{
+/// #     Laws, Method, Order, Pace, Setup, Solver, State, StepReport, Stop, World, solid,
+/// # };
+/// # use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
+/// # use tribos::space::PeriodicBox;
+/// # let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, Thresholds::none());
+/// # let setup = Setup {
+/// #     space: PeriodicBox::OPEN,
+/// #     positions: vec![Vector3::zeros(), Vector3::x() * 0.1],
+/// #     radii: vec![0.05; 2],
+/// #     spheres: vec![solid(0.05, 1900.0); 2],
+/// #     walls: Vec::new(),
+/// #     laws: smooth,
+/// #     gravity: Vector3::zeros(),
+/// #     pace: Pace { longest: 1e-3, motion: 0.01 },
+/// #     solver: Solver {
+/// #         method: Method::GaussSeidel { order: Order::Fixed, stop: Stop::Local(1e-9) },
+/// #         most_sweeps: 100,
+/// #         warm_start: true,
+/// #     },
+/// #     still_speed: 0.0,
+/// # };
+/// // Two ivory balls at rest touch. The first is struck and hands all of its speed to the second.
+/// let mut world = World::new(setup)?;
+/// world.state_mut().spheres[0].velocity.x = 2.0;
+/// let before: State<_> = world.state().clone();
+/// let report: StepReport = world.step()?;
+/// assert!(report.effort.met && report.contacts == 1);
+/// let speeds: Vec<f64> = world.state().spheres.iter().map(|ball| ball.velocity.x).collect();
+/// assert!(speeds[0].abs() < 1e-12 && (speeds[1] - 2.0).abs() < 1e-12);
+/// // The contact carried the momentum.
+/// let link = &world.problem().pairs[0];
+/// let momentum = speeds[1] / world.state().spheres[1].inv_mass;
+/// assert!((link.contact.impulse().normal - momentum).abs() < 1e-12);
+///
+/// // A world that goes on from a state takes the same steps to the bit.
+/// let mut again = World::resume(world.setup().clone(), before);
+/// again.step()?;
+/// assert_eq!(again.state(), world.state());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct World<F: ContactFriction<f64>> {
     pub(super) setup: Setup<F>,

@@ -18,6 +18,24 @@ const LOAD_DEVIATION: f64 = 1e-2;
 const UNBALANCED: f64 = 1e-2;
 
 /// Sums over the steps of a window, each weighted with its length.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// use tribos::powder::{Means, Stress, Window};
+/// use tribos::scene::Criterion;
+/// // A piston of mass 100 on an area of 100 stands at 60 under a load of 0.5.
+/// let plus = Matrix3::from_diagonal(&Vector3::new(0.0, 0.0, 0.005));
+/// let stress = Stress { plus, minus: Matrix3::zeros() };
+/// let mut window = Window::starting(60.0);
+/// while !window.is_full(100.0, 0.5) {
+///     window.add(0.1, &stress, [0.5, 0.0, 0.2]);
+/// }
+/// let means: Means = window.means(60.0);
+/// assert!((means.piston - 0.5).abs() < 1e-12);
+/// assert!(means.is_blocked(Criterion::Balance, 0.005, 100.0));
+/// // Under twice the pressure the same forces would not balance.
+/// assert!(!means.is_blocked(Criterion::Balance, 0.01, 100.0));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Window {
     /// Steps so far.
@@ -34,6 +52,8 @@ pub struct Window {
 }
 
 /// Means over a window.
+///
+/// See [`Window`] for an example.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Means {
     /// |Change of the piston's height|, a length.

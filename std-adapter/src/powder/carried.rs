@@ -7,6 +7,14 @@ use tribos_core::contact::{
 };
 
 /// Modes of a contact for which there is a type; what is not named is neither stored nor computed.
+///
+/// ```
+/// use tribos::powder::CarriedModes;
+/// let modes = CarriedModes::SlidingTorsion;
+/// assert_eq!(modes.has(), [true, false, true]);
+/// assert_eq!(modes.unknowns(), 4); // normal, two of sliding, torsion
+/// assert!(modes.bytes() < CarriedModes::All.bytes());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CarriedModes {
     /// The normal force alone.
@@ -35,11 +43,13 @@ impl PowderScene {
     /// coefficient of zero in it are carried but never resist.
     ///
     /// ```
-    /// use tribos::scene::{Scene, parse_scene};
+    /// use tribos::powder::{Carried, CarriedModes};
+    /// use tribos::scene::{Coupling, Scene, parse_scene};
+    /// // Sliding resists unless it is switched off.
     /// let text = "body = \"powder\"\nwidth = 6\nheight = 8\ntorsion = 0.1";
-    /// if let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? {
-    ///     assert_eq!(scene.carried().modes.unknowns(), 4); // normal, two of sliding, torsion
-    /// }
+    /// let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+    /// let (modes, coupling) = (CarriedModes::SlidingTorsion, Coupling::Independent);
+    /// assert_eq!(scene.carried(), Carried { modes, coupling });
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn carried(&self) -> Carried {

@@ -41,6 +41,21 @@ pub const COLUMNS: [&str; 15] = [
 const RESIDUAL: usize = 7;
 
 /// Why a run ended.
+///
+/// ```
+/// use tribos::powder::{Compaction, Ending};
+/// use tribos::run::drive;
+/// # use tribos::scene::{Scene, parse_scene};
+/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nsteps = 10";
+/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// // A scene of ten steps: too few to be blocked.
+/// let mut compaction = Compaction::new(&scene)?;
+/// assert_eq!(compaction.ending(), None);
+/// drive(&mut compaction, |_, _| ())?;
+/// assert_eq!((compaction.ending(), compaction.steps()), (Some(Ending::Steps), 10));
+/// assert_eq!(Ending::Steps.name(), "steps");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
     /// The packing is blocked.
@@ -68,6 +83,17 @@ impl Ending {
 }
 
 /// A compaction that cannot start or go on.
+///
+/// ```
+/// use tribos::powder::{Compaction, CompactionError};
+/// use tribos::record::CheckpointError;
+/// # use tribos::scene::{Scene, parse_scene};
+/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// let refused = Compaction::resume(&scene, "{}");
+/// assert!(matches!(refused, Err(CompactionError::Checkpoint(CheckpointError::Format(_)))));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, thiserror::Error)]
 pub enum CompactionError {
     /// The deposit cannot be grown.
@@ -120,16 +146,23 @@ pub(super) struct Totals {
 /// A compaction under way.
 ///
 /// ```
-/// use tribos::powder::Compaction;
+/// use tribos::powder::{COLUMNS, Compaction};
 /// use tribos::run::drive;
 /// use tribos::scene::{Scene, parse_scene};
 /// let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-/// if let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? {
-///     let mut compaction = Compaction::new(&scene)?;
-///     drive(&mut compaction, |_, _| ())?;
-///     let outcome = compaction.outcome();
-///     assert!(outcome.porosity[1] < outcome.porosity[0]);
-/// }
+/// let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// let mut compaction = Compaction::new(&scene)?;
+/// drive(&mut compaction, |_, _| ())?;
+/// let outcome = compaction.outcome();
+/// assert!(outcome.porosity[1] < outcome.porosity[0]);
+/// // Spheres keep their volume: the solid share grows as the height shrinks.
+/// let solid = |porosity: f64, height: f64| (1.0 - porosity) * height;
+/// let before = solid(outcome.porosity[0], compaction.deposit().height);
+/// assert!((solid(compaction.porosity(), compaction.height()) / before - 1.0).abs() < 1e-12);
+/// // The last line of the series is the end.
+/// let column = COLUMNS.iter().position(|name| *name == "porosity");
+/// let last = compaction.series().last().zip(column).map(|(line, column)| line[column]);
+/// assert_eq!(last, Some(outcome.porosity[1]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
@@ -158,6 +191,27 @@ impl Compaction {
 
     /// Goes on from a [checkpoint](Compaction::checkpoint) of a run of the same scene, to the same
     /// bits as without the break. One that had ended is at its end again, and takes no more steps.
+    ///
+    /// ```
+    /// use tribos::powder::Compaction;
+    /// use tribos::run::Simulation;
+    /// # use tribos::scene::{Scene, parse_scene};
+    /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+    /// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+    /// let mut whole = Compaction::new(&scene)?;
+    /// for _ in 0..5 {
+    ///     whole.step()?;
+    /// }
+    /// let kept = whole.checkpoint();
+    /// whole.step()?;
+    ///
+    /// let mut broken = Compaction::resume(&scene, &kept)?;
+    /// assert_eq!(broken.steps(), 5);
+    /// broken.step()?;
+    /// assert_eq!(broken.last_step(), whole.last_step());
+    /// assert_eq!(broken.contacts(), whole.contacts()); // forces to the bit
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn resume(scene: &PowderScene, checkpoint: &str) -> Result<Self, CompactionError> {
         let checkpoint = Checkpoint::read(checkpoint, scene)?;
         Self::begin(scene, Some(checkpoint))
@@ -266,6 +320,19 @@ impl Compaction {
     }
 
     /// Hands the present state to `export`.
+    ///
+    /// ```
+    /// use tribos::powder::Compaction;
+    /// use tribos::record::extended_xyz;
+    /// # use tribos::scene::{Scene, parse_scene};
+    /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+    /// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+    /// let compaction = Compaction::new(&scene)?;
+    /// let frame = compaction.with_snapshot(extended_xyz)?;
+    /// // A line a sphere, and two before them.
+    /// assert_eq!(frame.lines().count(), compaction.deposit().positions.len() + 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn with_snapshot<T>(&self, export: impl FnOnce(&Snapshot<'_>) -> T) -> T {
         let spheres = self.packing.spheres();
         let velocities: Vec<_> = spheres.iter().map(|sphere| sphere.velocity).collect();

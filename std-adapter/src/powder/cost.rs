@@ -12,6 +12,19 @@ use std::time::Instant;
 use tribos_core::contact::Sphere;
 
 /// What a scene will carry. *Units*: times in s on one core of this machine.
+///
+/// ```
+/// use tribos::powder::{PowderCost, cost};
+/// # use tribos::scene::{Scene, parse_scene};
+/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// // A small powder whose contacts slide with friction: a normal and two tangential unknowns.
+/// let cost = cost(&scene)?;
+/// assert_eq!((cost.unknowns, PowderCost::unknowns_without(&scene, 0)), (3, 1));
+/// assert!(cost.memory() > cost.contacts[1] * cost.bytes); // and the spheres
+/// assert!(cost.update_seconds > 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PowderCost {
     /// Spheres of its deposit.

@@ -26,6 +26,19 @@ impl Compaction {
     }
 
     /// The present state; the deposit's contacts before the first step carry nothing.
+    ///
+    /// ```
+    /// use tribos::powder::Compaction;
+    /// # use tribos::scene::{Scene, parse_scene};
+    /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+    /// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+    /// let compaction = Compaction::new(&scene)?;
+    /// let (bodies, first) = (compaction.bodies(100), compaction.frame());
+    /// assert_eq!(first.places.len(), bodies.radii.len());
+    /// assert_eq!((first.step, first.height), (0, compaction.height()));
+    /// assert!(first.speeds.iter().all(|speed| *speed == 0.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn frame(&self) -> Frame {
         let (scene, radii) = (self.scene(), &self.deposit().radii);
         let [width, top] = [scene.width, self.height()].map(|side| side as f32);

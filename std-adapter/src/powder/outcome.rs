@@ -10,6 +10,31 @@ use nalgebra::Matrix3;
 use serde_json::{Map, Value};
 
 /// What came out of a compaction, in the units of its scene.
+///
+/// ```
+/// use tribos::powder::{Compaction, Outcome};
+/// use tribos::run::Simulation;
+/// # use tribos::scene::{Scene, parse_scene};
+/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// // A compaction after a hundred steps.
+/// let mut compaction = Compaction::new(&scene)?;
+/// for _ in 0..100 {
+///     compaction.step()?;
+/// }
+/// let outcome: Outcome = compaction.outcome();
+/// assert_eq!((outcome.ending, outcome.steps), (None, 100));
+/// // What pushes and what pulls add up.
+/// let [all, pushes, pulls] = outcome.stress_zz();
+/// assert!((all - pushes - pulls).abs() < 1e-12 && pulls <= 0.0);
+/// // The work of the piston's load is lost or kept, and none is missing.
+/// let lost: f64 = outcome.dissipation().iter().map(|(_, energy)| energy).sum();
+/// let book = &outcome.book;
+/// let missing = book.work - lost - book.stilled - book.kinetic;
+/// assert!(missing.abs() < 1e-9 * book.work);
+/// assert_eq!(outcome.json(&scene)["steps"], 100);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// Why it ended; `None` if it has not.

@@ -20,6 +20,22 @@ use tribos_core::law::LawError;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, SurfaceError};
 
 /// Number of the piston among the walls.
+///
+/// ```
+/// use tribos::powder::{Compaction, PISTON};
+/// use tribos::record::Partner;
+/// use tribos::run::drive;
+/// # use tribos::scene::{Scene, parse_scene};
+/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// // In a packing that is blocked the spheres below the piston bear its load.
+/// let mut compaction = Compaction::new(&scene)?;
+/// drive(&mut compaction, |_, _| ())?;
+/// let below = compaction.contacts().iter().filter(|row| row.b == Partner::Wall(PISTON));
+/// let force: f64 = below.map(|row| row.force.z).sum();
+/// assert!((force / scene.load() - 1.0).abs() < 0.05);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub const PISTON: u32 = 1;
 
 /// Cohesion and density are the units.

@@ -12,6 +12,28 @@ const IDLE: f64 = 1e-9;
 const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 
 /// Numbers about the contacts of a packing. *Units*: R, F_coh.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::powder::Statistics;
+/// use tribos::record::{ContactRow, Partner};
+/// // Three spheres in a row from a wall on.
+/// let (normal, torque) = (Vector3::x(), Vector3::zeros());
+/// let touch = |a, b, force| ContactRow { a, b, normal, gap: 0.0, force, torque };
+/// let contacts = [
+///     touch(0, Partner::Wall(0), Vector3::new(3.0, 0.0, 0.0)),
+///     // A push of 3 and the cohesion of 1: the threshold of sliding lies at 0.3 of their sum.
+///     touch(0, Partner::Particle(1), Vector3::new(3.0, 0.0, 1.2)),
+///     touch(1, Partner::Particle(2), Vector3::new(-0.5, 0.0, 0.0)),
+/// ];
+/// let found = Statistics::of(&contacts, &[1.0; 3], [0.3, 0.0, 0.0], 0.01);
+/// assert_eq!((found.contacts, found.wall_contacts), (2, 1));
+/// assert_eq!(found.coordination, [0, 1, 2]); // one sphere has one contact, two have two
+/// assert_eq!(found.mean_coordination(), 5.0 / 3.0);
+/// assert_eq!(found.signs, [1, 1]); // one pushes, one pulls
+/// assert_eq!(found.at_threshold, [Some(0.5), None, None]);
+/// assert_eq!(found.json()["tension"]["largest"].as_f64(), Some(0.5));
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statistics {
     /// Contacts between spheres.

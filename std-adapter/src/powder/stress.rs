@@ -9,6 +9,25 @@ use nalgebra::{Matrix3, Vector3};
 /// centre to the second, or straight to the wall: the sign of the thesis turned, so that the piston's
 /// pressure counts as positive. With wall contacts in the sum, σ_zz is the pressure on the piston
 /// wherever all forces balance.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::powder::Stress;
+/// use tribos::record::{ContactRow, Partner};
+/// // One sphere of radius 1 between plates of 10 × 10 that press it with 3 F_coh.
+/// let (up, torque) = (Vector3::z(), Vector3::zeros());
+/// let plate = |wall, normal| {
+///     let (b, force) = (Partner::Wall(wall), normal * 3.0);
+///     ContactRow { a: 0, b, normal, gap: 0.0, force, torque }
+/// };
+/// let contacts = [plate(0, -up), plate(1, up)];
+/// let stress = Stress::of(&contacts, |row| row.normal, 10.0 * 10.0 * 2.0);
+/// assert!((stress.total().m33 - 0.03).abs() < 1e-15); // force over area
+/// assert_eq!(stress.total(), stress.plus); // nothing pulls
+/// // The mean of this state and one without forces.
+/// let mean = Stress::default().plus_scaled(0.5, &stress);
+/// assert!((mean.total().m33 - 0.015).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stress {
     /// Share of contacts whose normal force pushes.

@@ -4,6 +4,14 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// A file could not be written; whatever stood there before still does.
+///
+/// ```
+/// use std::io::{Error, ErrorKind};
+/// use tribos::record::WriteError;
+/// let full = WriteError { path: "run.csv".into(), cause: Error::from(ErrorKind::StorageFull) };
+/// assert!(full.is_out_of_room());
+/// assert!(full.to_string().starts_with("cannot write run.csv: "));
+/// ```
 #[derive(Debug, thiserror::Error)]
 #[error("cannot write {}: {cause}", path.display())]
 pub struct WriteError {
@@ -27,6 +35,18 @@ impl WriteError {
 
 /// Writes `bytes` to `path` through a temporary file in the same folder, which is made if missing.
 /// Once it returns, the file outlives the program and the machine's power.
+///
+/// ```
+/// use tribos::record::write_atomically;
+/// let home = tempfile::tempdir()?;
+/// let file = home.path().join("out/speed.csv");
+/// write_atomically(&file, b"time,speed\n")?;
+/// assert_eq!(std::fs::read(&file)?, b"time,speed\n");
+/// // A folder is not overwritten by a file, and nothing half-written stays behind.
+/// assert!(write_atomically(&home.path().join("out"), b"").is_err());
+/// assert_eq!(std::fs::read_dir(home.path())?.count(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     let fail = |cause| WriteError {
         path: path.to_path_buf(),

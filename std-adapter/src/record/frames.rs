@@ -3,6 +3,45 @@
 //!
 //! A folder of frames holds `bodies.json`, what stays the same, and `<step>.frame`, one state a file.
 //!
+//! ```
+//! use nalgebra::Vector3;
+//! use tribos::record::frames::{Bodies, Frame, FrameFolder, Kind};
+//!
+//! // A sphere of radius 1 that sinks from 8 to 3 in 1000 steps; at most 20 frames of it.
+//! let bodies = Bodies {
+//!     kind: Kind::Powder,
+//!     limit: 20,
+//!     stride: 1,
+//!     periods: [10.0; 2],
+//!     radii: vec![1.0],
+//!     layers: Vec::new(),
+//!     parts: Vec::new(),
+//!     marked: Vec::new(),
+//! };
+//! let state = |step: u64| Frame {
+//!     step,
+//!     corners: [[0.0; 3], [10.0; 3]],
+//!     places: vec![Vector3::new(5.0, 5.0, 8.0 - 0.005 * step as f64)],
+//!     speeds: vec![0.005],
+//!     ..Frame::default()
+//! };
+//! # let home = tempfile::tempdir()?;
+//! # let path = home.path().join("frames");
+//! let mut film = FrameFolder::begin(&path, &bodies)?;
+//! for step in 0..1000 {
+//!     if film.wants(step) {
+//!         film.add(&state(step));
+//!     }
+//! }
+//! film.finish(&state(1000))?;
+//!
+//! let steps = FrameFolder::steps(&path)?;
+//! assert!(steps.len() <= 20 && steps.contains(&0) && steps.contains(&1000));
+//! let last = FrameFolder::read(&path, &bodies, 1000)?;
+//! assert!((last.places[0].z - 3.0).abs() <= 0.51 * 10.0 / 65535.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Format
 //!
 //! `bodies.json`: `format` (1), `body` (`powder` or `tip`), `frames` (how many are kept at most),

@@ -8,6 +8,25 @@ use serde_json::{Map, Value};
 const DIGITS: usize = 16;
 
 /// A checkpoint that a run cannot go on from.
+///
+/// ```
+/// use tribos::powder::{Compaction, CompactionError};
+/// use tribos::record::CheckpointError;
+/// use tribos::scene::{Scene, parse_scene};
+/// let scene = |pressure: &str| {
+///     let text = "body = \"powder\"\nwidth = 6\nheight = 8";
+///     parse_scene("tiny.toml", text, &[format!("pressure={pressure}")])
+/// };
+/// let Scene::Powder(light) = scene("0.01")? else { unreachable!() };
+/// let Scene::Powder(heavy) = scene("0.02")? else { unreachable!() };
+/// let kept = Compaction::new(&light)?.checkpoint();
+/// let refused = Compaction::resume(&heavy, &kept);
+/// assert!(matches!(
+///     refused,
+///     Err(CompactionError::Checkpoint(CheckpointError::Scene { key, .. })) if key == "pressure"
+/// ));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CheckpointError {
     /// Not what this version writes.

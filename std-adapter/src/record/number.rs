@@ -3,6 +3,14 @@
 use serde_json::Value;
 
 /// `value` with 17 significant digits, which identify every f64; `inf`, `-inf` or `nan` otherwise.
+///
+/// ```
+/// use tribos::record::number;
+/// // The f64 next to 0.1 lies a little above it.
+/// assert_eq!(number(0.1), "1.0000000000000001e-1");
+/// assert_eq!(number(0.1).parse(), Ok(0.1));
+/// assert_eq!(number(f64::NEG_INFINITY), "-inf");
+/// ```
 pub fn number(value: f64) -> String {
     if value.is_finite() {
         format!("{value:.16e}")
@@ -16,6 +24,12 @@ pub fn number(value: f64) -> String {
 }
 
 /// `value` as JSON with 17 significant digits; infinities and NaN, which JSON lacks, as strings.
+///
+/// ```
+/// use tribos::record::json_number;
+/// assert_eq!(json_number(9.81).as_f64(), Some(9.81));
+/// assert_eq!(json_number(f64::NAN), "nan");
+/// ```
 pub fn json_number(value: f64) -> Value {
     let text = number(value);
     match text.parse::<serde_json::Number>() {

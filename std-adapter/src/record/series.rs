@@ -3,6 +3,15 @@
 use super::number;
 
 /// CSV text with a header line and one line per row, 17 significant digits each.
+///
+/// ```
+/// use tribos::record::series_csv;
+/// // A body that brakes evenly from 1 m/s to half of it.
+/// let rows = [[0.0, 1.0], [2.0, 0.5]];
+/// let text = series_csv(&["time", "speed"], rows.iter().map(|row| &row[..]));
+/// assert_eq!(text.lines().next(), Some("time,speed"));
+/// assert_eq!(text.lines().last(), Some("2.0000000000000000e0,5.0000000000000000e-1"));
+/// ```
 pub fn series_csv<'a>(columns: &[&str], rows: impl IntoIterator<Item = &'a [f64]>) -> String {
     let mut text = columns.join(",");
     text.push('\n');

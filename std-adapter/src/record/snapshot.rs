@@ -4,6 +4,29 @@ use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 
 /// Particles and contacts at one time, borrowed. Any consistent units.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::record::{Snapshot, SnapshotError};
+/// use tribos::space::PeriodicBox;
+/// let pair = Snapshot {
+///     time: 0.0,
+///     space: PeriodicBox::OPEN,
+///     extents: [[-1.0, 3.0], [-1.0, 1.0], [-1.0, 1.0]],
+///     positions: &[Vector3::zeros(), Vector3::x() * 2.0],
+///     radii: &[1.0; 2],
+///     velocities: None,
+///     spins: None,
+///     species: None,
+///     contacts: &[],
+/// };
+/// assert_eq!(pair.check(), Ok(()));
+/// let short = Snapshot { radii: &[1.0], ..pair };
+/// assert_eq!(
+///     short.check(),
+///     Err(SnapshotError::Lengths { name: "radii", positions: 2, given: 1 })
+/// );
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Snapshot<'a> {
     /// The time.
@@ -27,6 +50,22 @@ pub struct Snapshot<'a> {
 }
 
 /// One contact.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::record::{ContactRow, Partner};
+/// // A ball that weighs 5 N, held by a slope of 3 in 4.
+/// let held = ContactRow {
+///     a: 0,
+///     b: Partner::Wall(0),
+///     normal: Vector3::new(-0.6, 0.0, -0.8),
+///     gap: 0.0,
+///     force: Vector3::new(0.0, 0.0, -5.0),
+///     torque: Vector3::zeros(),
+/// };
+/// assert!((held.normal_force() - 4.0).abs() < 1e-14);
+/// assert!((held.tangential_force() - 3.0).abs() < 1e-14);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactRow {
     /// A particle.
@@ -44,6 +83,12 @@ pub struct ContactRow {
 }
 
 /// The other side of a contact.
+///
+/// ```
+/// use tribos::record::Partner;
+/// assert_eq!(Partner::Particle(7).particle(), Some(7));
+/// assert_eq!(Partner::Wall(7).particle(), None);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Partner {
     /// A particle.
@@ -53,6 +98,29 @@ pub enum Partner {
 }
 
 /// A snapshot that contradicts itself.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::record::{Snapshot, SnapshotError};
+/// # use tribos::space::PeriodicBox;
+/// # let nameless = Snapshot {
+/// #     time: 0.0,
+/// #     space: PeriodicBox::OPEN,
+/// #     extents: [[-1.0, 1.0]; 3],
+/// #     positions: &[Vector3::zeros()],
+/// #     radii: &[1.0],
+/// #     velocities: None,
+/// #     spins: None,
+/// #     species: None,
+/// #     contacts: &[],
+/// # };
+/// // A blank would make two columns of the name.
+/// let split = Snapshot { species: Some(&["He 3"]), ..nameless };
+/// assert_eq!(
+///     split.check(),
+///     Err(SnapshotError::Species { particle: 0, given: "He 3".into() })
+/// );
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SnapshotError {
     /// A list is not as long as the positions.

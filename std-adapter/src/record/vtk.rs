@@ -9,6 +9,29 @@ use nalgebra::Vector3;
 
 /// Particles as points in the cell with their id from 0, radius and coordination, then velocity
 /// and angular velocity where there are any. In ParaView: Glyph, Sphere, scaled by `radius` × 2.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::record::{Snapshot, particles_vtp};
+/// # use tribos::space::PeriodicBox;
+/// # let pair = Snapshot {
+/// #     time: 0.0,
+/// #     space: PeriodicBox::new([Some(10.0), None, None])?,
+/// #     extents: [[0.0, 10.0], [0.0, 4.0], [0.0, 4.0]],
+/// #     positions: &[Vector3::new(-0.5, 2.0, 2.0), Vector3::new(1.5, 2.0, 2.0)],
+/// #     radii: &[1.0; 2],
+/// #     velocities: None,
+/// #     spins: None,
+/// #     species: None,
+/// #     contacts: &[],
+/// # };
+/// // A snapshot of two spheres.
+/// let file = particles_vtp(&pair)?;
+/// assert!(file.contains("NumberOfPoints=\"2\"") && !file.contains("\"velocity\""));
+/// let moving = Snapshot { velocities: Some(&[Vector3::x(); 2]), ..pair };
+/// assert!(particles_vtp(&moving)?.contains("\"velocity\""));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn particles_vtp(snapshot: &Snapshot) -> Result<String, SnapshotError> {
     snapshot.check()?;
     let count = snapshot.positions.len();
@@ -43,6 +66,40 @@ pub fn particles_vtp(snapshot: &Snapshot) -> Result<String, SnapshotError> {
 ///
 /// A line begins in the cell and goes the short way, out of the cell where the other particle is
 /// across a border.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::record::{ContactRow, Partner, Snapshot, SnapshotError, contacts_vtp};
+/// # use tribos::space::PeriodicBox;
+/// # let rest = Vector3::zeros();
+/// # let contacts = [ContactRow {
+/// #     a: 0,
+/// #     b: Partner::Particle(1),
+/// #     normal: Vector3::x(),
+/// #     gap: 0.0,
+/// #     force: rest,
+/// #     torque: rest,
+/// # }];
+/// # let pair = Snapshot {
+/// #     time: 0.0,
+/// #     space: PeriodicBox::new([Some(10.0), None, None])?,
+/// #     extents: [[0.0, 10.0], [0.0, 4.0], [0.0, 4.0]],
+/// #     positions: &[Vector3::new(-0.5, 2.0, 2.0), Vector3::new(1.5, 2.0, 2.0)],
+/// #     radii: &[1.0; 2],
+/// #     velocities: None,
+/// #     spins: None,
+/// #     species: None,
+/// #     contacts: &contacts,
+/// # };
+/// // Two spheres that touch.
+/// assert!(contacts_vtp(&pair)?.contains("NumberOfLines=\"1\""));
+/// let stranger = [ContactRow { a: 2, ..contacts[0] }];
+/// assert_eq!(
+///     contacts_vtp(&Snapshot { contacts: &stranger, ..pair }),
+///     Err(SnapshotError::Contact { contact: 0, particle: 2, positions: 2 })
+/// );
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn contacts_vtp(snapshot: &Snapshot) -> Result<String, SnapshotError> {
     snapshot.check()?;
     let rows = snapshot.contacts;

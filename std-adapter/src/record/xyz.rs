@@ -11,6 +11,32 @@ const NAMELESS: &str = "X";
 ///
 /// Columns have the names that OVITO knows (`velo`, `omega`, `n_neighb`). Frames one after another
 /// are a trajectory. OVITO takes places for fractions of the cell if all lie between 0 and 1.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::record::{Snapshot, extended_xyz};
+/// # use tribos::space::PeriodicBox;
+/// # let pair = Snapshot {
+/// #     time: 0.0,
+/// #     space: PeriodicBox::new([Some(10.0), None, None])?,
+/// #     extents: [[0.0, 10.0], [0.0, 4.0], [0.0, 4.0]],
+/// #     positions: &[Vector3::new(-0.5, 2.0, 2.0), Vector3::new(1.5, 2.0, 2.0)],
+/// #     radii: &[1.0; 2],
+/// #     velocities: None,
+/// #     spins: None,
+/// #     species: None,
+/// #     contacts: &[],
+/// # };
+/// // Two spheres, the first just outside of a cell with sides of 10, periodic along x.
+/// let text = extended_xyz(&pair)?;
+/// let lines: Vec<&str> = text.lines().collect();
+/// assert_eq!((lines.len(), lines[0]), (4, "2"));
+/// assert!(lines[1].contains("pbc=\"T F F\""));
+/// // Species, id, x: where its image in the cell is.
+/// let x = lines[2].split(' ').nth(2).map(str::parse);
+/// assert_eq!(x, Some(Ok(9.5)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn extended_xyz(snapshot: &Snapshot) -> Result<String, SnapshotError> {
     snapshot.check()?;
     let mut text = format!("{}\n{}\n", snapshot.positions.len(), header(snapshot));

@@ -9,13 +9,14 @@ use crate::scene::SliderScene;
 /// slows the sliding, that of the torque the spin.
 ///
 /// ```
-/// use tribos::{scene::parse_slider, slide::run};
+/// use tribos::{scene::parse_slider, slide::{Spent, run}};
 /// let text = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0\ngravity = 9.81\n\
 ///             radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5";
 /// let scene = parse_slider("disk.toml", text, &[])?;
-/// let spent = run(&scene, |_| ())?.spent(&scene);
+/// let spent: Spent = run(&scene, |_| ())?.spent(&scene);
 /// assert!((spent.sliding - 0.05).abs() < 1e-12); // m v²/2
 /// assert!((spent.spinning - 0.004).abs() < 1e-12); // m R² ω²/4
+/// assert!((spent.spinning_share() - 4.0 / 54.0).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

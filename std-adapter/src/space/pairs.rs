@@ -5,6 +5,16 @@ use super::{AXES, PeriodicBox};
 use nalgebra::Vector3;
 
 /// Why there is no list of neighbours.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::space::{PeriodicBox, pairs::{NeighbourError, neighbours}};
+/// // Spheres of radius 1 in a period of 3 would touch each other from both sides.
+/// let space = PeriodicBox::new([Some(3.0), None, None])?;
+/// let found = neighbours(&space, &[Vector3::zeros(), Vector3::x()], &[1.0; 2], 0.0);
+/// assert_eq!(found, Err(NeighbourError::Reach { axis: 0, reach: 2.0, length: 3.0 }));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum NeighbourError {
     /// As many radii as positions are needed.
@@ -73,6 +83,19 @@ struct Entry {
 }
 
 /// Memory of a search, to be used again by the next.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::space::{PeriodicBox, pairs::Cells};
+/// let mut cells = Cells::default();
+/// // Two spheres of radius 1 come together; neighbours are those less than 0.5 apart.
+/// for (distance, pairs) in [(3.0, 0), (2.4, 1), (1.9, 1)] {
+///     let positions = [Vector3::zeros(), Vector3::x() * distance];
+///     let found = cells.find(&PeriodicBox::OPEN, &positions, &[1.0; 2], 0.5)?;
+///     assert_eq!(found.len(), pairs);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Cells {
     /// Cell of each particle.

@@ -8,12 +8,34 @@ pub const AXES: [&str; 3] = ["x", "y", "z"];
 /// Lengths after which space repeats, each axis periodic or open.
 ///
 /// The cell stands at the origin: a periodic axis runs from 0 to its length. Any unit of length.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tribos::space::{AXES, PeriodicBox};
+/// // A channel that repeats after 10 m along x.
+/// let channel = PeriodicBox::new([Some(10.0), None, None])?;
+/// let (a, b) = (Vector3::new(9.5, 0.0, 0.0), Vector3::new(0.5, 0.0, 2.0));
+/// // The shortest way crosses the border, where there is one.
+/// assert_eq!(channel.displacement(&a, &b), Vector3::new(1.0, 0.0, 2.0));
+/// assert_eq!(PeriodicBox::OPEN.displacement(&a, &b), b - a);
+/// assert_eq!(channel.wrap(&Vector3::new(-0.5, 0.0, 7.0)), Vector3::new(9.5, 0.0, 7.0));
+/// for (axis, period) in AXES.iter().zip(channel.lengths()) {
+///     assert_eq!(period.is_some(), *axis == "x");
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PeriodicBox {
     lengths: [Option<f64>; 3],
 }
 
 /// A length that cannot be a period.
+///
+/// ```
+/// use tribos::space::{PeriodicBox, PeriodicBoxError};
+/// let flat = PeriodicBox::new([Some(1.0), Some(0.0), None]);
+/// assert_eq!(flat, Err(PeriodicBoxError { axis: 1, given: 0.0 }));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("the period along {} must be finite and positive, not {given}", AXES[*axis])]
 pub struct PeriodicBoxError {

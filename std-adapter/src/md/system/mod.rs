@@ -132,6 +132,7 @@ pub struct State {
 /// system.step(Wanted::Sums)?;
 /// assert!((system.tally().energy + 1.0).abs() < 1e-6);
 /// assert_eq!(system.forces()[0], -system.forces()[1]);
+/// assert_eq!((system.groups().len(), system.members(0)), (1, &[0, 1][..]));
 /// // Nothing moved farther than the skin allows: the first list still holds.
 /// assert_eq!((system.steps(), system.list_builds()), (51, 1));
 /// assert!(system.interaction().cutoff() < 3.0 && *system.space() == PeriodicBox::OPEN);

@@ -4,6 +4,16 @@ use super::MOST_SPHERES;
 use crate::space::PeriodicBoxError;
 
 /// A deposit that cannot be grown.
+///
+/// ```
+/// use tribos::powder::deposit::{Ballistic, DepositError, Until};
+/// // Captured at less than a diameter, spheres would overlap.
+/// let inside = Ballistic::new(20.0, 1.0, 1.5);
+/// assert_eq!(inside, Err(DepositError::CaptureRadius { given: 1.5, least: 2.0 }));
+/// let nothing = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Count(0), 1);
+/// assert_eq!(nothing, Err(DepositError::Empty));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum DepositError {
     /// A length is not a finite positive number.

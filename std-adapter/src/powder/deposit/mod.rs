@@ -16,9 +16,26 @@ use nalgebra::Vector3;
 
 /// Stream of random numbers that deposits draw from: x, y and, where radii differ, the radius of
 /// each sphere, in this order.
+///
+/// ```
+/// use tribos::powder::deposit::{Ballistic, STREAM, Until};
+/// use tribos::random::Random;
+/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Count(1), 7)?;
+/// let mut random = Random::new(7, STREAM);
+/// let [x, y] = [(); 2].map(|()| 20.0 * random.unit());
+/// assert_eq!((deposit.positions[0].x, deposit.positions[0].y), (x, y));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub const STREAM: u64 = 0;
 
 /// Spheres at most, for which some 4 GB of memory are enough.
+///
+/// ```
+/// use tribos::powder::deposit::{Ballistic, DepositError, MOST_SPHERES, Until};
+/// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Count(MOST_SPHERES + 1), 1);
+/// assert_eq!(deposit, Err(DepositError::TooMany));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub const MOST_SPHERES: usize = 20_000_000;
 
 /// How deposits grow.
@@ -81,6 +98,20 @@ pub enum Until {
 }
 
 /// Spheres that rest on each other.
+///
+/// ```
+/// use tribos::powder::deposit::{Ballistic, Deposit, SUBSTRATE, Until};
+/// use tribos::record::Partner;
+/// let deposit: Deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Count(200), 1)?;
+/// // Every sphere touches what holds it, and that leads down to the substrate.
+/// let contacts = deposit.contacts();
+/// assert!(contacts.iter().all(|row| row.gap.abs() < 1e-12));
+/// let lying = contacts.iter().filter(|row| row.b == Partner::Wall(SUBSTRATE)).count();
+/// assert_eq!(lying, deposit.parents.iter().filter(|parent| parent.is_none()).count());
+/// // Ready for a file.
+/// assert_eq!(deposit.snapshot(&contacts).check(), Ok(()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deposit {
     /// Centres in the order of their arrival; x and y in [0, width).
@@ -106,6 +137,13 @@ impl Ballistic {
 
     /// Spheres of radii uniform between two bounds. *Domain*: all finite and positive, the bounds
     /// in order, their sum ≤ `capture_radius`, and the two largest capture within width/2.
+    ///
+    /// ```
+    /// use tribos::powder::deposit::{Ballistic, Until};
+    /// let deposit = Ballistic::uneven(20.0, [0.8, 1.2], 3.0)?.grow(Until::Count(100), 1)?;
+    /// assert!(deposit.radii.iter().all(|radius| (0.8..=1.2).contains(radius)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn uneven(width: f64, radii: [f64; 2], capture_radius: f64) -> Result<Self, DepositError> {
         let [low, high] = radii;
         for (name, given) in [

@@ -19,6 +19,18 @@ impl Deposit {
 
     /// Free share of the volume in the middle half of the height, from 0 to 1: free of the ends
     /// where the deposit is many times higher than its structure.
+    ///
+    /// ```
+    /// use tribos::powder::deposit::{BULK, Ballistic, Until};
+    /// let deposit = Ballistic::new(20.0, 1.0, 3.0)?.grow(Until::Cut(61.5), 1)?;
+    /// let [low, high] = BULK.map(|share| share * deposit.height);
+    /// assert_eq!(deposit.bulk_porosity(), 1.0 - deposit.solid_fraction(low, high));
+    /// // The two halves of a deposit hold all of its spheres.
+    /// let (middle, top) = (0.5 * deposit.height, deposit.height);
+    /// let halves = deposit.solid_fraction(0.0, middle) + deposit.solid_fraction(middle, top);
+    /// assert!((1.0 - 0.5 * halves - deposit.porosity()).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn bulk_porosity(&self) -> f64 {
         let [low, high] = BULK.map(|share| share * self.height);
         1.0 - self.solid_fraction(low, high)
@@ -33,6 +45,18 @@ impl Deposit {
 }
 
 /// Volume of spheres between two heights, with the exact volumes of those cut by a plane.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use std::f64::consts::PI;
+/// use tribos::powder::deposit::volume_between;
+/// // The lower half of a ball with radius 2, and a cap of it 1 high: π h² (3R − h)/3.
+/// let (centre, radius) = ([Vector3::zeros()], [2.0]);
+/// let half = volume_between(&centre, &radius, [-2.0, 0.0]);
+/// assert!((half - 16.0 / 3.0 * PI).abs() < 1e-13);
+/// let cap = volume_between(&centre, &radius, [1.0, 5.0]);
+/// assert!((cap - 5.0 / 3.0 * PI).abs() < 1e-13);
+/// ```
 pub fn volume_between(positions: &[Vector3<f64>], radii: &[f64], [low, high]: [f64; 2]) -> f64 {
     let spheres = positions.iter().zip(radii);
     let between = |(centre, &radius): (&Vector3<f64>, &f64)| {

@@ -6,6 +6,11 @@ use serde_json::{Value, json};
 const FORMAT: u64 = 1;
 
 /// What a run is about.
+///
+/// ```
+/// use tribos::record::frames::Kind;
+/// assert_eq!([Kind::Powder, Kind::Tip].map(Kind::name), ["powder", "tip"]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Spheres under a piston. *Units*: R, F_coh, √(ρR⁴/F_coh).
@@ -15,6 +20,27 @@ pub enum Kind {
 }
 
 /// Bodies of a run, the same in all its frames.
+///
+/// ```
+/// use tribos::record::frames::{Bodies, FrameFolder, Kind};
+/// // Two atoms in two layers, one of which is to stand out; every tenth state may be kept.
+/// let atoms = Bodies {
+///     kind: Kind::Tip,
+///     limit: 100,
+///     stride: 10,
+///     periods: [8.0, 8.0],
+///     radii: vec![0.5; 2],
+///     layers: vec![0, 1],
+///     parts: vec![0, 1],
+///     marked: vec![1],
+/// };
+/// # let home = tempfile::tempdir()?;
+/// # let path = home.path().join("frames");
+/// let film = FrameFolder::begin(&path, &atoms)?;
+/// assert_eq!([film.wants(10), film.wants(15)], [true, false]);
+/// assert_eq!(FrameFolder::bodies(&path)?, Some(atoms));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bodies {
     /// What they are.

@@ -13,6 +13,30 @@ const ENDING: &str = ".frame";
 const UNFINISHED: &str = ".tmp";
 
 /// Frames that cannot be kept or read.
+///
+/// ```
+/// # use tribos::record::frames::{Bodies, FrameError, FrameFolder, Kind};
+/// # let bodies = Bodies {
+/// #     kind: Kind::Powder,
+/// #     limit: 20,
+/// #     stride: 1,
+/// #     periods: [10.0; 2],
+/// #     radii: vec![1.0],
+/// #     layers: Vec::new(),
+/// #     parts: Vec::new(),
+/// #     marked: Vec::new(),
+/// # };
+/// # let home = tempfile::tempdir()?;
+/// # let path = home.path().join("frames");
+/// FrameFolder::begin(&path, &bodies)?;
+/// let missing = FrameFolder::read(&path, &bodies, 7);
+/// assert!(matches!(missing, Err(FrameError::Access { .. })));
+/// // A frame of which nothing but the first bytes is there.
+/// std::fs::write(path.join("000000000007.frame"), "TrFr")?;
+/// let short = FrameFolder::read(&path, &bodies, 7);
+/// assert!(matches!(short, Err(FrameError::Damaged(_))));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, thiserror::Error)]
 pub enum FrameError {
     /// A frame cannot be written.
@@ -47,6 +71,43 @@ pub enum FrameError {
 
 /// Frames of one run: new ones are held back until they have to be on the disk, as most are dropped
 /// again.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::record::frames::{Bodies, Frame, FrameFolder, Kind};
+/// # let bodies = Bodies {
+/// #     kind: Kind::Powder,
+/// #     limit: 20,
+/// #     stride: 1,
+/// #     periods: [10.0; 2],
+/// #     radii: vec![1.0],
+/// #     layers: Vec::new(),
+/// #     parts: Vec::new(),
+/// #     marked: Vec::new(),
+/// # };
+/// # let frame = |step| Frame {
+/// #     step,
+/// #     corners: [[0.0; 3], [10.0; 3]],
+/// #     places: vec![Vector3::zeros()],
+/// #     speeds: vec![0.0],
+/// #     ..Frame::default()
+/// # };
+/// # let home = tempfile::tempdir()?;
+/// # let path = home.path().join("frames");
+/// let mut film = FrameFolder::begin(&path, &bodies)?;
+/// film.add(&frame(0));
+/// film.save()?; // the run is broken off here, and goes on:
+/// let mut film = FrameFolder::resume(&path)?.ok_or("no frames")?;
+/// assert_eq!(film.limit(), 20);
+/// film.add(&frame(1));
+/// film.finish(&frame(2))?;
+/// assert_eq!(FrameFolder::steps(&path)?, [0, 1, 2]);
+/// assert_eq!(FrameFolder::bodies(&path)?, Some(bodies));
+///
+/// FrameFolder::clear(&path)?;
+/// assert!(FrameFolder::resume(&path)?.is_none());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct FrameFolder {
     path: PathBuf,

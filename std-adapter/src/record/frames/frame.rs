@@ -11,6 +11,38 @@ const VERSION: u32 = 1;
 const STEPS: f64 = u16::MAX as f64;
 
 /// A state. *Units*: those of the run.
+///
+/// ```
+/// # use nalgebra::Vector3;
+/// # use tribos::record::Partner;
+/// # use tribos::record::frames::{Bodies, Frame, FrameContact, FrameFolder, Hold, Kind};
+/// # let bodies = Bodies {
+/// #     kind: Kind::Powder,
+/// #     limit: 2,
+/// #     stride: 1,
+/// #     periods: [10.0; 2],
+/// #     radii: vec![1.0],
+/// #     layers: Vec::new(),
+/// #     parts: Vec::new(),
+/// #     marked: Vec::new(),
+/// # };
+/// # let home = tempfile::tempdir()?;
+/// # let path = home.path().join("frames");
+/// // A sphere that presses the floor, wall 0, with 0.3 and slides on it.
+/// let (a, b, hold) = (0, Partner::Wall(0), Hold::SLIDES);
+/// let state = Frame {
+///     corners: [[0.0; 3], [10.0; 3]],
+///     places: vec![Vector3::new(5.0, 5.0, 1.0)],
+///     speeds: vec![0.2],
+///     contacts: vec![FrameContact { a, b, normal_force: 0.3, hold }],
+///     ..Frame::default()
+/// };
+/// FrameFolder::begin(&path, &bodies)?.finish(&state)?;
+/// let read = FrameFolder::read(&path, &bodies, 0)?;
+/// assert_eq!((read.contacts[0].b, read.contacts[0].hold), (b, hold));
+/// assert!((read.contacts[0].normal_force / 0.3 - 1.0).abs() <= 1.0 / 256.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Frame {
     /// Steps since the start.
@@ -45,6 +77,15 @@ pub struct FrameContact {
 }
 
 /// What a contact does: the modes that are at their thresholds, as bits.
+///
+/// ```
+/// use tribos::record::frames::Hold;
+/// let turning = Hold::of([false, true, true]); // does not slide
+/// assert_eq!(turning.0, Hold::ROLLS.0 | Hold::SPINS.0);
+/// assert_eq!(turning.0 & Hold::SLIDES.0, 0);
+/// assert_eq!(Hold::of([false; 3]), Hold::STICKS);
+/// assert_ne!(Hold::of([true; 3]), Hold::OPEN);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Hold(pub u8);
 

@@ -1,6 +1,13 @@
 //! Which states are kept, when the number of steps is not known before the end.
 
 /// The smallest number of frames that can be kept: the first state and the last.
+///
+/// ```
+/// use tribos::record::frames::{FEWEST, spacing};
+/// // So far apart that of 1000 states after the first none is kept but the last.
+/// assert!(spacing(1000, FEWEST) > 1000);
+/// assert_eq!(spacing(1000, 0), spacing(1000, FEWEST));
+/// ```
 pub const FEWEST: u64 = 2;
 
 /// States from one kept frame to the next, a power of two, once `states` have followed the first:
