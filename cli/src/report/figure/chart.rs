@@ -4,12 +4,11 @@ use super::axis::{Span, Ticks};
 use super::canvas::{Area, PX, fitting, font, width};
 use super::clip::{self, Point};
 use super::legend::Block;
-use super::marks::{Color, Guide, Region, Series, Style};
+use super::marks::{Guide, Region, Series, Style};
 use super::{Figure, FigureError};
 use plotters::coord::CoordTranslate;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
-use plotters::style::Color as _;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 // Width of thin lines, half the width of an error bar's caps, length of ticks without a label.
@@ -73,10 +72,10 @@ pub(super) fn curve<C: CoordTranslate<From: Clone>>(
     pieces: Vec<Vec<C::From>>,
     points: Vec<C::From>,
 ) -> Result<(), FigureError> {
-    let color = series.color.unwrap_or(Color::palette(index)).rgb();
+    let (color, style) = series.look(index);
     let stroke = color.stroke_width(2 * THIN);
     for piece in pieces {
-        match series.style {
+        match style {
             Style::Points => {}
             Style::Dashed => {
                 area.draw(&DashedPathElement::new(piece, 8 * PX, 5 * PX, stroke))?;
@@ -84,7 +83,7 @@ pub(super) fn curve<C: CoordTranslate<From: Clone>>(
             _ => area.draw(&PathElement::new(piece, stroke))?,
         }
     }
-    if matches!(series.style, Style::Points | Style::LinePoints) {
+    if matches!(style, Style::Points | Style::LinePoints) {
         for at in points {
             area.draw(&Circle::new(at, 7 * PX / 2, stroke.filled()))?;
         }
@@ -98,7 +97,7 @@ fn whiskers(
     spans: Spans,
     plot: &Plot,
 ) -> Result<(), FigureError> {
-    let color = series.color.unwrap_or(Color::palette(index)).rgb();
+    let (color, _) = series.look(index);
     let stroke = color.stroke_width(3 * THIN / 2);
     for ends in series.whiskers() {
         if spans.0.place(ends[0].0).is_none() {

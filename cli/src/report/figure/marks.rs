@@ -7,18 +7,20 @@ use plotters::style::RGBColor;
 pub struct Color(pub u8, pub u8, pub u8);
 
 impl Color {
-    /// Colour-blind-safe line colours (Okabe and Ito), repeated after the seventh.
+    /// Colour-blind-safe line colours (Okabe and Ito).
+    const PALETTE: [Self; 7] = [
+        Self(0, 114, 178),
+        Self(213, 94, 0),
+        Self(0, 158, 115),
+        Self(204, 121, 167),
+        Self(230, 159, 0),
+        Self(86, 180, 233),
+        Self(30, 30, 30),
+    ];
+
+    /// Line colours, repeated after the seventh.
     pub fn palette(index: usize) -> Self {
-        const COLORS: [Color; 7] = [
-            Color(0, 114, 178),
-            Color(213, 94, 0),
-            Color(0, 158, 115),
-            Color(204, 121, 167),
-            Color(230, 159, 0),
-            Color(86, 180, 233),
-            Color(30, 30, 30),
-        ];
-        COLORS[index % COLORS.len()]
+        Self::PALETTE[index % Self::PALETTE.len()]
     }
 
     /// The same colours mixed with white, for filled regions.
@@ -102,6 +104,16 @@ impl Series {
     pub fn errors(mut self, errors: Vec<f64>) -> Self {
         self.errors = errors;
         self
+    }
+
+    // Its colour and style as series number `index`: lines whose colour is a repeated one are dashed.
+    pub(super) fn look(&self, index: usize) -> (RGBColor, Style) {
+        let repeats = self.color.is_none() && index >= Color::PALETTE.len();
+        let style = match self.style {
+            Style::Line if repeats => Style::Dashed,
+            style => style,
+        };
+        (self.color.unwrap_or(Color::palette(index)).rgb(), style)
     }
 
     // The lower and the upper end of each whisker.

@@ -192,3 +192,13 @@ fn log_axes_have_eight_fine_ticks_a_decade() -> Result<(), FigureError> {
     }
     Ok(())
 }
+
+#[test]
+fn a_line_whose_colour_is_repeated_is_dashed() {
+    let series = Series::line("one of many", vec![(0.0, 0.0), (1.0, 1.0)]);
+    let (first, eighth) = (series.look(0), series.look(7));
+    assert_eq!(first.0, eighth.0);
+    assert_eq!((first.1, eighth.1), (Style::Line, Style::Dashed));
+    // A colour that was chosen is nobody else's.
+    assert_eq!(series.color(Color(1, 2, 3)).look(7).1, Style::Line);
+}
