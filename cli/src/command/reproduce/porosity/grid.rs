@@ -11,7 +11,7 @@ const SATURATED: f64 = 0.4;
 const LATER: f64 = 0.7;
 /// How much ours rises from 0.4 on, as found before.
 const RISE: std::ops::RangeInclusive<f64> = 0.025..=0.045;
-const ROLLING_RISES: &str = "torsion adds nothing any more above 0.4, rolling still two to three \
+const ROLLING_RISES: &str = "torsion adds a point at most above 0.4, rolling still two to three \
     points up to 0.7 (row below); single runs of the thesis fluctuate by 2 %";
 
 /// All claims.
