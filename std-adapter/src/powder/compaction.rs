@@ -3,6 +3,7 @@
 use super::blocked::{Means, Window};
 use super::checkpoint::Checkpoint;
 use super::deposit::{BULK, Deposit, DepositError, volume_between};
+use super::limits::Limits;
 use super::outcome::Outcome;
 use super::packing::{self, BuildError, PISTON, Packing, branch, build};
 use super::statistics::Statistics;
@@ -369,12 +370,7 @@ impl Compaction {
             means: self.means(),
             pressure: scene.pressure,
             area: self.area(),
-            statistics: Statistics::of(
-                &self.contacts,
-                radii,
-                scene.thresholds(),
-                scene.cohesion_range,
-            ),
+            statistics: Statistics::of(&self.contacts, radii, &Limits::of(scene)),
             residual: self.report.residual.relative,
             iterations: self.totals.iterations,
             unmet: self.totals.unmet,

@@ -1,14 +1,8 @@
 //! A compaction as frames of a film.
 
 use super::compaction::Compaction;
-use super::packing::joint_set;
-use super::statistics::{is_at, relative_loads};
+use super::limits::Limits;
 use crate::record::frames::{Bodies, Frame, FrameContact, Hold, Kind};
-use crate::record::{ContactRow, Partner};
-use crate::scene::{PowderScene, WallLaw};
-use nalgebra::Vector2;
-use tribos_core::limit_surface::FrictionSet;
-use tribos_core::twist::Wrench;
 
 impl Compaction {
     /// What all frames have in common, of which `limit` are kept at most.
@@ -42,7 +36,7 @@ impl Compaction {
     pub fn frame(&self) -> Frame {
         let (scene, radii) = (self.scene(), &self.deposit().radii);
         let [width, top] = [scene.width, self.height()].map(|side| side as f32);
-        let joint = joint_set(scene);
+        let limits = Limits::of(scene);
         self.with_snapshot(|now| Frame {
             step: self.steps(),
             time: now.time,
@@ -63,39 +57,9 @@ impl Compaction {
                     a: row.a,
                     b: row.b,
                     normal_force: row.normal_force() as f32,
-                    hold: hold(row, radii, scene, joint.as_deref()),
+                    hold: limits.reached(row, radii).map_or(Hold::OPEN, Hold::of),
                 })
                 .collect(),
         })
     }
-}
-
-/// What a contact does. Where sliding and torsion have a joint threshold they reach it together.
-pub(super) fn hold(
-    row: &ContactRow,
-    radii: &[f64],
-    scene: &PowderScene,
-    joint: Option<&dyn FrictionSet<f64>>,
-) -> Hold {
-    let has_friction = match row.b {
-        Partner::Particle(_) => true,
-        Partner::Wall(_) => scene.wall == WallLaw::Full,
-    };
-    let loads = relative_loads(row, radii, scene.cohesion_range);
-    let (true, Some(loads)) = (has_friction, loads) else {
-        return Hold::OPEN;
-    };
-    let has_own =
-        |mode: usize| scene.friction[mode] > 0.0 && is_at(loads[mode], scene.friction[mode]);
-    let mut at = [0, 1, 2].map(has_own);
-    if let Some(set) = joint {
-        let [force, _, torque] = loads;
-        let wrench = Wrench {
-            force: Vector2::new(force, 0.0),
-            torque,
-        };
-        at[0] = is_at(set.gauge(&wrench), 1.0);
-        at[2] = at[0];
-    }
-    Hold::of(at)
 }

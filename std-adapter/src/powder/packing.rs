@@ -123,24 +123,16 @@ fn contact_radius(scene: &PowderScene) -> f64 {
 }
 
 /// What a contact of a joint set carries at a coefficient, in P and P r_eff.
-fn ellipsoid(scene: &PowderScene, mu: f64) -> Result<Ellipsoid<f64>, SurfaceError> {
+pub(super) fn ellipsoid(scene: &PowderScene, mu: f64) -> Result<Ellipsoid<f64>, SurfaceError> {
     Ellipsoid::new(mu, contact_radius(scene), SPIN_TORQUE)
 }
 
 /// The same with the exact surface.
-fn exact(scene: &PowderScene, mu: f64) -> Result<LimitSurface<f64, table::Coulomb>, SurfaceError> {
+pub(super) fn exact(
+    scene: &PowderScene,
+    mu: f64,
+) -> Result<LimitSurface<f64, table::Coulomb>, SurfaceError> {
     LimitSurface::new(table::Coulomb, mu, contact_radius(scene))
-}
-
-/// What sliding force over P and torsion torque over P r_eff have for a joint threshold; `None`
-/// where each has its own.
-pub(super) fn joint_set(scene: &PowderScene) -> Option<Box<dyn FrictionSet<f64>>> {
-    let mu = scene.friction[0];
-    match scene.carried().coupling {
-        Coupling::Independent => None,
-        Coupling::Ellipsoid => Some(Box::new(ellipsoid(scene, mu).ok()?)),
-        Coupling::Exact => Some(Box::new(exact(scene, mu).ok()?)),
-    }
 }
 
 /// A world in which sliding and torsion share a set: between spheres, and where walls are smooth.

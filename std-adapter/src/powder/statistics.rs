@@ -1,22 +1,17 @@
 //! How a packing hangs together: coordination, forces, thresholds.
 
+use super::limits::Limits;
 use crate::record::ContactRow;
 use crate::record::json_number;
-use nalgebra::Vector3;
 use serde_json::{Map, Value};
-
-/// Contacts whose P, in F_coh, is less carry nothing: cohesion pulls them together in vain.
-const IDLE: f64 = 1e-9;
-/// A force this near its threshold, relatively, is at it: more than what a turn of the normal in a
-/// step takes off.
-const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 
 /// Numbers about the contacts of a packing. *Units*: R, F_coh.
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos::powder::Statistics;
+/// use tribos::powder::{Limits, Statistics};
 /// use tribos::record::{ContactRow, Partner};
+/// # use tribos::scene::{Scene, parse_scene};
 /// // Three spheres in a row from a wall on.
 /// let (normal, torque) = (Vector3::x(), Vector3::zeros());
 /// let touch = |a, b, force| ContactRow { a, b, normal, gap: 0.0, force, torque };
@@ -26,13 +21,16 @@ const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 ///     touch(0, Partner::Particle(1), Vector3::new(3.0, 0.0, 1.2)),
 ///     touch(1, Partner::Particle(2), Vector3::new(-0.5, 0.0, 0.0)),
 /// ];
-/// let found = Statistics::of(&contacts, &[1.0; 3], [0.3, 0.0, 0.0], 0.01);
+/// let text = "body = \"powder\"\nwidth = 6\nheight = 8\nsliding = 0.3";
+/// let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// let found = Statistics::of(&contacts, &[1.0; 3], &Limits::of(&scene));
 /// assert_eq!((found.contacts, found.wall_contacts), (2, 1));
 /// assert_eq!(found.coordination, [0, 1, 2]); // one sphere has one contact, two have two
 /// assert_eq!(found.mean_coordination(), 5.0 / 3.0);
 /// assert_eq!(found.signs, [1, 1]); // one pushes, one pulls
 /// assert_eq!(found.at_threshold, [Some(0.5), None, None]);
 /// assert_eq!(found.json()["tension"]["largest"].as_f64(), Some(0.5));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statistics {
@@ -49,15 +47,15 @@ pub struct Statistics {
     /// Mean and largest pull of the others.
     pub tension: [f64; 2],
     /// Shares of the contacts between spheres that are at the threshold of sliding, rolling,
-    /// torsion; `None` for modes without friction.
+    /// torsion; `None` for modes without friction. See [`Limits`].
     pub at_threshold: [Option<f64>; 3],
     /// Deepest overlap, a length; 0 if there is none.
     pub max_overlap: f64,
 }
 
 impl Statistics {
-    /// Counts; `friction` is μ, μ_t, μ_n, and F_coh = 1 acts up to the gap `range`.
-    pub fn of(contacts: &[ContactRow], radii: &[f64], friction: [f64; 3], range: f64) -> Self {
+    /// Counts, `radii` being those of all spheres.
+    pub fn of(contacts: &[ContactRow], radii: &[f64], limits: &Limits) -> Self {
         let mut counts = vec![0; radii.len()];
         let mut found = Self::default();
         let mut sums = [0.0; 2];
@@ -85,7 +83,7 @@ impl Statistics {
             }
 
             // Modes at their thresholds.
-            if let Some(reached) = reached(contact, radii, friction, range) {
+            if let Some(reached) = limits.reached(contact, radii) {
                 carrying += 1;
                 for (is, count) in reached.into_iter().zip(&mut at) {
                     *count += usize::from(is);
@@ -96,8 +94,9 @@ impl Statistics {
         let mean = |sum: f64, count: usize| if count > 0 { sum / count as f64 } else { 0.0 };
         found.compression[0] = mean(sums[0], found.signs[0]);
         found.tension[0] = mean(sums[1], found.signs[1]);
-        found.at_threshold = [0, 1, 2]
-            .map(|mode: usize| (friction[mode] > 0.0).then(|| mean(at[mode] as f64, carrying)));
+        let resists = limits.resists();
+        found.at_threshold =
+            [0, 1, 2].map(|mode: usize| resists[mode].then(|| mean(at[mode] as f64, carrying)));
         found
     }
 
@@ -141,47 +140,6 @@ impl Statistics {
         map.insert("at_threshold".into(), Value::Object(shares));
         Value::Object(map)
     }
-}
-
-/// Which of sliding, rolling and torsion are at their thresholds; `None` where the contact carries
-/// nothing. A mode without friction always is.
-fn reached(
-    contact: &ContactRow,
-    radii: &[f64],
-    friction: [f64; 3],
-    range: f64,
-) -> Option<[bool; 3]> {
-    let loads = relative_loads(contact, radii, range)?;
-    Some([0, 1, 2].map(|mode: usize| is_at(loads[mode], friction[mode])))
-}
-
-/// Whether a load is at its threshold.
-pub(super) fn is_at(load: f64, threshold: f64) -> bool {
-    load >= AT_THRESHOLD * threshold
-}
-
-/// Sliding force over P, rolling and torsion torque over P r_eff: what coefficients are compared
-/// with. `None` where the contact carries nothing.
-pub(super) fn relative_loads(contact: &ContactRow, radii: &[f64], range: f64) -> Option<[f64; 3]> {
-    let bound = contact.normal_force() + if contact.gap <= range { 1.0 } else { 0.0 };
-    if bound.is_nan() || bound <= IDLE {
-        return None;
-    }
-    let [ra, rb] = [Some(contact.a), contact.b.particle()]
-        .map(|body| body.map_or(f64::INFINITY, |body| radii[body as usize]));
-    let lever = bound / (1.0 / ra + 1.0 / rb);
-    let [force, rolling, torsion] = loads(contact);
-    Some([force / bound, rolling / lever, torsion / lever])
-}
-
-/// Sliding force, rolling torque, torsion torque.
-fn loads(contact: &ContactRow) -> [f64; 3] {
-    let across = |v: &Vector3<f64>| (v - contact.normal * v.dot(&contact.normal)).norm();
-    [
-        across(&contact.force),
-        across(&contact.torque),
-        contact.torque.dot(&contact.normal).abs(),
-    ]
 }
 
 /// How many spheres have 0, 1, 2, … contacts.

@@ -1,6 +1,5 @@
 use super::blocked::WINDOW_STEPS;
 use super::*;
-use crate::record::frames::Hold;
 use crate::record::{ContactRow, Partner};
 use crate::run::{Simulation, drive};
 use crate::scene::{Criterion, PowderScene, Scene, parse_scene};
@@ -128,7 +127,7 @@ fn windows_average_over_time_and_wait_for_slow_pistons() {
 }
 
 #[test]
-fn contacts_are_counted_by_sign_and_threshold() {
+fn contacts_are_counted_by_sign_and_threshold() -> Tested {
     let x = Vector3::x();
     // P is 2 under a push of 1 and 0.75 under a pull of 0.25; μ P is 0.6 and 0.225.
     let slides = touching(0, Partner::Particle(1), x, Vector3::new(1.0, 0.6, 0.0));
@@ -140,7 +139,9 @@ fn contacts_are_counted_by_sign_and_threshold() {
     spins.torque = Vector3::new(-0.1875, 0.05, 0.0);
     (spins.a, spins.b) = (0, Partner::Particle(2));
     let rows = [slides, sticks, rolls, spins];
-    let found = Statistics::of(&rows, &[1.0; 4], [0.3, 0.2, 0.5], 0.01);
+    let limits = |overrides: &[&str]| scene(overrides).map(|scene| Limits::of(&scene));
+    let rough = limits(&["sliding=0.3", "rolling=0.2", "torsion=0.5"])?;
+    let found = Statistics::of(&rows, &[1.0; 4], &rough);
     assert_eq!((found.contacts, found.wall_contacts), (3, 1));
     assert_eq!(found.coordination, [1, 0, 2, 1]);
     assert_eq!(found.mean_coordination(), 7.0 / 4.0);
@@ -148,27 +149,51 @@ fn contacts_are_counted_by_sign_and_threshold() {
     assert_eq!((found.tension, found.max_overlap), ([0.25, 0.25], 0.125));
     let third = Some(1.0 / 3.0);
     assert_eq!(found.at_threshold, [third, Some(0.0), third]);
-    let smooth = Statistics::of(&rows, &[1.0; 4], [0.0; 3], 0.01);
+    let smooth = Statistics::of(&rows, &[1.0; 4], &limits(&["sliding=0"])?);
     assert_eq!(smooth.at_threshold, [None; 3]);
+    Ok(())
 }
 
 #[test]
 fn sliding_and_torsion_reach_a_joint_threshold_together() -> Tested {
-    // P is 2 and r_eff ½: 0.6 and 0.8 of the two thresholds lie on the ellipsoid, 0.5 and 0.8 within.
+    // P is 2 and r_eff ½. 0.6 and 0.8 of the two thresholds lie on the ellipsoid, 0.51 and 0.8 on the
+    // exact surface (by quadrature), 0.5 and 0.8 within both.
     let contact = |share: f64| {
         let force = Vector3::new(1.0, share * 0.3 * 2.0, 0.0);
         let mut row = touching(0, Partner::Particle(1), Vector3::x(), force);
         row.torque = Vector3::new(0.8 * 0.5 * 2.0 * 0.5, 0.0, 0.0);
         row
     };
-    let friction = ["torsion=0.5"];
-    for (coupling, slips) in [("independent", [false; 2]), ("ellipsoid", [true, false])] {
-        let scene = scene(&[&friction[..], &[&format!("coupling={coupling}")]].concat())?;
-        let joint = super::packing::joint_set(&scene);
+    for (coupling, slips) in [
+        ("independent", [false; 2]),
+        ("ellipsoid", [true, false]),
+        ("exact", [true, false]),
+    ] {
+        let scene = scene(&["torsion=0.5", &format!("coupling={coupling}")])?;
+        let limits = Limits::of(&scene);
         for (share, slips) in [0.6, 0.5].into_iter().zip(slips) {
-            let found = super::frames::hold(&contact(share), &[1.0; 2], &scene, joint.as_deref());
-            assert_eq!(found, Hold::of([slips, false, slips]), "{coupling} {share}");
+            let row = contact(share);
+            let reached = limits.reached(&row, &[1.0; 2]);
+            assert_eq!(reached, Some([slips, false, slips]), "{coupling} {share}");
+            let shares = Statistics::of(&[row], &[1.0; 2], &limits).at_threshold;
+            let share = Some(f64::from(u8::from(slips)));
+            assert_eq!(shares, [share, None, share], "{coupling}");
         }
+    }
+    Ok(())
+}
+
+#[test]
+fn smooth_walls_have_no_thresholds() -> Tested {
+    let row = touching(
+        0,
+        Partner::Wall(0),
+        Vector3::z(),
+        Vector3::new(0.3, 0.0, 1.0),
+    );
+    for (wall, reached) in [("smooth", None), ("full", Some([false; 3]))] {
+        let scene = scene(&[&format!("wall={wall}")])?;
+        assert_eq!(Limits::of(&scene).reached(&row, &[1.0]), reached, "{wall}");
     }
     Ok(())
 }

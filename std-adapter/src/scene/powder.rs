@@ -53,8 +53,7 @@ pub enum Criterion {
 /// assert!((scene.load() - 1.0).abs() < 1e-15); // 400 R² under F_coh/400 a square radius
 /// assert_eq!((scene.wall, scene.blocked), (WallLaw::Smooth, Criterion::Balance));
 /// // Sliding and torsion share one limit surface; rolling keeps a threshold of its own.
-/// assert_eq!(scene.coupling, Coupling::Exact);
-/// assert_eq!(scene.thresholds(), [0.0, 0.1, 0.0]);
+/// assert_eq!((scene.coupling, scene.friction), (Coupling::Exact, [0.3, 0.1, 0.2]));
 /// assert!(PowderScene::KEYS.iter().all(|key| scene.json().get(key.name).is_some()));
 /// # Ok::<(), tribos::scene::SceneError>(())
 /// ```
@@ -233,15 +232,6 @@ impl PowderScene {
     /// The scene with everything that was left to defaults, as JSON.
     pub fn json(&self) -> Value {
         Value::Object(self.values.clone())
-    }
-
-    /// Coefficients of the modes that have a threshold of their own; 0 for others.
-    pub fn thresholds(&self) -> [f64; 3] {
-        let [mu, mu_t, mu_n] = self.friction;
-        match self.coupling {
-            Coupling::Independent => [mu, mu_t, mu_n],
-            Coupling::Ellipsoid | Coupling::Exact => [0.0, mu_t, 0.0],
-        }
     }
 
     /// Force on the piston.

@@ -107,7 +107,7 @@ const QEMU_USER: Tool = Tool {
 };
 const GCC_AARCH64: Tool = Tool {
     check: &["aarch64-linux-gnu-gcc", "--version"],
-    install: "apt-get install -y gcc-aarch64-linux-gnu",
+    install: "apt-get install -y gcc-aarch64-linux-gnu libc6-dev-arm64-cross",
 };
 const QEMU_ARM: Tool = Tool {
     check: &["qemu-system-arm", "--version"],
@@ -128,7 +128,7 @@ const GCC_M32: Tool = Tool {
         "-c",
         "echo 'int main(void){return 0;}' | cc -m32 -x c - -o /dev/null",
     ],
-    install: "apt-get install -y gcc-12-multilib",
+    install: "apt-get install -y --no-install-recommends gcc-12-multilib",
 };
 
 const NATIVE: Platform = Platform {
