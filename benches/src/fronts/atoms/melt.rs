@@ -64,7 +64,7 @@ impl Melt {
         }
     }
 
-    /// What has become of the crystal after some steps; half of its heat goes into the melting.
+    /// What has become of the crystal of `cubes`³ cubes after some steps; half of its heat goes into the melting.
     pub fn after(cubes: usize, steps: usize, shift: Shift) -> Result<Self, String> {
         let crystal = Self::crystal(cubes);
         let mut system = crystal.system(shift, TIME_STEP)?;
@@ -80,13 +80,23 @@ impl Melt {
 
     /// The atoms in motion, at constant energy.
     pub fn system(&self, shift: Shift, time_step: f64) -> Result<System<LennardJones>, String> {
+        self.moved_as(Group::default(), shift, time_step)
+    }
+
+    /// The atoms in motion, all in one group.
+    pub fn moved_as(
+        &self,
+        group: Group,
+        shift: Shift,
+        time_step: f64,
+    ) -> Result<System<LennardJones>, String> {
         System::new(Setup {
             group_of: vec![0; self.atoms.len()],
             atoms: self.atoms.clone(),
             space: PeriodicBox::new([Some(self.edge); 3]).map_err(|error| error.to_string())?,
             interaction: lennard_jones(shift)?,
             skin: SKIN,
-            groups: vec![Group::default()],
+            groups: vec![group],
             drive: None,
             integrator: Integrator::VelocityVerlet,
             time_step,
@@ -96,7 +106,8 @@ impl Melt {
     }
 }
 
-fn lennard_jones(shift: Shift) -> Result<LennardJones, String> {
+/// What acts between them.
+pub fn lennard_jones(shift: Shift) -> Result<LennardJones, String> {
     let pairing = Pairing {
         epsilon: 1.0,
         sigma: 1.0,

@@ -2,7 +2,7 @@
 
 mod drift;
 mod lammps;
-mod melt;
+pub mod melt;
 mod parts;
 mod problems;
 mod race;
