@@ -139,16 +139,16 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("4.2", Alone(contact_exhibits::figure_4_2)),
     ("4.3", Alone(contact_exhibits::figure_4_3)),
     ("4.5", Alone(deposit::figure_4_5)),
-    ("4.6", Running(packing::figure_4_6, [7.0, 25.0])),
-    ("4.7", Running(porosity::figure_4_7, [55.0, 2000.0])),
-    ("table-4.1", Running(stress::table_4_1, [1.0, 120.0])),
+    ("4.6", Running(packing::figure_4_6, [15.0, 50.0])),
+    ("4.7", Running(porosity::figure_4_7, [75.0, 1000.0])),
+    ("table-4.1", Running(stress::table_4_1, [1.0, 170.0])),
     ("section-5.1", Alone(pressure::section_5_1)),
     (
         "section-5.1-modes",
         Alone(pressure_modes::section_5_1_modes),
     ),
     ("5.1", Alone(tip::figure_5_1)),
-    ("5.2", Running(tip::figure_5_2, [40.0, 2500.0])),
+    ("5.2", Running(tip::figure_5_2, [40.0, 2300.0])),
     ("appendix-a", Alone(odd::appendix_a)),
 ];
 
