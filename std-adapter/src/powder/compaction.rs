@@ -2,22 +2,20 @@
 
 use super::blocked::{Means, Window};
 use super::checkpoint::Checkpoint;
-use super::deposit::{BULK, Deposit, DepositError, volume_between};
+use super::deposit::{BULK, Deposit, volume_between};
+use super::error::CompactionError;
 use super::limits::Limits;
 use super::outcome::Outcome;
-use super::packing::{self, BuildError, PISTON, Packing, branch, build};
+use super::packing::{self, PISTON, Packing, branch, build};
 use super::statistics::Statistics;
 use super::stress::Stress;
-use crate::cd::{StepReport, WorldError};
-use crate::record::CheckpointError;
+use crate::cd::StepReport;
 use crate::record::{ContactRow, Snapshot};
 use crate::run::Simulation;
 use crate::scene::PowderScene;
 use std::f64::consts::PI;
 use std::time::Instant;
-use tribos_core::contact::{Sphere, TouchError};
-use tribos_core::law::LawError;
-use tribos_core::limit_surface::SurfaceError;
+use tribos_core::contact::Sphere;
 
 /// Columns of the series, in the units of the scene; `stress_zz` in units of the applied pressure.
 pub const COLUMNS: [&str; 15] = [
@@ -80,56 +78,6 @@ impl Ending {
     pub(super) fn named(name: &str) -> Option<Self> {
         let mut all = [Self::Blocked, Self::Time, Self::Steps].into_iter();
         all.find(|ending| ending.name() == name)
-    }
-}
-
-/// A compaction that cannot start or go on.
-///
-/// ```
-/// use tribos::powder::{Compaction, CompactionError};
-/// use tribos::record::CheckpointError;
-/// # use tribos::scene::{Scene, parse_scene};
-/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
-/// let refused = Compaction::resume(&scene, "{}");
-/// assert!(matches!(refused, Err(CompactionError::Checkpoint(CheckpointError::Format(_)))));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Debug, thiserror::Error)]
-pub enum CompactionError {
-    /// The deposit cannot be grown.
-    #[error(transparent)]
-    Deposit(#[from] DepositError),
-    /// The kernel refused a law.
-    #[error(transparent)]
-    Law(#[from] LawError),
-    /// The kernel refused a set of sliding and torsion.
-    #[error(transparent)]
-    Surface(#[from] SurfaceError),
-    /// The world cannot start or go on.
-    #[error(transparent)]
-    World(#[from] WorldError),
-    /// Two bodies have no normal.
-    #[error("after step {step}: {cause}")]
-    Touch {
-        /// Step of the run.
-        step: u64,
-        /// What is wrong.
-        #[source]
-        cause: TouchError,
-    },
-    /// The checkpoint is of no use.
-    #[error(transparent)]
-    Checkpoint(#[from] CheckpointError),
-}
-
-impl From<BuildError> for CompactionError {
-    fn from(error: BuildError) -> Self {
-        match error {
-            BuildError::Law(error) => error.into(),
-            BuildError::Surface(error) => error.into(),
-            BuildError::World(error) => error.into(),
-        }
     }
 }
 

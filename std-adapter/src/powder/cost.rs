@@ -1,8 +1,8 @@
 //! What a compaction will cost: spheres, contacts, unknowns, and the time of an update.
 
 use super::carried::CarriedModes;
-use super::compaction::CompactionError;
 use super::deposit::Deposit;
+use super::error::CompactionError;
 use super::packing::{Packing, build};
 use crate::cd::{Method, Order, Solver, Stop};
 use crate::scene::{Coupling, PowderScene};

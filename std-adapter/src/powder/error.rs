@@ -1,0 +1,59 @@
+//! What keeps a compaction from starting or going on.
+
+use super::deposit::DepositError;
+use super::packing::BuildError;
+use crate::cd::WorldError;
+use crate::record::CheckpointError;
+use tribos_core::contact::TouchError;
+use tribos_core::law::LawError;
+use tribos_core::limit_surface::SurfaceError;
+
+/// A compaction that cannot start or go on.
+///
+/// ```
+/// use tribos::powder::{Compaction, CompactionError};
+/// use tribos::record::CheckpointError;
+/// # use tribos::scene::{Scene, parse_scene};
+/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// let refused = Compaction::resume(&scene, "{}");
+/// assert!(matches!(refused, Err(CompactionError::Checkpoint(CheckpointError::Format(_)))));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, thiserror::Error)]
+pub enum CompactionError {
+    /// The deposit cannot be grown.
+    #[error(transparent)]
+    Deposit(#[from] DepositError),
+    /// The kernel refused a law.
+    #[error(transparent)]
+    Law(#[from] LawError),
+    /// The kernel refused a set of sliding and torsion.
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+    /// The world cannot start or go on.
+    #[error(transparent)]
+    World(#[from] WorldError),
+    /// Two bodies have no normal.
+    #[error("after step {step}: {cause}")]
+    Touch {
+        /// Step of the run.
+        step: u64,
+        /// What is wrong.
+        #[source]
+        cause: TouchError,
+    },
+    /// The checkpoint is of no use.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
+}
+
+impl From<BuildError> for CompactionError {
+    fn from(error: BuildError) -> Self {
+        match error {
+            BuildError::Law(error) => error.into(),
+            BuildError::Surface(error) => error.into(),
+            BuildError::World(error) => error.into(),
+        }
+    }
+}
