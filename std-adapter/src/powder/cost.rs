@@ -133,7 +133,7 @@ fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
         most_sweeps: SWEEPS,
         warm_start: false,
     };
-    Ok(build(&timed, &deposit, None)?)
+    build(&timed, &deposit, None)
 }
 
 impl PowderCost {

@@ -1,7 +1,6 @@
 //! What keeps a compaction from starting or going on.
 
 use super::deposit::DepositError;
-use super::packing::BuildError;
 use crate::cd::WorldError;
 use crate::record::CheckpointError;
 use tribos_core::contact::TouchError;
@@ -46,14 +45,4 @@ pub enum CompactionError {
     /// The checkpoint is of no use.
     #[error(transparent)]
     Checkpoint(#[from] CheckpointError),
-}
-
-impl From<BuildError> for CompactionError {
-    fn from(error: BuildError) -> Self {
-        match error {
-            BuildError::Law(error) => error.into(),
-            BuildError::Surface(error) => error.into(),
-            BuildError::World(error) => error.into(),
-        }
-    }
 }

@@ -3,6 +3,7 @@
 use super::carried::CarriedModes;
 use super::checkpoint::Frozen;
 use super::deposit::{Deposit, SUBSTRATE};
+use super::error::CompactionError;
 use crate::cd::{
     Book, Coefficients, Laws, Memory, Rest, Setup, State, StepReport, Wall, World, WorldError,
     solid,
@@ -16,7 +17,6 @@ use tribos_core::contact::{
     Sphere, Thresholds, Touch, TouchError,
 };
 use tribos_core::coupling::table;
-use tribos_core::law::LawError;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, SurfaceError};
 
 /// Number of the piston among the walls.
@@ -71,7 +71,7 @@ pub(super) fn build(
     scene: &PowderScene,
     deposit: &Deposit,
     frozen: Option<&Frozen>,
-) -> Result<Box<dyn Packing>, BuildError> {
+) -> Result<Box<dyn Packing>, CompactionError> {
     let [mu, mu_t, mu_n] = scene.friction;
     let at = (scene, deposit, frozen);
     let carried = scene.carried();
@@ -139,7 +139,7 @@ pub(super) fn exact(
 fn coupled<S: FrictionSet<f64> + Copy + Debug + Send + Sync + 'static>(
     at: (&PowderScene, &Deposit, Option<&Frozen>),
     [rough, smooth]: [S; 2],
-) -> Result<Box<dyn Packing>, BuildError> {
+) -> Result<Box<dyn Packing>, CompactionError> {
     let scene = at.0;
     let mu_t = scene.friction[1];
     if mu_t > 0.0 {
@@ -149,20 +149,6 @@ fn coupled<S: FrictionSet<f64> + Copy + Debug + Send + Sync + 'static>(
         let law = CoupledFriction::sliding_torsion;
         boxed(at, both(scene, law(rough), law(smooth)))
     }
-}
-
-/// What a packing cannot be built of.
-#[derive(Debug, thiserror::Error)]
-pub(super) enum BuildError {
-    /// The kernel refused a law.
-    #[error(transparent)]
-    Law(#[from] LawError),
-    /// The kernel refused a set.
-    #[error(transparent)]
-    Surface(#[from] SurfaceError),
-    /// The world refused the setup.
-    #[error(transparent)]
-    World(#[from] WorldError),
 }
 
 /// Friction between spheres and at walls.
@@ -177,7 +163,7 @@ fn both<F: Copy>(scene: &PowderScene, rough: F, smooth: F) -> [F; 2] {
 fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
     (scene, deposit, frozen): (&PowderScene, &Deposit, Option<&Frozen>),
     friction: [F; 2],
-) -> Result<Box<dyn Packing>, BuildError> {
+) -> Result<Box<dyn Packing>, CompactionError> {
     let cohesion = Cohesion::new(STRENGTH, scene.cohesion_range, scene.attraction)?;
     let pair = NormalLaw::new(cohesion, scene.restitution)?;
     let wall = match scene.wall {

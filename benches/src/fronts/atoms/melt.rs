@@ -64,7 +64,8 @@ impl Melt {
         }
     }
 
-    /// What has become of the crystal of `cubes`³ cubes after some steps; half of its heat goes into the melting.
+    /// What has become of the crystal of `cubes`³ cubes after some steps; half of its heat goes into
+    /// the melting.
     pub fn after(cubes: usize, steps: usize, shift: Shift) -> Result<Self, String> {
         let crystal = Self::crystal(cubes);
         let mut system = crystal.system(shift, TIME_STEP)?;
