@@ -7,7 +7,7 @@ fn main() -> ExitCode {
     match command::parse().execute() {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            command::tell(format_args!("error: {failure}"));
+            command::warn(format_args!("error: {failure}"));
             failure.exit_code()
         }
     }

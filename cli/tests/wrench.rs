@@ -16,18 +16,14 @@ fn tribos(arguments: &[&str]) -> Result<String, Box<dyn std::error::Error>> {
 }
 
 #[test]
-fn one_twist_as_json_has_seventeen_digits() -> Outcome {
+fn one_twist_as_json_keeps_all_bits() -> Outcome {
     let text = tribos(&["wrench", "--speed", "1", "--spin", "1", "--format", "json"])?;
     let value: serde_json::Value = serde_json::from_str(&text)?;
     let force = value["force"].as_f64().ok_or("no force")?;
     assert!((force - 8.0 / (3.0 * PI)).abs() < 2e-16);
-    let digits = value["torque"].to_string();
-    let mantissa = digits.split('e').next().ok_or("empty")?;
-    assert_eq!(
-        mantissa.chars().filter(char::is_ascii_digit).count(),
-        17,
-        "{digits}"
-    );
+    // The shortest text of a number is the one that Rust writes.
+    let torque = value["torque"].as_f64().ok_or("no torque")?;
+    assert!(text.contains(&format!("\"torque\": {torque:?}")), "{text}");
     Ok(())
 }
 
@@ -81,7 +77,7 @@ fn a_file_of_twists_becomes_csv_with_the_jacobian() -> Outcome {
     // Dry friction depends on the ratio only.
     let cells = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
     assert_eq!(cells(lines[1])[2..4], cells(lines[2])[2..4]);
-    assert_eq!(cells(lines[3])[2], "0.0000000000000000e0");
+    assert_eq!(cells(lines[3])[2], "0.0");
     Ok(())
 }
 
@@ -111,7 +107,7 @@ fn a_large_exponent_is_served_without_tables() -> Outcome {
     ])?;
     assert_eq!(
         text.lines().nth(1).and_then(|line| line.split(',').nth(2)),
-        Some("1.0000000000000000e0")
+        Some("1.0")
     );
     Ok(())
 }

@@ -3,6 +3,7 @@
 mod columns;
 mod completions;
 mod deposit;
+mod digits;
 mod eval;
 mod explain;
 mod export;
@@ -16,6 +17,7 @@ mod number;
 mod overview;
 mod parallel;
 mod patch;
+mod presentation;
 mod profile;
 mod reproduce;
 mod run;
@@ -36,6 +38,8 @@ use std::io::Write;
 #[command(name = "tribos", version, arg_required_else_help = true)]
 #[command(after_help = overview::EXAMPLES)]
 struct Program {
+    #[command(flatten)]
+    presentation: presentation::Presentation,
     #[command(subcommand)]
     command: Command,
 }
@@ -79,7 +83,10 @@ fn documentation() -> [(&'static str, StyledStr); 15] {
 /// What the arguments of this process ask for; ends it with help or a refusal if that is the answer.
 pub fn parse() -> Command {
     match Program::from_arg_matches(&program().get_matches()) {
-        Ok(program) => program.command,
+        Ok(program) => {
+            program.presentation.adopt();
+            program.command
+        }
         Err(error) => error.exit(),
     }
 }
@@ -148,8 +155,15 @@ impl Command {
     }
 }
 
-/// A line on standard error; work goes on if nobody can read it.
-pub fn tell(line: fmt::Arguments<'_>) {
+/// A line on standard error about progress or a choice, unless --quiet is given.
+fn tell(line: fmt::Arguments<'_>) {
+    if !presentation::is_quiet() {
+        warn(line);
+    }
+}
+
+/// A line on standard error that --quiet does not take away; work goes on if nobody can read it.
+pub fn warn(line: fmt::Arguments<'_>) {
     // One write a line: lines of several threads do not mix.
     let line = format!("{line}\n");
     let _ = std::io::stderr().lock().write_all(line.as_bytes());

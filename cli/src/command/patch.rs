@@ -1,6 +1,7 @@
 //! Contact patches by name.
 
 use super::number;
+use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 use tribos_core::coupling::Annulus;
@@ -41,6 +42,25 @@ impl PatchName {
             Self::Punch => Some(PowerPressure::FLAT_PUNCH),
             Self::Paraboloid => Some(PowerPressure::PARABOLOID),
             Self::Annulus(_) | Self::Polynomial(_) | Self::Points(_) => None,
+        }
+    }
+}
+
+impl fmt::Display for PatchName {
+    /// As the command line takes it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Disk => f.write_str("disk"),
+            Self::Ring => f.write_str("ring"),
+            Self::Annulus(inner) => write!(f, "annulus:{inner}"),
+            Self::Hertz => f.write_str("hertz"),
+            Self::Punch => f.write_str("punch"),
+            Self::Paraboloid => f.write_str("paraboloid"),
+            Self::Polynomial(coefficients) => {
+                let list: Vec<String> = coefficients.iter().map(f64::to_string).collect();
+                write!(f, "polynomial:{}", list.join(","))
+            }
+            Self::Points(file) => write!(f, "points:{}", file.display()),
         }
     }
 }

@@ -7,6 +7,7 @@ pub mod powder;
 pub mod tip;
 
 use self::long::{Course, Progress, Start, forget_checkpoint};
+use super::digits::shown;
 use super::number;
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Guide, Series};
@@ -166,18 +167,18 @@ impl Arguments {
         };
         super::print(&format!(
             "ending        {:?} after {} steps\n\
-             time          {:.12}{s}\n\
-             distance      {:.12}{m}\n\
-             angle         {:.12} rad\n\
-             final ratio   {:.12}\n\
+             time          {}{s}\n\
+             distance      {}{m}\n\
+             angle         {} rad\n\
+             final ratio   {}\n\
              energy error  {:.1e} of the initial energy\n\
              written to    {}\n",
             outcome.ending,
             outcome.steps,
-            outcome.time,
-            outcome.distance,
-            outcome.angle,
-            outcome.ratio,
+            shown(outcome.time),
+            shown(outcome.distance),
+            shown(outcome.angle),
+            shown(outcome.ratio),
             outcome.energy_error,
             self.out.display()
         ))

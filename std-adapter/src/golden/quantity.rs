@@ -93,7 +93,7 @@ fn collect(path: String, value: &Value, found: &mut Vec<(String, Quantity)>) {
             }
         }
         Value::Number(number) => {
-            // 17 digits read back to the same bits.
+            // The shortest form reads back to the same bits.
             let quantity = match number.to_string().parse() {
                 Ok(value) => Quantity::Number(value),
                 Err(_) => Quantity::Text(number.to_string()),

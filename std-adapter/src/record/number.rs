@@ -2,18 +2,21 @@
 
 use serde_json::Value;
 
-/// `value` with 17 significant digits, which identify every f64; `inf`, `-inf` or `nan` otherwise.
+/// The shortest decimal text that reads back to the same f64; `inf`, `-inf` or `nan` otherwise.
+///
+/// Whole numbers keep `.0`, so that a column of floats stays one; a power of ten is written below
+/// 1e-5 and from 1e16 on.
 ///
 /// ```
 /// use tribos::record::number;
-/// // The f64 next to 0.1 lies a little above it.
-/// assert_eq!(number(0.1), "1.0000000000000001e-1");
-/// assert_eq!(number(0.1).parse(), Ok(0.1));
+/// assert_eq!([0.1, 2.0, 1.5e-7].map(number), ["0.1", "2.0", "1.5e-7"]);
+/// // The last bit shows where it matters.
+/// assert_eq!(number(0.1 + 0.2), "0.30000000000000004");
 /// assert_eq!(number(f64::NEG_INFINITY), "-inf");
 /// ```
 pub fn number(value: f64) -> String {
     if value.is_finite() {
-        format!("{value:.16e}")
+        format!("{value:?}")
     } else if value.is_nan() {
         "nan".into()
     } else if value > 0.0 {
@@ -23,7 +26,7 @@ pub fn number(value: f64) -> String {
     }
 }
 
-/// `value` as JSON with 17 significant digits; infinities and NaN, which JSON lacks, as strings.
+/// `value` as JSON in the form of [`number`]; infinities and NaN, which JSON lacks, as strings.
 ///
 /// ```
 /// use tribos::record::json_number;
@@ -44,7 +47,9 @@ mod tests {
 
     #[test]
     fn every_number_reads_back_to_the_same_bits() {
-        for value in [0.1, -1.0 / 3.0, 5e-324, f64::MAX, 0.0, 1e22] {
+        let dense = (0..2000).map(|i| (1.0 + f64::EPSILON * f64::from(i)) * 3e-7);
+        let edges = [0.1, -1.0 / 3.0, 5e-324, f64::MAX, 0.0, -0.0, 1e16, 1e22];
+        for value in edges.into_iter().chain(dense) {
             assert_eq!(
                 number(value).parse::<f64>().map(f64::to_bits),
                 Ok(value.to_bits())
@@ -55,5 +60,20 @@ mod tests {
             );
         }
         assert_eq!(json_number(f64::INFINITY), Value::String("inf".into()));
+    }
+
+    #[test]
+    fn no_digit_is_written_that_the_bits_do_not_need() {
+        for (value, text) in [
+            (0.3, "0.3"),
+            (9.81, "9.81"),
+            (-2.0, "-2.0"),
+            (0.0, "0.0"),
+            (1e-5, "1e-5"),
+            (6.25e20, "6.25e20"),
+        ] {
+            assert_eq!(number(value), text);
+            assert_eq!(json_number(value).to_string(), text);
+        }
     }
 }

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 const NAMELESS: &str = "X";
 
 /// One frame of extended XYZ: species, id from 0, place in the cell, radius and coordination, then
-/// velocity and angular velocity where there are any, 17 significant digits each.
+/// velocity and angular velocity where there are any, in the shortest form that keeps the bits.
 ///
 /// Columns have the names that OVITO knows (`velo`, `omega`, `n_neighb`). Frames one after another
 /// are a trajectory. OVITO takes places for fractions of the cell if all lie between 0 and 1.

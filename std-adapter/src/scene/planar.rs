@@ -214,7 +214,7 @@ impl Taker {
     /// A number that may be left out; null then.
     pub fn optional(&mut self, key: Key) -> Option<f64> {
         let value = self.reader.optional(key.name);
-        let json = value.map_or(Value::Null, json_number);
+        let json = value.map_or(Value::Null, |value| shown(key, value));
         self.values.insert(key.name.into(), json);
         value
     }
@@ -230,8 +230,16 @@ impl Taker {
     }
 
     fn note(&mut self, key: Key, value: f64) -> f64 {
-        self.values.insert(key.name.into(), json_number(value));
+        self.values.insert(key.name.into(), shown(key, value));
         value
+    }
+}
+
+/// A value as JSON: whole numbers for what is counted.
+fn shown(key: Key, value: f64) -> Value {
+    match key.domain {
+        Domain::Count { .. } if key.domain.admits(value) => (value as u64).into(),
+        _ => json_number(value),
     }
 }
 

@@ -2,6 +2,7 @@
 
 pub mod curve;
 
+use super::digits::shown;
 use super::number;
 use crate::failure::Failure;
 use crate::report::image;
@@ -130,12 +131,12 @@ impl Arguments {
 
     /// A few lines for the person at the terminal.
     fn report(&self, deposit: &Deposit) -> Result<(), Failure> {
-        let share = |porosity: f64| format!("{:.3} %", 100.0 * porosity);
+        let share = |porosity: f64| format!("{} %", shown(100.0 * porosity));
         super::print(&format!(
-            "particles      {}\nheight         {:.6}\nporosity       {} below the highest point\n\
+            "particles      {}\nheight         {}\nporosity       {} below the highest point\n\
              bulk porosity  {} in the middle half\nwritten to     {}\n",
             deposit.positions.len(),
-            deposit.height,
+            shown(deposit.height),
             share(deposit.porosity()),
             share(deposit.bulk_porosity()),
             self.out.display()

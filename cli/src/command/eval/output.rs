@@ -2,6 +2,7 @@
 
 use super::potential::Potential;
 use super::units::Units;
+use crate::command::digits::shown;
 use nalgebra::{Matrix3, Vector3};
 use serde_json::{Map, Value};
 use std::fmt::Write as _;
@@ -84,10 +85,10 @@ impl Summary {
             Units::Metal => [" eV", " bar"],
         };
         format!(
-            "atoms      {}\nenergy     {:.10}{energy}\npressure   {:.10}{pressure}\nwritten to {}\n",
+            "atoms      {}\nenergy     {}{energy}\npressure   {}{pressure}\nwritten to {}\n",
             self.atoms,
-            self.energy,
-            self.pressure(),
+            shown(self.energy),
+            shown(self.pressure()),
             out.display()
         )
     }

@@ -1,5 +1,6 @@
 //! Solutions as text, JSON or CSV.
 
+use crate::command::digits::shown;
 use crate::failure::Failure;
 use serde_json::{Map, Value};
 use std::io::Write;
@@ -72,7 +73,7 @@ impl Row {
         let lines = self.fields().into_iter();
         lines
             .map(|(name, x, unit)| {
-                format!("{name:<15} {x:>24.16e} {unit}")
+                format!("{name:<15} {} {unit}", shown(x))
                     .trim_end()
                     .to_owned()
                     + "\n"

@@ -2,6 +2,7 @@
 
 pub mod diagram;
 
+use super::digits::shown;
 use super::patch::PatchName;
 use super::{number, profile};
 use crate::failure::Failure;
@@ -181,16 +182,22 @@ impl Answer {
     fn text(&self) -> String {
         let (low, high) = self.interval;
         let mut text = format!(
-            "alpha = {}, C = {}\nfinite fixed point for {low:.6} < C < {high:.6}\n",
-            self.alpha, self.inertia_ratio
+            "alpha = {}, C = {}\nfinite fixed point for {} < C < {}\n",
+            self.alpha,
+            self.inertia_ratio,
+            shown(low),
+            shown(high)
         );
         for (ratio, stability) in self.points() {
-            text += &format!("  ratio {ratio:<22.15} {stability}\n");
+            text += &format!("  ratio {:<12} {stability}\n", shown(ratio));
         }
         let (mode, ratio) = self.mode();
         text += &match (mode.as_str(), ratio) {
             ("together", Some(ratio)) => {
-                format!("final mode: both motions fade together at ratio {ratio:.15}\n")
+                format!(
+                    "final mode: both motions fade together at ratio {}\n",
+                    shown(ratio)
+                )
             }
             _ => format!("final mode: {mode}\n"),
         };

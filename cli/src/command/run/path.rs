@@ -1,5 +1,6 @@
 //! Bodies that slide along a path in the plane.
 
+use crate::command::digits::shown;
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Series};
 use crate::report::image;
@@ -28,29 +29,29 @@ pub fn run(scene: &PlanarScene, out: &Path) -> Result<(), Failure> {
 /// A few lines for the person at the terminal.
 fn report(result: &PathRun, out: &Path) -> Result<(), Failure> {
     let arrival = &result.outcome.arrival;
-    let [x, y] = arrival.point.position;
+    let [x, y] = arrival.point.position.map(shown);
     let ending = match arrival.ending {
         Ending::Rest => "Rest",
         Ending::Faded => "Faded",
     };
     let lean = match arrival.tips_at {
-        Some(time) => format!("held at its limit from {time:.6} s on"),
-        None => format!("at most {:.6} of its limit", arrival.most_lean),
+        Some(time) => format!("held at its limit from {} s on", shown(time)),
+        None => format!("at most {} of its limit", shown(arrival.most_lean)),
     };
     crate::command::print(&format!(
         "ending        {ending} after {} steps\n\
-         time          {:.12} s\n\
-         forward       {x:.12} m\n\
-         curl          {y:.12} m, to the left if positive\n\
-         angle         {:.12} rad\n\
-         final ratio   {:.12}\n\
+         time          {} s\n\
+         forward       {x} m\n\
+         curl          {y} m, to the left if positive\n\
+         angle         {} rad\n\
+         final ratio   {}\n\
          lean          {lean}\n\
          energy error  {:.1e} of the initial energy\n\
          written to    {}\n",
         arrival.steps,
-        arrival.point.time,
-        arrival.point.angle,
-        arrival.point.ratio,
+        shown(arrival.point.time),
+        shown(arrival.point.angle),
+        shown(arrival.point.ratio),
         result.outcome.energy_error,
         out.display()
     ))

@@ -4,6 +4,7 @@ mod picture;
 
 use super::film::{Film, Filmed};
 use super::long::{Course, Progress, Start, TOLD, checkpoint, kept};
+use crate::command::digits::shown;
 use crate::failure::Failure;
 use crate::report::image;
 use std::path::Path;
@@ -104,26 +105,28 @@ pub fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
     let angles: Vec<String> = outcome
         .layer_angles
         .iter()
-        .map(|a| format!("{a:.2}"))
+        .map(|&angle| shown(angle))
         .collect();
     let mut text = format!(
         "verdict       {verdict}\n\
-         angle         {:.3} degrees driven, {:.3} at the end, {:.3} at most\n\
+         angle         {} degrees driven, {} at the end, {} at most\n\
          layers        {} degrees at the end, from below\n\
          slipped       while driven {}, for good {} (0 is the contact, k above the tip's layer k)\n\
-         temperature   {:.4} eps/k_B of the tip's bath\n",
-        outcome.driven_angle,
-        outcome.final_angle,
-        outcome.largest_angle,
+         temperature   {} eps/k_B of the tip's bath\n",
+        shown(outcome.driven_angle),
+        shown(outcome.final_angle),
+        shown(outcome.largest_angle),
         angles.join(", "),
         interfaces(&outcome.slipped_driven),
         interfaces(&outcome.slipped),
-        outcome.tip_temperature,
+        shown(outcome.tip_temperature),
     );
     for plateau in &outcome.plateaus {
         text += &format!(
-            "locked        {:.3} degrees from {:.1} to {:.1}\n",
-            plateau.angle, plateau.from, plateau.to
+            "locked        {} degrees from {} to {}\n",
+            shown(plateau.angle),
+            shown(plateau.from),
+            shown(plateau.to)
         );
     }
     text += &format!("written to    {}\n", out.display());

@@ -1,6 +1,7 @@
 //! One run of a sweep: any body, from its scene to its summary.
 
 use super::kind::{self, Kind};
+use crate::command::digits::shown;
 use crate::command::run::long::{Course, Start, resumed};
 use crate::command::run::{powder, tip};
 use crate::failure::Failure;
@@ -72,13 +73,20 @@ impl Body {
         match self {
             Self::Disk(scene) => {
                 let outcome = slide::run(scene, |_| ())?.outcome;
-                let told = format!("distance {:.6}, {:.6} rad", outcome.distance, outcome.angle);
+                let told = format!(
+                    "distance {}, {} rad",
+                    shown(outcome.distance),
+                    shown(outcome.angle)
+                );
                 Ok((outcome.json(scene), told))
             }
             Self::Planar(scene) => {
                 let outcome = slide::run_path(scene)?.outcome;
                 let [x, y] = outcome.arrival.point.position;
-                Ok((outcome.json(scene), format!("{x:.6} m on, curl {y:.6} m")))
+                Ok((
+                    outcome.json(scene),
+                    format!("{} m on, curl {} m", shown(x), shown(y)),
+                ))
             }
             Self::Powder(scene) => compact(scene, folder),
             Self::Tip(scene) => turn(scene, folder),
@@ -90,8 +98,8 @@ fn compact(scene: &PowderScene, folder: &Path) -> Result<(Value, String), Failur
     let run = resumed(|start| powder::simulate(scene, folder, &course(start)))?;
     let outcome = run.outcome();
     let told = format!(
-        "porosity {:.3} % after {} steps, {:.1} s",
-        100.0 * outcome.porosity[1],
+        "porosity {} % after {} steps, {:.1} s",
+        shown(100.0 * outcome.porosity[1]),
         outcome.steps,
         outcome.wall_seconds
     );
@@ -103,8 +111,9 @@ fn turn(scene: &TipScene, folder: &Path) -> Result<(Value, String), Failure> {
     let outcome = run.outcome();
     tip::write_series(&run, folder)?;
     let told = format!(
-        "{:.2} degrees driven, {:.2} after it",
-        outcome.driven_angle, outcome.final_angle
+        "{} degrees driven, {} after it",
+        shown(outcome.driven_angle),
+        shown(outcome.final_angle)
     );
     Ok((outcome.json(scene), told))
 }

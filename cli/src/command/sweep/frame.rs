@@ -94,7 +94,7 @@ impl Column {
         taken.collect()
     }
 
-    /// A value as text, numbers with 17 digits; empty if there is none.
+    /// A value as text, numbers in the shortest form that keeps the bits; empty if there is none.
     fn text(&self, row: usize) -> String {
         let text = match &self.cells {
             Cells::Integers(cells) => cells[row].map(|cell| cell.to_string()),

@@ -4,6 +4,7 @@ use super::frame::{Column, scalar};
 use super::grid::Grid;
 use super::kind::Kind;
 use crate::command::deposit::curve::statistics;
+use crate::command::digits::shown;
 use serde_json::Value;
 use tribos::record::number;
 
@@ -50,7 +51,7 @@ impl Table {
         row.map_or((f64::NAN, f64::NAN), |row| row.means[0])
     }
 
-    /// With 17 digits.
+    /// Every number in its shortest form that keeps the bits.
     pub fn csv(&self) -> String {
         let mut text = self.names.join(",");
         if !self.names.is_empty() {
@@ -119,9 +120,9 @@ impl Table {
                 let (mean, deviation) = row.means[column.quantity];
                 let [mean, deviation] = [mean, deviation].map(|x| column.factor * x);
                 let cell = if deviation.is_nan() {
-                    format!("{mean:.3}")
+                    shown(mean)
                 } else {
-                    format!("{mean:.3} ± {deviation:.3}")
+                    format!("{} ± {}", shown(mean), shown(deviation))
                 };
                 text += &format!("{cell:>24}");
             }

@@ -33,7 +33,11 @@ pub struct Request<'a> {
     pub tilt: Option<f64>,
 }
 
-/// Force against the velocity, lateral force to its right, torque against counterclockwise spin.
+/// What the body does to the ground, the opposite of what friction does to the body: force along x,
+/// force to the left of x, torque counterclockwise.
+///
+/// With x the way of a positive speed, force and torque have the signs of the motion, and
+/// force·speed + torque·spin is the power that friction takes.
 pub struct Resistance<R> {
     pub force: R,
     pub lateral: R,
@@ -116,6 +120,20 @@ impl<R: Tabulated> Contact<R> {
 }
 
 impl<R: Real> Contact<R> {
+    /// Resistance of a round patch at sliding speed along the first axis and spin, of either sign;
+    /// a pressure that leans does so along the velocity.
+    pub fn round_resistance(&self, load: R, speed: R, spin: R) -> Resistance<R> {
+        let of = self.resistance(load, speed.abs(), spin.abs());
+        let signed = |x: R, negative: bool| if negative { R::ZERO - x } else { x };
+        let (back, clockwise) = (speed < R::ZERO, spin < R::ZERO);
+        Resistance {
+            force: signed(of.force, back),
+            // Turned by half a turn with the velocity, mirrored with the spin.
+            lateral: signed(of.lateral, back != clockwise),
+            torque: signed(of.torque, clockwise),
+        }
+    }
+
     /// Resistance at sliding speed along the first axis and spin.
     pub fn resistance(&self, load: R, speed: R, spin: R) -> Resistance<R> {
         match self {
@@ -143,25 +161,33 @@ impl<R: Real> Contact<R> {
                 coefficient,
             } => {
                 let w = friction.wrench(load, &Twist::new(speed, R::ZERO, spin));
-                let along = -(*coefficient).copysign(speed);
+                // The opposite of what the body feels; no zero is negative.
+                let opposite = |x: R| R::ZERO - *coefficient * x;
                 Resistance {
-                    force: along * w.force.x,
-                    lateral: along * w.force.y,
-                    torque: -*coefficient * w.torque,
+                    force: opposite(w.force.x),
+                    lateral: opposite(w.force.y),
+                    torque: opposite(w.torque),
                 }
             }
         }
     }
 
-    /// Derivatives of force and torque, where the patch is round and upright.
+    /// Derivatives of force and torque with their signs, where the patch is round and upright.
     pub fn jacobian(&self, load: R, speed: R, spin: R) -> Option<[R; 4]> {
+        let opposed = (speed < R::ZERO) != (spin < R::ZERO);
+        let mixed = |x: R| if opposed { R::ZERO - x } else { x };
         let (speed, spin) = (speed.abs(), spin.abs());
         let j = match self {
             Self::Round { friction, .. } => friction.magnitudes_jacobian(load, speed, spin),
             Self::Upright(friction) => friction.magnitudes_jacobian(load, speed, spin),
             Self::Nodes { .. } => return None,
         };
-        Some([j.force_speed, j.force_spin, j.torque_speed, j.torque_spin])
+        Some([
+            j.force_speed,
+            mixed(j.force_spin),
+            mixed(j.torque_speed),
+            j.torque_spin,
+        ])
     }
 }
 

@@ -1,6 +1,7 @@
 //! `tribos wrench`: force and torque of one twist or of a file of twists.
 
 mod contact;
+mod given;
 mod output;
 
 use super::laws::LawSpec;
@@ -15,25 +16,29 @@ use tribos::record::write_atomically;
 use tribos_core::Real;
 
 /// Friction force and torque of a contact under the local law `coefficient` * |v|^`alpha`, or
-/// another law, as magnitudes that oppose the motion.
+/// another law.
+///
+/// `force` and `torque` are the resistance, with the signs of the motion that they oppose: the body
+/// feels -force along x, along which it slides with `speed`, and -torque about z, about which it
+/// spins counterclockwise with `spin`. Friction takes the power force*speed + torque*spin, and the
+/// Jacobian is the derivative of just these. The answer repeats the contact that it is for.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
     /// Contact patch.
     #[arg(long, default_value = "disk", long_help = format!("Contact patch: {PATCHES}.\n\
-        The file of points has columns x,y [m] and weight; the body slides along x, `force` is \
-        against it, `lateral` to the right of it, `torque` against counterclockwise spin."))]
+        The file of points has columns x,y [m] and weight; the body slides along x."))]
     patch: PatchName,
     /// Local law instead of coefficient and alpha; see `tribos laws`.
     #[arg(long, value_name = "NAME:KEY=VALUE,…", conflicts_with_all = ["alpha", "coefficient"])]
     law: Option<LawSpec>,
     /// Lean of the pressure, p (1 + K x/radius) with x along the velocity; adds the column
-    /// `lateral`, the force to the right for counterclockwise spin.
+    /// `lateral`, the force to the right of x.
     #[arg(long, value_name = "K", value_parser = number::finite, allow_negative_numbers = true,
           long_help = "Lean of the pressure, p (1 + K x/radius) with x along the velocity: \
           K = F H/(Fn radius <r^2>) for a body of height H braked by F, which is 2 F H/(Fn radius) \
-          for the uniform disk (thesis eq. 3.37). Adds the column `lateral`: the force to the right \
-          of the velocity for counterclockwise spin.")]
+          for the uniform disk (thesis eq. 3.37). Adds the column `lateral`: the force on the body \
+          to the right of x, which is positive for counterclockwise spin and positive speed.")]
     tilt: Option<f64>,
     /// What to do if --tilt would make the pressure negative.
     #[arg(long, default_value = "error", value_enum)]
@@ -50,11 +55,11 @@ pub struct Arguments {
     /// Radius of the contact [m].
     #[arg(long, default_value = "1", value_parser = number::positive, allow_negative_numbers = true)]
     radius: f64,
-    /// Sliding speed [m/s]; its sign matters for points only.
+    /// Sliding speed along x [m/s], of either sign.
     #[arg(long, value_parser = number::finite, allow_negative_numbers = true,
           required_unless_present = "twists", conflicts_with = "twists")]
     speed: Option<f64>,
-    /// Spin [rad/s]; its sign matters for points only.
+    /// Spin, counterclockwise if positive [rad/s].
     #[arg(long, value_parser = number::finite, allow_negative_numbers = true,
           required_unless_present = "twists", conflicts_with = "twists")]
     spin: Option<f64>,
@@ -118,10 +123,12 @@ impl Arguments {
         } else {
             Format::Text
         };
-        let text = self
-            .format
-            .unwrap_or(default)
-            .render(&lines, self.twists.is_some());
+        let (format, given) = (self.format.unwrap_or(default), given::contact(&self));
+        let text = format.render(&lines, &given, self.twists.is_some());
+        if self.twists.is_some() || format == Format::Csv {
+            // Columns and arrays have no place for it.
+            super::tell(format_args!("contact: {}", given::sentence(&given)));
+        }
         match &self.output {
             Some(path) => Ok(write_atomically(path, text.as_bytes())?),
             None => super::print(&text),
@@ -176,13 +183,11 @@ impl Arguments {
         (speed, spin): (R, R),
     ) -> Result<Line, Failure> {
         let is_round = !matches!(self.patch, PatchName::Points(_));
-        // Round patches do not know left from right.
-        let (speed, spin) = if is_round {
-            (speed.abs(), spin.abs())
+        let resistance = if is_round {
+            contact.round_resistance(load, speed, spin)
         } else {
-            (speed, spin)
+            contact.resistance(load, speed, spin)
         };
-        let resistance = contact.resistance(load, speed, spin);
         let jacobian = match (self.jacobian, contact.jacobian(load, speed, spin)) {
             (false, _) => None,
             (true, Some(jacobian)) => Some(jacobian.map(R::to_f64)),

@@ -1,5 +1,7 @@
 //! Wrenches as text, JSON or CSV.
 
+use super::given::{self, Given};
+use crate::command::digits::shown;
 use serde_json::{Map, Value};
 use tribos::record::{json_number, series_csv};
 
@@ -74,19 +76,31 @@ impl Line {
         };
         self.fields()
             .into_iter()
-            .map(|(name, x)| format!("{name:<15} {x:.16e} {}\n", unit(name)))
+            .map(|(name, x)| format!("{name:<15} {} {}\n", shown(x), unit(name)))
             .collect()
     }
 }
 
 impl Format {
-    /// The lines in this format; `many` makes an array of JSON even for a single line.
-    pub fn render(self, lines: &[Line], many: bool) -> String {
+    /// The lines in this format with the contact that they are for, where there is a place for it;
+    /// `many` makes an array of JSON even for a single line.
+    pub fn render(self, lines: &[Line], contact: &[Given], many: bool) -> String {
         match self {
-            Self::Text => lines.iter().map(Line::text).collect::<Vec<_>>().join("\n"),
+            Self::Text => {
+                let head = if many {
+                    String::new()
+                } else {
+                    given::lines(contact)
+                };
+                head + &lines.iter().map(Line::text).collect::<Vec<_>>().join("\n")
+            }
             Self::Json => {
                 let value = match lines {
-                    [line] if !many => line.json(),
+                    [line] if !many => {
+                        let mut value = line.json();
+                        value["contact"] = given::json(contact);
+                        value
+                    }
                     _ => Value::Array(lines.iter().map(Line::json).collect()),
                 };
                 format!("{value:#}\n")

@@ -1,6 +1,7 @@
 //! What a compaction leaves behind.
 
 use super::picture;
+use crate::command::digits::shown;
 use crate::failure::Failure;
 use crate::report::image;
 use std::path::Path;
@@ -67,13 +68,15 @@ pub fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
         Some(Ending::Time) => "duration over before the packing was blocked",
         Some(Ending::Steps) | None => "steps done before the packing was blocked",
     };
-    let [before, after] = outcome.porosity.map(|porosity| 100.0 * porosity);
+    let [before, after] = outcome.porosity.map(|porosity| shown(100.0 * porosity));
     let [total, plus, minus] = outcome.stress_zz();
+    let sign = if minus < 0.0 { '-' } else { '+' };
+    let [total, plus, minus] = [total, plus, minus.abs()].map(shown);
     let mut text = format!(
         "ending        {ending}: {} steps, {} sweeps, {:.1} s\n\
          particles     {}, {} contacts, {:.2} a sphere\n\
-         porosity      {after:.3} % from {before:.3} %\n\
-         stress_zz     {total:.3} = {plus:.3} {minus:+.3} of the pressure\n\
+         porosity      {after} % from {before} %\n\
+         stress_zz     {total} = {plus} {sign} {minus} of the pressure\n\
          residual      {:.1e}, overlap {:.1e} R\n",
         outcome.steps,
         outcome.iterations,
@@ -92,10 +95,10 @@ pub fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
 /// Where the work went.
 fn budget(outcome: &Outcome) -> String {
     let work = outcome.book.work;
-    let mut text = format!("work          {work:.6}, of which\n");
+    let mut text = format!("work          {}, of which\n", shown(work));
     for (name, energy) in outcome.dissipation() {
         let share = 100.0 * energy / work;
-        text += &format!("  {name:<11} {energy:.6} ({share:.1} %)\n");
+        text += &format!("  {name:<11} {} ({share:.1} %)\n", shown(energy));
     }
     text += &format!("  imbalance   {:.1e}\n", outcome.book.imbalance());
     text

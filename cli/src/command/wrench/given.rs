@@ -1,0 +1,77 @@
+//! The contact that an answer belongs to, values that were left to defaults among them.
+
+use super::Arguments;
+use crate::command::digits::shown;
+use crate::command::patch::PatchName;
+use serde_json::{Map, Value};
+use tribos::record::json_number;
+
+/// A named value of the contact.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Given {
+    /// A word such as a patch or a law.
+    Word(&'static str, String),
+    /// A number and its unit.
+    Number(&'static str, f64, &'static str),
+}
+
+/// What `arguments` say of the contact, in the order of the help.
+pub fn contact(arguments: &Arguments) -> Vec<Given> {
+    let mut given = vec![Given::Word("patch", arguments.patch.to_string())];
+    // Points bring their own lengths, unless the pressure leans over a radius.
+    if !matches!(arguments.patch, PatchName::Points(_)) || arguments.tilt.is_some() {
+        given.push(Given::Number("radius", arguments.radius, "m"));
+    }
+    given.extend(arguments.tilt.map(|tilt| Given::Number("tilt", tilt, "")));
+    given.push(Given::Number("load", arguments.load, "N"));
+    match &arguments.law {
+        Some(law) => given.push(Given::Word("law", law.describe())),
+        None => {
+            let unit = if arguments.alpha == 0.0 {
+                ""
+            } else {
+                "(s/m)^alpha"
+            };
+            given.push(Given::Number("coefficient", arguments.coefficient, unit));
+            given.push(Given::Number("alpha", arguments.alpha, ""));
+        }
+    }
+    given
+}
+
+/// One line a value.
+pub fn lines(given: &[Given]) -> String {
+    let line = |(name, value): (&str, String)| format!("{name:<15} {value}\n");
+    given.iter().map(Given::text).map(line).collect()
+}
+
+/// All values in one line.
+pub fn sentence(given: &[Given]) -> String {
+    let parts: Vec<String> = given
+        .iter()
+        .map(Given::text)
+        .map(|(name, value)| format!("{name} {value}"))
+        .collect();
+    parts.join(", ")
+}
+
+/// An object of all values, in SI units.
+pub fn json(given: &[Given]) -> Value {
+    let field = |given: &Given| match given {
+        Given::Word(name, word) => ((*name).to_owned(), word.as_str().into()),
+        Given::Number(name, value, _) => ((*name).to_owned(), json_number(*value)),
+    };
+    Value::Object(given.iter().map(field).collect::<Map<_, _>>())
+}
+
+impl Given {
+    fn text(&self) -> (&'static str, String) {
+        match self {
+            Self::Word(name, word) => (name, word.clone()),
+            Self::Number(name, value, unit) => {
+                let text = format!("{} {unit}", shown(*value));
+                (name, text.trim_end().to_owned())
+            }
+        }
+    }
+}
