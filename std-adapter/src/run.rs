@@ -1,4 +1,26 @@
-//! The one driver of simulations: step, record, tell how far.
+//! The one driver of simulations: step, record, tell how far; and what a run will take.
+
+/// About what a run will take, from its scene alone: before anything is built.
+///
+/// ```
+/// use tribos::powder::size;
+/// use tribos::run::RunSize;
+/// # use tribos::scene::{Scene, parse_scene};
+/// let text = "body = \"powder\"\nwidth = 1e6\nheight = 61.5";
+/// let Scene::Powder(scene) = parse_scene("wide.toml", text, &[])? else { unreachable!() };
+/// let told: RunSize = size(&scene);
+/// assert!(told.bodies > 1e12 && told.bytes > 1e15 && told.seconds > 1e9);
+/// # Ok::<(), tribos::scene::SceneError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunSize {
+    /// Spheres or atoms.
+    pub bodies: f64,
+    /// Memory, in bytes.
+    pub bytes: f64,
+    /// Time to the end on two cores of 2020, in s: the order of magnitude.
+    pub seconds: f64,
+}
 
 /// Something that advances step by step.
 ///

@@ -5,14 +5,18 @@ use super::compaction::{COLUMNS, Ending, Totals};
 use super::packing::Force;
 use super::stress::Stress;
 use crate::cd::Book;
-use crate::record::CheckpointError;
-use crate::record::kept::{damaged, hex, numbers, same_scene, triple, vectors};
+use crate::record::kept::{
+    damaged, groups, hex, numbers, one, opened, same_scene, triple, vectors,
+};
+use crate::record::{CheckpointError, sealed};
 use crate::scene::PowderScene;
 use nalgebra::{Matrix3, Vector3};
 use serde_json::{Map, Value};
 
 /// Version of the format.
-const VERSION: u64 = 1;
+const VERSION: u64 = 2;
+/// First key of the file.
+const NAME: &str = "tribos_compaction";
 /// Numbers of a window, of the energy book, of a kept force with its bodies.
 const WINDOW: usize = 24;
 const BOOK: usize = 10;
@@ -52,7 +56,7 @@ impl Checkpoint {
     /// The file.
     pub fn text(&self, scene: &PowderScene) -> String {
         let mut map = Map::new();
-        map.insert("tribos_compaction".into(), VERSION.into());
+        map.insert(NAME.into(), VERSION.into());
         map.insert("scene".into(), scene.json());
         let frozen = &self.frozen;
         let mut put = |name: &str, numbers: Vec<f64>| {
@@ -93,50 +97,35 @@ impl Checkpoint {
         map.insert("awake".into(), awake.into());
         map.insert("still".into(), frozen.still.clone().into());
         map.insert("ending".into(), self.ending.map(Ending::name).into());
-        format!("{}\n", Value::Object(map))
+        sealed(map)
     }
 
     /// Reads a file of the same scene.
     pub fn read(text: &str, scene: &PowderScene) -> Result<Self, CheckpointError> {
-        let value: Value = serde_json::from_str(text)
-            .map_err(|error| CheckpointError::Format(error.to_string()))?;
-        if value["tribos_compaction"].as_u64() != Some(VERSION) {
-            let message = format!("not version {VERSION} of a compaction");
-            return Err(CheckpointError::Format(message));
-        }
+        let value = opened(text, NAME, VERSION)?;
         same_scene(&value["scene"], &scene.json())?;
-        let list = |name: &str| numbers(&value, name);
         let whole = |name: &str| value[name].as_u64().ok_or_else(|| damaged(name));
-        let one = |name: &str| list(name)?.first().copied().ok_or_else(|| damaged(name));
-
-        let motions = vectors(&list("motions")?);
-        let walls = list("walls")?;
-        let forces = [list("pair_forces")?, list("wall_forces")?];
-        let complete = list("complete_window")?;
-        let series = list("series")?;
-        let awake = value["awake"].as_str().ok_or_else(|| damaged("awake"))?;
-        let still = value["still"].as_array().ok_or_else(|| damaged("still"))?;
-        let checkpoint = Self {
+        let forces = |name: &str| -> Result<Vec<_>, CheckpointError> {
+            Ok(groups(&value, name)?.iter().map(force).collect())
+        };
+        let walls = groups(&value, "walls")?;
+        let complete = numbers(&value, "complete_window")?;
+        Ok(Self {
             frozen: Frozen {
-                time: one("time")?,
+                time: one(&value, "time")?,
                 steps: whole("steps")?,
-                positions: vectors(&list("positions")?),
-                motions: motions.as_chunks().0.to_vec(),
+                positions: vectors(&value, "positions")?,
+                motions: motions(&value)?,
                 walls: walls
-                    .as_chunks()
-                    .0
-                    .iter()
-                    .map(|&[place, x, y, z]| (place, Vector3::new(x, y, z)))
+                    .into_iter()
+                    .map(|[place, x, y, z]| (place, Vector3::new(x, y, z)))
                     .collect(),
-                book: book(&list("book")?).ok_or_else(|| damaged("book"))?,
-                forces: forces.map(|list| list.as_chunks().0.iter().map(force).collect()),
-                awake: awake.bytes().map(|byte| byte == b'1').collect(),
-                still: still
-                    .iter()
-                    .filter_map(|steps| u8::try_from(steps.as_u64()?).ok())
-                    .collect(),
+                book: book(&numbers(&value, "book")?).ok_or_else(|| damaged("book"))?,
+                forces: [forces("pair_forces")?, forces("wall_forces")?],
+                awake: awake(&value)?,
+                still: still(&value)?,
             },
-            window: window(&list("window")?).ok_or_else(|| damaged("window"))?,
+            window: window(&numbers(&value, "window")?).ok_or_else(|| damaged("window"))?,
             complete: match complete.split_last() {
                 None => None,
                 Some((height, numbers)) => {
@@ -147,19 +136,22 @@ impl Checkpoint {
             totals: Totals {
                 iterations: whole("iterations")?,
                 unmet: whole("unmet")?,
-                wall_seconds: one("wall_seconds")?,
+                wall_seconds: one(&value, "wall_seconds")?,
             },
-            series: series.as_chunks().0.to_vec(),
-            ending: match value["ending"].as_str() {
-                None => None,
-                Some(name) => Some(Ending::named(name).ok_or_else(|| damaged("ending"))?),
+            series: groups(&value, "series")?,
+            ending: match &value["ending"] {
+                Value::Null => None,
+                name => {
+                    let ending = name.as_str().and_then(Ending::named);
+                    Some(ending.ok_or_else(|| damaged("ending"))?)
+                }
             },
-        };
-        Ok(checkpoint)
+        })
     }
 
-    /// Whether it holds this many spheres, and forces between them only.
-    pub fn fits(&self, spheres: usize) -> Result<(), CheckpointError> {
+    /// Whether it holds this many spheres, forces between them only, and as many lines of the series
+    /// as the scene writes in its steps.
+    pub fn fits(&self, spheres: usize, samples: u64) -> Result<(), CheckpointError> {
         let frozen = &self.frozen;
         let lengths = [
             frozen.positions.len(),
@@ -167,6 +159,11 @@ impl Checkpoint {
             frozen.awake.len(),
             frozen.still.len(),
         ];
+        let last = self.ending.is_some() && !frozen.steps.is_multiple_of(samples);
+        let lines = 1 + frozen.steps / samples + u64::from(last);
+        if self.series.len() as u64 != lines {
+            return Err(damaged("series"));
+        }
         let [pairs, walls] = &frozen.forces;
         let known = |body: u32| (body as usize) < spheres;
         let fits = lengths.iter().all(|&length| length == spheres)
@@ -179,6 +176,33 @@ impl Checkpoint {
             Err(damaged("numbers of spheres"))
         }
     }
+}
+
+/// Velocities and spins in pairs.
+fn motions(value: &Value) -> Result<Vec<[Vector3<f64>; 2]>, CheckpointError> {
+    match vectors(value, "motions")?.as_chunks() {
+        (pairs, []) => Ok(pairs.to_vec()),
+        _ => Err(damaged("motions")),
+    }
+}
+
+/// A digit a sphere, 1 for those awake.
+fn awake(value: &Value) -> Result<Vec<bool>, CheckpointError> {
+    let digits = value["awake"].as_str().ok_or_else(|| damaged("awake"))?;
+    let is_awake = |byte| match byte {
+        b'0' => Ok(false),
+        b'1' => Ok(true),
+        _ => Err(damaged("awake")),
+    };
+    digits.bytes().map(is_awake).collect()
+}
+
+/// Steps that each sphere has been slow.
+fn still(value: &Value) -> Result<Vec<u8>, CheckpointError> {
+    let steps = value["still"].as_array().ok_or_else(|| damaged("still"))?;
+    let small = |steps: &Value| u8::try_from(steps.as_u64()?).ok();
+    let steps: Option<Vec<u8>> = steps.iter().map(small).collect();
+    steps.ok_or_else(|| damaged("still"))
 }
 
 fn book_numbers(book: &Book) -> [f64; BOOK] {

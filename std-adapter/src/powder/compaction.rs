@@ -14,6 +14,7 @@ use crate::record::{ContactRow, Snapshot};
 use crate::run::Simulation;
 use crate::scene::PowderScene;
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
 use std::time::Instant;
 use tribos_core::contact::Sphere;
 
@@ -135,7 +136,7 @@ pub struct Compaction {
 impl Compaction {
     /// The scene's deposit with the piston on its highest sphere.
     pub fn new(scene: &PowderScene) -> Result<Self, CompactionError> {
-        Self::begin(scene, None)
+        Self::begin(scene, None, |_| ControlFlow::Continue(()))
     }
 
     /// Goes on from a [checkpoint](Compaction::checkpoint) of a run of the same scene, to the same
@@ -162,14 +163,34 @@ impl Compaction {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn resume(scene: &PowderScene, checkpoint: &str) -> Result<Self, CompactionError> {
-        let checkpoint = Checkpoint::read(checkpoint, scene)?;
-        Self::begin(scene, Some(checkpoint))
+        Self::begin(scene, Some(checkpoint), |_| ControlFlow::Continue(()))
     }
 
-    fn begin(scene: &PowderScene, kept: Option<Checkpoint>) -> Result<Self, CompactionError> {
-        let deposit = scene.ballistic.grow(scene.until, scene.seed)?;
+    /// [New](Self::new), or [resumed](Self::resume) from a checkpoint, while `watch` sees how many
+    /// spheres the deposit has so far and can stop its growth.
+    ///
+    /// ```
+    /// use std::ops::ControlFlow;
+    /// use tribos::powder::{Compaction, CompactionError, deposit::DepositError};
+    /// # use tribos::scene::{Scene, parse_scene};
+    /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+    /// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+    /// let stopped = Compaction::begin(&scene, None, |_spheres| ControlFlow::Break(()));
+    /// assert!(matches!(stopped, Err(CompactionError::Deposit(DepositError::Stopped))));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn begin(
+        scene: &PowderScene,
+        checkpoint: Option<&str>,
+        watch: impl FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Self, CompactionError> {
+        let kept = checkpoint.map(|text| Checkpoint::read(text, scene));
+        let kept = kept.transpose()?;
+        let deposit = scene
+            .ballistic
+            .grow_watched(scene.until, scene.seed, watch)?;
         if let Some(kept) = &kept {
-            kept.fits(deposit.positions.len())?;
+            kept.fits(deposit.positions.len(), scene.samples.max(1))?;
         }
         let packing = build(scene, &deposit, kept.as_ref().map(|kept| &kept.frozen))?;
         let solid = deposit

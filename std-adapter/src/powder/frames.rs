@@ -9,6 +9,7 @@ impl Compaction {
     pub fn bodies(&self, limit: u64) -> Bodies {
         Bodies {
             kind: Kind::Powder,
+            scene: self.scene().json(),
             limit,
             stride: 1,
             periods: [self.scene().width; 2],

@@ -18,7 +18,7 @@ pub use crate::record::CheckpointError;
 pub use blocked::{Means, Window};
 pub use carried::{Carried, CarriedModes};
 pub use compaction::{COLUMNS, Compaction, Ending};
-pub use cost::{PowderCost, cost};
+pub use cost::{PowderCost, cost, size};
 pub use error::CompactionError;
 pub use limits::Limits;
 pub use outcome::Outcome;

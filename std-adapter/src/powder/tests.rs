@@ -1,5 +1,6 @@
 use super::blocked::WINDOW_STEPS;
 use super::*;
+use crate::record::sealed;
 use crate::record::{ContactRow, Partner};
 use crate::run::{Simulation, drive};
 use crate::scene::{Criterion, PowderScene, Scene, parse_scene};
@@ -299,6 +300,7 @@ fn a_checkpoint_read_and_written_is_the_same() -> Tested {
 fn without_clock(checkpoint: &str) -> Result<serde_json::Value, serde_json::Error> {
     let mut value: serde_json::Value = serde_json::from_str(checkpoint)?;
     value["wall_seconds"] = 0.into();
+    value["digest"] = 0.into();
     Ok(value)
 }
 
@@ -315,20 +317,58 @@ fn checkpoints_of_other_scenes_and_damaged_ones_are_refused() -> Tested {
     let other = refusal(&scene(&["rolling=0.5"])?, &kept);
     assert!(other.contains("`rolling` is 0.0") && other.contains("0.5 here"));
     assert!(refusal(&here, "{").contains("run without --resume"));
-    assert!(refusal(&here, "{}").contains("not version 1"));
-    let mut value: serde_json::Value = serde_json::from_str(&kept)?;
-    let positions = value["positions"].as_str().unwrap_or_default().to_owned();
-    for damage in [
-        "",
-        &positions[..48],
-        &positions[1..],
-        &positions.replace('3', "x"),
+    assert!(refusal(&here, "{}").contains("its digest"));
+    let old = "{\"tribos_compaction\":1,\"steps\":3}\n";
+    assert!(refusal(&here, old).contains("has format 1"));
+    // Sealed again after it was changed: every length is still looked at.
+    let Ok(serde_json::Value::Object(whole)) = serde_json::from_str(&kept) else {
+        unreachable!("an object")
+    };
+    let with = |name: &str, value: serde_json::Value| {
+        let mut map = whole.clone();
+        map.remove("digest");
+        map.insert(name.into(), value);
+        refusal(&here, &sealed(map))
+    };
+    for name in [
+        "positions",
+        "motions",
+        "walls",
+        "book",
+        "window",
+        "series",
+        "time",
     ] {
-        value["positions"] = damage.into();
-        assert!(refusal(&here, &value.to_string()).contains("cannot be read"));
+        let numbers = whole[name].as_str().unwrap_or_default();
+        for damage in [
+            "",
+            &numbers[1..],
+            &numbers[16..],
+            &format!("x{}", &numbers[1..]),
+        ] {
+            let told = with(name, damage.into());
+            let refused = told.contains("cannot be read") || told.contains("numbers of spheres");
+            assert!(refused, "{name}: {told}");
+        }
+        assert_eq!(with(name, numbers.into()), "accepted");
     }
-    value["positions"] = positions.into();
-    assert_eq!(refusal(&here, &value.to_string()), "accepted");
+    assert!(with("awake", "2".into()).contains("cannot be read"));
+    assert!(with("still", serde_json::json!([300])).contains("cannot be read"));
+    assert!(with("tribos_compaction", 3.into()).contains("has format 3"));
+    Ok(())
+}
+
+#[test]
+fn a_checkpoint_is_not_for_a_scene_whose_fields_were_changed() -> Tested {
+    let before = scene(&[])?;
+    let mut changed = before.clone();
+    changed.friction[0] = 0.9;
+    changed.pressure *= 2.0;
+    let kept = Compaction::new(&changed)?.checkpoint();
+    let refused = Compaction::resume(&before, &kept).map(|_| ());
+    let told = refused.map_or_else(|error| error.to_string(), |()| "accepted".into());
+    assert!(told.contains("`sliding` is 9.0"), "{told}");
+    assert!(Compaction::resume(&changed, &kept).is_ok());
     Ok(())
 }
 

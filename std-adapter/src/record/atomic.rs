@@ -1,6 +1,6 @@
 //! Files that exist whole or not at all.
 
-use std::io::Write;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// A file could not be written; whatever stood there before still does.
@@ -33,8 +33,26 @@ impl WriteError {
     }
 }
 
+/// How names begin and end of files that are being written.
+const UNFINISHED: [&str; 2] = [".tribos-", ".tmp"];
+
+/// Whether a file of this name was being written when its program was killed, or is just now.
+///
+/// ```
+/// use tribos::record::is_unfinished;
+/// assert!(is_unfinished(".tribos-Ab3xYz.tmp"));
+/// assert!(!is_unfinished("series.csv") && !is_unfinished(".tmpAb3xYz")); // somebody else's
+/// ```
+pub fn is_unfinished(name: &str) -> bool {
+    let [begin, end] = UNFINISHED;
+    name.strip_prefix(begin)
+        .is_some_and(|rest| rest.ends_with(end))
+}
+
 /// Writes `bytes` to `path` through a temporary file in the same folder, which is made if missing.
 /// Once it returns, the file outlives the program and the machine's power.
+///
+/// A program that is killed meanwhile leaves a file whose name [tells so](is_unfinished).
 ///
 /// ```
 /// use tribos::record::write_atomically;
@@ -48,6 +66,24 @@ impl WriteError {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    stream_atomically(path, |file| file.write_all(bytes))
+}
+
+/// As [`write_atomically`], piece by piece: a large file need not be in memory.
+///
+/// ```
+/// use std::io::{BufWriter, Write};
+/// use tribos::record::stream_atomically;
+/// let home = tempfile::tempdir()?;
+/// let file = home.path().join("squares.csv");
+/// stream_atomically(&file, |file| (0..1000).try_for_each(|n: u64| writeln!(file, "{}", n * n)))?;
+/// assert!(std::fs::read_to_string(&file)?.ends_with("998001\n"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn stream_atomically(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
+) -> Result<(), WriteError> {
     let fail = |cause| WriteError {
         path: path.to_path_buf(),
         cause,
@@ -57,9 +93,15 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
         _ => Path::new("."),
     };
     std::fs::create_dir_all(folder).map_err(fail)?;
-    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(fail)?;
+    let [begin, end] = UNFINISHED;
+    let mut builder = tempfile::Builder::new();
+    let file = builder.prefix(begin).suffix(end).tempfile_in(folder);
+    let file = file.map_err(fail)?;
     // The plain file: errors do not name the temporary one.
-    file.as_file_mut().write_all(bytes).map_err(fail)?;
+    let mut buffer = BufWriter::new(file.as_file());
+    write(&mut buffer).map_err(fail)?;
+    buffer.flush().map_err(fail)?;
+    drop(buffer);
     readable_by_all(file.as_file()).map_err(fail)?;
     file.as_file().sync_all().map_err(fail)?;
     file.persist(path).map_err(|error| fail(error.error))?;

@@ -10,6 +10,7 @@
 //! // A sphere of radius 1 that sinks from 8 to 3 in 1000 steps; at most 20 frames of it.
 //! let bodies = Bodies {
 //!     kind: Kind::Powder,
+//!     scene: serde_json::json!({"pressure": 0.01}),
 //!     limit: 20,
 //!     stride: 1,
 //!     periods: [10.0; 2],
@@ -44,17 +45,18 @@
 //!
 //! # Format
 //!
-//! `bodies.json`: `format` (1), `body` (`powder` or `tip`), `frames` (how many are kept at most),
-//! `stride` (steps from one state that may be kept to the next), `periods` (sides of the cell along
+//! `bodies.json`: `format` (2), `body` (`powder` or `tip`), `scene`, `frames` (how many are kept at
+//! most), `stride` (steps from one state that may be kept to the next), `periods` (sides of the cell along
 //! x and y), `radii` (one for all or one each); of a tip also `layers` and `parts` (one number an
-//! atom) and `marked` (atoms drawn in another colour).
+//! atom) and `marked` (atoms drawn in another colour); at the end `digest`, see
+//! [`sealed`](crate::record::sealed).
 //!
 //! `<step>.frame`, all numbers little-endian, n particles and m contacts:
 //!
 //! | bytes | what |
 //! |---|---|
 //! | 4 | `TrFr` |
-//! | 4 | u32, version: 1 |
+//! | 4 | u32, version: 2 |
 //! | 8 | u64, step |
 //! | 8 | f64, time |
 //! | 8 | f64, height: of the piston's face, or the mean of the driven atoms |
@@ -66,6 +68,7 @@
 //! | 4 m, 4 m | u32, the sphere of a contact and its partner; 2³² − 1 − w for wall w |
 //! | 2 m | normal forces, positive for pressure: the upper half of an f32 |
 //! | m | u8, what the contact does: see [`Hold`] |
+//! | 16 | u128, the [`digest`](crate::record::digest) of all bytes before, xor that of what the run is about |
 //!
 //! *Accuracy*: a place to half a 65535th of the box's side (a millionth of the side more where an
 //! end is no f32), speeds and forces to 2⁻⁸ of their size. Any consistent units.

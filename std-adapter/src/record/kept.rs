@@ -1,6 +1,7 @@
 //! What checkpoints of all runs are made of: JSON, with lists of numbers as texts of 16 hexadecimal
 //! digits a number, the bits of each f64.
 
+use super::seal::unsealed;
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 
@@ -29,9 +30,20 @@ const DIGITS: usize = 16;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CheckpointError {
-    /// Not what this version writes.
-    #[error("the checkpoint is damaged or of another version ({0}); run without --resume")]
+    /// Damaged, or no checkpoint.
+    #[error("the checkpoint is damaged ({0}); run without --resume")]
     Format(String),
+    /// Of a format that this version does not read.
+    #[error(
+        "the checkpoint has format {found}, and this version reads format {read} only; \
+         finish the run with the version that wrote it, or run without --resume"
+    )]
+    Version {
+        /// In the checkpoint.
+        found: u64,
+        /// What is read.
+        read: u64,
+    },
     /// Of another scene.
     #[error(
         "the checkpoint belongs to another scene: `{key}` is {kept} there and {given} here; \
@@ -45,6 +57,28 @@ pub enum CheckpointError {
         /// In the scene.
         given: String,
     },
+}
+
+/// The object in the text of a checkpoint whose first key is `name`, with its format as the value.
+pub(crate) fn opened(text: &str, name: &str, format: u64) -> Result<Value, CheckpointError> {
+    let version = |found| CheckpointError::Version {
+        found,
+        read: format,
+    };
+    let Some(value) = unsealed(text) else {
+        // Format 1 had no digest.
+        let is_first = text.starts_with(&format!("{{\"{name}\":1,"));
+        return Err(if is_first && !text.contains("\"digest\"") {
+            version(1)
+        } else {
+            CheckpointError::Format("its digest is not that of its bytes".into())
+        });
+    };
+    match value[name].as_u64() {
+        Some(found) if found == format => Ok(value),
+        Some(found) => Err(version(found)),
+        None => Err(CheckpointError::Format(format!("there is no `{name}`"))),
+    }
 }
 
 /// The error of a part that makes no sense.
@@ -99,8 +133,27 @@ pub(crate) fn triple(vector: &Vector3<f64>) -> [f64; 3] {
     [vector.x, vector.y, vector.z]
 }
 
-/// Vectors of coordinates one after another; a rest is left out.
-pub(crate) fn vectors(numbers: &[f64]) -> Vec<Vector3<f64>> {
-    let triples = numbers.as_chunks().0.iter();
-    triples.map(|&[x, y, z]| Vector3::new(x, y, z)).collect()
+/// The numbers of a part in groups of `N`, none left over.
+pub(crate) fn groups<const N: usize>(
+    value: &Value,
+    name: &str,
+) -> Result<Vec<[f64; N]>, CheckpointError> {
+    match numbers(value, name)?.as_chunks() {
+        (groups, []) => Ok(groups.to_vec()),
+        _ => Err(damaged(name)),
+    }
+}
+
+/// The only number of a part.
+pub(crate) fn one(value: &Value, name: &str) -> Result<f64, CheckpointError> {
+    match numbers(value, name)?[..] {
+        [number] => Ok(number),
+        _ => Err(damaged(name)),
+    }
+}
+
+/// The vectors of a part.
+pub(crate) fn vectors(value: &Value, name: &str) -> Result<Vec<Vector3<f64>>, CheckpointError> {
+    let triples = groups::<3>(value, name)?;
+    Ok(triples.into_iter().map(Vector3::from).collect())
 }

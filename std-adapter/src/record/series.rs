@@ -1,6 +1,7 @@
 //! Tables of numbers as CSV.
 
-use super::number;
+use super::{WriteError, number, stream_atomically};
+use std::path::Path;
 
 /// CSV text with a header line and one line per row, each number in its shortest form that keeps the bits.
 ///
@@ -21,4 +22,31 @@ pub fn series_csv<'a>(columns: &[&str], rows: impl IntoIterator<Item = &'a [f64]
         text.push('\n');
     }
     text
+}
+
+/// Writes the file of [`series_csv`] row by row, whole or not at all.
+///
+/// ```
+/// use tribos::record::{series_csv, write_series};
+/// # let home = tempfile::tempdir()?;
+/// # let file = home.path().join("series.csv");
+/// let rows = [[0.0, 1.0], [2.0, 0.5]];
+/// let rows = || rows.iter().map(|row| &row[..]);
+/// write_series(&file, &["time", "speed"], rows())?;
+/// assert_eq!(std::fs::read_to_string(&file)?, series_csv(&["time", "speed"], rows()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_series<'a>(
+    path: &Path,
+    columns: &[&str],
+    rows: impl IntoIterator<Item = &'a [f64]>,
+) -> Result<(), WriteError> {
+    stream_atomically(path, |file| {
+        file.write_all(series_csv(columns, []).as_bytes())?;
+        for row in rows {
+            let cells: Vec<String> = row.iter().map(|&value| number(value)).collect();
+            writeln!(file, "{}", cells.join(","))?;
+        }
+        Ok(())
+    })
 }

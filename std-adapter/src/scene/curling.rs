@@ -140,6 +140,21 @@ pub(super) const CURLING: &[Key] = &[
     SAMPLE_COUNT,
 ];
 
+/// Dimensions of a rock under their keys.
+pub(super) fn rock_numbers(rock: &CurlingRock) -> [(Key, f64); 4] {
+    [
+        (RADIUS, rock.band_radius),
+        (WIDTH, rock.band_width),
+        (HEIGHT, rock.height),
+        (INERTIA, rock.inertia_ratio),
+    ]
+}
+
+/// A model with its parameters as text.
+pub(super) fn model_text(model: &dyn CurlingModel) -> String {
+    format!("{model:?}")
+}
+
 /// The rock with its model, gravity and mass. Where γ v^α would tip it, below 1 mm/s, the gradient
 /// is held.
 pub(super) fn body(take: &mut Taker) -> (PlanarBody, f64, f64, Tipping) {

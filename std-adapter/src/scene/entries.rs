@@ -37,10 +37,11 @@ impl Entries {
         let mut problems = Vec::new();
         // Bytes that editors put first and TOML does not know.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let lines = Lines::of(text);
         match DeTable::parse(text) {
             Ok(table) => {
                 for (key, value) in table.get_ref() {
-                    let origin = Origin::Line(line_of(text, key.span().start));
+                    let origin = Origin::Line(lines.number(key.span().start));
                     let value = read_value(value.get_ref());
                     entries
                         .values
@@ -48,7 +49,7 @@ impl Entries {
                 }
             }
             Err(error) => {
-                let line = error.span().map_or(1, |span| line_of(text, span.start));
+                let line = error.span().map_or(1, |span| lines.number(span.start));
                 let message = format!(
                     "not TOML: {}; write lines of the form key = value",
                     error.message()
@@ -74,9 +75,19 @@ impl Entries {
     }
 }
 
-/// Line number, from 1, of a byte of the text.
-fn line_of(text: &str, byte: usize) -> usize {
-    text.bytes().take(byte).filter(|&b| b == b'\n').count() + 1
+/// Where the lines of a text end.
+struct Lines(Vec<usize>);
+
+impl Lines {
+    fn of(text: &str) -> Self {
+        let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        Self(ends.map(|(at, _)| at).collect())
+    }
+
+    /// Line number, from 1, of a byte of the text.
+    fn number(&self, byte: usize) -> usize {
+        self.0.partition_point(|end| *end < byte) + 1
+    }
 }
 
 fn read_value(value: &DeValue<'_>) -> Value {

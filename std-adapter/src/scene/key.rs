@@ -83,6 +83,9 @@ impl Domain {
     }
 }
 
+/// Unknown keys that are named one by one; a file with more is something else than a scene.
+const MOST_UNKNOWN: usize = 20;
+
 /// Takes values out of entries and collects what is wrong with them.
 pub(super) struct Reader {
     keys: &'static [Key],
@@ -93,10 +96,17 @@ pub(super) struct Reader {
 impl Reader {
     /// Starts with a complaint about every key that is not in the vocabulary.
     pub fn new(keys: &'static [Key], entries: Entries, mut problems: Vec<Problem>) -> Self {
-        for (name, (_, origin)) in &entries.values {
-            if !keys.iter().any(|key| key.name == name) {
-                problems.push(Problem::new(*origin, unknown(keys, name)));
-            }
+        let is_known = |name: &str| keys.iter().any(|key| key.name == name);
+        let mut strangers = entries.values.iter().filter(|(name, _)| !is_known(name));
+        for (name, (_, origin)) in strangers.by_ref().take(MOST_UNKNOWN) {
+            problems.push(Problem::new(*origin, unknown(keys, name)));
+        }
+        let more = strangers.count();
+        if more > 0 {
+            problems.push(Problem::new(
+                Origin::File,
+                format!("and {more} more keys that are unknown"),
+            ));
         }
         Self {
             keys,

@@ -6,6 +6,7 @@
 mod body;
 mod curling;
 mod entries;
+mod in_force;
 mod key;
 mod library;
 mod planar;
@@ -31,8 +32,17 @@ pub use template::{template, toml_value, with_all_keys};
 pub use tip::{Bath, Lift, Reading, TipScene};
 pub use vocabulary::{Vocabulary, bodies, vocabulary};
 
+use crate::record::read_text;
 use entries::Entries;
 use std::path::Path;
+
+/// Bytes of a scene file at most; those of this crate have a thousand.
+///
+/// ```
+/// use tribos::scene::{LIBRARY, MOST_BYTES};
+/// assert!(LIBRARY.iter().all(|scene| 1000 * (scene.text.len() as u64) < MOST_BYTES));
+/// ```
+pub const MOST_BYTES: u64 = 16 << 20;
 
 /// Reads the scene in `path` with `overrides` of the form `key=value` put over it.
 ///
@@ -53,7 +63,7 @@ pub fn read_slider(path: &Path, overrides: &[String]) -> Result<SliderScene, Sce
 }
 
 fn text_of(path: &Path) -> Result<String, SceneError> {
-    std::fs::read_to_string(path).map_err(|cause| SceneError::Unreadable {
+    read_text(path, MOST_BYTES).map_err(|cause| SceneError::Unreadable {
         path: path.to_path_buf(),
         cause,
     })

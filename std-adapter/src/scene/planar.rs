@@ -66,7 +66,9 @@ pub struct PlanarScene {
     pub stop_fraction: f64,
     /// Number of intervals of time in the series.
     pub samples: u32,
-    values: Map<String, Value>,
+    pub(super) values: Map<String, Value>,
+    /// The model of a rock as it was read.
+    pub(super) model_read: Option<String>,
 }
 
 pub(super) const SPEED: Key = key(
@@ -89,13 +91,13 @@ pub(super) const SAMPLE_COUNT: Key = key(
         up_to: MOST_SAMPLES,
     },
 );
-const COEFFICIENT: Key = key(
+pub(super) const COEFFICIENT: Key = key(
     "coefficient",
     "(s/m)^alpha",
     "friction coefficient",
     Domain::Positive,
 );
-const ALPHA: Key = key(
+pub(super) const ALPHA: Key = key(
     "alpha",
     "-",
     "exponent of the local law |v|^alpha (default 0, Coulomb)",
@@ -104,33 +106,33 @@ const ALPHA: Key = key(
         up_to: table::MAX_EXPONENT,
     },
 );
-const GRAVITY: Key = key(
+pub(super) const GRAVITY: Key = key(
     "gravity",
     "m/s^2",
     "acceleration that presses the body down",
     Domain::Positive,
 );
-const RADIUS: Key = key("radius", "m", "outer radius", Domain::Positive);
-const HEIGHT: Key = key(
+pub(super) const RADIUS: Key = key("radius", "m", "outer radius", Domain::Positive);
+pub(super) const HEIGHT: Key = key(
     "height",
     "m",
     "height of the body; its centre of mass is half way up",
     Domain::NotNegative,
 );
-const MASS: Key = key("mass", "kg", "mass of the body", Domain::Positive);
-const GRADIENT: Key = key(
+pub(super) const MASS: Key = key("mass", "kg", "mass of the body", Domain::Positive);
+pub(super) const GRADIENT: Key = key(
     "gradient",
     "-",
     "which way the pressure may lean (default all-round)",
     Domain::OneOf(&["all-round", "front-back"]),
 );
-const TIPPING: Key = key(
+pub(super) const TIPPING: Key = key(
     "tipping",
     "-",
     "what to do where the body would tip (default refuse)",
     Domain::OneOf(&["refuse", "clamp"]),
 );
-const STOP: Key = key(
+pub(super) const STOP: Key = key(
     "stop_fraction",
     "-",
     "for alpha >= 1: speeds below this fraction of the start are rest (default 1e-4)",
@@ -139,19 +141,19 @@ const STOP: Key = key(
         up_to: 0.5,
     },
 );
-const INERTIA: Key = key(
+pub(super) const INERTIA: Key = key(
     "inertia_ratio",
     "-",
     "C = I/(M R^2) (default: of the uniform body)",
     Domain::Positive,
 );
-const PRESSURE: Key = key(
+pub(super) const PRESSURE: Key = key(
     "pressure",
     "-",
     "pressure at rest (default uniform)",
     Domain::OneOf(&["uniform", "ring", "flat-punch", "hertz", "paraboloid"]),
 );
-const INNER_RADIUS: Key = key(
+pub(super) const INNER_RADIUS: Key = key(
     "inner_radius",
     "m",
     "inner radius of the pipe; the outer one for a thin ring",
@@ -280,7 +282,12 @@ impl PlanarScene {
             STOP_FRACTION
         };
         let samples = take.or(SAMPLE_COUNT, SAMPLES) as u32;
+        let model_read = match &body {
+            PlanarBody::Curling(_, model) => Some(curling::model_text(model.as_ref())),
+            PlanarBody::Cylinder(_) | PlanarBody::Pipe(_) => None,
+        };
         take.reader.finish(Self {
+            model_read,
             body,
             speed,
             spin,
@@ -291,11 +298,6 @@ impl PlanarScene {
             samples,
             values: take.values,
         })
-    }
-
-    /// The scene with everything that was left to defaults, as JSON.
-    pub fn json(&self) -> Value {
-        Value::Object(self.values.clone())
     }
 }
 

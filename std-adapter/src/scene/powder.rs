@@ -97,7 +97,7 @@ pub struct PowderScene {
     pub duration: Option<f64>,
     /// Steps from one line of the series to the next.
     pub samples: u64,
-    values: Map<String, Value>,
+    pub(super) values: Map<String, Value>,
 }
 
 /// Distance of centres at which a sphere is captured (thesis, section 4.5).
@@ -128,7 +128,7 @@ const SAMPLE_STEPS: f64 = 20.0;
 /// Seed unless one is given.
 const FIRST_SEED: f64 = 1.0;
 /// Stream of random orders of sweeps: another seed than the deposit's is of no use.
-const ORDER_SEED: u64 = 1;
+pub(super) const ORDER_SEED: u64 = 1;
 
 impl PowderScene {
     /// The vocabulary, in the order of the documentation.
@@ -227,11 +227,6 @@ impl PowderScene {
             samples,
             values: take.values,
         })
-    }
-
-    /// The scene with everything that was left to defaults, as JSON.
-    pub fn json(&self) -> Value {
-        Value::Object(self.values.clone())
     }
 
     /// Force on the piston.

@@ -1,5 +1,6 @@
 //! What is wrong with a scene, in words for a person.
 
+use crate::record::ReadError;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -53,8 +54,8 @@ pub enum SceneError {
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// What the system said.
-        cause: std::io::Error,
+        /// What the system said, or what is wrong with it.
+        cause: ReadError,
     },
     /// The scene says something that makes no sense.
     Invalid {

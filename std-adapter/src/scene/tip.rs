@@ -95,7 +95,7 @@ pub struct TipScene {
     pub seed: u64,
     /// Steps from one line of the series to the next.
     pub samples: u64,
-    values: Map<String, Value>,
+    pub(super) values: Map<String, Value>,
 }
 
 /// Distance at the potential's minimum, 2^(1/6) (thesis, section 5.3).
@@ -209,11 +209,6 @@ impl TipScene {
             samples,
             values: take.values,
         })
-    }
-
-    /// Keys and values in force, defaults included.
-    pub fn json(&self) -> Value {
-        Value::Object(self.values.clone())
     }
 
     /// Steps before, with and after the drive.

@@ -2,13 +2,16 @@
 
 use super::shape::Part;
 use crate::md::system::State;
-use crate::record::CheckpointError;
-use crate::record::kept::{damaged, hex, numbers, same_scene, triple, vectors};
+use crate::record::kept::{damaged, hex, numbers, opened, same_scene, triple};
+use crate::record::{CheckpointError, sealed};
 use crate::scene::TipScene;
-use serde_json::{Map, Value};
+use nalgebra::Vector3;
+use serde_json::Map;
 
 /// Version of the format.
-const VERSION: u64 = 1;
+const VERSION: u64 = 2;
+/// First key of the file.
+const NAME: &str = "tribos_tip";
 
 /// A run between two lines of its series.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,7 +26,7 @@ impl Checkpoint {
     /// The file.
     pub fn text(&self, scene: &TipScene) -> String {
         let mut map = Map::new();
-        map.insert("tribos_tip".into(), VERSION.into());
+        map.insert(NAME.into(), VERSION.into());
         map.insert("scene".into(), scene.json());
         map.insert("steps".into(), self.state.steps.into());
         let mut put = |name: &str, numbers: Vec<f64>| {
@@ -42,7 +45,7 @@ impl Checkpoint {
         );
         put("angles", self.angles.clone());
         put("series", self.series.iter().flatten().copied().collect());
-        format!("{}\n", Value::Object(map))
+        sealed(map)
     }
 
     /// Reads a file of the same scene, of so many atoms and numbers in a line of the series.
@@ -52,12 +55,7 @@ impl Checkpoint {
         atoms: usize,
         width: usize,
     ) -> Result<Self, CheckpointError> {
-        let value: Value = serde_json::from_str(text)
-            .map_err(|error| CheckpointError::Format(error.to_string()))?;
-        if value["tribos_tip"].as_u64() != Some(VERSION) {
-            let message = format!("not version {VERSION} of a tip");
-            return Err(CheckpointError::Format(message));
-        }
+        let value = opened(text, NAME, VERSION)?;
         same_scene(&value["scene"], &scene.json())?;
         let finite = |name: &str, count: usize| {
             let numbers = numbers(&value, name)?;
@@ -67,7 +65,11 @@ impl Checkpoint {
                 Err(damaged(name))
             }
         };
-        let places = |name: &str| Ok(vectors(&finite(name, 3 * atoms)?));
+        let places = |name: &str| {
+            let numbers = finite(name, 3 * atoms)?;
+            let triples = numbers.as_chunks().0.iter();
+            Ok(triples.map(|&[x, y, z]| Vector3::new(x, y, z)).collect())
+        };
         let steps = value["steps"].as_u64().ok_or_else(|| damaged("steps"))?;
         let last: u64 = scene.stage_steps().into_iter().sum();
         if steps > last {

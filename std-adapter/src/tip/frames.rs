@@ -10,6 +10,7 @@ impl TipRun {
         let shape = &self.scene().shape;
         Bodies {
             kind: Kind::Tip,
+            scene: self.scene().json(),
             limit,
             stride: self.scene().samples.max(1),
             periods: shape.periods(),

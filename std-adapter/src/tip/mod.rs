@@ -15,7 +15,7 @@ mod run;
 mod shape;
 
 pub use build::{BuildError, TipSystem, build};
-pub use cost::{TipCost, cost};
+pub use cost::{TipCost, cost, size};
 pub use energy::DriveEnergy;
 pub use outcome::{Outcome, Plateau, Verdict};
 pub use run::{TipError, TipRun};

@@ -57,4 +57,7 @@ pub enum DepositError {
     /// More spheres than memory.
     #[error("the deposit needs more than {MOST_SPHERES} spheres; make it lower or narrower")]
     TooMany,
+    /// Whoever watched the growth stopped it.
+    #[error("the growth of the deposit was stopped")]
+    Stopped,
 }

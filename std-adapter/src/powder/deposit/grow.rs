@@ -6,6 +6,7 @@ use crate::random::Random;
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
 
 /// A sphere that has come to rest.
 struct Landed {
@@ -16,24 +17,49 @@ struct Landed {
 
 /// How many times the spheres in a row above a cut would cover the base.
 const COVERS: f64 = 10.0;
+/// Spheres from one look at the growth to the next: about ten milliseconds.
+const WATCHED: usize = 1024;
 
 impl Ballistic {
     /// Grows a deposit; the same seed gives the same bits.
     ///
     /// *Domain*: a finite, positive height, a cut above the first sphere, one sphere or more.
-    /// *Cost*: about a microsecond a sphere. *Accuracy*: touching distances to a few ulp of the
+    /// *Cost*: about ten microseconds a sphere. *Accuracy*: touching distances to a few ulp of the
     /// coordinates.
     pub fn grow(&self, until: Until, seed: u64) -> Result<Deposit, DepositError> {
+        self.grow_watched(until, seed, |_| ControlFlow::Continue(()))
+    }
+
+    /// As [`grow`](Self::grow); `watch` sees the number of spheres so far, every 1024 spheres, and can
+    /// stop the growth.
+    ///
+    /// ```
+    /// use std::ops::ControlFlow;
+    /// use tribos::powder::deposit::{Ballistic, DepositError, Until};
+    /// let wide = Ballistic::new(100.0, 1.0, 3.0)?;
+    /// let stopped = wide.grow_watched(Until::Cut(1e9), 1, |spheres| {
+    ///     if spheres < 5000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    /// });
+    /// assert_eq!(stopped, Err(DepositError::Stopped));
+    /// # Ok::<(), DepositError>(())
+    /// ```
+    pub fn grow_watched(
+        &self,
+        until: Until,
+        seed: u64,
+        mut watch: impl FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Deposit, DepositError> {
+        let watch = &mut watch;
         match until {
             Until::Height(height) => {
                 check_height(height)?;
-                self.grow_while(seed, |deposit| deposit.height < height)
+                self.grow_while(seed, watch, |deposit| deposit.height < height)
             }
             Until::Cut(height) => {
                 check_height(height)?;
                 let mut above = 0;
                 let enough = self.cover();
-                let whole = self.grow_while(seed, |deposit| {
+                let whole = self.grow_while(seed, watch, |deposit| {
                     above = if deposit.ends_above(height) {
                         above + 1
                     } else {
@@ -49,14 +75,47 @@ impl Ballistic {
             }
             Until::Count(0) => Err(DepositError::Empty),
             Until::Count(count) if count > MOST_SPHERES => Err(DepositError::TooMany),
-            Until::Count(count) => self.grow_while(seed, |deposit| deposit.positions.len() < count),
+            Until::Count(count) => {
+                self.grow_while(seed, watch, |deposit| deposit.positions.len() < count)
+            }
         }
+    }
+
+    /// About how many spheres a deposit will have, before it is grown.
+    ///
+    /// *Formula*: the volume up to the height times the solid share 0.1535 (2r̄/r_capt)^1.72 of the
+    /// bulk, over the mean volume of a sphere. *Accuracy*: a tenth for 2r̄ ≤ r_capt ≤ 10r̄ and heights
+    /// from ten radii up: a fit to means of five deposits on 40R × 40R, cut at 200R.
+    ///
+    /// ```
+    /// use tribos::powder::deposit::{Ballistic, Until};
+    /// let small = Ballistic::new(20.0, 1.0, 3.0)?;
+    /// let told = small.expected_spheres(Until::Cut(61.5));
+    /// assert!((told / 470.0 - 1.0).abs() < 0.1); // the thesis' small system
+    /// assert_eq!(small.expected_spheres(Until::Count(7)), 7.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn expected_spheres(&self, until: Until) -> f64 {
+        /// Solid share of spheres that stick where they touch, and how fast it falls.
+        const TOUCHING: f64 = 0.1535;
+        const POWER: f64 = 1.72;
+        let [low, high] = self.radii;
+        let height = match until {
+            Until::Count(count) => return count as f64,
+            Until::Height(height) | Until::Cut(height) => height,
+        };
+        let solid = TOUCHING * libm::pow((low + high) / self.capture_radius, POWER);
+        // Mean of r³ between the bounds.
+        let mean_cube = 0.25 * (low + high) * (low * low + high * high);
+        let sphere = 4.0 / 3.0 * PI * mean_cube;
+        (solid * self.width * self.width * height / sphere).max(1.0)
     }
 
     /// Adds spheres as long as `goes_on` says so, one call each.
     fn grow_while(
         &self,
         seed: u64,
+        watch: &mut impl FnMut(usize) -> ControlFlow<()>,
         mut goes_on: impl FnMut(&Deposit) -> bool,
     ) -> Result<Deposit, DepositError> {
         let [_, largest] = self.radii;
@@ -75,6 +134,9 @@ impl Ballistic {
             let index = deposit.positions.len();
             if index == MOST_SPHERES {
                 return Err(DepositError::TooMany);
+            }
+            if index.is_multiple_of(WATCHED) && watch(index).is_break() {
+                return Err(DepositError::Stopped);
             }
             let sphere = self.drop_one(&columns, &mut random);
             columns.insert(index as u32, sphere.position, sphere.radius);

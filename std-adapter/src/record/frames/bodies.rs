@@ -1,9 +1,10 @@
 //! What all frames of a run have in common.
 
-use serde_json::{Value, json};
+use crate::record::{digest, sealed, unsealed};
+use serde_json::{Map, Value, json};
 
 /// The version of `bodies.json`.
-const FORMAT: u64 = 1;
+const FORMAT: u64 = 2;
 
 /// What a run is about.
 ///
@@ -26,6 +27,7 @@ pub enum Kind {
 /// // Two atoms in two layers, one of which is to stand out; every tenth state may be kept.
 /// let atoms = Bodies {
 ///     kind: Kind::Tip,
+///     scene: serde_json::json!({"lambda": 0.02}),
 ///     limit: 100,
 ///     stride: 10,
 ///     periods: [8.0, 8.0],
@@ -45,6 +47,8 @@ pub enum Kind {
 pub struct Bodies {
     /// What they are.
     pub kind: Kind,
+    /// The scene of the run as JSON: frames belong to the run of one scene.
+    pub scene: Value,
     /// How many frames are kept at most.
     pub limit: u64,
     /// Steps from one state that may be kept to the next, at least 1.
@@ -85,6 +89,7 @@ impl Bodies {
         let mut value = json!({
             "format": FORMAT,
             "body": self.kind.name(),
+            "scene": self.scene,
             "particles": self.radii.len(),
             "frames": self.limit,
             "stride": self.stride,
@@ -96,12 +101,21 @@ impl Bodies {
             value["parts"] = json!(self.parts);
             value["marked"] = json!(self.marked);
         }
-        format!("{value}\n")
+        match value {
+            Value::Object(map) => sealed(map),
+            _ => sealed(Map::new()),
+        }
+    }
+
+    /// What tells the run's frames from those of other runs: a digest of what it is about.
+    pub(super) fn run(&self) -> u128 {
+        let about = format!("{} {} {}", self.kind.name(), self.radii.len(), self.scene);
+        digest(about.as_bytes())
     }
 
     /// From that text; `None` if it does not make sense.
     pub(super) fn parse(text: &str) -> Option<Self> {
-        let value: Value = serde_json::from_str(text).ok()?;
+        let value = unsealed(text)?;
         if value["format"].as_u64() != Some(FORMAT) {
             return None;
         }
@@ -121,6 +135,7 @@ impl Bodies {
         let index = |value: &Value| u32::try_from(value.as_u64()?).ok();
         let bodies = Self {
             kind,
+            scene: value["scene"].clone(),
             limit: value["frames"].as_u64()?,
             stride: value["stride"].as_u64()?,
             periods: <[f64; 2]>::try_from(list(&value["periods"], Value::as_f64)?).ok()?,

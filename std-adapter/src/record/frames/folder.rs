@@ -1,7 +1,7 @@
 //! The folder of a run's frames: filled while it runs, thinned as it fills.
 
 use super::{Bodies, FEWEST, Frame, spacing};
-use crate::record::{WriteError, write_atomically};
+use crate::record::{WriteError, is_unfinished, write_atomically};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -9,15 +9,13 @@ use std::path::{Path, PathBuf};
 const BODIES: &str = "bodies.json";
 /// Ending of a frame's name.
 const ENDING: &str = ".frame";
-/// How names begin of files that were being written when a run was killed.
-const UNFINISHED: &str = ".tmp";
-
 /// Frames that cannot be kept or read.
 ///
 /// ```
 /// # use tribos::record::frames::{Bodies, FrameError, FrameFolder, Kind};
 /// # let bodies = Bodies {
 /// #     kind: Kind::Powder,
+/// #     scene: serde_json::json!({}),
 /// #     limit: 20,
 /// #     stride: 1,
 /// #     periods: [10.0; 2],
@@ -52,8 +50,14 @@ pub enum FrameError {
         cause: std::io::Error,
     },
     /// A file is not what it should be.
-    #[error("{} is damaged or of another version; run the scene again", .0.display())]
+    #[error(
+        "{} is damaged, of another run or of another version; run the scene again",
+        .0.display()
+    )]
     Damaged(PathBuf),
+    /// A frame that must be there is not.
+    #[error("{} is missing; run the scene again", .0.display())]
+    Missing(PathBuf),
     /// Frames of another run or of another number are there.
     #[error(
         "{}: {kept} frames are kept there, not {given}; give `--frames {kept}`, or run without --resume",
@@ -77,6 +81,7 @@ pub enum FrameError {
 /// # use tribos::record::frames::{Bodies, Frame, FrameFolder, Kind};
 /// # let bodies = Bodies {
 /// #     kind: Kind::Powder,
+/// #     scene: serde_json::json!({}),
 /// #     limit: 20,
 /// #     stride: 1,
 /// #     periods: [10.0; 2],
@@ -111,6 +116,8 @@ pub enum FrameError {
 #[derive(Debug)]
 pub struct FrameFolder {
     path: PathBuf,
+    /// What tells its frames from those of other runs.
+    run: u128,
     limit: u64,
     stride: u64,
     /// Steps from one frame to the next.
@@ -136,6 +143,7 @@ impl FrameFolder {
     fn of(path: &Path, bodies: &Bodies) -> Self {
         Self {
             path: path.to_path_buf(),
+            run: bodies.run(),
             limit: bodies.limit.max(FEWEST),
             stride: bodies.stride.max(1),
             apart: 1,
@@ -169,7 +177,7 @@ impl FrameFolder {
     /// Takes a frame that is [wanted](Self::wants); drops those that are not wanted any more.
     pub fn add(&mut self, frame: &Frame) {
         self.thin(frame.step);
-        self.held.insert(frame.step, frame.bytes());
+        self.held.insert(frame.step, frame.bytes(self.run));
     }
 
     /// Brings all frames so far to the disk, without those that are not wanted any more: before a
@@ -188,7 +196,7 @@ impl FrameFolder {
         self.thin(frame.step);
         // Left by a run that went on longer than its last checkpoint.
         remove_where(&self.path, |step| step > frame.step)?;
-        self.held.insert(frame.step, frame.bytes());
+        self.held.insert(frame.step, frame.bytes(self.run));
         self.save()
     }
 
@@ -214,10 +222,20 @@ impl FrameFolder {
         }
     }
 
-    /// Steps of the frames that are there, in order.
+    /// Steps of the frames that are there, in order. Refuses a gap: after any number of steps it is
+    /// known which frames are kept.
     pub fn steps(path: &Path) -> Result<Vec<u64>, FrameError> {
         let mut steps: Vec<u64> = names(path)?.iter().filter_map(|name| step(name)).collect();
         steps.sort_unstable();
+        if let (Some(bodies), Some(&last)) = (Self::bodies(path)?, steps.last()) {
+            let apart = spacing(last / bodies.stride, bodies.limit).saturating_mul(bodies.stride);
+            let kept = (0..=last).step_by(usize::try_from(apart).unwrap_or(usize::MAX));
+            for wanted in kept {
+                if steps.binary_search(&wanted).is_err() {
+                    return Err(FrameError::Missing(file(path, wanted)));
+                }
+            }
+        }
         Ok(steps)
     }
 
@@ -225,7 +243,7 @@ impl FrameFolder {
     pub fn read(path: &Path, bodies: &Bodies, step: u64) -> Result<Frame, FrameError> {
         let file = file(path, step);
         let bytes = std::fs::read(&file).map_err(|cause| access(&file, cause))?;
-        let frame = Frame::parse(&bytes);
+        let frame = Frame::parse(&bytes, bodies.run());
         frame
             .filter(|frame| frame.step == step && frame.places.len() == bodies.radii.len())
             .ok_or(FrameError::Damaged(file))
@@ -262,7 +280,7 @@ fn step(name: &str) -> Option<u64> {
 /// Removes the frames of some steps, and what a killed run left half-written.
 fn remove_where(path: &Path, is_old: impl Fn(u64) -> bool) -> Result<(), FrameError> {
     for name in names(path)? {
-        if name.starts_with(UNFINISHED) || step(&name).is_some_and(&is_old) {
+        if is_unfinished(&name) || step(&name).is_some_and(&is_old) {
             remove(&path.join(name))?;
         }
     }
@@ -285,6 +303,7 @@ mod tests {
     fn bodies(limit: u64, stride: u64) -> Bodies {
         Bodies {
             kind: Kind::Tip,
+            scene: serde_json::json!({"lambda": 0.02}),
             limit,
             stride,
             periods: [3.0, 4.0],
@@ -336,7 +355,7 @@ mod tests {
             if newest > checkpoint {
                 std::fs::remove_file(file(&path, newest))?;
             }
-            std::fs::write(path.join(".tmpx7"), "half")?;
+            std::fs::write(path.join(".tribos-x7.tmp"), "half")?;
             let mut folder = FrameFolder::resume(&path)?.ok_or("no frames")?;
             assert_eq!(folder.limit(), 10);
             run(&mut folder, checkpoint..77);
@@ -353,12 +372,35 @@ mod tests {
         let path = home.path().join("frames");
         assert!(FrameFolder::resume(&path)?.is_none());
         let given = bodies(5, 1);
-        FrameFolder::begin(&path, &given)?.finish(&frame(3))?;
+        let mut film = FrameFolder::begin(&path, &given)?;
+        film.add(&frame(0));
+        film.add(&frame(2));
+        film.finish(&frame(3))?;
         assert_eq!(FrameFolder::bodies(&path)?, Some(given.clone()));
         assert_eq!(FrameFolder::read(&path, &given, 3)?.step, 3);
         std::fs::write(path.join("000000000004.frame"), "TrFr")?;
         let refused = FrameFolder::read(&path, &given, 4);
         assert!(matches!(refused, Err(FrameError::Damaged(_))));
+        // A frame of the same step from another run, and one that is not there.
+        let other = home.path().join("other");
+        let scene = serde_json::json!({"lambda": 0.03});
+        let mut film = FrameFolder::begin(
+            &other,
+            &Bodies {
+                scene,
+                ..given.clone()
+            },
+        )?;
+        film.add(&frame(0));
+        film.finish(&frame(2))?;
+        std::fs::copy(file(&other, 2), file(&path, 2))?;
+        let refused = FrameFolder::read(&path, &given, 2);
+        assert!(matches!(refused, Err(FrameError::Damaged(_))));
+        std::fs::remove_file(file(&path, 0))?;
+        assert!(matches!(
+            FrameFolder::steps(&path),
+            Err(FrameError::Missing(_))
+        ));
         std::fs::write(path.join(BODIES), "{}")?;
         assert!(matches!(
             FrameFolder::bodies(&path),

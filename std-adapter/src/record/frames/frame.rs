@@ -1,12 +1,12 @@
 //! One state of a run, as a film needs it.
 
 use super::bytes::{Source, from_upper_half, upper_half};
-use crate::record::Partner;
+use crate::record::{Partner, digest};
 use nalgebra::Vector3;
 
 /// The first bytes of a frame, and the version that follows.
 const MAGIC: [u8; 4] = *b"TrFr";
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 /// The largest number of a place.
 const STEPS: f64 = u16::MAX as f64;
 
@@ -18,6 +18,7 @@ const STEPS: f64 = u16::MAX as f64;
 /// # use tribos::record::frames::{Bodies, Frame, FrameContact, FrameFolder, Hold, Kind};
 /// # let bodies = Bodies {
 /// #     kind: Kind::Powder,
+/// #     scene: serde_json::json!({}),
 /// #     limit: 2,
 /// #     stride: 1,
 /// #     periods: [10.0; 2],
@@ -109,8 +110,25 @@ impl Hold {
 }
 
 impl Frame {
-    /// The frame as the bytes of a file.
-    pub(super) fn bytes(&self) -> Vec<u8> {
+    /// The frame as the bytes of a file of this [run](Bodies::run).
+    pub(super) fn bytes(&self, run: u128) -> Vec<u8> {
+        let mut bytes = self.content();
+        let end = seal(&bytes, run);
+        bytes.extend(end);
+        bytes
+    }
+
+    /// A frame from the bytes of a file of this run; `None` if they are not one, to the last bit.
+    pub(super) fn parse(bytes: &[u8], run: u128) -> Option<Self> {
+        let (content, end) = bytes.split_last_chunk()?;
+        if seal(content, run) != *end {
+            return None;
+        }
+        Self::of_content(content)
+    }
+
+    /// What the file holds before its digest.
+    fn content(&self) -> Vec<u8> {
         let (n, m) = (self.places.len(), self.contacts.len());
         let mut bytes = Vec::with_capacity(72 + 8 * n + 11 * m);
         bytes.extend(MAGIC);
@@ -141,8 +159,8 @@ impl Frame {
         bytes
     }
 
-    /// A frame from the bytes of a file; `None` if they are not one.
-    pub(super) fn parse(bytes: &[u8]) -> Option<Self> {
+    /// A frame from what its file holds before its digest; `None` if it makes no sense.
+    fn of_content(bytes: &[u8]) -> Option<Self> {
         let mut source = Source(bytes);
         if source.take()? != MAGIC || u32::from_le_bytes(source.take()?) != VERSION {
             return None;
@@ -201,6 +219,11 @@ impl Frame {
     }
 }
 
+/// The end of a file: a digest of the run and of all bytes before.
+fn seal(content: &[u8], run: u128) -> [u8; 16] {
+    (digest(content) ^ run).to_le_bytes()
+}
+
 /// Particles from 0 up, walls from the top down.
 fn number(partner: Partner) -> u32 {
     match partner {
@@ -220,6 +243,8 @@ fn partner(number: u32) -> Partner {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const RUN: u128 = 7 << 100;
 
     fn frame() -> Frame {
         let contact = |a, b, normal_force, hold| FrameContact {
@@ -250,7 +275,7 @@ mod tests {
     #[test]
     fn a_frame_reads_back_as_near_as_promised() -> Result<(), &'static str> {
         let written = frame();
-        let read = Frame::parse(&written.bytes()).ok_or("unread")?;
+        let read = Frame::parse(&written.bytes(RUN), RUN).ok_or("unread")?;
         assert_eq!(
             (read.step, read.time, read.height, read.corners),
             (written.step, written.time, written.height, written.corners)
@@ -270,29 +295,46 @@ mod tests {
         assert_eq!(read.contacts[1].hold, Hold(5));
         assert_eq!(read.contacts[1].normal_force, -1.25);
         // What is read is written again to the same bytes.
-        assert_eq!(read.bytes(), written.bytes());
+        assert_eq!(read.bytes(RUN), written.bytes(RUN));
         Ok(())
     }
 
     #[test]
     fn what_is_not_a_frame_is_refused() {
-        let bytes = frame().bytes();
+        let bytes = frame().content();
         for length in 0..bytes.len() {
-            assert!(Frame::parse(&bytes[..length]).is_none(), "{length}");
+            assert!(Frame::of_content(&bytes[..length]).is_none(), "{length}");
         }
         let mut longer = bytes.clone();
         longer.push(0);
-        assert!(Frame::parse(&longer).is_none());
+        assert!(Frame::of_content(&longer).is_none());
         // Another format, another version, and a particle that is not there.
         let first_contact = 72 + 8 * 50;
         for at in [0, 4, first_contact] {
             let mut other = bytes.clone();
             other[at] = 77;
-            assert!(Frame::parse(&other).is_none(), "{at}");
+            assert!(Frame::of_content(&other).is_none(), "{at}");
         }
         // A count that no memory holds.
         let mut huge = bytes;
         huge[40..44].fill(0xff);
-        assert!(Frame::parse(&huge).is_none());
+        assert!(Frame::of_content(&huge).is_none());
+    }
+
+    #[test]
+    fn no_bit_of_a_file_may_change_nor_its_run() {
+        let bytes = frame().bytes(RUN);
+        assert!(Frame::parse(&bytes, RUN).is_some());
+        assert!(Frame::parse(&bytes, RUN ^ 1).is_none());
+        for at in 0..bytes.len() {
+            for bit in 0..8 {
+                let mut other = bytes.clone();
+                other[at] ^= 1 << bit;
+                assert!(
+                    Frame::parse(&other, RUN).is_none(),
+                    "bit {bit} of byte {at}"
+                );
+            }
+        }
     }
 }

@@ -1,0 +1,77 @@
+//! Texts from files that somebody else wrote: never more than what was agreed.
+
+use std::fs::File;
+use std::io::{ErrorKind, Read};
+use std::path::Path;
+
+/// A text that cannot be read.
+///
+/// ```
+/// use tribos::record::ReadError;
+/// let error = ReadError::TooLarge { most: 3 << 20 };
+/// assert_eq!(error.to_string(), "the file is larger than 3 MB, which is the most that is read");
+/// ```
+#[derive(Debug, thiserror::Error)]
+pub enum ReadError {
+    /// The file cannot be opened or read.
+    #[error(transparent)]
+    Io(#[from] std::io::Error),
+    /// There is more of it than is read.
+    #[error("the file is larger than {} MB, which is the most that is read", most >> 20)]
+    TooLarge {
+        /// Bytes that are read at most.
+        most: u64,
+    },
+    /// It holds a zero byte or is not UTF-8.
+    #[error("the file is not a text: byte {at} is not of one")]
+    NotText {
+        /// Place of the first byte that is not of a text, from 0.
+        at: u64,
+    },
+}
+
+impl ReadError {
+    /// Whether there is no such file.
+    pub fn is_missing(&self) -> bool {
+        matches!(self, Self::Io(error) if error.kind() == ErrorKind::NotFound)
+    }
+}
+
+/// Bytes that are read at a time.
+const CHUNK: u64 = 1 << 16;
+
+/// The text of a file or a pipe, of at most `most` bytes. Stops at the first byte that is not of a
+/// text or one too many, so that a device that never ends is refused at once.
+///
+/// ```
+/// use tribos::record::{ReadError, read_text};
+/// # let home = tempfile::tempdir()?;
+/// # let file = home.path().join("scene.toml");
+/// std::fs::write(&file, "speed = 1")?;
+/// assert_eq!(read_text(&file, 9)?, "speed = 1");
+/// assert!(matches!(read_text(&file, 8), Err(ReadError::TooLarge { most: 8 })));
+/// std::fs::write(&file, "speed\0= 1")?;
+/// assert!(matches!(read_text(&file, 100), Err(ReadError::NotText { at: 5 })));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read_text(path: &Path, most: u64) -> Result<String, ReadError> {
+    let mut file = File::open(path)?;
+    let mut bytes = Vec::new();
+    loop {
+        let before = bytes.len();
+        (&mut file).take(CHUNK).read_to_end(&mut bytes)?;
+        if bytes.len() == before {
+            break;
+        }
+        if let Some(at) = bytes[before..].iter().position(|byte| *byte == 0) {
+            let at = (before + at) as u64;
+            return Err(ReadError::NotText { at });
+        }
+        if bytes.len() as u64 > most {
+            return Err(ReadError::TooLarge { most });
+        }
+    }
+    String::from_utf8(bytes).map_err(|error| ReadError::NotText {
+        at: error.utf8_error().valid_up_to() as u64,
+    })
+}
