@@ -1,6 +1,7 @@
 //! A run of the tip as a file.
 
 use super::shape::Part;
+use super::watch;
 use crate::md::system::State;
 use crate::record::kept::{damaged, hex, numbers, opened, same_scene, triple};
 use crate::record::{CheckpointError, sealed};
@@ -19,6 +20,10 @@ pub(super) struct Checkpoint {
     pub state: State,
     /// Of the driven atoms and of each layer, in radians.
     pub angles: Vec<f64>,
+    /// Of the drive, in ε.
+    pub work: f64,
+    /// What averages are taken of.
+    pub lines: Vec<Vec<f64>>,
     pub series: Vec<Vec<f64>>,
 }
 
@@ -44,6 +49,8 @@ impl Checkpoint {
             self.state.thermostats.iter().flatten().copied().collect(),
         );
         put("angles", self.angles.clone());
+        put("work", vec![self.work]);
+        put("lines", self.lines.iter().flatten().copied().collect());
         put("series", self.series.iter().flatten().copied().collect());
         sealed(map)
     }
@@ -75,12 +82,14 @@ impl Checkpoint {
         if steps > last {
             return Err(damaged("steps"));
         }
-        // One line at the start and one after every stretch of steps.
-        let lines = 1 + steps.div_ceil(scene.samples);
-        let series = numbers(&value, "series")?;
-        if !series.len().is_multiple_of(width) || (series.len() / width) as u64 != lines {
-            return Err(damaged("series"));
-        }
+        let table = |name: &str, lines: u64| {
+            let numbers = numbers(&value, name)?;
+            let (lines_of, rest) = (numbers.chunks_exact(width), numbers.len() % width);
+            if rest != 0 || lines_of.len() as u64 != lines {
+                return Err(damaged(name));
+            }
+            Ok(lines_of.map(<[f64]>::to_vec).collect())
+        };
         let thermostats = finite("thermostats", 2 * Part::ALL.len())?;
         Ok(Self {
             state: State {
@@ -91,7 +100,10 @@ impl Checkpoint {
                 thermostats: thermostats.as_chunks().0.to_vec(),
             },
             angles: finite("angles", 1 + scene.shape.tip_layers)?,
-            series: series.chunks(width).map(<[f64]>::to_vec).collect(),
+            work: finite("work", 1)?.first().copied().unwrap_or_default(),
+            lines: table("lines", watch::lines(scene, steps))?,
+            // One line at the start and one after every stretch of steps.
+            series: table("series", 1 + steps.div_ceil(scene.samples))?,
         })
     }
 }

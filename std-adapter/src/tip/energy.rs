@@ -12,15 +12,14 @@ use serde_json::{Value, json};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriveEnergy {
-    /// Work of the drive: its moment times the angle of the driven layers, as if they were rigid
-    /// and stayed on the axis; within 2 % for a turn by 7°.
+    /// Work of the drive: its force on each driven atom along the atom's way, summed over all steps.
     pub work: f64,
     /// Rise of the potential energy while driven, between means over 20 τ at the ends of stages.
     /// Pairs that cross a cut-off without shift change it without work.
     pub stored: f64,
     /// Its fall after the drive.
     pub released: f64,
-    /// Standard error of what was stored, from the scatter of the lines as if they were independent.
+    /// Standard error of what was stored, from the scatter of lines 0.5 τ apart as if they were independent.
     pub uncertainty: f64,
 }
 

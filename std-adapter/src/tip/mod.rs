@@ -13,6 +13,7 @@ mod frames;
 mod outcome;
 mod run;
 mod shape;
+mod watch;
 
 pub use build::{BuildError, TipSystem, build};
 pub use cost::{TipCost, cost, size};

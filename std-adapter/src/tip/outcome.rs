@@ -44,6 +44,9 @@ pub struct Plateau {
 
 /// The result of a run. Angles in degrees, times in τ from the start of the drive.
 ///
+/// Turns and work are counted at every step, averages taken of lines 0.5 τ apart (closer where a
+/// stage is short): how often a series or frames are written changes nothing but `samples`.
+///
 /// ```
 /// use tribos::run::drive;
 /// use tribos::scene::{Scene, parse_scene};
@@ -89,16 +92,28 @@ pub struct Outcome {
     pub samples: usize,
 }
 
+/// What a run was seen to do.
+pub(super) struct Measured<'a> {
+    /// Lines as those of the series, at times that do not depend on it.
+    pub lines: &'a [Vec<f64>],
+    /// Column at which the angles of the tip's layers begin.
+    pub layers: usize,
+    /// Work of the drive, in ε.
+    pub work: f64,
+    /// Lines of the series.
+    pub samples: usize,
+}
+
 impl Outcome {
-    /// Of a series whose angles of layers start at a column, under a drive of so large a moment.
-    pub(super) fn of(scene: &TipScene, series: &[Vec<f64>], layers: usize, moment: f64) -> Self {
+    /// Of what was measured.
+    pub(super) fn of(scene: &TipScene, measured: &Measured) -> Self {
+        let (series, layers) = (measured.lines, measured.layers);
         let [before, with, after] = scene.stage_steps();
         let off = with as f64 * scene.time_step;
         let end = (with + after) as f64 * scene.time_step;
         let begin = -(before as f64) * scene.time_step;
         let width = layers + scene.shape.tip_layers;
         let first = means(series, begin.max(-END), 0.0, width);
-        let turned = angle_at(series, off) - angle_at(series, 0.0);
         let driven = means(series, (off - END).max(0.0), off, width);
         let last = means(series, (end - END).max(off), end, width);
         let is_over = series.last().is_some_and(|line| line[0] >= end);
@@ -129,7 +144,7 @@ impl Outcome {
             plateaus: plateaus(&on),
             tip_temperature: means(series, 0.0, off, width)[5],
             energy: DriveEnergy {
-                work: moment * turned.to_radians(),
+                work: measured.work,
                 stored: driven[POTENTIAL] - first[POTENTIAL],
                 released: driven[POTENTIAL] - last[POTENTIAL],
                 uncertainty: libm::hypot(
@@ -137,7 +152,7 @@ impl Outcome {
                     standard_error(series, (off - END).max(0.0), off),
                 ),
             },
-            samples: series.len(),
+            samples: measured.samples,
         }
     }
 
@@ -203,12 +218,6 @@ fn standard_error(series: &[Vec<f64>], from: f64, to: f64) -> f64 {
         .map(|energy| (energy - mean) * (energy - mean))
         .sum();
     (square / (count * (count - 1.0))).sqrt()
-}
-
-/// The angle in the last line up to a time; NaN without one.
-fn angle_at(series: &[Vec<f64>], time: f64) -> f64 {
-    let until = series.iter().rev().find(|line| line[0] <= time);
-    until.map_or(f64::NAN, |line| line[ANGLE])
 }
 
 /// Interfaces across which the angles differ; the substrate stands.

@@ -2,10 +2,11 @@
 
 use super::build::{BuildError, TipSystem, build};
 use super::checkpoint::Checkpoint;
-use super::outcome::Outcome;
+use super::outcome::{Measured, Outcome};
 use super::shape::Part;
+use super::watch::{Watch, interval};
 use crate::md::interaction::Wanted;
-use crate::md::observe::{Torsion, kinetic_energies, temperature};
+use crate::md::observe::{kinetic_energies, temperature};
 use crate::md::pair::LennardJones;
 use crate::md::system::{System, SystemError};
 use crate::record::CheckpointError;
@@ -70,8 +71,7 @@ pub struct TipRun {
     system: System<LennardJones>,
     layer_of: Vec<usize>,
     part_of: Vec<u8>,
-    /// Driven atoms, then each layer of the tip from below.
-    torsions: Vec<Torsion>,
+    watch: Watch,
     series: Vec<Vec<f64>>,
 }
 
@@ -79,35 +79,34 @@ impl TipRun {
     /// From the crystal.
     pub fn new(scene: &TipScene) -> Result<Self, TipError> {
         let TipSystem { setup, layer_of } = build(scene)?;
-        let torsions = torsions(scene, &layer_of, &setup.atoms.positions);
+        let watch = Watch::new(scene, &layer_of, &setup.atoms.positions);
         let part_of = setup.group_of.clone();
         let mut run = Self {
             part_of,
             system: System::new(setup)?,
             scene: scene.clone(),
             layer_of,
-            torsions,
+            watch,
             series: Vec::new(),
         };
-        run.sample();
+        run.watch.look(&run.system);
+        run.write_lines();
         Ok(run)
     }
 
     /// From a checkpoint of the same scene, to the same bits as without a break.
     pub fn resume(scene: &TipScene, text: &str) -> Result<Self, TipError> {
         let TipSystem { setup, layer_of } = build(scene)?;
-        let mut torsions = torsions(scene, &layer_of, &setup.atoms.positions);
+        let mut watch = Watch::new(scene, &layer_of, &setup.atoms.positions);
         let width = FIXED_COLUMNS.len() + scene.shape.tip_layers;
         let kept = Checkpoint::read(text, scene, layer_of.len(), width)?;
-        for (torsion, angle) in torsions.iter_mut().zip(kept.angles) {
-            torsion.restore(angle);
-        }
+        watch.restore(&kept.angles, kept.work, kept.lines);
         Ok(Self {
             part_of: setup.group_of.clone(),
             system: System::resume(setup, kept.state)?,
             scene: scene.clone(),
             layer_of,
-            torsions,
+            watch,
             series: kept.series,
         })
     }
@@ -116,7 +115,9 @@ impl TipRun {
     pub fn checkpoint(&self) -> String {
         let kept = Checkpoint {
             state: self.system.state(),
-            angles: self.torsions.iter().map(Torsion::angle).collect(),
+            angles: self.watch.angles().collect(),
+            work: self.watch.work(),
+            lines: self.watch.lines().to_vec(),
             series: self.series.clone(),
         };
         kept.text(&self.scene)
@@ -167,45 +168,81 @@ impl TipRun {
 
     /// Angle of the driven layers in radians.
     pub fn angle(&self) -> f64 {
-        self.torsions[0].angle()
+        self.watch.angles().next().unwrap_or_default()
     }
 
-    /// What came out.
+    /// What came out. It does not depend on how often lines of the series are written.
     pub fn outcome(&self) -> Outcome {
-        let columns = FIXED_COLUMNS.len();
-        Outcome::of(&self.scene, &self.series, columns, self.drive_moment())
+        let measured = Measured {
+            lines: self.watch.lines(),
+            layers: FIXED_COLUMNS.len(),
+            work: self.watch.work(),
+            samples: self.series.len(),
+        };
+        Outcome::of(&self.scene, &measured)
+    }
+
+    /// Goes on to a step, at which the sums of the interaction are known.
+    fn advance(&mut self, to: u64) -> Result<(), TipError> {
+        while self.system.steps() < to {
+            let wanted = if self.system.steps() + 1 == to {
+                Wanted::Sums
+            } else {
+                Wanted::Forces
+            };
+            self.watch.before(&self.system);
+            self.system.step(wanted)?;
+            self.watch.after(&self.system);
+        }
+        Ok(())
     }
 
     fn last_step(&self) -> u64 {
         self.scene.stage_steps().into_iter().sum()
     }
 
-    /// Looks at the angles and adds a line to the series.
-    fn sample(&mut self) {
-        for torsion in &mut self.torsions {
-            torsion.look(&self.system.atoms().positions);
+    /// Adds a line to those lists that want one after this step.
+    fn write_lines(&mut self) {
+        let line = self.line();
+        if self.wants_average() {
+            self.watch.keep(line.clone());
         }
+        if self.wants_sample() {
+            self.series.push(line);
+        }
+    }
+
+    /// Whether the series has a line after this step.
+    fn wants_sample(&self) -> bool {
+        let steps = self.system.steps();
+        steps.is_multiple_of(self.scene.samples) || steps == self.last_step()
+    }
+
+    /// Whether averages take a line after this step.
+    fn wants_average(&self) -> bool {
+        let steps = self.system.steps();
+        steps.is_multiple_of(interval(&self.scene)) || steps == self.last_step()
+    }
+
+    /// The present state as a line.
+    fn line(&self) -> Vec<f64> {
         let kinetic = kinetic_energies(&self.system);
         let heat = |part: Part| {
             let group = Part::ALL.iter().position(|&other| other == part);
             let group = group.unwrap_or_default();
             temperature(kinetic[group], self.system.heat_freedoms(group))
         };
-        let degrees = self
-            .torsions
-            .iter()
-            .map(|torsion| torsion.angle().to_degrees());
         let mut line = vec![
             self.time(),
-            self.torsions[0].angle().to_degrees(),
+            self.angle().to_degrees(),
             self.resisting_torque(),
             self.height(),
             heat(Part::SubstrateBath),
             heat(Part::TipBath),
             self.system.tally().energy,
         ];
-        line.extend(degrees.skip(1));
-        self.series.push(line);
+        line.extend(self.watch.angles().skip(1).map(f64::to_degrees));
+        line
     }
 
     /// Torque of all other atoms on the driven ones about the axis, positive against the drive.
@@ -222,20 +259,6 @@ impl TipRun {
         -driven.iter().map(part).sum::<f64>()
     }
 
-    /// Moment of the drive about its axis.
-    fn drive_moment(&self) -> f64 {
-        let (atoms, drive) = (self.system.atoms(), self.system.drive());
-        let Some(drive) = drive else { return 0.0 };
-        let [x0, y0] = drive.axis;
-        let part = |&atom: &usize| {
-            let place = &atoms.positions[atom];
-            let arm = [place.x - x0, place.y - y0];
-            atoms.mass(atom) * (arm[0] * arm[0] + arm[1] * arm[1])
-        };
-        let driven = self.system.members(Part::ALL.len() - 1);
-        drive.acceleration * driven.iter().map(part).sum::<f64>()
-    }
-
     /// Mean height of the driven atoms.
     pub(super) fn height(&self) -> f64 {
         let driven = self.system.members(Part::ALL.len() - 1);
@@ -245,24 +268,6 @@ impl TipRun {
             .sum();
         sum / driven.len() as f64
     }
-}
-
-/// Rotation of the driven atoms and of each layer of the tip.
-fn torsions(
-    scene: &TipScene,
-    layer_of: &[usize],
-    positions: &[nalgebra::Vector3<f64>],
-) -> Vec<Torsion> {
-    let shape = &scene.shape;
-    let of = |is_member: &dyn Fn(usize) -> bool| {
-        let atoms = (0..layer_of.len()).filter(|&atom| is_member(layer_of[atom]));
-        Torsion::new(atoms.collect(), positions)
-    };
-    let mut torsions = vec![of(&|layer| shape.part(layer) == Part::Driven)];
-    for layer in shape.substrate_layers..shape.layers() {
-        torsions.push(of(&|other| other == layer));
-    }
-    torsions
 }
 
 impl Simulation for TipRun {
@@ -279,16 +284,15 @@ impl Simulation for TipRun {
         if self.system.steps() >= last {
             return Ok(false);
         }
-        let next = (self.system.steps() + self.scene.samples).min(last);
+        // Lines stand at multiples of their distance, and at the end.
+        let until = |every: u64, steps: u64| (steps / every + 1).saturating_mul(every).min(last);
+        let next = until(self.scene.samples, self.system.steps());
         while self.system.steps() < next {
-            let wanted = if self.system.steps() + 1 == next {
-                Wanted::Sums
-            } else {
-                Wanted::Forces
-            };
-            self.system.step(wanted)?;
+            let steps = self.system.steps();
+            let line = next.min(until(interval(&self.scene), steps));
+            self.advance(line)?;
+            self.write_lines();
         }
-        self.sample();
         Ok(next < last)
     }
 

@@ -3,6 +3,17 @@
 use super::*;
 use crate::scene::{Scene, parse_scene};
 
+/// Lines with the angles of layers from column 7 on, and a work of 60.
+fn seen(scene: &TipScene, lines: &[Vec<f64>]) -> Outcome {
+    let measured = Measured {
+        lines,
+        layers: 7,
+        work: 60.0,
+        samples: lines.len(),
+    };
+    Outcome::of(scene, &measured)
+}
+
 /// A drive from 0 to 100 and a rest to 160, four layers, a line each τ from −10 on.
 fn outcome(angles: impl Fn(f64) -> [f64; 5], until: i32) -> Outcome {
     let text = "body = \"tip\"\nlambda = 1\ntip_layers = 4\nequilibration = 10\ndrive_time = 100\n\
@@ -19,7 +30,7 @@ fn outcome(angles: impl Fn(f64) -> [f64; 5], until: i32) -> Outcome {
         line
     };
     let series: Vec<Vec<f64>> = (-10..=until).map(line).collect();
-    Outcome::of(&scene, &series, 7, 30.0)
+    seen(&scene, &series)
 }
 
 /// Turned by so much while driven and so much after it, all layers alike.
@@ -50,7 +61,7 @@ fn without_a_rest_nothing_is_known() {
         panic!("the scene is good");
     };
     let series = [vec![0.0; 13], [vec![1.0], vec![0.0; 12]].concat()];
-    assert_eq!(Outcome::of(&scene, &series, 7, 30.0).verdict, Verdict::Open);
+    assert_eq!(seen(&scene, &series).verdict, Verdict::Open);
 }
 
 #[test]
@@ -140,8 +151,8 @@ fn work_is_moment_times_angle_and_what_is_not_stored_is_heat() {
     };
     // The last lines of a stage belong to it.
     let series: Vec<Vec<f64>> = (-30..=160).map(line).collect();
-    let energy = Outcome::of(&scene, &series, 7, 30.0).energy;
-    assert!((energy.work - 60.0).abs() < 1e-12, "{energy:?}");
+    let energy = seen(&scene, &series).energy;
+    assert_eq!(energy.work, 60.0);
     assert!((energy.stored - 40.0).abs() < 1e-12, "{energy:?}");
     assert!((energy.heat() - 20.0).abs() < 1e-12, "{energy:?}");
     assert!((energy.released - 25.0).abs() < 1e-12, "{energy:?}");
@@ -154,7 +165,7 @@ fn a_summary_is_json_whatever_is_missing() {
     let Ok(Scene::Tip(scene)) = parse_scene("tip.toml", text, &[]) else {
         panic!("the scene is good");
     };
-    let one = Outcome::of(&scene, &[[vec![-50.0], vec![0.0; 12]].concat()], 7, 30.0);
+    let one = seen(&scene, &[[vec![-50.0], vec![0.0; 12]].concat()]);
     let json = one.json(&scene);
     assert_eq!(json["verdict"], "open");
     assert!(json["final_angle_degrees"].as_f64().is_none());

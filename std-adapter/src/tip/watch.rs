@@ -1,0 +1,137 @@
+//! What is measured of a run, apart from what is recorded of it: turns and work at every step,
+//! averages from lines whose distance the scene's stages decide alone.
+
+use super::shape::Part;
+use crate::md::drive::TorqueDrive;
+use crate::md::observe::Torsion;
+use crate::md::pair::LennardJones;
+use crate::md::system::System;
+use crate::scene::TipScene;
+use nalgebra::Vector3;
+
+/// Time from one line that averages are taken of to the next, in τ.
+const INTERVAL: f64 = 0.5;
+/// Lines of the shortest stage at least, as far as it has as many steps.
+const LINES: u64 = 40;
+
+/// Steps from one line that averages are taken of to the next.
+pub(super) fn interval(scene: &TipScene) -> u64 {
+    let usual = (INTERVAL / scene.time_step).round() as u64;
+    let stages = scene.stage_steps().into_iter().filter(|&steps| steps > 0);
+    let shortest = stages.min().unwrap_or(u64::MAX);
+    usual.min(shortest / LINES).max(1)
+}
+
+/// Number of lines after so many steps of a run: one at the start, one an interval, one at the end.
+pub(super) fn lines(scene: &TipScene, steps: u64) -> u64 {
+    let every = interval(scene);
+    let last: u64 = scene.stage_steps().into_iter().sum();
+    let is_extra = steps == last && !steps.is_multiple_of(every);
+    1 + steps / every + u64::from(is_extra)
+}
+
+/// Turns, work and lines of a run.
+#[derive(Debug)]
+pub(super) struct Watch {
+    /// Driven atoms, then each layer of the tip from below.
+    torsions: Vec<Torsion>,
+    /// Work of the drive, in ε.
+    work: f64,
+    /// Places of the driven atoms before the step.
+    places: Vec<Vector3<f64>>,
+    /// Lines that averages are taken of.
+    lines: Vec<Vec<f64>>,
+}
+
+impl Watch {
+    /// First sight of the crystal.
+    pub fn new(scene: &TipScene, layer_of: &[usize], positions: &[Vector3<f64>]) -> Self {
+        Self {
+            torsions: torsions(scene, layer_of, positions),
+            work: 0.0,
+            places: Vec::new(),
+            lines: Vec::new(),
+        }
+    }
+
+    /// Puts back what a checkpoint keeps.
+    pub fn restore(&mut self, angles: &[f64], work: f64, lines: Vec<Vec<f64>>) {
+        for (torsion, &angle) in self.torsions.iter_mut().zip(angles) {
+            torsion.restore(angle);
+        }
+        self.work = work;
+        self.lines = lines;
+    }
+
+    /// Notes where the driven atoms are, before a step.
+    pub fn before(&mut self, system: &System<LennardJones>) {
+        let positions = &system.atoms().positions;
+        let driven = system.members(Part::ALL.len() - 1);
+        self.places.clear();
+        self.places
+            .extend(driven.iter().map(|&atom| positions[atom]));
+    }
+
+    /// Looks at the angles and adds the work of the drive, after a step.
+    pub fn after(&mut self, system: &System<LennardJones>) {
+        self.look(system);
+        // The drive acts in a step if it is on in its middle.
+        let middle = system.time() - 0.5 * system.time_step();
+        if let Some(drive) = system.drive().filter(|drive| drive.is_on(middle)) {
+            self.work += self.work_of_step(system, drive);
+        }
+    }
+
+    /// Looks at the angles.
+    pub fn look(&mut self, system: &System<LennardJones>) {
+        for torsion in &mut self.torsions {
+            torsion.look(&system.atoms().positions);
+        }
+    }
+
+    /// Mean of the force at both ends times the way: a Σ m (r × r'), whatever the atoms do.
+    fn work_of_step(&self, system: &System<LennardJones>, drive: &TorqueDrive) -> f64 {
+        let [x0, y0] = drive.axis;
+        let atoms = system.atoms();
+        let driven = system.members(Part::ALL.len() - 1).iter();
+        let swept = driven.zip(&self.places).map(|(&atom, from)| {
+            let to = &atoms.positions[atom];
+            atoms.mass(atom) * ((from.x - x0) * (to.y - y0) - (from.y - y0) * (to.x - x0))
+        });
+        drive.acceleration * swept.sum::<f64>()
+    }
+
+    /// Keeps a line.
+    pub fn keep(&mut self, line: Vec<f64>) {
+        self.lines.push(line);
+    }
+
+    /// Angles of the driven atoms and of each layer of the tip, in radians.
+    pub fn angles(&self) -> impl Iterator<Item = f64> {
+        self.torsions.iter().map(Torsion::angle)
+    }
+
+    /// Work of the drive so far, in ε.
+    pub fn work(&self) -> f64 {
+        self.work
+    }
+
+    /// The lines so far.
+    pub fn lines(&self) -> &[Vec<f64>] {
+        &self.lines
+    }
+}
+
+/// Rotation of the driven atoms and of each layer of the tip.
+fn torsions(scene: &TipScene, layer_of: &[usize], positions: &[Vector3<f64>]) -> Vec<Torsion> {
+    let shape = &scene.shape;
+    let of = |is_member: &dyn Fn(usize) -> bool| {
+        let atoms = (0..layer_of.len()).filter(|&atom| is_member(layer_of[atom]));
+        Torsion::new(atoms.collect(), positions)
+    };
+    let mut torsions = vec![of(&|layer| shape.part(layer) == Part::Driven)];
+    for layer in shape.substrate_layers..shape.layers() {
+        torsions.push(of(&|other| other == layer));
+    }
+    torsions
+}
