@@ -163,6 +163,18 @@ bounds! {
     SINGLE_ROUND_ENDS_ULPS = 220.0, "as SINGLE_ROUND_STEEP_ULPS: the profile spans a factor 100";
     /// f32 compact powers of pressures, −0.75 ≤ α ≤ 10, ulp of f32.
     SINGLE_ROUND_COMPACT_ULPS = 10.0, "speed power; the ratio's rounding near equal speeds for the ring";
+    /// F, T and G of tiers at speeds of the whole range, −0.9 ≤ α ≤ 10, relative.
+    RANGES = 1e-14, "as ROUND_TABLE_ENDS";
+    /// Their derivatives, relative.
+    RANGES_JACOBIAN = 2e-12, "as ROUND_JACOBIAN";
+    /// The same in f32.
+    RANGES_SINGLE = 4e-6, "as SINGLE_CLOSED_ULPS";
+    /// The same in f32.
+    RANGES_SINGLE_JACOBIAN = 2.7e-5, "as RANGES_SINGLE";
+    /// Quadrature at speeds of the whole range, −0.75 ≤ α ≤ 10, relative.
+    QUADRATURE_RANGES = 4e-4, "integrable singularity on the rim at alpha = -0.75; 8 radii at alpha = 10";
+    /// Its derivatives, of the larger of themselves and F/v.
+    QUADRATURE_RANGES_JACOBIAN = 1e-1, "as QUADRATURE_RANGES";
     /// Leaning pressures against sums over the patch, of force plus torque.
     LEANING = 2.5e-14, "sums of 12,000 elements: the oracle's own rounding";
     /// Pressure gradient against the force that it balances, relative.
@@ -263,6 +275,11 @@ bounds! {
     PURE_SLIDING = 4e-15, "closes in one step; a power and three products";
     /// Work of friction by Simpson's rule against energy lost, relative to the energy.
     WORK = 1e-11, "Simpson's rule over 1 ms of 0.4 s, worst next to the stop";
+
+    /// Power that friction gives at the mean motion of a step, of force limit times speed.
+    STEP_POWER = 2e-14, "a step that nearly ends at rest: rounding of the projection";
+    /// Motion that a step without push turns about, of the motion.
+    STEP_REVERSAL = 1e-14, "rounding of the projection";
 
     /// Impulses of a contact against the table, of P and the momentum that meets.
     CONTACT = 2e-15, "velocity, mass and projection round a dozen times";

@@ -1,8 +1,9 @@
 //! A uniform annulus: the whole disk less its middle.
 
 use super::lateral::{Lateral, LateralJacobian};
-use super::profile::{Profile, in_halves, is_ordinary};
+use super::profile::Profile;
 use super::speeds::Speeds;
+use super::wide::{Wide, is_ordinary};
 use super::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
 use crate::patch::PatchError;
 use crate::real::Real;
@@ -10,8 +11,8 @@ use crate::real::Real;
 /// Uniform pressure between `inner_ratio` and 1 radii, from any tier of the uniform disk.
 ///
 /// With k the inner over the outer radius, F = (F₁(v, w) − k² F₁(v, kw))/(1−k²) and the torque
-/// likewise with k³. *Accuracy*: that of the disk times 2/(1−k). *Special values*: as [`Coupling`],
-/// but NaN where both disks leave the number range.
+/// likewise with k³. *Accuracy*: that of the disk times 2/(1−k). *Special values*: as [`Coupling`];
+/// infinite where one of the disks leaves the number range, rounded where k w is below it.
 ///
 /// ```
 /// use tribos_core::coupling::{Annulus, Coupling, table};
@@ -59,8 +60,12 @@ impl<R: Real, C> Annulus<R, C> {
     /// (`whole` − k^`power` `middle`)/(1 − k²), the power as a product.
     #[inline]
     fn less(&self, whole: R, middle: R, factor: R) -> R {
-        if self.inner == R::ZERO {
+        // Where one disk leaves the number range the annulus does, or is next to it.
+        if self.inner == R::ZERO || whole.abs() == R::INFINITY {
             return whole;
+        }
+        if middle.abs() == R::INFINITY {
+            return R::INFINITY.copysign(whole) + R::ZERO * whole;
         }
         (whole - factor * middle) / ((R::ONE - self.inner) * (R::ONE + self.inner))
     }
@@ -124,16 +129,23 @@ impl<R: Real, P: Profile<R>> Profile<R> for Annulus<R, P> {
             return [self.less(phi, R::ZERO, k2), self.less(chi, R::ZERO, k4)];
         }
         let scale = self.disk.rate_scale(inside.major);
-        let middle = self.disk.factors(&inside);
-        let [phi_middle, chi_middle] = if is_ordinary(scale) {
-            middle.map(|y| scale * y)
-        } else {
-            let [_, half] = self.disk.half_scales(inside.major);
-            middle.map(|y| in_halves(y, half, inside.major))
-        };
+        let [phi_middle, chi_middle] = self.disk.factors(&inside);
+        if is_ordinary(scale) && is_ordinary(k4) {
+            return [
+                self.less(phi, scale * phi_middle, k2),
+                self.less(chi, scale * chi_middle, k4),
+            ];
+        }
+        // A hole so small that its weight and its speed leave the number range.
+        let inner = Wide::new(self.inner);
+        let square = inner.times(inner);
+        let exponent = self.disk.exponent() - R::ONE;
+        let scale = Wide::power(inside.major, exponent).times(square);
+        let force = scale.times(Wide::new(phi_middle));
+        let torque = scale.times(square).times(Wide::new(chi_middle));
         [
-            self.less(phi, phi_middle, k2),
-            self.less(chi, chi_middle, k4),
+            self.less(phi, force.value(), R::ONE),
+            self.less(chi, torque.value(), R::ONE),
         ]
     }
 }

@@ -1,5 +1,6 @@
 //! A round contact with its dimensions: radius, coefficient, load.
 
+use super::wide::is_ordinary;
 use super::{Coupling, ReducedWrench};
 use crate::law::{LawError, validated_coefficient};
 use crate::patch::{PatchError, validated_radius};
@@ -104,6 +105,12 @@ pub struct MagnitudesJacobian<R> {
     pub torque_spin: R,
 }
 
+/// `force` along the velocity, whose length is `speed`, where their quotient leaves the range.
+#[cold]
+fn along<R: Real>(force: R, speed: R, twist: &Twist<R>) -> [R; 2] {
+    [twist.velocity.x, twist.velocity.y].map(|u| force * (u / speed))
+}
+
 impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     /// *Domain*: 0 ≤ `coefficient` < ∞, 0 < `radius` < ∞. The coefficient multiplies the
     /// coupling's own (1 for the power-law tiers).
@@ -158,8 +165,13 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
             };
         }
         let drag = force / speed;
+        let [x, y] = if is_ordinary(drag) {
+            [drag * twist.velocity.x, drag * twist.velocity.y]
+        } else {
+            along(force, speed, twist)
+        };
         Wrench {
-            force: Vector2::new(-(drag * twist.velocity.x), -(drag * twist.velocity.y)),
+            force: Vector2::new(-x, -y),
             torque: -torque.copysign(twist.spin),
         }
     }

@@ -19,7 +19,8 @@
 //! derives the rest.
 
 use super::Coupling;
-use super::profile::{self, SmoothProfile};
+use super::beyond;
+use super::profile::SmoothProfile;
 use super::speeds::{Lead, Speeds};
 use crate::real::Real;
 
@@ -91,9 +92,13 @@ pub(super) fn of_profile<R: Real, P: SmoothProfile<R>>(
     if at.at_rest() {
         return R::ZERO;
     }
-    let [phi, chi] = profile.factors(&at);
-    let [g] = profile::scaled(profile, at.major, [at.rim * (phi + chi) / divisor]);
-    g
+    let scale = profile.speed_scale(at.major);
+    if at.may_be_scaled(scale, slide, rim) {
+        let [phi, chi] = profile.factors(&at);
+        scale * (at.rim * (phi + chi) / divisor)
+    } else {
+        beyond::lateral(profile, divisor, &at, slide, rim)
+    }
 }
 
 /// The gradient of (w F + v T)/`divisor`.
@@ -108,17 +113,24 @@ pub(super) fn jacobian_of_profile<R: Real, P: SmoothProfile<R>>(
     if at.at_rest() {
         return LateralJacobian::default();
     }
-    let [phi, slope, chi] = profile.factors_and_slope(&at);
+    let scale = profile.speed_scale(at.major);
+    let [slide, rim] = if at.may_be_scaled(scale, slide, rim) {
+        unscaled_jacobian(profile, &at).map(|entry| scale * (entry / divisor))
+    } else {
+        beyond::lateral_jacobian(profile, divisor, &at, slide, rim)
+    };
+    LateralJacobian { slide, rim }
+}
+
+/// The gradient of w F + v T over m^α.
+#[inline]
+fn unscaled_jacobian<R: Real, P: SmoothProfile<R>>(profile: &P, at: &Speeds<R>) -> [R; 2] {
+    let [phi, slope, chi] = profile.factors_and_slope(at);
     let (x, z) = at.square_and_complement();
     let (h, alpha) = (at.ratio(), profile.exponent());
-    // The slope's singularity at equal speeds is weaker than 1/z.
-    let bend = if z == R::ZERO {
-        R::ZERO
-    } else {
-        R::TWO * z * slope
-    };
+    let bend = twice_z_slope(z, slope);
     // F_v w + T + T_v v and F + F_w w + T_w v.
-    let entries = match at.lead() {
+    match at.lead() {
         Lead::Spinning => {
             let beta = R::ONE - alpha;
             [
@@ -127,10 +139,17 @@ pub(super) fn jacobian_of_profile<R: Real, P: SmoothProfile<R>>(
             ]
         }
         Lead::Sliding => [h * (alpha * phi + bend + chi), phi + alpha * chi - bend],
-    };
-    let entries = entries.map(|entry| entry / divisor);
-    let [slide, rim] = profile::scaled(profile, at.major, entries);
-    LateralJacobian { slide, rim }
+    }
+}
+
+/// 2zΦ': the slope's singularity at equal speeds is weaker than 1/z.
+#[inline]
+pub(super) fn twice_z_slope<R: Real>(z: R, slope: R) -> R {
+    if z == R::ZERO {
+        R::ZERO
+    } else {
+        R::TWO * z * slope
+    }
 }
 
 /// G of the pressure of order q.

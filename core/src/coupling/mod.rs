@@ -21,6 +21,7 @@
 //! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
 
 mod annulus;
+mod beyond;
 mod dry;
 mod family;
 mod friction;
@@ -32,6 +33,7 @@ mod polynomial;
 mod profile;
 mod side;
 mod speeds;
+mod wide;
 
 pub mod closed;
 pub mod compact;

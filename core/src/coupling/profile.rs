@@ -29,7 +29,9 @@
 //! *Source*: the integrals are eqs. 3.6–3.10 of the thesis (for α = 0: Farkas, Bartels, Unger, Wolf,
 //! Phys. Rev. Lett. 90 (2003) 248302); `docs/theory.md` derives the forms above.
 
+use super::beyond;
 use super::speeds::{Lead, Speeds};
+use super::wide::is_ordinary;
 use super::{ReducedJacobian, ReducedWrench};
 use crate::real::Real;
 
@@ -104,19 +106,6 @@ pub trait Profile<R: Real> {
         } else {
             speed.pow(alpha - R::ONE)
         }
-    }
-
-    /// Square roots of the two scales, for results whose scale alone leaves the number range.
-    #[cold]
-    fn half_scales(&self, speed: R) -> [R; 2] {
-        let alpha = self.exponent();
-        if alpha == R::ZERO {
-            return [R::ONE, R::ONE / speed.sqrt()];
-        }
-        [
-            speed.pow(R::HALF * alpha),
-            speed.pow(R::HALF * (alpha - R::ONE)),
-        ]
     }
 }
 
@@ -195,25 +184,14 @@ pub(super) fn wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> R
     if speeds.at_rest() {
         return ReducedWrench::default();
     }
-    let ReducedWrench { force, torque } = profile.unscaled(&speeds);
-    let [force, torque] = scaled(profile, speeds.major, [force, torque]);
-    ReducedWrench { force, torque }
-}
-
-/// `entries` times `major`^α.
-#[inline]
-pub(super) fn scaled<R: Real, P: Profile<R>, const N: usize>(
-    profile: &P,
-    major: R,
-    entries: [R; N],
-) -> [R; N] {
-    let scale = profile.speed_scale(major);
-    if is_ordinary(scale) {
-        entries.map(|x| scale * x)
+    let scale = profile.speed_scale(speeds.major);
+    let [force, torque] = if speeds.may_be_scaled(scale, slide, rim) {
+        let ReducedWrench { force, torque } = profile.unscaled(&speeds);
+        [scale * force, scale * torque]
     } else {
-        let [half, _] = profile.half_scales(major);
-        entries.map(|x| in_halves(x, half, major))
-    }
+        beyond::wrench(profile, &speeds, slide, rim)
+    };
+    ReducedWrench { force, torque }
 }
 
 /// [`super::Coupling::reduced_jacobian`] of a profile.
@@ -227,29 +205,13 @@ pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
     if speeds.at_rest() {
         return at_rest(profile);
     }
-    let [phi, slope, chi] = profile.factors_and_slope(&speeds);
-    let alpha = profile.exponent();
-    let h = speeds.ratio();
-    let bend = R::TWO * slope;
-    // At equal speeds the slope may be infinite while its products are finite or infinite.
-    let x_bend = h * h * bend;
-    let (force_slide, mixed, torque_rim) = match speeds.lead() {
-        Lead::Sliding => (alpha * phi - x_bend, h * bend, alpha * chi - bend),
-        Lead::Spinning => {
-            let mixed = -h * ((R::ONE - alpha) * phi + x_bend);
-            (phi + x_bend, mixed, alpha * chi - h * mixed)
-        }
-    };
-    let entries = [phi, force_slide, mixed, torque_rim];
     let scale = profile.rate_scale(speeds.major);
-    let [force_per_slide, force_slide, mixed, torque_rim] = if !speeds.major.is_finite() {
-        [R::NAN; 4]
-    } else if is_ordinary(scale) {
-        entries.map(|x| scale * x)
-    } else {
-        let [_, half] = profile.half_scales(speeds.major);
-        entries.map(|x| in_halves(x, half, speeds.major))
-    };
+    let [force_per_slide, force_slide, mixed, torque_rim] =
+        if is_ordinary(scale) && speeds.major.is_finite() && speeds.are_resolved(slide, rim) {
+            unscaled_jacobian(profile, &speeds).map(|x| scale * x)
+        } else {
+            beyond::jacobian(profile, &speeds, slide, rim)
+        };
     ReducedJacobian {
         force_per_slide,
         force_slide,
@@ -258,19 +220,21 @@ pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
     }
 }
 
-/// True if a product with `scale` can be formed at once.
+/// F/v, ∂F/∂v, ∂F/∂w and ∂T/∂w over m^(α−1).
 #[inline]
-pub(super) fn is_ordinary<R: Real>(scale: R) -> bool {
-    scale >= R::MIN_POSITIVE && scale.is_finite()
-}
-
-/// `x` times the square of `half`; zero stays zero for a finite `major` speed.
-#[cold]
-pub(super) fn in_halves<R: Real>(x: R, half: R, major: R) -> R {
-    if x == R::ZERO && major.is_finite() {
-        x
-    } else {
-        x * half * half
+fn unscaled_jacobian<R: Real, P: SmoothProfile<R>>(profile: &P, speeds: &Speeds<R>) -> [R; 4] {
+    let [phi, slope, chi] = profile.factors_and_slope(speeds);
+    let alpha = profile.exponent();
+    let h = speeds.ratio();
+    let bend = R::TWO * slope;
+    // At equal speeds the slope may be infinite while its products are finite or infinite.
+    let x_bend = h * h * bend;
+    match speeds.lead() {
+        Lead::Sliding => [phi, alpha * phi - x_bend, h * bend, alpha * chi - bend],
+        Lead::Spinning => {
+            let mixed = -h * ((R::ONE - alpha) * phi + x_bend);
+            [phi, phi + x_bend, mixed, alpha * chi - h * mixed]
+        }
     }
 }
 

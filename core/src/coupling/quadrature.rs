@@ -19,6 +19,7 @@
 //! s = v sinθ/ρ: T = w ∫2r³ ⟨(1 − s²) g/ρ + s² g'⟩ dr. The derivatives are integrals of the same
 //! kinds. Nothing divides by a small number, and no singular point is ever a node.
 
+use super::wide::{Wide, is_ordinary};
 use super::{Coupling, ReducedJacobian, ReducedWrench};
 use crate::law::LocalLaw;
 use crate::real::Real;
@@ -30,7 +31,8 @@ use crate::real::Real;
 /// *Accuracy*: for laws as smooth as |v|^α, relative error of F and T at most 1e-8 for 0 ≤ α ≤ 5
 /// and 2e-6 for α ≥ −0.5; Jacobian 1e-5 for 0 ≤ α ≤ 5, absolute in units of F/v. A law with a feature
 /// narrower than 1/32 of the speed range on the disk is averaged over.
-/// *Domain*: speeds whose (α+1)st powers are in range; NaN for infinite speeds.
+/// *Domain*: all finite speeds of which the larger is at least 10¹⁰ times the smallest normal number
+/// (the law is asked for slower elements too) and meets friction in range; NaN for infinite speeds.
 /// *Cost*: 32 law evaluations for the force, 256 for the torque.
 ///
 /// ```
@@ -170,15 +172,12 @@ impl<L> DiskQuadrature<L> {
     }
 }
 
-impl<R: Real, L: LocalLaw<R>> Coupling<R> for DiskQuadrature<L> {
-    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
-        let (slide, rim) = (slide.abs(), rim.abs());
-        if slide == R::ZERO && rim == R::ZERO {
-            return ReducedWrench {
-                force: R::ZERO,
-                torque: R::ZERO,
-            };
-        }
+impl<L> DiskQuadrature<L> {
+    /// F and T for speeds of which the powers that the sums contain are numbers.
+    fn wrench<R: Real>(&self, slide: R, rim: R) -> ReducedWrench<R>
+    where
+        L: LocalLaw<R>,
+    {
         let g = |speed| self.law.friction(speed);
         let force = slide * Self::drag(slide, rim, g);
         let torque = if slide <= R::from_f64(POWER_FORM_UP_TO) * rim {
@@ -189,11 +188,11 @@ impl<R: Real, L: LocalLaw<R>> Coupling<R> for DiskQuadrature<L> {
         ReducedWrench { force, torque }
     }
 
-    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
-        let (slide, rim) = (slide.abs(), rim.abs());
-        if slide == R::ZERO && rim == R::ZERO {
-            return self.damping_at_rest();
-        }
+    /// The derivatives for such speeds.
+    fn jacobian<R: Real>(&self, slide: R, rim: R) -> ReducedJacobian<R>
+    where
+        L: LocalLaw<R>,
+    {
         let drag = Self::drag(slide, rim, |speed| self.law.friction(speed));
         let [force_slide, mixed] = self.force_derivatives(slide, rim);
         let torque_rim = if slide <= R::from_f64(POWER_FORM_UP_TO) * rim {
@@ -210,6 +209,148 @@ impl<R: Real, L: LocalLaw<R>> Coupling<R> for DiskQuadrature<L> {
             force_slide,
             mixed,
             torque_rim,
+        }
+    }
+}
+
+/// A law of the speed in units of another one and of the friction there: all of order 1 where the
+/// law is like a power.
+struct InUnits<'a, L, R> {
+    law: &'a L,
+    speed: R,
+    friction: R,
+}
+
+impl<L: LocalLaw<R>, R: Real> LocalLaw<R> for InUnits<'_, L, R> {
+    fn friction(&self, speed: R) -> R {
+        self.law.friction(speed * self.speed) / self.friction
+    }
+    fn slope(&self, speed: R) -> R {
+        let own = self.law.slope(speed * self.speed);
+        if is_ordinary(own.abs()) {
+            let own = Wide::new(own).times(Wide::new(self.speed));
+            return own.over(Wide::new(self.friction)).value();
+        }
+        // The law's own slope leaves the range that its product with the speed keeps.
+        let step = R::from_f64(DIFFERENCE);
+        let across = |n: R| {
+            self.friction(speed * (R::ONE + n * step)) - self.friction(speed * (R::ONE - n * step))
+        };
+        (R::from_f64(8.0) * across(R::ONE) - across(R::TWO)) / (R::from_f64(12.0) * step * speed)
+    }
+}
+
+/// Step of a difference of fourth order, of the speed: 1e-12 times the fifth derivative remains, and
+/// a thousand rounding errors.
+const DIFFERENCE: f64 = 1.0 / 1024.0;
+
+impl<L> DiskQuadrature<L> {
+    /// The larger speed and the friction there.
+    #[inline]
+    fn units<R: Real>(&self, slide: R, rim: R) -> [R; 2]
+    where
+        L: LocalLaw<R>,
+    {
+        let speed = if slide > rim { slide } else { rim };
+        [speed, self.law.friction(speed)]
+    }
+
+    /// The disk in such units, with its speeds; `None` if nothing is to be gained: no friction, or
+    /// none that is a number.
+    #[cold]
+    fn in_units<R: Real>(
+        &self,
+        [speed, friction]: [R; 2],
+    ) -> Option<DiskQuadrature<InUnits<'_, L, R>>>
+    where
+        L: LocalLaw<R>,
+    {
+        let known = speed.is_finite() && is_ordinary(friction);
+        known.then_some(DiskQuadrature::new(InUnits {
+            law: &self.law,
+            speed,
+            friction,
+        }))
+    }
+}
+
+impl<L> DiskQuadrature<L> {
+    /// F and T of a disk in units `speed` and `friction`; the ratio of the speeds may leave the range.
+    fn dimensioned<R: Real>(&self, [speed, friction]: [R; 2], slide: R, rim: R) -> ReducedWrench<R>
+    where
+        L: LocalLaw<R>,
+    {
+        let (a, b) = (slide / speed, rim / speed);
+        let g = |speed| self.law.friction(speed);
+        let friction = Wide::new(friction);
+        let rate = |x: R, of: R| {
+            let product = Wide::new(x).times(Wide::new(of)).over(Wide::new(speed));
+            product.times(friction).value()
+        };
+        let drag = Self::drag(a, b, g);
+        let torque = if a <= R::from_f64(POWER_FORM_UP_TO) * b {
+            let torque = Self::torque_from_power(a, b, a * drag, g);
+            Wide::new(torque).times(friction).value()
+        } else {
+            rate(rim, self.over_rings(a, b, |s_sq| (R::ONE - s_sq, s_sq)))
+        };
+        ReducedWrench {
+            force: rate(slide, drag),
+            torque,
+        }
+    }
+}
+
+/// True if products of `friction` with `speed` and quotients by it stay far from the ends of the
+/// range.
+#[inline]
+fn are_moderate<R: Real>([speed, friction]: [R; 2]) -> bool {
+    let room = R::EPSILON * R::EPSILON;
+    let is_moderate = |x: R| x * room >= R::MIN_POSITIVE && (x / room).is_finite();
+    is_moderate(friction * speed) && is_moderate(friction / speed)
+}
+
+impl<R: Real, L: LocalLaw<R>> Coupling<R> for DiskQuadrature<L> {
+    fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
+        let (slide, rim) = (slide.abs(), rim.abs());
+        if slide == R::ZERO && rim == R::ZERO {
+            return ReducedWrench {
+                force: R::ZERO,
+                torque: R::ZERO,
+            };
+        }
+        let units = self.units(slide, rim);
+        if are_moderate(units) {
+            return self.wrench(slide, rim);
+        }
+        let [speed, friction] = units;
+        let Some(disk) = self.in_units(units) else {
+            return self.wrench(slide, rim);
+        };
+        disk.dimensioned([speed, friction], slide, rim)
+    }
+
+    fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
+        let (slide, rim) = (slide.abs(), rim.abs());
+        if slide == R::ZERO && rim == R::ZERO {
+            return self.damping_at_rest();
+        }
+        let units = self.units(slide, rim);
+        if are_moderate(units) {
+            return self.jacobian(slide, rim);
+        }
+        let [speed, friction] = units;
+        let Some(disk) = self.in_units(units) else {
+            return self.jacobian(slide, rim);
+        };
+        let j = disk.jacobian(slide / speed, rim / speed);
+        let scale = Wide::new(friction).over(Wide::new(speed));
+        let scaled = |x: R| Wide::new(x).times(scale).value();
+        ReducedJacobian {
+            force_per_slide: scaled(j.force_per_slide),
+            force_slide: scaled(j.force_slide),
+            mixed: scaled(j.mixed),
+            torque_rim: scaled(j.torque_rim),
         }
     }
 }

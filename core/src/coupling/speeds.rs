@@ -1,5 +1,6 @@
 //! The two speeds of a contact in units of the larger one.
 
+use super::wide::is_ordinary;
 use crate::real::Real;
 
 /// Which of the two speeds is the larger one.
@@ -142,6 +143,20 @@ impl<R: Real> Speeds<R> {
     #[inline]
     pub fn complement(&self) -> R {
         self.gap * (R::ONE + self.ratio())
+    }
+
+    /// True if h² is a normal number, or `slide` or `rim` zero: h and its powers have all digits.
+    #[inline]
+    pub(super) fn are_resolved(&self, slide: R, rim: R) -> bool {
+        let h = self.ratio();
+        h * h >= R::MIN_POSITIVE || slide == R::ZERO || rim == R::ZERO
+    }
+
+    /// True if `scale` times a product with h or 1 is right at once: a scale of 1 makes no number
+    /// of a quotient that is none.
+    #[inline]
+    pub(super) fn may_be_scaled(&self, scale: R, slide: R, rim: R) -> bool {
+        scale == R::ONE || is_ordinary(scale) && self.are_resolved(slide, rim)
     }
 
     /// x = h² and z = 1 − x, each without rounding near its zero.

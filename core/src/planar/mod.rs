@@ -10,7 +10,15 @@
 //!
 //! measured by kinetic energy (Moreau, Eur. J. Mech. A 13 (1994) 93). If that point is −(M u + J)
 //! itself the body rests, to the last bit, for as long as the push stays within S. Otherwise the step
-//! is taken by the implicit midpoint rule, which is of second order.
+//! is taken by the implicit midpoint rule, which is of second order: friction opposes the mean of the
+//! motions before and after, so that its work over the step, impulse · mean motion, is −Δt times the
+//! dissipated power, and never positive.
+//!
+//! The midpoint rule may carry a motion beyond rest. Where velocity or spin turn about, the step is
+//! that of the formula above instead, in which friction opposes the motion at the end, provided that
+//! friction takes power in it. Without push it always does, and no step reverses the motion: with
+//! p = M u the change is the projection P of p, and (p − P)·M⁻¹ p ≥ 0 for every convex S that
+//! contains 0; for a round patch neither velocity nor spin changes its sense.
 //!
 //! ```
 //! use tribos_core::contact::TimeStep;

@@ -39,7 +39,10 @@ impl<R: Real> PlanarBody<R> {
     /// The motion after `dt` under the friction of `set` and a constant `push`.
     ///
     /// *Units*: velocity, 1/time; force, force × length; time. *Accuracy*: second order in `dt`
-    /// while the body slides, first order in the step in which it starts or stops; rest is exact.
+    /// while the body slides, first order in the step in which it starts, stops or turns about; rest
+    /// is exact. *Passivity*, up to rounding: friction · (`twist` + twist after) ≤ 0 unless the body is
+    /// brought to rest. Without push the kinetic energy falls and the motion is not reversed:
+    /// m v·v⁺ + I ω ω⁺ ≥ 0, and on a round patch both terms.
     /// *Cost*: a wrench, and one projection far from rest, two near it.
     /// *Special values*: NaN for NaN, and where momentum/`dt` overflows.
     pub fn step<S: FrictionSet<R>>(
@@ -120,18 +123,27 @@ impl<R: Real> PlanarBody<R> {
             };
         }
         // The motion at half time under the friction that it meets itself.
-        let half = R::HALF * dt;
-        let at_half = self.needed_for_rest(twist, push, half);
+        let at_half = self.needed_for_rest(twist, push, R::HALF * dt);
         let midway = nearest(&at_half);
-        // A body that rests at half time but not at the end has turned about: first order.
-        let friction = match midway == at_half {
-            true => ended.unwrap_or_else(|| nearest(&at_end)),
-            false => midway,
+        let after = PlanarStep {
+            twist: self.moved(twist, push, &midway, dt),
+            friction: midway,
+            is_at_rest: false,
         };
-        PlanarStep {
+        if !turns_about(twist, &after.twist) {
+            return after;
+        }
+        // The motion at the end under the friction that it meets there, if that takes power.
+        let friction = ended.unwrap_or_else(|| nearest(&at_end));
+        let at_last = PlanarStep {
             twist: self.moved(twist, push, &friction, dt),
             friction,
             is_at_rest: false,
+        };
+        if power(&friction, &mean(twist, &at_last.twist)) > R::ZERO {
+            after
+        } else {
+            at_last
         }
     }
 
@@ -158,6 +170,29 @@ impl<R: Real> PlanarBody<R> {
             twist.spin + turn * (push.torque + friction.torque),
         )
     }
+}
+
+/// True if velocity or spin have another sense `after`.
+fn turns_about<R: Real>(before: &Twist<R>, after: &Twist<R>) -> bool {
+    let (u, v) = (&before.velocity, &after.velocity);
+    u.x * v.x + u.y * v.y < R::ZERO || before.spin * after.spin < R::ZERO
+}
+
+/// The motion halfway between two others.
+fn mean<R: Real>(a: &Twist<R>, b: &Twist<R>) -> Twist<R> {
+    let half = R::HALF;
+    Twist::new(
+        half * a.velocity.x + half * b.velocity.x,
+        half * a.velocity.y + half * b.velocity.y,
+        half * a.spin + half * b.spin,
+    )
+}
+
+/// What `wrench` gives a body that moves with `twist`.
+fn power<R: Real>(wrench: &Wrench<R>, twist: &Twist<R>) -> R {
+    wrench.force.x * twist.velocity.x
+        + wrench.force.y * twist.velocity.y
+        + wrench.torque * twist.spin
 }
 
 /// By how much friction must be exceeded to be exceeded beyond all rounding.

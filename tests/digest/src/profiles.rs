@@ -126,7 +126,6 @@ fn profile<R: Real, P: Profile<R>>(hash: &mut Fnv, tier: &P, count: usize) {
         let unscaled = tier.unscaled(&speeds);
         hash.numbers([unscaled.force, unscaled.torque]);
         hash.numbers([tier.speed_scale(slide), tier.rate_scale(rim)]);
-        hash.numbers(tier.half_scales(slide));
     }
     for x in ends() {
         let wrench = unscaled_wrench(tier, x, R::ONE);

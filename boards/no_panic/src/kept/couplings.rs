@@ -95,7 +95,6 @@ fn profile<R: Real, P: Profile<R>>(keeper: &mut impl Keeper) {
         <P as Profile<R>>::inertia_ends,
         <P as Profile<R>>::speed_scale,
         <P as Profile<R>>::rate_scale,
-        <P as Profile<R>>::half_scales,
         unscaled_wrench::<R, P>,
     );
 }

@@ -1,0 +1,200 @@
+//! Speeds whose ratio, or whose power, leaves the number range: the same formulas in [`Wide`].
+//!
+//! Every result is m^n hᵖ (a + b h²) with n = α or α − 1, p = 0 or 1, and with a and b from Φ, Φ'
+//! and Χ, which are of order 1. Neither m^n nor h need be a number of the type for the result to be
+//! one: v = 1e-200 and w = 1e150 have h = 1e-350, but under α = 1 the force is v.
+
+use super::lateral::twice_z_slope;
+use super::profile::{Profile, SmoothProfile};
+use super::speeds::{Lead, Speeds};
+use super::wide::Wide;
+use crate::real::Real;
+
+/// hᵖ (a + b h²)
+struct Entry<R> {
+    power: Power,
+    at_zero: R,
+    bend: R,
+}
+
+/// p
+#[derive(Clone, Copy, PartialEq)]
+enum Power {
+    Even,
+    Odd,
+}
+
+fn even<R: Real>(at_zero: R, bend: R) -> Entry<R> {
+    let power = Power::Even;
+    Entry {
+        power,
+        at_zero,
+        bend,
+    }
+}
+
+fn odd<R: Real>(at_zero: R, bend: R) -> Entry<R> {
+    let power = Power::Odd;
+    Entry {
+        power,
+        at_zero,
+        bend,
+    }
+}
+
+/// m^n and h.
+struct Scales<R> {
+    scale: Wide<R>,
+    ratio: Wide<R>,
+}
+
+impl<R: Real> Scales<R> {
+    fn new(exponent: R, slide: R, rim: R) -> Self {
+        let (slide, rim) = (slide.abs(), rim.abs());
+        let (major, minor) = if slide > rim {
+            (slide, rim)
+        } else {
+            (rim, slide)
+        };
+        Self {
+            scale: Wide::power(major, exponent),
+            ratio: Wide::new(minor).over(Wide::new(major)),
+        }
+    }
+
+    fn value(&self, entry: Entry<R>) -> R {
+        let square = self.ratio.times(self.ratio);
+        let sum = Wide::new(entry.at_zero).plus(square.times(Wide::new(entry.bend)));
+        let product = match entry.power {
+            Power::Even => sum,
+            Power::Odd => self.ratio.times(sum),
+        };
+        if product.is_number() {
+            product.times(self.scale).value()
+        } else {
+            // Zero stays zero and an infinite slope infinite, however small or large m^n is.
+            product.value()
+        }
+    }
+}
+
+/// The entries times m^n; for an infinite speed or NaN times the power as it is.
+#[inline]
+fn all<R: Real, const N: usize>(
+    exponent: R,
+    at: &Speeds<R>,
+    [slide, rim]: [R; 2],
+    entries: [Entry<R>; N],
+) -> [R; N] {
+    if !at.major.is_finite() {
+        let scale = at.major.pow(exponent);
+        let h = at.ratio();
+        return entries.map(|entry| match entry.power {
+            Power::Even => scale * entry.at_zero,
+            Power::Odd => scale * (h * entry.at_zero),
+        });
+    }
+    let scales = Scales::new(exponent, slide, rim);
+    entries.map(|entry| scales.value(entry))
+}
+
+/// F and T.
+#[cold]
+pub(super) fn wrench<R: Real, P: Profile<R>>(
+    profile: &P,
+    at: &Speeds<R>,
+    slide: R,
+    rim: R,
+) -> [R; 2] {
+    let [phi, chi] = profile.factors(at);
+    let entries = match at.lead() {
+        Lead::Sliding => [even(phi, R::ZERO), odd(chi, R::ZERO)],
+        Lead::Spinning => [odd(phi, R::ZERO), even(chi, R::ZERO)],
+    };
+    all(profile.exponent(), at, [slide, rim], entries)
+}
+
+/// F/v, ∂F/∂v, ∂F/∂w and ∂T/∂w; NaN for an infinite speed.
+#[cold]
+pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
+    profile: &P,
+    at: &Speeds<R>,
+    slide: R,
+    rim: R,
+) -> [R; 4] {
+    if !at.major.is_finite() {
+        return [R::NAN; 4];
+    }
+    let [phi, slope, chi] = profile.factors_and_slope(at);
+    let alpha = profile.exponent();
+    let (bend, beta) = (R::TWO * slope, R::ONE - alpha);
+    let drag = even(phi, R::ZERO);
+    let entries = match at.lead() {
+        Lead::Sliding => [
+            drag,
+            even(alpha * phi, -bend),
+            odd(bend, R::ZERO),
+            even(alpha * chi - bend, R::ZERO),
+        ],
+        Lead::Spinning => {
+            let h = at.ratio();
+            [
+                drag,
+                even(phi, bend),
+                odd(-(beta * phi), -bend),
+                even(alpha * chi, beta * phi + h * h * bend),
+            ]
+        }
+    };
+    all(alpha - R::ONE, at, [slide, rim], entries)
+}
+
+/// G
+#[cold]
+pub(super) fn lateral<R: Real, P: Profile<R>>(
+    profile: &P,
+    divisor: R,
+    at: &Speeds<R>,
+    slide: R,
+    rim: R,
+) -> R {
+    let [phi, chi] = profile.factors(at);
+    let sum = (phi + chi) / divisor;
+    let entry = match at.lead() {
+        Lead::Sliding => odd(sum, R::ZERO),
+        Lead::Spinning => even(sum, R::ZERO),
+    };
+    let [g] = all(profile.exponent(), at, [slide, rim], [entry]);
+    g
+}
+
+/// The gradient of vG.
+#[cold]
+pub(super) fn lateral_jacobian<R: Real, P: SmoothProfile<R>>(
+    profile: &P,
+    divisor: R,
+    at: &Speeds<R>,
+    slide: R,
+    rim: R,
+) -> [R; 2] {
+    let [phi, slope, chi] = profile.factors_and_slope(at);
+    let (_, z) = at.square_and_complement();
+    let alpha = profile.exponent();
+    let (bend, beta) = (twice_z_slope(z, slope), R::ONE - alpha);
+    let entries = match at.lead() {
+        Lead::Sliding => [
+            odd(alpha * phi + bend + chi, R::ZERO),
+            even(phi + alpha * chi - bend, R::ZERO),
+        ],
+        Lead::Spinning => [
+            even(phi + chi, bend - beta * phi),
+            odd(alpha * (phi + chi), beta * phi - bend),
+        ],
+    };
+    let entries = entries.map(|entry| Entry {
+        at_zero: entry.at_zero / divisor,
+        bend: entry.bend / divisor,
+        ..entry
+    });
+    all(alpha, at, [slide, rim], entries)
+}
