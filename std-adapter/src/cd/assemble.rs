@@ -1,5 +1,6 @@
 //! The contact problem of a step: who touches whom, free velocities, guessed impulses.
 
+use super::impact::{self, Surroundings};
 use super::residual::Coefficients;
 use super::setup::WorldError;
 use super::spheres::Link;
@@ -58,8 +59,24 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         let awake = state.rest.awake();
         let problem = &mut self.problem;
 
+        // Impacts first, in the middle of the step's load.
+        let laws = &self.setup.laws;
+        let (mut spheres, mut walls_before, mut loaded) = (&state.spheres, &state.walls, dt);
+        if impact::rebounds(laws) {
+            let around = Surroundings {
+                touching: [&pairs, &walls],
+                awake,
+                laws,
+                gravity: &self.setup.gravity,
+                dt,
+            };
+            self.impacts.run((spheres, walls_before), &around);
+            (spheres, walls_before) = (&self.impacts.spheres, &self.impacts.walls);
+            loaded = 0.5 * dt;
+        }
+
         // Free motion of what is awake.
-        problem.free.0.clone_from(&state.spheres);
+        problem.free.0.clone_from(spheres);
         for (sphere, _) in problem
             .free
             .0
@@ -67,24 +84,24 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             .zip(awake)
             .filter(|(_, awake)| **awake)
         {
-            sphere.velocity += self.setup.gravity * dt;
+            sphere.velocity += self.setup.gravity * loaded;
         }
         problem.free.1.clear();
         problem
             .free
             .1
-            .extend(state.walls.iter().map(|wall| wall.plate));
-        for (plate, wall) in problem.free.1.iter_mut().zip(&state.walls) {
-            plate.velocity += wall.outward * (wall.force * plate.inv_mass * dt);
+            .extend(walls_before.iter().map(|wall| wall.plate));
+        for (plate, wall) in problem.free.1.iter_mut().zip(walls_before) {
+            plate.velocity += wall.outward * (wall.force * plate.inv_mass * loaded);
         }
 
-        // Contacts, from the velocities at the start of the step.
-        let [pair, wall] = &self.setup.laws.normal;
+        // Contacts that last: what rebounds has done so.
+        let [pair, wall] = &laws.normal.map(lasting);
         problem.pairs.clear();
         for (bodies, touch) in &pairs {
             let [a, b] = bodies.map(|body| body as usize);
             if awake[a] || awake[b] {
-                let contact = Contact::new(touch, pair, &state.spheres[a], &state.spheres[b], dt);
+                let contact = Contact::new(touch, pair, &spheres[a], &spheres[b], dt);
                 problem.pairs.push(Link {
                     bodies: *bodies,
                     contact,
@@ -95,7 +112,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         for (bodies, touch) in &walls {
             let [a, b] = bodies.map(|body| body as usize);
             if awake[a] {
-                let (a, b) = (&state.spheres[a], &state.walls[b].plate);
+                let (a, b) = (&spheres[a], &walls_before[b].plate);
                 let contact = Contact::new(touch, wall, a, b, dt);
                 problem.walls.push(Link {
                     bodies: *bodies,
@@ -161,4 +178,10 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         }
         Ok(found)
     }
+}
+
+/// The law of a contact without rebound.
+fn lasting(law: NormalLaw<f64>) -> NormalLaw<f64> {
+    // 0 is a valid coefficient.
+    NormalLaw::new(*law.cohesion(), 0.0).unwrap_or(law)
 }

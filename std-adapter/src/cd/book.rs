@@ -12,9 +12,11 @@
 //! that closes a gap can raise the energy, so nothing is created.
 
 use super::setup::Wall;
-use super::spheres::Spheres;
+use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
-use tribos_core::contact::{AxialPart, ContactFriction, PlanarPart, Sphere};
+use tribos_core::contact::{
+    AxialPart, Contact, ContactFriction, Modal, Modes, PlanarPart, Plate, Sphere,
+};
 
 /// Energies of a run so far. *Units*: energy.
 ///
@@ -86,13 +88,11 @@ impl Book {
         let mut kinetic = 0.0;
         let mut initial = 0.0;
         for ((old, new), awake) in before.iter().zip(&problem.spheres).zip(awake) {
-            let (mass, inertia) = (1.0 / new.inv_mass, 1.0 / new.inv_inertia);
-            let energy = |v: &Vector3<f64>, w: &Vector3<f64>| {
-                0.5 * (mass * v.norm_squared() + inertia * w.norm_squared())
-            };
-            kinetic += energy(&new.velocity, &new.spin);
-            initial += energy(&old.velocity, &old.spin);
-            self.normal += energy(&(new.velocity - old.velocity), &(new.spin - old.spin));
+            let mass = 1.0 / new.inv_mass;
+            kinetic += kinetic_energy(new, &new.velocity, &new.spin);
+            initial += kinetic_energy(new, &old.velocity, &old.spin);
+            let change = (new.velocity - old.velocity, new.spin - old.spin);
+            self.normal += kinetic_energy(new, &change.0, &change.1);
             if *awake {
                 self.work += mass * gravity.dot(&new.velocity) * dt;
             }
@@ -123,24 +123,11 @@ impl Book {
             let (a, b) = (&problem.spheres[a], &problem.plates[b]);
             let velocity = link.contact.velocity(a, b);
             self.modes(&link.contact, &velocity);
-            // What drives a wall bears the impulse on it: all of it if the wall feels none, else
-            // what is across the normal.
-            let normal = link.contact.normal();
-            let felt = if b.inv_mass > 0.0 {
-                normal * b.velocity.dot(normal)
-            } else {
-                Vector3::zeros()
-            };
-            let impulse = link.contact.impulse().linear(normal);
-            self.work -= impulse.dot(&(b.velocity - felt));
+            self.work -= driven_work(link, b);
         }
     }
 
-    fn modes<M: tribos_core::contact::Modes<f64>>(
-        &mut self,
-        contact: &tribos_core::contact::Contact<f64, M>,
-        u: &tribos_core::contact::Modal<f64, M>,
-    ) {
+    fn modes<M: Modes<f64>>(&mut self, contact: &Contact<f64, M>, u: &Modal<f64, M>) {
         let p = contact.impulse();
         // P pushes, cohesion pulls.
         self.normal -= contact.bound() * u.normal;
@@ -150,6 +137,16 @@ impl Book {
         self.torsion -= p.torsion.component() * u.torsion.component();
     }
 
+    /// Books the impacts of a step, before the step itself.
+    pub(super) fn enter_impacts(&mut self, taken: &Taken) {
+        self.kinetic_initial.get_or_insert(taken.kinetic);
+        self.work += taken.work;
+        self.normal += taken.normal;
+        self.sliding += taken.sliding;
+        self.rolling += taken.rolling;
+        self.torsion += taken.torsion;
+    }
+
     /// Books the energy of a body that is laid to rest.
     pub fn still(&mut self, sphere: &Sphere<f64>) {
         let energy = 0.5 * sphere.velocity.norm_squared() / sphere.inv_mass
@@ -157,4 +154,53 @@ impl Book {
         self.stilled += energy;
         self.kinetic -= energy;
     }
+}
+
+/// Energies that the impacts of a step take.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Taken {
+    /// Kinetic energy before them.
+    pub kinetic: f64,
+    /// Work of loads and of what drives walls.
+    pub work: f64,
+    /// Lost along the normals.
+    pub normal: f64,
+    /// Lost in sliding.
+    pub sliding: f64,
+    /// Lost in rolling.
+    pub rolling: f64,
+    /// Lost in torsion.
+    pub torsion: f64,
+}
+
+impl Taken {
+    /// Nothing yet, from bodies that move.
+    pub fn from_motion(spheres: &[Sphere<f64>], walls: &[Wall]) -> Self {
+        let moving = |sphere: &Sphere<f64>| kinetic_energy(sphere, &sphere.velocity, &sphere.spin);
+        let plates = walls.iter().filter(|wall| wall.plate.inv_mass > 0.0);
+        let gliding = |wall: &Wall| 0.5 * wall.plate.velocity.norm_squared() / wall.plate.inv_mass;
+        Self {
+            kinetic: spheres.iter().map(moving).sum::<f64>() + plates.map(gliding).sum::<f64>(),
+            ..Self::default()
+        }
+    }
+}
+
+/// ½ m v² + ½ I ω² of a sphere's mass and inertia.
+pub(super) fn kinetic_energy(sphere: &Sphere<f64>, v: &Vector3<f64>, w: &Vector3<f64>) -> f64 {
+    let (mass, inertia) = (1.0 / sphere.inv_mass, 1.0 / sphere.inv_inertia);
+    0.5 * (mass * v.norm_squared() + inertia * w.norm_squared())
+}
+
+/// Energy that goes to what drives a wall. It bears the impulse on the wall: all of it if the wall
+/// feels none, else what is across the normal.
+pub(super) fn driven_work<M: Modes<f64>>(link: &Link<M>, wall: &Plate<f64>) -> f64 {
+    let normal = link.contact.normal();
+    let felt = if wall.inv_mass > 0.0 {
+        normal * wall.velocity.dot(normal)
+    } else {
+        Vector3::zeros()
+    };
+    let impulse = link.contact.impulse().linear(normal);
+    impulse.dot(&(wall.velocity - felt))
 }

@@ -40,6 +40,8 @@
 mod accelerated;
 mod assemble;
 mod book;
+mod impact;
+mod impact_round;
 mod island;
 mod memory;
 mod nsgs;

@@ -1,6 +1,7 @@
 //! Spheres and plates that move: implicit time stepping with contact impulses (Moreau and Jean).
 
 use super::book::Book;
+use super::impact::{self, Counts, Impacts};
 use super::island::Rest;
 use super::memory::Memory;
 use super::nsgs::Effort;
@@ -24,6 +25,13 @@ pub struct StepReport {
     pub residual: Residual,
     /// Contacts that took part.
     pub contacts: usize,
+    /// Impacts with restitution; one that follows another at the same contact counts again.
+    pub impacts: usize,
+    /// Rounds of impacts, each after those that caused it.
+    pub impact_rounds: usize,
+    /// Whether impacts still caused others after the last round, the 100th. What is left of their
+    /// approach is then stopped without rebound, and the step's effort counts as not met.
+    pub impacts_cut: bool,
     /// Spheres that took part.
     pub awake: usize,
 }
@@ -104,6 +112,7 @@ pub struct World<F: ContactFriction<f64>> {
     /// Positions at which the neighbours were listed.
     pub(super) listed_at: Vec<Vector3<f64>>,
     workspace: Workspace<F::Modes>,
+    pub(super) impacts: Impacts<F>,
 }
 
 /// What a step may leave of an approach at a closed contact, in the largest motion of a step: by so
@@ -138,6 +147,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             neighbours: Vec::new(),
             listed_at: Vec::new(),
             workspace: Workspace::default(),
+            impacts: Impacts::new(setup.laws.friction),
             setup,
         }
     }
@@ -157,7 +167,9 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         &mut self.state
     }
 
-    /// The contact problem of the last step, with its solution.
+    /// The contact problem of the last step, with its solution. Where the law has restitution the
+    /// contacts' impulses include those of impacts, of which a [`residual`] knows nothing:
+    /// [`StepReport::residual`] judges the problem without them.
     pub fn problem(&self) -> &Spheres<F> {
         &self.problem
     }
@@ -219,13 +231,19 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     fn commit(&mut self, dt: f64, effort: Effort) -> StepReport {
         let residual = residual(&self.problem);
         let (problem, state) = (&self.problem, &mut self.state);
-        state.book.enter(
-            state.rest.awake(),
-            (&state.spheres, &state.walls),
-            problem,
-            &self.setup.gravity,
-            dt,
-        );
+        let (mut before, mut loaded) = ((&state.spheres[..], &state.walls[..]), dt);
+        let counts = if impact::rebounds(&self.setup.laws) {
+            state.book.enter_impacts(&self.impacts.taken);
+            before = (&self.impacts.spheres, &self.impacts.walls);
+            loaded = 0.5 * dt;
+            self.impacts.counts
+        } else {
+            Counts::default()
+        };
+        let gravity = &self.setup.gravity;
+        state
+            .book
+            .enter(state.rest.awake(), before, problem, gravity, loaded);
         state.spheres.clone_from(&problem.spheres);
         for (x, sphere) in state.positions.iter_mut().zip(&state.spheres) {
             *x += sphere.velocity * dt;
@@ -241,11 +259,19 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             .settle(self.setup.still_speed, &mut state.spheres, &mut state.book);
         state.time += dt;
         state.steps += 1;
+        let contacts = problem.contacts();
+        if counts.impacts > 0 {
+            self.impacts.add_to(&mut self.problem);
+        }
+        let met = effort.met && !counts.cut;
         StepReport {
             dt,
-            effort,
+            effort: Effort { met, ..effort },
             residual,
-            contacts: problem.contacts(),
+            contacts,
+            impacts: counts.impacts,
+            impact_rounds: counts.rounds,
+            impacts_cut: counts.cut,
             awake,
         }
     }

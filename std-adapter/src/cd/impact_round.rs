@@ -1,0 +1,258 @@
+//! One round of impacts: reflection along the normals, friction under it, and their energies.
+
+use super::accelerated::{Accelerated, Goal};
+use super::book::{driven_work, kinetic_energy};
+use super::impact::Impacts;
+use super::memory::Kept;
+use super::nsgs::{Order, Stop, Sweeper, solve};
+use super::operator::Operator;
+use super::spheres::{Link, Spheres};
+use tribos_core::contact::{
+    AxialPart, Contact, ContactFriction, Frictionless, Modal, Modes, PlanarPart,
+};
+
+/// Change of a sweep relative to the impulses at which a part of a round is solved.
+const TOLERANCE: f64 = 1e-13;
+/// Sweeps of a part at most. Two are enough where no body has two impacts.
+const MOST_SWEEPS: usize = 1000;
+
+impl<F: ContactFriction<f64>> Impacts<F> {
+    /// Lets the gathered contacts rebound.
+    pub(super) fn round(&mut self, restitution: f64) {
+        self.reflect(restitution);
+        self.counts.impacts += self.reflection.contacts();
+        let frictionless =
+            <F::Modes as Modes<f64>>::UNKNOWNS == <Frictionless as Modes<f64>>::UNKNOWNS;
+        if frictionless {
+            self.spheres.clone_from(&self.reflection.spheres);
+        } else {
+            self.rub();
+            self.spheres.clone_from(&self.friction.spheres);
+        }
+        for (wall, plate) in self.walls.iter_mut().zip(&self.reflection.plates) {
+            wall.plate = *plate;
+        }
+        self.keep(frictionless);
+    }
+
+    /// The reflection: impulses that stop the approach, and e times as much again.
+    fn reflect(&mut self, restitution: f64) {
+        let problem = &mut self.reflection;
+        problem.free.0.clone_from(&self.spheres);
+        problem.free.1.clear();
+        problem
+            .free
+            .1
+            .extend(self.walls.iter().map(|wall| wall.plate));
+        problem.start();
+        let before = normal_velocities(problem);
+        let goal = Goal::from(TOLERANCE);
+        Accelerated::default().solve(problem, goal, MOST_SWEEPS);
+        // Σ q·U(w), 0 for a solution, and |w − v⁻|²_M: what the first leaves must not come back as
+        // energy.
+        let (mut left, mut change) = (0.0, 0.0);
+        let stopped = normal_velocities(problem);
+        for (link, (before, stopped)) in problem.links().zip(before.iter().zip(stopped)) {
+            let impulse = link.contact.impulse().normal;
+            left += impulse * stopped;
+            change += impulse * (stopped - before);
+        }
+        let highest = if change > 0.0 {
+            1.0 - 2.0 * left / change
+        } else {
+            1.0
+        };
+        let factor = 1.0 + restitution.min(highest).max(0.0);
+        for link in problem.pairs.iter_mut().chain(&mut problem.walls) {
+            let normal = factor * link.contact.impulse().normal;
+            link.contact.set_impulse_in_plane(&modal(normal));
+        }
+        problem.refresh();
+        let after = normal_velocities(problem);
+        for (link, (before, after)) in problem.links().zip(before.iter().zip(after)) {
+            self.taken.normal -= 0.5 * link.contact.impulse().normal * (before + after);
+        }
+        self.taken.work -= drives(problem);
+    }
+
+    /// Friction, with the normal impulses of the reflection.
+    fn rub(&mut self) {
+        let (source, problem) = (&self.reflection, &mut self.friction);
+        problem.free.0.clone_from(&source.spheres);
+        problem.free.1.clone_from(&source.plates);
+        problem.pairs.clear();
+        problem.pairs.extend(source.pairs.iter().map(rough));
+        problem.walls.clear();
+        problem.walls.extend(source.walls.iter().map(rough));
+        problem.start();
+        let mut sweeper = Sweeper::new(Order::Fixed, 0);
+        solve(problem, &mut sweeper, Stop::Local(TOLERANCE), MOST_SWEEPS);
+        let slipped = slipped(problem);
+        let shares = jump_shares(problem);
+        self.taken.sliding += slipped[0] + shares[0];
+        self.taken.rolling += slipped[1] + shares[1];
+        self.taken.torsion += slipped[2] + shares[2];
+        self.taken.work -= drives(problem);
+    }
+
+    /// Adds the impulses of all rounds to those of a solved problem; the velocities stay.
+    pub(super) fn add_to(&self, problem: &mut Spheres<F>) {
+        let [pairs, walls] = &self.impulses;
+        let (spheres, plates) = (&mut problem.free.0, &mut problem.free.1);
+        for link in &mut problem.pairs {
+            let bodies = link.bodies.map(|body| body as usize);
+            if let (Some(impulse), Ok([a, b])) =
+                (find(pairs, link.bodies), spheres.get_disjoint_mut(bodies))
+            {
+                link.contact.apply(&Modal::default().minus(impulse), a, b);
+                add(&mut link.contact, impulse);
+            }
+        }
+        for link in &mut problem.walls {
+            let [a, b] = link.bodies.map(|body| body as usize);
+            if let (Some(impulse), Some(a), Some(b)) = (
+                find(walls, link.bodies),
+                spheres.get_mut(a),
+                plates.get_mut(b),
+            ) {
+                link.contact.apply(&Modal::default().minus(impulse), a, b);
+                add(&mut link.contact, impulse);
+            }
+        }
+    }
+
+    /// Remembers the impulses of the round.
+    fn keep(&mut self, frictionless: bool) {
+        let links = [&self.reflection.pairs, &self.reflection.walls];
+        let rough = [&self.friction.pairs, &self.friction.walls];
+        for ((kept, links), rough) in self.impulses.iter_mut().zip(links).zip(rough) {
+            kept.extend(links.iter().map(|link| {
+                let normal = link.contact.impulse().normal;
+                (link.bodies, modal(normal))
+            }));
+            if !frictionless {
+                kept.extend(
+                    rough
+                        .iter()
+                        .map(|link| (link.bodies, *link.contact.impulse())),
+                );
+            }
+        }
+    }
+}
+
+/// The contact of a reflection with friction, whose normal impulse is given: it acts as a cohesion
+/// on a contact that nothing moves along the normal.
+fn rough<M: Modes<f64>>(link: &Link<Frictionless>) -> Link<M> {
+    let mut prepared = link.contact.prepared();
+    prepared.cohesion = link.contact.impulse().normal;
+    prepared.block.mass_normal = 0.0;
+    Link {
+        bodies: link.bodies,
+        contact: Contact::resume(&prepared, &Modal::default()),
+    }
+}
+
+/// The impulse of a contact, from a list in ascending order of the bodies.
+fn find<M: Modes<f64>>(impulses: &[Kept<M>], bodies: [u32; 2]) -> Option<&Modal<f64, M>> {
+    let place = impulses.binary_search_by_key(&bodies, |(bodies, _)| *bodies);
+    impulses.get(place.ok()?).map(|(_, impulse)| impulse)
+}
+
+/// Adds an impulse to that of a contact, without telling the bodies.
+fn add<M: Modes<f64>>(contact: &mut Contact<f64, M>, impulse: &Modal<f64, M>) {
+    let sum = contact.impulse().plus_scaled(1.0, impulse);
+    contact.set_impulse_in_plane(&sum);
+}
+
+/// An impulse along the normal alone.
+fn modal<M: Modes<f64>>(normal: f64) -> Modal<f64, M> {
+    Modal {
+        normal,
+        ..Modal::default()
+    }
+}
+
+/// The normal velocity of each contact, in the order of their numbers.
+fn normal_velocities<F: ContactFriction<f64>>(problem: &Spheres<F>) -> Vec<f64> {
+    let pairs = problem
+        .pairs
+        .iter()
+        .map(|link| pair_velocity(problem, link));
+    let walls = problem
+        .walls
+        .iter()
+        .map(|link| wall_velocity(problem, link));
+    pairs.chain(walls).map(|velocity| velocity.normal).collect()
+}
+
+fn pair_velocity<F: ContactFriction<f64>>(
+    problem: &Spheres<F>,
+    link: &Link<F::Modes>,
+) -> Modal<f64, F::Modes> {
+    let [a, b] = link.bodies.map(|body| &problem.spheres[body as usize]);
+    link.contact.velocity(a, b)
+}
+
+fn wall_velocity<F: ContactFriction<f64>>(
+    problem: &Spheres<F>,
+    link: &Link<F::Modes>,
+) -> Modal<f64, F::Modes> {
+    let [a, b] = link.bodies.map(|body| body as usize);
+    let (a, b) = (&problem.spheres[a], &problem.plates[b]);
+    link.contact.velocity(a, b)
+}
+
+/// Energy that goes to what drives walls.
+fn drives<F: ContactFriction<f64>>(problem: &Spheres<F>) -> f64 {
+    let walls = problem.walls.iter();
+    walls
+        .map(|link| driven_work(link, &problem.plates[link.bodies[1] as usize]))
+        .sum()
+}
+
+/// −p·U⁺ of sliding, rolling and torsion, over all contacts.
+fn slipped<F: ContactFriction<f64>>(problem: &Spheres<F>) -> [f64; 3] {
+    let pairs = problem.pairs.iter().map(|l| (l, pair_velocity(problem, l)));
+    let walls = problem.walls.iter().map(|l| (l, wall_velocity(problem, l)));
+    let mut sums = [0.0; 3];
+    for (link, u) in pairs.chain(walls) {
+        let p = link.contact.impulse();
+        sums[0] -= p.sliding.vector().dot(&u.sliding.vector());
+        sums[1] -= p.rolling.vector().dot(&u.rolling.vector());
+        sums[2] -= p.torsion.component() * u.torsion.component();
+    }
+    sums
+}
+
+/// ½ |v⁺ − v'|²_M of friction, shared among the modes in proportion to what each impulse alone
+/// would give, ½ p²/m: exact for a contact of spheres whose modes are not coupled.
+fn jump_shares<F: ContactFriction<f64>>(problem: &Spheres<F>) -> [f64; 3] {
+    let mut jump = 0.0;
+    for (old, new) in problem.free.0.iter().zip(&problem.spheres) {
+        let (dv, dw) = (new.velocity - old.velocity, new.spin - old.spin);
+        jump += kinetic_energy(new, &dv, &dw);
+    }
+    let mut shares = [0.0; 3];
+    for link in problem.links() {
+        let (p, block) = (link.contact.impulse(), link.contact.block());
+        shares[0] += alone(p.sliding.vector().norm_squared(), block.mass_sliding);
+        shares[1] += alone(p.rolling.vector().norm_squared(), block.inertia);
+        shares[2] += alone(p.torsion.component().powi(2), block.inertia);
+    }
+    let sum: f64 = shares.iter().sum();
+    if sum > 0.0 {
+        shares.map(|share| jump * (share / sum))
+    } else {
+        shares
+    }
+}
+
+/// ½ p²/m, and nothing where nothing can move.
+fn alone(impulse_sq: f64, mass: f64) -> f64 {
+    if mass > 0.0 {
+        0.5 * impulse_sq / mass
+    } else {
+        0.0
+    }
+}
