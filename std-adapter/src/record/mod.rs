@@ -9,7 +9,7 @@ mod snapshot;
 mod vtk;
 mod xyz;
 
-pub use atomic::{WriteError, write_atomically};
+pub use atomic::{WriteError, write_atomically, write_atomically_with};
 pub use kept::CheckpointError;
 pub use number::{json_number, number};
 pub use series::series_csv;

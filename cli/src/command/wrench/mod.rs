@@ -3,14 +3,15 @@
 mod contact;
 mod output;
 
+use super::columns::Rows;
 use super::laws::LawSpec;
 use super::patch::{PATCHES, PatchName};
 use super::tier::{Precision, Tabulated, Tier};
-use super::{columns, number};
+use super::{number, spool};
 use crate::failure::Failure;
 use contact::{Contact, Request, in_range};
 use output::{Format, Line};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tribos::record::write_atomically;
 use tribos_core::Real;
 
@@ -104,40 +105,50 @@ Examples:
 impl Arguments {
     /// Evaluates and prints.
     pub fn execute(self) -> Result<(), Failure> {
-        let twists = match (&self.twists, self.speed, self.spin) {
-            (Some(path), ..) => columns::read(path, ["speed", "spin"])?,
-            (None, Some(speed), Some(spin)) => vec![[speed, spin]],
-            _ => return Err(Failure::input("give --speed and --spin, or --twists FILE")),
-        };
-        let lines = match self.precision {
-            Precision::F64 => self.evaluate::<f64>(&twists)?,
-            Precision::F32 => self.evaluate::<f32>(&twists)?,
-        };
-        let default = if self.twists.is_some() {
-            Format::Csv
-        } else {
-            Format::Text
-        };
-        let text = self
-            .format
-            .unwrap_or(default)
-            .render(&lines, self.twists.is_some());
-        match &self.output {
-            Some(path) => Ok(write_atomically(path, text.as_bytes())?),
-            None => super::print(&text),
+        match self.precision {
+            Precision::F64 => self.evaluate::<f64>(),
+            Precision::F32 => self.evaluate::<f32>(),
         }
     }
 
-    fn evaluate<R: Tabulated>(&self, twists: &[[f64; 2]]) -> Result<Vec<Line>, Failure> {
+    fn evaluate<R: Tabulated>(&self) -> Result<(), Failure> {
         let contact = Contact::<R>::new(&self.request()?)?;
         let load = in_range("load", self.load)?;
-        twists
-            .iter()
-            .map(|&[speed, spin]| {
-                let twist = (in_range("speed", speed)?, in_range("spin", spin)?);
-                self.line(&contact, load, [speed, spin], twist)
-            })
-            .collect()
+        let at = |twist| self.line(&contact, load, twist);
+        match (&self.twists, self.speed, self.spin) {
+            (Some(file), ..) => self.all(file, at),
+            (None, Some(speed), Some(spin)) => {
+                let format = self.format.unwrap_or(Format::Text);
+                let text = format.one(&at([speed, spin])?);
+                match &self.output {
+                    Some(path) => Ok(write_atomically(path, text.as_bytes())?),
+                    None => super::print(&text),
+                }
+            }
+            _ => Err(Failure::input("give --speed and --spin, or --twists FILE")),
+        }
+    }
+
+    /// Evaluates a file of twists row by row: memory does not grow with their number. Nothing is
+    /// printed, and no file replaced, before all of them are evaluated.
+    fn all(
+        &self,
+        file: &Path,
+        at: impl Fn([f64; 2]) -> Result<Line, Failure>,
+    ) -> Result<(), Failure> {
+        let mut rows = Rows::open(file, |_| &["speed", "spin"])?;
+        let format = self.format.unwrap_or(Format::Csv);
+        spool::deliver(self.output.as_deref(), |sink| {
+            let mut twist = [0.0; 2];
+            let mut count = 0;
+            while rows.next(&mut twist)?.is_some() {
+                let line = at(twist).map_err(|failure| rows.refusal(&failure.to_string()))?;
+                sink.put(&format.begin(count, &line))?;
+                sink.put(&format.row(&line))?;
+                count += 1;
+            }
+            sink.put(format.end())
+        })
     }
 
     /// The contact asked for; what makes no sense together is refused.
@@ -173,8 +184,9 @@ impl Arguments {
         contact: &Contact<R>,
         load: R,
         twist: [f64; 2],
-        (speed, spin): (R, R),
     ) -> Result<Line, Failure> {
+        let [speed, spin] = twist;
+        let (speed, spin): (R, R) = (in_range("speed", speed)?, in_range("spin", spin)?);
         let is_round = !matches!(self.patch, PatchName::Points(_));
         // Round patches do not know left from right.
         let (speed, spin) = if is_round {

@@ -1,7 +1,7 @@
 //! Wrenches as text, JSON or CSV.
 
 use serde_json::{Map, Value};
-use tribos::record::{json_number, series_csv};
+use tribos::record::{json_number, number, series_csv};
 
 /// Format of the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -80,28 +80,48 @@ impl Line {
 }
 
 impl Format {
-    /// The lines in this format; `many` makes an array of JSON even for a single line.
-    pub fn render(self, lines: &[Line], many: bool) -> String {
+    /// A single line in this format.
+    pub fn one(self, line: &Line) -> String {
         match self {
-            Self::Text => lines.iter().map(Line::text).collect::<Vec<_>>().join("\n"),
+            Self::Text | Self::Csv => self.begin(0, line) + &self.row(line),
+            Self::Json => format!("{:#}\n", line.json()),
+        }
+    }
+
+    /// What comes before line `index` of many.
+    pub fn begin(self, index: usize, line: &Line) -> String {
+        match (self, index) {
+            (Self::Csv, 0) => {
+                let names: Vec<&str> = line.fields().iter().map(|field| field.0).collect();
+                series_csv(&names, [])
+            }
+            (Self::Json, 0) => "[\n".into(),
+            (Self::Json, _) => ",\n".into(),
+            (Self::Text, 1..) => "\n".into(),
+            _ => String::new(),
+        }
+    }
+
+    /// One line of many.
+    pub fn row(self, line: &Line) -> String {
+        match self {
+            Self::Text => line.text(),
             Self::Json => {
-                let value = match lines {
-                    [line] if !many => line.json(),
-                    _ => Value::Array(lines.iter().map(Line::json).collect()),
-                };
-                format!("{value:#}\n")
+                let object = format!("{:#}", line.json());
+                format!("  {}", object.replace('\n', "\n  "))
             }
             Self::Csv => {
-                let rows: Vec<Vec<f64>> = lines
-                    .iter()
-                    .map(|line| line.fields().iter().map(|f| f.1).collect())
-                    .collect();
-                let columns: Vec<&str> = lines
-                    .first()
-                    .map(|line| line.fields().iter().map(|f| f.0).collect())
-                    .unwrap_or_default();
-                series_csv(&columns, rows.iter().map(Vec::as_slice))
+                let cells = line.fields().into_iter().map(|(_, x)| number(x));
+                cells.collect::<Vec<_>>().join(",") + "\n"
             }
+        }
+    }
+
+    /// What comes after the last of many.
+    pub fn end(self) -> &'static str {
+        match self {
+            Self::Json => "\n]\n",
+            _ => "",
         }
     }
 }
