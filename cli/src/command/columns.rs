@@ -1,103 +1,163 @@
-//! CSV files with a fixed set of numeric columns.
+//! CSV files with a fixed set of numeric columns, read row by row.
 
+use super::lines::Lines;
+use super::number;
 use crate::failure::Failure;
-use std::io::Read;
 use std::path::Path;
 
 /// Reads the rows of a file that has these columns, in any order, and no others (`-` for standard
 /// input); every refusal names the file and the line.
-pub fn read<const N: usize>(path: &Path, columns: [&str; N]) -> Result<Vec<[f64; N]>, Failure> {
-    let rows = parse(&text(path)?, columns)
-        .map_err(|message| Failure::input(format!("{}:{message}", path.display())))?;
-    Ok(rows.into_iter().map(|(_, row)| row).collect())
-}
-
-/// What stands in a file, or comes from standard input for `-`.
-pub fn text(path: &Path) -> Result<Vec<u8>, Failure> {
-    let fail =
-        |error: std::io::Error| Failure::input(format!("cannot read {}: {error}", path.display()));
-    let mut text = Vec::new();
-    if path == Path::new("-") {
-        std::io::stdin().read_to_end(&mut text).map_err(fail)?;
-    } else {
-        text = std::fs::read(path).map_err(fail)?;
+pub fn read<const N: usize>(
+    path: &Path,
+    columns: &'static [&'static str; N],
+) -> Result<Vec<[f64; N]>, Failure> {
+    let mut rows = Rows::open(path, |_| columns)?;
+    let mut all = Vec::new();
+    let mut row = [0.0; N];
+    while rows.next(&mut row)?.is_some() {
+        all.push(row);
     }
-    Ok(text)
+    Ok(all)
 }
 
-/// Names of the columns of a file.
-pub fn header(text: &[u8]) -> Vec<String> {
-    let first = text.split(|&byte| byte == b'\n').next().unwrap_or_default();
-    let line = String::from_utf8_lossy(first);
-    line.split(',').map(|name| name.trim().to_owned()).collect()
+/// The rows of a file, one after the other: no more than one line is held in memory.
+pub struct Rows {
+    lines: Lines,
+    /// Names of the columns, in the order of a row.
+    names: &'static [&'static str],
+    /// Place of each of them in a line.
+    places: Vec<usize>,
+    count: u64,
 }
 
-/// Rows with their lines; a refusal begins with the line.
-pub fn parse<const N: usize>(
-    text: &[u8],
-    names: [&str; N],
-) -> Result<Vec<(u64, [f64; N])>, String> {
+impl Rows {
+    /// Opens a file (`-` for standard input) and reads its header; `choose` says which columns a
+    /// file with this header must have.
+    pub fn open(
+        path: &Path,
+        choose: impl FnOnce(&[&str]) -> &'static [&'static str],
+    ) -> Result<Self, Failure> {
+        let mut lines = Lines::open(path)?;
+        let header = lines.next()?.unwrap_or_default().to_owned();
+        let header: Vec<&str> = fields(&header).collect();
+        let names = choose(&header);
+        let places = places(&header, names).map_err(|message| lines.refusal(&message))?;
+        Ok(Self {
+            lines,
+            names,
+            places,
+            count: 0,
+        })
+    }
+
+    /// Reads the next row into `row`, a number for each name: its line, or none at the end.
+    pub fn next(&mut self, row: &mut [f64]) -> Result<Option<u64>, Failure> {
+        let wanted = self.names;
+        let Some(line) = self.lines.next()? else {
+            return match self.count {
+                0 => Err(self.lines.refusal_at(
+                    self.lines.number() + 1,
+                    &format!("no rows; give one line of {} for each", wanted.join(",")),
+                )),
+                _ => Ok(None),
+            };
+        };
+        let filled = fill(line, wanted, &self.places, row);
+        filled.map_err(|message| self.lines.refusal(&message))?;
+        self.count += 1;
+        Ok(Some(self.lines.number()))
+    }
+
+    /// The refusal of what stands in the line that was read last.
+    pub fn refusal(&self, message: &str) -> Failure {
+        self.lines.refusal(message)
+    }
+}
+
+/// Where each name stands in the header; names that are missing, unknown or there twice are refused.
+fn places(header: &[&str], names: &[&str]) -> Result<Vec<usize>, String> {
     let wanted = names.join(",");
-    let mut reader = csv::ReaderBuilder::new()
-        .trim(csv::Trim::All)
-        .from_reader(text);
-    let headers = reader
-        .headers()
-        .map_err(|error| in_words(&error, &wanted))?
-        .clone();
-    let mut columns = [0; N];
-    for (column, name) in columns.iter_mut().zip(names) {
-        *column = headers
-            .iter()
-            .position(|header| header == name)
-            .ok_or(format!(
-                "1: column `{name}` is missing; the header must be {wanted}"
-            ))?;
+    let found = names.iter().map(|name| {
+        let place = header.iter().position(|head| head == name);
+        place.ok_or_else(|| format!("column `{name}` is missing; the header must be {wanted}"))
+    });
+    let found = found.collect::<Result<Vec<usize>, String>>()?;
+    for (at, head) in header.iter().enumerate() {
+        if header[..at].contains(head) {
+            return Err(format!(
+                "column `{head}` is there twice; the header must be {wanted}"
+            ));
+        }
+        if !names.contains(head) {
+            return Err(format!(
+                "unknown column `{head}`; the header must be {wanted}"
+            ));
+        }
     }
-    if let Some(extra) = headers.iter().find(|header| !names.contains(header)) {
+    Ok(found)
+}
+
+/// The numbers of a line in the order of the names.
+fn fill(line: &str, names: &[&str], places: &[usize], row: &mut [f64]) -> Result<(), String> {
+    let count = fields(line).count();
+    if count != names.len() {
         return Err(format!(
-            "1: unknown column `{extra}`; the header must be {wanted}"
+            "{count} columns instead of {}; give {}",
+            names.len(),
+            names.join(",")
         ));
     }
-    let mut rows = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|error| in_words(&error, &wanted))?;
-        let line = record
-            .position()
-            .map_or(0, |position| line_of(text, position));
-        let mut row = [0.0; N];
-        for ((value, column), name) in row.iter_mut().zip(columns).zip(names) {
-            let text = record.get(column).unwrap_or("");
-            *value = crate::command::number::finite(text)
-                .map_err(|cure| format!("{line}: {name} is `{text}`; {cure}"))?;
+    for (place, text) in fields(line).enumerate() {
+        let Some(at) = places.iter().position(|known| *known == place) else {
+            continue;
+        };
+        if let (Some(value), Some(name)) = (row.get_mut(at), names.get(at)) {
+            *value = number::finite(text).map_err(|cure| format!("{name} is `{text}`; {cure}"))?;
         }
-        rows.push((line, row));
     }
-    if rows.is_empty() {
-        return Err(format!("2: no rows; give one line of {wanted} for each"));
-    }
-    Ok(rows)
+    Ok(())
 }
 
-/// Line of a record, past the blank lines that the reader counts to it.
-fn line_of(text: &[u8], position: &csv::Position) -> u64 {
-    let rest = text.iter().skip(position.byte() as usize);
-    let blank = rest.take_while(|byte| byte.is_ascii_whitespace());
-    position.line() + blank.filter(|&&byte| byte == b'\n').count() as u64
+/// The fields of a line without the blanks and the quotation marks around them.
+fn fields(line: &str) -> impl Iterator<Item = &str> {
+    let mut is_quoted = false;
+    let fields = line.split(move |letter| {
+        is_quoted ^= letter == '"';
+        letter == ',' && !is_quoted
+    });
+    fields.map(|field| {
+        let field = field.trim();
+        let inside = field
+            .strip_prefix('"')
+            .and_then(|rest| rest.strip_suffix('"'));
+        inside.map_or(field, str::trim)
+    })
 }
 
-/// A CSV error with its line first.
-fn in_words(error: &csv::Error, wanted: &str) -> String {
-    let line = error.position().map_or(1, csv::Position::line);
-    match error.kind() {
-        csv::ErrorKind::UnequalLengths {
-            expected_len, len, ..
-        } => {
-            format!("{line}: {len} columns instead of {expected_len}; give {wanted}")
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fields_are_freed_of_blanks_and_quotation_marks() {
+        let all: Vec<&str> = fields(" 1 ,\"2\",\"a,b\", \" 3\" ,").collect();
+        assert_eq!(all, ["1", "2", "a,b", "3", ""]);
+    }
+
+    #[test]
+    fn columns_come_in_any_order_and_each_of_them_once() {
+        let names = ["speed", "spin"];
+        assert_eq!(places(&["spin", "speed"], &names), Ok(vec![1, 0]));
+        for (header, words) in [
+            (&["speed"][..], "`spin` is missing"),
+            (&["speed", "spin", "speed"], "`speed` is there twice"),
+            (&["speed", "spin", "spam", "spam"], "unknown column `spam`"),
+        ] {
+            let refused = places(header, &names).err().unwrap_or_default();
+            assert!(refused.contains(words), "{refused}");
         }
-        csv::ErrorKind::Utf8 { .. } => {
-            format!("{line}: not UTF-8 text; save the file as plain CSV")
-        }
-        _ => format!("{line}: {error}"),
+        let mut row = [0.0; 2];
+        assert_eq!(fill("1, 2", &names, &[1, 0], &mut row), Ok(()));
+        assert_eq!(row, [2.0, 1.0]);
     }
 }

@@ -1,5 +1,6 @@
 //! How well the data determine the parameters.
 
+use super::reduce::{length_of, reduced};
 use nalgebra::DMatrix;
 
 /// What the Jacobian at the minimum says.
@@ -19,10 +20,17 @@ const EMPTY: f64 = 1e-10;
 /// Component from which a parameter takes part in a combination.
 const TAKES_PART: f64 = 0.05;
 
-/// From the Jacobian; `sizes` are the magnitudes of its coordinates and `length` that of the data.
-pub(super) fn certainty(jacobian: &DMatrix<f64>, sizes: &[f64], length: f64) -> Certainty {
-    let columns = jacobian.ncols();
-    let norms: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
+/// From some columns of the Jacobian; `sizes` are the magnitudes of their coordinates and `length`
+/// that of the data.
+pub(super) fn certainty(
+    jacobian: &DMatrix<f64>,
+    places: &[usize],
+    sizes: &[f64],
+    length: f64,
+) -> Certainty {
+    let columns = places.len();
+    let rows = vec![0.0; jacobian.nrows()];
+    let norms: Vec<f64> = places.iter().map(|&j| length_of(jacobian, j)).collect();
     let is_empty = |j: usize| norms[j] * sizes[j] <= EMPTY * length;
     let full: Vec<usize> = (0..columns).filter(|&j| !is_empty(j)).collect();
     let mut loose: Vec<Vec<usize>> = (0..columns)
@@ -33,10 +41,8 @@ pub(super) fn certainty(jacobian: &DMatrix<f64>, sizes: &[f64], length: f64) -> 
     if full.is_empty() {
         return Certainty { covariance, loose };
     }
-    let scaled = DMatrix::from_fn(jacobian.nrows(), full.len(), |i, k| {
-        jacobian[(i, full[k])] / norms[full[k]]
-    });
-    let svd = scaled.qr().r().svd(false, true);
+    let kept: Vec<usize> = full.iter().map(|&k| places[k]).collect();
+    let svd = reduced(jacobian, &kept, &rows).triangle.svd(false, true);
     let v_t = svd
         .v_t
         .unwrap_or_else(|| DMatrix::identity(full.len(), full.len()));

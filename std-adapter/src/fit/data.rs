@@ -58,11 +58,14 @@ pub enum DataError {
     Whole(&'static str),
 }
 
+/// Speeds and frictions whose logarithms and ratios to each other stay within the normal numbers.
+const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-290..=1e290;
+
 impl Data {
     /// Friction of steady sliding.
     ///
     /// *Domain*: speeds finite and > 0, friction finite and positive on the whole, standard
-    /// deviations finite and > 0.
+    /// deviations finite and > 0; speeds and the largest friction between 1e-290 and 1e290.
     pub fn steady(
         speeds: Vec<f64>,
         friction: Vec<f64>,
@@ -80,7 +83,7 @@ impl Data {
     /// Friction over time. Between two times the velocity is taken for the mean of both.
     ///
     /// *Domain*: times finite and rising, velocities and friction finite, friction with the sign of
-    /// the velocity on the whole.
+    /// the velocity on the whole; speeds but 0 and the largest friction between 1e-290 and 1e290.
     pub fn series(
         times: Vec<f64>,
         velocities: Vec<f64>,
@@ -131,6 +134,15 @@ impl Data {
                 |s| !(*s > 0.0 && s.is_finite()),
                 |s| format!("the standard deviation must be > 0, not {s}"),
             )?;
+        }
+        let largest = friction.iter().fold(0.0, |most: f64, f| most.max(f.abs()));
+        let speeds = extremes(velocities.iter().map(|v| v.abs()));
+        let fits = |x: f64| x <= 0.0 || x.is_infinite() || MAGNITUDES.contains(&x);
+        if !fits(largest) || !speeds.into_iter().all(fits) {
+            return Err(DataError::Whole(
+                "speeds and the largest friction must lie between 1e-290 and 1e290; give them in \
+                 another unit",
+            ));
         }
         let along = velocities.iter().zip(&friction);
         let work: f64 = along.map(|(v, f)| f.copysign(f * v)).sum();

@@ -73,8 +73,11 @@ pub struct Fit {
     pub covariance: DMatrix<f64>,
     /// Predicted friction of each point.
     pub predictions: Vec<f64>,
-    /// Σ ((data − prediction)/σ)², with σ = 1 where it is not known.
+    /// Σ ((data − prediction)/σ)², with σ = 1 where it is not known; infinite beyond the largest
+    /// f64.
     pub cost: f64,
+    /// √(cost/freedoms), also where the cost itself overflows.
+    pub(super) deviation: f64,
     /// Points less parameters that were sought.
     pub freedoms: usize,
     /// Whether standard deviations of the points were known.
@@ -87,6 +90,9 @@ pub struct Fit {
     pub at_best: usize,
     /// Steps of the best search.
     pub iterations: usize,
+    /// Points on which the starts were searched: all, or of many points a sample, from whose best
+    /// minima a last search took all points.
+    pub searched: usize,
 }
 
 /// Why there is no fit.
@@ -147,10 +153,47 @@ pub enum FitError {
     Form(&'static str),
 }
 
+/// How far a fit is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FitProgress {
+    /// Points that are searched on: a sample, or all of them.
+    pub points: usize,
+    /// Search, from 1, of so many on these points.
+    pub search: [usize; 2],
+    /// Steps that it has taken.
+    pub steps: usize,
+}
+
 /// Fits the model to the data.
+///
+/// *Cost*: up to 4,000 points take all starts, with some 30 steps each. Of more points, starts search
+/// a sample of them if the model can be [thinned](Model::thinned), and the few minima that are alike
+/// on it are refined on all points. The same data give the same bits.
 pub fn fit(model: &dyn Model, data: &Data, options: &Options) -> Result<Fit, FitError> {
+    fit_watched(model, data, options, &mut |_| ())
+}
+
+/// As [`fit`]; `watch` is called before each step.
+///
+/// ```
+/// use tribos::fit::{Data, FitProgress, LawName, Options, fit_watched, law_model};
+/// let data = Data::steady(vec![1.0, 2.0, 4.0], vec![0.3, 0.2, 0.1], None)?;
+/// let model = law_model(LawName::Power, &data)?;
+/// let mut last = None;
+/// let options = Options { starts: 5, ..Options::default() };
+/// fit_watched(model.as_ref(), &data, &options, &mut |progress| last = Some(progress))?;
+/// let FitProgress { points, search, .. } = last.ok_or("no step")?;
+/// assert_eq!((points, search), (3, [5, 5]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn fit_watched(
+    model: &dyn Model,
+    data: &Data,
+    options: &Options,
+    watch: &mut dyn FnMut(FitProgress),
+) -> Result<Fit, FitError> {
     let unknowns = Unknowns::new(model, &options.fixed)?;
-    let search = search(&unknowns, data, options.starts)?;
+    let search = search(&unknowns, data, options.starts, watch)?;
     Ok(search.judged(&unknowns, data.sigma().is_some()))
 }
 
@@ -171,7 +214,7 @@ impl Fit {
     /// √(cost/freedoms): the residuals' standard deviation, or with known deviations the square root
     /// of the reduced χ².
     pub fn deviation(&self) -> f64 {
-        (self.cost / self.freedoms as f64).sqrt()
+        self.deviation
     }
 
     /// Correlation of two parameters of the covariance; 0 where an error is 0.

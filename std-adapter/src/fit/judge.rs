@@ -2,7 +2,7 @@
 
 use super::covariance::{Certainty, certainty};
 use super::estimate::{Estimate, Fit, Known};
-use super::minimise::free;
+use super::minimise::{free, gradient};
 use super::search::{Search, Unknowns};
 use nalgebra::DMatrix;
 
@@ -17,50 +17,42 @@ impl Search {
     /// The fit with its standard errors.
     pub fn judged(self, unknowns: &Unknowns<'_>, is_weighted: bool) -> Fit {
         let values = unknowns.values(&self.best.q);
-        let freedoms = self.best.residuals.len() - unknowns.sought.len();
+        let freedoms = self.residuals.len() - unknowns.sought.len();
+        let scatter = (self.best.cost / freedoms as f64).sqrt();
         // Without known deviations the residuals tell how large they are.
-        let variance = if is_weighted {
-            1.0
-        } else {
-            self.best.cost / freedoms as f64
-        };
+        let deviation = if is_weighted { self.unit } else { scatter };
         let inside = self.inside();
-        let known = inside.known(unknowns, &values, variance);
+        let known = inside.known(unknowns, &values, deviation);
         let all = unknowns.model.parameters().iter().zip(&values).zip(known);
         let parameters = all.map(|((parameter, &value), known)| Estimate {
             parameter: *parameter,
             value,
             known,
         });
-        let nothing = vec![f64::NAN; self.best.residuals.len()];
+        let nothing = vec![f64::NAN; self.residuals.len()];
         Fit {
             parameters: parameters.collect(),
-            covariance: inside.covariance(unknowns, &values, variance),
+            covariance: inside.covariance(unknowns, &values, deviation),
             predictions: unknowns.model.predict(&values).unwrap_or(nothing),
-            cost: self.best.cost,
+            cost: self.best.cost / self.unit / self.unit,
+            deviation: scatter / self.unit,
             freedoms,
             is_weighted,
             converged: self.best.converged,
             starts: self.starts,
             at_best: self.at_best,
             iterations: self.best.iterations,
+            searched: self.searched,
         }
     }
 
     /// Coordinates that are not held at a bound, which have no error of their own.
     fn inside(&self) -> Inside {
-        let best = &self.best;
-        let along = |column: nalgebra::DVectorView<'_, f64>| -> f64 {
-            column.iter().zip(&best.residuals).map(|(a, b)| a * b).sum()
-        };
-        let gradient: Vec<f64> = best.jacobian.column_iter().map(along).collect();
-        let places = free(&best.q, &self.bounds, &gradient);
-        let columns = DMatrix::from_fn(best.residuals.len(), places.len(), |i, k| {
-            best.jacobian[(i, places[k])]
-        });
+        let gradient = gradient(&self.jacobian, &self.residuals);
+        let places = free(&self.best.q, &self.bounds, &gradient);
         let sizes: Vec<f64> = places.iter().map(|&k| self.lengths[k].least()).collect();
         Inside {
-            certain: certainty(&columns, &sizes, self.size),
+            certain: certainty(&self.jacobian, &places, &sizes, self.size),
             places,
         }
     }
@@ -68,7 +60,7 @@ impl Search {
 
 impl Inside {
     /// How each parameter of the model is known.
-    fn known(&self, unknowns: &Unknowns<'_>, values: &[f64], variance: f64) -> Vec<Known> {
+    fn known(&self, unknowns: &Unknowns<'_>, values: &[f64], deviation: f64) -> Vec<Known> {
         let parameters = unknowns.model.parameters();
         let number = |k: usize| unknowns.sought[self.places[k]];
         let mut known = vec![Known::Fixed; parameters.len()];
@@ -85,7 +77,7 @@ impl Inside {
                 Known::Undetermined(others)
             } else {
                 let slope = parameters[j].range.derivative(values[j]);
-                Known::StandardError((self.certain.covariance[(k, k)] * variance).sqrt() * slope)
+                Known::StandardError(self.certain.covariance[(k, k)].sqrt() * deviation * slope)
             };
         }
         known
@@ -97,7 +89,7 @@ impl Inside {
     }
 
     /// Covariance of the values that have a standard error.
-    fn covariance(&self, unknowns: &Unknowns<'_>, values: &[f64], variance: f64) -> DMatrix<f64> {
+    fn covariance(&self, unknowns: &Unknowns<'_>, values: &[f64], deviation: f64) -> DMatrix<f64> {
         let firm: Vec<usize> = (0..self.places.len())
             .filter(|&k| !self.is_loose(k))
             .collect();
@@ -107,7 +99,7 @@ impl Inside {
         };
         DMatrix::from_fn(firm.len(), firm.len(), |a, b| {
             let (a, b) = (firm[a], firm[b]);
-            self.certain.covariance[(a, b)] * variance * slope(a) * slope(b)
+            self.certain.covariance[(a, b)] * (deviation * slope(a)) * (deviation * slope(b))
         })
     }
 }

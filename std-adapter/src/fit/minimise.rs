@@ -1,6 +1,7 @@
 //! Levenberg–Marquardt within bounds.
 
 use super::jacobian::{Length, Residuals, jacobian};
+use super::reduce::{Reduced, reduced};
 use nalgebra::{DMatrix, DVector};
 
 /// A sum of squares to be made least.
@@ -17,17 +18,21 @@ pub(super) struct Problem<'a> {
     pub floor: f64,
 }
 
+impl Problem<'_> {
+    /// ∂r/∂q; `None` where it is not finite.
+    pub fn slopes(&self, q: &[f64], residuals: &[f64]) -> Option<DMatrix<f64>> {
+        let slopes = jacobian(self.residuals, q, residuals, &self.bounds, &self.lengths)?;
+        slopes.iter().all(|x| x.is_finite()).then_some(slopes)
+    }
+}
+
 /// Where a search ended.
 #[derive(Clone, Debug)]
 pub(super) struct Minimum {
     /// q
     pub q: Vec<f64>,
-    /// r(q)
-    pub residuals: Vec<f64>,
     /// Σ r²
     pub cost: f64,
-    /// ∂r/∂q
-    pub jacobian: DMatrix<f64>,
     /// Whether nothing but rounding is left to gain.
     pub converged: bool,
     /// Steps taken.
@@ -57,8 +62,12 @@ const ROUGH_OFFSET: f64 = 1e-4;
 /// along it, and none is missed.
 const FLAT: f64 = 1e-10;
 
-/// Searches from `start`; `None` if the model refuses it.
-pub(super) fn minimise(problem: &Problem<'_>, start: &[f64]) -> Option<Minimum> {
+/// Searches from `start`, and tells `watch` the number of each step; `None` if the model refuses it.
+pub(super) fn minimise(
+    problem: &Problem<'_>,
+    start: &[f64],
+    watch: &mut dyn FnMut(usize),
+) -> Option<Minimum> {
     let mut place = Place::at(problem, start.to_vec())?;
     let mut pace = Pace {
         damping: FIRST_DAMPING,
@@ -69,13 +78,8 @@ pub(super) fn minimise(problem: &Problem<'_>, start: &[f64]) -> Option<Minimum> 
     let mut iterations = 0;
     loop {
         let Place { q, residuals, cost } = &place;
-        let slopes = jacobian(
-            problem.residuals,
-            q,
-            residuals,
-            &problem.bounds,
-            &problem.lengths,
-        )?;
+        watch(iterations);
+        let slopes = problem.slopes(q, residuals)?;
         let step = Step::new(problem, q, residuals, &slopes);
         let offset = step.offset(*cost);
         let is_done = *cost <= problem.floor || offset <= OFFSET;
@@ -91,9 +95,7 @@ pub(super) fn minimise(problem: &Problem<'_>, start: &[f64]) -> Option<Minimum> 
             None => {
                 return Some(Minimum {
                     q: place.q,
-                    residuals: place.residuals,
                     cost: place.cost,
-                    jacobian: slopes,
                     converged: is_done || offset <= ROUGH_OFFSET,
                     iterations,
                 });
@@ -183,6 +185,14 @@ fn admit(problem: &Problem<'_>, q: &mut [f64]) {
     (problem.repair)(q);
 }
 
+/// Jᵀ r
+pub(super) fn gradient(slopes: &DMatrix<f64>, residuals: &[f64]) -> Vec<f64> {
+    let along = |column: nalgebra::DVectorView<'_, f64>| -> f64 {
+        column.iter().zip(residuals).map(|(a, b)| a * b).sum()
+    };
+    slopes.column_iter().map(along).collect()
+}
+
 /// Indices of coordinates that may move: all but those at a bound over which the descent points.
 pub(super) fn free(q: &[f64], bounds: &[[f64; 2]], gradient: &[f64]) -> Vec<usize> {
     let is_held = |j: usize| {
@@ -204,23 +214,25 @@ struct Step {
 
 impl Step {
     fn new(problem: &Problem<'_>, q: &[f64], here: &[f64], slopes: &DMatrix<f64>) -> Self {
-        let r = DVector::from_column_slice(here);
-        let gradient: Vec<f64> = slopes.column_iter().map(|column| column.dot(&r)).collect();
+        let gradient = gradient(slopes, here);
         let free = free(q, &problem.bounds, &gradient);
+        if free.is_empty() {
+            return Self {
+                free,
+                scales: Vec::new(),
+                shares: DVector::zeros(0),
+                sigma: DVector::zeros(0),
+                v_t: DMatrix::zeros(0, 0),
+            };
+        }
         // Columns of length 1, so that units do not matter (Marquardt 1963).
-        let norms = free.iter().map(|&j| slopes.column(j).norm());
-        let scales: Vec<f64> = norms
-            .map(|norm| if norm > 0.0 { norm } else { 1.0 })
-            .collect();
-        let scaled = DMatrix::from_fn(here.len(), free.len(), |i, k| {
-            slopes[(i, free[k])] / scales[k]
-        });
-        let qr = scaled.qr();
-        let mut turned = r;
-        qr.q_tr_mul(&mut turned);
-        let svd = qr.r().svd(true, true);
+        let Reduced {
+            norms: scales,
+            triangle,
+            turned: top,
+        } = reduced(slopes, &free, here);
+        let svd = triangle.svd(true, true);
         let rows = svd.singular_values.len();
-        let top = turned.rows(0, rows).into_owned();
         // Both are there: they were asked for.
         let shares = svd.u.map_or(top.clone(), |u| u.tr_mul(&top));
         let v_t = svd

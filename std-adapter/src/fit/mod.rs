@@ -12,6 +12,8 @@
 //!   its bound stays there while the descent points outwards.
 //! - Several starts, spread by a Halton sequence over what the data leave open, the same every time.
 //!   How many ended at the best minimum is told.
+//! - Of more than 4,000 points the starts search a sample; the minima that are alike on it are refined
+//!   on all points.
 //! - Parameters that the data do not determine are named, with those that they trade against, in
 //!   place of a standard error.
 //!
@@ -39,14 +41,19 @@ mod judge;
 mod law;
 mod minimise;
 mod parameter;
+mod reduce;
+mod sample;
 mod search;
 mod starts;
 
 pub use data::{Data, DataError, Motion};
-pub use estimate::{Estimate, Fit, FitError, Known, Options, fit};
+pub use estimate::{Estimate, Fit, FitError, FitProgress, Known, Options, fit, fit_watched};
 pub use law::{LawName, law_model};
 pub use parameter::{Model, Parameter, Range};
 
+#[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
+mod hard;
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod nist;

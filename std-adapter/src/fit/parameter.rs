@@ -81,6 +81,12 @@ pub trait Model {
     /// Moves values to the nearest that the law admits, where parameters bound each other. Those
     /// that are not free must stay.
     fn repair(&self, _values: &mut [f64], _is_free: &[bool]) {}
+
+    /// The same model of some of the points alone, which rise and include the first; `None` if it
+    /// needs all of them. Fits of many points search on such a sample first.
+    fn thinned(&self, _points: &[usize]) -> Option<Box<dyn Model>> {
+        None
+    }
 }
 
 /// How near to an exclusive end a parameter may come.
@@ -134,8 +140,8 @@ impl Range {
 
     /// Bounds of the coordinate, both included.
     pub(super) fn bounds(self) -> [f64; 2] {
-        /// Logarithms of the smallest and largest values that are worth a try.
-        const LOGARITHMS: [f64; 2] = [-300.0, 300.0];
+        /// Logarithms of the smallest and largest values, within the normal numbers.
+        const LOGARITHMS: [f64; 2] = [-700.0, 700.0];
         match self {
             Self::Any => [f64::NEG_INFINITY, f64::INFINITY],
             Self::Positive => LOGARITHMS,

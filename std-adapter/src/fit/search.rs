@@ -1,11 +1,13 @@
 //! Several searches from starts that are spread evenly.
 
 use super::Data;
-use super::estimate::FitError;
+use super::estimate::{FitError, FitProgress};
 use super::jacobian::Length;
 use super::minimise::{Minimum, Problem, minimise};
 use super::parameter::{Model, Range};
+use super::sample::{Target, sample};
 use super::starts::halton;
+use nalgebra::DMatrix;
 
 /// Costs that differ relatively by less belong to the same minimum.
 const SAME: f64 = 1e-6;
@@ -51,6 +53,21 @@ impl<'a> Unknowns<'a> {
         sought
             .map(|&j| self.range(j).coordinate(values[j]))
             .collect()
+    }
+
+    /// The same of another model with the same parameters.
+    fn with<'b>(&self, model: &'b dyn Model) -> Unknowns<'b> {
+        Unknowns {
+            model,
+            fixed: self.fixed.clone(),
+            sought: self.sought.clone(),
+        }
+    }
+
+    /// Bounds of the coordinates.
+    fn bounds(&self) -> Vec<[f64; 2]> {
+        let sought = self.sought.iter();
+        sought.map(|&j| self.range(j).bounds()).collect()
     }
 
     fn range(&self, j: usize) -> Range {
@@ -113,23 +130,38 @@ fn fixed(model: &dyn Model, given: &[(String, f64)]) -> Result<Vec<Option<f64>>,
 pub(super) struct Search {
     /// Where it ended.
     pub best: Minimum,
+    /// r there, in units of 1/[`Self::unit`].
+    pub residuals: Vec<f64>,
+    /// ∂r/∂q there.
+    pub jacobian: DMatrix<f64>,
     /// Bounds of the coordinates.
     pub bounds: Vec<[f64; 2]>,
     /// Over which lengths predictions change.
     pub lengths: Vec<Length>,
-    /// √Σ (data/σ)²
+    /// √Σ (data/σ)² in the unit of the residuals.
     pub size: f64,
+    /// What residuals were multiplied by.
+    pub unit: f64,
     /// Starts from which a search was possible.
     pub starts: usize,
     /// How many of them ended at the best.
     pub at_best: usize,
+    /// Points that the starts were searched on.
+    pub searched: usize,
 }
+
+/// Minima on a sample that are refined on all points at most.
+const MOST_REFINED: usize = 3;
+/// Minima whose costs on a sample differ by less than this many variances of a residual are alike:
+/// five standard deviations of a likelihood's logarithm.
+const ALIKE: f64 = 25.0;
 
 /// Searches from all starts.
 pub(super) fn search(
     unknowns: &Unknowns<'_>,
     data: &Data,
     starts: usize,
+    watch: &mut dyn FnMut(FitProgress),
 ) -> Result<Search, FitError> {
     let measured = data.friction();
     if measured.len() <= unknowns.sought.len() {
@@ -138,42 +170,110 @@ pub(super) fn search(
             free: unknowns.sought.len(),
         });
     }
-    let weights: Vec<f64> = match data.sigma() {
-        Some(sigma) => sigma.iter().map(|s| 1.0 / s).collect(),
-        None => vec![1.0; measured.len()],
-    };
-    let residuals = |q: &[f64]| {
-        let predicted = unknowns.model.predict(&unknowns.values(q))?;
-        let pairs = measured.iter().zip(&predicted).zip(&weights);
-        Some(pairs.map(|((f, p), w)| (p - f) * w).collect())
-    };
     let all = unknowns.fixed.len();
     let start = |index: usize| unknowns.coordinates(&unknowns.model.start(&halton(index, all)));
-    let points: Vec<Vec<f64>> = (0..starts.max(1)).map(start).collect();
-    let weighted = measured.iter().zip(&weights).map(|(f, w)| f * w);
-    let size = weighted.map(|x| x * x).sum::<f64>().sqrt();
-    let problem = Problem {
-        residuals: &residuals,
-        repair: &|q: &mut [f64]| unknowns.repair(q),
-        bounds: unknowns
-            .sought
-            .iter()
-            .map(|&j| unknowns.range(j).bounds())
-            .collect(),
-        lengths: unknowns.lengths(&points),
-        floor: f64::EPSILON * size * f64::EPSILON * size,
+    let starts: Vec<Vec<f64>> = (0..starts.max(1)).map(start).collect();
+    let target = Target::new(data);
+    let points = sample(data);
+    let thinned = points.as_deref().and_then(|points| {
+        let model = unknowns.model.thinned(points)?;
+        Some((model, target.thinned(points)))
+    });
+    let lengths = unknowns.lengths(&starts);
+    let mut searched = measured.len();
+    let mut ends = match &thinned {
+        Some((model, part)) => {
+            searched = part.friction.len();
+            let few = unknowns.with(model.as_ref());
+            minima(&few, part, &lengths, &starts, watch)
+        }
+        None => minima(unknowns, &target, &lengths, &starts, watch),
     };
-    let ends = points.iter().filter_map(|point| minimise(&problem, point));
-    let ends: Vec<Minimum> = ends.collect();
-    let least = ends.iter().min_by(|a, b| a.cost.total_cmp(&b.cost));
-    let best = least.ok_or(FitError::NoStart)?.clone();
-    let limit = best.cost * (1.0 + SAME) + problem.floor;
+    ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    let found = ends.len();
+    let floor = target.floor();
+    let mut candidates = distinct(ends, floor, searched - unknowns.sought.len());
+    if thinned.is_some() {
+        let places: Vec<Vec<f64>> = candidates.iter().map(|(end, _)| end.q.clone()).collect();
+        let refined = minima(unknowns, &target, &lengths, &places, watch);
+        let counts = candidates.iter().map(|(_, count)| *count);
+        candidates = refined
+            .into_iter()
+            .zip(counts.collect::<Vec<_>>())
+            .collect();
+    }
+    let least = candidates
+        .into_iter()
+        .min_by(|(a, _), (b, _)| a.cost.total_cmp(&b.cost));
+    let (best, at_best) = least.ok_or(FitError::NoStart)?;
+    let problem = Problem {
+        residuals: &|q: &[f64]| target.residuals(unknowns, q),
+        repair: &|_: &mut [f64]| (),
+        bounds: unknowns.bounds(),
+        lengths,
+        floor,
+    };
+    let residuals = target
+        .residuals(unknowns, &best.q)
+        .ok_or(FitError::NoStart)?;
+    let jacobian = problem
+        .slopes(&best.q, &residuals)
+        .ok_or(FitError::NoStart)?;
     Ok(Search {
-        starts: ends.len(),
-        at_best: ends.iter().filter(|end| end.cost <= limit).count(),
+        residuals,
+        jacobian,
         bounds: problem.bounds,
         lengths: problem.lengths,
-        size,
+        size: target.size(),
+        unit: target.unit,
+        starts: found,
+        at_best,
+        searched,
         best,
     })
+}
+
+/// Where the searches end, in the order of the places that they start from.
+fn minima(
+    unknowns: &Unknowns<'_>,
+    target: &Target,
+    lengths: &[Length],
+    places: &[Vec<f64>],
+    watch: &mut dyn FnMut(FitProgress),
+) -> Vec<Minimum> {
+    let problem = Problem {
+        residuals: &|q: &[f64]| target.residuals(unknowns, q),
+        repair: &|q: &mut [f64]| unknowns.repair(q),
+        bounds: unknowns.bounds(),
+        lengths: lengths.to_vec(),
+        floor: target.floor(),
+    };
+    let ends = places.iter().enumerate().filter_map(|(index, place)| {
+        let mut step = |steps| {
+            watch(FitProgress {
+                points: target.friction.len(),
+                search: [index + 1, places.len()],
+                steps,
+            });
+        };
+        minimise(&problem, place, &mut step)
+    });
+    ends.collect()
+}
+
+/// Different minima by rising cost with the number of searches that ended there: the best, and those
+/// that the points hardly tell from it.
+fn distinct(sorted: Vec<Minimum>, floor: f64, freedoms: usize) -> Vec<(Minimum, usize)> {
+    let least = sorted.first().map_or(0.0, |best| best.cost);
+    let alike = least + ALIKE * least / freedoms as f64 + floor;
+    let mut all: Vec<(Minimum, usize)> = Vec::new();
+    for end in sorted {
+        let is_last = all.len() == MOST_REFINED;
+        match all.last_mut() {
+            Some((last, count)) if end.cost <= last.cost * (1.0 + SAME) + floor => *count += 1,
+            Some(_) if is_last || end.cost > alike => break,
+            _ => all.push((end, 1)),
+        }
+    }
+    all
 }

@@ -84,6 +84,36 @@ pub fn stream_atomically(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
 ) -> Result<(), WriteError> {
+    write_atomically_with(path, |file| {
+        let mut buffer = BufWriter::new(file);
+        write(&mut buffer)
+            .and_then(|()| buffer.flush())
+            .map_err(|cause| WriteError {
+                path: path.to_path_buf(),
+                cause,
+            })
+    })
+}
+
+/// As [`write_atomically`], with `fill` to write the contents: for files that are too large for the
+/// memory. If `fill` fails, whatever stood at `path` still does.
+///
+/// ```
+/// use std::io::Write;
+/// use tribos::record::{WriteError, write_atomically_with};
+/// let home = tempfile::tempdir()?;
+/// let path = home.path().join("speed.csv");
+/// write_atomically_with(&path, |file| {
+///     let fail = |cause| WriteError { path: path.clone(), cause };
+///     (0..3).try_for_each(|k| writeln!(file, "{k}").map_err(fail))
+/// })?;
+/// assert_eq!(std::fs::read_to_string(&path)?, "0\n1\n2\n");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_atomically_with<E: From<WriteError>>(
+    path: &Path,
+    fill: impl FnOnce(&mut std::fs::File) -> Result<(), E>,
+) -> Result<(), E> {
     let fail = |cause| WriteError {
         path: path.to_path_buf(),
         cause,
@@ -96,12 +126,9 @@ pub fn stream_atomically(
     let [begin, end] = UNFINISHED;
     let mut builder = tempfile::Builder::new();
     let file = builder.prefix(begin).suffix(end).tempfile_in(folder);
-    let file = file.map_err(fail)?;
+    let mut file = file.map_err(fail)?;
     // The plain file: errors do not name the temporary one.
-    let mut buffer = BufWriter::new(file.as_file());
-    write(&mut buffer).map_err(fail)?;
-    buffer.flush().map_err(fail)?;
-    drop(buffer);
+    fill(file.as_file_mut())?;
     readable_by_all(file.as_file()).map_err(fail)?;
     file.as_file().sync_all().map_err(fail)?;
     file.persist(path).map_err(|error| fail(error.error))?;

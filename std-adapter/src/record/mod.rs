@@ -11,7 +11,9 @@ mod snapshot;
 mod vtk;
 mod xyz;
 
-pub use atomic::{WriteError, is_unfinished, stream_atomically, write_atomically};
+pub use atomic::{
+    WriteError, is_unfinished, stream_atomically, write_atomically, write_atomically_with,
+};
 pub use kept::CheckpointError;
 pub use number::{json_number, number};
 pub use read::{ReadError, read_text};

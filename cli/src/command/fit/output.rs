@@ -2,7 +2,7 @@
 
 use super::Law;
 use super::table::Table;
-use crate::command::laws;
+use crate::command::{laws, spool};
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::fit::{Estimate, Fit, Known};
@@ -67,6 +67,15 @@ impl Report<'_> {
         }
     }
 
+    /// Of many points: on how many the starts were searched.
+    fn sampled(&self) -> String {
+        let all = self.fit.predictions.len();
+        match self.fit.searched {
+            searched if searched == all => String::new(),
+            searched => format!(" of a sample of {searched} points; refined on all {all}"),
+        }
+    }
+
     fn quality(&self) -> String {
         let fit = self.fit;
         let freedoms = fit.freedoms;
@@ -82,8 +91,10 @@ impl Report<'_> {
             )
         };
         let mut text = format!(
-            "residuals     {residuals}\nstarts        {} of {} ended at the best minimum\n",
-            fit.at_best, fit.starts
+            "residuals     {residuals}\nstarts        {} of {} ended at the best minimum{}\n",
+            fit.at_best,
+            fit.starts,
+            self.sampled()
         );
         let scatter = (2.0 / freedoms as f64).sqrt();
         if fit.is_weighted && fit.deviation() * fit.deviation() > 1.0 + BEYOND * scatter {
@@ -162,7 +173,7 @@ impl Report<'_> {
     /// Writes covariance.csv, residuals.csv and, last, fit.toml.
     pub fn write(&self, out: &Path) -> Result<(), Failure> {
         write_atomically(&out.join("covariance.csv"), self.covariance().as_bytes())?;
-        write_atomically(&out.join("residuals.csv"), self.residuals().as_bytes())?;
+        self.write_residuals(&out.join("residuals.csv"))?;
         Ok(write_atomically(
             &out.join("fit.toml"),
             self.toml().as_bytes(),
@@ -180,24 +191,25 @@ impl Report<'_> {
         text
     }
 
-    fn residuals(&self) -> String {
+    /// A row a point, written as it is made: there may be millions.
+    fn write_residuals(&self, file: &Path) -> Result<(), Failure> {
         let mut columns = self.table.columns();
-        let friction = columns.last().map_or(&[][..], |(_, values)| *values);
+        let friction = self.table.data.friction();
         let pairs = friction.iter().zip(&self.fit.predictions);
         let residuals: Vec<f64> = pairs.map(|(f, p)| f - p).collect();
         columns.push(("prediction", &self.fit.predictions));
         columns.push(("residual", &residuals));
-        columns.extend(self.table.sigma().map(|sigma| ("sigma", sigma)));
+        columns.extend(self.table.data.sigma().map(|sigma| ("sigma", sigma)));
         let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
-        let rows: Vec<Vec<f64>> = (0..friction.len())
-            .map(|i| {
-                columns
-                    .iter()
-                    .filter_map(|(_, values)| values.get(i).copied())
-                    .collect()
-            })
-            .collect();
-        series_csv(&names, rows.iter().map(Vec::as_slice))
+        spool::deliver(Some(file), |sink| {
+            sink.put(&series_csv(&names, []))?;
+            for i in 0..friction.len() {
+                let cells = columns.iter().filter_map(|(_, values)| values.get(i));
+                let cells: Vec<String> = cells.map(|x| number(*x)).collect();
+                sink.put(&(cells.join(",") + "\n"))?;
+            }
+            Ok(())
+        })
     }
 
     fn toml(&self) -> String {
@@ -205,11 +217,11 @@ impl Report<'_> {
         let mut text = format!(
             "# A fit by `tribos fit`: friction of the data less that of the law has the least square.\n\
              # `law` is for --law of `tribos wrench` and --curve of `tribos laws` (steady sliding).\n\
-             law = \"{}\"\npoints = {}\ndegrees_of_freedom = {}\nsum_of_squares = {:?}\n",
+             law = \"{}\"\npoints = {}\ndegrees_of_freedom = {}\nsum_of_squares = {}\n",
             self.spec(),
             fit.predictions.len(),
             fit.freedoms,
-            fit.cost
+            toml_number(fit.cost)
         );
         let quality = if fit.is_weighted {
             format!("reduced_chi_squared = {:?}", fit.deviation().powi(2))
@@ -217,8 +229,8 @@ impl Report<'_> {
             format!("residual_deviation = {:?}", fit.deviation())
         };
         text += &format!(
-            "{quality}\nconverged = {}\nstarts = {}\nstarts_at_best = {}\n",
-            fit.converged, fit.starts, fit.at_best
+            "{quality}\nconverged = {}\nstarts = {}\nstarts_at_best = {}\npoints_searched = {}\n",
+            fit.converged, fit.starts, fit.at_best, fit.searched
         );
         for estimate in &fit.parameters {
             text += &self.toml_parameter(estimate);
@@ -245,6 +257,15 @@ impl Report<'_> {
             estimate.value,
             self.unit(parameter.unit)
         )
+    }
+}
+
+/// A number as TOML has it.
+fn toml_number(x: f64) -> String {
+    if x.is_finite() {
+        format!("{x:?}")
+    } else {
+        number(x)
     }
 }
 

@@ -5,6 +5,8 @@ use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Guide, Panels, Series};
 use tribos::fit::{Data, Fit, Motion, law_model};
 
+/// Most measurements that are drawn: more of them hide each other, and fill files.
+const MOST_DRAWN: usize = 4000;
 /// Points of a curve.
 const POINTS: usize = 400;
 
@@ -14,15 +16,19 @@ pub fn panels(law: Law, data: &Data, fit: &Fit) -> Result<Panels, Failure> {
         Motion::Steady { speeds } => (speeds, || Axis::log10("speed [m/s]")),
         Motion::Series { times, .. } => (times, || Axis::linear("time [s]")),
     };
+    let stride = x.len().div_ceil(MOST_DRAWN);
+    let drawn = |values: &[f64]| values.iter().copied().step_by(stride).collect::<Vec<f64>>();
     let at = |values: &[f64]| {
-        x.iter()
-            .copied()
-            .zip(values.iter().copied())
-            .collect::<Vec<_>>()
+        let pairs = drawn(x).into_iter().zip(drawn(values));
+        pairs.collect::<Vec<(f64, f64)>>()
     };
-    let measured = Series::points("measured", at(data.friction()));
+    let name = match stride {
+        1 => "measured".to_owned(),
+        _ => format!("measured, one point of {stride}"),
+    };
+    let measured = Series::points(name, at(data.friction()));
     let measured = match data.sigma() {
-        Some(sigma) => measured.errors(sigma.to_vec()),
+        Some(sigma) => measured.errors(drawn(sigma)),
         None => measured,
     };
     let curve = match data.motion() {
@@ -36,7 +42,7 @@ pub fn panels(law: Law, data: &Data, fit: &Fit) -> Result<Panels, Failure> {
     let residuals: Vec<f64> = pairs.map(|(f, p)| f - p).collect();
     let left = Series::points("", at(&residuals));
     let left = match data.sigma() {
-        Some(sigma) => left.errors(sigma.to_vec()),
+        Some(sigma) => left.errors(drawn(sigma)),
         None => left,
     };
     let below = Figure::new("", axis(), Axis::linear("measured − fitted"))

@@ -252,7 +252,7 @@ fn annulus<R: Real>(
 
 /// Points of a file with columns x, y [m] and weight.
 fn points<R: Real>(path: &Path, lean: &impl Fn(R) -> R) -> Result<Vec<Node<R>>, Failure> {
-    let rows = columns::read(path, ["x", "y", "weight"])?;
+    let rows = columns::read(path, &["x", "y", "weight"])?;
     let nodes: Vec<Node<R>> = rows
         .iter()
         .map(|&[x, y, weight]| {

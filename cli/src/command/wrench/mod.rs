@@ -4,14 +4,15 @@ mod contact;
 mod given;
 mod output;
 
+use super::columns::Rows;
 use super::laws::LawSpec;
 use super::patch::{PATCHES, PatchName};
 use super::tier::{Precision, Tabulated, Tier};
-use super::{columns, number};
+use super::{number, spool};
 use crate::failure::Failure;
 use contact::{Contact, Request, in_range};
 use output::{Format, Line};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tribos::record::write_atomically;
 use tribos_core::Real;
 
@@ -109,42 +110,58 @@ Examples:
 impl Arguments {
     /// Evaluates and prints.
     pub fn execute(self) -> Result<(), Failure> {
-        let twists = match (&self.twists, self.speed, self.spin) {
-            (Some(path), ..) => columns::read(path, ["speed", "spin"])?,
-            (None, Some(speed), Some(spin)) => vec![[speed, spin]],
-            _ => return Err(Failure::input("give --speed and --spin, or --twists FILE")),
-        };
-        let lines = match self.precision {
-            Precision::F64 => self.evaluate::<f64>(&twists)?,
-            Precision::F32 => self.evaluate::<f32>(&twists)?,
-        };
-        let default = if self.twists.is_some() {
-            Format::Csv
-        } else {
-            Format::Text
-        };
-        let (format, given) = (self.format.unwrap_or(default), given::contact(&self));
-        let text = format.render(&lines, &given, self.twists.is_some());
-        if self.twists.is_some() || format == Format::Csv {
-            // Columns and arrays have no place for it.
-            super::tell(format_args!("contact: {}", given::sentence(&given)));
-        }
-        match &self.output {
-            Some(path) => Ok(write_atomically(path, text.as_bytes())?),
-            None => super::print(&text),
+        match self.precision {
+            Precision::F64 => self.evaluate::<f64>(),
+            Precision::F32 => self.evaluate::<f32>(),
         }
     }
 
-    fn evaluate<R: Tabulated>(&self, twists: &[[f64; 2]]) -> Result<Vec<Line>, Failure> {
+    fn evaluate<R: Tabulated>(&self) -> Result<(), Failure> {
         let contact = Contact::<R>::new(&self.request()?)?;
         let load = in_range("load", self.load)?;
-        twists
-            .iter()
-            .map(|&[speed, spin]| {
-                let twist = (in_range("speed", speed)?, in_range("spin", spin)?);
-                self.line(&contact, load, [speed, spin], twist)
-            })
-            .collect()
+        let at = |twist| self.line(&contact, load, twist);
+        match (&self.twists, self.speed, self.spin) {
+            (Some(file), ..) => self.all(file, at),
+            (None, Some(speed), Some(spin)) => {
+                let format = self.format.unwrap_or(Format::Text);
+                let given = given::contact(self);
+                let text = format.one(&at([speed, spin])?, &given);
+                if format == Format::Csv {
+                    // Columns have no place for it.
+                    super::tell(format_args!("contact: {}", given::sentence(&given)));
+                }
+                match &self.output {
+                    Some(path) => Ok(write_atomically(path, text.as_bytes())?),
+                    None => super::print(&text),
+                }
+            }
+            _ => Err(Failure::input("give --speed and --spin, or --twists FILE")),
+        }
+    }
+
+    /// Evaluates a file of twists row by row: memory does not grow with their number. Nothing is
+    /// printed, and no file replaced, before all of them are evaluated.
+    fn all(
+        &self,
+        file: &Path,
+        at: impl Fn([f64; 2]) -> Result<Line, Failure>,
+    ) -> Result<(), Failure> {
+        let mut rows = Rows::open(file, |_| &["speed", "spin"])?;
+        let format = self.format.unwrap_or(Format::Csv);
+        spool::deliver(self.output.as_deref(), |sink| {
+            let mut twist = [0.0; 2];
+            let mut count = 0;
+            while rows.next(&mut twist)?.is_some() {
+                let line = at(twist).map_err(|failure| rows.refusal(&failure.to_string()))?;
+                sink.put(&format.begin(count, &line))?;
+                sink.put(&format.row(&line))?;
+                count += 1;
+            }
+            sink.put(format.end())
+        })?;
+        let given = given::contact(self);
+        super::tell(format_args!("contact: {}", given::sentence(&given)));
+        Ok(())
     }
 
     /// The contact asked for; what makes no sense together is refused.
@@ -180,8 +197,9 @@ impl Arguments {
         contact: &Contact<R>,
         load: R,
         twist: [f64; 2],
-        (speed, spin): (R, R),
     ) -> Result<Line, Failure> {
+        let [speed, spin] = twist;
+        let (speed, spin): (R, R) = (in_range("speed", speed)?, in_range("spin", spin)?);
         let is_round = !matches!(self.patch, PatchName::Points(_));
         let resistance = if is_round {
             contact.round_resistance(load, speed, spin)

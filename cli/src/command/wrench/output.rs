@@ -3,7 +3,7 @@
 use super::given::{self, Given};
 use crate::command::digits::shown;
 use serde_json::{Map, Value};
-use tribos::record::{json_number, series_csv};
+use tribos::record::{json_number, number, series_csv};
 
 /// Format of the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -82,40 +82,53 @@ impl Line {
 }
 
 impl Format {
-    /// The lines in this format with the contact that they are for, where there is a place for it;
-    /// `many` makes an array of JSON even for a single line.
-    pub fn render(self, lines: &[Line], contact: &[Given], many: bool) -> String {
+    /// A single line in this format with the contact that it is for, where there is a place for it.
+    pub fn one(self, line: &Line, contact: &[Given]) -> String {
         match self {
-            Self::Text => {
-                let head = if many {
-                    String::new()
-                } else {
-                    given::lines(contact)
-                };
-                head + &lines.iter().map(Line::text).collect::<Vec<_>>().join("\n")
-            }
+            Self::Text => given::lines(contact) + &self.row(line),
+            Self::Csv => self.begin(0, line) + &self.row(line),
             Self::Json => {
-                let value = match lines {
-                    [line] if !many => {
-                        let mut value = line.json();
-                        value["contact"] = given::json(contact);
-                        value
-                    }
-                    _ => Value::Array(lines.iter().map(Line::json).collect()),
-                };
+                let mut value = line.json();
+                value["contact"] = given::json(contact);
                 format!("{value:#}\n")
             }
-            Self::Csv => {
-                let rows: Vec<Vec<f64>> = lines
-                    .iter()
-                    .map(|line| line.fields().iter().map(|f| f.1).collect())
-                    .collect();
-                let columns: Vec<&str> = lines
-                    .first()
-                    .map(|line| line.fields().iter().map(|f| f.0).collect())
-                    .unwrap_or_default();
-                series_csv(&columns, rows.iter().map(Vec::as_slice))
+        }
+    }
+
+    /// What comes before line `index` of many.
+    pub fn begin(self, index: usize, line: &Line) -> String {
+        match (self, index) {
+            (Self::Csv, 0) => {
+                let names: Vec<&str> = line.fields().iter().map(|field| field.0).collect();
+                series_csv(&names, [])
             }
+            (Self::Json, 0) => "[\n".into(),
+            (Self::Json, _) => ",\n".into(),
+            (Self::Text, 1..) => "\n".into(),
+            _ => String::new(),
+        }
+    }
+
+    /// One line of many.
+    pub fn row(self, line: &Line) -> String {
+        match self {
+            Self::Text => line.text(),
+            Self::Json => {
+                let object = format!("{:#}", line.json());
+                format!("  {}", object.replace('\n', "\n  "))
+            }
+            Self::Csv => {
+                let cells = line.fields().into_iter().map(|(_, x)| number(x));
+                cells.collect::<Vec<_>>().join(",") + "\n"
+            }
+        }
+    }
+
+    /// What comes after the last of many.
+    pub fn end(self) -> &'static str {
+        match self {
+            Self::Json => "\n]\n",
+            _ => "",
         }
     }
 }

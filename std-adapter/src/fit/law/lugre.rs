@@ -2,7 +2,8 @@
 
 use super::super::Data;
 use super::super::parameter::{Model, Parameter, Range};
-use super::{Scales, between, distances, intervals, log_between, order};
+use super::{Interval, Scales, between, distances, intervals, log_between, merged, order, picked};
+use std::borrow::Cow;
 use tribos_core::law::{Bristle, LuGre, LuGreParameters};
 
 const PARAMETERS: [Parameter; 6] = [
@@ -73,7 +74,7 @@ fn steady_start(unit: &[f64], scales: &Scales) -> Vec<f64> {
 
 /// Steady friction.
 pub(super) struct Steady<'a> {
-    pub speeds: &'a [f64],
+    pub speeds: Cow<'a, [f64]>,
     pub scales: Scales,
 }
 
@@ -98,12 +99,19 @@ impl Model for Steady<'_> {
     fn repair(&self, values: &mut [f64], is_free: &[bool]) {
         order(values, is_free, [0, 1]);
     }
+
+    fn thinned(&self, points: &[usize]) -> Option<Box<dyn Model>> {
+        Some(Box::new(Steady {
+            speeds: Cow::Owned(picked(&self.speeds, points)),
+            scales: self.scales,
+        }))
+    }
 }
 
 /// A record over time.
 pub(super) struct Series<'a> {
-    times: &'a [f64],
-    velocities: &'a [f64],
+    velocities: Cow<'a, [f64]>,
+    intervals: Vec<Interval>,
     /// Forces from half of the largest to the largest.
     scales: Scales,
     slid: [f64; 2],
@@ -112,14 +120,15 @@ pub(super) struct Series<'a> {
 impl<'a> Series<'a> {
     pub fn new(data: &Data, times: &'a [f64], velocities: &'a [f64]) -> Self {
         let [_, largest] = data.forces();
+        let intervals = intervals(times, velocities);
         Self {
-            times,
-            velocities,
+            slid: distances(&intervals),
+            velocities: Cow::Borrowed(velocities),
+            intervals,
             scales: Scales {
                 speeds: data.speeds(),
                 forces: [0.5 * largest, largest],
             },
-            slid: distances(times, velocities),
         }
     }
 }
@@ -141,8 +150,7 @@ impl Model for Series<'_> {
             bristle.deflection = law.steady_bristle_force(first).copysign(first) / values[4];
         }
         let mut forces = vec![law.force(bristle, first)];
-        let steps = intervals(self.times, self.velocities);
-        for ((dt, mean), &velocity) in steps.zip(&self.velocities[1..]) {
+        for (&(dt, mean), &velocity) in self.intervals.iter().zip(&self.velocities[1..]) {
             bristle = law.step(bristle, mean, dt).0;
             forces.push(law.force(bristle, velocity));
         }
@@ -163,5 +171,14 @@ impl Model for Series<'_> {
 
     fn repair(&self, values: &mut [f64], is_free: &[bool]) {
         order(values, is_free, [0, 1]);
+    }
+
+    fn thinned(&self, points: &[usize]) -> Option<Box<dyn Model>> {
+        Some(Box::new(Series {
+            velocities: Cow::Owned(picked(&self.velocities, points)),
+            intervals: merged(&self.intervals, points),
+            scales: self.scales,
+            slid: self.slid,
+        }))
     }
 }

@@ -8,6 +8,7 @@ mod stribeck;
 use super::estimate::FitError;
 use super::parameter::Model;
 use super::{Data, Motion};
+use std::borrow::Cow;
 use tribos_core::law::{Dieterich, LocalLaw, Ruina};
 
 /// A law that can be fitted.
@@ -36,14 +37,19 @@ pub fn law_model<'a>(law: LawName, data: &'a Data) -> Result<Box<dyn Model + 'a>
     let scales = Scales::of(data);
     Ok(match (law, data.motion()) {
         (LawName::Stribeck, Motion::Steady { speeds }) => {
+            let speeds = Cow::Borrowed(speeds.as_slice());
             Box::new(stribeck::Steady { speeds, scales })
         }
         (LawName::Power, Motion::Steady { speeds }) => Box::new(power::Steady::new(data, speeds)),
-        (LawName::LuGre, Motion::Steady { speeds }) => Box::new(lugre::Steady { speeds, scales }),
+        (LawName::LuGre, Motion::Steady { speeds }) => {
+            let speeds = Cow::Borrowed(speeds.as_slice());
+            Box::new(lugre::Steady { speeds, scales })
+        }
         (LawName::LuGre, Motion::Series { times, velocities }) => {
             Box::new(lugre::Series::new(data, times, velocities))
         }
         (LawName::RateState | LawName::RateStateSlip, Motion::Steady { speeds }) => {
+            let speeds = Cow::Borrowed(speeds.as_slice());
             Box::new(rate_state::Steady { speeds, scales })
         }
         (LawName::RateState, Motion::Series { times, velocities }) => Box::new(
@@ -75,7 +81,7 @@ impl Scales {
 
     /// Geometric mean of the extremes.
     fn middle_speed(&self) -> f64 {
-        (self.speeds[0] * self.speeds[1]).sqrt()
+        geometric_mean(self.speeds)
     }
 }
 
@@ -111,15 +117,43 @@ fn order(values: &mut [f64], is_free: &[bool], [low, high]: [usize; 2]) {
     }
 }
 
-/// Intervals of a record and the mean of the velocities at their ends.
-fn intervals<'a>(times: &'a [f64], velocities: &'a [f64]) -> impl Iterator<Item = (f64, f64)> + 'a {
+/// √(low high) without overflow of the product.
+fn geometric_mean([low, high]: [f64; 2]) -> f64 {
+    low.sqrt() * high.sqrt()
+}
+
+/// Values at some points.
+fn picked(values: &[f64], points: &[usize]) -> Vec<f64> {
+    let found = points.iter().filter_map(|&point| values.get(point));
+    found.copied().collect()
+}
+
+/// Length of an interval of a record in time, and the mean velocity in it.
+type Interval = (f64, f64);
+
+/// Intervals of a record, each with the mean of the velocities at its ends.
+fn intervals(times: &[f64], velocities: &[f64]) -> Vec<Interval> {
     let lengths = times.windows(2).map(|pair| pair[1] - pair[0]);
-    lengths.zip(velocities.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])))
+    let means = velocities.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+    lengths.zip(means).collect()
+}
+
+/// Intervals between some points of a record: as long, and over the same distances.
+fn merged(intervals: &[Interval], points: &[usize]) -> Vec<Interval> {
+    let between = points
+        .windows(2)
+        .filter_map(|pair| intervals.get(pair[0]..pair[1]));
+    let merged = between.map(|parts| {
+        let time: f64 = parts.iter().map(|(dt, _)| dt).sum();
+        let distance: f64 = parts.iter().map(|(dt, v)| dt * v).sum();
+        (time, distance / time)
+    });
+    merged.collect()
 }
 
 /// Shortest and whole distance slid in a record.
-fn distances(times: &[f64], velocities: &[f64]) -> [f64; 2] {
-    let slid = || intervals(times, velocities).map(|(dt, v)| (v * dt).abs());
+fn distances(intervals: &[Interval]) -> [f64; 2] {
+    let slid = || intervals.iter().map(|(dt, v)| (v * dt).abs());
     let shortest = slid().filter(|x| *x > 0.0).fold(f64::INFINITY, f64::min);
     let whole: f64 = slid().sum();
     if shortest.is_finite() {

@@ -2,7 +2,8 @@
 
 use super::super::Data;
 use super::super::parameter::{Model, Parameter, Range};
-use super::{between, steady};
+use super::{between, geometric_mean, picked, steady};
+use std::borrow::Cow;
 use tribos_core::law::PowerLaw;
 
 const PARAMETERS: [Parameter; 2] = [
@@ -27,17 +28,16 @@ const EXPONENTS: [f64; 2] = [-0.9, 3.0];
 
 /// Steady friction.
 pub(super) struct Steady<'a> {
-    speeds: &'a [f64],
+    speeds: Cow<'a, [f64]>,
     /// Geometric means of the extremes.
     middle: [f64; 2],
 }
 
 impl<'a> Steady<'a> {
     pub fn new(data: &Data, speeds: &'a [f64]) -> Self {
-        let mean = |[low, high]: [f64; 2]| (low * high).sqrt();
         Self {
-            speeds,
-            middle: [mean(data.speeds()), mean(data.forces())],
+            speeds: Cow::Borrowed(speeds),
+            middle: [data.speeds(), data.forces()].map(geometric_mean),
         }
     }
 }
@@ -53,7 +53,7 @@ impl Model for Steady<'_> {
 
     fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
         let law = PowerLaw::new(values[1], values[0]).ok()?;
-        Some(steady(&law, self.speeds))
+        Some(steady(&law, &self.speeds))
     }
 
     /// Curves through the middle of the data.
@@ -62,5 +62,12 @@ impl Model for Steady<'_> {
         let [speed, force] = self.middle;
         let gamma = force / libm::pow(speed, alpha);
         vec![gamma * (0.5 + unit[0]), alpha]
+    }
+
+    fn thinned(&self, points: &[usize]) -> Option<Box<dyn Model>> {
+        Some(Box::new(Steady {
+            speeds: Cow::Owned(picked(&self.speeds, points)),
+            middle: self.middle,
+        }))
     }
 }

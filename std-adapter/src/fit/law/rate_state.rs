@@ -3,7 +3,8 @@
 use super::super::estimate::FitError;
 use super::super::parameter::{Model, Parameter, Range};
 use super::super::{Data, DataError};
-use super::{Scales, between, distances, intervals, log_between, steady};
+use super::{Interval, Scales, between, distances, intervals, log_between, merged, picked, steady};
+use std::borrow::Cow;
 use std::marker::PhantomData;
 use tribos_core::law::{Evolution, RateState, RateStateParameters};
 
@@ -83,7 +84,7 @@ fn steady_start(unit: &[f64], scales: &Scales) -> Vec<f64> {
 
 /// Steady friction.
 pub(super) struct Steady<'a> {
-    pub speeds: &'a [f64],
+    pub speeds: Cow<'a, [f64]>,
     pub scales: Scales,
 }
 
@@ -98,18 +99,25 @@ impl Model for Steady<'_> {
 
     fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
         let law = law::<tribos_core::law::Dieterich>(values)?.steady();
-        Some(steady(&law, self.speeds))
+        Some(steady(&law, &self.speeds))
     }
 
     fn start(&self, unit: &[f64]) -> Vec<f64> {
         steady_start(unit, &self.scales)
     }
+
+    fn thinned(&self, points: &[usize]) -> Option<Box<dyn Model>> {
+        Some(Box::new(Steady {
+            speeds: Cow::Owned(picked(&self.speeds, points)),
+            scales: self.scales,
+        }))
+    }
 }
 
 /// A record over time.
 pub(super) struct Series<'a, E> {
-    times: &'a [f64],
-    velocities: &'a [f64],
+    velocities: Cow<'a, [f64]>,
+    intervals: Vec<Interval>,
     scales: Scales,
     slid: [f64; 2],
     evolution: PhantomData<E>,
@@ -128,11 +136,12 @@ impl<'a, E: Evolution> Series<'a, E> {
                 "rate and state knows no way back: velocities must be >= 0",
             ));
         }
+        let intervals = intervals(times, velocities);
         Ok(Self {
-            times,
-            velocities,
             scales: Scales::of(data),
-            slid: distances(times, velocities),
+            slid: distances(&intervals),
+            velocities: Cow::Borrowed(velocities),
+            intervals,
             evolution: PhantomData,
         })
     }
@@ -145,7 +154,7 @@ fn refused(point: usize, message: &str) -> FitError {
     })
 }
 
-impl<E: Evolution> Model for Series<'_, E> {
+impl<E: Evolution + 'static> Model for Series<'_, E> {
     fn parameters(&self) -> &[Parameter] {
         &PARAMETERS
     }
@@ -159,8 +168,7 @@ impl<E: Evolution> Model for Series<'_, E> {
         let first = *self.velocities.first()?;
         let mut age = law.steady_age(first);
         let mut friction = vec![law.coefficient(first, age)];
-        let steps = intervals(self.times, self.velocities);
-        for ((dt, mean), &velocity) in steps.zip(&self.velocities[1..]) {
+        for (&(dt, mean), &velocity) in self.intervals.iter().zip(&self.velocities[1..]) {
             age = law.advance(age, mean, dt);
             friction.push(law.coefficient(velocity, age));
         }
@@ -171,5 +179,15 @@ impl<E: Evolution> Model for Series<'_, E> {
         let mut start = steady_start(unit, &self.scales);
         start.push(log_between(unit[5], self.slid));
         start
+    }
+
+    fn thinned(&self, points: &[usize]) -> Option<Box<dyn Model>> {
+        Some(Box::new(Series::<E> {
+            velocities: Cow::Owned(picked(&self.velocities, points)),
+            intervals: merged(&self.intervals, points),
+            scales: self.scales,
+            slid: self.slid,
+            evolution: PhantomData,
+        }))
     }
 }

@@ -1,7 +1,8 @@
 //! μ_d + (μₛ − μ_d) exp(−(v/vₛ)^δ) + k v.
 
 use super::super::parameter::{Model, Parameter, Range};
-use super::{Scales, between, log_between, order, steady};
+use super::{Scales, between, log_between, order, picked, steady};
+use std::borrow::Cow;
 use tribos_core::law::{DryFriction, Stribeck};
 
 const PARAMETERS: [Parameter; 5] = [
@@ -41,7 +42,7 @@ const EXPONENTS: [f64; 2] = [0.5, 3.0];
 
 /// Steady friction.
 pub(super) struct Steady<'a> {
-    pub speeds: &'a [f64],
+    pub speeds: Cow<'a, [f64]>,
     pub scales: Scales,
 }
 
@@ -60,7 +61,7 @@ impl Model for Steady<'_> {
         };
         let dry = DryFriction::new(mu_s, mu_d).ok()?;
         let law = Stribeck::new(dry, speed, exponent, viscous).ok()?;
-        Some(steady(&law, self.speeds))
+        Some(steady(&law, &self.speeds))
     }
 
     fn start(&self, unit: &[f64]) -> Vec<f64> {
@@ -80,5 +81,12 @@ impl Model for Steady<'_> {
 
     fn repair(&self, values: &mut [f64], is_free: &[bool]) {
         order(values, is_free, [1, 0]);
+    }
+
+    fn thinned(&self, points: &[usize]) -> Option<Box<dyn Model>> {
+        Some(Box::new(Steady {
+            speeds: Cow::Owned(picked(&self.speeds, points)),
+            scales: self.scales,
+        }))
     }
 }

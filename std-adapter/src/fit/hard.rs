@@ -1,0 +1,208 @@
+//! Data that are out of scale, odd or many.
+
+use super::*;
+use crate::random::Random;
+use tribos_core::law::{Bristle, DryFriction, LocalLaw, LuGre, LuGreParameters, Stribeck};
+
+fn found(law: LawName, data: &Data) -> Result<Fit, FitError> {
+    fit(law_model(law, data)?.as_ref(), data, &Options::default())
+}
+
+/// 0.3 √v with a scatter of 1 %, in some unit of force.
+fn root(unit: f64, sigma: Option<f64>) -> Data {
+    let speeds: Vec<f64> = (1..=40).map(|k| 0.1 * f64::from(k)).collect();
+    let scatter = |k: usize| 1.0 + 0.01 * ((k * 7 % 11) as f64 / 5.0 - 1.0);
+    let friction = speeds.iter().enumerate();
+    let friction = friction.map(|(k, v)| unit * (0.3 * v.sqrt() * scatter(k)));
+    let sigma = sigma.map(|sigma| vec![unit * sigma; speeds.len()]);
+    Data::steady(speeds.clone(), friction.collect(), sigma).unwrap()
+}
+
+#[test]
+fn a_fit_does_not_depend_on_the_unit_of_force() {
+    for sigma in [None, Some(0.003)] {
+        let one = found(LawName::Power, &root(1.0, sigma)).unwrap();
+        let error = |fit: &Fit, k: usize| match fit.parameters[k].known {
+            Known::StandardError(error) => error,
+            ref other => panic!("{other:?}"),
+        };
+        // Powers of two and of ten, to where squares overflow and vanish.
+        for unit in [
+            2.0_f64.powi(900),
+            2.0_f64.powi(-900),
+            1e200,
+            1e-160,
+            1e-280,
+            1e280,
+        ] {
+            let scaled = found(LawName::Power, &root(unit, sigma)).unwrap();
+            let [gamma, alpha] = [0, 1].map(|k| scaled.parameters[k].value);
+            assert!(
+                (gamma / unit / one.parameters[0].value - 1.0).abs() < 1e-9,
+                "{unit:e}"
+            );
+            assert!((alpha - one.parameters[1].value).abs() < 1e-9, "{unit:e}");
+            assert!(
+                (error(&scaled, 0) / unit / error(&one, 0) - 1.0).abs() < 1e-6,
+                "{unit:e}"
+            );
+            assert!(
+                (error(&scaled, 1) / error(&one, 1) - 1.0).abs() < 1e-6,
+                "{unit:e}"
+            );
+            let deviation = scaled.deviation() / if sigma.is_some() { 1.0 } else { unit };
+            assert!((deviation / one.deviation() - 1.0).abs() < 1e-6, "{unit:e}");
+            assert!(
+                scaled.converged && scaled.at_best == scaled.starts,
+                "{scaled:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn magnitudes_beyond_the_domain_are_refused() {
+    for (v, f) in [(1.0, 1e-295), (1.0, 1e300), (1e-300, 1.0), (1e300, 1.0)] {
+        let refused = Data::steady(vec![1.0, v, 2.0], vec![f; 3], None);
+        assert!(matches!(refused, Err(DataError::Whole(words)) if words.contains("unit")));
+    }
+}
+
+/// Numbers of all magnitudes, alike now and then.
+fn odd(random: &mut Random) -> f64 {
+    const USUAL: [f64; 6] = [1.0, 0.0, 1e-300, 1e300, f64::MIN_POSITIVE, 5e-324];
+    match random.unit() {
+        u if u < 0.3 => USUAL[(u / 0.3 * USUAL.len() as f64) as usize],
+        u if u < 0.6 => 10.0_f64.powf(600.0 * (u - 0.45) / 0.3),
+        u => (u - 0.6) / 0.4,
+    }
+}
+
+#[test]
+fn odd_data_end_in_a_fit_or_a_refusal() {
+    let laws = [
+        LawName::Stribeck,
+        LawName::LuGre,
+        LawName::Power,
+        LawName::RateState,
+        LawName::RateStateSlip,
+    ];
+    let options = Options {
+        starts: 3,
+        ..Options::default()
+    };
+    let (mut fits, mut refusals) = (0, 0);
+    for seed in 0..400 {
+        let mut random = Random::new(seed, 5);
+        let count = 1 + (12.0 * random.unit()) as usize;
+        let mut column = || (0..count).map(|_| odd(&mut random)).collect::<Vec<f64>>();
+        let (mut v, mut f, sigma, mut t) = (column(), column(), column(), column());
+        match seed % 4 {
+            0 => f = vec![f[0]; count],
+            1 => v = vec![v[0]; count],
+            _ => {}
+        }
+        let sigma = (seed % 3 == 0).then_some(sigma);
+        let steady = Data::steady(v.clone(), f.clone(), sigma.clone());
+        t.sort_by(f64::total_cmp);
+        let record = Data::series(t, v, f, sigma);
+        for data in [steady, record].into_iter().flatten() {
+            for law in laws {
+                let ended =
+                    law_model(law, &data).and_then(|model| fit(model.as_ref(), &data, &options));
+                match ended {
+                    Ok(_) => fits += 1,
+                    Err(_) => refusals += 1,
+                }
+            }
+        }
+    }
+    // Some of either kind, or nothing was tried.
+    assert!(fits > 100 && refusals > 100, "{fits} {refusals}");
+}
+
+/// As the model of a law, but always with all points.
+struct Whole<'a>(Box<dyn Model + 'a>);
+
+impl Model for Whole<'_> {
+    fn parameters(&self) -> &[Parameter] {
+        self.0.parameters()
+    }
+    fn reference(&self, parameter: usize) -> Option<f64> {
+        self.0.reference(parameter)
+    }
+    fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
+        self.0.predict(values)
+    }
+    fn start(&self, unit: &[f64]) -> Vec<f64> {
+        self.0.start(unit)
+    }
+    fn repair(&self, values: &mut [f64], is_free: &[bool]) {
+        self.0.repair(values, is_free);
+    }
+}
+
+/// The sample finds the starts, all points decide: the minimum is that of searches on all points.
+fn assert_same_minimum(law: LawName, data: &Data) {
+    let sampled = found(law, data).unwrap();
+    assert!(
+        sampled.searched < data.friction().len(),
+        "{}",
+        sampled.searched
+    );
+    let options = Options {
+        starts: 2,
+        ..Options::default()
+    };
+    let whole = Whole(law_model(law, data).unwrap());
+    let all = fit(&whole, data, &options).unwrap();
+    assert_eq!(all.searched, data.friction().len());
+    assert!((sampled.cost / all.cost - 1.0).abs() < 1e-9);
+    for (a, b) in sampled.parameters.iter().zip(&all.parameters) {
+        let Known::StandardError(error) = b.known else {
+            panic!("{b:?}")
+        };
+        assert!((a.value - b.value).abs() < 1e-5 * error, "{a:?} {b:?}");
+    }
+    assert_eq!(found(law, data).unwrap(), sampled);
+}
+
+#[test]
+fn many_points_end_at_the_minimum_of_searches_on_all_of_them() {
+    let law = Stribeck::new(DryFriction::new(0.15, 0.08).unwrap(), 0.02, 1.5, 0.1).unwrap();
+    let mut random = Random::new(3, 0);
+    let speeds: Vec<f64> = (0..20_000)
+        .map(|_| 10.0_f64.powf(-3.0 * random.unit()))
+        .collect();
+    let friction = speeds.iter();
+    let friction = friction
+        .map(|&v| law.friction(v) + 0.01 * (random.unit() - 0.5))
+        .collect();
+    assert_same_minimum(
+        LawName::Stribeck,
+        &Data::steady(speeds, friction, None).unwrap(),
+    );
+}
+
+#[test]
+fn a_long_record_ends_at_the_minimum_of_searches_on_all_of_it() {
+    let joint = LuGre::new(LuGreParameters {
+        coulomb_force: 1.0,
+        static_force: 1.5,
+        stribeck_speed: 0.01,
+        stiffness: 1e4,
+        bristle_damping: 30.0,
+        viscous_damping: 10.0,
+    })
+    .unwrap();
+    let mut random = Random::new(4, 0);
+    let times: Vec<f64> = (0..4200).map(|k| 0.002 * f64::from(k)).collect();
+    let velocities: Vec<f64> = times.iter().map(|t| 0.03 * (5.0 * t).sin()).collect();
+    let (mut bristle, mut forces) = (Bristle::RELAXED, vec![0.0]);
+    for (t, v) in times.windows(2).zip(velocities.windows(2)) {
+        bristle = joint.step(bristle, 0.5 * (v[0] + v[1]), t[1] - t[0]).0;
+        forces.push(joint.force(bristle, v[1]) + 0.02 * (random.unit() - 0.5));
+    }
+    let data = Data::series(times, velocities, forces, None).unwrap();
+    assert_same_minimum(LawName::LuGre, &data);
+}
