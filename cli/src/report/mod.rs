@@ -1,5 +1,7 @@
 //! What people look at: figures, text tables and the page of a reproduction.
 
+pub mod claim;
+pub mod digits;
 pub mod figure;
 pub mod image;
 pub mod packing;
@@ -8,3 +10,4 @@ pub mod player;
 pub mod sheet;
 mod solid;
 pub mod surface;
+pub mod verdict;

@@ -1,6 +1,8 @@
 //! A self-contained web page that compares our results with a thesis.
 
+use super::claim::Claim;
 use super::player;
+use super::verdict::{Counts, KINDS};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 
@@ -30,16 +32,21 @@ th{background:var(--zebra)}
 tbody tr:nth-child(even){background:var(--zebra)}
 td.number{text-align:right;font-variant-numeric:tabular-nums}
 tfoot td{font-weight:600}
-.agrees{color:var(--good)}.erratum,.differs{color:var(--bad)}.unchecked{color:var(--open)}
+.agrees{color:var(--good)}.differs{color:var(--bad)}.unchecked{color:var(--open)}.own{color:var(--link)}
+.place,.none{color:var(--soft)}.place{font-size:.9em;white-space:nowrap}
+.lead{font-size:1.15rem}
+code{font-size:.92em}
 .verdict{font-weight:600}
 ";
 
 /// The whole page.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Page {
     /// Heading of the page and title of the window.
     pub title: String,
-    /// Paragraphs under the heading.
+    /// The first paragraph, in larger letters.
+    pub lead: String,
+    /// Further paragraphs under the heading.
     pub intro: Vec<String>,
     /// One line on program version, machine and settings; may be empty.
     pub environment: String,
@@ -48,7 +55,7 @@ pub struct Page {
 }
 
 /// One part of the report.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Section {
     /// Name for links to this section, unique on the page.
     pub id: String,
@@ -75,44 +82,6 @@ pub struct FigureRef {
     pub caption: String,
 }
 
-/// One statement of the thesis and what became of it.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Claim {
-    /// The statement.
-    pub statement: String,
-    /// Value in the thesis.
-    pub thesis: String,
-    /// Our value.
-    pub ours: String,
-    /// How far our value can be off: scatter over seeds; empty where it is computed to the digits
-    /// shown.
-    pub uncertainty: String,
-    /// Difference between the two.
-    pub difference: String,
-    /// Our judgement.
-    pub verdict: Verdict,
-}
-
-/// Outcome of checking a claim.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Verdict {
-    /// Our result agrees with the thesis.
-    Agrees,
-    /// The thesis is wrong; the text tells what is right.
-    Erratum(String),
-    /// The results differ, and conditions that the thesis does not state decide; the text tells
-    /// which.
-    Unstated(String),
-    /// The results differ and it is open who is right.
-    Differs,
-    /// The claim was not checked.
-    NotChecked,
-}
-
-// How many claims ended in which verdict.
-#[derive(Debug, Clone, Copy, Default)]
-struct Counts([usize; 5]);
-
 impl Page {
     /// The page as one HTML document.
     pub fn html(&self) -> String {
@@ -128,9 +97,12 @@ impl Page {
                 String::new()
             }
         );
+        if !self.lead.is_empty() {
+            html.push_str(&format!("<p class=\"lead\">{}</p>\n", inline(&self.lead)));
+        }
         html.push_str(&paragraphs(&self.intro));
         if !self.environment.is_empty() {
-            let line = escape(&self.environment);
+            let line = inline(&self.environment);
             html.push_str(&format!("<p class=\"environment\">{line}</p>\n"));
         }
         html.push_str(&self.contents());
@@ -148,23 +120,31 @@ impl Page {
         self.sections.iter().any(|section| section.film.is_some())
     }
 
-    // The table of contents with the verdicts of each section.
+    // The table of contents with the verdicts of each section; failures have a column if there are any.
     fn contents(&self) -> String {
-        let mut rows = String::new();
-        let mut total = Counts::default();
-        for section in &self.sections {
-            let counts = Counts::of(&section.claims);
-            total.add(counts);
-            let (id, heading) = (anchor(&section.id), escape(&section.heading));
-            let link = format!("<a href=\"#{id}\">{heading}</a>");
-            rows.push_str(&counts.row(&link));
-        }
-        let total = total.row("All sections");
+        let counts = |section: &Section| Counts::of(section.claims.iter().map(|c| &c.verdict));
+        let all = self.sections.iter().flat_map(|section| &section.claims);
+        let total = Counts::of(all.map(|claim| &claim.verdict));
+        let shown = |kind: usize| kind + 1 < KINDS.len() || total.0[kind] > 0;
+        let row = |name: &str, counts: Counts| {
+            let cells = counts.0.iter().enumerate().filter(|(kind, _)| shown(*kind));
+            let cells = cells.map(|(_, count)| match count {
+                0 => "<td class=\"number none\">0</td>".to_owned(),
+                _ => format!("<td class=\"number\">{count}</td>"),
+            });
+            format!("<tr><td>{name}</td>{}</tr>\n", cells.collect::<String>())
+        };
+        let rows = self.sections.iter().map(|section| {
+            let (id, heading) = (anchor(&section.id), inline(&section.heading));
+            row(&format!("<a href=\"#{id}\">{heading}</a>"), counts(section))
+        });
+        let rows: String = rows.collect();
+        let kinds = KINDS.iter().enumerate().filter(|(kind, _)| shown(*kind));
+        let heads: String = kinds.map(|(_, kind)| format!("<th>{kind}</th>")).collect();
         format!(
-            "<nav class=\"scroll\">\n<table>\n<thead><tr><th>Section</th><th>Reproduced</th>\
-             <th>Thesis in error</th><th>Differs, with cause</th><th>Differs</th>\
-             <th>Not checked</th></tr></thead>\n\
-             <tbody>\n{rows}</tbody>\n<tfoot>\n{total}</tfoot>\n</table>\n</nav>\n"
+            "<nav class=\"scroll\">\n<table>\n<thead><tr><th>section</th>{heads}</tr></thead>\n\
+             <tbody>\n{rows}</tbody>\n<tfoot>\n{}</tfoot>\n</table>\n</nav>\n",
+            row("all sections", total)
         )
     }
 }
@@ -172,7 +152,7 @@ impl Page {
 impl Section {
     // The section with text, figure and table.
     fn html(&self) -> String {
-        let (id, heading) = (anchor(&self.id), escape(&self.heading));
+        let (id, heading) = (anchor(&self.id), inline(&self.heading));
         let text = paragraphs(&self.text);
         let figure = self.figure.as_ref().map(FigureRef::html);
         let figure = figure.unwrap_or_default();
@@ -192,95 +172,12 @@ impl FigureRef {
             let (target, name) = (address(file), escape(file));
             let _ = write!(links, "<a href=\"{target}\">{name}</a> ");
         }
-        let (caption, svg) = (escape(&self.caption), self.svg.trim());
+        let (caption, svg) = (inline(&self.caption), self.svg.trim());
+        let spoken = escape(&self.caption.replace('`', ""));
         format!(
-            "<figure>\n<div class=\"card\" role=\"img\" aria-label=\"{caption}\">\n{svg}\n</div>\n\
+            "<figure>\n<div class=\"card\" role=\"img\" aria-label=\"{spoken}\">\n{svg}\n</div>\n\
              <figcaption>{caption}\n<div class=\"files\">{links}</div></figcaption>\n</figure>\n"
         )
-    }
-}
-
-impl Claim {
-    /// With the uncertainty of our value.
-    pub fn uncertain(self, uncertainty: impl Into<String>) -> Self {
-        Self {
-            uncertainty: uncertainty.into(),
-            ..self
-        }
-    }
-
-    // One row of the comparison table.
-    fn row(&self) -> String {
-        let cells = [
-            &self.statement,
-            &self.thesis,
-            &self.ours,
-            &self.uncertainty,
-            &self.difference,
-        ];
-        let cells: String = cells
-            .iter()
-            .map(|cell| format!("<td>{}</td>", escape(cell)))
-            .collect();
-        format!("<tr>{cells}<td>{}</td></tr>\n", self.verdict.html())
-    }
-}
-
-impl Verdict {
-    // Place among the counts.
-    fn index(&self) -> usize {
-        match self {
-            Self::Agrees => 0,
-            Self::Erratum(_) => 1,
-            Self::Unstated(_) => 2,
-            Self::Differs => 3,
-            Self::NotChecked => 4,
-        }
-    }
-
-    // The verdict in words.
-    fn html(&self) -> String {
-        let word =
-            |class: &str, word: &str| format!("<span class=\"verdict {class}\">{word}</span>");
-        match self {
-            Self::Agrees => word("agrees", "reproduced"),
-            Self::Erratum(text) => {
-                let text = escape(text);
-                format!("{}<br>{text}", word("erratum", "thesis in error"))
-            }
-            Self::Unstated(text) => {
-                let (text, words) = (escape(text), "differs, with cause");
-                format!("{}<br>{text}", word("differs", words))
-            }
-            Self::Differs => word("differs", "differs"),
-            Self::NotChecked => word("unchecked", "not checked"),
-        }
-    }
-}
-
-impl Counts {
-    // Counts the verdicts of some claims.
-    fn of(claims: &[Claim]) -> Self {
-        let mut counts = Self::default();
-        for claim in claims {
-            counts.0[claim.verdict.index()] += 1;
-        }
-        counts
-    }
-
-    // Adds other counts.
-    fn add(&mut self, other: Self) {
-        for (sum, part) in self.0.iter_mut().zip(other.0) {
-            *sum += part;
-        }
-    }
-
-    // One row of the table of contents; the name is ready HTML.
-    fn row(&self, name: &str) -> String {
-        let cells = self
-            .0
-            .map(|count| format!("<td class=\"number\">{count}</td>"));
-        format!("<tr><td>{name}</td>{}</tr>\n", cells.concat())
     }
 }
 
@@ -291,8 +188,8 @@ fn table(claims: &[Claim]) -> String {
     }
     let rows: String = claims.iter().map(Claim::row).collect();
     format!(
-        "<div class=\"scroll\">\n<table>\n<thead><tr><th>Claim (thesis)</th><th>Thesis</th>\
-         <th>Ours</th><th>Uncertainty of ours</th><th>Difference</th><th>Verdict</th></tr></thead>\n\
+        "<div class=\"scroll\">\n<table>\n<thead><tr><th>claim</th><th>thesis</th>\
+         <th>ours</th><th>difference</th><th>verdict</th></tr></thead>\n\
          <tbody>\n{rows}</tbody>\n</table>\n</div>\n"
     )
 }
@@ -301,7 +198,7 @@ fn table(claims: &[Claim]) -> String {
 fn paragraphs(texts: &[String]) -> String {
     let paragraphs = texts
         .iter()
-        .map(|text| format!("<p>{}</p>\n", escape(text)));
+        .map(|text| format!("<p>{}</p>\n", inline(text)));
     paragraphs.collect()
 }
 
@@ -319,6 +216,19 @@ pub(super) fn escape(text: &str) -> String {
         }
     }
     safe
+}
+
+// Text with its characters replaced and what stands between two backticks as code.
+pub(super) fn inline(text: &str) -> String {
+    let mut html = String::new();
+    for (at, part) in text.split('`').enumerate() {
+        if at % 2 == 1 {
+            let _ = write!(html, "<code>{}</code>", escape(part));
+        } else {
+            html += &escape(part);
+        }
+    }
+    html
 }
 
 // A section name that can stand in a link.

@@ -1,9 +1,10 @@
 //! Table 3.1: force and torque for ε ≪ 1 and ε ≫ 1.
 
-use super::exhibit::{Exhibit, at, claim, erratum, geometric, table};
+use super::exhibit::{Exhibit, at, geometric, table};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
 use crate::report::figure::{Axis, Figure, Legend, Panels, Series};
-use crate::report::page::Claim;
+use crate::report::verdict::Allowance;
 
 const EXPONENTS: [f64; 6] = [-0.5, 0.0, 0.5, 1.0, 2.0, 3.0];
 /// Ratio at which the limits are compared; they err like its square.
@@ -76,10 +77,11 @@ pub fn table_3_1() -> Result<Exhibit, Failure> {
     })
 }
 
+/// The four limits; the thesis has them for α ≥ 0 only.
 fn limit_claims(alpha: f64, limits: [f64; 4]) -> Vec<Claim> {
     let (slow, fast) = (2.0 / (3.0 + alpha), (1.0 + alpha) / 4.0);
     // The next terms are of relative order ε² = 1e-12, with coefficients of order one.
-    let tolerance = 20.0 * SMALL * SMALL;
+    let truncation = 20.0 * SMALL * SMALL;
     let names = ["ε ≪ 1: F/ε", "ε ≪ 1: T", "ε ≫ 1: F/ε^α", "ε ≫ 1: T/ε^(α−1)"];
     let printed = [
         ("1".to_owned(), 1.0),
@@ -92,12 +94,13 @@ fn limit_claims(alpha: f64, limits: [f64; 4]) -> Vec<Claim> {
         .zip(printed)
         .zip(limits)
         .map(|((name, (text, value)), ours)| {
-            claim(
-                &format!("α = {alpha}, {name}"),
-                (&text, value),
-                ours,
-                tolerance,
-            )
+            let what = format!("α = {alpha}, {name}");
+            if alpha < 0.0 {
+                let against = format!("table 3.1 continued to α < 0, {text}");
+                return Claim::own(&what, ours, (&against, value), truncation);
+            }
+            let allowance = Allowance::Exact(truncation);
+            Claim::stated("table 3.1", &what, (&text, value), ours, allowance)
         })
         .collect()
 }
@@ -107,11 +110,11 @@ fn cubic_torque() -> Result<Claim, Failure> {
     let law = table(3.0)?;
     // At ωR = 1 the surplus power of ωR does not show, the third does.
     let ours = at(&law, 1.0 / SMALL)[1] * SMALL * SMALL;
-    Ok(erratum(
-        "Section 3.3, α = 3, ε ≫ 1: torque over γN R (ωR) v²",
-        ("(1/3)·(ωR)", 1.0 / 3.0),
-        ours,
-        1.0,
+    Ok(Claim::erratum(
+        "3.3",
+        "α = 3, ε ≫ 1: torque over γN R (ωR)² v², here at ωR = 1",
+        ("1/3", 1.0 / 3.0),
+        (ours, 1.0),
         "the torque is γN R (ωR) v², as table 3.1 says: no third, one power of ωR",
     ))
 }

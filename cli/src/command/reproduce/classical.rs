@@ -1,9 +1,11 @@
 //! Figure 2.5 and sections 2.1 and 2.2: rest, motion, age, and the real area of contact.
 
-use super::exhibit::{Exhibit, claim, geometric, linear, not_checked, points, statement};
+use super::exhibit::{Exhibit, geometric, linear, points};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
+use crate::report::digits::short;
 use crate::report::figure::{Axis, Color, Figure, Legend, Panels, Series};
-use crate::report::page::Claim;
+use crate::report::verdict::Allowance;
 use tribos_core::law::{
     Age, Ageing, BowdenTabor, DryFriction, GreenwoodWilliamson, HertzSphere, Incline, LocalLaw,
     Plastic, RealArea, critical_angle,
@@ -102,35 +104,45 @@ fn rest_and_motion() -> Result<Vec<Claim>, Failure> {
         .map(|time| (decade(time) / decade(AGES.0) - 1.0).abs())
         .fold(0.0, f64::max);
     Ok(vec![
-        claim(
-            "Euler: μ = tan of the critical angle; largest relative deviation, 0.05 ≤ μ ≤ 2",
-            ("0", 0.0),
-            tangent,
-            rounding,
+        Claim::definition(
+            "2.1",
+            "Euler: μ = tan of the critical angle",
+            format!("deviation {tangent:.1e} at most, 0.05 ≤ μ ≤ 2"),
+            tangent <= rounding,
+            "the critical angle",
         ),
         starts_with_a_jump()?,
-        statement(
-            "It takes more force to set a body into motion than to keep it there",
-            "μ_s ≥ μ_d",
+        Claim::definition(
+            "2.1",
+            "It takes more force to set a body into motion than to keep it there: μ_s ≥ μ_d",
             "the law refuses μ_s = 0.3 with μ_d = 0.5".into(),
             DryFriction::new(0.3, 0.5).is_err(),
+            "dry friction",
         ),
-        statement(
-            "Dynamic friction does not depend on the velocity",
-            "F_d = −sgn(v) μ_d L",
+        Claim::definition(
+            "2.1",
+            "Dynamic friction does not depend on the velocity, F_d = −sgn(v) μ_d L",
             format!("{MU_DYNAMIC} at {} speeds from 1e-9 to 1e9", speeds.len()),
             constant,
+            "dry friction",
         ),
-        claim(
-            "F_s = A + B ln t: equal ratios of age give equal growth; largest relative deviation",
-            ("0", 0.0),
-            uneven,
-            1e-12,
+        Claim::definition(
+            "fig. 2.5",
+            "F_s = A + B ln t: equal ratios of age give equal growth",
+            format!("deviation {uneven:.1e} at most"),
+            uneven <= 1e-12,
+            "the law of ageing",
         ),
-        claim("Bélidor's coefficient", ("≈ 0.35", 0.35), belidor(), 5e-3),
-        not_checked(
+        Claim::stated(
+            "2.1",
+            "Bélidor's coefficient, from spherical asperities",
+            ("≈ 0.35", 0.35),
+            belidor(),
+            Allowance::Digits(5e-3),
+        ),
+        Claim::not_checkable(
+            "fig. 2.5",
             "Coulomb's data fit very well to A + B ln t",
-            "agreement by eye",
             "the measurements are not published as numbers",
         ),
     ])
@@ -146,12 +158,13 @@ fn starts_with_a_jump() -> Result<Claim, Failure> {
     let one_coefficient = DryFriction::new(MU_STATIC, MU_STATIC).map_err(Failure::run)?;
     let (jump, none) = (just_steeper(&wood()?)?, just_steeper(&one_coefficient)?);
     let expected = (MU_STATIC - MU_DYNAMIC) * critical_angle(MU_STATIC).cos();
-    Ok(statement(
+    Ok(Claim::trend(
+        "2.1",
         "Euler: slightly above the critical angle the block slides faster than one coefficient \
          would let it",
-        "larger velocity",
-        format!("acceleration/g {jump:.6}, with one coefficient {none:.1e}"),
+        format!("acceleration/g {jump:.3}, with one coefficient {none:.1e}"),
         (jump - expected).abs() < 1e-8 && none < 1e-8,
+        "order of the two",
     ))
 }
 
@@ -170,36 +183,39 @@ fn real_area() -> Result<Vec<Claim>, Failure> {
     let junctions = BowdenTabor::new(shear, steel).map_err(Failure::run)?;
     let coulomb = junctions.coulomb().map_err(Failure::run)?;
     let square_millimetres = steel.area(LOAD) * 1e6;
+    let double = junctions.force(2.0 * LOAD) / junctions.force(LOAD);
+    let share = steel.area(LOAD) / (EDGE * EDGE);
+    let ratio = junctions.force(LOAD) / LOAD;
     Ok(vec![
-        claim(
-            "Footnote 2: real area of a steel cube, 100 N, in mm²",
-            ("0.1", 0.1),
-            square_millimetres,
-            f64::EPSILON,
+        Claim::definition(
+            "footnote 2",
+            "Real area of a steel cube under 100 N, in mm²",
+            short(square_millimetres),
+            (square_millimetres - 0.1).abs() <= f64::EPSILON,
+            "the law L = σ_c ΔA, with the thesis' load and hardness put in",
+        )
+        .printed("0.1"),
+        Claim::definition(
+            "footnote 2",
+            "Its fraction of the apparent area, side 10 cm",
+            short(share),
+            (share - 1e-5).abs() <= 1e-20,
+            "the same area over that of the cube",
+        )
+        .printed("1e-5"),
+        Claim::definition(
+            "eq. 2.2",
+            "μ = τ_c/σ_c, as a force and as a coefficient of Coulomb's law; τ_c = 0.4 σ_c is ours",
+            short(ratio),
+            (ratio - 0.4).abs() <= f64::EPSILON && (coulomb.mu() - 0.4).abs() <= f64::EPSILON,
+            "the coefficient of plastic junctions",
         ),
-        claim(
-            "Footnote 2: its fraction of the apparent area, side 10 cm",
-            ("1e-5", 1e-5),
-            steel.area(LOAD) / (EDGE * EDGE),
-            1e-20,
-        ),
-        claim(
-            "2.2: μ = τ_c/σ_c; F/L for τ_c = 0.4 σ_c and 100 N",
-            ("0.4", 0.4),
-            junctions.force(LOAD) / LOAD,
-            f64::EPSILON,
-        ),
-        claim(
-            "2.2: the same as a coefficient of Coulomb's law",
-            ("0.4", 0.4),
-            coulomb.mu(),
-            f64::EPSILON,
-        ),
-        claim(
-            "da Vinci: double load, double friction",
-            ("2", 2.0),
-            junctions.force(2.0 * LOAD) / junctions.force(LOAD),
-            f64::EPSILON,
+        Claim::definition(
+            "2.1",
+            "da Vinci: double load, \"double the amount of effort\"",
+            short(double),
+            (double - 2.0).abs() <= f64::EPSILON,
+            "a force proportional to the load",
         ),
     ])
 }
@@ -223,31 +239,34 @@ fn elastic_area() -> Result<Vec<Claim>, Failure> {
         .iter()
         .map(|p| (p / surface.mean_pressure() - 1.0).abs())
         .fold(0.0, f64::max);
+    let law = |place: &str, what: &str, printed: (&str, f64), ours: f64, of: &str| {
+        let holds = (ours - printed.1).abs() <= 1e-14;
+        Claim::definition(place, what, short(ours), holds, of).printed(printed.0)
+    };
     Ok(vec![
-        claim(
-            "One elastic sphere: a ∝ L^x, x",
+        law(
+            "2.2",
+            "One elastic sphere: contact radius ∝ L^x, x",
             ("1/3", 1.0 / 3.0),
             exponent(|load| tip.contact_radius(load)),
-            1e-14,
+            "Hertz's law",
         ),
-        claim(
+        law(
+            "2.2",
             "One elastic sphere: area ∝ L^x, x",
             ("2/3", 2.0 / 3.0),
             exponent(|load| tip.area(load)),
-            1e-14,
+            "Hertz's law",
         ),
-        claim(
-            "Greenwood: elastic asperities of many heights, area ∝ L^x, x",
-            ("1", 1.0),
-            exponent(|load| surface.area(load)),
-            1e-14,
-        ),
-        claim(
-            "Greenwood: L/A summed over Hertz contacts at three separations; largest relative \
-             deviation from the law",
-            ("0", 0.0),
-            deviation,
-            1e-6,
+        Claim::trend(
+            "2.2",
+            "Greenwood: with elastic asperities of many heights the area is linear in the load",
+            format!(
+                "L/A summed over Hertz contacts at three separations differs by {deviation:.1e} \
+                 at most from the law's constant"
+            ),
+            deviation <= 1e-6,
+            "scaling, for heights that decay exponentially",
         ),
     ])
 }

@@ -1,11 +1,11 @@
 //! Figure 3.4: force and torque for dry friction, with eqs. 3.11 to 3.18.
 
-use super::exhibit::{
-    Exhibit, at, claim, geometric, not_checked, refutation, short, statement, table,
-};
+use super::exhibit::{Exhibit, at, geometric, table};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
+use crate::report::digits::short;
 use crate::report::figure::{Axis, Figure, Legend, Panels, Series};
-use crate::report::page::Claim;
+use crate::report::verdict::Allowance;
 use std::f64::consts::PI;
 use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
 use tribos_core::law::Coulomb;
@@ -70,26 +70,30 @@ fn limits() -> Result<Vec<Claim>, Failure> {
     let [force, torque] = at(&dry, 1.0);
     let slopes = dry.reduced_jacobian(1.0, 1.0);
     let rounding = 4.0 * f64::EPSILON;
-    Ok(vec![
-        claim("3.12: F(1)", ("8/(3π)", 8.0 / (3.0 * PI)), force, rounding),
-        claim(
-            "3.12: dF/dε at 1",
+    let rows = [
+        ("eq. 3.12", "F(1)", ("8/(3π)", 8.0 / (3.0 * PI)), force),
+        (
+            "eq. 3.12",
+            "dF/dε at 1",
             ("4/(3π)", 4.0 / (3.0 * PI)),
             slopes.force_slide,
-            rounding,
         ),
-        claim("3.14: T(1)", ("8/(9π)", 8.0 / (9.0 * PI)), torque, rounding),
-        claim(
-            "3.14: dT/dε at 1",
+        ("eq. 3.14", "T(1)", ("8/(9π)", 8.0 / (9.0 * PI)), torque),
+        (
+            "eq. 3.14",
+            "dT/dε at 1",
             ("−4/(3π)", -4.0 / (3.0 * PI)),
             slopes.mixed,
-            rounding,
         ),
-        claim("F(0)", ("0", 0.0), at(&dry, 0.0)[0], 0.0),
-        claim("F(∞)", ("1", 1.0), at(&dry, f64::INFINITY)[0], rounding),
-        claim("3.15: T(∞)", ("0", 0.0), at(&dry, f64::INFINITY)[1], 0.0),
-        claim("3.16: T(0)", ("2/3", 2.0 / 3.0), at(&dry, 0.0)[1], rounding),
-    ])
+        ("3.2.2", "F(0)", ("0", 0.0), at(&dry, 0.0)[0]),
+        ("3.2.2", "F(∞)", ("1", 1.0), at(&dry, f64::INFINITY)[0]),
+        ("eq. 3.15", "T(∞)", ("0", 0.0), at(&dry, f64::INFINITY)[1]),
+        ("eq. 3.16", "T(0)", ("2/3", 2.0 / 3.0), at(&dry, 0.0)[1]),
+    ];
+    let rows = rows.into_iter().map(|(place, what, printed, ours)| {
+        Claim::stated(place, what, printed, ours, Allowance::Exact(rounding))
+    });
+    Ok(rows.collect())
 }
 
 /// F and T as the thesis writes them: 3.11 and 3.13, with the factor 4 over the whole bracket.
@@ -145,26 +149,29 @@ fn closed_forms() -> Result<Vec<Claim>, Failure> {
         [wrench.force, wrench.torque]
     };
     let integral = deviation(&geometric(1e-3, 1e3, 400), numeric, |ratio| at(&dry, ratio));
-    let equal = ("0", 0.0);
     // The printed forms lose digits like ε⁻² and ε⁴ towards the ends.
+    let over = "at 202 ratios from 0.1 to 10";
     Ok(vec![
-        claim(
-            "3.11, 3.13 (factor 4 over the bracket): largest deviation, 0.1 < ε < 10",
-            equal,
+        Claim::formula(
+            "eqs. 3.11, 3.13",
+            "F and T of the closed forms, with the factor 4 over the whole bracket",
             two,
             1e-10,
+            over,
         ),
-        claim(
-            "3.17, 3.18: largest deviation, 0.1 < ε < 10",
-            equal,
+        Claim::formula(
+            "eqs. 3.17, 3.18",
+            "F and T in one form for all ε",
             one,
             1e-10,
+            over,
         ),
-        claim(
-            "numerical integration of 3.9, 3.10: largest deviation, 1e-3 < ε < 1e3",
-            equal,
+        Claim::formula(
+            "eqs. 3.9, 3.10",
+            "F and T of the integrals, by quadrature",
             integral,
             1e-8,
+            "integrated numerically at 401 ratios from 1e-3 to 1e3",
         ),
     ])
 }
@@ -182,33 +189,58 @@ fn statements(rows: &[Vec<f64>]) -> Result<Vec<Claim>, Failure> {
         .fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
     let falls = at(&weakening, 1e3)[0] < peak.0;
     Ok(vec![
-        statement(
-            "F rises and T falls strictly with ε (α = 0)",
-            "strictly monotonous",
-            format!("at {} ratios", rows.len()),
+        Claim::trend(
+            "3.2.2",
+            "F and T are strictly monotonous functions of ε",
+            format!("F rises and T falls at {} ratios", rows.len()),
             monotone,
+            "monotony",
         ),
-        statement(
-            "Coupling only ever reduces friction (α = 0)",
-            "F < 1 and T < 2/3",
-            format!("at {} ratios", rows.len()),
+        Claim::trend(
+            "3.2.2",
+            "Force and torque dynamically reduce each other",
+            format!("F < 1 and T < 2/3 at {} ratios", rows.len()),
             reduced,
+            "sign of the coupling",
         ),
-        refutation(
-            "F and T are strictly monotonous for all α ≠ 1 (section 3.4.4)",
-            "for all α ≠ 1",
+        Claim::trend(
+            "3.4.4",
+            "F and T are assumed to be strictly monotonous for all α ≠ 1 (there α ≥ 0)",
+            "at 401 ratios for α = 0, 0.25, 0.5, 0.75, 1.5, 2, 3".into(),
+            other_exponents_are_monotonous()?,
+            "monotony",
+        ),
+        Claim::own_statement(
+            "The assumption of section 3.4.4 does not extend to −1 < α < 0: F rises like ε and \
+             then falls like ε^α",
             format!(
-                "α = −0.5: F has a maximum {} at ε = {}",
+                "α = −0.5: F has a maximum {} near ε = {:.2}",
                 short(peak.0),
-                short(peak.1)
+                peak.1
             ),
             falls,
-            "for −1 < α < 0 F rises like ε and then falls like ε^α",
+            "F at 2001 ratios",
         ),
-        not_checked(
-            "Figure 3.5: measured force and torque of a plastic disk lie on the curves",
-            "agreement by eye",
+        Claim::not_checkable(
+            "fig. 3.5",
+            "Measured force and torque of a plastic disk lie on the curves",
             "the measurements are not published as numbers",
         ),
     ])
+}
+
+/// For exponents of the thesis other than 0 and 1.
+fn other_exponents_are_monotonous() -> Result<bool, Failure> {
+    let mut holds = true;
+    for alpha in [0.0, 0.25, 0.5, 0.75, 1.5, 2.0, 3.0] {
+        let law = table(alpha)?;
+        let values: Vec<[f64; 2]> = geometric(1e-3, 1e3, 400)
+            .into_iter()
+            .map(|ratio| at(&law, ratio))
+            .collect();
+        // Below α = 1 the torque falls with ε, above it rises.
+        let torque = |w: &[[f64; 2]]| (w[1][1] - w[0][1]) * (alpha - 1.0) > 0.0;
+        holds &= values.windows(2).all(|w| w[1][0] > w[0][0] && torque(w));
+    }
+    Ok(holds)
 }

@@ -1,9 +1,9 @@
 //! Figure 2.7: dry friction that first falls and then rises with the speed.
 
-use super::exhibit::{Exhibit, claim, geometric, not_checked, points, statement};
+use super::exhibit::{Exhibit, geometric, points};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
 use crate::report::figure::{Axis, Figure, Guide, Legend, Series};
-use crate::report::page::Claim;
 use tribos_core::law::{
     ContactAge, Dieterich, LocalLaw, RateState, RateStateParameters, Ruina, SteadyRateState,
 };
@@ -94,9 +94,9 @@ fn steady_claims(law: &SteadyRateState<f64>, minimum: f64) -> Vec<Claim> {
     // A spring slower than this makes the slider stick and slip.
     let unstable = |v: f64| law.critical_stiffness_at(1.0, v) > 0.0;
     vec![
-        statement(
-            "Weakening: μ_d falls about linearly with ln v over three decades",
-            "approximately linear",
+        Claim::trend(
+            "2.3.1",
+            "Weakening: μ_d falls approximately linearly with ln v over three decades",
             format!(
                 "off the line by {:.2} % of the fall at most, {:e} to {:e} m/s",
                 100.0 * creep,
@@ -104,10 +104,11 @@ fn steady_claims(law: &SteadyRateState<f64>, minimum: f64) -> Vec<Claim> {
                 CREEP.1
             ),
             creep < STRAIGHT,
+            "sign and shape, with parameters of our choice",
         ),
-        statement(
+        Claim::definition(
+            "2.3.1",
             "Strengthening: μ_d rises linearly with v",
-            "linear",
             format!(
                 "off the line by {:.2} % of the rise at most, {} to {} m/s",
                 100.0 * inertial,
@@ -115,29 +116,39 @@ fn steady_claims(law: &SteadyRateState<f64>, minimum: f64) -> Vec<Claim> {
                 INERTIAL.1
             ),
             inertial < STRAIGHT,
+            "the viscous term that is put in for it",
         ),
-        statement(
-            "One crossing from weakening to strengthening",
-            "from Cr to In",
-            format!("minimum {:.6} at {minimum:.6e} m/s", law.friction(minimum)),
+        Claim::trend(
+            "fig. 2.7",
+            "One crossing from the creep to the inertial regime",
+            format!(
+                "minimum {:.4} at {:.2e} m/s",
+                law.friction(minimum),
+                minimum
+            ),
             falls && rises,
+            "one minimum, with parameters of our choice",
         ),
-        statement(
+        Claim::trend(
+            "2.3.1",
             "Creep accelerates itself; the inertial regime does not",
-            "self-acceleration",
             "a soft spring pulls unsteadily below the minimum only".into(),
             unstable(0.5 * minimum) && !unstable(2.0 * minimum),
+            "stability on both sides of the minimum",
         ),
-        not_checked(
+        Claim::not_checkable(
+            "fig. 2.7",
             "The measured points of paper on paper",
-            "circles and crosses",
             "the measurements are not published as numbers",
         ),
-        not_checked(
-            "D₀ of paper on paper",
-            "≈ 1 µm",
-            "measured; taken over as a parameter",
-        ),
+        Claim::definition(
+            "2.3.1",
+            "Creep memory length D₀ of paper on paper, in µm",
+            format!("{}", 1e6 * PAPER.slip_distance),
+            PAPER.slip_distance == 1e-6,
+            "a parameter, taken over from the thesis",
+        )
+        .printed("≈ 1"),
     ]
 }
 
@@ -156,16 +167,17 @@ fn memory() -> Result<Vec<Claim>, Failure> {
     let before = slip_law.steady_age(slow);
     let after = slip_law.advance(before, fast, PAPER.slip_distance / fast);
     Ok(vec![
-        statement(
+        Claim::trend(
+            "2.3.1",
             "μ_s grows logarithmically with the time of stick",
-            "∝ ln τ",
-            format!("{decade:.6} from 1e4 s to 1e5 s, b ln 10 = {expected:.6}"),
+            format!("by {decade:.5} from 1e4 s to 1e5 s; b ln 10 = {expected:.5}"),
             (decade / expected - 1.0).abs() < 1e-4,
+            "scaling with the time",
         ),
-        claim(
-            "Sliding by D₀ resets the contacts: what is left of ln age (slip law)",
-            ("1/e", (-1f64).exp()),
+        Claim::own(
+            "Sliding by D₀ resets the contacts: share of ln age that is left under the slip law",
             excess(after) / excess(before),
+            ("its closed form, 1/e", (-1f64).exp()),
             1e-14,
         ),
     ])

@@ -1,9 +1,10 @@
 //! Figure 4.5 and section 4.5: ballistic deposits.
 
-use super::exhibit::{Exhibit, claim, not_checked, refutation, statement};
+use super::exhibit::Exhibit;
 use crate::command::deposit::curve::{COLUMNS, PorosityCurve, Sample, statistics, straight_line};
 use crate::failure::Failure;
-use crate::report::page::Claim;
+use crate::report::claim::{Claim, Otherwise};
+use crate::report::verdict::Allowance;
 use tribos::powder::deposit::{Ballistic, Until};
 
 /// Base and height of the curve's deposits, in radii: large enough for 10R, and all of them grow
@@ -65,24 +66,27 @@ fn curve_claims(curve: &PorosityCurve) -> Vec<Claim> {
         _ => (f64::NAN, f64::NAN),
     };
     vec![
-        statement(
-            "The density is reduced with increasing capture radius",
-            "monotonic",
+        Claim::trend(
+            "4.5",
+            "With increasing capture radius the density is reduced",
             format!("solid fraction of the bulk from {touching:.4} at 2R to {sparse:.4} at 10R"),
             solid.windows(2).all(|pair| pair[0].1 < pair[1].1),
+            "monotony",
         ),
         linearity(&solid),
-        statement(
-            "Spheres that stick where they touch fill about 15 % (not in the thesis: Lubachevsky, \
-             Privman & Roy 1992, arXiv cond-mat/9207014)",
-            "0.15",
-            format!("{touching:.4}"),
-            (touching - 0.15).abs() < 0.01,
+        Claim::own(
+            "Solid fraction of spheres that stick where they touch",
+            touching,
+            (
+                "0.15 of Lubachevsky, Privman and Roy 1992, arXiv cond-mat/9207014",
+                0.15,
+            ),
+            0.01,
         ),
-        not_checked(
+        Claim::not_checkable(
+            "fig. 4.5",
             "The points of the figure",
-            "drawn",
-            "no numbers in the text; size of the deposits unknown",
+            "no numbers in the text; the size of the deposits is not stated",
         ),
     ]
 }
@@ -98,9 +102,9 @@ fn linearity(solid: &[(f64, f64)]) -> Claim {
     let (factor, power) = straight_line(&logs);
     let off = |&(x, y): &(f64, f64)| ((factor + power * x - y).exp() - 1.0).abs();
     let rest = logs.iter().map(off).fold(0.0, f64::max);
-    refutation(
+    Claim::refutation(
+        "4.5",
         "The density depends approximately linearly on 1/r_capt",
-        "a + b/r_capt",
         format!(
             "the best line misses the solid fraction by up to {:.0} % and is zero at {:.1}R; \
              r_capt^−{power:.2} misses it by {:.0} %",
@@ -125,23 +129,35 @@ fn system_claims() -> Result<Vec<Claim>, Failure> {
             FIRST_SEED..FIRST_SEED + DEPOSITS,
         )?;
         let (count, scatter) = statistics(&sample.particles);
-        let away = (spheres - count) / scatter;
-        let spheres = statement(
-            &format!("Spheres of the {name}, {width}R × {width}R × {height}R, r_capt = 3R"),
-            &format!("{spheres}"),
-            format!("{count:.0}; the thesis' is {away:.1} deviations away"),
-            away.abs() < 2.0,
+        // A deposit of ours and the thesis' own are samples of the same scatter.
+        let printed = format!("{spheres}");
+        let spheres = Claim::compared(
+            (
+                "4.5, 4.7",
+                &format!("Spheres of the {name}, {width}R × {width}R × {height}R, r_capt = 3R"),
+            ),
+            (&printed, spheres),
+            (format!("{count:.0}"), count),
+            Allowance::OneSample(scatter),
+            Otherwise::Failure,
         );
-        claims.push(spheres.uncertain(format!("± {scatter:.0}, {DEPOSITS} deposits")));
-        // 92.3 % is stated for the last, "approximately 92 %" for all.
-        let stated = if width < 40.0 {
-            ("92 %", 0.92)
-        } else {
-            ("92.3 %", 0.923)
-        };
+        claims.push(spheres.uncertain(format!("± {scatter:.0}, one of {DEPOSITS} deposits")));
+        // 92.3 % belongs to one deposit, "approximately 92 %" to all at this capture radius.
         let (porosity, scatter) = statistics(&sample.porosity);
-        let porosity = claim(&format!("Porosity of the {name}"), stated, porosity, 0.01);
-        claims.push(porosity.uncertain(format!("± {scatter:.1e}, {DEPOSITS} deposits")));
+        let (stated, allowance) = if width < 40.0 {
+            (("≈ 92 %", 0.92), Allowance::Digits(0.005))
+        } else {
+            (("92.3 %", 0.923), Allowance::OneSample(scatter))
+        };
+        let porosity = Claim::compared(
+            ("4.5, 4.7", &format!("Initial porosity of the {name}")),
+            stated,
+            (format!("{:.1} %", 100.0 * porosity), porosity),
+            allowance,
+            Otherwise::Failure,
+        );
+        let uncertainty = format!("± {:.1} %, one of {DEPOSITS} deposits", 100.0 * scatter);
+        claims.push(porosity.uncertain(uncertainty));
     }
     Ok(claims)
 }

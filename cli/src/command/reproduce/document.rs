@@ -1,57 +1,32 @@
 //! What the report is written as: its page, the claims as a table, lines for the terminal.
 
 use super::runs::Effort;
-use crate::report::page::{Claim, Page, Section, Verdict};
+use crate::report::claim::Claim;
+use crate::report::page::{Page, Section};
+use crate::report::verdict::{Counts, Verdict};
 
-/// "5 reproduced, 1 erratum of the thesis".
-pub fn tally(claims: &[Claim]) -> String {
-    let count = |test: fn(&Verdict) -> bool| claims.iter().filter(|c| test(&c.verdict)).count();
-    let mut text = format!("{:>2} reproduced", count(|v| *v == Verdict::Agrees));
-    for (n, what) in [
-        (
-            count(|v| matches!(v, Verdict::Erratum(_))),
-            "errata of the thesis",
-        ),
-        (
-            count(|v| matches!(v, Verdict::Unstated(_))),
-            "differ, with cause",
-        ),
-        (count(|v| *v == Verdict::NotChecked), "not checked"),
-        (count(|v| *v == Verdict::Differs), "DIFFER"),
-    ] {
-        if n > 0 {
-            let what = if n == 1 {
-                what.replace("errata", "erratum")
-            } else {
-                what.into()
-            };
-            text += &format!(", {n} {what}");
-        }
-    }
-    text
+/// The verdicts of some claims.
+pub fn counts<'a>(claims: impl IntoIterator<Item = &'a Claim>) -> Counts {
+    Counts::of(claims.into_iter().map(|claim| &claim.verdict))
 }
 
 /// All claims as CSV text.
 pub fn claims_csv(sections: &[Section]) -> String {
-    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
-    let mut text = String::from("exhibit,claim,thesis,ours,uncertainty,difference,verdict\n");
+    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\"").replace('`', ""));
+    let mut text =
+        String::from("exhibit,place,claim,thesis,ours,uncertainty,difference,verdict,evidence\n");
     for section in sections {
         for claim in &section.claims {
-            let verdict = match &claim.verdict {
-                Verdict::Agrees => "reproduced".into(),
-                Verdict::Erratum(reason) => format!("thesis in error: {reason}"),
-                Verdict::Unstated(reason) => format!("differs, with cause: {reason}"),
-                Verdict::Differs => "differs".into(),
-                Verdict::NotChecked => "not checked".into(),
-            };
             let fields = [
                 &section.id,
+                &claim.place,
                 &claim.statement,
                 &claim.thesis,
                 &claim.ours,
                 &claim.uncertainty,
                 &claim.difference,
-                &verdict,
+                claim.verdict.name(),
+                &claim.verdict.evidence(),
             ];
             text += &fields.map(|field| quoted(field)).join(",");
             text.push('\n');
@@ -60,9 +35,48 @@ pub fn claims_csv(sections: &[Section]) -> String {
     text
 }
 
+/// The sentence that a reader takes away.
+fn lead(sections: &[Section]) -> String {
+    let claims = || sections.iter().flat_map(|section| &section.claims);
+    let all = counts(claims());
+    let [
+        reproduced,
+        trend,
+        ours,
+        definition,
+        known,
+        differs,
+        error,
+        unchecked,
+        failed,
+    ] = all.0;
+    let random = |claim: &&Claim| match &claim.verdict {
+        Verdict::Reproduced(agreement) => !agreement.allowance().is_exact(),
+        _ => false,
+    };
+    let measured = claims().filter(random).count();
+    let failures = match failed {
+        0 => String::new(),
+        n => format!(" {n} comparisons failed."),
+    };
+    format!(
+        "Of {} rows, {reproduced} reproduce a number that the thesis states within the thesis' own error \
+         ({} of them exact values and closed forms, {measured} rounded, simulated or sampled), {trend} a \
+         trend; {differs} differ for reasons that are open, {known} for a reason that is shown, and in \
+         {error} the thesis is in error.{failures} The other {} prove nothing about its numbers: \
+         {ours} are results or formulas checked against something else, {definition} are inputs that cannot \
+         fail, {unchecked} cannot be checked.",
+        all.total(),
+        reproduced - measured,
+        ours + definition + unchecked
+    )
+}
+
+/// The whole page.
 pub fn page(sections: Vec<Section>, effort: Effort) -> Page {
     Page {
         title: "Mesoscopic aspects of solid friction: the thesis reproduced".into(),
+        lead: lead(&sections),
         intro: vec![
             "Chapter 2 of the thesis presents the laws of solid friction: Coulomb's, the ageing of \
              contacts, the real area that they touch with, and how friction depends on the speed, \
@@ -76,18 +90,24 @@ pub fn page(sections: Vec<Section>, effort: Effort) -> Page {
              curling stones. Section 5.1 asks about other pressures and negative exponents, and \
              appendix A treats odd exponents."
                 .into(),
-            "Chapter 4 compacts cohesive powders of spheres with rolling and torsion friction. What \
-             it does not state about its simulations decides some of its numbers; where ours differ \
-             for that reason, the row says so and names what decides. Section 5.3 turns a tip of \
-             atoms on a substrate until it slips."
+            "Chapter 4 compacts cohesive powders of spheres with rolling and torsion friction. Its \
+             trends come out and its levels do not: the porosities of the thesis are not the rigid limit \
+             of its law, and what makes them lower is not known (figure 4.7). Section 5.3 turns a \
+             tip of atoms on a substrate until it slips; here, too, the trend comes out and the threshold \
+             does not."
                 .into(),
-            "Here F and T come from one hypergeometric formula for every real α > −1 and every \
-             pressure (1−r²)^q. Each section shows the thesis' figure computed anew, with the \
-             claims made there, our numbers and the difference. Where the thesis is wrong, the row \
-             says how; where it gives no numbers to compare with, such as measured points, the row \
-             is not checked. Rows marked \"not in the thesis\" are ours and checked against \
-             closed forms or 30 digits. The uncertainty is that of ours, a standard deviation over \
-             seeds; where there is none, ours is computed to the digits shown."
+            "The column thesis holds numbers that the thesis prints, and nothing else; a dash means \
+             that it states none. A row is reproduced if ours lies within the error of the thesis' number: \
+             half a unit of its last digit, an error that the thesis states, rounding where it gives an exact \
+             value or a closed form, or twice the scatter of one sample where the number belongs to one \
+             random deposit; the row says which. No number was read off a figure. Trend reproduced: sign, \
+             order, monotony or scaling. Ours, checked: the thesis has no number, and ours agrees with what \
+             the row names, which may be a formula of the thesis. Definition: an input, a convention or a \
+             property put in by hand. Thesis in error: the row says what is right."
+                .into(),
+            "F and T come from one hypergeometric formula for every real α > −1 and every pressure \
+             (1−r²)^q. An uncertainty, with ±, is that of ours: a standard deviation over seeds. Where there is \
+             none, ours is computed to the digits shown, or comes from the one run that the row names."
                 .into(),
         ],
         environment: environment(effort),
@@ -107,4 +127,46 @@ fn environment(effort: Effort) -> String {
         Effort::Full => "A full reproduction, by `tribos reproduce --full`.",
     };
     format!("tribos {version}, table tier in f64. {made}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::verdict::Allowance;
+
+    #[test]
+    fn the_first_sentence_counts_every_row_once() {
+        let stated = |allowance| Claim::stated("1", "a", ("0.5", 0.5), 0.5, allowance);
+        let claims = vec![
+            stated(Allowance::Exact(0.0)),
+            stated(Allowance::Digits(0.05)),
+            Claim::trend("1", "a", String::new(), true, "order"),
+            Claim::own_statement("a", String::new(), true, "b"),
+            Claim::not_checkable("1", "a", "no numbers"),
+        ];
+        let section = Section {
+            claims,
+            ..Section::default()
+        };
+        let text = lead(&[section]);
+        assert!(
+            text.starts_with("Of 5 rows, 2 reproduce a number"),
+            "{text}"
+        );
+        assert!(text.contains("(1 of them exact values and closed forms, 1 rounded"));
+        assert!(text.contains("The other 2 prove nothing") && !text.contains("failed"));
+    }
+
+    #[test]
+    fn claims_are_a_table_without_backticks() {
+        let section = Section {
+            id: "figure-1".into(),
+            claims: vec![Claim::not_checkable("1", "run `tribos`", "a \"b\"")],
+            ..Section::default()
+        };
+        let text = claims_csv(&[section]);
+        let line = text.lines().nth(1);
+        let expected = "\"figure-1\",\"1\",\"run tribos\",\"\",\"\",\"\",\"\",\"not checkable\",\"a \"\"b\"\"\"";
+        assert_eq!(line, Some(expected));
+    }
 }

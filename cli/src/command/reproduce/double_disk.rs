@@ -1,9 +1,10 @@
 //! Figure 3.13: final motion of the double disk.
 
-use super::exhibit::{Exhibit, claim, statement, table};
+use super::exhibit::{Exhibit, table};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
 use crate::report::figure::{Axis, Figure, Legend, Panels, Series};
-use crate::report::page::Claim;
+use crate::report::verdict::Allowance;
 use tribos_core::coupling::table::Table64;
 use tribos_core::modes::{FinalMode, Modes, inertia_interval};
 use tribos_core::slider::{Motion, Slider};
@@ -41,7 +42,7 @@ pub fn figure_3_13() -> Result<Exhibit, Failure> {
         3,
     );
     let mut rows = Vec::new();
-    let mut claims = bounds();
+    let mut claims = bounds()?;
     for (alpha, radii) in RADII {
         let table = table(alpha)?;
         let disk = Modes::new(&table, 0.5).map_err(Failure::run)?;
@@ -89,7 +90,7 @@ pub fn figure_3_13() -> Result<Exhibit, Failure> {
         caption: "Upper row dry friction, lower row cubic friction; below, inside and above the \
                   interval of radii."
             .into(),
-        drawing: Box::new(panels.cell(380, 320)),
+        drawing: Box::new(panels.cell(300, 260).zoom(1.25)),
         columns: vec!["alpha", "radius_ratio", "launch_ratio", "spin", "ratio"],
         rows,
         claims,
@@ -117,49 +118,59 @@ fn ends_as_foretold<P: tribos_core::coupling::Profile<f64>>(
 fn panel_claim(alpha: f64, radius: f64, right: usize) -> Claim {
     let (low, high) = inertia_interval(alpha, 0.0);
     let c = 0.5 * radius * radius;
-    let thesis = match (alpha, c < low, c > high) {
+    let end = match (alpha, c < low, c > high) {
         (_, true, _) => "all ε → ∞",
         (_, _, true) => "all ε → 0",
         (0.0, ..) => "all ε → ε₀",
         _ => "ε → 0 or ∞, parted by ε₀",
     };
     let all = LAUNCHES.len() + 1;
-    statement(
-        &format!("α = {alpha}, R/R_c = {radius}: final mode"),
-        thesis,
+    Claim::trend(
+        "fig. 3.13",
+        &format!("α = {alpha}, R/R_c = {radius}: {end}"),
         format!("{right} of {all} launches"),
         right == all,
+        "final mode; the radii are ours",
     )
 }
 
-/// Eqs. 3.35 and 3.36.
-fn bounds() -> Vec<Claim> {
-    let bound = |c: f64| (2.0 * c).sqrt();
-    let (dry, cubic) = (inertia_interval(0.0, 0.0), inertia_interval(3.0, 0.0));
-    vec![
-        claim(
-            "3.35: lower bound of R/R_c, α = 0",
+/// Eqs. 3.35 and 3.36, from the inertia ratios of fixed points at both ends of ε.
+fn bounds() -> Result<Vec<Claim>, Failure> {
+    /// So near to the ends that the next terms, of order ε², do not count.
+    const FAR: f64 = 1e9;
+    let ends = |alpha: f64| -> Result<[f64; 2], Failure> {
+        let modes = Modes::new(table(alpha)?, 0.5).map_err(Failure::run)?;
+        Ok([1.0 / FAR, FAR].map(|ratio| (2.0 * modes.inertia_ratio_of(ratio)).sqrt()))
+    };
+    let ([dry_high, dry_low], [cubic_low, cubic_high]) = (ends(0.0)?, ends(3.0)?);
+    let rows = [
+        (
+            "eq. 3.35",
+            "Lower bound of R/R_c, α = 0",
             ("1/√2", 0.5_f64.sqrt()),
-            bound(dry.0),
-            1e-15,
+            dry_low,
         ),
-        claim(
-            "3.35: upper bound of R/R_c, α = 0",
+        (
+            "eq. 3.35",
+            "Upper bound of R/R_c, α = 0",
             ("2/√3", 2.0 / 3f64.sqrt()),
-            bound(dry.1),
-            1e-15,
+            dry_high,
         ),
-        claim(
-            "3.36: lower bound of R/R_c, α = 3",
+        (
+            "eq. 3.36",
+            "Lower bound of R/R_c, α = 3",
             ("√(2/3)", (2.0 / 3.0_f64).sqrt()),
-            bound(cubic.0),
-            1e-15,
+            cubic_low,
         ),
-        claim(
-            "3.36: upper bound of R/R_c, α = 3",
+        (
+            "eq. 3.36",
+            "Upper bound of R/R_c, α = 3",
             ("√2", 2f64.sqrt()),
-            bound(cubic.1),
-            1e-15,
+            cubic_high,
         ),
-    ]
+    ];
+    let rows = rows.into_iter().map(|(place, what, printed, ours)| {
+        Claim::stated(place, what, printed, ours, Allowance::Exact(1e-14))
+    });
+    Ok(rows.collect())
 }

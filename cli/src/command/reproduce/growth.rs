@@ -1,9 +1,11 @@
 //! Figures 3.6, 3.7 and 3.8: growth of the velocity ratio and its fixed points.
 
-use super::exhibit::{Exhibit, claim, linear, modes, refutation, short, statement};
+use super::exhibit::{Exhibit, linear, modes};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
+use crate::report::digits::short;
 use crate::report::figure::{Axis, Figure, Guide, Legend, Panels, Series};
-use crate::report::page::Claim;
+use crate::report::verdict::Allowance;
 use tribos_core::modes::{FixedPoints, Stability, inertia_interval};
 use tribos_core::special::CompleteElliptic;
 
@@ -44,19 +46,27 @@ fn figure(title: &str, range: (f64, f64), growth: (f64, f64), series: Vec<Series
         .guide(Guide::horizontal(0.0, ""))
 }
 
+fn word(stability: Stability) -> &'static str {
+    match stability {
+        Stability::Stable => "stable",
+        Stability::Semistable => "semistable",
+        Stability::Unstable => "unstable",
+    }
+}
+
 /// Words for the three fixed points.
 fn in_words(points: &FixedPoints<f64>) -> String {
     let finite = match points.finite {
-        Some((ratio, stability)) => format!("ε₀ = {ratio:.9} {stability:?}"),
+        Some((ratio, stability)) => format!("ε₀ = {} {}", short(ratio), word(stability)),
         None => "no ε₀".into(),
     };
-    format!("0 {:?}, {finite}, ∞ {:?}", points.spinning, points.sliding)
+    let (spinning, sliding) = (word(points.spinning), word(points.sliding));
+    format!("0 {spinning}, {finite}, ∞ {sliding}")
 }
 
 /// Checks the stabilities of 0, of ε₀ if there is one, and of ∞.
 fn stabilities(
     what: &str,
-    thesis: &str,
     points: &FixedPoints<f64>,
     expected: (Stability, Option<Stability>, Stability),
 ) -> Claim {
@@ -65,7 +75,13 @@ fn stabilities(
         points.finite.map(|(_, stability)| stability),
         points.sliding,
     );
-    statement(what, thesis, in_words(points), found == expected)
+    Claim::trend(
+        "fig. 3.6",
+        what,
+        in_words(points),
+        found == expected,
+        "stability",
+    )
 }
 
 /// g for α = 0, 1, 3 and the disk.
@@ -120,36 +136,34 @@ fn growth_as_printed(ratio: f64) -> f64 {
 fn dry_claims(rows: &[Vec<f64>]) -> Result<Vec<Claim>, Failure> {
     use Stability::{Stable, Unstable};
     let points = modes(0.0, 0.5)?.fixed_points();
-    let exact = ("0.653001789206", 0.653_001_789_205_598);
+    let exact = ("its value at 50 digits", 0.653_001_789_205_598);
     let printed = deviation(rows, 1, growth_as_printed);
+    let ratio = finite(&points);
     Ok(vec![
-        claim(
-            "α = 0: stable fixed point",
+        Claim::stated(
+            "3.4.2",
+            "α = 0: finite fixed point",
             ("≈ 0.653", 0.653),
-            finite(&points),
-            5e-4,
+            ratio,
+            Allowance::Digits(5e-4),
         ),
-        claim(
-            "α = 0: all digits, checked at 50",
-            exact,
-            finite(&points),
-            1e-14,
-        ),
-        claim(
-            "its inverse (Voyerli and Eriksen)",
+        Claim::own("α = 0: all digits of the fixed point", ratio, exact, 1e-14),
+        Claim::stated(
+            "3.1",
+            "α = 0: ωR/v of a disk just before it stops (Voyerli and Eriksen)",
             ("≈ 1.53", 1.53),
-            1.0 / finite(&points),
-            5e-3,
+            1.0 / ratio,
+            Allowance::Digits(5e-3),
         ),
-        claim(
-            "α = 0 (3.28): largest deviation of g, ε > 0.1",
-            ("0", 0.0),
+        Claim::formula(
+            "eq. 3.28",
+            "α = 0: g(ε)",
             printed,
             1e-12,
+            "at 281 ratios, 0.1 < ε ≤ 1.5",
         ),
         stabilities(
-            "α = 0: stabilities",
-            "0 unstable, ε₀ stable",
+            "α = 0: 0 is unstable, ε₀ stable",
             &points,
             (Unstable, Some(Stable), Unstable),
         ),
@@ -161,27 +175,37 @@ fn linear_and_cubic_claims(rows: &[Vec<f64>]) -> Result<Vec<Claim>, Failure> {
     use Stability::{Semistable, Stable, Unstable};
     let linear_law = modes(1.0, 0.5)?.fixed_points();
     let cubic = modes(3.0, 0.5)?.fixed_points();
-    let zero = ("0", 0.0);
     let flat = deviation(rows, 2, |_| 0.0);
     let bent = deviation(rows, 3, |e| e - (e.powi(3) + e) / (2.0 / 3.0 + 2.0 * e * e));
     Ok(vec![
-        claim("α = 1 (3.29): g vanishes; largest |g|", zero, flat, 1e-15),
+        Claim::stated(
+            "eq. 3.29",
+            "α = 1: g vanishes; the largest |g|",
+            ("0", 0.0),
+            flat,
+            Allowance::Exact(1e-15),
+        ),
         stabilities(
-            "α = 1: stabilities",
-            "all semistable",
+            "α = 1: every ratio is semistable",
             &linear_law,
             (Semistable, None, Semistable),
         ),
-        claim(
-            "α = 3: unstable fixed point",
+        Claim::stated(
+            "3.4.2",
+            "α = 3: finite fixed point",
             ("√3/3", 1.0 / 3f64.sqrt()),
             finite(&cubic),
-            1e-14,
+            Allowance::Exact(1e-14),
         ),
-        claim("α = 3 (3.30): largest deviation of g", zero, bent, 1e-14),
+        Claim::formula(
+            "eq. 3.30",
+            "α = 3: g(ε)",
+            bent,
+            1e-14,
+            "at 281 ratios, 0.1 < ε ≤ 1.5",
+        ),
         stabilities(
-            "α = 3: stabilities",
-            "0 and ∞ stable, ε₀ unstable",
+            "α = 3: 0 and ∞ are stable, ε₀ unstable",
             &cubic,
             (Stable, Some(Unstable), Stable),
         ),
@@ -214,38 +238,48 @@ pub fn figure_3_7() -> Result<Exhibit, Failure> {
 }
 
 fn transition_claims(exponents: &[f64]) -> Result<Vec<Claim>, Failure> {
-    let mut claims = Vec::new();
     let mut zeros = Vec::new();
-    for &alpha in exponents.iter().filter(|&&alpha| alpha < 1.0) {
-        let points = modes(alpha, 0.5)?.fixed_points();
-        if let Some((ratio, _)) = points.finite {
+    let below: Vec<f64> = exponents
+        .iter()
+        .copied()
+        .filter(|&alpha| alpha < 1.0)
+        .collect();
+    for &alpha in &below {
+        if let Some((ratio, Stability::Stable)) = modes(alpha, 0.5)?.fixed_points().finite {
             zeros.push(ratio);
         }
-        let stable = matches!(points.finite, Some((_, Stability::Stable)));
-        let what = format!("α = {alpha}: a finite, stable fixed point exists");
-        claims.push(statement(&what, "stable", in_words(&points), stable));
     }
+    let shown: Vec<String> = zeros.iter().map(|zero| format!("{zero:.4}")).collect();
     let (low, high) = zeros
         .iter()
         .fold((f64::MAX, 0.0_f64), |(l, h), &z| (l.min(z), h.max(z)));
-    claims.push(refutation(
-        "Inset: the zeros lie between 0.62 and 0.64",
-        "[0.62, 0.64]",
-        format!("from {} (α = 0.9) to {} (α = 0)", short(low), short(high)),
-        high > 0.64,
-        "the range for 0 ≤ α < 1 is (0.618034, 0.653002]; inside [0.62, 0.64] only for \
-         0.32616 ≤ α ≤ 0.93190",
-    ));
     let near = modes(1.0 - 1e-9, 0.5)?
         .finite_fixed_point()
         .unwrap_or(f64::NAN);
-    claims.push(claim(
-        "Limit α → 1, taken at 1 − 1e-9 (not in the thesis)",
-        ("(√5 − 1)/2", GOLDEN),
-        near,
-        1e-9,
-    ));
-    Ok(claims)
+    Ok(vec![
+        Claim::trend(
+            "3.4.3",
+            "For every 0 ≤ α < 1 a finite stable fixed point exists; α = 0, 0.1, 0.25, 0.5, 0.75, 0.9",
+            format!("ε₀ = {}, all stable", shown.join(", ")),
+            zeros.len() == below.len(),
+            "existence and stability",
+        ),
+        Claim::refutation(
+            "fig. 3.7",
+            "Inset: the zeros lie in a small range",
+            format!("from {} (α = 0.9) to {} (α = 0)", short(low), short(high)),
+            high > 0.64,
+            "the range for 0 ≤ α < 1 is (0.618034, 0.653002]; inside [0.62, 0.64] only for \
+             0.32616 ≤ α ≤ 0.93190. The thesis' own 0.653 lies outside",
+        )
+        .printed("[0.62, 0.64]"),
+        Claim::own(
+            "Limit of ε₀ for α → 1, taken at 1 − 1e-9",
+            near,
+            ("the golden ratio (√5 − 1)/2", GOLDEN),
+            1e-9,
+        ),
+    ])
 }
 
 /// The ring's inertia on the disk's contact.
@@ -258,18 +292,18 @@ pub fn figure_3_8() -> Result<Exhibit, Failure> {
         let only_spinning = points.spinning == Stability::Stable
             && points.finite.is_none()
             && points.sliding == Stability::Unstable;
-        let what = format!("α = {alpha}: ε = 0 is stable, and the only stable point");
-        claims.push(statement(
-            &what,
-            "ε = 0 stable",
+        claims.push(Claim::trend(
+            "fig. 3.8",
+            &format!("C = 1, α = {alpha}: ε = 0 is the stable and only stable fixed point"),
             in_words(&points),
             only_spinning,
+            "stability",
         ));
     }
     let border = inertia_interval(3.0, 0.0).1;
-    claims.push(refutation(
-        "Section 3.4.5: C = 1 exceeds the upper bound for α = 3",
-        "1 > c₃,max",
+    claims.push(Claim::refutation(
+        "3.4.5",
+        "C = 1 exceeds the upper bound c₃,max for α = 3",
         format!("c₃,max = {border}"),
         border == 1.0,
         "the two are equal: C = 1 is the border itself. The conclusion stands",

@@ -1,9 +1,10 @@
 //! Figure 3.19 and eq. 3.39: friction on ice, from rest to the speeds of curling.
 
-use super::exhibit::{Exhibit, claim, geometric, not_checked, points, short, statement};
+use super::exhibit::{Exhibit, geometric, points};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
+use crate::report::digits::short;
 use crate::report::figure::{Axis, Figure, Guide, Legend, Series};
-use crate::report::page::Claim;
 use tribos_core::law::{LocalLaw, PlateauPower, PowerLaw};
 
 /// γ and α of Penner's derivation, and the drop below the plateau (ours, m/s and share).
@@ -107,50 +108,58 @@ fn plateau_claims(granite: &PlateauPower<f64>) -> Result<Vec<Claim>, Failure> {
     let (rest, slow) = (granite.friction(0.0), granite.friction(PLATEAU.0));
     let pure = power(PENNER)?;
     let at_one = granite.friction(1.0);
+    let own_law = "our law with a plateau, made for it";
     Ok(vec![
-        statement(
-            "Friction is constant for about two decades below 1e-4 m/s",
-            "1e-6 to 1e-4 m/s",
+        Claim::definition(
+            "3.5.2",
+            "Friction is constant for about two decades below 1e-4 m/s, down to 1e-6 m/s",
             format!(
-                "from {low:.4} to {high:.4}, by {:.1} %",
+                "from {low:.3} to {high:.3}, by {:.0} %",
                 100.0 * (1.0 - low / high)
             ),
             low / high > 1.0 - CONSTANT,
+            own_law,
         ),
-        statement(
-            "and decreases for vanishing velocity to a finite value",
-            "finite",
-            format!("{rest:.6} at rest, {slow:.6} at 1e-6 m/s"),
+        Claim::definition(
+            "3.5.2",
+            "and decreases for vanishing velocities to a finite value",
+            format!("{rest:.3} at rest, {slow:.3} at 1e-6 m/s"),
             rest > 0.0 && rest < slow,
+            own_law,
         ),
-        statement(
-            "A negative exponent alone diverges for vanishing velocity",
-            "unphysical",
+        Claim::trend(
+            "3.5.2",
+            "A negative exponent gives a diverging friction force for vanishing velocities",
             format!(
                 "Penner's law gives {:.0} at 1e-12 m/s",
                 pure.friction(1e-12)
             ),
             pure.friction(1e-12) > 1e3 && pure.friction(1e-24) > 1e9,
+            "divergence",
         ),
-        statement(
+        Claim::definition(
+            "3.5.2",
             "Friction decreases with increasing velocity above the plateau",
-            "decreases",
             "at 200 speeds from 1e-4 to 10 m/s".into(),
             geometric(PLATEAU.1, 1e1, 200)
                 .windows(2)
                 .all(|v| granite.friction(v[1]) < granite.friction(v[0])),
+            "the power −1/2, put in",
         ),
-        claim(
-            "3.39, Penner: μ_d at 1 m/s with the plateau",
-            ("0.0080", 0.0080),
-            at_one,
-            5e-5,
-        ),
-        claim(
-            "3.39: relative deviation from γ v^α at 1 m/s",
-            ("0", 0.0),
-            at_one / pure.friction(1.0) - 1.0,
+        Claim::definition(
+            "eq. 3.39",
+            "Penner: μ_d at 1 m/s, with the plateau",
+            short(at_one),
+            (at_one - PENNER.0).abs() < 5e-5,
+            "the coefficient γ, put in",
+        )
+        .printed("0.0080"),
+        Claim::formula(
+            "eq. 3.39",
+            "The plateau does not change μ_d at 1 m/s",
+            (at_one / pure.friction(1.0) - 1.0).abs(),
             1e-7,
+            "relative",
         ),
     ])
 }
@@ -165,41 +174,44 @@ fn fits() -> Result<Vec<Claim>, Failure> {
     let [(slow, more), (fast, less)] = ALUMINIUM;
     let exponent = (more / less).ln() / (slow / fast).ln();
     Ok(vec![
-        statement(
-            "Ice: an order of magnitude less friction than most other solids",
-            "order of magnitude",
+        Claim::definition(
+            "3.5.2",
+            "Ice: friction can be an order of magnitude lower than on most other solids",
             format!("at most {highest} at 1 m/s in the four fits"),
             highest < 0.1,
-        ),
-        statement(
-            "Aluminium at −10 °C: friction falls from rest to 5 m/s",
-            "0.38, 0.34, 0.04",
-            format!(
-                "between the two speeds like v^{}, inside −0.19 to −0.82",
-                short(exponent)
-            ),
+            "the thesis' fits, put in",
+        )
+        .printed("0.0076, 0.0080, 0.0094, 0.0103"),
+        Claim::trend(
+            "3.5.2",
+            "Aluminium at −10 °C: friction falls from rest to 0.03 and to 5 m/s",
+            format!("between the two speeds like v^{exponent:.2}, inside the fits' −0.19 to −0.82"),
             ALUMINIUM_AT_REST > more && exponent < DRAW.1 && exponent > ROTATION.1[1],
-        ),
+            "sign and size of the exponent, from the thesis' three numbers",
+        )
+        .printed("0.38, 0.34, 0.04"),
     ])
 }
 
 /// Measurements.
 fn unchecked() -> Vec<Claim> {
     vec![
-        not_checked(
+        Claim::not_checkable(
+            "fig. 3.19",
             "The measured friction of ice on granite and glass",
-            "three diagrams",
             "the measurements are not published as numbers",
         ),
-        not_checked(
-            "γ = 0.0080 from the material parameters of a curling stone",
-            "0.0080",
+        Claim::not_checkable(
+            "3.5.2",
+            "γ of eq. 3.39 from the material parameters of a curling stone",
             "the parameters are not in the thesis",
-        ),
-        not_checked(
-            "Penner: friction at the back would have to be 10 to 100 times that in front",
-            "10 – 100",
+        )
+        .printed("0.0080"),
+        Claim::not_checkable(
+            "3.5.2",
+            "Penner: friction at the back would have to be so many times that in front",
             "the model's dimensions are not in the thesis",
-        ),
+        )
+        .printed("10 – 100"),
     ]
 }

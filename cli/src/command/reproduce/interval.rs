@@ -1,10 +1,11 @@
 //! Figures 3.9 and 3.10 and table 3.2: which bodies have a finite fixed point.
 
-use super::exhibit::{Exhibit, claim, geometric, linear, modes, statement};
+use super::exhibit::{Exhibit, geometric, linear, modes};
 use crate::command::modes::diagram::Diagram;
 use crate::failure::Failure;
+use crate::report::claim::Claim;
 use crate::report::figure::{Axis, Figure, Guide, Series};
-use crate::report::page::Claim;
+use crate::report::verdict::Allowance;
 use tribos_core::modes::{Stability, inertia_interval};
 
 /// Ratios so far out that the limits are reached to rounding: the next terms are of order ε².
@@ -28,31 +29,26 @@ pub fn figure_3_9() -> Result<Exhibit, Failure> {
             .collect();
         let falls = curve.windows(2).all(|w| w[1].1 < w[0].1);
         let rises = curve.windows(2).all(|w| w[1].1 > w[0].1);
-        let (thesis, holds) = match alpha {
-            1.0 => (
-                "constant 1/2",
-                curve.iter().all(|p| (p.1 - 0.5).abs() < 1e-15),
-            ),
-            0.0 => ("bijective", falls),
-            _ => ("bijective", rises),
-        };
-        let shown = format!(
-            "{} at {} ratios",
-            if falls {
-                "falls"
-            } else if rises {
-                "rises"
+        claims.push(if alpha == 1.0 {
+            let off = |a: f64, b: f64| (a - 0.5).abs().total_cmp(&(b - 0.5).abs());
+            let worst = curve.iter().map(|p| p.1).max_by(|a, b| off(*a, *b));
+            let what = "α = 1: C is the same for every ε₀; its value farthest from that";
+            let worst = worst.unwrap_or(f64::NAN);
+            Claim::stated("3.4.4", what, ("1/2", 0.5), worst, Allowance::Exact(1e-15))
+        } else {
+            let (how, holds) = if alpha < 1.0 {
+                ("falls", falls)
             } else {
-                "constant"
-            },
-            curve.len()
-        );
-        claims.push(statement(
-            &format!("α = {alpha}: C as a function of ε₀"),
-            thesis,
-            shown,
-            holds,
-        ));
+                ("rises", rises)
+            };
+            Claim::trend(
+                "fig. 3.9",
+                &format!("α = {alpha}: the mapping from ε₀ to C is bijective"),
+                format!("{how} at {} ratios", curve.len()),
+                holds,
+                "monotony",
+            )
+        });
         for (row, (_, c)) in rows.iter_mut().zip(&curve) {
             row.push(*c);
         }
@@ -84,18 +80,11 @@ pub fn table_3_2() -> Result<Exhibit, Failure> {
             modes.inertia_ratio_of(1.0 / FAR),
             modes.inertia_ratio_of(FAR),
         );
-        claims.push(claim(
-            &format!("α = {alpha}: C for ε₀ → 0"),
-            slow,
-            at_zero,
-            1e-15,
-        ));
-        claims.push(claim(
-            &format!("α = {alpha}: C for ε₀ → ∞"),
-            fast,
-            at_infinity,
-            1e-15,
-        ));
+        for (end, printed, ours) in [("0", slow, at_zero), ("∞", fast, at_infinity)] {
+            let what = format!("α = {alpha}: C for ε₀ → {end}");
+            let allowance = Allowance::Exact(1e-15);
+            claims.push(Claim::stated("table 3.2", &what, printed, ours, allowance));
+        }
         rows.push(vec![alpha, at_zero, at_infinity]);
     }
     let column = |i: usize| rows.iter().map(|row| (row[0], row[i])).collect::<Vec<_>>();
@@ -145,47 +134,75 @@ pub fn figure_3_10() -> Result<Exhibit, Failure> {
     })
 }
 
+/// What was found at points of the plane.
+#[derive(Default)]
+struct Found {
+    points: usize,
+    right: usize,
+    single: usize,
+    fitting: usize,
+}
+
 /// Signs of g on a grid of the plane against the diagram's regions.
-fn plane_claims() -> Result<Vec<Claim>, Failure> {
+fn look(exponents: impl Iterator<Item = f64>) -> Result<Found, Failure> {
     let ratios = geometric(1e-6, 1e6, 60);
-    let (mut points, mut right, mut single, mut fitting) = (0, 0, 0, 0);
-    for alpha in linear(-0.9, 9.0, 99)
-        .into_iter()
-        .filter(|alpha| (alpha - 1.0).abs() > 1e-9)
-    {
+    let mut found = Found::default();
+    for alpha in exponents {
         let (low, high) = inertia_interval(alpha, 0.0);
         for c in linear(0.03, 2.53, 25) {
             let modes = modes(alpha, c)?;
             let signs: Vec<bool> = ratios.iter().map(|&r| modes.growth(r) > 0.0).collect();
             let changes = signs.windows(2).filter(|w| w[0] != w[1]).count();
             let inside = c > low && c < high;
-            points += 1;
-            single += usize::from(changes <= 1);
-            right += usize::from((changes == 1) == inside);
+            found.points += 1;
+            found.single += usize::from(changes <= 1);
+            found.right += usize::from((changes == 1) == inside);
             let stable = matches!(modes.fixed_points().finite, Some((_, Stability::Stable)));
             // g falls through zero at a stable point.
-            fitting += usize::from(!inside || (signs[0] == stable && stable == (alpha < 1.0)));
+            let fits = !inside || (signs[0] == stable && stable == (alpha < 1.0));
+            found.fitting += usize::from(fits);
         }
     }
-    let all = |n: usize| format!("{n} of {points} points of the plane, −0.9 ≤ α ≤ 9");
+    Ok(found)
+}
+
+/// The thesis' half of the plane, and negative exponents.
+fn plane_claims() -> Result<Vec<Claim>, Failure> {
+    let exponents = || linear(-0.9, 9.0, 99).into_iter();
+    let positive = look(exponents().filter(|alpha| *alpha > -1e-9 && (alpha - 1.0).abs() > 1e-9))?;
+    let negative = look(exponents().filter(|alpha| *alpha < -1e-9))?;
+    let all = positive.points;
+    let shown = |n: usize| format!("{n} of {all} points of the plane, 0 ≤ α ≤ 9");
+    let row =
+        |what: &str, n: usize, of: &str| Claim::trend("fig. 3.10", what, shown(n), n == all, of);
+    let Found {
+        points,
+        right,
+        single,
+        fitting,
+    } = negative;
     Ok(vec![
-        statement(
+        row(
             "A finite fixed point exists exactly for c_min < C < c_max",
-            "interval I_α",
-            all(right),
-            right == points,
+            positive.right,
+            "regions",
         ),
-        statement(
+        row(
             "There is only one finite fixed point",
-            "bijective",
-            all(single),
-            single == points,
+            positive.single,
+            "number",
         ),
-        statement(
+        row(
             "It is stable for α < 1 and unstable for α > 1",
-            "as in the figure",
-            all(fitting),
-            fitting == points,
+            positive.fitting,
+            "stability",
+        ),
+        Claim::own_statement(
+            "Negative exponents: one finite fixed point between the continued borders, stable, and \
+             none outside",
+            format!("{right} of {points} points of the plane, −0.9 ≤ α < 0"),
+            [right, single, fitting] == [points; 3],
+            "signs of g at 61 ratios",
         ),
     ])
 }

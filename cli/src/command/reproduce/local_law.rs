@@ -1,7 +1,8 @@
 //! Figure 3.3: the local law for several exponents.
 
-use super::exhibit::{Exhibit, claim, linear};
+use super::exhibit::{Exhibit, linear};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
 use crate::report::figure::{Axis, Figure, Series};
 use tribos_core::law::{LocalLaw, PowerLaw};
 
@@ -16,7 +17,8 @@ pub fn figure_3_3() -> Result<Exhibit, Failure> {
     );
     let velocities = linear(-1.5, 1.5, 300);
     let mut rows: Vec<Vec<f64>> = velocities.iter().map(|&v| vec![v]).collect();
-    let mut claims = Vec::new();
+    let mut meet = true;
+    let mut against = true;
     for alpha in EXPONENTS {
         let law = PowerLaw::new(alpha, 1.0).map_err(Failure::run)?;
         let friction = |v: f64| {
@@ -31,13 +33,10 @@ pub fn figure_3_3() -> Result<Exhibit, Failure> {
             row.push(*f);
         }
         figure = figure.series(Series::line(format!("α = {alpha}"), points));
-        claims.push(claim(
-            &format!("α = {alpha}: all curves meet at v = 1 with |f| = 1"),
-            ("1", 1.0),
-            -friction(1.0),
-            0.0,
-        ));
+        meet &= friction(1.0) == -1.0;
+        against &= velocities.iter().all(|&v| friction(v) * v <= 0.0);
     }
+    let count = EXPONENTS.len();
     Ok(Exhibit {
         heading: "Figure 3.3: local friction law".into(),
         text: vec![
@@ -58,6 +57,12 @@ pub fn figure_3_3() -> Result<Exhibit, Failure> {
             "alpha_3",
         ],
         rows,
-        claims,
+        claims: vec![Claim::definition(
+            "fig. 3.3",
+            "All curves meet at |v| = 1 with |f| = 1, and f is opposite to v",
+            format!("for {count} of {count} exponents"),
+            meet && against,
+            "the power law −v|v|^(α−1)",
+        )],
     })
 }

@@ -1,9 +1,11 @@
 //! Figure 2.8 and section 2.3.2: friction in and with a fluid.
 
-use super::exhibit::{Exhibit, claim, geometric, not_checked, points, statement};
+use super::exhibit::{Exhibit, geometric, points};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
+use crate::report::digits::short;
 use crate::report::figure::{Axis, Figure, Legend, Series};
-use crate::report::page::Claim;
+use crate::report::verdict::Allowance;
 use std::f64::consts::PI;
 use tribos_core::law::{
     DryFriction, InertialDrag, LocalLaw, Stokes, Stribeck, crossover_reynolds, reynolds,
@@ -69,32 +71,35 @@ fn stribeck_claims(law: &Stribeck<f64>) -> Result<Vec<Claim>, Failure> {
     let friction = |x: f64| law.friction(x);
     let (slow, fast) = (exponent(friction, 1e-3), exponent(friction, 1e2));
     Ok(vec![
-        statement(
+        Claim::definition(
+            "2.3.2",
             "Boundary lubrication: independent of the velocity",
-            "v⁰",
-            format!("v^{slow:.1e} at 1e-3"),
+            format!("∝ v^{slow:.1e} at 1e-3"),
             slow.abs() < 1e-4,
+            "the law without a film",
         ),
-        claim(
-            "Hydrodynamic lubrication: ∝ v^x, x at 100",
-            ("1", 1.0),
-            fast,
-            1e-12,
+        Claim::definition(
+            "2.3.2",
+            "Hydrodynamic lubrication: proportional to the velocity, ∝ v^x, x at 100",
+            short(fast),
+            (fast - 1.0).abs() <= 1e-12,
+            "the law of the full film",
         ),
-        statement(
+        Claim::trend(
+            "fig. 2.8",
             "Boundary lubrication is much higher than hydrodynamic; one minimum between them",
-            "much higher",
-            format!("least friction {least:.6} at {minimum:.6}, boundary {BOUNDARY}"),
+            format!("least friction {least:.2e} at {minimum:.2}, boundary {BOUNDARY}"),
             law.slope(0.99 * minimum) < 0.0 && law.slope(1.01 * minimum) > 0.0,
+            "one minimum, with parameters of our choice",
         ),
-        not_checked(
-            "Boundary friction over hydrodynamic friction",
-            "typically 100",
-            &format!(
-                "{:.1} here, by choice of the film's friction",
-                BOUNDARY / least
-            ),
-        ),
+        Claim::definition(
+            "2.3.2",
+            "Boundary friction over hydrodynamic friction, \"typically by a factor of 100\"",
+            format!("{:.0}", BOUNDARY / least),
+            (BOUNDARY / least / 100.0 - 1.0).abs() < 0.05,
+            "the film's friction, chosen for it",
+        )
+        .printed("100"),
     ])
 }
 
@@ -112,47 +117,57 @@ fn drag_claims() -> Result<Vec<Claim>, Failure> {
     let crossover = speed_at(crossover_reynolds(CONSTANT));
     let (slow, fast) = (speed_at(1e-3), speed_at(1e4));
     let re = reynolds(DENSITY, slow, RADIUS, VISCOSITY);
-    let rounding = 8.0 * f64::EPSILON;
+    let law = |place: &str, what: &str, ours: f64, value: f64, of: &str| {
+        let holds = (ours - value).abs() <= 1e-13 * value;
+        Claim::definition(place, what, short(ours), holds, of)
+    };
     Ok(vec![
-        claim(
+        Claim::stated(
+            "2.3.2",
             "C₁, from pressure and shear of Stokes' flow over the sphere",
             ("6π", 6.0 * PI),
             stokes_constant(),
-            1e-12,
+            Allowance::Exact(1e-12),
         ),
-        claim(
-            "2.4: F/(ηvr) of the law",
-            ("6π", 6.0 * PI),
+        law(
+            "eq. 2.4",
+            "F/(ηvr)",
             viscous.force(slow) / (VISCOSITY * slow * RADIUS),
-            1e-13,
-        ),
-        claim(
-            "2.3 at Re = 1e-3: F/(ρv²r²) over C₁/Re",
-            ("1", 1.0),
+            6.0 * PI,
+            "Stokes' law, with C₁ put in",
+        )
+        .printed("6π"),
+        law(
+            "eq. 2.3",
+            "F/(ρv²r²) over C₁/Re, at Re = 1e-3",
             viscous.force(slow) / scale(slow) / (6.0 * PI / re),
-            rounding,
+            1.0,
+            "the Reynolds number",
         ),
-        claim(
-            "Laminar: F ∝ v^x, x",
-            ("1", 1.0),
+        law(
+            "2.3.2",
+            "Laminar flow: linear in v, F ∝ v^x, x",
             exponent(|v| viscous.force(v), slow),
-            rounding,
+            1.0,
+            "Stokes' law",
         ),
-        claim(
-            "Turbulent: F ∝ v^x, x",
-            ("2", 2.0),
+        law(
+            "2.3.2",
+            "Turbulent flow: square of v, F ∝ v^x, x",
             exponent(|v| inertial.force(v), fast),
-            rounding,
+            2.0,
+            "inertial drag",
         ),
-        statement(
-            "Viscous force dominates at low Reynolds numbers, inertia at high ones",
-            "one critical number",
+        Claim::trend(
+            "2.3.2",
+            "The viscous force dominates at low Reynolds numbers, inertia at high ones",
             format!(
-                "equal at Re = C₁/C₂ = {:.3} for C₂ = {CONSTANT}",
+                "equal at Re = C₁/C₂ = {:.1} for C₂ = {CONSTANT}, which is ours",
                 crossover_reynolds(CONSTANT)
             ),
             viscous.force(0.5 * crossover) > inertial.force(0.5 * crossover)
                 && viscous.force(2.0 * crossover) < inertial.force(2.0 * crossover),
+            "order below and above one number",
         ),
     ])
 }

@@ -1,9 +1,10 @@
 //! Appendix A: the double sums for odd exponents, as printed and mended.
 
-use super::exhibit::{Exhibit, at, claim, erratum, linear, table};
+use super::exhibit::{Exhibit, at, linear, table};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
+use crate::report::digits::short;
 use crate::report::figure::{Axis, Figure, Series};
-use crate::report::page::Claim;
 use std::f64::consts::PI;
 
 /// Ratio at which the sums are compared.
@@ -51,19 +52,14 @@ fn double_sum(n: u32, ratio: f64, l_factorial: bool, term: impl Fn(u32, u32) -> 
     factorial(n) * sum
 }
 
-/// A printed value with its factor.
-fn factor(printed: f64, ours: f64) -> String {
-    format!("{printed:.6}, {:.4} times ours", printed / ours)
-}
-
 /// The sentence before A.6.
 fn even_powers_of_the_sine() -> Claim {
     let integral = 2.0 * PI * mean_of_sine_power(4);
-    erratum(
-        "Before A.6: the integral of sinˡφ over the circle for even l; l = 4",
+    Claim::erratum(
+        "before A.6",
+        "The integral of sinˡφ over the circle for an even exponent; l = 4",
         ("π", PI),
-        integral,
-        0.75 * PI,
+        (integral, 0.75 * PI),
         "it is 2π (l−1)!!/l!!, which is π for l = 2 only",
     )
 }
@@ -71,31 +67,56 @@ fn even_powers_of_the_sine() -> Claim {
 /// Both sums of α = 2n + 1 against the kernel, mended and as printed.
 fn sum_claims(n: u32, alpha: f64, [force, torque]: [f64; 2]) -> Vec<Claim> {
     let (right_force, right_torque) = (force_sum(n, RATIO, true), torque_sum(n, RATIO, 2.0));
-    let one = ("1", 1.0);
-    let force_name = format!("A.7 with l!, α = {alpha}: F(0.7) over the sum");
-    let torque_name = format!("A.9 with 2ε, α = {alpha}: T(0.7) over the sum");
+    let mended = |place: &str, what: &str, ours: f64, sum: f64| {
+        let what = format!("α = {alpha}: {what}");
+        Claim::formula(
+            place,
+            &what,
+            (ours / sum - 1.0).abs(),
+            1e-13,
+            "mended, relative",
+        )
+    };
     let mut claims = vec![
-        claim(&force_name, one, force / right_force, 1e-13),
-        claim(&torque_name, one, torque / right_torque, 1e-13),
+        mended(
+            "A.7",
+            "F(0.7) of the sum, l! put into the denominator",
+            force,
+            right_force,
+        ),
+        mended(
+            "A.9",
+            "T(0.7) of the sum, 2ε put into the odd branch",
+            torque,
+            right_torque,
+        ),
     ];
     if n >= 2 {
         let printed = force_sum(n, RATIO, false);
-        claims.push(erratum(
-            &format!("A.7 as printed, α = {alpha}: F(0.7)"),
-            (&factor(printed, force), printed),
-            force,
-            right_force,
-            "l! is missing in the denominator of the inner sum; no effect for α = 1 and 3",
+        claims.push(Claim::erratum(
+            "A.7",
+            &format!("α = {alpha}: F(0.7) of the sum as printed"),
+            (&short(printed), printed),
+            (force, right_force),
+            &format!(
+                "l! is missing in the denominator of the inner sum: {:.4} times too large; no \
+                 effect for α = 1 and 3",
+                printed / force
+            ),
         ));
     }
     if n >= 1 {
         let printed = torque_sum(n, RATIO, 1.0);
-        claims.push(erratum(
-            &format!("A.9 as printed, α = {alpha}: T(0.7)"),
-            (&factor(printed, torque), printed),
-            torque,
-            right_torque,
-            "the odd branch needs −2ε; as printed it contradicts eq. 3.22",
+        claims.push(Claim::erratum(
+            "A.9",
+            &format!("α = {alpha}: T(0.7) of the sum as printed"),
+            (&short(printed), printed),
+            (torque, right_torque),
+            &format!(
+                "the odd branch needs −2ε: {:.4} of the right value; as printed it contradicts \
+                 eq. 3.22",
+                printed / torque
+            ),
         ));
     }
     claims

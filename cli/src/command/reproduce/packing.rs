@@ -1,11 +1,10 @@
 //! Figure 4.6: a deposit before and after its compaction.
 
-use super::exhibit::{Exhibit, claim, statement};
+use super::exhibit::Exhibit;
 use super::runs::{Case, Effort, Run, Runs, System};
-use crate::command::deposit::curve::{Sample, statistics};
 use crate::command::run::powder;
 use crate::failure::Failure;
-use crate::report::page::Claim;
+use crate::report::claim::Claim;
 use tribos::powder::Ending;
 use tribos::powder::deposit::{Ballistic, Until};
 
@@ -25,8 +24,8 @@ pub fn figure_4_6(runs: &Runs) -> Result<Exhibit, Failure> {
     let case = Case::new(system, [0.0, 0.0], 1);
     let run = runs.one(&case)?;
     let mut claims = Vec::new();
-    for (system, spheres) in [(System::Small, 470.0), (System::Large, 1015.0)] {
-        claims.extend(deposit_claims(system, spheres)?);
+    for system in [System::Small, System::Large] {
+        claims.push(piston_claim(system)?);
     }
     claims.extend(end_claims(&run));
     let [before, after] = &run.states;
@@ -58,43 +57,26 @@ pub fn figure_4_6(runs: &Runs) -> Result<Exhibit, Failure> {
     })
 }
 
-/// Spheres, porosity and height of five deposits.
-fn deposit_claims(system: System, spheres: f64) -> Result<Vec<Claim>, Failure> {
+/// Heights of five deposits; figure 4.5 has their spheres and porosities.
+fn piston_claim(system: System) -> Result<Claim, Failure> {
     let [width, height] = system.size();
-    let name = system.name();
     let ballistic = Ballistic::new(width, 1.0, CAPTURE_RADIUS).map_err(Failure::run)?;
-    let sample = Sample::new(&ballistic, Until::Cut(height), SEEDS)?;
-    let (count, scatter) = statistics(&sample.particles);
-    let (porosity, of_porosity) = statistics(&sample.porosity);
-    let mut tops = Vec::new();
+    let mut lowest = height;
     for seed in SEEDS {
         let deposit = ballistic.grow(Until::Cut(height), seed);
-        tops.push(deposit.map_err(Failure::run)?.height);
+        lowest = lowest.min(deposit.map_err(Failure::run)?.height);
     }
-    let lowest = tops.into_iter().fold(height, f64::min);
-    Ok(vec![
-        statement(
-            &format!("Spheres of the {name} system"),
-            &format!("{spheres}"),
-            format!("{count:.0}"),
-            (spheres - count).abs() < 2.0 * scatter,
-        )
-        .uncertain(format!("± {scatter:.0}, five deposits")),
-        claim(
-            &format!("Initial porosity of the {name} system"),
-            ("92 %", 0.92),
-            porosity,
-            0.01,
-        )
-        .uncertain(format!("± {of_porosity:.1e}, five deposits")),
-        statement(
-            &format!("Initially the piston of the {name} system nearly touches the highest sphere"),
-            &format!("at {height}R"),
-            format!("highest points from {lowest:.2}R on"),
-            height - lowest < NEAR,
-        )
-        .uncertain("five deposits"),
-    ])
+    let claim = Claim::trend(
+        "4.5",
+        &format!(
+            "Initially the piston of the {} system, at {height}R, nearly touches the highest sphere",
+            system.name()
+        ),
+        format!("highest points from {lowest:.2}R on"),
+        height - lowest < NEAR,
+        "less than 0.5R apart",
+    );
+    Ok(claim.uncertain("five deposits"))
 }
 
 /// The final state is blocked.
@@ -103,10 +85,9 @@ fn end_claims(run: &Run) -> [Claim; 2] {
     const OVERLAP: f64 = 1e-2;
     let (outcome, means) = (&run.outcome, &run.outcome.means);
     [
-        statement(
-            "The final configuration is blocked: the piston does not move any more, and (not in \
-             the thesis) all forces balance",
-            "blocked",
+        Claim::trend(
+            "fig. 4.6",
+            "The final configuration is blocked: the piston does not move any more",
             format!(
                 "piston moved {:.1e}R in the last window of 200 steps or more; mean net force \
                  {:.1e} of the mean contact force",
@@ -114,12 +95,13 @@ fn end_claims(run: &Run) -> [Claim; 2] {
                 means.net / means.contact
             ),
             outcome.ending == Some(Ending::Blocked),
+            "comes to rest",
         ),
-        statement(
-            "Spheres are rigid (not in the thesis: how well)",
-            "no overlap",
-            format!("deepest overlap {:.1e}R", outcome.statistics.max_overlap),
+        Claim::own_statement(
+            "Spheres are rigid: the deepest overlap",
+            format!("{:.1e}R", outcome.statistics.max_overlap),
             outcome.statistics.max_overlap < OVERLAP,
+            "distances of all pairs; less than 0.01R",
         ),
     ]
 }

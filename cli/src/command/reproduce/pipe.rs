@@ -1,9 +1,9 @@
 //! Figure 3.17: pipes that slide and spin on their end.
 
-use super::exhibit::{Exhibit, linear, not_checked, statement};
+use super::exhibit::{Exhibit, linear};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
 use crate::report::figure::{Axis, Figure, Legend, Series};
-use crate::report::page::Claim;
 use tribos::slide::planar::{Arrival, Journey, Launch, Pipe};
 
 const GRAVITY: f64 = 9.81;
@@ -29,7 +29,7 @@ fn pipe(height: f64) -> Pipe {
     }
 }
 
-/// The way to rest, seen at `times`; it starts along y.
+/// The path to rest, seen at `times`; it starts along x, as in the scenes.
 fn journey(
     height: f64,
     (speed, spin): (f64, f64),
@@ -37,7 +37,7 @@ fn journey(
 ) -> Result<(Arrival, Vec<[f64; 3]>), Failure> {
     let body = pipe(height).body(GRAVITY)?;
     let launch = Launch {
-        velocity: [0.0, speed],
+        velocity: [speed, 0.0],
         spin,
     };
     let mut seen = Vec::new();
@@ -64,9 +64,9 @@ pub fn figure_3_17() -> Result<Exhibit, Failure> {
     let labels = ["(a)", "(b)"];
     let mut rows = Vec::new();
     let mut figure = Figure::new(
-        "Two pipes, launched along y, spinning counterclockwise",
-        Axis::linear("x [m], to the right (stretched)").range(-0.01, 0.1),
-        Axis::linear("y [m]").range(0.0, 2.0),
+        "Two pipes, launched along x, spinning counterclockwise",
+        Axis::linear("x [m], forward").range(0.0, 2.0),
+        Axis::linear("y [m], to the left (stretched)").range(-0.1, 0.01),
     )
     .legend(Legend::Below);
     let launches = [FIRST, SECOND];
@@ -87,13 +87,14 @@ pub fn figure_3_17() -> Result<Exhibit, Failure> {
         text: vec![format!(
             "Penner's two launches. The thesis does not give dimensions and friction of the pipes: \
              μ = {MU}, radius {RADIUS} m, wall {:.0} mm and height {HEIGHT} m are ours, so that \
-             side and trend can be compared, but not the lengths. The pressure gradients along and \
+             side and trend can be compared, but not the lengths. The thesis draws its launches along \
+             y; here x points forward and y to the left, as in the scenes of pipes. The pressure gradients along and \
              across the path are both followed.",
             1e3 * RADIUS * (1.0 - INNER_RATIO)
         )],
         film: None,
         caption: "Paths from the origin to rest, for a pipe of our dimensions.".into(),
-        drawing: Box::new(figure.size(640, 720)),
+        drawing: Box::new(figure.size(900, 460)),
         columns: vec!["pipe", "time", "x", "y"],
         rows,
         claims,
@@ -112,30 +113,33 @@ fn shape(paths: &[Vec<[f64; 3]>; 2]) -> Result<Vec<Claim>, Failure> {
             (x1 - x0) * (y2 - y1) - (y1 - y0) * (x2 - x1) < 1e-12
         })
     };
+    let row = |what: &str, shown: String, holds: bool, of: &str| {
+        Claim::trend("3.5.1", what, shown, holds, of)
+    };
     Ok(vec![
-        statement(
+        row(
             "Counterclockwise spin: both pipes drift to the right",
-            "to the right",
-            format!("x = {:.4} m and {:.4} m at rest", ends[0][0], ends[1][0]),
-            ends.iter().all(|end| end[0] > 0.0),
+            format!("{:.4} m and {:.4} m to the right", -ends[0][1], -ends[1][1]),
+            ends.iter().all(|end| end[1] < 0.0),
+            "side",
         ),
-        statement(
-            "The paths bend to the right all the way",
-            "curved path",
+        row(
+            "The path is curved: it bends to the right all the way",
             format!("at {} points of each", SHOWN + 1),
             paths.iter().all(bends_right),
+            "sign of the curvature",
         ),
-        statement(
+        row(
             "Clockwise spin: to the left",
-            "to the left",
-            format!("x = {:.4} m, launch (a) mirrored", mirrored[0]),
-            (mirrored[0] + ends[0][0]).abs() < 1e-12 && (mirrored[1] - ends[0][1]).abs() < 1e-12,
+            format!("{:.4} m to the left, launch (a) mirrored", mirrored[1]),
+            (mirrored[1] + ends[0][1]).abs() < 1e-12 && (mirrored[0] - ends[0][0]).abs() < 1e-12,
+            "side",
         ),
-        statement(
-            "Without spin the pipe slides straight on",
-            "no lateral force",
-            format!("x = {:.1e} m", straight[0]),
-            straight[0] == 0.0,
+        row(
+            "Without spin no lateral force: the pipe slides straight on",
+            format!("{:.1e} m to the side", straight[1].abs()),
+            straight[1] == 0.0,
+            "symmetry",
         ),
     ])
 }
@@ -150,25 +154,27 @@ fn trends() -> Result<Vec<Claim>, Failure> {
     let by_spin = [2.0, 5.0, 10.2, 20.0]
         .map(|spin| rest(HEIGHT, (FIRST.0, spin)))
         .into_iter()
-        .map(|end| Ok(end?[0]))
+        .map(|end| Ok(-end?[1]))
         .collect::<Result<Vec<f64>, Failure>>()?;
     let by_height = [0.0, 0.05, 0.1, 0.15]
         .map(|height| rest(height, FIRST))
         .into_iter()
-        .map(|end| Ok(end?[0]))
+        .map(|end| Ok(-end?[1]))
         .collect::<Result<Vec<f64>, Failure>>()?;
     Ok(vec![
-        statement(
-            "The deflection grows with the spin; 2, 5, 10.2, 20 rad/s",
-            "increases",
-            format!("x = {} m", shown(&by_spin)),
+        Claim::trend(
+            "3.5.1",
+            "The deflection increases with the spin; 2, 5, 10.2, 20 rad/s",
+            format!("{} m", shown(&by_spin)),
             rises(&by_spin),
+            "monotony",
         ),
-        statement(
-            "The deflection grows with the height; 0, 5, 10, 15 cm",
-            "increases",
-            format!("x = {} m", shown(&by_height)),
+        Claim::trend(
+            "3.5.1",
+            "The deflection increases with the height; 0, 5, 10, 15 cm",
+            format!("{} m", shown(&by_height)),
             rises(&by_height) && by_height[0] == 0.0,
+            "monotony",
         ),
         fast_spin()?,
     ])
@@ -177,22 +183,23 @@ fn trends() -> Result<Vec<Claim>, Failure> {
 /// Shegelski et al.: ε ≪ 1.
 fn fast_spin() -> Result<Claim, Failure> {
     let (speed, spin) = (0.5, 300.0);
-    let [side, forward] = rest(HEIGHT, (speed, spin))?;
-    Ok(not_checked(
-        "Fast spin: the deflection can be as large as the way forward, the path a spiral",
-        "ε ≪ 1",
+    let [forward, left] = rest(HEIGHT, (speed, spin))?;
+    Ok(Claim::not_checkable(
+        "3.5.1",
+        "Fast spin, ε ≪ 1: the deflection can be as large as the path forward, a spiral",
         &format!(
             "dimensions and launch are not in the thesis; our pipe at {speed} m/s and {spin} rad/s \
-             comes {side:.2} m to the side and {forward:.2} m forward"
+             comes {:.2} m to the right and {forward:.2} m forward",
+            -left
         ),
     ))
 }
 
 /// Measurements, and theory with dimensions that are not given.
 fn unchecked() -> Vec<Claim> {
-    vec![not_checked(
-        "The measured positions lie on the theoretical paths",
-        "very well in line",
+    vec![Claim::not_checkable(
+        "fig. 3.17",
+        "The measured positions are very well in line with the theoretical paths",
         "neither the positions nor the pipes' dimensions and friction are in the thesis",
     )]
 }

@@ -2,6 +2,7 @@
 
 mod claims;
 mod grid;
+mod peer;
 
 pub(super) use claims::few_sweeps;
 
@@ -158,14 +159,14 @@ fn text(runs: &Runs) -> Vec<String> {
          starts from the forces of the last, and a packing is blocked when the piston stands and \
          all forces balance to 1 %."
             .into(),
-        "Order, ratio and additivity of the contributions do not hang on these, the level of the \
-         porosity does: a converged iteration ends above the thesis' numbers. The rows with our \
-         own trials show two of the causes."
+        "Order, ratio and additivity of the contributions do not depend on these, the level of the \
+         porosity does: a converged iteration ends above the thesis' numbers."
             .into(),
     ];
+    text.extend(peer::text());
     let hint = runs.hint(
-        "Two deposits of the small system, at the four corners; `--full` takes the whole grid, and \
-         the large system.",
+        "Two deposits of the small system, at the four corners; `--full` takes the whole grid, with \
+         rows on saturation and on other coefficients, and the large system.",
     );
     if !hint.is_empty() {
         text.push(hint.into());

@@ -1,11 +1,9 @@
 //! Section 5.1: what a radial pressure does to force and torque.
 
-use super::exhibit::{
-    Exhibit, claim, geometric, not_checked, points, refutation, statement, table,
-};
+use super::exhibit::{Exhibit, geometric, points, table};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
 use crate::report::figure::{Axis, Figure, Legend, Panels, Series};
-use crate::report::page::Claim;
 use std::f64::consts::PI;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::{Coupling, ReducedWrench, round::RoundTable64};
@@ -126,36 +124,38 @@ fn force(tables: &Tables, rows: &[Vec<f64>]) -> Vec<Claim> {
         })
     });
     vec![
-        refutation(
+        Claim::refutation(
+            "5.1",
             "α = 0: a radial pressure leaves the friction force unaltered",
-            "unaltered",
             format!("F(1): {}", shown.join(", ")),
             differ,
             "only the limits F(0) = 0 and F(∞) = 1 are unaltered",
         ),
-        claim(
-            "Hertz (not in the thesis): F(1)",
-            ("9π/32", 9.0 * PI / 32.0),
+        Claim::own(
+            "Hertz: F(1)",
             tables.at(HERTZ, 1.0)[0],
+            ("its closed form, 9π/32", 9.0 * PI / 32.0),
             ROUNDING,
         ),
-        claim(
-            "Hertz (not in the thesis): dF/dε at 0; uniform: 1",
-            ("3π/8", 3.0 * PI / 8.0),
+        Claim::own(
+            "Hertz: dF/dε at 0 (uniform: 1)",
             slope,
+            ("its closed form, 3π/8", 3.0 * PI / 8.0),
             ROUNDING,
         ),
-        statement(
-            "At ε = ∞ neither force nor torque is changed, at ε = 0 not the force",
-            "not changed",
-            "F(0) = 0, F(∞) = 1, T(∞) = 0 for all five".into(),
+        Claim::trend(
+            "5.1",
+            "At ε = ∞ the friction torque is not changed",
+            "T(∞) = 0, F(0) = 0 and F(∞) = 1 for all five".into(),
             ends,
+            "limits",
         ),
-        statement(
-            "The curves are qualitatively the same",
-            "qualitatively the same",
+        Claim::trend(
+            "5.1",
+            "The curves are qualitatively the same as for the uniform pressure",
             format!("F rises and T falls at {} ratios for all five", rows.len()),
             alike,
+            "monotony",
         ),
     ]
 }
@@ -174,25 +174,28 @@ fn torque(tables: &Tables) -> Vec<Claim> {
         && rest(PUNCH) > rest(UNIFORM)
         && rest(UNIFORM) > rest(HERTZ)
         && rest(HERTZ) > rest(PARABOLOID);
-    let mut claims = vec![statement(
+    let mut claims = vec![Claim::trend(
+        "5.1",
         "T(0) increases for pressure that grows outwards and decreases for one that falls",
-        "increases, decreases",
         "ring > punch > uniform > Hertz > paraboloid".into(),
         ordered,
+        "order",
     )];
     for (i, text, value) in known {
-        let what = format!("T(0), {} (value not in the thesis)", PRESSURES[i].0);
-        claims.push(claim(&what, (text, value), rest(i), ROUNDING));
+        let what = format!("T(0), {}", PRESSURES[i].0);
+        let against = format!("its closed form, {text}");
+        claims.push(Claim::own(&what, rest(i), (&against, value), ROUNDING));
     }
     let far = 1e9;
     let tails = PRESSURES.iter().enumerate().map(|(i, (_, pressure))| {
         (2.0 * far * tables.at(i, far)[1] / pressure.mean_square_radius() - 1.0).abs()
     });
-    claims.push(claim(
-        "Tails (not in the thesis): T → ⟨r²⟩/(2ε), largest relative deviation at ε = 1e9",
-        ("0", 0.0),
-        tails.fold(0.0, f64::max),
-        ROUNDING,
+    let deviation = tails.fold(0.0, f64::max);
+    claims.push(Claim::own_statement(
+        "Tails: T → ⟨r²⟩/(2ε)",
+        format!("deviation {deviation:.1e} at most, relative, at ε = 1e9"),
+        deviation <= ROUNDING,
+        "the mean square radius of each pressure",
     ));
     claims
 }
@@ -218,9 +221,9 @@ fn lateral() -> Result<Claim, Failure> {
             }
         }
     }
-    Ok(refutation(
-        "Section 3.6: for rotationally symmetric pressures the lateral force is nonzero for all α",
-        "nonzero",
+    Ok(Claim::refutation(
+        "3.6",
+        "For rotationally symmetric pressures the lateral force is nonzero for all α",
         format!(
             "at most {largest:.1e} of the force, by integration of four pressures, α = −0.5 to 3"
         ),
@@ -255,19 +258,22 @@ fn conclusions() -> Result<Vec<Claim>, Failure> {
     let ReducedWrench { force, torque } = dry.reduced_wrench(1.0, 1.0);
     let power = (1.0 + 2.0 / 3.0) / (force + torque);
     Ok(vec![
-        statement(
+        Claim::trend(
+            "5.1",
             "For 0 ≤ α < 1 coupling decreases force and torque, for α > 1 it increases both",
-            "decrease, increase",
             "seven exponents from 0 to 3 at 101 ratios".into(),
             less && more,
+            "sign",
         ),
-        not_checked(
-            "Powders with ε ≈ 1: friction without coupling is overestimated by 30 to 50 %",
-            "30 % – 50 %",
+        Claim::not_checkable(
+            "5.1",
+            "Powders with ε ≈ 1: how much friction without coupling is overestimated",
             &format!(
-                "an estimate of another work; at ε = 1 and α = 0 the power is overestimated by {:.0} %",
+                "an estimate of another work, which does not say of what; at ε = 1 and α = 0 the \
+                 power is overestimated by {:.0} %",
                 100.0 * (power - 1.0)
             ),
-        ),
+        )
+        .printed("30 % – 50 %"),
     ])
 }

@@ -1,13 +1,15 @@
 //! Section 5.1's open questions: final motion for other pressures and for negative exponents.
 
-use super::exhibit::{Exhibit, claim, geometric, linear, modes, not_checked, statement};
+use super::exhibit::{Exhibit, geometric, linear, modes};
 use super::pressure::PRESSURES;
 use crate::failure::Failure;
+use crate::report::claim::Claim;
+use crate::report::digits::short;
 use crate::report::figure::{Axis, Color, Figure, Guide, Legend, Series};
-use crate::report::page::Claim;
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
 use tribos_core::patch::PowerPressure;
+use tribos_core::slider::{Motion, Slider};
 
 /// Exponents shown; the borders diverge or vanish at −1.
 const ALPHA: (f64, f64) = (-0.99, 5.0);
@@ -125,18 +127,18 @@ fn plane(exponents: &[f64]) -> Result<Vec<Claim>, Failure> {
     let all =
         |n: usize| format!("{n} of {bodies} bodies: five pressures, −0.9 ≤ α ≤ 5, 0.03 < C < 17");
     Ok(vec![
-        statement(
+        Claim::own_statement(
             "Other pressures and negative α: one finite fixed point between the borders, none \
              outside",
-            "open question",
             all(inside_right),
             inside_right == bodies,
+            "signs of g at 61 ratios",
         ),
-        statement(
+        Claim::own_statement(
             "It is stable for α < 1 and unstable for α > 1, as for the uniform pressure",
-            "open question",
             all(fitting),
             fitting == bodies,
+            "signs of g at 61 ratios",
         ),
     ])
 }
@@ -153,11 +155,11 @@ fn decoupled() -> Result<Claim, Failure> {
             .into_iter()
             .all(|ratio| modes.growth(ratio).abs() <= 1e-14 * ratio);
     }
-    Ok(statement(
-        "α = 1 keeps every ratio only if C = ⟨r²⟩ (uniform: 1/2)",
-        "open question",
+    Ok(Claim::own_statement(
+        "α = 1 keeps every ratio if C = ⟨r²⟩ (uniform: 1/2)",
         "ring 1, punch 2/3, uniform 1/2, Hertz 2/5, paraboloid 1/3".into(),
         holds,
+        "g = 0 at 61 ratios",
     ))
 }
 
@@ -165,17 +167,18 @@ fn decoupled() -> Result<Claim, Failure> {
 fn negative() -> Result<Vec<Claim>, Failure> {
     // Roots of ε T/F = 1/2 from the hypergeometric series at 30 digits.
     let known = [
-        (-0.9, "0.700450301610", 0.700_450_301_609_642_8),
-        (-0.75, "0.691074203099", 0.691_074_203_099_252_9),
-        (-0.5, "0.676893274377", 0.676_893_274_376_780_2),
-        (-0.19, "0.661457584203", 0.661_457_584_203_123),
+        (-0.9, 0.700_450_301_609_642_8),
+        (-0.75, 0.691_074_203_099_252_9),
+        (-0.5, 0.676_893_274_376_780_2),
+        (-0.19, 0.661_457_584_203_123),
     ];
     known
         .into_iter()
-        .map(|(alpha, text, value)| {
+        .map(|(alpha, value)| {
             let ratio = modes(alpha, 0.5)?.finite_fixed_point().unwrap_or(f64::NAN);
-            let what = format!("Uniform disk, α = {alpha}: stable ε₀ (not in the thesis)");
-            Ok(claim(&what, (text, value), ratio, 1e-12))
+            let what = format!("Uniform disk, α = {alpha}: stable ε₀");
+            let series = ("the hypergeometric series at 30 digits", value);
+            Ok(Claim::own(&what, ratio, series, 1e-12))
         })
         .collect()
 }
@@ -189,43 +192,66 @@ fn curling() -> Result<Vec<Claim>, Failure> {
     };
     let (penner, draw, slow_slide) = (end(PENNER)?, end(DRAW)?, end(SLOW_SLIDE)?);
     let in_words = |mode: &FinalMode<f64>| match mode {
-        FinalMode::Spinning => "ε → 0, sliding fades first".to_owned(),
-        FinalMode::Sliding => "ε → ∞, spinning fades first".to_owned(),
-        FinalMode::Together { ratio } => format!("together, ε₀ = {ratio:.6}"),
+        FinalMode::Spinning => "ε → 0, spinning takes over".to_owned(),
+        FinalMode::Sliding => "ε → ∞, sliding takes over".to_owned(),
+        FinalMode::Together { ratio } => format!("together, ε₀ = {}", short(*ratio)),
     };
     let FinalMode::Together { ratio } = penner else {
         return Err(Failure::run("a stone with α = −1/2 has no common stop"));
     };
     let bounds = inertia_interval(DRAW, PowerPressure::RING.order());
     Ok(vec![
-        claim(
-            "Stone, α = −1/2: slides and spins to the end, ε₀ (not in the thesis)",
-            ("0.781502820850", 0.781_502_820_849_875_1),
+        Claim::own(
+            "Stone, α = −1/2: slides and spins to the end, ε₀",
             ratio,
+            (
+                "the hypergeometric series at 30 digits",
+                0.781_502_820_849_875_1,
+            ),
             1e-12,
         ),
-        statement(
-            "Stone, α = −0.19 (draw shot): no finite fixed point, spinning outlasts sliding",
-            "open question",
+        Claim::own_statement(
+            "Stone, α = −0.19 (draw shot): no finite fixed point, ε falls to 0",
             format!("{}; C is above c_max = {:.4}", in_words(&draw), bounds.1),
             draw == FinalMode::Spinning,
+            "the border of the ring in closed form",
         ),
-        not_checked(
-            "Draw shot: both motions are seen to stop together, so a finite fixed point exists",
-            "from the observation",
-            &format!(
-                "not implied: for α < 1 the two end in the same instant, with or without it. With \
-                 the measured exponent −0.19 a thin band has none: C is {:.0} % above the border",
+        Claim::contradiction(
+            "3.5.2",
+            "Draw shot: both motions are seen to stop together, and one can conclude that a finite \
+             fixed point exists",
+            format!(
+                "with the measured exponent −0.19 a thin band has none: C is {:.0} % above the \
+                 border; a launch at ε = 1 slides and spins to the same instant all the same",
                 100.0 * (stone() / bounds.1 - 1.0)
             ),
+            draw == FinalMode::Spinning && stops_together(DRAW)?,
+            "for α < 1 both motions end in the same instant, with or without a finite fixed point: \
+             the observation does not tell",
         ),
-        not_checked(
+        Claim::not_checkable(
+            "3.5.2",
             "Slow slide with fast spin: sliding is seen to stop first",
-            "from the observation",
             &format!(
-                "not from the measured exponent −0.75 on a thin band: {}",
+                "the thesis puts it down to wells in pebbled ice, which no exponent has. From the \
+                 measured −0.75 on a thin band: {}",
                 in_words(&slow_slide)
             ),
         ),
     ])
+}
+
+/// True if a stone that slides as fast as its band spins does both until it rests.
+fn stops_together(alpha: f64) -> Result<bool, Failure> {
+    let ring = round(alpha, PowerPressure::RING)?;
+    let slider = Slider::new(ring, 1.0, 1.0, stone()).map_err(Failure::run)?;
+    let mut motion = Motion::launched(1.0, 1.0);
+    // With fixed steps: the last moving state still slides and spins.
+    loop {
+        let step = slider.advance(&motion, 0.01);
+        if step.rest.is_some() {
+            return Ok(motion.speed > 0.0 && motion.spin > 0.0);
+        }
+        motion = step.motion;
+    }
 }

@@ -1,9 +1,9 @@
 //! Figure 3.11: how a motion fades for different exponents, and who travels farther.
 
-use super::exhibit::{Exhibit, claim, erratum, linear, refutation, short, statement, table};
+use super::exhibit::{Exhibit, linear, table};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
 use crate::report::figure::{Axis, Figure, Series};
-use crate::report::page::Claim;
 use tribos_core::coupling::table::Table64;
 use tribos_core::slider::{Motion, Slider};
 
@@ -67,47 +67,47 @@ fn laws_of_fading() -> Result<Vec<Claim>, Failure> {
     let fading = |alpha: f64, time: f64| (1.0 - (1.0 - alpha) * time).powf(1.0 / (1.0 - alpha));
     let mut claims = Vec::new();
     for (alpha, time) in [(0.0, 0.7), (0.5, 1.3), (2.0, 20.0), (3.0, 1e4)] {
-        let what = format!("3.34: v at t = {time} for α = {alpha}, pure sliding");
-        let value = fading(alpha, time);
-        claims.push(claim(
-            &what,
-            (&short(value), value),
-            speed_at(alpha, time)?,
-            1e-13,
+        let deviation = (speed_at(alpha, time)? / fading(alpha, time) - 1.0).abs();
+        let what = format!("v at t = {time} for α = {alpha}, pure sliding");
+        claims.push(Claim::formula(
+            "eq. 3.34", &what, deviation, 1e-13, "relative",
         ));
     }
     let spinning = Motion::launched(START, START);
     let decay = disk(1.0)?.advance(&spinning, END).motion.speed;
-    let exponential = (-END).exp();
-    claims.push(claim(
-        "α = 1: v = exp(−t) at t = 5, spinning or not",
-        (&short(exponential), exponential),
-        decay,
-        1e-14,
+    claims.push(Claim::formula(
+        "3.4.5",
+        "α = 1: exponential, v at t = 5, spinning or not",
+        (decay / (-END).exp() - 1.0).abs(),
+        1e-13,
+        "v = exp(−t), relative",
     ));
     let rests =
         |alpha: f64| -> Result<bool, Failure> { Ok(disk(alpha)?.to_rest(&spinning).is_some()) };
-    let finite = rests(-0.5)? && rests(0.0)? && rests(0.5)? && rests(0.9)?;
-    claims.push(statement(
+    claims.push(Claim::trend(
+        "3.4.5",
         "α < 1: rest in finite time",
-        "finite",
-        "α = −0.5, 0, 0.5, 0.9 rest".into(),
-        finite,
+        "α = 0, 0.5, 0.9 rest".into(),
+        rests(0.0)? && rests(0.5)? && rests(0.9)?,
+        "finite time",
     ));
-    let endless = !rests(1.0)? && !rests(3.0)?;
-    claims.push(statement(
-        "α ≥ 1: infinite time",
-        "infinite",
+    claims.push(Claim::trend(
+        "3.4.5",
+        "α ≥ 1: this takes infinite time",
         "α = 1, 3 never rest".into(),
-        endless,
+        !rests(1.0)? && !rests(3.0)?,
+        "infinite time",
     ));
-    let exponent: f64 = 1.0 / (1.0 + 0.5);
-    claims.push(refutation(
-        "After 3.34: for α < 1 the exponent 1/(1−α) is larger than one",
-        "> 1",
-        format!("α = −0.5: {exponent:.6}, and the body still rests in finite time"),
-        exponent < 1.0,
-        "only for 0 < α < 1; for α < 0 it is below one, and stopping is still in finite time",
+    let exponent = |alpha: f64| 1.0 / (1.0 - alpha);
+    claims.push(Claim::refutation(
+        "after 3.34",
+        "For α < 1 the exponent 1/(1−α) is larger than one",
+        format!(
+            "1 for α = 0, {:.3} for α = −0.5, and the body still rests in finite time",
+            exponent(-0.5)
+        ),
+        exponent(0.0) == 1.0 && exponent(-0.5) < 1.0 && rests(-0.5)?,
+        "only for 0 < α < 1; stopping in finite time needs a positive exponent, no more",
     ));
     Ok(claims)
 }
@@ -120,11 +120,11 @@ fn dimensionless_equation() -> Result<Claim, Failure> {
     let scale = f64::sqrt(gravity * radius);
     // dv*/dt* over (v*)³, from the deceleration P/(M v) of the body.
     let ours = power / speed / gravity / (speed / scale).powi(3);
-    Ok(erratum(
-        "3.26, α = 3: dv*/dt* over γ (v*)³ for pure sliding, g = 9.81, R = 0.08",
+    Ok(Claim::erratum(
+        "eq. 3.26",
+        "α = 3: dv*/dt* over γ (v*)³ for pure sliding, g = 9.81, R = 0.08",
         ("1", 1.0),
-        ours,
-        (gravity * radius).powf(alpha / 2.0),
+        (ours, (gravity * radius).powf(alpha / 2.0)),
         "the factor (g R_c)^(α/2) is missing, unless γ absorbs it; 3.27 is not affected",
     ))
 }
@@ -150,17 +150,19 @@ fn travel() -> Result<Vec<Claim>, Failure> {
     let farther = distances.windows(2).all(|w| w[1] > w[0]);
     let shown: Vec<String> = distances.iter().map(|x| format!("{x:.4}")).collect();
     Ok(vec![
-        statement(
-            "The spinning disk slides farther (3.1); ω₀R/v₀ = 0, 0.5, 1, 2, 4",
-            "farther",
+        Claim::trend(
+            "3.1",
+            "The spinning disk slides farther; ω₀R/v₀ = 0, 0.5, 1, 2, 4",
             format!("distances {}", shown.join(", ")),
             farther,
+            "order",
         ),
-        statement(
+        Claim::trend(
+            "3.1",
             "Sliding and spinning stop at the same time (α = 0, C = 1/2)",
-            "same time",
             "same step of 0.01 for every spin".into(),
             together,
+            "same time, to the step",
         ),
     ])
 }

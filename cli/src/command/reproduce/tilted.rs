@@ -1,11 +1,10 @@
 //! Figure 3.16: a sliding, spinning cylinder leans forward and drifts to the side.
 
-use super::exhibit::{
-    Exhibit, at, claim, geometric, linear, not_checked, points, statement, table,
-};
+use super::exhibit::{Exhibit, at, geometric, linear, points, table};
 use crate::failure::Failure;
+use crate::report::claim::Claim;
 use crate::report::figure::{Axis, Figure, Legend, Series};
-use crate::report::page::Claim;
+use crate::report::verdict::Allowance;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::tall::{AllRound, Footing, FrontBack, Lean, TallFriction, TallWrench};
 use tribos_core::coupling::{Lateral, PatchFriction, table::Table64};
@@ -53,9 +52,9 @@ pub fn figure_3_16() -> Result<Exhibit, Failure> {
     claims.extend(cylinder(&dry)?);
     claims.extend(sideways(&dry)?);
     claims.push(other_exponents()?);
-    claims.push(not_checked(
+    claims.push(Claim::not_checkable(
+        "3.5.1",
         "The disk with aspect ratio 1/4 left its straight path only a little",
-        "very small",
         "measured; no numbers are published",
     ));
     Ok(Exhibit {
@@ -86,28 +85,24 @@ fn limits(dry: &Table64) -> Vec<Claim> {
     let rounding = 4.0 * f64::EPSILON;
     let far = 1e9;
     vec![
-        claim(
+        Claim::stated(
+            "3.5.1, eq. 3.16",
             "F⊥(0), the limit of the torque",
             ("2/3", 2.0 / 3.0),
             lateral(dry, 0.0),
-            rounding,
+            Allowance::Exact(rounding),
         ),
-        claim(
+        Claim::stated(
+            "3.5.1, eq. 3.15",
             "F⊥(∞), the limit of the torque",
             ("0", 0.0),
             2.0 * dry.lateral(1.0, 0.0),
-            0.0,
+            Allowance::Exact(0.0),
         ),
-        claim(
-            "Tail of the torque: ε T at ε = 1e9",
-            ("1/4", 0.25),
-            far * at(dry, far)[1],
-            rounding,
-        ),
-        claim(
-            "Tail of the lateral function (not in the thesis): ε F⊥ at ε = 1e9",
-            ("1/2", 0.5),
+        Claim::own(
+            "Tail of the lateral function, twice the torque's: ε F⊥ at ε = 1e9",
             far * lateral(dry, far),
+            ("its closed form, 1/2", 0.5),
             rounding,
         ),
     ]
@@ -122,22 +117,23 @@ fn product(dry: &Table64) -> Vec<Claim> {
         .fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
     let (slow, fast) = (height(1e-9), height(1e9));
     vec![
-        statement(
+        Claim::trend(
+            "3.5.1",
             "The lateral force vanishes for ε → 0 and for ε → ∞",
-            "0 and 0",
             format!("F F⊥ = {slow:.1e} at 1e-9, {fast:.1e} at 1e9"),
             slow < 1e-9 && fast < 1e-9,
+            "limits",
         ),
-        claim(
-            "Largest product (not in the thesis), 30 digits",
-            ("0.387763697825", 0.387_763_697_824_766_9),
+        Claim::own(
+            "Largest product F F⊥",
             peak.0,
+            ("its value at 30 digits", 0.387_763_697_824_766_9),
             1e-10,
         ),
-        claim(
-            "where it lies",
-            ("0.92196", 0.921_964_425_271_233_1),
+        Claim::own(
+            "The ratio ε at which it lies",
             peak.1,
+            ("its value at 30 digits", 0.921_964_425_271_233_1),
             1e-5,
         ),
     ]
@@ -172,21 +168,22 @@ fn direct_integration(dry: &Table64) -> Result<Vec<Claim>, Failure> {
         let sum: f64 = foot.nodes().iter().map(|node| node.weight * node.x).sum();
         sum / foot.total_weight()
     };
-    let zero = ("0", 0.0);
+    let over = "and an integration over 8192 points, 0.05 ≤ ε ≤ 20";
     Ok(vec![
-        claim(
-            "3.37 does not change F; largest difference of the integral, 0.05 ≤ ε ≤ 20",
-            zero,
-            force,
-            NODE_ERROR,
+        Claim::formula("eq. 3.37", "It does not change F", force, NODE_ERROR, over),
+        Claim::formula("eq. 3.37", "It does not change T", torque, NODE_ERROR, over),
+        Claim::own_statement(
+            "Closed form of the lateral function, 2G with G = (F/ε + T)/5",
+            format!("deviation {side:.1e} at most, 0.05 ≤ ε ≤ 20"),
+            side <= NODE_ERROR,
+            "an integration of 3.37 over 8192 points",
         ),
-        claim("3.37 does not change T", zero, torque, NODE_ERROR),
-        claim("Lateral function, closed form", zero, side, NODE_ERROR),
-        claim(
-            "3.37 balances the torque F H/2: moment of the pressure for 2 F H/(N R) = 0.8, over N R",
-            ("0.2", LEAN / 4.0),
-            moment,
+        Claim::formula(
+            "eq. 3.37",
+            "It balances the torque F H/2: moment of the pressure for 2 F H/(N R) = 0.8",
+            (moment - LEAN / 4.0).abs(),
             1e-14,
+            "moment 0.2 N R",
         ),
     ])
 }
@@ -218,23 +215,26 @@ fn cylinder(dry: &Table64) -> Result<Vec<Claim>, Failure> {
     };
     let border = (footing(0.499)?, footing(0.501)?);
     Ok(vec![
-        claim(
-            "3.38 is the magnitude of the lateral force: ours over it, ε = 1",
-            ("1", 1.0),
-            -left.force.y / printed,
+        Claim::formula(
+            "eq. 3.38",
+            "Magnitude of the lateral force at ε = 1",
+            (-left.force.y / printed - 1.0).abs(),
             1e-14,
+            "relative",
         ),
-        statement(
+        Claim::trend(
+            "3.5.1",
             "Counterclockwise spin drives to the right, clockwise to the left",
-            "along −e⊥",
-            format!("{:.6} and {:.6} to the left", left.force.y, right.force.y),
+            format!("{:.4} and {:.4} to the left", left.force.y, right.force.y),
             left.force.y < 0.0 && right.force.y == -left.force.y,
+            "sign",
         ),
-        statement(
-            "The cylinder does not lift up at any point (premise of 3.37)",
-            "assumed",
-            "3.37 is positive everywhere as long as 2 μ F H/R ≤ 1".into(),
+        Claim::own_statement(
+            "Premise of 3.37, the cylinder does not lift up: 3.37 is positive everywhere as long \
+             as 2 μ F H/R ≤ 1",
+            "stands whole at 0.998, lifts at 1.002".into(),
             border == (Footing::Whole, Footing::Lifting),
+            "the pressure at the trailing edge",
         ),
     ])
 }
@@ -267,18 +267,18 @@ fn sideways(dry: &Table64) -> Result<Vec<Claim>, Failure> {
         }
     }
     let [force, torque] = largest;
-    Ok(vec![statement(
-        "Not in the thesis: the lateral force tips the cylinder sideways too, and that changes F \
-         and T (order λ², here λ = 2 μ H/R = 0.8)",
-        "not changed",
+    Ok(vec![Claim::own_statement(
+        "The lateral force tips the cylinder sideways too, and that changes F and T (order λ², \
+         here λ = 2 μ H/R = 0.8)",
         format!(
-            "F {:+.1} % at ε = {:.2}, T {:+.1} % at ε = {:.2}; integration agrees within {deviation:.1e}",
+            "F {:+.1} % at ε = {:.2}, T {:+.1} % at ε = {:.2}; deviation {deviation:.1e}",
             100.0 * force.0,
             force.1,
             100.0 * torque.0,
             torque.1
         ),
         deviation < NODE_ERROR,
+        "an integration of the leaning pressure over 8192 points",
     )])
 }
 
@@ -293,10 +293,11 @@ fn other_exponents() -> Result<Claim, Failure> {
             .into_iter()
             .all(|ratio| lateral(&table, ratio) > 0.0);
     }
-    Ok(statement(
-        "Other exponents: the lateral force is not zero, and similar to the torque",
-        "nonzero, similar",
-        "positive, and F⊥(0) = T(0), for α = −0.5, 0.5, 1, 2, 3".into(),
+    Ok(Claim::trend(
+        "3.5.1",
+        "Other exponents: the lateral force is nonzero as well and similar to the torque",
+        "positive, and F⊥(0) = T(0), for α = 0.5, 1, 2, 3 and for −0.5".into(),
         holds,
+        "sign and limit",
     ))
 }

@@ -20,6 +20,7 @@ pub struct Axis {
     pub(in crate::report) label: String,
     pub(super) range: Option<(f64, f64)>,
     scale: Scale,
+    names: Vec<String>,
 }
 
 impl Axis {
@@ -29,6 +30,7 @@ impl Axis {
             label: label.into(),
             range: None,
             scale,
+            names: Vec::new(),
         }
     }
 
@@ -40,6 +42,15 @@ impl Axis {
     /// A logarithmic axis.
     pub fn log10(label: impl Into<String>) -> Self {
         Self::new(label, Scale::Log10)
+    }
+
+    /// An axis of named cases at 1, 2, 3 and so on.
+    pub fn named(label: impl Into<String>, names: Vec<String>) -> Self {
+        let end = names.len() as f64 + 0.5;
+        Self {
+            names,
+            ..Self::linear(label).range(0.5, end.max(1.5))
+        }
     }
 
     /// Fixes the shown range instead of taking it from the data.
@@ -166,6 +177,22 @@ impl Span {
         let values = points.into_iter().map(|point| point * size);
         let ticks = values.filter_map(|value| Some((self.place(value)?, label(value))));
         Ticks(ticks.collect())
+    }
+}
+
+impl Axis {
+    /// Its named cases, or about `count` ticks.
+    pub(super) fn ticks(&self, span: &Span, count: usize) -> Ticks {
+        if self.names.is_empty() {
+            return span.ticks(count);
+        }
+        let places = (1..).map(|case: i32| span.place(f64::from(case)));
+        let ticks = places.zip(&self.names);
+        Ticks(
+            ticks
+                .filter_map(|(at, name)| Some((at?, name.clone())))
+                .collect(),
+        )
     }
 }
 

@@ -27,9 +27,19 @@ pub(in crate::report) fn prepare((width, height): (u32, u32)) -> Result<(), Figu
 
 /// Draws on a white canvas and returns the SVG document.
 pub(super) fn svg(
+    size: (u32, u32),
+    paint: impl Fn(&Area) -> Result<(), FigureError>,
+) -> Result<String, FigureError> {
+    svg_shown_at(size, size, paint)
+}
+
+/// The same, drawn at one size and shown at another.
+pub(super) fn svg_shown_at(
+    shown: (u32, u32),
     (width, height): (u32, u32),
     paint: impl Fn(&Area) -> Result<(), FigureError>,
 ) -> Result<String, FigureError> {
+    prepare(shown)?;
     prepare((width, height))?;
     let fine = (width * PX as u32, height * PX as u32);
     let mut text = String::new();
@@ -41,6 +51,7 @@ pub(super) fn svg(
 
     // The fine units stay inside; the image keeps its size in pixels.
     let drawn = format!("width=\"{}\" height=\"{}\"", fine.0, fine.1);
+    let (width, height) = shown;
     let shown = format!("width=\"{width}\" height=\"{height}\" stroke-linejoin=\"round\"");
     Ok(text.replacen(&drawn, &shown, 1))
 }

@@ -143,7 +143,8 @@ fn axes<'c, 'a>(
     let (full, height) = area.dim_in_pixel();
     let across = (full / (75 * THIN)).max(2) as usize;
     let up = (height / (45 * THIN)).max(2) as usize;
-    let (x_ticks, y_ticks) = (spans.0.ticks(across), spans.1.ticks(up));
+    let x_ticks = figure.x.ticks(&spans.0, across);
+    let y_ticks = figure.y.ticks(&spans.1, up);
     let widest = y_ticks.0.iter().map(|(_, label)| width(label, 12.0)).max();
     let named = |label: &str| if label.is_empty() { 0 } else { 22 * PX };
     let mut chart = ChartBuilder::on(area)

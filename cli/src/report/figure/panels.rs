@@ -9,6 +9,7 @@ pub struct Panels {
     title: String,
     columns: u32,
     cell: (u32, u32),
+    zoom: f64,
     figures: Vec<Figure>,
 }
 
@@ -19,6 +20,7 @@ impl Panels {
             title: title.into(),
             columns: columns.max(1),
             cell: (480, 360),
+            zoom: 1.0,
             figures: Vec::new(),
         }
     }
@@ -37,8 +39,22 @@ impl Panels {
         self
     }
 
+    /// Enlarges the whole grid, letters and lines with it.
+    #[must_use]
+    pub fn zoom(mut self, zoom: f64) -> Self {
+        self.zoom = zoom;
+        self
+    }
+
     /// Width and height of the whole grid in pixels.
     pub fn extent(&self) -> (u32, u32) {
+        let (width, height) = self.drawn();
+        let zoomed = |side: u32| (f64::from(side) * self.zoom).round() as u32;
+        (zoomed(width), zoomed(height))
+    }
+
+    // Width and height before they are enlarged.
+    fn drawn(&self) -> (u32, u32) {
         let (rows, columns) = self.grid();
         let height = self.cell.1.saturating_mul(rows);
         let width = self.cell.0.saturating_mul(columns);
@@ -61,7 +77,7 @@ impl Panels {
     pub fn svg(&self) -> Result<String, FigureError> {
         let (rows, columns) = self.grid();
         let head = self.head();
-        canvas::svg(self.extent(), |root| {
+        canvas::svg_shown_at(self.extent(), self.drawn(), |root| {
             let (top, body) = root.split_vertically(head as i32 * PX);
             chart::title(&self.title, 18.0, &top.margin(9 * PX, 0, 0, 0))?;
             let cells: Vec<Area> = body.split_evenly((rows as usize, columns as usize));
