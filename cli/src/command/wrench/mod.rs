@@ -130,7 +130,11 @@ impl Arguments {
             super::tell(format_args!("contact: {}", given::sentence(&given)));
         }
         match &self.output {
-            Some(path) => Ok(write_atomically(path, text.as_bytes())?),
+            Some(path) => {
+                write_atomically(path, text.as_bytes())?;
+                super::tell(format_args!("written to    {}", path.display()));
+                Ok(())
+            }
             None => super::print(&text),
         }
     }
