@@ -4,6 +4,7 @@ use std::process::ExitCode;
 use tribos_cli::command;
 
 fn main() -> ExitCode {
+    command::complete();
     match command::parse().execute() {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {

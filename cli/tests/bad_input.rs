@@ -53,7 +53,7 @@ fn every_kind_of_bad_scene_is_refused_with_its_line_and_cure() -> Outcome {
             "radius = 0.08",
             "radius = \"big\"",
             "scene.toml:6",
-            "not a text",
+            "got \"big\"",
         ),
         (
             "alpha = 0.0",

@@ -2,6 +2,7 @@
 
 use assert_cmd::Command;
 use clap::Command as Clap;
+use std::path::Path;
 use tribos_cli::command::program;
 
 type Error = Box<dyn std::error::Error>;
@@ -60,6 +61,48 @@ fn every_help_has_examples_and_more_than_its_line_on_the_first_page() {
 }
 
 #[test]
+fn help_is_short_and_points_to_the_rest() -> Outcome {
+    /// Lines of a screen, and of two.
+    const SHORT: usize = 50;
+    const LONG: usize = 100;
+    for (path, _) in commands() {
+        let path: Vec<&str> = path.iter().map(String::as_str).collect();
+        for (option, most) in [("-h", SHORT), ("--help", LONG)] {
+            let page = said(&[&path[..], &[option]].concat())?;
+            let lines = page.lines().count();
+            assert!(lines <= most, "{path:?} {option}: {lines} lines");
+        }
+    }
+    let page = said(&["run", "--help"])?;
+    for body in tribos::scene::bodies() {
+        assert!(
+            page.contains(&format!("tribos scene keys {body}")),
+            "{page}"
+        );
+    }
+    Ok(())
+}
+
+#[test]
+fn keys_are_told_body_by_body() -> Outcome {
+    let all = said(&["scene", "keys"])?;
+    for body in tribos::scene::bodies() {
+        assert!(all.contains(&format!("  {body} ")), "{all}");
+        let keys = tribos::scene::vocabulary(body).ok_or("a body")?.keys;
+        let text = said(&["scene", "keys", body])?;
+        assert_eq!(text.lines().count(), 1 + keys.len(), "{text}");
+        for key in keys {
+            let told = |line: &str| line.trim_start().starts_with(&format!("{} ", key.name));
+            assert!(text.lines().any(told), "{body}: {}", key.name);
+        }
+    }
+    // A scene stands for its body.
+    let [scene, body] = ["compaction-small", "powder"].map(|word| said(&["scene", "keys", word]));
+    assert_eq!(scene?, body?);
+    Ok(())
+}
+
+#[test]
 fn every_command_has_a_manual_page() -> Outcome {
     let folder = tempfile::tempdir()?;
     let out = folder.path().join("man1");
@@ -95,7 +138,12 @@ fn bash_completes_commands_options_and_values() -> Outcome {
     let folder = tempfile::tempdir()?;
     let script = folder.path().join("tribos.bash");
     std::fs::write(&script, said(&["completions", "bash"])?)?;
+    // The script asks the program itself.
+    let program = Path::new(env!("CARGO_BIN_EXE_tribos"));
+    let own = program.parent().ok_or("no folder")?.display();
+    let path = format!("{own}:{}", std::env::var("PATH")?);
     let completed = |words: &str| -> Result<String, Error> {
+        // As bash breaks them, at = and : too.
         let count = words.split(' ').count() - 1;
         // As the shell calls it after the key is pressed.
         let call = format!(
@@ -105,6 +153,7 @@ fn bash_completes_commands_options_and_values() -> Outcome {
         );
         let output = std::process::Command::new("bash")
             .args(["-c", &call])
+            .env("PATH", &path)
             .output();
         match output {
             Ok(output) if output.status.success() => Ok(String::from_utf8(output.stdout)?),
@@ -117,17 +166,34 @@ fn bash_completes_commands_options_and_values() -> Outcome {
         ("tribos sweep --me", "--merge"),
         ("tribos golden ve", "verify"),
         ("tribos wrench --tier comp", "compact"),
+        ("tribos run compaction-s", "compaction-small"),
+        ("tribos run disk --set ste", "stepper="),
+        ("tribos run disk --set stepper = ver", "verlet"),
+        ("tribos run tip-reversible --set lam", "lambda="),
+        ("tribos sweep disk --set coeff", "coefficient="),
+        ("tribos golden write pipe-", "pipe-a pipe-b"),
+        ("tribos scene keys cur", "curling curling-draw curling-slow"),
+        ("tribos wrench --patch annu", "annulus:"),
+        ("tribos wrench --law stri", "stribeck:"),
+        ("tribos wrench --law stribeck : mu_", "mu_s= mu_d="),
+        ("tribos wrench --law stribeck : mu_s = 1,del", "1,delta="),
+        ("tribos laws rate", "rate-state"),
+        ("tribos reproduce table-3.", "table-3.1 table-3.2"),
     ] {
         let found = completed(words)?;
+        let mut found: Vec<&str> = found.split_whitespace().collect();
+        found.sort_unstable();
+        let mut expected: Vec<&str> = expected.split(' ').collect();
+        expected.sort_unstable();
         assert!(
-            found.trim() == expected || found == "skipped",
-            "{words}: {found}"
+            found == expected || found == ["skipped"],
+            "{words}: {found:?}"
         );
     }
     for shell in ["zsh", "fish", "powershell", "elvish"] {
         let text = said(&["completions", shell])?;
         assert!(
-            text.contains("tribos") && text.contains("reproduce"),
+            text.contains("tribos") && text.contains("TRIBOS_COMPLETE"),
             "{shell}"
         );
     }

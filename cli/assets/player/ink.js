@@ -7,28 +7,46 @@ const SOFT = "#59616b";
 const NARROW = 620;
 /** Width of a legend. */
 const LEGEND = 216;
+/** Between cards. */
+const GAP = 8;
 
 /** Draws all of it on a context whose unit is a pixel of the page. */
 function drawInk(ink, view, frame, [width, height]) {
   ink.clearRect(0, 0, width, height);
   ink.textBaseline = "middle";
-  panel(ink, view.readout(frame), 12, 12);
   const narrow = width < NARROW;
-  drawLegends(ink, view.legends(), [width, height], 12, view);
+  if (!narrow) {
+    panel(ink, view.readout(frame), 12, 12);
+    drawLegends(ink, view.legends(), [width - LEGEND - 12, 12], view);
+  }
   if (narrow) drawAxes(ink, view.camera.axes(), width - 44, 44);
   else drawAxes(ink, view.camera.axes(), 44, height - 44);
   drawScaleBar(ink, view, width, height);
 }
 
-/** Legends one below the other: at the upper right, on a narrow page at the lower left. */
-function drawLegends(ink, legends, [width, height], top, view) {
-  const heights = legends.map(legendHeight);
-  const all = heights.reduce((sum, one) => sum + one + 8, 0);
-  let [x, y] = width < NARROW ? [12, height - all - 4] : [width - LEGEND - 12, top];
-  legends.forEach((legend, k) => {
-    drawLegend(ink, legend, x, y, heights[k], view);
-    y += heights[k] + 8;
-  });
+/** Legends one below the other. */
+function drawLegends(ink, legends, [x, top], view) {
+  let y = top;
+  for (const legend of legends) {
+    const height = legendHeight(legend);
+    drawLegend(ink, legend, x, y, height, view);
+    y += height + GAP;
+  }
+}
+
+/** Height of readout and legends below the picture of a narrow page. */
+function heightBelow(view, frame) {
+  const legends = view.legends().map((legend) => legendHeight(legend) + GAP);
+  return panelHeight(view.readout(frame)) + GAP + legends.reduce((sum, one) => sum + one, 0);
+}
+
+/** The readout, then the legends. */
+function drawBelow(ink, view, frame, [width, height]) {
+  ink.clearRect(0, 0, width, height);
+  ink.textBaseline = "middle";
+  const lines = view.readout(frame);
+  panel(ink, lines, 0, 0);
+  drawLegends(ink, view.legends(), [0, panelHeight(lines) + GAP], view);
 }
 
 function legendHeight(legend) {
@@ -48,10 +66,14 @@ function card(ink, x, y, width, height) {
   ink.fill();
 }
 
+function panelHeight(lines) {
+  return 20 * lines.length + 10;
+}
+
 function panel(ink, lines, x, y) {
   font(ink, 13);
   const width = Math.max(...lines.map((text) => ink.measureText(text).width)) + 20;
-  card(ink, x, y, width, 20 * lines.length + 10);
+  card(ink, x, y, width, panelHeight(lines));
   ink.fillStyle = INK;
   ink.textAlign = "left";
   lines.forEach((text, k) => ink.fillText(text, x + 10, y + 15 + 20 * k));

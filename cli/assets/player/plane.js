@@ -1,5 +1,9 @@
 // A body that slides in the plane: the whole path, and the body close up, followed.
 
+const VELOCITY = "#1b7f4d";
+const FORCE = "#a3246c";
+const TORQUE = "#7a5c00";
+
 class PlaneView {
   constructor(meta, canvas) {
     Object.assign(this, { meta, canvas, options: {} });
@@ -16,7 +20,7 @@ class PlaneView {
   }
 
   help() {
-    return "Above the path, below the body from above; its line shows how it turns, the arrow how fast it slides. Wheel or pinch to zoom. Space plays, arrow keys step, home and end.";
+    return "Above the path, below the body from above; its line shows how it turns, the straight arrows how fast it slides and the force of friction on it, the bent arrow the torque. Wheel or pinch to zoom. Space plays, arrow keys step, home and end.";
   }
 
   draw(frame) {
@@ -32,8 +36,15 @@ class PlaneView {
   }
 
   at(frame) {
-    const [time, x, y, angle, speed, spin, vx, vy] = this.meta.frames[frame].row;
-    return { time, x, y, angle, speed, spin, vx, vy };
+    const [time, x, y, angle, speed, spin, vx, vy, fx, fy, torque] = this.meta.frames[frame].row;
+    return { time, x, y, angle, speed, spin, vx, vy, fx, fy, torque, force: Math.hypot(fx, fy) };
+  }
+
+  /** The largest value of the film. */
+  largest(key) {
+    this.most ??= {};
+    this.most[key] ??= this.meta.frames.reduce((most, _, k) => Math.max(most, Math.abs(this.at(k)[key])), 0);
+    return this.most[key];
   }
 
   /** The whole path with the body's place on it; the scales of both axes may differ. */
@@ -109,7 +120,9 @@ class PlaneView {
     for (const point of before) pen.lineTo(x + (point.x - here.x) * scale, y - (point.y - here.y) * scale);
     pen.stroke();
     this.body(pen, here, [x, y], radius);
-    this.arrow(pen, here, [x, y], radius);
+    this.arrow(pen, VELOCITY, [x, y], [here.vx, here.vy], (2 * radius) / (this.at(0).speed || 1));
+    this.arrow(pen, FORCE, [x, y], [here.fx, here.fy], (1.4 * radius) / (this.largest("force") || 1));
+    this.twist(pen, here, [x, y], radius);
     pen.restore();
   }
 
@@ -149,40 +162,65 @@ class PlaneView {
     pen.fill();
   }
 
-  /** The velocity, as long as a diameter at the launch. */
-  arrow(pen, { vx, vy, speed }, [x, y], radius) {
-    const first = this.at(0).speed || 1;
-    const length = (2 * radius * speed) / first;
+  /** A vector of the plane from the centre: the velocity as long as a diameter at the launch, the force 1.4 radii where it is largest. */
+  arrow(pen, color, [x, y], [along, left], scale) {
+    const size = Math.hypot(along, left);
+    const length = size * scale;
     if (!(length > 4)) return;
-    const [ux, uy] = [vx / speed, -vy / speed];
+    const [ux, uy] = [along / size, -left / size];
     const [tx, ty] = [x + ux * length, y + uy * length];
-    pen.strokeStyle = pen.fillStyle = "#1b7f4d";
+    pen.strokeStyle = pen.fillStyle = color;
     pen.lineWidth = 3;
     pen.beginPath();
     pen.moveTo(x, y);
     pen.lineTo(tx, ty);
     pen.stroke();
+    this.head(pen, [tx, ty], [ux, uy]);
+  }
+
+  head(pen, [x, y], [ux, uy]) {
     pen.beginPath();
-    for (const [along, aside] of [[12, 0], [-2, 6], [-2, -6]]) pen.lineTo(tx + ux * along - uy * aside, ty + uy * along + ux * aside);
+    for (const [along, aside] of [[12, 0], [-2, 6], [-2, -6]]) pen.lineTo(x + ux * along - uy * aside, y + uy * along + ux * aside);
     pen.fill();
+  }
+
+  /** The torque, an arc about the body from its lowest point, half a turn where it is largest. */
+  twist(pen, { torque }, [x, y], radius) {
+    const angle = (Math.PI * torque) / (this.largest("torque") || 1);
+    const reach = 1.13 * radius;
+    if (!(Math.abs(angle) * reach > 4)) return;
+    const begin = Math.PI / 2;
+    // Counterclockwise on the floor is against the angles of the screen.
+    const end = begin - angle;
+    pen.strokeStyle = pen.fillStyle = TORQUE;
+    pen.lineWidth = 3;
+    pen.beginPath();
+    pen.arc(x, y, reach, begin, end, angle > 0);
+    pen.stroke();
+    const turn = Math.sign(angle);
+    this.head(pen, [x + reach * Math.cos(end), y + reach * Math.sin(end)], [turn * Math.sin(end), -turn * Math.cos(end)]);
   }
 
   readout(frame) {
     const { units } = this.meta;
-    const { time, x, y, angle, speed, spin } = this.at(frame);
-    const lines = [`time ${digits(time)} ${units.time}`, `forward ${digits(x)} ${units.length}`, `sliding ${digits(speed)} ${units.speed}`, `spinning ${digits(spin)} ${units.spin}`, `turned ${((180 * angle) / Math.PI).toFixed(1)}°`];
+    const { time, x, y, angle, speed, spin, force, torque } = this.at(frame);
+    const lines = [`time ${digits(time)} ${units.time}`, `forward ${digits(x)} ${units.length}`, `sliding ${digits(speed)} ${units.speed}`, `spinning ${digits(spin)} ${units.spin}`, `turned ${((180 * angle) / Math.PI).toFixed(1)}°`, `force ${digits(force)} ${units.force}`, `torque ${digits(torque)} ${units.torque}`];
     if (this.meta.curves) lines.splice(2, 0, `to the left ${digits(y)} ${units.length}`);
     return lines;
+  }
+
+  legends() {
+    const kinds = [["velocity", VELOCITY], ["force on the body", FORCE], ["torque on the body", TORQUE], ["mark on the body", "#d55e00"], ["path of the centre", "#0072b2"]];
+    return [{ kinds: kinds.map(([name, color]) => ({ name, color })), label: "close-up from above", marked: [] }];
   }
 
   ink(pen, frame, [width, height]) {
     pen.clearRect(0, 0, width, height);
     pen.textBaseline = "middle";
+    if (width < NARROW) return;
     const top = Math.round(0.42 * height) + 12;
     panel(pen, this.readout(frame), 12, top);
-    const legend = { kinds: [{ name: "mark on the body", color: "#d55e00" }, { name: "velocity", color: "#1b7f4d" }, { name: "path of the centre", color: "#0072b2" }], label: "close-up from above", marked: [] };
-    drawLegends(pen, [legend], [width, height], top);
-    if (width < NARROW) return;
+    drawLegends(pen, this.legends(), [width - LEGEND - 12, top]);
     font(pen, 12);
     pen.fillStyle = SOFT;
     pen.textAlign = "right";

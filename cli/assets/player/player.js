@@ -17,8 +17,10 @@ class Player {
     this.canvas = make("canvas", { class: "picture" });
     this.ink = make("canvas", { class: "ink", "aria-hidden": "true" });
     this.stage = make("div", { class: "stage", tabindex: "0", role: "img" }, this.canvas, this.ink);
+    this.below = make("canvas", { class: "below", "aria-hidden": "true" });
     this.view = makeView(this.canvas);
-    root.replaceChildren(make("h2", {}, meta.title), this.looks(), this.stage, this.transport(), this.settings(), this.help());
+    const parameters = meta.parameters ? [make("p", { class: "parameters" }, meta.parameters)] : [];
+    root.replaceChildren(make("h2", {}, meta.title), ...parameters, this.looks(), this.stage, this.below, this.transport(), this.settings(), this.help());
     this.listen();
     const [first] = Object.values(this.view.presets());
     this.choose(first || {});
@@ -65,7 +67,9 @@ class Player {
 
   listen() {
     const { stage, root } = this;
-    root.addEventListener("keydown", (event) => this.key(event));
+    // A page that is one film takes keys wherever they are pressed; a film among others where it has the focus.
+    const alone = document.body.classList.contains("film");
+    (alone ? document : root).addEventListener("keydown", (event) => this.key(event));
     new ResizeObserver(() => this.resize()).observe(stage);
     const fingers = new Map();
     const spread = () => {
@@ -221,17 +225,40 @@ class Player {
     const context = ink.getContext("2d");
     context.setTransform(sharp, 0, 0, sharp, 0, 0);
     view.ink(context, this.frame, [width, height]);
+    this.drawBelow(sharp);
     stage.setAttribute("aria-label", `${this.meta.title}: ${view.readout(this.frame).join(", ")}`);
+  }
+
+  /** On a narrow page readout and legends stand below the picture, not on it. */
+  drawBelow(scale) {
+    const { stage, below, view, frame } = this;
+    const width = stage.clientWidth;
+    const narrow = width < NARROW;
+    below.hidden = !narrow;
+    if (!narrow) return 0;
+    const height = heightBelow(view, frame);
+    below.style.height = `${height}px`;
+    const [w, h] = [Math.round(width * scale), Math.round(height * scale)];
+    if (below.width !== w) below.width = w;
+    if (below.height !== h) below.height = h;
+    const context = below.getContext("2d");
+    context.setTransform(scale, 0, 0, scale, 0, 0);
+    drawBelow(context, view, frame, [width, height]);
+    return h;
   }
 
   /** The picture with its legend, twice as fine as on the screen. */
   picture() {
-    const { stage, canvas, view } = this;
+    const { stage, canvas, below, view } = this;
     this.draw(2);
-    const sheet = make("canvas", { width: canvas.width, height: canvas.height });
-    const context = sheet.getContext("2d");
-    context.drawImage(canvas, 0, 0);
     const scale = canvas.width / stage.clientWidth;
+    const more = this.drawBelow(scale);
+    const sheet = make("canvas", { width: canvas.width, height: canvas.height + more });
+    const context = sheet.getContext("2d");
+    context.fillStyle = "#fff";
+    context.fillRect(0, 0, sheet.width, sheet.height);
+    context.drawImage(canvas, 0, 0);
+    if (more > 0) context.drawImage(below, 0, canvas.height);
     const over = make("canvas", { width: canvas.width, height: canvas.height });
     const ink = over.getContext("2d");
     ink.setTransform(scale, 0, 0, scale, 0, 0);

@@ -1,6 +1,7 @@
 //! The subcommands, one module each.
 
 mod columns;
+mod completion;
 mod completions;
 mod deposit;
 mod digits;
@@ -8,6 +9,7 @@ mod eval;
 mod explain;
 mod export;
 mod fit;
+mod folder;
 mod golden;
 mod inverse;
 mod laws;
@@ -20,12 +22,14 @@ mod parallel;
 mod patch;
 mod presentation;
 mod profile;
+mod progress;
 mod reproduce;
 mod run;
 mod scene;
 mod spool;
 mod sweep;
 mod tier;
+mod unknown;
 mod view;
 mod wrench;
 
@@ -49,6 +53,7 @@ struct Program {
 /// The whole command line.
 pub fn program() -> clap::Command {
     let program = overview::with_page(Program::command());
+    let program = folder::with_folders(completion::with_words(program));
     documentation()
         .into_iter()
         .fold(program, |program, (name, text)| {
@@ -80,6 +85,14 @@ fn documentation() -> [(&'static str, StyledStr); 15] {
         ("explain", of::<explain::Arguments>()),
         ("fit", of::<fit::Arguments>()),
     ]
+}
+
+/// Answers a shell that asks for completions, and ends the process then; else nothing.
+pub fn complete() {
+    clap_complete::CompleteEnv::with_factory(program)
+        .var(completion::VARIABLE)
+        .bin("tribos")
+        .complete();
 }
 
 /// What the arguments of this process ask for; ends it with help or a refusal if that is the answer.
@@ -166,6 +179,7 @@ fn tell(line: fmt::Arguments<'_>) {
 
 /// A line on standard error that --quiet does not take away; work goes on if nobody can read it.
 pub fn warn(line: fmt::Arguments<'_>) {
+    progress::erase();
     // One write a line: lines of several threads do not mix.
     let line = format!("{line}\n");
     let _ = std::io::stderr().lock().write_all(line.as_bytes());
@@ -173,6 +187,7 @@ pub fn warn(line: fmt::Arguments<'_>) {
 
 /// Prints; a reader that went away is not an error.
 fn print(text: &str) -> Result<(), Failure> {
+    progress::erase();
     match std::io::stdout().lock().write_all(text.as_bytes()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::run(format!(
             "cannot write to standard output: {error}"

@@ -1,11 +1,16 @@
 //! Numbers on the command line, refused with a reason before any work.
 
+use tribos::scene::number_hint;
+
 /// A finite number.
 pub fn finite(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(x) if x.is_finite() => Ok(x),
         Ok(x) => Err(format!("give a finite number, not {x}")),
-        Err(_) => Err("give a number such as 0.5 or 1e-3".into()),
+        Err(_) => Err(match number_hint(text) {
+            Some(hint) => format!("got {}; {hint}", text.trim()),
+            None => "give a number such as 0.5 or 1e-3".into(),
+        }),
     }
 }
 

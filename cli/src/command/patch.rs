@@ -4,6 +4,7 @@ use super::number;
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
+use tribos::scene::nearest;
 use tribos_core::coupling::Annulus;
 use tribos_core::patch::PowerPressure;
 
@@ -27,6 +28,18 @@ pub enum PatchName {
     /// Points with weights, from a file.
     Points(PathBuf),
 }
+
+/// Names of the patches, without what may follow a colon.
+const NAMES: [&str; 8] = [
+    "disk",
+    "ring",
+    "annulus",
+    "hertz",
+    "punch",
+    "paraboloid",
+    "polynomial",
+    "points",
+];
 
 /// What `--patch` takes.
 pub const PATCHES: &str = "disk, ring, annulus:INNER, hertz, punch, paraboloid, \
@@ -114,7 +127,10 @@ impl FromStr for PatchName {
             ("polynomial", ..) => Err("give coefficients, such as polynomial:1,-0.5".into()),
             ("points", _, Some(file)) if !file.is_empty() => Ok(Self::Points(file.into())),
             ("points", ..) => Err("give a CSV file, such as points:feet.csv".into()),
-            _ => Err(format!("unknown patch `{text}`; the patches are {PATCHES}")),
+            _ => Err(match nearest(name, NAMES) {
+                Some(meant) => format!("unknown patch `{text}`; did you mean `{meant}`?"),
+                None => format!("unknown patch `{text}`; the patches are {PATCHES}"),
+            }),
         }
     }
 }

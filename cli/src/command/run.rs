@@ -9,14 +9,15 @@ pub mod tip;
 use self::long::{Course, Progress, Start, forget_checkpoint};
 use super::digits::shown;
 use super::number;
+use super::progress::Meter;
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Guide, Series};
 use crate::report::image;
 pub use film::folder as frames_folder;
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use tribos::record::{series_csv, write_atomically};
-use tribos::scene::{Key, PlanarScene, PowderScene, Scene, SliderScene, TipScene, Units};
+use tribos::scene::{PowderScene, Scene, SliderScene, TipScene, Units, bodies};
 use tribos::slide::{self, COLUMNS, SlideRun};
 
 /// Simulates the scene and writes summary.json, series.csv and a plot: motion.svg and motion.png of
@@ -58,7 +59,7 @@ pub struct Arguments {
     frames: Option<u64>,
 }
 
-/// Examples and the vocabulary of a scene.
+/// Examples, and where the keys of a scene are told.
 fn examples() -> String {
     let mut text = String::from(
         "Examples:\n  \
@@ -70,26 +71,11 @@ fn examples() -> String {
          tribos run scenes/curling-draw.toml --out out/draw --set model=pivot-slide\n  \
          tribos run scenes/compaction-small.toml --out out/powder --set rolling=0.3\n  \
          tribos run scenes/compaction-large.toml --out out/large --resume\n  \
-         tribos run scenes/tip-irreversible.toml --out out/tip --set lambda=0.04\n",
+         tribos run scenes/tip-irreversible.toml --out out/tip --set lambda=0.04\n\
+         Keys of a scene, by its body:\n",
     );
-    text += &vocabulary("a scene", SliderScene::KEYS);
-    for body in ["cylinder", "pipe", "curling"] {
-        let keys = PlanarScene::keys(body).unwrap_or_default();
-        text += &vocabulary(&format!("a scene with body = \"{body}\""), keys);
-    }
-    text += &vocabulary("a scene with body = \"powder\"", PowderScene::KEYS);
-    text += &vocabulary("a scene with body = \"tip\"", TipScene::KEYS);
-    text
-}
-
-fn vocabulary(of: &str, keys: &[Key]) -> String {
-    let mut text = format!("\nKeys of {of}:\n");
-    for key in keys {
-        let domain = key.domain.describe();
-        text += &format!(
-            "  {:<14} [{}] {}; {domain}\n",
-            key.name, key.unit, key.meaning
-        );
+    for body in bodies() {
+        text += &format!("  tribos scene keys {body}\n");
     }
     text
 }
@@ -147,7 +133,12 @@ impl Arguments {
     }
 
     fn slide(&self, scene: &SliderScene) -> Result<(), Failure> {
-        let result = slide::run(scene, Ticker::new().closure())?;
+        let mut meter = Meter::new();
+        let result = slide::run(scene, |done| {
+            if meter.is_due(done) {
+                meter.tell(done, format_args!("sliding"));
+            }
+        })?;
         let rows = result.series.iter().map(<[f64; COLUMNS.len()]>::as_slice);
         let csv = series_csv(&COLUMNS, rows);
         write_atomically(&self.out.join("series.csv"), csv.as_bytes())?;
@@ -211,27 +202,5 @@ fn figure(scene: &SliderScene, result: &SlideRun) -> Figure {
     match result.outcome.ending {
         slide::Ending::Rest => figure.guide(Guide::vertical(result.outcome.time, "rest")),
         _ => figure,
-    }
-}
-
-/// Tells on standard error how far a long run is, once a second.
-struct Ticker {
-    last: Instant,
-}
-
-impl Ticker {
-    fn new() -> Self {
-        Self {
-            last: Instant::now(),
-        }
-    }
-
-    fn closure(mut self) -> impl FnMut(f64) {
-        move |done| {
-            if self.last.elapsed() > Duration::from_secs(1) {
-                self.last = Instant::now();
-                crate::command::tell(format_args!("{:5.1} % done", 100.0 * done));
-            }
-        }
     }
 }

@@ -60,7 +60,7 @@ impl Film {
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <title>{title}</title>\n<link rel=\"icon\" href=\"data:,\">\n{}\
              <style>body{{margin:0;background:#fbfbfa}}</style>\n</head>\n\
-             <body>\n{}{}</body>\n</html>\n",
+             <body class=\"film\">\n{}{}</body>\n</html>\n",
             style(),
             self.fragment(),
             script()

@@ -57,11 +57,12 @@ pub fn read_scene(path: &Path, overrides: &[String]) -> Result<Scene, SceneError
 /// # Ok::<(), tribos::scene::SceneError>(())
 /// ```
 pub fn parse_scene(name: &str, text: &str, overrides: &[String]) -> Result<Scene, SceneError> {
-    let (entries, problems) = Entries::parse(text, overrides);
-    read(entries, problems).map_err(|problems| SceneError::Invalid {
-        name: name.to_owned(),
-        problems,
-    })
+    Entries::parse(text, overrides)
+        .and_then(|(entries, problems)| read(entries, problems))
+        .map_err(|problems| SceneError::Invalid {
+            name: name.to_owned(),
+            problems,
+        })
 }
 
 fn read(entries: Entries, problems: Vec<Problem>) -> Result<Scene, Vec<Problem>> {
@@ -88,7 +89,9 @@ fn read(entries: Entries, problems: Vec<Problem>) -> Result<Scene, Vec<Problem>>
                 .values
                 .get(BODY.name)
                 .map_or(Origin::File, |at| at.1);
-            Err(refusal(&format!("\"{body}\""), origin, problems))
+            let meant = super::nearest(&body, super::bodies())
+                .map_or(String::new(), |near| format!("; did you mean \"{near}\"?"));
+            Err(refusal(&format!("\"{body}\"{meant}"), origin, problems))
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Keys and values of a scene with the place each was written at.
 
+use super::hint::number_hint;
 use super::problem::{Origin, Problem};
 use std::collections::BTreeMap;
 use toml::de::{DeTable, DeValue};
@@ -22,6 +23,19 @@ impl Value {
             Self::Other(kind) => kind,
         }
     }
+
+    /// What a message says was there instead of what is wanted: a text is quoted, with a hint where
+    /// a number was meant.
+    pub fn got(&self) -> String {
+        match self {
+            Self::Number(x) => format!("not {x}"),
+            Self::Text(text) => match number_hint(text) {
+                Some(hint) => format!("got \"{text}\"; {hint}"),
+                None => format!("got \"{text}\""),
+            },
+            Self::Other(kind) => format!("not {kind}"),
+        }
+    }
 }
 
 /// All keys of a scene.
@@ -31,8 +45,9 @@ pub(super) struct Entries {
 }
 
 impl Entries {
-    /// Parses the file and puts the overrides over it. What cannot be read becomes a problem.
-    pub fn parse(text: &str, overrides: &[String]) -> (Self, Vec<Problem>) {
+    /// Parses the file and puts the overrides over it; an override that cannot be read becomes a
+    /// problem. Of a file that is not TOML nothing else is judged: that is the only problem then.
+    pub fn parse(text: &str, overrides: &[String]) -> Result<(Self, Vec<Problem>), Vec<Problem>> {
         let mut entries = Self::default();
         let mut problems = Vec::new();
         // Bytes that editors put first and TOML does not know.
@@ -50,11 +65,8 @@ impl Entries {
             }
             Err(error) => {
                 let line = error.span().map_or(1, |span| lines.number(span.start));
-                let message = format!(
-                    "not TOML: {}; write lines of the form key = value",
-                    error.message()
-                );
-                problems.push(Problem::new(Origin::Line(line), message));
+                let message = format!("not TOML: {}; {}", error.message(), cure(text, line));
+                return Err(vec![Problem::new(Origin::Line(line), message)]);
             }
         }
         for item in overrides {
@@ -71,7 +83,7 @@ impl Entries {
                 )),
             }
         }
-        (entries, problems)
+        Ok((entries, problems))
     }
 }
 
@@ -88,6 +100,17 @@ impl Lines {
     fn number(&self, byte: usize) -> usize {
         self.0.partition_point(|end| *end < byte) + 1
     }
+}
+
+/// What to write in a line that is not TOML.
+fn cure(text: &str, line: usize) -> String {
+    let value = text
+        .lines()
+        .nth(line.saturating_sub(1))
+        .and_then(|line| line.split_once('='))
+        .map(|(_, value)| value.split('#').next().unwrap_or_default().trim());
+    let hint = value.and_then(|value| Some(format!("got {value}; {}", number_hint(value)?)));
+    hint.unwrap_or_else(|| "write lines of the form key = value".into())
 }
 
 fn read_value(value: &DeValue<'_>) -> Value {

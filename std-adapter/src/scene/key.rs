@@ -1,6 +1,7 @@
 //! The vocabulary of a scene: which keys there are and which values each may take.
 
 use super::entries::{Entries, Value};
+use super::hint::nearest;
 use super::problem::{Origin, Problem};
 
 /// One key of a scene file.
@@ -141,12 +142,7 @@ impl Reader {
         let (value, origin) = self.entries.values.get(name)?;
         let message = match value {
             Value::Number(x) if domain.admits(*x) => return Some(*x),
-            Value::Number(x) => format!("`{name}` must be {}, not {x}", domain.describe()),
-            other => format!(
-                "`{name}` must be {}, not {}",
-                domain.describe(),
-                other.kind()
-            ),
+            other => format!("`{name}` must be {}, {}", domain.describe(), other.got()),
         };
         self.problems.push(Problem::new(*origin, message));
         None
@@ -162,7 +158,14 @@ impl Reader {
         let message = match value {
             Value::Text(text) => match words.iter().position(|word| word == text) {
                 Some(index) => return index,
-                None => format!("`{name}` must be {}, not \"{text}\"", domain.describe()),
+                None => {
+                    let meant = nearest(text, words.iter().copied())
+                        .map_or(String::new(), |near| format!("; did you mean \"{near}\"?"));
+                    format!(
+                        "`{name}` must be {}, got \"{text}\"{meant}",
+                        domain.describe()
+                    )
+                }
             },
             other => format!(
                 "`{name}` must be {}, not {}",
@@ -220,17 +223,9 @@ impl Reader {
 
 /// The complaint about an unknown key, with the nearest known one or all of them.
 fn unknown(keys: &[Key], name: &str) -> String {
-    /// Jaro–Winkler similarity from which a key counts as meant.
-    const SIMILAR: f64 = 0.8;
-    let nearest = keys
-        .iter()
-        .map(|key| (strsim::jaro_winkler(name, key.name), key.name))
-        .max_by(|a, b| a.0.total_cmp(&b.0));
-    match nearest {
-        Some((similarity, key)) if similarity >= SIMILAR => {
-            format!("unknown key `{name}`; did you mean `{key}`?")
-        }
-        _ => {
+    match nearest(name, keys.iter().map(|key| key.name)) {
+        Some(key) => format!("unknown key `{name}`; did you mean `{key}`?"),
+        None => {
             let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
             format!("unknown key `{name}`; the keys are {}", names.join(", "))
         }

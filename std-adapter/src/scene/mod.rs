@@ -6,6 +6,7 @@
 mod body;
 mod curling;
 mod entries;
+mod hint;
 mod in_force;
 mod key;
 mod library;
@@ -21,6 +22,7 @@ mod tip_keys;
 mod vocabulary;
 
 pub use body::{Scene, parse_scene, read_scene};
+pub use hint::{nearest, number_hint};
 pub use key::{Domain, Key};
 pub use library::{LIBRARY, LibraryScene, library_scene};
 pub use planar::{PlanarBody, PlanarScene, Tipping};
@@ -85,9 +87,10 @@ pub fn parse_slider(
     text: &str,
     overrides: &[String],
 ) -> Result<SliderScene, SceneError> {
-    let (entries, problems) = Entries::parse(text, overrides);
-    SliderScene::from_entries(entries, problems).map_err(|problems| SceneError::Invalid {
-        name: name.to_owned(),
-        problems,
-    })
+    Entries::parse(text, overrides)
+        .and_then(|(entries, problems)| SliderScene::from_entries(entries, problems))
+        .map_err(|problems| SceneError::Invalid {
+            name: name.to_owned(),
+            problems,
+        })
 }

@@ -133,7 +133,8 @@ pub(super) fn resolved(text: &str) -> Map<String, Value> {
 
 /// Names of the keys that stand in a file.
 pub(super) fn given(text: &str) -> Vec<String> {
-    Entries::parse(text, &[]).0.values.into_keys().collect()
+    let entries = Entries::parse(text, &[]).map(|(entries, _)| entries.values);
+    entries.unwrap_or_default().into_keys().collect()
 }
 
 impl Scene {

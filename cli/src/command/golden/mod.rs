@@ -4,8 +4,8 @@ mod place;
 mod verify;
 mod write;
 
+use crate::command::progress::Meter;
 use crate::failure::Failure;
-use std::time::{Duration, Instant};
 
 /// Pins what scenes compute, and checks that they still compute it, to the last bit.
 #[derive(Debug, clap::Args)]
@@ -42,19 +42,12 @@ impl Arguments {
     }
 }
 
-/// How often the terminal is told of a long run.
-const TOLD: Duration = Duration::from_secs(2);
-
 /// Tells on standard error which scene is being run, for how long.
 fn ticker(name: &str) -> impl FnMut() {
-    let (start, mut told) = (Instant::now(), Instant::now());
+    let mut meter = Meter::new();
     move || {
-        if told.elapsed() >= TOLD {
-            told = Instant::now();
-            crate::command::tell(format_args!(
-                "{name}: running for {:.0} s",
-                start.elapsed().as_secs_f64()
-            ));
+        if meter.is_due(0.0) {
+            meter.tell_open(format_args!("{name} is being run:"));
         }
     }
 }

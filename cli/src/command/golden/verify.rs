@@ -3,10 +3,10 @@
 use super::place::folder_of;
 use super::ticker;
 use crate::command::print;
+use crate::command::scene;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::golden::{Golden, Pinned, Verdict, measure};
-use tribos::scene;
 
 /// Runs the scenes of a golden file again and compares: one line a scene.
 #[derive(Debug, clap::Args)]
@@ -63,8 +63,15 @@ impl Arguments {
 
 /// Runs one scene; its line if all is the same.
 fn check(pinned: &Pinned, folder: &Path) -> Result<String, Failure> {
-    let path = folder.join(&pinned.path);
-    let scene = scene::read_scene(&path, &pinned.overrides).map_err(Failure::input)?;
+    let file = folder.join(&pinned.path);
+    let name = Path::new(&pinned.path);
+    // A scene that comes with the program is pinned by its name.
+    let path = if !file.exists() && scene::built_in(name).is_some() {
+        name
+    } else {
+        &file
+    };
+    let scene = scene::read(path, &pinned.overrides)?;
     let measured = measure(&scene, ticker(&pinned.path))?;
     match pinned.compare(&measured) {
         Verdict::Same => {

@@ -2,11 +2,12 @@
 
 use super::place::{folder_of, relative};
 use super::ticker;
+use crate::command::scene;
 use crate::failure::Failure;
 use std::path::PathBuf;
 use tribos::golden::{Golden, Pinned, measure};
 use tribos::record::write_atomically;
-use tribos::scene::{self, Scene};
+use tribos::scene::Scene;
 
 /// Runs scenes and writes what they computed into one file.
 #[derive(Debug, clap::Args)]
@@ -15,7 +16,7 @@ use tribos::scene::{self, Scene};
     tribos golden write scenes/disk.toml --set spin=50 --out fast.toml\n  \
     tribos golden verify fast.toml")]
 pub struct Arguments {
-    /// Scenes, TOML files such as scenes/disk.toml.
+    /// Scenes: TOML files such as scenes/disk.toml, or names that `tribos scene list` has.
     #[arg(required = true, value_name = "SCENE")]
     scenes: Vec<PathBuf>,
     /// The file to write; one of that name is replaced.
@@ -32,7 +33,7 @@ impl Arguments {
         let scenes: Vec<Scene> = self
             .scenes
             .iter()
-            .map(|path| scene::read_scene(path, &self.overrides).map_err(Failure::input))
+            .map(|path| scene::read(path, &self.overrides))
             .collect::<Result<_, _>>()?;
         if let Some(path) = self.scenes.iter().find(|path| **path == self.out) {
             let name = path.display();

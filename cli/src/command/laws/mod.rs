@@ -4,11 +4,12 @@ mod catalogue;
 mod curve;
 mod spec;
 
-pub use catalogue::find;
+pub use catalogue::{LAWS, find};
 pub use spec::{AnyLaw, LawSpec};
 
+use crate::command::unknown::unknown;
 use crate::failure::Failure;
-use catalogue::{Entry, LAWS};
+use catalogue::Entry;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -54,7 +55,8 @@ impl Arguments {
     /// Lists, or draws.
     pub fn execute(self) -> Result<(), Failure> {
         if let Some(path) = &self.out {
-            return curve::write(path, &self.curve, [self.from, self.to]);
+            curve::write(path, &self.curve, [self.from, self.to])?;
+            return super::print(&format!("written to    {}\n", path.display()));
         }
         let chosen = chosen(&self.names)?;
         let text = match self.format {
@@ -78,11 +80,8 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Entry>, Failure> {
     }
     let find = |name: &String| {
         catalogue::find(name).ok_or_else(|| {
-            let all: Vec<&str> = LAWS.iter().map(|law| law.name).collect();
-            Failure::input(format!(
-                "unknown law `{name}`; the laws are {}",
-                all.join(", ")
-            ))
+            let all = LAWS.iter().map(|law| law.name);
+            Failure::input(unknown(&format!("unknown law `{name}`"), name, all))
         })
     };
     names.iter().map(find).collect()

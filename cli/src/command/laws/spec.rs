@@ -1,9 +1,11 @@
 //! A law on the command line, `NAME:key=value,…`.
 
 use super::catalogue::{self, Entry, LAWS};
+use crate::command::unknown::unknown;
 use crate::failure::Failure;
 use std::fmt::Write as _;
 use std::str::FromStr;
+use tribos::scene::nearest;
 use tribos_core::Real;
 use tribos_core::law::{
     Coulomb, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters, PlateauPower, PowerLaw,
@@ -23,15 +25,9 @@ impl FromStr for LawSpec {
     fn from_str(text: &str) -> Result<Self, String> {
         let (name, list) = text.split_once(':').unwrap_or((text, ""));
         let entry = catalogue::find(name.trim()).ok_or_else(|| {
-            let names: Vec<&str> = LAWS
-                .iter()
-                .filter(|law| law.is_local)
-                .map(|l| l.name)
-                .collect();
-            format!(
-                "unknown law `{name}`; the local laws are {}",
-                names.join(", ")
-            )
+            let local = LAWS.iter().filter(|law| law.is_local);
+            let names = local.map(|law| law.name);
+            unknown(&format!("unknown local law `{name}`"), name, names)
         })?;
         if !entry.is_local {
             return Err(format!(
@@ -56,7 +52,17 @@ fn values(entry: &Entry, list: &str) -> Result<Vec<f64>, String> {
             .parameters
             .iter()
             .position(|parameter| parameter.name == key.trim())
-            .ok_or_else(|| format!("{} has no `{}`; {}", entry.name, key.trim(), needs(entry)))?;
+            .ok_or_else(|| {
+                let names = entry.parameters.iter().map(|parameter| parameter.name);
+                let meant = nearest(key.trim(), names)
+                    .map_or(String::new(), |near| format!(", did you mean `{near}`?"));
+                format!(
+                    "{} has no `{}`{meant}; {}",
+                    entry.name,
+                    key.trim(),
+                    needs(entry)
+                )
+            })?;
         let number = crate::command::number::finite(value)
             .map_err(|cure| format!("{}: {cure}", key.trim()))?;
         if let Some(slot) = given.get_mut(index)

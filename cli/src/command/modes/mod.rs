@@ -89,7 +89,12 @@ impl Arguments {
             image::write_as_named(path, &figure, || diagram.csv())?;
         }
         match self.format {
-            Format::Text => super::print(&answer.text()),
+            Format::Text => {
+                let written = self.diagram.as_ref().map_or(String::new(), |path| {
+                    format!("written to {}\n", path.display())
+                });
+                super::print(&(answer.text() + &written))
+            }
             Format::Json => super::print(&format!("{:#}\n", answer.json())),
         }
     }

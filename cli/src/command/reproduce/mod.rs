@@ -254,6 +254,11 @@ fn sections(
     Ok(finished.into_iter().flatten().collect())
 }
 
+/// Names of all exhibits, in the order of the thesis.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    EXHIBITS.iter().map(|(name, _)| *name)
+}
+
 /// The exhibits that the names mean; `fig3.4`, `figure-3.4` and `3.4` are the same.
 fn chosen(names: &[String]) -> Result<Vec<(&'static str, Maker)>, Failure> {
     if names.is_empty() {

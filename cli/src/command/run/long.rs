@@ -4,9 +4,6 @@ use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// How often the terminal is told.
-pub(super) const TOLD: Duration = Duration::from_secs(1);
-
 /// Whether a run starts or goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {

@@ -7,14 +7,15 @@ pub use output::{report, write};
 pub use picture::{State, packing};
 
 use super::film::{Film, Filmed};
-use super::long::{Course, Progress, Start, TOLD, checkpoint, kept};
+use super::long::{Course, Progress, Start, checkpoint, kept};
+use crate::command::progress::Meter;
 use crate::failure::Failure;
 use std::path::Path;
 use std::time::Instant;
 use tribos::powder::{Compaction, CompactionError};
 use tribos::record::frames::{Bodies, Frame};
 use tribos::record::write_atomically;
-use tribos::run::drive_watched;
+use tribos::run::{Simulation, drive_watched};
 use tribos::scene::PowderScene;
 
 /// Runs the scene to its end, with checkpoints and frames in the folder.
@@ -25,14 +26,15 @@ pub fn simulate(scene: &PowderScene, out: &Path, course: &Course) -> Result<Comp
         Start::Resume => Compaction::resume(scene, &kept(&file)?)?,
     };
     let mut film = Film::of(&compaction, out, course.start, course.frames)?;
-    let (mut told, mut saved) = (Instant::now(), Instant::now());
+    let (mut meter, mut saved) = (Meter::new(), Instant::now());
     let mut sweeps = 0;
     let mut since = compaction.steps();
     drive_watched(&mut compaction, |compaction| {
         sweeps += compaction.last_step().effort.sweeps;
-        if course.progress == Progress::Told && told.elapsed() >= TOLD {
-            tell(compaction, sweeps, compaction.steps() - since);
-            (told, sweeps, since) = (Instant::now(), 0, compaction.steps());
+        if course.progress == Progress::Told && meter.is_due(compaction.progress()) {
+            let each = sweeps as f64 / (compaction.steps() - since).max(1) as f64;
+            tell(&mut meter, scene, compaction, each);
+            (sweeps, since) = (0, compaction.steps());
         }
         film.look(compaction);
         if compaction.steps() > 0 && saved.elapsed() >= course.pause {
@@ -58,15 +60,22 @@ impl Filmed for Compaction {
     }
 }
 
-/// One line on standard error.
-fn tell(compaction: &Compaction, sweeps: usize, steps: u64) {
-    crate::command::tell(format_args!(
-        "step {:6}  height {:8.4}  porosity {:7.3} %  {:6.1} sweeps a step",
+/// How far a compaction is: its end is known where a time is given, or so few steps that they may
+/// end it before the packing is blocked.
+fn tell(meter: &mut Meter, scene: &PowderScene, compaction: &Compaction, sweeps: f64) {
+    /// A packing is seldom blocked within fewer steps.
+    const FEW: u64 = 5_000;
+    let words = format!(
+        "step {:6}  height {:8.4}  porosity {:7.3} %  {sweeps:6.1} sweeps a step",
         compaction.steps(),
         compaction.height(),
-        100.0 * compaction.porosity(),
-        sweeps as f64 / steps.max(1) as f64
-    ));
+        100.0 * compaction.porosity()
+    );
+    if scene.duration.is_some() || scene.steps <= FEW {
+        meter.tell(compaction.progress(), format_args!("{words}"));
+    } else {
+        meter.tell_open(format_args!("{words}"));
+    }
 }
 
 impl From<CompactionError> for Failure {

@@ -3,15 +3,16 @@
 mod picture;
 
 use super::film::{Film, Filmed};
-use super::long::{Course, Progress, Start, TOLD, checkpoint, kept};
+use super::long::{Course, Progress, Start, checkpoint, kept};
 use crate::command::digits::shown;
+use crate::command::progress::Meter;
 use crate::failure::Failure;
 use crate::report::image;
 use std::path::Path;
 use std::time::Instant;
 use tribos::record::frames::{Bodies, Frame};
 use tribos::record::{series_csv, write_atomically};
-use tribos::run::drive_watched;
+use tribos::run::{Simulation, drive_watched};
 use tribos::scene::TipScene;
 use tribos::tip::export;
 use tribos::tip::{Outcome, TipError, TipRun, Verdict};
@@ -26,15 +27,14 @@ pub fn simulate(scene: &TipScene, out: &Path, course: &Course) -> Result<TipRun,
         Start::Resume => TipRun::resume(scene, &kept(&file)?)?,
     };
     let mut film = Film::of(&run, out, course.start, course.frames)?;
-    let (mut told, mut saved) = (Instant::now(), Instant::now());
+    let (mut meter, mut saved) = (Meter::new(), Instant::now());
     drive_watched(&mut run, |run| {
-        if course.progress == Progress::Told && told.elapsed() >= TOLD {
-            let time = run.time();
-            crate::command::tell(format_args!(
-                "time {time:9.2}  angle {:8.3} degrees",
-                run.angle().to_degrees()
-            ));
-            told = Instant::now();
+        if course.progress == Progress::Told && meter.is_due(run.progress()) {
+            let angle = run.angle().to_degrees();
+            meter.tell(
+                run.progress(),
+                format_args!("time {:9.2}  angle {angle:8.3} degrees", run.time()),
+            );
         }
         film.look(run);
         if run.series().len() > 1 && saved.elapsed() >= course.pause {

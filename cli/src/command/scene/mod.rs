@@ -1,12 +1,14 @@
 //! `tribos scene`: the scenes that come with the program, their keys, and whether a file is right.
 
 mod check;
+mod keys;
 mod list;
 mod new;
 mod source;
 
-pub use source::{read, text};
+pub use source::{built_in, read, text};
 
+use crate::command::unknown::unknown;
 use crate::failure::Failure;
 use std::path::PathBuf;
 use tribos::record::write_atomically;
@@ -37,6 +39,8 @@ enum Action {
     },
     /// Read scenes as `tribos run` does: the values in force, or everything that is wrong.
     Check(check::Check),
+    /// The keys of a body: unit, meaning, default, what each may be.
+    Keys(keys::Keys),
     /// Start a scene of your own: a commented file with every key.
     New(new::New),
     /// JSON Schema of scenes, with which editors complete and check them.
@@ -62,6 +66,7 @@ Examples:
   tribos scene new compaction-small --out mine.toml
   tribos scene new tip --out tip.toml
   tribos scene check mine.toml --set rolling=0.3
+  tribos scene keys powder
   tribos scene schema --out tribos-scene.json
 With `#:schema ./tribos-scene.json` as its first line editors that know taplo check a scene as it
 is written.";
@@ -73,6 +78,7 @@ impl Arguments {
             Action::List => super::print(&list::text()),
             Action::Show { name } => super::print(source::named(&name)?.text),
             Action::Check(check) => check.execute(),
+            Action::Keys(keys) => keys.execute(),
             Action::New(new) => new.execute(),
             Action::Schema(schema) => schema.execute(),
         }
@@ -95,11 +101,6 @@ impl Schema {
 
 /// The vocabulary of a body, or which bodies there are.
 fn body(name: &str) -> Result<Vocabulary, Failure> {
-    vocabulary(name).ok_or_else(|| {
-        let all: Vec<_> = bodies().collect();
-        Failure::input(format!(
-            "unknown body `{name}`; the bodies are {}",
-            all.join(", ")
-        ))
-    })
+    vocabulary(name)
+        .ok_or_else(|| Failure::input(unknown(&format!("unknown body `{name}`"), name, bodies())))
 }

@@ -1,6 +1,7 @@
 //! `tribos scene new`.
 
 use super::source;
+use crate::command::unknown::unknown;
 use crate::failure::Failure;
 use std::path::PathBuf;
 use tribos::record::write_atomically;
@@ -44,11 +45,11 @@ fn text(from: &str) -> Result<String, Failure> {
     let copy = library_scene(from).map(|scene| with_all_keys(scene.text));
     let example = || vocabulary(from).map(|known| template(&known));
     copy.or_else(example).ok_or_else(|| {
-        let all: Vec<_> = bodies().collect();
-        Failure::input(format!(
-            "`{from}` is neither a scene ({}) nor a body ({})",
-            source::names(),
-            all.join(", ")
+        let known = source::all().chain(bodies());
+        Failure::input(unknown(
+            &format!("`{from}` is neither a scene nor a body"),
+            from,
+            known,
         ))
     })
 }

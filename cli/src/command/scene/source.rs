@@ -1,5 +1,6 @@
 //! Where a scene comes from: a file, or the name of one that comes with the program.
 
+use crate::command::unknown::unknown;
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::scene::{self, LIBRARY, LibraryScene, Scene, library_scene};
@@ -18,22 +19,23 @@ pub fn text(scene: &Path) -> Result<String, Failure> {
     std::fs::read_to_string(scene).map_err(|error| {
         let name = scene.display();
         // A bare word that is no file may be a name that is misspelt.
-        let names = if is_word(scene) {
-            format!("; nor is it one of {}", names())
-        } else {
-            String::new()
-        };
-        Failure::input(format!("cannot read {name}: {error}{names}"))
+        Failure::input(match scene.to_str() {
+            Some(word) if is_word(scene) => {
+                unknown(&format!("no file and no scene `{word}`"), word, all())
+            }
+            _ => format!("cannot read {name}: {error}"),
+        })
     })
 }
 
-/// The scene of this name that comes with the program.
+/// The scene of this name that comes with the program, or what was meant.
 pub fn named(name: &str) -> Result<LibraryScene, Failure> {
     library_scene(name)
-        .ok_or_else(|| Failure::input(format!("no scene `{name}`; there are {}", names())))
+        .ok_or_else(|| Failure::input(unknown(&format!("no scene `{name}`"), name, all())))
 }
 
-fn built_in(scene: &Path) -> Option<LibraryScene> {
+/// The scene of this name that comes with the program, unless there is such a file.
+pub fn built_in(scene: &Path) -> Option<LibraryScene> {
     if scene.exists() {
         return None;
     }
@@ -45,7 +47,6 @@ fn is_word(scene: &Path) -> bool {
 }
 
 /// All names.
-pub fn names() -> String {
-    let names: Vec<_> = LIBRARY.iter().map(|scene| scene.name).collect();
-    names.join(", ")
+pub fn all() -> impl Iterator<Item = &'static str> {
+    LIBRARY.iter().map(|scene| scene.name)
 }

@@ -1,5 +1,6 @@
 //! How far a sweep is, on standard error.
 
+use crate::command::progress::{in_words, show};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -48,9 +49,10 @@ impl Progress {
             left => format!("about {} left", in_words(ended.left(left, self.jobs))),
         };
         let total = self.total;
-        crate::command::tell(format_args!(
-            "{done}/{total} {name}: {told}; {gone} gone, {left}"
-        ));
+        show(
+            done as f64 / total as f64,
+            format_args!("{done}/{total} {name}: {told}; {gone} gone, {left}"),
+        );
     }
 
     /// Runs that are done, those before the start among them.
@@ -73,20 +75,6 @@ impl Ended {
     }
 }
 
-/// Seconds in a minute, and minutes in an hour.
-const SIXTY: u64 = 60;
-
-/// "12 s", "3 min 20 s" or "2 h 5 min".
-fn in_words(time: Duration) -> String {
-    let seconds = time.as_secs_f64().round() as u64;
-    let minutes = seconds / SIXTY;
-    match (minutes / SIXTY, minutes) {
-        (0, 0) => format!("{seconds} s"),
-        (0, _) => format!("{minutes} min {} s", seconds % SIXTY),
-        (hours, _) => format!("{hours} h {} min", minutes % SIXTY),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -100,9 +88,5 @@ mod tests {
         assert_eq!(ended.left(6, 2), Duration::from_secs(30));
         // One run cannot be shared.
         assert_eq!(ended.left(1, 8), Duration::from_secs(10));
-        let words = [(59.4, "59 s"), (200.0, "3 min 20 s"), (7500.0, "2 h 5 min")];
-        for (seconds, said) in words {
-            assert_eq!(in_words(Duration::from_secs_f64(seconds)), said);
-        }
     }
 }

@@ -1,9 +1,11 @@
 //! A body in the plane from the series and the summary that its run left.
 
+use crate::command::digits::shown;
 use crate::failure::Failure;
 use crate::report::player::{Film, PathBody, Row, path_film};
 use serde_json::Value;
 use std::path::Path;
+use tribos::scene::{Key, vocabulary};
 
 /// Radius of the running band of a curling rock, in m, where the scene leaves it out.
 const BAND: f64 = 0.065;
@@ -12,10 +14,20 @@ const BAND: f64 = 0.065;
 pub fn film(folder: &Path, scene: &Value) -> Result<Film, Failure> {
     let name = scene["body"].as_str().unwrap_or("disk");
     let number = |key: &str| scene[key].as_f64();
+    let radius = number("radius").or(number("band_radius")).unwrap_or(BAND);
+    let is_si = scene["units"].as_str() != Some("dimensionless");
+    let mass = number("mass").unwrap_or(1.0);
+    // C = I/(M R²); of a pipe it follows from its radii.
+    let ratio = number("inertia_ratio").unwrap_or_else(|| {
+        let inner = number("inner_radius").unwrap_or(0.0) / radius;
+        0.5 * (1.0 + inner * inner)
+    });
     let body = PathBody {
         name: name.into(),
-        radius: number("radius").or(number("band_radius")).unwrap_or(BAND),
-        is_si: scene["units"].as_str() != Some("dimensionless"),
+        radius,
+        is_si,
+        inertia: [mass, ratio * mass * radius * radius],
+        parameters: parameters(name, scene, is_si),
     };
     let rows = rows(&folder.join("series.csv"))?;
     let title = match name {
@@ -28,6 +40,28 @@ pub fn film(folder: &Path, scene: &Value) -> Result<Film, Failure> {
     let kind = scene["model"].as_str();
     let title = kind.map_or(title.into(), |model| format!("{title}, model {model}"));
     Ok(path_film(&title, &body, &rows))
+}
+
+/// Every key of the body with its value: "speed 1 m/s, spin 5 rad/s, …".
+fn parameters(body: &str, scene: &Value, is_si: bool) -> String {
+    /// What says how a run is recorded, not what runs.
+    const RECORDING: [&str; 3] = ["body", "samples", "stop_fraction"];
+    let keys = vocabulary(body).map_or(&[][..], |known| known.keys);
+    let told = keys.iter().filter(|key| !RECORDING.contains(&key.name));
+    let part = |key: &Key| {
+        let value = match &scene[key.name] {
+            Value::Number(number) => shown(number.as_f64()?),
+            Value::String(word) => word.clone(),
+            _ => return None,
+        };
+        let unit = if is_si && key.unit != "-" {
+            key.unit
+        } else {
+            ""
+        };
+        Some(format!("{} {value} {unit}", key.name).trim_end().to_owned())
+    };
+    told.filter_map(part).collect::<Vec<_>>().join(", ")
 }
 
 /// Rows of the series; a disk goes straight on.

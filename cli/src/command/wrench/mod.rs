@@ -131,7 +131,11 @@ impl Arguments {
                     super::tell(format_args!("contact: {}", given::sentence(&given)));
                 }
                 match &self.output {
-                    Some(path) => Ok(write_atomically(path, text.as_bytes())?),
+                    Some(path) => {
+                        write_atomically(path, text.as_bytes())?;
+                        super::tell(format_args!("written to    {}", path.display()));
+                        Ok(())
+                    }
                     None => super::print(&text),
                 }
             }
@@ -161,6 +165,9 @@ impl Arguments {
         })?;
         let given = given::contact(self);
         super::tell(format_args!("contact: {}", given::sentence(&given)));
+        if let Some(path) = &self.output {
+            super::tell(format_args!("written to    {}", path.display()));
+        }
         Ok(())
     }
 

@@ -6,7 +6,7 @@ use crate::scene::{LIBRARY, parse_scene};
 
 /// A file as JSON, as an editor hands it to its validator.
 fn instance(text: &str) -> Value {
-    let (entries, problems) = Entries::parse(text, &[]);
+    let (entries, problems) = Entries::parse(text, &[]).unwrap();
     assert!(problems.is_empty(), "{problems:?}");
     let values = entries.values.into_iter().map(|(name, (value, _))| {
         let value = match value {

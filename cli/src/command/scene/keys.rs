@@ -1,0 +1,68 @@
+//! `tribos scene keys`.
+
+use super::source;
+use crate::command::unknown::unknown;
+use crate::failure::Failure;
+use tribos::scene::{Key, Vocabulary, bodies, library_scene, vocabulary};
+
+/// The keys of a body's scenes with unit, meaning, default and what each may be; without one, which
+/// bodies there are.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = super::EXAMPLES)]
+pub struct Keys {
+    /// A body such as disk or powder, or a scene of it as `tribos scene list` has it.
+    #[arg(value_name = "BODY")]
+    of: Option<String>,
+}
+
+impl Keys {
+    /// Prints.
+    pub fn execute(self) -> Result<(), Failure> {
+        let text = match &self.of {
+            Some(word) => text(&of(word)?),
+            None => all(),
+        };
+        crate::command::print(&text)
+    }
+}
+
+/// The vocabulary that a word asks for.
+fn of(word: &str) -> Result<Vocabulary, Failure> {
+    let body = library_scene(word).map_or(word, |scene| scene.body());
+    vocabulary(body).ok_or_else(|| {
+        let known = bodies().chain(source::all());
+        Failure::input(unknown(&format!("`{word}` is no body"), word, known))
+    })
+}
+
+/// A line a body.
+fn all() -> String {
+    let mut text = String::from("Bodies, the value of the key `body`:\n");
+    for known in bodies().filter_map(vocabulary) {
+        let needed: Vec<&str> = known.least.iter().map(|(name, _)| *name).collect();
+        text += &format!(
+            "  {:<9} {:>2} keys; needs {}\n",
+            known.body,
+            known.keys.len(),
+            needed.join(", ")
+        );
+    }
+    text + "`tribos scene keys BODY` tells them, `tribos scene new BODY` starts a file with all of them.\n"
+}
+
+/// A line a key.
+fn text(known: &Vocabulary) -> String {
+    let mut text = format!("Keys of a scene with body = \"{}\":\n", known.body);
+    for key in known.keys {
+        text += &line(key);
+    }
+    text
+}
+
+fn line(key: &Key) -> String {
+    let domain = key.domain.describe();
+    format!(
+        "  {:<18} [{}] {}; {domain}\n",
+        key.name, key.unit, key.meaning
+    )
+}
