@@ -32,6 +32,7 @@ th{background:var(--zebra)}
 tbody tr:nth-child(even){background:var(--zebra)}
 td.number{text-align:right;font-variant-numeric:tabular-nums}
 tfoot td{font-weight:600}
+nav th,nav td{padding:.25rem .5rem}nav td:first-child{min-width:19rem}
 .agrees{color:var(--good)}.differs{color:var(--bad)}.unchecked{color:var(--open)}.own{color:var(--link)}
 .place,.none{color:var(--soft)}.place{font-size:.9em;white-space:nowrap}
 .lead{font-size:1.15rem}

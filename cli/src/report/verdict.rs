@@ -28,7 +28,7 @@ impl Stated {
     }
 }
 
-/// How far a number may lie from the thesis' own. It comes from the thesis, never from our result.
+/// How far a number may lie from the thesis' own, and why.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Allowance {
     /// The thesis gives an exact value or a closed form: what our arithmetic leaves, absolute.
@@ -37,8 +37,6 @@ pub enum Allowance {
     Digits(f64),
     /// An error that the thesis states, with the place where it does.
     StatedError(f64, String),
-    /// The thesis' number belongs to one random sample: two standard deviations of a sample.
-    OneSample(f64),
 }
 
 impl Allowance {
@@ -46,7 +44,6 @@ impl Allowance {
     pub fn size(&self) -> f64 {
         match self {
             Self::Exact(size) | Self::Digits(size) | Self::StatedError(size, _) => *size,
-            Self::OneSample(deviation) => 2.0 * deviation,
         }
     }
 
@@ -58,10 +55,9 @@ impl Allowance {
     /// Where it comes from.
     pub fn words(&self) -> String {
         match self {
-            Self::Exact(_) => "exact value, ours within rounding".into(),
+            Self::Exact(_) => "exact value, up to what our arithmetic leaves".into(),
             Self::Digits(_) => "half a unit of the last printed digit".into(),
             Self::StatedError(_, place) => format!("error stated in {place}"),
-            Self::OneSample(_) => "the thesis has one random sample: twice its scatter".into(),
         }
     }
 }
@@ -169,8 +165,8 @@ impl Verdict {
                 format!("± {}: {}", brief(allowance.size()), allowance.words())
             }
             Self::OursChecked(text) => format!("against {text}"),
+            Self::Definition(text) => format!("of {text}"),
             Self::Trend(text)
-            | Self::Definition(text)
             | Self::CauseKnown(text)
             | Self::Differs(text)
             | Self::ThesisInError(text)
@@ -233,13 +229,6 @@ mod tests {
         for other in [0.6536, 0.6524, f64::NAN, f64::INFINITY] {
             assert!(!agrees(other), "{other}");
         }
-    }
-
-    #[test]
-    fn a_sample_may_lie_two_deviations_away() {
-        let thesis = Stated::new(("470", 470.0));
-        let agrees = |ours| Agreement::test(&thesis, ours, Allowance::OneSample(10.0)).is_some();
-        assert!(agrees(489.9) && !agrees(490.1));
     }
 
     #[test]

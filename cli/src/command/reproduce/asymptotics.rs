@@ -9,6 +9,8 @@ use crate::report::verdict::Allowance;
 const EXPONENTS: [f64; 6] = [-0.5, 0.0, 0.5, 1.0, 2.0, 3.0];
 /// Ratio at which the limits are compared; they err like its square.
 const SMALL: f64 = 1e-6;
+/// What the next terms leave, of relative order ε² = 1e-12 with coefficients of order one.
+const TRUNCATION: f64 = 20.0 * SMALL * SMALL;
 
 /// F/ε, T, F/ε^α and T/ε^(α−1): the four limits at both ends.
 pub fn table_3_1() -> Result<Exhibit, Failure> {
@@ -38,7 +40,7 @@ pub fn table_3_1() -> Result<Exhibit, Failure> {
             t_fast * SMALL.powf(alpha - 1.0),
         ];
         rows.push([vec![alpha], limits.to_vec()].concat());
-        claims.extend(limit_claims(alpha, limits));
+        claims.extend(torque_claims(alpha, limits));
         let curve = |from, to, scale: &dyn Fn(f64, f64) -> f64| {
             let one = |ratio| (ratio, scale(ratio, at(&law, ratio)[1]));
             geometric(from, to, 100)
@@ -55,6 +57,7 @@ pub fn table_3_1() -> Result<Exhibit, Failure> {
         let scaled = |ratio: f64, t| t * ratio.powf(1.0 - alpha) * pure_slide;
         fast = fast.series(Series::line(&label, curve(1.0, 1e3, &scaled)));
     }
+    claims.extend(force_claims(&rows));
     claims.push(cubic_torque()?);
     Ok(Exhibit {
         heading: "Table 3.1: limits of fast spinning and of fast sliding".into(),
@@ -77,32 +80,44 @@ pub fn table_3_1() -> Result<Exhibit, Failure> {
     })
 }
 
-/// The four limits; the thesis has them for α ≥ 0 only.
-fn limit_claims(alpha: f64, limits: [f64; 4]) -> Vec<Claim> {
-    let (slow, fast) = (2.0 / (3.0 + alpha), (1.0 + alpha) / 4.0);
-    // The next terms are of relative order ε² = 1e-12, with coefficients of order one.
-    let truncation = 20.0 * SMALL * SMALL;
-    let names = ["ε ≪ 1: F/ε", "ε ≪ 1: T", "ε ≫ 1: F/ε^α", "ε ≫ 1: T/ε^(α−1)"];
-    let printed = [
-        ("1".to_owned(), 1.0),
-        (format!("2/(3+α) = {slow:.6}"), slow),
-        ("1".to_owned(), 1.0),
-        (format!("(1+α)/4 = {fast:.6}"), fast),
+/// The limits of the torque; the thesis has them for α ≥ 0 only.
+fn torque_claims(alpha: f64, [_, slow, _, fast]: [f64; 4]) -> Vec<Claim> {
+    let formulas = [2.0 / (3.0 + alpha), (1.0 + alpha) / 4.0];
+    let rows = [
+        ("ε ≪ 1: T", format!("2/(3+α) = {:.6}", formulas[0]), slow),
+        (
+            "ε ≫ 1: T/ε^(α−1)",
+            format!("(1+α)/4 = {:.6}", formulas[1]),
+            fast,
+        ),
     ];
-    names
-        .into_iter()
-        .zip(printed)
-        .zip(limits)
-        .map(|((name, (text, value)), ours)| {
-            let what = format!("α = {alpha}, {name}");
-            if alpha < 0.0 {
-                let against = format!("table 3.1 continued to α < 0, {text}");
-                return Claim::own(&what, ours, (&against, value), truncation);
-            }
-            let allowance = Allowance::Exact(truncation);
-            Claim::stated("table 3.1", &what, (&text, value), ours, allowance)
-        })
-        .collect()
+    let rows = rows.into_iter().zip(formulas);
+    rows.map(|((name, text, ours), value)| {
+        let what = format!("α = {alpha}, {name}");
+        if alpha < 0.0 {
+            let against = format!("table 3.1 continued to α < 0, {text}");
+            return Claim::own(&what, ours, (&against, value), TRUNCATION);
+        }
+        let allowance = Allowance::Exact(TRUNCATION);
+        Claim::stated("table 3.1", &what, (&text, value), ours, allowance)
+    })
+    .collect()
+}
+
+/// The limits of the force, F = ε and F = ε^α.
+fn force_claims(rows: &[Vec<f64>]) -> [Claim; 2] {
+    let over = format!("with the exponents {EXPONENTS:?}");
+    [("ε ≪ 1: F = ε", 1), ("ε ≫ 1: F = ε^α", 3)].map(|(name, column)| {
+        let off = rows.iter().map(|row| (row[column] - 1.0).abs());
+        let what = format!("{name}, relative");
+        Claim::formula(
+            "table 3.1",
+            &what,
+            off.fold(0.0, f64::max),
+            TRUNCATION,
+            &over,
+        )
+    })
 }
 
 /// Section 3.3 prints the cubic torque for ε ≫ 1 with a third and one power of ωR too many.

@@ -61,9 +61,9 @@ fn lead(sections: &[Section]) -> String {
     };
     format!(
         "Of {} rows, {reproduced} reproduce a number that the thesis states within the thesis' own error \
-         ({} of them exact values and closed forms, {measured} rounded, simulated or sampled), {trend} a \
+         ({} of them exact values and closed forms, {measured} with an error), {trend} a \
          trend; {differs} differ for reasons that are open, {known} for a reason that is shown, and in \
-         {error} the thesis is in error.{failures} The other {} prove nothing about its numbers: \
+         {error} the thesis is in error.{failures} The other {} compare nothing with a number of the thesis: \
          {ours} are results or formulas checked against something else, {definition} are inputs that cannot \
          fail, {unchecked} cannot be checked.",
         all.total(),
@@ -75,7 +75,7 @@ fn lead(sections: &[Section]) -> String {
 /// The whole page.
 pub fn page(sections: Vec<Section>, effort: Effort) -> Page {
     Page {
-        title: "Mesoscopic aspects of solid friction: the thesis reproduced".into(),
+        title: "Mesoscopic aspects of solid friction: the thesis checked".into(),
         lead: lead(&sections),
         intro: vec![
             "Chapter 2 of the thesis presents the laws of solid friction: Coulomb's, the ageing of \
@@ -98,10 +98,9 @@ pub fn page(sections: Vec<Section>, effort: Effort) -> Page {
                 .into(),
             "The column thesis holds numbers that the thesis prints, and nothing else; a dash means \
              that it states none. A row is reproduced if ours lies within the error of the thesis' number: \
-             half a unit of its last digit, an error that the thesis states, rounding where it gives an exact \
-             value or a closed form, or twice the scatter of one sample where the number belongs to one \
-             random deposit; the row says which. No number was read off a figure. Trend reproduced: sign, \
-             order, monotony or scaling. Ours, checked: the thesis has no number, and ours agrees with what \
+             half a unit of its last digit, an error that the thesis states, or what our arithmetic leaves where \
+             it gives an exact value or a closed form; the row says which. No number was read off a \
+             figure. Trend reproduced: sign, order, monotony, scaling or size, whatever the number. Ours, checked: the thesis has no number, and ours agrees with what \
              the row names, which may be a formula of the thesis. Definition: an input, a convention or a \
              property put in by hand. Thesis in error: the row says what is right."
                 .into(),
@@ -153,8 +152,8 @@ mod tests {
             text.starts_with("Of 5 rows, 2 reproduce a number"),
             "{text}"
         );
-        assert!(text.contains("(1 of them exact values and closed forms, 1 rounded"));
-        assert!(text.contains("The other 2 prove nothing") && !text.contains("failed"));
+        assert!(text.contains("(1 of them exact values and closed forms, 1 with an error)"));
+        assert!(text.contains("The other 2 compare nothing") && !text.contains("failed"));
     }
 
     #[test]

@@ -137,7 +137,7 @@ fn shape(paths: &[Vec<[f64; 3]>; 2]) -> Result<Vec<Claim>, Failure> {
         ),
         row(
             "Without spin no lateral force: the pipe slides straight on",
-            format!("{:.1e} m to the side", straight[1].abs()),
+            format!("{} m to the side", straight[1].abs()),
             straight[1] == 0.0,
             "symmetry",
         ),
@@ -154,12 +154,12 @@ fn trends() -> Result<Vec<Claim>, Failure> {
     let by_spin = [2.0, 5.0, 10.2, 20.0]
         .map(|spin| rest(HEIGHT, (FIRST.0, spin)))
         .into_iter()
-        .map(|end| Ok(-end?[1]))
+        .map(|end| Ok(0.0 - end?[1]))
         .collect::<Result<Vec<f64>, Failure>>()?;
     let by_height = [0.0, 0.05, 0.1, 0.15]
         .map(|height| rest(height, FIRST))
         .into_iter()
-        .map(|end| Ok(-end?[1]))
+        .map(|end| Ok(0.0 - end?[1]))
         .collect::<Result<Vec<f64>, Failure>>()?;
     Ok(vec![
         Claim::trend(

@@ -126,7 +126,8 @@ fn dimensionless_equation() -> Result<Claim, Failure> {
         ("1", 1.0),
         (ours, (gravity * radius).powf(alpha / 2.0)),
         "the factor (g R_c)^(α/2) is missing, unless γ absorbs it; 3.27 is not affected",
-    ))
+    )
+    .printed(""))
 }
 
 /// Spinning disks travel farther; both motions stop together.

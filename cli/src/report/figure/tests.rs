@@ -202,3 +202,39 @@ fn a_line_whose_colour_is_repeated_is_dashed() {
     // A colour that was chosen is nobody else's.
     assert_eq!(series.color(Color(1, 2, 3)).look(7).1, Style::Line);
 }
+
+#[test]
+fn an_axis_of_cases_has_their_names() -> Result<(), FigureError> {
+    let names = ["(0, 0)", "(1, 0.5)", "(1, 1)"].map(String::from);
+    let svg = Figure::new("", Axis::named("case", names.to_vec()), Axis::linear("y"))
+        .series(Series::points("", vec![(1.0, 1.0), (2.0, 4.0), (3.0, 9.0)]))
+        .svg()?;
+    let at = |name: &str| svg.find(name);
+    assert!(
+        at("(0, 0)").is_some() && at("(0, 0)") < at("(1, 0.5)") && at("(1, 0.5)") < at("(1, 1)")
+    );
+    assert!(!svg.contains("2.5"));
+    Ok(())
+}
+
+#[test]
+fn zoomed_panels_are_shown_larger_with_the_same_drawing() -> Result<(), FigureError> {
+    let panels = || {
+        Panels::new("two", 2)
+            .figure(figure())
+            .figure(figure())
+            .cell(300, 260)
+    };
+    let (plain, zoomed) = (panels(), panels().zoom(1.5));
+    assert_eq!((plain.extent(), zoomed.extent()), ((600, 294), (900, 441)));
+    let (small, large) = (plain.svg()?, zoomed.svg()?);
+    assert!(large.contains("width=\"900\" height=\"441\""));
+    let resized = small.replacen(
+        "width=\"600\" height=\"294\"",
+        "width=\"900\" height=\"441\"",
+        1,
+    );
+    assert_eq!(resized, large);
+    assert_eq!(png_size(&zoomed.png()?), Some((900, 441)));
+    Ok(())
+}
