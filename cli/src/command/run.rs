@@ -69,7 +69,7 @@ fn examples() -> String {
          tribos run scenes/curling-draw.toml --out out/draw --set model=pivot-slide\n  \
          tribos run scenes/compaction-small.toml --out out/powder --set rolling=0.3\n  \
          tribos run scenes/compaction-large.toml --out out/large --resume\n  \
-         tribos run scenes/tip-irreversible.toml --out out/tip --set lambda=0.04\n",
+         tribos run scenes/tip-irreversible.toml --out out/tip --set seed=2\n",
     );
     text += &vocabulary("a scene", SliderScene::KEYS);
     for body in ["cylinder", "pipe", "curling"] {

@@ -66,6 +66,58 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     Ok(())
 }
 
+/// A file that is written part by part, and is there once it is finished.
+#[derive(Debug)]
+pub(crate) struct AtomicFile {
+    path: PathBuf,
+    file: std::io::BufWriter<tempfile::NamedTempFile>,
+}
+
+impl AtomicFile {
+    /// Begins a temporary file in the folder of `path`, which is made if missing.
+    pub(crate) fn begin(path: &Path) -> Result<Self, WriteError> {
+        let file = || {
+            let folder = match path.parent() {
+                Some(parent) if !parent.as_os_str().is_empty() => parent,
+                _ => Path::new("."),
+            };
+            std::fs::create_dir_all(folder)?;
+            tempfile::NamedTempFile::new_in(folder)
+        };
+        let path = path.to_path_buf();
+        match file() {
+            Ok(file) => Ok(Self {
+                path,
+                file: std::io::BufWriter::new(file),
+            }),
+            Err(cause) => Err(WriteError { path, cause }),
+        }
+    }
+
+    /// Adds bytes.
+    pub(crate) fn add(&mut self, bytes: &[u8]) -> Result<(), WriteError> {
+        self.file.write_all(bytes).map_err(|cause| WriteError {
+            path: self.path.clone(),
+            cause,
+        })
+    }
+
+    /// Gives the file its name.
+    pub(crate) fn finish(self) -> Result<(), WriteError> {
+        let Self { path, file } = self;
+        let persist = || {
+            let file = file.into_inner().map_err(|error| error.into_error())?;
+            readable_by_all(file.as_file())?;
+            file.as_file().sync_all()?;
+            file.persist(&path).map_err(|error| error.error)
+        };
+        match persist() {
+            Ok(_) => Ok(()),
+            Err(cause) => Err(WriteError { path, cause }),
+        }
+    }
+}
+
 /// Temporary files are private by default; a result is an ordinary file.
 #[cfg(unix)]
 fn readable_by_all(file: &std::fs::File) -> std::io::Result<()> {

@@ -6,9 +6,11 @@ pub(crate) mod kept;
 mod number;
 mod series;
 mod snapshot;
+pub mod trajectory;
 mod vtk;
 mod xyz;
 
+pub(crate) use atomic::AtomicFile;
 pub use atomic::{WriteError, write_atomically};
 pub use kept::CheckpointError;
 pub use number::{json_number, number};

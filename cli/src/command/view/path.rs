@@ -1,7 +1,8 @@
 //! A body in the plane from the series and the summary that its run left.
 
 use crate::failure::Failure;
-use crate::report::player::{Film, PathBody, Row, path_film};
+pub use crate::report::player::Row;
+use crate::report::player::{Film, PathBody, path_film};
 use serde_json::Value;
 use std::path::Path;
 
@@ -11,10 +12,9 @@ const BAND: f64 = 0.065;
 /// The film of a run.
 pub fn film(folder: &Path, scene: &Value) -> Result<Film, Failure> {
     let name = scene["body"].as_str().unwrap_or("disk");
-    let number = |key: &str| scene[key].as_f64();
     let body = PathBody {
         name: name.into(),
-        radius: number("radius").or(number("band_radius")).unwrap_or(BAND),
+        radius: radius(scene),
         is_si: scene["units"].as_str() != Some("dimensionless"),
     };
     let rows = rows(&folder.join("series.csv"))?;
@@ -30,8 +30,14 @@ pub fn film(folder: &Path, scene: &Value) -> Result<Film, Failure> {
     Ok(path_film(&title, &body, &rows))
 }
 
+/// Radius of what touches the ground.
+pub fn radius(scene: &Value) -> f64 {
+    let number = |key: &str| scene[key].as_f64();
+    number("radius").or(number("band_radius")).unwrap_or(BAND)
+}
+
 /// Rows of the series; a disk goes straight on.
-fn rows(file: &Path) -> Result<Vec<Row>, Failure> {
+pub fn rows(file: &Path) -> Result<Vec<Row>, Failure> {
     let named = |error: &dyn std::fmt::Display| {
         Failure::input(format!("{}: {error}; run the scene again", file.display()))
     };
