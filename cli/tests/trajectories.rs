@@ -48,7 +48,7 @@ fn frames(run: &Path) -> Result<(Bodies, Vec<Frame>), Error> {
 fn assert_places(read: &[Vector3<f64>], frame: &Frame) {
     assert_eq!(read.len(), frame.places.len());
     for (read, place) in read.iter().zip(&frame.places) {
-        assert_eq!(*read, place.map(|x| f64::from(x as f32)));
+        assert_eq!(read.map(|x| x as f32), place.map(|x| x as f32));
     }
 }
 
@@ -172,13 +172,14 @@ fn a_body_in_the_plane_is_exported_along_its_path() -> Outcome {
             .split(',')
             .map(|cell| cell.parse().unwrap_or(f64::NAN))
             .collect();
-        let single = |at: usize| f64::from(cells[at] as f32);
+        let single = |at: usize| cells[at] as f32;
         let atoms = &read.atoms;
+        let place = atoms.positions[0].map(|x| x as f32);
         assert_eq!(
             [atoms.positions[0].x, atoms.positions[0].y],
             [single(x), single(y)]
         );
-        assert_eq!(atoms.velocities[0].x, single(vx));
+        assert_eq!(atoms.velocities[0].x as f32, single(vx));
     }
     assert_eq!(read[0].is_periodic, [false; 3]);
     Ok(())
