@@ -175,10 +175,7 @@ fn a_body_in_the_plane_is_exported_along_its_path() -> Outcome {
         let single = |at: usize| cells[at] as f32;
         let atoms = &read.atoms;
         let place = atoms.positions[0].map(|x| x as f32);
-        assert_eq!(
-            [atoms.positions[0].x, atoms.positions[0].y],
-            [single(x), single(y)]
-        );
+        assert_eq!([place.x, place.y], [single(x), single(y)]);
         assert_eq!(atoms.velocities[0].x as f32, single(vx));
     }
     assert_eq!(read[0].is_periodic, [false; 3]);

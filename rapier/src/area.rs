@@ -121,7 +121,8 @@ impl Element {
         let slide = (vx * vx + vy * vy + smoothing * smoothing).sqrt();
         let radius = self.area.radius();
         let rim = twist[2].abs() * radius;
-        if !(slide + rim > 0.0) {
+        let moves = slide + rim > 0.0;
+        if !moves {
             return Response::default();
         }
         let (wrench, by) = self.area.reduced(slide, rim);

@@ -213,7 +213,8 @@ impl Patch {
         load: f32,
     ) -> Vec<Element> {
         let limit = f64::from(self.mu * load);
-        if !(limit > 0.0) {
+        let presses = limit > 0.0;
+        if !presses {
             return Vec::new();
         }
         let one = |area: Area, place: [f64; 2], share: f32| Element {
