@@ -42,7 +42,7 @@ impl Throw {
             stop: f64::NAN,
             least: f64::INFINITY,
         };
-        // The engine spreads the load over the feet in a second or two.
+        // The engine's split of the load over feet that cannot tilt is arbitrary, and changes.
         table.steps(SETTLING);
         let body_now = &mut table.world.bodies[body];
         let start = body_now.translation();
@@ -218,7 +218,7 @@ fn any_number_of_feet_travel_as_the_integral_over_their_areas() {
 #[test]
 fn feet_at_rest_stay_to_the_last_bit_and_hold_what_their_areas_hold() {
     let throw = Throw {
-        feet: circle(4, 0.1, [0.03, 0.0]),
+        feet: circle(4, 0.1, [0.0, 0.0]),
         spin: 0.0,
         radius: FOOT,
     };
