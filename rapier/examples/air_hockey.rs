@@ -62,7 +62,8 @@ fn rink(with_patch: bool) -> Result<Rink, Box<dyn Error>> {
     let (mallet, _) = world.insert(body, ColliderBuilder::cylinder(HALF_HEIGHT, MALLET));
     let mut patches = PatchContacts::new();
     if with_patch {
-        patches.insert(foot, top, Patch::disk(MU, PUCK)?, &mut world.colliders);
+        let patch = Patch::disk(MU, PUCK)?;
+        patches.insert(foot, top, patch, &world.bodies, &mut world.colliders)?;
     }
     Ok(Rink {
         world,

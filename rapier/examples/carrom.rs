@@ -65,7 +65,8 @@ fn game(with_patches: bool) -> Result<Game, Box<dyn Error>> {
             .restitution(0.8);
         let (body, foot) = world.insert(body, shape);
         if with_patches {
-            patches.insert(foot, board, Patch::disk(MU, radius)?, &mut world.colliders);
+            let patch = Patch::disk(MU, radius)?;
+            patches.insert(foot, board, patch, &world.bodies, &mut world.colliders)?;
         }
         pieces.push((body, radius));
     }

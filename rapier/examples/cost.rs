@@ -53,7 +53,15 @@ fn run(motion: Motion, patch: Option<&Patch>) -> Vec<Times> {
         let shape = ColliderBuilder::cylinder(HALF_HEIGHT, RADIUS).friction(MU);
         let (_, foot) = world.insert(body, shape);
         if let Some(patch) = patch {
-            patches.insert(foot, table, patch.clone(), &mut world.colliders);
+            patches
+                .insert(
+                    foot,
+                    table,
+                    patch.clone(),
+                    &world.bodies,
+                    &mut world.colliders,
+                )
+                .expect("a puck on a table");
         }
     }
     let mut times = Vec::with_capacity(STEPS);

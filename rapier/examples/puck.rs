@@ -73,7 +73,9 @@ fn thrown(spin: f32, patch: Option<Patch>) -> Throw {
     let mut patches = PatchContacts::new();
     let is_alone = patch.is_none();
     if let Some(patch) = patch {
-        patches.insert(puck, table, patch, &mut world.colliders);
+        patches
+            .insert(puck, table, patch, &world.bodies, &mut world.colliders)
+            .expect("a puck on a table");
     }
     let dt = f64::from(world.integration_parameters.dt);
     let mut stop = f64::NAN;

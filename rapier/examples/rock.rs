@@ -64,7 +64,8 @@ fn slide(ice: Ice, spin: f32) -> Result<End, Box<dyn Error>> {
         let below = if is_swept { MU_SWEPT } else { MU };
         if below != mu && ice != Ice::Alone {
             mu = below;
-            patches.insert(foot, sheet, Patch::ring(mu, BAND)?, &mut world.colliders);
+            let patch = Patch::ring(mu, BAND)?;
+            patches.insert(foot, sheet, patch, &world.bodies, &mut world.colliders)?;
         }
         patches.step(&mut world);
         let body = &world.bodies[stone];

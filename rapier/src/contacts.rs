@@ -1,7 +1,10 @@
 //! All pairs with a patch, around the engine's step.
 
-use crate::pair::{Friction, Handles, Pair, Stop};
+use crate::group::{self, Begun, Member};
+use crate::handed::Lent;
+use crate::pair::{Friction, Pair, Stop, Touching};
 use crate::patch::Patch;
+use crate::refusal::{PairError, check};
 use crate::touching::touching;
 use rapier3d::prelude::*;
 
@@ -25,7 +28,8 @@ use rapier3d::prelude::*;
 /// let (_, foot) = world.insert(body, ColliderBuilder::cylinder(0.01, 0.08).mass(0.17));
 ///
 /// let mut patches = PatchContacts::new();
-/// patches.insert(foot, table, Patch::disk(0.3, 0.08)?, &mut world.colliders);
+/// let patch = Patch::disk(0.3, 0.08)?;
+/// patches.insert(foot, table, patch, &world.bodies, &mut world.colliders)?;
 /// assert_eq!(patches.len(), 1);
 /// for _ in 0..10 {
 ///     patches.step(&mut world);
@@ -40,9 +44,22 @@ use rapier3d::prelude::*;
 /// assert!(patches.remove(foot, table) && patches.is_empty());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Default)]
+///
+/// *State*: what the contacts of the last step have shown is part of the simulation. To save a game,
+/// clone the contacts with the engine's sets, or serialise both (feature `serde-serialize`, the same
+/// name as Rapier's), between two steps: then the motion goes on to the same bits.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
 pub struct PatchContacts {
     pairs: Vec<Pair>,
+    /// What each group was lent for the step that has begun.
+    lent: Vec<Vec<Lent>>,
+    /// What was foreseen for each group.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    begun: Vec<Begun>,
 }
 
 impl PatchContacts {
@@ -54,14 +71,18 @@ impl PatchContacts {
     /// Gives the contact of `foot` on `ground` a patch, in place of the engine's friction.
     ///
     /// A pair that has one already goes on with the new one: another floor, ice that is swept. The
-    /// colliders' hook that sets their friction aside is switched on.
+    /// colliders' hook that sets their friction aside is switched on. The foot's body must be dynamic;
+    /// a body may have several feet, which resist together. The ground may be fixed, driven by its
+    /// velocity, or free to move.
     pub fn insert(
         &mut self,
         foot: ColliderHandle,
         ground: ColliderHandle,
         patch: Patch,
+        bodies: &RigidBodySet,
         colliders: &mut ColliderSet,
-    ) {
+    ) -> Result<(), PairError> {
+        check(foot, ground, bodies, colliders)?;
         for handle in [foot, ground] {
             if let Some(collider) = colliders.get_mut(handle) {
                 let hooks = collider.active_hooks() | ActiveHooks::MODIFY_SOLVER_CONTACTS;
@@ -73,9 +94,12 @@ impl PatchContacts {
             Ok(at) => self.pairs[at].repatch(pair),
             Err(at) => self.pairs.insert(at, pair),
         }
+        Ok(())
     }
 
     /// Gives the pair back to the engine's friction; true if it had a patch.
+    ///
+    /// What was lent to its bodies for a step that has begun comes back at the end of the step.
     pub fn remove(&mut self, foot: ColliderHandle, ground: ColliderHandle) -> bool {
         let at = self
             .pairs
@@ -125,7 +149,7 @@ impl PatchContacts {
     /// use rapier3d::prelude::*;
     /// use tribos_rapier::{Patch, PatchContacts};
     /// # type Sliding = (PhysicsWorld, RigidBodyHandle, PatchContacts);
-    /// # fn sliding() -> Result<Sliding, tribos_rapier::PatchError> {
+    /// # fn sliding() -> Result<Sliding, Box<dyn std::error::Error>> {
     /// # let mut world = PhysicsWorld::new();
     /// # world.gravity = Vector::new(0.0, -9.81, 0.0);
     /// # let table = world.insert_collider(ColliderBuilder::cuboid(2.0, 0.1, 2.0), None);
@@ -134,7 +158,8 @@ impl PatchContacts {
     /// #     .linvel(Vector::new(1.0, 0.0, 0.0));
     /// # let (puck, foot) = world.insert(body, ColliderBuilder::cylinder(0.01, 0.08).mass(0.17));
     /// # let mut patches = PatchContacts::new();
-    /// # patches.insert(foot, table, Patch::disk(0.3, 0.08)?, &mut world.colliders);
+    /// # let patch = Patch::disk(0.3, 0.08)?;
+    /// # patches.insert(foot, table, patch, &world.bodies, &mut world.colliders)?;
     /// # Ok((world, puck, patches))
     /// # }
     /// let (mut world, puck, mut patches) = sliding()?;
@@ -149,7 +174,7 @@ impl PatchContacts {
     /// }
     /// assert!(world.bodies[puck].linvel().x < 1.0);
     /// assert_eq!(world.bodies[puck].linvel(), other.bodies[same_puck].linvel());
-    /// # Ok::<(), tribos_rapier::PatchError>(())
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn begin_step(
         &mut self,
@@ -158,12 +183,19 @@ impl PatchContacts {
         bodies: &mut RigidBodySet,
         colliders: &ColliderSet,
     ) {
+        // Of a step that was begun and not finished.
+        self.cancel_step(bodies);
         let is_there =
             |pair: &Pair| colliders.contains(pair.foot) && colliders.contains(pair.ground);
         self.pairs.retain(is_there);
-        for pair in &mut self.pairs {
-            if let Some(handles) = bodies_of(pair, bodies, colliders) {
-                pair.begin(gravity, parameters, bodies, handles);
+        let members = self.members(bodies, colliders, |pair, _| {
+            pair.known.map(|known| known.touching)
+        });
+        for group in group::grouped(members, bodies) {
+            let begun = group::begin(&group, &self.pairs, gravity, parameters, bodies, colliders);
+            if let Some((begun, lent)) = begun {
+                self.begun.push(begun);
+                self.lent.push(lent);
             }
         }
     }
@@ -176,12 +208,87 @@ impl PatchContacts {
         colliders: &ColliderSet,
         narrow_phase: &NarrowPhase,
     ) {
-        for pair in self.pairs.iter_mut().rev() {
-            if let Some(handles) = bodies_of(pair, bodies, colliders) {
-                let foot = bodies.get(handles.0);
-                let touching = foot
-                    .and_then(|foot| touching(pair, foot, colliders, narrow_phase, parameters.dt));
-                pair.finish(parameters, bodies, handles, touching);
+        // Restored in the middle of a step: forces are taken back, the step is not judged.
+        if self.begun.len() != self.lent.len() {
+            self.cancel_step(bodies);
+        }
+        let mut members = self.members(bodies, colliders, |pair, foot| {
+            touching(pair, foot, colliders, narrow_phase, parameters.dt)
+        });
+        self.forget_open(&members, bodies, colliders);
+        while let (Some(begun), Some(lent)) = (self.begun.pop(), self.lent.pop()) {
+            lent.into_iter().for_each(|lent| lent.take_back(bodies));
+            let is_of = |member: &mut Member| begun.takes(member, &self.pairs, bodies);
+            let group: Vec<Member> = members.extract_if(.., is_of).collect();
+            let pairs = &mut self.pairs;
+            group::finish(Some(begun), &group, pairs, parameters, bodies, colliders);
+        }
+        for group in group::grouped(members, bodies).into_iter().rev() {
+            group::finish(None, &group, &mut self.pairs, parameters, bodies, colliders);
+        }
+    }
+
+    /// Takes back what [`begin_step`](Self::begin_step) has lent to bodies, for a step that will not
+    /// be taken. A step that is begun anew does the same first.
+    ///
+    /// ```
+    /// use rapier3d::prelude::*;
+    /// use tribos_rapier::{Patch, PatchContacts};
+    /// # let mut world = PhysicsWorld::new();
+    /// # world.gravity = Vector::new(0.0, -9.81, 0.0);
+    /// # let table = world.insert_collider(ColliderBuilder::cuboid(2.0, 0.1, 2.0), None);
+    /// # let body = RigidBodyBuilder::dynamic()
+    /// #     .translation(Vector::new(0.0, 0.11, 0.0))
+    /// #     .linvel(Vector::new(1.0, 0.0, 0.0));
+    /// # let (puck, foot) = world.insert(body, ColliderBuilder::cylinder(0.01, 0.08).mass(0.17));
+    /// # let mut patches = PatchContacts::new();
+    /// # let patch = Patch::disk(0.3, 0.08)?;
+    /// patches.insert(foot, table, patch, &world.bodies, &mut world.colliders)?;
+    /// patches.step(&mut world);
+    /// let parameters = world.integration_parameters;
+    /// patches.begin_step(world.gravity, &parameters, &mut world.bodies, &world.colliders);
+    /// assert!(world.bodies[puck].user_force().x < -0.4); // mu N is 0.5 N
+    /// patches.cancel_step(&mut world.bodies);
+    /// assert_eq!(world.bodies[puck].user_force(), Vector::ZERO);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn cancel_step(&mut self, bodies: &mut RigidBodySet) {
+        while let Some(lent) = self.lent.pop() {
+            lent.into_iter().for_each(|lent| lent.take_back(bodies));
+        }
+        self.begun.clear();
+    }
+
+    /// Pairs that the engine treats and that touch, by `touching`.
+    fn members(
+        &self,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+        touching: impl Fn(&Pair, &RigidBody) -> Option<Touching>,
+    ) -> Vec<Member> {
+        let member = |(number, pair): (usize, &Pair)| {
+            let (body, ground) = bodies_of(pair, bodies, colliders)?;
+            let foot = bodies.get(body).filter(|foot| !foot.is_sleeping())?;
+            Some(Member {
+                pair: number,
+                body,
+                ground,
+                touching: touching(pair, foot)?,
+            })
+        };
+        self.pairs.iter().enumerate().filter_map(member).collect()
+    }
+
+    /// Pairs that touch no more carry nothing.
+    fn forget_open(&mut self, members: &[Member], bodies: &RigidBodySet, colliders: &ColliderSet) {
+        for (number, pair) in self.pairs.iter_mut().enumerate() {
+            pair.stop = None;
+            let handles = bodies_of(pair, bodies, colliders);
+            let foot = handles.and_then(|(body, _)| bodies.get(body));
+            let is_awake = foot.is_some_and(|foot| !foot.is_sleeping());
+            if is_awake && members.iter().all(|member| member.pair != number) {
+                pair.friction = Friction::default();
+                pair.known = None;
             }
         }
     }
@@ -205,9 +312,10 @@ impl PatchContacts {
 
 impl PhysicsHooks for PatchContacts {
     fn modify_solver_contacts(&self, context: &mut ContactModificationContext) {
-        if self.pair(context.collider1, context.collider2).is_some()
-            && let Some(contact) = context.rigid_mut()
-        {
+        let pair = self.pair(context.collider1, context.collider2);
+        let is_ours =
+            pair.is_some_and(|pair| bodies_of(pair, context.bodies, context.colliders).is_some());
+        if is_ours && let Some(contact) = context.rigid_mut() {
             *contact.friction = 0.0;
         }
     }
@@ -227,15 +335,22 @@ impl Pair {
     }
 }
 
-/// The bodies of foot and ground, if the engine treats the pair.
-fn bodies_of(pair: &Pair, bodies: &RigidBodySet, colliders: &ColliderSet) -> Option<Handles> {
+/// The bodies of foot and ground, if the engine treats the pair and forces move the foot.
+fn bodies_of(
+    pair: &Pair,
+    bodies: &RigidBodySet,
+    colliders: &ColliderSet,
+) -> Option<(RigidBodyHandle, Option<RigidBodyHandle>)> {
     let [foot, ground] = [pair.foot, pair.ground].map(|handle| colliders.get(handle));
     let (foot, ground) = (foot?, ground?);
     if !(foot.is_enabled() && ground.is_enabled()) {
         return None;
     }
     let is_there = |handle| bodies.get(handle).is_some_and(RigidBody::is_enabled);
-    let body = foot.parent().filter(|&handle| is_there(handle))?;
+    let is_dynamic = |handle| bodies.get(handle).is_some_and(RigidBody::is_dynamic);
+    let body = foot
+        .parent()
+        .filter(|&handle| is_there(handle) && is_dynamic(handle))?;
     match ground.parent() {
         Some(below) => (is_there(below) && below != body).then_some((body, Some(below))),
         None => Some((body, None)),

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector2;
 use rapier3d::prelude::*;
-use tribos_core::twist::{Twist, Wrench};
+use tribos_core::twist::Twist;
 
 /// Right-handed axes of a contact, the normal pointing from the ground to the foot.
 #[derive(Clone, Copy, Debug)]
@@ -13,14 +13,9 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// Axes with the first along the projection of `along`; any axes if that has none.
-    pub(crate) fn new(normal: Vector, along: Option<Vector>) -> Self {
-        let flat = along.map(|along| along - normal * normal.dot(along));
-        let first = match flat {
-            // A direction within a hundredth of the normal tells nothing.
-            Some(flat) if flat.length_squared() > 1e-4 => flat.normalize(),
-            _ => normal.any_orthonormal_vector(),
-        };
+    /// Axes with the first in any direction, the same for the same normal.
+    pub(crate) fn new(normal: Vector) -> Self {
+        let first = normal.any_orthonormal_vector();
         Self {
             normal,
             first,
@@ -37,12 +32,9 @@ impl Frame {
         )
     }
 
-    /// The part of a force and a torque in the plane.
-    pub(crate) fn wrench(&self, force: Vector, torque: Vector) -> Wrench<f32> {
-        Wrench {
-            force: Vector2::new(force.dot(self.first), force.dot(self.second)),
-            torque: torque.dot(self.normal),
-        }
+    /// Coordinates in the plane.
+    pub(crate) fn plane(&self, vector: Vector) -> [f32; 2] {
+        [vector.dot(self.first), vector.dot(self.second)]
     }
 
     /// A vector of the plane in the world.

@@ -1,21 +1,26 @@
 //! Where a body touches its ground, and how rough it is.
 
+use crate::area::{Area, Element};
 use core::fmt;
+use rapier3d::math::Vector;
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
 use tribos_core::patch::polygon::{PolygonError, polygon};
-use tribos_core::planar::{Foot, FootError, PlanarBody, PlanarStep};
+use tribos_core::planar::{PlanarBody, PlanarStep};
 use tribos_core::twist::{Twist, Wrench};
 
 /// Points of a polygon at most.
 const POINTS: usize = 256;
+/// Share of its radius by which a round patch may lie off the centre of mass and count as centred.
+const CENTRED: f64 = 1e-3;
 
-/// A patch of Coulomb friction under a body, centred below its centre of mass.
+/// A patch of Coulomb friction under a foot, centred below the origin of the foot's collider.
 ///
-/// The pressure is spread evenly: over a disk, along a ring, over a polygon.
+/// The pressure is spread evenly: over a disk, along a ring, over a polygon. A body may stand on
+/// several feet, each a collider with a patch of its own: the engine tells how they share the load.
 ///
 /// ```
 /// use tribos_rapier::{Patch, PatchError};
@@ -27,16 +32,31 @@ const POINTS: usize = 256;
 /// # Ok::<(), PatchError>(())
 /// ```
 #[derive(Clone, Debug)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
 pub struct Patch {
     mu: f32,
+    /// Point of the collider's frame below which the patch is centred.
+    center: Vector,
     shape: Shape,
 }
 
 #[derive(Clone, Debug)]
+#[cfg_attr(
+    feature = "serde-serialize",
+    derive(serde::Serialize, serde::Deserialize)
+)]
 enum Shape {
-    Disk { radius: f32 },
-    Ring { radius: f32 },
-    Polygon(Box<Foot<f32, NodeList<f32, POINTS>, POINTS>>),
+    Disk {
+        radius: f32,
+    },
+    Ring {
+        radius: f32,
+    },
+    /// Points with their shares of the load.
+    Polygon(Vec<[f32; 3]>),
 }
 
 /// Why a patch was refused.
@@ -64,8 +84,6 @@ pub enum PatchError {
     },
     /// The polygon has no inside, or too many corners.
     Polygon(PolygonError),
-    /// The foot was refused.
-    Foot(FootError),
 }
 
 impl Patch {
@@ -81,21 +99,50 @@ impl Patch {
         Self::new(mu, Shape::Ring { radius })
     }
 
-    /// The foot of a box or a boot: corners in metres, around the point below the centre of mass.
+    /// The foot of a box or a boot: corners in metres, around the patch's centre.
     ///
-    /// The first coordinate lies along the body's own x axis, the second across it, so that the
+    /// The first coordinate lies along the x axis of the foot's collider, the second across it, so that the
     /// normal, x and the second axis are right-handed. *Domain*: `mu` ≥ 0; at least 3 corners, one
     /// of which sees the whole inside; `divisions` of every edge such that 7 (corners − 2)
     /// `divisions`² ≤ 256. *Accuracy*: friction within 1.2 % (root mean square) with 56 points.
     pub fn polygon(mu: f32, corners: &[[f32; 2]], divisions: u32) -> Result<Self, PatchError> {
-        let points = polygon(corners, divisions).map_err(PatchError::Polygon)?;
-        let foot = Foot::new(points, 0.0).map_err(PatchError::Foot)?;
-        Self::new(mu, Shape::Polygon(Box::new(foot)))
+        let points: NodeList<f32, POINTS> =
+            polygon(corners, divisions).map_err(PatchError::Polygon)?;
+        let whole = points.total_weight();
+        let point = |node: &Node<f32>| [node.x, node.y, node.weight / whole];
+        Self::new(
+            mu,
+            Shape::Polygon(points.nodes().iter().map(point).collect()),
+        )
+    }
+
+    /// The same patch centred below another point than the collider's origin, in metres in the
+    /// collider's own frame: for shapes whose origin is not above the middle of what touches.
+    ///
+    /// ```
+    /// use rapier3d::prelude::Vector;
+    /// use tribos_rapier::Patch;
+    /// // A table leg whose origin is at the rim of its foot.
+    /// let leg = Patch::disk(0.4, 0.03)?.centered_at(Vector::new(0.03, 0.0, 0.0));
+    /// assert_eq!(leg.center(), Vector::new(0.03, 0.0, 0.0));
+    /// # Ok::<(), tribos_rapier::PatchError>(())
+    /// ```
+    pub fn centered_at(self, center: Vector) -> Self {
+        Self { center, ..self }
+    }
+
+    /// The point of the collider's frame below which the patch is centred, in metres.
+    pub fn center(&self) -> Vector {
+        self.center
     }
 
     fn new(mu: f32, shape: Shape) -> Result<Self, PatchError> {
         if mu >= 0.0 && mu.is_finite() {
-            Ok(Self { mu, shape })
+            Ok(Self {
+                mu,
+                center: Vector::ZERO,
+                shape,
+            })
         } else {
             Err(PatchError::Coefficient { given: mu })
         }
@@ -106,14 +153,22 @@ impl Patch {
         self.mu
     }
 
-    /// True if the patch has directions of its own.
-    pub(crate) fn is_oriented(&self) -> bool {
-        matches!(self.shape, Shape::Polygon(_))
+    /// Whether the patch is round and centred on the centre of mass, from which its centre is as far
+    /// as `place`: then the kernel's step for round patches is exact.
+    pub(crate) fn is_centred(&self, place: [f64; 2]) -> bool {
+        let [x, y] = place;
+        match self.shape {
+            Shape::Disk { radius } | Shape::Ring { radius } => {
+                (x * x + y * y).sqrt() <= CENTRED * f64::from(radius)
+            }
+            Shape::Polygon(_) => false,
+        }
     }
 
-    /// The motion after `dt` under a load in newtons.
+    /// The kernel's step of a round patch below the centre of mass: the motion after `dt` under a
+    /// load in newtons. `None` for polygons.
     pub(crate) fn step(
-        &mut self,
+        &self,
         body: &PlanarBody<f32>,
         load: f32,
         twist: &Twist<f32>,
@@ -121,56 +176,65 @@ impl Patch {
         dt: TimeStep<f32>,
     ) -> Option<PlanarStep<f32>> {
         let limit = self.mu * load;
-        Some(match &mut self.shape {
+        match self.shape {
             Shape::Disk { radius } => {
-                let set = LimitSurface::new(Coulomb, limit, *radius).ok()?;
-                body.step(&set, twist, push, dt)
+                let set = LimitSurface::new(Coulomb, limit, radius).ok()?;
+                Some(body.step(&set, twist, push, dt))
             }
             Shape::Ring { radius } => {
-                let set = LimitSurface::new(Ring, limit, *radius).ok()?;
-                body.step(&set, twist, push, dt)
+                let set = LimitSurface::new(Ring, limit, radius).ok()?;
+                Some(body.step(&set, twist, push, dt))
             }
-            Shape::Polygon(foot) => {
-                foot.set_force_limit(limit).ok()?;
-                body.step_on_foot(foot, twist, push, dt)
-            }
-        })
+            Shape::Polygon(_) => None,
+        }
     }
 
-    /// How much of what the patch can carry `friction` is, at most 1: by how far it could grow, for a
-    /// polygon by the power that it takes from the motion `twist`.
-    pub(crate) fn share(
-        &self,
-        load: f32,
-        friction: &Wrench<f32>,
-        twist: &Twist<f32>,
-    ) -> Option<f32> {
+    /// How much of what a round patch can carry `friction` is, at most 1.
+    pub(crate) fn share(&self, load: f32, friction: &Wrench<f32>) -> Option<f32> {
         let limit = self.mu * load;
-        let share = match &self.shape {
-            Shape::Disk { radius } => LimitSurface::new(Coulomb, limit, *radius)
+        let gauge = match self.shape {
+            Shape::Disk { radius } => LimitSurface::new(Coulomb, limit, radius)
                 .ok()?
                 .gauge(friction),
-            Shape::Ring { radius } => LimitSurface::new(Ring, limit, *radius)
-                .ok()?
-                .gauge(friction),
-            Shape::Polygon(foot) => {
-                let power = friction.force.dot(&twist.velocity) + friction.torque * twist.spin;
-                -power / (limit * mean_speed(foot.patch(), twist))
-            }
+            Shape::Ring { radius } => LimitSurface::new(Ring, limit, radius).ok()?.gauge(friction),
+            Shape::Polygon(_) => return None,
         };
         // Nothing resists nothing: no share.
-        Some(if share > 0.0 { share.min(1.0) } else { 0.0 })
+        Some(if gauge > 0.0 { gauge.min(1.0) } else { 0.0 })
     }
-}
 
-/// The mean speed of the points, by weight.
-fn mean_speed(points: &NodeList<f32, POINTS>, twist: &Twist<f32>) -> f32 {
-    let of = |node: &Node<f32>| {
-        let x = twist.velocity.x - twist.spin * node.y;
-        let y = twist.velocity.y + twist.spin * node.x;
-        node.weight * x.hypot(y)
-    };
-    points.nodes().iter().map(of).sum::<f32>() / points.total_weight()
+    /// The parts of the patch under a load in newtons, as those of the foot of this number: its centre
+    /// at `place` from the centre of mass, its x axis along `axis` in the plane.
+    pub(crate) fn elements(
+        &self,
+        foot: usize,
+        place: [f64; 2],
+        axis: [f64; 2],
+        load: f32,
+    ) -> Vec<Element> {
+        let limit = f64::from(self.mu * load);
+        let presses = limit > 0.0;
+        if !presses {
+            return Vec::new();
+        }
+        let one = |area: Area, place: [f64; 2], share: f32| Element {
+            place,
+            area,
+            limit: limit * f64::from(share),
+            foot,
+        };
+        let [c, s] = axis;
+        let point = |&[x, y, share]: &[f32; 3]| {
+            let [x, y] = [x, y].map(f64::from);
+            let place = [place[0] + c * x - s * y, place[1] + s * x + c * y];
+            one(Area::Point, place, share)
+        };
+        match &self.shape {
+            Shape::Disk { radius } => vec![one(Area::Disk(f64::from(*radius)), place, 1.0)],
+            Shape::Ring { radius } => vec![one(Area::Ring(f64::from(*radius)), place, 1.0)],
+            Shape::Polygon(points) => points.iter().map(point).collect(),
+        }
+    }
 }
 
 fn valid_radius(radius: f32) -> Result<f32, PatchError> {
@@ -192,7 +256,6 @@ impl fmt::Display for PatchError {
                 write!(f, "the radius must be positive and finite, not {given} m")
             }
             Self::Polygon(error) => error.fmt(f),
-            Self::Foot(error) => error.fmt(f),
         }
     }
 }

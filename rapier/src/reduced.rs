@@ -1,6 +1,8 @@
 //! Two bodies as one: the mass and inertia with which a common impulse meets their relative motion.
 
+use crate::balance::{solved, times};
 use crate::frame::Frame;
+use nalgebra::Vector2;
 use rapier3d::prelude::*;
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
@@ -14,9 +16,12 @@ const ALONG: f32 = 0.99;
 /// What moves against what.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reduced {
+    /// The pair, if friction acted at the ground's centre of mass.
     pub(crate) body: PlanarBody<f32>,
-    /// Shares of the foot and of the ground in a change of the relative velocity and spin.
-    shares: [[f32; 2]; 2],
+    /// 1/mass and 1/inertia of the foot and of the ground.
+    inverse: [[f32; 2]; 2],
+    /// From the ground's centre of mass to the foot's, in the plane.
+    lever: [f32; 2],
     /// Whether friction moves the foot, the ground.
     pub(crate) moved: [bool; 2],
 }
@@ -34,29 +39,73 @@ impl Reduced {
             [false, true] => [sums[1].recip() * (LOCKED * LOCKED), sums[1].recip()],
             [false, false] => return None,
         };
-        let share = |of: [f32; 2], sign: f32| {
-            [0, 1].map(|i| match sums[i] > 0.0 {
-                true => sign * (of[i] / sums[i]),
-                false => 0.0,
-            })
-        };
+        let lever = ground.map_or([0.0; 2], |ground| {
+            frame.plane(foot.center_of_mass() - ground.center_of_mass())
+        });
         Some(Self {
             body: PlanarBody::new(mass, inertia).ok()?,
-            shares: [share(of_foot, 1.0), share(of_ground, -1.0)],
+            inverse: [of_foot, of_ground],
+            lever,
             moved: [of_foot, of_ground].map(|of| of != [0.0; 2]),
         })
     }
 
+    /// The mass matrix of the relative motion at the foot's centre of mass: xx, xy, yy, xn, yn, nn.
+    pub(crate) fn mass(&self) -> [f64; 6] {
+        let [mass, inertia] = [self.body.mass(), self.body.inertia()].map(f64::from);
+        let [x, y] = self.lever.map(f64::from);
+        let turn = f64::from(self.inverse[1][1]);
+        if !self.moved[1] || turn == 0.0 {
+            return [mass, 0.0, mass, 0.0, 0.0, inertia];
+        }
+        // A force on the ground turns it, and shifts what lies off its centre.
+        let inverse = [
+            1.0 / mass + turn * y * y,
+            -(turn * x * y),
+            1.0 / mass + turn * x * x,
+            -(turn * y),
+            turn * x,
+            1.0 / inertia,
+        ];
+        let column = |right: [f64; 3]| solved(&inverse, &right);
+        let [xx, xy, xn] = column([1.0, 0.0, 0.0]);
+        let [_, yy, yn] = column([0.0, 1.0, 0.0]);
+        let [_, _, nn] = column([0.0, 0.0, 1.0]);
+        [xx, xy, yy, xn, yn, nn]
+    }
+
     /// Changes of the foot's and the ground's velocities that make up a change of the relative twist.
     pub(crate) fn shared(&self, change: &Twist<f32>, frame: &Frame) -> [[Vector; 2]; 2] {
-        let linear = frame.world(&change.velocity);
-        let angular = frame.normal * change.spin;
-        self.shares
-            .map(|[shift, turn]| [linear * shift, angular * turn])
+        let moved =
+            |velocity: &Vector2<f32>, spin: f32| [frame.world(velocity), frame.normal * spin];
+        let still = [Vector::ZERO; 2];
+        let [foot, ground] = self.inverse;
+        if !self.moved[1] {
+            let free = foot.map(|inverse| f32::from(u8::from(inverse > 0.0)));
+            return [
+                moved(&(change.velocity * free[0]), change.spin * free[1]),
+                still,
+            ];
+        }
+        let Wrench { force, torque } = self.push(change, 1.0);
+        let [x, y] = self.lever;
+        let below = torque + (x * force.y - y * force.x);
+        [
+            moved(&(force * foot[0]), torque * foot[1]),
+            moved(&(force * -ground[0]), below * -ground[1]),
+        ]
     }
 
     /// The mean push that makes `change` of the relative twist in a time `dt`.
     pub(crate) fn push(&self, change: &Twist<f32>, dt: f32) -> Wrench<f32> {
+        if self.moved[1] {
+            let change = [change.velocity.x, change.velocity.y, change.spin].map(f64::from);
+            let [x, y, torque] = times(&self.mass(), &change).map(|x| (x / f64::from(dt)) as f32);
+            return Wrench {
+                force: Vector2::new(x, y),
+                torque,
+            };
+        }
         Wrench {
             force: change.velocity * (self.body.mass() / dt),
             torque: change.spin * (self.body.inertia() / dt),

@@ -1,12 +1,16 @@
-//! `tribos export`: a scene as files of another program.
+//! `tribos export`: a scene, or the trajectory of a run, as files of another program.
 
+mod trajectory;
+
+use self::trajectory::Trajectory;
 use crate::failure::Failure;
 use std::path::PathBuf;
+use tribos::record::trajectory::Format;
 use tribos::record::write_atomically;
 use tribos::scene::Scene;
 use tribos::tip::export;
 
-/// Write a scene as files of another program, which then runs the same system.
+/// Write the trajectory of a run for another program, or a scene that the program runs itself.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -17,8 +21,14 @@ pub struct Arguments {
 /// Programs.
 #[derive(Debug, clap::Subcommand)]
 enum Program {
-    /// LAMMPS: tip.data, the atoms at the start, and in.tip, the input script.
+    /// LAMMPS: a scene as tip.data, the atoms at the start, and in.tip, the input script.
     Lammps(Lammps),
+    /// ParaView: a run as trajectory.pvd, a collection of trajectory/<step>.vtp.
+    Vtk(Trajectory),
+    /// OVITO, ASE: a run as trajectory.xyz, extended XYZ of many frames.
+    Xyz(Trajectory),
+    /// LAMMPS, OVITO: a run as trajectory.dump, a text dump.
+    LammpsDump(Trajectory),
 }
 
 /// Of a scene with body = "tip". Run it with `lmp -in in.tip` in the folder; its first lines write
@@ -38,26 +48,39 @@ struct Lammps {
 
 const EXAMPLES: &str = "\
 Examples:
+  tribos run compaction-small --out out/powder && tribos export vtk out/powder
+  tribos export xyz out/powder --out out/ovito
+  tribos run tip-reversible --out out/tip && tribos export lammps-dump out/tip
   tribos export lammps scenes/tip-irreversible.toml --out out/lammps
   cd out/lammps && lmp -in in.tip";
 
 impl Arguments {
     /// Writes.
     pub fn execute(self) -> Result<(), Failure> {
-        let Program::Lammps(lammps) = self.program;
-        let scene = super::scene::read(&lammps.scene, &lammps.overrides)?;
+        match self.program {
+            Program::Lammps(lammps) => lammps.write(),
+            Program::Vtk(run) => run.write(Format::Vtk),
+            Program::Xyz(run) => run.write(Format::Xyz),
+            Program::LammpsDump(run) => run.write(Format::LammpsDump),
+        }
+    }
+}
+
+impl Lammps {
+    fn write(self) -> Result<(), Failure> {
+        let scene = super::scene::read(&self.scene, &self.overrides)?;
         let Scene::Tip(scene) = scene else {
             return Err(Failure::input(format!(
                 "{}: only scenes with body = \"tip\" are made of atoms",
-                lammps.scene.display()
+                self.scene.display()
             )));
         };
         let files = export::start(&scene).map_err(Failure::input)?;
-        write_atomically(&lammps.out.join("tip.data"), files.data.as_bytes())?;
-        write_atomically(&lammps.out.join("in.tip"), files.script.as_bytes())?;
+        write_atomically(&self.out.join("tip.data"), files.data.as_bytes())?;
+        write_atomically(&self.out.join("in.tip"), files.script.as_bytes())?;
         super::print(&format!(
             "written to    {0}; run it with `lmp -in in.tip` there\n",
-            lammps.out.display()
+            self.out.display()
         ))
     }
 }

@@ -71,7 +71,7 @@ fn examples() -> String {
          tribos run scenes/curling-draw.toml --out out/draw --set model=pivot-slide\n  \
          tribos run scenes/compaction-small.toml --out out/powder --set rolling=0.3\n  \
          tribos run scenes/compaction-large.toml --out out/large --resume\n  \
-         tribos run scenes/tip-irreversible.toml --out out/tip --set lambda=0.04\n\
+         tribos run scenes/tip-irreversible.toml --out out/tip --set seed=2\n\
          Keys of a scene, by its body:\n",
     );
     for body in bodies() {

@@ -2,7 +2,7 @@
 
 mod colors;
 mod encoder;
-mod path;
+pub mod path;
 mod solid;
 mod still;
 
@@ -134,7 +134,7 @@ fn written(file: &Path) -> Result<(), Failure> {
 }
 
 /// The summary of a run, if it has come to its end.
-fn summary(folder: &Path) -> Result<Option<Value>, Failure> {
+pub fn summary(folder: &Path) -> Result<Option<Value>, Failure> {
     let file = folder.join("summary.json");
     let named = |error: String| Failure::input(format!("{}: {error}", file.display()));
     match std::fs::read_to_string(&file) {

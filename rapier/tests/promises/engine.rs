@@ -11,9 +11,8 @@ fn sliding() -> RigidBodyBuilder {
 #[test]
 fn a_puck_at_rest_falls_asleep_and_wakes() {
     let mut table = Table::level();
-    let (world, patches) = (&mut table.world, &mut table.patches);
-    let (body, foot) = world.insert(sliding(), puck_shape());
-    patches.insert(foot, table.ground, disk().unwrap(), &mut world.colliders);
+    let (body, foot) = table.world.insert(sliding(), puck_shape());
+    table.give(foot, disk().unwrap());
     table.steps(600);
     let body_now = &table.world.bodies[body];
     assert!(body_now.is_sleeping());
@@ -133,10 +132,8 @@ fn a_foot_of_several_parts_and_several_feet_are_braked() {
     let right =
         ColliderBuilder::cuboid(half.x, half.y, half.z).translation(Vector::new(0.0, 0.0, 0.05));
     let right = table.world.insert_collider(right, Some(pair));
-    let (patch, ground) = (Patch::disk(MU, RADIUS).unwrap(), table.ground);
-    table
-        .patches
-        .insert(right, ground, patch, &mut table.world.colliders);
+    let ground = table.ground;
+    table.give(right, Patch::disk(MU, RADIUS).unwrap());
     table.steps(60);
     let exact = 0.5 / (MU * GRAVITY);
     for (name, body) in [("parts", body), ("feet", pair)] {

@@ -49,10 +49,23 @@ impl Table {
         let body = body.can_sleep(false).allow_fast_rotation(true);
         let (body, foot) = self.world.insert(body, shape.friction(MU));
         if let Some(patch) = patch {
-            self.patches
-                .insert(foot, self.ground, patch, &mut self.world.colliders);
+            self.give(foot, patch);
         }
         (body, foot)
+    }
+
+    /// Gives a foot a patch on the table.
+    pub fn give(&mut self, foot: ColliderHandle, patch: Patch) {
+        let world = &mut self.world;
+        self.patches
+            .insert(
+                foot,
+                self.ground,
+                patch,
+                &world.bodies,
+                &mut world.colliders,
+            )
+            .expect("a dynamic foot");
     }
 
     pub fn steps(&mut self, steps: usize) {

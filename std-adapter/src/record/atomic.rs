@@ -66,33 +66,9 @@ pub fn is_unfinished(name: &str) -> bool {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-    stream_atomically(path, |file| file.write_all(bytes))
-}
-
-/// As [`write_atomically`], piece by piece: a large file need not be in memory.
-///
-/// ```
-/// use std::io::{BufWriter, Write};
-/// use tribos::record::stream_atomically;
-/// let home = tempfile::tempdir()?;
-/// let file = home.path().join("squares.csv");
-/// stream_atomically(&file, |file| (0..1000).try_for_each(|n: u64| writeln!(file, "{}", n * n)))?;
-/// assert!(std::fs::read_to_string(&file)?.ends_with("998001\n"));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn stream_atomically(
-    path: &Path,
-    write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
-) -> Result<(), WriteError> {
-    write_atomically_with(path, |file| {
-        let mut buffer = BufWriter::new(file);
-        write(&mut buffer)
-            .and_then(|()| buffer.flush())
-            .map_err(|cause| WriteError {
-                path: path.to_path_buf(),
-                cause,
-            })
-    })
+    let mut file = AtomicFile::begin(path)?;
+    file.add(bytes)?;
+    file.finish()
 }
 
 /// As [`write_atomically`], with `fill` to write the contents: for files that are too large for the
@@ -114,25 +90,64 @@ pub fn write_atomically_with<E: From<WriteError>>(
     path: &Path,
     fill: impl FnOnce(&mut std::fs::File) -> Result<(), E>,
 ) -> Result<(), E> {
-    let fail = |cause| WriteError {
-        path: path.to_path_buf(),
-        cause,
-    };
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    std::fs::create_dir_all(folder).map_err(fail)?;
-    let [begin, end] = UNFINISHED;
-    let mut builder = tempfile::Builder::new();
-    let file = builder.prefix(begin).suffix(end).tempfile_in(folder);
-    let mut file = file.map_err(fail)?;
+    let mut file = AtomicFile::begin(path)?;
     // The plain file: errors do not name the temporary one.
-    fill(file.as_file_mut())?;
-    readable_by_all(file.as_file()).map_err(fail)?;
-    file.as_file().sync_all().map_err(fail)?;
-    file.persist(path).map_err(|error| fail(error.error))?;
-    Ok(())
+    fill(file.file.get_mut().as_file_mut())?;
+    Ok(file.finish()?)
+}
+
+/// A file that is written part by part, and is there once it is finished.
+#[derive(Debug)]
+pub(crate) struct AtomicFile {
+    path: PathBuf,
+    file: BufWriter<tempfile::NamedTempFile>,
+}
+
+impl AtomicFile {
+    /// Begins a temporary file in the folder of `path`, which is made if missing.
+    pub(crate) fn begin(path: &Path) -> Result<Self, WriteError> {
+        let file = || {
+            let folder = match path.parent() {
+                Some(parent) if !parent.as_os_str().is_empty() => parent,
+                _ => Path::new("."),
+            };
+            std::fs::create_dir_all(folder)?;
+            let [begin, end] = UNFINISHED;
+            let mut builder = tempfile::Builder::new();
+            builder.prefix(begin).suffix(end).tempfile_in(folder)
+        };
+        let path = path.to_path_buf();
+        match file() {
+            Ok(file) => Ok(Self {
+                path,
+                file: BufWriter::new(file),
+            }),
+            Err(cause) => Err(WriteError { path, cause }),
+        }
+    }
+
+    /// Adds bytes.
+    pub(crate) fn add(&mut self, bytes: &[u8]) -> Result<(), WriteError> {
+        self.file.write_all(bytes).map_err(|cause| WriteError {
+            path: self.path.clone(),
+            cause,
+        })
+    }
+
+    /// Gives the file its name.
+    pub(crate) fn finish(self) -> Result<(), WriteError> {
+        let Self { path, file } = self;
+        let persist = || {
+            let file = file.into_inner().map_err(|error| error.into_error())?;
+            readable_by_all(file.as_file())?;
+            file.as_file().sync_all()?;
+            file.persist(&path).map_err(|error| error.error)
+        };
+        match persist() {
+            Ok(_) => Ok(()),
+            Err(cause) => Err(WriteError { path, cause }),
+        }
+    }
 }
 
 /// Temporary files are private by default; a result is an ordinary file.

@@ -8,12 +8,12 @@ mod read;
 mod seal;
 mod series;
 mod snapshot;
+pub mod trajectory;
 mod vtk;
 mod xyz;
 
-pub use atomic::{
-    WriteError, is_unfinished, stream_atomically, write_atomically, write_atomically_with,
-};
+pub(crate) use atomic::AtomicFile;
+pub use atomic::{WriteError, is_unfinished, write_atomically, write_atomically_with};
 pub use kept::CheckpointError;
 pub use number::{json_number, number};
 pub use read::{ReadError, read_text};

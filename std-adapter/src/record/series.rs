@@ -1,6 +1,6 @@
 //! Tables of numbers as CSV.
 
-use super::{WriteError, number, stream_atomically};
+use super::{AtomicFile, WriteError, number};
 use std::path::Path;
 
 /// CSV text with a header line and one line per row, each number in its shortest form that keeps the bits.
@@ -41,12 +41,11 @@ pub fn write_series<'a>(
     columns: &[&str],
     rows: impl IntoIterator<Item = &'a [f64]>,
 ) -> Result<(), WriteError> {
-    stream_atomically(path, |file| {
-        file.write_all(series_csv(columns, []).as_bytes())?;
-        for row in rows {
-            let cells: Vec<String> = row.iter().map(|&value| number(value)).collect();
-            writeln!(file, "{}", cells.join(","))?;
-        }
-        Ok(())
-    })
+    let mut file = AtomicFile::begin(path)?;
+    file.add(series_csv(columns, []).as_bytes())?;
+    for row in rows {
+        let cells: Vec<String> = row.iter().map(|&value| number(value)).collect();
+        file.add((cells.join(",") + "\n").as_bytes())?;
+    }
+    file.finish()
 }

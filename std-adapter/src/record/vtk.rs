@@ -152,7 +152,7 @@ fn label(partner: Partner) -> i64 {
     }
 }
 
-fn document(time: f64, counts: &str, inside: &str) -> String {
+pub(super) fn document(time: f64, counts: &str, inside: &str) -> String {
     let time = array(
         "Float64",
         "TimeValue",
@@ -167,17 +167,17 @@ fn document(time: f64, counts: &str, inside: &str) -> String {
     )
 }
 
-fn integers(name: &str, values: impl Iterator<Item = i64>) -> String {
+pub(super) fn integers(name: &str, values: impl Iterator<Item = i64>) -> String {
     let bytes: Vec<u8> = values.flat_map(i64::to_le_bytes).collect();
     array("Int64", name, "", &bytes)
 }
 
-fn scalars(name: &str, values: impl Iterator<Item = f64>) -> String {
+pub(super) fn scalars(name: &str, values: impl Iterator<Item = f64>) -> String {
     let bytes: Vec<u8> = values.flat_map(f64::to_le_bytes).collect();
     array("Float64", name, "", &bytes)
 }
 
-fn vectors(name: &str, values: impl Iterator<Item = Vector3<f64>>) -> String {
+pub(super) fn vectors(name: &str, values: impl Iterator<Item = Vector3<f64>>) -> String {
     let numbers = values.flat_map(|vector| [vector.x, vector.y, vector.z]);
     let bytes: Vec<u8> = numbers.flat_map(f64::to_le_bytes).collect();
     array("Float64", name, "NumberOfComponents=\"3\"", &bytes)

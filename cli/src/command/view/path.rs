@@ -2,7 +2,8 @@
 
 use crate::command::digits::shown;
 use crate::failure::Failure;
-use crate::report::player::{Film, PathBody, Row, path_film};
+pub use crate::report::player::Row;
+use crate::report::player::{Film, PathBody, path_film};
 use serde_json::Value;
 use std::path::Path;
 use tribos::scene::{Key, vocabulary};
@@ -14,7 +15,7 @@ const BAND: f64 = 0.065;
 pub fn film(folder: &Path, scene: &Value) -> Result<Film, Failure> {
     let name = scene["body"].as_str().unwrap_or("disk");
     let number = |key: &str| scene[key].as_f64();
-    let radius = number("radius").or(number("band_radius")).unwrap_or(BAND);
+    let radius = radius(scene);
     let is_si = scene["units"].as_str() != Some("dimensionless");
     let mass = number("mass").unwrap_or(1.0);
     // C = I/(M R²); of a pipe it follows from its radii.
@@ -64,8 +65,14 @@ fn parameters(body: &str, scene: &Value, is_si: bool) -> String {
     told.filter_map(part).collect::<Vec<_>>().join(", ")
 }
 
+/// Radius of what touches the ground.
+pub fn radius(scene: &Value) -> f64 {
+    let number = |key: &str| scene[key].as_f64();
+    number("radius").or(number("band_radius")).unwrap_or(BAND)
+}
+
 /// Rows of the series; a disk goes straight on.
-fn rows(file: &Path) -> Result<Vec<Row>, Failure> {
+pub fn rows(file: &Path) -> Result<Vec<Row>, Failure> {
     let named = |error: &dyn std::fmt::Display| {
         Failure::input(format!("{}: {error}; run the scene again", file.display()))
     };

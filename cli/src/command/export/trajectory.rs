@@ -1,0 +1,117 @@
+//! `tribos export vtk|xyz|lammps-dump`: all kept states of a run.
+
+use crate::command::run::frames_folder;
+use crate::command::view::{path, summary};
+use crate::failure::Failure;
+use nalgebra::Vector3;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use tribos::record::frames::{Bodies, FrameFolder};
+use tribos::record::trajectory::{self, Column, Format, Side, State, Values};
+
+/// Of a run, finished or broken off: all frames of a powder or a tip, the path of a body in the plane.
+///
+/// Written are places in the cell, radii and speeds; the number of contacts of each particle of a
+/// powder, layer and part of each atom of a tip; velocity, spin and angle of a body in the plane.
+/// Frames are as many as `tribos run --frames` kept; their places are known to a 130,000th of the box.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = super::EXAMPLES)]
+pub struct Trajectory {
+    /// The folder of the run.
+    run: PathBuf,
+    /// Folder for the files; made if missing. [default: that of the run]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+impl Trajectory {
+    /// Writes, one state after another.
+    pub fn write(self, format: Format) -> Result<(), Failure> {
+        let frames = frames_folder(&self.run);
+        let out = self.out.as_deref().unwrap_or(&self.run);
+        let written = match FrameFolder::bodies(&frames)? {
+            Some(bodies) => self.solid(&frames, &bodies, out, format)?,
+            None => self.path(out, format)?,
+        };
+        let (states, file) = written;
+        crate::command::print(&format!(
+            "written to    {}, {states} states\n",
+            file.display()
+        ))
+    }
+
+    fn solid(
+        &self,
+        frames: &Path,
+        bodies: &Bodies,
+        out: &Path,
+        format: Format,
+    ) -> Result<(usize, PathBuf), Failure> {
+        let steps = FrameFolder::steps(frames)?;
+        if steps.is_empty() {
+            return Err(Failure::input(format!(
+                "{}: no frame is there yet; let the run go on to its first checkpoint",
+                frames.display()
+            )));
+        }
+        let mut film = trajectory::Trajectory::begin(out, format)?;
+        for step in steps {
+            let frame = FrameFolder::read(frames, bodies, step)?;
+            film.add(&State::of_frame(bodies, &frame))?;
+        }
+        Ok((film.states(), film.finish()?))
+    }
+
+    fn path(&self, out: &Path, format: Format) -> Result<(usize, PathBuf), Failure> {
+        let folder = self.run.display();
+        let Some(summary) = summary(&self.run)? else {
+            return Err(Failure::input(format!(
+                "{folder}: no run is there, neither {} nor summary.json; \
+                 make one with `tribos run SCENE --out {folder}`",
+                frames_folder(&self.run).display()
+            )));
+        };
+        if ["powder", "tip"].contains(&summary["scene"]["body"].as_str().unwrap_or_default()) {
+            return Err(Failure::input(format!(
+                "{folder}: the run kept no frames; run it again without `--frames 0`"
+            )));
+        }
+        let mut film = trajectory::Trajectory::begin(out, format)?;
+        for state in states(&self.run, &summary["scene"])? {
+            film.add(&state)?;
+        }
+        Ok((film.states(), film.finish()?))
+    }
+}
+
+/// A body in the plane z = 0, line by line of its series.
+fn states(run: &Path, scene: &Value) -> Result<Vec<State>, Failure> {
+    let rows = path::rows(&run.join("series.csv"))?;
+    let radius = path::radius(scene);
+    let side = |axis: usize| {
+        let places = rows.iter().map(|row| row[1 + axis]);
+        let low = places.clone().fold(f64::INFINITY, f64::min);
+        let high = places.fold(f64::NEG_INFINITY, f64::max);
+        Side::open(low - radius, high + radius)
+    };
+    let sides = [side(0), side(1), Side::open(-radius, radius)];
+    let state = |(step, row): (usize, &path::Row)| {
+        let [time, x, y, angle, _, spin, vx, vy] = *row;
+        State {
+            step: step as u64,
+            time,
+            sides,
+            places: vec![Vector3::new(x, y, 0.0)],
+            columns: vec![
+                Column::new("radius", Values::Numbers(vec![radius])),
+                Column::new("angle", Values::Numbers(vec![angle])),
+                Column::new("velocity", Values::Vectors(vec![Vector3::new(vx, vy, 0.0)])),
+                Column::new(
+                    "angular_velocity",
+                    Values::Vectors(vec![Vector3::z() * spin]),
+                ),
+            ],
+        }
+    };
+    Ok(rows.iter().enumerate().map(state).collect())
+}

@@ -1,0 +1,478 @@
+//! The feet of one body on the ground, through one step of the engine.
+//!
+//! The engine's own solver sees the feet without friction. Before its step the motion at the end is
+//! foreseen by an implicit step of all feet together, and the friction is handed over as a force;
+//! after it the same step is taken again with the loads and the pushes that the engine has found.
+//! What it gives is the motion: at rest that is zero to the last bit.
+
+use crate::feet::{Feet, Solved};
+use crate::frame::{Frame, carried, difference, relative};
+use crate::handed::Lent;
+use crate::pair::{Friction, Known, Pair, Stop, Touching};
+use crate::reduced::{Reduced, accelerate, is_free};
+use rapier3d::prelude::*;
+use tribos_core::contact::TimeStep;
+use tribos_core::twist::{Twist, Wrench};
+
+/// Cosine of the angle between the normals of two feet from which on they stand on one plane.
+const ONE_PLANE: f32 = 0.99;
+
+/// A foot of a group.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Member {
+    /// Its number among the pairs.
+    pub(crate) pair: usize,
+    pub(crate) body: RigidBodyHandle,
+    /// A collider without body stands still.
+    pub(crate) ground: Option<RigidBodyHandle>,
+    pub(crate) touching: Touching,
+}
+
+/// Where a foot is in the plane, half a step on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stand {
+    pub(crate) foot: ColliderHandle,
+    pub(crate) ground: ColliderHandle,
+    place: [f64; 2],
+    axis: [f64; 2],
+}
+
+/// What was foreseen before the engine's step.
+#[derive(Clone, Debug)]
+pub(crate) struct Begun {
+    pub(crate) body: RigidBodyHandle,
+    /// The body of the first foot's ground.
+    pub(crate) ground: Option<RigidBodyHandle>,
+    pub(crate) frame: Frame,
+    reduced: Reduced,
+    before: Twist<f32>,
+    /// Pushes that were expected.
+    push: Wrench<f32>,
+    friction: Wrench<f32>,
+    pub(crate) stands: Vec<Stand>,
+}
+
+impl Begun {
+    /// Whether a foot belongs to the group.
+    pub(crate) fn takes(&self, member: &Member, pairs: &[Pair], bodies: &RigidBodySet) -> bool {
+        let pair = pairs.get(member.pair);
+        let was_here = |pair| self.stands.iter().any(|stand| stand.is_of(pair));
+        member.body == self.body
+            && share_motion(member.ground, self.ground, bodies)
+            && (pair.is_some_and(was_here)
+                || member.touching.normal.dot(self.frame.normal) > ONE_PLANE)
+    }
+}
+
+/// Joins feet of one body on one plane: on grounds that friction does not move, or on the same one.
+pub(crate) fn grouped(members: Vec<Member>, bodies: &RigidBodySet) -> Vec<Vec<Member>> {
+    let mut groups: Vec<Vec<Member>> = Vec::new();
+    for member in members {
+        let fits = |group: &Vec<Member>| group.iter().all(|other| joins(&member, other, bodies));
+        match groups.iter_mut().find(|group| fits(group)) {
+            Some(group) => group.push(member),
+            None => groups.push(vec![member]),
+        }
+    }
+    groups
+}
+
+fn joins(one: &Member, other: &Member, bodies: &RigidBodySet) -> bool {
+    one.body == other.body
+        && share_motion(one.ground, other.ground, bodies)
+        && one.touching.normal.dot(other.touching.normal) > ONE_PLANE
+}
+
+/// Whether one mass meets the feet on both grounds.
+pub(crate) fn share_motion(
+    one: Option<RigidBodyHandle>,
+    other: Option<RigidBodyHandle>,
+    bodies: &RigidBodySet,
+) -> bool {
+    let movable = |ground: Option<RigidBodyHandle>| {
+        ground.filter(|&handle| bodies.get(handle).is_some_and(RigidBody::is_dynamic))
+    };
+    movable(one) == movable(other)
+}
+
+/// Mean normal and depth of some contacts, by load.
+fn mean_contact(members: &[Member]) -> Option<(Vector, f32)> {
+    if let [one] = members {
+        return Some((one.touching.normal, one.touching.depth));
+    }
+    let (mut normal, mut depth, mut load) = (Vector::ZERO, 0.0, 0.0);
+    for Member { touching, .. } in members {
+        normal += touching.normal * touching.load;
+        depth += touching.depth * touching.load;
+        load += touching.load;
+    }
+    let size = normal.length();
+    (size > 0.0 && size.is_finite()).then(|| (normal / size, depth / load))
+}
+
+/// Hands the friction of the coming step to the engine.
+pub(crate) fn begin(
+    members: &[Member],
+    pairs: &[Pair],
+    gravity: Vector,
+    parameters: &IntegrationParameters,
+    bodies: &mut RigidBodySet,
+    colliders: &ColliderSet,
+) -> Option<(Begun, Vec<Lent>)> {
+    let first = members.first()?;
+    let foot = bodies.get(first.body)?;
+    let ground = first.ground.and_then(|handle| bodies.get(handle));
+    let dt = TimeStep::new(parameters.dt).ok()?;
+    let (normal, depth) = mean_contact(members)?;
+    let frame = Frame::new(normal);
+    let reduced = Reduced::new(foot, ground, &frame)?;
+    let before = relative(&frame, foot, ground);
+    let push = expected(gravity, &reduced, &frame, foot, ground);
+    let held = pairs.get(first.pair)?.known.and_then(|known| known.held());
+    let pushed = held.map_or(push, |held| sum(&push, &held));
+    // The feet as they stand in the middle of the step.
+    let half_turn = 0.25 * parameters.dt * foot.angvel().dot(normal);
+    let stand = |member: &Member| {
+        let pair = pairs.get(member.pair)?;
+        stand(pair, &frame, foot, colliders).map(|stand| stand.turned(half_turn))
+    };
+    let stands: Vec<Stand> = members.iter().map(stand).collect::<Option<_>>()?;
+    let drift = |member: &Member| drift(member, &before, &frame, foot, bodies);
+    let judge = Judge {
+        pairs,
+        members,
+        stands: &stands,
+        drifts: members.iter().map(drift).collect(),
+        reduced: &reduced,
+    };
+    // The motion at the end, and the part of the step that it takes to stop.
+    let foreseen = judge.step(&before, &pushed, dt)?;
+    let share = match foreseen.is_at_rest() && !is_zero(&before) {
+        true => judge.share(&foreseen, &before)?,
+        false => 1.0,
+    };
+    let extra = |body: &RigidBody| body.additional_solver_iterations();
+    let most = extra(foot).max(ground.map_or(0, extra));
+    let substeps = (parameters.num_solver_iterations + most).max(1);
+    let mut offsets = reduced.shared(&offset(&before, &foreseen.twist, share, substeps), &frame);
+    let turned = frame.flat(carried(foot, ground)) * parameters.dt;
+    if reduced.moved[0] {
+        offsets[0][0] -= turned * (0.5 / substeps as f32);
+    }
+    let forces = forces(&foreseen.friction, &frame, depth, foot, ground);
+    let handles = [Some(first.body), first.ground];
+    let begun = Begun {
+        body: first.body,
+        ground: first.ground,
+        frame,
+        reduced,
+        before,
+        push,
+        friction: foreseen.friction,
+        stands,
+    };
+    let lend = |i: usize| {
+        let handle = handles[i].filter(|_| begun.reduced.moved[i])?;
+        Lent::to(bodies, handle, forces[i], offsets[i])
+    };
+    let lent = [0, 1].into_iter().filter_map(lend).collect();
+    Some((begun, lent))
+}
+
+/// Judges the step by the loads and the pushes that the engine has found. Feet of `members` that the
+/// step was not begun with stand where they are now.
+pub(crate) fn finish(
+    begun: Option<Begun>,
+    members: &[Member],
+    pairs: &mut [Pair],
+    parameters: &IntegrationParameters,
+    bodies: &mut RigidBodySet,
+    colliders: &ColliderSet,
+) -> Option<()> {
+    let handles = match (&begun, members.first()) {
+        (Some(begun), _) => (begun.body, begun.ground),
+        (None, first) => first.map(|first| (first.body, first.ground))?,
+    };
+    let foot = bodies.get(handles.0).filter(|foot| !foot.is_sleeping())?;
+    let ground = handles.1.and_then(|handle| bodies.get(handle));
+    let dt = TimeStep::new(parameters.dt).ok()?;
+    let (frame, reduced) = match &begun {
+        Some(begun) => (begun.frame, begun.reduced),
+        None => {
+            let frame = Frame::new(mean_contact(members)?.0);
+            (frame, Reduced::new(foot, ground, &frame)?)
+        }
+    };
+    let after = relative(&frame, foot, ground);
+    // All pushes but friction, as their mean over the step, and what of them was expected.
+    let (before, others, push) = match &begun {
+        Some(begun) => {
+            let all = reduced.push(&difference(&after, &begun.before), parameters.dt);
+            (begun.before, without(&all, &begun.friction), begun.push)
+        }
+        None => (after, Wrench::ZERO, Wrench::ZERO),
+    };
+    let stand_of = |member: &Member| {
+        let pair = pairs.get(member.pair)?;
+        let begun = begun.iter().flat_map(|begun| &begun.stands);
+        let kept = begun.copied().find(|stand| stand.is_of(pair));
+        kept.or_else(|| stand(pair, &frame, foot, colliders))
+    };
+    let stands: Vec<Stand> = members.iter().map(stand_of).collect::<Option<_>>()?;
+    let drift = |member: &Member| drift(member, &after, &frame, foot, bodies);
+    let judge = Judge {
+        pairs,
+        members,
+        stands: &stands,
+        drifts: members.iter().map(drift).collect(),
+        reduced: &reduced,
+    };
+    let judged = judge.step(&before, &others, dt)?;
+    let share = match judged.is_at_rest() {
+        true => judge.share(&judged, &before)?,
+        false => 1.0,
+    };
+    let changes = reduced.shared(&difference(&judged.twist, &after), &frame);
+    for (handle, change) in [Some(handles.0), handles.1].into_iter().zip(&changes) {
+        let body = handle.and_then(|handle| bodies.get_mut(handle));
+        if let Some(body) = body.filter(|body| is_free(body)) {
+            accelerate(body, change, 1.0);
+        }
+    }
+    let unexpected = without(&others, &push);
+    let held = judged.is_at_rest().then_some(&unexpected);
+    for (number, member) in members.iter().enumerate() {
+        let stop = (judged.is_at_rest()).then_some(Stop {
+            within_step: share * parameters.dt,
+        });
+        remember(
+            &mut pairs[member.pair],
+            member,
+            &judged,
+            number,
+            &frame,
+            held,
+            stop,
+        );
+    }
+    Some(())
+}
+
+/// What a step has shown of a foot.
+fn remember(
+    pair: &mut Pair,
+    member: &Member,
+    judged: &Solved,
+    number: usize,
+    frame: &Frame,
+    held: Option<&Wrench<f32>>,
+    stop: Option<Stop>,
+) {
+    let none = (Wrench::ZERO, false);
+    let each = judged
+        .each
+        .iter()
+        .copied()
+        .zip(judged.holds.iter().copied());
+    let (friction, holds) = each.into_iter().nth(number).unwrap_or(none);
+    pair.stop = stop.filter(|_| !pair.friction.holds);
+    pair.friction = Friction {
+        force: frame.world(&friction.force),
+        torque: frame.normal * friction.torque,
+        load: member.touching.load,
+        holds,
+    };
+    pair.known = Some(Known::new(member.touching, held));
+}
+
+/// All that friction on a group needs to be known.
+struct Judge<'a> {
+    pairs: &'a [Pair],
+    members: &'a [Member],
+    stands: &'a [Stand],
+    drifts: Vec<[f64; 3]>,
+    reduced: &'a Reduced,
+}
+
+impl Judge<'_> {
+    /// The one foot, if it is a round patch below the centre of mass on a ground that stays.
+    fn centred(&self) -> Option<(&Pair, f32)> {
+        let ([member], [stand]) = (self.members, self.stands) else {
+            return None;
+        };
+        let pair = self.pairs.get(member.pair)?;
+        let is_centred = !self.reduced.moved[1] && pair.patch.is_centred(stand.place);
+        is_centred.then_some((pair, member.touching.load))
+    }
+
+    fn feet(&self) -> Feet {
+        let mut feet = Feet {
+            elements: Vec::new(),
+            places: self.stands.iter().map(|stand| stand.place).collect(),
+            drifts: self.drifts.clone(),
+        };
+        for (number, (member, stand)) in self.members.iter().zip(self.stands).enumerate() {
+            if let Some(pair) = self.pairs.get(member.pair) {
+                let load = member.touching.load;
+                let elements = pair.patch.elements(number, stand.place, stand.axis, load);
+                feet.elements.extend(elements);
+            }
+        }
+        feet
+    }
+
+    /// The motion after `dt`.
+    fn step(&self, before: &Twist<f32>, push: &Wrench<f32>, dt: TimeStep<f32>) -> Option<Solved> {
+        let Some((pair, load)) = self.centred() else {
+            return self.feet().step(self.reduced, before, push, dt.dt());
+        };
+        let step = pair
+            .patch
+            .step(&self.reduced.body, load, before, push, dt)?;
+        Some(Solved {
+            twist: step.twist,
+            friction: step.friction,
+            each: vec![step.friction],
+            holds: vec![step.is_at_rest],
+        })
+    }
+
+    /// The part of the step that coming to rest has taken.
+    fn share(&self, solved: &Solved, before: &Twist<f32>) -> Option<f32> {
+        let friction = &solved.friction;
+        if let Some((pair, load)) = self.centred() {
+            return pair.patch.share(load, friction);
+        }
+        let power = friction.force.dot(&before.velocity) + friction.torque * before.spin;
+        let share = -power / self.feet().dissipation(before);
+        // Nothing resists nothing: no share.
+        Some(if share > 0.0 { share.min(1.0) } else { 0.0 })
+    }
+}
+
+impl Stand {
+    pub(crate) fn is_of(&self, pair: &Pair) -> bool {
+        self.foot == pair.foot && self.ground == pair.ground
+    }
+
+    /// Turned by an angle, given its half in radians; that angle to the third order.
+    fn turned(self, half: f32) -> Self {
+        let half = f64::from(half);
+        let scale = 1.0 / (1.0 + half * half);
+        let [cos, sin] = [(1.0 - half * half) * scale, 2.0 * half * scale];
+        let turn = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
+        Self {
+            place: turn(self.place),
+            axis: turn(self.axis),
+            ..self
+        }
+    }
+}
+
+/// Where a foot is in the plane now.
+fn stand(pair: &Pair, frame: &Frame, foot: &RigidBody, colliders: &ColliderSet) -> Option<Stand> {
+    let pose = colliders.get(pair.foot)?.position_wrt_parent()?;
+    let arm = pose.transform_point(pair.patch.center()) - foot.local_center_of_mass();
+    let along = *foot.rotation() * (pose.rotation * Vector::X);
+    let [c, s] = frame.plane(along).map(f64::from);
+    let length = (c * c + s * s).sqrt();
+    // A direction within a hundredth of the normal tells nothing.
+    let axis = match length > 1e-2 {
+        true => [c / length, s / length],
+        false => [1.0, 0.0],
+    };
+    Some(Stand {
+        foot: pair.foot,
+        ground: pair.ground,
+        place: frame.plane(*foot.rotation() * arm).map(f64::from),
+        axis,
+    })
+}
+
+/// By how much a foot moves faster against its ground than the first foot against its own, at the
+/// centre of mass.
+fn drift(
+    member: &Member,
+    first: &Twist<f32>,
+    frame: &Frame,
+    foot: &RigidBody,
+    bodies: &RigidBodySet,
+) -> [f64; 3] {
+    let ground = member.ground.and_then(|handle| bodies.get(handle));
+    let drift = difference(&relative(frame, foot, ground), first);
+    [drift.velocity.x, drift.velocity.y, drift.spin].map(f64::from)
+}
+
+/// Forces and torques of friction on the foot and the ground, about their centres of mass.
+fn forces(
+    friction: &Wrench<f32>,
+    frame: &Frame,
+    depth: f32,
+    foot: &RigidBody,
+    ground: Option<&RigidBody>,
+) -> [[Vector; 2]; 2] {
+    let force = frame.world(&friction.force);
+    let torque = frame.normal * friction.torque;
+    let below = frame.normal * -depth;
+    let arm = ground.map_or(Vector::ZERO, |ground| {
+        foot.center_of_mass() + below - ground.center_of_mass()
+    });
+    [
+        [force, torque + below.cross(force)],
+        [-force, -(torque + arm.cross(force))],
+    ]
+}
+
+/// What gravity, the forces of the user and the turning of the ground will push.
+fn expected(
+    gravity: Vector,
+    reduced: &Reduced,
+    frame: &Frame,
+    foot: &RigidBody,
+    ground: Option<&RigidBody>,
+) -> Wrench<f32> {
+    let pull = |body: &RigidBody| match is_free(body) {
+        true => gravity * body.gravity_scale() + body.user_force() / body.mass(),
+        false => Vector::ZERO,
+    };
+    let turn = |body: &RigidBody| match is_free(body) {
+        true => body.mass_properties().effective_world_inv_inertia * body.user_torque(),
+        false => Vector::ZERO,
+    };
+    let linear = pull(foot) - ground.map_or(Vector::ZERO, pull) - carried(foot, ground);
+    let angular = turn(foot) - ground.map_or(Vector::ZERO, turn);
+    reduced.push(&frame.twist(linear, angular), 1.0)
+}
+
+/// The change of velocity for the time of the step that makes the engine's way that of the mean
+/// velocity.
+///
+/// The engine moves a body by its velocity at the end of each of its n substeps, so that a body under
+/// constant deceleration is late by half of what a substep takes. Friction that ends the motion needs
+/// the given `share` of the step for it, and what is left of the way is cut.
+fn offset(before: &Twist<f32>, after: &Twist<f32>, share: f32, substeps: usize) -> Twist<f32> {
+    let change = difference(after, before);
+    let [late, cut] = [0.5 / substeps as f32, 0.5 * (1.0 - share)];
+    Twist {
+        velocity: change.velocity * -late - before.velocity * cut,
+        spin: change.spin * -late - before.spin * cut,
+    }
+}
+
+fn is_zero(twist: &Twist<f32>) -> bool {
+    *twist == Twist::new(0.0, 0.0, 0.0)
+}
+
+fn sum(one: &Wrench<f32>, other: &Wrench<f32>) -> Wrench<f32> {
+    Wrench {
+        force: one.force + other.force,
+        torque: one.torque + other.torque,
+    }
+}
+
+fn without(sum: &Wrench<f32>, part: &Wrench<f32>) -> Wrench<f32> {
+    Wrench {
+        force: sum.force - part.force,
+        torque: sum.torque - part.torque,
+    }
+}

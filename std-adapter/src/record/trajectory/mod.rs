@@ -1,0 +1,157 @@
+//! Whole trajectories as files of other programs, written state by state.
+//!
+//! | format | files | read by |
+//! |---|---|---|
+//! | [`Format::Vtk`] | `trajectory.pvd`, a collection of `trajectory/<step>.vtp` | ParaView, VTK |
+//! | [`Format::Xyz`] | `trajectory.xyz`, extended XYZ of many frames | OVITO, ASE |
+//! | [`Format::LammpsDump`] | `trajectory.dump`, a text dump | LAMMPS, OVITO |
+//!
+//! ```
+//! use nalgebra::Vector3;
+//! use tribos::record::trajectory::{Column, Format, Side, State, Trajectory, Values};
+//! // A ball of radius 0.5 that falls from a height of 4 in a cell of 10 × 10.
+//! let state = |step: u64| {
+//!     let time = 0.01 * step as f64;
+//!     State {
+//!         step,
+//!         time,
+//!         sides: [Side::periodic(10.0), Side::periodic(10.0), Side::open(0.0, 5.0)],
+//!         places: vec![Vector3::new(5.0, 5.0, 4.0 - 0.5 * time * time)],
+//!         columns: vec![
+//!             Column::new("radius", Values::Numbers(vec![0.5])),
+//!             Column::new("id", Values::Integers(vec![0])),
+//!             Column::new("velocity", Values::Vectors(vec![Vector3::z() * -time])),
+//!         ],
+//!     }
+//! };
+//! # let home = tempfile::tempdir()?;
+//! # let folder = home.path();
+//! for format in [Format::Vtk, Format::Xyz, Format::LammpsDump] {
+//!     let mut film = Trajectory::begin(folder, format)?;
+//!     for step in [0, 50, 100] {
+//!         film.add(&state(step))?;
+//!     }
+//!     assert_eq!((film.states(), film.finish()?), (3, folder.join(format.file())));
+//! }
+//! let frames = std::fs::read_to_string(folder.join("trajectory.xyz"))?;
+//! assert_eq!(frames.lines().count(), 3 * 3); // a number, a header and a line each
+//! assert!(folder.join("trajectory/000000000100.vtp").exists());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod dump;
+mod state;
+mod vtp;
+mod xyz;
+
+pub use state::{Column, Side, State, Values};
+
+use super::{AtomicFile, WriteError, write_atomically};
+use std::path::{Path, PathBuf};
+
+/// What other programs read.
+///
+/// ```
+/// use tribos::record::trajectory::Format;
+/// assert_eq!(Format::Vtk.file(), "trajectory.pvd");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// A collection of VTK PolyData, one file a state.
+    Vtk,
+    /// Extended XYZ, all states in one file.
+    Xyz,
+    /// A text dump of LAMMPS, all states in one file.
+    LammpsDump,
+}
+
+/// Folder of the states of a collection.
+const STATES: &str = "trajectory";
+/// Ending of a state's file.
+const STATE: &str = "vtp";
+
+impl Format {
+    /// Name of the file to open.
+    pub fn file(self) -> &'static str {
+        match self {
+            Self::Vtk => "trajectory.pvd",
+            Self::Xyz => "trajectory.xyz",
+            Self::LammpsDump => "trajectory.dump",
+        }
+    }
+}
+
+/// A trajectory on its way to the disk: no more than one state is held, and the file to open exists
+/// once all states have been written.
+#[derive(Debug)]
+pub struct Trajectory {
+    folder: PathBuf,
+    format: Format,
+    file: AtomicFile,
+    states: usize,
+}
+
+impl Trajectory {
+    /// Begins the files in a folder, which is made if missing; files of an earlier export to the same
+    /// format are replaced.
+    pub fn begin(folder: &Path, format: Format) -> Result<Self, WriteError> {
+        let mut file = AtomicFile::begin(&folder.join(format.file()))?;
+        if format == Format::Vtk {
+            remove_states(&folder.join(STATES))?;
+            file.add(vtp::COLLECTION_BEGIN.as_bytes())?;
+        }
+        Ok(Self {
+            folder: folder.to_path_buf(),
+            format,
+            file,
+            states: 0,
+        })
+    }
+
+    /// Writes a state.
+    pub fn add(&mut self, state: &State) -> Result<(), WriteError> {
+        self.states += 1;
+        match self.format {
+            Format::Xyz => self.file.add(xyz::frame(state).as_bytes()),
+            Format::LammpsDump => self.file.add(dump::frame(state).as_bytes()),
+            Format::Vtk => {
+                let name = format!("{STATES}/{:012}.{STATE}", state.step);
+                write_atomically(&self.folder.join(&name), vtp::file(state).as_bytes())?;
+                self.file.add(vtp::entry(state.time, &name).as_bytes())
+            }
+        }
+    }
+
+    /// How many states have been written.
+    pub fn states(&self) -> usize {
+        self.states
+    }
+
+    /// Ends the files; returns the one to open.
+    pub fn finish(mut self) -> Result<PathBuf, WriteError> {
+        if self.format == Format::Vtk {
+            self.file.add(vtp::COLLECTION_END.as_bytes())?;
+        }
+        self.file.finish()?;
+        Ok(self.folder.join(self.format.file()))
+    }
+}
+
+/// Removes the states of an earlier collection.
+fn remove_states(folder: &Path) -> Result<(), WriteError> {
+    let fail = |cause| WriteError {
+        path: folder.to_path_buf(),
+        cause,
+    };
+    let entries = match std::fs::read_dir(folder) {
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
+        entries => entries.map_err(fail)?,
+    };
+    for entry in entries {
+        let path = entry.map_err(fail)?.path();
+        if path.extension().is_some_and(|ending| ending == STATE) {
+            std::fs::remove_file(&path).map_err(|cause| WriteError { path, cause })?;
+        }
+    }
+    Ok(())
+}

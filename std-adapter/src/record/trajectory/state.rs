@@ -1,0 +1,163 @@
+//! One state of a trajectory.
+
+use crate::record::frames::{Bodies, Frame};
+use nalgebra::Vector3;
+
+/// Bodies at one time. Any consistent units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Steps since the start.
+    pub step: u64,
+    /// Time.
+    pub time: f64,
+    /// The box along x, y and z.
+    pub sides: [Side; 3],
+    /// Centres of the bodies.
+    pub places: Vec<Vector3<f64>>,
+    /// What else is known of each body.
+    pub columns: Vec<Column>,
+}
+
+/// The box along one axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Side {
+    /// Low end.
+    pub low: f64,
+    /// High end.
+    pub high: f64,
+    /// Whether the box repeats.
+    pub is_periodic: bool,
+}
+
+/// A property of all bodies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Name, one word. `radius`, `velocity` and `angular_velocity` are written under the names that
+    /// the programs know.
+    pub name: &'static str,
+    /// A value for each body.
+    pub values: Values,
+}
+
+/// Values of a property.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Whole numbers.
+    Integers(Vec<i64>),
+    /// Numbers.
+    Numbers(Vec<f64>),
+    /// Vectors.
+    Vectors(Vec<Vector3<f64>>),
+}
+
+impl Side {
+    /// From 0 to a length, which repeats.
+    pub fn periodic(length: f64) -> Self {
+        Self {
+            low: 0.0,
+            high: length,
+            is_periodic: true,
+        }
+    }
+
+    /// From one end to another.
+    pub fn open(low: f64, high: f64) -> Self {
+        Self {
+            low,
+            high,
+            is_periodic: false,
+        }
+    }
+}
+
+impl Column {
+    /// Of these values.
+    pub fn new(name: &'static str, values: Values) -> Self {
+        Self { name, values }
+    }
+}
+
+impl State {
+    /// Of a kept frame, as near as [frames](crate::record::frames) are: places, radii, speeds, the
+    /// number of contacts of each particle of a powder, layer and part of each atom of a tip.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tribos::record::frames::{Bodies, Frame, Kind};
+    /// use tribos::record::trajectory::{State, Values};
+    /// let bodies = Bodies {
+    ///     kind: Kind::Powder,
+    ///     limit: 2,
+    ///     stride: 1,
+    ///     periods: [10.0; 2],
+    ///     radii: vec![1.0],
+    ///     layers: Vec::new(),
+    ///     parts: Vec::new(),
+    ///     marked: Vec::new(),
+    /// };
+    /// let frame = Frame {
+    ///     corners: [[0.0; 3], [10.0, 10.0, 8.0]],
+    ///     places: vec![Vector3::new(5.0, 5.0, 1.0)],
+    ///     speeds: vec![0.5],
+    ///     ..Frame::default()
+    /// };
+    /// let state = State::of_frame(&bodies, &frame);
+    /// assert!(state.sides[0].is_periodic && state.sides[2].high == 8.0);
+    /// let speed = state.columns.iter().find(|column| column.name == "speed");
+    /// assert_eq!(speed.map(|speed| &speed.values), Some(&Values::Numbers(vec![0.5])));
+    /// ```
+    pub fn of_frame(bodies: &Bodies, frame: &Frame) -> Self {
+        let count = frame.places.len();
+        let [x, y] = bodies.periods;
+        let [low, high] = frame.corners.map(|corner| f64::from(corner[2]));
+        let mut columns = vec![
+            Column::new("id", Values::Integers((0..count as i64).collect())),
+            Column::new("radius", Values::Numbers(bodies.radii.clone())),
+            Column::new(
+                "speed",
+                Values::Numbers(frame.speeds.iter().copied().map(f64::from).collect()),
+            ),
+        ];
+        if bodies.layers.is_empty() {
+            let touching = touching(frame);
+            columns.push(Column::new("coordination", Values::Integers(touching)));
+        } else {
+            let layers = bodies.layers.iter().copied().map(i64::from).collect();
+            columns.push(Column::new("layer", Values::Integers(layers)));
+            let parts = bodies.parts.iter().copied().map(i64::from).collect();
+            columns.push(Column::new("part", Values::Integers(parts)));
+        }
+        Self {
+            step: frame.step,
+            time: frame.time,
+            sides: [Side::periodic(x), Side::periodic(y), Side::open(low, high)],
+            places: frame.places.clone(),
+            columns,
+        }
+    }
+
+    /// Whole numbers of a column.
+    pub(super) fn integers(&self, name: &str) -> Option<&[i64]> {
+        let column = self.columns.iter().find(|column| column.name == name)?;
+        match &column.values {
+            Values::Integers(values) => Some(values),
+            _ => None,
+        }
+    }
+}
+
+/// Number of contacts of each particle, walls included.
+fn touching(frame: &Frame) -> Vec<i64> {
+    let mut counts = vec![0; frame.places.len()];
+    for contact in &frame.contacts {
+        for particle in [Some(contact.a), contact.b.particle()]
+            .into_iter()
+            .flatten()
+        {
+            if let Some(count) = counts.get_mut(particle as usize) {
+                *count += 1;
+            }
+        }
+    }
+    counts
+}

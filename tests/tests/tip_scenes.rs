@@ -1,0 +1,47 @@
+//! The tips that are shipped do what their names say.
+
+use tribos::scene::{Scene, library_scene, parse_scene};
+use tribos::tip::{Outcome, TipRun, Verdict};
+use tribos_tests::tips::to_the_end;
+
+type Error = Box<dyn std::error::Error>;
+
+/// Runs a shipped scene with other keys.
+fn outcome(name: &str, overrides: &[&str]) -> Result<Outcome, Error> {
+    let shipped = library_scene(name).ok_or("no such scene")?;
+    let overrides: Vec<String> = overrides.iter().map(|&set| set.into()).collect();
+    let Scene::Tip(scene) = parse_scene(name, shipped.text, &overrides)? else {
+        return Err("not a tip".into());
+    };
+    let mut run = TipRun::new(&scene)?;
+    to_the_end(&mut run)?;
+    Ok(run.outcome())
+}
+
+/// Shorter stages and longer steps: a tenth of the work.
+const SHORT: [&str; 4] = [
+    "time_step=0.01",
+    "equilibration=10",
+    "drive_time=40",
+    "rest_time=40",
+];
+
+#[test]
+fn shortened_the_shipped_tips_turn_back_and_do_not() -> Result<(), Error> {
+    let turned = outcome("tip-irreversible", &SHORT)?;
+    assert_eq!(turned.verdict, Verdict::Irreversible, "{turned:?}");
+    assert!(turned.final_angle.abs() > 30.0, "{turned:?}");
+    let back = outcome("tip-reversible", &SHORT)?;
+    assert_eq!(back.verdict, Verdict::Reversible, "{back:?}");
+    assert!(back.driven_angle > 0.5, "it was turned: {back:?}");
+    Ok(())
+}
+
+#[test]
+#[ignore = "some minutes; cargo test --release -p tribos-tests --test tip_scenes -- --ignored"]
+fn whole_the_shipped_tips_turn_back_and_do_not() -> Result<(), Error> {
+    let turned = outcome("tip-irreversible", &[])?;
+    assert_eq!(turned.verdict, Verdict::Irreversible, "{turned:?}");
+    assert_eq!(outcome("tip-reversible", &[])?.verdict, Verdict::Reversible);
+    Ok(())
+}
