@@ -13,7 +13,7 @@ const BAD_INPUT: u8 = 2;
 const MISMATCH: u8 = 3;
 
 /// A failed command.
-#[derive(Debug, thiserror::Error)]
+#[derive(Clone, Debug, thiserror::Error)]
 pub enum Failure {
     /// What the user gave cannot be used; the message names the cure.
     #[error("{0}")]

@@ -9,10 +9,10 @@ use super::{number, profile};
 use crate::failure::Failure;
 use crate::report::image::Drawing;
 use output::Format;
-use std::num::NonZeroU32;
+use std::num::{NonZeroU32, NonZeroU64};
 use std::path::PathBuf;
 use tribos::record::write_atomically;
-use tribos::slide::inverse::{Limits, Pose, RestMap, Turns};
+use tribos::slide::inverse::{Launches, Limits, Pose, RestMap, Turns};
 
 /// Every launch (speed, direction, spin) after which a flat body comes to rest at the wanted pose,
 /// by rising kinetic energy. The body starts at the origin with angle 0 and slides under the local
@@ -31,7 +31,7 @@ pub struct Arguments {
     y: f64,
     /// Angle at rest [rad, or with the suffix deg].
     #[arg(long, value_parser = angle::parse, allow_hyphen_values = true)]
-    angle: f64,
+    angle: angle::Angle,
     /// What the angle means.
     #[arg(long, default_value = "modulo")]
     turns: Meaning,
@@ -63,6 +63,10 @@ pub struct Arguments {
     /// Largest spin of a launch, in either sense [rad/s].
     #[arg(long, value_parser = number::not_negative, allow_negative_numbers = true)]
     max_spin: f64,
+    /// Most launches that are worked out and listed, those with the fewest turns; how many there are
+    /// is always said.
+    #[arg(long, value_name = "N", default_value = "1000")]
+    most: NonZeroU64,
     /// Add the derivatives of the pose (x, y, angle) by the launch (vx, vy, spin).
     #[arg(long)]
     jacobian: bool,
@@ -107,11 +111,21 @@ impl Arguments {
         let target = Pose {
             x: self.x,
             y: self.y,
-            angle: self.angle,
+            angle: self.angle.radians,
         };
-        let solutions = map
-            .launches(&target, self.meaning(), &limits)
+        if let Some(hint) = self.angle.hint() {
+            super::tell(format_args!("note: {hint}"));
+        }
+        let Launches { count, solutions } = map
+            .fewest_turns(&target, self.meaning(), &limits, self.most.get())
             .map_err(Failure::input)?;
+        let listed = solutions.len() as u64;
+        if listed < count {
+            super::tell(format_args!(
+                "note: {count} launches lead there; the {listed} with the fewest turns are listed \
+                 (--most {count} for all)"
+            ));
+        }
         if let Some(path) = &self.plot {
             let figure = plot::figure(&map, &limits, &target, &solutions);
             let bytes = match path.extension().and_then(|ending| ending.to_str()) {
@@ -132,7 +146,13 @@ impl Arguments {
                 jacobian: self.jacobian.then(|| map.jacobian(&solution.launch)),
             })
             .collect();
-        output::print(&self.format.render(&rows))
+        let wanted = format!(
+            "to x {} m, y {} m, angle {}",
+            self.x,
+            self.y,
+            self.angle.text()
+        );
+        output::print(&self.format.render(&rows, &wanted))
     }
 
     fn meaning(&self) -> Turns {

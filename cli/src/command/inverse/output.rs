@@ -83,13 +83,13 @@ impl Row {
 }
 
 impl Format {
-    /// All solutions in this format.
-    pub fn render(self, rows: &[Row]) -> String {
+    /// All solutions in this format; for people with what was `wanted`.
+    pub fn render(self, rows: &[Row], wanted: &str) -> String {
         match self {
             Self::Text => {
                 let head = match rows.len() {
-                    1 => "1 launch\n".into(),
-                    many => format!("{many} launches, the least energy first\n"),
+                    1 => format!("1 launch {wanted}\n"),
+                    many => format!("{many} launches {wanted}, the least energy first\n"),
                 };
                 let blocks: Vec<String> = rows.iter().map(Row::text).collect();
                 format!("{head}\n{}", blocks.join("\n"))

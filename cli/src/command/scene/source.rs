@@ -7,8 +7,21 @@ use tribos::scene::{self, LIBRARY, LibraryScene, Scene, library_scene};
 
 /// Reads the scene in the file, or that of this name where there is no such file.
 pub fn read(scene: &Path, overrides: &[String]) -> Result<Scene, Failure> {
+    set_once(overrides)?;
     let name = scene.display().to_string();
     scene::parse_scene(&name, &text(scene)?, overrides).map_err(Failure::input)
+}
+
+/// Refuses a key that `--set` gives twice: one of its values would be lost.
+fn set_once(overrides: &[String]) -> Result<(), Failure> {
+    let key = |item: &String| item.split('=').next().unwrap_or_default().trim().to_owned();
+    let keys: Vec<String> = overrides.iter().map(key).collect();
+    let twice = (1..keys.len()).find(|&at| keys[..at].contains(&keys[at]));
+    twice.map_or(Ok(()), |at| {
+        let key = &keys[at];
+        let message = format!("--set: `{key}` is given twice; give one value, or `tribos sweep`");
+        Err(Failure::input(message))
+    })
 }
 
 /// Its text.

@@ -1,15 +1,16 @@
 //! One run of a sweep: any body, from its scene to its summary.
 
 use super::kind::{self, Kind};
+use super::refusal;
 use crate::command::digits::shown;
 use crate::command::run::long::{Course, Start, resumed};
 use crate::command::run::{powder, tip};
 use crate::failure::Failure;
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::Path;
 use std::time::Duration;
 use tribos::scene::{self, PlanarScene, PowderScene, Scene, SliderScene, TipScene};
-use tribos::slide;
+use tribos::slide::{self, SlideError};
 
 /// Time from one checkpoint of a run to the next.
 const PAUSE: Duration = Duration::from_secs(60);
@@ -69,7 +70,20 @@ impl Body {
     }
 
     /// Runs to the end, on from a checkpoint if there is one: the summary, and a line about it.
+    ///
+    /// What a sliding body refuses on its way is an end too: it is the same every time.
     pub fn run(&self, folder: &Path) -> Result<(Value, String), Failure> {
+        self.done(folder).or_else(|end| match end {
+            End::Refused(reason) => {
+                let mut summary = json!({"scene": self.json()});
+                refusal::note(&mut summary, &reason);
+                Ok((summary, format!("refused: {reason}")))
+            }
+            End::Failed(failure) => Err(failure),
+        })
+    }
+
+    fn done(&self, folder: &Path) -> Result<(Value, String), End> {
         match self {
             Self::Disk(scene) => {
                 let outcome = slide::run(scene, |_| ())?.outcome;
@@ -88,9 +102,21 @@ impl Body {
                     format!("{} m on, curl {} m", shown(x), shown(y)),
                 ))
             }
-            Self::Powder(scene) => compact(scene, folder),
-            Self::Tip(scene) => turn(scene, folder),
+            Self::Powder(scene) => compact(scene, folder).map_err(End::Failed),
+            Self::Tip(scene) => turn(scene, folder).map_err(End::Failed),
         }
+    }
+}
+
+/// How a run ends without a result.
+enum End {
+    Refused(String),
+    Failed(Failure),
+}
+
+impl From<SlideError> for End {
+    fn from(error: SlideError) -> Self {
+        Self::Refused(error.to_string())
     }
 }
 

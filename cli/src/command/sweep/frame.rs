@@ -118,6 +118,15 @@ impl Column {
     }
 }
 
+/// Adds a column of results. A key of the scene may be called as a result is, or as another with
+/// `_result` behind: no two columns have one name.
+pub fn add(columns: &mut Vec<Column>, mut column: Column) {
+    while columns.iter().any(|other| other.name == column.name) {
+        column.name += "_result";
+    }
+    columns.push(column);
+}
+
 /// The columns as CSV.
 pub fn csv(columns: &[Column]) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());

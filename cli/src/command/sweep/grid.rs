@@ -1,5 +1,6 @@
 //! Keys with several values, and their combinations.
 
+use super::range::expand;
 use crate::failure::Failure;
 
 /// A key and the values that it takes.
@@ -27,7 +28,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Reads items of the form key=value,value.
+    /// Reads items of the form key=value,value, where a value may be a [range](super::range).
     pub fn parse(items: &[String]) -> Result<Self, Failure> {
         let mut keys: Vec<Swept> = Vec::new();
         for item in items {
@@ -36,7 +37,9 @@ impl Grid {
                 return Err(Failure::input(message));
             };
             let key = key.trim().to_owned();
-            let values: Vec<String> = values.split(',').map(|v| v.trim().to_owned()).collect();
+            let expanded: Result<Vec<_>, _> = values.split(',').map(|v| expand(v.trim())).collect();
+            let values = expanded.map_err(|why| Failure::input(format!("--set {key}: {why}")))?;
+            let values = values.concat();
             let twice = (1..values.len()).find(|&at| values[..at].contains(&values[at]));
             if let Some(at) = twice {
                 let message = format!("--set: `{key}` takes {} twice", values[at]);
@@ -82,7 +85,7 @@ mod tests {
 
     #[test]
     fn combinations_come_in_the_order_of_nested_loops() -> Result<(), Failure> {
-        let grid = Grid::parse(&["a=1,2".into(), "b=x".into(), "c = 3, 4,5".into()])?;
+        let grid = Grid::parse(&["a=1,2".into(), "b=x".into(), "c = 3, 4:5:1".into()])?;
         assert_eq!(grid.len(), 6);
         let all: Vec<_> = (0..6).map(|n| grid.overrides(n).join(" ")).collect();
         let first = ["a=1 b=x c=3", "a=1 b=x c=4", "a=1 b=x c=5", "a=2 b=x c=3"];

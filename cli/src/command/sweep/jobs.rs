@@ -2,10 +2,11 @@
 
 use super::body::Body;
 use super::progress::Progress;
+use super::refusal;
 use crate::command::parallel::in_order;
 use crate::command::run::long::forget_checkpoint;
 use crate::failure::Failure;
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -16,8 +17,8 @@ use tribos::record::write_atomically;
 pub struct Task {
     /// Its overrides, or "scene" if there are none.
     pub name: String,
-    /// What is run.
-    pub body: Body,
+    /// What is run, or why it cannot be.
+    pub body: Result<Body, String>,
     folder: PathBuf,
 }
 
@@ -53,8 +54,9 @@ pub fn run(tasks: &[&Task], asked: Option<usize>) -> Result<(), Failure> {
         .collect();
     // The number of threads that the environment or the machine allows.
     let share = Share::new(asked, rayon::current_num_threads(), missing.len());
-    let kept = tasks.len() - missing.len();
-    let progress = Progress::start(tasks.len(), kept, share.jobs);
+    let possible = tasks.iter().filter(|task| task.body.is_ok()).count();
+    let kept = possible - missing.len();
+    let progress = Progress::start(possible, kept, share.jobs);
     let full = AtomicBool::new(false);
     let results = in_order(missing.len(), share.jobs, |index| {
         if full.load(Ordering::Relaxed) {
@@ -80,7 +82,7 @@ pub fn run(tasks: &[&Task], asked: Option<usize>) -> Result<(), Failure> {
 
 impl Task {
     /// The run of a body with overrides; its results go to a folder in `out`.
-    pub fn new(overrides: &[String], body: Body, out: &Path) -> Self {
+    pub fn new(overrides: &[String], body: Result<Body, String>, out: &Path) -> Self {
         let name = match overrides {
             [] => "scene".to_owned(),
             all => all.join(","),
@@ -100,18 +102,27 @@ impl Task {
             .num_threads(threads)
             .build()
             .map_err(|error| Failure::run(format!("cannot start a thread: {error}")))?;
-        let (summary, told) = pool.install(|| self.body.run(&self.folder))?;
+        let body = self.body.as_ref().map_err(Failure::input)?;
+        let (summary, told) = pool.install(|| body.run(&self.folder))?;
         write_atomically(&self.file(), format!("{summary:#}\n").as_bytes())?;
         forget_checkpoint(&self.folder)?;
         progress.ended(&self.name, &told, began.elapsed());
         Ok(())
     }
 
-    /// The summary of an earlier run of the same scene.
+    /// The summary of an earlier run of the same scene, or of one that cannot be run.
     fn kept(&self) -> Option<Value> {
+        let body = match &self.body {
+            Ok(body) => body,
+            Err(reason) => {
+                let mut summary = json!({});
+                refusal::note(&mut summary, reason);
+                return Some(summary);
+            }
+        };
         let text = std::fs::read_to_string(self.file()).ok()?;
         let summary: Value = serde_json::from_str(&text).ok()?;
-        (summary["scene"] == self.body.json()).then_some(summary)
+        (summary["scene"] == body.json()).then_some(summary)
     }
 }
 

@@ -12,6 +12,8 @@ mod part;
 mod plan;
 mod plot;
 mod progress;
+mod range;
+mod refusal;
 mod runs;
 mod slurm;
 mod table;
@@ -34,6 +36,10 @@ use std::path::{Path, PathBuf};
 /// Every run leaves its summary in DIR/runs. A sweep that was interrupted goes on where it stopped:
 /// runs whose summary is there are not taken again.
 ///
+/// A combination that is refused, such as a body that tips, has a row that says why in the column
+/// `refusal`, and the others run; the exit code is 0 unless all are refused. A value that is refused
+/// in every combination is bad input: nothing runs, and the exit code is 2.
+///
 /// DIR/sweep.json is the plan: the scene's text and the keys. Other machines take a part of it,
 /// and a cluster a job array; then one command merges. See docs/sweeps.md.
 #[derive(Debug, clap::Args)]
@@ -42,7 +48,8 @@ pub struct Arguments {
     /// The scene: a TOML file, or a name that `tribos scene list` has.
     #[arg(required_unless_present_any = ["plan", "merge"], requires = "out")]
     scene: Option<PathBuf>,
-    /// A key of the scene with its values; may be repeated.
+    /// A key of the scene with its values, or ranges of them with both ends, FROM:TO:STEP or
+    /// FROM:TO:xFACTOR; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE,...", conflicts_with_all = ["plan", "merge"])]
     sets: Vec<String>,
     /// Runs for each combination: the scene's seed and those after it.
@@ -93,7 +100,8 @@ Examples:
     tribos sweep scenes/tip-irreversible.toml --set lambda=0.01,0.017,0.02,0.03 \\
         --seeds 3 --out out/tip
   How far a spinning disk slides, and how much a rock curls:
-    tribos sweep scenes/disk.toml --set spin=0,5,10,20,50 --out out/spin
+    tribos sweep scenes/disk.toml --set spin=0:50:10 --out out/spin
+    tribos sweep scenes/disk.toml --set inertia_ratio=1e-2:1e2:x10 --out out/inertia
     tribos sweep scenes/curling-draw.toml --set spin=0.5,1,1.5,2 --set speed=1.9,2 --out out/curl
   On two machines that share a folder (or copy DIR together afterwards):
     tribos sweep scenes/compaction-small.toml --set rolling=0,1 --seeds 50 --out DIR --part 0/2
@@ -193,6 +201,20 @@ fn guard(plan: &Plan, out: &Path) -> Result<(), Failure> {
 /// The tables of a complete sweep.
 fn tables(plan: &Plan, tasks: &[Task], out: &Path) -> Result<(), Failure> {
     let summaries = output::complete(tasks, jobs::kept(tasks), out)?;
-    let text = output::write(plan, tasks, &summaries, out)?;
-    super::print(&format!("{text}written to    {}\n", out.display()))
+    let table = output::write(plan, tasks, &summaries, out)?;
+    let text = table.text();
+    super::print(&format!("{text}written to    {}\n", out.display()))?;
+    match (table.refused(), table.runs()) {
+        (0, _) => Ok(()),
+        (refused, 0) => Err(Failure::input(format!(
+            "all {refused} runs were refused; the column `refusal` says why"
+        ))),
+        (refused, _) => {
+            super::tell(format_args!(
+                "{refused} of {} runs were refused; the column `refusal` says why",
+                tasks.len()
+            ));
+            Ok(())
+        }
+    }
 }

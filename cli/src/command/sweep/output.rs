@@ -1,5 +1,6 @@
 //! What a sweep that is complete leaves: its tables and their picture.
 
+use super::body::Body;
 use super::frame::{self, Column};
 use super::jobs::Task;
 use super::plan::Plan;
@@ -13,23 +14,27 @@ use tribos::record::write_atomically;
 /// Most names of runs in a message.
 const MOST_NAMES: usize = 10;
 
-/// Writes all tables and pictures of a complete sweep: the table for the terminal.
+/// Writes all tables and pictures of a complete sweep.
 pub fn write(
     plan: &Plan,
     tasks: &[Task],
     summaries: &[Value],
     out: &Path,
-) -> Result<String, Failure> {
+) -> Result<Table, Failure> {
     let seeds = plan.seeds as usize;
-    let table = Table::new(tasks[0].body.kind(), &plan.grid, summaries, seeds);
-    write_atomically(&out.join("sweep.csv"), table.csv().as_bytes())?;
+    let mut bodies = tasks.iter().filter_map(|task| task.body.as_ref().ok());
+    let kind = bodies.next().map(Body::kind);
+    let kind = kind.ok_or_else(|| Failure::input("every combination is refused"))?;
+    let table = Table::new(kind, &plan.grid, summaries, seeds);
+    let csv = frame::csv(&table.columns()).map_err(Failure::run)?;
+    write_atomically(&out.join("sweep.csv"), &csv)?;
     let runs = runs::columns(&plan.grid, seeds, tasks, summaries);
     let csv = frame::csv(&runs).map_err(Failure::run)?;
     write_atomically(&out.join("runs.csv"), &csv)?;
     parquet(&table.columns(), &out.join("sweep.parquet"))?;
     parquet(&runs, &out.join("runs.parquet"))?;
     plot::write(&plan.grid, &table, out)?;
-    Ok(table.text())
+    Ok(table)
 }
 
 #[cfg(feature = "parquet")]

@@ -111,32 +111,74 @@ impl Plan {
     }
 
     /// All runs, seeds changing first; every scene is read before any of them starts.
+    ///
+    /// A combination that is refused has its place among them. A value that no combination
+    /// takes is bad input.
     pub fn tasks(&self, out: &Path) -> Result<Vec<Task>, Failure> {
+        let all: Vec<Vec<String>> = (0..self.grid.len())
+            .map(|combination| self.grid.overrides(combination))
+            .collect();
+        let bodies: Vec<Result<Body, Failure>> =
+            all.iter().map(|overrides| self.body(overrides)).collect();
+        self.check(&bodies)?;
         let mut tasks: Vec<Task> = Vec::new();
-        for combination in 0..self.grid.len() {
-            let overrides = self.grid.overrides(combination);
-            let first = self.body(&overrides)?;
+        for (overrides, body) in all.iter().zip(bodies) {
+            let body = body.map_err(|failure| failure.to_string());
             if self.seeds == 1 {
-                tasks.push(Task::new(&overrides, first, out));
+                tasks.push(Task::new(overrides, body, out));
                 continue;
             }
-            let Some(seed) = first.seed() else {
-                let message = "--seeds: this body has no seed, every run of it is the same; leave --seeds out";
-                return Err(Failure::input(message));
-            };
-            for seed in seed..seed + u64::from(self.seeds) {
+            for run in 0..u64::from(self.seeds) {
                 let mut all = overrides.clone();
-                all.push(format!("seed={seed}"));
-                let body = self.body(&all)?;
+                let body = match &body {
+                    Ok(first) => {
+                        let seed = first.seed().unwrap_or(0).saturating_add(run);
+                        all.push(format!("seed={seed}"));
+                        self.body(&all).map_err(|failure| failure.to_string())
+                    }
+                    Err(reason) => {
+                        all.push(format!("run={run}"));
+                        Err(reason.clone())
+                    }
+                };
                 tasks.push(Task::new(&all, body, out));
             }
         }
-        let kind = |task: &Task| std::ptr::from_ref(task.body.kind());
-        if tasks.iter().any(|task| kind(task) != kind(&tasks[0])) {
+        Ok(tasks)
+    }
+
+    /// Refuses a value that every combination with it refuses, bodies of two kinds, and seeds of
+    /// bodies without chance.
+    fn check(&self, bodies: &[Result<Body, Failure>]) -> Result<(), Failure> {
+        for (at, swept) in self.grid.keys.iter().enumerate() {
+            for value in 0..swept.values.len() {
+                let with = || {
+                    let numbered = bodies.iter().enumerate();
+                    numbered.filter(move |(n, _)| self.grid.indices(*n)[at] == value)
+                };
+                if with().all(|(_, body)| body.is_err())
+                    && let Some((_, Err(failure))) = with().next()
+                {
+                    return Err(failure.clone());
+                }
+            }
+        }
+        let mut accepted = bodies.iter().filter_map(|body| body.as_ref().ok());
+        let Some(first) = accepted.next() else {
+            // Without keys there is one combination.
+            let refused = bodies.iter().find_map(|body| body.as_ref().err());
+            return refused.map_or(Ok(()), |failure| Err(failure.clone()));
+        };
+        if accepted.any(|body| !std::ptr::eq(body.kind(), first.kind())) {
             let message = "--set body=…: the results of one table must be of one kind of body";
             return Err(Failure::input(message));
         }
-        Ok(tasks)
+        if self.seeds > 1 && first.seed().is_none() {
+            let message =
+                "--seeds: this body has no seed, every run of it is the same; leave --seeds out";
+            return Err(Failure::input(message));
+        }
+        Ok(())
     }
 
     fn body(&self, overrides: &[String]) -> Result<Body, Failure> {

@@ -40,6 +40,7 @@ fn line(axis: Axis, xs: &[f64], table: &Table) -> Figure {
         .iter()
         .enumerate()
         .map(|(index, &x)| (x, table.drawn(index)))
+        .filter(|(_, (mean, _))| mean.is_finite())
         .collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let means = points.iter().map(|(x, (mean, _))| (*x, *mean)).collect();

@@ -1,6 +1,7 @@
 //! One row a run: its keys, its seed and every single number of its summary.
 
-use super::frame::Column;
+use super::body::Body;
+use super::frame::{Cells, Column, add};
 use super::grid::Grid;
 use super::jobs::Task;
 use serde_json::{Map, Value};
@@ -18,10 +19,16 @@ pub fn columns(grid: &Grid, seeds: usize, tasks: &[Task], summaries: &[Value]) -
         })
         .collect();
     let varied = grid.keys.iter().any(|swept| swept.key == "seed");
-    let numbers: Option<Vec<u64>> = tasks.iter().map(|task| task.body.seed()).collect();
-    if let Some(numbers) = numbers.filter(|_| !varied) {
-        let numbers = numbers.into_iter().map(|seed| seed as i64);
-        columns.push(Column::integers("seed", numbers));
+    let seed = |task: &Task| task.body.as_ref().ok().and_then(Body::seed);
+    let numbers: Vec<Option<i64>> = tasks
+        .iter()
+        .map(|task| seed(task).map(|seed| seed as i64))
+        .collect();
+    if !varied && numbers.iter().any(Option::is_some) {
+        columns.push(Column {
+            name: "seed".into(),
+            cells: Cells::Integers(numbers),
+        });
     }
     let flat: Vec<Map<String, Value>> = summaries.iter().map(flat).collect();
     let mut names: Vec<&String> = Vec::new();
@@ -32,12 +39,7 @@ pub fn columns(grid: &Grid, seeds: usize, tasks: &[Task], summaries: &[Value]) -
     }
     for name in names {
         let values: Vec<Option<&Value>> = flat.iter().map(|run| run.get(name)).collect();
-        // A key of the scene may be called as a result is.
-        let head = match columns.iter().any(|column| column.name == *name) {
-            true => format!("{name}_result"),
-            false => name.clone(),
-        };
-        columns.push(Column::of(&head, &values));
+        add(&mut columns, Column::of(name, &values));
     }
     columns
 }

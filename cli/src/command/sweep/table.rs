@@ -1,12 +1,12 @@
 //! Means and standard deviations over the seeds of each combination.
 
-use super::frame::{Column, scalar};
+use super::frame::{Cells, Column, add, scalar};
 use super::grid::Grid;
 use super::kind::Kind;
+use super::refusal;
 use crate::command::deposit::curve::statistics;
 use crate::command::digits::shown;
 use serde_json::Value;
-use tribos::record::number;
 
 /// A line a combination.
 #[derive(Debug)]
@@ -20,7 +20,11 @@ pub struct Table {
 #[derive(Debug)]
 struct Row {
     values: Vec<String>,
+    /// Those with results, and those that were refused.
     runs: usize,
+    refused: usize,
+    /// Why the first of them was.
+    reason: Option<String>,
     /// Share of the runs that ended with the kind's word.
     share: f64,
     /// Mean and deviation of each quantity; a deviation of one run is NaN.
@@ -51,50 +55,44 @@ impl Table {
         row.map_or((f64::NAN, f64::NAN), |row| row.means[0])
     }
 
-    /// Every number in its shortest form that keeps the bits.
-    pub fn csv(&self) -> String {
-        let mut text = self.names.join(",");
-        if !self.names.is_empty() {
-            text.push(',');
-        }
-        text += &format!("runs,{}", self.kind.share[0]);
-        for (name, _) in self.kind.quantities {
-            text += &format!(",{name},{name}_std");
-        }
-        text.push('\n');
-        for row in &self.rows {
-            let mut cells = row.values.clone();
-            cells.push(row.runs.to_string());
-            cells.push(number(row.share));
-            for (mean, deviation) in &row.means {
-                let (mean, deviation) = (*mean, *deviation);
-                cells.extend([number(mean), number(deviation)]);
-            }
-            text += &cells.join(",");
-            text.push('\n');
-        }
-        text
+    /// Number of runs that were refused.
+    pub fn refused(&self) -> usize {
+        self.rows.iter().map(|row| row.refused).sum()
     }
 
-    /// As columns, with the names and values of the CSV.
+    /// Number of runs that have results.
+    pub fn runs(&self) -> usize {
+        self.rows.iter().map(|row| row.runs).sum()
+    }
+
+    /// All columns, each with its own name.
     pub fn columns(&self) -> Vec<Column> {
         let rows = || self.rows.iter();
         let key = |(at, name): (usize, &String)| {
             Column::given(name, rows().map(|row| row.values[at].clone()).collect())
         };
         let mut columns: Vec<Column> = self.names.iter().enumerate().map(key).collect();
-        columns.push(Column::integers("runs", rows().map(|row| row.runs as i64)));
-        columns.push(Column::numbers(
-            self.kind.share[0],
-            rows().map(|row| row.share),
-        ));
+        let runs = Column::integers("runs", rows().map(|row| row.runs as i64));
+        add(&mut columns, runs);
+        if self.refused() > 0 {
+            let refused = Column::integers("refused", rows().map(|row| row.refused as i64));
+            add(&mut columns, refused);
+        }
+        let share = Column::numbers(self.kind.share[0], rows().map(|row| row.share));
+        add(&mut columns, share);
         for (at, (name, _)) in self.kind.quantities.iter().enumerate() {
-            columns.push(Column::numbers(name, rows().map(|row| row.means[at].0)));
-            let deviation = format!("{name}_std");
-            columns.push(Column::numbers(
-                &deviation,
-                rows().map(|row| row.means[at].1),
-            ));
+            let means = Column::numbers(name, rows().map(|row| row.means[at].0));
+            add(&mut columns, means);
+            let deviations = rows().map(|row| row.means[at].1);
+            add(
+                &mut columns,
+                Column::numbers(&format!("{name}_std"), deviations),
+            );
+        }
+        if self.refused() > 0 {
+            let name = refusal::REASON.to_owned();
+            let cells = Cells::Words(rows().map(|row| row.reason.clone()).collect());
+            add(&mut columns, Column { name, cells });
         }
         columns
     }
@@ -113,6 +111,11 @@ impl Table {
         for row in &self.rows {
             for value in &row.values {
                 text += &format!("{value:>14}");
+            }
+            if row.runs == 0 {
+                let reason = row.reason.as_deref().unwrap_or_default();
+                text += &format!("       refused: {reason}\n");
+                continue;
             }
             let share = (row.share * row.runs as f64).round();
             text += &format!("{:>14}", format!("{share}/{}", row.runs));
@@ -136,21 +139,30 @@ impl Row {
     fn new(kind: &Kind, grid: &Grid, combination: usize, runs: &[Value]) -> Self {
         let chosen = grid.keys.iter().zip(grid.indices(combination));
         let [_, place, word] = kind.share;
-        let is_so = |run: &&Value| run.pointer(place).is_some_and(|found| found == word);
-        let share = runs.iter().filter(is_so).count() as f64 / runs.len() as f64;
+        let done: Vec<&Value> = runs
+            .iter()
+            .filter(|run| refusal::reason(run).is_none())
+            .collect();
+        let is_so = |run: &&&Value| run.pointer(place).is_some_and(|found| found == word);
+        let share = done.iter().filter(is_so).count() as f64 / done.len() as f64;
         let mean = |(_, place): &(&str, &str)| {
-            let number = |run: &Value| run.pointer(place).and_then(scalar);
-            let values: Vec<f64> = runs
+            let number = |run: &&Value| run.pointer(place).and_then(scalar);
+            let values: Vec<f64> = done
                 .iter()
                 .map(|run| number(run).unwrap_or(f64::NAN))
                 .collect();
-            statistics(&values)
+            match values.as_slice() {
+                [] => (f64::NAN, f64::NAN),
+                values => statistics(values),
+            }
         };
         Self {
             values: chosen
                 .map(|(swept, index)| swept.values[index].clone())
                 .collect(),
-            runs: runs.len(),
+            runs: done.len(),
+            refused: runs.len() - done.len(),
+            reason: runs.iter().find_map(refusal::reason).map(str::to_owned),
             share,
             means: kind.quantities.iter().map(mean).collect(),
         }

@@ -37,7 +37,7 @@ pub enum InverseError {
         "{count} numbers of turns lead there; lower the largest spin or ask for an exact angle"
     )]
     TooMany {
-        /// Their number in one sense.
+        /// Their number.
         count: u64,
     },
     /// No launch within the limits.

@@ -54,7 +54,7 @@ pub use error::{InverseError, OutOfReach};
 pub use jacobian::PoseJacobian;
 pub use limits::Limits;
 pub use map::{Landing, RestMap};
-pub use plan::{MAX_SOLUTIONS, Solution, Turns};
+pub use plan::{Launches, MAX_SOLUTIONS, Solution, Turns};
 
 /// Velocity of the centre and spin at the start, m/s and rad/s.
 ///

@@ -61,7 +61,8 @@ impl Solution {
     }
 }
 
-/// Most solutions that are listed.
+/// Most solutions that [`RestMap::launches`] lists; [`RestMap::fewest_turns`] has a limit of the
+/// caller.
 ///
 /// ```
 /// use tribos::slide::inverse::{InverseError, Limits, MAX_SOLUTIONS, Pose, RestMap, Turns};
@@ -71,9 +72,37 @@ impl Solution {
 /// let spins = Limits::new(3.0, 1e4)?; // ω² 3 R/(8 mu g) = 10⁶ rad
 /// let all = disk.launches(&Pose::default(), turns, &spins);
 /// assert!(matches!(all, Err(InverseError::TooMany { count }) if count > MAX_SOLUTIONS));
+/// assert_eq!(disk.fewest_turns(&Pose::default(), turns, &spins, 7)?.solutions.len(), 7);
 /// # Ok::<(), tribos::slide::inverse::InverseError>(())
 /// ```
 pub const MAX_SOLUTIONS: u64 = 10_000;
+
+/// Launches that end at the wanted pose: how many there are, and those that were worked out.
+///
+/// ```
+/// use tribos::slide::inverse::{Launches, Limits, Pose, RestMap, Turns};
+/// use tribos::kernel::coupling::table::Coulomb;
+/// let disk = RestMap::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?; // mu g, R, C = I/(M R^2)
+/// let target = Pose { x: 1.0, y: 0.0, angle: 0.0 };
+/// let turns = Turns::Modulo { symmetry: std::num::NonZeroU32::MIN };
+/// let limits = Limits::new(3.0, 60.0)?;
+/// let Launches { count, solutions } = disk.fewest_turns(&target, turns, &limits, 3)?;
+/// assert_eq!(count, disk.launches(&target, turns, &limits)?.len() as u64);
+/// assert!(count > 3);
+/// // Without a turn, and with one in either sense.
+/// let mut found: Vec<f64> = solutions.iter().map(|one| one.turns().round()).collect();
+/// found.sort_by(f64::total_cmp);
+/// assert_eq!(found, [-1.0, 0.0, 1.0]);
+/// # Ok::<(), tribos::slide::inverse::InverseError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Launches {
+    /// Number of launches within the limits.
+    pub count: u64,
+    /// Those with the fewest turns, by rising kinetic energy.
+    pub solutions: Vec<Solution>,
+}
+
 /// A turn more than the farthest one is tried, against rounding.
 const SPARE: f64 = 1e-9;
 
@@ -99,6 +128,25 @@ impl Ladder {
     }
 }
 
+/// The angles of a ladder, `first` ≤ j < `end`, whose launches are within the limits.
+struct Flight {
+    ladder: Ladder,
+    first: u64,
+    end: u64,
+}
+
+impl Flight {
+    fn count(&self) -> u64 {
+        self.end - self.first
+    }
+
+    /// The first `most` angles with their sign.
+    fn angles(&self, most: u64) -> impl Iterator<Item = f64> + '_ {
+        let end = self.end.min(self.first.saturating_add(most));
+        (self.first..end).map(|j| self.ladder.sense * self.ladder.angle(j))
+    }
+}
+
 impl Turns {
     /// The angles that a wanted `angle` admits, positive sense first.
     fn ladders(self, angle: f64) -> Vec<Ladder> {
@@ -120,7 +168,8 @@ impl Turns {
 }
 
 impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
-    /// Every launch within `limits` that comes to rest at `target`, by rising kinetic energy.
+    /// Every launch within `limits` that comes to rest at `target`, by rising kinetic energy; refused
+    /// if they are more than [`MAX_SOLUTIONS`].
     ///
     /// For each total angle there is exactly one launch ([the module](super) says why), and along
     /// the turns the speed needed falls while the spin needed rises: those admissible follow each
@@ -134,14 +183,42 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         turns: Turns,
         limits: &Limits,
     ) -> Result<Vec<Solution>, InverseError> {
+        let flights = self.flights(target, turns, limits)?;
+        let count = flights.iter().map(Flight::count).sum();
+        if count > MAX_SOLUTIONS {
+            return Err(InverseError::TooMany { count });
+        }
+        let all = self.worked_out(target, turns, limits, &flights, count)?;
+        Ok(all.solutions)
+    }
+
+    /// How many launches within `limits` come to rest at `target`, and of them the `most` with the
+    /// fewest turns, by rising kinetic energy. Counting takes some bisections, however many there are.
+    pub fn fewest_turns(
+        &self,
+        target: &Pose,
+        turns: Turns,
+        limits: &Limits,
+        most: u64,
+    ) -> Result<Launches, InverseError> {
+        let flights = self.flights(target, turns, limits)?;
+        self.worked_out(target, turns, limits, &flights, most)
+    }
+
+    /// The angles of each sense whose launches are within the limits.
+    fn flights(
+        &self,
+        target: &Pose,
+        turns: Turns,
+        limits: &Limits,
+    ) -> Result<Vec<Flight>, InverseError> {
         let distance = Real::hypot(target.x, target.y);
         if !distance.is_finite() || !target.angle.is_finite() {
             return Err(InverseError::Target { given: *target });
         }
-        let [farthest, most] = self.reach(limits.max_speed(), limits.max_spin());
-        let ladders = turns.ladders(target.angle);
-        let mut solutions = Vec::new();
-        for ladder in &ladders {
+        let [_, most] = self.reach(limits.max_speed(), limits.max_spin());
+        let ladders = turns.ladders(target.angle).into_iter();
+        let flights = ladders.map(|ladder| {
             let count = ladder.count(most);
             let mut known = BTreeMap::new();
             let mut throw = |j: u64| {
@@ -151,17 +228,39 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
             };
             let first = partition(0, count, |j| throw(j).speed > limits.max_speed());
             let end = partition(first, count, |j| throw(j).spin <= limits.max_spin());
-            if end - first > MAX_SOLUTIONS {
-                return Err(InverseError::TooMany { count: end - first });
-            }
-            let admissible = (first..end).map(|j| (ladder.sense * ladder.angle(j), throw(j)));
-            let all = admissible.map(|(angle, throw)| self.solution(target, angle, &throw));
-            solutions.extend(all.filter(|solution| is_within(solution, limits)));
-        }
+            Flight { ladder, first, end }
+        });
+        Ok(flights.collect())
+    }
+
+    /// The `most` launches with the fewest turns.
+    fn worked_out(
+        &self,
+        target: &Pose,
+        turns: Turns,
+        limits: &Limits,
+        flights: &[Flight],
+        most: u64,
+    ) -> Result<Launches, InverseError> {
+        let distance = Real::hypot(target.x, target.y);
+        let mut angles: Vec<f64> = flights
+            .iter()
+            .flat_map(|flight| flight.angles(most))
+            .collect();
+        angles.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+        angles.truncate(usize::try_from(most).unwrap_or(usize::MAX));
+        let all = angles.into_iter().map(|angle| {
+            let throw = self.throw(distance, angle.abs());
+            self.solution(target, angle, &throw)
+        });
+        let mut solutions: Vec<Solution> = all.filter(|one| is_within(one, limits)).collect();
         if solutions.iter().any(|solution| !solution.time.is_finite()) {
             return Err(InverseError::Target { given: *target });
         }
-        if solutions.is_empty() {
+        let count: u64 = flights.iter().map(Flight::count).sum();
+        if count == 0 || (most > 0 && solutions.is_empty()) {
+            let ladders = turns.ladders(target.angle);
+            let [farthest, most] = self.reach(limits.max_speed(), limits.max_spin());
             let needed = ladders
                 .iter()
                 .map(|ladder| self.nearest(target, ladder, limits));
@@ -180,7 +279,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
             })));
         }
         solutions.sort_by(|a, b| a.energy_per_mass.total_cmp(&b.energy_per_mass));
-        Ok(solutions)
+        Ok(Launches { count, solutions })
     }
 
     /// A throw of magnitudes, aimed at the target.
