@@ -303,12 +303,12 @@ static void LOCAL(ways)(struct stream *s, int to_rest)
         LOCAL(feed_motion)(s, next.motion);
         feed_number(s, next.ratio);
         feed_bits(s, next.came_to_rest);
-        feed_bits(s, next.substeps);
+        feed_bits(s, next.evaluations);
     }
     if (to_rest && ok(s, NAME(slider_to_rest)(&slider, &motion, &rest))) {
         LOCAL(feed_motion)(s, rest.motion);
         feed_number(s, rest.ratio);
-        feed_bits(s, rest.substeps);
+        feed_bits(s, rest.evaluations);
     }
 }
 

@@ -266,7 +266,7 @@ fn every_refusal_is_told_by_its_status() {
         let mut rest = tribos_rest_f64 {
             motion,
             ratio: 0.0,
-            substeps: 0,
+            evaluations: 0,
         };
         motion.speed = f64::INFINITY;
         expect(

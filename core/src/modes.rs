@@ -189,8 +189,9 @@ impl<R: Real, P: Profile<R>> Modes<R, P> {
 
     /// The finite fixed point ε₀, if C lies inside the interval of [`inertia_interval`].
     ///
-    /// *Accuracy*: bisection to neighbouring numbers; the last digits are those of Φ'/Φ divided by
-    /// the slope of C_α (1e-13 for the disk with C = 1/2 and any α ≠ 1).
+    /// *Accuracy*: bracketed to neighbouring numbers; the last digits are those of Φ'/Φ divided by
+    /// the slope of C_α (1e-13 for the disk with C = 1/2 and any α ≠ 1). *Cost*: about ten
+    /// evaluations of C_α.
     pub fn finite_fixed_point(&self) -> Option<R> {
         let c = self.inertia_ratio;
         let (least, most) = self.inertia_interval();
@@ -198,32 +199,21 @@ impl<R: Real, P: Profile<R>> Modes<R, P> {
         if !inside {
             return None;
         }
+        let [spinning, sliding] = self.profile.inertia_ends().map(|end| end - c);
         let at_one = self.excess(Lead::Spinning, R::ONE);
-        let falling = self.profile.exponent() < R::ONE;
-        let lead = if (at_one > R::ZERO) == falling {
-            Lead::Sliding
-        } else {
-            Lead::Spinning
-        };
-        // The excess has the sign of `at_one` at h = 1 and the other sign at h = 0.
-        let (mut low, mut high) = (R::ZERO, R::ONE);
-        while let middle = R::HALF * (low + high)
-            && middle > low
-            && middle < high
-        {
-            if (self.excess(lead, middle) > R::ZERO) == (at_one > R::ZERO) {
-                high = middle;
-            } else {
-                low = middle;
-            }
+        if at_one == R::ZERO {
+            return Some(R::ONE);
         }
-        Some(match lead {
-            Lead::Sliding => R::ONE / high,
-            Lead::Spinning => high,
-        })
+        if changes_sign(sliding, at_one) {
+            let ratio = balanced_ratio(&self.profile, c, Lead::Sliding, [sliding, at_one]).0;
+            Some(R::ONE / ratio)
+        } else {
+            let ends = [spinning, at_one];
+            Some(balanced_ratio(&self.profile, c, Lead::Spinning, ends).0)
+        }
     }
 
-    /// C_α − C at the smaller over the larger speed, up to a positive factor.
+    /// C_α − C at the smaller over the larger speed.
     fn excess(&self, lead: Lead, ratio: R) -> R {
         let at = Speeds::from_ratio(lead, ratio);
         self.profile.inertia_excess(&at, self.inertia_ratio)
@@ -285,4 +275,69 @@ impl<R: Real, P: Profile<R>> Modes<R, P> {
             None => FinalMode::Sliding,
         }
     }
+}
+
+/// True if the two have opposite signs, neither being zero.
+pub(crate) fn changes_sign<R: Real>(a: R, b: R) -> bool {
+    (a > R::ZERO && b < R::ZERO) || (a < R::ZERO && b > R::ZERO)
+}
+
+/// More steps than f64 or f32 can need: every other one at least halves the interval.
+const MOST_STEPS: u32 = 2_200;
+
+/// The smaller over the larger speed at which C_α = C, given C_α − C of opposite signs `at_ends` of
+/// this ratio, 0 and 1; and the number of evaluations.
+///
+/// Inverse quadratic interpolation in its square, where C_α is smooth, guarded by bisection.
+/// *Source*: Chandrupatla, Adv. Eng. Software 28 (1997) 145.
+pub(crate) fn balanced_ratio<R: Real, P: Profile<R>>(
+    profile: &P,
+    inertia_ratio: R,
+    lead: Lead,
+    at_ends: [R; 2],
+) -> (R, u32) {
+    let excess = |x: R| {
+        let at = Speeds::from_ratio(lead, x.sqrt());
+        profile.inertia_excess(&at, inertia_ratio)
+    };
+    let (mut b, mut a) = (R::ZERO, R::ONE);
+    let [mut at_b, mut at_a] = at_ends;
+    let mut part = R::HALF;
+    for step in 0..MOST_STEPS {
+        let x = a + part * (b - a);
+        let at_x = excess(x);
+        // The third point is the one that leaves the bracket.
+        let (c, at_c) = if changes_sign(at_x, at_a) {
+            let third = (b, at_b);
+            (b, at_b) = (a, at_a);
+            third
+        } else {
+            (a, at_a)
+        };
+        (a, at_a) = (x, at_x);
+        let (best, at_best) = if at_a.abs() < at_b.abs() {
+            (a, at_a)
+        } else {
+            (b, at_b)
+        };
+        let least = R::EPSILON * best / (b - a).abs();
+        if at_best == R::ZERO || least >= R::HALF || least.is_nan() {
+            return (best.sqrt(), step + 1);
+        }
+        let (place, level) = ((a - b) / (c - b), (at_a - at_b) / (at_c - at_b));
+        let one_less = R::ONE - level;
+        part = if level * level < place && one_less * one_less < R::ONE - place {
+            at_a / (at_b - at_a) * at_c / (at_b - at_c)
+                + (c - a) / (b - a) * at_a / (at_c - at_a) * at_b / (at_c - at_b)
+        } else {
+            R::HALF
+        };
+        part = if part > least { part } else { least };
+        part = if part < R::ONE - least {
+            part
+        } else {
+            R::ONE - least
+        };
+    }
+    (R::NAN, MOST_STEPS)
 }

@@ -245,16 +245,18 @@ bounds! {
     GOLDEN_RATIO = 1e-6, "order |alpha - 1|";
 
     /// Stop time, distance and angle, relative.
-    STOP = 2e-13, "1e-14 is promised for one call; steps and the older constants add";
+    STOP = 2e-13, "1e-13 is promised for one call; steps and the older constants add";
+    /// Time, distance and angle of launches of any ratio, each relative.
+    REST = 1e-13, "the promise; the table itself is good to 5e-14";
     /// Final ratio of a body whose ratio goes to zero, absolute; its inverse where it grows.
     STOP_PURE = 1e-6, "the slower motion dies with a power of the other, not at once";
     /// Final ratio, relative.
-    STOP_RATIO = 1e-13, "direction at the last substep, where it turns by less than 8 roundings";
+    STOP_RATIO = 1e-13, "rounding of C_alpha over its slope";
     /// Final ratio under pressures, relative.
     PRESSURE_STOP_RATIO = 1.7e-14, "as STOP_RATIO";
     /// Rest pose of a solution of the inverse problem against its target, of the distance and of
     /// the angle turned.
-    INVERSE_POSE = 1e-13, "1e-12 is promised; two motions to rest of 1e-14 each, and the ratio met to 1e-15";
+    INVERSE_POSE = 1e-13, "1e-12 is promised; two motions to rest of 1e-13 each, and the ratio met to 1e-15";
     /// Launch recovered from its own rest pose, of the speed scale.
     INVERSE_LAUNCH = 3e-13, "as INVERSE_POSE over the slope of the rest's direction";
     /// Jacobian of the rest pose against differences of order 6, of unit speed.
@@ -264,9 +266,9 @@ bounds! {
     /// A run cut into steps against one call, relative.
     STEPS_AGREE = 2e-13, "thousands of roundings of the state";
     /// Free decay for α ≥ 1 against eq. 3.34, relative.
-    DECAY = 2e-13, "local error 4 ulp a substep; the logarithm of the speed lost multiplies it";
+    DECAY = 2e-13, "the logarithm of the speed lost multiplies its rounding";
     /// f32 slider against the f64 one, relative.
-    SINGLE_STOP = 5e-6, "f32 wrench of 3 ulp, about 20 substeps";
+    SINGLE_STOP = 5e-6, "f32 wrench of 3 ulp, about ten panels";
     /// Stop time of the fixed-step method, in steps.
     VERLET_STEPS = 1.5, "first order at the stop: the last step ends on the clock";
     /// Observed order of convergence against the expected one, absolute.

@@ -1,7 +1,9 @@
 //! A body slides and spins to rest: when, where, how, and in the steps of any clock.
 
+use tribos_core::coupling::round::RoundTable64;
 use tribos_core::coupling::table::{Coulomb, Table64};
 use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::patch::PowerPressure;
 use tribos_core::slider::{Motion, Rest, Slider};
 use tribos_tests::pucks::{coulomb, power, relative};
 use tribos_tests::sweep::Lcg;
@@ -52,6 +54,111 @@ fn stops_are_those_of_the_table() {
     }
     stop.assert_within(&tolerance::STOP);
     direction.assert_within(&tolerance::STOP_RATIO);
+}
+
+#[test]
+fn each_of_time_distance_and_angle_is_relative_whichever_motion_dies_first() {
+    let mut stop = Worst::of("time, distance, angle to rest, launches of any ratio");
+    let mut later = Worst::of("state on the way, over its condition");
+    for row in Table::read("rests.csv").rows() {
+        let number = |column: &str| row.number(column);
+        let pressure = PowerPressure::new(number("q")).unwrap();
+        let table = RoundTable64::new(number("alpha"), pressure).unwrap();
+        let slider = Slider::new(&table, 1.0, 1.0, number("inertia_ratio")).unwrap();
+        let start = Motion::launched(number("v0"), number("w0"));
+        let place = || {
+            ["q", "alpha", "inertia_ratio", "v0", "w0"]
+                .map(|column| row.text(column))
+                .join(", ")
+        };
+        match row.optional("stop_time") {
+            None => assert!(slider.to_rest(&start).is_none()),
+            Some(time) => {
+                let rest = slider.to_rest(&start).unwrap();
+                let Motion {
+                    distance, angle, ..
+                } = rest.motion;
+                stop.see(time.relative(rest.motion.time), place);
+                stop.see(row.reference("distance").relative(distance), place);
+                stop.see(row.reference("angle").relative(angle), place);
+                assert!(rest.evaluations <= 600, "{}: {}", place(), rest.evaluations);
+            }
+        }
+        let after = slider.advance(&start, number("time")).motion;
+        // A dying speed is as uncertain as what is left of its time.
+        let wrench = table.reduced_wrench(after.speed, after.spin);
+        let slide = 1.0 + number("time") * wrench.force / after.speed;
+        let rim = 1.0 + number("time") * wrench.torque / (number("inertia_ratio") * after.spin);
+        for (column, got, condition) in [
+            ("speed", after.speed, slide + rim),
+            ("spin", after.spin, slide + rim),
+            ("distance_then", after.distance, 1.0),
+            ("angle_then", after.angle, 1.0),
+        ] {
+            later.see(row.reference(column).relative(got) / condition, place);
+        }
+    }
+    stop.assert_within(&tolerance::REST);
+    later.assert_within(&tolerance::REST);
+}
+
+#[test]
+fn a_small_distance_under_a_heavy_spin_has_its_closed_form() {
+    // As v/w → 0, v C w/(κ k (C n + 1)) with k = 2/3 and n = 3/2 (a ball on a small contact, C = 1000).
+    let puck = Slider::new(Coulomb, 1.0, 1.0, 1000.0).unwrap();
+    for speed in [1e-8, 1e-12, 1e-100, 1e-300] {
+        let distance = puck
+            .to_rest(&Motion::launched(speed, 1.0))
+            .unwrap()
+            .motion
+            .distance;
+        let wanted = speed * 1000.0 / (2.0 / 3.0 * 1501.0);
+        assert!(
+            relative(distance, wanted) <= tolerance::STOP.limit,
+            "{speed:e}"
+        );
+    }
+}
+
+#[test]
+fn exponents_near_one_end_at_the_fixed_point_of_the_modes() {
+    for away in [1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+        let below = Table64::new(1.0 - away).unwrap();
+        let modes = tribos_core::modes::Modes::new(&below, 0.5).unwrap();
+        let puck = Slider::new(&below, 1.0, 1.0, 0.5).unwrap();
+        for (speed, spin) in [(1.0, 0.4), (1.0, 1.0), (1e-9, 1.0), (1e9, 1.0)] {
+            let start = Motion::launched(speed, spin);
+            let rest = puck.to_rest(&start).unwrap();
+            assert_eq!(
+                Some(rest.ratio),
+                modes.finite_fixed_point(),
+                "{away} {speed}"
+            );
+            // A stop on the way changes nothing.
+            let half = puck.advance(&start, 1.0).motion;
+            let after = puck.to_rest(&half).unwrap().motion;
+            for (got, wanted) in [
+                (after.time, rest.motion.time),
+                (after.distance, rest.motion.distance),
+                (after.angle, rest.motion.angle),
+            ] {
+                assert!(
+                    relative(got, wanted) <= 1e-12,
+                    "{away} {speed}: {got} {wanted}"
+                );
+            }
+        }
+        let above = Table64::new(1.0 + away).unwrap();
+        let puck = Slider::new(&above, 1.0, 1.0, 0.5).unwrap();
+        let start = Motion::launched(1.0, 1.0);
+        let whole = puck.advance(&start, 5.0).motion;
+        let mut steps = start;
+        for _ in 0..10 {
+            steps = puck.advance(&steps, 0.5).motion;
+        }
+        assert!(relative(steps.speed, whole.speed) <= 1e-11);
+        assert!(relative(steps.angle, whole.angle) <= 1e-11);
+    }
 }
 
 #[test]
@@ -186,7 +293,7 @@ fn motions_are_similar_in_every_unit() {
         assert_eq!(rest.motion.time, one.motion.time * s / k);
         assert_eq!(rest.motion.distance, one.motion.distance * s * s / k);
         assert_eq!(rest.motion.angle, one.motion.angle * s * s / (k * r));
-        assert_eq!((rest.ratio, rest.substeps), (one.ratio, one.substeps));
+        assert_eq!((rest.ratio, rest.evaluations), (one.ratio, one.evaluations));
     }
     let alpha = 0.5;
     let one = power(alpha).to_rest(&launched).unwrap();

@@ -41,8 +41,8 @@ pub struct tribos_rest_f64 {
     pub motion: tribos_motion_f64,
     /// Ratio of sliding to rim speed in the limit of rest.
     pub ratio: f64,
-    /// Substeps taken.
-    pub substeps: u32,
+    /// Evaluations of the wrench.
+    pub evaluations: u32,
 }
 
 /// The end of a step.
@@ -55,8 +55,8 @@ pub struct tribos_advance_f64 {
     pub ratio: f64,
     /// 1 in the step in which the body comes to rest, else 0.
     pub came_to_rest: u32,
-    /// Substeps taken.
-    pub substeps: u32,
+    /// Evaluations of the wrench.
+    pub evaluations: u32,
 }
 
 impl From<tribos_motion_f64> for Motion<f64> {
@@ -110,9 +110,9 @@ pub unsafe extern "C" fn tribos_slider_verlet_step_f64(
     })
 }
 
-/// Advances by duration >= 0 to rounding accuracy, through rest if it comes.
-/// Cost: one substep (7 wrenches) if duration is short against the time to rest; the step in which
-/// the body comes to rest takes 1,000 to 4,200 substeps.
+/// Advances by duration >= 0, through rest if it comes. Accuracy: as tribos_slider_to_rest_f64.
+/// Cost: 8 evaluations of the wrench while the speeds change by less than about a hundredth; some
+/// 50 to 250 otherwise.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_slider_advance_f64(
     slider: *const tribos_slider_f64,
@@ -127,13 +127,14 @@ pub unsafe extern "C" fn tribos_slider_advance_f64(
             motion: end.motion.into(),
             ratio: end.rest.map_or(f64::NAN, |rest| rest.ratio),
             came_to_rest: end.rest.is_some().into(),
-            substeps: end.substeps,
+            evaluations: end.evaluations,
         })
     })
 }
 
-/// Follows the motion to rest, to rounding accuracy; TRIBOS_STATUS_NO_REST for one that is not
-/// finite. Cost: 1,000 to 4,200 substeps of 7 wrenches.
+/// Follows the motion to rest; TRIBOS_STATUS_NO_REST for one that is not finite. Accuracy: 1e-13
+/// relative in each of time, distance and angle (f32: 1e-5), whichever motion dies first. Cost: some
+/// 200 evaluations of the wrench.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_slider_to_rest_f64(
     slider: *const tribos_slider_f64,
@@ -147,7 +148,7 @@ pub unsafe extern "C" fn tribos_slider_to_rest_f64(
         Ok(tribos_rest_f64 {
             motion: end.motion.into(),
             ratio: end.ratio,
-            substeps: end.substeps,
+            evaluations: end.evaluations,
         })
     })
 }

@@ -31,7 +31,7 @@ pub fn ways<R: Precision>(s: &mut Stream, to_rest: bool) {
         feed(s, &next.motion);
         s.number(next.rest.map_or(R::NAN, |rest| rest.ratio));
         s.feed_bits(next.rest.is_some().into());
-        s.feed_bits(next.substeps.into());
+        s.feed_bits(next.evaluations.into());
     }
     if !to_rest {
         return;
@@ -40,7 +40,7 @@ pub fn ways<R: Precision>(s: &mut Stream, to_rest: bool) {
     if let Some(rest) = s.ok(rest.ok_or(())) {
         feed(s, &rest.motion);
         s.number(rest.ratio);
-        s.feed_bits(rest.substeps.into());
+        s.feed_bits(rest.evaluations.into());
     }
 }
 

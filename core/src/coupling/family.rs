@@ -38,7 +38,7 @@ pub(crate) fn inertia_ends<R: Real>(alpha: R, order: R) -> [R; 2] {
     [spinning, sliding]
 }
 
-/// n (C_α − C), every term with its own relative accuracy when α → 1 and C_α becomes constant:
+/// C_α − C, every term with its own relative accuracy when α → 1 and C_α becomes constant:
 ///
 /// ```text
 /// n (C_α − C) = (1 − (q+2) C) − (1−α)/2 (1 − C) + zΦ'/Φ       sliding leads
@@ -59,10 +59,11 @@ pub(super) fn inertia_excess<R: Real, P: SmoothProfile<R>>(
     } else {
         z * slope / phi
     };
-    match at.lead() {
+    let scaled = match at.lead() {
         Lead::Sliding => constant - beta * (R::ONE - inertia_ratio) + bend,
         Lead::Spinning => constant - beta * (x - inertia_ratio) + x * bend,
-    }
+    };
+    scaled / moment(order, profile.exponent())
 }
 
 /// [`super::Coupling`] and [`super::Lateral`] of a smooth profile, from its order q.

@@ -71,8 +71,8 @@ pub trait Profile<R: Real> {
         }
     }
 
-    /// C_α(ε) − C up to a positive factor, by default 1: its sign decides the final motion.
-    /// A profile that can keeps its digits where C_α − C has none, at α → 1.
+    /// C_α(ε) − C: its sign decides where ε goes, its size how fast.
+    /// A profile that can keeps its digits where the plain difference has none, at α → 1.
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
         let [phi, chi] = self.factors(at);
         chi / phi - inertia_ratio

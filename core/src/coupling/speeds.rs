@@ -82,6 +82,27 @@ impl<R: Real> Speeds<R> {
         }
     }
 
+    /// From the smaller over the larger speed and its distance from 1, each with its own digits.
+    #[inline]
+    pub(crate) fn from_ratio_and_gap(lead: Lead, ratio: R, gap: R) -> Self {
+        Self {
+            gap,
+            ..Self::from_ratio(lead, ratio)
+        }
+    }
+
+    /// m
+    #[inline]
+    pub(crate) fn major(&self) -> R {
+        self.major
+    }
+
+    /// |v − w|/m.
+    #[inline]
+    pub(crate) fn gap(&self) -> R {
+        self.gap
+    }
+
     /// Rest, infinities and NaN: the limit if only one speed is infinite, zeros at rest.
     #[cold]
     fn unordinary(slide: R, rim: R) -> Self {

@@ -9,8 +9,12 @@
 //! thesis.
 
 mod advance;
+mod leg;
+mod march;
 mod rest;
+mod rule;
 pub mod runge_kutta;
+mod tail;
 mod verlet;
 
 pub use advance::Advance;

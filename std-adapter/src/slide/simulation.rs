@@ -26,6 +26,12 @@ const MOST_STEPS: f64 = 1e7;
 const VERLET_REFINEMENT: f64 = 50.0;
 /// Relative surplus of a chosen step, far above rounding and far below anything seen.
 const SLIVER: f64 = 1e-12;
+/// Steps of the search for the end of a fading run: three for each bit of its time.
+const MOST_CORRECTIONS: u32 = 200;
+/// Part of the initial energy whose loss does not count.
+const NOTHING: f64 = 1e-18;
+/// Pieces of the work, in e-folds of the energy: the rule is exact to 1e-15 on them.
+const PIECE: f64 = 0.5;
 /// Nodes and weights of the 5-point Gauss–Legendre rule on [0, 1], which integrates the power.
 const POWER_NODES: [[f64; 2]; 5] = [
     [0.046_910_077_030_668, 0.118_463_442_528_094_54],
@@ -114,18 +120,76 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         if let Some(duration) = self.scene.duration {
             return Ok(duration);
         }
-        let mut motion = self.start;
+        self.fading_time()
+    }
+
+    /// When the slower of the two to fade reaches the scene's fraction of its start.
+    fn fading_time(&self) -> Result<f64, SlideError> {
+        // The excess of its logarithm falls with the logarithm of the time.
+        let excess = |ln_time: f64| {
+            let time = Real::exp(ln_time);
+            self.ln_excess(&self.slider.advance(&self.start, time).motion)
+        };
+        let energy = self.slider.energy_per_mass(&self.start);
+        let first = 2.0 * energy / self.slider.dissipation_per_mass(&self.start);
+        let (mut low, mut high) = (Real::ln(first) - 1.0, Real::ln(first));
+        let (mut above, mut below) = (excess(low), excess(high));
+        while above < 0.0 {
+            (high, below) = (low, above);
+            low -= 1.0;
+            above = excess(low);
+        }
+        while below > 0.0 {
+            (low, above) = (high, below);
+            high += 1.0;
+            below = excess(high);
+        }
         let mut step = 0;
-        while !self.has_faded(&motion) {
+        while high - low > f64::EPSILON * high.abs() && above > 0.0 && below < 0.0 {
             step += 1;
-            let before = motion.time;
-            motion = self.slider.advance(&motion, self.length_of(&motion)).motion;
-            let moves_on = motion.time > before && motion.speed.is_finite();
-            if !moves_on {
-                return Err(SlideError::NotFinite { step });
+            // Regula falsi, every third time bisection.
+            let share = if step % 3 == 0 {
+                0.5
+            } else {
+                above / (above - below)
+            };
+            let middle = low + share * (high - low);
+            if middle <= low || middle >= high || step > MOST_CORRECTIONS {
+                break;
+            }
+            let at = excess(middle);
+            if at > 0.0 {
+                (low, above) = (middle, at);
+            } else {
+                (high, below) = (middle, at);
             }
         }
-        Ok(motion.time)
+        let is_found = above >= 0.0 && below <= 0.0;
+        if is_found {
+            let nearest = if above < -below { low } else { high };
+            Ok(Real::exp(nearest))
+        } else {
+            Err(SlideError::NotFinite { step: 0 })
+        }
+    }
+
+    /// Logarithm of the larger of both speeds, each in units of the fraction of its start that
+    /// counts as faded.
+    fn ln_excess(&self, motion: &Motion<f64>) -> f64 {
+        let over = |now: f64, start: f64| {
+            if start == 0.0 {
+                f64::NEG_INFINITY
+            } else {
+                Real::ln(now.abs() / (self.scene.stop_fraction * start.abs()))
+            }
+        };
+        let slide = over(motion.speed, self.start.speed);
+        let spin = over(motion.spin, self.start.spin);
+        if slide > spin || slide.is_nan() {
+            slide
+        } else {
+            spin
+        }
     }
 
     /// The step that was asked for, or one that suits the motion.
@@ -168,37 +232,40 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         }
     }
 
-    /// True when both speeds are below the scene's fraction of their start.
-    fn has_faded(&self, motion: &Motion<f64>) -> bool {
-        let limit = self.scene.stop_fraction;
-        motion.speed <= limit * self.start.speed
-            && motion.spin.abs() <= limit * self.start.spin.abs()
+    /// Work of friction in `duration` from `motion` on, along the exact motion: by pieces in which half of
+    /// an e-fold of the energy goes, down to an energy that does not count.
+    fn work(&self, motion: &Motion<f64>, duration: f64) -> f64 {
+        let nothing = NOTHING * self.slider.energy_per_mass(&self.start);
+        let (mut state, mut left, mut work) = (*motion, duration, 0.0);
+        while left > 0.0 {
+            let energy = self.slider.energy_per_mass(&state);
+            if energy <= nothing {
+                break;
+            }
+            let power = self.slider.dissipation_per_mass(&state);
+            let piece = left.min(PIECE * energy / power);
+            let mut at = 0.0;
+            for [node, weight] in POWER_NODES {
+                state = self.slider.advance(&state, (node - at) * piece).motion;
+                at = node;
+                work += weight * piece * self.slider.dissipation_per_mass(&state);
+            }
+            state = self.slider.advance(&state, (1.0 - at) * piece).motion;
+            left -= piece;
+        }
+        self.scene.mass * work
     }
 
-    /// Work of friction in `duration` from `motion` on, along the exact motion. Towards rest the
-    /// power vanishes like a fractional power of the time left; the cube makes it smooth.
-    fn work(&self, motion: &Motion<f64>, duration: f64, rests: bool) -> f64 {
-        let power = POWER_NODES.iter().map(|[node, weight]| {
-            let left = 1.0 - node;
-            let (at, weight) = if rests {
-                (1.0 - left * left * left, 3.0 * left * left * weight)
-            } else {
-                (*node, *weight)
-            };
-            let state = self.slider.advance(motion, at * duration).motion;
-            weight * self.slider.dissipation_per_mass(&state)
-        });
-        self.scene.mass * duration * power.sum::<f64>()
-    }
-
-    fn exact_step(&mut self, duration: f64) {
+    fn exact_step(&mut self, duration: f64, is_last: bool) {
         let rest = self
             .coming
             .filter(|rest| rest.motion.time <= self.motion.time + duration);
         let moving = rest.map_or(duration, |rest| rest.motion.time - self.motion.time);
-        self.dissipated += self.work(&self.motion, moving, rest.is_some());
+        self.dissipated += self.work(&self.motion, moving);
         self.motion = match &rest {
             Some(rest) => rest.motion,
+            // The end does not depend on the steps to it.
+            None if is_last => self.slider.advance(&self.start, self.end).motion,
             None => self.slider.advance(&self.motion, duration).motion,
         };
         self.rest = rest;
@@ -216,7 +283,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
             self.rest = Some(Rest {
                 motion: self.motion,
                 ratio,
-                substeps: 0,
+                evaluations: 0,
             });
         }
     }
@@ -289,14 +356,17 @@ impl<P: Profile<f64> + Coupling<f64>> Simulation for SlideSimulation<P> {
     }
 
     fn step(&mut self) -> Result<bool, SlideError> {
-        let left = self
-            .scene
-            .duration
-            .map_or(f64::INFINITY, |end| end - self.motion.time);
-        let duration = self.length_of(&self.motion).min(left);
+        let left = match self.scene.duration {
+            Some(end) => end - self.motion.time,
+            None if self.scene.alpha >= 1.0 => self.end - self.motion.time,
+            None => f64::INFINITY,
+        };
+        let length = self.length_of(&self.motion);
+        let is_last = length * (1.0 + SLIVER) >= left;
+        let duration = if is_last { left } else { length };
         let before = self.motion.time;
         match self.scene.stepper {
-            Stepper::Exact => self.exact_step(duration),
+            Stepper::Exact => self.exact_step(duration, is_last),
             Stepper::Verlet => self.verlet_step(duration),
         }
         self.steps += 1;
@@ -311,9 +381,7 @@ impl<P: Profile<f64> + Coupling<f64>> Simulation for SlideSimulation<P> {
         {
             return Err(SlideError::NotFinite { step: self.steps });
         }
-        let over = duration >= left;
-        let faded = self.scene.alpha >= 1.0 && self.has_faded(&self.motion);
-        Ok(self.rest.is_none() && !over && !(faded && self.scene.duration.is_none()))
+        Ok(self.rest.is_none() && !is_last)
     }
 
     fn progress(&self) -> f64 {

@@ -101,5 +101,5 @@ where
     ] {
         hash.number(x);
     }
-    hash.feed(u64::from(rest.substeps));
+    hash.feed(u64::from(rest.evaluations));
 }
