@@ -2,10 +2,15 @@
 
 use std::process::ExitCode;
 use tribos_cli::command;
+use tribos_cli::failure::Failure;
 
 fn main() -> ExitCode {
     match command::parse().execute() {
         Ok(()) => ExitCode::SUCCESS,
+        Err(failure @ Failure::Interrupted(_)) => {
+            command::tell(format_args!("{failure}"));
+            failure.exit_code()
+        }
         Err(failure) => {
             command::tell(format_args!("error: {failure}"));
             failure.exit_code()

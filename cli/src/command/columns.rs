@@ -1,8 +1,11 @@
 //! CSV files with a fixed set of numeric columns.
 
 use crate::failure::Failure;
-use std::io::Read;
 use std::path::Path;
+use tribos::record::{read_text, read_text_from};
+
+/// Bytes of a table at most: some ten million lines.
+const MOST_BYTES: u64 = 1 << 30;
 
 /// Reads the rows of a file that has these columns, in any order, and no others (`-` for standard
 /// input); every refusal names the file and the line.
@@ -14,15 +17,13 @@ pub fn read<const N: usize>(path: &Path, columns: [&str; N]) -> Result<Vec<[f64;
 
 /// What stands in a file, or comes from standard input for `-`.
 pub fn text(path: &Path) -> Result<Vec<u8>, Failure> {
-    let fail =
-        |error: std::io::Error| Failure::input(format!("cannot read {}: {error}", path.display()));
-    let mut text = Vec::new();
-    if path == Path::new("-") {
-        std::io::stdin().read_to_end(&mut text).map_err(fail)?;
+    let text = if path == Path::new("-") {
+        read_text_from(&mut std::io::stdin().lock(), MOST_BYTES)
     } else {
-        text = std::fs::read(path).map_err(fail)?;
-    }
-    Ok(text)
+        read_text(path, MOST_BYTES)
+    };
+    let fail = |error| Failure::input(format!("cannot read {}: {error}", path.display()));
+    Ok(text.map_err(fail)?.into_bytes())
 }
 
 /// Names of the columns of a file.

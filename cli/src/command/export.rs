@@ -1,6 +1,7 @@
 //! `tribos export`: a scene as files of another program.
 
 use crate::failure::Failure;
+use crate::folder::{Contents, OutputFolder};
 use std::path::PathBuf;
 use tribos::record::write_atomically;
 use tribos::scene::Scene;
@@ -28,7 +29,7 @@ enum Program {
 struct Lammps {
     /// The scene: a TOML file, or a name that `tribos scene list` has.
     scene: PathBuf,
-    /// Folder for the files; made if missing, files in it are replaced.
+    /// Folder for the files; made if missing; files of an earlier command in it go away first.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Replace or add a key of the scene; may be repeated.
@@ -53,6 +54,8 @@ impl Arguments {
             )));
         };
         let files = export::start(&scene).map_err(Failure::input)?;
+        let contents = Contents::of("export", &["tip.data", "in.tip"]);
+        let _folder = OutputFolder::begin(&lammps.out, &contents)?;
         write_atomically(&lammps.out.join("tip.data"), files.data.as_bytes())?;
         write_atomically(&lammps.out.join("in.tip"), files.script.as_bytes())?;
         super::print(&format!(

@@ -8,6 +8,7 @@ mod explain;
 mod export;
 mod fit;
 mod golden;
+mod interrupt;
 mod inverse;
 mod laws;
 mod manual;
@@ -28,6 +29,7 @@ mod wrench;
 use crate::failure::Failure;
 use clap::builder::StyledStr;
 use clap::{CommandFactory, FromArgMatches};
+pub use interrupt::EXIT_CODE as INTERRUPTED;
 use std::fmt;
 use std::io::Write;
 

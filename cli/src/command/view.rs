@@ -8,13 +8,17 @@ mod still;
 
 use self::colors::Paint;
 use self::solid::Solid;
-use crate::command::run::frames_folder;
+use crate::command::run::{COMMAND, frames_folder};
 use crate::failure::Failure;
+use crate::folder::Manifest;
 use crate::report::player::Film;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tribos::record::frames::FrameFolder;
-use tribos::record::write_atomically;
+use tribos::record::{read_text, write_atomically};
+
+/// Bytes of a summary at most.
+const MOST_BYTES: u64 = 64 << 20;
 
 /// Writes DIR/view.html, a page that plays the run in a browser, from a file and without a network.
 ///
@@ -56,16 +60,25 @@ impl Arguments {
     /// Reads the run, writes what is asked for.
     pub fn execute(self) -> Result<(), Failure> {
         let frames = frames_folder(&self.folder);
+        let run = self.run()?;
         let summary = summary(&self.folder)?;
-        if FrameFolder::bodies(&frames)?.is_some() {
-            return self.solid(&Solid::read(&frames, summary.as_ref())?);
+        self.refuse_other(
+            "summary.json",
+            summary.as_ref().map(|kept| &kept["scene"]),
+            &run,
+        )?;
+        let bodies = FrameFolder::bodies(&frames)?;
+        self.refuse_other("frames", bodies.as_ref().map(|kept| &kept.scene), &run)?;
+        if bodies.is_some() {
+            let solid = Solid::read(&frames, summary.as_ref())?;
+            self.refuse_short(&solid, summary.as_ref())?;
+            return self.solid(&solid);
         }
         let folder = self.folder.display();
         let Some(summary) = summary else {
             return Err(Failure::input(format!(
-                "{folder}: no run is there, neither {} nor summary.json; \
-                 make one with `tribos run SCENE --out {folder}`",
-                frames.display()
+                "{folder}: the run there was broken off before it left anything to show; \
+                 run its scene again"
             )));
         };
         let body = summary["scene"]["body"].as_str().unwrap_or("disk");
@@ -80,7 +93,50 @@ impl Arguments {
                  pictures of this run are beside its series",
             ));
         }
-        self.page(&path::film(&self.folder, &summary["scene"])?)
+        self.page(&path::film(&self.folder, &summary["scene"], &run)?)
+    }
+
+    /// What the folder says that it holds: one run.
+    fn run(&self) -> Result<Manifest, Failure> {
+        let folder = self.folder.display();
+        let Some(manifest) = Manifest::read(&self.folder)? else {
+            return Err(Failure::input(format!(
+                "{folder}: no run is there, or none that says which files are its own; \
+                 make one with `tribos run SCENE --out {folder}`"
+            )));
+        };
+        if manifest.command != COMMAND {
+            return Err(Failure::input(format!(
+                "{folder} holds the results of `tribos {}`, not a run",
+                manifest.command
+            )));
+        }
+        Ok(manifest)
+    }
+
+    /// Refuses what was put beside the run from another scene.
+    fn refuse_other(&self, what: &str, of: Option<&Value>, run: &Manifest) -> Result<(), Failure> {
+        match of {
+            Some(scene) if *scene != run.about => Err(Failure::input(format!(
+                "{} is of another scene than the run of the folder; run the scene again",
+                self.folder.join(what).display()
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses frames that end before the run did.
+    fn refuse_short(&self, solid: &Solid, summary: Option<&Value>) -> Result<(), Failure> {
+        let ended = summary.and_then(|summary| summary["steps"].as_f64());
+        let last = solid.frames.last().map(|frame| frame.step as f64);
+        match (ended, last) {
+            (Some(ended), Some(last)) if ended != last => Err(Failure::input(format!(
+                "{}: the last frame is of step {last}, the run ended with step {ended}; \
+                 run the scene again",
+                self.folder.display()
+            ))),
+            _ => Ok(()),
+        }
     }
 
     /// Whether anything but a page is asked for.
@@ -137,8 +193,8 @@ fn written(file: &Path) -> Result<(), Failure> {
 fn summary(folder: &Path) -> Result<Option<Value>, Failure> {
     let file = folder.join("summary.json");
     let named = |error: String| Failure::input(format!("{}: {error}", file.display()));
-    match std::fs::read_to_string(&file) {
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
+    match read_text(&file, MOST_BYTES) {
+        Err(error) if error.is_missing() => Ok(None),
         Err(error) => Err(named(error.to_string())),
         Ok(text) => serde_json::from_str(&text)
             .map(Some)

@@ -14,7 +14,7 @@ mod xyz;
 pub use atomic::{WriteError, is_unfinished, stream_atomically, write_atomically};
 pub use kept::CheckpointError;
 pub use number::{json_number, number};
-pub use read::{ReadError, read_text};
+pub use read::{ReadError, read_text, read_text_from};
 pub use seal::{digest, sealed, unsealed};
 pub use series::{series_csv, write_series};
 pub use snapshot::{ContactRow, Partner, Snapshot, SnapshotError};
