@@ -1,5 +1,6 @@
 //! Why a command ended without its result, and the exit code that tells.
 
+use crate::command::INTERRUPTED;
 use std::process::ExitCode;
 use tribos::golden::MeasureError;
 use tribos::record::WriteError;
@@ -27,6 +28,9 @@ pub enum Failure {
     /// The work was done and its results differ from those pinned.
     #[error("{0}")]
     Mismatch(String),
+    /// The user asked the command to end; what it has done is kept as the message says.
+    #[error("{0}")]
+    Interrupted(String),
 }
 
 impl Failure {
@@ -59,15 +63,18 @@ impl Failure {
             Self::Run(message) => Self::Run(word(message)),
             Self::NoRoom(message) => Self::NoRoom(word(message)),
             Self::Mismatch(message) => Self::Mismatch(word(message)),
+            Self::Interrupted(message) => Self::Interrupted(word(message)),
         }
     }
 
-    /// 2 for bad input, 1 for a failed run, 3 for results that differ from those pinned.
+    /// 2 for bad input, 1 for a failed run, 3 for results that differ from those pinned,
+    /// 130 for an interrupted command.
     pub fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
             Self::Input(_) => BAD_INPUT,
             Self::Run(_) | Self::NoRoom(_) => RUN_FAILED,
             Self::Mismatch(_) => MISMATCH,
+            Self::Interrupted(_) => INTERRUPTED,
         })
     }
 }

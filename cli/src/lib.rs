@@ -2,4 +2,5 @@
 
 pub mod command;
 pub mod failure;
+mod folder;
 pub mod report;

@@ -95,7 +95,7 @@ fn litter(folder: &Path) -> Result<Vec<PathBuf>, Error> {
             found.extend(litter(&path)?);
         } else if path
             .file_name()
-            .is_some_and(|name| name.to_string_lossy().starts_with(".tmp"))
+            .is_some_and(|name| name.to_string_lossy().starts_with(".tribos-"))
         {
             found.push(path);
         }

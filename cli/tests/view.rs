@@ -99,7 +99,7 @@ fn a_killed_run_leaves_the_same_bounded_frames() -> Outcome {
     child.wait()?;
     assert!(!broken.join("summary.json").exists(), "killed too late");
     std::fs::write(
-        broken.join("frames/.tmpAb3"),
+        broken.join("frames/.tribos-Ab3.tmp"),
         "a frame that was being written",
     )?;
 

@@ -4,6 +4,7 @@ mod trajectory;
 
 use self::trajectory::Trajectory;
 use crate::failure::Failure;
+use crate::folder::{Contents, OutputFolder};
 use std::path::PathBuf;
 use tribos::record::trajectory::Format;
 use tribos::record::write_atomically;
@@ -38,7 +39,7 @@ enum Program {
 struct Lammps {
     /// The scene: a TOML file, or a name that `tribos scene list` has.
     scene: PathBuf,
-    /// Folder for the files; made if missing, files in it are replaced.
+    /// Folder for the files; made if missing; files of an earlier command in it go away first.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Replace or add a key of the scene; may be repeated.
@@ -76,6 +77,8 @@ impl Lammps {
             )));
         };
         let files = export::start(&scene).map_err(Failure::input)?;
+        let contents = Contents::of("export", &["tip.data", "in.tip"]);
+        let _folder = OutputFolder::begin(&self.out, &contents)?;
         write_atomically(&self.out.join("tip.data"), files.data.as_bytes())?;
         write_atomically(&self.out.join("in.tip"), files.script.as_bytes())?;
         super::print(&format!(

@@ -11,6 +11,7 @@ mod export;
 mod fit;
 mod folder;
 mod golden;
+mod interrupt;
 mod inverse;
 mod laws;
 mod lines;
@@ -36,6 +37,7 @@ mod wrench;
 use crate::failure::Failure;
 use clap::builder::StyledStr;
 use clap::{CommandFactory, FromArgMatches};
+pub use interrupt::EXIT_CODE as INTERRUPTED;
 use std::fmt;
 use std::io::Write;
 

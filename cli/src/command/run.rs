@@ -1,24 +1,31 @@
 //! `tribos run`: a scene simulated, its results in a folder.
 
+mod files;
 mod film;
 pub mod long;
 mod path;
 pub mod powder;
+pub mod size;
 pub mod tip;
 
-use self::long::{Course, Progress, Start, forget_checkpoint};
+use self::long::{Course, Progress, Start, checkpoint, forget_checkpoint};
+use self::size::Allowed;
 use super::digits::shown;
-use super::number;
 use super::progress::Meter;
+use super::{interrupt, number};
 use crate::failure::Failure;
+use crate::folder::{Contents, Manifest, OutputFolder};
 use crate::report::figure::{Axis, Figure, Guide, Series};
 use crate::report::image;
 pub use film::folder as frames_folder;
-use std::path::PathBuf;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
-use tribos::record::{series_csv, write_atomically};
+use tribos::powder::Compaction;
+use tribos::record::{CheckpointError, write_atomically, write_series};
 use tribos::scene::{PowderScene, Scene, SliderScene, TipScene, Units, bodies};
 use tribos::slide::{self, COLUMNS, SlideRun};
+use tribos::tip::{TipError, build};
 
 /// Simulates the scene and writes summary.json, series.csv and a plot: motion.svg and motion.png of
 /// a disk, path.svg and path.png of a body in the plane.
@@ -35,7 +42,8 @@ use tribos::slide::{self, COLUMNS, SlideRun};
 pub struct Arguments {
     /// The scene: a TOML file, or a name that `tribos scene list` has.
     scene: PathBuf,
-    /// Folder for the results; made if missing, files in it are replaced.
+    /// Folder for the results; made if missing. Results of an earlier command in it go away first;
+    /// files that no command of tribos wrote there are never replaced.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Replace or add a key of the scene; may be repeated.
@@ -57,6 +65,37 @@ pub struct Arguments {
     /// none. They change no result. [default: 100, with --resume as the run began]
     #[arg(long, value_name = "N", value_parser = film::number)]
     frames: Option<u64>,
+    /// A powder or a tip: run it even if it is expected to take more than 4 GB of memory.
+    #[arg(long)]
+    allow_large: bool,
+}
+
+/// The command's name in the folders that it writes.
+pub const COMMAND: &str = "run";
+/// The folder of a run that starts.
+fn begin(out: &Path, scene: Value, files: &[&str]) -> Result<OutputFolder, Failure> {
+    let contents = Contents {
+        command: COMMAND,
+        about: scene,
+        files,
+    };
+    OutputFolder::begin(out, &contents)
+}
+
+/// Refuses to go on with another scene than the folder's.
+fn same_scene(kept: &Value, given: &Value) -> Result<(), Failure> {
+    let empty = serde_json::Map::new();
+    let [there, here] = [kept, given].map(|scene| scene.as_object().unwrap_or(&empty));
+    let mut keys = here.keys().chain(there.keys());
+    let Some(key) = keys.find(|key| there.get(*key) != here.get(*key)) else {
+        return Ok(());
+    };
+    let told = |value: Option<&Value>| value.map_or("missing".into(), Value::to_string);
+    Err(Failure::input(CheckpointError::Scene {
+        key: key.clone(),
+        kept: told(there.get(key)),
+        given: told(here.get(key)),
+    }))
 }
 
 /// Examples, and where the keys of a scene are told.
@@ -114,18 +153,67 @@ impl Arguments {
             pause: Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX),
             frames: self.frames,
             progress: Progress::Told,
+            allowed: Allowed::of(self.allow_large),
         }
     }
 
+    /// The folder of a long run, and how the run goes. Broken off before its first checkpoint it goes
+    /// on from the start.
+    fn long(&self, scene: Value, files: &[&str]) -> Result<(OutputFolder, Course), Failure> {
+        let mut course = self.course();
+        interrupt::watch()?;
+        if !self.resume {
+            return Ok((begin(&self.out, scene, files)?, course));
+        }
+        let is_kept = checkpoint(&self.out).exists();
+        let begun = Manifest::read(&self.out)?.filter(|begun| begun.command == COMMAND);
+        match begun {
+            Some(begun) if is_kept => same_scene(&begun.about, &scene)?,
+            Some(begun) if begun.about == scene && !self.out.join("summary.json").exists() => {
+                super::tell(format_args!("no checkpoint yet: from the start"));
+                course.start = Start::Fresh;
+            }
+            None if is_kept => {}
+            _ => {
+                long::kept(&checkpoint(&self.out))?;
+            }
+        }
+        let about = scene;
+        let command = COMMAND;
+        let contents = Contents {
+            command,
+            about,
+            files,
+        };
+        Ok((OutputFolder::go_on(&self.out, &contents)?, course))
+    }
+
     fn turn(&self, scene: &TipScene) -> Result<(), Failure> {
-        let run = tip::simulate(scene, &self.out, &self.course())?;
+        size::check(
+            &tribos::tip::size(scene),
+            "atoms",
+            Allowed::of(self.allow_large),
+        )?;
+        // All refusals come before the folder is touched.
+        build(scene).map_err(TipError::Build)?;
+        let (_folder, course) = self.long(scene.json(), files::TIP)?;
+        let run = tip::simulate(scene, &self.out, &course)?;
+        // From here on a break costs no more than the results.
+        write_atomically(&checkpoint(&self.out), run.checkpoint().as_bytes())?;
         tip::write(scene, &run, &self.out)?;
         forget_checkpoint(&self.out)?;
         tip::report(&run.outcome(), &self.out)
     }
 
     fn compact(&self, scene: &PowderScene) -> Result<(), Failure> {
-        let compaction = powder::simulate(scene, &self.out, &self.course())?;
+        let size = tribos::powder::size(scene);
+        size::check(&size, "spheres", Allowed::of(self.allow_large))?;
+        // All refusals come before the folder is touched.
+        Compaction::check(scene)?;
+        let (_folder, course) = self.long(scene.json(), files::POWDER)?;
+        let compaction = powder::simulate(scene, &self.out, &course)?;
+        // From here on a break costs no more than the results.
+        write_atomically(&checkpoint(&self.out), compaction.checkpoint().as_bytes())?;
         let outcome = compaction.outcome();
         powder::write(scene, &compaction, &outcome, &self.out)?;
         forget_checkpoint(&self.out)?;
@@ -139,10 +227,11 @@ impl Arguments {
                 meter.tell(done, format_args!("sliding"));
             }
         })?;
+        let mut folder = begin(&self.out, scene.json(), files::DISK)?;
         let rows = result.series.iter().map(<[f64; COLUMNS.len()]>::as_slice);
-        let csv = series_csv(&COLUMNS, rows);
-        write_atomically(&self.out.join("series.csv"), csv.as_bytes())?;
+        write_series(&self.out.join("series.csv"), &COLUMNS, rows)?;
         image::write_both(&self.out, "motion", &figure(scene, &result))?;
+        folder.seal(&["series.csv"])?;
         // Last: a summary stands only beside complete results.
         let summary = format!("{:#}\n", result.outcome.json(scene));
         write_atomically(&self.out.join("summary.json"), summary.as_bytes())?;

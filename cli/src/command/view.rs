@@ -2,18 +2,18 @@
 
 mod colors;
 mod encoder;
+pub mod kept;
 pub mod path;
 mod solid;
 mod still;
 
 use self::colors::Paint;
+use self::kept::{Kept, summary};
 use self::solid::Solid;
 use crate::command::run::frames_folder;
 use crate::failure::Failure;
 use crate::report::player::Film;
-use serde_json::Value;
 use std::path::{Path, PathBuf};
-use tribos::record::frames::FrameFolder;
 use tribos::record::write_atomically;
 
 /// Writes DIR/view.html, a page that plays the run in a browser, from a file and without a network.
@@ -55,17 +55,20 @@ const EXAMPLES: &str = "Examples:\n  \
 impl Arguments {
     /// Reads the run, writes what is asked for.
     pub fn execute(self) -> Result<(), Failure> {
-        let frames = frames_folder(&self.folder);
-        let summary = summary(&self.folder)?;
-        if FrameFolder::bodies(&frames)?.is_some() {
+        let Kept {
+            manifest,
+            summary,
+            bodies,
+        } = Kept::read(&self.folder)?;
+        if bodies.is_some() {
+            let frames = frames_folder(&self.folder);
             return self.solid(&Solid::read(&frames, summary.as_ref())?);
         }
         let folder = self.folder.display();
         let Some(summary) = summary else {
             return Err(Failure::input(format!(
-                "{folder}: no run is there, neither {} nor summary.json; \
-                 make one with `tribos run SCENE --out {folder}`",
-                frames.display()
+                "{folder}: the run there was broken off before it left anything to show; \
+                 run its scene again"
             )));
         };
         let body = summary["scene"]["body"].as_str().unwrap_or("disk");
@@ -80,7 +83,7 @@ impl Arguments {
                  pictures of this run are beside its series",
             ));
         }
-        self.page(&path::film(&self.folder, &summary["scene"])?)
+        self.page(&path::film(&self.folder, &summary["scene"], &manifest)?)
     }
 
     /// Whether anything but a page is asked for.
@@ -131,17 +134,4 @@ pub fn solid_film(run: &Path) -> Result<Film, Failure> {
 
 fn written(file: &Path) -> Result<(), Failure> {
     crate::command::print(&format!("written to    {}\n", file.display()))
-}
-
-/// The summary of a run, if it has come to its end.
-pub fn summary(folder: &Path) -> Result<Option<Value>, Failure> {
-    let file = folder.join("summary.json");
-    let named = |error: String| Failure::input(format!("{}: {error}", file.display()));
-    match std::fs::read_to_string(&file) {
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(named(error.to_string())),
-        Ok(text) => serde_json::from_str(&text)
-            .map(Some)
-            .map_err(|error| named(format!("{error}; run the scene again"))),
-    }
 }

@@ -5,9 +5,7 @@ use super::compaction::{COLUMNS, Ending, Totals};
 use super::packing::Force;
 use super::stress::Stress;
 use crate::cd::Book;
-use crate::record::kept::{
-    damaged, groups, hex, numbers, one, opened, same_scene, triple, vectors,
-};
+use crate::record::kept::{damaged, groups, hex, numbers, one, opened, places, same_scene, triple};
 use crate::record::{CheckpointError, sealed};
 use crate::scene::PowderScene;
 use nalgebra::{Matrix3, Vector3};
@@ -114,7 +112,7 @@ impl Checkpoint {
             frozen: Frozen {
                 time: one(&value, "time")?,
                 steps: whole("steps")?,
-                positions: vectors(&value, "positions")?,
+                positions: places(&value, "positions")?,
                 motions: motions(&value)?,
                 walls: walls
                     .into_iter()
@@ -180,7 +178,7 @@ impl Checkpoint {
 
 /// Velocities and spins in pairs.
 fn motions(value: &Value) -> Result<Vec<[Vector3<f64>; 2]>, CheckpointError> {
-    match vectors(value, "motions")?.as_chunks() {
+    match places(value, "motions")?.as_chunks() {
         (pairs, []) => Ok(pairs.to_vec()),
         _ => Err(damaged("motions")),
     }

@@ -2,7 +2,7 @@
 
 use super::blocked::{Means, Window};
 use super::checkpoint::Checkpoint;
-use super::deposit::{BULK, Deposit, volume_between};
+use super::deposit::{BULK, Deposit, DepositError, Until, volume_between};
 use super::error::CompactionError;
 use super::limits::Limits;
 use super::outcome::Outcome;
@@ -164,6 +164,31 @@ impl Compaction {
     /// ```
     pub fn resume(scene: &PowderScene, checkpoint: &str) -> Result<Self, CompactionError> {
         Self::begin(scene, Some(checkpoint), |_| ControlFlow::Continue(()))
+    }
+
+    /// Whether a run of the scene can begin, without growing its deposit: with two spheres of it.
+    ///
+    /// ```
+    /// use tribos::powder::{Compaction, CompactionError, deposit::DepositError};
+    /// # use tribos::scene::{Scene, parse_scene};
+    /// # let text = "body = \"powder\"\nwidth = 6\nheight = 1\npressure = 0.02";
+    /// # let Scene::Powder(flat) = parse_scene("flat.toml", text, &[])? else { unreachable!() };
+    /// // A deposit that is cut at a height of half a sphere.
+    /// let refused = Compaction::check(&flat);
+    /// assert!(matches!(refused, Err(CompactionError::Deposit(DepositError::Empty))));
+    /// # Ok::<(), tribos::scene::SceneError>(())
+    /// ```
+    pub fn check(scene: &PowderScene) -> Result<(), CompactionError> {
+        let [smallest, _] = scene.ballistic.radii();
+        match scene.until {
+            Until::Cut(height) if height < 2.0 * smallest => {
+                return Err(DepositError::Empty.into());
+            }
+            _ => {}
+        }
+        let mut two = scene.clone();
+        two.until = Until::Count(2);
+        Self::new(&two).map(|_| ())
     }
 
     /// [New](Self::new), or [resumed](Self::resume) from a checkpoint, while `watch` sees how many

@@ -152,8 +152,14 @@ pub(crate) fn one(value: &Value, name: &str) -> Result<f64, CheckpointError> {
     }
 }
 
-/// The vectors of a part.
-pub(crate) fn vectors(value: &Value, name: &str) -> Result<Vec<Vector3<f64>>, CheckpointError> {
+/// Vectors of coordinates one after another; a rest is left out.
+pub(crate) fn vectors(numbers: &[f64]) -> Vec<Vector3<f64>> {
+    let triples = numbers.as_chunks().0.iter();
+    triples.map(|&[x, y, z]| Vector3::new(x, y, z)).collect()
+}
+
+/// The vectors of a part, no number left over.
+pub(crate) fn places(value: &Value, name: &str) -> Result<Vec<Vector3<f64>>, CheckpointError> {
     let triples = groups::<3>(value, name)?;
     Ok(triples.into_iter().map(Vector3::from).collect())
 }

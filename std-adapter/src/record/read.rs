@@ -10,6 +10,8 @@ use std::path::Path;
 /// use tribos::record::ReadError;
 /// let error = ReadError::TooLarge { most: 3 << 20 };
 /// assert_eq!(error.to_string(), "the file is larger than 3 MB, which is the most that is read");
+/// let nowhere = tribos::record::read_text("nowhere.toml".as_ref(), 100);
+/// assert!(nowhere.is_err_and(|error| error.is_missing()) && !error.is_missing());
 /// ```
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
@@ -55,11 +57,15 @@ const CHUNK: u64 = 1 << 16;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn read_text(path: &Path, most: u64) -> Result<String, ReadError> {
-    let mut file = File::open(path)?;
+    read_text_from(&mut File::open(path)?, most)
+}
+
+/// As [`read_text`], from anything that is open.
+fn read_text_from(source: &mut impl Read, most: u64) -> Result<String, ReadError> {
     let mut bytes = Vec::new();
     loop {
         let before = bytes.len();
-        (&mut file).take(CHUNK).read_to_end(&mut bytes)?;
+        source.by_ref().take(CHUNK).read_to_end(&mut bytes)?;
         if bytes.len() == before {
             break;
         }
@@ -74,4 +80,22 @@ pub fn read_text(path: &Path, most: u64) -> Result<String, ReadError> {
     String::from_utf8(bytes).map_err(|error| ReadError::NotText {
         at: error.utf8_error().valid_up_to() as u64,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sources_without_end_and_bytes_of_no_text_are_refused() {
+        let endless = &mut std::io::repeat(b'y');
+        assert!(matches!(
+            read_text_from(endless, 1 << 20),
+            Err(ReadError::TooLarge { .. })
+        ));
+        assert!(matches!(
+            read_text_from(&mut &b"\xff"[..], 9),
+            Err(ReadError::NotText { at: 0 })
+        ));
+    }
 }

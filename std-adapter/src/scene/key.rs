@@ -231,3 +231,38 @@ fn unknown(keys: &[Key], name: &str) -> String {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::{SceneError, parse_scene};
+    use std::time::{Duration, Instant};
+
+    /// A disk with so many keys that nobody knows, and how long it takes to refuse it.
+    fn refused(strangers: usize) -> (String, usize, Duration) {
+        let mut text = String::from("speed = 1\n");
+        for key in 0..strangers {
+            text += &format!("key_{key} = 1\n");
+        }
+        let began = Instant::now();
+        let refusal = parse_scene("many.toml", &text, &[]);
+        let took = began.elapsed();
+        let Err(error @ SceneError::Invalid { .. }) = refusal else {
+            unreachable!("unknown keys");
+        };
+        let told = error.to_string();
+        (told.clone(), told.lines().count(), took)
+    }
+
+    #[test]
+    fn any_number_of_unknown_keys_is_refused_in_a_time_in_proportion() {
+        let (told, lines, few) = refused(20_000);
+        assert!(told.contains("and 19980 more keys that are unknown"));
+        let (told, more_lines, many) = refused(200_000);
+        assert!(told.contains("and 199980 more keys that are unknown"));
+        // Twenty are named, as with few; every missing key is named too.
+        assert_eq!(lines, more_lines);
+        assert!(lines < 40, "{lines}");
+        // Ten times the keys: a time that grew as the square would be a hundred times as long.
+        assert!(many < 50 * few, "{few:?} {many:?}");
+    }
+}

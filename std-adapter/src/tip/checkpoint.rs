@@ -3,10 +3,9 @@
 use super::shape::Part;
 use super::watch;
 use crate::md::system::State;
-use crate::record::kept::{damaged, hex, numbers, opened, same_scene, triple};
+use crate::record::kept::{damaged, hex, numbers, opened, same_scene, triple, vectors};
 use crate::record::{CheckpointError, sealed};
 use crate::scene::TipScene;
-use nalgebra::Vector3;
 use serde_json::Map;
 
 /// Version of the format.
@@ -72,11 +71,7 @@ impl Checkpoint {
                 Err(damaged(name))
             }
         };
-        let places = |name: &str| {
-            let numbers = finite(name, 3 * atoms)?;
-            let triples = numbers.as_chunks().0.iter();
-            Ok(triples.map(|&[x, y, z]| Vector3::new(x, y, z)).collect())
-        };
+        let places = |name: &str| Ok(vectors(&finite(name, 3 * atoms)?));
         let steps = value["steps"].as_u64().ok_or_else(|| damaged("steps"))?;
         let last: u64 = scene.stage_steps().into_iter().sum();
         if steps > last {

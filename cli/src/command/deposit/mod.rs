@@ -4,15 +4,20 @@ pub mod curve;
 
 use super::digits::shown;
 use super::number;
+use super::run::size::{Allowed, check, told};
 use crate::failure::Failure;
+use crate::folder::{Contents, OutputFolder};
 use crate::report::image;
 use curve::PorosityCurve;
 use serde_json::{Map, Value};
+use std::ops::ControlFlow;
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
 use tribos::powder::deposit::{Ballistic, Deposit, Until};
 use tribos::record::{
     contacts_vtp, extended_xyz, json_number, particles_vtp, series_csv, write_atomically,
 };
+use tribos::run::RunSize;
 
 /// Let spheres fall one by one on a square base, periodic in x and y, where each sticks to the first
 /// sphere that it comes near, or to the substrate (thesis, section 4.5). All lengths are in radii of
@@ -51,10 +56,20 @@ pub struct Arguments {
     /// seeds.
     #[arg(long, conflicts_with_all = ["count", "capture_radius", "spread"])]
     porosity_curve: bool,
-    /// Folder for the results; made if missing, files in it are replaced.
+    /// Folder for the results; made if missing. Results of an earlier command in it go away first;
+    /// files that no command of tribos wrote there are never replaced.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+    /// Grow it even if it is expected to take more than 4 GB of memory.
+    #[arg(long)]
+    allow_large: bool,
 }
+
+/// Memory of a sphere while it is grown and exported, in bytes, and its time, in s: measured with 200,000.
+const BYTES_A_SPHERE: f64 = 1.3e3;
+const SECONDS_A_SPHERE: f64 = 20e-6;
+/// Spheres from which the size is told.
+const LARGE: f64 = 1e5;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -90,7 +105,10 @@ impl Arguments {
         let radii = [1.0 - self.spread, 1.0 + self.spread];
         let ballistic =
             Ballistic::uneven(self.width, radii, self.capture_radius).map_err(Failure::input)?;
-        let deposit = ballistic.grow(until, self.seed).map_err(Failure::input)?;
+        self.check(&ballistic, until)?;
+        let files = ["summary.json", "deposit.xyz", "deposit.vtp", "contacts.vtp"];
+        let _folder = OutputFolder::begin(&self.out, &Contents::of("deposit", &files))?;
+        let deposit = self.grow(&ballistic, until)?;
         let contacts = deposit.contacts();
         let snapshot = deposit.snapshot(&contacts);
         for (name, text) in [
@@ -105,6 +123,34 @@ impl Arguments {
         let summary = format!("{:#}\n", self.summary(&deposit));
         write_atomically(&self.out.join("summary.json"), summary.as_bytes())?;
         self.report(&deposit)
+    }
+
+    /// Refuses what is too large, before it grows.
+    fn check(&self, ballistic: &Ballistic, until: Until) -> Result<(), Failure> {
+        let bodies = ballistic.expected_spheres(until);
+        let size = RunSize {
+            bodies,
+            bytes: BYTES_A_SPHERE * bodies,
+            seconds: SECONDS_A_SPHERE * bodies,
+        };
+        if bodies > LARGE {
+            super::tell(format_args!("{}", told(&size, "spheres")));
+        }
+        check(&size, "spheres", Allowed::of(self.allow_large))
+    }
+
+    /// Grows it and tells, once a second, how far it is.
+    fn grow(&self, ballistic: &Ballistic, until: Until) -> Result<Deposit, Failure> {
+        let expected = ballistic.expected_spheres(until);
+        let mut last = Instant::now();
+        let grown = ballistic.grow_watched(until, self.seed, |spheres| {
+            if last.elapsed() >= Duration::from_secs(1) {
+                last = Instant::now();
+                super::tell(format_args!("{spheres} spheres of about {expected:.2e}"));
+            }
+            ControlFlow::Continue(())
+        });
+        grown.map_err(Failure::input)
     }
 
     fn summary(&self, deposit: &Deposit) -> Value {
@@ -144,6 +190,11 @@ impl Arguments {
     }
 
     fn curve(&self, until: Until) -> Result<(), Failure> {
+        // The densest of its deposits.
+        let dense = Ballistic::new(self.width, 1.0, 2.0).map_err(Failure::input)?;
+        self.check(&dense, until)?;
+        let files = ["porosity.csv", "porosity.svg", "porosity.png"];
+        let _folder = OutputFolder::begin(&self.out, &Contents::of("deposit", &files))?;
         let curve = PorosityCurve::new(self.width, until, self.seed)?;
         let rows = curve
             .rows

@@ -8,6 +8,7 @@ mod potential;
 mod units;
 
 use crate::failure::Failure;
+use crate::folder::{Contents, OutputFolder};
 use boundary::Boundary;
 use pair::PairSpec;
 use potential::Potential;
@@ -15,8 +16,11 @@ use std::path::{Path, PathBuf};
 use tribos::md::configuration::{self, Configuration};
 use tribos::md::interaction::{Tally, Wanted, evaluate};
 use tribos::md::neighbours::VerletList;
-use tribos::record::write_atomically;
+use tribos::record::{read_text, write_atomically};
 use units::Units;
+
+/// Bytes of a file of atoms or of a potential at most.
+const MOST_BYTES: u64 = 4 << 30;
 
 /// Forces, energy, virial and pressure of atoms as a file has them.
 #[derive(Debug, clap::Args)]
@@ -44,7 +48,7 @@ pub struct Arguments {
     /// Units [default: lj, or metal with --eam].
     #[arg(long)]
     units: Option<Units>,
-    /// Folder for the results; made if missing, files in it are replaced.
+    /// Folder for the results; made if missing; files of an earlier command in it go away first.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }
@@ -96,6 +100,8 @@ impl Arguments {
         let csv = output::forces_csv(&atoms.ids, &forces);
         let summary = output::Summary::new(&atoms, &tally, units);
         let json = format!("{:#}\n", summary.json(&potential, units));
+        let contents = Contents::of("eval", &["forces.csv", "summary.json"]);
+        let _folder = OutputFolder::begin(&self.out, &contents)?;
         write_atomically(&self.out.join("forces.csv"), csv.as_bytes())?;
         // Last: a summary stands only beside complete results.
         write_atomically(&self.out.join("summary.json"), json.as_bytes())?;
@@ -148,7 +154,7 @@ fn forces(
 }
 
 fn text(path: &Path) -> Result<String, Failure> {
-    std::fs::read_to_string(path)
+    read_text(path, MOST_BYTES)
         .map_err(|error| Failure::input(format!("cannot read {}: {error}", path.display())))
 }
 

@@ -1,14 +1,17 @@
 //! What a tip carries.
 
 use super::{duration, line};
+use crate::command::run::size::{Allowed, check};
 use crate::failure::Failure;
 use tribos::md::pair::Shift;
 use tribos::md::system::Integrator;
 use tribos::scene::{Bath, Lift, TipScene};
-use tribos::tip::{Part, cost};
+use tribos::tip::{Part, cost, size};
 
 /// The whole account.
 pub fn text(scene: &TipScene) -> Result<String, Failure> {
+    // Its atoms are placed to be counted and timed.
+    check(&size(scene), "atoms", Allowed::Usual)?;
     let cost = cost(scene)?;
     let atoms: usize = cost.atoms.iter().sum();
     let parts = Part::ALL.iter().zip(cost.atoms);

@@ -1,10 +1,11 @@
 //! `tribos export vtk|xyz|lammps-dump`: all kept states of a run.
 
 use crate::command::run::frames_folder;
-use crate::command::view::{path, summary};
+use crate::command::view::kept::Kept;
+use crate::command::view::path;
 use crate::failure::Failure;
+use crate::folder::{Contents, OutputFolder};
 use nalgebra::Vector3;
-use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tribos::record::frames::{Bodies, FrameFolder};
 use tribos::record::trajectory::{self, Column, Format, Side, State, Values};
@@ -24,16 +25,33 @@ pub struct Trajectory {
     out: Option<PathBuf>,
 }
 
+/// What an export leaves in a folder of its own.
+const FILES: [&str; 4] = [
+    "trajectory.pvd",
+    "trajectory/#.vtp",
+    "trajectory.xyz",
+    "trajectory.dump",
+];
+
 impl Trajectory {
     /// Writes, one state after another.
     pub fn write(self, format: Format) -> Result<(), Failure> {
-        let frames = frames_folder(&self.run);
-        let out = self.out.as_deref().unwrap_or(&self.run);
-        let written = match FrameFolder::bodies(&frames)? {
-            Some(bodies) => self.solid(&frames, &bodies, out, format)?,
-            None => self.path(out, format)?,
+        let kept = Kept::read(&self.run)?;
+        let _folder = match &self.out {
+            Some(out) if !is_same(out, &self.run) => Some(OutputFolder::go_on(
+                out,
+                &Contents {
+                    about: kept.manifest.about.clone(),
+                    ..Contents::of("export", &FILES)
+                },
+            )?),
+            _ => None,
         };
-        let (states, file) = written;
+        let out = self.out.as_deref().unwrap_or(&self.run);
+        let (states, file) = match &kept.bodies {
+            Some(bodies) => self.solid(&frames_folder(&self.run), bodies, out, format)?,
+            None => self.path(&kept, out, format)?,
+        };
         crate::command::print(&format!(
             "written to    {}, {states} states\n",
             file.display()
@@ -62,9 +80,9 @@ impl Trajectory {
         Ok((film.states(), film.finish()?))
     }
 
-    fn path(&self, out: &Path, format: Format) -> Result<(usize, PathBuf), Failure> {
+    fn path(&self, kept: &Kept, out: &Path, format: Format) -> Result<(usize, PathBuf), Failure> {
         let folder = self.run.display();
-        let Some(summary) = summary(&self.run)? else {
+        let Some(summary) = &kept.summary else {
             return Err(Failure::input(format!(
                 "{folder}: no run is there, neither {} nor summary.json; \
                  make one with `tribos run SCENE --out {folder}`",
@@ -77,17 +95,22 @@ impl Trajectory {
             )));
         }
         let mut film = trajectory::Trajectory::begin(out, format)?;
-        for state in states(&self.run, &summary["scene"])? {
+        for state in states(&self.run, kept)? {
             film.add(&state)?;
         }
         Ok((film.states(), film.finish()?))
     }
 }
 
+/// Whether both are the same folder, which is there.
+fn is_same(one: &Path, other: &Path) -> bool {
+    matches!((one.canonicalize(), other.canonicalize()), (Ok(one), Ok(other)) if one == other)
+}
+
 /// A body in the plane z = 0, line by line of its series.
-fn states(run: &Path, scene: &Value) -> Result<Vec<State>, Failure> {
-    let rows = path::rows(&run.join("series.csv"))?;
-    let radius = path::radius(scene);
+fn states(run: &Path, kept: &Kept) -> Result<Vec<State>, Failure> {
+    let rows = path::rows(&run.join("series.csv"), &kept.manifest)?;
+    let radius = path::radius(&kept.manifest.about);
     let side = |axis: usize| {
         let places = rows.iter().map(|row| row[1 + axis]);
         let low = places.clone().fold(f64::INFINITY, f64::min);

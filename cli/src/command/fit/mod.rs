@@ -6,6 +6,7 @@ mod progress;
 mod table;
 
 use crate::failure::Failure;
+use crate::folder::{Contents, OutputFolder};
 use crate::report::image;
 use progress::Progress;
 use std::num::NonZero;
@@ -41,8 +42,8 @@ pub struct Arguments {
     /// Starts of the search, spread over what the data leave open.
     #[arg(long, default_value = "16", value_parser = starts)]
     starts: NonZero<usize>,
-    /// Folder for fit.toml, covariance.csv, residuals.csv, fit.svg and fit.png; made if missing, files
-    /// in it are replaced.
+    /// Folder for fit.toml, covariance.csv, residuals.csv, fit.svg and fit.png; made if missing;
+    /// files of an earlier command in it go away first.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
@@ -118,6 +119,14 @@ impl Arguments {
         };
         if let Some(out) = &self.out {
             let figure = plot::panels(self.law, data, &found)?;
+            let files = [
+                "covariance.csv",
+                "residuals.csv",
+                "fit.toml",
+                "fit.svg",
+                "fit.png",
+            ];
+            let _folder = OutputFolder::begin(out, &Contents::of("fit", &files))?;
             image::write_both(out, "fit", &figure)?;
             report.write(out)?;
         }

@@ -7,6 +7,10 @@ use crate::command::scene;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::golden::{Golden, Pinned, Verdict, measure};
+use tribos::record::read_text;
+
+/// Bytes of a golden file at most.
+const MOST_BYTES: u64 = 256 << 20;
 
 /// Runs the scenes of a golden file again and compares: one line a scene.
 #[derive(Debug, clap::Args)]
@@ -26,7 +30,7 @@ impl Arguments {
     /// Runs, compares, and tells every scene.
     pub fn execute(self) -> Result<(), Failure> {
         let name = self.file.display().to_string();
-        let text = std::fs::read_to_string(&self.file)
+        let text = read_text(&self.file, MOST_BYTES)
             .map_err(|error| Failure::input(format!("cannot read {name}: {error}")))?;
         let golden = Golden::parse(&name, &text).map_err(Failure::input)?;
         let chosen = self.chosen(&golden)?;

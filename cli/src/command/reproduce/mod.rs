@@ -31,8 +31,10 @@ mod stress;
 mod tilted;
 mod tip;
 
+use super::interrupt;
 use super::number;
 use crate::failure::Failure;
+use crate::folder::{Contents, OutputFolder};
 use crate::report::image;
 use crate::report::page::{FigureRef, Section};
 use crate::report::verdict::Verdict;
@@ -56,7 +58,7 @@ use tribos::record::{series_csv, write_atomically};
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
-    /// Folder for the report; made if missing, files in it are replaced.
+    /// Folder for the report; made if missing; its own files in it are replaced.
     #[arg(long, value_name = "DIR", required_unless_present = "list")]
     out: Option<PathBuf>,
     /// What to reproduce, such as 3.4 or table-3.1; everything if left out.
@@ -158,6 +160,9 @@ impl Arguments {
     /// Makes the report. Fails if a comparison does: a row that neither holds nor differs as it did before.
     pub fn execute(self) -> Result<(), Failure> {
         self.make().map_err(|failure| {
+            if let Failure::Interrupted(_) = failure {
+                return interrupt::ended_early("exhibits were made");
+            }
             failure.going_on("Then give the same command again; a name after it makes one exhibit.")
         })
     }
@@ -175,6 +180,9 @@ impl Arguments {
         } else {
             Effort::Quick
         };
+        interrupt::watch()?;
+        let files = ["index.html", "claims.csv"];
+        let _folder = OutputFolder::go_on(&out, &Contents::of("reproduce", &files))?;
         let pause = Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX);
         let runs = Runs::new(effort, Kept::open(&out, pause)?);
         let sections = sections(&out, &chosen, &runs)?;
@@ -231,6 +239,9 @@ fn sections(
     ));
     for (exhibit, slot) in chosen.iter().zip(&mut finished) {
         let (name, maker) = exhibit;
+        if interrupt::is_asked() {
+            return Err(interrupt::ended_early("exhibits were made"));
+        }
         let left = match slot {
             Some(section) => {
                 super::print(&format!(

@@ -1,8 +1,12 @@
 //! What long runs share: a checkpoint in their folder, and lines that tell how far they are.
 
+use super::size::Allowed;
+use crate::command::interrupt;
 use crate::failure::Failure;
+use crate::folder::remove_file;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+use tribos::record::read_text;
 
 /// Whether a run starts or goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +38,8 @@ pub struct Course {
     pub frames: Option<u64>,
     /// Who is told.
     pub progress: Progress,
+    /// How large it may be.
+    pub allowed: Allowed,
 }
 
 impl Course {
@@ -44,6 +50,21 @@ impl Course {
             pause,
             frames: Some(frames),
             progress: Progress::Silent,
+            allowed: Allowed::Usual,
+        }
+    }
+}
+
+/// Bytes of a checkpoint at most: twenty million spheres take some 15 GB.
+const MOST_BYTES: u64 = 1 << 36;
+
+impl Course {
+    /// The end of a run that was asked to end, its checkpoint and frames written; of one of many
+    /// whoever has started them says how to go on.
+    pub(super) fn ended(&self, out: &Path, at: &str) -> Failure {
+        match self.progress {
+            Progress::Told => interrupt::ended(out, at),
+            Progress::Silent => Failure::Interrupted(format!("interrupted {at}")),
         }
     }
 }
@@ -55,7 +76,7 @@ pub fn checkpoint(out: &Path) -> PathBuf {
 
 /// The text of a checkpoint.
 pub(super) fn kept(file: &Path) -> Result<String, Failure> {
-    std::fs::read_to_string(file).map_err(|error| {
+    read_text(file, MOST_BYTES).map_err(|error| {
         let name = file.display();
         Failure::input(format!(
             "nothing to go on from: {name}: {error}; run without --resume"
@@ -84,12 +105,5 @@ pub(super) fn how_to_go_on(out: &Path) -> String {
 
 /// Takes away the checkpoint of a run that has left its results.
 pub fn forget_checkpoint(out: &Path) -> Result<(), Failure> {
-    let file = checkpoint(out);
-    match std::fs::remove_file(&file) {
-        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(Failure::run(format!(
-            "cannot remove {}: {error}",
-            file.display()
-        ))),
-        _ => Ok(()),
-    }
+    remove_file(&checkpoint(out))
 }

@@ -1,11 +1,12 @@
 //! Bodies that slide along a path in the plane.
 
+use super::{begin, files};
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use crate::report::figure::{Axis, Figure, Series};
 use crate::report::image;
 use std::path::Path;
-use tribos::record::{series_csv, write_atomically};
+use tribos::record::{write_atomically, write_series};
 use tribos::scene::PlanarScene;
 use tribos::slide::planar::Ending;
 use tribos::slide::{PATH_COLUMNS, PathRun, run_path};
@@ -13,13 +14,14 @@ use tribos::slide::{PATH_COLUMNS, PathRun, run_path};
 /// Runs the scene and writes its results into the folder.
 pub fn run(scene: &PlanarScene, out: &Path) -> Result<(), Failure> {
     let result = run_path(scene)?;
+    let mut folder = begin(out, scene.json(), files::PATH)?;
     let rows = result
         .series
         .iter()
         .map(<[f64; PATH_COLUMNS.len()]>::as_slice);
-    let csv = series_csv(&PATH_COLUMNS, rows);
-    write_atomically(&out.join("series.csv"), csv.as_bytes())?;
+    write_series(&out.join("series.csv"), &PATH_COLUMNS, rows)?;
     image::write_both(out, "path", &figure(scene, &result))?;
+    folder.seal(&["series.csv"])?;
     // Last: a summary stands only beside complete results.
     let summary = format!("{:#}\n", result.outcome.json(scene));
     write_atomically(&out.join("summary.json"), summary.as_bytes())?;

@@ -8,11 +8,14 @@ pub use picture::{State, packing};
 
 use super::film::{Film, Filmed};
 use super::long::{Course, Progress, Start, checkpoint, kept};
+use crate::command::interrupt;
 use crate::command::progress::Meter;
 use crate::failure::Failure;
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
-use tribos::powder::{Compaction, CompactionError};
+use tribos::powder::deposit::DepositError;
+use tribos::powder::{Compaction, CompactionError, size};
 use tribos::record::frames::{Bodies, Frame};
 use tribos::record::write_atomically;
 use tribos::run::{Simulation, drive_watched};
@@ -21,10 +24,7 @@ use tribos::scene::PowderScene;
 /// Runs the scene to its end, with checkpoints and frames in the folder.
 pub fn simulate(scene: &PowderScene, out: &Path, course: &Course) -> Result<Compaction, Failure> {
     let file = checkpoint(out);
-    let mut compaction = match course.start {
-        Start::Fresh => Compaction::new(scene)?,
-        Start::Resume => Compaction::resume(scene, &kept(&file)?)?,
-    };
+    let mut compaction = begin(scene, &file, course)?;
     let mut film = Film::of(&compaction, out, course.start, course.frames)?;
     let (mut meter, mut saved) = (Meter::new(), Instant::now());
     let mut sweeps = 0;
@@ -37,15 +37,53 @@ pub fn simulate(scene: &PowderScene, out: &Path, course: &Course) -> Result<Comp
             (sweeps, since) = (0, compaction.steps());
         }
         film.look(compaction);
-        if compaction.steps() > 0 && saved.elapsed() >= course.pause {
+        let is_due = compaction.steps() > 0 && saved.elapsed() >= course.pause;
+        if is_due || interrupt::is_asked() {
             film.save()?;
             write_atomically(&file, compaction.checkpoint().as_bytes())?;
             saved = Instant::now();
+        }
+        if interrupt::is_asked() {
+            let step = compaction.steps();
+            return Err(course.ended(out, &format!("after step {step}")));
         }
         Ok::<(), Failure>(())
     })?;
     film.end(&compaction)?;
     Ok(compaction)
+}
+
+/// The deposit, with how far its growth is, or the state of the checkpoint.
+fn begin(scene: &PowderScene, file: &Path, course: &Course) -> Result<Compaction, Failure> {
+    let size = size(scene);
+    super::size::check(&size, "spheres", course.allowed)?;
+    let is_told = course.progress == Progress::Told;
+    if is_told {
+        crate::command::tell(format_args!("{}", super::size::told(&size, "spheres")));
+    }
+    let text = match course.start {
+        Start::Fresh => None,
+        Start::Resume => Some(kept(file)?),
+    };
+    let mut meter = Meter::new();
+    let begun = Compaction::begin(scene, text.as_deref(), |spheres| {
+        let done = spheres as f64 / size.bodies as f64;
+        if is_told && meter.is_due(done) {
+            let words = format_args!("deposit: {spheres} spheres of about {:.2e}", size.bodies);
+            meter.tell(done, words);
+        }
+        if interrupt::is_asked() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    });
+    match begun {
+        Err(CompactionError::Deposit(DepositError::Stopped)) => {
+            Err(interrupt::ended_early("the deposit grew"))
+        }
+        begun => Ok(begun?),
+    }
 }
 
 impl Filmed for Compaction {

@@ -5,23 +5,29 @@ mod picture;
 use super::film::{Film, Filmed};
 use super::long::{Course, Progress, Start, checkpoint, kept};
 use crate::command::digits::shown;
+use crate::command::interrupt;
 use crate::command::progress::Meter;
 use crate::failure::Failure;
 use crate::report::image;
 use std::path::Path;
 use std::time::Instant;
 use tribos::record::frames::{Bodies, Frame};
-use tribos::record::{series_csv, write_atomically};
+use tribos::record::{self, write_atomically};
 use tribos::run::{Simulation, drive_watched};
 use tribos::scene::TipScene;
 use tribos::tip::export;
-use tribos::tip::{Outcome, TipError, TipRun, Verdict};
+use tribos::tip::{Outcome, TipError, TipRun, Verdict, size};
 
 pub use picture::{atoms, series};
 
 /// Runs the scene to its end, with checkpoints and frames in the folder.
 pub fn simulate(scene: &TipScene, out: &Path, course: &Course) -> Result<TipRun, Failure> {
     let file = checkpoint(out);
+    let size = size(scene);
+    super::size::check(&size, "atoms", course.allowed)?;
+    if course.progress == Progress::Told {
+        crate::command::tell(format_args!("{}", super::size::told(&size, "atoms")));
+    }
     let mut run = match course.start {
         Start::Fresh => TipRun::new(scene)?,
         Start::Resume => TipRun::resume(scene, &kept(&file)?)?,
@@ -37,10 +43,15 @@ pub fn simulate(scene: &TipScene, out: &Path, course: &Course) -> Result<TipRun,
             );
         }
         film.look(run);
-        if run.series().len() > 1 && saved.elapsed() >= course.pause {
+        let is_due = run.series().len() > 1 && saved.elapsed() >= course.pause;
+        if is_due || interrupt::is_asked() {
             film.save()?;
             write_atomically(&file, run.checkpoint().as_bytes())?;
             saved = Instant::now();
+        }
+        if interrupt::is_asked() {
+            let time = run.time();
+            return Err(course.ended(out, &format!("at time {time:.2}")));
         }
         Ok::<(), Failure>(())
     })?;
@@ -64,8 +75,8 @@ impl Filmed for TipRun {
 pub fn write_series(run: &TipRun, out: &Path) -> Result<(), Failure> {
     let columns = run.columns();
     let names: Vec<&str> = columns.iter().map(String::as_str).collect();
-    let csv = series_csv(&names, run.series().iter().map(Vec::as_slice));
-    Ok(write_atomically(&out.join("series.csv"), csv.as_bytes())?)
+    let rows = run.series().iter().map(Vec::as_slice);
+    Ok(record::write_series(&out.join("series.csv"), &names, rows)?)
 }
 
 /// Writes series, pictures, the first and the last state and at last the summary.
@@ -73,6 +84,9 @@ pub fn write(scene: &TipScene, run: &TipRun, out: &Path) -> Result<(), Failure> 
     let outcome = run.outcome();
     write_series(run, out)?;
     image::write_both(out, "angles", &series(scene, run, &outcome))?;
+    if interrupt::is_asked() {
+        return Err(interrupt::ended(out, "while results were written"));
+    }
     image::write_both(out, "tip", &picture::both_ends(scene, run)?)?;
     let start = export::start(scene).map_err(Failure::input)?;
     write_atomically(&out.join("initial.data"), start.data.as_bytes())?;

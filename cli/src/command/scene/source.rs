@@ -3,7 +3,8 @@
 use crate::command::unknown::unknown;
 use crate::failure::Failure;
 use std::path::Path;
-use tribos::scene::{self, LIBRARY, LibraryScene, Scene, library_scene};
+use tribos::record::read_text;
+use tribos::scene::{self, LIBRARY, LibraryScene, MOST_BYTES, Scene, library_scene};
 
 /// Reads the scene in the file, or that of this name where there is no such file.
 pub fn read(scene: &Path, overrides: &[String]) -> Result<Scene, Failure> {
@@ -29,7 +30,7 @@ pub fn text(scene: &Path) -> Result<String, Failure> {
     if let Some(built_in) = built_in(scene) {
         return Ok(built_in.text.into());
     }
-    std::fs::read_to_string(scene).map_err(|error| {
+    read_text(scene, MOST_BYTES).map_err(|error| {
         let name = scene.display();
         // A bare word that is no file may be a name that is misspelt.
         Failure::input(match scene.to_str() {

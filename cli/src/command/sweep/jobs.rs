@@ -3,14 +3,19 @@
 use super::body::Body;
 use super::progress::Progress;
 use super::refusal;
+use crate::command::interrupt;
 use crate::command::parallel::in_order;
 use crate::command::run::long::forget_checkpoint;
 use crate::failure::Failure;
+use crate::folder::{Lock, Sharing, remove_file, remove_unfinished};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
-use tribos::record::write_atomically;
+use tribos::record::{read_text, write_atomically};
+
+/// Bytes of a summary at most.
+const MOST_BYTES: u64 = 64 << 20;
 
 /// One run.
 #[derive(Debug)]
@@ -59,11 +64,11 @@ pub fn run(tasks: &[&Task], asked: Option<usize>) -> Result<(), Failure> {
     let progress = Progress::start(possible, kept, share.jobs);
     let full = AtomicBool::new(false);
     let results = in_order(missing.len(), share.jobs, |index| {
-        if full.load(Ordering::Relaxed) {
+        if full.load(Ordering::Relaxed) || interrupt::is_asked() {
             return None;
         }
         let result = missing[index].run(share.threads, &progress);
-        if matches!(result, Err(Failure::NoRoom(_))) {
+        if matches!(result, Err(Failure::NoRoom(_) | Failure::Interrupted(_))) {
             full.store(true, Ordering::Relaxed);
         }
         Some(result)
@@ -76,6 +81,11 @@ pub fn run(tasks: &[&Task], asked: Option<usize>) -> Result<(), Failure> {
         }
     }
     let done = format!("{} of {} runs are done.", progress.done(), tasks.len());
+    if interrupt::is_asked() {
+        return Err(Failure::Interrupted(format!(
+            "interrupted; {done} The others go on from where they are with the same command."
+        )));
+    }
     let first = failures.into_iter().next();
     first.map_or(Ok(()), |failure| Err(failure.going_on(&done)))
 }
@@ -103,6 +113,13 @@ impl Task {
             .build()
             .map_err(|error| Failure::run(format!("cannot start a thread: {error}")))?;
         let body = self.body.as_ref().map_err(Failure::input)?;
+        // The same run may be part of another process's share.
+        let _lock = Lock::take(&self.folder, Sharing::Alone)?;
+        remove_unfinished(&self.folder)?;
+        // What another scene of this name left.
+        for name in ["summary.json", "series.csv"] {
+            remove_file(&self.folder.join(name))?;
+        }
         let (summary, told) = pool.install(|| body.run(&self.folder))?;
         write_atomically(&self.file(), format!("{summary:#}\n").as_bytes())?;
         forget_checkpoint(&self.folder)?;
@@ -120,7 +137,7 @@ impl Task {
                 return Some(summary);
             }
         };
-        let text = std::fs::read_to_string(self.file()).ok()?;
+        let text = read_text(&self.file(), MOST_BYTES).ok()?;
         let summary: Value = serde_json::from_str(&text).ok()?;
         (summary["scene"] == body.json()).then_some(summary)
     }

@@ -18,7 +18,9 @@ mod runs;
 mod slurm;
 mod table;
 
+use super::interrupt;
 use crate::failure::Failure;
+use crate::folder::{Contents, Lock, Manifest, OutputFolder, Sharing};
 use grid::Grid;
 use jobs::Task;
 use part::Part;
@@ -58,7 +60,7 @@ pub struct Arguments {
     /// Runs at a time; as many as there are cores if left out. Their threads share the cores.
     #[arg(long, conflicts_with_all = ["merge", "slurm"])]
     jobs: Option<NonZero<usize>>,
-    /// Folder for the results; made if missing, files in it are replaced.
+    /// Folder for the results; made if missing. Results of a run in it go away first.
     #[arg(long, value_name = "DIR", conflicts_with_all = ["plan", "merge"])]
     out: Option<PathBuf>,
     /// Take the sweep that DIR/sweep.json plans, instead of a scene.
@@ -125,6 +127,7 @@ impl Arguments {
     fn take(self) -> Result<(), Failure> {
         if let Some(out) = &self.merge {
             let plan = Plan::read(out)?;
+            let _folder = claim(&plan, out)?;
             return tables(&plan, &plan.tasks(out)?, out);
         }
         let (plan, out) = self.planned()?;
@@ -134,8 +137,12 @@ impl Arguments {
         }
         if self.plan.is_none() {
             guard(&plan, &out)?;
+        }
+        let _held = self.hold(&plan, &out)?;
+        if self.plan.is_none() {
             plan.write(&out)?;
         }
+        interrupt::watch()?;
         let part = self.part.unwrap_or(Part::WHOLE);
         let numbered = tasks.iter().enumerate();
         let mine: Vec<&Task> = numbered
@@ -168,11 +175,26 @@ impl Arguments {
         }
     }
 
+    /// The folder, for a whole sweep alone, for a part together with the others.
+    fn hold(&self, plan: &Plan, out: &Path) -> Result<Held, Failure> {
+        if self.part.is_none() {
+            let _folder = claim(plan, out)?;
+            return Ok(Held::Whole { _folder });
+        }
+        let is_mine = |kept: Manifest| kept.command == "sweep" && kept.about == plan.json();
+        if !Manifest::read(out)?.is_some_and(is_mine) {
+            drop(claim(plan, out)?);
+        }
+        let _lock = Lock::take(out, Sharing::Shared)?;
+        Ok(Held::Part { _lock })
+    }
+
     /// Writes the plan and the job array.
     fn hand_over(&self, plan: &Plan, tasks: &[Task], out: &Path) -> Result<(), Failure> {
         let count = self.slurm_tasks.map(NonZero::get);
         let array = JobArray::new(count, tasks.len(), &self.slurm_option)?;
         guard(plan, out)?;
+        let _folder = claim(plan, out)?;
         plan.write(out)?;
         let script = array.write(out)?;
         super::print(&format!(
@@ -183,6 +205,36 @@ impl Arguments {
             out.display()
         ))
     }
+}
+
+/// The folder of the sweep, for this process alone.
+fn claim(plan: &Plan, out: &Path) -> Result<OutputFolder, Failure> {
+    OutputFolder::go_on(out, &contents(plan))
+}
+
+/// What a sweep leaves beside its runs and its plan, which may have come from another machine.
+fn contents(plan: &Plan) -> Contents<'static> {
+    Contents {
+        command: "sweep",
+        about: plan.json(),
+        files: &[
+            "sweep.csv",
+            "sweep.parquet",
+            "sweep.svg",
+            "sweep.png",
+            "runs.csv",
+            "runs.parquet",
+        ],
+    }
+}
+
+/// What keeps others out of the folder while runs are taken.
+#[derive(Debug)]
+enum Held {
+    /// A whole sweep: nobody else works there.
+    Whole { _folder: OutputFolder },
+    /// A part: other parts may.
+    Part { _lock: Lock },
 }
 
 /// A folder that was handed to a cluster keeps its plan: tasks that wait would take another.

@@ -6,7 +6,10 @@ use super::jobs::Task;
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use tribos::record::write_atomically;
+use tribos::record::{read_text, write_atomically};
+
+/// Bytes of a plan at most.
+const MOST_BYTES: u64 = 64 << 20;
 
 /// Name of the file in a sweep's folder.
 pub const FILE: &str = "sweep.json";
@@ -46,7 +49,7 @@ impl Plan {
     pub fn read(out: &Path) -> Result<Self, Failure> {
         let file = Self::place(out);
         let name = file.display();
-        let text = std::fs::read_to_string(&file).map_err(|error| {
+        let text = read_text(&file, MOST_BYTES).map_err(|error| {
             Failure::input(format!(
                 "no plan of a sweep: {name}: {error}; make one with `tribos sweep SCENE --set … --out DIR`"
             ))
@@ -78,7 +81,8 @@ impl Plan {
         Ok(write_atomically(&Self::place(out), text.as_bytes())?)
     }
 
-    fn json(&self) -> Value {
+    /// The plan as it stands in its file.
+    pub fn json(&self) -> Value {
         let key = |swept: &Swept| json!({"key": swept.key, "values": swept.values});
         let keys: Vec<Value> = self.grid.keys.iter().map(key).collect();
         json!({

@@ -2,17 +2,22 @@
 
 use crate::command::digits::shown;
 use crate::failure::Failure;
+use crate::folder::Manifest;
 pub use crate::report::player::Row;
 use crate::report::player::{Film, PathBody, path_film};
 use serde_json::Value;
 use std::path::Path;
+use tribos::record::read_text;
 use tribos::scene::{Key, vocabulary};
 
 /// Radius of the running band of a curling rock, in m, where the scene leaves it out.
 const BAND: f64 = 0.065;
 
+/// Bytes of a series at most: a million lines have some 200 MB.
+const MOST_BYTES: u64 = 1 << 30;
+
 /// The film of a run.
-pub fn film(folder: &Path, scene: &Value) -> Result<Film, Failure> {
+pub fn film(folder: &Path, scene: &Value, run: &Manifest) -> Result<Film, Failure> {
     let name = scene["body"].as_str().unwrap_or("disk");
     let number = |key: &str| scene[key].as_f64();
     let radius = radius(scene);
@@ -30,7 +35,7 @@ pub fn film(folder: &Path, scene: &Value) -> Result<Film, Failure> {
         inertia: [mass, ratio * mass * radius * radius],
         parameters: parameters(name, scene, is_si),
     };
-    let rows = rows(&folder.join("series.csv"))?;
+    let rows = rows(&folder.join("series.csv"), run)?;
     let title = match name {
         "disk" => "A disk that slides and spins to rest",
         "cylinder" => "A tall cylinder that slides and spins to rest",
@@ -72,11 +77,15 @@ pub fn radius(scene: &Value) -> f64 {
 }
 
 /// Rows of the series; a disk goes straight on.
-pub fn rows(file: &Path) -> Result<Vec<Row>, Failure> {
+pub fn rows(file: &Path, run: &Manifest) -> Result<Vec<Row>, Failure> {
     let named = |error: &dyn std::fmt::Display| {
         Failure::input(format!("{}: {error}; run the scene again", file.display()))
     };
-    let mut reader = csv::Reader::from_path(file).map_err(|error| named(&error))?;
+    let text = read_text(file, MOST_BYTES).map_err(|error| named(&error))?;
+    if !run.is_of("series.csv", text.as_bytes()) {
+        return Err(named(&"not as the run of this folder left it"));
+    }
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
     let head = reader.headers().map_err(|error| named(&error))?.clone();
     let column = |name: &str| head.iter().position(|column| column == name);
     let [time, angle, spin] = ["time", "angle", "spin"].map(column);

@@ -11,12 +11,16 @@ pub use tip::text as tip;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
+use tribos::record::read_text;
 use tribos::scene::Key;
+
+/// Bytes of a summary at most.
+const MOST_BYTES: u64 = 64 << 20;
 
 /// The summary of a finished run of the scene that these keys of `here` describe.
 fn summary(out: &Path, keys: &[Key], here: &Value) -> Result<Value, Failure> {
     let path = out.join("summary.json");
-    let text = std::fs::read_to_string(&path).map_err(|cause| {
+    let text = read_text(&path, MOST_BYTES).map_err(|cause| {
         Failure::input(format!(
             "cannot read {}: {cause}; give the --out of a finished `tribos run`",
             path.display()

@@ -2,13 +2,14 @@
 
 use super::picture;
 use crate::command::digits::shown;
+use crate::command::interrupt;
 use crate::failure::Failure;
 use crate::report::image;
 use std::path::Path;
 use tribos::powder::{COLUMNS, Compaction, Ending, Outcome};
 use tribos::record::{
-    Snapshot, SnapshotError, contacts_vtp, extended_xyz, particles_vtp, series_csv,
-    write_atomically,
+    Snapshot, SnapshotError, contacts_vtp, extended_xyz, particles_vtp, write_atomically,
+    write_series,
 };
 use tribos::scene::PowderScene;
 
@@ -30,14 +31,15 @@ pub fn write(
     out: &Path,
 ) -> Result<(), Failure> {
     let rows = compaction.series().iter();
-    let csv = series_csv(&COLUMNS, rows.map(<[f64; COLUMNS.len()]>::as_slice));
-    write_atomically(&out.join("series.csv"), csv.as_bytes())?;
+    let rows = rows.map(<[f64; COLUMNS.len()]>::as_slice);
+    write_series(&out.join("series.csv"), &COLUMNS, rows)?;
 
     let deposit = compaction.deposit();
     let contacts = deposit.contacts();
     states(&deposit.snapshot(&contacts), "initial", out)?;
     compaction.with_snapshot(|snapshot| states(snapshot, "final", out))?;
 
+    interrupted(out)?;
     image::write_both(
         out,
         "packing",
@@ -52,9 +54,18 @@ pub fn write(
     )?)
 }
 
+/// Ends the command where it was asked to: the run itself is in its checkpoint.
+fn interrupted(out: &Path) -> Result<(), Failure> {
+    if interrupt::is_asked() {
+        return Err(interrupt::ended(out, "while results were written"));
+    }
+    Ok(())
+}
+
 /// A state in all formats.
 fn states(snapshot: &Snapshot<'_>, stem: &str, out: &Path) -> Result<(), Failure> {
     for (ending, export) in EXPORTS {
+        interrupted(out)?;
         let text = export(snapshot).map_err(Failure::run)?;
         write_atomically(&out.join(format!("{stem}{ending}")), text.as_bytes())?;
     }

@@ -1,0 +1,224 @@
+//! Folders for results: each belongs to one command at a time, and its files to one result.
+//!
+//! `tribos.json` in the folder says which command wrote which files, of which scene. A command that
+//! starts there takes away what that file names, and nothing else; files of somebody else are never
+//! replaced. While a command works it holds a lock, which names it to others. Files that a killed
+//! command left half-written are removed by the next one.
+
+mod lock;
+mod manifest;
+
+pub use lock::{Lock, Sharing};
+pub use manifest::Manifest;
+
+use crate::failure::Failure;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use tribos::record::frames::FrameFolder;
+use tribos::record::is_unfinished;
+
+/// What a command is going to leave in its folder.
+#[derive(Clone, Debug)]
+pub struct Contents<'a> {
+    /// Name of the command.
+    pub command: &'static str,
+    /// What it is about: the scene of a run, else null.
+    pub about: Value,
+    /// Names of its files; `#` stands for digits, and a folder of frames ends with `/`.
+    pub files: &'a [&'a str],
+}
+
+impl<'a> Contents<'a> {
+    /// Of a command whose results are not of one scene.
+    pub fn of(command: &'static str, files: &'a [&'a str]) -> Self {
+        Self {
+            command,
+            about: Value::Null,
+            files,
+        }
+    }
+}
+
+/// Commands whose folders hold many results: no other command replaces them.
+const COLLECTIONS: [&str; 2] = ["sweep", "reproduce"];
+
+/// A folder that a command works in. Dropped, it is free again.
+#[derive(Debug)]
+pub struct OutputFolder {
+    path: PathBuf,
+    manifest: Manifest,
+    _lock: Lock,
+}
+
+impl OutputFolder {
+    /// The folder for a new result, made if missing: what an earlier one left is taken away.
+    pub fn begin(path: &Path, contents: &Contents<'_>) -> Result<Self, Failure> {
+        Self::claim(path, contents, |_| false)
+    }
+
+    /// The folder of the same command about the same, whose files stay; or for a new result.
+    pub fn go_on(path: &Path, contents: &Contents<'_>) -> Result<Self, Failure> {
+        Self::claim(path, contents, |old| {
+            old.command == contents.command && old.about == contents.about
+        })
+    }
+
+    fn claim(
+        path: &Path,
+        contents: &Contents<'_>,
+        stays: impl FnOnce(&Manifest) -> bool,
+    ) -> Result<Self, Failure> {
+        let lock = Lock::take(path, Sharing::Alone)?;
+        let old = Manifest::read(path)?;
+        let manifest = Manifest::of(contents);
+        let names = old.as_ref().map_or(&[][..], |old| &old.files);
+        refuse_collections(path, old.as_ref(), contents.command)?;
+        refuse_strangers(path, contents.files, names)?;
+        remove_unfinished(path)?;
+        if !old.as_ref().is_some_and(stays) {
+            // The name of the old result goes first: what is left of it belongs to nobody then, and
+            // is named again by the new one.
+            Manifest {
+                files: [names, &manifest.files].concat(),
+                ..manifest.clone()
+            }
+            .write(path)?;
+            for name in names {
+                remove(path, name)?;
+            }
+        }
+        manifest.write(path)?;
+        Ok(Self {
+            path: path.to_owned(),
+            manifest,
+            _lock: lock,
+        })
+    }
+
+    /// Before the summary: notes the digests of files that others will rely on.
+    pub fn seal(&mut self, names: &[&str]) -> Result<(), Failure> {
+        self.manifest.seal(&self.path, names)?;
+        self.manifest.write(&self.path)
+    }
+}
+
+/// Another command's collection is not replaced.
+fn refuse_collections(path: &Path, old: Option<&Manifest>, new: &str) -> Result<(), Failure> {
+    match old {
+        Some(old) if old.command != new && COLLECTIONS.contains(&old.command.as_str()) => {
+            Err(Failure::input(format!(
+                "{0} holds the results of `tribos {1}`; give another --out, or remove {0}",
+                path.display(),
+                old.command
+            )))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Files that would be replaced though no command of tribos in this folder wrote them.
+fn refuse_strangers(path: &Path, files: &[&str], known: &[String]) -> Result<(), Failure> {
+    for file in files {
+        if known.iter().any(|name| name == file) {
+            continue;
+        }
+        if let Some(there) = matching(path, file)?.into_iter().next() {
+            return Err(Failure::input(format!(
+                "{} is there, and {} does not say that tribos wrote it; move it away, or give \
+                 another --out",
+                there.display(),
+                path.join(manifest::NAME).display()
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Takes away what a name in a manifest stands for.
+fn remove(path: &Path, name: &str) -> Result<(), Failure> {
+    if let Some(folder) = name.strip_suffix('/') {
+        return Ok(FrameFolder::clear(&path.join(folder))?);
+    }
+    for file in matching(path, name)? {
+        remove_file(&file)?;
+    }
+    if let Some((folder, _)) = name.rsplit_once('/') {
+        // It may hold somebody else's files too, or not be there.
+        let _ = std::fs::remove_dir(path.join(folder));
+    }
+    Ok(())
+}
+
+/// Files of a folder that a name stands for.
+fn matching(path: &Path, name: &str) -> Result<Vec<PathBuf>, Failure> {
+    if let Some(folder) = name.strip_suffix('/') {
+        let frames = path.join(folder);
+        let bodies = frames.join("bodies.json");
+        return Ok(if bodies.exists() {
+            vec![bodies]
+        } else {
+            Vec::new()
+        });
+    }
+    let Some((begin, end)) = name.split_once('#') else {
+        let file = path.join(name);
+        let is_there = file.symlink_metadata().is_ok();
+        return Ok(if is_there { vec![file] } else { Vec::new() });
+    };
+    let (path, begin) = match begin.rsplit_once('/') {
+        Some((folder, begin)) => (&path.join(folder), begin),
+        None => (&path.to_owned(), begin),
+    };
+    if !path.is_dir() {
+        return Ok(Vec::new());
+    }
+    let is_meant = |name: &str| {
+        let digits = name
+            .strip_prefix(begin)
+            .and_then(|rest| rest.strip_suffix(end));
+        digits.is_some_and(|digits| {
+            !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+        })
+    };
+    let names = names(path)?.into_iter();
+    Ok(names
+        .filter(|name| is_meant(name))
+        .map(|name| path.join(name))
+        .collect())
+}
+
+/// Removes what killed commands left half-written, here and among the frames.
+pub fn remove_unfinished(path: &Path) -> Result<(), Failure> {
+    for folder in [path.to_owned(), path.join("frames")] {
+        if !folder.is_dir() {
+            continue;
+        }
+        for name in names(&folder)?.iter().filter(|name| is_unfinished(name)) {
+            remove_file(&folder.join(name))?;
+        }
+    }
+    Ok(())
+}
+
+fn names(folder: &Path) -> Result<Vec<String>, Failure> {
+    let fail = |error| Failure::run(format!("cannot read {}: {error}", folder.display()));
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(fail)? {
+        names.extend(entry.map_err(fail)?.file_name().into_string().ok());
+    }
+    Ok(names)
+}
+
+/// Removes a file, if it is there.
+pub fn remove_file(file: &Path) -> Result<(), Failure> {
+    match std::fs::remove_file(file) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(Failure::run(format!(
+            "cannot remove {}: {error}",
+            file.display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests;

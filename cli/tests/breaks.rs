@@ -1,0 +1,314 @@
+//! Runs that are broken off by a signal, or start where another one works.
+
+#![cfg(unix)]
+
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+type Error = Box<dyn std::error::Error>;
+type Outcome = Result<(), Error>;
+
+/// Some twenty spheres, and 748 atoms: a second or two each.
+const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
+                      piston_mass = 100\nrolling = 0.1\ntorsion = 0.1\nsteps = 900\n";
+const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside = 3\n\
+                   substrate_layers = 4\ntip_layers = 4\nequilibration = 0.5\ndrive_time = 1\n\
+                   rest_time = 0.5\nsamples = 5\n";
+/// Breaks of each kind and scene; more by this variable of the environment.
+const BREAKS: (&str, u64) = ("TRIBOS_BREAKS", 3);
+/// A run that does not end meanwhile.
+const LONG: &str = "body = \"powder\"\nwidth = 20\nheight = 61.5\n";
+
+fn tribos(home: &Path, arguments: &str) -> Command {
+    let mut tribos = Command::new(env!("CARGO_BIN_EXE_tribos"));
+    tribos.current_dir(home).args(arguments.split(' '));
+    tribos
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    tribos
+}
+
+fn home() -> Result<tempfile::TempDir, Error> {
+    let home = tempfile::tempdir()?;
+    for (name, text) in [
+        ("powder.toml", POWDER),
+        ("tip.toml", TIP),
+        ("long.toml", LONG),
+    ] {
+        std::fs::write(home.path().join(name), text)?;
+    }
+    Ok(home)
+}
+
+fn signal(child: &Child, name: &str) -> Outcome {
+    let mut kill = Command::new("kill");
+    let status = kill.arg(format!("-{name}")).arg(child.id().to_string());
+    // It may have ended by itself.
+    status.stderr(Stdio::null()).status()?;
+    Ok(())
+}
+
+fn wait_for(what: &str, is_there: impl Fn() -> bool) {
+    let patience = Instant::now();
+    while !is_there() {
+        assert!(patience.elapsed() < Duration::from_secs(60), "{what}");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// All files; times on the clock left out.
+fn files(out: &Path) -> Result<BTreeMap<String, Vec<u8>>, Error> {
+    let mut files = BTreeMap::new();
+    for folder in [out.to_path_buf(), out.join("frames")] {
+        for entry in std::fs::read_dir(folder)? {
+            let path = entry?.path();
+            if path.is_dir() {
+                continue;
+            }
+            let mut bytes = std::fs::read(&path)?;
+            if path.ends_with("summary.json") {
+                let mut summary: Value = serde_json::from_slice(&bytes)?;
+                summary["wall_seconds"] = 0.into();
+                bytes = summary.to_string().into_bytes();
+            }
+            let name = path.strip_prefix(out)?.to_string_lossy().into_owned();
+            files.insert(name, bytes);
+        }
+    }
+    Ok(files)
+}
+
+#[test]
+fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome {
+    let home = home()?;
+    let (variable, usual) = BREAKS;
+    let breaks = std::env::var(variable)
+        .ok()
+        .and_then(|text| text.parse().ok());
+    let mut moment = 12_345_u64;
+    for scene in ["powder", "tip"] {
+        let run = format!("run {scene}.toml --frames 10 --out");
+        let began = Instant::now();
+        let whole = tribos(home.path(), &format!("{run} whole-{scene}")).output()?;
+        assert!(whole.status.success(), "{}", said(&whole));
+        let lasts = began.elapsed().as_millis() as u64;
+        let whole = files(&home.path().join(format!("whole-{scene}")))?;
+        for name in ["INT", "TERM", "KILL"] {
+            let out = format!("{scene}-{name}");
+            let mut broken = 0;
+            let mut resume = "";
+            for _ in 0..breaks.unwrap_or(usual) {
+                let command = format!("{run} {out} --checkpoint 0.05{resume}");
+                let child = tribos(home.path(), &command).spawn()?;
+                moment = moment
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1);
+                std::thread::sleep(Duration::from_millis((moment >> 33) % lasts.max(2)));
+                signal(&child, name)?;
+                let output = child.wait_with_output()?;
+                if output.status.success() {
+                    break;
+                }
+                broken += 1;
+                let said = said(&output);
+                // Before the command watches for signals it dies of them, with nothing done.
+                if name != "KILL" && output.status.code().is_some() {
+                    assert_eq!(output.status.code(), Some(130), "{said}");
+                    assert!(said.contains("interrupted"), "{said}");
+                }
+                if home.path().join(&out).join("tribos.json").exists() {
+                    resume = " --resume";
+                }
+            }
+            if !home.path().join(&out).join("summary.json").exists() {
+                let end = tribos(home.path(), &format!("{run} {out}{resume}")).output()?;
+                assert!(end.status.success(), "{out}: {}", said(&end));
+            }
+            let ours = files(&home.path().join(&out))?;
+            let names =
+                |files: &BTreeMap<String, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
+            assert_eq!(names(&ours), names(&whole), "{out} after {broken} breaks");
+            assert!(ours == whole, "{out} after {broken} breaks");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn the_first_second_is_kept_and_two_runs_do_not_share_a_folder() -> Outcome {
+    let home = home()?;
+    let out = home.path().join("out");
+    let child = tribos(home.path(), "run long.toml --out out").spawn()?;
+    wait_for("the run starts", || out.join("frames/bodies.json").exists());
+    // Another one is told who works there, and changes nothing.
+    let other = tribos(home.path(), "run disk --out out").output()?;
+    assert_eq!(other.status.code(), Some(2));
+    let told = said(&other);
+    let process = format!("process {}", child.id());
+    for words in [
+        &process,
+        "tribos run long.toml --out out",
+        "since 20",
+        "another --out",
+    ] {
+        assert!(told.contains(words), "{words}: {told}");
+    }
+    signal(&child, "INT")?;
+    let output = child.wait_with_output()?;
+    assert_eq!(output.status.code(), Some(130), "{}", said(&output));
+    assert!(
+        said(&output).contains("same command and --resume"),
+        "{}",
+        said(&output)
+    );
+    assert!(
+        said(&output).starts_with("about 450 spheres"),
+        "{}",
+        said(&output)
+    );
+    assert!(out.join("checkpoint.json").exists() && !out.join("summary.json").exists());
+    assert!(out.join("frames/000000000000.frame").exists());
+    assert!(!out.join(".tribos-lock").exists());
+    let view = tribos(home.path(), "view out").output()?;
+    assert!(view.status.success(), "{}", said(&view));
+    // What goes on has the folder again, from where it was.
+    let child = tribos(home.path(), "run long.toml --resume --out out").spawn()?;
+    wait_for("the run goes on", || out.join(".tribos-lock").exists());
+    signal(&child, "KILL")?;
+    child.wait_with_output()?;
+    // A lock that its process did not take away is none.
+    let disk = tribos(home.path(), "run disk --out out").output()?;
+    assert!(disk.status.success(), "{}", said(&disk));
+    assert!(!out.join("frames").exists() && !out.join("checkpoint.json").exists());
+    Ok(())
+}
+
+#[test]
+fn half_written_files_of_killed_runs_go_away() -> Outcome {
+    let home = home()?;
+    let out = home.path().join("out");
+    std::fs::create_dir_all(out.join("frames"))?;
+    for name in [
+        ".tribos-Ab3.tmp",
+        "frames/.tribos-x.tmp",
+        ".tmpMine",
+        "frames/mine",
+    ] {
+        std::fs::write(out.join(name), "half")?;
+    }
+    let run = tribos(home.path(), "run powder.toml --set steps=5 --out out").output()?;
+    assert!(run.status.success(), "{}", said(&run));
+    let there = [
+        ".tribos-Ab3.tmp",
+        "frames/.tribos-x.tmp",
+        ".tmpMine",
+        "frames/mine",
+    ];
+    assert_eq!(
+        there.map(|name| out.join(name).exists()),
+        [false, false, true, true]
+    );
+    Ok(())
+}
+
+#[test]
+fn what_is_too_large_is_refused_at_once_with_its_size() -> Outcome {
+    let home = home()?;
+    let tip = "--set columns=1000 --set rows=1000 --set substrate_layers=100";
+    for (command, words) in [
+        (
+            "run compaction-small --set width=1e6 --out out",
+            "1.1e12 spheres",
+        ),
+        (
+            "run compaction-small --set width=1e6 --allow-large --out out",
+            "20000000 spheres",
+        ),
+        (
+            "run compaction-small --set width=1000 --out out",
+            "without --allow-large",
+        ),
+        (
+            &format!("run tip-reversible {tip} --out out"),
+            "1.0e8 atoms",
+        ),
+        (&format!("explain tip-reversible {tip}"), "1.0e8 atoms"),
+        ("deposit --width 1e6 --cut 61.5 --out out", "1.1e12 spheres"),
+        (
+            "deposit --count 19000000 --out out",
+            "without --allow-large",
+        ),
+        (
+            "deposit --width 1e5 --cut 200 --porosity-curve --out out",
+            "spheres",
+        ),
+        (
+            "sweep compaction-small --set width=1e5,1e6 --out sweep",
+            "spheres",
+        ),
+    ] {
+        let began = Instant::now();
+        let output = tribos(home.path(), command).output()?;
+        assert_eq!(
+            output.status.code(),
+            Some(2),
+            "{command}: {}",
+            said(&output)
+        );
+        assert!(
+            said(&output).contains(words),
+            "{command}: {}",
+            said(&output)
+        );
+        assert!(began.elapsed() < Duration::from_secs(10), "{command}");
+        assert!(!home.path().join("out").exists(), "{command}");
+    }
+    Ok(())
+}
+
+#[test]
+fn endless_and_foreign_inputs_are_refused_at_once() -> Outcome {
+    let home = home()?;
+    for command in [
+        "run /dev/zero --out out",
+        "explain /dev/zero",
+        "scene check /dev/zero",
+        "sweep /dev/zero --set spin=1,2 --out out",
+        "wrench --alpha 0 --twists /dev/zero",
+        "fit --law coulomb /dev/zero",
+        "eval /dev/zero --pair lj:cutoff=2.5 --out out",
+        "golden verify /dev/zero",
+        "golden write /dev/zero --out golden.toml",
+        "export lammps /dev/zero --out out",
+        "run /dev/urandom --out out",
+    ] {
+        let output = tribos(home.path(), command).output()?;
+        assert_eq!(
+            output.status.code(),
+            Some(2),
+            "{command}: {}",
+            said(&output)
+        );
+        let told = said(&output);
+        assert!(told.contains("not a text"), "{command}: {told}");
+    }
+    // A text that is larger than any scene.
+    let large = home.path().join("large.toml");
+    std::fs::write(&large, "# much\n".repeat(3 << 20))?;
+    let output = tribos(home.path(), "run large.toml --out out").output()?;
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        said(&output).contains("larger than 16 MB"),
+        "{}",
+        said(&output)
+    );
+    Ok(())
+}

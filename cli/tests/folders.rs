@@ -1,0 +1,216 @@
+//! Output folders that were used before: what stands there is of one command, or a clear refusal.
+
+use assert_cmd::Command;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+type Error = Box<dyn std::error::Error>;
+type Outcome = Result<(), Error>;
+
+const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nsteps = 20\n";
+const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 8\nrows = 8\nside = 2\n\
+                   substrate_layers = 4\ntip_layers = 4\nequilibration = 0.1\ndrive_time = 0.2\n\
+                   rest_time = 0.1\nsamples = 20\n";
+const ATOMS: &str = "2\nLattice=\"20 0 0 0 20 0 0 0 20\" Properties=species:S:1:pos:R:3\n\
+                     Ar 1 1 1\nAr 2.2 1 1\n";
+const PULLS: &str = "v,f\n0.1,0.30\n0.2,0.31\n0.4,0.29\n0.8,0.30\n1.6,0.31\n";
+
+/// Commands that write into `DIR`, and whether the folder can be played afterwards.
+const WRITERS: [(&str, bool); 9] = [
+    ("run disk --set samples=20 --out DIR", true),
+    ("run cylinder --set samples=20 --out DIR", true),
+    ("run powder.toml --out DIR", true),
+    (
+        "run powder.toml --set sliding=0.5 --frames 0 --out DIR",
+        false,
+    ),
+    ("run tip.toml --out DIR", true),
+    ("deposit --count 20 --out DIR", false),
+    ("eval atoms.xyz --pair lj:cutoff=2.5 --out DIR", false),
+    ("fit --law coulomb pulls.csv --out DIR", false),
+    ("export lammps tip.toml --out DIR", false),
+];
+
+/// The files of a folder with all below it; times on the clock left out.
+fn files(folder: &Path) -> Result<BTreeMap<String, Vec<u8>>, Error> {
+    let mut files = BTreeMap::new();
+    let mut folders = vec![folder.to_path_buf()];
+    while let Some(here) = folders.pop() {
+        for entry in std::fs::read_dir(&here)? {
+            let path = entry?.path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let name = path.strip_prefix(folder)?.to_string_lossy().into_owned();
+            let mut bytes = std::fs::read(&path)?;
+            if name == "summary.json" {
+                let text = String::from_utf8(bytes)?;
+                let kept = text.lines().filter(|line| !line.contains("wall_seconds"));
+                bytes = kept.collect::<String>().into_bytes();
+            }
+            files.insert(name, bytes);
+        }
+    }
+    Ok(files)
+}
+
+fn copy(from: &Path, to: &Path) -> Outcome {
+    std::fs::create_dir_all(to)?;
+    for entry in std::fs::read_dir(from)? {
+        let path = entry?.path();
+        let target = to.join(path.file_name().ok_or("no name")?);
+        if path.is_dir() {
+            copy(&path, &target)?;
+        } else {
+            std::fs::copy(&path, &target)?;
+        }
+    }
+    Ok(())
+}
+
+/// Runs a command in the home folder: exit code and what was said.
+fn tribos(home: &Path, command: &str) -> Result<(Option<i32>, String), Error> {
+    let mut tribos = Command::cargo_bin("tribos")?;
+    let output = tribos.current_dir(home).args(command.split(' ')).output()?;
+    Ok((output.status.code(), String::from_utf8(output.stderr)?))
+}
+
+fn home() -> Result<tempfile::TempDir, Error> {
+    let home = tempfile::tempdir()?;
+    for (name, text) in [
+        ("powder.toml", POWDER),
+        ("tip.toml", TIP),
+        ("atoms.xyz", ATOMS),
+        ("pulls.csv", PULLS),
+    ] {
+        std::fs::write(home.path().join(name), text)?;
+    }
+    Ok(home)
+}
+
+#[test]
+fn every_command_after_every_other_leaves_its_own_files_only() -> Outcome {
+    let home = home()?;
+    let alone = |index: usize| format!("alone-{index}");
+    for (index, (command, _)) in WRITERS.iter().enumerate() {
+        let (code, said) = tribos(home.path(), &command.replace("DIR", &alone(index)))?;
+        assert_eq!(code, Some(0), "{command}: {said}");
+    }
+    let mut mixed = 0;
+    for first in 0..WRITERS.len() {
+        for (second, (command, plays)) in WRITERS.iter().enumerate() {
+            let used = home.path().join("used");
+            copy(&home.path().join(alone(first)), &used)?;
+            let (code, said) = tribos(home.path(), &command.replace("DIR", "used"))?;
+            assert_eq!(code, Some(0), "{command} after {first}: {said}");
+            assert!(
+                files(&used)? == files(&home.path().join(alone(second)))?,
+                "{command} after {}",
+                WRITERS[first].0
+            );
+            // One view a command is enough: the folder is to the byte what it is without the first.
+            if first == 0 {
+                let (code, said) = tribos(home.path(), "view used")?;
+                assert_eq!(code == Some(0), *plays, "view of {command}: {said}");
+            }
+            std::fs::remove_dir_all(&used)?;
+            mixed += 1;
+        }
+    }
+    assert!(mixed > 50);
+    Ok(())
+}
+
+#[test]
+fn sweeps_and_reports_are_not_replaced_and_a_sweep_replaces_a_run() -> Outcome {
+    let home = home()?;
+    let sweep = "sweep disk --set spin=0,5 --set samples=20 --out DIR";
+    let report = "reproduce 2.7 --out DIR";
+    for (collection, out) in [(sweep, "sweep"), (report, "report")] {
+        let (code, said) = tribos(home.path(), &collection.replace("DIR", out))?;
+        assert_eq!(code, Some(0), "{said}");
+        let before = files(&home.path().join(out))?;
+        for (command, _) in WRITERS {
+            let (code, said) = tribos(home.path(), &command.replace("DIR", out))?;
+            assert_eq!(code, Some(2), "{command}: {said}");
+            assert!(said.contains("holds the results of `tribos"), "{said}");
+        }
+        assert!(files(&home.path().join(out))? == before);
+        let (code, said) = tribos(home.path(), &format!("view {out}"))?;
+        assert!(code == Some(2) && said.contains("not a run"), "{said}");
+    }
+    let (code, said) = tribos(home.path(), "run powder.toml --out used")?;
+    assert_eq!(code, Some(0), "{said}");
+    let (code, said) = tribos(home.path(), &sweep.replace("DIR", "used"))?;
+    assert_eq!(code, Some(0), "{said}");
+    assert!(files(&home.path().join("used"))? == files(&home.path().join("sweep"))?);
+    Ok(())
+}
+
+#[test]
+fn a_strangers_file_is_never_replaced() -> Outcome {
+    let home = home()?;
+    for (index, (command, _)) in WRITERS.iter().enumerate() {
+        let out = format!("mine-{index}");
+        let folder = home.path().join(&out);
+        let (code, said) = tribos(home.path(), &command.replace("DIR", &out))?;
+        assert_eq!(code, Some(0), "{said}");
+        std::fs::write(folder.join("notes.txt"), "mine")?;
+        std::fs::remove_file(folder.join("tribos.json"))?;
+        let before = files(&folder)?;
+        let (code, said) = tribos(home.path(), &command.replace("DIR", &out))?;
+        assert_eq!(code, Some(2), "{command}: {said}");
+        assert!(said.contains("does not say that tribos wrote it"), "{said}");
+        assert!(files(&folder)? == before, "{command}");
+    }
+    Ok(())
+}
+
+#[test]
+fn what_was_put_into_a_run_by_hand_is_not_played() -> Outcome {
+    let home = home()?;
+    for (command, out) in [
+        ("run powder.toml", "a"),
+        ("run powder.toml --set pressure=0.03", "b"),
+        ("run disk", "c"),
+        ("run disk --set spin=7", "d"),
+        ("run powder.toml --set steps=40", "longer"),
+    ] {
+        let (code, said) = tribos(home.path(), &format!("{command} --out {out}"))?;
+        assert_eq!(code, Some(0), "{said}");
+    }
+    let swaps = [
+        ("a", "b", "frames/000000000007.frame", "of another run"),
+        ("a", "b", "frames/bodies.json", "of another scene"),
+        ("a", "b", "summary.json", "of another scene"),
+        ("a", "c", "tribos.json", "of another scene"),
+        (
+            "c",
+            "d",
+            "series.csv",
+            "not as the run of this folder left it",
+        ),
+        ("c", "d", "summary.json", "of another scene"),
+    ];
+    for (into, from, file, words) in swaps {
+        let mixed = home.path().join("mixed");
+        copy(&home.path().join(into), &mixed)?;
+        std::fs::copy(home.path().join(from).join(file), mixed.join(file))?;
+        let (code, said) = tribos(home.path(), "view mixed")?;
+        assert_eq!(code, Some(2), "{file}: {said}");
+        assert!(said.contains(words), "{file}: {said}");
+        assert!(!mixed.join("view.html").exists());
+        std::fs::remove_dir_all(&mixed)?;
+    }
+    // A frame that is gone, in the middle or at the end.
+    for (step, words) in [(7, "is missing"), (20, "the run ended with step 20")] {
+        let mixed = home.path().join("mixed");
+        copy(&home.path().join("a"), &mixed)?;
+        std::fs::remove_file(mixed.join(format!("frames/{step:012}.frame")))?;
+        let (code, said) = tribos(home.path(), "view mixed")?;
+        assert!(code == Some(2) && said.contains(words), "{step}: {said}");
+        std::fs::remove_dir_all(&mixed)?;
+    }
+    Ok(())
+}
