@@ -68,7 +68,7 @@ fn begin(scene: &PowderScene, file: &Path, course: &Course) -> Result<Compaction
         if is_told && told.elapsed() >= TOLD {
             told = Instant::now();
             crate::command::tell(format_args!(
-                "deposit: {spheres} spheres of about {:.2e}",
+                "deposit: {spheres} spheres have fallen, about {:.0} will stay below the cut",
                 size.bodies
             ));
         }
