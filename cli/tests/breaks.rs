@@ -283,7 +283,7 @@ fn endless_and_foreign_inputs_are_refused_at_once() -> Outcome {
         "scene check /dev/zero",
         "sweep /dev/zero --set spin=1,2 --out out",
         "wrench --alpha 0 --twists /dev/zero",
-        "fit --law coulomb /dev/zero",
+        "fit --law power /dev/zero",
         "eval /dev/zero --pair lj:cutoff=2.5 --out out",
         "golden verify /dev/zero",
         "golden write /dev/zero --out golden.toml",

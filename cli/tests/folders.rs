@@ -27,7 +27,7 @@ const WRITERS: [(&str, bool); 9] = [
     ("run tip.toml --out DIR", true),
     ("deposit --count 20 --out DIR", false),
     ("eval atoms.xyz --pair lj:cutoff=2.5 --out DIR", false),
-    ("fit --law coulomb pulls.csv --out DIR", false),
+    ("fit --law power pulls.csv --out DIR", false),
     ("export lammps tip.toml --out DIR", false),
 ];
 
@@ -98,16 +98,15 @@ fn every_command_after_every_other_leaves_its_own_files_only() -> Outcome {
         assert_eq!(code, Some(0), "{command}: {said}");
     }
     let mut mixed = 0;
-    for first in 0..WRITERS.len() {
+    for (first, (earlier, _)) in WRITERS.iter().enumerate() {
         for (second, (command, plays)) in WRITERS.iter().enumerate() {
             let used = home.path().join("used");
             copy(&home.path().join(alone(first)), &used)?;
             let (code, said) = tribos(home.path(), &command.replace("DIR", "used"))?;
-            assert_eq!(code, Some(0), "{command} after {first}: {said}");
+            assert_eq!(code, Some(0), "{command} after {earlier}: {said}");
             assert!(
                 files(&used)? == files(&home.path().join(alone(second)))?,
-                "{command} after {}",
-                WRITERS[first].0
+                "{command} after {earlier}"
             );
             // One view a command is enough: the folder is to the byte what it is without the first.
             if first == 0 {

@@ -106,9 +106,9 @@ impl Arguments {
         let ballistic =
             Ballistic::uneven(self.width, radii, self.capture_radius).map_err(Failure::input)?;
         self.check(&ballistic, until)?;
+        let deposit = self.grow(&ballistic, until)?;
         let files = ["summary.json", "deposit.xyz", "deposit.vtp", "contacts.vtp"];
         let _folder = OutputFolder::begin(&self.out, &Contents::of("deposit", &files))?;
-        let deposit = self.grow(&ballistic, until)?;
         let contacts = deposit.contacts();
         let snapshot = deposit.snapshot(&contacts);
         for (name, text) in [
@@ -146,7 +146,9 @@ impl Arguments {
         let grown = ballistic.grow_watched(until, self.seed, |spheres| {
             if last.elapsed() >= Duration::from_secs(1) {
                 last = Instant::now();
-                super::tell(format_args!("{spheres} spheres of about {expected:.2e}"));
+                super::tell(format_args!(
+                    "{spheres} spheres have fallen, about {expected:.0} will stay"
+                ));
             }
             ControlFlow::Continue(())
         });
@@ -193,9 +195,9 @@ impl Arguments {
         // The densest of its deposits.
         let dense = Ballistic::new(self.width, 1.0, 2.0).map_err(Failure::input)?;
         self.check(&dense, until)?;
+        let curve = PorosityCurve::new(self.width, until, self.seed)?;
         let files = ["porosity.csv", "porosity.svg", "porosity.png"];
         let _folder = OutputFolder::begin(&self.out, &Contents::of("deposit", &files))?;
-        let curve = PorosityCurve::new(self.width, until, self.seed)?;
         let rows = curve
             .rows
             .iter()

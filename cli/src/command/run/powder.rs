@@ -67,10 +67,11 @@ fn begin(scene: &PowderScene, file: &Path, course: &Course) -> Result<Compaction
     };
     let mut meter = Meter::new();
     let begun = Compaction::begin(scene, text.as_deref(), |spheres| {
-        let done = spheres as f64 / size.bodies as f64;
-        if is_told && meter.is_due(done) {
-            let words = format_args!("deposit: {spheres} spheres of about {:.2e}", size.bodies);
-            meter.tell(done, words);
+        if is_told && meter.is_due(0.0) {
+            meter.tell_open(format_args!(
+                "deposit: {spheres} spheres have fallen, about {:.0} will stay below the cut",
+                size.bodies
+            ));
         }
         if interrupt::is_asked() {
             ControlFlow::Break(())

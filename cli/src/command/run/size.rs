@@ -31,8 +31,8 @@ impl Allowed {
 pub fn check(size: &RunSize, what: &str, allowed: Allowed) -> Result<(), Failure> {
     if what == "spheres" && size.bodies > 1.5 * MOST_SPHERES as f64 {
         return Err(Failure::input(format!(
-            "{}: more than the {MOST_SPHERES} spheres that a deposit may have; make it lower or \
-             narrower",
+            "{}: more than {MOST_SPHERES} spheres, the most that a deposit may have; make it lower \
+             or narrower",
             told(size, what)
         )));
     }

@@ -178,7 +178,7 @@ impl Arguments {
     /// The folder, for a whole sweep alone, for a part together with the others.
     fn hold(&self, plan: &Plan, out: &Path) -> Result<Held, Failure> {
         if self.part.is_none() {
-            let _folder = claim(plan, out)?;
+            let _folder = Box::new(claim(plan, out)?);
             return Ok(Held::Whole { _folder });
         }
         let is_mine = |kept: Manifest| kept.command == "sweep" && kept.about == plan.json();
@@ -232,7 +232,7 @@ fn contents(plan: &Plan) -> Contents<'static> {
 #[derive(Debug)]
 enum Held {
     /// A whole sweep: nobody else works there.
-    Whole { _folder: OutputFolder },
+    Whole { _folder: Box<OutputFolder> },
     /// A part: other parts may.
     Part { _lock: Lock },
 }
