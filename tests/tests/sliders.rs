@@ -335,3 +335,67 @@ fn impossible_sliders_are_refused() {
         assert!(Slider::new(Coulomb, 1.0, 1.0, bad).is_err());
     }
 }
+
+fn disk_run(keys: &[&str]) -> tribos::slide::Outcome {
+    let text = tribos::scene::vocabulary("disk").unwrap().least_text();
+    let keys: Vec<String> = keys.iter().map(|key| key.to_string()).collect();
+    let scene = tribos::scene::parse_slider("disk.toml", &text, &keys).unwrap();
+    tribos::slide::run(&scene, |_| ()).unwrap().outcome
+}
+
+#[test]
+fn a_fading_run_ends_where_it_has_faded_whatever_the_samples() {
+    for alpha in ["alpha=1", "alpha=1.5", "alpha=3"] {
+        let fine = disk_run(&[alpha, "samples=500"]);
+        for samples in ["samples=1", "samples=20", "samples=200"] {
+            let run = disk_run(&[alpha, samples]);
+            for (got, wanted) in [
+                (run.time, fine.time),
+                (run.distance, fine.distance),
+                (run.angle, fine.angle),
+                (run.ratio, fine.ratio),
+            ] {
+                assert_eq!(got, wanted, "{alpha} {samples}");
+            }
+            assert!(
+                run.energy_error < 1e-12,
+                "{alpha} {samples}: {}",
+                run.energy_error
+            );
+        }
+    }
+    // One speed is at the fraction, the other below.
+    let text = tribos::scene::vocabulary("disk").unwrap().least_text();
+    let keys = ["alpha=3".into(), "stop_fraction=0.01".into()];
+    let scene = tribos::scene::parse_slider("disk.toml", &text, &keys).unwrap();
+    let series = tribos::slide::run(&scene, |_| ()).unwrap().series;
+    let [first, last] = [series.first(), series.last()].map(Option::unwrap);
+    let slower = (last[1] / first[1]).max(last[2] / first[2]);
+    assert!(relative(slower, 0.01) < 1e-10, "{slower}");
+}
+
+#[test]
+fn the_energy_error_judges_the_motion_and_not_the_samples() {
+    for alpha in [
+        "-0.9",
+        "0",
+        "0.9",
+        "0.999",
+        "0.9999",
+        "0.99999",
+        "0.9999999",
+    ] {
+        for samples in ["samples=2", "samples=200"] {
+            let run = disk_run(&[&format!("alpha={alpha}"), samples]);
+            assert!(
+                run.energy_error < 1e-12,
+                "{alpha} {samples}: {}",
+                run.energy_error
+            );
+            let tribos_core::modes::FinalMode::Together { ratio } = run.limit else {
+                panic!("{:?}", run.limit)
+            };
+            assert_eq!(run.ratio, ratio, "{alpha}");
+        }
+    }
+}
