@@ -56,6 +56,8 @@ fn keys_work_before_any_click() -> Outcome {
     );
     browser.press(" ")?;
     browser.wait(&of_player("playing === true"))?;
+    browser.click(".tribos-player .play")?;
+    browser.wait(&of_player("playing === false"))?;
     Ok(())
 }
 
@@ -76,7 +78,8 @@ fn readout_and_legends_of_a_narrow_page_stand_below_the_picture() -> Outcome {
         }
         browser.value(&of_player("step(20)"))?;
         browser.wait(&of_player("waits !== true"))?;
-        browser.screenshot(&format!("phone-{name}.png"))?;
+        let picture = browser.screenshot(&format!("phone-{name}.png"))?;
+        assert_eq!((picture.width, picture.colors() > 50), (PHONE[0], true));
         // Nothing is wider than the page, and all of the legend is below the picture.
         let layout = browser.value(
             "(() => { const box = (name) => document.querySelector(name).getBoundingClientRect(); \
@@ -152,9 +155,10 @@ fn a_sliders_film_has_its_parameters_force_and_torque() -> Outcome {
             "{text}"
         );
     }
+    let first = browser.screenshot("disk-first.png")?;
     browser.value(&of_player("step(100)"))?;
     browser.wait(&of_player("waits !== true"))?;
-    browser.screenshot("disk-arrows.png")?;
+    assert!(browser.screenshot("disk-arrows.png")?.pixels != first.pixels);
     let at: Value = browser.value(&of_player("view.at(100)"))?;
     let number = |key: &str| at[key].as_f64().unwrap_or(f64::NAN);
     // Work and spin: mu m g = 0.2943 N is the most that dry friction can do, and 2/3 R of it.

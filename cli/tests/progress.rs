@@ -7,13 +7,25 @@ type Error = Box<dyn std::error::Error>;
 type Outcome = Result<(), Error>;
 
 /// A tip that takes some seconds.
-const TIP: [&str; 8] = [
+const TIP: [&str; 20] = [
     "run",
     "tip-reversible",
     "--set",
-    "drive_time=60",
+    "columns=12",
     "--set",
-    "rest_time=10",
+    "rows=14",
+    "--set",
+    "side=3",
+    "--set",
+    "substrate_layers=4",
+    "--set",
+    "tip_layers=4",
+    "--set",
+    "equilibration=1",
+    "--set",
+    "drive_time=30",
+    "--set",
+    "rest_time=1",
     "--frames",
     "0",
 ];

@@ -104,7 +104,8 @@ class PlaneView {
     const { meta, camera } = this;
     const here = this.at(frame);
     const [x, y] = [(left + right) / 2, (top + bottom) / 2];
-    const radius = 0.3 * (bottom - top) * camera.zoom;
+    // The velocity at the launch is as long as a diameter and has room on a narrow page too.
+    const radius = Math.min(0.3 * (bottom - top), 0.22 * (right - left)) * camera.zoom;
     const scale = radius / meta.radius;
     pen.save();
     pen.beginPath();

@@ -33,42 +33,20 @@ Examples:
 
 /// bash breaks words at = and : too, so the words are put together again, and of each answer only
 /// what comes after the last break is handed back.
-const BASH: &str = r#"_tribos() {
-    local IFS=$'\013' words=() word glue= last
-    for word in "${COMP_WORDS[@]:0:COMP_CWORD+1}"; do
-        last=$((${#words[@]} - 1))
-        if [[ $last -gt 0 && ( -n $glue || $word == [=:]* ) ]]; then
-            words[last]+=$word
-        else
-            words+=("$word")
-        fi
-        glue=
-        [[ $word == *[=:] ]] && glue=1
-    done
-    last=$((${#words[@]} - 1))
-    COMPREPLY=( $(
-        _CLAP_IFS="$IFS" _CLAP_COMPLETE_INDEX="$last" VARIABLE=bash \
-            "${COMP_WORDS[0]}" -- "${words[@]}" 2>/dev/null
-    ) )
-    local head=${words[last]}
-    if [[ $head == *[=:]* ]]; then
-        word=${head##*[=:]}
-        head=${head%"$word"}
-        COMPREPLY=( "${COMPREPLY[@]#"$head"}" )
-    fi
-    if [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == *[=:/] ]]; then
-        compopt -o nospace 2>/dev/null
-    fi
-    return 0
-}
-complete -o bashdefault -F _tribos tribos
-"#;
+const BASH: &str = include_str!("../../assets/completion/tribos.bash");
+/// zsh gets no blank after an answer that goes on: a key, a law with parameters, a folder.
+const ZSH: &str = include_str!("../../assets/completion/tribos.zsh");
 
 impl Arguments {
     /// Prints.
     pub fn execute(self) -> Result<(), Failure> {
-        if self.shell == Shell::Bash {
-            return super::print(&BASH.replace("VARIABLE", VARIABLE));
+        let own = match self.shell {
+            Shell::Bash => Some(BASH),
+            Shell::Zsh => Some(ZSH),
+            _ => None,
+        };
+        if let Some(script) = own {
+            return super::print(&script.replace("VARIABLE", VARIABLE));
         }
         let name = self.shell.to_possible_value();
         let name = name.as_ref().map_or("", |value| value.get_name());

@@ -37,7 +37,7 @@ pub fn text(scene: &Path) -> Result<String, Failure> {
             Some(word) if is_word(scene) => {
                 unknown(&format!("no file and no scene `{word}`"), word, all())
             }
-            _ => format!("cannot read {name}: {error}"),
+            _ => format!("cannot read the scene {name}: {error}"),
         })
     })
 }

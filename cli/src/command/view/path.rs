@@ -51,19 +51,21 @@ pub fn film(folder: &Path, scene: &Value, run: &Manifest) -> Result<Film, Failur
 /// Every key of the body with its value: "speed 1 m/s, spin 5 rad/s, …".
 fn parameters(body: &str, scene: &Value, is_si: bool) -> String {
     /// What says how a run is recorded, not what runs.
-    const RECORDING: [&str; 3] = ["body", "samples", "stop_fraction"];
+    const RECORDING: [&str; 4] = ["body", "units", "samples", "stop_fraction"];
     let keys = vocabulary(body).map_or(&[][..], |known| known.keys);
     let told = keys.iter().filter(|key| !RECORDING.contains(&key.name));
+    let is_plain = scene["alpha"].as_f64() == Some(0.0);
     let part = |key: &Key| {
         let value = match &scene[key.name] {
             Value::Number(number) => shown(number.as_f64()?),
             Value::String(word) => word.clone(),
             _ => return None,
         };
-        let unit = if is_si && key.unit != "-" {
-            key.unit
-        } else {
-            ""
+        let unit = match key.unit {
+            "-" => "",
+            // Without a power of the speed it is a pure number.
+            unit if !is_si || (is_plain && unit.contains("alpha")) => "",
+            unit => unit,
         };
         Some(format!("{} {value} {unit}", key.name).trim_end().to_owned())
     };
