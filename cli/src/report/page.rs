@@ -34,7 +34,8 @@ td.number{text-align:right;font-variant-numeric:tabular-nums}
 tfoot td{font-weight:600}
 nav th,nav td{padding:.25rem .5rem}nav td:first-child{min-width:19rem}
 .agrees{color:var(--good)}.differs{color:var(--bad)}.unchecked{color:var(--open)}.own{color:var(--link)}
-.place,.none{color:var(--soft)}.place{font-size:.9em;white-space:nowrap}
+.place,.none{color:var(--soft)}.place{font-size:.9em}
+section td:first-child{min-width:14rem}
 .lead{font-size:1.15rem}
 code{font-size:.92em}
 .verdict{font-weight:600}

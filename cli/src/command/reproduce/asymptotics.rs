@@ -3,6 +3,7 @@
 use super::exhibit::{Exhibit, at, geometric, table};
 use crate::failure::Failure;
 use crate::report::claim::Claim;
+use crate::report::digits::short;
 use crate::report::figure::{Axis, Figure, Legend, Panels, Series};
 use crate::report::verdict::Allowance;
 
@@ -84,10 +85,14 @@ pub fn table_3_1() -> Result<Exhibit, Failure> {
 fn torque_claims(alpha: f64, [_, slow, _, fast]: [f64; 4]) -> Vec<Claim> {
     let formulas = [2.0 / (3.0 + alpha), (1.0 + alpha) / 4.0];
     let rows = [
-        ("ε ≪ 1: T", format!("2/(3+α) = {:.6}", formulas[0]), slow),
+        (
+            "ε ≪ 1: T",
+            format!("2/(3+α) = {}", short(formulas[0])),
+            slow,
+        ),
         (
             "ε ≫ 1: T/ε^(α−1)",
-            format!("(1+α)/4 = {:.6}", formulas[1]),
+            format!("(1+α)/4 = {}", short(formulas[1])),
             fast,
         ),
     ];
