@@ -789,9 +789,6 @@ typedef struct tribos_thresholds_f32 {
   float torsion;
 } tribos_thresholds_f32;
 
-// All of them.
-#define tribos_status_ALL { tribos_status_Ok, tribos_status_NullPointer, tribos_status_Count, tribos_status_Choice, tribos_status_NotBuilt, tribos_status_Coefficient, tribos_status_Exponent, tribos_status_NotPositive, tribos_status_Negative, tribos_status_NotAFraction, tribos_status_Order, tribos_status_NoMinimum, tribos_status_Radius, tribos_status_PressureOrder, tribos_status_InnerRatio, tribos_status_NodePosition, tribos_status_NodeWeight, tribos_status_Unloaded, tribos_status_Full, tribos_status_FeetInLine, tribos_status_Tips, tribos_status_Corners, tribos_status_Hidden, tribos_status_Divisions, tribos_status_Rings, tribos_status_RimExponent, tribos_status_ForceLimit, tribos_status_SpinTorque, tribos_status_Deceleration, tribos_status_Inertia, tribos_status_NoRest, tribos_status_NoNormal, tribos_status_NotFinite, tribos_status_TimeStep, }
-
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus

@@ -88,43 +88,45 @@ pub enum tribos_status {
 }
 
 impl tribos_status {
-    /// All of them.
-    pub const ALL: [Self; 34] = [
-        Self::Ok,
-        Self::NullPointer,
-        Self::Count,
-        Self::Choice,
-        Self::NotBuilt,
-        Self::Coefficient,
-        Self::Exponent,
-        Self::NotPositive,
-        Self::Negative,
-        Self::NotAFraction,
-        Self::Order,
-        Self::NoMinimum,
-        Self::Radius,
-        Self::PressureOrder,
-        Self::InnerRatio,
-        Self::NodePosition,
-        Self::NodeWeight,
-        Self::Unloaded,
-        Self::Full,
-        Self::FeetInLine,
-        Self::Tips,
-        Self::Corners,
-        Self::Hidden,
-        Self::Divisions,
-        Self::Rings,
-        Self::RimExponent,
-        Self::ForceLimit,
-        Self::SpinTorque,
-        Self::Deceleration,
-        Self::Inertia,
-        Self::NoRest,
-        Self::NoNormal,
-        Self::NotFinite,
-        Self::TimeStep,
-    ];
+    /// All of them; C has each by its name.
+    pub const fn all() -> [Self; 34] {
+        [
+            Self::Ok,
+            Self::NullPointer,
+            Self::Count,
+            Self::Choice,
+            Self::NotBuilt,
+            Self::Coefficient,
+            Self::Exponent,
+            Self::NotPositive,
+            Self::Negative,
+            Self::NotAFraction,
+            Self::Order,
+            Self::NoMinimum,
+            Self::Radius,
+            Self::PressureOrder,
+            Self::InnerRatio,
+            Self::NodePosition,
+            Self::NodeWeight,
+            Self::Unloaded,
+            Self::Full,
+            Self::FeetInLine,
+            Self::Tips,
+            Self::Corners,
+            Self::Hidden,
+            Self::Divisions,
+            Self::Rings,
+            Self::RimExponent,
+            Self::ForceLimit,
+            Self::SpinTorque,
+            Self::Deceleration,
+            Self::Inertia,
+            Self::NoRest,
+            Self::NoNormal,
+            Self::NotFinite,
+            Self::TimeStep,
+        ]
+    }
 
     fn text(self) -> &'static CStr {
         match self {
@@ -171,7 +173,9 @@ impl tribos_status {
 /// *Special values*: a number that is no status gives "no such status".
 #[unsafe(no_mangle)]
 pub extern "C" fn tribos_status_text(status: i32) -> *const c_char {
-    let known = tribos_status::ALL.iter().find(|s| **s as i32 == status);
+    let known = tribos_status::all()
+        .into_iter()
+        .find(|s| *s as i32 == status);
     known.map_or(c"no such status", |s| s.text()).as_ptr()
 }
 

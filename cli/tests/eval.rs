@@ -217,6 +217,16 @@ fn atoms_in_one_place_are_named() -> Outcome {
 }
 
 #[test]
+fn coordinates_that_tell_no_distances_are_named() -> Outcome {
+    for place in ["1e300 1 1", "5 -1e17 5"] {
+        let said = refused(&xyz(CUBE, &format!("Aa {place} 35")), &PAIR)?;
+        assert!(said.contains("atom 35 has the coordinate"), "{said}");
+        assert!(said.contains("cut-off of 2.5"), "{said}");
+    }
+    Ok(())
+}
+
+#[test]
 fn what_cannot_be_served_is_refused() -> Outcome {
     let (setfl, funcfl) = (table("synthetic.eam.alloy"), table("synthetic.eam"));
     let text = xyz(CUBE, "Aa 5 5 5 35");

@@ -162,3 +162,36 @@ fn after_a_tips_run_it_tells_its_work_and_how_long_a_drive_would_do() -> Outcome
     );
     Ok(())
 }
+
+#[test]
+fn the_reading_of_a_tips_drive_is_told_with_the_force_that_it_means() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let force = |reading: &str| -> Result<f64, Box<dyn std::error::Error>> {
+        let reading = format!("reading={reading}");
+        let small = ["--set", "substrate_layers=4", "--set", "tip_layers=4"];
+        let asked = [
+            &["explain", "tip-reversible", "--set", &reading],
+            &small[..],
+        ]
+        .concat();
+        let (code, told, said) = tribos(folder.path(), &asked)?;
+        assert_eq!(code, 0, "{said}");
+        let (_, rest) = told.split_once("up to ").ok_or("no force")?;
+        Ok(rest.split(' ').next().ok_or("no number")?.parse()?)
+    };
+    let [angular, mean, largest] = [force("angular")?, force("mean")?, force("largest")?];
+    // The outermost atom stands farthest out: lambda itself acts on it under `largest`.
+    assert!(
+        largest < mean && mean < angular,
+        "{angular} {mean} {largest}"
+    );
+    assert!((1.2..3.0).contains(&(mean / largest)) && angular / largest > 3.0);
+    // A key that is given twice would lose one of its values.
+    let twice = ["explain", "disk", "--set", "spin=1", "--set", "spin=2"];
+    let (code, _, said) = tribos(folder.path(), &twice)?;
+    assert!(
+        code == 2 && said.contains("`spin` is given twice"),
+        "{said}"
+    );
+    Ok(())
+}

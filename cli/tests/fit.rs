@@ -229,6 +229,30 @@ fn bad_measurements_are_refused_with_their_line_and_cure() -> Outcome {
             &["--fix", "alpha"],
             "NAME=VALUE",
         ),
+        (
+            "power",
+            "v,f,f\n1,1,2\n",
+            &[],
+            "m.csv:1: column `f` is there twice",
+        ),
+        (
+            "power",
+            "v,f\n1,1\n2,1\n3,1\n",
+            &["--fix", "alpha=0", "--fix", "alpha=1"],
+            "`alpha` is given twice",
+        ),
+        (
+            "power",
+            "v,f\n1,1\n2,1\n3,1\n",
+            &["--load", "1e300"],
+            "in another unit",
+        ),
+        (
+            "power",
+            "v,f\n1,1\n",
+            &["--starts", "1000000000"],
+            "from 1 to 10000",
+        ),
         ("power", "v,f\n1,1\n", &["--load", "0"], "> 0"),
         ("coulomb", "v,f\n1,1\n", &[], "stribeck"),
     ] {
@@ -246,6 +270,36 @@ fn bad_measurements_are_refused_with_their_line_and_cure() -> Outcome {
         assert_eq!(code, 2, "{text}: {said}");
         assert!(said.contains(words), "{words} not in {said}");
         assert!(!out.exists());
+    }
+    Ok(())
+}
+
+#[test]
+fn forces_of_any_unit_are_fitted() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let path = folder.path().join("m.csv");
+    let out = folder.path().join("out");
+    for (unit, load) in [(1e-150, "1"), (1e200, "1"), (1.0, "1e160")] {
+        let row = |k: u32| {
+            let speed = 0.1 * f64::from(k);
+            let friction = unit * 0.3 * speed.sqrt() * (1.0 + 0.01 * f64::from(k % 3));
+            format!("{speed},{friction:e}\n")
+        };
+        let rows: String = (1..=20).map(row).collect();
+        std::fs::write(&path, format!("v,f\n{rows}"))?;
+        let name = path.to_str().ok_or("no text")?;
+        let folder = out.to_str().ok_or("no text")?;
+        let (code, told, said) = fit(&["--law", "power", name, "--load", load, "--out", folder])?;
+        assert_eq!(code, 0, "{said}");
+        assert!(
+            !said.contains("panicked") && told.contains("16 of 16"),
+            "{told}"
+        );
+        let [alpha, error] = parameter(&out, "alpha")?;
+        assert!(
+            (alpha - 0.5).abs() < 0.02 && error < 0.02,
+            "{alpha} ± {error}"
+        );
     }
     Ok(())
 }

@@ -155,3 +155,52 @@ fn the_reach_is_drawn() -> Outcome {
     assert!(svg.contains("distance in m") && svg.contains("launches to the target"));
     Ok(())
 }
+
+#[test]
+fn many_launches_are_counted_and_only_the_first_worked_out() -> Outcome {
+    let limits = ["--max-speed", "3", "--max-spin", "162"];
+    let base: [&[&str]; 3] = [&PUCK, &limits, &TARGET];
+    let more: &[&str] = &["--symmetry", "4", "--most", "5", "--format", "csv"];
+    let (code, csv, said) = tribos(&[&base[..], &[more]].concat())?;
+    assert_eq!(code, Some(0), "{said}");
+    assert_eq!(csv.lines().count(), 6);
+    assert!(
+        said.contains("launches lead there; the 5 with the fewest turns"),
+        "{said}"
+    );
+    let count: u64 = said
+        .split(' ')
+        .nth(1)
+        .and_then(|word| word.parse().ok())
+        .ok_or("no number")?;
+    assert!(count > 1000, "{said}");
+    Ok(())
+}
+
+#[test]
+fn an_angle_without_a_unit_is_read_aloud() -> Outcome {
+    let at = ["--x", "1.2", "--y", "0.3", "--angle"];
+    let with = |angle| tribos(&[&PUCK, &LIMITS, &at, &[angle]]);
+    let (code, told, said) = with("90")?;
+    assert_eq!(code, Some(0));
+    assert!(
+        said.contains("read in radians") && said.contains("90deg"),
+        "{said}"
+    );
+    assert!(
+        told.contains("angle 90.000000 rad (5156.6202 deg)"),
+        "{told}"
+    );
+    for angle in ["90deg", "90rad", "1.5"] {
+        assert_eq!(with(angle)?.2, "", "{angle}");
+    }
+    // What is out of reach by little says so with enough digits.
+    let at = [
+        "--x", "1e-300", "--y", "0", "--angle", "0", "--turns", "exact",
+    ];
+    let limits = ["--max-speed", "0", "--max-spin", "40"];
+    let (code, _, said) = tribos(&[&PUCK, &limits, &at])?;
+    assert_eq!(code, Some(2));
+    assert!(said.contains("takes 2.426108e-150 m/s"), "{said}");
+    Ok(())
+}

@@ -277,3 +277,115 @@ fn impossible_shares_are_refused() -> Outcome {
     }
     Ok(())
 }
+
+/// Heads of a table.
+fn heads(file: &Path) -> Result<Vec<String>, Error> {
+    let text = std::fs::read_to_string(file)?;
+    let first = text.lines().next().unwrap_or_default();
+    Ok(first.split(',').map(str::to_owned).collect())
+}
+
+#[test]
+fn a_key_with_the_name_of_a_result_has_a_column_of_its_own() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    std::fs::write(folder.path().join("tiny.toml"), TINY)?;
+    let mut command = sweep(folder.path())?;
+    command.args(["tiny.toml", "--set", "steps=100,200", "--out", "out"]);
+    succeed(command)?;
+    for table in ["sweep.csv", "runs.csv"] {
+        let heads = heads(&folder.path().join("out").join(table))?;
+        for (at, head) in heads.iter().enumerate() {
+            assert!(!heads[..at].contains(head), "{table}: {head} twice");
+        }
+        let both = ["steps", "steps_result"].map(|name| heads.iter().any(|head| head == name));
+        assert_eq!(both, [true; 2], "{table}: {heads:?}");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_refused_combination_has_its_row_and_the_others_run() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let keys = ["--set", "spin=0,5,20", "--set", "height=0.16,0.5,1.0"];
+    let mut command = sweep(folder.path())?;
+    command.arg("cylinder").args(keys).args(["--out", "whole"]);
+    let [told, said] = succeed(command)?;
+    assert!(said.contains("of 9 runs were refused"), "{said}");
+    assert!(told.contains("refused: the body tips"), "{told}");
+    let runs = std::fs::read_to_string(folder.path().join("whole/runs.csv"))?;
+    assert_eq!(runs.lines().count(), 10);
+    let tipped = runs.lines().filter(|line| line.contains("the body tips"));
+    let tipped = tipped.count();
+    assert!((1..9).contains(&tipped), "{tipped}");
+    let table = heads(&folder.path().join("whole/sweep.csv"))?;
+    assert!(
+        ["refused", "refusal"]
+            .iter()
+            .all(|name| table.iter().any(|head| head == name))
+    );
+
+    // In parts, and merged: the same.
+    for part in ["0/2", "1/2"] {
+        let mut command = sweep(folder.path())?;
+        command.arg("cylinder").args(keys);
+        command.args(["--out", "parts", "--part", part]);
+        succeed(command)?;
+    }
+    let mut merge = sweep(folder.path())?;
+    merge.args(["--merge", "parts"]);
+    succeed(merge)?;
+    for name in ["sweep.csv", "runs.csv"] {
+        let [whole, parts] =
+            ["whole", "parts"].map(|out| std::fs::read(folder.path().join(out).join(name)));
+        assert!(whole? == parts?, "{name}");
+    }
+
+    // A value that nothing takes is bad input: nothing runs.
+    let mut command = sweep(folder.path())?;
+    let output = command
+        .args([
+            "cylinder",
+            "--set",
+            "spin=0,5",
+            "--set",
+            "height=0.16,-1",
+            "--out",
+            "none",
+        ])
+        .output()?;
+    let [_, said] = texts(&output)?;
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(
+        said.contains("height") && !folder.path().join("none").exists(),
+        "{said}"
+    );
+    // All refused: their rows, and the exit code of bad input.
+    let mut command = sweep(folder.path())?;
+    let output = command
+        .args(["cylinder", "--set", "height=1:2:1", "--out", "all"])
+        .output()?;
+    assert_eq!(output.status.code(), Some(2));
+    assert!(folder.path().join("all/runs.csv").exists());
+    Ok(())
+}
+
+#[test]
+fn a_range_stands_for_its_values() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    for (values, out) in [("spin=0:20:10,50", "range"), ("spin=0,10,20,50", "list")] {
+        let mut command = sweep(folder.path())?;
+        command.args(["disk", "--set", values, "--out", out]);
+        succeed(command)?;
+    }
+    let [range, list] =
+        ["range", "list"].map(|out| std::fs::read(folder.path().join(out).join("runs.csv")));
+    assert_eq!(range?, list?);
+    let mut command = sweep(folder.path())?;
+    let output = command
+        .args(["disk", "--set", "spin=0:20", "--out", "bad"])
+        .output()?;
+    let [_, said] = texts(&output)?;
+    assert_eq!(output.status.code(), Some(2));
+    assert!(said.contains("FROM:TO:STEP"), "{said}");
+    Ok(())
+}

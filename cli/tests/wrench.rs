@@ -115,3 +115,64 @@ fn a_large_exponent_is_served_without_tables() -> Outcome {
     );
     Ok(())
 }
+
+#[test]
+fn the_rows_of_a_file_are_those_of_single_twists_in_every_format() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let twists = folder.path().join("twists.csv");
+    std::fs::write(&twists, "\u{feff}speed,spin\r\n1,2\r\n\r\n\"0.5\", 3\r\n")?;
+    let file = twists.display().to_string();
+    let one = |speed, spin, format| {
+        tribos(&[
+            "wrench", "--speed", speed, "--spin", spin, "--format", format,
+        ])
+    };
+    let all = |format| tribos(&["wrench", "--twists", &file, "--format", format]);
+    let json: serde_json::Value = serde_json::from_str(&all("json")?)?;
+    let rows = [("1", "2"), ("0.5", "3")];
+    for (at, (speed, spin)) in rows.into_iter().enumerate() {
+        let single: serde_json::Value = serde_json::from_str(&one(speed, spin, "json")?)?;
+        assert_eq!(json[at], single);
+        let csv = one(speed, spin, "csv")?;
+        assert_eq!(csv.lines().nth(1), all("csv")?.lines().nth(at + 1));
+    }
+    let text = [one("1", "2", "text")?, one("0.5", "3", "text")?].join("\n");
+    assert!(all("text")?.ends_with(&text));
+    Ok(())
+}
+
+/// 60 MB of addresses, program and all: a table of as many twists in memory takes more than 100.
+#[cfg(target_os = "linux")]
+#[test]
+fn many_twists_take_no_more_memory_than_few() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let twists = folder.path().join("twists.csv");
+    let rows: String = (0..300_000).map(|k| format!("{}e-5,1\n", k)).collect();
+    std::fs::write(&twists, format!("speed,spin\n{rows}"))?;
+    let output = std::process::Command::new("sh")
+        .arg("-c")
+        .arg("ulimit -v 60000; exec \"$0\" wrench --twists \"$1\" --jacobian --output \"$2\"")
+        .arg(env!("CARGO_BIN_EXE_tribos"))
+        .args([&twists, &folder.path().join("out.csv")])
+        .output()?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    let written = std::fs::read_to_string(folder.path().join("out.csv"))?;
+    assert_eq!(written.lines().count(), 300_001);
+    // A bad row at the end leaves what was written before.
+    std::fs::write(&twists, format!("speed,spin\n{rows}1,x\n"))?;
+    let refused = Command::cargo_bin("tribos")?
+        .args(["wrench", "--twists"])
+        .arg(&twists)
+        .arg("--output")
+        .arg(folder.path().join("out.csv"))
+        .output()?;
+    let said = String::from_utf8(refused.stderr)?;
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(said.contains("twists.csv:300002: spin is `x`"), "{said}");
+    assert_eq!(
+        std::fs::read_to_string(folder.path().join("out.csv"))?,
+        written
+    );
+    Ok(())
+}

@@ -15,6 +15,9 @@ pub struct Arguments {
     out: PathBuf,
 }
 
+/// Date of the pages: that of the version, so that the same version writes the same bytes.
+const DATE: &str = "2026-11";
+
 const EXAMPLES: &str = "\
 Examples:
   tribos man --out man1
@@ -37,9 +40,12 @@ impl Arguments {
 
 /// The page of a command and those of its subcommands: how many.
 fn pages(command: &Command, out: &Path) -> Result<usize, Failure> {
-    let man = Man::new(command.clone()).source(concat!("tribos ", env!("CARGO_PKG_VERSION")));
+    let man = Man::new(command.clone())
+        .date(DATE)
+        .source(concat!("tribos ", env!("CARGO_PKG_VERSION")));
     let file = out.join(man.get_filename());
-    write_atomically(&file, &page(command, &man).map_err(Failure::run)?)?;
+    let page = page(command, &man).map_err(Failure::run)?;
+    write_atomically(&file, spaced_once(&page).as_bytes())?;
     let mut count = 1;
     for sub in command.get_subcommands() {
         count += pages(sub, out)?;
@@ -65,6 +71,20 @@ fn page(command: &Command, man: &Man) -> std::io::Result<Vec<u8>> {
     Ok(page)
 }
 
+/// The page without line breaks next to an empty line, which ends the line as well.
+fn spaced_once(page: &[u8]) -> String {
+    let text = String::from_utf8_lossy(page);
+    let lines: Vec<&str> = text.lines().collect();
+    let is_space = |at: Option<usize>| {
+        let line = at.and_then(|at| lines.get(at));
+        line.is_some_and(|line| line.starts_with(".sp"))
+    };
+    let kept = lines.iter().enumerate().filter(|(at, line)| {
+        **line != ".br" || !(is_space(at.checked_sub(1)) || is_space(at.checked_add(1)))
+    });
+    kept.map(|(_, line)| format!("{line}\n")).collect()
+}
+
 /// A section of lines that are not filled; a line "Examples:" heads it.
 fn verbatim(text: &str) -> String {
     let body = text.strip_prefix("Examples:\n").unwrap_or(text);
@@ -83,7 +103,13 @@ fn verbatim(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::verbatim;
+    use super::{spaced_once, verbatim};
+
+    #[test]
+    fn an_empty_line_needs_no_line_break() {
+        let page = spaced_once(b"a\n.br\nb\n.br\n.sp\nc\n.sp 1\n.br\nd\n");
+        assert_eq!(page, "a\n.br\nb\n.sp\nc\n.sp 1\nd\n");
+    }
 
     #[test]
     fn examples_stand_as_they_are() {

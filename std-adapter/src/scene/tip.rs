@@ -190,6 +190,7 @@ impl TipScene {
         let samples = take.or(SAMPLES, SAMPLE_STEPS) as u64;
         check_fit(&mut take, &shape, cutoff, skin);
         check_steps(&mut take, stages, time_step);
+        check_bath(&mut take, bath, time_step);
         take.reader.finish(Self {
             shape,
             lambda,
@@ -295,6 +296,19 @@ fn check_fit(take: &mut Taker, shape: &Shape, cutoff: f64, skin: f64) {
             );
             take.reader.object(key.name, message);
         }
+    }
+}
+
+/// A thermostat cannot relax within a step: its unknown would swing faster than it is followed.
+fn check_bath(take: &mut Taker, bath: Bath, time_step: f64) {
+    if let Bath::NoseHoover { relaxation, .. } = bath
+        && relaxation < time_step
+    {
+        let message = format!(
+            "`{}` is {relaxation:e}, less than a `time_step` of {time_step}; give at least that",
+            RELAXATION.name
+        );
+        take.reader.object(RELAXATION.name, message);
     }
 }
 

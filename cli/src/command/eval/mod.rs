@@ -139,6 +139,7 @@ fn forces(
     let law = potential.law();
     let space = all.space().map_err(Failure::input)?;
     let cutoff = law.cutoff();
+    within_reach(all, cutoff)?;
     let mut list = VerletList::new(space, cutoff, SKIN * cutoff).map_err(Failure::input)?;
     let mut forces = Vec::new();
     let tally = evaluate(law, &mut list, &all.atoms, &mut forces, Wanted::Sums);
@@ -151,6 +152,22 @@ fn forces(
     } else {
         Err(overlap::failure(&mut list, &all.ids))
     }
+}
+
+/// Refuses coordinates so large that the numbers next to them lie too far apart for the cut-off.
+fn within_reach(all: &Configuration, cutoff: f64) -> Result<(), Failure> {
+    /// Distance of neighbouring numbers, in cut-offs, from which distances are lost.
+    const GRAIN: f64 = 1e-3;
+    let farthest = GRAIN * cutoff / f64::EPSILON;
+    for (id, place) in all.ids.iter().zip(&all.atoms.positions) {
+        if let Some(x) = place.iter().find(|x| x.abs() > farthest) {
+            return Err(Failure::input(format!(
+                "atom {id} has the coordinate {x:e}: numbers of that size lie too far apart to tell \
+                 distances within the cut-off of {cutoff}; give coordinates up to {farthest:.0e}"
+            )));
+        }
+    }
+    Ok(())
 }
 
 fn text(path: &Path) -> Result<String, Failure> {

@@ -18,7 +18,7 @@ pub fn failure(list: &mut VerletList, ids: &[u64]) -> Failure {
                 let ends = [here, other as usize].map(|site| sites[site].place);
                 let way: [f64; 3] = std::array::from_fn(|axis| ends[0][axis] - ends[1][axis]);
                 let distance = way.iter().map(|x| x * x).sum::<f64>().sqrt();
-                if nearest.is_none_or(|(least, _)| distance < least) {
+                if distance.is_finite() && nearest.is_none_or(|(least, _)| distance < least) {
                     nearest = Some((distance, [atoms[here], atom]));
                 }
             }

@@ -5,7 +5,7 @@ use crate::command::run::size::{Allowed, check};
 use crate::failure::Failure;
 use tribos::md::pair::Shift;
 use tribos::md::system::Integrator;
-use tribos::scene::{Bath, Lift, TipScene};
+use tribos::scene::{Bath, Lift, Reading, TipScene};
 use tribos::tip::{Part, cost, size};
 
 /// The whole account.
@@ -96,10 +96,37 @@ fn driven(scene: &TipScene) -> String {
         Lift::Fixed => "height of each atom fixed".to_owned(),
         Lift::Loaded(force) => format!("one common height under {} eps/sigma an atom", -force),
     };
+    // The reading says what lambda is, and with it the force on an atom.
+    let [mean, largest] = levers(scene);
+    let length = match scene.reading {
+        Reading::Angular => 1.0,
+        Reading::Mean => mean,
+        Reading::Largest => largest,
+    };
+    let reading = match scene.reading {
+        Reading::Angular => "angular acceleration lambda".to_owned(),
+        Reading::Mean => format!("lambda over the mean lever of {length:.4} sigma"),
+        Reading::Largest => format!("lambda over the largest lever of {length:.4} sigma"),
+    };
     format!(
-        "lambda {} eps/sigma^2, damping {} / tau, {lift}",
-        scene.lambda, scene.damping
+        "lambda {} eps/sigma^2, read as {reading}: up to {:.4e} eps/sigma on an atom; damping {} / tau, \
+         {lift}",
+        scene.lambda,
+        scene.lambda * largest / length,
+        scene.damping
     )
+}
+
+/// Mean and largest distance of the driven atoms from the axis.
+fn levers(scene: &TipScene) -> [f64; 2] {
+    let [x, y] = scene.shape.axis();
+    let sites = scene.shape.sites();
+    let driven = sites.iter().filter(|site| site.part == Part::Driven);
+    let levers: Vec<f64> = driven
+        .map(|site| (site.place.x - x).hypot(site.place.y - y))
+        .collect();
+    let mean = levers.iter().sum::<f64>() / levers.len() as f64;
+    [mean, levers.into_iter().fold(0.0, f64::max)]
 }
 
 fn integrator(integrator: Integrator) -> &'static str {

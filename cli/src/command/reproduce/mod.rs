@@ -63,8 +63,8 @@ pub struct Arguments {
     out: Option<PathBuf>,
     /// What to reproduce, such as 3.4 or table-3.1; everything if left out.
     names: Vec<String>,
-    /// Simulate everything that the thesis shows (4.6, 4.7, table 4.1, 5.2), not a sample of it: an hour
-    /// of one core, half an hour on two, instead of a minute on two.
+    /// Simulate everything that the thesis shows (4.6, 4.7, table 4.1, 5.2), not a sample of it: about
+    /// half an hour on two cores instead of a minute.
     #[arg(long)]
     full: bool,
     /// A sample of what takes long: fewer seeds, coefficients and spheres, shorter times. The

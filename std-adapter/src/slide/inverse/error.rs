@@ -82,27 +82,53 @@ impl std::error::Error for OutOfReach {}
 
 impl std::fmt::Display for OutOfReach {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let (speed, spin) = (self.needed.speed, self.needed.launch.spin);
+        let needed = self.needed;
+        let (most_speed, most_spin) = (self.limits.max_speed(), self.limits.max_spin());
         write!(
             f,
-            "out of reach: {:.6} m away after turning {:.6} rad takes {speed:.6} m/s and {spin:.6} \
-             rad/s, the limits are {} m/s and {} rad/s",
-            self.distance,
-            self.needed.angle,
-            self.limits.max_speed(),
-            self.limits.max_spin()
+            "out of reach: {} m away after turning {} rad takes {} m/s and {} rad/s, the limits are \
+             {most_speed:?} m/s and {most_spin:?} rad/s",
+            shown(self.distance),
+            shown(needed.angle),
+            beyond(needed.speed, most_speed),
+            beyond(needed.launch.spin, most_spin),
         )?;
         match self.distances {
             Some([nearest, farthest]) => write!(
                 f,
-                "; with this angle they reach from {nearest:.6} to {farthest:.6} m"
+                "; with this angle they reach from {} to {} m",
+                shown(nearest),
+                shown(farthest)
             )?,
             None => f.write_str("; they do not turn it that far")?,
         }
         write!(
             f,
-            " (at full speed and spin {:.6} m and {:.6} rad)",
-            self.farthest, self.most
+            " (at full speed and spin {} m and {} rad)",
+            shown(self.farthest),
+            shown(self.most)
         )
+    }
+}
+
+/// Six decimals, or seven digits where those would lose them.
+fn shown(x: f64) -> String {
+    /// Magnitudes that six decimals tell.
+    const EVERYDAY: std::ops::Range<f64> = 1e-3..1e9;
+    if x == 0.0 || EVERYDAY.contains(&x.abs()) {
+        format!("{x:.6}")
+    } else {
+        format!("{x:.6e}")
+    }
+}
+
+/// What is needed; with all digits where fewer would not show that it is beyond the limit.
+fn beyond(needed: f64, limit: f64) -> String {
+    let text = shown(needed);
+    let is_rounded_away = text.parse().is_ok_and(|x: f64| x.abs() <= limit);
+    if needed.abs() > limit && is_rounded_away {
+        format!("{needed:?}")
+    } else {
+        text
     }
 }

@@ -176,7 +176,8 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
     /// other, and both ends are found by bisection.
     ///
     /// *Accuracy*: the rest pose of every solution meets `target` to 1e-12 of the distance and
-    /// of the angle turned. *Cost*: about ten motions to rest a solution.
+    /// of the angle turned, as long as the distance and the path of the rim differ by a factor of less
+    /// than 1e99; beyond, the shorter one is taken for 0. *Cost*: about ten motions to rest a solution.
     pub fn launches(
         &self,
         target: &Pose,
