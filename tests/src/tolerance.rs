@@ -247,7 +247,7 @@ bounds! {
     /// Stop time, distance and angle, relative.
     STOP = 2e-13, "1e-13 is promised for one call; steps and the older constants add";
     /// Time, distance and angle of launches of any ratio, each relative.
-    REST = 1e-13, "the promise; the table itself is good to 5e-14";
+    REST = 1e-13, "the promise; the table itself is good to some 1e-14";
     /// Final ratio of a body whose ratio goes to zero, absolute; its inverse where it grows.
     STOP_PURE = 1e-6, "the slower motion dies with a power of the other, not at once";
     /// Final ratio, relative.

@@ -207,7 +207,7 @@ def follow(law, rule, c, v0, w0, functions):
             is_dead = all(x <= 1e-19 * total for x, total in zip(left, sums))
         elif max(faded) > 12:
             break
-        if fixed is not None and end == fixed and abs(hi - fixed) < 4e-15 * max(abs(fixed), 1e-3):
+        if fixed is not None and end == fixed and abs(hi - fixed) < 3e-14:
             break
         y = hi
     if beta <= 0:

@@ -435,8 +435,11 @@ impl<'a, R: Real, P: Profile<R> + Coupling<R>> March<'a, R, P> {
             *time *= self.pace(faded);
             let part = *time * R::from_f64(*weight);
             sums[0] += part;
-            for ((sum, faded), is_growing) in
-                sums.iter_mut().skip(1).zip(faded).zip(&self.growing[1..])
+            for ((sum, faded), is_growing) in sums
+                .iter_mut()
+                .skip(1)
+                .zip(faded)
+                .zip(self.growing.iter().skip(1))
             {
                 if *is_growing {
                     *sum += part * (-faded).exp();
@@ -518,7 +521,8 @@ impl<'a, R: Real, P: Profile<R> + Coupling<R>> March<'a, R, P> {
         let values = [pace, pace * slide, pace * rim];
         let ends = falls.into_iter().zip(values).zip(self.sums);
         for (is_growing, ((fall, value), sum)) in self.growing.iter_mut().zip(ends) {
-            *is_growing = !(fall > R::ZERO && value / fall <= enough * sum);
+            let is_complete = fall > R::ZERO && value / fall <= enough * sum;
+            *is_growing = !is_complete;
         }
     }
 
@@ -539,25 +543,26 @@ impl<'a, R: Real, P: Profile<R> + Coupling<R>> March<'a, R, P> {
             pace * (-self.faded[1]).exp(),
         ];
         let (here, end) = (self.falls(tail.here), self.falls(tail.end));
-        let add = |sums: &mut [R; 3], integral: &dyn Fn(R, R) -> R| {
-            for (((sum, factor), here), end) in sums.iter_mut().zip(factors).zip(here).zip(end) {
-                *sum += factor * integral(here, end);
-            }
+        let added = |to: [R; 3], parts: [R; 3]| {
+            let [t, x, y] = to;
+            let [a, b, c] = factors;
+            [t + a * parts[0], x + b * parts[1], y + c * parts[2]]
         };
-        let mut whole = self.sums;
-        add(&mut whole, &|here, end| tail.all(here, end));
+        let pairs = [[here[0], end[0]], [here[1], end[1]], [here[2], end[2]]];
+        let whole = added(self.sums, pairs.map(|[here, end]| tail.all(here, end)));
         let time = match until {
-            Until::Time(time) if !(self.beta > R::ZERO && whole[0] <= time) => time,
-            _ => {
-                self.sums = whole;
-                return Outcome::Rest;
-            }
+            Until::Time(time) => time,
+            Until::Rest => R::INFINITY,
         };
+        let rests = self.beta > R::ZERO && whole[0] <= time;
+        if rests {
+            self.sums = whole;
+            return Outcome::Rest;
+        }
         let left = (time - self.sums[0]) / pace;
         let s = tail.inverse(here[0], end[0], left);
-        let mut sums = self.sums;
-        add(&mut sums, &|here, end| tail.until(here, end, s));
-        self.sums = sums;
+        let parts = pairs.map(|[here, end]| tail.until(here, end, s));
+        self.sums = added(self.sums, parts);
         for (faded, more) in self.faded.iter_mut().zip(tail.faded(s)) {
             *faded += more;
         }

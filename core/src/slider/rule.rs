@@ -208,7 +208,8 @@ mod tests {
             let values = RULE
                 .nodes
                 .map(|x: f64| (0..degree).fold(1.0, |power, _| power * x));
-            assert!((integral(&values) - wanted).abs() < 4e-16, "{degree}");
+            // Sixteen roundings of sums up to 2.
+            assert!((integral(&values) - wanted).abs() < 4e-15, "{degree}");
         }
     }
 

@@ -31,7 +31,7 @@ const MOST_CORRECTIONS: u32 = 200;
 /// Part of the initial energy whose loss does not count.
 const NOTHING: f64 = 1e-18;
 /// Pieces of the work, in e-folds of the energy: the rule is exact to 1e-15 on them.
-const PIECE: f64 = 0.5;
+const PIECE: f64 = 0.125;
 /// Nodes and weights of the 5-point Gauss–Legendre rule on [0, 1], which integrates the power.
 const POWER_NODES: [[f64; 2]; 5] = [
     [0.046_910_077_030_668, 0.118_463_442_528_094_54],
@@ -232,7 +232,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         }
     }
 
-    /// Work of friction in `duration` from `motion` on, along the exact motion: by pieces in which half of
+    /// Work of friction in `duration` from `motion` on, along the exact motion: by pieces in which an eighth of
     /// an e-fold of the energy goes, down to an energy that does not count.
     fn work(&self, motion: &Motion<f64>, duration: f64) -> f64 {
         let nothing = NOTHING * self.slider.energy_per_mass(&self.start);
