@@ -146,7 +146,7 @@ bounds! {
     /// Compact powers of pressures, −0.75 ≤ α ≤ 10, relative.
     ROUND_COMPACT = 2.5e-15, "as COMPACT";
     /// The same at α = −0.9.
-    ROUND_COMPACT_DEEP = 5e-15, "scale of the spinning side: quotient of two series at z = 0";
+    ROUND_COMPACT_DEEP = 1e-14, "promised in coupling::compact; ring: torque is (1+alpha)/2 of two terms that cancel, 7.2e-15 at v = 1.044 w";
     /// Derivatives of compact powers of pressures, of the larger of themselves and F/v.
     ROUND_COMPACT_JACOBIAN = 2e-13, "ring at alpha = 0.001 and equal speeds: 1/alpha against a logarithm that almost cancels";
     /// Closed forms of flat punch and Hertz, relative.
@@ -174,7 +174,7 @@ bounds! {
     /// Quadrature at speeds of the whole range, −0.75 ≤ α ≤ 10, relative.
     QUADRATURE_RANGES = 4e-4, "integrable singularity on the rim at alpha = -0.75; 8 radii at alpha = 10";
     /// Its derivatives, of the larger of themselves and F/v.
-    QUADRATURE_RANGES_JACOBIAN = 1e-1, "as QUADRATURE_RANGES";
+    QUADRATURE_RANGES_JACOBIAN = 2e-3, "as QUADRATURE_RANGES";
     /// Leaning pressures against sums over the patch, of force plus torque.
     LEANING = 2.5e-14, "sums of 12,000 elements: the oracle's own rounding";
     /// Pressure gradient against the force that it balances, relative.

@@ -106,6 +106,110 @@ fn the_friction_of_a_motion_is_on_the_surface_with_the_motion_as_normal() {
     assert!(worst[0] < 1e-12 && worst[1] < 1e-12);
 }
 
+/// What the points carry of a foot that turns about its point `pivot`, which carries `share` of its
+/// own limit in some direction, and the motion, turning at `spin` (torque over length²).
+fn turning(
+    rng: &mut Lcg,
+    points: &Points,
+    limit: f64,
+    [pivot, share, spin]: [f64; 3],
+) -> (Wrench<f64>, Twist<f64>) {
+    let nodes = points.nodes();
+    let unit = limit / points.total_weight();
+    let centre = &nodes[pivot as usize];
+    let angle = rng.unit() * std::f64::consts::TAU;
+    let mut on = Wrench::ZERO;
+    for (n, node) in nodes.iter().enumerate() {
+        let [x, y] = [node.x - centre.x, node.y - centre.y];
+        let far = x.hypot(y);
+        let force = if n == pivot as usize {
+            Vector2::new(angle.cos(), angle.sin()) * share
+        } else {
+            Vector2::new(-y / far, x / far) * spin.signum()
+        };
+        let force = force * (unit * node.weight);
+        on.force += force;
+        on.torque += node.x * force.y - node.y * force.x;
+    }
+    (on, Twist::new(centre.y * spin, -centre.x * spin, spin))
+}
+
+#[test]
+fn a_foot_that_turns_about_one_of_its_points_is_found_to_rounding() {
+    let mut rng = Lcg::new(9);
+    let mut worst = [0.0_f64; 2];
+    for case in 0..4000 {
+        let points = points(&mut rng, 4 * case + 1);
+        let (length, limit) = (rng.log_between(0.03, 0.3), rng.log_between(1e-6, 1e6));
+        let pivot = (rng.bits() % points.nodes().len() as u64) as f64;
+        // The point carries nothing, some of its limit, or all but a small part of it.
+        let share = match case % 3 {
+            0 => rng.unit(),
+            1 => 1.0 - rng.log_between(1e-12, 1.0),
+            _ => 0.0,
+        };
+        let sign = if rng.unit() < 0.5 { -1.0 } else { 1.0 };
+        let spin = sign / length;
+        let (on, twist) = turning(&mut rng, &points, limit, [pivot, share, spin]);
+        let reach = limit * rng.log_between(1e-5, 1e3);
+        let beyond = Wrench {
+            force: on.force + twist.velocity * reach,
+            torque: on.torque + twist.spin * reach * length * length,
+        };
+        let mut foot: Foot<f64, _, CAPACITY> = Foot::new(points, limit).expect("valid");
+        let size = distance(&beyond, &Wrench::ZERO, length);
+        let got = foot.nearest(&beyond, length);
+        worst[0] = worst[0].max(distance(&got, &on, length) / size);
+        let again = foot.nearest(&got, length);
+        worst[1] = worst[1].max(distance(&again, &got, length) / size);
+    }
+    println!(
+        "about a point: {:.1e}, idempotent {:.1e} of the wrench",
+        worst[0], worst[1]
+    );
+    assert!(worst[0] < 1e-14 && worst[1] < 1e-14, "{worst:?}");
+}
+
+#[test]
+fn points_that_almost_rest_are_found_to_rounding() {
+    let mut rng = Lcg::new(15);
+    let mut worst = 0.0_f64;
+    for case in 0..4000 {
+        let points = points(&mut rng, 4 * case + 1);
+        let (length, limit) = (rng.log_between(0.03, 0.3), rng.log_between(1e-6, 1e6));
+        let friction = NodeFriction::new(Coulomb::new(1.0).expect("valid"), points.clone());
+        // A turn about a place next to a point, by 1e-14 to 1e-2 of the length.
+        let near = points.nodes()[rng.bits() as usize % points.nodes().len()];
+        let [dx, dy] = [(); 2].map(|()| rng.between(-1.0, 1.0));
+        let off = length * rng.log_between(1e-14, 1e-2);
+        let spin = 1.0 / length;
+        let twist = Twist::new(
+            (near.y + off * dy) * spin,
+            -(near.x + off * dx) * spin,
+            spin,
+        );
+        let on = friction.wrench(-limit, &twist);
+        let reach = limit * rng.log_between(1e-5, 1e3);
+        let beyond = Wrench {
+            force: on.force + twist.velocity * reach,
+            torque: on.torque + twist.spin * reach * length * length,
+        };
+        let mut foot: Foot<f64, _, CAPACITY> = Foot::new(points, limit).expect("valid");
+        let size = distance(&beyond, &Wrench::ZERO, length);
+        let got = foot.nearest(&beyond, length);
+        // Where it is next to a kink the nearest wrench is not that of the given motion to rounding,
+        // since the motion rounds; but it is no farther away.
+        let apart = distance(&beyond, &got, length) - distance(&beyond, &on, length);
+        let around = distance(&got, &on, length) / size;
+        if off > 1e-3 * length {
+            worst = worst.max(around);
+        }
+        worst = worst.max(apart / size);
+    }
+    println!("next to a point: {worst:.1e} of the wrench");
+    assert!(worst < 1e-14, "{worst:e}");
+}
+
 #[test]
 fn the_order_of_calls_does_not_matter_beyond_rounding() {
     let mut rng = Lcg::new(11);

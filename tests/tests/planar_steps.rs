@@ -111,7 +111,9 @@ impl Seen {
             spin: share * (twist.spin + after.spin),
         };
         let scale = LIMIT * (twist.speed() + after.speed())
-            + LIMIT * RADIUS * (twist.spin.abs() + after.spin.abs());
+            + LIMIT * RADIUS * (twist.spin.abs() + after.spin.abs())
+            // What friction changes in a step, of which a slow motion is the rest.
+            + LIMIT * LIMIT * STEP * (1.0 / body.mass() + RADIUS * RADIUS / body.inertia());
         let given = power(&step.friction, &met).max(0.0);
         self.given
             .see(if scale == 0.0 { 0.0 } else { given / scale }, place);

@@ -410,3 +410,31 @@ fn quadrature_at_every_power_of_two() {
     wrench.assert_within(&tolerance::QUADRATURE_RANGES);
     jacobian.assert_within(&tolerance::QUADRATURE_RANGES_JACOBIAN);
 }
+
+/// Derivatives next to equal speeds, in units of the larger of the entry and F/v: those of a ring grow
+/// without bound there.
+#[test]
+fn derivatives_next_to_equal_speeds() {
+    let [mut closed, mut other] = ["closed forms next to equal speeds", "others"].map(Worst::of);
+    for row in Table::read("equal_speeds.csv").rows() {
+        let [q, alpha, v] = ["q", "alpha", "v"].map(|name| row.number(name));
+        for (name, tier) in patches::tiers::<f64>(q, alpha) {
+            let [_, _, _, got @ .., _, _] = all(tier.as_ref(), v, 1.0);
+            let drag = row.number("drag");
+            let worst = if name.starts_with("closed") {
+                &mut closed
+            } else {
+                &mut other
+            };
+            for (column, got) in ["drag", "F_v", "F_w", "T_w"].into_iter().zip(got) {
+                let wanted = row.reference(column);
+                let error = wanted.over(got, drag.max(wanted.high.abs()));
+                worst.see(error, || {
+                    format!("{name}, q {q}, alpha {alpha}, v {v:?} w: {column}")
+                });
+            }
+        }
+    }
+    closed.assert_within(&tolerance::CLOSED_JACOBIAN);
+    other.assert_within(&tolerance::ROUND_JACOBIAN_DENSE);
+}

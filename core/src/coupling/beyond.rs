@@ -5,7 +5,7 @@
 //! one: v = 1e-200 and w = 1e150 have h = 1e-350, but under α = 1 the force is v.
 
 use super::lateral::twice_z_slope;
-use super::profile::{Profile, SmoothProfile};
+use super::profile::Profile;
 use super::speeds::{Lead, Speeds};
 use super::wide::Wide;
 use crate::real::Real;
@@ -116,17 +116,15 @@ pub(super) fn wrench<R: Real, P: Profile<R>>(
 
 /// F/v, ∂F/∂v, ∂F/∂w and ∂T/∂w; NaN for an infinite speed.
 #[cold]
-pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
-    profile: &P,
+pub(super) fn jacobian<R: Real>(
+    alpha: R,
+    [phi, slope, chi]: [R; 3],
     at: &Speeds<R>,
-    slide: R,
-    rim: R,
+    speeds: [R; 2],
 ) -> [R; 4] {
     if !at.major.is_finite() {
         return [R::NAN; 4];
     }
-    let [phi, slope, chi] = profile.factors_and_slope(at);
-    let alpha = profile.exponent();
     let (bend, beta) = (R::TWO * slope, R::ONE - alpha);
     let drag = even(phi, R::ZERO);
     let entries = match at.lead() {
@@ -146,40 +144,30 @@ pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
             ]
         }
     };
-    all(alpha - R::ONE, at, [slide, rim], entries)
+    all(alpha - R::ONE, at, speeds, entries)
 }
 
-/// G
+/// G, from (Φ + Χ)/(2(n+1)).
 #[cold]
-pub(super) fn lateral<R: Real, P: Profile<R>>(
-    profile: &P,
-    divisor: R,
-    at: &Speeds<R>,
-    slide: R,
-    rim: R,
-) -> R {
-    let [phi, chi] = profile.factors(at);
-    let sum = (phi + chi) / divisor;
+pub(super) fn lateral<R: Real>(alpha: R, sum: R, at: &Speeds<R>, speeds: [R; 2]) -> R {
     let entry = match at.lead() {
         Lead::Sliding => odd(sum, R::ZERO),
         Lead::Spinning => even(sum, R::ZERO),
     };
-    let [g] = all(profile.exponent(), at, [slide, rim], [entry]);
+    let [g] = all(alpha, at, speeds, [entry]);
     g
 }
 
 /// The gradient of vG.
 #[cold]
-pub(super) fn lateral_jacobian<R: Real, P: SmoothProfile<R>>(
-    profile: &P,
+pub(super) fn lateral_jacobian<R: Real>(
+    alpha: R,
+    [phi, slope, chi]: [R; 3],
     divisor: R,
     at: &Speeds<R>,
-    slide: R,
-    rim: R,
+    speeds: [R; 2],
 ) -> [R; 2] {
-    let [phi, slope, chi] = profile.factors_and_slope(at);
     let (_, z) = at.square_and_complement();
-    let alpha = profile.exponent();
     let (bend, beta) = (twice_z_slope(z, slope), R::ONE - alpha);
     let entries = match at.lead() {
         Lead::Sliding => [
@@ -196,5 +184,5 @@ pub(super) fn lateral_jacobian<R: Real, P: SmoothProfile<R>>(
         bend: entry.bend / divisor,
         ..entry
     });
-    all(alpha, at, [slide, rim], entries)
+    all(alpha, at, speeds, entries)
 }

@@ -7,7 +7,8 @@
 //! | [`Hertz`] | √(1−r²) | polynomial | arc sine |
 //!
 //! The uniform disk's is [`super::compact::Coulomb`]. No table, no power; *Accuracy*: 1e-14
-//! relative in f64, 1e-5 in f32. *Source*: `docs/theory.md`; Hertz: Johnson, Contact Mechanics,
+//! relative in f64, 1e-5 in f32; Jacobian 1e-14 of the larger of the entry and F/v, also next to
+//! equal speeds, where a ring's entries grow without bound. *Source*: `docs/theory.md`; Hertz: Johnson, Contact Mechanics,
 //! has the end values T(0) = 3π/16 and 1.
 
 use super::DryCoupling;

@@ -93,11 +93,12 @@ pub(super) fn of_profile<R: Real, P: SmoothProfile<R>>(
         return R::ZERO;
     }
     let scale = profile.speed_scale(at.major);
+    let [phi, chi] = profile.factors(&at);
     if at.may_be_scaled(scale, slide, rim) {
-        let [phi, chi] = profile.factors(&at);
         scale * (at.rim * (phi + chi) / divisor)
     } else {
-        beyond::lateral(profile, divisor, &at, slide, rim)
+        let sum = (phi + chi) / divisor;
+        beyond::lateral(profile.exponent(), sum, &at, [slide, rim])
     }
 }
 
@@ -113,21 +114,21 @@ pub(super) fn jacobian_of_profile<R: Real, P: SmoothProfile<R>>(
     if at.at_rest() {
         return LateralJacobian::default();
     }
-    let scale = profile.speed_scale(at.major);
+    let factors = profile.factors_and_slope(&at);
+    let (alpha, scale) = (profile.exponent(), profile.speed_scale(at.major));
     let [slide, rim] = if at.may_be_scaled(scale, slide, rim) {
-        unscaled_jacobian(profile, &at).map(|entry| scale * (entry / divisor))
+        unscaled_jacobian(alpha, &at, factors).map(|entry| scale * (entry / divisor))
     } else {
-        beyond::lateral_jacobian(profile, divisor, &at, slide, rim)
+        beyond::lateral_jacobian(alpha, factors, divisor, &at, [slide, rim])
     };
     LateralJacobian { slide, rim }
 }
 
 /// The gradient of w F + v T over m^α.
 #[inline]
-fn unscaled_jacobian<R: Real, P: SmoothProfile<R>>(profile: &P, at: &Speeds<R>) -> [R; 2] {
-    let [phi, slope, chi] = profile.factors_and_slope(at);
+fn unscaled_jacobian<R: Real>(alpha: R, at: &Speeds<R>, [phi, slope, chi]: [R; 3]) -> [R; 2] {
     let (x, z) = at.square_and_complement();
-    let (h, alpha) = (at.ratio(), profile.exponent());
+    let h = at.ratio();
     let bend = twice_z_slope(z, slope);
     // F_v w + T + T_v v and F + F_w w + T_w v.
     match at.lead() {

@@ -205,12 +205,13 @@ pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
     if speeds.at_rest() {
         return at_rest(profile);
     }
-    let scale = profile.rate_scale(speeds.major);
+    let factors = profile.factors_and_slope(&speeds);
+    let (alpha, scale) = (profile.exponent(), profile.rate_scale(speeds.major));
     let [force_per_slide, force_slide, mixed, torque_rim] =
         if is_ordinary(scale) && speeds.major.is_finite() && speeds.are_resolved(slide, rim) {
-            unscaled_jacobian(profile, &speeds).map(|x| scale * x)
+            unscaled_jacobian(alpha, &speeds, factors).map(|x| scale * x)
         } else {
-            beyond::jacobian(profile, &speeds, slide, rim)
+            beyond::jacobian(alpha, factors, &speeds, [slide, rim])
         };
     ReducedJacobian {
         force_per_slide,
@@ -222,9 +223,7 @@ pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
 
 /// F/v, ∂F/∂v, ∂F/∂w and ∂T/∂w over m^(α−1).
 #[inline]
-fn unscaled_jacobian<R: Real, P: SmoothProfile<R>>(profile: &P, speeds: &Speeds<R>) -> [R; 4] {
-    let [phi, slope, chi] = profile.factors_and_slope(speeds);
-    let alpha = profile.exponent();
+fn unscaled_jacobian<R: Real>(alpha: R, speeds: &Speeds<R>, [phi, slope, chi]: [R; 3]) -> [R; 4] {
     let h = speeds.ratio();
     let bend = R::TWO * slope;
     // At equal speeds the slope may be infinite while its products are finite or infinite.

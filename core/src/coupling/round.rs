@@ -48,8 +48,9 @@ impl RoundTable64 {
     /// Builds the table; `const`, so that a `static` table can live in flash.
     ///
     /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Accuracy* for orders up to 6: force, torque and lateral
-    /// function 4e-15 relative for −0.5 ≤ α ≤ 3, 3e-14 for −0.9 ≤ α ≤ 10; Jacobian 2e-13 of F/v for
-    /// q ≥ 0, 8e-12 below for α ≥ −0.5, 1.2e-10 for α ≥ −0.99. *Cost*: about 600,000 floating-point
+    /// function 4e-15 relative for −0.5 ≤ α ≤ 3, 3e-14 for −0.9 ≤ α ≤ 10; Jacobian, in units of the
+    /// larger of the entry and F/v (next to equal speeds a ring's entries grow without bound), 2e-13
+    /// for q ≥ 0, 8e-12 below for α ≥ −0.5, 1.2e-10 for α ≥ −0.99. *Cost*: about 600,000 floating-point
     /// operations.
     ///
     /// ```

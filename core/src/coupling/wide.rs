@@ -66,7 +66,7 @@ impl<R: Real> Wide<R> {
             return self;
         }
         if mantissa.abs() < R::MIN_POSITIVE {
-            mantissa = mantissa * power_of_two(LIFT);
+            mantissa *= power_of_two(LIFT);
             exponent -= LIFT;
         }
         let own = (mantissa.abs().half_octave() / 2) as i32 - bias::<R>();
@@ -170,7 +170,7 @@ mod tests {
             f64::INFINITY,
             f64::NAN,
         ] {
-            [x, -x].map(there_and_back);
+            [x, -x].into_iter().for_each(there_and_back);
         }
         for x in [
             0.0,
@@ -183,7 +183,7 @@ mod tests {
             f32::INFINITY,
             f32::NAN,
         ] {
-            [x, -x].map(there_and_back);
+            [x, -x].into_iter().for_each(there_and_back);
         }
     }
 

@@ -131,11 +131,11 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
     /// The wrench of the foot's friction nearest to `wrench`, by √(|Δforce|² + (Δtorque/`length`)²).
     ///
     /// *Domain*: 0 < `length` < ∞. *Special values*: `wrench` itself, to the bit, where the foot
-    /// carries it; NaN for NaN and infinities. *Accuracy*: for the given points 1e-12 of the wrench,
-    /// f32: 1e-6; wrenches outside by less than 64 rounding errors count as carried. Both precisions
+    /// carries it; NaN for NaN and infinities. *Accuracy*: for the given points 1e-14 of the wrench,
+    /// also where the foot turns about one of them or next to one; f32: 1e-6; wrenches outside by less than 64 rounding errors count as carried. Both precisions
     /// compute in f64.
     /// *Cost*: one pass over the points where the forces of the last call carry the wrench, else 20
-    /// to 60 passes of two roots a point.
+    /// to 60 passes of four roots a point, up to 400 where it turns next to a point.
     pub fn nearest(&mut self, wrench: &Wrench<R>, length: R) -> Wrench<R> {
         let inv_length = R::ONE / length;
         let wanted = Vector3::new(wrench.force.x, wrench.force.y, wrench.torque * inv_length);
@@ -159,11 +159,11 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
         let found = balance.solve(norm(&balance.wanted));
         let Remainder {
             left,
-            smoothing,
+            motion,
             is_held,
         } = &found;
         for (node, force) in self.patch.nodes().iter().zip(&mut self.forces) {
-            *force = balance.force(node, left, *smoothing).into();
+            *force = balance.force(node, motion).into();
         }
         if *is_held {
             for _ in 0..PASSES {
