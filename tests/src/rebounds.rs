@@ -31,7 +31,7 @@ pub struct Answer {
     pub least: f64,
     /// What the book does not account for.
     pub imbalance: f64,
-    /// Largest impulse of a contact in a step.
+    /// Largest impulse of a contact in a step, along or across its normal.
     pub largest: f64,
     /// Steps whose impacts were cut off or whose solver missed its tolerance.
     pub unmet: usize,
@@ -51,8 +51,8 @@ pub fn run(cell: Cell, time: f64) -> Answer {
         }
         for link in world.problem().links() {
             let impulse = link.contact.impulse();
-            let size = impulse.normal.hypot(impulse.sliding.vector().norm());
-            largest = largest.max(size);
+            let across = impulse.sliding.vector().norm();
+            largest = largest.max(impulse.normal).max(across);
         }
     }
     let book = world.state().book;

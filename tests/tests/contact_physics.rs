@@ -233,6 +233,42 @@ fn a_head_on_collision_keeps_the_coefficient_of_restitution() {
     }
 }
 
+#[test]
+fn an_oblique_impact_slips_or_sticks_as_the_closed_solution_does() {
+    // Two solid balls (Walton 1993): of the slip 7/2 μ (1 + e) of the approach goes, or all of it.
+    for restitution in [0.0, 0.3, 0.7, 1.0] {
+        let law = NormalLaw::new(Cohesion::NONE, restitution).unwrap();
+        let most = 3.5 * MU * (1.0 + restitution);
+        for slip in [0.0, 0.5, 0.999 * most, 1.001 * most, 20.0] {
+            let (mut a, mut b) = (ball(), ball());
+            a.velocity = Vector3::new(0.7, 0.5 * slip, 0.0);
+            b.velocity = Vector3::new(-0.3, -0.5 * slip, 0.0);
+            let touch = Touch::spheres(&Vector3::new(2.0 * RADIUS, 0.0, 0.0), [RADIUS; 2]);
+            let energy = |a: &Sphere<f64>, b: &Sphere<f64>| {
+                [a, b]
+                    .map(|ball| {
+                        ball.velocity.norm_squared() + ball.spin.norm_squared() / ball.inv_inertia
+                    })
+                    .iter()
+                    .sum::<f64>()
+                    / 2.0
+            };
+            let before = energy(&a, &b);
+            let mut contact = Contact::new(&touch.unwrap(), &law, &a, &b, DT);
+            contact.update(&Thresholds::sliding(MU).unwrap(), &mut a, &mut b);
+            // Masses 1/2 along the normal, 1/7 across it.
+            assert!((contact.impulse().normal - 0.5 * (1.0 + restitution)).abs() < 1e-15);
+            let stopped = slip.min(most);
+            let after = contact.velocity(&a, &b);
+            assert!((after.normal - restitution).abs() < 1e-15);
+            assert!((after.sliding.0.y + (slip - stopped)).abs() < 1e-14);
+            let lost =
+                0.25 * (1.0 - restitution * restitution) + stopped * (2.0 * slip - stopped) / 14.0;
+            assert!((before - energy(&a, &b) - lost).abs() < 1e-13 * before);
+        }
+    }
+}
+
 /// Steps that a spinning ball needs to stop, and the time in closed form: I ω / torque.
 fn assert_spins_down<F: ContactFriction<f64>>(friction: &F, mu_torsion: f64) {
     let mut top = ball();

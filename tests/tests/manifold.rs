@@ -5,7 +5,9 @@ use tribos_core::contact::{
     Attraction, AxialPart, Body, Cohesion, NormalLaw, PlanarPart, Plate, Sphere, Thresholds,
     TimeStep, Touch,
 };
-use tribos_core::manifold::{BodyHandle, ContactHandle, Manifold, ManifoldError, Start, Stop};
+use tribos_core::manifold::{
+    BodyHandle, ContactHandle, Manifold, ManifoldError, Member, Start, Stop,
+};
 use tribos_core::real::Real;
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
@@ -165,7 +167,7 @@ fn bodies_and_contacts_take_the_memory_that_the_documentation_tells() {
         size_of::<Manifold<f64, All, 2, 2>>(),
         size_of::<Manifold<f64, All, 2, 1>>(),
     );
-    assert_eq!((body, contact), (120, 248));
+    assert_eq!((body, contact), (120, 312));
 }
 
 #[test]
@@ -248,4 +250,107 @@ fn micrograms_converge_in_single_precision_too() {
     assert!(report.converged && report.sweeps > 5, "{report:?}");
     let weight = grains.force(below).unwrap().normal;
     assert!((weight / (2.0 * 9.81e-15) - 1.0).abs() < 1e-4, "{weight}");
+}
+
+/// Three balls that touch each other and lie on a plate, with these contacts' law.
+fn heap(law: NormalLaw<f64>, friction: All) -> (Manifold<f64, All, 4, 6>, Vec<BodyHandle>) {
+    let mut heap = Manifold::new(law, friction);
+    let balls: Vec<_> = (0..3).map(|_| heap.push_sphere(ball()).unwrap()).collect();
+    let plate = heap
+        .push_plate(Plate {
+            inv_mass: 0.1,
+            ..floor()
+        })
+        .unwrap();
+    let half = 3.0_f64.sqrt();
+    let places = [[0.0, 0.0], [2.0, 0.0], [1.0, half]].map(|[x, y]| Vector3::new(x, y, 1.0));
+    for (first, second) in [(0, 1), (0, 2), (1, 2)] {
+        let apart = places[second] - places[first];
+        let touch = Touch::spheres(&apart, [1.0, 1.0]).unwrap();
+        heap.push_contact(balls[first], balls[second], touch)
+            .unwrap();
+    }
+    for &ball in &balls {
+        let touch = Touch::plate(1.0, &Vector3::z(), 1.0).unwrap();
+        heap.push_contact(ball, plate, touch).unwrap();
+    }
+    (heap, [balls, vec![plate]].concat())
+}
+
+fn kinetic(heap: &Manifold<f64, All, 4, 6>, bodies: &[BodyHandle]) -> f64 {
+    let energy = |body: &BodyHandle| {
+        let body = heap.body(*body).unwrap();
+        let turning = if body.inv_inertia() > 0.0 {
+            body.spin().norm_squared() / body.inv_inertia()
+        } else {
+            0.0
+        };
+        0.5 * (body.velocity().norm_squared() / body.inv_mass_normal() + turning)
+    };
+    bodies.iter().map(energy).sum()
+}
+
+#[test]
+fn impacts_with_friction_never_add_energy() {
+    let mut random = tribos::random::Random::new(5, 0);
+    let mut signed = || 2.0 * random.unit() - 1.0;
+    let mut rebounds = 0;
+    for round in 0..300 {
+        let restitution = [0.1, 0.5, 0.9, 1.0][round % 4];
+        let mu = [0.0, 0.3, 1.0, 10.0][round / 4 % 4];
+        let rolling = [0.0, 0.3][round / 16 % 2];
+        let law = NormalLaw::new(Cohesion::NONE, restitution).unwrap();
+        let friction = Thresholds::all(mu, rolling, rolling).unwrap();
+        let (mut heap, bodies) = heap(law, friction);
+        for &body in &bodies {
+            match heap.body_mut(body) {
+                Some(Member::Sphere(ball)) => {
+                    ball.velocity = Vector3::new(signed(), signed(), signed());
+                    ball.spin = Vector3::new(signed(), signed(), signed());
+                }
+                Some(Member::Plate(plate)) => plate.velocity.z = signed(),
+                None => panic!("the body is there"),
+            }
+        }
+        let before = kinetic(&heap, &bodies);
+        heap.solve(TimeStep::new(DT).unwrap(), Start::Zero, STOP);
+        let after = kinetic(&heap, &bodies);
+        assert!(
+            after <= before * (1.0 + 1e-12),
+            "e {restitution}, mu {mu}: {before} becomes {after}"
+        );
+        // Without friction and loss all of it is left, whatever the impacts were.
+        if restitution == 1.0 && mu == 0.0 && rolling == 0.0 {
+            assert!((after / before - 1.0).abs() < 1e-11, "{before} {after}");
+            rebounds += 1;
+        }
+    }
+    assert!(rebounds > 5);
+}
+
+#[test]
+fn an_impact_runs_through_a_row_in_one_step() {
+    let law = NormalLaw::new(Cohesion::NONE, 1.0).unwrap();
+    let mut row = Manifold::<f64, All, 4, 3>::new(law, Thresholds::all(0.3, 0.0, 0.0).unwrap());
+    let balls: Vec<_> = (0..4).map(|_| row.push_sphere(ball()).unwrap()).collect();
+    let touch = Touch::spheres(&Vector3::new(2.0, 0.0, 0.0), [1.0, 1.0]).unwrap();
+    let contacts: Vec<_> = balls
+        .windows(2)
+        .map(|pair| row.push_contact(pair[0], pair[1], touch).unwrap())
+        .collect();
+    if let Some(Member::Sphere(first)) = row.body_mut(balls[0]) {
+        first.velocity.x = 1.0;
+    }
+    row.solve(TimeStep::new(DT).unwrap(), Start::Last, STOP);
+    for (&ball, wanted) in balls.iter().zip([0.0, 0.0, 0.0, 1.0]) {
+        assert!((row.body(ball).unwrap().velocity().x - wanted).abs() < 1e-15);
+    }
+    // Every contact has passed on the momentum, and remembers no force of it.
+    for &contact in &contacts {
+        assert!((row.contact(contact).unwrap().impulse().normal - 1.0).abs() < 1e-15);
+    }
+    row.solve(TimeStep::new(DT).unwrap(), Start::Last, STOP);
+    for &contact in &contacts {
+        assert_eq!(row.contact(contact).unwrap().impulse().normal, 0.0);
+    }
 }

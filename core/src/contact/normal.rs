@@ -127,7 +127,13 @@ pub struct NormalLaw<R> {
 }
 
 impl<R: Real> NormalLaw<R> {
-    /// Cohesion, and Newton's coefficient of restitution in [0, 1].
+    /// Cohesion, and the coefficient of restitution in [0, 1].
+    ///
+    /// A [`Contact`](super::Contact) rebounds by Newton's law: with `restitution` times the speed at
+    /// which it closes at the start of its step. For two spheres, or a sphere and a plate, friction
+    /// does not meet it, and energy is lost or kept. Several contacts that rebound while they are
+    /// swept together can gain energy (Kane's example); a [`Manifold`](crate::manifold::Manifold)
+    /// therefore takes impacts one after the other.
     pub fn new(cohesion: Cohesion<R>, restitution: R) -> Result<Self, LawError> {
         Ok(Self {
             cohesion,
@@ -143,6 +149,22 @@ impl<R: Real> NormalLaw<R> {
     /// Speed after an impact over speed before.
     pub fn restitution(&self) -> R {
         self.restitution
+    }
+
+    /// The law of a contact that lasts.
+    pub(crate) fn without_restitution(&self) -> Self {
+        Self {
+            restitution: R::ZERO,
+            ..*self
+        }
+    }
+
+    /// The law of an impact: finite forces take no part in it.
+    pub(crate) fn without_cohesion(&self) -> Self {
+        Self {
+            cohesion: Cohesion::NONE,
+            ..*self
+        }
     }
 }
 

@@ -58,6 +58,14 @@ impl<R: Real> Loaded<R> {
             Member::Plate(plate) => plate.velocity += self.force * (plate.inv_mass * dt),
         }
     }
+
+    /// A bound of the acceleration by gravity and the outer force: the sums of their components.
+    pub fn most_acceleration(&self, gravity: &Vector3<R>) -> R {
+        let sum = |v: &Vector3<R>| v.x.abs() + v.y.abs() + v.z.abs();
+        let falls = matches!(&self.member, Member::Sphere(sphere) if sphere.inv_mass != R::ZERO);
+        let pushed = sum(&self.force) * self.member.inv_mass_normal();
+        if falls { pushed + sum(gravity) } else { pushed }
+    }
 }
 
 impl<R: Real> Body<R> for Member<R> {

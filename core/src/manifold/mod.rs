@@ -35,6 +35,7 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 
+mod impact;
 #[cfg(feature = "defmt")]
 mod logging;
 mod member;
@@ -109,7 +110,7 @@ impl core::error::Error for ManifoldError {}
 
 /// Up to `CONTACTS` contacts of one law between up to `BODIES` bodies.
 ///
-/// *Units*: any consistent set. *Size* in f64 with all modes: 120 bytes a body, 248 a contact.
+/// *Units*: any consistent set. *Size* in f64 with all modes: 120 bytes a body, 312 a contact.
 #[derive(Clone, Debug)]
 pub struct Manifold<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize> {
     law: NormalLaw<R>,
@@ -126,6 +127,8 @@ struct Joint<R: Real, F: ContactFriction<R>> {
     touch: Touch<R>,
     /// Nothing before the first step.
     solved: Option<Solved<R, F>>,
+    /// Impulse of the impacts of the last step, a part of what was solved.
+    impact: Modal<R, F::Modes>,
 }
 
 /// A contact in its last step.
@@ -187,6 +190,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
             bodies,
             touch,
             solved: None,
+            impact: Modal::default(),
         };
         match self.contacts.push(joint) {
             Ok(()) => Ok(handle),
@@ -295,12 +299,12 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
         self.bodies.get_mut(body.0).map(|body| &mut body.member)
     }
 
-    /// A contact as it was solved last, with its impulse.
+    /// A contact as it was solved last, with its impulse, that of impacts included.
     pub fn contact(&self, contact: ContactHandle) -> Option<&Contact<R, F::Modes>> {
         Some(&self.solved(contact)?.contact)
     }
 
-    /// Force and torque on the second body in the last step: impulse/dt.
+    /// Force and torque on the second body in the last step: impulse/dt, impacts included.
     pub fn force(&self, contact: ContactHandle) -> Option<Modal<R, F::Modes>> {
         let Solved { contact, inv_dt } = self.solved(contact)?;
         Some(Modal::default().plus_scaled(*inv_dt, contact.impulse()))

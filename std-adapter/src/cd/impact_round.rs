@@ -236,9 +236,10 @@ fn jump_shares<F: ContactFriction<f64>>(problem: &Spheres<F>) -> [f64; 3] {
     let mut shares = [0.0; 3];
     for link in problem.links() {
         let (p, block) = (link.contact.impulse(), link.contact.block());
+        let torsion = p.torsion.component();
         shares[0] += alone(p.sliding.vector().norm_squared(), block.mass_sliding);
         shares[1] += alone(p.rolling.vector().norm_squared(), block.inertia);
-        shares[2] += alone(p.torsion.component().powi(2), block.inertia);
+        shares[2] += alone(torsion * torsion, block.inertia);
     }
     let sum: f64 = shares.iter().sum();
     if sum > 0.0 {

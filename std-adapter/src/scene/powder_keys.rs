@@ -87,7 +87,7 @@ pub(super) const ATTRACTION: Key = key(
 pub(super) const RESTITUTION: Key = key(
     "restitution",
     "-",
-    "speed after an impact over speed before (default 0)",
+    "speed after an impact over speed before, at walls too (default 0)",
     Domain::Fraction,
 );
 pub(super) const WALL: Key = key(

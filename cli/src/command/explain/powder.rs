@@ -26,6 +26,7 @@ pub fn text(scene: &PowderScene) -> Result<String, Failure> {
     text += &line("thresholds", thresholds(scene));
     text += &line("coupling", coupling(carried.coupling));
     text += &line("cohesion", cohesion(scene));
+    text += &restitution(scene);
     text += &line("solver", solver(scene));
     text += &size(&cost);
     text += &speed(&cost, carried.modes);
@@ -78,6 +79,23 @@ fn idle(scene: &PowderScene) -> String {
             "{} carried with a coefficient of 0: there is no type without, and it is computed in vain",
             idle.join(" and ")
         ),
+    )
+}
+
+/// How contacts rebound, and what that costs.
+fn restitution(scene: &PowderScene) -> String {
+    if scene.restitution == 0.0 {
+        return String::new();
+    }
+    line(
+        "restitution",
+        format!(
+            "e = {}: a step takes its impacts first, in rounds, each a reflection and friction under it",
+            scene.restitution
+        ),
+    ) + &line(
+        "",
+        "at most 100 rounds a step; slower approaches than the loads of a step make do not rebound",
     )
 }
 
