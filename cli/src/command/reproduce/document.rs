@@ -28,7 +28,7 @@ pub fn claims_csv(sections: &[Section]) -> String {
                 claim.verdict.name(),
                 &claim.verdict.evidence(),
             ];
-            text += &fields.map(|field| quoted(field)).join(",");
+            text += &fields.map(quoted).join(",");
             text.push('\n');
         }
     }
