@@ -173,7 +173,7 @@ fn many_launches_are_counted_and_only_the_first_worked_out() -> Outcome {
         .nth(1)
         .and_then(|word| word.parse().ok())
         .ok_or("no number")?;
-    assert!(count > 1000, "{said}");
+    assert!(count > 300, "{said}");
     Ok(())
 }
 

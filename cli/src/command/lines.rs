@@ -162,7 +162,7 @@ mod tests {
 
     #[test]
     fn a_file_without_lines_and_one_that_is_no_text_are_refused() {
-        const ENDLESS: [u8; LONGEST + 2] = [b'0'; LONGEST + 2];
+        static ENDLESS: [u8; LONGEST + 2] = [b'0'; LONGEST + 2];
         let refused = lines(&ENDLESS, 4096).err().unwrap_or_default();
         assert!(refused.starts_with("a:1: longer than"), "{refused}");
         let refused = lines(b"v\n\xff\n", 8).err().unwrap_or_default();

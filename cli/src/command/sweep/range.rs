@@ -68,10 +68,21 @@ impl Decimal {
         10_i128.checked_pow(shift)?.checked_mul(self.digits)
     }
 
+    /// The product to the digits of an f64.
     fn times(self, other: Self) -> Option<Self> {
-        let digits = self.digits.checked_mul(other.digits)?;
-        let power = self.power.checked_add(other.power)?;
+        /// More digits are rounded away.
+        const LARGEST: i128 = 1_000_000_000_000_000;
+        let mut digits = self.digits.checked_mul(other.digits)?;
+        let mut power = self.power.checked_add(other.power)?;
+        while digits.abs() >= LARGEST {
+            digits = (digits + 5 * digits.signum()) / 10;
+            power = power.checked_add(1)?;
+        }
         Some(Self { digits, power }.plain())
+    }
+
+    fn value(&self) -> f64 {
+        self.text().parse().unwrap_or(f64::NAN)
     }
 
     /// As people write it.
@@ -119,12 +130,7 @@ fn arithmetic(from: Decimal, to: Decimal, step: Decimal) -> Result<Vec<Decimal>,
 
 /// From one number in equal ratios as far as the other.
 fn geometric(from: Decimal, to: Decimal, factor: Decimal) -> Result<Vec<Decimal>, String> {
-    let less = |a: Decimal, b: Decimal| {
-        let power = a.power.min(b.power);
-        let pair = a.at(power).zip(b.at(power));
-        pair.map(|(a, b)| a < b)
-            .ok_or_else(|| format!("its numbers need more than {MOST_DIGITS} digits"))
-    };
+    let less = |a: Decimal, b: Decimal| a.value() < b.value();
     let one = Decimal {
         digits: 1,
         power: 0,
@@ -132,8 +138,8 @@ fn geometric(from: Decimal, to: Decimal, factor: Decimal) -> Result<Vec<Decimal>
     if from.digits <= 0 || to.digits <= 0 || factor.digits <= 0 || factor == one {
         return Err("equal ratios need numbers > 0 and a factor other than 1".into());
     }
-    let rises = less(one, factor)?;
-    if from != to && less(from, to)? != rises {
+    let rises = less(one, factor);
+    if from != to && less(from, to) != rises {
         return Err("the factor does not lead there".into());
     }
     let mut all = vec![from];
@@ -143,9 +149,9 @@ fn geometric(from: Decimal, to: Decimal, factor: Decimal) -> Result<Vec<Decimal>
             .times(factor)
             .ok_or_else(|| format!("its values need more than {MOST_DIGITS} digits"))?;
         let is_beyond = if rises {
-            less(to, value)?
+            less(to, value)
         } else {
-            less(value, to)?
+            less(value, to)
         };
         if is_beyond {
             return Ok(all);
@@ -174,6 +180,7 @@ mod tests {
             ("1e-4:1:x10", "0.0001 0.001 0.01 0.1 1"),
             ("1:0.1:x0.5", "1 0.5 0.25 0.125"),
             ("1e20:1e22:x10", "1e20 1e21 1e22"),
+            ("1:2:x1.25", "1 1.25 1.5625 1.953125"),
             ("hertz", "hertz"),
             ("C:/scenes", "C:/scenes"),
             ("1.5", "1.5"),
@@ -196,7 +203,7 @@ mod tests {
             ("1:8:x1", "factor other than 1"),
             ("1:8:x0.5", "does not lead there"),
             ("0:8:x2", "numbers > 0"),
-            ("1:1e30:x1.000001", "values"),
+            ("1:1e30:x1.000001", "more than 10000 values"),
             ("0:inf:1", "`inf` is not a number"),
         ] {
             let refused = expand(item).err().unwrap_or_default();

@@ -87,11 +87,13 @@ impl std::fmt::Display for OutOfReach {
         write!(
             f,
             "out of reach: {} m away after turning {} rad takes {} m/s and {} rad/s, the limits are \
-             {most_speed:?} m/s and {most_spin:?} rad/s",
+             {} m/s and {} rad/s",
             shown(self.distance),
             shown(needed.angle),
             beyond(needed.speed, most_speed),
             beyond(needed.launch.spin, most_spin),
+            given(most_speed),
+            given(most_spin),
         )?;
         match self.distances {
             Some([nearest, farthest]) => write!(
@@ -111,14 +113,28 @@ impl std::fmt::Display for OutOfReach {
     }
 }
 
+/// Magnitudes that six decimals tell.
+const EVERYDAY: std::ops::Range<f64> = 1e-3..1e9;
+
+fn is_everyday(x: f64) -> bool {
+    x == 0.0 || EVERYDAY.contains(&x.abs())
+}
+
 /// Six decimals, or seven digits where those would lose them.
 fn shown(x: f64) -> String {
-    /// Magnitudes that six decimals tell.
-    const EVERYDAY: std::ops::Range<f64> = 1e-3..1e9;
-    if x == 0.0 || EVERYDAY.contains(&x.abs()) {
+    if is_everyday(x) {
         format!("{x:.6}")
     } else {
         format!("{x:.6e}")
+    }
+}
+
+/// A limit as it was given.
+fn given(x: f64) -> String {
+    if is_everyday(x) {
+        format!("{x}")
+    } else {
+        format!("{x:e}")
     }
 }
 
