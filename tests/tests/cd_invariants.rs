@@ -1,7 +1,7 @@
 //! What a world keeps, whatever happens in it: momentum, energy, room, bits.
 
 use nalgebra::Vector3;
-use tribos::cd::{Book, Laws, Method, Order, Pace, Setup, Solver, State, Stop, World};
+use tribos::cd::{Book, Laws, Method, Order, Pace, Solver, State, Stop, World};
 use tribos_core::contact::{AllModes, Attraction, Cohesion, NormalLaw};
 use tribos_tests::gas::{SIDE, gas, periodic};
 use tribos_tests::packings::{Rough, accelerated, rough, spheres};
