@@ -143,11 +143,28 @@ fn line(command: &str) -> String {
         let simulates = ["tribos run ", "tribos sweep ", "tribos explain "];
         if !whole && simulates.iter().any(|call| one.starts_with(call)) {
             let short = SHORT.iter().find(|(scene, _)| one.contains(scene));
-            one += short.map_or("", |(_, keys)| keys);
+            one = cut_short(&one, short.map_or("", |(_, keys)| keys));
         }
         one
     });
     each.collect::<Vec<_>>().join(" && ")
+}
+
+/// The command with these `--set KEY=VALUE`, in place of its own of the same keys.
+fn cut_short(command: &str, settings: &str) -> String {
+    let mut words: Vec<&str> = command.split(' ').collect();
+    for setting in settings.split_whitespace().filter(|word| *word != "--set") {
+        let Some((key, _)) = setting.split_once('=') else {
+            words.push(setting);
+            continue;
+        };
+        let start = format!("{key}=");
+        match words.iter().position(|word| word.starts_with(&start)) {
+            Some(at) => words[at] = setting,
+            None => words.extend(["--set", setting]),
+        }
+    }
+    words.join(" ")
 }
 
 /// What it said, if it failed.

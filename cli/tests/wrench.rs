@@ -131,12 +131,24 @@ fn the_rows_of_a_file_are_those_of_single_twists_in_every_format() -> Outcome {
     let json: serde_json::Value = serde_json::from_str(&all("json")?)?;
     let rows = [("1", "2"), ("0.5", "3")];
     for (at, (speed, spin)) in rows.into_iter().enumerate() {
-        let single: serde_json::Value = serde_json::from_str(&one(speed, spin, "json")?)?;
+        let mut single: serde_json::Value = serde_json::from_str(&one(speed, spin, "json")?)?;
+        // The contact is said once, beside the answer.
+        single
+            .as_object_mut()
+            .and_then(|single| single.remove("contact"));
         assert_eq!(json[at], single);
         let csv = one(speed, spin, "csv")?;
         assert_eq!(csv.lines().nth(1), all("csv")?.lines().nth(at + 1));
     }
-    let text = [one("1", "2", "text")?, one("0.5", "3", "text")?].join("\n");
+    let twist = |text: String| {
+        let lines = text.lines().skip_while(|line| !line.starts_with("speed"));
+        lines.map(|line| format!("{line}\n")).collect::<String>()
+    };
+    let text = [
+        twist(one("1", "2", "text")?),
+        twist(one("0.5", "3", "text")?),
+    ]
+    .join("\n");
     assert!(all("text")?.ends_with(&text));
     Ok(())
 }

@@ -50,6 +50,9 @@ impl Lines {
             if !read.map_err(|error| unreadable(&self.name, &error))? {
                 return Ok(None);
             }
+            if self.bytes.contains(&0) {
+                return Err(self.refusal("not a text: there is a zero byte; give plain CSV"));
+            }
             if self.bytes.len() > LONGEST {
                 let message = format!("longer than {LONGEST} bytes; give plain CSV");
                 return Err(self.refusal(&message));

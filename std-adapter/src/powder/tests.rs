@@ -367,7 +367,7 @@ fn a_checkpoint_is_not_for_a_scene_whose_fields_were_changed() -> Tested {
     let kept = Compaction::new(&changed)?.checkpoint();
     let refused = Compaction::resume(&before, &kept).map(|_| ());
     let told = refused.map_or_else(|error| error.to_string(), |()| "accepted".into());
-    assert!(told.contains("`sliding` is 9.0"), "{told}");
+    assert!(told.contains("`sliding` is 0.9"), "{told}");
     assert!(Compaction::resume(&changed, &kept).is_ok());
     Ok(())
 }

@@ -91,8 +91,7 @@ pub fn write_atomically_with<E: From<WriteError>>(
     fill: impl FnOnce(&mut std::fs::File) -> Result<(), E>,
 ) -> Result<(), E> {
     let mut file = AtomicFile::begin(path)?;
-    // The plain file: errors do not name the temporary one.
-    fill(file.file.get_mut().as_file_mut())?;
+    fill(file.file.get_mut().0.as_file_mut())?;
     Ok(file.finish()?)
 }
 
@@ -100,7 +99,21 @@ pub fn write_atomically_with<E: From<WriteError>>(
 #[derive(Debug)]
 pub(crate) struct AtomicFile {
     path: PathBuf,
-    file: BufWriter<tempfile::NamedTempFile>,
+    file: BufWriter<Unnamed>,
+}
+
+/// A temporary file whose errors do not name it.
+#[derive(Debug)]
+struct Unnamed(tempfile::NamedTempFile);
+
+impl Write for Unnamed {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0.as_file().write(bytes)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.0.as_file().flush()
+    }
 }
 
 impl AtomicFile {
@@ -120,7 +133,7 @@ impl AtomicFile {
         match file() {
             Ok(file) => Ok(Self {
                 path,
-                file: BufWriter::new(file),
+                file: BufWriter::new(Unnamed(file)),
             }),
             Err(cause) => Err(WriteError { path, cause }),
         }
@@ -138,7 +151,7 @@ impl AtomicFile {
     pub(crate) fn finish(self) -> Result<(), WriteError> {
         let Self { path, file } = self;
         let persist = || {
-            let file = file.into_inner().map_err(|error| error.into_error())?;
+            let Unnamed(file) = file.into_inner().map_err(|error| error.into_error())?;
             readable_by_all(file.as_file())?;
             file.as_file().sync_all()?;
             file.persist(&path).map_err(|error| error.error)

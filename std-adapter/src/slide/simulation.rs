@@ -237,6 +237,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
     fn work(&self, motion: &Motion<f64>, duration: f64) -> f64 {
         let nothing = NOTHING * self.slider.energy_per_mass(&self.start);
         let (mut state, mut left, mut work) = (*motion, duration, 0.0);
+        let mut last = f64::INFINITY;
         while left > 0.0 {
             let energy = self.slider.energy_per_mass(&state);
             if energy <= nothing {
@@ -244,6 +245,11 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
             }
             let power = self.slider.dissipation_per_mass(&state);
             let piece = left.min(PIECE * energy / power);
+            // Each piece takes a share of the energy: otherwise the numbers are out of range.
+            if piece <= 0.0 || energy >= last {
+                return f64::NAN;
+            }
+            last = energy;
             let mut at = 0.0;
             for [node, weight] in POWER_NODES {
                 state = self.slider.advance(&state, (node - at) * piece).motion;

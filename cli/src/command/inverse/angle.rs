@@ -1,5 +1,6 @@
 //! Angles on the command line.
 
+use crate::command::digits::shown;
 use crate::command::number;
 use std::f64::consts::TAU;
 
@@ -42,9 +43,9 @@ impl Angle {
     /// In both units, for people.
     pub fn text(self) -> String {
         format!(
-            "{:.6} rad ({:.4} deg)",
-            self.radians,
-            self.radians.to_degrees()
+            "{} rad ({} deg)",
+            shown(self.radians),
+            shown(self.radians.to_degrees())
         )
     }
 }

@@ -26,15 +26,8 @@ impl InForce {
         self.0.insert(key.name.into(), json_number(value));
     }
 
-    /// A whole number; those that f64 does not hold as integers.
     fn count(&mut self, key: Key, value: u64) {
-        const EXACT: u64 = 1 << f64::MANTISSA_DIGITS;
-        let json = if value <= EXACT {
-            json_number(value as f64)
-        } else {
-            value.into()
-        };
-        self.0.insert(key.name.into(), json);
+        self.0.insert(key.name.into(), value.into());
     }
 
     /// A number that may be off.
