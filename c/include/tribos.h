@@ -1170,15 +1170,15 @@ tribos_status tribos_slider_verlet_step_f64(const struct tribos_slider_f64 *slid
                                             double duration);
 
 // Advances by duration >= 0, through rest if it comes. Accuracy: as tribos_slider_to_rest_f64.
-// Cost: 8 evaluations of the wrench while the speeds change by less than about a hundredth; some
-// 50 to 250 otherwise.
+// Cost: 8 evaluations of the wrench while the speeds change by less than some thousandths, 12 up to
+// a few hundredths; some 50 to 250 otherwise.
 tribos_status tribos_slider_advance_f64(const struct tribos_slider_f64 *slider,
                                         const struct tribos_motion_f64 *motion,
                                         double duration,
                                         struct tribos_advance_f64 *advance);
 
 // Follows the motion to rest; TRIBOS_STATUS_NO_REST for one that is not finite. Accuracy: 1e-13
-// relative in each of time, distance and angle (f32: 1e-5), whichever motion dies first. Cost: some
+// relative in each of time, distance and angle (f32: 5e-6), whichever motion dies first. Cost: some
 // 150 evaluations of the wrench, seldom more than 500.
 tribos_status tribos_slider_to_rest_f64(const struct tribos_slider_f64 *slider,
                                         const struct tribos_motion_f64 *motion,
@@ -1684,15 +1684,15 @@ tribos_status tribos_slider_verlet_step_f32(const struct tribos_slider_f32 *slid
                                             float duration);
 
 // Advances by duration >= 0, through rest if it comes. Accuracy: as tribos_slider_to_rest_f32.
-// Cost: 8 evaluations of the wrench while the speeds change by less than about a hundredth; some
-// 50 to 250 otherwise.
+// Cost: 8 evaluations of the wrench while the speeds change by less than some thousandths, 12 up to
+// a few hundredths; some 50 to 250 otherwise.
 tribos_status tribos_slider_advance_f32(const struct tribos_slider_f32 *slider,
                                         const struct tribos_motion_f32 *motion,
                                         float duration,
                                         struct tribos_advance_f32 *advance);
 
 // Follows the motion to rest; TRIBOS_STATUS_NO_REST for one that is not finite. Accuracy: 1e-13
-// relative in each of time, distance and angle (f32: 1e-5), whichever motion dies first. Cost: some
+// relative in each of time, distance and angle (f32: 5e-6), whichever motion dies first. Cost: some
 // 150 evaluations of the wrench, seldom more than 500.
 tribos_status tribos_slider_to_rest_f32(const struct tribos_slider_f32 *slider,
                                         const struct tribos_motion_f32 *motion,

@@ -4,7 +4,9 @@ use crate::sweep::Lcg;
 use nalgebra::Vector2;
 use std::cell::Cell;
 use tribos_core::Real;
-use tribos_core::coupling::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
+use tribos_core::coupling::{
+    Coupling, DryCoupling, Profile, ReducedJacobian, ReducedWrench, Speeds,
+};
 use tribos_core::special::CompleteElliptic;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -146,5 +148,22 @@ impl<R: Real, C: Coupling<R>> Coupling<R> for Counting<C> {
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
         self.calls.set(self.calls.get() + 1);
         self.coupling.reduced_jacobian(slide, rim)
+    }
+}
+
+impl<R: Real, C: Profile<R>> Profile<R> for Counting<C> {
+    fn exponent(&self) -> R {
+        self.coupling.exponent()
+    }
+    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
+        self.calls.set(self.calls.get() + 1);
+        self.coupling.factors(at)
+    }
+    fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
+        self.calls.set(self.calls.get() + 1);
+        self.coupling.inertia_excess(at, inertia_ratio)
+    }
+    fn inertia_ends(&self) -> [R; 2] {
+        self.coupling.inertia_ends()
     }
 }

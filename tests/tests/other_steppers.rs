@@ -105,19 +105,20 @@ fn single_precision_stops_at_the_same_place() {
             rng.log_between(0.01, 10.0) as f32,
             rng.log_between(0.1, 100.0) as f32,
         );
-        let single = Slider::new(Coulomb, MU_G as f32, RADIUS as f32, 0.5).unwrap();
+        let inertia = rng.log_between(0.01, 100.0) as f32;
+        let single = Slider::new(Coulomb, MU_G as f32, RADIUS as f32, inertia).unwrap();
         let wide = Slider::new(
             Coulomb,
             f64::from(MU_G as f32),
             f64::from(RADIUS as f32),
-            0.5,
+            f64::from(inertia),
         )
         .unwrap();
         let got = single.to_rest(&Motion::launched(speed, spin)).unwrap();
         let wanted = wide
             .to_rest(&Motion::launched(f64::from(speed), f64::from(spin)))
             .unwrap();
-        let place = || format!("v0 {speed}, spin {spin}");
+        let place = || format!("v0 {speed}, spin {spin}, C {inertia}");
         for (got, wanted) in [
             (got.motion.time, wanted.motion.time),
             (got.motion.distance, wanted.motion.distance),

@@ -6,6 +6,7 @@ use tribos_core::coupling::{Coupling, Profile};
 use tribos_core::patch::PowerPressure;
 use tribos_core::slider::{Motion, Rest, Slider};
 use tribos_tests::pucks::{coulomb, power, relative};
+use tribos_tests::surfaces::Counting;
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tables::Table;
 use tribos_tests::tolerance;
@@ -396,6 +397,40 @@ fn the_energy_error_judges_the_motion_and_not_the_samples() {
                 panic!("{:?}", run.limit)
             };
             assert_eq!(run.ratio, ratio, "{alpha}");
+        }
+    }
+}
+
+#[test]
+fn a_controller_s_step_costs_some_ten_wrenches() {
+    // Mean evaluations a step, over the whole motion to rest.
+    for (duration, most) in [(1e-4, 11), (1e-3, 26)] {
+        for alpha in [-0.9, 0.0, 0.5] {
+            for spin in [2.0, 5.0, 12.0, 30.0] {
+                let law = Counting::new(Table64::new(alpha).unwrap());
+                let puck = Slider::new(&law, 3.0, 0.08, 0.5).unwrap();
+                let start = Motion::launched(1.0, spin);
+                let wanted = puck.to_rest(&start).unwrap();
+                law.take();
+                let (mut motion, mut told, mut steps) = (start, 0, 0);
+                let rest = loop {
+                    let step = puck.advance(&motion, duration);
+                    (motion, told, steps) = (step.motion, told + step.evaluations, steps + 1);
+                    if let Some(rest) = step.rest {
+                        break rest;
+                    }
+                };
+                let place = format!("alpha {alpha}, {spin} rad/s, steps of {duration} s");
+                assert_eq!(law.take(), told, "{place}");
+                assert!(told <= most * steps, "{place}: {told} in {steps} steps");
+                for (got, wanted) in [
+                    (rest.motion.time, wanted.motion.time),
+                    (rest.motion.distance, wanted.motion.distance),
+                    (rest.motion.angle, wanted.motion.angle),
+                ] {
+                    assert!(relative(got, wanted) < 1e-13, "{place}");
+                }
+            }
         }
     }
 }

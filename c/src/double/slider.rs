@@ -111,8 +111,8 @@ pub unsafe extern "C" fn tribos_slider_verlet_step_f64(
 }
 
 /// Advances by duration >= 0, through rest if it comes. Accuracy: as tribos_slider_to_rest_f64.
-/// Cost: 8 evaluations of the wrench while the speeds change by less than about a hundredth; some
-/// 50 to 250 otherwise.
+/// Cost: 8 evaluations of the wrench while the speeds change by less than some thousandths, 12 up to
+/// a few hundredths; some 50 to 250 otherwise.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_slider_advance_f64(
     slider: *const tribos_slider_f64,
@@ -133,7 +133,7 @@ pub unsafe extern "C" fn tribos_slider_advance_f64(
 }
 
 /// Follows the motion to rest; TRIBOS_STATUS_NO_REST for one that is not finite. Accuracy: 1e-13
-/// relative in each of time, distance and angle (f32: 1e-5), whichever motion dies first. Cost: some
+/// relative in each of time, distance and angle (f32: 5e-6), whichever motion dies first. Cost: some
 /// 150 evaluations of the wrench, seldom more than 500.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_slider_to_rest_f64(

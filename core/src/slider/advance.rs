@@ -1,5 +1,6 @@
 //! A motion over a given time: one Runge–Kutta step if it is short, the way to rest otherwise.
 
+use super::eighth_order;
 use super::march::{March, Outcome, Until};
 use super::rest::Rest;
 use super::runge_kutta;
@@ -34,12 +35,26 @@ pub struct Advance<R> {
     pub evaluations: u32,
 }
 
-/// Fading of the faster speed up to which one Runge–Kutta step can be exact.
-const SHORT: f64 = 1.0 / 64.0;
-/// Evaluations of a Runge–Kutta step and of the rates before it.
-const STEP_EVALUATIONS: u32 = 8;
-/// Its local error, in rounding errors.
-const STEP_ULPS: f64 = 0.5;
+/// Fading of the faster speed up to which a step of order 5, and one of order 8, can be exact.
+const SHORT: f64 = 1.0 / 256.0;
+const MIDDLING: f64 = 1.0 / 16.0;
+/// Evaluations of a step of order 5.
+const STEP_EVALUATIONS: u32 = 7;
+/// Truncation error of the logarithm of a speed, in rounding errors.
+const SPEED_ULPS: f64 = 0.5;
+/// Error of a path, which is relative, and of a change of speed: rounding errors of the estimate of order 8.
+const CHANGE_ULPS: f64 = 16.0;
+/// The error of a step of order 5 over its estimate, of order 4, in terms of the fading over the
+/// distance from equal speeds; and if it comes near or passes them.
+const SMOOTH_ERROR: f64 = 2.0;
+const KINKED: f64 = 0.5;
+const KINKED_ERROR: f64 = 16.0;
+
+/// What short steps find: ln v₀/v, ln w₀/w and the two paths in units of v₀ and w₀, if they are exact.
+struct Tried<R> {
+    end: Option<[R; 4]>,
+    evaluations: u32,
+}
 
 impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// Advances by `duration`, through rest if it comes.
@@ -49,8 +64,9 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// integrated, speed and spin are NaN.
     /// *Accuracy*: as [`Slider::to_rest`], 1e-13 relative in each of distance and angle; speed and
     /// spin 1e-13 times the time to rest over the time left.
-    /// *Cost*: 8 evaluations of the wrench while the speeds change by less than about a hundredth, as in
-    /// a controller; some 50 to 250 otherwise.
+    /// *Cost*: 8 evaluations of the wrench while the speeds change by less than some thousandths, as in a
+    /// controller; 12 up to a few hundredths; some 50 to 250 otherwise, and up to 20 more next to
+    /// equal speeds.
     pub fn advance(&self, motion: &Motion<R>, duration: R) -> Advance<R> {
         let speeds = [motion.speed.abs(), (motion.spin * self.radius).abs()];
         let moves = (speeds[0] > R::ZERO || speeds[1] > R::ZERO) && duration > R::ZERO;
@@ -67,7 +83,8 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
             };
         }
         let time = self.time_unit(motion).measure(duration);
-        if let Some([slide, rim, distance, angle]) = self.short_step(speeds, time) {
+        let Tried { end, evaluations } = self.short_step(speeds, time);
+        if let Some([slide, rim, distance, angle]) = end {
             let motion = self.after(motion, [slide, rim], [time, distance, angle]);
             return Advance {
                 motion: Motion {
@@ -75,15 +92,17 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
                     ..motion
                 },
                 rest: None,
-                evaluations: STEP_EVALUATIONS,
+                evaluations,
             };
         }
         let is_finite = speeds[0].is_finite() && speeds[1].is_finite() && time.is_finite();
         if !is_finite {
-            return lost(motion, later, 0);
+            return lost(motion, later, evaluations);
         }
         let mut march = March::new(self, speeds);
-        match march.go(Until::Time(time)) {
+        let outcome = march.go(Until::Time(time));
+        march.evaluations += evaluations;
+        match outcome {
             Outcome::Time => Advance {
                 motion: Motion {
                     time: later,
@@ -107,37 +126,50 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
         }
     }
 
-    /// What one Runge–Kutta step over a time in units of m₀^(1−α)/κ gives, if it is exact: ln v₀/v, ln w₀/w
-    /// and the two paths in units of v₀ and w₀.
-    fn short_step(&self, speeds: [R; 2], time: R) -> Option<[R; 4]> {
+    /// Tries one Runge–Kutta step over a time in units of m₀^(1−α)/κ.
+    fn short_step(&self, speeds: [R; 2], time: R) -> Tried<R> {
         let at = Speeds::new(speeds[0], speeds[1]);
         let [slide, rim] = self.fading_rates(&at);
         let fastest = if slide > rim { slide } else { rim };
-        // False for NaN.
-        let is_short = fastest * time <= R::from_f64(SHORT);
-        if !is_short {
-            return None;
-        }
-        let major = if speeds[0] > speeds[1] {
-            speeds[0]
-        } else {
-            speeds[1]
+        let fading = fastest * time;
+        let mut tried = Tried {
+            end: None,
+            evaluations: 1,
         };
+        // False for NaN.
+        let is_middling = fading <= R::from_f64(MIDDLING);
+        if !is_middling {
+            return tried;
+        }
         let alpha = self.profile.exponent();
         let derivative = |y: &[R; 4]| {
             let [v, w] = [(-y[0]).exp(), (-y[1]).exp()];
-            let at = Speeds::new(speeds[0] * v, speeds[1] * w);
-            let [slide, rim] = self.fading_rates(&at);
-            let pace = (at.major() / major).pow(alpha - R::ONE);
+            let now = Speeds::new(speeds[0] * v, speeds[1] * w);
+            let [slide, rim] = self.fading_rates(&now);
+            let pace = (now.major() / at.major()).pow(alpha - R::ONE);
             [slide * pace, rim * pace, v, w]
         };
-        let (end, error) = runge_kutta::step(&[R::ZERO; 4], time, derivative);
-        let most = R::from_f64(STEP_ULPS) * R::EPSILON;
-        let is_exact = error[0].abs() <= most
-            && error[1].abs() <= most
-            && error[2].abs() <= most * end[2]
-            && error[3].abs() <= most * end[3];
-        is_exact.then_some(end)
+        if fading <= R::from_f64(SHORT) {
+            let (end, error) = runge_kutta::step(&[R::ZERO; 4], time, derivative);
+            let nearness = R::from_f64(SMOOTH_ERROR) * fading / at.gap();
+            let share = if nearness < R::from_f64(KINKED) {
+                nearness
+            } else {
+                R::from_f64(KINKED_ERROR)
+            };
+            tried.evaluations += STEP_EVALUATIONS;
+            if is_exact(&end, &error.map(|error| error * share)) {
+                tried.end = Some(end);
+                return tried;
+            }
+        }
+        let first = [slide, rim, R::ONE, R::ONE];
+        let (end, error) = eighth_order::step(first, time, derivative);
+        tried.evaluations += eighth_order::STAGES as u32 - 1;
+        if is_exact(&end, &error) {
+            tried.end = Some(end);
+        }
+        tried
     }
 
     /// Φ and Χ/C.
@@ -145,6 +177,22 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
         let [phi, chi] = self.profile.factors(at);
         [phi, chi / self.inertia_ratio]
     }
+}
+
+/// True if the error does not matter to any of the four.
+fn is_exact<R: Real>(end: &[R; 4], error: &[R; 4]) -> bool {
+    let speed = R::from_f64(SPEED_ULPS) * R::EPSILON;
+    let change = R::from_f64(CHANGE_ULPS) * R::EPSILON;
+    let bounds = [
+        speed + change * end[0],
+        speed + change * end[1],
+        change * end[2],
+        change * end[3],
+    ];
+    error
+        .iter()
+        .zip(bounds)
+        .all(|(error, most)| error.abs() <= most)
 }
 
 /// Out of range: no number rather than a wrong one.

@@ -9,6 +9,7 @@
 //! thesis.
 
 mod advance;
+mod eighth_order;
 mod leg;
 mod march;
 mod rest;

@@ -32,6 +32,10 @@ const MOST_CORRECTIONS: u32 = 200;
 const NOTHING: f64 = 1e-18;
 /// Pieces of the work, in e-folds of the energy: the rule is exact to 1e-15 on them.
 const PIECE: f64 = 0.125;
+/// A piece is settled if its work is the energy lost but for this part of the initial energy.
+const SETTLED: f64 = 1e-14;
+/// Halvings in one step: eight lead to a kink, and a fault of the motion must not lead on for ever.
+const MOST_HALVINGS: u32 = 64;
 /// Nodes and weights of the 5-point Gauss–Legendre rule on [0, 1], which integrates the power.
 const POWER_NODES: [[f64; 2]; 5] = [
     [0.046_910_077_030_668, 0.118_463_442_528_094_54],
@@ -234,32 +238,50 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
 
     /// Work of friction in `duration` from `motion` on, along the exact motion: by pieces in which an eighth of
     /// an e-fold of the energy goes, down to an energy that does not count.
+    ///
+    /// Where the power has a kink, at equal speeds, its integral and the energy lost differ, and the
+    /// piece is halved. A fault of the motion itself would remain however short the pieces are.
     fn work(&self, motion: &Motion<f64>, duration: f64) -> f64 {
-        let nothing = NOTHING * self.slider.energy_per_mass(&self.start);
+        let initial = self.slider.energy_per_mass(&self.start);
         let (mut state, mut left, mut work) = (*motion, duration, 0.0);
-        let mut last = f64::INFINITY;
+        let (mut size, mut halvings) = (f64::INFINITY, 0);
         while left > 0.0 {
             let energy = self.slider.energy_per_mass(&state);
-            if energy <= nothing {
+            if energy <= NOTHING * initial {
                 break;
             }
             let power = self.slider.dissipation_per_mass(&state);
-            let piece = left.min(PIECE * energy / power);
-            // Each piece takes a share of the energy: otherwise the numbers are out of range.
-            if piece <= 0.0 || energy >= last {
+            let piece = left.min(PIECE * energy / power).min(size);
+            let (part, end) = self.work_of_piece(&state, piece);
+            let lost = energy - self.slider.energy_per_mass(&end);
+            let is_settled = (part - lost).abs() <= SETTLED * initial;
+            if !is_settled && halvings < MOST_HALVINGS {
+                halvings += 1;
+                size = 0.5 * piece;
+                continue;
+            }
+            if piece <= 0.0 || lost <= 0.0 {
+                // No piece takes energy: the numbers are out of range.
                 return f64::NAN;
             }
-            last = energy;
-            let mut at = 0.0;
-            for [node, weight] in POWER_NODES {
-                state = self.slider.advance(&state, (node - at) * piece).motion;
-                at = node;
-                work += weight * piece * self.slider.dissipation_per_mass(&state);
-            }
-            state = self.slider.advance(&state, (1.0 - at) * piece).motion;
+            size = 2.0 * piece;
+            work += part;
             left -= piece;
+            state = end;
         }
         self.scene.mass * work
+    }
+
+    /// Work per mass by the rule, and the motion after the piece.
+    fn work_of_piece(&self, motion: &Motion<f64>, piece: f64) -> (f64, Motion<f64>) {
+        let (mut state, mut at, mut work) = (*motion, 0.0, 0.0);
+        for [node, weight] in POWER_NODES {
+            state = self.slider.advance(&state, (node - at) * piece).motion;
+            at = node;
+            work += weight * piece * self.slider.dissipation_per_mass(&state);
+        }
+        let end = self.slider.advance(&state, (1.0 - at) * piece).motion;
+        (work, end)
     }
 
     fn exact_step(&mut self, duration: f64, is_last: bool) {

@@ -37,20 +37,9 @@ impl Trajectory {
     /// Writes, one state after another.
     pub fn write(self, format: Format) -> Result<(), Failure> {
         let kept = Kept::read(&self.run)?;
-        let _folder = match &self.out {
-            Some(out) if !is_same(out, &self.run) => Some(OutputFolder::go_on(
-                out,
-                &Contents {
-                    about: kept.manifest.about.clone(),
-                    ..Contents::of("export", &FILES)
-                },
-            )?),
-            _ => None,
-        };
-        let out = self.out.as_deref().unwrap_or(&self.run);
         let (states, file) = match &kept.bodies {
-            Some(bodies) => self.solid(&frames_folder(&self.run), bodies, out, format)?,
-            None => self.path(&kept, out, format)?,
+            Some(bodies) => self.solid(&kept, bodies, format)?,
+            None => self.path(&kept, format)?,
         };
         crate::command::print(&format!(
             "written to    {}, {states} states\n",
@@ -58,13 +47,27 @@ impl Trajectory {
         ))
     }
 
+    /// The folder for the files: the run's, or one of their own.
+    fn folder(&self, kept: &Kept) -> Result<(&Path, Option<OutputFolder>), Failure> {
+        match &self.out {
+            Some(out) if !is_same(out, &self.run) => {
+                let contents = Contents {
+                    about: kept.manifest.about.clone(),
+                    ..Contents::of("export", &FILES)
+                };
+                Ok((out, Some(OutputFolder::go_on(out, &contents)?)))
+            }
+            _ => Ok((&self.run, None)),
+        }
+    }
+
     fn solid(
         &self,
-        frames: &Path,
+        kept: &Kept,
         bodies: &Bodies,
-        out: &Path,
         format: Format,
     ) -> Result<(usize, PathBuf), Failure> {
+        let frames = &frames_folder(&self.run);
         let steps = FrameFolder::steps(frames)?;
         if steps.is_empty() {
             return Err(Failure::input(format!(
@@ -72,6 +75,7 @@ impl Trajectory {
                 frames.display()
             )));
         }
+        let (out, _lock) = self.folder(kept)?;
         let mut film = trajectory::Trajectory::begin(out, format)?;
         for step in steps {
             let frame = FrameFolder::read(frames, bodies, step)?;
@@ -80,7 +84,7 @@ impl Trajectory {
         Ok((film.states(), film.finish()?))
     }
 
-    fn path(&self, kept: &Kept, out: &Path, format: Format) -> Result<(usize, PathBuf), Failure> {
+    fn path(&self, kept: &Kept, format: Format) -> Result<(usize, PathBuf), Failure> {
         let folder = self.run.display();
         let Some(summary) = &kept.summary else {
             return Err(Failure::input(format!(
@@ -94,8 +98,10 @@ impl Trajectory {
                 "{folder}: the run kept no frames; run it again without `--frames 0`"
             )));
         }
+        let states = states(&self.run, kept)?;
+        let (out, _lock) = self.folder(kept)?;
         let mut film = trajectory::Trajectory::begin(out, format)?;
-        for state in states(&self.run, kept)? {
+        for state in states {
             film.add(&state)?;
         }
         Ok((film.states(), film.finish()?))

@@ -1,0 +1,137 @@
+//! One panel: sixteen directions, and what they say of the time and the paths between its ends.
+
+use super::super::leg::Leg;
+use super::super::rule::{self, POINTS, RULE};
+use super::{March, Rates};
+use crate::coupling::{Coupling, Lead, Profile};
+use crate::real::Real;
+
+/// Largest exponent by which an integrand may fall within a panel: exp(−8x) on it is exact to
+/// 1e-19 of its largest value with 16 nodes.
+const LARGEST_FADING: f64 = 8.0;
+/// Truncation error of a panel, in rounding errors.
+const TOLERANCE_ULPS: f64 = 4.0;
+/// Coefficients that do not fall off are noise if they are as small as this power of a rounding error.
+const NOISE_POWER: f64 = 0.6;
+/// Noise of C_α − C beyond this part of it is not excused.
+const MOST_NOISE: f64 = 0.03125;
+
+/// What the nodes of a panel say.
+pub(super) struct Panel<R> {
+    /// Increments of `faded`.
+    pub faded: [R; 2],
+    /// Increments of `sums`.
+    pub sums: [R; 3],
+    /// Time integrand at the nodes.
+    pub times: [R; POINTS],
+    /// Rates and ds/dp at the last node.
+    pub rates: Rates<R>,
+    pub slowness: R,
+    /// Largest exponent by which an integrand would fall over the panel, as steep as at its worst node.
+    pub fading: R,
+    pub is_resolved: bool,
+}
+
+impl<R: Real, P: Profile<R> + Coupling<R>> March<'_, R, P> {
+    /// Longest panel that may fit.
+    pub(super) fn longest(&self, leg: &Leg<R>) -> R {
+        let smooth = leg.smooth_length();
+        let fastest = self.fastest(self.rates);
+        let by_fading = R::from_f64(LARGEST_FADING) / (fastest * self.slowness);
+        if by_fading < smooth {
+            by_fading
+        } else {
+            smooth
+        }
+    }
+
+    /// Evaluates the panel of length `size` ahead.
+    pub(super) fn panel(&mut self, leg: &Leg<R>, size: R) -> Panel<R> {
+        let half = R::HALF * size;
+        let step = if leg.rising { -half } else { half };
+        let [mut slides, mut rims] = [[R::ZERO; POINTS]; 2];
+        let mut times = [R::ZERO; POINTS];
+        let (mut rates, mut slowness, mut growth) = (self.rates, self.slowness, R::ONE);
+        for (((slide, rim), time), node) in slides
+            .iter_mut()
+            .zip(&mut rims)
+            .zip(&mut times)
+            .zip(&RULE.nodes)
+        {
+            let place = leg.place(leg.p + step * (R::ONE + R::from_f64(*node)));
+            let here;
+            (rates, [slowness, here]) = self.measured(leg, &place);
+            growth = if here > growth { here } else { growth };
+            *time = slowness * half;
+            *slide = *time * rates[0];
+            *rim = *time * rates[1];
+        }
+        let faded = [rule::integral(&slides), rule::integral(&rims)];
+        let fading = slides
+            .iter()
+            .zip(&rims)
+            .fold(R::ZERO, |most, (slide, rim)| {
+                let steepest = R::TWO * self.fastest([*slide, *rim]);
+                // True for NaN too.
+                if steepest <= most { most } else { steepest }
+            });
+        let is_resolved = self.is_resolved(&[slides, rims], faded, growth);
+        let mut sums = [R::ZERO; 3];
+        let (at_slides, at_rims) = (rule::running(&slides), rule::running(&rims));
+        for (((time, weight), slide), rim) in times
+            .iter_mut()
+            .zip(&RULE.weights)
+            .zip(at_slides)
+            .zip(at_rims)
+        {
+            let faded = [self.faded[0] + slide, self.faded[1] + rim];
+            *time *= self.pace(faded);
+            let part = *time * R::from_f64(*weight);
+            sums[0] += part;
+            for ((sum, faded), is_growing) in sums
+                .iter_mut()
+                .skip(1)
+                .zip(faded)
+                .zip(self.growing.iter().skip(1))
+            {
+                if *is_growing {
+                    *sum += part * (-faded).exp();
+                }
+            }
+        }
+        Panel {
+            faded,
+            sums,
+            times,
+            rates,
+            slowness,
+            fading,
+            is_resolved,
+        }
+    }
+
+    /// True if sixteen nodes resolve the rates of the speeds that still matter, or all but the
+    /// rounding errors of the law times `growth`.
+    pub(super) fn is_resolved(&self, rates: &[[R; POINTS]; 2], faded: [R; 2], growth: R) -> bool {
+        let ulps = R::from_f64(TOLERANCE_ULPS) * R::EPSILON;
+        let noise_level = R::EPSILON.pow(R::from_f64(NOISE_POWER));
+        let leads = [self.lead == Lead::Sliding, self.lead == Lead::Spinning];
+        let matters = [self.growing[1] || leads[0], self.growing[2] || leads[1]];
+        rates
+            .iter()
+            .zip(faded)
+            .zip(matters)
+            .all(|((rates, total), matters)| {
+                let [middle, end] = rule::decay(rates);
+                let scale = if total > R::ONE { total } else { R::ONE };
+                let is_small = end < noise_level * total;
+                let fall = if end < middle { end / middle } else { R::ONE };
+                let error = end * fall * fall;
+                let is_noise = end > R::HALF * R::HALF * middle && is_small;
+                let part = ulps * growth;
+                let most = R::from_f64(MOST_NOISE);
+                let noise = (if part < most { part } else { most }) * total;
+                !matters || error <= ulps * scale || error <= noise || is_noise
+            })
+    }
+}
