@@ -57,7 +57,7 @@ enum tribos_status
   TRIBOS_STATUS_RADIUS = 20,
   // The order q of the pressure is not between -1 and 8.
   TRIBOS_STATUS_PRESSURE_ORDER = 21,
-  // The inner over the outer radius of an annulus is not between 0 and 0.999.
+  // The inner over the outer radius of an annulus is not between 0 and 0.999999.
   TRIBOS_STATUS_INNER_RATIO = 22,
   // A node does not lie at a finite place.
   TRIBOS_STATUS_NODE_POSITION = 30,
@@ -929,7 +929,7 @@ tribos_status tribos_disk_compact_jacobian_f64(const struct tribos_round_f64 *pa
                                                struct tribos_jacobian_f64 *jacobian);
 
 // Uniform pressure between inner_ratio and 1 radii under Coulomb friction, by the disk's table.
-// Domain: 0 <= inner_ratio <= 0.999. Accuracy: that of the disk times 2/(1 - inner_ratio).
+// Domain: 0 <= inner_ratio <= 0.999999. Accuracy: that of the disk times 2/(1 - inner_ratio), at most 32.
 tribos_status tribos_annulus_wrench_f64(const struct tribos_round_f64 *patch,
                                         double inner_ratio,
                                         double load,
@@ -1443,7 +1443,7 @@ tribos_status tribos_disk_compact_jacobian_f32(const struct tribos_round_f32 *pa
                                                struct tribos_jacobian_f32 *jacobian);
 
 // Uniform pressure between inner_ratio and 1 radii under Coulomb friction, by the disk's table.
-// Domain: 0 <= inner_ratio <= 0.999. Accuracy: that of the disk times 2/(1 - inner_ratio).
+// Domain: 0 <= inner_ratio <= 0.999999. Accuracy: that of the disk times 2/(1 - inner_ratio), at most 32.
 tribos_status tribos_annulus_wrench_f32(const struct tribos_round_f32 *patch,
                                         float inner_ratio,
                                         float load,

@@ -45,7 +45,7 @@ pub enum tribos_status {
     Radius = 20,
     /// The order q of the pressure is not between -1 and 8.
     PressureOrder = 21,
-    /// The inner over the outer radius of an annulus is not between 0 and 0.999.
+    /// The inner over the outer radius of an annulus is not between 0 and 0.999999.
     InnerRatio = 22,
     /// A node does not lie at a finite place.
     NodePosition = 30,
@@ -144,7 +144,7 @@ impl tribos_status {
             Self::NoMinimum => c"the law has no minimum at a positive speed",
             Self::Radius => c"the contact radius must be positive and finite",
             Self::PressureOrder => c"the order of the pressure must be between -1 and 8",
-            Self::InnerRatio => c"inner radius / outer radius must be between 0 and 0.999",
+            Self::InnerRatio => c"inner radius / outer radius must be between 0 and 0.999999",
             Self::NodePosition => c"a node must lie at a finite place",
             Self::NodeWeight => c"a node must carry a finite weight, not negative",
             Self::Unloaded => c"at least one node must carry load",

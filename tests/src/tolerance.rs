@@ -183,8 +183,14 @@ bounds! {
     DISK_LATERAL = 4e-15, "as ROUND_TABLE, up to alpha = 9";
     /// Annuli, relative, of the factor 2/(1−k).
     ANNULUS = 6e-16, "two disks' roundings; 3e-16 is half an ulp of either";
+    /// Annuli above 15/16, relative, without that factor, for α ≥ 0.
+    THIN_ANNULUS = 6e-15, "means over rings of the disk's wrench and slopes: a table's are right to 5e-15 at an end of a cell";
+    /// The same of the AGM.
+    THIN_ANNULUS_AGM = 1e-14, "the disk's";
+    /// The same for α = −1/2.
+    THIN_ANNULUS_WEAKENING = 1e-13, "rings go as the root of their distance from the centre of rotation, 1e-6 here";
     /// Derivatives of annuli, of the larger of themselves and F/v, of the factor 2/(1−k).
-    ANNULUS_JACOBIAN = 1e-14, "slopes of the disk's table";
+    ANNULUS_JACOBIAN = 2e-14, "slopes of the disk's table, whose two cells may end between the edges of a thin band";
     /// Tables of polynomial pressures of degree 4, relative.
     POLYNOMIAL_TABLE = 2e-15, "as ROUND_TABLE, times the sum of the shares' magnitudes";
 

@@ -51,12 +51,12 @@ fn named_pressures_are_their_orders() {
 #[test]
 fn inner_ratios_that_leave_no_disk_or_no_digits_are_refused() {
     let band = |inner: f64| Annulus::new(table::Coulomb, inner);
-    for inner in [0.0, -0.0, 5e-324, 0.5, 0.999] {
+    for inner in [0.0, -0.0, 5e-324, 0.5, 0.999_999] {
         assert!(band(inner).is_ok(), "{inner}");
     }
     for inner in [
         -5e-324,
-        0.999_f64.next_up(),
+        0.999_999_f64.next_up(),
         1.0,
         2.0,
         f64::INFINITY,
@@ -66,13 +66,13 @@ fn inner_ratios_that_leave_no_disk_or_no_digits_are_refused() {
         let PatchError::InnerRatio { given, max } = error else {
             panic!("{inner}: {error:?}")
         };
-        assert!(given.to_bits() == inner.to_bits() && max == 0.999);
+        assert!(given.to_bits() == inner.to_bits() && max == 0.999_999);
         assert!(
             error.to_string().contains("a thinner annulus is a ring"),
             "{error}"
         );
     }
-    assert!(Annulus::new(table::Coulomb, 0.999_f32).is_ok());
+    assert!(Annulus::new(table::Coulomb, 0.999_999_f32).is_ok());
 }
 
 #[test]

@@ -98,7 +98,7 @@ pub unsafe extern "C" fn tribos_disk_compact_jacobian_f64(
 }
 
 /// Uniform pressure between inner_ratio and 1 radii under Coulomb friction, by the disk's table.
-/// Domain: 0 <= inner_ratio <= 0.999. Accuracy: that of the disk times 2/(1 - inner_ratio).
+/// Domain: 0 <= inner_ratio <= 0.999999. Accuracy: that of the disk times 2/(1 - inner_ratio), at most 32.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_annulus_wrench_f64(
     patch: *const tribos_round_f64,

@@ -5,7 +5,7 @@
 //! one: v = 1e-200 and w = 1e150 have h = 1e-350, but under α = 1 the force is v.
 
 use super::lateral::twice_z_slope;
-use super::profile::Profile;
+use super::profile::{Profile, SmoothProfile};
 use super::speeds::{Lead, Speeds};
 use super::wide::Wide;
 use crate::real::Real;
@@ -116,15 +116,17 @@ pub(super) fn wrench<R: Real, P: Profile<R>>(
 
 /// F/v, ∂F/∂v, ∂F/∂w and ∂T/∂w; NaN for an infinite speed.
 #[cold]
-pub(super) fn jacobian<R: Real>(
-    alpha: R,
-    [phi, slope, chi]: [R; 3],
+#[inline(never)]
+pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
+    profile: &P,
     at: &Speeds<R>,
     speeds: [R; 2],
 ) -> [R; 4] {
     if !at.major.is_finite() {
         return [R::NAN; 4];
     }
+    let [phi, slope, chi] = profile.factors_and_slope(at);
+    let alpha = profile.exponent();
     let (bend, beta) = (R::TWO * slope, R::ONE - alpha);
     let drag = even(phi, R::ZERO);
     let entries = match at.lead() {

@@ -31,6 +31,7 @@ mod member;
 mod octave;
 mod polynomial;
 mod profile;
+mod rings;
 mod side;
 mod speeds;
 mod wide;

@@ -205,13 +205,13 @@ pub(super) fn jacobian<R: Real, P: SmoothProfile<R>>(
     if speeds.at_rest() {
         return at_rest(profile);
     }
-    let factors = profile.factors_and_slope(&speeds);
-    let (alpha, scale) = (profile.exponent(), profile.rate_scale(speeds.major));
+    let scale = profile.rate_scale(speeds.major);
     let [force_per_slide, force_slide, mixed, torque_rim] =
         if is_ordinary(scale) && speeds.major.is_finite() && speeds.are_resolved(slide, rim) {
-            unscaled_jacobian(alpha, &speeds, factors).map(|x| scale * x)
+            let factors = profile.factors_and_slope(&speeds);
+            unscaled_jacobian(profile.exponent(), &speeds, factors).map(|x| scale * x)
         } else {
-            beyond::jacobian(alpha, factors, &speeds, [slide, rim])
+            beyond::jacobian(profile, &speeds, [slide, rim])
         };
     ReducedJacobian {
         force_per_slide,

@@ -223,10 +223,11 @@ mod tests {
     #[test]
     fn powers_go_beyond_the_range() {
         let power = |base: f64, exponent: f64| Wide::power(base, exponent);
-        assert_eq!(
-            power(2.0, 3000.0).times(power(2.0, -2999.5)).value(),
-            2.0_f64.sqrt()
-        );
+        let one = power(2.0, 3000.0).times(power(2.0, -3000.0));
+        assert_eq!(one.value(), 1.0);
+        // The fourth root 2^-749.875 is rounded, and its fourth power carries that four times.
+        let root = power(2.0, 3000.0).times(power(2.0, -2999.5)).value();
+        assert!((root / 2.0_f64.sqrt() - 1.0).abs() <= 4.0 * f64::EPSILON);
         assert_eq!(power(4.0, 0.5).value(), 2.0);
         assert_eq!(power(0.0, 2.0).value(), 0.0);
     }

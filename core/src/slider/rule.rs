@@ -1,22 +1,8 @@
 //! The Gauss–Legendre rule of 16 points on [−1, 1], with running integrals.
 
 use crate::real::Real;
-
-/// Points of the rule.
-pub(super) const POINTS: usize = 16;
-
-/// Positive nodes and their weights: roots of P₁₆ and 2/((1−x²) P₁₆'²) by mpmath 1.3 with 60 digits,
-/// `taylor(lambda x: legendre(16, x), 0, 16)` and `polyroots`.
-const HALF: [[f64; 2]; POINTS / 2] = [
-    [0.095_012_509_837_637_44, 0.189_450_610_455_068_5],
-    [0.281_603_550_779_258_9, 0.182_603_415_044_923_58],
-    [0.458_016_777_657_227_37, 0.169_156_519_395_002_54],
-    [0.617_876_244_402_643_8, 0.149_595_988_816_576_74],
-    [0.755_404_408_355_003, 0.124_628_971_255_533_88],
-    [0.865_631_202_387_831_8, 0.095_158_511_682_492_79],
-    [0.944_575_023_073_232_6, 0.062_253_523_938_647_894],
-    [0.989_400_934_991_649_9, 0.027_152_459_411_754_096],
-];
+use crate::special::legendre::HALF;
+pub(super) use crate::special::legendre::POINTS;
 
 /// Nodes, weights and what follows from them, computed by the compiler.
 pub(super) struct Rule {

@@ -2,6 +2,7 @@
 
 pub mod elliptic;
 pub mod hypergeometric;
+pub(crate) mod legendre;
 
 pub use elliptic::CompleteElliptic;
 pub use hypergeometric::Gauss;

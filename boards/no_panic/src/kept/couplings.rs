@@ -127,7 +127,7 @@ fn with_dimensions<R: Real, C: Coupling<R>>(keeper: &mut impl Keeper) {
     );
 }
 
-fn annulus<R: Real, C: Lateral<R> + Profile<R>>(keeper: &mut impl Keeper) {
+fn annulus<R: Real, C: Lateral<R> + SmoothProfile<R>>(keeper: &mut impl Keeper) {
     keep!(keeper: Annulus::<R, C>::new);
     coupling::<R, Annulus<R, C>>(keeper);
     profile::<R, Annulus<R, C>>(keeper);
