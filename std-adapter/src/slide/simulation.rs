@@ -260,8 +260,9 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
                 size = 0.5 * piece;
                 continue;
             }
-            if piece <= 0.0 || lost <= 0.0 {
-                // No piece takes energy: the numbers are out of range.
+            let makes_way = piece > 0.0 && (lost > 0.0 || piece >= left);
+            if !makes_way {
+                // The numbers are out of range.
                 return f64::NAN;
             }
             size = 2.0 * piece;
