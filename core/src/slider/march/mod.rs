@@ -40,7 +40,7 @@ const FAR_TOO_MUCH: f64 = 8.0;
 const FAR_LESS: f64 = 0.125;
 /// Growth of the panel after a shortened one: the kink behind it must not slip into one that is far
 /// too long.
-const GROWTH: f64 = 2.0;
+const GROWTH: f64 = 4.0;
 /// Panels before a profile is called unfit: forty are enough for the pressures of the kernel.
 const MOST_PANELS: u32 = 4_000;
 /// Shortest panel in p: the kink of an annulus asks for 1e-3.
