@@ -136,6 +136,14 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         self.impulses.iter_mut().for_each(merge);
     }
 
+    /// Impulses of the step's impacts over its length, of pairs and at walls.
+    pub fn mean_forces(&self, dt: f64) -> [Vec<Kept<F::Modes>>; 2] {
+        let over = |(bodies, impulse): &Kept<F::Modes>| {
+            (*bodies, Modal::default().plus_scaled(1.0 / dt, impulse))
+        };
+        [0, 1].map(|kind: usize| self.impulses[kind].iter().map(over).collect())
+    }
+
     /// Lets the loads act for half of the step. With the other half after the impacts a ball that
     /// bounces without loss comes back to its height.
     fn load(&mut self, around: &Surroundings<'_, F>) {
@@ -189,7 +197,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
             let [a, b] = bodies.map(|body| body as usize);
             if awake[a] {
                 let wall = &self.walls[b];
-                let contact = prepare(touch, &self.spheres[a], &wall.plate);
+                let contact = prepare(&at_plate(touch), &self.spheres[a], &wall.plate);
                 let speed = contact.velocity(&self.spheres[a], &wall.plate).normal;
                 let load = gravity + (wall.force * wall.plate.inv_mass).abs();
                 if closing.impacts(touch, wall_law, &contact, [-speed, load]) {
@@ -239,6 +247,16 @@ fn groups<F>(laws: &Laws<F>) -> Vec<([bool; 2], f64)> {
         vec![([true, false], pair), ([false, true], wall)]
     };
     groups.into_iter().filter(|(_, e)| *e > 0.0).collect()
+}
+
+/// A sphere that has reached its plate: friction's lever is the radius, whatever gap the last step
+/// left. Between two spheres the levers end at one point within the gap, which keeps angular
+/// momentum; a plate does not turn.
+fn at_plate(touch: &Touch<f64>) -> Touch<f64> {
+    Touch {
+        arms: [touch.lever, 0.0],
+        ..*touch
+    }
 }
 
 /// A contact without gap, cohesion and friction.

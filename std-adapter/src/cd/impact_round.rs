@@ -3,7 +3,7 @@
 use super::accelerated::{Accelerated, Goal};
 use super::book::{driven_work, kinetic_energy};
 use super::impact::Impacts;
-use super::memory::Kept;
+use super::memory::find;
 use super::nsgs::{Order, Stop, Sweeper, solve};
 use super::operator::Operator;
 use super::spheres::{Link, Spheres};
@@ -151,12 +151,6 @@ fn rough<M: Modes<f64>>(link: &Link<Frictionless>) -> Link<M> {
         bodies: link.bodies,
         contact: Contact::resume(&prepared, &Modal::default()),
     }
-}
-
-/// The impulse of a contact, from a list in ascending order of the bodies.
-fn find<M: Modes<f64>>(impulses: &[Kept<M>], bodies: [u32; 2]) -> Option<&Modal<f64, M>> {
-    let place = impulses.binary_search_by_key(&bodies, |(bodies, _)| *bodies);
-    impulses.get(place.ok()?).map(|(_, impulse)| impulse)
 }
 
 /// Adds an impulse to that of a contact, without telling the bodies.

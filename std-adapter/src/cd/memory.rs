@@ -53,6 +53,11 @@ impl<M: Modes<f64>> Default for Memory<M> {
 }
 
 impl<M: Modes<f64>> Memory<M> {
+    /// The force of a contact of this kind, 0 for a pair and 1 at a wall; `None` if it had none.
+    pub(crate) fn force(&self, kind: usize, bodies: [u32; 2]) -> Option<&Modal<f64, M>> {
+        find(self.forces.get(kind)?, bodies)
+    }
+
     /// Gives contacts that were there before the force that they had.
     pub fn recall<F: ContactFriction<f64, Modes = M>>(&self, problem: &mut Spheres<F>, dt: f64) {
         let [pair, wall] = problem.friction;
@@ -82,6 +87,12 @@ impl<M: Modes<f64>> Memory<M> {
             forces.sort_by_key(|(bodies, _)| *bodies);
         }
     }
+}
+
+/// The force or impulse of a contact, from a list in ascending order of the bodies.
+pub(super) fn find<M: Modes<f64>>(kept: &[Kept<M>], bodies: [u32; 2]) -> Option<&Modal<f64, M>> {
+    let place = kept.binary_search_by_key(&bodies, |(bodies, _)| *bodies);
+    kept.get(place.ok()?).map(|(_, modal)| modal)
 }
 
 /// Finds the old forces of links; both are in ascending order of their bodies.

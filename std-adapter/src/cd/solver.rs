@@ -29,7 +29,8 @@ pub enum Method {
 pub struct Solver {
     /// The method.
     pub method: Method,
-    /// Most sweeps a step.
+    /// Most sweeps a step. The accelerated method adds half as many at most where its sweeps go round
+    /// in a circle, as they may with large coefficients of friction.
     pub most_sweeps: usize,
     /// Whether a step starts from the forces of the last one.
     pub warm_start: bool,

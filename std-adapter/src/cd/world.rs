@@ -51,8 +51,11 @@ pub struct State<M: Modes<f64>> {
     pub walls: Vec<Wall>,
     /// Energy so far.
     pub book: Book,
-    /// Contact forces of the last step.
+    /// Contact forces of the last step, from which the next one starts.
     pub memory: Memory<M>,
+    /// Mean forces of the last step's impacts with restitution: their impulses over the step. The
+    /// force of a contact is the sum of both.
+    pub impacts: Memory<M>,
     /// Who rests.
     pub rest: Rest,
 }
@@ -133,6 +136,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             walls: setup.walls.clone(),
             book: Book::default(),
             memory: Memory::default(),
+            impacts: Memory::default(),
             rest: Rest::new(setup.spheres.len()),
         };
         Ok(Self::resume(setup, state))
@@ -260,6 +264,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         state.time += dt;
         state.steps += 1;
         let contacts = problem.contacts();
+        state.impacts.forces = self.impacts.mean_forces(dt);
         if counts.impacts > 0 {
             self.impacts.add_to(&mut self.problem);
         }

@@ -2,7 +2,7 @@
 
 use super::blocked::Window;
 use super::compaction::{COLUMNS, Ending, Totals};
-use super::packing::Force;
+use super::packing::{Force, Forces};
 use super::stress::Stress;
 use crate::cd::Book;
 use crate::record::kept::{damaged, groups, hex, numbers, one, opened, places, same_scene, triple};
@@ -20,6 +20,10 @@ const WINDOW: usize = 24;
 const BOOK: usize = 10;
 const FORCE: usize = 10;
 
+/// Keys of forces of pairs and at walls.
+const FORCES: [&str; 2] = ["pair_forces", "wall_forces"];
+const IMPACTS: [&str; 2] = ["pair_impacts", "wall_impacts"];
+
 /// A state of a world without its types.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Frozen {
@@ -31,8 +35,10 @@ pub(super) struct Frozen {
     /// Place and velocity.
     pub walls: Vec<(f64, Vector3<f64>)>,
     pub book: Book,
-    /// Pairs, walls.
-    pub forces: [Vec<([u32; 2], Force)>; 2],
+    /// Of contacts that last.
+    pub forces: Forces,
+    /// Of the last step's impacts.
+    pub impacts: Forces,
     pub awake: Vec<bool>,
     pub still: Vec<u8>,
 }
@@ -73,8 +79,10 @@ impl Checkpoint {
             |(place, velocity): &(f64, Vector3<f64>)| [*place, velocity.x, velocity.y, velocity.z];
         put("walls", frozen.walls.iter().flat_map(wall).collect());
         put("book", book_numbers(&frozen.book).to_vec());
-        for (name, forces) in ["pair_forces", "wall_forces"].iter().zip(&frozen.forces) {
-            put(name, forces.iter().flat_map(force_numbers).collect());
+        for (names, forces) in [(FORCES, &frozen.forces), (IMPACTS, &frozen.impacts)] {
+            for (name, forces) in names.iter().zip(forces) {
+                put(name, forces.iter().flat_map(force_numbers).collect());
+            }
         }
         put("window", window_numbers(&self.window).to_vec());
         let complete = self
@@ -87,6 +95,7 @@ impl Checkpoint {
         map.insert("steps".into(), frozen.steps.into());
         map.insert("iterations".into(), self.totals.iterations.into());
         map.insert("unmet".into(), self.totals.unmet.into());
+        map.insert("cut".into(), self.totals.cut.into());
         let awake: String = frozen
             .awake
             .iter()
@@ -119,7 +128,8 @@ impl Checkpoint {
                     .map(|[place, x, y, z]| (place, Vector3::new(x, y, z)))
                     .collect(),
                 book: book(&numbers(&value, "book")?).ok_or_else(|| damaged("book"))?,
-                forces: [forces("pair_forces")?, forces("wall_forces")?],
+                forces: [forces(FORCES[0])?, forces(FORCES[1])?],
+                impacts: [forces(IMPACTS[0])?, forces(IMPACTS[1])?],
                 awake: awake(&value)?,
                 still: still(&value)?,
             },
@@ -134,6 +144,7 @@ impl Checkpoint {
             totals: Totals {
                 iterations: whole("iterations")?,
                 unmet: whole("unmet")?,
+                cut: whole("cut")?,
                 wall_seconds: one(&value, "wall_seconds")?,
             },
             series: groups(&value, "series")?,
@@ -162,12 +173,15 @@ impl Checkpoint {
         if self.series.len() as u64 != lines {
             return Err(damaged("series"));
         }
-        let [pairs, walls] = &frozen.forces;
         let known = |body: u32| (body as usize) < spheres;
+        let exist = |[pairs, walls]: &Forces| {
+            pairs.iter().all(|([a, b], _)| known(*a) && known(*b))
+                && walls.iter().all(|([a, wall], _)| known(*a) && *wall < 2)
+        };
         let fits = lengths.iter().all(|&length| length == spheres)
             && frozen.walls.len() == 2
-            && pairs.iter().all(|([a, b], _)| known(*a) && known(*b))
-            && walls.iter().all(|([a, wall], _)| known(*a) && *wall < 2);
+            && exist(&frozen.forces)
+            && exist(&frozen.impacts);
         if fits {
             Ok(())
         } else {

@@ -89,6 +89,8 @@ pub(super) struct Totals {
     pub iterations: u64,
     /// Steps in which the solver's rule was not met.
     pub unmet: u64,
+    /// Those of them whose impacts were cut off.
+    pub cut: u64,
     /// Time on the clock, in s, up to the last start.
     pub wall_seconds: f64,
 }
@@ -368,6 +370,7 @@ impl Compaction {
             residual: self.report.residual.relative,
             iterations: self.totals.iterations,
             unmet: self.totals.unmet,
+            impacts_cut: self.totals.cut,
             book: *self.packing.book(),
             wall_seconds: self.wall_seconds(),
         }
@@ -494,6 +497,7 @@ impl Simulation for Compaction {
         self.report = self.packing.step()?;
         self.totals.iterations += self.report.effort.sweeps as u64;
         self.totals.unmet += u64::from(!self.report.effort.met);
+        self.totals.cut += u64::from(self.report.impacts_cut);
         self.measure(&before)?;
         self.ending = self.judge();
         if self.ending.is_some() || self.steps().is_multiple_of(self.scene.samples) {

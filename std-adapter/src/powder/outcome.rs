@@ -63,8 +63,10 @@ pub struct Outcome {
     pub residual: f64,
     /// Sweeps of all steps.
     pub iterations: u64,
-    /// Steps in which the solver's rule was not met.
+    /// Steps in which the solver's rule was not met, or impacts were cut off.
     pub unmet: u64,
+    /// Those of them in which impacts with restitution still caused others after the last round.
+    pub impacts_cut: u64,
     /// Energies.
     pub book: Book,
     /// Time on the clock, in s.
@@ -107,6 +109,9 @@ impl Outcome {
         put("steps", self.steps.into());
         put("iterations_total", self.iterations.into());
         put("steps_unmet", self.unmet.into());
+        if scene.restitution > 0.0 {
+            put("steps_impacts_cut", self.impacts_cut.into());
+        }
         let names = ["stress_zz", "stress_zz_plus", "stress_zz_minus"];
         for (name, stress) in names.iter().zip(self.stress_zz()) {
             put(name, json_number(stress));

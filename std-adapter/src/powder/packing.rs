@@ -5,8 +5,8 @@ use super::checkpoint::Frozen;
 use super::deposit::{Deposit, SUBSTRATE};
 use super::error::CompactionError;
 use crate::cd::{
-    Book, Coefficients, Laws, Memory, Rest, Setup, State, StepReport, Wall, World, WorldError,
-    solid,
+    Book, Coefficients, Kept, Laws, Memory, Rest, Setup, State, StepReport, Wall, World,
+    WorldError, solid,
 };
 use crate::record::{ContactRow, Partner};
 use crate::scene::{Coupling, PowderScene, WallLaw};
@@ -59,7 +59,7 @@ pub(super) trait Packing: Debug {
     /// Energies.
     fn book(&self) -> &Book;
     /// Contacts that carry a force or lie within the range of cohesion, with the forces of the last
-    /// step at the present places.
+    /// step, its impacts included, at the present places.
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError>;
     /// Everything that a run goes on from.
     fn freeze(&self) -> Frozen;
@@ -210,6 +210,12 @@ fn thaw<M: Modes<f64>>(frozen: &Frozen, state: &mut State<M>) {
     }
     state.book = frozen.book;
     state.rest = Rest::restored(frozen.awake.clone(), frozen.still.clone());
+    state.memory = memory(&frozen.forces);
+    state.impacts = memory(&frozen.impacts);
+}
+
+/// Forces in the modes of a world.
+fn memory<M: Modes<f64>>(forces: &Forces) -> Memory<M> {
     let modal = |(bodies, force): &([u32; 2], Force)| {
         let modal = Modal {
             normal: force.normal,
@@ -219,10 +225,19 @@ fn thaw<M: Modes<f64>>(frozen: &Frozen, state: &mut State<M>) {
         };
         (*bodies, modal)
     };
-    state.memory = Memory {
-        forces: [0, 1].map(|kind: usize| frozen.forces[kind].iter().map(modal).collect()),
-    };
+    Memory {
+        forces: [0, 1].map(|kind: usize| forces[kind].iter().map(modal).collect()),
+    }
 }
+
+/// Forces of all modes.
+fn forces<M: Modes<f64>>(memory: &Memory<M>) -> Forces {
+    let force = |(bodies, modal): &Kept<M>| (*bodies, Force::of(modal));
+    [0, 1].map(|kind: usize| memory.forces[kind].iter().map(force).collect())
+}
+
+/// Forces of pairs and at walls, with their bodies.
+pub(super) type Forces = [Vec<([u32; 2], Force)>; 2];
 
 /// Force and torque of a contact, of all modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -291,22 +306,28 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         let [pairs, walls] = &state.memory.forces;
         let [pair_law, wall_law] = &setup.laws.normal;
         let mut rows = Vec::with_capacity(pairs.len() + walls.len());
+        let with_impact = |kind, bodies, force: &Modal<f64, F::Modes>| {
+            let impact = state.impacts.force(kind, bodies);
+            impact.map_or(*force, |impact| force.plus_scaled(1.0, impact))
+        };
         for ([a, b], force) in pairs {
+            let force = with_impact(0, [*a, *b], force);
             let [i, j] = [*a as usize, *b as usize];
             let apart = setup
                 .space
                 .displacement(&state.positions[i], &state.positions[j]);
             let touch = Touch::spheres(&apart, [setup.radii[i], setup.radii[j]])?;
             if force.normal != 0.0 || touch.gap <= pair_law.cohesion().range() {
-                rows.push(Force::of(force).row(*a, Partner::Particle(*b), &touch));
+                rows.push(Force::of(&force).row(*a, Partner::Particle(*b), &touch));
             }
         }
         for ([a, b], force) in walls {
+            let force = with_impact(1, [*a, *b], force);
             let (i, wall) = (*a as usize, &state.walls[*b as usize]);
             let height = wall.outward.dot(&state.positions[i]) - wall.place;
             let touch = Touch::plate(height, &wall.outward, setup.radii[i])?;
             if force.normal != 0.0 || touch.gap <= wall_law.cohesion().range() {
-                rows.push(Force::of(force).row(*a, Partner::Wall(*b), &touch));
+                rows.push(Force::of(&force).row(*a, Partner::Wall(*b), &touch));
             }
         }
         Ok(rows)
@@ -314,12 +335,6 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
 
     fn freeze(&self) -> Frozen {
         let state = self.state();
-        let kept = |kind: usize| {
-            let forces = state.memory.forces[kind].iter();
-            forces
-                .map(|(bodies, modal)| (*bodies, Force::of(modal)))
-                .collect()
-        };
         Frozen {
             time: state.time,
             steps: state.steps,
@@ -331,7 +346,8 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
                 .map(|wall| (wall.place, wall.plate.velocity))
                 .collect(),
             book: state.book,
-            forces: [kept(0), kept(1)],
+            forces: forces(&state.memory),
+            impacts: forces(&state.impacts),
             awake: state.rest.awake().to_vec(),
             still: state.rest.still().to_vec(),
         }
