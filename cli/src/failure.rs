@@ -94,7 +94,7 @@ impl From<WriteError> for Failure {
 impl From<SlideError> for Failure {
     fn from(error: SlideError) -> Self {
         match error {
-            SlideError::NotFinite { .. } => Self::run(error),
+            SlideError::NotFinite { .. } | SlideError::TooStiff { .. } => Self::run(error),
             // The kernel or the planning refused a number of the scene.
             _ => Self::input(error),
         }

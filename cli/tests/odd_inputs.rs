@@ -130,3 +130,69 @@ proptest! {
         prop_assert!(matches!(output.status.code(), Some(0 | 2)), "{}", message);
     }
 }
+
+/// `tribos run SCENE --set …` into a folder of its own: exit code, what it said, its summary.
+fn run(
+    scene: &str,
+    overrides: &[&str],
+) -> Result<(Option<i32>, String, String), Box<dyn std::error::Error>> {
+    let folder = tempfile::tempdir()?;
+    let out = folder.path().join("out");
+    let mut command = Command::cargo_bin("tribos")?;
+    command.args(["run", scene, "--out"]).arg(&out);
+    command.timeout(std::time::Duration::from_secs(60));
+    for item in overrides {
+        command.args(["--set", item]);
+    }
+    let output = command.output()?;
+    let said = [output.stdout, output.stderr].concat();
+    let summary = std::fs::read_to_string(out.join("summary.json")).unwrap_or_default();
+    Ok((output.status.code(), String::from_utf8(said)?, summary))
+}
+
+#[test]
+fn numbers_that_are_not_finite_end_in_a_refusal_and_not_in_a_result()
+-> Result<(), Box<dyn std::error::Error>> {
+    const SMALL: [&str; 3] = ["width=6", "height=6", "steps=5"];
+    for (scene, overrides, code, words) in [
+        ("disk", &["radius=1e300"][..], 2, "kinetic energy of inf J"),
+        (
+            "disk",
+            &["speed=1e-300", "spin=0"],
+            2,
+            "kinetic energy of 0",
+        ),
+        ("disk", &["alpha=1.5", "spin=1e300"], 2, "kinetic energy"),
+        ("disk", &["alpha=10", "speed=1e100"], 1, "no longer finite"),
+        ("cylinder", &["speed=1e-300", "spin=0"], 2, "kinetic energy"),
+        ("pipe-a", &["radius=1e300"], 2, "kinetic energy of inf J"),
+        (
+            "curling-draw",
+            &["spin=1e300"],
+            2,
+            "kinetic energy of inf J",
+        ),
+        ("cylinder", &["coefficient=1e300"], 1, "no longer finite"),
+        ("compaction-small", &["pressure=1e300"], 1, "after step "),
+    ] {
+        let sets = if scene.starts_with("comp") {
+            [&SMALL[..], overrides].concat()
+        } else {
+            [&["samples=5"][..], overrides].concat()
+        };
+        let (got, said, summary) = run(scene, &sets)?;
+        assert_eq!(got, Some(code), "{scene} {overrides:?}: {said}");
+        assert!(said.contains(words), "{scene} {overrides:?}: {said}");
+        assert_eq!(summary, "", "{scene} {overrides:?}");
+    }
+    // A result whose shares have no meaning leaves them out.
+    for tiny in ["pressure=1e-300", "time_step=1e-300"] {
+        let (got, said, summary) = run("compaction-small", &[&SMALL[..], &[tiny]].concat())?;
+        assert_eq!(got, Some(0), "{tiny}: {said}");
+        for text in [said, summary] {
+            let text = text.to_lowercase();
+            assert!(!text.contains("nan") && !text.contains("inf"), "{text}");
+        }
+    }
+    Ok(())
+}

@@ -21,6 +21,8 @@ macro_rules! bounds {
 }
 
 bounds! {
+    /// Time, path length and angle of a body on a path, each relative to itself.
+    MINOR_MOTION = 2e-12, "promised for journeys; errors of steps, each at most 1e-13, add up";
     /// Coulomb table and table of α = 0, ulp.
     COULOMB_TABLE_ULPS = 5.0, "promised in coupling::table; Horner scheme and two products";
     /// Tables of −0.75 ≤ α ≤ 10, relative.

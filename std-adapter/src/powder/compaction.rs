@@ -405,6 +405,21 @@ impl Compaction {
         Ok(())
     }
 
+    /// The present line of the series, if all of it, and the energy balance of it, are numbers.
+    fn finite_record(&self) -> Result<[f64; COLUMNS.len()], CompactionError> {
+        let record = self.record();
+        let named = COLUMNS.into_iter().zip(record);
+        let balance = [("work", self.packing.book().imbalance())];
+        match named.chain(balance).find(|(_, value)| !value.is_finite()) {
+            Some((column, value)) => Err(CompactionError::NotFinite {
+                step: self.steps(),
+                column,
+                value,
+            }),
+            None => Ok(record),
+        }
+    }
+
     /// Contacts and stress after a step; adds both to the window.
     fn measure(&mut self, before: &[Sphere<f64>]) -> Result<(), CompactionError> {
         let step = self.steps();
@@ -499,9 +514,10 @@ impl Simulation for Compaction {
         self.totals.unmet += u64::from(!self.report.effort.met);
         self.totals.cut += u64::from(self.report.impacts_cut);
         self.measure(&before)?;
+        let record = self.finite_record()?;
         self.ending = self.judge();
         if self.ending.is_some() || self.steps().is_multiple_of(self.scene.samples) {
-            self.series.push(self.record());
+            self.series.push(record);
         }
         Ok(self.ending.is_none())
     }

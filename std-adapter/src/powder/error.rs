@@ -42,6 +42,19 @@ pub enum CompactionError {
         #[source]
         cause: TouchError,
     },
+    /// A number of the series left the range of f64.
+    #[error(
+        "after step {step}: `{column}` is {value:e}; the scene's pressure, masses and lengths are \
+         too far apart"
+    )]
+    NotFinite {
+        /// Step of the run.
+        step: u64,
+        /// Column of the series.
+        column: &'static str,
+        /// What it has become.
+        value: f64,
+    },
     /// The checkpoint is of no use.
     #[error(transparent)]
     Checkpoint(#[from] CheckpointError),

@@ -56,6 +56,26 @@ pub enum SlideError {
         /// The step.
         step: u64,
     },
+    /// The energy of the launch is no positive number of f64, and neither are its shares.
+    #[error(
+        "the launch has a kinetic energy of {energy:e} J, outside the range of numbers; bring \
+         `speed`, `spin`, `radius` and `mass` nearer to 1"
+    )]
+    Energy {
+        /// Kinetic energy at the launch, in J.
+        energy: f64,
+    },
+    /// One part of the motion keeps the steps so short that the other does not come to its end.
+    #[error(
+        "after {steps} steps the speeds have fallen by {folds:.3} e-folds only; sliding and \
+         spinning change on scales that are too far apart"
+    )]
+    TooStiff {
+        /// Steps taken.
+        steps: u64,
+        /// e-folds of the common scale of both speeds.
+        folds: f64,
+    },
     /// A tall body would tip, and the scene does not let it.
     #[error(
         "the body tips: from {time:.6} s on its foot cannot bear the pressure gradient, which \
@@ -83,6 +103,15 @@ pub enum SlideError {
     /// The kernel refused the inertia ratio.
     #[error(transparent)]
     Inertia(#[from] InertiaError),
+}
+
+/// The energy of a launch, if the shares of it are numbers.
+fn energy_at_launch(energy: f64) -> Result<f64, SlideError> {
+    if energy.is_finite() && energy >= f64::MIN_POSITIVE {
+        Ok(energy)
+    } else {
+        Err(SlideError::Energy { energy })
+    }
 }
 
 /// Everything a run of one slider gives.

@@ -1,7 +1,7 @@
 //! A planar scene run to its end.
 
-use super::SlideError;
 use super::planar::{Arrival, Ending, Journey, Launch, Point, Resistance};
+use super::{SlideError, energy_at_launch};
 use crate::record::json_number;
 use crate::scene::{PlanarBody, PlanarScene, Tipping};
 use serde_json::{Map, Value};
@@ -77,6 +77,9 @@ pub fn run_path(scene: &PlanarScene) -> Result<PathRun, SlideError> {
         spin: scene.spin,
     };
     let journey = || Journey::new(&body, &launch, scene.stop_fraction);
+    let rim = scene.spin * body.radius();
+    let per_mass = 0.5 * (scene.speed * scene.speed + body.inertia_ratio() * rim * rim);
+    energy_at_launch(scene.mass * per_mass)?;
     let scouted = journey()?.to_end()?;
     if let (Tipping::Refuse, Some(time)) = (scene.tipping, scouted.tips_at) {
         let lean = scouted.most_lean;

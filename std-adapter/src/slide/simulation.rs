@@ -1,6 +1,6 @@
 //! One slider followed from its launch to its end, with its energy book.
 
-use super::{Ending, Outcome, SlideError};
+use super::{Ending, Outcome, SlideError, energy_at_launch};
 use crate::run::Simulation;
 use crate::scene::{SliderScene, Stepper};
 use tribos_core::Real;
@@ -20,6 +20,10 @@ pub const COLUMNS: [&str; 8] = [
     "dissipated_energy",
 ];
 
+/// Column of the velocity ratio.
+const RATIO: usize = 5;
+/// Logarithm beyond which a time leaves f64.
+const LARGEST_LN: f64 = 709.0;
 /// Steps beyond which a series no longer fits a sensible file.
 const MOST_STEPS: f64 = 1e7;
 /// Verlet steps for one recorded step of the exact method, when none is asked for.
@@ -97,6 +101,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         let deceleration = scene.coefficient * scene.gravity;
         let slider = Slider::new(profile, deceleration, scene.radius, scene.inertia_ratio)?;
         let start = Motion::launched(scene.speed, scene.spin);
+        energy_at_launch(scene.mass * slider.energy_per_mass(&start))?;
         let mut simulation = Self {
             scene: *scene,
             length: StepLength::OfFading(fading_fraction(scene)),
@@ -136,6 +141,9 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         };
         let energy = self.slider.energy_per_mass(&self.start);
         let first = 2.0 * energy / self.slider.dissipation_per_mass(&self.start);
+        if !(first.is_finite() && first > 0.0) {
+            return Err(SlideError::NotFinite { step: 0 });
+        }
         let (mut low, mut high) = (Real::ln(first) - 1.0, Real::ln(first));
         let (mut above, mut below) = (excess(low), excess(high));
         while above < 0.0 {
@@ -143,7 +151,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
             low -= 1.0;
             above = excess(low);
         }
-        while below > 0.0 {
+        while below > 0.0 && high < LARGEST_LN {
             (low, above) = (high, below);
             high += 1.0;
             below = excess(high);
@@ -404,9 +412,9 @@ impl<P: Profile<f64> + Coupling<f64>> Simulation for SlideSimulation<P> {
             || !self
                 .record()
                 .iter()
-                .take(5)
-                .chain([&self.dissipated])
-                .all(|x| x.is_finite())
+                .enumerate()
+                // A ratio is infinite where nothing spins.
+                .all(|(column, x)| column == RATIO || x.is_finite())
         {
             return Err(SlideError::NotFinite { step: self.steps });
         }

@@ -120,7 +120,9 @@ fn tell(meter: &mut Meter, scene: &PowderScene, compaction: &Compaction, sweeps:
 impl From<CompactionError> for Failure {
     fn from(error: CompactionError) -> Self {
         match error {
-            CompactionError::World(_) | CompactionError::Touch { .. } => Self::run(error),
+            CompactionError::World(_)
+            | CompactionError::Touch { .. }
+            | CompactionError::NotFinite { .. } => Self::run(error),
             // The deposit, the laws or the checkpoint cannot be used.
             _ => Self::input(error),
         }

@@ -108,8 +108,14 @@ fn budget(outcome: &Outcome) -> String {
     let work = outcome.book.work;
     let mut text = format!("work          {}, of which\n", shown(work));
     for (name, energy) in outcome.dissipation() {
-        let share = 100.0 * energy / work;
-        text += &format!("  {name:<11} {} ({share:.1} %)\n", shown(energy));
+        let percent = 100.0 * energy / work;
+        // No work, no share of it.
+        let share = if percent.is_finite() {
+            format!(" ({percent:.1} %)")
+        } else {
+            String::new()
+        };
+        text += &format!("  {name:<11} {}{share}\n", shown(energy));
     }
     text += &format!("  imbalance   {:.1e}\n", outcome.book.imbalance());
     text

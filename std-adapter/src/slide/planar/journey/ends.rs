@@ -1,0 +1,165 @@
+//! Where a journey ends: rest, fading, and a part of the motion that has died on the way.
+
+use super::{Journey, LARGEST, MOST_FOLDS, Resistance, State, normalized};
+use tribos_core::Real;
+use tribos_core::slider::runge_kutta;
+
+/// e-folds of the speed before which no motion is at its end: e⁻⁴⁰ = 4e-18.
+const FOLDS: f64 = 40.0;
+/// What an e-fold of the speed may still add to path or angle at their end, of either.
+const REACHED: f64 = 4e-18;
+/// e-folds of the time that is left, granted to the velocity ratio to find its limit.
+const PATIENT_FOLDS: f64 = 100.0;
+/// A ratio has settled that changes by less than this fraction while the time that is left falls by
+/// an e-fold.
+const SETTLED: f64 = 1e-13;
+/// Rounding of the rate at which the ratio changes.
+const NOISE: f64 = 4.0 * f64::EPSILON;
+/// A part of e below this one, and falling, leaves the other one alone for good.
+const ALONE: f64 = 1e-16;
+/// A part that has fallen below this fraction of its first length has no share in any sum; the
+/// tolerated error of a step is a thousandth of it.
+const DEAD: f64 = 1e-16;
+/// e-folds of a part in an e-fold of the speed from which on its decay limits the steps.
+const STIFF: f64 = 10.0;
+/// Halvings of a step that leave nothing of it in f64.
+const HALVINGS: u32 = 53;
+
+impl<B: Resistance> Journey<'_, B> {
+    /// 1 − α, the power of the speed with which the time that is left falls; at most 1.
+    fn slower(&self) -> f64 {
+        let beta = 1.0 - self.body.exponent();
+        if beta < 1.0 { beta } else { 1.0 }
+    }
+
+    /// True when nothing of size is left, or both speeds have faded.
+    pub(super) fn is_over(&self) -> bool {
+        let (folds, beta) = (self.state[9], self.slower());
+        if beta > 0.0 {
+            // The time that is left closes as a power of the speed once the ratio has settled.
+            let is_settled = || self.has_arrived() && self.has_settled(beta);
+            folds >= FOLDS && (folds * beta >= PATIENT_FOLDS || is_settled())
+        } else {
+            self.has_faded(&self.state)
+        }
+    }
+
+    /// True if both speeds are below the fraction of their start that counts as rest.
+    fn has_faded(&self, state: &State) -> bool {
+        let left = self.stop_fraction * Real::exp(state[9]);
+        let slide = Real::hypot(state[0], state[1]);
+        slide <= left * self.lengths[0] && state[2].abs() <= left * self.lengths[1]
+    }
+
+    /// True if path and angle grow no more: each goes on with a power of the speed above 1.
+    fn has_arrived(&self) -> bool {
+        let rates = self.derivative(&self.state);
+        let is_reached = |part: usize| rates[part].abs() <= REACHED * self.state[part].abs();
+        is_reached(6) && is_reached(7)
+    }
+
+    /// True if the velocity ratio has found its limit.
+    fn has_settled(&self, beta: f64) -> bool {
+        let [x, y, w, ..] = self.state;
+        let slide = Real::hypot(x, y);
+        if slide == 0.0 || w == 0.0 {
+            return true;
+        }
+        let [sliding, spinning] = self.rates();
+        let (rate, allowed) = (sliding - spinning, SETTLED * beta);
+        let slides_alone = w.abs() < ALONE && rate > 0.0;
+        let spins_alone = slide < ALONE && rate < 0.0;
+        slides_alone || spins_alone || rate.abs() < if allowed > NOISE { allowed } else { NOISE }
+    }
+
+    /// Growth of the sliding and of the spinning part of e in an e-fold of the speed.
+    fn rates(&self) -> [f64; 2] {
+        let [x, y, w, ..] = self.state;
+        let [dx, dy, dw, ..] = self.derivative(&self.state);
+        let slide = Real::hypot(x, y);
+        [(x / slide * dx + y / slide * dy) / slide, dw / w]
+    }
+
+    /// Longest step: the path bends smoothly between accepted steps while it can be seen.
+    pub(super) fn largest_step(&self) -> f64 {
+        let beta = self.slower();
+        if self.state[9] > FOLDS && beta > 0.0 {
+            LARGEST / beta
+        } else {
+            LARGEST
+        }
+    }
+
+    /// e, brought back to the unit sphere where steps are long: off it, errors grow as e^(2L).
+    pub(super) fn direction(&self, state: &State) -> State {
+        if state[9] > FOLDS {
+            normalized(*state)
+        } else {
+            *state
+        }
+    }
+
+    /// What the time still follows of the speed where that is held: e^(−(1−α)(L−600)).
+    pub(super) fn held_pace(&self, state: &State) -> f64 {
+        let beyond = state[9] - MOST_FOLDS;
+        if beyond > 0.0 {
+            Real::exp(-(1.0 - self.body.exponent()) * beyond)
+        } else {
+            1.0
+        }
+    }
+
+    /// Sets a part of e to nothing that has died and whose fast decay would keep the steps short.
+    pub(super) fn extinguish(&mut self) -> bool {
+        let [x, y, w, ..] = self.state;
+        let slide = Real::hypot(x, y);
+        let [first_slide, first_rim] = self.lengths;
+        let slides_no_more = slide > 0.0 && slide < DEAD * first_slide;
+        let spins_no_more = w != 0.0 && w.abs() < DEAD * first_rim;
+        if !slides_no_more && !spins_no_more {
+            return false;
+        }
+        let [sliding, spinning] = self.rates();
+        if slides_no_more && sliding < -STIFF {
+            [self.state[0], self.state[1]] = [0.0, 0.0];
+        } else if spins_no_more && spinning < -STIFF {
+            self.state[2] = 0.0;
+        } else {
+            return false;
+        }
+        self.state = normalized(self.state);
+        true
+    }
+
+    /// Takes back what the step went beyond the end of a motion that fades; the step's new length.
+    pub(super) fn cut_at_fading(&mut self, from: &State, taken: f64) -> f64 {
+        let fades = self.body.exponent() >= 1.0 && self.has_faded(&self.state);
+        if !fades || self.has_faded(from) {
+            return taken;
+        }
+        let (length, end) = self.first(from, taken, |at| self.has_faded(at));
+        self.state = end;
+        length
+    }
+
+    /// The first state within the step of length `taken` from `from` for which `holds`, which is true
+    /// at its end, and the length of the step to it.
+    pub(super) fn first(
+        &self,
+        from: &State,
+        taken: f64,
+        holds: impl Fn(&State) -> bool,
+    ) -> (f64, State) {
+        let (mut low, mut high, mut end) = (0.0, taken, self.state);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            let at = normalized(runge_kutta::step(from, middle, |y| self.derivative(y)).0);
+            if holds(&at) {
+                (high, end) = (middle, at);
+            } else {
+                low = middle;
+            }
+        }
+        (high, end)
+    }
+}
