@@ -87,7 +87,7 @@ impl<R: Real, S: FrictionSet<R>, M> CoupledFriction<R, S, M> {
     }
 
     /// The nearest pair of magnitudes in the set for P = 1 and r_eff = 1; none for a pair inside.
-    fn pulled_back(&self, force: R, torque: R, gyration: R) -> Option<[R; 2]> {
+    fn pulled_back(&self, [force, torque]: [R; 2], gyration: R) -> Option<[R; 2]> {
         let trial = Wrench {
             force: Vector2::new(force, R::ZERO),
             torque,
@@ -120,7 +120,8 @@ where
 {
     type Modes = M;
 
-    /// *Special values*: a pair that is infinite comes back as NaN. Where nothing can turn
+    /// *Special values*: a pair that is infinite comes back as NaN, and so does one outside of a set
+    /// whose limits over ε² are infinite. Where nothing can turn
     /// (gyration 0) the lever stands for it.
     #[inline]
     fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, masses: &Masses<R>) -> Grasp<R> {
@@ -130,7 +131,12 @@ where
         if force * inv_force + torque * inv_torque < bound {
             return *trial;
         }
-        if bound == R::ZERO {
+        let reach = if self.torsion > self.set.force_limit() {
+            self.torsion
+        } else {
+            self.set.force_limit()
+        };
+        if bound == R::ZERO || reach == R::ZERO {
             // NaN and infinity stay NaN.
             return Grasp {
                 sliding: trial.sliding * R::ZERO,
@@ -139,11 +145,11 @@ where
         }
         // From far away the nearest point is where the direction says: nothing needs to overflow.
         let size = if force > torque { force } else { torque };
-        let far = bound / (R::EPSILON * R::EPSILON);
-        let unit = if size > far {
-            size * (R::EPSILON * R::EPSILON)
+        let far = reach / R::EPSILON / R::EPSILON;
+        let reduced_pair = if size / bound > far && size.is_finite() {
+            [force / size * far, torque / size * far]
         } else {
-            bound
+            [force / bound, torque / bound]
         };
         let gyration = masses.gyration();
         let reduced = if gyration > R::ZERO {
@@ -151,7 +157,7 @@ where
         } else {
             R::ONE
         };
-        match self.pulled_back(force / unit, torque / unit, reduced) {
+        match self.pulled_back(reduced_pair, reduced) {
             None => *trial,
             Some([held_force, held_torque]) => Grasp {
                 sliding: along(&trial.sliding, force, held_force * bound),

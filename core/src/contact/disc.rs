@@ -34,6 +34,10 @@ pub fn project_on_disc<R: Real>(q: &Vector3<R>, bound: R) -> Vector3<R> {
     let collar = R::ONE + R::from_f64(COLLAR_ULPS) * R::EPSILON;
     // bound/length, with root and reciprocal side by side.
     let scale = bound * (length_sq.sqrt() * (R::ONE / length_sq));
+    // A quotient below the normal numbers has lost digits that its product with q has.
+    if scale < R::MIN_POSITIVE && bound > R::ZERO {
+        return project_extreme(q, bound);
+    }
     q * if length_sq <= bound * bound * collar {
         R::ONE
     } else {
@@ -41,11 +45,18 @@ pub fn project_on_disc<R: Real>(q: &Vector3<R>, bound: R) -> Vector3<R> {
     }
 }
 
-/// Vectors whose square leaves the range of the scalar.
+/// Least bits by which the components and the length of a projected vector may round among the
+/// subnormal numbers.
+const LEAST_BITS: f64 = 3.0;
+
+/// Vectors whose square, or whose quotient with the bound, leaves the normal numbers.
 #[cold]
 fn project_extreme<R: Real>(q: &Vector3<R>, bound: R) -> Vector3<R> {
     let length = length(q);
-    if length <= bound {
+    let collar = R::ONE + R::from_f64(COLLAR_ULPS) * R::EPSILON;
+    let least = R::MIN_POSITIVE * R::EPSILON;
+    let inside = bound > R::ZERO && length <= bound * collar + R::from_f64(LEAST_BITS) * least;
+    if length == R::ZERO || inside {
         return *q;
     }
     q / length * bound
