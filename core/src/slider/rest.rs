@@ -39,7 +39,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// dies first and however small it is (f64; tested for −0.9 ≤ α < 1, 1e-4 ≤ C ≤ 1e4 and speeds
     /// of any ratio); 1e-8 for an annulus, whose inner edge is one more kink of the law. In f32 5e-6
     /// (tested for 0.01 ≤ C ≤ 100). The ratio is that of [`crate::modes::Modes`].
-    /// *Cost*: 140 evaluations of the wrench at the median of random launches, 730 at most; up to 1,800 for
+    /// *Cost*: 160 evaluations of the wrench at the median of random launches, 800 at most; up to 2,200 for
     /// α within 1e-2 of 1 and for an annulus, whose inner edge is one more kink.
     pub fn to_rest(&self, motion: &Motion<R>) -> Option<Rest<R>> {
         let speeds = [motion.speed.abs(), (motion.spin * self.radius).abs()];
