@@ -95,7 +95,8 @@ fn restitution(scene: &PowderScene) -> String {
         ),
     ) + &line(
         "",
-        "at most 100 rounds a step; slower approaches than the loads of a step make do not rebound",
+        "at most 100 rounds a step, then stopped without rebound, which the run's end reports; slower \
+         approaches than the loads of a step make do not rebound",
     )
 }
 

@@ -98,9 +98,29 @@ pub fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
         outcome.residual,
         outcome.statistics.max_overlap,
     );
+    text += &unmet(outcome);
     text += &budget(outcome);
     text += &format!("written to    {}\n", out.display());
     crate::command::print(&text)
+}
+
+/// Steps that did not end as they should, and what that means.
+fn unmet(outcome: &Outcome) -> String {
+    let (unmet, cut) = (outcome.unmet, outcome.impacts_cut);
+    let mut text = String::new();
+    if cut > 0 {
+        text += &format!(
+            "impacts       cut in {cut} steps after 100 rounds: the rest was stopped without rebound, \
+             its energy is in normal\n"
+        );
+    }
+    if unmet > cut {
+        text += &format!(
+            "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate\n",
+            unmet - cut
+        );
+    }
+    text
 }
 
 /// Where the work went.
