@@ -123,7 +123,7 @@ fn a_powder_goes_on_from_its_checkpoint_when_there_is_room() -> Outcome {
     let place = folder.path().join("out");
 
     // Too little for a checkpoint: told at the first one.
-    let output = tribos(folder.path(), run, Some(1))?;
+    let output = tribos(folder.path(), run, Some(4))?;
     let again = ["out/checkpoint.json", TOO_LARGE, KEPT, "no checkpoint yet"];
     refused(folder.path(), output, &again)?;
     std::fs::remove_dir_all(&place)?;
@@ -231,7 +231,7 @@ fn a_reproduction_is_told_where_it_stopped() -> Outcome {
     ];
     refused(folder.path(), output, &words)?;
     if let Some(disk) = Disk::mount(folder.path().join("small"))? {
-        std::fs::write(disk.place.join("others"), vec![1; 90 << 10])?;
+        std::fs::write(disk.place.join("others"), vec![1; 80 << 10])?;
         let reproduce = "reproduce 3.4 --out small";
         let output = tribos(folder.path(), reproduce, None)?;
         refused(

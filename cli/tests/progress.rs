@@ -23,7 +23,7 @@ const TIP: [&str; 20] = [
     "--set",
     "equilibration=1",
     "--set",
-    "drive_time=30",
+    "drive_time=120",
     "--set",
     "rest_time=1",
     "--frames",

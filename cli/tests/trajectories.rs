@@ -76,7 +76,7 @@ fn a_tip_and_a_powder_are_read_back_frame_by_frame() -> Outcome {
         let home = tempfile::tempdir()?;
         let home = home.path();
         std::fs::write(home.join("scene.toml"), scene)?;
-        succeed(home, "run scene.toml --out run --frames 9")?;
+        succeed(home, "run scene.toml --out run --frames 100")?;
         let run = home.join("run");
         let (bodies, frames) = frames(&run)?;
         assert!(frames.len() > 3);

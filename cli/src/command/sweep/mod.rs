@@ -100,7 +100,7 @@ Examples:
     tribos sweep scenes/compaction-small.toml --set attraction=pull,resistance --out out/pull
   Whether a tip turns back, over the torque, three seeds each (fig. 5.2):
     tribos sweep scenes/tip-irreversible.toml --set lambda=0.01,0.017,0.02,0.03 \\
-        --seeds 3 --out out/tip
+        --seeds 3 --out out/tips
   How far a spinning disk slides, and how much a rock curls:
     tribos sweep scenes/disk.toml --set spin=0:50:10 --out out/spin
     tribos sweep scenes/disk.toml --set inertia_ratio=1e-2:1e2:x10 --out out/inertia
