@@ -187,10 +187,7 @@ fn an_angle_without_a_unit_is_read_aloud() -> Outcome {
         said.contains("read in radians") && said.contains("90deg"),
         "{said}"
     );
-    assert!(
-        told.contains("angle 90 rad (5156.62 deg)"),
-        "{told}"
-    );
+    assert!(told.contains("angle 90 rad (5156.62 deg)"), "{told}");
     for angle in ["90deg", "90rad", "1.5"] {
         assert_eq!(with(angle)?.2, "", "{angle}");
     }
