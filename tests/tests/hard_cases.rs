@@ -10,6 +10,9 @@ use tribos_tests::tolerance;
 
 const EXPONENTS: [f64; 8] = [-0.9, -0.5, 0.0, 0.25, 0.5, 1.0, 1.5, 3.0];
 
+/// Distance of subnormal numbers.
+const SMALLEST: f64 = f64::from_bits(1);
+
 fn wrench<R: Real>(w: ReducedWrench<R>) -> [f64; 2] {
     [w.force, w.torque].map(R::to_f64)
 }
@@ -30,7 +33,9 @@ fn assert_rows(
             for row in table.rows().filter(|row| row.number("alpha") == alpha) {
                 for (wanted, got) in checks(&row, &tier) {
                     let error = wanted.relative(got);
-                    if error > limit(tier.0) {
+                    // A subnormal result half-way between two numbers may be either of them.
+                    let is_neighbour = (wanted.high - got).abs() <= SMALLEST;
+                    if error > limit(tier.0) && !is_neighbour {
                         let name = row.text("name");
                         misses.push(format!(
                             "{name}, alpha {alpha}, {}: {got:e} instead of {:e} ({error:.1e})",
