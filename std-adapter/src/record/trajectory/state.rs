@@ -87,6 +87,7 @@ impl State {
     /// use tribos::record::trajectory::{State, Values};
     /// let bodies = Bodies {
     ///     kind: Kind::Powder,
+    ///     scene: serde_json::json!({"body": "powder"}),
     ///     limit: 2,
     ///     stride: 1,
     ///     periods: [10.0; 2],
