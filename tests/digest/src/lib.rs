@@ -45,9 +45,9 @@ pub struct Chapter {
 /// What a machine must have for a chapter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needs {
-    /// 16 KiB of RAM will do.
+    /// 16 KiB of RAM and 256 KiB of flash will do.
     Little,
-    /// Some hundred KiB of stack: tables are made at run time.
+    /// Some hundred KiB: of stack, for tables that are made at run time, or of flash.
     Memory,
     /// A processor with double precision, and the stack: 10⁹ operations and more.
     Speed,
@@ -83,7 +83,7 @@ pub const CHAPTERS: [Chapter; 35] = [
     little("nodes", surfaces::nodes),
     little("limit surfaces", surfaces::limit_surfaces),
     little("laws", surfaces::laws),
-    little("contacts", contacts::contacts),
+    memory("contacts", contacts::contacts),
     little("elementary", special::elementary),
     little("elliptic", special::elliptic),
     little("hypergeometric", special::hypergeometric),
