@@ -95,7 +95,20 @@ pub const BODIES: [Item; 11] = [
     item(
         ["motion", "slider to rest"],
         BOTH,
-        on_table!["modes", "slider", "slider::rest", "slider::runge_kutta"],
+        on_table![
+            "modes",
+            "slider",
+            "slider::rest",
+            "slider::leg",
+            "slider::march",
+            "slider::march::course",
+            "slider::march::finish",
+            "slider::march::panel",
+            "slider::march::rates",
+            "slider::rule",
+            "slider::tail",
+            "special::legendre"
+        ],
         Code::new(
             "slider()?",
             "object.to_rest(&given.motion).map_or(0.0, |rest| state(&rest.motion))",
@@ -109,7 +122,17 @@ pub const BODIES: [Item; 11] = [
             "slider",
             "slider::rest",
             "slider::advance",
-            "slider::runge_kutta"
+            "slider::eighth_order",
+            "slider::runge_kutta",
+            "slider::leg",
+            "slider::march",
+            "slider::march::course",
+            "slider::march::finish",
+            "slider::march::panel",
+            "slider::march::rates",
+            "slider::rule",
+            "slider::tail",
+            "special::legendre"
         ],
         Code::new(
             "slider()?",

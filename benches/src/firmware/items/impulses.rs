@@ -140,6 +140,7 @@ pub const IMPULSES: [Item; 11] = [
         BOTH,
         impulse![
             "manifold",
+            "manifold::impact",
             "manifold::member",
             "manifold::solve",
             "contact::time_step"

@@ -66,14 +66,17 @@ const NARROW: &[&str] = &["f32"];
 const WIDE: &[&str] = &["f64"];
 const BOTH: &[&str] = &["f32", "f64"];
 
-/// Modules that are no feature of their own; `coupling` itself has its traits only.
-pub const PLUMBING: [&str; 6] = [
+/// Modules that are no feature of their own: `coupling` itself has its traits only, and `wide` and
+/// `beyond` serve the ends of the number range in every coupling.
+pub const PLUMBING: [&str; 8] = [
     "coupling",
     "real",
     "twist",
     "law::error",
     "law::limits",
     "coupling::speeds",
+    "coupling::wide",
+    "coupling::beyond",
 ];
 
 /// Modules of every round patch under a power law.

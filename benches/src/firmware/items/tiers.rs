@@ -65,13 +65,13 @@ pub const TIERS: [Item; 7] = [
     tier(
         "quadrature: Coulomb",
         BOTH,
-        &["coupling::quadrature", "law::coulomb"],
+        &["coupling::quadrature", "law", "law::coulomb"],
         "DiskQuadrature::new(Coulomb::new(1.0 as R).ok()?)",
     ),
     tier(
         "quadrature: Stribeck",
         NARROW,
-        &["coupling::quadrature", "law::stribeck", "law::dry"],
+        &["coupling::quadrature", "law", "law::stribeck", "law::dry"],
         "DiskQuadrature::new(Stribeck::new(DryFriction::new(0.5 as R, 0.25).ok()?, 0.5, 2.0, 0.125).ok()?)",
     ),
 ];
