@@ -39,8 +39,9 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// dies first and however small it is (f64; tested for −0.9 ≤ α < 1, 1e-4 ≤ C ≤ 1e4 and speeds
     /// of any ratio); 1e-8 for an annulus, whose inner edge is one more kink of the law. In f32 5e-6
     /// (tested for 0.01 ≤ C ≤ 100). The ratio is that of [`crate::modes::Modes`].
-    /// *Cost*: 160 evaluations of the wrench at the median of random launches, 800 at most; up to 2,200 for
-    /// α within 1e-2 of 1 and for an annulus, whose inner edge is one more kink.
+    /// *Cost*: 160 evaluations of the wrench at the median of random launches, seldom more than 500; up to
+    /// 2,200 where α is within 1e-2 of 1 or −1 is near, and for an annulus, whose inner edge is one more
+    /// kink.
     pub fn to_rest(&self, motion: &Motion<R>) -> Option<Rest<R>> {
         let speeds = [motion.speed.abs(), (motion.spin * self.radius).abs()];
         let is_finite = speeds[0].is_finite() && speeds[1].is_finite();
