@@ -265,6 +265,8 @@ bounds! {
     /// Rest pose of a solution of the inverse problem against its target, of the distance and of
     /// the angle turned.
     INVERSE_POSE = 1e-13, "1e-12 is promised; two motions to rest of 1e-13 each, and the ratio met to 1e-15";
+    /// The same where the two paths differ by up to 98 decades, each relative.
+    INVERSE_FAR = 1e-12, "promised; rounding of the logarithm of their ratio, 3e-14, and of its root";
     /// Launch recovered from its own rest pose, of the speed scale.
     INVERSE_LAUNCH = 3e-13, "as INVERSE_POSE over the slope of the rest's direction";
     /// Jacobian of the rest pose against differences of order 6, of unit speed.

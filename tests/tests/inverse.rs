@@ -123,6 +123,35 @@ fn random_launches_are_found_again() {
 }
 
 #[test]
+fn paths_that_differ_by_decades_are_both_met() {
+    let mut pose = Worst::of("pose of a solution, paths decades apart");
+    let limits = Limits::new(1e60, 1e60).unwrap();
+    for alpha in [-0.5, 0.0, 0.5] {
+        for (name, law) in bodies(alpha) {
+            for inertia in INERTIAS {
+                let map = RestMap::new(law.as_ref(), MU_G, RADIUS, inertia).unwrap();
+                for decade in -49..=49 {
+                    let target = Pose {
+                        x: 0.3 * 10.0_f64.powi(decade),
+                        y: 0.0,
+                        angle: 0.7 * 10.0_f64.powi(-decade),
+                    };
+                    for solution in map.launches(&target, Turns::Exact, &limits).unwrap() {
+                        let end = map.rest(&solution.launch).pose;
+                        let misses = (end.x / target.x - 1.0).abs();
+                        let turned = (end.angle / target.angle - 1.0).abs();
+                        pose.see(misses.max(turned), || {
+                            format!("{name}, alpha {alpha}, C {inertia}, 1e{decade}")
+                        });
+                    }
+                }
+            }
+        }
+    }
+    pose.assert_within(&tolerance::INVERSE_FAR);
+}
+
+#[test]
 fn the_map_is_the_slider_s_own() {
     let puck = Slider::new(Coulomb, MU_G, RADIUS, 0.5).unwrap();
     for (speed, spin) in [(1.0, 5.0), (0.2, -40.0), (0.0, 7.0), (2.0, 0.0)] {

@@ -31,7 +31,8 @@ More:
   tribos man --out DIR     the same as manual pages
   tribos scene list        scenes that run as they are
   docs/index.md            the book: theory, laws, accuracy; docs/how-to.md, tasks one by one
-Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input, 3 results differ from those pinned.";
+Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input, 3 results differ from those pinned,
+130 interrupted.";
 
 /// The command with its first page.
 pub fn with_page(command: Command) -> Command {

@@ -6,6 +6,7 @@ mod plot;
 
 use super::patch::PatchName;
 use super::{number, profile};
+use crate::command::digits::shown;
 use crate::failure::Failure;
 use crate::report::image::Drawing;
 use output::Format;
@@ -148,8 +149,8 @@ impl Arguments {
             .collect();
         let wanted = format!(
             "to x {} m, y {} m, angle {}",
-            self.x,
-            self.y,
+            shown(self.x),
+            shown(self.y),
             self.angle.text()
         );
         output::print(&self.format.render(&rows, &wanted))

@@ -85,7 +85,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
 
     /// The rest pose, starting at the origin with angle 0. Without sliding x = y = 0.
     ///
-    /// *Accuracy*: 1e-14 relative in distance and angle. *Special values*: NaN for a launch that
+    /// *Accuracy*: 1e-13 relative in each of distance and angle. *Special values*: NaN for a launch that
     /// is not finite.
     pub fn rest(&self, launch: &Launch) -> Landing {
         let [x, y] = launch.velocity;

@@ -14,6 +14,9 @@ pub(super) fn rising_root(
     enough: f64,
     mut function: impl FnMut(f64) -> f64,
 ) -> f64 {
+    if let Some(end) = [above, below].iter().find(|end| end.1.abs() <= enough) {
+        return end.0;
+    }
     let (mut newest, mut other) = (above, below);
     let mut share = 0.5;
     for _ in 0..MAX_ROUNDS {
@@ -68,11 +71,15 @@ mod tests {
     #[test]
     fn roots_are_found_to_the_last_digit_in_few_rounds() {
         type Case = (fn(f64) -> f64, f64, f64, f64);
-        let cases: [Case; 4] = [
+        let cases: [Case; 7] = [
             (|x| x * x - 2.0, 0.0, 2.0, 2.0_f64.sqrt()),
             (|x| x.exp() - 1e-3, -40.0, 4.0, 1e-3_f64.ln()),
             (|x| (x - 0.3).cbrt(), 0.0, 1.0, 0.3),
             (|x| if x < 0.7 { -1.0 } else { 1.0 }, 0.0, 1.0, 0.7),
+            // Straight, and zero at either end.
+            (|x| (x + 8.0) - 15.0, 1.0, 12.0, 7.0),
+            (|x| x - 7.0, 7.0, 9.0, 7.0),
+            (|x| x - 7.0, 4.0, 7.0, 7.0),
         ];
         for (function, low, high, wanted) in cases {
             let mut rounds = 0;
