@@ -5,11 +5,13 @@
 //! after it the same step is taken again with the loads and the pushes that the engine has found.
 //! What it gives is the motion: at rest that is zero to the last bit.
 
-use crate::feet::{Feet, Solved};
+use crate::feet::Solved;
 use crate::frame::{Frame, carried, difference, relative};
 use crate::handed::Lent;
+use crate::judge::Judge;
 use crate::pair::{Friction, Known, Pair, Stop, Touching};
 use crate::reduced::{Reduced, accelerate, is_free};
+use crate::stand::Stand;
 use rapier3d::prelude::*;
 use tribos_core::contact::TimeStep;
 use tribos_core::twist::{Twist, Wrench};
@@ -26,15 +28,6 @@ pub(crate) struct Member {
     /// A collider without body stands still.
     pub(crate) ground: Option<RigidBodyHandle>,
     pub(crate) touching: Touching,
-}
-
-/// Where a foot is in the plane, half a step on.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Stand {
-    pub(crate) foot: ColliderHandle,
-    pub(crate) ground: ColliderHandle,
-    place: [f64; 2],
-    axis: [f64; 2],
 }
 
 /// What was foreseen before the engine's step.
@@ -134,7 +127,7 @@ pub(crate) fn begin(
     let half_turn = 0.25 * parameters.dt * foot.angvel().dot(normal);
     let stand = |member: &Member| {
         let pair = pairs.get(member.pair)?;
-        stand(pair, &frame, foot, colliders).map(|stand| stand.turned(half_turn))
+        Stand::now(pair, &frame, foot, colliders).map(|stand| stand.turned(half_turn))
     };
     let stands: Vec<Stand> = members.iter().map(stand).collect::<Option<_>>()?;
     let drift = |member: &Member| drift(member, &before, &frame, foot, bodies);
@@ -216,7 +209,7 @@ pub(crate) fn finish(
         let pair = pairs.get(member.pair)?;
         let begun = begun.iter().flat_map(|begun| &begun.stands);
         let kept = begun.copied().find(|stand| stand.is_of(pair));
-        kept.or_else(|| stand(pair, &frame, foot, colliders))
+        kept.or_else(|| Stand::now(pair, &frame, foot, colliders))
     };
     let stands: Vec<Stand> = members.iter().map(stand_of).collect::<Option<_>>()?;
     let drift = |member: &Member| drift(member, &after, &frame, foot, bodies);
@@ -283,110 +276,6 @@ fn remember(
         holds,
     };
     pair.known = Some(Known::new(member.touching, held));
-}
-
-/// All that friction on a group needs to be known.
-struct Judge<'a> {
-    pairs: &'a [Pair],
-    members: &'a [Member],
-    stands: &'a [Stand],
-    drifts: Vec<[f64; 3]>,
-    reduced: &'a Reduced,
-}
-
-impl Judge<'_> {
-    /// The one foot, if it is a round patch below the centre of mass on a ground that stays.
-    fn centred(&self) -> Option<(&Pair, f32)> {
-        let ([member], [stand]) = (self.members, self.stands) else {
-            return None;
-        };
-        let pair = self.pairs.get(member.pair)?;
-        let is_centred = !self.reduced.moved[1] && pair.patch.is_centred(stand.place);
-        is_centred.then_some((pair, member.touching.load))
-    }
-
-    fn feet(&self) -> Feet {
-        let mut feet = Feet {
-            elements: Vec::new(),
-            places: self.stands.iter().map(|stand| stand.place).collect(),
-            drifts: self.drifts.clone(),
-        };
-        for (number, (member, stand)) in self.members.iter().zip(self.stands).enumerate() {
-            if let Some(pair) = self.pairs.get(member.pair) {
-                let load = member.touching.load;
-                let elements = pair.patch.elements(number, stand.place, stand.axis, load);
-                feet.elements.extend(elements);
-            }
-        }
-        feet
-    }
-
-    /// The motion after `dt`.
-    fn step(&self, before: &Twist<f32>, push: &Wrench<f32>, dt: TimeStep<f32>) -> Option<Solved> {
-        let Some((pair, load)) = self.centred() else {
-            return self.feet().step(self.reduced, before, push, dt.dt());
-        };
-        let step = pair
-            .patch
-            .step(&self.reduced.body, load, before, push, dt)?;
-        Some(Solved {
-            twist: step.twist,
-            friction: step.friction,
-            each: vec![step.friction],
-            holds: vec![step.is_at_rest],
-        })
-    }
-
-    /// The part of the step that coming to rest has taken.
-    fn share(&self, solved: &Solved, before: &Twist<f32>) -> Option<f32> {
-        let friction = &solved.friction;
-        if let Some((pair, load)) = self.centred() {
-            return pair.patch.share(load, friction);
-        }
-        let power = friction.force.dot(&before.velocity) + friction.torque * before.spin;
-        let share = -power / self.feet().dissipation(before);
-        // Nothing resists nothing: no share.
-        Some(if share > 0.0 { share.min(1.0) } else { 0.0 })
-    }
-}
-
-impl Stand {
-    pub(crate) fn is_of(&self, pair: &Pair) -> bool {
-        self.foot == pair.foot && self.ground == pair.ground
-    }
-
-    /// Turned by an angle, given its half in radians; that angle to the third order.
-    fn turned(self, half: f32) -> Self {
-        let half = f64::from(half);
-        let scale = 1.0 / (1.0 + half * half);
-        let [cos, sin] = [(1.0 - half * half) * scale, 2.0 * half * scale];
-        let turn = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
-        Self {
-            place: turn(self.place),
-            axis: turn(self.axis),
-            ..self
-        }
-    }
-}
-
-/// Where a foot is in the plane now.
-fn stand(pair: &Pair, frame: &Frame, foot: &RigidBody, colliders: &ColliderSet) -> Option<Stand> {
-    let pose = colliders.get(pair.foot)?.position_wrt_parent()?;
-    let arm = pose.transform_point(pair.patch.center()) - foot.local_center_of_mass();
-    let along = *foot.rotation() * (pose.rotation * Vector::X);
-    let [c, s] = frame.plane(along).map(f64::from);
-    let length = (c * c + s * s).sqrt();
-    // A direction within a hundredth of the normal tells nothing.
-    let axis = match length > 1e-2 {
-        true => [c / length, s / length],
-        false => [1.0, 0.0],
-    };
-    Some(Stand {
-        foot: pair.foot,
-        ground: pair.ground,
-        place: frame.plane(*foot.rotation() * arm).map(f64::from),
-        axis,
-    })
 }
 
 /// By how much a foot moves faster against its ground than the first foot against its own, at the

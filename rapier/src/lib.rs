@@ -54,10 +54,12 @@ mod feet;
 mod frame;
 mod group;
 mod handed;
+mod judge;
 mod pair;
 mod patch;
 mod reduced;
 mod refusal;
+mod stand;
 mod touching;
 
 pub use contacts::PatchContacts;

@@ -1,0 +1,81 @@
+//! Friction on the feet of a group over one step: one round patch below the centre of mass by its own
+//! law, any other feet by the elements of their areas.
+
+use crate::feet::{Feet, Solved};
+use crate::group::Member;
+use crate::pair::Pair;
+use crate::reduced::Reduced;
+use crate::stand::Stand;
+use tribos_core::contact::TimeStep;
+use tribos_core::twist::{Twist, Wrench};
+
+/// All that friction on a group needs to be known.
+pub(crate) struct Judge<'a> {
+    pub(crate) pairs: &'a [Pair],
+    pub(crate) members: &'a [Member],
+    pub(crate) stands: &'a [Stand],
+    /// By how much each foot moves faster against its ground than the first, at the centre of mass.
+    pub(crate) drifts: Vec<[f64; 3]>,
+    pub(crate) reduced: &'a Reduced,
+}
+
+impl Judge<'_> {
+    /// The one foot, if it is a round patch below the centre of mass on a ground that stays.
+    fn centred(&self) -> Option<(&Pair, f32)> {
+        let ([member], [stand]) = (self.members, self.stands) else {
+            return None;
+        };
+        let pair = self.pairs.get(member.pair)?;
+        let is_centred = !self.reduced.moved[1] && pair.patch.is_centred(stand.place);
+        is_centred.then_some((pair, member.touching.load))
+    }
+
+    fn feet(&self) -> Feet {
+        let mut feet = Feet {
+            elements: Vec::new(),
+            places: self.stands.iter().map(|stand| stand.place).collect(),
+            drifts: self.drifts.clone(),
+        };
+        for (number, (member, stand)) in self.members.iter().zip(self.stands).enumerate() {
+            if let Some(pair) = self.pairs.get(member.pair) {
+                let load = member.touching.load;
+                let elements = pair.patch.elements(number, stand.place, stand.axis, load);
+                feet.elements.extend(elements);
+            }
+        }
+        feet
+    }
+
+    /// The motion after `dt`.
+    pub(crate) fn step(
+        &self,
+        before: &Twist<f32>,
+        push: &Wrench<f32>,
+        dt: TimeStep<f32>,
+    ) -> Option<Solved> {
+        let Some((pair, load)) = self.centred() else {
+            return self.feet().step(self.reduced, before, push, dt.dt());
+        };
+        let step = pair
+            .patch
+            .step(&self.reduced.body, load, before, push, dt)?;
+        Some(Solved {
+            twist: step.twist,
+            friction: step.friction,
+            each: vec![step.friction],
+            holds: vec![step.is_at_rest],
+        })
+    }
+
+    /// The part of the step that coming to rest has taken.
+    pub(crate) fn share(&self, solved: &Solved, before: &Twist<f32>) -> Option<f32> {
+        let friction = &solved.friction;
+        if let Some((pair, load)) = self.centred() {
+            return pair.patch.share(load, friction);
+        }
+        let power = friction.force.dot(&before.velocity) + friction.torque * before.spin;
+        let share = -power / self.feet().dissipation(before);
+        // Nothing resists nothing: no share.
+        Some(if share > 0.0 { share.min(1.0) } else { 0.0 })
+    }
+}

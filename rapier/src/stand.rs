@@ -1,0 +1,59 @@
+//! Where a foot is in the plane of its group.
+
+use crate::frame::Frame;
+use crate::pair::Pair;
+use rapier3d::prelude::*;
+
+/// Where a foot is in the plane, half a step on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stand {
+    pub(crate) foot: ColliderHandle,
+    pub(crate) ground: ColliderHandle,
+    pub(crate) place: [f64; 2],
+    /// Direction of the foot's own x.
+    pub(crate) axis: [f64; 2],
+}
+
+impl Stand {
+    /// Where a foot is in the plane now.
+    pub(crate) fn now(
+        pair: &Pair,
+        frame: &Frame,
+        foot: &RigidBody,
+        colliders: &ColliderSet,
+    ) -> Option<Self> {
+        let pose = colliders.get(pair.foot)?.position_wrt_parent()?;
+        let arm = pose.transform_point(pair.patch.center()) - foot.local_center_of_mass();
+        let along = *foot.rotation() * (pose.rotation * Vector::X);
+        let [c, s] = frame.plane(along).map(f64::from);
+        let length = (c * c + s * s).sqrt();
+        // A direction within a hundredth of the normal tells nothing.
+        let axis = match length > 1e-2 {
+            true => [c / length, s / length],
+            false => [1.0, 0.0],
+        };
+        Some(Self {
+            foot: pair.foot,
+            ground: pair.ground,
+            place: frame.plane(*foot.rotation() * arm).map(f64::from),
+            axis,
+        })
+    }
+
+    pub(crate) fn is_of(&self, pair: &Pair) -> bool {
+        self.foot == pair.foot && self.ground == pair.ground
+    }
+
+    /// Turned by an angle, given its half in radians; that angle to the third order.
+    pub(crate) fn turned(self, half: f32) -> Self {
+        let half = f64::from(half);
+        let scale = 1.0 / (1.0 + half * half);
+        let [cos, sin] = [(1.0 - half * half) * scale, 2.0 * half * scale];
+        let turn = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
+        Self {
+            place: turn(self.place),
+            axis: turn(self.axis),
+            ..self
+        }
+    }
+}
