@@ -102,7 +102,7 @@ fn linearity(solid: &[(f64, f64)]) -> Claim {
     let (factor, power) = straight_line(&logs);
     let off = |&(x, y): &(f64, f64)| ((factor + power * x - y).exp() - 1.0).abs();
     let rest = logs.iter().map(off).fold(0.0, f64::max);
-    Claim::refutation(
+    Claim::contradiction(
         "4.5",
         "The density depends approximately linearly on 1/r_capt",
         format!(
@@ -114,7 +114,8 @@ fn linearity(solid: &[(f64, f64)]) -> Claim {
         ),
         worst > SCATTER && rest < SCATTER && intercept < 0.0,
         "on the scale of the porosity the curve looks nearly straight, but the solid fraction is a \
-         power of r_capt; a line serves a short piece only",
+         power of r_capt; a line serves a short piece only. Ours goes from 2R to 10R; the thesis' \
+         range is in its figure alone",
     )
 }
 
@@ -132,9 +133,12 @@ fn system_claims() -> Result<Vec<Claim>, Failure> {
         let consistent = "size. The thesis has one deposit and states no error; its number lies";
         let away = |stated: f64, mean: f64, scatter: f64| (stated - mean).abs() / scatter;
         let far = away(spheres, count, scatter);
+        let inferred = if width < 40.0 { "" } else { " (inferred)" };
         let claim = Claim::trend(
             "4.5, 4.7",
-            &format!("Spheres of the {name}, {width}R × {width}R × {height}R, r_capt = 3R"),
+            &format!(
+                "Spheres of the {name}, {width}R × {width}R × {height}R{inferred}, r_capt = 3R"
+            ),
             format!("{count:.0}"),
             far < 2.0,
             &format!("{consistent} {far:.1} deviations of one of ours from our mean"),
