@@ -88,7 +88,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
             if is_last {
                 return (Some(now), evaluations);
             }
-            left = left - size;
+            left -= size;
             size *= R::from_f64(GROW);
             fading = self.fading([first[0] * now.kept[0], first[1] * now.kept[1]]);
             evaluations += 1;
