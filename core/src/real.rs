@@ -4,9 +4,55 @@ use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
+    /// What the kernel alone knows of a precision.
+    pub trait Sealed: Sized + 'static {
+        /// True for `f32`: what it does not need is left out of a program.
+        const IS_SINGLE: bool;
+
+        /// The one of two tables that is in this precision, without a conversion: processors with
+        /// single precision alone convert in software.
+        fn pick<const COLUMNS: usize, const ROWS: usize>(
+            single: &'static [[f32; COLUMNS]; ROWS],
+            double: &'static [[f64; COLUMNS]; ROWS],
+        ) -> &'static [[Self; COLUMNS]; ROWS];
+    }
+    impl Sealed for f32 {
+        const IS_SINGLE: bool = true;
+        #[inline]
+        fn pick<const COLUMNS: usize, const ROWS: usize>(
+            single: &'static [[f32; COLUMNS]; ROWS],
+            _: &'static [[f64; COLUMNS]; ROWS],
+        ) -> &'static [[f32; COLUMNS]; ROWS] {
+            single
+        }
+    }
+    impl Sealed for f64 {
+        const IS_SINGLE: bool = false;
+        #[inline]
+        fn pick<const COLUMNS: usize, const ROWS: usize>(
+            _: &'static [[f32; COLUMNS]; ROWS],
+            double: &'static [[f64; COLUMNS]; ROWS],
+        ) -> &'static [[f64; COLUMNS]; ROWS] {
+            double
+        }
+    }
+}
+
+/// A table rounded to single precision.
+pub(crate) const fn to_single<const COLUMNS: usize, const ROWS: usize>(
+    table: &[[f64; COLUMNS]; ROWS],
+) -> [[f32; COLUMNS]; ROWS] {
+    let mut single = [[0.0; COLUMNS]; ROWS];
+    let mut row = 0;
+    while row < ROWS {
+        let mut column = 0;
+        while column < COLUMNS {
+            single[row][column] = table[row][column] as f32;
+            column += 1;
+        }
+        row += 1;
+    }
+    single
 }
 
 /// A binary floating-point number: `f32` or `f64`.

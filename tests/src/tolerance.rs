@@ -279,6 +279,8 @@ bounds! {
     DECAY = 2e-13, "the logarithm of the speed lost multiplies its rounding";
     /// f32 slider against the f64 one, relative.
     SINGLE_STOP = 5e-6, "f32 wrench of 3 ulp, about ten panels";
+    /// f32 slider after a time against the f64 one, relative, in f32 epsilons; speeds over their condition.
+    SINGLE_ADVANCE_ULPS = 8.0, "1e-6 is promised where a few steps do; each adds half an ulp and a wrench of 3 ulp";
     /// Stop time of the fixed-step method, in steps.
     VERLET_STEPS = 1.5, "first order at the stop: the last step ends on the clock";
     /// Observed order of convergence against the expected one, absolute.

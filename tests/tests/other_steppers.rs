@@ -1,6 +1,8 @@
 //! The stepper against closed forms, the fixed-step method and f32 against the stepper.
 
-use tribos_core::coupling::table::Coulomb;
+use tribos_core::coupling::closed::Hertz;
+use tribos_core::coupling::table::{Coulomb, Table32, Table64};
+use tribos_core::coupling::{Coupling, Profile};
 use tribos_core::slider::{Motion, Slider};
 use tribos_tests::pucks::{MU_G, RADIUS, coulomb, power, relative};
 use tribos_tests::sweep::Lcg;
@@ -128,4 +130,91 @@ fn single_precision_stops_at_the_same_place() {
         }
     }
     worst.assert_within(&tolerance::SINGLE_STOP);
+}
+
+/// Sees how far single precision is from double after random times from random launches.
+fn see_advances<P, Q>(single: &P, double: &Q, worst: &mut Worst)
+where
+    P: Profile<f32> + Coupling<f32>,
+    Q: Profile<f64> + Coupling<f64>,
+{
+    let mut rng = Lcg::new(37);
+    let (mu_g, radius) = (MU_G as f32, RADIUS as f32);
+    for launch in 0..4000 {
+        let inertia = rng.log_between(0.01, 100.0) as f32;
+        let speed = rng.log_between(0.01, 10.0);
+        // Any, alike, nearly equal and far apart.
+        let rim = match launch % 4 {
+            0 => rng.log_between(0.01, 10.0),
+            1 => speed * rng.log_between(0.1, 10.0),
+            2 => speed * (1.0 + rng.between(-0.5, 0.5) * rng.log_between(1e-7, 1.0)),
+            _ => speed * rng.log_between(1e-6, 1e6),
+        };
+        let start = Motion::launched(speed as f32, (rim / RADIUS) as f32);
+        let wide_start = Motion::launched(f64::from(start.speed), f64::from(start.spin));
+        let wide = Slider::new(
+            double,
+            f64::from(mu_g),
+            f64::from(radius),
+            f64::from(inertia),
+        );
+        let (narrow, wide) = (Slider::new(single, mu_g, radius, inertia), wide.unwrap());
+        let scale = match wide.to_rest(&wide_start) {
+            Some(rest) => rest.motion.time,
+            None => speed.max(rim).powf(1.0 - double.exponent()) / MU_G,
+        };
+        // Steps of a controller up to nearly rest.
+        let duration = (scale * rng.log_between(1e-4, 0.99)) as f32;
+        let got = narrow.unwrap().advance(&start, duration).motion;
+        let wanted = wide.advance(&wide_start, f64::from(duration)).motion;
+        let wrench = double.reduced_wrench(wanted.speed, wanted.spin * f64::from(radius));
+        let place = || format!("{start:?}, C {inertia}, {duration} s: {got:?}");
+        // A dying speed is as uncertain as what is left of its time.
+        let time = MU_G * f64::from(duration);
+        let rim = wanted.spin * f64::from(radius) * f64::from(inertia);
+        let condition = 1.0 + time * (wrench.force / wanted.speed + wrench.torque / rim);
+        for (got, wanted, condition) in [
+            (got.speed, wanted.speed, condition),
+            (got.spin, wanted.spin, condition),
+            (got.distance, wanted.distance, 1.0),
+            (got.angle, wanted.angle, 1.0),
+        ] {
+            // Speeds that fade to nothing first leave the numbers of f32.
+            if wanted > f64::from(f32::MIN_POSITIVE) && condition.is_finite() {
+                let error = relative(f64::from(got), wanted) / condition;
+                worst.see(error / f64::from(f32::EPSILON), place);
+            }
+        }
+    }
+}
+
+#[test]
+fn single_precision_goes_the_same_way_in_any_time() {
+    let mut worst = Worst::of("f32 motion after a time against f64, over its condition");
+    see_advances(&Coulomb, &Coulomb, &mut worst);
+    see_advances(&Hertz, &Hertz, &mut worst);
+    for alpha in [-0.5, 0.5, 1.0, 2.0] {
+        let single = Table32::new(alpha as f32).unwrap();
+        let double = Table64::new(alpha).unwrap();
+        see_advances(&single, &double, &mut worst);
+    }
+    worst.assert_within(&tolerance::SINGLE_ADVANCE_ULPS);
+}
+
+#[test]
+fn a_controller_s_step_costs_seven_wrenches_in_single_precision() {
+    let puck = Slider::new(Coulomb, 3.0_f32, 0.08, 0.5).unwrap();
+    for (duration, most) in [(1e-4, 7.5), (1e-3, 9.0)] {
+        for spin in [2.0, 5.0, 12.0, 30.0] {
+            let mut motion = Motion::launched(1.0, spin);
+            let (mut evaluations, mut steps) = (0, 0);
+            while !motion.is_at_rest() {
+                let step = puck.advance(&motion, duration);
+                (motion, evaluations, steps) =
+                    (step.motion, evaluations + step.evaluations, steps + 1);
+            }
+            let mean = f64::from(evaluations) / f64::from(steps);
+            assert!(mean <= most, "{spin} rad/s, steps of {duration} s: {mean}");
+        }
+    }
 }

@@ -1,9 +1,11 @@
-//! A motion over a given time: one Runge–Kutta step if it is short, the way to rest otherwise.
+//! A motion over a given time: one Runge–Kutta step, or a few in single precision, if it is short;
+//! the way to rest otherwise.
 
 use super::eighth_order;
-use super::march::{March, Outcome, Until};
+use super::march::{Outcome, Until, march};
 use super::rest::Rest;
 use super::runge_kutta;
+use super::single::Stepped;
 use super::{Motion, Slider};
 use crate::coupling::{Coupling, Profile, Speeds};
 use crate::real::Real;
@@ -35,11 +37,11 @@ pub struct Advance<R> {
     pub evaluations: u32,
 }
 
-/// Fading of the faster speed up to which a step of order 5, and one of order 8, can be exact.
+/// Fading of the faster speed up to which a step of order 5, and one of order 8, can be exact in f64.
 const SHORT: f64 = 1.0 / 256.0;
 const MIDDLING: f64 = 1.0 / 16.0;
-/// Evaluations of a step of order 5.
-const STEP_EVALUATIONS: u32 = 7;
+/// Evaluations of a step of order 5 beside that at its start.
+const STEP_EVALUATIONS: u32 = 6;
 /// Truncation error of the logarithm of a speed, in rounding errors.
 const SPEED_ULPS: f64 = 0.5;
 /// Error of a path, which is relative, and of a change of speed: rounding errors of the estimate of order 8.
@@ -50,9 +52,9 @@ const SMOOTH_ERROR: f64 = 2.0;
 const KINKED: f64 = 0.5;
 const KINKED_ERROR: f64 = 16.0;
 
-/// What short steps find: ln v₀/v, ln w₀/w and the two paths in units of v₀ and w₀, if they are exact.
+/// What short steps find, if they are exact.
 struct Tried<R> {
-    end: Option<[R; 4]>,
+    end: Option<Stepped<R>>,
     evaluations: u32,
 }
 
@@ -63,10 +65,12 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// their ratios leave the number range, or a profile of one's own is too rough to be
     /// integrated, speed and spin are NaN.
     /// *Accuracy*: as [`Slider::to_rest`], 1e-13 relative in each of distance and angle; speed and
-    /// spin 1e-13 times the time to rest over the time left.
-    /// *Cost*: 8 evaluations of the wrench while the speeds change by less than some thousandths, as in a
+    /// spin 1e-13 times the time to rest over the time left. In f32 5e-6, and where it takes few steps
+    /// 1e-6.
+    /// *Cost*: 7 evaluations of the wrench while the speeds change by less than some thousandths, as in a
     /// controller; 12 up to a few hundredths; some 50 to 250 otherwise, and up to 20 more next to
-    /// equal speeds.
+    /// equal speeds. In f32 7 for each eighth by which the speeds change, some 50 to 150 for motions that
+    /// come near to rest, and up to 110 more next to equal speeds.
     pub fn advance(&self, motion: &Motion<R>, duration: R) -> Advance<R> {
         let speeds = [motion.speed.abs(), (motion.spin * self.radius).abs()];
         let moves = (speeds[0] > R::ZERO || speeds[1] > R::ZERO) && duration > R::ZERO;
@@ -83,9 +87,14 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
             };
         }
         let time = self.time_unit(motion).measure(duration);
-        let Tried { end, evaluations } = self.short_step(speeds, time);
-        if let Some([slide, rim, distance, angle]) = end {
-            let motion = self.after(motion, [slide, rim], [time, distance, angle]);
+        let Tried { end, evaluations } = if R::IS_SINGLE {
+            let (end, evaluations) = self.few_steps(speeds, time);
+            Tried { end, evaluations }
+        } else {
+            self.short_step(speeds, time)
+        };
+        if let Some(Stepped { kept, paths }) = end {
+            let motion = self.moved(motion, kept, [time, paths[0], paths[1]]);
             return Advance {
                 motion: Motion {
                     time: later,
@@ -99,34 +108,33 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
         if !is_finite {
             return lost(motion, later, evaluations);
         }
-        let mut march = March::new(self, speeds);
-        let outcome = march.go(Until::Time(time));
-        march.evaluations += evaluations;
-        match outcome {
+        let mut marched = march(self, speeds, Until::Time(time));
+        marched.evaluations += evaluations;
+        match marched.outcome {
             Outcome::Time => Advance {
                 motion: Motion {
                     time: later,
-                    ..self.after(motion, march.faded, march.sums)
+                    ..self.after(motion, marched.faded, marched.sums)
                 },
                 rest: None,
-                evaluations: march.evaluations,
+                evaluations: marched.evaluations,
             },
             Outcome::Rest => {
-                let rest = self.rest_of(motion, &march);
+                let rest = self.rest_of(motion, &marched);
                 Advance {
                     motion: Motion {
                         time: later,
                         ..rest.motion
                     },
                     rest: Some(rest),
-                    evaluations: march.evaluations,
+                    evaluations: marched.evaluations,
                 }
             }
-            Outcome::Unfit => lost(motion, later, march.evaluations),
+            Outcome::Unfit => lost(motion, later, marched.evaluations),
         }
     }
 
-    /// Tries one Runge–Kutta step over a time in units of m₀^(1−α)/κ.
+    /// Tries one Runge–Kutta step over a time in units of m₀^(1−α)/κ, in double precision.
     fn short_step(&self, speeds: [R; 2], time: R) -> Tried<R> {
         let at = Speeds::new(speeds[0], speeds[1]);
         let [slide, rim] = self.fading_rates(&at);
@@ -149,8 +157,9 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
             let pace = (now.major() / at.major()).pow(alpha - R::ONE);
             [slide * pace, rim * pace, v, w]
         };
+        let first = [slide, rim, R::ONE, R::ONE];
         if fading <= R::from_f64(SHORT) {
-            let (end, error) = runge_kutta::step(&[R::ZERO; 4], time, derivative);
+            let (end, error) = runge_kutta::step_along(&[R::ZERO; 4], first, time, derivative);
             let nearness = R::from_f64(SMOOTH_ERROR) * fading / at.gap();
             let share = if nearness < R::from_f64(KINKED) {
                 nearness
@@ -159,23 +168,30 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
             };
             tried.evaluations += STEP_EVALUATIONS;
             if is_exact(&end, &error.map(|error| error * share)) {
-                tried.end = Some(end);
+                tried.end = Some(kept_after(end));
                 return tried;
             }
         }
-        let first = [slide, rim, R::ONE, R::ONE];
         let (end, error) = eighth_order::step(first, time, derivative);
         tried.evaluations += eighth_order::STAGES as u32 - 1;
         if is_exact(&end, &error) {
-            tried.end = Some(end);
+            tried.end = Some(kept_after(end));
         }
         tried
     }
 
     /// Φ and Χ/C.
-    fn fading_rates(&self, at: &Speeds<R>) -> [R; 2] {
+    pub(super) fn fading_rates(&self, at: &Speeds<R>) -> [R; 2] {
         let [phi, chi] = self.profile.factors(at);
         [phi, chi / self.inertia_ratio]
+    }
+}
+
+/// From ln v₀/v, ln w₀/w and the two paths in units of v₀ and w₀.
+fn kept_after<R: Real>([slide, rim, distance, angle]: [R; 4]) -> Stepped<R> {
+    Stepped {
+        kept: [(-slide).exp(), (-rim).exp()],
+        paths: [distance, angle],
     }
 }
 

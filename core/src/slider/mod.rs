@@ -15,6 +15,7 @@ mod march;
 mod rest;
 mod rule;
 pub mod runge_kutta;
+mod single;
 mod tail;
 mod verlet;
 

@@ -1,65 +1,87 @@
-//! The Gauss–Legendre rule of 16 points on [−1, 1], with running integrals.
+//! The Gauss–Legendre rules of 16 and 8 points on [−1, 1], with running integrals.
 
-use crate::real::Real;
-use crate::special::legendre::HALF;
-pub(super) use crate::special::legendre::POINTS;
+use crate::real::{Real, to_single};
+use crate::special::legendre::{FEW_HALF, HALF};
+pub(super) use crate::special::legendre::{FEW_POINTS, POINTS};
 
-/// Nodes, weights and what follows from them, computed by the compiler.
-pub(super) struct Rule {
+/// Nodes, weights and what follows from them, for N points.
+pub(super) struct Rule<R: 'static, const N: usize> {
     /// Ascending.
-    pub nodes: [f64; POINTS],
+    pub nodes: &'static [R; N],
     /// They sum to 2.
-    pub weights: [f64; POINTS],
+    pub weights: &'static [R; N],
     /// `running[j][i]`: weight of the value at node j in the integral from −1 to node i.
-    pub running: [[f64; POINTS]; POINTS],
+    running: &'static [[R; N]; N],
     /// `legendre[k][i]`: weight of the value at node i in the coefficient of P_k.
-    pub legendre: [[f64; POINTS]; POINTS],
+    legendre: &'static [[R; N]; N],
 }
 
-/// The rule.
-pub(super) static RULE: Rule = Rule::new();
-
-impl Rule {
-    const fn new() -> Self {
-        let (nodes, weights) = points();
-        let mut running = [[0.0; POINTS]; POINTS];
-        let mut legendre = [[0.0; POINTS]; POINTS];
-        let mut j = 0;
-        while j < POINTS {
-            let at_j = polynomials(nodes[j]);
-            let mut k = 0;
-            while k < POINTS {
-                legendre[k][j] = (k as f64 + 0.5) * weights[j] * at_j[k];
-                k += 1;
-            }
-            let mut i = 0;
-            while i < POINTS {
-                running[j][i] = 0.5 * weights[j] * integrated(&at_j, nodes[i]);
-                i += 1;
-            }
-            j += 1;
-        }
-        Self {
-            nodes,
-            weights,
-            running,
-            legendre,
-        }
+/// The rule of N points, 16 or 8.
+pub(super) fn rule<R: Real, const N: usize>() -> Rule<R, N> {
+    let [nodes, weights] = R::pick(Made::<N>::POINTS_SINGLE, Made::<N>::POINTS);
+    Rule {
+        nodes,
+        weights,
+        running: R::pick(Made::<N>::RUNNING_SINGLE, Made::<N>::RUNNING),
+        legendre: R::pick(Made::<N>::LEGENDRE_SINGLE, Made::<N>::LEGENDRE),
     }
 }
 
-/// All nodes, ascending, with their weights.
-const fn points() -> ([f64; POINTS], [f64; POINTS]) {
-    let (mut nodes, mut weights) = ([0.0; POINTS], [0.0; POINTS]);
+/// What the compiler computes; a program holds what it reads alone.
+struct Made<const N: usize>;
+
+impl<const N: usize> Made<N> {
+    const POINTS: &'static [[f64; N]; 2] = &points();
+    const RUNNING: &'static [[f64; N]; N] = &running_weights(Self::POINTS);
+    const LEGENDRE: &'static [[f64; N]; N] = &coefficient_weights(Self::POINTS);
+    const POINTS_SINGLE: &'static [[f32; N]; 2] = &to_single(Self::POINTS);
+    const RUNNING_SINGLE: &'static [[f32; N]; N] = &to_single(Self::RUNNING);
+    const LEGENDRE_SINGLE: &'static [[f32; N]; N] = &to_single(Self::LEGENDRE);
+}
+
+const fn coefficient_weights<const N: usize>([nodes, weights]: &[[f64; N]; 2]) -> [[f64; N]; N] {
+    let mut legendre = [[0.0; N]; N];
     let mut i = 0;
-    while i < POINTS / 2 {
-        let [node, weight] = HALF[i];
-        let (above, below) = (POINTS / 2 + i, POINTS / 2 - 1 - i);
+    while i < N {
+        let at_node = polynomials(nodes[i]);
+        let mut k = 0;
+        while k < N {
+            legendre[k][i] = (k as f64 + 0.5) * weights[i] * at_node[k];
+            k += 1;
+        }
+        i += 1;
+    }
+    legendre
+}
+
+const fn running_weights<const N: usize>([nodes, weights]: &[[f64; N]; 2]) -> [[f64; N]; N] {
+    let mut running = [[0.0; N]; N];
+    let mut j = 0;
+    while j < N {
+        let at_node = polynomials(nodes[j]);
+        let mut i = 0;
+        while i < N {
+            running[j][i] = 0.5 * weights[j] * integrated(&at_node, N, nodes[i]);
+            i += 1;
+        }
+        j += 1;
+    }
+    running
+}
+
+/// All nodes, ascending, and their weights.
+const fn points<const N: usize>() -> [[f64; N]; 2] {
+    let half: &[[f64; 2]] = if N == POINTS { &HALF } else { &FEW_HALF };
+    let (mut nodes, mut weights) = ([0.0; N], [0.0; N]);
+    let mut i = 0;
+    while i < N / 2 {
+        let [node, weight] = half[i];
+        let (above, below) = (N / 2 + i, N / 2 - 1 - i);
         (nodes[above], nodes[below]) = (node, -node);
         (weights[above], weights[below]) = (weight, weight);
         i += 1;
     }
-    (nodes, weights)
+    [nodes, weights]
 }
 
 /// P₀ to P₁₆ at `x`.
@@ -75,12 +97,12 @@ const fn polynomials(x: f64) -> [f64; POINTS + 1] {
     p
 }
 
-/// Σ c_k (2k+1) ∫ P_k from −1 to `x`, which is Σ c_k (P_{k+1} − P_{k−1}) and c₀ (x + 1) for k = 0.
-const fn integrated(c: &[f64; POINTS + 1], x: f64) -> f64 {
+/// Σ c_k (2k+1) ∫ P_k from −1 to `x` for k < `count`, which is Σ c_k (P_{k+1} − P_{k−1}) and c₀ (x + 1) for k = 0.
+const fn integrated(c: &[f64; POINTS + 1], count: usize, x: f64) -> f64 {
     let p = polynomials(x);
     let mut sum = c[0] * (x + 1.0);
     let mut k = 1;
-    while k < POINTS {
+    while k < count {
         sum += c[k] * (p[k + 1] - p[k - 1]);
         k += 1;
     }
@@ -88,39 +110,40 @@ const fn integrated(c: &[f64; POINTS + 1], x: f64) -> f64 {
 }
 
 /// ∫ from −1 to 1.
-pub(super) fn integral<R: Real>(values: &[R; POINTS]) -> R {
-    weighted(values, &RULE.weights)
+pub(super) fn integral<R: Real, const N: usize>(values: &[R; N]) -> R {
+    weighted(values, rule::<R, N>().weights)
 }
 
 /// ∫ from −1 to every node.
-pub(super) fn running<R: Real>(values: &[R; POINTS]) -> [R; POINTS] {
-    let mut sums = [R::ZERO; POINTS];
-    for (value, row) in values.iter().zip(&RULE.running) {
+pub(super) fn running<R: Real, const N: usize>(values: &[R; N]) -> [R; N] {
+    let mut sums = [R::ZERO; N];
+    for (value, row) in values.iter().zip(rule::<R, N>().running) {
         for (sum, weight) in sums.iter_mut().zip(row) {
-            *sum += *value * R::from_f64(*weight);
+            *sum += *value * *weight;
         }
     }
     sums
 }
 
-/// Sizes of the Legendre coefficients in the middle and at the end of what sixteen values tell.
+/// Sizes of the Legendre coefficients in the middle and at the end of what the values tell.
 ///
 /// At twice the degree, which the rule integrates, a smooth function has end (end/middle)², since its coefficients
 /// fall geometrically; next to a kink they fall like a power, and it has end²/middle.
-pub(super) fn decay<R: Real>(values: &[R; POINTS]) -> [R; 2] {
-    let size = |k: usize| match RULE.legendre.get(k) {
+pub(super) fn decay<R: Real, const N: usize>(values: &[R; N]) -> [R; 2] {
+    let Rule { legendre, .. } = rule::<R, N>();
+    let size = |k: usize| match legendre.get(k) {
         Some(row) => weighted(values, row).abs(),
         None => R::ZERO,
     };
-    [
-        size(POINTS / 2 - 1) + size(POINTS / 2),
-        size(POINTS - 2) + size(POINTS - 1),
-    ]
+    [size(N / 2 - 1) + size(N / 2), size(N - 2) + size(N - 1)]
 }
 
 /// The x in [−1, 1] to which the integral of the interpolated `values`, all positive, is `wanted`.
-pub(super) fn inverse_integral<R: Real>(values: &[R; POINTS], wanted: R) -> R {
-    let coefficients = RULE.legendre.each_ref().map(|row| weighted(values, row));
+pub(super) fn inverse_integral<R: Real, const N: usize>(values: &[R; N], wanted: R) -> R {
+    let coefficients = rule::<R, N>()
+        .legendre
+        .each_ref()
+        .map(|row| weighted(values, row));
     let (mut low, mut high) = (-R::ONE, R::ONE);
     let mut x = R::ZERO;
     for _ in 0..MOST_BISECTIONS {
@@ -149,7 +172,7 @@ pub(super) fn inverse_integral<R: Real>(values: &[R; POINTS], wanted: R) -> R {
 const MOST_BISECTIONS: u32 = 60;
 
 /// Σ c_k P_k and its integral from −1, at `x`.
-fn series<R: Real>(coefficients: &[R; POINTS], x: R) -> [R; 2] {
+fn series<R: Real, const N: usize>(coefficients: &[R; N], x: R) -> [R; 2] {
     let (mut before, mut here) = (R::ONE, x);
     let (mut value, mut sum) = (R::ZERO, R::ZERO);
     let mut k = R::ZERO;
@@ -170,13 +193,11 @@ fn series<R: Real>(coefficients: &[R; POINTS], x: R) -> [R; 2] {
     [value, sum]
 }
 
-fn weighted<R: Real>(values: &[R; POINTS], weights: &[f64; POINTS]) -> R {
+fn weighted<R: Real, const N: usize>(values: &[R; N], weights: &[R; N]) -> R {
     values
         .iter()
         .zip(weights)
-        .fold(R::ZERO, |sum, (value, weight)| {
-            sum + *value * R::from_f64(*weight)
-        })
+        .fold(R::ZERO, |sum, (value, weight)| sum + *value * *weight)
 }
 
 #[cfg(test)]
@@ -191,7 +212,7 @@ mod tests {
             } else {
                 0.0
             };
-            let values = RULE
+            let values = rule::<f64, POINTS>()
                 .nodes
                 .map(|x: f64| (0..degree).fold(1.0, |power, _| power * x));
             // Sixteen roundings of sums up to 2.
@@ -201,9 +222,9 @@ mod tests {
 
     #[test]
     fn running_integrals_and_their_inverse_are_those_of_the_exponential() {
-        let values = RULE.nodes.map(|x: f64| libm::exp(x));
+        let values = rule::<f64, POINTS>().nodes.map(|x: f64| libm::exp(x));
         let all = running(&values);
-        for (x, sum) in RULE.nodes.iter().zip(all) {
+        for (x, sum) in rule::<f64, POINTS>().nodes.iter().zip(all) {
             assert!(
                 (sum - (libm::exp(*x) - libm::exp(-1.0))).abs() < 2e-15,
                 "{x}"
@@ -212,7 +233,9 @@ mod tests {
         }
         let [middle, end] = decay(&values);
         assert!(end * (end / middle) < 1e-16);
-        let kink = RULE.nodes.map(|x: f64| libm::fabs(x - 0.1));
+        let kink = rule::<f64, POINTS>()
+            .nodes
+            .map(|x: f64| libm::fabs(x - 0.1));
         let exact = (1.1 * 1.1 + 0.9 * 0.9) / 2.0;
         let error = libm::fabs(integral(&kink) - exact);
         let [middle, end] = decay(&kink);

@@ -9,11 +9,11 @@
 //! assert!(accepted);
 //! ```
 
-use crate::real::Real;
+use crate::real::{Real, to_single};
 
 /// Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19: order 5 with an error estimate of
 /// order 4.
-const STAGES: [[f64; 6]; 6] = [
+static STAGES: [[f64; 6]; 6] = [
     [1.0 / 5.0, 0.0, 0.0, 0.0, 0.0, 0.0],
     [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0],
     [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0],
@@ -43,7 +43,7 @@ const STAGES: [[f64; 6]; 6] = [
     ],
 ];
 /// Difference of the two orders' weights.
-const ERROR: [f64; 7] = [
+static ERROR: [[f64; 7]; 1] = [[
     71.0 / 57600.0,
     0.0,
     -71.0 / 16695.0,
@@ -51,7 +51,11 @@ const ERROR: [f64; 7] = [
     -17253.0 / 339200.0,
     22.0 / 525.0,
     -1.0 / 40.0,
-];
+]];
+
+/// The same in single precision.
+static STAGES_SINGLE: [[f32; 6]; 6] = to_single(&STAGES);
+static ERROR_SINGLE: [[f32; 7]; 1] = to_single(&ERROR);
 
 /// Step control: safety factor and bounds of change.
 const SAFETY: f64 = 0.9;
@@ -73,21 +77,35 @@ pub fn step<R: Real, const N: usize>(
     h: R,
     derivative: impl Fn(&[R; N]) -> [R; N],
 ) -> ([R; N], [R; N]) {
+    step_along(from, derivative(from), h, derivative)
+}
+
+/// The step whose first slope is known.
+///
+/// *Cost*: 6 calls of `derivative`.
+pub(super) fn step_along<R: Real, const N: usize>(
+    from: &[R; N],
+    first: [R; N],
+    h: R,
+    derivative: impl Fn(&[R; N]) -> [R; N],
+) -> ([R; N], [R; N]) {
     let mut slopes = [[R::ZERO; N]; 7];
-    slopes[0] = derivative(from);
+    slopes[0] = first;
     let mut point = *from;
-    for (stage, row) in STAGES.iter().enumerate() {
+    let stages = R::pick(&STAGES_SINGLE, &STAGES);
+    for (stage, row) in stages.iter().enumerate() {
         point = *from;
         for (slope, &weight) in slopes.iter().zip(row).take(stage + 1) {
-            add_scaled(&mut point, slope, h * R::from_f64(weight));
+            add_scaled(&mut point, slope, h * weight);
         }
         if let Some(next) = slopes.get_mut(stage + 1) {
             *next = derivative(&point);
         }
     }
     let mut error = [R::ZERO; N];
-    for (slope, &weight) in slopes.iter().zip(&ERROR) {
-        add_scaled(&mut error, slope, h * R::from_f64(weight));
+    let [weights] = R::pick(&ERROR_SINGLE, &ERROR);
+    for (slope, &weight) in slopes.iter().zip(weights) {
+        add_scaled(&mut error, slope, h * weight);
     }
     (point, error)
 }

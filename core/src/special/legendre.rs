@@ -1,7 +1,8 @@
-//! The Gauss–Legendre rule of 16 points on [−1, 1].
+//! The Gauss–Legendre rules of 16 and 8 points on [−1, 1].
 
-/// Points of the rule.
+/// Points of the rules for double and for single precision: half the points are exact to half the digits.
 pub(crate) const POINTS: usize = 16;
+pub(crate) const FEW_POINTS: usize = 8;
 
 /// Positive nodes and their weights: roots of P₁₆ and 2/((1−x²) P₁₆'²) by mpmath 1.3 with 60 digits,
 /// `taylor(lambda x: legendre(16, x), 0, 16)` and `polyroots`.
@@ -14,4 +15,12 @@ pub(crate) const HALF: [[f64; 2]; POINTS / 2] = [
     [0.865_631_202_387_831_8, 0.095_158_511_682_492_79],
     [0.944_575_023_073_232_6, 0.062_253_523_938_647_894],
     [0.989_400_934_991_649_9, 0.027_152_459_411_754_096],
+];
+
+/// The same for P₈.
+pub(crate) const FEW_HALF: [[f64; 2]; FEW_POINTS / 2] = [
+    [0.183_434_642_495_649_8, 0.362_683_783_378_362],
+    [0.525_532_409_916_329, 0.313_706_645_877_887_27],
+    [0.796_666_477_413_626_7, 0.222_381_034_453_374_48],
+    [0.960_289_856_497_536_3, 0.101_228_536_290_376_26],
 ];

@@ -10,7 +10,7 @@ use crate::real::Real;
 /// |C_α − C| at equal speeds, in rounding errors of C, below which they stay equal.
 const BALANCED_ULPS: f64 = 8.0;
 
-impl<R: Real, P: Profile<R> + Coupling<R>> March<'_, R, P> {
+impl<R: Real, P: Profile<R> + Coupling<R>, const N: usize> March<'_, R, P, N> {
     /// Finds the first leg, from the ratio h with its logarithm and its distance from 1.
     pub(super) fn set_out(&mut self, ratio: [R; 3], excess: R) {
         let lead = self.lead;

@@ -12,10 +12,13 @@ use crate::real::Real;
 const MOST_CORRECTIONS: u32 = 8;
 /// Fading, in units of the root of a rounding error, over which the rates count as constant.
 const LINEAR: f64 = 0.125;
+/// And where rounding errors of C_α − C next to a fixed point keep the time from being met: the square
+/// of this, halved, in rounding errors is what it costs.
+const NEARLY_LINEAR: f64 = 2.0;
 /// Rounding errors of the fading itself, beyond which no correction helps.
 const ROUNDING_ULPS: f64 = 64.0;
 
-impl<R: Real, P: Profile<R> + Coupling<R>> March<'_, R, P> {
+impl<R: Real, P: Profile<R> + Coupling<R>, const N: usize> March<'_, R, P, N> {
     /// The rest of the motion, at or next to the ratio that stays.
     pub(super) fn close(&mut self, leg: Option<&Leg<R>>, until: Until<R>) -> Outcome {
         let tail = match leg {
@@ -85,13 +88,13 @@ impl<R: Real, P: Profile<R> + Coupling<R>> March<'_, R, P> {
         &mut self,
         leg: &Leg<R>,
         size: R,
-        panel: &Panel<R>,
+        panel: &Panel<R, N>,
         time: R,
     ) -> Outcome {
         let left = time - self.sums[0];
         let node = rule::inverse_integral(&panel.times, left);
         let mut size = R::HALF * (R::ONE + node) * size;
-        for _ in 0..MOST_CORRECTIONS {
+        for correction in 1..=MOST_CORRECTIONS {
             let panel = self.panel(leg, size);
             let faded = [
                 self.faded[0] + panel.faded[0],
@@ -107,7 +110,12 @@ impl<R: Real, P: Profile<R> + Coupling<R>> March<'_, R, P> {
             let missing = (left - panel.sums[0]) / pace;
             let turn = missing * (rates[0] + rates[1] + self.falls(rates)[0].abs());
             let rounding = R::from_f64(ROUNDING_ULPS) * R::EPSILON * (faded[0] + faded[1]);
-            let linear = R::from_f64(LINEAR) * R::EPSILON.sqrt() + rounding;
+            let limit = if correction < MOST_CORRECTIONS {
+                LINEAR
+            } else {
+                NEARLY_LINEAR
+            };
+            let linear = R::from_f64(limit) * R::EPSILON.sqrt() + rounding;
             if turn.abs() <= linear || turn.is_nan() {
                 self.sums = [
                     time,

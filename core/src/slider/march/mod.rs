@@ -26,12 +26,13 @@ mod rates;
 
 use super::Slider;
 use super::leg::{End, Leg};
+use super::rule::{FEW_POINTS, POINTS};
 use crate::coupling::{Coupling, Lead, Profile, Speeds};
 use crate::real::Real;
 use panel::Panel;
 
 /// Largest exponent by which an integrand may fall within a panel: exp(−8x) on it is exact to
-/// 1e-19 of its largest value with 16 nodes.
+/// 1e-19 of its largest value with 16 nodes, to 1e-9 with 8.
 const LARGEST_FADING: f64 = 8.0;
 /// A panel in which it falls by this much more is made anew.
 const FADING_LIMIT: f64 = 1.5;
@@ -68,21 +69,49 @@ pub(super) enum Outcome {
     Unfit,
 }
 
+/// What a march has found.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Marched<R> {
+    pub outcome: Outcome,
+    /// ln v₀/v and ln w₀/w.
+    pub faded: [R; 2],
+    /// κt, κx/v₀ and κθR/w₀ in units of m₀^(1−α).
+    pub sums: [R; 3],
+    /// Where the motion leads; the ratio v/w.
+    pub ratio: R,
+    /// Evaluations of Φ and Χ.
+    pub evaluations: u32,
+}
+
+/// Follows a motion from two speeds, not negative, finite, not both zero, with as many nodes as
+/// the precision needs.
+pub(super) fn march<R: Real, P: Profile<R> + Coupling<R>>(
+    slider: &Slider<R, P>,
+    speeds: [R; 2],
+    until: Until<R>,
+) -> Marched<R> {
+    if R::IS_SINGLE {
+        March::<R, P, FEW_POINTS>::new(slider, speeds).marched(until)
+    } else {
+        March::<R, P, POINTS>::new(slider, speeds).marched(until)
+    }
+}
+
 /// Rates of fading of v and w, Φ and Χ/C.
 pub(super) type Rates<R> = [R; 2];
 
-/// The march.
+/// The march, in panels of N nodes.
 #[derive(Debug)]
-pub(super) struct March<'a, R, P> {
+struct March<'a, R, P, const N: usize> {
     slider: &'a Slider<R, P>,
     /// 1 − α
     beta: R,
     /// ln v₀/m₀ and ln w₀/m₀, one of them 0.
     offsets: [R; 2],
     /// ln v₀/v and ln w₀/w.
-    pub faded: [R; 2],
+    faded: [R; 2],
     /// κt, κx/v₀ and κθR/w₀ in units of m₀^(1−α).
-    pub sums: [R; 3],
+    sums: [R; 3],
     /// False for sums to which nothing can be added any more.
     growing: [bool; 3],
     /// Bounds of the rates of fading from here on.
@@ -95,14 +124,14 @@ pub(super) struct March<'a, R, P> {
     /// ds/dp at the last node.
     slowness: R,
     /// Where the motion leads; the ratio v/w.
-    pub ratio: R,
+    ratio: R,
     /// Evaluations of Φ and Χ.
-    pub evaluations: u32,
+    evaluations: u32,
 }
 
-impl<'a, R: Real, P: Profile<R> + Coupling<R>> March<'a, R, P> {
+impl<'a, R: Real, P: Profile<R> + Coupling<R>, const N: usize> March<'a, R, P, N> {
     /// From two speeds, not negative, finite, not both zero.
-    pub fn new(slider: &'a Slider<R, P>, speeds: [R; 2]) -> Self {
+    fn new(slider: &'a Slider<R, P>, speeds: [R; 2]) -> Self {
         let at = Speeds::new(speeds[0], speeds[1]);
         let lead = at.lead();
         let [minor, major] = match lead {
@@ -143,8 +172,20 @@ impl<'a, R: Real, P: Profile<R> + Coupling<R>> March<'a, R, P> {
         march
     }
 
+    /// Follows the motion, and says what came of it.
+    fn marched(mut self, until: Until<R>) -> Marched<R> {
+        let outcome = self.go(until);
+        Marched {
+            outcome,
+            faded: self.faded,
+            sums: self.sums,
+            ratio: self.ratio,
+            evaluations: self.evaluations,
+        }
+    }
+
     /// Follows the motion.
-    pub fn go(&mut self, until: Until<R>) -> Outcome {
+    fn go(&mut self, until: Until<R>) -> Outcome {
         let mut size = R::INFINITY;
         let mut is_careful = false;
         for _ in 0..MOST_PANELS {
@@ -204,7 +245,7 @@ impl<'a, R: Real, P: Profile<R> + Coupling<R>> March<'a, R, P> {
     }
 
     /// Goes over a panel.
-    fn take(&mut self, leg: &Leg<R>, size: R, panel: &Panel<R>) {
+    fn take(&mut self, leg: &Leg<R>, size: R, panel: &Panel<R, N>) {
         let p = if leg.rising {
             leg.p - size
         } else {

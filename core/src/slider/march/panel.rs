@@ -1,29 +1,28 @@
-//! One panel: sixteen directions, and what they say of the time and the paths between its ends.
+//! One panel: sixteen directions, eight in single precision, and what they say of the time and the
+//! paths between its ends.
 
 use super::super::leg::Leg;
-use super::super::rule::{self, POINTS, RULE};
-use super::{March, Rates};
+use super::super::rule::{self, Rule, rule};
+use super::{LARGEST_FADING, March, Rates};
 use crate::coupling::{Coupling, Lead, Profile};
 use crate::real::Real;
 
-/// Largest exponent by which an integrand may fall within a panel: exp(−8x) on it is exact to
-/// 1e-19 of its largest value with 16 nodes.
-const LARGEST_FADING: f64 = 8.0;
 /// Truncation error of a panel, in rounding errors.
 const TOLERANCE_ULPS: f64 = 4.0;
-/// Coefficients that do not fall off are noise if they are as small as this power of a rounding error.
-const NOISE_POWER: f64 = 0.6;
+/// Coefficients that do not fall off are noise if they are this small: a rounding error to the power 0.6.
+static NOISE_LEVEL: [[f64; 1]; 1] = [[4.05381695970951e-10]];
+static NOISE_LEVEL_SINGLE: [[f32; 1]; 1] = [[7.011_098e-5]];
 /// Noise of C_α − C beyond this part of it is not excused.
 const MOST_NOISE: f64 = 0.03125;
 
 /// What the nodes of a panel say.
-pub(super) struct Panel<R> {
+pub(super) struct Panel<R, const N: usize> {
     /// Increments of `faded`.
     pub faded: [R; 2],
     /// Increments of `sums`.
     pub sums: [R; 3],
     /// Time integrand at the nodes.
-    pub times: [R; POINTS],
+    pub times: [R; N],
     /// Rates and ds/dp at the last node.
     pub rates: Rates<R>,
     pub slowness: R,
@@ -32,7 +31,7 @@ pub(super) struct Panel<R> {
     pub is_resolved: bool,
 }
 
-impl<R: Real, P: Profile<R> + Coupling<R>> March<'_, R, P> {
+impl<R: Real, P: Profile<R> + Coupling<R>, const N: usize> March<'_, R, P, N> {
     /// Longest panel that may fit.
     pub(super) fn longest(&self, leg: &Leg<R>) -> R {
         let smooth = leg.smooth_length();
@@ -46,19 +45,17 @@ impl<R: Real, P: Profile<R> + Coupling<R>> March<'_, R, P> {
     }
 
     /// Evaluates the panel of length `size` ahead.
-    pub(super) fn panel(&mut self, leg: &Leg<R>, size: R) -> Panel<R> {
+    pub(super) fn panel(&mut self, leg: &Leg<R>, size: R) -> Panel<R, N> {
+        let Rule { nodes, weights, .. } = rule::<R, N>();
         let half = R::HALF * size;
         let step = if leg.rising { -half } else { half };
-        let [mut slides, mut rims] = [[R::ZERO; POINTS]; 2];
-        let mut times = [R::ZERO; POINTS];
+        let [mut slides, mut rims] = [[R::ZERO; N]; 2];
+        let mut times = [R::ZERO; N];
         let (mut rates, mut slowness, mut growth) = (self.rates, self.slowness, R::ONE);
-        for (((slide, rim), time), node) in slides
-            .iter_mut()
-            .zip(&mut rims)
-            .zip(&mut times)
-            .zip(&RULE.nodes)
+        for (((slide, rim), time), node) in
+            slides.iter_mut().zip(&mut rims).zip(&mut times).zip(nodes)
         {
-            let place = leg.place(leg.p + step * (R::ONE + R::from_f64(*node)));
+            let place = leg.place(leg.p + step * (R::ONE + *node));
             let here;
             (rates, [slowness, here]) = self.measured(leg, &place);
             growth = if here > growth { here } else { growth };
@@ -77,25 +74,30 @@ impl<R: Real, P: Profile<R> + Coupling<R>> March<'_, R, P> {
             });
         let is_resolved = self.is_resolved(&[slides, rims], faded, growth);
         let mut sums = [R::ZERO; 3];
+        // The pace of α = 0 is the larger speed itself, (m/m₀) = (m₁/m₀) e^(−fading).
+        let start = self.leading(self.offsets).exp();
         let (at_slides, at_rims) = (rule::running(&slides), rule::running(&rims));
-        for (((time, weight), slide), rim) in times
-            .iter_mut()
-            .zip(&RULE.weights)
-            .zip(at_slides)
-            .zip(at_rims)
+        for (((time, weight), slide), rim) in
+            times.iter_mut().zip(weights).zip(at_slides).zip(at_rims)
         {
             let faded = [self.faded[0] + slide, self.faded[1] + rim];
-            *time *= self.pace(faded);
-            let part = *time * R::from_f64(*weight);
+            let [slide, rim] = faded.map(|faded| (-faded).exp());
+            let pace = if R::IS_SINGLE && self.beta == R::ONE {
+                start * self.leading([slide, rim])
+            } else {
+                self.pace(faded)
+            };
+            *time *= pace;
+            let part = *time * *weight;
             sums[0] += part;
-            for ((sum, faded), is_growing) in sums
+            for ((sum, left), is_growing) in sums
                 .iter_mut()
                 .skip(1)
-                .zip(faded)
+                .zip([slide, rim])
                 .zip(self.growing.iter().skip(1))
             {
                 if *is_growing {
-                    *sum += part * (-faded).exp();
+                    *sum += part * left;
                 }
             }
         }
@@ -110,11 +112,11 @@ impl<R: Real, P: Profile<R> + Coupling<R>> March<'_, R, P> {
         }
     }
 
-    /// True if sixteen nodes resolve the rates of the speeds that still matter, or all but the
+    /// True if the nodes resolve the rates of the speeds that still matter, or all but the
     /// rounding errors of the law times `growth`.
-    pub(super) fn is_resolved(&self, rates: &[[R; POINTS]; 2], faded: [R; 2], growth: R) -> bool {
+    pub(super) fn is_resolved(&self, rates: &[[R; N]; 2], faded: [R; 2], growth: R) -> bool {
         let ulps = R::from_f64(TOLERANCE_ULPS) * R::EPSILON;
-        let noise_level = R::EPSILON.pow(R::from_f64(NOISE_POWER));
+        let [[noise_level]] = *R::pick(&NOISE_LEVEL_SINGLE, &NOISE_LEVEL);
         let leads = [self.lead == Lead::Sliding, self.lead == Lead::Spinning];
         let matters = [self.growing[1] || leads[0], self.growing[2] || leads[1]];
         rates
@@ -131,7 +133,9 @@ impl<R: Real, P: Profile<R> + Coupling<R>> March<'_, R, P> {
                 let part = ulps * growth;
                 let most = R::from_f64(MOST_NOISE);
                 let noise = (if part < most { part } else { most }) * total;
-                !matters || error <= ulps * scale || error <= noise || is_noise
+                // Few nodes tell noise, which is in all coefficients, from a slow fall by its size alone.
+                let noisy = if R::IS_SINGLE { end } else { error };
+                !matters || error <= ulps * scale || noisy <= noise || is_noise
             })
     }
 }
