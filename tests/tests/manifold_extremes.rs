@@ -237,11 +237,11 @@ impl<R: Real> Answer<R> {
     }
 }
 
-fn all<R: Real>() -> impl ContactFriction<R> + Copy {
+fn all<R: Real>() -> impl ContactFriction<R> {
     Thresholds::all(R::from_f64(0.3), R::from_f64(0.1), R::from_f64(0.05)).unwrap()
 }
 
-fn coupled<R: Real>() -> impl ContactFriction<R> + Copy
+fn coupled<R: Real>() -> impl ContactFriction<R>
 where
     Coulomb: DryCoupling<R>,
 {
@@ -278,7 +278,7 @@ where
                 error = f64::INFINITY;
             }
             // NaN is the worst.
-            if !(error <= worst.0) {
+            if error.is_nan() || error > worst.0 {
                 worst = (error, format!("{units:?}: {plain:?} and {scaled:?}"));
             }
         }
