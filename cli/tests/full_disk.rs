@@ -219,6 +219,20 @@ fn a_sweep_keeps_the_runs_that_were_done() -> Outcome {
 }
 
 #[test]
+fn a_lock_without_room_for_its_name_holds_and_goes_away() -> Outcome {
+    let folder = folder()?;
+    for command in ["run disk --out out", "sweep disk --set spin=1,2 --out out"] {
+        let output = tribos(folder.path(), command, Some(0))?;
+        refused(
+            folder.path(),
+            output,
+            &["cannot write out/", TOO_LARGE, KEPT],
+        )?;
+    }
+    Ok(())
+}
+
+#[test]
 fn a_reproduction_is_told_where_it_stopped() -> Outcome {
     let folder = folder()?;
     let reproduce = "reproduce 3.4 --out out";

@@ -2,6 +2,7 @@
 
 use assert_cmd::Command;
 use clap::Command as Clap;
+use serde_json::Value;
 use std::path::Path;
 use tribos_cli::command::program;
 
@@ -100,6 +101,70 @@ fn keys_are_told_body_by_body() -> Outcome {
     let [scene, body] = ["compaction-small", "powder"].map(|word| said(&["scene", "keys", word]));
     assert_eq!(scene?, body?);
     Ok(())
+}
+
+/// Least number of letters of a meaning.
+const MEANING: usize = 8;
+
+#[test]
+fn every_key_has_its_meaning_wherever_keys_are_told() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let schema: Value = serde_json::from_str(&said(&["scene", "schema"])?)?;
+    for body in tribos::scene::bodies() {
+        let listed = said(&["scene", "keys", body])?;
+        let file = folder.path().join(format!("{body}.toml"));
+        let place = file.to_str().ok_or("a name")?;
+        said(&["scene", "new", body, "--out", place])?;
+        for key in tribos::scene::vocabulary(body).ok_or("a body")?.keys {
+            let name = key.name;
+            assert!(key.meaning.len() >= MEANING, "{body}: {name}");
+            assert!(!key.unit.is_empty(), "{body}: {name}");
+            let line = |text: &str| {
+                let is_its = |line: &&str| {
+                    let line = line.trim_start_matches(['#', ' ']);
+                    line.split([' ', '=']).next() == Some(name)
+                };
+                text.lines().find(is_its).map(str::to_owned)
+            };
+            let told = line(&listed).ok_or_else(|| format!("{body}: no {name}"))?;
+            assert!(told.contains(key.meaning), "{body}: {told}");
+            // A schema has defaults apart.
+            let meaning = key.meaning.split(" (default").next().unwrap_or_default();
+            let described = described(&schema, name);
+            assert!(
+                described.iter().any(|text| text.contains(meaning)),
+                "{body}: {name}: {described:?}"
+            );
+        }
+        // What a scene says of itself is told too.
+        let checked = said(&["scene", "check", place])?;
+        let values = checked.lines().filter(|line| line.starts_with("  "));
+        let names = values.filter_map(|line| Some(line.split_once(" = ")?.0.trim()));
+        for name in names {
+            let key = format!("  {name} ");
+            assert!(listed.contains(&key), "{body}: {name}");
+        }
+    }
+    Ok(())
+}
+
+/// Descriptions of a property, wherever the schema has it.
+fn described(schema: &Value, name: &str) -> Vec<String> {
+    match schema {
+        Value::Object(members) => {
+            let here = members
+                .get("properties")
+                .map(|all| &all[name]["description"]);
+            let here = here.and_then(Value::as_str).map(str::to_owned);
+            let inside = members.values().flat_map(|value| described(value, name));
+            here.into_iter().chain(inside).collect()
+        }
+        Value::Array(values) => values
+            .iter()
+            .flat_map(|value| described(value, name))
+            .collect(),
+        _ => Vec::new(),
+    }
 }
 
 #[test]

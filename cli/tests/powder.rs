@@ -118,6 +118,54 @@ fn a_run_leaves_summary_series_states_and_pictures() -> Outcome {
     Ok(())
 }
 
+/// A heavy piston that falls on spheres that rebound.
+const CRUSHED: &str = "height=16 cohesion_range=0 restitution=0.5 pressure=10 piston_mass=1e4 \
+                       steps=300";
+
+#[test]
+fn steps_that_end_approximately_are_told_and_counted() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let out = folder.path().join("out");
+    let run = |keys: &str| -> Result<(String, Value), Box<dyn std::error::Error>> {
+        let mut command = tribos(folder.path(), "run")?;
+        for key in keys.split_whitespace() {
+            command.args(["--set", key]);
+        }
+        let output = command.arg("--out").arg(&out).output()?;
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{keys}: {said}");
+        Ok((String::from_utf8(output.stdout)?, summary(&out)?))
+    };
+    let lines = [
+        ("impacts       cut in ", "steps_impacts_cut"),
+        ("impacts       unmet in ", "steps_impacts_unmet"),
+        ("unmet         ", "steps_solver_unmet"),
+    ];
+    // As few sweeps for lasting contacts as leave some of them unsolved.
+    let (told, summary) = run(&format!("{CRUSHED} sweeps=20"))?;
+    let mut most = 0;
+    let mut sum = 0;
+    for (start, name) in lines {
+        let line = told.lines().find_map(|line| line.strip_prefix(start));
+        let word = line.and_then(|line| line.split(' ').next()).ok_or(start)?;
+        let steps: u64 = word.parse()?;
+        assert!(steps > 0 && summary[name] == steps, "{name}: {told}");
+        (most, sum) = (most.max(steps), sum + steps);
+    }
+    // A step counts once, whatever it missed.
+    let all = summary["steps_unmet"].as_u64().ok_or("a number")?;
+    assert!((most..=sum).contains(&all), "{summary}");
+
+    // Nothing is told of what did not happen, and nothing counted that cannot.
+    let (told, summary) = run("steps=300")?;
+    assert_eq!(summary["steps_unmet"], 0);
+    for (start, name) in lines {
+        assert!(!told.lines().any(|line| line.starts_with(start)), "{told}");
+        assert_eq!(summary.get(name), None, "{name}");
+    }
+    Ok(())
+}
+
 #[test]
 fn a_killed_run_goes_on_to_the_same_bits() -> Outcome {
     let folder = tempfile::tempdir()?;

@@ -45,7 +45,7 @@ pub fn run(cell: Cell, time: f64) -> Answer {
     while world.state().time < time * (1.0 - 1e-9) {
         let before = losses(&world.state().book);
         let report = world.step().expect("the gas can step");
-        unmet += usize::from(!report.effort.met);
+        unmet += usize::from(!report.is_met());
         for (old, new) in before.into_iter().zip(losses(&world.state().book)) {
             least = least.min(new - old);
         }

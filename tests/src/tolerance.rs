@@ -256,6 +256,8 @@ bounds! {
     STOP = 2e-13, "1e-13 is promised for one call; steps and the older constants add";
     /// Time, distance and angle of launches of any ratio, each relative.
     REST = 1e-13, "the promise; the table itself is good to some 1e-14";
+    /// Time, distance and angle to rest of annuli, and states on the way, relative.
+    ANNULUS_REST = 1e-11, "1e-8 is promised; the inner edge is a kink of the law that no panel ends at; thin bands cancel";
     /// Final ratio of a body whose ratio goes to zero, absolute; its inverse where it grows.
     STOP_PURE = 1e-6, "the slower motion dies with a power of the other, not at once";
     /// Final ratio, relative.

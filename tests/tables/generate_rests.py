@@ -74,7 +74,9 @@ class Gauss:
 
 
 class Law:
-    """Phi and Chi of one pressure and exponent."""
+    """Phi and Chi of one pressure and exponent; kinks are where they are not smooth in y."""
+
+    kinks = [0]
 
     def __init__(self, q, alpha, number):
         q, s = mp.mpf(q), mp.mpf(alpha) + 1
@@ -171,7 +173,7 @@ def follow(law, rule, c, v0, w0, functions):
         end = fixed
     ends = [rates(p) for p in (-60.0, 60.0, y, 1e-9)]
     slowest = [min(r[i] for r in ends) / 2 for i in (0, 1)]
-    specials = [number(0)] + ([fixed] if fixed is not None else [])
+    specials = [number(p) for p in law.kinks] + ([fixed] if fixed is not None else [])
     faded, sums, trace = [number(0)] * 2, [number(0)] * 3, []
     is_dead = False
     todo = list(panels(y, end, specials))[::-1]

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 use tribos::cd::{Laws, Pace, Setup, Wall, World, solid};
+use tribos::random::Random;
 use tribos_core::contact::{Attraction, Cohesion, NormalLaw, PlanarPart};
 use tribos_tests::gas::{gas, periodic};
 use tribos_tests::packings::{Rough, chain, rough, spheres};
@@ -403,4 +404,65 @@ fn impulses_of_a_step_explain_its_velocities() {
             break;
         }
     }
+}
+
+/// A cube of spheres that touch, `side` along an edge, thrown on the floor with spins.
+fn block(side: usize, law: NormalLaw<f64>, friction: Rough) -> World<Rough> {
+    let place = |index: usize| {
+        let cell = [index % side, index / side % side, index / side / side];
+        Vector3::from(cell.map(|cell| 2.0 * cell as f64)) + Vector3::z()
+    };
+    let places = (0..side.pow(3)).map(place).collect();
+    let mut setup = spheres(places, Laws::uniform(law, friction));
+    setup.walls = vec![Wall::fixed(Vector3::z(), 0.0)];
+    let mut random = Random::new(7, 1);
+    let mut vector = || Vector3::from([(); 3].map(|()| 2.0 * random.unit() - 1.0));
+    for sphere in &mut setup.spheres {
+        (sphere.velocity, sphere.spin) = (vector() - Vector3::z(), vector());
+    }
+    World::new(setup).expect("the setup is valid")
+}
+
+#[test]
+fn impulses_far_below_the_momenta_are_solved_to_rounding() {
+    for restitution in [0.5, 1.0] {
+        for mu in [0.3, 1.0, 10.0] {
+            for side in [4, 6] {
+                let mut world = block(side, bouncing(restitution), rough(mu, 0.0, 0.0));
+                let report = world.step().expect("the block can step");
+                let case = format!("e {restitution}, mu {mu}, side {side}: {report:?}");
+                // Impulses of the last rounds are 1e-8 of the first.
+                assert!(report.impact_rounds >= 8, "{case}");
+                assert_eq!(report.impacts_unmet, 0, "{case}");
+                let met = report.effort.met && !report.impacts_cut;
+                assert_eq!(report.is_met(), met, "{case}");
+                let book = world.state().book;
+                let scale = book.kinetic_initial.unwrap_or(f64::NAN);
+                assert!(book.imbalance().abs() < ROUNDING * scale, "{case}");
+                for loss in [book.normal, book.sliding] {
+                    assert!(loss > -ROUNDING * scale, "{case}: {book:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_step_whose_impacts_are_cut_is_not_met() {
+    // Ten spheres that touch: with e = 0.5 every round leaves approaches for the next.
+    let reports = [0.5, 1.0].map(|restitution| {
+        let friction = rough(0.5, 0.0, 0.0);
+        let mut setup = chain(10, Laws::uniform(bouncing(restitution), friction));
+        setup.gravity.fill(0.0);
+        for sphere in &mut setup.spheres {
+            sphere.velocity.z = -1.0;
+        }
+        let mut world = World::new(setup).expect("the setup is valid");
+        world.step().expect("the chain can step")
+    });
+    let told = reports.map(|report| {
+        assert!(report.effort.met);
+        (report.impact_rounds, report.impacts_cut, report.is_met())
+    });
+    assert_eq!(told, [(100, true, false), (19, false, true)]);
 }

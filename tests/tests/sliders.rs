@@ -2,7 +2,7 @@
 
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::coupling::{Annulus, Coupling, Profile};
 use tribos_core::patch::PowerPressure;
 use tribos_core::slider::{Motion, Rest, Slider};
 use tribos_tests::pucks::{coulomb, power, relative};
@@ -101,6 +101,53 @@ fn each_of_time_distance_and_angle_is_relative_whichever_motion_dies_first() {
     }
     stop.assert_within(&tolerance::REST);
     later.assert_within(&tolerance::REST);
+}
+
+#[test]
+fn an_annulus_comes_to_rest_to_its_own_bound() {
+    let mut stop = Worst::of("time, distance, angle to rest, annuli");
+    let mut later = Worst::of("state on the way of annuli, over its condition");
+    for row in Table::read("annulus_rests.csv").rows() {
+        let number = |column: &str| row.number(column);
+        let disk = RoundTable64::new(number("alpha"), PowerPressure::new(0.0).unwrap()).unwrap();
+        let band = Annulus::new(&disk, number("k")).unwrap();
+        let slider = Slider::new(&band, 1.0, 1.0, number("inertia_ratio")).unwrap();
+        let start = Motion::launched(number("v0"), number("w0"));
+        let place = || {
+            ["k", "alpha", "inertia_ratio", "v0", "w0"]
+                .map(|column| row.text(column))
+                .join(", ")
+        };
+        let rest = slider.to_rest(&start).unwrap();
+        for (column, got) in [
+            ("stop_time", rest.motion.time),
+            ("distance", rest.motion.distance),
+            ("angle", rest.motion.angle),
+        ] {
+            stop.see(row.reference(column).relative(got), place);
+        }
+        assert!(
+            rest.evaluations <= 2_200,
+            "{}: {}",
+            place(),
+            rest.evaluations
+        );
+        let after = slider.advance(&start, number("time")).motion;
+        // A dying speed is as uncertain as what is left of its time.
+        let wrench = band.reduced_wrench(after.speed, after.spin);
+        let slide = 1.0 + number("time") * wrench.force / after.speed;
+        let rim = 1.0 + number("time") * wrench.torque / (number("inertia_ratio") * after.spin);
+        for (column, got, condition) in [
+            ("speed", after.speed, slide + rim),
+            ("spin", after.spin, slide + rim),
+            ("distance_then", after.distance, 1.0),
+            ("angle_then", after.angle, 1.0),
+        ] {
+            later.see(row.reference(column).relative(got) / condition, place);
+        }
+    }
+    stop.assert_within(&tolerance::ANNULUS_REST);
+    later.assert_within(&tolerance::ANNULUS_REST);
 }
 
 #[test]

@@ -57,7 +57,7 @@ impl Lock {
             };
             match taken {
                 Ok(()) if !is_at(&file, &path) => continue,
-                Ok(()) => return Self::held(path, file, sharing).map_err(fail),
+                Ok(()) => return Ok(Self::held(path, file, sharing)),
                 Err(TryLockError::WouldBlock) => return Err(in_use(folder, file)),
                 Err(TryLockError::Error(error))
                     if error.kind() == std::io::ErrorKind::Unsupported =>
@@ -73,16 +73,15 @@ impl Lock {
         }
     }
 
-    /// Writes who holds it.
-    fn held(path: PathBuf, mut file: File, sharing: Sharing) -> std::io::Result<Self> {
-        file.set_len(0)?;
-        file.rewind()?;
-        file.write_all(myself().as_bytes())?;
-        Ok(Self {
+    /// Writes who holds it. On a full disk the lock holds without a name, and what is written next
+    /// tells of the disk.
+    fn held(path: PathBuf, mut file: File, sharing: Sharing) -> Self {
+        let _ = sign(&mut file);
+        Self {
             path,
             file: Some(file),
             sharing,
-        })
+        }
     }
 }
 
@@ -125,6 +124,13 @@ fn in_use(folder: &Path, mut file: File) -> Failure {
         "{} is in use by {other}; wait for it, or give another --out",
         folder.display()
     ))
+}
+
+/// Replaces the name in the file by that of this process.
+fn sign(file: &mut File) -> std::io::Result<()> {
+    file.set_len(0)?;
+    file.rewind()?;
+    file.write_all(myself().as_bytes())
 }
 
 /// This process as others read it.

@@ -73,7 +73,14 @@ impl<'a, R: Real, F: ContactFriction<R>> Pair<'a, R, F> {
             self.block.coupling,
         );
         // 1 − k² m I, the share of each mass' inverse that is left when the other motion is stopped.
-        let left = R::ONE - k * k * m * inertia;
+        // Without k² where its square is out of range, which the share is not.
+        let square = k * k;
+        let shared = if square > R::MIN_POSITIVE && square < R::INFINITY {
+            square * m * inertia
+        } else {
+            (k * m) * (k * inertia)
+        };
+        let left = R::ONE - shared;
         let distinct = left > R::from_f64(SINGULAR_ULPS) * R::EPSILON;
         if !distinct {
             let held = self.hold(&self.slip, m);

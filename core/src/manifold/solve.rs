@@ -74,7 +74,12 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// which never raises the energy; where one body meets two others at the same time, the contact
     /// that was added first goes first. There are at most as many rounds over the contacts as sweeps.
     ///
+    /// *Domain*: masses, lengths and times of any size for which velocities, impulses and the bodies'
+    /// moments of inertia are in the number range. Other units of powers of two give the same bits as
+    /// long as the squares of these are in the range too, and beyond that the same answer to rounding.
     /// *Special values*: NaN in a body or touch spreads to whatever it touches, and never converges.
+    /// What converges has finite velocities; a force, or an impulse with that of several impacts, that
+    /// is out of the number range is infinite.
     /// *Cost*: one [`Contact::update`] per contact and sweep.
     pub fn solve(&mut self, step: TimeStep<R>, start: Start, stop: Stop<R>) -> Report<R> {
         let dt = step.dt();

@@ -36,6 +36,9 @@ use tribos_core::contact::{
 
 /// Rounds of a step at most. What is left of an approach after them is stopped without rebound.
 const MOST_ROUNDS: usize = 100;
+/// Sweeps of a part of a round at most. Two are enough where no body has two impacts. A part that
+/// uses them up is counted; it raises no energy then either.
+const MOST_SWEEPS: usize = 1000;
 /// Approach, in units of the fastest of the step's first round, below which there is no impact:
 /// its energy is 1e-18 of that one's.
 const SLOW: f64 = 1e-9;
@@ -63,6 +66,8 @@ pub(super) struct Counts {
     pub rounds: usize,
     /// Whether impacts still went on after the last round.
     pub cut: bool,
+    /// Reflections, and solutions of friction under them, that used up their sweeps.
+    pub unmet: usize,
 }
 
 /// The impacts of one step.
@@ -80,6 +85,8 @@ pub(super) struct Impacts<F: ContactFriction<f64>> {
     pub(super) impulses: [Vec<Kept<F::Modes>>; 2],
     pub(super) reflection: Spheres<Thresholds<f64, Frictionless>>,
     pub(super) friction: Spheres<F>,
+    /// Sweeps of a part of a round at most.
+    pub(super) most_sweeps: usize,
 }
 
 /// Whether any contact can rebound.
@@ -98,6 +105,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
             impulses: [Vec::new(), Vec::new()],
             reflection: Spheres::new([Thresholds::none(); 2]),
             friction: Spheres::new(friction),
+            most_sweeps: MOST_SWEEPS,
         }
     }
 

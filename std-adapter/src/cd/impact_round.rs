@@ -3,30 +3,28 @@
 use super::accelerated::{Accelerated, Goal};
 use super::book::{driven_work, kinetic_energy};
 use super::impact::Impacts;
+use super::impact_rest::{TOLERANCE, rests, settle};
 use super::memory::find;
-use super::nsgs::{Order, Stop, Sweeper, solve};
+use super::nsgs::Effort;
 use super::operator::Operator;
 use super::spheres::{Link, Spheres};
 use tribos_core::contact::{
     AxialPart, Contact, ContactFriction, Frictionless, Modal, Modes, PlanarPart,
 };
 
-/// Change of a sweep relative to the impulses at which a part of a round is solved.
-const TOLERANCE: f64 = 1e-13;
-/// Sweeps of a part at most. Two are enough where no body has two impacts.
-const MOST_SWEEPS: usize = 1000;
-
 impl<F: ContactFriction<f64>> Impacts<F> {
     /// Lets the gathered contacts rebound.
     pub(super) fn round(&mut self, restitution: f64) {
-        self.reflect(restitution);
+        let reflected = self.reflect(restitution);
+        self.counts.unmet += usize::from(!reflected.met);
         self.counts.impacts += self.reflection.contacts();
         let frictionless =
             <F::Modes as Modes<f64>>::UNKNOWNS == <Frictionless as Modes<f64>>::UNKNOWNS;
         if frictionless {
             self.spheres.clone_from(&self.reflection.spheres);
         } else {
-            self.rub();
+            let rubbed = self.rub();
+            self.counts.unmet += usize::from(!rubbed.met);
             self.spheres.clone_from(&self.friction.spheres);
         }
         for (wall, plate) in self.walls.iter_mut().zip(&self.reflection.plates) {
@@ -36,7 +34,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     }
 
     /// The reflection: impulses that stop the approach, and e times as much again.
-    fn reflect(&mut self, restitution: f64) {
+    fn reflect(&mut self, restitution: f64) -> Effort {
         let problem = &mut self.reflection;
         problem.free.0.clone_from(&self.spheres);
         problem.free.1.clear();
@@ -47,7 +45,8 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         problem.start();
         let before = normal_velocities(problem);
         let goal = Goal::from(TOLERANCE);
-        Accelerated::default().solve(problem, goal, MOST_SWEEPS);
+        let mut effort = Accelerated::default().solve(problem, goal, self.most_sweeps);
+        effort.met = effort.met || rests(problem);
         // Σ q·U(w), 0 for a solution, and |w − v⁻|²_M: what the first leaves must not come back as
         // energy.
         let (mut left, mut change) = (0.0, 0.0);
@@ -73,10 +72,11 @@ impl<F: ContactFriction<f64>> Impacts<F> {
             self.taken.normal -= 0.5 * link.contact.impulse().normal * (before + after);
         }
         self.taken.work -= drives(problem);
+        effort
     }
 
     /// Friction, with the normal impulses of the reflection.
-    fn rub(&mut self) {
+    fn rub(&mut self) -> Effort {
         let (source, problem) = (&self.reflection, &mut self.friction);
         problem.free.0.clone_from(&source.spheres);
         problem.free.1.clone_from(&source.plates);
@@ -85,14 +85,14 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         problem.walls.clear();
         problem.walls.extend(source.walls.iter().map(rough));
         problem.start();
-        let mut sweeper = Sweeper::new(Order::Fixed, 0);
-        solve(problem, &mut sweeper, Stop::Local(TOLERANCE), MOST_SWEEPS);
+        let effort = settle(problem, self.most_sweeps);
         let slipped = slipped(problem);
         let shares = jump_shares(problem);
         self.taken.sliding += slipped[0] + shares[0];
         self.taken.rolling += slipped[1] + shares[1];
         self.taken.torsion += slipped[2] + shares[2];
         self.taken.work -= drives(problem);
+        effort
     }
 
     /// Adds the impulses of all rounds to those of a solved problem; the velocities stay.

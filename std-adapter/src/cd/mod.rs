@@ -41,6 +41,7 @@ mod accelerated;
 mod assemble;
 mod book;
 mod impact;
+mod impact_rest;
 mod impact_round;
 mod island;
 mod memory;

@@ -12,7 +12,7 @@ use nalgebra::{Matrix3, Vector3};
 use serde_json::{Map, Value};
 
 /// Version of the format.
-const VERSION: u64 = 2;
+const VERSION: u64 = 3;
 /// First key of the file.
 const NAME: &str = "tribos_compaction";
 /// Numbers of a window, of the energy book, of a kept force with its bodies.
@@ -94,8 +94,14 @@ impl Checkpoint {
         put("series", self.series.iter().flatten().copied().collect());
         map.insert("steps".into(), frozen.steps.into());
         map.insert("iterations".into(), self.totals.iterations.into());
-        map.insert("unmet".into(), self.totals.unmet.into());
-        map.insert("cut".into(), self.totals.cut.into());
+        for (name, steps) in [
+            ("unmet", self.totals.unmet),
+            ("solver_unmet", self.totals.solver_unmet),
+            ("cut", self.totals.cut),
+            ("impacts_unmet", self.totals.impacts_unmet),
+        ] {
+            map.insert(name.into(), steps.into());
+        }
         let awake: String = frozen
             .awake
             .iter()
@@ -144,7 +150,9 @@ impl Checkpoint {
             totals: Totals {
                 iterations: whole("iterations")?,
                 unmet: whole("unmet")?,
+                solver_unmet: whole("solver_unmet")?,
                 cut: whole("cut")?,
+                impacts_unmet: whole("impacts_unmet")?,
                 wall_seconds: one(&value, "wall_seconds")?,
             },
             series: groups(&value, "series")?,

@@ -87,10 +87,14 @@ impl Ending {
 pub(super) struct Totals {
     /// Sweeps of the solver.
     pub iterations: u64,
-    /// Steps in which the solver's rule was not met.
+    /// Steps in which anything was not met.
     pub unmet: u64,
+    /// Those of them in which the solver's rule was not.
+    pub solver_unmet: u64,
     /// Those of them whose impacts were cut off.
     pub cut: u64,
+    /// Those of them in which a part of the impacts missed its tolerance.
+    pub impacts_unmet: u64,
     /// Time on the clock, in s, up to the last start.
     pub wall_seconds: f64,
 }
@@ -370,7 +374,9 @@ impl Compaction {
             residual: self.report.residual.relative,
             iterations: self.totals.iterations,
             unmet: self.totals.unmet,
+            solver_unmet: self.totals.solver_unmet,
             impacts_cut: self.totals.cut,
+            impacts_unmet: self.totals.impacts_unmet,
             book: *self.packing.book(),
             wall_seconds: self.wall_seconds(),
         }
@@ -511,8 +517,17 @@ impl Simulation for Compaction {
         let before = self.packing.spheres().to_vec();
         self.report = self.packing.step()?;
         self.totals.iterations += self.report.effort.sweeps as u64;
-        self.totals.unmet += u64::from(!self.report.effort.met);
-        self.totals.cut += u64::from(self.report.impacts_cut);
+        let Totals {
+            unmet,
+            solver_unmet,
+            cut,
+            impacts_unmet,
+            ..
+        } = &mut self.totals;
+        *unmet += u64::from(!self.report.is_met());
+        *solver_unmet += u64::from(!self.report.effort.met);
+        *cut += u64::from(self.report.impacts_cut);
+        *impacts_unmet += u64::from(self.report.impacts_unmet > 0);
         self.measure(&before)?;
         let record = self.finite_record()?;
         self.ending = self.judge();

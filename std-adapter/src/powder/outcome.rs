@@ -63,10 +63,14 @@ pub struct Outcome {
     pub residual: f64,
     /// Sweeps of all steps.
     pub iterations: u64,
-    /// Steps in which the solver's rule was not met, or impacts were cut off.
+    /// Steps in which anything was not met: the next three together, each step once.
     pub unmet: u64,
-    /// Those of them in which impacts with restitution still caused others after the last round.
+    /// Steps in which the solver for lasting contacts missed its rule.
+    pub solver_unmet: u64,
+    /// Steps in which impacts with restitution still caused others after the last round.
     pub impacts_cut: u64,
+    /// Steps in which a reflection of impacts, or friction under it, missed its tolerance.
+    pub impacts_unmet: u64,
     /// Energies.
     pub book: Book,
     /// Time on the clock, in s.
@@ -110,7 +114,9 @@ impl Outcome {
         put("iterations_total", self.iterations.into());
         put("steps_unmet", self.unmet.into());
         if scene.restitution > 0.0 {
+            put("steps_solver_unmet", self.solver_unmet.into());
             put("steps_impacts_cut", self.impacts_cut.into());
+            put("steps_impacts_unmet", self.impacts_unmet.into());
         }
         let names = ["stress_zz", "stress_zz_plus", "stress_zz_minus"];
         for (name, stress) in names.iter().zip(self.stress_zz()) {

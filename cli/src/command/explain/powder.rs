@@ -95,8 +95,11 @@ fn restitution(scene: &PowderScene) -> String {
         ),
     ) + &line(
         "",
-        "at most 100 rounds a step, then stopped without rebound, which the run's end reports; slower \
-         approaches than the loads of a step make do not rebound",
+        "at most 100 rounds a step, then stopped without rebound, and 1000 sweeps a reflection or its \
+         friction; the run's end reports steps that use them up",
+    ) + &line(
+        "",
+        "slower approaches than the loads of a step make do not rebound",
     )
 }
 

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::folder::remove_file;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use tribos::record::read_text;
+use tribos::record::{WriteError, read_text};
 
 /// Whether a run starts or goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +55,35 @@ impl Course {
     }
 }
 
+/// Why a long run ended without its result.
+#[derive(Debug)]
+pub enum Unfinished {
+    /// Its scene cannot be run, or left the range of numbers on its way: the same every time.
+    Refused(Failure),
+    /// Something other than the scene: the folder, the disk, a signal, an unusable checkpoint.
+    Stopped(Failure),
+}
+
+impl From<Failure> for Unfinished {
+    fn from(failure: Failure) -> Self {
+        Self::Stopped(failure)
+    }
+}
+
+impl From<WriteError> for Unfinished {
+    fn from(error: WriteError) -> Self {
+        Self::Stopped(error.into())
+    }
+}
+
+impl From<Unfinished> for Failure {
+    fn from(unfinished: Unfinished) -> Self {
+        match unfinished {
+            Unfinished::Refused(failure) | Unfinished::Stopped(failure) => failure,
+        }
+    }
+}
+
 /// Bytes of a checkpoint at most: twenty million spheres take some 15 GB.
 const MOST_BYTES: u64 = 1 << 36;
 
@@ -85,9 +114,9 @@ pub(super) fn kept(file: &Path) -> Result<String, Failure> {
 }
 
 /// A run on from its checkpoint, or from the start where there is none of the same scene.
-pub fn resumed<R>(simulate: impl Fn(Start) -> Result<R, Failure>) -> Result<R, Failure> {
+pub fn resumed<R>(simulate: impl Fn(Start) -> Result<R, Unfinished>) -> Result<R, Unfinished> {
     match simulate(Start::Resume) {
-        Err(Failure::Input(_)) => simulate(Start::Fresh),
+        Err(Unfinished::Stopped(Failure::Input(_))) => simulate(Start::Fresh),
         other => other,
     }
 }

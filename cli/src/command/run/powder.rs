@@ -7,7 +7,7 @@ pub use output::{report, write};
 pub use picture::{State, packing};
 
 use super::film::{Film, Filmed};
-use super::long::{Course, Progress, Start, checkpoint, kept};
+use super::long::{Course, Progress, Start, Unfinished, checkpoint, kept};
 use crate::command::interrupt;
 use crate::command::progress::Meter;
 use crate::failure::Failure;
@@ -22,7 +22,11 @@ use tribos::run::{Simulation, drive_watched};
 use tribos::scene::PowderScene;
 
 /// Runs the scene to its end, with checkpoints and frames in the folder.
-pub fn simulate(scene: &PowderScene, out: &Path, course: &Course) -> Result<Compaction, Failure> {
+pub fn simulate(
+    scene: &PowderScene,
+    out: &Path,
+    course: &Course,
+) -> Result<Compaction, Unfinished> {
     let file = checkpoint(out);
     let mut compaction = begin(scene, &file, course)?;
     let mut film = Film::of(&compaction, out, course.start, course.frames)?;
@@ -45,18 +49,18 @@ pub fn simulate(scene: &PowderScene, out: &Path, course: &Course) -> Result<Comp
         }
         if interrupt::is_asked() {
             let step = compaction.steps();
-            return Err(course.ended(out, &format!("after step {step}")));
+            return Err(course.ended(out, &format!("after step {step}")).into());
         }
-        Ok::<(), Failure>(())
+        Ok::<(), Unfinished>(())
     })?;
     film.end(&compaction)?;
     Ok(compaction)
 }
 
 /// The deposit, with how far its growth is, or the state of the checkpoint.
-fn begin(scene: &PowderScene, file: &Path, course: &Course) -> Result<Compaction, Failure> {
+fn begin(scene: &PowderScene, file: &Path, course: &Course) -> Result<Compaction, Unfinished> {
     let size = size(scene);
-    super::size::check(&size, "spheres", course.allowed)?;
+    super::size::check(&size, "spheres", course.allowed).map_err(Unfinished::Refused)?;
     let is_told = course.progress == Progress::Told;
     if is_told {
         crate::command::tell(format_args!("{}", super::size::told(&size, "spheres")));
@@ -81,7 +85,7 @@ fn begin(scene: &PowderScene, file: &Path, course: &Course) -> Result<Compaction
     });
     match begun {
         Err(CompactionError::Deposit(DepositError::Stopped)) => {
-            Err(interrupt::ended_early("the deposit grew"))
+            Err(interrupt::ended_early("the deposit grew").into())
         }
         begun => Ok(begun?),
     }
@@ -114,6 +118,15 @@ fn tell(meter: &mut Meter, scene: &PowderScene, compaction: &Compaction, sweeps:
         meter.tell(compaction.progress(), format_args!("{words}"));
     } else {
         meter.tell_open(format_args!("{words}"));
+    }
+}
+
+impl From<CompactionError> for Unfinished {
+    fn from(error: CompactionError) -> Self {
+        match error {
+            CompactionError::Checkpoint(_) => Self::Stopped(error.into()),
+            _ => Self::Refused(error.into()),
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 mod picture;
 
 use super::film::{Film, Filmed};
-use super::long::{Course, Progress, Start, checkpoint, kept};
+use super::long::{Course, Progress, Start, Unfinished, checkpoint, kept};
 use crate::command::digits::shown;
 use crate::command::interrupt;
 use crate::command::progress::Meter;
@@ -21,10 +21,10 @@ use tribos::tip::{Outcome, TipError, TipRun, Verdict, size};
 pub use picture::{atoms, series};
 
 /// Runs the scene to its end, with checkpoints and frames in the folder.
-pub fn simulate(scene: &TipScene, out: &Path, course: &Course) -> Result<TipRun, Failure> {
+pub fn simulate(scene: &TipScene, out: &Path, course: &Course) -> Result<TipRun, Unfinished> {
     let file = checkpoint(out);
     let size = size(scene);
-    super::size::check(&size, "atoms", course.allowed)?;
+    super::size::check(&size, "atoms", course.allowed).map_err(Unfinished::Refused)?;
     if course.progress == Progress::Told {
         crate::command::tell(format_args!("{}", super::size::told(&size, "atoms")));
     }
@@ -51,9 +51,9 @@ pub fn simulate(scene: &TipScene, out: &Path, course: &Course) -> Result<TipRun,
         }
         if interrupt::is_asked() {
             let time = run.time();
-            return Err(course.ended(out, &format!("at time {time:.2}")));
+            return Err(course.ended(out, &format!("at time {time:.2}")).into());
         }
-        Ok::<(), Failure>(())
+        Ok::<(), Unfinished>(())
     })?;
     film.end(&run)?;
     Ok(run)
@@ -145,6 +145,15 @@ pub fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
     }
     text += &format!("written to    {}\n", out.display());
     crate::command::print(&text)
+}
+
+impl From<TipError> for Unfinished {
+    fn from(error: TipError) -> Self {
+        match error {
+            TipError::Checkpoint(_) => Self::Stopped(error.into()),
+            _ => Self::Refused(error.into()),
+        }
+    }
 }
 
 impl From<TipError> for Failure {

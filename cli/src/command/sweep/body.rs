@@ -3,7 +3,7 @@
 use super::kind::{self, Kind};
 use super::refusal;
 use crate::command::digits::shown;
-use crate::command::run::long::{Course, Start, resumed};
+use crate::command::run::long::{Course, Start, Unfinished, resumed};
 use crate::command::run::{powder, tip};
 use crate::failure::Failure;
 use serde_json::{Value, json};
@@ -71,19 +71,20 @@ impl Body {
 
     /// Runs to the end, on from a checkpoint if there is one: the summary, and a line about it.
     ///
-    /// What a sliding body refuses on its way is an end too: it is the same every time.
+    /// A scene that is refused, at its start or on its way, has a summary too: it is refused every time.
     pub fn run(&self, folder: &Path) -> Result<(Value, String), Failure> {
         self.done(folder).or_else(|end| match end {
-            End::Refused(reason) => {
+            Unfinished::Refused(failure) => {
+                let reason = failure.to_string();
                 let mut summary = json!({"scene": self.json()});
                 refusal::note(&mut summary, &reason);
                 Ok((summary, format!("refused: {reason}")))
             }
-            End::Failed(failure) => Err(failure),
+            Unfinished::Stopped(failure) => Err(failure),
         })
     }
 
-    fn done(&self, folder: &Path) -> Result<(Value, String), End> {
+    fn done(&self, folder: &Path) -> Result<(Value, String), Unfinished> {
         match self {
             Self::Disk(scene) => {
                 let outcome = slide::run(scene, |_| ())?.outcome;
@@ -102,25 +103,19 @@ impl Body {
                     format!("{} m on, curl {} m", shown(x), shown(y)),
                 ))
             }
-            Self::Powder(scene) => compact(scene, folder).map_err(End::Failed),
-            Self::Tip(scene) => turn(scene, folder).map_err(End::Failed),
+            Self::Powder(scene) => compact(scene, folder),
+            Self::Tip(scene) => turn(scene, folder),
         }
     }
 }
 
-/// How a run ends without a result.
-enum End {
-    Refused(String),
-    Failed(Failure),
-}
-
-impl From<SlideError> for End {
+impl From<SlideError> for Unfinished {
     fn from(error: SlideError) -> Self {
-        Self::Refused(error.to_string())
+        Self::Refused(error.into())
     }
 }
 
-fn compact(scene: &PowderScene, folder: &Path) -> Result<(Value, String), Failure> {
+fn compact(scene: &PowderScene, folder: &Path) -> Result<(Value, String), Unfinished> {
     let run = resumed(|start| powder::simulate(scene, folder, &course(start)))?;
     let outcome = run.outcome();
     let told = format!(
@@ -132,7 +127,7 @@ fn compact(scene: &PowderScene, folder: &Path) -> Result<(Value, String), Failur
     Ok((outcome.json(scene), told))
 }
 
-fn turn(scene: &TipScene, folder: &Path) -> Result<(Value, String), Failure> {
+fn turn(scene: &TipScene, folder: &Path) -> Result<(Value, String), Unfinished> {
     let run = resumed(|start| tip::simulate(scene, folder, &course(start)))?;
     let outcome = run.outcome();
     tip::write_series(&run, folder)?;

@@ -38,8 +38,8 @@ use std::path::{Path, PathBuf};
 /// Every run leaves its summary in DIR/runs. A sweep that was interrupted goes on where it stopped:
 /// runs whose summary is there are not taken again.
 ///
-/// A combination that is refused, such as a body that tips, has a row that says why in the column
-/// `refusal`, and the others run; the exit code is 0 unless all are refused. A value that is refused
+/// A combination that is refused or fails, such as a body that tips or a tip that blows up, has a row
+/// that says why in the column `refusal`, and the others run; the exit code is 0 unless all are refused. A value that is refused
 /// in every combination is bad input: nothing runs, and the exit code is 2.
 ///
 /// DIR/sweep.json is the plan: the scene's text and the keys. Other machines take a part of it,

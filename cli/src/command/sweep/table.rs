@@ -129,6 +129,10 @@ impl Table {
                 };
                 text += &format!("{cell:>24}");
             }
+            if let Some(reason) = &row.reason {
+                let all = row.runs + row.refused;
+                text += &format!("       {} of {all} refused: {reason}", row.refused);
+            }
             text.push('\n');
         }
         text

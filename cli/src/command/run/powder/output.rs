@@ -106,18 +106,25 @@ pub fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
 
 /// Steps that did not end as they should, and what that means.
 fn unmet(outcome: &Outcome) -> String {
-    let (unmet, cut) = (outcome.unmet, outcome.impacts_cut);
     let mut text = String::new();
-    if cut > 0 {
+    if outcome.impacts_cut > 0 {
         text += &format!(
-            "impacts       cut in {cut} steps after 100 rounds: the rest was stopped without rebound, \
-             its energy is in normal\n"
+            "impacts       cut in {} steps after 100 rounds: the rest was stopped without rebound, \
+             its energy is in normal\n",
+            outcome.impacts_cut
         );
     }
-    if unmet > cut {
+    if outcome.impacts_unmet > 0 {
+        text += &format!(
+            "impacts       unmet in {} steps: a reflection, or friction under it, missed its tolerance after \
+             1000 sweeps; its impulses are approximate\n",
+            outcome.impacts_unmet
+        );
+    }
+    if outcome.solver_unmet > 0 {
         text += &format!(
             "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate\n",
-            unmet - cut
+            outcome.solver_unmet
         );
     }
     text

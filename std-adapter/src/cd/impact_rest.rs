@@ -1,0 +1,151 @@
+//! When the impulses of a round of impacts are solved: to their tolerance, or to rounding.
+//!
+//! Impulses of late rounds may be small beside the momenta of the bodies that they act on. A sweep then
+//! changes them by the rounding of the bodies' velocities, for ever, which no tolerance relative to
+//! the impulse admits.
+
+use super::nsgs::{Effort, Order, Stop, Sweeper, solve};
+use super::operator::{Blind, Operator, Visit};
+use super::spheres::{Link, Spheres};
+use nalgebra::Vector3;
+use tribos_core::contact::{ContactFriction, Modes};
+
+/// Change of a sweep relative to the impulses at which a part of a round is solved.
+pub(super) const TOLERANCE: f64 = 1e-13;
+/// Rounding of a velocity that some impulses have been added to, in units of ε: a sweep changes
+/// impulses by up to 5.
+const ROUNDING: f64 = 16.0;
+/// Sweeps from one look at the rounding to the next: it costs about a sweep.
+const EACH: usize = 20;
+
+/// Sweeps until each contact rests, at most so many times.
+pub(super) fn settle<F: ContactFriction<f64>>(problem: &mut Spheres<F>, most: usize) -> Effort {
+    let mut sweeper = Sweeper::new(Order::Fixed, 0);
+    let mut sweeps = 0;
+    let mut met = false;
+    while sweeps < most && !met {
+        let some = EACH.min(most - sweeps);
+        let effort = solve(problem, &mut sweeper, Stop::Local(TOLERANCE), some);
+        sweeps += effort.sweeps;
+        met = effort.met;
+        if !met && sweeps < most {
+            met = rests(problem);
+            sweeps += 1;
+        }
+    }
+    Effort { sweeps, met }
+}
+
+/// Whether one more sweep changes no impulse by more than its tolerance and rounding.
+pub(super) fn rests<F: ContactFriction<f64>>(problem: &mut Spheres<F>) -> bool {
+    let before: Vec<_> = problem
+        .links()
+        .map(|link| *link.contact.impulse())
+        .collect();
+    problem.sweep(Visit::Forward, &mut Blind);
+    let spheres = |link: &Link<F::Modes>| {
+        let bodies = link.bodies.map(|body| &problem.spheres[body as usize]);
+        let velocities = bodies.map(|sphere| [sphere.velocity, sphere.spin]);
+        rounding(link, velocities)
+    };
+    let walls = |link: &Link<F::Modes>| {
+        let [a, b] = link.bodies.map(|body| body as usize);
+        let (sphere, plate) = (&problem.spheres[a], &problem.plates[b]);
+        let velocities = [
+            [sphere.velocity, sphere.spin],
+            [plate.velocity, Vector3::zeros()],
+        ];
+        rounding(link, velocities)
+    };
+    let pairs = problem.pairs.iter().map(|link| (link, spheres(link)));
+    let walls = problem.walls.iter().map(|link| (link, walls(link)));
+    pairs
+        .chain(walls)
+        .zip(before)
+        .all(|((link, rounding), old)| {
+            let contact = &link.contact;
+            let change = contact.impulse().minus(&old);
+            let change = change.dot_with_lever(&change, contact.lever()).sqrt();
+            // NaN does not rest.
+            change <= TOLERANCE * contact.bound() + rounding
+        })
+}
+
+/// What the rounding of two bodies' velocities and spins makes of an impulse between them, torques
+/// counted as forces at the lever.
+fn rounding<M: Modes<f64>>(link: &Link<M>, velocities: [[Vector3<f64>; 2]; 2]) -> f64 {
+    let (block, lever) = (link.contact.block(), link.contact.lever());
+    let [speed, spin] = [0, 1].map(|of| velocities.iter().map(|body| body[of].norm()).sum::<f64>());
+    let mass = block.mass_normal.max(block.mass_sliding);
+    ROUNDING * f64::EPSILON * (mass * (speed + lever * spin) + block.inertia * spin / lever)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::cd::{
+        Coefficients, Laws, Method, Pace, Setup, Solver, StepReport, Wall, World, solid,
+    };
+    use crate::space::PeriodicBox;
+    use nalgebra::Vector3;
+    use tribos_core::contact::{Cohesion, ContactFriction, NormalLaw, Sphere, Thresholds};
+
+    /// A step of a column of spheres that touch and come down on the floor, the highest fastest, sliding
+    /// at 1: all contacts impact at once. Parts of a round take so many sweeps at most.
+    fn step<F: ContactFriction<f64> + Coefficients>(
+        count: usize,
+        friction: F,
+        most_sweeps: usize,
+    ) -> Result<StepReport, Box<dyn std::error::Error>> {
+        let up = Vector3::z();
+        let thrown = |level: usize| Sphere {
+            velocity: Vector3::x() - up * (level + 1) as f64,
+            ..solid(1.0, 1.0)
+        };
+        let mut world = World::new(Setup {
+            space: PeriodicBox::OPEN,
+            positions: (0..count)
+                .map(|level| up * (1.0 + 2.0 * level as f64))
+                .collect(),
+            radii: vec![1.0; count],
+            spheres: (0..count).map(thrown).collect(),
+            walls: vec![Wall::fixed(up, 0.0)],
+            laws: Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, friction),
+            gravity: Vector3::zeros(),
+            pace: Pace {
+                longest: 0.01,
+                motion: 0.1,
+            },
+            solver: Solver {
+                method: Method::Accelerated { tolerance: 1e-9 },
+                most_sweeps: 100,
+                warm_start: true,
+            },
+            still_speed: 0.0,
+        })?;
+        world.impacts.most_sweeps = most_sweeps;
+        Ok(world.step()?)
+    }
+
+    #[test]
+    fn parts_that_use_up_their_sweeps_are_counted() -> Result<(), Box<dyn std::error::Error>> {
+        let smooth: Thresholds<f64, _> = Thresholds::none();
+        let rough = Thresholds::sliding(0.3)?;
+        for (count, most) in [(1, 1000), (5, 1000)] {
+            let reports = [step(count, smooth, most)?, step(count, rough, most)?];
+            assert!(
+                reports
+                    .iter()
+                    .all(|report| report.is_met() && report.impacts > 0)
+            );
+            assert_eq!(reports.map(|report| report.impacts_unmet), [0, 0]);
+        }
+        // A reflection of five spheres takes more than two sweeps, and has no friction here.
+        let reflected = step(5, smooth, 2)?;
+        assert!(reflected.impacts_unmet > 0 && !reflected.is_met() && reflected.effort.met);
+        // A single impact is reflected in one sweep; friction needs a second to know that it rests.
+        let rubbed = step(1, rough, 1)?;
+        assert_eq!((rubbed.impact_rounds, rubbed.impacts_unmet), (1, 1));
+        assert!(!rubbed.is_met() && rubbed.effort.met);
+        Ok(())
+    }
+}
