@@ -3,10 +3,13 @@
 use std::f64::consts::PI;
 
 use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
-use tribos_core::law::{Coulomb, DryFriction, LocalLaw, PowerLaw, Stribeck};
+use tribos_core::law::{
+    Coulomb, DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, Stribeck,
+};
 use tribos_core::real::Real;
 use tribos_tests::laws::{differentiated, lugre, plateau, rate_state, stribeck};
 use tribos_tests::sweep::{Lcg, special_f64};
+use tribos_tests::tables::Table;
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
@@ -183,5 +186,38 @@ fn quadrature_serves_laws_with_several_regimes() {
     see_disk(&mut worst, "plateau", plateau(-0.5, 0.5), (1e-5, 1.0));
     let joint = lugre().steady_per_load(4.0).unwrap();
     see_disk(&mut worst, "LuGre", joint, (1e-4, 1e-2));
+    worst.assert_within(&tolerance::REGIMES_ON_DISK);
+}
+
+#[test]
+fn force_and_torque_of_laws_with_several_regimes_are_those_of_the_table() {
+    let mut worst = Worst::of("F and T of laws with several regimes on a disk, of the larger");
+    for row in Table::read("regimes.csv").rows() {
+        let [a, b, c, d] = ["a", "b", "c", "d"].map(|column| row.number(column));
+        let law: Box<dyn LocalLaw<f64>> = match row.text("law") {
+            "stribeck" => {
+                let dry = DryFriction::new(a, b).unwrap();
+                Box::new(Stribeck::new(dry, c, d, row.number("e")).unwrap())
+            }
+            _ => {
+                let joint = LuGre::new(LuGreParameters {
+                    coulomb_force: a,
+                    static_force: b,
+                    stribeck_speed: c,
+                    stiffness: 1e5,
+                    bristle_damping: 300.0,
+                    viscous_damping: d,
+                });
+                Box::new(joint.unwrap().steady_per_load(1.0).unwrap())
+            }
+        };
+        let [v, w] = ["v", "w"].map(|column| row.number(column));
+        let got = DiskQuadrature::new(law.as_ref()).reduced_wrench(v, w);
+        let (force, torque) = (row.number("force"), row.number("torque"));
+        let error = (got.force - force).abs().max((got.torque - torque).abs());
+        worst.see(error / force.abs().max(torque.abs()), || {
+            format!("{} {a} {b} {c} {d}, ({v}, {w})", row.text("law"))
+        });
+    }
     worst.assert_within(&tolerance::REGIMES_ON_DISK);
 }

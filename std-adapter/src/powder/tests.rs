@@ -392,7 +392,7 @@ fn checkpoints_of_other_scenes_and_damaged_ones_are_refused() -> Tested {
     }
     assert!(with("awake", "2".into()).contains("cannot be read"));
     assert!(with("still", serde_json::json!([300])).contains("cannot be read"));
-    assert!(with("tribos_compaction", 3.into()).contains("has format 3"));
+    assert!(with("tribos_compaction", 4.into()).contains("has format 4"));
     Ok(())
 }
 
