@@ -13,6 +13,7 @@
 
 use super::contact::{Contact, Kind, Resistance};
 use super::product::Product;
+use crate::command::digits::shown;
 use crate::command::tier::Tabulated;
 use crate::failure::Failure;
 use tribos_core::Real;
@@ -163,9 +164,9 @@ impl<R: Tabulated> Contact<R> {
             return Err(Failure::input(format!(
                 "speed {} and spin {} at radius {}: the speed of the rim, or its ratio to the other, \
                  leaves the number range, and this law or patch needs both; change the units",
-                speed.to_f64(),
-                spin.to_f64(),
-                self.radius.to_f64()
+                shown(speed.to_f64()),
+                shown(spin.to_f64()),
+                shown(self.radius.to_f64())
             )));
         }
         let speeds = if slides {
