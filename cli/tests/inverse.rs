@@ -201,3 +201,41 @@ fn an_angle_without_a_unit_is_read_aloud() -> Outcome {
     assert!(said.contains("takes 2.426108e-150 m/s"), "{said}");
     Ok(())
 }
+
+#[test]
+fn limits_that_do_not_limit_are_no_limit() -> Outcome {
+    let few = ["--most", "5"];
+    let huge = |speed, spin| -> Result<_, Box<dyn std::error::Error>> {
+        let limits = ["--max-speed", speed, "--max-spin", spin];
+        tribos(&[&PUCK, &TARGET, &few, &limits])
+    };
+    let (_, wanted, _) = huge("100", "1000")?;
+    for (speed, spin) in [("1e12", "1e12"), ("1e9", "1e12"), ("1e300", "1e300")] {
+        let (code, text, told) = huge(speed, spin)?;
+        assert_eq!(code, Some(0), "{told}");
+        assert_eq!(text, wanted);
+        assert!(told.contains("lower --max-spin for fewer"), "{told}");
+    }
+    let (_, _, told) = huge("1e300", "1e300")?;
+    assert!(
+        told.contains("more than 18446744073709551615 launches"),
+        "{told}"
+    );
+    Ok(())
+}
+
+#[test]
+fn whole_numbers_have_their_range_named() -> Outcome {
+    let base: [&[&str]; 3] = [&PUCK, &LIMITS, &TARGET];
+    for (option, value, range) in [
+        ("--most", "1000000000", "from 1 to 100000"),
+        ("--most", "0", "from 1 to 100000"),
+        ("--symmetry", "0", "from 1 to 4294967295"),
+        ("--symmetry", "1e3", "from 1 to 4294967295"),
+    ] {
+        let (code, _, told) = tribos(&[&base[..], &[&[option, value]]].concat())?;
+        assert_eq!(code, Some(2));
+        assert!(told.contains(range), "{option} {value}: {told}");
+    }
+    Ok(())
+}

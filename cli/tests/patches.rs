@@ -95,14 +95,17 @@ fn a_law_by_name_is_the_law_by_exponent() -> Outcome {
             "force",
         )?;
         let named = format!("--patch {patch} {twist} --law power:gamma=0.3,alpha=0.5");
-        assert_close(field(&named, "force")?, exact, 1e-8, &named);
+        assert_close(field(&named, "force")?, exact, 1e-15, &named);
+        // Upright round patches under a power have the tier that serves it best, by any name.
+        let nodes = format!("{named} --tier quadrature");
+        assert_close(field(&nodes, "force")?, exact, 1e-8, &nodes);
     }
     let exact = field(
         "--patch hertz --speed 0.4 --spin 1 --coefficient 0.3",
         "force",
     )?;
     let named = "--patch hertz --speed 0.4 --spin 1 --law coulomb:mu=0.3";
-    assert_close(field(named, "force")?, exact, 1e-3, named);
+    assert_close(field(named, "force")?, exact, 1e-15, named);
     Ok(())
 }
 

@@ -188,3 +188,187 @@ fn many_twists_take_no_more_memory_than_few() -> Outcome {
     );
     Ok(())
 }
+
+/// Named numbers of the answer, and what is said beside it.
+fn said(arguments: &str) -> Result<(serde_json::Value, String), Box<dyn std::error::Error>> {
+    let output = Command::cargo_bin("tribos")?
+        .args(format!("wrench {arguments} --format json").split_whitespace())
+        .output()?;
+    let told = String::from_utf8(output.stderr)?;
+    assert_eq!(output.status.code(), Some(0), "{arguments}: {told}");
+    Ok((serde_json::from_slice(&output.stdout)?, told))
+}
+
+#[test]
+fn results_inside_the_number_range_are_right_whatever_their_factors_are() -> Outcome {
+    // The same contacts in other units: products of the factors that are numbers.
+    let pairs = [
+        (
+            "--coefficient 1e-200 --load 1e-200 --radius 1e200 --speed 1 --spin 1",
+            "--speed 1e-200 --spin 1",
+            [0.0, 1e-200],
+        ),
+        (
+            "--coefficient 1e200 --load 1e200 --radius 1e-200 --speed 1e-100 --spin 1e200",
+            "--load 1e200 --speed 1e-100 --spin 1",
+            [1e200, 1.0],
+        ),
+        (
+            "--coefficient 1e-200 --alpha 2 --speed 1e200 --spin 1e200",
+            "--alpha 2 --speed 1 --spin 1",
+            [1e200, 1e200],
+        ),
+        (
+            "--coefficient 1e200 --alpha 2 --speed 1e-200 --spin 1e-200",
+            "--alpha 2 --speed 1 --spin 1",
+            [1e-200, 1e-200],
+        ),
+        (
+            "--alpha 0.5 --radius 1e200 --spin 1e200 --speed 1",
+            "--alpha 0.5 --spin 1 --speed 1e-200",
+            [0.0, 0.0],
+        ),
+        (
+            "--coefficient 1e-200 --load 1e-100 --alpha 2 --tier quadrature --speed 1e140 --spin 1e140",
+            "--alpha 2 --speed 1 --spin 1 --tier quadrature",
+            [1e-20, 1e-20],
+        ),
+    ];
+    for (extreme, plain, [force, torque]) in pairs {
+        let (value, told) = said(extreme)?;
+        let (wanted, _) = said(plain)?;
+        for (name, scale) in [("force", force), ("torque", torque)] {
+            if scale == 0.0 {
+                continue;
+            }
+            let found = value[name].as_f64().ok_or(format!("{extreme}: {name}"))?;
+            let wanted = wanted[name].as_f64().ok_or("no number")? * scale;
+            let error = (found / wanted - 1.0).abs();
+            assert!(error < 1e-14, "{extreme}: {name} {found:e} {wanted:e}");
+        }
+        let is_beyond = ["force", "torque"]
+            .iter()
+            .any(|name| !value[name].as_f64().is_some_and(f64::is_normal));
+        assert_eq!(told.contains("warning"), is_beyond, "{extreme}: {told}");
+    }
+    // A force that only the ratio of the speeds makes small: F = ε while the rim leads.
+    let (value, told) = said(
+        "--patch annulus:0.5 --coefficient 3.7e89 --load 2.57e273 --radius 7.8e91 --speed 2.2e-129 \
+         --spin 2.1e149",
+    )?;
+    let (unit, _) = said("--patch annulus:0.5 --speed 1e-100 --spin 1")?;
+    let drag = unit["force"].as_f64().ok_or("force")? / 1e-100;
+    let wanted = drag * (3.7e89 / 7.8e91) * (2.57e273 / 2.1e149) * 2.2e-129;
+    let force = value["force"].as_f64().ok_or("force")?;
+    assert!((force / wanted - 1.0).abs() < 1e-13, "{force:e} {wanted:e}");
+    assert!(
+        told.contains("inf"),
+        "the torque is beyond the range: {told}"
+    );
+    Ok(())
+}
+
+#[test]
+fn slopes_are_right_whatever_their_factors_are() -> Outcome {
+    let (extreme, _) = said("--radius 1e200 --spin 1e107 --speed 5e306 --jacobian")?;
+    // Dry friction: the slopes of speeds 10^100 times as slow are as much steeper.
+    let (plain, _) = said("--radius 1e100 --spin 1e7 --speed 5e106 --jacobian --load 1e-93")?;
+    for (name, scale) in [
+        ("dforce_dspeed", 1e93 / 1e200),
+        ("dforce_dspin", 1e93 / 1e100),
+        ("dtorque_dspeed", 1e93 / 1e100),
+        ("dtorque_dspin", 1e93),
+    ] {
+        let found = extreme[name].as_f64().ok_or(name)?;
+        let wanted = plain[name].as_f64().ok_or(name)? * scale;
+        assert!(
+            (found / wanted - 1.0).abs() < 1e-12,
+            "{name} {found:e} {wanted:e}"
+        );
+    }
+    Ok(())
+}
+
+#[test]
+fn what_single_precision_cannot_hold_is_refused_as_it_was_given() -> Outcome {
+    for (arguments, quoted) in [
+        (
+            "--speed 1e-60 --spin 2e-60",
+            "speed 1e-60 is too small for f32",
+        ),
+        ("--speed 1e60 --spin 1", "speed 1e60 is too large for f32"),
+        (
+            "--speed 1 --spin 1 --radius 1e-50",
+            "radius 1e-50 is too small for f32",
+        ),
+        (
+            "--speed 1 --spin 1 --coefficient 1e-45",
+            "coefficient 1e-45 is too small for f32",
+        ),
+        (
+            "--speed 1 --spin 1 --law dry:mu_s=0.3,mu_d=1e-50",
+            "mu_d 1e-50 is too small for f32",
+        ),
+    ] {
+        let output = Command::cargo_bin("tribos")?
+            .args(format!("wrench {arguments} --precision f32").split_whitespace())
+            .output()?;
+        let told = String::from_utf8(output.stderr)?;
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        assert!(told.contains(quoted), "{arguments}: {told}");
+    }
+    Ok(())
+}
+
+#[test]
+fn weights_of_points_count_by_their_ratios_alone() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let path = folder.path().join("feet.csv");
+    for unit in ["1", "1e308", "1e-320", "3e-310"] {
+        std::fs::write(&path, format!("x,y,weight\n1,0,{unit}\n-1,0,{unit}\n"))?;
+        for precision in ["f64", "f32"] {
+            let patch = format!("--patch points:{} --precision {precision}", path.display());
+            let (value, told) = said(&format!("{patch} --speed 1 --spin 1"))?;
+            assert!(!told.contains("warning"), "{told}");
+            for name in ["force", "torque"] {
+                let x = value[name].as_f64().ok_or(name)?;
+                assert!((x - 0.5_f64.sqrt()).abs() < 1e-7, "{unit} {precision}: {x}");
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn laws_that_are_powers_have_the_exact_tier() -> Outcome {
+    let twist = "--patch hertz --speed 0.5741485371342836 --spin 1";
+    let exact = said(&format!("{twist} --alpha=-0.5"))?;
+    assert!((exact.0["force"].as_f64().ok_or("force")? - 0.681_075).abs() < 1e-6);
+    let (named, told) = said(&format!("{twist} --law power:gamma=1,alpha=-0.5"))?;
+    assert_eq!(named["force"], exact.0["force"]);
+    assert!(!told.contains("warning"), "{told}");
+    // Nodes are far off and say so.
+    let (_, told) = said(&format!("{twist} --alpha=-0.5 --tier quadrature"))?;
+    assert!(
+        told.contains("warning: nodes stand for the pressure"),
+        "{told}"
+    );
+    let (_, told) = said(&format!("{twist} --alpha 0.5 --tier quadrature"))?;
+    assert!(!told.contains("warning"), "{told}");
+    Ok(())
+}
+
+#[test]
+fn tiers_of_powers_refuse_other_laws() -> Outcome {
+    for tier in ["table", "compact"] {
+        let arguments =
+            format!("wrench --speed 1 --spin 1 --law dry:mu_s=0.3,mu_d=0.2 --tier {tier}");
+        let output = Command::cargo_bin("tribos")?
+            .args(arguments.split_whitespace())
+            .output()?;
+        let told = String::from_utf8(output.stderr)?;
+        assert_eq!(output.status.code(), Some(2));
+        assert!(told.contains("leave out --tier"), "{told}");
+    }
+    Ok(())
+}

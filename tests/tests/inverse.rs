@@ -525,3 +525,87 @@ fn paths_to_rest_are_ordered_like_their_launches() {
         "least rise of the rest's direction over 1/{DIRECTIONS} of a right angle: {least:.2e}"
     );
 }
+
+/// The angles of the fewest turns are those of modest limits, however large the limits are.
+#[test]
+fn limits_that_do_not_limit_leave_the_fewest_turns() {
+    let disk = disk();
+    let target = Pose {
+        x: 1.2,
+        y: 0.3,
+        angle: PI / 2.0,
+    };
+    let few = |symmetry, speed: f64, spin: f64| {
+        let limits = Limits::new(speed, spin).unwrap();
+        let all = disk.fewest_turns(&target, modulo(symmetry), &limits, 5);
+        let all = all.unwrap_or_else(|error| panic!("{symmetry} {speed:e} {spin:e}: {error}"));
+        (all.count, all.solutions)
+    };
+    let (_, wanted) = few(1, 100.0, 1e3);
+    for [speed, spin] in [
+        [1e6, 1e9],
+        [1e9, 1e10],
+        [1e9, 1e12],
+        [1e12, 1e12],
+        [3.0, 1e150],
+        [1e300, 1e300],
+        [f64::MAX, f64::MAX],
+    ] {
+        let (count, found) = few(1, speed, spin);
+        assert_eq!(found, wanted, "{speed:e} {spin:e}");
+        // In place the angle is 3/8 ω² R/(mu g), in either sense.
+        let turns = 2.0 * (0.375 * RADIUS / MU_G * spin * spin) / TAU;
+        if turns < 1e18 {
+            assert!((count as f64 / turns - 1.0).abs() < 1e-2, "{count} {turns}");
+        } else {
+            assert!(count as f64 >= 1e18, "{count}");
+        }
+    }
+    let (_, wanted) = few(4_000_000_000, 100.0, 100.0);
+    let (count, found) = few(4_000_000_000, 1e6, 1e9);
+    assert_eq!(found, wanted);
+    assert_eq!(count, u64::MAX);
+}
+
+/// A slow launch reaches far if it spins fast enough: then no few turns are enough.
+#[test]
+fn far_targets_of_slow_launches_take_many_turns() {
+    let disk = disk();
+    let target = Pose {
+        x: 1e12,
+        y: 0.0,
+        angle: 0.5,
+    };
+    let limits = Limits::new(1.0, 1e300).unwrap();
+    let found = disk.fewest_turns(&target, modulo(1), &limits, 4).unwrap();
+    assert_eq!(found.solutions.len(), 4);
+    for one in &found.solutions {
+        assert!(one.speed <= 1.0 && one.speed > 1.0 - 1e-9, "{one:?}");
+        let end = disk.rest(&one.launch).pose;
+        assert!((end.x / target.x - 1.0).abs() < 1e-12);
+        assert!((end.angle / one.angle - 1.0).abs() < 1e-12);
+    }
+    // Without speed it goes nowhere, however fast it spins.
+    let still = Limits::new(0.0, 1e300).unwrap();
+    let refused = disk.fewest_turns(&target, modulo(1), &still, 4);
+    assert!(matches!(refused, Err(InverseError::OutOfReach(_))));
+    // A limit of the spin that is missed by far is told with the turns that miss it least.
+    let near = Limits::new(1.0, 1.0).unwrap();
+    let Err(InverseError::OutOfReach(why)) = disk.launches(&target, modulo(1), &near) else {
+        panic!("it does not reach that far");
+    };
+    let balance = why.needed.speed / (why.needed.launch.spin.abs());
+    assert!((balance - 1.0).abs() < 1e-3, "{balance}");
+}
+
+#[test]
+fn distances_are_told_for_limits_that_do_not_limit() {
+    let disk = disk();
+    let limits = Limits::new(1e100, 1e300).unwrap();
+    let [nearest, farthest] = disk.distances(1.0, &limits).unwrap();
+    assert_eq!(nearest, 0.0);
+    assert!(
+        (farthest / (1e200 / (2.0 * MU_G)) - 1.0).abs() < 1e-12,
+        "{farthest}"
+    );
+}

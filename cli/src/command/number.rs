@@ -1,6 +1,9 @@
 //! Numbers on the command line, refused with a reason before any work.
 
+use crate::failure::Failure;
+use std::num::NonZeroU32;
 use tribos::scene::number_hint;
+use tribos_core::Real;
 
 /// A finite number.
 pub fn finite(text: &str) -> Result<f64, String> {
@@ -65,4 +68,25 @@ pub fn exponent(text: &str) -> Result<f64, String> {
             Err(format!("give an exponent with -1 < alpha <= {most}"))
         }
     })
+}
+
+/// A whole number from 1 to the largest u32.
+pub fn count(text: &str) -> Result<NonZeroU32, String> {
+    let count = text.trim().parse();
+    count.map_err(|_| format!("give a whole number from 1 to {}", u32::MAX))
+}
+
+/// `x` in the precision asked for; refused if it overflows there, or underflows.
+pub fn in_range<R: Real>(name: &str, x: f64) -> Result<R, Failure> {
+    let narrow = R::from_f64(x);
+    let fault = if !narrow.is_finite() {
+        "large"
+    } else if narrow.abs() < R::MIN_POSITIVE && narrow.to_f64() != x {
+        "small"
+    } else {
+        return Ok(narrow);
+    };
+    Err(Failure::input(format!(
+        "{name} {x:e} is too {fault} for f32; use --precision f64"
+    )))
 }

@@ -18,7 +18,8 @@ pub enum Tier {
     Table,
     /// Series without tables: tens of ulp (alpha <= 128).
     Compact,
-    /// Quadrature on fixed nodes: about 1e-8 on disk and annulus, 1e-4 elsewhere.
+    /// Quadrature on fixed nodes: about 1e-8 on disk and annulus; elsewhere 1e-3 of the load, for
+    /// alpha < 0 far less (1e-2 at -0.2, a third of the load at -0.5).
     Quadrature,
 }
 
@@ -33,6 +34,8 @@ pub enum Precision {
 
 /// A scalar whose tables the kernel can build.
 pub trait Tabulated: Real + table::CoulombTable {
+    /// True if polynomial pressures have tables in this precision.
+    const HAS_POLYNOMIALS: bool;
     /// The table of the uniform disk under |v|^`alpha`.
     fn disk(alpha: Self) -> Result<Box<dyn Lateral<Self>>, LawError>;
     /// The table of another pressure.
@@ -42,6 +45,7 @@ pub trait Tabulated: Real + table::CoulombTable {
 }
 
 impl Tabulated for f64 {
+    const HAS_POLYNOMIALS: bool = true;
     fn disk(alpha: f64) -> Result<Box<dyn Lateral<f64>>, LawError> {
         Ok(Box::new(Table64::new(alpha)?))
     }
@@ -57,6 +61,7 @@ impl Tabulated for f64 {
 }
 
 impl Tabulated for f32 {
+    const HAS_POLYNOMIALS: bool = false;
     fn disk(alpha: f32) -> Result<Box<dyn Lateral<f32>>, LawError> {
         Ok(Box::new(Table32::new(alpha)?))
     }
@@ -80,6 +85,15 @@ pub fn polynomial(coefficients: &[f64]) -> Result<PolynomialPressure<MOST_COEFFI
         *slot = *a;
     }
     PolynomialPressure::new(padded).map_err(Failure::input)
+}
+
+/// True if a tier other than quadrature serves |v|^alpha on a patch.
+pub fn is_served<R: Tabulated>(patch: &PatchName, alpha: f64) -> bool {
+    match patch {
+        PatchName::Polynomial(_) => R::HAS_POLYNOMIALS && alpha <= table::MAX_EXPONENT,
+        PatchName::Points(_) => false,
+        _ => true,
+    }
 }
 
 /// The coupling of |v|^alpha on a round patch in the tier asked for, else in the quickest that

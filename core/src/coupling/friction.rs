@@ -14,6 +14,10 @@ use nalgebra::{Matrix3, Vector2};
 /// *Units*: any consistent set. With N the load, γ the coefficient and R the radius,
 /// force = γ N F(v, ωR) and torque = γ N R T(v, ωR).
 ///
+/// *Domain*: γ N, γ N R, ωR and the reduced F and T (for the Jacobian γ N R² and the slopes) are
+/// each zero or a normal number. Beyond, a product that overflows is infinite, one that underflows
+/// zero or short of digits, and zero times infinity NaN, even where the whole would be a number.
+///
 /// ```
 /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
 /// use tribos_core::twist::Twist;

@@ -20,7 +20,7 @@ pub struct Node<R> {
     pub x: R,
     /// Second coordinate.
     pub y: R,
-    /// Share of the load.
+    /// Share of the load; a normal number or zero, since subnormal ones lose digits.
     pub weight: R,
 }
 

@@ -10,7 +10,7 @@ use crate::command::digits::shown;
 use crate::failure::Failure;
 use crate::report::image::Drawing;
 use output::Format;
-use std::num::{NonZeroU32, NonZeroU64};
+use std::num::NonZeroU32;
 use std::path::PathBuf;
 use tribos::record::write_atomically;
 use tribos::slide::inverse::{Launches, Limits, Pose, RestMap, Turns};
@@ -37,7 +37,7 @@ pub struct Arguments {
     #[arg(long, default_value = "modulo")]
     turns: Meaning,
     /// Order of the body's rotational symmetry: orientations repeat after 360/N degrees.
-    #[arg(long, value_name = "N", default_value = "1")]
+    #[arg(long, value_name = "N", default_value = "1", value_parser = number::count)]
     symmetry: NonZeroU32,
     /// Friction coefficient [(s/m)^alpha].
     #[arg(long, value_parser = number::positive, allow_negative_numbers = true)]
@@ -64,10 +64,10 @@ pub struct Arguments {
     /// Largest spin of a launch, in either sense [rad/s].
     #[arg(long, value_parser = number::not_negative, allow_negative_numbers = true)]
     max_spin: f64,
-    /// Most launches that are worked out and listed, those with the fewest turns; how many there are
-    /// is always said.
-    #[arg(long, value_name = "N", default_value = "1000")]
-    most: NonZeroU64,
+    /// Most launches that are worked out and listed, those with the fewest turns, up to 100000; how
+    /// many there are is always said.
+    #[arg(long, value_name = "N", default_value = "1000", value_parser = most)]
+    most: u64,
     /// Add the derivatives of the pose (x, y, angle) by the launch (vx, vy, spin).
     #[arg(long)]
     jacobian: bool,
@@ -78,6 +78,18 @@ pub struct Arguments {
     /// FILE.png.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
+}
+
+/// Most launches that are listed.
+const MOST_LISTED: u64 = 100_000;
+
+fn most(text: &str) -> Result<u64, String> {
+    let most = text.trim().parse::<u64>().ok();
+    most.filter(|most| (1..=MOST_LISTED).contains(most))
+        .ok_or(format!(
+            "give a whole number from 1 to {MOST_LISTED}; each launch that is listed takes about \
+             5 kB of memory: for more, lower --max-spin or narrow --angle with --turns exact"
+        ))
 }
 
 /// What the wanted angle means.
@@ -118,13 +130,22 @@ impl Arguments {
             super::tell(format_args!("note: {hint}"));
         }
         let Launches { count, solutions } = map
-            .fewest_turns(&target, self.meaning(), &limits, self.most.get())
+            .fewest_turns(&target, self.meaning(), &limits, self.most)
             .map_err(Failure::input)?;
         let listed = solutions.len() as u64;
         if listed < count {
+            let many = match count {
+                u64::MAX => format!("more than {count}"),
+                _ => count.to_string(),
+            };
+            let cure = if count <= MOST_LISTED {
+                format!("--most {count} for all")
+            } else {
+                "lower --max-spin for fewer".into()
+            };
             super::tell(format_args!(
-                "note: {count} launches lead there; the {listed} with the fewest turns are listed \
-                 (--most {count} for all)"
+                "note: {many} launches lead there; the {listed} with the fewest turns are listed \
+                 ({cure})"
             ));
         }
         if let Some(path) = &self.plot {

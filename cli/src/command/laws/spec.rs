@@ -1,6 +1,7 @@
 //! A law on the command line, `NAME:key=value,…`.
 
 use super::catalogue::{self, Entry, LAWS};
+use crate::command::number::in_range;
 use crate::command::unknown::unknown;
 use crate::failure::Failure;
 use std::fmt::Write as _;
@@ -113,8 +114,20 @@ impl<R: Real> LocalLaw<R> for AnyLaw<R> {
 }
 
 impl LawSpec {
+    /// Coefficient and exponent of a law that is a power of the speed.
+    pub fn power(&self) -> Option<[f64; 2]> {
+        match (self.entry.name, self.values.as_slice()) {
+            ("coulomb", &[mu]) => Some([mu, 0.0]),
+            ("power", &[gamma, alpha]) => Some([gamma, alpha]),
+            _ => None,
+        }
+    }
+
     /// The law itself.
     pub fn law<R: Real>(&self) -> Result<AnyLaw<R>, Failure> {
+        for (parameter, &x) in self.entry.parameters.iter().zip(&self.values) {
+            in_range::<R>(parameter.name, x)?;
+        }
         self.build().map(AnyLaw).map_err(|error| {
             Failure::input(format!(
                 "{}: {error}; {}",

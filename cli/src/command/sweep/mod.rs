@@ -18,7 +18,7 @@ mod runs;
 mod slurm;
 mod table;
 
-use super::interrupt;
+use super::{interrupt, number};
 use crate::failure::Failure;
 use crate::folder::{Contents, Lock, Manifest, OutputFolder, Sharing};
 use grid::Grid;
@@ -55,7 +55,8 @@ pub struct Arguments {
     #[arg(long = "set", value_name = "KEY=VALUE,...", conflicts_with_all = ["plan", "merge"])]
     sets: Vec<String>,
     /// Runs for each combination: the scene's seed and those after it.
-    #[arg(long, default_value = "1", conflicts_with_all = ["plan", "merge"])]
+    #[arg(long, default_value = "1", value_parser = number::count,
+          conflicts_with_all = ["plan", "merge"])]
     seeds: NonZero<u32>,
     /// Runs at a time; as many as there are cores if left out. Their threads share the cores.
     #[arg(long, conflicts_with_all = ["merge", "slurm"])]

@@ -1,7 +1,9 @@
 //! A contact as the command line describes it, ready to be evaluated.
 
+use super::product::Product;
 use crate::command::columns;
 use crate::command::laws::{AnyLaw, LawSpec};
+use crate::command::number::in_range;
 use crate::command::patch::PatchName;
 use crate::command::tier::{self, AnyCoupling, AnyRound, Tabulated, Tier};
 use crate::failure::Failure;
@@ -38,14 +40,51 @@ pub struct Request<'a> {
 ///
 /// With x the way of a positive speed, force and torque have the signs of the motion, and
 /// force·speed + torque·spin is the power that friction takes.
-pub struct Resistance<R> {
-    pub force: R,
-    pub lateral: R,
-    pub torque: R,
+pub struct Resistance<T> {
+    pub force: T,
+    pub lateral: T,
+    pub torque: T,
+}
+
+impl<T> Resistance<T> {
+    /// The same of every entry.
+    pub fn map<U>(self, mut each: impl FnMut(T) -> U) -> Resistance<U> {
+        Resistance {
+            force: each(self.force),
+            lateral: each(self.lateral),
+            torque: each(self.torque),
+        }
+    }
+}
+
+impl Resistance<f64> {
+    /// That of a round patch at speeds of either sign from that at their magnitudes; a pressure that
+    /// leans does so along the velocity.
+    pub fn signed(self, [speed, spin]: [f64; 2]) -> Self {
+        let signed = |x: f64, negative: bool| if negative { 0.0 - x } else { x };
+        let (back, clockwise) = (speed < 0.0, spin < 0.0);
+        Self {
+            force: signed(self.force, back),
+            // Turned by half a turn with the velocity, mirrored with the spin.
+            lateral: signed(self.lateral, back != clockwise),
+            torque: signed(self.torque, clockwise),
+        }
+    }
+}
+
+/// A contact that can be evaluated.
+pub struct Contact<R: Real> {
+    pub(super) kind: Kind<R>,
+    /// The exponent, if the law is a power of the speed.
+    pub(super) alpha: Option<f64>,
+    pub(super) coefficient: R,
+    /// The unit of lengths: the radius, or 1 for points.
+    pub(super) radius: R,
+    is_round: bool,
 }
 
 /// One of three ways to evaluate.
-pub enum Contact<R: Real> {
+pub(super) enum Kind<R: Real> {
     /// A round patch in closed form or from a table.
     Round {
         friction: PatchFriction<R, AnyRound<R>>,
@@ -53,11 +92,8 @@ pub enum Contact<R: Real> {
     },
     /// A round patch by the rim integrals, upright.
     Upright(PatchFriction<R, AnyCoupling<R>>),
-    /// Nodes.
-    Nodes {
-        friction: NodeFriction<AnyLaw<R>, Points<R>>,
-        coefficient: R,
-    },
+    /// Nodes, in units of the radius.
+    Nodes(NodeFriction<AnyLaw<R>, Points<R>>),
 }
 
 /// Nodes in a list.
@@ -78,16 +114,13 @@ impl<R: Real> NodePatch<R> for Points<R> {
 impl<R: Tabulated> Contact<R> {
     pub fn new(request: &Request<'_>) -> Result<Self, Failure> {
         let radius = in_range::<R>("radius", request.radius)?;
-        let coefficient = in_range::<R>("coefficient", request.coefficient)?;
+        let is_round = !matches!(request.patch, PatchName::Points(_));
         let tilt = request.tilt.map(R::from_f64);
-        if request.law.is_none()
-            && let Some(coupling) = tier::coupling::<R>(request.patch, request.alpha, request.tier)?
-        {
-            let friction =
-                PatchFriction::new(coupling, coefficient, radius).map_err(Failure::input)?;
-            let tilt = tilt.unwrap_or(R::ZERO);
-            return Ok(Self::Round { friction, tilt });
-        }
+        let power = match request.law {
+            Some(law) => law.power(),
+            None => Some([request.coefficient, request.alpha]),
+        };
+        // A law is checked by its own constructor.
         let law = || match request.law {
             Some(spec) => spec.law::<R>(),
             None => match PowerLaw::new(R::from_f64(request.alpha), R::ONE) {
@@ -95,6 +128,39 @@ impl<R: Tabulated> Contact<R> {
                 Err(error) => Err(Failure::input(error)),
             },
         };
+        if let Some([coefficient, alpha]) = power {
+            if request.law.is_some() {
+                law()?;
+            }
+            // What has no exact tier is left to quadrature, unless a tier was asked for.
+            let fallback = (request.law.is_some()
+                && request.tier.is_none()
+                && !tier::is_served::<R>(request.patch, alpha))
+            .then_some(Tier::Quadrature);
+            let chosen = request.tier.or(fallback);
+            if let Some(coupling) = tier::coupling::<R>(request.patch, alpha, chosen)? {
+                let coefficient = in_range::<R>("coefficient", coefficient)?;
+                let friction =
+                    PatchFriction::new(coupling, coefficient, radius).map_err(Failure::input)?;
+                return Ok(Self {
+                    kind: Kind::Round {
+                        friction,
+                        tilt: tilt.unwrap_or(R::ZERO),
+                    },
+                    alpha: Some(alpha),
+                    coefficient,
+                    radius,
+                    is_round,
+                });
+            }
+        } else if is_round && matches!(request.tier, Some(Tier::Table | Tier::Compact)) {
+            return Err(Failure::input(
+                "--tier table and compact serve coefficient * |v|^alpha alone; other laws are \
+                 served by quadrature: leave out --tier",
+            ));
+        }
+        // A law has its own coefficient; the option's is 1 beside it.
+        let coefficient = in_range::<R>("coefficient", request.coefficient)?;
         let upright: Option<Box<dyn Coupling<R>>> = match (request.patch, tilt) {
             (PatchName::Disk, None) => Some(Box::new(DiskQuadrature::new(law()?))),
             (PatchName::Annulus(inner), None) => {
@@ -104,48 +170,55 @@ impl<R: Tabulated> Contact<R> {
             }
             _ => None,
         };
-        if let Some(coupling) = upright {
-            let friction = PatchFriction::new(AnyCoupling(coupling), coefficient, radius)
-                .map_err(Failure::input)?;
-            return Ok(Self::Upright(friction));
-        }
-        let nodes = nodes(request.patch, radius, tilt.unwrap_or(R::ZERO))?;
-        let total = nodes.iter().fold(R::ZERO, |sum, node| sum + node.weight);
-        let friction = NodeFriction::new(law()?, Points { nodes, total });
-        Ok(Self::Nodes {
-            friction,
+        let lean = tilt.unwrap_or(R::ZERO);
+        let (kind, radius) = if let Some(coupling) = upright {
+            let coupling = AnyCoupling(coupling);
+            let friction =
+                PatchFriction::new(coupling, coefficient, radius).map_err(Failure::input)?;
+            (Kind::Upright(friction), radius)
+        } else {
+            let nodes = nodes(request.patch, radius, lean)?;
+            let total = nodes.iter().fold(R::ZERO, |sum, node| sum + node.weight);
+            let friction = NodeFriction::new(law()?, Points { nodes, total });
+            let unit = if is_round { radius } else { R::ONE };
+            (Kind::Nodes(friction), unit)
+        };
+        Ok(Self {
+            kind,
+            alpha: power.map(|[_, alpha]| alpha),
             coefficient,
+            radius,
+            is_round,
         })
     }
 }
 
+/// The error of nodes that stand for a pressure, if the law falls with the speed.
+const NODES_AND_FALLING_LAWS: &str = "nodes stand for the pressure: one of them close to the centre \
+    of rotation counts too much under a law that falls with the speed (errors up to 1e-2 of the load \
+    at alpha = -0.2, a third of it at alpha = -0.5); --tier table or compact are exact";
+
 impl<R: Real> Contact<R> {
-    /// Resistance of a round patch at sliding speed along the first axis and spin, of either sign;
-    /// a pressure that leans does so along the velocity.
-    pub fn round_resistance(&self, load: R, speed: R, spin: R) -> Resistance<R> {
-        let of = self.resistance(load, speed.abs(), spin.abs());
-        let signed = |x: R, negative: bool| if negative { R::ZERO - x } else { x };
-        let (back, clockwise) = (speed < R::ZERO, spin < R::ZERO);
-        Resistance {
-            force: signed(of.force, back),
-            // Turned by half a turn with the velocity, mirrored with the spin.
-            lateral: signed(of.lateral, back != clockwise),
-            torque: signed(of.torque, clockwise),
-        }
+    /// What is to be known of the answers.
+    pub fn caveat(&self) -> Option<&'static str> {
+        let stands_for_pressure = self.is_round && matches!(self.kind, Kind::Nodes(_));
+        let falls = self.alpha.is_some_and(|alpha| alpha < 0.0);
+        (stands_for_pressure && falls).then_some(NODES_AND_FALLING_LAWS)
     }
 
-    /// Resistance at sliding speed along the first axis and spin.
+    /// Resistance at sliding speed along the first axis and spin; of round patches at their
+    /// magnitudes.
     pub fn resistance(&self, load: R, speed: R, spin: R) -> Resistance<R> {
-        match self {
-            Self::Upright(friction) => {
-                let m = friction.magnitudes(load, speed.abs(), spin.abs());
+        match &self.kind {
+            Kind::Upright(friction) => {
+                let m = friction.magnitudes(load, speed, spin);
                 Resistance {
                     force: m.force,
                     lateral: R::ZERO,
                     torque: m.torque,
                 }
             }
-            Self::Round { friction, tilt } => {
+            Kind::Round { friction, tilt } => {
                 let rim = (spin * friction.radius()).abs();
                 let speeds = [speed.abs(), rim];
                 let w = leaning_wrench(friction.coupling(), speeds, [*tilt, R::ZERO]);
@@ -156,65 +229,56 @@ impl<R: Real> Contact<R> {
                     torque: strength * friction.radius() * w.torque,
                 }
             }
-            Self::Nodes {
-                friction,
-                coefficient,
-            } => {
-                let w = friction.wrench(load, &Twist::new(speed, R::ZERO, spin));
+            Kind::Nodes(friction) => {
+                let rim = spin * self.radius;
+                let w = friction.wrench(load, &Twist::new(speed, R::ZERO, rim));
                 // The opposite of what the body feels; no zero is negative.
-                let opposite = |x: R| R::ZERO - *coefficient * x;
+                let opposite = |x: R| R::ZERO - self.coefficient * x;
                 Resistance {
                     force: opposite(w.force.x),
                     lateral: opposite(w.force.y),
-                    torque: opposite(w.torque),
+                    torque: opposite(w.torque * self.radius),
                 }
             }
         }
     }
 
-    /// Derivatives of force and torque with their signs, where the patch is round and upright.
-    pub fn jacobian(&self, load: R, speed: R, spin: R) -> Option<[R; 4]> {
-        let opposed = (speed < R::ZERO) != (spin < R::ZERO);
-        let mixed = |x: R| if opposed { R::ZERO - x } else { x };
-        let (speed, spin) = (speed.abs(), spin.abs());
-        let j = match self {
-            Self::Round { friction, .. } => friction.magnitudes_jacobian(load, speed, spin),
-            Self::Upright(friction) => friction.magnitudes_jacobian(load, speed, spin),
-            Self::Nodes { .. } => return None,
+    /// ∂F/∂v, ∂F/∂ω and ∂T/∂ω at speed ≥ 0 and spin ≥ 0, where the patch is round and upright.
+    pub fn jacobian(&self, load: R, speed: R, spin: R) -> Option<[R; 3]> {
+        let j = match &self.kind {
+            Kind::Round { friction, .. } => friction.magnitudes_jacobian(load, speed, spin),
+            Kind::Upright(friction) => friction.magnitudes_jacobian(load, speed, spin),
+            Kind::Nodes(_) => return None,
         };
-        Some([
-            j.force_speed,
-            mixed(j.force_spin),
-            mixed(j.torque_speed),
-            j.torque_spin,
-        ])
+        Some([j.force_speed, j.force_spin, j.torque_spin])
     }
 }
 
-/// Nodes of any patch with pressure gradient `tilt` along the first axis.
+/// Nodes of any patch with pressure gradient `tilt` along the first axis, in units of the radius;
+/// points where they are.
 fn nodes<R: Real>(patch: &PatchName, radius: R, tilt: R) -> Result<Vec<Node<R>>, Failure> {
-    let rule = PolarRule::new(radius, RINGS, ANGLES).map_err(Failure::input)?;
-    let lean = |x: R| R::ONE + tilt * x / radius;
+    let rule = PolarRule::new(R::ONE, RINGS, ANGLES).map_err(Failure::input)?;
+    let lean = |x: R| R::ONE + tilt * x;
     let list = |nodes: Result<tribos_core::patch::nodes::NodeList<R, NODES>, _>| {
         let nodes = nodes.map_err(|error| Failure::input(format!("{error}")))?;
         Ok(nodes.nodes().to_vec())
     };
     match patch {
-        PatchName::Points(path) => points(path, &lean),
+        PatchName::Points(path) => points(path, &|x| lean(x / radius)),
         PatchName::Ring => {
-            let ring = polar::ring::<R, NODES>(radius, NODES as u32 / 2).map_err(Failure::input)?;
+            let ring = polar::ring::<R, NODES>(R::ONE, NODES as u32 / 2).map_err(Failure::input)?;
             let mut nodes = ring.nodes().to_vec();
             for node in &mut nodes {
                 node.weight *= lean(node.x);
             }
             Ok(nodes)
         }
-        PatchName::Annulus(inner) => annulus(radius, *inner, &lean),
+        PatchName::Annulus(inner) => annulus(*inner, &lean),
         PatchName::Polynomial(coefficients) => {
             // Refuses what is negative anywhere.
             tier::polynomial(coefficients)?;
             list(rule.nodes_shaped(|x, y| {
-                let r_sq = (x * x + y * y) / (radius * radius);
+                let r_sq = x * x + y * y;
                 let pressure = coefficients
                     .iter()
                     .rev()
@@ -231,16 +295,12 @@ fn nodes<R: Real>(patch: &PatchName, radius: R, tilt: R) -> Result<Vec<Node<R>>,
 }
 
 /// Rings between the inner and the outer radius, equal shares of the area.
-fn annulus<R: Real>(
-    radius: R,
-    inner: f64,
-    lean: &impl Fn(R) -> R,
-) -> Result<Vec<Node<R>>, Failure> {
+fn annulus<R: Real>(inner: f64, lean: &impl Fn(R) -> R) -> Result<Vec<Node<R>>, Failure> {
     let mut nodes = Vec::new();
     for i in 0..RINGS {
         let share = (f64::from(i) + 0.5) / f64::from(RINGS);
         let r_sq = inner * inner + share * (1.0 - inner * inner);
-        let ring = radius * R::from_f64(r_sq).sqrt();
+        let ring = R::from_f64(r_sq).sqrt();
         let ring = polar::ring::<R, { ANGLES as usize }>(ring, ANGLES).map_err(Failure::input)?;
         nodes.extend(ring.nodes().iter().map(|node| Node {
             weight: node.weight * lean(node.x),
@@ -253,18 +313,23 @@ fn annulus<R: Real>(
 /// Points of a file with columns x, y [m] and weight.
 fn points<R: Real>(path: &Path, lean: &impl Fn(R) -> R) -> Result<Vec<Node<R>>, Failure> {
     let rows = columns::read(path, &["x", "y", "weight"])?;
-    let nodes: Vec<Node<R>> = rows
-        .iter()
-        .map(|&[x, y, weight]| {
-            let [x, y, weight] = [x, y, weight].map(R::from_f64);
-            Node {
-                x,
-                y,
-                weight: weight * lean(x),
-            }
-        })
-        .collect();
     let name = path.display();
+    // Only ratios of the weights count: the largest one is brought to order 1, to the bit.
+    let heaviest = rows.iter().fold(0.0, |most: f64, row| most.max(row[2]));
+    let unit = Product::new(heaviest).exponent();
+    let nodes = rows.iter().enumerate().map(|(i, &[x, y, weight])| {
+        let place = |name: &str, x: f64| {
+            in_range::<R>(&format!("{}: {name} of point {}", path.display(), i + 1), x)
+        };
+        let x = place("x", x)?;
+        let weight = R::from_f64(Product::new(weight).shifted(-unit).value());
+        Ok(Node {
+            x,
+            y: place("y", y)?,
+            weight: weight * lean(x),
+        })
+    });
+    let nodes: Vec<Node<R>> = nodes.collect::<Result<_, Failure>>()?;
     if let Some(i) = nodes.iter().position(|node| node.weight < R::ZERO) {
         return Err(Failure::input(format!(
             "{name}: point {} has negative weight (or --tilt lifts it); weights are >= 0",
@@ -275,16 +340,4 @@ fn points<R: Real>(path: &Path, lean: &impl Fn(R) -> R) -> Result<Vec<Node<R>>, 
         return Err(Failure::input(format!("{name}: no point carries load")));
     }
     Ok(nodes)
-}
-
-/// `x` in the precision asked for; refused if it overflows there.
-pub fn in_range<R: Real>(name: &str, x: f64) -> Result<R, Failure> {
-    let narrow = R::from_f64(x);
-    if narrow.is_finite() {
-        Ok(narrow)
-    } else {
-        Err(Failure::input(format!(
-            "{name} {x} is too large for f32; use --precision f64"
-        )))
-    }
 }

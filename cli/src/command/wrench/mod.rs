@@ -1,8 +1,10 @@
 //! `tribos wrench`: force and torque of one twist or of a file of twists.
 
 mod contact;
+mod extreme;
 mod given;
 mod output;
+mod product;
 
 use super::columns::Rows;
 use super::laws::LawSpec;
@@ -10,11 +12,12 @@ use super::patch::{PATCHES, PatchName};
 use super::tier::{Precision, Tabulated, Tier};
 use super::{number, spool};
 use crate::failure::Failure;
-use contact::{Contact, Request, in_range};
+use contact::{Contact, Request, Resistance};
+use number::in_range;
 use output::{Format, Line};
+use product::Product;
 use std::path::{Path, PathBuf};
 use tribos::record::write_atomically;
-use tribos_core::Real;
 
 /// Friction force and torque of a contact under the local law `coefficient` * |v|^`alpha`, or
 /// another law.
@@ -119,13 +122,18 @@ impl Arguments {
     fn evaluate<R: Tabulated>(&self) -> Result<(), Failure> {
         let contact = Contact::<R>::new(&self.request()?)?;
         let load = in_range("load", self.load)?;
+        if let Some(caveat) = contact.caveat() {
+            super::warn(format_args!("warning: {caveat}"));
+        }
         let at = |twist| self.line(&contact, load, twist);
         match (&self.twists, self.speed, self.spin) {
             (Some(file), ..) => self.all(file, at),
             (None, Some(speed), Some(spin)) => {
                 let format = self.format.unwrap_or(Format::Text);
                 let given = given::contact(self);
-                let text = format.one(&at([speed, spin])?, &given);
+                let line = at([speed, spin])?;
+                let text = format.one(&line, &given);
+                warn_of_beyond(u64::from(line.is_beyond));
                 if format == Format::Csv {
                     // Columns have no place for it.
                     super::tell(format_args!("contact: {}", given::sentence(&given)));
@@ -152,6 +160,7 @@ impl Arguments {
     ) -> Result<(), Failure> {
         let mut rows = Rows::open(file, |_| &["speed", "spin"])?;
         let format = self.format.unwrap_or(Format::Csv);
+        let mut beyond = 0;
         spool::deliver(self.output.as_deref(), |sink| {
             let mut twist = [0.0; 2];
             let mut count = 0;
@@ -159,10 +168,12 @@ impl Arguments {
                 let line = at(twist).map_err(|failure| rows.refusal(&failure.to_string()))?;
                 sink.put(&format.begin(count, &line))?;
                 sink.put(&format.row(&line))?;
+                beyond += u64::from(line.is_beyond);
                 count += 1;
             }
             sink.put(format.end())
         })?;
+        warn_of_beyond(beyond);
         let given = given::contact(self);
         super::tell(format_args!("contact: {}", given::sentence(&given)));
         if let Some(path) = &self.output {
@@ -199,7 +210,7 @@ impl Arguments {
         })
     }
 
-    fn line<R: Real>(
+    fn line<R: Tabulated>(
         &self,
         contact: &Contact<R>,
         load: R,
@@ -208,15 +219,46 @@ impl Arguments {
         let [speed, spin] = twist;
         let (speed, spin): (R, R) = (in_range("speed", speed)?, in_range("spin", spin)?);
         let is_round = !matches!(self.patch, PatchName::Points(_));
-        let resistance = if is_round {
-            contact.round_resistance(load, speed, spin)
+        // Those of a round patch are mirrored afterwards.
+        let (v, w) = if is_round {
+            (speed.abs(), spin.abs())
         } else {
-            contact.resistance(load, speed, spin)
+            (speed, spin)
         };
-        let jacobian = match (self.jacobian, contact.jacobian(load, speed, spin)) {
-            (false, _) => None,
-            (true, Some(jacobian)) => Some(jacobian.map(R::to_f64)),
-            (true, None) => {
+        let is_ordinary = contact.is_ordinary(load, v, w);
+        let mut is_beyond = false;
+        let mut value = |product: Product| {
+            let (x, is_right) = product.narrowed::<R>();
+            is_beyond |= !is_right;
+            x.to_f64()
+        };
+        let resistance = if is_ordinary {
+            contact.resistance(load, v, w).map(R::to_f64)
+        } else {
+            contact.extreme_resistance(load, v, w)?.map(&mut value)
+        };
+        let resistance = if is_round {
+            resistance.signed(twist)
+        } else {
+            resistance
+        };
+        let jacobian = if !self.jacobian {
+            None
+        } else if is_ordinary {
+            let entries = contact.jacobian(load, v, w);
+            Some(entries.map(|entries| entries.map(R::to_f64)))
+        } else {
+            let entries = contact.extreme_jacobian(load, v, w)?;
+            Some(entries.map(|entries| entries.map(&mut value)))
+        };
+        let jacobian = match jacobian {
+            None => None,
+            Some(Some([force_speed, mixed, torque_spin])) => {
+                let opposed = (twist[0] < 0.0) != (twist[1] < 0.0);
+                let mixed = if opposed { 0.0 - mixed } else { mixed };
+                Some([force_speed, mixed, mixed, torque_spin])
+            }
+            Some(None) => {
                 return Err(Failure::input(
                     "--jacobian is not served by nodes; use --patch disk or annulus with --law, \
                      or another tier",
@@ -224,12 +266,35 @@ impl Arguments {
             }
         };
         let with_lateral = self.tilt.is_some() || !is_round;
+        let Resistance {
+            force,
+            lateral,
+            torque,
+        } = resistance;
+        let shown = [force, torque, if with_lateral { lateral } else { 0.0 }];
+        let no_number = shown
+            .iter()
+            .chain(jacobian.iter().flatten())
+            .any(|x| x.is_nan());
         Ok(Line {
             twist,
-            force: resistance.force.to_f64(),
-            torque: resistance.torque.to_f64(),
-            lateral: with_lateral.then(|| resistance.lateral.to_f64()),
+            force,
+            torque,
+            lateral: with_lateral.then_some(lateral),
             jacobian,
+            is_beyond: is_beyond || no_number,
         })
+    }
+}
+
+/// Says that results left the number range, if any did.
+fn warn_of_beyond(lines: u64) {
+    if lines > 0 {
+        super::warn(format_args!(
+            "warning: {} {} results that are no normal numbers of the precision: too large ones are \
+             inf, too small ones 0 or short of digits, others nan",
+            lines,
+            if lines == 1 { "line has" } else { "lines have" },
+        ));
     }
 }

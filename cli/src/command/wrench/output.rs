@@ -25,6 +25,8 @@ pub struct Line {
     /// Only where something can be lateral.
     pub lateral: Option<f64>,
     pub jacobian: Option<[f64; 4]>,
+    /// True if a result left the number range.
+    pub is_beyond: bool,
 }
 
 const COLUMNS: [&str; 4] = ["speed", "spin", "force", "torque"];

@@ -97,7 +97,8 @@ pub const MAX_SOLUTIONS: u64 = 10_000;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Launches {
-    /// Number of launches within the limits.
+    /// Number of launches within the limits; beyond 2^53 turns as exact as an f64, and at most
+    /// [`u64::MAX`], which stands for any larger number.
     pub count: u64,
     /// Those with the fewest turns, by rising kinetic energy.
     pub solutions: Vec<Solution>,
@@ -113,22 +114,44 @@ struct Ladder {
     step: f64,
 }
 
-impl Ladder {
-    fn angle(&self, j: u64) -> f64 {
-        self.first + j as f64 * self.step
-    }
+/// Every whole number up to here is an f64; beyond, every f64 is a whole number.
+const WHOLE: u64 = 1 << f64::MANTISSA_DIGITS;
 
-    /// Angles up to `most`, all of which are tried.
-    fn count(&self, most: f64) -> u64 {
-        if self.step == 0.0 {
-            return 1;
-        }
-        let last = (most * (1.0 + SPARE) - self.first) / self.step;
-        if last >= 0.0 { last as u64 + 1 } else { 0 }
+/// The `rank`-th of all whole numbers that are an f64, from 0. They number less than 2^63.
+fn whole(rank: u64) -> f64 {
+    match rank.checked_sub(WHOLE) {
+        None => rank as f64,
+        Some(beyond) => f64::from_bits((WHOLE as f64).to_bits() + beyond),
     }
 }
 
-/// The angles of a ladder, `first` ≤ j < `end`, whose launches are within the limits.
+/// How many of the whole numbers that are an f64 do not exceed `x`.
+fn wholes_up_to(x: f64) -> u64 {
+    if x < WHOLE as f64 {
+        // Zero for what is negative or NaN.
+        return if x >= 0.0 { x as u64 + 1 } else { 0 };
+    }
+    let largest = x.min(f64::MAX);
+    largest.to_bits() - (WHOLE as f64).to_bits() + WHOLE + 1
+}
+
+impl Ladder {
+    fn angle(&self, rank: u64) -> f64 {
+        self.first + whole(rank) * self.step
+    }
+
+    /// Ranks of the angles up to `most`, all of which are tried. Beyond [`WHOLE`] they pass over
+    /// the turns whose number is not an f64.
+    fn ranks(&self, most: f64) -> u64 {
+        if self.step == 0.0 {
+            return 1;
+        }
+        wholes_up_to((most * (1.0 + SPARE) - self.first) / self.step)
+    }
+}
+
+/// The angles of a ladder whose launches are within the limits, by rank from `first` to before
+/// `end`.
 struct Flight {
     ladder: Ladder,
     first: u64,
@@ -137,14 +160,27 @@ struct Flight {
 
 impl Flight {
     fn count(&self) -> u64 {
-        self.end - self.first
+        if self.first == self.end {
+            return 0;
+        }
+        if self.end <= WHOLE {
+            return self.end - self.first;
+        }
+        // Saturates at u64::MAX.
+        (whole(self.end - 1) - whole(self.first)) as u64
     }
 
     /// The first `most` angles with their sign.
     fn angles(&self, most: u64) -> impl Iterator<Item = f64> + '_ {
         let end = self.end.min(self.first.saturating_add(most));
-        (self.first..end).map(|j| self.ladder.sense * self.ladder.angle(j))
+        (self.first..end).map(|rank| self.ladder.sense * self.ladder.angle(rank))
     }
+}
+
+/// Launches of all flights together, at most [`u64::MAX`].
+fn count(flights: &[Flight]) -> u64 {
+    let counts = flights.iter().map(Flight::count);
+    counts.fold(0, u64::saturating_add)
 }
 
 impl Turns {
@@ -185,7 +221,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         limits: &Limits,
     ) -> Result<Vec<Solution>, InverseError> {
         let flights = self.flights(target, turns, limits)?;
-        let count = flights.iter().map(Flight::count).sum();
+        let count = count(&flights);
         if count > MAX_SOLUTIONS {
             return Err(InverseError::TooMany { count });
         }
@@ -195,6 +231,10 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
 
     /// How many launches within `limits` come to rest at `target`, and of them the `most` with the
     /// fewest turns, by rising kinetic energy. Counting takes some bisections, however many there are.
+    ///
+    /// *Memory*: 72 bytes a launch that is listed. *Domain*: any finite limits. Of orientations that are more than 2^53 steps away only those
+    /// are found whose number of steps is an f64; launches whose rim goes more than 1e99 times as
+    /// far as the centre are left out.
     pub fn fewest_turns(
         &self,
         target: &Pose,
@@ -220,15 +260,15 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         let [_, most] = self.reach(limits.max_speed(), limits.max_spin());
         let ladders = turns.ladders(target.angle).into_iter();
         let flights = ladders.map(|ladder| {
-            let count = ladder.count(most);
+            let ranks = ladder.ranks(most.min(self.farthest_turn(distance)));
             let mut known = BTreeMap::new();
-            let mut throw = |j: u64| {
+            let mut throw = |rank: u64| {
                 *known
-                    .entry(j)
-                    .or_insert_with(|| self.throw(distance, ladder.angle(j)))
+                    .entry(rank)
+                    .or_insert_with(|| self.throw(distance, ladder.angle(rank)))
             };
-            let first = partition(0, count, |j| throw(j).speed > limits.max_speed());
-            let end = partition(first, count, |j| throw(j).spin <= limits.max_spin());
+            let first = partition(0, ranks, |rank| throw(rank).speed > limits.max_speed());
+            let end = partition(first, ranks, |rank| throw(rank).spin <= limits.max_spin());
             Flight { ladder, first, end }
         });
         Ok(flights.collect())
@@ -249,6 +289,8 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
             .flat_map(|flight| flight.angles(most))
             .collect();
         angles.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+        // Beyond the whole numbers two ranks may round to one angle.
+        angles.dedup();
         angles.truncate(usize::try_from(most).unwrap_or(usize::MAX));
         let all = angles.into_iter().map(|angle| {
             let throw = self.throw(distance, angle.abs());
@@ -258,7 +300,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         if solutions.iter().any(|solution| !solution.time.is_finite()) {
             return Err(InverseError::Target { given: *target });
         }
-        let count: u64 = flights.iter().map(Flight::count).sum();
+        let count = count(flights);
         if count == 0 || (most > 0 && solutions.is_empty()) {
             let ladders = turns.ladders(target.angle);
             let [farthest, most] = self.reach(limits.max_speed(), limits.max_spin());
@@ -311,19 +353,22 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
     /// falls and the spin needed rises: it stands where their excesses cross.
     fn nearest(&self, target: &Pose, ladder: &Ladder, limits: &Limits) -> Solution {
         let distance = Real::hypot(target.x, target.y);
-        let throw = |j| self.throw(distance, ladder.angle(j));
-        let sliding_exceeds_more =
-            |throw: &Throw| throw.speed * limits.max_spin() > throw.spin * limits.max_speed();
-        let solution = |j| self.solution(target, ladder.sense * ladder.angle(j), &throw(j));
+        let throw = |rank| self.throw(distance, ladder.angle(rank));
+        let sliding_exceeds_more = |throw: &Throw| {
+            over(throw.speed, limits.max_speed()) > over(throw.spin, limits.max_spin())
+        };
+        let solution =
+            |rank| self.solution(target, ladder.sense * ladder.angle(rank), &throw(rank));
         if ladder.step == 0.0 || limits.max_speed() == 0.0 {
             return solution(0);
         }
-        let mut count = 1;
-        while count < MAX_SOLUTIONS && sliding_exceeds_more(&throw(count)) {
-            count *= 2;
+        let ranks = ladder.ranks(self.farthest_turn(distance));
+        let mut end = 1;
+        while end < ranks && sliding_exceeds_more(&throw(end)) {
+            end *= 2;
         }
-        let j = partition(0, count, |j| sliding_exceeds_more(&throw(j)));
-        let (before, after) = (solution(j.saturating_sub(1)), solution(j));
+        let rank = partition(0, end.min(ranks), |rank| sliding_exceeds_more(&throw(rank)));
+        let (before, after) = (solution(rank.saturating_sub(1)), solution(rank));
         if excess(&before, limits) < excess(&after, limits) {
             before
         } else {
@@ -350,12 +395,16 @@ fn is_within(solution: &Solution, limits: &Limits) -> bool {
     solution.speed <= limits.max_speed() && solution.launch.spin.abs() <= limits.max_spin()
 }
 
-/// How many times the limits are exceeded.
-fn excess(solution: &Solution, limits: &Limits) -> f64 {
-    let over = |needed: f64, limit: f64| match needed {
+/// How many times a limit is needed.
+fn over(needed: f64, limit: f64) -> f64 {
+    match needed {
         0.0 => 0.0,
         _ => needed / limit,
-    };
+    }
+}
+
+/// How many times the limits are exceeded.
+fn excess(solution: &Solution, limits: &Limits) -> f64 {
     let speed = over(solution.speed, limits.max_speed());
     let spin = over(solution.launch.spin.abs(), limits.max_spin());
     speed.max(spin)

@@ -46,8 +46,8 @@ pub(super) fn rising_root(
     newest.0
 }
 
-/// More rounds than bisection of all f64 between two numbers needs.
-const MAX_ROUNDS: u32 = 200;
+/// More rounds than halving the largest f64 down to the smallest one takes.
+const MAX_ROUNDS: u32 = 2200;
 
 /// Share of the way from `newest` to `other` at which the inverse parabola has its zero; the
 /// middle where the parabola is not monotone.

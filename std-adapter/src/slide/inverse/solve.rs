@@ -18,6 +18,8 @@ pub(super) struct Throw {
 /// Paths whose logarithms differ by more than this have one pure motion: the other's part is far
 /// below every rounding error.
 const PURE: f64 = 230.0;
+/// The farthest rim is counted to this logarithm of the ratio of the paths, just below [`PURE`].
+const SPUN: f64 = 229.0;
 /// The ratio of the paths is met to this, a tenth of its own rounding errors.
 const ENOUGH: f64 = 1e-15;
 /// Widening of a bracket that has not caught the root.
@@ -48,6 +50,14 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
             speed: scale * c,
             spin: scale * n / self.radius(),
             time: pace * paths.time / self.deceleration(),
+        }
+    }
+
+    /// The largest angle for which a throw over `distance` has a speed; none without distance.
+    pub(super) fn farthest_turn(&self, distance: f64) -> f64 {
+        match distance {
+            0.0 => f64::INFINITY,
+            _ => distance * Real::exp(SPUN) / self.radius(),
         }
     }
 
