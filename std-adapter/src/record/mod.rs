@@ -8,6 +8,7 @@ mod read;
 mod seal;
 mod series;
 mod snapshot;
+mod target;
 pub mod trajectory;
 mod vtk;
 mod xyz;
