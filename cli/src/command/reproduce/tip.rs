@@ -171,10 +171,11 @@ fn turn((lambda, seed): (f64, u64), runs: &Runs) -> Result<Turned, Failure> {
     let scene = scene(lambda, seed, runs.effort())?;
     let folder = folder(lambda, seed, runs);
     let frames = if (lambda, seed) == FILMED { FRAMES } else { 0 };
-    let course = |start| Course::one_of_many(start, kept.pause, frames);
+    let course = |start| Course::one_of_many(&kept.lock, start, kept.pause, frames);
     let run = |start| simulate(&scene, &folder, &course(start));
     let run = resumed(run)?;
     let end = run.checkpoint();
+    kept.lock.check()?;
     write_atomically(&checkpoint(&folder), end.as_bytes())?;
     Ok(Turned {
         lambda,

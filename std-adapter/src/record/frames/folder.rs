@@ -60,7 +60,7 @@ pub enum FrameError {
     Missing(PathBuf),
     /// Frames of another run or of another number are there.
     #[error(
-        "{}: {kept} frames are kept there, not {given}; give `--frames {kept}`, or run without --resume",
+        "{}: {kept} frames are kept there, not {given}; give `--frames {kept}`, or start anew with --anew",
         path.display()
     )]
     Limit {
