@@ -90,14 +90,21 @@ fn is_a_programs(name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::folder::Sharing;
     use crate::report::page::FigureRef;
+    use std::path::Path;
 
     type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+    fn open(report: &Path) -> Result<Kept, Failure> {
+        let lock = Lock::take(report, Sharing::Shared)?;
+        Kept::open(lock.into(), Duration::ZERO)
+    }
 
     #[test]
     fn a_section_is_kept_with_its_effort_while_its_files_are_there() -> Outcome {
         let folder = tempfile::tempdir()?;
-        let kept = Kept::open(folder.path(), Duration::ZERO)?;
+        let kept = open(folder.path())?;
         let section = Section {
             heading: "Ångström".into(),
             figure: Some(FigureRef {
@@ -120,10 +127,10 @@ mod tests {
         let other = folder.path().join(FOLDER).join("0.0.0-0123456789abcdef");
         std::fs::create_dir_all(&other)?;
         std::fs::create_dir_all(folder.path().join("mine"))?;
-        let kept = Kept::open(folder.path(), Duration::ZERO)?;
+        let kept = open(folder.path())?;
         assert!(!other.exists() && folder.path().join("mine").exists());
         std::fs::create_dir_all(kept.run("x"))?;
-        assert!(Kept::open(folder.path(), Duration::ZERO)?.run("x").exists());
+        assert!(open(folder.path())?.run("x").exists());
         Ok(())
     }
 }
