@@ -4,7 +4,7 @@ use super::Contents;
 use crate::failure::Failure;
 use serde_json::{Map, Value};
 use std::path::{Component, Path};
-use tribos::record::{digest, read_text, sealed, unsealed, write_atomically};
+use tribos::record::{digest, read_text, sealed, unsealed, write_atomically_there};
 
 /// Name of the file.
 pub const NAME: &str = "tribos.json";
@@ -97,7 +97,7 @@ impl Manifest {
             ("files".to_owned(), files.into()),
             ("digests".to_owned(), self.digests.clone().into()),
         ]);
-        Ok(write_atomically(
+        Ok(write_atomically_there(
             &folder.join(NAME),
             sealed(map).as_bytes(),
         )?)

@@ -18,7 +18,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tribos::record::frames::FrameFolder;
-use tribos::record::{is_unfinished, write_atomically};
+use tribos::record::{is_unfinished, write_atomically_there};
 
 /// What a command is going to leave in its folder.
 #[derive(Clone, Debug)]
@@ -128,7 +128,8 @@ impl OutputFolder {
     /// Writes a file that is named, if the folder is still this command's.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
         self.check()?;
-        Ok(write_atomically(&self.path().join(name), bytes)?)
+        write_atomically_there(&self.path().join(name), bytes)
+            .map_err(|error| self.check().err().unwrap_or_else(|| error.into()))
     }
 
     /// Before files are written that were not named at the start.

@@ -75,6 +75,22 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     file.finish()
 }
 
+/// As [`write_atomically`], in a folder that is there: one that was moved away is not made again.
+///
+/// ```
+/// use tribos::record::write_atomically_there;
+/// let home = tempfile::tempdir()?;
+/// assert!(write_atomically_there(&home.path().join("out/speed.csv"), b"time").is_err());
+/// assert!(!home.path().join("out").exists());
+/// write_atomically_there(&home.path().join("speed.csv"), b"time")?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_atomically_there(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    let mut file = AtomicFile::begin_there(path)?;
+    file.add(bytes)?;
+    file.finish()
+}
+
 /// As [`write_atomically`], with `fill` to write the contents: for files that are too large for the
 /// memory. If `fill` fails, whatever stood at `path` still does.
 ///
@@ -125,10 +141,22 @@ impl Write for Unnamed {
 impl AtomicFile {
     /// Begins a temporary file in the folder of `path`, which is made if missing.
     pub(crate) fn begin(path: &Path) -> Result<Self, WriteError> {
+        Self::begin_in(path, |folder| std::fs::create_dir_all(folder))
+    }
+
+    /// The same in a folder that is there.
+    fn begin_there(path: &Path) -> Result<Self, WriteError> {
+        Self::begin_in(path, |_| Ok(()))
+    }
+
+    fn begin_in(
+        path: &Path,
+        make: impl FnOnce(&Path) -> std::io::Result<()>,
+    ) -> Result<Self, WriteError> {
         let begun = || {
             let target = Target::of(path)?;
             let folder = target.folder();
-            std::fs::create_dir_all(&folder)?;
+            make(&folder)?;
             let [begin, end] = UNFINISHED;
             let mut builder = tempfile::Builder::new();
             builder.prefix(begin).suffix(end);

@@ -14,7 +14,9 @@ mod vtk;
 mod xyz;
 
 pub(crate) use atomic::AtomicFile;
-pub use atomic::{WriteError, is_unfinished, write_atomically, write_atomically_with};
+pub use atomic::{
+    WriteError, is_unfinished, write_atomically, write_atomically_there, write_atomically_with,
+};
 pub use kept::CheckpointError;
 pub use number::{json_number, number};
 pub use read::{ReadError, read_text};

@@ -126,9 +126,12 @@ mod tests {
         let folder = tempfile::tempdir()?;
         let other = folder.path().join(FOLDER).join("0.0.0-0123456789abcdef");
         std::fs::create_dir_all(&other)?;
-        std::fs::create_dir_all(folder.path().join("mine"))?;
+        let mine = ["mine", "kept/mine", "kept/holiday-2026"].map(|name| folder.path().join(name));
+        for mine in &mine {
+            std::fs::create_dir_all(mine)?;
+        }
         let kept = open(folder.path())?;
-        assert!(!other.exists() && folder.path().join("mine").exists());
+        assert!(!other.exists() && mine.iter().all(|mine| mine.exists()));
         std::fs::create_dir_all(kept.run("x"))?;
         assert!(open(folder.path())?.run("x").exists());
         Ok(())

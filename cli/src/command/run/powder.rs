@@ -17,7 +17,7 @@ use std::time::Instant;
 use tribos::powder::deposit::DepositError;
 use tribos::powder::{Compaction, CompactionError, size};
 use tribos::record::frames::{Bodies, Frame};
-use tribos::record::write_atomically;
+use tribos::record::write_atomically_there;
 use tribos::run::{Simulation, drive_watched};
 use tribos::scene::PowderScene;
 
@@ -55,7 +55,7 @@ fn compacted(
             course.lock.check()?;
             film.save()?;
             course.lock.check()?;
-            write_atomically(&file, compaction.checkpoint().as_bytes())?;
+            write_atomically_there(&file, compaction.checkpoint().as_bytes())?;
             saved = Instant::now();
         }
         if interrupt::is_asked() {

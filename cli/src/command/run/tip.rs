@@ -14,7 +14,7 @@ use crate::report::image;
 use std::path::Path;
 use std::time::Instant;
 use tribos::record::frames::{Bodies, Frame};
-use tribos::record::{self, write_atomically};
+use tribos::record::{self, write_atomically_there};
 use tribos::run::{Simulation, drive_watched};
 use tribos::scene::TipScene;
 use tribos::tip::export;
@@ -55,7 +55,7 @@ fn turned(scene: &TipScene, out: &Path, course: &Course<'_>) -> Result<TipRun, U
             course.lock.check()?;
             film.save()?;
             course.lock.check()?;
-            write_atomically(&file, run.checkpoint().as_bytes())?;
+            write_atomically_there(&file, run.checkpoint().as_bytes())?;
             saved = Instant::now();
         }
         if interrupt::is_asked() {

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
-use tribos::record::{read_text, write_atomically};
+use tribos::record::{read_text, write_atomically_there};
 
 /// Bytes of a summary at most.
 const MOST_BYTES: u64 = 64 << 20;
@@ -143,7 +143,7 @@ impl Task {
         }
         let (summary, told) = pool.install(|| body.run(&lock))?;
         lock.check()?;
-        write_atomically(&self.file(), summary::sealed(&summary).as_bytes())?;
+        write_atomically_there(&self.file(), summary::sealed(&summary).as_bytes())?;
         forget_checkpoint(&self.folder)?;
         progress.ended(&self.name, &told, began.elapsed());
         Ok(())
