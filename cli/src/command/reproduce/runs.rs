@@ -143,6 +143,8 @@ impl Run {
     fn of(case: &Case, kept: &Kept) -> Result<Self, Failure> {
         let scene = case.scene()?;
         let folder = kept.run(&case.folder());
+        kept.lock.check()?;
+        std::fs::create_dir_all(&folder).map_err(Failure::run)?;
         let course = |start| Course::one_of_many(&kept.lock, start, kept.pause, case.frames());
         let run = |start| powder::simulate(&scene, &folder, &course(start));
         let compaction = resumed(run)?;
