@@ -184,8 +184,30 @@ fn the_first_second_is_kept_and_two_runs_do_not_share_a_folder() -> Outcome {
     wait_for("the run goes on", || out.join(".tribos-lock").exists());
     signal(&child, "KILL")?;
     child.wait_with_output()?;
-    // A lock that its process did not take away is none.
-    let disk = tribos(home.path(), "run disk --out out").output()?;
+    // A lock that its process did not take away is none; the run that was broken off is not lost to
+    // another one by mistake.
+    let names = ["checkpoint.json", "frames/bodies.json", "tribos.json"];
+    for command in [
+        "run disk --out out",
+        "run tip.toml --out out",
+        "run long.toml --out out",
+        "deposit --count 20 --out out",
+    ] {
+        let refused = tribos(home.path(), command).output()?;
+        assert_eq!(refused.status.code(), Some(2), "{command}");
+        let told = said(&refused);
+        assert!(told.contains("broken off"), "{command}: {told}");
+        assert!(
+            names.iter().all(|name| out.join(name).exists()),
+            "{command}"
+        );
+        let is_run = command.starts_with("run");
+        assert!(
+            !is_run || (told.contains("--resume") && told.contains("--anew")),
+            "{told}"
+        );
+    }
+    let disk = tribos(home.path(), "run disk --out out --anew").output()?;
     assert!(disk.status.success(), "{}", said(&disk));
     assert!(!out.join("frames").exists() && !out.join("checkpoint.json").exists());
     Ok(())
@@ -310,5 +332,107 @@ fn endless_and_foreign_inputs_are_refused_at_once() -> Outcome {
         "{}",
         said(&output)
     );
+    Ok(())
+}
+
+/// A run that keeps writing until its folder is lost; what `disturb` leaves there stays as it is.
+fn lost(home: &Path, disturb: impl FnOnce(&Path) -> Outcome) -> Result<String, Error> {
+    let out = home.join("out");
+    let run = tribos(home, "run long.toml --checkpoint 0 --out out").spawn()?;
+    wait_for("the run is under way", || {
+        out.join("checkpoint.json").exists()
+    });
+    disturb(&out)?;
+    let output = run.wait_with_output()?;
+    let told = said(&output);
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    assert!(told.contains("was moved or deleted"), "{told}");
+    Ok(told)
+}
+
+#[test]
+fn a_run_whose_folder_is_lost_ends_and_mixes_with_no_other() -> Outcome {
+    let home = home()?;
+    let out = home.path().join("out");
+    // Moved away, and made again by another run, whose files are all of it.
+    lost(home.path(), |out| {
+        std::fs::rename(out, home.path().join("moved"))?;
+        let other = tribos(home.path(), "run powder.toml --out out").output()?;
+        assert!(other.status.success(), "{}", said(&other));
+        Ok(())
+    })?;
+    let alone = tribos(home.path(), "run powder.toml --out alone").output()?;
+    assert!(alone.status.success());
+    assert!(files(&out)? == files(&home.path().join("alone"))?);
+    // What was moved goes on elsewhere.
+    assert!(home.path().join("moved/checkpoint.json").exists());
+    std::fs::remove_dir_all(&out)?;
+    // Deleted, and only its lock deleted.
+    lost(home.path(), |out| {
+        std::fs::rename(out, home.path().join("gone"))?;
+        Ok(std::fs::remove_dir_all(home.path().join("gone"))?)
+    })?;
+    // Deleted while a file was written, the folder may be there for that file.
+    assert!(!out.join("tribos.json").exists() && !out.join("summary.json").exists());
+    let _ = std::fs::remove_dir_all(&out);
+    lost(home.path(), |out| {
+        Ok(std::fs::remove_file(out.join(".tribos-lock"))?)
+    })?;
+    Ok(())
+}
+
+#[test]
+fn a_run_under_way_is_in_use_for_one_that_would_go_on() -> Outcome {
+    let home = home()?;
+    let run = tribos(home.path(), "run long.toml --out out").spawn()?;
+    wait_for("the run starts", || {
+        home.path().join("out/frames/bodies.json").exists()
+    });
+    let other = tribos(home.path(), "run long.toml --resume --out out").output()?;
+    let told = said(&other);
+    assert_eq!(other.status.code(), Some(2), "{told}");
+    assert!(
+        told.contains(&format!("in use by process {}", run.id())),
+        "{told}"
+    );
+    assert!(!told.contains("from the start"), "{told}");
+    signal(&run, "INT")?;
+    run.wait_with_output()?;
+    Ok(())
+}
+
+#[test]
+fn what_was_exported_from_a_broken_run_goes_away_when_it_goes_on() -> Outcome {
+    let home = home()?;
+    let out = home.path().join("out");
+    let run = tribos(home.path(), "run powder.toml --checkpoint 0 --out out").spawn()?;
+    wait_for("the run is under way", || {
+        out.join("frames/000000000016.frame").exists()
+    });
+    signal(&run, "INT")?;
+    let output = run.wait_with_output()?;
+    assert_eq!(output.status.code(), Some(130), "{}", said(&output));
+    for command in [
+        "export xyz out",
+        "export vtk out",
+        "view out",
+        "view out --still 1,last",
+    ] {
+        let made = tribos(home.path(), command).output()?;
+        assert!(made.status.success(), "{command}: {}", said(&made));
+    }
+    std::fs::write(out.join("still-life.png"), "mine")?;
+    let run = tribos(home.path(), "run powder.toml --resume --out out").output()?;
+    assert!(run.status.success(), "{}", said(&run));
+    for gone in [
+        "trajectory.xyz",
+        "trajectory.pvd",
+        "trajectory",
+        "view.html",
+        "still-1.png",
+    ] {
+        assert!(!out.join(gone).exists(), "{gone}");
+    }
+    assert!(out.join("still-life.png").exists() && out.join("summary.json").exists());
     Ok(())
 }

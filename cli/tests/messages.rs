@@ -163,6 +163,49 @@ fn a_file_in_the_place_of_a_folder_is_said_to_be_one() -> Outcome {
 }
 
 #[test]
+fn an_empty_name_is_refused_and_a_link_to_nowhere_is_said_to_be_one() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    for arguments in [
+        "run disk --out",
+        "sweep disk --set spin=1,2 --out",
+        "sweep --plan",
+        "sweep --merge",
+        "deposit --count 10 --width 8 --out",
+        "reproduce 2.5 --out",
+        "export lammps tip-reversible --out",
+        "export xyz",
+        "man --out",
+        "golden write disk --out",
+        "scene new powder --out",
+        "laws --curve coulomb:mu=0.3 --out",
+        "wrench --speed 1 --spin 1 --output",
+        "wrench --twists",
+        "run --out out",
+        "view",
+    ] {
+        let output = Command::cargo_bin("tribos")?
+            .current_dir(folder.path())
+            .args(arguments.split_whitespace())
+            .arg("")
+            .output()?;
+        let told = String::from_utf8(output.stderr)?;
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {told}");
+        assert!(told.contains("the name is empty"), "{arguments}: {told}");
+    }
+    assert_eq!(std::fs::read_dir(folder.path())?.count(), 0);
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("nowhere", folder.path().join("link"))?;
+        let told = refused(folder.path(), "run disk --out link")?;
+        assert!(
+            told.contains("symbolic link to what is not there"),
+            "{told}"
+        );
+    }
+    Ok(())
+}
+
+#[test]
 fn commands_that_write_a_file_say_so() -> Outcome {
     let folder = tempfile::tempdir()?;
     let (code, said, _) = tribos(folder.path(), "laws --curve coulomb:mu=0.3 --out law.svg")?;

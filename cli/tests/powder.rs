@@ -213,7 +213,7 @@ fn a_killed_run_goes_on_to_the_same_bits() -> Outcome {
     assert_eq!(refused.status.code(), Some(2));
     let said = String::from_utf8(refused.stderr)?;
     assert!(
-        said.contains("`rolling` is") && said.contains("without --resume"),
+        said.contains("`rolling` is") && said.contains("--anew"),
         "{said}"
     );
 
@@ -229,14 +229,15 @@ fn a_killed_run_goes_on_to_the_same_bits() -> Outcome {
         summary["wall_seconds"] = 0.into();
     }
     assert_eq!(one, other);
-    // Done: there is nothing left to go on from.
+    // Done: nothing is run, and nothing is changed.
+    let left = std::fs::read(broken.join("summary.json"))?;
     let mut again = tribos(folder.path(), "run")?;
-    let refused = again
-        .args(sets)
-        .args(["--resume", "--out"])
-        .arg(&broken)
-        .output()?;
-    assert_eq!(refused.status.code(), Some(2));
+    again.args(sets).args(["--resume", "--out"]).arg(&broken);
+    let output = again.output()?;
+    assert!(output.status.success());
+    let told = String::from_utf8(output.stdout)?;
+    assert!(told.contains("finished already"), "{told}");
+    assert!(std::fs::read(broken.join("summary.json"))? == left);
     Ok(())
 }
 
@@ -395,7 +396,11 @@ fn a_sweep_averages_its_runs_and_keeps_them() -> Outcome {
     std::fs::write(&other, stranger)?;
     let said = sweep(&serial, "2")?;
     assert_eq!(said.lines().next(), Some("6 of 8 runs kept"), "{said}");
-    assert_eq!(said.lines().count(), 3, "{said}");
+    assert_eq!(said.lines().count(), 4, "{said}");
+    assert!(
+        said.contains("seed=2: its summary is not as the run left it"),
+        "{said}"
+    );
     assert_eq!(table, std::fs::read_to_string(serial.join("sweep.csv"))?);
     Ok(())
 }

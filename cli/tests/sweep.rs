@@ -389,3 +389,67 @@ fn a_range_stands_for_its_values() -> Outcome {
     assert!(said.contains("FROM:TO:STEP"), "{said}");
     Ok(())
 }
+
+#[test]
+fn a_summary_that_was_changed_is_not_taken_for_a_result() -> Outcome {
+    let folder = undisturbed()?;
+    let whole = folder.path().join("whole");
+    let tables = std::fs::read(whole.join("runs.csv"))?;
+    let file = whole.join("runs/rolling=0.1,torsion=0.2/summary.json");
+    let kept = std::fs::read_to_string(&file)?;
+    let at = kept.find("\"porosity_final\": 0.").ok_or("no porosity")?;
+    let mut changed = kept.clone();
+    changed.replace_range(at + 20..at + 23, "777");
+    assert_ne!(changed, kept);
+    std::fs::write(&file, changed)?;
+
+    let mut merge = sweep(folder.path())?;
+    let output = merge.args(["--merge", "whole"]).output()?;
+    let [_, said] = texts(&output)?;
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    let words = "rolling=0.1,torsion=0.2 (its summary is not as the run left it)";
+    assert!(said.contains(words), "{said}");
+
+    let mut again = sweep(folder.path())?;
+    again.arg("tiny.toml").args(GRID).args(["--out", "whole"]);
+    let [_, said] = succeed(again)?;
+    assert!(said.contains("the run is taken again"), "{said}");
+    assert!(said.contains("24 of 25 runs kept"), "{said}");
+    assert!(std::fs::read(whole.join("runs.csv"))? == tables);
+    Ok(())
+}
+
+#[test]
+fn two_processes_of_one_part_take_no_run_twice() -> Outcome {
+    let folder = undisturbed()?;
+    let part = || -> Result<std::process::Child, Error> {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"));
+        command
+            .current_dir(folder.path())
+            .args(["sweep", "tiny.toml", "--out", "both", "--part", "0/1"])
+            .args(GRID)
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped());
+        Ok(command.spawn()?)
+    };
+    let outputs = [part()?, part()?].map(std::process::Child::wait_with_output);
+    for output in outputs {
+        let output = output?;
+        let [_, said] = texts(&output)?;
+        // A run that the other one has under way is no bad input. One may find the folder taken
+        // while the plan is written.
+        let is_in_use = said.contains("in use by process");
+        let is_told = output.status.success() || is_in_use;
+        assert!(is_told, "{said}");
+        assert!(
+            !said.contains("error: rolling") || output.status.code() == Some(1),
+            "{said}"
+        );
+    }
+    succeed({
+        let mut again = sweep(folder.path())?;
+        again.arg("tiny.toml").args(GRID).args(["--out", "both"]);
+        again
+    })?;
+    assert_same_tables(folder.path(), "both")
+}

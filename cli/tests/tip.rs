@@ -155,7 +155,7 @@ fn a_killed_run_goes_on_to_the_same_files() -> Outcome {
     let resume = format!("run tiny.toml {sets} --resume --out broken");
     let (code, said) = fail(folder.path(), &format!("{resume} --set lambda=0.03"))?;
     assert_eq!(code, Some(2));
-    let is_told = said.contains("`lambda` is") && said.contains("without --resume");
+    let is_told = said.contains("`lambda` is") && said.contains("--anew");
     assert!(is_told, "{said}");
     let file = broken.join("checkpoint.json");
     let kept = std::fs::read_to_string(&file)?;
@@ -165,10 +165,7 @@ fn a_killed_run_goes_on_to_the_same_files() -> Outcome {
     )?;
     let (code, said) = fail(folder.path(), &resume)?;
     assert_eq!(code, Some(2));
-    assert!(
-        said.contains("digest") && said.contains("without --resume"),
-        "{said}"
-    );
+    assert!(said.contains("digest") && said.contains("--anew"), "{said}");
     std::fs::write(&file, kept)?;
 
     succeed(folder.path(), &resume)?;
@@ -186,8 +183,10 @@ fn a_killed_run_goes_on_to_the_same_files() -> Outcome {
         let bytes = std::fs::read(folder.path().join("whole").join(file))?;
         assert!(bytes == std::fs::read(broken.join(file))?, "{file}");
     }
-    // Done: there is nothing left to go on from.
-    assert_eq!(fail(folder.path(), &resume)?.0, Some(2));
+    // Done: there is nothing left to do, nor for another scene.
+    succeed(folder.path(), &resume)?;
+    let (code, said) = fail(folder.path(), &format!("{resume} --set lambda=0.03"))?;
+    assert!(code == Some(2) && said.contains("`lambda` is"), "{said}");
     Ok(())
 }
 

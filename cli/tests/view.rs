@@ -110,7 +110,7 @@ fn a_killed_run_leaves_the_same_bounded_frames() -> Outcome {
     )?;
     assert_eq!(code, Some(2));
     assert!(
-        said.contains("--frames 20") && said.contains("without --resume"),
+        said.contains("--frames 20") && said.contains("--anew"),
         "{said}"
     );
     succeed(

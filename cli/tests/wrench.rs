@@ -372,3 +372,99 @@ fn tiers_of_powers_refuse_other_laws() -> Outcome {
     }
     Ok(())
 }
+
+#[test]
+fn an_input_is_not_its_own_output() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    std::fs::write(folder.path().join("twists.csv"), "speed,spin\n1,2\n")?;
+    std::fs::write(folder.path().join("feet.csv"), "x,y,weight\n0,0,1\n")?;
+    std::fs::hard_link(
+        folder.path().join("twists.csv"),
+        folder.path().join("other.csv"),
+    )?;
+    for arguments in [
+        "wrench --twists twists.csv --output twists.csv",
+        "wrench --twists twists.csv --output ./twists.csv",
+        "wrench --twists twists.csv -o other.csv",
+        "wrench --patch points:feet.csv --speed 1 --spin 1 -o feet.csv",
+    ] {
+        let output = Command::cargo_bin("tribos")?
+            .current_dir(folder.path())
+            .args(arguments.split(' '))
+            .output()?;
+        let told = String::from_utf8(output.stderr)?;
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {told}");
+        assert!(told.contains("is what the command reads"), "{told}");
+    }
+    let left = std::fs::read_to_string(folder.path().join("twists.csv"))?;
+    assert_eq!(left, "speed,spin\n1,2\n");
+    Ok(())
+}
+
+/// Devices of this test's own: never those of the machine.
+#[cfg(unix)]
+#[test]
+fn devices_pipes_and_links_are_written_into() -> Outcome {
+    use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
+    use std::process::Command as System;
+    let folder = tempfile::tempdir()?;
+    let here = |name: &str| folder.path().join(name);
+    let write = |name: &str| -> Result<(Option<i32>, String), Box<dyn std::error::Error>> {
+        let output = Command::cargo_bin("tribos")?
+            .current_dir(folder.path())
+            .args(["wrench", "--speed", "1", "--spin", "1", "-o", name])
+            .output()?;
+        Ok((output.status.code(), String::from_utf8(output.stderr)?))
+    };
+    assert!(System::new("mkfifo").arg(here("pipe")).status()?.success());
+    let reader = std::thread::spawn({
+        let pipe = here("pipe");
+        move || std::fs::read_to_string(pipe)
+    });
+    assert_eq!(write("pipe")?.0, Some(0));
+    let read = reader.join().map_err(|_| "the reader failed")??;
+    assert!(read.contains("force"), "{read}");
+    assert!(here("pipe").metadata()?.file_type().is_fifo());
+
+    std::fs::write(here("file"), "old")?;
+    std::fs::set_permissions(here("file"), PermissionsExt::from_mode(0o640))?;
+    symlink("file", here("link"))?;
+    assert_eq!(write("link")?.0, Some(0));
+    assert!(here("link").is_symlink());
+    assert_eq!(std::fs::read_to_string(here("file"))?, read);
+    let mode = here("file").metadata()?.permissions().mode();
+    assert_eq!(mode & 0o777, 0o640);
+
+    // Standard output is a file that somebody else has opened, with a line in it.
+    let line = "echo first; exec \"$0\" wrench --speed 1 --spin 1 -o /dev/stdout";
+    let mut shell = System::new("sh");
+    let shell = shell.args(["-c", line, env!("CARGO_BIN_EXE_tribos")]);
+    let shell = shell.stdout(std::fs::File::create(here("log"))?);
+    assert!(shell.status()?.success());
+    assert_eq!(
+        std::fs::read_to_string(here("log"))?,
+        format!("first\n{read}")
+    );
+
+    // Full and null, as Linux numbers them.
+    for (name, minor, code) in [("full", "7", Some(1)), ("null", "3", Some(0))] {
+        let mut node = System::new("mknod");
+        let made = node.arg(here(name)).args(["c", "1", minor]).output()?;
+        if !cfg!(target_os = "linux") || !made.status.success() {
+            println!("skipped: a device cannot be made (needs root)");
+            return Ok(());
+        }
+        let opened = std::fs::OpenOptions::new().write(true).open(here(name));
+        if opened.is_err() {
+            println!("skipped: devices cannot be opened here");
+            return Ok(());
+        }
+        let (ended, told) = write(name)?;
+        assert_eq!(ended, code, "{name}: {told}");
+        assert!(
+            here(name).metadata()?.file_type().is_char_device(),
+            "{name}"
+        );
+    }
+    Ok(())
+}

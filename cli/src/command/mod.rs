@@ -8,6 +8,7 @@ mod digits;
 mod eval;
 mod explain;
 mod export;
+mod file;
 mod fit;
 mod folder;
 mod golden;
@@ -55,7 +56,7 @@ struct Program {
 /// The whole command line.
 pub fn program() -> clap::Command {
     let program = overview::with_page(Program::command());
-    let program = folder::with_folders(completion::with_words(program));
+    let program = folder::with_paths(completion::with_words(program));
     documentation()
         .into_iter()
         .fold(program, |program, (name, text)| {

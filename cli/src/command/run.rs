@@ -1,6 +1,6 @@
 //! `tribos run`: a scene simulated, its results in a folder.
 
-mod files;
+pub mod files;
 mod film;
 pub mod long;
 mod path;
@@ -8,13 +8,13 @@ pub mod powder;
 pub mod size;
 pub mod tip;
 
-use self::long::{Course, Progress, Start, checkpoint, forget_checkpoint};
+use self::long::{CHECKPOINT, Course, Progress, Start, checkpoint, forget_checkpoint};
 use self::size::Allowed;
 use super::digits::shown;
 use super::progress::Meter;
 use super::{interrupt, number};
 use crate::failure::Failure;
-use crate::folder::{Contents, Manifest, OutputFolder};
+use crate::folder::{Broken, Contents, Lock, Manifest, OutputFolder, Sharing, is_finished};
 use crate::report::figure::{Axis, Figure, Guide, Series};
 use crate::report::image;
 pub use film::folder as frames_folder;
@@ -22,7 +22,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tribos::powder::Compaction;
-use tribos::record::{CheckpointError, write_atomically, write_series};
+use tribos::record::{CheckpointError, write_series};
 use tribos::scene::{PowderScene, Scene, SliderScene, TipScene, Units, bodies};
 use tribos::slide::{self, COLUMNS, SlideRun};
 use tribos::tip::{TipError, build};
@@ -43,15 +43,20 @@ pub struct Arguments {
     /// The scene: a TOML file, or a name that `tribos scene list` has.
     scene: PathBuf,
     /// Folder for the results; made if missing. Results of an earlier command in it go away first;
-    /// files that no command of tribos wrote there are never replaced.
+    /// files that no command of tribos wrote there are never replaced. A powder or a tip there that
+    /// was broken off is refused: go on with --resume, or start with --anew.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Replace or add a key of the scene; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
     /// A powder or a tip: go on from the checkpoint in DIR, to the same result as without the break.
+    /// One that is finished is left as it is.
     #[arg(long)]
     resume: bool,
+    /// Take away a powder or a tip in DIR that was broken off, and start.
+    #[arg(long, conflicts_with = "resume")]
+    anew: bool,
     /// A powder or a tip: seconds from one checkpoint in DIR to the next.
     #[arg(
         long,
@@ -73,11 +78,16 @@ pub struct Arguments {
 /// The command's name in the folders that it writes.
 pub const COMMAND: &str = "run";
 /// The folder of a run that starts.
-fn begin(out: &Path, scene: Value, files: &[&str]) -> Result<OutputFolder, Failure> {
+fn begin(
+    out: &Path,
+    scene: Value,
+    files: &[&str],
+    broken: Broken,
+) -> Result<OutputFolder, Failure> {
     let contents = Contents {
-        command: COMMAND,
         about: scene,
-        files,
+        broken,
+        ..Contents::of(COMMAND, files)
     };
     OutputFolder::begin(out, &contents)
 }
@@ -135,21 +145,18 @@ impl Arguments {
         }
         let done = match scene {
             Scene::Disk(scene) => self.slide(&scene),
-            Scene::Planar(scene) => path::run(&scene, &self.out),
+            Scene::Planar(scene) => path::run(&scene, &self.out, self.broken()),
             Scene::Powder(scene) => self.compact(&scene),
             Scene::Tip(scene) => self.turn(&scene),
         };
         done.map_err(|failure| failure.going_on(&long::how_to_go_on(&self.out)))
     }
 
-    /// Where a long run starts, and what is kept on the way.
-    fn course(&self) -> Course {
+    /// How a long run goes.
+    fn course<'a>(&self, start: Start, lock: &'a Lock) -> Course<'a> {
         Course {
-            start: if self.resume {
-                Start::Resume
-            } else {
-                Start::Fresh
-            },
+            lock,
+            start,
             pause: Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX),
             frames: self.frames,
             progress: Progress::Told,
@@ -157,35 +164,64 @@ impl Arguments {
         }
     }
 
-    /// The folder of a long run, and how the run goes. Broken off before its first checkpoint it goes
-    /// on from the start.
-    fn long(&self, scene: Value, files: &[&str]) -> Result<(OutputFolder, Course), Failure> {
-        let mut course = self.course();
-        interrupt::watch()?;
-        if !self.resume {
-            return Ok((begin(&self.out, scene, files)?, course));
+    /// What becomes of a run in the folder that was broken off.
+    fn broken(&self) -> Broken {
+        if self.anew {
+            Broken::Replaced
+        } else {
+            Broken::Kept
         }
-        let is_kept = checkpoint(&self.out).exists();
+    }
+
+    /// The folder of a long run, and where the run starts; none if it is finished.
+    fn long(&self, scene: Value, later: &[&str]) -> Result<Option<(OutputFolder, Start)>, Failure> {
+        interrupt::watch()?;
+        let contents = Contents {
+            about: scene,
+            later,
+            broken: self.broken(),
+            ..Contents::of(COMMAND, files::UNDER_WAY)
+        };
+        if !self.resume {
+            let folder = OutputFolder::begin(&self.out, &contents)?;
+            return Ok(Some((folder, Start::Fresh)));
+        }
+        if !self.out.is_dir() {
+            long::kept(&checkpoint(&self.out))?;
+        }
+        let lock = Lock::take(&self.out, Sharing::Alone)?;
+        let Some(start) = self.start(&contents.about)? else {
+            let out = self.out.display();
+            super::print(&format!("finished already; its results are in {out}\n"))?;
+            return Ok(None);
+        };
+        let folder = OutputFolder::go_on_with(lock, &contents)?;
+        // What was made from the frames of the unfinished run is out of date.
+        folder.remove(files::is_made_from_frames)?;
+        Ok(Some((folder, start)))
+    }
+
+    /// Where a run that goes on starts: broken off before its first checkpoint at the beginning, and
+    /// nowhere if it is finished.
+    fn start(&self, scene: &Value) -> Result<Option<Start>, Failure> {
+        let file = checkpoint(&self.out);
         let begun = Manifest::read(&self.out)?.filter(|begun| begun.command == COMMAND);
         match begun {
-            Some(begun) if is_kept => same_scene(&begun.about, &scene)?,
-            Some(begun) if begun.about == scene && !self.out.join("summary.json").exists() => {
-                super::tell(format_args!("no checkpoint yet: from the start"));
-                course.start = Start::Fresh;
+            Some(begun) if file.exists() => same_scene(&begun.about, scene)?,
+            Some(begun) if is_finished(&self.out) => {
+                same_scene(&begun.about, scene)?;
+                return Ok(None);
             }
-            None if is_kept => {}
+            Some(begun) if begun.about == *scene => {
+                super::tell(format_args!("no checkpoint yet: from the start"));
+                return Ok(Some(Start::Fresh));
+            }
+            None if file.exists() => {}
             _ => {
-                long::kept(&checkpoint(&self.out))?;
+                long::kept(&file)?;
             }
         }
-        let about = scene;
-        let command = COMMAND;
-        let contents = Contents {
-            command,
-            about,
-            files,
-        };
-        Ok((OutputFolder::go_on(&self.out, &contents)?, course))
+        Ok(Some(Start::Resume))
     }
 
     fn turn(&self, scene: &TipScene) -> Result<(), Failure> {
@@ -196,11 +232,15 @@ impl Arguments {
         )?;
         // All refusals come before the folder is touched.
         build(scene).map_err(TipError::Build)?;
-        let (_folder, course) = self.long(scene.json(), files::TIP)?;
-        let run = tip::simulate(scene, &self.out, &course)?;
+        let Some((folder, start)) = self.long(scene.json(), files::TIP)? else {
+            return Ok(());
+        };
+        let run = tip::simulate(scene, &self.out, &self.course(start, folder.lock()))?;
         // From here on a break costs no more than the results.
-        write_atomically(&checkpoint(&self.out), run.checkpoint().as_bytes())?;
-        tip::write(scene, &run, &self.out)?;
+        folder.remove(files::is_made_from_frames)?;
+        folder.write(CHECKPOINT, run.checkpoint().as_bytes())?;
+        tip::write(scene, &run, &folder)?;
+        folder.check()?;
         forget_checkpoint(&self.out)?;
         tip::report(&run.outcome(), &self.out)
     }
@@ -210,12 +250,16 @@ impl Arguments {
         size::check(&size, "spheres", Allowed::of(self.allow_large))?;
         // All refusals come before the folder is touched.
         Compaction::check(scene)?;
-        let (_folder, course) = self.long(scene.json(), files::POWDER)?;
-        let compaction = powder::simulate(scene, &self.out, &course)?;
+        let Some((folder, start)) = self.long(scene.json(), files::POWDER)? else {
+            return Ok(());
+        };
+        let compaction = powder::simulate(scene, &self.out, &self.course(start, folder.lock()))?;
         // From here on a break costs no more than the results.
-        write_atomically(&checkpoint(&self.out), compaction.checkpoint().as_bytes())?;
+        folder.remove(files::is_made_from_frames)?;
+        folder.write(CHECKPOINT, compaction.checkpoint().as_bytes())?;
         let outcome = compaction.outcome();
-        powder::write(scene, &compaction, &outcome, &self.out)?;
+        powder::write(scene, &compaction, &outcome, &folder)?;
+        folder.check()?;
         forget_checkpoint(&self.out)?;
         powder::report(&outcome, &self.out)
     }
@@ -227,14 +271,14 @@ impl Arguments {
                 meter.tell(done, format_args!("sliding"));
             }
         })?;
-        let mut folder = begin(&self.out, scene.json(), files::DISK)?;
+        let folder = begin(&self.out, scene.json(), files::DISK, self.broken())?;
         let rows = result.series.iter().map(<[f64; COLUMNS.len()]>::as_slice);
         write_series(&self.out.join("series.csv"), &COLUMNS, rows)?;
         image::write_both(&self.out, "motion", &figure(scene, &result))?;
         folder.seal(&["series.csv"])?;
         // Last: a summary stands only beside complete results.
         let summary = format!("{:#}\n", result.outcome.json(scene));
-        write_atomically(&self.out.join("summary.json"), summary.as_bytes())?;
+        folder.write("summary.json", summary.as_bytes())?;
         self.report(scene, &result)
     }
 

@@ -10,8 +10,9 @@ mod still;
 use self::colors::Paint;
 use self::kept::{Kept, summary};
 use self::solid::Solid;
-use crate::command::run::frames_folder;
+use crate::command::run::{files, frames_folder};
 use crate::failure::Failure;
+use crate::folder;
 use crate::report::player::Film;
 use std::path::{Path, PathBuf};
 use tribos::record::write_atomically;
@@ -106,7 +107,9 @@ impl Arguments {
             chosen.push(which.number(run.frames.len())?);
         }
         for number in chosen {
-            let file = self.folder.join(format!("still-{number}.png"));
+            let name = format!("still-{number}.png");
+            folder::add(&self.folder, &[&name])?;
+            let file = self.folder.join(name);
             write_atomically(&file, &still::png(run, &look, number - 1)?)?;
             written(&file)?;
         }
@@ -120,7 +123,10 @@ impl Arguments {
     fn page(&self, film: &Film) -> Result<(), Failure> {
         let file = match &self.out {
             Some(file) => file.clone(),
-            None => self.folder.join("view.html"),
+            None => {
+                folder::add(&self.folder, &[files::PAGE])?;
+                self.folder.join(files::PAGE)
+            }
         };
         write_atomically(&file, film.page().as_bytes())?;
         written(&file)

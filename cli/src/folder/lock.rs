@@ -25,15 +25,35 @@ pub enum Sharing {
 /// A lock that is held. Dropped, it is free.
 #[derive(Debug)]
 pub struct Lock {
+    folder: PathBuf,
     path: PathBuf,
     /// None where the file system has no locks.
     file: Option<File>,
     sharing: Sharing,
 }
 
+/// What became of an attempt.
+#[derive(Debug)]
+pub enum Attempt {
+    /// The lock is held.
+    Taken(Lock),
+    /// Somebody else holds it: who, as a sentence begins.
+    InUse(String),
+}
+
 impl Lock {
     /// Takes the lock of a folder, which is made if missing.
     pub fn take(folder: &Path, sharing: Sharing) -> Result<Self, Failure> {
+        match Self::attempt(folder, sharing)? {
+            Attempt::Taken(lock) => Ok(lock),
+            Attempt::InUse(told) => Err(Failure::input(format!(
+                "{told}; wait for it, or give another --out"
+            ))),
+        }
+    }
+
+    /// Takes the lock of a folder, which is made if missing, unless somebody else holds it.
+    pub fn attempt(folder: &Path, sharing: Sharing) -> Result<Attempt, Failure> {
         let path = folder.join(NAME);
         let fail = |error| Failure::run(format!("cannot lock {}: {error}", folder.display()));
         if folder.exists() && !folder.is_dir() {
@@ -55,41 +75,67 @@ impl Lock {
                 Sharing::Alone => file.try_lock(),
                 Sharing::Shared => file.try_lock_shared(),
             };
-            match taken {
+            let file = match taken {
                 Ok(()) if !is_at(&file, &path) => continue,
-                Ok(()) => return Ok(Self::held(path, file, sharing)),
-                Err(TryLockError::WouldBlock) => return Err(in_use(folder, file)),
+                Ok(()) => Some(signed(file)),
+                Err(TryLockError::WouldBlock) => return Ok(Attempt::InUse(in_use(folder, file))),
                 Err(TryLockError::Error(error))
                     if error.kind() == std::io::ErrorKind::Unsupported =>
                 {
-                    return Ok(Self {
-                        path,
-                        file: None,
-                        sharing,
-                    });
+                    None
                 }
                 Err(TryLockError::Error(error)) => return Err(fail(error)),
-            }
+            };
+            return Ok(Attempt::Taken(Self {
+                folder: folder.to_owned(),
+                path,
+                file,
+                sharing,
+            }));
         }
     }
 
-    /// Writes who holds it. On a full disk the lock holds without a name, and what is written next
-    /// tells of the disk.
-    fn held(path: PathBuf, mut file: File, sharing: Sharing) -> Self {
-        let _ = sign(&mut file);
-        Self {
-            path,
-            file: Some(file),
-            sharing,
-        }
+    /// The folder.
+    pub fn folder(&self) -> &Path {
+        &self.folder
     }
+
+    /// Before something is written: fails if the folder at this place is not the one that was
+    /// locked. Somebody moved or deleted it, or removed the lock, and another command may be there.
+    pub fn check(&self) -> Result<(), Failure> {
+        if self.is_mine() {
+            return Ok(());
+        }
+        Err(Failure::run(format!(
+            "{0} was moved or deleted while this command worked in it, or its file {NAME} was; \
+             nothing more is written there\n  Leave the folder of a command where it is until the \
+             command ends, and give the command again.",
+            self.folder.display()
+        )))
+    }
+
+    fn is_mine(&self) -> bool {
+        let file = self.file.as_ref();
+        file.is_none_or(|file| match self.sharing {
+            Sharing::Alone => is_still_at(file, &self.path),
+            // Others that share it sign it too.
+            Sharing::Shared => is_at(file, &self.path),
+        })
+    }
+}
+
+/// Writes who holds it. On a full disk the lock holds without a name, and what is written next
+/// tells of the disk.
+fn signed(mut file: File) -> File {
+    let _ = sign(&mut file);
+    file
 }
 
 impl Drop for Lock {
     /// The file goes while it is locked: whoever opened it before sees that it is gone. One that is
-    /// shared stays for the others.
+    /// shared stays for the others, and one that another command has made since for that.
     fn drop(&mut self) {
-        if self.file.is_some() && self.sharing == Sharing::Alone {
+        if self.file.is_some() && self.sharing == Sharing::Alone && self.is_mine() {
             let _ = std::fs::remove_file(&self.path);
         }
     }
@@ -107,12 +153,29 @@ fn is_at(file: &File, path: &Path) -> bool {
 }
 
 #[cfg(not(unix))]
-fn is_at(_: &File, _: &Path) -> bool {
-    true
+fn is_at(_: &File, path: &Path) -> bool {
+    path.exists()
 }
 
-/// The refusal that names the other command.
-fn in_use(folder: &Path, mut file: File) -> Failure {
+/// Whether the file that the path leads to is the open one, which this process has signed.
+#[cfg(unix)]
+fn is_still_at(file: &File, path: &Path) -> bool {
+    is_at(file, path)
+}
+
+/// The same where files have no numbers: by the name of this process, if the file can be read while
+/// it is locked.
+#[cfg(not(unix))]
+fn is_still_at(_: &File, path: &Path) -> bool {
+    let process = format!("process {},", std::process::id());
+    match std::fs::read_to_string(path) {
+        Ok(name) => name.is_empty() || name.starts_with(&process),
+        Err(error) => error.kind() != std::io::ErrorKind::NotFound,
+    }
+}
+
+/// Names the other command.
+fn in_use(folder: &Path, mut file: File) -> String {
     let mut other = String::new();
     let told = file.read_to_string(&mut other).is_ok() && !other.trim().is_empty();
     let other = if told {
@@ -120,10 +183,7 @@ fn in_use(folder: &Path, mut file: File) -> Failure {
     } else {
         "another command"
     };
-    Failure::input(format!(
-        "{} is in use by {other}; wait for it, or give another --out",
-        folder.display()
-    ))
+    format!("{} is in use by {other}", folder.display())
 }
 
 /// Replaces the name in the file by that of this process.
@@ -230,6 +290,25 @@ mod tests {
         std::fs::write(folder.join(NAME), "process 1")?;
         assert!(Lock::take(&folder, Sharing::Alone).is_ok());
         assert!(Lock::take(&folder.join("x/y"), Sharing::Alone).is_ok());
+        Ok(())
+    }
+
+    #[test]
+    fn a_folder_that_is_moved_or_remade_is_lost() -> Result<(), Box<dyn std::error::Error>> {
+        let home = tempfile::tempdir()?;
+        let folder = home.path().join("out");
+        let lock = Lock::take(&folder, Sharing::Alone)?;
+        lock.check()?;
+        std::fs::rename(&folder, home.path().join("moved"))?;
+        assert!(matches!(lock.check(), Err(Failure::Run(_))));
+        // The lock of another command there stays when this one ends.
+        let other = Lock::take(&folder, Sharing::Alone)?;
+        assert!(lock.check().is_err());
+        drop(lock);
+        assert!(folder.join(NAME).exists());
+        other.check()?;
+        std::fs::remove_file(folder.join(NAME))?;
+        assert!(other.check().is_err());
         Ok(())
     }
 }

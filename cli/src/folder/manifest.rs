@@ -4,7 +4,7 @@ use super::Contents;
 use crate::failure::Failure;
 use serde_json::{Map, Value};
 use std::path::{Component, Path};
-use tribos::record::{digest, read_text, sealed, unsealed, write_atomically};
+use tribos::record::{digest, read_text, sealed, unsealed, write_atomically_there};
 
 /// Name of the file.
 pub const NAME: &str = "tribos.json";
@@ -28,7 +28,7 @@ pub struct Manifest {
 }
 
 impl Manifest {
-    /// Of what a command is going to write.
+    /// Of what a command begins to write.
     pub fn of(contents: &Contents<'_>) -> Self {
         Self {
             command: contents.command.into(),
@@ -36,6 +36,17 @@ impl Manifest {
             files: contents.files.iter().map(|&name| name.into()).collect(),
             digests: Map::new(),
         }
+    }
+
+    /// Adds names; whether any of them is new.
+    pub fn add(&mut self, names: &[&str]) -> bool {
+        let before = self.files.len();
+        for &name in names {
+            if !self.files.iter().any(|file| file == name) {
+                self.files.push(name.into());
+            }
+        }
+        self.files.len() > before
     }
 
     /// That of a folder, if it has one.
@@ -75,15 +86,18 @@ impl Manifest {
 
     /// Writes it into the folder.
     pub fn write(&self, folder: &Path) -> Result<(), Failure> {
+        // In one order, however the run was broken off and went on.
+        let mut files = self.files.clone();
+        files.sort();
         let map = Map::from_iter([
             (KEY.to_owned(), FORMAT.into()),
             ("command".to_owned(), self.command.as_str().into()),
             ("version".to_owned(), env!("CARGO_PKG_VERSION").into()),
             ("about".to_owned(), self.about.clone()),
-            ("files".to_owned(), self.files.clone().into()),
+            ("files".to_owned(), files.into()),
             ("digests".to_owned(), self.digests.clone().into()),
         ]);
-        Ok(write_atomically(
+        Ok(write_atomically_there(
             &folder.join(NAME),
             sealed(map).as_bytes(),
         )?)

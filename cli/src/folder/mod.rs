@@ -7,15 +7,18 @@
 
 mod lock;
 mod manifest;
+mod worth;
 
-pub use lock::{Lock, Sharing};
+pub use lock::{Attempt, Lock, Sharing};
 pub use manifest::Manifest;
+pub use worth::{Broken, is_finished};
 
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use tribos::record::frames::FrameFolder;
-use tribos::record::is_unfinished;
+use tribos::record::{is_unfinished, write_atomically_there};
 
 /// What a command is going to leave in its folder.
 #[derive(Clone, Debug)]
@@ -24,8 +27,13 @@ pub struct Contents<'a> {
     pub command: &'static str,
     /// What it is about: the scene of a run, else null.
     pub about: Value,
-    /// Names of its files; `#` stands for digits, and a folder of frames ends with `/`.
+    /// Names of files that it writes now; `#` stands for digits, and a folder of frames ends with
+    /// `/`.
     pub files: &'a [&'a str],
+    /// Names of files that it adds later, before it writes them.
+    pub later: &'a [&'a str],
+    /// What happens to a run that was broken off.
+    pub broken: Broken,
 }
 
 impl<'a> Contents<'a> {
@@ -35,47 +43,57 @@ impl<'a> Contents<'a> {
             command,
             about: Value::Null,
             files,
+            later: &[],
+            broken: Broken::Kept,
         }
     }
 }
 
-/// Commands whose folders hold many results: no other command replaces them.
-const COLLECTIONS: [&str; 2] = ["sweep", "reproduce"];
-
-/// A folder that a command works in. Dropped, it is free again.
+/// A folder that a command works in. Dropped, it is free again, and its manifest names what is there.
 #[derive(Debug)]
 pub struct OutputFolder {
-    path: PathBuf,
-    manifest: Manifest,
-    _lock: Lock,
+    lock: Arc<Lock>,
 }
 
 impl OutputFolder {
     /// The folder for a new result, made if missing: what an earlier one left is taken away.
     pub fn begin(path: &Path, contents: &Contents<'_>) -> Result<Self, Failure> {
-        Self::claim(path, contents, |_| false)
+        let lock = Lock::take(path, Sharing::Alone)?;
+        Self::claim(lock, contents, |_| false)
     }
 
     /// The folder of the same command about the same, whose files stay; or for a new result.
     pub fn go_on(path: &Path, contents: &Contents<'_>) -> Result<Self, Failure> {
-        Self::claim(path, contents, |old| {
+        Self::go_on_with(Lock::take(path, Sharing::Alone)?, contents)
+    }
+
+    /// The same for a folder whose lock is held.
+    pub fn go_on_with(lock: Lock, contents: &Contents<'_>) -> Result<Self, Failure> {
+        Self::claim(lock, contents, |old| {
             old.command == contents.command && old.about == contents.about
         })
     }
 
     fn claim(
-        path: &Path,
+        lock: Lock,
         contents: &Contents<'_>,
         stays: impl FnOnce(&Manifest) -> bool,
     ) -> Result<Self, Failure> {
-        let lock = Lock::take(path, Sharing::Alone)?;
+        let path = lock.folder();
         let old = Manifest::read(path)?;
-        let manifest = Manifest::of(contents);
         let names = old.as_ref().map_or(&[][..], |old| &old.files);
-        refuse_collections(path, old.as_ref(), contents.command)?;
+        let kept = old.as_ref().filter(|old| stays(old));
+        if let (Some(old), None) = (&old, kept) {
+            worth::refuse_loss(path, old, contents)?;
+        }
         refuse_strangers(path, contents.files, names)?;
+        refuse_strangers(path, contents.later, names)?;
         remove_unfinished(path)?;
-        if !old.as_ref().is_some_and(stays) {
+        let mut manifest = Manifest::of(contents);
+        if let Some(kept) = kept {
+            manifest = kept.clone();
+            manifest.add(contents.files);
+        } else {
             // The name of the old result goes first: what is left of it belongs to nobody then, and
             // is named again by the new one.
             Manifest {
@@ -88,32 +106,101 @@ impl OutputFolder {
             }
         }
         manifest.write(path)?;
-        Ok(Self {
-            path: path.to_owned(),
-            manifest,
-            _lock: lock,
-        })
+        let lock = Arc::new(lock);
+        Ok(Self { lock })
+    }
+
+    /// Its lock, for those that write a file now and then.
+    pub fn lock(&self) -> &Arc<Lock> {
+        &self.lock
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        self.lock.folder()
+    }
+
+    /// Before results are written: fails if the folder belongs to another command by now.
+    pub fn check(&self) -> Result<(), Failure> {
+        self.lock.check()
+    }
+
+    /// Writes a file that is named, if the folder is still this command's.
+    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
+        self.check()?;
+        write_atomically_there(&self.path().join(name), bytes)
+            .map_err(|error| self.check().err().unwrap_or_else(|| error.into()))
+    }
+
+    /// Before files are written that were not named at the start.
+    pub fn add(&self, names: &[&str]) -> Result<(), Failure> {
+        self.check()?;
+        add(self.path(), names)
+    }
+
+    /// Takes away files that the manifest names and this means.
+    pub fn remove(&self, is_meant: impl Fn(&str) -> bool) -> Result<(), Failure> {
+        self.check()?;
+        let Some(mut manifest) = Manifest::read(self.path())? else {
+            return Ok(());
+        };
+        for name in manifest.files.iter().filter(|name| is_meant(name)) {
+            remove(self.path(), name)?;
+        }
+        manifest.files.retain(|name| !is_meant(name));
+        manifest.write(self.path())
     }
 
     /// Before the summary: notes the digests of files that others will rely on.
-    pub fn seal(&mut self, names: &[&str]) -> Result<(), Failure> {
-        self.manifest.seal(&self.path, names)?;
-        self.manifest.write(&self.path)
+    pub fn seal(&self, names: &[&str]) -> Result<(), Failure> {
+        self.check()?;
+        let Some(mut manifest) = Manifest::read(self.path())? else {
+            return Ok(());
+        };
+        manifest.seal(self.path(), names)?;
+        manifest.write(self.path())
+    }
+
+    /// Leaves out of the manifest what was not written.
+    fn trim(&self) -> Result<(), Failure> {
+        self.check()?;
+        let Some(manifest) = Manifest::read(self.path())? else {
+            return Ok(());
+        };
+        let mut there = manifest.clone();
+        there.files.clear();
+        for name in &manifest.files {
+            if !matching(self.path(), name)?.is_empty() {
+                there.files.push(name.clone());
+            }
+        }
+        if there == manifest {
+            return Ok(());
+        }
+        there.write(self.path())
     }
 }
 
-/// Another command's collection is not replaced.
-fn refuse_collections(path: &Path, old: Option<&Manifest>, new: &str) -> Result<(), Failure> {
-    match old {
-        Some(old) if old.command != new && COLLECTIONS.contains(&old.command.as_str()) => {
-            Err(Failure::input(format!(
-                "{0} holds the results of `tribos {1}`; give another --out, or remove {0}",
-                path.display(),
-                old.command
-            )))
-        }
-        _ => Ok(()),
+impl Drop for OutputFolder {
+    fn drop(&mut self) {
+        // Names too many do no harm where it fails.
+        let _ = self.trim();
     }
+}
+
+/// Adds names to what a folder says of itself, before files of these names are written there.
+pub fn add(path: &Path, names: &[&str]) -> Result<(), Failure> {
+    let Some(mut manifest) = Manifest::read(path)? else {
+        return Err(Failure::run(format!(
+            "{} is gone",
+            path.join(manifest::NAME).display()
+        )));
+    };
+    refuse_strangers(path, names, &manifest.files)?;
+    if manifest.add(names) {
+        manifest.write(path)?;
+    }
+    Ok(())
 }
 
 /// Files that would be replaced though no command of tribos in this folder wrote them.

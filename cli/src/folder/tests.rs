@@ -6,11 +6,7 @@ use std::fs::{create_dir_all, write};
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 fn contents<'a>(command: &'static str, files: &'a [&'a str]) -> Contents<'a> {
-    Contents {
-        command,
-        about: Value::Null,
-        files,
-    }
+    Contents::of(command, files)
 }
 
 #[test]
@@ -19,7 +15,7 @@ fn a_new_result_takes_away_what_the_old_one_left_and_nothing_else() -> Outcome {
     let out = home.path().join("out");
     let here = |name: &str| out.join(name).exists();
     let first = contents("run", &["summary.json", "still-#.png", "view.html"]);
-    drop(OutputFolder::begin(&out, &first)?);
+    let held = OutputFolder::begin(&out, &first)?;
     for name in [
         "summary.json",
         "still-12.png",
@@ -29,12 +25,20 @@ fn a_new_result_takes_away_what_the_old_one_left_and_nothing_else() -> Outcome {
     ] {
         write(out.join(name), "x")?;
     }
+    drop(held);
     let second = contents("deposit", &["deposit.xyz", "summary.json"]);
-    drop(OutputFolder::begin(&out, &second)?);
+    let held = OutputFolder::begin(&out, &second)?;
     assert!(!here("summary.json") && !here("still-12.png") && !here(".tribos-7.tmp"));
     assert!(here("still-life.png") && here("notes.txt"));
     let kept = Manifest::read(&out)?.ok_or("no manifest")?;
     assert_eq!((kept.command.as_str(), kept.files.len()), ("deposit", 2));
+    // In the end it names what was written.
+    write(out.join("deposit.xyz"), "x")?;
+    drop(held);
+    let kept = Manifest::read(&out)?.ok_or("no manifest")?;
+    assert_eq!(kept.files, ["deposit.xyz"]);
+    write(out.join("summary.json"), "mine")?;
+    assert!(OutputFolder::begin(&out, &second).is_err());
     Ok(())
 }
 
@@ -48,9 +52,11 @@ fn files_of_somebody_else_are_not_replaced() -> Outcome {
         unreachable!("a stranger's file");
     };
     assert!(told.contains("summary.json is there"), "{told}");
-    drop(OutputFolder::begin(out, &contents("run", &["series.csv"]))?);
+    let held = OutputFolder::begin(out, &contents("run", &["series.csv"]))?;
     // Ours by now is series.csv alone.
     write(out.join("series.csv"), "ours")?;
+    assert!(held.add(&["summary.json"]).is_err());
+    drop(held);
     assert!(OutputFolder::begin(out, &contents("eval", &["summary.json"])).is_err());
     assert!(out.join("series.csv").exists());
     assert_eq!(std::fs::read(out.join("summary.json"))?, b"mine");
@@ -62,8 +68,9 @@ fn what_goes_on_stays_and_collections_are_not_replaced() -> Outcome {
     let home = tempfile::tempdir()?;
     let out = home.path();
     let sweep = contents("sweep", &["sweep.csv"]);
-    drop(OutputFolder::begin(out, &sweep)?);
+    let held = OutputFolder::begin(out, &sweep)?;
     write(out.join("sweep.csv"), "x")?;
+    drop(held);
     drop(OutputFolder::go_on(out, &sweep)?);
     assert!(out.join("sweep.csv").exists());
     let about = Contents {

@@ -354,7 +354,7 @@ fn checkpoints_of_other_scenes_and_damaged_ones_are_refused() -> Tested {
     };
     let other = refusal(&scene(&["rolling=0.5"])?, &kept);
     assert!(other.contains("`rolling` is 0.0") && other.contains("0.5 here"));
-    assert!(refusal(&here, "{").contains("run without --resume"));
+    assert!(refusal(&here, "{").contains("--anew"));
     assert!(refusal(&here, "{}").contains("its digest"));
     let old = "{\"tribos_compaction\":1,\"steps\":3}\n";
     assert!(refusal(&here, old).contains("has format 1"));

@@ -1,6 +1,7 @@
 //! Files that exist whole or not at all.
 
-use std::io::{BufWriter, Write};
+use super::target::{Target, prepare};
+use std::io::{BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// A file could not be written; whatever stood there before still does.
@@ -52,6 +53,9 @@ pub fn is_unfinished(name: &str) -> bool {
 /// Writes `bytes` to `path` through a temporary file in the same folder, which is made if missing.
 /// Once it returns, the file outlives the program and the machine's power.
 ///
+/// A symbolic link stays: the file that it leads to is replaced. A file that is replaced keeps its
+/// permissions. Devices, pipes and sockets are never replaced: the bytes go into them.
+///
 /// A program that is killed meanwhile leaves a file whose name [tells so](is_unfinished).
 ///
 /// ```
@@ -67,6 +71,22 @@ pub fn is_unfinished(name: &str) -> bool {
 /// ```
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     let mut file = AtomicFile::begin(path)?;
+    file.add(bytes)?;
+    file.finish()
+}
+
+/// As [`write_atomically`], in a folder that is there: one that was moved away is not made again.
+///
+/// ```
+/// use tribos::record::write_atomically_there;
+/// let home = tempfile::tempdir()?;
+/// assert!(write_atomically_there(&home.path().join("out/speed.csv"), b"time").is_err());
+/// assert!(!home.path().join("out").exists());
+/// write_atomically_there(&home.path().join("speed.csv"), b"time")?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_atomically_there(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    let mut file = AtomicFile::begin_there(path)?;
     file.add(bytes)?;
     file.finish()
 }
@@ -98,7 +118,9 @@ pub fn write_atomically_with<E: From<WriteError>>(
 /// A file that is written part by part, and is there once it is finished.
 #[derive(Debug)]
 pub(crate) struct AtomicFile {
+    /// As messages name it.
     path: PathBuf,
+    target: Target,
     file: BufWriter<Unnamed>,
 }
 
@@ -119,20 +141,32 @@ impl Write for Unnamed {
 impl AtomicFile {
     /// Begins a temporary file in the folder of `path`, which is made if missing.
     pub(crate) fn begin(path: &Path) -> Result<Self, WriteError> {
-        let file = || {
-            let folder = match path.parent() {
-                Some(parent) if !parent.as_os_str().is_empty() => parent,
-                _ => Path::new("."),
-            };
-            std::fs::create_dir_all(folder)?;
+        Self::begin_in(path, |folder| std::fs::create_dir_all(folder))
+    }
+
+    /// The same in a folder that is there.
+    fn begin_there(path: &Path) -> Result<Self, WriteError> {
+        Self::begin_in(path, |_| Ok(()))
+    }
+
+    fn begin_in(
+        path: &Path,
+        make: impl FnOnce(&Path) -> std::io::Result<()>,
+    ) -> Result<Self, WriteError> {
+        let begun = || {
+            let target = Target::of(path)?;
+            let folder = target.folder();
+            make(&folder)?;
             let [begin, end] = UNFINISHED;
             let mut builder = tempfile::Builder::new();
-            builder.prefix(begin).suffix(end).tempfile_in(folder)
+            builder.prefix(begin).suffix(end);
+            Ok((target, builder.tempfile_in(folder)?))
         };
         let path = path.to_path_buf();
-        match file() {
-            Ok(file) => Ok(Self {
+        match begun() {
+            Ok((target, file)) => Ok(Self {
                 path,
+                target,
                 file: BufWriter::new(Unnamed(file)),
             }),
             Err(cause) => Err(WriteError { path, cause }),
@@ -147,34 +181,28 @@ impl AtomicFile {
         })
     }
 
-    /// Gives the file its name.
+    /// Gives the file its name, or sends its bytes to what is no file.
     pub(crate) fn finish(self) -> Result<(), WriteError> {
-        let Self { path, file } = self;
-        let persist = || {
-            let Unnamed(file) = file.into_inner().map_err(|error| error.into_error())?;
-            readable_by_all(file.as_file())?;
-            file.as_file().sync_all()?;
-            file.persist(&path).map_err(|error| error.error)
+        let Self { path, target, file } = self;
+        let deliver = || {
+            let Unnamed(mut file) = file.into_inner().map_err(|error| error.into_error())?;
+            match target {
+                Target::File(place) => {
+                    prepare(file.as_file(), &place)?;
+                    file.as_file().sync_all()?;
+                    file.persist(&place).map_err(|error| error.error)?;
+                }
+                Target::Stream(place) => {
+                    let mut stream = std::fs::OpenOptions::new().append(true).open(place)?;
+                    file.rewind()?;
+                    std::io::copy(file.as_file_mut(), &mut stream)?;
+                    stream.flush()?;
+                }
+            }
+            Ok(())
         };
-        match persist() {
-            Ok(_) => Ok(()),
-            Err(cause) => Err(WriteError { path, cause }),
-        }
+        deliver().map_err(|cause| WriteError { path, cause })
     }
-}
-
-/// Temporary files are private by default; a result is an ordinary file.
-#[cfg(unix)]
-fn readable_by_all(file: &std::fs::File) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    /// Owner writes, everybody reads.
-    const ORDINARY: u32 = 0o644;
-    file.set_permissions(std::fs::Permissions::from_mode(ORDINARY))
-}
-
-#[cfg(not(unix))]
-fn readable_by_all(_: &std::fs::File) -> std::io::Result<()> {
-    Ok(())
 }
 
 #[cfg(test)]

@@ -31,12 +31,12 @@ const DIGITS: usize = 16;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CheckpointError {
     /// Damaged, or no checkpoint.
-    #[error("the checkpoint is damaged ({0}); run without --resume")]
+    #[error("the checkpoint is damaged ({0}); start anew with --anew")]
     Format(String),
     /// Of a format that this version does not read.
     #[error(
         "the checkpoint has format {found}, and this version reads format {read} only; \
-         finish the run with the version that wrote it, or run without --resume"
+         finish the run with the version that wrote it, or start anew with --anew"
     )]
     Version {
         /// In the checkpoint.
@@ -47,7 +47,7 @@ pub enum CheckpointError {
     /// Of another scene.
     #[error(
         "the checkpoint belongs to another scene: `{key}` is {kept} there and {given} here; \
-         change it back, or run without --resume"
+         change it back, or start anew with --anew"
     )]
     Scene {
         /// The first key that differs.

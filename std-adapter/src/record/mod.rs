@@ -8,12 +8,15 @@ mod read;
 mod seal;
 mod series;
 mod snapshot;
+mod target;
 pub mod trajectory;
 mod vtk;
 mod xyz;
 
 pub(crate) use atomic::AtomicFile;
-pub use atomic::{WriteError, is_unfinished, write_atomically, write_atomically_with};
+pub use atomic::{
+    WriteError, is_unfinished, write_atomically, write_atomically_there, write_atomically_with,
+};
 pub use kept::CheckpointError;
 pub use number::{json_number, number};
 pub use read::{ReadError, read_text};

@@ -57,7 +57,8 @@ pub struct Arguments {
     #[arg(long, conflicts_with_all = ["count", "capture_radius", "spread"])]
     porosity_curve: bool,
     /// Folder for the results; made if missing. Results of an earlier command in it go away first;
-    /// files that no command of tribos wrote there are never replaced.
+    /// files that no command of tribos wrote there are never replaced. The folder of a powder's run,
+    /// a tip, a sweep or a report is refused.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Grow it even if it is expected to take more than 4 GB of memory.

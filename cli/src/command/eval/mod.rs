@@ -49,6 +49,7 @@ pub struct Arguments {
     #[arg(long)]
     units: Option<Units>,
     /// Folder for the results; made if missing; files of an earlier command in it go away first.
+    /// The folder of a powder, a tip, a sweep or a report is refused.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }

@@ -4,7 +4,7 @@ use crate::command::run::frames_folder;
 use crate::command::view::kept::Kept;
 use crate::command::view::path;
 use crate::failure::Failure;
-use crate::folder::{Contents, OutputFolder};
+use crate::folder::{self, Contents, OutputFolder};
 use nalgebra::Vector3;
 use std::path::{Path, PathBuf};
 use tribos::record::frames::{Bodies, FrameFolder};
@@ -20,18 +20,20 @@ use tribos::record::trajectory::{self, Column, Format, Side, State, Values};
 pub struct Trajectory {
     /// The folder of the run.
     run: PathBuf,
-    /// Folder for the files; made if missing. [default: that of the run]
+    /// Folder for the files; made if missing; an export of another run in it goes away first.
+    /// [default: that of the run]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
 
-/// What an export leaves in a folder of its own.
-const FILES: [&str; 4] = [
-    "trajectory.pvd",
-    "trajectory/#.vtp",
-    "trajectory.xyz",
-    "trajectory.dump",
-];
+/// What an export leaves.
+fn files(format: Format) -> &'static [&'static str] {
+    match format {
+        Format::Vtk => &["trajectory.pvd", "trajectory/#.vtp"],
+        Format::Xyz => &["trajectory.xyz"],
+        Format::LammpsDump => &["trajectory.dump"],
+    }
+}
 
 impl Trajectory {
     /// Writes, one state after another.
@@ -48,16 +50,23 @@ impl Trajectory {
     }
 
     /// The folder for the files: the run's, or one of their own.
-    fn folder(&self, kept: &Kept) -> Result<(&Path, Option<OutputFolder>), Failure> {
+    fn folder(
+        &self,
+        kept: &Kept,
+        format: Format,
+    ) -> Result<(&Path, Option<OutputFolder>), Failure> {
         match &self.out {
             Some(out) if !is_same(out, &self.run) => {
                 let contents = Contents {
                     about: kept.manifest.about.clone(),
-                    ..Contents::of("export", &FILES)
+                    ..Contents::of("export", files(format))
                 };
                 Ok((out, Some(OutputFolder::go_on(out, &contents)?)))
             }
-            _ => Ok((&self.run, None)),
+            _ => {
+                folder::add(&self.run, files(format))?;
+                Ok((&self.run, None))
+            }
         }
     }
 
@@ -75,7 +84,7 @@ impl Trajectory {
                 frames.display()
             )));
         }
-        let (out, _lock) = self.folder(kept)?;
+        let (out, _lock) = self.folder(kept, format)?;
         let mut film = trajectory::Trajectory::begin(out, format)?;
         for step in steps {
             let frame = FrameFolder::read(frames, bodies, step)?;
@@ -99,7 +108,7 @@ impl Trajectory {
             )));
         }
         let states = states(&self.run, kept)?;
-        let (out, _lock) = self.folder(kept)?;
+        let (out, _lock) = self.folder(kept, format)?;
         let mut film = trajectory::Trajectory::begin(out, format)?;
         for state in states {
             film.add(&state)?;

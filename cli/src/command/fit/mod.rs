@@ -44,6 +44,7 @@ pub struct Arguments {
     starts: NonZero<usize>,
     /// Folder for fit.toml, covariance.csv, residuals.csv, fit.svg and fit.png; made if missing;
     /// files of an earlier command in it go away first.
+    /// The folder of a powder, a tip, a sweep or a report is refused.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }

@@ -2,7 +2,7 @@
 
 use super::place::{folder_of, relative};
 use super::ticker;
-use crate::command::scene;
+use crate::command::{file, scene};
 use crate::failure::Failure;
 use std::path::PathBuf;
 use tribos::golden::{Golden, Pinned, measure};
@@ -35,10 +35,8 @@ impl Arguments {
             .iter()
             .map(|path| scene::read(path, &self.overrides))
             .collect::<Result<_, _>>()?;
-        if let Some(path) = self.scenes.iter().find(|path| **path == self.out) {
-            let name = path.display();
-            let message = format!("--out {name} is one of the scenes; name another file");
-            return Err(Failure::input(message));
+        for path in &self.scenes {
+            file::refuse_input("--out", &self.out, path)?;
         }
         let folder = folder_of(&self.out);
         std::fs::create_dir_all(folder)

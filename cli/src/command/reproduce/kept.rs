@@ -2,9 +2,11 @@
 
 use super::runs::Effort;
 use crate::failure::Failure;
+use crate::folder::Lock;
 use crate::report::page::Section;
 use std::hash::{DefaultHasher, Hasher};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 use tribos::record::write_atomically;
 
@@ -15,7 +17,8 @@ const FOLDER: &str = "kept";
 /// may compute other bits.
 #[derive(Debug)]
 pub struct Kept {
-    report: PathBuf,
+    /// Of the report's folder.
+    pub lock: Arc<Lock>,
     folder: PathBuf,
     /// Time from one checkpoint of a run to the next.
     pub pause: Duration,
@@ -23,18 +26,19 @@ pub struct Kept {
 
 impl Kept {
     /// Opens it, and takes away what another program has left there.
-    pub fn open(report: &Path, pause: Duration) -> Result<Self, Failure> {
-        let all = report.join(FOLDER);
+    pub fn open(lock: Arc<Lock>, pause: Duration) -> Result<Self, Failure> {
+        let all = lock.folder().join(FOLDER);
         let mine = all.join(program());
         let others = std::fs::read_dir(&all).into_iter().flatten().flatten();
-        for other in others.filter(|other| other.path() != mine) {
+        let others = others.filter(|other| other.path() != mine);
+        for other in others.filter(|other| is_a_programs(&other.file_name().to_string_lossy())) {
             let place = other.path();
             std::fs::remove_dir_all(&place).map_err(|error| {
                 Failure::run(format!("cannot remove {}: {error}", place.display()))
             })?;
         }
         Ok(Self {
-            report: report.to_owned(),
+            lock,
             folder: mine,
             pause,
         })
@@ -44,7 +48,7 @@ impl Kept {
     pub fn section(&self, name: &str, effort: Effort) -> Option<Section> {
         let text = std::fs::read_to_string(self.section_file(name, effort)).ok()?;
         let section: Section = serde_json::from_str(&text).ok()?;
-        let there = |file: &String| self.report.join(file).exists();
+        let there = |file: &String| self.lock.folder().join(file).exists();
         let files = section.figure.iter().flat_map(|figure| &figure.files);
         files.clone().all(there).then_some(section)
     }
@@ -53,6 +57,7 @@ impl Kept {
     pub fn keep(&self, name: &str, effort: Effort, section: &Section) -> Result<(), Failure> {
         let text = serde_json::to_string(section).map_err(Failure::run)?;
         let file = self.section_file(name, effort);
+        self.lock.check()?;
         Ok(write_atomically(&file, text.as_bytes())?)
     }
 
@@ -74,17 +79,32 @@ fn program() -> String {
     format!("{}-{:016x}", env!("CARGO_PKG_VERSION"), hasher.finish())
 }
 
+/// Whether a name is one of a program; others are somebody else's.
+fn is_a_programs(name: &str) -> bool {
+    /// Hexadecimal digits of a digest.
+    const DIGITS: usize = 16;
+    let digest = name.rsplit_once('-').map_or("", |(_, digest)| digest);
+    digest.len() == DIGITS && digest.bytes().all(|byte| byte.is_ascii_hexdigit())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::folder::Sharing;
     use crate::report::page::FigureRef;
+    use std::path::Path;
 
     type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+    fn open(report: &Path) -> Result<Kept, Failure> {
+        let lock = Lock::take(report, Sharing::Shared)?;
+        Kept::open(lock.into(), Duration::ZERO)
+    }
 
     #[test]
     fn a_section_is_kept_with_its_effort_while_its_files_are_there() -> Outcome {
         let folder = tempfile::tempdir()?;
-        let kept = Kept::open(folder.path(), Duration::ZERO)?;
+        let kept = open(folder.path())?;
         let section = Section {
             heading: "Ångström".into(),
             figure: Some(FigureRef {
@@ -106,11 +126,14 @@ mod tests {
         let folder = tempfile::tempdir()?;
         let other = folder.path().join(FOLDER).join("0.0.0-0123456789abcdef");
         std::fs::create_dir_all(&other)?;
-        std::fs::create_dir_all(folder.path().join("mine"))?;
-        let kept = Kept::open(folder.path(), Duration::ZERO)?;
-        assert!(!other.exists() && folder.path().join("mine").exists());
+        let mine = ["mine", "kept/mine", "kept/holiday-2026"].map(|name| folder.path().join(name));
+        for mine in &mine {
+            std::fs::create_dir_all(mine)?;
+        }
+        let kept = open(folder.path())?;
+        assert!(!other.exists() && mine.iter().all(|mine| mine.exists()));
         std::fs::create_dir_all(kept.run("x"))?;
-        assert!(Kept::open(folder.path(), Duration::ZERO)?.run("x").exists());
+        assert!(open(folder.path())?.run("x").exists());
         Ok(())
     }
 }

@@ -44,7 +44,7 @@ use exhibit::Exhibit;
 use kept::Kept;
 use plan::{Plan, Seconds};
 use runs::{Effort, Runs};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 use tribos::record::{series_csv, write_atomically};
 
@@ -58,7 +58,8 @@ use tribos::record::{series_csv, write_atomically};
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
-    /// Folder for the report; made if missing; its own files in it are replaced.
+    /// Folder for the report; made if missing; its own files in it are replaced. The folder of a
+    /// sweep, or of a run of a powder or a tip, is refused.
     #[arg(long, value_name = "DIR", required_unless_present = "list")]
     out: Option<PathBuf>,
     /// What to reproduce, such as 3.4 or table-3.1; everything if left out.
@@ -182,14 +183,15 @@ impl Arguments {
         };
         interrupt::watch()?;
         let files = ["index.html", "claims.csv"];
-        let _folder = OutputFolder::go_on(&out, &Contents::of("reproduce", &files))?;
+        let folder = OutputFolder::go_on(&out, &Contents::of("reproduce", &files))?;
         let pause = Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX);
-        let runs = Runs::new(effort, Kept::open(&out, pause)?);
-        let sections = sections(&out, &chosen, &runs)?;
+        let runs = Runs::new(effort, Kept::open(folder.lock().clone(), pause)?);
+        let sections = sections(&folder, &chosen, &runs)?;
         let all = counts(sections.iter().flat_map(|section| &section.claims));
         let failed = sections.iter().flat_map(|section| &section.claims);
         let failed = failed.filter(|claim| claim.verdict == Verdict::Failed);
         let failed: Vec<String> = failed.map(|claim| claim.statement.clone()).collect();
+        folder.check()?;
         write_atomically(&out.join("claims.csv"), claims_csv(&sections).as_bytes())?;
         write_atomically(
             &out.join("index.html"),
@@ -215,7 +217,7 @@ impl Arguments {
 
 /// The sections in order: those that are finished as they are kept, the others made now.
 fn sections(
-    out: &Path,
+    folder: &OutputFolder,
     chosen: &[(&'static str, Maker)],
     runs: &Runs,
 ) -> Result<Vec<Section>, Failure> {
@@ -251,7 +253,7 @@ fn sections(
                 continue;
             }
             None => {
-                let section = write_exhibit(out, name, maker.make(runs)?)?;
+                let section = write_exhibit(folder, name, maker.make(runs)?)?;
                 kept.keep(name, effort, &section)?;
                 super::print(&format!("{name:<17} {}\n", counts(&section.claims).words()))?;
                 *slot = Some(section);
@@ -300,16 +302,18 @@ fn chosen(names: &[String]) -> Result<Vec<(&'static str, Maker)>, Failure> {
 }
 
 /// Writes the exhibit's files and makes its section of the page.
-fn write_exhibit(out: &Path, name: &str, exhibit: Exhibit) -> Result<Section, Failure> {
+fn write_exhibit(folder: &OutputFolder, name: &str, exhibit: Exhibit) -> Result<Section, Failure> {
+    let out = folder.path();
     let stem = match name.chars().next() {
         Some('2'..='5') => format!("figure-{name}"),
         _ => name.to_owned(),
     };
+    let files = ["csv", "svg", "png"].map(|ending| format!("{stem}.{ending}"));
+    folder.add(&files.each_ref().map(String::as_str))?;
     let rows = exhibit.rows.iter().map(Vec::as_slice);
     let csv = series_csv(&exhibit.columns, rows);
     write_atomically(&out.join(format!("{stem}.csv")), csv.as_bytes())?;
     let svg = image::write_both(out, &stem, exhibit.drawing.as_ref())?;
-    let files = ["csv", "svg", "png"].map(|ending| format!("{stem}.{ending}"));
     Ok(Section {
         id: stem,
         heading: exhibit.heading,

@@ -143,10 +143,13 @@ impl Run {
     fn of(case: &Case, kept: &Kept) -> Result<Self, Failure> {
         let scene = case.scene()?;
         let folder = kept.run(&case.folder());
-        let course = |start| Course::one_of_many(start, kept.pause, case.frames());
+        kept.lock.check()?;
+        std::fs::create_dir_all(&folder).map_err(Failure::run)?;
+        let course = |start| Course::one_of_many(&kept.lock, start, kept.pause, case.frames());
         let run = |start| powder::simulate(&scene, &folder, &course(start));
         let compaction = resumed(run)?;
         let end = compaction.checkpoint();
+        kept.lock.check()?;
         write_atomically(&checkpoint(&folder), end.as_bytes())?;
         Ok(Self {
             outcome: compaction.outcome(),
@@ -267,16 +270,16 @@ impl Batch {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::folder::{Lock, Sharing};
     use std::path::Path;
     use std::time::Duration;
 
     type Outcome = Result<(), Box<dyn std::error::Error>>;
 
     fn runs_in(folder: &Path) -> Result<Runs, Failure> {
-        Ok(Runs::new(
-            Effort::Quick,
-            Kept::open(folder, Duration::ZERO)?,
-        ))
+        let lock = Lock::take(folder, Sharing::Shared)?;
+        let kept = Kept::open(lock.into(), Duration::ZERO)?;
+        Ok(Runs::new(Effort::Quick, kept))
     }
 
     #[test]

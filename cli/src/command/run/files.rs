@@ -2,36 +2,17 @@
 //! for a number, and folders of frames.
 
 /// Of a disk.
-pub const DISK: &[&str] = &[
-    "summary.json",
-    "series.csv",
-    "motion.svg",
-    "motion.png",
-    "view.html",
-    "trajectory.pvd",
-    "trajectory/#.vtp",
-    "trajectory.xyz",
-    "trajectory.dump",
-];
+pub const DISK: &[&str] = &["summary.json", "series.csv", "motion.svg", "motion.png"];
 
 /// Of a body in the plane.
-pub const PATH: &[&str] = &[
-    "summary.json",
-    "series.csv",
-    "path.svg",
-    "path.png",
-    "view.html",
-    "trajectory.pvd",
-    "trajectory/#.vtp",
-    "trajectory.xyz",
-    "trajectory.dump",
-];
+pub const PATH: &[&str] = &["summary.json", "series.csv", "path.svg", "path.png"];
 
-/// Of a powder.
+/// Of a powder or a tip under way.
+pub const UNDER_WAY: &[&str] = &["checkpoint.json", "frames/"];
+
+/// Results of a powder.
 pub const POWDER: &[&str] = &[
     "summary.json",
-    "checkpoint.json",
-    "frames/",
     "series.csv",
     "series.svg",
     "series.png",
@@ -43,19 +24,11 @@ pub const POWDER: &[&str] = &[
     "final.xyz",
     "final.vtp",
     "final-contacts.vtp",
-    "still-#.png",
-    "view.html",
-    "trajectory.pvd",
-    "trajectory/#.vtp",
-    "trajectory.xyz",
-    "trajectory.dump",
 ];
 
-/// Of a tip.
+/// Results of a tip.
 pub const TIP: &[&str] = &[
     "summary.json",
-    "checkpoint.json",
-    "frames/",
     "series.csv",
     "angles.svg",
     "angles.png",
@@ -63,10 +36,12 @@ pub const TIP: &[&str] = &[
     "tip.png",
     "initial.data",
     "final.data",
-    "still-#.png",
-    "view.html",
-    "trajectory.pvd",
-    "trajectory/#.vtp",
-    "trajectory.xyz",
-    "trajectory.dump",
 ];
+
+/// The page of `tribos view`.
+pub const PAGE: &str = "view.html";
+
+/// Whether `tribos view` or `tribos export` made a file of this name from the frames.
+pub fn is_made_from_frames(name: &str) -> bool {
+    name == PAGE || name.starts_with("still-") || name.starts_with("trajectory")
+}

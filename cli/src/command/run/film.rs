@@ -43,10 +43,10 @@ impl Film {
         }
         Ok(Self(match limit.unwrap_or(USUAL) {
             0 => {
-                FrameFolder::clear(&path)?;
+                FrameFolder::clear(&path).map_err(written)?;
                 None
             }
-            limit => Some(FrameFolder::begin(&path, &run.bodies(limit))?),
+            limit => Some(FrameFolder::begin(&path, &run.bodies(limit)).map_err(written)?),
         }))
     }
 
@@ -74,7 +74,7 @@ impl Film {
     /// Before a checkpoint, which stands only beside all frames before it.
     pub fn save(&mut self) -> Result<(), Failure> {
         match &mut self.0 {
-            Some(folder) => Ok(folder.save()?),
+            Some(folder) => folder.save().map_err(written),
             None => Ok(()),
         }
     }
@@ -82,9 +82,17 @@ impl Film {
     /// Sees the last state.
     pub fn end(self, run: &impl Filmed) -> Result<(), Failure> {
         match self.0 {
-            Some(folder) => Ok(folder.finish(&run.frame())?),
+            Some(folder) => folder.finish(&run.frame()).map_err(written),
             None => Ok(()),
         }
+    }
+}
+
+/// Of a run's own frames: a folder that went away under it is no bad input.
+fn written(error: FrameError) -> Failure {
+    match error {
+        FrameError::Access { .. } => Failure::run(error),
+        error => error.into(),
     }
 }
 
@@ -99,9 +107,28 @@ pub(super) fn number(text: &str) -> Result<u64, String> {
 impl From<FrameError> for Failure {
     fn from(error: FrameError) -> Self {
         match error {
-            FrameError::Write(_) => Self::run(error),
+            FrameError::Write(error) => error.into(),
             // What is there cannot be used, or is asked for what it is not.
             _ => Self::input(error),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::{Error, ErrorKind};
+    use tribos::record::WriteError;
+
+    #[test]
+    fn a_frame_that_finds_no_room_says_so_and_a_lost_folder_is_no_bad_input() {
+        let path = PathBuf::from("out/frames/000000000007.frame");
+        let cause = Error::from(ErrorKind::StorageFull);
+        let full = written(WriteError { path, cause }.into());
+        assert!(matches!(&full, Failure::NoRoom(told) if told.contains("Make room")));
+        let path = PathBuf::from("out/frames");
+        let cause = Error::from(ErrorKind::NotFound);
+        let lost = written(FrameError::Access { path, cause });
+        assert!(matches!(lost, Failure::Run(_)));
     }
 }

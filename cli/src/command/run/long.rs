@@ -3,7 +3,7 @@
 use super::size::Allowed;
 use crate::command::interrupt;
 use crate::failure::Failure;
-use crate::folder::remove_file;
+use crate::folder::{Lock, remove_file};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tribos::record::{WriteError, read_text};
@@ -28,7 +28,9 @@ pub enum Progress {
 
 /// How a long run goes.
 #[derive(Clone, Copy, Debug)]
-pub struct Course {
+pub struct Course<'a> {
+    /// What keeps others out of the folder.
+    pub lock: &'a Lock,
     /// Where it starts.
     pub start: Start,
     /// Time from one checkpoint to the next.
@@ -42,10 +44,11 @@ pub struct Course {
     pub allowed: Allowed,
 }
 
-impl Course {
+impl<'a> Course<'a> {
     /// One run of many, which nobody is told of; at most `frames` are kept of it.
-    pub fn one_of_many(start: Start, pause: Duration, frames: u64) -> Self {
+    pub fn one_of_many(lock: &'a Lock, start: Start, pause: Duration, frames: u64) -> Self {
         Self {
+            lock,
             start,
             pause,
             frames: Some(frames),
@@ -87,7 +90,17 @@ impl From<Unfinished> for Failure {
 /// Bytes of a checkpoint at most: twenty million spheres take some 15 GB.
 const MOST_BYTES: u64 = 1 << 36;
 
-impl Course {
+impl Course<'_> {
+    /// Why a run ended: a folder that was lost explains every file that could not be written.
+    pub(super) fn explained(&self, end: Unfinished) -> Unfinished {
+        match (end, self.lock.check()) {
+            (Unfinished::Stopped(Failure::Run(_) | Failure::Input(_)), Err(lost)) => {
+                Unfinished::Stopped(lost)
+            }
+            (end, _) => end,
+        }
+    }
+
     /// The end of a run that was asked to end, its checkpoint and frames written; of one of many
     /// whoever has started them says how to go on.
     pub(super) fn ended(&self, out: &Path, at: &str) -> Failure {
@@ -98,9 +111,12 @@ impl Course {
     }
 }
 
+/// Name of a checkpoint.
+pub const CHECKPOINT: &str = "checkpoint.json";
+
 /// The checkpoint of a folder.
 pub fn checkpoint(out: &Path) -> PathBuf {
-    out.join("checkpoint.json")
+    out.join(CHECKPOINT)
 }
 
 /// The text of a checkpoint.

@@ -3,18 +3,19 @@
 use super::{begin, files};
 use crate::command::digits::shown;
 use crate::failure::Failure;
+use crate::folder::Broken;
 use crate::report::figure::{Axis, Figure, Series};
 use crate::report::image;
 use std::path::Path;
-use tribos::record::{write_atomically, write_series};
+use tribos::record::write_series;
 use tribos::scene::PlanarScene;
 use tribos::slide::planar::Ending;
 use tribos::slide::{PATH_COLUMNS, PathRun, run_path};
 
 /// Runs the scene and writes its results into the folder.
-pub fn run(scene: &PlanarScene, out: &Path) -> Result<(), Failure> {
+pub fn run(scene: &PlanarScene, out: &Path, broken: Broken) -> Result<(), Failure> {
     let result = run_path(scene)?;
-    let mut folder = begin(out, scene.json(), files::PATH)?;
+    let folder = begin(out, scene.json(), files::PATH, broken)?;
     let rows = result
         .series
         .iter()
@@ -24,7 +25,7 @@ pub fn run(scene: &PlanarScene, out: &Path) -> Result<(), Failure> {
     folder.seal(&["series.csv"])?;
     // Last: a summary stands only beside complete results.
     let summary = format!("{:#}\n", result.outcome.json(scene));
-    write_atomically(&out.join("summary.json"), summary.as_bytes())?;
+    folder.write("summary.json", summary.as_bytes())?;
     report(&result, out)
 }
 

@@ -17,7 +17,7 @@ use std::time::Instant;
 use tribos::powder::deposit::DepositError;
 use tribos::powder::{Compaction, CompactionError, size};
 use tribos::record::frames::{Bodies, Frame};
-use tribos::record::write_atomically;
+use tribos::record::write_atomically_there;
 use tribos::run::{Simulation, drive_watched};
 use tribos::scene::PowderScene;
 
@@ -25,10 +25,19 @@ use tribos::scene::PowderScene;
 pub fn simulate(
     scene: &PowderScene,
     out: &Path,
-    course: &Course,
+    course: &Course<'_>,
+) -> Result<Compaction, Unfinished> {
+    compacted(scene, out, course).map_err(|end| course.explained(end))
+}
+
+fn compacted(
+    scene: &PowderScene,
+    out: &Path,
+    course: &Course<'_>,
 ) -> Result<Compaction, Unfinished> {
     let file = checkpoint(out);
     let mut compaction = begin(scene, &file, course)?;
+    course.lock.check()?;
     let mut film = Film::of(&compaction, out, course.start, course.frames)?;
     let (mut meter, mut saved) = (Meter::new(), Instant::now());
     let mut sweeps = 0;
@@ -43,8 +52,10 @@ pub fn simulate(
         film.look(compaction);
         let is_due = compaction.steps() > 0 && saved.elapsed() >= course.pause;
         if is_due || interrupt::is_asked() {
+            course.lock.check()?;
             film.save()?;
-            write_atomically(&file, compaction.checkpoint().as_bytes())?;
+            course.lock.check()?;
+            write_atomically_there(&file, compaction.checkpoint().as_bytes())?;
             saved = Instant::now();
         }
         if interrupt::is_asked() {
@@ -53,12 +64,13 @@ pub fn simulate(
         }
         Ok::<(), Unfinished>(())
     })?;
+    course.lock.check()?;
     film.end(&compaction)?;
     Ok(compaction)
 }
 
 /// The deposit, with how far its growth is, or the state of the checkpoint.
-fn begin(scene: &PowderScene, file: &Path, course: &Course) -> Result<Compaction, Unfinished> {
+fn begin(scene: &PowderScene, file: &Path, course: &Course<'_>) -> Result<Compaction, Unfinished> {
     let size = size(scene);
     super::size::check(&size, "spheres", course.allowed).map_err(Unfinished::Refused)?;
     let is_told = course.progress == Progress::Told;

@@ -7,12 +7,14 @@ use super::long::{Course, Progress, Start, Unfinished, checkpoint, kept};
 use crate::command::digits::shown;
 use crate::command::interrupt;
 use crate::command::progress::Meter;
+use crate::command::run::files;
 use crate::failure::Failure;
+use crate::folder::OutputFolder;
 use crate::report::image;
 use std::path::Path;
 use std::time::Instant;
 use tribos::record::frames::{Bodies, Frame};
-use tribos::record::{self, write_atomically};
+use tribos::record::{self, write_atomically_there};
 use tribos::run::{Simulation, drive_watched};
 use tribos::scene::TipScene;
 use tribos::tip::export;
@@ -21,7 +23,11 @@ use tribos::tip::{Outcome, TipError, TipRun, Verdict, size};
 pub use picture::{atoms, series};
 
 /// Runs the scene to its end, with checkpoints and frames in the folder.
-pub fn simulate(scene: &TipScene, out: &Path, course: &Course) -> Result<TipRun, Unfinished> {
+pub fn simulate(scene: &TipScene, out: &Path, course: &Course<'_>) -> Result<TipRun, Unfinished> {
+    turned(scene, out, course).map_err(|end| course.explained(end))
+}
+
+fn turned(scene: &TipScene, out: &Path, course: &Course<'_>) -> Result<TipRun, Unfinished> {
     let file = checkpoint(out);
     let size = size(scene);
     super::size::check(&size, "atoms", course.allowed).map_err(Unfinished::Refused)?;
@@ -32,6 +38,7 @@ pub fn simulate(scene: &TipScene, out: &Path, course: &Course) -> Result<TipRun,
         Start::Fresh => TipRun::new(scene)?,
         Start::Resume => TipRun::resume(scene, &kept(&file)?)?,
     };
+    course.lock.check()?;
     let mut film = Film::of(&run, out, course.start, course.frames)?;
     let (mut meter, mut saved) = (Meter::new(), Instant::now());
     drive_watched(&mut run, |run| {
@@ -45,8 +52,10 @@ pub fn simulate(scene: &TipScene, out: &Path, course: &Course) -> Result<TipRun,
         film.look(run);
         let is_due = run.series().len() > 1 && saved.elapsed() >= course.pause;
         if is_due || interrupt::is_asked() {
+            course.lock.check()?;
             film.save()?;
-            write_atomically(&file, run.checkpoint().as_bytes())?;
+            course.lock.check()?;
+            write_atomically_there(&file, run.checkpoint().as_bytes())?;
             saved = Instant::now();
         }
         if interrupt::is_asked() {
@@ -55,6 +64,7 @@ pub fn simulate(scene: &TipScene, out: &Path, course: &Course) -> Result<TipRun,
         }
         Ok::<(), Unfinished>(())
     })?;
+    course.lock.check()?;
     film.end(&run)?;
     Ok(run)
 }
@@ -80,25 +90,25 @@ pub fn write_series(run: &TipRun, out: &Path) -> Result<(), Failure> {
 }
 
 /// Writes series, pictures, the first and the last state and at last the summary.
-pub fn write(scene: &TipScene, run: &TipRun, out: &Path) -> Result<(), Failure> {
+pub fn write(scene: &TipScene, run: &TipRun, folder: &OutputFolder) -> Result<(), Failure> {
+    folder.add(files::TIP)?;
+    let out = folder.path();
     let outcome = run.outcome();
     write_series(run, out)?;
     image::write_both(out, "angles", &series(scene, run, &outcome))?;
     if interrupt::is_asked() {
         return Err(interrupt::ended(out, "while results were written"));
     }
+    folder.check()?;
     image::write_both(out, "tip", &picture::both_ends(scene, run)?)?;
     let start = export::start(scene).map_err(Failure::input)?;
-    write_atomically(&out.join("initial.data"), start.data.as_bytes())?;
+    folder.write("initial.data", start.data.as_bytes())?;
     let atoms = run.system().atoms();
     let velocities = run.system().velocities_on_step();
     let end = export::data(scene, &atoms.positions, &velocities, run.parts());
-    write_atomically(&out.join("final.data"), end.as_bytes())?;
+    folder.write("final.data", end.as_bytes())?;
     let summary = format!("{:#}\n", outcome.json(scene));
-    Ok(write_atomically(
-        &out.join("summary.json"),
-        summary.as_bytes(),
-    )?)
+    folder.write("summary.json", summary.as_bytes())
 }
 
 /// A few lines for the person at the terminal.

@@ -6,8 +6,8 @@ use crate::command::digits::shown;
 use crate::command::run::long::{Course, Start, Unfinished, resumed};
 use crate::command::run::{powder, tip};
 use crate::failure::Failure;
+use crate::folder::Lock;
 use serde_json::{Value, json};
-use std::path::Path;
 use std::time::Duration;
 use tribos::scene::{self, PlanarScene, PowderScene, Scene, SliderScene, TipScene};
 use tribos::slide::{self, SlideError};
@@ -72,7 +72,7 @@ impl Body {
     /// Runs to the end, on from a checkpoint if there is one: the summary, and a line about it.
     ///
     /// A scene that is refused, at its start or on its way, has a summary too: it is refused every time.
-    pub fn run(&self, folder: &Path) -> Result<(Value, String), Failure> {
+    pub fn run(&self, folder: &Lock) -> Result<(Value, String), Failure> {
         self.done(folder).or_else(|end| match end {
             Unfinished::Refused(failure) => {
                 let reason = failure.to_string();
@@ -84,7 +84,7 @@ impl Body {
         })
     }
 
-    fn done(&self, folder: &Path) -> Result<(Value, String), Unfinished> {
+    fn done(&self, folder: &Lock) -> Result<(Value, String), Unfinished> {
         match self {
             Self::Disk(scene) => {
                 let outcome = slide::run(scene, |_| ())?.outcome;
@@ -115,8 +115,8 @@ impl From<SlideError> for Unfinished {
     }
 }
 
-fn compact(scene: &PowderScene, folder: &Path) -> Result<(Value, String), Unfinished> {
-    let run = resumed(|start| powder::simulate(scene, folder, &course(start)))?;
+fn compact(scene: &PowderScene, lock: &Lock) -> Result<(Value, String), Unfinished> {
+    let run = resumed(|start| powder::simulate(scene, lock.folder(), &course(start, lock)))?;
     let outcome = run.outcome();
     let told = format!(
         "porosity {} % after {} steps, {:.1} s",
@@ -127,10 +127,11 @@ fn compact(scene: &PowderScene, folder: &Path) -> Result<(Value, String), Unfini
     Ok((outcome.json(scene), told))
 }
 
-fn turn(scene: &TipScene, folder: &Path) -> Result<(Value, String), Unfinished> {
-    let run = resumed(|start| tip::simulate(scene, folder, &course(start)))?;
+fn turn(scene: &TipScene, lock: &Lock) -> Result<(Value, String), Unfinished> {
+    let run = resumed(|start| tip::simulate(scene, lock.folder(), &course(start, lock)))?;
     let outcome = run.outcome();
-    tip::write_series(&run, folder)?;
+    lock.check()?;
+    tip::write_series(&run, lock.folder())?;
     let told = format!(
         "{} degrees driven, {} after it",
         shown(outcome.driven_angle),
@@ -139,6 +140,6 @@ fn turn(scene: &TipScene, folder: &Path) -> Result<(Value, String), Unfinished> 
     Ok((outcome.json(scene), told))
 }
 
-fn course(start: Start) -> Course {
-    Course::one_of_many(start, PAUSE, 0)
+fn course(start: Start, lock: &Lock) -> Course<'_> {
+    Course::one_of_many(lock, start, PAUSE, 0)
 }

@@ -2,17 +2,17 @@
 
 use super::body::Body;
 use super::progress::Progress;
-use super::refusal;
+use super::{refusal, summary};
 use crate::command::interrupt;
 use crate::command::parallel::in_order;
 use crate::command::run::long::forget_checkpoint;
 use crate::failure::Failure;
-use crate::folder::{Lock, Sharing, remove_file, remove_unfinished};
+use crate::folder::{Attempt, Lock, Sharing, remove_file, remove_unfinished};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
-use tribos::record::{read_text, write_atomically};
+use tribos::record::{read_text, write_atomically_there};
 
 /// Bytes of a summary at most.
 const MOST_BYTES: u64 = 64 << 20;
@@ -50,8 +50,9 @@ pub fn kept(tasks: &[Task]) -> Vec<Option<Value>> {
 }
 
 /// Runs those of the tasks that have no summary yet, whatever the threads do to the same results.
-/// All are tried, unless the disk is full; the first that failed in the order of the tasks is told.
-pub fn run(tasks: &[&Task], asked: Option<usize>) -> Result<(), Failure> {
+/// All are tried, unless the disk is full or the folder of the sweep, which `lock` holds, is lost; the
+/// first that failed in the order of the tasks is told.
+pub fn run(tasks: &[&Task], asked: Option<usize>, lock: &Lock) -> Result<(), Failure> {
     let missing: Vec<&Task> = tasks
         .iter()
         .copied()
@@ -62,12 +63,21 @@ pub fn run(tasks: &[&Task], asked: Option<usize>) -> Result<(), Failure> {
     let possible = tasks.iter().filter(|task| task.body.is_ok()).count();
     let kept = possible - missing.len();
     let progress = Progress::start(possible, kept, share.jobs);
+    for task in missing.iter().filter(|task| task.is_changed()) {
+        crate::command::tell(format_args!(
+            "{}: its summary is not as the run left it; the run is taken again",
+            task.name
+        ));
+    }
     let full = AtomicBool::new(false);
     let results = in_order(missing.len(), share.jobs, |index| {
         if full.load(Ordering::Relaxed) || interrupt::is_asked() {
             return None;
         }
-        let result = missing[index].run(share.threads, &progress);
+        // The folder of a run is made if missing: not where the sweep is no more.
+        let result = lock
+            .check()
+            .and_then(|()| missing[index].run(share.threads, &progress));
         if matches!(result, Err(Failure::NoRoom(_) | Failure::Interrupted(_))) {
             full.store(true, Ordering::Relaxed);
         }
@@ -114,14 +124,26 @@ impl Task {
             .map_err(|error| Failure::run(format!("cannot start a thread: {error}")))?;
         let body = self.body.as_ref().map_err(Failure::input)?;
         // The same run may be part of another process's share.
-        let _lock = Lock::take(&self.folder, Sharing::Alone)?;
+        let lock = match Lock::attempt(&self.folder, Sharing::Alone)? {
+            Attempt::Taken(lock) => lock,
+            Attempt::InUse(told) => {
+                return Err(Failure::run(format!(
+                    "{told}; when that has ended, the same command goes on"
+                )));
+            }
+        };
+        if self.kept().is_some() {
+            progress.ended(&self.name, "taken by another process", began.elapsed());
+            return Ok(());
+        }
         remove_unfinished(&self.folder)?;
         // What another scene of this name left.
         for name in ["summary.json", "series.csv"] {
             remove_file(&self.folder.join(name))?;
         }
-        let (summary, told) = pool.install(|| body.run(&self.folder))?;
-        write_atomically(&self.file(), format!("{summary:#}\n").as_bytes())?;
+        let (summary, told) = pool.install(|| body.run(&lock))?;
+        lock.check()?;
+        write_atomically_there(&self.file(), summary::sealed(&summary).as_bytes())?;
         forget_checkpoint(&self.folder)?;
         progress.ended(&self.name, &told, began.elapsed());
         Ok(())
@@ -138,8 +160,14 @@ impl Task {
             }
         };
         let text = read_text(&self.file(), MOST_BYTES).ok()?;
-        let summary: Value = serde_json::from_str(&text).ok()?;
+        let summary = summary::unsealed(&text)?;
         (summary["scene"] == body.json()).then_some(summary)
+    }
+
+    /// Whether there is a summary that is not as a run left it.
+    pub fn is_changed(&self) -> bool {
+        let text = read_text(&self.file(), MOST_BYTES);
+        text.is_ok_and(|text| summary::unsealed(&text).is_none())
     }
 }
 

@@ -16,6 +16,7 @@ mod range;
 mod refusal;
 mod runs;
 mod slurm;
+mod summary;
 mod table;
 
 use super::{interrupt, number};
@@ -61,7 +62,8 @@ pub struct Arguments {
     /// Runs at a time; as many as there are cores if left out. Their threads share the cores.
     #[arg(long, conflicts_with_all = ["merge", "slurm"])]
     jobs: Option<NonZero<usize>>,
-    /// Folder for the results; made if missing. Results of a run in it go away first.
+    /// Folder for the results; made if missing. Results of another command in it go away first, but
+    /// for those of a powder, a tip or a report.
     #[arg(long, value_name = "DIR", conflicts_with_all = ["plan", "merge"])]
     out: Option<PathBuf>,
     /// Take the sweep that DIR/sweep.json plans, instead of a scene.
@@ -128,8 +130,8 @@ impl Arguments {
     fn take(self) -> Result<(), Failure> {
         if let Some(out) = &self.merge {
             let plan = Plan::read(out)?;
-            let _folder = claim(&plan, out)?;
-            return tables(&plan, &plan.tasks(out)?, out);
+            let folder = claim(&plan, out)?;
+            return tables(&plan, &plan.tasks(out)?, folder.lock());
         }
         let (plan, out) = self.planned()?;
         let tasks = plan.tasks(&out)?;
@@ -139,7 +141,7 @@ impl Arguments {
         if self.plan.is_none() {
             guard(&plan, &out)?;
         }
-        let _held = self.hold(&plan, &out)?;
+        let held = self.hold(&plan, &out)?;
         if self.plan.is_none() {
             plan.write(&out)?;
         }
@@ -150,9 +152,9 @@ impl Arguments {
             .filter(|(run, _)| part.has(*run))
             .map(|(_, task)| task)
             .collect();
-        jobs::run(&mine, self.jobs.map(NonZero::get))?;
+        jobs::run(&mine, self.jobs.map(NonZero::get), held.lock())?;
         match self.part {
-            None => tables(&plan, &tasks, &out),
+            None => tables(&plan, &tasks, held.lock()),
             Some(part) => super::print(&format!(
                 "part {} of {} is done: {} of {} runs\nafter all parts  tribos sweep --merge {}\n",
                 part.index,
@@ -179,15 +181,13 @@ impl Arguments {
     /// The folder, for a whole sweep alone, for a part together with the others.
     fn hold(&self, plan: &Plan, out: &Path) -> Result<Held, Failure> {
         if self.part.is_none() {
-            let _folder = Box::new(claim(plan, out)?);
-            return Ok(Held::Whole { _folder });
+            return Ok(Held::Whole(claim(plan, out)?));
         }
         let is_mine = |kept: Manifest| kept.command == "sweep" && kept.about == plan.json();
         if !Manifest::read(out)?.is_some_and(is_mine) {
             drop(claim(plan, out)?);
         }
-        let _lock = Lock::take(out, Sharing::Shared)?;
-        Ok(Held::Part { _lock })
+        Ok(Held::Part(Lock::take(out, Sharing::Shared)?))
     }
 
     /// Writes the plan and the job array.
@@ -215,17 +215,17 @@ fn claim(plan: &Plan, out: &Path) -> Result<OutputFolder, Failure> {
 
 /// What a sweep leaves beside its runs and its plan, which may have come from another machine.
 fn contents(plan: &Plan) -> Contents<'static> {
+    let files = &[
+        "sweep.csv",
+        "sweep.parquet",
+        "sweep.svg",
+        "sweep.png",
+        "runs.csv",
+        "runs.parquet",
+    ];
     Contents {
-        command: "sweep",
         about: plan.json(),
-        files: &[
-            "sweep.csv",
-            "sweep.parquet",
-            "sweep.svg",
-            "sweep.png",
-            "runs.csv",
-            "runs.parquet",
-        ],
+        ..Contents::of("sweep", files)
     }
 }
 
@@ -233,9 +233,18 @@ fn contents(plan: &Plan) -> Contents<'static> {
 #[derive(Debug)]
 enum Held {
     /// A whole sweep: nobody else works there.
-    Whole { _folder: Box<OutputFolder> },
+    Whole(OutputFolder),
     /// A part: other parts may.
-    Part { _lock: Lock },
+    Part(Lock),
+}
+
+impl Held {
+    fn lock(&self) -> &Lock {
+        match self {
+            Self::Whole(folder) => folder.lock(),
+            Self::Part(lock) => lock,
+        }
+    }
 }
 
 /// A folder that was handed to a cluster keeps its plan: tasks that wait would take another.
@@ -251,8 +260,10 @@ fn guard(plan: &Plan, out: &Path) -> Result<(), Failure> {
     )))
 }
 
-/// The tables of a complete sweep.
-fn tables(plan: &Plan, tasks: &[Task], out: &Path) -> Result<(), Failure> {
+/// The tables of a complete sweep, in the folder of the lock.
+fn tables(plan: &Plan, tasks: &[Task], lock: &Lock) -> Result<(), Failure> {
+    lock.check()?;
+    let out = lock.folder();
     let summaries = output::complete(tasks, jobs::kept(tasks), out)?;
     let table = output::write(plan, tasks, &summaries, out)?;
     let text = table.text();

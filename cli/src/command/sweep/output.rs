@@ -55,18 +55,21 @@ pub fn complete(
     kept: Vec<Option<Value>>,
     out: &Path,
 ) -> Result<Vec<Value>, Failure> {
-    let missing: Vec<&str> = tasks
+    let missing: Vec<&Task> = tasks
         .iter()
         .zip(&kept)
         .filter(|(_, kept)| kept.is_none())
-        .map(|(task, _)| task.name.as_str())
+        .map(|(task, _)| task)
         .collect();
     if missing.is_empty() {
         return Ok(kept.into_iter().flatten().collect());
     }
     let mut text = format!("{} of {} runs are missing:", missing.len(), tasks.len());
-    for name in missing.iter().take(MOST_NAMES) {
-        text += &format!("\n  {name}");
+    for task in missing.iter().take(MOST_NAMES) {
+        text += &format!("\n  {}", task.name);
+        if task.is_changed() {
+            text += " (its summary is not as the run left it)";
+        }
     }
     if let Some(more) = missing
         .len()

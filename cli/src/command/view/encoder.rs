@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use tribos::record::{WriteError, write_atomically_with};
 
 /// Endings of films, and what ffmpeg is told for them.
 const ENDINGS: [(&str, &[&str]); 3] = [
@@ -46,7 +47,7 @@ pub fn film(run: &Solid, look: &Look, file: &Path, rate: u32) -> Result<(), Fail
     let fed = feed(run, look, &mut encoder);
     let output = encoder.wait_with_output().map_err(Failure::run)?;
     let done = if output.status.success() {
-        fed.and_then(|()| std::fs::rename(&unfinished, file).map_err(Failure::run))
+        fed.and_then(|()| deliver(&unfinished, file))
     } else {
         let said = String::from_utf8_lossy(&output.stderr);
         let last = said.lines().last().unwrap_or("nothing");
@@ -55,10 +56,20 @@ pub fn film(run: &Solid, look: &Look, file: &Path, rate: u32) -> Result<(), Fail
             file.display()
         )))
     };
-    if done.is_err() {
-        let _ = std::fs::remove_file(&unfinished);
-    }
+    let _ = std::fs::remove_file(&unfinished);
     done
+}
+
+/// Copies a film to its place, as every other output goes there.
+fn deliver(film: &Path, file: &Path) -> Result<(), Failure> {
+    let fail = |cause| WriteError {
+        path: file.to_owned(),
+        cause,
+    };
+    Ok(write_atomically_with(file, |out| {
+        let mut film = std::fs::File::open(film).map_err(fail)?;
+        std::io::copy(&mut film, out).map(|_| ()).map_err(fail)
+    })?)
 }
 
 /// Starts ffmpeg, which waits for pictures.

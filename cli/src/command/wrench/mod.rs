@@ -10,7 +10,7 @@ use super::columns::Rows;
 use super::laws::LawSpec;
 use super::patch::{PATCHES, PatchName};
 use super::tier::{Precision, Tabulated, Tier};
-use super::{number, spool};
+use super::{file, number, spool};
 use crate::failure::Failure;
 use contact::{Contact, Request, Resistance};
 use number::in_range;
@@ -120,6 +120,15 @@ impl Arguments {
     }
 
     fn evaluate<R: Tabulated>(&self) -> Result<(), Failure> {
+        if let Some(output) = &self.output {
+            let points = match &self.patch {
+                PatchName::Points(file) => Some(file),
+                _ => None,
+            };
+            for input in self.twists.iter().chain(points) {
+                file::refuse_input("--output", output, input)?;
+            }
+        }
         let contact = Contact::<R>::new(&self.request()?)?;
         let load = in_range("load", self.load)?;
         if let Some(caveat) = contact.caveat() {

@@ -1,7 +1,7 @@
 //! The folder of a run's frames: filled while it runs, thinned as it fills.
 
 use super::{Bodies, FEWEST, Frame, spacing};
-use crate::record::{WriteError, is_unfinished, write_atomically};
+use crate::record::{WriteError, is_unfinished, write_atomically, write_atomically_there};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -60,7 +60,7 @@ pub enum FrameError {
     Missing(PathBuf),
     /// Frames of another run or of another number are there.
     #[error(
-        "{}: {kept} frames are kept there, not {given}; give `--frames {kept}`, or run without --resume",
+        "{}: {kept} frames are kept there, not {given}; give `--frames {kept}`, or start anew with --anew",
         path.display()
     )]
     Limit {
@@ -186,7 +186,7 @@ impl FrameFolder {
         let apart = self.apart;
         remove_where(&self.path, |step| !step.is_multiple_of(apart))?;
         for (step, bytes) in std::mem::take(&mut self.held) {
-            write_atomically(&file(&self.path, step), &bytes)?;
+            write_atomically_there(&file(&self.path, step), &bytes)?;
         }
         Ok(())
     }

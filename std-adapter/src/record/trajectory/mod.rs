@@ -137,7 +137,7 @@ impl Trajectory {
     }
 }
 
-/// Removes the states of an earlier collection.
+/// Removes the states of an earlier collection, whose names are numbers.
 fn remove_states(folder: &Path) -> Result<(), WriteError> {
     let fail = |cause| WriteError {
         path: folder.to_path_buf(),
@@ -149,9 +149,16 @@ fn remove_states(folder: &Path) -> Result<(), WriteError> {
     };
     for entry in entries {
         let path = entry.map_err(fail)?.path();
-        if path.extension().is_some_and(|ending| ending == STATE) {
+        if is_state(&path) {
             std::fs::remove_file(&path).map_err(|cause| WriteError { path, cause })?;
         }
     }
     Ok(())
+}
+
+/// Whether a file has the name of a state.
+fn is_state(path: &Path) -> bool {
+    let step = path.file_stem().and_then(|stem| stem.to_str());
+    let is_number = |step: &str| step.bytes().all(|byte| byte.is_ascii_digit());
+    path.extension().is_some_and(|ending| ending == STATE) && step.is_some_and(is_number)
 }

@@ -3,13 +3,14 @@
 use super::picture;
 use crate::command::digits::shown;
 use crate::command::interrupt;
+use crate::command::run::files;
 use crate::failure::Failure;
+use crate::folder::OutputFolder;
 use crate::report::image;
 use std::path::Path;
 use tribos::powder::{COLUMNS, Compaction, Ending, Outcome};
 use tribos::record::{
-    Snapshot, SnapshotError, contacts_vtp, extended_xyz, particles_vtp, write_atomically,
-    write_series,
+    Snapshot, SnapshotError, contacts_vtp, extended_xyz, particles_vtp, write_series,
 };
 use tribos::scene::PowderScene;
 
@@ -28,30 +29,31 @@ pub fn write(
     scene: &PowderScene,
     compaction: &Compaction,
     outcome: &Outcome,
-    out: &Path,
+    folder: &OutputFolder,
 ) -> Result<(), Failure> {
+    folder.add(files::POWDER)?;
+    let out = folder.path();
     let rows = compaction.series().iter();
     let rows = rows.map(<[f64; COLUMNS.len()]>::as_slice);
     write_series(&out.join("series.csv"), &COLUMNS, rows)?;
 
     let deposit = compaction.deposit();
     let contacts = deposit.contacts();
-    states(&deposit.snapshot(&contacts), "initial", out)?;
-    compaction.with_snapshot(|snapshot| states(snapshot, "final", out))?;
+    states(&deposit.snapshot(&contacts), "initial", folder)?;
+    compaction.with_snapshot(|snapshot| states(snapshot, "final", folder))?;
 
     interrupted(out)?;
+    folder.check()?;
     image::write_both(
         out,
         "packing",
         &picture::packing(scene, &picture::State::both(compaction), outcome)?,
     )?;
+    folder.check()?;
     image::write_both(out, "series", &picture::series(compaction, outcome))?;
     // Last: a summary stands only beside complete results.
     let summary = format!("{:#}\n", outcome.json(scene));
-    Ok(write_atomically(
-        &out.join("summary.json"),
-        summary.as_bytes(),
-    )?)
+    folder.write("summary.json", summary.as_bytes())
 }
 
 /// Ends the command where it was asked to: the run itself is in its checkpoint.
@@ -63,11 +65,11 @@ fn interrupted(out: &Path) -> Result<(), Failure> {
 }
 
 /// A state in all formats.
-fn states(snapshot: &Snapshot<'_>, stem: &str, out: &Path) -> Result<(), Failure> {
+fn states(snapshot: &Snapshot<'_>, stem: &str, folder: &OutputFolder) -> Result<(), Failure> {
     for (ending, export) in EXPORTS {
-        interrupted(out)?;
+        interrupted(folder.path())?;
         let text = export(snapshot).map_err(Failure::run)?;
-        write_atomically(&out.join(format!("{stem}{ending}")), text.as_bytes())?;
+        folder.write(&format!("{stem}{ending}"), text.as_bytes())?;
     }
     Ok(())
 }
