@@ -133,11 +133,11 @@ impl<L> DiskQuadrature<L> {
         let mut sum = if ratio > R::ONE {
             R::ZERO
         } else {
-            swept(&FROM_REST, R::ZERO, at, &g)
+            swept(&FROM_REST, R::ZERO, at, g)
         };
         let mut power = R::ZERO;
         for next in angles(slide, rim) {
-            sum += swept(&ONWARD, at, next.relative - at, &g);
+            sum += swept(&ONWARD, at, next.relative - at, g);
             at = next.relative;
             power += next.weight * (R::ONE - ratio * next.cos) * sum / (at * at);
         }
