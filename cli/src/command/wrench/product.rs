@@ -139,7 +139,8 @@ mod tests {
             let factors = list.iter().map(|&x| Product::new(x));
             factors.fold(Product::ONE, Product::times)
         };
-        assert_eq!(product(&[1e-200, 1e-200, 2.0, 1e200, 1e200]).value(), 2.0);
+        let [small, large] = [-650, 650].map(|exponent| 2.0_f64.powi(exponent));
+        assert_eq!(product(&[small, small, 3.0, large, large]).value(), 3.0);
         assert_eq!(product(&[1e200, 1e200]).value(), f64::INFINITY);
         assert_eq!(product(&[1e-200, 1e-200]).value(), 0.0);
         assert!(!product(&[1e-200, 1e-200]).narrowed::<f64>().1);
