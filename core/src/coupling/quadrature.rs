@@ -130,7 +130,7 @@ impl<L> DiskQuadrature<L> {
         let g = |relative: R| g(major * relative);
         let mut at = (slide - rim).abs() / major;
         // From the slowest element on the disk.
-        let mut sum = if ratio > R::ONE {
+        let mut sum = if ratio > R::ONE || at == R::ZERO {
             R::ZERO
         } else {
             swept(&FROM_REST, R::ZERO, at, g)

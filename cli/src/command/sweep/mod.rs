@@ -21,7 +21,7 @@ mod table;
 
 use super::{interrupt, number};
 use crate::failure::Failure;
-use crate::folder::{Contents, Lock, Manifest, OutputFolder, Sharing};
+use crate::folder::{Attempt, Contents, Lock, Manifest, OutputFolder, Sharing};
 use grid::Grid;
 use jobs::Task;
 use part::Part;
@@ -29,6 +29,7 @@ use plan::Plan;
 use slurm::JobArray;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 /// Runs a scene of any body for every combination of the values of its keys, each with several seeds
 /// if the body has one, and writes tables: sweep.csv, means and standard deviations over the seeds, and
@@ -119,6 +120,9 @@ Examples:
     tribos sweep --merge DIR";
 
 /// How to go on after a full disk.
+/// How long a part waits for others that begin in its folder, and between two looks.
+const PATIENCE: Duration = Duration::from_secs(5);
+const PAUSE: Duration = Duration::from_millis(20);
 const GO_ON: &str = "Then give the same command again: runs that are done are not taken again.";
 
 impl Arguments {
@@ -184,10 +188,27 @@ impl Arguments {
             return Ok(Held::Whole(claim(plan, out)?));
         }
         let is_mine = |kept: Manifest| kept.command == "sweep" && kept.about == plan.json();
-        if !Manifest::read(out)?.is_some_and(is_mine) {
-            drop(claim(plan, out)?);
+        let until = Instant::now() + PATIENCE;
+        // Another part that begins now holds the folder alone for a moment.
+        let attempt = |sharing| match Lock::attempt(out, sharing)? {
+            Attempt::Taken(lock) => Ok(Some(lock)),
+            Attempt::InUse(_) if Instant::now() < until => {
+                std::thread::sleep(PAUSE);
+                Ok(None)
+            }
+            Attempt::InUse(_) => Lock::take(out, sharing).map(Some),
+        };
+        while !Manifest::read(out)?.is_some_and(is_mine) {
+            if let Some(lock) = attempt(Sharing::Alone)? {
+                drop(OutputFolder::go_on_with(lock, &contents(plan))?);
+                break;
+            }
         }
-        Ok(Held::Part(Lock::take(out, Sharing::Shared)?))
+        loop {
+            if let Some(lock) = attempt(Sharing::Shared)? {
+                return Ok(Held::Part(lock));
+            }
+        }
     }
 
     /// Writes the plan and the job array.
