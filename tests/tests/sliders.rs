@@ -8,7 +8,7 @@ use tribos_core::slider::{Motion, Rest, Slider};
 use tribos_tests::pucks::{coulomb, power, relative};
 use tribos_tests::surfaces::Counting;
 use tribos_tests::sweep::Lcg;
-use tribos_tests::tables::Table;
+use tribos_tests::tables::{Row, Table};
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
@@ -57,6 +57,30 @@ fn stops_are_those_of_the_table() {
     direction.assert_within(&tolerance::STOP_RATIO);
 }
 
+/// Compares the state that a row has on the way, each number over its condition.
+fn see_on_the_way<P: Profile<f64> + Coupling<f64>>(
+    worst: &mut Worst,
+    row: &Row,
+    slider: &Slider<f64, P>,
+    place: impl Fn() -> String + Copy,
+) {
+    let number = |column: &str| row.number(column);
+    let start = Motion::launched(number("v0"), number("w0"));
+    let after = slider.advance(&start, number("time")).motion;
+    // A dying speed is as uncertain as what is left of its time.
+    let wrench = slider.profile().reduced_wrench(after.speed, after.spin);
+    let slide = 1.0 + number("time") * wrench.force / after.speed;
+    let rim = 1.0 + number("time") * wrench.torque / (number("inertia_ratio") * after.spin);
+    for (column, got, condition) in [
+        ("speed", after.speed, slide + rim),
+        ("spin", after.spin, slide + rim),
+        ("distance_then", after.distance, 1.0),
+        ("angle_then", after.angle, 1.0),
+    ] {
+        worst.see(row.reference(column).relative(got) / condition, place);
+    }
+}
+
 #[test]
 fn each_of_time_distance_and_angle_is_relative_whichever_motion_dies_first() {
     let mut stop = Worst::of("time, distance, angle to rest, launches of any ratio");
@@ -85,19 +109,7 @@ fn each_of_time_distance_and_angle_is_relative_whichever_motion_dies_first() {
                 assert!(rest.evaluations <= 600, "{}: {}", place(), rest.evaluations);
             }
         }
-        let after = slider.advance(&start, number("time")).motion;
-        // A dying speed is as uncertain as what is left of its time.
-        let wrench = table.reduced_wrench(after.speed, after.spin);
-        let slide = 1.0 + number("time") * wrench.force / after.speed;
-        let rim = 1.0 + number("time") * wrench.torque / (number("inertia_ratio") * after.spin);
-        for (column, got, condition) in [
-            ("speed", after.speed, slide + rim),
-            ("spin", after.spin, slide + rim),
-            ("distance_then", after.distance, 1.0),
-            ("angle_then", after.angle, 1.0),
-        ] {
-            later.see(row.reference(column).relative(got) / condition, place);
-        }
+        see_on_the_way(&mut later, &row, &slider, place);
     }
     stop.assert_within(&tolerance::REST);
     later.assert_within(&tolerance::REST);
@@ -132,19 +144,7 @@ fn an_annulus_comes_to_rest_to_its_own_bound() {
             place(),
             rest.evaluations
         );
-        let after = slider.advance(&start, number("time")).motion;
-        // A dying speed is as uncertain as what is left of its time.
-        let wrench = band.reduced_wrench(after.speed, after.spin);
-        let slide = 1.0 + number("time") * wrench.force / after.speed;
-        let rim = 1.0 + number("time") * wrench.torque / (number("inertia_ratio") * after.spin);
-        for (column, got, condition) in [
-            ("speed", after.speed, slide + rim),
-            ("spin", after.spin, slide + rim),
-            ("distance_then", after.distance, 1.0),
-            ("angle_then", after.angle, 1.0),
-        ] {
-            later.see(row.reference(column).relative(got) / condition, place);
-        }
+        see_on_the_way(&mut later, &row, &slider, place);
     }
     stop.assert_within(&tolerance::ANNULUS_REST);
     later.assert_within(&tolerance::ANNULUS_REST);
