@@ -1,9 +1,7 @@
 //! The player of `tribos view` in a browser: keys, a narrow page, the arrows of a slider.
 
-mod browser;
-
+use crate::browser::{Browser, Error};
 use assert_cmd::Command;
-use browser::{Browser, Error};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

@@ -38,7 +38,7 @@ fn shortened_the_shipped_tips_turn_back_and_do_not() -> Result<(), Error> {
 }
 
 #[test]
-#[ignore = "some minutes; cargo test --release -p tribos-tests --test tip_scenes -- --ignored"]
+#[ignore = "some minutes; cargo test --release -p tribos-tests --test particles tip_scenes -- --ignored"]
 fn whole_the_shipped_tips_turn_back_and_do_not() -> Result<(), Error> {
     let turned = outcome("tip-irreversible", &[])?;
     assert_eq!(turned.verdict, Verdict::Irreversible, "{turned:?}");

@@ -1,9 +1,6 @@
 //! The programs in C print what the kernel computes.
 
-mod digest;
-mod programs;
-
-use programs::{
+use crate::programs::{
     BOARD, archive, compile_for_board, compile_for_host, folder, has, header, printed, scratch,
 };
 use std::fs;
@@ -48,7 +45,7 @@ fn expected() -> String {
         forces[99],
         rest.time,
         rest.distance,
-        digest::digest(),
+        crate::digest::digest(),
     )
 }
 
@@ -88,8 +85,8 @@ fn the_board_prints_the_digest_of_the_kernel_itself() {
     board.args(["-semihosting-config", "enable=on,target=native", "-kernel"]);
     let output = board.arg(image).output().expect("an emulator");
     let said = [output.stdout, output.stderr].concat();
-    assert!(output.status.success(), "{}", programs::text(&said));
-    assert_eq!(programs::text(&said), expected());
+    assert!(output.status.success(), "{}", crate::programs::text(&said));
+    assert_eq!(crate::programs::text(&said), expected());
 }
 
 /// The image calls every function of the header: a panic that any of them could reach would have
@@ -127,7 +124,7 @@ fn the_example_of_the_documentation_runs() {
         return;
     }
     let Some(archive) = archive(None) else { return };
-    let page = fs::read_to_string(folder("../docs/c.md")).expect("the page");
+    let page = fs::read_to_string(folder("../../docs/c.md")).expect("the page");
     let (_, example) = page.split_once("```c\n").expect("an example");
     let (example, _) = example.split_once("```").expect("its end");
     let source = scratch("page.c");

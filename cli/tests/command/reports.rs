@@ -1,10 +1,8 @@
 //! The report and the phase diagram are complete, and no comparison with the thesis fails.
 
+use crate::browser::Browser;
 #[allow(dead_code)]
-mod browser;
-
 use assert_cmd::Command;
-use browser::Browser;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::time::Duration;

@@ -62,7 +62,7 @@ fn the_committed_header_is_that_of_the_source() {
     let committed = fs::read_to_string(header()).unwrap_or_default();
     assert!(
         committed == generated,
-        "c/include/tribos.h is out of date: run\n    \
-         TRIBOS_WRITE_HEADER=1 cargo test -p tribos-c --test header"
+        "bindings/c/include/tribos.h is out of date: run\n    \
+         TRIBOS_WRITE_HEADER=1 cargo test -p tribos-c --test interface header"
     );
 }

@@ -2,7 +2,7 @@
 # Flash that single functions take on a Cortex-M4F, code and tables: a table for docs/c.md.
 #
 #     cargo build --release -p tribos-c --target thumbv7em-none-eabihf
-#     c/examples/flash.sh target/thumbv7em-none-eabihf/release/libtribos_c.a
+#     bindings/c/examples/flash.sh target/thumbv7em-none-eabihf/release/libtribos_c.a
 set -eu
 if [ $# -ne 1 ] || [ ! -f "$1" ]; then
   echo "usage: flash.sh path/to/libtribos_c.a (built for thumbv7em-none-eabihf)" >&2

@@ -1,8 +1,5 @@
 //! Builds the library as users do, and programs in C with it.
 
-// Each test file uses a part.
-#![allow(dead_code)]
-
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::{env, fs};

@@ -1,9 +1,7 @@
 //! Frames of runs, and `tribos view`: the same frames after a break, a page that plays.
 
-mod browser;
-
+use crate::browser::Browser;
 use assert_cmd::Command;
-use browser::Browser;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::{Duration, Instant};

@@ -1,8 +1,6 @@
 //! What is not admitted is refused, and told.
 
-mod programs;
-
-use programs::{archive, compile_for_host, has, header, printed, scratch};
+use crate::programs::{archive, compile_for_host, has, header, printed, scratch};
 use std::collections::BTreeSet;
 use std::ffi::CStr;
 use std::fmt::Write;

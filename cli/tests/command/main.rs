@@ -1,0 +1,32 @@
+//! The command as a user meets it.
+
+mod bad_input;
+mod breaks;
+mod browser;
+mod deposit;
+mod eval;
+mod explain;
+mod fit;
+mod folders;
+mod full_disk;
+mod golden;
+mod help;
+mod inverse;
+mod messages;
+mod numbers;
+mod odd_inputs;
+mod patches;
+mod planar;
+mod player;
+mod powder;
+mod printed_commands;
+mod progress;
+mod reports;
+mod run;
+mod scene;
+mod sweep;
+mod sweep_refusals;
+mod tip;
+mod trajectories;
+mod view;
+mod wrench;
