@@ -2,7 +2,7 @@
 
 use crate::written;
 use std::path::Path;
-use tribos_cli::report::figure::{Axis, Color, Figure, Legend, Region, Series};
+use tribos_report::figure::{Axis, Color, Figure, Legend, Region, Series};
 
 /// One method in the picture.
 #[derive(Clone, Debug)]

@@ -1,10 +1,17 @@
 //! Why a command ended without its result, and the exit code that tells.
 
-use crate::command::INTERRUPTED;
+use crate::command::interrupt;
+use std::error::Error;
 use std::process::ExitCode;
 use tribos::golden::MeasureError;
 use tribos::record::WriteError;
+use tribos::record::frames::FrameError;
+use tribos::run::folder::FolderError;
+use tribos::run::{NoCheckpoint, RunError};
 use tribos::slide::SlideError;
+use tribos_report::figure::FigureError;
+use tribos_report::image::ImageError;
+use tribos_report::runs::FilmError;
 
 /// Exit code of a run that failed.
 const RUN_FAILED: u8 = 1;
@@ -74,7 +81,7 @@ impl Failure {
             Self::Input(_) => BAD_INPUT,
             Self::Run(_) | Self::NoRoom(_) => RUN_FAILED,
             Self::Mismatch(_) => MISMATCH,
-            Self::Interrupted(_) => INTERRUPTED,
+            Self::Interrupted(_) => interrupt::EXIT_CODE,
         })
     }
 }
@@ -87,6 +94,52 @@ impl From<WriteError> for Failure {
             ))
         } else {
             Self::run(error)
+        }
+    }
+}
+
+impl From<FrameError> for Failure {
+    fn from(error: FrameError) -> Self {
+        match error {
+            FrameError::Write(error) => error.into(),
+            // What is there cannot be used, or is asked for what it is not.
+            _ => Self::input(error),
+        }
+    }
+}
+
+impl From<NoCheckpoint> for Failure {
+    fn from(error: NoCheckpoint) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<FolderError> for Failure {
+    fn from(error: FolderError) -> Self {
+        match error {
+            FolderError::Refused(_) => Self::input(error),
+            FolderError::Access(_) => Self::run(error),
+            FolderError::Write(error) => error.into(),
+            FolderError::Frames(error) => error.into(),
+        }
+    }
+}
+
+impl<E: Error + Into<Failure>> From<RunError<E>> for Failure {
+    fn from(error: RunError<E>) -> Self {
+        match error {
+            RunError::Scene(error) | RunError::Checkpoint(error) => error.into(),
+            RunError::Folder(error) => error.into(),
+            RunError::Write(error) => error.into(),
+            RunError::Frames(error) => error.into(),
+            // A folder of frames that went away under its run is no bad input.
+            RunError::Recording(FrameError::Access { .. }) => Self::run(error),
+            RunError::Recording(error) => error.into(),
+            RunError::NoCheckpoint(error) => error.into(),
+            RunError::Cancelled(step) => {
+                Self::Interrupted(format!("interrupted after step {step}"))
+            }
+            RunError::CancelledEarly => interrupt::ended_early("the deposit grew"),
         }
     }
 }
@@ -111,8 +164,28 @@ impl From<MeasureError> for Failure {
     }
 }
 
-impl From<crate::report::figure::FigureError> for Failure {
-    fn from(error: crate::report::figure::FigureError) -> Self {
+impl From<FigureError> for Failure {
+    fn from(error: FigureError) -> Self {
         Self::run(error)
+    }
+}
+
+impl From<ImageError> for Failure {
+    fn from(error: ImageError) -> Self {
+        match error {
+            ImageError::Figure(error) => error.into(),
+            ImageError::Write(error) => error.into(),
+            ImageError::Ending(_) => Self::input(error),
+        }
+    }
+}
+
+impl From<FilmError> for Failure {
+    fn from(error: FilmError) -> Self {
+        match error {
+            FilmError::Frames(error) => error.into(),
+            FilmError::Missing(_) => Self::input(error),
+            FilmError::Movie(_) => Self::run(error),
+        }
     }
 }

@@ -2,5 +2,3 @@
 
 pub mod command;
 pub mod failure;
-mod folder;
-pub mod report;

@@ -10,9 +10,9 @@ use crate::timing::{self, Task};
 use crate::written::{self, Sheet, short};
 use std::hint::black_box;
 use std::path::Path;
-use tribos_cli::report::figure::{Axis, Figure, Legend, Panels, Series};
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::slider::{Motion, Slider};
+use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
 
 /// Rounds of all methods, and of a quick look.
 const ROUNDS: usize = 31;

@@ -4,8 +4,8 @@ use super::ladder::Rung;
 use super::scaling::{self, Point};
 use super::work::{METHODS, Work};
 use std::path::Path;
-use tribos_cli::report::figure::{Axis, Figure, Legend, Panels, Series};
-use tribos_cli::report::image::{Drawing, write_both};
+use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
+use tribos_report::image::{Drawing, write_both};
 
 /// Size of a panel in pixels.
 const PANEL: (u32, u32) = (640, 460);

@@ -4,10 +4,10 @@ mod trajectory;
 
 use self::trajectory::Trajectory;
 use crate::failure::Failure;
-use crate::folder::{Contents, OutputFolder};
 use std::path::PathBuf;
 use tribos::record::trajectory::Format;
 use tribos::record::write_atomically;
+use tribos::run::folder::{Contents, OutputFolder};
 use tribos::scene::Scene;
 use tribos::tip::export;
 

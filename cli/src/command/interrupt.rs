@@ -35,9 +35,9 @@ pub fn is_asked() -> bool {
 }
 
 /// The end of a run whose checkpoint and frames are in its folder.
-pub fn ended(out: &Path, at: &str) -> Failure {
+pub fn ended(out: &Path, told: &str) -> Failure {
     Failure::Interrupted(format!(
-        "interrupted {at}; what is done is in {}\n  Go on with the same command and --resume.",
+        "{told}; what is done is in {}\n  Go on with the same command and --resume.",
         out.display()
     ))
 }

@@ -1,31 +1,30 @@
 //! `tribos run`: a scene simulated, its results in a folder.
 
 pub mod files;
-mod film;
-pub mod long;
 mod path;
 pub mod powder;
 pub mod size;
 pub mod tip;
 
-use self::long::{CHECKPOINT, Course, Progress, Start, checkpoint, forget_checkpoint};
 use self::size::Allowed;
 use super::digits::shown;
 use super::progress::Meter;
 use super::{interrupt, number};
 use crate::failure::Failure;
-use crate::folder::{Broken, Contents, Lock, Manifest, OutputFolder, Sharing, is_finished};
-use crate::report::figure::{Axis, Figure, Guide, Series};
-use crate::report::image;
-pub use film::folder as frames_folder;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tribos::powder::Compaction;
 use tribos::record::{CheckpointError, write_series};
+use tribos::run::folder::{Broken, Contents, Lock, Manifest, OutputFolder, Sharing, is_finished};
+use tribos::run::{
+    CHECKPOINT, FRAMES, LongRun, RunError, Session, Start, forget_checkpoint, read_checkpoint,
+};
 use tribos::scene::{PowderScene, Scene, SliderScene, TipScene, Units, bodies};
 use tribos::slide::{self, COLUMNS, SlideRun};
 use tribos::tip::{TipError, build};
+use tribos_report::figure::{Axis, Figure, Guide, Series};
+use tribos_report::image;
 
 /// Simulates the scene and writes summary.json, series.csv and a plot: motion.svg and motion.png of
 /// a disk, path.svg and path.png of a body in the plane.
@@ -68,7 +67,7 @@ pub struct Arguments {
     checkpoint: f64,
     /// A powder or a tip: frames kept in DIR/frames at most, evenly spread over the steps; 0 for
     /// none. They change no result. [default: 100, with --resume as the run began]
-    #[arg(long, value_name = "N", value_parser = film::number)]
+    #[arg(long, value_name = "N", value_parser = frames)]
     frames: Option<u64>,
     /// A powder or a tip: run it even if it is expected to take more than 4 GB of memory.
     #[arg(long)]
@@ -89,7 +88,7 @@ fn begin(
         broken,
         ..Contents::of(COMMAND, files)
     };
-    OutputFolder::begin(out, &contents)
+    Ok(OutputFolder::begin(out, &contents)?)
 }
 
 /// Refuses to go on with another scene than the folder's.
@@ -106,6 +105,35 @@ fn same_scene(kept: &Value, given: &Value) -> Result<(), Failure> {
         kept: told(there.get(key)),
         given: told(here.get(key)),
     }))
+}
+
+/// The checkpoint of a folder.
+fn checkpoint(out: &Path) -> PathBuf {
+    out.join(CHECKPOINT)
+}
+
+/// Where the frames of a run are.
+pub fn frames_folder(out: &Path) -> PathBuf {
+    out.join(FRAMES)
+}
+
+/// What to do once a full disk has room: a long run loses what it did since its checkpoint.
+fn how_to_go_on(out: &Path) -> String {
+    let file = checkpoint(out);
+    if file.exists() {
+        let name = file.display();
+        format!("Then go on from {name}: the same command with --resume.")
+    } else {
+        "Then give the same command again: there is no checkpoint yet.".into()
+    }
+}
+
+/// A number of frames that can be kept.
+fn frames(text: &str) -> Result<u64, String> {
+    match text.trim().parse::<u64>() {
+        Ok(1) | Err(_) => Err("give 0 for none, or a whole number from 2 up".into()),
+        Ok(number) => Ok(number),
+    }
 }
 
 /// Examples, and where the keys of a scene are told.
@@ -149,18 +177,28 @@ impl Arguments {
             Scene::Powder(scene) => self.compact(&scene),
             Scene::Tip(scene) => self.turn(&scene),
         };
-        done.map_err(|failure| failure.going_on(&long::how_to_go_on(&self.out)))
+        done.map_err(|failure| failure.going_on(&how_to_go_on(&self.out)))
     }
 
-    /// How a long run goes.
-    fn course<'a>(&self, start: Start, lock: &'a Lock) -> Course<'a> {
-        Course {
-            lock,
-            start,
-            pause: Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX),
-            frames: self.frames,
-            progress: Progress::Told,
-            allowed: Allowed::of(self.allow_large),
+    /// A long run in its folder.
+    fn session<R: LongRun>(&self, start: Start, folder: &OutputFolder) -> Session<'_, R> {
+        let pause = Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX);
+        let session = Session::under(folder.lock().clone(), &self.out)
+            .start(start)
+            .checkpoint_every(pause);
+        match self.frames {
+            Some(limit) => session.frames(limit),
+            None => session,
+        }
+    }
+
+    /// A run that was interrupted says how to go on.
+    fn failure<E: std::error::Error + Into<Failure>>(&self, error: RunError<E>) -> Failure {
+        match error {
+            RunError::Cancelled(step) => {
+                interrupt::ended(&self.out, &format!("interrupted after step {step}"))
+            }
+            other => other.into(),
         }
     }
 
@@ -187,7 +225,7 @@ impl Arguments {
             return Ok(Some((folder, Start::Fresh)));
         }
         if !self.out.is_dir() {
-            long::kept(&checkpoint(&self.out))?;
+            read_checkpoint(&checkpoint(&self.out))?;
         }
         let lock = Lock::take(&self.out, Sharing::Alone)?;
         let Some(start) = self.start(&contents.about)? else {
@@ -218,7 +256,7 @@ impl Arguments {
             }
             None if file.exists() => {}
             _ => {
-                long::kept(&file)?;
+                read_checkpoint(&file)?;
             }
         }
         Ok(Some(Start::Resume))
@@ -235,10 +273,10 @@ impl Arguments {
         let Some((folder, start)) = self.long(scene.json(), files::TIP)? else {
             return Ok(());
         };
-        let run = tip::simulate(scene, &self.out, &self.course(start, folder.lock()))?;
-        // From here on a break costs no more than the results.
+        // From its end on a break costs no more than the results.
+        let run = tip::simulate(scene, self.session(start, &folder))
+            .map_err(|error| self.failure(error))?;
         folder.remove(files::is_made_from_frames)?;
-        folder.write(CHECKPOINT, run.checkpoint().as_bytes())?;
         tip::write(scene, &run, &folder)?;
         folder.check()?;
         forget_checkpoint(&self.out)?;
@@ -253,10 +291,10 @@ impl Arguments {
         let Some((folder, start)) = self.long(scene.json(), files::POWDER)? else {
             return Ok(());
         };
-        let compaction = powder::simulate(scene, &self.out, &self.course(start, folder.lock()))?;
-        // From here on a break costs no more than the results.
+        // From its end on a break costs no more than the results.
+        let compaction = powder::simulate(scene, self.session(start, &folder))
+            .map_err(|error| self.failure(error))?;
         folder.remove(files::is_made_from_frames)?;
-        folder.write(CHECKPOINT, compaction.checkpoint().as_bytes())?;
         let outcome = compaction.outcome();
         powder::write(scene, &compaction, &outcome, &folder)?;
         folder.check()?;

@@ -4,18 +4,17 @@ mod colors;
 mod encoder;
 pub mod kept;
 pub mod path;
-mod solid;
 mod still;
 
-use self::colors::Paint;
-use self::kept::{Kept, summary};
-use self::solid::Solid;
+use self::colors::{Look, Paint};
+use self::kept::Kept;
 use crate::command::run::{files, frames_folder};
 use crate::failure::Failure;
-use crate::folder;
-use crate::report::player::Film;
 use std::path::{Path, PathBuf};
 use tribos::record::write_atomically;
+use tribos::run::folder;
+use tribos_report::player::Film;
+use tribos_report::runs::RunFrames;
 
 /// Writes DIR/view.html, a page that plays the run in a browser, from a file and without a network.
 ///
@@ -63,7 +62,7 @@ impl Arguments {
         } = Kept::read(&self.folder)?;
         if bodies.is_some() {
             let frames = frames_folder(&self.folder);
-            return self.solid(&Solid::read(&frames, summary.as_ref())?);
+            return self.solid(&RunFrames::read(&frames, summary.as_ref())?);
         }
         let folder = self.folder.display();
         let Some(summary) = summary else {
@@ -92,16 +91,16 @@ impl Arguments {
         !self.still.is_empty() || self.film.is_some() || self.color.is_some() || self.network
     }
 
-    fn solid(&self, run: &Solid) -> Result<(), Failure> {
+    fn solid(&self, run: &RunFrames) -> Result<(), Failure> {
         if self.still.is_empty() && self.film.is_none() {
             if self.draws() {
                 return Err(Failure::input(
                     "--color and --network go with --still or --film; the page has them as buttons",
                 ));
             }
-            return self.page(&run.film()?);
+            return self.page(&run.film().map_err(Failure::run)?);
         }
-        let look = run.look(self.color, self.network)?;
+        let look = Look::of(run, self.color, self.network)?;
         let mut chosen = Vec::new();
         for which in &self.still {
             chosen.push(which.number(run.frames.len())?);
@@ -131,11 +130,6 @@ impl Arguments {
         write_atomically(&file, film.page().as_bytes())?;
         written(&file)
     }
-}
-
-/// The film of a powder's or a tip's run.
-pub fn solid_film(run: &Path) -> Result<Film, Failure> {
-    Solid::read(&frames_folder(run), summary(run)?.as_ref())?.film()
 }
 
 fn written(file: &Path) -> Result<(), Failure> {

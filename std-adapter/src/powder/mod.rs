@@ -11,6 +11,7 @@ mod frames;
 mod limits;
 mod outcome;
 mod packing;
+mod session;
 mod statistics;
 mod stress;
 

@@ -12,6 +12,7 @@ pub mod export;
 mod frames;
 mod outcome;
 mod run;
+mod session;
 mod shape;
 mod watch;
 

@@ -14,7 +14,7 @@ use drift::{Run, SHIFTS};
 use problems::Problem;
 use race::Race;
 use std::path::Path;
-use tribos_cli::report::figure::{Axis, Figure, Legend, Panels, Series};
+use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
 
 const PICTURE: &str = "atoms.svg";
 /// Size of a panel in pixels.

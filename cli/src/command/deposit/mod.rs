@@ -1,23 +1,22 @@
 //! `tribos deposit`: ballistic deposits of spheres, and their porosity over the capture radius.
 
-pub mod curve;
-
 use super::digits::shown;
 use super::number;
 use super::run::size::{Allowed, check, told};
 use crate::failure::Failure;
-use crate::folder::{Contents, OutputFolder};
-use crate::report::image;
-use curve::PorosityCurve;
 use serde_json::{Map, Value};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
+use tribos::powder::deposit::curve::{COLUMNS as CURVE_COLUMNS, PorosityCurve};
 use tribos::powder::deposit::{Ballistic, Deposit, Until};
 use tribos::record::{
     contacts_vtp, extended_xyz, json_number, particles_vtp, series_csv, write_atomically,
 };
 use tribos::run::RunSize;
+use tribos::run::folder::{Contents, OutputFolder};
+use tribos_report::image;
+use tribos_report::runs::deposit::porosity;
 
 /// Let spheres fall one by one on a square base, periodic in x and y, where each sticks to the first
 /// sphere that it comes near, or to the substrate (thesis, section 4.5). All lengths are in radii of
@@ -196,16 +195,16 @@ impl Arguments {
         // The densest of its deposits.
         let dense = Ballistic::new(self.width, 1.0, 2.0).map_err(Failure::input)?;
         self.check(&dense, until)?;
-        let curve = PorosityCurve::new(self.width, until, self.seed)?;
+        let curve = PorosityCurve::new(self.width, until, self.seed).map_err(Failure::input)?;
         let files = ["porosity.csv", "porosity.svg", "porosity.png"];
         let _folder = OutputFolder::begin(&self.out, &Contents::of("deposit", &files))?;
         let rows = curve
             .rows
             .iter()
-            .map(<[f64; curve::COLUMNS.len()]>::as_slice);
-        let csv = series_csv(&curve::COLUMNS, rows);
+            .map(<[f64; CURVE_COLUMNS.len()]>::as_slice);
+        let csv = series_csv(&CURVE_COLUMNS, rows);
         write_atomically(&self.out.join("porosity.csv"), csv.as_bytes())?;
-        image::write_both(&self.out, "porosity", &curve.figure())?;
+        image::write_both(&self.out, "porosity", &porosity(&curve))?;
         super::print(&format!("written to     {}\n", self.out.display()))
     }
 }

@@ -8,7 +8,6 @@ mod potential;
 mod units;
 
 use crate::failure::Failure;
-use crate::folder::{Contents, OutputFolder};
 use boundary::Boundary;
 use pair::PairSpec;
 use potential::Potential;
@@ -17,6 +16,7 @@ use tribos::md::configuration::{self, Configuration};
 use tribos::md::interaction::{Tally, Wanted, evaluate};
 use tribos::md::neighbours::VerletList;
 use tribos::record::{read_text, write_atomically};
+use tribos::run::folder::{Contents, OutputFolder};
 use units::Units;
 
 /// Bytes of a file of atoms or of a potential at most.

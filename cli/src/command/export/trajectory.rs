@@ -4,11 +4,11 @@ use crate::command::run::frames_folder;
 use crate::command::view::kept::Kept;
 use crate::command::view::path;
 use crate::failure::Failure;
-use crate::folder::{self, Contents, OutputFolder};
 use nalgebra::Vector3;
 use std::path::{Path, PathBuf};
 use tribos::record::frames::{Bodies, FrameFolder};
 use tribos::record::trajectory::{self, Column, Format, Side, State, Values};
+use tribos::run::folder::{self, Contents, OutputFolder};
 
 /// Of a run, finished or broken off: all frames of a powder or a tip, the path of a body in the plane.
 ///

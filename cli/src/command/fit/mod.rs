@@ -6,13 +6,13 @@ mod progress;
 mod table;
 
 use crate::failure::Failure;
-use crate::folder::{Contents, OutputFolder};
-use crate::report::image;
 use progress::Progress;
 use std::num::NonZero;
 use std::path::PathBuf;
 use table::Table;
 use tribos::fit::{LawName, Options, fit_watched, law_model};
+use tribos::run::folder::{Contents, OutputFolder};
+use tribos_report::image;
 
 /// Fits a law of the kernel to measured friction by least squares and prints its parameters with
 /// standard errors, what the data do not tell, and how many of several starts agree.

@@ -2,8 +2,8 @@
 
 use super::Law;
 use crate::failure::Failure;
-use crate::report::figure::{Axis, Figure, Guide, Panels, Series};
 use tribos::fit::{Data, Fit, Motion, law_model};
+use tribos_report::figure::{Axis, Figure, Guide, Panels, Series};
 
 /// Most measurements that are drawn: more of them hide each other, and fill files.
 const MOST_DRAWN: usize = 4000;

@@ -8,12 +8,12 @@ use super::patch::PatchName;
 use super::{number, profile};
 use crate::command::digits::shown;
 use crate::failure::Failure;
-use crate::report::image::Drawing;
 use output::Format;
 use std::num::NonZeroU32;
 use std::path::PathBuf;
 use tribos::record::write_atomically;
 use tribos::slide::inverse::{Launches, Limits, Pose, RestMap, Turns};
+use tribos_report::image::Drawing;
 
 /// Every launch (speed, direction, spin) after which a flat body comes to rest at the wanted pose,
 /// by rising kinetic energy. The body starts at the origin with angle 0 and slides under the local

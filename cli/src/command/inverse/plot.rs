@@ -1,9 +1,9 @@
 //! What the limits reach, distance against turns.
 
-use crate::report::figure::{Axis, Color, Figure, Guide, Legend, Region, Series};
 use std::f64::consts::TAU;
 use tribos::slide::inverse::{Limits, Pose, RestMap, Solution};
 use tribos_core::coupling::{Coupling, Profile};
+use tribos_report::figure::{Axis, Color, Figure, Guide, Legend, Region, Series};
 
 /// Points along a curve of launches.
 const POINTS: usize = 48;

@@ -2,11 +2,11 @@
 
 use super::LawSpec;
 use crate::failure::Failure;
-use crate::report::figure::{Axis, Figure, Series};
-use crate::report::image;
 use std::path::Path;
 use tribos::record::series_csv;
 use tribos_core::law::LocalLaw;
+use tribos_report::figure::{Axis, Figure, Series};
+use tribos_report::image;
 
 /// Points a curve.
 const POINTS: usize = 400;
@@ -41,5 +41,5 @@ pub fn write(path: &Path, laws: &[LawSpec], [from, to]: [f64; 2]) -> Result<(), 
     let mut columns = vec!["speed"];
     columns.extend(quoted.iter().map(String::as_str));
     let csv = || series_csv(&columns, rows.iter().map(Vec::as_slice));
-    image::write_as_named(path, &figure, csv)
+    Ok(image::write_as_named(path, &figure, csv)?)
 }

@@ -1,18 +1,16 @@
 //! `tribos modes`: fixed points of the velocity ratio, the final mode, the phase diagram.
 
-pub mod diagram;
-
 use super::digits::shown;
 use super::patch::PatchName;
 use super::{number, profile};
 use crate::failure::Failure;
-use crate::report::image;
-use diagram::Diagram;
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
 use tribos::record::json_number;
 use tribos_core::coupling::Profile;
 use tribos_core::modes::{FinalMode, FixedPoints, Modes, Stability};
+use tribos_report::diagram::Diagram;
+use tribos_report::image;
 
 /// Where the velocity ratio v/(omega R) of a free slider goes: its fixed points for the exponent
 /// alpha, the inertia ratio C = I/(M R^2) and the patch, and what dominates just before rest.
@@ -82,7 +80,7 @@ impl Arguments {
                 let profile = profile::upright(&self.patch, alpha)?;
                 // The interval does not depend on the body.
                 let modes = Modes::new(&*profile, 1.0).map_err(Failure::input)?;
-                Ok(modes.inertia_interval())
+                Ok::<_, Failure>(modes.inertia_interval())
             };
             let diagram = Diagram::whole(format!("{:?}", self.patch).to_lowercase(), interval)?;
             let figure = diagram.figure(Some((answer.alpha, answer.inertia_ratio)));

@@ -3,14 +3,14 @@
 use super::{begin, files};
 use crate::command::digits::shown;
 use crate::failure::Failure;
-use crate::folder::Broken;
-use crate::report::figure::{Axis, Figure, Series};
-use crate::report::image;
 use std::path::Path;
 use tribos::record::write_series;
+use tribos::run::folder::Broken;
 use tribos::scene::PlanarScene;
 use tribos::slide::planar::Ending;
 use tribos::slide::{PATH_COLUMNS, PathRun, run_path};
+use tribos_report::figure::{Axis, Figure, Series};
+use tribos_report::image;
 
 /// Runs the scene and writes its results into the folder.
 pub fn run(scene: &PlanarScene, out: &Path, broken: Broken) -> Result<(), Failure> {

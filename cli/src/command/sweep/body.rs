@@ -3,17 +3,18 @@
 use super::kind::{self, Kind};
 use super::refusal;
 use crate::command::digits::shown;
-use crate::command::run::long::{Course, Start, Unfinished, resumed};
-use crate::command::run::{powder, tip};
+use crate::command::interrupt;
+use crate::command::run::tip;
 use crate::failure::Failure;
-use crate::folder::Lock;
 use serde_json::{Value, json};
-use std::time::Duration;
+use std::error::Error;
+use std::sync::Arc;
+use tribos::powder::Compaction;
+use tribos::run::folder::Lock;
+use tribos::run::{LongRun, RunError, Session, Start};
 use tribos::scene::{self, PlanarScene, PowderScene, Scene, SliderScene, TipScene};
 use tribos::slide::{self, SlideError};
-
-/// Time from one checkpoint of a run to the next.
-const PAUSE: Duration = Duration::from_secs(60);
+use tribos::tip::TipRun;
 
 /// A scene that a sweep runs.
 #[derive(Debug)]
@@ -72,7 +73,7 @@ impl Body {
     /// Runs to the end, on from a checkpoint if there is one: the summary, and a line about it.
     ///
     /// A scene that is refused, at its start or on its way, has a summary too: it is refused every time.
-    pub fn run(&self, folder: &Lock) -> Result<(Value, String), Failure> {
+    pub fn run(&self, folder: &Arc<Lock>) -> Result<(Value, String), Failure> {
         self.done(folder).or_else(|end| match end {
             Unfinished::Refused(failure) => {
                 let reason = failure.to_string();
@@ -84,7 +85,7 @@ impl Body {
         })
     }
 
-    fn done(&self, folder: &Lock) -> Result<(Value, String), Unfinished> {
+    fn done(&self, folder: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
         match self {
             Self::Disk(scene) => {
                 let outcome = slide::run(scene, |_| ())?.outcome;
@@ -109,14 +110,31 @@ impl Body {
     }
 }
 
+/// Why there is no result.
+enum Unfinished {
+    /// The scene cannot be run: the same every time.
+    Refused(Failure),
+    /// Something other than the scene.
+    Stopped(Failure),
+}
+
+impl<E: Error + Into<Failure>> From<RunError<E>> for Unfinished {
+    fn from(error: RunError<E>) -> Self {
+        match error {
+            RunError::Scene(error) => Self::Refused(error.into()),
+            error => Self::Stopped(error.into()),
+        }
+    }
+}
+
 impl From<SlideError> for Unfinished {
     fn from(error: SlideError) -> Self {
         Self::Refused(error.into())
     }
 }
 
-fn compact(scene: &PowderScene, lock: &Lock) -> Result<(Value, String), Unfinished> {
-    let run = resumed(|start| powder::simulate(scene, lock.folder(), &course(start, lock)))?;
+fn compact(scene: &PowderScene, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
+    let run: Compaction = session(lock).run(scene)?;
     let outcome = run.outcome();
     let told = format!(
         "porosity {} % after {} steps, {:.1} s",
@@ -127,11 +145,13 @@ fn compact(scene: &PowderScene, lock: &Lock) -> Result<(Value, String), Unfinish
     Ok((outcome.json(scene), told))
 }
 
-fn turn(scene: &TipScene, lock: &Lock) -> Result<(Value, String), Unfinished> {
-    let run = resumed(|start| tip::simulate(scene, lock.folder(), &course(start, lock)))?;
+fn turn(scene: &TipScene, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
+    let run: TipRun = session(lock).run(scene)?;
     let outcome = run.outcome();
-    lock.check()?;
-    tip::write_series(&run, lock.folder())?;
+    let written = lock.check().map_err(Failure::from);
+    written
+        .and_then(|()| tip::write_series(&run, lock.folder()))
+        .map_err(Unfinished::Stopped)?;
     let told = format!(
         "{} degrees driven, {} after it",
         shown(outcome.driven_angle),
@@ -140,6 +160,10 @@ fn turn(scene: &TipScene, lock: &Lock) -> Result<(Value, String), Unfinished> {
     Ok((outcome.json(scene), told))
 }
 
-fn course(start: Start, lock: &Lock) -> Course<'_> {
-    Course::one_of_many(lock, start, PAUSE, 0)
+/// A run without frames, resumed if it can be.
+fn session<R: LongRun>(lock: &Arc<Lock>) -> Session<'_, R> {
+    Session::under(lock.clone(), lock.folder())
+        .start(Start::ResumeIfPossible)
+        .frames(0)
+        .cancel_when(interrupt::is_asked)
 }

@@ -4,15 +4,15 @@ use super::body::Body;
 use super::progress::Progress;
 use super::{refusal, summary};
 use crate::command::interrupt;
-use crate::command::parallel::in_order;
-use crate::command::run::long::forget_checkpoint;
 use crate::failure::Failure;
-use crate::folder::{Attempt, Lock, Sharing, remove_file, remove_unfinished};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 use tribos::record::{read_text, write_atomically_there};
+use tribos::run::folder::{Attempt, Lock, Sharing, remove_file, remove_unfinished};
+use tribos::run::{forget_checkpoint, in_order};
 
 /// Bytes of a summary at most.
 const MOST_BYTES: u64 = 64 << 20;
@@ -77,6 +77,7 @@ pub fn run(tasks: &[&Task], asked: Option<usize>, lock: &Lock) -> Result<(), Fai
         // The folder of a run is made if missing: not where the sweep is no more.
         let result = lock
             .check()
+            .map_err(Failure::from)
             .and_then(|()| missing[index].run(share.threads, &progress));
         if matches!(result, Err(Failure::NoRoom(_) | Failure::Interrupted(_))) {
             full.store(true, Ordering::Relaxed);
@@ -125,7 +126,7 @@ impl Task {
         let body = self.body.as_ref().map_err(Failure::input)?;
         // The same run may be part of another process's share.
         let lock = match Lock::attempt(&self.folder, Sharing::Alone)? {
-            Attempt::Taken(lock) => lock,
+            Attempt::Taken(lock) => Arc::new(lock),
             Attempt::InUse(told) => {
                 return Err(Failure::run(format!(
                     "{told}; when that has ended, the same command goes on"

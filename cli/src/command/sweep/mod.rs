@@ -21,7 +21,6 @@ mod table;
 
 use super::{interrupt, number};
 use crate::failure::Failure;
-use crate::folder::{Attempt, Contents, Lock, Manifest, OutputFolder, Sharing};
 use grid::Grid;
 use jobs::Task;
 use part::Part;
@@ -30,6 +29,7 @@ use slurm::JobArray;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use tribos::run::folder::{Attempt, Contents, Lock, Manifest, OutputFolder, Sharing};
 
 /// Runs a scene of any body for every combination of the values of its keys, each with several seeds
 /// if the body has one, and writes tables: sweep.csv, means and standard deviations over the seeds, and
@@ -231,7 +231,7 @@ impl Arguments {
 
 /// The folder of the sweep, for this process alone.
 fn claim(plan: &Plan, out: &Path) -> Result<OutputFolder, Failure> {
-    OutputFolder::go_on(out, &contents(plan))
+    Ok(OutputFolder::go_on(out, &contents(plan))?)
 }
 
 /// What a sweep leaves beside its runs and its plan, which may have come from another machine.

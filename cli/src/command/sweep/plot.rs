@@ -3,10 +3,10 @@
 use super::grid::Grid;
 use super::table::Table;
 use crate::failure::Failure;
-use crate::report::figure::{Axis, Figure, Series};
-use crate::report::image;
-use crate::report::surface::Surface;
 use std::path::Path;
+use tribos_report::figure::{Axis, Figure, Series};
+use tribos_report::image;
+use tribos_report::surface::Surface;
 
 /// Draws a surface over two keys with several numbers each, a line over one; nothing if there are
 /// more of them, or keys with several words.

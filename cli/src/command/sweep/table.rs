@@ -4,9 +4,9 @@ use super::frame::{Cells, Column, add, scalar};
 use super::grid::Grid;
 use super::kind::Kind;
 use super::refusal;
-use crate::command::deposit::curve::statistics;
 use crate::command::digits::shown;
 use serde_json::Value;
+use tribos::powder::deposit::curve::statistics;
 
 /// A line a combination.
 #[derive(Debug)]

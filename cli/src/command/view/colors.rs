@@ -1,11 +1,11 @@
 //! How pictures of frames are coloured.
 
-use super::solid::Solid;
 use crate::failure::Failure;
-use crate::report::figure::{Axis, Color};
-use crate::report::packing::{Contact, PackingError, PackingPicture};
-use crate::report::player::PART_COLORS;
 use tribos::record::frames::{Frame, Kind};
+use tribos_report::figure::{Axis, Color};
+use tribos_report::packing::{Contact, PackingError, PackingPicture};
+use tribos_report::player::PART_COLORS;
+use tribos_report::runs::RunFrames;
 
 /// What the colours of a picture mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -43,7 +43,7 @@ const MARK: Color = Color(255, 210, 31);
 
 impl Look {
     /// Fits the scale to all frames.
-    pub fn of(run: &Solid, paint: Option<Paint>, network: bool) -> Result<Self, Failure> {
+    pub fn of(run: &RunFrames, paint: Option<Paint>, network: bool) -> Result<Self, Failure> {
         let is_tip = run.bodies.kind == Kind::Tip;
         let paint = paint.unwrap_or(if is_tip { Paint::Part } else { Paint::Layer });
         let has_forces = matches!(paint, Paint::Force | Paint::Coordination) || network;
@@ -86,7 +86,7 @@ impl Look {
     pub fn paint(
         &self,
         picture: PackingPicture,
-        run: &Solid,
+        run: &RunFrames,
         frame: &Frame,
     ) -> Result<PackingPicture, PackingError> {
         let [low, high] = self.range;
@@ -116,7 +116,7 @@ impl Look {
 }
 
 /// A value a body.
-fn values(run: &Solid, frame: &Frame, paint: Paint) -> Vec<f64> {
+fn values(run: &RunFrames, frame: &Frame, paint: Paint) -> Vec<f64> {
     let sums = |add: fn(f32) -> f64| {
         let mut sums = vec![0.0; frame.places.len()];
         for contact in &frame.contacts {

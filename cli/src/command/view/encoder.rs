@@ -1,14 +1,14 @@
 //! Film files: frames drawn one after another and handed to ffmpeg.
 
 use super::colors::Look;
-use super::solid::Solid;
 use super::still;
-use crate::command::parallel;
 use crate::failure::Failure;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use tribos::record::{WriteError, write_atomically_with};
+use tribos::run::in_order;
+use tribos_report::runs::RunFrames;
 
 /// Endings of films, and what ffmpeg is told for them.
 const ENDINGS: [(&str, &[&str]); 3] = [
@@ -40,7 +40,7 @@ fn ending(path: &Path) -> Option<(&'static str, &'static [&'static str])> {
 }
 
 /// Draws all frames into a film, which appears whole or not at all.
-pub fn film(run: &Solid, look: &Look, file: &Path, rate: u32) -> Result<(), Failure> {
+pub fn film(run: &RunFrames, look: &Look, file: &Path, rate: u32) -> Result<(), Failure> {
     let (ending, options) = ending(file).unwrap_or(ENDINGS[0]);
     let unfinished = file.with_extension(format!("unfinished.{ending}"));
     let mut encoder = begin(&unfinished, rate, options)?;
@@ -100,7 +100,7 @@ fn begin(file: &Path, rate: u32, options: &[&str]) -> Result<Child, Failure> {
 }
 
 /// Draws frames some at a time and hands them over in order.
-fn feed(run: &Solid, look: &Look, encoder: &mut Child) -> Result<(), Failure> {
+fn feed(run: &RunFrames, look: &Look, encoder: &mut Child) -> Result<(), Failure> {
     // Dropped at the end: ffmpeg sees that no more will come.
     let Some(mut pipe) = encoder.stdin.take() else {
         return Err(Failure::run("ffmpeg takes no pictures"));
@@ -110,7 +110,7 @@ fn feed(run: &Solid, look: &Look, encoder: &mut Child) -> Result<(), Failure> {
     for first in (0..count).step_by(AT_ONCE) {
         let some = AT_ONCE.min(count - first);
         let draw = |index: usize| still::png(run, look, first + index);
-        for picture in parallel::in_order(some, threads, draw) {
+        for picture in in_order(some, threads, draw) {
             let picture = picture.unwrap_or_else(|| Err(Failure::run("a picture was lost")))?;
             pipe.write_all(&picture)
                 .map_err(|error| Failure::run(format!("ffmpeg stopped listening: {error}")))?;

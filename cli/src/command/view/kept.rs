@@ -2,11 +2,11 @@
 
 use crate::command::run::{COMMAND, frames_folder};
 use crate::failure::Failure;
-use crate::folder::Manifest;
 use serde_json::Value;
 use std::path::Path;
 use tribos::record::frames::{Bodies, FrameFolder};
 use tribos::record::read_text;
+use tribos::run::folder::Manifest;
 
 /// Bytes of a summary at most.
 const MOST_BYTES: u64 = 64 << 20;

@@ -2,13 +2,13 @@
 
 use crate::command::digits::shown;
 use crate::failure::Failure;
-use crate::folder::Manifest;
-pub use crate::report::player::Row;
-use crate::report::player::{Film, PathBody, path_film};
 use serde_json::Value;
 use std::path::Path;
 use tribos::record::read_text;
+use tribos::run::folder::Manifest;
 use tribos::scene::{Key, vocabulary};
+pub use tribos_report::player::Row;
+use tribos_report::player::{Film, PathBody, path_film};
 
 /// Radius of the running band of a curling rock, in m, where the scene leaves it out.
 const BAND: f64 = 0.065;

@@ -1,10 +1,10 @@
 //! Single frames as pictures.
 
 use super::colors::{Look, contacts};
-use super::solid::Solid;
 use crate::failure::Failure;
-use crate::report::packing::{Packing, PackingPicture};
 use tribos::record::frames::{Frame, Kind};
+use tribos_report::packing::{Packing, PackingPicture};
+use tribos_report::runs::RunFrames;
 
 /// Size of pictures, px: even numbers, which film files need.
 const SIZES: [(u32, u32); 2] = [(520, 720), (860, 640)];
@@ -41,7 +41,7 @@ impl Which {
 }
 
 /// A frame drawn as PNG.
-pub fn png(run: &Solid, look: &Look, index: usize) -> Result<Vec<u8>, Failure> {
+pub fn png(run: &RunFrames, look: &Look, index: usize) -> Result<Vec<u8>, Failure> {
     let frame = &run.frames[index];
     let places: Vec<[f64; 3]> = frame.places.iter().map(|at| [at.x, at.y, at.z]).collect();
     let is_powder = run.bodies.kind == Kind::Powder;

@@ -2,6 +2,7 @@
 
 mod columns;
 mod contacts;
+pub mod curve;
 mod cut;
 mod error;
 mod grow;

@@ -1,18 +1,18 @@
 //! What a compaction leaves behind.
 
-use super::picture;
 use crate::command::digits::shown;
 use crate::command::interrupt;
 use crate::command::run::files;
 use crate::failure::Failure;
-use crate::folder::OutputFolder;
-use crate::report::image;
 use std::path::Path;
 use tribos::powder::{COLUMNS, Compaction, Ending, Outcome};
 use tribos::record::{
     Snapshot, SnapshotError, contacts_vtp, extended_xyz, particles_vtp, write_series,
 };
+use tribos::run::folder::OutputFolder;
 use tribos::scene::PowderScene;
+use tribos_report::image;
+use tribos_report::runs::powder as picture;
 
 /// A format of a state: text of a snapshot.
 type Export = fn(&Snapshot<'_>) -> Result<String, SnapshotError>;
@@ -47,19 +47,23 @@ pub fn write(
     image::write_both(
         out,
         "packing",
-        &picture::packing(scene, &picture::State::both(compaction), outcome)?,
+        &picture::packing(scene, &picture::State::both(compaction), outcome)
+            .map_err(Failure::run)?,
     )?;
     folder.check()?;
     image::write_both(out, "series", &picture::series(compaction, outcome))?;
     // Last: a summary stands only beside complete results.
     let summary = format!("{:#}\n", outcome.json(scene));
-    folder.write("summary.json", summary.as_bytes())
+    Ok(folder.write("summary.json", summary.as_bytes())?)
 }
 
 /// Ends the command where it was asked to: the run itself is in its checkpoint.
 fn interrupted(out: &Path) -> Result<(), Failure> {
     if interrupt::is_asked() {
-        return Err(interrupt::ended(out, "while results were written"));
+        return Err(interrupt::ended(
+            out,
+            "interrupted while results were written",
+        ));
     }
     Ok(())
 }

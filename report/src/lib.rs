@@ -1,0 +1,15 @@
+//! What people look at: figures, pictures and films of runs, and pages of claims. No physics of its own.
+
+pub mod claim;
+pub mod diagram;
+pub mod digits;
+pub mod figure;
+pub mod image;
+pub mod packing;
+pub mod page;
+pub mod player;
+pub mod runs;
+pub mod sheet;
+mod solid;
+pub mod surface;
+pub mod verdict;

@@ -1,0 +1,85 @@
+//! The frames of a run, read, and films of them.
+
+use crate::player::{Film, MovieError, solid_film};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use tribos::record::frames::{Bodies, Frame, FrameError, FrameFolder, Kind};
+
+/// Why a run cannot be shown as a film.
+#[derive(Debug, thiserror::Error)]
+pub enum FilmError {
+    /// The run kept no frames.
+    #[error("{}: no frames are there; run the scene again", .0.display())]
+    Missing(PathBuf),
+    /// The frames cannot be read.
+    #[error(transparent)]
+    Frames(#[from] FrameError),
+    /// The frames make no film.
+    #[error(transparent)]
+    Movie(#[from] MovieError),
+}
+
+/// A run of a powder or a tip as its frames show it.
+#[derive(Debug)]
+pub struct RunFrames {
+    /// What it is called.
+    pub title: String,
+    /// What its frames have in common.
+    pub bodies: Bodies,
+    /// The frames in order, at least one.
+    pub frames: Vec<Frame>,
+}
+
+impl RunFrames {
+    /// Reads all frames of a folder; the summary of the run adds to the title.
+    pub fn read(folder: &Path, summary: Option<&Value>) -> Result<Self, FilmError> {
+        let Some(bodies) = FrameFolder::bodies(folder)? else {
+            return Err(FilmError::Missing(folder.to_owned()));
+        };
+        let steps = FrameFolder::steps(folder)?;
+        let frames: Result<Vec<Frame>, _> = steps
+            .into_iter()
+            .map(|step| FrameFolder::read(folder, &bodies, step))
+            .collect();
+        let frames = frames?;
+        if frames.is_empty() {
+            return Err(FilmError::Missing(folder.to_owned()));
+        }
+        let title = title(&bodies, summary);
+        Ok(Self {
+            title,
+            bodies,
+            frames,
+        })
+    }
+
+    /// The film for a page.
+    pub fn film(&self) -> Result<Film, MovieError> {
+        solid_film(&self.title, &self.bodies, &self.frames)
+    }
+}
+
+/// What a run is, with what its summary adds.
+fn title(bodies: &Bodies, summary: Option<&Value>) -> String {
+    let count = bodies.radii.len();
+    let told = |key: &str| {
+        // As short as a person writes it.
+        let value = summary?["scene"][key].as_f64()?;
+        Some(value.to_string())
+    };
+    match bodies.kind {
+        Kind::Powder => {
+            let mut title = format!("Compaction of {count} cohesive spheres");
+            for (key, name) in [("sliding", "μ"), ("rolling", "μ_t"), ("torsion", "μ_n")] {
+                if let Some(value) = told(key) {
+                    title += &format!(", {name} = {value}");
+                }
+            }
+            title
+        }
+        Kind::Tip => {
+            let lambda = told("lambda").map_or(String::new(), |value| format!(", λ = {value}"));
+            format!("Tip on a substrate, {count} atoms{lambda}")
+        }
+    }
+}

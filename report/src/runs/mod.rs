@@ -1,0 +1,8 @@
+//! Pictures and films of runs.
+
+pub mod deposit;
+mod frames;
+pub mod powder;
+pub mod tip;
+
+pub use frames::{FilmError, RunFrames};

@@ -1,0 +1,87 @@
+//! Pictures of a tip: its atoms, coloured by what they are, and the angles over time.
+
+use crate::figure::{Axis, Color, Figure, Guide, Panels, Series};
+use crate::packing::{Packing, PackingError, PackingPicture};
+use crate::player::PART_COLORS;
+use crate::sheet::Sheet;
+use nalgebra::Vector3;
+use tribos::scene::TipScene;
+use tribos::tip::{Outcome, Part, Shape, TipRun};
+
+/// One atom of each part of the tip is marked, to see it turn.
+const MARK: Color = Color(250, 205, 30);
+
+/// Colours of all atoms.
+pub fn colors(shape: &Shape) -> Vec<Color> {
+    let sites = shape.sites();
+    let mut colors: Vec<_> = sites
+        .iter()
+        .map(|site| {
+            let part = Part::ALL.iter().position(|&part| part == site.part);
+            PART_COLORS[part.unwrap_or_default()]
+        })
+        .collect();
+    for atom in shape.marked() {
+        colors[atom] = MARK;
+    }
+    colors
+}
+
+/// The system of a scene, at places of its atoms.
+pub fn atoms(
+    title: &str,
+    scene: &TipScene,
+    positions: &[Vector3<f64>],
+) -> Result<PackingPicture, PackingError> {
+    let shape = &scene.shape;
+    let lengths = shape.periods();
+    let places: Vec<[f64; 3]> = positions
+        .iter()
+        .map(|place| [place.x, place.y, place.z])
+        .collect();
+    let radii = vec![0.5 * shape.spacing; places.len()];
+    let packing = Packing::new(&places, &radii, lengths, None)?;
+    let picture = PackingPicture::spheres(title, &packing).bare();
+    picture.colors(&colors(shape))
+}
+
+/// Before and after.
+pub fn both_ends(scene: &TipScene, run: &TipRun) -> Result<Sheet, PackingError> {
+    let start: Vec<Vector3<f64>> = scene.shape.sites().iter().map(|site| site.place).collect();
+    let end = &run.system().atoms().positions;
+    let title = format!("Tip on a substrate, λ = {}", scene.lambda);
+    Ok(Sheet::new(title, 2)
+        .drawing(atoms("Crystal", scene, &start)?.size(620, 480))
+        .drawing(atoms("End", scene, end)?.size(620, 480)))
+}
+
+/// Angle of the driven layers, and of each layer of the tip, over time.
+pub fn series(scene: &TipScene, run: &TipRun, outcome: &Outcome) -> Panels {
+    let rows = run.series();
+    let first = rows.first().map_or(0, Vec::len) - scene.shape.tip_layers;
+    let curve = |column: usize| rows.iter().map(|row| (row[0], row[column])).collect();
+    let time = || Axis::linear("time [σ√(m/ε)]");
+    let end = scene.stages[1];
+    let mut driven = Figure::new("Driven layers", time(), Axis::linear("angle [degree]"))
+        .series(Series::line("", curve(1)))
+        .guide(Guide::vertical(end, "off"));
+    for plateau in &outcome.plateaus {
+        driven = driven.guide(Guide::horizontal(plateau.angle, ""));
+    }
+    let mut layers = Figure::new("Layers of the tip", time(), Axis::linear("angle [degree]"))
+        .guide(Guide::vertical(end, "off"));
+    for layer in 0..scene.shape.tip_layers {
+        layers = layers.series(Series::line(format!("{}", layer + 1), curve(first + layer)));
+    }
+    let torque = Figure::new("", time(), Axis::linear("resisting torque [ε]"))
+        .series(Series::line("", curve(2)))
+        .guide(Guide::vertical(end, "off"));
+    let heat = Figure::new("", time(), Axis::linear("temperature [ε/k_B]"))
+        .series(Series::line("substrate", curve(4)))
+        .series(Series::line("tip", curve(5)));
+    Panels::new(format!("λ = {}", scene.lambda), 2)
+        .figure(driven)
+        .figure(layers)
+        .figure(torque)
+        .figure(heat)
+}

@@ -1,0 +1,107 @@
+//! Porosity of ballistic deposits over the inverse capture radius (fig. 4.5).
+
+use super::{Ballistic, DepositError, Until};
+
+/// Columns of the table; lengths in radii, deviations of single deposits.
+pub const COLUMNS: [&str; 8] = [
+    "inv_capture_radius",
+    "capture_radius",
+    "porosity",
+    "porosity_std",
+    "bulk_porosity",
+    "bulk_porosity_std",
+    "particles",
+    "particles_std",
+];
+
+/// Capture radii, from spheres that stick where they touch.
+const CAPTURE_RADII: [f64; 10] = [10.0, 8.0, 6.0, 5.0, 4.0, 3.5, 3.0, 2.5, 2.2, 2.0];
+
+/// Deposits averaged for each point, as many as in the thesis.
+const SEEDS: u64 = 5;
+
+/// The curve.
+#[derive(Debug)]
+pub struct PorosityCurve {
+    /// One line for each capture radius, the largest first.
+    pub rows: Vec<[f64; COLUMNS.len()]>,
+}
+
+impl PorosityCurve {
+    /// Deposits on a base of `width`, with five seeds from `seed` on.
+    pub fn new(width: f64, until: Until, seed: u64) -> Result<Self, DepositError> {
+        let mut rows = Vec::new();
+        for capture in CAPTURE_RADII {
+            let ballistic = Ballistic::new(width, 1.0, capture)?;
+            let sample = Sample::new(&ballistic, until, (0..SEEDS).map(|n| seed.wrapping_add(n)))?;
+            let mut row = [1.0 / capture, capture, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+            for (pair, values) in [sample.porosity, sample.bulk, sample.particles]
+                .iter()
+                .enumerate()
+            {
+                let (mean, deviation) = statistics(values);
+                row[2 + 2 * pair] = mean;
+                row[3 + 2 * pair] = deviation;
+            }
+            rows.push(row);
+        }
+        Ok(Self { rows })
+    }
+
+    /// (1/r_capt, solid fraction of the bulk), the largest r_capt first.
+    pub fn solid(&self) -> Vec<(f64, f64)> {
+        let point = |row: &[f64; COLUMNS.len()]| (row[0], 1.0 - row[4]);
+        self.rows.iter().map(point).collect()
+    }
+}
+
+/// Some deposits of one kind.
+#[derive(Debug)]
+pub struct Sample {
+    /// Porosity below the highest point.
+    pub porosity: Vec<f64>,
+    /// Bulk porosity.
+    pub bulk: Vec<f64>,
+    /// Number of spheres.
+    pub particles: Vec<f64>,
+}
+
+impl Sample {
+    /// Deposits with these seeds.
+    pub fn new(
+        ballistic: &Ballistic,
+        until: Until,
+        seeds: impl Iterator<Item = u64>,
+    ) -> Result<Self, DepositError> {
+        let mut sample = Self {
+            porosity: Vec::new(),
+            bulk: Vec::new(),
+            particles: Vec::new(),
+        };
+        for seed in seeds {
+            let deposit = ballistic.grow(until, seed)?;
+            sample.porosity.push(deposit.porosity());
+            sample.bulk.push(deposit.bulk_porosity());
+            sample.particles.push(deposit.positions.len() as f64);
+        }
+        Ok(sample)
+    }
+}
+
+/// Mean and standard deviation of single values; two or more.
+pub fn statistics(values: &[f64]) -> (f64, f64) {
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    let squares: f64 = values.iter().map(|x| (x - mean) * (x - mean)).sum();
+    (mean, (squares / (count - 1.0)).sqrt())
+}
+
+/// Intercept and slope of the straight line through points, by least squares.
+pub fn straight_line(points: &[(f64, f64)]) -> (f64, f64) {
+    let count = points.len() as f64;
+    let mean = |value: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(value).sum::<f64>() / count;
+    let (x, y) = (mean(&|point| point.0), mean(&|point| point.1));
+    let slope =
+        mean(&|point| (point.0 - x) * (point.1 - y)) / mean(&|point| (point.0 - x) * (point.0 - x));
+    (y - slope * x, slope)
+}

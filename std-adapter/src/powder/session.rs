@@ -1,0 +1,44 @@
+//! Compactions as long runs.
+
+use super::deposit::DepositError;
+use super::{Compaction, CompactionError};
+use crate::record::frames::{Bodies, Frame};
+use crate::run::{Cause, LongRun};
+use crate::scene::PowderScene;
+use std::ops::ControlFlow;
+
+impl LongRun for Compaction {
+    type Scene = PowderScene;
+
+    fn begin(
+        scene: &PowderScene,
+        checkpoint: Option<&str>,
+        growing: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Self, CompactionError> {
+        Self::begin(scene, checkpoint, growing)
+    }
+
+    fn cause(error: &CompactionError) -> Cause {
+        match error {
+            CompactionError::Checkpoint(_) => Cause::Checkpoint,
+            CompactionError::Deposit(DepositError::Stopped) => Cause::Stopped,
+            _ => Cause::Scene,
+        }
+    }
+
+    fn checkpoint(&self) -> String {
+        self.checkpoint()
+    }
+
+    fn steps(&self) -> u64 {
+        self.steps()
+    }
+
+    fn bodies(&self, limit: u64) -> Bodies {
+        self.bodies(limit)
+    }
+
+    fn frame(&self) -> Frame {
+        self.frame()
+    }
+}

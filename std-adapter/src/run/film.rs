@@ -1,0 +1,65 @@
+//! Frames of a run, kept while it runs.
+
+use super::session::{LongRun, RunError, Start};
+use crate::record::frames::{FrameError, FrameFolder};
+use std::path::Path;
+
+/// Frames kept where nobody says how many.
+const USUAL: u64 = 100;
+
+/// Keeps frames of a run, or none.
+#[derive(Debug)]
+pub(super) struct Film(Option<FrameFolder>);
+
+impl Film {
+    /// Begins to keep at most `limit` frames in a folder, or goes on as the run began; frames of an
+    /// earlier run are removed.
+    pub fn of<R: LongRun>(
+        run: &R,
+        folder: &Path,
+        start: Start,
+        limit: Option<u64>,
+    ) -> Result<Self, RunError<R::Error>> {
+        if start == Start::Resume {
+            return Self::resume(folder, limit).map_err(RunError::Frames);
+        }
+        let begun = match limit.unwrap_or(USUAL) {
+            0 => FrameFolder::clear(folder).map(|()| None),
+            limit => FrameFolder::begin(folder, &run.bodies(limit)).map(Some),
+        };
+        Ok(Self(begun.map_err(RunError::Recording)?))
+    }
+
+    /// The number of frames is that of the run's start: others would not be the same set.
+    fn resume(folder: &Path, limit: Option<u64>) -> Result<Self, FrameError> {
+        let there = FrameFolder::resume(folder)?;
+        let kept = there.as_ref().map_or(0, FrameFolder::limit);
+        match limit {
+            Some(given) if given != kept => {
+                let path = folder.to_owned();
+                Err(FrameError::Limit { path, kept, given })
+            }
+            _ => Ok(Self(there)),
+        }
+    }
+
+    /// Sees the first state and every one after a step.
+    pub fn look<R: LongRun>(&mut self, run: &R) {
+        match &mut self.0 {
+            Some(folder) if folder.wants(run.steps()) => folder.add(&run.frame()),
+            _ => {}
+        }
+    }
+
+    /// Writes the frames so far.
+    pub fn save<E: std::error::Error>(&mut self) -> Result<(), RunError<E>> {
+        let saved = self.0.as_mut().map_or(Ok(()), FrameFolder::save);
+        saved.map_err(RunError::Recording)
+    }
+
+    /// Sees the last state.
+    pub fn end<R: LongRun>(self, run: &R) -> Result<(), RunError<R::Error>> {
+        let ended = self.0.map_or(Ok(()), |folder| folder.finish(&run.frame()));
+        ended.map_err(RunError::Recording)
+    }
+}

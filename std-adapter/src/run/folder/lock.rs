@@ -1,0 +1,314 @@
+//! Who works in a folder: a file that its process keeps locked, and that says which one it is.
+//!
+//! The system lets go of the lock when the process ends, whatever ended it: there are no stale locks.
+
+use super::FolderError;
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{Read, Seek, Write};
+use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// Name of the file.
+const NAME: &str = ".tribos-lock";
+/// Letters of a command that are shown to others.
+const MOST_LETTERS: usize = 200;
+
+/// Whether others may work in the folder at the same time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sharing {
+    /// Nobody else.
+    Alone,
+    /// Others that share it too: parts of a sweep.
+    Shared,
+}
+
+/// A lock that is held. Dropped, it is free.
+#[derive(Debug)]
+pub struct Lock {
+    folder: PathBuf,
+    path: PathBuf,
+    /// None where the file system has no locks.
+    file: Option<File>,
+    sharing: Sharing,
+}
+
+/// What became of an attempt.
+#[derive(Debug)]
+pub enum Attempt {
+    /// The lock is held.
+    Taken(Lock),
+    /// Somebody else holds it: who, as a sentence begins.
+    InUse(String),
+}
+
+impl Lock {
+    /// Takes the lock of a folder, which is made if missing.
+    pub fn take(folder: &Path, sharing: Sharing) -> Result<Self, FolderError> {
+        match Self::attempt(folder, sharing)? {
+            Attempt::Taken(lock) => Ok(lock),
+            Attempt::InUse(told) => Err(FolderError::Refused(format!(
+                "{told}; wait for it, or give another --out"
+            ))),
+        }
+    }
+
+    /// Takes the lock of a folder, which is made if missing, unless somebody else holds it.
+    pub fn attempt(folder: &Path, sharing: Sharing) -> Result<Attempt, FolderError> {
+        let path = folder.join(NAME);
+        let fail = |error| FolderError::access("lock", folder, error);
+        if folder.exists() && !folder.is_dir() {
+            let name = folder.display();
+            return Err(FolderError::Refused(format!(
+                "{name} is a file; give a folder for the results"
+            )));
+        }
+        std::fs::create_dir_all(folder).map_err(fail)?;
+        loop {
+            let file = OpenOptions::new()
+                .read(true)
+                .write(true)
+                .create(true)
+                .truncate(false)
+                .open(&path)
+                .map_err(fail)?;
+            let taken = match sharing {
+                Sharing::Alone => file.try_lock(),
+                Sharing::Shared => file.try_lock_shared(),
+            };
+            let file = match taken {
+                Ok(()) if !is_at(&file, &path) => continue,
+                Ok(()) => Some(signed(file)),
+                Err(TryLockError::WouldBlock) => return Ok(Attempt::InUse(in_use(folder, file))),
+                Err(TryLockError::Error(error))
+                    if error.kind() == std::io::ErrorKind::Unsupported =>
+                {
+                    None
+                }
+                Err(TryLockError::Error(error)) => return Err(fail(error)),
+            };
+            return Ok(Attempt::Taken(Self {
+                folder: folder.to_owned(),
+                path,
+                file,
+                sharing,
+            }));
+        }
+    }
+
+    /// The folder.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Before something is written: fails if the folder at this place is not the one that was
+    /// locked. Somebody moved or deleted it, or removed the lock, and another command may be there.
+    pub fn check(&self) -> Result<(), FolderError> {
+        if self.is_mine() {
+            return Ok(());
+        }
+        Err(FolderError::Access(format!(
+            "{0} was moved or deleted while this command worked in it, or its file {NAME} was; \
+             nothing more is written there\n  Leave the folder of a command where it is until the \
+             command ends, and give the command again.",
+            self.folder.display()
+        )))
+    }
+
+    fn is_mine(&self) -> bool {
+        let file = self.file.as_ref();
+        file.is_none_or(|file| match self.sharing {
+            Sharing::Alone => is_still_at(file, &self.path),
+            // Others that share it sign it too.
+            Sharing::Shared => is_at(file, &self.path),
+        })
+    }
+}
+
+/// Writes who holds it. On a full disk the lock holds without a name, and what is written next
+/// tells of the disk.
+fn signed(mut file: File) -> File {
+    let _ = sign(&mut file);
+    file
+}
+
+impl Drop for Lock {
+    /// The file goes while it is locked: whoever opened it before sees that it is gone. One that is
+    /// shared stays for the others, and one that another command has made since for that.
+    fn drop(&mut self) {
+        if self.file.is_some() && self.sharing == Sharing::Alone && self.is_mine() {
+            let _ = std::fs::remove_file(&self.path);
+        }
+    }
+}
+
+/// Whether the open file is the one that the path leads to now: another process may have removed it
+/// between opening and locking.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let (Ok(open), Ok(there)) = (file.metadata(), path.metadata()) else {
+        return false;
+    };
+    (open.dev(), open.ino()) == (there.dev(), there.ino())
+}
+
+#[cfg(not(unix))]
+fn is_at(_: &File, path: &Path) -> bool {
+    path.exists()
+}
+
+/// Whether the file that the path leads to is the open one, which this process has signed.
+#[cfg(unix)]
+fn is_still_at(file: &File, path: &Path) -> bool {
+    is_at(file, path)
+}
+
+/// The same where files have no numbers: by the name of this process, if the file can be read while
+/// it is locked.
+#[cfg(not(unix))]
+fn is_still_at(_: &File, path: &Path) -> bool {
+    let process = format!("process {},", std::process::id());
+    match std::fs::read_to_string(path) {
+        Ok(name) => name.is_empty() || name.starts_with(&process),
+        Err(error) => error.kind() != std::io::ErrorKind::NotFound,
+    }
+}
+
+/// Names the other command.
+fn in_use(folder: &Path, mut file: File) -> String {
+    let mut other = String::new();
+    let told = file.read_to_string(&mut other).is_ok() && !other.trim().is_empty();
+    let other = if told {
+        other.trim()
+    } else {
+        "another command"
+    };
+    format!("{} is in use by {other}", folder.display())
+}
+
+/// Replaces the name in the file by that of this process.
+fn sign(file: &mut File) -> std::io::Result<()> {
+    file.set_len(0)?;
+    file.rewind()?;
+    file.write_all(myself().as_bytes())
+}
+
+/// This process as others read it.
+fn myself() -> String {
+    let words: Vec<String> = std::env::args_os()
+        .skip(1)
+        .map(|word| word.to_string_lossy().into_owned())
+        .collect();
+    let command: String = words.join(" ").chars().take(MOST_LETTERS).collect();
+    let now = SystemTime::now().duration_since(UNIX_EPOCH);
+    let seconds = now.map_or(0, |now| now.as_secs());
+    format!(
+        "process {}, `tribos {command}`, since {}\n",
+        std::process::id(),
+        clock(seconds)
+    )
+}
+
+/// A time since 1970 as date and time, in UTC.
+fn clock(seconds: u64) -> String {
+    const DAY: u64 = 86_400;
+    let (mut year, mut day) = (1970, seconds / DAY);
+    let leap = |year: u64| {
+        year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400))
+    };
+    while day >= 365 + u64::from(leap(year)) {
+        day -= 365 + u64::from(leap(year));
+        year += 1;
+    }
+    let mut month = 1;
+    for length in [
+        31,
+        28 + u64::from(leap(year)),
+        31,
+        30,
+        31,
+        30,
+        31,
+        31,
+        30,
+        31,
+        30,
+    ] {
+        if day < length {
+            break;
+        }
+        day -= length;
+        month += 1;
+    }
+    let (hour, minute, second) = (seconds % DAY / 3600, seconds % 3600 / 60, seconds % 60);
+    format!(
+        "{year}-{month:02}-{:02} {hour:02}:{minute:02}:{second:02} UTC",
+        day + 1
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_told_as_dates() {
+        // From `date -u -d @…`.
+        for (seconds, told) in [
+            (0, "1970-01-01 00:00:00 UTC"),
+            (951_782_399, "2000-02-28 23:59:59 UTC"),
+            (951_782_400, "2000-02-29 00:00:00 UTC"),
+            (1_767_225_599, "2025-12-31 23:59:59 UTC"),
+            (4_107_542_400, "2100-03-01 00:00:00 UTC"),
+        ] {
+            assert_eq!(clock(seconds), told);
+        }
+    }
+
+    #[test]
+    fn a_folder_is_for_one_or_for_those_that_share_it() -> Result<(), Box<dyn std::error::Error>> {
+        let home = tempfile::tempdir()?;
+        let folder = home.path().join("out");
+        let alone = Lock::take(&folder, Sharing::Alone)?;
+        let Err(FolderError::Refused(told)) = Lock::take(&folder, Sharing::Shared) else {
+            unreachable!("locked");
+        };
+        let process = format!("process {}", std::process::id());
+        assert!(
+            told.contains(&process) && told.contains("since 20"),
+            "{told}"
+        );
+        drop(alone);
+        // Nothing is left behind.
+        assert_eq!(std::fs::read_dir(&folder)?.count(), 0);
+        let parts = [(); 2].map(|()| Lock::take(&folder, Sharing::Shared));
+        assert!(parts.iter().all(Result::is_ok));
+        assert!(Lock::take(&folder, Sharing::Alone).is_err());
+        drop(parts);
+        assert!(Lock::take(&folder, Sharing::Alone).is_ok());
+        // A file that a killed process left is no lock.
+        std::fs::write(folder.join(NAME), "process 1")?;
+        assert!(Lock::take(&folder, Sharing::Alone).is_ok());
+        assert!(Lock::take(&folder.join("x/y"), Sharing::Alone).is_ok());
+        Ok(())
+    }
+
+    #[test]
+    fn a_folder_that_is_moved_or_remade_is_lost() -> Result<(), Box<dyn std::error::Error>> {
+        let home = tempfile::tempdir()?;
+        let folder = home.path().join("out");
+        let lock = Lock::take(&folder, Sharing::Alone)?;
+        lock.check()?;
+        std::fs::rename(&folder, home.path().join("moved"))?;
+        assert!(matches!(lock.check(), Err(FolderError::Access(_))));
+        // The lock of another command there stays when this one ends.
+        let other = Lock::take(&folder, Sharing::Alone)?;
+        assert!(lock.check().is_err());
+        drop(lock);
+        assert!(folder.join(NAME).exists());
+        other.check()?;
+        std::fs::remove_file(folder.join(NAME))?;
+        assert!(other.check().is_err());
+        Ok(())
+    }
+}

@@ -1,0 +1,131 @@
+//! `tribos.json`: which command wrote which files.
+
+use super::Contents;
+use super::FolderError;
+use crate::record::{digest, read_text, sealed, unsealed, write_atomically_there};
+use serde_json::{Map, Value};
+use std::path::{Component, Path};
+
+/// Name of the file.
+pub const NAME: &str = "tribos.json";
+/// First key of the file, with its format.
+const KEY: &str = "tribos_folder";
+const FORMAT: u64 = 1;
+/// Bytes of it at most.
+const MOST_BYTES: u64 = 16 << 20;
+
+/// What a folder holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Manifest {
+    /// Name of the command.
+    pub command: String,
+    /// What it is about: the scene of a run, else null.
+    pub about: Value,
+    /// Names of its files, as in [`Contents`].
+    pub files: Vec<String>,
+    /// Digests of some of them, once they are complete.
+    pub digests: Map<String, Value>,
+}
+
+impl Manifest {
+    /// Of what a command begins to write.
+    pub fn of(contents: &Contents<'_>) -> Self {
+        Self {
+            command: contents.command.into(),
+            about: contents.about.clone(),
+            files: contents.files.iter().map(|&name| name.into()).collect(),
+            digests: Map::new(),
+        }
+    }
+
+    /// Adds names; whether any of them is new.
+    pub fn add(&mut self, names: &[&str]) -> bool {
+        let before = self.files.len();
+        for &name in names {
+            if !self.files.iter().any(|file| file == name) {
+                self.files.push(name.into());
+            }
+        }
+        self.files.len() > before
+    }
+
+    /// That of a folder, if it has one.
+    pub fn read(folder: &Path) -> Result<Option<Self>, FolderError> {
+        let file = folder.join(NAME);
+        let text = match read_text(&file, MOST_BYTES) {
+            Err(error) if error.is_missing() => return Ok(None),
+            text => text.map_err(|error| {
+                FolderError::Refused(format!("cannot read {}: {error}", file.display()))
+            })?,
+        };
+        Self::parse(&text).map(Some).ok_or_else(|| {
+            FolderError::Refused(format!(
+                "{} is damaged or of another version, so that nobody knows which files beside it \
+                 tribos wrote; empty the folder, or give another one",
+                file.display()
+            ))
+        })
+    }
+
+    fn parse(text: &str) -> Option<Self> {
+        let value = unsealed(text)?;
+        if value[KEY].as_u64() != Some(FORMAT) {
+            return None;
+        }
+        let names = value["files"].as_array()?.iter();
+        let files: Option<Vec<String>> =
+            names.map(|name| name.as_str().map(String::from)).collect();
+        let files = files?;
+        files.iter().all(|name| is_inside(name)).then_some(Self {
+            command: value["command"].as_str()?.into(),
+            about: value["about"].clone(),
+            files,
+            digests: value["digests"].as_object()?.clone(),
+        })
+    }
+
+    /// Writes it into the folder.
+    pub fn write(&self, folder: &Path) -> Result<(), FolderError> {
+        // In one order, however the run was broken off and went on.
+        let mut files = self.files.clone();
+        files.sort();
+        let map = Map::from_iter([
+            (KEY.to_owned(), FORMAT.into()),
+            ("command".to_owned(), self.command.as_str().into()),
+            ("version".to_owned(), env!("CARGO_PKG_VERSION").into()),
+            ("about".to_owned(), self.about.clone()),
+            ("files".to_owned(), files.into()),
+            ("digests".to_owned(), self.digests.clone().into()),
+        ]);
+        Ok(write_atomically_there(
+            &folder.join(NAME),
+            sealed(map).as_bytes(),
+        )?)
+    }
+
+    /// Notes the digests of files.
+    pub fn seal(&mut self, folder: &Path, names: &[&str]) -> Result<(), FolderError> {
+        for &name in names {
+            let file = folder.join(name);
+            let bytes =
+                std::fs::read(&file).map_err(|error| FolderError::access("read", &file, error))?;
+            self.digests.insert(name.into(), digits(&bytes).into());
+        }
+        Ok(())
+    }
+
+    /// Whether these are the bytes of a file as the command left it.
+    pub fn is_of(&self, name: &str, bytes: &[u8]) -> bool {
+        self.digests.get(name).and_then(Value::as_str) == Some(&digits(bytes))
+    }
+}
+
+fn digits(bytes: &[u8]) -> String {
+    format!("{:032x}", digest(bytes))
+}
+
+/// Whether a name leads to a place in the folder.
+fn is_inside(name: &str) -> bool {
+    let mut parts = Path::new(name).components();
+    !name.is_empty() && parts.all(|part| matches!(part, Component::Normal(_)))
+}

@@ -1,0 +1,311 @@
+//! Folders for results: each belongs to one command at a time, and its files to one result.
+//!
+//! `tribos.json` in the folder says which command wrote which files, of which scene. A command that
+//! starts there takes away what that file names, and nothing else; files of somebody else are never
+//! replaced. While a command works it holds a lock, which names it to others. Files that a killed
+//! command left half-written are removed by the next one.
+
+mod error;
+mod lock;
+mod manifest;
+mod worth;
+
+pub use error::FolderError;
+pub use lock::{Attempt, Lock, Sharing};
+pub use manifest::Manifest;
+pub use worth::{Broken, is_finished};
+
+use crate::record::frames::FrameFolder;
+use crate::record::{is_unfinished, write_atomically_there};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What a command is going to leave in its folder.
+#[derive(Clone, Debug)]
+pub struct Contents<'a> {
+    /// Name of the command.
+    pub command: &'static str,
+    /// What it is about: the scene of a run, else null.
+    pub about: Value,
+    /// Names of files that it writes now; `#` stands for digits, and a folder of frames ends with
+    /// `/`.
+    pub files: &'a [&'a str],
+    /// Names of files that it adds later, before it writes them.
+    pub later: &'a [&'a str],
+    /// What happens to a run that was broken off.
+    pub broken: Broken,
+}
+
+impl<'a> Contents<'a> {
+    /// Of a command whose results are not of one scene.
+    pub fn of(command: &'static str, files: &'a [&'a str]) -> Self {
+        Self {
+            command,
+            about: Value::Null,
+            files,
+            later: &[],
+            broken: Broken::Kept,
+        }
+    }
+}
+
+/// A folder that a command works in. Dropped, it is free again, and its manifest names what is there.
+#[derive(Debug)]
+pub struct OutputFolder {
+    lock: Arc<Lock>,
+}
+
+impl OutputFolder {
+    /// The folder for a new result, made if missing: what an earlier one left is taken away.
+    pub fn begin(path: &Path, contents: &Contents<'_>) -> Result<Self, FolderError> {
+        let lock = Lock::take(path, Sharing::Alone)?;
+        Self::claim(lock, contents, |_| false)
+    }
+
+    /// The folder of the same command about the same, whose files stay; or for a new result.
+    pub fn go_on(path: &Path, contents: &Contents<'_>) -> Result<Self, FolderError> {
+        Self::go_on_with(Lock::take(path, Sharing::Alone)?, contents)
+    }
+
+    /// The same for a folder whose lock is held.
+    pub fn go_on_with(lock: Lock, contents: &Contents<'_>) -> Result<Self, FolderError> {
+        Self::claim(lock, contents, |old| {
+            old.command == contents.command && old.about == contents.about
+        })
+    }
+
+    fn claim(
+        lock: Lock,
+        contents: &Contents<'_>,
+        stays: impl FnOnce(&Manifest) -> bool,
+    ) -> Result<Self, FolderError> {
+        let path = lock.folder();
+        let old = Manifest::read(path)?;
+        let names = old.as_ref().map_or(&[][..], |old| &old.files);
+        let kept = old.as_ref().filter(|old| stays(old));
+        if let (Some(old), None) = (&old, kept) {
+            worth::refuse_loss(path, old, contents)?;
+        }
+        refuse_strangers(path, contents.files, names)?;
+        refuse_strangers(path, contents.later, names)?;
+        remove_unfinished(path)?;
+        let mut manifest = Manifest::of(contents);
+        if let Some(kept) = kept {
+            manifest = kept.clone();
+            manifest.add(contents.files);
+        } else {
+            // The name of the old result goes first: what is left of it belongs to nobody then, and
+            // is named again by the new one.
+            Manifest {
+                files: [names, &manifest.files].concat(),
+                ..manifest.clone()
+            }
+            .write(path)?;
+            for name in names {
+                remove(path, name)?;
+            }
+        }
+        manifest.write(path)?;
+        let lock = Arc::new(lock);
+        Ok(Self { lock })
+    }
+
+    /// Its lock, for those that write a file now and then.
+    pub fn lock(&self) -> &Arc<Lock> {
+        &self.lock
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        self.lock.folder()
+    }
+
+    /// Before results are written: fails if the folder belongs to another command by now.
+    pub fn check(&self) -> Result<(), FolderError> {
+        self.lock.check()
+    }
+
+    /// Writes a file that is named, if the folder is still this command's.
+    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
+        self.check()?;
+        write_atomically_there(&self.path().join(name), bytes)
+            .map_err(|error| self.check().err().unwrap_or_else(|| error.into()))
+    }
+
+    /// Before files are written that were not named at the start.
+    pub fn add(&self, names: &[&str]) -> Result<(), FolderError> {
+        self.check()?;
+        add(self.path(), names)
+    }
+
+    /// Takes away files that the manifest names and this means.
+    pub fn remove(&self, is_meant: impl Fn(&str) -> bool) -> Result<(), FolderError> {
+        self.check()?;
+        let Some(mut manifest) = Manifest::read(self.path())? else {
+            return Ok(());
+        };
+        for name in manifest.files.iter().filter(|name| is_meant(name)) {
+            remove(self.path(), name)?;
+        }
+        manifest.files.retain(|name| !is_meant(name));
+        manifest.write(self.path())
+    }
+
+    /// Before the summary: notes the digests of files that others will rely on.
+    pub fn seal(&self, names: &[&str]) -> Result<(), FolderError> {
+        self.check()?;
+        let Some(mut manifest) = Manifest::read(self.path())? else {
+            return Ok(());
+        };
+        manifest.seal(self.path(), names)?;
+        manifest.write(self.path())
+    }
+
+    /// Leaves out of the manifest what was not written.
+    fn trim(&self) -> Result<(), FolderError> {
+        self.check()?;
+        let Some(manifest) = Manifest::read(self.path())? else {
+            return Ok(());
+        };
+        let mut there = manifest.clone();
+        there.files.clear();
+        for name in &manifest.files {
+            if !matching(self.path(), name)?.is_empty() {
+                there.files.push(name.clone());
+            }
+        }
+        if there == manifest {
+            return Ok(());
+        }
+        there.write(self.path())
+    }
+}
+
+impl Drop for OutputFolder {
+    fn drop(&mut self) {
+        // Names too many do no harm where it fails.
+        let _ = self.trim();
+    }
+}
+
+/// Adds names to what a folder says of itself, before files of these names are written there.
+pub fn add(path: &Path, names: &[&str]) -> Result<(), FolderError> {
+    let Some(mut manifest) = Manifest::read(path)? else {
+        return Err(FolderError::Access(format!(
+            "{} is gone",
+            path.join(manifest::NAME).display()
+        )));
+    };
+    refuse_strangers(path, names, &manifest.files)?;
+    if manifest.add(names) {
+        manifest.write(path)?;
+    }
+    Ok(())
+}
+
+/// Files that would be replaced though no command of tribos in this folder wrote them.
+fn refuse_strangers(path: &Path, files: &[&str], known: &[String]) -> Result<(), FolderError> {
+    for file in files {
+        if known.iter().any(|name| name == file) {
+            continue;
+        }
+        if let Some(there) = matching(path, file)?.into_iter().next() {
+            return Err(FolderError::Refused(format!(
+                "{} is there, and {} does not say that tribos wrote it; move it away, or give \
+                 another --out",
+                there.display(),
+                path.join(manifest::NAME).display()
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Takes away what a name in a manifest stands for.
+fn remove(path: &Path, name: &str) -> Result<(), FolderError> {
+    if let Some(folder) = name.strip_suffix('/') {
+        return Ok(FrameFolder::clear(&path.join(folder))?);
+    }
+    for file in matching(path, name)? {
+        remove_file(&file)?;
+    }
+    if let Some((folder, _)) = name.rsplit_once('/') {
+        // It may hold somebody else's files too, or not be there.
+        let _ = std::fs::remove_dir(path.join(folder));
+    }
+    Ok(())
+}
+
+/// Files of a folder that a name stands for.
+fn matching(path: &Path, name: &str) -> Result<Vec<PathBuf>, FolderError> {
+    if let Some(folder) = name.strip_suffix('/') {
+        let frames = path.join(folder);
+        let bodies = frames.join("bodies.json");
+        return Ok(if bodies.exists() {
+            vec![bodies]
+        } else {
+            Vec::new()
+        });
+    }
+    let Some((begin, end)) = name.split_once('#') else {
+        let file = path.join(name);
+        let is_there = file.symlink_metadata().is_ok();
+        return Ok(if is_there { vec![file] } else { Vec::new() });
+    };
+    let (path, begin) = match begin.rsplit_once('/') {
+        Some((folder, begin)) => (&path.join(folder), begin),
+        None => (&path.to_owned(), begin),
+    };
+    if !path.is_dir() {
+        return Ok(Vec::new());
+    }
+    let is_meant = |name: &str| {
+        let digits = name
+            .strip_prefix(begin)
+            .and_then(|rest| rest.strip_suffix(end));
+        digits.is_some_and(|digits| {
+            !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+        })
+    };
+    let names = names(path)?.into_iter();
+    Ok(names
+        .filter(|name| is_meant(name))
+        .map(|name| path.join(name))
+        .collect())
+}
+
+/// Removes what killed commands left half-written, here and among the frames.
+pub fn remove_unfinished(path: &Path) -> Result<(), FolderError> {
+    for folder in [path.to_owned(), path.join("frames")] {
+        if !folder.is_dir() {
+            continue;
+        }
+        for name in names(&folder)?.iter().filter(|name| is_unfinished(name)) {
+            remove_file(&folder.join(name))?;
+        }
+    }
+    Ok(())
+}
+
+fn names(folder: &Path) -> Result<Vec<String>, FolderError> {
+    let fail = |error| FolderError::access("read", folder, error);
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(fail)? {
+        names.extend(entry.map_err(fail)?.file_name().into_string().ok());
+    }
+    Ok(names)
+}
+
+/// Removes a file, if it is there.
+pub fn remove_file(file: &Path) -> Result<(), FolderError> {
+    match std::fs::remove_file(file) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(FolderError::Access(
+            format!("cannot remove {}: {error}", file.display()),
+        )),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,93 @@
+//! The driver of simulations: step, observe, record, checkpoint, resume, cancel; and what a run will
+//! take.
+//!
+//! [`drive`] runs anything that steps. A [`Session`] runs what takes long in a folder of its own, from
+//! which it can be resumed to the same bits.
+
+mod film;
+pub mod folder;
+mod parallel;
+mod session;
+
+pub use parallel::in_order;
+pub use session::{
+    CHECKPOINT, Cause, FRAMES, LongRun, NoCheckpoint, RunError, Session, Start, forget_checkpoint,
+    read_checkpoint,
+};
+
+/// About what a run will take, from its scene alone: before anything is built.
+///
+/// ```
+/// use tribos::powder::size;
+/// use tribos::run::RunSize;
+/// # use tribos::scene::{Scene, parse_scene};
+/// let text = "body = \"powder\"\nwidth = 1e6\nheight = 61.5";
+/// let Scene::Powder(scene) = parse_scene("wide.toml", text, &[])? else { unreachable!() };
+/// let told: RunSize = size(&scene);
+/// assert!(told.bodies > 1e12 && told.bytes > 1e15 && told.seconds > 1e9);
+/// # Ok::<(), tribos::scene::SceneError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunSize {
+    /// Spheres or atoms.
+    pub bodies: f64,
+    /// Memory, in bytes.
+    pub bytes: f64,
+    /// Time to the end on two cores of 2020, in s: the order of magnitude.
+    pub seconds: f64,
+}
+
+/// Something that advances step by step.
+///
+/// ```
+/// use tribos::run::{Simulation, drive};
+/// /// A block that brakes with 2 m/s².
+/// struct Block { speed: f64, way: f64 }
+/// impl Simulation for Block {
+///     type Record = f64;
+///     type Error = std::convert::Infallible;
+///     fn record(&self) -> f64 { self.way }
+///     fn step(&mut self) -> Result<bool, Self::Error> {
+///         let end = (self.speed - 2.0 * 0.25).max(0.0); // after 0.25 s
+///         self.way += 0.25 * 0.5 * (self.speed + end);
+///         self.speed = end;
+///         Ok(end > 0.0)
+///     }
+///     fn progress(&self) -> f64 { 1.0 - self.speed / 3.0 }
+/// }
+/// let mut ways = Vec::new();
+/// drive(&mut Block { speed: 3.0, way: 0.0 }, |way, _done| ways.push(way))?;
+/// assert_eq!(ways.len(), 1 + 6); // the start and 3 m/s over 0.5 m/s a step
+/// assert_eq!(ways.last(), Some(&2.25)); // v²/(2 a)
+/// # Ok::<(), std::convert::Infallible>(())
+/// ```
+pub trait Simulation {
+    /// One line of its series.
+    type Record;
+    /// Why a step can fail.
+    type Error;
+
+    /// The present state as a line of the series.
+    fn record(&self) -> Self::Record;
+
+    /// Takes one step. `Ok(false)` when the simulation has ended.
+    fn step(&mut self) -> Result<bool, Self::Error>;
+
+    /// Fraction of the work done, between 0 and 1.
+    fn progress(&self) -> f64;
+}
+
+/// Runs to the end; `observe` sees the first state, the state after every step, and the progress.
+pub fn drive<S: Simulation>(
+    simulation: &mut S,
+    mut observe: impl FnMut(S::Record, f64),
+) -> Result<(), S::Error> {
+    observe(simulation.record(), 0.0);
+    loop {
+        let goes_on = simulation.step()?;
+        observe(simulation.record(), simulation.progress());
+        if !goes_on {
+            return Ok(());
+        }
+    }
+}

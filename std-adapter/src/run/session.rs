@@ -1,0 +1,358 @@
+//! A long run in a folder of its own: checkpoints, frames, progress, cancellation, resuming.
+
+use super::Simulation;
+use super::film::Film;
+use super::folder::{FolderError, Lock, Sharing, remove_file};
+use crate::record::frames::{Bodies, Frame, FrameError};
+use crate::record::{ReadError, WriteError, read_text, write_atomically_there};
+use std::error::Error;
+use std::fmt;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Name of a checkpoint in the folder of its run.
+pub const CHECKPOINT: &str = "checkpoint.json";
+/// Name of the folder of frames in the folder of their run.
+pub const FRAMES: &str = "frames";
+/// Bytes of a checkpoint at most: twenty million spheres take some 15 GB.
+const MOST_BYTES: u64 = 1 << 36;
+/// Time from one checkpoint to the next unless said otherwise.
+const PAUSE: Duration = Duration::from_secs(60);
+
+/// A simulation that can be kept in a file and resumed from it to the same bits.
+pub trait LongRun: Simulation<Error: Error> + Sized {
+    /// What is run.
+    type Scene;
+
+    /// A new run, or one resumed from the text of a checkpoint. `growing` sees how many bodies have
+    /// been placed so far and can stop that.
+    fn begin(
+        scene: &Self::Scene,
+        checkpoint: Option<&str>,
+        growing: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Self, Self::Error>;
+
+    /// Why a run did not begin.
+    fn cause(error: &Self::Error) -> Cause;
+
+    /// The state as text, from which the run can be resumed.
+    fn checkpoint(&self) -> String;
+
+    /// Steps taken.
+    fn steps(&self) -> u64;
+
+    /// What all frames have in common, where at most `limit` are kept.
+    fn bodies(&self, limit: u64) -> Bodies;
+
+    /// The present state as a frame.
+    fn frame(&self) -> Frame;
+}
+
+/// What is behind an error of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// The scene cannot be run, or a number left its range on the way: the same every time.
+    Scene,
+    /// The checkpoint is damaged, or of another scene or version.
+    Checkpoint,
+    /// The caller stopped the growth of the bodies.
+    Stopped,
+}
+
+/// Where a run starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// At its beginning.
+    Fresh,
+    /// From its checkpoint.
+    Resume,
+    /// From its checkpoint, or at the beginning where there is no usable one of the same scene.
+    ResumeIfPossible,
+}
+
+/// There is no checkpoint that can be read.
+#[derive(Debug, thiserror::Error)]
+#[error("nothing to go on from: {}: {cause}; run without --resume", file.display())]
+pub struct NoCheckpoint {
+    /// Where it was looked for.
+    pub file: PathBuf,
+    /// What is wrong.
+    #[source]
+    pub cause: ReadError,
+}
+
+/// Why a run ended without its result.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError<E: Error + 'static> {
+    /// The scene cannot be run, or a number left its range on the way: the same every time.
+    #[error(transparent)]
+    Scene(E),
+    /// The checkpoint cannot be used.
+    #[error(transparent)]
+    Checkpoint(E),
+    /// There is no checkpoint that can be read.
+    #[error(transparent)]
+    NoCheckpoint(#[from] NoCheckpoint),
+    /// The folder cannot be used, or was lost while the run worked in it.
+    #[error(transparent)]
+    Folder(#[from] FolderError),
+    /// The frames that are there cannot be continued.
+    #[error(transparent)]
+    Frames(FrameError),
+    /// A frame cannot be kept.
+    #[error(transparent)]
+    Recording(FrameError),
+    /// The checkpoint cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// The caller cancelled the run; its checkpoint and frames are written.
+    #[error("cancelled after step {0}; resume it from its checkpoint")]
+    Cancelled(u64),
+    /// The caller cancelled the run before there was anything to keep.
+    #[error("cancelled while the bodies were placed; nothing is lost")]
+    CancelledEarly,
+}
+
+impl<E: Error> RunError<E> {
+    /// Whether the disk is full: what was written before is whole.
+    pub fn is_out_of_room(&self) -> bool {
+        match self {
+            Self::Write(error) | Self::Recording(FrameError::Write(error)) => {
+                error.is_out_of_room()
+            }
+            Self::Folder(error) => error.is_out_of_room(),
+            _ => false,
+        }
+    }
+
+    /// Whether a run that starts at its beginning would not meet this.
+    fn is_of_earlier_run(&self) -> bool {
+        matches!(
+            self,
+            Self::Checkpoint(_) | Self::NoCheckpoint(_) | Self::Frames(_)
+        )
+    }
+}
+
+/// Drives a [`LongRun`] to its end in a folder, with checkpoints and frames there.
+///
+/// Whatever ends it in between (a kill, a full disk, [`Self::cancel_when`]), it can be resumed, and
+/// ends with the same bits as without the break. The last checkpoint is of the end.
+///
+/// ```
+/// use tribos::powder::Compaction;
+/// use tribos::run::Session;
+/// # use tribos::scene::{Scene, parse_scene};
+/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nsteps = 20";
+/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// let folder = std::env::temp_dir().join(format!("tribos-session-{}", std::process::id()));
+/// let mut checkpoints = 0;
+/// let run: Compaction = Session::in_folder(&folder)?
+///     .frames(0)
+///     .on_checkpoint(|run: &Compaction, file| {
+///         checkpoints += 1;
+///         assert!(file.exists() && run.steps() <= 20);
+///     })
+///     .run(&scene)?;
+/// assert_eq!((run.steps(), checkpoints), (20, 1)); // that of the end: it took less than a minute
+/// # std::fs::remove_dir_all(&folder)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Session<'a, R> {
+    lock: Arc<Lock>,
+    folder: PathBuf,
+    start: Start,
+    pause: Duration,
+    frames: Option<u64>,
+    growing: Box<dyn FnMut(usize) + 'a>,
+    progress: Box<dyn FnMut(&R) + 'a>,
+    saved: Saved<'a, R>,
+    cancelled: Box<dyn Fn() -> bool + 'a>,
+}
+
+/// What sees a checkpoint that was written.
+type Saved<'a, R> = Box<dyn FnMut(&R, &Path) + 'a>;
+
+impl<R> fmt::Debug for Session<'_, R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Session")
+            .field("folder", &self.folder)
+            .field("start", &self.start)
+            .field("pause", &self.pause)
+            .field("frames", &self.frames)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'a, R: LongRun> Session<'a, R> {
+    /// A run in a folder, which is made if missing and locked until the session ends.
+    pub fn in_folder(folder: impl AsRef<Path>) -> Result<Self, FolderError> {
+        let lock = Lock::take(folder.as_ref(), Sharing::Alone)?;
+        Ok(Self::under(Arc::new(lock), folder.as_ref()))
+    }
+
+    /// A run in a folder that a lock which is held protects: its own or one above it.
+    pub fn under(lock: Arc<Lock>, folder: &Path) -> Self {
+        Self {
+            lock,
+            folder: folder.to_owned(),
+            start: Start::Fresh,
+            pause: PAUSE,
+            frames: None,
+            growing: Box::new(|_| ()),
+            progress: Box::new(|_| ()),
+            saved: Box::new(|_, _| ()),
+            cancelled: Box::new(|| false),
+        }
+    }
+
+    /// Where the run starts; at its beginning if nothing is said.
+    pub fn start(self, start: Start) -> Self {
+        Self { start, ..self }
+    }
+
+    /// Time from one checkpoint to the next; a minute if nothing is said.
+    pub fn checkpoint_every(self, pause: Duration) -> Self {
+        Self { pause, ..self }
+    }
+
+    /// Frames kept at most, 0 for none, else 2 or more. If nothing is said 100, or as many as when the
+    /// run began. They change no result.
+    pub fn frames(self, limit: u64) -> Self {
+        let frames = Some(limit);
+        Self { frames, ..self }
+    }
+
+    /// While bodies are placed: how many there are so far.
+    pub fn on_growth(self, growing: impl FnMut(usize) + 'a) -> Self {
+        let growing = Box::new(growing);
+        Self { growing, ..self }
+    }
+
+    /// Before the first step and after every one.
+    pub fn on_progress(self, progress: impl FnMut(&R) + 'a) -> Self {
+        let progress = Box::new(progress);
+        Self { progress, ..self }
+    }
+
+    /// After a checkpoint was written to this file.
+    pub fn on_checkpoint(self, saved: impl FnMut(&R, &Path) + 'a) -> Self {
+        let saved = Box::new(saved);
+        Self { saved, ..self }
+    }
+
+    /// Asked after every step: the run ends with a checkpoint where the answer is yes.
+    pub fn cancel_when(self, cancelled: impl Fn() -> bool + 'a) -> Self {
+        let cancelled = Box::new(cancelled);
+        Self { cancelled, ..self }
+    }
+
+    /// Runs to the end.
+    pub fn run(mut self, scene: &R::Scene) -> Result<R, RunError<R::Error>> {
+        let first = match self.start {
+            Start::Fresh => Start::Fresh,
+            _ => Start::Resume,
+        };
+        let mut end = self.attempt(scene, first);
+        if self.start == Start::ResumeIfPossible
+            && end.as_ref().is_err_and(RunError::is_of_earlier_run)
+        {
+            end = self.attempt(scene, Start::Fresh);
+        }
+        end.map_err(|error| self.explained(error))
+    }
+
+    fn attempt(&mut self, scene: &R::Scene, start: Start) -> Result<R, RunError<R::Error>> {
+        self.lock.check()?;
+        std::fs::create_dir_all(&self.folder)
+            .map_err(|error| FolderError::access("make", &self.folder, error))?;
+        let file = self.folder.join(CHECKPOINT);
+        let mut run = self.begin(scene, &file, start)?;
+        self.lock.check()?;
+        let mut film = Film::of(&run, &self.folder.join(FRAMES), start, self.frames)?;
+        let mut saved = Instant::now();
+        loop {
+            (self.progress)(&run);
+            film.look(&run);
+            let is_cancelled = (self.cancelled)();
+            if is_cancelled || (run.steps() > 0 && saved.elapsed() >= self.pause) {
+                self.save(&run, &mut film, &file)?;
+                saved = Instant::now();
+            }
+            if is_cancelled {
+                return Err(RunError::Cancelled(run.steps()));
+            }
+            if !run.step().map_err(RunError::Scene)? {
+                break;
+            }
+        }
+        self.lock.check()?;
+        film.end(&run)?;
+        self.write(&run, &file)?;
+        Ok(run)
+    }
+
+    fn begin(
+        &mut self,
+        scene: &R::Scene,
+        file: &Path,
+        start: Start,
+    ) -> Result<R, RunError<R::Error>> {
+        let text = match start {
+            Start::Fresh => None,
+            _ => Some(read_checkpoint(file)?),
+        };
+        let begun = R::begin(scene, text.as_deref(), &mut |bodies| {
+            (self.growing)(bodies);
+            if (self.cancelled)() {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        });
+        begun.map_err(|error| match R::cause(&error) {
+            Cause::Scene => RunError::Scene(error),
+            Cause::Checkpoint => RunError::Checkpoint(error),
+            Cause::Stopped => RunError::CancelledEarly,
+        })
+    }
+
+    /// Frames first: a checkpoint stands only beside all frames before it.
+    fn save(&mut self, run: &R, film: &mut Film, file: &Path) -> Result<(), RunError<R::Error>> {
+        self.lock.check()?;
+        film.save()?;
+        self.write(run, file)
+    }
+
+    fn write(&mut self, run: &R, file: &Path) -> Result<(), RunError<R::Error>> {
+        self.lock.check()?;
+        write_atomically_there(file, run.checkpoint().as_bytes())?;
+        (self.saved)(run, file);
+        Ok(())
+    }
+
+    /// A folder that was lost explains every file that could not be written.
+    fn explained(&self, error: RunError<R::Error>) -> RunError<R::Error> {
+        let is_final = matches!(
+            error,
+            RunError::Scene(_) | RunError::Cancelled(_) | RunError::CancelledEarly
+        );
+        match self.lock.check() {
+            Err(lost) if !is_final && !error.is_out_of_room() => RunError::Folder(lost),
+            _ => error,
+        }
+    }
+}
+
+/// The text of a checkpoint.
+pub fn read_checkpoint(file: &Path) -> Result<String, NoCheckpoint> {
+    let file = file.to_owned();
+    read_text(&file, MOST_BYTES).map_err(|cause| NoCheckpoint { file, cause })
+}
+
+/// Removes the checkpoint of a run whose results are written.
+pub fn forget_checkpoint(folder: &Path) -> Result<(), FolderError> {
+    remove_file(&folder.join(CHECKPOINT))
+}

@@ -1,0 +1,58 @@
+//! One figure or table of the thesis with its claims, and what exhibits share.
+
+use anyhow::Result;
+use tribos_core::coupling::ReducedWrench;
+use tribos_core::coupling::{Coupling, table::Table64};
+use tribos_core::modes::Modes;
+use tribos_report::claim::Claim;
+use tribos_report::image::Drawing;
+use tribos_report::player::Film;
+
+/// What one maker returns.
+pub struct Exhibit {
+    pub heading: String,
+    pub text: Vec<String>,
+    pub caption: String,
+    /// Shown below the figure.
+    pub film: Option<Film>,
+    pub drawing: Box<dyn Drawing>,
+    pub columns: Vec<&'static str>,
+    pub rows: Vec<Vec<f64>>,
+    pub claims: Vec<Claim>,
+}
+
+/// The table of one exponent.
+pub fn table(alpha: f64) -> Result<Table64> {
+    Ok(Table64::new(alpha)?)
+}
+
+/// Final motion for one exponent and inertia ratio.
+pub fn modes(alpha: f64, inertia_ratio: f64) -> Result<Modes<f64, Table64>> {
+    Ok(Modes::new(table(alpha)?, inertia_ratio)?)
+}
+
+/// F and T at ε with ωR = 1.
+pub fn at(table: &Table64, ratio: f64) -> [f64; 2] {
+    let ReducedWrench { force, torque } = table.reduced_wrench(ratio, 1.0);
+    [force, torque]
+}
+
+/// `n` + 1 numbers from `from` to `to`, equally spaced.
+pub fn linear(from: f64, to: f64, n: usize) -> Vec<f64> {
+    (0..=n)
+        .map(|i| from + (to - from) * i as f64 / n as f64)
+        .collect()
+}
+
+/// `n` + 1 numbers from `from` to `to`, equally spaced in the logarithm.
+pub fn geometric(from: f64, to: f64, n: usize) -> Vec<f64> {
+    linear(from.ln(), to.ln(), n)
+        .into_iter()
+        .map(f64::exp)
+        .collect()
+}
+
+/// Column `y` of the rows against column `x`.
+pub fn points(rows: &[Vec<f64>], x: usize, y: usize) -> Vec<(f64, f64)> {
+    rows.iter().map(|row| (row[x], row[y])).collect()
+}

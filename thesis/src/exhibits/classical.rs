@@ -1,0 +1,289 @@
+//! Figure 2.5 and sections 2.1 and 2.2: rest, motion, age, and the real area of contact.
+
+use crate::exhibit::{Exhibit, geometric, linear, points};
+use anyhow::Result;
+use tribos_core::law::{
+    Age, Ageing, BowdenTabor, DryFriction, GreenwoodWilliamson, HertzSphere, Incline, LocalLaw,
+    Plastic, RealArea, critical_angle,
+};
+use tribos_report::claim::Claim;
+use tribos_report::digits::short;
+use tribos_report::figure::{Axis, Color, Figure, Legend, Panels, Series};
+use tribos_report::verdict::Allowance;
+
+/// Coefficients at rest and in motion, and growth of the first per e-fold of the age: ours, of the
+/// size of wood on wood.
+const MU_STATIC: f64 = 0.5;
+const MU_DYNAMIC: f64 = 0.3;
+const GROWTH: f64 = 0.02;
+/// Youngest and oldest contact shown, seconds: four days.
+const AGES: (f64, f64) = (1.0, 345_600.0);
+/// Hardness of steel, Pa, and the load on the steel cube, N (footnote 2).
+const HARDNESS: f64 = 1e9;
+const LOAD: f64 = 100.0;
+/// Edge of the steel cube, m.
+const EDGE: f64 = 0.1;
+
+fn wood() -> Result<DryFriction<f64>> {
+    Ok(DryFriction::new(MU_STATIC, MU_DYNAMIC)?)
+}
+
+fn ageing() -> Result<Ageing<f64>> {
+    Ok(Ageing::new(MU_STATIC, GROWTH, AGES.0)?)
+}
+
+/// Coulomb's graph, and static friction over the logarithm of the age.
+pub fn figure_2_5() -> Result<Exhibit> {
+    let (wood, ageing) = (wood()?, ageing()?);
+    let rows: Vec<Vec<f64>> = linear(-1.0, 1.0, 201)
+        .into_iter()
+        .zip(geometric(AGES.0, AGES.1, 201))
+        .map(|(v, time)| {
+            let friction = -wood.friction(v.abs()).copysign(v);
+            vec![v, friction, time, ageing.mu_static(Age { time })]
+        })
+        .collect();
+    let moving = points(&rows, 0, 1);
+    let (left, right) = moving.split_at(rows.len() / 2);
+    let graph = Figure::new(
+        "Coulomb graph",
+        Axis::linear("velocity v").range(-1.0, 1.0),
+        Axis::linear("friction per load").range(-0.6, 0.6),
+    )
+    .series(Series::line("in motion, μ_d", left.to_vec()))
+    .series(Series::line("", right.to_vec()).color(Color::palette(0)))
+    .series(Series::line(
+        "at rest, up to μ_s",
+        vec![(0.0, -wood.mu_static()), (0.0, wood.mu_static())],
+    ))
+    .legend(Legend::Below);
+    let age = Figure::new(
+        "Static friction",
+        Axis::log10("time of rest [s]"),
+        Axis::linear("μ_s").range(0.4, 0.8),
+    )
+    .series(Series::line("A + B ln t", points(&rows, 2, 3)))
+    .legend(Legend::Below);
+    let mut claims = rest_and_motion()?;
+    claims.extend(real_area()?);
+    claims.extend(elastic_area()?);
+    Ok(Exhibit {
+        heading: "Figure 2.5: Coulomb's law, at rest and in motion".into(),
+        text: vec![format!(
+            "The two laws of Coulomb with coefficients of our choice, {MU_STATIC} at rest and \
+             {MU_DYNAMIC} in motion, and static friction that grows by {GROWTH} per e-fold of the \
+             age. The claims of sections 2.1 and 2.2 on the real area of contact stand here too."
+        )],
+        film: None,
+        caption: "Left: friction against velocity. Right: static friction against the time in \
+                  stationary contact."
+            .into(),
+        drawing: Box::new(Panels::new("", 2).figure(graph).figure(age).cell(520, 380)),
+        columns: vec!["velocity", "friction", "rest_time", "mu_static"],
+        rows,
+        claims,
+    })
+}
+
+/// Section 2.1.
+fn rest_and_motion() -> Result<Vec<Claim>> {
+    let (wood, ageing) = (wood()?, ageing()?);
+    let rounding = 4.0 * f64::EPSILON;
+    let speeds = geometric(1e-9, 1e9, 100);
+    let constant = speeds.iter().all(|&v| wood.friction(v) == MU_DYNAMIC);
+    let tangent = linear(0.05, 2.0, 39)
+        .into_iter()
+        .map(|mu| (critical_angle(mu).tan() / mu - 1.0).abs())
+        .fold(0.0, f64::max);
+    let decade = |time: f64| {
+        let [young, old] = [time, 10.0 * time].map(|time| ageing.mu_static(Age { time }));
+        old - young
+    };
+    let uneven = geometric(AGES.0, AGES.1 / 10.0, 50)
+        .into_iter()
+        .map(|time| (decade(time) / decade(AGES.0) - 1.0).abs())
+        .fold(0.0, f64::max);
+    Ok(vec![
+        Claim::definition(
+            "2.1",
+            "Euler: μ = tan of the critical angle",
+            format!("deviation {tangent:.1e} at most, 0.05 ≤ μ ≤ 2"),
+            tangent <= rounding,
+            "the critical angle",
+        ),
+        starts_with_a_jump()?,
+        Claim::definition(
+            "2.1",
+            "It takes more force to set a body into motion than to keep it there: μ_s ≥ μ_d",
+            "the law refuses μ_s = 0.3 with μ_d = 0.5".into(),
+            DryFriction::new(0.3, 0.5).is_err(),
+            "dry friction",
+        ),
+        Claim::definition(
+            "2.1",
+            "Dynamic friction does not depend on the velocity, F_d = −sgn(v) μ_d L",
+            format!("{MU_DYNAMIC} at {} speeds from 1e-9 to 1e9", speeds.len()),
+            constant,
+            "dry friction",
+        ),
+        Claim::definition(
+            "fig. 2.5",
+            "F_s = A + B ln t: equal ratios of age give equal growth",
+            format!("deviation {uneven:.1e} at most"),
+            uneven <= 1e-12,
+            "the law of ageing",
+        ),
+        Claim::stated(
+            "2.1",
+            "Bélidor's coefficient, from spherical asperities",
+            ("≈ 0.35", 0.35),
+            belidor(),
+            Allowance::Digits(5e-3),
+        ),
+        Claim::not_checkable(
+            "fig. 2.5",
+            "Coulomb's data fit very well to A + B ln t",
+            "the measurements are not published as numbers",
+        ),
+    ])
+}
+
+/// On an incline just steeper than the critical one.
+fn starts_with_a_jump() -> Result<Claim> {
+    let just_steeper = |law: &DryFriction<f64>| -> Result<f64> {
+        let angle = critical_angle(law.mu_static()) + 1e-9;
+        let incline = Incline::new(angle.sin(), angle.cos())?;
+        Ok(incline.acceleration_at_rest(law, 1.0))
+    };
+    let one_coefficient = DryFriction::new(MU_STATIC, MU_STATIC)?;
+    let (jump, none) = (just_steeper(&wood()?)?, just_steeper(&one_coefficient)?);
+    let expected = (MU_STATIC - MU_DYNAMIC) * critical_angle(MU_STATIC).cos();
+    Ok(Claim::trend(
+        "2.1",
+        "Euler: slightly above the critical angle the block slides faster than one coefficient \
+         would let it",
+        format!("acceleration/g {jump:.3}, with one coefficient {none:.1e}"),
+        (jump - expected).abs() < 1e-8 && none < 1e-8,
+        "order of the two",
+    ))
+}
+
+/// Spherical asperities, closely packed: the upper sphere is pulled out of its hollow over the
+/// line between two lower ones.
+fn belidor() -> f64 {
+    // Diameter 1: distance of the hollow from that line, and height of the sphere over the layer.
+    let (distance, height) = (1.0 / (2.0 * 3f64.sqrt()), (2.0 / 3.0f64).sqrt());
+    distance / height
+}
+
+/// Section 2.2, plastic junctions.
+fn real_area() -> Result<Vec<Claim>> {
+    let steel = Plastic::new(HARDNESS)?;
+    let shear = 0.4 * HARDNESS;
+    let junctions = BowdenTabor::new(shear, steel)?;
+    let coulomb = junctions.coulomb()?;
+    let square_millimetres = steel.area(LOAD) * 1e6;
+    let double = junctions.force(2.0 * LOAD) / junctions.force(LOAD);
+    let share = steel.area(LOAD) / (EDGE * EDGE);
+    let ratio = junctions.force(LOAD) / LOAD;
+    Ok(vec![
+        Claim::definition(
+            "footnote 2",
+            "Real area of a steel cube under 100 N, in mm²",
+            short(square_millimetres),
+            (square_millimetres - 0.1).abs() <= f64::EPSILON,
+            "the law L = σ_c ΔA, with the thesis' load and hardness put in",
+        )
+        .printed("0.1"),
+        Claim::definition(
+            "footnote 2",
+            "Its fraction of the apparent area, side 10 cm",
+            short(share),
+            (share - 1e-5).abs() <= 1e-20,
+            "the same area over that of the cube",
+        )
+        .printed("1e-5"),
+        Claim::definition(
+            "eq. 2.2",
+            "μ = τ_c/σ_c, as a force and as a coefficient of Coulomb's law; τ_c = 0.4 σ_c is ours",
+            short(ratio),
+            (ratio - 0.4).abs() <= f64::EPSILON && (coulomb.mu() - 0.4).abs() <= f64::EPSILON,
+            "the coefficient of plastic junctions",
+        ),
+        Claim::definition(
+            "2.1",
+            "da Vinci: double load, \"double the amount of effort\"",
+            short(double),
+            (double - 2.0).abs() <= f64::EPSILON,
+            "a force proportional to the load",
+        ),
+    ])
+}
+
+/// d ln f/d ln L over a factor of 1000 in the load.
+fn exponent(f: impl Fn(f64) -> f64) -> f64 {
+    let ratio: f64 = 1e3;
+    (f(ratio * LOAD) / f(LOAD)).ln() / ratio.ln()
+}
+
+/// Section 2.2, elastic asperities.
+fn elastic_area() -> Result<Vec<Claim>> {
+    /// Steel: contact modulus in Pa. Tip radius and decay length of a ground surface in m.
+    const MODULUS: f64 = 1.1e11;
+    const TIP: f64 = 1e-5;
+    const DECAY: f64 = 1e-6;
+    let tip = HertzSphere::new(TIP, MODULUS)?;
+    let surface = GreenwoodWilliamson::new(DECAY, TIP, MODULUS)?;
+    let pressures = [0.0, 3.0, 6.0].map(|gap| mean_pressure(&tip, TIP, MODULUS, DECAY, gap));
+    let deviation = pressures
+        .iter()
+        .map(|p| (p / surface.mean_pressure() - 1.0).abs())
+        .fold(0.0, f64::max);
+    let law = |place: &str, what: &str, printed: (&str, f64), ours: f64, of: &str| {
+        let holds = (ours - printed.1).abs() <= 1e-14;
+        Claim::definition(place, what, short(ours), holds, of).printed(printed.0)
+    };
+    Ok(vec![
+        law(
+            "2.2",
+            "One elastic sphere: contact radius ∝ L^x, x",
+            ("1/3", 1.0 / 3.0),
+            exponent(|load| tip.contact_radius(load)),
+            "Hertz's law",
+        ),
+        law(
+            "2.2",
+            "One elastic sphere: area ∝ L^x, x",
+            ("2/3", 2.0 / 3.0),
+            exponent(|load| tip.area(load)),
+            "Hertz's law",
+        ),
+        Claim::trend(
+            "2.2",
+            "Greenwood: with elastic asperities of many heights the area is linear in the load",
+            format!(
+                "L/A summed over Hertz contacts at three separations differs by {deviation:.1e} \
+                 at most from the law's constant"
+            ),
+            deviation <= 1e-6,
+            "scaling, for heights that decay exponentially",
+        ),
+    ])
+}
+
+/// L/A of asperities whose heights decay with length `decay`, `gap` decay lengths above the mean
+/// plane, by the midpoint rule over the heights.
+fn mean_pressure(tip: &HertzSphere<f64>, radius: f64, modulus: f64, decay: f64, gap: f64) -> f64 {
+    let (highest, steps) = (40.0, 40_000);
+    let step = highest / f64::from(steps);
+    let (mut area, mut load) = (0.0, 0.0);
+    for i in 0..steps {
+        let indentation = (f64::from(i) + 0.5) * step;
+        let number = (-(gap + indentation)).exp();
+        // Hertz: L = (4/3) E* √R_a δ^(3/2).
+        let one = 4.0 / 3.0 * modulus * radius.sqrt() * (indentation * decay).powf(1.5);
+        load += number * one;
+        area += number * tip.area(one);
+    }
+    load / area
+}

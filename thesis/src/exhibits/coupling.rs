@@ -1,0 +1,246 @@
+//! Figure 3.4: force and torque for dry friction, with eqs. 3.11 to 3.18.
+
+use crate::exhibit::{Exhibit, at, geometric, table};
+use anyhow::Result;
+use std::f64::consts::PI;
+use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
+use tribos_core::law::Coulomb;
+use tribos_core::special::CompleteElliptic;
+use tribos_report::claim::Claim;
+use tribos_report::digits::short;
+use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
+use tribos_report::verdict::Allowance;
+
+/// F and T over ε, and T over F.
+pub fn figure_3_4() -> Result<Exhibit> {
+    let dry = table(0.0)?;
+    let ratios = geometric(1e-3, 1e3, 400);
+    let rows: Vec<Vec<f64>> = ratios
+        .iter()
+        .map(|&ratio| {
+            let [force, torque] = at(&dry, ratio);
+            vec![ratio, force, torque]
+        })
+        .collect();
+    let curve = |x: usize, y: usize| rows.iter().map(|row| (row[x], row[y])).collect::<Vec<_>>();
+    let over_ratio = Figure::new(
+        "Dry friction, α = 0",
+        Axis::log10("velocity ratio ε = v/(ωR)"),
+        Axis::linear("F, T").range(0.0, 1.05),
+    )
+    .series(Series::line("force F", curve(0, 1)))
+    .series(Series::line("torque T", curve(0, 2)))
+    .legend(Legend::Below);
+    let pairs = Figure::new(
+        "Possible pairs",
+        Axis::linear("force F").range(0.0, 1.05),
+        Axis::linear("torque T").range(0.0, 0.7),
+    )
+    .series(Series::line("T(F)", curve(1, 2)))
+    .legend(Legend::Below);
+    let panels = Panels::new("", 2)
+        .figure(over_ratio)
+        .figure(pairs)
+        .cell(520, 400);
+    let mut claims = limits()?;
+    claims.extend(closed_forms()?);
+    claims.extend(statements(&rows)?);
+    Ok(Exhibit {
+        heading: "Figure 3.4: coupled force and torque under dry friction".into(),
+        text: vec![
+            "For Coulomb friction F and T depend on the velocity ratio alone. Each motion takes \
+             friction away from the other: whoever adds sliding and spinning friction as if they \
+             were independent overestimates both."
+                .into(),
+        ],
+        film: None,
+        caption: "Left: force and torque over the velocity ratio. Right: the pairs that occur, \
+                  the limit curve of the disk."
+            .into(),
+        drawing: Box::new(panels),
+        columns: vec!["ratio", "force", "torque"],
+        rows,
+        claims,
+    })
+}
+
+/// Eqs. 3.12, 3.14, 3.15, 3.16.
+fn limits() -> Result<Vec<Claim>> {
+    let dry = table(0.0)?;
+    let [force, torque] = at(&dry, 1.0);
+    let slopes = dry.reduced_jacobian(1.0, 1.0);
+    let rounding = 4.0 * f64::EPSILON;
+    let rows = [
+        ("eq. 3.12", "F(1)", ("8/(3π)", 8.0 / (3.0 * PI)), force),
+        (
+            "eq. 3.12",
+            "dF/dε at 1",
+            ("4/(3π)", 4.0 / (3.0 * PI)),
+            slopes.force_slide,
+        ),
+        ("eq. 3.14", "T(1)", ("8/(9π)", 8.0 / (9.0 * PI)), torque),
+        (
+            "eq. 3.14",
+            "dT/dε at 1",
+            ("−4/(3π)", -4.0 / (3.0 * PI)),
+            slopes.mixed,
+        ),
+        ("3.2.2", "F(0)", ("0", 0.0), at(&dry, 0.0)[0]),
+        ("3.2.2", "F(∞)", ("1", 1.0), at(&dry, f64::INFINITY)[0]),
+        ("eq. 3.15", "T(∞)", ("0", 0.0), at(&dry, f64::INFINITY)[1]),
+        ("eq. 3.16", "T(0)", ("2/3", 2.0 / 3.0), at(&dry, 0.0)[1]),
+    ];
+    let rows = rows.into_iter().map(|(place, what, printed, ours)| {
+        Claim::stated(place, what, printed, ours, Allowance::Exact(rounding))
+    });
+    Ok(rows.collect())
+}
+
+/// F and T as the thesis writes them: 3.11 and 3.13, with the factor 4 over the whole bracket.
+fn cases(ratio: f64) -> [f64; 2] {
+    let e2 = ratio * ratio;
+    if ratio <= 1.0 {
+        let i = CompleteElliptic::new(1.0 - e2);
+        let (k, e) = (i.k(), i.e());
+        let force = 4.0 * ((e2 + 1.0) * e + (e2 - 1.0) * k) / (3.0 * ratio * PI);
+        [
+            force,
+            4.0 * ((4.0 - 2.0 * e2) * e + (e2 - 1.0) * k) / (9.0 * PI),
+        ]
+    } else {
+        let i = CompleteElliptic::new(1.0 - 1.0 / e2);
+        let (k, e) = (i.k(), i.e());
+        let force = 4.0 * ((e2 + 1.0) * e - (e2 - 1.0) * k) / (3.0 * PI);
+        let torque = (4.0 - 2.0 * e2) * e + (2.0 * e2 - 5.0 + 3.0 / e2) * k;
+        [force, 4.0 * ratio * torque / (9.0 * PI)]
+    }
+}
+
+/// 3.17 and 3.18, without the distinction of cases.
+fn single(ratio: f64) -> [f64; 2] {
+    let sum = 1.0 + ratio;
+    let gap = (1.0 - ratio) * (1.0 - ratio);
+    let i = CompleteElliptic::new(gap / (sum * sum));
+    let (k, e) = (i.k(), i.e());
+    let force = 2.0 * sum / (3.0 * PI * ratio) * ((1.0 + ratio * ratio) * e - gap * k);
+    let torque = 4.0 * sum / (9.0 * PI) * ((2.0 - ratio * ratio) * e + gap * k);
+    [force, torque]
+}
+
+/// Largest relative deviation of two evaluations over the ratios.
+fn deviation(ratios: &[f64], f: impl Fn(f64) -> [f64; 2], g: impl Fn(f64) -> [f64; 2]) -> f64 {
+    let one = |&ratio: &f64| {
+        let (a, b) = (f(ratio), g(ratio));
+        (a[0] / b[0] - 1.0).abs().max((a[1] / b[1] - 1.0).abs())
+    };
+    ratios.iter().map(one).fold(0.0, f64::max)
+}
+
+/// The closed forms against the kernel where they do not cancel.
+fn closed_forms() -> Result<Vec<Claim>> {
+    let dry = table(0.0)?;
+    // An even number of intervals would hit ε = 1, where the second form is 0 · ∞.
+    let moderate = geometric(0.1, 10.0, 201);
+    let two = deviation(&moderate, cases, |ratio| at(&dry, ratio));
+    let one = deviation(&moderate, single, |ratio| at(&dry, ratio));
+    let disk = DiskQuadrature::new(Coulomb::new(1.0)?);
+    let numeric = |ratio| {
+        let wrench = disk.reduced_wrench(ratio, 1.0);
+        [wrench.force, wrench.torque]
+    };
+    let integral = deviation(&geometric(1e-3, 1e3, 400), numeric, |ratio| at(&dry, ratio));
+    // The printed forms lose digits like ε⁻² and ε⁴ towards the ends.
+    let over = "at 202 ratios from 0.1 to 10";
+    Ok(vec![
+        Claim::formula(
+            "eqs. 3.11, 3.13",
+            "F and T of the closed forms, with the factor 4 over the whole bracket",
+            two,
+            1e-10,
+            over,
+        ),
+        Claim::formula(
+            "eqs. 3.17, 3.18",
+            "F and T in one form for all ε",
+            one,
+            1e-10,
+            over,
+        ),
+        Claim::formula(
+            "eqs. 3.9, 3.10",
+            "F and T of the integrals, by quadrature",
+            integral,
+            1e-8,
+            "integrated numerically at 401 ratios from 1e-3 to 1e3",
+        ),
+    ])
+}
+
+/// What the text says about the curves.
+fn statements(rows: &[Vec<f64>]) -> Result<Vec<Claim>> {
+    let monotone = rows
+        .windows(2)
+        .all(|w| w[1][1] > w[0][1] && w[1][2] < w[0][2]);
+    let reduced = rows.iter().all(|row| row[1] < 1.0 && row[2] < 2.0 / 3.0);
+    let weakening = table(-0.5)?;
+    let peak = geometric(0.1, 10.0, 2000)
+        .into_iter()
+        .map(|ratio| (at(&weakening, ratio)[0], ratio))
+        .fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
+    let falls = at(&weakening, 1e3)[0] < peak.0;
+    Ok(vec![
+        Claim::trend(
+            "3.2.2",
+            "F and T are strictly monotonous functions of ε",
+            format!("F rises and T falls at {} ratios", rows.len()),
+            monotone,
+            "monotony",
+        ),
+        Claim::trend(
+            "3.2.2",
+            "Force and torque dynamically reduce each other",
+            format!("F < 1 and T < 2/3 at {} ratios", rows.len()),
+            reduced,
+            "sign of the coupling",
+        ),
+        Claim::trend(
+            "3.4.4",
+            "F and T are assumed to be strictly monotonous for all α ≠ 1 (there α ≥ 0)",
+            "at 401 ratios for α = 0, 0.25, 0.5, 0.75, 1.5, 2, 3".into(),
+            other_exponents_are_monotonous()?,
+            "monotony",
+        ),
+        Claim::own_statement(
+            "The assumption of section 3.4.4 does not extend to −1 < α < 0: F rises like ε and \
+             then falls like ε^α",
+            format!(
+                "α = −0.5: F has a maximum {} near ε = {:.2}",
+                short(peak.0),
+                peak.1
+            ),
+            falls,
+            "F at 2001 ratios",
+        ),
+        Claim::not_checkable(
+            "fig. 3.5",
+            "Measured force and torque of a plastic disk lie on the curves",
+            "the measurements are not published as numbers",
+        ),
+    ])
+}
+
+/// For exponents of the thesis other than 0 and 1.
+fn other_exponents_are_monotonous() -> Result<bool> {
+    let mut holds = true;
+    for alpha in [0.0, 0.25, 0.5, 0.75, 1.5, 2.0, 3.0] {
+        let law = table(alpha)?;
+        let values: Vec<[f64; 2]> = geometric(1e-3, 1e3, 400)
+            .into_iter()
+            .map(|ratio| at(&law, ratio))
+            .collect();
+        // Below α = 1 the torque falls with ε, above it rises.
+        let torque = |w: &[[f64; 2]]| (w[1][1] - w[0][1]) * (alpha - 1.0) > 0.0;
+        holds &= values.windows(2).all(|w| w[1][0] > w[0][0] && torque(w));
+    }
+    Ok(holds)
+}

@@ -1,0 +1,326 @@
+//! Figures 3.6, 3.7 and 3.8: growth of the velocity ratio and its fixed points.
+
+use crate::exhibit::{Exhibit, linear, modes};
+use anyhow::Result;
+use tribos_core::modes::{FixedPoints, Stability, inertia_interval};
+use tribos_core::special::CompleteElliptic;
+use tribos_report::claim::Claim;
+use tribos_report::digits::short;
+use tribos_report::figure::{Axis, Figure, Guide, Legend, Panels, Series};
+use tribos_report::verdict::Allowance;
+
+/// The golden ratio (√5 − 1)/2, the limit of ε₀ for α → 1.
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+
+/// Curves of g over ε for several exponents, as series and as rows.
+fn curves(
+    exponents: &[f64],
+    inertia_ratio: f64,
+    ratios: &[f64],
+) -> Result<(Vec<Series>, Vec<Vec<f64>>)> {
+    let mut rows: Vec<Vec<f64>> = ratios.iter().map(|&ratio| vec![ratio]).collect();
+    let mut series = Vec::new();
+    for &alpha in exponents {
+        let modes = modes(alpha, inertia_ratio)?;
+        let points: Vec<_> = ratios
+            .iter()
+            .map(|&ratio| (ratio, modes.growth(ratio)))
+            .collect();
+        for (row, (_, growth)) in rows.iter_mut().zip(&points) {
+            row.push(*growth);
+        }
+        series.push(Series::line(format!("α = {alpha}"), points));
+    }
+    Ok((series, rows))
+}
+
+fn figure(title: &str, range: (f64, f64), growth: (f64, f64), series: Vec<Series>) -> Figure {
+    let empty = Figure::new(
+        title,
+        Axis::linear("velocity ratio ε").range(range.0, range.1),
+        Axis::linear("g(ε)").range(growth.0, growth.1),
+    );
+    series
+        .into_iter()
+        .fold(empty, Figure::series)
+        .guide(Guide::horizontal(0.0, ""))
+}
+
+fn word(stability: Stability) -> &'static str {
+    match stability {
+        Stability::Stable => "stable",
+        Stability::Semistable => "semistable",
+        Stability::Unstable => "unstable",
+    }
+}
+
+/// Words for the three fixed points.
+fn in_words(points: &FixedPoints<f64>) -> String {
+    let finite = match points.finite {
+        Some((ratio, stability)) => format!("ε₀ = {} {}", short(ratio), word(stability)),
+        None => "no ε₀".into(),
+    };
+    let (spinning, sliding) = (word(points.spinning), word(points.sliding));
+    format!("0 {spinning}, {finite}, ∞ {sliding}")
+}
+
+/// Checks the stabilities of 0, of ε₀ if there is one, and of ∞.
+fn stabilities(
+    what: &str,
+    points: &FixedPoints<f64>,
+    expected: (Stability, Option<Stability>, Stability),
+) -> Claim {
+    let found = (
+        points.spinning,
+        points.finite.map(|(_, stability)| stability),
+        points.sliding,
+    );
+    Claim::trend(
+        "fig. 3.6",
+        what,
+        in_words(points),
+        found == expected,
+        "stability",
+    )
+}
+
+/// g for α = 0, 1, 3 and the disk.
+pub fn figure_3_6() -> Result<Exhibit> {
+    let (series, rows) = curves(&[0.0, 1.0, 3.0], 0.5, &linear(0.0, 1.5, 300))?;
+    let title = "g(ε) of the disk, C = 1/2";
+    let drawing = figure(title, (0.0, 1.5), (-0.25, 0.35), series);
+    let mut claims = dry_claims(&rows)?;
+    claims.extend(linear_and_cubic_claims(&rows)?);
+    Ok(Exhibit {
+        heading: "Figure 3.6: growth of the velocity ratio for α = 0, 1, 3".into(),
+        text: vec![
+            "While the disk slows down, dε/d(−ln ω) = g(ε). Where g is positive the ratio grows \
+             and sliding gains; where it is negative spinning gains. Zeros are fixed points."
+                .into(),
+        ],
+        film: None,
+        caption: "Under dry friction every motion ends at ε₀ ≈ 0.653: sliding and spinning stop \
+                  together."
+            .into(),
+        drawing: Box::new(drawing),
+        columns: vec!["ratio", "g_alpha_0", "g_alpha_1", "g_alpha_3"],
+        rows,
+        claims,
+    })
+}
+
+/// Largest distance of a column of g from a formula of the thesis.
+fn deviation(rows: &[Vec<f64>], column: usize, formula: impl Fn(f64) -> f64) -> f64 {
+    let distance = |row: &Vec<f64>| (row[column] - formula(row[0])).abs();
+    // ε = 0 and 1 are removable singularities of the printed forms.
+    let regular = rows
+        .iter()
+        .filter(|row| row[0] > 0.1 && (row[0] - 1.0).abs() > 1e-9);
+    regular.map(distance).fold(0.0, f64::max)
+}
+
+fn finite(points: &FixedPoints<f64>) -> f64 {
+    points.finite.map_or(f64::NAN, |(ratio, _)| ratio)
+}
+
+/// 3.28, C = 1/2.
+fn growth_as_printed(ratio: f64) -> f64 {
+    let (sum, gap) = (1.0 + ratio, (1.0 - ratio) * (1.0 - ratio));
+    let integrals = CompleteElliptic::new(gap / (sum * sum));
+    let (k, e) = (integrals.k(), integrals.e());
+    let above = (1.0 + ratio * ratio) * e - gap * k;
+    ratio - 0.75 / ratio * above / ((2.0 - ratio * ratio) * e + gap * k)
+}
+
+/// α = 0.
+fn dry_claims(rows: &[Vec<f64>]) -> Result<Vec<Claim>> {
+    use Stability::{Stable, Unstable};
+    let points = modes(0.0, 0.5)?.fixed_points();
+    let exact = ("its value at 50 digits", 0.653_001_789_205_598);
+    let printed = deviation(rows, 1, growth_as_printed);
+    let ratio = finite(&points);
+    Ok(vec![
+        Claim::stated(
+            "3.4.2",
+            "α = 0: finite fixed point",
+            ("≈ 0.653", 0.653),
+            ratio,
+            Allowance::Digits(5e-4),
+        ),
+        Claim::own("α = 0: all digits of the fixed point", ratio, exact, 1e-14),
+        Claim::stated(
+            "3.1",
+            "α = 0: ωR/v of a disk just before it stops (Voyerli and Eriksen)",
+            ("≈ 1.53", 1.53),
+            1.0 / ratio,
+            Allowance::Digits(5e-3),
+        ),
+        Claim::formula(
+            "eq. 3.28",
+            "α = 0: g(ε)",
+            printed,
+            1e-12,
+            "at 281 ratios, 0.1 < ε ≤ 1.5",
+        ),
+        stabilities(
+            "α = 0: 0 is unstable, ε₀ stable",
+            &points,
+            (Unstable, Some(Stable), Unstable),
+        ),
+    ])
+}
+
+/// α = 1 and α = 3.
+fn linear_and_cubic_claims(rows: &[Vec<f64>]) -> Result<Vec<Claim>> {
+    use Stability::{Semistable, Stable, Unstable};
+    let linear_law = modes(1.0, 0.5)?.fixed_points();
+    let cubic = modes(3.0, 0.5)?.fixed_points();
+    let flat = deviation(rows, 2, |_| 0.0);
+    let bent = deviation(rows, 3, |e| e - (e.powi(3) + e) / (2.0 / 3.0 + 2.0 * e * e));
+    Ok(vec![
+        Claim::stated(
+            "eq. 3.29",
+            "α = 1: g vanishes; the largest |g|",
+            ("0", 0.0),
+            flat,
+            Allowance::Exact(1e-15),
+        ),
+        stabilities(
+            "α = 1: every ratio is semistable",
+            &linear_law,
+            (Semistable, None, Semistable),
+        ),
+        Claim::stated(
+            "3.4.2",
+            "α = 3: finite fixed point",
+            ("√3/3", 1.0 / 3f64.sqrt()),
+            finite(&cubic),
+            Allowance::Exact(1e-14),
+        ),
+        Claim::formula(
+            "eq. 3.30",
+            "α = 3: g(ε)",
+            bent,
+            1e-14,
+            "at 281 ratios, 0.1 < ε ≤ 1.5",
+        ),
+        stabilities(
+            "α = 3: 0 and ∞ are stable, ε₀ unstable",
+            &cubic,
+            (Stable, Some(Unstable), Stable),
+        ),
+    ])
+}
+
+/// The transition from α = 0 to α = 1.
+pub fn figure_3_7() -> Result<Exhibit> {
+    let exponents = [0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0];
+    let (series, rows) = curves(&exponents, 0.5, &linear(0.0, 1.2, 240))?;
+    let (zoomed, _) = curves(&exponents, 0.5, &linear(0.6, 0.67, 140))?;
+    let whole = figure("g(ε), C = 1/2", (0.0, 1.2), (-0.16, 0.06), series).legend(Legend::Below);
+    let zoom = figure("its zeros", (0.6, 0.67), (-0.01, 0.012), zoomed).legend(Legend::Below);
+    Ok(Exhibit {
+        heading: "Figure 3.7: from Coulomb to linear friction".into(),
+        text: vec![
+            "The thesis integrated these curves numerically with the trapezoid rule; here they \
+             are exact. Towards α = 1 the whole curve flattens, but its zero stays finite and \
+             tends to the golden ratio: to first order in 1 − α the condition g = 0 reads \
+             x² − 3x + 1 = 0 with x = ε²."
+                .into(),
+        ],
+        film: None,
+        caption: "Right: the zeros, which the thesis shows as an inset.".into(),
+        drawing: Box::new(Panels::new("", 2).figure(whole).figure(zoom).cell(520, 420)),
+        columns: vec!["ratio", "0", "0.1", "0.25", "0.5", "0.75", "0.9", "1"],
+        rows,
+        claims: transition_claims(&exponents)?,
+    })
+}
+
+fn transition_claims(exponents: &[f64]) -> Result<Vec<Claim>> {
+    let mut zeros = Vec::new();
+    let below: Vec<f64> = exponents
+        .iter()
+        .copied()
+        .filter(|&alpha| alpha < 1.0)
+        .collect();
+    for &alpha in &below {
+        if let Some((ratio, Stability::Stable)) = modes(alpha, 0.5)?.fixed_points().finite {
+            zeros.push(ratio);
+        }
+    }
+    let shown: Vec<String> = zeros.iter().map(|zero| format!("{zero:.4}")).collect();
+    let (low, high) = zeros
+        .iter()
+        .fold((f64::MAX, 0.0_f64), |(l, h), &z| (l.min(z), h.max(z)));
+    let near = modes(1.0 - 1e-9, 0.5)?
+        .finite_fixed_point()
+        .unwrap_or(f64::NAN);
+    Ok(vec![
+        Claim::trend(
+            "3.4.3",
+            "For every 0 ≤ α < 1 a finite stable fixed point exists; α = 0, 0.1, 0.25, 0.5, 0.75, 0.9",
+            format!("ε₀ = {}, all stable", shown.join(", ")),
+            zeros.len() == below.len(),
+            "existence and stability",
+        ),
+        Claim::refutation(
+            "fig. 3.7",
+            "Inset: the zeros lie in a small range",
+            format!("from {} (α = 0.9) to {} (α = 0)", short(low), short(high)),
+            high > 0.64,
+            "the range for 0 ≤ α < 1 is (0.618034, 0.653002]; inside [0.62, 0.64] only for \
+             0.32616 ≤ α ≤ 0.93190. The thesis' own 0.653 lies outside",
+        )
+        .printed("[0.62, 0.64]"),
+        Claim::own(
+            "Limit of ε₀ for α → 1, taken at 1 − 1e-9",
+            near,
+            ("the golden ratio (√5 − 1)/2", GOLDEN),
+            1e-9,
+        ),
+    ])
+}
+
+/// The ring's inertia on the disk's contact.
+pub fn figure_3_8() -> Result<Exhibit> {
+    let (series, rows) = curves(&[0.0, 1.0, 3.0], 1.0, &linear(0.0, 1.5, 300))?;
+    let drawing = figure("g(ε) with C = 1", (0.0, 1.5), (-1.5, 0.2), series);
+    let mut claims = Vec::new();
+    for alpha in [0.0, 1.0, 3.0] {
+        let points = modes(alpha, 1.0)?.fixed_points();
+        let only_spinning = points.spinning == Stability::Stable
+            && points.finite.is_none()
+            && points.sliding == Stability::Unstable;
+        claims.push(Claim::trend(
+            "fig. 3.8",
+            &format!("C = 1, α = {alpha}: ε = 0 is the stable and only stable fixed point"),
+            in_words(&points),
+            only_spinning,
+            "stability",
+        ));
+    }
+    let border = inertia_interval(3.0, 0.0).1;
+    claims.push(Claim::refutation(
+        "3.4.5",
+        "C = 1 exceeds the upper bound c₃,max for α = 3",
+        format!("c₃,max = {border}"),
+        border == 1.0,
+        "the two are equal: C = 1 is the border itself. The conclusion stands",
+    ));
+    Ok(Exhibit {
+        heading: "Figure 3.8: all mass at the rim, C = 1".into(),
+        text: vec![
+            "With C = 1 the final motion is spinning for all three exponents. (The contact is \
+             still the disk; a thin ring that rests on its rim has other force and torque \
+             functions and other bounds of C.)"
+                .into(),
+        ],
+        film: None,
+        caption: "g is negative everywhere.".into(),
+        drawing: Box::new(drawing),
+        columns: vec!["ratio", "g_alpha_0", "g_alpha_1", "g_alpha_3"],
+        rows,
+        claims,
+    })
+}

@@ -1,0 +1,208 @@
+//! Figures 3.9 and 3.10 and table 3.2: which bodies have a finite fixed point.
+
+use crate::exhibit::{Exhibit, geometric, linear, modes};
+use anyhow::Result;
+use tribos_core::modes::{Stability, inertia_interval};
+use tribos_report::claim::Claim;
+use tribos_report::diagram::Diagram;
+use tribos_report::figure::{Axis, Figure, Guide, Series};
+use tribos_report::verdict::Allowance;
+
+/// Ratios so far out that the limits are reached to rounding: the next terms are of order ε².
+const FAR: f64 = 1e9;
+
+/// C_α(ε₀) for α = 0, 1, 3.
+pub fn figure_3_9() -> Result<Exhibit> {
+    let ratios = geometric(1e-2, 1e2, 300);
+    let mut rows: Vec<Vec<f64>> = ratios.iter().map(|&ratio| vec![ratio]).collect();
+    let mut figure = Figure::new(
+        "Inertia ratio for which ε₀ is a fixed point",
+        Axis::log10("ε₀"),
+        Axis::linear("C").range(0.0, 1.1),
+    );
+    let mut claims = Vec::new();
+    for alpha in [0.0, 1.0, 3.0] {
+        let modes = modes(alpha, 0.5)?;
+        let curve: Vec<_> = ratios
+            .iter()
+            .map(|&r| (r, modes.inertia_ratio_of(r)))
+            .collect();
+        let falls = curve.windows(2).all(|w| w[1].1 < w[0].1);
+        let rises = curve.windows(2).all(|w| w[1].1 > w[0].1);
+        claims.push(if alpha == 1.0 {
+            let off = |a: f64, b: f64| (a - 0.5).abs().total_cmp(&(b - 0.5).abs());
+            let worst = curve.iter().map(|p| p.1).max_by(|a, b| off(*a, *b));
+            let what = "α = 1: C is the same for every ε₀; its value farthest from that";
+            let worst = worst.unwrap_or(f64::NAN);
+            Claim::stated("3.4.4", what, ("1/2", 0.5), worst, Allowance::Exact(1e-15))
+        } else {
+            let (how, holds) = if alpha < 1.0 {
+                ("falls", falls)
+            } else {
+                ("rises", rises)
+            };
+            Claim::trend(
+                "fig. 3.9",
+                &format!("α = {alpha}: the mapping from ε₀ to C is bijective"),
+                format!("{how} at {} ratios", curve.len()),
+                holds,
+                "monotony",
+            )
+        });
+        for (row, (_, c)) in rows.iter_mut().zip(&curve) {
+            row.push(*c);
+        }
+        figure = figure.series(Series::line(format!("α = {alpha}"), curve));
+    }
+    Ok(Exhibit {
+        heading: "Figure 3.9: C as a function of the fixed point".into(),
+        text: vec![
+            "Asked the other way round: which C = I/(MR²) puts the fixed point at ε₀?".into(),
+        ],
+        film: None,
+        caption: "Each curve runs between its two limits of table 3.2.".into(),
+        drawing: Box::new(figure.guide(Guide::horizontal(0.5, "disk"))),
+        columns: vec!["ratio", "c_alpha_0", "c_alpha_1", "c_alpha_3"],
+        rows,
+        claims,
+    })
+}
+
+/// The limits of C_α.
+pub fn table_3_2() -> Result<Exhibit> {
+    let thirds = [("2/3", 2.0 / 3.0), ("1/2", 0.5), ("1/3", 1.0 / 3.0)];
+    let quarters = [("1/4", 0.25), ("1/2", 0.5), ("1", 1.0)];
+    let mut rows = Vec::new();
+    let mut claims = Vec::new();
+    for ((alpha, slow), fast) in [0.0, 1.0, 3.0].into_iter().zip(thirds).zip(quarters) {
+        let modes = modes(alpha, 0.5)?;
+        let (at_zero, at_infinity) = (
+            modes.inertia_ratio_of(1.0 / FAR),
+            modes.inertia_ratio_of(FAR),
+        );
+        for (end, printed, ours) in [("0", slow, at_zero), ("∞", fast, at_infinity)] {
+            let what = format!("α = {alpha}: C for ε₀ → {end}");
+            let allowance = Allowance::Exact(1e-15);
+            claims.push(Claim::stated("table 3.2", &what, printed, ours, allowance));
+        }
+        rows.push(vec![alpha, at_zero, at_infinity]);
+    }
+    let column = |i: usize| rows.iter().map(|row| (row[0], row[i])).collect::<Vec<_>>();
+    let figure = Figure::new(
+        "Limits of C",
+        Axis::linear("α").range(-0.2, 3.2),
+        Axis::linear("C").range(0.0, 1.1),
+    )
+    .series(Series::points("ε₀ → 0", column(1)))
+    .series(Series::points("ε₀ → ∞", column(2)));
+    Ok(Exhibit {
+        heading: "Table 3.2: limits of C".into(),
+        text: vec![format!("Evaluated at ε₀ = {:e} and {FAR:e}.", 1.0 / FAR)],
+        film: None,
+        caption: "The six numbers of the table.".into(),
+        drawing: Box::new(figure),
+        columns: vec!["alpha", "c_at_zero", "c_at_infinity"],
+        rows,
+        claims,
+    })
+}
+
+/// The phase diagram.
+pub fn figure_3_10() -> Result<Exhibit> {
+    let rows = linear(0.0, 5.0, 200)
+        .into_iter()
+        .map(|alpha| {
+            let (low, high) = inertia_interval(alpha, 0.0);
+            vec![alpha, low, high]
+        })
+        .collect();
+    Ok(Exhibit {
+        heading: "Figure 3.10: phase diagram of final motion".into(),
+        text: vec![
+            "Between its two borders, 2/(3+α) and (1+α)/4, a finite fixed point exists: stable \
+             for α < 1, unstable for α > 1. Above both, spinning remains; below both, sliding. \
+             The claims are checked against the exact g at many points of the plane, not against \
+             the formulas of the borders."
+                .into(),
+        ],
+        film: None,
+        caption: "Final motion in the plane of exponent and inertia ratio.".into(),
+        drawing: Box::new(Diagram::uniform_disk().figure(None)),
+        columns: vec!["alpha", "c_min", "c_max"],
+        rows,
+        claims: plane_claims()?,
+    })
+}
+
+/// What was found at points of the plane.
+#[derive(Default)]
+struct Found {
+    points: usize,
+    right: usize,
+    single: usize,
+    fitting: usize,
+}
+
+/// Signs of g on a grid of the plane against the diagram's regions.
+fn look(exponents: impl Iterator<Item = f64>) -> Result<Found> {
+    let ratios = geometric(1e-6, 1e6, 60);
+    let mut found = Found::default();
+    for alpha in exponents {
+        let (low, high) = inertia_interval(alpha, 0.0);
+        for c in linear(0.03, 2.53, 25) {
+            let modes = modes(alpha, c)?;
+            let signs: Vec<bool> = ratios.iter().map(|&r| modes.growth(r) > 0.0).collect();
+            let changes = signs.windows(2).filter(|w| w[0] != w[1]).count();
+            let inside = c > low && c < high;
+            found.points += 1;
+            found.single += usize::from(changes <= 1);
+            found.right += usize::from((changes == 1) == inside);
+            let stable = matches!(modes.fixed_points().finite, Some((_, Stability::Stable)));
+            // g falls through zero at a stable point.
+            let fits = !inside || (signs[0] == stable && stable == (alpha < 1.0));
+            found.fitting += usize::from(fits);
+        }
+    }
+    Ok(found)
+}
+
+/// The thesis' half of the plane, and negative exponents.
+fn plane_claims() -> Result<Vec<Claim>> {
+    let exponents = || linear(-0.9, 9.0, 99).into_iter();
+    let positive = look(exponents().filter(|alpha| *alpha > -1e-9 && (alpha - 1.0).abs() > 1e-9))?;
+    let negative = look(exponents().filter(|alpha| *alpha < -1e-9))?;
+    let all = positive.points;
+    let shown = |n: usize| format!("{n} of {all} points of the plane, 0 ≤ α ≤ 9");
+    let row =
+        |what: &str, n: usize, of: &str| Claim::trend("fig. 3.10", what, shown(n), n == all, of);
+    let Found {
+        points,
+        right,
+        single,
+        fitting,
+    } = negative;
+    Ok(vec![
+        row(
+            "A finite fixed point exists exactly for c_min < C < c_max",
+            positive.right,
+            "regions",
+        ),
+        row(
+            "There is only one finite fixed point",
+            positive.single,
+            "number",
+        ),
+        row(
+            "It is stable for α < 1 and unstable for α > 1",
+            positive.fitting,
+            "stability",
+        ),
+        Claim::own_statement(
+            "Negative exponents: one finite fixed point between the continued borders, stable, and \
+             none outside",
+            format!("{right} of {points} points of the plane, −0.9 ≤ α < 0"),
+            [right, single, fitting] == [points; 3],
+            "signs of g at 61 ratios",
+        ),
+    ])
+}

@@ -1,0 +1,107 @@
+//! Figure 4.6: a deposit before and after its compaction.
+
+use crate::exhibit::Exhibit;
+use crate::runs::{Case, Effort, Run, Runs, System};
+use anyhow::Result;
+use tribos::powder::Ending;
+use tribos::powder::deposit::{Ballistic, Until};
+use tribos_report::claim::Claim;
+use tribos_report::runs::powder::packing;
+
+/// Deposits of each system.
+const SEEDS: std::ops::Range<u64> = 1..6;
+/// Distance of centres at which spheres are captured, in R.
+const CAPTURE_RADIUS: f64 = 3.0;
+/// A piston this near to the highest sphere, in R, nearly touches it.
+const NEAR: f64 = 0.5;
+
+/// One system without torques, at both ends of its compaction.
+pub fn figure_4_6(runs: &Runs) -> Result<Exhibit> {
+    let system = match runs.effort() {
+        Effort::Quick => System::Small,
+        Effort::Full => System::Large,
+    };
+    let case = Case::new(system, [0.0, 0.0], 1);
+    let run = runs.one(&case)?;
+    let mut claims = Vec::new();
+    for system in [System::Small, System::Large] {
+        claims.push(piston_claim(system)?);
+    }
+    claims.extend(end_claims(&run));
+    let [before, after] = &run.states;
+    let pairs = before.positions.iter().zip(&after.positions);
+    Ok(Exhibit {
+        heading: "Figure 4.6: ballistic deposit before and after compaction".into(),
+        text: vec![format!(
+            "The {} system, {} spheres of the first seed, without rolling and torsion friction; \
+             the thesis shows the large one and does not say with which torques. Colours are the \
+             heights in the deposit; the third picture shows the forces that hold the blocked \
+             packing{}.",
+            system.name(),
+            run.outcome.particles,
+            runs.hint("; `--full` takes the large system")
+        )],
+        film: Some(case.film(runs)?),
+        caption: "Initial and final packing, and the final forces.".into(),
+        drawing: Box::new(packing(&run.scene, &run.states, &run.outcome)?),
+        columns: vec![
+            "x_initial",
+            "y_initial",
+            "z_initial",
+            "x_final",
+            "y_final",
+            "z_final",
+        ],
+        rows: pairs.map(|(x, y)| [*x, *y].concat()).collect(),
+        claims,
+    })
+}
+
+/// Heights of five deposits; figure 4.5 has their spheres and porosities.
+fn piston_claim(system: System) -> Result<Claim> {
+    let [width, height] = system.size();
+    let ballistic = Ballistic::new(width, 1.0, CAPTURE_RADIUS)?;
+    let mut lowest = height;
+    for seed in SEEDS {
+        let deposit = ballistic.grow(Until::Cut(height), seed);
+        lowest = lowest.min(deposit?.height);
+    }
+    let claim = Claim::trend(
+        "4.5",
+        &format!(
+            "Initially the piston of the {} system, at {height}R, nearly touches the highest sphere",
+            system.name()
+        ),
+        format!("highest points from {lowest:.2}R on"),
+        height - lowest < NEAR,
+        "less than 0.5R apart",
+    );
+    Ok(claim.uncertain("five deposits"))
+}
+
+/// The final state is blocked.
+fn end_claims(run: &Run) -> [Claim; 2] {
+    /// More than what is left of a volume exclusion that is solved to 10⁻⁴ and never pushed out.
+    const OVERLAP: f64 = 1e-2;
+    let (outcome, means) = (&run.outcome, &run.outcome.means);
+    [
+        Claim::trend(
+            "fig. 4.6",
+            "The final configuration is blocked: the piston does not move any more",
+            format!(
+                "piston moved {:.1e}R in the last window of 200 steps or more; mean net force \
+                 {:.1e} of the mean contact force",
+                means.moved,
+                means.net / means.contact
+            ),
+            outcome.ending == Some(Ending::Blocked),
+            "comes to rest",
+        ),
+        Claim::own_statement(
+            "Spheres are rigid: the deepest overlap",
+            format!("{:.1e}R", outcome.statistics.max_overlap),
+            outcome.statistics.max_overlap < OVERLAP,
+            "distances of all pairs; less than 0.01R",
+        ),
+    ]
+}

@@ -1,0 +1,138 @@
+//! What a report goes on from: finished sections, and runs with their checkpoints.
+
+use super::runs::Effort;
+use anyhow::{Context, Result};
+use std::hash::{DefaultHasher, Hasher};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+use tribos::record::write_atomically;
+use tribos::run::folder::Lock;
+use tribos_report::page::Section;
+
+/// Name of the folder in a report's.
+const FOLDER: &str = "kept";
+
+/// The part of a report's folder that no reader looks at. It belongs to one program: another one
+/// may compute other bits.
+#[derive(Debug)]
+pub struct Kept {
+    /// Of the report's folder.
+    pub lock: Arc<Lock>,
+    folder: PathBuf,
+    /// Time from one checkpoint of a run to the next.
+    pub pause: Duration,
+}
+
+impl Kept {
+    /// Opens it, and takes away what another program has left there.
+    pub fn open(lock: Arc<Lock>, pause: Duration) -> Result<Self> {
+        let all = lock.folder().join(FOLDER);
+        let mine = all.join(program());
+        let others = std::fs::read_dir(&all).into_iter().flatten().flatten();
+        let others = others.filter(|other| other.path() != mine);
+        for other in others.filter(|other| is_a_programs(&other.file_name().to_string_lossy())) {
+            let place = other.path();
+            std::fs::remove_dir_all(&place)
+                .with_context(|| format!("cannot remove {}", place.display()))?;
+        }
+        Ok(Self {
+            lock,
+            folder: mine,
+            pause,
+        })
+    }
+
+    /// The section of an exhibit, if it is finished and all its files are there.
+    pub fn section(&self, name: &str, effort: Effort) -> Option<Section> {
+        let text = std::fs::read_to_string(self.section_file(name, effort)).ok()?;
+        let section: Section = serde_json::from_str(&text).ok()?;
+        let there = |file: &String| self.lock.folder().join(file).exists();
+        let files = section.figure.iter().flat_map(|figure| &figure.files);
+        files.clone().all(there).then_some(section)
+    }
+
+    /// Keeps a section whose files are written.
+    pub fn keep(&self, name: &str, effort: Effort, section: &Section) -> Result<()> {
+        let text = serde_json::to_string(section)?;
+        let file = self.section_file(name, effort);
+        self.lock.check()?;
+        Ok(write_atomically(&file, text.as_bytes())?)
+    }
+
+    /// The folder of a run.
+    pub fn run(&self, name: &str) -> PathBuf {
+        self.folder.join("runs").join(name)
+    }
+
+    fn section_file(&self, name: &str, effort: Effort) -> PathBuf {
+        self.folder.join(effort.name()).join(format!("{name}.json"))
+    }
+}
+
+/// A name for this program: its version, and a digest of its file where that can be read.
+fn program() -> String {
+    let mut hasher = DefaultHasher::new();
+    let file = std::env::current_exe().and_then(std::fs::read);
+    hasher.write(&file.unwrap_or_default());
+    format!("{}-{:016x}", env!("CARGO_PKG_VERSION"), hasher.finish())
+}
+
+/// Whether a name is one of a program; others are somebody else's.
+fn is_a_programs(name: &str) -> bool {
+    /// Hexadecimal digits of a digest.
+    const DIGITS: usize = 16;
+    let digest = name.rsplit_once('-').map_or("", |(_, digest)| digest);
+    digest.len() == DIGITS && digest.bytes().all(|byte| byte.is_ascii_hexdigit())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+    use tribos::run::folder::Sharing;
+    use tribos_report::page::FigureRef;
+
+    type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+    fn open(report: &Path) -> Result<Kept> {
+        let lock = Lock::take(report, Sharing::Shared)?;
+        Kept::open(lock.into(), Duration::ZERO)
+    }
+
+    #[test]
+    fn a_section_is_kept_with_its_effort_while_its_files_are_there() -> Outcome {
+        let folder = tempfile::tempdir()?;
+        let kept = open(folder.path())?;
+        let section = Section {
+            heading: "Ångström".into(),
+            figure: Some(FigureRef {
+                files: vec!["a.csv".into()],
+                ..FigureRef::default()
+            }),
+            ..Section::default()
+        };
+        kept.keep("3.4", Effort::Quick, &section)?;
+        assert_eq!(kept.section("3.4", Effort::Quick), None);
+        std::fs::write(folder.path().join("a.csv"), "x\n")?;
+        assert_eq!(kept.section("3.4", Effort::Quick), Some(section));
+        assert_eq!(kept.section("3.4", Effort::Full), None);
+        Ok(())
+    }
+
+    #[test]
+    fn what_another_program_left_is_taken_away() -> Outcome {
+        let folder = tempfile::tempdir()?;
+        let other = folder.path().join(FOLDER).join("0.0.0-0123456789abcdef");
+        std::fs::create_dir_all(&other)?;
+        let mine = ["mine", "kept/mine", "kept/holiday-2026"].map(|name| folder.path().join(name));
+        for mine in &mine {
+            std::fs::create_dir_all(mine)?;
+        }
+        let kept = open(folder.path())?;
+        assert!(!other.exists() && mine.iter().all(|mine| mine.exists()));
+        std::fs::create_dir_all(kept.run("x"))?;
+        assert!(open(folder.path())?.run("x").exists());
+        Ok(())
+    }
+}

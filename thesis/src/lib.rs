@@ -1,0 +1,259 @@
+//! The results of the thesis, claim by claim: figures, tables and sections recomputed, each claim
+//! with the thesis' number, ours, and a verdict.
+
+mod document;
+mod exhibit;
+mod exhibits;
+mod kept;
+mod plan;
+mod runs;
+
+use Maker::{Alone, Running};
+use anyhow::{Result, ensure};
+use document::{claims_csv, counts, page};
+use exhibit::Exhibit;
+use exhibits::*;
+use kept::Kept;
+use plan::{Plan, Seconds};
+pub use runs::Effort;
+use runs::Runs;
+use std::fmt;
+use std::path::Path;
+use std::time::Duration;
+use tribos::record::{series_csv, write_atomically};
+use tribos::run::folder::{Contents, OutputFolder};
+use tribos_report::image;
+use tribos_report::page::{FigureRef, Section};
+use tribos_report::verdict::Verdict;
+
+/// Makes one exhibit.
+#[derive(Clone, Copy)]
+enum Maker {
+    /// In a moment.
+    Alone(fn() -> Result<Exhibit>),
+    /// From simulations, quick or full; compactions are shared. With the costs of both.
+    Running(fn(&Runs) -> Result<Exhibit>, [Seconds; 2]),
+}
+
+/// What takes a moment costs.
+const MOMENT: Seconds = 0.1;
+
+impl Maker {
+    fn make(self, runs: &Runs) -> Result<Exhibit> {
+        match self {
+            Self::Alone(make) => make(),
+            Self::Running(make, _) => make(runs),
+        }
+    }
+
+    fn cost(self, effort: Effort) -> Seconds {
+        match (self, effort) {
+            (Self::Alone(_), _) => MOMENT,
+            (Self::Running(_, [quick, _]), Effort::Quick) => quick,
+            (Self::Running(_, [_, full]), Effort::Full) => full,
+        }
+    }
+}
+
+/// All exhibits in the order of the thesis.
+const EXHIBITS: &[(&str, Maker)] = &[
+    ("2.5", Alone(classical::figure_2_5)),
+    ("2.7", Alone(creep::figure_2_7)),
+    ("2.8", Alone(lubrication::figure_2_8)),
+    ("3.3", Alone(local_law::figure_3_3)),
+    ("3.4", Alone(coupling::figure_3_4)),
+    ("table-3.1", Alone(asymptotics::table_3_1)),
+    ("3.6", Alone(growth::figure_3_6)),
+    ("3.7", Alone(growth::figure_3_7)),
+    ("3.8", Alone(growth::figure_3_8)),
+    ("3.9", Alone(interval::figure_3_9)),
+    ("table-3.2", Alone(interval::table_3_2)),
+    ("3.10", Alone(interval::figure_3_10)),
+    ("3.11", Alone(stopping::figure_3_11)),
+    ("3.13", Alone(double_disk::figure_3_13)),
+    ("3.16", Alone(tilted::figure_3_16)),
+    ("3.17", Alone(pipe::figure_3_17)),
+    ("3.19", Alone(ice::figure_3_19)),
+    ("4.2", Alone(contact_exhibits::figure_4_2)),
+    ("4.3", Alone(contact_exhibits::figure_4_3)),
+    ("4.5", Alone(deposit::figure_4_5)),
+    ("4.6", Running(packing::figure_4_6, [15.0, 50.0])),
+    ("4.7", Running(porosity::figure_4_7, [75.0, 1000.0])),
+    ("table-4.1", Running(stress::table_4_1, [1.0, 170.0])),
+    ("section-5.1", Alone(pressure::section_5_1)),
+    (
+        "section-5.1-modes",
+        Alone(pressure_modes::section_5_1_modes),
+    ),
+    ("5.1", Alone(tip::figure_5_1)),
+    ("5.2", Running(tip::figure_5_2, [40.0, 2300.0])),
+    ("appendix-a", Alone(odd::appendix_a)),
+];
+
+/// Who follows a report while it is made.
+pub trait Reader: Sync {
+    /// An exhibit is made, or the whole report: a line for standard output.
+    fn result(&self, line: fmt::Arguments<'_>);
+    /// How far the work is: a line for people.
+    fn progress(&self, line: fmt::Arguments<'_>);
+    /// Whether the work is to end; what is finished is kept.
+    fn is_cancelled(&self) -> bool;
+}
+
+/// The reader cancelled the report.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("interrupted while exhibits were made")]
+pub struct Interrupted;
+
+/// A name that is no exhibit's.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("`{0}` is unknown; the names are {all}", all = names().collect::<Vec<_>>().join(", "))]
+pub struct UnknownName(String);
+
+/// What is to be reproduced, and how.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Report {
+    /// Names of exhibits, in their order; see [`chosen`].
+    pub exhibits: Vec<&'static str>,
+    /// How much is computed.
+    pub effort: Effort,
+    /// Time from one checkpoint of a run to the next.
+    pub pause: Duration,
+}
+
+impl Report {
+    /// Writes the report into a folder, or goes on with one that was interrupted. Fails if a
+    /// comparison does: a row that neither holds nor differs for a known cause.
+    pub fn write(&self, out: &Path, reader: &dyn Reader) -> Result<()> {
+        let files = ["index.html", "claims.csv"];
+        let folder = OutputFolder::go_on(out, &Contents::of("reproduce", &files))?;
+        let kept = Kept::open(folder.lock().clone(), self.pause)?;
+        let runs = Runs::new(self.effort, kept, reader);
+        let sections = self.sections(&folder, &runs, reader)?;
+        let claims = || sections.iter().flat_map(|section| &section.claims);
+        let all = counts(claims());
+        let failed: Vec<String> = claims()
+            .filter(|claim| claim.verdict == Verdict::Failed)
+            .map(|claim| claim.statement.clone())
+            .collect();
+        folder.check()?;
+        write_atomically(&out.join("claims.csv"), claims_csv(&sections).as_bytes())?;
+        let index = out.join("index.html");
+        write_atomically(&index, page(sections, self.effort).html().as_bytes())?;
+        let together = all.words();
+        reader.result(format_args!("{:<17} {together}", "together"));
+        reader.result(format_args!("open {}", index.display()));
+        ensure!(
+            failed.is_empty(),
+            "{} comparisons failed for no known reason: {}",
+            failed.len(),
+            failed.join("; ")
+        );
+        Ok(())
+    }
+
+    /// The sections in order: those that are finished as they are kept, the others made now.
+    fn sections(
+        &self,
+        folder: &OutputFolder,
+        runs: &Runs<'_>,
+        reader: &dyn Reader,
+    ) -> Result<Vec<Section>> {
+        let (effort, kept) = (self.effort, runs.kept());
+        let chosen = EXHIBITS
+            .iter()
+            .filter(|(name, _)| self.exhibits.contains(name));
+        let chosen: Vec<_> = chosen
+            .map(|(name, maker)| (*name, *maker, kept.section(name, effort)))
+            .collect();
+        let missing = chosen.iter().filter(|(_, _, kept)| kept.is_none());
+        let costs = missing.clone().map(|(_, maker, _)| maker.cost(effort));
+        let mut plan = Plan::new(costs.sum());
+        reader.progress(format_args!(
+            "{} of {} exhibits to make, about {} on this machine ({})",
+            missing.count(),
+            chosen.len(),
+            plan::told(plan.whole()),
+            effort.name()
+        ));
+        let mut sections = Vec::new();
+        for (name, maker, finished) in chosen {
+            if reader.is_cancelled() {
+                return Err(Interrupted.into());
+            }
+            if let Some(section) = finished {
+                let words = counts(&section.claims).words();
+                reader.result(format_args!("{name:<17} {words}, kept"));
+                sections.push(section);
+                continue;
+            }
+            let section = write_exhibit(folder, name, maker.make(runs)?)?;
+            kept.keep(name, effort, &section)?;
+            let words = counts(&section.claims).words();
+            reader.result(format_args!("{name:<17} {words}"));
+            sections.push(section);
+            let left = plan.finish(maker.cost(effort));
+            if !left.is_zero() {
+                reader.progress(format_args!("about {} left", plan::told(left)));
+            }
+        }
+        Ok(sections)
+    }
+}
+
+/// Names of all exhibits, in the order of the thesis.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    EXHIBITS.iter().map(|(name, _)| *name)
+}
+
+/// The exhibits that the names mean, all if there are none; `fig3.4`, `figure-3.4` and `3.4` are the
+/// same.
+pub fn chosen(given: &[String]) -> Result<Vec<&'static str>, UnknownName> {
+    let plain = |name: &str| {
+        let lower = name.to_lowercase().replace(['-', '_', ' '], "");
+        ["figure", "fig"]
+            .iter()
+            .fold(lower, |name, word| name.replace(word, ""))
+    };
+    if given.is_empty() {
+        return Ok(names().collect());
+    }
+    given
+        .iter()
+        .map(|name| {
+            let mut all = names();
+            let known = all.find(|known| plain(known) == plain(name));
+            known.ok_or_else(|| UnknownName(name.clone()))
+        })
+        .collect()
+}
+
+/// Writes the exhibit's files and makes its section of the page.
+fn write_exhibit(folder: &OutputFolder, name: &str, exhibit: Exhibit) -> Result<Section> {
+    let out = folder.path();
+    let stem = match name.chars().next() {
+        Some('2'..='5') => format!("figure-{name}"),
+        _ => name.to_owned(),
+    };
+    let files = ["csv", "svg", "png"].map(|ending| format!("{stem}.{ending}"));
+    folder.add(&files.each_ref().map(String::as_str))?;
+    let rows = exhibit.rows.iter().map(Vec::as_slice);
+    let csv = series_csv(&exhibit.columns, rows);
+    write_atomically(&out.join(format!("{stem}.csv")), csv.as_bytes())?;
+    let svg = image::write_both(out, &stem, exhibit.drawing.as_ref())?;
+    Ok(Section {
+        id: stem,
+        heading: exhibit.heading,
+        text: exhibit.text,
+        figure: Some(FigureRef {
+            svg,
+            files: files.to_vec(),
+            caption: exhibit.caption,
+        }),
+        film: exhibit.film.map(|film| film.fragment()),
+        claims: exhibit.claims,
+    })
+}
+
+#[cfg(test)]
+mod tests;

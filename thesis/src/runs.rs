@@ -1,0 +1,324 @@
+//! The compactions behind chapter 4, each run once for all exhibits.
+
+use super::kept::Kept;
+use super::{Reader, plan};
+use anyhow::{Result, anyhow};
+use std::collections::BTreeMap;
+use std::fmt;
+use std::num::NonZero;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::available_parallelism;
+use std::time::Instant;
+use tribos::powder::{Compaction, Outcome};
+use tribos::run::{FRAMES as FRAMES_FOLDER, LongRun, Session, Start, in_order};
+use tribos::scene::{PowderScene, Scene, parse_scene};
+use tribos_report::player::Film;
+use tribos_report::runs::RunFrames;
+use tribos_report::runs::powder::State;
+
+/// Frames of a film in the report.
+pub const FRAMES: u64 = 80;
+
+/// How much is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effort {
+    /// What takes a minute or two.
+    Quick,
+    /// Everything that the thesis shows.
+    Full,
+}
+
+impl Effort {
+    /// In folders and on the page.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Quick => "quick",
+            Self::Full => "full",
+        }
+    }
+}
+
+/// A system of the thesis (section 4.5).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum System {
+    /// 470 spheres.
+    Small,
+    /// 1015 spheres.
+    Large,
+}
+
+impl System {
+    /// Its name in the thesis.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Small => "small",
+            Self::Large => "large",
+        }
+    }
+
+    /// Side of the base and height of the piston at the start, in R.
+    pub fn size(self) -> [f64; 2] {
+        match self {
+            Self::Small => [20.0, 61.5],
+            Self::Large => [25.0, 87.5],
+        }
+    }
+}
+
+/// One compaction: a system, and the keys of its scene that are not the defaults.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Case {
+    system: System,
+    keys: Vec<String>,
+}
+
+impl Case {
+    /// μ = 0.3 and these rolling and torsion coefficients.
+    pub fn new(system: System, [rolling, torsion]: [f64; 2], seed: u64) -> Self {
+        let keys = vec![
+            format!("rolling={rolling}"),
+            format!("torsion={torsion}"),
+            format!("seed={seed}"),
+        ];
+        Self { system, keys }
+    }
+
+    /// With one more key, `key=value`.
+    pub fn with(mut self, key: &str) -> Self {
+        self.keys.push(key.into());
+        self
+    }
+
+    /// Frames kept: of the first packing without torques.
+    fn frames(&self) -> u64 {
+        if *self == Self::new(self.system, [0.0; 2], 1) {
+            FRAMES
+        } else {
+            0
+        }
+    }
+
+    /// Its film, once it has run.
+    pub fn film(&self, runs: &Runs) -> Result<Film> {
+        film(&runs.kept.run(&self.folder()))
+    }
+
+    /// Name of its folder.
+    fn folder(&self) -> String {
+        format!("{},{}", self.system.name(), self.keys.join(","))
+    }
+
+    fn scene(&self) -> Result<PowderScene> {
+        let [width, height] = self.system.size();
+        let text = format!("body = \"powder\"\nwidth = {width}\nheight = {height}\n");
+        match parse_scene("compaction", &text, &self.keys)? {
+            Scene::Powder(scene) => Ok(*scene),
+            _ => Err(anyhow!("a powder became something else")),
+        }
+    }
+}
+
+impl fmt::Display for Case {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} system, {}", self.system.name(), self.keys.join(", "))
+    }
+}
+
+/// What is kept of a compaction.
+#[derive(Debug)]
+pub struct Run {
+    /// What was run.
+    pub scene: PowderScene,
+    /// The summary.
+    pub outcome: Outcome,
+    /// The packing at the start and at the end.
+    pub states: [State; 2],
+}
+
+impl Run {
+    /// From where its folder has it: the end, a checkpoint or the deposit.
+    fn of(case: &Case, runs: &Runs) -> Result<Self> {
+        let scene = case.scene()?;
+        let folder = &runs.kept.run(&case.folder());
+        let compaction: Compaction = runs.session(folder).frames(case.frames()).run(&scene)?;
+        Ok(Self {
+            outcome: compaction.outcome(),
+            states: State::both(&compaction),
+            scene,
+        })
+    }
+}
+
+/// The film of a run from the frames in its folder.
+pub fn film(folder: &Path) -> Result<Film> {
+    Ok(RunFrames::read(&folder.join(FRAMES_FOLDER), None)?.film()?)
+}
+
+/// All compactions so far.
+pub struct Runs<'a> {
+    effort: Effort,
+    kept: Kept,
+    reader: &'a dyn Reader,
+    done: Mutex<BTreeMap<Case, Arc<Run>>>,
+}
+
+impl<'a> Runs<'a> {
+    /// None yet but those kept.
+    pub fn new(effort: Effort, kept: Kept, reader: &'a dyn Reader) -> Self {
+        Self {
+            effort,
+            kept,
+            reader,
+            done: Mutex::default(),
+        }
+    }
+
+    /// How much to compute.
+    pub fn effort(&self) -> Effort {
+        self.effort
+    }
+
+    /// Where sections and runs are kept.
+    pub fn kept(&self) -> &Kept {
+        &self.kept
+    }
+
+    /// A run in its folder, resumed if it can be, and cancelled when the reader is.
+    pub fn session<R: LongRun>(&self, folder: &Path) -> Session<'_, R> {
+        Session::under(self.kept.lock.clone(), folder)
+            .start(Start::ResumeIfPossible)
+            .checkpoint_every(self.kept.pause)
+            .cancel_when(|| self.reader.is_cancelled())
+    }
+
+    /// Who is told of the work.
+    pub fn reader(&self) -> &dyn Reader {
+        self.reader
+    }
+
+    /// What more there would be, if there is.
+    pub fn hint<'t>(&self, more: &'t str) -> &'t str {
+        match self.effort {
+            Effort::Quick => more,
+            Effort::Full => "",
+        }
+    }
+
+    /// The cases in their order. Those that are missing run now, as many at a time as the machine
+    /// has cores, each told on standard error.
+    pub fn of(&self, cases: &[Case]) -> Result<Vec<Arc<Run>>> {
+        let mut done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut missing: Vec<&Case> = cases
+            .iter()
+            .filter(|case| !done.contains_key(*case))
+            .collect();
+        missing.sort();
+        missing.dedup();
+
+        let threads = available_parallelism().map_or(1, NonZero::get);
+        let batch = Batch::new(missing.len(), self.reader);
+        let results = in_order(missing.len(), threads, |index| {
+            let run = Run::of(missing[index], self)?;
+            let (porosity, steps) = (100.0 * run.outcome.porosity[1], run.outcome.steps);
+            let what = format!(
+                "{}: porosity {porosity:.2} % after {steps} steps",
+                missing[index]
+            );
+            batch.tell(&what);
+            anyhow::Ok(run)
+        });
+        for (case, result) in missing.into_iter().zip(results) {
+            let run = result.ok_or_else(|| anyhow!("a run was lost"))??;
+            done.insert(case.clone(), Arc::new(run));
+        }
+        let kept = cases.iter().filter_map(|case| done.get(case).cloned());
+        Ok(kept.collect())
+    }
+
+    /// One case.
+    pub fn one(&self, case: &Case) -> Result<Arc<Run>> {
+        let mut runs = self.of(std::slice::from_ref(case))?;
+        runs.pop().ok_or_else(|| anyhow!("a run was lost"))
+    }
+}
+
+/// Runs of one exhibit, told on standard error as they end.
+pub struct Batch<'a> {
+    reader: &'a dyn Reader,
+    runs: usize,
+    ended: AtomicUsize,
+    started: Instant,
+}
+
+impl<'a> Batch<'a> {
+    /// Starts now.
+    pub fn new(runs: usize, reader: &'a dyn Reader) -> Self {
+        Self {
+            reader,
+            runs,
+            ended: AtomicUsize::new(0),
+            started: Instant::now(),
+        }
+    }
+
+    /// Tells that a run has ended, and about how long the others take.
+    pub fn tell(&self, what: &str) {
+        let ended = self.ended.fetch_add(1, Ordering::Relaxed) + 1;
+        let each = self.started.elapsed().div_f64(ended as f64);
+        let left = each.mul_f64((self.runs - ended) as f64);
+        let left = match self.runs - ended {
+            0 => String::new(),
+            _ => format!("; the others about {}", plan::told(left)),
+        };
+        self.reader.progress(format_args!(
+            "  {ended:>3} of {} runs: {what}{left}",
+            self.runs
+        ));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+    use std::time::Duration;
+    use tribos::run::folder::{Lock, Sharing};
+
+    type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+    struct Nobody;
+
+    impl Reader for Nobody {
+        fn result(&self, _: fmt::Arguments<'_>) {}
+        fn progress(&self, _: fmt::Arguments<'_>) {}
+        fn is_cancelled(&self) -> bool {
+            false
+        }
+    }
+
+    fn runs_in(folder: &Path) -> Result<Runs<'static>> {
+        let lock = Lock::take(folder, Sharing::Shared)?;
+        let kept = Kept::open(lock.into(), Duration::ZERO)?;
+        Ok(Runs::new(Effort::Quick, kept, &Nobody))
+    }
+
+    #[test]
+    fn a_case_is_run_once_and_answers_in_the_order_asked() -> Outcome {
+        let folder = tempfile::tempdir()?;
+        let runs = runs_in(folder.path())?;
+        let case = |seed| Case::new(System::Small, [0.0; 2], seed).with("steps=2");
+        let first = runs.of(&[case(2), case(1), case(2)])?;
+        assert!(Arc::ptr_eq(&first[0], &first[2]) && !Arc::ptr_eq(&first[0], &first[1]));
+        assert!(Arc::ptr_eq(&first[1], &runs.one(&case(1))?));
+        assert_eq!(first[0].scene.seed, 2);
+        assert_eq!(first[1].scene.seed, 1);
+        assert_eq!(first[1].outcome.steps, 2);
+        // Another process finds it at its end.
+        let again = runs_in(folder.path())?.one(&case(1))?;
+        assert_eq!(again.outcome.statistics, first[1].outcome.statistics);
+        assert_eq!(again.states[1].positions, first[1].states[1].positions);
+        Ok(())
+    }
+}
