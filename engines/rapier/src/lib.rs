@@ -69,5 +69,5 @@ pub use refusal::PairError;
 
 /// The examples of the guide.
 #[cfg(doctest)]
-#[doc = include_str!("../../../docs/games.md")]
+#[doc = include_str!("../games.md")]
 struct Guide;

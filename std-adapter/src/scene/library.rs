@@ -25,47 +25,47 @@ pub struct LibraryScene {
 pub const LIBRARY: &[LibraryScene] = &[
     LibraryScene {
         name: "disk",
-        text: include_str!("../../../scenes/disk.toml"),
+        text: include_str!("../../scenes/disk.toml"),
     },
     LibraryScene {
         name: "cylinder",
-        text: include_str!("../../../scenes/cylinder.toml"),
+        text: include_str!("../../scenes/cylinder.toml"),
     },
     LibraryScene {
         name: "pipe-a",
-        text: include_str!("../../../scenes/pipe-a.toml"),
+        text: include_str!("../../scenes/pipe-a.toml"),
     },
     LibraryScene {
         name: "pipe-b",
-        text: include_str!("../../../scenes/pipe-b.toml"),
+        text: include_str!("../../scenes/pipe-b.toml"),
     },
     LibraryScene {
         name: "curling-draw",
-        text: include_str!("../../../scenes/curling-draw.toml"),
+        text: include_str!("../../scenes/curling-draw.toml"),
     },
     LibraryScene {
         name: "curling-slow",
-        text: include_str!("../../../scenes/curling-slow.toml"),
+        text: include_str!("../../scenes/curling-slow.toml"),
     },
     LibraryScene {
         name: "compaction-small",
-        text: include_str!("../../../scenes/compaction-small.toml"),
+        text: include_str!("../../scenes/compaction-small.toml"),
     },
     LibraryScene {
         name: "compaction-large",
-        text: include_str!("../../../scenes/compaction-large.toml"),
+        text: include_str!("../../scenes/compaction-large.toml"),
     },
     LibraryScene {
         name: "compaction-4193",
-        text: include_str!("../../../scenes/compaction-4193.toml"),
+        text: include_str!("../../scenes/compaction-4193.toml"),
     },
     LibraryScene {
         name: "tip-reversible",
-        text: include_str!("../../../scenes/tip-reversible.toml"),
+        text: include_str!("../../scenes/tip-reversible.toml"),
     },
     LibraryScene {
         name: "tip-irreversible",
-        text: include_str!("../../../scenes/tip-irreversible.toml"),
+        text: include_str!("../../scenes/tip-irreversible.toml"),
     },
 ];
 
