@@ -29,6 +29,10 @@ const LEAST: f64 = 1e-16;
 /// Launch speeds over [`SPEED`] for the orders: where in the last step rest comes is chance.
 const LAUNCHES: [f64; 5] = [0.9, 0.947, 1.0, 1.031, 1.083];
 const PICTURE: &str = "integrators.svg";
+/// Distance over spin, by the methods that a game could take.
+const TRAVEL: &str = "travel.svg";
+/// Spins of its curves, rad/s.
+const TRAVEL_SPINS: (f64, usize) = (50.0, 100);
 /// Size of a panel in pixels.
 const PANEL: (u32, u32) = (640, 460);
 
@@ -62,6 +66,7 @@ pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
     setting.table("integrators", &stops)?;
     setting.page(Front::Integrators, &body)?;
     draw(setting.out, &rows)?;
+    written::write(setting.out, TRAVEL, &travel(&slider)?)?;
     Ok(Finding {
         line: line(&rows, &orders),
         picture: PICTURE,
@@ -271,6 +276,31 @@ fn draw(out: &Path, rows: &[Row]) -> Result<(), String> {
     }
     let svg = panels.svg().map_err(|error| error.to_string())?;
     written::write(out, PICTURE, &svg)
+}
+
+/// The distance that a disk travels, over its spin at launch.
+fn travel(slider: &Disk) -> Result<String, String> {
+    let methods = [
+        ("area integral (Tribos)", Stepper::ToRest),
+        ("ellipsoid", Stepper::Ellipsoid(COMPARED)),
+        ("independent budgets", Stepper::Decoupled(COMPARED)),
+    ];
+    let (most, count) = TRAVEL_SPINS;
+    let mut figure = Figure::new(
+        format!("A disk of 8 cm, friction coefficient 0.3, thrown at {SPEED} m/s"),
+        Axis::linear("spin at launch [rad/s]").range(0.0, most),
+        Axis::linear("distance to rest [m]"),
+    )
+    .legend(Legend::Below);
+    for (name, stepper) in methods {
+        let point = |i: usize| {
+            let spin = most * i as f64 / count as f64;
+            let launch = Motion::launched(SPEED, spin);
+            (spin, stepper.stop(slider, &launch).distance)
+        };
+        figure = figure.series(Series::line(name, (0..=count).map(point).collect()));
+    }
+    figure.svg().map_err(|error| error.to_string())
 }
 
 /// What the front says.
