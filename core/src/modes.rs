@@ -22,7 +22,7 @@ use crate::real::Real;
 /// // Oil slows both motions of a puck alike.
 /// let oiled = Modes::new(Power::new(1.0_f64)?, 0.5)?;
 /// assert_eq!(oiled.fixed_points().spinning, Stability::Semistable);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -103,6 +103,16 @@ impl core::fmt::Display for InertiaError {
 
 impl core::error::Error for InertiaError {}
 
+/// `ratio` if positive and finite.
+pub(crate) fn validated_inertia_ratio<R: Real>(ratio: R) -> Result<R, InertiaError> {
+    if ratio > R::ZERO && ratio.is_finite() {
+        Ok(ratio)
+    } else {
+        let given = ratio.to_f64();
+        Err(InertiaError { given })
+    }
+}
+
 /// Limits of C between which a finite fixed point exists, (c_min, c_max), for the pressure
 /// (1−r²)^`order` (for the uniform disk, order 0: table 3.2).
 ///
@@ -150,16 +160,10 @@ pub struct Modes<R, P> {
 impl<R: Real, P: Profile<R>> Modes<R, P> {
     /// *Domain*: 0 < `inertia_ratio` < ∞; 1/2 for a disk on its own face.
     pub fn new(profile: P, inertia_ratio: R) -> Result<Self, InertiaError> {
-        if inertia_ratio > R::ZERO && inertia_ratio.is_finite() {
-            Ok(Self {
-                profile,
-                inertia_ratio,
-            })
-        } else {
-            Err(InertiaError {
-                given: inertia_ratio.to_f64(),
-            })
-        }
+        Ok(Self {
+            profile,
+            inertia_ratio: validated_inertia_ratio(inertia_ratio)?,
+        })
     }
 
     /// g(ε) = ε − C F/T, the growth of ε per e-fold of spin-down (3.27).

@@ -1,6 +1,4 @@
 //! Annuli of every width: thin ones keep their digits, and their limit surfaces are consistent.
-
-use nalgebra::Vector2;
 use tribos_core::Real;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::{Annulus, Coupling, DryCoupling, Profile, Speeds, compact, table};
@@ -100,10 +98,11 @@ fn moved<R: Real, C: DryCoupling<R>>(disk: C, inner: f64) -> u32 {
             _ => rng.log_between(0.5, 1e4),
         };
         let Wrench { force, torque } = random_wrench(&mut rng, size);
-        let given = Wrench {
-            force: Vector2::new(R::from_f64(force.x), R::from_f64(force.y)),
-            torque: R::from_f64(torque),
-        };
+        let given = Wrench::new(
+            R::from_f64(force.x),
+            R::from_f64(force.y),
+            R::from_f64(torque),
+        );
         let once = set.project(&given).wrench;
         count += u32::from(set.project(&once).wrench != once || !set.contains(&once));
     }
@@ -139,10 +138,7 @@ where
         let size = rng.between(0.5, 3.0);
         let given = random_wrench(&mut rng, size);
         let [x, y, torque] = [given.force.x, given.force.y, given.torque].map(R::from_f64);
-        let near: Projection<R> = band.project(&Wrench {
-            force: Vector2::new(x, y),
-            torque,
-        });
+        let near: Projection<R> = band.project(&Wrench::new(x, y, torque));
         let wanted = ring.project(&given).wrench;
         let across = (near.wrench.force.x.to_f64() - wanted.force.x)
             .hypot(near.wrench.force.y.to_f64() - wanted.force.y);

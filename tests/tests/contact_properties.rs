@@ -99,10 +99,7 @@ fn thresholds_are_obeyed() {
         if p > 0.0 {
             let force = contact.impulse().sliding.vector().norm() / p;
             let torque = contact.impulse().torsion.component() / (p * lever);
-            let carried = Wrench {
-                force: nalgebra::Vector2::new(force, 0.0),
-                torque,
-            };
+            let carried = Wrench::new(force, 0.0, torque);
             let gauge = coupled.set().gauge(&carried);
             worst.see(gauge - 1.0, || format!("{meeting:?}"));
         }

@@ -16,10 +16,7 @@ type Points = NodeList<f64, CAPACITY>;
 
 fn wrench(rng: &mut Lcg, force: f64, torque: f64) -> Wrench<f64> {
     let [x, y, n] = [(); 3].map(|()| rng.between(-1.0, 1.0));
-    Wrench {
-        force: Vector2::new(force * x, force * y),
-        torque: torque * n,
-    }
+    Wrench::new(force * x, force * y, torque * n)
 }
 
 fn distance(a: &Wrench<f64>, b: &Wrench<f64>, length: f64) -> f64 {
@@ -91,10 +88,7 @@ fn the_friction_of_a_motion_is_on_the_surface_with_the_motion_as_normal() {
         let got = foot.nearest(&beyond, length);
         worst[0] = worst[0].max(distance(&got, &on, length) / size);
         // What is safely inside stays as it is.
-        let inside = Wrench {
-            force: on.force * (1.0 - 1e-9),
-            torque: on.torque * (1.0 - 1e-9),
-        };
+        let inside = on * (1.0 - 1e-9);
         assert_eq!(foot.nearest(&inside, length), inside);
         let again = foot.nearest(&got, length);
         worst[1] = worst[1].max(distance(&again, &got, length) / size);
@@ -244,10 +238,7 @@ fn foreign_numbers_give_numbers_or_nan() {
             for length in extremes {
                 let mut foot: Foot<f64, _, CAPACITY> =
                     Foot::new(points.clone(), 1.0).expect("valid");
-                let given = Wrench {
-                    force: Vector2::new(x, -x),
-                    torque: n,
-                };
+                let given = Wrench::new(x, -x, n);
                 let got = foot.nearest(&given, length);
                 let sane = x.is_finite() && n.is_finite() && (n / length).is_finite() && x < 1e308;
                 let wanted = length > 0.0 && length.is_finite() && (1.0 / length).is_finite();
@@ -282,22 +273,14 @@ fn single_precision_follows() {
         let mut wide: Foot<f64, _, CAPACITY> = Foot::new(wide_points, 3.0).expect("valid");
         let wanted = wrench(&mut rng, 6.0, 0.6);
         let [x, y, n] = [wanted.force.x, wanted.force.y, wanted.torque].map(|value| value as f32);
-        let got = narrow.nearest(
-            &Wrench {
-                force: Vector2::new(x, y),
-                torque: n,
-            },
-            0.125,
-        );
-        let wanted = Wrench {
-            force: Vector2::new(f64::from(x), f64::from(y)),
-            torque: f64::from(n),
-        };
+        let got = narrow.nearest(&Wrench::new(x, y, n), 0.125);
+        let wanted = Wrench::new(f64::from(x), f64::from(y), f64::from(n));
         let right = wide.nearest(&wanted, 0.125);
-        let got = Wrench {
-            force: Vector2::new(f64::from(got.force.x), f64::from(got.force.y)),
-            torque: f64::from(got.torque),
-        };
+        let got = Wrench::new(
+            f64::from(got.force.x),
+            f64::from(got.force.y),
+            f64::from(got.torque),
+        );
         let size = distance(&wanted, &Wrench::ZERO, 0.125);
         worst = worst.max(distance(&got, &right, 0.125) / size);
     }

@@ -11,21 +11,18 @@ use tribos_core::patch::nodes::NodeList;
 use tribos_core::patch::polygon::polygon;
 use tribos_core::planar::{Foot, PlanarBody};
 use tribos_core::real::Real;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_core::twist::{Twist, Wrench};
 
 /// Steps of the scenes in which nothing may move.
 const STEPS: usize = 1_000_000;
 
 fn push<R: Real>(x: f64, y: f64, torque: f64) -> Wrench<R> {
-    Wrench {
-        force: Vector2::new(R::from_f64(x), R::from_f64(y)),
-        torque: R::from_f64(torque),
-    }
+    Wrench::new(R::from_f64(x), R::from_f64(y), R::from_f64(torque))
 }
 
 fn at_rest<R: Real>() -> Twist<R> {
-    Twist::new(R::ZERO, R::ZERO, R::ZERO)
+    Twist::ZERO
 }
 
 /// A puck on a slope just below the angle at which it slides, with and without a torque.
@@ -51,10 +48,7 @@ fn held_on_a_slope<R: CoulombTable>() {
         }
         // As much beyond the limit as before below it, and it moves.
         let beyond = R::from_f64(1.0002) / set.gauge(&held);
-        let more = Wrench {
-            force: held.force * beyond,
-            torque: held.torque * beyond,
-        };
+        let more = held * beyond;
         assert!(!puck.step(&set, &twist, &more, dt).is_at_rest);
     }
 }
@@ -147,7 +141,15 @@ fn spin_down_ends_where_and_when_it_should_to_second_order() {
         (1.0, 12.5),
         (0.5, 40.0),
     ] {
-        let slider = Slider::new(Coulomb, 3.0, 0.08, 0.5).expect("valid");
+        let slider = Slider::new(
+            Coulomb,
+            SliderParameters {
+                deceleration: 3.0,
+                radius: 0.08,
+                inertia_ratio: 0.5,
+            },
+        )
+        .expect("valid");
         let rest = slider
             .to_rest(&Motion::launched(speed, spin))
             .expect("it stops");

@@ -201,7 +201,7 @@ fn friction_dissipates_and_dry_friction_knows_no_speed() {
         for _ in 0..500 {
             let (patch, twist) = (scattered(&mut rng), twist(&mut rng));
             let wrench = NodeFriction::new(power(alpha), patch).wrench(2.0, &twist);
-            let power = wrench.force.dot(&twist.velocity) + wrench.torque * twist.spin;
+            let power = wrench.power(&twist);
             assert!(power < 0.0, "alpha {alpha}: {power}");
             // No more than all nodes' friction in one direction.
             if alpha == 0.0 {
@@ -262,7 +262,7 @@ fn a_node_at_the_centre_of_rotation_carries_nothing() {
         (jacobian.m11, jacobian.m22, jacobian.m33),
         (-1.0, -1.0, -0.75)
     );
-    let rest = Twist::new(0.0, 0.0, 0.0);
+    let rest = Twist::ZERO;
     assert_eq!(
         entries(&NodeFriction::new(dry(1.0), pivot).wrench(1.0, &rest)),
         [0.0; 3]

@@ -72,10 +72,6 @@ fn case(rng: &mut Lcg, is_pushed: bool) -> Case {
     Case { body, twist, push }
 }
 
-fn power(wrench: &Wrench<f64>, twist: &Twist<f64>) -> f64 {
-    wrench.force.dot(&twist.velocity) + wrench.torque * twist.spin
-}
-
 /// Inner product of two motions by kinetic energy.
 fn kinetic(body: &PlanarBody<f64>, a: &Twist<f64>, b: &Twist<f64>) -> f64 {
     body.mass() * a.velocity.dot(&b.velocity) + body.inertia() * a.spin * b.spin
@@ -114,7 +110,7 @@ impl Seen {
             + LIMIT * RADIUS * (twist.spin.abs() + after.spin.abs())
             // What friction changes in a step, of which a slow motion is the rest.
             + LIMIT * LIMIT * STEP * (1.0 / body.mass() + RADIUS * RADIUS / body.inertia());
-        let given = power(&step.friction, &met).max(0.0);
+        let given = step.friction.power(&met).max(0.0);
         self.given
             .see(if scale == 0.0 { 0.0 } else { given / scale }, place);
         if *push != Wrench::ZERO {

@@ -12,7 +12,7 @@ use std::hint::black_box;
 use std::path::Path;
 use tribos_cli::report::figure::{Axis, Figure, Legend, Panels, Series};
 use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 
 /// Rounds of all methods, and of a quick look.
 const ROUNDS: usize = 31;
@@ -48,8 +48,15 @@ struct Row {
 
 /// Makes the front.
 pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
-    let slider = Slider::new(Coulomb, DISK.deceleration, DISK.radius, DISK.inertia_ratio)
-        .map_err(|error| error.to_string())?;
+    let slider = Slider::new(
+        Coulomb,
+        SliderParameters {
+            deceleration: DISK.deceleration,
+            radius: DISK.radius,
+            inertia_ratio: DISK.inertia_ratio,
+        },
+    )
+    .map_err(|error| error.to_string())?;
     let rounds = if setting.quick { QUICK_ROUNDS } else { ROUNDS };
     let rows = measure(&slider, rounds);
     let orders: Vec<[f64; 2]> = families().iter().map(|f| orders(&slider, f)).collect();
@@ -304,7 +311,14 @@ mod tests {
 
     #[test]
     fn measured_orders_are_those_of_the_methods() {
-        let slider = Slider::new(Coulomb, DISK.deceleration, DISK.radius, DISK.inertia_ratio);
+        let slider = Slider::new(
+            Coulomb,
+            SliderParameters {
+                deceleration: DISK.deceleration,
+                radius: DISK.radius,
+                inertia_ratio: DISK.inertia_ratio,
+            },
+        );
         let slider = slider.unwrap();
         // Fine enough that the few steps before rest do not tell.
         let steps = [4e-4, 2e-4, 1e-4];

@@ -4,7 +4,6 @@ use super::round::{TABLE_STRIDE, timed};
 use super::tables::{self, Source};
 use super::{Case, Entry, Label, Refused};
 use crate::reference::Wide;
-use nalgebra::Vector2;
 use tribos_core::coupling::table::{self, CoulombTable};
 use tribos_core::coupling::{Coupling, DryCoupling, closed, compact};
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
@@ -15,10 +14,7 @@ use tribos_core::twist::Wrench;
 const OUTSIDE: f64 = 0.5;
 
 fn wrench<R: Real>(force: R, torque: R) -> Wrench<R> {
-    Wrench {
-        force: Vector2::new(force, R::ZERO),
-        torque,
-    }
+    Wrench::new(force, R::ZERO, torque)
 }
 
 /// A point of the surface and its outward normal.

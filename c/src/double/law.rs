@@ -7,6 +7,7 @@ use crate::status::tribos_status;
 use tribos_core::law::{
     Bristle, ContactAge, Coulomb, Dieterich, DryFriction, Grip, LawError, LocalLaw, LuGre,
     LuGreParameters, PowerLaw, RateState, RateStateParameters, Ruina, SteadyRateState, Stribeck,
+    StribeckParameters,
 };
 
 /// Coulomb's law: friction = mu x load.
@@ -105,7 +106,12 @@ fn power(law: tribos_power_f64) -> Result<PowerLaw<f64>, LawError> {
 }
 
 fn stribeck(law: tribos_stribeck_f64) -> Result<Stribeck<f64>, LawError> {
-    Stribeck::new(dry(law.dry)?, law.stribeck_speed, law.exponent, law.viscous)
+    Stribeck::new(StribeckParameters {
+        dry: dry(law.dry)?,
+        speed: law.stribeck_speed,
+        exponent: law.exponent,
+        viscous: law.viscous,
+    })
 }
 
 fn lugre(law: tribos_lugre_f64) -> Result<LuGre<f64>, LawError> {

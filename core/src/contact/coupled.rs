@@ -16,7 +16,7 @@ use crate::limit_surface::FrictionSet;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 use core::marker::PhantomData;
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector3;
 
 /// Sliding and torsion in the set P·`S`; rolling, where there is any, under its own threshold.
 ///
@@ -39,7 +39,7 @@ use nalgebra::{Vector2, Vector3};
 /// let powder = CoupledFriction::all(usual, 0.1)?; // mu_rolling
 /// assert!((billiard.mu_torsion() - 0.1).abs() < 1e-15);
 /// assert_eq!([powder.mu(), powder.mu_rolling()], [powder.set().force_limit(), 0.1]);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -88,10 +88,7 @@ impl<R: Real, S: FrictionSet<R>, M> CoupledFriction<R, S, M> {
 
     /// The nearest pair of magnitudes in the set for P = 1 and r_eff = 1; none for a pair inside.
     fn pulled_back(&self, [force, torque]: [R; 2], gyration: R) -> Option<[R; 2]> {
-        let trial = Wrench {
-            force: Vector2::new(force, R::ZERO),
-            torque,
-        };
+        let trial = Wrench::new(force, R::ZERO, torque);
         let nearest = self.set.project_with_length(&trial, gyration).wrench;
         (nearest != trial).then_some([nearest.force.x, nearest.torque])
     }

@@ -49,7 +49,7 @@ pub struct Grasp<R> {
 /// let apart = Thresholds::sliding_torsion(0.3, 0.5)?;
 /// let coupled = CoupledFriction::sliding_torsion(Ellipsoid::new(0.3, 1.0, 0.5 / 0.3)?);
 /// assert!(left(&apart) == 2.0 && left(&coupled) < 2.0);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 pub trait ContactFriction<R: Real>: Copy + Send + Sync {
     /// Which modes.

@@ -28,7 +28,7 @@
 //! assert_eq!(ball.velocity.z, 0.0); // it does not sink
 //! assert!((ball.velocity.x - (1.0 - 0.3 * 9.81 * dt)).abs() < 1e-15);
 //! assert!(ball.spin.y > 0.0); // and begins to roll
-//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! # Ok::<(), tribos_core::Error>(())
 //! ```
 
 mod block;

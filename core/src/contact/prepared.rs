@@ -24,7 +24,7 @@ use nalgebra::Vector3;
 /// let mut resumed = Contact::resume(&kept, contact.impulse());
 /// assert_eq!(resumed, contact);
 /// resumed.update(&friction, &mut ball, &mut floor);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedContact<R: Real> {

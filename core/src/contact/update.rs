@@ -35,7 +35,7 @@ use nalgebra::Vector3;
 /// assert!((contact.impulse().normal - 9.81 * dt).abs() < 1e-16);
 /// assert_eq!(contact.cohesion(), 5.0 * dt);
 /// assert!((contact.bound() - 14.81 * dt).abs() < 1e-16);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<R: Real, M: Modes<R>> {
@@ -69,7 +69,7 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
     /// assert_eq!(*contact.normal(), Vector3::new(0.0, 0.0, -1.0)); // from the ball to the table
     /// assert_eq!((contact.arms(), contact.lever()), ([0.051, 0.0], 0.05));
     /// assert_eq!(contact.block().mass_normal, 1.0); // the table does not move
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn new(
         touch: &Touch<R>,
@@ -112,7 +112,7 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
     /// let mut again = Contact::resume(&kept.0, &Modal::default());
     /// again.set_impulse_in_plane(&kept.1);
     /// assert_eq!(again, contact);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     #[inline]
     pub fn resume(prepared: &PreparedContact<R>, impulse: &Modal<R, M>) -> Self {
@@ -233,7 +233,7 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
     /// // It is the table's; the ball takes the opposite.
     /// contact.apply(contact.impulse(), &mut ball, &mut table);
     /// assert!((ball.velocity - Vector3::new(-0.3, -0.4, 1.0)).amax() < 1e-15);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     #[inline]
     pub fn admit<F: ContactFriction<R, Modes = M>>(&mut self, friction: &F) {

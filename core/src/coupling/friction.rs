@@ -6,7 +6,7 @@ use crate::law::{LawError, validated_coefficient};
 use crate::patch::{PatchError, validated_radius};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
-use nalgebra::{Matrix3, Vector2};
+use nalgebra::Matrix3;
 
 /// Friction of a round patch: a coupling (pressure, law and accuracy tier), a coefficient and a
 /// radius.
@@ -25,7 +25,7 @@ use nalgebra::{Matrix3, Vector2};
 /// let puck = PatchFriction::new(Coulomb, 0.3_f32, 0.04)?;
 /// let wrench = puck.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)); // N, m/s, rad/s
 /// assert!(wrench.force.x < 0.0 && wrench.torque < 0.0);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -63,6 +63,18 @@ impl core::fmt::Display for FrictionError {
 }
 
 impl core::error::Error for FrictionError {}
+
+impl From<LawError> for FrictionError {
+    fn from(error: LawError) -> Self {
+        Self::Law(error)
+    }
+}
+
+impl From<PatchError> for FrictionError {
+    fn from(error: PatchError) -> Self {
+        Self::Patch(error)
+    }
+}
 
 /// Force and torque that oppose the motion, as magnitudes.
 ///
@@ -121,8 +133,8 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     pub fn new(coupling: C, coefficient: R, radius: R) -> Result<Self, FrictionError> {
         Ok(Self {
             coupling,
-            coefficient: validated_coefficient(coefficient).map_err(FrictionError::Law)?,
-            radius: validated_radius(radius).map_err(FrictionError::Patch)?,
+            coefficient: validated_coefficient(coefficient)?,
+            radius: validated_radius(radius)?,
         })
     }
 
@@ -163,10 +175,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         if speed == R::ZERO {
             // Zero, unless the spin is not a number.
             let none = if force.is_nan() { force } else { R::ZERO };
-            return Wrench {
-                force: Vector2::new(none, none),
-                torque: -torque.copysign(twist.spin),
-            };
+            return Wrench::new(none, none, -torque.copysign(twist.spin));
         }
         let drag = force / speed;
         let [x, y] = if is_ordinary(drag) {
@@ -174,10 +183,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         } else {
             along(force, speed, twist)
         };
-        Wrench {
-            force: Vector2::new(-x, -y),
-            torque: -torque.copysign(twist.spin),
-        }
+        Wrench::new(-x, -y, -torque.copysign(twist.spin))
     }
 
     /// ∂wrench/∂twist, symmetric, and negative semidefinite for a law that never weakens.

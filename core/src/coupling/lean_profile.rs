@@ -22,7 +22,7 @@ use crate::real::Real;
 /// let upright = Modes::new(Coulomb, 0.5)?.finite_fixed_point();
 /// let tall = Modes::new(LeanProfile::new(Coulomb, 0.8)?, 0.5)?.finite_fixed_point();
 /// assert!(tall > upright);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

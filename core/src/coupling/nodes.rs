@@ -37,7 +37,7 @@ use nalgebra::{Matrix3, Vector2};
 /// let feet = NodeFriction::new(Coulomb::new(0.5)?, Nodes::new([left, right])?);
 /// let wrench = feet.wrench(10.0, &Twist::new(0.0, 0.0, 3.0)); // N; m/s, m/s, rad/s
 /// assert!((wrench.torque + 0.5_f64 * 10.0 * 0.1).abs() < 1e-15);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -107,10 +107,7 @@ impl<L, P> NodeFriction<L, P> {
             torque += node.x * fy - node.y * fx;
         }
         let [x, y, torque] = [x, y, torque].map(|sum| -(load * self.mean(sum, twist)));
-        Wrench {
-            force: Vector2::new(x, y),
-            torque,
-        }
+        Wrench::new(x, y, torque)
     }
 
     /// ∂wrench/∂twist: symmetric, and negative semidefinite for a law that never weakens.
@@ -135,7 +132,7 @@ impl<L, P> NodeFriction<L, P> {
     /// let drag = jacobian * Vector3::new(0.3, 0.0, 2.0);
     /// let wrench = Vector3::new(wrench.force.x, wrench.force.y, wrench.torque);
     /// assert!((drag - wrench).amax() < 1e-14);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn wrench_jacobian<R: Real>(&self, load: R, twist: &Twist<R>) -> WrenchJacobian<R>
     where

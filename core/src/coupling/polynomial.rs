@@ -26,7 +26,7 @@ impl PolynomialTable {
     /// // All load towards the rim: p ~ r².
     /// let table = PolynomialTable::new(0.0, &PolynomialPressure::new([0.0, 1.0])?)?;
     /// assert!((table.reduced_wrench(0.0, 1.0).torque - 0.8).abs() < 1e-15);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn new<const N: usize>(
         alpha: f64,
@@ -79,7 +79,7 @@ impl Coupling<f64> for PolynomialTable {
 /// assert!((table.mean_square_radius() - 2.0 / 3.0).abs() < 1e-14);
 /// // Spinning in place under a pressure that leans: half the mean radius goes sideways.
 /// assert!((table.lateral(0.0, 1.0) - 0.8 / 2.0).abs() < 1e-14);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct LateralPolynomialTable {

@@ -183,7 +183,7 @@ impl Lean for AllRound {
 /// // It tips when it slides, but not while it spins fast, where sliding meets little friction.
 /// let [slides, spins] = [0.0, 1000.0].map(|spin| bottle.wrench(5.0, &Twist::new(1.0, 0.0, spin)));
 /// assert_eq!([slides.footing, spins.footing], [Footing::Lifting, Footing::Whole]);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -207,7 +207,7 @@ pub enum Footing {
 ///     panic!("it tips")
 /// };
 /// assert!((lean - 4.0 * 0.5 * 0.1 / 0.05).abs() < 1e-14);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -242,7 +242,7 @@ impl core::error::Error for Tips {}
 /// // Friction's moment about the centre of mass is the pressure's: N R l/4 in the uniform disk.
 /// let pressure = lean * (load * 0.08 / 4.0);
 /// assert!((wrench.force * height + pressure).amax() < 1e-14);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TallWrench<R: Real> {
@@ -280,7 +280,7 @@ impl<R: Real> TallWrench<R> {
 /// let wrench = cylinder.wrench(9.81, &Twist::new(1.0, 0.0, 10.0)).whole()?;
 /// assert!(wrench.force.x < 0.0 && wrench.force.y < 0.0);
 /// assert_eq!(cylinder.foot().radius(), 0.08);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -333,10 +333,11 @@ impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
         let (back, side) = (strength * reduced.force, strength * reduced.lateral * sense);
         let across = across * sense;
         TallWrench {
-            wrench: Wrench {
-                force: Vector2::new(side * sin - back * cos, -(side * cos) - back * sin),
-                torque: -(strength * self.foot.radius() * reduced.torque * sense),
-            },
+            wrench: Wrench::new(
+                side * sin - back * cos,
+                -(side * cos) - back * sin,
+                -(strength * self.foot.radius() * reduced.torque * sense),
+            ),
             lean: Vector2::new(along * cos - across * sin, along * sin + across * cos),
             footing,
         }
@@ -356,7 +357,7 @@ impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
     /// // Friction's resultant leaves the kern of the disk, a quarter of its radius: λ = 1.
     /// let tall = TallFriction::<_, _, AllRound>::new(foot, radius / 4.0 / mu)?;
     /// assert!((tall.lean() - 1.0).abs() < 1e-15);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn lean(&self) -> R {
         self.lean

@@ -19,8 +19,9 @@
 //!
 //! ```
 //! use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
-//! use tribos_core::law::{DryFriction, Stribeck};
-//! let law = Stribeck::new(DryFriction::new(0.2_f64, 0.1)?, 0.05, 2.0, 0.01)?;
+//! use tribos_core::law::{DryFriction, Stribeck, StribeckParameters};
+//! let dry = DryFriction::new(0.2_f64, 0.1)?;
+//! let law = Stribeck::new(StribeckParameters { dry, speed: 0.05, exponent: 2.0, viscous: 0.01 })?;
 //! let disk = DiskQuadrature::new(law);
 //! assert!(disk.reduced_wrench(0.1, 0.5).force < disk.reduced_wrench(0.1, 0.0).force);
 //! # Ok::<(), tribos_core::law::LawError>(())
@@ -56,12 +57,12 @@ pub(crate) use error::{validated_coefficient, validated_exponent};
 pub use grip::Grip;
 pub use incline::{Incline, critical_angle};
 pub use lugre::{Bristle, LuGre, LuGreParameters, SteadyLuGre};
-pub use plateau::PlateauPower;
+pub use plateau::{PlateauPower, PlateauPowerParameters};
 pub use power::PowerLaw;
 pub use rate_state::{RateState, RateStateParameters};
 pub use real_area::{GreenwoodWilliamson, HertzSphere, Plastic, RealArea};
 pub use steady_rate_state::SteadyRateState;
-pub use stribeck::Stribeck;
+pub use stribeck::{Stribeck, StribeckParameters};
 
 use crate::real::Real;
 

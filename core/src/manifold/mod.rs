@@ -32,7 +32,7 @@
 //! let force = contacts[0].and_then(|contact| grip.force(contact));
 //! assert!(force.is_some_and(|force| (force.normal - 40.0).abs() < 1e-2));
 //! # use tribos_core::contact::Body;
-//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! # Ok::<(), tribos_core::Error>(())
 //! ```
 
 mod impact;
@@ -79,7 +79,7 @@ pub struct ContactHandle(usize);
 /// let contact: ContactHandle = pair.push_contact(first, second, touch)?;
 /// pair.clear_contacts();
 /// assert_eq!(pair.set_touch(contact, touch), Err(ManifoldError::Unknown));
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -244,7 +244,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// // It lies on the table, which bears its weight.
     /// assert!((height - 0.05).abs() < 1e-15);
     /// assert!(falls.force(contact).is_some_and(|force| (force.normal - 9.81).abs() < 1e-9));
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn set_touch(
         &mut self,
@@ -293,7 +293,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// // It rolls on the belt and follows with 2/7 of the belt's speed.
     /// let speed = belt.body(ball).map_or(0.0, |ball| ball.velocity().x);
     /// assert!((speed - 0.1 * 2.0 / 7.0).abs() < 1e-12);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn body_mut(&mut self, body: BodyHandle) -> Option<&mut Member<R>> {
         self.bodies.get_mut(body.0).map(|body| &mut body.member)

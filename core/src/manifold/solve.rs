@@ -48,7 +48,7 @@ pub struct Stop<R> {
 /// let stop = Stop { sweeps: 50, tolerance: 1e-12 };
 /// let Report { sweeps, converged, .. } = lies.solve(TimeStep::new(1e-3)?, Start::Zero, stop);
 /// assert!(converged && sweeps == 2); // one to solve it, one that changes nothing
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

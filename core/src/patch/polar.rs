@@ -276,6 +276,12 @@ impl PolarError {
     pub const MAX_RIM_EXPONENT: f64 = 64.0;
 }
 
+impl From<PatchError> for PolarError {
+    fn from(error: PatchError) -> Self {
+        Self::Radius(error)
+    }
+}
+
 impl From<NodeError> for PolarError {
     fn from(error: NodeError) -> Self {
         Self::Nodes(error)

@@ -22,9 +22,9 @@ use nalgebra::{Vector2, Vector3};
 ///
 /// let feet = Nodes::new([[-0.1, 0.0], [0.1, 0.0]].map(|[x, y]| Node { x, y, weight: 0.5_f64 }))?;
 /// let mut table: Foot<f64, _, 2> = Foot::new(feet, 10.0)?; // μN = 10 N
-/// let push = Wrench { force: Vector2::new(0.0, 3.0), torque: 0.2 };
+/// let push = Wrench::new(0.0, 3.0, 0.2);
 /// assert_eq!(table.nearest(&push, 0.1), push); // held
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Foot<R: Real, P, const CAPACITY: usize> {
@@ -43,7 +43,7 @@ pub struct Foot<R: Real, P, const CAPACITY: usize> {
 /// assert_eq!(small, Some(FootError::Full { capacity: 1 }));
 /// let pulled = Foot::<_, _, 2>::new(two, -10.0).err();
 /// assert_eq!(pulled, Some(FootError::ForceLimit { given: -10.0 }));
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -93,13 +93,13 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
     /// use nalgebra::Vector2;
     /// let feet = Nodes::new([-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5_f64 }))?; // m
     /// let mut table: Foot<f64, _, 2> = Foot::new(feet, 10.0)?; // N
-    /// let push = Wrench { force: Vector2::new(0.0, 3.0), torque: 0.0 };
+    /// let push = Wrench::new(0.0, 3.0, 0.0);
     /// assert_eq!(table.nearest(&push, 0.1), push); // held
     /// table.set_force_limit(2.0)?; // someone lifts it a little
     /// table.release();
     /// let resisted = table.nearest(&push, 0.1);
     /// assert!((resisted.force.y - table.force_limit()).abs() < 1e-11);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn set_force_limit(&mut self, force_limit: R) -> Result<(), FootError> {
         if force_limit >= R::ZERO && force_limit.is_finite() {
@@ -141,10 +141,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
         let wanted = Vector3::new(wrench.force.x, wrench.force.y, wrench.torque * inv_length);
         let size = norm(&wanted);
         if !(size.is_finite() && inv_length > R::ZERO && inv_length.is_finite()) {
-            return Wrench {
-                force: Vector2::new(R::NAN, R::NAN),
-                torque: R::NAN,
-            };
+            return Wrench::new(R::NAN, R::NAN, R::NAN);
         }
         if self.carries_as_it_is(wrench, inv_length, size) {
             return *wrench;
@@ -174,13 +171,11 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
             }
             return *wrench;
         }
-        Wrench {
-            force: Vector2::new(
-                R::from_f64(balance.wanted.x - left.x),
-                R::from_f64(balance.wanted.y - left.y),
-            ),
-            torque: R::from_f64((balance.wanted.z - left.z) * length.to_f64()),
-        }
+        Wrench::new(
+            R::from_f64(balance.wanted.x - left.x),
+            R::from_f64(balance.wanted.y - left.y),
+            R::from_f64((balance.wanted.z - left.z) * length.to_f64()),
+        )
     }
 
     /// μN/(sum of weights)

@@ -26,18 +26,17 @@
 //! use tribos_core::limit_surface::LimitSurface;
 //! use tribos_core::planar::PlanarBody;
 //! use tribos_core::twist::{Twist, Wrench};
-//! use nalgebra::Vector2;
 //!
 //! // A puck of 0.17 kg and 4 cm radius; friction carries up to 0.5 N.
 //! let puck = PlanarBody::new(0.17_f64, 0.5 * 0.17 * 0.04 * 0.04)?;
 //! let ice = LimitSurface::new(Coulomb, 0.5, 0.04)?;
 //! let dt = TimeStep::new(1.0 / 60.0)?;
-//! let held = Wrench { force: Vector2::new(0.4, 0.0), torque: 0.0 };
-//! let rest = puck.step(&ice, &Twist::new(0.0, 0.0, 0.0), &held, dt);
-//! assert!(rest.is_at_rest && rest.twist == Twist::new(0.0, 0.0, 0.0));
+//! let held = Wrench::new(0.4, 0.0, 0.0);
+//! let rest = puck.step(&ice, &Twist::ZERO, &held, dt);
+//! assert!(rest.is_at_rest && rest.twist == Twist::ZERO);
 //! let slides = puck.step(&ice, &Twist::new(1.0, 0.0, 20.0), &Wrench::ZERO, dt);
 //! assert!(slides.twist.speed() < 1.0 && slides.twist.spin < 20.0);
-//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! # Ok::<(), tribos_core::Error>(())
 //! ```
 
 mod balance;

@@ -5,7 +5,7 @@
 
 use super::operator::{Operator, largest};
 use super::spheres::{Link, Spheres};
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector3;
 use tribos_core::contact::{
     AxialPart, Contact, ContactFriction, CoupledFriction, Modal, Modes, PlanarPart, Thresholds,
 };
@@ -229,10 +229,7 @@ fn joint<M: Modes<f64>>(
     let short = power + force.dot(&slip) + torque * spin;
     let energy = block.mass_sliding * slip.norm_squared() + block.inertia * spin * spin;
     let map_sq = block.mass_sliding * energy.min(short.abs());
-    let gauge = set.gauge(&Wrench {
-        force: Vector2::new(force.norm(), 0.0),
-        torque: torque / lever,
-    });
+    let gauge = set.gauge(&Wrench::new(force.norm(), 0.0, torque / lever));
     // Of nothing the gauge is 0, whatever the bound.
     let beyond = if gauge == 0.0 {
         0.0

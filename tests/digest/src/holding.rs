@@ -2,7 +2,7 @@
 
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, signed, triples_of_ends, twist, unit};
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector3;
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::table::{Coulomb, CoulombTable};
@@ -52,10 +52,7 @@ fn sliding<R: Real>(hash: &mut Fnv, body: &PlanarBody<R>, set: &impl FrictionSet
         outcome(hash, &step);
     }
     for [x, y, n] in triples_of_ends(61) {
-        let push = Wrench {
-            force: Vector2::new(y, R::ZERO),
-            torque: x,
-        };
+        let push = Wrench::new(y, R::ZERO, x);
         outcome(hash, &body.step(set, &Twist::new(x, y, n), &push, dt));
     }
 }
@@ -112,10 +109,7 @@ fn standing<R: Real>(hash: &mut Fnv, body: &PlanarBody<R>, limit: R) {
 /// A push that friction holds for most of the way.
 fn growing<R: Real>(n: usize) -> Wrench<R> {
     let size = R::from_f64(n as f64 / 128.0);
-    Wrench {
-        force: Vector2::new(R::ZERO, size),
-        torque: size * R::from_f64(0.0625),
-    }
+    Wrench::new(R::ZERO, size, size * R::from_f64(0.0625))
 }
 
 fn outcome<R: Real>(hash: &mut Fnv, step: &PlanarStep<R>) {

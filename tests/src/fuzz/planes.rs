@@ -3,7 +3,6 @@
 use super::check::{all_nan, at_most, finite, holds};
 use super::patches::node;
 use super::{Broken, Source};
-use nalgebra::Vector2;
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::Hertz;
 use tribos_core::coupling::nodes::NodeFriction;
@@ -25,10 +24,7 @@ pub fn twist<R: Real>(source: &mut Source) -> Twist<R> {
 }
 
 pub fn wrench<R: Real>(source: &mut Source) -> Wrench<R> {
-    Wrench {
-        force: Vector2::new(source.number(), source.number()),
-        torque: source.number(),
-    }
+    Wrench::new(source.number(), source.number(), source.number())
 }
 
 /// Friction dissipates: its power on a mild motion is not positive.
@@ -188,11 +184,7 @@ fn stepped<R: Real>(
     ];
     finite(source, "a step", all)?;
     if after.is_at_rest {
-        holds(
-            after.twist == Twist::new(R::ZERO, R::ZERO, R::ZERO),
-            "rest is exact",
-            &all,
-        )?;
+        holds(after.twist == Twist::ZERO, "rest is exact", &all)?;
     }
     if is_free && source.is_mild() {
         let energy = |u: &Twist<R>| {

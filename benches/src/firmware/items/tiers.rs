@@ -72,6 +72,6 @@ pub const TIERS: [Item; 7] = [
         "quadrature: Stribeck",
         NARROW,
         &["coupling::quadrature", "law", "law::stribeck", "law::dry"],
-        "DiskQuadrature::new(Stribeck::new(DryFriction::new(0.5 as R, 0.25).ok()?, 0.5, 2.0, 0.125).ok()?)",
+        "DiskQuadrature::new(Stribeck::new(StribeckParameters { dry: DryFriction::new(0.5 as R, 0.25).ok()?, speed: 0.5, exponent: 2.0, viscous: 0.125 }).ok()?)",
     ),
 ];

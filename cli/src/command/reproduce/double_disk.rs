@@ -7,7 +7,7 @@ use crate::report::figure::{Axis, Figure, Legend, Panels, Series};
 use crate::report::verdict::Allowance;
 use tribos_core::coupling::table::Table64;
 use tribos_core::modes::{FinalMode, Modes, inertia_interval};
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 
 /// Launch ratios of every panel; the fixed point of the disk joins them.
 const LAUNCHES: [f64; 6] = [0.1, 0.25, 0.5, 0.8, 1.5, 4.0];
@@ -49,7 +49,15 @@ pub fn figure_3_13() -> Result<Exhibit, Failure> {
         let fixed = disk.finite_fixed_point().unwrap_or(f64::NAN);
         for radius in radii {
             let inertia = 0.5 * radius * radius;
-            let slider = Slider::new(table, 1.0, 1.0, inertia).map_err(Failure::run)?;
+            let slider = Slider::new(
+                table,
+                SliderParameters {
+                    deceleration: 1.0,
+                    radius: 1.0,
+                    inertia_ratio: inertia,
+                },
+            )
+            .map_err(Failure::run)?;
             let modes = Modes::new(&table, inertia).map_err(Failure::run)?;
             let mut figure = Figure::new(
                 format!("α = {alpha}, R/R_c = {radius}"),

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::report::claim::Claim;
 use crate::report::digits::short;
 use crate::report::figure::{Axis, Figure, Guide, Legend, Series};
-use tribos_core::law::{LocalLaw, PlateauPower, PowerLaw};
+use tribos_core::law::{LocalLaw, PlateauPower, PlateauPowerParameters, PowerLaw};
 
 /// γ and α of Penner's derivation, and the drop below the plateau (ours, m/s and share).
 const PENNER: (f64, f64) = (0.0080, -0.5);
@@ -27,7 +27,14 @@ fn power((coefficient, alpha): (f64, f64)) -> Result<PowerLaw<f64>, Failure> {
 
 fn granite() -> Result<PlateauPower<f64>, Failure> {
     let plateau = PlateauPower::<f64>::ICE_PLATEAU_SPEED;
-    PlateauPower::new(PENNER.1, PENNER.0, plateau, DROP_SPEED, REST_SHARE).map_err(Failure::run)
+    PlateauPower::new(PlateauPowerParameters {
+        alpha: PENNER.1,
+        coefficient: PENNER.0,
+        plateau_speed: plateau,
+        drop_speed: DROP_SPEED,
+        rest_share: REST_SHARE,
+    })
+    .map_err(Failure::run)
 }
 
 /// Friction on ice over the speed.

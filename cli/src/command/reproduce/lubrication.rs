@@ -8,7 +8,8 @@ use crate::report::figure::{Axis, Figure, Legend, Series};
 use crate::report::verdict::Allowance;
 use std::f64::consts::PI;
 use tribos_core::law::{
-    DryFriction, InertialDrag, LocalLaw, Stokes, Stribeck, crossover_reynolds, reynolds,
+    DryFriction, InertialDrag, LocalLaw, Stokes, Stribeck, StribeckParameters, crossover_reynolds,
+    reynolds,
 };
 
 /// Boundary friction without a film, and the rise of the film's own friction. Speeds are in units
@@ -20,7 +21,13 @@ const FILM: f64 = 3.4e-4;
 fn bearing() -> Result<Stribeck<f64>, Failure> {
     // A full film leaves no dry contact: no friction but the film's.
     let contact = DryFriction::new(BOUNDARY, 0.0).map_err(Failure::run)?;
-    Stribeck::new(contact, 1.0, 2.0, FILM).map_err(Failure::run)
+    Stribeck::new(StribeckParameters {
+        dry: contact,
+        speed: 1.0,
+        exponent: 2.0,
+        viscous: FILM,
+    })
+    .map_err(Failure::run)
 }
 
 /// Friction over ηv/L.

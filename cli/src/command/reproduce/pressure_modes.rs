@@ -9,7 +9,7 @@ use crate::report::figure::{Axis, Color, Figure, Guide, Legend, Series};
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
 use tribos_core::patch::PowerPressure;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 
 /// Exponents shown; the borders diverge or vanish at −1.
 const ALPHA: (f64, f64) = (-0.99, 5.0);
@@ -244,7 +244,15 @@ fn curling() -> Result<Vec<Claim>, Failure> {
 /// True if a stone that slides as fast as its band spins does both until it rests.
 fn stops_together(alpha: f64) -> Result<bool, Failure> {
     let ring = round(alpha, PowerPressure::RING)?;
-    let slider = Slider::new(ring, 1.0, 1.0, stone()).map_err(Failure::run)?;
+    let slider = Slider::new(
+        ring,
+        SliderParameters {
+            deceleration: 1.0,
+            radius: 1.0,
+            inertia_ratio: stone(),
+        },
+    )
+    .map_err(Failure::run)?;
     let mut motion = Motion::launched(1.0, 1.0);
     // With fixed steps: the last moving state still slides and spins.
     loop {

@@ -5,11 +5,19 @@ use crate::failure::Failure;
 use crate::report::claim::Claim;
 use crate::report::figure::{Axis, Figure, Series};
 use tribos_core::coupling::table::Table64;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 
 /// Disk with γg = 1 and R = 1.
 fn disk(alpha: f64) -> Result<Slider<f64, Table64>, Failure> {
-    Slider::new(table(alpha)?, 1.0, 1.0, 0.5).map_err(Failure::run)
+    Slider::new(
+        table(alpha)?,
+        SliderParameters {
+            deceleration: 1.0,
+            radius: 1.0,
+            inertia_ratio: 0.5,
+        },
+    )
+    .map_err(Failure::run)
 }
 
 const START: f64 = 1.0;
@@ -115,7 +123,15 @@ fn laws_of_fading() -> Result<Vec<Claim>, Failure> {
 /// Eq. 3.26 against a disk with dimensions: m, s, and γ = 1 for α = 3.
 fn dimensionless_equation() -> Result<Claim, Failure> {
     let (alpha, gravity, radius, speed) = (3.0, 9.81, 0.08, 1.3);
-    let slider = Slider::new(table(alpha)?, gravity, radius, 0.5).map_err(Failure::run)?;
+    let slider = Slider::new(
+        table(alpha)?,
+        SliderParameters {
+            deceleration: gravity,
+            radius,
+            inertia_ratio: 0.5,
+        },
+    )
+    .map_err(Failure::run)?;
     let power = slider.dissipation_per_mass(&Motion::launched(speed, 0.0));
     let scale = f64::sqrt(gravity * radius);
     // dv*/dt* over (v*)³, from the deceleration P/(M v) of the body.
