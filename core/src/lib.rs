@@ -110,8 +110,23 @@ pub mod planar;
 pub mod prelude;
 pub mod real;
 pub mod slider;
-pub mod special;
+mod special;
 pub mod twist;
+
+/// What other crates of this repository share with the kernel. It is no part of the promise: these
+/// items change or go without notice.
+#[doc(hidden)]
+pub mod internals {
+    pub use crate::contact::internals::*;
+    pub use crate::coupling::internals::*;
+    pub use crate::coupling::tall::{LeaningWrench, leaning_wrench};
+    pub use crate::limit_surface::COLLAR_ULPS;
+    pub use crate::patch::nodes::{NodeBuffer, NodeSink};
+    pub use crate::patch::polygon::polygon_into;
+    pub use crate::patch::tripod::tripod_shares;
+    pub use crate::slider::runge_kutta;
+    pub use crate::special::{CompleteElliptic, Gauss, Jet};
+}
 
 pub use nalgebra;
 

@@ -1,17 +1,15 @@
 //! What is logged of types whose fields cannot say it themselves: vectors, and tables, whose
 //! numbers nobody wants to read.
 
-use crate::contact::{
-    AxialPart, Contact, Grasp, InPlane, Modal, Modes, PlanarPart, Plate, PreparedContact, Sphere,
-    Touch,
-};
+use crate::contact::internals::{InPlane, PreparedContact, TangentialLoad};
+use crate::contact::{Contact, ContactModes, Modal, Plate, Sphere, Touch};
 use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable};
 use crate::coupling::table::Table;
 use crate::coupling::tall::TallWrench;
 use crate::coupling::{DryCoupling, Lateral, Profile, compact};
 use crate::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
-use crate::planar::{Foot, PlanarStep};
+use crate::planar::{NodeFoot, PlanarStep};
 use crate::real::Real;
 use defmt::{Format, Formatter, write};
 use nalgebra::Vector3;
@@ -45,7 +43,7 @@ impl<R: Real + Format> Format for Plate<R> {
     }
 }
 
-impl<R: Real + Format> Format for Grasp<R> {
+impl<R: Real + Format> Format for TangentialLoad<R> {
     fn format(&self, f: Formatter) {
         let sliding = Components(self.sliding);
         write!(f, "sliding {}, torsion {}", sliding, self.torsion);
@@ -58,15 +56,15 @@ impl<R: Real + Format> Format for InPlane<R> {
     }
 }
 
-impl<R: Real + Format, M: Modes<R>> Format for Modal<R, M> {
+impl<R: Real + Format, M: ContactModes<R>> Format for Modal<R, M> {
     fn format(&self, f: Formatter) {
         write!(
             f,
             "normal {}, sliding {}, rolling {}, torsion {}",
             self.normal,
-            Components(self.sliding.vector()),
-            Components(self.rolling.vector()),
-            self.torsion.component()
+            Components(self.sliding()),
+            Components(self.rolling()),
+            self.torsion()
         );
     }
 }
@@ -78,7 +76,7 @@ impl<R: Real + Format> Format for Touch<R> {
     }
 }
 
-impl<R: Real + Format, M: Modes<R>> Format for Contact<R, M> {
+impl<R: Real + Format, M: ContactModes<R>> Format for Contact<R, M> {
     fn format(&self, f: Formatter) {
         write!(
             f,
@@ -163,7 +161,7 @@ impl Format for LateralPolynomialTable {
     }
 }
 
-impl<R: Real + Format> Format for compact::Power<R> {
+impl<R: Real + Format> Format for compact::CompactPower<R> {
     fn format(&self, f: Formatter) {
         let (exponent, mean_square) = (self.exponent(), self.mean_square_radius());
         write!(f, "compact, exponent {}, mean r² {}", exponent, mean_square);
@@ -199,7 +197,7 @@ impl<R: Real + Format> Format for PlanarStep<R> {
     }
 }
 
-impl<R: Real + Format, P: NodePatch<R>, const CAPACITY: usize> Format for Foot<R, P, CAPACITY> {
+impl<R: Real + Format, P: NodePatch<R>, const CAPACITY: usize> Format for NodeFoot<R, P, CAPACITY> {
     fn format(&self, f: Formatter) {
         let points = self.patch().nodes().len();
         write!(f, "foot of {} points, limit {}", points, self.force_limit());

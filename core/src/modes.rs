@@ -13,14 +13,14 @@ use crate::real::Real;
 /// How ε moves near a fixed point.
 ///
 /// ```
-/// use tribos_core::coupling::{compact::Power, table::Coulomb};
+/// use tribos_core::coupling::{compact::CompactPower, table::Coulomb};
 /// use tribos_core::modes::{Modes, Stability};
 /// // A puck under dry friction leaves pure spinning, a thick hoop returns to it.
 /// let [puck, hoop] = [0.5, 0.8_f64].map(|inertia| Modes::new(Coulomb, inertia));
 /// assert_eq!(puck?.fixed_points().spinning, Stability::Unstable);
 /// assert_eq!(hoop?.fixed_points().spinning, Stability::Stable);
 /// // Oil slows both motions of a puck alike.
-/// let oiled = Modes::new(Power::new(1.0_f64)?, 0.5)?;
+/// let oiled = Modes::new(CompactPower::new(1.0_f64)?, 0.5)?;
 /// assert_eq!(oiled.fixed_points().spinning, Stability::Semistable);
 /// # Ok::<(), tribos_core::Error>(())
 /// ```

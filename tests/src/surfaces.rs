@@ -3,10 +3,9 @@
 use crate::sweep::Lcg;
 use std::cell::Cell;
 use tribos_core::Real;
-use tribos_core::coupling::{
-    Coupling, DryCoupling, Profile, ReducedJacobian, ReducedWrench, Speeds,
-};
-use tribos_core::special::CompleteElliptic;
+use tribos_core::coupling::{Coupling, DryCoupling, Profile, ReducedJacobian, ReducedWrench};
+use tribos_core::internals::CompleteElliptic;
+use tribos_core::internals::Speeds;
 use tribos_core::twist::Wrench;
 
 /// μN in N and R in m of every set that has dimensions: no powers of two.

@@ -1,7 +1,8 @@
 //! Annuli of every width: thin ones keep their digits, and their limit surfaces are consistent.
 use tribos_core::Real;
 use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::{Annulus, Coupling, DryCoupling, Profile, Speeds, compact, table};
+use tribos_core::coupling::{Annulus, Coupling, DryCoupling, Profile, compact, table};
+use tribos_core::internals::Speeds;
 use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection};
 use tribos_core::twist::Wrench;
 use tribos_tests::patches;
@@ -56,7 +57,7 @@ fn thin_bands_keep_the_digits_of_their_disks() {
 fn factors_of_thin_bands_make_their_wrenches() {
     let mut rng = Lcg::new(46);
     for alpha in [-0.5, 0.0, 0.5, 1.0, 3.0] {
-        let disk = compact::Power::new(alpha).expect("in range");
+        let disk = compact::CompactPower::new(alpha).expect("in range");
         for inner in RATIOS {
             let band = Annulus::new(disk, inner).expect("in range");
             for _ in 0..200 {
@@ -114,9 +115,9 @@ fn projecting_again_moves_no_wrench() {
     for inner in RATIOS {
         let counts = [
             moved::<f64, _>(table::Coulomb, inner),
-            moved::<f64, _>(compact::Coulomb, inner),
+            moved::<f64, _>(compact::CompactCoulomb, inner),
             moved::<f32, _>(table::Coulomb, inner),
-            moved::<f32, _>(compact::Coulomb, inner),
+            moved::<f32, _>(compact::CompactCoulomb, inner),
         ];
         assert_eq!(counts, [0; 4], "k {inner}: of table and AGM, f64 and f32");
     }

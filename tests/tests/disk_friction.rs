@@ -169,8 +169,8 @@ fn wrench_and_jacobian_turn_with_the_frame() {
 #[test]
 fn the_jacobian_matches_differences_of_the_wrench() {
     for puck in [
-        puck(compact::Power::new(0.0).unwrap()),
-        puck(compact::Power::new(1.7).unwrap()),
+        puck(compact::CompactPower::new(0.0).unwrap()),
+        puck(compact::CompactPower::new(1.7).unwrap()),
     ] {
         for twist in twists(300) {
             let rim = (twist.spin * RADIUS).abs();

@@ -1,16 +1,16 @@
 //! Inputs that broke a property once, found by `--bin fuzz`, in the smallest form.
 use tribos_core::coupling::PatchFriction;
 use tribos_core::coupling::closed::Hertz;
-use tribos_core::law::{Coulomb, Dieterich, Evolution, LocalLaw, PowerLaw, Ruina};
+use tribos_core::internals::tripod_shares;
+use tribos_core::law::{CoulombLaw, Dieterich, Evolution, LocalLaw, PowerLaw, Ruina};
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
-use tribos_core::patch::tripod::tripod_shares;
 use tribos_core::twist::{Twist, Wrench};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 #[test]
 fn coulomb_s_law_does_not_launder_nan() -> Outcome {
-    let law = Coulomb::new(0.5)?;
+    let law = CoulombLaw::new(0.5)?;
     assert!(law.friction(f64::NAN).is_nan());
     assert!(law.slope(f64::NAN).is_nan());
     assert_eq!([law.friction(3.0), law.slope(3.0)], [0.5, 0.0]);

@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
 use tribos_core::law::{
-    Coulomb, DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, Stribeck, StribeckParameters,
+    CoulombLaw, DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, Stribeck,
+    StribeckParameters,
 };
 use tribos_core::real::Real;
 use tribos_tests::laws::{differentiated, lugre, plateau, rate_state, stribeck};
@@ -135,7 +136,7 @@ fn laws_compose_with_the_disk() {
     );
     // Dry friction on a disk is Coulomb's.
     let dry = DiskQuadrature::new(DryFriction::new(0.5_f64, 0.3).unwrap());
-    let coulomb = DiskQuadrature::new(Coulomb::new(0.3_f64).unwrap());
+    let coulomb = DiskQuadrature::new(CoulombLaw::new(0.3_f64).unwrap());
     // α = −1/2 far above the plateau is the power law.
     let ice = DiskQuadrature::new(plateau::<f64>(-0.5, 0.5));
     let power = DiskQuadrature::new(PowerLaw::new(-0.5_f64, 0.008).unwrap());

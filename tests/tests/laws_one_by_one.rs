@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use tribos_core::law::{
-    Age, Ageing, BowdenTabor, Coulomb, Dieterich, DragRegime, DryFriction, GreenwoodWilliamson,
+    Age, Ageing, BowdenTabor, CoulombLaw, Dieterich, DragRegime, DryFriction, GreenwoodWilliamson,
     Grip, HertzSphere, Incline, InertialDrag, LawError, LocalLaw, LuGre, LuGreParameters, Plastic,
     PlateauPower, PlateauPowerParameters, RateState, RateStateParameters, RealArea, Stokes,
     Stribeck, StribeckParameters, critical_angle, crossover_reynolds, reynolds,
@@ -101,7 +101,7 @@ fn plastic_junctions_give_coulomb_s_law() {
         assert!((friction.effective_coefficient(load) - 0.6).abs() < 1e-15);
         assert!((friction.slope(load) - 0.6).abs() < 1e-15);
     }
-    assert_eq!(friction.coulomb().unwrap(), Coulomb::new(0.6).unwrap());
+    assert_eq!(friction.coulomb().unwrap(), CoulombLaw::new(0.6).unwrap());
     assert_eq!(friction.force(-1.0), 0.0);
     assert!(friction.force(f64::NAN).is_nan());
 }

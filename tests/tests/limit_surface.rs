@@ -4,9 +4,8 @@ use std::f64::consts::PI;
 use std::hint::black_box;
 use tribos_core::coupling::table::{self, Coulomb};
 use tribos_core::coupling::{Coupling, DryCoupling, compact};
-use tribos_core::limit_surface::{
-    COLLAR_ULPS, Ellipsoid, FrictionSet, LimitSurface, Region, SurfaceError,
-};
+use tribos_core::internals::COLLAR_ULPS;
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Region, SurfaceError};
 use tribos_core::patch::PatchError;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::reference::Reference;
@@ -93,7 +92,7 @@ fn recovered<C: DryCoupling<f64>>(name: &'static str, coupling: C) -> Worst {
 #[test]
 fn motion_and_friction_are_each_others_inverse() {
     recovered("ratio, table", Coulomb).assert_within(&tolerance::NORMAL);
-    recovered("ratio, AGM", compact::Coulomb).assert_within(&tolerance::NORMAL);
+    recovered("ratio, AGM", compact::CompactCoulomb).assert_within(&tolerance::NORMAL);
     recovered("ratio, ring", Ring).assert_within(&tolerance::NORMAL_RING);
 }
 
@@ -298,7 +297,7 @@ fn assert_total<S: FrictionSet<f64>>(set: &S) {
 #[test]
 fn every_bit_pattern_has_an_answer() {
     assert_total(&puck(Coulomb));
-    assert_total(&unit(compact::Coulomb));
+    assert_total(&unit(compact::CompactCoulomb));
     assert_total(&unit(Ring));
     assert_total(&Ellipsoid::new(FORCE_LIMIT, RADIUS, 0.6).unwrap());
 }
@@ -387,7 +386,8 @@ fn single_precision_follows_double() {
         )
         .unwrap(),
     );
-    let compact = LimitSurface::new(compact::Coulomb, FORCE_LIMIT as f32, RADIUS as f32).unwrap();
+    let compact =
+        LimitSurface::new(compact::CompactCoulomb, FORCE_LIMIT as f32, RADIUS as f32).unwrap();
     let mut rng = Lcg::new(37);
     let mut projection = Worst::of("f32 projection (of the limits)");
     for _ in 0..100_000 {

@@ -2,9 +2,10 @@
 
 use nalgebra::{Matrix3, Rotation2, Vector2, Vector3};
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::law::{Coulomb, LocalLaw, PowerLaw};
+use tribos_core::internals::tripod_shares;
+use tribos_core::law::{CoulombLaw, LocalLaw, PowerLaw};
 use tribos_core::patch::nodes::{Node, NodeError, NodeList, NodePatch, Nodes};
-use tribos_core::patch::tripod::{TripodError, tripod, tripod_shares};
+use tribos_core::patch::tripod::{TripodError, tripod};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::{Lcg, special_f64};
 use tribos_tests::tolerance::{self, Bound};
@@ -29,8 +30,8 @@ fn power(alpha: f64) -> PowerLaw<f64> {
     PowerLaw::new(alpha, 0.7).expect("in range")
 }
 
-fn dry(mu: f64) -> Coulomb<f64> {
-    Coulomb::new(mu).expect("in range")
+fn dry(mu: f64) -> CoulombLaw<f64> {
+    CoulombLaw::new(mu).expect("in range")
 }
 
 /// Twelve nodes somewhere in a square of side 2, one of them without load.

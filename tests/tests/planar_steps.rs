@@ -8,7 +8,7 @@ use tribos_core::coupling::closed::{Hertz, Ring};
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use tribos_core::patch::nodes::{Node, NodeList};
-use tribos_core::planar::{Foot, PlanarBody, PlanarStep};
+use tribos_core::planar::{NodeFoot, PlanarBody, PlanarStep};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tolerance;
@@ -190,7 +190,7 @@ fn friction_of_feet_off_the_centre_takes_power_or_none_and_reverses_nothing() {
     let dt = TimeStep::new(STEP).expect("positive");
     let mut seen = Seen::new();
     for n in 0..100_000 {
-        let mut foot: Foot<f64, _, 8> = Foot::new(points(&mut rng), LIMIT).expect("valid");
+        let mut foot: NodeFoot<f64, _, 8> = NodeFoot::new(points(&mut rng), LIMIT).expect("valid");
         let mut case = case(&mut rng, n % 2 == 0);
         // Two steps, the second with the forces of the first.
         for _ in 0..2 {

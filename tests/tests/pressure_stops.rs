@@ -11,8 +11,8 @@ use tribos_tests::tables::{Row, Table};
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
-fn compact(order: f64, alpha: f64) -> compact::Power<f64> {
-    compact::Power::with_pressure(alpha, pressure(order)).expect("in range")
+fn compact(order: f64, alpha: f64) -> compact::CompactPower<f64> {
+    compact::CompactPower::with_pressure(alpha, pressure(order)).expect("in range")
 }
 
 fn table(order: f64, alpha: f64) -> RoundTable64 {

@@ -107,7 +107,8 @@ fn assert_nearest<S: FrictionSet<f64>>(name: &'static str, set: &S, curve: Curve
 #[test]
 fn no_point_of_the_disks_surface_is_nearer() {
     let curve = |at: f64| {
-        let ReducedWrench { force, torque } = compact::Coulomb.reduced_wrench(at.cos(), at.sin());
+        let ReducedWrench { force, torque } =
+            compact::CompactCoulomb.reduced_wrench(at.cos(), at.sin());
         [force, torque]
     };
     assert_nearest("disk to brute force", &puck(Coulomb), &curve);
@@ -181,7 +182,7 @@ fn assert_orthogonal_and_polar<S: FrictionSet<f64>>(set: &S) {
 #[test]
 fn displacements_are_normal_and_lead_away_from_the_set() {
     assert_orthogonal_and_polar(&puck(Coulomb));
-    assert_orthogonal_and_polar(&puck(compact::Coulomb));
+    assert_orthogonal_and_polar(&puck(compact::CompactCoulomb));
     assert_orthogonal_and_polar(&puck(Ring));
     assert_orthogonal_and_polar(&ellipsoid());
 }
@@ -280,8 +281,11 @@ fn settled<S: FrictionSet<f64>>(name: &'static str, set: &S) -> Worst {
 fn projecting_again_changes_neither_bits_nor_region() {
     settled("gauge - 1 of projections, table", &puck(Coulomb))
         .assert_within(&tolerance::ON_SURFACE_ULPS);
-    settled("gauge - 1 of projections, AGM", &puck(compact::Coulomb))
-        .assert_within(&tolerance::ON_SURFACE_AGM_ULPS);
+    settled(
+        "gauge - 1 of projections, AGM",
+        &puck(compact::CompactCoulomb),
+    )
+    .assert_within(&tolerance::ON_SURFACE_AGM_ULPS);
     settled("gauge - 1 of projections, ring", &puck(Ring))
         .assert_within(&tolerance::ON_SURFACE_AGM_ULPS);
     settled("gauge - 1 of projections, ellipsoid", &ellipsoid())

@@ -5,7 +5,7 @@
 
 use super::Refused;
 use tribos_core::law::{
-    Coulomb, Dieterich, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPower,
+    CoulombLaw, Dieterich, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPower,
     PlateauPowerParameters, PowerLaw, RateState, RateStateParameters, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
@@ -36,7 +36,7 @@ pub fn each<R: Real>(task: &mut impl ForLaw<R>) -> Result<(), Refused> {
     let real = R::from_f64;
     for (alpha, name) in POWERS {
         if alpha == 0.0 {
-            task.with(name, Coulomb::new(R::ONE)?);
+            task.with(name, CoulombLaw::new(R::ONE)?);
         } else {
             task.with(name, PowerLaw::new(real(alpha), R::ONE)?);
         }

@@ -109,7 +109,7 @@ pub fn rows<R: CoulombTable>() -> Result<Vec<Entry>, Refused> {
     let (disk, bytes) = (["disk surface", "uniform"], size_of::<R::Table>());
     let mut rows = Vec::new();
     rows.extend(rows_of::<R, _>(disk, TABLE, bytes, table::Coulomb)?);
-    rows.extend(rows_of::<R, _>(disk, CLOSED, 0, compact::Coulomb)?);
+    rows.extend(rows_of::<R, _>(disk, CLOSED, 0, compact::CompactCoulomb)?);
     rows.extend(rows_of::<R, _>(
         ["ring surface", "ring"],
         CLOSED,

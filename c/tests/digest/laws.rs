@@ -2,14 +2,14 @@
 
 use super::stream::{Precision, Range, Stream};
 use tribos_core::law::{
-    Bristle, ContactAge, Coulomb, Dieterich, DryFriction, Grip, LocalLaw, LuGre, LuGreParameters,
-    PowerLaw, RateState, RateStateParameters, Ruina, Stribeck, StribeckParameters,
+    Bristle, ContactAge, CoulombLaw, Dieterich, DryFriction, Grip, LocalLaw, LuGre,
+    LuGreParameters, PowerLaw, RateState, RateStateParameters, Ruina, Stribeck, StribeckParameters,
 };
 
 pub fn simple<R: Precision>(s: &mut Stream) {
     let p: [R; 6] = s.draws(Range::Fit);
     let x = s.draw(Range::Wide);
-    let coulomb = Coulomb::new(p[0]);
+    let coulomb = CoulombLaw::new(p[0]);
     let dry = DryFriction::new(p[0] + p[1], p[1]);
     let power = PowerLaw::new(p[2] - R::ONE, p[3]);
     let stribeck = dry.and_then(|dry| {

@@ -8,8 +8,8 @@
 
 use super::block::Masses;
 use super::disc::project_on_disc;
-use super::friction::{ContactFriction, Grasp};
-use super::modes::{AllModes, Modes, SlidingTorsion};
+use super::friction::{ContactFriction, TangentialLoad};
+use super::modes::{AllModes, ContactModes, SlidingTorsion};
 use super::vector::magnitude;
 use crate::law::{LawError, validated_not_negative};
 use crate::limit_surface::FrictionSet;
@@ -113,7 +113,7 @@ impl<R, S, M> ContactFriction<R> for CoupledFriction<R, S, M>
 where
     R: Real,
     S: FrictionSet<R> + Copy + Send + Sync,
-    M: Modes<R>,
+    M: ContactModes<R>,
 {
     type Modes = M;
 
@@ -121,7 +121,13 @@ where
     /// whose limits over ε² are infinite. Where nothing can turn
     /// (gyration 0) the lever stands for it.
     #[inline]
-    fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, masses: &Masses<R>) -> Grasp<R> {
+    fn hold(
+        &self,
+        trial: &TangentialLoad<R>,
+        bound: R,
+        lever: R,
+        masses: &Masses<R>,
+    ) -> TangentialLoad<R> {
         let (force, torque) = (magnitude(&trial.sliding), trial.torsion.abs() / lever);
         // A convex set holds all between its poles.
         let [inv_force, inv_torque] = self.inv_limits;
@@ -135,7 +141,7 @@ where
         };
         if bound == R::ZERO || reach == R::ZERO {
             // NaN and infinity stay NaN.
-            return Grasp {
+            return TangentialLoad {
                 sliding: trial.sliding * R::ZERO,
                 torsion: trial.torsion * R::ZERO,
             };
@@ -156,7 +162,7 @@ where
         };
         match self.pulled_back(reduced_pair, reduced) {
             None => *trial,
-            Some([held_force, held_torque]) => Grasp {
+            Some([held_force, held_torque]) => TangentialLoad {
                 sliding: along(&trial.sliding, force, held_force * bound),
                 torsion: (held_torque * bound * lever).copysign(trial.torsion),
             },

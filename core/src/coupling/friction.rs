@@ -97,17 +97,7 @@ pub struct Magnitudes<R> {
 }
 
 /// Derivatives of [`Magnitudes`] with respect to sliding speed and spin.
-///
-/// ```
-/// use tribos_core::coupling::{MagnitudesJacobian, PatchFriction, table::Coulomb};
-/// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?; // mu, m
-/// let (speed, spin) = (1.0, 20.0); // m/s, rad/s
-/// let jacobian: MagnitudesJacobian<f64> = puck.magnitudes_jacobian(1.7, speed, spin);
-/// // Dry friction depends on the ratio of speed and spin alone.
-/// assert!((speed * jacobian.force_speed + spin * jacobian.force_spin).abs() < 1e-12);
-/// assert!((speed * jacobian.torque_speed + spin * jacobian.torque_spin).abs() < 1e-12);
-/// # Ok::<(), tribos_core::coupling::FrictionError>(())
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MagnitudesJacobian<R> {
@@ -154,6 +144,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     }
 
     /// Derivatives of [`PatchFriction::magnitudes`] for speed ≥ 0 and spin ≥ 0.
+    #[doc(hidden)]
     #[inline]
     pub fn magnitudes_jacobian(&self, load: R, speed: R, spin: R) -> MagnitudesJacobian<R> {
         let j = self.coupling.reduced_jacobian(speed, spin * self.radius);

@@ -41,6 +41,7 @@ pub trait Lateral<R: Real>: Coupling<R> {
 
     /// ∂(vG)/∂v and ∂(vG)/∂w: minus the change of F and T per unit of pressure gradient across
     /// the velocity, towards the side that spinning moves forward least.
+    #[doc(hidden)]
     fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R>;
 
     /// ⟨r²⟩ of the pressure without gradient, in radii squared.
@@ -48,14 +49,6 @@ pub trait Lateral<R: Real>: Coupling<R> {
 }
 
 /// What a pressure gradient across the velocity takes from force and torque.
-///
-/// ```
-/// use tribos_core::coupling::{Lateral, LateralJacobian, table::Coulomb};
-/// let (v, w) = (0.3_f64, 0.4);
-/// let LateralJacobian { slide, rim } = Coulomb.lateral_jacobian(v, w);
-/// // Under dry friction vG grows as the speeds do.
-/// assert!((v * slide + w * rim - v * Coulomb.lateral(v, w)).abs() < 1e-12);
-/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LateralJacobian<R> {

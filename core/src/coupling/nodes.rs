@@ -29,12 +29,12 @@ use nalgebra::{Matrix3, Vector2};
 ///
 /// ```
 /// use tribos_core::coupling::nodes::NodeFriction;
-/// use tribos_core::law::Coulomb;
+/// use tribos_core::law::CoulombLaw;
 /// use tribos_core::patch::nodes::{Node, Nodes};
 /// use tribos_core::twist::Twist;
 ///
 /// let [left, right] = [-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5 });
-/// let feet = NodeFriction::new(Coulomb::new(0.5)?, Nodes::new([left, right])?);
+/// let feet = NodeFriction::new(CoulombLaw::new(0.5)?, Nodes::new([left, right])?);
 /// let wrench = feet.wrench(10.0, &Twist::new(0.0, 0.0, 3.0)); // N; m/s, m/s, rad/s
 /// assert!((wrench.torque + 0.5_f64 * 10.0 * 0.1).abs() < 1e-15);
 /// # Ok::<(), tribos_core::Error>(())

@@ -26,15 +26,7 @@ use core::marker::PhantomData;
 use nalgebra::Vector2;
 
 /// Reduced wrench under a pressure with gradient.
-///
-/// ```
-/// use tribos_core::coupling::{table::Coulomb, tall::{LeaningWrench, leaning_wrench}};
-/// // Spinning in place, the pressure leaning half as far as it can: half of 1/3 goes sideways.
-/// let spinning = leaning_wrench(&Coulomb, [0.0_f64, 1.0], [0.5, 0.0]);
-/// let LeaningWrench { lateral, torque, .. } = spinning;
-/// assert!((lateral - 0.5 / 3.0).abs() < 1e-14);
-/// assert!((torque - 2.0 / 3.0).abs() < 1e-15); // as upright
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LeaningWrench<R> {
@@ -52,17 +44,7 @@ pub struct LeaningWrench<R> {
 ///
 /// *Domain*: |l| ≤ 1 keeps the pressure positive; beyond, the result is the formula's, not a
 /// body's. *Units*: those of F.
-///
-/// ```
-/// use tribos_core::coupling::{table::Coulomb, tall::leaning_wrench};
-/// // What force and torque lose where the pressure leans to one side of the velocity, they gain
-/// // where it leans as far to the other.
-/// let [left, level, right] = [0.5, 0.0, -0.5]
-///     .map(|across| leaning_wrench(&Coulomb, [0.3_f64, 0.4], [0.0, across]));
-/// assert!((left.force + right.force - 2.0 * level.force).abs() < 1e-15);
-/// assert!((left.torque + right.torque - 2.0 * level.torque).abs() < 1e-15);
-/// assert!(left.force < level.force);
-/// ```
+#[doc(hidden)]
 pub fn leaning_wrench<R: Real, C: Lateral<R>>(
     coupling: &C,
     [slide, rim]: [R; 2],

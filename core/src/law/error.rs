@@ -5,8 +5,8 @@ use crate::real::Real;
 /// Why a law was refused.
 ///
 /// ```
-/// use tribos_core::law::{Coulomb, DryFriction, LawError};
-/// assert_eq!(Coulomb::new(-0.3), Err(LawError::Coefficient { given: -0.3 }));
+/// use tribos_core::law::{CoulombLaw, DryFriction, LawError};
+/// assert_eq!(CoulombLaw::new(-0.3), Err(LawError::Coefficient { given: -0.3 }));
 /// let swapped = DryFriction::new(0.3, 0.5).map_err(|error| error.to_string());
 /// let reason = "the static coefficient must not be below the dynamic coefficient";
 /// assert_eq!(swapped, Err(reason.to_string()));

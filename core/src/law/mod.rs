@@ -2,7 +2,7 @@
 //!
 //! | law | friction depends on | [`LocalLaw`] |
 //! |---|---|---|
-//! | [`Coulomb`], [`DryFriction`] | load; rest or motion | dynamic friction |
+//! | [`CoulombLaw`], [`DryFriction`] | load; rest or motion | dynamic friction |
 //! | [`PowerLaw`], [`PlateauPower`] | a power of the speed | yes |
 //! | [`Stribeck`] | speed: boundary and hydrodynamic lubrication | yes |
 //! | [`Ageing`] | time of rest | – |
@@ -48,8 +48,8 @@ mod stribeck;
 pub use ageing::{Age, Ageing};
 pub use bowden_tabor::BowdenTabor;
 pub use contact_age::{ContactAge, Dieterich, Evolution, Ruina};
-pub use coulomb::Coulomb;
-pub use drag::{DragRegime, InertialDrag, STOKES_CONSTANT, Stokes, crossover_reynolds, reynolds};
+pub use coulomb::CoulombLaw;
+pub use drag::{DragRegime, InertialDrag, Stokes, crossover_reynolds, reynolds};
 pub use dry::DryFriction;
 pub use error::LawError;
 pub(crate) use error::{fraction as validated_fraction, not_negative as validated_not_negative};

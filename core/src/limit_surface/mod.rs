@@ -51,17 +51,7 @@ use crate::twist::{Twist, Wrench};
 ///
 /// It covers the rounding of a surface point and of its gauge, for couplings that are themselves
 /// right to about 30 units (the AGM tier), so that no projection moves a projected wrench.
-///
-/// ```
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::limit_surface::{COLLAR_ULPS, FrictionSet, LimitSurface};
-/// use tribos_core::twist::Wrench;
-/// let puck = LimitSurface::new(Coulomb, 0.51_f64, 0.04)?;
-/// let once = puck.project(&Wrench::new(1.0, 0.5, 0.02)).wrench;
-/// assert!((puck.gauge(&once) - 1.0).abs() <= COLLAR_ULPS * f64::EPSILON);
-/// assert_eq!(puck.project(&once).wrench, once); // to the bit
-/// # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
-/// ```
+#[doc(hidden)]
 pub const COLLAR_ULPS: f64 = 64.0;
 
 /// A closed convex set of wrenches with a smooth surface, symmetric like the friction of a disk.

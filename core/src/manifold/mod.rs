@@ -8,7 +8,7 @@
 //! ```
 //! use nalgebra::Vector3;
 //! use tribos_core::contact::{Cohesion, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch};
-//! use tribos_core::manifold::{Manifold, Start, Stop};
+//! use tribos_core::manifold::{Manifold, InitialGuess, SolverLimits};
 //!
 //! // A ball of 1 kg and 5 cm held by two fingers that press with 40 N each.
 //! let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
@@ -25,7 +25,7 @@
 //!     *contact = Some(grip.push_contact(ball, finger, touch)?);
 //! }
 //! grip.set_gravity(Vector3::new(0.0, 0.0, -9.81));
-//! let report = grip.solve(TimeStep::new(1e-3)?, Start::Last, Stop { sweeps: 50, tolerance: 1e-5 });
+//! let report = grip.solve(TimeStep::new(1e-3)?, InitialGuess::Last, SolverLimits { sweeps: 50, tolerance: 1e-5 });
 //! assert!(report.converged);
 //! // 9.81 N by friction, of which 24 N are to be had: it does not fall.
 //! assert!(grip.body(ball).is_some_and(|body| body.velocity().z.abs() < 1e-6));
@@ -42,7 +42,7 @@ mod member;
 mod solve;
 
 pub use member::Member;
-pub use solve::{Report, Start, Stop};
+pub use solve::{InitialGuess, SolverLimits, SolverReport};
 
 use crate::contact::{Contact, ContactFriction, Modal, NormalLaw, Plate, Sphere, Touch};
 use crate::real::Real;
@@ -223,12 +223,12 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// use nalgebra::Vector3;
     /// use tribos_core::contact::{Body, Cohesion, NormalLaw, Plate, Sphere};
     /// use tribos_core::contact::{Thresholds, TimeStep, Touch};
-    /// use tribos_core::manifold::{Manifold, Start, Stop};
+    /// use tribos_core::manifold::{Manifold, InitialGuess, SolverLimits};
     /// # let still = Vector3::new(0.0, 0.0, 0.0);
     /// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
     /// # let table = Plate { velocity: still, inv_mass: 0.0 };
     /// # let (law, dt) = (NormalLaw::new(Cohesion::NONE, 0.0)?, TimeStep::new(1e-3)?);
-    /// # let stop = Stop { sweeps: 10, tolerance: 1e-12 };
+    /// # let stop = SolverLimits { sweeps: 10, tolerance: 1e-12 };
     /// # let up = Vector3::new(0.0, 0.0, 1.0);
     /// // A ball of 5 cm and 1 kg falls from 1 cm above a table.
     /// let mut falls = Manifold::<f64, _, 2, 1>::new(law, Thresholds::none());
@@ -238,7 +238,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// falls.set_gravity(up * -9.81);
     /// for _ in 0..100 {
     ///     falls.set_touch(contact, Touch::plate(height, &up, 0.05)?)?;
-    ///     falls.solve(dt, Start::Last, stop);
+    ///     falls.solve(dt, InitialGuess::Last, stop);
     ///     height += dt.dt() * falls.body(ball).map_or(0.0, |ball| ball.velocity().z);
     /// }
     /// // It lies on the table, which bears its weight.
@@ -272,13 +272,13 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// use nalgebra::Vector3;
     /// use tribos_core::contact::{Body, Cohesion, NormalLaw, Plate, Sphere};
     /// use tribos_core::contact::{Thresholds, TimeStep, Touch};
-    /// use tribos_core::manifold::{Manifold, Member, Start, Stop};
+    /// use tribos_core::manifold::{Manifold, Member, InitialGuess, SolverLimits};
     /// # let still = Vector3::new(0.0, 0.0, 0.0);
     /// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
     /// # let table = Plate { velocity: still, inv_mass: 0.0 };
     /// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
     /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
-    /// # let stop = Stop { sweeps: 10, tolerance: 1e-12 };
+    /// # let stop = SolverLimits { sweeps: 10, tolerance: 1e-12 };
     /// // A solid ball of 5 cm and 1 kg on a belt, which is started at 0.1 m/s.
     /// let mut belt = Manifold::<f64, _, 2, 1>::new(law, Thresholds::sliding(0.3)?);
     /// let (ball, table) = (belt.push_sphere(ball)?, belt.push_plate(table)?);
@@ -288,7 +288,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     ///     table.velocity.x = 0.1;
     /// }
     /// for _ in 0..20 {
-    ///     belt.solve(TimeStep::new(1e-3)?, Start::Last, stop);
+    ///     belt.solve(TimeStep::new(1e-3)?, InitialGuess::Last, stop);
     /// }
     /// // It rolls on the belt and follows with 2/7 of the belt's speed.
     /// let speed = belt.body(ball).map_or(0.0, |ball| ball.velocity().x);

@@ -2,15 +2,14 @@
 
 use super::member::Loaded;
 use super::{Joint, Manifold, Solved};
-use crate::contact::{AxialPart, PlanarPart};
-use crate::contact::{Contact, ContactFriction, Modal, Modes, TimeStep};
+use crate::contact::{Contact, ContactFriction, ContactModes, Modal, TimeStep};
 use crate::real::Real;
 use nalgebra::Vector3;
 
 /// What the sweeps begin with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Start {
+pub enum InitialGuess {
     /// The impulses of the last step, made admissible: contacts that last are nearly right at once.
     #[default]
     Last,
@@ -21,7 +20,7 @@ pub enum Start {
 /// When the sweeps end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Stop<R> {
+pub struct SolverLimits<R> {
     /// At the latest after so many.
     pub sweeps: u32,
     /// Before that, when a sweep has changed the impulses by less than this part of them. 0 asks
@@ -34,7 +33,7 @@ pub struct Stop<R> {
 /// ```
 /// use nalgebra::Vector3;
 /// use tribos_core::contact::{Cohesion, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch};
-/// use tribos_core::manifold::{Manifold, Report, Start, Stop};
+/// use tribos_core::manifold::{Manifold, SolverReport, InitialGuess, SolverLimits};
 /// # let still = Vector3::new(0.0, 0.0, 0.0);
 /// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
 /// # let table = Plate { velocity: still, inv_mass: 0.0 };
@@ -45,14 +44,14 @@ pub struct Stop<R> {
 /// let (ball, table) = (lies.push_sphere(ball)?, lies.push_plate(table)?);
 /// lies.push_contact(ball, table, touch)?;
 /// lies.set_gravity(Vector3::new(0.0, 0.0, -9.81));
-/// let stop = Stop { sweeps: 50, tolerance: 1e-12 };
-/// let Report { sweeps, converged, .. } = lies.solve(TimeStep::new(1e-3)?, Start::Zero, stop);
+/// let stop = SolverLimits { sweeps: 50, tolerance: 1e-12 };
+/// let SolverReport { sweeps, converged, .. } = lies.solve(TimeStep::new(1e-3)?, InitialGuess::Zero, stop);
 /// assert!(converged && sweeps == 2); // one to solve it, one that changes nothing
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Report<R> {
+pub struct SolverReport<R> {
     /// Sweeps done.
     pub sweeps: u32,
     /// What the last sweep changed, over all impulses; torques count by their force at r_eff. It
@@ -81,7 +80,12 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// What converges has finite velocities; a force, or an impulse with that of several impacts, that
     /// is out of the number range is infinite.
     /// *Cost*: one [`Contact::update`] per contact and sweep.
-    pub fn solve(&mut self, step: TimeStep<R>, start: Start, stop: Stop<R>) -> Report<R> {
+    pub fn solve(
+        &mut self,
+        step: TimeStep<R>,
+        start: InitialGuess,
+        stop: SolverLimits<R>,
+    ) -> SolverReport<R> {
         let dt = step.dt();
         self.prepare(dt, start);
         let rebounds = self.law.restitution() > R::ZERO;
@@ -95,7 +99,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
         };
         self.accelerate(load);
         self.apply_guesses();
-        let mut report = Report {
+        let mut report = SolverReport {
             sweeps: 0,
             residual: R::INFINITY,
             converged: false,
@@ -124,14 +128,14 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     }
 
     /// Contacts that last, from their geometry and the forces of the last step.
-    fn prepare(&mut self, dt: R, start: Start) {
+    fn prepare(&mut self, dt: R, start: InitialGuess) {
         let (inv_dt, law) = (R::ONE / dt, self.law.without_restitution());
         for joint in &mut self.contacts {
             let Some([a, b]) = pair(&mut self.bodies, joint.bodies) else {
                 continue;
             };
             let mut contact = Contact::new(&joint.touch, &law, &a.member, &b.member, dt);
-            if let (Start::Last, Some(last)) = (start, &joint.solved) {
+            if let (InitialGuess::Last, Some(last)) = (start, &joint.solved) {
                 // Forces last, impulses grow with the step.
                 let lasting = last.contact.impulse().minus(&joint.impact);
                 let guess = Modal::default().plus_scaled(last.inv_dt * dt, &lasting);
@@ -179,9 +183,9 @@ pub(super) fn pair<R>(
 }
 
 /// Sum of an impulse's components: no square that could vanish for small grains.
-fn size<R: Real, M: Modes<R>>(impulse: &Modal<R, M>, lever: R) -> R {
-    let torques = impulse.torsion.component().abs() + sum(&impulse.rolling.vector());
-    impulse.normal.abs() + sum(&impulse.sliding.vector()) + torques / lever
+fn size<R: Real, M: ContactModes<R>>(impulse: &Modal<R, M>, lever: R) -> R {
+    let torques = impulse.torsion().abs() + sum(&impulse.rolling());
+    impulse.normal.abs() + sum(&impulse.sliding()) + torques / lever
 }
 
 fn sum<R: Real>(v: &Vector3<R>) -> R {

@@ -39,16 +39,7 @@ impl<R: Real> NodePatch<R> for NodeSlice<'_, R> {
 }
 
 /// A list of nodes in lent memory, filled from its start.
-///
-/// ```
-/// use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch};
-/// use tribos_core::patch::polygon::polygon_into;
-/// let mut memory = [Node::default(); 100];
-/// let mut foot = NodeBuffer::new(&mut memory);
-/// polygon_into(&mut foot, &[[0.0_f32, 0.0], [0.2, 0.0], [0.0, 0.2]], 2)?;
-/// assert_eq!(foot.nodes().len(), 28);
-/// # Ok::<(), tribos_core::patch::polygon::PolygonError>(())
-/// ```
+#[doc(hidden)]
 #[derive(Debug, PartialEq)]
 pub struct NodeBuffer<'a, R> {
     memory: &'a mut [Node<R>],

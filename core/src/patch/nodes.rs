@@ -58,20 +58,7 @@ impl<R: Real, P: NodePatch<R> + ?Sized> NodePatch<R> for &P {
 }
 
 /// Somewhere to put nodes, one by one.
-///
-/// ```
-/// use tribos_core::patch::nodes::{Node, NodeError, NodeList, NodePatch, NodeSink};
-/// /// Two runners of a sled.
-/// fn touch(ground: &mut impl NodeSink<f64>) -> Result<(), NodeError> {
-///     ground.push(Node { x: 0.0, y: -0.2, weight: 0.5 })?;
-///     ground.push(Node { x: 0.0, y: 0.2, weight: 0.5 })
-/// }
-/// let mut sled = NodeList::<f64, 2>::new();
-/// touch(&mut sled)?;
-/// assert_eq!(sled.total_weight(), 1.0);
-/// assert_eq!(touch(&mut sled), Err(NodeError::Full { capacity: 2 }));
-/// # Ok::<(), NodeError>(())
-/// ```
+#[doc(hidden)]
 pub trait NodeSink<R: Real>: NodePatch<R> {
     /// Adds one node; a refused node leaves the others as they were.
     ///

@@ -11,15 +11,7 @@ use crate::real::Real;
 ///
 /// *Units*: length in, shares out. *Domain*: feet not in a line, `centre` between them.
 /// *Accuracy*: a few ulp for feet whose distances are not small against their coordinates.
-///
-/// ```
-/// use tribos_core::patch::tripod::tripod_shares;
-/// let feet = [[0.0_f64, 0.0], [0.4, 0.0], [0.0, 0.3]]; // m
-/// let [corner, right, back] = tripod_shares(feet, [0.1, 0.06])?;
-/// assert!((right - 0.1 / 0.4).abs() < 1e-15 && (back - 0.06 / 0.3).abs() < 1e-15); // levers
-/// assert!((corner + right + back - 1.0).abs() < 1e-15);
-/// # Ok::<(), tribos_core::patch::tripod::TripodError>(())
-/// ```
+#[doc(hidden)]
 pub fn tripod_shares<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<[R; 3], TripodError> {
     let [a, b, c] = feet;
     let areas = [[centre, b, c], [a, centre, c], [a, b, centre]].map(twice_area);

@@ -16,18 +16,18 @@ use nalgebra::{Vector2, Vector3};
 ///
 /// ```
 /// use tribos_core::patch::nodes::{Node, Nodes};
-/// use tribos_core::planar::Foot;
+/// use tribos_core::planar::NodeFoot;
 /// use tribos_core::twist::Wrench;
 /// use nalgebra::Vector2;
 ///
 /// let feet = Nodes::new([[-0.1, 0.0], [0.1, 0.0]].map(|[x, y]| Node { x, y, weight: 0.5_f64 }))?;
-/// let mut table: Foot<f64, _, 2> = Foot::new(feet, 10.0)?; // μN = 10 N
+/// let mut table: NodeFoot<f64, _, 2> = NodeFoot::new(feet, 10.0)?; // μN = 10 N
 /// let push = Wrench::new(0.0, 3.0, 0.2);
 /// assert_eq!(table.nearest(&push, 0.1), push); // held
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Foot<R: Real, P, const CAPACITY: usize> {
+pub struct NodeFoot<R: Real, P, const CAPACITY: usize> {
     patch: P,
     force_limit: R,
     forces: heapless::Vec<Vector2<R>, CAPACITY>,
@@ -37,11 +37,11 @@ pub struct Foot<R: Real, P, const CAPACITY: usize> {
 ///
 /// ```
 /// use tribos_core::patch::nodes::{Node, Nodes};
-/// use tribos_core::planar::{Foot, FootError};
+/// use tribos_core::planar::{NodeFoot, FootError};
 /// let two = Nodes::new([-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5_f64 }))?;
-/// let small = Foot::<_, _, 1>::new(two, 10.0).err();
+/// let small = NodeFoot::<_, _, 1>::new(two, 10.0).err();
 /// assert_eq!(small, Some(FootError::Full { capacity: 1 }));
-/// let pulled = Foot::<_, _, 2>::new(two, -10.0).err();
+/// let pulled = NodeFoot::<_, _, 2>::new(two, -10.0).err();
 /// assert_eq!(pulled, Some(FootError::ForceLimit { given: -10.0 }));
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
@@ -67,7 +67,7 @@ const COLLAR_ULPS: f64 = 8.0;
 /// Passes over all points that spread a rest.
 const PASSES: usize = 8;
 
-impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
+impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
     /// *Domain*: 0 ≤ `force_limit` < ∞ (μN, in units of force); at most `CAPACITY` points.
     pub fn new(patch: P, force_limit: R) -> Result<Self, FootError> {
         let mut forces = heapless::Vec::new();
@@ -84,15 +84,15 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
         Ok(foot)
     }
 
-    /// Another load on the same points. *Domain*: as in [`Foot::new`].
+    /// Another load on the same points. *Domain*: as in [`NodeFoot::new`].
     ///
     /// ```
     /// use tribos_core::patch::nodes::{Node, Nodes};
-    /// use tribos_core::planar::Foot;
+    /// use tribos_core::planar::NodeFoot;
     /// use tribos_core::twist::Wrench;
     /// use nalgebra::Vector2;
     /// let feet = Nodes::new([-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5_f64 }))?; // m
-    /// let mut table: Foot<f64, _, 2> = Foot::new(feet, 10.0)?; // N
+    /// let mut table: NodeFoot<f64, _, 2> = NodeFoot::new(feet, 10.0)?; // N
     /// let push = Wrench::new(0.0, 3.0, 0.0);
     /// assert_eq!(table.nearest(&push, 0.1), push); // held
     /// table.set_force_limit(2.0)?; // someone lifts it a little

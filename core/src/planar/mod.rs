@@ -43,7 +43,7 @@ mod balance;
 mod foot;
 mod step;
 
-pub use foot::{Foot, FootError};
+pub use foot::{FootError, NodeFoot};
 pub use step::PlanarStep;
 
 use crate::real::Real;

@@ -1,6 +1,6 @@
 //! The implicit step.
 
-use super::{Foot, PlanarBody};
+use super::{NodeFoot, PlanarBody};
 use crate::contact::TimeStep;
 use crate::limit_surface::FrictionSet;
 use crate::patch::nodes::NodePatch;
@@ -62,19 +62,19 @@ impl<R: Real> PlanarBody<R> {
 
     /// The same on a foot of many points.
     ///
-    /// `foot` keeps the force of every point for the next step; [`Foot::release`] begins anew.
-    /// *Cost*: [`Foot::nearest`] once far from rest, twice near it.
+    /// `foot` keeps the force of every point for the next step; [`NodeFoot::release`] begins anew.
+    /// *Cost*: [`NodeFoot::nearest`] once far from rest, twice near it.
     ///
     /// ```
     /// use tribos_core::contact::TimeStep;
     /// use tribos_core::patch::nodes::{Node, Nodes};
-    /// use tribos_core::planar::{Foot, PlanarBody};
+    /// use tribos_core::planar::{NodeFoot, PlanarBody};
     /// use tribos_core::twist::{Twist, Wrench};
     /// use nalgebra::Vector2;
     /// // A chair of 5 kg on four legs, with friction of up to 20 N in all.
     /// let legs = [[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]; // m
     /// let legs = Nodes::new(legs.map(|[x, y]| Node { x, y, weight: 1.0_f64 }))?;
-    /// let (mut legs, chair) = (Foot::<_, _, 4>::new(legs, 20.0)?, PlanarBody::new(5.0, 0.4)?);
+    /// let (mut legs, chair) = (NodeFoot::<_, _, 4>::new(legs, 20.0)?, PlanarBody::new(5.0, 0.4)?);
     /// let (rest, dt) = (Twist::ZERO, TimeStep::new(0.01)?);
     /// // Four legs 0.2 √2 m away resist a twist by 5.7 N m: 5 N m they hold, 6 N m they do not.
     /// let [held, turns] = [5.0, 6.0].map(|torque| {
@@ -88,7 +88,7 @@ impl<R: Real> PlanarBody<R> {
     /// ```
     pub fn step_on_foot<P: NodePatch<R>, const CAPACITY: usize>(
         &self,
-        foot: &mut Foot<R, P, CAPACITY>,
+        foot: &mut NodeFoot<R, P, CAPACITY>,
         twist: &Twist<R>,
         push: &Wrench<R>,
         dt: TimeStep<R>,

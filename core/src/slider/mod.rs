@@ -14,6 +14,7 @@ mod leg;
 mod march;
 mod rest;
 mod rule;
+#[doc(hidden)]
 pub mod runge_kutta;
 mod single;
 mod tail;

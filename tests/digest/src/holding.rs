@@ -6,9 +6,10 @@ use nalgebra::Vector3;
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::internals::{NodeBuffer, NodeSink};
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
-use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch, NodeSink, NodeSlice};
-use tribos_core::planar::{Foot, PlanarBody, PlanarStep};
+use tribos_core::patch::nodes::{Node, NodePatch, NodeSlice};
+use tribos_core::planar::{NodeFoot, PlanarBody, PlanarStep};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -78,7 +79,7 @@ fn standing<R: Real>(hash: &mut Fnv, body: &PlanarBody<R>, limit: R) {
     hash.number(points.total_weight());
     let points = NodeSlice::new(points.nodes()).expect("loaded");
     hash.numbers([points.total_weight()]);
-    let mut foot: Foot<R, _, POINTS> = Foot::new(points, limit).expect("it fits");
+    let mut foot: NodeFoot<R, _, POINTS> = NodeFoot::new(points, limit).expect("it fits");
     let dt = TimeStep::new(R::from_f64(1.0 / 64.0)).expect("positive");
     let mut moving = Twist::new(R::ONE, -R::HALF, R::from_f64(3.0));
     for n in 0..STEPS {

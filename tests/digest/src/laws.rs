@@ -3,7 +3,7 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, speed, unit};
 use tribos_core::law::{
-    Age, Ageing, BowdenTabor, Coulomb, DragRegime, DryFriction, GreenwoodWilliamson, Grip,
+    Age, Ageing, BowdenTabor, CoulombLaw, DragRegime, DryFriction, GreenwoodWilliamson, Grip,
     HertzSphere, Incline, InertialDrag, LawError, LocalLaw, Plastic, PlateauPower,
     PlateauPowerParameters, PowerLaw, RealArea, Stokes, Stribeck, StribeckParameters,
     critical_angle, crossover_reynolds, reynolds,
@@ -18,7 +18,7 @@ pub fn moving() -> u64 {
 fn moving_of<R: Real>(hash: &mut Fnv) {
     let real = R::from_f64;
     let dry = DryFriction::new(real(0.5), real(0.25)).expect("in range");
-    let coulomb = Coulomb::new(real(0.375)).expect("in range");
+    let coulomb = CoulombLaw::new(real(0.375)).expect("in range");
     hash.numbers([dry.mu_static(), dry.mu_dynamic(), coulomb.mu()]);
     local(hash, &dry);
     local(hash, &coulomb);

@@ -5,8 +5,8 @@ use crate::inputs::{pairs_of_ends, triples_of_ends};
 use tribos_core::coupling::closed::Hertz;
 use tribos_core::coupling::table::{self, CoulombTable};
 use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::internals::runge_kutta::{judge, step, tolerance};
 use tribos_core::real::Real;
-use tribos_core::slider::runge_kutta::{judge, step, tolerance};
 use tribos_core::slider::{Motion, Slider, SliderParameters};
 
 /// Steps of a motion, half of them at rest or nearly so.

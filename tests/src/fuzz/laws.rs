@@ -3,7 +3,7 @@
 use super::check::{all_nan, finite, holds, numbers};
 use super::{Broken, Source};
 use tribos_core::law::{
-    Age, Ageing, BowdenTabor, Bristle, ContactAge, Coulomb, Dieterich, DragRegime, DryFriction,
+    Age, Ageing, BowdenTabor, Bristle, ContactAge, CoulombLaw, Dieterich, DragRegime, DryFriction,
     Evolution, GreenwoodWilliamson, Grip, HertzSphere, Incline, InertialDrag, LocalLaw, LuGre,
     LuGreParameters, Plastic, PlateauPower, PlateauPowerParameters, PowerLaw, RateState,
     RateStateParameters, RealArea, Ruina, Stokes, Stribeck, StribeckParameters, critical_angle,
@@ -24,7 +24,7 @@ fn memoryless_of<R: Real>(source: &mut Source) -> Result<(), Broken> {
     match source.below(7) {
         0 => dry::<R>(source),
         1 => {
-            let law = Coulomb::<R>::new(source.size());
+            let law = CoulombLaw::<R>::new(source.size());
             law.map_or(Ok(()), |law| local(source, "Coulomb", &law))
         }
         2 => {

@@ -18,7 +18,7 @@ pub fn modes(source: &mut Source) -> Result<(), Broken> {
         3 => of_profile::<f64, _>(source, Ring),
         _ => {
             let alpha = source.unit::<f64>() * 3.0 - 0.9;
-            compact::Power::new(alpha).map_or(Ok(()), |power| of_profile(source, power))
+            compact::CompactPower::new(alpha).map_or(Ok(()), |power| of_profile(source, power))
         }
     }
 }

@@ -12,7 +12,7 @@ use tribos_core::coupling::{Lateral, PatchFriction};
 use tribos_core::law::PowerLaw;
 use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
 use tribos_core::patch::nodes::Nodes;
-use tribos_core::planar::{Foot, PlanarBody};
+use tribos_core::planar::{NodeFoot, PlanarBody};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -212,7 +212,7 @@ fn foot<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let Ok(nodes) = Nodes::new([(); POINTS].map(|()| node::<R>(source))) else {
         return Ok(());
     };
-    let Ok(mut foot) = Foot::<R, _, POINTS>::new(nodes, source.size()) else {
+    let Ok(mut foot) = NodeFoot::<R, _, POINTS>::new(nodes, source.size()) else {
         return Ok(());
     };
     if source.one_in(2) {

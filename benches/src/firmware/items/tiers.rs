@@ -38,7 +38,7 @@ pub const TIERS: [Item; 7] = [
         "compact: Coulomb",
         BOTH,
         round!["coupling::compact", "special::elliptic"],
-        "compact::Coulomb",
+        "compact::CompactCoulomb",
     ),
     tier(
         "compact: alpha 0.5",
@@ -49,7 +49,7 @@ pub const TIERS: [Item; 7] = [
             "coupling::octave",
             "special::hypergeometric"
         ],
-        "compact::Power::new(0.5 as R).ok()?",
+        "compact::CompactPower::new(0.5 as R).ok()?",
     ),
     tier(
         "compact: power alpha 0",
@@ -60,7 +60,7 @@ pub const TIERS: [Item; 7] = [
             "coupling::octave",
             "special::hypergeometric"
         ],
-        "compact::Power::new(0.0 as R).ok()?",
+        "compact::CompactPower::new(0.0 as R).ok()?",
     ),
     tier(
         "quadrature: Coulomb",

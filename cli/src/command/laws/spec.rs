@@ -9,7 +9,7 @@ use std::str::FromStr;
 use tribos::scene::nearest;
 use tribos_core::Real;
 use tribos_core::law::{
-    Coulomb, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters, PlateauPower,
+    CoulombLaw, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters, PlateauPower,
     PlateauPowerParameters, PowerLaw, RateState, RateStateParameters, Stribeck, StribeckParameters,
 };
 
@@ -149,7 +149,7 @@ impl LawSpec {
     fn build<R: Real>(&self) -> Result<Box<dyn LocalLaw<R>>, LawError> {
         let values: Vec<R> = self.values.iter().map(|&x| R::from_f64(x)).collect();
         Ok(match (self.entry.name, values.as_slice()) {
-            ("coulomb", &[mu]) => Box::new(Coulomb::new(mu)?),
+            ("coulomb", &[mu]) => Box::new(CoulombLaw::new(mu)?),
             ("dry", &[mu_s, mu_d]) => Box::new(DryFriction::new(mu_s, mu_d)?),
             ("power", &[gamma, alpha]) => Box::new(PowerLaw::new(alpha, gamma)?),
             ("plateau", &[gamma, alpha, vp, vd, r]) => {

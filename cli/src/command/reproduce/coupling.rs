@@ -8,8 +8,8 @@ use crate::report::figure::{Axis, Figure, Legend, Panels, Series};
 use crate::report::verdict::Allowance;
 use std::f64::consts::PI;
 use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
-use tribos_core::law::Coulomb;
-use tribos_core::special::CompleteElliptic;
+use tribos_core::internals::CompleteElliptic;
+use tribos_core::law::CoulombLaw;
 
 /// F and T over ε, and T over F.
 pub fn figure_3_4() -> Result<Exhibit, Failure> {
@@ -143,7 +143,7 @@ fn closed_forms() -> Result<Vec<Claim>, Failure> {
     let moderate = geometric(0.1, 10.0, 201);
     let two = deviation(&moderate, cases, |ratio| at(&dry, ratio));
     let one = deviation(&moderate, single, |ratio| at(&dry, ratio));
-    let disk = DiskQuadrature::new(Coulomb::new(1.0).map_err(Failure::run)?);
+    let disk = DiskQuadrature::new(CoulombLaw::new(1.0).map_err(Failure::run)?);
     let numeric = |ratio| {
         let wrench = disk.reduced_wrench(ratio, 1.0);
         [wrench.force, wrench.torque]

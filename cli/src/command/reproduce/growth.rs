@@ -6,8 +6,8 @@ use crate::report::claim::Claim;
 use crate::report::digits::short;
 use crate::report::figure::{Axis, Figure, Guide, Legend, Panels, Series};
 use crate::report::verdict::Allowance;
+use tribos_core::internals::CompleteElliptic;
 use tribos_core::modes::{FixedPoints, Stability, inertia_interval};
-use tribos_core::special::CompleteElliptic;
 
 /// The golden ratio (√5 − 1)/2, the limit of ε₀ for α → 1.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
