@@ -82,8 +82,8 @@
 //! | [`contact`] | contacts of rigid bodies that open, slide, roll and spin: impulses under thresholds |
 //! | [`manifold`] | a few such contacts solved together, in a fixed amount of memory |
 //!
-//! [`Error`] takes up every typed error, [`Real`] is the scalar, and [`prelude`] has the names of
-//! everyday use. Vectors are those of [`nalgebra`], which is exported in the right version.
+//! Every typed error converts into [`Error`], [`Real`] is the scalar, and [`prelude`] has the names of
+//! everyday use. Vectors are those of [`nalgebra`], re-exported here in the matching version.
 //!
 //! # Contract
 //!

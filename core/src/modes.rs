@@ -1,4 +1,4 @@
-//! Final motion: where the velocity ratio ε = v/(ωR) of a free slider goes.
+//! Final motion: the limit of the velocity ratio ε = v/(ωR) of a free slider.
 //!
 //! With C = I/(M R²) the equations of motion (3.25) give the autonomous equation
 //! dε/d(−ln ω) = g(ε) = ε − C F/T (3.27). Its zeros are the fixed points: ε = 0 (pure spinning),
@@ -27,11 +27,11 @@ use crate::real::Real;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Stability {
-    /// ε returns to it.
+    /// A small change of ε decays.
     Stable,
-    /// ε stays wherever it is put (α = 1 with C = ⟨r²⟩, 1/2 for the uniform disk).
+    /// A small change of ε stays (α = 1 with C = ⟨r²⟩, 1/2 for the uniform disk).
     Semistable,
-    /// ε leaves it.
+    /// A small change of ε grows.
     Unstable,
 }
 
@@ -57,7 +57,7 @@ pub struct FixedPoints<R> {
     pub sliding: Stability,
 }
 
-/// What dominates just before rest.
+/// The motion that dominates just before rest.
 ///
 /// ```
 /// use tribos_core::coupling::table::Coulomb;
@@ -256,7 +256,7 @@ impl<R: Real, P: Profile<R>> Modes<R, P> {
         }
     }
 
-    /// Where a motion that starts with ratio `initial` ends.
+    /// The final motion that starts with the ratio `initial`.
     ///
     /// *Domain*: 0 ≤ `initial` ≤ ∞. An unstable fixed point is kept only if hit exactly.
     pub fn final_mode(&self, initial: R) -> FinalMode<R> {

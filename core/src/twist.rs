@@ -167,32 +167,3 @@ macro_rules! planar_vector {
 
 planar_vector!(Twist, velocity, spin);
 planar_vector!(Wrench, force, torque);
-
-#[cfg(feature = "defmt")]
-mod logging {
-    use super::{Real, Twist, Wrench};
-
-    impl<R: Real + defmt::Format> defmt::Format for Twist<R> {
-        fn format(&self, f: defmt::Formatter) {
-            defmt::write!(
-                f,
-                "twist [{}, {}; {}]",
-                self.velocity.x,
-                self.velocity.y,
-                self.spin
-            );
-        }
-    }
-
-    impl<R: Real + defmt::Format> defmt::Format for Wrench<R> {
-        fn format(&self, f: defmt::Formatter) {
-            defmt::write!(
-                f,
-                "wrench [{}, {}; {}]",
-                self.force.x,
-                self.force.y,
-                self.torque
-            );
-        }
-    }
-}

@@ -1,6 +1,6 @@
-//! Effective masses: how the modes of one contact answer to its impulses.
+//! Effective masses: how the relative velocity of a contact responds to its impulses.
 //!
-//! For spheres the normal mode and torsion stand alone. Sliding and rolling are coupled by
+//! For spheres the normal mode and torsion are independent of all others. Sliding and rolling are coupled by
 //! k = R₁/I₁ − R₂/I₂: a rolling torque T changes the sliding velocity by k T × n, a sliding force F
 //! the rolling velocity by k n × F. For equal spheres k = 0, which is why methods that leave the
 //! coupling out are limited to them (thesis, section 5.2).
@@ -9,7 +9,7 @@ use super::body::Body;
 use super::touch::Touch;
 use crate::real::Real;
 
-/// The answer of a contact's relative velocity to its impulses.
+/// Effective masses of one contact: how its relative velocity responds to its impulses.
 ///
 /// *Units*: mass, mass, mass·length², 1/(mass·length).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +45,7 @@ impl<R: Real> Block<R> {
         }
     }
 
-    /// What sliding and torsion feel.
+    /// The effective masses of sliding and torsion.
     #[inline(always)]
     pub fn masses(&self) -> Masses<R> {
         Masses {

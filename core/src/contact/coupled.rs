@@ -119,7 +119,7 @@ where
 
     /// *Special values*: a pair that is infinite comes back as NaN, and so does one outside of a set
     /// whose limits over ε² are infinite. Where nothing can turn
-    /// (gyration 0) the lever stands for it.
+    /// (gyration 0) the lever replaces it.
     #[inline]
     fn hold(
         &self,

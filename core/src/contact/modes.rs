@@ -1,4 +1,4 @@
-//! Which relative motions of a contact are resisted: what is not named is not stored nor computed.
+//! The relative motions that a contact resists. Modes that are not named are neither stored nor computed.
 
 use super::vector::{dot, zero};
 use crate::real::Real;

@@ -1,6 +1,6 @@
 //! Sliding and rolling at one contact, solved together.
 //!
-//! Four cases, by which of the two slips. While one sticks, its equation eliminates it, and what is
+//! There are four cases, by which of the two slips. While one sticks, its equation eliminates it, and what is
 //! left is isotropic in the plane: one projection with the mass that the other feels then. Where
 //! both slip two multipliers are found, and the two motions take turns from there. The problem is
 //! convex: the first case that does not contradict itself is the answer.
@@ -39,7 +39,7 @@ pub(super) struct CoupledSlip<'a, R, F> {
 }
 
 impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
-    /// Gathers what the contact knows, given its `old` impulses and the `velocity` under them.
+    /// Collects the data of the contact, given its `old` impulses and the `velocity` under them.
     #[inline(always)]
     pub fn new(
         friction: &'a F,

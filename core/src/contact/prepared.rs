@@ -1,12 +1,12 @@
-//! A prepared contact as plain numbers: to be kept in other memory, or in another language.
+//! A prepared contact as plain numbers, for storage outside of Rust.
 
 use super::block::Block;
 use crate::real::Real;
 use nalgebra::Vector3;
 
-/// All that [`Contact`](super::Contact) knows but its impulse, whatever its modes.
+/// Everything in a [`Contact`](super::Contact) except its impulse, independent of its modes.
 ///
-/// Any numbers are admitted; those that no contact has give impulses without meaning.
+/// Values are not validated; inconsistent ones give meaningless impulses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedContact<R: Real> {
     /// Unit normal, from the first body to the second.

@@ -255,7 +255,7 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
         velocity
     }
 
-    /// Gives the bodies an impulse at this contact.
+    /// Applies an impulse at this contact to both bodies.
     #[inline(always)]
     pub fn apply(&self, impulse: &Modal<R, M>, a: &mut impl Body<R>, b: &mut impl Body<R>) {
         let n = &self.normal;
@@ -274,11 +274,11 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
         }
     }
 
-    /// The impulse that obeys the contact's laws with everything else as it is, applied; returns
-    /// the change.
+    /// Solves the contact with everything else held fixed, applies the change of its impulse to the
+    /// bodies and returns it.
     ///
-    /// All of it is closed form, unless sliding and rolling are coupled and both slip (then at most
-    /// 96 rounds, to rounding) or the friction's own set has none.
+    /// The solution is in closed form, unless sliding and rolling are coupled and both slip (then at
+    /// most 96 iterations, to rounding) or the friction's set has no closed form.
     #[inline(always)]
     pub fn update<F: ContactFriction<R, Modes = M>>(
         &mut self,

@@ -1,4 +1,4 @@
-//! A profile known to be dry friction.
+//! Dry friction from a profile whose exponent is found to be 0 at run time.
 
 use super::{
     Coupling, DryCoupling, Lateral, LateralJacobian, Profile, ReducedJacobian, ReducedWrench,

@@ -35,7 +35,7 @@ pub struct PatchFriction<R, C> {
     radius: R,
 }
 
-/// Why a friction was refused.
+/// An invalid coefficient or patch.
 ///
 /// ```
 /// use tribos_core::coupling::{FrictionError, PatchFriction, table::Coulomb};
@@ -47,9 +47,9 @@ pub struct PatchFriction<R, C> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FrictionError {
-    /// The law makes no sense.
+    /// The coefficient is invalid.
     Law(LawError),
-    /// The patch makes no sense.
+    /// The patch is invalid.
     Patch(PatchError),
 }
 
@@ -221,7 +221,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         Matrix3::new(-xx, -xy, -xn, -xy, -yy, -yn, -xn, -yn, -nn)
     }
 
-    /// Wrenches of many twists under one load; pairs beyond the shorter slice are left alone.
+    /// Wrenches of many twists under one load. Elements beyond the shorter slice are not changed.
     ///
     /// ```
     /// use tribos_core::coupling::{PatchFriction, table::Coulomb};

@@ -1,4 +1,4 @@
-//! The profile of a tall body under dry friction: what its lean does to its final motion.
+//! The profile of a tall body under dry friction, with the effect of its lean on the final motion.
 
 use super::tall::{AllRound, Lean};
 use super::{DryCoupling, Lateral, Profile, Speeds};

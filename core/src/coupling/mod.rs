@@ -1,4 +1,4 @@
-//! Law × patch → wrench: what a twist (sliding and spin) costs in force and torque.
+//! Law × patch → wrench: force and torque of friction as functions of the twist (sliding and spin).
 //!
 //! A caller picks pressure, law and accuracy tier by type:
 //!
@@ -15,8 +15,8 @@
 //! any exponent.
 //!
 //! [`PatchFriction`] adds radius and coefficient. A pressure that leans makes spinning friction
-//! lateral ([`Lateral`]); [`tall::TallFriction`] finds the lean of a tall body. What a contact does
-//! not name costs it nothing.
+//! lateral ([`Lateral`]); [`tall::TallFriction`] finds the lean of a tall body. A tier that a program
+//! does not name costs nothing.
 //!
 //! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
 

@@ -1,4 +1,5 @@
-//! Friction of a contact at points, or of any pressure through the nodes of a rule; any law.
+//! Friction of a contact at points, or of any pressure represented by the nodes of a quadrature rule,
+//! under any local law.
 //!
 //! Node i at rᵢ carries the share pᵢ of the load N and moves with uᵢ = v + ω × rᵢ, so that
 //!
@@ -20,8 +21,8 @@ use nalgebra::{Matrix3, Vector2};
 /// A local law on a patch of nodes.
 ///
 /// *Units*: any consistent set; twist and wrench refer to the origin of the nodes' coordinates.
-/// *Accuracy*: for the given nodes a few ulp of the largest term; how well the nodes stand for a
-/// continuous pressure is told by their rule. *Cost*: one square root, one division and one
+/// *Accuracy*: for the given nodes a few ulp of the largest term; the accuracy for a
+/// continuous pressure is that of the quadrature rule. *Cost*: one square root, one division and one
 /// evaluation of the law a node.
 /// *Special values*: a node that does not move carries nothing (dry friction there may be anything
 /// up to its limit; the patch as a whole sticks only if all nodes rest). An empty list resists

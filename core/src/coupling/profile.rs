@@ -108,7 +108,7 @@ pub trait Profile<R: Real> {
     }
 }
 
-/// A profile that knows the slope of Φ, which makes its Jacobian analytic.
+/// A profile with the slope of Φ, which makes its Jacobian analytic.
 pub trait SmoothProfile<R: Real>: Profile<R> {
     /// Φ, Φ' (with respect to x = h²) and Χ.
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3];

@@ -1,4 +1,4 @@
-//! A tall body: friction at its foot leans it forward, and its pressure with it.
+//! Friction of a tall body: the moment of friction about the centre of mass shifts the pressure forwards.
 //!
 //! Friction F pulls at the foot, inertia at the centre of mass a height h above. While the body
 //! does not tip, the pressure balances that moment with a gradient, p (1 + l·r) with r in radii,
@@ -67,7 +67,7 @@ pub fn leaning_wrench<R: Real, C: Lateral<R>>(
     }
 }
 
-/// Which gradients of the pressure are followed.
+/// Which components of the pressure gradient are computed.
 ///
 /// ```
 /// use tribos_core::coupling::{table::Coulomb, tall::{AllRound, FrontBack, Lean}};
@@ -154,7 +154,7 @@ impl Lean for AllRound {
     }
 }
 
-/// Whether the whole patch still bears.
+/// Whether the entire patch is still loaded.
 ///
 /// ```
 /// use tribos_core::coupling::tall::{AllRound, Footing, TallFriction};
@@ -211,7 +211,7 @@ impl core::fmt::Display for Tips {
 
 impl core::error::Error for Tips {}
 
-/// What friction does to a tall body.
+/// Wrench, pressure gradient and footing of a tall body.
 ///
 /// ```
 /// use tribos_core::coupling::tall::{AllRound, TallFriction, TallWrench};
@@ -232,7 +232,7 @@ pub struct TallWrench<R: Real> {
     pub wrench: Wrench<R>,
     /// Pressure gradient l, per radius, that balances the force.
     pub lean: Vector2<R>,
-    /// Whether the wrench is that of a whole foot. If [`Footing::Lifting`], the gradient's share
+    /// Whether the entire foot is loaded. If [`Footing::Lifting`], the gradient's share
     /// in the wrench has been held at |l| = 1.
     pub footing: Footing,
 }
@@ -249,7 +249,7 @@ impl<R: Real> TallWrench<R> {
     }
 }
 
-/// Friction of a body whose centre of mass stands above its foot.
+/// Friction of a body whose centre of mass lies above its foot.
 ///
 /// *Units*: as [`PatchFriction`]. The wrench acts at the foot's centre.
 ///

@@ -1,4 +1,4 @@
-//! Friction as the shearing of junctions.
+//! Friction by shearing of junctions.
 
 use super::error::positive;
 use super::{CoulombLaw, LawError, Plastic, RealArea};

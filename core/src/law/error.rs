@@ -1,8 +1,8 @@
-//! Why a law is refused, and the checks that refuse it.
+//! Validation of law parameters.
 
 use crate::real::Real;
 
-/// Why a law was refused.
+/// An invalid parameter of a law.
 ///
 /// ```
 /// use tribos_core::law::{CoulombLaw, DryFriction, LawError};
@@ -26,7 +26,7 @@ pub enum LawError {
         /// Largest exponent of the chosen tier.
         max: f64,
     },
-    /// The exponent is not 0, as dry friction has it.
+    /// The exponent is not 0; dry friction requires α = 0.
     NotDry {
         /// What was given.
         given: f64,

@@ -1,4 +1,4 @@
-//! Friction laws: what a surface element, a body or a joint that slides resists with.
+//! Friction laws of a surface element, a body or a joint.
 //!
 //! | law | friction depends on | [`LocalLaw`] |
 //! |---|---|---|
@@ -11,8 +11,8 @@
 //! | [`BowdenTabor`] | real area of contact | – |
 //! | [`Stokes`], [`InertialDrag`] | speed in a fluid | – |
 //!
-//! States ([`Age`], [`ContactAge`], [`Bristle`]) are small values that the caller keeps, one for
-//! each contact; a law never changes. [`Incline`] puts a body on a slope.
+//! States ([`Age`], [`ContactAge`], [`Bristle`]) are small values that the caller stores, one for
+//! each contact; laws are immutable. [`Incline`] puts a body on a slope.
 //!
 //! Local laws couple sliding and spinning of a whole contact through
 //! [`DiskQuadrature`](crate::coupling::quadrature::DiskQuadrature):

@@ -1,4 +1,4 @@
-//! The ellipsoid that planners take for the limit surface.
+//! The ellipsoidal approximation of the limit surface, common in planners.
 
 use super::exact::LimitSurface;
 use super::{FrictionSet, Projection, SurfaceError};

@@ -1,4 +1,4 @@
-//! The exact surface of a dry coupling, with its dimensions.
+//! The exact limit surface of a dry coupling.
 
 use super::meridian::{Aim, Meridian, Normal, Radial};
 use super::polar::Polar;

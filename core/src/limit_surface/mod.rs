@@ -177,7 +177,7 @@ pub enum Region<R: Real> {
     },
 }
 
-/// Why a surface was refused.
+/// An invalid parameter of a limit surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum SurfaceError {

@@ -1,9 +1,9 @@
-//! A handful of contacts solved together, without an allocator: a ball between fingers, a stack.
+//! A few contacts solved together, without an allocator: a ball between fingers, a stack.
 //!
 //! A [`Manifold`] holds up to `BODIES` spheres and plates and up to `CONTACTS` contacts between
 //! them, and gives all their impulses in one time step by the non-linear Gauss–Seidel method (Jean
-//! 1999). Where the bodies are is the caller's business: it moves them by their velocities and
-//! tells the contacts' geometry.
+//! 1999). The caller moves the bodies by their velocities and
+//! updates the geometry of the contacts.
 //!
 //! ```
 //! use nalgebra::Vector3;
@@ -60,7 +60,7 @@ pub struct BodyHandle(usize);
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ContactHandle(usize);
 
-/// Why a manifold refused something.
+/// An invalid call of a manifold.
 ///
 /// ```
 /// use nalgebra::Vector3;

@@ -1,4 +1,4 @@
-//! One time step: everything from outside, then sweeps over the contacts until they agree.
+//! One time step: external forces and impacts, then sweeps over the contacts until convergence.
 
 use super::member::Loaded;
 use super::{Joint, Manifold, Solved};
@@ -6,7 +6,7 @@ use crate::contact::{Contact, ContactFriction, ContactModes, Modal, TimeStep};
 use crate::real::Real;
 use nalgebra::Vector3;
 
-/// What the sweeps begin with.
+/// Impulses with which the sweeps start.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InitialGuess {
@@ -17,18 +17,18 @@ pub enum InitialGuess {
     Zero,
 }
 
-/// When the sweeps end.
+/// Stopping criterion of the sweeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SolverLimits<R> {
-    /// At the latest after so many.
+    /// Largest number of sweeps.
     pub sweeps: u32,
-    /// Before that, when a sweep has changed the impulses by less than this part of them. 0 asks
-    /// for all sweeps unless nothing changes any more.
+    /// Relative change of the impulses in one sweep below which the sweeps end early. With 0 they end
+    /// early only if nothing changes any more.
     pub tolerance: R,
 }
 
-/// How the sweeps ended.
+/// Result of the sweeps.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -52,13 +52,12 @@ pub struct SolverLimits<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SolverReport<R> {
-    /// Sweeps done.
+    /// Number of sweeps done.
     pub sweeps: u32,
-    /// What the last sweep changed, over all impulses; torques count by their force at r_eff. It
-    /// tells how fast things still move, not how far they are from the end: slow convergence leaves
-    /// an error that is larger by 1/(1 − rate).
+    /// Relative change of the impulses in the last sweep; torques count as their force at r_eff. The
+    /// error itself is larger by 1/(1 − rate) where convergence is slow.
     pub residual: R,
-    /// True if that is no more than the tolerance.
+    /// True if the residual is within the tolerance.
     pub converged: bool,
 }
 

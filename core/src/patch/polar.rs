@@ -241,7 +241,7 @@ fn push_ring<R: Real>(
     Ok(())
 }
 
-/// Why a rule on a disk was refused.
+/// An invalid quadrature rule on a disk.
 ///
 /// ```
 /// use tribos_core::patch::polar::{PolarError, PolarRule};

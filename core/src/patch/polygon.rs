@@ -173,7 +173,7 @@ const RADON: [[f64; 3]; NODES_PER_TRIANGLE] = [
     [INNER, 1.0 - 2.0 * INNER, INNER_WEIGHT],
 ];
 
-/// Why a polygon was refused.
+/// An invalid polygon.
 ///
 /// ```
 /// use tribos_core::patch::nodes::NodeList;

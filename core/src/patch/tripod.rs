@@ -1,4 +1,4 @@
-//! A rigid body on three feet: statics alone tells what each carries.
+//! A rigid body on three feet: the loads follow from statics alone.
 
 use super::nodes::{Node, NodeError, Nodes};
 use crate::real::Real;
@@ -53,7 +53,7 @@ fn twice_area<R: Real>([a, b, c]: [[R; 2]; 3]) -> R {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Why three feet were refused.
+/// Invalid feet of a tripod.
 ///
 /// ```
 /// use tribos_core::patch::tripod::{TripodError, tripod};
@@ -65,7 +65,7 @@ fn twice_area<R: Real>([a, b, c]: [[R; 2]; 3]) -> R {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum TripodError {
-    /// The feet stand in a line, or not at finite places.
+    /// The feet lie in a line, or a position is not finite.
     Line,
     /// The body tips over: a foot would have to pull.
     Tips {

@@ -10,7 +10,7 @@ use crate::real::Real;
 use crate::twist::Wrench;
 use nalgebra::{Vector2, Vector3};
 
-/// A foot: points that share a load under Coulomb friction, with the force that each carries.
+/// Contact points that share a load under Coulomb friction, with the friction force of each.
 ///
 /// *Size*: two numbers a point beside the patch.
 ///
@@ -33,7 +33,7 @@ pub struct NodeFoot<R: Real, P, const CAPACITY: usize> {
     forces: heapless::Vec<Vector2<R>, CAPACITY>,
 }
 
-/// Why a foot was refused.
+/// An invalid foot.
 ///
 /// ```
 /// use tribos_core::patch::nodes::{Node, Nodes};
@@ -121,7 +121,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
         &self.patch
     }
 
-    /// Forgets the forces of all points.
+    /// Sets the stored forces of all points to zero.
     pub fn release(&mut self) {
         for force in &mut self.forces {
             *force = Vector2::new(R::ZERO, R::ZERO);

@@ -1,7 +1,7 @@
-//! A body on its patch in the plane, pushed and turned: implicit steps that hold what friction holds.
+//! A body on its patch in the plane, pushed and turned: implicit time steps with exact sticking.
 //!
 //! Dry friction is the dissipation potential's gradient only while the patch moves; at rest it is
-//! whatever balances the push, up to the limit surface. One implicit step knows both. With the mass
+//! whatever balances the push, up to the limit surface. One implicit step covers both. With the mass
 //! matrix M, the push J (an impulse) and the set S of wrenches that friction carries,
 //!
 //! ```text

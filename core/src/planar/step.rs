@@ -1,4 +1,4 @@
-//! The implicit step.
+//! The implicit time step.
 
 use super::{NodeFoot, PlanarBody};
 use crate::contact::TimeStep;

@@ -4,8 +4,8 @@
 //! With κ = γ g (deceleration per speed^α), w = |ω|R and C = I/(M R²), eq. 3.25 reads
 //! dv/dt = −κ F(v, w), dw/dt = −κ T(v, w)/C.
 //!
-//! Three ways on from a state: [`Slider::to_rest`] goes to the end, [`Slider::advance`] a given
-//! time, both to rounding accuracy; [`Slider::verlet_step`] is the fixed-step method of the
+//! [`Slider::to_rest`] follows a motion to its end, [`Slider::advance`] over a given time, both to
+//! rounding accuracy; [`Slider::verlet_step`] is the fixed-step method of the
 //! thesis.
 
 mod advance;
@@ -72,7 +72,7 @@ impl<R: Real> Motion<R> {
     }
 }
 
-/// Why a slider was refused.
+/// An invalid parameter of a slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum SliderError {

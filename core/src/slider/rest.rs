@@ -1,4 +1,4 @@
-//! The whole way to rest.
+//! A motion followed to rest.
 
 use super::march::{Marched, Outcome, Until, march};
 use super::{Motion, Slider};

@@ -1,4 +1,4 @@
-//! Special functions with bounded work and stated accuracy. Nothing here knows any physics.
+//! Special functions with bounded work and stated accuracy. They are independent of the physics.
 
 mod elliptic;
 mod hypergeometric;
