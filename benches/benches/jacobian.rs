@@ -48,19 +48,19 @@ fn jacobian(criterion: &mut Criterion) {
     let narrow = mix::narrowed(&pairs);
     let few: Vec<_> = pairs.iter().step_by(10).copied().collect();
     let half = Table64::new(0.5).expect("1/2 is a valid exponent");
-    let power = compact::Power::new(0.5).expect("1/2 is a valid exponent");
-    let law = law::Coulomb::new(1.0).expect("1 is a valid coefficient");
+    let power = compact::CompactPower::new(0.5).expect("1/2 is a valid exponent");
+    let law = law::CoulombLaw::new(1.0).expect("1 is a valid coefficient");
     let quadrature = DiskQuadrature::new(law);
     assert_right(&table::Coulomb);
     assert_right(&half);
-    assert_right(&compact::Coulomb);
+    assert_right(&compact::CompactCoulomb);
     assert_right(&power);
     assert_right(&quadrature);
 
     time(criterion, "table", &pairs, &table::Coulomb);
     time(criterion, "table f32", &narrow, &table::Coulomb);
     time(criterion, "table alpha 0.5", &pairs, &half);
-    time(criterion, "compact", &pairs, &compact::Coulomb);
+    time(criterion, "compact", &pairs, &compact::CompactCoulomb);
     time(criterion, "compact alpha 0.5", &few, &power);
     time(criterion, "quadrature", &few, &quadrature);
 }

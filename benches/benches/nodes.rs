@@ -7,7 +7,7 @@ use std::hint::black_box;
 use tribos_benches::mix;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::{PatchFriction, table};
-use tribos_core::law::{Coulomb, PowerLaw};
+use tribos_core::law::{CoulombLaw, PowerLaw};
 use tribos_core::patch::nodes::{NodeList, NodePatch};
 use tribos_core::patch::polar::PolarRule;
 use tribos_core::patch::tripod::tripod;
@@ -39,7 +39,7 @@ fn whole_disk() -> PatchFriction<f64, table::Coulomb> {
 }
 
 /// Compares with the table of the disk at one moderate twist.
-fn assert_right<P: NodePatch<f64>>(nodes: &NodeFriction<Coulomb<f64>, P>) {
+fn assert_right<P: NodePatch<f64>>(nodes: &NodeFriction<CoulombLaw<f64>, P>) {
     let table = whole_disk();
     let twist = Twist::new(0.3, 0.4, 0.7);
     let (found, expected) = (nodes.wrench(1.0, &twist), table.wrench(1.0, &twist));
@@ -69,8 +69,8 @@ fn time<R: Real, T: Copy>(
 }
 
 fn nodes(criterion: &mut Criterion) {
-    let law = Coulomb::new(1.0).expect("1 is a valid coefficient");
-    let narrow = Coulomb::new(1.0_f32).expect("1 is a valid coefficient");
+    let law = CoulombLaw::new(1.0).expect("1 is a valid coefficient");
+    let narrow = CoulombLaw::new(1.0_f32).expect("1 is a valid coefficient");
     let power = PowerLaw::new(0.5, 1.0).expect("1/2 is a valid exponent");
     let feet = tripod([[1.0, 0.0], [-0.5, 0.8], [-0.5, -0.8]], [0.1, 0.0]).expect("it stands");
     let table = whole_disk();

@@ -6,7 +6,7 @@ use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use tribos_benches::stepping::{DISK, SPEED, SPINS};
 use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 
 /// The step of an engine, in s.
 const STEP: f64 = 1e-3;
@@ -14,8 +14,15 @@ const STEP: f64 = 1e-3;
 const VERLET_ERROR: f64 = 1e-6;
 
 fn slider(criterion: &mut Criterion) {
-    let disk = Slider::new(Coulomb, DISK.deceleration, DISK.radius, DISK.inertia_ratio)
-        .expect("the disk of the front is valid");
+    let disk = Slider::new(
+        Coulomb,
+        SliderParameters {
+            deceleration: DISK.deceleration,
+            radius: DISK.radius,
+            inertia_ratio: DISK.inertia_ratio,
+        },
+    )
+    .expect("the disk of the front is valid");
     let mut group = criterion.benchmark_group("slider");
     for spin in SPINS {
         let launch = Motion::launched(SPEED, spin);

@@ -5,8 +5,9 @@ use crate::baselines::{agm, bulirsch, cephes, decoupled, ellipsoid, micromath_ag
 use crate::methods::{Kind, Method, as_pair};
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::table::{self, Table32, Table64};
-use tribos_core::coupling::{Coupling, compact, unscaled_wrench};
-use tribos_core::law::{Coulomb, LawError};
+use tribos_core::coupling::{Coupling, compact};
+use tribos_core::internals::unscaled_wrench;
+use tribos_core::law::{CoulombLaw, LawError};
 
 /// Exponents for which the tables are timed.
 pub const EXPONENTS: [f64; 7] = [-0.5, 0.25, 0.5, 1.0, 1.5, 3.0, 10.0];
@@ -15,14 +16,14 @@ pub const TRAPEZOIDS: [usize; 3] = [32, 128, 512];
 
 /// The kernel's tiers for α = 0.
 pub fn tiers() -> Result<Vec<Method>, LawError> {
-    let quadrature = DiskQuadrature::new(Coulomb::new(1.0)?);
-    let quadrature_narrow = DiskQuadrature::new(Coulomb::new(1.0_f32)?);
-    let power = compact::Power::new(0.0)?;
-    let power_narrow = compact::Power::new(0.0_f32)?;
+    let quadrature = DiskQuadrature::new(CoulombLaw::new(1.0)?);
+    let quadrature_narrow = DiskQuadrature::new(CoulombLaw::new(1.0_f32)?);
+    let power = compact::CompactPower::new(0.0)?;
+    let power_narrow = compact::CompactPower::new(0.0_f32)?;
     let wrench = |slide, rim| as_pair(table::Coulomb.reduced_wrench(slide, rim));
     let narrow = |slide, rim| as_pair(table::Coulomb.reduced_wrench(slide, rim));
-    let compact = |slide, rim| as_pair(compact::Coulomb.reduced_wrench(slide, rim));
-    let compact_narrow = |slide, rim| as_pair(compact::Coulomb.reduced_wrench(slide, rim));
+    let compact = |slide, rim| as_pair(compact::CompactCoulomb.reduced_wrench(slide, rim));
+    let compact_narrow = |slide, rim| as_pair(compact::CompactCoulomb.reduced_wrench(slide, rim));
     let power = move |slide, rim| as_pair(power.reduced_wrench(slide, rim));
     let quadrature = move |slide, rim| as_pair(quadrature.reduced_wrench(slide, rim));
     let power_narrow = move |slide, rim| as_pair(power_narrow.reduced_wrench(slide, rim));

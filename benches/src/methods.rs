@@ -5,7 +5,8 @@ use crate::mix;
 use crate::reference::{self, Wide};
 use core::fmt;
 use std::hint::black_box;
-use tribos_core::coupling::{Coupling, ReducedWrench, compact, unscaled_wrench};
+use tribos_core::coupling::{Coupling, ReducedWrench, compact};
+use tribos_core::internals::unscaled_wrench;
 use tribos_core::real::Real;
 
 /// What a method is.
@@ -186,7 +187,7 @@ impl Method {
             return reference::wrench(slide, rim);
         }
         // The catalogue names valid exponents only.
-        let Ok(power) = compact::Power::new(self.alpha) else {
+        let Ok(power) = compact::CompactPower::new(self.alpha) else {
             return [Wide::new(f64::NAN); 2];
         };
         let wrench = if self.unscaled {

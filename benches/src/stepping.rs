@@ -244,9 +244,18 @@ fn dissipated(motion: &Motion<f64>, dt: f64) -> Motion<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tribos_core::slider::SliderParameters;
 
     fn slider() -> Slider<f64, Coulomb> {
-        Slider::new(Coulomb, DISK.deceleration, DISK.radius, DISK.inertia_ratio).unwrap()
+        Slider::new(
+            Coulomb,
+            SliderParameters {
+                deceleration: DISK.deceleration,
+                radius: DISK.radius,
+                inertia_ratio: DISK.inertia_ratio,
+            },
+        )
+        .unwrap()
     }
 
     #[test]

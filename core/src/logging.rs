@@ -1,207 +1,77 @@
-//! What is logged of types whose fields cannot say it themselves: vectors, and tables, whose
-//! numbers nobody wants to read.
+//! `defmt::Format` of the types for which it cannot be derived: those with vectors of nalgebra, and
+//! tables, whose numbers are left out.
 
-use crate::contact::{
-    AxialPart, Contact, Grasp, InPlane, Modal, Modes, PlanarPart, Plate, PreparedContact, Sphere,
-    Touch,
-};
+use crate::contact::internals::{InPlane, PreparedContact, TangentialLoad};
+use crate::contact::{Contact, ContactModes, Modal, Plate, Sphere, Touch};
 use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable};
 use crate::coupling::table::Table;
 use crate::coupling::tall::TallWrench;
-use crate::coupling::{DryCoupling, Lateral, Profile, compact};
+use crate::coupling::{DryCoupling, Lateral, Profile, compact::CompactPower};
 use crate::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
-use crate::planar::{Foot, PlanarStep};
+use crate::planar::{NodeFoot, PlanarStep};
 use crate::real::Real;
+use crate::twist::{Twist, Wrench};
 use defmt::{Format, Formatter, write};
 use nalgebra::Vector3;
 
 /// A vector by its components.
 struct Components<R>(Vector3<R>);
 
-impl<R: Real + Format> Format for Components<R> {
-    fn format(&self, f: Formatter) {
-        write!(f, "[{}, {}, {}]", self.0.x, self.0.y, self.0.z);
-    }
+/// `Format` of each type: its generics, then the text and the values in it.
+macro_rules! formats {
+    ($([$($generics:tt)*] $type:ty: |$this:ident| $text:literal, $($value:expr),*;)*) => {
+        $(
+            impl<$($generics)*> Format for $type {
+                fn format(&self, f: Formatter) {
+                    let $this = self;
+                    write!(f, $text, $($value),*);
+                }
+            }
+        )*
+    };
 }
 
-impl<R: Real + Format> Format for Sphere<R> {
-    fn format(&self, f: Formatter) {
-        write!(
-            f,
-            "sphere at velocity {}, spin {}, 1/m {}, 1/I {}",
-            Components(self.velocity),
-            Components(self.spin),
-            self.inv_mass,
-            self.inv_inertia
-        );
-    }
-}
-
-impl<R: Real + Format> Format for Plate<R> {
-    fn format(&self, f: Formatter) {
-        let velocity = Components(self.velocity);
-        write!(f, "plate at velocity {}, 1/m {}", velocity, self.inv_mass);
-    }
-}
-
-impl<R: Real + Format> Format for Grasp<R> {
-    fn format(&self, f: Formatter) {
-        let sliding = Components(self.sliding);
-        write!(f, "sliding {}, torsion {}", sliding, self.torsion);
-    }
-}
-
-impl<R: Real + Format> Format for InPlane<R> {
-    fn format(&self, f: Formatter) {
-        Components(self.0).format(f);
-    }
-}
-
-impl<R: Real + Format, M: Modes<R>> Format for Modal<R, M> {
-    fn format(&self, f: Formatter) {
-        write!(
-            f,
-            "normal {}, sliding {}, rolling {}, torsion {}",
-            self.normal,
-            Components(self.sliding.vector()),
-            Components(self.rolling.vector()),
-            self.torsion.component()
-        );
-    }
-}
-
-impl<R: Real + Format> Format for Touch<R> {
-    fn format(&self, f: Formatter) {
-        let normal = Components(self.normal);
-        write!(f, "touch along {}, gap {}", normal, self.gap);
-    }
-}
-
-impl<R: Real + Format, M: Modes<R>> Format for Contact<R, M> {
-    fn format(&self, f: Formatter) {
-        write!(
-            f,
-            "contact along {}, bound {}, impulse {}",
-            Components(*self.normal()),
-            self.bound(),
-            self.impulse()
-        );
-    }
-}
-
-impl<R: Real + Format> Format for TallWrench<R> {
-    fn format(&self, f: Formatter) {
-        write!(
-            f,
-            "{}, lean [{}, {}], {}",
-            self.wrench, self.lean.x, self.lean.y, self.footing
-        );
-    }
-}
-
-impl<R: Real + Format, C: DryCoupling<R> + Format> Format for LimitSurface<R, C> {
-    fn format(&self, f: Formatter) {
-        write!(
-            f,
-            "limit surface of {}, force {}, radius {}",
-            self.coupling(),
-            self.force_limit(),
-            self.radius()
-        );
-    }
-}
-
-impl<R: Real + Format> Format for Ellipsoid<R> {
-    fn format(&self, f: Formatter) {
-        write!(
-            f,
-            "ellipsoid of force {}, torque {}, radius {}",
-            self.force_limit(),
-            self.torque_limit(),
-            self.radius()
-        );
-    }
-}
-
-impl<R: Real + Format, const CAPACITY: usize> Format for NodeList<R, CAPACITY> {
-    fn format(&self, f: Formatter) {
-        self.nodes().format(f);
-    }
-}
-
-impl<R, const CELLS: usize, const TERMS: usize> Format for Table<R, CELLS, TERMS>
-where
-    R: Real + Format,
-{
-    fn format(&self, f: Formatter) {
-        write!(f, "table of the disk, exponent {}", self.exponent());
-    }
-}
-
-impl<R, const CELLS: usize, const TERMS: usize> Format for RoundTable<R, CELLS, TERMS>
-where
-    R: Real + Format,
-{
-    fn format(&self, f: Formatter) {
-        let (exponent, mean_square) = (self.exponent(), self.mean_square_radius());
-        write!(f, "table of exponent {}, mean r² {}", exponent, mean_square);
-    }
-}
-
-impl Format for PolynomialTable {
-    fn format(&self, f: Formatter) {
-        let exponent: f64 = self.exponent();
-        write!(f, "table of a polynomial pressure, exponent {}", exponent);
-    }
-}
-
-impl Format for LateralPolynomialTable {
-    fn format(&self, f: Formatter) {
-        let (exponent, mean_square) = (self.exponent(), self.mean_square_radius());
-        write!(f, "table of exponent {}, mean r² {}", exponent, mean_square);
-    }
-}
-
-impl<R: Real + Format> Format for compact::Power<R> {
-    fn format(&self, f: Formatter) {
-        let (exponent, mean_square) = (self.exponent(), self.mean_square_radius());
-        write!(f, "compact, exponent {}, mean r² {}", exponent, mean_square);
-    }
-}
-
-impl<R: Real + Format> Format for PreparedContact<R> {
-    fn format(&self, f: Formatter) {
-        let normal = Components(self.normal);
-        write!(f, "prepared contact along {}, {}", normal, self.block);
-    }
-}
-
-impl<R: Real + Format> Format for NodeSlice<'_, R> {
-    fn format(&self, f: Formatter) {
-        write!(f, "nodes {}", self.nodes());
-    }
-}
-
-impl<R: Real + Format> Format for NodeBuffer<'_, R> {
-    fn format(&self, f: Formatter) {
-        write!(f, "nodes {}", self.nodes());
-    }
-}
-
-impl<R: Real + Format> Format for PlanarStep<R> {
-    fn format(&self, f: Formatter) {
-        write!(
-            f,
-            "{} under {}, at rest: {}",
-            self.twist, self.friction, self.is_at_rest
-        );
-    }
-}
-
-impl<R: Real + Format, P: NodePatch<R>, const CAPACITY: usize> Format for Foot<R, P, CAPACITY> {
-    fn format(&self, f: Formatter) {
-        let points = self.patch().nodes().len();
-        write!(f, "foot of {} points, limit {}", points, self.force_limit());
-    }
+formats! {
+    [R: Real + Format] Components<R>: |v| "[{}, {}, {}]", v.0.x, v.0.y, v.0.z;
+    [R: Real + Format] Twist<R>: |t| "twist [{}, {}; {}]", t.velocity.x, t.velocity.y, t.spin;
+    [R: Real + Format] Wrench<R>: |w| "wrench [{}, {}; {}]", w.force.x, w.force.y, w.torque;
+    [R: Real + Format] Sphere<R>: |s| "sphere at velocity {}, spin {}, 1/m {}, 1/I {}",
+        Components(s.velocity), Components(s.spin), s.inv_mass, s.inv_inertia;
+    [R: Real + Format] Plate<R>: |p| "plate at velocity {}, 1/m {}",
+        Components(p.velocity), p.inv_mass;
+    [R: Real + Format] TangentialLoad<R>: |l| "sliding {}, torsion {}",
+        Components(l.sliding), l.torsion;
+    [R: Real + Format] InPlane<R>: |v| "{}", Components(v.0);
+    [R: Real + Format, M: ContactModes<R>] Modal<R, M>: |m|
+        "normal {}, sliding {}, rolling {}, torsion {}",
+        m.normal, Components(m.sliding()), Components(m.rolling()), m.torsion();
+    [R: Real + Format] Touch<R>: |t| "touch along {}, gap {}", Components(t.normal), t.gap;
+    [R: Real + Format, M: ContactModes<R>] Contact<R, M>: |c|
+        "contact along {}, bound {}, impulse {}",
+        Components(*c.normal()), c.bound(), c.impulse();
+    [R: Real + Format] PreparedContact<R>: |c| "prepared contact along {}, {}",
+        Components(c.normal), c.block;
+    [R: Real + Format] TallWrench<R>: |w| "{}, lean [{}, {}], {}",
+        w.wrench, w.lean.x, w.lean.y, w.footing;
+    [R: Real + Format, C: DryCoupling<R> + Format] LimitSurface<R, C>: |s|
+        "limit surface of {}, force {}, radius {}", s.coupling(), s.force_limit(), s.radius();
+    [R: Real + Format] Ellipsoid<R>: |e| "ellipsoid of force {}, torque {}, radius {}",
+        e.force_limit(), e.torque_limit(), e.radius();
+    [R: Real + Format, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>: |t|
+        "table of the disk, exponent {}", t.exponent();
+    [R: Real + Format, const CELLS: usize, const TERMS: usize] RoundTable<R, CELLS, TERMS>: |t|
+        "table of exponent {}, mean r² {}", t.exponent(), t.mean_square_radius();
+    [] PolynomialTable: |t| "table of a polynomial pressure, exponent {}", t.exponent();
+    [] LateralPolynomialTable: |t| "table of exponent {}, mean r² {}",
+        t.exponent(), t.mean_square_radius();
+    [R: Real + Format] CompactPower<R>: |p| "compact, exponent {}, mean r² {}",
+        p.exponent(), p.mean_square_radius();
+    [R: Real + Format, const CAPACITY: usize] NodeList<R, CAPACITY>: |l| "{}", l.nodes();
+    [R: Real + Format] NodeSlice<'_, R>: |s| "nodes {}", s.nodes();
+    [R: Real + Format] NodeBuffer<'_, R>: |b| "nodes {}", b.nodes();
+    [R: Real + Format] PlanarStep<R>: |s| "{} under {}, at rest: {}",
+        s.twist, s.friction, s.is_at_rest;
+    [R: Real + Format, P: NodePatch<R>, const CAPACITY: usize] NodeFoot<R, P, CAPACITY>: |p|
+        "foot of {} points, limit {}", p.patch().nodes().len(), p.force_limit();
 }

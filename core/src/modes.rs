@@ -1,4 +1,4 @@
-//! Final motion: where the velocity ratio ε = v/(ωR) of a free slider goes.
+//! Final motion: the limit of the velocity ratio ε = v/(ωR) of a free slider.
 //!
 //! With C = I/(M R²) the equations of motion (3.25) give the autonomous equation
 //! dε/d(−ln ω) = g(ε) = ε − C F/T (3.27). Its zeros are the fixed points: ε = 0 (pure spinning),
@@ -13,25 +13,25 @@ use crate::real::Real;
 /// How ε moves near a fixed point.
 ///
 /// ```
-/// use tribos_core::coupling::{compact::Power, table::Coulomb};
+/// use tribos_core::coupling::{compact::CompactPower, table::Coulomb};
 /// use tribos_core::modes::{Modes, Stability};
 /// // A puck under dry friction leaves pure spinning, a thick hoop returns to it.
 /// let [puck, hoop] = [0.5, 0.8_f64].map(|inertia| Modes::new(Coulomb, inertia));
 /// assert_eq!(puck?.fixed_points().spinning, Stability::Unstable);
 /// assert_eq!(hoop?.fixed_points().spinning, Stability::Stable);
 /// // Oil slows both motions of a puck alike.
-/// let oiled = Modes::new(Power::new(1.0_f64)?, 0.5)?;
+/// let oiled = Modes::new(CompactPower::new(1.0_f64)?, 0.5)?;
 /// assert_eq!(oiled.fixed_points().spinning, Stability::Semistable);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Stability {
-    /// ε returns to it.
+    /// A small change of ε decays.
     Stable,
-    /// ε stays wherever it is put (α = 1 with C = ⟨r²⟩, 1/2 for the uniform disk).
+    /// A small change of ε stays (α = 1 with C = ⟨r²⟩, 1/2 for the uniform disk).
     Semistable,
-    /// ε leaves it.
+    /// A small change of ε grows.
     Unstable,
 }
 
@@ -57,7 +57,7 @@ pub struct FixedPoints<R> {
     pub sliding: Stability,
 }
 
-/// What dominates just before rest.
+/// The motion that dominates just before rest.
 ///
 /// ```
 /// use tribos_core::coupling::table::Coulomb;
@@ -102,6 +102,16 @@ impl core::fmt::Display for InertiaError {
 }
 
 impl core::error::Error for InertiaError {}
+
+/// `ratio` if positive and finite.
+pub(crate) fn validated_inertia_ratio<R: Real>(ratio: R) -> Result<R, InertiaError> {
+    if ratio > R::ZERO && ratio.is_finite() {
+        Ok(ratio)
+    } else {
+        let given = ratio.to_f64();
+        Err(InertiaError { given })
+    }
+}
 
 /// Limits of C between which a finite fixed point exists, (c_min, c_max), for the pressure
 /// (1−r²)^`order` (for the uniform disk, order 0: table 3.2).
@@ -150,16 +160,10 @@ pub struct Modes<R, P> {
 impl<R: Real, P: Profile<R>> Modes<R, P> {
     /// *Domain*: 0 < `inertia_ratio` < ∞; 1/2 for a disk on its own face.
     pub fn new(profile: P, inertia_ratio: R) -> Result<Self, InertiaError> {
-        if inertia_ratio > R::ZERO && inertia_ratio.is_finite() {
-            Ok(Self {
-                profile,
-                inertia_ratio,
-            })
-        } else {
-            Err(InertiaError {
-                given: inertia_ratio.to_f64(),
-            })
-        }
+        Ok(Self {
+            profile,
+            inertia_ratio: validated_inertia_ratio(inertia_ratio)?,
+        })
     }
 
     /// g(ε) = ε − C F/T, the growth of ε per e-fold of spin-down (3.27).
@@ -252,7 +256,7 @@ impl<R: Real, P: Profile<R>> Modes<R, P> {
         }
     }
 
-    /// Where a motion that starts with ratio `initial` ends.
+    /// The final motion that starts with the ratio `initial`.
     ///
     /// *Domain*: 0 ≤ `initial` ≤ ∞. An unstable fixed point is kept only if hit exactly.
     pub fn final_mode(&self, initial: R) -> FinalMode<R> {

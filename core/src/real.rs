@@ -1,10 +1,10 @@
-//! The scalar of the kernel and its only door to elementary functions.
+//! The scalar of the kernel, with all elementary functions that the kernel uses.
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 mod sealed {
-    /// What the kernel alone knows of a precision.
+    /// What only the kernel needs of a precision.
     pub trait Sealed: Sized + 'static {
         /// True for `f32`: what it does not need is left out of a program.
         const IS_SINGLE: bool;
@@ -65,7 +65,7 @@ pub(crate) const fn to_single<const COLUMNS: usize, const ROWS: usize>(
 ///
 /// ```
 /// use tribos_core::Real;
-/// /// Way in m on which dry friction stops a body.
+/// /// Distance in m in which dry friction stops a body.
 /// fn stopping_distance<R: Real>(speed: R, mu: R) -> R {
 ///     let gravity = R::from_f64(10.0); // m/s^2, roughly
 ///     speed * speed * R::HALF / (mu * gravity)

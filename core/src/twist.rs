@@ -1,8 +1,9 @@
-//! What goes into a contact and what comes out: motion and load in the contact plane.
+//! Planar twists and wrenches: motion and load in the contact plane.
 
 mod conversions;
 
 use crate::real::Real;
+use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 use nalgebra::{Matrix3, Vector2};
 
 /// Motion of a rigid patch in its plane: velocity of the centre and spin about the normal.
@@ -10,10 +11,11 @@ use nalgebra::{Matrix3, Vector2};
 /// *Units*: length/time and 1/time. Positive spin turns the first axis towards the second.
 ///
 /// ```
-/// use nalgebra::Vector2;
-/// use tribos_core::twist::Twist;
+/// use tribos_core::{Twist, nalgebra::Vector2};
 /// let puck = Twist::new(3.0_f64, 4.0, 20.0); // m/s, m/s, rad/s
 /// assert!((puck.speed() - 5.0).abs() < 2e-15);
+/// let from_the_turntable = puck - Twist::new(0.0, 0.0, 3.5);
+/// assert_eq!(from_the_turntable.spin, 16.5);
 /// // One point is at rest, a speed over spin away from the centre and across the velocity.
 /// let at = |x: f64, y: f64| puck.velocity + Vector2::new(-y, x) * puck.spin;
 /// assert!(at(-4.0 / 20.0, 3.0 / 20.0).amax() < 1e-15);
@@ -31,15 +33,15 @@ pub struct Twist<R: Real> {
 /// *Units*: force, and force × length.
 ///
 /// ```
-/// use tribos_core::coupling::{PatchFriction, table::Coulomb};
-/// use tribos_core::twist::{Twist, Wrench};
+/// use tribos_core::prelude::*;
 /// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?; // mu, radius in m
 /// let twist = Twist::new(1.0, 0.0, 20.0); // m/s, m/s, rad/s
-/// let Wrench { force, torque } = puck.wrench(1.7, &twist); // load in N
-/// let power = force.dot(&twist.velocity) + torque * twist.spin; // W
-/// assert!(power < 0.0); // friction only takes
-/// assert_eq!(puck.wrench(0.0, &twist), Wrench::ZERO); // lifted
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// let friction = puck.wrench(1.7, &twist); // load in N
+/// assert!(friction.power(&twist) < 0.0); // in W: friction dissipates
+/// let push = Wrench::new(0.2, 0.0, 0.001); // N, N, N m
+/// assert_eq!((push + friction).force.x, 0.2 + friction.force.x);
+/// assert_eq!(puck.wrench(0.0, &twist), Wrench::ZERO); // without load
+/// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wrench<R: Real> {
@@ -61,20 +63,11 @@ pub struct Wrench<R: Real> {
 /// // Symmetric, as second derivatives are; and twice as fast meets the same dry friction.
 /// assert!((jacobian - jacobian.transpose()).amax() < 1e-15);
 /// assert!((jacobian * Vector3::from(twist)).amax() < 1e-12);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 pub type WrenchJacobian<R> = Matrix3<R>;
 
 impl<R: Real> Twist<R> {
-    /// A twist from its components.
-    #[inline]
-    pub fn new(x: R, y: R, spin: R) -> Self {
-        Self {
-            velocity: Vector2::new(x, y),
-            spin,
-        }
-    }
-
     /// Sliding speed |v|, without overflow on the way. *Accuracy*: 2 ulp.
     #[inline]
     pub fn speed(&self) -> R {
@@ -83,38 +76,94 @@ impl<R: Real> Twist<R> {
 }
 
 impl<R: Real> Wrench<R> {
-    /// No force and no torque.
-    pub const ZERO: Self = Self {
-        force: Vector2::new(R::ZERO, R::ZERO),
-        torque: R::ZERO,
+    /// Power of this wrench on a body that moves with `twist`: F·v + T ω. Friction's is negative.
+    ///
+    /// *Units*: force × length/time. *Accuracy*: three rounded products and two rounded sums.
+    #[inline(always)]
+    pub fn power(&self, twist: &Twist<R>) -> R {
+        self.force.x * twist.velocity.x + self.force.y * twist.velocity.y + self.torque * twist.spin
+    }
+}
+
+/// Constructor, zero and arithmetic of a planar vector with a component about the normal.
+macro_rules! planar_vector {
+    ($name:ident, $planar:ident, $normal:ident) => {
+        impl<R: Real> $name<R> {
+            /// All components zero.
+            pub const ZERO: Self = Self {
+                $planar: Vector2::new(R::ZERO, R::ZERO),
+                $normal: R::ZERO,
+            };
+
+            /// From the two components in the plane and the one about the normal.
+            #[inline(always)]
+            pub const fn new(x: R, y: R, $normal: R) -> Self {
+                Self {
+                    $planar: Vector2::new(x, y),
+                    $normal,
+                }
+            }
+        }
+
+        impl<R: Real> Add for $name<R> {
+            type Output = Self;
+            #[inline(always)]
+            fn add(self, other: Self) -> Self {
+                Self {
+                    $planar: self.$planar + other.$planar,
+                    $normal: self.$normal + other.$normal,
+                }
+            }
+        }
+
+        impl<R: Real> Sub for $name<R> {
+            type Output = Self;
+            #[inline(always)]
+            fn sub(self, other: Self) -> Self {
+                Self {
+                    $planar: self.$planar - other.$planar,
+                    $normal: self.$normal - other.$normal,
+                }
+            }
+        }
+
+        impl<R: Real> Neg for $name<R> {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                Self {
+                    $planar: -self.$planar,
+                    $normal: -self.$normal,
+                }
+            }
+        }
+
+        impl<R: Real> Mul<R> for $name<R> {
+            type Output = Self;
+            #[inline(always)]
+            fn mul(self, factor: R) -> Self {
+                Self {
+                    $planar: self.$planar * factor,
+                    $normal: self.$normal * factor,
+                }
+            }
+        }
+
+        impl<R: Real> AddAssign for $name<R> {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+
+        impl<R: Real> SubAssign for $name<R> {
+            #[inline(always)]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
     };
 }
 
-#[cfg(feature = "defmt")]
-mod logging {
-    use super::{Real, Twist, Wrench};
-
-    impl<R: Real + defmt::Format> defmt::Format for Twist<R> {
-        fn format(&self, f: defmt::Formatter) {
-            defmt::write!(
-                f,
-                "twist [{}, {}; {}]",
-                self.velocity.x,
-                self.velocity.y,
-                self.spin
-            );
-        }
-    }
-
-    impl<R: Real + defmt::Format> defmt::Format for Wrench<R> {
-        fn format(&self, f: defmt::Formatter) {
-            defmt::write!(
-                f,
-                "wrench [{}, {}; {}]",
-                self.force.x,
-                self.force.y,
-                self.torque
-            );
-        }
-    }
-}
+planar_vector!(Twist, velocity, spin);
+planar_vector!(Wrench, force, torque);

@@ -41,3 +41,4 @@ pub mod space;
 pub mod tip;
 
 pub use tribos_core as kernel;
+pub use tribos_core::nalgebra;

@@ -3,8 +3,8 @@
 use crate::sweep::Lcg;
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, AxialPart, Cohesion, Contact, ContactFriction, Modal, Modes, NormalLaw, PlanarPart,
-    Sphere, Thresholds, Touch,
+    Attraction, Cohesion, Contact, ContactFriction, ContactModes, Modal, NormalLaw, Sphere,
+    Thresholds, Touch,
 };
 use tribos_core::real::Real;
 
@@ -99,13 +99,13 @@ pub fn radii(rng: &mut Lcg) -> [f64; 2] {
 }
 
 /// All components: normal, sliding, rolling, torsion.
-pub fn components<R: Real, M: Modes<R>>(modal: &Modal<R, M>) -> [R; 8] {
-    let (s, r) = (modal.sliding.vector(), modal.rolling.vector());
-    let torsion = modal.torsion.component();
+pub fn components<R: Real, M: ContactModes<R>>(modal: &Modal<R, M>) -> [R; 8] {
+    let (s, r) = (modal.sliding(), modal.rolling());
+    let torsion = modal.torsion();
     [modal.normal, s.x, s.y, s.z, r.x, r.y, r.z, torsion]
 }
 
 /// |p| + |T|/lever of all modes: a scale of impulses.
-pub fn size<R: Real, M: Modes<R>>(modal: &Modal<R, M>, lever: R) -> f64 {
+pub fn size<R: Real, M: ContactModes<R>>(modal: &Modal<R, M>, lever: R) -> f64 {
     modal.dot_with_lever(modal, lever).to_f64().sqrt()
 }

@@ -1,8 +1,8 @@
 //! Friction laws that several tests use, and their derivative by differences.
 
 use tribos_core::law::{
-    Dieterich, DryFriction, LuGre, LuGreParameters, PlateauPower, RateState, RateStateParameters,
-    Stribeck,
+    Dieterich, DryFriction, LuGre, LuGreParameters, PlateauPower, PlateauPowerParameters,
+    RateState, RateStateParameters, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
 
@@ -22,19 +22,26 @@ pub fn rate_state<R: Real>(a: f64, b: f64, viscous: f64) -> RateState<R, Dieteri
 /// A bearing with Stribeck speed 1 cm/s.
 pub fn stribeck<R: Real>(exponent: f64, viscous: f64) -> Stribeck<R> {
     let dry = DryFriction::new(R::from_f64(0.15), R::from_f64(0.1)).expect("a law in its domain");
-    Stribeck::new(
+    Stribeck::new(StribeckParameters {
         dry,
-        R::from_f64(0.01),
-        R::from_f64(exponent),
-        R::from_f64(viscous),
-    )
+        speed: R::from_f64(0.01),
+        exponent: R::from_f64(exponent),
+        viscous: R::from_f64(viscous),
+    })
     .expect("a law in its domain")
 }
 
 /// Ice with plateau speed 1e-4 m/s.
 pub fn plateau<R: Real>(alpha: f64, rest: f64) -> PlateauPower<R> {
     let [alpha, gamma, plateau, drop, rest] = [alpha, 0.008, 1e-4, 1e-7, rest].map(R::from_f64);
-    PlateauPower::new(alpha, gamma, plateau, drop, rest).expect("a law in its domain")
+    PlateauPower::new(PlateauPowerParameters {
+        alpha,
+        coefficient: gamma,
+        plateau_speed: plateau,
+        drop_speed: drop,
+        rest_share: rest,
+    })
+    .expect("a law in its domain")
 }
 
 /// A joint with the canonical parameters.

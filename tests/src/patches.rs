@@ -9,7 +9,7 @@ use tribos_core::coupling::Lateral;
 use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
 use tribos_core::coupling::compact;
 use tribos_core::coupling::round::{RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{self, CoulombTable, MAX_EXPONENT, Table32, Table64};
+use tribos_core::coupling::table::{self, CoulombTable, Table32, Table64};
 use tribos_core::patch::PowerPressure;
 
 /// A tier's name and the tier, with force, torque and lateral function.
@@ -56,11 +56,11 @@ pub fn pressure(order: f64) -> PowerPressure {
 pub fn tiers<R: RoundTabulated>(order: f64, alpha: f64) -> Vec<PatchTier<R>> {
     let patch = pressure(order);
     let mut tiers: Vec<PatchTier<R>> = Vec::new();
-    if alpha <= MAX_EXPONENT {
+    if alpha <= Table64::MAX_EXPONENT {
         let table = R::round_table(alpha, patch).expect("an exponent in range");
         tiers.push(("round table", table));
     }
-    let power = compact::Power::with_pressure(R::from_f64(alpha), patch);
+    let power = compact::CompactPower::with_pressure(R::from_f64(alpha), patch);
     let power = power.expect("an exponent in range");
     tiers.push(("round compact", Box::new(power)));
     if alpha == 0.0 {
@@ -84,13 +84,13 @@ pub fn tiers<R: RoundTabulated>(order: f64, alpha: f64) -> Vec<PatchTier<R>> {
 /// If the exponent is refused.
 pub fn disks<R: RoundTabulated>(alpha: f64) -> Vec<PatchTier<R>> {
     let mut tiers: Vec<PatchTier<R>> = Vec::new();
-    if alpha <= MAX_EXPONENT {
+    if alpha <= Table64::MAX_EXPONENT {
         let disk = R::disk_table(alpha).expect("an exponent in range");
         tiers.push(("disk table", disk));
     }
     if alpha == 0.0 {
         tiers.push(("coulomb table", Box::new(table::Coulomb)));
-        tiers.push(("coulomb compact", Box::new(compact::Coulomb)));
+        tiers.push(("coulomb compact", Box::new(compact::CompactCoulomb)));
     }
     tiers
 }

@@ -2,7 +2,7 @@
 
 use crate::reference::Reference;
 use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::slider::Slider;
+use tribos_core::slider::{Slider, SliderParameters};
 
 /// Coefficient times gravity, m/s² for α = 0.
 pub const MU_G: f64 = 0.3 * 9.81;
@@ -13,13 +13,29 @@ const INERTIA_RATIO: f64 = 0.5;
 
 /// The disk under dry friction.
 pub fn coulomb() -> Slider<f64, Coulomb> {
-    Slider::new(Coulomb, MU_G, RADIUS, INERTIA_RATIO).expect("the disk is valid")
+    Slider::new(
+        Coulomb,
+        SliderParameters {
+            deceleration: MU_G,
+            radius: RADIUS,
+            inertia_ratio: INERTIA_RATIO,
+        },
+    )
+    .expect("the disk is valid")
 }
 
 /// The disk under |v|^`alpha`.
 pub fn power(alpha: f64) -> Slider<f64, Table64> {
     let table = Table64::new(alpha).expect("the exponent is in range");
-    Slider::new(table, MU_G, RADIUS, INERTIA_RATIO).expect("the disk is valid")
+    Slider::new(
+        table,
+        SliderParameters {
+            deceleration: MU_G,
+            radius: RADIUS,
+            inertia_ratio: INERTIA_RATIO,
+        },
+    )
+    .expect("the disk is valid")
 }
 
 /// Relative distance of two numbers.

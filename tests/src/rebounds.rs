@@ -5,7 +5,7 @@ use crate::packings::rough;
 use nalgebra::Vector3;
 use tribos::cd::{Book, Pace, Wall, World};
 use tribos::space::PeriodicBox;
-use tribos_core::contact::{Cohesion, NormalLaw, PlanarPart};
+use tribos_core::contact::{Cohesion, NormalLaw};
 
 /// Restitution, friction and step of a run.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +51,7 @@ pub fn run(cell: Cell, time: f64) -> Answer {
         }
         for link in world.problem().links() {
             let impulse = link.contact.impulse();
-            let across = impulse.sliding.vector().norm();
+            let across = impulse.sliding().norm();
             largest = largest.max(impulse.normal).max(across);
         }
     }

@@ -1,35 +1,17 @@
 //! What tests of friction sets share: wrenches, distances, couplings with a purpose.
 
 use crate::sweep::Lcg;
-use nalgebra::Vector2;
 use std::cell::Cell;
 use tribos_core::Real;
-use tribos_core::coupling::{
-    Coupling, DryCoupling, Profile, ReducedJacobian, ReducedWrench, Speeds,
-};
-use tribos_core::special::CompleteElliptic;
-use tribos_core::twist::{Twist, Wrench};
+use tribos_core::coupling::{Coupling, DryCoupling, Profile, ReducedJacobian, ReducedWrench};
+use tribos_core::internals::CompleteElliptic;
+use tribos_core::internals::Speeds;
+use tribos_core::twist::Wrench;
 
 /// μN in N and R in m of every set that has dimensions: no powers of two.
 pub const FORCE_LIMIT: f64 = 0.51;
 /// See [`FORCE_LIMIT`].
 pub const RADIUS: f64 = 0.04;
-
-/// A wrench from its components.
-pub fn wrench<R: Real>(x: R, y: R, torque: R) -> Wrench<R> {
-    Wrench {
-        force: Vector2::new(x, y),
-        torque,
-    }
-}
-
-/// `a` + `factor` `b`.
-pub fn plus(a: &Wrench<f64>, factor: f64, b: &Wrench<f64>) -> Wrench<f64> {
-    Wrench {
-        force: a.force + b.force * factor,
-        torque: a.torque + b.torque * factor,
-    }
-}
 
 /// Inner product of two wrenches, torques over `length`.
 pub fn inner(a: &Wrench<f64>, b: &Wrench<f64>, length: f64) -> f64 {
@@ -39,11 +21,6 @@ pub fn inner(a: &Wrench<f64>, b: &Wrench<f64>, length: f64) -> f64 {
 /// Length of a wrench, torque over `length`.
 pub fn norm(a: &Wrench<f64>, length: f64) -> f64 {
     a.force.x.hypot(a.force.y).hypot(a.torque / length)
-}
-
-/// Power of a wrench on a twist.
-pub fn power(wrench: &Wrench<f64>, twist: &Twist<f64>) -> f64 {
-    wrench.force.dot(&twist.velocity) + wrench.torque * twist.spin
 }
 
 /// True if every component has the same bit pattern.
@@ -72,7 +49,7 @@ pub fn random_wrench(rng: &mut Lcg, size: f64) -> Wrench<f64> {
     let force = size * FORCE_LIMIT * if tilt == FRAC_PI_2 { 0.0 } else { tilt.cos() };
     let torque = size * FORCE_LIMIT * RADIUS * tilt.sin();
     let sign = if rng.unit() < 0.5 { 1.0 } else { -1.0 };
-    wrench(force * turn.cos(), force * turn.sin(), sign * torque)
+    Wrench::new(force * turn.cos(), force * turn.sin(), sign * torque)
 }
 
 /// Coulomb friction of a ring: D = (2/π)(2E − (1−h²)K) of the larger speed. At equal speeds the

@@ -1,7 +1,7 @@
 //! Every accuracy tier of one exponent, by name.
 
 use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::table::{self, CoulombTable, MAX_EXPONENT, Table32, Table64};
+use tribos_core::coupling::table::{self, CoulombTable, Table32, Table64};
 use tribos_core::coupling::{Coupling, compact};
 use tribos_core::law::PowerLaw;
 
@@ -34,12 +34,12 @@ pub fn exact<R: Tabulated>(alpha: f64) -> Vec<Tier<R>> {
     let mut tiers: Vec<Tier<R>> = Vec::new();
     if alpha == 0.0 {
         tiers.push(("coulomb table", Box::new(table::Coulomb)));
-        tiers.push(("coulomb compact", Box::new(compact::Coulomb)));
+        tiers.push(("coulomb compact", Box::new(compact::CompactCoulomb)));
     }
-    if alpha <= MAX_EXPONENT {
+    if alpha <= Table64::MAX_EXPONENT {
         tiers.push(("table", R::table(alpha).expect("an exponent in range")));
     }
-    let power = compact::Power::new(R::from_f64(alpha)).expect("an exponent in range");
+    let power = compact::CompactPower::new(R::from_f64(alpha)).expect("an exponent in range");
     tiers.push(("compact", Box::new(power)));
     tiers
 }

@@ -108,7 +108,7 @@ const E_LOG: [f64; 10] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tribos_core::special::CompleteElliptic;
+    use tribos_core::internals::CompleteElliptic;
 
     /// Guards the copied coefficients against the kernel's own integrals.
     #[test]

@@ -11,7 +11,7 @@ use crate::written::{self, Sheet, short};
 use std::hint::black_box;
 use std::path::Path;
 use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
 
 /// Rounds of all methods, and of a quick look.
@@ -52,8 +52,15 @@ struct Row {
 
 /// Makes the front.
 pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
-    let slider = Slider::new(Coulomb, DISK.deceleration, DISK.radius, DISK.inertia_ratio)
-        .map_err(|error| error.to_string())?;
+    let slider = Slider::new(
+        Coulomb,
+        SliderParameters {
+            deceleration: DISK.deceleration,
+            radius: DISK.radius,
+            inertia_ratio: DISK.inertia_ratio,
+        },
+    )
+    .map_err(|error| error.to_string())?;
     let rounds = if setting.quick { QUICK_ROUNDS } else { ROUNDS };
     let rows = measure(&slider, rounds);
     let orders: Vec<[f64; 2]> = families().iter().map(|f| orders(&slider, f)).collect();
@@ -334,7 +341,14 @@ mod tests {
 
     #[test]
     fn measured_orders_are_those_of_the_methods() {
-        let slider = Slider::new(Coulomb, DISK.deceleration, DISK.radius, DISK.inertia_ratio);
+        let slider = Slider::new(
+            Coulomb,
+            SliderParameters {
+                deceleration: DISK.deceleration,
+                radius: DISK.radius,
+                inertia_ratio: DISK.inertia_ratio,
+            },
+        );
         let slider = slider.unwrap();
         // Fine enough that the few steps before rest do not tell.
         let steps = [4e-4, 2e-4, 1e-4];

@@ -8,7 +8,7 @@ use crate::written::{Sheet, short};
 use std::hint::black_box;
 use tribos::cd::{Accelerated, Blind, Coefficients, Link, Operator, Spheres, Visit, residual};
 use tribos_core::contact::{
-    AllModes, ContactFriction, Frictionless, Modes, Sliding, SlidingRolling, SlidingTorsion,
+    AllModes, ContactFriction, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion,
     Thresholds,
 };
 
@@ -93,7 +93,7 @@ pub fn measure(rounds: usize) -> Result<Vec<Cost>, NotJammed> {
 fn sample<F, M>(modes: &'static str, uneven: f64, friction: F) -> Result<[Sample; 2], NotJammed>
 where
     F: ContactFriction<f64, Modes = M> + Coefficients + 'static,
-    M: Modes<f64>,
+    M: ContactModes<f64>,
 {
     let cold = pressed(&jammed(COUNT, WIDTH, uneven, SEED)?, friction)?;
     let mut solved = cold.clone();

@@ -5,8 +5,8 @@
 
 use super::Refused;
 use tribos_core::law::{
-    Coulomb, Dieterich, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPower, PowerLaw,
-    RateState, RateStateParameters, Stribeck,
+    CoulombLaw, Dieterich, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPower,
+    PlateauPowerParameters, PowerLaw, RateState, RateStateParameters, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
 
@@ -36,16 +36,30 @@ pub fn each<R: Real>(task: &mut impl ForLaw<R>) -> Result<(), Refused> {
     let real = R::from_f64;
     for (alpha, name) in POWERS {
         if alpha == 0.0 {
-            task.with(name, Coulomb::new(R::ONE)?);
+            task.with(name, CoulombLaw::new(R::ONE)?);
         } else {
             task.with(name, PowerLaw::new(real(alpha), R::ONE)?);
         }
     }
     let speed = real(STRIBECK_SPEED);
     let dry = DryFriction::new(real(1.5), R::ONE)?;
-    task.with("Stribeck", Stribeck::new(dry, speed, R::TWO, real(0.0625))?);
+    task.with(
+        "Stribeck",
+        Stribeck::new(StribeckParameters {
+            dry,
+            speed,
+            exponent: R::TWO,
+            viscous: real(0.0625),
+        })?,
+    );
     let [plateau, drop] = PLATEAU_SPEEDS.map(real);
-    let law = PlateauPower::new(real(-0.5), R::ONE, plateau, drop, R::HALF)?;
+    let law = PlateauPower::new(PlateauPowerParameters {
+        alpha: real(-0.5),
+        coefficient: R::ONE,
+        plateau_speed: plateau,
+        drop_speed: drop,
+        rest_share: R::HALF,
+    })?;
     task.with("plateau", law);
     let rock = RateState::<R, Dieterich>::new(RateStateParameters {
         mu: real(0.625),

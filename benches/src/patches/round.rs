@@ -133,7 +133,7 @@ pub fn powers<R: Tables>() -> Result<Vec<Entry>, Refused> {
     let mut rows = Vec::new();
     for (alpha, law) in laws::POWERS {
         for (patch, file, pressure) in POWERS {
-            let wide = compact::Power::with_pressure(alpha, pressure)?;
+            let wide = compact::CompactPower::with_pressure(alpha, pressure)?;
             let cases = power_cases::<R>(Source::File(file), alpha, &wide);
             let label = |tier| Label {
                 patch,
@@ -156,7 +156,7 @@ pub fn powers<R: Tables>() -> Result<Vec<Entry>, Refused> {
             if alpha == 0.0 {
                 rows.extend(in_closed_form::<R>(label("closed"), quick));
             }
-            let power = compact::Power::with_pressure(R::from_f64(alpha), pressure)?;
+            let power = compact::CompactPower::with_pressure(R::from_f64(alpha), pressure)?;
             let slow = (cases.as_slice(), COMPACT_STRIDE);
             let bytes = size_of_val(&power);
             rows.push(coupled::<R, _>(label("compact"), bytes, slow, power));
@@ -169,7 +169,7 @@ pub fn powers<R: Tables>() -> Result<Vec<Entry>, Refused> {
 /// Coulomb friction without table or series; not known for the paraboloid.
 fn in_closed_form<R: Real>(label: Label, cases: (&[Case], usize)) -> Option<Entry> {
     match label.patch {
-        "disk" => Some(coupled::<R, _>(label, 0, cases, compact::Coulomb)),
+        "disk" => Some(coupled::<R, _>(label, 0, cases, compact::CompactCoulomb)),
         "ring" => Some(coupled::<R, _>(label, 0, cases, closed::Ring)),
         "punch" => Some(coupled::<R, _>(label, 0, cases, closed::FlatPunch)),
         "Hertz" => Some(coupled::<R, _>(label, 0, cases, closed::Hertz)),
@@ -180,7 +180,7 @@ fn in_closed_form<R: Real>(label: Label, cases: (&[Case], usize)) -> Option<Entr
 /// A thin annulus from two disks.
 fn annulus<R: Tables>(alpha: f64, law: &'static str) -> Result<Vec<Entry>, Refused> {
     let inner = R::from_f64(INNER);
-    let wide = Annulus::new(compact::Power::new(alpha)?, inner.to_f64())?;
+    let wide = Annulus::new(compact::CompactPower::new(alpha)?, inner.to_f64())?;
     let cases = power_cases::<R>(Source::Annulus(INNER), alpha, &wide);
     let label = |tier| Label {
         patch: "annulus 0.9",
@@ -195,14 +195,14 @@ fn annulus<R: Tables>(alpha: f64, law: &'static str) -> Result<Vec<Entry>, Refus
         let bytes = size_of::<R::Table>();
         let disk = Annulus::new(table::Coulomb, inner)?;
         rows.push(coupled::<R, _>(label("table"), bytes, quick, disk));
-        let disk = Annulus::new(compact::Coulomb, inner)?;
+        let disk = Annulus::new(compact::CompactCoulomb, inner)?;
         rows.push(coupled::<R, _>(label("closed"), 0, quick, disk));
     } else {
         let disk = Annulus::new(R::disk(alpha)?, inner)?;
         let bytes = size_of_val(&disk);
         rows.push(coupled::<R, _>(label("table"), bytes, quick, disk));
     }
-    let disk = Annulus::new(compact::Power::new(R::from_f64(alpha))?, inner)?;
+    let disk = Annulus::new(compact::CompactPower::new(R::from_f64(alpha))?, inner)?;
     let bytes = size_of_val(&disk);
     rows.push(coupled::<R, _>(label("compact"), bytes, slow, disk));
     Ok(rows)

@@ -4,7 +4,6 @@ use super::round::{TABLE_STRIDE, timed};
 use super::tables::{self, Source};
 use super::{Case, Entry, Label, Refused};
 use crate::reference::Wide;
-use nalgebra::Vector2;
 use tribos_core::coupling::table::{self, CoulombTable};
 use tribos_core::coupling::{Coupling, DryCoupling, closed, compact};
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
@@ -15,10 +14,7 @@ use tribos_core::twist::Wrench;
 const OUTSIDE: f64 = 0.5;
 
 fn wrench<R: Real>(force: R, torque: R) -> Wrench<R> {
-    Wrench {
-        force: Vector2::new(force, R::ZERO),
-        torque,
-    }
+    Wrench::new(force, R::ZERO, torque)
 }
 
 /// A point of the surface and its outward normal.
@@ -113,7 +109,7 @@ pub fn rows<R: CoulombTable>() -> Result<Vec<Entry>, Refused> {
     let (disk, bytes) = (["disk surface", "uniform"], size_of::<R::Table>());
     let mut rows = Vec::new();
     rows.extend(rows_of::<R, _>(disk, TABLE, bytes, table::Coulomb)?);
-    rows.extend(rows_of::<R, _>(disk, CLOSED, 0, compact::Coulomb)?);
+    rows.extend(rows_of::<R, _>(disk, CLOSED, 0, compact::CompactCoulomb)?);
     rows.extend(rows_of::<R, _>(
         ["ring surface", "ring"],
         CLOSED,

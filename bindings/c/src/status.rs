@@ -262,7 +262,7 @@ impl From<SurfaceError> for tribos_status {
     fn from(error: SurfaceError) -> Self {
         match error {
             SurfaceError::ForceLimit { .. } => Self::ForceLimit,
-            SurfaceError::Radius { .. } => Self::Radius,
+            SurfaceError::Radius(error) => error.into(),
             SurfaceError::SpinTorque { .. } => Self::SpinTorque,
         }
     }
@@ -278,7 +278,7 @@ impl From<SliderError> for tribos_status {
     fn from(error: SliderError) -> Self {
         match error {
             SliderError::Deceleration { .. } => Self::Deceleration,
-            SliderError::Radius { .. } => Self::Radius,
+            SliderError::Radius(error) => error.into(),
             SliderError::Inertia(error) => error.into(),
         }
     }

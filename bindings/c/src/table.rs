@@ -2,7 +2,7 @@
 
 use crate::status::tribos_status;
 use core::ptr::addr_of;
-use tribos_core::coupling::compact::Power;
+use tribos_core::coupling::compact::CompactPower;
 use tribos_core::coupling::table::{Table32, Table64};
 
 /// A table of one exponent, built by `tribos_power_table_build_f64` and opaque otherwise. It may be
@@ -77,8 +77,8 @@ macro_rules! lent {
 lent! {
     tribos_power_table_f64 for Table64;
     tribos_power_table_f32 for Table32;
-    tribos_power_compact_f64 for Power<f64>;
-    tribos_power_compact_f32 for Power<f32>;
+    tribos_power_compact_f64 for CompactPower<f64>;
+    tribos_power_compact_f32 for CompactPower<f32>;
 }
 
 /// Fills lent memory, or leaves it as it is.

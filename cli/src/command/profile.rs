@@ -3,12 +3,11 @@
 use super::patch::PatchName;
 use super::tier::polynomial;
 use crate::failure::Failure;
-use tribos_core::coupling::compact::Power;
+use tribos_core::coupling::compact::CompactPower;
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable64};
 use tribos_core::coupling::table::{self, Coulomb, Table64};
-use tribos_core::coupling::{
-    Annulus, Coupling, Dry, DryCoupling, Lateral, LeanProfile, Profile, SmoothProfile, closed,
-};
+use tribos_core::coupling::{Annulus, Coupling, Dry, DryCoupling, Lateral, Profile, closed};
+use tribos_core::internals::{LeanProfile, SmoothProfile};
 use tribos_core::patch::PowerPressure;
 
 /// A law on a round patch, whatever its type.
@@ -19,7 +18,7 @@ impl<P: Profile<f64> + Coupling<f64>> Law for P {}
 /// |v|^`alpha` on `patch`: closed forms where there are, else tables, else series.
 pub fn upright(patch: &PatchName, alpha: f64) -> Result<Box<dyn Law>, Failure> {
     let dry = alpha == 0.0;
-    let tabulated = alpha <= table::MAX_EXPONENT;
+    let tabulated = alpha <= table::Table64::MAX_EXPONENT;
     Ok(match patch {
         PatchName::Disk if dry => Box::new(Coulomb),
         PatchName::Disk if tabulated => Box::new(disk(alpha)?),
@@ -70,8 +69,8 @@ fn disk(alpha: f64) -> Result<Table64, Failure> {
     Table64::new(alpha).map_err(Failure::input)
 }
 
-fn power(pressure: PowerPressure, alpha: f64) -> Result<Power<f64>, Failure> {
-    Power::with_pressure(alpha, pressure).map_err(Failure::input)
+fn power(pressure: PowerPressure, alpha: f64) -> Result<CompactPower<f64>, Failure> {
+    CompactPower::with_pressure(alpha, pressure).map_err(Failure::input)
 }
 
 fn sum(coefficients: &[f64], alpha: f64) -> Result<LateralPolynomialTable, Failure> {

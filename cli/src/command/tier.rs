@@ -6,8 +6,9 @@ use tribos_core::Real;
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
 use tribos_core::coupling::table::{self, Table32, Table64};
 use tribos_core::coupling::{
-    Annulus, Coupling, Lateral, LateralJacobian, ReducedJacobian, ReducedWrench, closed, compact,
+    Annulus, Coupling, Lateral, ReducedJacobian, ReducedWrench, closed, compact,
 };
+use tribos_core::internals::LateralJacobian;
 use tribos_core::law::LawError;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 
@@ -90,7 +91,7 @@ pub fn polynomial(coefficients: &[f64]) -> Result<PolynomialPressure<MOST_COEFFI
 /// True if a tier other than quadrature serves |v|^alpha on a patch.
 pub fn is_served<R: Tabulated>(patch: &PatchName, alpha: f64) -> bool {
     match patch {
-        PatchName::Polynomial(_) => R::HAS_POLYNOMIALS && alpha <= table::MAX_EXPONENT,
+        PatchName::Polynomial(_) => R::HAS_POLYNOMIALS && alpha <= table::Table64::MAX_EXPONENT,
         PatchName::Points(_) => false,
         _ => true,
     }
@@ -103,7 +104,7 @@ pub fn coupling<R: Tabulated>(
     alpha: f64,
     tier: Option<Tier>,
 ) -> Result<Option<AnyRound<R>>, Failure> {
-    let served = alpha <= table::MAX_EXPONENT;
+    let served = alpha <= table::Table64::MAX_EXPONENT;
     let tier = tier.unwrap_or(if served { Tier::Table } else { Tier::Compact });
     if tier == Tier::Quadrature || matches!(patch, PatchName::Points(_)) {
         return Ok(None);
@@ -138,8 +139,8 @@ fn disk<R: Tabulated>(alpha: f64, tier: Tier) -> Result<Box<dyn Lateral<R>>, Law
     Ok(match tier {
         Tier::Table if alpha == 0.0 => Box::new(table::Coulomb),
         Tier::Table => R::disk(narrow)?,
-        _ if alpha == 0.0 => Box::new(compact::Coulomb),
-        _ => Box::new(compact::Power::new(narrow)?),
+        _ if alpha == 0.0 => Box::new(compact::CompactCoulomb),
+        _ => Box::new(compact::CompactPower::new(narrow)?),
     })
 }
 
@@ -157,7 +158,7 @@ fn round<R: Tabulated>(
         (PatchName::Ring, _) if alpha == 0.0 => Box::new(closed::Ring),
         (PatchName::Hertz, _) if alpha == 0.0 => Box::new(closed::Hertz),
         (PatchName::Punch, _) if alpha == 0.0 => Box::new(closed::FlatPunch),
-        _ => Box::new(compact::Power::with_pressure(narrow, pressure)?),
+        _ => Box::new(compact::CompactPower::with_pressure(narrow, pressure)?),
     })
 }
 

@@ -1,6 +1,6 @@
-//! Effective masses: how the modes of one contact answer to its impulses.
+//! Effective masses: how the relative velocity of a contact responds to its impulses.
 //!
-//! For spheres the normal mode and torsion stand alone. Sliding and rolling are coupled by
+//! For spheres the normal mode and torsion are independent of all others. Sliding and rolling are coupled by
 //! k = R₁/I₁ − R₂/I₂: a rolling torque T changes the sliding velocity by k T × n, a sliding force F
 //! the rolling velocity by k n × F. For equal spheres k = 0, which is why methods that leave the
 //! coupling out are limited to them (thesis, section 5.2).
@@ -9,28 +9,9 @@ use super::body::Body;
 use super::touch::Touch;
 use crate::real::Real;
 
-/// The answer of a contact's relative velocity to its impulses.
+/// Effective masses of one contact: how its relative velocity responds to its impulses.
 ///
 /// *Units*: mass, mass, mass·length², 1/(mass·length).
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tribos_core::contact::{Block, Plate, Sphere, Touch};
-/// // A solid ball of 0.2 kg and 5 cm on a table: I = 2/5 m R².
-/// let still = Vector3::new(0.0, 0.0, 0.0);
-/// let inertia = 0.4 * 0.2 * 0.05 * 0.05;
-/// let (inv_mass, inv_inertia) = (1.0 / 0.2, 1.0 / inertia);
-/// let ball = Sphere { velocity: still, spin: still, inv_mass, inv_inertia };
-/// let table = Plate { velocity: still, inv_mass: 0.0 };
-/// let touch = Touch::plate(0.05, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
-/// let block = Block::new(&touch, &ball, &table);
-/// assert!((block.mass_normal - 0.2_f64).abs() < 1e-15);
-/// assert!((block.mass_sliding - 0.2 * 2.0 / 7.0).abs() < 1e-15); // it also turns
-/// assert!((block.coupling - 0.05 / inertia).abs() < 1e-11); // a push across makes it roll
-/// // Sliding weighed against torsion: I/m_t = 7/5 R².
-/// assert!((block.masses().gyration().powi(2) - 1.4 * 0.05 * 0.05).abs() < 1e-15);
-/// # Ok::<(), tribos_core::contact::TouchError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Block<R> {
@@ -64,7 +45,7 @@ impl<R: Real> Block<R> {
         }
     }
 
-    /// What sliding and torsion feel.
+    /// The effective masses of sliding and torsion.
     #[inline(always)]
     pub fn masses(&self) -> Masses<R> {
         Masses {
@@ -75,14 +56,6 @@ impl<R: Real> Block<R> {
 }
 
 /// Effective masses of sliding and torsion: the metric in which friction is projected.
-///
-/// ```
-/// use tribos_core::contact::Masses;
-/// let hoop = Masses { sliding: 0.5_f64, torsion: 0.5 * 0.1 * 0.1 }; // kg, kg m²
-/// assert!((hoop.gyration() - 0.1).abs() < 1e-15); // all of its mass is that far out
-/// let guided = Masses { sliding: 0.5_f64, torsion: 0.0 }; // nothing can turn it
-/// assert_eq!(guided.gyration(), 0.0);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Masses<R> {

@@ -1,10 +1,10 @@
-//! What meets at a contact: a sphere that moves freely, or a plate.
+//! The bodies of a contact: a sphere that moves freely, or a plate.
 
 use super::vector::{add_scaled, zero};
 use crate::real::Real;
 use nalgebra::Vector3;
 
-/// A body as contacts see it.
+/// A rigid body, as far as contacts are concerned.
 ///
 /// *Units*: any consistent set; inverse masses in 1/mass, inverse inertias in 1/(mass·length²).
 ///
@@ -28,15 +28,15 @@ pub trait Body<R: Real> {
     fn velocity(&self) -> Vector3<R>;
     /// Angular velocity.
     fn spin(&self) -> Vector3<R>;
-    /// How far a unit impulse along the normal moves it.
+    /// Change of its velocity by a unit impulse along the normal.
     fn inv_mass_normal(&self) -> R;
-    /// How far a unit impulse across the normal moves it.
+    /// Change of its velocity by a unit impulse in the contact plane.
     fn inv_mass_tangential(&self) -> R;
-    /// How far a unit angular impulse turns it.
+    /// Change of its angular velocity by a unit angular impulse.
     fn inv_inertia(&self) -> R;
-    /// Takes up `sign` times an impulse at its centre, whose part along the normal is `along`.
+    /// Applies `sign` times an impulse at the centre; `along` is its component along `normal`.
     fn push(&mut self, sign: R, impulse: &Vector3<R>, along: R, normal: &Vector3<R>);
-    /// Takes up `factor` times an angular impulse.
+    /// Applies `factor` times an angular impulse.
     fn turn(&mut self, factor: R, angular: &Vector3<R>);
 }
 
@@ -53,10 +53,10 @@ pub struct Sphere<R> {
     pub inv_inertia: R,
 }
 
-/// A plate that impulses move along its normal alone: a wall (inverse mass 0) or a piston.
+/// A plate that impulses move only along its normal: a wall (inverse mass 0) or a piston.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plate<R> {
-    /// Velocity; its part in the plane is driven and feels no impulse.
+    /// Velocity. Its component in the plane is prescribed and does not change by impulses.
     pub velocity: Vector3<R>,
     /// 1/m, 0 for a wall.
     pub inv_mass: R,

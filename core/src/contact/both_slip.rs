@@ -1,4 +1,4 @@
-//! Where sliding and rolling both slip: two multipliers instead of two motions.
+//! The case that sliding and rolling both slip: two Lagrange multipliers instead of two motions.
 //!
 //! In the plane, with the rolling torque turned by a right angle (τ′ = n × τ), the two equations of
 //! a contact whose sliding force has the length a and whose rolling torque has the length b are
@@ -71,7 +71,7 @@ impl<R: Real> BothSlip<R> {
     }
 }
 
-/// |a|, if its square can be told.
+/// |a|, if its square is in the number range.
 #[inline(always)]
 fn length<R: Real>(a: &Vector3<R>) -> R {
     dot(a, a).sqrt()

@@ -8,15 +8,15 @@
 
 use super::block::Masses;
 use super::disc::project_on_disc;
-use super::friction::{ContactFriction, Grasp};
-use super::modes::{AllModes, Modes, SlidingTorsion};
+use super::friction::{ContactFriction, TangentialLoad};
+use super::modes::{AllModes, ContactModes, SlidingTorsion};
 use super::vector::magnitude;
 use crate::law::{LawError, validated_not_negative};
 use crate::limit_surface::FrictionSet;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 use core::marker::PhantomData;
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector3;
 
 /// Sliding and torsion in the set P·`S`; rolling, where there is any, under its own threshold.
 ///
@@ -39,7 +39,7 @@ use nalgebra::{Vector2, Vector3};
 /// let powder = CoupledFriction::all(usual, 0.1)?; // mu_rolling
 /// assert!((billiard.mu_torsion() - 0.1).abs() < 1e-15);
 /// assert_eq!([powder.mu(), powder.mu_rolling()], [powder.set().force_limit(), 0.1]);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -88,10 +88,7 @@ impl<R: Real, S: FrictionSet<R>, M> CoupledFriction<R, S, M> {
 
     /// The nearest pair of magnitudes in the set for P = 1 and r_eff = 1; none for a pair inside.
     fn pulled_back(&self, [force, torque]: [R; 2], gyration: R) -> Option<[R; 2]> {
-        let trial = Wrench {
-            force: Vector2::new(force, R::ZERO),
-            torque,
-        };
+        let trial = Wrench::new(force, R::ZERO, torque);
         let nearest = self.set.project_with_length(&trial, gyration).wrench;
         (nearest != trial).then_some([nearest.force.x, nearest.torque])
     }
@@ -116,15 +113,21 @@ impl<R, S, M> ContactFriction<R> for CoupledFriction<R, S, M>
 where
     R: Real,
     S: FrictionSet<R> + Copy + Send + Sync,
-    M: Modes<R>,
+    M: ContactModes<R>,
 {
     type Modes = M;
 
     /// *Special values*: a pair that is infinite comes back as NaN, and so does one outside of a set
     /// whose limits over ε² are infinite. Where nothing can turn
-    /// (gyration 0) the lever stands for it.
+    /// (gyration 0) the lever replaces it.
     #[inline]
-    fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, masses: &Masses<R>) -> Grasp<R> {
+    fn hold(
+        &self,
+        trial: &TangentialLoad<R>,
+        bound: R,
+        lever: R,
+        masses: &Masses<R>,
+    ) -> TangentialLoad<R> {
         let (force, torque) = (magnitude(&trial.sliding), trial.torsion.abs() / lever);
         // A convex set holds all between its poles.
         let [inv_force, inv_torque] = self.inv_limits;
@@ -138,7 +141,7 @@ where
         };
         if bound == R::ZERO || reach == R::ZERO {
             // NaN and infinity stay NaN.
-            return Grasp {
+            return TangentialLoad {
                 sliding: trial.sliding * R::ZERO,
                 torsion: trial.torsion * R::ZERO,
             };
@@ -159,7 +162,7 @@ where
         };
         match self.pulled_back(reduced_pair, reduced) {
             None => *trial,
-            Some([held_force, held_torque]) => Grasp {
+            Some([held_force, held_torque]) => TangentialLoad {
                 sliding: along(&trial.sliding, force, held_force * bound),
                 torsion: (held_torque * bound * lever).copysign(trial.torsion),
             },

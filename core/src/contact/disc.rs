@@ -13,15 +13,6 @@ const COLLAR_ULPS: f64 = 8.0;
 ///
 /// *Special values*: `q` itself, to the bit, inside; NaN for a NaN in either. *Domain*:
 /// `bound` ≥ 0. *Accuracy*: 4 ulp of the length.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tribos_core::contact::project_on_disc;
-/// let needed = Vector3::new(3.0, 4.0, 0.0); // N, to hold a body
-/// assert_eq!(project_on_disc(&needed, 6.0), needed); // friction of up to 6 N holds it
-/// let slips = project_on_disc(&needed, 2.5);
-/// assert!((slips - needed * 0.5).amax() < 1e-15);
-/// ```
 #[inline(always)]
 pub fn project_on_disc<R: Real>(q: &Vector3<R>, bound: R) -> Vector3<R> {
     let length_sq = dot(q, q);

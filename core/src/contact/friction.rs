@@ -5,63 +5,42 @@
 
 use super::block::Masses;
 use super::disc::project_on_disc;
-use super::modes::{AllModes, Frictionless, Modes, Sliding, SlidingRolling, SlidingTorsion};
+use super::modes::{AllModes, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion};
 use crate::law::{LawError, validated_not_negative};
 use crate::real::Real;
 use core::marker::PhantomData;
 use nalgebra::Vector3;
 
 /// A force across the normal and a torque about it, or the impulses of both.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tribos_core::contact::{ContactFriction, Grasp, Masses, Thresholds};
-/// // A fingertip with P = 10 N and r_eff = 25 mm.
-/// let skin = Thresholds::sliding_torsion(0.5, 0.1)?;
-/// let masses = Masses { sliding: 0.1, torsion: 1e-4 };
-/// let needed = Grasp { sliding: Vector3::new(6.0, 8.0, 0.0), torsion: -0.02 }; // N, N m
-/// let held = skin.hold(&needed, 10.0, 0.025, &masses);
-/// assert!((held.sliding - Vector3::new(3.0, 4.0, 0.0)).amax() < 1e-14); // it slips: μP = 5 N
-/// assert_eq!(held.torsion, -0.02); // and does not turn: up to 0.025 N m
-/// # Ok::<(), tribos_core::law::LawError>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grasp<R> {
+pub struct TangentialLoad<R> {
     /// In the contact plane.
     pub sliding: Vector3<R>,
     /// About the normal.
     pub torsion: R,
 }
 
-/// The set of friction impulses that a contact can carry, for the modes that it has.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tribos_core::contact::{ContactFriction, CoupledFriction, Grasp, Masses, Thresholds};
-/// use tribos_core::limit_surface::Ellipsoid;
-/// // What is left of a push of 2 N in a contact with P = 10 N, which a torque of 0.04 N m twists.
-/// fn left<F: ContactFriction<f64>>(friction: &F) -> f64 {
-///     let trial = Grasp { sliding: Vector3::new(2.0, 0.0, 0.0), torsion: 0.04 };
-///     let masses = Masses { sliding: 1.0, torsion: 1e-4 };
-///     friction.hold(&trial, 10.0, 0.01, &masses).sliding.x
-/// }
-/// // Both have the thresholds 3 N and 0.05 N m; one contact cannot reach them together.
-/// let apart = Thresholds::sliding_torsion(0.3, 0.5)?;
-/// let coupled = CoupledFriction::sliding_torsion(Ellipsoid::new(0.3, 1.0, 0.5 / 0.3)?);
-/// assert!(left(&apart) == 2.0 && left(&coupled) < 2.0);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
+/// The set of friction impulses that a contact can carry: [`Thresholds`] for each mode alone, or
+/// [`CoupledFriction`](super::CoupledFriction) for sliding and torsion together.
 pub trait ContactFriction<R: Real>: Copy + Send + Sync {
-    /// Which modes.
-    type Modes: Modes<R>;
+    /// The modes that friction resists.
+    type Modes: ContactModes<R>;
 
     /// The admissible pair nearest to `trial`, in the metric that makes one contact's update exact:
     /// |Δsliding|² + (Δtorsion/[gyration](Masses::gyration))².
     ///
     /// `bound` is P in force or impulse; `lever` is r_eff.
-    fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, masses: &Masses<R>) -> Grasp<R>;
+    #[doc(hidden)]
+    fn hold(
+        &self,
+        trial: &TangentialLoad<R>,
+        bound: R,
+        lever: R,
+        masses: &Masses<R>,
+    ) -> TangentialLoad<R>;
 
     /// The admissible rolling torque nearest to `trial`.
+    #[doc(hidden)]
     fn hold_rolling(&self, trial: &Vector3<R>, bound: R, lever: R) -> Vector3<R>;
 }
 
@@ -151,12 +130,10 @@ impl<R: Real> Thresholds<R, SlidingRolling> {
     /// Sliding and rolling friction, μ and μ_t.
     ///
     /// ```
-    /// use nalgebra::Vector3;
-    /// use tribos_core::contact::{ContactFriction, Thresholds};
+    /// use tribos_core::contact::Thresholds;
     /// let tyre = Thresholds::sliding_rolling(0.8_f64, 0.01)?;
     /// // Under P = 4000 N at r_eff = 0.3 m rolling is resisted by 12 N m.
-    /// let resisted = tyre.hold_rolling(&Vector3::new(0.0, 50.0, 0.0), 4000.0, 0.3);
-    /// assert!((resisted.y - 0.01 * 4000.0 * 0.3).abs() < 1e-13);
+    /// assert!((tyre.mu_rolling() * 4000.0 * 0.3 - 12.0).abs() < 1e-13);
     /// # Ok::<(), tribos_core::law::LawError>(())
     /// ```
     pub fn sliding_rolling(mu: R, mu_rolling: R) -> Result<Self, LawError> {
@@ -171,12 +148,18 @@ impl<R: Real> Thresholds<R, AllModes> {
     }
 }
 
-impl<R: Real, M: Modes<R>> ContactFriction<R> for Thresholds<R, M> {
+impl<R: Real, M: ContactModes<R>> ContactFriction<R> for Thresholds<R, M> {
     type Modes = M;
 
     #[inline(always)]
-    fn hold(&self, trial: &Grasp<R>, bound: R, lever: R, _: &Masses<R>) -> Grasp<R> {
-        Grasp {
+    fn hold(
+        &self,
+        trial: &TangentialLoad<R>,
+        bound: R,
+        lever: R,
+        _: &Masses<R>,
+    ) -> TangentialLoad<R> {
+        TangentialLoad {
             sliding: project_on_disc(&trial.sliding, self.sliding * bound),
             torsion: clamp(trial.torsion, self.torsion * (bound * lever)),
         }

@@ -28,7 +28,7 @@
 //! assert_eq!(ball.velocity.z, 0.0); // it does not sink
 //! assert!((ball.velocity.x - (1.0 - 0.3 * 9.81 * dt)).abs() < 1e-15);
 //! assert!(ball.spin.y > 0.0); // and begins to roll
-//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! # Ok::<(), tribos_core::Error>(())
 //! ```
 
 mod block;
@@ -46,17 +46,22 @@ mod touch;
 mod update;
 mod vector;
 
-pub use block::{Block, Masses};
 pub use body::{Body, Plate, Sphere};
 pub use coupled::CoupledFriction;
-pub use disc::project_on_disc;
-pub use friction::{ContactFriction, Grasp, Thresholds};
+pub use friction::{ContactFriction, Thresholds};
 pub use modes::{
-    AboutNormal, Absent, AllModes, AxialPart, Frictionless, InPlane, Modal, Modes, PlanarPart,
-    Sliding, SlidingRolling, SlidingTorsion,
+    AllModes, ContactModes, Frictionless, Modal, Sliding, SlidingRolling, SlidingTorsion,
 };
 pub use normal::{Attraction, Cohesion, NormalLaw};
-pub use prepared::PreparedContact;
 pub use time_step::{TimeStep, TimeStepError};
 pub use touch::{Touch, TouchError};
 pub use update::Contact;
+
+/// See [`crate::internals`].
+pub(crate) mod internals {
+    pub use super::block::{Block, Masses};
+    pub use super::disc::project_on_disc;
+    pub use super::friction::TangentialLoad;
+    pub use super::modes::{AboutNormal, Absent, AxialPart, InPlane, PlanarPart};
+    pub use super::prepared::PreparedContact;
+}

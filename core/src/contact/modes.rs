@@ -1,4 +1,4 @@
-//! Which relative motions of a contact are resisted: what is not named is not stored nor computed.
+//! The relative motions that a contact resists. Modes that are not named are neither stored nor computed.
 
 use super::vector::{dot, zero};
 use crate::real::Real;
@@ -6,17 +6,6 @@ use core::fmt::Debug;
 use nalgebra::Vector3;
 
 /// The share of a [`Modal`] that lies in the contact plane: [`InPlane`] or [`Absent`].
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tribos_core::contact::{Absent, InPlane, PlanarPart};
-/// fn kept<P: PlanarPart<f64>>(vector: Vector3<f64>) -> Vector3<f64> {
-///     P::of(vector).vector()
-/// }
-/// let slip = Vector3::new(0.3, -0.1, 0.0); // m/s
-/// assert_eq!(kept::<InPlane<f64>>(slip), slip);
-/// assert_eq!(kept::<Absent>(slip), Vector3::zeros());
-/// ```
 pub trait PlanarPart<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync {
     /// False for [`Absent`].
     const PRESENT: bool;
@@ -27,15 +16,6 @@ pub trait PlanarPart<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync 
 }
 
 /// The share of a [`Modal`] about the normal: [`AboutNormal`] or [`Absent`].
-///
-/// ```
-/// use tribos_core::contact::{AboutNormal, Absent, AxialPart};
-/// fn kept<A: AxialPart<f64>>(component: f64) -> f64 {
-///     A::of(component).component()
-/// }
-/// assert_eq!(kept::<AboutNormal<f64>>(20.0), 20.0); // rad/s
-/// assert_eq!(kept::<Absent>(20.0), 0.0);
-/// ```
 pub trait AxialPart<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync {
     /// False for [`Absent`].
     const PRESENT: bool;
@@ -116,20 +96,25 @@ impl<R: Real> AxialPart<R> for AboutNormal<R> {
 /// A set of modes, named by a type.
 ///
 /// ```
-/// use tribos_core::contact::{AllModes, Frictionless, Modal, Modes, SlidingTorsion};
+/// use tribos_core::contact::{AllModes, ContactModes, Frictionless, Modal, SlidingTorsion};
 /// // What is not named takes no room.
 /// assert_eq!(size_of::<Modal<f32, Frictionless>>(), size_of::<f32>());
-/// assert_eq!(<AllModes as Modes<f32>>::UNKNOWNS, 6); // all relative motions of two bodies
-/// assert_eq!(<SlidingTorsion as Modes<f32>>::UNKNOWNS, 4);
+/// assert_eq!(<AllModes as ContactModes<f32>>::UNKNOWNS, 6); // all relative motions of two bodies
+/// assert_eq!(<SlidingTorsion as ContactModes<f32>>::UNKNOWNS, 4);
 /// ```
-pub trait Modes<R: Real>: Copy + Debug + Default + PartialEq + Send + Sync + 'static {
+pub trait ContactModes<R: Real>:
+    Copy + Debug + Default + PartialEq + Send + Sync + 'static
+{
     /// Unknowns of a contact, the normal one included.
     const UNKNOWNS: usize;
     /// Two directions of sliding.
+    #[doc(hidden)]
     type Sliding: PlanarPart<R>;
     /// Two axes of rolling.
+    #[doc(hidden)]
     type Rolling: PlanarPart<R>;
     /// Spinning about the normal.
+    #[doc(hidden)]
     type Torsion: AxialPart<R>;
 }
 
@@ -141,7 +126,7 @@ macro_rules! modes {
             #[cfg_attr(feature = "defmt", derive(defmt::Format))]
             pub struct $name;
 
-            impl<R: Real> Modes<R> for $name {
+            impl<R: Real> ContactModes<R> for $name {
                 const UNKNOWNS: usize = $unknowns;
                 type Sliding = $sliding;
                 type Rolling = $rolling;
@@ -171,16 +156,12 @@ modes! {
 /// body less that of the first.
 ///
 /// ```
-/// use nalgebra::Vector3;
-/// use tribos_core::contact::{AboutNormal, Absent, InPlane, Modal, SlidingTorsion};
-/// let modal = |normal, sliding, torsion| Modal::<f64, SlidingTorsion> {
-///     normal,
-///     sliding: InPlane(Vector3::new(sliding, 0.0, 0.0)),
-///     rolling: Absent,
-///     torsion: AboutNormal(torsion),
-/// };
-/// let impulse = modal(2.0, -0.5, -0.25); // N s, N s, N m s
-/// let velocity = modal(0.0, 4.0, 8.0); // m/s, m/s, rad/s
+/// use tribos_core::contact::{Modal, SlidingTorsion};
+/// use tribos_core::nalgebra::Vector3;
+/// type Turning = Modal<f64, SlidingTorsion>;
+/// let (x, zero) = (Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.0, 0.0, 0.0));
+/// let impulse = Turning::new(2.0, x * -0.5, zero, -0.25); // N s, N m s
+/// let velocity = Turning::new(0.0, x * 4.0, zero, 8.0); // m/s, rad/s
 /// assert_eq!(impulse.dot(&velocity), -0.5 * 4.0 - 0.25 * 8.0); // friction's work, J
 /// // As vectors in space, with the normal up.
 /// let up = Vector3::new(0.0, 0.0, 1.0);
@@ -188,24 +169,50 @@ modes! {
 /// assert_eq!(impulse.angular(&up), Vector3::new(0.0, 0.0, -0.25));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Modal<R: Real, M: Modes<R>> {
+pub struct Modal<R: Real, M: ContactModes<R>> {
     /// Along the normal, which points from the first body to the second: positive pushes apart.
     pub normal: R,
-    /// Force impulse in the contact plane, sliding velocity.
-    pub sliding: M::Sliding,
-    /// Torque impulse in the contact plane, rolling velocity.
-    pub rolling: M::Rolling,
-    /// Torque impulse about the normal, spin.
-    pub torsion: M::Torsion,
+    pub(crate) sliding: M::Sliding,
+    pub(crate) rolling: M::Rolling,
+    pub(crate) torsion: M::Torsion,
 }
 
-impl<R: Real, M: Modes<R>> Modal<R, M> {
+impl<R: Real, M: ContactModes<R>> Modal<R, M> {
+    /// From all modes, of which those that `M` does not name are dropped.
+    #[inline(always)]
+    pub fn new(normal: R, sliding: Vector3<R>, rolling: Vector3<R>, torsion: R) -> Self {
+        Self {
+            normal,
+            sliding: M::Sliding::of(sliding),
+            rolling: M::Rolling::of(rolling),
+            torsion: M::Torsion::of(torsion),
+        }
+    }
+
+    /// Force impulse in the contact plane, or sliding velocity; zero without that mode.
+    #[inline(always)]
+    pub fn sliding(&self) -> Vector3<R> {
+        self.sliding.vector()
+    }
+
+    /// Torque impulse in the contact plane, or rolling velocity; zero without that mode.
+    #[inline(always)]
+    pub fn rolling(&self) -> Vector3<R> {
+        self.rolling.vector()
+    }
+
+    /// Torque impulse about the normal, or spin; zero without that mode.
+    #[inline(always)]
+    pub fn torsion(&self) -> R {
+        self.torsion.component()
+    }
+
     /// `self` + `factor` · `other`
     ///
     /// ```
-    /// use tribos_core::contact::{AboutNormal, Modal, SlidingTorsion};
-    /// let torsion = AboutNormal(0.5);
-    /// let a = Modal::<f64, SlidingTorsion> { normal: 2.0, torsion, ..Modal::default() };
+    /// use tribos_core::contact::{Modal, SlidingTorsion};
+    /// let zero = tribos_core::nalgebra::Vector3::zeros();
+    /// let a = Modal::<f64, SlidingTorsion>::new(2.0, zero, zero, 0.5);
     /// assert_eq!(a.plus_scaled(1.0, &a).minus(&a), a);
     /// assert_eq!(a.plus_scaled(-1.0, &a), Modal::default());
     /// ```
@@ -213,9 +220,9 @@ impl<R: Real, M: Modes<R>> Modal<R, M> {
     pub fn plus_scaled(&self, factor: R, other: &Self) -> Self {
         Self {
             normal: self.normal + factor * other.normal,
-            sliding: M::Sliding::of(self.sliding.vector() + other.sliding.vector() * factor),
-            rolling: M::Rolling::of(self.rolling.vector() + other.rolling.vector() * factor),
-            torsion: M::Torsion::of(self.torsion.component() + factor * other.torsion.component()),
+            sliding: M::Sliding::of(self.sliding() + other.sliding() * factor),
+            rolling: M::Rolling::of(self.rolling() + other.rolling() * factor),
+            torsion: M::Torsion::of(self.torsion() + factor * other.torsion()),
         }
     }
 
@@ -224,9 +231,9 @@ impl<R: Real, M: Modes<R>> Modal<R, M> {
     pub fn minus(&self, other: &Self) -> Self {
         Self {
             normal: self.normal - other.normal,
-            sliding: M::Sliding::of(self.sliding.vector() - other.sliding.vector()),
-            rolling: M::Rolling::of(self.rolling.vector() - other.rolling.vector()),
-            torsion: M::Torsion::of(self.torsion.component() - other.torsion.component()),
+            sliding: M::Sliding::of(self.sliding() - other.sliding()),
+            rolling: M::Rolling::of(self.rolling() - other.rolling()),
+            torsion: M::Torsion::of(self.torsion() - other.torsion()),
         }
     }
 
@@ -236,13 +243,13 @@ impl<R: Real, M: Modes<R>> Modal<R, M> {
     pub fn dot(&self, other: &Self) -> R {
         let mut sum = self.normal * other.normal;
         if M::Sliding::PRESENT {
-            sum += dot(&self.sliding.vector(), &other.sliding.vector());
+            sum += dot(&self.sliding(), &other.sliding());
         }
         if M::Rolling::PRESENT {
-            sum += dot(&self.rolling.vector(), &other.rolling.vector());
+            sum += dot(&self.rolling(), &other.rolling());
         }
         if M::Torsion::PRESENT {
-            sum += self.torsion.component() * other.torsion.component();
+            sum += self.torsion() * other.torsion();
         }
         sum
     }
@@ -250,23 +257,24 @@ impl<R: Real, M: Modes<R>> Modal<R, M> {
     /// Two impulses compared: torques count by the force at the distance `lever`.
     ///
     /// ```
-    /// use tribos_core::contact::{AboutNormal, Modal, SlidingTorsion};
-    /// let torsion = AboutNormal(0.5); // N m s: at a lever of 0.25 m as much as 2 N s
-    /// let twist = Modal::<f64, SlidingTorsion> { torsion, ..Modal::default() };
+    /// use tribos_core::contact::{Modal, SlidingTorsion};
+    /// let zero = tribos_core::nalgebra::Vector3::zeros();
+    /// let twist = Modal::<f64, SlidingTorsion>::new(0.0, zero, zero, 0.5); // N m s
+    /// // At a lever of 0.25 m that is as much as 2 N s.
     /// assert_eq!(twist.dot_with_lever(&twist, 0.25), 2.0 * 2.0);
     /// ```
     #[inline(always)]
     pub fn dot_with_lever(&self, other: &Self, lever: R) -> R {
         let mut sum = self.normal * other.normal;
         if M::Sliding::PRESENT {
-            sum += dot(&self.sliding.vector(), &other.sliding.vector());
+            sum += dot(&self.sliding(), &other.sliding());
         }
         let mut torques = R::ZERO;
         if M::Rolling::PRESENT {
-            torques += dot(&self.rolling.vector(), &other.rolling.vector());
+            torques += dot(&self.rolling(), &other.rolling());
         }
         if M::Torsion::PRESENT {
-            torques += self.torsion.component() * other.torsion.component();
+            torques += self.torsion() * other.torsion();
         }
         if M::Rolling::PRESENT || M::Torsion::PRESENT {
             sum += torques / (lever * lever);
@@ -279,7 +287,7 @@ impl<R: Real, M: Modes<R>> Modal<R, M> {
     pub fn linear(&self, normal: &Vector3<R>) -> Vector3<R> {
         let along = normal * self.normal;
         if M::Sliding::PRESENT {
-            along + self.sliding.vector()
+            along + self.sliding()
         } else {
             along
         }
@@ -288,9 +296,9 @@ impl<R: Real, M: Modes<R>> Modal<R, M> {
     /// Torque (or angular velocity) about the normal and in the plane, as one vector.
     #[inline(always)]
     pub fn angular(&self, normal: &Vector3<R>) -> Vector3<R> {
-        let about = normal * self.torsion.component();
+        let about = normal * self.torsion();
         if M::Rolling::PRESENT {
-            about + self.rolling.vector()
+            about + self.rolling()
         } else {
             about
         }

@@ -16,7 +16,7 @@ use crate::real::Real;
 /// # let still = Vector3::new(0.0, 0.0, 0.0);
 /// # let up = Vector3::new(0.0, 0.0, 1.0);
 /// // A ball of 1 kg let go 0.5 mm off a wall that attracts by 2 N up to 1 mm; a millisecond later.
-/// let speed = |attraction| -> Result<f64, Box<dyn core::error::Error>> {
+/// let speed = |attraction| -> Result<f64, tribos_core::Error> {
 ///     let mut ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
 ///     let mut wall = Plate { velocity: still, inv_mass: 0.0 };
 ///     let law = NormalLaw::new(Cohesion::new(2.0, 1e-3, attraction)?, 0.0)?;
@@ -27,7 +27,7 @@ use crate::real::Real;
 /// };
 /// assert_eq!(speed(Attraction::Pull)?, -2.0 * 1e-3);
 /// assert_eq!(speed(Attraction::Resistance)?, 0.0);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -117,7 +117,7 @@ impl<R: Real> Cohesion<R> {
 /// contact.update(&Thresholds::none(), &mut ball, &mut floor);
 /// assert!((ball.velocity.z - law.restitution() * 2.0).abs() < 1e-15);
 /// assert!(NormalLaw::new(Cohesion::NONE, 1.5).is_err()); // no ball gains energy
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -1,14 +1,14 @@
 //! Sliding and rolling at one contact, solved together.
 //!
-//! Four cases, by which of the two slips. While one sticks, its equation eliminates it, and what is
+//! There are four cases, by which of the two slips. While one sticks, its equation eliminates it, and what is
 //! left is isotropic in the plane: one projection with the mass that the other feels then. Where
 //! both slip two multipliers are found, and the two motions take turns from there. The problem is
 //! convex: the first case that does not contradict itself is the answer.
 
 use super::block::{Block, Masses};
 use super::both_slip::BothSlip;
-use super::friction::{ContactFriction, Grasp};
-use super::modes::{AxialPart, Modal, PlanarPart};
+use super::friction::{ContactFriction, TangentialLoad};
+use super::modes::Modal;
 use super::vector::cross;
 use crate::real::Real;
 use nalgebra::Vector3;
@@ -23,7 +23,7 @@ const SETTLED_ULPS: f64 = 4.0;
 const SINGULAR_ULPS: f64 = 64.0;
 
 /// One contact's sliding and rolling with everything else fixed.
-pub(super) struct Pair<'a, R, F> {
+pub(super) struct CoupledSlip<'a, R, F> {
     pub friction: &'a F,
     pub block: &'a Block<R>,
     pub normal: &'a Vector3<R>,
@@ -31,15 +31,15 @@ pub(super) struct Pair<'a, R, F> {
     /// P
     pub bound: R,
     /// Impulses so far; torsion as it would be if it stuck.
-    pub old: Grasp<R>,
+    pub old: TangentialLoad<R>,
     pub old_rolling: Vector3<R>,
     /// Velocities under them.
     pub slip: Vector3<R>,
     pub roll: Vector3<R>,
 }
 
-impl<'a, R: Real, F: ContactFriction<R>> Pair<'a, R, F> {
-    /// Gathers what the contact knows, given its `old` impulses and the `velocity` under them.
+impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
+    /// Collects the data of the contact, given its `old` impulses and the `velocity` under them.
     #[inline(always)]
     pub fn new(
         friction: &'a F,
@@ -54,19 +54,19 @@ impl<'a, R: Real, F: ContactFriction<R>> Pair<'a, R, F> {
             normal,
             lever,
             bound,
-            old: Grasp {
-                sliding: old.sliding.vector(),
-                torsion: old.torsion.component() - block.inertia * velocity.torsion.component(),
+            old: TangentialLoad {
+                sliding: old.sliding(),
+                torsion: old.torsion() - block.inertia * velocity.torsion(),
             },
-            old_rolling: old.rolling.vector(),
-            slip: velocity.sliding.vector(),
-            roll: velocity.rolling.vector(),
+            old_rolling: old.rolling(),
+            slip: velocity.sliding(),
+            roll: velocity.rolling(),
         }
     }
 
     /// The impulses that obey their thresholds.
     #[inline(never)]
-    pub fn solve(&self) -> (Grasp<R>, Vector3<R>) {
+    pub fn solve(&self) -> (TangentialLoad<R>, Vector3<R>) {
         let (m, inertia, k) = (
             self.block.mass_sliding,
             self.block.inertia,
@@ -110,7 +110,7 @@ impl<'a, R: Real, F: ContactFriction<R>> Pair<'a, R, F> {
 
     /// Both slip, from a guess of what sliding does.
     #[cold]
-    fn take_turns(&self, mut held: Grasp<R>) -> (Grasp<R>, Vector3<R>) {
+    fn take_turns(&self, mut held: TangentialLoad<R>) -> (TangentialLoad<R>, Vector3<R>) {
         let turned = self.hold_rolling(&self.rolling_that_sticks(&held.sliding));
         let mut rolling = self.near_balance(&held.sliding, &turned).unwrap_or(turned);
         held = self.hold(&self.slip_after(&rolling), self.block.mass_sliding);
@@ -159,8 +159,8 @@ impl<'a, R: Real, F: ContactFriction<R>> Pair<'a, R, F> {
 
     /// The sliding force and torsion torque that resist `slip` of a given mass.
     #[inline(always)]
-    fn hold(&self, slip: &Vector3<R>, mass: R) -> Grasp<R> {
-        let trial = Grasp {
+    fn hold(&self, slip: &Vector3<R>, mass: R) -> TangentialLoad<R> {
+        let trial = TangentialLoad {
             sliding: self.old.sliding - slip * mass,
             torsion: self.old.torsion,
         };

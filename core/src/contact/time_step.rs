@@ -1,8 +1,8 @@
-//! The length of a step in time.
+//! The length of a time step.
 
 use crate::real::Real;
 
-/// A length of time that steps can be made of: positive and finite.
+/// The length of a time step: positive and finite.
 ///
 /// ```
 /// use tribos_core::contact::{TimeStep, TimeStepError};
@@ -34,7 +34,7 @@ impl<R: Real> TimeStep<R> {
         }
     }
 
-    /// Its length.
+    /// The length Δt.
     pub fn dt(self) -> R {
         self.0
     }

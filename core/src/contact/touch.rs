@@ -1,4 +1,4 @@
-//! Where two bodies touch or nearly do.
+//! Contact geometry of two bodies that touch or nearly touch.
 
 use super::vector::length;
 use crate::real::Real;

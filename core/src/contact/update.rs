@@ -2,10 +2,10 @@
 
 use super::block::Block;
 use super::body::Body;
-use super::friction::{ContactFriction, Grasp};
-use super::modes::{AxialPart, Modal, Modes, PlanarPart};
+use super::friction::{ContactFriction, TangentialLoad};
+use super::modes::{AxialPart, ContactModes, Modal, PlanarPart};
 use super::normal::{NormalLaw, NormalStep};
-use super::pair::Pair;
+use super::pair::CoupledSlip;
 use super::prepared::PreparedContact;
 use super::touch::Touch;
 use super::vector::{cross, tangential};
@@ -35,10 +35,10 @@ use nalgebra::Vector3;
 /// assert!((contact.impulse().normal - 9.81 * dt).abs() < 1e-16);
 /// assert_eq!(contact.cohesion(), 5.0 * dt);
 /// assert!((contact.bound() - 14.81 * dt).abs() < 1e-16);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact<R: Real, M: Modes<R>> {
+pub struct Contact<R: Real, M: ContactModes<R>> {
     normal: Vector3<R>,
     arms: [R; 2],
     lever: R,
@@ -47,7 +47,7 @@ pub struct Contact<R: Real, M: Modes<R>> {
     impulse: Modal<R, M>,
 }
 
-impl<R: Real, M: Modes<R>> Contact<R, M> {
+impl<R: Real, M: ContactModes<R>> Contact<R, M> {
     /// Prepares the contact for a step of length `dt` > 0 from the bodies' velocities at its start.
     ///
     /// *Special values*: `dt` ≤ 0 or NaN makes the impulses NaN. Modes that neither body can follow
@@ -68,8 +68,7 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
     /// assert!((contact.allowance() - 1.0).abs() < 1e-12 && !contact.rests_open());
     /// assert_eq!(*contact.normal(), Vector3::new(0.0, 0.0, -1.0)); // from the ball to the table
     /// assert_eq!((contact.arms(), contact.lever()), ([0.051, 0.0], 0.05));
-    /// assert_eq!(contact.block().mass_normal, 1.0); // the table does not move
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn new(
         touch: &Touch<R>,
@@ -92,28 +91,7 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
     }
 
     /// A contact prepared earlier, with its impulse so far.
-    ///
-    /// ```
-    /// use nalgebra::Vector3;
-    /// use tribos_core::contact::*;
-    /// # let still = Vector3::new(0.0, 0.0, 0.0);
-    /// # let spin = still;
-    /// # let mut ball = Sphere { velocity: still, spin, inv_mass: 1.0, inv_inertia: 1000.0 };
-    /// # let mut table = Plate { velocity: still, inv_mass: 0.0 };
-    /// # ball.velocity.z = -1.0;
-    /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
-    /// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
-    /// # let friction = Thresholds::sliding(0.5)?;
-    /// let mut contact = Contact::new(&touch, &law, &ball, &table, 1e-3);
-    /// contact.update(&friction, &mut ball, &mut table);
-    /// // Kept as plain numbers, and taken up again, in one way or in two.
-    /// let kept = (contact.prepared(), *contact.impulse());
-    /// assert_eq!(Contact::resume(&kept.0, &kept.1), contact);
-    /// let mut again = Contact::resume(&kept.0, &Modal::default());
-    /// again.set_impulse_in_plane(&kept.1);
-    /// assert_eq!(again, contact);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
-    /// ```
+    #[doc(hidden)]
     #[inline]
     pub fn resume(prepared: &PreparedContact<R>, impulse: &Modal<R, M>) -> Self {
         Self {
@@ -131,6 +109,7 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
     }
 
     /// All but the impulse, as plain numbers.
+    #[doc(hidden)]
     #[inline]
     pub fn prepared(&self) -> PreparedContact<R> {
         PreparedContact {
@@ -160,6 +139,7 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
     }
 
     /// Effective masses.
+    #[doc(hidden)]
     pub fn block(&self) -> &Block<R> {
         &self.block
     }
@@ -192,27 +172,28 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
         self.impulse.normal + self.step.cohesion
     }
 
-    /// Sets the impulse without telling the bodies; what lies across the present normal is kept.
+    /// Sets the impulse without applying it to the bodies. Components of sliding and rolling along the
+    /// current normal are discarded.
     pub fn set_impulse(&mut self, impulse: &Modal<R, M>) {
         self.impulse = *impulse;
         if M::Sliding::PRESENT {
-            let vector = tangential(&impulse.sliding.vector(), &self.normal);
+            let vector = tangential(&impulse.sliding(), &self.normal);
             self.impulse.sliding = M::Sliding::of(vector);
         }
         if M::Rolling::PRESENT {
-            let vector = tangential(&impulse.rolling.vector(), &self.normal);
+            let vector = tangential(&impulse.rolling(), &self.normal);
             self.impulse.rolling = M::Rolling::of(vector);
         }
     }
 
-    /// Sets the impulse without telling the bodies, for one that lies across the normal already.
+    /// [`Contact::set_impulse`] for an impulse whose sliding and rolling lie in the contact plane already.
     #[inline(always)]
     pub fn set_impulse_in_plane(&mut self, impulse: &Modal<R, M>) {
         self.impulse = *impulse;
     }
 
-    /// The nearest impulse that cohesion and friction admit, without telling the bodies: for
-    /// guesses, such as those of the last step.
+    /// Replaces the impulse by the nearest one that cohesion and friction admit, without applying it
+    /// to the bodies. For initial guesses, such as the impulse of the last step.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -225,15 +206,14 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
     /// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
     /// let mut contact = Contact::<_, Sliding>::new(&touch, &law, &ball, &table, 1e-3);
     /// // The impulse of the last step, when the normal was another.
-    /// let sliding = InPlane(Vector3::new(3.0, 4.0, 7.0)); // N s
-    /// contact.set_impulse(&Modal { normal: 1.0, sliding, ..Modal::default() });
-    /// assert_eq!(contact.impulse().sliding.0, Vector3::new(3.0, 4.0, 0.0));
+    /// contact.set_impulse(&Modal::new(1.0, Vector3::new(3.0, 4.0, 7.0), still, 0.0)); // N s
+    /// assert_eq!(contact.impulse().sliding(), Vector3::new(3.0, 4.0, 0.0));
     /// contact.admit(&Thresholds::sliding(0.5)?);
-    /// assert!((contact.impulse().sliding.0 - Vector3::new(0.3, 0.4, 0.0)).amax() < 1e-15);
+    /// assert!((contact.impulse().sliding() - Vector3::new(0.3, 0.4, 0.0)).amax() < 1e-15);
     /// // It is the table's; the ball takes the opposite.
     /// contact.apply(contact.impulse(), &mut ball, &mut table);
     /// assert!((ball.velocity - Vector3::new(-0.3, -0.4, 1.0)).amax() < 1e-15);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     #[inline]
     pub fn admit<F: ContactFriction<R, Modes = M>>(&mut self, friction: &F) {
@@ -241,14 +221,14 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
             self.impulse.normal = -self.step.cohesion;
         }
         let bound = self.bound();
-        let grasp = Grasp {
-            sliding: self.impulse.sliding.vector(),
-            torsion: self.impulse.torsion.component(),
+        let load = TangentialLoad {
+            sliding: self.impulse.sliding(),
+            torsion: self.impulse.torsion(),
         };
-        let held = friction.hold(&grasp, bound, self.lever, &self.block.masses());
+        let held = friction.hold(&load, bound, self.lever, &self.block.masses());
         self.impulse.sliding = M::Sliding::of(held.sliding);
         self.impulse.torsion = M::Torsion::of(held.torsion);
-        let rolling = self.impulse.rolling.vector();
+        let rolling = self.impulse.rolling();
         self.impulse.rolling = M::Rolling::of(friction.hold_rolling(&rolling, bound, self.lever));
     }
 
@@ -275,7 +255,7 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
         velocity
     }
 
-    /// Gives the bodies an impulse at this contact.
+    /// Applies an impulse at this contact to both bodies.
     #[inline(always)]
     pub fn apply(&self, impulse: &Modal<R, M>, a: &mut impl Body<R>, b: &mut impl Body<R>) {
         let n = &self.normal;
@@ -283,7 +263,7 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
         a.push(-R::ONE, &force, impulse.normal, n);
         b.push(R::ONE, &force, impulse.normal, n);
         if M::Sliding::PRESENT {
-            let moment = cross(n, &impulse.sliding.vector());
+            let moment = cross(n, &impulse.sliding());
             a.turn(-self.arms[0], &moment);
             b.turn(-self.arms[1], &moment);
         }
@@ -294,11 +274,11 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
         }
     }
 
-    /// The impulse that obeys the contact's laws with everything else as it is, applied; returns
-    /// the change.
+    /// Solves the contact with everything else held fixed, applies the change of its impulse to the
+    /// bodies and returns it.
     ///
-    /// All of it is closed form, unless sliding and rolling are coupled and both slip (then at most
-    /// 96 rounds, to rounding) or the friction's own set has none.
+    /// The solution is in closed form, unless sliding and rolling are coupled and both slip (then at
+    /// most 96 iterations, to rounding) or the friction's set has no closed form.
     #[inline(always)]
     pub fn update<F: ContactFriction<R, Modes = M>>(
         &mut self,
@@ -330,23 +310,23 @@ impl<R: Real, M: Modes<R>> Contact<R, M> {
         let bound = new.normal + self.step.cohesion;
         if M::Sliding::PRESENT && M::Rolling::PRESENT && block.coupling != R::ZERO {
             let place = (block, &self.normal, self.lever);
-            let (held, rolling) = Pair::new(friction, place, bound, old, velocity).solve();
+            let (held, rolling) = CoupledSlip::new(friction, place, bound, old, velocity).solve();
             new.sliding = M::Sliding::of(held.sliding);
             new.torsion = M::Torsion::of(held.torsion);
             new.rolling = M::Rolling::of(rolling);
             return new;
         }
         if M::Sliding::PRESENT || M::Torsion::PRESENT {
-            let trial = Grasp {
-                sliding: old.sliding.vector() - velocity.sliding.vector() * block.mass_sliding,
-                torsion: old.torsion.component() - block.inertia * velocity.torsion.component(),
+            let trial = TangentialLoad {
+                sliding: old.sliding() - velocity.sliding() * block.mass_sliding,
+                torsion: old.torsion() - block.inertia * velocity.torsion(),
             };
             let held = friction.hold(&trial, bound, self.lever, &block.masses());
             new.sliding = M::Sliding::of(held.sliding);
             new.torsion = M::Torsion::of(held.torsion);
         }
         if M::Rolling::PRESENT {
-            let trial = old.rolling.vector() - velocity.rolling.vector() * block.inertia;
+            let trial = old.rolling() - velocity.rolling() * block.inertia;
             new.rolling = M::Rolling::of(friction.hold_rolling(&trial, bound, self.lever));
         }
         new

@@ -1,4 +1,4 @@
-//! A uniform annulus: the whole disk less its middle.
+//! A uniform annulus: the disk minus its middle.
 
 use super::lateral::{Lateral, LateralJacobian};
 use super::profile::{Profile, SmoothProfile};

@@ -1,4 +1,5 @@
-//! Speeds whose ratio, or whose power, leaves the number range: the same formulas in [`Wide`].
+//! Wrench and Jacobian for speeds whose ratio or power leaves the number range: the same formulas in
+//! [`Wide`].
 //!
 //! Every result is m^n hᵖ (a + b h²) with n = α or α − 1, p = 0 or 1, and with a and b from Φ, Φ'
 //! and Χ, which are of order 1. Neither m^n nor h need be a number of the type for the result to be

@@ -6,7 +6,7 @@
 //! | [`FlatPunch`] | 1/√(1−r²) | constant | arc sine |
 //! | [`Hertz`] | √(1−r²) | polynomial | arc sine |
 //!
-//! The uniform disk's is [`super::compact::Coulomb`]. No table, no power; *Accuracy*: 1e-14
+//! The uniform disk's is [`super::compact::CompactCoulomb`]. No table, no power; *Accuracy*: 1e-14
 //! relative in f64, 1e-5 in f32; Jacobian 1e-14 of the larger of the entry and F/v, also next to
 //! equal speeds, where a ring's entries grow without bound. *Source*: `docs/theory.md`; Hertz: Johnson, Contact Mechanics,
 //! has the end values T(0) = 3π/16 and 1.

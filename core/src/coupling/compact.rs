@@ -19,17 +19,17 @@ use crate::special::CompleteElliptic;
 ///
 /// ```
 /// use core::f64::consts::PI;
-/// use tribos_core::coupling::{Coupling, compact::Coulomb};
+/// use tribos_core::coupling::{Coupling, compact::CompactCoulomb};
 /// // At equal speeds the disk turns about a point of its rim. It dissipates as the mean distance
 /// // from there, which is 32/(9π) radii.
-/// let wrench = Coulomb.reduced_wrench(1.0_f64, 1.0);
+/// let wrench = CompactCoulomb.reduced_wrench(1.0_f64, 1.0);
 /// assert!((wrench.force + wrench.torque - 32.0 / (9.0 * PI)).abs() < 1e-13);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Coulomb;
+pub struct CompactCoulomb;
 
-impl<R: Real> Profile<R> for Coulomb {
+impl<R: Real> Profile<R> for CompactCoulomb {
     #[inline]
     fn exponent(&self) -> R {
         R::ZERO
@@ -47,7 +47,7 @@ impl<R: Real> Profile<R> for Coulomb {
     }
 }
 
-impl<R: Real> SmoothProfile<R> for Coulomb {
+impl<R: Real> SmoothProfile<R> for CompactCoulomb {
     #[inline]
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         let third_of_pi = R::from_f64(4.0 / (3.0 * core::f64::consts::PI));
@@ -69,7 +69,7 @@ impl<R: Real> SmoothProfile<R> for Coulomb {
     }
 }
 
-impl<R: Real> DryCoupling<R> for Coulomb {}
+impl<R: Real> DryCoupling<R> for CompactCoulomb {}
 
 /// |v|^α for any −1 < α ≤ 128 under any pressure (1−r²)^q, from the power series and its
 /// continuation.
@@ -81,30 +81,30 @@ impl<R: Real> DryCoupling<R> for Coulomb {}
 /// *Cost*: one series away from equal speeds; near them up to 52 expansions.
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, compact::Power};
+/// use tribos_core::coupling::{Coupling, compact::CompactPower};
 /// use tribos_core::patch::PowerPressure;
-/// let hertz = Power::with_pressure(0.0_f64, PowerPressure::HERTZ)?;
+/// let hertz = CompactPower::with_pressure(0.0_f64, PowerPressure::HERTZ)?;
 /// let torque = hertz.reduced_wrench(0.0, 1.0).torque;
 /// assert!((torque - 3.0 * core::f64::consts::PI / 16.0).abs() < 1e-14);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Power<R> {
+pub struct CompactPower<R> {
     alpha: R,
     order: R,
     spinning: Pair,
     sliding: Pair,
 }
 
-impl<R: Real> Power<R> {
+impl<R: Real> CompactPower<R> {
     /// On a uniform disk. *Domain*: −1 < `alpha` ≤ [`PowerLaw::MAX_EXPONENT`].
     ///
     /// ```
-    /// use tribos_core::coupling::{Coupling, compact::Power};
+    /// use tribos_core::coupling::{Coupling, compact::CompactPower};
     /// // Viscous friction: force and torque do not know of each other.
-    /// let wrench = Power::new(1.0_f64)?.reduced_wrench(0.3, 0.4); // m/s
+    /// let wrench = CompactPower::new(1.0_f64)?.reduced_wrench(0.3, 0.4); // m/s
     /// assert!((wrench.force - 0.3).abs() < 1e-15 && (wrench.torque - 0.4 / 2.0).abs() < 1e-15);
-    /// assert!(Power::new(-1.0_f64).is_err());
+    /// assert!(CompactPower::new(-1.0_f64).is_err());
     /// # Ok::<(), tribos_core::law::LawError>(())
     /// ```
     pub fn new(alpha: R) -> Result<Self, LawError> {
@@ -126,7 +126,7 @@ impl<R: Real> Power<R> {
     }
 }
 
-impl<R: Real> Profile<R> for Power<R> {
+impl<R: Real> Profile<R> for CompactPower<R> {
     fn exponent(&self) -> R {
         self.alpha
     }
@@ -142,7 +142,7 @@ impl<R: Real> Profile<R> for Power<R> {
     }
 }
 
-impl<R: Real> SmoothProfile<R> for Power<R> {
+impl<R: Real> SmoothProfile<R> for CompactPower<R> {
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         let pair = match at.lead() {
             Lead::Spinning => &self.spinning,
@@ -158,6 +158,6 @@ impl<R: Real> SmoothProfile<R> for Power<R> {
     }
 }
 
-family::coupled!([R: Real] Coulomb, |_coulomb| R::ZERO);
+family::coupled!([R: Real] CompactCoulomb, |_coulomb| R::ZERO);
 
-family::coupled!([R: Real] Power<R>, |power| power.order);
+family::coupled!([R: Real] CompactPower<R>, |power| power.order);

@@ -1,4 +1,4 @@
-//! A profile known to be dry friction.
+//! Dry friction from a profile whose exponent is found to be 0 at run time.
 
 use super::{
     Coupling, DryCoupling, Lateral, LateralJacobian, Profile, ReducedJacobian, ReducedWrench,
@@ -17,7 +17,7 @@ use crate::real::Real;
 /// let table = Dry::new(RoundTable64::new(0.0, PowerPressure::PARABOLOID)?)?;
 /// let pad = LimitSurface::new(&table, 0.5_f64, 0.01)?;
 /// assert!((pad.torque_limit() - 0.5 * 0.01 * 8.0 / 15.0).abs() < 1e-15);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

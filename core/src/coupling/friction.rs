@@ -6,7 +6,7 @@ use crate::law::{LawError, validated_coefficient};
 use crate::patch::{PatchError, validated_radius};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
-use nalgebra::{Matrix3, Vector2};
+use nalgebra::Matrix3;
 
 /// Friction of a round patch: a coupling (pressure, law and accuracy tier), a coefficient and a
 /// radius.
@@ -25,7 +25,7 @@ use nalgebra::{Matrix3, Vector2};
 /// let puck = PatchFriction::new(Coulomb, 0.3_f32, 0.04)?;
 /// let wrench = puck.wrench(1.7, &Twist::new(1.0, 0.0, 20.0)); // N, m/s, rad/s
 /// assert!(wrench.force.x < 0.0 && wrench.torque < 0.0);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -35,7 +35,7 @@ pub struct PatchFriction<R, C> {
     radius: R,
 }
 
-/// Why a friction was refused.
+/// An invalid coefficient or patch.
 ///
 /// ```
 /// use tribos_core::coupling::{FrictionError, PatchFriction, table::Coulomb};
@@ -47,9 +47,9 @@ pub struct PatchFriction<R, C> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FrictionError {
-    /// The law makes no sense.
+    /// The coefficient is invalid.
     Law(LawError),
-    /// The patch makes no sense.
+    /// The patch is invalid.
     Patch(PatchError),
 }
 
@@ -63,6 +63,18 @@ impl core::fmt::Display for FrictionError {
 }
 
 impl core::error::Error for FrictionError {}
+
+impl From<LawError> for FrictionError {
+    fn from(error: LawError) -> Self {
+        Self::Law(error)
+    }
+}
+
+impl From<PatchError> for FrictionError {
+    fn from(error: PatchError) -> Self {
+        Self::Patch(error)
+    }
+}
 
 /// Force and torque that oppose the motion, as magnitudes.
 ///
@@ -85,17 +97,7 @@ pub struct Magnitudes<R> {
 }
 
 /// Derivatives of [`Magnitudes`] with respect to sliding speed and spin.
-///
-/// ```
-/// use tribos_core::coupling::{MagnitudesJacobian, PatchFriction, table::Coulomb};
-/// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?; // mu, m
-/// let (speed, spin) = (1.0, 20.0); // m/s, rad/s
-/// let jacobian: MagnitudesJacobian<f64> = puck.magnitudes_jacobian(1.7, speed, spin);
-/// // Dry friction depends on the ratio of speed and spin alone.
-/// assert!((speed * jacobian.force_speed + spin * jacobian.force_spin).abs() < 1e-12);
-/// assert!((speed * jacobian.torque_speed + spin * jacobian.torque_spin).abs() < 1e-12);
-/// # Ok::<(), tribos_core::coupling::FrictionError>(())
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MagnitudesJacobian<R> {
@@ -121,8 +123,8 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     pub fn new(coupling: C, coefficient: R, radius: R) -> Result<Self, FrictionError> {
         Ok(Self {
             coupling,
-            coefficient: validated_coefficient(coefficient).map_err(FrictionError::Law)?,
-            radius: validated_radius(radius).map_err(FrictionError::Patch)?,
+            coefficient: validated_coefficient(coefficient)?,
+            radius: validated_radius(radius)?,
         })
     }
 
@@ -142,6 +144,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     }
 
     /// Derivatives of [`PatchFriction::magnitudes`] for speed ≥ 0 and spin ≥ 0.
+    #[doc(hidden)]
     #[inline]
     pub fn magnitudes_jacobian(&self, load: R, speed: R, spin: R) -> MagnitudesJacobian<R> {
         let j = self.coupling.reduced_jacobian(speed, spin * self.radius);
@@ -163,10 +166,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         if speed == R::ZERO {
             // Zero, unless the spin is not a number.
             let none = if force.is_nan() { force } else { R::ZERO };
-            return Wrench {
-                force: Vector2::new(none, none),
-                torque: -torque.copysign(twist.spin),
-            };
+            return Wrench::new(none, none, -torque.copysign(twist.spin));
         }
         let drag = force / speed;
         let [x, y] = if is_ordinary(drag) {
@@ -174,10 +174,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         } else {
             along(force, speed, twist)
         };
-        Wrench {
-            force: Vector2::new(-x, -y),
-            torque: -torque.copysign(twist.spin),
-        }
+        Wrench::new(-x, -y, -torque.copysign(twist.spin))
     }
 
     /// ∂wrench/∂twist, symmetric, and negative semidefinite for a law that never weakens.
@@ -224,7 +221,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         Matrix3::new(-xx, -xy, -xn, -xy, -yy, -yn, -xn, -yn, -nn)
     }
 
-    /// Wrenches of many twists under one load; pairs beyond the shorter slice are left alone.
+    /// Wrenches of many twists under one load. Elements beyond the shorter slice are not changed.
     ///
     /// ```
     /// use tribos_core::coupling::{PatchFriction, table::Coulomb};

@@ -1,4 +1,4 @@
-//! The lateral function: what pressure that leans forward does to a spinning contact.
+//! The lateral function: the sideways force on a spinning contact whose pressure increases forwards.
 //!
 //! Let the pressure gain a linear term, p (1 + l·r) with r in radii and l in the contact plane. The
 //! element at r then adds to the dissipation potential a multiple of one new function of the speeds,
@@ -24,7 +24,7 @@ use super::profile::SmoothProfile;
 use super::speeds::{Lead, Speeds};
 use crate::real::Real;
 
-/// A coupling that knows its lateral function.
+/// A coupling with its lateral function G.
 ///
 /// ```
 /// use tribos_core::coupling::{Lateral, table::Coulomb};
@@ -41,21 +41,14 @@ pub trait Lateral<R: Real>: Coupling<R> {
 
     /// ∂(vG)/∂v and ∂(vG)/∂w: minus the change of F and T per unit of pressure gradient across
     /// the velocity, towards the side that spinning moves forward least.
+    #[doc(hidden)]
     fn lateral_jacobian(&self, slide: R, rim: R) -> LateralJacobian<R>;
 
     /// ⟨r²⟩ of the pressure without gradient, in radii squared.
     fn mean_square_radius(&self) -> R;
 }
 
-/// What a pressure gradient across the velocity takes from force and torque.
-///
-/// ```
-/// use tribos_core::coupling::{Lateral, LateralJacobian, table::Coulomb};
-/// let (v, w) = (0.3_f64, 0.4);
-/// let LateralJacobian { slide, rim } = Coulomb.lateral_jacobian(v, w);
-/// // Under dry friction vG grows as the speeds do.
-/// assert!((v * slide + w * rim - v * Coulomb.lateral(v, w)).abs() < 1e-12);
-/// ```
+/// Loss of force and torque by a pressure gradient across the velocity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LateralJacobian<R> {

@@ -1,4 +1,4 @@
-//! The profile of a tall body under dry friction: what its lean does to its final motion.
+//! The profile of a tall body under dry friction, with the effect of its lean on the final motion.
 
 use super::tall::{AllRound, Lean};
 use super::{DryCoupling, Lateral, Profile, Speeds};
@@ -15,15 +15,6 @@ use crate::real::Real;
 /// uniform disk): a tall body settles at a larger ratio than a flat one.
 ///
 /// *Domain*: |l| ≤ 1 is the caller's to keep: λ ≤ 1 is enough.
-///
-/// ```
-/// use tribos_core::coupling::{LeanProfile, table::Coulomb};
-/// use tribos_core::modes::Modes;
-/// let upright = Modes::new(Coulomb, 0.5)?.finite_fixed_point();
-/// let tall = Modes::new(LeanProfile::new(Coulomb, 0.8)?, 0.5)?.finite_fixed_point();
-/// assert!(tall > upright);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LeanProfile<R, P> {

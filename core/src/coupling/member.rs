@@ -10,7 +10,7 @@
 //! The two meet at x = 1, which fixes K without a Γ function. For q = 0 they are one function.
 
 use super::octave::{Pair, Partner};
-use crate::special::hypergeometric::Gauss;
+use crate::special::Gauss;
 
 /// Exponent and order.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,11 @@
-//! Law × patch → wrench: what a twist (sliding and spin) costs in force and torque.
+//! Law × patch → wrench: force and torque of friction as functions of the twist (sliding and spin).
 //!
 //! A caller picks pressure, law and accuracy tier by type:
 //!
 //! | contact | table, a few ulp | compact, tens of ulp | quadrature, any local law |
 //! |---|---|---|---|
-//! | uniform disk | [`table::Coulomb`], [`table::Table64`], [`table::Table32`] | [`compact::Coulomb`], [`compact::Power`] | [`quadrature::DiskQuadrature`], 1e-8 |
-//! | (1−r²)^q: ring, punch, Hertz, … | [`round::RoundTable64`], [`round::RoundTable32`] | [`closed`] (Coulomb), [`compact::Power::with_pressure`] | nodes |
+//! | uniform disk | [`table::Coulomb`], [`table::Table64`], [`table::Table32`] | [`compact::CompactCoulomb`], [`compact::CompactPower`] | [`quadrature::DiskQuadrature`], 1e-8 |
+//! | (1−r²)^q: ring, punch, Hertz, … | [`round::RoundTable64`], [`round::RoundTable32`] | [`closed`] (Coulomb), [`compact::CompactPower::with_pressure`] | nodes |
 //! | polynomial in r² | [`round::PolynomialTable`] | – | nodes |
 //! | annulus | [`Annulus`] of the disk's | [`Annulus`] of the disk's | [`Annulus`] of the disk's |
 //! | points, polygons, any pressure map | – | – | [`nodes::NodeFriction`] |
@@ -15,8 +15,8 @@
 //! any exponent.
 //!
 //! [`PatchFriction`] adds radius and coefficient. A pressure that leans makes spinning friction
-//! lateral ([`Lateral`]); [`tall::TallFriction`] finds the lean of a tall body. What a contact does
-//! not name costs it nothing.
+//! lateral ([`Lateral`]); [`tall::TallFriction`] finds the lean of a tall body. A tier that a program
+//! does not name costs nothing.
 //!
 //! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
 
@@ -48,10 +48,18 @@ pub use annulus::Annulus;
 pub use dry::Dry;
 pub(crate) use family::inertia_ends;
 pub use friction::{FrictionError, Magnitudes, MagnitudesJacobian, PatchFriction};
-pub use lateral::{Lateral, LateralJacobian};
-pub use lean_profile::LeanProfile;
-pub use profile::{Profile, SmoothProfile, unscaled_wrench};
-pub use speeds::{Lead, Speeds};
+pub use lateral::Lateral;
+pub use profile::Profile;
+
+/// See [`crate::internals`].
+pub(crate) mod internals {
+    pub use super::lateral::LateralJacobian;
+    pub use super::lean_profile::LeanProfile;
+    pub use super::profile::{SmoothProfile, unscaled_wrench};
+    pub use super::speeds::{Lead, Speeds};
+}
+
+pub(crate) use internals::{LateralJacobian, Lead, SmoothProfile, Speeds};
 
 use crate::real::Real;
 
@@ -118,7 +126,7 @@ pub struct ReducedJacobian<R> {
 /// }
 /// // Spinning makes dry friction viscous, F = ε − ε³/8 + …, in every tier.
 /// assert!((drag(&table::Coulomb) - 1.0).abs() < 2e-9);
-/// assert!((drag(&compact::Coulomb) - 1.0).abs() < 2e-9);
+/// assert!((drag(&compact::CompactCoulomb) - 1.0).abs() < 2e-9);
 /// assert!((table::Coulomb.reduced_jacobian(0.0_f64, 1.0).force_slide - 1.0).abs() < 1e-12);
 /// ```
 pub trait Coupling<R: Real> {

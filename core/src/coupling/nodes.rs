@@ -1,4 +1,5 @@
-//! Friction of a contact at points, or of any pressure through the nodes of a rule; any law.
+//! Friction of a contact at points, or of any pressure represented by the nodes of a quadrature rule,
+//! under any local law.
 //!
 //! Node i at rᵢ carries the share pᵢ of the load N and moves with uᵢ = v + ω × rᵢ, so that
 //!
@@ -20,8 +21,8 @@ use nalgebra::{Matrix3, Vector2};
 /// A local law on a patch of nodes.
 ///
 /// *Units*: any consistent set; twist and wrench refer to the origin of the nodes' coordinates.
-/// *Accuracy*: for the given nodes a few ulp of the largest term; how well the nodes stand for a
-/// continuous pressure is told by their rule. *Cost*: one square root, one division and one
+/// *Accuracy*: for the given nodes a few ulp of the largest term; the accuracy for a
+/// continuous pressure is that of the quadrature rule. *Cost*: one square root, one division and one
 /// evaluation of the law a node.
 /// *Special values*: a node that does not move carries nothing (dry friction there may be anything
 /// up to its limit; the patch as a whole sticks only if all nodes rest). An empty list resists
@@ -29,15 +30,15 @@ use nalgebra::{Matrix3, Vector2};
 ///
 /// ```
 /// use tribos_core::coupling::nodes::NodeFriction;
-/// use tribos_core::law::Coulomb;
+/// use tribos_core::law::CoulombLaw;
 /// use tribos_core::patch::nodes::{Node, Nodes};
 /// use tribos_core::twist::Twist;
 ///
 /// let [left, right] = [-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5 });
-/// let feet = NodeFriction::new(Coulomb::new(0.5)?, Nodes::new([left, right])?);
+/// let feet = NodeFriction::new(CoulombLaw::new(0.5)?, Nodes::new([left, right])?);
 /// let wrench = feet.wrench(10.0, &Twist::new(0.0, 0.0, 3.0)); // N; m/s, m/s, rad/s
 /// assert!((wrench.torque + 0.5_f64 * 10.0 * 0.1).abs() < 1e-15);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -107,10 +108,7 @@ impl<L, P> NodeFriction<L, P> {
             torque += node.x * fy - node.y * fx;
         }
         let [x, y, torque] = [x, y, torque].map(|sum| -(load * self.mean(sum, twist)));
-        Wrench {
-            force: Vector2::new(x, y),
-            torque,
-        }
+        Wrench::new(x, y, torque)
     }
 
     /// ∂wrench/∂twist: symmetric, and negative semidefinite for a law that never weakens.
@@ -135,7 +133,7 @@ impl<L, P> NodeFriction<L, P> {
     /// let drag = jacobian * Vector3::new(0.3, 0.0, 2.0);
     /// let wrench = Vector3::new(wrench.force.x, wrench.force.y, wrench.torque);
     /// assert!((drag - wrench).amax() < 1e-14);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn wrench_jacobian<R: Real>(&self, load: R, twist: &Twist<R>) -> WrenchJacobian<R>
     where

@@ -5,7 +5,7 @@
 //! a polynomial of degree n errs like 9.9⁻ⁿ. The cell of an argument is read off its exponent and
 //! first mantissa bit: no logarithm.
 
-use crate::special::hypergeometric::{Gauss, Jet};
+use crate::special::{Gauss, Jet};
 
 /// One cell: Φ(z) = Σ aₙ uⁿ and Θ(z) = Σ bₙ uⁿ with u = z − center, stored as pairs (aₙ, bₙ).
 #[derive(Clone, Copy, Debug)]

@@ -18,7 +18,7 @@ pub struct PolynomialTable {
 }
 
 impl PolynomialTable {
-    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`].
+    /// *Domain*: −1 < α ≤ [`Table::MAX_EXPONENT`](super::table::Table::MAX_EXPONENT).
     ///
     /// ```
     /// use tribos_core::coupling::{Coupling, round::PolynomialTable};
@@ -26,7 +26,7 @@ impl PolynomialTable {
     /// // All load towards the rim: p ~ r².
     /// let table = PolynomialTable::new(0.0, &PolynomialPressure::new([0.0, 1.0])?)?;
     /// assert!((table.reduced_wrench(0.0, 1.0).torque - 0.8).abs() < 1e-15);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn new<const N: usize>(
         alpha: f64,
@@ -79,7 +79,7 @@ impl Coupling<f64> for PolynomialTable {
 /// assert!((table.mean_square_radius() - 2.0 / 3.0).abs() < 1e-14);
 /// // Spinning in place under a pressure that leans: half the mean radius goes sideways.
 /// assert!((table.lateral(0.0, 1.0) - 0.8 / 2.0).abs() < 1e-14);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct LateralPolynomialTable {
@@ -90,7 +90,7 @@ pub struct LateralPolynomialTable {
 }
 
 impl LateralPolynomialTable {
-    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`].
+    /// *Domain*: −1 < α ≤ [`Table::MAX_EXPONENT`](super::table::Table::MAX_EXPONENT).
     pub fn new<const N: usize>(
         alpha: f64,
         pressure: &PolynomialPressure<N>,

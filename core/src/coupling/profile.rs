@@ -1,4 +1,4 @@
-//! What a round patch under a power law comes to: two functions of the ratio of its speeds.
+//! Reduced friction of a round patch under a power law, as two functions of the ratio of its speeds.
 //!
 //! Let v be the sliding speed, w = ωR the rim speed, m = max(v, w), h = min(v, w)/m and x = h².
 //! For the local law |u|^α the dissipation potential D(v, w) = ⟨|u|^(α+1)⟩/(α+1), a mean over the
@@ -8,7 +8,7 @@
 //! F = m^(α−1) v Φ,      T = m^(α−1) w Χ,      Φ and Χ functions of x, apart for v > w and v ≤ w
 //! ```
 //!
-//! and C_α(ε) = ε T/F, on which the final motion hangs, is Χ/Φ. The symmetry ∂F/∂w = ∂T/∂v ties
+//! and C_α(ε) = ε T/F, which decides the final motion, is Χ/Φ. The symmetry ∂F/∂w = ∂T/∂v ties
 //! the two, so that the Jacobian needs Φ' and nothing else:
 //!
 //! ```text
@@ -35,33 +35,28 @@ use super::wide::is_ordinary;
 use super::{ReducedJacobian, ReducedWrench};
 use crate::real::Real;
 
-/// A way to evaluate Φ and Χ for one exponent and pressure: what an accuracy tier implements.
+/// A round patch under a power law |v|^α: every table, compact tier and closed form is one.
+///
+/// Its methods but [`Profile::exponent`] serve the kernel and are no part of the promise.
 ///
 /// ```
-/// use tribos_core::coupling::{Profile, Speeds, unscaled_wrench};
-/// // A lubricated disk, α = 1: F = v and T = w/2, each as if the other motion were not.
-/// struct Viscous;
-/// impl Profile<f64> for Viscous {
-///     fn exponent(&self) -> f64 {
-///         1.0
-///     }
-///     fn factors(&self, _: &Speeds<f64>) -> [f64; 2] {
-///         [1.0, 0.5]
-///     }
+/// use tribos_core::coupling::{Profile, compact::CompactPower, table::Coulomb};
+/// fn is_dry(profile: &impl Profile<f64>) -> bool {
+///     profile.exponent() == 0.0
 /// }
-/// let wrench = unscaled_wrench(&Viscous, 0.3, 0.4); // in units of the larger speed
-/// assert!((0.4 * wrench.force - 0.3).abs() < 1e-15);
-/// assert!((0.4 * wrench.torque - 0.4 / 2.0).abs() < 1e-15);
-/// assert_eq!(Viscous.inertia_ends(), [0.5, 0.5]); // C does not depend on the motion
+/// assert!(is_dry(&Coulomb) && !is_dry(&CompactPower::new(0.5)?));
+/// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 pub trait Profile<R: Real> {
     /// The exponent α > −1 of the local law.
     fn exponent(&self) -> R;
 
     /// Φ and Χ.
+    #[doc(hidden)]
     fn factors(&self, at: &Speeds<R>) -> [R; 2];
 
     /// (F, T)/m^α = (a Φ, b Χ) with a = v/m and b = w/m.
+    #[doc(hidden)]
     #[inline]
     fn unscaled(&self, at: &Speeds<R>) -> ReducedWrench<R> {
         let [phi, chi] = self.factors(at);
@@ -73,12 +68,14 @@ pub trait Profile<R: Real> {
 
     /// C_α(ε) − C: its sign decides where ε goes, its size how fast.
     /// A profile that can keeps its digits where the plain difference has none, at α → 1.
+    #[doc(hidden)]
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
         let [phi, chi] = self.factors(at);
         chi / phi - inertia_ratio
     }
 
     /// C_α(0) and C_α(∞), the ends of C_α = Χ/Φ.
+    #[doc(hidden)]
     fn inertia_ends(&self) -> [R; 2] {
         [Lead::Spinning, Lead::Sliding].map(|lead| {
             let [phi, chi] = self.factors(&Speeds::from_ratio(lead, R::ZERO));
@@ -87,6 +84,7 @@ pub trait Profile<R: Real> {
     }
 
     /// `speed`^α.
+    #[doc(hidden)]
     #[inline]
     fn speed_scale(&self, speed: R) -> R {
         let alpha = self.exponent();
@@ -98,6 +96,7 @@ pub trait Profile<R: Real> {
     }
 
     /// `speed`^(α−1).
+    #[doc(hidden)]
     #[inline]
     fn rate_scale(&self, speed: R) -> R {
         let alpha = self.exponent();
@@ -109,17 +108,7 @@ pub trait Profile<R: Real> {
     }
 }
 
-/// A profile that knows the slope of Φ, which makes its Jacobian analytic.
-///
-/// ```
-/// use core::f64::consts::PI;
-/// use tribos_core::coupling::{Lead, SmoothProfile, Speeds, closed::Hertz};
-/// // Hertz' Φ = (3π/8)(1 − x/4) falls evenly with x = h² as long as spinning leads.
-/// let at = Speeds::from_ratio(Lead::Spinning, 0.6_f64);
-/// let [phi, slope, _chi] = Hertz.factors_and_slope(&at);
-/// assert!((slope + 3.0 * PI / 32.0).abs() < 1e-15);
-/// assert!((phi - slope * 0.36 - 3.0 * PI / 8.0).abs() < 1e-15);
-/// ```
+/// A profile with the slope of Φ, which makes its Jacobian analytic.
 pub trait SmoothProfile<R: Real>: Profile<R> {
     /// Φ, Φ' (with respect to x = h²) and Χ.
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3];
@@ -156,18 +145,6 @@ impl<R: Real, P: SmoothProfile<R> + ?Sized> SmoothProfile<R> for &P {
 
 /// The wrench with the power of the velocity scale left out, (F, T)/max(v, w)^α: what a caller
 /// that keeps the scale itself needs. Zero at rest.
-///
-/// ```
-/// use tribos_core::coupling::{Coupling, compact::Power, unscaled_wrench};
-/// let turbulent = Power::new(2.0_f64)?; // friction as the square of the speed
-/// let wrench = turbulent.reduced_wrench(3.0, 4.0);
-/// let part = unscaled_wrench(&turbulent, 3.0, 4.0);
-/// assert!((part.force * 4.0_f64.powi(2) - wrench.force).abs() < 1e-13);
-/// // A motion so slow that the squares of its speeds vanish, and only they.
-/// assert_eq!(turbulent.reduced_wrench(3e-200, 4e-200).force, 0.0);
-/// assert!((unscaled_wrench(&turbulent, 3e-200, 4e-200).force - part.force).abs() < 1e-14);
-/// # Ok::<(), tribos_core::law::LawError>(())
-/// ```
 #[inline]
 pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
     let speeds = Speeds::new(slide, rim);

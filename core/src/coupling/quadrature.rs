@@ -41,8 +41,8 @@ use crate::real::Real;
 ///
 /// ```
 /// use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
-/// use tribos_core::law::Coulomb;
-/// let disk = DiskQuadrature::new(Coulomb::new(1.0_f64)?);
+/// use tribos_core::law::CoulombLaw;
+/// let disk = DiskQuadrature::new(CoulombLaw::new(1.0_f64)?);
 /// assert!((disk.reduced_wrench(1.0, 1.0).force - 8.0 / (3.0 * core::f64::consts::PI)).abs() < 1e-8);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```

@@ -4,13 +4,6 @@ use super::wide::is_ordinary;
 use crate::real::Real;
 
 /// Which of the two speeds is the larger one.
-///
-/// ```
-/// use tribos_core::coupling::{Lead, Speeds};
-/// // A puck slides at 0.3 m/s while its rim turns at 0.4 m/s.
-/// assert_eq!(Speeds::new(0.3, 0.4).lead(), Lead::Spinning);
-/// assert_eq!(Speeds::new(0.4, 0.3).lead(), Lead::Sliding);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Lead {
@@ -21,19 +14,6 @@ pub enum Lead {
 }
 
 /// Sliding speed v and rim speed w = |ω|R in units of m = max(v, w).
-///
-/// ```
-/// use tribos_core::coupling::{Lead, Speeds};
-/// let at = Speeds::new(0.3_f64, -0.4); // m/s
-/// assert!((at.ratio() - 0.75).abs() < 1e-15);
-/// assert!((at.complement() - (1.0 - 0.75 * 0.75)).abs() < 1e-15);
-/// let same = Speeds::from_ratio(Lead::Spinning, 0.75);
-/// assert!((same.complement() - at.complement()).abs() < 1e-15);
-/// // 1 − h² of speeds that differ in their last digit alone: all digits are right.
-/// let nearly = Speeds::new(1.0, 1.0 + f64::EPSILON).complement();
-/// assert!((nearly / (2.0 * f64::EPSILON) - 1.0).abs() < 1e-15);
-/// assert!(Speeds::new(0.0, 0.0).at_rest());
-/// ```
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Speeds<R> {

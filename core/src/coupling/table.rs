@@ -18,28 +18,22 @@ pub(super) const TERMS_F32: usize = 6;
 /// One degree less is enough for α = 0 in f32, whose singularity is weaker than that of α < 0.
 const TERMS_COULOMB_F32: usize = 5;
 
-/// Largest exponent that a table resolves to its stated bound.
-///
-/// ```
-/// use tribos_core::coupling::table::{MAX_EXPONENT, Table64};
-/// use tribos_core::law::LawError;
-/// let refused = Table64::new(10.5).err();
-/// assert_eq!(refused, Some(LawError::Exponent { given: 10.5, max: MAX_EXPONENT }));
-/// ```
-pub const MAX_EXPONENT: f64 = 10.0;
+/// [`Table::MAX_EXPONENT`] of every table.
+pub(super) const MAX_EXPONENT: f64 = 10.0;
 
-/// A table of Φ and Θ of the uniform disk; Χ = (1−a²)Φ/n + a²Θ with a = v/m on both sides.
+/// Friction v^α on a uniform disk, from a table: [`Table64`] or [`Table32`].
+///
+/// The table holds Φ and Θ; Χ = (1−a²)Φ/n + a²Θ with a = v/m, whichever speed leads.
 ///
 /// ```
-/// use tribos_core::coupling::{Coupling, table::{Table, Table32, Table64}};
-/// use tribos_core::real::Real;
-/// // Torque of spinning in place under friction v^α: the mean of r^(1+α), in either precision.
-/// fn spinning<R: Real, const C: usize, const T: usize>(table: &Table<R, C, T>) -> R {
-///     table.reduced_wrench(R::ZERO, R::ONE).torque
-/// }
-/// assert!((spinning(&Table64::new(0.5)?) - 2.0 / 3.5).abs() < 1e-14);
-/// assert!((spinning(&Table32::new(0.5)?) - 2.0 / 3.5).abs() < 1e-6);
-/// # Ok::<(), tribos_core::law::LawError>(())
+/// use tribos_core::coupling::{Coupling, table::{Table32, Table64}};
+/// use tribos_core::law::LawError;
+/// // Torque of spinning in place under friction v^α: the mean of r^(1+α).
+/// assert!((Table64::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-14);
+/// assert!((Table32::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-6);
+/// let max = Table64::MAX_EXPONENT;
+/// assert_eq!(Table64::new(10.5).err(), Some(LawError::Exponent { given: 10.5, max }));
+/// # Ok::<(), LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Table<R, const CELLS: usize, const TERMS: usize> {
@@ -52,10 +46,15 @@ pub type Table64 = Table<f64, CELLS_F64, TERMS_F64>;
 /// Table of one exponent in f32 (3 KiB).
 pub type Table32 = Table<f32, CELLS_F32, TERMS_F32>;
 
+impl<R, const CELLS: usize, const TERMS: usize> Table<R, CELLS, TERMS> {
+    /// Largest exponent that a table resolves to its stated bound; it holds for all tables.
+    pub const MAX_EXPONENT: f64 = MAX_EXPONENT;
+}
+
 impl Table64 {
     /// Builds the table of exponent α; `const`, so that a `static` table can live in flash.
     ///
-    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Accuracy* of force and torque: 1.5e-15 relative for
+    /// *Domain*: −1 < α ≤ [`Table::MAX_EXPONENT`]. *Accuracy* of force and torque: 1.5e-15 relative for
     /// α ≥ −0.75 (5 ulp at α = 0), 1.2e-14 below; Jacobian 2e-13 of F/v. *Cost*: about 300,000
     /// floating-point operations.
     ///
@@ -87,7 +86,7 @@ impl Table64 {
 impl Table32 {
     /// Builds the table of exponent α in f64 arithmetic and rounds it; `const`.
     ///
-    /// *Domain*: −1 < α ≤ [`MAX_EXPONENT`]. *Accuracy* of force and torque: 5 ulp for
+    /// *Domain*: −1 < α ≤ [`Table::MAX_EXPONENT`]. *Accuracy* of force and torque: 5 ulp for
     /// −0.75 ≤ α ≤ 5, 8 ulp up to 10; Jacobian 6e-6 of F/v. *Cost*: about 150,000 operations in
     /// f64.
     ///
@@ -176,13 +175,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table
 }
 
 /// Table of α = 0 in f32.
-///
-/// ```
-/// use tribos_core::coupling::{Coupling, table::{Coulomb, CoulombTable, CoulombTable32}};
-/// let table: &CoulombTable32 = f32::coulomb_table(); // what `Coulomb` reads
-/// assert_eq!(table.reduced_wrench(0.3, 0.4), Coulomb.reduced_wrench(0.3, 0.4));
-/// ```
-pub type CoulombTable32 = Table<f32, CELLS_F32, TERMS_COULOMB_F32>;
+type CoulombTable32 = Table<f32, CELLS_F32, TERMS_COULOMB_F32>;
 
 /// A scalar with a Coulomb table in read-only memory.
 ///
@@ -197,8 +190,10 @@ pub type CoulombTable32 = Table<f32, CELLS_F32, TERMS_COULOMB_F32>;
 /// ```
 pub trait CoulombTable: Real + sealed::Sealed {
     /// The table's type.
+    #[doc(hidden)]
     type Table: SmoothProfile<Self> + 'static;
     /// The table of α = 0.
+    #[doc(hidden)]
     fn coulomb_table() -> &'static Self::Table;
 }
 

@@ -1,4 +1,4 @@
-//! A tall body: friction at its foot leans it forward, and its pressure with it.
+//! Friction of a tall body: the moment of friction about the centre of mass shifts the pressure forwards.
 //!
 //! Friction F pulls at the foot, inertia at the centre of mass a height h above. While the body
 //! does not tip, the pressure balances that moment with a gradient, p (1 + l·r) with r in radii,
@@ -26,15 +26,7 @@ use core::marker::PhantomData;
 use nalgebra::Vector2;
 
 /// Reduced wrench under a pressure with gradient.
-///
-/// ```
-/// use tribos_core::coupling::{table::Coulomb, tall::{LeaningWrench, leaning_wrench}};
-/// // Spinning in place, the pressure leaning half as far as it can: half of 1/3 goes sideways.
-/// let spinning = leaning_wrench(&Coulomb, [0.0_f64, 1.0], [0.5, 0.0]);
-/// let LeaningWrench { lateral, torque, .. } = spinning;
-/// assert!((lateral - 0.5 / 3.0).abs() < 1e-14);
-/// assert!((torque - 2.0 / 3.0).abs() < 1e-15); // as upright
-/// ```
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct LeaningWrench<R> {
@@ -52,17 +44,7 @@ pub struct LeaningWrench<R> {
 ///
 /// *Domain*: |l| ≤ 1 keeps the pressure positive; beyond, the result is the formula's, not a
 /// body's. *Units*: those of F.
-///
-/// ```
-/// use tribos_core::coupling::{table::Coulomb, tall::leaning_wrench};
-/// // What force and torque lose where the pressure leans to one side of the velocity, they gain
-/// // where it leans as far to the other.
-/// let [left, level, right] = [0.5, 0.0, -0.5]
-///     .map(|across| leaning_wrench(&Coulomb, [0.3_f64, 0.4], [0.0, across]));
-/// assert!((left.force + right.force - 2.0 * level.force).abs() < 1e-15);
-/// assert!((left.torque + right.torque - 2.0 * level.torque).abs() < 1e-15);
-/// assert!(left.force < level.force);
-/// ```
+#[doc(hidden)]
 pub fn leaning_wrench<R: Real, C: Lateral<R>>(
     coupling: &C,
     [slide, rim]: [R; 2],
@@ -85,7 +67,7 @@ pub fn leaning_wrench<R: Real, C: Lateral<R>>(
     }
 }
 
-/// Which gradients of the pressure are followed.
+/// Which components of the pressure gradient are computed.
 ///
 /// ```
 /// use tribos_core::coupling::{table::Coulomb, tall::{AllRound, FrontBack, Lean}};
@@ -172,7 +154,7 @@ impl Lean for AllRound {
     }
 }
 
-/// Whether the whole patch still bears.
+/// Whether the entire patch is still loaded.
 ///
 /// ```
 /// use tribos_core::coupling::tall::{AllRound, Footing, TallFriction};
@@ -183,7 +165,7 @@ impl Lean for AllRound {
 /// // It tips when it slides, but not while it spins fast, where sliding meets little friction.
 /// let [slides, spins] = [0.0, 1000.0].map(|spin| bottle.wrench(5.0, &Twist::new(1.0, 0.0, spin)));
 /// assert_eq!([slides.footing, spins.footing], [Footing::Lifting, Footing::Whole]);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -207,7 +189,7 @@ pub enum Footing {
 ///     panic!("it tips")
 /// };
 /// assert!((lean - 4.0 * 0.5 * 0.1 / 0.05).abs() < 1e-14);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -229,7 +211,7 @@ impl core::fmt::Display for Tips {
 
 impl core::error::Error for Tips {}
 
-/// What friction does to a tall body.
+/// Wrench, pressure gradient and footing of a tall body.
 ///
 /// ```
 /// use tribos_core::coupling::tall::{AllRound, TallFriction, TallWrench};
@@ -242,7 +224,7 @@ impl core::error::Error for Tips {}
 /// // Friction's moment about the centre of mass is the pressure's: N R l/4 in the uniform disk.
 /// let pressure = lean * (load * 0.08 / 4.0);
 /// assert!((wrench.force * height + pressure).amax() < 1e-14);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TallWrench<R: Real> {
@@ -250,7 +232,7 @@ pub struct TallWrench<R: Real> {
     pub wrench: Wrench<R>,
     /// Pressure gradient l, per radius, that balances the force.
     pub lean: Vector2<R>,
-    /// Whether the wrench is that of a whole foot. If [`Footing::Lifting`], the gradient's share
+    /// Whether the entire foot is loaded. If [`Footing::Lifting`], the gradient's share
     /// in the wrench has been held at |l| = 1.
     pub footing: Footing,
 }
@@ -267,7 +249,7 @@ impl<R: Real> TallWrench<R> {
     }
 }
 
-/// Friction of a body whose centre of mass stands above its foot.
+/// Friction of a body whose centre of mass lies above its foot.
 ///
 /// *Units*: as [`PatchFriction`]. The wrench acts at the foot's centre.
 ///
@@ -280,7 +262,7 @@ impl<R: Real> TallWrench<R> {
 /// let wrench = cylinder.wrench(9.81, &Twist::new(1.0, 0.0, 10.0)).whole()?;
 /// assert!(wrench.force.x < 0.0 && wrench.force.y < 0.0);
 /// assert_eq!(cylinder.foot().radius(), 0.08);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -333,10 +315,11 @@ impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
         let (back, side) = (strength * reduced.force, strength * reduced.lateral * sense);
         let across = across * sense;
         TallWrench {
-            wrench: Wrench {
-                force: Vector2::new(side * sin - back * cos, -(side * cos) - back * sin),
-                torque: -(strength * self.foot.radius() * reduced.torque * sense),
-            },
+            wrench: Wrench::new(
+                side * sin - back * cos,
+                -(side * cos) - back * sin,
+                -(strength * self.foot.radius() * reduced.torque * sense),
+            ),
             lean: Vector2::new(along * cos - across * sin, along * sin + across * cos),
             footing,
         }
@@ -356,7 +339,7 @@ impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
     /// // Friction's resultant leaves the kern of the disk, a quarter of its radius: λ = 1.
     /// let tall = TallFriction::<_, _, AllRound>::new(foot, radius / 4.0 / mu)?;
     /// assert!((tall.lean() - 1.0).abs() < 1e-15);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn lean(&self) -> R {
         self.lean

@@ -1,4 +1,4 @@
-//! Products that are numbers though some of their factors are not.
+//! Products in the number range whose factors are not.
 
 use crate::real::Real;
 

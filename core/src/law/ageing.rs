@@ -36,12 +36,12 @@ pub struct Ageing<R> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Age<R> {
-    /// Since it last slipped.
+    /// Time since the contact last slipped.
     pub time: R,
 }
 
 impl<R: Real> Age<R> {
-    /// Just slipped.
+    /// A contact that has just slipped.
     pub const ZERO: Self = Self { time: R::ZERO };
 
     /// The age `dt` ≥ 0 later: a contact that sticks ages, one that slips is new.
@@ -91,7 +91,7 @@ impl<R: Real> Ageing<R> {
         }
     }
 
-    /// Whether a body at rest of this age stays there under a tangential drive, per load.
+    /// Whether a body at rest of this age sticks under a tangential force per load.
     #[inline]
     pub fn at_rest(&self, age: Age<R>, drive_per_load: R) -> Grip {
         Grip::of(drive_per_load, self.mu_static(age))

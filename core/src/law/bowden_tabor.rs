@@ -1,7 +1,7 @@
-//! Friction as the shearing of junctions.
+//! Friction by shearing of junctions.
 
 use super::error::positive;
-use super::{Coulomb, LawError, Plastic, RealArea};
+use super::{CoulombLaw, LawError, Plastic, RealArea};
 use crate::real::Real;
 
 /// Friction force τ_c A(L): the real area of contact times the stress that shears it.
@@ -80,7 +80,7 @@ impl<R: Real> BowdenTabor<R, Plastic<R>> {
     /// Coulomb's law with μ = τ_c/σ_c.
     ///
     /// Refused if the quotient leaves the range of the type.
-    pub fn coulomb(&self) -> Result<Coulomb<R>, LawError> {
-        Coulomb::new(self.shear_strength / self.contact.hardness())
+    pub fn coulomb(&self) -> Result<CoulombLaw<R>, LawError> {
+        CoulombLaw::new(self.shear_strength / self.contact.hardness())
     }
 }

@@ -1,9 +1,9 @@
-//! Age of a contact in motion, and how sliding renews it.
+//! Age of a sliding contact and its evolution laws.
 
 use super::limits::ln_ratio;
 use crate::real::Real;
 
-/// State variable θ of rate-and-state friction: about the time that its junctions have lived.
+/// State variable θ of rate-and-state friction: roughly the mean age of its junctions.
 ///
 /// ```
 /// use tribos_core::law::{ContactAge, Dieterich, RateState, RateStateParameters};

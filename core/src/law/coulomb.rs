@@ -8,8 +8,8 @@ use crate::real::Real;
 /// *Units*: μ is dimensionless. *Source*: eq. 3.6 with α = 0.
 ///
 /// ```
-/// use tribos_core::law::{Coulomb, LocalLaw};
-/// let rubber = Coulomb::new(0.8_f64)?;
+/// use tribos_core::law::{CoulombLaw, LocalLaw};
+/// let rubber = CoulombLaw::new(0.8_f64)?;
 /// let [creeping, fast] = [1e-6, 10.0].map(|speed| rubber.friction(speed) * 12.0); // m/s, N
 /// assert_eq!(creeping, fast);
 /// assert_eq!(fast, rubber.mu() * 12.0);
@@ -18,11 +18,11 @@ use crate::real::Real;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Coulomb<R> {
+pub struct CoulombLaw<R> {
     mu: R,
 }
 
-impl<R: Real> Coulomb<R> {
+impl<R: Real> CoulombLaw<R> {
     /// *Domain*: 0 ≤ `mu` < ∞.
     pub fn new(mu: R) -> Result<Self, LawError> {
         Ok(Self {
@@ -36,7 +36,7 @@ impl<R: Real> Coulomb<R> {
     }
 }
 
-impl<R: Real> LocalLaw<R> for Coulomb<R> {
+impl<R: Real> LocalLaw<R> for CoulombLaw<R> {
     #[inline]
     fn friction(&self, speed: R) -> R {
         if speed.is_nan() { speed } else { self.mu }

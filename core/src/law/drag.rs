@@ -9,7 +9,7 @@ use super::limits::scaled;
 use crate::real::Real;
 
 /// C₁ = 6π of Stokes' drag.
-pub const STOKES_CONSTANT: f64 = 6.0 * core::f64::consts::PI;
+const STOKES_CONSTANT: f64 = 6.0 * core::f64::consts::PI;
 
 /// Viscous drag F = 6π η r v.
 ///
@@ -17,10 +17,10 @@ pub const STOKES_CONSTANT: f64 = 6.0 * core::f64::consts::PI;
 /// (Oseen) is 3/8 of Re. *Source*: Stokes; thesis eq. 2.4.
 ///
 /// ```
-/// use tribos_core::law::{STOKES_CONSTANT, Stokes, reynolds};
+/// use tribos_core::law::{Stokes, reynolds};
 /// let bead = Stokes::new(1e-3_f64, 1e-6)?; // water, 1 um
 /// assert!((bead.force(1e-4) - 1.885e-12).abs() < 1e-15); // N
-/// assert!((bead.slope(0.0) - STOKES_CONSTANT * 1e-3 * 1e-6).abs() < 1e-23); // N s/m
+/// assert!((bead.slope(0.0) - 6.0 * core::f64::consts::PI * 1e-3 * 1e-6).abs() < 1e-23); // N s/m
 /// assert!((reynolds(1e3, 1e-4, 1e-6, 1e-3) - 1e-4_f64).abs() < 1e-18);
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```

@@ -1,12 +1,12 @@
-//! Why a law is refused, and the checks that refuse it.
+//! Validation of law parameters.
 
 use crate::real::Real;
 
-/// Why a law was refused.
+/// An invalid parameter of a law.
 ///
 /// ```
-/// use tribos_core::law::{Coulomb, DryFriction, LawError};
-/// assert_eq!(Coulomb::new(-0.3), Err(LawError::Coefficient { given: -0.3 }));
+/// use tribos_core::law::{CoulombLaw, DryFriction, LawError};
+/// assert_eq!(CoulombLaw::new(-0.3), Err(LawError::Coefficient { given: -0.3 }));
 /// let swapped = DryFriction::new(0.3, 0.5).map_err(|error| error.to_string());
 /// let reason = "the static coefficient must not be below the dynamic coefficient";
 /// assert_eq!(swapped, Err(reason.to_string()));
@@ -26,7 +26,7 @@ pub enum LawError {
         /// Largest exponent of the chosen tier.
         max: f64,
     },
-    /// The exponent is not 0, as dry friction has it.
+    /// The exponent is not 0; dry friction requires α = 0.
     NotDry {
         /// What was given.
         given: f64,

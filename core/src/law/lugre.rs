@@ -1,4 +1,4 @@
-//! Friction of bristles: presliding, break-away, Stribeck effect and memory in one state.
+//! The LuGre bristle model: presliding, break-away, Stribeck effect and memory in one state.
 
 use super::error::{not_negative, ordered, positive};
 use super::limits::scaled;
@@ -66,7 +66,7 @@ pub struct LuGre<R> {
     parameters: LuGreParameters<R>,
 }
 
-/// State of a LuGre contact.
+/// State of a LuGre contact: the mean deflection of its bristles.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bristle<R> {

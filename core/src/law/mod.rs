@@ -1,8 +1,8 @@
-//! Friction laws: what a surface element, a body or a joint that slides resists with.
+//! Friction laws of a surface element, a body or a joint.
 //!
 //! | law | friction depends on | [`LocalLaw`] |
 //! |---|---|---|
-//! | [`Coulomb`], [`DryFriction`] | load; rest or motion | dynamic friction |
+//! | [`CoulombLaw`], [`DryFriction`] | load; rest or motion | dynamic friction |
 //! | [`PowerLaw`], [`PlateauPower`] | a power of the speed | yes |
 //! | [`Stribeck`] | speed: boundary and hydrodynamic lubrication | yes |
 //! | [`Ageing`] | time of rest | – |
@@ -11,16 +11,17 @@
 //! | [`BowdenTabor`] | real area of contact | – |
 //! | [`Stokes`], [`InertialDrag`] | speed in a fluid | – |
 //!
-//! States ([`Age`], [`ContactAge`], [`Bristle`]) are small values that the caller keeps, one for
-//! each contact; a law never changes. [`Incline`] puts a body on a slope.
+//! States ([`Age`], [`ContactAge`], [`Bristle`]) are small values that the caller stores, one for
+//! each contact; laws are immutable. [`Incline`] puts a body on a slope.
 //!
 //! Local laws couple sliding and spinning of a whole contact through
 //! [`DiskQuadrature`](crate::coupling::quadrature::DiskQuadrature):
 //!
 //! ```
 //! use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
-//! use tribos_core::law::{DryFriction, Stribeck};
-//! let law = Stribeck::new(DryFriction::new(0.2_f64, 0.1)?, 0.05, 2.0, 0.01)?;
+//! use tribos_core::law::{DryFriction, Stribeck, StribeckParameters};
+//! let dry = DryFriction::new(0.2_f64, 0.1)?;
+//! let law = Stribeck::new(StribeckParameters { dry, speed: 0.05, exponent: 2.0, viscous: 0.01 })?;
 //! let disk = DiskQuadrature::new(law);
 //! assert!(disk.reduced_wrench(0.1, 0.5).force < disk.reduced_wrench(0.1, 0.0).force);
 //! # Ok::<(), tribos_core::law::LawError>(())
@@ -47,8 +48,8 @@ mod stribeck;
 pub use ageing::{Age, Ageing};
 pub use bowden_tabor::BowdenTabor;
 pub use contact_age::{ContactAge, Dieterich, Evolution, Ruina};
-pub use coulomb::Coulomb;
-pub use drag::{DragRegime, InertialDrag, STOKES_CONSTANT, Stokes, crossover_reynolds, reynolds};
+pub use coulomb::CoulombLaw;
+pub use drag::{DragRegime, InertialDrag, Stokes, crossover_reynolds, reynolds};
 pub use dry::DryFriction;
 pub use error::LawError;
 pub(crate) use error::{fraction as validated_fraction, not_negative as validated_not_negative};
@@ -56,12 +57,12 @@ pub(crate) use error::{validated_coefficient, validated_exponent};
 pub use grip::Grip;
 pub use incline::{Incline, critical_angle};
 pub use lugre::{Bristle, LuGre, LuGreParameters, SteadyLuGre};
-pub use plateau::PlateauPower;
+pub use plateau::{PlateauPower, PlateauPowerParameters};
 pub use power::PowerLaw;
 pub use rate_state::{RateState, RateStateParameters};
 pub use real_area::{GreenwoodWilliamson, HertzSphere, Plastic, RealArea};
 pub use steady_rate_state::SteadyRateState;
-pub use stribeck::Stribeck;
+pub use stribeck::{Stribeck, StribeckParameters};
 
 use crate::real::Real;
 

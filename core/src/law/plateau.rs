@@ -4,6 +4,22 @@ use super::error::{fraction, ordered, positive, validated_coefficient, validated
 use super::{LawError, LocalLaw};
 use crate::real::Real;
 
+/// Parameters of [`PlateauPower`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PlateauPowerParameters<R> {
+    /// Exponent α of fast sliding. *Domain*: −1 < α ≤ 0.
+    pub alpha: R,
+    /// Coefficient γ of fast sliding. *Units*: (time/length)^α. *Domain*: 0 ≤ γ < ∞.
+    pub coefficient: R,
+    /// Speed v_p below which friction is constant. *Domain*: 0 < v_p < ∞.
+    pub plateau_speed: R,
+    /// Speed v_d below which friction drops from the plateau. *Domain*: 0 < v_d ≤ v_p.
+    pub drop_speed: R,
+    /// Friction at rest as a share r of the plateau; 1 for no drop. *Domain*: 0 ≤ r ≤ 1.
+    pub rest_share: R,
+}
+
 /// γ|v|^α of fast sliding (α ≤ 0) with a plateau at low speed and a finite value at rest.
 ///
 /// ```text
@@ -23,9 +39,12 @@ use crate::real::Real;
 /// *Source*: eq. 3.39 and fig. 3.19; the closed form is ours.
 ///
 /// ```
-/// use tribos_core::law::{LocalLaw, PlateauPower};
-/// let plateau = PlateauPower::<f64>::ICE_PLATEAU_SPEED; // 1e-4 m/s
-/// let curling = PlateauPower::new(-0.5, 0.008, plateau, 1e-7, 0.5)?;
+/// use tribos_core::law::{LocalLaw, PlateauPower, PlateauPowerParameters};
+/// let curling = PlateauPower::new(PlateauPowerParameters {
+///     alpha: -0.5, coefficient: 0.008, // speeds in m/s
+///     plateau_speed: PlateauPower::<f64>::ICE_PLATEAU_SPEED, // 1e-4 m/s
+///     drop_speed: 1e-7, rest_share: 0.5,
+/// })?;
 /// assert!((curling.friction(1.0) - 0.008).abs() < 1e-8);
 /// assert!((curling.friction(0.0) - 0.4).abs() < 1e-14); // half of 0.008/sqrt(1e-4)
 /// # Ok::<(), tribos_core::law::LawError>(())
@@ -33,50 +52,38 @@ use crate::real::Real;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PlateauPower<R> {
-    alpha: R,
-    coefficient: R,
-    plateau: R,
-    drop: R,
-    rest: R,
+    parameters: PlateauPowerParameters<R>,
 }
 
 impl<R: Real> PlateauPower<R> {
     /// Speed in m/s below which friction of ice on granite and glass is constant (fig. 3.19).
     pub const ICE_PLATEAU_SPEED: f64 = 1e-4;
 
-    /// Exponent α and coefficient γ of fast sliding, plateau speed v_p, speed v_d of the drop
-    /// below it, and the share r of the plateau that is left at rest.
-    ///
-    /// *Domain*: −1 < `alpha` ≤ 0; 0 ≤ `coefficient` < ∞; 0 < `drop_speed` ≤ `plateau_speed` < ∞;
-    /// 0 ≤ `rest_share` ≤ 1 (1: no drop).
-    pub fn new(
-        alpha: R,
-        coefficient: R,
-        plateau_speed: R,
-        drop_speed: R,
-        rest_share: R,
-    ) -> Result<Self, LawError> {
-        validated_exponent(alpha.to_f64(), 0.0)?;
-        positive("plateau speed", plateau_speed)?;
-        positive("drop speed", drop_speed)?;
-        ordered(("drop speed", drop_speed), ("plateau speed", plateau_speed))?;
-        Ok(Self {
-            alpha,
-            coefficient: validated_coefficient(coefficient)?,
-            plateau: plateau_speed,
-            drop: drop_speed,
-            rest: fraction("share of friction at rest", rest_share)?,
-        })
+    /// *Domain*: that of [`PlateauPowerParameters`].
+    pub fn new(parameters: PlateauPowerParameters<R>) -> Result<Self, LawError> {
+        let p = &parameters;
+        validated_exponent(p.alpha.to_f64(), 0.0)?;
+        positive("plateau speed", p.plateau_speed)?;
+        positive("drop speed", p.drop_speed)?;
+        ordered(
+            ("drop speed", p.drop_speed),
+            ("plateau speed", p.plateau_speed),
+        )?;
+        validated_coefficient(p.coefficient)?;
+        fraction("share of friction at rest", p.rest_share)?;
+        Ok(Self { parameters })
     }
 
     /// r + (1 − r) v/(v + v_d), in a form that has both limits.
     fn share(&self, speed: R) -> R {
-        self.rest + (R::ONE - self.rest) / (R::ONE + self.drop / speed)
+        let p = &self.parameters;
+        p.rest_share + (R::ONE - p.rest_share) / (R::ONE + p.drop_speed / speed)
     }
 
     /// γ (v² + v_p²)^(α/2)
     fn falling(&self, speed: R) -> R {
-        self.coefficient * speed.hypot(self.plateau).pow(self.alpha)
+        let p = &self.parameters;
+        p.coefficient * speed.hypot(p.plateau_speed).pow(p.alpha)
     }
 }
 
@@ -88,13 +95,14 @@ impl<R: Real> LocalLaw<R> for PlateauPower<R> {
     }
     #[inline]
     fn slope(&self, speed: R) -> R {
-        let length = speed.hypot(self.plateau);
+        let p = &self.parameters;
+        let length = speed.hypot(p.plateau_speed);
         // d ln(v² + v_p²)^½ / dv = v/(v² + v_p²)
-        let cos = R::ONE / R::ONE.hypot(self.plateau / speed);
-        let fall = self.alpha * cos / length * self.share(speed);
+        let cos = R::ONE / R::ONE.hypot(p.plateau_speed / speed);
+        let fall = p.alpha * cos / length * self.share(speed);
         // (1 − r) v_d/(v + v_d)²
-        let away = speed + self.drop;
-        let rise = (R::ONE - self.rest) * (self.drop / away) / away;
+        let away = speed + p.drop_speed;
+        let rise = (R::ONE - p.rest_share) * (p.drop_speed / away) / away;
         self.falling(speed) * (fall + rise)
     }
 }

@@ -1,4 +1,4 @@
-//! Friction that remembers: rate and state.
+//! Rate-and-state friction.
 
 use core::marker::PhantomData;
 

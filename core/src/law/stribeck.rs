@@ -5,6 +5,20 @@ use super::limits::{minimum_between, scaled};
 use super::{DryFriction, LawError, LocalLaw};
 use crate::real::Real;
 
+/// Parameters of [`Stribeck`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct StribeckParameters<R> {
+    /// Coefficients μₛ at rest and μ_d in boundary lubrication.
+    pub dry: DryFriction<R>,
+    /// Stribeck speed vₛ. *Domain*: 0 < vₛ < ∞.
+    pub speed: R,
+    /// Stribeck exponent δ; 1 and 2 are usual. *Domain*: 0 < δ < ∞.
+    pub exponent: R,
+    /// Viscous coefficient k. *Units*: 1/speed. *Domain*: 0 ≤ k < ∞.
+    pub viscous: R,
+}
+
 /// μ(v) = μ_d + (μₛ − μ_d) exp(−(v/vₛ)^δ) + k v.
 ///
 /// The first two terms are the boundary branch: dry contact that the film lifts away. The last is
@@ -14,8 +28,11 @@ use crate::real::Real;
 /// *Source*: Stribeck curve in the form of Bo and Pavelescu; thesis fig. 2.8.
 ///
 /// ```
-/// use tribos_core::law::{DryFriction, LocalLaw, Stribeck};
-/// let bearing = Stribeck::new(DryFriction::new(0.15_f64, 0.1)?, 0.01, 2.0, 0.5)?;
+/// use tribos_core::law::{DryFriction, LocalLaw, Stribeck, StribeckParameters};
+/// let bearing = Stribeck::new(StribeckParameters {
+///     dry: DryFriction::new(0.15_f64, 0.1)?, // μₛ, μ_d
+///     speed: 0.01, exponent: 2.0, viscous: 0.5, // m/s, 1, s/m
+/// })?;
 /// assert!((bearing.boundary(0.0) - 0.15).abs() < 1e-15); // no film at rest
 /// // At 1 m/s it carries: mu_d and the shear of the film are left.
 /// assert!((bearing.friction(1.0) - (0.1 + bearing.hydrodynamic(1.0))).abs() < 1e-15);
@@ -26,44 +43,31 @@ use crate::real::Real;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stribeck<R> {
-    dry: DryFriction<R>,
-    speed: R,
-    exponent: R,
-    viscous: R,
+    parameters: StribeckParameters<R>,
 }
 
 /// Doublings after which the exponential has died out for every exponent the type can tell.
 const DOUBLINGS: usize = 256;
 
 impl<R: Real> Stribeck<R> {
-    /// Coefficients at rest and in boundary lubrication, Stribeck speed vₛ, exponent δ (1 and 2
-    /// are usual), viscous coefficient k.
-    ///
-    /// *Domain*: 0 < vₛ, δ < ∞; 0 ≤ k < ∞.
-    pub fn new(
-        dry: DryFriction<R>,
-        stribeck_speed: R,
-        exponent: R,
-        viscous: R,
-    ) -> Result<Self, LawError> {
-        Ok(Self {
-            dry,
-            speed: positive("Stribeck speed", stribeck_speed)?,
-            exponent: positive("Stribeck exponent", exponent)?,
-            viscous: not_negative("viscous coefficient", viscous)?,
-        })
+    /// *Domain*: that of [`StribeckParameters`].
+    pub fn new(parameters: StribeckParameters<R>) -> Result<Self, LawError> {
+        positive("Stribeck speed", parameters.speed)?;
+        positive("Stribeck exponent", parameters.exponent)?;
+        not_negative("viscous coefficient", parameters.viscous)?;
+        Ok(Self { parameters })
     }
 
     /// μ_d + (μₛ − μ_d) exp(−(v/vₛ)^δ).
     #[inline]
     pub fn boundary(&self, speed: R) -> R {
-        self.dry.mu_dynamic() + self.drop() * self.faded(speed / self.speed)
+        self.parameters.dry.mu_dynamic() + self.drop() * self.faded(speed / self.parameters.speed)
     }
 
     /// k v.
     #[inline]
     pub fn hydrodynamic(&self, speed: R) -> R {
-        scaled(self.viscous, speed)
+        scaled(self.parameters.viscous, speed)
     }
 
     /// Speed of least friction between the two branches; `None` if the law has no minimum at a
@@ -75,13 +79,13 @@ impl<R: Real> Stribeck<R> {
         let steepest = self.steepest_fall();
         // Without fall there is no minimum, without viscosity no rise after it.
         let falls = self.slope(steepest) < R::ZERO;
-        if !falls || self.viscous == R::ZERO {
+        if !falls || self.parameters.viscous == R::ZERO {
             return None;
         }
-        let mut rising = if steepest > self.speed {
+        let mut rising = if steepest > self.parameters.speed {
             steepest
         } else {
-            self.speed
+            self.parameters.speed
         };
         for _ in 0..DOUBLINGS {
             if self.slope(rising) >= R::ZERO {
@@ -94,22 +98,22 @@ impl<R: Real> Stribeck<R> {
 
     /// μₛ − μ_d
     fn drop(&self) -> R {
-        self.dry.mu_static() - self.dry.mu_dynamic()
+        self.parameters.dry.mu_static() - self.parameters.dry.mu_dynamic()
     }
 
     /// exp(−x^δ)
     fn faded(&self, x: R) -> R {
-        (-x.pow(self.exponent)).exp()
+        (-x.pow(self.parameters.exponent)).exp()
     }
 
     /// Speed at which the boundary branch falls most steeply: rest for δ ≤ 1, else
     /// vₛ ((δ − 1)/δ)^(1/δ).
     fn steepest_fall(&self) -> R {
-        if self.exponent <= R::ONE {
+        if self.parameters.exponent <= R::ONE {
             R::ZERO
         } else {
-            let share = (self.exponent - R::ONE) / self.exponent;
-            self.speed * share.pow(R::ONE / self.exponent)
+            let share = (self.parameters.exponent - R::ONE) / self.parameters.exponent;
+            self.parameters.speed * share.pow(R::ONE / self.parameters.exponent)
         }
     }
 }
@@ -122,12 +126,13 @@ impl<R: Real> LocalLaw<R> for Stribeck<R> {
     /// At rest: −∞ for δ < 1, −(μₛ − μ_d)/vₛ + k for δ = 1, k above.
     #[inline]
     fn slope(&self, speed: R) -> R {
-        let x = speed / self.speed;
+        let x = speed / self.parameters.speed;
         let faded = self.faded(x);
         if faded == R::ZERO {
-            return self.viscous;
+            return self.parameters.viscous;
         }
-        let steepness = self.exponent / self.speed * x.pow(self.exponent - R::ONE);
-        self.viscous - scaled(self.drop(), steepness * faded)
+        let steepness = self.parameters.exponent / self.parameters.speed
+            * x.pow(self.parameters.exponent - R::ONE);
+        self.parameters.viscous - scaled(self.drop(), steepness * faded)
     }
 }

@@ -1,4 +1,4 @@
-//! The ellipsoid that planners take for the limit surface.
+//! The ellipsoidal approximation of the limit surface, common in planners.
 
 use super::exact::LimitSurface;
 use super::{FrictionSet, Projection, SurfaceError};
@@ -89,11 +89,10 @@ impl<R: Real> Ellipsoid<R> {
     /// ```
     /// use tribos_core::limit_surface::{Ellipsoid, FrictionSet};
     /// use tribos_core::twist::Wrench;
-    /// use nalgebra::Vector2;
     /// let puck = Ellipsoid::new(0.51_f64, 0.04, 2.0 / 3.0)?; // N, m
     /// // 60 % of the largest force leave 80 % of the largest torque.
     /// let torque = 0.8 * puck.torque_limit();
-    /// let wrench = Wrench { force: Vector2::new(0.6 * puck.force_limit(), 0.0), torque };
+    /// let wrench = Wrench::new(0.6 * puck.force_limit(), 0.0, torque);
     /// assert!((puck.gauge(&wrench) - 1.0).abs() < 1e-15);
     /// # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
     /// ```

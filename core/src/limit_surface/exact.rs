@@ -1,9 +1,10 @@
-//! The exact surface of a dry coupling, with its dimensions.
+//! The exact limit surface of a dry coupling.
 
 use super::meridian::{Aim, Meridian, Normal, Radial};
 use super::polar::Polar;
 use super::{Ellipsoid, FrictionSet, Projection, Region, SurfaceError, collar};
 use crate::coupling::{DryCoupling, ReducedWrench};
+use crate::patch::validated_radius;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 
@@ -59,15 +60,11 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
             let given = force_limit.to_f64();
             return Err(SurfaceError::ForceLimit { given });
         }
-        if !(radius > R::ZERO && radius.is_finite()) {
-            let given = radius.to_f64();
-            return Err(SurfaceError::Radius { given });
-        }
         Ok(Self {
             meridian: Meridian::new(coupling),
             // A quotient by −0 would have the wrong sign.
             force_limit: force_limit.abs(),
-            radius,
+            radius: validated_radius(radius)?,
         })
     }
 
@@ -258,7 +255,7 @@ impl<R: Real, C: DryCoupling<R>> FrictionSet<R> for LimitSurface<R, C> {
     fn twist_normal_to(&self, push: &Wrench<R>) -> Twist<R> {
         let scaled = self.scaled(push);
         if scaled.is_zero() {
-            return Twist::new(R::ZERO, R::ZERO, R::ZERO);
+            return Twist::ZERO;
         }
         let Radial { normal, gauge } = self.meridian.radial(scaled.unit, Aim::Normal);
         // A direction that is not a number has no normal, though the search ends somewhere.

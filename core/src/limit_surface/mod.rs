@@ -20,18 +20,16 @@
 //! use tribos_core::coupling::table::Coulomb;
 //! use tribos_core::limit_surface::{FrictionSet, LimitSurface};
 //! use tribos_core::twist::{Twist, Wrench};
-//! use nalgebra::Vector2;
 //!
 //! let puck = LimitSurface::new(Coulomb, 0.51_f64, 0.04)?; // μN in N, radius in m
 //! // A motion, and the friction that it meets.
 //! let friction = puck.wrench(&Twist::new(0.1, 0.0, 2.0));
 //! assert!((puck.gauge(&friction) - 1.0).abs() < 1e-14);
 //! // A push, and the motion that it causes: friction balances the push.
-//! let push = Wrench { force: -friction.force, torque: -friction.torque };
-//! let motion = puck.twist_normal_to(&push);
+//! let motion = puck.twist_normal_to(&-friction);
 //! assert!((motion.velocity.x / motion.spin - 0.1 / 2.0).abs() < 1e-13);
 //! // More than friction can carry, brought back to the surface.
-//! let carried = puck.project(&Wrench { force: Vector2::new(1.0, 0.0), torque: 0.02 });
+//! let carried = puck.project(&Wrench::new(1.0, 0.0, 0.02));
 //! assert!(puck.contains(&carried.wrench));
 //! # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
 //! ```
@@ -44,6 +42,7 @@ mod polar;
 pub use ellipsoid::Ellipsoid;
 pub use exact::LimitSurface;
 
+use crate::patch::PatchError;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 
@@ -52,18 +51,7 @@ use crate::twist::{Twist, Wrench};
 ///
 /// It covers the rounding of a surface point and of its gauge, for couplings that are themselves
 /// right to about 30 units (the AGM tier), so that no projection moves a projected wrench.
-///
-/// ```
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::limit_surface::{COLLAR_ULPS, FrictionSet, LimitSurface};
-/// use tribos_core::twist::Wrench;
-/// use nalgebra::Vector2;
-/// let puck = LimitSurface::new(Coulomb, 0.51_f64, 0.04)?;
-/// let once = puck.project(&Wrench { force: Vector2::new(1.0, 0.5), torque: 0.02 }).wrench;
-/// assert!((puck.gauge(&once) - 1.0).abs() <= COLLAR_ULPS * f64::EPSILON);
-/// assert_eq!(puck.project(&once).wrench, once); // to the bit
-/// # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
-/// ```
+#[doc(hidden)]
 pub const COLLAR_ULPS: f64 = 64.0;
 
 /// A closed convex set of wrenches with a smooth surface, symmetric like the friction of a disk.
@@ -123,11 +111,7 @@ pub trait FrictionSet<R: Real> {
     /// −[`FrictionSet::twist_normal_to`].
     #[inline]
     fn twist_resisted_by(&self, wrench: &Wrench<R>) -> Twist<R> {
-        let push = Wrench {
-            force: -wrench.force,
-            torque: -wrench.torque,
-        };
-        self.twist_normal_to(&push)
+        self.twist_normal_to(&-*wrench)
     }
 
     /// True if friction can carry `wrench`: gauge ≤ 1, and the collar of [`COLLAR_ULPS`].
@@ -149,9 +133,8 @@ fn collar<R: Real>() -> R {
 /// use tribos_core::coupling::table::Coulomb;
 /// use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection, Region};
 /// use tribos_core::twist::Wrench;
-/// use nalgebra::Vector2;
 /// let puck = LimitSurface::new(Coulomb, 0.5_f64, 0.04)?; // N, m
-/// let pull = |x| Wrench { force: Vector2::new(x, 0.0), torque: 0.0 };
+/// let pull = |x| Wrench::new(x, 0.0, 0.0);
 /// // A pull that friction balances, and one that is too strong.
 /// let sticks = Projection { wrench: pull(0.3), region: Region::Inside };
 /// assert_eq!(puck.project(&pull(0.3)), sticks);
@@ -173,9 +156,8 @@ pub struct Projection<R: Real> {
 /// use tribos_core::coupling::table::Coulomb;
 /// use tribos_core::limit_surface::{FrictionSet, LimitSurface, Region};
 /// use tribos_core::twist::Wrench;
-/// use nalgebra::Vector2;
 /// let puck = LimitSurface::new(Coulomb, 0.5_f64, 0.04)?; // N, m
-/// let push = Wrench { force: Vector2::new(0.6, 0.8), torque: 0.0 };
+/// let push = Wrench::new(0.6, 0.8, 0.0);
 /// // Pushed through its centre it slides along the push and does not turn.
 /// let Region::OnSurface { normal } = puck.project(&push).region else {
 ///     panic!("1 N is more than 0.5 N")
@@ -195,7 +177,7 @@ pub enum Region<R: Real> {
     },
 }
 
-/// Why a surface was refused.
+/// An invalid parameter of a limit surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum SurfaceError {
@@ -205,10 +187,7 @@ pub enum SurfaceError {
         given: f64,
     },
     /// The radius is not positive and finite.
-    Radius {
-        /// What was given.
-        given: f64,
-    },
+    Radius(PatchError),
     /// The reduced torque of pure spinning is not positive and finite.
     SpinTorque {
         /// What was given.
@@ -223,10 +202,7 @@ impl core::fmt::Display for SurfaceError {
                 f,
                 "the force limit must be finite and not negative, not {given}"
             ),
-            Self::Radius { given } => write!(
-                f,
-                "the contact radius must be positive and finite, not {given}"
-            ),
+            Self::Radius(error) => error.fmt(f),
             Self::SpinTorque { given } => write!(
                 f,
                 "the reduced torque of pure spinning must be positive and finite, not {given}"
@@ -236,3 +212,9 @@ impl core::fmt::Display for SurfaceError {
 }
 
 impl core::error::Error for SurfaceError {}
+
+impl From<PatchError> for SurfaceError {
+    fn from(error: PatchError) -> Self {
+        Self::Radius(error)
+    }
+}

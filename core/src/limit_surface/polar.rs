@@ -38,10 +38,7 @@ impl<R: Real> Polar<R> {
     #[inline]
     pub fn wrench(&self, force: R, torque: R) -> Wrench<R> {
         let [x, y] = self.axis;
-        Wrench {
-            force: Vector2::new(force * x, force * y),
-            torque: self.sign * torque,
-        }
+        Wrench::new(force * x, force * y, self.sign * torque)
     }
 
     /// A twist along the same axes.

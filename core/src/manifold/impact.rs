@@ -19,7 +19,7 @@ const SLOW: f64 = 1e-6;
 impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     Manifold<R, F, BODIES, CONTACTS>
 {
-    /// Takes all impacts, in at most so many rounds over the contacts. What approaches after them
+    /// Computes all impacts, in at most `rounds` rounds over the contacts. What approaches after them
     /// is stopped without rebound.
     pub(super) fn impact(&mut self, dt: R, rounds: u32) {
         for joint in &mut self.contacts {

@@ -1,4 +1,4 @@
-//! What is logged of a manifold.
+//! `defmt::Format` of a manifold.
 
 use super::Manifold;
 use crate::contact::ContactFriction;

@@ -1,14 +1,14 @@
-//! A handful of contacts solved together, without an allocator: a ball between fingers, a stack.
+//! A few contacts solved together, without an allocator: a ball between fingers, a stack.
 //!
 //! A [`Manifold`] holds up to `BODIES` spheres and plates and up to `CONTACTS` contacts between
 //! them, and gives all their impulses in one time step by the non-linear Gauss–Seidel method (Jean
-//! 1999). Where the bodies are is the caller's business: it moves them by their velocities and
-//! tells the contacts' geometry.
+//! 1999). The caller moves the bodies by their velocities and
+//! updates the geometry of the contacts.
 //!
 //! ```
 //! use nalgebra::Vector3;
 //! use tribos_core::contact::{Cohesion, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch};
-//! use tribos_core::manifold::{Manifold, Start, Stop};
+//! use tribos_core::manifold::{Manifold, InitialGuess, SolverLimits};
 //!
 //! // A ball of 1 kg and 5 cm held by two fingers that press with 40 N each.
 //! let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
@@ -25,14 +25,14 @@
 //!     *contact = Some(grip.push_contact(ball, finger, touch)?);
 //! }
 //! grip.set_gravity(Vector3::new(0.0, 0.0, -9.81));
-//! let report = grip.solve(TimeStep::new(1e-3)?, Start::Last, Stop { sweeps: 50, tolerance: 1e-5 });
+//! let report = grip.solve(TimeStep::new(1e-3)?, InitialGuess::Last, SolverLimits { sweeps: 50, tolerance: 1e-5 });
 //! assert!(report.converged);
 //! // 9.81 N by friction, of which 24 N are to be had: it does not fall.
 //! assert!(grip.body(ball).is_some_and(|body| body.velocity().z.abs() < 1e-6));
 //! let force = contacts[0].and_then(|contact| grip.force(contact));
 //! assert!(force.is_some_and(|force| (force.normal - 40.0).abs() < 1e-2));
 //! # use tribos_core::contact::Body;
-//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! # Ok::<(), tribos_core::Error>(())
 //! ```
 
 mod impact;
@@ -42,7 +42,7 @@ mod member;
 mod solve;
 
 pub use member::Member;
-pub use solve::{Report, Start, Stop};
+pub use solve::{InitialGuess, SolverLimits, SolverReport};
 
 use crate::contact::{Contact, ContactFriction, Modal, NormalLaw, Plate, Sphere, Touch};
 use crate::real::Real;
@@ -60,7 +60,7 @@ pub struct BodyHandle(usize);
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ContactHandle(usize);
 
-/// Why a manifold refused something.
+/// An invalid call of a manifold.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -79,7 +79,7 @@ pub struct ContactHandle(usize);
 /// let contact: ContactHandle = pair.push_contact(first, second, touch)?;
 /// pair.clear_contacts();
 /// assert_eq!(pair.set_touch(contact, touch), Err(ManifoldError::Unknown));
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -223,12 +223,12 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// use nalgebra::Vector3;
     /// use tribos_core::contact::{Body, Cohesion, NormalLaw, Plate, Sphere};
     /// use tribos_core::contact::{Thresholds, TimeStep, Touch};
-    /// use tribos_core::manifold::{Manifold, Start, Stop};
+    /// use tribos_core::manifold::{Manifold, InitialGuess, SolverLimits};
     /// # let still = Vector3::new(0.0, 0.0, 0.0);
     /// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
     /// # let table = Plate { velocity: still, inv_mass: 0.0 };
     /// # let (law, dt) = (NormalLaw::new(Cohesion::NONE, 0.0)?, TimeStep::new(1e-3)?);
-    /// # let stop = Stop { sweeps: 10, tolerance: 1e-12 };
+    /// # let stop = SolverLimits { sweeps: 10, tolerance: 1e-12 };
     /// # let up = Vector3::new(0.0, 0.0, 1.0);
     /// // A ball of 5 cm and 1 kg falls from 1 cm above a table.
     /// let mut falls = Manifold::<f64, _, 2, 1>::new(law, Thresholds::none());
@@ -238,13 +238,13 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// falls.set_gravity(up * -9.81);
     /// for _ in 0..100 {
     ///     falls.set_touch(contact, Touch::plate(height, &up, 0.05)?)?;
-    ///     falls.solve(dt, Start::Last, stop);
+    ///     falls.solve(dt, InitialGuess::Last, stop);
     ///     height += dt.dt() * falls.body(ball).map_or(0.0, |ball| ball.velocity().z);
     /// }
     /// // It lies on the table, which bears its weight.
     /// assert!((height - 0.05).abs() < 1e-15);
     /// assert!(falls.force(contact).is_some_and(|force| (force.normal - 9.81).abs() < 1e-9));
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn set_touch(
         &mut self,
@@ -272,13 +272,13 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// use nalgebra::Vector3;
     /// use tribos_core::contact::{Body, Cohesion, NormalLaw, Plate, Sphere};
     /// use tribos_core::contact::{Thresholds, TimeStep, Touch};
-    /// use tribos_core::manifold::{Manifold, Member, Start, Stop};
+    /// use tribos_core::manifold::{Manifold, Member, InitialGuess, SolverLimits};
     /// # let still = Vector3::new(0.0, 0.0, 0.0);
     /// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
     /// # let table = Plate { velocity: still, inv_mass: 0.0 };
     /// # let touch = Touch::plate(0.05_f64, &Vector3::new(0.0, 0.0, 1.0), 0.05)?;
     /// # let law = NormalLaw::new(Cohesion::NONE, 0.0)?;
-    /// # let stop = Stop { sweeps: 10, tolerance: 1e-12 };
+    /// # let stop = SolverLimits { sweeps: 10, tolerance: 1e-12 };
     /// // A solid ball of 5 cm and 1 kg on a belt, which is started at 0.1 m/s.
     /// let mut belt = Manifold::<f64, _, 2, 1>::new(law, Thresholds::sliding(0.3)?);
     /// let (ball, table) = (belt.push_sphere(ball)?, belt.push_plate(table)?);
@@ -288,12 +288,12 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     ///     table.velocity.x = 0.1;
     /// }
     /// for _ in 0..20 {
-    ///     belt.solve(TimeStep::new(1e-3)?, Start::Last, stop);
+    ///     belt.solve(TimeStep::new(1e-3)?, InitialGuess::Last, stop);
     /// }
     /// // It rolls on the belt and follows with 2/7 of the belt's speed.
     /// let speed = belt.body(ball).map_or(0.0, |ball| ball.velocity().x);
     /// assert!((speed - 0.1 * 2.0 / 7.0).abs() < 1e-12);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn body_mut(&mut self, body: BodyHandle) -> Option<&mut Member<R>> {
         self.bodies.get_mut(body.0).map(|body| &mut body.member)

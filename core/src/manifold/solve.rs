@@ -1,16 +1,15 @@
-//! One time step: everything from outside, then sweeps over the contacts until they agree.
+//! One time step: external forces and impacts, then sweeps over the contacts until convergence.
 
 use super::member::Loaded;
 use super::{Joint, Manifold, Solved};
-use crate::contact::{AxialPart, PlanarPart};
-use crate::contact::{Contact, ContactFriction, Modal, Modes, TimeStep};
+use crate::contact::{Contact, ContactFriction, ContactModes, Modal, TimeStep};
 use crate::real::Real;
 use nalgebra::Vector3;
 
-/// What the sweeps begin with.
+/// Impulses with which the sweeps start.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Start {
+pub enum InitialGuess {
     /// The impulses of the last step, made admissible: contacts that last are nearly right at once.
     #[default]
     Last,
@@ -18,23 +17,23 @@ pub enum Start {
     Zero,
 }
 
-/// When the sweeps end.
+/// Stopping criterion of the sweeps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Stop<R> {
-    /// At the latest after so many.
+pub struct SolverLimits<R> {
+    /// Largest number of sweeps.
     pub sweeps: u32,
-    /// Before that, when a sweep has changed the impulses by less than this part of them. 0 asks
-    /// for all sweeps unless nothing changes any more.
+    /// Relative change of the impulses in one sweep below which the sweeps end early. With 0 they end
+    /// early only if nothing changes any more.
     pub tolerance: R,
 }
 
-/// How the sweeps ended.
+/// Result of the sweeps.
 ///
 /// ```
 /// use nalgebra::Vector3;
 /// use tribos_core::contact::{Cohesion, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch};
-/// use tribos_core::manifold::{Manifold, Report, Start, Stop};
+/// use tribos_core::manifold::{Manifold, SolverReport, InitialGuess, SolverLimits};
 /// # let still = Vector3::new(0.0, 0.0, 0.0);
 /// # let ball = Sphere { velocity: still, spin: still, inv_mass: 1.0, inv_inertia: 1000.0 };
 /// # let table = Plate { velocity: still, inv_mass: 0.0 };
@@ -45,21 +44,20 @@ pub struct Stop<R> {
 /// let (ball, table) = (lies.push_sphere(ball)?, lies.push_plate(table)?);
 /// lies.push_contact(ball, table, touch)?;
 /// lies.set_gravity(Vector3::new(0.0, 0.0, -9.81));
-/// let stop = Stop { sweeps: 50, tolerance: 1e-12 };
-/// let Report { sweeps, converged, .. } = lies.solve(TimeStep::new(1e-3)?, Start::Zero, stop);
+/// let stop = SolverLimits { sweeps: 50, tolerance: 1e-12 };
+/// let SolverReport { sweeps, converged, .. } = lies.solve(TimeStep::new(1e-3)?, InitialGuess::Zero, stop);
 /// assert!(converged && sweeps == 2); // one to solve it, one that changes nothing
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Report<R> {
-    /// Sweeps done.
+pub struct SolverReport<R> {
+    /// Number of sweeps done.
     pub sweeps: u32,
-    /// What the last sweep changed, over all impulses; torques count by their force at r_eff. It
-    /// tells how fast things still move, not how far they are from the end: slow convergence leaves
-    /// an error that is larger by 1/(1 − rate).
+    /// Relative change of the impulses in the last sweep; torques count as their force at r_eff. The
+    /// error itself is larger by 1/(1 − rate) where convergence is slow.
     pub residual: R,
-    /// True if that is no more than the tolerance.
+    /// True if the residual is within the tolerance.
     pub converged: bool,
 }
 
@@ -81,7 +79,12 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     /// What converges has finite velocities; a force, or an impulse with that of several impacts, that
     /// is out of the number range is infinite.
     /// *Cost*: one [`Contact::update`] per contact and sweep.
-    pub fn solve(&mut self, step: TimeStep<R>, start: Start, stop: Stop<R>) -> Report<R> {
+    pub fn solve(
+        &mut self,
+        step: TimeStep<R>,
+        start: InitialGuess,
+        stop: SolverLimits<R>,
+    ) -> SolverReport<R> {
         let dt = step.dt();
         self.prepare(dt, start);
         let rebounds = self.law.restitution() > R::ZERO;
@@ -95,7 +98,7 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
         };
         self.accelerate(load);
         self.apply_guesses();
-        let mut report = Report {
+        let mut report = SolverReport {
             sweeps: 0,
             residual: R::INFINITY,
             converged: false,
@@ -124,14 +127,14 @@ impl<R: Real, F: ContactFriction<R>, const BODIES: usize, const CONTACTS: usize>
     }
 
     /// Contacts that last, from their geometry and the forces of the last step.
-    fn prepare(&mut self, dt: R, start: Start) {
+    fn prepare(&mut self, dt: R, start: InitialGuess) {
         let (inv_dt, law) = (R::ONE / dt, self.law.without_restitution());
         for joint in &mut self.contacts {
             let Some([a, b]) = pair(&mut self.bodies, joint.bodies) else {
                 continue;
             };
             let mut contact = Contact::new(&joint.touch, &law, &a.member, &b.member, dt);
-            if let (Start::Last, Some(last)) = (start, &joint.solved) {
+            if let (InitialGuess::Last, Some(last)) = (start, &joint.solved) {
                 // Forces last, impulses grow with the step.
                 let lasting = last.contact.impulse().minus(&joint.impact);
                 let guess = Modal::default().plus_scaled(last.inv_dt * dt, &lasting);
@@ -179,9 +182,9 @@ pub(super) fn pair<R>(
 }
 
 /// Sum of an impulse's components: no square that could vanish for small grains.
-fn size<R: Real, M: Modes<R>>(impulse: &Modal<R, M>, lever: R) -> R {
-    let torques = impulse.torsion.component().abs() + sum(&impulse.rolling.vector());
-    impulse.normal.abs() + sum(&impulse.sliding.vector()) + torques / lever
+fn size<R: Real, M: ContactModes<R>>(impulse: &Modal<R, M>, lever: R) -> R {
+    let torques = impulse.torsion().abs() + sum(&impulse.rolling());
+    impulse.normal.abs() + sum(&impulse.sliding()) + torques / lever
 }
 
 fn sum<R: Real>(v: &Vector3<R>) -> R {

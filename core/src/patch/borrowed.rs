@@ -1,9 +1,9 @@
-//! Nodes in memory that someone else owns.
+//! Nodes in memory owned by the caller.
 
 use super::nodes::{Node, NodeError, NodePatch, NodeSink, total_with, validated_total};
 use crate::real::Real;
 
-/// Nodes that lie ready elsewhere: in flash, or in memory of another language.
+/// Nodes in borrowed memory: in flash, or in memory of another language.
 ///
 /// ```
 /// use tribos_core::patch::nodes::{Node, NodeSlice};
@@ -38,17 +38,8 @@ impl<R: Real> NodePatch<R> for NodeSlice<'_, R> {
     }
 }
 
-/// A list of nodes in lent memory, filled from its start.
-///
-/// ```
-/// use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch};
-/// use tribos_core::patch::polygon::polygon_into;
-/// let mut memory = [Node::default(); 100];
-/// let mut foot = NodeBuffer::new(&mut memory);
-/// polygon_into(&mut foot, &[[0.0_f32, 0.0], [0.2, 0.0], [0.0, 0.2]], 2)?;
-/// assert_eq!(foot.nodes().len(), 28);
-/// # Ok::<(), tribos_core::patch::polygon::PolygonError>(())
-/// ```
+/// A list of nodes in caller-provided memory, filled from its start.
+#[doc(hidden)]
 #[derive(Debug, PartialEq)]
 pub struct NodeBuffer<'a, R> {
     memory: &'a mut [Node<R>],

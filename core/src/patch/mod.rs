@@ -1,4 +1,4 @@
-//! Contact patches: their shape and how they spread the load.
+//! Contact patches: shape and pressure distribution.
 //!
 //! Round patches are measured in units of their radius: a pressure says how a unit load is spread
 //! over the unit disk, and [`crate::coupling::PatchFriction`] adds the radius.
@@ -17,7 +17,7 @@ pub use power::PowerPressure;
 
 use crate::real::Real;
 
-/// Why a patch was refused.
+/// An invalid parameter of a patch.
 ///
 /// ```
 /// use tribos_core::coupling::{Annulus, table::Coulomb};

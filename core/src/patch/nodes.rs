@@ -1,7 +1,7 @@
-//! A contact at a number of points: where it touches, and how the load is shared.
+//! A contact at a number of points, each with a share of the load.
 //!
 //! The points may be real (the feet of a tripod, the spikes of a shoe) or the nodes of a quadrature
-//! rule that stands for a continuous pressure ([`super::polar`], [`super::polygon`]).
+//! rule that represents a continuous pressure ([`super::polar`], [`super::polygon`]).
 
 pub use super::borrowed::{NodeBuffer, NodeSlice};
 
@@ -20,7 +20,7 @@ pub struct Node<R> {
     pub x: R,
     /// Second coordinate.
     pub y: R,
-    /// Share of the load; a normal number or zero, since subnormal ones lose digits.
+    /// Share of the load: a normal number or zero, because subnormal ones lose digits.
     pub weight: R,
 }
 
@@ -57,21 +57,8 @@ impl<R: Real, P: NodePatch<R> + ?Sized> NodePatch<R> for &P {
     }
 }
 
-/// Somewhere to put nodes, one by one.
-///
-/// ```
-/// use tribos_core::patch::nodes::{Node, NodeError, NodeList, NodePatch, NodeSink};
-/// /// Two runners of a sled.
-/// fn touch(ground: &mut impl NodeSink<f64>) -> Result<(), NodeError> {
-///     ground.push(Node { x: 0.0, y: -0.2, weight: 0.5 })?;
-///     ground.push(Node { x: 0.0, y: 0.2, weight: 0.5 })
-/// }
-/// let mut sled = NodeList::<f64, 2>::new();
-/// touch(&mut sled)?;
-/// assert_eq!(sled.total_weight(), 1.0);
-/// assert_eq!(touch(&mut sled), Err(NodeError::Full { capacity: 2 }));
-/// # Ok::<(), NodeError>(())
-/// ```
+/// A list to which nodes are added one by one.
+#[doc(hidden)]
 pub trait NodeSink<R: Real>: NodePatch<R> {
     /// Adds one node; a refused node leaves the others as they were.
     ///
@@ -139,7 +126,7 @@ pub struct NodeList<R, const CAPACITY: usize> {
 }
 
 impl<R: Real, const CAPACITY: usize> NodeList<R, CAPACITY> {
-    /// An empty list: it resists nothing.
+    /// An empty list, without friction.
     pub fn new() -> Self {
         Self {
             nodes: heapless::Vec::new(),
@@ -222,7 +209,7 @@ pub(super) fn total_with<R: Real>(total: R, index: usize, node: &Node<R>) -> Res
     }
 }
 
-/// Why nodes were refused.
+/// An invalid node.
 ///
 /// ```
 /// use tribos_core::patch::nodes::{Node, NodeError, Nodes};

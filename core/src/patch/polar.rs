@@ -241,7 +241,7 @@ fn push_ring<R: Real>(
     Ok(())
 }
 
-/// Why a rule on a disk was refused.
+/// An invalid quadrature rule on a disk.
 ///
 /// ```
 /// use tribos_core::patch::polar::{PolarError, PolarRule};
@@ -274,6 +274,12 @@ pub enum PolarError {
 impl PolarError {
     /// Largest exponent q: beyond it the disk is all rim and a smaller disk is meant.
     pub const MAX_RIM_EXPONENT: f64 = 64.0;
+}
+
+impl From<PatchError> for PolarError {
+    fn from(error: PatchError) -> Self {
+        Self::Radius(error)
+    }
 }
 
 impl From<NodeError> for PolarError {

@@ -11,7 +11,7 @@ use crate::real::Real;
 use nalgebra::Vector2;
 
 /// Nodes a small triangle has.
-pub const NODES_PER_TRIANGLE: usize = 7;
+const NODES_PER_TRIANGLE: usize = 7;
 
 /// Nodes for uniform pressure on the polygon with these `corners`, in either sense of rotation.
 ///
@@ -30,9 +30,9 @@ pub const NODES_PER_TRIANGLE: usize = 7;
 ///
 /// ```
 /// use tribos_core::patch::nodes::{NodeList, NodePatch};
-/// use tribos_core::patch::polygon::{NODES_PER_TRIANGLE, polygon};
+/// use tribos_core::patch::polygon::polygon;
 /// let ell = [[0.0, 0.0], [0.2, 0.0], [0.2, 0.1], [0.1, 0.1], [0.1, 0.2], [0.0, 0.2]]; // m
-/// const NODES: usize = NODES_PER_TRIANGLE * (6 - 2) * 2 * 2;
+/// const NODES: usize = 7 * (6 - 2) * 2 * 2;
 /// let foot: NodeList<f64, NODES> = polygon(&ell, 2)?;
 /// assert!((foot.total_weight() - 0.03).abs() < 1e-16); // three squares of 0.1 m
 /// # Ok::<(), tribos_core::patch::polygon::PolygonError>(())
@@ -49,20 +49,7 @@ pub fn polygon<R: Real, const CAPACITY: usize>(
 /// [`polygon`] into memory of the caller's choice, behind the nodes that are there already.
 ///
 /// *Special values*: what was added before an error stays.
-///
-/// ```
-/// use tribos_core::patch::nodes::{NodeList, NodePatch};
-/// use tribos_core::patch::polygon::polygon_into;
-/// // A U has no corner that sees all of it: three rectangles, by corner and size.
-/// let mut magnet = NodeList::<f64, 42>::new();
-/// let base = [0.0, 0.0, 0.3, 0.1];
-/// for [x, y, width, height] in [base, [0.0, 0.1, 0.1, 0.2], [0.2, 0.1, 0.1, 0.2]] {
-///     let (right, top) = (x + width, y + height);
-///     polygon_into(&mut magnet, &[[x, y], [right, y], [right, top], [x, top]], 1)?;
-/// }
-/// assert!((magnet.total_weight() - 0.07).abs() < 1e-15); // its area in m^2
-/// # Ok::<(), tribos_core::patch::polygon::PolygonError>(())
-/// ```
+#[doc(hidden)]
 pub fn polygon_into<R: Real>(
     list: &mut impl NodeSink<R>,
     corners: &[[R; 2]],
@@ -186,7 +173,7 @@ const RADON: [[f64; 3]; NODES_PER_TRIANGLE] = [
     [INNER, 1.0 - 2.0 * INNER, INNER_WEIGHT],
 ];
 
-/// Why a polygon was refused.
+/// An invalid polygon.
 ///
 /// ```
 /// use tribos_core::patch::nodes::NodeList;

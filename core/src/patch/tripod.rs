@@ -1,4 +1,4 @@
-//! A rigid body on three feet: statics alone tells what each carries.
+//! A rigid body on three feet: the loads follow from statics alone.
 
 use super::nodes::{Node, NodeError, Nodes};
 use crate::real::Real;
@@ -11,15 +11,7 @@ use crate::real::Real;
 ///
 /// *Units*: length in, shares out. *Domain*: feet not in a line, `centre` between them.
 /// *Accuracy*: a few ulp for feet whose distances are not small against their coordinates.
-///
-/// ```
-/// use tribos_core::patch::tripod::tripod_shares;
-/// let feet = [[0.0_f64, 0.0], [0.4, 0.0], [0.0, 0.3]]; // m
-/// let [corner, right, back] = tripod_shares(feet, [0.1, 0.06])?;
-/// assert!((right - 0.1 / 0.4).abs() < 1e-15 && (back - 0.06 / 0.3).abs() < 1e-15); // levers
-/// assert!((corner + right + back - 1.0).abs() < 1e-15);
-/// # Ok::<(), tribos_core::patch::tripod::TripodError>(())
-/// ```
+#[doc(hidden)]
 pub fn tripod_shares<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<[R; 3], TripodError> {
     let [a, b, c] = feet;
     let areas = [[centre, b, c], [a, centre, c], [a, b, centre]].map(twice_area);
@@ -61,7 +53,7 @@ fn twice_area<R: Real>([a, b, c]: [[R; 2]; 3]) -> R {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Why three feet were refused.
+/// Invalid feet of a tripod.
 ///
 /// ```
 /// use tribos_core::patch::tripod::{TripodError, tripod};
@@ -73,7 +65,7 @@ fn twice_area<R: Real>([a, b, c]: [[R; 2]; 3]) -> R {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum TripodError {
-    /// The feet stand in a line, or not at finite places.
+    /// The feet lie in a line, or a position is not finite.
     Line,
     /// The body tips over: a foot would have to pull.
     Tips {

@@ -1,4 +1,4 @@
-//! What is left of a wrench after the friction of many points: a smooth problem in three unknowns.
+//! The remainder of a wrench after the friction of many points: a smooth problem in three unknowns.
 //!
 //! With the torque in units of `length`, the remainder e = q − (nearest wrench of the foot) is the
 //! smallest point of the convex function

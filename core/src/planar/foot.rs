@@ -10,40 +10,40 @@ use crate::real::Real;
 use crate::twist::Wrench;
 use nalgebra::{Vector2, Vector3};
 
-/// A foot: points that share a load under Coulomb friction, with the force that each carries.
+/// Contact points that share a load under Coulomb friction, with the friction force of each.
 ///
 /// *Size*: two numbers a point beside the patch.
 ///
 /// ```
 /// use tribos_core::patch::nodes::{Node, Nodes};
-/// use tribos_core::planar::Foot;
+/// use tribos_core::planar::NodeFoot;
 /// use tribos_core::twist::Wrench;
 /// use nalgebra::Vector2;
 ///
 /// let feet = Nodes::new([[-0.1, 0.0], [0.1, 0.0]].map(|[x, y]| Node { x, y, weight: 0.5_f64 }))?;
-/// let mut table: Foot<f64, _, 2> = Foot::new(feet, 10.0)?; // μN = 10 N
-/// let push = Wrench { force: Vector2::new(0.0, 3.0), torque: 0.2 };
+/// let mut table: NodeFoot<f64, _, 2> = NodeFoot::new(feet, 10.0)?; // μN = 10 N
+/// let push = Wrench::new(0.0, 3.0, 0.2);
 /// assert_eq!(table.nearest(&push, 0.1), push); // held
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Foot<R: Real, P, const CAPACITY: usize> {
+pub struct NodeFoot<R: Real, P, const CAPACITY: usize> {
     patch: P,
     force_limit: R,
     forces: heapless::Vec<Vector2<R>, CAPACITY>,
 }
 
-/// Why a foot was refused.
+/// An invalid foot.
 ///
 /// ```
 /// use tribos_core::patch::nodes::{Node, Nodes};
-/// use tribos_core::planar::{Foot, FootError};
+/// use tribos_core::planar::{NodeFoot, FootError};
 /// let two = Nodes::new([-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5_f64 }))?;
-/// let small = Foot::<_, _, 1>::new(two, 10.0).err();
+/// let small = NodeFoot::<_, _, 1>::new(two, 10.0).err();
 /// assert_eq!(small, Some(FootError::Full { capacity: 1 }));
-/// let pulled = Foot::<_, _, 2>::new(two, -10.0).err();
+/// let pulled = NodeFoot::<_, _, 2>::new(two, -10.0).err();
 /// assert_eq!(pulled, Some(FootError::ForceLimit { given: -10.0 }));
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -67,7 +67,7 @@ const COLLAR_ULPS: f64 = 8.0;
 /// Passes over all points that spread a rest.
 const PASSES: usize = 8;
 
-impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
+impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
     /// *Domain*: 0 ≤ `force_limit` < ∞ (μN, in units of force); at most `CAPACITY` points.
     pub fn new(patch: P, force_limit: R) -> Result<Self, FootError> {
         let mut forces = heapless::Vec::new();
@@ -84,22 +84,22 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
         Ok(foot)
     }
 
-    /// Another load on the same points. *Domain*: as in [`Foot::new`].
+    /// Another load on the same points. *Domain*: as in [`NodeFoot::new`].
     ///
     /// ```
     /// use tribos_core::patch::nodes::{Node, Nodes};
-    /// use tribos_core::planar::Foot;
+    /// use tribos_core::planar::NodeFoot;
     /// use tribos_core::twist::Wrench;
     /// use nalgebra::Vector2;
     /// let feet = Nodes::new([-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5_f64 }))?; // m
-    /// let mut table: Foot<f64, _, 2> = Foot::new(feet, 10.0)?; // N
-    /// let push = Wrench { force: Vector2::new(0.0, 3.0), torque: 0.0 };
+    /// let mut table: NodeFoot<f64, _, 2> = NodeFoot::new(feet, 10.0)?; // N
+    /// let push = Wrench::new(0.0, 3.0, 0.0);
     /// assert_eq!(table.nearest(&push, 0.1), push); // held
     /// table.set_force_limit(2.0)?; // someone lifts it a little
     /// table.release();
     /// let resisted = table.nearest(&push, 0.1);
     /// assert!((resisted.force.y - table.force_limit()).abs() < 1e-11);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn set_force_limit(&mut self, force_limit: R) -> Result<(), FootError> {
         if force_limit >= R::ZERO && force_limit.is_finite() {
@@ -121,7 +121,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
         &self.patch
     }
 
-    /// Forgets the forces of all points.
+    /// Sets the stored forces of all points to zero.
     pub fn release(&mut self) {
         for force in &mut self.forces {
             *force = Vector2::new(R::ZERO, R::ZERO);
@@ -141,10 +141,7 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
         let wanted = Vector3::new(wrench.force.x, wrench.force.y, wrench.torque * inv_length);
         let size = norm(&wanted);
         if !(size.is_finite() && inv_length > R::ZERO && inv_length.is_finite()) {
-            return Wrench {
-                force: Vector2::new(R::NAN, R::NAN),
-                torque: R::NAN,
-            };
+            return Wrench::new(R::NAN, R::NAN, R::NAN);
         }
         if self.carries_as_it_is(wrench, inv_length, size) {
             return *wrench;
@@ -174,13 +171,11 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> Foot<R, P, CAPACITY> {
             }
             return *wrench;
         }
-        Wrench {
-            force: Vector2::new(
-                R::from_f64(balance.wanted.x - left.x),
-                R::from_f64(balance.wanted.y - left.y),
-            ),
-            torque: R::from_f64((balance.wanted.z - left.z) * length.to_f64()),
-        }
+        Wrench::new(
+            R::from_f64(balance.wanted.x - left.x),
+            R::from_f64(balance.wanted.y - left.y),
+            R::from_f64((balance.wanted.z - left.z) * length.to_f64()),
+        )
     }
 
     /// μN/(sum of weights)

@@ -1,7 +1,7 @@
-//! A body on its patch in the plane, pushed and turned: implicit steps that hold what friction holds.
+//! A body on its patch in the plane, pushed and turned: implicit time steps with exact sticking.
 //!
 //! Dry friction is the dissipation potential's gradient only while the patch moves; at rest it is
-//! whatever balances the push, up to the limit surface. One implicit step knows both. With the mass
+//! whatever balances the push, up to the limit surface. One implicit step covers both. With the mass
 //! matrix M, the push J (an impulse) and the set S of wrenches that friction carries,
 //!
 //! ```text
@@ -26,25 +26,24 @@
 //! use tribos_core::limit_surface::LimitSurface;
 //! use tribos_core::planar::PlanarBody;
 //! use tribos_core::twist::{Twist, Wrench};
-//! use nalgebra::Vector2;
 //!
 //! // A puck of 0.17 kg and 4 cm radius; friction carries up to 0.5 N.
 //! let puck = PlanarBody::new(0.17_f64, 0.5 * 0.17 * 0.04 * 0.04)?;
 //! let ice = LimitSurface::new(Coulomb, 0.5, 0.04)?;
 //! let dt = TimeStep::new(1.0 / 60.0)?;
-//! let held = Wrench { force: Vector2::new(0.4, 0.0), torque: 0.0 };
-//! let rest = puck.step(&ice, &Twist::new(0.0, 0.0, 0.0), &held, dt);
-//! assert!(rest.is_at_rest && rest.twist == Twist::new(0.0, 0.0, 0.0));
+//! let held = Wrench::new(0.4, 0.0, 0.0);
+//! let rest = puck.step(&ice, &Twist::ZERO, &held, dt);
+//! assert!(rest.is_at_rest && rest.twist == Twist::ZERO);
 //! let slides = puck.step(&ice, &Twist::new(1.0, 0.0, 20.0), &Wrench::ZERO, dt);
 //! assert!(slides.twist.speed() < 1.0 && slides.twist.spin < 20.0);
-//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! # Ok::<(), tribos_core::Error>(())
 //! ```
 
 mod balance;
 mod foot;
 mod step;
 
-pub use foot::{Foot, FootError};
+pub use foot::{FootError, NodeFoot};
 pub use step::PlanarStep;
 
 use crate::real::Real;

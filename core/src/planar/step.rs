@@ -1,12 +1,11 @@
-//! The implicit step.
+//! The implicit time step.
 
-use super::{Foot, PlanarBody};
+use super::{NodeFoot, PlanarBody};
 use crate::contact::TimeStep;
 use crate::limit_surface::FrictionSet;
 use crate::patch::nodes::NodePatch;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
-use nalgebra::Vector2;
 
 /// The end of a step.
 ///
@@ -23,7 +22,7 @@ use nalgebra::Vector2;
 /// // Without spin friction is μN, and its impulse is what the momentum loses.
 /// assert!(!is_at_rest && (friction.force.x + 0.05).abs() < 1e-15);
 /// assert!((0.17 * (2.0 - twist.velocity.x) - 0.05 * 0.01).abs() < 1e-15);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarStep<R: Real> {
@@ -63,33 +62,33 @@ impl<R: Real> PlanarBody<R> {
 
     /// The same on a foot of many points.
     ///
-    /// `foot` keeps the force of every point for the next step; [`Foot::release`] begins anew.
-    /// *Cost*: [`Foot::nearest`] once far from rest, twice near it.
+    /// `foot` keeps the force of every point for the next step; [`NodeFoot::release`] begins anew.
+    /// *Cost*: [`NodeFoot::nearest`] once far from rest, twice near it.
     ///
     /// ```
     /// use tribos_core::contact::TimeStep;
     /// use tribos_core::patch::nodes::{Node, Nodes};
-    /// use tribos_core::planar::{Foot, PlanarBody};
+    /// use tribos_core::planar::{NodeFoot, PlanarBody};
     /// use tribos_core::twist::{Twist, Wrench};
     /// use nalgebra::Vector2;
     /// // A chair of 5 kg on four legs, with friction of up to 20 N in all.
     /// let legs = [[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]; // m
     /// let legs = Nodes::new(legs.map(|[x, y]| Node { x, y, weight: 1.0_f64 }))?;
-    /// let (mut legs, chair) = (Foot::<_, _, 4>::new(legs, 20.0)?, PlanarBody::new(5.0, 0.4)?);
-    /// let (rest, dt) = (Twist::new(0.0, 0.0, 0.0), TimeStep::new(0.01)?);
+    /// let (mut legs, chair) = (NodeFoot::<_, _, 4>::new(legs, 20.0)?, PlanarBody::new(5.0, 0.4)?);
+    /// let (rest, dt) = (Twist::ZERO, TimeStep::new(0.01)?);
     /// // Four legs 0.2 √2 m away resist a twist by 5.7 N m: 5 N m they hold, 6 N m they do not.
     /// let [held, turns] = [5.0, 6.0].map(|torque| {
-    ///     let push = Wrench { force: Vector2::new(0.0, 0.0), torque };
+    ///     let push = Wrench::new(0.0, 0.0, torque);
     ///     chair.step_on_foot(&mut legs, &rest, &push, dt)
     /// });
     /// assert!(held.is_at_rest && held.friction.torque == -5.0);
     /// let left = 6.0 - 20.0 * 0.2 * 2.0_f64.sqrt();
     /// assert!((turns.twist.spin - left * 0.01 / 0.4).abs() < 1e-9);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn step_on_foot<P: NodePatch<R>, const CAPACITY: usize>(
         &self,
-        foot: &mut Foot<R, P, CAPACITY>,
+        foot: &mut NodeFoot<R, P, CAPACITY>,
         twist: &Twist<R>,
         push: &Wrench<R>,
         dt: TimeStep<R>,
@@ -117,7 +116,7 @@ impl<R: Real> PlanarBody<R> {
         let ended = (!is_beyond(&at_end, limits)).then(|| nearest(&at_end));
         if ended == Some(at_end) {
             return PlanarStep {
-                twist: Twist::new(R::ZERO, R::ZERO, R::ZERO),
+                twist: Twist::ZERO,
                 friction: at_end,
                 is_at_rest: true,
             };
@@ -151,13 +150,11 @@ impl<R: Real> PlanarBody<R> {
     #[inline]
     fn needed_for_rest(&self, twist: &Twist<R>, push: &Wrench<R>, dt: R) -> Wrench<R> {
         let (mass, inertia) = (self.mass / dt, self.inertia / dt);
-        Wrench {
-            force: Vector2::new(
-                -(mass * twist.velocity.x + push.force.x),
-                -(mass * twist.velocity.y + push.force.y),
-            ),
-            torque: -(inertia * twist.spin + push.torque),
-        }
+        Wrench::new(
+            -(mass * twist.velocity.x + push.force.x),
+            -(mass * twist.velocity.y + push.force.y),
+            -(inertia * twist.spin + push.torque),
+        )
     }
 
     /// u + Δt M⁻¹ (push + friction)
@@ -225,7 +222,7 @@ mod tests {
                 100.0 * scale * part(0.819_172_513_4),
             );
             let push = Wrench {
-                force: Vector2::new(part(0.671_043_606_7), part(0.549_700_477_9)) * 1.5,
+                force: nalgebra::Vector2::new(part(0.671_043_606_7), part(0.549_700_477_9)) * 1.5,
                 torque: 0.02 * part(0.445_041_867_9),
             };
             (twist, push)
@@ -236,12 +233,9 @@ mod tests {
     fn a_set_that_carries_more_torque_than_force_times_radius_holds_it() {
         let body = PlanarBody::new(0.17, 0.5 * 0.17 * 0.04 * 0.04).unwrap();
         let set = Ellipsoid::new(LIMIT, 0.04, 2.0).unwrap();
-        let push = Wrench {
-            force: Vector2::new(0.0, 0.0),
-            torque: 1.9 * LIMIT * 0.04,
-        };
+        let push = Wrench::new(0.0, 0.0, 1.9 * LIMIT * 0.04);
         let dt = TimeStep::new(DT).unwrap();
-        let step = body.step(&set, &Twist::new(0.0, 0.0, 0.0), &push, dt);
+        let step = body.step(&set, &Twist::ZERO, &push, dt);
         assert!(step.is_at_rest, "{step:?}");
     }
 
@@ -259,17 +253,14 @@ mod tests {
             let left = (after.velocity - step.twist.velocity).norm();
             assert!(left < 1e-12 && (after.spin - step.twist.spin).abs() < 1e-10);
             if step.is_at_rest {
-                assert_eq!(step.twist, Twist::new(0.0, 0.0, 0.0));
+                assert_eq!(step.twist, Twist::ZERO);
                 rests += 1;
                 continue;
             }
             let half = body.moved(&twist, &push, &step.friction, 0.5 * DT);
-            let power = |of: &Wrench<f64>, at: &Twist<f64>| {
-                of.force.dot(&at.velocity) + of.torque * at.spin
-            };
             let most = set.support(&half).min(set.support(&step.twist));
             // Largest dissipation at half time, or at the end where the body has turned about.
-            let given = [half, step.twist].map(|at| set.support(&at) + power(&step.friction, &at));
+            let given = [half, step.twist].map(|at| set.support(&at) + step.friction.power(&at));
             let least = given[0].min(given[1]);
             assert!(
                 least.abs() < 1e-7 * (1.0 + most),

@@ -13,9 +13,10 @@ use crate::real::Real;
 /// What [`Slider::advance`] returns.
 ///
 /// ```
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::slider::{Advance, Motion, Slider};
-/// let puck = Slider::new(Coulomb, 3.0_f64, 0.08, 0.5)?; // μ g in m/s², m
+/// use tribos_core::prelude::*;
+/// use tribos_core::slider::Advance;
+/// let puck = SliderParameters { deceleration: 3.0_f64, radius: 0.08, inertia_ratio: 0.5 }; // m/s², m
+/// let puck = Slider::new(Coulomb, puck)?;
 /// // Without spin it slows down evenly: v = v₀ − μ g t, and stops after v₀/(μ g).
 /// let start = Motion::launched(1.2, 0.0); // m/s
 /// let Advance { motion, rest, .. } = puck.advance(&start, 0.1); // s

@@ -4,8 +4,8 @@
 //! With κ = γ g (deceleration per speed^α), w = |ω|R and C = I/(M R²), eq. 3.25 reads
 //! dv/dt = −κ F(v, w), dw/dt = −κ T(v, w)/C.
 //!
-//! Three ways on from a state: [`Slider::to_rest`] goes to the end, [`Slider::advance`] a given
-//! time, both to rounding accuracy; [`Slider::verlet_step`] is the fixed-step method of the
+//! [`Slider::to_rest`] follows a motion to its end, [`Slider::advance`] over a given time, both to
+//! rounding accuracy; [`Slider::verlet_step`] is the fixed-step method of the
 //! thesis.
 
 mod advance;
@@ -14,6 +14,7 @@ mod leg;
 mod march;
 mod rest;
 mod rule;
+#[doc(hidden)]
 pub mod runge_kutta;
 mod single;
 mod tail;
@@ -23,7 +24,8 @@ pub use advance::Advance;
 pub use rest::Rest;
 
 use crate::coupling::{Coupling, Profile, ReducedWrench};
-use crate::modes::InertiaError;
+use crate::modes::{InertiaError, validated_inertia_ratio};
+use crate::patch::{PatchError, validated_radius};
 use crate::real::Real;
 
 /// The state of a slider.
@@ -70,7 +72,7 @@ impl<R: Real> Motion<R> {
     }
 }
 
-/// Why a slider was refused.
+/// An invalid parameter of a slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum SliderError {
@@ -80,10 +82,7 @@ pub enum SliderError {
         given: f64,
     },
     /// The contact radius is not positive and finite.
-    Radius {
-        /// What was given.
-        given: f64,
-    },
+    Radius(PatchError),
     /// The inertia ratio is not positive and finite.
     Inertia(InertiaError),
 }
@@ -95,12 +94,7 @@ impl core::fmt::Display for SliderError {
                 f,
                 "the deceleration (coefficient x gravity) must be positive and finite, not {given}"
             ),
-            Self::Radius { given } => {
-                write!(
-                    f,
-                    "the contact radius must be positive and finite, not {given}"
-                )
-            }
+            Self::Radius(error) => error.fmt(f),
             Self::Inertia(error) => error.fmt(f),
         }
     }
@@ -108,15 +102,44 @@ impl core::fmt::Display for SliderError {
 
 impl core::error::Error for SliderError {}
 
-/// A body on a uniform circular contact.
+impl From<PatchError> for SliderError {
+    fn from(error: PatchError) -> Self {
+        Self::Radius(error)
+    }
+}
+
+impl From<InertiaError> for SliderError {
+    fn from(error: InertiaError) -> Self {
+        Self::Inertia(error)
+    }
+}
+
+/// Parameters of [`Slider`].
+///
+/// *Domain*: all positive and finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SliderParameters<R> {
+    /// Friction coefficient × gravity: γ g, or μ g for Coulomb friction. *Units*: speed^(1−α)/time.
+    pub deceleration: R,
+    /// Radius R of the contact. *Units*: length.
+    pub radius: R,
+    /// Moment of inertia over mass × radius², C = I/(M R²). Dimensionless: 1/2 for a solid disk.
+    pub inertia_ratio: R,
+}
+
+/// A body on a round contact.
 ///
 /// ```
-/// use tribos_core::{coupling::table::Coulomb, slider::{Motion, Slider}};
-/// // mu g = 0.3 x 9.81 m/s2, contact radius 8 cm, solid disk; launched at 1 m/s and 5 rad/s.
-/// let puck = Slider::new(Coulomb, 0.3 * 9.81, 0.08, 0.5)?;
-/// let rest = puck.to_rest(&Motion::launched(1.0_f64, 5.0)).ok_or("no rest")?;
-/// assert!((rest.motion.time - 0.369017132104558).abs() < 1e-12);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// use tribos_core::prelude::*;
+/// let puck = Slider::new(Coulomb, SliderParameters {
+///     deceleration: 0.3 * 9.81, // μ g in m/s²
+///     radius: 0.08,             // m
+///     inertia_ratio: 0.5,       // a solid disk
+/// })?;
+/// let rest = puck.to_rest(&Motion::launched(1.0_f64, 5.0)); // m/s, rad/s
+/// assert!(rest.is_some_and(|rest| (rest.motion.time - 0.369017132104558).abs() < 1e-12)); // s
+/// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -128,35 +151,23 @@ pub struct Slider<R, P> {
 }
 
 impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
-    /// *Domain*: all positive and finite. `deceleration` is γ g (μ g for Coulomb), in
-    /// speed^(1−α)/time; `inertia_ratio` is C = I/(M R²).
-    pub fn new(
-        profile: P,
-        deceleration: R,
-        radius: R,
-        inertia_ratio: R,
-    ) -> Result<Self, SliderError> {
-        let valid = |x: R| x > R::ZERO && x.is_finite();
-        if !valid(deceleration) {
-            Err(SliderError::Deceleration {
-                given: deceleration.to_f64(),
-            })
-        } else if !valid(radius) {
-            Err(SliderError::Radius {
-                given: radius.to_f64(),
-            })
-        } else if !valid(inertia_ratio) {
-            Err(SliderError::Inertia(InertiaError {
-                given: inertia_ratio.to_f64(),
-            }))
-        } else {
-            Ok(Self {
-                profile,
-                deceleration,
-                radius,
-                inertia_ratio,
-            })
+    /// From the coupling of its contact. *Domain*: that of [`SliderParameters`].
+    pub fn new(profile: P, parameters: SliderParameters<R>) -> Result<Self, SliderError> {
+        let SliderParameters {
+            deceleration,
+            radius,
+            inertia_ratio,
+        } = parameters;
+        if !(deceleration > R::ZERO && deceleration.is_finite()) {
+            let given = deceleration.to_f64();
+            return Err(SliderError::Deceleration { given });
         }
+        Ok(Self {
+            profile,
+            deceleration,
+            radius: validated_radius(radius)?,
+            inertia_ratio: validated_inertia_ratio(inertia_ratio)?,
+        })
     }
 
     /// Kinetic energy per mass, (v² + C (ωR)²)/2.
@@ -170,7 +181,9 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// ```
     /// use tribos_core::coupling::table::Coulomb;
     /// use tribos_core::slider::{Motion, Slider};
-    /// let puck = Slider::new(Coulomb, 3.0_f64, 0.08, 0.5)?;
+    /// # use tribos_core::slider::SliderParameters;
+    /// # let parameters = SliderParameters { deceleration: 3.0_f64, radius: 0.08, inertia_ratio: 0.5 };
+    /// let puck = Slider::new(Coulomb, parameters)?; // μ g = 3 m/s², R = 0.08 m, C = 1/2
     /// let start = Motion::launched(1.0, 5.0); // m/s, rad/s
     /// let end = puck.advance(&start, 1e-4).motion; // s
     /// // What friction takes is what the energy loses.
@@ -190,7 +203,9 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// ```
     /// use tribos_core::coupling::table::Coulomb;
     /// use tribos_core::slider::{Motion, Slider};
-    /// let puck = Slider::new(Coulomb, 3.0_f64, 0.08, 0.5)?;
+    /// # use tribos_core::slider::SliderParameters;
+    /// # let parameters = SliderParameters { deceleration: 3.0_f64, radius: 0.08, inertia_ratio: 0.5 };
+    /// let puck = Slider::new(Coulomb, parameters)?; // μ g = 3 m/s², R = 0.08 m, C = 1/2
     /// assert_eq!(puck.ratio(&Motion::launched(1.0, 5.0)), 1.0 / (5.0 * 0.08));
     /// assert_eq!(puck.ratio(&Motion::launched(1.0, 0.0)), f64::INFINITY);
     /// assert_eq!(*puck.profile(), Coulomb);

@@ -1,4 +1,4 @@
-//! The whole way to rest.
+//! A motion followed to rest.
 
 use super::march::{Marched, Outcome, Until, march};
 use super::{Motion, Slider};
@@ -8,17 +8,18 @@ use crate::real::Real;
 /// The end of a motion.
 ///
 /// ```
-/// use tribos_core::coupling::table::Coulomb;
-/// use tribos_core::modes::Modes;
-/// use tribos_core::slider::{Motion, Rest, Slider};
-/// let puck = Slider::new(Coulomb, 0.3 * 9.81, 0.08, 0.5_f64)?;
+/// use tribos_core::prelude::*;
+/// use tribos_core::{modes::Modes, slider::Rest};
+/// let deceleration = 0.3 * 9.81; // m/s²
+/// let puck = SliderParameters { deceleration, radius: 0.08, inertia_ratio: 0.5_f64 };
+/// let puck = Slider::new(Coulomb, puck)?;
 /// let last = Modes::new(Coulomb, 0.5)?.finite_fixed_point().unwrap_or(f64::NAN);
 /// // However it is thrown, sliding and spinning end together, in one ratio.
 /// for (speed, spin) in [(2.0, 1.0), (0.1, 40.0)] {
 ///     let rest: Option<Rest<f64>> = puck.to_rest(&Motion::launched(speed, spin)); // m/s, rad/s
 ///     assert!(rest.is_some_and(|rest| (rest.ratio - last).abs() < 1e-12));
 /// }
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

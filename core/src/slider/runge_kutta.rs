@@ -1,13 +1,4 @@
 //! One step of an embedded Runge–Kutta pair, for any small autonomous system.
-//!
-//! ```
-//! use tribos_core::slider::runge_kutta::{judge, step, tolerance};
-//! // x' = −x over a thousandth.
-//! let (end, error) = step(&[1.0_f64], 1e-3, |x| [-x[0]]);
-//! assert!((end[0] - 0.999000499833374992).abs() < 1e-15);
-//! let (accepted, _growth) = judge(error[0].abs(), tolerance(), true);
-//! assert!(accepted);
-//! ```
 
 use crate::real::{Real, to_single};
 

@@ -1,4 +1,4 @@
-//! The end of a motion, where the direction hardly changes any more.
+//! The end of a motion, where the direction is nearly constant.
 //!
 //! The rate k at which an integrand falls tends to its limit like a small number that itself fades with a rate
 //! λ, k(s) = k_e + (k − k_e) e^(−λs). To first order in k − k_e

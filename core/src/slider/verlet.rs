@@ -17,7 +17,9 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// ```
     /// use tribos_core::coupling::table::Coulomb;
     /// use tribos_core::slider::{Motion, Slider};
-    /// let puck = Slider::new(Coulomb, 3.0_f64, 0.08, 0.5)?;
+    /// # use tribos_core::slider::SliderParameters;
+    /// # let parameters = SliderParameters { deceleration: 3.0_f64, radius: 0.08, inertia_ratio: 0.5 };
+    /// let puck = Slider::new(Coulomb, parameters)?; // μ g = 3 m/s², R = 0.08 m, C = 1/2
     /// let start = Motion::launched(1.0, 5.0);
     /// let exact = puck.advance(&start, 0.1).motion;
     /// let error = |steps: u32| {

@@ -1,8 +1,8 @@
-//! Special functions with bounded work and stated accuracy. Nothing here knows any physics.
+//! Special functions with bounded work and stated accuracy. They are independent of the physics.
 
-pub mod elliptic;
-pub mod hypergeometric;
+mod elliptic;
+mod hypergeometric;
 pub(crate) mod legendre;
 
 pub use elliptic::CompleteElliptic;
-pub use hypergeometric::Gauss;
+pub use hypergeometric::{Gauss, Jet};

@@ -1,8 +1,8 @@
-//! Twists and wrenches from and to the vectors of others: (x, y, normal), component by component.
+//! Conversions of twists and wrenches from and to other vector types: (x, y, normal), component by component.
 
 use super::{Twist, Wrench};
 use crate::real::Real;
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector3;
 
 impl<R: Real> From<Vector3<R>> for Twist<R> {
     fn from(v: Vector3<R>) -> Self {
@@ -18,10 +18,7 @@ impl<R: Real> From<Twist<R>> for Vector3<R> {
 
 impl<R: Real> From<Vector3<R>> for Wrench<R> {
     fn from(v: Vector3<R>) -> Self {
-        Self {
-            force: Vector2::new(v.x, v.y),
-            torque: v.z,
-        }
+        Self::new(v.x, v.y, v.z)
     }
 }
 
@@ -49,10 +46,7 @@ macro_rules! glam_vectors {
 
         impl From<($plane, $real)> for Wrench<$real> {
             fn from((force, torque): ($plane, $real)) -> Self {
-                Self {
-                    force: Vector2::new(force.x, force.y),
-                    torque,
-                }
+                Self::new(force.x, force.y, torque)
             }
         }
 
@@ -71,7 +65,7 @@ glam_vectors!(f64, glam::DVec2, glam::DVec3);
 
 #[cfg(feature = "mint")]
 mod mint_vectors {
-    use super::{Real, Twist, Vector2, Wrench};
+    use super::{Real, Twist, Wrench};
     use mint::Vector3;
 
     impl<R: Real> From<Vector3<R>> for Twist<R> {
@@ -88,10 +82,7 @@ mod mint_vectors {
 
     impl<R: Real> From<Vector3<R>> for Wrench<R> {
         fn from(v: Vector3<R>) -> Self {
-            Self {
-                force: Vector2::new(v.x, v.y),
-                torque: v.z,
-            }
+            Self::new(v.x, v.y, v.z)
         }
     }
 

@@ -9,7 +9,7 @@ use rapier3d::prelude::*;
 use std::error::Error;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_rapier::{Patch, PatchContacts};
 
 const MU: f32 = 0.3;
@@ -40,8 +40,24 @@ fn exact(foot: Foot, spin: f32) -> Result<Throw, Box<dyn Error>> {
     let (deceleration, radius) = (f64::from(MU) * f64::from(GRAVITY), f64::from(RADIUS));
     let thrown = Motion::launched(f64::from(SPEED), f64::from(spin));
     let rest = match foot {
-        Foot::Disk => Slider::new(Coulomb, deceleration, radius, 0.5)?.to_rest(&thrown),
-        Foot::Ring => Slider::new(Ring, deceleration, radius, 0.5)?.to_rest(&thrown),
+        Foot::Disk => Slider::new(
+            Coulomb,
+            SliderParameters {
+                deceleration,
+                radius,
+                inertia_ratio: 0.5,
+            },
+        )?
+        .to_rest(&thrown),
+        Foot::Ring => Slider::new(
+            Ring,
+            SliderParameters {
+                deceleration,
+                radius,
+                inertia_ratio: 0.5,
+            },
+        )?
+        .to_rest(&thrown),
     };
     let motion = rest.ok_or("the puck never stops")?.motion;
     Ok(Throw {

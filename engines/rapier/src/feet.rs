@@ -3,7 +3,6 @@
 use crate::area::Element;
 use crate::balance::{Balance, dot, minus, plus, solved, times};
 use crate::reduced::Reduced;
-use nalgebra::Vector2;
 use tribos_core::twist::{Twist, Wrench};
 
 /// The feet of a body, each at its place from the centre of mass.
@@ -212,10 +211,7 @@ fn twist_of(twist: &[f64; 3]) -> Option<Twist<f32>> {
 
 fn wrench_of(wrench: &[f64; 3]) -> Option<Wrench<f32>> {
     let [x, y, torque] = finite(wrench)?;
-    Some(Wrench {
-        force: Vector2::new(x, y),
-        torque,
-    })
+    Some(Wrench::new(x, y, torque))
 }
 
 fn finite(numbers: &[f64; 3]) -> Option<[f32; 3]> {

@@ -64,11 +64,3 @@ pub(crate) fn carried(foot: &RigidBody, ground: Option<&RigidBody>) -> Vector {
         ground.angvel().cross(foot.linvel() - ground.linvel())
     })
 }
-
-/// `to` − `from`
-pub(crate) fn difference(to: &Twist<f32>, from: &Twist<f32>) -> Twist<f32> {
-    Twist {
-        velocity: to.velocity - from.velocity,
-        spin: to.spin - from.spin,
-    }
-}

@@ -6,7 +6,7 @@
 //! What it gives is the motion: at rest that is zero to the last bit.
 
 use crate::feet::Solved;
-use crate::frame::{Frame, carried, difference, relative};
+use crate::frame::{Frame, carried, relative};
 use crate::handed::Lent;
 use crate::judge::Judge;
 use crate::pair::{Friction, Known, Pair, Stop, Touching};
@@ -122,7 +122,7 @@ pub(crate) fn begin(
     let before = relative(&frame, foot, ground);
     let push = expected(gravity, &reduced, &frame, foot, ground);
     let held = pairs.get(first.pair)?.known.and_then(|known| known.held());
-    let pushed = held.map_or(push, |held| sum(&push, &held));
+    let pushed = held.map_or(push, |held| push + held);
     // The feet as they stand in the middle of the step.
     let half_turn = 0.25 * parameters.dt * foot.angvel().dot(normal);
     let stand = |member: &Member| {
@@ -200,8 +200,8 @@ pub(crate) fn finish(
     // All pushes but friction, as their mean over the step, and what of them was expected.
     let (before, others, push) = match &begun {
         Some(begun) => {
-            let all = reduced.push(&difference(&after, &begun.before), parameters.dt);
-            (begun.before, without(&all, &begun.friction), begun.push)
+            let all = reduced.push(&(after - begun.before), parameters.dt);
+            (begun.before, all - begun.friction, begun.push)
         }
         None => (after, Wrench::ZERO, Wrench::ZERO),
     };
@@ -225,14 +225,14 @@ pub(crate) fn finish(
         true => judge.share(&judged, &before)?,
         false => 1.0,
     };
-    let changes = reduced.shared(&difference(&judged.twist, &after), &frame);
+    let changes = reduced.shared(&(judged.twist - after), &frame);
     for (handle, change) in [Some(handles.0), handles.1].into_iter().zip(&changes) {
         let body = handle.and_then(|handle| bodies.get_mut(handle));
         if let Some(body) = body.filter(|body| is_free(body)) {
             accelerate(body, change, 1.0);
         }
     }
-    let unexpected = without(&others, &push);
+    let unexpected = others - push;
     let held = judged.is_at_rest().then_some(&unexpected);
     for (number, member) in members.iter().enumerate() {
         let stop = (judged.is_at_rest()).then_some(Stop {
@@ -288,7 +288,7 @@ fn drift(
     bodies: &RigidBodySet,
 ) -> [f64; 3] {
     let ground = member.ground.and_then(|handle| bodies.get(handle));
-    let drift = difference(&relative(frame, foot, ground), first);
+    let drift = relative(frame, foot, ground) - *first;
     [drift.velocity.x, drift.velocity.y, drift.spin].map(f64::from)
 }
 
@@ -340,28 +340,10 @@ fn expected(
 /// constant deceleration is late by half of what a substep takes. Friction that ends the motion needs
 /// the given `share` of the step for it, and what is left of the way is cut.
 fn offset(before: &Twist<f32>, after: &Twist<f32>, share: f32, substeps: usize) -> Twist<f32> {
-    let change = difference(after, before);
     let [late, cut] = [0.5 / substeps as f32, 0.5 * (1.0 - share)];
-    Twist {
-        velocity: change.velocity * -late - before.velocity * cut,
-        spin: change.spin * -late - before.spin * cut,
-    }
+    (*after - *before) * -late - *before * cut
 }
 
 fn is_zero(twist: &Twist<f32>) -> bool {
-    *twist == Twist::new(0.0, 0.0, 0.0)
-}
-
-fn sum(one: &Wrench<f32>, other: &Wrench<f32>) -> Wrench<f32> {
-    Wrench {
-        force: one.force + other.force,
-        torque: one.torque + other.torque,
-    }
-}
-
-fn without(sum: &Wrench<f32>, part: &Wrench<f32>) -> Wrench<f32> {
-    Wrench {
-        force: sum.force - part.force,
-        torque: sum.torque - part.torque,
-    }
+    *twist == Twist::ZERO
 }

@@ -73,7 +73,7 @@ impl Judge<'_> {
         if let Some((pair, load)) = self.centred() {
             return pair.patch.share(load, friction);
         }
-        let power = friction.force.dot(&before.velocity) + friction.torque * before.spin;
+        let power = friction.power(before);
         let share = -power / self.feet().dissipation(before);
         // Nothing resists nothing: no share.
         Some(if share > 0.0 { share.min(1.0) } else { 0.0 })

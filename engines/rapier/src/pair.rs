@@ -154,9 +154,6 @@ impl Known {
     /// What friction held against beyond what was expected.
     pub(crate) fn held(&self) -> Option<Wrench<f32>> {
         let [x, y, torque] = self.held?;
-        Some(Wrench {
-            force: nalgebra::Vector2::new(x, y),
-            torque,
-        })
+        Some(Wrench::new(x, y, torque))
     }
 }

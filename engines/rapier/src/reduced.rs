@@ -101,10 +101,7 @@ impl Reduced {
         if self.moved[1] {
             let change = [change.velocity.x, change.velocity.y, change.spin].map(f64::from);
             let [x, y, torque] = times(&self.mass(), &change).map(|x| (x / f64::from(dt)) as f32);
-            return Wrench {
-                force: Vector2::new(x, y),
-                torque,
-            };
+            return Wrench::new(x, y, torque);
         }
         Wrench {
             force: change.velocity * (self.body.mass() / dt),

@@ -14,9 +14,7 @@
 use super::setup::Wall;
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
-use tribos_core::contact::{
-    AxialPart, Contact, ContactFriction, Modal, Modes, PlanarPart, Plate, Sphere,
-};
+use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
 
 /// Energies of a run so far. *Units*: energy.
 ///
@@ -127,14 +125,14 @@ impl Book {
         }
     }
 
-    fn modes<M: Modes<f64>>(&mut self, contact: &Contact<f64, M>, u: &Modal<f64, M>) {
+    fn modes<M: ContactModes<f64>>(&mut self, contact: &Contact<f64, M>, u: &Modal<f64, M>) {
         let p = contact.impulse();
         // P pushes, cohesion pulls.
         self.normal -= contact.bound() * u.normal;
         self.cohesion += contact.cohesion() * u.normal;
-        self.sliding -= p.sliding.vector().dot(&u.sliding.vector());
-        self.rolling -= p.rolling.vector().dot(&u.rolling.vector());
-        self.torsion -= p.torsion.component() * u.torsion.component();
+        self.sliding -= p.sliding().dot(&u.sliding());
+        self.rolling -= p.rolling().dot(&u.rolling());
+        self.torsion -= p.torsion() * u.torsion();
     }
 
     /// Books the impacts of a step, before the step itself.
@@ -194,7 +192,7 @@ pub(super) fn kinetic_energy(sphere: &Sphere<f64>, v: &Vector3<f64>, w: &Vector3
 
 /// Energy that goes to what drives a wall. It bears the impulse on the wall: all of it if the wall
 /// feels none, else what is across the normal.
-pub(super) fn driven_work<M: Modes<f64>>(link: &Link<M>, wall: &Plate<f64>) -> f64 {
+pub(super) fn driven_work<M: ContactModes<f64>>(link: &Link<M>, wall: &Plate<f64>) -> f64 {
     let normal = link.contact.normal();
     let felt = if wall.inv_mass > 0.0 {
         normal * wall.velocity.dot(normal)

@@ -30,9 +30,10 @@ use super::setup::{Laws, Wall};
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Block, Body, Contact, ContactFriction, Frictionless, Modal, Modes, NormalLaw, PreparedContact,
-    Sphere, Thresholds, Touch,
+    Body, Contact, ContactFriction, ContactModes, Frictionless, Modal, NormalLaw, Sphere,
+    Thresholds, Touch,
 };
+use tribos_core::internals::{Block, PreparedContact};
 
 /// Rounds of a step at most. What is left of an approach after them is stopped without rebound.
 const MOST_ROUNDS: usize = 100;
@@ -286,7 +287,7 @@ fn prepare(
 }
 
 /// Sums the impulses of each contact, in ascending order of the bodies.
-fn merge<M: Modes<f64>>(impulses: &mut Vec<Kept<M>>) {
+fn merge<M: ContactModes<f64>>(impulses: &mut Vec<Kept<M>>) {
     impulses.sort_by_key(|(bodies, _)| *bodies);
     impulses.dedup_by(|(bodies, later), (kept, sum)| {
         let same = bodies == kept;

@@ -8,7 +8,7 @@ use super::nsgs::{Effort, Order, Stop, Sweeper, solve};
 use super::operator::{Blind, Operator, Visit};
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
-use tribos_core::contact::{ContactFriction, Modes};
+use tribos_core::contact::{ContactFriction, ContactModes};
 
 /// Change of a sweep relative to the impulses at which a part of a round is solved.
 pub(super) const TOLERANCE: f64 = 1e-13;
@@ -73,7 +73,7 @@ pub(super) fn rests<F: ContactFriction<f64>>(problem: &mut Spheres<F>) -> bool {
 
 /// What the rounding of two bodies' velocities and spins makes of an impulse between them, torques
 /// counted as forces at the lever.
-fn rounding<M: Modes<f64>>(link: &Link<M>, velocities: [[Vector3<f64>; 2]; 2]) -> f64 {
+fn rounding<M: ContactModes<f64>>(link: &Link<M>, velocities: [[Vector3<f64>; 2]; 2]) -> f64 {
     let (block, lever) = (link.contact.block(), link.contact.lever());
     let [speed, spin] = [0, 1].map(|of| velocities.iter().map(|body| body[of].norm()).sum::<f64>());
     let mass = block.mass_normal.max(block.mass_sliding);

@@ -8,9 +8,7 @@ use super::memory::find;
 use super::nsgs::Effort;
 use super::operator::Operator;
 use super::spheres::{Link, Spheres};
-use tribos_core::contact::{
-    AxialPart, Contact, ContactFriction, Frictionless, Modal, Modes, PlanarPart,
-};
+use tribos_core::contact::{Contact, ContactFriction, ContactModes, Frictionless, Modal};
 
 impl<F: ContactFriction<f64>> Impacts<F> {
     /// Lets the gathered contacts rebound.
@@ -18,8 +16,8 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         let reflected = self.reflect(restitution);
         self.counts.unmet += usize::from(!reflected.met);
         self.counts.impacts += self.reflection.contacts();
-        let frictionless =
-            <F::Modes as Modes<f64>>::UNKNOWNS == <Frictionless as Modes<f64>>::UNKNOWNS;
+        let frictionless = <F::Modes as ContactModes<f64>>::UNKNOWNS
+            == <Frictionless as ContactModes<f64>>::UNKNOWNS;
         if frictionless {
             self.spheres.clone_from(&self.reflection.spheres);
         } else {
@@ -143,7 +141,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
 
 /// The contact of a reflection with friction, whose normal impulse is given: it acts as a cohesion
 /// on a contact that nothing moves along the normal.
-fn rough<M: Modes<f64>>(link: &Link<Frictionless>) -> Link<M> {
+fn rough<M: ContactModes<f64>>(link: &Link<Frictionless>) -> Link<M> {
     let mut prepared = link.contact.prepared();
     prepared.cohesion = link.contact.impulse().normal;
     prepared.block.mass_normal = 0.0;
@@ -154,17 +152,15 @@ fn rough<M: Modes<f64>>(link: &Link<Frictionless>) -> Link<M> {
 }
 
 /// Adds an impulse to that of a contact, without telling the bodies.
-fn add<M: Modes<f64>>(contact: &mut Contact<f64, M>, impulse: &Modal<f64, M>) {
+fn add<M: ContactModes<f64>>(contact: &mut Contact<f64, M>, impulse: &Modal<f64, M>) {
     let sum = contact.impulse().plus_scaled(1.0, impulse);
     contact.set_impulse_in_plane(&sum);
 }
 
 /// An impulse along the normal alone.
-fn modal<M: Modes<f64>>(normal: f64) -> Modal<f64, M> {
-    Modal {
-        normal,
-        ..Modal::default()
-    }
+fn modal<M: ContactModes<f64>>(normal: f64) -> Modal<f64, M> {
+    let zero = nalgebra::Vector3::zeros();
+    Modal::new(normal, zero, zero, 0.0)
 }
 
 /// The normal velocity of each contact, in the order of their numbers.
@@ -212,9 +208,9 @@ fn slipped<F: ContactFriction<f64>>(problem: &Spheres<F>) -> [f64; 3] {
     let mut sums = [0.0; 3];
     for (link, u) in pairs.chain(walls) {
         let p = link.contact.impulse();
-        sums[0] -= p.sliding.vector().dot(&u.sliding.vector());
-        sums[1] -= p.rolling.vector().dot(&u.rolling.vector());
-        sums[2] -= p.torsion.component() * u.torsion.component();
+        sums[0] -= p.sliding().dot(&u.sliding());
+        sums[1] -= p.rolling().dot(&u.rolling());
+        sums[2] -= p.torsion() * u.torsion();
     }
     sums
 }
@@ -230,9 +226,9 @@ fn jump_shares<F: ContactFriction<f64>>(problem: &Spheres<F>) -> [f64; 3] {
     let mut shares = [0.0; 3];
     for link in problem.links() {
         let (p, block) = (link.contact.impulse(), link.contact.block());
-        let torsion = p.torsion.component();
-        shares[0] += alone(p.sliding.vector().norm_squared(), block.mass_sliding);
-        shares[1] += alone(p.rolling.vector().norm_squared(), block.inertia);
+        let torsion = p.torsion();
+        shares[0] += alone(p.sliding().norm_squared(), block.mass_sliding);
+        shares[1] += alone(p.rolling().norm_squared(), block.inertia);
         shares[2] += alone(torsion * torsion, block.inertia);
     }
     let sum: f64 = shares.iter().sum();

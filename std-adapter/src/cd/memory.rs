@@ -1,7 +1,7 @@
 //! Impulses of the last step, as a first guess for the next.
 
 use super::spheres::{Link, Spheres};
-use tribos_core::contact::{ContactFriction, Modal, Modes};
+use tribos_core::contact::{ContactFriction, ContactModes, Modal};
 
 /// The force of a contact that was, with the bodies that it joined.
 ///
@@ -39,12 +39,12 @@ pub type Kept<M> = ([u32; 2], Modal<f64, M>);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Memory<M: Modes<f64>> {
+pub struct Memory<M: ContactModes<f64>> {
     /// Bodies and mean force (impulse over step), pairs and walls.
     pub forces: [Vec<Kept<M>>; 2],
 }
 
-impl<M: Modes<f64>> Default for Memory<M> {
+impl<M: ContactModes<f64>> Default for Memory<M> {
     fn default() -> Self {
         Self {
             forces: [Vec::new(), Vec::new()],
@@ -52,7 +52,7 @@ impl<M: Modes<f64>> Default for Memory<M> {
     }
 }
 
-impl<M: Modes<f64>> Memory<M> {
+impl<M: ContactModes<f64>> Memory<M> {
     /// The force of a contact of this kind, 0 for a pair and 1 at a wall; `None` if it had none.
     pub(crate) fn force(&self, kind: usize, bodies: [u32; 2]) -> Option<&Modal<f64, M>> {
         find(self.forces.get(kind)?, bodies)
@@ -90,13 +90,16 @@ impl<M: Modes<f64>> Memory<M> {
 }
 
 /// The force or impulse of a contact, from a list in ascending order of the bodies.
-pub(super) fn find<M: Modes<f64>>(kept: &[Kept<M>], bodies: [u32; 2]) -> Option<&Modal<f64, M>> {
+pub(super) fn find<M: ContactModes<f64>>(
+    kept: &[Kept<M>],
+    bodies: [u32; 2],
+) -> Option<&Modal<f64, M>> {
     let place = kept.binary_search_by_key(&bodies, |(bodies, _)| *bodies);
     kept.get(place.ok()?).map(|(_, modal)| modal)
 }
 
 /// Finds the old forces of links; both are in ascending order of their bodies.
-fn recall<M: Modes<f64>, F: ContactFriction<f64, Modes = M>>(
+fn recall<M: ContactModes<f64>, F: ContactFriction<f64, Modes = M>>(
     forces: &[Kept<M>],
     links: &mut [Link<M>],
     friction: &F,

@@ -5,10 +5,11 @@
 
 use super::operator::{Operator, largest};
 use super::spheres::{Link, Spheres};
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector3;
 use tribos_core::contact::{
-    AxialPart, Contact, ContactFriction, CoupledFriction, Modal, Modes, PlanarPart, Thresholds,
+    Contact, ContactFriction, ContactModes, CoupledFriction, Modal, Thresholds,
 };
+use tribos_core::internals::{AxialPart, PlanarPart};
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -121,7 +122,7 @@ struct Sum {
 }
 
 impl Sum {
-    fn add<M: Modes<f64>>(
+    fn add<M: ContactModes<f64>>(
         &mut self,
         link: &Link<M>,
         u: &Modal<f64, M>,
@@ -150,7 +151,7 @@ impl Sum {
         let mut excess = 0.0_f64;
         if M::Rolling::PRESENT {
             let limit = mu_t * bound * lever;
-            let (p, u) = (p.rolling.vector(), u.rolling.vector());
+            let (p, u) = (p.rolling(), u.rolling());
             let (map, beyond) = disc(p, u, block.inertia, limit);
             map_sq += map.norm_squared() / (lever * lever);
             excess = largest(excess, beyond / lever);
@@ -161,13 +162,13 @@ impl Sum {
             excess = largest(excess, beyond);
         } else {
             if M::Sliding::PRESENT {
-                let (p, u) = (p.sliding.vector(), u.sliding.vector());
+                let (p, u) = (p.sliding(), u.sliding());
                 let (map, beyond) = disc(p, u, block.mass_sliding, mu * bound);
                 map_sq += map.norm_squared();
                 excess = largest(excess, beyond);
             }
             if M::Torsion::PRESENT {
-                let (p, spin) = (p.torsion.component(), u.torsion.component());
+                let (p, spin) = (p.torsion(), u.torsion());
                 let limit = (mu_n * bound * lever).max(0.0);
                 let map = p - (p - block.inertia * spin).clamp(-limit, limit);
                 let reduced = map / lever;
@@ -216,23 +217,20 @@ fn disc(p: Vector3<f64>, u: Vector3<f64>, mass: f64, limit: f64) -> (Vector3<f64
 /// With y = proj(p − m U) the map p − y is at most m U, and |p − y|² ≤ m δ with the power δ by which
 /// friction falls short of the largest possible, P·support(U) + p·U: what a nearest point has to do
 /// with the support of a convex set.
-fn joint<M: Modes<f64>>(
+fn joint<M: ContactModes<f64>>(
     set: &dyn FrictionSet<f64>,
     contact: &Contact<f64, M>,
     u: &Modal<f64, M>,
 ) -> (f64, f64) {
     let (p, block) = (contact.impulse(), contact.block());
     let (bound, lever) = (contact.bound().max(0.0), contact.lever());
-    let (slip, spin) = (u.sliding.vector(), u.torsion.component());
-    let (force, torque) = (p.sliding.vector(), p.torsion.component());
+    let (slip, spin) = (u.sliding(), u.torsion());
+    let (force, torque) = (p.sliding(), p.torsion());
     let power = bound * set.support(&Twist::new(slip.norm(), 0.0, spin * lever));
     let short = power + force.dot(&slip) + torque * spin;
     let energy = block.mass_sliding * slip.norm_squared() + block.inertia * spin * spin;
     let map_sq = block.mass_sliding * energy.min(short.abs());
-    let gauge = set.gauge(&Wrench {
-        force: Vector2::new(force.norm(), 0.0),
-        torque: torque / lever,
-    });
+    let gauge = set.gauge(&Wrench::new(force.norm(), 0.0, torque / lever));
     // Of nothing the gauge is 0, whatever the bound.
     let beyond = if gauge == 0.0 {
         0.0

@@ -8,7 +8,7 @@
 
 use super::spheres::Link;
 use std::ops::Range;
-use tribos_core::contact::Modes;
+use tribos_core::contact::ContactModes;
 
 /// Spheres of a block: a few hundred kilobytes with their contacts, what a core's own cache holds.
 const BLOCK: usize = 1024;
@@ -35,7 +35,7 @@ pub(super) struct Schedule {
 
 impl Schedule {
     /// Sorts the pairs.
-    pub fn arrange<M: Modes<f64>>(&mut self, spheres: usize, pairs: &mut Vec<Link<M>>) {
+    pub fn arrange<M: ContactModes<f64>>(&mut self, spheres: usize, pairs: &mut Vec<Link<M>>) {
         let count = spheres.div_ceil(BLOCK).max(1);
         let across = count as u32;
         let block = |sphere: u32| sphere / BLOCK as u32;
@@ -64,7 +64,7 @@ impl Schedule {
 
     /// Gives each pair the first colour that neither of its spheres has yet, inside and across
     /// blocks apart. Spheres with very many contacts share the last colour.
-    fn colour<M: Modes<f64>>(&mut self, spheres: usize, across: u32, pairs: &[Link<M>]) {
+    fn colour<M: ContactModes<f64>>(&mut self, spheres: usize, across: u32, pairs: &[Link<M>]) {
         self.taken.clear();
         self.taken.resize(2 * spheres, 0);
         for (key, link) in self.keys.iter_mut().zip(pairs) {

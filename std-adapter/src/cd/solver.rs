@@ -3,7 +3,7 @@
 use super::accelerated::{Accelerated, Goal};
 use super::nsgs::{self, Effort, Order, Stop, Sweeper};
 use super::spheres::Spheres;
-use tribos_core::contact::{ContactFriction, Modal, Modes};
+use tribos_core::contact::{ContactFriction, ContactModes, Modal};
 
 /// A method.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,11 +38,11 @@ pub struct Solver {
 
 /// Buffers of the methods.
 #[derive(Debug)]
-pub(super) struct Workspace<M: Modes<f64>> {
+pub(super) struct Workspace<M: ContactModes<f64>> {
     accelerated: Accelerated<Modal<f64, M>>,
 }
 
-impl<M: Modes<f64>> Default for Workspace<M> {
+impl<M: ContactModes<f64>> Default for Workspace<M> {
     fn default() -> Self {
         Self {
             accelerated: Accelerated::default(),
@@ -50,7 +50,7 @@ impl<M: Modes<f64>> Default for Workspace<M> {
     }
 }
 
-impl<M: Modes<f64>> Workspace<M> {
+impl<M: ContactModes<f64>> Workspace<M> {
     /// Solves the problem of a step. Its number picks the stream of random orders; `speed` is what
     /// the accelerated method may leave of a closing speed.
     pub fn solve<F: ContactFriction<f64, Modes = M>>(

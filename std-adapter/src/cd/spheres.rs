@@ -3,9 +3,9 @@
 use super::operator::{Impulse, Operator, Visit, Watch};
 use super::schedule::Schedule;
 use rayon::prelude::*;
-use tribos_core::contact::{Contact, ContactFriction, Modal, Modes, Plate, Sphere};
+use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
 
-impl<M: Modes<f64>> Impulse for Modal<f64, M> {
+impl<M: ContactModes<f64>> Impulse for Modal<f64, M> {
     #[inline(always)]
     fn plus_scaled(&self, factor: f64, other: &Self) -> Self {
         Modal::plus_scaled(self, factor, other)
@@ -16,7 +16,7 @@ impl<M: Modes<f64>> Impulse for Modal<f64, M> {
 ///
 /// See [`Spheres`] for an example.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Link<M: Modes<f64>> {
+pub struct Link<M: ContactModes<f64>> {
     /// First body, a sphere; second body, a sphere or a plate.
     pub bodies: [u32; 2],
     /// The contact.
@@ -186,7 +186,7 @@ fn sweep_links<F: ContactFriction<f64>, W: Watch>(
 }
 
 #[inline(always)]
-fn report<M: Modes<f64>, W: Watch>(
+fn report<M: ContactModes<f64>, W: Watch>(
     contact: &Contact<f64, M>,
     change: &Modal<f64, M>,
     watch: &mut W,

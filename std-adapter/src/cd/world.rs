@@ -12,7 +12,7 @@ use super::solver::Workspace;
 use super::spheres::Spheres;
 use crate::space::pairs::Cells;
 use nalgebra::Vector3;
-use tribos_core::contact::{ContactFriction, Modes, Plate, Sphere};
+use tribos_core::contact::{ContactFriction, ContactModes, Plate, Sphere};
 
 /// What one step did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -48,7 +48,7 @@ impl StepReport {
 
 /// Everything that changes from step to step: a run goes on from it to the same bits.
 #[derive(Clone, Debug, PartialEq)]
-pub struct State<M: Modes<f64>> {
+pub struct State<M: ContactModes<f64>> {
     /// Time so far.
     pub time: f64,
     /// Steps so far.

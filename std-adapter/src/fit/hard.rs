@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::random::Random;
-use tribos_core::law::{Bristle, DryFriction, LocalLaw, LuGre, LuGreParameters, Stribeck};
+use tribos_core::law::{
+    Bristle, DryFriction, LocalLaw, LuGre, LuGreParameters, Stribeck, StribeckParameters,
+};
 
 fn found(law: LawName, data: &Data) -> Result<Fit, FitError> {
     fit(law_model(law, data)?.as_ref(), data, &Options::default())
@@ -169,7 +171,13 @@ fn assert_same_minimum(law: LawName, data: &Data) {
 
 #[test]
 fn many_points_end_at_the_minimum_of_searches_on_all_of_them() {
-    let law = Stribeck::new(DryFriction::new(0.15, 0.08).unwrap(), 0.02, 1.5, 0.1).unwrap();
+    let law = Stribeck::new(StribeckParameters {
+        dry: DryFriction::new(0.15, 0.08).unwrap(),
+        speed: 0.02,
+        exponent: 1.5,
+        viscous: 0.1,
+    })
+    .unwrap();
     let mut random = Random::new(3, 0);
     let speeds: Vec<f64> = (0..20_000)
         .map(|_| 10.0_f64.powf(-3.0 * random.unit()))

@@ -4,7 +4,7 @@ use super::*;
 use crate::random::Random;
 use tribos_core::law::{
     Bristle, Dieterich, DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, RateState,
-    RateStateParameters, Stribeck,
+    RateStateParameters, Stribeck, StribeckParameters,
 };
 
 /// Normal deviates by the polar method of Marsaglia and Bray (1964).
@@ -90,7 +90,13 @@ fn standard_errors_of_a_power_law_cover_the_truth_at_the_right_rate() {
 
 #[test]
 fn standard_errors_of_stribecks_law_cover_the_truth_at_the_right_rate() {
-    let law = Stribeck::new(DryFriction::new(0.15, 0.08).unwrap(), 0.02, 1.5, 0.1).unwrap();
+    let law = Stribeck::new(StribeckParameters {
+        dry: DryFriction::new(0.15, 0.08).unwrap(),
+        speed: 0.02,
+        exponent: 1.5,
+        viscous: 0.1,
+    })
+    .unwrap();
     let speeds = spread(60, [1e-3, 1.0]);
     let exact: Vec<f64> = speeds.iter().map(|&v| law.friction(v)).collect();
     let options = Options {

@@ -3,7 +3,7 @@
 use crate::cd::Link;
 use crate::scene::{Coupling, PowderScene};
 use tribos_core::contact::{
-    AllModes, Frictionless, Modes, Sliding, SlidingRolling, SlidingTorsion,
+    AllModes, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion,
 };
 
 /// Modes of a contact for which there is a type; what is not named is neither stored nor computed.
@@ -74,11 +74,11 @@ impl CarriedModes {
     /// Unknowns of a contact, the normal one included.
     pub fn unknowns(self) -> usize {
         match self {
-            Self::Normal => <Frictionless as Modes<f64>>::UNKNOWNS,
-            Self::Sliding => <Sliding as Modes<f64>>::UNKNOWNS,
-            Self::SlidingTorsion => <SlidingTorsion as Modes<f64>>::UNKNOWNS,
-            Self::SlidingRolling => <SlidingRolling as Modes<f64>>::UNKNOWNS,
-            Self::All => <AllModes as Modes<f64>>::UNKNOWNS,
+            Self::Normal => <Frictionless as ContactModes<f64>>::UNKNOWNS,
+            Self::Sliding => <Sliding as ContactModes<f64>>::UNKNOWNS,
+            Self::SlidingTorsion => <SlidingTorsion as ContactModes<f64>>::UNKNOWNS,
+            Self::SlidingRolling => <SlidingRolling as ContactModes<f64>>::UNKNOWNS,
+            Self::All => <AllModes as ContactModes<f64>>::UNKNOWNS,
         }
     }
 

@@ -3,7 +3,7 @@
 use super::packing::{ellipsoid, exact};
 use crate::record::{ContactRow, Partner};
 use crate::scene::{Coupling, PowderScene, WallLaw};
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector3;
 use tribos_core::coupling::table;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use tribos_core::twist::Wrench;
@@ -97,10 +97,7 @@ impl Limits {
 impl Joint {
     /// 1 where the relative loads of sliding and torsion lie on the set's surface.
     fn gauge(&self, [force, _, torque]: [f64; 3]) -> f64 {
-        let wrench = Wrench {
-            force: Vector2::new(force, 0.0),
-            torque,
-        };
+        let wrench = Wrench::new(force, 0.0, torque);
         match self {
             Self::Ellipsoid(set) => set.gauge(&wrench),
             Self::Exact(set) => set.gauge(&wrench),

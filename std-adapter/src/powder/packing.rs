@@ -13,8 +13,8 @@ use crate::scene::{Coupling, PowderScene, WallLaw};
 use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_core::contact::{
-    AxialPart, Cohesion, ContactFriction, CoupledFriction, Modal, Modes, NormalLaw, PlanarPart,
-    Sphere, Thresholds, Touch, TouchError,
+    Cohesion, ContactFriction, ContactModes, CoupledFriction, Modal, NormalLaw, Sphere, Thresholds,
+    Touch, TouchError,
 };
 use tribos_core::coupling::table;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, SurfaceError};
@@ -198,7 +198,7 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
 }
 
 /// Puts a frozen state into a fresh one of the same bodies.
-fn thaw<M: Modes<f64>>(frozen: &Frozen, state: &mut State<M>) {
+fn thaw<M: ContactModes<f64>>(frozen: &Frozen, state: &mut State<M>) {
     state.time = frozen.time;
     state.steps = frozen.steps;
     state.positions.clone_from(&frozen.positions);
@@ -215,14 +215,9 @@ fn thaw<M: Modes<f64>>(frozen: &Frozen, state: &mut State<M>) {
 }
 
 /// Forces in the modes of a world.
-fn memory<M: Modes<f64>>(forces: &Forces) -> Memory<M> {
+fn memory<M: ContactModes<f64>>(forces: &Forces) -> Memory<M> {
     let modal = |(bodies, force): &([u32; 2], Force)| {
-        let modal = Modal {
-            normal: force.normal,
-            sliding: M::Sliding::of(force.sliding),
-            rolling: M::Rolling::of(force.rolling),
-            torsion: M::Torsion::of(force.torsion),
-        };
+        let modal = Modal::new(force.normal, force.sliding, force.rolling, force.torsion);
         (*bodies, modal)
     };
     Memory {
@@ -231,7 +226,7 @@ fn memory<M: Modes<f64>>(forces: &Forces) -> Memory<M> {
 }
 
 /// Forces of all modes.
-fn forces<M: Modes<f64>>(memory: &Memory<M>) -> Forces {
+fn forces<M: ContactModes<f64>>(memory: &Memory<M>) -> Forces {
     let force = |(bodies, modal): &Kept<M>| (*bodies, Force::of(modal));
     [0, 1].map(|kind: usize| memory.forces[kind].iter().map(force).collect())
 }
@@ -249,12 +244,12 @@ pub(super) struct Force {
 }
 
 impl Force {
-    fn of<M: Modes<f64>>(modal: &Modal<f64, M>) -> Self {
+    fn of<M: ContactModes<f64>>(modal: &Modal<f64, M>) -> Self {
         Self {
             normal: modal.normal,
-            sliding: modal.sliding.vector(),
-            rolling: modal.rolling.vector(),
-            torsion: modal.torsion.component(),
+            sliding: modal.sliding(),
+            rolling: modal.rolling(),
+            torsion: modal.torsion(),
         }
     }
 

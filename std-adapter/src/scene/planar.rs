@@ -103,7 +103,7 @@ pub(super) const ALPHA: Key = key(
     "exponent of the local law |v|^alpha (default 0, Coulomb)",
     Domain::Between {
         above: -1.0,
-        up_to: table::MAX_EXPONENT,
+        up_to: table::Table64::MAX_EXPONENT,
     },
 );
 pub(super) const GRAVITY: Key = key(

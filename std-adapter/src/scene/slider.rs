@@ -103,7 +103,7 @@ impl SliderScene {
             "exponent of the local law |v|^alpha, 0 for Coulomb",
             Domain::Between {
                 above: -1.0,
-                up_to: table::MAX_EXPONENT,
+                up_to: table::Table64::MAX_EXPONENT,
             },
         ),
         key(

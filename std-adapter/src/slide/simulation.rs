@@ -6,7 +6,7 @@ use crate::scene::{SliderScene, Stepper};
 use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
 use tribos_core::modes::Modes;
-use tribos_core::slider::{Motion, Rest, Slider};
+use tribos_core::slider::{Motion, Rest, Slider, SliderParameters};
 
 /// Columns of the series: SI units in SI scenes (s, m/s, rad/s, m, rad, -, J, J).
 pub const COLUMNS: [&str; 8] = [
@@ -99,7 +99,14 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
     /// Prepares a run; the whole motion is scouted once to choose and check the step.
     pub fn new(profile: P, scene: &SliderScene) -> Result<Self, SlideError> {
         let deceleration = scene.coefficient * scene.gravity;
-        let slider = Slider::new(profile, deceleration, scene.radius, scene.inertia_ratio)?;
+        let slider = Slider::new(
+            profile,
+            SliderParameters {
+                deceleration,
+                radius: scene.radius,
+                inertia_ratio: scene.inertia_ratio,
+            },
+        )?;
         let start = Motion::launched(scene.speed, scene.spin);
         energy_at_launch(scene.mass * slider.energy_per_mass(&start))?;
         let mut simulation = Self {

@@ -8,7 +8,7 @@ use tribos_core::coupling::table::{self, Table64};
 use tribos_core::coupling::tall::{AllRound, FrontBack, Lean, TallFriction};
 use tribos_core::coupling::{Coupling, Lateral, PatchFriction};
 use tribos_core::real::Real;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_core::twist::Twist;
 
 /// Hash of wrenches and their Jacobians in the plane.
@@ -79,7 +79,15 @@ where
     P: tribos_core::coupling::Profile<R> + Coupling<R>,
 {
     let radius = R::from_f64(0.08);
-    let puck = Slider::new(profile, R::from_f64(2.943), radius, R::HALF).expect("in range");
+    let puck = Slider::new(
+        profile,
+        SliderParameters {
+            deceleration: R::from_f64(2.943),
+            radius,
+            inertia_ratio: R::HALF,
+        },
+    )
+    .expect("in range");
     let mut state = Motion::launched(speed, spin);
     let mut fixed = state;
     for _ in 0..200 {

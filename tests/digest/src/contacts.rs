@@ -5,12 +5,12 @@ use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, speed};
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, AxialPart, Cohesion, Contact, ContactFriction, CoupledFriction, Modal, Modes,
-    NormalLaw, PlanarPart, Plate, Sphere, Thresholds, TimeStep, Touch,
+    Attraction, Cohesion, Contact, ContactFriction, ContactModes, CoupledFriction, Modal,
+    NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch,
 };
 use tribos_core::coupling::table::{Coulomb, CoulombTable};
 use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
-use tribos_core::manifold::{Manifold, Start, Stop};
+use tribos_core::manifold::{InitialGuess, Manifold, SolverLimits};
 use tribos_core::real::Real;
 
 /// Hash of updates of contacts under every friction, f64 and f32.
@@ -95,12 +95,12 @@ fn manifold<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
     }
     grip.set_gravity(Vector3::new(R::ZERO, R::ZERO, -R::ONE));
     let step = TimeStep::new(R::from_f64(0.125)).expect("positive");
-    let stop = Stop {
+    let stop = SolverLimits {
         sweeps: 20,
         tolerance: R::from_f64(0.0009765625),
     };
     for _ in 0..8 {
-        let report = grip.solve(step, Start::Last, stop);
+        let report = grip.solve(step, InitialGuess::Last, stop);
         hash.number(report.residual);
         hash.feed(u64::from(report.sweeps));
     }
@@ -112,8 +112,8 @@ fn manifold<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
 }
 
 /// All components: normal, sliding, rolling, torsion.
-pub(crate) fn components<R: Real, M: Modes<R>>(modal: &Modal<R, M>) -> [R; 8] {
-    let (s, r) = (modal.sliding.vector(), modal.rolling.vector());
-    let torsion = modal.torsion.component();
+pub(crate) fn components<R: Real, M: ContactModes<R>>(modal: &Modal<R, M>) -> [R; 8] {
+    let (s, r) = (modal.sliding(), modal.rolling());
+    let torsion = modal.torsion();
     [modal.normal, s.x, s.y, s.z, r.x, r.y, r.z, torsion]
 }

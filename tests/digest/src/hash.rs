@@ -1,6 +1,7 @@
 //! The hash of results.
 
-use tribos_core::coupling::{LateralJacobian, ReducedJacobian, ReducedWrench};
+use tribos_core::coupling::{ReducedJacobian, ReducedWrench};
+use tribos_core::internals::LateralJacobian;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 

@@ -2,13 +2,14 @@
 
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, signed, triples_of_ends, twist, unit};
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector3;
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::internals::{NodeBuffer, NodeSink};
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
-use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch, NodeSink, NodeSlice};
-use tribos_core::planar::{Foot, PlanarBody, PlanarStep};
+use tribos_core::patch::nodes::{Node, NodePatch, NodeSlice};
+use tribos_core::planar::{NodeFoot, PlanarBody, PlanarStep};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -52,10 +53,7 @@ fn sliding<R: Real>(hash: &mut Fnv, body: &PlanarBody<R>, set: &impl FrictionSet
         outcome(hash, &step);
     }
     for [x, y, n] in triples_of_ends(61) {
-        let push = Wrench {
-            force: Vector2::new(y, R::ZERO),
-            torque: x,
-        };
+        let push = Wrench::new(y, R::ZERO, x);
         outcome(hash, &body.step(set, &Twist::new(x, y, n), &push, dt));
     }
 }
@@ -81,7 +79,7 @@ fn standing<R: Real>(hash: &mut Fnv, body: &PlanarBody<R>, limit: R) {
     hash.number(points.total_weight());
     let points = NodeSlice::new(points.nodes()).expect("loaded");
     hash.numbers([points.total_weight()]);
-    let mut foot: Foot<R, _, POINTS> = Foot::new(points, limit).expect("it fits");
+    let mut foot: NodeFoot<R, _, POINTS> = NodeFoot::new(points, limit).expect("it fits");
     let dt = TimeStep::new(R::from_f64(1.0 / 64.0)).expect("positive");
     let mut moving = Twist::new(R::ONE, -R::HALF, R::from_f64(3.0));
     for n in 0..STEPS {
@@ -112,10 +110,7 @@ fn standing<R: Real>(hash: &mut Fnv, body: &PlanarBody<R>, limit: R) {
 /// A push that friction holds for most of the way.
 fn growing<R: Real>(n: usize) -> Wrench<R> {
     let size = R::from_f64(n as f64 / 128.0);
-    Wrench {
-        force: Vector2::new(R::ZERO, size),
-        torque: size * R::from_f64(0.0625),
-    }
+    Wrench::new(R::ZERO, size, size * R::from_f64(0.0625))
 }
 
 fn outcome<R: Real>(hash: &mut Fnv, step: &PlanarStep<R>) {

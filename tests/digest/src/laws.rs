@@ -3,9 +3,10 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, speed, unit};
 use tribos_core::law::{
-    Age, Ageing, BowdenTabor, Coulomb, DragRegime, DryFriction, GreenwoodWilliamson, Grip,
-    HertzSphere, Incline, InertialDrag, LawError, LocalLaw, Plastic, PlateauPower, PowerLaw,
-    RealArea, Stokes, Stribeck, critical_angle, crossover_reynolds, reynolds,
+    Age, Ageing, BowdenTabor, CoulombLaw, DragRegime, DryFriction, GreenwoodWilliamson, Grip,
+    HertzSphere, Incline, InertialDrag, LawError, LocalLaw, Plastic, PlateauPower,
+    PlateauPowerParameters, PowerLaw, RealArea, Stokes, Stribeck, StribeckParameters,
+    critical_angle, crossover_reynolds, reynolds,
 };
 use tribos_core::real::Real;
 
@@ -17,7 +18,7 @@ pub fn moving() -> u64 {
 fn moving_of<R: Real>(hash: &mut Fnv) {
     let real = R::from_f64;
     let dry = DryFriction::new(real(0.5), real(0.25)).expect("in range");
-    let coulomb = Coulomb::new(real(0.375)).expect("in range");
+    let coulomb = CoulombLaw::new(real(0.375)).expect("in range");
     hash.numbers([dry.mu_static(), dry.mu_dynamic(), coulomb.mu()]);
     local(hash, &dry);
     local(hash, &coulomb);
@@ -28,19 +29,36 @@ fn moving_of<R: Real>(hash: &mut Fnv) {
         local(hash, &power);
     }
     for exponent in [0.5, 1.0, 2.0] {
-        let law = Stribeck::new(dry, real(0.125), real(exponent), real(0.0625)).expect("in range");
+        let law = Stribeck::new(StribeckParameters {
+            dry,
+            speed: real(0.125),
+            exponent: real(exponent),
+            viscous: real(0.0625),
+        })
+        .expect("in range");
         hash.maybe(law.minimum());
         local(hash, &law);
         for v in ends() {
             hash.numbers([law.boundary(v), law.hydrodynamic(v)]);
         }
     }
-    let ice = PlateauPower::new(real(-0.5), real(0.008), real(1e-4), real(1e-7), R::HALF);
+    let ice = PlateauPower::new(PlateauPowerParameters {
+        alpha: real(-0.5),
+        coefficient: real(0.008),
+        plateau_speed: real(1e-4),
+        drop_speed: real(1e-7),
+        rest_share: R::HALF,
+    });
     local(hash, &ice.expect("in range"));
     for (x, y) in pairs_of_ends::<R>() {
         hash.verdict(&DryFriction::new(x, y));
         hash.verdict(&PowerLaw::new(x, y));
-        hash.verdict(&Stribeck::new(dry, x, R::ONE, y));
+        hash.verdict(&Stribeck::new(StribeckParameters {
+            dry,
+            speed: x,
+            exponent: R::ONE,
+            viscous: y,
+        }));
     }
 }
 

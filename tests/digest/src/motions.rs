@@ -5,9 +5,9 @@ use crate::inputs::{pairs_of_ends, triples_of_ends};
 use tribos_core::coupling::closed::Hertz;
 use tribos_core::coupling::table::{self, CoulombTable};
 use tribos_core::coupling::{Coupling, Profile};
+use tribos_core::internals::runge_kutta::{judge, step, tolerance};
 use tribos_core::real::Real;
-use tribos_core::slider::runge_kutta::{judge, step, tolerance};
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 
 /// Steps of a motion, half of them at rest or nearly so.
 const STEPS: usize = 1000;
@@ -33,7 +33,15 @@ pub fn extremes() -> u64 {
 
 fn slider<R: Real, P: Profile<R> + Coupling<R>>(profile: P) -> Slider<R, P> {
     let [deceleration, radius] = [2.943, 0.08].map(R::from_f64);
-    Slider::new(profile, deceleration, radius, R::HALF).expect("in range")
+    Slider::new(
+        profile,
+        SliderParameters {
+            deceleration,
+            radius,
+            inertia_ratio: R::HALF,
+        },
+    )
+    .expect("in range")
 }
 
 fn feed<R: Real>(hash: &mut Fnv, m: &Motion<R>) {
@@ -79,8 +87,22 @@ where
         if let Some(rest) = puck.to_rest(&start) {
             feed(hash, &rest.motion);
         }
-        hash.verdict(&Slider::new(profile, speed, spin, unit));
-        hash.verdict(&Slider::new(profile, unit, unit, duration));
+        hash.verdict(&Slider::new(
+            profile,
+            SliderParameters {
+                deceleration: speed,
+                radius: spin,
+                inertia_ratio: unit,
+            },
+        ));
+        hash.verdict(&Slider::new(
+            profile,
+            SliderParameters {
+                deceleration: unit,
+                radius: unit,
+                inertia_ratio: duration,
+            },
+        ));
     }
 }
 

@@ -2,10 +2,11 @@
 
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{ends, pairs_of_ends};
+use tribos_core::internals::tripod_shares;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
 use tribos_core::patch::polar::{PolarRule, ring};
 use tribos_core::patch::polygon::polygon;
-use tribos_core::patch::tripod::{tripod, tripod_shares};
+use tribos_core::patch::tripod::tripod;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
 

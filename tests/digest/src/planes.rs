@@ -6,10 +6,9 @@ use nalgebra::Vector3;
 use tribos_core::coupling::closed::Hertz;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::table::{self, CoulombTable};
-use tribos_core::coupling::tall::{
-    AllRound, Footing, FrontBack, Lean, TallFriction, leaning_wrench,
-};
+use tribos_core::coupling::tall::{AllRound, Footing, FrontBack, Lean, TallFriction};
 use tribos_core::coupling::{Lateral, PatchFriction};
+use tribos_core::internals::leaning_wrench;
 use tribos_core::law::PowerLaw;
 use tribos_core::patch::nodes::NodePatch;
 use tribos_core::patch::tripod::tripod;

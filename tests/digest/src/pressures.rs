@@ -36,7 +36,7 @@ pub fn pressures_f64() -> u64 {
         for pressure in PRESSURES {
             let table = RoundTable64::new(alpha, pressure).expect("in range");
             patch(&mut hash, &table);
-            let power = compact::Power::with_pressure(alpha, pressure).expect("in range");
+            let power = compact::CompactPower::with_pressure(alpha, pressure).expect("in range");
             patch(&mut hash, &power);
         }
         let disk = Table64::new(alpha).expect("in range");
@@ -54,7 +54,7 @@ pub fn pressures_f32() -> u64 {
         for pressure in PRESSURES {
             let table = RoundTable32::new(alpha, pressure).expect("in range");
             patch(&mut hash, &table);
-            let power = compact::Power::with_pressure(alpha, pressure).expect("in range");
+            let power = compact::CompactPower::with_pressure(alpha, pressure).expect("in range");
             patch(&mut hash, &power);
         }
         let disk = Table32::new(alpha).expect("in range");

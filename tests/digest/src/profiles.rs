@@ -9,10 +9,8 @@ use tribos_core::coupling::round::{
     LateralPolynomialTable, PolynomialTable, RoundTable32, RoundTable64,
 };
 use tribos_core::coupling::table::{self, CoulombTable, Table32, Table64};
-use tribos_core::coupling::{
-    Annulus, Dry, Lateral, Lead, LeanProfile, Profile, SmoothProfile, Speeds, compact,
-    unscaled_wrench,
-};
+use tribos_core::coupling::{Annulus, Dry, Lateral, Profile, compact};
+use tribos_core::internals::{Lead, LeanProfile, SmoothProfile, Speeds, unscaled_wrench};
 use tribos_core::law::PowerLaw;
 use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
@@ -64,16 +62,16 @@ pub fn plain_forms() -> u64 {
     plain_forms_of::<f64>(&mut hash);
     plain_forms_of::<f32>(&mut hash);
     for alpha in [-0.75, 0.5, 2.0] {
-        let power = compact::Power::new(alpha).expect("in range");
+        let power = compact::CompactPower::new(alpha).expect("in range");
         smooth::<f64, _>(&mut hash, &power, 4);
-        let power = compact::Power::with_pressure(alpha as f32, PowerPressure::PARABOLOID);
+        let power = compact::CompactPower::with_pressure(alpha as f32, PowerPressure::PARABOLOID);
         smooth::<f32, _>(&mut hash, &power.expect("in range"), 4);
     }
     hash.0
 }
 
 fn plain_forms_of<R: CoulombTable>(hash: &mut Fnv) {
-    smooth::<R, _>(hash, &compact::Coulomb, 30);
+    smooth::<R, _>(hash, &compact::CompactCoulomb, 30);
     smooth::<R, _>(hash, &Ring, 20);
     smooth::<R, _>(hash, &FlatPunch, 20);
     smooth::<R, _>(hash, &Hertz, 20);
@@ -92,7 +90,7 @@ fn plain_forms_of<R: CoulombTable>(hash: &mut Fnv) {
         .for_each(|speeds: (R, R)| at(hash, &disk, speeds));
     for x in ends::<R>() {
         hash.verdict(&Annulus::new(table::Coulomb, x));
-        hash.verdict(&compact::Power::new(x));
+        hash.verdict(&compact::CompactPower::new(x));
         hash.verdict(&LeanProfile::<R, _>::new(Hertz, x));
     }
 }

@@ -17,7 +17,7 @@ pub fn sets() -> u64 {
 
 fn sets_of<R: CoulombTable>(hash: &mut Fnv) {
     exact::<R, _>(hash, table::Coulomb, 16);
-    exact::<R, _>(hash, compact::Coulomb, 2);
+    exact::<R, _>(hash, compact::CompactCoulomb, 2);
     exact::<R, _>(hash, Ring, 2);
     exact::<R, _>(hash, FlatPunch, 4);
     exact::<R, _>(hash, Hertz, 4);

@@ -2,8 +2,8 @@
 
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, signed, speed, unit};
+use tribos_core::internals::{CompleteElliptic, Gauss};
 use tribos_core::real::Real;
-use tribos_core::special::{CompleteElliptic, Gauss};
 
 /// Digest of roots, powers, logarithms and angles, f64 and f32.
 pub fn elementary() -> u64 {

@@ -3,13 +3,12 @@
 use crate::ARGUMENTS;
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, speed};
-use nalgebra::Vector2;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::{DryCoupling, table};
 use tribos_core::law::{
     Bristle, ContactAge, Dieterich, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPower,
-    RateState, RateStateParameters, Ruina, Stribeck,
+    PlateauPowerParameters, RateState, RateStateParameters, Ruina, Stribeck, StribeckParameters,
 };
 use tribos_core::limit_surface::{FrictionSet, LimitSurface, Region};
 use tribos_core::patch::nodes::NodeList;
@@ -31,7 +30,13 @@ fn nodes_of<R: Real>(hash: &mut Fnv) {
     let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.75]].map(|corner| corner.map(real));
     let plate: NodeList<R, 112> = polygon(&corners, 4).expect("a triangle");
     let dry = DryFriction::new(real(0.5), real(0.25)).expect("in range");
-    let law = Stribeck::new(dry, real(0.125), R::TWO, real(0.0625)).expect("in range");
+    let law = Stribeck::new(StribeckParameters {
+        dry,
+        speed: real(0.125),
+        exponent: R::TWO,
+        viscous: real(0.0625),
+    })
+    .expect("in range");
     let mut rng = Lcg::new(37);
     for _ in 0..ARGUMENTS / 20 {
         let [x, y, spin] = [(); 3].map(|()| speed::<R>(&mut rng) - speed::<R>(&mut rng));
@@ -67,10 +72,7 @@ fn surface<R: Real, C: DryCoupling<R>>(hash: &mut Fnv, coupling: C) {
     let mut rng = Lcg::new(41);
     for _ in 0..ARGUMENTS / 4 {
         let [x, y, torque] = [(); 3].map(|()| speed::<R>(&mut rng) - speed::<R>(&mut rng));
-        let push = Wrench {
-            force: Vector2::new(x, y),
-            torque,
-        };
+        let push = Wrench::new(x, y, torque);
         let motion = set.twist_normal_to(&push);
         let projection = set.project(&push);
         for v in [
@@ -114,7 +116,13 @@ fn laws_of<R: Real>(hash: &mut Fnv) {
         viscous_damping: real(0.4),
     });
     let joint = joint.expect("in range");
-    let ice = PlateauPower::new(real(-0.5), real(0.008), real(1e-4), real(1e-7), R::HALF);
+    let ice = PlateauPower::new(PlateauPowerParameters {
+        alpha: real(-0.5),
+        coefficient: real(0.008),
+        plateau_speed: real(1e-4),
+        drop_speed: real(1e-7),
+        rest_share: R::HALF,
+    });
     let ice = ice.expect("in range");
     let mut rng = Lcg::new(43);
     let (mut young, mut old) = (ContactAge { theta: R::ONE }, ContactAge { theta: R::ONE });

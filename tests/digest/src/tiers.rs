@@ -50,10 +50,13 @@ pub fn tables_f32() -> u64 {
 /// Hash of the compact tier, f64 and f32.
 pub fn compact() -> u64 {
     let mut hash = Fnv::new();
-    coupling::<f64>(&mut hash, &compact::Coulomb);
-    coupling::<f32>(&mut hash, &compact::Coulomb);
+    coupling::<f64>(&mut hash, &compact::CompactCoulomb);
+    coupling::<f32>(&mut hash, &compact::CompactCoulomb);
     for alpha in EXPONENTS {
-        coupling(&mut hash, &compact::Power::new(alpha).expect("in range"));
+        coupling(
+            &mut hash,
+            &compact::CompactPower::new(alpha).expect("in range"),
+        );
     }
     hash.0
 }

@@ -5,12 +5,14 @@ use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, signed, speed, triples_of_ends};
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, Body, Cohesion, Contact, ContactFriction, CoupledFriction, Grasp, InPlane, Masses,
-    NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch, project_on_disc,
+    Attraction, Body, Cohesion, Contact, ContactFriction, CoupledFriction, NormalLaw, Plate,
+    Sphere, Thresholds, TimeStep, Touch,
 };
 use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::internals::{InPlane, project_on_disc};
+use tribos_core::internals::{Masses, TangentialLoad};
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
-use tribos_core::manifold::{BodyHandle, Manifold, Member, Start, Stop};
+use tribos_core::manifold::{BodyHandle, InitialGuess, Manifold, Member, SolverLimits};
 use tribos_core::real::Real;
 
 /// Digest of single contacts, f64 and f32.
@@ -79,7 +81,7 @@ fn pieces<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
 fn told<R, M>(hash: &mut Fnv, contact: &Contact<R, M>, ball: &Sphere<R>, plate: &Plate<R>)
 where
     R: Real,
-    M: tribos_core::contact::Modes<R>,
+    M: tribos_core::contact::ContactModes<R>,
 {
     let impulse = contact.impulse();
     hash.numbers(components(impulse));
@@ -113,7 +115,12 @@ fn holds<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
     for [x, y, torsion] in triples_of_ends::<R>(211) {
         let sliding = Vector3::new(x, y, R::ZERO);
         let bound = R::ONE;
-        let held = friction.hold(&Grasp { sliding, torsion }, bound, R::HALF, &masses);
+        let held = friction.hold(
+            &TangentialLoad { sliding, torsion },
+            bound,
+            R::HALF,
+            &masses,
+        );
         hash.numbers(held.sliding.iter().copied());
         hash.number(held.torsion);
         let rolling = friction.hold_rolling(&sliding, torsion, R::HALF);
@@ -198,8 +205,8 @@ fn pile<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: F, steps: usiz
         let gap = real((count % 5) as f64 / 32.0 - 0.0625);
         pile.set_touch(above, Touch { gap, ..between })
             .expect("it is there");
-        let start = [Start::Last, Start::Zero][usize::from(count % 7 == 0)];
-        let stop = Stop {
+        let start = [InitialGuess::Last, InitialGuess::Zero][usize::from(count % 7 == 0)];
+        let stop = SolverLimits {
             sweeps: 4,
             tolerance: real(0.0009765625),
         };

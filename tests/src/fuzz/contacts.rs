@@ -3,12 +3,12 @@
 use super::check::{finite, holds};
 use super::{Broken, Source};
 use tribos_core::contact::{
-    AllModes, Attraction, AxialPart, Body, Cohesion, Contact, ContactFriction, CoupledFriction,
-    Modal, Modes, NormalLaw, PlanarPart, Plate, Sphere, Thresholds, TimeStep, Touch,
+    AllModes, Attraction, Body, Cohesion, Contact, ContactFriction, ContactModes, CoupledFriction,
+    Modal, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch,
 };
 use tribos_core::coupling::table::{Coulomb, CoulombTable};
 use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
-use tribos_core::manifold::{Manifold, Start, Stop};
+use tribos_core::manifold::{InitialGuess, Manifold, SolverLimits};
 use tribos_core::real::Real;
 
 /// One update of one contact under one friction.
@@ -149,9 +149,9 @@ fn between<R: Real, F: ContactFriction<R>, B: Body<R>>(
     )
 }
 
-fn components<R: Real, M: Modes<R>>(modal: &Modal<R, M>) -> [R; 8] {
-    let (s, r) = (modal.sliding.vector(), modal.rolling.vector());
-    let torsion = modal.torsion.component();
+fn components<R: Real, M: ContactModes<R>>(modal: &Modal<R, M>) -> [R; 8] {
+    let (s, r) = (modal.sliding(), modal.rolling());
+    let torsion = modal.torsion();
     [modal.normal, s.x, s.y, s.z, r.x, r.y, r.z, torsion]
 }
 
@@ -197,11 +197,11 @@ fn manifold<R: Real>(source: &mut Source) -> Result<(), Broken> {
     }
     pile.set_gravity(source.vector());
     let _ = pile.set_force(a, source.vector(), source.vector());
-    let stop = Stop {
+    let stop = SolverLimits {
         sweeps: source.below(8) as u32,
         tolerance: source.size(),
     };
-    for start in [Start::Zero, Start::Last] {
+    for start in [InitialGuess::Zero, InitialGuess::Last] {
         let report = pile.solve(step, start, stop);
         holds(
             report.sweeps <= stop.sweeps.max(1),

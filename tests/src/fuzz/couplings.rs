@@ -7,7 +7,8 @@ use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::coupling::table::{self, CoulombTable, Table32, Table64};
-use tribos_core::coupling::{Annulus, Coupling, Lateral, Profile, Speeds, compact};
+use tribos_core::coupling::{Annulus, Coupling, Lateral, Profile, compact};
+use tribos_core::internals::Speeds;
 use tribos_core::law::PowerLaw;
 use tribos_core::patch::PowerPressure;
 use tribos_core::real::Real;
@@ -51,8 +52,8 @@ pub fn couplings(source: &mut Source) -> Result<(), Broken> {
     match source.below(12) {
         0 => lateral::<f64>(source, &table::Coulomb),
         1 => lateral::<f32>(source, &table::Coulomb),
-        2 => exact::<f64>(source, &compact::Coulomb),
-        3 => exact::<f32>(source, &compact::Coulomb),
+        2 => exact::<f64>(source, &compact::CompactCoulomb),
+        3 => exact::<f32>(source, &compact::CompactCoulomb),
         4 => closed::<f64>(source),
         5 => closed::<f32>(source),
         6 => {
@@ -68,7 +69,7 @@ pub fn couplings(source: &mut Source) -> Result<(), Broken> {
             lateral(source, &round_tables()[index])
         }
         9 => {
-            let power = compact::Power::new(source.one_of(&EXPONENTS));
+            let power = compact::CompactPower::new(source.one_of(&EXPONENTS));
             power.map_or(Ok(()), |power| exact::<f64>(source, &power))
         }
         10 => annulus(source),

@@ -3,10 +3,11 @@
 use super::check::{all_nan, finite, holds, numbers};
 use super::{Broken, Source};
 use tribos_core::law::{
-    Age, Ageing, BowdenTabor, Bristle, ContactAge, Coulomb, Dieterich, DragRegime, DryFriction,
+    Age, Ageing, BowdenTabor, Bristle, ContactAge, CoulombLaw, Dieterich, DragRegime, DryFriction,
     Evolution, GreenwoodWilliamson, Grip, HertzSphere, Incline, InertialDrag, LocalLaw, LuGre,
-    LuGreParameters, Plastic, PlateauPower, PowerLaw, RateState, RateStateParameters, RealArea,
-    Ruina, Stokes, Stribeck, critical_angle, crossover_reynolds, reynolds,
+    LuGreParameters, Plastic, PlateauPower, PlateauPowerParameters, PowerLaw, RateState,
+    RateStateParameters, RealArea, Ruina, Stokes, Stribeck, StribeckParameters, critical_angle,
+    crossover_reynolds, reynolds,
 };
 use tribos_core::real::Real;
 
@@ -23,7 +24,7 @@ fn memoryless_of<R: Real>(source: &mut Source) -> Result<(), Broken> {
     match source.below(7) {
         0 => dry::<R>(source),
         1 => {
-            let law = Coulomb::<R>::new(source.size());
+            let law = CoulombLaw::<R>::new(source.size());
             law.map_or(Ok(()), |law| local(source, "Coulomb", &law))
         }
         2 => {
@@ -113,7 +114,12 @@ fn stribeck<R: Real>(source: &mut Source) -> Result<(), Broken> {
     } else {
         source.size()
     };
-    let Ok(law) = Stribeck::new(dry, source.positive(), power, source.size()) else {
+    let Ok(law) = Stribeck::new(StribeckParameters {
+        dry,
+        speed: source.positive(),
+        exponent: power,
+        viscous: source.size(),
+    }) else {
         return Ok(());
     };
     let v = source.positive::<R>();
@@ -130,7 +136,13 @@ fn plateau<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let alpha = -source.unit::<R>();
     let (drop, more) = (source.positive::<R>(), source.size::<R>());
     let share = source.unit();
-    let law = PlateauPower::new(alpha, source.size(), drop + more, drop, share);
+    let law = PlateauPower::new(PlateauPowerParameters {
+        alpha,
+        coefficient: source.size(),
+        plateau_speed: drop + more,
+        drop_speed: drop,
+        rest_share: share,
+    });
     law.map_or(Ok(()), |law| local(source, "plateau", &law))
 }
 

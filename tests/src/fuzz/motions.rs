@@ -7,7 +7,7 @@ use tribos_core::coupling::table::{Coulomb, CoulombTable};
 use tribos_core::coupling::{Coupling, Profile, compact};
 use tribos_core::modes::{FinalMode, Modes, inertia_interval};
 use tribos_core::real::Real;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 
 /// Fixed points of one profile.
 pub fn modes(source: &mut Source) -> Result<(), Broken> {
@@ -18,7 +18,7 @@ pub fn modes(source: &mut Source) -> Result<(), Broken> {
         3 => of_profile::<f64, _>(source, Ring),
         _ => {
             let alpha = source.unit::<f64>() * 3.0 - 0.9;
-            compact::Power::new(alpha).map_or(Ok(()), |power| of_profile(source, power))
+            compact::CompactPower::new(alpha).map_or(Ok(()), |power| of_profile(source, power))
         }
     }
 }
@@ -76,7 +76,14 @@ fn slid<R: CoulombTable, P: Profile<R> + Coupling<R>>(
 ) -> Result<(), Broken> {
     let (deceleration, radius, inertia) =
         (source.positive::<R>(), source.positive(), source.positive());
-    let Ok(slider) = Slider::new(profile, deceleration, radius, inertia) else {
+    let Ok(slider) = Slider::new(
+        profile,
+        SliderParameters {
+            deceleration,
+            radius,
+            inertia_ratio: inertia,
+        },
+    ) else {
         return Ok(());
     };
     let start = Motion::launched(source.size(), source.number());

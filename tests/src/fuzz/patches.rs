@@ -2,10 +2,11 @@
 
 use super::check::holds;
 use super::{Broken, Source};
+use tribos_core::internals::tripod_shares;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
 use tribos_core::patch::polar::{PolarRule, ring};
 use tribos_core::patch::polygon::polygon;
-use tribos_core::patch::tripod::{tripod, tripod_shares};
+use tribos_core::patch::tripod::tripod;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
 

@@ -3,7 +3,6 @@
 use super::check::{all_nan, at_most, finite, holds};
 use super::patches::node;
 use super::{Broken, Source};
-use nalgebra::Vector2;
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::Hertz;
 use tribos_core::coupling::nodes::NodeFriction;
@@ -13,7 +12,7 @@ use tribos_core::coupling::{Lateral, PatchFriction};
 use tribos_core::law::PowerLaw;
 use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
 use tribos_core::patch::nodes::Nodes;
-use tribos_core::planar::{Foot, PlanarBody};
+use tribos_core::planar::{NodeFoot, PlanarBody};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -25,10 +24,7 @@ pub fn twist<R: Real>(source: &mut Source) -> Twist<R> {
 }
 
 pub fn wrench<R: Real>(source: &mut Source) -> Wrench<R> {
-    Wrench {
-        force: Vector2::new(source.number(), source.number()),
-        torque: source.number(),
-    }
+    Wrench::new(source.number(), source.number(), source.number())
 }
 
 /// Friction dissipates: its power on a mild motion is not positive.
@@ -188,11 +184,7 @@ fn stepped<R: Real>(
     ];
     finite(source, "a step", all)?;
     if after.is_at_rest {
-        holds(
-            after.twist == Twist::new(R::ZERO, R::ZERO, R::ZERO),
-            "rest is exact",
-            &all,
-        )?;
+        holds(after.twist == Twist::ZERO, "rest is exact", &all)?;
     }
     if is_free && source.is_mild() {
         let energy = |u: &Twist<R>| {
@@ -220,7 +212,7 @@ fn foot<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let Ok(nodes) = Nodes::new([(); POINTS].map(|()| node::<R>(source))) else {
         return Ok(());
     };
-    let Ok(mut foot) = Foot::<R, _, POINTS>::new(nodes, source.size()) else {
+    let Ok(mut foot) = NodeFoot::<R, _, POINTS>::new(nodes, source.size()) else {
         return Ok(());
     };
     if source.one_in(2) {

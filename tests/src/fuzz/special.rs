@@ -2,8 +2,8 @@
 
 use super::check::{all_nan, finite, holds, numbers};
 use super::{Broken, Source};
+use tribos_core::internals::{CompleteElliptic, Gauss};
 use tribos_core::real::Real;
-use tribos_core::special::{CompleteElliptic, Gauss};
 
 /// One of them.
 pub fn special(source: &mut Source) -> Result<(), Broken> {

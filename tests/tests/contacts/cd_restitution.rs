@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use tribos::cd::{Laws, Pace, Setup, Wall, World, solid};
 use tribos::random::Random;
-use tribos_core::contact::{Attraction, Cohesion, NormalLaw, PlanarPart};
+use tribos_core::contact::{Attraction, Cohesion, NormalLaw};
 use tribos_tests::gas::{gas, periodic};
 use tribos_tests::packings::{Rough, chain, rough, spheres};
 use tribos_tests::rebounds::{self, Cell, run};
@@ -160,7 +160,7 @@ fn an_oblique_impact_of_two_balls_depends_on_the_step_in_the_first_order() {
         };
         assert!(momentum(&world).norm() < ROUNDING);
         let impulse = *world.problem().pairs[0].contact.impulse();
-        [impulse.normal, impulse.sliding.vector().norm()]
+        [impulse.normal, impulse.sliding().norm()]
     };
     let finest = impulses(1e-5);
     let steps = [0.1, 0.01, 1e-3];
@@ -393,7 +393,7 @@ fn impulses_of_a_step_explain_its_velocities() {
         let impulses = world.problem().links().map(|link| {
             let impulse = link.contact.impulse();
             // The ball is the first body.
-            -(link.contact.normal() * impulse.normal + impulse.sliding.vector())
+            -(link.contact.normal() * impulse.normal + impulse.sliding())
         });
         assert!((change - impulses.sum::<Vector3<f64>>()).norm() < ROUNDING);
         if report.impacts > 0 {

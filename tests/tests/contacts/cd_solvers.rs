@@ -7,9 +7,7 @@ use tribos::cd::{
     residual, solve,
 };
 use tribos::random::Random;
-use tribos_core::contact::{
-    Attraction, AxialPart, Cohesion, ContactFriction, InPlane, Modal, Modes, NormalLaw, PlanarPart,
-};
+use tribos_core::contact::{Attraction, Cohesion, ContactFriction, ContactModes, Modal, NormalLaw};
 use tribos_tests::least_distance::least_distance;
 use tribos_tests::packings::{Rough, Smooth, dry, first_problem, jammed_box, rough};
 
@@ -53,8 +51,8 @@ fn motions<F: ContactFriction<f64>>(problem: &Spheres<F>) -> (Vec<Motion>, Vec<M
     for (number, link) in problem.links().enumerate() {
         let (n, p) = (*link.contact.normal(), link.contact.impulse());
         let [arm_a, arm_b] = link.contact.arms();
-        let force = n * p.normal + p.sliding.vector();
-        let torque = p.rolling.vector() + n * p.torsion.component();
+        let force = n * p.normal + p.sliding();
+        let torque = p.rolling() + n * p.torsion();
         let [a, b] = link.bodies.map(|body| body as usize);
         let (first, answer) = (&mut spheres[a], &problem.free.0[a]);
         first[0] -= force * answer.inv_mass;
@@ -107,16 +105,16 @@ fn by_hand(problem: &Spheres<Rough>) -> [f64; 4] {
 
         // Natural maps: distance of each impulse from its own projected answer.
         let normal = bound - (bound - block.mass_normal * closing).max(0.0);
-        let sliding = flat(&n, &p.sliding.vector());
+        let sliding = flat(&n, &p.sliding());
         let slid = sliding
             - nearest(
                 sliding - flat(&n, &slip) * block.mass_sliding,
                 mu * bound.max(0.0),
             );
-        let rolling = flat(&n, &p.rolling.vector());
+        let rolling = flat(&n, &p.rolling());
         let most = mu_t * bound.max(0.0) * lever;
         let rolled = rolling - nearest(rolling - flat(&n, &turn) * block.inertia, most);
-        let torsion = p.torsion.component();
+        let torsion = p.torsion();
         let limit = mu_n * bound.max(0.0) * lever;
         let spun = torsion
             - (torsion - block.inertia * turn.dot(&n))
@@ -180,14 +178,9 @@ fn wild(problem: &mut Spheres<Rough>, seed: u64) {
     let mut random = Random::new(seed, 5);
     for link in problem.pairs.iter_mut().chain(&mut problem.walls) {
         let mut number = || 2.0 * random.unit() - 0.7;
-        let mut vector = || InPlane(Vector3::new(number(), number(), number()));
+        let mut vector = || Vector3::new(number(), number(), number());
         let (sliding, rolling) = (vector(), vector());
-        let impulse = Modal {
-            normal: number(),
-            sliding,
-            rolling,
-            torsion: AxialPart::of(number()),
-        };
+        let impulse = Modal::new(number(), sliding, rolling, number());
         link.contact.set_impulse(&impulse);
     }
     problem.refresh();
@@ -207,19 +200,17 @@ fn solved(seed: u64) -> Spheres<Rough> {
     problem
 }
 
+type Impulse = Modal<f64, <Rough as ContactFriction<f64>>::Modes>;
+
 /// Changes the impulse of the contact that pushes hardest, and its residual.
-fn spoilt(
-    problem: &Spheres<Rough>,
-    change: impl Fn(&mut Modal<f64, <Rough as ContactFriction<f64>>::Modes>),
-) -> tribos::cd::Residual {
+fn spoilt(problem: &Spheres<Rough>, change: impl Fn(&Impulse) -> Impulse) -> tribos::cd::Residual {
     let mut problem = problem.clone();
     let hardest = problem
         .pairs
         .iter_mut()
         .max_by(|a, b| a.contact.bound().total_cmp(&b.contact.bound()))
         .expect("there are contacts");
-    let mut impulse = *hardest.contact.impulse();
-    change(&mut impulse);
+    let impulse = change(hardest.contact.impulse());
     hardest.contact.set_impulse(&impulse);
     problem.refresh();
     residual(&problem)
@@ -233,22 +224,26 @@ fn deliberate_errors_are_seen() {
     let clean = |r: &tribos::cd::Residual| r.excess < 1e-12;
     assert!(clean(&good) && good.penetration < 1e-7);
     // Untouched, the same numbers to rounding; each error, at least a thousandth of P.
-    let untouched = spoilt(&problem, |_| ());
+    let untouched = spoilt(&problem, |p| *p);
     assert!((untouched.relative - good.relative).abs() < 1e-15);
     let wrong_sign = spoilt(&problem, |p| {
-        p.sliding = PlanarPart::of(-p.sliding.vector())
+        Modal::new(p.normal, -p.sliding(), p.rolling(), p.torsion())
     });
     let wrong_cone = spoilt(&problem, |p| {
-        p.sliding = PlanarPart::of(p.sliding.vector() * 20.0)
+        Modal::new(p.normal, p.sliding() * 20.0, p.rolling(), p.torsion())
     });
     let wrong_roll = spoilt(&problem, |p| {
-        p.rolling = PlanarPart::of(p.rolling.vector() * -1.0)
+        Modal::new(p.normal, p.sliding(), -p.rolling(), p.torsion())
     });
     let wrong_turn = spoilt(&problem, |p| {
-        p.torsion = AxialPart::of(-p.torsion.component())
+        Modal::new(p.normal, p.sliding(), p.rolling(), -p.torsion())
     });
-    let weak = spoilt(&problem, |p| p.normal *= 0.5);
-    let torn = spoilt(&problem, |p| p.normal = -1.0);
+    let weak = spoilt(&problem, |p| {
+        Modal::new(0.5 * p.normal, p.sliding(), p.rolling(), p.torsion())
+    });
+    let torn = spoilt(&problem, |p| {
+        Modal::new(-1.0, p.sliding(), p.rolling(), p.torsion())
+    });
     for (name, wrong) in [
         ("sign of sliding", wrong_sign),
         ("sign of rolling", wrong_roll),
@@ -398,7 +393,7 @@ fn a_watch_that_joins_sees_what_one_watch_sees() {
 }
 
 /// Consecutive links that have a body in common.
-fn waiting<M: Modes<f64>>(links: &[Link<M>]) -> usize {
+fn waiting<M: ContactModes<f64>>(links: &[Link<M>]) -> usize {
     let shares = |two: &&[Link<M>]| {
         two[0]
             .bodies

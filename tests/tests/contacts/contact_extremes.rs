@@ -2,11 +2,11 @@
 
 use nalgebra::Vector3;
 use tribos_core::Real;
-use tribos_core::contact::{
-    ContactFriction, CoupledFriction, Grasp, Masses, SlidingTorsion, Thresholds, project_on_disc,
-};
+use tribos_core::contact::{ContactFriction, CoupledFriction, SlidingTorsion, Thresholds};
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::coupling::{Coupling, DryCoupling};
+use tribos_core::internals::project_on_disc;
+use tribos_core::internals::{Masses, TangentialLoad};
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use tribos_tests::sweep::Lcg;
 
@@ -53,7 +53,7 @@ fn faults<R: Real, F: ContactFriction<R, Modes = SlidingTorsion>>(
         let (bound, x, torsion): (R, R, R) = (random(&mut rng), random(&mut rng), random(&mut rng));
         let quarter = R::HALF * R::HALF;
         let sliding = Vector3::new(x * quarter, -x * R::HALF, R::ZERO);
-        let trial = Grasp { sliding, torsion };
+        let trial = TangentialLoad { sliding, torsion };
         let reach = [
             trial.torsion / lever,
             most_force * bound,

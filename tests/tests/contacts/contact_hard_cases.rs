@@ -2,10 +2,12 @@
 
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, Cohesion, Contact, ContactFriction, CoupledFriction, Grasp, Masses, NormalLaw,
-    Plate, Sphere, Thresholds, TimeStep, Touch, TouchError, project_on_disc,
+    Attraction, Cohesion, Contact, ContactFriction, CoupledFriction, NormalLaw, Plate, Sphere,
+    Thresholds, TimeStep, Touch, TouchError,
 };
 use tribos_core::coupling::table::Coulomb;
+use tribos_core::internals::project_on_disc;
+use tribos_core::internals::{Masses, TangentialLoad};
 use tribos_core::limit_surface::LimitSurface;
 use tribos_tests::contacts::{Meeting, components, vector};
 use tribos_tests::sweep::{Lcg, special_f64};
@@ -298,14 +300,14 @@ fn discs_of_any_scale() {
 #[test]
 fn coupled_sets_of_any_scale() {
     let friction = CoupledFriction::sliding_torsion(exact(0.5, 0.25));
-    let shape = Grasp {
+    let shape = TangentialLoad {
         sliding: Vector3::new(2.0, 1.0, 0.0),
         torsion: -0.5,
     };
     let wanted = friction.hold(&shape, 1.0, 1.0, &HALF);
     assert!(wanted != shape);
     for scale in [1e-290, 1e-100, 1e100, 1e290] {
-        let trial = Grasp {
+        let trial = TangentialLoad {
             sliding: shape.sliding * scale,
             torsion: shape.torsion * scale,
         };

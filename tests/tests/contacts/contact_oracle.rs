@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    AllModes, Attraction, AxialPart, Cohesion, Contact, ContactFriction, CoupledFriction, Modal,
-    Modes, NormalLaw, PlanarPart, SlidingTorsion, Sphere, Thresholds, Touch,
+    AllModes, Attraction, Cohesion, Contact, ContactFriction, CoupledFriction, Modal, NormalLaw,
+    SlidingTorsion, Sphere, Thresholds, Touch,
 };
 use tribos_core::coupling::table::{Coulomb, CoulombTable};
 use tribos_core::limit_surface::LimitSurface;
@@ -52,12 +52,12 @@ fn error<R: Real, F: ContactFriction<R>>(row: &Row, friction: &F) -> f64 {
     let met = (b.velocity - a.velocity).map(R::to_f64).norm() + closing;
     let mut contact = Contact::new(&touch, &law(row), &a, &b, number(row, "dt"));
     contact.update(friction, &mut a, &mut b);
-    let wanted = Modal::<R, F::Modes> {
-        normal: number(row, "n"),
-        sliding: <F::Modes as Modes<R>>::Sliding::of(vector(row, "f")),
-        rolling: <F::Modes as Modes<R>>::Rolling::of(vector(row, "t")),
-        torsion: <F::Modes as Modes<R>>::Torsion::of(number(row, "torsion")),
-    };
+    let wanted = Modal::<R, F::Modes>::new(
+        number(row, "n"),
+        vector(row, "f"),
+        vector(row, "t"),
+        number(row, "torsion"),
+    );
     let lever = touch.lever;
     let miss = contact.impulse().minus(&wanted);
     let mass = contact.block().mass_normal.to_f64();

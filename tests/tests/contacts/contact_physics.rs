@@ -261,7 +261,7 @@ fn an_oblique_impact_slips_or_sticks_as_the_closed_solution_does() {
             let stopped = slip.min(most);
             let after = contact.velocity(&a, &b);
             assert!((after.normal - restitution).abs() < 1e-15);
-            assert!((after.sliding.0.y + (slip - stopped)).abs() < 1e-14);
+            assert!((after.sliding().y + (slip - stopped)).abs() < 1e-14);
             let lost =
                 0.25 * (1.0 - restitution * restitution) + stopped * (2.0 * slip - stopped) / 14.0;
             assert!((before - energy(&a, &b) - lost).abs() < 1e-13 * before);

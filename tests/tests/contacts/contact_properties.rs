@@ -2,10 +2,11 @@
 
 use nalgebra::{Rotation3, Unit, Vector3};
 use tribos_core::contact::{
-    AxialPart, Body, ContactFriction, CoupledFriction, Masses, Modal, PlanarPart, Sphere,
-    Thresholds, Touch, project_on_disc,
+    Body, ContactFriction, CoupledFriction, Modal, Sphere, Thresholds, Touch,
 };
 use tribos_core::coupling::table::Coulomb;
+use tribos_core::internals::Masses;
+use tribos_core::internals::project_on_disc;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use tribos_core::real::Real;
 use tribos_core::twist::Wrench;
@@ -81,12 +82,9 @@ fn thresholds_are_obeyed() {
         let (p, lever) = (contact.bound(), contact.lever());
         assert!(p >= 0.0 && contact.impulse().normal >= -contact.cohesion());
         for (got, limit) in [
-            (contact.impulse().sliding.vector().norm(), mu * p),
-            (contact.impulse().rolling.vector().norm(), mu_t * p * lever),
-            (
-                contact.impulse().torsion.component().abs(),
-                mu_n * p * lever,
-            ),
+            (contact.impulse().sliding().norm(), mu * p),
+            (contact.impulse().rolling().norm(), mu_t * p * lever),
+            (contact.impulse().torsion().abs(), mu_n * p * lever),
         ] {
             if limit == 0.0 {
                 assert_eq!(got, 0.0);
@@ -97,12 +95,9 @@ fn thresholds_are_obeyed() {
         let coupled = CoupledFriction::all(exact(mu, mu_n), mu_t).unwrap();
         let (contact, _) = meeting.updated(&coupled);
         if p > 0.0 {
-            let force = contact.impulse().sliding.vector().norm() / p;
-            let torque = contact.impulse().torsion.component() / (p * lever);
-            let carried = Wrench {
-                force: nalgebra::Vector2::new(force, 0.0),
-                torque,
-            };
+            let force = contact.impulse().sliding().norm() / p;
+            let torque = contact.impulse().torsion() / (p * lever);
+            let carried = Wrench::new(force, 0.0, torque);
             let gauge = coupled.set().gauge(&carried);
             worst.see(gauge - 1.0, || format!("{meeting:?}"));
         }
@@ -148,7 +143,7 @@ fn projections_of_projections_stay_to_the_bit() {
             sliding: 1.0,
             torsion: gyration * gyration,
         };
-        let trial = tribos_core::contact::Grasp {
+        let trial = tribos_core::internals::TangentialLoad {
             sliding: vector(&mut rng, bound),
             torsion: rng.between(-1.0, 1.0) * bound * lever,
         };
@@ -170,8 +165,8 @@ fn friction_never_drives() {
         let meeting = Meeting::<f64>::random(&mut rng, radii);
         for_every_friction!(rng, name, friction => {
             let (contact, [a, b]) = meeting.updated(&friction);
-            let impulse = Modal { normal: 0.0, ..*contact.impulse() };
-            let after = Modal { normal: 0.0, ..contact.velocity(&a, &b) };
+            let (mut impulse, mut after) = (*contact.impulse(), contact.velocity(&a, &b));
+            (impulse.normal, after.normal) = (0.0, 0.0);
             let power = impulse.dot(&after);
             let most = meeting.scale(&friction) * meeting.speed();
             worst.see(power / most, || format!("{name} {friction:?} {meeting:?}"));
@@ -309,8 +304,8 @@ fn no_friction_and_boundless_friction_are_the_limits() {
         let (contact, [a, b]) = meeting.updated(&rough);
         if contact.bound() > 0.0 {
             let left = contact.velocity(&a, &b);
-            assert!(left.sliding.vector().norm() < 1e-12, "{meeting:?}");
-            let rim = left.rolling.vector().norm() + left.torsion.component().abs();
+            assert!(left.sliding().norm() < 1e-12, "{meeting:?}");
+            let rim = left.rolling().norm() + left.torsion().abs();
             assert!(rim * contact.lever() < 1e-12, "{meeting:?}");
         }
     }
@@ -367,11 +362,8 @@ fn the_coupled_update_is_the_exact_local_solution() {
             let direction = project_on_plane(&vector(&mut rng, 1.0), contact.normal());
             let sliding = direction * (at.force.x.abs() * p);
             let torsion = at.torque * p * lever * (1.0 - 2.0 * (rng.bits() % 2) as f64);
-            let work = left
-                .sliding
-                .vector()
-                .dot(&(sliding - held.sliding.vector()))
-                + left.torsion.component() * (torsion - held.torsion.component());
+            let work = left.sliding().dot(&(sliding - held.sliding()))
+                + left.torsion() * (torsion - held.torsion());
             worst.see(-work / most, || format!("{meeting:?}"));
         }
     }
@@ -390,17 +382,16 @@ fn guesses_become_admissible_and_stay_in_the_plane() {
         let meeting = Meeting::<f64>::random(&mut rng, radii);
         let friction = Thresholds::all(0.3, 0.1, 0.1).unwrap();
         let mut contact = meeting.contact(&friction);
-        let (mut guess, _) = (*contact.impulse(), ());
-        guess.normal = rng.between(-2.0, 2.0);
-        guess.sliding = PlanarPart::of(vector(&mut rng, 1.0));
-        guess.rolling = PlanarPart::of(vector(&mut rng, 1.0));
-        contact.set_impulse(&guess);
+        let normal = rng.between(-2.0, 2.0);
+        let [sliding, rolling] = [(); 2].map(|()| vector(&mut rng, 1.0));
+        let torsion = contact.impulse().torsion();
+        contact.set_impulse(&Modal::new(normal, sliding, rolling, torsion));
         contact.admit(&friction);
         let (impulse, p) = (contact.impulse(), contact.bound());
         assert!(p >= 0.0);
-        assert!(impulse.sliding.vector().norm() <= 0.3 * p * (1.0 + 1e-14));
-        assert!(impulse.rolling.vector().norm() <= 0.1 * p * contact.lever() * (1.0 + 1e-14));
-        assert!(impulse.sliding.vector().dot(contact.normal()).abs() < 1e-15);
+        assert!(impulse.sliding().norm() <= 0.3 * p * (1.0 + 1e-14));
+        assert!(impulse.rolling().norm() <= 0.1 * p * contact.lever() * (1.0 + 1e-14));
+        assert!(impulse.sliding().dot(contact.normal()).abs() < 1e-15);
         let again = *impulse;
         contact.admit(&friction);
         assert_eq!(*contact.impulse(), again);

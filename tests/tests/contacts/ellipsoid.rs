@@ -3,7 +3,7 @@
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use tribos_core::twist::{Twist, Wrench};
-use tribos_tests::surfaces::{FORCE_LIMIT, RADIUS, norm, plus, random_wrench, wrench};
+use tribos_tests::surfaces::{FORCE_LIMIT, RADIUS, norm, random_wrench};
 use tribos_tests::sweep::{Lcg, ratios};
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
@@ -41,7 +41,7 @@ fn gauge_normal_and_support_have_their_closed_forms() {
             let power = (FORCE_LIMIT * twist.speed()).hypot(torque_limit * twist.spin);
             support.see((set.support(&twist) / power - 1.0).abs(), place);
             // Friction of the twist lies on the ray, on the surface, against the push.
-            let on = plus(&set.wrench(&twist), 1.0, &set.scale_to_surface(&w));
+            let on = set.wrench(&twist) + set.scale_to_surface(&w);
             assert!(norm(&on, RADIUS) <= tolerance::ELLIPSOID.limit * FORCE_LIMIT);
         }
     }
@@ -122,7 +122,7 @@ fn ratio_that_the_ellipsoid_predicts_is_as_wrong_as_quoted() {
 #[test]
 fn friction_that_the_ellipsoid_predicts_is_as_wrong_as_quoted() {
     let (disk, ellipsoid) = pair();
-    let error = |r| plus(&friction_at(&ellipsoid, r), -1.0, &friction_at(&disk, r));
+    let error = |r| friction_at(&ellipsoid, r) - friction_at(&disk, r);
     let over = |of: &dyn Fn(f64) -> f64| largest(fine_ratios().into_iter().map(|r| (of(r), r)));
     let (force, force_at) = over(&|r| error(r).force.x.abs());
     let (torque, torque_at) = over(&|r| error(r).torque.abs());
@@ -141,16 +141,12 @@ fn friction_that_the_ellipsoid_predicts_is_as_wrong_as_quoted() {
 fn nearest_wrenches_of_disk_and_ellipsoid_differ_as_documented() {
     let (disk, ellipsoid) = pair();
     let mut rng = Lcg::new(52);
-    let (mut worst, mut at) = (0.0, wrench(0.0, 0.0, 0.0));
+    let (mut worst, mut at) = (0.0, Wrench::new(0.0, 0.0, 0.0));
     for _ in 0..100_000 {
         let tilt = rng.between(0.0, std::f64::consts::FRAC_PI_2);
         let size = rng.log_between(0.5, 1e3);
-        let w = wrench(size * tilt.cos(), 0.0, size * tilt.sin());
-        let apart = plus(
-            &disk.project(&w).wrench,
-            -1.0,
-            &ellipsoid.project(&w).wrench,
-        );
+        let w = Wrench::new(size * tilt.cos(), 0.0, size * tilt.sin());
+        let apart = disk.project(&w).wrench - ellipsoid.project(&w).wrench;
         if norm(&apart, 1.0) > worst {
             (worst, at) = (norm(&apart, 1.0), w);
         }

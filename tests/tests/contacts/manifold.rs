@@ -2,11 +2,10 @@
 
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, AxialPart, Body, Cohesion, NormalLaw, PlanarPart, Plate, Sphere, Thresholds,
-    TimeStep, Touch,
+    Attraction, Body, Cohesion, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch,
 };
 use tribos_core::manifold::{
-    BodyHandle, ContactHandle, Manifold, ManifoldError, Member, Start, Stop,
+    BodyHandle, ContactHandle, InitialGuess, Manifold, ManifoldError, Member, SolverLimits,
 };
 use tribos_core::real::Real;
 use tribos_tests::tolerance;
@@ -14,7 +13,7 @@ use tribos_tests::worst::Worst;
 
 const GRAVITY: f64 = 9.81;
 const DT: f64 = 1e-3;
-const STOP: Stop<f64> = Stop {
+const STOP: SolverLimits<f64> = SolverLimits {
     sweeps: 5_000,
     tolerance: 1e-14,
 };
@@ -66,7 +65,7 @@ fn column(
 #[test]
 fn a_column_carries_its_weight() {
     let (mut stack, balls, contacts) = column(Thresholds::all(0.3, 0.1, 0.1).unwrap());
-    let report = stack.solve(TimeStep::new(DT).unwrap(), Start::Zero, STOP);
+    let report = stack.solve(TimeStep::new(DT).unwrap(), InitialGuess::Zero, STOP);
     assert!(report.converged && report.sweeps > 10, "{report:?}");
     let mut worst = Worst::of("weight in a column");
     for (level, &contact) in contacts.iter().enumerate() {
@@ -82,9 +81,9 @@ fn a_column_carries_its_weight() {
     }
     worst.assert_within(&tolerance::MANIFOLD);
     // The second step begins with the answer.
-    let again = stack.solve(TimeStep::new(2.0 * DT).unwrap(), Start::Last, STOP);
+    let again = stack.solve(TimeStep::new(2.0 * DT).unwrap(), InitialGuess::Last, STOP);
     assert!(again.converged && again.sweeps <= 5, "{again:?}");
-    let cold = stack.solve(TimeStep::new(DT).unwrap(), Start::Zero, STOP);
+    let cold = stack.solve(TimeStep::new(DT).unwrap(), InitialGuess::Zero, STOP);
     assert!(cold.sweeps > 10, "{cold:?}");
 }
 
@@ -99,7 +98,7 @@ fn what_it_finds_obeys_the_laws_of_every_contact() {
             .set_force(ball, force, Vector3::new(0.3, -n, 2.0 - n))
             .unwrap();
     }
-    let report = stack.solve(TimeStep::new(DT).unwrap(), Start::Zero, STOP);
+    let report = stack.solve(TimeStep::new(DT).unwrap(), InitialGuess::Zero, STOP);
     assert!(report.converged, "{report:?}");
     let mut worst = Worst::of("manifold against the laws");
     let scale = GRAVITY * DT;
@@ -131,17 +130,17 @@ fn what_it_finds_obeys_the_laws_of_every_contact() {
         // Coulomb: friction within its bound does the work −bound·speed.
         for (force, speed, bound) in [
             (
-                impulse.sliding.vector(),
+                impulse.sliding(),
                 Vector3::new(slip.x, slip.y, 0.0),
                 0.3 * p,
             ),
             (
-                impulse.rolling.vector(),
+                impulse.rolling(),
                 Vector3::new(turn.x, turn.y, 0.0),
                 0.1 * p * lever,
             ),
             (
-                Vector3::z() * (impulse.torsion.component() * sign),
+                Vector3::z() * (impulse.torsion() * sign),
                 Vector3::z() * turn.z,
                 0.1 * p * lever,
             ),
@@ -208,14 +207,14 @@ fn what_does_not_fit_is_refused_and_changes_nothing() {
 fn nothing_to_do_is_done_at_once_and_nan_never_converges() {
     let mut empty = Manifold::<f64, _, 1, 1>::new(no_bounce(), Thresholds::none());
     let step = TimeStep::new(DT).unwrap();
-    let report = empty.solve(step, Start::Last, STOP);
+    let report = empty.solve(step, InitialGuess::Last, STOP);
     assert!(report.converged && report.residual == 0.0 && report.sweeps == 1);
-    let none = Stop { sweeps: 0, ..STOP };
-    assert!(!empty.solve(step, Start::Last, none).converged);
+    let none = SolverLimits { sweeps: 0, ..STOP };
+    assert!(!empty.solve(step, InitialGuess::Last, none).converged);
     let (mut stack, balls, _) = column(Thresholds::all(0.3, 0.1, 0.1).unwrap());
     let lost = Vector3::new(f64::NAN, 0.0, 0.0);
     stack.set_force(balls[2], lost, lost).unwrap();
-    let report = stack.solve(step, Start::Last, Stop { sweeps: 7, ..STOP });
+    let report = stack.solve(step, InitialGuess::Last, SolverLimits { sweeps: 7, ..STOP });
     assert!(report.residual.is_nan() && !report.converged && report.sweeps == 7);
 }
 
@@ -242,11 +241,11 @@ fn micrograms_converge_in_single_precision_too() {
     let below = grains.push_contact(lower, ground, below).unwrap();
     grains.push_contact(lower, upper, between).unwrap();
     grains.set_gravity(Vector3::new(0.0, 0.0, -9.81));
-    let stop = Stop {
+    let stop = SolverLimits {
         sweeps: 200,
         tolerance: 1e-6,
     };
-    let report = grains.solve(TimeStep::new(1e-5).unwrap(), Start::Zero, stop);
+    let report = grains.solve(TimeStep::new(1e-5).unwrap(), InitialGuess::Zero, stop);
     assert!(report.converged && report.sweeps > 5, "{report:?}");
     let weight = grains.force(below).unwrap().normal;
     assert!((weight / (2.0 * 9.81e-15) - 1.0).abs() < 1e-4, "{weight}");
@@ -313,7 +312,7 @@ fn impacts_with_friction_never_add_energy() {
             }
         }
         let before = kinetic(&heap, &bodies);
-        heap.solve(TimeStep::new(DT).unwrap(), Start::Zero, STOP);
+        heap.solve(TimeStep::new(DT).unwrap(), InitialGuess::Zero, STOP);
         let after = kinetic(&heap, &bodies);
         assert!(
             after <= before * (1.0 + 1e-12),
@@ -341,7 +340,7 @@ fn an_impact_runs_through_a_row_in_one_step() {
     if let Some(Member::Sphere(first)) = row.body_mut(balls[0]) {
         first.velocity.x = 1.0;
     }
-    row.solve(TimeStep::new(DT).unwrap(), Start::Last, STOP);
+    row.solve(TimeStep::new(DT).unwrap(), InitialGuess::Last, STOP);
     for (&ball, wanted) in balls.iter().zip([0.0, 0.0, 0.0, 1.0]) {
         assert!((row.body(ball).unwrap().velocity().x - wanted).abs() < 1e-15);
     }
@@ -349,7 +348,7 @@ fn an_impact_runs_through_a_row_in_one_step() {
     for &contact in &contacts {
         assert!((row.contact(contact).unwrap().impulse().normal - 1.0).abs() < 1e-15);
     }
-    row.solve(TimeStep::new(DT).unwrap(), Start::Last, STOP);
+    row.solve(TimeStep::new(DT).unwrap(), InitialGuess::Last, STOP);
     for &contact in &contacts {
         assert_eq!(row.contact(contact).unwrap().impulse().normal, 0.0);
     }

@@ -3,13 +3,13 @@
 use nalgebra::Vector3;
 use tribos_core::Real;
 use tribos_core::contact::{
-    Attraction, AxialPart, Body, Cohesion, ContactFriction, CoupledFriction, NormalLaw, PlanarPart,
-    Plate, Sphere, Thresholds, TimeStep, Touch,
+    Attraction, Body, Cohesion, ContactFriction, CoupledFriction, NormalLaw, Plate, Sphere,
+    Thresholds, TimeStep, Touch,
 };
 use tribos_core::coupling::DryCoupling;
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::LimitSurface;
-use tribos_core::manifold::{Manifold, Report, Start, Stop};
+use tribos_core::manifold::{InitialGuess, Manifold, SolverLimits, SolverReport};
 use tribos_tests::sweep::Lcg;
 
 const BALLS: usize = 3;
@@ -172,7 +172,7 @@ impl Column {
         );
         bodies.push(piston);
 
-        let stop = Stop {
+        let stop = SolverLimits {
             sweeps: 60,
             tolerance: R::from_f64(8.0) * R::EPSILON,
         };
@@ -180,7 +180,10 @@ impl Column {
             numbers: Vec::new(),
             reports: Vec::new(),
         };
-        for (start, dt) in [(Start::Zero, self.dt), (Start::Last, 0.75 * self.dt)] {
+        for (start, dt) in [
+            (InitialGuess::Zero, self.dt),
+            (InitialGuess::Last, 0.75 * self.dt),
+        ] {
             let step = TimeStep::new(units.of(TIME, dt)).ok()?;
             answer.reports.push(column.solve(step, start, stop));
             for &body in &bodies {
@@ -192,9 +195,9 @@ impl Column {
                 let impulse = *column.contact(contact)?.impulse();
                 let across = |x: R| Vector3::new(x, R::ZERO, R::ZERO);
                 answer.put(IMPULSE, across(impulse.normal));
-                answer.put(IMPULSE, impulse.sliding.vector());
-                answer.put(TURN, impulse.rolling.vector());
-                answer.put(TURN, across(impulse.torsion.component()));
+                answer.put(IMPULSE, impulse.sliding());
+                answer.put(TURN, impulse.rolling());
+                answer.put(TURN, across(impulse.torsion()));
                 answer.put(FORCE, across(column.force(contact)?.normal));
             }
         }
@@ -206,7 +209,7 @@ impl Column {
 #[derive(Clone, Debug)]
 struct Answer<R> {
     numbers: Vec<([i32; 3], R)>,
-    reports: Vec<Report<R>>,
+    reports: Vec<SolverReport<R>>,
 }
 
 impl<R: Real> Answer<R> {

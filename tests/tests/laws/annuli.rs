@@ -1,9 +1,8 @@
 //! Annuli of every width: thin ones keep their digits, and their limit surfaces are consistent.
-
-use nalgebra::Vector2;
 use tribos_core::Real;
 use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::{Annulus, Coupling, DryCoupling, Profile, Speeds, compact, table};
+use tribos_core::coupling::{Annulus, Coupling, DryCoupling, Profile, compact, table};
+use tribos_core::internals::Speeds;
 use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection};
 use tribos_core::twist::Wrench;
 use tribos_tests::patches;
@@ -58,7 +57,7 @@ fn thin_bands_keep_the_digits_of_their_disks() {
 fn factors_of_thin_bands_make_their_wrenches() {
     let mut rng = Lcg::new(46);
     for alpha in [-0.5, 0.0, 0.5, 1.0, 3.0] {
-        let disk = compact::Power::new(alpha).expect("in range");
+        let disk = compact::CompactPower::new(alpha).expect("in range");
         for inner in RATIOS {
             let band = Annulus::new(disk, inner).expect("in range");
             for _ in 0..200 {
@@ -100,10 +99,11 @@ fn moved<R: Real, C: DryCoupling<R>>(disk: C, inner: f64) -> u32 {
             _ => rng.log_between(0.5, 1e4),
         };
         let Wrench { force, torque } = random_wrench(&mut rng, size);
-        let given = Wrench {
-            force: Vector2::new(R::from_f64(force.x), R::from_f64(force.y)),
-            torque: R::from_f64(torque),
-        };
+        let given = Wrench::new(
+            R::from_f64(force.x),
+            R::from_f64(force.y),
+            R::from_f64(torque),
+        );
         let once = set.project(&given).wrench;
         count += u32::from(set.project(&once).wrench != once || !set.contains(&once));
     }
@@ -115,9 +115,9 @@ fn projecting_again_moves_no_wrench() {
     for inner in RATIOS {
         let counts = [
             moved::<f64, _>(table::Coulomb, inner),
-            moved::<f64, _>(compact::Coulomb, inner),
+            moved::<f64, _>(compact::CompactCoulomb, inner),
             moved::<f32, _>(table::Coulomb, inner),
-            moved::<f32, _>(compact::Coulomb, inner),
+            moved::<f32, _>(compact::CompactCoulomb, inner),
         ];
         assert_eq!(counts, [0; 4], "k {inner}: of table and AGM, f64 and f32");
     }
@@ -139,10 +139,7 @@ where
         let size = rng.between(0.5, 3.0);
         let given = random_wrench(&mut rng, size);
         let [x, y, torque] = [given.force.x, given.force.y, given.torque].map(R::from_f64);
-        let near: Projection<R> = band.project(&Wrench {
-            force: Vector2::new(x, y),
-            torque,
-        });
+        let near: Projection<R> = band.project(&Wrench::new(x, y, torque));
         let wanted = ring.project(&given).wrench;
         let across = (near.wrench.force.x.to_f64() - wanted.force.x)
             .hypot(near.wrench.force.y.to_f64() - wanted.force.y);

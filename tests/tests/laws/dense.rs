@@ -21,7 +21,7 @@ fn coulomb_table_agrees_with_the_arithmetic_geometric_mean() {
     ratios.extend(sweep::cell_borders());
     for ratio in ratios {
         let got = table::Coulomb.reduced_wrench(ratio, 1.0);
-        let mean = compact::Coulomb.reduced_wrench(ratio, 1.0);
+        let mean = compact::CompactCoulomb.reduced_wrench(ratio, 1.0);
         let place = || format!("eps {ratio:e}");
         force.see(Reference::exact(mean.force).ulps(got.force), place);
         torque.see(Reference::exact(mean.torque).ulps(got.torque), place);
@@ -38,7 +38,7 @@ fn tables_agree_with_the_compact_form_on_every_cell() {
     ratios.extend(sweep::cell_borders());
     for alpha in EXPONENTS {
         let table = Table64::new(alpha).unwrap();
-        let compact = compact::Power::new(alpha).unwrap();
+        let compact = compact::CompactPower::new(alpha).unwrap();
         for &ratio in &ratios {
             let place = || format!("alpha {alpha}, eps {ratio:e}");
             let wanted = compact.reduced_wrench(ratio, 1.0);
@@ -113,7 +113,7 @@ fn quadrature_keeps_its_promise_between_the_rows() {
     for alpha in [
         -0.5, -0.4, -0.25, -0.1, 0.0, 0.02, 0.1, 0.3, 0.5, 0.75, 1.0, 2.0, 3.5, 4.5, 5.0,
     ] {
-        let compact = compact::Power::new(alpha).unwrap();
+        let compact = compact::CompactPower::new(alpha).unwrap();
         let (_, quadrature) = tiers::all::<f64>(alpha).pop().unwrap();
         for &ratio in &ratios {
             let place = || format!("alpha {alpha}, eps {ratio:e}");

@@ -169,8 +169,8 @@ fn wrench_and_jacobian_turn_with_the_frame() {
 #[test]
 fn the_jacobian_matches_differences_of_the_wrench() {
     for puck in [
-        puck(compact::Power::new(0.0).unwrap()),
-        puck(compact::Power::new(1.7).unwrap()),
+        puck(compact::CompactPower::new(0.0).unwrap()),
+        puck(compact::CompactPower::new(1.7).unwrap()),
     ] {
         for twist in twists(300) {
             let rim = (twist.spin * RADIUS).abs();
@@ -201,7 +201,7 @@ fn the_jacobian_matches_differences_of_the_wrench() {
 #[test]
 fn the_jacobian_at_rest_is_the_damping_of_the_law() {
     let linear = puck(Table64::new(1.0).unwrap());
-    let j = linear.wrench_jacobian(LOAD, &Twist::new(0.0, 0.0, 0.0));
+    let j = linear.wrench_jacobian(LOAD, &Twist::ZERO);
     let strength = MU * LOAD;
     assert_eq!(
         j,
@@ -211,6 +211,6 @@ fn the_jacobian_at_rest_is_the_damping_of_the_law() {
             -strength * RADIUS * RADIUS * 0.5
         ))
     );
-    let dry = puck(Coulomb).wrench_jacobian(LOAD, &Twist::new(0.0, 0.0, 0.0));
+    let dry = puck(Coulomb).wrench_jacobian(LOAD, &Twist::ZERO);
     assert_eq!(dry.diagonal(), Vector3::repeat(f64::NEG_INFINITY));
 }

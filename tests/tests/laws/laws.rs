@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
 use tribos_core::law::{
-    Coulomb, DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, Stribeck,
+    CoulombLaw, DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, Stribeck,
+    StribeckParameters,
 };
 use tribos_core::real::Real;
 use tribos_tests::laws::{differentiated, lugre, plateau, rate_state, stribeck};
@@ -124,10 +125,18 @@ fn both_precisions_agree() {
 fn laws_compose_with_the_disk() {
     // Purely viscous friction k v on a disk: force k v, torque k w/2 in reduced units.
     let dry = DryFriction::new(0.0_f64, 0.0).unwrap();
-    let viscous = DiskQuadrature::new(Stribeck::new(dry, 1.0, 2.0, 0.7).unwrap());
+    let viscous = DiskQuadrature::new(
+        Stribeck::new(StribeckParameters {
+            dry,
+            speed: 1.0,
+            exponent: 2.0,
+            viscous: 0.7,
+        })
+        .unwrap(),
+    );
     // Dry friction on a disk is Coulomb's.
     let dry = DiskQuadrature::new(DryFriction::new(0.5_f64, 0.3).unwrap());
-    let coulomb = DiskQuadrature::new(Coulomb::new(0.3_f64).unwrap());
+    let coulomb = DiskQuadrature::new(CoulombLaw::new(0.3_f64).unwrap());
     // α = −1/2 far above the plateau is the power law.
     let ice = DiskQuadrature::new(plateau::<f64>(-0.5, 0.5));
     let power = DiskQuadrature::new(PowerLaw::new(-0.5_f64, 0.008).unwrap());
@@ -197,7 +206,15 @@ fn force_and_torque_of_laws_with_several_regimes_are_those_of_the_table() {
         let law: Box<dyn LocalLaw<f64>> = match row.text("law") {
             "stribeck" => {
                 let dry = DryFriction::new(a, b).unwrap();
-                Box::new(Stribeck::new(dry, c, d, row.number("e")).unwrap())
+                Box::new(
+                    Stribeck::new(StribeckParameters {
+                        dry,
+                        speed: c,
+                        exponent: d,
+                        viscous: row.number("e"),
+                    })
+                    .unwrap(),
+                )
             }
             _ => {
                 let joint = LuGre::new(LuGreParameters {

@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use tribos_core::law::{
-    Age, Ageing, BowdenTabor, Coulomb, Dieterich, DragRegime, DryFriction, GreenwoodWilliamson,
+    Age, Ageing, BowdenTabor, CoulombLaw, Dieterich, DragRegime, DryFriction, GreenwoodWilliamson,
     Grip, HertzSphere, Incline, InertialDrag, LawError, LocalLaw, LuGre, LuGreParameters, Plastic,
-    PlateauPower, RateState, RateStateParameters, RealArea, Stokes, Stribeck, critical_angle,
-    crossover_reynolds, reynolds,
+    PlateauPower, PlateauPowerParameters, RateState, RateStateParameters, RealArea, Stokes,
+    Stribeck, StribeckParameters, critical_angle, crossover_reynolds, reynolds,
 };
 use tribos_tests::laws::{differentiated, lugre, plateau, rate_state, stribeck};
 use tribos_tests::sweep::Lcg;
@@ -101,7 +101,7 @@ fn plastic_junctions_give_coulomb_s_law() {
         assert!((friction.effective_coefficient(load) - 0.6).abs() < 1e-15);
         assert!((friction.slope(load) - 0.6).abs() < 1e-15);
     }
-    assert_eq!(friction.coulomb().unwrap(), Coulomb::new(0.6).unwrap());
+    assert_eq!(friction.coulomb().unwrap(), CoulombLaw::new(0.6).unwrap());
     assert_eq!(friction.force(-1.0), 0.0);
     assert!(friction.force(f64::NAN).is_nan());
 }
@@ -178,7 +178,17 @@ fn stribeck_s_minimum_is_where_its_formula_says() {
     assert_eq!(stribeck::<f64>(1.0, 5.1).minimum(), None);
     assert_eq!(stribeck::<f64>(2.0, 5.0).minimum(), None);
     let flat = DryFriction::new(0.1, 0.1).unwrap();
-    assert_eq!(Stribeck::new(flat, 0.01, 1.0, 0.5).unwrap().minimum(), None);
+    assert_eq!(
+        Stribeck::new(StribeckParameters {
+            dry: flat,
+            speed: 0.01,
+            exponent: 1.0,
+            viscous: 0.5
+        })
+        .unwrap()
+        .minimum(),
+        None
+    );
 }
 
 #[test]
@@ -266,15 +276,49 @@ fn senseless_laws_are_refused() {
     );
     let dry = DryFriction::new(0.5, 0.3).unwrap();
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(Stribeck::new(dry, bad, 1.0, 0.0).is_err());
-        assert!(Stribeck::new(dry, 1.0, bad, 0.0).is_err());
+        assert!(
+            Stribeck::new(StribeckParameters {
+                dry,
+                speed: bad,
+                exponent: 1.0,
+                viscous: 0.0
+            })
+            .is_err()
+        );
+        assert!(
+            Stribeck::new(StribeckParameters {
+                dry,
+                speed: 1.0,
+                exponent: bad,
+                viscous: 0.0
+            })
+            .is_err()
+        );
         assert!(Ageing::new(0.3, 0.1, bad).is_err());
         assert!(Plastic::new(bad).is_err());
         assert!(HertzSphere::new(bad, 1.0).is_err() && HertzSphere::new(1.0, bad).is_err());
         assert!(GreenwoodWilliamson::new(1.0, bad, 1.0).is_err());
         assert!(Stokes::new(1.0, bad).is_err() && InertialDrag::new(bad, 1.0, 1.0).is_err());
-        assert!(PlateauPower::new(-0.5, 1.0, bad, 1e-9, 0.5).is_err());
-        assert!(PlateauPower::new(-0.5, 1.0, 1e-4, bad, 0.5).is_err());
+        assert!(
+            PlateauPower::new(PlateauPowerParameters {
+                alpha: -0.5,
+                coefficient: 1.0,
+                plateau_speed: bad,
+                drop_speed: 1e-9,
+                rest_share: 0.5
+            })
+            .is_err()
+        );
+        assert!(
+            PlateauPower::new(PlateauPowerParameters {
+                alpha: -0.5,
+                coefficient: 1.0,
+                plateau_speed: 1e-4,
+                drop_speed: bad,
+                rest_share: 0.5
+            })
+            .is_err()
+        );
         assert!(lugre::<f64>().steady_per_load(bad).is_err());
         let parameters = *rate_state::<f64>(0.01, 0.02, 0.0).parameters();
         assert!(
@@ -293,9 +337,36 @@ fn senseless_laws_are_refused() {
             .is_err()
         );
     }
-    assert!(PlateauPower::new(-0.5, 1.0, 1e-4, 1e-3, 0.5).is_err());
-    assert!(PlateauPower::new(-0.5, 1.0, 1e-4, 1e-6, 1.5).is_err());
-    assert!(PlateauPower::new(0.5, 1.0, 1e-4, 1e-6, 0.5).is_err());
+    assert!(
+        PlateauPower::new(PlateauPowerParameters {
+            alpha: -0.5,
+            coefficient: 1.0,
+            plateau_speed: 1e-4,
+            drop_speed: 1e-3,
+            rest_share: 0.5
+        })
+        .is_err()
+    );
+    assert!(
+        PlateauPower::new(PlateauPowerParameters {
+            alpha: -0.5,
+            coefficient: 1.0,
+            plateau_speed: 1e-4,
+            drop_speed: 1e-6,
+            rest_share: 1.5
+        })
+        .is_err()
+    );
+    assert!(
+        PlateauPower::new(PlateauPowerParameters {
+            alpha: 0.5,
+            coefficient: 1.0,
+            plateau_speed: 1e-4,
+            drop_speed: 1e-6,
+            rest_share: 0.5
+        })
+        .is_err()
+    );
     assert!(Incline::new(0.0, 0.0).is_err() && Incline::new(-1.0, 1.0).is_err());
     let message = Plastic::new(-2.0).unwrap_err().to_string();
     assert_eq!(message, "the hardness must be positive and finite, not -2");

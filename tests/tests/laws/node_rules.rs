@@ -6,7 +6,7 @@
 use core::f64::consts::{PI, TAU};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::{PatchFriction, compact};
-use tribos_core::law::{Coulomb, PowerLaw};
+use tribos_core::law::{CoulombLaw, PowerLaw};
 use tribos_core::patch::nodes::{NodeError, NodeList, NodePatch};
 use tribos_core::patch::polar::{self, PolarError, PolarRule};
 use tribos_core::twist::{Twist, Wrench};
@@ -49,8 +49,8 @@ fn law(alpha: f64) -> PowerLaw<f64> {
     PowerLaw::new(alpha, 1.0).expect("in range")
 }
 
-fn dry() -> Coulomb<f64> {
-    Coulomb::new(1.0).expect("in range")
+fn dry() -> CoulombLaw<f64> {
+    CoulombLaw::new(1.0).expect("in range")
 }
 
 fn rule(rings: u32, angles: u32, q: f64) -> PolarRule<f64> {
@@ -85,7 +85,7 @@ fn against(twist: &Twist<f64>, force: f64, torque: f64) -> Wrench<f64> {
 /// Root mean square and largest error over 2000 centres of rotation with eps in `range`.
 fn errors(alpha: f64, rings: u32, angles: u32, range: [f64; 2]) -> [f64; 2] {
     let nodes = NodeFriction::new(law(alpha), disk(rings, angles, 0.0));
-    let tier = compact::Power::new(alpha).expect("in range");
+    let tier = compact::CompactPower::new(alpha).expect("in range");
     let exact = PatchFriction::new(tier, 1.0, 1.0).expect("a coefficient");
     let mut rng = Lcg::new(3);
     let (mut sum, mut largest) = (0.0, 0.0_f64);
@@ -149,7 +149,7 @@ fn odd_exponents_are_exact() {
 fn standard_rule_keeps_its_bound_for_every_pressure() {
     let mut worst = Worst::of("standard rule, Coulomb, centre anywhere");
     let mut rng = Lcg::new(4);
-    let tier = compact::Coulomb;
+    let tier = compact::CompactCoulomb;
     let exact = PatchFriction::new(tier, 1.0, 1.0).expect("a coefficient");
     let nodes = [0.0, 0.5, -0.5].map(|q| {
         let rule = PolarRule::standard(1.0).expect("a radius");
@@ -264,7 +264,7 @@ fn rules_without_meaning_are_refused() {
 fn single_precision_follows_double() {
     let narrow = PolarRule::standard(1.0_f32).expect("a radius");
     let narrow: NodeList<f32, 512> = narrow.nodes().expect("room");
-    let one = Coulomb::new(1.0_f32).expect("in range");
+    let one = CoulombLaw::new(1.0_f32).expect("in range");
     let narrow = NodeFriction::new(one, narrow);
     let wide = NodeFriction::new(dry(), disk(16, 32, 0.0));
     let mut worst = Worst::of("f32 nodes");

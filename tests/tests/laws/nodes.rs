@@ -2,9 +2,10 @@
 
 use nalgebra::{Matrix3, Rotation2, Vector2, Vector3};
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::law::{Coulomb, LocalLaw, PowerLaw};
+use tribos_core::internals::tripod_shares;
+use tribos_core::law::{CoulombLaw, LocalLaw, PowerLaw};
 use tribos_core::patch::nodes::{Node, NodeError, NodeList, NodePatch, Nodes};
-use tribos_core::patch::tripod::{TripodError, tripod, tripod_shares};
+use tribos_core::patch::tripod::{TripodError, tripod};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::{Lcg, special_f64};
 use tribos_tests::tolerance::{self, Bound};
@@ -29,8 +30,8 @@ fn power(alpha: f64) -> PowerLaw<f64> {
     PowerLaw::new(alpha, 0.7).expect("in range")
 }
 
-fn dry(mu: f64) -> Coulomb<f64> {
-    Coulomb::new(mu).expect("in range")
+fn dry(mu: f64) -> CoulombLaw<f64> {
+    CoulombLaw::new(mu).expect("in range")
 }
 
 /// Twelve nodes somewhere in a square of side 2, one of them without load.
@@ -201,7 +202,7 @@ fn friction_dissipates_and_dry_friction_knows_no_speed() {
         for _ in 0..500 {
             let (patch, twist) = (scattered(&mut rng), twist(&mut rng));
             let wrench = NodeFriction::new(power(alpha), patch).wrench(2.0, &twist);
-            let power = wrench.force.dot(&twist.velocity) + wrench.torque * twist.spin;
+            let power = wrench.power(&twist);
             assert!(power < 0.0, "alpha {alpha}: {power}");
             // No more than all nodes' friction in one direction.
             if alpha == 0.0 {
@@ -262,7 +263,7 @@ fn a_node_at_the_centre_of_rotation_carries_nothing() {
         (jacobian.m11, jacobian.m22, jacobian.m33),
         (-1.0, -1.0, -0.75)
     );
-    let rest = Twist::new(0.0, 0.0, 0.0);
+    let rest = Twist::ZERO;
     assert_eq!(
         entries(&NodeFriction::new(dry(1.0), pivot).wrench(1.0, &rest)),
         [0.0; 3]

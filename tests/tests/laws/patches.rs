@@ -85,16 +85,16 @@ fn exponents_of_tables_and_powers_are_refused_alike_for_every_pressure() {
                 "{alpha}"
             );
             assert!(
-                compact::Power::with_pressure(alpha, pressure).is_err(),
+                compact::CompactPower::with_pressure(alpha, pressure).is_err(),
                 "{alpha}"
             );
         }
-        let beyond = table::MAX_EXPONENT.next_up();
-        assert!(RoundTable64::new(table::MAX_EXPONENT, pressure).is_ok());
+        let beyond = table::Table64::MAX_EXPONENT.next_up();
+        assert!(RoundTable64::new(table::Table64::MAX_EXPONENT, pressure).is_ok());
         assert!(RoundTable64::new(beyond, pressure).is_err());
         let most = PowerLaw::<f64>::MAX_EXPONENT;
-        assert!(compact::Power::with_pressure(most, pressure).is_ok());
-        assert!(compact::Power::with_pressure(most.next_up(), pressure).is_err());
+        assert!(compact::CompactPower::with_pressure(most, pressure).is_ok());
+        assert!(compact::CompactPower::with_pressure(most.next_up(), pressure).is_err());
     }
     let flat = PolynomialPressure::new([1.0]).expect("positive");
     for alpha in [-1.0, f64::NAN, 10.5] {

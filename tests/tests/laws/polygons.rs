@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::{PatchFriction, compact};
-use tribos_core::law::Coulomb;
+use tribos_core::law::CoulombLaw;
 use tribos_core::patch::nodes::{NodeError, NodeList, NodePatch};
 use tribos_core::patch::polygon::{PolygonError, polygon};
 use tribos_core::twist::{Twist, Wrench};
@@ -11,8 +11,8 @@ use tribos_tests::sweep::Lcg;
 
 const ROOM: usize = 1024;
 
-fn dry() -> Coulomb<f64> {
-    Coulomb::new(1.0).expect("in range")
+fn dry() -> CoulombLaw<f64> {
+    CoulombLaw::new(1.0).expect("in range")
 }
 
 /// A twist with unit spin and v = `eps` in any direction.
@@ -134,7 +134,7 @@ fn nearly_a_disk(divisions: u32) -> NodeList<f64, 16384> {
 
 #[test]
 fn a_polygon_of_many_corners_is_a_disk() {
-    let exact = PatchFriction::new(compact::Coulomb, 1.0, 1.0).expect("a coefficient");
+    let exact = PatchFriction::new(compact::CompactCoulomb, 1.0, 1.0).expect("a coefficient");
     let nodes = NodeFriction::new(dry(), nearly_a_disk(3));
     for eps in [1.5, 3.0] {
         let twist = Twist::new(0.6 * eps, 0.8 * eps, 1.0);

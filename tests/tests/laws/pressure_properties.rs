@@ -7,8 +7,8 @@ use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable64};
 use tribos_core::coupling::table::{self, Table64};
 use tribos_core::coupling::{Annulus, Coupling, Lateral, PatchFriction, compact};
+use tribos_core::internals::Gauss;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
-use tribos_core::special::Gauss;
 use tribos_core::twist::Twist;
 use tribos_tests::patches::pressure;
 use tribos_tests::pucks::relative;
@@ -50,8 +50,8 @@ fn patches() -> impl Strategy<Value = (f64, f64)> {
     (order, alpha)
 }
 
-fn compact(order: f64, alpha: f64) -> compact::Power<f64> {
-    compact::Power::with_pressure(alpha, pressure(order)).expect("in range")
+fn compact(order: f64, alpha: f64) -> compact::CompactPower<f64> {
+    compact::CompactPower::with_pressure(alpha, pressure(order)).expect("in range")
 }
 
 /// |a − b| within `bound` of the larger of |scale|s.

@@ -76,7 +76,7 @@ impl<R: Real> Lateral<R> for BoxedTier<R> {
     fn lateral(&self, slide: R, rim: R) -> R {
         self.0.lateral(slide, rim)
     }
-    fn lateral_jacobian(&self, slide: R, rim: R) -> tribos_core::coupling::LateralJacobian<R> {
+    fn lateral_jacobian(&self, slide: R, rim: R) -> tribos_core::internals::LateralJacobian<R> {
         self.0.lateral_jacobian(slide, rim)
     }
     fn mean_square_radius(&self) -> R {

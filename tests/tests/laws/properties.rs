@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use tribos_core::coupling::table::{self, Table64};
 use tribos_core::coupling::{Coupling, ReducedWrench, compact};
-use tribos_core::special::Gauss;
+use tribos_core::internals::Gauss;
 use tribos_tests::tolerance;
 
 /// Fixed seed, no files written.
@@ -37,8 +37,8 @@ fn exponents() -> impl Strategy<Value = f64> {
     ]
 }
 
-fn compact(alpha: f64) -> compact::Power<f64> {
-    compact::Power::new(alpha).expect("in range")
+fn compact(alpha: f64) -> compact::CompactPower<f64> {
+    compact::CompactPower::new(alpha).expect("in range")
 }
 
 /// D·(α+1) = ⟨|u|^(α+1)⟩ from its own hypergeometric function.

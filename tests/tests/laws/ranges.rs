@@ -1,7 +1,7 @@
 //! Speeds of the whole range of both types: every result is right, infinite or zero as it must be.
 
 use tribos_core::Real;
-use tribos_core::coupling::compact::Power;
+use tribos_core::coupling::compact::CompactPower;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::LateralPolynomialTable;
 use tribos_core::coupling::table::Table64;
@@ -330,8 +330,8 @@ fn tables_of_polynomials_at_every_power_of_two() {
 /// The annulus' results against those of speeds of order 1: powers of two change nothing.
 fn see_annulus<R: Ranged>(worst: &mut [Worst; 2], alpha: f64, inner: f64, pairs: &[(i32, i32)]) {
     let band = |disk| Annulus::new(disk, inner).expect("in range");
-    let wide = band(Power::new(alpha).expect("in range"));
-    let narrow = Power::new(R::from_f64(alpha)).expect("in range");
+    let wide = band(CompactPower::new(alpha).expect("in range"));
+    let narrow = CompactPower::new(R::from_f64(alpha)).expect("in range");
     let narrow = Annulus::new(narrow, R::from_f64(inner)).expect("in range");
     let tier: PatchTier<R> = ("annulus", Box::new(narrow));
     // Two disks' last places, divided by 1 − k.

@@ -1,6 +1,6 @@
 //! Elliptic integrals and Gauss' function against 25-digit tables.
 
-use tribos_core::special::{CompleteElliptic, Gauss};
+use tribos_core::internals::{CompleteElliptic, Gauss};
 use tribos_tests::reference::ulp_f64;
 use tribos_tests::tables::Table;
 use tribos_tests::tolerance;

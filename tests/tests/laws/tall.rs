@@ -1,13 +1,11 @@
 //! Tall bodies: leaning pressures by brute force, the balance of moments, tipping, the ends.
 
 use tribos_core::coupling::closed::{Hertz, Ring};
-use tribos_core::coupling::tall::{
-    AllRound, Footing, FrontBack, Lean, TallFriction, leaning_wrench,
-};
-use tribos_core::coupling::{
-    Coupling, FrictionError, Lateral, LateralJacobian, PatchFriction, table,
-};
+use tribos_core::coupling::tall::{AllRound, Footing, FrontBack, Lean, TallFriction};
+use tribos_core::coupling::{Coupling, FrictionError, Lateral, PatchFriction, table};
 use tribos_core::coupling::{ReducedJacobian, ReducedWrench};
+use tribos_core::internals::LateralJacobian;
+use tribos_core::internals::leaning_wrench;
 use tribos_core::patch::PatchError;
 use tribos_core::twist::Twist;
 use tribos_tests::patches;

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 use tribos_core::coupling::table::{Coulomb, Table64};
 use tribos_core::coupling::{Coupling, ReducedWrench};
+use tribos_core::internals::CompleteElliptic;
 use tribos_core::modes::inertia_interval;
-use tribos_core::special::CompleteElliptic;
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 

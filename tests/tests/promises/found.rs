@@ -1,18 +1,16 @@
 //! Inputs that broke a property once, found by `--bin fuzz`, in the smallest form.
-
-use nalgebra::Vector2;
 use tribos_core::coupling::PatchFriction;
 use tribos_core::coupling::closed::Hertz;
-use tribos_core::law::{Coulomb, Dieterich, Evolution, LocalLaw, PowerLaw, Ruina};
+use tribos_core::internals::tripod_shares;
+use tribos_core::law::{CoulombLaw, Dieterich, Evolution, LocalLaw, PowerLaw, Ruina};
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
-use tribos_core::patch::tripod::tripod_shares;
 use tribos_core::twist::{Twist, Wrench};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 #[test]
 fn coulomb_s_law_does_not_launder_nan() -> Outcome {
-    let law = Coulomb::new(0.5)?;
+    let law = CoulombLaw::new(0.5)?;
     assert!(law.friction(f64::NAN).is_nan());
     assert!(law.slope(f64::NAN).is_nan());
     assert_eq!([law.friction(3.0), law.slope(3.0)], [0.5, 0.0]);
@@ -35,10 +33,7 @@ fn a_power_law_does_not_launder_nan_and_without_a_coefficient_is_nothing() -> Ou
 fn a_lever_below_the_range_of_numbers_leaves_the_gauge_of_a_force() -> Outcome {
     // radius × torque is less than the smallest number.
     let set = Ellipsoid::new(2.0, 1e-200, 1e-200)?;
-    let push = |x: f64, torque: f64| Wrench {
-        force: Vector2::new(x, 0.0),
-        torque,
-    };
+    let push = |x: f64, torque: f64| Wrench::new(x, 0.0, torque);
     assert_eq!(set.gauge(&push(0.0, 0.0)), 0.0);
     assert_eq!(set.gauge(&push(-1.0, 0.0)), 0.5);
     assert_eq!(set.gauge(&push(1.0, 1e-9)), f64::INFINITY);
@@ -57,10 +52,7 @@ fn a_contact_without_age_has_none_after_a_slide_beyond_the_range_of_numbers() {
 #[test]
 fn a_force_limit_of_minus_zero_is_none() -> Outcome {
     let set = LimitSurface::new(Hertz, -0.0, 1.0)?;
-    let push = Wrench {
-        force: Vector2::new(1.0, 0.0),
-        torque: 0.5,
-    };
+    let push = Wrench::new(1.0, 0.0, 0.5);
     assert_eq!(set.gauge(&push), f64::INFINITY);
     Ok(())
 }
@@ -71,7 +63,7 @@ fn a_spin_that_is_no_number_leaves_no_force() -> Outcome {
     let wrench = puck.wrench(1.0, &Twist::new(0.0, 0.0, f64::NAN));
     assert!(wrench.force.x.is_nan() && wrench.force.y.is_nan() && wrench.torque.is_nan());
     let spinning = puck.wrench(1.0, &Twist::new(0.0, 0.0, 2.0));
-    assert_eq!(spinning.force, Vector2::new(0.0, 0.0));
+    assert_eq!(spinning.force, Wrench::ZERO.force);
     Ok(())
 }
 

@@ -3,7 +3,7 @@
 use tribos_core::coupling::Profile;
 use tribos_core::coupling::table::{Coulomb, Table64};
 use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_tests::tables::Table;
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
@@ -160,7 +160,15 @@ fn growth_has_the_sign_of_the_motion() {
     for alpha in [-0.5, 0.0, 0.5, 1.5, 3.0] {
         for c in [0.2, 0.45, 0.5, 0.8] {
             let profile = Table64::new(alpha).unwrap();
-            let puck = Slider::new(profile, 1.0, 1.0, c).unwrap();
+            let puck = Slider::new(
+                profile,
+                SliderParameters {
+                    deceleration: 1.0,
+                    radius: 1.0,
+                    inertia_ratio: c,
+                },
+            )
+            .unwrap();
             let modes = modes(alpha, c);
             for start in [0.05, 0.3, 0.6, 0.9, 1.1, 3.0, 20.0] {
                 let launched = Motion::launched(start, 1.0);

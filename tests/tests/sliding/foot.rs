@@ -3,11 +3,11 @@
 use nalgebra::Vector2;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::law::Coulomb;
+use tribos_core::law::CoulombLaw;
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
 use tribos_core::patch::polar::ring;
-use tribos_core::planar::Foot;
+use tribos_core::planar::NodeFoot;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 
@@ -16,10 +16,7 @@ type Points = NodeList<f64, CAPACITY>;
 
 fn wrench(rng: &mut Lcg, force: f64, torque: f64) -> Wrench<f64> {
     let [x, y, n] = [(); 3].map(|()| rng.between(-1.0, 1.0));
-    Wrench {
-        force: Vector2::new(force * x, force * y),
-        torque: torque * n,
-    }
+    Wrench::new(force * x, force * y, torque * n)
 }
 
 fn distance(a: &Wrench<f64>, b: &Wrench<f64>, length: f64) -> f64 {
@@ -52,7 +49,7 @@ fn a_ring_of_points_is_the_closed_ring() {
     let (limit, radius, length) = (3.0, 0.1, 0.07);
     let closed = LimitSurface::new(Ring, limit, radius).expect("valid");
     let points: Points = ring(radius, 256).expect("it fits");
-    let mut foot: Foot<f64, _, CAPACITY> = Foot::new(points, limit).expect("valid");
+    let mut foot: NodeFoot<f64, _, CAPACITY> = NodeFoot::new(points, limit).expect("valid");
     let mut rng = Lcg::new(3);
     let mut worst = 0.0_f64;
     for _ in 0..2000 {
@@ -74,7 +71,7 @@ fn the_friction_of_a_motion_is_on_the_surface_with_the_motion_as_normal() {
         let points = points(&mut rng, case);
         let length = rng.log_between(0.03, 0.3);
         let limit = rng.log_between(1e-6, 1e6);
-        let friction = NodeFriction::new(Coulomb::new(1.0).expect("valid"), points.clone());
+        let friction = NodeFriction::new(CoulombLaw::new(1.0).expect("valid"), points.clone());
         let direction = wrench(&mut rng, 1.0, 1.0 / length);
         let twist = Twist {
             velocity: direction.force,
@@ -86,15 +83,12 @@ fn the_friction_of_a_motion_is_on_the_surface_with_the_motion_as_normal() {
             force: on.force + twist.velocity * reach,
             torque: on.torque + twist.spin * reach * length * length,
         };
-        let mut foot: Foot<f64, _, CAPACITY> = Foot::new(points, limit).expect("valid");
+        let mut foot: NodeFoot<f64, _, CAPACITY> = NodeFoot::new(points, limit).expect("valid");
         let size = distance(&beyond, &Wrench::ZERO, length);
         let got = foot.nearest(&beyond, length);
         worst[0] = worst[0].max(distance(&got, &on, length) / size);
         // What is safely inside stays as it is.
-        let inside = Wrench {
-            force: on.force * (1.0 - 1e-9),
-            torque: on.torque * (1.0 - 1e-9),
-        };
+        let inside = on * (1.0 - 1e-9);
         assert_eq!(foot.nearest(&inside, length), inside);
         let again = foot.nearest(&got, length);
         worst[1] = worst[1].max(distance(&again, &got, length) / size);
@@ -156,7 +150,7 @@ fn a_foot_that_turns_about_one_of_its_points_is_found_to_rounding() {
             force: on.force + twist.velocity * reach,
             torque: on.torque + twist.spin * reach * length * length,
         };
-        let mut foot: Foot<f64, _, CAPACITY> = Foot::new(points, limit).expect("valid");
+        let mut foot: NodeFoot<f64, _, CAPACITY> = NodeFoot::new(points, limit).expect("valid");
         let size = distance(&beyond, &Wrench::ZERO, length);
         let got = foot.nearest(&beyond, length);
         worst[0] = worst[0].max(distance(&got, &on, length) / size);
@@ -177,7 +171,7 @@ fn points_that_almost_rest_are_found_to_rounding() {
     for case in 0..4000 {
         let points = points(&mut rng, 4 * case + 1);
         let (length, limit) = (rng.log_between(0.03, 0.3), rng.log_between(1e-6, 1e6));
-        let friction = NodeFriction::new(Coulomb::new(1.0).expect("valid"), points.clone());
+        let friction = NodeFriction::new(CoulombLaw::new(1.0).expect("valid"), points.clone());
         // A turn about a place next to a point, by 1e-14 to 1e-2 of the length.
         let near = points.nodes()[rng.bits() as usize % points.nodes().len()];
         let [dx, dy] = [(); 2].map(|()| rng.between(-1.0, 1.0));
@@ -194,7 +188,7 @@ fn points_that_almost_rest_are_found_to_rounding() {
             force: on.force + twist.velocity * reach,
             torque: on.torque + twist.spin * reach * length * length,
         };
-        let mut foot: Foot<f64, _, CAPACITY> = Foot::new(points, limit).expect("valid");
+        let mut foot: NodeFoot<f64, _, CAPACITY> = NodeFoot::new(points, limit).expect("valid");
         let size = distance(&beyond, &Wrench::ZERO, length);
         let got = foot.nearest(&beyond, length);
         // Where it is next to a kink the nearest wrench is not that of the given motion to rounding,
@@ -216,10 +210,12 @@ fn the_order_of_calls_does_not_matter_beyond_rounding() {
     for case in 0..300 {
         let points = points(&mut rng, case);
         let total = points.total_weight();
-        let mut warm: Foot<f64, _, CAPACITY> = Foot::new(points.clone(), total).expect("valid");
+        let mut warm: NodeFoot<f64, _, CAPACITY> =
+            NodeFoot::new(points.clone(), total).expect("valid");
         for _ in 0..5 {
             let wanted = wrench(&mut rng, 2.0 * total, 0.4 * total);
-            let mut cold: Foot<f64, _, CAPACITY> = Foot::new(points.clone(), total).expect("valid");
+            let mut cold: NodeFoot<f64, _, CAPACITY> =
+                NodeFoot::new(points.clone(), total).expect("valid");
             let [a, b] = [warm.nearest(&wanted, 0.1), cold.nearest(&wanted, 0.1)];
             assert!(distance(&a, &b, 0.1) <= 1e-12 * total, "{a:?} {b:?}");
         }
@@ -242,12 +238,9 @@ fn foreign_numbers_give_numbers_or_nan() {
     for x in extremes {
         for n in extremes {
             for length in extremes {
-                let mut foot: Foot<f64, _, CAPACITY> =
-                    Foot::new(points.clone(), 1.0).expect("valid");
-                let given = Wrench {
-                    force: Vector2::new(x, -x),
-                    torque: n,
-                };
+                let mut foot: NodeFoot<f64, _, CAPACITY> =
+                    NodeFoot::new(points.clone(), 1.0).expect("valid");
+                let given = Wrench::new(x, -x, n);
                 let got = foot.nearest(&given, length);
                 let sane = x.is_finite() && n.is_finite() && (n / length).is_finite() && x < 1e308;
                 let wanted = length > 0.0 && length.is_finite() && (1.0 / length).is_finite();
@@ -278,26 +271,19 @@ fn single_precision_follows() {
             let [x, y, weight] = [x, y, weight].map(f64::from);
             wide_points.push(Node { x, y, weight }).expect("room");
         }
-        let mut narrow: Foot<f32, _, CAPACITY> = Foot::new(narrow_points, 3.0).expect("valid");
-        let mut wide: Foot<f64, _, CAPACITY> = Foot::new(wide_points, 3.0).expect("valid");
+        let mut narrow: NodeFoot<f32, _, CAPACITY> =
+            NodeFoot::new(narrow_points, 3.0).expect("valid");
+        let mut wide: NodeFoot<f64, _, CAPACITY> = NodeFoot::new(wide_points, 3.0).expect("valid");
         let wanted = wrench(&mut rng, 6.0, 0.6);
         let [x, y, n] = [wanted.force.x, wanted.force.y, wanted.torque].map(|value| value as f32);
-        let got = narrow.nearest(
-            &Wrench {
-                force: Vector2::new(x, y),
-                torque: n,
-            },
-            0.125,
-        );
-        let wanted = Wrench {
-            force: Vector2::new(f64::from(x), f64::from(y)),
-            torque: f64::from(n),
-        };
+        let got = narrow.nearest(&Wrench::new(x, y, n), 0.125);
+        let wanted = Wrench::new(f64::from(x), f64::from(y), f64::from(n));
         let right = wide.nearest(&wanted, 0.125);
-        let got = Wrench {
-            force: Vector2::new(f64::from(got.force.x), f64::from(got.force.y)),
-            torque: f64::from(got.torque),
-        };
+        let got = Wrench::new(
+            f64::from(got.force.x),
+            f64::from(got.force.y),
+            f64::from(got.torque),
+        );
         let size = distance(&wanted, &Wrench::ZERO, 0.125);
         worst = worst.max(distance(&got, &right, 0.125) / size);
     }

@@ -6,26 +6,23 @@ use tribos_core::contact::{
 };
 use tribos_core::coupling::table::{Coulomb, CoulombTable};
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
-use tribos_core::manifold::{Manifold, Start, Stop};
+use tribos_core::manifold::{InitialGuess, Manifold, SolverLimits};
 use tribos_core::patch::nodes::NodeList;
 use tribos_core::patch::polygon::polygon;
-use tribos_core::planar::{Foot, PlanarBody};
+use tribos_core::planar::{NodeFoot, PlanarBody};
 use tribos_core::real::Real;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_core::twist::{Twist, Wrench};
 
 /// Steps of the scenes in which nothing may move.
 const STEPS: usize = 1_000_000;
 
 fn push<R: Real>(x: f64, y: f64, torque: f64) -> Wrench<R> {
-    Wrench {
-        force: Vector2::new(R::from_f64(x), R::from_f64(y)),
-        torque: R::from_f64(torque),
-    }
+    Wrench::new(R::from_f64(x), R::from_f64(y), R::from_f64(torque))
 }
 
 fn at_rest<R: Real>() -> Twist<R> {
-    Twist::new(R::ZERO, R::ZERO, R::ZERO)
+    Twist::ZERO
 }
 
 /// A puck on a slope just below the angle at which it slides, with and without a torque.
@@ -51,10 +48,7 @@ fn held_on_a_slope<R: CoulombTable>() {
         }
         // As much beyond the limit as before below it, and it moves.
         let beyond = R::from_f64(1.0002) / set.gauge(&held);
-        let more = Wrench {
-            force: held.force * beyond,
-            torque: held.torque * beyond,
-        };
+        let more = held * beyond;
         assert!(!puck.step(&set, &twist, &more, dt).is_at_rest);
     }
 }
@@ -66,11 +60,11 @@ fn a_puck_held_on_a_slope_does_not_creep_in_a_million_steps() {
 }
 
 /// A square box of side 0.2 m and 1 kg; friction carries 3 N.
-fn box_on_the_floor() -> (PlanarBody<f64>, Foot<f64, NodeList<f64, 224>, 224>) {
+fn box_on_the_floor() -> (PlanarBody<f64>, NodeFoot<f64, NodeList<f64, 224>, 224>) {
     let corners = [[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]];
     let points: NodeList<f64, 224> = polygon(&corners, 4).expect("a square");
     let body = PlanarBody::new(1.0, 0.2 * 0.2 / 6.0).expect("positive");
-    (body, Foot::new(points, 3.0).expect("it fits"))
+    (body, NodeFoot::new(points, 3.0).expect("it fits"))
 }
 
 #[test]
@@ -147,7 +141,15 @@ fn spin_down_ends_where_and_when_it_should_to_second_order() {
         (1.0, 12.5),
         (0.5, 40.0),
     ] {
-        let slider = Slider::new(Coulomb, 3.0, 0.08, 0.5).expect("valid");
+        let slider = Slider::new(
+            Coulomb,
+            SliderParameters {
+                deceleration: 3.0,
+                radius: 0.08,
+                inertia_ratio: 0.5,
+            },
+        )
+        .expect("valid");
         let rest = slider
             .to_rest(&Motion::launched(speed, spin))
             .expect("it stops");
@@ -199,14 +201,14 @@ fn pinched<R: CoulombTable, F: ContactFriction<R>>(friction: F, margin: f64) {
     }
     grip.set_gravity(vector(0.0, 0.0, -9.81));
     let step = TimeStep::new(real(1.0 / 240.0)).expect("positive");
-    let stop = Stop {
+    let stop = SolverLimits {
         sweeps: 40,
         tolerance: real(1e-6),
     };
     let mut moved = Vector3::new(R::ZERO, R::ZERO, R::ZERO);
     let mut last = 0;
     for n in 0..STEPS {
-        grip.solve(step, Start::Last, stop);
+        grip.solve(step, InitialGuess::Last, stop);
         let body = grip.body(ball).expect("it is there");
         let rolled = body.spin() * real(radius);
         let motion = [body.velocity(), rolled].map(|v| v.x.hypot(v.y).hypot(v.z));

@@ -8,7 +8,7 @@ use tribos_core::coupling::round::RoundTable64;
 use tribos_core::coupling::table::{Coulomb, Table64};
 use tribos_core::coupling::{Annulus, Coupling, Profile};
 use tribos_core::patch::PowerPressure;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_tests::pucks::{MU_G, RADIUS};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tolerance;
@@ -153,7 +153,15 @@ fn paths_that_differ_by_decades_are_both_met() {
 
 #[test]
 fn the_map_is_the_slider_s_own() {
-    let puck = Slider::new(Coulomb, MU_G, RADIUS, 0.5).unwrap();
+    let puck = Slider::new(
+        Coulomb,
+        SliderParameters {
+            deceleration: MU_G,
+            radius: RADIUS,
+            inertia_ratio: 0.5,
+        },
+    )
+    .unwrap();
     for (speed, spin) in [(1.0, 5.0), (0.2, -40.0), (0.0, 7.0), (2.0, 0.0)] {
         let rest = puck.to_rest(&Motion::launched(speed, spin)).unwrap().motion;
         let landing = disk().rest(&Launch {

@@ -3,7 +3,7 @@
 use tribos_core::coupling::closed::Hertz;
 use tribos_core::coupling::table::{Coulomb, Table32, Table64};
 use tribos_core::coupling::{Coupling, Profile};
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_tests::pucks::{MU_G, RADIUS, coulomb, power, relative};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tolerance;
@@ -108,12 +108,22 @@ fn single_precision_stops_at_the_same_place() {
             rng.log_between(0.1, 100.0) as f32,
         );
         let inertia = rng.log_between(0.01, 100.0) as f32;
-        let single = Slider::new(Coulomb, MU_G as f32, RADIUS as f32, inertia).unwrap();
+        let single = Slider::new(
+            Coulomb,
+            SliderParameters {
+                deceleration: MU_G as f32,
+                radius: RADIUS as f32,
+                inertia_ratio: inertia,
+            },
+        )
+        .unwrap();
         let wide = Slider::new(
             Coulomb,
-            f64::from(MU_G as f32),
-            f64::from(RADIUS as f32),
-            f64::from(inertia),
+            SliderParameters {
+                deceleration: f64::from(MU_G as f32),
+                radius: f64::from(RADIUS as f32),
+                inertia_ratio: f64::from(inertia),
+            },
         )
         .unwrap();
         let got = single.to_rest(&Motion::launched(speed, spin)).unwrap();
@@ -154,11 +164,23 @@ where
         let wide_start = Motion::launched(f64::from(start.speed), f64::from(start.spin));
         let wide = Slider::new(
             double,
-            f64::from(mu_g),
-            f64::from(radius),
-            f64::from(inertia),
+            SliderParameters {
+                deceleration: f64::from(mu_g),
+                radius: f64::from(radius),
+                inertia_ratio: f64::from(inertia),
+            },
         );
-        let (narrow, wide) = (Slider::new(single, mu_g, radius, inertia), wide.unwrap());
+        let (narrow, wide) = (
+            Slider::new(
+                single,
+                SliderParameters {
+                    deceleration: mu_g,
+                    radius,
+                    inertia_ratio: inertia,
+                },
+            ),
+            wide.unwrap(),
+        );
         let scale = match wide.to_rest(&wide_start) {
             Some(rest) => rest.motion.time,
             None => speed.max(rim).powf(1.0 - double.exponent()) / MU_G,
@@ -203,7 +225,15 @@ fn single_precision_goes_the_same_way_in_any_time() {
 
 #[test]
 fn a_controller_s_step_costs_seven_wrenches_in_single_precision() {
-    let puck = Slider::new(Coulomb, 3.0_f32, 0.08, 0.5).unwrap();
+    let puck = Slider::new(
+        Coulomb,
+        SliderParameters {
+            deceleration: 3.0_f32,
+            radius: 0.08,
+            inertia_ratio: 0.5,
+        },
+    )
+    .unwrap();
     for (duration, most) in [(1e-4, 7.5), (1e-3, 9.0)] {
         for spin in [2.0, 5.0, 12.0, 30.0] {
             let mut motion = Motion::launched(1.0, spin);

@@ -6,7 +6,7 @@ use tribos::slide::planar::{
 use tribos_core::coupling::PatchFriction;
 use tribos_core::coupling::table::Table64;
 use tribos_core::patch::PowerPressure;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_tests::pucks::relative;
 use tribos_tests::tables::Table;
 
@@ -176,10 +176,17 @@ fn flat_bodies_go_straight_and_agree_with_the_kernel_slider() {
         };
         let point = end(&flat.body(GRAVITY).unwrap(), [speed, 0.0], spin).point;
         let table = Table64::new(alpha).unwrap();
-        let rest = Slider::new(table, 0.3 * GRAVITY, 0.08, 0.5)
-            .unwrap()
-            .to_rest(&Motion::launched(speed, spin))
-            .unwrap();
+        let rest = Slider::new(
+            table,
+            SliderParameters {
+                deceleration: 0.3 * GRAVITY,
+                radius: 0.08,
+                inertia_ratio: 0.5,
+            },
+        )
+        .unwrap()
+        .to_rest(&Motion::launched(speed, spin))
+        .unwrap();
         assert_eq!(point.position[1], 0.0);
         for (ours, theirs) in [
             (point.time, rest.motion.time),

@@ -8,7 +8,7 @@ use tribos::slide::run_path;
 use tribos_core::coupling::table::{Coulomb, Table64};
 use tribos_core::coupling::{Coupling, Profile};
 use tribos_core::modes::{FinalMode, Modes};
-use tribos_core::slider::{Motion, Rest, Slider};
+use tribos_core::slider::{Motion, Rest, Slider, SliderParameters};
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
@@ -128,7 +128,15 @@ fn rest<P: Profile<f64> + Coupling<f64>>(
     speed: f64,
     spin: f64,
 ) -> (Rest<f64>, FinalMode<f64>) {
-    let slider = Slider::new(profile, MU * GRAVITY, RADIUS, c).expect("in range");
+    let slider = Slider::new(
+        profile,
+        SliderParameters {
+            deceleration: MU * GRAVITY,
+            radius: RADIUS,
+            inertia_ratio: c,
+        },
+    )
+    .expect("in range");
     let start = Motion::launched(speed, spin);
     let modes = Modes::new(slider.profile(), c).expect("in range");
     let mode = modes.final_mode(slider.ratio(&start));

@@ -8,7 +8,7 @@ use tribos_core::coupling::closed::{Hertz, Ring};
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use tribos_core::patch::nodes::{Node, NodeList};
-use tribos_core::planar::{Foot, PlanarBody, PlanarStep};
+use tribos_core::planar::{NodeFoot, PlanarBody, PlanarStep};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tolerance;
@@ -72,10 +72,6 @@ fn case(rng: &mut Lcg, is_pushed: bool) -> Case {
     Case { body, twist, push }
 }
 
-fn power(wrench: &Wrench<f64>, twist: &Twist<f64>) -> f64 {
-    wrench.force.dot(&twist.velocity) + wrench.torque * twist.spin
-}
-
 /// Inner product of two motions by kinetic energy.
 fn kinetic(body: &PlanarBody<f64>, a: &Twist<f64>, b: &Twist<f64>) -> f64 {
     body.mass() * a.velocity.dot(&b.velocity) + body.inertia() * a.spin * b.spin
@@ -114,7 +110,7 @@ impl Seen {
             + LIMIT * RADIUS * (twist.spin.abs() + after.spin.abs())
             // What friction changes in a step, of which a slow motion is the rest.
             + LIMIT * LIMIT * STEP * (1.0 / body.mass() + RADIUS * RADIUS / body.inertia());
-        let given = power(&step.friction, &met).max(0.0);
+        let given = step.friction.power(&met).max(0.0);
         self.given
             .see(if scale == 0.0 { 0.0 } else { given / scale }, place);
         if *push != Wrench::ZERO {
@@ -194,7 +190,7 @@ fn friction_of_feet_off_the_centre_takes_power_or_none_and_reverses_nothing() {
     let dt = TimeStep::new(STEP).expect("positive");
     let mut seen = Seen::new();
     for n in 0..100_000 {
-        let mut foot: Foot<f64, _, 8> = Foot::new(points(&mut rng), LIMIT).expect("valid");
+        let mut foot: NodeFoot<f64, _, 8> = NodeFoot::new(points(&mut rng), LIMIT).expect("valid");
         let mut case = case(&mut rng, n % 2 == 0);
         // Two steps, the second with the forces of the first.
         for _ in 0..2 {

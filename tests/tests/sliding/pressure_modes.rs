@@ -11,8 +11,8 @@ use tribos_tests::tables::Table;
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
-fn compact(order: f64, alpha: f64) -> compact::Power<f64> {
-    compact::Power::with_pressure(alpha, pressure(order)).expect("in range")
+fn compact(order: f64, alpha: f64) -> compact::CompactPower<f64> {
+    compact::CompactPower::with_pressure(alpha, pressure(order)).expect("in range")
 }
 
 fn table(order: f64, alpha: f64) -> RoundTable64 {
@@ -69,7 +69,7 @@ fn fixed_points_are_those_of_the_table() {
 }
 
 /// True if C_α of the profile falls (or rises, for α > 1) over all ratios, to rounding.
-fn is_monotone(modes: &Modes<f64, compact::Power<f64>>, ratios: &[f64], alpha: f64) -> bool {
+fn is_monotone(modes: &Modes<f64, compact::CompactPower<f64>>, ratios: &[f64], alpha: f64) -> bool {
     let sense = if alpha < 1.0 { -1.0 } else { 1.0 };
     let mut last: Option<f64> = None;
     ratios.iter().all(|&ratio| {

@@ -4,15 +4,15 @@ use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::coupling::{Coupling, Profile, compact};
 use tribos_core::modes::Modes;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_tests::patches::pressure;
 use tribos_tests::pucks::relative;
 use tribos_tests::tables::{Row, Table};
 use tribos_tests::tolerance;
 use tribos_tests::worst::Worst;
 
-fn compact(order: f64, alpha: f64) -> compact::Power<f64> {
-    compact::Power::with_pressure(alpha, pressure(order)).expect("in range")
+fn compact(order: f64, alpha: f64) -> compact::CompactPower<f64> {
+    compact::CompactPower::with_pressure(alpha, pressure(order)).expect("in range")
 }
 
 fn table(order: f64, alpha: f64) -> RoundTable64 {
@@ -20,7 +20,15 @@ fn table(order: f64, alpha: f64) -> RoundTable64 {
 }
 
 fn to_rest<P: Profile<f64> + Coupling<f64>>(profile: P, c: f64, motion: Motion<f64>) -> [f64; 4] {
-    let slider = Slider::new(profile, 1.0, 1.0, c).expect("in range");
+    let slider = Slider::new(
+        profile,
+        SliderParameters {
+            deceleration: 1.0,
+            radius: 1.0,
+            inertia_ratio: c,
+        },
+    )
+    .expect("in range");
     let rest = slider.to_rest(&motion).expect("an exponent below one");
     assert!(rest.motion.is_at_rest());
     [

@@ -4,7 +4,7 @@ use tribos_core::coupling::round::RoundTable64;
 use tribos_core::coupling::table::{Coulomb, Table64};
 use tribos_core::coupling::{Annulus, Coupling, Profile};
 use tribos_core::patch::PowerPressure;
-use tribos_core::slider::{Motion, Rest, Slider};
+use tribos_core::slider::{Motion, Rest, Slider, SliderParameters};
 use tribos_tests::pucks::{coulomb, power, relative};
 use tribos_tests::surfaces::Counting;
 use tribos_tests::sweep::Lcg;
@@ -19,10 +19,17 @@ fn stops_are_those_of_the_table() {
         let (alpha, c) = (row.number("alpha"), row.number("inertia_ratio"));
         let launched = Motion::launched(row.number("v0"), row.number("w0"));
         let profile = Table64::new(alpha).unwrap();
-        let rest = Slider::new(profile, 1.0, 1.0, c)
-            .unwrap()
-            .to_rest(&launched)
-            .unwrap();
+        let rest = Slider::new(
+            profile,
+            SliderParameters {
+                deceleration: 1.0,
+                radius: 1.0,
+                inertia_ratio: c,
+            },
+        )
+        .unwrap()
+        .to_rest(&launched)
+        .unwrap();
         let place = || {
             format!(
                 "alpha {alpha}, C {c}, v0 {}, w0 {}",
@@ -89,7 +96,15 @@ fn each_of_time_distance_and_angle_is_relative_whichever_motion_dies_first() {
         let number = |column: &str| row.number(column);
         let pressure = PowerPressure::new(number("q")).unwrap();
         let table = RoundTable64::new(number("alpha"), pressure).unwrap();
-        let slider = Slider::new(&table, 1.0, 1.0, number("inertia_ratio")).unwrap();
+        let slider = Slider::new(
+            &table,
+            SliderParameters {
+                deceleration: 1.0,
+                radius: 1.0,
+                inertia_ratio: number("inertia_ratio"),
+            },
+        )
+        .unwrap();
         let start = Motion::launched(number("v0"), number("w0"));
         let place = || {
             ["q", "alpha", "inertia_ratio", "v0", "w0"]
@@ -123,7 +138,15 @@ fn an_annulus_comes_to_rest_to_its_own_bound() {
         let number = |column: &str| row.number(column);
         let disk = RoundTable64::new(number("alpha"), PowerPressure::new(0.0).unwrap()).unwrap();
         let band = Annulus::new(&disk, number("k")).unwrap();
-        let slider = Slider::new(&band, 1.0, 1.0, number("inertia_ratio")).unwrap();
+        let slider = Slider::new(
+            &band,
+            SliderParameters {
+                deceleration: 1.0,
+                radius: 1.0,
+                inertia_ratio: number("inertia_ratio"),
+            },
+        )
+        .unwrap();
         let start = Motion::launched(number("v0"), number("w0"));
         let place = || {
             ["k", "alpha", "inertia_ratio", "v0", "w0"]
@@ -153,7 +176,15 @@ fn an_annulus_comes_to_rest_to_its_own_bound() {
 #[test]
 fn a_small_distance_under_a_heavy_spin_has_its_closed_form() {
     // As v/w → 0, v C w/(κ k (C n + 1)) with k = 2/3 and n = 3/2 (a ball on a small contact, C = 1000).
-    let puck = Slider::new(Coulomb, 1.0, 1.0, 1000.0).unwrap();
+    let puck = Slider::new(
+        Coulomb,
+        SliderParameters {
+            deceleration: 1.0,
+            radius: 1.0,
+            inertia_ratio: 1000.0,
+        },
+    )
+    .unwrap();
     for speed in [1e-8, 1e-12, 1e-100, 1e-300] {
         let distance = puck
             .to_rest(&Motion::launched(speed, 1.0))
@@ -173,7 +204,15 @@ fn exponents_near_one_end_at_the_fixed_point_of_the_modes() {
     for away in [1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
         let below = Table64::new(1.0 - away).unwrap();
         let modes = tribos_core::modes::Modes::new(&below, 0.5).unwrap();
-        let puck = Slider::new(&below, 1.0, 1.0, 0.5).unwrap();
+        let puck = Slider::new(
+            &below,
+            SliderParameters {
+                deceleration: 1.0,
+                radius: 1.0,
+                inertia_ratio: 0.5,
+            },
+        )
+        .unwrap();
         for (speed, spin) in [(1.0, 0.4), (1.0, 1.0), (1e-9, 1.0), (1e9, 1.0)] {
             let start = Motion::launched(speed, spin);
             let rest = puck.to_rest(&start).unwrap();
@@ -197,7 +236,15 @@ fn exponents_near_one_end_at_the_fixed_point_of_the_modes() {
             }
         }
         let above = Table64::new(1.0 + away).unwrap();
-        let puck = Slider::new(&above, 1.0, 1.0, 0.5).unwrap();
+        let puck = Slider::new(
+            &above,
+            SliderParameters {
+                deceleration: 1.0,
+                radius: 1.0,
+                inertia_ratio: 0.5,
+            },
+        )
+        .unwrap();
         let start = Motion::launched(1.0, 1.0);
         let whole = puck.advance(&start, 5.0).motion;
         let mut steps = start;
@@ -326,17 +373,32 @@ fn energy_lost_is_the_work_of_friction() {
 fn motions_are_similar_in_every_unit() {
     // Speeds by s, times by s^(1−α)/k, lengths by s^(2−α)/k: powers of two to the bit at α = 0.
     let launched = Motion::launched(1.0, 12.5);
-    let one = Slider::new(Coulomb, 0.5, 0.0625, 0.5)
-        .unwrap()
-        .to_rest(&launched)
-        .unwrap();
+    let one = Slider::new(
+        Coulomb,
+        SliderParameters {
+            deceleration: 0.5,
+            radius: 0.0625,
+            inertia_ratio: 0.5,
+        },
+    )
+    .unwrap()
+    .to_rest(&launched)
+    .unwrap();
     for (s, k, r) in [
         (4.0, 1.0, 1.0),
         (1.0, 8.0, 1.0),
         (0.25, 2.0, 16.0),
         (1.0, 1.0, 1024.0),
     ] {
-        let puck = Slider::new(Coulomb, 0.5 * k, 0.0625 * r, 0.5).unwrap();
+        let puck = Slider::new(
+            Coulomb,
+            SliderParameters {
+                deceleration: 0.5 * k,
+                radius: 0.0625 * r,
+                inertia_ratio: 0.5,
+            },
+        )
+        .unwrap();
         let rest = puck.to_rest(&Motion::launched(s, 12.5 * s / r)).unwrap();
         assert_eq!(rest.motion.time, one.motion.time * s / k);
         assert_eq!(rest.motion.distance, one.motion.distance * s * s / k);
@@ -378,9 +440,39 @@ fn zero_time_and_rest_change_nothing() {
 #[test]
 fn impossible_sliders_are_refused() {
     for bad in [0.0, -1.0, f64::INFINITY, f64::NAN] {
-        assert!(Slider::new(Coulomb, bad, 1.0, 0.5).is_err());
-        assert!(Slider::new(Coulomb, 1.0, bad, 0.5).is_err());
-        assert!(Slider::new(Coulomb, 1.0, 1.0, bad).is_err());
+        assert!(
+            Slider::new(
+                Coulomb,
+                SliderParameters {
+                    deceleration: bad,
+                    radius: 1.0,
+                    inertia_ratio: 0.5
+                }
+            )
+            .is_err()
+        );
+        assert!(
+            Slider::new(
+                Coulomb,
+                SliderParameters {
+                    deceleration: 1.0,
+                    radius: bad,
+                    inertia_ratio: 0.5
+                }
+            )
+            .is_err()
+        );
+        assert!(
+            Slider::new(
+                Coulomb,
+                SliderParameters {
+                    deceleration: 1.0,
+                    radius: 1.0,
+                    inertia_ratio: bad
+                }
+            )
+            .is_err()
+        );
     }
 }
 
@@ -455,7 +547,15 @@ fn a_controller_s_step_costs_some_ten_wrenches() {
         for alpha in [-0.9, 0.0, 0.5] {
             for spin in [2.0, 5.0, 12.0, 30.0] {
                 let law = Counting::new(Table64::new(alpha).unwrap());
-                let puck = Slider::new(&law, 3.0, 0.08, 0.5).unwrap();
+                let puck = Slider::new(
+                    &law,
+                    SliderParameters {
+                        deceleration: 3.0,
+                        radius: 0.08,
+                        inertia_ratio: 0.5,
+                    },
+                )
+                .unwrap();
                 let start = Motion::launched(1.0, spin);
                 let wanted = puck.to_rest(&start).unwrap();
                 law.take();

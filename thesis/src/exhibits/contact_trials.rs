@@ -6,8 +6,7 @@ use anyhow::{Result, anyhow};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use tribos_core::contact::{
-    AboutNormal, AllModes, Attraction, Cohesion, Contact, InPlane, NormalLaw, Sphere, Thresholds,
-    Touch,
+    AllModes, Attraction, Cohesion, Contact, NormalLaw, Sphere, Thresholds, Touch,
 };
 
 /// Strength and range of cohesion: the unit of force, and the default of powders in R.
@@ -153,8 +152,7 @@ impl Pair {
         let mut contact = Contact::<f64, AllModes>::new(&touch, &self.law, a, b, dt);
         contact.update(&self.friction, a, b);
         let impulse = contact.impulse();
-        let (InPlane(sliding), InPlane(rolling)) = (impulse.sliding, impulse.rolling);
-        let AboutNormal(torsion) = impulse.torsion;
+        let (sliding, rolling, torsion) = (impulse.sliding(), impulse.rolling(), impulse.torsion());
 
         self.gap += self.velocity().normal * dt;
         Ok(Load {

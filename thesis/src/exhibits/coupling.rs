@@ -4,8 +4,8 @@ use crate::exhibit::{Exhibit, at, geometric, table};
 use anyhow::Result;
 use std::f64::consts::PI;
 use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
-use tribos_core::law::Coulomb;
-use tribos_core::special::CompleteElliptic;
+use tribos_core::internals::CompleteElliptic;
+use tribos_core::law::CoulombLaw;
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
@@ -143,7 +143,7 @@ fn closed_forms() -> Result<Vec<Claim>> {
     let moderate = geometric(0.1, 10.0, 201);
     let two = deviation(&moderate, cases, |ratio| at(&dry, ratio));
     let one = deviation(&moderate, single, |ratio| at(&dry, ratio));
-    let disk = DiskQuadrature::new(Coulomb::new(1.0)?);
+    let disk = DiskQuadrature::new(CoulombLaw::new(1.0)?);
     let numeric = |ratio| {
         let wrench = disk.reduced_wrench(ratio, 1.0);
         [wrench.force, wrench.torque]

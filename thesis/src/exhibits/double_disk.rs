@@ -4,7 +4,7 @@ use crate::exhibit::{Exhibit, table};
 use anyhow::Result;
 use tribos_core::coupling::table::Table64;
 use tribos_core::modes::{FinalMode, Modes, inertia_interval};
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
 use tribos_report::verdict::Allowance;
@@ -49,7 +49,14 @@ pub fn figure_3_13() -> Result<Exhibit> {
         let fixed = disk.finite_fixed_point().unwrap_or(f64::NAN);
         for radius in radii {
             let inertia = 0.5 * radius * radius;
-            let slider = Slider::new(table, 1.0, 1.0, inertia)?;
+            let slider = Slider::new(
+                table,
+                SliderParameters {
+                    deceleration: 1.0,
+                    radius: 1.0,
+                    inertia_ratio: inertia,
+                },
+            )?;
             let modes = Modes::new(&table, inertia)?;
             let mut figure = Figure::new(
                 format!("α = {alpha}, R/R_c = {radius}"),

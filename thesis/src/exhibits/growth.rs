@@ -2,8 +2,8 @@
 
 use crate::exhibit::{Exhibit, linear, modes};
 use anyhow::Result;
+use tribos_core::internals::CompleteElliptic;
 use tribos_core::modes::{FixedPoints, Stability, inertia_interval};
-use tribos_core::special::CompleteElliptic;
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Figure, Guide, Legend, Panels, Series};

@@ -2,7 +2,7 @@
 
 use crate::exhibit::{Exhibit, geometric, points};
 use anyhow::Result;
-use tribos_core::law::{LocalLaw, PlateauPower, PowerLaw};
+use tribos_core::law::{LocalLaw, PlateauPower, PlateauPowerParameters, PowerLaw};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
@@ -27,9 +27,13 @@ fn power((coefficient, alpha): (f64, f64)) -> Result<PowerLaw<f64>> {
 
 fn granite() -> Result<PlateauPower<f64>> {
     let plateau = PlateauPower::<f64>::ICE_PLATEAU_SPEED;
-    Ok(PlateauPower::new(
-        PENNER.1, PENNER.0, plateau, DROP_SPEED, REST_SHARE,
-    )?)
+    Ok(PlateauPower::new(PlateauPowerParameters {
+        alpha: PENNER.1,
+        coefficient: PENNER.0,
+        plateau_speed: plateau,
+        drop_speed: DROP_SPEED,
+        rest_share: REST_SHARE,
+    })?)
 }
 
 /// Friction on ice over the speed.

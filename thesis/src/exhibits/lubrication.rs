@@ -4,7 +4,8 @@ use crate::exhibit::{Exhibit, geometric, points};
 use anyhow::{Result, anyhow};
 use std::f64::consts::PI;
 use tribos_core::law::{
-    DryFriction, InertialDrag, LocalLaw, Stokes, Stribeck, crossover_reynolds, reynolds,
+    DryFriction, InertialDrag, LocalLaw, Stokes, Stribeck, StribeckParameters, crossover_reynolds,
+    reynolds,
 };
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
@@ -20,7 +21,12 @@ const FILM: f64 = 3.4e-4;
 fn bearing() -> Result<Stribeck<f64>> {
     // A full film leaves no dry contact: no friction but the film's.
     let contact = DryFriction::new(BOUNDARY, 0.0)?;
-    Ok(Stribeck::new(contact, 1.0, 2.0, FILM)?)
+    Ok(Stribeck::new(StribeckParameters {
+        dry: contact,
+        speed: 1.0,
+        exponent: 2.0,
+        viscous: FILM,
+    })?)
 }
 
 /// Friction over ηv/L.

@@ -6,7 +6,7 @@ use anyhow::{Result, anyhow};
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
 use tribos_core::patch::PowerPressure;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Color, Figure, Guide, Legend, Series};
@@ -244,7 +244,14 @@ fn curling() -> Result<Vec<Claim>> {
 /// True if a stone that slides as fast as its band spins does both until it rests.
 fn stops_together(alpha: f64) -> Result<bool> {
     let ring = round(alpha, PowerPressure::RING)?;
-    let slider = Slider::new(ring, 1.0, 1.0, stone())?;
+    let slider = Slider::new(
+        ring,
+        SliderParameters {
+            deceleration: 1.0,
+            radius: 1.0,
+            inertia_ratio: stone(),
+        },
+    )?;
     let mut motion = Motion::launched(1.0, 1.0);
     // With fixed steps: the last moving state still slides and spins.
     loop {

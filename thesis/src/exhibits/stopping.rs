@@ -3,13 +3,20 @@
 use crate::exhibit::{Exhibit, linear, table};
 use anyhow::Result;
 use tribos_core::coupling::table::Table64;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Series};
 
 /// Disk with γg = 1 and R = 1.
 fn disk(alpha: f64) -> Result<Slider<f64, Table64>> {
-    Ok(Slider::new(table(alpha)?, 1.0, 1.0, 0.5)?)
+    Ok(Slider::new(
+        table(alpha)?,
+        SliderParameters {
+            deceleration: 1.0,
+            radius: 1.0,
+            inertia_ratio: 0.5,
+        },
+    )?)
 }
 
 const START: f64 = 1.0;
@@ -114,7 +121,14 @@ fn laws_of_fading() -> Result<Vec<Claim>> {
 /// Eq. 3.26 against a disk with dimensions: m, s, and γ = 1 for α = 3.
 fn dimensionless_equation() -> Result<Claim> {
     let (alpha, gravity, radius, speed) = (3.0, 9.81, 0.08, 1.3);
-    let slider = Slider::new(table(alpha)?, gravity, radius, 0.5)?;
+    let slider = Slider::new(
+        table(alpha)?,
+        SliderParameters {
+            deceleration: gravity,
+            radius,
+            inertia_ratio: 0.5,
+        },
+    )?;
     let power = slider.dissipation_per_mass(&Motion::launched(speed, 0.0));
     let scale = f64::sqrt(gravity * radius);
     // dv*/dt* over (v*)³, from the deceleration P/(M v) of the body.

@@ -5,7 +5,7 @@ use anyhow::Result;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::tall::{AllRound, Footing, FrontBack, Lean, TallFriction, TallWrench};
 use tribos_core::coupling::{Lateral, PatchFriction, table::Table64};
-use tribos_core::law::Coulomb;
+use tribos_core::law::CoulombLaw;
 use tribos_core::patch::nodes::{NodeList, NodePatch};
 use tribos_core::patch::polar::PolarRule;
 use tribos_core::twist::{Twist, Wrench};
@@ -142,7 +142,7 @@ fn product(dry: &Table64) -> Vec<Claim> {
 /// Pressure 1 + l·r on a unit disk at unit load and coefficient, integrated over its points.
 fn integrated(ratio: f64, lean: [f64; 2]) -> Result<Wrench<f64>> {
     let foot = foot(lean)?;
-    let friction = NodeFriction::new(Coulomb::new(1.0)?, &foot);
+    let friction = NodeFriction::new(CoulombLaw::new(1.0)?, &foot);
     Ok(friction.wrench(1.0, &Twist::new(ratio, 0.0, 1.0)))
 }
 

@@ -39,7 +39,7 @@ pub const BODIES: [Item; 11] = [
         ["body", "disk with dimensions: compact"],
         BOTH,
         round!["coupling::compact", "special::elliptic"],
-        Code::new("disk(compact::Coulomb)?", WRENCH),
+        Code::new("disk(compact::CompactCoulomb)?", WRENCH),
     ),
     item(
         ["body", "tall: front-back"],

@@ -38,13 +38,13 @@ pub const LAWS: [Item; 13] = [
     law(
         "plateau",
         &["law::plateau"],
-        "PlateauPower::new(-0.5, b, 1e-2, 1e-4, 0.5).ok()?",
+        "PlateauPower::new(PlateauPowerParameters { alpha: -0.5, coefficient: b, plateau_speed: 1e-2, drop_speed: 1e-4, rest_share: 0.5 }).ok()?",
         "object.friction(a)",
     ),
     law(
         "Stribeck",
         &["law::stribeck", "law::dry"],
-        "Stribeck::new(DryFriction::new(0.5, 0.25).ok()?, b, 2.0, 0.125).ok()?",
+        "Stribeck::new(StribeckParameters { dry: DryFriction::new(0.5, 0.25).ok()?, speed: b, exponent: 2.0, viscous: 0.125 }).ok()?",
         "object.friction(a)",
     ),
     law(

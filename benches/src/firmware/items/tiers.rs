@@ -38,7 +38,7 @@ pub const TIERS: [Item; 7] = [
         "compact: Coulomb",
         BOTH,
         round!["coupling::compact", "special::elliptic"],
-        "compact::Coulomb",
+        "compact::CompactCoulomb",
     ),
     tier(
         "compact: alpha 0.5",
@@ -49,7 +49,7 @@ pub const TIERS: [Item; 7] = [
             "coupling::octave",
             "special::hypergeometric"
         ],
-        "compact::Power::new(0.5 as R).ok()?",
+        "compact::CompactPower::new(0.5 as R).ok()?",
     ),
     tier(
         "compact: power alpha 0",
@@ -60,7 +60,7 @@ pub const TIERS: [Item; 7] = [
             "coupling::octave",
             "special::hypergeometric"
         ],
-        "compact::Power::new(0.0 as R).ok()?",
+        "compact::CompactPower::new(0.0 as R).ok()?",
     ),
     tier(
         "quadrature: Coulomb",
@@ -72,6 +72,6 @@ pub const TIERS: [Item; 7] = [
         "quadrature: Stribeck",
         NARROW,
         &["coupling::quadrature", "law", "law::stribeck", "law::dry"],
-        "DiskQuadrature::new(Stribeck::new(DryFriction::new(0.5 as R, 0.25).ok()?, 0.5, 2.0, 0.125).ok()?)",
+        "DiskQuadrature::new(Stribeck::new(StribeckParameters { dry: DryFriction::new(0.5 as R, 0.25).ok()?, speed: 0.5, exponent: 2.0, viscous: 0.125 }).ok()?)",
     ),
 ];

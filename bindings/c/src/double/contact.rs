@@ -9,9 +9,10 @@ use crate::choice::tribos_attraction;
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::contact::{
-    AllModes, Attraction, AxialPart, Block, Body, Cohesion, Contact, Modal, Modes, NormalLaw,
-    PlanarPart, Plate, PreparedContact, Sphere, TimeStep, Touch,
+    AllModes, Attraction, Body, Cohesion, Contact, ContactModes, Modal, NormalLaw, Plate, Sphere,
+    TimeStep, Touch,
 };
+use tribos_core::internals::{Block, PreparedContact};
 
 /// A sphere, free in all directions.
 #[derive(Clone, Copy, Debug)]
@@ -221,26 +222,21 @@ impl From<tribos_contact_f64> for PreparedContact<f64> {
     }
 }
 
-impl<M: Modes<f64>> From<tribos_impulse_f64> for Modal<f64, M> {
+impl<M: ContactModes<f64>> From<tribos_impulse_f64> for Modal<f64, M> {
     #[inline(always)]
     fn from(i: tribos_impulse_f64) -> Self {
-        Self {
-            normal: i.normal,
-            sliding: M::Sliding::of(i.sliding.into()),
-            rolling: M::Rolling::of(i.rolling.into()),
-            torsion: M::Torsion::of(i.torsion),
-        }
+        Self::new(i.normal, i.sliding.into(), i.rolling.into(), i.torsion)
     }
 }
 
-impl<M: Modes<f64>> From<&Modal<f64, M>> for tribos_impulse_f64 {
+impl<M: ContactModes<f64>> From<&Modal<f64, M>> for tribos_impulse_f64 {
     #[inline(always)]
     fn from(i: &Modal<f64, M>) -> Self {
         Self {
             normal: i.normal,
-            sliding: i.sliding.vector().into(),
-            rolling: i.rolling.vector().into(),
-            torsion: i.torsion.component(),
+            sliding: i.sliding().into(),
+            rolling: i.rolling().into(),
+            torsion: i.torsion(),
         }
     }
 }

@@ -5,8 +5,9 @@
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::law::{
-    Bristle, ContactAge, Coulomb, Dieterich, DryFriction, Grip, LawError, LocalLaw, LuGre,
+    Bristle, ContactAge, CoulombLaw, Dieterich, DryFriction, Grip, LawError, LocalLaw, LuGre,
     LuGreParameters, PowerLaw, RateState, RateStateParameters, Ruina, SteadyRateState, Stribeck,
+    StribeckParameters,
 };
 
 /// Coulomb's law: friction = mu x load.
@@ -92,8 +93,8 @@ pub struct tribos_rate_state_f64 {
     pub viscous: f64,
 }
 
-fn coulomb(law: tribos_coulomb_f64) -> Result<Coulomb<f64>, LawError> {
-    Coulomb::new(law.mu)
+fn coulomb(law: tribos_coulomb_f64) -> Result<CoulombLaw<f64>, LawError> {
+    CoulombLaw::new(law.mu)
 }
 
 fn dry(law: tribos_dry_f64) -> Result<DryFriction<f64>, LawError> {
@@ -105,7 +106,12 @@ fn power(law: tribos_power_f64) -> Result<PowerLaw<f64>, LawError> {
 }
 
 fn stribeck(law: tribos_stribeck_f64) -> Result<Stribeck<f64>, LawError> {
-    Stribeck::new(dry(law.dry)?, law.stribeck_speed, law.exponent, law.viscous)
+    Stribeck::new(StribeckParameters {
+        dry: dry(law.dry)?,
+        speed: law.stribeck_speed,
+        exponent: law.exponent,
+        viscous: law.viscous,
+    })
 }
 
 fn lugre(law: tribos_lugre_f64) -> Result<LuGre<f64>, LawError> {
@@ -146,7 +152,7 @@ pub(super) trait Local {
 }
 
 impl Local for tribos_coulomb_f64 {
-    type Law = Coulomb<f64>;
+    type Law = CoulombLaw<f64>;
     #[inline(always)]
     fn law(self) -> Result<Self::Law, LawError> {
         coulomb(self)

@@ -81,7 +81,9 @@ pub unsafe extern "C" fn tribos_disk_compact_wrench_f64(
     twist: *const tribos_twist_f64,
     wrench: *mut tribos_wrench_f64,
 ) -> tribos_status {
-    answer(wrench, || wrench_of(compact::Coulomb, patch, load, twist))
+    answer(wrench, || {
+        wrench_of(compact::CompactCoulomb, patch, load, twist)
+    })
 }
 
 /// Jacobian of the uniform disk without table.
@@ -93,7 +95,7 @@ pub unsafe extern "C" fn tribos_disk_compact_jacobian_f64(
     jacobian: *mut tribos_jacobian_f64,
 ) -> tribos_status {
     answer(jacobian, || {
-        jacobian_of(compact::Coulomb, patch, load, twist)
+        jacobian_of(compact::CompactCoulomb, patch, load, twist)
     })
 }
 
@@ -206,7 +208,7 @@ pub unsafe extern "C" fn tribos_power_compact_build_f64(
     build(power, || {
         #[allow(clippy::useless_conversion)] // Not in single precision.
         let pressure = PowerPressure::new(pressure_order.into())?;
-        Ok::<_, tribos_status>(compact::Power::with_pressure(alpha, pressure)?)
+        Ok::<_, tribos_status>(compact::CompactPower::with_pressure(alpha, pressure)?)
     })
 }
 

@@ -3,7 +3,7 @@
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 
 /// A sliding body; all positive and finite.
 #[derive(Clone, Copy, Debug)]
@@ -90,9 +90,11 @@ unsafe fn slider_of(
     let s = read(slider)?;
     Ok(Slider::new(
         Coulomb,
-        s.deceleration,
-        s.radius,
-        s.inertia_ratio,
+        SliderParameters {
+            deceleration: s.deceleration,
+            radius: s.radius,
+            inertia_ratio: s.inertia_ratio,
+        },
     )?)
 }
 

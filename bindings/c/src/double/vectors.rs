@@ -68,9 +68,7 @@ impl From<Twist<f64>> for tribos_twist_f64 {
 impl From<tribos_wrench_f64> for Wrench<f64> {
     #[inline(always)]
     fn from(w: tribos_wrench_f64) -> Self {
-        let mut wrench = Self::ZERO;
-        (wrench.force.x, wrench.force.y, wrench.torque) = (w.x, w.y, w.torque);
-        wrench
+        Self::new(w.x, w.y, w.torque)
     }
 }
 

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 use tribos_core::coupling::{PatchFriction, table::Coulomb};
 use tribos_core::law::{Bristle, LuGre, LuGreParameters};
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_core::twist::Twist;
 
 const DEMO: [&str; 2] = ["demo.c", "digest.c"];
@@ -30,7 +30,15 @@ fn expected() -> String {
     for force in &mut forces {
         (bristle, *force) = joint.step(bristle, 1e-3, 1e-3);
     }
-    let coin = Slider::new(Coulomb, 0.3 * 9.81, 0.08, 0.5).expect("a coin");
+    let coin = Slider::new(
+        Coulomb,
+        SliderParameters {
+            deceleration: 0.3 * 9.81,
+            radius: 0.08,
+            inertia_ratio: 0.5,
+        },
+    )
+    .expect("a coin");
     let rest = coin.to_rest(&Motion::launched(1.0_f64, 5.0));
     let rest = rest.expect("a rest").motion;
     format!(

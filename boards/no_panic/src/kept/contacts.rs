@@ -3,11 +3,15 @@
 use super::{Keeper, keep};
 use tribos_core::Real;
 use tribos_core::contact::{
-    AboutNormal, Absent, AllModes, AxialPart, Block, Body, Cohesion, Contact, ContactFriction,
-    CoupledFriction, Frictionless, InPlane, Masses, Modal, Modes, NormalLaw, PlanarPart, Plate,
-    Sliding, SlidingRolling, SlidingTorsion, Sphere, Thresholds, TimeStep, Touch, project_on_disc,
+    AllModes, Body, Cohesion, Contact, ContactFriction, ContactModes, CoupledFriction,
+    Frictionless, Modal, NormalLaw, Plate, Sliding, SlidingRolling, SlidingTorsion, Sphere,
+    Thresholds, TimeStep, Touch,
 };
 use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::internals::Masses;
+use tribos_core::internals::{
+    AboutNormal, Absent, AxialPart, Block, InPlane, PlanarPart, project_on_disc,
+};
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use tribos_core::manifold::{Manifold, Member};
 
@@ -101,8 +105,12 @@ fn friction<R: Real, F: ContactFriction<R>>(keeper: &mut impl Keeper) {
     manifold::<R, F>(keeper);
 }
 
-fn modal<R: Real, M: Modes<R>>(keeper: &mut impl Keeper) {
+fn modal<R: Real, M: ContactModes<R>>(keeper: &mut impl Keeper) {
     keep!(keeper:
+        Modal::<R, M>::new,
+        Modal::<R, M>::sliding,
+        Modal::<R, M>::rolling,
+        Modal::<R, M>::torsion,
         Modal::<R, M>::plus_scaled,
         Modal::<R, M>::minus,
         Modal::<R, M>::dot,
@@ -112,7 +120,7 @@ fn modal<R: Real, M: Modes<R>>(keeper: &mut impl Keeper) {
     );
 }
 
-fn contact<R: Real, M: Modes<R>>(keeper: &mut impl Keeper) {
+fn contact<R: Real, M: ContactModes<R>>(keeper: &mut impl Keeper) {
     keep!(keeper:
         Contact::<R, M>::prepared,
         Contact::<R, M>::resume,

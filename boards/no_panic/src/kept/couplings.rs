@@ -8,13 +8,12 @@ use tribos_core::coupling::round::{
     LateralPolynomialTable, PolynomialTable, RoundTable32, RoundTable64,
 };
 use tribos_core::coupling::table::{self, CoulombTable, Table32, Table64};
-use tribos_core::coupling::tall::{
-    AllRound, FrontBack, Lean, TallFriction, TallWrench, leaning_wrench,
-};
+use tribos_core::coupling::tall::{AllRound, FrontBack, Lean, TallFriction, TallWrench};
 use tribos_core::coupling::{
-    Annulus, Coupling, Dry, DryCoupling, Lateral, LeanProfile, PatchFriction, Profile,
-    SmoothProfile, Speeds, closed, compact, unscaled_wrench,
+    Annulus, Coupling, Dry, DryCoupling, Lateral, PatchFriction, Profile, closed, compact,
 };
+use tribos_core::internals::leaning_wrench;
+use tribos_core::internals::{LeanProfile, SmoothProfile, Speeds, unscaled_wrench};
 use tribos_core::law::{DryFriction, LocalLaw, PowerLaw};
 use tribos_core::patch::nodes::{NodeList, NodePatch, Nodes};
 
@@ -28,20 +27,20 @@ pub fn all<R: CoulombTable>(keeper: &mut impl Keeper) {
         Speeds::<R>::ratio,
         Speeds::<R>::complement,
         <R as CoulombTable>::coulomb_table,
-        compact::Power::<R>::new,
-        compact::Power::<R>::with_pressure,
+        compact::CompactPower::<R>::new,
+        compact::CompactPower::<R>::with_pressure,
     );
     round::<R, table::Coulomb>(keeper);
     round::<R, &table::Coulomb>(keeper);
-    round::<R, compact::Coulomb>(keeper);
-    round::<R, compact::Power<R>>(keeper);
+    round::<R, compact::CompactCoulomb>(keeper);
+    round::<R, compact::CompactPower<R>>(keeper);
     round::<R, closed::Ring>(keeper);
     round::<R, closed::FlatPunch>(keeper);
     round::<R, closed::Hertz>(keeper);
     annulus::<R, table::Coulomb>(keeper);
-    annulus::<R, compact::Power<R>>(keeper);
+    annulus::<R, compact::CompactPower<R>>(keeper);
     dry::<R, table::Coulomb>(keeper);
-    dry::<R, compact::Power<R>>(keeper);
+    dry::<R, compact::CompactPower<R>>(keeper);
     quadrature::<R, PowerLaw<R>>(keeper);
     quadrature::<R, DryFriction<R>>(keeper);
     nodes::<R, PowerLaw<R>, NodeList<R, 12>>(keeper);
@@ -49,7 +48,7 @@ pub fn all<R: CoulombTable>(keeper: &mut impl Keeper) {
     with_dimensions::<R, DiskQuadrature<PowerLaw<R>>>(keeper);
     tall::<R, table::Coulomb, FrontBack>(keeper);
     tall::<R, table::Coulomb, AllRound>(keeper);
-    tall::<R, compact::Power<R>, AllRound>(keeper);
+    tall::<R, compact::CompactPower<R>, AllRound>(keeper);
 }
 
 /// Tables of one precision each.

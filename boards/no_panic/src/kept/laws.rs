@@ -3,7 +3,7 @@
 use super::{Keeper, keep};
 use tribos_core::Real;
 use tribos_core::law::{
-    Age, Ageing, BowdenTabor, Coulomb, Dieterich, DragRegime, DryFriction, Evolution,
+    Age, Ageing, BowdenTabor, CoulombLaw, Dieterich, DragRegime, DryFriction, Evolution,
     GreenwoodWilliamson, HertzSphere, Incline, InertialDrag, LocalLaw, LuGre, Plastic,
     PlateauPower, PowerLaw, RateState, RealArea, Ruina, SteadyLuGre, SteadyRateState, Stokes,
     Stribeck, critical_angle, crossover_reynolds, reynolds,
@@ -17,7 +17,7 @@ pub fn all<R: Real>(keeper: &mut impl Keeper) {
     evolving::<R, Ruina>(keeper);
     areas::<R>(keeper);
     drags::<R>(keeper);
-    local::<R, Coulomb<R>>(keeper);
+    local::<R, CoulombLaw<R>>(keeper);
     local::<R, DryFriction<R>>(keeper);
     local::<R, PowerLaw<R>>(keeper);
     local::<R, PlateauPower<R>>(keeper);
@@ -33,8 +33,8 @@ fn local<R: Real, L: LocalLaw<R>>(keeper: &mut impl Keeper) {
 
 fn without_state<R: Real>(keeper: &mut impl Keeper) {
     keep!(keeper:
-        Coulomb::<R>::new,
-        Coulomb::<R>::mu,
+        CoulombLaw::<R>::new,
+        CoulombLaw::<R>::mu,
         DryFriction::<R>::new,
         DryFriction::<R>::mu_static,
         DryFriction::<R>::mu_dynamic,

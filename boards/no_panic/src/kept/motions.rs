@@ -4,11 +4,11 @@ use super::{Keeper, keep};
 use tribos_core::Real;
 use tribos_core::coupling::table::CoulombTable;
 use tribos_core::coupling::{Coupling, Profile, compact, table};
+use tribos_core::internals::runge_kutta::{judge, step, tolerance};
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use tribos_core::modes::{Modes, inertia_interval};
 use tribos_core::patch::nodes::{NodeList, NodePatch};
-use tribos_core::planar::{Foot, PlanarBody};
-use tribos_core::slider::runge_kutta::{judge, step, tolerance};
+use tribos_core::planar::{NodeFoot, PlanarBody};
 use tribos_core::slider::{Motion, Slider};
 
 /// Motions of one precision.
@@ -22,7 +22,7 @@ pub fn all<R: CoulombTable>(keeper: &mut impl Keeper) {
     );
     keep!(keeper: step::<R, 3> => fn(&[R; 3], R, fn(&[R; 3]) -> [R; 3]) -> ([R; 3], [R; 3]));
     moving::<R, table::Coulomb>(keeper);
-    moving::<R, compact::Power<R>>(keeper);
+    moving::<R, compact::CompactPower<R>>(keeper);
     keep!(keeper:
         PlanarBody::<R>::new,
         PlanarBody::<R>::mass,
@@ -41,12 +41,12 @@ fn held<R: Real, S: FrictionSet<R>>(keeper: &mut impl Keeper) {
 fn standing<R: Real, P: NodePatch<R>>(keeper: &mut impl Keeper) {
     keep!(keeper:
         PlanarBody::<R>::step_on_foot::<P, 12>,
-        Foot::<R, P, 12>::new,
-        Foot::<R, P, 12>::set_force_limit,
-        Foot::<R, P, 12>::force_limit,
-        Foot::<R, P, 12>::patch,
-        Foot::<R, P, 12>::release,
-        Foot::<R, P, 12>::nearest,
+        NodeFoot::<R, P, 12>::new,
+        NodeFoot::<R, P, 12>::set_force_limit,
+        NodeFoot::<R, P, 12>::force_limit,
+        NodeFoot::<R, P, 12>::patch,
+        NodeFoot::<R, P, 12>::release,
+        NodeFoot::<R, P, 12>::nearest,
     );
 }
 

@@ -2,12 +2,13 @@
 
 use super::{Keeper, keep};
 use tribos_core::Real;
-use tribos_core::patch::nodes::{
-    Node, NodeBuffer, NodeError, NodeList, NodePatch, NodeSink, NodeSlice, Nodes,
-};
+use tribos_core::internals::polygon_into;
+use tribos_core::internals::tripod_shares;
+use tribos_core::internals::{NodeBuffer, NodeSink};
+use tribos_core::patch::nodes::{Node, NodeError, NodeList, NodePatch, NodeSlice, Nodes};
 use tribos_core::patch::polar::{PolarError, PolarRule, ring};
-use tribos_core::patch::polygon::{PolygonError, polygon, polygon_into};
-use tribos_core::patch::tripod::{TripodError, tripod, tripod_shares};
+use tribos_core::patch::polygon::{PolygonError, polygon};
+use tribos_core::patch::tripod::{TripodError, tripod};
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 
 /// Patches of one precision.

@@ -3,7 +3,7 @@
 use super::{Keeper, keep};
 use nalgebra::Vector3;
 use tribos_core::Real;
-use tribos_core::special::{CompleteElliptic, Gauss};
+use tribos_core::internals::{CompleteElliptic, Gauss};
 use tribos_core::twist::{Twist, Wrench};
 
 /// Serves both precisions.

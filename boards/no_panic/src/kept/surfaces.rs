@@ -9,7 +9,7 @@ use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 /// Sets of one precision.
 pub fn all<R: CoulombTable>(keeper: &mut impl Keeper) {
     exact::<R, table::Coulomb>(keeper);
-    exact::<R, compact::Coulomb>(keeper);
+    exact::<R, compact::CompactCoulomb>(keeper);
     exact::<R, closed::Ring>(keeper);
     keep!(keeper: Ellipsoid::<R>::new, Ellipsoid::<R>::torque_limit);
     set::<R, Ellipsoid<R>>(keeper);

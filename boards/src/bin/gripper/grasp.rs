@@ -5,7 +5,6 @@ use crate::controller::{Command, Compensation, Controller, Reference};
 use crate::cost::Cost;
 use crate::joint::{FINE, FINE_STEPS, Joint};
 use crate::object::{LOAD, MU_PRESENT, Object};
-use nalgebra::Vector2;
 use tribos_boards::stack_used;
 use tribos_core::twist::Wrench;
 
@@ -20,17 +19,11 @@ const HANGING: u32 = 1000;
 const PUSHED: u32 = 30;
 const AFTER: u32 = 500;
 /// What pushes the object aside, beside its load.
-const PUSH: Wrench<f32> = Wrench {
-    force: Vector2::new(6.0, 0.0),
-    torque: 0.02,
-};
+const PUSH: Wrench<f32> = Wrench::new(6.0, 0.0, 0.02);
 
 /// The load while it is pushed.
 pub fn pushed() -> Wrench<f32> {
-    Wrench {
-        force: LOAD.force + PUSH.force,
-        torque: LOAD.torque + PUSH.torque,
-    }
+    LOAD + PUSH
 }
 
 /// All that happens in a tick of 1 ms.

@@ -18,10 +18,7 @@ const PADS: f32 = 2.0;
 pub const MU_MODEL: f32 = 0.6;
 pub const MU_PRESENT: f32 = 0.57;
 /// What the pads carry all the time: the weight, and the torque of a cable.
-pub const LOAD: Wrench<f32> = Wrench {
-    force: Vector2::new(0.0, -MASS * 9.81),
-    torque: 0.01,
-};
+pub const LOAD: Wrench<f32> = Wrench::new(0.0, -MASS * 9.81, 0.01);
 /// The least force with which pads are pressed at all; no surface is without size.
 const LEAST: f32 = 1e-3;
 
@@ -62,7 +59,7 @@ impl Object {
             body: PlanarBody::new(MASS, INERTIA).ok()?,
             mu,
             dt: TimeStep::new(dt).ok()?,
-            twist: Twist::new(0.0, 0.0, 0.0),
+            twist: Twist::ZERO,
             is_at_rest: true,
             place: Vector2::new(0.0, 0.0),
             angle: 0.0,

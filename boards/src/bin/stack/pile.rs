@@ -1,9 +1,11 @@
 //! Four balls, a floor and three fingers: who is where, and who touches whom.
 
 use nalgebra::Vector3;
-use tribos_core::contact::{AllModes, PlanarPart};
+use tribos_core::contact::AllModes;
 use tribos_core::contact::{Body, Cohesion, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch};
-use tribos_core::manifold::{BodyHandle, ContactHandle, Manifold, Report, Start, Stop};
+use tribos_core::manifold::{
+    BodyHandle, ContactHandle, InitialGuess, Manifold, SolverLimits, SolverReport,
+};
 
 /// Of a ball: m, kg.
 const RADIUS: f32 = 0.02;
@@ -20,7 +22,7 @@ const FRICTION: [f32; 3] = [0.4, 0.01, 0.01];
 /// next step.
 pub const SWEEPS: u32 = 20;
 /// When the sweeps end.
-const STOP: Stop<f32> = Stop {
+const STOP: SolverLimits<f32> = SolverLimits {
     sweeps: SWEEPS,
     tolerance: 1e-4,
 };
@@ -157,9 +159,9 @@ impl Pile {
     }
 
     /// A step in time; `None` if bodies have gone through each other.
-    pub fn advance(&mut self) -> Option<Report<f32>> {
+    pub fn advance(&mut self) -> Option<SolverReport<f32>> {
         self.find_contacts()?;
-        let report = self.manifold.solve(self.step, Start::Last, STOP);
+        let report = self.manifold.solve(self.step, InitialGuess::Last, STOP);
         let sides = self.sides.iter_mut().map(|side| &mut side.placed);
         for placed in self.balls.iter_mut().chain(sides) {
             placed.place += self.manifold.body(placed.body)?.velocity() * self.step.dt();
@@ -187,7 +189,7 @@ impl Pile {
                 let force = self.manifold.force(contact?)?;
                 // On the plate, along gravity.
                 let outward = self.sides.get(*side)?.outward;
-                sum -= -outward.z * force.normal + force.sliding.vector().z;
+                sum -= -outward.z * force.normal + force.sliding().z;
             }
         }
         Some(sum)

@@ -9,8 +9,8 @@ use std::str::FromStr;
 use tribos::scene::nearest;
 use tribos_core::Real;
 use tribos_core::law::{
-    Coulomb, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters, PlateauPower, PowerLaw,
-    RateState, RateStateParameters, Stribeck,
+    CoulombLaw, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters, PlateauPower,
+    PlateauPowerParameters, PowerLaw, RateState, RateStateParameters, Stribeck, StribeckParameters,
 };
 
 /// A local law with a value for each of its parameters.
@@ -149,14 +149,25 @@ impl LawSpec {
     fn build<R: Real>(&self) -> Result<Box<dyn LocalLaw<R>>, LawError> {
         let values: Vec<R> = self.values.iter().map(|&x| R::from_f64(x)).collect();
         Ok(match (self.entry.name, values.as_slice()) {
-            ("coulomb", &[mu]) => Box::new(Coulomb::new(mu)?),
+            ("coulomb", &[mu]) => Box::new(CoulombLaw::new(mu)?),
             ("dry", &[mu_s, mu_d]) => Box::new(DryFriction::new(mu_s, mu_d)?),
             ("power", &[gamma, alpha]) => Box::new(PowerLaw::new(alpha, gamma)?),
             ("plateau", &[gamma, alpha, vp, vd, r]) => {
-                Box::new(PlateauPower::new(alpha, gamma, vp, vd, r)?)
+                Box::new(PlateauPower::new(PlateauPowerParameters {
+                    alpha,
+                    coefficient: gamma,
+                    plateau_speed: vp,
+                    drop_speed: vd,
+                    rest_share: r,
+                })?)
             }
             ("stribeck", &[mu_s, mu_d, vs, delta, k]) => {
-                Box::new(Stribeck::new(DryFriction::new(mu_s, mu_d)?, vs, delta, k)?)
+                Box::new(Stribeck::new(StribeckParameters {
+                    dry: DryFriction::new(mu_s, mu_d)?,
+                    speed: vs,
+                    exponent: delta,
+                    viscous: k,
+                })?)
             }
             ("rate-state", &[mu, a, b, reference_speed, slip_distance, viscous]) => {
                 let parameters = RateStateParameters {

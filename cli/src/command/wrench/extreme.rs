@@ -18,7 +18,7 @@ use crate::command::tier::Tabulated;
 use crate::failure::Failure;
 use tribos_core::Real;
 use tribos_core::coupling::Coupling;
-use tribos_core::coupling::tall::leaning_wrench;
+use tribos_core::internals::leaning_wrench;
 use tribos_core::twist::Twist;
 
 /// Ratio of the speeds, 2^-TINY, whose square is below rounding and a normal number.

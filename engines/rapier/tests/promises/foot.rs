@@ -3,7 +3,7 @@
 use crate::table::*;
 use rapier3d::prelude::*;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::law::Coulomb;
+use tribos_core::law::CoulombLaw;
 use tribos_core::patch::nodes::NodeList;
 use tribos_core::patch::polygon::polygon;
 use tribos_core::twist::Twist;
@@ -39,7 +39,7 @@ fn exact(speed: f64, spin: f64) -> [f64; 2] {
     const DT: f64 = 1e-4;
     let corners = CORNERS.map(|corner| corner.map(f64::from));
     let dense: NodeList<f64, 2016> = polygon(&corners, 12).unwrap();
-    let friction = NodeFriction::new(Coulomb::new(f64::from(MU)).unwrap(), dense);
+    let friction = NodeFriction::new(CoulombLaw::new(f64::from(MU)).unwrap(), dense);
     let half = f64::from(HALF);
     let inertia = 2.0 / 3.0 * half * half;
     // Per mass, in axes that turn with the box.

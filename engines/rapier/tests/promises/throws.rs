@@ -4,7 +4,7 @@ use crate::table::*;
 use rapier3d::prelude::*;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::table::Coulomb;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_rapier::Patch;
 
 const SPEED: f32 = 1.0;
@@ -21,7 +21,15 @@ struct Throw {
 macro_rules! exact {
     ($profile:expr, $spin:expr) => {{
         let deceleration = f64::from(MU) * f64::from(GRAVITY);
-        let slider = Slider::new($profile, deceleration, f64::from(RADIUS), 0.5).unwrap();
+        let slider = Slider::new(
+            $profile,
+            SliderParameters {
+                deceleration,
+                radius: f64::from(RADIUS),
+                inertia_ratio: 0.5,
+            },
+        )
+        .unwrap();
         let thrown = Motion::launched(f64::from(SPEED), f64::from($spin));
         let end = slider.to_rest(&thrown).unwrap().motion;
         Throw {

@@ -3,7 +3,7 @@
 use super::super::parameter::{Model, Parameter, Range};
 use super::{Scales, between, log_between, order, picked, steady};
 use std::borrow::Cow;
-use tribos_core::law::{DryFriction, Stribeck};
+use tribos_core::law::{DryFriction, Stribeck, StribeckParameters};
 
 const PARAMETERS: [Parameter; 5] = [
     Parameter {
@@ -60,7 +60,13 @@ impl Model for Steady<'_> {
             return None;
         };
         let dry = DryFriction::new(mu_s, mu_d).ok()?;
-        let law = Stribeck::new(dry, speed, exponent, viscous).ok()?;
+        let law = Stribeck::new(StribeckParameters {
+            dry,
+            speed,
+            exponent,
+            viscous,
+        })
+        .ok()?;
         Some(steady(&law, &self.speeds))
     }
 

@@ -4,7 +4,7 @@ use super::{CurlingModel, CurlingRock, IceLaw};
 use crate::slide::SlideError;
 use crate::slide::planar::{Foot, Resistance};
 use tribos_core::Real;
-use tribos_core::coupling::tall::{LeaningWrench, leaning_wrench};
+use tribos_core::internals::{LeaningWrench, leaning_wrench};
 
 /// Friction larger at the back of the band than in front by a given factor, whatever the cause
 /// (melt water, evaporation, debris).

@@ -3,7 +3,7 @@
 use super::{InverseError, Launch, Pose};
 use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 
 /// Where a body comes to rest, as a function of its launch.
 ///
@@ -70,13 +70,27 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         radius: f64,
         inertia_ratio: f64,
     ) -> Result<Self, InverseError> {
-        Slider::new(&profile, deceleration, radius, inertia_ratio)?;
+        Slider::new(
+            &profile,
+            SliderParameters {
+                deceleration,
+                radius,
+                inertia_ratio,
+            },
+        )?;
         let alpha = profile.exponent();
         if alpha >= 1.0 {
             return Err(InverseError::NeverRests { alpha });
         }
         Ok(Self {
-            unit: Slider::new(profile, 1.0, 1.0, inertia_ratio)?,
+            unit: Slider::new(
+                profile,
+                SliderParameters {
+                    deceleration: 1.0,
+                    radius: 1.0,
+                    inertia_ratio,
+                },
+            )?,
             deceleration,
             radius,
             inertia_ratio,

@@ -21,7 +21,7 @@
 use super::RestMap;
 use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
-use tribos_core::slider::runge_kutta;
+use tribos_core::internals::runge_kutta;
 
 /// c, n, W, ∫ W X_s' dτ, ∫ W Y_s' dτ.
 type State = [f64; 5];

@@ -4,9 +4,8 @@ use crate::slide::SlideError;
 use std::fmt;
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::coupling::{
-    Annulus, Coupling, Lateral, LateralJacobian, ReducedJacobian, ReducedWrench,
-};
+use tribos_core::coupling::{Annulus, Coupling, Lateral, ReducedJacobian, ReducedWrench};
+use tribos_core::internals::LateralJacobian;
 use tribos_core::patch::PowerPressure;
 
 /// A round foot, or a band, under the power law: the kernel's coupling for it, chosen at run time.

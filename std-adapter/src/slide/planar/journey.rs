@@ -18,7 +18,7 @@ mod ends;
 use super::Resistance;
 use crate::slide::SlideError;
 use tribos_core::Real;
-use tribos_core::slider::runge_kutta;
+use tribos_core::internals::runge_kutta;
 
 /// How a body is set off.
 #[derive(Clone, Copy, Debug, PartialEq)]

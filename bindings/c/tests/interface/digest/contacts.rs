@@ -3,8 +3,8 @@
 use super::stream::{Precision, Range, Stream};
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Attraction, AxialPart, Body, Cohesion, Contact, ContactFriction, CoupledFriction, Modal, Modes,
-    NormalLaw, PlanarPart, Plate, Sphere, Thresholds, TimeStep, Touch,
+    Attraction, Body, Cohesion, Contact, ContactFriction, CoupledFriction, Modal, NormalLaw, Plate,
+    Sphere, Thresholds, TimeStep, Touch,
 };
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::LimitSurface;
@@ -141,18 +141,15 @@ fn update<R: Precision, F: ContactFriction<R>>(
         return;
     };
     let mut contact = Contact::<R, F::Modes>::new(touch, &case.law, &a, &b, case.dt);
-    contact.set_impulse_in_plane(&Modal {
-        normal: case.start.normal,
-        sliding: <F::Modes as Modes<R>>::Sliding::of(case.start.sliding),
-        rolling: <F::Modes as Modes<R>>::Rolling::of(case.start.rolling),
-        torsion: <F::Modes as Modes<R>>::Torsion::of(case.start.torsion),
-    });
+    let start = &case.start;
+    let start = Modal::new(start.normal, start.sliding, start.rolling, start.torsion);
+    contact.set_impulse_in_plane(&start);
     contact.update(&friction, &mut a, &mut b);
     let impulse = contact.impulse();
     s.number(impulse.normal);
-    s.numbers(impulse.sliding.vector().iter().copied());
-    s.numbers(impulse.rolling.vector().iter().copied());
-    s.number(impulse.torsion.component());
+    s.numbers(impulse.sliding().iter().copied());
+    s.numbers(impulse.rolling().iter().copied());
+    s.number(impulse.torsion());
     a.feed(s);
     b.feed(s);
 }

@@ -2,17 +2,24 @@
 
 use super::stream::{Precision, Range, Stream};
 use tribos_core::law::{
-    Bristle, ContactAge, Coulomb, Dieterich, DryFriction, Grip, LocalLaw, LuGre, LuGreParameters,
-    PowerLaw, RateState, RateStateParameters, Ruina, Stribeck,
+    Bristle, ContactAge, CoulombLaw, Dieterich, DryFriction, Grip, LocalLaw, LuGre,
+    LuGreParameters, PowerLaw, RateState, RateStateParameters, Ruina, Stribeck, StribeckParameters,
 };
 
 pub fn simple<R: Precision>(s: &mut Stream) {
     let p: [R; 6] = s.draws(Range::Fit);
     let x = s.draw(Range::Wide);
-    let coulomb = Coulomb::new(p[0]);
+    let coulomb = CoulombLaw::new(p[0]);
     let dry = DryFriction::new(p[0] + p[1], p[1]);
     let power = PowerLaw::new(p[2] - R::ONE, p[3]);
-    let stribeck = dry.and_then(|dry| Stribeck::new(dry, p[2], p[3], p[4]));
+    let stribeck = dry.and_then(|dry| {
+        Stribeck::new(StribeckParameters {
+            dry,
+            speed: p[2],
+            exponent: p[3],
+            viscous: p[4],
+        })
+    });
     s.result(coulomb.map(|law| law.friction(x)));
     s.result(dry.map(|law| law.friction(x)));
     if let Some(grip) = s.ok(dry.map(|law| law.at_rest(x))) {

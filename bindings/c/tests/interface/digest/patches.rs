@@ -40,7 +40,7 @@ pub fn round<R: Precision>(s: &mut Stream) {
         twist: s.twist(Range::Wide),
     };
     case.feed(s, sound(table::Coulomb));
-    case.feed(s, sound(compact::Coulomb));
+    case.feed(s, sound(compact::CompactCoulomb));
     case.feed(s, Annulus::new(table::Coulomb, inner / R::TWO));
     case.feed(s, sound(Hertz));
     case.feed(s, sound(Ring));
@@ -57,7 +57,7 @@ pub fn powers<R: Precision>(s: &mut Stream) {
     };
     let pressure = PowerPressure::new((order - R::ONE).to_f64()).ok();
     let alpha = R::TWO * alpha - R::ONE;
-    let law = pressure.and_then(|p| compact::Power::with_pressure(alpha, p).ok());
+    let law = pressure.and_then(|p| compact::CompactPower::with_pressure(alpha, p).ok());
     let law = s.ok(law.ok_or(()));
     case.feed(s, law.ok_or(()));
 }

@@ -2,7 +2,7 @@
 
 use super::stream::{Precision, Range, Stream};
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::law::{Coulomb, DryFriction, LocalLaw, PowerLaw, Stribeck};
+use tribos_core::law::{CoulombLaw, DryFriction, LocalLaw, PowerLaw, Stribeck, StribeckParameters};
 use tribos_core::patch::nodes::{Node, NodeError, NodeList, NodePatch, Nodes};
 use tribos_core::patch::polar::PolarRule;
 use tribos_core::patch::polygon::polygon;
@@ -25,8 +25,15 @@ pub fn at_points<R: Precision>(s: &mut Stream) {
         },
     }));
     let dry = DryFriction::new(p[0] + p[1], p[1]);
-    let stribeck = dry.and_then(|dry| Stribeck::new(dry, p[2], p[3], p[4]));
-    feed(s, Coulomb::new(p[0]).ok(), &nodes, p[4], &twist);
+    let stribeck = dry.and_then(|dry| {
+        Stribeck::new(StribeckParameters {
+            dry,
+            speed: p[2],
+            exponent: p[3],
+            viscous: p[4],
+        })
+    });
+    feed(s, CoulombLaw::new(p[0]).ok(), &nodes, p[4], &twist);
     feed(
         s,
         PowerLaw::new(p[1] - R::HALF, p[2]).ok(),

@@ -3,12 +3,19 @@
 use super::stream::{Precision, Range, Stream};
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::real::Real;
-use tribos_core::slider::{Motion, Slider};
+use tribos_core::slider::{Motion, Slider, SliderParameters};
 
 pub fn steps<R: Precision>(s: &mut Stream, range: Range) {
     let [deceleration, radius, inertia, duration]: [R; 4] = s.draws(Range::Fit);
     let [speed, spin] = s.draws(range);
-    let slider = Slider::new(Coulomb, deceleration, radius, inertia);
+    let slider = Slider::new(
+        Coulomb,
+        SliderParameters {
+            deceleration,
+            radius,
+            inertia_ratio: inertia,
+        },
+    );
     let mut motion = Motion::launched(speed, spin);
     for _ in 0..4 {
         let quarter = duration / (R::TWO + R::TWO);
@@ -24,7 +31,14 @@ pub fn steps<R: Precision>(s: &mut Stream, range: Range) {
 pub fn ways<R: Precision>(s: &mut Stream, to_rest: bool) {
     let [deceleration, radius, inertia, duration]: [R; 4] = s.draws(Range::Sure);
     let [speed, spin] = s.draws::<R, 2>(Range::Sure);
-    let slider = Slider::new(Coulomb, deceleration, radius, inertia);
+    let slider = Slider::new(
+        Coulomb,
+        SliderParameters {
+            deceleration,
+            radius,
+            inertia_ratio: inertia,
+        },
+    );
     let motion = Motion::launched(speed, -spin);
     let short = duration / R::from_f64(64.0);
     if let Some(next) = s.ok(slider.map(|slider| slider.advance(&motion, short))) {

@@ -44,7 +44,7 @@ fn feed<R: Precision, S: FrictionSet<R>>(
 fn feed_projection<R: Real>(s: &mut Stream, projection: Option<Projection<R>>) {
     if let Some(p) = s.ok(projection.ok_or(())) {
         let (slides, normal) = match p.region {
-            Region::Inside => (0, Twist::new(R::ZERO, R::ZERO, R::ZERO)),
+            Region::Inside => (0, Twist::ZERO),
             Region::OnSurface { normal } => (1, normal),
         };
         s.feed_bits(slides);

@@ -2,7 +2,7 @@
 
 use super::{Journey, LARGEST, MOST_FOLDS, Resistance, State, normalized};
 use tribos_core::Real;
-use tribos_core::slider::runge_kutta;
+use tribos_core::internals::runge_kutta;
 
 /// e-folds of the speed before which no motion is at its end: e⁻⁴⁰ = 4e-18.
 const FOLDS: f64 = 40.0;
