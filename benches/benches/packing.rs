@@ -5,9 +5,10 @@ mod settings;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use tribos::cd::{
-    Accelerated, Blind, Coefficients, Laws, Operator, Spheres, Visit, World, residual,
+use tribos::cd::internals::{
+    Accelerated, Coefficients, NoMonitor, Operator, Spheres, Visit, residual,
 };
+use tribos::cd::{Laws, World};
 use tribos_core::contact::{ContactFriction, Thresholds};
 use tribos_tests::packings::{dry, first_problem, jammed_box, rough};
 
@@ -40,7 +41,7 @@ fn sweep<F: ContactFriction<f64> + Coefficients>(
     let mut group = criterion.benchmark_group("sweep");
     group.throughput(Throughput::Elements(problem.contacts() as u64));
     group.bench_function(name, |bencher| {
-        bencher.iter(|| black_box(&mut problem).sweep(Visit::Forward, &mut Blind));
+        bencher.iter(|| black_box(&mut problem).sweep(Visit::Forward, &mut NoMonitor));
     });
     group.finish();
 }

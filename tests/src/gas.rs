@@ -2,7 +2,7 @@
 
 use crate::packings::{Rough, accelerated, spheres};
 use nalgebra::Vector3;
-use tribos::cd::{Laws, Pace, Setup, solid};
+use tribos::cd::{Laws, Setup, StepLimits, solid};
 use tribos::random::Random;
 use tribos::space::PeriodicBox;
 use tribos_core::contact::NormalLaw;
@@ -23,7 +23,7 @@ pub fn gas(space: PeriodicBox, normal: NormalLaw<f64>, friction: Rough) -> Setup
     );
     setup.space = space;
     setup.solver = accelerated(1e-10);
-    setup.pace = Pace {
+    setup.step_limits = StepLimits {
         longest: 0.05,
         motion: 0.1,
     };

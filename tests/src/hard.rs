@@ -3,7 +3,8 @@
 use crate::packings::{Rough, accelerated, chain, column, dry, floor, jammed_box};
 use crate::packings::{rough, spheres, tower, unequal_pair};
 use nalgebra::Vector3;
-use tribos::cd::{Coefficients, Laws, Pace, Setup, Wall, World, WorldError};
+use tribos::cd::internals::Coefficients;
+use tribos::cd::{Laws, Setup, StepLimits, Wall, World, WorldError};
 use tribos::space::PeriodicBox;
 use tribos_core::contact::{Attraction, Cohesion, ContactFriction, NormalLaw};
 
@@ -75,7 +76,7 @@ fn run((name, setup, steps, what, error): &Plan, tolerance: f64) -> Case {
         .fold(f64::INFINITY, |a, b| a.min(*b));
     for step in 0..*steps {
         let report = world.step().expect("the case can step");
-        let sweeps = report.effort.sweeps as f64;
+        let sweeps = report.iterations.sweeps as f64;
         if step == 0 {
             case.sweeps[0] = sweeps;
         } else {
@@ -225,7 +226,7 @@ fn slider(ratio: f64) -> Setup<Rough> {
     let normal = NormalLaw::new(cohesion, 0.0).expect("the law is valid");
     let mut setup = unequal_pair(ratio, Laws::uniform(normal, rough(mu, mu_rolling, 0.0)));
     setup.spheres[1].velocity.x = speed;
-    setup.pace = Pace {
+    setup.step_limits = StepLimits {
         longest: 0.01,
         motion: 0.1,
     };
@@ -251,7 +252,8 @@ fn hanging() -> Setup<Rough> {
     let weight = 1.0 / setup.spheres[0].inv_mass;
     let cohesion = Cohesion::new(weight, 0.01, Attraction::Pull).expect("cohesion is valid");
     let normal = NormalLaw::new(cohesion, 0.0).expect("the law is valid");
-    setup.laws.normal = [normal; 2];
+    setup.laws.pairs.normal = normal;
+    setup.laws.walls.normal = normal;
     setup.walls = vec![Wall::fixed(-Vector3::z(), 0.0)];
     setup.gravity = -Vector3::z();
     setup
@@ -279,7 +281,7 @@ fn scaled(scale: f64) -> Setup<Rough> {
     setup.radii.fill(scale);
     setup.spheres.fill(tribos::cd::solid(scale, 1.0));
     setup.gravity *= scale;
-    setup.pace.motion *= scale;
+    setup.step_limits.motion *= scale;
     setup
 }
 
@@ -294,9 +296,12 @@ pub fn refusals() -> Vec<(&'static str, Option<WorldError>)> {
     let mut crowded = base();
     crowded.space = PeriodicBox::new([Some(3.0), None, None]).expect("the box is valid");
     vec![
-        ("longest step 0", with(|s| s.pace.longest = 0.0)),
-        ("longest step NaN", with(|s| s.pace.longest = f64::NAN)),
-        ("motion 0", with(|s| s.pace.motion = 0.0)),
+        ("longest step 0", with(|s| s.step_limits.longest = 0.0)),
+        (
+            "longest step NaN",
+            with(|s| s.step_limits.longest = f64::NAN),
+        ),
+        ("motion 0", with(|s| s.step_limits.motion = 0.0)),
         (
             "coincident centres",
             with(|s| s.positions[1] = s.positions[0]),
@@ -320,7 +325,7 @@ pub fn refusals() -> Vec<(&'static str, Option<WorldError>)> {
         ("radius 0", with(|s| s.radii[0] = 0.0)),
         ("radius NaN", with(|s| s.radii[0] = f64::NAN)),
         ("a radius missing", with(|s| s.radii.truncate(1))),
-        ("speed of stillness NaN", with(|s| s.still_speed = f64::NAN)),
+        ("speed of stillness NaN", with(|s| s.sleep_speed = f64::NAN)),
         ("velocity 1e300", with(|s| s.spheres[1].velocity.z = -1e300)),
         ("pull of 1e30 across a gap", with(far_pull)),
         ("lengths of 1e-60", first_step(scaled(1e-60))),
@@ -334,7 +339,8 @@ pub fn refusals() -> Vec<(&'static str, Option<WorldError>)> {
 /// A pull that no step is short enough for.
 fn far_pull(setup: &mut Setup<Rough>) {
     let cohesion = Cohesion::new(1e30, 1.0, Attraction::Pull).expect("cohesion is valid");
-    setup.laws.normal = [NormalLaw::new(cohesion, 0.0).expect("the law is valid"); 2];
+    let normal = NormalLaw::new(cohesion, 0.0).expect("the law is valid");
+    (setup.laws.pairs.normal, setup.laws.walls.normal) = (normal, normal);
     setup.positions[1].z += 0.5;
     setup.walls = vec![floor()];
 }

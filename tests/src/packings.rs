@@ -3,9 +3,8 @@
 //! Units: radius 1 and density 1 unless said otherwise. Every packing is the same bits each time.
 
 use nalgebra::Vector3;
-use tribos::cd::{
-    Coefficients, Laws, Method, Pace, Setup, Solver, Spheres, Wall, World, WorldError, solid,
-};
+use tribos::cd::internals::{Coefficients, Spheres};
+use tribos::cd::{Laws, Method, Setup, Solver, StepLimits, Wall, World, WorldError, solid};
 use tribos::random::Random;
 use tribos::space::{PeriodicBox, pairs::Cells};
 use tribos_core::contact::{AllModes, Cohesion, ContactFriction, Frictionless};
@@ -38,7 +37,7 @@ pub fn accelerated(tolerance: f64) -> Solver {
 /// Solver of the packings below, in units of P: far below what the tests ask.
 const TOLERANCE: f64 = 1e-10;
 /// Bounds of the step of the packings below.
-const PACE: Pace = Pace {
+const STEP_LIMITS: StepLimits = StepLimits {
     longest: 0.02,
     motion: 0.02,
 };
@@ -54,9 +53,9 @@ pub fn spheres<F>(positions: Vec<Vector3<f64>>, laws: Laws<F>) -> Setup<F> {
         walls: Vec::new(),
         laws,
         gravity: Vector3::zeros(),
-        pace: PACE,
+        step_limits: STEP_LIMITS,
         solver: accelerated(TOLERANCE),
-        still_speed: 0.0,
+        sleep_speed: 0.0,
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::gas::{SIDE, gas};
 use crate::packings::rough;
 use nalgebra::Vector3;
-use tribos::cd::{Book, Pace, Wall, World};
+use tribos::cd::{EnergyBalance, StepLimits, Wall, World};
 use tribos::space::PeriodicBox;
 use tribos_core::contact::{Cohesion, NormalLaw};
 
@@ -43,10 +43,10 @@ pub fn run(cell: Cell, time: f64) -> Answer {
     let mut world = World::new(setup(cell)).expect("the setup is valid");
     let (mut largest, mut least, mut unmet) = (0.0_f64, 0.0_f64, 0);
     while world.state().time < time * (1.0 - 1e-9) {
-        let before = losses(&world.state().book);
+        let before = losses(&world.state().energy);
         let report = world.step().expect("the gas can step");
         unmet += usize::from(!report.is_met());
-        for (old, new) in before.into_iter().zip(losses(&world.state().book)) {
+        for (old, new) in before.into_iter().zip(losses(&world.state().energy)) {
             least = least.min(new - old);
         }
         for link in world.problem().links() {
@@ -55,7 +55,7 @@ pub fn run(cell: Cell, time: f64) -> Answer {
             largest = largest.max(impulse.normal).max(across);
         }
     }
-    let book = world.state().book;
+    let book = world.state().energy;
     let scale = book.kinetic_initial.unwrap_or(f64::NAN);
     Answer {
         lost: losses(&book).map(|energy| energy / scale),
@@ -76,7 +76,7 @@ pub fn setup(cell: Cell) -> tribos::cd::Setup<crate::packings::Rough> {
         setup.walls.push(Wall::fixed(axis, 0.0));
         setup.walls.push(Wall::fixed(-axis, -SIDE));
     }
-    setup.pace = Pace {
+    setup.step_limits = StepLimits {
         longest: cell.dt,
         motion: 1.0,
     };
@@ -84,6 +84,6 @@ pub fn setup(cell: Cell) -> tribos::cd::Setup<crate::packings::Rough> {
 }
 
 /// Entries that may only grow.
-fn losses(book: &Book) -> [f64; 4] {
+fn losses(book: &EnergyBalance) -> [f64; 4] {
     [book.normal, book.sliding, book.rolling, book.torsion]
 }

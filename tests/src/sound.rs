@@ -7,7 +7,7 @@
 use crate::packings::{Smooth, dry, row};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
-use tribos::cd::{Laws, Method, Order, Pace, Setup, Solver, Stop, Wall, World};
+use tribos::cd::{Laws, Method, Order, Setup, Solver, StepLimits, Stop, Wall, World};
 
 /// Spheres in the row; the piston at its end is one more body of the same mass.
 const SPHERES: usize = 49;
@@ -24,7 +24,7 @@ pub fn pushed(order: Order) -> Setup<Smooth> {
     let mass = 1.0 / setup.spheres[0].inv_mass;
     let end = Wall::piston(-Vector3::x(), -2.0 * SPHERES as f64, mass, 0.1 * mass);
     setup.walls.push(end);
-    setup.pace = Pace {
+    setup.step_limits = StepLimits {
         longest: 1.0,
         motion: 0.3,
     };

@@ -5,23 +5,24 @@
 //! is a gradient in a fixed metric where everything sticks; what is extrapolated is brought back to
 //! what its contact admits.
 
-use tribos::cd::{Blind, Change, Effort, Impulse, Operator, Visit};
+use tribos::cd::Iterations;
+use tribos::cd::internals::{GlobalChange, Impulse, NoMonitor, Operator, Visit};
 
 /// Iterates until a backward sweep changes the impulses by less than `tolerance`·P in the root mean
 /// square, or for `most` sweeps. An extrapolation counts as one.
-pub fn solve<O: Operator>(problem: &mut O, tolerance: f64, most: usize) -> Effort {
+pub fn solve<O: Operator>(problem: &mut O, tolerance: f64, most: usize) -> Iterations {
     let contacts = problem.contacts();
     let mut start: Vec<_> = (0..contacts).map(|c| problem.impulse(c)).collect();
     let mut direction = vec![O::Impulse::default(); contacts];
     let mut last_sq = f64::INFINITY;
     let mut sweeps = 0;
     while sweeps < most {
-        let mut change = Change::default();
-        problem.sweep(Visit::Forward, &mut Blind);
+        let mut change = GlobalChange::default();
+        problem.sweep(Visit::Forward, &mut NoMonitor);
         problem.sweep(Visit::Backward, &mut change);
         sweeps += 2;
         if change.relative() <= tolerance {
-            return Effort { sweeps, met: true };
+            return Iterations { sweeps, met: true };
         }
         let moved_sq = moved_sq(problem, &start);
         let beta = moved_sq / last_sq;
@@ -43,7 +44,7 @@ pub fn solve<O: Operator>(problem: &mut O, tolerance: f64, most: usize) -> Effor
             sweeps += 1;
         }
     }
-    Effort { sweeps, met: false }
+    Iterations { sweeps, met: false }
 }
 
 /// |displacement|²

@@ -6,7 +6,8 @@ use super::problems::{chain, pressed};
 use super::work::{METHODS, Method, Work, work_to};
 use crate::clock::Clock;
 use crate::written::{Sheet, short};
-use tribos::cd::{self, Coefficients, Laws, Operator, Order, Spheres, Stop, Sweeper, residual};
+use tribos::cd::internals::{Coefficients, Operator, Spheres, Sweeper, residual};
+use tribos::cd::{self, Laws, Order, Stop};
 use tribos_core::contact::{ContactFriction, Thresholds};
 use tribos_tests::packings::{dry, first_problem, jammed_box, rough};
 
@@ -145,7 +146,7 @@ where
     let method = Method::GaussSeidel(order);
     let solve = |stop, rule, most| {
         rung(name, method, rule, start, |problem| {
-            cd::solve(problem, &mut Sweeper::new(order, 0), stop, most)
+            cd::internals::solve(problem, &mut Sweeper::new(order, 0), stop, most)
         })
     };
     let mut rungs = Vec::new();
@@ -190,7 +191,7 @@ fn rung<F>(
     method: Method,
     rule: String,
     start: &Spheres<F>,
-    solve: impl FnOnce(&mut Spheres<F>) -> cd::Effort,
+    solve: impl FnOnce(&mut Spheres<F>) -> cd::Iterations,
 ) -> Rung
 where
     F: ContactFriction<f64> + Coefficients,

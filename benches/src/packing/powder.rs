@@ -3,9 +3,8 @@
 use super::jammed::NotJammed;
 use super::problems::cool;
 use nalgebra::Vector3;
-use tribos::cd::{
-    Coefficients, Laws, Method, Pace, Setup, Solver, Spheres, Wall, World, WorldError, solid,
-};
+use tribos::cd::internals::{Coefficients, Spheres};
+use tribos::cd::{Laws, Method, Setup, Solver, StepLimits, Wall, World, WorldError, solid};
 use tribos::powder::deposit::{Ballistic, Until};
 use tribos::space::PeriodicBox;
 use tribos_core::contact::{Attraction, Cohesion, ContactFriction, NormalLaw};
@@ -62,7 +61,7 @@ where
         ],
         laws: Laws::uniform(cohesive, friction),
         gravity: Vector3::zeros(),
-        pace: Pace {
+        step_limits: StepLimits {
             longest: 0.2,
             motion: 0.05,
         },
@@ -73,6 +72,6 @@ where
             most_sweeps: MOST_SWEEPS,
             warm_start: true,
         },
-        still_speed: 0.0,
+        sleep_speed: 0.0,
     })
 }

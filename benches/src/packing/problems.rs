@@ -2,7 +2,8 @@
 
 use super::jammed::{Jammed, NotJammed};
 use nalgebra::Vector3;
-use tribos::cd::{Link, Operator, Spheres, solid};
+use tribos::cd::internals::{Link, Operator, Spheres};
+use tribos::cd::solid;
 use tribos::space::PeriodicBox;
 use tribos::space::pairs::neighbours;
 use tribos_core::contact::{Cohesion, Contact, ContactFriction, Modal, NormalLaw, Plate, Touch};

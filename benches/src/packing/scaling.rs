@@ -6,7 +6,8 @@ use super::problems::{chain, pressed};
 use super::work::{Method, Work, work_to};
 use crate::power_law::exponent;
 use crate::written::{Sheet, short};
-use tribos::cd::{Coefficients, Operator, Order, Spheres};
+use tribos::cd::Order;
+use tribos::cd::internals::{Coefficients, Operator, Spheres};
 use tribos_core::contact::{ContactFriction, Thresholds};
 use tribos_tests::packings::rough;
 

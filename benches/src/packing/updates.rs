@@ -6,7 +6,9 @@ use crate::clock::Clock;
 use crate::timing::median;
 use crate::written::{Sheet, short};
 use std::hint::black_box;
-use tribos::cd::{Accelerated, Blind, Coefficients, Link, Operator, Spheres, Visit, residual};
+use tribos::cd::internals::{
+    Accelerated, Coefficients, Link, NoMonitor, Operator, Spheres, Visit, residual,
+};
 use tribos_core::contact::{
     AllModes, ContactFriction, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion,
     Thresholds,
@@ -131,7 +133,7 @@ fn sweeps<F: ContactFriction<f64> + 'static>(start: Spheres<F>) -> Box<dyn FnMut
         problem.clone_from(&start);
         let clock = Clock::start();
         for _ in 0..SWEEPS {
-            black_box(&mut problem).sweep(Visit::Forward, &mut Blind);
+            black_box(&mut problem).sweep(Visit::Forward, &mut NoMonitor);
         }
         black_box(&problem);
         clock.seconds() / (SWEEPS * start.contacts()) as f64

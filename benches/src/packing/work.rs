@@ -3,7 +3,8 @@
 
 use super::conjugate;
 use crate::clock::Clock;
-use tribos::cd::{Accelerated, Blind, Coefficients, Effort, Order, Spheres, Sweeper, residual};
+use tribos::cd::internals::{Accelerated, Coefficients, NoMonitor, Spheres, Sweeper, residual};
+use tribos::cd::{Iterations, Order};
 use tribos_core::contact::ContactFriction;
 
 /// What is compared.
@@ -44,7 +45,7 @@ impl Method {
         problem: &mut Spheres<F>,
         tolerance: f64,
         most: usize,
-    ) -> Effort {
+    ) -> Iterations {
         match self {
             Self::Accelerated => Accelerated::default().solve(problem, tolerance, most),
             _ => conjugate::solve(problem, tolerance, most),
@@ -92,7 +93,7 @@ where
         let more = 1 + sweeps / LOOKS;
         let clock = Clock::start();
         for _ in 0..more {
-            sweeper.sweep(&mut problem, &mut Blind);
+            sweeper.sweep(&mut problem, &mut NoMonitor);
         }
         seconds += clock.seconds();
         sweeps += more;

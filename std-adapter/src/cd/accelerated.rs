@@ -20,16 +20,15 @@
 //! answers to bounds that its answer moves. Then damped sweeps follow, y' = y + ω (x − y), which are
 //! slower and settle.
 
-use super::nsgs::Effort;
-use super::operator::{Change, Impulse, Operator, Visit};
+use super::nsgs::Iterations;
+use super::operator::{GlobalChange, Impulse, Operator, Visit};
 
 /// Buffers of the iteration, kept from step to step.
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{
-/// #     Accelerated, Goal, Link, Order, Spheres, Stop, Sweeper, residual, solve,
-/// # };
+/// # use tribos::cd::{Order, Stop};
+/// # use tribos::cd::internals::{Accelerated, Tolerance, Link, Spheres, Sweeper, residual, solve};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
 /// # let velocity = up * (-9.81 * dt);
@@ -49,7 +48,7 @@ use super::operator::{Change, Impulse, Operator, Visit};
 /// // momentum comes nearer to it than sweeps alone.
 /// let mut swept = column.clone();
 /// solve(&mut swept, &mut Sweeper::new(Order::Fixed, 0), Stop::Fixed, 100);
-/// let never = Goal { relative: 0.0, speed: 0.0 };
+/// let never = Tolerance { relative: 0.0, speed: 0.0 };
 /// Accelerated::default().solve(&mut column, never, 100);
 /// assert!(residual(&column).relative < 0.1 * residual(&swept).relative);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -108,7 +107,7 @@ impl Progress {
 
 /// When the iteration may stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Goal {
+pub struct Tolerance {
     /// Largest change of a sweep relative to P, in the root mean square.
     pub relative: f64,
     /// Largest normal speed that a sweep still corrects at any contact. Where heavy bodies lie on
@@ -116,7 +115,7 @@ pub struct Goal {
     pub speed: f64,
 }
 
-impl From<f64> for Goal {
+impl From<f64> for Tolerance {
     /// By the relative change alone.
     fn from(relative: f64) -> Self {
         Self {
@@ -132,9 +131,9 @@ impl<I: Impulse> Accelerated<I> {
     pub fn solve<O: Operator<Impulse = I>>(
         &mut self,
         problem: &mut O,
-        goal: impl Into<Goal>,
+        goal: impl Into<Tolerance>,
         most: usize,
-    ) -> Effort {
+    ) -> Iterations {
         let goal = goal.into();
         let contacts = problem.contacts();
         self.start.clear();
@@ -145,11 +144,11 @@ impl<I: Impulse> Accelerated<I> {
         let mut sweeps = 0;
         let mut progress = Progress::default();
         while sweeps < most {
-            let mut change = Change::default();
+            let mut change = GlobalChange::default();
             problem.sweep(Visit::Forward, &mut change);
             sweeps += 1;
             if change.relative() <= goal.relative && change.speed <= goal.speed {
-                return Effort { sweeps, met: true };
+                return Iterations { sweeps, met: true };
             }
             progress.see(change.relative(), sweeps, most);
             let older = 0.5 * (1.0 + (1.0 + 4.0 * age * age).sqrt());
@@ -165,7 +164,7 @@ impl<I: Impulse> Accelerated<I> {
         if progress.is_circling(goal.relative) {
             self.damp(problem, goal, sweeps, sweeps + most / 2)
         } else {
-            Effort { sweeps, met: false }
+            Iterations { sweeps, met: false }
         }
     }
 
@@ -173,19 +172,19 @@ impl<I: Impulse> Accelerated<I> {
     fn damp<O: Operator<Impulse = I>>(
         &mut self,
         problem: &mut O,
-        goal: Goal,
+        goal: Tolerance,
         mut sweeps: usize,
         most: usize,
-    ) -> Effort {
+    ) -> Iterations {
         let middle = sweeps + (most - sweeps) / 2;
         while sweeps < most {
             let share = DAMPED[usize::from(sweeps > middle)];
             self.rest(problem);
-            let mut change = Change::default();
+            let mut change = GlobalChange::default();
             problem.sweep(Visit::Forward, &mut change);
             sweeps += 1;
             if change.relative() <= goal.relative && change.speed <= goal.speed {
-                return Effort { sweeps, met: true };
+                return Iterations { sweeps, met: true };
             }
             for (contact, start) in self.start.iter().enumerate() {
                 let step = problem.impulse(contact).plus_scaled(-1.0, start);
@@ -194,7 +193,7 @@ impl<I: Impulse> Accelerated<I> {
             problem.refresh();
             sweeps += EXTRAPOLATION;
         }
-        Effort { sweeps, met: false }
+        Iterations { sweeps, met: false }
     }
 
     /// (x − y)·(y − x₋), summed in the order of the contacts: negative if the sweep leads back.

@@ -20,15 +20,15 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     /// Distance within which two surfaces may act on each other in a step.
     fn reach(&self) -> f64 {
         let range = |law: &NormalLaw<f64>| law.cohesion().range();
-        let [pair, wall] = &self.setup.laws.normal;
+        let [pair, wall] = &self.setup.laws.normal();
         range(pair)
             .max(range(wall))
-            .max(MEETING * self.setup.pace.motion)
+            .max(MEETING * self.setup.step_limits.motion)
     }
 
     /// Renews the list of neighbours once something has moved half the extra distance.
     pub(super) fn list_neighbours(&mut self) -> Result<(), WorldError> {
-        let skin = SKIN * self.setup.pace.motion;
+        let skin = SKIN * self.setup.step_limits.motion;
         let far = |(x, y): (&_, &_)| nalgebra::Vector3::norm(&(x - y)) > 0.5 * skin;
         let positions = &self.state.positions;
         let listed = self.listed_at.len() == positions.len();
@@ -54,9 +54,9 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         let (pairs, walls) = (self.touching_pairs()?, self.touching_walls()?);
         let state = &mut self.state;
         state
-            .rest
-            .wake(self.setup.still_speed, &pairs, &walls, &state.walls);
-        let awake = state.rest.awake();
+            .sleep
+            .wake(self.setup.sleep_speed, &pairs, &walls, &state.walls);
+        let awake = state.sleep.awake();
         let problem = &mut self.problem;
 
         // Impacts first, in the middle of the step's load.
@@ -96,7 +96,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         }
 
         // Contacts that last: what rebounds has done so.
-        let [pair, wall] = &laws.normal.map(lasting);
+        let [pair, wall] = &laws.normal().map(lasting);
         problem.pairs.clear();
         for (bodies, touch) in &pairs {
             let [a, b] = bodies.map(|body| body as usize);

@@ -24,8 +24,8 @@
 //! one step follow each other.
 
 use super::assemble::Touching;
-use super::book::Taken;
-use super::memory::Kept;
+use super::energy::Taken;
+use super::memory::StoredForce;
 use super::setup::{Laws, Wall};
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
@@ -83,7 +83,7 @@ pub(super) struct Impacts<F: ContactFriction<f64>> {
     /// How many there were.
     pub counts: Counts,
     /// Impulses of pairs and at walls, after [`Impacts::run`] in ascending order of the bodies.
-    pub(super) impulses: [Vec<Kept<F::Modes>>; 2],
+    pub(super) impulses: [Vec<StoredForce<F::Modes>>; 2],
     pub(super) reflection: Spheres<Thresholds<f64, Frictionless>>,
     pub(super) friction: Spheres<F>,
     /// Sweeps of a part of a round at most.
@@ -92,7 +92,7 @@ pub(super) struct Impacts<F: ContactFriction<f64>> {
 
 /// Whether any contact can rebound.
 pub(super) fn rebounds<F>(laws: &Laws<F>) -> bool {
-    laws.normal.iter().any(|law| law.restitution() > 0.0)
+    laws.normal().iter().any(|law| law.restitution() > 0.0)
 }
 
 impl<F: ContactFriction<f64>> Impacts<F> {
@@ -146,8 +146,8 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     }
 
     /// Impulses of the step's impacts over its length, of pairs and at walls.
-    pub fn mean_forces(&self, dt: f64) -> [Vec<Kept<F::Modes>>; 2] {
-        let over = |(bodies, impulse): &Kept<F::Modes>| {
+    pub fn mean_forces(&self, dt: f64) -> [Vec<StoredForce<F::Modes>>; 2] {
+        let over = |(bodies, impulse): &StoredForce<F::Modes>| {
             (*bodies, Modal::default().plus_scaled(1.0 / dt, impulse))
         };
         [0, 1].map(|kind: usize| self.impulses[kind].iter().map(over).collect())
@@ -178,7 +178,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     /// fastest, 0 if there is none.
     fn gather(&mut self, kinds: [bool; 2], around: &Surroundings<'_, F>, slow: f64) -> f64 {
         let (awake, gravity) = (around.awake, around.gravity.norm());
-        let [pair_law, wall_law] = &around.laws.normal;
+        let [pair_law, wall_law] = &around.laws.normal();
         let [pairs, walls] = around.touching;
         let closing = Closing {
             dt: around.dt,
@@ -249,7 +249,7 @@ impl Closing {
 /// Kinds of contacts, pairs and walls, that rebound with the same coefficient: the energy of a
 /// reflection falls for a common one.
 fn groups<F>(laws: &Laws<F>) -> Vec<([bool; 2], f64)> {
-    let [pair, wall] = laws.normal.map(|law| law.restitution());
+    let [pair, wall] = laws.normal().map(|law| law.restitution());
     let groups = if pair == wall {
         vec![([true, true], pair)]
     } else {
@@ -287,7 +287,7 @@ fn prepare(
 }
 
 /// Sums the impulses of each contact, in ascending order of the bodies.
-fn merge<M: ContactModes<f64>>(impulses: &mut Vec<Kept<M>>) {
+fn merge<M: ContactModes<f64>>(impulses: &mut Vec<StoredForce<M>>) {
     impulses.sort_by_key(|(bodies, _)| *bodies);
     impulses.dedup_by(|(bodies, later), (kept, sum)| {
         let same = bodies == kept;

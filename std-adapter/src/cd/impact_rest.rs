@@ -4,13 +4,13 @@
 //! changes them by the rounding of the bodies' velocities, for ever, which no tolerance relative to
 //! the impulse admits.
 
-use super::nsgs::{Effort, Order, Stop, Sweeper, solve};
-use super::operator::{Blind, Operator, Visit};
+use super::nsgs::{Iterations, Order, Stop, Sweeper, solve};
+use super::operator::{NoMonitor, Operator, Visit};
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
 use tribos_core::contact::{ContactFriction, ContactModes};
 
-/// Change of a sweep relative to the impulses at which a part of a round is solved.
+/// GlobalChange of a sweep relative to the impulses at which a part of a round is solved.
 pub(super) const TOLERANCE: f64 = 1e-13;
 /// Rounding of a velocity that some impulses have been added to, in units of ε: a sweep changes
 /// impulses by up to 5.
@@ -19,21 +19,21 @@ const ROUNDING: f64 = 16.0;
 const EACH: usize = 20;
 
 /// Sweeps until each contact rests, at most so many times.
-pub(super) fn settle<F: ContactFriction<f64>>(problem: &mut Spheres<F>, most: usize) -> Effort {
+pub(super) fn settle<F: ContactFriction<f64>>(problem: &mut Spheres<F>, most: usize) -> Iterations {
     let mut sweeper = Sweeper::new(Order::Fixed, 0);
     let mut sweeps = 0;
     let mut met = false;
     while sweeps < most && !met {
         let some = EACH.min(most - sweeps);
-        let effort = solve(problem, &mut sweeper, Stop::Local(TOLERANCE), some);
-        sweeps += effort.sweeps;
-        met = effort.met;
+        let iterations = solve(problem, &mut sweeper, Stop::Local(TOLERANCE), some);
+        sweeps += iterations.sweeps;
+        met = iterations.met;
         if !met && sweeps < most {
             met = rests(problem);
             sweeps += 1;
         }
     }
-    Effort { sweeps, met }
+    Iterations { sweeps, met }
 }
 
 /// Whether one more sweep changes no impulse by more than its tolerance and rounding.
@@ -42,7 +42,7 @@ pub(super) fn rests<F: ContactFriction<f64>>(problem: &mut Spheres<F>) -> bool {
         .links()
         .map(|link| *link.contact.impulse())
         .collect();
-    problem.sweep(Visit::Forward, &mut Blind);
+    problem.sweep(Visit::Forward, &mut NoMonitor);
     let spheres = |link: &Link<F::Modes>| {
         let bodies = link.bodies.map(|body| &problem.spheres[body as usize]);
         let velocities = bodies.map(|sphere| [sphere.velocity, sphere.spin]);
@@ -82,9 +82,8 @@ fn rounding<M: ContactModes<f64>>(link: &Link<M>, velocities: [[Vector3<f64>; 2]
 
 #[cfg(test)]
 mod tests {
-    use crate::cd::{
-        Coefficients, Laws, Method, Pace, Setup, Solver, StepReport, Wall, World, solid,
-    };
+    use crate::cd::internals::Coefficients;
+    use crate::cd::{Laws, Method, Setup, Solver, StepLimits, StepReport, Wall, World, solid};
     use crate::space::PeriodicBox;
     use nalgebra::Vector3;
     use tribos_core::contact::{Cohesion, ContactFriction, NormalLaw, Sphere, Thresholds};
@@ -111,7 +110,7 @@ mod tests {
             walls: vec![Wall::fixed(up, 0.0)],
             laws: Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, friction),
             gravity: Vector3::zeros(),
-            pace: Pace {
+            step_limits: StepLimits {
                 longest: 0.01,
                 motion: 0.1,
             },
@@ -120,7 +119,7 @@ mod tests {
                 most_sweeps: 100,
                 warm_start: true,
             },
-            still_speed: 0.0,
+            sleep_speed: 0.0,
         })?;
         world.impacts.most_sweeps = most_sweeps;
         Ok(world.step()?)
@@ -141,11 +140,11 @@ mod tests {
         }
         // A reflection of five spheres takes more than two sweeps, and has no friction here.
         let reflected = step(5, smooth, 2)?;
-        assert!(reflected.impacts_unmet > 0 && !reflected.is_met() && reflected.effort.met);
+        assert!(reflected.impacts_unmet > 0 && !reflected.is_met() && reflected.iterations.met);
         // A single impact is reflected in one sweep; friction needs a second to know that it rests.
         let rubbed = step(1, rough, 1)?;
         assert_eq!((rubbed.impact_rounds, rubbed.impacts_unmet), (1, 1));
-        assert!(!rubbed.is_met() && rubbed.effort.met);
+        assert!(!rubbed.is_met() && rubbed.iterations.met);
         Ok(())
     }
 }

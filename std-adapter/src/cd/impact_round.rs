@@ -1,11 +1,11 @@
 //! One round of impacts: reflection along the normals, friction under it, and their energies.
 
-use super::accelerated::{Accelerated, Goal};
-use super::book::{driven_work, kinetic_energy};
+use super::accelerated::{Accelerated, Tolerance};
+use super::energy::{driven_work, kinetic_energy};
 use super::impact::Impacts;
 use super::impact_rest::{TOLERANCE, rests, settle};
 use super::memory::find;
-use super::nsgs::Effort;
+use super::nsgs::Iterations;
 use super::operator::Operator;
 use super::spheres::{Link, Spheres};
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, Frictionless, Modal};
@@ -32,7 +32,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     }
 
     /// The reflection: impulses that stop the approach, and e times as much again.
-    fn reflect(&mut self, restitution: f64) -> Effort {
+    fn reflect(&mut self, restitution: f64) -> Iterations {
         let problem = &mut self.reflection;
         problem.free.0.clone_from(&self.spheres);
         problem.free.1.clear();
@@ -42,9 +42,9 @@ impl<F: ContactFriction<f64>> Impacts<F> {
             .extend(self.walls.iter().map(|wall| wall.plate));
         problem.start();
         let before = normal_velocities(problem);
-        let goal = Goal::from(TOLERANCE);
-        let mut effort = Accelerated::default().solve(problem, goal, self.most_sweeps);
-        effort.met = effort.met || rests(problem);
+        let goal = Tolerance::from(TOLERANCE);
+        let mut iterations = Accelerated::default().solve(problem, goal, self.most_sweeps);
+        iterations.met = iterations.met || rests(problem);
         // Σ q·U(w), 0 for a solution, and |w − v⁻|²_M: what the first leaves must not come back as
         // energy.
         let (mut left, mut change) = (0.0, 0.0);
@@ -70,11 +70,11 @@ impl<F: ContactFriction<f64>> Impacts<F> {
             self.taken.normal -= 0.5 * link.contact.impulse().normal * (before + after);
         }
         self.taken.work -= drives(problem);
-        effort
+        iterations
     }
 
     /// Friction, with the normal impulses of the reflection.
-    fn rub(&mut self) -> Effort {
+    fn rub(&mut self) -> Iterations {
         let (source, problem) = (&self.reflection, &mut self.friction);
         problem.free.0.clone_from(&source.spheres);
         problem.free.1.clone_from(&source.plates);
@@ -83,14 +83,14 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         problem.walls.clear();
         problem.walls.extend(source.walls.iter().map(rough));
         problem.start();
-        let effort = settle(problem, self.most_sweeps);
+        let iterations = settle(problem, self.most_sweeps);
         let slipped = slipped(problem);
         let shares = jump_shares(problem);
         self.taken.sliding += slipped[0] + shares[0];
         self.taken.rolling += slipped[1] + shares[1];
         self.taken.torsion += slipped[2] + shares[2];
         self.taken.work -= drives(problem);
-        effort
+        iterations
     }
 
     /// Adds the impulses of all rounds to those of a solved problem; the velocities stay.

@@ -6,13 +6,14 @@ use tribos_core::contact::{ContactFriction, ContactModes, Modal};
 /// The force of a contact that was, with the bodies that it joined.
 ///
 /// See [`Memory`] for an example.
-pub type Kept<M> = ([u32; 2], Modal<f64, M>);
+pub type StoredForce<M> = ([u32; 2], Modal<f64, M>);
 
 /// Forces of contacts that were, in ascending order of their bodies.
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{Kept, Link, Memory, Order, Spheres, Stop, Sweeper, solve};
+/// # use tribos::cd::{Order, Stop};
+/// # use tribos::cd::internals::{StoredForce, Link, Memory, Spheres, Sweeper, solve};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
 /// # let (spin, velocity) = (Vector3::zeros(), Vector3::new(0.0, 0.0, -9.81 * dt));
@@ -29,7 +30,7 @@ pub type Kept<M> = ([u32; 2], Modal<f64, M>);
 /// solve(&mut problem, &mut Sweeper::new(Order::Fixed, 0), Stop::Fixed, 1);
 /// let mut memory = Memory::default();
 /// memory.keep(&problem, dt, &[true]);
-/// let (bodies, force): Kept<_> = memory.forces[1][0];
+/// let (bodies, force): StoredForce<_> = memory.forces[1][0];
 /// assert_eq!(bodies, [0, 0]); // sphere 0 and wall 0
 /// assert!((force.normal - 9.81).abs() < 1e-12);
 /// // The impulse that its next step begins with, if that is three times as long.
@@ -41,7 +42,7 @@ pub type Kept<M> = ([u32; 2], Modal<f64, M>);
 #[derive(Clone, Debug, PartialEq)]
 pub struct Memory<M: ContactModes<f64>> {
     /// Bodies and mean force (impulse over step), pairs and walls.
-    pub forces: [Vec<Kept<M>>; 2],
+    pub forces: [Vec<StoredForce<M>>; 2],
 }
 
 impl<M: ContactModes<f64>> Default for Memory<M> {
@@ -91,7 +92,7 @@ impl<M: ContactModes<f64>> Memory<M> {
 
 /// The force or impulse of a contact, from a list in ascending order of the bodies.
 pub(super) fn find<M: ContactModes<f64>>(
-    kept: &[Kept<M>],
+    kept: &[StoredForce<M>],
     bodies: [u32; 2],
 ) -> Option<&Modal<f64, M>> {
     let place = kept.binary_search_by_key(&bodies, |(bodies, _)| *bodies);
@@ -100,7 +101,7 @@ pub(super) fn find<M: ContactModes<f64>>(
 
 /// Finds the old forces of links; both are in ascending order of their bodies.
 fn recall<M: ContactModes<f64>, F: ContactFriction<f64, Modes = M>>(
-    forces: &[Kept<M>],
+    forces: &[StoredForce<M>],
     links: &mut [Link<M>],
     friction: &F,
     dt: f64,

@@ -1,6 +1,6 @@
 //! Non-linear Gauss–Seidel: every contact in turn, until a rule says stop.
 
-use super::operator::{Blind, Change, Operator, Restless, Visit};
+use super::operator::{GlobalChange, LocalChange, NoMonitor, Operator, Visit};
 use crate::random::Random;
 
 /// In which order a sweep goes over the contacts.
@@ -32,7 +32,8 @@ pub enum Stop {
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{Change, Link, Order, Spheres, Sweeper};
+/// # use tribos::cd::Order;
+/// # use tribos::cd::internals::{GlobalChange, Link, Spheres, Sweeper};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
 /// # let (spin, velocity) = (Vector3::zeros(), Vector3::new(1.0, 0.0, -0.01));
@@ -48,7 +49,7 @@ pub enum Stop {
 /// // A ball that slides on the floor: its one contact is solved by the first sweep, and the second
 /// // has nothing to do.
 /// let mut sweeper = Sweeper::new(Order::Alternating, 0);
-/// let [mut first, mut second] = [Change::default(); 2];
+/// let [mut first, mut second] = [GlobalChange::default(); 2];
 /// sweeper.sweep(&mut problem, &mut first);
 /// sweeper.sweep(&mut problem, &mut second);
 /// assert!(first.relative() > 1.0); // all of the friction as well
@@ -79,7 +80,7 @@ impl Sweeper {
     }
 
     /// One sweep.
-    pub fn sweep<O: Operator, W: super::operator::Watch>(
+    pub fn sweep<O: Operator, W: super::operator::Monitor>(
         &mut self,
         problem: &mut O,
         watch: &mut W,
@@ -110,7 +111,7 @@ impl Sweeper {
 
 /// What an iteration did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Effort {
+pub struct Iterations {
     /// Sweeps over all contacts, or work of the same size.
     pub sweeps: usize,
     /// Whether the rule was met; always true after a fixed number.
@@ -121,7 +122,8 @@ pub struct Effort {
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{Effort, Link, Order, Spheres, Stop, Sweeper, solve};
+/// # use tribos::cd::{Iterations, Order, Stop};
+/// # use tribos::cd::internals::{Link, Spheres, Sweeper, solve};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
 /// # let velocity = up * (-9.81 * dt);
@@ -141,15 +143,15 @@ pub struct Effort {
 /// for order in [Order::Fixed, Order::Alternating, Order::Random { seed: 1 }] {
 ///     let mut trial = column.clone();
 ///     let mut sweeper = Sweeper::new(order, 0);
-///     let effort = solve(&mut trial, &mut sweeper, Stop::Global(1e-12), 1000);
-///     assert!(effort.met && effort.sweeps < 1000);
+///     let iterations = solve(&mut trial, &mut sweeper, Stop::Global(1e-12), 1000);
+///     assert!(iterations.met && iterations.sweeps < 1000);
 ///     let floor = trial.walls[0].contact.impulse().normal / dt;
 ///     assert!((floor - 5.0 * 9.81).abs() < 1e-6);
 /// }
 /// // A fixed number of sweeps is always done.
 /// let mut sweeper = Sweeper::new(Order::Fixed, 0);
-/// let effort = solve(&mut column, &mut sweeper, Stop::Fixed, 3);
-/// assert_eq!(effort, Effort { sweeps: 3, met: true });
+/// let iterations = solve(&mut column, &mut sweeper, Stop::Fixed, 3);
+/// assert_eq!(iterations, Iterations { sweeps: 3, met: true });
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn solve<O: Operator>(
@@ -157,29 +159,29 @@ pub fn solve<O: Operator>(
     sweeper: &mut Sweeper,
     stop: Stop,
     most: usize,
-) -> Effort {
+) -> Iterations {
     for sweeps in 1..=most {
         let met = match stop {
             Stop::Fixed => {
-                sweeper.sweep(problem, &mut Blind);
+                sweeper.sweep(problem, &mut NoMonitor);
                 false
             }
             Stop::Local(tolerance) => {
-                let mut watch = Restless::above(tolerance);
+                let mut watch = LocalChange::above(tolerance);
                 sweeper.sweep(problem, &mut watch);
                 watch.count == 0
             }
             Stop::Global(tolerance) => {
-                let mut watch = Change::default();
+                let mut watch = GlobalChange::default();
                 sweeper.sweep(problem, &mut watch);
                 watch.relative_mean() <= tolerance
             }
         };
         if met {
-            return Effort { sweeps, met };
+            return Iterations { sweeps, met };
         }
     }
-    Effort {
+    Iterations {
         sweeps: most,
         met: stop == Stop::Fixed,
     }

@@ -10,7 +10,7 @@ pub trait Impulse: Copy + Default {
 }
 
 /// Looks on while a sweep goes over the contacts.
-pub trait Watch: Send {
+pub trait Monitor: Send {
     /// A watcher of the same kind that has seen nothing.
     fn fork(&self) -> Self;
     /// Sees one contact: the square of its impulse's change, P, the force scale of its friction, and
@@ -36,7 +36,8 @@ pub enum Visit<'a> {
 /// The operator holds the present impulses and the velocities that belong to them.
 ///
 /// ```
-/// use tribos::cd::{Impulse, Operator, Order, Stop, Sweeper, Visit, Watch, solve};
+/// use tribos::cd::{Order, Stop};
+/// use tribos::cd::internals::{Impulse, Operator, Sweeper, Visit, Monitor, solve};
 ///
 /// /// Wagons of 1 t in a row; their buffers push and do not pull.
 /// struct Train {
@@ -71,7 +72,7 @@ pub enum Visit<'a> {
 ///         let [a, b, c] = self.free;
 ///         self.speeds = [a - first, b + first - second, c + second];
 ///     }
-///     fn sweep<W: Watch>(&mut self, _: Visit<'_>, watch: &mut W) {
+///     fn sweep<W: Monitor>(&mut self, _: Visit<'_>, watch: &mut W) {
 ///         for contact in 0..2 {
 ///             // Half the closing speed: a wagon meets another of the same mass.
 ///             let closing = self.speeds[contact] - self.speeds[contact + 1];
@@ -113,20 +114,20 @@ pub trait Operator {
     fn refresh(&mut self);
 
     /// Lets every contact in turn solve its own laws with the others held.
-    fn sweep<W: Watch>(&mut self, visit: Visit<'_>, watch: &mut W);
+    fn sweep<W: Monitor>(&mut self, visit: Visit<'_>, watch: &mut W);
 }
 
 /// Sees nothing, costs nothing.
 ///
 /// ```
-/// use tribos::cd::{Blind, Watch};
-/// Blind.see(1.0, 1.0, 1.0);
-/// assert_eq!(size_of::<Blind>(), 0);
+/// use tribos::cd::internals::{NoMonitor, Monitor};
+/// NoMonitor.see(1.0, 1.0, 1.0);
+/// assert_eq!(size_of::<NoMonitor>(), 0);
 /// ```
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Blind;
+pub struct NoMonitor;
 
-impl Watch for Blind {
+impl Monitor for NoMonitor {
     fn fork(&self) -> Self {
         Self
     }
@@ -138,9 +139,9 @@ impl Watch for Blind {
 /// How much one sweep changed.
 ///
 /// ```
-/// use tribos::cd::{Change, Watch};
+/// use tribos::cd::internals::{GlobalChange, Monitor};
 /// // Two contacts: |Δp| of 3 and 4 where P is 10 each, and no speed but 0.2 at the second.
-/// let mut change = Change::default();
+/// let mut change = GlobalChange::default();
 /// change.see(9.0, 10.0, 0.0);
 /// let mut other = change.fork(); // on another thread
 /// other.see(16.0, 10.0, 0.2);
@@ -149,7 +150,7 @@ impl Watch for Blind {
 /// assert_eq!((change.relative_mean(), change.speed), (7.0 / 20.0, 0.2));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Change {
+pub struct GlobalChange {
     /// Σ |Δp|²
     pub change_sq: f64,
     /// Σ P²
@@ -160,7 +161,7 @@ pub struct Change {
     pub speed: f64,
 }
 
-impl Change {
+impl GlobalChange {
     /// √(Σ|Δp|²/ΣP²), 0 without contacts.
     pub fn relative(&self) -> f64 {
         ratio(self.change_sq, self.bound_sq).sqrt()
@@ -183,7 +184,7 @@ pub(super) fn largest(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
 
-impl Watch for Change {
+impl Monitor for GlobalChange {
     fn fork(&self) -> Self {
         Self::default()
     }
@@ -209,21 +210,21 @@ impl Watch for Change {
 /// Counts contacts whose impulse changed by more than a fraction of P.
 ///
 /// ```
-/// use tribos::cd::{Restless, Watch};
-/// let mut watch = Restless::above(0.1);
+/// use tribos::cd::internals::{LocalChange, Monitor};
+/// let mut watch = LocalChange::above(0.1);
 /// watch.see(0.5 * 0.5, 10.0, 0.0); // |Δp| is a twentieth of P
 /// watch.see(2.0 * 2.0, 10.0, 0.0); // a fifth
 /// watch.see(f64::NAN, 10.0, 0.0); // never at rest
 /// assert_eq!(watch.count, 2);
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Restless {
+pub struct LocalChange {
     tolerance_sq: f64,
     /// Contacts seen that changed by more.
     pub count: usize,
 }
 
-impl Restless {
+impl LocalChange {
     /// Counts changes above `tolerance`·P.
     pub fn above(tolerance: f64) -> Self {
         Self {
@@ -233,7 +234,7 @@ impl Restless {
     }
 }
 
-impl Watch for Restless {
+impl Monitor for LocalChange {
     fn fork(&self) -> Self {
         Self { count: 0, ..*self }
     }

@@ -74,7 +74,8 @@ impl<M> Coefficients for Thresholds<f64, M> {
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{Link, Order, Residual, Spheres, Stop, Sweeper, residual, solve};
+/// # use tribos::cd::{Order, Residual, Stop};
+/// # use tribos::cd::internals::{Link, Spheres, Sweeper, residual, solve};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
 /// # let (spin, velocity) = (Vector3::zeros(), Vector3::new(1.0, 0.0, -2.0));

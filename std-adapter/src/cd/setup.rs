@@ -50,6 +50,15 @@ impl Wall {
     }
 }
 
+/// Laws of one kind of contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactLaws<F> {
+    /// Along the normal: cohesion and restitution.
+    pub normal: NormalLaw<f64>,
+    /// Friction.
+    pub friction: F,
+}
+
 /// Contact laws of a world.
 ///
 /// ```
@@ -57,39 +66,58 @@ impl Wall {
 /// use tribos::kernel::contact::{Attraction, Cohesion, NormalLaw, Thresholds};
 /// // Cohesive spheres that also roll and spin with resistance, between walls without friction.
 /// let cohesion = Cohesion::new(1.0, 0.01, Attraction::Pull)?;
-/// let rough = Thresholds::all(0.3, 0.1, 0.1)?;
-/// let alike = Laws::uniform(NormalLaw::new(cohesion, 0.0)?, rough);
-/// let laws = Laws { friction: [rough, Thresholds::all(0.0, 0.0, 0.0)?], ..alike };
-/// assert_eq!(laws.normal[0], laws.normal[1]);
-/// assert_eq!(laws.friction.map(|law| law.mu()), [0.3, 0.0]);
+/// let mut laws = Laws::uniform(NormalLaw::new(cohesion, 0.0)?, Thresholds::all(0.3, 0.1, 0.1)?);
+/// laws.walls.friction = Thresholds::all(0.0, 0.0, 0.0)?;
+/// assert_eq!(laws.pairs.normal, laws.walls.normal);
+/// assert_eq!([laws.pairs, laws.walls].map(|law| law.friction.mu()), [0.3, 0.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Laws<F> {
-    /// Along the normal: between spheres, and at walls.
-    pub normal: [NormalLaw<f64>; 2],
-    /// Friction: between spheres, and at walls.
-    pub friction: [F; 2],
+    /// Between spheres.
+    pub pairs: ContactLaws<F>,
+    /// At walls.
+    pub walls: ContactLaws<F>,
 }
 
 impl<F: Copy> Laws<F> {
     /// The same laws between spheres and at walls.
     pub fn uniform(normal: NormalLaw<f64>, friction: F) -> Self {
+        let laws = ContactLaws { normal, friction };
         Self {
-            normal: [normal; 2],
-            friction: [friction; 2],
+            pairs: laws,
+            walls: laws,
         }
+    }
+
+    /// Laws along the normal, of pairs and of walls.
+    pub(crate) fn normal(&self) -> [NormalLaw<f64>; 2] {
+        [self.pairs.normal, self.walls.normal]
+    }
+
+    /// Friction of pairs and of walls.
+    pub(crate) fn friction(&self) -> [F; 2] {
+        [self.pairs.friction, self.walls.friction]
     }
 }
 
-/// Bounds of the time step.
+/// Limits of the time step. The default, 1 ms and 1 cm, suits bodies of centimetres in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pace {
+pub struct StepLimits {
     /// Longest step, a time.
     pub longest: f64,
     /// Farthest that a body may be expected to move in a step, a length. A step in which something
     /// moves more than twice as far is taken again, halved.
     pub motion: f64,
+}
+
+impl Default for StepLimits {
+    fn default() -> Self {
+        Self {
+            longest: 1e-3,
+            motion: 1e-2,
+        }
+    }
 }
 
 /// A world at time 0.
@@ -99,25 +127,66 @@ pub struct Pace {
 pub struct Setup<F> {
     /// Periodic axes.
     pub space: PeriodicBox,
-    /// Centres.
+    /// Centres of the spheres.
     pub positions: Vec<Vector3<f64>>,
-    /// Radii, velocities and masses; see [`solid`].
+    /// Radii of the spheres.
     pub radii: Vec<f64>,
-    /// Velocities, inverse masses and inertias.
+    /// Velocities, inverse masses and inertias of the spheres; see [`solid`].
     pub spheres: Vec<Sphere<f64>>,
-    /// Walls.
+    /// Walls and pistons.
     pub walls: Vec<Wall>,
-    /// Laws.
+    /// Contact laws.
     pub laws: Laws<F>,
     /// Acceleration of all spheres.
     pub gravity: Vector3<f64>,
-    /// Bounds of the step.
-    pub pace: Pace,
+    /// Limits of the time step.
+    pub step_limits: StepLimits,
     /// How contacts are solved.
     pub solver: Solver,
-    /// Speed, of the surface too, below which a group of touching bodies is left alone until
-    /// something touches it; 0 keeps everything awake.
-    pub still_speed: f64,
+    /// Sleep threshold: a group of touching bodies slower than this, surface speed included, is put to
+    /// sleep until disturbed; 0 keeps everything awake.
+    pub sleep_speed: f64,
+}
+
+impl<F> Setup<F> {
+    /// Open space without bodies and gravity, where nothing sleeps; [`StepLimits`] and [`Solver`] by
+    /// default.
+    pub fn new(laws: Laws<F>) -> Self {
+        Self {
+            space: PeriodicBox::OPEN,
+            positions: Vec::new(),
+            radii: Vec::new(),
+            spheres: Vec::new(),
+            walls: Vec::new(),
+            laws,
+            gravity: Vector3::zeros(),
+            step_limits: StepLimits::default(),
+            solver: Solver::default(),
+            sleep_speed: 0.0,
+        }
+    }
+
+    /// With one more sphere, its centre here.
+    #[must_use]
+    pub fn sphere(mut self, position: Vector3<f64>, radius: f64, sphere: Sphere<f64>) -> Self {
+        self.positions.push(position);
+        self.radii.push(radius);
+        self.spheres.push(sphere);
+        self
+    }
+
+    /// With one more wall.
+    #[must_use]
+    pub fn wall(mut self, wall: Wall) -> Self {
+        self.walls.push(wall);
+        self
+    }
+
+    /// With this acceleration of all spheres.
+    #[must_use]
+    pub fn gravity(self, gravity: Vector3<f64>) -> Self {
+        Self { gravity, ..self }
+    }
 }
 
 /// Masses between which squares of impulses neither vanish nor overflow: the solvers compare them.
@@ -128,12 +197,12 @@ const UNIT: f64 = 1e-12;
 impl<F> Setup<F> {
     /// Refuses what no step could work with.
     pub(super) fn check(&self) -> Result<(), WorldError> {
-        let Pace { longest, motion } = self.pace;
+        let StepLimits { longest, motion } = self.step_limits;
         let valid = |x: f64| x > 0.0 && x.is_finite();
         if !(valid(longest) && valid(motion)) {
-            return Err(WorldError::Pace { longest, motion });
+            return Err(WorldError::StepLimits { longest, motion });
         }
-        let given = self.still_speed;
+        let given = self.sleep_speed;
         if !(given >= 0.0 && given.is_finite()) {
             return Err(WorldError::StillSpeed { given });
         }
@@ -196,35 +265,14 @@ pub fn solid(radius: f64, density: f64) -> Sphere<f64> {
 /// A world that cannot start or go on.
 ///
 /// ```
-/// # use nalgebra::Vector3;
-/// # use tribos::cd::{
-/// #     Laws, Method, Order, Pace, Setup, Solver, Stop, World, WorldError, solid,
-/// # };
-/// # use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
-/// # use tribos::space::PeriodicBox;
-/// # let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, Thresholds::none());
-/// # let setup = Setup {
-/// #     space: PeriodicBox::OPEN,
-/// #     positions: vec![Vector3::zeros(), Vector3::x() * 0.1],
-/// #     radii: vec![0.05; 2],
-/// #     spheres: vec![solid(0.05, 1900.0); 2],
-/// #     walls: Vec::new(),
-/// #     laws: smooth,
-/// #     gravity: Vector3::zeros(),
-/// #     pace: Pace { longest: 1e-3, motion: 0.01 },
-/// #     solver: Solver {
-/// #         method: Method::GaussSeidel { order: Order::Fixed, stop: Stop::Local(1e-9) },
-/// #         most_sweeps: 100,
-/// #         warm_start: true,
-/// #     },
-/// #     still_speed: 0.0,
-/// # };
-/// // Two balls, but a radius for one of them alone.
-/// let short = World::new(Setup { radii: vec![0.05], ..setup.clone() });
-/// assert!(matches!(short, Err(WorldError::Count { positions: 2, radii: 1, spheres: 2 })));
-/// let stuck = World::new(Setup { pace: Pace { longest: 0.0, motion: 0.01 }, ..setup });
-/// assert!(matches!(stuck, Err(WorldError::Pace { .. })));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// use tribos::cd::{Laws, Setup, World, WorldError, solid};
+/// use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
+/// use tribos::kernel::nalgebra::Vector3;
+/// let smooth = Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, Thresholds::none());
+/// let mut setup = Setup::new(smooth).sphere(Vector3::zeros(), 0.05, solid(0.05, 1900.0));
+/// setup.step_limits.longest = 0.0;
+/// assert!(matches!(World::new(setup), Err(WorldError::StepLimits { .. })));
+/// # Ok::<(), tribos::kernel::law::LawError>(())
 /// ```
 #[derive(Debug, thiserror::Error)]
 pub enum WorldError {
@@ -271,7 +319,7 @@ pub enum WorldError {
         "the longest step and the largest motion must be positive and finite, \
          not {longest} and {motion}"
     )]
-    Pace {
+    StepLimits {
         /// Given.
         longest: f64,
         /// Given.

@@ -1,7 +1,7 @@
 //! Which method solves the contacts of a step.
 
-use super::accelerated::{Accelerated, Goal};
-use super::nsgs::{self, Effort, Order, Stop, Sweeper};
+use super::accelerated::{Accelerated, Tolerance};
+use super::nsgs::{self, Iterations, Order, Stop, Sweeper};
 use super::spheres::Spheres;
 use tribos_core::contact::{ContactFriction, ContactModes, Modal};
 
@@ -36,6 +36,17 @@ pub struct Solver {
     pub warm_start: bool,
 }
 
+impl Default for Solver {
+    /// Sweeps with momentum to 1e-9, at most 1000 a step, each step from the forces of the last.
+    fn default() -> Self {
+        Self {
+            method: Method::Accelerated { tolerance: 1e-9 },
+            most_sweeps: 1000,
+            warm_start: true,
+        }
+    }
+}
+
 /// Buffers of the methods.
 #[derive(Debug)]
 pub(super) struct Workspace<M: ContactModes<f64>> {
@@ -58,7 +69,7 @@ impl<M: ContactModes<f64>> Workspace<M> {
         solver: &Solver,
         problem: &mut Spheres<F>,
         (step, speed): (u64, f64),
-    ) -> Effort {
+    ) -> Iterations {
         let most = solver.most_sweeps;
         match solver.method {
             Method::GaussSeidel { order, stop } => {
@@ -67,7 +78,7 @@ impl<M: ContactModes<f64>> Workspace<M> {
             Method::Accelerated { tolerance } => {
                 let relative = tolerance;
                 self.accelerated
-                    .solve(problem, Goal { relative, speed }, most)
+                    .solve(problem, Tolerance { relative, speed }, most)
             }
         }
     }

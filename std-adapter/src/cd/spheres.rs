@@ -1,6 +1,6 @@
 //! Spheres and plates in contact, as an operator.
 
-use super::operator::{Impulse, Operator, Visit, Watch};
+use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::schedule::Schedule;
 use rayon::prelude::*;
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
@@ -29,7 +29,8 @@ pub struct Link<M: ContactModes<f64>> {
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos::cd::{Link, Order, Spheres, Stop, Sweeper, solve};
+/// use tribos::cd::{Order, Stop};
+/// use tribos::cd::internals::{Link, Spheres, Sweeper, solve};
 /// use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
 /// // Two balls of 1 kg and 5 cm, one upon the other; gravity has pulled for 1 ms.
 /// let (up, dt) = (Vector3::z(), 1e-3);
@@ -46,8 +47,8 @@ pub struct Link<M: ContactModes<f64>> {
 /// let contact = Contact::new(&touch, &law, &ball, &floor, dt);
 /// stack.walls.push(Link { bodies: [0, 0], contact });
 /// stack.start();
-/// let effort = solve(&mut stack, &mut Sweeper::new(Order::Fixed, 0), Stop::Local(1e-12), 1000);
-/// assert!(effort.met);
+/// let iterations = solve(&mut stack, &mut Sweeper::new(Order::Fixed, 0), Stop::Local(1e-12), 1000);
+/// assert!(iterations.met);
 /// // The lower ball carries one weight, the floor two.
 /// let forces = stack.links().map(|link| link.contact.impulse().normal / dt);
 /// for (force, weight) in forces.zip([9.81, 2.0 * 9.81]) {
@@ -102,7 +103,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
 
     /// Sweeps the pairs: blocks side by side, then those across. What the watch sees does not depend
     /// on how many threads there are.
-    fn sweep_pairs<W: Watch>(&mut self, way: Way, watch: &mut W) {
+    fn sweep_pairs<W: Monitor>(&mut self, way: Way, watch: &mut W) {
         let friction = self.friction[0];
         let blocks = self.schedule.blocks.len();
         let across = self
@@ -140,7 +141,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     }
 
     #[inline(always)]
-    fn visit_wall<W: Watch>(&mut self, index: usize, watch: &mut W) {
+    fn visit_wall<W: Monitor>(&mut self, index: usize, watch: &mut W) {
         let Some(link) = self.walls.get_mut(index) else {
             return;
         };
@@ -163,7 +164,7 @@ enum Way {
 const WORTHWHILE: usize = 2_000;
 
 /// Solves pairs one after the other; `spheres` starts with the number `first`.
-fn sweep_links<F: ContactFriction<f64>, W: Watch>(
+fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
     links: &mut [Link<F::Modes>],
     first: u32,
     spheres: &mut [Sphere<f64>],
@@ -186,7 +187,7 @@ fn sweep_links<F: ContactFriction<f64>, W: Watch>(
 }
 
 #[inline(always)]
-fn report<M: ContactModes<f64>, W: Watch>(
+fn report<M: ContactModes<f64>, W: Monitor>(
     contact: &Contact<f64, M>,
     change: &Modal<f64, M>,
     watch: &mut W,
@@ -244,7 +245,7 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
         }
     }
 
-    fn sweep<W: Watch>(&mut self, visit: Visit<'_>, watch: &mut W) {
+    fn sweep<W: Monitor>(&mut self, visit: Visit<'_>, watch: &mut W) {
         let (pairs, walls) = (self.pairs.len(), self.walls.len());
         match visit {
             Visit::Forward => {

@@ -56,7 +56,7 @@ pub struct Window {
 /// See [`Window`] for an example.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Means {
-    /// |Change of the piston's height|, a length.
+    /// |GlobalChange of the piston's height|, a length.
     pub moved: f64,
     /// Contact force on the piston.
     pub piston: f64,

@@ -4,7 +4,7 @@ use super::blocked::Window;
 use super::compaction::{COLUMNS, Ending, Totals};
 use super::packing::{Force, Forces};
 use super::stress::Stress;
-use crate::cd::Book;
+use crate::cd::EnergyBalance;
 use crate::record::kept::{damaged, groups, hex, numbers, one, opened, places, same_scene, triple};
 use crate::record::{CheckpointError, sealed};
 use crate::scene::PowderScene;
@@ -17,7 +17,7 @@ const VERSION: u64 = 3;
 const NAME: &str = "tribos_compaction";
 /// Numbers of a window, of the energy book, of a kept force with its bodies.
 const WINDOW: usize = 24;
-const BOOK: usize = 10;
+const BALANCE: usize = 10;
 const FORCE: usize = 10;
 
 /// Keys of forces of pairs and at walls.
@@ -34,7 +34,7 @@ pub(super) struct Frozen {
     pub motions: Vec<[Vector3<f64>; 2]>,
     /// Place and velocity.
     pub walls: Vec<(f64, Vector3<f64>)>,
-    pub book: Book,
+    pub energy: EnergyBalance,
     /// Of contacts that last.
     pub forces: Forces,
     /// Of the last step's impacts.
@@ -78,7 +78,7 @@ impl Checkpoint {
         let wall =
             |(place, velocity): &(f64, Vector3<f64>)| [*place, velocity.x, velocity.y, velocity.z];
         put("walls", frozen.walls.iter().flat_map(wall).collect());
-        put("book", book_numbers(&frozen.book).to_vec());
+        put("book", energy_numbers(&frozen.energy).to_vec());
         for (names, forces) in [(FORCES, &frozen.forces), (IMPACTS, &frozen.impacts)] {
             for (name, forces) in names.iter().zip(forces) {
                 put(name, forces.iter().flat_map(force_numbers).collect());
@@ -133,7 +133,7 @@ impl Checkpoint {
                     .into_iter()
                     .map(|[place, x, y, z]| (place, Vector3::new(x, y, z)))
                     .collect(),
-                book: book(&numbers(&value, "book")?).ok_or_else(|| damaged("book"))?,
+                energy: energy(&numbers(&value, "book")?).ok_or_else(|| damaged("book"))?,
                 forces: [forces(FORCES[0])?, forces(FORCES[1])?],
                 impacts: [forces(IMPACTS[0])?, forces(IMPACTS[1])?],
                 awake: awake(&value)?,
@@ -225,22 +225,22 @@ fn still(value: &Value) -> Result<Vec<u8>, CheckpointError> {
     steps.ok_or_else(|| damaged("still"))
 }
 
-fn book_numbers(book: &Book) -> [f64; BOOK] {
+fn energy_numbers(energy: &EnergyBalance) -> [f64; BALANCE] {
     [
-        book.work,
-        book.normal,
-        book.sliding,
-        book.rolling,
-        book.torsion,
-        book.cohesion,
-        book.stilled,
-        book.kinetic,
-        f64::from(u8::from(book.kinetic_initial.is_some())),
-        book.kinetic_initial.unwrap_or(0.0),
+        energy.work,
+        energy.normal,
+        energy.sliding,
+        energy.rolling,
+        energy.torsion,
+        energy.cohesion,
+        energy.stilled,
+        energy.kinetic,
+        f64::from(u8::from(energy.kinetic_initial.is_some())),
+        energy.kinetic_initial.unwrap_or(0.0),
     ]
 }
 
-fn book(numbers: &[f64]) -> Option<Book> {
+fn energy(numbers: &[f64]) -> Option<EnergyBalance> {
     let &[
         work,
         normal,
@@ -252,8 +252,8 @@ fn book(numbers: &[f64]) -> Option<Book> {
         kinetic,
         begun,
         initial,
-    ] = <&[f64; BOOK]>::try_from(numbers).ok()?;
-    Some(Book {
+    ] = <&[f64; BALANCE]>::try_from(numbers).ok()?;
+    Some(EnergyBalance {
         work,
         normal,
         sliding,

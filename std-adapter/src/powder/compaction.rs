@@ -377,7 +377,7 @@ impl Compaction {
             solver_unmet: self.totals.solver_unmet,
             impacts_cut: self.totals.cut,
             impacts_unmet: self.totals.impacts_unmet,
-            book: *self.packing.book(),
+            energy: *self.packing.energy(),
             wall_seconds: self.wall_seconds(),
         }
     }
@@ -415,7 +415,7 @@ impl Compaction {
     fn finite_record(&self) -> Result<[f64; COLUMNS.len()], CompactionError> {
         let record = self.record();
         let named = COLUMNS.into_iter().zip(record);
-        let balance = [("work", self.packing.book().imbalance())];
+        let balance = [("work", self.packing.energy().imbalance())];
         match named.chain(balance).find(|(_, value)| !value.is_finite()) {
             Some((column, value)) => Err(CompactionError::NotFinite {
                 step: self.steps(),
@@ -489,7 +489,7 @@ impl Simulation for Compaction {
 
     fn record(&self) -> Self::Record {
         let (time, step) = self.packing.clock();
-        let book = self.packing.book();
+        let energy = self.packing.energy();
         [
             time,
             step as f64,
@@ -497,15 +497,15 @@ impl Simulation for Compaction {
             self.porosity(),
             self.contacts.len() as f64,
             self.stress.total().m33 / self.scene.pressure,
-            self.report.effort.sweeps as f64,
+            self.report.iterations.sweeps as f64,
             self.report.residual.relative,
-            book.kinetic,
-            book.normal,
-            book.sliding,
-            book.rolling,
-            book.torsion,
-            book.cohesion,
-            book.work,
+            energy.kinetic,
+            energy.normal,
+            energy.sliding,
+            energy.rolling,
+            energy.torsion,
+            energy.cohesion,
+            energy.work,
         ]
     }
 
@@ -516,7 +516,7 @@ impl Simulation for Compaction {
         }
         let before = self.packing.spheres().to_vec();
         self.report = self.packing.step()?;
-        self.totals.iterations += self.report.effort.sweeps as u64;
+        self.totals.iterations += self.report.iterations.sweeps as u64;
         let Totals {
             unmet,
             solver_unmet,
@@ -525,7 +525,7 @@ impl Simulation for Compaction {
             ..
         } = &mut self.totals;
         *unmet += u64::from(!self.report.is_met());
-        *solver_unmet += u64::from(!self.report.effort.met);
+        *solver_unmet += u64::from(!self.report.iterations.met);
         *cut += u64::from(self.report.impacts_cut);
         *impacts_unmet += u64::from(self.report.impacts_unmet > 0);
         self.measure(&before)?;

@@ -136,7 +136,7 @@ fn update_seconds(scenes: [&PowderScene; 2]) -> Result<[f64; 2], CompactionError
             let mut packing = block(scene)?;
             let start = Instant::now();
             let report = packing.step()?;
-            let updates = (report.effort.sweeps * report.contacts).max(1);
+            let updates = (report.iterations.sweeps * report.contacts).max(1);
             *least = least.min(start.elapsed().as_secs_f64() / updates as f64);
         }
     }
@@ -164,7 +164,7 @@ fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
     };
     let mut timed = scene.clone();
     timed.width = width;
-    timed.still_speed = 0.0;
+    timed.sleep_speed = 0.0;
     timed.solver = Solver {
         method: Method::GaussSeidel {
             order: Order::Fixed,
@@ -248,7 +248,7 @@ mod tests {
             // Three a sphere, and two walls; the top layer has no layer above.
             let expected = 3 * EDGE.pow(3) + EDGE.pow(2);
             assert_eq!(
-                (report.effort.sweeps, report.contacts),
+                (report.iterations.sweeps, report.contacts),
                 (SWEEPS, expected),
                 "{keys}"
             );

@@ -3,7 +3,7 @@
 use super::blocked::Means;
 use super::compaction::Ending;
 use super::statistics::Statistics;
-use crate::cd::Book;
+use crate::cd::EnergyBalance;
 use crate::record::json_number;
 use crate::scene::PowderScene;
 use nalgebra::Matrix3;
@@ -29,7 +29,7 @@ use serde_json::{Map, Value};
 /// assert!((all - pushes - pulls).abs() < 1e-12 && pulls <= 0.0);
 /// // The work of the piston's load is lost or kept, and none is missing.
 /// let lost: f64 = outcome.dissipation().iter().map(|(_, energy)| energy).sum();
-/// let book = &outcome.book;
+/// let book = &outcome.energy;
 /// let missing = book.work - lost - book.stilled - book.kinetic;
 /// assert!(missing.abs() < 1e-9 * book.work);
 /// assert_eq!(outcome.json(&scene)["steps"], 100);
@@ -72,7 +72,7 @@ pub struct Outcome {
     /// Steps in which a reflection of impacts, or friction under it, missed its tolerance.
     pub impacts_unmet: u64,
     /// Energies.
-    pub book: Book,
+    pub energy: EnergyBalance,
     /// Time on the clock, in s.
     pub wall_seconds: f64,
 }
@@ -88,11 +88,11 @@ impl Outcome {
     /// Where the energy went: names and energies.
     pub fn dissipation(&self) -> [(&'static str, f64); 5] {
         [
-            ("normal", self.book.normal),
-            ("sliding", self.book.sliding),
-            ("rolling", self.book.rolling),
-            ("torsion", self.book.torsion),
-            ("cohesion", self.book.cohesion),
+            ("normal", self.energy.normal),
+            ("sliding", self.energy.sliding),
+            ("rolling", self.energy.rolling),
+            ("torsion", self.energy.torsion),
+            ("cohesion", self.energy.cohesion),
         ]
     }
 
@@ -130,10 +130,10 @@ impl Outcome {
         let energies = self.dissipation();
         put("dissipation", object(&energies));
         let others = [
-            ("work", self.book.work),
-            ("stilled", self.book.stilled),
-            ("kinetic", self.book.kinetic),
-            ("imbalance", self.book.imbalance()),
+            ("work", self.energy.work),
+            ("stilled", self.energy.stilled),
+            ("kinetic", self.energy.kinetic),
+            ("imbalance", self.energy.imbalance()),
         ];
         put("energy", object(&others));
         put("wall_seconds", json_number(self.wall_seconds));

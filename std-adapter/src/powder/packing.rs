@@ -4,9 +4,9 @@ use super::carried::CarriedModes;
 use super::checkpoint::Frozen;
 use super::deposit::{Deposit, SUBSTRATE};
 use super::error::CompactionError;
+use crate::cd::internals::{Coefficients, Memory, Sleep, StoredForce};
 use crate::cd::{
-    Book, Coefficients, Kept, Laws, Memory, Rest, Setup, State, StepReport, Wall, World,
-    WorldError, solid,
+    ContactLaws, EnergyBalance, Laws, Setup, State, StepReport, Wall, World, WorldError, solid,
 };
 use crate::record::{ContactRow, Partner};
 use crate::scene::{Coupling, PowderScene, WallLaw};
@@ -57,7 +57,7 @@ pub(super) trait Packing: Debug {
     /// Substrate and piston.
     fn walls(&self) -> &[Wall];
     /// Energies.
-    fn book(&self) -> &Book;
+    fn energy(&self) -> &EnergyBalance;
     /// Contacts that carry a force or lie within the range of cohesion, with the forces of the last
     /// step, its impacts included, at the present places.
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError>;
@@ -170,6 +170,17 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
         WallLaw::Full | WallLaw::Smooth => pair,
         WallLaw::Bare => NormalLaw::new(Cohesion::NONE, scene.restitution)?,
     };
+    let [of_pairs, of_walls] = friction;
+    let laws = Laws {
+        pairs: ContactLaws {
+            normal: pair,
+            friction: of_pairs,
+        },
+        walls: ContactLaws {
+            normal: wall,
+            friction: of_walls,
+        },
+    };
     let up = Vector3::z();
     let setup = Setup {
         space: deposit.space,
@@ -181,14 +192,10 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
             Wall::fixed(up, 0.0),
             Wall::piston(-up, -deposit.height, scene.piston_mass, scene.load()),
         ],
-        laws: Laws {
-            normal: [pair, wall],
-            friction,
-        },
-        gravity: Vector3::zeros(),
-        pace: scene.pace,
+        step_limits: scene.pace,
         solver: scene.solver,
-        still_speed: scene.still_speed,
+        sleep_speed: scene.still_speed,
+        ..Setup::new(laws)
     };
     let mut world = World::new(setup)?;
     if let Some(frozen) = frozen {
@@ -208,8 +215,8 @@ fn thaw<M: ContactModes<f64>>(frozen: &Frozen, state: &mut State<M>) {
     for (wall, (place, velocity)) in state.walls.iter_mut().zip(&frozen.walls) {
         (wall.place, wall.plate.velocity) = (*place, *velocity);
     }
-    state.book = frozen.book;
-    state.rest = Rest::restored(frozen.awake.clone(), frozen.still.clone());
+    state.energy = frozen.energy;
+    state.sleep = Sleep::restored(frozen.awake.clone(), frozen.still.clone());
     state.memory = memory(&frozen.forces);
     state.impacts = memory(&frozen.impacts);
 }
@@ -227,7 +234,7 @@ fn memory<M: ContactModes<f64>>(forces: &Forces) -> Memory<M> {
 
 /// Forces of all modes.
 fn forces<M: ContactModes<f64>>(memory: &Memory<M>) -> Forces {
-    let force = |(bodies, modal): &Kept<M>| (*bodies, Force::of(modal));
+    let force = |(bodies, modal): &StoredForce<M>| (*bodies, Force::of(modal));
     [0, 1].map(|kind: usize| memory.forces[kind].iter().map(force).collect())
 }
 
@@ -292,14 +299,14 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         &self.state().walls
     }
 
-    fn book(&self) -> &Book {
-        &self.state().book
+    fn energy(&self) -> &EnergyBalance {
+        &self.state().energy
     }
 
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {
         let (setup, state) = (self.setup(), self.state());
         let [pairs, walls] = &state.memory.forces;
-        let [pair_law, wall_law] = &setup.laws.normal;
+        let [pair_law, wall_law] = &setup.laws.normal();
         let mut rows = Vec::with_capacity(pairs.len() + walls.len());
         let with_impact = |kind, bodies, force: &Modal<f64, F::Modes>| {
             let impact = state.impacts.force(kind, bodies);
@@ -340,11 +347,11 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
                 .iter()
                 .map(|wall| (wall.place, wall.plate.velocity))
                 .collect(),
-            book: state.book,
+            energy: state.energy,
             forces: forces(&state.memory),
             impacts: forces(&state.impacts),
-            awake: state.rest.awake().to_vec(),
-            still: state.rest.still().to_vec(),
+            awake: state.sleep.awake().to_vec(),
+            still: state.sleep.still().to_vec(),
         }
     }
 }

@@ -222,7 +222,7 @@ fn a_blocked_packing_carries_the_load_whatever_its_modes() -> Tested {
             "{modes:?} {minus}"
         );
         assert!(outcome.residual < 1e-3, "{}", outcome.residual);
-        assert!(outcome.book.imbalance().abs() < 1e-9 * outcome.book.work);
+        assert!(outcome.energy.imbalance().abs() < 1e-9 * outcome.energy.work);
         // Less resistance, less room; modes without a coefficient take no energy.
         assert!(
             outcome.porosity[1] < last,

@@ -6,7 +6,7 @@ use super::key::{Key, Reader};
 use super::planar::Taker;
 use super::powder_keys::*;
 use super::problem::Problem;
-use crate::cd::{Method, Order, Pace, Solver, Stop};
+use crate::cd::{Method, Order, Solver, StepLimits, Stop};
 use crate::powder::deposit::{Ballistic, Until};
 use serde_json::{Map, Value};
 use tribos_core::contact::Attraction;
@@ -86,7 +86,7 @@ pub struct PowderScene {
     /// How contacts are solved.
     pub solver: Solver,
     /// Bounds of the time step.
-    pub pace: Pace,
+    pub pace: StepLimits,
     /// Speed below which spheres that nothing disturbs are left alone.
     pub still_speed: f64,
     /// When the packing counts as blocked.
@@ -192,7 +192,7 @@ impl PowderScene {
         let wall = [WallLaw::Full, WallLaw::Smooth, WallLaw::Bare][take.word(WALL).min(2)];
         let piston_mass = take.or(MASS, THESIS_MASS);
         let solver = solver(&mut take);
-        let pace = Pace {
+        let pace = StepLimits {
             motion: take.or(MOTION, STEP_MOTION),
             longest: take.or(TIME_STEP, LONGEST),
         };

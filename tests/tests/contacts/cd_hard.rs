@@ -56,7 +56,7 @@ fn every_hard_case_stays_within_its_bounds() {
 #[test]
 fn bad_input_is_refused_by_name() {
     let expected = |input: &str, error: &E| match input {
-        "longest step 0" | "longest step NaN" | "motion 0" => matches!(error, E::Pace { .. }),
+        "longest step 0" | "longest step NaN" | "motion 0" => matches!(error, E::StepLimits { .. }),
         "coincident centres" | "centre in a wall" => matches!(error, E::Touch { step: 0, .. }),
         "position NaN" | "period too short for two spheres" => {
             matches!(error, E::Neighbours { .. })

@@ -1,7 +1,7 @@
 //! What a world keeps, whatever happens in it: momentum, energy, room, bits.
 
 use nalgebra::Vector3;
-use tribos::cd::{Book, Laws, Method, Order, Pace, Solver, State, Stop, World};
+use tribos::cd::{EnergyBalance, Laws, Method, Order, Solver, State, StepLimits, Stop, World};
 use tribos_core::contact::{AllModes, Attraction, Cohesion, NormalLaw};
 use tribos_tests::gas::{SIDE, gas, periodic};
 use tribos_tests::packings::{Rough, accelerated, rough, spheres};
@@ -52,7 +52,7 @@ fn momentum_and_angular_momentum_stay_to_rounding() {
 }
 
 /// Entries that friction may only raise.
-fn losses(book: &Book) -> [f64; 3] {
+fn losses(book: &EnergyBalance) -> [f64; 3] {
     [book.sliding, book.rolling, book.torsion]
 }
 
@@ -65,9 +65,9 @@ fn the_book_closes_and_friction_only_takes() {
             let mut world = World::new(setup).expect("the setup is valid");
             let mut worst = 0.0_f64;
             for _ in 0..STEPS {
-                let before = world.state().book;
+                let before = world.state().energy;
                 world.step().expect("the gas can step");
-                let after = world.state().book;
+                let after = world.state().energy;
                 for (old, new) in losses(&before).into_iter().zip(losses(&after)) {
                     worst = worst.max((old - new) / after.kinetic_initial.unwrap_or(0.0));
                 }
@@ -80,7 +80,7 @@ fn the_book_closes_and_friction_only_takes() {
                     );
                 }
             }
-            let book = world.state().book;
+            let book = world.state().energy;
             let scale = book.kinetic_initial.unwrap_or(0.0);
             println!(
                 "F_coh {strength}, {attraction:?}: imbalance {:e}, friction gave back {worst:e}, \
@@ -162,7 +162,7 @@ fn runs_repeat_and_resume_to_the_same_bits() {
             rough(0.5, 0.3, 0.2),
         );
         setup.solver = solver;
-        setup.still_speed = 1e-3;
+        setup.sleep_speed = 1e-3;
         let steps = |world: &mut World<Rough>, count| {
             for _ in 0..count {
                 world.step().expect("the gas can step");
@@ -225,7 +225,7 @@ fn a_step_in_which_something_leaps_is_taken_again_shorter() {
         let normal = NormalLaw::new(cohesion, 0.0).expect("the law is valid");
         let places = vec![Vector3::zeros(), Vector3::new(2.9, 0.0, 0.0)];
         let mut setup = spheres(places, Laws::uniform(normal, rough(0.3, 0.1, 0.1)));
-        setup.pace = Pace {
+        setup.step_limits = StepLimits {
             longest: 1.0,
             motion: 0.01,
         };

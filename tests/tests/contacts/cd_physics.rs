@@ -4,7 +4,7 @@
 //! places lag by half a step.
 
 use nalgebra::Vector3;
-use tribos::cd::{Laws, Pace, Setup, Wall, World};
+use tribos::cd::{Laws, Setup, StepLimits, Wall, World};
 use tribos_core::contact::{Attraction, Cohesion, NormalLaw};
 use tribos_tests::packings::{Rough, chain, dry, rough, spheres};
 
@@ -13,20 +13,20 @@ const ROUNDING: f64 = 1e-13;
 
 /// A ball on the floor z = 0 under gravity, with steps of length `dt` and fast balls allowed.
 fn ball(friction: Rough, gravity: Vector3<f64>, dt: f64) -> Setup<Rough> {
-    let pace = Pace {
+    let step_limits = StepLimits {
         longest: dt,
         motion: 4.0,
     };
     Setup {
         gravity,
-        pace,
+        step_limits,
         ..chain(1, Laws::uniform(dry(), friction))
     }
 }
 
 /// A world after `time`, a whole number of steps.
 fn after(setup: Setup<Rough>, time: f64) -> World<Rough> {
-    let steps = (time / setup.pace.longest).round() as usize;
+    let steps = (time / setup.step_limits.longest).round() as usize;
     let mut world = World::new(setup).expect("the setup is valid");
     for _ in 0..steps {
         world.step().expect("a single ball can step");
@@ -51,7 +51,7 @@ fn a_sliding_ball_ends_at_five_sevenths_of_its_speed() {
         assert!((ball.velocity.x - 5.0 / 7.0 * speed).abs() < ROUNDING);
         assert!((ball.spin.y - ball.velocity.x).abs() < ROUNDING);
         // Friction took the rest: 2/7 of the energy.
-        let (book, energy) = (&world.state().book, 0.5 * speed * speed / ball.inv_mass);
+        let (book, energy) = (&world.state().energy, 0.5 * speed * speed / ball.inv_mass);
         assert!((book.sliding + book.normal - 2.0 / 7.0 * energy).abs() < ROUNDING);
     }
 }
@@ -128,7 +128,7 @@ fn torsion_friction_stops_a_top_in_time() {
     }
     let energy = 0.5 * spin * spin / world.state().spheres[0].inv_inertia;
     // The book counts torsion with the velocity at the step's end, the rest under `normal`.
-    let book = &world.state().book;
+    let book = &world.state().energy;
     assert!((book.torsion + book.normal - energy).abs() < 1e-12);
     assert!((book.torsion - energy).abs() < dt * slowing / spin * energy);
 }
@@ -146,7 +146,7 @@ fn hanging(strength: f64, attraction: Attraction, gap: f64, dt: f64) -> Setup<Ro
     );
     setup.walls = vec![Wall::fixed(-Vector3::z(), 0.0)];
     setup.gravity = -Vector3::z();
-    setup.pace = Pace {
+    setup.step_limits = StepLimits {
         longest: dt,
         motion: 0.1,
     };
@@ -168,14 +168,14 @@ fn breaking_a_contact_takes_its_cohesion_energy() {
             let (state, weight) = (world.state(), 1.0 / world.state().spheres[0].inv_mass);
             // At the end of the range it falls at √(2 a d_c).
             let speed = (2.0 * (weight - strength) / weight * range).sqrt();
-            let error = state.book.cohesion - energy;
+            let error = state.energy.cohesion - energy;
             assert!(
                 (-1e-15..=strength * (speed + dt) * dt).contains(&error),
                 "{attraction:?}, dt {dt}: {error:e}"
             );
             // What gravity gave beyond the energy of cohesion is motion, up to Euler's loss.
-            let kept = state.book.work - state.book.cohesion - state.book.normal;
-            assert!((kept - state.book.kinetic).abs() < 1e-13);
+            let kept = state.energy.work - state.energy.cohesion - state.energy.normal;
+            assert!((kept - state.energy.kinetic).abs() < 1e-13);
             errors.push(error);
         }
         println!("{attraction:?}: excess of the breaking work {errors:?}");
@@ -246,7 +246,7 @@ fn a_ball_falls_rebounds_with_e_and_keeps_what_it_should() {
             ball.velocity.z
         );
         let lost = 0.5 * (1.0 - restitution * restitution) / ball.inv_mass;
-        assert!((world.state().book.normal - lost).abs() < 1e-14);
+        assert!((world.state().energy.normal - lost).abs() < 1e-14);
     }
 }
 
@@ -260,7 +260,7 @@ fn driven_walls_do_the_work_that_is_booked() {
         for _ in 0..100 {
             world.step().expect("the step is taken");
         }
-        let book = &world.state().book;
+        let book = &world.state().energy;
         assert!(book.imbalance().abs() < 1e-13, "{book:?}");
         // The ball has taken up speed, which only the floor can have given.
         let gravity = lift * world.state().time * world.state().spheres[0].inv_mass.recip();

@@ -1,7 +1,7 @@
 //! Impacts with restitution: energy, closed solutions, several impacts in a step, small steps.
 
 use nalgebra::Vector3;
-use tribos::cd::{Laws, Pace, Setup, Wall, World, solid};
+use tribos::cd::{Laws, Setup, StepLimits, Wall, World, solid};
 use tribos::random::Random;
 use tribos_core::contact::{Attraction, Cohesion, NormalLaw};
 use tribos_tests::gas::{gas, periodic};
@@ -77,7 +77,7 @@ fn oblique(law: NormalLaw<f64>, friction: Rough, [across, gap]: [f64; 2], dt: f6
     setup.gravity.fill(0.0);
     setup.spheres[0].velocity = Vector3::new(across, 0.0, -1.0);
     setup.spheres[0].spin.z = 1.0;
-    setup.pace = Pace {
+    setup.step_limits = StepLimits {
         longest: dt,
         motion: 10.0,
     };
@@ -113,7 +113,7 @@ fn an_oblique_impact_is_the_closed_solution_at_every_step() {
                 assert!((ball.spin.z - spin.max(0.0)).abs() < ROUNDING);
                 assert!((largest / mass - 1.0 - restitution).abs() < ROUNDING);
                 // Each share by itself.
-                let book = &world.state().book;
+                let book = &world.state().energy;
                 let normal = 0.5 * (1.0 - restitution * restitution);
                 let sliding = stopped * (2.0 * across - stopped) / 7.0;
                 assert!((book.normal / mass - normal).abs() < ROUNDING);
@@ -131,7 +131,7 @@ fn row(places: &[f64], restitution: f64, dt: f64) -> World<Rough> {
     let laws = Laws::uniform(bouncing(restitution), rough(0.0, 0.0, 0.0));
     let mut setup = spheres(places, laws);
     setup.spheres[0].velocity.x = 1.0;
-    setup.pace = Pace {
+    setup.step_limits = StepLimits {
         longest: dt,
         motion: 1.0,
     };
@@ -145,7 +145,7 @@ fn an_oblique_impact_of_two_balls_depends_on_the_step_in_the_first_order() {
         let places = vec![Vector3::zeros(), Vector3::new(2.3, 0.5, 0.0)];
         let mut setup = spheres(places, Laws::uniform(bouncing(0.9), rough(10.0, 0.0, 0.0)));
         setup.spheres[0].velocity.x = 1.0;
-        setup.pace = Pace {
+        setup.step_limits = StepLimits {
             longest: dt,
             motion: 1.0,
         };
@@ -235,7 +235,7 @@ fn dropped(restitution: f64, dt: f64) -> World<Rough> {
     let laws = Laws::uniform(bouncing(restitution), rough(0.0, 0.0, 0.0));
     let mut setup = chain(1, laws);
     setup.positions[0].z = 2.0;
-    setup.pace = Pace {
+    setup.step_limits = StepLimits {
         longest: dt,
         motion: 10.0,
     };
@@ -256,7 +256,7 @@ fn a_ball_that_loses_nothing_comes_back_to_its_height() {
         }
         // The fall's own error of the step, not one of every bounce.
         assert!((highest - 2.0).abs() < 2.0 * dt, "dt {dt}: {highest}");
-        assert!(world.state().book.imbalance().abs() < 1e-11);
+        assert!(world.state().energy.imbalance().abs() < 1e-11);
     }
 }
 
@@ -337,15 +337,15 @@ fn other_coefficients_at_walls_driven_walls_and_cohesion_close_the_book() {
             dt: 0.02,
         };
         let mut setup = rebounds::setup(cell);
-        setup.laws.normal = [law(pair), law(wall)];
+        (setup.laws.pairs.normal, setup.laws.walls.normal) = (law(pair), law(wall));
         setup.gravity = Vector3::new(0.3, 0.0, -0.5);
         setup.walls[0].plate.velocity = Vector3::new(0.2, 0.5, 0.0);
         setup.walls[5] = Wall::piston(-Vector3::z(), -16.0, 100.0, 50.0);
         let mut world = World::new(setup).expect("the setup is valid");
         for _ in 0..100 {
-            let before = world.state().book;
+            let before = world.state().energy;
             rebounds += world.step().expect("the gas can step").impacts;
-            let (after, scale) = (world.state().book, before.kinetic + 1.0);
+            let (after, scale) = (world.state().energy, before.kinetic + 1.0);
             let changes = [
                 after.normal - before.normal,
                 after.sliding - before.sliding,
@@ -357,7 +357,7 @@ fn other_coefficients_at_walls_driven_walls_and_cohesion_close_the_book() {
                 "{changes:?}"
             );
         }
-        let book = world.state().book;
+        let book = world.state().energy;
         let scale = book.kinetic_initial.unwrap_or(0.0);
         assert!(book.imbalance().abs() < 10.0 * ROUNDING * scale, "{book:?}");
     }
@@ -434,9 +434,9 @@ fn impulses_far_below_the_momenta_are_solved_to_rounding() {
                 // Impulses of the last rounds are 1e-8 of the first.
                 assert!(report.impact_rounds >= 8, "{case}");
                 assert_eq!(report.impacts_unmet, 0, "{case}");
-                let met = report.effort.met && !report.impacts_cut;
+                let met = report.iterations.met && !report.impacts_cut;
                 assert_eq!(report.is_met(), met, "{case}");
-                let book = world.state().book;
+                let book = world.state().energy;
                 let scale = book.kinetic_initial.unwrap_or(f64::NAN);
                 assert!(book.imbalance().abs() < ROUNDING * scale, "{case}");
                 for loss in [book.normal, book.sliding] {
@@ -461,7 +461,7 @@ fn a_step_whose_impacts_are_cut_is_not_met() {
         world.step().expect("the chain can step")
     });
     let told = reports.map(|report| {
-        assert!(report.effort.met);
+        assert!(report.iterations.met);
         (report.impact_rounds, report.impacts_cut, report.is_met())
     });
     assert_eq!(told, [(100, true, false), (19, false, true)]);

@@ -10,14 +10,14 @@ const CHAIN: usize = 4;
 const STILL: f64 = 1e-7;
 
 /// Two chains 8 apart, and a sphere that falls on the top of the first, off its middle.
-fn scene(still_speed: f64) -> Setup<Rough> {
+fn scene(sleep_speed: f64) -> Setup<Rough> {
     let mut setup = chain(2 * CHAIN + 1, Laws::uniform(dry(), rough(0.4, 0.1, 0.1)));
     for body in CHAIN..2 * CHAIN {
         setup.positions[body] = Vector3::new(8.0, 0.0, 2.0 * (body - CHAIN) as f64 + 1.0);
     }
     setup.positions[2 * CHAIN] = Vector3::new(0.4, 0.0, 2.0 * CHAIN as f64 + 3.0);
     setup.solver = accelerated(1e-10);
-    setup.still_speed = still_speed;
+    setup.sleep_speed = sleep_speed;
     setup
 }
 
@@ -75,7 +75,7 @@ fn sleep_changes_nothing_beyond_the_solvers_tolerance() {
     assert!(slept > 500);
     // Stillness is given up to STILL for 4 steps; the collapse of the chain makes it grow.
     assert!(apart < 1e-6, "{apart:e}");
-    let book = worlds[0].state().book;
+    let book = worlds[0].state().energy;
     assert!(book.imbalance().abs() < 1e-12 * book.work.abs());
     assert!(book.stilled < 1e-12);
 }

@@ -2,10 +2,10 @@
 //! set that never sweeps.
 
 use nalgebra::{Vector2, Vector3};
-use tribos::cd::{
-    Accelerated, Coefficients, Effort, Laws, Link, Operator, Order, Spheres, Stop, Sweeper, Watch,
-    residual, solve,
+use tribos::cd::internals::{
+    Accelerated, Coefficients, Link, Monitor, Operator, Spheres, Sweeper, residual, solve,
 };
+use tribos::cd::{Iterations, Laws, Order, Stop};
 use tribos::random::Random;
 use tribos_core::contact::{Attraction, Cohesion, ContactFriction, ContactModes, Modal, NormalLaw};
 use tribos_tests::least_distance::least_distance;
@@ -302,7 +302,7 @@ fn oracle(problem: &Spheres<Smooth>) -> Vec<Vector3<f64>> {
 fn every_solver<F>(
     problem: &Spheres<F>,
     tolerance: f64,
-    mut seen: impl FnMut(String, &Spheres<F>, Effort),
+    mut seen: impl FnMut(String, &Spheres<F>, Iterations),
 ) where
     F: ContactFriction<f64> + Coefficients,
 {
@@ -375,12 +375,12 @@ fn with_friction_all_solvers_find_solutions_near_each_other() {
 
 #[test]
 fn a_watch_that_joins_sees_what_one_watch_sees() {
-    use tribos::cd::{Change, Restless};
+    use tribos::cd::internals::{GlobalChange, LocalChange};
     let seen = [(1.0, 2.0), (0.5, 0.1), (1e-9, 3.0)];
-    let mut whole = (Change::default(), Restless::above(0.1));
+    let mut whole = (GlobalChange::default(), LocalChange::above(0.1));
     let mut parts = whole;
     for (change_sq, bound) in seen {
-        let mut part = (Change::default(), Restless::above(0.1));
+        let mut part = (GlobalChange::default(), LocalChange::above(0.1));
         for watch in [&mut whole, &mut part] {
             watch.0.see(change_sq, bound, bound);
             watch.1.see(change_sq, bound, bound);

@@ -138,7 +138,7 @@ fn unmet(outcome: &Outcome) -> String {
 
 /// Where the work went.
 fn budget(outcome: &Outcome) -> String {
-    let work = outcome.book.work;
+    let work = outcome.energy.work;
     let mut text = format!("work          {}, of which\n", shown(work));
     for (name, energy) in outcome.dissipation() {
         let percent = 100.0 * energy / work;
@@ -150,6 +150,6 @@ fn budget(outcome: &Outcome) -> String {
         };
         text += &format!("  {name:<11} {}{share}\n", shown(energy));
     }
-    text += &format!("  imbalance   {:.1e}\n", outcome.book.imbalance());
+    text += &format!("  imbalance   {:.1e}\n", outcome.energy.imbalance());
     text
 }

@@ -1,7 +1,7 @@
 //! Bodies that rest together cost nothing until something touches them.
 
 use super::assemble::Touching;
-use super::book::Book;
+use super::energy::EnergyBalance;
 use super::setup::Wall;
 use tribos_core::contact::Sphere;
 
@@ -12,25 +12,26 @@ const PATIENCE: u8 = 4;
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tribos::cd::{Book, Rest, solid};
+/// use tribos::cd::{EnergyBalance, solid};
+/// use tribos::cd::internals::Sleep;
 /// use tribos::kernel::contact::Touch;
 /// // Two balls that touch and do not move: after a few steps they sleep.
 /// let pairs = [([0, 1], Touch::spheres(&Vector3::new(0.02, 0.0, 0.0), [0.01; 2])?)];
 /// let mut balls = [solid(0.01, 2500.0); 2];
-/// let mut rest = Rest::new(2);
+/// let mut rest = Sleep::new(2);
 /// for _ in 0..10 {
 ///     rest.wake(1e-3, &pairs, &[], &[]);
-///     rest.settle(1e-3, &mut balls, &mut Book::default());
+///     rest.settle(1e-3, &mut balls, &mut EnergyBalance::default());
 /// }
 /// assert_eq!(rest.awake(), [false, false]);
 /// // Who is touched by somebody awake wakes up.
-/// let mut rest = Rest::restored(vec![false, true], rest.still().to_vec());
+/// let mut rest = Sleep::restored(vec![false, true], rest.still().to_vec());
 /// rest.wake(1e-3, &pairs, &[], &[]);
 /// assert_eq!(rest.awake(), [true, true]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Rest {
+pub struct Sleep {
     awake: Vec<bool>,
     /// Steps for which each body has been still.
     still: Vec<u8>,
@@ -38,7 +39,7 @@ pub struct Rest {
     group: Vec<u32>,
 }
 
-impl Rest {
+impl Sleep {
     /// Everybody awake.
     pub fn new(bodies: usize) -> Self {
         Self {
@@ -48,7 +49,7 @@ impl Rest {
         }
     }
 
-    /// As it was left, from what [`Rest::awake`] and [`Rest::still`] told of each body.
+    /// As it was left, from what [`Sleep::awake`] and [`Sleep::still`] told of each body.
     pub fn restored(awake: Vec<bool>, still: Vec<u8>) -> Self {
         Self {
             awake,
@@ -70,12 +71,12 @@ impl Rest {
     /// Finds groups of touching bodies; one that has an awake member is awake.
     pub fn wake(
         &mut self,
-        still_speed: f64,
+        sleep_speed: f64,
         pairs: &[Touching],
         walls: &[Touching],
         plates: &[Wall],
     ) {
-        if still_speed <= 0.0 {
+        if sleep_speed <= 0.0 {
             return;
         }
         let count = self.awake.len() as u32;
@@ -104,14 +105,19 @@ impl Rest {
     }
 
     /// Puts groups to sleep in which everybody has been still for long enough.
-    pub fn settle(&mut self, still_speed: f64, spheres: &mut [Sphere<f64>], book: &mut Book) {
-        if still_speed <= 0.0 {
+    pub fn settle(
+        &mut self,
+        sleep_speed: f64,
+        spheres: &mut [Sphere<f64>],
+        energy: &mut EnergyBalance,
+    ) {
+        if sleep_speed <= 0.0 {
             return;
         }
         for (sphere, still) in spheres.iter().zip(&mut self.still) {
             // A solid sphere's surface speed from its inertia: R² = 2.5 I/m.
             let turn = sphere.spin.norm() * (2.5 * sphere.inv_mass / sphere.inv_inertia).sqrt();
-            let moves = sphere.velocity.norm() + turn > still_speed;
+            let moves = sphere.velocity.norm() + turn > sleep_speed;
             *still = if moves { 0 } else { still.saturating_add(1) };
         }
         let count = self.awake.len();
@@ -126,7 +132,7 @@ impl Rest {
             let awake = restless[find(&mut self.group, body as u32) as usize];
             if self.awake[body] && !awake {
                 let sphere = &mut spheres[body];
-                book.still(sphere);
+                energy.still(sphere);
                 sphere.velocity.fill(0.0);
                 sphere.spin.fill(0.0);
             }

@@ -20,7 +20,8 @@ use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate,
 ///
 /// ```
 /// # use nalgebra::Vector3;
-/// # use tribos::cd::{Book, Link, Order, Spheres, Stop, Sweeper, Wall, solve};
+/// # use tribos::cd::{EnergyBalance, Order, Stop, Wall};
+/// # use tribos::cd::internals::{Link, Spheres, Sweeper, solve};
 /// # use tribos::kernel::contact::{Cohesion, Contact, NormalLaw, Plate, Sphere, Thresholds, Touch};
 /// # let (up, dt) = (Vector3::z(), 1e-3);
 /// # let (spin, velocity) = (Vector3::zeros(), Vector3::new(1.0, 0.0, -2.0));
@@ -35,7 +36,7 @@ use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate,
 /// # problem.start();
 /// // A ball of 1 kg falls on a smooth floor at 2 m/s, does not rebound, and drifts on at 1 m/s.
 /// solve(&mut problem, &mut Sweeper::new(Order::Fixed, 0), Stop::Fixed, 1);
-/// let mut book = Book::default();
+/// let mut book = EnergyBalance::default();
 /// let before = (&[ball][..], &[Wall::fixed(up, 0.0)][..]);
 /// book.enter(&[true], before, &problem, &Vector3::zeros(), dt);
 /// assert_eq!((book.normal, book.kinetic), (2.0, 0.5)); // J
@@ -45,7 +46,7 @@ use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate,
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Book {
+pub struct EnergyBalance {
     /// Work of walls' loads, of what drives walls, and of gravity.
     pub work: f64,
     /// Lost in collisions and by closing gaps.
@@ -66,7 +67,7 @@ pub struct Book {
     pub kinetic_initial: Option<f64>,
 }
 
-impl Book {
+impl EnergyBalance {
     /// What the book does not account for: rounding.
     pub fn imbalance(&self) -> f64 {
         let spent = self.normal + self.sliding + self.rolling + self.torsion + self.cohesion;
