@@ -23,8 +23,7 @@ use programs::Program;
 pub const TIER: &str = "tier";
 
 /// Modules of the kernel without a price of their own, and why.
-pub const UNPRICED: [(&str, &str); 7] = [
-    ("contact::prepared", "copies of what a contact holds"),
+pub const UNPRICED: [(&str, &str); 6] = [
     ("coupling::dry", "hands calls on to the tier inside"),
     (
         "coupling::lean_profile",
