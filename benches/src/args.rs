@@ -1,90 +1,53 @@
 //! What the command line of the fronts says.
 
 use crate::fronts::Front;
+use clap::Parser;
 use std::path::PathBuf;
 
-/// Shown for `--help`.
-pub const HELP: &str = "\
-Speed against error: makes every front that the documentation shows, or some of them.
-
-Usage: cargo run --release -p tribos-benches --bin fronts -- [OPTIONS]
-
-  --only NAME   this front alone; again, or NAME,NAME, for more of them:
-                  kernel       force and torque: tiers, precisions, targets, and what else there is
-                  patches      every patch, law and tier
-                  integrators  a disk brought to rest: step, order, error, cost
-                  contacts     contacts of packings: updates, residual against work, size
-                  atoms        molecular dynamics: speed, conserved energy against the step
-                  firmware     flash, stack and instructions of each item; budgets
-  --quick       few rounds and small problems: a look, not for publication
-  --out DIR     where tables and pictures go (docs/fronts; with --quick target/fronts)
-  --help        this text
-
+/// Speed against error: makes every front that the documentation shows, or some of them.
+#[derive(Clone, Debug, PartialEq, Eq, Parser)]
+#[command(after_help = "\
 Instructions need qemu-system-arm and the targets thumbv7em-none-eabihf and thumbv6m-none-eabi of
 rustup. Without QEMU the firmware front tells flash alone, and the kernel's columns say so.
-The atoms front runs LAMMPS beside ours if `lmp` is on the PATH (Debian: lammps).
-";
-
-/// What to make, where, and how long to measure.
-#[derive(Clone, Debug, PartialEq, Eq)]
+The atoms front runs LAMMPS beside ours if `lmp` is on the PATH (Debian: lammps).")]
 pub struct Options {
-    /// Folder for the results.
-    pub out: PathBuf,
-    /// Few rounds: for a look, not for publication.
+    /// These fronts only: again, or NAME,NAME, for more of them
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    only: Vec<Front>,
+    /// Few rounds and small problems: a look, not for publication
+    #[arg(long)]
     pub quick: bool,
-    /// Fronts wanted, in the order of the index.
-    pub fronts: Vec<Front>,
-}
-
-/// What is asked for.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Request {
-    /// The help text.
-    Help,
-    /// Fronts.
-    Fronts(Options),
-}
-
-impl Request {
-    /// Reads `[--only NAME]… [--quick] [--out DIR] [--help]`.
-    pub fn read(mut arguments: impl Iterator<Item = String>) -> Result<Self, String> {
-        let (mut out, mut quick, mut wanted) = (None, false, Vec::new());
-        while let Some(argument) = arguments.next() {
-            match argument.as_str() {
-                "--help" | "-h" => return Ok(Self::Help),
-                "--quick" => quick = true,
-                "--out" => out = Some(arguments.next().ok_or("--out needs a folder after it")?),
-                "--only" => {
-                    let names = arguments.next().ok_or("--only needs a front after it")?;
-                    for name in names.split(',') {
-                        wanted.push(Front::named(name)?);
-                    }
-                }
-                other => {
-                    return Err(format!(
-                        "unknown argument {other}; known: --only NAME, --quick, --out DIR, --help"
-                    ));
-                }
-            }
-        }
-        let is_wanted = |front: &Front| wanted.is_empty() || wanted.contains(front);
-        Ok(Self::Fronts(Options {
-            out: out.map_or_else(|| default_folder(quick), PathBuf::from),
-            quick,
-            fronts: Front::ALL.into_iter().filter(is_wanted).collect(),
-        }))
-    }
+    /// Where tables and pictures go (docs/fronts; with --quick target/fronts)
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
 }
 
 impl Options {
+    /// Fronts wanted, in the order of the index.
+    pub fn fronts(&self) -> Vec<Front> {
+        let wanted = |front: &Front| self.only.is_empty() || self.only.contains(front);
+        Front::ALL.into_iter().filter(wanted).collect()
+    }
+
+    /// Folder for the results: a quick look does not replace what is published.
+    pub fn out(&self) -> PathBuf {
+        let folder = if self.quick {
+            "target/fronts"
+        } else {
+            "docs/fronts"
+        };
+        let usual = || PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join(folder);
+        self.out.clone().unwrap_or_else(usual)
+    }
+
     /// The command that makes the same, but for the folder.
     pub fn command(&self) -> String {
         let mut words = vec!["cargo run --release -p tribos-benches --bin fronts".to_string()];
-        if self.quick || self.fronts.len() < Front::ALL.len() {
+        if self.quick || !self.only.is_empty() {
             words.push("--".into());
         }
-        if self.fronts.len() < Front::ALL.len() {
-            let names: Vec<&str> = self.fronts.iter().map(|front| front.name()).collect();
+        if !self.only.is_empty() {
+            let names: Vec<&str> = self.only.iter().map(|front| front.name()).collect();
             words.push(format!("--only {}", names.join(",")));
         }
         if self.quick {
@@ -94,55 +57,42 @@ impl Options {
     }
 }
 
-/// A quick look does not replace what is published.
-fn default_folder(quick: bool) -> PathBuf {
-    let root = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
-    root.join(if quick {
-        "target/fronts"
-    } else {
-        "docs/fronts"
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn read(words: &[&str]) -> Result<Request, String> {
-        Request::read(words.iter().map(ToString::to_string))
-    }
-
-    fn options(words: &[&str]) -> Options {
-        match read(words).unwrap() {
-            Request::Fronts(options) => options,
-            Request::Help => panic!("help for {words:?}"),
-        }
+    fn read(words: &[&str]) -> Result<Options, String> {
+        let words = ["fronts"].iter().chain(words);
+        Options::try_parse_from(words).map_err(|error| error.to_string())
     }
 
     #[test]
     fn options_are_read_or_refused_with_a_reason() {
-        let some = options(&["--quick", "--out", "here", "--only", "firmware,kernel"]);
-        assert!(some.quick && some.out.ends_with("here"));
-        assert_eq!(some.fronts, [Front::Kernel, Front::Firmware]);
-        assert!(read(&["--out"]).unwrap_err().contains("folder"));
+        let some = read(&["--quick", "--out", "here", "--only", "firmware,kernel"]).unwrap();
+        assert!(some.quick && some.out().ends_with("here"));
+        assert_eq!(some.fronts(), [Front::Kernel, Front::Firmware]);
         assert!(read(&["--fast"]).unwrap_err().contains("--fast"));
         let unknown = read(&["--only", "wheels"]).unwrap_err();
         assert!(unknown.contains("wheels") && unknown.contains("contacts"));
-        assert_eq!(read(&["--help"]), Ok(Request::Help));
     }
 
     #[test]
     fn a_quick_look_leaves_the_published_fronts_alone() {
-        assert!(options(&[]).out.ends_with("docs/fronts"));
-        assert!(options(&["--quick"]).out.ends_with("target/fronts"));
+        assert!(read(&[]).unwrap().out().ends_with("docs/fronts"));
+        assert!(read(&["--quick"]).unwrap().out().ends_with("target/fronts"));
     }
 
     #[test]
     fn the_command_told_makes_the_same_fronts() {
         for words in [&["--only", "patches", "--quick"][..], &["--quick"], &[]] {
-            let told = options(words).command();
+            let options = read(words).unwrap();
+            let told = options.command();
             let again: Vec<&str> = told.split(' ').skip_while(|&word| word != "--").collect();
-            assert_eq!(options(again.get(1..).unwrap_or_default()), options(words));
+            let again = read(again.get(1..).unwrap_or_default()).unwrap();
+            assert_eq!(
+                (again.fronts(), again.quick),
+                (options.fronts(), options.quick)
+            );
         }
     }
 }

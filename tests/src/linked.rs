@@ -1,7 +1,7 @@
-//! The functions that a program holds, by the keys of [`public_items`](crate::public_items).
+//! The functions that a program holds, by the symbols of [`tribos_api`].
 
-use crate::public_items::Precision;
 use std::collections::{BTreeMap, BTreeSet};
+use tribos_api::Function;
 
 /// The functions of `crate_name` that a program holds, each with the precisions in its generics.
 ///
@@ -30,37 +30,38 @@ pub fn linked_functions(
     out
 }
 
-/// The listed functions that a program does not hold, or not in every precision.
+/// Functions of the kernel that a program does not hold, or not in every precision.
+///
+/// Of no interest are derived functions, those that are always inlined into their callers and leave
+/// no symbol, and those of types of other crates.
 pub fn not_linked(
-    listed: &BTreeMap<String, Precision>,
+    functions: &[Function],
     linked: &BTreeMap<String, BTreeSet<&'static str>>,
 ) -> Vec<String> {
-    // Methods by default and from macros count for their trait.
-    let mut held: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
-    for (key, precisions) in linked {
-        let of_trait = key.split_once(" as ").map(|(_, method)| method);
-        let key = of_trait
-            .filter(|_| !listed.contains_key(key))
-            .unwrap_or(key);
-        held.entry(key).or_default().extend(precisions);
-    }
+    let none = BTreeSet::new();
     let mut out = Vec::new();
-    for (key, precision) in listed {
-        match (held.get(key.as_str()), precision) {
-            (_, Precision::Inlined) | (Some(_), Precision::Fixed) => {}
-            (None, _) => out.push(key.clone()),
-            (Some(held), Precision::Both) => {
-                let lacks = ["f32", "f64"]
-                    .into_iter()
-                    .filter(|real| !held.contains(real));
-                out.extend(lacks.map(|real| format!("{key} in {real}")));
-            }
+    for function in functions.iter().filter(|f| !f.derived && !f.always_inlined) {
+        let Some(symbol) = &function.symbol else {
+            continue;
+        };
+        let held = linked.get(symbol).unwrap_or(&none);
+        if function
+            .parameters
+            .iter()
+            .any(|parameter| parameter.name == "R")
+        {
+            let lacks = ["f32", "f64"]
+                .into_iter()
+                .filter(|real| !held.contains(real));
+            out.extend(lacks.map(|real| format!("{symbol} in {real}")));
+        } else if !linked.contains_key(symbol) {
+            out.push(symbol.clone());
         }
     }
     out
 }
 
-/// The key in a demangled name: `<a::T<f64> as b::Trait<f64>>::f`, `<a::T<f64>>::f` or `a::f::<f64>`.
+/// The symbol in a demangled name: `<a::T<f64> as b::Trait<f64>>::f`, `<a::T<f64>>::f` or `a::f::<f64>`.
 fn key_of_symbol(name: &str, crate_name: &str) -> Option<String> {
     if name.contains('{') && !name.contains("{closure#0}>") {
         return None;

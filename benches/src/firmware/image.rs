@@ -4,7 +4,6 @@ use object::read::elf::ElfFile32;
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags, SectionKind, elf};
 use rustc_demangle::demangle;
 use std::collections::BTreeSet;
-use std::path::Path;
 
 /// Bytes that an image puts into flash.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -93,27 +92,10 @@ fn named(name: &[u8], known: &[String]) -> Vec<String> {
     found
 }
 
-/// All modules of the kernel, from its source files: `law::lugre` and so on.
+/// All modules of the kernel, as the compiler lists them: `law::lugre` and so on.
 pub fn modules_of_kernel() -> Result<Vec<String>, String> {
-    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../core/src"));
-    let mut modules = Vec::new();
-    collect(root, "", &mut modules).map_err(|error| format!("{}: {error}", root.display()))?;
-    modules.sort_unstable();
-    Ok(modules)
-}
-
-fn collect(folder: &Path, prefix: &str, modules: &mut Vec<String>) -> std::io::Result<()> {
-    for entry in std::fs::read_dir(folder)? {
-        let path = entry?.path();
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        if path.is_dir() {
-            collect(&path, &format!("{prefix}{stem}::"), modules)?;
-            modules.push(format!("{prefix}{stem}"));
-        } else if stem != "mod" && stem != "lib" {
-            modules.push(format!("{prefix}{stem}"));
-        }
-    }
-    Ok(())
+    let kernel = tribos_api::Library::read("tribos-core", &[])?;
+    Ok(kernel.modules().iter().cloned().collect())
 }
 
 #[cfg(test)]

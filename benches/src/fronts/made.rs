@@ -53,15 +53,12 @@ fn load() -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fronts::Front;
+    use clap::Parser;
 
     #[test]
     fn the_header_tells_machine_compiler_date_and_command() {
-        let options = Options {
-            out: "somewhere".into(),
-            quick: true,
-            fronts: vec![Front::Kernel],
-        };
+        let words = "fronts --only kernel --quick --out somewhere";
+        let options = Options::try_parse_from(words.split(' ')).unwrap();
         let made = now(&options);
         for part in ["Made 20", "cores: ", "rustc ", "--only kernel --quick"] {
             assert!(made.contains(part), "{part} is missing: {made}");

@@ -15,7 +15,7 @@ use std::path::Path;
 use std::time::Instant;
 
 /// A front.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Front {
     /// One evaluation of force and torque.
     Kernel,
@@ -76,15 +76,6 @@ impl Front {
             Self::Firmware => "What the kernel costs a microcontroller",
         }
     }
-
-    /// The front of that name.
-    pub fn named(name: &str) -> Result<Self, String> {
-        let found = Self::ALL.into_iter().find(|front| front.name() == name);
-        found.ok_or_else(|| {
-            let known = Self::ALL.map(Self::name).join(", ");
-            format!("no front has the name {name:?}; known: {known}")
-        })
-    }
 }
 
 /// Where a front goes, how long it measures, and what stands above its tables.
@@ -124,14 +115,15 @@ pub struct Finding {
 /// Makes the fronts asked for, and their part of the index.
 pub fn run(options: &Options) -> Result<(), String> {
     let made = made::now(options);
+    let (out, fronts) = (options.out(), options.fronts());
     let setting = Setting {
-        out: &options.out,
+        out: &out,
         quick: options.quick,
         made: &made,
     };
     println!("{made}");
     let mut counted = None;
-    let wanted = |front: &Front| options.fronts.contains(front);
+    let wanted = |front: &Front| fronts.contains(front);
     for front in Front::WORK.into_iter().filter(wanted) {
         let clock = Instant::now();
         let finding = match front {
@@ -150,6 +142,6 @@ pub fn run(options: &Options) -> Result<(), String> {
         let seconds = clock.elapsed().as_secs();
         println!("{} ({seconds} s): {}", front.name(), finding.line);
     }
-    println!("written to {}", options.out.display());
+    println!("written to {}", out.display());
     Ok(())
 }

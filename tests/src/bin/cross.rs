@@ -3,17 +3,18 @@
 //!
 //! `cargo run -p tribos-tests --bin cross -- --help`
 
+use clap::Parser;
 use std::process::ExitCode;
 use std::sync::mpsc;
 use std::time::Duration;
-use std::{env, fs, thread};
-use tribos_tests::cross::options::{HELP, Missing, Options, names};
+use std::{fs, thread};
+use tribos_tests::cross::options::Options;
 use tribos_tests::cross::platforms::PLATFORMS;
 use tribos_tests::cross::report::{Outcome, Row, table};
 use tribos_tests::cross::work;
 
 fn main() -> ExitCode {
-    match Options::read(env::args().skip(1)).and_then(|options| run(&options)) {
+    match run(&Options::parse()) {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(message) => {
@@ -25,17 +26,13 @@ fn main() -> ExitCode {
 
 /// True if all that was asked for came out as promised.
 fn run(options: &Options) -> Result<bool, String> {
-    if options.help {
-        println!("{HELP}{}", names());
-        return Ok(true);
-    }
     let rows = rows(options);
     let table = table(&rows);
     print!("\n{table}");
     if let Some(path) = &options.out {
         fs::write(path, &table).map_err(|e| format!("{}: {e}", path.display()))?;
     }
-    let incomplete = options.missing == Missing::Failure && rows.iter().any(Row::is_lacking);
+    let incomplete = options.require_all && rows.iter().any(Row::is_lacking);
     Ok(!incomplete && !rows.iter().any(Row::is_broken))
 }
 

@@ -1,91 +1,49 @@
 //! Inputs that no test thought of, for every target or one.
 //!
-//! `cargo run --release -p tribos-tests --bin fuzz -- [--inputs N] [--seed S] [--only NAME] [--repeat SEED]`
+//! `cargo run --release -p tribos-tests --bin fuzz -- --help`
 
+use clap::Parser;
 use std::collections::VecDeque;
 use std::process::ExitCode;
 use std::sync::Mutex;
 use std::time::Instant;
-use tribos_tests::fuzz::{Report, TARGETS, Target, run, take};
-
-const HELP: &str = "\
-Takes seeded inputs for every target and reports what is found: panics, broken properties, slow inputs.
-
-  --inputs N      inputs in all (default 200000)
-  --seed S        seed of the run (default 1)
-  --only NAME     this target only
-  --repeat SEED   with --only: the one input that a finding names
-  --list          names of the targets
-
-Exit codes: 0 nothing found, 1 something found, 2 bad usage.";
+use tribos_tests::fuzz::{Report, Target, run, take, targets};
 
 /// Inputs that a thread takes at once.
 const BATCH: u64 = 5_000;
 
-/// What was asked for.
+/// Takes seeded inputs for every target and reports what is found: panics, broken properties, slow
+/// inputs.
+#[derive(Parser)]
+#[command(after_help = "Exit codes: 0 nothing found, 1 something found, 2 bad usage.")]
 struct Wanted {
+    /// Inputs in all
+    #[arg(long, default_value_t = 200_000)]
     inputs: u64,
+    /// Seed of the run
+    #[arg(long, default_value_t = 1)]
     seed: u64,
-    targets: Vec<Target>,
+    /// This target only
+    #[arg(long, value_name = "NAME", value_parser = names())]
+    only: Option<String>,
+    /// The one input that a finding names
+    #[arg(long, value_name = "SEED", requires = "only")]
     repeat: Option<u64>,
 }
 
-fn main() -> ExitCode {
-    match wanted(std::env::args().skip(1)) {
-        Ok(Some(wanted)) => {
-            // The report tells panics.
-            std::panic::set_hook(Box::new(|_| ()));
-            match wanted.repeat {
-                Some(seed) => repeat(&wanted.targets[0], seed),
-                None => all(&wanted),
-            }
-        }
-        Ok(None) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("error: {message}\n\n{HELP}");
-            ExitCode::from(2)
-        }
-    }
+fn names() -> Vec<&'static str> {
+    targets().map(|target| target.name).collect()
 }
 
-fn wanted(mut arguments: impl Iterator<Item = String>) -> Result<Option<Wanted>, String> {
-    let mut wanted = Wanted {
-        inputs: 200_000,
-        seed: 1,
-        targets: TARGETS.to_vec(),
-        repeat: None,
-    };
-    while let Some(name) = arguments.next() {
-        if name == "--help" || name == "-h" {
-            println!("{HELP}");
-            return Ok(None);
-        }
-        if name == "--list" {
-            TARGETS
-                .iter()
-                .for_each(|target| println!("{}", target.name));
-            return Ok(None);
-        }
-        let value = arguments
-            .next()
-            .ok_or(format!("{name} needs a value, or is unknown"))?;
-        let number = || {
-            value
-                .parse()
-                .map_err(|_| format!("{name} {value}: not a whole number"))
-        };
-        match name.as_str() {
-            "--inputs" => wanted.inputs = number()?,
-            "--seed" => wanted.seed = number()?,
-            "--repeat" => wanted.repeat = Some(number()?),
-            "--only" => wanted.targets.retain(|target| target.name == value),
-            _ => return Err(format!("{name} is unknown")),
-        }
-    }
-    match (wanted.targets.len(), wanted.repeat) {
-        (0, _) => Err("--only: no such target; --list tells them".into()),
-        (2.., Some(_)) => Err("--repeat needs --only".into()),
-        _ => Ok(Some(wanted)),
+fn main() -> ExitCode {
+    let wanted = Wanted::parse();
+    let is_wanted = |target: &Target| wanted.only.as_ref().is_none_or(|only| target.name == only);
+    let targets: Vec<Target> = targets().filter(is_wanted).collect();
+    // The report tells panics.
+    std::panic::set_hook(Box::new(|_| ()));
+    match wanted.repeat {
+        Some(seed) => repeat(&targets[0], seed),
+        None => all(&targets, &wanted),
     }
 }
 
@@ -102,11 +60,11 @@ fn repeat(target: &Target, seed: u64) -> ExitCode {
     }
 }
 
-fn all(wanted: &Wanted) -> ExitCode {
+fn all(targets: &[Target], wanted: &Wanted) -> ExitCode {
     let start = Instant::now();
-    let shares: u64 = wanted.targets.iter().map(|target| target.share).sum();
+    let shares: u64 = targets.iter().map(|target| target.share).sum();
     let mut jobs = VecDeque::new();
-    for (index, target) in wanted.targets.iter().enumerate() {
+    for (index, target) in targets.iter().enumerate() {
         let inputs = (wanted.inputs * target.share).div_ceil(shares);
         for from in (0..inputs).step_by(BATCH as usize) {
             jobs.push_back((index, from..inputs.min(from + BATCH)));
@@ -114,7 +72,7 @@ fn all(wanted: &Wanted) -> ExitCode {
     }
     let (jobs, reports) = (
         Mutex::new(jobs),
-        Mutex::new(vec![Report::default(); wanted.targets.len()]),
+        Mutex::new(vec![Report::default(); targets.len()]),
     );
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     std::thread::scope(|scope| {
@@ -123,7 +81,7 @@ fn all(wanted: &Wanted) -> ExitCode {
                 while let Some((index, range)) =
                     jobs.lock().ok().and_then(|mut jobs| jobs.pop_front())
                 {
-                    let report = run(&wanted.targets[index], wanted.seed, range);
+                    let report = run(&targets[index], wanted.seed, range);
                     if let Ok(mut reports) = reports.lock() {
                         reports[index] = std::mem::take(&mut reports[index]).merged(report);
                     }
@@ -132,15 +90,15 @@ fn all(wanted: &Wanted) -> ExitCode {
         }
     });
     let reports = reports.into_inner().unwrap_or_default();
-    let told = tell(wanted, &reports);
+    let told = tell(targets, &reports);
     println!("{:.1} s, {threads} threads", start.elapsed().as_secs_f64());
     told
 }
 
 /// A line a target, and its findings.
-fn tell(wanted: &Wanted, reports: &[Report]) -> ExitCode {
+fn tell(targets: &[Target], reports: &[Report]) -> ExitCode {
     let mut found = 0;
-    for (target, report) in wanted.targets.iter().zip(reports) {
+    for (target, report) in targets.iter().zip(reports) {
         let (time, seed) = report.slowest;
         println!(
             "{:18} {:9} inputs  {:6} found  slowest {:9.3} ms (seed {seed})",

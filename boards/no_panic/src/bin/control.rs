@@ -18,8 +18,7 @@ fn element(array: &[f32; 3], index: usize) -> f32 {
 #[cfg(target_os = "none")]
 #[unsafe(no_mangle)]
 pub extern "C" fn _start() -> ! {
-    use tribos_no_panic::kept::{Keeper, everything};
-    everything(&mut image::Opaque);
+    image::everything(&mut image::Opaque);
     image::Opaque.keep("element", element as *const ());
     loop {}
 }

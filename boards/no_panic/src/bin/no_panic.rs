@@ -1,6 +1,4 @@
 //! Every public function of the kernel in one image that a panic would keep from linking.
-//!
-//!     cargo build --release -p tribos-no-panic --bin no_panic --target thumbv7em-none-eabihf
 #![cfg_attr(target_os = "none", no_std)]
 #![cfg_attr(target_os = "none", no_main)]
 #![allow(unsafe_code)] // The exported entry and the panic handler of the image.
@@ -13,7 +11,7 @@ mod image;
 #[cfg(target_os = "none")]
 #[unsafe(no_mangle)]
 pub extern "C" fn _start() -> ! {
-    tribos_no_panic::kept::everything(&mut image::Opaque);
+    image::everything(&mut image::Opaque);
     loop {}
 }
 

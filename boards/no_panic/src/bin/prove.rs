@@ -5,9 +5,10 @@
 //! It fails if `no_panic` does not link, if a function of the list is not in the image, or if
 //! `control` links, or fails for another reason than its panic.
 
-use std::path::PathBuf;
+use clap::Parser;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
-use tribos_no_panic::coverage::{Kernel, kept_names, missing};
+use tribos_no_panic::functions;
 
 const TARGETS: [&str; 3] = [
     "thumbv7em-none-eabihf",
@@ -19,21 +20,18 @@ const LEVELS: [&str; 3] = ["3", "\"s\"", "\"z\""];
 /// What the linker says of a panic that is reachable.
 const PANIC: &str = "undefined symbol: a_panic_is_reachable";
 
-const HELP: &str = "prove [--quick]
-Proves by linking that no public function of tribos-core can panic.
-  --quick  opt-level 3 alone, and one control";
+/// Proves by linking that no public function of tribos-core can panic.
+#[derive(clap::Parser)]
+struct Options {
+    /// opt-level 3 alone, and one control
+    #[arg(long)]
+    quick: bool,
+}
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    let outcome = match arguments[..] {
-        [] => prove(&LEVELS, TARGETS.len() * LEVELS.len()),
-        ["--quick"] => prove(&LEVELS[..1], 1),
-        ["--help" | "-h"] => {
-            println!("{HELP}");
-            Ok(())
-        }
-        _ => Err(format!("unknown arguments {arguments:?}\n{HELP}")),
+    let outcome = match Options::parse().quick {
+        true => prove(&LEVELS[..1], 1),
+        false => prove(&LEVELS, TARGETS.len() * LEVELS.len()),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -46,31 +44,32 @@ fn main() -> ExitCode {
 
 /// All targets at `levels`, the first `controls` of them with their control.
 fn prove(levels: &[&str], controls: usize) -> Result<(), String> {
-    let required = Kernel::read()?.functions()?;
-    let names = kept_names();
-    let missing = missing(&required, &names);
-    if !missing.is_empty() {
-        return Err(format!("add these functions to kept/: {missing:#?}"));
-    }
+    let functions::Image {
+        source,
+        names,
+        functions,
+    } = functions::image()?;
+    let here = std::env::current_exe().map_err(|error| format!("cannot find myself: {error}"))?;
+    let file = here.with_file_name("no-panic-functions.rs");
+    std::fs::write(&file, source).map_err(|error| format!("{}: {error}", file.display()))?;
     println!(
-        "{} public functions, counted once a precision; {} instances of them",
-        required.len(),
+        "{functions} public functions; {} instances of them",
         names.len()
     );
     let cases = TARGETS
         .iter()
         .flat_map(|target| levels.iter().map(move |level| (target, level)));
     for (number, (target, level)) in cases.enumerate() {
-        let image = build("no_panic", target, level)?
+        let image = build("no_panic", &file, target, level)?
             .map_err(|complaint| format!("{target}, opt-level {level}: {complaint}"))?;
         let text = constants(&image)?;
-        if let Some(name) = names.iter().find(|name| !text.contains(**name)) {
+        if let Some(name) = names.iter().find(|name| !text.contains(&**name)) {
             return Err(format!(
                 "{target}, opt-level {level}: the image lacks {name}"
             ));
         }
         let control = if number < controls {
-            control(target, level)?
+            control(&file, target, level)?
         } else {
             "not built"
         };
@@ -80,8 +79,8 @@ fn prove(levels: &[&str], controls: usize) -> Result<(), String> {
 }
 
 /// The control has to fail, for its panic.
-fn control(target: &str, level: &str) -> Result<&'static str, String> {
-    match build("control", target, level)? {
+fn control(functions: &Path, target: &str, level: &str) -> Result<&'static str, String> {
+    match build("control", functions, target, level)? {
         Err(complaint) if complaint.contains(PANIC) => Ok("refused by the linker"),
         Err(complaint) => Err(format!(
             "{target}, opt-level {level}: the control fails for another reason: {complaint}"
@@ -93,19 +92,32 @@ fn control(target: &str, level: &str) -> Result<&'static str, String> {
 }
 
 /// Where the image is, or what the compiler and linker complain of.
-fn build(bin: &str, target: &str, level: &str) -> Result<Result<PathBuf, String>, String> {
+fn build(
+    bin: &str,
+    functions: &Path,
+    target: &str,
+    level: &str,
+) -> Result<Result<PathBuf, String>, String> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let output = Command::new(cargo)
         .args(["build", "--release", "--package", "tribos-no-panic"])
-        .args(["--bin", bin, "--target", target, "--message-format", "json"])
+        .args([
+            "--bin",
+            bin,
+            "--target",
+            target,
+            "--message-format",
+            "json-render-diagnostics",
+        ])
         .args(["--config", &format!("profile.release.opt-level={level}")])
+        .env("TRIBOS_NO_PANIC", functions)
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()
         .map_err(|error| format!("cannot run cargo: {error}"))?;
     let said = String::from_utf8_lossy(&output.stdout);
     if !output.status.success() {
         let complaint = String::from_utf8_lossy(&output.stderr);
-        return Ok(Err(format!("{complaint}{said}")));
+        return Ok(Err(complaint.into()));
     }
     // The line of the image names its file; nothing else of the output is needed.
     let path = said

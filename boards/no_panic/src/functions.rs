@@ -1,0 +1,236 @@
+//! The image's source: every public function of the kernel for every instance of its parameters.
+//!
+//! The functions are the compiler's list, the instances those of `tribos-api`. Each function is
+//! written once, generic as it is, and called once for each choice of its parameters.
+
+use std::fmt::Write;
+use tribos_api::{
+    CONSTANTS, Function, INSTANCES, Instance, Library, Parameter, THOROUGH, UNBOUNDED,
+};
+
+/// Precisions with their place in [`CONSTANTS`].
+const PRECISIONS: [(usize, &str); 2] = [(0, "f32"), (1, "f64")];
+
+/// The image's source and what it keeps.
+#[derive(Debug)]
+pub struct Image {
+    /// Rust.
+    pub source: String,
+    /// A name for each function, precision and choice of parameters; each is a constant of the image.
+    pub names: Vec<String>,
+    /// How many functions there are.
+    pub functions: usize,
+}
+
+/// The image of all public functions.
+///
+/// # Errors
+/// The functions for which the list of instances has no choice.
+pub fn image() -> Result<Image, String> {
+    of(&Library::read("tribos-core", &[])?.functions()?)
+}
+
+fn of(functions: &[Function]) -> Result<Image, String> {
+    let mut image = Image {
+        source: "use tribos_core::*;\n".into(),
+        names: Vec::new(),
+        functions: 0,
+    };
+    let (mut calls, mut without) = ([String::new(), String::new()], String::new());
+    for function in functions.iter().filter(|function| !function.derived) {
+        image.functions += 1;
+        let number = image.functions;
+        let _ = image.source.write_str(&definition(function, number));
+        let given: Vec<&Parameter> = function
+            .parameters
+            .iter()
+            .filter(|p| !is_closure(p))
+            .collect();
+        let thorough = THOROUGH
+            .iter()
+            .any(|start| function.path.starts_with(start));
+        // What has no parameter is one function, whatever the precision.
+        let precisions = if given.is_empty() {
+            &PRECISIONS[1..]
+        } else {
+            &PRECISIONS
+        };
+        for &(place, precision) in precisions {
+            let choices = choices(&given, place, thorough);
+            if choices.is_empty() {
+                let _ = writeln!(without, "{} in {precision}", function.path);
+            }
+            for choice in choices {
+                let arguments = choice.join(", ");
+                let name = format!("{} [{precision}: {arguments}]", function.path);
+                let _ = writeln!(
+                    calls[place],
+                    "        f{number}::<{arguments}>(keeper, {name:?});"
+                );
+                image.names.push(name);
+            }
+        }
+    }
+    if !without.is_empty() {
+        return Err(format!(
+            "no instance in tests/api/src/instances.rs suits these:\n{without}"
+        ));
+    }
+    image.source += "pub fn everything(keeper: &mut crate::image::Opaque) {\n";
+    for (place, precision) in PRECISIONS {
+        let _ = write!(
+            image.source,
+            "    {{\n        type R = {precision};\n{}    }}\n",
+            calls[place]
+        );
+    }
+    image.source += "}\n";
+    Ok(image)
+}
+
+/// A generic function that hands out the address of `function`.
+fn definition(function: &Function, number: usize) -> String {
+    let declared = function
+        .parameters
+        .iter()
+        .filter(|p| !is_closure(p))
+        .map(|parameter| {
+            let Parameter {
+                name,
+                constant,
+                bounds,
+                ..
+            } = parameter;
+            match constant {
+                Some(of) => format!("const {name}: {of}"),
+                None => format!("{name}: {}", bounds.join(" + ")),
+            }
+        });
+    let declared: Vec<String> = declared.collect();
+    let conditions = match function.conditions[..] {
+        [] => String::new(),
+        _ => format!(" where {}", function.conditions.join(", ")),
+    };
+    let own = match function.own[..] {
+        [] => String::new(),
+        _ => format!("::<{}>", function.own.join(", ")),
+    };
+    // What is generic by `impl Trait` is settled by the function's type.
+    let pointer = match function
+        .parameters
+        .iter()
+        .any(|parameter| parameter.is_synthetic)
+    {
+        true => {
+            let mut inputs = function.inputs.join(", ");
+            for closure in function.parameters.iter().filter(|p| is_closure(p)) {
+                inputs = inputs.replace(
+                    &closure.name,
+                    &closure.bounds[0].replace("core::ops::Fn", "fn"),
+                );
+            }
+            format!(" as fn({inputs}) -> _")
+        }
+        false => String::new(),
+    };
+    // Functions live as long as the image.
+    let path = function.path.replace("'a", "'static");
+    format!(
+        "fn f{number}<{}>(keeper: &mut crate::image::Opaque, name: &'static str){conditions} {{\n    \
+         keeper.keep(name, {}{own}{pointer} as *const ());\n}}\n",
+        declared.join(", "),
+        path
+    )
+}
+
+/// A closure, for which a function stands.
+fn is_closure(parameter: &Parameter) -> bool {
+    parameter
+        .bounds
+        .iter()
+        .any(|bound| bound.starts_with("core::ops::Fn"))
+}
+
+/// Every choice of arguments.
+fn choices(parameters: &[&Parameter], precision: usize, thorough: bool) -> Vec<Vec<&'static str>> {
+    let mut choices = vec![Vec::new()];
+    for parameter in parameters {
+        let is_given = |other: &&&Parameter| {
+            let given = format!("= {}>", parameter.name);
+            other.bounds.iter().any(|bound| bound.ends_with(&given))
+        };
+        let candidates = match parameters.iter().any(|other| is_given(&other)) {
+            // The compiler finds it.
+            true => vec!["_"],
+            false => candidates(parameter, precision, thorough),
+        };
+        let longer = |choice: &Vec<&'static str>| {
+            let choice = choice.clone();
+            let with = |&candidate| [&choice[..], &[candidate]].concat();
+            candidates.iter().map(with).collect::<Vec<_>>()
+        };
+        choices = choices.iter().flat_map(longer).collect();
+    }
+    choices
+}
+
+/// What may stand for a parameter.
+fn candidates(parameter: &Parameter, precision: usize, thorough: bool) -> Vec<&'static str> {
+    if parameter.constant.is_some() {
+        let named = CONSTANTS.iter().find(|(name, _)| *name == parameter.name);
+        return named.map_or(Vec::new(), |(_, values)| values[precision].to_vec());
+    }
+    let bounds = parameter
+        .bounds
+        .iter()
+        .filter(|bound| !bound.contains("core::marker::"));
+    let mut traits: Vec<&str> = bounds.map(|bound| last(bound)).collect();
+    if traits.is_empty() {
+        let unbounded = UNBOUNDED.iter().find(|(name, _)| *name == parameter.name);
+        traits.extend(unbounded.map(|(_, wanted)| wanted));
+    }
+    let suits = |instance: &&Instance| {
+        let here = instance
+            .precision
+            .is_none_or(|only| only == PRECISIONS[precision].1)
+            && (thorough || instance.representative);
+        here && !traits.is_empty() && traits.iter().all(|wanted| instance.traits.contains(wanted))
+    };
+    INSTANCES
+        .iter()
+        .filter(suits)
+        .map(|instance| instance.of)
+        .collect()
+}
+
+/// The name of a trait, without path and arguments.
+fn last(bound: &str) -> &str {
+    let path = bound.split(['<', '(']).next().unwrap_or_default();
+    path.rsplit("::").next().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_function_without_instance_is_named() {
+        let bound = |bound: &str| Function {
+            path: "law::lonely".into(),
+            symbol: None,
+            parameters: vec![Parameter {
+                name: "L".into(),
+                bounds: vec![bound.into()],
+                ..Parameter::default()
+            }],
+            conditions: Vec::new(),
+            own: vec!["L".into()],
+            inputs: Vec::new(),
+            always_inlined: false,
+            derived: false,
+        };
+        assert!(of(&[bound("law::LocalLaw<f64>")]).is_ok());
+        let error = of(&[bound("law::Unlisted")]).unwrap_err();
+        assert!(error.contains("law::lonely in f32"), "{error}");
+    }
+}

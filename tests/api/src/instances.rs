@@ -1,0 +1,194 @@
+//! What stands for a generic parameter: one list for every proof.
+//!
+//! A type is listed once, with the traits that it is wanted for. A new law, tier, patch or friction
+//! set enters every proof by its line here.
+
+/// A type that stands for parameters bounded by any of its traits.
+#[derive(Clone, Copy, Debug)]
+pub struct Instance {
+    /// As Rust writes it with the paths of the kernel; `R` is the scalar.
+    pub of: &'static str,
+    /// Names of traits.
+    pub traits: &'static [&'static str],
+    /// Large things that take any tier are built for some of them only.
+    pub representative: bool,
+    /// The only precision that it has, if so.
+    pub precision: Option<&'static str>,
+}
+
+const fn instance(of: &'static str, traits: &'static [&'static str]) -> Instance {
+    Instance {
+        of,
+        traits,
+        representative: true,
+        precision: None,
+    }
+}
+
+const fn similar(instance: Instance) -> Instance {
+    Instance {
+        representative: false,
+        ..instance
+    }
+}
+
+const fn only(precision: &'static str, instance: Instance) -> Instance {
+    Instance {
+        precision: Some(precision),
+        ..instance
+    }
+}
+
+const LAW: &[&str] = &["LocalLaw"];
+const TIER: &[&str] = &["Coupling", "Lateral", "Profile", "SmoothProfile"];
+const DRY: &[&str] = &[
+    "Coupling",
+    "Lateral",
+    "Profile",
+    "SmoothProfile",
+    "DryCoupling",
+];
+
+/// All of them.
+pub const INSTANCES: &[Instance] = &[
+    instance("R", &["Real", "CoulombTable"]),
+    // Local laws.
+    instance("law::Coulomb<R>", LAW),
+    instance("law::DryFriction<R>", LAW),
+    instance("law::PowerLaw<R>", LAW),
+    instance("law::PlateauPower<R>", LAW),
+    instance("law::Stribeck<R>", LAW),
+    instance("law::SteadyLuGre<R>", LAW),
+    instance("law::SteadyRateState<R>", LAW),
+    // What laws are made of.
+    instance("law::Dieterich", &["Evolution"]),
+    instance("law::Ruina", &["Evolution"]),
+    instance("law::Plastic<R>", &["RealArea"]),
+    instance("law::HertzSphere<R>", &["RealArea"]),
+    instance("law::GreenwoodWilliamson<R>", &["RealArea"]),
+    // Tiers.
+    instance("coupling::table::Coulomb", DRY),
+    similar(instance("&'static coupling::table::Coulomb", DRY)),
+    instance("coupling::compact::Coulomb", DRY),
+    instance("coupling::compact::Power<R>", TIER),
+    instance("coupling::closed::Ring", DRY),
+    similar(instance("coupling::closed::FlatPunch", DRY)),
+    similar(instance("coupling::closed::Hertz", DRY)),
+    only("f32", similar(instance("coupling::table::Table32", TIER))),
+    only("f64", similar(instance("coupling::table::Table64", TIER))),
+    only(
+        "f32",
+        similar(instance("coupling::round::RoundTable32", TIER)),
+    ),
+    only(
+        "f64",
+        similar(instance("coupling::round::RoundTable64", TIER)),
+    ),
+    only(
+        "f64",
+        similar(instance("coupling::round::LateralPolynomialTable", TIER)),
+    ),
+    only(
+        "f64",
+        similar(instance(
+            "coupling::round::PolynomialTable",
+            &["Coupling", "Profile", "SmoothProfile"],
+        )),
+    ),
+    similar(instance("coupling::Dry<coupling::compact::Power<R>>", DRY)),
+    only(
+        "f32",
+        instance("coupling::Dry<coupling::round::RoundTable32>", DRY),
+    ),
+    only(
+        "f64",
+        instance("coupling::Dry<coupling::round::RoundTable64>", DRY),
+    ),
+    instance(
+        "coupling::quadrature::DiskQuadrature<law::PowerLaw<R>>",
+        &["Coupling"],
+    ),
+    instance("coupling::tall::FrontBack", &["Lean"]),
+    instance("coupling::tall::AllRound", &["Lean"]),
+    // Patches.
+    instance("patch::nodes::Nodes<R, 3>", &["NodePatch"]),
+    instance("patch::nodes::NodeList<R, 12>", &["NodePatch", "NodeSink"]),
+    instance("patch::nodes::NodeSlice<'static, R>", &["NodePatch"]),
+    instance(
+        "patch::nodes::NodeBuffer<'static, R>",
+        &["NodePatch", "NodeSink"],
+    ),
+    // Limit surfaces.
+    instance(
+        "limit_surface::LimitSurface<R, coupling::table::Coulomb>",
+        &["FrictionSet"],
+    ),
+    instance("limit_surface::Ellipsoid<R>", &["FrictionSet"]),
+    // Contacts.
+    instance("contact::Sphere<R>", &["Body"]),
+    instance("contact::Plate<R>", &["Body"]),
+    instance("contact::Frictionless", &["Modes"]),
+    instance("contact::Sliding", &["Modes"]),
+    instance("contact::SlidingTorsion", &["Modes"]),
+    instance("contact::SlidingRolling", &["Modes"]),
+    instance("contact::AllModes", &["Modes"]),
+    instance(
+        "contact::Thresholds<R, contact::Frictionless>",
+        &["ContactFriction"],
+    ),
+    instance(
+        "contact::Thresholds<R, contact::Sliding>",
+        &["ContactFriction"],
+    ),
+    instance(
+        "contact::Thresholds<R, contact::SlidingTorsion>",
+        &["ContactFriction"],
+    ),
+    instance(
+        "contact::Thresholds<R, contact::SlidingRolling>",
+        &["ContactFriction"],
+    ),
+    instance(
+        "contact::Thresholds<R, contact::AllModes>",
+        &["ContactFriction"],
+    ),
+    instance(
+        "contact::CoupledFriction<R, limit_surface::LimitSurface<R, coupling::table::Coulomb>, contact::SlidingTorsion>",
+        &["ContactFriction"],
+    ),
+    instance(
+        "contact::CoupledFriction<R, limit_surface::LimitSurface<R, coupling::table::Coulomb>, contact::AllModes>",
+        &["ContactFriction"],
+    ),
+    instance(
+        "contact::CoupledFriction<R, limit_surface::Ellipsoid<R>, contact::SlidingTorsion>",
+        &["ContactFriction"],
+    ),
+    instance(
+        "contact::CoupledFriction<R, limit_surface::Ellipsoid<R>, contact::AllModes>",
+        &["ContactFriction"],
+    ),
+];
+
+/// What is built for all instances, not for the representative ones alone.
+pub const THOROUGH: [&str; 2] = ["<coupling::PatchFriction", "<&"];
+
+/// Constants that stand for constant parameters, by the name of the parameter; in f32, in f64.
+pub const CONSTANTS: &[(&str, [&[&str]; 2])] = &[
+    ("N", [&["4"], &["4"]]),
+    ("CAPACITY", [&["12"], &["12"]]),
+    ("BODIES", [&["3"], &["3"]]),
+    ("CONTACTS", [&["2"], &["2"]]),
+    // Those of `Table32` and `Table64`.
+    ("CELLS", [&["48"], &["106"]]),
+    ("TERMS", [&["6"], &["13"]]),
+];
+
+/// Traits of parameters that the source leaves unbounded, by the name of the parameter.
+pub const UNBOUNDED: &[(&str, &str)] = &[
+    ("R", "Real"),
+    ("C", "Coupling"),
+    ("L", "LocalLaw"),
+    ("P", "NodePatch"),
+    ("M", "Modes"),
+];

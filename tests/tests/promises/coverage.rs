@@ -1,0 +1,72 @@
+//! No public function of the kernel is without digest, and none is without arbitrary input: programs
+//! that do nothing else hold them all, in both precisions.
+
+use std::path::Path;
+use std::process::Command;
+use tribos_api::Library;
+use tribos_tests::linked::{linked_functions, not_linked};
+
+/// A program, unoptimised, with names that tell precisions.
+fn program(package: &str, example: &str) -> Vec<u8> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let target_dir = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("coverage")
+        .join(package);
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo
+        .current_dir(root)
+        .args(["build", "--quiet", "-p", package])
+        .args(["--example", example, "--target-dir"])
+        .arg(&target_dir);
+    for setting in [
+        "profile.dev.opt-level=0",
+        "profile.dev.debug=false",
+        "profile.dev.package.tribos-core.opt-level=0",
+        "profile.dev.package.tribos.opt-level=0",
+    ] {
+        cargo.args(["--config", setting]);
+    }
+    cargo.env("RUSTFLAGS", "-Csymbol-mangling-version=v0");
+    cargo.env_remove("CARGO_ENCODED_RUSTFLAGS");
+    assert!(cargo.status().expect("cargo starts").success());
+    let name = format!("debug/examples/{example}{}", std::env::consts::EXE_SUFFIX);
+    std::fs::read(target_dir.join(name)).expect("it was built")
+}
+
+/// Functions of the kernel that a program does not hold.
+fn lacking(package: &str, example: &str) -> Vec<String> {
+    let kernel = Library::read("tribos-core", &[]).expect("rustdoc runs");
+    let functions = kernel.functions().expect("the format is known");
+    let program = program(package, example);
+    not_linked(&functions, &linked_functions(&program, "tribos_core"))
+}
+
+#[test]
+fn the_digests_reach_every_public_function_in_both_precisions() {
+    let lacking = lacking("tribos-digest", "print");
+    assert!(
+        lacking.is_empty(),
+        "without digest:\n{}",
+        lacking.join("\n")
+    );
+}
+
+/// What arbitrary input does not reach yet: getters, and precisions and tiers of which a sibling is
+/// reached. The list may only become shorter.
+const NOT_FUZZED: &str = include_str!("not_fuzzed.txt");
+
+#[test]
+fn arbitrary_input_reaches_every_public_function_but_those_listed() {
+    let lacking = lacking("tribos-tests", "fuzz_kernel");
+    let listed: Vec<&str> = NOT_FUZZED.lines().collect();
+    let new = lacking.iter().filter(|one| !listed.contains(&one.as_str()));
+    let reached = listed
+        .iter()
+        .filter(|one| !lacking.iter().any(|other| other == *one));
+    let new = new.map(|one| format!("+ {one}\n"));
+    let changes: String = new.chain(reached.map(|one| format!("- {one}\n"))).collect();
+    assert!(
+        changes.is_empty(),
+        "not reached by arbitrary input (+), or listed in not_fuzzed.txt for nothing (-):\n{changes}"
+    );
+}
