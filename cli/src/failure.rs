@@ -2,6 +2,7 @@
 
 use crate::command::INTERRUPTED;
 use std::process::ExitCode;
+use tribos::friction::Refusal;
 use tribos::golden::MeasureError;
 use tribos::record::WriteError;
 use tribos::slide::SlideError;
@@ -114,5 +115,23 @@ impl From<MeasureError> for Failure {
 impl From<crate::report::figure::FigureError> for Failure {
     fn from(error: crate::report::figure::FigureError) -> Self {
         Self::run(error)
+    }
+}
+
+impl From<Refusal> for Failure {
+    /// A refused choice of friction, with the options that cure it.
+    fn from(refusal: Refusal) -> Self {
+        Self::Input(match refusal {
+            Refusal::Tier { tier, reason, cure } => {
+                let cure = cure.map_or("leave out --tier".into(), |cure| {
+                    format!("use --tier {cure}")
+                });
+                format!("--tier {tier} {reason}; {cure}")
+            }
+            Refusal::SinglePrecision => {
+                "polynomial patches need --precision f64, or --tier quadrature".into()
+            }
+            other => other.to_string(),
+        })
     }
 }

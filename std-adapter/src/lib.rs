@@ -29,6 +29,7 @@
 
 pub mod cd;
 pub mod fit;
+pub mod friction;
 pub mod golden;
 pub mod md;
 pub mod powder;
