@@ -1,7 +1,7 @@
 //! A flat disk under any law of the local speed.
 
 use super::planar::{Gradient, Journey, Launch, Point, Resistance, TallBody};
-use super::simulation::MOST_STEPS;
+use super::simulation::{MOST_STEPS, SLIVER};
 use super::{COLUMNS, Ending, Outcome, SlideError, SlideRun, energy_at_launch, run};
 use crate::friction::{Friction, Law, Patch};
 use crate::scene::{SliderScene, Stepper};
@@ -57,25 +57,11 @@ pub fn run_law(
     let end = scene
         .duration
         .map_or(scouted, |duration| duration.min(scouted));
-    let interval = scene.time_step.unwrap_or(end / f64::from(scene.samples));
-    let steps = end / interval;
-    if steps > MOST_STEPS {
-        return Err(SlideError::TooManySteps {
-            time_step: interval,
-            steps,
-            most: MOST_STEPS,
-            at_least: end / MOST_STEPS,
-        });
-    }
-    let mut times: Vec<f64> = (1..=steps.ceil() as u64)
-        .map(|k| interval * k as f64)
-        .filter(|time| *time < end)
-        .collect();
-    times.push(end);
-
+    let times = sample_times(scene, end)?;
     let mut points: Vec<Point> = Vec::new();
     let arrival = journey()?.follow(&times, |point| {
-        if point.time <= end {
+        // Times on the way are met to 2 ulp.
+        if point.time <= end * (1.0 + SLIVER) {
             points.push(*point);
             progress((point.time / end).clamp(0.0, 1.0));
         }
@@ -112,6 +98,24 @@ pub fn run_law(
             energy_error: (dissipated - lost).abs() / initial_energy,
         },
     })
+}
+
+/// Times of the samples up to `end`, which is the last.
+fn sample_times(scene: &SliderScene, end: f64) -> Result<Vec<f64>, SlideError> {
+    let interval = scene.time_step.unwrap_or(end / f64::from(scene.samples));
+    let steps = end / interval;
+    if steps > MOST_STEPS {
+        return Err(SlideError::TooManySteps {
+            time_step: interval,
+            steps,
+            most: MOST_STEPS,
+            at_least: end / MOST_STEPS,
+        });
+    }
+    let all = (1..=steps.ceil() as u64).map(|k| interval * k as f64);
+    let mut times: Vec<f64> = all.filter(|time| *time < end * (1.0 - SLIVER)).collect();
+    times.push(end);
+    Ok(times)
 }
 
 fn row(point: &Point, kinetic: f64, mass: f64) -> [f64; COLUMNS.len()] {
