@@ -3,6 +3,7 @@
 use crate::command::interrupt;
 use std::error::Error;
 use std::process::ExitCode;
+use tribos::friction::Refusal;
 use tribos::golden::MeasureError;
 use tribos::record::WriteError;
 use tribos::record::frames::FrameError;
@@ -187,5 +188,23 @@ impl From<FilmError> for Failure {
             FilmError::Missing(_) => Self::input(error),
             FilmError::Movie(_) => Self::run(error),
         }
+    }
+}
+
+impl From<Refusal> for Failure {
+    /// A refused choice of friction, with the options that cure it.
+    fn from(refusal: Refusal) -> Self {
+        Self::Input(match refusal {
+            Refusal::Tier { tier, reason, cure } => {
+                let cure = cure.map_or("leave out --tier".into(), |cure| {
+                    format!("use --tier {cure}")
+                });
+                format!("--tier {tier} {reason}; {cure}")
+            }
+            Refusal::SinglePrecision => {
+                "polynomial patches need --precision f64, or --tier quadrature".into()
+            }
+            other => other.to_string(),
+        })
     }
 }

@@ -19,6 +19,7 @@
 //!
 //! | module | what it has |
 //! |---|---|
+//! | [`friction`] | patch, law and accuracy tier chosen by name; the catalogue of laws |
 //! | [`scene`] | scene files: keys, units, defaults, checks, overrides |
 //! | [`slide`] | sliding bodies: disk, cylinder, pipe, curling rock; which launch ends at a wanted pose |
 //! | [`cd`], [`powder`] | rigid spheres in contact; cohesive powders under a piston |
@@ -29,6 +30,7 @@
 
 pub mod cd;
 pub mod fit;
+pub mod friction;
 pub mod golden;
 pub mod md;
 pub mod powder;

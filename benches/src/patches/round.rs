@@ -8,17 +8,17 @@ use super::{Case, Entry, Label, Refused, SEED, precision};
 use crate::methods::as_pair;
 use crate::mix;
 use crate::reference::Wide;
+use tribos::friction::{Patch, Precision, RoundPower, Tier, Visitor, visit};
 use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::round::{PolynomialTable, RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{self, CoulombTable, Table32, Table64};
-use tribos_core::coupling::{Annulus, Coupling, Lateral, closed, compact};
-use tribos_core::law::{LawError, LocalLaw};
+use tribos_core::coupling::round::PolynomialTable;
+use tribos_core::coupling::{Annulus, Coupling, compact};
+use tribos_core::law::LocalLaw;
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::real::Real;
 
 /// Inner over outer radius of the annulus.
 pub const INNER: f64 = 0.9;
-/// Every so manieth pair is timed: equal work for all tiers.
+/// Stride of the pairs that are timed: slower tiers time fewer of them.
 pub const TABLE_STRIDE: usize = 4;
 const COMPACT_STRIDE: usize = 20;
 /// Also for nodes.
@@ -27,47 +27,13 @@ pub const SLOW_STRIDE: usize = 80;
 const AREA_PAIRS: usize = 48;
 const AREA_RATIOS: core::ops::Range<f64> = 1e-3..1e3;
 
-/// The tables of one precision.
-pub trait Tables: CoulombTable {
-    /// Of the uniform disk.
-    type Disk: Lateral<Self> + 'static;
-    /// Of the other pressures.
-    type Round: Coupling<Self> + 'static;
-    /// Of the uniform disk.
-    fn disk(alpha: f64) -> Result<Self::Disk, LawError>;
-    /// Of another pressure.
-    fn round(alpha: f64, pressure: PowerPressure) -> Result<Self::Round, LawError>;
-}
-
-impl Tables for f64 {
-    type Disk = Table64;
-    type Round = RoundTable64;
-    fn disk(alpha: f64) -> Result<Table64, LawError> {
-        Table64::new(alpha)
-    }
-    fn round(alpha: f64, pressure: PowerPressure) -> Result<RoundTable64, LawError> {
-        RoundTable64::new(alpha, pressure)
-    }
-}
-
-impl Tables for f32 {
-    type Disk = Table32;
-    type Round = RoundTable32;
-    fn disk(alpha: f64) -> Result<Table32, LawError> {
-        Table32::new(alpha as f32)
-    }
-    fn round(alpha: f64, pressure: PowerPressure) -> Result<RoundTable32, LawError> {
-        RoundTable32::new(alpha as f32, pressure)
-    }
-}
-
 /// The pressures (1−r²)^q, where their references are, and what the judge calls them.
-const POWERS: [(&str, &str, PowerPressure); 5] = [
-    ("disk", "uniform", PowerPressure::UNIFORM),
-    ("ring", "ring", PowerPressure::RING),
-    ("punch", "punch", PowerPressure::FLAT_PUNCH),
-    ("Hertz", "hertz", PowerPressure::HERTZ),
-    ("paraboloid", "paraboloid", PowerPressure::PARABOLOID),
+const POWERS: [(&str, &str, Patch); 5] = [
+    ("disk", "uniform", Patch::Disk),
+    ("ring", "ring", Patch::Ring),
+    ("punch", "punch", Patch::Punch),
+    ("Hertz", "hertz", Patch::Hertz),
+    ("paraboloid", "paraboloid", Patch::Paraboloid),
 ];
 
 /// Eight mixes in a row, thinned: what everything is timed on.
@@ -128,84 +94,99 @@ fn coupled<R: Real, C: Coupling<R> + 'static>(
     })
 }
 
+/// The row of the kernel's own type, chosen at run time.
+struct Row<'a> {
+    label: Label,
+    judged: (&'a [Case], usize),
+}
+
+impl<R: Precision> Visitor<R> for Row<'_> {
+    type Output = Entry;
+    fn visit<P: RoundPower<R> + 'static>(self, friction: P) -> Entry {
+        let bytes = match self.label.tier {
+            "closed" => 0,
+            _ => table_bytes::<R, P>(),
+        };
+        coupled::<R, _>(self.label, bytes, self.judged, friction)
+    }
+}
+
+/// Size of a coupling with its table: one without data of its own looks up that in the program.
+pub fn table_bytes<R: Precision, P>() -> usize {
+    let own = size_of::<P>();
+    if own > size_of::<R>() {
+        own
+    } else {
+        size_of::<R::Table>()
+    }
+}
+
 /// Power laws on the pressures (1−r²)^q and the annulus, all tiers but the quadrature.
-pub fn powers<R: Tables>() -> Result<Vec<Entry>, Refused> {
+pub fn powers<R: Precision>() -> Result<Vec<Entry>, Refused> {
     let mut rows = Vec::new();
+    let inner = R::from_f64(INNER);
     for (alpha, law) in laws::POWERS {
-        for (patch, file, pressure) in POWERS {
+        let narrow = R::from_f64(alpha);
+        for (name, file, patch) in POWERS {
+            let pressure = patch.pressure().unwrap_or(PowerPressure::UNIFORM);
             let wide = compact::CompactPower::with_pressure(alpha, pressure)?;
             let cases = power_cases::<R>(Source::File(file), alpha, &wide);
-            let label = |tier| Label {
-                patch,
-                law,
-                tier,
-                judge: judge::<R>(),
-            };
-            let quick = (cases.as_slice(), TABLE_STRIDE);
-            let row = if pressure != PowerPressure::UNIFORM {
-                let table = R::round(alpha, pressure)?;
-                coupled::<R, _>(label("table"), size_of::<R::Round>(), quick, table)
-            } else if alpha == 0.0 {
-                let bytes = size_of::<R::Table>();
-                coupled::<R, _>(label("table"), bytes, quick, table::Coulomb)
-            } else {
-                let bytes = size_of::<R::Disk>();
-                coupled::<R, _>(label("table"), bytes, quick, R::disk(alpha)?)
-            };
-            rows.push(row);
-            if alpha == 0.0 {
-                rows.extend(in_closed_form::<R>(label("closed"), quick));
-            }
-            let power = compact::CompactPower::with_pressure(R::from_f64(alpha), pressure)?;
-            let slow = (cases.as_slice(), COMPACT_STRIDE);
-            let bytes = size_of_val(&power);
-            rows.push(coupled::<R, _>(label("compact"), bytes, slow, power));
+            exact::<R>(&mut rows, (name, law), (&patch, alpha), &cases)?;
+            let series = compact::CompactPower::with_pressure(narrow, pressure)?;
+            rows.push(in_series::<R, _>((name, law), &cases, series));
         }
-        rows.extend(annulus::<R>(alpha, law)?);
+        let name = "annulus 0.9";
+        let wide = Annulus::new(compact::CompactPower::new(alpha)?, inner.to_f64())?;
+        let cases = power_cases::<R>(Source::Annulus(INNER), alpha, &wide);
+        exact::<R>(
+            &mut rows,
+            (name, law),
+            (&Patch::Annulus(INNER), alpha),
+            &cases,
+        )?;
+        let series = Annulus::new(compact::CompactPower::new(narrow)?, inner)?;
+        rows.push(in_series::<R, _>((name, law), &cases, series));
     }
     Ok(rows)
 }
 
-/// Coulomb friction without table or series; not known for the paraboloid.
-fn in_closed_form<R: Real>(label: Label, cases: (&[Case], usize)) -> Option<Entry> {
-    match label.patch {
-        "disk" => Some(coupled::<R, _>(label, 0, cases, compact::CompactCoulomb)),
-        "ring" => Some(coupled::<R, _>(label, 0, cases, closed::Ring)),
-        "punch" => Some(coupled::<R, _>(label, 0, cases, closed::FlatPunch)),
-        "Hertz" => Some(coupled::<R, _>(label, 0, cases, closed::Hertz)),
-        _ => None,
+/// The rows of the table and, under Coulomb friction, of the closed form; the latter is not known for the
+/// paraboloid.
+fn exact<R: Precision>(
+    rows: &mut Vec<Entry>,
+    (name, law): (&'static str, &'static str),
+    (patch, alpha): (&Patch, f64),
+    cases: &[Case],
+) -> Result<(), Refused> {
+    let has_closed_form = alpha == 0.0 && *patch != Patch::Paraboloid;
+    let tiers = [("table", Tier::Table), ("closed", Tier::Compact)];
+    for (tier, served) in tiers.into_iter().take(1 + usize::from(has_closed_form)) {
+        let row = Row {
+            label: label::<R>(name, law, tier),
+            judged: (cases, TABLE_STRIDE),
+        };
+        rows.push(visit::<R, _>(patch, alpha, served, row)?);
     }
+    Ok(())
 }
 
-/// A thin annulus from two disks.
-fn annulus<R: Tables>(alpha: f64, law: &'static str) -> Result<Vec<Entry>, Refused> {
-    let inner = R::from_f64(INNER);
-    let wide = Annulus::new(compact::CompactPower::new(alpha)?, inner.to_f64())?;
-    let cases = power_cases::<R>(Source::Annulus(INNER), alpha, &wide);
-    let label = |tier| Label {
-        patch: "annulus 0.9",
+/// The row of the series that serves any exponent.
+fn in_series<R: Precision, C: Coupling<R> + 'static>(
+    (name, law): (&'static str, &'static str),
+    cases: &[Case],
+    series: C,
+) -> Entry {
+    let label = label::<R>(name, law, "compact");
+    coupled::<R, _>(label, size_of::<C>(), (cases, COMPACT_STRIDE), series)
+}
+
+fn label<R: Real>(patch: &'static str, law: &'static str, tier: &'static str) -> Label {
+    Label {
+        patch,
         law,
         tier,
         judge: judge::<R>(),
-    };
-    let quick = (cases.as_slice(), TABLE_STRIDE);
-    let slow = (cases.as_slice(), COMPACT_STRIDE);
-    let mut rows = Vec::new();
-    if alpha == 0.0 {
-        let bytes = size_of::<R::Table>();
-        let disk = Annulus::new(table::Coulomb, inner)?;
-        rows.push(coupled::<R, _>(label("table"), bytes, quick, disk));
-        let disk = Annulus::new(compact::CompactCoulomb, inner)?;
-        rows.push(coupled::<R, _>(label("closed"), 0, quick, disk));
-    } else {
-        let disk = Annulus::new(R::disk(alpha)?, inner)?;
-        let bytes = size_of_val(&disk);
-        rows.push(coupled::<R, _>(label("table"), bytes, quick, disk));
     }
-    let disk = Annulus::new(compact::CompactPower::new(R::from_f64(alpha))?, inner)?;
-    let bytes = size_of_val(&disk);
-    rows.push(coupled::<R, _>(label("compact"), bytes, slow, disk));
-    Ok(rows)
 }
 
 /// The polynomial pressure, which has a table in f64 and no other tier.

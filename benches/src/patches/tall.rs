@@ -2,12 +2,14 @@
 
 use super::area::{Moments, Pressure};
 use super::laws::{self, Friction};
-use super::round::{TABLE_STRIDE, Tables, rounded, timed};
+use super::round::{TABLE_STRIDE, rounded, table_bytes, timed};
 use super::{Entry, Label, Refused, SEED, Worst};
 use crate::mix;
 use crate::reference::Wide;
+use core::marker::PhantomData;
+use tribos::friction::{Patch, Precision, RoundPower, Tier, Visitor, visit};
 use tribos_core::coupling::tall::{AllRound, FrontBack, Lean, TallFriction};
-use tribos_core::coupling::{Lateral, PatchFriction, table};
+use tribos_core::coupling::{Lateral, PatchFriction};
 use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
@@ -89,22 +91,39 @@ fn row<R: Real, C: Lateral<R> + 'static, L: Lean + 'static>(
     Ok(entry)
 }
 
+/// The row of the kernel's own type, chosen at run time.
+struct Row<'a, L> {
+    about: (&'static str, &'static str, &'a Friction),
+    lean: PhantomData<L>,
+}
+
+impl<R: Precision, L: Lean + 'static> Visitor<R> for Row<'_, L> {
+    type Output = Result<Entry, Refused>;
+    fn visit<P: RoundPower<R> + 'static>(self, friction: P) -> Self::Output {
+        row::<R, _, L>(self.about, table_bytes::<R, P>(), friction)
+    }
+}
+
 /// Both ways of leaning under power laws.
-pub fn rows<R: Tables>() -> Result<Vec<Entry>, Refused> {
+pub fn rows<R: Precision>() -> Result<Vec<Entry>, Refused> {
+    fn of<R: Precision, L: Lean + 'static>(
+        alpha: f64,
+        about: (&'static str, &'static str, &Friction),
+    ) -> Result<Entry, Refused> {
+        let lean = PhantomData::<L>;
+        visit::<R, _>(&Patch::Disk, alpha, Tier::Table, Row { about, lean })?
+    }
     let mut rows = Vec::new();
     let frictions = laws::frictions()?;
     for ((alpha, law), (_, friction)) in laws::POWERS.into_iter().zip(&frictions) {
-        let along = (law, "table front-back", friction);
-        let all = (law, "table all round", friction);
-        if alpha == 0.0 {
-            let bytes = size_of::<R::Table>();
-            rows.push(row::<R, _, FrontBack>(along, bytes, table::Coulomb)?);
-            rows.push(row::<R, _, AllRound>(all, bytes, table::Coulomb)?);
-        } else {
-            let bytes = size_of::<R::Disk>();
-            rows.push(row::<R, _, FrontBack>(along, bytes, R::disk(alpha)?)?);
-            rows.push(row::<R, _, AllRound>(all, bytes, R::disk(alpha)?)?);
-        }
+        rows.push(of::<R, FrontBack>(
+            alpha,
+            (law, "table front-back", friction),
+        )?);
+        rows.push(of::<R, AllRound>(
+            alpha,
+            (law, "table all round", friction),
+        )?);
     }
     Ok(rows)
 }

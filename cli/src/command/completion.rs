@@ -1,12 +1,12 @@
 //! Words that a shell can complete: scenes, their keys, patches, laws, exhibits.
 
-use super::laws::{LAWS, find};
 use super::reproduce;
 use clap::Command;
 use clap_complete::CompletionCandidate;
 use clap_complete::engine::{ArgValueCompleter, PathCompleter, ValueCompleter};
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
+use tribos::friction::{LAWS, Patch, find};
 use tribos::scene::{Domain, Key, LIBRARY, bodies, library_scene, vocabulary};
 
 /// Environment variable with the shell that asks.
@@ -118,18 +118,12 @@ fn patches(current: &OsStr) -> Vec<CompletionCandidate> {
             .map(|file| file.add_prefix("points:"))
             .collect();
     }
+    // What follows the colon is for the user to write.
+    let begun = |syntax: &'static str| syntax.split_inclusive(':').next().unwrap_or(syntax);
+    let patches = Patch::SYNTAX.iter();
     beginning(
         current,
-        [
-            ("disk", "uniform pressure"),
-            ("ring", "all load on the rim"),
-            ("annulus:", "uniform from INNER, in radii, to the rim"),
-            ("hertz", "sqrt(1 - r^2)"),
-            ("punch", "1/sqrt(1 - r^2)"),
-            ("paraboloid", "1 - r^2"),
-            ("polynomial:", "a0 + a1 r^2 + ..."),
-            ("points:", "a CSV file with columns x, y, weight"),
-        ],
+        patches.map(|(syntax, meaning)| (begun(syntax), *meaning)),
     )
 }
 
@@ -137,7 +131,7 @@ fn patches(current: &OsStr) -> Vec<CompletionCandidate> {
 fn local_laws(current: &OsStr) -> Vec<CompletionCandidate> {
     let text = current.to_string_lossy();
     let Some((name, list)) = text.split_once(':') else {
-        let local = LAWS.iter().filter(|law| law.is_local);
+        let local = LAWS.iter().filter(|law| law.local.is_some());
         return beginning(
             current,
             local.map(|law| (format!("{}:", law.name), law.summary)),
@@ -242,10 +236,7 @@ mod tests {
         assert_eq!(values(exhibits, "table-3.2"), ["table-3.2"]);
         for patch in values(patches, "") {
             if !patch.ends_with(':') {
-                assert!(
-                    patch.parse::<super::super::patch::PatchName>().is_ok(),
-                    "{patch}"
-                );
+                assert!(patch.parse::<Patch>().is_ok(), "{patch}");
             }
         }
     }

@@ -1,20 +1,13 @@
 //! Numbers on the command line, refused with a reason before any work.
 
 use crate::failure::Failure;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::num::NonZeroU32;
-use tribos::scene::number_hint;
 use tribos_core::Real;
 
 /// A finite number.
 pub fn finite(text: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
-        Ok(x) if x.is_finite() => Ok(x),
-        Ok(x) => Err(format!("give a finite number, not {x}")),
-        Err(_) => Err(match number_hint(text) {
-            Some(hint) => format!("got {}; {hint}", text.trim()),
-            None => "give a number such as 0.5 or 1e-3".into(),
-        }),
-    }
+    tribos::friction::finite_number(text)
 }
 
 /// A finite number ≥ 0.
@@ -60,14 +53,23 @@ pub fn lean(text: &str) -> Result<f64, String> {
 
 /// An exponent that some tier can serve.
 pub fn exponent(text: &str) -> Result<f64, String> {
-    let most = tribos_core::law::PowerLaw::<f64>::MAX_EXPONENT;
-    finite(text).and_then(|x| {
-        if x > -1.0 && x <= most {
-            Ok(x)
-        } else {
-            Err(format!("give an exponent with -1 < alpha <= {most}"))
-        }
-    })
+    finite(text)
+        .and_then(|x| tribos::friction::valid_exponent(x).map_err(|refusal| refusal.to_string()))
+}
+
+/// One of these words, each with its help, as the library reads it.
+pub fn named<T, const N: usize>(
+    words: [(&'static str, &'static str); N],
+) -> impl TypedValueParser<Value = T>
+where
+    T: std::str::FromStr<Err: std::error::Error + Send + Sync + 'static>
+        + Clone
+        + Send
+        + Sync
+        + 'static,
+{
+    let values = words.map(|(word, help)| PossibleValue::new(word).help(help));
+    PossibleValuesParser::new(values).try_map(|word| word.parse::<T>())
 }
 
 /// A whole number from 1 to the largest u32.

@@ -8,6 +8,7 @@ mod eval;
 mod explain;
 mod fit;
 mod folders;
+mod friction;
 mod full_disk;
 mod golden;
 mod help;

@@ -142,7 +142,10 @@ fn bad_patches_laws_and_points_are_refused_with_a_cure() -> Outcome {
         ("--patch polynomial:1,x", "number"),
         ("--patch polynomial:1,1,1,1,1,1,1,1,1,1", "at most 9"),
         ("--patch polynomial:1,1 --tier compact", "--tier table"),
-        ("--patch polynomial:1,1 --precision f32", "--precision f64"),
+        (
+            "--patch polynomial:1,1 --precision f32 --tier table",
+            "--precision f64",
+        ),
         ("--patch points:/nowhere.csv", "/nowhere.csv"),
         ("--patch ring --alpha 11 --tier table", "--tier compact"),
         ("--law coulomb", "`mu` is missing"),

@@ -6,11 +6,11 @@ use super::entries::Entries;
 use super::key::{Domain, Key, Reader};
 use super::problem::Problem;
 use super::slider::{MOST_SAMPLES, SAMPLES, STOP_FRACTION, key};
+use crate::friction::LARGEST_EXPONENT;
 use crate::record::json_number;
 use crate::slide::curling::{CurlingModel, CurlingRock};
 use crate::slide::planar::{Gradient, Pipe, TallCylinder};
 use serde_json::{Map, Value};
-use tribos_core::coupling::table;
 use tribos_core::patch::PowerPressure;
 
 /// What slides.
@@ -103,7 +103,7 @@ pub(super) const ALPHA: Key = key(
     "exponent of the local law |v|^alpha (default 0, Coulomb)",
     Domain::Between {
         above: -1.0,
-        up_to: table::Table64::MAX_EXPONENT,
+        up_to: LARGEST_EXPONENT,
     },
 );
 pub(super) const GRAVITY: Key = key(

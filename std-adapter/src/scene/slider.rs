@@ -3,9 +3,9 @@
 use super::entries::Entries;
 use super::key::{Domain, Key, Reader};
 use super::problem::Problem;
+use crate::friction::LARGEST_EXPONENT;
 use crate::record::json_number;
 use serde_json::{Map, Value};
-use tribos_core::coupling::table;
 
 /// Which units a scene is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,7 +103,7 @@ impl SliderScene {
             "exponent of the local law |v|^alpha, 0 for Coulomb",
             Domain::Between {
                 above: -1.0,
-                up_to: table::Table64::MAX_EXPONENT,
+                up_to: LARGEST_EXPONENT,
             },
         ),
         key(

@@ -2,47 +2,12 @@
 
 use super::SlideError;
 use super::path::resistance;
+use crate::friction::{Evaluation, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
 use crate::scene::{PlanarBody, PlanarScene, SliderScene};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-use tribos_core::coupling::table::{Coulomb, Table64};
-use tribos_core::coupling::{Annulus, Coupling, ReducedWrench};
-use tribos_core::patch::PowerPressure;
-
-/// Where force and torque come from.
-///
-/// ```
-/// use tribos::scene::{Scene, parse_scene, vocabulary};
-/// use tribos::slide::Evaluation;
-/// let evaluation = |body: &str, set: &str| {
-///     let text = vocabulary(body).ok_or("no such body")?.least_text();
-///     Ok::<_, Box<dyn std::error::Error>>(match parse_scene(body, &text, &[set.into()])? {
-///         Scene::Disk(scene) => Some(scene.evaluation()),
-///         Scene::Planar(scene) => Some(scene.evaluation()),
-///         _ => None,
-///     })
-/// };
-/// assert_eq!(evaluation("disk", "alpha=0")?, Some(Evaluation::CoulombTable));
-/// assert_eq!(evaluation("disk", "alpha=-0.5")?, Some(Evaluation::PowerTable));
-/// assert_eq!(evaluation("cylinder", "pressure=hertz")?, Some(Evaluation::PressureTable));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Evaluation {
-    /// A disk under uniform pressure and Coulomb's law: a table in the program.
-    CoulombTable,
-    /// A disk under uniform pressure and a power law: a table made at the start.
-    PowerTable,
-    /// A disk under another pressure, or a ring: a table made at the start.
-    PressureTable,
-    /// An annulus: the table of the disk, twice.
-    AnnulusTable,
-    /// Points evenly around a ring, summed.
-    RingRule {
-        /// How many.
-        points: usize,
-    },
-}
+use tribos_core::coupling::table::Coulomb;
+use tribos_core::coupling::{Coupling, ReducedWrench};
 
 /// Cost of one evaluation. *Units*: s on one core of this machine.
 ///
@@ -64,49 +29,72 @@ pub struct EvaluationCost {
 }
 
 impl SliderScene {
-    /// Where force and torque come from.
-    pub fn evaluation(&self) -> Evaluation {
-        if self.alpha == 0.0 {
-            Evaluation::CoulombTable
-        } else {
-            Evaluation::PowerTable
-        }
+    /// What an evaluation of force and torque consists of.
+    ///
+    /// ```
+    /// use tribos::friction::Evaluation;
+    /// use tribos::scene::{parse_slider, vocabulary};
+    /// let text = vocabulary("disk").ok_or("no disk")?.least_text();
+    /// let evaluation = |alpha: &str| parse_slider("disk", &text, &[alpha.into()]).map(|s| s.evaluation());
+    /// assert_eq!(evaluation("alpha=0")??, Evaluation::TableInProgram);
+    /// assert_eq!(evaluation("alpha=-0.5")??, Evaluation::TableMade);
+    /// assert_eq!(evaluation("alpha=20")??, Evaluation::Series);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn evaluation(&self) -> Result<Evaluation, SlideError> {
+        of_law(&Patch::Disk, &self.law()?)
     }
 
     /// Times evaluations over a mix of speeds, a tenth of a second long. *Accuracy*: a few per cent of
     /// the ratio, some ten of the times.
     pub fn evaluation_cost(&self) -> Result<EvaluationCost, SlideError> {
-        if self.alpha == 0.0 {
-            return Ok(timed(&|v, w| both(Coulomb.reduced_wrench(v, w))));
-        }
-        let table = Table64::new(self.alpha)?;
-        Ok(timed(&|v, w| both(table.reduced_wrench(v, w))))
+        let tier = Tier::serving::<f64>(&Patch::Disk, &self.law()?, None)?;
+        Ok(visit_disk(self.alpha, tier, Timed)?)
+    }
+}
+
+/// The evaluation of a law in the tier that is chosen for it.
+fn of_law(patch: &Patch, law: &Law) -> Result<Evaluation, SlideError> {
+    Ok(Tier::serving::<f64>(patch, law, None)?.evaluation(patch, law))
+}
+
+/// Times the kernel's own type.
+struct Timed;
+
+impl Visitor<f64> for Timed {
+    type Output = EvaluationCost;
+    fn visit<P: RoundPower<f64> + 'static>(self, profile: P) -> EvaluationCost {
+        timed(&|v, w| both(profile.reduced_wrench(v, w)))
     }
 }
 
 impl PlanarScene {
-    /// Where force and torque come from.
-    pub fn evaluation(&self) -> Evaluation {
-        let round = |alpha: f64, pressure| match (alpha == 0.0, pressure == PowerPressure::UNIFORM)
-        {
-            (true, true) => Evaluation::CoulombTable,
-            (false, true) => Evaluation::PowerTable,
-            _ => Evaluation::PressureTable,
-        };
-        let band = |inner_ratio: f64| {
-            if inner_ratio > Annulus::<f64, Coulomb>::MAX_INNER_RATIO {
-                Evaluation::PressureTable
-            } else {
-                Evaluation::AnnulusTable
-            }
-        };
+    /// What an evaluation of force and torque consists of.
+    ///
+    /// ```
+    /// use tribos::friction::Evaluation;
+    /// use tribos::scene::{Scene, parse_scene, vocabulary};
+    /// let text = vocabulary("cylinder").ok_or("no cylinder")?.least_text();
+    /// let parsed = parse_scene("cylinder.toml", &text, &["pressure=hertz".into()])?;
+    /// let Scene::Planar(scene) = parsed else { unreachable!() };
+    /// assert_eq!(scene.evaluation()?, Evaluation::TableMade);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn evaluation(&self) -> Result<Evaluation, SlideError> {
         match &self.body {
-            PlanarBody::Cylinder(cylinder) => round(cylinder.alpha, cylinder.pressure),
-            PlanarBody::Pipe(pipe) => band(pipe.inner_ratio),
-            PlanarBody::Curling(_, model) if model.name() == "film" => Evaluation::RingRule {
+            PlanarBody::Cylinder(cylinder) => {
+                let law = Law::power(cylinder.coefficient, cylinder.alpha)?;
+                of_law(&cylinder.pressure.into(), &law)
+            }
+            PlanarBody::Pipe(pipe) => {
+                let law = Law::power(pipe.coefficient, pipe.alpha)?;
+                of_law(&Patch::band(pipe.inner_ratio), &law)
+            }
+            PlanarBody::Curling(_, model) if model.name() == "film" => Ok(Evaluation::RingRule {
                 points: super::curling::RING_POINTS,
-            },
-            PlanarBody::Curling(rock, _) => band(1.0 - rock.band_width / rock.band_radius),
+            }),
+            // Every law of ice is a power that has tables.
+            PlanarBody::Curling(rock, _) => of_law(&rock.patch(), &Law::coulomb(1.0)?),
         }
     }
 
@@ -209,13 +197,14 @@ mod tests {
     #[test]
     fn every_body_says_where_its_friction_comes_from_and_can_be_timed() {
         for (body, keys, expected) in [
-            ("disk", "", Evaluation::CoulombTable),
-            ("disk", "alpha=0.5", Evaluation::PowerTable),
-            ("cylinder", "", Evaluation::CoulombTable),
-            ("cylinder", "pressure=hertz", Evaluation::PressureTable),
-            ("pipe", "", Evaluation::AnnulusTable),
-            ("pipe", "inner_radius=0.05", Evaluation::PressureTable),
-            ("curling", "", Evaluation::PressureTable),
+            ("disk", "", Evaluation::TableInProgram),
+            ("disk", "alpha=0.5", Evaluation::TableMade),
+            ("disk", "alpha=20", Evaluation::Series),
+            ("cylinder", "", Evaluation::TableInProgram),
+            ("cylinder", "pressure=hertz", Evaluation::TableMade),
+            ("pipe", "", Evaluation::TwoTables),
+            ("pipe", "inner_radius=0.05", Evaluation::TableMade),
+            ("curling", "", Evaluation::TableMade),
             (
                 "curling",
                 "model=film",
@@ -225,8 +214,14 @@ mod tests {
             let overrides: Vec<String> = keys.split_whitespace().map(String::from).collect();
             let text = vocabulary(body).unwrap().least_text();
             let (evaluation, cost) = match parse_scene(body, &text, &overrides).unwrap() {
-                Scene::Disk(scene) => (scene.evaluation(), scene.evaluation_cost().unwrap()),
-                Scene::Planar(scene) => (scene.evaluation(), scene.evaluation_cost().unwrap()),
+                Scene::Disk(scene) => (
+                    scene.evaluation().unwrap(),
+                    scene.evaluation_cost().unwrap(),
+                ),
+                Scene::Planar(scene) => (
+                    scene.evaluation().unwrap(),
+                    scene.evaluation_cost().unwrap(),
+                ),
                 _ => unreachable!("a sliding body"),
             };
             assert_eq!(evaluation, expected, "{body} {keys}");

@@ -1,5 +1,6 @@
 //! Sliding bodies.
 
+mod any_law;
 mod cost;
 pub mod curling;
 pub mod inverse;
@@ -9,15 +10,17 @@ pub mod planar;
 mod simulation;
 mod spent;
 
-pub use cost::{Evaluation, EvaluationCost};
+pub use any_law::run_law;
+pub use cost::EvaluationCost;
 pub use outcome::{Ending, Outcome};
 pub use path::{PATH_COLUMNS, PathOutcome, PathRun, run_path};
 pub use simulation::{COLUMNS, SlideSimulation};
 pub use spent::Spent;
 
+use crate::friction::{Law, Patch, Refusal, RoundPower, Tier, Visitor, visit_disk};
 use crate::run::drive;
 use crate::scene::SliderScene;
-use tribos_core::coupling::{Coupling, FrictionError, Profile, table};
+use tribos_core::coupling::FrictionError;
 use tribos_core::law::LawError;
 use tribos_core::modes::InertiaError;
 use tribos_core::patch::PatchError;
@@ -88,6 +91,17 @@ pub enum SlideError {
         /// Largest |l| on the way.
         lean: f64,
     },
+    /// The law, or its tier, was refused.
+    #[error(transparent)]
+    Choice(#[from] Refusal),
+    /// The method follows powers of the speed only.
+    #[error(
+        "stepper = \"verlet\" follows powers of the speed; the law {law} needs stepper = \"exact\""
+    )]
+    OnlyPowers {
+        /// Name of the law.
+        law: &'static str,
+    },
     /// The kernel refused the friction.
     #[error(transparent)]
     Friction(#[from] FrictionError),
@@ -148,26 +162,36 @@ pub struct SlideRun {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run(scene: &SliderScene, progress: impl FnMut(f64)) -> Result<SlideRun, SlideError> {
-    if scene.alpha == 0.0 {
-        run_with(table::Coulomb, scene, progress)
-    } else {
-        run_with(table::Table64::new(scene.alpha)?, scene, progress)
+    let tier = Tier::serving::<f64>(&Patch::Disk, &scene.law()?, None)?;
+    visit_disk(scene.alpha, tier, Run { scene, progress })?
+}
+
+/// The run of a scene for the kernel's own type of its friction.
+struct Run<'a, F> {
+    scene: &'a SliderScene,
+    progress: F,
+}
+
+impl<F: FnMut(f64)> Visitor<f64> for Run<'_, F> {
+    type Output = Result<SlideRun, SlideError>;
+
+    fn visit<P: RoundPower<f64> + 'static>(mut self, profile: P) -> Self::Output {
+        let mut simulation = SlideSimulation::new(profile, self.scene)?;
+        let mut series = Vec::new();
+        drive(&mut simulation, |row, done| {
+            series.push(row);
+            (self.progress)(done);
+        })?;
+        Ok(SlideRun {
+            series,
+            outcome: simulation.outcome()?,
+        })
     }
 }
 
-fn run_with<P: Profile<f64> + Coupling<f64>>(
-    profile: P,
-    scene: &SliderScene,
-    mut progress: impl FnMut(f64),
-) -> Result<SlideRun, SlideError> {
-    let mut simulation = SlideSimulation::new(profile, scene)?;
-    let mut series = Vec::new();
-    drive(&mut simulation, |row, done| {
-        series.push(row);
-        progress(done);
-    })?;
-    Ok(SlideRun {
-        series,
-        outcome: simulation.outcome()?,
-    })
+impl SliderScene {
+    /// The law of the scene.
+    pub(crate) fn law(&self) -> Result<Law, Refusal> {
+        Law::power(self.coefficient, self.alpha)
+    }
 }

@@ -118,7 +118,7 @@ pub(super) fn resistance(scene: &PlanarScene) -> Result<Box<dyn Resistance>, Sli
 }
 
 /// (v² + C (ωR)²)/2
-fn energy_per_mass(body: &impl Resistance, point: &Point) -> f64 {
+pub(super) fn energy_per_mass(body: &impl Resistance, point: &Point) -> f64 {
     let [x, y] = point.velocity;
     let rim = point.spin * body.radius();
     0.5 * (x * x + y * y + body.inertia_ratio() * rim * rim)

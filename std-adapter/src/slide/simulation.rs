@@ -25,11 +25,11 @@ const RATIO: usize = 5;
 /// Logarithm beyond which a time leaves f64.
 const LARGEST_LN: f64 = 709.0;
 /// Steps beyond which a series no longer fits a sensible file.
-const MOST_STEPS: f64 = 1e7;
+pub(super) const MOST_STEPS: f64 = 1e7;
 /// Verlet steps for one recorded step of the exact method, when none is asked for.
 const VERLET_REFINEMENT: f64 = 50.0;
 /// Relative surplus of a chosen step, far above rounding and far below anything seen.
-const SLIVER: f64 = 1e-12;
+pub(super) const SLIVER: f64 = 1e-12;
 /// Steps of the search for the end of a fading run: three for each bit of its time.
 const MOST_CORRECTIONS: u32 = 200;
 /// Part of the initial energy whose loss does not count.

@@ -3,6 +3,7 @@
 mod annuli;
 mod appendix_a;
 mod dense;
+mod friction;
 mod disk_friction;
 mod hard_cases;
 mod laws;

@@ -1,11 +1,10 @@
 //! Tall bodies: their paths bend, loop and end where independent solutions say.
 
+use tribos::friction::{Friction, Law, Patch};
 use tribos::slide::planar::{
-    Arrival, Ending, Foot, Gradient, Journey, Launch, Pipe, Resistance, TallBody, TallCylinder,
+    Arrival, Ending, Gradient, Journey, Launch, Pipe, Resistance, TallBody, TallCylinder,
 };
-use tribos_core::coupling::PatchFriction;
 use tribos_core::coupling::table::Table64;
-use tribos_core::patch::PowerPressure;
 use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_tests::pucks::relative;
 use tribos_tests::tables::Table;
@@ -105,8 +104,9 @@ fn spirals_with_many_loops_end_where_another_program_says() {
 
 /// A thin ring of 8 cm on μ = 0.2.
 fn ring(height: f64, gradient: Gradient, inertia_ratio: f64) -> TallBody {
-    let foot = Foot::round(0.0, PowerPressure::RING).unwrap();
-    let foot = PatchFriction::new(foot, 0.2, 0.08).unwrap();
+    let law = Law::coulomb(0.2).unwrap();
+    let foot = Friction::new(&Patch::Ring, &law, None).unwrap();
+    let foot = foot.with_radius(0.08).unwrap();
     TallBody::new(foot, height, gradient, [GRAVITY, inertia_ratio]).unwrap()
 }
 

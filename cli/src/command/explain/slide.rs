@@ -3,8 +3,8 @@
 use super::line;
 use crate::failure::Failure;
 use tribos::scene::{PlanarBody, PlanarScene, SliderScene, Stepper, Tipping};
+use tribos::slide::EvaluationCost;
 use tribos::slide::planar::Gradient;
-use tribos::slide::{Evaluation, EvaluationCost};
 use tribos_core::patch::PowerPressure;
 
 /// A disk.
@@ -16,7 +16,7 @@ pub fn disk(scene: &SliderScene) -> Result<String, Failure> {
     );
     text += &line("law", law(scene.alpha, scene.coefficient));
     text += &line("patch", "disk under uniform pressure");
-    text += &line("friction", evaluation(scene.evaluation()));
+    text += &line("friction", scene.evaluation()?.to_string());
     text += &line(
         "stepper",
         match scene.stepper {
@@ -32,7 +32,7 @@ pub fn planar(scene: &PlanarScene) -> Result<String, Failure> {
     let cost = scene.evaluation_cost()?;
     let mut text = line("unknowns", "3: two of the velocity, and the spin");
     text += &body(scene);
-    text += &line("friction", evaluation(scene.evaluation()));
+    text += &line("friction", scene.evaluation()?.to_string());
     text += &line(
         "stepper",
         "in the logarithm of the speed, adaptive, stops at the instant of rest",
@@ -106,17 +106,6 @@ fn pressure(pressure: PowerPressure) -> &'static str {
         "disk under Hertz' pressure"
     } else {
         "disk under a paraboloid of pressure"
-    }
-}
-
-fn evaluation(evaluation: Evaluation) -> String {
-    match evaluation {
-        Evaluation::CoulombTable => "table in the program, to a few ulp; no quadrature".into(),
-        Evaluation::PowerTable | Evaluation::PressureTable => {
-            "table made at the start, to a few ulp; no quadrature".into()
-        }
-        Evaluation::AnnulusTable => "two disks from a table, to a few ulp; no quadrature".into(),
-        Evaluation::RingRule { points } => format!("quadrature over {points} points of the ring"),
     }
 }
 

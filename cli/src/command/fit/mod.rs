@@ -31,8 +31,10 @@ pub struct Arguments {
     /// input.
     data: PathBuf,
     /// The law.
-    #[arg(long)]
-    law: Law,
+    #[arg(long, value_parser = super::number::named::<LawName, 5>(
+        LawName::ALL.map(|(_, name, help)| (name, help)),
+    ))]
+    law: LawName,
     /// Load [N] at which forces were measured: friction is divided by it.
     #[arg(long, value_name = "N", value_parser = super::number::positive)]
     load: Option<f64>,
@@ -47,21 +49,6 @@ pub struct Arguments {
     /// The folder of a powder, a tip, a sweep or a report is refused.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-}
-
-/// Laws that can be fitted, by their names in `tribos laws`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Law {
-    /// Boundary, then hydrodynamic lubrication: mu_s, mu_d, vs, delta, k.
-    Stribeck,
-    /// Bristles: fc, fs, vs, s2; over time s0 and s1 as well.
-    Lugre,
-    /// A power of the speed: gamma, alpha.
-    Power,
-    /// Rate and state, ageing law: mu0, a, b, eta at a reference v0; over time dc as well.
-    RateState,
-    /// The same with the slip law.
-    RateStateSlip,
 }
 
 const EXAMPLES: &str = "\
@@ -104,7 +91,7 @@ impl Arguments {
         let table = Table::read(&self.data, self.load)?;
         let fail = |error| table.refusal(error);
         let data = &table.data;
-        let model = law_model(self.law.name(), data).map_err(fail)?;
+        let model = law_model(self.law, data).map_err(fail)?;
         let options = Options {
             fixed: self.fixed.clone(),
             starts: self.starts.get(),
@@ -148,37 +135,5 @@ impl Arguments {
             let message = format!("--fix: `{name}` is given twice; give one value");
             Err(Failure::input(message))
         })
-    }
-}
-
-impl Law {
-    fn name(self) -> LawName {
-        match self {
-            Self::Stribeck => LawName::Stribeck,
-            Self::Lugre => LawName::LuGre,
-            Self::Power => LawName::Power,
-            Self::RateState => LawName::RateState,
-            Self::RateStateSlip => LawName::RateStateSlip,
-        }
-    }
-
-    /// Its name in the catalogue, of a record over time that of the law with its state.
-    fn with_memory(self, is_record: bool) -> &'static str {
-        match (self, is_record) {
-            (Self::Lugre, true) => "lugre-bristles",
-            (Self::RateState, true) => "rate-state-ageing",
-            (Self::RateStateSlip, true) => "rate-state-slip",
-            _ => self.catalogued(),
-        }
-    }
-
-    /// Its name in the catalogue of local laws.
-    fn catalogued(self) -> &'static str {
-        match self {
-            Self::Stribeck => "stribeck",
-            Self::Lugre => "lugre",
-            Self::Power => "power",
-            Self::RateState | Self::RateStateSlip => "rate-state",
-        }
     }
 }

@@ -1,11 +1,11 @@
 //! What a fit leaves behind, and what it says.
 
-use super::Law;
 use super::table::Table;
-use crate::command::{laws, spool};
+use crate::command::spool;
 use crate::failure::Failure;
 use std::path::Path;
-use tribos::fit::{Estimate, Fit, Known};
+use tribos::fit::{Estimate, Fit, Known, LawName};
+use tribos::friction::find;
 use tribos::record::{number, series_csv, write_atomically};
 
 /// Correlation beyond which two parameters are hardly told apart.
@@ -18,7 +18,7 @@ const BEYOND: f64 = 5.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Report<'a> {
     /// The law.
-    pub law: Law,
+    pub law: LawName,
     /// The measurements.
     pub table: &'a Table,
     /// The result.
@@ -30,8 +30,12 @@ pub struct Report<'a> {
 impl Report<'_> {
     /// For the person at the terminal.
     pub fn text(&self) -> String {
-        let name = self.law.with_memory(self.table.is_record());
-        let formula = laws::find(name).map_or("", |entry| entry.formula);
+        let name = if self.table.is_record() {
+            self.law.over_time()
+        } else {
+            self.law.steady()
+        };
+        let formula = find(name).map_or("", |entry| entry.formula);
         let mut text = format!("law           {name}: {formula}\n");
         for estimate in &self.fit.parameters {
             text += &self.line(estimate);
@@ -154,7 +158,7 @@ impl Report<'_> {
 
     /// The law as other commands take it: its steady form.
     fn spec(&self) -> String {
-        let known = laws::find(self.law.catalogued()).map_or(&[][..], |entry| entry.parameters);
+        let known = find(self.law.steady()).map_or(&[][..], |entry| entry.parameters);
         let values = known.iter().filter_map(|parameter| {
             // Steady sliding does not depend on the memory length.
             let value = self
@@ -165,7 +169,7 @@ impl Report<'_> {
         });
         format!(
             "{}:{}",
-            self.law.catalogued(),
+            self.law.steady(),
             values.collect::<Vec<_>>().join(",")
         )
     }

@@ -1,8 +1,7 @@
 //! Data with the fitted curve, and what is left.
 
-use super::Law;
 use crate::failure::Failure;
-use tribos::fit::{Data, Fit, Motion, law_model};
+use tribos::fit::{Data, Fit, LawName, Motion, law_model};
 use tribos_report::figure::{Axis, Figure, Guide, Panels, Series};
 
 /// Most measurements that are drawn: more of them hide each other, and fill files.
@@ -11,7 +10,7 @@ const MOST_DRAWN: usize = 4000;
 const POINTS: usize = 400;
 
 /// Friction above, residuals below.
-pub fn panels(law: Law, data: &Data, fit: &Fit) -> Result<Panels, Failure> {
+pub fn panels(law: LawName, data: &Data, fit: &Fit) -> Result<Panels, Failure> {
     let (x, axis): (&[f64], fn() -> Axis) = match data.motion() {
         Motion::Steady { speeds } => (speeds, || Axis::log10("speed [m/s]")),
         Motion::Series { times, .. } => (times, || Axis::linear("time [s]")),
@@ -37,7 +36,7 @@ pub fn panels(law: Law, data: &Data, fit: &Fit) -> Result<Panels, Failure> {
     };
     let above = Figure::new("", axis(), Axis::linear("friction"))
         .series(measured)
-        .series(Series::line(law.catalogued(), curve));
+        .series(Series::line(law.steady(), curve));
     let pairs = data.friction().iter().zip(&fit.predictions);
     let residuals: Vec<f64> = pairs.map(|(f, p)| f - p).collect();
     let left = Series::points("", at(&residuals));
@@ -55,7 +54,7 @@ pub fn panels(law: Law, data: &Data, fit: &Fit) -> Result<Panels, Failure> {
 }
 
 /// The law between the slowest and the fastest speed.
-fn curve(law: Law, data: &Data, fit: &Fit) -> Result<Vec<(f64, f64)>, Failure> {
+fn curve(law: LawName, data: &Data, fit: &Fit) -> Result<Vec<(f64, f64)>, Failure> {
     let speeds = data.velocities();
     let low = speeds.iter().copied().fold(f64::INFINITY, f64::min);
     let high = speeds.iter().copied().fold(0.0, f64::max);
@@ -67,7 +66,7 @@ fn curve(law: Law, data: &Data, fit: &Fit) -> Result<Vec<(f64, f64)>, Failure> {
         .map(|estimate| estimate.value)
         .collect();
     let places = Data::steady(all.clone(), vec![1.0; all.len()], None).map_err(Failure::run)?;
-    let model = law_model(law.name(), &places).map_err(Failure::run)?;
+    let model = law_model(law, &places).map_err(Failure::run)?;
     let friction = model.predict(&values).unwrap_or_default();
     Ok(all.into_iter().zip(friction).collect())
 }

@@ -4,13 +4,13 @@ mod angle;
 mod output;
 mod plot;
 
-use super::patch::PatchName;
-use super::{number, profile};
+use super::number;
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use output::Format;
 use std::num::NonZeroU32;
 use std::path::PathBuf;
+use tribos::friction::{Patch, upright};
 use tribos::record::write_atomically;
 use tribos::slide::inverse::{Launches, Limits, Pose, RestMap, Turns};
 use tribos_report::image::Drawing;
@@ -57,7 +57,7 @@ pub struct Arguments {
     /// Contact: disk, ring, annulus:INNER (inner over outer radius), hertz, punch, paraboloid or
     /// polynomial:a0,a1,... (pressure a0 + a1 r^2 + ..., r in radii).
     #[arg(long, default_value = "disk")]
-    patch: PatchName,
+    patch: Patch,
     /// Largest speed of a launch [m/s].
     #[arg(long, value_parser = number::not_negative, allow_negative_numbers = true)]
     max_speed: f64,
@@ -116,9 +116,9 @@ Examples:
 impl Arguments {
     /// Solves, draws and prints.
     pub fn execute(self) -> Result<(), Failure> {
-        let law = profile::upright(&self.patch, self.alpha)?;
+        let law = upright(&self.patch, self.alpha)?;
         let deceleration = self.coefficient * self.gravity;
-        let map = RestMap::new(law.as_ref(), deceleration, self.radius, self.inertia_ratio)
+        let map = RestMap::new(&*law, deceleration, self.radius, self.inertia_ratio)
             .map_err(Failure::input)?;
         let limits = Limits::new(self.max_speed, self.max_spin).map_err(Failure::input)?;
         let target = Pose {

@@ -1,8 +1,8 @@
 //! Local laws drawn over speed.
 
-use super::LawSpec;
 use crate::failure::Failure;
 use std::path::Path;
+use tribos::friction::Law;
 use tribos::record::series_csv;
 use tribos_core::law::LocalLaw;
 use tribos_report::figure::{Axis, Figure, Series};
@@ -12,7 +12,7 @@ use tribos_report::image;
 const POINTS: usize = 400;
 
 /// Writes the curves in the format that the file's ending names.
-pub fn write(path: &Path, laws: &[LawSpec], [from, to]: [f64; 2]) -> Result<(), Failure> {
+pub fn write(path: &Path, laws: &[Law], [from, to]: [f64; 2]) -> Result<(), Failure> {
     if from >= to {
         return Err(Failure::input(format!(
             "--from {from} must be below --to {to}"
@@ -27,9 +27,9 @@ pub fn write(path: &Path, laws: &[LawSpec], [from, to]: [f64; 2]) -> Result<(), 
         Axis::log10("sliding speed [m/s]"),
         Axis::linear("friction per load"),
     );
-    let names: Vec<String> = laws.iter().map(LawSpec::describe).collect();
-    for (spec, name) in laws.iter().zip(&names) {
-        let law = spec.law::<f64>()?;
+    let names: Vec<String> = laws.iter().map(Law::to_string).collect();
+    for (law, name) in laws.iter().zip(&names) {
+        let law = law.made::<f64>()?;
         let friction: Vec<f64> = speeds.iter().map(|&v| law.friction(v)).collect();
         for (row, f) in rows.iter_mut().zip(&friction) {
             row.push(*f);

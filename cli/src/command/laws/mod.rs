@@ -1,17 +1,12 @@
 //! `tribos laws`: what laws there are, and curves of the local ones.
 
-mod catalogue;
 mod curve;
-mod spec;
-
-pub use catalogue::{LAWS, find};
-pub use spec::{AnyLaw, LawSpec};
 
 use crate::command::unknown::unknown;
 use crate::failure::Failure;
-use catalogue::Entry;
 use serde_json::{Value, json};
 use std::path::PathBuf;
+use tribos::friction::{Entry, LAWS, Law, find};
 
 /// List the friction laws with formula, parameters, units and source, or draw a local one.
 #[derive(Debug, clap::Args)]
@@ -24,7 +19,7 @@ pub struct Arguments {
     format: Format,
     /// Draw this local law over speed; may be repeated.
     #[arg(long, value_name = "NAME:KEY=VALUE,…", requires = "out")]
-    curve: Vec<LawSpec>,
+    curve: Vec<Law>,
     /// Slowest speed of the curve [m/s].
     #[arg(long, default_value = "1e-6", value_parser = super::number::positive)]
     from: f64,
@@ -78,17 +73,17 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Entry>, Failure> {
     if names.is_empty() {
         return Ok(LAWS.iter().collect());
     }
-    let find = |name: &String| {
-        catalogue::find(name).ok_or_else(|| {
+    let known = |name: &String| {
+        find(name).ok_or_else(|| {
             let all = LAWS.iter().map(|law| law.name);
             Failure::input(unknown(&format!("unknown law `{name}`"), name, all))
         })
     };
-    names.iter().map(find).collect()
+    names.iter().map(known).collect()
 }
 
 fn text(law: &Entry) -> String {
-    let local = if law.is_local { " (local)" } else { "" };
+    let local = if law.local.is_some() { " (local)" } else { "" };
     let mut text = format!(
         "{}{local}\n  {}\n  {}\n",
         law.name, law.summary, law.formula
@@ -119,6 +114,6 @@ fn json(law: &Entry) -> Value {
         "formula": law.formula,
         "parameters": parameters,
         "source": law.source,
-        "local": law.is_local,
+        "local": law.local.is_some(),
     })
 }

@@ -1,11 +1,11 @@
 //! `tribos modes`: fixed points of the velocity ratio, the final mode, the phase diagram.
 
 use super::digits::shown;
-use super::patch::PatchName;
-use super::{number, profile};
+use super::number;
 use crate::failure::Failure;
 use serde_json::{Map, Value, json};
 use std::path::PathBuf;
+use tribos::friction::{Patch, leaning, upright};
 use tribos::record::json_number;
 use tribos_core::coupling::Profile;
 use tribos_core::modes::{FinalMode, FixedPoints, Modes, Stability};
@@ -26,7 +26,7 @@ pub struct Arguments {
     /// Contact patch: disk, ring, annulus:INNER, hertz, punch, paraboloid or
     /// polynomial:a0,a1,... (r in radii).
     #[arg(long, default_value = "disk")]
-    patch: PatchName,
+    patch: Patch,
     /// Lean of a tall body, mu H/(radius <r^2>) for a body of height H: 2 mu H/radius for a
     /// cylinder. Dry friction only; from 0 (flat) to 1.
     #[arg(long, default_value = "0", value_parser = number::lean, allow_negative_numbers = true)]
@@ -77,7 +77,7 @@ impl Arguments {
         let answer = self.answer()?;
         if let Some(path) = &self.diagram {
             let interval = |alpha| {
-                let profile = profile::upright(&self.patch, alpha)?;
+                let profile = upright(&self.patch, alpha)?;
                 // The interval does not depend on the body.
                 let modes = Modes::new(&*profile, 1.0).map_err(Failure::input)?;
                 Ok::<_, Failure>(modes.inertia_interval())
@@ -99,7 +99,7 @@ impl Arguments {
 
     fn answer(&self) -> Result<Answer, Failure> {
         if self.lean == 0.0 {
-            return self.answer_of(&*profile::upright(&self.patch, self.alpha)?);
+            return self.answer_of(&*upright(&self.patch, self.alpha)?);
         }
         if self.alpha != 0.0 {
             return Err(Failure::input(
@@ -107,7 +107,7 @@ impl Arguments {
                  the velocity ratio obeys no equation of its own",
             ));
         }
-        self.answer_of(&*profile::leaning(&self.patch, self.lean)?)
+        self.answer_of(&*leaning(&self.patch, self.lean)?)
     }
 
     fn answer_of<P: Profile<f64> + ?Sized>(&self, profile: &P) -> Result<Answer, Failure> {

@@ -2,31 +2,21 @@
 
 use super::product::Product;
 use crate::command::columns;
-use crate::command::laws::{AnyLaw, LawSpec};
 use crate::command::number::in_range;
-use crate::command::patch::PatchName;
-use crate::command::tier::{self, AnyCoupling, AnyRound, Tabulated, Tier};
 use crate::failure::Failure;
 use std::path::Path;
+use tribos::friction::{AnyLaw, Friction, Law, Patch, Precision, Tier, pressure_nodes};
 use tribos_core::Real;
+use tribos_core::coupling::PatchFriction;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::{Annulus, Coupling, PatchFriction};
 use tribos_core::internals::leaning_wrench;
-use tribos_core::law::PowerLaw;
 use tribos_core::patch::nodes::{Node, NodePatch};
-use tribos_core::patch::polar::{self, PolarRule};
 use tribos_core::twist::Twist;
-
-/// Rings and angles of the rules that stand for a pressure.
-const RINGS: u32 = 32;
-const ANGLES: u32 = 64;
-const NODES: usize = (RINGS * ANGLES) as usize;
 
 /// What is wanted, checked but for what only the kernel can judge.
 pub struct Request<'a> {
-    pub patch: &'a PatchName,
-    pub law: Option<&'a LawSpec>,
+    pub patch: &'a Patch,
+    pub law: Option<Law>,
     pub alpha: f64,
     pub tier: Option<Tier>,
     pub coefficient: f64,
@@ -73,8 +63,9 @@ impl Resistance<f64> {
 }
 
 /// A contact that can be evaluated.
-pub struct Contact<R: Real> {
+pub struct Contact<R: Precision> {
     pub(super) kind: Kind<R>,
+    tier: Tier,
     /// The exponent, if the law is a power of the speed.
     pub(super) alpha: Option<f64>,
     pub(super) coefficient: R,
@@ -83,15 +74,13 @@ pub struct Contact<R: Real> {
     is_round: bool,
 }
 
-/// One of three ways to evaluate.
-pub(super) enum Kind<R: Real> {
-    /// A round patch in closed form or from a table.
+/// One of two ways to evaluate.
+pub(super) enum Kind<R: Precision> {
+    /// A round patch by a coupling of the kernel; a quadrature is upright.
     Round {
-        friction: PatchFriction<R, AnyRound<R>>,
-        tilt: R,
+        friction: PatchFriction<R, Friction<R>>,
+        tilt: Option<R>,
     },
-    /// A round patch by the rim integrals, upright.
-    Upright(PatchFriction<R, AnyCoupling<R>>),
     /// Nodes, in units of the radius.
     Nodes(NodeFriction<AnyLaw<R>, Points<R>>),
 }
@@ -111,85 +100,60 @@ impl<R: Real> NodePatch<R> for Points<R> {
     }
 }
 
-impl<R: Tabulated> Contact<R> {
+impl<R: Precision> Contact<R> {
     pub fn new(request: &Request<'_>) -> Result<Self, Failure> {
         let radius = in_range::<R>("radius", request.radius)?;
-        let is_round = !matches!(request.patch, PatchName::Points(_));
-        let tilt = request.tilt.map(R::from_f64);
-        let power = match request.law {
-            Some(law) => law.power(),
-            None => Some([request.coefficient, request.alpha]),
-        };
-        // A law is checked by its own constructor.
-        let law = || match request.law {
-            Some(spec) => spec.law::<R>(),
-            None => match PowerLaw::new(R::from_f64(request.alpha), R::ONE) {
-                Ok(law) => Ok(AnyLaw(Box::new(law))),
-                Err(error) => Err(Failure::input(error)),
-            },
-        };
-        if let Some([coefficient, alpha]) = power {
-            if request.law.is_some() {
-                law()?;
-            }
-            // What has no exact tier is left to quadrature, unless a tier was asked for.
-            let fallback = (request.law.is_some()
-                && request.tier.is_none()
-                && !tier::is_served::<R>(request.patch, alpha))
-            .then_some(Tier::Quadrature);
-            let chosen = request.tier.or(fallback);
-            if let Some(coupling) = tier::coupling::<R>(request.patch, alpha, chosen)? {
-                let coefficient = in_range::<R>("coefficient", coefficient)?;
-                let friction =
-                    PatchFriction::new(coupling, coefficient, radius).map_err(Failure::input)?;
-                return Ok(Self {
-                    kind: Kind::Round {
-                        friction,
-                        tilt: tilt.unwrap_or(R::ZERO),
-                    },
-                    alpha: Some(alpha),
-                    coefficient,
-                    radius,
-                    is_round,
-                });
-            }
-        } else if is_round && matches!(request.tier, Some(Tier::Table | Tier::Compact)) {
-            return Err(Failure::input(
-                "--tier table and compact serve coefficient * |v|^alpha alone; other laws are \
-                 served by quadrature: leave out --tier",
-            ));
-        }
+        let is_round = !matches!(request.patch, Patch::Points(_));
         // A law has its own coefficient; the option's is 1 beside it.
-        let coefficient = in_range::<R>("coefficient", request.coefficient)?;
-        let upright: Option<Box<dyn Coupling<R>>> = match (request.patch, tilt) {
-            (PatchName::Disk, None) => Some(Box::new(DiskQuadrature::new(law()?))),
-            (PatchName::Annulus(inner), None) => {
-                let disk = DiskQuadrature::new(law()?);
-                let annulus = Annulus::new(disk, R::from_f64(*inner)).map_err(Failure::input)?;
-                Some(Box::new(annulus))
-            }
-            _ => None,
+        let law = match request.law {
+            Some(law) => law,
+            None => Law::power(1.0, request.alpha)?,
         };
-        let lean = tilt.unwrap_or(R::ZERO);
-        let (kind, radius) = if let Some(coupling) = upright {
-            let coupling = AnyCoupling(coupling);
-            let friction =
-                PatchFriction::new(coupling, coefficient, radius).map_err(Failure::input)?;
-            (Kind::Upright(friction), radius)
+        for (name, x) in law.values() {
+            in_range::<R>(name, x)?;
+        }
+        let tier = if is_round {
+            Tier::serving::<R>(request.patch, &law, request.tier)?
         } else {
-            let nodes = nodes(request.patch, radius, lean)?;
+            Tier::Quadrature
+        };
+        let is_disk = matches!(request.patch, Patch::Disk | Patch::Annulus(_));
+        let by_coupling = tier != Tier::Quadrature || (is_disk && request.tilt.is_none());
+        let tilt = request.tilt.map(R::from_f64);
+        let (kind, factor, unit) = if by_coupling {
+            let coupling = Friction::new(request.patch, &law, Some(tier))?;
+            let factor =
+                in_range::<R>("coefficient", request.coefficient)? * coupling.coefficient();
+            let friction = PatchFriction::new(coupling, factor, radius).map_err(Failure::input)?;
+            (Kind::Round { friction, tilt }, factor, radius)
+        } else {
+            let factor = in_range::<R>("coefficient", request.coefficient)?;
+            let lean = tilt.unwrap_or(R::ZERO);
+            let nodes = match request.patch {
+                Patch::Points(path) => points(path, &|x| R::ONE + lean * (x / radius))?,
+                round => pressure_nodes(round, lean)?,
+            };
             let total = nodes.iter().fold(R::ZERO, |sum, node| sum + node.weight);
-            let friction = NodeFriction::new(law()?, Points { nodes, total });
-            let unit = if is_round { radius } else { R::ONE };
-            (Kind::Nodes(friction), unit)
+            let friction = NodeFriction::new(law.made()?, Points { nodes, total });
+            (
+                Kind::Nodes(friction),
+                factor,
+                if is_round { radius } else { R::ONE },
+            )
         };
         Ok(Self {
             kind,
-            alpha: power.map(|[_, alpha]| alpha),
-            coefficient,
-            radius,
+            tier,
+            alpha: law.power_of_speed().map(|[_, alpha]| alpha),
+            coefficient: factor,
+            radius: unit,
             is_round,
         })
+    }
+
+    /// The tier that evaluates it.
+    pub fn tier(&self) -> Tier {
+        self.tier
     }
 }
 
@@ -198,7 +162,7 @@ const NODES_AND_FALLING_LAWS: &str = "nodes stand for the pressure: one of them 
     of rotation counts too much under a law that falls with the speed (errors up to 1e-2 of the load \
     at alpha = -0.2, a third of it at alpha = -0.5); --tier table or compact are exact";
 
-impl<R: Real> Contact<R> {
+impl<R: Precision> Contact<R> {
     /// What is to be known of the answers.
     pub fn caveat(&self) -> Option<&'static str> {
         let stands_for_pressure = self.is_round && matches!(self.kind, Kind::Nodes(_));
@@ -210,7 +174,10 @@ impl<R: Real> Contact<R> {
     /// magnitudes.
     pub fn resistance(&self, load: R, speed: R, spin: R) -> Resistance<R> {
         match &self.kind {
-            Kind::Upright(friction) => {
+            Kind::Round {
+                friction,
+                tilt: None,
+            } => {
                 let m = friction.magnitudes(load, speed, spin);
                 Resistance {
                     force: m.force,
@@ -218,7 +185,10 @@ impl<R: Real> Contact<R> {
                     torque: m.torque,
                 }
             }
-            Kind::Round { friction, tilt } => {
+            Kind::Round {
+                friction,
+                tilt: Some(tilt),
+            } => {
                 let rim = (spin * friction.radius()).abs();
                 let speeds = [speed.abs(), rim];
                 let w = leaning_wrench(friction.coupling(), speeds, [*tilt, R::ZERO]);
@@ -247,67 +217,10 @@ impl<R: Real> Contact<R> {
     pub fn jacobian(&self, load: R, speed: R, spin: R) -> Option<[R; 3]> {
         let j = match &self.kind {
             Kind::Round { friction, .. } => friction.magnitudes_jacobian(load, speed, spin),
-            Kind::Upright(friction) => friction.magnitudes_jacobian(load, speed, spin),
             Kind::Nodes(_) => return None,
         };
         Some([j.force_speed, j.force_spin, j.torque_spin])
     }
-}
-
-/// Nodes of any patch with pressure gradient `tilt` along the first axis, in units of the radius;
-/// points where they are.
-fn nodes<R: Real>(patch: &PatchName, radius: R, tilt: R) -> Result<Vec<Node<R>>, Failure> {
-    let rule = PolarRule::new(R::ONE, RINGS, ANGLES).map_err(Failure::input)?;
-    let lean = |x: R| R::ONE + tilt * x;
-    let list = |nodes: Result<tribos_core::patch::nodes::NodeList<R, NODES>, _>| {
-        let nodes = nodes.map_err(|error| Failure::input(format!("{error}")))?;
-        Ok(nodes.nodes().to_vec())
-    };
-    match patch {
-        PatchName::Points(path) => points(path, &|x| lean(x / radius)),
-        PatchName::Ring => {
-            let ring = polar::ring::<R, NODES>(R::ONE, NODES as u32 / 2).map_err(Failure::input)?;
-            let mut nodes = ring.nodes().to_vec();
-            for node in &mut nodes {
-                node.weight *= lean(node.x);
-            }
-            Ok(nodes)
-        }
-        PatchName::Annulus(inner) => annulus(*inner, &lean),
-        PatchName::Polynomial(coefficients) => {
-            // Refuses what is negative anywhere.
-            tier::polynomial(coefficients)?;
-            list(rule.nodes_shaped(|x, y| {
-                let r_sq = x * x + y * y;
-                let pressure = coefficients
-                    .iter()
-                    .rev()
-                    .fold(R::ZERO, |sum, &a| sum * r_sq + R::from_f64(a));
-                pressure * lean(x)
-            }))
-        }
-        _ => {
-            let order = patch.pressure().map_or(0.0, |p| p.order());
-            let rule = rule.with_rim_exponent(R::from_f64(order));
-            list(rule.map_err(Failure::input)?.nodes_tilted(tilt, R::ZERO))
-        }
-    }
-}
-
-/// Rings between the inner and the outer radius, equal shares of the area.
-fn annulus<R: Real>(inner: f64, lean: &impl Fn(R) -> R) -> Result<Vec<Node<R>>, Failure> {
-    let mut nodes = Vec::new();
-    for i in 0..RINGS {
-        let share = (f64::from(i) + 0.5) / f64::from(RINGS);
-        let r_sq = inner * inner + share * (1.0 - inner * inner);
-        let ring = R::from_f64(r_sq).sqrt();
-        let ring = polar::ring::<R, { ANGLES as usize }>(ring, ANGLES).map_err(Failure::input)?;
-        nodes.extend(ring.nodes().iter().map(|node| Node {
-            weight: node.weight * lean(node.x),
-            ..*node
-        }));
-    }
-    Ok(nodes)
 }
 
 /// Points of a file with columns x, y [m] and weight.

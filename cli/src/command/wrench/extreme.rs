@@ -14,8 +14,8 @@
 use super::contact::{Contact, Kind, Resistance};
 use super::product::Product;
 use crate::command::digits::shown;
-use crate::command::tier::Tabulated;
 use crate::failure::Failure;
+use tribos::friction::Precision;
 use tribos_core::Real;
 use tribos_core::coupling::Coupling;
 use tribos_core::internals::leaning_wrench;
@@ -41,7 +41,7 @@ struct Scaled<R> {
     slides: bool,
 }
 
-impl<R: Tabulated> Contact<R> {
+impl<R: Precision> Contact<R> {
     /// True if no product of the evaluation comes near the ends of the range.
     pub fn is_ordinary(&self, load: R, speed: R, spin: R) -> bool {
         let size = |x: R| Product::new(x.to_f64()).exponent().abs();
@@ -65,11 +65,17 @@ impl<R: Tabulated> Contact<R> {
         let [v, w] = at.speeds;
         // In units of the radius, for unit load and coefficient.
         let [force, lateral, torque] = match &self.kind {
-            Kind::Upright(friction) => {
+            Kind::Round {
+                friction,
+                tilt: None,
+            } => {
                 let reduced = friction.coupling().reduced_wrench(v, w);
                 [reduced.force, R::ZERO, reduced.torque]
             }
-            Kind::Round { friction, tilt } => {
+            Kind::Round {
+                friction,
+                tilt: Some(tilt),
+            } => {
                 let reduced = leaning_wrench(friction.coupling(), [v, w], [*tilt, R::ZERO]);
                 [reduced.force, reduced.lateral, reduced.torque]
             }
@@ -105,7 +111,6 @@ impl<R: Tabulated> Contact<R> {
         let at = self.scaled(speed, spin)?;
         let [v, w] = at.speeds;
         let reduced = match &self.kind {
-            Kind::Upright(friction) => friction.coupling().reduced_jacobian(v, w),
             Kind::Round { friction, .. } => friction.coupling().reduced_jacobian(v, w),
             Kind::Nodes(_) => return Ok(None),
         };

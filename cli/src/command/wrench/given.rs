@@ -2,8 +2,8 @@
 
 use super::Arguments;
 use crate::command::digits::shown;
-use crate::command::patch::PatchName;
 use serde_json::{Map, Value};
+use tribos::friction::{Patch, Tier};
 use tribos::record::json_number;
 
 /// A named value of the contact.
@@ -15,17 +15,17 @@ pub enum Given {
     Number(&'static str, f64, &'static str),
 }
 
-/// What `arguments` say of the contact, in the order of the help.
-pub fn contact(arguments: &Arguments) -> Vec<Given> {
+/// What `arguments` say of the contact, in the order of the help, and the tier that evaluates it.
+pub fn contact(arguments: &Arguments, tier: Tier) -> Vec<Given> {
     let mut given = vec![Given::Word("patch", arguments.patch.to_string())];
     // Points bring their own lengths, unless the pressure leans over a radius.
-    if !matches!(arguments.patch, PatchName::Points(_)) || arguments.tilt.is_some() {
+    if !matches!(arguments.patch, Patch::Points(_)) || arguments.tilt.is_some() {
         given.push(Given::Number("radius", arguments.radius, "m"));
     }
     given.extend(arguments.tilt.map(|tilt| Given::Number("tilt", tilt, "")));
     given.push(Given::Number("load", arguments.load, "N"));
     match &arguments.law {
-        Some(law) => given.push(Given::Word("law", law.describe())),
+        Some(law) => given.push(Given::Word("law", law.to_string())),
         None => {
             let unit = if arguments.alpha == 0.0 {
                 ""
@@ -36,6 +36,7 @@ pub fn contact(arguments: &Arguments) -> Vec<Given> {
             given.push(Given::Number("alpha", arguments.alpha, ""));
         }
     }
+    given.push(Given::Word("tier", tier.to_string()));
     given
 }
 

@@ -7,9 +7,6 @@ mod output;
 mod product;
 
 use super::columns::Rows;
-use super::laws::LawSpec;
-use super::patch::{PATCHES, PatchName};
-use super::tier::{Precision, Tabulated, Tier};
 use super::{file, number, spool};
 use crate::failure::Failure;
 use contact::{Contact, Request, Resistance};
@@ -17,6 +14,7 @@ use number::in_range;
 use output::{Format, Line};
 use product::Product;
 use std::path::{Path, PathBuf};
+use tribos::friction::{Law, Patch, Precision, Tier};
 use tribos::record::write_atomically;
 
 /// Friction force and torque of a contact under the local law `coefficient` * |v|^`alpha`, or
@@ -30,12 +28,12 @@ use tribos::record::write_atomically;
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
     /// Contact patch.
-    #[arg(long, default_value = "disk", long_help = format!("Contact patch: {PATCHES}.\n\
-        The file of points has columns x,y [m] and weight; the body slides along x."))]
-    patch: PatchName,
+    #[arg(long, default_value = "disk", long_help = format!("Contact patch: {}.\n\
+        A polynomial is the pressure a0 + a1 r^2 + ..., power:Q the pressure (1-r^2)^Q, r in radii. The file of points has columns x,y [m] and weight; the body slides along x.", patches()))]
+    patch: Patch,
     /// Local law instead of coefficient and alpha; see `tribos laws`.
     #[arg(long, value_name = "NAME:KEY=VALUE,…", conflicts_with_all = ["alpha", "coefficient"])]
-    law: Option<LawSpec>,
+    law: Option<Law>,
     /// Lean of the pressure, p (1 + K x/radius) with x along the velocity; adds the column
     /// `lateral`, the force to the right of x.
     #[arg(long, value_name = "K", value_parser = number::finite, allow_negative_numbers = true,
@@ -73,18 +71,32 @@ pub struct Arguments {
     /// Add the derivatives dforce_dspeed, dforce_dspin, dtorque_dspeed, dtorque_dspin.
     #[arg(long)]
     jacobian: bool,
-    /// Accuracy tier [default: table, or compact for alpha > 10].
-    #[arg(long)]
+    /// Accuracy tier [default: the quickest that serves the law: table, compact for alpha > 10, quadrature for other laws].
+    #[arg(long, value_parser = number::named::<Tier, 3>([
+        ("table", "Polynomial tables: a few ulp, quickest (alpha <= 10)"),
+        ("compact", "Series without tables: tens of ulp (alpha <= 128)"),
+        ("quadrature", "Quadrature on fixed nodes: about 1e-8 on disk and annulus; elsewhere 1e-3 of \
+            the load, for alpha < 0 far less (1e-2 at -0.2, a third of the load at -0.5)"),
+    ]))]
     tier: Option<Tier>,
     /// Floating-point type.
     #[arg(long, default_value = "f64")]
-    precision: Precision,
+    precision: Digits,
     /// Output format [default: text for one twist, csv for a file].
     #[arg(long)]
     format: Option<Format>,
     /// Write to this file instead of standard output.
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
+}
+
+/// Floating-point type of the evaluation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Digits {
+    /// 64 bit.
+    F64,
+    /// 32 bit.
+    F32,
 }
 
 /// What to do with a body that tips.
@@ -110,19 +122,25 @@ Examples:
   Many twists from a file, evaluated without tables in single precision:
     tribos wrench --twists twists.csv --tier compact --precision f32 --output wrenches.csv";
 
+/// All patches as they are written.
+fn patches() -> String {
+    let all: Vec<&str> = Patch::SYNTAX.iter().map(|(syntax, _)| *syntax).collect();
+    all.join(", ")
+}
+
 impl Arguments {
     /// Evaluates and prints.
     pub fn execute(self) -> Result<(), Failure> {
         match self.precision {
-            Precision::F64 => self.evaluate::<f64>(),
-            Precision::F32 => self.evaluate::<f32>(),
+            Digits::F64 => self.evaluate::<f64>(),
+            Digits::F32 => self.evaluate::<f32>(),
         }
     }
 
-    fn evaluate<R: Tabulated>(&self) -> Result<(), Failure> {
+    fn evaluate<R: Precision>(&self) -> Result<(), Failure> {
         if let Some(output) = &self.output {
             let points = match &self.patch {
-                PatchName::Points(file) => Some(file),
+                Patch::Points(file) => Some(file),
                 _ => None,
             };
             for input in self.twists.iter().chain(points) {
@@ -136,10 +154,10 @@ impl Arguments {
         }
         let at = |twist| self.line(&contact, load, twist);
         match (&self.twists, self.speed, self.spin) {
-            (Some(file), ..) => self.all(file, at),
+            (Some(file), ..) => self.all(file, contact.tier(), at),
             (None, Some(speed), Some(spin)) => {
                 let format = self.format.unwrap_or(Format::Text);
-                let given = given::contact(self);
+                let given = given::contact(self, contact.tier());
                 let line = at([speed, spin])?;
                 let text = format.one(&line, &given);
                 warn_of_beyond(u64::from(line.is_beyond));
@@ -165,6 +183,7 @@ impl Arguments {
     fn all(
         &self,
         file: &Path,
+        tier: Tier,
         at: impl Fn([f64; 2]) -> Result<Line, Failure>,
     ) -> Result<(), Failure> {
         let mut rows = Rows::open(file, |_| &["speed", "spin"])?;
@@ -183,7 +202,7 @@ impl Arguments {
             sink.put(format.end())
         })?;
         warn_of_beyond(beyond);
-        let given = given::contact(self);
+        let given = given::contact(self, tier);
         super::tell(format_args!("contact: {}", given::sentence(&given)));
         if let Some(path) = &self.output {
             super::tell(format_args!("written to    {}", path.display()));
@@ -203,14 +222,14 @@ impl Arguments {
             }
             (tilt, _) => tilt.map(|tilt| tilt.clamp(-1.0, 1.0)),
         };
-        if self.jacobian && (tilted || matches!(self.patch, PatchName::Points(_))) {
+        if self.jacobian && (tilted || matches!(self.patch, Patch::Points(_))) {
             return Err(Failure::input(
                 "--jacobian is for round, upright patches: leave out --tilt and points",
             ));
         }
         Ok(Request {
             patch: &self.patch,
-            law: self.law.as_ref(),
+            law: self.law,
             alpha: self.alpha,
             tier: self.tier,
             coefficient: self.coefficient,
@@ -219,7 +238,7 @@ impl Arguments {
         })
     }
 
-    fn line<R: Tabulated>(
+    fn line<R: Precision>(
         &self,
         contact: &Contact<R>,
         load: R,
@@ -227,7 +246,7 @@ impl Arguments {
     ) -> Result<Line, Failure> {
         let [speed, spin] = twist;
         let (speed, spin): (R, R) = (in_range("speed", speed)?, in_range("spin", spin)?);
-        let is_round = !matches!(self.patch, PatchName::Points(_));
+        let is_round = !matches!(self.patch, Patch::Points(_));
         // Those of a round patch are mirrored afterwards.
         let (v, w) = if is_round {
             (speed.abs(), spin.abs())

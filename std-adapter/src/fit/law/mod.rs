@@ -8,10 +8,21 @@ mod stribeck;
 use super::estimate::FitError;
 use super::parameter::Model;
 use super::{Data, Motion};
+use crate::friction::Refusal;
 use std::borrow::Cow;
+use std::str::FromStr;
 use tribos_core::law::{Dieterich, LocalLaw, Ruina};
 
 /// A law that can be fitted.
+///
+/// ```
+/// use tribos::fit::LawName;
+/// assert_eq!("lugre".parse(), Ok(LawName::LuGre));
+/// assert_eq!((LawName::LuGre.steady(), LawName::LuGre.over_time()), ("lugre", "lugre-bristles"));
+/// for (law, name, _) in LawName::ALL {
+///     assert_eq!(name.parse(), Ok(law));
+/// }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LawName {
     /// Boundary and hydrodynamic lubrication; steady.
@@ -24,6 +35,66 @@ pub enum LawName {
     RateState,
     /// The same with the slip law of Ruina; steadily it is no other law.
     RateStateSlip,
+}
+
+impl LawName {
+    /// All laws that can be fitted, each with its name and what is fitted.
+    pub const ALL: [(Self, &'static str, &'static str); 5] = [
+        (
+            Self::Stribeck,
+            "stribeck",
+            "Boundary, then hydrodynamic lubrication: mu_s, mu_d, vs, delta, k",
+        ),
+        (
+            Self::LuGre,
+            "lugre",
+            "Bristles: fc, fs, vs, s2; over time s0 and s1 as well",
+        ),
+        (Self::Power, "power", "A power of the speed: gamma, alpha"),
+        (
+            Self::RateState,
+            "rate-state",
+            "Rate and state, ageing law: mu0, a, b, eta at a reference v0; over time dc as well",
+        ),
+        (
+            Self::RateStateSlip,
+            "rate-state-slip",
+            "The same with the slip law",
+        ),
+    ];
+
+    /// The law of steady sliding in the catalogue [`LAWS`](crate::friction::LAWS).
+    pub fn steady(self) -> &'static str {
+        match self {
+            Self::Stribeck => "stribeck",
+            Self::LuGre => "lugre",
+            Self::Power => "power",
+            Self::RateState | Self::RateStateSlip => "rate-state",
+        }
+    }
+
+    /// The law of a record over time in the catalogue: that with its state, where it has one.
+    pub fn over_time(self) -> &'static str {
+        match self {
+            Self::LuGre => "lugre-bristles",
+            Self::RateState => "rate-state-ageing",
+            Self::RateStateSlip => "rate-state-slip",
+            Self::Stribeck | Self::Power => self.steady(),
+        }
+    }
+}
+
+impl FromStr for LawName {
+    type Err = Refusal;
+
+    fn from_str(text: &str) -> Result<Self, Refusal> {
+        let found = Self::ALL.into_iter().find(|(_, name, _)| *name == text);
+        found.map(|(law, ..)| law).ok_or_else(|| {
+            let names = Self::ALL.map(|(_, name, _)| name);
+            let list = format!("there are {}", names.join(", "));
+            Refusal::unknown("law to fit", text, names, list)
+        })
+    }
 }
 
 /// The law as a model of these data: in its steady form, or with its state over time.

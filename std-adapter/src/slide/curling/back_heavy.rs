@@ -1,8 +1,9 @@
 //! More friction at the back.
 
 use super::{CurlingModel, CurlingRock, IceLaw};
+use crate::friction::Friction;
 use crate::slide::SlideError;
-use crate::slide::planar::{Foot, Resistance};
+use crate::slide::planar::Resistance;
 use tribos_core::Real;
 use tribos_core::internals::{LeaningWrench, leaning_wrench};
 
@@ -48,9 +49,8 @@ impl CurlingModel for BackHeavy {
     }
 
     fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError> {
-        let inner_ratio = 1.0 - rock.band_width / rock.band_radius;
         Ok(Box::new(Modulated {
-            foot: Foot::band(self.ice.alpha, inner_ratio)?,
+            foot: rock.friction(self.ice)?,
             strength: self.ice.coefficient * rock.gravity,
             gradient: self.gradient(),
             radius: rock.band_radius,
@@ -62,7 +62,7 @@ impl CurlingModel for BackHeavy {
 /// A band under friction that is modulated along the velocity.
 #[derive(Debug)]
 struct Modulated {
-    foot: Foot,
+    foot: Friction,
     strength: f64,
     gradient: f64,
     radius: f64,
@@ -92,7 +92,7 @@ impl Resistance for Modulated {
     }
 
     fn exponent(&self) -> f64 {
-        self.foot.exponent()
+        self.foot.exponent_at_rest()
     }
     fn inertia_ratio(&self) -> f64 {
         self.inertia_ratio

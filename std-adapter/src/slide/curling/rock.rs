@@ -1,8 +1,8 @@
 //! The rock and the law of ice.
 
+use crate::friction::{Friction, Law, Patch};
 use crate::slide::SlideError;
-use crate::slide::planar::{Foot, Gradient, TallBody};
-use tribos_core::coupling::PatchFriction;
+use crate::slide::planar::{Gradient, TallBody};
 
 /// A curling rock on its running band.
 ///
@@ -42,11 +42,20 @@ impl CurlingRock {
         gravity: 9.81,
     };
 
+    /// The running band.
+    pub(crate) fn patch(&self) -> Patch {
+        Patch::band(1.0 - self.band_width / self.band_radius)
+    }
+
+    /// Friction of ice on the running band.
+    pub(super) fn friction(&self, ice: IceLaw) -> Result<Friction, SlideError> {
+        let law = Law::power(ice.coefficient, ice.alpha)?;
+        Ok(Friction::new(&self.patch(), &law, None)?)
+    }
+
     /// The rock under a law of ice, its centre of mass at `height`.
     pub(super) fn body(&self, ice: IceLaw, height: f64) -> Result<TallBody, SlideError> {
-        let inner_ratio = 1.0 - self.band_width / self.band_radius;
-        let foot = Foot::band(ice.alpha, inner_ratio)?;
-        let foot = PatchFriction::new(foot, ice.coefficient, self.band_radius)?;
+        let foot = self.friction(ice)?.with_radius(self.band_radius)?;
         let rest = [self.gravity, self.inertia_ratio];
         TallBody::new(foot, height, Gradient::AllRound, rest)
     }

@@ -1,8 +1,8 @@
 //! The tall cylinder.
 
-use super::{Foot, Gradient, TallBody};
+use super::{Gradient, TallBody};
+use crate::friction::{Friction, Law};
 use crate::slide::SlideError;
-use tribos_core::coupling::PatchFriction;
 use tribos_core::patch::PowerPressure;
 
 /// A cylinder that slides on its flat side: counterclockwise spin bends its path to the right.
@@ -52,8 +52,8 @@ impl TallCylinder {
 
     /// Its resistance under `gravity`, in m/s².
     pub fn body(&self, gravity: f64) -> Result<TallBody, SlideError> {
-        let foot = Foot::round(self.alpha, self.pressure)?;
-        let foot = PatchFriction::new(foot, self.coefficient, self.radius)?;
+        let law = Law::power(self.coefficient, self.alpha)?;
+        let foot = Friction::new(&self.pressure.into(), &law, None)?.with_radius(self.radius)?;
         let rest = [gravity, self.inertia_ratio];
         TallBody::new(foot, 0.5 * self.height, self.gradient, rest)
     }

@@ -4,13 +4,11 @@
 //! here, the tall [`TallCylinder`] and [`Pipe`]; [`super::curling`] has the curling rock.
 
 mod cylinder;
-mod foot;
 mod journey;
 mod pipe;
 mod tall;
 
 pub use cylinder::TallCylinder;
-pub use foot::Foot;
 pub use journey::{Arrival, Ending, Journey, Launch, Point};
 pub use pipe::Pipe;
 pub use tall::{Gradient, TallBody};

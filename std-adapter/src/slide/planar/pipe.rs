@@ -1,8 +1,8 @@
 //! Penner's pipe.
 
-use super::{Foot, Gradient, TallBody};
+use super::{Gradient, TallBody};
+use crate::friction::{Friction, Law, Patch};
 use crate::slide::SlideError;
-use tribos_core::coupling::PatchFriction;
 
 /// A hollow cylinder that stands and slides on its end.
 ///
@@ -50,8 +50,9 @@ impl Pipe {
 
     /// Its resistance under `gravity`, in m/s².
     pub fn body(&self, gravity: f64) -> Result<TallBody, SlideError> {
-        let foot = Foot::band(self.alpha, self.inner_ratio)?;
-        let foot = PatchFriction::new(foot, self.coefficient, self.radius)?;
+        let law = Law::power(self.coefficient, self.alpha)?;
+        let foot = Friction::new(&Patch::band(self.inner_ratio), &law, None)?;
+        let foot = foot.with_radius(self.radius)?;
         let rest = [gravity, self.inertia_ratio()];
         TallBody::new(foot, 0.5 * self.height, self.gradient, rest)
     }

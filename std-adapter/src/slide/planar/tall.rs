@@ -1,11 +1,13 @@
 //! Any body of revolution whose centre of mass stands above its foot.
 
-use super::{Foot, Resistance};
+use super::Resistance;
+use crate::friction::Friction as Foot;
 use crate::slide::SlideError;
 use tribos_core::coupling::PatchFriction;
 use tribos_core::coupling::tall::{AllRound, FrontBack, TallFriction};
 use tribos_core::modes::InertiaError;
-use tribos_core::twist::Twist;
+use tribos_core::real::Real;
+use tribos_core::twist::{Twist, Wrench};
 
 /// Which pressure gradients are followed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,12 +24,11 @@ pub enum Gradient {
 /// *Units*: SI. *Source*: [`tribos_core::coupling::tall`].
 ///
 /// ```
-/// use tribos::kernel::coupling::PatchFriction;
-/// use tribos::kernel::patch::PowerPressure;
+/// use tribos::friction::{Friction, Law, Patch};
 /// use tribos::slide::SlideError;
-/// use tribos::slide::planar::{Foot, Gradient, Resistance, TallBody};
+/// use tribos::slide::planar::{Gradient, Resistance, TallBody};
 /// let body = |height: f64, gravity: f64| {
-///     let foot = PatchFriction::new(Foot::round(0.0, PowerPressure::UNIFORM)?, 0.3, 0.08)?;
+///     let foot = Friction::new(&Patch::Disk, &Law::coulomb(0.3)?, None)?.with_radius(0.08)?;
 ///     TallBody::new(foot, height, Gradient::AllRound, [gravity, 0.5])
 /// };
 /// // The pressure p (1 + l x/R) has the moment N R l/4, which bears that of friction, mu N h.
@@ -48,6 +49,8 @@ pub struct TallBody {
 enum Friction {
     AllRound(TallFriction<f64, Foot, AllRound>),
     FrontBack(TallFriction<f64, Foot, FrontBack>),
+    /// No height, and a law whose lateral force costs a quadrature.
+    Flat(PatchFriction<f64, Foot>),
 }
 
 impl TallBody {
@@ -67,6 +70,7 @@ impl TallBody {
             }
         }
         let friction = match gradient {
+            _ if height == 0.0 && foot.coupling().power().is_none() => Friction::Flat(foot),
             Gradient::AllRound => Friction::AllRound(TallFriction::new(foot, height)?),
             Gradient::FrontBack => Friction::FrontBack(TallFriction::new(foot, height)?),
         };
@@ -81,21 +85,25 @@ impl TallBody {
         match &self.friction {
             Friction::AllRound(friction) => friction.foot(),
             Friction::FrontBack(friction) => friction.foot(),
+            Friction::Flat(foot) => foot,
         }
     }
 
-    fn wrench(&self, [x, y, rim]: [f64; 3]) -> tribos_core::coupling::tall::TallWrench<f64> {
+    /// The wrench per mass, and the length of the pressure gradient.
+    fn wrench(&self, [x, y, rim]: [f64; 3]) -> (Wrench<f64>, f64) {
         let twist = Twist::new(x, y, rim / self.radius());
-        match &self.friction {
+        let tall = match &self.friction {
             Friction::AllRound(friction) => friction.wrench(self.gravity, &twist),
             Friction::FrontBack(friction) => friction.wrench(self.gravity, &twist),
-        }
+            Friction::Flat(foot) => return (foot.wrench(self.gravity, &twist), 0.0),
+        };
+        (tall.wrench, Real::hypot(tall.lean.x, tall.lean.y))
     }
 }
 
 impl Resistance for TallBody {
     fn deceleration(&self, velocity: [f64; 3]) -> [f64; 3] {
-        let wrench = self.wrench(velocity).wrench;
+        let (wrench, _) = self.wrench(velocity);
         [
             -wrench.force.x,
             -wrench.force.y,
@@ -104,7 +112,7 @@ impl Resistance for TallBody {
     }
 
     fn exponent(&self) -> f64 {
-        self.foot().coupling().exponent()
+        self.foot().coupling().exponent_at_rest()
     }
 
     fn inertia_ratio(&self) -> f64 {
@@ -115,8 +123,11 @@ impl Resistance for TallBody {
         self.foot().radius()
     }
 
+    fn accuracy(&self) -> f64 {
+        self.foot().coupling().accuracy()
+    }
+
     fn lean(&self, velocity: [f64; 3]) -> f64 {
-        let lean = self.wrench(velocity).lean;
-        tribos_core::Real::hypot(lean.x, lean.y)
+        self.wrench(velocity).1
     }
 }

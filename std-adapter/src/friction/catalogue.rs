@@ -1,27 +1,161 @@
-//! All friction laws of the kernel: formula, parameters, units, source.
+//! All friction laws of the kernel: formula, parameters, units, source, and how local ones are made.
 
-/// One law.
+use std::fmt;
+use tribos_core::law::{
+    Coulomb, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters, PlateauPower, PowerLaw,
+    RateState, RateStateParameters, Stribeck,
+};
+use tribos_core::real::Real;
+
+/// One law of the kernel.
+///
+/// ```
+/// use tribos::friction::{Entry, LAWS, Law, Maker, Parameter, find};
+/// let stribeck: &Entry = find("stribeck").ok_or("no such law")?;
+/// let exponent: &Parameter = &stribeck.parameters[3];
+/// assert_eq!((exponent.name, exponent.default), ("delta", Some(2.0)));
+/// // Local laws can be made by name; the others depend on more than the speed.
+/// for entry in LAWS {
+///     let made: Option<Maker> = entry.local;
+///     let list: Vec<String> = entry.parameters.iter().map(|p| format!("{}=0.5", p.name)).collect();
+///     let law = format!("{}:{}", entry.name, list.join(",")).parse::<Law>();
+///     assert_eq!(law.is_ok(), made.is_some());
+/// }
+/// # Ok::<(), &str>(())
+/// ```
 #[derive(Debug)]
 pub struct Entry {
-    /// Name on the command line.
+    /// Name of the law.
     pub name: &'static str,
-    /// What it is.
+    /// What kind of friction it describes.
     pub summary: &'static str,
+    /// Formula in ASCII.
     pub formula: &'static str,
+    /// Parameters, in the order in which they are written.
     pub parameters: &'static [Parameter],
+    /// Publication that the law is from.
     pub source: &'static str,
-    /// True if it is a law of the local sliding speed, which couples with any patch.
-    pub is_local: bool,
+    /// How it is made, if it is a law of the local sliding speed, which couples with any patch.
+    pub local: Option<Maker>,
 }
 
 /// One parameter of a law.
 #[derive(Debug)]
 pub struct Parameter {
+    /// Name of the parameter.
     pub name: &'static str,
+    /// Unit in SI, or "-" for a pure number.
     pub unit: &'static str,
+    /// What the parameter means.
     pub meaning: &'static str,
-    /// Used where it is left out; `None` if it must be given.
+    /// Value used where it is left out; `None` if it must be given.
     pub default: Option<f64>,
+}
+
+/// Most parameters of a law.
+pub(super) const MOST_PARAMETERS: usize = 6;
+/// Values of a law's parameters in their order, followed by zeros.
+pub(super) type Values<R> = [R; MOST_PARAMETERS];
+/// A law, or why its values make none.
+pub(super) type Made<R> = Result<Box<dyn LocalLaw<R>>, LawError>;
+
+/// How a local law is made from the values of its parameters.
+#[derive(Clone, Copy)]
+pub struct Maker {
+    pub(super) double: fn(Values<f64>) -> Made<f64>,
+    pub(super) single: fn(Values<f32>) -> Made<f32>,
+    /// Coefficient and exponent of a law that is a power of the speed.
+    pub(super) power: Option<fn(Values<f64>) -> [f64; 2]>,
+}
+
+impl fmt::Debug for Maker {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Maker").finish_non_exhaustive()
+    }
+}
+
+const fn local(
+    double: fn(Values<f64>) -> Made<f64>,
+    single: fn(Values<f32>) -> Made<f32>,
+) -> Option<Maker> {
+    Some(Maker {
+        double,
+        single,
+        power: None,
+    })
+}
+
+const fn power_of_speed(
+    double: fn(Values<f64>) -> Made<f64>,
+    single: fn(Values<f32>) -> Made<f32>,
+    power: fn(Values<f64>) -> [f64; 2],
+) -> Option<Maker> {
+    Some(Maker {
+        double,
+        single,
+        power: Some(power),
+    })
+}
+
+fn coulomb<R: Real + 'static>([mu, ..]: Values<R>) -> Made<R> {
+    Ok(Box::new(Coulomb::new(mu)?))
+}
+
+fn dry<R: Real + 'static>([mu_s, mu_d, ..]: Values<R>) -> Made<R> {
+    Ok(Box::new(DryFriction::new(mu_s, mu_d)?))
+}
+
+fn power<R: Real + 'static>([gamma, alpha, ..]: Values<R>) -> Made<R> {
+    Ok(Box::new(PowerLaw::new(alpha, gamma)?))
+}
+
+fn plateau<R: Real + 'static>([gamma, alpha, vp, vd, r, _]: Values<R>) -> Made<R> {
+    Ok(Box::new(PlateauPower::new(alpha, gamma, vp, vd, r)?))
+}
+
+fn stribeck<R: Real + 'static>([mu_s, mu_d, vs, delta, k, _]: Values<R>) -> Made<R> {
+    Ok(Box::new(Stribeck::new(
+        DryFriction::new(mu_s, mu_d)?,
+        vs,
+        delta,
+        k,
+    )?))
+}
+
+fn rate_state<R: Real + 'static>(
+    [mu, a, b, reference_speed, slip_distance, viscous]: Values<R>,
+) -> Made<R> {
+    let parameters = RateStateParameters {
+        mu,
+        a,
+        b,
+        reference_speed,
+        slip_distance,
+        viscous,
+    };
+    Ok(Box::new(RateState::<R>::new(parameters)?.steady()))
+}
+
+fn lugre<R: Real + 'static>(
+    [
+        coulomb_force,
+        static_force,
+        stribeck_speed,
+        viscous_damping,
+        load,
+        _,
+    ]: Values<R>,
+) -> Made<R> {
+    let parameters = LuGreParameters {
+        coulomb_force,
+        static_force,
+        stribeck_speed,
+        viscous_damping,
+        // Steady sliding does not depend on the bristles.
+        stiffness: R::ONE,
+        bristle_damping: R::ONE,
+    };
+    Ok(Box::new(LuGre::new(parameters)?.steady_per_load(load)?))
 }
 
 const fn needed(name: &'static str, unit: &'static str, meaning: &'static str) -> Parameter {
@@ -65,7 +199,7 @@ pub const LAWS: &[Entry] = &[
         formula: "mu",
         parameters: &[needed("mu", "-", "friction coefficient")],
         source: "Coulomb 1785; thesis section 2.1, fig. 2.5",
-        is_local: true,
+        local: power_of_speed(coulomb, coulomb, |[mu, ..]| [mu, 0.0]),
     },
     Entry {
         name: "dry",
@@ -76,7 +210,7 @@ pub const LAWS: &[Entry] = &[
             needed("mu_d", "-", "dynamic coefficient, <= mu_s"),
         ],
         source: "Euler 1750; thesis section 2.1, fig. 2.5",
-        is_local: true,
+        local: local(dry, dry),
     },
     Entry {
         name: "power",
@@ -87,7 +221,7 @@ pub const LAWS: &[Entry] = &[
             needed("alpha", "-", "exponent, > -1"),
         ],
         source: "thesis eq. 3.6",
-        is_local: true,
+        local: power_of_speed(power, power, |[gamma, alpha, ..]| [gamma, alpha]),
     },
     Entry {
         name: "plateau",
@@ -101,7 +235,7 @@ pub const LAWS: &[Entry] = &[
             optional("r", "-", "share of the plateau left at rest", 0.5),
         ],
         source: "thesis eq. 3.39 and fig. 3.19; closed form by this project",
-        is_local: true,
+        local: local(plateau, plateau),
     },
     Entry {
         name: "stribeck",
@@ -115,7 +249,7 @@ pub const LAWS: &[Entry] = &[
             optional("k", "s/m", "viscous coefficient", 0.0),
         ],
         source: "Stribeck 1902, form of Bo and Pavelescu 1982; thesis fig. 2.8",
-        is_local: true,
+        local: local(stribeck, stribeck),
     },
     Entry {
         name: "rate-state",
@@ -123,7 +257,7 @@ pub const LAWS: &[Entry] = &[
         formula: "a asinh(v/q) + eta v,  q = 2 v0 exp(-(mu0 + b ln(v0/v))/a)",
         parameters: RATE_STATE,
         source: "Dieterich 1979, Ruina 1983; branches of Heslot et al. 1994, thesis fig. 2.7",
-        is_local: true,
+        local: local(rate_state, rate_state),
     },
     Entry {
         name: "lugre",
@@ -137,7 +271,7 @@ pub const LAWS: &[Entry] = &[
             optional("load", "N", "load at which the forces were measured", 1.0),
         ],
         source: "Canudas de Wit, Olsson, Astrom, Lischinsky 1995",
-        is_local: true,
+        local: local(lugre, lugre),
     },
     Entry {
         name: "incline",
@@ -148,7 +282,7 @@ pub const LAWS: &[Entry] = &[
             needed("mu_d", "-", "dynamic coefficient, <= mu_s"),
         ],
         source: "Euler 1750; thesis section 2.1, fig. 2.2",
-        is_local: false,
+        local: None,
     },
     Entry {
         name: "ageing",
@@ -160,7 +294,7 @@ pub const LAWS: &[Entry] = &[
             needed("t0", "s", "reference and cut-off age"),
         ],
         source: "thesis section 2.1, fig. 2.5",
-        is_local: false,
+        local: None,
     },
     Entry {
         name: "rate-state-ageing",
@@ -168,7 +302,7 @@ pub const LAWS: &[Entry] = &[
         formula: "mu0 + a ln(v/v0) + b ln(v0 theta/dc) + eta v (regularised)",
         parameters: RATE_STATE,
         source: "Dieterich 1979; regularised after Rice, Lapusta, Ranjith 2001",
-        is_local: false,
+        local: None,
     },
     Entry {
         name: "rate-state-slip",
@@ -176,7 +310,7 @@ pub const LAWS: &[Entry] = &[
         formula: "mu0 + a ln(v/v0) + b ln(v0 theta/dc) + eta v (regularised)",
         parameters: RATE_STATE,
         source: "Ruina 1983; regularised after Rice, Lapusta, Ranjith 2001",
-        is_local: false,
+        local: None,
     },
     Entry {
         name: "lugre-bristles",
@@ -191,7 +325,7 @@ pub const LAWS: &[Entry] = &[
             optional("s2", "N s/m", "viscous damping", 0.0),
         ],
         source: "Canudas de Wit, Olsson, Astrom, Lischinsky 1995",
-        is_local: false,
+        local: None,
     },
     Entry {
         name: "bowden-tabor",
@@ -202,7 +336,7 @@ pub const LAWS: &[Entry] = &[
             needed("sigma_c", "Pa", "penetration hardness"),
         ],
         source: "Bowden and Tabor 1950; thesis eqs. 2.1, 2.2",
-        is_local: false,
+        local: None,
     },
     Entry {
         name: "bowden-tabor-hertz",
@@ -214,7 +348,7 @@ pub const LAWS: &[Entry] = &[
             needed("E", "Pa", "contact modulus"),
         ],
         source: "Hertz 1882; thesis section 2.2",
-        is_local: false,
+        local: None,
     },
     Entry {
         name: "bowden-tabor-greenwood",
@@ -227,7 +361,7 @@ pub const LAWS: &[Entry] = &[
             needed("E", "Pa", "contact modulus"),
         ],
         source: "Greenwood and Williamson 1966; thesis section 2.2",
-        is_local: false,
+        local: None,
     },
     Entry {
         name: "stokes",
@@ -238,7 +372,7 @@ pub const LAWS: &[Entry] = &[
             needed("r", "m", "radius"),
         ],
         source: "Stokes 1851; thesis eq. 2.4",
-        is_local: false,
+        local: None,
     },
     Entry {
         name: "inertial-drag",
@@ -250,7 +384,7 @@ pub const LAWS: &[Entry] = &[
             needed("r", "m", "radius"),
         ],
         source: "thesis section 2.3.2",
-        is_local: false,
+        local: None,
     },
 ];
 

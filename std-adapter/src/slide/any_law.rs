@@ -1,0 +1,132 @@
+//! A flat disk under any law of the local speed.
+
+use super::planar::{Gradient, Journey, Launch, Point, Resistance, TallBody};
+use super::simulation::{MOST_STEPS, SLIVER};
+use super::{COLUMNS, Ending, Outcome, SlideError, SlideRun, energy_at_launch, run};
+use crate::friction::{Friction, Law, Patch};
+use crate::scene::{SliderScene, Stepper};
+use tribos_core::modes::Modes;
+
+/// Runs a scene to its end under a law of its own, which takes the place of the scene's `coefficient` and
+/// `alpha`; `progress` sees the fraction done after every sample.
+///
+/// A power of the speed is run as by [`run`](super::run()). Any other law is followed in the logarithm of the
+/// speed, as a body in the plane is ([`Journey`]). *Accuracy*: 1e-8, that of the quadrature of the law.
+/// A law with a state (bristles, ages) acts with its steady form: on a patch that slides and spins its state
+/// differs from point to point.
+///
+/// ```
+/// use tribos::{friction::Law, scene::parse_slider, slide::run_law};
+/// let text = "speed = 1.0\nspin = 0.0\ncoefficient = 1.0\nalpha = 0\ngravity = 10.0\n\
+///             radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5";
+/// let scene = parse_slider("disk.toml", text, &[])?;
+/// let law: Law = "stribeck:mu_s=0.2,mu_d=0.2,vs=0.01,k=0.1".parse()?; // s/m
+/// let end = run_law(&scene, &law, |_| ())?.outcome;
+/// // dv/dt = -g (mu + k v), which ends after ln(1 + k v0/mu)/(g k).
+/// assert!((end.time - 1.5_f64.ln()).abs() < 1e-8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn run_law(
+    scene: &SliderScene,
+    law: &Law,
+    mut progress: impl FnMut(f64),
+) -> Result<SlideRun, SlideError> {
+    if let Some([coefficient, alpha]) = law.power_of_speed() {
+        let scene = SliderScene {
+            coefficient,
+            alpha,
+            ..*scene
+        };
+        return run(&scene, progress);
+    }
+    if scene.stepper == Stepper::Verlet {
+        return Err(SlideError::OnlyPowers { law: law.name() });
+    }
+    let friction = Friction::new(&Patch::Disk, law, None)?.with_radius(scene.radius)?;
+    let upright = [scene.gravity, scene.inertia_ratio];
+    let body = TallBody::new(friction, 0.0, Gradient::AllRound, upright)?;
+    let launch = Launch {
+        velocity: [scene.speed, 0.0],
+        spin: scene.spin,
+    };
+    let journey = || Journey::new(&body, &launch, scene.stop_fraction);
+    let energy = |point: &Point| scene.mass * super::path::energy_per_mass(&body, point);
+
+    // The end tells how long a sample is.
+    let scouted = journey()?.to_end()?.point.time;
+    let end = scene
+        .duration
+        .map_or(scouted, |duration| duration.min(scouted));
+    let times = sample_times(scene, end)?;
+    let mut points: Vec<Point> = Vec::new();
+    let arrival = journey()?.follow(&times, |point| {
+        // Times on the way are met to 2 ulp.
+        if point.time <= end * (1.0 + SLIVER) {
+            points.push(*point);
+            progress((point.time / end).clamp(0.0, 1.0));
+        }
+    })?;
+    let (Some(first), Some(last)) = (points.first(), points.last()) else {
+        return Err(SlideError::NotFinite { step: 0 });
+    };
+    let initial_energy = energy_at_launch(energy(first))?;
+    let dissipated = scene.mass * last.work;
+    let lost = initial_energy - energy(last);
+    // Towards rest the law is a power of the speed, and its fixed points tell the limit.
+    let near_rest = Law::power(1.0, body.exponent())?;
+    let near_rest = Friction::<f64>::new(&Patch::Disk, &near_rest, None)?;
+    let profile = near_rest.power().ok_or(SlideError::NotFinite { step: 0 })?;
+    Ok(SlideRun {
+        series: points
+            .iter()
+            .map(|point| row(point, energy(point), scene.mass))
+            .collect(),
+        outcome: Outcome {
+            ending: match (arrival.ending, scene.duration) {
+                (_, Some(duration)) if duration < scouted => Ending::Duration,
+                (super::planar::Ending::Rest, _) => Ending::Rest,
+                (super::planar::Ending::Faded, _) => Ending::Faded,
+            },
+            time: last.time,
+            distance: last.distance,
+            angle: last.angle,
+            ratio: last.ratio,
+            limit: Modes::new(profile, scene.inertia_ratio)?.final_mode(last.ratio),
+            steps: points.len() as u64 - 1,
+            initial_energy,
+            dissipated_energy: dissipated,
+            energy_error: (dissipated - lost).abs() / initial_energy,
+        },
+    })
+}
+
+/// Times of the samples up to `end`, which is the last.
+fn sample_times(scene: &SliderScene, end: f64) -> Result<Vec<f64>, SlideError> {
+    let interval = scene.time_step.unwrap_or(end / f64::from(scene.samples));
+    let steps = end / interval;
+    if steps > MOST_STEPS {
+        return Err(SlideError::TooManySteps {
+            time_step: interval,
+            steps,
+            most: MOST_STEPS,
+            at_least: end / MOST_STEPS,
+        });
+    }
+    let all = (1..=steps.ceil() as u64).map(|k| interval * k as f64);
+    let mut times: Vec<f64> = all.filter(|time| *time < end * (1.0 - SLIVER)).collect();
+    times.push(end);
+    Ok(times)
+}
+
+fn row(point: &Point, kinetic: f64, mass: f64) -> [f64; COLUMNS.len()] {
+    [
+        point.time,
+        point.velocity[0],
+        point.spin,
+        point.distance,
+        point.angle,
+        point.ratio,
+        kinetic,
+        mass * point.work,
+    ]
+}
