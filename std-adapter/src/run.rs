@@ -5,9 +5,8 @@
 /// ```
 /// use tribos::powder::size;
 /// use tribos::run::RunSize;
-/// # use tribos::scene::{Scene, parse_scene};
-/// let text = "body = \"powder\"\nwidth = 1e6\nheight = 61.5";
-/// let Scene::Powder(scene) = parse_scene("wide.toml", text, &[])? else { unreachable!() };
+/// # use tribos::scene::PowderScene;
+/// let scene = PowderScene { width: 1e6, height: 61.5, ..PowderScene::default() };
 /// let told: RunSize = size(&scene);
 /// assert!(told.bodies > 1e12 && told.bytes > 1e15 && told.seconds > 1e9);
 /// # Ok::<(), tribos::scene::SceneError>(())
@@ -82,10 +81,8 @@ pub fn drive<S: Simulation>(
 ///
 /// ```
 /// use tribos::run::{Simulation, drive_watched};
-/// use tribos::{kernel::coupling::table::Coulomb, scene::parse_slider, slide::SlideSimulation};
-/// # let text = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0\ngravity = 9.81\n\
-/// #             radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5";
-/// let mut puck = SlideSimulation::new(Coulomb, &parse_slider("disk.toml", text, &[])?)?;
+/// use tribos::{kernel::coupling::table::Coulomb, scene::SliderScene, slide::SlideSimulation};
+/// let mut puck = SlideSimulation::new(Coulomb, &SliderScene::default())?;
 /// let stopped: Result<(), Box<dyn std::error::Error>> = drive_watched(&mut puck, |puck| {
 ///     if puck.progress() < 0.5 { Ok(()) } else { Err("half the time is over".into()) }
 /// });

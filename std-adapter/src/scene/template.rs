@@ -22,8 +22,8 @@ pub fn template(known: &Vocabulary) -> String {
         "# A scene with body = \"{}\": values are examples, lines that begin with # are defaults.\n\n",
         known.body
     );
-    for (name, value) in known.least {
-        let comment = known.keys.iter().find(|key| key.name == *name).map(comment);
+    for (name, value) in known.least() {
+        let comment = known.keys.iter().find(|key| key.name == name).map(comment);
         text += &line(&format!("{name} = {value}"), &comment.unwrap_or_default());
     }
     with_all_keys(&text)
@@ -66,11 +66,13 @@ pub fn with_all_keys(text: &str) -> String {
 ///
 /// ```
 /// use tribos::scene::{Domain, SliderScene, toml_value};
-/// let [speed, counted] = [&SliderScene::KEYS[0], &SliderScene::KEYS[13]];
+/// let key = |name| SliderScene::KEYS.iter().find(|key| key.name == name).ok_or("no key");
+/// let [speed, counted] = [key("speed")?, key("samples")?];
 /// assert!(matches!(counted.domain, Domain::Count { .. }));
 /// assert_eq!(toml_value(speed, &2.into()), Some("2.0".into())); // TOML tells 2.0 from 2
 /// assert_eq!(toml_value(counted, &200.into()), Some("200".into()));
 /// assert_eq!(toml_value(speed, &serde_json::Value::Null), None);
+/// # Ok::<(), &str>(())
 /// ```
 pub fn toml_value(key: &Key, value: &Value) -> Option<String> {
     match (value, key.domain) {
@@ -90,9 +92,9 @@ fn line(setting: &str, comment: &str) -> String {
 fn comment(key: &Key) -> String {
     let unit = match key.unit {
         "-" => String::new(),
-        unit => format!("{unit}; "),
+        unit => format!("[{unit}] "),
     };
-    format!("{unit}{}; {}", key.meaning, key.domain.describe())
+    format!("{unit}{} {}", key.meaning, key.domain.describe())
 }
 
 #[cfg(test)]

@@ -1,31 +1,23 @@
 //! How the friction of a sliding body is evaluated, and what that costs.
 
 use super::SlideError;
-use super::path::resistance;
-use crate::scene::{PlanarBody, PlanarScene, SliderScene};
+use super::planar::Resistance;
+use crate::scene::{FootPressure, SliderScene};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 use tribos_core::coupling::table::{Coulomb, Table64};
 use tribos_core::coupling::{Annulus, Coupling, ReducedWrench};
-use tribos_core::patch::PowerPressure;
 
 /// Where force and torque come from.
 ///
 /// ```
-/// use tribos::scene::{Scene, parse_scene, vocabulary};
-/// use tribos::slide::Evaluation;
-/// let evaluation = |body: &str, set: &str| {
-///     let text = vocabulary(body).ok_or("no such body")?.least_text();
-///     Ok::<_, Box<dyn std::error::Error>>(match parse_scene(body, &text, &[set.into()])? {
-///         Scene::Disk(scene) => Some(scene.evaluation()),
-///         Scene::Planar(scene) => Some(scene.evaluation()),
-///         _ => None,
-///     })
-/// };
-/// assert_eq!(evaluation("disk", "alpha=0")?, Some(Evaluation::CoulombTable));
-/// assert_eq!(evaluation("disk", "alpha=-0.5")?, Some(Evaluation::PowerTable));
-/// assert_eq!(evaluation("cylinder", "pressure=hertz")?, Some(Evaluation::PressureTable));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// use tribos::scene::{CylinderScene, FootPressure, SliderScene};
+/// use tribos::slide::{Evaluation, PlanarScene};
+/// let disk = SliderScene::default();
+/// assert_eq!(disk.evaluation(), Evaluation::CoulombTable);
+/// assert_eq!(SliderScene { alpha: -0.5, ..disk }.evaluation(), Evaluation::PowerTable);
+/// let hertz = CylinderScene { pressure: FootPressure::Hertz, ..CylinderScene::default() };
+/// assert_eq!(hertz.evaluation(), Evaluation::PressureTable);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Evaluation {
@@ -47,10 +39,9 @@ pub enum Evaluation {
 /// Cost of one evaluation. *Units*: s on one core of this machine.
 ///
 /// ```
-/// use tribos::scene::{parse_slider, vocabulary};
+/// use tribos::scene::SliderScene;
 /// use tribos::slide::EvaluationCost;
-/// let disk = vocabulary("disk").ok_or("no disk")?.least_text();
-/// let cost: EvaluationCost = parse_slider("disk.toml", &disk, &[])?.evaluation_cost()?;
+/// let cost: EvaluationCost = SliderScene::default().evaluation_cost()?;
 /// assert!(cost.seconds > 0.0 && cost.seconds < 1e-3);
 /// assert!(cost.table_seconds > 0.0); // for comparison
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -84,41 +75,32 @@ impl SliderScene {
     }
 }
 
-impl PlanarScene {
-    /// Where force and torque come from.
-    pub fn evaluation(&self) -> Evaluation {
-        let round = |alpha: f64, pressure| match (alpha == 0.0, pressure == PowerPressure::UNIFORM)
-        {
-            (true, true) => Evaluation::CoulombTable,
-            (false, true) => Evaluation::PowerTable,
-            _ => Evaluation::PressureTable,
-        };
-        let band = |inner_ratio: f64| {
-            if inner_ratio > Annulus::<f64, Coulomb>::MAX_INNER_RATIO {
-                Evaluation::PressureTable
-            } else {
-                Evaluation::AnnulusTable
-            }
-        };
-        match &self.body {
-            PlanarBody::Cylinder(cylinder) => round(cylinder.alpha, cylinder.pressure),
-            PlanarBody::Pipe(pipe) => band(pipe.inner_ratio),
-            PlanarBody::Curling(_, model) if model.name() == "film" => Evaluation::RingRule {
-                points: super::curling::RING_POINTS,
-            },
-            PlanarBody::Curling(rock, _) => band(1.0 - rock.band_width / rock.band_radius),
+impl Evaluation {
+    /// Of a round foot.
+    pub(crate) fn round(alpha: f64, pressure: FootPressure) -> Self {
+        match (alpha == 0.0, pressure == FootPressure::Uniform) {
+            (true, true) => Self::CoulombTable,
+            (false, true) => Self::PowerTable,
+            _ => Self::PressureTable,
         }
     }
 
-    /// Times evaluations over a mix of speeds, a tenth of a second long. *Accuracy*: a few per cent of
-    /// the ratio, some ten of the times.
-    pub fn evaluation_cost(&self) -> Result<EvaluationCost, SlideError> {
-        let body = resistance(self)?;
-        Ok(timed(&|v, w| {
-            let [force, _, torque] = body.deceleration([v, 0.0, w]);
-            [force, torque]
-        }))
+    /// Of a band.
+    pub(crate) fn band(inner_ratio: f64) -> Self {
+        if inner_ratio > Annulus::<f64, Coulomb>::MAX_INNER_RATIO {
+            Self::PressureTable
+        } else {
+            Self::AnnulusTable
+        }
     }
+}
+
+/// The cost of a body's resistance, with the lateral force and the leaning pressure.
+pub(super) fn resistance_cost(body: &dyn Resistance) -> EvaluationCost {
+    timed(&|v, w| {
+        let [force, _, torque] = body.deceleration([v, 0.0, w]);
+        [force, torque]
+    })
 }
 
 /// Evaluations that are timed at once, over ratios of the speeds from 1/17 to 17.
@@ -186,14 +168,12 @@ fn pass(evaluate: Evaluated<'_>, passes: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Scene, parse_scene, vocabulary};
+    use crate::scene::{CurlingScene, CylinderScene, IceModel, PipeScene};
+    use crate::slide::PlanarScene;
 
     #[test]
     fn a_table_costs_as_much_as_itself() {
-        let text = vocabulary("disk").unwrap().least_text();
-        let Scene::Disk(scene) = parse_scene("disk", &text, &[]).unwrap() else {
-            unreachable!("a disk")
-        };
+        let scene = SliderScene::default();
         // On a busy machine a measurement may go wrong, three of them do not.
         let ratio = || {
             let cost = scene.evaluation_cost().unwrap();
@@ -208,28 +188,44 @@ mod tests {
 
     #[test]
     fn every_body_says_where_its_friction_comes_from_and_can_be_timed() {
-        for (body, keys, expected) in [
-            ("disk", "", Evaluation::CoulombTable),
-            ("disk", "alpha=0.5", Evaluation::PowerTable),
-            ("cylinder", "", Evaluation::CoulombTable),
-            ("cylinder", "pressure=hertz", Evaluation::PressureTable),
-            ("pipe", "", Evaluation::AnnulusTable),
-            ("pipe", "inner_radius=0.05", Evaluation::PressureTable),
-            ("curling", "", Evaluation::PressureTable),
-            (
-                "curling",
-                "model=film",
-                Evaluation::RingRule { points: 256 },
-            ),
+        for (alpha, expected) in [
+            (0.0, Evaluation::CoulombTable),
+            (0.5, Evaluation::PowerTable),
         ] {
-            let overrides: Vec<String> = keys.split_whitespace().map(String::from).collect();
-            let text = vocabulary(body).unwrap().least_text();
-            let (evaluation, cost) = match parse_scene(body, &text, &overrides).unwrap() {
-                Scene::Disk(scene) => (scene.evaluation(), scene.evaluation_cost().unwrap()),
-                Scene::Planar(scene) => (scene.evaluation(), scene.evaluation_cost().unwrap()),
-                _ => unreachable!("a sliding body"),
+            let disk = SliderScene {
+                alpha,
+                ..SliderScene::default()
             };
-            assert_eq!(evaluation, expected, "{body} {keys}");
+            assert_eq!(disk.evaluation(), expected);
+            let cost = disk.evaluation_cost().unwrap();
+            assert!(cost.seconds > 0.0 && cost.seconds < 1e-3, "{cost:?}");
+        }
+        let cylinder = CylinderScene::default();
+        let hertz = CylinderScene {
+            pressure: FootPressure::Hertz,
+            ..cylinder
+        };
+        let pipe = PipeScene::default();
+        let thin = PipeScene {
+            inner_radius: pipe.radius,
+            ..pipe
+        };
+        let rock = CurlingScene::default();
+        let film = CurlingScene {
+            model: IceModel::Film,
+            ..rock
+        };
+        let scenes: [(&dyn PlanarScene, Evaluation); 6] = [
+            (&cylinder, Evaluation::CoulombTable),
+            (&hertz, Evaluation::PressureTable),
+            (&pipe, Evaluation::AnnulusTable),
+            (&thin, Evaluation::PressureTable),
+            (&rock, Evaluation::PressureTable),
+            (&film, Evaluation::RingRule { points: 256 }),
+        ];
+        for (scene, expected) in scenes {
+            assert_eq!(scene.evaluation(), expected, "{scene:?}");
+            let cost = scene.evaluation_cost().unwrap();
             assert!(cost.seconds > 0.0 && cost.seconds < 1e-3, "{cost:?}");
         }
     }

@@ -8,16 +8,17 @@ use crate::command::run::powder::{self, State};
 use crate::command::view;
 use crate::failure::Failure;
 use crate::report::player::Film;
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::num::NonZero;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{self, AtomicUsize};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::available_parallelism;
 use std::time::Instant;
 use tribos::powder::Outcome;
 use tribos::record::write_atomically;
-use tribos::scene::{PowderScene, Scene, parse_scene};
+use tribos::scene::PowderScene;
 
 /// Frames of a film in the report.
 pub const FRAMES: u64 = 80;
@@ -69,10 +70,12 @@ impl System {
 }
 
 /// One compaction: a system, and the keys of its scene that are not the defaults.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Case {
     system: System,
+    /// What its folder is named by, `key=value` each.
     keys: Vec<String>,
+    scene: PowderScene,
 }
 
 impl Case {
@@ -83,12 +86,26 @@ impl Case {
             format!("torsion={torsion}"),
             format!("seed={seed}"),
         ];
-        Self { system, keys }
+        let [width, height] = system.size();
+        let scene = PowderScene {
+            width,
+            height,
+            rolling,
+            torsion,
+            seed,
+            ..PowderScene::default()
+        };
+        Self {
+            system,
+            keys,
+            scene,
+        }
     }
 
-    /// With one more key, `key=value`.
-    pub fn with(mut self, key: &str) -> Self {
+    /// With one more change, `key=value` in its name.
+    pub fn with(mut self, key: &str, change: impl FnOnce(&mut PowderScene)) -> Self {
         self.keys.push(key.into());
+        change(&mut self.scene);
         self
     }
 
@@ -110,14 +127,20 @@ impl Case {
     fn folder(&self) -> String {
         format!("{},{}", self.system.name(), self.keys.join(","))
     }
+}
 
-    fn scene(&self) -> Result<PowderScene, Failure> {
-        let [width, height] = self.system.size();
-        let text = format!("body = \"powder\"\nwidth = {width}\nheight = {height}\n");
-        match parse_scene("compaction", &text, &self.keys).map_err(Failure::input)? {
-            Scene::Powder(scene) => Ok(*scene),
-            _ => Err(Failure::run("a powder became something else")),
-        }
+impl Eq for Case {}
+
+impl PartialOrd for Case {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// By system and name.
+impl Ord for Case {
+    fn cmp(&self, other: &Self) -> Ordering {
+        (self.system, &self.keys).cmp(&(other.system, &other.keys))
     }
 }
 
@@ -141,7 +164,7 @@ pub struct Run {
 impl Run {
     /// From where its folder has it: the end, a checkpoint or the deposit.
     fn of(case: &Case, kept: &Kept) -> Result<Self, Failure> {
-        let scene = case.scene()?;
+        let scene = case.scene.clone();
         let folder = kept.run(&case.folder());
         kept.lock.check()?;
         std::fs::create_dir_all(&folder).map_err(Failure::run)?;
@@ -253,7 +276,7 @@ impl Batch {
 
     /// Tells that a run has ended, and about how long the others take.
     pub fn tell(&self, what: &str) {
-        let ended = self.ended.fetch_add(1, Ordering::Relaxed) + 1;
+        let ended = self.ended.fetch_add(1, atomic::Ordering::Relaxed) + 1;
         let each = self.started.elapsed().div_f64(ended as f64);
         let left = each.mul_f64((self.runs - ended) as f64);
         let left = match self.runs - ended {
@@ -286,7 +309,9 @@ mod tests {
     fn a_case_is_run_once_and_answers_in_the_order_asked() -> Outcome {
         let folder = tempfile::tempdir()?;
         let runs = runs_in(folder.path())?;
-        let case = |seed| Case::new(System::Small, [0.0; 2], seed).with("steps=2");
+        let case = |seed| {
+            Case::new(System::Small, [0.0; 2], seed).with("steps=2", |scene| scene.steps = 2)
+        };
         let first = runs.of(&[case(2), case(1), case(2)])?;
         assert!(Arc::ptr_eq(&first[0], &first[2]) && !Arc::ptr_eq(&first[0], &first[1]));
         assert!(Arc::ptr_eq(&first[1], &runs.one(&case(1))?));
@@ -304,7 +329,7 @@ mod tests {
     fn a_refused_key_is_an_input_failure() -> Outcome {
         let folder = tempfile::tempdir()?;
         let runs = runs_in(folder.path())?;
-        let case = Case::new(System::Large, [0.0; 2], 1).with("sweeps=many");
+        let case = Case::new(System::Large, [0.0; 2], 1).with("sweeps=0", |scene| scene.sweeps = 0);
         assert!(matches!(runs.one(&case), Err(Failure::Input(_))));
         Ok(())
     }
