@@ -9,7 +9,6 @@
 /// let scene = PowderScene { width: 1e6, height: 61.5, ..PowderScene::default() };
 /// let told: RunSize = size(&scene);
 /// assert!(told.bodies > 1e12 && told.bytes > 1e15 && told.seconds > 1e9);
-/// # Ok::<(), tribos::scene::SceneError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunSize {

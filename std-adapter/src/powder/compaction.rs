@@ -194,7 +194,6 @@ impl Compaction {
     /// // A deposit that is cut at a height of half a sphere.
     /// let refused = Compaction::check(&flat);
     /// assert!(matches!(refused, Err(CompactionError::Deposit(DepositError::Empty))));
-    /// # Ok::<(), tribos::scene::SceneError>(())
     /// ```
     pub fn check(scene: &PowderScene) -> Result<(), CompactionError> {
         let diameter = 2.0 * (1.0 - scene.radius_spread);
@@ -223,7 +222,6 @@ impl Compaction {
     /// # };
     /// let stopped = Compaction::begin(&scene, None, |_spheres| ControlFlow::Break(()));
     /// assert!(matches!(stopped, Err(CompactionError::Deposit(DepositError::Stopped))));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn begin(
         scene: &PowderScene,

@@ -72,7 +72,6 @@ const COUNTED: f64 = 2e5;
 /// # let scene = PowderScene { width: 20.0, height: 61.5, ..PowderScene::default() };
 /// let small = size(&scene);
 /// assert!((420.0..520.0).contains(&small.bodies) && (1.0..60.0).contains(&small.seconds));
-/// # Ok::<(), tribos::scene::SceneError>(())
 /// ```
 pub fn size(scene: &PowderScene) -> RunSize {
     let bodies = expected_spheres(scene);

@@ -17,7 +17,6 @@ use tribos_core::limit_surface::SurfaceError;
 /// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
 /// let refused = Compaction::resume(&scene, "{}");
 /// assert!(matches!(refused, Err(CompactionError::Checkpoint(CheckpointError::Format(_)))));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, thiserror::Error)]
 pub enum CompactionError {

@@ -33,7 +33,6 @@ const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 ///     assert_eq!(limits.resists(), [true, false, true]); // there is no rolling friction
 ///     assert_eq!(limits.reached(&contact, &[1.0; 2]), Some([reached, false, reached]));
 /// }
-/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {

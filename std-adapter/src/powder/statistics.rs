@@ -29,7 +29,6 @@ use serde_json::{Map, Value};
 /// assert_eq!(found.signs, [1, 1]); // one pushes, one pulls
 /// assert_eq!(found.at_threshold, [Some(0.5), None, None]);
 /// assert_eq!(found.json()["tension"]["largest"].as_f64(), Some(0.5));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statistics {

@@ -44,7 +44,7 @@ pub use problem::{InvalidScene, Problem, SceneError};
 pub use schema::schema;
 pub use slider::{SliderScene, Stepper, Units};
 pub use table::Body;
-pub use template::{template, toml_value, with_all_keys};
+pub use template::{keys_page, template, toml_value, with_all_keys};
 pub use tip::{BathKind, BathSpin, DrivenHold, Reading, StageSteps, TipScene};
 pub use vocabulary::{Vocabulary, bodies, vocabulary};
 pub use words::UnknownWord;

@@ -1,8 +1,8 @@
 //! Commented scene files with every key of their body.
 
-use super::key::{Domain, Key};
+use super::key::{Domain, Key, Need};
 use super::parse_scene;
-use super::vocabulary::{Vocabulary, given, resolved, vocabulary};
+use super::vocabulary::{Vocabulary, bodies, given, resolved, vocabulary};
 use serde_json::Value;
 
 /// A scene of a body with all of its keys: those that must be given have plausible values, the
@@ -83,6 +83,50 @@ pub fn toml_value(key: &Key, value: &Value) -> Option<String> {
     }
 }
 
+/// The keys of all bodies as a page of tables in Markdown: `docs/keys.md`.
+///
+/// ```
+/// let page = tribos::scene::keys_page();
+/// assert!(page.contains("## body = \"powder\"") && page.contains("| `pressure` | F_coh/R^2 |"));
+/// ```
+pub fn keys_page() -> String {
+    let mut page = String::from(
+        "# Keys of scene files\n\nMade from the tables that the reader uses. A key without a default that is not \
+         required is off, or chosen, where it is left out.\n",
+    );
+    for known in bodies().filter_map(vocabulary) {
+        page += &format!("\n## body = \"{}\"\n\n", known.body);
+        page += "| key | unit | meaning | value | default |\n|---|---|---|---|---|\n";
+        let defaults = known.defaults();
+        for key in known.keys.iter().filter(|key| key.name != "body") {
+            let default = defaults.get(key.name);
+            let default = default.and_then(|value| toml_value(key, value));
+            let last = match (key.need, default) {
+                (_, Some(default)) => format!("`{default}`"),
+                (Need::Required, None) => "required".into(),
+                (Need::UnlessGiven(other), None) => format!("required unless `{other}` is given"),
+                (Need::UnitWith(other, word), None) => {
+                    format!("required; 1 with {other} = \"{word}\"")
+                }
+                _ => String::new(),
+            };
+            let (meaning, domain) = (key.meaning, key.domain.describe());
+            let row = [
+                &format!("`{}`", key.name),
+                key.unit,
+                meaning,
+                &domain,
+                &last,
+            ];
+            page += &format!(
+                "| {} |\n",
+                row.map(|cell| cell.replace('|', "\\|")).join(" | ")
+            );
+        }
+    }
+    page
+}
+
 /// A setting with its comment in one column.
 fn line(setting: &str, comment: &str) -> String {
     format!("{setting:<32} # {comment}\n")
@@ -100,7 +144,7 @@ fn comment(key: &Key) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{LIBRARY, bodies};
+    use crate::scene::LIBRARY;
 
     /// Every commented setting that has a value, as a setting.
     fn uncommented(text: &str) -> String {
@@ -146,5 +190,18 @@ mod tests {
             let all = uncommented(&with_all_keys(scene.text));
             assert_eq!(resolved(scene.text), resolved(&all), "{all}");
         }
+    }
+
+    #[test]
+    fn the_page_of_keys_is_what_the_tables_say() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/keys.md");
+        if std::env::var_os("TRIBOS_WRITE_KEYS").is_some() {
+            std::fs::write(path, keys_page()).unwrap();
+        }
+        let page = std::fs::read_to_string(path).unwrap_or_default();
+        assert!(
+            page == keys_page(),
+            "run this test with TRIBOS_WRITE_KEYS=1 to write {path}"
+        );
     }
 }

@@ -48,7 +48,7 @@ pub struct PlanarCourse {
 ///     [&CylinderScene::default(), &PipeScene::default(), &CurlingScene::default()];
 /// for scene in scenes {
 ///     let end = run_path(scene)?.outcome.arrival.point;
-///     assert!(end.distance > 0.5 && scene.course().samples == 200); // m
+///     assert!(end.distance > 0.1 && scene.course().samples == 200); // m
 /// }
 /// # Ok::<(), tribos::slide::SlideError>(())
 /// ```

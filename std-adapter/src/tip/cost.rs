@@ -64,13 +64,9 @@ const SECONDS_AN_ATOM_STEP: f64 = 0.2e-6;
 /// of 1.5, of the time the order of magnitude.
 ///
 /// ```
-/// use tribos::scene::{Scene, parse_scene};
+/// use tribos::scene::TipScene;
 /// use tribos::tip::size;
-/// let Scene::Tip(scene) = parse_scene("tip.toml", "body = \"tip\"\nlambda = 0.017", &[])? else {
-///     unreachable!()
-/// };
-/// assert_eq!(size(&scene).bodies, 6330.0);
-/// # Ok::<(), tribos::scene::SceneError>(())
+/// assert_eq!(size(&TipScene::default()).bodies, 6330.0);
 /// ```
 pub fn size(scene: &TipScene) -> RunSize {
     let shape = scene.shape();
