@@ -1,26 +1,23 @@
 //! Solid friction on a host: whatever allocates, reads files or writes them.
 //!
-//! A scene file becomes a validated scene ([`scene`]), an application turns it into a simulation
-//! ([`slide`], [`powder`], [`tip`]), one driver runs it ([`run`]) and its results are kept
+//! A scene, plain data or read from a file ([`scene`]), becomes a simulation ([`slide`], [`powder`], [`tip`]), one driver runs it ([`run`]) and its results are kept
 //! ([`record`]) or pinned to the bit ([`golden`]). The physics is in [`tribos_core`], re-exported
 //! here as [`kernel`].
 //!
 //! ```
-//! use tribos::scene::{Scene, parse_scene};
+//! use tribos::scene::SliderScene;
 //! use tribos::slide::run;
 //! // A puck slides and spins to rest: 1 m/s and 5 rad/s end in the same moment.
-//! let text = "body = \"disk\"\nspeed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0\n\
-//!             gravity = 9.81\nradius = 0.08\nmass = 0.1\ninertia_ratio = 0.5";
-//! let Scene::Disk(puck) = parse_scene("puck.toml", text, &[])? else { unreachable!() };
+//! let puck = SliderScene { speed: 1.0, spin: 5.0, coefficient: 0.3, ..SliderScene::default() };
 //! let end = run(&puck, |_done| ())?.outcome;
 //! assert!((end.time - 0.369017132104558).abs() < 1e-9); // s
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! # Ok::<(), tribos::slide::SlideError>(())
 //! ```
 //!
 //! | module | what it has |
 //! |---|---|
 //! | [`friction`] | patch, law and accuracy tier chosen by name; the catalogue of laws |
-//! | [`scene`] | scene files: keys, units, defaults, checks, overrides |
+//! | [`scene`] | scenes: plain data with defaults, their files, units and checks |
 //! | [`slide`] | sliding bodies: disk, cylinder, pipe, curling rock; which launch ends at a wanted pose |
 //! | [`cd`], [`powder`] | rigid spheres in contact; cohesive powders under a piston |
 //! | [`md`], [`tip`] | atoms; a tip of them turned on a substrate |

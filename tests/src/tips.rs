@@ -1,7 +1,7 @@
 //! Tips small enough to run in a moment.
 
 use tribos::run::Simulation;
-use tribos::scene::{Scene, TipScene, parse_scene};
+use tribos::scene::TipScene;
 use tribos::tip::TipRun;
 
 type Error = Box<dyn std::error::Error>;
@@ -12,10 +12,7 @@ const TINY: &str = "body = \"tip\"\ncolumns = 12\nrows = 14\nsubstrate_layers = 
 
 /// The scene of a text.
 pub fn scene(text: &str) -> Result<TipScene, Error> {
-    match parse_scene("tip.toml", text, &[])? {
-        Scene::Tip(scene) => Ok(*scene),
-        other => Err(format!("{other:?}").into()),
-    }
+    Ok(TipScene::parse("tip.toml", text, &[])?)
 }
 
 /// A tiny tip with some more lines.

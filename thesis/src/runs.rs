@@ -3,17 +3,18 @@
 use super::kept::Kept;
 use super::{Reader, plan};
 use anyhow::{Result, anyhow};
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::num::NonZero;
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{self, AtomicUsize};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::available_parallelism;
 use std::time::Instant;
 use tribos::powder::{Compaction, Outcome};
 use tribos::run::{FRAMES as FRAMES_FOLDER, LongRun, Session, Start, in_order};
-use tribos::scene::{PowderScene, Scene, parse_scene};
+use tribos::scene::PowderScene;
 use tribos_report::player::Film;
 use tribos_report::runs::RunFrames;
 use tribos_report::runs::powder::State;
@@ -68,10 +69,12 @@ impl System {
 }
 
 /// One compaction: a system, and the keys of its scene that are not the defaults.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Case {
     system: System,
+    /// What its folder is named by, `key=value` each.
     keys: Vec<String>,
+    scene: PowderScene,
 }
 
 impl Case {
@@ -82,12 +85,26 @@ impl Case {
             format!("torsion={torsion}"),
             format!("seed={seed}"),
         ];
-        Self { system, keys }
+        let [width, height] = system.size();
+        let scene = PowderScene {
+            width,
+            height,
+            rolling,
+            torsion,
+            seed,
+            ..PowderScene::default()
+        };
+        Self {
+            system,
+            keys,
+            scene,
+        }
     }
 
-    /// With one more key, `key=value`.
-    pub fn with(mut self, key: &str) -> Self {
+    /// With one more change, `key=value` in its name.
+    pub fn with(mut self, key: &str, change: impl FnOnce(&mut PowderScene)) -> Self {
         self.keys.push(key.into());
+        change(&mut self.scene);
         self
     }
 
@@ -109,14 +126,20 @@ impl Case {
     fn folder(&self) -> String {
         format!("{},{}", self.system.name(), self.keys.join(","))
     }
+}
 
-    fn scene(&self) -> Result<PowderScene> {
-        let [width, height] = self.system.size();
-        let text = format!("body = \"powder\"\nwidth = {width}\nheight = {height}\n");
-        match parse_scene("compaction", &text, &self.keys)? {
-            Scene::Powder(scene) => Ok(*scene),
-            _ => Err(anyhow!("a powder became something else")),
-        }
+impl Eq for Case {}
+
+impl PartialOrd for Case {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// By system and name.
+impl Ord for Case {
+    fn cmp(&self, other: &Self) -> Ordering {
+        (self.system, &self.keys).cmp(&(other.system, &other.keys))
     }
 }
 
@@ -140,7 +163,7 @@ pub struct Run {
 impl Run {
     /// From where its folder has it: the end, a checkpoint or the deposit.
     fn of(case: &Case, runs: &Runs) -> Result<Self> {
-        let scene = case.scene()?;
+        let scene = case.scene.clone();
         let folder = &runs.kept.run(&case.folder());
         let compaction: Compaction = runs.session(folder).frames(case.frames()).run(&scene)?;
         Ok(Self {
@@ -265,7 +288,7 @@ impl<'a> Batch<'a> {
 
     /// Tells that a run has ended, and about how long the others take.
     pub fn tell(&self, what: &str) {
-        let ended = self.ended.fetch_add(1, Ordering::Relaxed) + 1;
+        let ended = self.ended.fetch_add(1, atomic::Ordering::Relaxed) + 1;
         let each = self.started.elapsed().div_f64(ended as f64);
         let left = each.mul_f64((self.runs - ended) as f64);
         let left = match self.runs - ended {
@@ -308,7 +331,9 @@ mod tests {
     fn a_case_is_run_once_and_answers_in_the_order_asked() -> Outcome {
         let folder = tempfile::tempdir()?;
         let runs = runs_in(folder.path())?;
-        let case = |seed| Case::new(System::Small, [0.0; 2], seed).with("steps=2");
+        let case = |seed| {
+            Case::new(System::Small, [0.0; 2], seed).with("steps=2", |scene| scene.steps = 2)
+        };
         let first = runs.of(&[case(2), case(1), case(2)])?;
         assert!(Arc::ptr_eq(&first[0], &first[2]) && !Arc::ptr_eq(&first[0], &first[1]));
         assert!(Arc::ptr_eq(&first[1], &runs.one(&case(1))?));

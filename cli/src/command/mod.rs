@@ -1,5 +1,6 @@
 //! The subcommands, one module each.
 
+mod bodies;
 mod columns;
 mod completion;
 mod completions;

@@ -173,7 +173,9 @@ impl Arguments {
         }
         let done = match scene {
             Scene::Disk(scene) => self.slide(&scene),
-            Scene::Planar(scene) => path::run(&scene, &self.out, self.broken()),
+            Scene::Cylinder(scene) => path::run(&scene, &self.out, self.broken()),
+            Scene::Pipe(scene) => path::run(&scene, &self.out, self.broken()),
+            Scene::Curling(scene) => path::run(&scene, &self.out, self.broken()),
             Scene::Powder(scene) => self.compact(&scene),
             Scene::Tip(scene) => self.turn(&scene),
         };

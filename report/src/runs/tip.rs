@@ -33,7 +33,7 @@ pub fn atoms(
     scene: &TipScene,
     positions: &[Vector3<f64>],
 ) -> Result<PackingPicture, PackingError> {
-    let shape = &scene.shape;
+    let shape = scene.shape();
     let lengths = shape.periods();
     let places: Vec<[f64; 3]> = positions
         .iter()
@@ -42,12 +42,17 @@ pub fn atoms(
     let radii = vec![0.5 * shape.spacing; places.len()];
     let packing = Packing::new(&places, &radii, lengths, None)?;
     let picture = PackingPicture::spheres(title, &packing).bare();
-    picture.colors(&colors(shape))
+    picture.colors(&colors(&shape))
 }
 
 /// Before and after.
 pub fn both_ends(scene: &TipScene, run: &TipRun) -> Result<Sheet, PackingError> {
-    let start: Vec<Vector3<f64>> = scene.shape.sites().iter().map(|site| site.place).collect();
+    let start: Vec<Vector3<f64>> = scene
+        .shape()
+        .sites()
+        .iter()
+        .map(|site| site.place)
+        .collect();
     let end = &run.system().atoms().positions;
     let title = format!("Tip on a substrate, λ = {}", scene.lambda);
     Ok(Sheet::new(title, 2)
@@ -58,10 +63,10 @@ pub fn both_ends(scene: &TipScene, run: &TipRun) -> Result<Sheet, PackingError> 
 /// Angle of the driven layers, and of each layer of the tip, over time.
 pub fn series(scene: &TipScene, run: &TipRun, outcome: &Outcome) -> Panels {
     let rows = run.series();
-    let first = rows.first().map_or(0, Vec::len) - scene.shape.tip_layers;
+    let first = rows.first().map_or(0, Vec::len) - scene.tip_layers;
     let curve = |column: usize| rows.iter().map(|row| (row[0], row[column])).collect();
     let time = || Axis::linear("time [σ√(m/ε)]");
-    let end = scene.stages[1];
+    let end = scene.drive_time;
     let mut driven = Figure::new("Driven layers", time(), Axis::linear("angle [degree]"))
         .series(Series::line("", curve(1)))
         .guide(Guide::vertical(end, "off"));
@@ -70,7 +75,7 @@ pub fn series(scene: &TipScene, run: &TipRun, outcome: &Outcome) -> Panels {
     }
     let mut layers = Figure::new("Layers of the tip", time(), Axis::linear("angle [degree]"))
         .guide(Guide::vertical(end, "off"));
-    for layer in 0..scene.shape.tip_layers {
+    for layer in 0..scene.tip_layers {
         layers = layers.series(Series::line(format!("{}", layer + 1), curve(first + layer)));
     }
     let torque = Figure::new("", time(), Axis::linear("resisting torque [ε]"))

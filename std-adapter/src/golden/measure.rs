@@ -6,7 +6,7 @@ use crate::powder::{self, Compaction, CompactionError};
 use crate::record::{ContactRow, Partner, Snapshot};
 use crate::run::drive;
 use crate::scene::Scene;
-use crate::slide::{self, SlideError};
+use crate::slide::{self, PlanarScene, SlideError};
 use crate::tip::{TipError, TipRun};
 use nalgebra::Vector3;
 use serde_json::Value;
@@ -16,13 +16,11 @@ use std::collections::BTreeMap;
 ///
 /// ```
 /// use tribos::golden::{MeasureError, measure};
-/// use tribos::scene::{parse_scene, vocabulary};
+/// use tribos::scene::CylinderScene;
 /// use tribos::slide::SlideError;
-/// let cylinder = vocabulary("cylinder").ok_or("no cylinder")?.least_text(); // 8 cm wide
-/// let tower = parse_scene("tower.toml", &cylinder, &["height=1".into()])?;
-/// let tipped = measure(&tower, || ());
+/// let tower = CylinderScene { radius: 0.08, height: 1.0, ..CylinderScene::default() };
+/// let tipped = measure(&tower.into(), || ());
 /// assert!(matches!(tipped, Err(MeasureError::Slide(SlideError::Tips { .. }))));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, thiserror::Error)]
 pub enum MeasureError {
@@ -41,9 +39,9 @@ pub enum MeasureError {
 ///
 /// ```
 /// use tribos::golden::{Measurement, measure};
-/// use tribos::scene::{parse_scene, vocabulary};
-/// let disk = vocabulary("disk").ok_or("no disk")?.least_text(); // 1 m/s, mu = 0.3
-/// let run: Measurement = measure(&parse_scene("disk.toml", &disk, &["spin=0".into()])?, || ())?;
+/// use tribos::scene::SliderScene;
+/// let disk = SliderScene { speed: 1.0, spin: 0.0, coefficient: 0.3, ..SliderScene::default() };
+/// let run: Measurement = measure(&disk.into(), || ())?;
 /// assert_eq!(run.columns[0], "time");
 /// let stop = run.rows.last().ok_or("no rows")?[0];
 /// assert!((stop - 1.0 / (0.3 * 9.81)).abs() < 1e-13); // v/(mu g)
@@ -75,12 +73,9 @@ pub fn measure(scene: &Scene, mut watch: impl FnMut()) -> Result<Measurement, Me
             let summary = run.outcome.json(scene);
             Ok(Measurement::new(&summary, &slide::COLUMNS, rows))
         }
-        Scene::Planar(scene) => {
-            let run = slide::run_path(scene)?;
-            let rows = run.series.iter().map(|row| row.to_vec());
-            let summary = run.outcome.json(scene);
-            Ok(Measurement::new(&summary, &slide::PATH_COLUMNS, rows))
-        }
+        Scene::Cylinder(scene) => path(scene),
+        Scene::Pipe(scene) => path(scene),
+        Scene::Curling(scene) => path(scene),
         Scene::Powder(scene) => {
             let mut compaction = Compaction::new(scene)?;
             drive(&mut compaction, |_, _| watch())?;
@@ -105,6 +100,14 @@ pub fn measure(scene: &Scene, mut watch: impl FnMut()) -> Result<Measurement, Me
             Ok(measurement)
         }
     }
+}
+
+/// A body in the plane.
+fn path(scene: &dyn PlanarScene) -> Result<Measurement, MeasureError> {
+    let run = slide::run_path(scene)?;
+    let rows = run.series.iter().map(|row| row.to_vec());
+    let summary = run.outcome.json(scene);
+    Ok(Measurement::new(&summary, &slide::PATH_COLUMNS, rows))
 }
 
 impl Measurement {

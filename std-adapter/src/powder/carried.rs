@@ -44,16 +44,14 @@ impl PowderScene {
     ///
     /// ```
     /// use tribos::powder::{Carried, CarriedModes};
-    /// use tribos::scene::{Coupling, Scene, parse_scene};
+    /// use tribos::scene::{Coupling, PowderScene};
     /// // Sliding resists unless it is switched off.
-    /// let text = "body = \"powder\"\nwidth = 6\nheight = 8\ntorsion = 0.1";
-    /// let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+    /// let scene = PowderScene { torsion: 0.1, ..PowderScene::default() };
     /// let (modes, coupling) = (CarriedModes::SlidingTorsion, Coupling::Independent);
     /// assert_eq!(scene.carried(), Carried { modes, coupling });
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn carried(&self) -> Carried {
-        let [slides, rolls, twists] = self.friction.map(|mu| mu > 0.0);
+        let [slides, rolls, twists] = [self.sliding, self.rolling, self.torsion].map(|mu| mu > 0.0);
         let modes = match [slides, rolls, twists] {
             [false, false, false] => CarriedModes::Normal,
             [true, false, false] => CarriedModes::Sliding,

@@ -2,7 +2,7 @@
 
 use super::blocked::{Means, Window};
 use super::checkpoint::Checkpoint;
-use super::deposit::{BULK, Deposit, DepositError, Until, volume_between};
+use super::deposit::{BULK, Deposit, DepositError, volume_between};
 use super::error::CompactionError;
 use super::limits::Limits;
 use super::outcome::Outcome;
@@ -45,9 +45,14 @@ const RESIDUAL: usize = 7;
 /// ```
 /// use tribos::powder::{Compaction, Ending};
 /// use tribos::run::drive;
-/// # use tribos::scene::{Scene, parse_scene};
-/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nsteps = 10";
-/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// # use tribos::scene::PowderScene;
+/// # let scene = PowderScene {
+/// #     width: 6.0,
+/// #     height: 8.0,
+/// #     pressure: 0.02,
+/// #     steps: 10,
+/// #     ..PowderScene::default()
+/// # };
 /// // A scene of ten steps: too few to be blocked.
 /// let mut compaction = Compaction::new(&scene)?;
 /// assert_eq!(compaction.ending(), None);
@@ -104,9 +109,8 @@ pub(super) struct Totals {
 /// ```
 /// use tribos::powder::{COLUMNS, Compaction};
 /// use tribos::run::drive;
-/// use tribos::scene::{Scene, parse_scene};
-/// let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-/// let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// use tribos::scene::PowderScene;
+/// let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
 /// let mut compaction = Compaction::new(&scene)?;
 /// drive(&mut compaction, |_, _| ())?;
 /// let outcome = compaction.outcome();
@@ -151,9 +155,13 @@ impl Compaction {
     /// ```
     /// use tribos::powder::Compaction;
     /// use tribos::run::Simulation;
-    /// # use tribos::scene::{Scene, parse_scene};
-    /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-    /// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+    /// # use tribos::scene::PowderScene;
+    /// # let scene = PowderScene {
+    /// #     width: 6.0,
+    /// #     height: 8.0,
+    /// #     pressure: 0.02,
+    /// #     ..PowderScene::default()
+    /// # };
     /// let mut whole = Compaction::new(&scene)?;
     /// for _ in 0..5 {
     ///     whole.step()?;
@@ -176,24 +184,26 @@ impl Compaction {
     ///
     /// ```
     /// use tribos::powder::{Compaction, CompactionError, deposit::DepositError};
-    /// # use tribos::scene::{Scene, parse_scene};
-    /// # let text = "body = \"powder\"\nwidth = 6\nheight = 1\npressure = 0.02";
-    /// # let Scene::Powder(flat) = parse_scene("flat.toml", text, &[])? else { unreachable!() };
+    /// # use tribos::scene::PowderScene;
+    /// # let flat = PowderScene {
+    /// #     width: 6.0,
+    /// #     height: 1.0,
+    /// #     pressure: 0.02,
+    /// #     ..PowderScene::default()
+    /// # };
     /// // A deposit that is cut at a height of half a sphere.
     /// let refused = Compaction::check(&flat);
     /// assert!(matches!(refused, Err(CompactionError::Deposit(DepositError::Empty))));
-    /// # Ok::<(), tribos::scene::SceneError>(())
     /// ```
     pub fn check(scene: &PowderScene) -> Result<(), CompactionError> {
-        let [smallest, _] = scene.ballistic.radii();
-        match scene.until {
-            Until::Cut(height) if height < 2.0 * smallest => {
-                return Err(DepositError::Empty.into());
-            }
-            _ => {}
+        let diameter = 2.0 * (1.0 - scene.radius_spread);
+        if scene.count.is_none() && scene.height < diameter {
+            return Err(DepositError::Empty.into());
         }
-        let mut two = scene.clone();
-        two.until = Until::Count(2);
+        let two = PowderScene {
+            count: Some(2),
+            ..scene.clone()
+        };
         Self::new(&two).map(|_| ())
     }
 
@@ -203,23 +213,27 @@ impl Compaction {
     /// ```
     /// use std::ops::ControlFlow;
     /// use tribos::powder::{Compaction, CompactionError, deposit::DepositError};
-    /// # use tribos::scene::{Scene, parse_scene};
-    /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-    /// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+    /// # use tribos::scene::PowderScene;
+    /// # let scene = PowderScene {
+    /// #     width: 6.0,
+    /// #     height: 8.0,
+    /// #     pressure: 0.02,
+    /// #     ..PowderScene::default()
+    /// # };
     /// let stopped = Compaction::begin(&scene, None, |_spheres| ControlFlow::Break(()));
     /// assert!(matches!(stopped, Err(CompactionError::Deposit(DepositError::Stopped))));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn begin(
         scene: &PowderScene,
         checkpoint: Option<&str>,
         watch: impl FnMut(usize) -> ControlFlow<()>,
     ) -> Result<Self, CompactionError> {
+        scene.check()?;
         let kept = checkpoint.map(|text| Checkpoint::read(text, scene));
         let kept = kept.transpose()?;
         let deposit = scene
-            .ballistic
-            .grow_watched(scene.until, scene.seed, watch)?;
+            .ballistic()?
+            .grow_watched(scene.until(), scene.seed, watch)?;
         if let Some(kept) = &kept {
             kept.fits(deposit.positions.len(), scene.samples.max(1))?;
         }
@@ -325,9 +339,13 @@ impl Compaction {
     /// ```
     /// use tribos::powder::Compaction;
     /// use tribos::record::extended_xyz;
-    /// # use tribos::scene::{Scene, parse_scene};
-    /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-    /// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+    /// # use tribos::scene::PowderScene;
+    /// # let scene = PowderScene {
+    /// #     width: 6.0,
+    /// #     height: 8.0,
+    /// #     pressure: 0.02,
+    /// #     ..PowderScene::default()
+    /// # };
     /// let compaction = Compaction::new(&scene)?;
     /// let frame = compaction.with_snapshot(extended_xyz)?;
     /// // A line a sphere, and two before them.

@@ -1,12 +1,11 @@
 //! What a compaction will cost: spheres, contacts, unknowns, and the time of an update.
 
 use super::carried::CarriedModes;
-use super::deposit::Deposit;
+use super::deposit::{Ballistic, Deposit};
 use super::error::CompactionError;
 use super::packing::{Packing, build};
-use crate::cd::{Method, Order, Solver, Stop};
 use crate::run::RunSize;
-use crate::scene::{Coupling, PowderScene};
+use crate::scene::{Coupling, PowderScene, SweepMethod, SweepOrder, SweepStop};
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::time::Instant;
@@ -16,9 +15,8 @@ use tribos_core::contact::Sphere;
 ///
 /// ```
 /// use tribos::powder::{PowderCost, cost};
-/// # use tribos::scene::{Scene, parse_scene};
-/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// # use tribos::scene::PowderScene;
+/// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
 /// // A small powder whose contacts slide with friction: a normal and two tangential unknowns.
 /// let cost = cost(&scene)?;
 /// assert_eq!((cost.unknowns, PowderCost::unknowns_without(&scene, 0)), (3, 1));
@@ -70,15 +68,13 @@ const COUNTED: f64 = 2e5;
 ///
 /// ```
 /// use tribos::powder::size;
-/// # use tribos::scene::{Scene, parse_scene};
-/// # let text = "body = \"powder\"\nwidth = 20\nheight = 61.5";
-/// # let Scene::Powder(scene) = parse_scene("small.toml", text, &[])? else { unreachable!() };
+/// # use tribos::scene::PowderScene;
+/// # let scene = PowderScene { width: 20.0, height: 61.5, ..PowderScene::default() };
 /// let small = size(&scene);
 /// assert!((420.0..520.0).contains(&small.bodies) && (1.0..60.0).contains(&small.seconds));
-/// # Ok::<(), tribos::scene::SceneError>(())
 /// ```
 pub fn size(scene: &PowderScene) -> RunSize {
-    let bodies = scene.ballistic.expected_spheres(scene.until);
+    let bodies = expected_spheres(scene);
     let steps = bodies * scene.steps as f64 * SECONDS_A_STEP;
     RunSize {
         bodies,
@@ -87,14 +83,21 @@ pub fn size(scene: &PowderScene) -> RunSize {
     }
 }
 
+/// Spheres of the deposit; none where width and capture radius do not fit together.
+fn expected_spheres(scene: &PowderScene) -> f64 {
+    let spheres = |ballistic: Ballistic| ballistic.expected_spheres(scene.until());
+    scene.ballistic().map_or(0.0, spheres)
+}
+
 /// Grows the deposit if it is not too large, and times updates in a small block of spheres under load.
 ///
 /// *Accuracy*: of the times some ten per cent, and that of unequal spheres or of thresholds that all
 /// slip is longer.
 pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
-    let expected = scene.ballistic.expected_spheres(scene.until);
+    scene.check()?;
+    let expected = expected_spheres(scene);
     let spheres = if expected <= COUNTED {
-        let deposit = scene.ballistic.grow(scene.until, scene.seed)?;
+        let deposit = scene.ballistic()?.grow(scene.until(), scene.seed)?;
         deposit.positions.len()
     } else {
         expected.round() as usize
@@ -102,11 +105,15 @@ pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
     /// A coefficient of dry friction.
     const USUAL: f64 = 0.3;
     let carried = scene.carried();
-    let mut plain = scene.clone();
-    // The same coefficient, or of smooth spheres the usual one.
-    let mu = scene.friction[0];
-    plain.friction = [if mu > 0.0 { mu } else { USUAL }, 0.0, 0.0];
-    plain.coupling = Coupling::Independent;
+    let mu = scene.sliding;
+    let plain = PowderScene {
+        // The same coefficient, or of smooth spheres the usual one.
+        sliding: if mu > 0.0 { mu } else { USUAL },
+        rolling: 0.0,
+        torsion: 0.0,
+        coupling: Coupling::Independent,
+        ..scene.clone()
+    };
     let [update_seconds, sliding_seconds] = update_seconds([scene, &plain])?;
     Ok(PowderCost {
         spheres,
@@ -162,16 +169,15 @@ fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
         space: PeriodicBox::new([Some(width), Some(width), None]).unwrap_or_default(),
         height: 2.0 + (EDGE - 1) as f64 * rise,
     };
-    let mut timed = scene.clone();
-    timed.width = width;
-    timed.sleep_speed = 0.0;
-    timed.solver = Solver {
-        method: Method::GaussSeidel {
-            order: Order::Fixed,
-            stop: Stop::Fixed,
-        },
-        most_sweeps: SWEEPS,
+    let timed = PowderScene {
+        width,
+        still_speed: 0.0,
+        solver: SweepMethod::GaussSeidel,
+        order: SweepOrder::Fixed,
+        stop: SweepStop::Fixed,
+        sweeps: SWEEPS,
         warm_start: false,
+        ..scene.clone()
     };
     build(&timed, &deposit, None)
 }
@@ -187,8 +193,10 @@ impl PowderCost {
     /// Unknowns of a contact if one of its modes (sliding, rolling, torsion) were left out.
     pub fn unknowns_without(scene: &PowderScene, mode: usize) -> usize {
         let mut less = scene.clone();
-        if let Some(mu) = less.friction.get_mut(mode) {
-            *mu = 0.0;
+        match mode {
+            0 => less.sliding = 0.0,
+            1 => less.rolling = 0.0,
+            _ => less.torsion = 0.0,
         }
         less.carried().modes.unknowns()
     }
@@ -197,14 +205,10 @@ impl PowderCost {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Scene, parse_scene};
 
     fn scene(keys: &str) -> PowderScene {
         let text = format!("body = \"powder\"\nwidth = 6\nheight = 8\n{keys}");
-        match parse_scene("tiny.toml", &text, &[]).unwrap() {
-            Scene::Powder(scene) => *scene,
-            _ => unreachable!("a powder"),
-        }
+        PowderScene::parse("tiny.toml", &text, &[]).unwrap()
     }
 
     #[test]

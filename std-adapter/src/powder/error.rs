@@ -3,6 +3,7 @@
 use super::deposit::DepositError;
 use crate::cd::WorldError;
 use crate::record::CheckpointError;
+use crate::scene::InvalidScene;
 use tribos_core::contact::TouchError;
 use tribos_core::law::LawError;
 use tribos_core::limit_surface::SurfaceError;
@@ -12,15 +13,16 @@ use tribos_core::limit_surface::SurfaceError;
 /// ```
 /// use tribos::powder::{Compaction, CompactionError};
 /// use tribos::record::CheckpointError;
-/// # use tribos::scene::{Scene, parse_scene};
-/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// # use tribos::scene::PowderScene;
+/// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
 /// let refused = Compaction::resume(&scene, "{}");
 /// assert!(matches!(refused, Err(CompactionError::Checkpoint(CheckpointError::Format(_)))));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, thiserror::Error)]
 pub enum CompactionError {
+    /// A field of the scene is wrong.
+    #[error(transparent)]
+    Scene(#[from] InvalidScene),
     /// The deposit cannot be grown.
     #[error(transparent)]
     Deposit(#[from] DepositError),

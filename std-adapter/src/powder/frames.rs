@@ -24,9 +24,13 @@ impl Compaction {
     ///
     /// ```
     /// use tribos::powder::Compaction;
-    /// # use tribos::scene::{Scene, parse_scene};
-    /// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-    /// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+    /// # use tribos::scene::PowderScene;
+    /// # let scene = PowderScene {
+    /// #     width: 6.0,
+    /// #     height: 8.0,
+    /// #     pressure: 0.02,
+    /// #     ..PowderScene::default()
+    /// # };
     /// let compaction = Compaction::new(&scene)?;
     /// let (bodies, first) = (compaction.bodies(100), compaction.frame());
     /// assert_eq!(first.places.len(), bodies.radii.len());

@@ -21,20 +21,18 @@ const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 /// use nalgebra::Vector3;
 /// use tribos::powder::Limits;
 /// use tribos::record::{ContactRow, Partner};
-/// # use tribos::scene::{Scene, parse_scene};
+/// # use tribos::scene::{Coupling, PowderScene};
 /// // A push of 1 and the cohesion of 1 allow 0.3 · 2 of sliding and, on spheres of radius 1,
 /// // 0.5 · 2/2 of torsion: 0.6 and 0.8 of them are at work.
 /// let (a, b, normal) = (0, Partner::Particle(1), Vector3::x());
 /// let (force, torque) = (Vector3::new(1.0, 0.36, 0.0), Vector3::new(0.4, 0.0, 0.0));
 /// let contact = ContactRow { a, b, normal, gap: 0.0, force, torque };
-/// for (coupling, reached) in [("independent", false), ("ellipsoid", true)] {
-///     let text = format!("body = \"powder\"\nwidth = 6\nheight = 8\ntorsion = 0.5\ncoupling = \"{coupling}\"");
-///     let Scene::Powder(scene) = parse_scene("tiny.toml", &text, &[])? else { unreachable!() };
+/// for (coupling, reached) in [(Coupling::Independent, false), (Coupling::Ellipsoid, true)] {
+///     let scene = PowderScene { torsion: 0.5, coupling, ..PowderScene::default() };
 ///     let limits = Limits::of(&scene);
 ///     assert_eq!(limits.resists(), [true, false, true]); // there is no rolling friction
 ///     assert_eq!(limits.reached(&contact, &[1.0; 2]), Some([reached, false, reached]));
 /// }
-/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
@@ -55,15 +53,14 @@ enum Joint {
 impl Limits {
     /// Those of a scene.
     pub fn of(scene: &PowderScene) -> Self {
-        let mu = scene.friction[0];
         // A scene whose set the kernel refuses has no packing, thus no contacts.
         let joint = match scene.carried().coupling {
             Coupling::Independent => None,
-            Coupling::Ellipsoid => ellipsoid(scene, mu).ok().map(Joint::Ellipsoid),
-            Coupling::Exact => exact(scene, mu).ok().map(Joint::Exact),
+            Coupling::Ellipsoid => ellipsoid(scene, scene.sliding).ok().map(Joint::Ellipsoid),
+            Coupling::Exact => exact(scene, scene.sliding).ok().map(Joint::Exact),
         };
         Self {
-            friction: scene.friction,
+            friction: [scene.sliding, scene.rolling, scene.torsion],
             joint,
             range: scene.cohesion_range,
             rough_walls: scene.wall == WallLaw::Full,

@@ -14,9 +14,8 @@ use serde_json::{Map, Value};
 /// ```
 /// use tribos::powder::{Compaction, Outcome};
 /// use tribos::run::Simulation;
-/// # use tribos::scene::{Scene, parse_scene};
-/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// # use tribos::scene::PowderScene;
+/// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
 /// // A compaction after a hundred steps.
 /// let mut compaction = Compaction::new(&scene)?;
 /// for _ in 0..100 {

@@ -25,9 +25,8 @@ use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, SurfaceEr
 /// use tribos::powder::{Compaction, PISTON};
 /// use tribos::record::Partner;
 /// use tribos::run::drive;
-/// # use tribos::scene::{Scene, parse_scene};
-/// # let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
-/// # let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// # use tribos::scene::PowderScene;
+/// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
 /// // In a packing that is blocked the spheres below the piston bear its load.
 /// let mut compaction = Compaction::new(&scene)?;
 /// drive(&mut compaction, |_, _| ())?;
@@ -72,7 +71,7 @@ pub(super) fn build(
     deposit: &Deposit,
     frozen: Option<&Frozen>,
 ) -> Result<Box<dyn Packing>, CompactionError> {
-    let [mu, mu_t, mu_n] = scene.friction;
+    let (mu, mu_t, mu_n) = (scene.sliding, scene.rolling, scene.torsion);
     let at = (scene, deposit, frozen);
     let carried = scene.carried();
     match carried.coupling {
@@ -118,8 +117,7 @@ const SPIN_TORQUE: f64 = 2.0 / 3.0;
 
 /// The contact's radius in r_eff, as its two thresholds have it.
 fn contact_radius(scene: &PowderScene) -> f64 {
-    let [mu, _, mu_n] = scene.friction;
-    mu_n / (mu * SPIN_TORQUE)
+    scene.torsion / (scene.sliding * SPIN_TORQUE)
 }
 
 /// What a contact of a joint set carries at a coefficient, in P and P r_eff.
@@ -141,7 +139,7 @@ fn coupled<S: FrictionSet<f64> + Copy + Debug + Send + Sync + 'static>(
     [rough, smooth]: [S; 2],
 ) -> Result<Box<dyn Packing>, CompactionError> {
     let scene = at.0;
-    let mu_t = scene.friction[1];
+    let mu_t = scene.rolling;
     if mu_t > 0.0 {
         let law = |set, mu_t| CoupledFriction::all(set, mu_t);
         boxed(at, both(scene, law(rough, mu_t)?, law(smooth, 0.0)?))
@@ -192,8 +190,8 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
             Wall::fixed(up, 0.0),
             Wall::piston(-up, -deposit.height, scene.piston_mass, scene.load()),
         ],
-        step_limits: scene.pace,
-        solver: scene.solver,
+        step_limits: scene.step_limits(),
+        solver: scene.contact_solver(),
         sleep_speed: scene.still_speed,
         ..Setup::new(laws)
     };

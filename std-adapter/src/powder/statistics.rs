@@ -11,7 +11,7 @@ use serde_json::{Map, Value};
 /// use nalgebra::Vector3;
 /// use tribos::powder::{Limits, Statistics};
 /// use tribos::record::{ContactRow, Partner};
-/// # use tribos::scene::{Scene, parse_scene};
+/// # use tribos::scene::PowderScene;
 /// // Three spheres in a row from a wall on.
 /// let (normal, torque) = (Vector3::x(), Vector3::zeros());
 /// let touch = |a, b, force| ContactRow { a, b, normal, gap: 0.0, force, torque };
@@ -21,8 +21,7 @@ use serde_json::{Map, Value};
 ///     touch(0, Partner::Particle(1), Vector3::new(3.0, 0.0, 1.2)),
 ///     touch(1, Partner::Particle(2), Vector3::new(-0.5, 0.0, 0.0)),
 /// ];
-/// let text = "body = \"powder\"\nwidth = 6\nheight = 8\nsliding = 0.3";
-/// let Scene::Powder(scene) = parse_scene("tiny.toml", text, &[])? else { unreachable!() };
+/// let scene = PowderScene { width: 6.0, height: 8.0, sliding: 0.3, ..PowderScene::default() };
 /// let found = Statistics::of(&contacts, &[1.0; 3], &Limits::of(&scene));
 /// assert_eq!((found.contacts, found.wall_contacts), (2, 1));
 /// assert_eq!(found.coordination, [0, 1, 2]); // one sphere has one contact, two have two
@@ -30,7 +29,6 @@ use serde_json::{Map, Value};
 /// assert_eq!(found.signs, [1, 1]); // one pushes, one pulls
 /// assert_eq!(found.at_threshold, [Some(0.5), None, None]);
 /// assert_eq!(found.json()["tension"]["largest"].as_f64(), Some(0.5));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statistics {

@@ -13,13 +13,9 @@ const DIGITS: usize = 16;
 /// ```
 /// use tribos::powder::{Compaction, CompactionError};
 /// use tribos::record::CheckpointError;
-/// use tribos::scene::{Scene, parse_scene};
-/// let scene = |pressure: &str| {
-///     let text = "body = \"powder\"\nwidth = 6\nheight = 8";
-///     parse_scene("tiny.toml", text, &[format!("pressure={pressure}")])
-/// };
-/// let Scene::Powder(light) = scene("0.01")? else { unreachable!() };
-/// let Scene::Powder(heavy) = scene("0.02")? else { unreachable!() };
+/// use tribos::scene::PowderScene;
+/// let light = PowderScene { width: 6.0, height: 8.0, pressure: 0.01, ..PowderScene::default() };
+/// let heavy = PowderScene { pressure: 0.02, ..light.clone() };
 /// let kept = Compaction::new(&light)?.checkpoint();
 /// let refused = Compaction::resume(&heavy, &kept);
 /// assert!(matches!(

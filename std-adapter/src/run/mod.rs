@@ -20,12 +20,10 @@ pub use session::{
 /// ```
 /// use tribos::powder::size;
 /// use tribos::run::RunSize;
-/// # use tribos::scene::{Scene, parse_scene};
-/// let text = "body = \"powder\"\nwidth = 1e6\nheight = 61.5";
-/// let Scene::Powder(scene) = parse_scene("wide.toml", text, &[])? else { unreachable!() };
+/// # use tribos::scene::PowderScene;
+/// let scene = PowderScene { width: 1e6, height: 61.5, ..PowderScene::default() };
 /// let told: RunSize = size(&scene);
 /// assert!(told.bodies > 1e12 && told.bytes > 1e15 && told.seconds > 1e9);
-/// # Ok::<(), tribos::scene::SceneError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunSize {

@@ -1,35 +1,96 @@
-//! Scenes of any body: `body` decides which vocabulary the rest is read in.
+//! The one list of bodies, and scenes of any of them.
 
-use super::entries::{Entries, Value};
-use super::key::{Domain, Key};
-use super::planar::PlanarScene;
-use super::powder::PowderScene;
+use super::entries::{Entries, Written};
+use super::key::{Domain, Key, Need};
 use super::problem::{Origin, Problem};
-use super::slider::{SliderScene, key};
-use super::tip::TipScene;
-use super::{SceneError, text_of};
+use super::table::Table;
+use super::vocabulary::Vocabulary;
+use super::words::meant;
+use super::{
+    Body, CurlingScene, CylinderScene, PipeScene, PowderScene, SceneError, SliderScene, TipScene,
+};
+use serde_json::Value;
 use std::path::Path;
 
-/// The key that every vocabulary has.
-pub(super) const BODY: Key = key(
-    "body",
-    "-",
-    "what the scene is about (default disk)",
-    Domain::OneOf(&["disk", "cylinder", "pipe", "curling", "powder", "tip"]),
-);
+/// Declares the bodies: the enum of their scenes, and what is the same for all of them.
+macro_rules! bodies {
+    ($($(#[$doc:meta])+ $variant:ident($scene:ty)),+ $(,)?) => {
+        /// A validated scene of any body.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Scene {
+            $($(#[$doc])+ $variant($scene)),+
+        }
 
-/// A validated scene of any body.
-#[derive(Debug)]
-pub enum Scene {
+        /// What each body's scenes may say, the default body first.
+        pub(super) const VOCABULARIES: &[Vocabulary] = &[$(Vocabulary::of::<$scene>()),+];
+
+        impl Scene {
+            /// The scene as one of any body.
+            pub fn as_body(&self) -> &dyn Body {
+                match self {
+                    $(Self::$variant(scene) => scene),+
+                }
+            }
+
+            /// What it is about: the value of the key `body`.
+            pub fn body(&self) -> &'static str {
+                self.as_body().body()
+            }
+
+            /// Keys and values in force, defaults included; null for what is off.
+            pub fn json(&self) -> Value {
+                self.as_body().json()
+            }
+
+            /// The scene of a body's entries.
+            fn of(
+                body: &str,
+                entries: &Entries,
+                problems: Vec<Problem>,
+            ) -> Option<Result<Self, Vec<Problem>>> {
+                $(if body == <$scene>::BODY {
+                    return Some(<$scene>::from_entries(entries, problems).map(Self::$variant));
+                })+
+                None
+            }
+        }
+
+        $(impl From<$scene> for Scene {
+            fn from(scene: $scene) -> Self {
+                Self::$variant(scene)
+            }
+        })+
+
+        const BODIES: &[&str] = &[$(<$scene>::BODY),+];
+    };
+}
+
+bodies! {
     /// A flat, round body: its path is straight.
     Disk(SliderScene),
-    /// A body that slides along a path in the plane.
-    Planar(PlanarScene),
+    /// A tall cylinder along a path in the plane.
+    Cylinder(CylinderScene),
+    /// A pipe on its end along a path in the plane.
+    Pipe(PipeScene),
+    /// A curling rock.
+    Curling(CurlingScene),
     /// A powder under a piston.
-    Powder(Box<PowderScene>),
+    Powder(PowderScene),
     /// A tip turned on a substrate.
-    Tip(Box<TipScene>),
+    Tip(TipScene),
 }
+
+/// The body of a file that names none.
+pub(super) const DEFAULT_BODY: &str = BODIES[0];
+
+/// The key that every vocabulary has.
+pub(super) const BODY: Key = Key {
+    name: "body",
+    unit: "-",
+    meaning: "What the scene is about; a disk if it is left out.",
+    domain: Domain::OneOf(BODIES),
+    need: Need::Optional,
+};
 
 /// Reads the scene in `path` with `overrides` of the form `key=value` put over it.
 ///
@@ -43,57 +104,41 @@ pub enum Scene {
 /// # Ok::<(), SceneError>(())
 /// ```
 pub fn read_scene(path: &Path, overrides: &[String]) -> Result<Scene, SceneError> {
-    parse_scene(&path.display().to_string(), &text_of(path)?, overrides)
+    let text = crate::record::read_text(path, super::MOST_BYTES).map_err(|cause| {
+        SceneError::Unreadable {
+            path: path.to_path_buf(),
+            cause,
+        }
+    })?;
+    parse_scene(&path.display().to_string(), &text, overrides)
 }
 
-/// As [`read_scene`], from text; `name` stands for the file in messages.
+/// Reads a scene from text; `name` stands for the file in messages.
 ///
 /// ```
 /// use tribos::scene::{Scene, parse_scene};
 /// let text = "body = \"pipe\"\nspeed = 1.74\nspin = 10.2\ncoefficient = 0.2\ngravity = 9.81\n\
 ///             radius = 0.05\ninner_radius = 0.046\nheight = 0.15\nmass = 0.5";
 /// let scene = parse_scene("pipe.toml", text, &[])?;
-/// assert!(matches!(scene, Scene::Planar(_)));
+/// assert!(matches!(scene, Scene::Pipe(pipe) if pipe.inner_radius == 0.046)); // m
 /// # Ok::<(), tribos::scene::SceneError>(())
 /// ```
 pub fn parse_scene(name: &str, text: &str, overrides: &[String]) -> Result<Scene, SceneError> {
     Entries::parse(text, overrides)
-        .and_then(|(entries, problems)| read(entries, problems))
-        .map_err(|problems| SceneError::Invalid {
-            name: name.to_owned(),
-            problems,
-        })
+        .and_then(|(entries, problems)| read(&entries, problems))
+        .map_err(|problems| SceneError::invalid(name, problems))
 }
 
-fn read(entries: Entries, problems: Vec<Problem>) -> Result<Scene, Vec<Problem>> {
-    let body = match entries.values.get(BODY.name) {
-        None => "disk".to_owned(),
-        Some((Value::Text(text), _)) => text.clone(),
+fn read(entries: &Entries, problems: Vec<Problem>) -> Result<Scene, Vec<Problem>> {
+    let (body, origin) = match entries.values.get(BODY.name) {
+        None => (DEFAULT_BODY, Origin::File),
+        Some((Written::Text(text), origin)) => (text.as_str(), *origin),
         Some((other, origin)) => return Err(refusal(other.kind(), *origin, problems)),
     };
-    if body == "disk" {
-        return SliderScene::from_entries(entries, problems).map(Scene::Disk);
-    }
-    if body == "powder" {
-        let scene = PowderScene::from_entries(entries, problems)?;
-        return Ok(Scene::Powder(Box::new(scene)));
-    }
-    if body == "tip" {
-        let scene = TipScene::from_entries(entries, problems)?;
-        return Ok(Scene::Tip(Box::new(scene)));
-    }
-    match PlanarScene::keys(&body) {
-        Some(keys) => PlanarScene::from_entries(keys, entries, problems).map(Scene::Planar),
-        None => {
-            let origin = entries
-                .values
-                .get(BODY.name)
-                .map_or(Origin::File, |at| at.1);
-            let meant = super::nearest(&body, super::bodies())
-                .map_or(String::new(), |near| format!("; did you mean \"{near}\"?"));
-            Err(refusal(&format!("\"{body}\"{meant}"), origin, problems))
-        }
-    }
+    Scene::of(body, entries, problems.clone()).unwrap_or_else(|| {
+        let given = format!("\"{body}\"{}", meant(body, BODIES));
+        Err(refusal(&given, origin, problems))
+    })
 }
 
 /// Without a body nothing else can be judged.

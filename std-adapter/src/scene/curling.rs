@@ -1,245 +1,205 @@
-//! The vocabulary of a curling rock and of the models of its ice.
+//! The scene of a curling rock and the models of its ice.
 
-use super::body::BODY;
-use super::key::{Domain, Key};
-use super::planar::{PlanarBody, SAMPLE_COUNT, SPEED, SPIN, Taker, Tipping};
-use super::slider::key;
+use super::entries::Written;
+use super::key::{Domain::*, Need::*};
+use super::planar::{MOST_SAMPLES, STOP_FRACTION, Tipping, moves};
+use super::reader::Judge;
+use super::table::scene;
+use super::words::{Word, words};
+use crate::friction::{Evaluation, Law};
 use crate::slide::curling::{
     BackHeavy, CurlingModel, CurlingRock, Dry, Film, FrontBack, IceLaw, LeftRight, PivotSlide,
-    ScratchGuide,
+    RING_POINTS, ScratchGuide,
 };
+use crate::slide::planar::Resistance;
+use crate::slide::{PlanarCourse, PlanarScene, SlideError, of_law};
 
-/// Mass of a rock, kg.
-const ROCK: f64 = 20.0;
-/// Penner's lower bound of the ratio that a curl of 1 m would need.
-const RATIO: f64 = 10.0;
+/// Answers to the question why a rock curls; each is a type in [`crate::slide::curling`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum IceModel {
+    /// [`LeftRight`]
+    LeftRight,
+    /// [`Dry`]
+    Dry,
+    /// [`FrontBack`]
+    FrontBack,
+    /// [`BackHeavy`]
+    BackHeavy,
+    /// [`Film`]
+    Film,
+    /// [`PivotSlide`]
+    PivotSlide,
+    /// [`ScratchGuide`]
+    ScratchGuide,
+}
+words!(IceModel {
+    LeftRight = "left-right",
+    Dry = "dry",
+    FrontBack = "front-back",
+    BackHeavy = "back-heavy",
+    Film = "film",
+    PivotSlide = "pivot-slide",
+    ScratchGuide = "scratch-guide",
+});
 
-const MODEL: Key = key(
-    "model",
-    "-",
-    "why the rock curls; see docs/curling.md (default left-right)",
-    Domain::OneOf(&[
-        "left-right",
-        "dry",
-        "front-back",
-        "back-heavy",
-        "film",
-        "pivot-slide",
-        "scratch-guide",
-    ]),
-);
-const COEFFICIENT: Key = key(
-    "coefficient",
-    "(s/m)^alpha",
-    "friction of the ice (default 0.008; dry 0.007095)",
-    Domain::Positive,
-);
-const ALPHA: Key = key(
-    "alpha",
-    "-",
-    "exponent of the ice (default -0.5; dry 0)",
-    Domain::Between {
-        above: -1.0,
-        // A rock comes to rest.
-        up_to: 0.9,
-    },
-);
-const GRAVITY: Key = key(
-    "gravity",
-    "m/s^2",
-    "acceleration that presses the rock down (default 9.81)",
-    Domain::Positive,
-);
-const MASS: Key = key(
-    "mass",
-    "kg",
-    "mass of the rock (default 20)",
-    Domain::Positive,
-);
-const RADIUS: Key = key(
-    "radius",
-    "m",
-    "outer radius of the running band (default 0.0625)",
-    Domain::Positive,
-);
-const WIDTH: Key = key(
-    "band_width",
-    "m",
-    "width of the band, 0 for a thin ring (default 0)",
-    Domain::NotNegative,
-);
-const HEIGHT: Key = key(
-    "centre_height",
-    "m",
-    "height of the centre of mass (default 0.057)",
-    Domain::NotNegative,
-);
-const INERTIA: Key = key(
-    "inertia_ratio",
-    "-",
-    "C = I/(M R^2), R of the band (default 2.69, solid of 29 cm)",
-    Domain::Positive,
-);
-const BACK_TO_FRONT: Key = key(
-    "back_to_front",
-    "-",
-    "model back-heavy: friction at the back over that in front (default 10)",
-    Domain::Positive,
-);
-const FILM_FRONT: Key = key(
-    "film_front",
-    "-",
-    "model film: fraction of the band's rotation that the film takes in front (default 1)",
-    Domain::Fraction,
-);
-const FILM_BACK: Key = key(
-    "film_back",
-    "-",
-    "model film: the same at the back (default 0)",
-    Domain::Fraction,
-);
-const PIVOT: Key = key(
-    "pivot",
-    "-",
-    "model pivot-slide: weight of the pull (default 0.014)",
-    Domain::NotNegative,
-);
-const SCRATCH: Key = key(
-    "scratch",
-    "-",
-    "model scratch-guide: guiding force over load (default 0.0006)",
-    Domain::NotNegative,
-);
-const ONSET: Key = key(
-    "scratch_onset",
-    "rad",
-    "model scratch-guide: half the crossing angle from which scratches guide (default 0.01)",
-    Domain::Positive,
-);
+/// A rock by the rules.
+const ROCK: CurlingRock = CurlingRock::STANDARD;
 
-/// The vocabulary.
-pub(super) const CURLING: &[Key] = &[
-    BODY,
-    MODEL,
-    SPEED,
-    SPIN,
-    COEFFICIENT,
-    ALPHA,
-    GRAVITY,
-    MASS,
-    RADIUS,
-    WIDTH,
-    HEIGHT,
-    INERTIA,
-    BACK_TO_FRONT,
-    FILM_FRONT,
-    FILM_BACK,
-    PIVOT,
-    SCRATCH,
-    ONSET,
-    SAMPLE_COUNT,
-];
+scene! {
+    /// A curling rock on ice, under a model to choose from.
+    ///
+    /// The default is a rock by the rules at 2 m/s and 1.5 rad/s.
+    ///
+    /// ```
+    /// use tribos::{scene::{CurlingScene, IceModel}, slide::run_path};
+    /// let model = IceModel::ScratchGuide;
+    /// let draw = CurlingScene { model, speed: 1.9866, ..CurlingScene::default() };
+    /// let end = run_path(&draw)?.outcome.arrival.point;
+    /// assert!(end.position[0] > 28.3 && end.position[1] > 0.9); // m, left
+    /// # Ok::<(), tribos::slide::SlideError>(())
+    /// ```
+    #[derive(Copy)]
+    pub struct CurlingScene = "curling", rules, in_force;
 
-/// Dimensions of a rock under their keys.
-pub(super) fn rock_numbers(rock: &CurlingRock) -> [(Key, f64); 4] {
-    [
-        (RADIUS, rock.band_radius),
-        (WIDTH, rock.band_width),
-        (HEIGHT, rock.height),
-        (INERTIA, rock.inertia_ratio),
-    ]
+    /// Initial speed, along x.
+    speed: f64 = 2.0, "m/s", NotNegative, Required;
+    /// Initial spin, > 0 counterclockwise.
+    spin: f64 = 1.5, "rad/s", Finite, Required;
+    /// Outer radius of the running band.
+    radius: f64 = ROCK.band_radius, "m", Positive;
+    /// Width of the band, 0 for a thin ring.
+    band_width: f64 = ROCK.band_width, "m", NotNegative;
+    /// Height of the centre of mass.
+    centre_height: f64 = ROCK.height, "m", NotNegative;
+    /// Inertia ratio C = I/(M R^2) with R of the band; the default is that of a solid of 29 cm.
+    inertia_ratio: f64 = ROCK.inertia_ratio, "-", Positive;
+    /// Acceleration that presses the rock down.
+    gravity: f64 = ROCK.gravity, "m/s^2", Positive;
+    /// Mass of the rock.
+    mass: f64 = 20.0, "kg", Positive;
+    /// Why the rock curls; see docs/curling.md.
+    model: IceModel = IceModel::LeftRight, "-", OneOf(IceModel::WORDS);
+    /// Friction coefficient of the ice; if left out that of the model: 0.007095 for dry, else 0.008.
+    coefficient: Option<f64> = None, "(s/m)^alpha", Positive;
+    /// Exponent of the ice; if left out that of the model: 0 for dry, else -0.5.
+    // A rock comes to rest.
+    alpha: Option<f64> = None, "-", Between { above: -1.0, up_to: 0.9 };
+    /// Friction at the back over that in front, of the model back-heavy.
+    // Penner's lower bound of the ratio that a curl of 1 m would need.
+    back_to_front: f64 = 10.0, "-", Positive, PartOf("model", "back-heavy");
+    /// Fraction of the band's rotation that the film takes in front, of the model film.
+    film_front: f64 = 1.0, "-", Fraction, PartOf("model", "film");
+    /// Fraction of the band's rotation that the film takes at the back, of the model film.
+    film_back: f64 = 0.0, "-", Fraction, PartOf("model", "film");
+    /// Weight of the pull, of the model pivot-slide.
+    pivot: f64 = PivotSlide::WEIGHT, "-", NotNegative, PartOf("model", "pivot-slide");
+    /// Guiding force over load, of the model scratch-guide.
+    scratch: f64 = ScratchGuide::STRENGTH, "-", NotNegative, PartOf("model", "scratch-guide");
+    /// Half the crossing angle from which scratches guide, of the model scratch-guide.
+    scratch_onset: f64 = ScratchGuide::ONSET, "rad", Positive, PartOf("model", "scratch-guide");
+    /// Number of intervals of time in the series.
+    samples: u32 = 200, "-", Count { up_to: MOST_SAMPLES };
 }
 
-/// A model with its parameters as text.
-pub(super) fn model_text(model: &dyn CurlingModel) -> String {
-    format!("{model:?}")
-}
-
-/// The rock with its model, gravity and mass. Where γ v^α would tip it, below 1 mm/s, the gradient
-/// is held.
-pub(super) fn body(take: &mut Taker) -> (PlanarBody, f64, f64, Tipping) {
-    let standard = CurlingRock::STANDARD;
-    let rock = CurlingRock {
-        band_radius: take.or(RADIUS, standard.band_radius),
-        band_width: take.or(WIDTH, standard.band_width),
-        height: take.or(HEIGHT, standard.height),
-        inertia_ratio: take.or(INERTIA, standard.inertia_ratio),
-        gravity: take.or(GRAVITY, standard.gravity),
-    };
-    if rock.band_width > rock.band_radius {
-        let message = format!(
-            "`band_width` must not exceed `radius`, {}",
-            rock.band_radius
-        );
-        take.reader.object("band_width", message);
+fn rules(scene: &CurlingScene, judge: &mut Judge<'_>) {
+    moves(scene.speed, scene.spin, judge);
+    if scene.band_width > scene.radius {
+        let message = format!("`band_width` must not exceed `radius`, {}", scene.radius);
+        judge.refuse(&["band_width", "radius"], message);
     }
-    let mass = take.or(MASS, ROCK);
-    let model = model(take);
-    let gravity = rock.gravity;
-    (
-        PlanarBody::Curling(rock, model),
-        gravity,
-        mass,
-        Tipping::Clamp,
-    )
-}
-
-fn model(take: &mut Taker) -> Box<dyn CurlingModel> {
-    let index = take.word(MODEL);
-    refuse_strangers(take, index);
-    if index == 1 {
-        return dry(take);
-    }
-    let ice = IceLaw {
-        coefficient: take.or(COEFFICIENT, IceLaw::PENNER.coefficient),
-        alpha: take.or(ALPHA, IceLaw::PENNER.alpha),
-    };
-    match index {
-        2 => Box::new(FrontBack { ice }),
-        3 => Box::new(BackHeavy {
-            ice,
-            back_to_front: take.or(BACK_TO_FRONT, RATIO),
-        }),
-        4 => Box::new(Film {
-            ice,
-            front: take.or(FILM_FRONT, 1.0),
-            back: take.or(FILM_BACK, 0.0),
-        }),
-        5 => Box::new(PivotSlide {
-            ice,
-            weight: take.or(PIVOT, PivotSlide::WEIGHT),
-        }),
-        6 => Box::new(ScratchGuide {
-            ice,
-            strength: take.or(SCRATCH, ScratchGuide::STRENGTH),
-            onset: take.or(ONSET, ScratchGuide::ONSET),
-        }),
-        _ => Box::new(LeftRight { ice }),
-    }
-}
-
-fn dry(take: &mut Taker) -> Box<dyn CurlingModel> {
-    let coefficient = take.or(COEFFICIENT, IceLaw::DRY.coefficient);
-    if take.or(ALPHA, 0.0) != 0.0 {
+    if scene.model == IceModel::Dry && scene.alpha.is_some_and(|alpha| alpha != 0.0) {
         let message = "`alpha` is 0 for model \"dry\"; leave it out, or use \"front-back\"";
-        take.reader.object("alpha", message.into());
+        judge.refuse(&["alpha", "model"], message);
     }
-    Box::new(Dry { coefficient })
 }
 
-/// Keys that another model than the chosen one would read.
-fn refuse_strangers(take: &mut Taker, index: usize) {
-    for (key, owner, name) in [
-        (BACK_TO_FRONT, 3, "back-heavy"),
-        (FILM_FRONT, 4, "film"),
-        (FILM_BACK, 4, "film"),
-        (PIVOT, 5, "pivot-slide"),
-        (SCRATCH, 6, "scratch-guide"),
-        (ONSET, 6, "scratch-guide"),
-    ] {
-        if index != owner && take.reader.is_given(key.name) {
-            let message = format!("`{}` is for model \"{name}\" only; leave it out", key.name);
-            take.reader.object(key.name, message);
+/// Coefficient and exponent are those of the model unless they are given.
+fn in_force(scene: &CurlingScene, key: &str, written: Option<Written>) -> Option<Written> {
+    match key {
+        "coefficient" => Some(Written::Number(scene.ice().coefficient)),
+        "alpha" => Some(Written::Number(scene.ice().alpha)),
+        _ => written,
+    }
+}
+
+impl CurlingScene {
+    /// The rock.
+    pub fn rock(&self) -> CurlingRock {
+        CurlingRock {
+            band_radius: self.radius,
+            band_width: self.band_width,
+            height: self.centre_height,
+            inertia_ratio: self.inertia_ratio,
+            gravity: self.gravity,
+        }
+    }
+
+    /// The law of the ice.
+    pub fn ice(&self) -> IceLaw {
+        let usual = match self.model {
+            IceModel::Dry => IceLaw::DRY,
+            _ => IceLaw::PENNER,
+        };
+        IceLaw {
+            coefficient: self.coefficient.unwrap_or(usual.coefficient),
+            alpha: self.alpha.unwrap_or(usual.alpha),
+        }
+    }
+
+    /// The model of the ice with its parameters.
+    pub fn ice_model(&self) -> Box<dyn CurlingModel> {
+        let ice = self.ice();
+        match self.model {
+            IceModel::LeftRight => Box::new(LeftRight { ice }),
+            IceModel::Dry => Box::new(Dry {
+                coefficient: ice.coefficient,
+            }),
+            IceModel::FrontBack => Box::new(FrontBack { ice }),
+            IceModel::BackHeavy => Box::new(BackHeavy {
+                ice,
+                back_to_front: self.back_to_front,
+            }),
+            IceModel::Film => Box::new(Film {
+                ice,
+                front: self.film_front,
+                back: self.film_back,
+            }),
+            IceModel::PivotSlide => Box::new(PivotSlide {
+                ice,
+                weight: self.pivot,
+            }),
+            IceModel::ScratchGuide => Box::new(ScratchGuide {
+                ice,
+                strength: self.scratch,
+                onset: self.scratch_onset,
+            }),
+        }
+    }
+}
+
+impl PlanarScene for CurlingScene {
+    /// Where γ v^α would tip a rock, below 1 mm/s, the gradient is held.
+    fn course(&self) -> PlanarCourse {
+        PlanarCourse {
+            speed: self.speed,
+            spin: self.spin,
+            mass: self.mass,
+            tipping: Tipping::Clamp,
+            stop_fraction: STOP_FRACTION,
+            samples: self.samples,
+        }
+    }
+
+    fn resistance(&self) -> Result<Box<dyn Resistance>, SlideError> {
+        self.ice_model().resistance(&self.rock())
+    }
+
+    fn evaluation(&self) -> Result<Evaluation, SlideError> {
+        let points = RING_POINTS;
+        match self.model {
+            IceModel::Film => Ok(Evaluation::RingRule { points }),
+            // Every law of ice is a power that has tables.
+            _ => of_law(&self.rock().patch(), &Law::coulomb(1.0)?),
         }
     }
 }

@@ -5,16 +5,16 @@ use super::problem::{Origin, Problem};
 use std::collections::BTreeMap;
 use toml::de::{DeTable, DeValue};
 
-/// A value as written.
+/// A value as a file has it.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Value {
+pub(crate) enum Written {
     Number(f64),
     Text(String),
     /// Anything else, by its TOML name.
     Other(&'static str),
 }
 
-impl Value {
+impl Written {
     /// The kind in words.
     pub fn kind(&self) -> &'static str {
         match self {
@@ -41,7 +41,7 @@ impl Value {
 /// All keys of a scene.
 #[derive(Debug, Default)]
 pub(super) struct Entries {
-    pub values: BTreeMap<String, (Value, Origin)>,
+    pub values: BTreeMap<String, (Written, Origin)>,
 }
 
 impl Entries {
@@ -113,15 +113,15 @@ fn cure(text: &str, line: usize) -> String {
     hint.unwrap_or_else(|| "write lines of the form key = value".into())
 }
 
-fn read_value(value: &DeValue<'_>) -> Value {
+fn read_value(value: &DeValue<'_>) -> Written {
     match value {
         DeValue::Float(number) => parsed(number.as_str()),
         DeValue::Integer(number) => match i64::from_str_radix(number.as_str(), number.radix()) {
-            Ok(integer) => Value::Number(integer as f64),
+            Ok(integer) => Written::Number(integer as f64),
             Err(_) => parsed(number.as_str()),
         },
-        DeValue::String(text) => Value::Text(text.to_string()),
-        other => Value::Other(match other {
+        DeValue::String(text) => Written::Text(text.to_string()),
+        other => Written::Other(match other {
             DeValue::Boolean(_) => "a boolean",
             DeValue::Datetime(_) => "a date",
             DeValue::Array(_) => "an array",
@@ -130,15 +130,15 @@ fn read_value(value: &DeValue<'_>) -> Value {
     }
 }
 
-fn parsed(text: &str) -> Value {
+fn parsed(text: &str) -> Written {
     text.parse()
-        .map_or(Value::Other("an unreadable number"), Value::Number)
+        .map_or(Written::Other("an unreadable number"), Written::Number)
 }
 
 /// A value of an override: TOML if it reads as such, otherwise bare text.
-fn read_override(text: &str) -> Value {
+fn read_override(text: &str) -> Written {
     match DeValue::parse(text) {
         Ok(value) => read_value(value.get_ref()),
-        Err(_) => Value::Text(text.to_owned()),
+        Err(_) => Written::Text(text.to_owned()),
     }
 }

@@ -1,14 +1,12 @@
 //! The scene of a cohesive powder under a piston (thesis, section 4.5).
 
-use super::body::BODY;
-use super::entries::Entries;
-use super::key::{Key, Reader};
-use super::planar::Taker;
-use super::powder_keys::*;
-use super::problem::Problem;
+use super::entries::Written;
+use super::key::{Domain::*, Need::*};
+use super::reader::Judge;
+use super::table::scene;
+use super::words::{Word, words};
 use crate::cd::{Method, Order, Solver, StepLimits, Stop};
-use crate::powder::deposit::{Ballistic, Until};
-use serde_json::{Map, Value};
+use crate::powder::deposit::{Ballistic, DepositError, Until};
 use tribos_core::contact::Attraction;
 
 /// What spheres do at substrate and piston.
@@ -21,6 +19,7 @@ pub enum WallLaw {
     /// Neither.
     Bare,
 }
+words!(WallLaw { Full = "full", Smooth = "smooth", Bare = "none" });
 
 /// How the thresholds of sliding and torsion depend on each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +31,11 @@ pub enum Coupling {
     /// By the limit surface of a round contact under uniform pressure with these thresholds.
     Exact,
 }
+words!(Coupling {
+    Independent = "independent",
+    Ellipsoid = "ellipsoid",
+    Exact = "exact",
+});
 
 /// When a packing counts as blocked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,277 +45,212 @@ pub enum Criterion {
     /// The piston stands (thesis, section 4.5).
     Piston,
 }
+words!(Criterion { Balance = "balance", Piston = "piston" });
 
-/// A validated scene. *Units*: lengths in mean radii R of the spheres, forces in F_coh, the density
-/// of the spheres is 1: times are in √(ρR⁴/F_coh).
-///
-/// ```
-/// use tribos::scene::{Coupling, Criterion, PowderScene, Scene, WallLaw, parse_scene};
-/// let text = "body = \"powder\"\nwidth = 20\nheight = 61.5\nwall = \"smooth\"\n\
-///             sliding = 0.3\nrolling = 0.1\ntorsion = 0.2\ncoupling = \"exact\"";
-/// let Scene::Powder(scene) = parse_scene("powder.toml", text, &[])? else { unreachable!() };
-/// assert!((scene.load() - 1.0).abs() < 1e-15); // 400 R² under F_coh/400 a square radius
-/// assert_eq!((scene.wall, scene.blocked), (WallLaw::Smooth, Criterion::Balance));
-/// // Sliding and torsion share one limit surface; rolling keeps a threshold of its own.
-/// assert_eq!((scene.coupling, scene.friction), (Coupling::Exact, [0.3, 0.1, 0.2]));
-/// assert!(PowderScene::KEYS.iter().all(|key| scene.json().get(key.name).is_some()));
-/// # Ok::<(), tribos::scene::SceneError>(())
-/// ```
-#[derive(Clone, Debug)]
-pub struct PowderScene {
-    /// How the deposit grows.
-    pub ballistic: Ballistic,
-    /// Side of the square base.
-    pub width: f64,
-    /// Where it ends.
-    pub until: Until,
-    /// Seed of the deposit.
-    pub seed: u64,
-    /// μ, μ_t and μ_n between spheres.
-    pub friction: [f64; 3],
-    /// How sliding and torsion go together.
-    pub coupling: Coupling,
-    /// On the piston, in F_coh/R².
-    pub pressure: f64,
-    /// d_c
-    pub cohesion_range: f64,
-    /// What cohesion does within its range.
-    pub attraction: Attraction,
-    /// Newton's coefficient.
-    pub restitution: f64,
-    /// What spheres do at the walls.
-    pub wall: WallLaw,
-    /// Mass of the piston, in ρR³.
-    pub piston_mass: f64,
-    /// How contacts are solved.
-    pub solver: Solver,
-    /// Bounds of the time step.
-    pub pace: StepLimits,
-    /// Speed below which spheres that nothing disturbs are left alone.
-    pub still_speed: f64,
-    /// When the packing counts as blocked.
-    pub blocked: Criterion,
-    /// Most steps.
-    pub steps: u64,
-    /// End of the run, if it is not blocked before.
-    pub duration: Option<f64>,
+/// Method for the contacts of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SweepMethod {
+    /// Gauss–Seidel sweeps with momentum.
+    Accelerated,
+    /// Plain non-linear Gauss–Seidel sweeps.
+    GaussSeidel,
+}
+words!(SweepMethod { Accelerated = "accelerated", GaussSeidel = "gauss-seidel" });
+
+/// Order in which a plain sweep visits the contacts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SweepOrder {
+    /// Forward and backward by turns.
+    Alternating,
+    /// Always the same.
+    Fixed,
+    /// Another one for each sweep.
+    Random,
+}
+words!(SweepOrder { Alternating = "alternating", Fixed = "fixed", Random = "random" });
+
+/// When plain sweeps stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SweepStop {
+    /// When the change of all contacts together is small.
+    Global,
+    /// When the change of every contact is small.
+    Local,
+    /// After a fixed number.
+    Fixed,
+}
+words!(SweepStop { Global = "global", Local = "local", Fixed = "fixed" });
+
+words!(only Attraction { Pull = "pull", Resistance = "resistance" });
+
+/// What f64 counts.
+pub(super) const MOST_SEEDS: f64 = 9_007_199_254_740_992.0;
+/// Stream of random orders of sweeps: another seed than the deposit's is of no use.
+const ORDER_SEED: u64 = 1;
+
+scene! {
+    /// A cohesive powder under a piston. *Units*: lengths in mean radii R of the spheres, forces in
+    /// F_coh, the density of the spheres is 1: times are in √(ρR⁴/F_coh).
+    ///
+    /// The default is the thesis' small system: 470 spheres on a base of 20 R by 20 R.
+    ///
+    /// ```
+    /// use tribos::{powder::Compaction, run::drive, scene::PowderScene};
+    /// let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..Default::default() };
+    /// let mut compaction = Compaction::new(&scene)?;
+    /// drive(&mut compaction, |_, _| ())?;
+    /// let [before, after] = compaction.outcome().porosity;
+    /// assert!(after < before);
+    /// # Ok::<(), tribos::powder::CompactionError>(())
+    /// ```
+    pub struct PowderScene = "powder", rules, in_force;
+
+    /// Side of the square base, periodic in x and y.
+    width: f64 = 20.0, "R", Positive, Required;
+    /// Height at which the deposit is cut and the piston starts, unless `count` is given.
+    height: f64 = 61.5, "R", Positive, UnlessGiven("count");
+    /// Number of spheres, in place of `height`.
+    count: Option<usize> = None, "-", Count { up_to: 1e6 };
+    /// Distance of centres at which a falling sphere is captured.
+    // Thesis, section 4.5.
+    capture_radius: f64 = 3.0, "R", Positive;
+    /// Spread of the radii, which are uniform from 1 - spread to 1 + spread.
+    radius_spread: f64 = 0.0, "R", NotNegative;
+    /// Seed of the deposit's random numbers.
+    seed: u64 = 1, "-", Count { up_to: MOST_SEEDS };
+    /// Sliding coefficient mu: largest sliding force over P = F_n + F_coh.
+    // Thesis, section 4.6.
+    sliding: f64 = 0.3, "-", NotNegative;
+    /// Rolling coefficient mu_t: largest rolling torque over P r_eff.
+    rolling: f64 = 0.0, "-", NotNegative;
+    /// Torsion coefficient mu_n: largest torsion torque over P r_eff.
+    torsion: f64 = 0.0, "-", NotNegative;
+    /// How the thresholds of sliding and torsion depend on each other.
+    coupling: Coupling = Coupling::Independent, "-", OneOf(Coupling::WORDS);
+    /// Pressure on the piston.
+    // Thesis, section 4.5.
+    pressure: f64 = 1.0 / 400.0, "F_coh/R^2", Positive;
+    /// Gap d_c up to which cohesion acts.
+    // Van der Waals attraction, F = A R/(12 D²) beyond the closest distance D₀ = 0.165 nm
+    // (Israelachvili, Intermolecular and Surface Forces), takes the work F(D₀) D₀ to break: d_c is
+    // D₀. A hundredth of R belongs to spheres of 16 nm, a nano-powder.
+    cohesion_range: f64 = 1e-2, "R", NotNegative;
+    /// Cohesion at a gap: a constant pull, or a resistance to opening.
+    attraction: Attraction = Attraction::Pull, "-", OneOf(Attraction::WORDS);
+    /// Coefficient of restitution: speed after an impact over speed before, at walls too.
+    restitution: f64 = 0.0, "-", Fraction;
+    /// Law at substrate and piston: that of spheres, cohesion only, or neither.
+    wall: WallLaw = WallLaw::Full, "-", OneOf(WallLaw::WORDS);
+    /// Mass of the piston.
+    // Thesis, section 4.5.
+    piston_mass: f64 = 1000.0, "rho R^3", Positive;
+    /// Method for the contacts of a step.
+    solver: SweepMethod = SweepMethod::Accelerated, "-", OneOf(SweepMethod::WORDS);
+    /// Order of the contacts in a sweep of gauss-seidel.
+    order: SweepOrder = SweepOrder::Alternating, "-", OneOf(SweepOrder::WORDS),
+        OnlyWith("solver", "gauss-seidel");
+    /// When gauss-seidel stops: by the change of all or of any contacts, or after `sweeps`.
+    stop: SweepStop = SweepStop::Global, "-", OneOf(SweepStop::WORDS),
+        OnlyWith("solver", "gauss-seidel");
+    /// Change of a sweep, relative to P, at which sweeps stop.
+    // A tenfold smaller or larger tolerance leaves the final porosity as it is.
+    tolerance: f64 = 1e-4, "-", Between { above: 0.0, up_to: 1.0 }, NotWith("stop", "fixed");
+    /// Most sweeps of a step, N_I; all of them with stop = "fixed".
+    // A bound for steps in which the tolerance is out of reach.
+    sweeps: usize = 1000, "-", Count { up_to: 1e6 };
+    /// Whether a step starts from the forces of the last one.
+    warm_start: bool = true, "-", OneOf(bool::WORDS);
+    /// Largest distance that a sphere may move in a step.
+    // A twentieth of a radius keeps the angle by which a normal turns in a step small.
+    motion: f64 = 0.05, "R", Between { above: 0.0, up_to: 0.5 };
+    /// Longest time step.
+    // The pressure moves the piston by 10⁻⁵ R in it from rest.
+    time_step: f64 = 0.2, "sqrt(rho R^4/F_coh)", Positive;
+    /// Sleep threshold: slower groups that nothing touches are left alone; with 0 none is.
+    // A speed with which a sphere would cross a hundredth of its radius in 10⁵ units of time.
+    still_speed: f64 = 1e-7, "sqrt(F_coh/rho)/R", NotNegative;
+    /// Criterion of the end: forces balance and the piston stands, or the piston stands.
+    blocked: Criterion = Criterion::Balance, "-", OneOf(Criterion::WORDS);
+    /// Steps after which a run ends that is not blocked before.
+    // Runs of the thesis' systems block within some thousand steps.
+    steps: u64 = 200_000, "-", Count { up_to: 1e9 };
+    /// Time after which a run ends that is not blocked before; if left out there is no such bound.
+    duration: Option<f64> = None, "sqrt(rho R^4/F_coh)", Positive;
     /// Steps from one line of the series to the next.
-    pub samples: u64,
-    pub(super) values: Map<String, Value>,
+    samples: u64 = 20, "-", Count { up_to: 1e9 };
 }
 
-/// Distance of centres at which a sphere is captured (thesis, section 4.5).
-const CAPTURE_RADIUS: f64 = 3.0;
-/// Friction between spheres (thesis, section 4.6).
-const SLIDING_COEFFICIENT: f64 = 0.3;
-/// Pressure on the piston and its mass (thesis, section 4.5).
-const THESIS_PRESSURE: f64 = 1.0 / 400.0;
-const THESIS_MASS: f64 = 1000.0;
-/// Van der Waals attraction, F = A R/(12 D²) beyond the closest distance D₀ = 0.165 nm
-/// (Israelachvili, Intermolecular and Surface Forces), takes the work F(D₀) D₀ to break: d_c is D₀.
-/// A hundredth of R belongs to spheres of 16 nm, a nano-powder.
-const NANO_RANGE: f64 = 1e-2;
-/// A tenfold smaller or larger tolerance leaves the final porosity as it is.
-const SWEEP_TOLERANCE: f64 = 1e-4;
-/// A bound for steps in which the tolerance is out of reach.
-const MOST_SWEEPS: f64 = 1000.0;
-/// A twentieth of a radius keeps the angle by which a normal turns in a step small.
-const STEP_MOTION: f64 = 0.05;
-/// Longest step: the pressure moves the piston by 10⁻⁵ R in it from rest.
-const LONGEST: f64 = 0.2;
-/// A speed with which a sphere would cross a hundredth of its radius in 10⁵ units of time.
-const STILL_SPEED: f64 = 1e-7;
-/// Runs of the thesis' systems block within some thousand steps.
-const MOST_STEPS: f64 = 200_000.0;
-/// Some hundred lines a run.
-const SAMPLE_STEPS: f64 = 20.0;
-/// Seed unless one is given.
-const FIRST_SEED: f64 = 1.0;
-/// Stream of random orders of sweeps: another seed than the deposit's is of no use.
-pub(super) const ORDER_SEED: u64 = 1;
+/// Width, capture radius and spread of the radii must fit together.
+fn rules(scene: &PowderScene, judge: &mut Judge<'_>) {
+    if scene.radius_spread >= 1.0 {
+        let spread = scene.radius_spread;
+        let message = format!("`radius_spread` must be less than 1, not {spread}");
+        judge.refuse(&["radius_spread"], message);
+    } else if let Err(error) = scene.ballistic() {
+        judge.refuse(
+            &["capture_radius", "width", "radius_spread"],
+            error.to_string(),
+        );
+    }
+}
+
+/// A number of spheres stands in place of the height.
+fn in_force(scene: &PowderScene, key: &str, written: Option<Written>) -> Option<Written> {
+    written.filter(|_| key != "height" || scene.count.is_none())
+}
 
 impl PowderScene {
-    /// The vocabulary, in the order of the documentation.
-    pub const KEYS: &'static [Key] = &[
-        BODY,
-        WIDTH,
-        HEIGHT,
-        COUNT,
-        CAPTURE,
-        SPREAD,
-        SEED,
-        SLIDING,
-        ROLLING,
-        TORSION,
-        COUPLING,
-        PRESSURE,
-        RANGE,
-        ATTRACTION,
-        RESTITUTION,
-        WALL,
-        MASS,
-        SOLVER,
-        ORDER,
-        STOP,
-        TOLERANCE,
-        SWEEPS,
-        WARM_START,
-        MOTION,
-        TIME_STEP,
-        STILL,
-        BLOCKED,
-        STEPS,
-        DURATION,
-        SAMPLES,
-    ];
-
-    pub(super) fn from_entries(
-        entries: Entries,
-        problems: Vec<Problem>,
-    ) -> Result<Self, Vec<Problem>> {
-        let mut take = Taker {
-            reader: Reader::new(Self::KEYS, entries, problems),
-            values: Map::new(),
-        };
-        take.word(BODY);
-        let width = take.required(WIDTH);
-        let until = until(&mut take);
-        let ballistic = ballistic(&mut take, width);
-        let seed = take.or(SEED, FIRST_SEED) as u64;
-        let friction = [
-            take.or(SLIDING, SLIDING_COEFFICIENT),
-            take.or(ROLLING, 0.0),
-            take.or(TORSION, 0.0),
-        ];
-        let shapes = [Coupling::Independent, Coupling::Ellipsoid, Coupling::Exact];
-        let coupling = shapes[take.word(COUPLING).min(2)];
-        let pressure = take.or(PRESSURE, THESIS_PRESSURE);
-        let cohesion_range = take.or(RANGE, NANO_RANGE);
-        let attraction = [Attraction::Pull, Attraction::Resistance][take.word(ATTRACTION).min(1)];
-        let restitution = take.or(RESTITUTION, 0.0);
-        let wall = [WallLaw::Full, WallLaw::Smooth, WallLaw::Bare][take.word(WALL).min(2)];
-        let piston_mass = take.or(MASS, THESIS_MASS);
-        let solver = solver(&mut take);
-        let pace = StepLimits {
-            motion: take.or(MOTION, STEP_MOTION),
-            longest: take.or(TIME_STEP, LONGEST),
-        };
-        let still_speed = take.or(STILL, STILL_SPEED);
-        let blocked = [Criterion::Balance, Criterion::Piston][take.word(BLOCKED).min(1)];
-        let steps = take.or(STEPS, MOST_STEPS) as u64;
-        let duration = take.optional(DURATION);
-        let samples = take.or(SAMPLES, SAMPLE_STEPS) as u64;
-        let Some(ballistic) = ballistic else {
-            // A problem is noted; the scene in hand is never given out.
-            return take.reader.finish(()).and(Err(Vec::new()));
-        };
-        take.reader.finish(Self {
-            ballistic,
-            width,
-            until,
-            seed,
-            friction,
-            coupling,
-            pressure,
-            cohesion_range,
-            attraction,
-            restitution,
-            wall,
-            piston_mass,
-            solver,
-            pace,
-            still_speed,
-            blocked,
-            steps,
-            duration,
-            samples,
-            values: take.values,
-        })
-    }
-
     /// Force on the piston.
+    ///
+    /// ```
+    /// let scene = tribos::scene::PowderScene::default();
+    /// assert!((scene.load() - 1.0).abs() < 1e-15); // 400 R² under F_coh/400 a square radius
+    /// ```
     pub fn load(&self) -> f64 {
         self.pressure * self.width * self.width
     }
-}
 
-/// One of height and count.
-fn until(take: &mut Taker) -> Until {
-    let (height, count) = (take.optional(HEIGHT), take.optional(COUNT));
-    let given = [HEIGHT, COUNT].map(|key| take.reader.is_given(key.name));
-    match given {
-        [true, true] => {
-            let message = "give `height` or `count`, not both";
-            take.reader.object(COUNT.name, message.into());
-        }
-        [false, false] => {
-            let message = "`height` is missing: the cut of the deposit [R]; or give `count`";
-            take.reader.object(HEIGHT.name, message.into());
-        }
-        _ => {}
+    /// How the deposit grows, if width, capture radius and spread fit together.
+    pub fn ballistic(&self) -> Result<Ballistic, DepositError> {
+        let radii = [1.0 - self.radius_spread, 1.0 + self.radius_spread];
+        Ballistic::uneven(self.width, radii, self.capture_radius)
     }
-    match count {
-        Some(count) => Until::Count(count as usize),
-        None => Until::Cut(height.unwrap_or(f64::NAN)),
-    }
-}
 
-/// The deposit's law, if width, capture radius and spread fit together.
-fn ballistic(take: &mut Taker, width: f64) -> Option<Ballistic> {
-    let capture = take.or(CAPTURE, CAPTURE_RADIUS);
-    let spread = take.or(SPREAD, 0.0);
-    if spread >= 1.0 {
-        let message = format!("`radius_spread` must be less than 1, not {spread}");
-        take.reader.object(SPREAD.name, message);
-        return None;
+    /// When the deposit is complete.
+    pub fn until(&self) -> Until {
+        self.count.map_or(Until::Cut(self.height), Until::Count)
     }
-    if width.is_nan() {
-        return None;
-    }
-    match Ballistic::uneven(width, [1.0 - spread, 1.0 + spread], capture) {
-        Ok(ballistic) => Some(ballistic),
-        Err(error) => {
-            let given = [CAPTURE, WIDTH].map(|key| take.reader.is_given(key.name));
-            let name = if given[0] { CAPTURE.name } else { WIDTH.name };
-            take.reader.object(name, error.to_string());
-            None
-        }
-    }
-}
 
-/// The method and its rules.
-fn solver(take: &mut Taker) -> Solver {
-    let is_classical = take.word(SOLVER) == 1;
-    let (order, stop) = (take.word(ORDER), take.word(STOP));
-    if !is_classical {
-        for key in [ORDER, STOP] {
-            if take.reader.is_given(key.name) {
-                let message = format!(
-                    "`{}` is for solver \"gauss-seidel\" only; leave it out",
-                    key.name
-                );
-                take.reader.object(key.name, message);
-            }
+    /// How contacts are solved.
+    pub fn contact_solver(&self) -> Solver {
+        let tolerance = self.tolerance;
+        let method = match self.solver {
+            SweepMethod::Accelerated => Method::Accelerated { tolerance },
+            SweepMethod::GaussSeidel => Method::GaussSeidel {
+                order: match self.order {
+                    SweepOrder::Alternating => Order::Alternating,
+                    SweepOrder::Fixed => Order::Fixed,
+                    SweepOrder::Random => Order::Random { seed: ORDER_SEED },
+                },
+                stop: match self.stop {
+                    SweepStop::Global => Stop::Global(tolerance),
+                    SweepStop::Local => Stop::Local(tolerance),
+                    SweepStop::Fixed => Stop::Fixed,
+                },
+            },
+        };
+        Solver {
+            method,
+            most_sweeps: self.sweeps,
+            warm_start: self.warm_start,
         }
     }
-    let is_fixed = is_classical && stop == 2;
-    if is_fixed && take.reader.is_given(TOLERANCE.name) {
-        let message = "`tolerance` is not used with stop = \"fixed\"; leave it out";
-        take.reader.object(TOLERANCE.name, message.into());
-    }
-    let tolerance = take.or(TOLERANCE, SWEEP_TOLERANCE);
-    let method = if is_classical {
-        let random = Order::Random { seed: ORDER_SEED };
-        Method::GaussSeidel {
-            order: [Order::Alternating, Order::Fixed, random][order.min(2)],
-            stop: [Stop::Global(tolerance), Stop::Local(tolerance), Stop::Fixed][stop.min(2)],
+
+    /// Bounds of the time step.
+    pub fn step_limits(&self) -> StepLimits {
+        StepLimits {
+            motion: self.motion,
+            longest: self.time_step,
         }
-    } else {
-        Method::Accelerated { tolerance }
-    };
-    Solver {
-        method,
-        most_sweeps: take.or(SWEEPS, MOST_SWEEPS) as usize,
-        warm_start: take.word(WARM_START) == 0,
     }
 }

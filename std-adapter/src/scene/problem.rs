@@ -36,6 +36,24 @@ impl Problem {
     }
 }
 
+/// Fields of a scene that no run could start from; the rules are those of scene files.
+///
+/// ```
+/// use tribos::scene::PowderScene;
+/// let pulled = PowderScene { pressure: -1.0, ..PowderScene::default() };
+/// let refused = pulled.check().map_err(|error| error.to_string());
+/// let told = "the powder scene cannot be run: `pressure` must be a finite number > 0, not -1";
+/// assert_eq!(refused, Err(told.into()));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the {body} scene cannot be run: {}", .problems.iter().map(Problem::message).collect::<Vec<_>>().join("; "))]
+pub struct InvalidScene {
+    /// The body of the scene.
+    pub body: &'static str,
+    /// Everything that is wrong: each names the key, its value and what would be valid.
+    pub problems: Vec<Problem>,
+}
+
 /// A scene that cannot be run.
 ///
 /// ```
@@ -64,6 +82,14 @@ pub enum SceneError {
         /// Everything that is wrong, in the order of the file.
         problems: Vec<Problem>,
     },
+}
+
+impl SceneError {
+    /// All that is wrong with the file `name`.
+    pub(super) fn invalid(name: &str, problems: Vec<Problem>) -> Self {
+        let name = name.to_owned();
+        Self::Invalid { name, problems }
+    }
 }
 
 impl fmt::Display for SceneError {

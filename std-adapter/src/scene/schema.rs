@@ -3,31 +3,13 @@
 //! An editor that has it completes keys and marks what the reader would refuse, as far as a schema
 //! can say it: that a pipe is narrower inside than outside is the reader's to tell.
 
-use super::key::{Domain, Key};
+use super::DEFAULT_BODY;
+use super::key::{Domain, Key, Need};
 use super::vocabulary::{Vocabulary, bodies, vocabulary};
 use serde_json::{Map, Number, Value, json};
 
 /// The dialect.
 const DRAFT: &str = "https://json-schema.org/draft/2020-12/schema";
-
-/// Keys of a body that are needed unless another key says otherwise: no part of `required`.
-const CONDITIONAL: [(&str, &[&str]); 2] = [
-    ("disk", &["gravity", "radius", "mass"]),
-    ("powder", &["height"]),
-];
-
-/// Body, key, and the word that another key must have for it.
-const ONLY_WITH: [(&str, &str, &str, &str); 9] = [
-    ("curling", "back_to_front", "model", "back-heavy"),
-    ("curling", "film_front", "model", "film"),
-    ("curling", "film_back", "model", "film"),
-    ("curling", "pivot", "model", "pivot-slide"),
-    ("curling", "scratch", "model", "scratch-guide"),
-    ("curling", "scratch_onset", "model", "scratch-guide"),
-    ("powder", "order", "solver", "gauss-seidel"),
-    ("powder", "stop", "solver", "gauss-seidel"),
-    ("tip", "load", "hold", "level"),
-];
 
 /// The schema of scenes of one body, or of all.
 ///
@@ -67,7 +49,7 @@ fn branch(known: &Vocabulary) -> Map<String, Value> {
     branch.insert("properties".into(), properties.into());
     branch.insert("required".into(), required(known).into());
     branch.insert("additionalProperties".into(), false.into());
-    let conditions = conditions(known.body);
+    let conditions = conditions(known.keys);
     if !conditions.is_empty() {
         branch.insert("allOf".into(), conditions.into());
     }
@@ -123,37 +105,34 @@ fn short(x: f64) -> Value {
 
 /// Keys that every scene of the body must have, in the order of the documentation.
 fn required(known: &Vocabulary) -> Vec<&'static str> {
-    let is_conditional = |name: &str| {
-        let mut all = CONDITIONAL.iter();
-        all.any(|(body, names)| *body == known.body && names.contains(&name))
-    };
-    let least = || known.least.iter().map(|(name, _)| *name);
-    let mut required: Vec<_> = least()
-        .filter(|name| *name != "body" && !is_conditional(name))
-        .collect();
-    required.extend(least().filter(|name| *name == "body"));
-    required
+    let needed = known.keys.iter().filter(|key| key.need == Need::Required);
+    let body = (known.body != DEFAULT_BODY).then_some("body");
+    needed.map(|key| key.name).chain(body).collect()
 }
 
 /// What keys say about each other.
-fn conditions(body: &str) -> Vec<Value> {
-    let mut conditions: Vec<Value> = ONLY_WITH
-        .iter()
-        .filter(|(of, ..)| *of == body)
-        .map(|(_, key, other, word)| json!({"if": says(other, word), "else": {"properties": {*key: false}}}))
-        .collect();
-    match body {
-        "disk" => conditions.push(json!({
-            "if": says("units", "dimensionless"),
-            "then": {"properties": {"gravity": {"const": 1}, "radius": {"const": 1}, "mass": {"const": 1}}},
-            "else": {"required": ["gravity", "radius", "mass"]}
-        })),
-        "powder" => conditions.push(json!({
-            "oneOf": [{"required": ["height"]}, {"required": ["count"]}]
-        })),
-        _ => {}
-    }
-    conditions
+fn conditions(keys: &[Key]) -> Vec<Value> {
+    let condition = |key: &Key| {
+        let name = key.name;
+        match key.need {
+            Need::Required | Need::Optional => None,
+            Need::UnlessGiven(other) => Some(json!({
+                "oneOf": [{"required": [name]}, {"required": [other]}]
+            })),
+            Need::UnitWith(other, word) => Some(json!({
+                "if": says(other, word),
+                "then": {"properties": {name: {"const": 1}}},
+                "else": {"required": [name]}
+            })),
+            Need::PartOf(other, word) | Need::OnlyWith(other, word) => Some(json!({
+                "if": says(other, word), "else": {"properties": {name: false}}
+            })),
+            Need::NotWith(other, word) => Some(json!({
+                "if": says(other, word), "then": {"properties": {name: false}}
+            })),
+        }
+    };
+    keys.iter().filter_map(condition).collect()
 }
 
 /// True of scenes in which a key has this word.

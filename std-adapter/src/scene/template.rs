@@ -1,8 +1,8 @@
 //! Commented scene files with every key of their body.
 
-use super::key::{Domain, Key};
+use super::key::{Domain, Key, Need};
 use super::parse_scene;
-use super::vocabulary::{Vocabulary, given, resolved, vocabulary};
+use super::vocabulary::{Vocabulary, bodies, given, resolved, vocabulary};
 use serde_json::Value;
 
 /// A scene of a body with all of its keys: those that must be given have plausible values, the
@@ -22,8 +22,8 @@ pub fn template(known: &Vocabulary) -> String {
         "# A scene with body = \"{}\": values are examples, lines that begin with # are defaults.\n\n",
         known.body
     );
-    for (name, value) in known.least {
-        let comment = known.keys.iter().find(|key| key.name == *name).map(comment);
+    for (name, value) in known.least() {
+        let comment = known.keys.iter().find(|key| key.name == name).map(comment);
         text += &line(&format!("{name} = {value}"), &comment.unwrap_or_default());
     }
     with_all_keys(&text)
@@ -66,11 +66,13 @@ pub fn with_all_keys(text: &str) -> String {
 ///
 /// ```
 /// use tribos::scene::{Domain, SliderScene, toml_value};
-/// let [speed, counted] = [&SliderScene::KEYS[0], &SliderScene::KEYS[13]];
+/// let key = |name| SliderScene::KEYS.iter().find(|key| key.name == name).ok_or("no key");
+/// let [speed, counted] = [key("speed")?, key("samples")?];
 /// assert!(matches!(counted.domain, Domain::Count { .. }));
 /// assert_eq!(toml_value(speed, &2.into()), Some("2.0".into())); // TOML tells 2.0 from 2
 /// assert_eq!(toml_value(counted, &200.into()), Some("200".into()));
 /// assert_eq!(toml_value(speed, &serde_json::Value::Null), None);
+/// # Ok::<(), &str>(())
 /// ```
 pub fn toml_value(key: &Key, value: &Value) -> Option<String> {
     match (value, key.domain) {
@@ -79,6 +81,50 @@ pub fn toml_value(key: &Key, value: &Value) -> Option<String> {
         (Value::Number(number), _) => number.as_f64().map(|x| format!("{x:?}")),
         _ => None,
     }
+}
+
+/// The keys of all bodies as a page of tables in Markdown: `docs/keys.md`.
+///
+/// ```
+/// let page = tribos::scene::keys_page();
+/// assert!(page.contains("## body = \"powder\"") && page.contains("| `pressure` | F_coh/R^2 |"));
+/// ```
+pub fn keys_page() -> String {
+    let mut page = String::from(
+        "# Keys of scene files\n\nMade from the tables that the reader uses. A key without a default that is not \
+         required is off, or chosen, where it is left out.\n",
+    );
+    for known in bodies().filter_map(vocabulary) {
+        page += &format!("\n## body = \"{}\"\n\n", known.body);
+        page += "| key | unit | meaning | value | default |\n|---|---|---|---|---|\n";
+        let defaults = known.defaults();
+        for key in known.keys.iter().filter(|key| key.name != "body") {
+            let default = defaults.get(key.name);
+            let default = default.and_then(|value| toml_value(key, value));
+            let last = match (key.need, default) {
+                (_, Some(default)) => format!("`{default}`"),
+                (Need::Required, None) => "required".into(),
+                (Need::UnlessGiven(other), None) => format!("required unless `{other}` is given"),
+                (Need::UnitWith(other, word), None) => {
+                    format!("required; 1 with {other} = \"{word}\"")
+                }
+                _ => String::new(),
+            };
+            let (meaning, domain) = (key.meaning, key.domain.describe());
+            let row = [
+                &format!("`{}`", key.name),
+                key.unit,
+                meaning,
+                &domain,
+                &last,
+            ];
+            page += &format!(
+                "| {} |\n",
+                row.map(|cell| cell.replace('|', "\\|")).join(" | ")
+            );
+        }
+    }
+    page
 }
 
 /// A setting with its comment in one column.
@@ -90,15 +136,15 @@ fn line(setting: &str, comment: &str) -> String {
 fn comment(key: &Key) -> String {
     let unit = match key.unit {
         "-" => String::new(),
-        unit => format!("{unit}; "),
+        unit => format!("[{unit}] "),
     };
-    format!("{unit}{}; {}", key.meaning, key.domain.describe())
+    format!("{unit}{} {}", key.meaning, key.domain.describe())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{LIBRARY, bodies};
+    use crate::scene::LIBRARY;
 
     /// Every commented setting that has a value, as a setting.
     fn uncommented(text: &str) -> String {
@@ -144,5 +190,18 @@ mod tests {
             let all = uncommented(&with_all_keys(scene.text));
             assert_eq!(resolved(scene.text), resolved(&all), "{all}");
         }
+    }
+
+    #[test]
+    fn the_page_of_keys_is_what_the_tables_say() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/keys.md");
+        if std::env::var_os("TRIBOS_WRITE_KEYS").is_some() {
+            std::fs::write(path, keys_page()).unwrap();
+        }
+        let page = std::fs::read_to_string(path).unwrap_or_default();
+        assert!(
+            page == keys_page(),
+            "run this test with TRIBOS_WRITE_KEYS=1 to write {path}"
+        );
     }
 }

@@ -1,9 +1,10 @@
 //! Which bodies there are, which keys each has, and the least that a scene of each must say.
 
-use super::body::BODY;
+use super::body::VOCABULARIES;
 use super::entries::Entries;
-use super::key::{Domain, Key};
-use super::{PlanarBody, PlanarScene, PowderScene, Scene, SliderScene, TipScene, parse_scene};
+use super::key::{Key, Need};
+use super::table::Table;
+use super::{DEFAULT_BODY, parse_scene, toml_value};
 use serde_json::{Map, Value};
 
 /// A body that scenes can be about.
@@ -20,14 +21,14 @@ use serde_json::{Map, Value};
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Vocabulary {
     /// Value of the key `body`.
     pub body: &'static str,
     /// Its keys, in the order of the documentation.
     pub keys: &'static [Key],
-    /// Keys and values, as TOML, of a scene that says as little as possible.
-    pub least: &'static [(&'static str, &'static str)],
+    /// The default scene, as JSON.
+    example: fn() -> Value,
 }
 
 /// The vocabulary of a body, if there is one of that name.
@@ -38,86 +39,56 @@ pub struct Vocabulary {
 /// # Ok::<(), &str>(())
 /// ```
 pub fn vocabulary(body: &str) -> Option<Vocabulary> {
-    let body = bodies().find(|&known| known == body)?;
-    let keys = match body {
-        "disk" => SliderScene::KEYS,
-        "powder" => PowderScene::KEYS,
-        "tip" => TipScene::KEYS,
-        _ => PlanarScene::keys(body)?,
-    };
-    Some(Vocabulary {
-        body,
-        keys,
-        least: least(body),
-    })
+    VOCABULARIES
+        .iter()
+        .copied()
+        .find(|known| known.body == body)
 }
 
 /// All bodies, the default one first.
 pub fn bodies() -> impl Iterator<Item = &'static str> {
-    let words: &'static [&'static str] = match BODY.domain {
-        Domain::OneOf(words) => words,
-        _ => &[],
-    };
-    words.iter().copied()
-}
-
-/// A scene of each body that leaves out what may be left out.
-fn least(body: &str) -> &'static [(&'static str, &'static str)] {
-    match body {
-        "disk" => &[
-            ("speed", "1.0"),
-            ("spin", "5.0"),
-            ("coefficient", "0.3"),
-            ("alpha", "0.0"),
-            ("gravity", "9.81"),
-            ("radius", "0.08"),
-            ("mass", "0.1"),
-            ("inertia_ratio", "0.5"),
-        ],
-        "cylinder" => &[
-            ("body", "\"cylinder\""),
-            ("speed", "1.0"),
-            ("spin", "5.0"),
-            ("coefficient", "0.2"),
-            ("gravity", "9.81"),
-            ("radius", "0.08"),
-            ("height", "0.16"),
-            ("mass", "1.0"),
-        ],
-        "pipe" => &[
-            ("body", "\"pipe\""),
-            ("speed", "1.74"),
-            ("spin", "10.2"),
-            ("coefficient", "0.2"),
-            ("gravity", "9.81"),
-            ("radius", "0.05"),
-            ("inner_radius", "0.046"),
-            ("height", "0.15"),
-            ("mass", "0.5"),
-        ],
-        "curling" => &[("body", "\"curling\""), ("speed", "2.0"), ("spin", "1.5")],
-        "powder" => &[("body", "\"powder\""), ("width", "20"), ("height", "61.5")],
-        "tip" => &[("body", "\"tip\""), ("lambda", "0.017")],
-        _ => &[],
-    }
+    VOCABULARIES.iter().map(|known| known.body)
 }
 
 impl Vocabulary {
+    /// That of a table.
+    pub(super) const fn of<T: Table>() -> Self {
+        Self {
+            body: T::BODY,
+            keys: T::TABLE,
+            example: || T::default().values(),
+        }
+    }
+
+    /// Keys that a file must give, with the values of the default scene as TOML.
+    pub fn least(&self) -> Vec<(&'static str, String)> {
+        let values = (self.example)();
+        let is_needed = |key: &&Key| match key.need {
+            Need::Required | Need::UnlessGiven(_) | Need::UnitWith(..) => true,
+            _ => key.name == "body" && self.body != DEFAULT_BODY,
+        };
+        let keys = self.keys.iter().filter(is_needed);
+        let setting = |key: &'static Key| Some((key.name, toml_value(key, &values[key.name])?));
+        keys.filter_map(setting).collect()
+    }
+
     /// The least scene as a file.
     pub fn least_text(&self) -> String {
-        let lines = self
-            .least
-            .iter()
-            .map(|(key, value)| format!("{key} = {value}\n"));
-        lines.collect()
+        let least = self.least().into_iter();
+        least
+            .map(|(key, value)| format!("{key} = {value}\n"))
+            .collect()
     }
 
     /// Values that keys have where they are left out of the least scene. Keys whose absence means
     /// that something is chosen or switched off are not there.
     pub fn defaults(&self) -> Map<String, Value> {
-        let mut values = resolved(&self.least_text());
+        let Value::Object(mut values) = (self.example)() else {
+            return Map::new();
+        };
+        let least = self.least();
         values.retain(|name, value| {
-            !value.is_null() && !self.least.iter().any(|(given, _)| given == name)
+            !value.is_null() && !least.iter().any(|(given, _)| given == name)
         });
         values
     }
@@ -137,32 +108,6 @@ pub(super) fn given(text: &str) -> Vec<String> {
     entries.unwrap_or_default().into_keys().collect()
 }
 
-impl Scene {
-    /// What it is about: the value of the key `body`.
-    pub fn body(&self) -> &'static str {
-        match self {
-            Self::Disk(_) => "disk",
-            Self::Planar(scene) => match scene.body {
-                PlanarBody::Cylinder(_) => "cylinder",
-                PlanarBody::Pipe(_) => "pipe",
-                PlanarBody::Curling(..) => "curling",
-            },
-            Self::Powder(_) => "powder",
-            Self::Tip(_) => "tip",
-        }
-    }
-
-    /// The scene with everything that was left to defaults, as JSON; null for what is off.
-    pub fn json(&self) -> Value {
-        match self {
-            Self::Disk(scene) => scene.json(),
-            Self::Planar(scene) => scene.json(),
-            Self::Powder(scene) => scene.json(),
-            Self::Tip(scene) => scene.json(),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -173,15 +118,16 @@ mod tests {
             let known = vocabulary(body).unwrap();
             let scene = parse_scene(body, &known.least_text(), &[]);
             assert_eq!(scene.unwrap().body(), body);
-            for (left_out, _) in known.least.iter().filter(|(key, _)| *key != "body") {
-                let rest = known.least.iter().filter(|(key, _)| key != left_out);
+            let least = known.least();
+            for (left_out, _) in least.iter().filter(|(key, _)| *key != "body") {
+                let rest = least.iter().filter(|(key, _)| key != left_out);
                 let text: String = rest
                     .map(|(key, value)| format!("{key}={value}\n"))
                     .collect();
                 assert!(parse_scene(body, &text, &[]).is_err(), "{body}: {left_out}");
             }
         }
-        assert_eq!(vocabulary("brick"), None);
+        assert!(vocabulary("brick").is_none());
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! How the friction of a sliding body is evaluated, and what that costs.
 
 use super::SlideError;
-use super::path::resistance;
+use super::planar::Resistance;
 use crate::friction::{Evaluation, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
-use crate::scene::{PlanarBody, PlanarScene, SliderScene};
+use crate::scene::SliderScene;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 use tribos_core::coupling::table::Coulomb;
@@ -12,10 +12,9 @@ use tribos_core::coupling::{Coupling, ReducedWrench};
 /// Cost of one evaluation. *Units*: s on one core of this machine.
 ///
 /// ```
-/// use tribos::scene::{parse_slider, vocabulary};
+/// use tribos::scene::SliderScene;
 /// use tribos::slide::EvaluationCost;
-/// let disk = vocabulary("disk").ok_or("no disk")?.least_text();
-/// let cost: EvaluationCost = parse_slider("disk.toml", &disk, &[])?.evaluation_cost()?;
+/// let cost: EvaluationCost = SliderScene::default().evaluation_cost()?;
 /// assert!(cost.seconds > 0.0 && cost.seconds < 1e-3);
 /// assert!(cost.table_seconds > 0.0); // for comparison
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -32,14 +31,12 @@ impl SliderScene {
     /// What an evaluation of force and torque consists of.
     ///
     /// ```
-    /// use tribos::friction::Evaluation;
-    /// use tribos::scene::{parse_slider, vocabulary};
-    /// let text = vocabulary("disk").ok_or("no disk")?.least_text();
-    /// let evaluation = |alpha: &str| parse_slider("disk", &text, &[alpha.into()]).map(|s| s.evaluation());
-    /// assert_eq!(evaluation("alpha=0")??, Evaluation::TableInProgram);
-    /// assert_eq!(evaluation("alpha=-0.5")??, Evaluation::TableMade);
-    /// assert_eq!(evaluation("alpha=20")??, Evaluation::Series);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// use tribos::{friction::Evaluation, scene::SliderScene};
+    /// let evaluation = |alpha| SliderScene { alpha, ..SliderScene::default() }.evaluation();
+    /// assert_eq!(evaluation(0.0)?, Evaluation::TableInProgram);
+    /// assert_eq!(evaluation(-0.5)?, Evaluation::TableMade);
+    /// assert_eq!(evaluation(20.0)?, Evaluation::Series);
+    /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
     pub fn evaluation(&self) -> Result<Evaluation, SlideError> {
         of_law(&Patch::Disk, &self.law()?)
@@ -53,8 +50,8 @@ impl SliderScene {
     }
 }
 
-/// The evaluation of a law in the tier that is chosen for it.
-fn of_law(patch: &Patch, law: &Law) -> Result<Evaluation, SlideError> {
+/// What an evaluation of a law consists of in the tier that is chosen for it.
+pub(crate) fn of_law(patch: &Patch, law: &Law) -> Result<Evaluation, SlideError> {
     Ok(Tier::serving::<f64>(patch, law, None)?.evaluation(patch, law))
 }
 
@@ -68,45 +65,12 @@ impl Visitor<f64> for Timed {
     }
 }
 
-impl PlanarScene {
-    /// What an evaluation of force and torque consists of.
-    ///
-    /// ```
-    /// use tribos::friction::Evaluation;
-    /// use tribos::scene::{Scene, parse_scene, vocabulary};
-    /// let text = vocabulary("cylinder").ok_or("no cylinder")?.least_text();
-    /// let parsed = parse_scene("cylinder.toml", &text, &["pressure=hertz".into()])?;
-    /// let Scene::Planar(scene) = parsed else { unreachable!() };
-    /// assert_eq!(scene.evaluation()?, Evaluation::TableMade);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn evaluation(&self) -> Result<Evaluation, SlideError> {
-        match &self.body {
-            PlanarBody::Cylinder(cylinder) => {
-                let law = Law::power(cylinder.coefficient, cylinder.alpha)?;
-                of_law(&cylinder.pressure.into(), &law)
-            }
-            PlanarBody::Pipe(pipe) => {
-                let law = Law::power(pipe.coefficient, pipe.alpha)?;
-                of_law(&Patch::band(pipe.inner_ratio), &law)
-            }
-            PlanarBody::Curling(_, model) if model.name() == "film" => Ok(Evaluation::RingRule {
-                points: super::curling::RING_POINTS,
-            }),
-            // Every law of ice is a power that has tables.
-            PlanarBody::Curling(rock, _) => of_law(&rock.patch(), &Law::coulomb(1.0)?),
-        }
-    }
-
-    /// Times evaluations over a mix of speeds, a tenth of a second long. *Accuracy*: a few per cent of
-    /// the ratio, some ten of the times.
-    pub fn evaluation_cost(&self) -> Result<EvaluationCost, SlideError> {
-        let body = resistance(self)?;
-        Ok(timed(&|v, w| {
-            let [force, _, torque] = body.deceleration([v, 0.0, w]);
-            [force, torque]
-        }))
-    }
+/// The cost of a body's resistance, with the lateral force and the leaning pressure.
+pub(super) fn resistance_cost(body: &dyn Resistance) -> EvaluationCost {
+    timed(&|v, w| {
+        let [force, _, torque] = body.deceleration([v, 0.0, w]);
+        [force, torque]
+    })
 }
 
 /// Evaluations that are timed at once, over ratios of the speeds from 1/17 to 17.
@@ -174,14 +138,12 @@ fn pass(evaluate: Evaluated<'_>, passes: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Scene, parse_scene, vocabulary};
+    use crate::scene::{CurlingScene, CylinderScene, IceModel, PipeScene};
+    use crate::slide::PlanarScene;
 
     #[test]
     fn a_table_costs_as_much_as_itself() {
-        let text = vocabulary("disk").unwrap().least_text();
-        let Scene::Disk(scene) = parse_scene("disk", &text, &[]).unwrap() else {
-            unreachable!("a disk")
-        };
+        let scene = SliderScene::default();
         // On a busy machine a measurement may go wrong, three of them do not.
         let ratio = || {
             let cost = scene.evaluation_cost().unwrap();
@@ -196,35 +158,45 @@ mod tests {
 
     #[test]
     fn every_body_says_where_its_friction_comes_from_and_can_be_timed() {
-        for (body, keys, expected) in [
-            ("disk", "", Evaluation::TableInProgram),
-            ("disk", "alpha=0.5", Evaluation::TableMade),
-            ("disk", "alpha=20", Evaluation::Series),
-            ("cylinder", "", Evaluation::TableInProgram),
-            ("cylinder", "pressure=hertz", Evaluation::TableMade),
-            ("pipe", "", Evaluation::TwoTables),
-            ("pipe", "inner_radius=0.05", Evaluation::TableMade),
-            ("curling", "", Evaluation::TableMade),
-            (
-                "curling",
-                "model=film",
-                Evaluation::RingRule { points: 256 },
-            ),
+        for (alpha, expected) in [
+            (0.0, Evaluation::TableInProgram),
+            (0.5, Evaluation::TableMade),
+            (20.0, Evaluation::Series),
         ] {
-            let overrides: Vec<String> = keys.split_whitespace().map(String::from).collect();
-            let text = vocabulary(body).unwrap().least_text();
-            let (evaluation, cost) = match parse_scene(body, &text, &overrides).unwrap() {
-                Scene::Disk(scene) => (
-                    scene.evaluation().unwrap(),
-                    scene.evaluation_cost().unwrap(),
-                ),
-                Scene::Planar(scene) => (
-                    scene.evaluation().unwrap(),
-                    scene.evaluation_cost().unwrap(),
-                ),
-                _ => unreachable!("a sliding body"),
+            let disk = SliderScene {
+                alpha,
+                ..SliderScene::default()
             };
-            assert_eq!(evaluation, expected, "{body} {keys}");
+            assert_eq!(disk.evaluation().unwrap(), expected);
+            let cost = disk.evaluation_cost().unwrap();
+            assert!(cost.seconds > 0.0 && cost.seconds < 1e-3, "{cost:?}");
+        }
+        let cylinder = CylinderScene::default();
+        let hertz = CylinderScene {
+            pressure: FootPressure::Hertz,
+            ..cylinder
+        };
+        let pipe = PipeScene::default();
+        let thin = PipeScene {
+            inner_radius: pipe.radius,
+            ..pipe
+        };
+        let rock = CurlingScene::default();
+        let film = CurlingScene {
+            model: IceModel::Film,
+            ..rock
+        };
+        let scenes: [(&dyn PlanarScene, Evaluation); 6] = [
+            (&cylinder, Evaluation::TableInProgram),
+            (&hertz, Evaluation::TableMade),
+            (&pipe, Evaluation::TwoTables),
+            (&thin, Evaluation::TableMade),
+            (&rock, Evaluation::TableMade),
+            (&film, Evaluation::RingRule { points: 256 }),
+        ];
+        for (scene, expected) in scenes {
+            assert_eq!(scene.evaluation().unwrap(), expected, "{scene:?}");
+            let cost = scene.evaluation_cost().unwrap();
             assert!(cost.seconds > 0.0 && cost.seconds < 1e-3, "{cost:?}");
         }
     }

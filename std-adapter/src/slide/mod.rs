@@ -12,14 +12,15 @@ mod spent;
 
 pub use any_law::run_law;
 pub use cost::EvaluationCost;
+pub(crate) use cost::of_law;
 pub use outcome::{Ending, Outcome};
-pub use path::{PATH_COLUMNS, PathOutcome, PathRun, run_path};
+pub use path::{PATH_COLUMNS, PathOutcome, PathRun, PlanarCourse, PlanarScene, run_path};
 pub use simulation::{COLUMNS, SlideSimulation};
 pub use spent::Spent;
 
 use crate::friction::{Law, Patch, Refusal, RoundPower, Tier, Visitor, visit_disk};
 use crate::run::drive;
-use crate::scene::SliderScene;
+use crate::scene::{InvalidScene, SliderScene};
 use tribos_core::coupling::FrictionError;
 use tribos_core::law::LawError;
 use tribos_core::modes::InertiaError;
@@ -29,15 +30,17 @@ use tribos_core::slider::SliderError;
 /// Why a validated scene could not be run to its end.
 ///
 /// ```
-/// use tribos::scene::{parse_slider, vocabulary};
+/// use tribos::scene::SliderScene;
 /// use tribos::slide::{SlideError, run};
-/// let text = vocabulary("disk").ok_or("no disk")?.least_text(); // at rest after 0.4 s
-/// let scene = parse_slider("disk.toml", &text, &["time_step=1e-12".into()])?;
+/// // A disk that is at rest after 0.4 s.
+/// let scene = SliderScene { time_step: Some(1e-12), ..SliderScene::default() };
 /// assert!(matches!(run(&scene, |_| ()), Err(SlideError::TooManySteps { .. })));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, thiserror::Error)]
 pub enum SlideError {
+    /// A field of the scene is wrong.
+    #[error(transparent)]
+    Scene(#[from] InvalidScene),
     /// A step this short needs too many of them.
     #[error(
         "a time_step of {time_step} s needs {steps:.3e} steps, more than {most:.0e}; \
@@ -131,10 +134,9 @@ fn energy_at_launch(energy: f64) -> Result<f64, SlideError> {
 /// Everything a run of one slider gives.
 ///
 /// ```
-/// use tribos::scene::{parse_slider, vocabulary};
+/// use tribos::scene::SliderScene;
 /// use tribos::slide::{SlideRun, run};
-/// let text = vocabulary("disk").ok_or("no disk")?.least_text();
-/// let SlideRun { series, outcome } = run(&parse_slider("disk.toml", &text, &[])?, |_| ())?;
+/// let SlideRun { series, outcome } = run(&SliderScene::default(), |_| ())?;
 /// assert_eq!(series.len() as u64, outcome.steps + 1);
 /// for [.., kinetic, dissipated] in series {
 ///     let sum = kinetic + dissipated; // stays what it was at the launch
@@ -153,10 +155,8 @@ pub struct SlideRun {
 /// Runs a scene to its end; `progress` sees the fraction done after every step.
 ///
 /// ```
-/// use tribos::{scene::parse_slider, slide::run};
-/// let text = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0\ngravity = 9.81\n\
-///             radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5";
-/// let scene = parse_slider("disk.toml", text, &["spin=0".into()])?;
+/// use tribos::{scene::SliderScene, slide::run};
+/// let scene = SliderScene { speed: 1.0, spin: 0.0, coefficient: 0.3, ..SliderScene::default() };
 /// let result = run(&scene, |_| ())?;
 /// assert!((result.outcome.distance - 1.0 / (2.0 * 0.3 * 9.81)).abs() < 1e-13);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -20,10 +20,9 @@ pub enum Ending {
 ///
 /// ```
 /// use tribos::kernel::modes::FinalMode;
-/// use tribos::scene::{parse_slider, vocabulary};
+/// use tribos::scene::SliderScene;
 /// use tribos::slide::{Ending, Outcome, run};
-/// let text = vocabulary("disk").ok_or("no disk")?.least_text(); // 1 m/s, 5 rad/s, 8 cm, 0.1 kg
-/// let scene = parse_slider("disk.toml", &text, &[])?;
+/// let scene = SliderScene::default(); // 1 m/s, 5 rad/s, 8 cm, 0.1 kg
 /// let end: Outcome = run(&scene, |_| ())?.outcome;
 /// assert_eq!(end.ending, Ending::Rest);
 /// // A disk under Coulomb friction stops at v = 0.653 ωR, whatever the launch.

@@ -63,10 +63,9 @@ enum StepLength {
 /// ```
 /// use tribos::kernel::coupling::table::Coulomb;
 /// use tribos::run::Simulation;
-/// use tribos::scene::{parse_slider, vocabulary};
+/// use tribos::scene::SliderScene;
 /// use tribos::slide::{COLUMNS, Ending, SlideSimulation};
-/// let text = vocabulary("disk").ok_or("no disk")?.least_text();
-/// let mut disk = SlideSimulation::new(Coulomb, &parse_slider("disk.toml", &text, &[])?)?;
+/// let mut disk = SlideSimulation::new(Coulomb, &SliderScene::default())?;
 /// assert_eq!(COLUMNS[1..3], ["speed", "spin"]);
 /// let mut before = disk.record();
 /// while disk.step()? {
@@ -98,6 +97,7 @@ pub struct SlideSimulation<P> {
 impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
     /// Prepares a run; the whole motion is scouted once to choose and check the step.
     pub fn new(profile: P, scene: &SliderScene) -> Result<Self, SlideError> {
+        scene.check()?;
         let deceleration = scene.coefficient * scene.gravity;
         let slider = Slider::new(
             profile,

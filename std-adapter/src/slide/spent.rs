@@ -9,10 +9,8 @@ use crate::scene::SliderScene;
 /// slows the sliding, that of the torque the spin.
 ///
 /// ```
-/// use tribos::{scene::parse_slider, slide::{Spent, run}};
-/// let text = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0\ngravity = 9.81\n\
-///             radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5";
-/// let scene = parse_slider("disk.toml", text, &[])?;
+/// use tribos::{scene::SliderScene, slide::{Spent, run}};
+/// let scene = SliderScene { speed: 1.0, spin: 5.0, radius: 0.08, mass: 0.1, ..SliderScene::default() };
 /// let spent: Spent = run(&scene, |_| ())?.spent(&scene);
 /// assert!((spent.sliding - 0.05).abs() < 1e-12); // m v²/2
 /// assert!((spent.spinning - 0.004).abs() < 1e-12); // m R² ω²/4

@@ -7,7 +7,7 @@ use crate::md::group::{Group, Hold};
 use crate::md::pair::{LennardJones, LennardJonesError, Mixing, Pairing};
 use crate::md::system::Setup;
 use crate::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat, ThermostatError};
-use crate::scene::{Bath, Lift, Reading, TipScene};
+use crate::scene::{BathKind, BathSpin, DrivenHold, InvalidScene, Reading, TipScene};
 use crate::space::{PeriodicBox, PeriodicBoxError};
 use nalgebra::Vector3;
 
@@ -15,8 +15,11 @@ use nalgebra::Vector3;
 const FIRST: u64 = u64::MAX;
 
 /// A tip that cannot be built.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BuildError {
+    /// A field of the scene is wrong.
+    #[error(transparent)]
+    Scene(#[from] InvalidScene),
     /// The box.
     #[error(transparent)]
     Space(#[from] PeriodicBoxError),
@@ -40,11 +43,17 @@ pub struct TipSystem {
 /// Builds the system of a scene.
 ///
 /// ```
-/// use tribos::scene::{Scene, parse_scene};
+/// use tribos::scene::TipScene;
 /// use tribos::tip::{BuildError, Part, TipSystem, build};
-/// let text = "body = \"tip\"\nlambda = 0.01\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
-///             tip_layers = 4\nside = 2";
-/// let Scene::Tip(mut scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+/// let mut scene = TipScene {
+///     lambda: 0.01,
+///     columns: 8,
+///     rows: 8,
+///     substrate_layers: 4,
+///     tip_layers: 4,
+///     side: 2,
+///     ..TipScene::default()
+/// };
 /// let TipSystem { setup, layer_of } = build(&scene)?;
 /// assert_eq!(layer_of.last(), Some(&7)); // the highest of eight layers
 /// // The lowest layers are held, and all driven atoms have the angular acceleration λ.
@@ -53,12 +62,13 @@ pub struct TipSystem {
 /// assert_eq!(base.count(), 2 * 8 * 8);
 /// assert_eq!(setup.drive.map(|drive| drive.acceleration), Some(0.01));
 /// scene.cutoff = 0.0; // no potential
-/// assert!(matches!(build(&scene), Err(BuildError::Potential(_))));
+/// assert!(matches!(build(&scene), Err(BuildError::Scene(_))));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn build(scene: &TipScene) -> Result<TipSystem, BuildError> {
-    let sites = scene.shape.sites();
-    let [x, y] = scene.shape.periods();
+    scene.check()?;
+    let shape = scene.shape();
+    let (sites, [x, y]) = (shape.sites(), shape.periods());
     let groups = groups(scene)?;
     let mut atoms = atoms(scene, &sites);
     let number = |part: Part| Part::ALL.iter().position(|&other| other == part);
@@ -121,7 +131,7 @@ fn potential(scene: &TipScene) -> Result<LennardJones, LennardJonesError> {
 
 /// Groups in the order of their parts.
 fn groups(scene: &TipScene) -> Result<Vec<Group>, ThermostatError> {
-    let axis = scene.shape.axis();
+    let axis = scene.shape().axis();
     let of_part = |part: Part| {
         let mut group = Group::default();
         match part {
@@ -131,9 +141,9 @@ fn groups(scene: &TipScene) -> Result<Vec<Group>, ThermostatError> {
             Part::Surface | Part::Apex => {}
             Part::Driven => {
                 group.damping = scene.damping;
-                (group.hold, group.load) = match scene.lift {
-                    Lift::Fixed => (Hold::Plane, 0.0),
-                    Lift::Loaded(force) => (Hold::Level, force),
+                (group.hold, group.load) = match scene.hold {
+                    DrivenHold::Plane => (Hold::Plane, 0.0),
+                    DrivenHold::Level => (Hold::Level, scene.lift()),
                 };
             }
         }
@@ -143,18 +153,17 @@ fn groups(scene: &TipScene) -> Result<Vec<Group>, ThermostatError> {
 }
 
 fn thermostat(scene: &TipScene, wanted: Spin) -> Result<Thermostat, ThermostatError> {
-    Ok(match scene.bath {
-        Bath::NoseHoover {
-            relaxation,
-            spares_spin,
-        } => {
-            let spin = if spares_spin { wanted } else { Spin::Counts };
-            Thermostat::NoseHoover(NoseHoover::new(scene.temperature, relaxation, spin)?)
+    let temperature = scene.temperature;
+    Ok(match scene.thermostat {
+        BathKind::NoseHoover => {
+            let spin = match scene.spin {
+                BathSpin::Spared => wanted,
+                BathSpin::Counts => Spin::Counts,
+            };
+            Thermostat::NoseHoover(NoseHoover::new(temperature, scene.relaxation, spin)?)
         }
-        Bath::Langevin(friction) => {
-            Thermostat::Langevin(Langevin::new(scene.temperature, friction)?)
-        }
-        Bath::None => Thermostat::None,
+        BathKind::Langevin => Thermostat::Langevin(Langevin::new(temperature, scene.friction)?),
+        BathKind::None => Thermostat::None,
     })
 }
 
@@ -174,7 +183,7 @@ fn warm(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms: &mut Atoms) 
 
 /// The torque of the second stage.
 pub(super) fn drive(scene: &TipScene, sites: &[Site]) -> TorqueDrive {
-    let axis = scene.shape.axis();
+    let axis = scene.shape().axis();
     let arm = |site: &Site| libm::hypot(site.place.x - axis[0], site.place.y - axis[1]);
     let arms = || {
         sites
@@ -187,12 +196,12 @@ pub(super) fn drive(scene: &TipScene, sites: &[Site]) -> TorqueDrive {
         Reading::Mean => arms().sum::<f64>() / arms().count() as f64,
         Reading::Largest => arms().fold(0.0, f64::max),
     };
-    let [before, with, _] = scene.stage_steps();
+    let steps = scene.stage_steps();
     TorqueDrive {
         axis,
         acceleration: scene.lambda / length,
-        from: before as f64 * scene.time_step,
-        until: (before + with) as f64 * scene.time_step,
+        from: steps.before as f64 * scene.time_step,
+        until: (steps.before + steps.driven) as f64 * scene.time_step,
         groups: vec![Part::ALL.len() - 1],
     }
 }

@@ -73,7 +73,7 @@ impl Checkpoint {
         };
         let places = |name: &str| Ok(vectors(&finite(name, 3 * atoms)?));
         let steps = value["steps"].as_u64().ok_or_else(|| damaged("steps"))?;
-        let last: u64 = scene.stage_steps().into_iter().sum();
+        let last: u64 = scene.stage_steps().total();
         if steps > last {
             return Err(damaged("steps"));
         }
@@ -94,7 +94,7 @@ impl Checkpoint {
                 reference: places("list")?,
                 thermostats: thermostats.as_chunks().0.to_vec(),
             },
-            angles: finite("angles", 1 + scene.shape.tip_layers)?,
+            angles: finite("angles", 1 + scene.tip_layers)?,
             work: finite("work", 1)?.first().copied().unwrap_or_default(),
             lines: table("lines", watch::lines(scene, steps))?,
             // One line at the start and one after every stretch of steps.

@@ -6,7 +6,7 @@ use super::shape::{Outline, Part};
 use crate::md::interaction::Wanted;
 use crate::md::system::System;
 use crate::run::RunSize;
-use crate::scene::{Bath, TipScene};
+use crate::scene::{BathKind, DrivenHold, StageSteps, TipScene};
 use crate::space::PeriodicBox;
 use crate::space::pairs::neighbours;
 use nalgebra::Vector3;
@@ -20,7 +20,7 @@ pub struct TipCost {
     /// Pairs within the cut-off in the crystal.
     pub pairs: usize,
     /// Steps before, with and after the drive.
-    pub steps: [u64; 3],
+    pub steps: StageSteps,
     /// Time of a step divided by the number of atoms.
     pub atom_step_seconds: f64,
 }
@@ -32,9 +32,9 @@ const TIMED: usize = 20;
 impl TipScene {
     /// Number of groups of atoms that a thermostat holds at the temperature.
     pub fn thermostat_groups(&self) -> usize {
-        match self.bath {
-            Bath::None => 0,
-            Bath::NoseHoover { .. } | Bath::Langevin(_) => 2,
+        match self.thermostat {
+            BathKind::None => 0,
+            BathKind::NoseHoover | BathKind::Langevin => 2,
         }
     }
 
@@ -46,8 +46,8 @@ impl TipScene {
             Part::Driven => 2,
             _ => 3,
         };
-        let sites = self.shape.sites();
-        let common = usize::from(matches!(self.lift, crate::scene::Lift::Loaded(_)));
+        let sites = self.shape().sites();
+        let common = usize::from(self.hold == DrivenHold::Level);
         sites.iter().map(|site| of(site.part)).sum::<usize>() + common
     }
 }
@@ -64,16 +64,12 @@ const SECONDS_AN_ATOM_STEP: f64 = 0.2e-6;
 /// of 1.5, of the time the order of magnitude.
 ///
 /// ```
-/// use tribos::scene::{Scene, parse_scene};
+/// use tribos::scene::TipScene;
 /// use tribos::tip::size;
-/// let Scene::Tip(scene) = parse_scene("tip.toml", "body = \"tip\"\nlambda = 0.017", &[])? else {
-///     unreachable!()
-/// };
-/// assert_eq!(size(&scene).bodies, 6330.0);
-/// # Ok::<(), tribos::scene::SceneError>(())
+/// assert_eq!(size(&TipScene::default()).bodies, 6330.0);
 /// ```
 pub fn size(scene: &TipScene) -> RunSize {
-    let shape = &scene.shape;
+    let shape = scene.shape();
     let [columns, rows, layers] =
         [shape.columns, shape.rows, shape.substrate_layers].map(|count| count as f64);
     // A hexagon of n atoms a side has 3n(n - 1) + 1.
@@ -86,7 +82,7 @@ pub fn size(scene: &TipScene) -> RunSize {
         .map(|layer| hexagon(side(layer) as f64))
         .sum();
     let bodies = columns * rows * layers + tip;
-    let steps: f64 = scene.stage_steps().iter().map(|&steps| steps as f64).sum();
+    let steps = scene.stage_steps().total() as f64;
     RunSize {
         bodies,
         bytes: bodies * BYTES_AN_ATOM,
@@ -97,16 +93,25 @@ pub fn size(scene: &TipScene) -> RunSize {
 /// Builds the system and times its first steps.
 ///
 /// ```
-/// use tribos::scene::{Scene, parse_scene};
+/// use tribos::scene::TipScene;
 /// use tribos::tip::{TipCost, cost};
-/// let text = "body = \"tip\"\nlambda = 0.01\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
-///             tip_layers = 4\nside = 2\nequilibration = 50\ndrive_time = 1\nrest_time = 100\n\
-///             time_step = 0.005";
-/// let Scene::Tip(scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+/// let scene = TipScene {
+///     lambda: 0.01,
+///     columns: 8,
+///     rows: 8,
+///     substrate_layers: 4,
+///     tip_layers: 4,
+///     side: 2,
+///     equilibration: 50.0,
+///     drive_time: 1.0,
+///     rest_time: 100.0,
+///     time_step: 0.005,
+///     ..TipScene::default()
+/// };
 /// let told: TipCost = cost(&scene)?;
 /// // Two layers of 8 × 8 atoms a part below, two hexagons of 7 a part above.
 /// assert_eq!(told.atoms, [128, 128, 0, 0, 14, 14]);
-/// assert_eq!(told.steps, [10_000, 200, 20_000]);
+/// assert_eq!(told.steps.total(), 10_000 + 200 + 20_000);
 /// assert_eq!(told.atom_steps(), 284.0 * 30_200.0);
 /// assert_eq!(told.seconds(), told.atom_steps() * told.atom_step_seconds);
 /// // Driven atoms move in a plane, those of the base not at all; two groups have a bath.
@@ -149,7 +154,7 @@ impl TipCost {
     pub fn atom_steps(&self) -> f64 {
         let [atoms, steps] = [
             self.atoms.iter().sum::<usize>() as f64,
-            self.steps.iter().sum::<u64>() as f64,
+            self.steps.total() as f64,
         ];
         atoms * steps
     }
@@ -169,19 +174,17 @@ fn pairs(positions: &[Vector3<f64>], space: &PeriodicBox, cutoff: f64) -> usize 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Scene, parse_scene};
+    use crate::scene::TipScene;
 
     #[test]
     fn atoms_pairs_and_steps_are_those_of_the_crystal() {
         let keys = "body = \"tip\"\nlambda = 0.01\ncolumns = 10\nrows = 12\nsubstrate_layers = 4\n\
                     tip_layers = 4\nside = 2\ncutoff = 1.2\ndrive_time = 1\n";
-        let Ok(Scene::Tip(scene)) = parse_scene("tip.toml", keys, &[]) else {
-            unreachable!("a tip")
-        };
+        let scene = TipScene::parse("tip.toml", keys, &[]).unwrap();
         let cost = cost(&scene).unwrap();
         // Two layers of 10 × 12 a part below, two hexagons of 7 atoms a part above.
         assert_eq!(cost.atoms, [240, 240, 0, 0, 14, 14]);
-        assert_eq!(cost.steps, [10_000, 200, 20_000]);
+        assert_eq!(cost.steps.total(), 10_000 + 200 + 20_000);
         // Nearest neighbours: 3 a site within a periodic layer and 3 to the next one; a hexagon of 7
         // has 12 pairs, two stacked ones share 15, or 10 where the stacking goes back by two steps, and
         // 21 go down to the substrate.

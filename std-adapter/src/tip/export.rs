@@ -8,7 +8,7 @@ use crate::md::lammps::data_file;
 use crate::md::pair::Shift;
 use crate::md::system::Integrator;
 use crate::record::number;
-use crate::scene::{Bath, Lift, TipScene};
+use crate::scene::{BathKind, DrivenHold, StageSteps, TipScene};
 use nalgebra::Vector3;
 
 /// Room above and below the atoms in the box of the files, in σ.
@@ -18,11 +18,17 @@ const ROOM: f64 = 10.0;
 ///
 /// ```
 /// use tribos::md::lammps::read_data;
-/// use tribos::scene::{Scene, parse_scene};
+/// use tribos::scene::TipScene;
 /// use tribos::tip::{build, export::{Export, data, start}};
-/// let text = "body = \"tip\"\nlambda = 0.01\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
-///             tip_layers = 4\nside = 2";
-/// let Scene::Tip(scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+/// let scene = TipScene {
+///     lambda: 0.01,
+///     columns: 8,
+///     rows: 8,
+///     substrate_layers: 4,
+///     tip_layers: 4,
+///     side: 2,
+///     ..TipScene::default()
+/// };
 /// let files: Export = start(&scene)?;
 /// assert!(files.script.contains("read_data tip.data"));
 /// // What is read is what Tribos starts from, to the bit.
@@ -60,7 +66,7 @@ pub fn data(
     parts: &[u8],
 ) -> String {
     let heights = || positions.iter().map(|place| place.z);
-    let [x, y] = scene.shape.periods();
+    let [x, y] = scene.shape().periods();
     data_file(&Configuration {
         atoms: Atoms {
             positions: positions.to_vec(),
@@ -87,7 +93,11 @@ pub fn data(
 
 /// The input script.
 fn script(scene: &TipScene) -> String {
-    let [before, with, after] = scene.stage_steps();
+    let StageSteps {
+        before,
+        driven,
+        after,
+    } = scene.stage_steps();
     let mut text = format!(
         "# A tip on a substrate, turned by a torque: written by tribos export.\n\
          # Types: 1 base, 2 substrate bath, 3 surface, 4 apex, 5 tip bath, 6 driven.\n\
@@ -104,7 +114,7 @@ fn script(scene: &TipScene) -> String {
     text += &motion(scene);
     text += &format!("timestep {}\nrun {before}\n\n", number(scene.time_step));
     text += &drive(scene);
-    text += &format!("run {with}\nunfix torque\nrun {after}\n");
+    text += &format!("run {driven}\nunfix torque\nrun {after}\n");
     text
 }
 
@@ -132,11 +142,11 @@ fn motion(scene: &TipScene) -> String {
     let seed = scene.seed % 900_000_000 + 1;
     let mut text = String::from("group baths type 2 5\ngroup plain subtract mobile baths\n");
     let plain = "fix move mobile nve\n";
-    text += &match scene.bath {
+    text += &match scene.thermostat {
         // At T = 0 it does nothing here, and LAMMPS refuses it.
-        Bath::NoseHoover { .. } if scene.temperature == 0.0 => plain.into(),
-        Bath::NoseHoover { relaxation, .. } => {
-            let relaxation = number(relaxation);
+        BathKind::NoseHoover if scene.temperature == 0.0 => plain.into(),
+        BathKind::NoseHoover => {
+            let relaxation = number(scene.relaxation);
             let fix = format!("nvt temp {temperature} {temperature} {relaxation} tchain 1");
             format!(
                 "# The rotation of the tip's bath counts as heat here: LAMMPS needs the package\n\
@@ -145,19 +155,19 @@ fn motion(scene: &TipScene) -> String {
                  fix move1 plain nve\nfix move2 subbath {fix}\nfix move3 tipbath {fix}\n"
             )
         }
-        Bath::Langevin(friction) => format!(
+        BathKind::Langevin => format!(
             "fix move mobile nve\n\
              fix noise baths langevin {temperature} {temperature} {} {seed}\n",
-            number(1.0 / friction)
+            number(1.0 / scene.friction)
         ),
-        Bath::None => plain.into(),
+        BathKind::None => plain.into(),
     };
-    text += &match scene.lift {
-        Lift::Fixed => "fix height driven setforce NULL NULL 0\n".to_owned(),
-        Lift::Loaded(force) => format!(
+    text += &match scene.hold {
+        DrivenHold::Plane => "fix height driven setforce NULL NULL 0\n".to_owned(),
+        DrivenHold::Level => format!(
             "# LAMMPS shares the load and the substrate's push among the driven atoms.\n\
              fix load driven addforce 0 0 {}\nfix level driven aveforce NULL NULL 0\n",
-            number(force)
+            number(scene.lift())
         ),
     };
     if scene.damping != 0.0 {
@@ -171,7 +181,7 @@ fn motion(scene: &TipScene) -> String {
 
 /// The same angular acceleration for all driven atoms.
 fn drive(scene: &TipScene) -> String {
-    let sites = scene.shape.sites();
+    let sites = scene.shape().sites();
     let drive = super::build::drive(scene, &sites);
     let [x, y] = drive.axis.map(number);
     let a = number(drive.acceleration);

@@ -7,7 +7,7 @@ impl TipRun {
     /// What all frames have in common, of which `limit` are kept at most. Atoms are balls that touch
     /// in the crystal.
     pub fn bodies(&self, limit: u64) -> Bodies {
-        let shape = &self.scene().shape;
+        let shape = self.scene().shape();
         Bodies {
             kind: Kind::Tip,
             scene: self.scene().json(),
@@ -24,21 +24,27 @@ impl TipRun {
     /// The present state.
     ///
     /// ```
-    /// use tribos::scene::{Scene, parse_scene};
+    /// use tribos::scene::TipScene;
     /// use tribos::tip::TipRun;
-    /// let text = "body = \"tip\"\nlambda = 0.01\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
-    ///             tip_layers = 4\nside = 2";
-    /// let Scene::Tip(scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+    /// let scene = TipScene {
+    ///     lambda: 0.01,
+    ///     columns: 8,
+    ///     rows: 8,
+    ///     substrate_layers: 4,
+    ///     tip_layers: 4,
+    ///     side: 2,
+    ///     ..TipScene::default()
+    /// };
     /// let run = TipRun::new(&scene)?;
     /// let (bodies, frame) = (run.bodies(100), run.frame());
     /// assert_eq!(bodies.radii.len(), frame.places.len());
     /// // Neighbours in the crystal touch, and nothing is turned before the drive.
-    /// assert_eq!(bodies.radii[0] + bodies.radii[1], scene.shape.spacing);
-    /// assert_eq!((frame.time, frame.measure), (-scene.stages[0], 0.0));
+    /// assert_eq!(bodies.radii[0] + bodies.radii[1], scene.spacing);
+    /// assert_eq!((frame.time, frame.measure), (-scene.equilibration, 0.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn frame(&self) -> Frame {
-        let [x, y] = self.scene().shape.periods();
+        let [x, y] = self.scene().shape().periods();
         let cell = self.system().space();
         let positions = &self.system().atoms().positions;
         let places: Vec<_> = positions.iter().map(|place| cell.wrap(place)).collect();

@@ -2,7 +2,7 @@
 
 use super::energy::DriveEnergy;
 use crate::record::json_number;
-use crate::scene::TipScene;
+use crate::scene::{StageSteps, TipScene};
 use serde_json::{Value, json};
 
 /// Column of the driven layers' angle.
@@ -49,13 +49,24 @@ pub struct Plateau {
 ///
 /// ```
 /// use tribos::run::drive;
-/// use tribos::scene::{Scene, parse_scene};
+/// use tribos::scene::TipScene;
 /// use tribos::tip::{Outcome, Plateau, TipRun, Verdict};
 /// // A weak torque for a moment: nothing can slip, nothing stays turned.
-/// let text = "body = \"tip\"\nlambda = 0.001\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
-///             tip_layers = 4\nside = 2\ntemperature = 0\nequilibration = 0\n\
-///             drive_time = 0.1\nrest_time = 0.1\ntime_step = 0.005\nsamples = 5";
-/// let Scene::Tip(scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+/// let scene = TipScene {
+///     lambda: 0.001,
+///     columns: 8,
+///     rows: 8,
+///     substrate_layers: 4,
+///     tip_layers: 4,
+///     side: 2,
+///     temperature: 0.0,
+///     equilibration: 0.0,
+///     drive_time: 0.1,
+///     rest_time: 0.1,
+///     time_step: 0.005,
+///     samples: 5,
+///     ..TipScene::default()
+/// };
 /// let mut run = TipRun::new(&scene)?;
 /// drive(&mut run, |_, _| ())?;
 /// let outcome: Outcome = run.outcome();
@@ -108,11 +119,15 @@ impl Outcome {
     /// Of what was measured.
     pub(super) fn of(scene: &TipScene, measured: &Measured) -> Self {
         let (series, layers) = (measured.lines, measured.layers);
-        let [before, with, after] = scene.stage_steps();
-        let off = with as f64 * scene.time_step;
-        let end = (with + after) as f64 * scene.time_step;
+        let StageSteps {
+            before,
+            driven,
+            after,
+        } = scene.stage_steps();
+        let off = driven as f64 * scene.time_step;
+        let end = (driven + after) as f64 * scene.time_step;
         let begin = -(before as f64) * scene.time_step;
-        let width = layers + scene.shape.tip_layers;
+        let width = layers + scene.tip_layers;
         let first = means(series, begin.max(-END), 0.0, width);
         let driven = means(series, (off - END).max(0.0), off, width);
         let last = means(series, (end - END).max(off), end, width);

@@ -42,13 +42,24 @@ pub enum TipError {
 ///
 /// ```
 /// use tribos::run::Simulation;
-/// use tribos::scene::{Scene, parse_scene};
+/// use tribos::scene::TipScene;
 /// use tribos::tip::{Part, TipError, TipRun, Verdict};
 /// // A cold tip that is pushed for a moment: too short for the lattice to push back.
-/// let text = "body = \"tip\"\nlambda = 0.01\ncolumns = 8\nrows = 8\nsubstrate_layers = 4\n\
-///             tip_layers = 4\nside = 2\ntemperature = 0\nequilibration = 0\n\
-///             drive_time = 0.04\nrest_time = 0\ntime_step = 0.005\nsamples = 4";
-/// let Scene::Tip(scene) = parse_scene("tip.toml", text, &[])? else { unreachable!() };
+/// let scene = TipScene {
+///     lambda: 0.01,
+///     columns: 8,
+///     rows: 8,
+///     substrate_layers: 4,
+///     tip_layers: 4,
+///     side: 2,
+///     temperature: 0.0,
+///     equilibration: 0.0,
+///     drive_time: 0.04,
+///     rest_time: 0.0,
+///     time_step: 0.005,
+///     samples: 4,
+///     ..TipScene::default()
+/// };
 /// let mut run = TipRun::new(&scene)?;
 /// run.step()?; // four steps of 0.005, to the next line of the series
 /// let free = 0.5 * scene.lambda * run.time() * run.time(); // angle = λt²/2
@@ -98,7 +109,7 @@ impl TipRun {
     pub fn resume(scene: &TipScene, text: &str) -> Result<Self, TipError> {
         let TipSystem { setup, layer_of } = build(scene)?;
         let mut watch = Watch::new(scene, &layer_of, &setup.atoms.positions);
-        let width = FIXED_COLUMNS.len() + scene.shape.tip_layers;
+        let width = FIXED_COLUMNS.len() + scene.tip_layers;
         let kept = Checkpoint::read(text, scene, layer_of.len(), width)?;
         watch.restore(&kept.angles, kept.work, kept.lines);
         Ok(Self {
@@ -146,7 +157,7 @@ impl TipRun {
     /// Names of the columns: times in τ from the start of the drive, angles in degrees, those of
     /// the tip's layers from below.
     pub fn columns(&self) -> Vec<String> {
-        let layers = 1..=self.scene.shape.tip_layers;
+        let layers = 1..=self.scene.tip_layers;
         let names = layers.map(|layer| format!("layer_{layer}"));
         FIXED_COLUMNS
             .map(String::from)
@@ -162,7 +173,7 @@ impl TipRun {
 
     /// Time since the drive was switched on, negative before.
     pub fn time(&self) -> f64 {
-        let [before, _, _] = self.scene.stage_steps();
+        let before = self.scene.stage_steps().before;
         (self.system.steps() as f64 - before as f64) * self.scene.time_step
     }
 
@@ -198,7 +209,7 @@ impl TipRun {
     }
 
     fn last_step(&self) -> u64 {
-        self.scene.stage_steps().into_iter().sum()
+        self.scene.stage_steps().total()
     }
 
     /// Adds a line to those lists that want one after this step.
@@ -247,7 +258,7 @@ impl TipRun {
 
     /// Torque of all other atoms on the driven ones about the axis, positive against the drive.
     fn resisting_torque(&self) -> f64 {
-        let [x0, y0] = self.scene.shape.axis();
+        let [x0, y0] = self.scene.shape().axis();
         let driven = self.system.members(Part::ALL.len() - 1);
         let part = |&atom: &usize| {
             let (place, force) = (

@@ -6,7 +6,7 @@ use crate::md::drive::TorqueDrive;
 use crate::md::observe::Torsion;
 use crate::md::pair::LennardJones;
 use crate::md::system::System;
-use crate::scene::TipScene;
+use crate::scene::{StageSteps, TipScene};
 use nalgebra::Vector3;
 
 /// Time from one line that averages are taken of to the next, in τ.
@@ -17,7 +17,14 @@ const LINES: u64 = 40;
 /// Steps from one line that averages are taken of to the next.
 pub(super) fn interval(scene: &TipScene) -> u64 {
     let usual = (INTERVAL / scene.time_step).round() as u64;
-    let stages = scene.stage_steps().into_iter().filter(|&steps| steps > 0);
+    let StageSteps {
+        before,
+        driven,
+        after,
+    } = scene.stage_steps();
+    let stages = [before, driven, after]
+        .into_iter()
+        .filter(|&steps| steps > 0);
     let shortest = stages.min().unwrap_or(u64::MAX);
     usual.min(shortest / LINES).max(1)
 }
@@ -25,7 +32,7 @@ pub(super) fn interval(scene: &TipScene) -> u64 {
 /// Number of lines after so many steps of a run: one at the start, one an interval, one at the end.
 pub(super) fn lines(scene: &TipScene, steps: u64) -> u64 {
     let every = interval(scene);
-    let last: u64 = scene.stage_steps().into_iter().sum();
+    let last: u64 = scene.stage_steps().total();
     let is_extra = steps == last && !steps.is_multiple_of(every);
     1 + steps / every + u64::from(is_extra)
 }
@@ -124,7 +131,7 @@ impl Watch {
 
 /// Rotation of the driven atoms and of each layer of the tip.
 fn torsions(scene: &TipScene, layer_of: &[usize], positions: &[Vector3<f64>]) -> Vec<Torsion> {
-    let shape = &scene.shape;
+    let shape = scene.shape();
     let of = |is_member: &dyn Fn(usize) -> bool| {
         let atoms = (0..layer_of.len()).filter(|&atom| is_member(layer_of[atom]));
         Torsion::new(atoms.collect(), positions)

@@ -7,7 +7,7 @@ use tribos::powder::Compaction;
 use tribos::record::digest;
 use tribos::run::Simulation;
 use tribos::scene::{
-    PlanarScene, PowderScene, Scene, SceneError, SliderScene, TipScene, parse_scene,
+    PowderScene, Scene, SceneError, TipScene, bodies, parse_scene, vocabulary as of_body,
 };
 use tribos::tip::TipRun;
 
@@ -62,14 +62,8 @@ const LEAST: &str = "body = \"tip\"\nlambda = 0.1\ncolumns = 4\nrows = 4\nside =
 fn vocabulary() -> &'static [&'static str] {
     static KEYS: OnceLock<Vec<&'static str>> = OnceLock::new();
     KEYS.get_or_init(|| {
-        let bodies = ["cylinder", "pipe", "curling"];
-        let planar = bodies
-            .iter()
-            .filter_map(|body| PlanarScene::keys(body))
-            .flatten();
-        let others = SliderScene::KEYS.iter().chain(PowderScene::KEYS);
-        let others = others.chain(TipScene::KEYS);
-        others.chain(planar).map(|key| key.name).collect()
+        let all = bodies().filter_map(of_body).flat_map(|known| known.keys);
+        all.map(|key| key.name).collect()
     })
 }
 
@@ -154,13 +148,7 @@ pub fn overrides(source: &mut Source) -> Result<(), Broken> {
 fn judged(read: Result<Scene, SceneError>) -> Result<(), Broken> {
     match read {
         Ok(scene) => {
-            let json = match &scene {
-                Scene::Disk(scene) => scene.json(),
-                Scene::Planar(scene) => scene.json(),
-                Scene::Powder(scene) => scene.json(),
-                Scene::Tip(scene) => scene.json(),
-            };
-            let text = json.to_string();
+            let text = scene.json().to_string();
             match ["\"nan\"", "\"inf\"", "\"-inf\""]
                 .iter()
                 .find(|bad| text.contains(*bad))
@@ -188,14 +176,12 @@ fn judged(read: Result<Scene, SceneError>) -> Result<(), Broken> {
 fn powder() -> Option<&'static (PowderScene, String)> {
     static KEPT: OnceLock<Option<(PowderScene, String)>> = OnceLock::new();
     let made = KEPT.get_or_init(|| {
-        let Ok(Scene::Powder(scene)) = parse_scene("tiny.toml", TINY, &[]) else {
-            return None;
-        };
+        let scene = PowderScene::parse("tiny.toml", TINY, &[]).ok()?;
         let mut compaction = Compaction::new(&scene).ok()?;
         for _ in 0..2 {
             compaction.step().ok()?;
         }
-        Some((*scene, compaction.checkpoint()))
+        Some((scene, compaction.checkpoint()))
     });
     made.as_ref()
 }
@@ -204,14 +190,12 @@ fn powder() -> Option<&'static (PowderScene, String)> {
 fn tip() -> Option<&'static (TipScene, String)> {
     static KEPT: OnceLock<Option<(TipScene, String)>> = OnceLock::new();
     let made = KEPT.get_or_init(|| {
-        let Ok(Scene::Tip(scene)) = parse_scene("least.toml", LEAST, &[]) else {
-            return None;
-        };
+        let scene = TipScene::parse("least.toml", LEAST, &[]).ok()?;
         let mut run = TipRun::new(&scene).ok()?;
         for _ in 0..2 {
             run.step().ok()?;
         }
-        Some((*scene, run.checkpoint()))
+        Some((scene, run.checkpoint()))
     });
     made.as_ref()
 }

@@ -3,8 +3,8 @@
 mod annuli;
 mod appendix_a;
 mod dense;
-mod friction;
 mod disk_friction;
+mod friction;
 mod hard_cases;
 mod laws;
 mod laws_one_by_one;

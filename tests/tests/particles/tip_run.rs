@@ -35,7 +35,7 @@ fn driven(system: &System<LennardJones>) -> &[usize] {
 
 /// From the axis.
 fn arm(scene: &TipScene, place: &Vector3<f64>) -> [f64; 2] {
-    let [x, y] = scene.shape.axis();
+    let [x, y] = scene.shape().axis();
     [place.x - x, place.y - y]
 }
 
@@ -144,7 +144,7 @@ fn held_layers_stay_where_they_are() -> Result<(), Error> {
                 .iter()
                 .all(|&atom| start[atom] == end[atom])
         );
-        let layers = scene.shape.layers();
+        let layers = scene.shape().layers();
         let mut heights = vec![Vec::new(); layers];
         for &atom in driven(run.system()) {
             assert!(start[atom].xy() != end[atom].xy(), "{atom}");
@@ -223,12 +223,12 @@ fn damping_takes_its_share_of_the_driven_atoms_motion_only() -> Result<(), Error
 #[test]
 fn the_angle_counts_turns_of_a_known_rotation() -> Result<(), Error> {
     let scene = tiny("lambda = 0")?;
-    let sites = scene.shape.sites();
+    let sites = scene.shape().sites();
     let places: Vec<Vector3<f64>> = sites.iter().map(|site| site.place).collect();
     let tip: Vec<usize> = (0..sites.len())
         .filter(|&i| sites[i].part == Part::Driven)
         .collect();
-    let [x0, y0] = scene.shape.axis();
+    let [x0, y0] = scene.shape().axis();
     for direction in [1.0, -1.0] {
         let mut torsion = Torsion::new(tip.clone(), &places);
         for step in 0..=40_u32 {

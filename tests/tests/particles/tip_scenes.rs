@@ -1,6 +1,6 @@
 //! The tips that are shipped do what their names say.
 
-use tribos::scene::{Scene, library_scene, parse_scene};
+use tribos::scene::{TipScene, library_scene};
 use tribos::tip::{Outcome, TipRun, Verdict};
 use tribos_tests::tips::to_the_end;
 
@@ -10,9 +10,7 @@ type Error = Box<dyn std::error::Error>;
 fn outcome(name: &str, overrides: &[&str]) -> Result<Outcome, Error> {
     let shipped = library_scene(name).ok_or("no such scene")?;
     let overrides: Vec<String> = overrides.iter().map(|&set| set.into()).collect();
-    let Scene::Tip(scene) = parse_scene(name, shipped.text, &overrides)? else {
-        return Err("not a tip".into());
-    };
+    let scene = TipScene::parse(name, shipped.text, &overrides)?;
     let mut run = TipRun::new(&scene)?;
     to_the_end(&mut run)?;
     Ok(run.outcome())

@@ -18,7 +18,7 @@ fn tip(text: &str) -> Result<TipScene, Error> {
 
 /// Shapes of several sizes and outlines, in registry.
 fn shapes() -> Result<Vec<Shape>, Error> {
-    let mut shapes = vec![tip("")?.shape];
+    let mut shapes = vec![tip("")?.shape()];
     for [columns, rows, below, above, side] in [
         [12, 14, 4, 4, 3],
         [13, 16, 5, 7, 4],
@@ -31,7 +31,7 @@ fn shapes() -> Result<Vec<Shape>, Error> {
                 "columns = {columns}\nrows = {rows}\nsubstrate_layers = {below}\n\
                  tip_layers = {above}\nside = {side}\noutline = \"{outline}\"\nspacing = 1.1"
             );
-            shapes.push(tip(&text)?.shape);
+            shapes.push(tip(&text)?.shape());
         }
     }
     Ok(shapes)
@@ -121,7 +121,7 @@ fn each_pair(shape: &Shape, sites: &[Site], mut see: impl FnMut(usize, usize, f6
 
 #[test]
 fn the_default_is_the_tip_of_the_thesis() -> Result<(), Error> {
-    let shape = tip("")?.shape;
+    let shape = tip("")?.shape();
     let sites = shape.sites();
     assert_eq!(sites.len(), 6330);
     let parts = [
@@ -210,8 +210,8 @@ fn an_orientation_turns_the_tip_as_a_rigid_body() -> Result<(), Error> {
     for outline in ["hexagon", "disk", "cone"] {
         for degrees in [17.0, -90.0, 60.0, 180.0] {
             let text = format!("columns = 17\nrows = 18\nside = 5\noutline = \"{outline}\"");
-            let plain = tip(&text)?.shape;
-            let turned = tip(&format!("{text}\norientation = {degrees:?}"))?.shape;
+            let plain = tip(&text)?.shape();
+            let turned = tip(&format!("{text}\norientation = {degrees:?}"))?.shape();
             let [x0, y0] = plain.axis();
             let (sin, cos) = f64::to_radians(degrees).sin_cos();
             for (before, after) in plain.sites().iter().zip(&turned.sites()) {
@@ -233,7 +233,7 @@ fn an_orientation_turns_the_tip_as_a_rigid_body() -> Result<(), Error> {
 
 #[test]
 fn a_cone_loses_one_atom_a_side_from_each_layer_to_the_one_below() -> Result<(), Error> {
-    let shape = tip("outline = \"cone\"\nside = 4\ntip_layers = 6")?.shape;
+    let shape = tip("outline = \"cone\"\nside = 4\ntip_layers = 6")?.shape();
     let count = |layer: usize| shape.sites().iter().filter(|s| s.layer == layer).count();
     // Hexagons of 1, 2, 3 and 4 atoms a side; an end stays.
     assert_eq!([6, 7, 8, 9, 10, 11].map(count), [1, 1, 1, 7, 19, 37]);
@@ -243,8 +243,8 @@ fn a_cone_loses_one_atom_a_side_from_each_layer_to_the_one_below() -> Result<(),
 #[test]
 fn a_raise_lifts_the_driven_layers_only() -> Result<(), Error> {
     for raise in [0.3, -0.25] {
-        let plain = tip("")?.shape.sites();
-        let raised = tip(&format!("raise = {raise:?}"))?.shape.sites();
+        let plain = tip("")?.shape().sites();
+        let raised = tip(&format!("raise = {raise:?}"))?.shape().sites();
         for (before, after) in plain.iter().zip(&raised) {
             let lift = if before.part == Part::Driven {
                 raise
@@ -272,7 +272,9 @@ fn no_tip_that_is_accepted_reaches_its_own_images() -> Result<(), Error> {
                 let narrow = |key: &str, step: usize, other: &str| {
                     let fits =
                         (1..40).map(|n| tip(&format!("{text}\n{key} = {}\n{other}", step * n)));
-                    fits.filter_map(Result::ok).next().map(|scene| scene.shape)
+                    fits.filter_map(Result::ok)
+                        .next()
+                        .map(|scene| scene.shape())
                 };
                 let columns = narrow("columns", 1, "rows = 40");
                 let rows = narrow("rows", 2, "columns = 40");

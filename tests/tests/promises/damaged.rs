@@ -3,7 +3,7 @@
 use tribos::powder::Compaction;
 use tribos::random::Random;
 use tribos::run::Simulation;
-use tribos::scene::{PowderScene, Scene, TipScene, parse_scene};
+use tribos::scene::{PowderScene, TipScene};
 use tribos::tip::TipRun;
 
 const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nrolling = 0.1";
@@ -14,17 +14,11 @@ const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 8\nrows = 8\nside = 
 const COPIES: u64 = 1000;
 
 fn powder() -> PowderScene {
-    match parse_scene("powder.toml", POWDER, &[]) {
-        Ok(Scene::Powder(scene)) => *scene,
-        other => unreachable!("{other:?}"),
-    }
+    PowderScene::parse("powder.toml", POWDER, &[]).expect("a powder")
 }
 
 fn tip() -> TipScene {
-    match parse_scene("tip.toml", TIP, &[]) {
-        Ok(Scene::Tip(scene)) => *scene,
-        other => unreachable!("{other:?}"),
-    }
+    TipScene::parse("tip.toml", TIP, &[]).expect("a tip")
 }
 
 /// A damaged copy: bits, a block of zeros, a block twice, a cut, or a block of another checkpoint.

@@ -1,10 +1,10 @@
 //! Bodies on a path in the plane: the motion that dies first, ends that are located, recording.
 
-use tribos::scene::{Scene, parse_scene, vocabulary};
+use tribos::scene::{CylinderScene, Scene, parse_scene, vocabulary};
 use tribos::slide::SlideError;
 use tribos::slide::planar::{Arrival, Ending, Journey, Launch, Point, Resistance};
 use tribos::slide::planar::{TallBody, TallCylinder};
-use tribos::slide::run_path;
+use tribos::slide::{PlanarScene, run_path};
 use tribos_core::coupling::table::{Coulomb, Table64};
 use tribos_core::coupling::{Coupling, Profile};
 use tribos_core::modes::{FinalMode, Modes};
@@ -295,11 +295,14 @@ fn what_is_recorded_leaves_the_end_as_it_is() {
                 .map(|item| (*item).to_owned())
                 .chain([samples])
                 .collect();
-            let Scene::Planar(scene) = parse_scene("body.toml", &text, &all).expect("in range")
-            else {
-                unreachable!("{body} is planar")
+            let scene = parse_scene("body.toml", &text, &all).expect("in range");
+            let scene: &dyn PlanarScene = match &scene {
+                Scene::Cylinder(scene) => scene,
+                Scene::Pipe(scene) => scene,
+                Scene::Curling(scene) => scene,
+                other => unreachable!("{other:?}"),
             };
-            let outcome = run_path(&scene).expect("it ends").outcome;
+            let outcome = run_path(scene).expect("it ends").outcome;
             (outcome.arrival, outcome.energy_error)
         });
         assert_eq!(ends[0], ends[1], "{body} {overrides:?}");
@@ -310,20 +313,28 @@ fn what_is_recorded_leaves_the_end_as_it_is() {
 
 #[test]
 fn launches_outside_the_range_of_numbers_are_refused() {
-    for overrides in [
-        ["speed=1e-300", "spin=0"],
-        ["speed=1e160", "spin=0"],
-        ["speed=1", "radius=1e300"],
-    ] {
-        let text = vocabulary("cylinder").expect("known").least_text();
-        let all = overrides.map(str::to_owned);
-        let Scene::Planar(scene) = parse_scene("body.toml", &text, &all).expect("in range") else {
-            unreachable!("a cylinder is planar")
-        };
+    let usual = CylinderScene {
+        speed: 1.0,
+        ..CylinderScene::default()
+    };
+    let slow = CylinderScene {
+        speed: 1e-300,
+        spin: 0.0,
+        ..usual
+    };
+    let fast = CylinderScene {
+        speed: 1e160,
+        ..slow
+    };
+    let wide = CylinderScene {
+        radius: 1e300,
+        ..usual
+    };
+    for scene in [slow, fast, wide] {
         let refused = run_path(&scene);
         assert!(
             matches!(refused, Err(SlideError::Energy { .. })),
-            "{overrides:?}: {refused:?}"
+            "{scene:?}: {refused:?}"
         );
     }
 }

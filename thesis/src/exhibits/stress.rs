@@ -225,7 +225,7 @@ fn choice_claims(runs: &Runs) -> Result<Vec<Claim>> {
         &against,
     )];
     if runs.effort() == Effort::Full {
-        let cold = runs.one(&usual.with("warm_start=off"))?;
+        let cold = runs.one(&usual.with("warm_start=off", |scene| scene.warm_start = false))?;
         let apart = cold.outcome.porosity[1] - warm.outcome.porosity[1];
         let overlap = cold.outcome.statistics.max_overlap;
         claims.push(Claim::own_statement(

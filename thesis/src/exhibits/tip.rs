@@ -8,7 +8,7 @@ use std::num::NonZero;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
 use tribos::run::in_order;
-use tribos::scene::{Scene, TipScene, parse_scene};
+use tribos::scene::TipScene;
 use tribos::tip::{Outcome, Part, TipRun, Verdict};
 use tribos_report::claim::{Claim, Otherwise};
 use tribos_report::figure::{Axis, Figure, Guide, Series};
@@ -47,21 +47,28 @@ struct Turned {
     outcome: Outcome,
 }
 
-fn scene(lambda: f64, seed: u64, effort: Effort) -> Result<TipScene> {
-    let mut text = format!("body = \"tip\"\nlambda = {lambda}\nseed = {seed}\n");
-    if effort == Effort::Quick {
-        text += "time_step = 0.01\nequilibration = 10\ndrive_time = 40\nrest_time = 40\n";
-    }
-    match parse_scene("tip", &text, &[])? {
-        Scene::Tip(scene) => Ok(*scene),
-        _ => Err(anyhow!("a tip became something else")),
+fn scene(lambda: f64, seed: u64, effort: Effort) -> TipScene {
+    let whole = TipScene {
+        lambda,
+        seed,
+        ..TipScene::default()
+    };
+    match effort {
+        Effort::Full => whole,
+        Effort::Quick => TipScene {
+            time_step: 0.01,
+            equilibration: 10.0,
+            drive_time: 40.0,
+            rest_time: 40.0,
+            ..whole
+        },
     }
 }
 
 /// The system.
 pub fn figure_5_1() -> Result<Exhibit> {
-    let scene = scene(REVERSIBLE, 1, Effort::Full)?;
-    let sites = scene.shape.sites();
+    let scene = scene(REVERSIBLE, 1, Effort::Full);
+    let sites = scene.shape().sites();
     let places: Vec<Vector3<f64>> = sites.iter().map(|site| site.place).collect();
     let number = |part: Part| sites.iter().filter(|site| site.part == part).count();
     let rows = sites.iter().map(|site| {
@@ -118,7 +125,7 @@ pub fn figure_5_2(runs: &Runs) -> Result<Exhibit> {
         let line = |line: &Vec<f64>| vec![run.lambda, run.seed as f64, line[0], line[1]];
         rows.extend(run.series.iter().map(line));
     }
-    let end = scene(REVERSIBLE, 1, runs.effort())?.stages[1];
+    let end = scene(REVERSIBLE, 1, runs.effort()).drive_time;
     figure = figure.guide(Guide::vertical(end, "off"));
     Ok(Exhibit {
         heading: "Figure 5.2: torsion angle over time".into(),
@@ -163,7 +170,7 @@ fn all(runs: &Runs) -> Result<Vec<Turned>> {
 
 /// One run, on from where its folder has it.
 fn turn((lambda, seed): (f64, u64), runs: &Runs) -> Result<Turned> {
-    let scene = scene(lambda, seed, runs.effort())?;
+    let scene = scene(lambda, seed, runs.effort());
     let folder = folder(lambda, seed, runs);
     let frames = if (lambda, seed) == FILMED { FRAMES } else { 0 };
     let run: TipRun = runs.session(&folder).frames(frames).run(&scene)?;

@@ -94,7 +94,7 @@ fn speeds(setting: &Setting<'_>, extent: &Extent) -> Result<(Vec<Race>, String),
     for (cubes, steps) in extent.melts {
         problems.push(Problem::melt(cubes, extent.melting, steps)?);
     }
-    problems.push(Problem::tip(setting.quick)?);
+    problems.push(Problem::tip(setting.quick));
     let races: Result<Vec<Race>, String> = problems
         .iter()
         .map(|problem| race::race(problem, extent.rounds, release.is_some()))

@@ -10,18 +10,16 @@ use tribos::md::lammps::data_file;
 use tribos::md::pair::{LennardJones, Shift};
 use tribos::md::system::System;
 use tribos::run::Simulation;
-use tribos::scene::{Scene, TipScene, parse_scene};
+use tribos::scene::TipScene;
 use tribos::space::PeriodicBox;
 use tribos::tip::{TipRun, export};
 
 /// Runs of an exported tip before the driven one: forces at the start, and the time before.
 const TIP_RUNS_BEFORE: usize = 2;
 /// As scenes/tip-reversible.toml, shorter: 300 steps before the drive, 500 with it.
-const TIP: &str = "body = \"tip\"\nlambda = 0.017\n\
-                   equilibration = 1.5\ndrive_time = 2.5\nrest_time = 0";
+const TIMES: [f64; 2] = [1.5, 2.5];
 /// The same for a quick look.
-const QUICK_TIP: &str = "body = \"tip\"\nlambda = 0.017\n\
-                         equilibration = 0.5\ndrive_time = 0.5\nrest_time = 0";
+const QUICK_TIMES: [f64; 2] = [0.5, 0.5];
 
 /// A problem: what moves, and for how long.
 #[derive(Debug)]
@@ -101,12 +99,14 @@ impl Problem {
     }
 
     /// The tip.
-    pub fn tip(is_quick: bool) -> Result<Self, String> {
-        let text = if is_quick { QUICK_TIP } else { TIP };
-        match parse_scene("tip", text, &[]).map_err(|error| error.to_string())? {
-            Scene::Tip(scene) => Ok(Self::Tip(scene)),
-            _ => Err("the scene of the tip is none".into()),
-        }
+    pub fn tip(is_quick: bool) -> Self {
+        let [equilibration, drive_time] = if is_quick { QUICK_TIMES } else { TIMES };
+        Self::Tip(Box::new(TipScene {
+            equilibration,
+            drive_time,
+            rest_time: 0.0,
+            ..TipScene::default()
+        }))
     }
 
     /// As it appears in tables.
@@ -168,16 +168,16 @@ fn advance(system: &mut System<LennardJones>, steps: u64) -> Result<(), String> 
 fn run_tip(scene: &TipScene) -> Result<Ran, String> {
     let mut run = TipRun::new(scene).map_err(|error| error.to_string())?;
     let energy = energy(run.system());
-    let [before, with, _] = scene.stage_steps();
+    let steps = scene.stage_steps();
     let until = |run: &mut TipRun, end: u64| -> Result<(), String> {
         while run.system().steps() < end {
             run.step().map_err(|error| error.to_string())?;
         }
         Ok(())
     };
-    until(&mut run, before)?;
+    until(&mut run, steps.before)?;
     let since = Since::now(run.system());
-    until(&mut run, before + with)?;
+    until(&mut run, steps.before + steps.driven)?;
     Ok(Ran::new(run.system(), energy, &since))
 }
 

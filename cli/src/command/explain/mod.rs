@@ -1,14 +1,13 @@
 //! `tribos explain`: which laws, modes and unknowns a scene carries, and what they cost.
 
-mod after;
-mod powder;
-mod slide;
-mod tip;
+pub mod after;
+pub mod powder;
+pub mod slide;
+pub mod tip;
 
-use super::scene;
+use super::{bodies, scene};
 use crate::failure::Failure;
 use std::path::PathBuf;
-use tribos::scene::Scene;
 
 /// Says which laws, modes and unknowns a scene will carry and what they cost, so that it models only
 /// what it needs. Costs are measured here and now, in a fraction of a second.
@@ -43,24 +42,11 @@ impl Arguments {
     /// Prints.
     pub fn execute(self) -> Result<(), Failure> {
         let read = scene::read(&self.scene, &self.overrides)?;
-        let after = match (&self.out, &read) {
-            (None, Scene::Disk(scene)) => after::disk(scene)?,
-            (None, Scene::Planar(scene)) => after::planar(scene)?,
-            (None, _) => String::new(),
-            (Some(out), Scene::Powder(scene)) => after::powder(scene, out, &self.command(out))?,
-            (Some(out), Scene::Tip(scene)) => after::tip(scene, out)?,
-            (Some(_), _) => {
-                return Err(Failure::input(
-                    "--out is for powders and tips; a sliding body is accounted for without it",
-                ));
-            }
-        };
-        let text = match &read {
-            Scene::Disk(scene) => slide::disk(scene)?,
-            Scene::Planar(scene) => slide::planar(scene)?,
-            Scene::Powder(scene) => powder::text(scene)?,
-            Scene::Tip(scene) => tip::text(scene)?,
-        };
+        let body = bodies::of(&read);
+        let out = self.out.as_deref();
+        let command = out.map(|out| self.command(out)).unwrap_or_default();
+        let after = body.account(out, &command)?;
+        let text = body.explanation()?;
         let gap = if after.is_empty() { "" } else { "\n" };
         super::print(&(text + gap + &after))
     }

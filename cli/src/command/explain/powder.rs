@@ -10,6 +10,11 @@ use tribos_core::contact::Attraction;
 /// Names of the modes with friction, and the keys that switch them on.
 pub const MODES: [&str; 3] = ["sliding", "rolling", "torsion"];
 
+/// Coefficients of the modes.
+pub fn coefficients(scene: &PowderScene) -> [f64; 3] {
+    [scene.sliding, scene.rolling, scene.torsion]
+}
+
 /// The whole account.
 pub fn text(scene: &PowderScene) -> Result<String, Failure> {
     let cost = cost(scene)?;
@@ -61,13 +66,11 @@ fn modes(modes: CarriedModes) -> String {
 
 /// Modes that are carried with a coefficient of zero.
 fn idle(scene: &PowderScene) -> String {
-    let has = scene.carried().modes.has();
+    let (has, mu) = (scene.carried().modes.has(), coefficients(scene));
     let idle: Vec<&str> = MODES
         .iter()
         .enumerate()
-        .filter(|(mode, _)| {
-            has.get(*mode) == Some(&true) && scene.friction.get(*mode) == Some(&0.0)
-        })
+        .filter(|(mode, _)| has.get(*mode) == Some(&true) && mu.get(*mode) == Some(&0.0))
         .map(|(_, name)| *name)
         .collect();
     if idle.is_empty() {
@@ -105,10 +108,10 @@ fn restitution(scene: &PowderScene) -> String {
 
 fn thresholds(scene: &PowderScene) -> String {
     let units = ["P", "P r_eff", "P r_eff"];
-    let has = scene.carried().modes.has();
+    let (has, mu) = (scene.carried().modes.has(), coefficients(scene));
     let limits: Vec<String> = (0..MODES.len())
         .filter(|&mode| has[mode])
-        .map(|mode| format!("{} {} {}", MODES[mode], scene.friction[mode], units[mode]))
+        .map(|mode| format!("{} {} {}", MODES[mode], mu[mode], units[mode]))
         .collect();
     if limits.is_empty() {
         return "none".into();
@@ -135,7 +138,7 @@ fn cohesion(scene: &PowderScene) -> String {
 }
 
 fn solver(scene: &PowderScene) -> String {
-    let solver = &scene.solver;
+    let solver = scene.contact_solver();
     let most = solver.most_sweeps;
     match solver.method {
         Method::Accelerated { tolerance } => {

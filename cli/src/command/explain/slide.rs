@@ -2,10 +2,11 @@
 
 use super::line;
 use crate::failure::Failure;
-use tribos::scene::{PlanarBody, PlanarScene, SliderScene, Stepper, Tipping};
-use tribos::slide::EvaluationCost;
+use tribos::scene::{
+    CurlingScene, CylinderScene, FootPressure, PipeScene, SliderScene, Stepper, Tipping,
+};
 use tribos::slide::planar::Gradient;
-use tribos_core::patch::PowerPressure;
+use tribos::slide::{EvaluationCost, PlanarScene};
 
 /// A disk.
 pub fn disk(scene: &SliderScene) -> Result<String, Failure> {
@@ -27,11 +28,11 @@ pub fn disk(scene: &SliderScene) -> Result<String, Failure> {
     Ok(text + &price(&cost, ""))
 }
 
-/// A body that follows a path in the plane.
-pub fn planar(scene: &PlanarScene) -> Result<String, Failure> {
+/// A body that follows a path in the plane under these laws.
+pub fn planar(scene: &dyn PlanarScene, laws: &str) -> Result<String, Failure> {
     let cost = scene.evaluation_cost()?;
     let mut text = line("unknowns", "3: two of the velocity, and the spin");
-    text += &body(scene);
+    text += laws;
     text += &line("friction", scene.evaluation()?.to_string());
     text += &line(
         "stepper",
@@ -40,46 +41,41 @@ pub fn planar(scene: &PlanarScene) -> Result<String, Failure> {
     Ok(text + &price(&cost, ", with the lateral force and the lean"))
 }
 
-fn body(scene: &PlanarScene) -> String {
-    let (alpha, coefficient, patch, gradient) = match &scene.body {
-        PlanarBody::Cylinder(c) => (
-            c.alpha,
-            c.coefficient,
-            pressure(c.pressure).to_owned(),
-            c.gradient,
-        ),
-        PlanarBody::Pipe(p) => (
-            p.alpha,
-            p.coefficient,
-            format!(
-                "annulus from {:.4} to 1 radii under uniform pressure",
-                p.inner_ratio
-            ),
-            p.gradient,
-        ),
-        PlanarBody::Curling(rock, model) => return curling(rock, model.name()),
-    };
+/// Laws of a cylinder.
+pub fn cylinder(scene: &CylinderScene) -> String {
+    line("law", law(scene.alpha, scene.coefficient))
+        + &line("patch", pressure(scene.pressure))
+        + &leaning(scene.gradient, scene.tipping)
+}
+
+/// Laws of a pipe.
+pub fn pipe(scene: &PipeScene) -> String {
+    let inner = scene.pipe().inner_ratio;
+    let patch = format!("annulus from {inner:.4} to 1 radii under uniform pressure");
+    line("law", law(scene.alpha, scene.coefficient))
+        + &line("patch", patch)
+        + &leaning(scene.gradient, scene.tipping)
+}
+
+fn leaning(gradient: Gradient, tipping: Tipping) -> String {
     let lean = match gradient {
         Gradient::AllRound => "leans all round, as far as the body's height asks",
         Gradient::FrontBack => "leans forward and backward only",
     };
-    let tips = match scene.tipping {
+    let tips = match tipping {
         Tipping::Refuse => "a body that would tip is refused",
         Tipping::Clamp => "the lean is held where the body would tip",
     };
-    line("law", law(alpha, coefficient))
-        + &line("patch", patch)
-        + &line("pressure", format!("{lean}; {tips}"))
+    line("pressure", format!("{lean}; {tips}"))
 }
 
-fn curling(rock: &tribos::slide::curling::CurlingRock, model: &str) -> String {
-    let patch = if rock.band_width > 0.0 {
-        format!(
-            "band {} m wide, {} m in radius",
-            rock.band_width, rock.band_radius
-        )
+/// Laws of a curling rock.
+pub fn curling(scene: &CurlingScene) -> String {
+    let (width, radius, model) = (scene.band_width, scene.radius, scene.model);
+    let patch = if width > 0.0 {
+        format!("band {width} m wide, {radius} m in radius")
     } else {
-        format!("thin ring, {} m in radius", rock.band_radius)
+        format!("thin ring, {radius} m in radius")
     };
     line(
         "law",
@@ -95,17 +91,13 @@ fn law(alpha: f64, coefficient: f64) -> String {
     }
 }
 
-fn pressure(pressure: PowerPressure) -> &'static str {
-    if pressure == PowerPressure::UNIFORM {
-        "disk under uniform pressure"
-    } else if pressure == PowerPressure::RING {
-        "thin ring"
-    } else if pressure == PowerPressure::FLAT_PUNCH {
-        "disk under the pressure of a flat punch"
-    } else if pressure == PowerPressure::HERTZ {
-        "disk under Hertz' pressure"
-    } else {
-        "disk under a paraboloid of pressure"
+fn pressure(pressure: FootPressure) -> &'static str {
+    match pressure {
+        FootPressure::Uniform => "disk under uniform pressure",
+        FootPressure::Ring => "thin ring",
+        FootPressure::FlatPunch => "disk under the pressure of a flat punch",
+        FootPressure::Hertz => "disk under Hertz' pressure",
+        FootPressure::Paraboloid => "disk under a paraboloid of pressure",
     }
 }
 

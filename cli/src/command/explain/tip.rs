@@ -5,7 +5,7 @@ use crate::command::run::size::{Allowed, check};
 use crate::failure::Failure;
 use tribos::md::pair::Shift;
 use tribos::md::system::Integrator;
-use tribos::scene::{Bath, Lift, Reading, TipScene};
+use tribos::scene::{BathKind, DrivenHold, Reading, StageSteps, TipScene};
 use tribos::tip::{Part, cost, size};
 
 /// The whole account.
@@ -36,12 +36,16 @@ pub fn text(scene: &TipScene) -> Result<String, Failure> {
     text += &line("potential", potential(scene));
     text += &line("thermostat", thermostat(scene));
     text += &line("driven", driven(scene));
-    let [before, with, after] = cost.steps;
+    let StageSteps {
+        before,
+        driven: with,
+        after,
+    } = cost.steps;
     text += &line(
         "steps",
         format!(
             "{} of {} tau, {}: {before} before the drive, {with} with it, {after} after",
-            before + with + after,
+            cost.steps.total(),
             scene.time_step,
             integrator(scene.integrator)
         ),
@@ -78,23 +82,27 @@ fn potential(scene: &TipScene) -> String {
 
 fn thermostat(scene: &TipScene) -> String {
     let groups = scene.thermostat_groups();
-    match scene.bath {
-        Bath::NoseHoover { relaxation, .. } => format!(
-            "Nose-Hoover on {groups} groups, one unknown each, relaxation {relaxation} tau, T = {}",
-            scene.temperature
+    let (relaxation, rate, heat) = (scene.relaxation, scene.friction, scene.temperature);
+    match scene.thermostat {
+        BathKind::NoseHoover => format!(
+            "Nose-Hoover on {groups} groups, one unknown each, relaxation {relaxation} tau, T = {heat}"
         ),
-        Bath::Langevin(rate) => format!(
-            "Langevin on {groups} groups, rate {rate} / tau, T = {}",
-            scene.temperature
-        ),
-        Bath::None => "none".into(),
+        BathKind::Langevin => {
+            format!("Langevin on {groups} groups, rate {rate} / tau, T = {heat}")
+        }
+        BathKind::None => "none".into(),
     }
 }
 
 fn driven(scene: &TipScene) -> String {
-    let lift = match scene.lift {
-        Lift::Fixed => "height of each atom fixed".to_owned(),
-        Lift::Loaded(force) => format!("one common height under {} eps/sigma an atom", -force),
+    let lift = match scene.hold {
+        DrivenHold::Plane => "height of each atom fixed".to_owned(),
+        DrivenHold::Level => {
+            format!(
+                "one common height under {} eps/sigma an atom",
+                -scene.lift()
+            )
+        }
     };
     // The reading says what lambda is, and with it the force on an atom.
     let [mean, largest] = levers(scene);
@@ -119,8 +127,8 @@ fn driven(scene: &TipScene) -> String {
 
 /// Mean and largest distance of the driven atoms from the axis.
 fn levers(scene: &TipScene) -> [f64; 2] {
-    let [x, y] = scene.shape.axis();
-    let sites = scene.shape.sites();
+    let [x, y] = scene.shape().axis();
+    let sites = scene.shape().sites();
     let driven = sites.iter().filter(|site| site.part == Part::Driven);
     let levers: Vec<f64> = driven
         .map(|site| (site.place.x - x).hypot(site.place.y - y))

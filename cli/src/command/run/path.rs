@@ -6,14 +6,13 @@ use crate::failure::Failure;
 use std::path::Path;
 use tribos::record::write_series;
 use tribos::run::folder::Broken;
-use tribos::scene::PlanarScene;
 use tribos::slide::planar::Ending;
-use tribos::slide::{PATH_COLUMNS, PathRun, run_path};
+use tribos::slide::{PATH_COLUMNS, PathRun, PlanarScene, run_path};
 use tribos_report::figure::{Axis, Figure, Series};
 use tribos_report::image;
 
 /// Runs the scene and writes its results into the folder.
-pub fn run(scene: &PlanarScene, out: &Path, broken: Broken) -> Result<(), Failure> {
+pub fn run(scene: &dyn PlanarScene, out: &Path, broken: Broken) -> Result<(), Failure> {
     let result = run_path(scene)?;
     let folder = begin(out, scene.json(), files::PATH, broken)?;
     let rows = result
@@ -73,7 +72,7 @@ const INVISIBLE: f64 = 1e-200;
 const MARGIN: f64 = 0.06;
 
 /// The path, in equal scales unless it is very flat.
-fn figure(scene: &PlanarScene, result: &PathRun) -> Figure {
+fn figure(scene: &dyn PlanarScene, result: &PathRun) -> Figure {
     let visible = |length: f64| {
         if length.abs() < INVISIBLE {
             0.0
@@ -89,7 +88,7 @@ fn figure(scene: &PlanarScene, result: &PathRun) -> Figure {
     let xs = span(points.iter().map(|point| point.0));
     let ys = span(points.iter().map(|point| point.1));
     let (long, across) = (xs[1] - xs[0], ys[1] - ys[0]);
-    let direction = if scene.spin < 0.0 {
+    let direction = if scene.course().spin < 0.0 {
         "clockwise"
     } else {
         "counterclockwise"

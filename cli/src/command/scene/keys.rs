@@ -3,7 +3,8 @@
 use super::source;
 use crate::command::unknown::unknown;
 use crate::failure::Failure;
-use tribos::scene::{Key, Vocabulary, bodies, library_scene, vocabulary};
+use serde_json::Value;
+use tribos::scene::{Key, Vocabulary, bodies, library_scene, toml_value, vocabulary};
 
 /// The keys of a body's scenes with unit, meaning, default and what each may be; without one, which
 /// bodies there are.
@@ -39,7 +40,7 @@ fn of(word: &str) -> Result<Vocabulary, Failure> {
 fn all() -> String {
     let mut text = String::from("Bodies, the value of the key `body`:\n");
     for known in bodies().filter_map(vocabulary) {
-        let needed: Vec<&str> = known.least.iter().map(|(name, _)| *name).collect();
+        let needed: Vec<&str> = known.least().iter().map(|(name, _)| *name).collect();
         text += &format!(
             "  {:<9} {:>2} keys; needs {}\n",
             known.body,
@@ -53,16 +54,19 @@ fn all() -> String {
 /// A line a key.
 fn text(known: &Vocabulary) -> String {
     let mut text = format!("Keys of a scene with body = \"{}\":\n", known.body);
+    let defaults = known.defaults();
     for key in known.keys {
-        text += &line(key);
+        text += &line(key, defaults.get(key.name));
     }
     text
 }
 
-fn line(key: &Key) -> String {
+fn line(key: &Key, default: Option<&Value>) -> String {
+    let default = default.and_then(|value| toml_value(key, value));
+    let default = default.map_or(String::new(), |value| format!("; default {value}"));
     let domain = key.domain.describe();
     format!(
-        "  {:<18} [{}] {}; {domain}\n",
+        "  {:<18} [{}] {} {domain}{default}\n",
         key.name, key.unit, key.meaning
     )
 }

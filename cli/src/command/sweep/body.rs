@@ -1,7 +1,8 @@
 //! One run of a sweep: any body, from its scene to its summary.
 
-use super::kind::{self, Kind};
+use super::kind::Kind;
 use super::refusal;
+use crate::command::bodies;
 use crate::command::digits::shown;
 use crate::command::interrupt;
 use crate::command::run::tip;
@@ -12,106 +13,69 @@ use std::sync::Arc;
 use tribos::powder::Compaction;
 use tribos::run::folder::Lock;
 use tribos::run::{LongRun, RunError, Session, Start};
-use tribos::scene::{self, PlanarScene, PowderScene, Scene, SliderScene, TipScene};
-use tribos::slide::{self, SlideError};
+use tribos::scene::{PowderScene, Scene, SliderScene, TipScene, parse_scene};
+use tribos::slide::{self, PlanarScene, SlideError};
 use tribos::tip::TipRun;
 
 /// A scene that a sweep runs.
 #[derive(Debug)]
-pub enum Body {
-    /// A flat disk on a straight path.
-    Disk(Box<SliderScene>),
-    /// A body along a path in the plane.
-    Planar(Box<PlanarScene>),
-    /// A powder under a piston.
-    Powder(Box<PowderScene>),
-    /// A tip on a substrate.
-    Tip(Box<TipScene>),
-}
+pub struct Body(Scene);
 
 impl Body {
     /// The scene of this text with overrides; `name` stands for its file in messages.
     pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, Failure> {
-        let scene = scene::parse_scene(name, text, overrides).map_err(Failure::input)?;
-        Ok(match scene {
-            Scene::Disk(scene) => Self::Disk(Box::new(scene)),
-            Scene::Planar(scene) => Self::Planar(Box::new(scene)),
-            Scene::Powder(scene) => Self::Powder(scene),
-            Scene::Tip(scene) => Self::Tip(scene),
-        })
+        let scene = parse_scene(name, text, overrides).map_err(Failure::input)?;
+        Ok(Self(scene))
+    }
+
+    /// What is run.
+    pub fn scene(&self) -> &Scene {
+        &self.0
     }
 
     /// The seed, of bodies that have one.
     pub fn seed(&self) -> Option<u64> {
-        match self {
-            Self::Disk(_) | Self::Planar(_) => None,
-            Self::Powder(scene) => Some(scene.seed),
-            Self::Tip(scene) => Some(scene.seed),
-        }
-    }
-
-    /// The scene as its summary has it.
-    pub fn json(&self) -> Value {
-        match self {
-            Self::Disk(scene) => scene.json(),
-            Self::Planar(scene) => scene.json(),
-            Self::Powder(scene) => scene.json(),
-            Self::Tip(scene) => scene.json(),
-        }
+        self.0.json()["seed"].as_u64()
     }
 
     /// What a table is made of.
     pub fn kind(&self) -> &'static Kind {
-        match self {
-            Self::Disk(_) => &kind::DISK,
-            Self::Planar(_) => &kind::PLANAR,
-            Self::Powder(_) => &kind::POWDER,
-            Self::Tip(_) => &kind::TIP,
-        }
+        bodies::of(&self.0).kind()
     }
 
     /// Runs to the end, on from a checkpoint if there is one: the summary, and a line about it.
     ///
     /// A scene that is refused, at its start or on its way, has a summary too: it is refused every time.
     pub fn run(&self, folder: &Arc<Lock>) -> Result<(Value, String), Failure> {
-        self.done(folder).or_else(|end| match end {
+        bodies::of(&self.0).run(folder).or_else(|end| match end {
             Unfinished::Refused(failure) => {
                 let reason = failure.to_string();
-                let mut summary = json!({"scene": self.json()});
+                let mut summary = json!({"scene": self.0.json()});
                 refusal::note(&mut summary, &reason);
                 Ok((summary, format!("refused: {reason}")))
             }
             Unfinished::Stopped(failure) => Err(failure),
         })
     }
+}
 
-    fn done(&self, folder: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
-        match self {
-            Self::Disk(scene) => {
-                let outcome = slide::run(scene, |_| ())?.outcome;
-                let told = format!(
-                    "distance {}, {} rad",
-                    shown(outcome.distance),
-                    shown(outcome.angle)
-                );
-                Ok((outcome.json(scene), told))
-            }
-            Self::Planar(scene) => {
-                let outcome = slide::run_path(scene)?.outcome;
-                let [x, y] = outcome.arrival.point.position;
-                Ok((
-                    outcome.json(scene),
-                    format!("{} m on, curl {} m", shown(x), shown(y)),
-                ))
-            }
-            Self::Powder(scene) => compact(scene, folder),
-            Self::Tip(scene) => turn(scene, folder),
-        }
-    }
+/// A disk, run on the spot.
+pub fn slide(scene: &SliderScene) -> Result<(Value, String), Unfinished> {
+    let outcome = slide::run(scene, |_| ())?.outcome;
+    let (distance, angle) = (shown(outcome.distance), shown(outcome.angle));
+    let told = format!("distance {distance}, {angle} rad");
+    Ok((outcome.json(scene), told))
+}
+
+/// A body in the plane, run on the spot.
+pub fn path(scene: &dyn PlanarScene) -> Result<(Value, String), Unfinished> {
+    let outcome = slide::run_path(scene)?.outcome;
+    let [x, y] = outcome.arrival.point.position.map(shown);
+    Ok((outcome.json(scene), format!("{x} m on, curl {y} m")))
 }
 
 /// Why there is no result.
-enum Unfinished {
+pub enum Unfinished {
     /// The scene cannot be run: the same every time.
     Refused(Failure),
     /// Something other than the scene.
@@ -133,7 +97,8 @@ impl From<SlideError> for Unfinished {
     }
 }
 
-fn compact(scene: &PowderScene, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
+/// A powder, resumed from a checkpoint if there is one.
+pub fn compact(scene: &PowderScene, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
     let run: Compaction = session(lock).run(scene)?;
     let outcome = run.outcome();
     let told = format!(
@@ -145,7 +110,8 @@ fn compact(scene: &PowderScene, lock: &Arc<Lock>) -> Result<(Value, String), Unf
     Ok((outcome.json(scene), told))
 }
 
-fn turn(scene: &TipScene, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
+/// A tip, resumed from a checkpoint if there is one.
+pub fn turn(scene: &TipScene, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
     let run: TipRun = session(lock).run(scene)?;
     let outcome = run.outcome();
     let written = lock.check().map_err(Failure::from);

@@ -162,7 +162,7 @@ impl Task {
         };
         let text = read_text(&self.file(), MOST_BYTES).ok()?;
         let summary = summary::unsealed(&text)?;
-        (summary["scene"] == body.json()).then_some(summary)
+        (summary["scene"] == body.scene().json()).then_some(summary)
     }
 
     /// Whether there is a summary that is not as a run left it.

@@ -1,10 +1,10 @@
 //! `tribos sweep`: a scene run for all combinations of some keys and seeds.
 
-mod body;
+pub mod body;
 mod frame;
 mod grid;
 mod jobs;
-mod kind;
+pub mod kind;
 mod output;
 #[cfg(feature = "parquet")]
 mod parquet;

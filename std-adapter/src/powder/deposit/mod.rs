@@ -179,21 +179,6 @@ impl Ballistic {
         }
     }
 
-    /// Side of the square base.
-    pub(crate) fn width(&self) -> f64 {
-        self.width
-    }
-
-    /// The smallest and the largest radius.
-    pub(crate) fn radii(&self) -> [f64; 2] {
-        self.radii
-    }
-
-    /// Distance of centres at which a sphere is captured.
-    pub(crate) fn capture_radius(&self) -> f64 {
-        self.capture_radius
-    }
-
     /// The gap between surfaces at which spheres capture each other.
     fn capture_gap(&self) -> f64 {
         self.capture_radius - (self.radii[0] + self.radii[1])

@@ -31,7 +31,7 @@ pub use film::{Film, FilmRing};
 pub use front_back::FrontBack;
 pub use left_right::LeftRight;
 pub use pivot_slide::PivotSlide;
-pub(super) use ring_rule::POINTS as RING_POINTS;
+pub(crate) use ring_rule::POINTS as RING_POINTS;
 pub use rock::{CurlingRock, IceLaw};
 pub use scratch_guide::ScratchGuide;
 

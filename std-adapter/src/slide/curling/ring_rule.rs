@@ -1,7 +1,7 @@
 //! Points evenly around a ring.
 
 /// Points of the rule: a power of two.
-pub(in crate::slide) const POINTS: usize = 256;
+pub(crate) const POINTS: usize = 256;
 
 /// (cos, sin) of the points at (k + ½) 2π/[`POINTS`], made by square roots and products alone, so
 /// that they have the same bits everywhere.

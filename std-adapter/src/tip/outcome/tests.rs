@@ -1,7 +1,7 @@
 //! Series whose outcome is known.
 
 use super::*;
-use crate::scene::{Scene, parse_scene};
+use crate::scene::TipScene;
 
 /// Lines with the angles of layers from column 7 on, and a work of 60.
 fn seen(scene: &TipScene, lines: &[Vec<f64>]) -> Outcome {
@@ -18,9 +18,7 @@ fn seen(scene: &TipScene, lines: &[Vec<f64>]) -> Outcome {
 fn outcome(angles: impl Fn(f64) -> [f64; 5], until: i32) -> Outcome {
     let text = "body = \"tip\"\nlambda = 1\ntip_layers = 4\nequilibration = 10\ndrive_time = 100\n\
                 rest_time = 60\ntime_step = 0.01";
-    let Ok(Scene::Tip(scene)) = parse_scene("tip.toml", text, &[]) else {
-        panic!("the scene is good");
-    };
+    let scene = TipScene::parse("tip.toml", text, &[]).unwrap();
     let line = |time: i32| {
         let time = f64::from(time);
         let [driven, layers @ ..] = angles(time);
@@ -57,9 +55,7 @@ fn the_last_angle_tells_whether_the_tip_turned_back() {
 #[test]
 fn without_a_rest_nothing_is_known() {
     let text = "body = \"tip\"\nlambda = 1\nequilibration = 0\ndrive_time = 1\nrest_time = 0";
-    let Ok(Scene::Tip(scene)) = parse_scene("tip.toml", text, &[]) else {
-        panic!("the scene is good");
-    };
+    let scene = TipScene::parse("tip.toml", text, &[]).unwrap();
     let series = [vec![0.0; 13], [vec![1.0], vec![0.0; 12]].concat()];
     assert_eq!(seen(&scene, &series).verdict, Verdict::Open);
 }
@@ -124,9 +120,7 @@ fn plateaus_are_where_the_angle_stands_while_driven() {
 fn work_is_moment_times_angle_and_what_is_not_stored_is_heat() {
     let text = "body = \"tip\"\nlambda = 1\ntip_layers = 4\nequilibration = 30\ndrive_time = 100\n\
                 rest_time = 60\ntime_step = 0.01";
-    let Ok(Scene::Tip(scene)) = parse_scene("tip.toml", text, &[]) else {
-        panic!("the scene is good");
-    };
+    let scene = TipScene::parse("tip.toml", text, &[]).unwrap();
     // An angle of 2 rad and a rise by 40, of which 25 come back.
     let line = |time: i32| {
         let (angle, potential) = match time {
@@ -162,9 +156,7 @@ fn work_is_moment_times_angle_and_what_is_not_stored_is_heat() {
 #[test]
 fn a_summary_is_json_whatever_is_missing() {
     let text = "body = \"tip\"\nlambda = 1";
-    let Ok(Scene::Tip(scene)) = parse_scene("tip.toml", text, &[]) else {
-        panic!("the scene is good");
-    };
+    let scene = TipScene::parse("tip.toml", text, &[]).unwrap();
     let one = seen(&scene, &[[vec![-50.0], vec![0.0; 12]].concat()]);
     let json = one.json(&scene);
     assert_eq!(json["verdict"], "open");

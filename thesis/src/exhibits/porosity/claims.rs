@@ -5,6 +5,7 @@ use crate::runs::{Case, Runs, System};
 use anyhow::Result;
 use tribos::powder::Ending;
 use tribos::powder::deposit::curve::statistics;
+use tribos::scene::{Criterion, SweepMethod, SweepStop, WallLaw};
 use tribos_report::claim::{Claim, Otherwise};
 use tribos_report::verdict::Allowance;
 
@@ -35,24 +36,20 @@ const COMPACTED_IS_OPEN: &str = "cause not known: the final porosity differs, se
 const FOUND: [f64; 6] = [0.67, 0.894, 0.16, 0.08, 0.225, 0.024];
 
 /// A range of cohesion a hundred times shorter.
-const SHORT_RANGE: &str = "cohesion_range=0.0001";
-/// Bottom and piston with cohesion, but without friction.
-const SMOOTH_WALLS: &str = "wall=smooth";
-/// An iteration as it was usual: so many sweeps a step from zero forces, whatever they leave. The
-/// law of eq. 4.4 asks for about (61.5/2)² ≈ 950 at the start.
-const FEW_SWEEPS: [&str; 6] = [
-    "solver=gauss-seidel",
-    "stop=fixed",
-    "sweeps=20",
-    "warm_start=off",
-    "blocked=piston",
-    "steps=4000",
-];
+const SHORT_RANGE: f64 = 1e-4;
 
-/// The first small system with an iteration that stops early.
+/// The first small system with an iteration as it was usual: so many sweeps a step from zero forces,
+/// whatever they leave. The law of eq. 4.4 asks for about (61.5/2)² ≈ 950 at the start.
 pub fn few_sweeps(friction: [f64; 2]) -> Case {
-    let case = Case::new(System::Small, friction, 1);
-    FEW_SWEEPS.iter().fold(case, |case, key| case.with(key))
+    let keys = "solver=gauss-seidel,stop=fixed,sweeps=20,warm_start=off,blocked=piston,steps=4000";
+    Case::new(System::Small, friction, 1).with(keys, |scene| {
+        scene.solver = SweepMethod::GaussSeidel;
+        scene.stop = SweepStop::Fixed;
+        scene.sweeps = 20;
+        scene.warm_start = false;
+        scene.blocked = Criterion::Piston;
+        scene.steps = 4000;
+    })
 }
 
 /// All claims.
@@ -206,7 +203,12 @@ fn levels(small: &Porosities) -> Vec<Claim> {
 fn trials(runs: &Runs) -> Result<Vec<Claim>> {
     let (none, both) = ([0.0; 2], [1.0; 2]);
     let usual = |friction| Case::new(System::Small, friction, 1);
-    let short = |friction| usual(friction).with(SHORT_RANGE);
+    let short = |friction| {
+        let key = format!("cohesion_range={SHORT_RANGE}");
+        usual(friction).with(&key, |scene| scene.cohesion_range = SHORT_RANGE)
+    };
+    // Bottom and piston with cohesion, but without friction.
+    let smooth = |case: Case| case.with("wall=smooth", |scene| scene.wall = WallLaw::Smooth);
     let cases = [
         usual(none),
         short(none),
@@ -214,7 +216,7 @@ fn trials(runs: &Runs) -> Result<Vec<Claim>> {
         usual(both),
         short(both),
         few_sweeps(both),
-        short(none).with(SMOOTH_WALLS),
+        smooth(short(none)),
     ];
     let runs = runs.of(&cases)?;
     let ends: Vec<f64> = runs.iter().map(|run| run.outcome.porosity[1]).collect();
@@ -266,7 +268,9 @@ fn trials(runs: &Runs) -> Result<Vec<Claim>> {
 fn smooth(runs: &Runs) -> Result<Vec<Claim>> {
     let both = [[0.0; 2], [1.0; 2]];
     let rough = both.map(|friction| Case::new(System::Small, friction, 1));
-    let smooth = rough.clone().map(|case| case.with("sliding=0"));
+    let smooth = rough
+        .clone()
+        .map(|case| case.with("sliding=0", |scene| scene.sliding = 0.0));
     let ends = runs.of(&[smooth, rough].concat())?;
     let [free, held, base, with_sliding] =
         [0, 1, 2, 3].map(|at: usize| ends[at].outcome.porosity[1]);

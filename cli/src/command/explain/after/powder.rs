@@ -1,7 +1,7 @@
 //! A finished run of a powder.
 
 use super::{number, summary};
-use crate::command::explain::powder::MODES;
+use crate::command::explain::powder::{MODES, coefficients};
 use crate::command::explain::{duration, line};
 use crate::failure::Failure;
 use serde_json::Value;
@@ -43,7 +43,7 @@ pub fn text(scene: &PowderScene, out: &Path, command: &str) -> Result<String, Fa
     text += &at_thresholds(&summary);
     for (mode, name) in MODES.iter().enumerate() {
         let share = (parts[mode + 1] / total).abs();
-        if scene.friction[mode] > 0.0 && (share < LITTLE || total == 0.0) {
+        if coefficients(scene)[mode] > 0.0 && (share < LITTLE || total == 0.0) {
             text += &advice(scene, mode, name, share, command);
         }
     }

@@ -2,8 +2,8 @@
 
 use crate::command::explain::line;
 use crate::failure::Failure;
-use tribos::scene::{PlanarScene, SliderScene};
-use tribos::slide::{self, Spent};
+use tribos::scene::SliderScene;
+use tribos::slide::{self, PlanarScene, Spent};
 
 /// Share of all work below which a motion counts as idle, and a bend of the path as straight.
 const LITTLE: f64 = 0.01;
@@ -23,7 +23,7 @@ pub fn disk(scene: &SliderScene) -> Result<String, Failure> {
 }
 
 /// A body in the plane.
-pub fn planar(scene: &PlanarScene) -> Result<String, Failure> {
+pub fn planar(scene: &dyn PlanarScene) -> Result<String, Failure> {
     let run = slide::run_path(scene)?;
     let [along, aside] = run.outcome.arrival.point.position;
     let bend = (aside / along).abs();

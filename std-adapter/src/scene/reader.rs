@@ -1,0 +1,219 @@
+//! Reads a scene by its table and judges it: everything that is wrong is found at once.
+
+use super::entries::{Entries, Written};
+use super::hint::nearest;
+use super::key::{Key, Need};
+use super::problem::{Origin, Problem};
+use super::table::Table;
+
+/// Unknown keys that are named one by one; a file with more is something else than a scene.
+const MOST_UNKNOWN: usize = 20;
+
+/// What is wrong with a scene so far.
+#[derive(Debug)]
+pub(super) struct Judge<'a> {
+    /// The file; none for a scene that was made in a program.
+    file: Option<&'a Entries>,
+    problems: Vec<Problem>,
+    /// Keys whose values cannot be relied on.
+    doubtful: Vec<&'static str>,
+}
+
+impl<'a> Judge<'a> {
+    /// Notes a problem of these keys at the first of them that is given, unless one of them is wrong
+    /// already: then it is no news.
+    pub fn refuse(&mut self, keys: &[&'static str], message: impl Into<String>) {
+        if keys.iter().any(|key| self.doubtful.contains(key)) {
+            return;
+        }
+        let mut places = keys.iter().filter_map(|key| self.place(key));
+        let origin = places.next().unwrap_or(Origin::File);
+        self.problems.push(Problem::new(origin, message));
+        self.doubtful.extend(keys.first());
+    }
+
+    /// Where the file gives a key.
+    fn place(&self, key: &str) -> Option<Origin> {
+        let (_, origin) = self.file?.values.get(key)?;
+        Some(*origin)
+    }
+
+    /// Complains about every key that is not in the table.
+    fn strangers(&mut self, keys: &[Key], entries: &Entries) {
+        let is_known = |name: &str| keys.iter().any(|key| key.name == name);
+        let mut strangers = entries.values.iter().filter(|(name, _)| !is_known(name));
+        for (name, (_, origin)) in strangers.by_ref().take(MOST_UNKNOWN) {
+            self.problems
+                .push(Problem::new(*origin, unknown(keys, name)));
+        }
+        let more = strangers.count();
+        if more > 0 {
+            let message = format!("and {more} more keys that are unknown");
+            self.problems.push(Problem::new(Origin::File, message));
+        }
+    }
+
+    /// The rules of the table about keys that depend on others.
+    fn conditions<T: Table>(&mut self, scene: &mut T) {
+        for (key, field) in T::rows() {
+            let name = key.name;
+            let is_given = match self.file {
+                Some(file) => file.values.contains_key(name),
+                // A field that may be left out is given where it is not; others always have a value.
+                None => {
+                    (field.written)(&T::default()).is_none() && (field.written)(scene).is_some()
+                }
+            };
+            match key.need {
+                Need::Required if !is_given && self.file.is_some() => {
+                    self.refuse(&[name], key.missing());
+                }
+                Need::Required | Need::Optional => {}
+                Need::UnlessGiven(other) => match [name, other].map(|key| self.place(key)) {
+                    [Some(_), Some(_)] => {
+                        self.refuse(
+                            &[other, name],
+                            format!("give `{name}` or `{other}`, not both"),
+                        );
+                    }
+                    [None, None] if self.file.is_some() => {
+                        self.refuse(&[name], format!("{}; or give `{other}`", key.missing()));
+                    }
+                    _ => {}
+                },
+                Need::UnitWith(other, word) => {
+                    let is_unit = scene.says(other, word);
+                    if !is_unit && !is_given && self.file.is_some() {
+                        self.refuse(&[name, other], key.missing());
+                    } else if is_unit && !is_given && self.file.is_some() {
+                        (field.set)(scene, &Written::Number(1.0));
+                    } else if is_unit && (field.written)(scene) != Some(Written::Number(1.0)) {
+                        let message = format!("`{name}` is 1 in a {word} scene; leave it out");
+                        self.refuse(&[name, other], message);
+                    }
+                }
+                Need::PartOf(other, word) | Need::OnlyWith(other, word) => {
+                    if is_given && !scene.says(other, word) {
+                        let message = format!(
+                            "`{name}` is for {other} \"{word}\" only; leave it out, or set {other} = \"{word}\""
+                        );
+                        self.refuse(&[name, other], message);
+                    }
+                }
+                Need::NotWith(other, word) => {
+                    if is_given && scene.says(other, word) {
+                        let message =
+                            format!("`{name}` is not used with {other} = \"{word}\"; leave it out");
+                        self.refuse(&[name, other], message);
+                    }
+                }
+            }
+        }
+    }
+
+    /// All problems in the order of the file.
+    fn finish(mut self) -> Vec<Problem> {
+        self.problems.sort_by_key(|problem| match problem.origin {
+            Origin::Line(line) => (0, line),
+            Origin::Override => (1, 0),
+            Origin::File => (2, 0),
+        });
+        self.problems
+    }
+}
+
+/// The scene of a file's entries, or everything that is wrong with them.
+pub(super) fn read<T: Table>(entries: &Entries, problems: Vec<Problem>) -> Result<T, Vec<Problem>> {
+    let mut judge = Judge {
+        file: Some(entries),
+        problems,
+        doubtful: Vec::new(),
+    };
+    judge.strangers(T::TABLE, entries);
+    if let Some((body, _)) = entries.values.get("body")
+        && *body != Written::Text(T::BODY.into())
+    {
+        let message = format!("only the body \"{}\" is read here", T::BODY);
+        judge.refuse(&["body"], message);
+    }
+    let mut scene = T::default();
+    for (key, field) in T::rows() {
+        if let Some((value, _)) = entries.values.get(key.name) {
+            match key.objection(value) {
+                None => (field.set)(&mut scene, value),
+                Some(message) => judge.refuse(&[key.name], message),
+            }
+        }
+    }
+    judge.conditions(&mut scene);
+    scene.rules(&mut judge);
+    let problems = judge.finish();
+    if problems.is_empty() {
+        Ok(scene)
+    } else {
+        Err(problems)
+    }
+}
+
+/// Everything that is wrong with the fields of a scene.
+pub(super) fn check<T: Table>(scene: &T) -> Vec<Problem> {
+    let mut judge = Judge {
+        file: None,
+        problems: Vec::new(),
+        doubtful: Vec::new(),
+    };
+    for (key, field) in T::rows() {
+        let objection = (field.written)(scene).and_then(|value| key.objection(&value));
+        if let Some(message) = objection {
+            judge.refuse(&[key.name], message);
+        }
+    }
+    judge.conditions(&mut scene.clone());
+    scene.rules(&mut judge);
+    judge.finish()
+}
+
+/// The complaint about an unknown key, with the nearest known one or all of them.
+fn unknown(keys: &[Key], name: &str) -> String {
+    match nearest(name, keys.iter().map(|key| key.name)) {
+        Some(key) => format!("unknown key `{name}`; did you mean `{key}`?"),
+        None => {
+            let names: Vec<&str> = keys.iter().map(|key| key.name).collect();
+            format!("unknown key `{name}`; the keys are {}", names.join(", "))
+        }
+    }
+}
+#[cfg(test)]
+mod tests {
+    use crate::scene::{SceneError, parse_scene};
+    use std::time::{Duration, Instant};
+
+    /// A disk with so many keys that nobody knows, and how long it takes to refuse it.
+    fn refused(strangers: usize) -> (String, usize, Duration) {
+        let mut text = String::from("speed = 1\n");
+        for key in 0..strangers {
+            text += &format!("key_{key} = 1\n");
+        }
+        let began = Instant::now();
+        let refusal = parse_scene("many.toml", &text, &[]);
+        let took = began.elapsed();
+        let Err(error @ SceneError::Invalid { .. }) = refusal else {
+            unreachable!("unknown keys");
+        };
+        let told = error.to_string();
+        (told.clone(), told.lines().count(), took)
+    }
+
+    #[test]
+    fn any_number_of_unknown_keys_is_refused_in_a_time_in_proportion() {
+        let (told, lines, few) = refused(20_000);
+        assert!(told.contains("and 19980 more keys that are unknown"));
+        let (told, more_lines, many) = refused(200_000);
+        assert!(told.contains("and 199980 more keys that are unknown"));
+        // Twenty are named, as with few; every missing key is named too.
+        assert_eq!(lines, more_lines);
+        assert!(lines < 40, "{lines}");
+        // Ten times the keys: a time that grew as the square would be a hundred times as long.
+        assert!(many < 50 * few, "{few:?} {many:?}");
+    }
+}

@@ -1,0 +1,165 @@
+//! A scene is what its fields say, whether it was read or made in Rust.
+
+use super::*;
+use crate::powder::{Compaction, CompactionError};
+use crate::record::CheckpointError;
+
+/// Every body's default scene.
+fn defaults() -> [Scene; 6] {
+    [
+        SliderScene::default().into(),
+        CylinderScene::default().into(),
+        PipeScene::default().into(),
+        CurlingScene::default().into(),
+        PowderScene::default().into(),
+        TipScene::default().into(),
+    ]
+}
+
+#[test]
+fn the_default_scene_of_a_body_is_what_its_least_file_says() {
+    assert_eq!(defaults().len(), bodies().count());
+    for scene in defaults() {
+        let body = scene.body();
+        let text = vocabulary(body).unwrap().least_text();
+        assert_eq!(parse_scene(body, &text, &[]).unwrap(), scene);
+        scene.as_body().check().unwrap();
+    }
+}
+
+/// The value that a file gives a key comes back from its field.
+#[test]
+fn every_key_sets_its_field() {
+    for scene in defaults() {
+        let before = scene.json();
+        let known = vocabulary(scene.body()).unwrap();
+        for key in known.keys.iter().filter(|key| key.name != "body") {
+            let was = &before[key.name];
+            let value = match key.domain {
+                Domain::OneOf(words) => {
+                    let other = words.iter().find(|word| was.as_str() != Some(*word));
+                    format!("\"{}\"", other.unwrap())
+                }
+                Domain::Count { .. } => format!("{}", was.as_u64().unwrap_or(30) + 4),
+                _ => format!("{}", 0.98 * was.as_f64().unwrap_or(0.8) + 0.0017),
+            };
+            let rest: String = known
+                .least()
+                .into_iter()
+                .filter(|(name, _)| *name != key.name)
+                .filter(|(name, _)| !(key.name == "count" && *name == "height"))
+                .map(|(name, value)| format!("{name} = {value}\n"))
+                .collect();
+            let condition = match key.need {
+                Need::PartOf(other, word) | Need::OnlyWith(other, word) => {
+                    format!("{other} = \"{word}\"\n")
+                }
+                _ => String::new(),
+            };
+            let text = format!("{rest}{condition}{} = {value}\n", key.name);
+            let Ok(read) = parse_scene("one.toml", &text, &[]) else {
+                // Values that other keys would have to follow.
+                assert!(["units", "side"].contains(&key.name), "{text}");
+                continue;
+            };
+            assert_ne!(read, scene, "{text}");
+            let json = read.json();
+            let written = toml_value(key, &json[key.name]).unwrap();
+            let same = written == value || written.parse::<f64>().ok() == value.parse().ok();
+            assert!(same, "{text}: {written}");
+        }
+    }
+}
+
+#[test]
+fn fields_out_of_their_domain_are_refused_by_name_value_and_cure_all_at_once() {
+    let scene = PowderScene {
+        pressure: -1.0,
+        restitution: f64::NAN,
+        sweeps: 0,
+        count: Some(0),
+        ..PowderScene::default()
+    };
+    let refused = scene.check().unwrap_err();
+    let told: Vec<&str> = refused.problems.iter().map(Problem::message).collect();
+    assert_eq!(
+        told,
+        [
+            "`count` must be a whole number from 1 to 1000000, not 0",
+            "`pressure` must be a finite number > 0, not -1",
+            "`restitution` must be a number from 0 to 1, not NaN",
+            "`sweeps` must be a whole number from 1 to 1000000, not 0",
+        ]
+    );
+    // The rules that files are read by hold for fields as well.
+    let tip = TipScene {
+        load: Some(1.0),
+        rows: 15,
+        ..TipScene::default()
+    };
+    let told = tip.check().unwrap_err().to_string();
+    assert!(told.contains("`rows` must be even, not 15"), "{told}");
+    assert!(told.contains("hold = \"level\""), "{told}");
+    let disk = SliderScene {
+        units: Units::Dimensionless,
+        ..SliderScene::default()
+    };
+    assert_eq!(disk.check().unwrap_err().problems.len(), 3);
+}
+
+#[test]
+fn no_run_begins_with_fields_that_no_file_could_have() {
+    let powder = PowderScene {
+        pressure: 0.0,
+        ..PowderScene::default()
+    };
+    let refused = Compaction::new(&powder);
+    assert!(matches!(refused, Err(CompactionError::Scene(_))));
+    let tip = TipScene {
+        tip_layers: 1,
+        ..TipScene::default()
+    };
+    let refused = crate::tip::TipRun::new(&tip).map(|_| ());
+    assert!(
+        refused
+            .unwrap_err()
+            .to_string()
+            .contains("`tip_layers` must be at least 4")
+    );
+    let disk = SliderScene {
+        mass: f64::INFINITY,
+        ..SliderScene::default()
+    };
+    let refused = crate::slide::run(&disk, |_| ());
+    assert!(matches!(refused, Err(crate::slide::SlideError::Scene(_))));
+    let pipe = PipeScene {
+        inner_radius: 1.0,
+        ..PipeScene::default()
+    };
+    let refused = crate::slide::run_path(&pipe);
+    assert!(matches!(refused, Err(crate::slide::SlideError::Scene(_))));
+}
+
+#[test]
+fn a_checkpoint_of_edited_fields_belongs_to_no_other_scene() {
+    let text = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02";
+    let original = PowderScene::parse("tiny.toml", text, &[]).unwrap();
+    let rough = PowderScene {
+        sliding: 0.9,
+        ..original.clone()
+    };
+    let pressed = PowderScene {
+        pressure: 0.2,
+        ..original.clone()
+    };
+    for (edited, scene) in [("sliding", rough), ("pressure", pressed)] {
+        let kept = Compaction::new(&scene).unwrap().checkpoint();
+        assert!(Compaction::resume(&scene, &kept).is_ok());
+        match Compaction::resume(&original, &kept) {
+            Err(CompactionError::Checkpoint(CheckpointError::Scene { key, .. })) => {
+                assert_eq!(key, edited);
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}
