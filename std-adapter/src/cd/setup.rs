@@ -90,14 +90,16 @@ impl<F: Copy> Laws<F> {
         }
     }
 
-    /// Laws along the normal, of pairs and of walls.
-    pub(crate) fn normal(&self) -> [NormalLaw<f64>; 2] {
-        [self.pairs.normal, self.walls.normal]
-    }
-
     /// Friction of pairs and of walls.
     pub(crate) fn friction(&self) -> [F; 2] {
         [self.pairs.friction, self.walls.friction]
+    }
+}
+
+impl<F> Laws<F> {
+    /// Laws along the normal, of pairs and of walls.
+    pub(crate) fn normal(&self) -> [NormalLaw<f64>; 2] {
+        [self.pairs.normal, self.walls.normal]
     }
 }
 

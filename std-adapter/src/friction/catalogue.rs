@@ -2,8 +2,8 @@
 
 use std::fmt;
 use tribos_core::law::{
-    Coulomb, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters, PlateauPower, PowerLaw,
-    RateState, RateStateParameters, Stribeck,
+    CoulombLaw, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters, PlateauPower,
+    PlateauPowerParameters, PowerLaw, RateState, RateStateParameters, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
 
@@ -98,7 +98,7 @@ const fn power_of_speed(
 }
 
 fn coulomb<R: Real + 'static>([mu, ..]: Values<R>) -> Made<R> {
-    Ok(Box::new(Coulomb::new(mu)?))
+    Ok(Box::new(CoulombLaw::new(mu)?))
 }
 
 fn dry<R: Real + 'static>([mu_s, mu_d, ..]: Values<R>) -> Made<R> {
@@ -110,16 +110,22 @@ fn power<R: Real + 'static>([gamma, alpha, ..]: Values<R>) -> Made<R> {
 }
 
 fn plateau<R: Real + 'static>([gamma, alpha, vp, vd, r, _]: Values<R>) -> Made<R> {
-    Ok(Box::new(PlateauPower::new(alpha, gamma, vp, vd, r)?))
+    Ok(Box::new(PlateauPower::new(PlateauPowerParameters {
+        alpha,
+        coefficient: gamma,
+        plateau_speed: vp,
+        drop_speed: vd,
+        rest_share: r,
+    })?))
 }
 
 fn stribeck<R: Real + 'static>([mu_s, mu_d, vs, delta, k, _]: Values<R>) -> Made<R> {
-    Ok(Box::new(Stribeck::new(
-        DryFriction::new(mu_s, mu_d)?,
-        vs,
-        delta,
-        k,
-    )?))
+    Ok(Box::new(Stribeck::new(StribeckParameters {
+        dry: DryFriction::new(mu_s, mu_d)?,
+        speed: vs,
+        exponent: delta,
+        viscous: k,
+    })?))
 }
 
 fn rate_state<R: Real + 'static>(

@@ -53,9 +53,9 @@ pub use visit::{RoundPower, Visitor, leaning, upright, visit};
 use quadrature::{ByNodes, DiskOfAnyLaw};
 use std::fmt;
 use tribos_core::coupling::{
-    Annulus, Coupling, FrictionError, Lateral, LateralJacobian, PatchFriction, ReducedJacobian,
-    ReducedWrench,
+    Annulus, Coupling, FrictionError, Lateral, PatchFriction, ReducedJacobian, ReducedWrench,
 };
+use tribos_core::internals::LateralJacobian;
 use tribos_core::real::Real;
 
 /// Friction of a round patch of radius 1 under unit load: a patch, a law and a tier.

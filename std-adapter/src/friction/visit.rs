@@ -1,9 +1,8 @@
 //! The kernel's own type of a patch, an exponent and a tier: decided here and nowhere else.
 
 use super::{Law, Patch, Precision, Refusal, Tier};
-use tribos_core::coupling::{
-    Annulus, Dry, DryCoupling, Lateral, LeanProfile, Profile, SmoothProfile, closed, compact, table,
-};
+use tribos_core::coupling::{Annulus, Dry, DryCoupling, Lateral, Profile, closed, compact, table};
+use tribos_core::internals::{LeanProfile, SmoothProfile};
 use tribos_core::patch::PowerPressure;
 use tribos_core::real::Real;
 
@@ -147,7 +146,7 @@ fn smooth<R: Precision, V: Smooth<R>>(
         (Patch::Ring, _) if is_dry => visitor.smooth(closed::Ring),
         (Patch::Hertz, _) if is_dry => visitor.smooth(closed::Hertz),
         (Patch::Punch, _) if is_dry => visitor.smooth(closed::FlatPunch),
-        _ => visitor.smooth(compact::Power::with_pressure(narrow, pressure)?),
+        _ => visitor.smooth(compact::CompactPower::with_pressure(narrow, pressure)?),
     }
 }
 
@@ -161,8 +160,8 @@ fn disk<R: Precision, V: Smooth<R>>(
     match tier {
         Tier::Table if alpha == 0.0 => visitor.smooth(table::Coulomb),
         Tier::Table => visitor.smooth(R::disk(narrow)?),
-        Tier::Compact if alpha == 0.0 => visitor.smooth(compact::Coulomb),
-        Tier::Compact => visitor.smooth(compact::Power::new(narrow)?),
+        Tier::Compact if alpha == 0.0 => visitor.smooth(compact::CompactCoulomb),
+        Tier::Compact => visitor.smooth(compact::CompactPower::new(narrow)?),
         Tier::Quadrature => Err(Refusal::NoProfile),
     }
 }

@@ -1,6 +1,6 @@
 //! Which modes the contacts of a scene carry, and what they are limited by.
 
-use crate::cd::Link;
+use crate::cd::internals::Link;
 use crate::scene::{Coupling, PowderScene};
 use tribos_core::contact::{
     AllModes, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion,
