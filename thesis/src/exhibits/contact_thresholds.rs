@@ -112,7 +112,7 @@ pub fn own_velocities() -> Result<Claim> {
     let apart = (rolling - rolls).abs() + (torsion - spins).abs();
     Ok(Claim::own_statement(
         FIGURE_4_3.said("own-velocities"),
-        format!("both at once differ from each alone by {apart:.1e}"),
+        format!("both at once and each alone differ by {apart:.1e}"),
         apart < 1e-12 && rolls != 0.0 && spins != 0.0,
     ))
 }

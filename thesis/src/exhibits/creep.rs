@@ -122,7 +122,7 @@ fn steady_claims(law: &SteadyRateState<f64>, minimum: f64) -> Vec<Claim> {
         ),
         Claim::trend(
             TEXT.said("creep-accelerates"),
-            "a soft spring pulls unsteadily below the minimum only",
+            "with a soft spring sliding is unsteady only below the minimum",
             unstable(0.5 * minimum) && !unstable(2.0 * minimum),
         ),
         Claim::not_checkable(TEXT.said("measured-paper")),

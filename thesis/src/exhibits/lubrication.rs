@@ -61,7 +61,7 @@ fn exponent(f: impl Fn(f64) -> f64, x: f64) -> f64 {
 fn stribeck_claims(law: &Stribeck<f64>) -> Result<Vec<Claim>> {
     let minimum = law
         .minimum()
-        .ok_or_else(|| anyhow!("the lubricated body has no least friction"))?;
+        .ok_or_else(|| anyhow!("the friction of the lubricated body has no minimum"))?;
     let least = law.friction(minimum);
     let friction = |x: f64| law.friction(x);
     let (slow, fast) = (exponent(friction, 1e-3), exponent(friction, 1e2));

@@ -68,7 +68,7 @@ fn piston_claim(id: &str, system: System) -> Result<Claim> {
     }
     let claim = Claim::trend(
         TEXT.said(id).with("height", height),
-        format!("highest points from {lowest:.2}R on"),
+        format!("highest points at {lowest:.2}R and above"),
         height - lowest < NEAR,
     );
     Ok(claim.uncertain("five deposits"))

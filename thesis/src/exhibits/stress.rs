@@ -81,7 +81,7 @@ fn figure(lines: &[[f64; 4]], rows: &[Vec<f64>]) -> Figure {
     Figure::new(
         "Partial stresses",
         Axis::named("(μ_t, μ_n)", cases.collect()),
-        Axis::linear("σ_zz of the pressure"),
+        Axis::linear("σ_zz in units of the pressure"),
     )
     .series(Series::points("σ⁺", points(rows, 0, 6)))
     .series(Series::points("σ⁻", points(rows, 0, 7)))

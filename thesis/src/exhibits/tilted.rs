@@ -190,7 +190,7 @@ fn cylinder(dry: &Table64) -> Result<Vec<Claim>> {
         ),
         Claim::own_statement(
             TEXT.said("lifting"),
-            "stands whole at 0.998, lifts at 1.002",
+            "loaded everywhere at 0.998, lifts at 1.002",
             border == (Footing::Whole, Footing::Lifting),
         ),
     ])

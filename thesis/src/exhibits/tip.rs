@@ -50,7 +50,7 @@ fn scene(lambda: f64, seed: u64, effort: Effort) -> Result<TipScene> {
     }
     match parse_scene("tip", &text, &[])? {
         Scene::Tip(scene) => Ok(*scene),
-        _ => Err(anyhow!("a tip became something else")),
+        _ => Err(anyhow!("the scene of the tip was read as another body")),
     }
 }
 
@@ -140,7 +140,7 @@ fn all(runs: &Runs) -> Result<Vec<Turned>> {
     });
     results
         .into_iter()
-        .map(|run| run.ok_or_else(|| anyhow!("a run was lost"))?)
+        .map(|run| run.ok_or_else(|| anyhow!("a run gave no result"))?)
         .collect()
 }
 

@@ -99,7 +99,7 @@ fn sizes(small: &Porosities, large: &Porosities) -> Claim {
     Claim::trend(
         TEXT.said("sizes"),
         format!(
-            "{:.1} % apart in the mean, {:.1} % at most",
+            "{:.1} % apart on average, {:.1} % at most",
             100.0 * mean,
             100.0 * worst
         ),
