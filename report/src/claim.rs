@@ -4,6 +4,7 @@ use super::digits::{brief, short};
 use super::page::{escape, inline};
 use super::verdict::{Agreement, Allowance, Stated, Verdict};
 use serde::{Deserialize, Serialize};
+use std::fmt::Display;
 
 /// One statement and what became of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -27,18 +28,54 @@ pub struct Claim {
 
 /// What a number that is not reproduced means.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Otherwise<'a> {
+pub enum Otherwise {
     /// Something is wrong.
     Failure,
-    /// It was found in this range before; the text tells what is known and what is not.
-    Known(std::ops::RangeInclusive<f64>, &'a str),
+    /// It was found in this range before.
+    Known(std::ops::RangeInclusive<f64>),
+}
+
+/// The words of a row.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Statement {
+    /// Where the thesis makes it: section, equation, figure; empty for our own.
+    pub place: String,
+    /// The statement itself.
+    pub text: String,
+    /// What the verdict rests on: the property or the source compared with, the cause of a
+    /// difference, what is right instead, or what is missing.
+    pub basis: String,
+}
+
+impl Statement {
+    /// Reads `(place): text — basis`; place and basis may be missing.
+    pub fn parse(words: &str) -> Self {
+        let placed = words
+            .strip_prefix('(')
+            .and_then(|rest| rest.split_once("): "));
+        let (place, rest) = placed.unwrap_or(("", words));
+        let (text, basis) = rest.split_once(" — ").unwrap_or((rest, ""));
+        let [place, text, basis] = [place, text, basis].map(|part| part.trim().to_owned());
+        Self { place, text, basis }
+    }
+
+    /// With a value in place of `{name}`.
+    pub fn with(self, name: &str, value: impl Display) -> Self {
+        let (name, value) = (format!("{{{name}}}"), value.to_string());
+        let fill = |text: String| text.replace(&name, &value);
+        Self {
+            place: fill(self.place),
+            text: fill(self.text),
+            basis: fill(self.basis),
+        }
+    }
 }
 
 impl Claim {
-    fn new(place: &str, statement: &str, ours: String, verdict: Verdict) -> Self {
+    fn new(statement: Statement, ours: String, verdict: Verdict) -> Self {
         Self {
-            place: place.into(),
-            statement: statement.into(),
+            place: statement.place,
+            statement: statement.text,
             thesis: String::new(),
             ours,
             uncertainty: String::new(),
@@ -49,25 +86,18 @@ impl Claim {
 
     /// A number of the thesis beside ours: reproduced if ours lies within the allowance.
     pub fn stated(
-        place: &str,
-        statement: &str,
+        statement: Statement,
         thesis: (&str, f64),
         ours: f64,
         allowance: Allowance,
     ) -> Self {
-        let shown = short(ours);
-        Self::compared(
-            (place, statement),
-            thesis,
-            (shown, ours),
-            allowance,
-            Otherwise::Failure,
-        )
+        let shown = (short(ours), ours);
+        Self::compared(statement, thesis, shown, allowance, Otherwise::Failure)
     }
 
-    /// The same, shown as the text, and with what to say if it is not reproduced.
+    /// The same, shown as the text. If it is not reproduced, the basis of the statement says why.
     pub fn compared(
-        (place, statement): (&str, &str),
+        statement: Statement,
         thesis: (&str, f64),
         (shown, ours): (String, f64),
         allowance: Allowance,
@@ -76,135 +106,91 @@ impl Claim {
         let thesis = Stated::new(thesis);
         let verdict = match (Agreement::test(&thesis, ours, allowance), otherwise) {
             (Some(agreement), _) => Verdict::Reproduced(agreement),
-            (None, Otherwise::Known(range, text)) if range.contains(&ours) => {
-                Verdict::Differs(text.into())
+            (None, Otherwise::Known(range)) if range.contains(&ours) => {
+                Verdict::Differs(statement.basis.clone())
             }
             _ => Verdict::Failed,
         };
         Self {
             thesis: thesis.text().into(),
             difference: brief((ours - thesis.value()).abs()),
-            ..Self::new(place, statement, shown, verdict)
+            ..Self::new(statement, shown, verdict)
         }
     }
 
-    /// A statement on sign, order, monotony or scaling, `what`, that holds in our result or does not.
-    pub fn trend(place: &str, statement: &str, ours: String, holds: bool, what: &str) -> Self {
-        Self::judged(place, statement, ours, holds, Verdict::Trend(what.into()))
+    /// A statement on sign, order, monotonicity or scaling that holds in our result or does not.
+    pub fn trend(statement: Statement, ours: impl Into<String>, holds: bool) -> Self {
+        Self::judged(statement, ours, holds, Verdict::Trend)
     }
 
-    /// A number of ours beside one of another source, `against`; agrees within `tolerance`, absolute.
-    pub fn own(statement: &str, ours: f64, against: (&str, f64), tolerance: f64) -> Self {
-        let difference = (ours - against.1).abs();
-        let verdict = Verdict::OursChecked(against.0.into());
+    /// A number of ours beside one of another source; agrees within `tolerance`, absolute.
+    pub fn own(statement: Statement, ours: f64, other: f64, tolerance: f64) -> Self {
+        let difference = (ours - other).abs();
         Self {
             difference: brief(difference),
-            ..Self::judged("", statement, short(ours), difference <= tolerance, verdict)
+            ..Self::own_statement(statement, short(ours), difference <= tolerance)
         }
     }
 
-    /// A result of ours that holds beside what it is checked against, or does not.
-    pub fn own_statement(statement: &str, ours: String, holds: bool, against: &str) -> Self {
-        Self::judged(
-            "",
-            statement,
-            ours,
-            holds,
-            Verdict::OursChecked(against.into()),
-        )
+    /// A result of ours that agrees with what it is checked against, or does not.
+    pub fn own_statement(statement: Statement, ours: impl Into<String>, holds: bool) -> Self {
+        Self::judged(statement, ours, holds, Verdict::OursChecked)
     }
 
-    /// A formula of the thesis: its largest deviation from our numbers, `over` what.
-    pub fn formula(
-        place: &str,
-        statement: &str,
-        deviation: f64,
-        tolerance: f64,
-        over: &str,
-    ) -> Self {
-        let verdict = Verdict::OursChecked(format!("the thesis' {place}, {over}"));
+    /// A formula of the thesis: its largest deviation from our numbers.
+    pub fn formula(statement: Statement, deviation: f64, tolerance: f64) -> Self {
         let ours = format!("deviation {} at most", brief(deviation));
-        Self::judged(place, statement, ours, deviation <= tolerance, verdict)
+        let place = statement.place.clone();
+        let verdict = |basis| Verdict::OursChecked(format!("the thesis' {place}, {basis}"));
+        Self::judged(statement, ours, deviation <= tolerance, verdict)
     }
 
-    /// An input or a convention, of what the text tells.
-    pub fn definition(place: &str, statement: &str, ours: String, holds: bool, of: &str) -> Self {
-        Self::judged(
-            place,
-            statement,
-            ours,
-            holds,
-            Verdict::Definition(of.into()),
-        )
+    /// An input or a convention; the basis says of what.
+    pub fn definition(statement: Statement, ours: impl Into<String>, holds: bool) -> Self {
+        Self::judged(statement, ours, holds, Verdict::Definition)
     }
 
     /// A statement of the thesis that our result contradicts for a reason that is shown.
-    pub fn contradiction(
-        place: &str,
-        statement: &str,
-        ours: String,
-        holds: bool,
-        cause: &str,
-    ) -> Self {
-        Self::judged(
-            place,
-            statement,
-            ours,
-            holds,
-            Verdict::CauseKnown(cause.into()),
-        )
+    pub fn contradiction(statement: Statement, ours: impl Into<String>, holds: bool) -> Self {
+        Self::judged(statement, ours, holds, Verdict::CauseKnown)
     }
 
-    /// A statement known to be wrong, with the evidence; `refuted` tells that the evidence holds.
-    pub fn refutation(
-        place: &str,
-        statement: &str,
-        ours: String,
-        refuted: bool,
-        right: &str,
-    ) -> Self {
-        Self::judged(
-            place,
-            statement,
-            ours,
-            refuted,
-            Verdict::ThesisInError(right.into()),
-        )
+    /// A statement known to be wrong; `refuted` says whether our evidence against it holds.
+    pub fn refutation(statement: Statement, ours: impl Into<String>, refuted: bool) -> Self {
+        Self::judged(statement, ours, refuted, Verdict::ThesisInError)
     }
 
     /// A printed number known to be wrong. If ours agreed with it, it would not be an error.
-    pub fn erratum(
-        place: &str,
-        statement: &str,
-        printed: (&str, f64),
-        (ours, right): (f64, f64),
-        reason: &str,
-    ) -> Self {
+    pub fn erratum(statement: Statement, printed: (&str, f64), (ours, right): (f64, f64)) -> Self {
         /// Rounding apart, ours must be the right value.
         const ROUNDING: f64 = 1e-9;
         let printed_is_wrong = (ours - printed.1).abs() > ROUNDING * right.abs();
         let ours_is_right = (ours - right).abs() <= ROUNDING * right.abs();
-        let refuted = printed_is_wrong && ours_is_right;
         Self {
             difference: brief((ours - printed.1).abs()),
-            ..Self::refutation(place, statement, short(ours), refuted, reason)
+            ..Self::refutation(statement, short(ours), printed_is_wrong && ours_is_right)
         }
         .printed(printed.0)
     }
 
-    /// Something that the thesis gives too little for; the text tells what is missing.
-    pub fn not_checkable(place: &str, statement: &str, why: &str) -> Self {
-        Self::new(
-            place,
-            statement,
-            String::new(),
-            Verdict::NotCheckable(why.into()),
-        )
+    /// Something that the thesis gives too little for; the basis says what is missing.
+    pub fn not_checkable(statement: Statement) -> Self {
+        let verdict = Verdict::NotCheckable(statement.basis.clone());
+        Self::new(statement, String::new(), verdict)
     }
 
-    fn judged(place: &str, statement: &str, ours: String, holds: bool, verdict: Verdict) -> Self {
-        let verdict = if holds { verdict } else { Verdict::Failed };
-        Self::new(place, statement, ours, verdict)
+    fn judged(
+        statement: Statement,
+        ours: impl Into<String>,
+        holds: bool,
+        verdict: impl Fn(String) -> Verdict,
+    ) -> Self {
+        let verdict = if holds {
+            verdict(statement.basis.clone())
+        } else {
+            Verdict::Failed
+        };
+        Self::new(statement, ours.into(), verdict)
     }
 
     /// With the numbers that the thesis prints.
@@ -265,19 +251,18 @@ mod tests {
 
     #[test]
     fn a_changed_number_changes_the_verdict() {
-        let known = "the level is open";
         let verdict = |ours: f64| {
             Claim::compared(
-                ("4.6.1", "E₀"),
+                Statement::parse("(4.6.1): E₀ — the level is open"),
                 ("54 %", 0.54),
                 (short(ours), ours),
                 Allowance::StatedError(0.02, "section 4.6.1".into()),
-                Otherwise::Known(0.65..=0.69, known),
+                Otherwise::Known(0.65..=0.69),
             )
             .verdict
         };
         assert!(matches!(verdict(0.55), Verdict::Reproduced(_)));
-        assert_eq!(verdict(0.67), Verdict::Differs(known.into()));
+        assert_eq!(verdict(0.67), Verdict::Differs("the level is open".into()));
         for strange in [0.60, 0.75, f64::NAN] {
             assert_eq!(verdict(strange), Verdict::Failed);
         }
@@ -286,7 +271,8 @@ mod tests {
     #[test]
     fn an_erratum_is_one_only_while_ours_is_right_and_the_printed_number_is_not() {
         let verdict = |printed: f64, ours: f64| {
-            Claim::erratum("A.6", "integral", ("π", printed), (ours, 2.0), "it is 2").verdict
+            let statement = Statement::parse("(A.6): integral — it is 2");
+            Claim::erratum(statement, ("π", printed), (ours, 2.0)).verdict
         };
         assert_eq!(verdict(3.0, 2.0), Verdict::ThesisInError("it is 2".into()));
         assert_eq!(verdict(2.0, 2.0), Verdict::Failed);

@@ -31,7 +31,7 @@ impl Stated {
 /// How far a number may lie from the thesis' own, and why.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Allowance {
-    /// The thesis gives an exact value or a closed form: what our arithmetic leaves, absolute.
+    /// The thesis gives an exact value or a closed form: our numerical error, absolute.
     Exact(f64),
     /// Half a unit of the last digit that the thesis prints.
     Digits(f64),
@@ -55,7 +55,7 @@ impl Allowance {
     /// Where it comes from.
     pub fn words(&self) -> String {
         match self {
-            Self::Exact(_) => "exact value, up to what our arithmetic leaves".into(),
+            Self::Exact(_) => "exact value, up to our numerical error".into(),
             Self::Digits(_) => "half a unit of the last printed digit".into(),
             Self::StatedError(_, place) => format!("error stated in {place}"),
         }
@@ -163,7 +163,7 @@ impl Verdict {
                 format!("± {}: {}", brief(allowance.size()), allowance.words())
             }
             Self::OursChecked(text) => format!("against {text}"),
-            Self::Definition(text) => format!("of {text}"),
+            Self::Definition(text) => format!("follows from {text}"),
             Self::Trend(text)
             | Self::CauseKnown(text)
             | Self::Differs(text)

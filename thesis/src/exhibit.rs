@@ -1,5 +1,6 @@
 //! One figure or table of the thesis with its claims, and what exhibits share.
 
+use super::text::Prose;
 use anyhow::Result;
 use tribos_core::coupling::ReducedWrench;
 use tribos_core::coupling::{Coupling, table::Table64};
@@ -10,15 +11,47 @@ use tribos_report::player::Film;
 
 /// What one maker returns.
 pub struct Exhibit {
-    pub heading: String,
-    pub text: Vec<String>,
-    pub caption: String,
+    pub prose: Prose,
     /// Shown below the figure.
     pub film: Option<Film>,
     pub drawing: Box<dyn Drawing>,
     pub columns: Vec<&'static str>,
     pub rows: Vec<Vec<f64>>,
     pub claims: Vec<Claim>,
+}
+
+impl Exhibit {
+    /// Without a film.
+    pub fn new(
+        prose: Prose,
+        drawing: impl Drawing + 'static,
+        columns: &[&'static str],
+        rows: Vec<Vec<f64>>,
+        claims: Vec<Claim>,
+    ) -> Self {
+        Self {
+            prose,
+            film: None,
+            drawing: Box::new(drawing),
+            columns: columns.to_vec(),
+            rows,
+            claims,
+        }
+    }
+
+    /// The first text in which a placeholder is not filled.
+    pub fn unfilled(&self) -> Option<String> {
+        let claims = self.claims.iter().flat_map(|claim| {
+            let (place, statement) = (claim.place.clone(), claim.statement.clone());
+            [place, statement, claim.verdict.evidence()]
+        });
+        let Prose {
+            heading, caption, ..
+        } = self.prose.clone();
+        let prose = self.prose.paragraphs.iter().cloned();
+        let mut all = claims.chain(prose).chain([heading, caption]);
+        all.find(|text| text.contains(['{', '}']))
+    }
 }
 
 /// The table of one exponent.

@@ -7,9 +7,10 @@ mod exhibits;
 mod kept;
 mod plan;
 mod runs;
+mod text;
 
 use Maker::{Alone, Running};
-use anyhow::{Result, ensure};
+use anyhow::{Result, bail, ensure};
 use document::{claims_csv, counts, page};
 use exhibit::Exhibit;
 use exhibits::*;
@@ -231,6 +232,9 @@ pub fn chosen(given: &[String]) -> Result<Vec<&'static str>, UnknownName> {
 /// Writes the exhibit's files and makes its section of the page.
 fn write_exhibit(folder: &OutputFolder, name: &str, exhibit: Exhibit) -> Result<Section> {
     let out = folder.path();
+    if let Some(text) = exhibit.unfilled() {
+        bail!("a text of {name} has a placeholder without a value: {text}");
+    }
     let stem = match name.chars().next() {
         Some('2'..='5') => format!("figure-{name}"),
         _ => name.to_owned(),
@@ -243,12 +247,12 @@ fn write_exhibit(folder: &OutputFolder, name: &str, exhibit: Exhibit) -> Result<
     let svg = image::write_both(out, &stem, exhibit.drawing.as_ref())?;
     Ok(Section {
         id: stem,
-        heading: exhibit.heading,
-        text: exhibit.text,
+        heading: exhibit.prose.heading,
+        text: exhibit.prose.paragraphs,
         figure: Some(FigureRef {
             svg,
             files: files.to_vec(),
-            caption: exhibit.caption,
+            caption: exhibit.prose.caption,
         }),
         film: exhibit.film.map(|film| film.fragment()),
         claims: exhibit.claims,

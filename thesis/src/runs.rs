@@ -221,14 +221,6 @@ impl<'a> Runs<'a> {
         self.reader
     }
 
-    /// What more there would be, if there is.
-    pub fn hint<'t>(&self, more: &'t str) -> &'t str {
-        match self.effort {
-            Effort::Quick => more,
-            Effort::Full => "",
-        }
-    }
-
     /// The cases in their order. Those that are missing run now, as many at a time as the machine
     /// has cores, each told on standard error.
     pub fn of(&self, cases: &[Case]) -> Result<Vec<Arc<Run>>> {

@@ -1,5 +1,6 @@
 //! Every row of the exhibits that need no simulation.
 
+use super::text::Text;
 use super::*;
 use anyhow::Result;
 use std::sync::OnceLock;
@@ -99,4 +100,104 @@ fn no_comparison_fails_and_no_number_is_long() -> Outcome {
         }
     }
     Ok(())
+}
+
+/// The sources of the exhibits and the Markdown beside them, by file name.
+fn files(ending: &str) -> std::io::Result<Vec<(String, String)>> {
+    let mut found = Vec::new();
+    let all = concat!(env!("CARGO_MANIFEST_DIR"), "/src/exhibits");
+    for folder in [all.to_owned(), format!("{all}/porosity")] {
+        for entry in std::fs::read_dir(folder)? {
+            let path = entry?.path();
+            if path.extension().is_some_and(|name| name == ending) {
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                found.push((name.into_owned(), std::fs::read_to_string(&path)?));
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// What stands between two marks, each time.
+fn between<'a>(text: &'a str, open: &'a str, close: char) -> impl Iterator<Item = &'a str> {
+    let parts = text.split(open).skip(1);
+    parts.filter_map(move |part| part.split_once(close).map(|(inside, _)| inside))
+}
+
+/// Of both efforts: those that need simulations are read, not run.
+#[test]
+fn every_text_is_shown_and_every_placeholder_filled() -> Outcome {
+    let (sources, texts) = (files("rs")?, files("md")?);
+    assert_eq!(texts.len(), EXHIBITS.len());
+    let code = sources.into_iter().map(|(_, source)| source);
+    let code: String = code.collect::<String>().split_whitespace().collect();
+    let mut known = Vec::new();
+    for (file, markdown) in texts {
+        assert!(
+            code.contains(&format!("Text(include_str!(\"{file}\"))")),
+            "{file}"
+        );
+        let text = Text(Box::leak(markdown.into_boxed_str()));
+        let prose = text.prose();
+        assert!(
+            !prose.heading.is_empty() && !prose.caption.is_empty(),
+            "{file}"
+        );
+        for (id, statement) in text.statements() {
+            assert!(
+                code.contains(&format!("\"{id}\"")),
+                "{file}: {id} is not used"
+            );
+            assert!(!statement.text.is_empty(), "{file}: {id} is empty");
+            known.push(id);
+        }
+        for name in between(text.0, "{", '}') {
+            let filled = format!("with(\"{name}\",");
+            assert!(code.contains(&filled), "{file}: {{{name}}} is not filled");
+        }
+    }
+    for id in between(&code, "said(\"", '"') {
+        assert!(known.iter().any(|known| known == id), "no text for {id}");
+    }
+    Ok(())
+}
+
+#[test]
+fn no_placeholder_is_left_in_what_needs_no_simulation() -> Outcome {
+    for (name, maker) in EXHIBITS {
+        if let Alone(make) = maker {
+            assert_eq!(make()?.unfilled(), None, "{name}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn an_unknown_statement_or_an_unfilled_placeholder_is_found() {
+    let text = Text(
+        "# A\n\nB {b}\nc.\n\n## Caption\n\nD.\n\n## Claims\n\n- e (1.2): F {f} — g\n  {f}\n- h: I\n",
+    );
+    let exhibit = |prose, statement| {
+        let figure = tribos_report::figure::Figure::new(
+            "",
+            tribos_report::figure::Axis::linear(""),
+            tribos_report::figure::Axis::linear(""),
+        );
+        let claims = vec![Claim::trend(statement, "", true)];
+        Exhibit::new(prose, figure, &[], Vec::new(), claims).unfilled()
+    };
+    let filled = || text.prose().with("b", 1);
+    let statement = text.said("e").with("f", 2);
+    let words = [&statement.place, &statement.text, &statement.basis];
+    assert_eq!(words, ["1.2", "F 2", "g 2"]);
+    assert_eq!(filled().paragraphs, ["B 1 c."]);
+    assert_eq!([filled().heading, filled().caption], ["A", "D."]);
+    assert_eq!(exhibit(filled(), statement.clone()), None);
+    assert_eq!(exhibit(text.prose(), statement), Some("B {b} c.".into()));
+    assert_eq!(exhibit(filled(), text.said("e")), Some("F {f}".into()));
+    assert_eq!(
+        exhibit(filled(), text.said("x")),
+        Some("{no statement x}".into())
+    );
+    assert_eq!(text.statements()[1].0, "h");
 }

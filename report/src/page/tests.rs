@@ -1,18 +1,24 @@
 use super::*;
+use crate::claim::Statement;
 use crate::verdict::Allowance;
 
 // A page with one claim of most verdicts.
 fn page() -> Page {
     let stated = |ours| {
         let allowance = Allowance::Digits(0.5);
-        Claim::stated("eq. 1 & 2", "a < b", ("1", 1.0), ours, allowance)
+        let statement = Statement::parse("(eq. 1 & 2): a < b");
+        Claim::stated(statement, ("1", 1.0), ours, allowance)
     };
     let claims = vec![
         stated(1.1),
         stated(0.9).uncertain("± <0.1>"),
-        Claim::refutation("1", "run `a < b`", "2".into(), true, "sign of <b> & \"c\""),
-        Claim::contradiction("1", "a", "2".into(), true, "range of <cohesion>"),
-        Claim::not_checkable("1", "a", "no numbers"),
+        Claim::refutation(
+            Statement::parse("(1): run `a < b` — sign of <b> & \"c\""),
+            "2",
+            true,
+        ),
+        Claim::contradiction(Statement::parse("(1): a — range of <cohesion>"), "2", true),
+        Claim::not_checkable(Statement::parse("(1): a — no numbers")),
     ];
     Page {
         title: "Report <1>".to_owned(),
@@ -89,7 +95,7 @@ fn contents_count_the_verdicts_and_link_the_sections() {
 #[test]
 fn failures_are_counted_where_there_are_any() {
     let mut page = page();
-    page.sections[0].claims[0] = Claim::trend("1", "a", String::new(), false, "order");
+    page.sections[0].claims[0] = Claim::trend(Statement::parse("(1): a — order"), "", false);
     assert!(page.html().contains("<th>failed</th>"));
 }
 

@@ -1,11 +1,14 @@
 //! Table 3.1: force and torque for ε ≪ 1 and ε ≫ 1.
 
 use crate::exhibit::{Exhibit, at, geometric, table};
+use crate::text::Text;
 use anyhow::Result;
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
 use tribos_report::verdict::Allowance;
+
+const TEXT: Text = Text(include_str!("table-3.1.md"));
 
 const EXPONENTS: [f64; 6] = [-0.5, 0.0, 0.5, 1.0, 2.0, 3.0];
 /// Ratio at which the limits are compared; they err like its square.
@@ -60,16 +63,10 @@ pub fn table_3_1() -> Result<Exhibit> {
     }
     claims.extend(force_claims(&rows));
     claims.push(cubic_torque()?);
-    Ok(Exhibit {
-        heading: "Table 3.1: limits of fast spinning and of fast sliding".into(),
-        text: vec![format!(
-            "With ωR = 1 the table says F → ε and T → 2/(3+α) for ε ≪ 1, F → ε^α and \
-             T → (1+α)/4·ε^(α−1) for ε ≫ 1. The numbers are taken at ε = {SMALL:e} and its inverse."
-        )],
-        film: None,
-        caption: "How fast the torque reaches its two limits.".into(),
-        drawing: Box::new(Panels::new("", 2).figure(slow).figure(fast).cell(520, 420)),
-        columns: vec![
+    Ok(Exhibit::new(
+        TEXT.prose().with("small", format!("{SMALL:e}")),
+        Panels::new("", 2).figure(slow).figure(fast).cell(520, 420),
+        &[
             "alpha",
             "force_slow",
             "torque_slow",
@@ -78,7 +75,7 @@ pub fn table_3_1() -> Result<Exhibit> {
         ],
         rows,
         claims,
-    })
+    ))
 }
 
 /// The limits of the torque; the thesis has them for α ≥ 0 only.
@@ -98,29 +95,31 @@ fn torque_claims(alpha: f64, [_, slow, _, fast]: [f64; 4]) -> Vec<Claim> {
     ];
     let rows = rows.into_iter().zip(formulas);
     rows.map(|((name, text, ours), value)| {
-        let what = format!("α = {alpha}, {name}");
+        let said = |id| TEXT.said(id).with("alpha", alpha).with("limit", name);
         if alpha < 0.0 {
-            let against = format!("table 3.1 continued to α < 0, {text}");
-            return Claim::own(&what, ours, (&against, value), TRUNCATION);
+            return Claim::own(
+                said("torque-continued").with("formula", text),
+                ours,
+                value,
+                TRUNCATION,
+            );
         }
         let allowance = Allowance::Exact(TRUNCATION);
-        Claim::stated("table 3.1", &what, (&text, value), ours, allowance)
+        Claim::stated(said("torque"), (&text, value), ours, allowance)
     })
     .collect()
 }
 
 /// The limits of the force, F = ε and F = ε^α.
 fn force_claims(rows: &[Vec<f64>]) -> [Claim; 2] {
-    let over = format!("with the exponents {EXPONENTS:?}");
     [("ε ≪ 1: F = ε", 1), ("ε ≫ 1: F = ε^α", 3)].map(|(name, column)| {
         let off = rows.iter().map(|row| (row[column] - 1.0).abs());
-        let what = format!("{name}, relative");
         Claim::formula(
-            "table 3.1",
-            &what,
+            TEXT.said("force")
+                .with("limit", name)
+                .with("exponents", format!("{EXPONENTS:?}")),
             off.fold(0.0, f64::max),
             TRUNCATION,
-            &over,
         )
     })
 }
@@ -131,10 +130,8 @@ fn cubic_torque() -> Result<Claim> {
     // At ωR = 1 the surplus power of ωR does not show, the third does.
     let ours = at(&law, 1.0 / SMALL)[1] * SMALL * SMALL;
     Ok(Claim::erratum(
-        "3.3",
-        "α = 3, ε ≫ 1: torque over γN R (ωR)² v², here at ωR = 1",
+        TEXT.said("cubic-torque"),
         ("1/3", 1.0 / 3.0),
         (ours, 1.0),
-        "the torque is γN R (ωR) v², as table 3.1 says: no third, one power of ωR",
     ))
 }

@@ -1,6 +1,7 @@
 //! Figure 2.5 and sections 2.1 and 2.2: rest, motion, age, and the real area of contact.
 
 use crate::exhibit::{Exhibit, geometric, linear, points};
+use crate::text::Text;
 use anyhow::Result;
 use tribos_core::law::{
     Age, Ageing, BowdenTabor, DryFriction, GreenwoodWilliamson, HertzSphere, Incline, LocalLaw,
@@ -10,6 +11,8 @@ use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Color, Figure, Legend, Panels, Series};
 use tribos_report::verdict::Allowance;
+
+const TEXT: Text = Text(include_str!("figure-2.5.md"));
 
 /// Coefficients at rest and in motion, and growth of the first per e-fold of the age: ours, of the
 /// size of wood on wood.
@@ -67,22 +70,16 @@ pub fn figure_2_5() -> Result<Exhibit> {
     let mut claims = rest_and_motion()?;
     claims.extend(real_area()?);
     claims.extend(elastic_area()?);
-    Ok(Exhibit {
-        heading: "Figure 2.5: Coulomb's law, at rest and in motion".into(),
-        text: vec![format!(
-            "The two laws of Coulomb with coefficients of our choice, {MU_STATIC} at rest and \
-             {MU_DYNAMIC} in motion, and static friction that grows by {GROWTH} per e-fold of the \
-             age. The claims of sections 2.1 and 2.2 on the real area of contact stand here too."
-        )],
-        film: None,
-        caption: "Left: friction against velocity. Right: static friction against the time in \
-                  stationary contact."
-            .into(),
-        drawing: Box::new(Panels::new("", 2).figure(graph).figure(age).cell(520, 380)),
-        columns: vec!["velocity", "friction", "rest_time", "mu_static"],
+    Ok(Exhibit::new(
+        TEXT.prose()
+            .with("static", MU_STATIC)
+            .with("dynamic", MU_DYNAMIC)
+            .with("growth", GROWTH),
+        Panels::new("", 2).figure(graph).figure(age).cell(520, 380),
+        &["velocity", "friction", "rest_time", "mu_static"],
         rows,
         claims,
-    })
+    ))
 }
 
 /// Section 2.1.
@@ -105,46 +102,33 @@ fn rest_and_motion() -> Result<Vec<Claim>> {
         .fold(0.0, f64::max);
     Ok(vec![
         Claim::definition(
-            "2.1",
-            "Euler: μ = tan of the critical angle",
+            TEXT.said("critical-angle"),
             format!("deviation {tangent:.1e} at most, 0.05 ≤ μ ≤ 2"),
             tangent <= rounding,
-            "the critical angle",
         ),
         starts_with_a_jump()?,
         Claim::definition(
-            "2.1",
-            "It takes more force to set a body into motion than to keep it there: μ_s ≥ μ_d",
-            "the law refuses μ_s = 0.3 with μ_d = 0.5".into(),
+            TEXT.said("static-exceeds-dynamic"),
+            "the law refuses μ_s = 0.3 with μ_d = 0.5",
             DryFriction::new(0.3, 0.5).is_err(),
-            "dry friction",
         ),
         Claim::definition(
-            "2.1",
-            "Dynamic friction does not depend on the velocity, F_d = −sgn(v) μ_d L",
+            TEXT.said("constant"),
             format!("{MU_DYNAMIC} at {} speeds from 1e-9 to 1e9", speeds.len()),
             constant,
-            "dry friction",
         ),
         Claim::definition(
-            "fig. 2.5",
-            "F_s = A + B ln t: equal ratios of age give equal growth",
+            TEXT.said("ageing"),
             format!("deviation {uneven:.1e} at most"),
             uneven <= 1e-12,
-            "the law of ageing",
         ),
         Claim::stated(
-            "2.1",
-            "Bélidor's coefficient, from spherical asperities",
+            TEXT.said("belidor"),
             ("≈ 0.35", 0.35),
             belidor(),
             Allowance::Digits(5e-3),
         ),
-        Claim::not_checkable(
-            "fig. 2.5",
-            "Coulomb's data fit very well to A + B ln t",
-            "the measurements are not published as numbers",
-        ),
+        Claim::not_checkable(TEXT.said("coulombs-data")),
     ])
 }
 
@@ -159,12 +143,9 @@ fn starts_with_a_jump() -> Result<Claim> {
     let (jump, none) = (just_steeper(&wood()?)?, just_steeper(&one_coefficient)?);
     let expected = (MU_STATIC - MU_DYNAMIC) * critical_angle(MU_STATIC).cos();
     Ok(Claim::trend(
-        "2.1",
-        "Euler: slightly above the critical angle the block slides faster than one coefficient \
-         would let it",
+        TEXT.said("jump"),
         format!("acceleration/g {jump:.3}, with one coefficient {none:.1e}"),
         (jump - expected).abs() < 1e-8 && none < 1e-8,
-        "order of the two",
     ))
 }
 
@@ -188,34 +169,26 @@ fn real_area() -> Result<Vec<Claim>> {
     let ratio = junctions.force(LOAD) / LOAD;
     Ok(vec![
         Claim::definition(
-            "footnote 2",
-            "Real area of a steel cube under 100 N, in mm²",
+            TEXT.said("steel-area"),
             short(square_millimetres),
             (square_millimetres - 0.1).abs() <= f64::EPSILON,
-            "the law L = σ_c ΔA, with the thesis' load and hardness put in",
         )
         .printed("0.1"),
         Claim::definition(
-            "footnote 2",
-            "Its fraction of the apparent area, side 10 cm",
+            TEXT.said("steel-fraction"),
             short(share),
             (share - 1e-5).abs() <= 1e-20,
-            "the same area over that of the cube",
         )
         .printed("1e-5"),
         Claim::definition(
-            "eq. 2.2",
-            "μ = τ_c/σ_c, as a force and as a coefficient of Coulomb's law; τ_c = 0.4 σ_c is ours",
+            TEXT.said("plastic-coefficient"),
             short(ratio),
             (ratio - 0.4).abs() <= f64::EPSILON && (coulomb.mu() - 0.4).abs() <= f64::EPSILON,
-            "the coefficient of plastic junctions",
         ),
         Claim::definition(
-            "2.1",
-            "da Vinci: double load, \"double the amount of effort\"",
+            TEXT.said("double-load"),
             short(double),
             (double - 2.0).abs() <= f64::EPSILON,
-            "a force proportional to the load",
         ),
     ])
 }
@@ -239,34 +212,28 @@ fn elastic_area() -> Result<Vec<Claim>> {
         .iter()
         .map(|p| (p / surface.mean_pressure() - 1.0).abs())
         .fold(0.0, f64::max);
-    let law = |place: &str, what: &str, printed: (&str, f64), ours: f64, of: &str| {
+    let law = |id, printed: (&str, f64), ours: f64| {
         let holds = (ours - printed.1).abs() <= 1e-14;
-        Claim::definition(place, what, short(ours), holds, of).printed(printed.0)
+        Claim::definition(TEXT.said(id), short(ours), holds).printed(printed.0)
     };
     Ok(vec![
         law(
-            "2.2",
-            "One elastic sphere: contact radius ∝ L^x, x",
+            "hertz-radius",
             ("1/3", 1.0 / 3.0),
             exponent(|load| tip.contact_radius(load)),
-            "Hertz's law",
         ),
         law(
-            "2.2",
-            "One elastic sphere: area ∝ L^x, x",
+            "hertz-area",
             ("2/3", 2.0 / 3.0),
             exponent(|load| tip.area(load)),
-            "Hertz's law",
         ),
         Claim::trend(
-            "2.2",
-            "Greenwood: with elastic asperities of many heights the area is linear in the load",
+            TEXT.said("greenwood"),
             format!(
                 "L/A summed over Hertz contacts at three separations differs by {deviation:.1e} \
                  at most from the law's constant"
             ),
             deviation <= 1e-6,
-            "scaling, for heights that decay exponentially",
         ),
     ])
 }

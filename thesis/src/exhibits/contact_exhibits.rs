@@ -9,9 +9,13 @@ use super::contact_trials::{
     work_against,
 };
 use crate::exhibit::{Exhibit, linear};
+use crate::text::Text;
 use anyhow::Result;
 use tribos_core::contact::Attraction;
 use tribos_report::claim::Claim;
+
+pub const FIGURE_4_2: Text = Text(include_str!("figure-4.2.md"));
+pub const FIGURE_4_3: Text = Text(include_str!("figure-4.3.md"));
 
 /// Both readings of cohesion at a gap.
 const READINGS: [(&str, Attraction); 2] = [
@@ -55,27 +59,10 @@ pub fn figure_4_2() -> Result<Exhibit> {
         Mode::Sliding,
         "4.1: F_t,max = μ(F_n + F_coh)",
     )?);
-    Ok(Exhibit {
-        heading: "Figure 4.2: normal force and sliding friction of a cohesive contact".into(),
-        text: vec![
-            "The thesis says what the force may be at a gap within the range of cohesion, \"up to \
-             the cohesion strength\", not what it is where nothing pulls. A constant pull derives \
-             from an energy; a resistance only answers. Powders here take the first unless told \
-             otherwise; both are drawn."
-                .into(),
-            format!(
-                "Claims are checked on two free spheres of radius 1 with F_coh = 1, d_c = {RANGE} \
-                 that are pulled, pushed and thrown apart step by step. The table holds the \
-                 forces measured so: at a gap that opens and at one that rests, and against the \
-                 sliding speed under F_n = F_coh and 0."
-            ),
-        ],
-        film: None,
-        caption: "Normal force over the gap in both readings, and friction over the sliding \
-                  velocity."
-            .into(),
-        drawing: Box::new(DRAWN.figure_4_2()),
-        columns: vec![
+    Ok(Exhibit::new(
+        FIGURE_4_2.prose().with("range", RANGE),
+        DRAWN.figure_4_2(),
+        &[
             "gap",
             "pull_opening",
             "pull_at_rest",
@@ -87,7 +74,7 @@ pub fn figure_4_2() -> Result<Exhibit> {
         ],
         rows,
         claims,
-    })
+    ))
 }
 
 /// Torques over the angular velocities.
@@ -105,17 +92,10 @@ pub fn figure_4_3() -> Result<Exhibit> {
     )?);
     claims.extend(levers()?);
     claims.push(own_velocities()?);
-    Ok(Exhibit {
-        heading: "Figure 4.3: rolling and torsion torque of a contact".into(),
-        text: vec![
-            "Measured on the spheres of figure 4.2, which are turned against each other. The \
-             lever is r_eff = (1/R₁ + 1/R₂)⁻¹, half the radius of two equal spheres."
-                .into(),
-        ],
-        film: None,
-        caption: "Rolling and torsion torque over their angular velocities.".into(),
-        drawing: Box::new(DRAWN.figure_4_3()),
-        columns: vec![
+    Ok(Exhibit::new(
+        FIGURE_4_3.prose(),
+        DRAWN.figure_4_3(),
+        &[
             "angular_velocity",
             "rolling_pressed",
             "rolling_unloaded",
@@ -124,7 +104,7 @@ pub fn figure_4_3() -> Result<Exhibit> {
         ],
         rows,
         claims,
-    })
+    ))
 }
 
 /// What Signorini's condition with cohesion promises.
@@ -135,33 +115,33 @@ fn cohesion_claims() -> Result<Vec<Claim>> {
         let pull = bearable(&pair, 2.0 * STRENGTH, pulled)?;
         let energy = STRENGTH * RANGE;
         let rows = [
+            ("strongest-pull", pull, STRENGTH, FORCE_ACCURACY),
             (
-                "the strongest pull that the contact bears, in F_coh",
-                pull,
-                ("the law: F_coh", STRENGTH),
-                FORCE_ACCURACY,
-            ),
-            (
-                "the gap beyond which the normal force is zero, in R",
+                "reach",
                 reach(attraction, 2.0 * RANGE)?,
-                ("the law: d_c = 0.01R, ours", RANGE),
+                RANGE,
                 FORCE_ACCURACY * RANGE,
             ),
             (
-                "the energy that breaks a contact, in F_coh R",
+                "breaking-energy",
                 breaking_energy(attraction, 2.0 * energy)?,
-                ("the law: E_c = F_coh d_c", energy),
+                energy,
                 ENERGY_ACCURACY,
             ),
             (
-                "the work that it takes from a pull of 1.5 F_coh, in F_coh R",
+                "work",
                 work_against(attraction, OPENING * STRENGTH)?,
-                ("the law: E_c = F_coh d_c", energy),
+                energy,
                 ENERGY_ACCURACY,
             ),
         ];
-        claims.extend(rows.map(|(what, ours, against, tolerance)| {
-            Claim::own(&format!("{name}: {what}"), ours, against, tolerance)
+        claims.extend(rows.map(|(id, ours, law, tolerance)| {
+            Claim::own(
+                FIGURE_4_2.said(id).with("reading", name),
+                ours,
+                law,
+                tolerance,
+            )
         }));
     }
     claims.push(let_go()?);
@@ -187,10 +167,9 @@ fn pushed() -> Result<Claim> {
         }
     }
     Ok(Claim::own_statement(
-        "At direct contact F_n takes any value to avoid overlapping",
+        FIGURE_4_2.said("pushed"),
         format!("pushed with 10⁻³ to 10³ F_coh: F_n off by {worst:.1e}, gap {overlap:.1e} at most"),
         worst < FORCE_ACCURACY && overlap < 1e-12,
-        "the law of fig. 4.2",
     ))
 }
 
@@ -209,10 +188,8 @@ fn let_go() -> Result<Claim> {
     }
     let [closed, kept] = gaps;
     Ok(Claim::own_statement(
-        "Let go at half the range: a constant pull closes the gap, a resistance leaves it; both fit \
-         the thesis",
+        FIGURE_4_2.said("released"),
         format!("gap {closed:.1e} and {kept:.1e}"),
         closed.abs() < 1e-12 && (kept - 0.5 * RANGE).abs() < 1e-12,
-        "gaps 0 and d_c/2",
     ))
 }

@@ -1,5 +1,6 @@
 //! Figures 4.2 and 4.3: what a contact bears at rest and answers in motion.
 
+use super::contact_exhibits::{FIGURE_4_2, FIGURE_4_3};
 use super::contact_trials::{FRICTION, Load, Mode, Pair, STRENGTH, answer, bearable};
 use anyhow::Result;
 use tribos_core::contact::Attraction;
@@ -56,26 +57,19 @@ pub fn threshold_claims(mode: Mode, law: &str) -> Result<Vec<Claim>> {
     }
     let open = answer(&pair, -STRENGTH, Load::new(0.0, mode, MOTION))?.modes[mode as usize];
     let range = "F_n from −0.9 to 10 F_coh";
-    let against = format!("the thesis' eq. {law}");
+    let said = |id| FIGURE_4_2.said(id).with("law", law);
     Ok(vec![
         Claim::own_statement(
-            &format!("Eq. {law}: a contact at rest bears any value up to it"),
+            said("at-rest"),
             format!("deviation {at_rest:.1e} at most, relative, for {range}"),
             at_rest < FORCE_ACCURACY,
-            &against,
         ),
         Claim::own_statement(
-            &format!("Eq. {law}: in motion the same, against the motion"),
+            said("in-motion"),
             format!("deviation {in_motion:.1e} at most, relative, for {range}"),
             in_motion < FORCE_ACCURACY && against_motion,
-            &against,
         ),
-        Claim::own_statement(
-            &format!("Eq. {law}: vanishes when the contact opens, F_n = −F_coh"),
-            short(open.abs()),
-            open.abs() < 1e-12,
-            &against,
-        ),
+        Claim::own_statement(said("opening"), short(open.abs()), open.abs() < 1e-12),
     ])
 }
 
@@ -91,16 +85,15 @@ fn lever(radii: [f64; 2]) -> Result<f64> {
 pub fn levers() -> Result<[Claim; 2]> {
     Ok([
         Claim::stated(
-            "4.3.2",
-            "r_eff of two identical spheres over their radius, from the torsion torque",
+            FIGURE_4_3.said("lever-of-equals"),
             ("1/2", 0.5),
             lever([1.0, 1.0])?,
             Allowance::Exact(1e-12),
         ),
         Claim::own(
-            "r_eff for radii 1 and 2, from the torsion torque",
+            FIGURE_4_3.said("lever"),
             lever([1.0, 2.0])?,
-            ("the thesis' (1/R₁ + 1/R₂)⁻¹ = 2/3", 2.0 / 3.0),
+            2.0 / 3.0,
             1e-12,
         ),
     ])
@@ -118,9 +111,8 @@ pub fn own_velocities() -> Result<Claim> {
     let (rolls, spins) = (alone(Mode::Rolling)?, alone(Mode::Torsion)?);
     let apart = (rolling - rolls).abs() + (torsion - spins).abs();
     Ok(Claim::own_statement(
-        "The rolling torque is coupled to ω_t and the torsion torque to ω_n",
-        format!("both at once differ from each alone by {apart:.1e}"),
+        FIGURE_4_3.said("own-velocities"),
+        format!("both at once and each alone differ by {apart:.1e}"),
         apart < 1e-12 && rolls != 0.0 && spins != 0.0,
-        "each motion alone",
     ))
 }

@@ -240,7 +240,7 @@ pub fn work_against(attraction: Attraction, pull: f64) -> Result<f64> {
 fn threshold(most: f64, mut gives: impl FnMut(f64) -> Result<bool>) -> Result<f64> {
     let (mut low, mut high) = (0.0, most);
     if !gives(high)? {
-        return Err(anyhow!("nothing gives up to {most}"));
+        return Err(anyhow!("no threshold up to {most}"));
     }
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);

@@ -1,6 +1,7 @@
 //! Figure 3.4: force and torque for dry friction, with eqs. 3.11 to 3.18.
 
 use crate::exhibit::{Exhibit, at, geometric, table};
+use crate::text::Text;
 use anyhow::Result;
 use std::f64::consts::PI;
 use tribos_core::coupling::{Coupling, quadrature::DiskQuadrature};
@@ -10,6 +11,8 @@ use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
 use tribos_report::verdict::Allowance;
+
+const TEXT: Text = Text(include_str!("figure-3.4.md"));
 
 /// F and T over ε, and T over F.
 pub fn figure_3_4() -> Result<Exhibit> {
@@ -45,23 +48,13 @@ pub fn figure_3_4() -> Result<Exhibit> {
     let mut claims = limits()?;
     claims.extend(closed_forms()?);
     claims.extend(statements(&rows)?);
-    Ok(Exhibit {
-        heading: "Figure 3.4: coupled force and torque under dry friction".into(),
-        text: vec![
-            "For Coulomb friction F and T depend on the velocity ratio alone. Each motion takes \
-             friction away from the other: whoever adds sliding and spinning friction as if they \
-             were independent overestimates both."
-                .into(),
-        ],
-        film: None,
-        caption: "Left: force and torque over the velocity ratio. Right: the pairs that occur, \
-                  the limit curve of the disk."
-            .into(),
-        drawing: Box::new(panels),
-        columns: vec!["ratio", "force", "torque"],
+    Ok(Exhibit::new(
+        TEXT.prose(),
+        panels,
+        &["ratio", "force", "torque"],
         rows,
         claims,
-    })
+    ))
 }
 
 /// Eqs. 3.12, 3.14, 3.15, 3.16.
@@ -91,7 +84,12 @@ fn limits() -> Result<Vec<Claim>> {
         ("eq. 3.16", "T(0)", ("2/3", 2.0 / 3.0), at(&dry, 0.0)[1]),
     ];
     let rows = rows.into_iter().map(|(place, what, printed, ours)| {
-        Claim::stated(place, what, printed, ours, Allowance::Exact(rounding))
+        Claim::stated(
+            TEXT.said("limit").with("place", place).with("what", what),
+            printed,
+            ours,
+            Allowance::Exact(rounding),
+        )
     });
     Ok(rows.collect())
 }
@@ -150,29 +148,10 @@ fn closed_forms() -> Result<Vec<Claim>> {
     };
     let integral = deviation(&geometric(1e-3, 1e3, 400), numeric, |ratio| at(&dry, ratio));
     // The printed forms lose digits like ε⁻² and ε⁴ towards the ends.
-    let over = "at 202 ratios from 0.1 to 10";
     Ok(vec![
-        Claim::formula(
-            "eqs. 3.11, 3.13",
-            "F and T of the closed forms, with the factor 4 over the whole bracket",
-            two,
-            1e-10,
-            over,
-        ),
-        Claim::formula(
-            "eqs. 3.17, 3.18",
-            "F and T in one form for all ε",
-            one,
-            1e-10,
-            over,
-        ),
-        Claim::formula(
-            "eqs. 3.9, 3.10",
-            "F and T of the integrals, by quadrature",
-            integral,
-            1e-8,
-            "integrated numerically at 401 ratios from 1e-3 to 1e3",
-        ),
+        Claim::formula(TEXT.said("cases"), two, 1e-10),
+        Claim::formula(TEXT.said("single-form"), one, 1e-10),
+        Claim::formula(TEXT.said("integrals"), integral, 1e-8),
     ])
 }
 
@@ -190,42 +169,30 @@ fn statements(rows: &[Vec<f64>]) -> Result<Vec<Claim>> {
     let falls = at(&weakening, 1e3)[0] < peak.0;
     Ok(vec![
         Claim::trend(
-            "3.2.2",
-            "F and T are strictly monotonous functions of ε",
+            TEXT.said("monotonic"),
             format!("F rises and T falls at {} ratios", rows.len()),
             monotone,
-            "monotony",
         ),
         Claim::trend(
-            "3.2.2",
-            "Force and torque dynamically reduce each other",
+            TEXT.said("coupling"),
             format!("F < 1 and T < 2/3 at {} ratios", rows.len()),
             reduced,
-            "sign of the coupling",
         ),
         Claim::trend(
-            "3.4.4",
-            "F and T are assumed to be strictly monotonous for all α ≠ 1 (there α ≥ 0)",
-            "at 401 ratios for α = 0, 0.25, 0.5, 0.75, 1.5, 2, 3".into(),
+            TEXT.said("other-exponents"),
+            "at 401 ratios for α = 0, 0.25, 0.5, 0.75, 1.5, 2, 3",
             other_exponents_are_monotonous()?,
-            "monotony",
         ),
         Claim::own_statement(
-            "The assumption of section 3.4.4 does not extend to −1 < α < 0: F rises like ε and \
-             then falls like ε^α",
+            TEXT.said("negative-exponents"),
             format!(
                 "α = −0.5: F has a maximum {} near ε = {:.2}",
                 short(peak.0),
                 peak.1
             ),
             falls,
-            "F at 2001 ratios",
         ),
-        Claim::not_checkable(
-            "fig. 3.5",
-            "Measured force and torque of a plastic disk lie on the curves",
-            "the measurements are not published as numbers",
-        ),
+        Claim::not_checkable(TEXT.said("measured-disk")),
     ])
 }
 

@@ -1,12 +1,15 @@
 //! Figure 2.7: dry friction that first falls and then rises with the speed.
 
 use crate::exhibit::{Exhibit, geometric, points};
+use crate::text::Text;
 use anyhow::{Result, anyhow};
 use tribos_core::law::{
     ContactAge, Dieterich, LocalLaw, RateState, RateStateParameters, Ruina, SteadyRateState,
 };
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
+
+const TEXT: Text = Text(include_str!("figure-2.7.md"));
 
 /// Like paper on paper: memory length 1 µm (thesis), the rest ours. SI.
 const PAPER: RateStateParameters<f64> = RateStateParameters {
@@ -43,23 +46,19 @@ pub fn figure_2_7() -> Result<Exhibit> {
     .legend(Legend::Hidden);
     let mut claims = steady_claims(&law, minimum);
     claims.extend(memory()?);
-    Ok(Exhibit {
-        heading: "Figure 2.7: velocity weakening and strengthening".into(),
-        text: vec![format!(
-            "The steady state of rate-and-state friction stands for the creep model of Heslot et \
-             al.: the same logarithmic ageing and memory length, with μ₀ = {}, a = {}, b = {}, \
-             V₀ = {:e} m/s, D₀ = {:e} m and a viscous term of {} s/m. Only D₀ is the thesis'.",
-            PAPER.mu, PAPER.a, PAPER.b, PAPER.reference_speed, PAPER.slip_distance, PAPER.viscous
-        )],
-        film: None,
-        caption: "Friction falls with the logarithm of the speed (creep, Cr) and rises with the \
-                  speed itself (inertial, In)."
-            .into(),
-        drawing: Box::new(figure),
-        columns: vec!["speed", "friction"],
+    Ok(Exhibit::new(
+        TEXT.prose()
+            .with("mu", PAPER.mu)
+            .with("a", PAPER.a)
+            .with("b", PAPER.b)
+            .with("speed", format!("{:e}", PAPER.reference_speed))
+            .with("length", format!("{:e}", PAPER.slip_distance))
+            .with("viscous", PAPER.viscous),
+        figure,
+        &["speed", "friction"],
         rows,
         claims,
-    })
+    ))
 }
 
 fn minimum(law: &SteadyRateState<f64>) -> Result<f64> {
@@ -93,8 +92,7 @@ fn steady_claims(law: &SteadyRateState<f64>, minimum: f64) -> Vec<Claim> {
     let unstable = |v: f64| law.critical_stiffness_at(1.0, v) > 0.0;
     vec![
         Claim::trend(
-            "2.3.1",
-            "Weakening: μ_d falls approximately linearly with ln v over three decades",
+            TEXT.said("weakening"),
             format!(
                 "off the line by {:.2} % of the fall at most, {:e} to {:e} m/s",
                 100.0 * creep,
@@ -102,11 +100,9 @@ fn steady_claims(law: &SteadyRateState<f64>, minimum: f64) -> Vec<Claim> {
                 CREEP.1
             ),
             creep < STRAIGHT,
-            "sign and shape, with parameters of our choice",
         ),
         Claim::definition(
-            "2.3.1",
-            "Strengthening: μ_d rises linearly with v",
+            TEXT.said("strengthening"),
             format!(
                 "off the line by {:.2} % of the rise at most, {} to {} m/s",
                 100.0 * inertial,
@@ -114,37 +110,26 @@ fn steady_claims(law: &SteadyRateState<f64>, minimum: f64) -> Vec<Claim> {
                 INERTIAL.1
             ),
             inertial < STRAIGHT,
-            "the viscous term that is put in for it",
         ),
         Claim::trend(
-            "fig. 2.7",
-            "One crossing from the creep to the inertial regime",
+            TEXT.said("crossing"),
             format!(
                 "minimum {:.4} at {:.2e} m/s",
                 law.friction(minimum),
                 minimum
             ),
             falls && rises,
-            "one minimum, with parameters of our choice",
         ),
         Claim::trend(
-            "2.3.1",
-            "Creep accelerates itself; the inertial regime does not",
-            "a soft spring pulls unsteadily below the minimum only".into(),
+            TEXT.said("creep-accelerates"),
+            "with a soft spring sliding is unsteady only below the minimum",
             unstable(0.5 * minimum) && !unstable(2.0 * minimum),
-            "stability on both sides of the minimum",
         ),
-        Claim::not_checkable(
-            "fig. 2.7",
-            "The measured points of paper on paper",
-            "the measurements are not published as numbers",
-        ),
+        Claim::not_checkable(TEXT.said("measured-paper")),
         Claim::definition(
-            "2.3.1",
-            "Creep memory length D₀ of paper on paper, in µm",
+            TEXT.said("memory-length"),
             format!("{}", 1e6 * PAPER.slip_distance),
             PAPER.slip_distance == 1e-6,
-            "a parameter, taken over from the thesis",
         )
         .printed("≈ 1"),
     ]
@@ -166,16 +151,14 @@ fn memory() -> Result<Vec<Claim>> {
     let after = slip_law.advance(before, fast, PAPER.slip_distance / fast);
     Ok(vec![
         Claim::trend(
-            "2.3.1",
-            "μ_s grows logarithmically with the time of stick",
+            TEXT.said("stick-time"),
             format!("by {decade:.5} from 1e4 s to 1e5 s; b ln 10 = {expected:.5}"),
             (decade / expected - 1.0).abs() < 1e-4,
-            "scaling with the time",
         ),
         Claim::own(
-            "Sliding by D₀ resets the contacts: share of ln age that is left under the slip law",
+            TEXT.said("reset"),
             excess(after) / excess(before),
-            ("its closed form, 1/e", (-1f64).exp()),
+            (-1f64).exp(),
             1e-14,
         ),
     ])

@@ -1,6 +1,7 @@
 //! Figure 3.13: final motion of the double disk.
 
 use crate::exhibit::{Exhibit, table};
+use crate::text::Text;
 use anyhow::Result;
 use tribos_core::coupling::table::Table64;
 use tribos_core::modes::{FinalMode, Modes, inertia_interval};
@@ -8,6 +9,8 @@ use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
 use tribos_report::verdict::Allowance;
+
+const TEXT: Text = Text(include_str!("figure-3.13.md"));
 
 /// Launch ratios of every panel; the fixed point of the disk joins them.
 const LAUNCHES: [f64; 6] = [0.1, 0.25, 0.5, 0.8, 1.5, 4.0];
@@ -84,24 +87,13 @@ pub fn figure_3_13() -> Result<Exhibit> {
             panels = panels.figure(figure);
         }
     }
-    Ok(Exhibit {
-        heading: "Figure 3.13: final motion modes of a double disk".into(),
-        text: vec![
-            "A massless disk of radius R_c carries a heavy one of radius R, so that C = R²/(2R_c²) \
-             can be chosen. Time runs from right to left. Dashed: launched at the fixed point of \
-             C = 1/2. The thesis does not print its three radii for each law; here they lie \
-             just below the interval, at R = R_c, and just above it."
-                .into(),
-        ],
-        film: None,
-        caption: "Upper row dry friction, lower row cubic friction; below, inside and above the \
-                  interval of radii."
-            .into(),
-        drawing: Box::new(panels.cell(300, 260).zoom(1.25)),
-        columns: vec!["alpha", "radius_ratio", "launch_ratio", "spin", "ratio"],
+    Ok(Exhibit::new(
+        TEXT.prose(),
+        panels.cell(300, 260).zoom(1.25),
+        &["alpha", "radius_ratio", "launch_ratio", "spin", "ratio"],
         rows,
         claims,
-    })
+    ))
 }
 
 /// True if the run moves from its launch towards the end that the fixed points foretell.
@@ -129,15 +121,16 @@ fn panel_claim(alpha: f64, radius: f64, right: usize) -> Claim {
         (_, true, _) => "all ε → ∞",
         (_, _, true) => "all ε → 0",
         (0.0, ..) => "all ε → ε₀",
-        _ => "ε → 0 or ∞, parted by ε₀",
+        _ => "ε → 0 or ∞, separated by ε₀",
     };
     let all = LAUNCHES.len() + 1;
     Claim::trend(
-        "fig. 3.13",
-        &format!("α = {alpha}, R/R_c = {radius}: {end}"),
+        TEXT.said("panel")
+            .with("alpha", alpha)
+            .with("radius", radius)
+            .with("end", end),
         format!("{right} of {all} launches"),
         right == all,
-        "final mode; the radii are ours",
     )
 }
 
@@ -151,33 +144,35 @@ fn bounds() -> Result<Vec<Claim>> {
     };
     let ([dry_high, dry_low], [cubic_low, cubic_high]) = (ends(0.0)?, ends(3.0)?);
     let rows = [
+        ("eq. 3.35", "Lower", 0, ("1/√2", 0.5_f64.sqrt()), dry_low),
         (
             "eq. 3.35",
-            "Lower bound of R/R_c, α = 0",
-            ("1/√2", 0.5_f64.sqrt()),
-            dry_low,
-        ),
-        (
-            "eq. 3.35",
-            "Upper bound of R/R_c, α = 0",
+            "Upper",
+            0,
             ("2/√3", 2.0 / 3f64.sqrt()),
             dry_high,
         ),
         (
             "eq. 3.36",
-            "Lower bound of R/R_c, α = 3",
+            "Lower",
+            3,
             ("√(2/3)", (2.0 / 3.0_f64).sqrt()),
             cubic_low,
         ),
-        (
-            "eq. 3.36",
-            "Upper bound of R/R_c, α = 3",
-            ("√2", 2f64.sqrt()),
-            cubic_high,
-        ),
+        ("eq. 3.36", "Upper", 3, ("√2", 2f64.sqrt()), cubic_high),
     ];
-    let rows = rows.into_iter().map(|(place, what, printed, ours)| {
-        Claim::stated(place, what, printed, ours, Allowance::Exact(1e-14))
-    });
+    let rows = rows
+        .into_iter()
+        .map(|(place, which, alpha, printed, ours)| {
+            Claim::stated(
+                TEXT.said("bound")
+                    .with("place", place)
+                    .with("which", which)
+                    .with("alpha", alpha),
+                printed,
+                ours,
+                Allowance::Exact(1e-14),
+            )
+        });
     Ok(rows.collect())
 }

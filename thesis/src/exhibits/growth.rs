@@ -1,6 +1,7 @@
 //! Figures 3.6, 3.7 and 3.8: growth of the velocity ratio and its fixed points.
 
 use crate::exhibit::{Exhibit, linear, modes};
+use crate::text::Text;
 use anyhow::Result;
 use tribos_core::internals::CompleteElliptic;
 use tribos_core::modes::{FixedPoints, Stability, inertia_interval};
@@ -8,6 +9,10 @@ use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Figure, Guide, Legend, Panels, Series};
 use tribos_report::verdict::Allowance;
+
+const FIGURE_3_6: Text = Text(include_str!("figure-3.6.md"));
+const FIGURE_3_7: Text = Text(include_str!("figure-3.7.md"));
+const FIGURE_3_8: Text = Text(include_str!("figure-3.8.md"));
 
 /// The golden ratio (√5 − 1)/2, the limit of ε₀ for α → 1.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
@@ -66,7 +71,7 @@ fn in_words(points: &FixedPoints<f64>) -> String {
 
 /// Checks the stabilities of 0, of ε₀ if there is one, and of ∞.
 fn stabilities(
-    what: &str,
+    id: &str,
     points: &FixedPoints<f64>,
     expected: (Stability, Option<Stability>, Stability),
 ) -> Claim {
@@ -75,13 +80,7 @@ fn stabilities(
         points.finite.map(|(_, stability)| stability),
         points.sliding,
     );
-    Claim::trend(
-        "fig. 3.6",
-        what,
-        in_words(points),
-        found == expected,
-        "stability",
-    )
+    Claim::trend(FIGURE_3_6.said(id), in_words(points), found == expected)
 }
 
 /// g for α = 0, 1, 3 and the disk.
@@ -91,22 +90,13 @@ pub fn figure_3_6() -> Result<Exhibit> {
     let drawing = figure(title, (0.0, 1.5), (-0.25, 0.35), series);
     let mut claims = dry_claims(&rows)?;
     claims.extend(linear_and_cubic_claims(&rows)?);
-    Ok(Exhibit {
-        heading: "Figure 3.6: growth of the velocity ratio for α = 0, 1, 3".into(),
-        text: vec![
-            "While the disk slows down, dε/d(−ln ω) = g(ε). Where g is positive the ratio grows \
-             and sliding gains; where it is negative spinning gains. Zeros are fixed points."
-                .into(),
-        ],
-        film: None,
-        caption: "Under dry friction every motion ends at ε₀ ≈ 0.653: sliding and spinning stop \
-                  together."
-            .into(),
-        drawing: Box::new(drawing),
-        columns: vec!["ratio", "g_alpha_0", "g_alpha_1", "g_alpha_3"],
+    Ok(Exhibit::new(
+        FIGURE_3_6.prose(),
+        drawing,
+        &["ratio", "g_alpha_0", "g_alpha_1", "g_alpha_3"],
         rows,
         claims,
-    })
+    ))
 }
 
 /// Largest distance of a column of g from a formula of the thesis.
@@ -136,37 +126,25 @@ fn growth_as_printed(ratio: f64) -> f64 {
 fn dry_claims(rows: &[Vec<f64>]) -> Result<Vec<Claim>> {
     use Stability::{Stable, Unstable};
     let points = modes(0.0, 0.5)?.fixed_points();
-    let exact = ("its value at 50 digits", 0.653_001_789_205_598);
+    let exact = 0.653_001_789_205_598;
     let printed = deviation(rows, 1, growth_as_printed);
     let ratio = finite(&points);
     Ok(vec![
         Claim::stated(
-            "3.4.2",
-            "α = 0: finite fixed point",
+            FIGURE_3_6.said("dry-fixed-point"),
             ("≈ 0.653", 0.653),
             ratio,
             Allowance::Digits(5e-4),
         ),
-        Claim::own("α = 0: all digits of the fixed point", ratio, exact, 1e-14),
+        Claim::own(FIGURE_3_6.said("dry-digits"), ratio, exact, 1e-14),
         Claim::stated(
-            "3.1",
-            "α = 0: ωR/v of a disk just before it stops (Voyerli and Eriksen)",
+            FIGURE_3_6.said("voyerli"),
             ("≈ 1.53", 1.53),
             1.0 / ratio,
             Allowance::Digits(5e-3),
         ),
-        Claim::formula(
-            "eq. 3.28",
-            "α = 0: g(ε)",
-            printed,
-            1e-12,
-            "at 281 ratios, 0.1 < ε ≤ 1.5",
-        ),
-        stabilities(
-            "α = 0: 0 is unstable, ε₀ stable",
-            &points,
-            (Unstable, Some(Stable), Unstable),
-        ),
+        Claim::formula(FIGURE_3_6.said("dry-growth"), printed, 1e-12),
+        stabilities("dry-stability", &points, (Unstable, Some(Stable), Unstable)),
     ])
 }
 
@@ -179,36 +157,24 @@ fn linear_and_cubic_claims(rows: &[Vec<f64>]) -> Result<Vec<Claim>> {
     let bent = deviation(rows, 3, |e| e - (e.powi(3) + e) / (2.0 / 3.0 + 2.0 * e * e));
     Ok(vec![
         Claim::stated(
-            "eq. 3.29",
-            "α = 1: g vanishes; the largest |g|",
+            FIGURE_3_6.said("linear-growth"),
             ("0", 0.0),
             flat,
             Allowance::Exact(1e-15),
         ),
         stabilities(
-            "α = 1: every ratio is semistable",
+            "linear-stability",
             &linear_law,
             (Semistable, None, Semistable),
         ),
         Claim::stated(
-            "3.4.2",
-            "α = 3: finite fixed point",
+            FIGURE_3_6.said("cubic-fixed-point"),
             ("√3/3", 1.0 / 3f64.sqrt()),
             finite(&cubic),
             Allowance::Exact(1e-14),
         ),
-        Claim::formula(
-            "eq. 3.30",
-            "α = 3: g(ε)",
-            bent,
-            1e-14,
-            "at 281 ratios, 0.1 < ε ≤ 1.5",
-        ),
-        stabilities(
-            "α = 3: 0 and ∞ are stable, ε₀ unstable",
-            &cubic,
-            (Stable, Some(Unstable), Stable),
-        ),
+        Claim::formula(FIGURE_3_6.said("cubic-growth"), bent, 1e-14),
+        stabilities("cubic-stability", &cubic, (Stable, Some(Unstable), Stable)),
     ])
 }
 
@@ -219,22 +185,13 @@ pub fn figure_3_7() -> Result<Exhibit> {
     let (zoomed, _) = curves(&exponents, 0.5, &linear(0.6, 0.67, 140))?;
     let whole = figure("g(ε), C = 1/2", (0.0, 1.2), (-0.16, 0.06), series).legend(Legend::Below);
     let zoom = figure("its zeros", (0.6, 0.67), (-0.01, 0.012), zoomed).legend(Legend::Below);
-    Ok(Exhibit {
-        heading: "Figure 3.7: from Coulomb to linear friction".into(),
-        text: vec![
-            "The thesis integrated these curves numerically with the trapezoid rule; here they \
-             are exact. Towards α = 1 the whole curve flattens, but its zero stays finite and \
-             tends to the golden ratio: to first order in 1 − α the condition g = 0 reads \
-             x² − 3x + 1 = 0 with x = ε²."
-                .into(),
-        ],
-        film: None,
-        caption: "Right: the zeros, which the thesis shows as an inset.".into(),
-        drawing: Box::new(Panels::new("", 2).figure(whole).figure(zoom).cell(520, 420)),
-        columns: vec!["ratio", "0", "0.1", "0.25", "0.5", "0.75", "0.9", "1"],
+    Ok(Exhibit::new(
+        FIGURE_3_7.prose(),
+        Panels::new("", 2).figure(whole).figure(zoom).cell(520, 420),
+        &["ratio", "0", "0.1", "0.25", "0.5", "0.75", "0.9", "1"],
         rows,
-        claims: transition_claims(&exponents)?,
-    })
+        transition_claims(&exponents)?,
+    ))
 }
 
 fn transition_claims(exponents: &[f64]) -> Result<Vec<Claim>> {
@@ -258,27 +215,17 @@ fn transition_claims(exponents: &[f64]) -> Result<Vec<Claim>> {
         .unwrap_or(f64::NAN);
     Ok(vec![
         Claim::trend(
-            "3.4.3",
-            "For every 0 ≤ α < 1 a finite stable fixed point exists; α = 0, 0.1, 0.25, 0.5, 0.75, 0.9",
+            FIGURE_3_7.said("stable-zeros"),
             format!("ε₀ = {}, all stable", shown.join(", ")),
             zeros.len() == below.len(),
-            "existence and stability",
         ),
         Claim::refutation(
-            "fig. 3.7",
-            "Inset: the zeros lie in a small range",
+            FIGURE_3_7.said("small-range"),
             format!("from {} (α = 0.9) to {} (α = 0)", short(low), short(high)),
             high > 0.64,
-            "the range for 0 ≤ α < 1 is (0.618034, 0.653002]; inside [0.62, 0.64] only for \
-             0.32616 ≤ α ≤ 0.93190. The thesis' own 0.653 lies outside",
         )
         .printed("[0.62, 0.64]"),
-        Claim::own(
-            "Limit of ε₀ for α → 1, taken at 1 − 1e-9",
-            near,
-            ("the golden ratio (√5 − 1)/2", GOLDEN),
-            1e-9,
-        ),
+        Claim::own(FIGURE_3_7.said("golden-ratio"), near, GOLDEN, 1e-9),
     ])
 }
 
@@ -293,34 +240,22 @@ pub fn figure_3_8() -> Result<Exhibit> {
             && points.finite.is_none()
             && points.sliding == Stability::Unstable;
         claims.push(Claim::trend(
-            "fig. 3.8",
-            &format!("C = 1, α = {alpha}: ε = 0 is the stable and only stable fixed point"),
+            FIGURE_3_8.said("spinning").with("alpha", alpha),
             in_words(&points),
             only_spinning,
-            "stability",
         ));
     }
     let border = inertia_interval(3.0, 0.0).1;
     claims.push(Claim::refutation(
-        "3.4.5",
-        "C = 1 exceeds the upper bound c₃,max for α = 3",
+        FIGURE_3_8.said("upper-bound"),
         format!("c₃,max = {border}"),
         border == 1.0,
-        "the two are equal: C = 1 is the border itself. The conclusion stands",
     ));
-    Ok(Exhibit {
-        heading: "Figure 3.8: all mass at the rim, C = 1".into(),
-        text: vec![
-            "With C = 1 the final motion is spinning for all three exponents. (The contact is \
-             still the disk; a thin ring that rests on its rim has other force and torque \
-             functions and other bounds of C.)"
-                .into(),
-        ],
-        film: None,
-        caption: "g is negative everywhere.".into(),
-        drawing: Box::new(drawing),
-        columns: vec!["ratio", "g_alpha_0", "g_alpha_1", "g_alpha_3"],
+    Ok(Exhibit::new(
+        FIGURE_3_8.prose(),
+        drawing,
+        &["ratio", "g_alpha_0", "g_alpha_1", "g_alpha_3"],
         rows,
         claims,
-    })
+    ))
 }

@@ -1,11 +1,14 @@
 //! Figure 3.19 and eq. 3.39: friction on ice, from rest to the speeds of curling.
 
 use crate::exhibit::{Exhibit, geometric, points};
+use crate::text::Text;
 use anyhow::Result;
 use tribos_core::law::{LocalLaw, PlateauPower, PlateauPowerParameters, PowerLaw};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
+
+const TEXT: Text = Text(include_str!("figure-3.19.md"));
 
 /// γ and α of Penner's derivation, and the drop below the plateau (ours, m/s and share).
 const PENNER: (f64, f64) = (0.0080, -0.5);
@@ -74,21 +77,16 @@ pub fn figure_3_19() -> Result<Exhibit> {
     let mut claims = plateau_claims(&granite)?;
     claims.extend(fits()?);
     claims.extend(unchecked());
-    Ok(Exhibit {
-        heading: "Figure 3.19: friction on ice".into(),
-        text: vec![format!(
-            "Penner's law 0.0080 v^(−1/2), made finite below {:e} m/s: a plateau, and a drop to \
-             the share {REST_SHARE} of it at rest, half way at {DROP_SPEED:e} m/s. Drop and share \
-             are ours: the thesis shows the measurements as a picture only. The other lines are the \
-             fits that it quotes, with v in m/s.",
-            PlateauPower::<f64>::ICE_PLATEAU_SPEED
-        )],
-        film: None,
-        caption: "Friction on ice: the law with a plateau, the fits for curling stones, and two \
-                  measured points of aluminium."
-            .into(),
-        drawing: Box::new(figure),
-        columns: vec![
+    Ok(Exhibit::new(
+        TEXT.prose()
+            .with(
+                "plateau",
+                format!("{:e}", PlateauPower::<f64>::ICE_PLATEAU_SPEED),
+            )
+            .with("share", REST_SHARE)
+            .with("drop", format!("{DROP_SPEED:e}")),
+        figure,
+        &[
             "speed",
             "plateau_power",
             "penner",
@@ -99,7 +97,7 @@ pub fn figure_3_19() -> Result<Exhibit> {
         ],
         rows,
         claims,
-    })
+    ))
 }
 
 /// The law with a plateau against what the thesis says of ice.
@@ -114,58 +112,45 @@ fn plateau_claims(granite: &PlateauPower<f64>) -> Result<Vec<Claim>> {
     let (rest, slow) = (granite.friction(0.0), granite.friction(PLATEAU.0));
     let pure = power(PENNER)?;
     let at_one = granite.friction(1.0);
-    let own_law = "our law with a plateau, made for it";
     Ok(vec![
         Claim::definition(
-            "3.5.2",
-            "Friction is constant for about two decades below 1e-4 m/s, down to 1e-6 m/s",
+            TEXT.said("plateau"),
             format!(
                 "from {low:.3} to {high:.3}, by {:.0} %",
                 100.0 * (1.0 - low / high)
             ),
             low / high > 1.0 - CONSTANT,
-            own_law,
         ),
         Claim::definition(
-            "3.5.2",
-            "and decreases for vanishing velocities to a finite value",
+            TEXT.said("drop"),
             format!("{rest:.3} at rest, {slow:.3} at 1e-6 m/s"),
             rest > 0.0 && rest < slow,
-            own_law,
         ),
         Claim::trend(
-            "3.5.2",
-            "A negative exponent gives a diverging friction force for vanishing velocities",
+            TEXT.said("divergence"),
             format!(
                 "Penner's law gives {:.0} at 1e-12 m/s",
                 pure.friction(1e-12)
             ),
             pure.friction(1e-12) > 1e3 && pure.friction(1e-24) > 1e9,
-            "divergence",
         ),
         Claim::definition(
-            "3.5.2",
-            "Friction decreases with increasing velocity above the plateau",
-            "at 200 speeds from 1e-4 to 10 m/s".into(),
+            TEXT.said("decreasing"),
+            "at 200 speeds from 1e-4 to 10 m/s",
             geometric(PLATEAU.1, 1e1, 200)
                 .windows(2)
                 .all(|v| granite.friction(v[1]) < granite.friction(v[0])),
-            "the power −1/2, put in",
         ),
         Claim::definition(
-            "eq. 3.39",
-            "Penner: μ_d at 1 m/s, with the plateau",
+            TEXT.said("penner"),
             short(at_one),
             (at_one - PENNER.0).abs() < 5e-5,
-            "the coefficient γ, put in",
         )
         .printed("0.0080"),
         Claim::formula(
-            "eq. 3.39",
-            "The plateau does not change μ_d at 1 m/s",
+            TEXT.said("plateau-far-away"),
             (at_one / pure.friction(1.0) - 1.0).abs(),
             1e-7,
-            "relative",
         ),
     ])
 }
@@ -181,19 +166,15 @@ fn fits() -> Result<Vec<Claim>> {
     let exponent = (more / less).ln() / (slow / fast).ln();
     Ok(vec![
         Claim::definition(
-            "3.5.2",
-            "Ice: friction can be an order of magnitude lower than on most other solids",
+            TEXT.said("slippery"),
             format!("at most {highest} at 1 m/s in the four fits"),
             highest < 0.1,
-            "the thesis' fits, put in",
         )
         .printed("0.0076, 0.0080, 0.0094, 0.0103"),
         Claim::trend(
-            "3.5.2",
-            "Aluminium at −10 °C: friction falls from rest to 0.03 and to 5 m/s",
+            TEXT.said("aluminium"),
             format!("between the two speeds like v^{exponent:.2}, inside the fits' −0.19 to −0.82"),
             ALUMINIUM_AT_REST > more && exponent < DRAW.1 && exponent > ROTATION.1[1],
-            "sign and size of the exponent, from the thesis' three numbers",
         )
         .printed("0.38, 0.34, 0.04"),
     ])
@@ -202,22 +183,8 @@ fn fits() -> Result<Vec<Claim>> {
 /// Measurements.
 fn unchecked() -> Vec<Claim> {
     vec![
-        Claim::not_checkable(
-            "fig. 3.19",
-            "The measured friction of ice on granite and glass",
-            "the measurements are not published as numbers",
-        ),
-        Claim::not_checkable(
-            "3.5.2",
-            "γ of eq. 3.39 from the material parameters of a curling stone",
-            "the parameters are not in the thesis",
-        )
-        .printed("0.0080"),
-        Claim::not_checkable(
-            "3.5.2",
-            "Penner: friction at the back would have to be so many times that in front",
-            "the model's dimensions are not in the thesis",
-        )
-        .printed("10 – 100"),
+        Claim::not_checkable(TEXT.said("measured-ice")),
+        Claim::not_checkable(TEXT.said("material")).printed("0.0080"),
+        Claim::not_checkable(TEXT.said("back-and-front")).printed("10 – 100"),
     ]
 }

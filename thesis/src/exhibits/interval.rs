@@ -1,12 +1,17 @@
 //! Figures 3.9 and 3.10 and table 3.2: which bodies have a finite fixed point.
 
 use crate::exhibit::{Exhibit, geometric, linear, modes};
+use crate::text::Text;
 use anyhow::Result;
 use tribos_core::modes::{Stability, inertia_interval};
 use tribos_report::claim::Claim;
 use tribos_report::diagram::Diagram;
 use tribos_report::figure::{Axis, Figure, Guide, Series};
 use tribos_report::verdict::Allowance;
+
+const FIGURE_3_9: Text = Text(include_str!("figure-3.9.md"));
+const TABLE_3_2: Text = Text(include_str!("table-3.2.md"));
+const FIGURE_3_10: Text = Text(include_str!("figure-3.10.md"));
 
 /// Ratios so far out that the limits are reached to rounding: the next terms are of order ε².
 const FAR: f64 = 1e9;
@@ -32,9 +37,13 @@ pub fn figure_3_9() -> Result<Exhibit> {
         claims.push(if alpha == 1.0 {
             let off = |a: f64, b: f64| (a - 0.5).abs().total_cmp(&(b - 0.5).abs());
             let worst = curve.iter().map(|p| p.1).max_by(|a, b| off(*a, *b));
-            let what = "α = 1: C is the same for every ε₀; its value farthest from that";
             let worst = worst.unwrap_or(f64::NAN);
-            Claim::stated("3.4.4", what, ("1/2", 0.5), worst, Allowance::Exact(1e-15))
+            Claim::stated(
+                FIGURE_3_9.said("constant"),
+                ("1/2", 0.5),
+                worst,
+                Allowance::Exact(1e-15),
+            )
         } else {
             let (how, holds) = if alpha < 1.0 {
                 ("falls", falls)
@@ -42,11 +51,9 @@ pub fn figure_3_9() -> Result<Exhibit> {
                 ("rises", rises)
             };
             Claim::trend(
-                "fig. 3.9",
-                &format!("α = {alpha}: the mapping from ε₀ to C is bijective"),
+                FIGURE_3_9.said("bijective").with("alpha", alpha),
                 format!("{how} at {} ratios", curve.len()),
                 holds,
-                "monotony",
             )
         });
         for (row, (_, c)) in rows.iter_mut().zip(&curve) {
@@ -54,18 +61,13 @@ pub fn figure_3_9() -> Result<Exhibit> {
         }
         figure = figure.series(Series::line(format!("α = {alpha}"), curve));
     }
-    Ok(Exhibit {
-        heading: "Figure 3.9: C as a function of the fixed point".into(),
-        text: vec![
-            "Asked the other way round: which C = I/(MR²) puts the fixed point at ε₀?".into(),
-        ],
-        film: None,
-        caption: "Each curve runs between its two limits of table 3.2.".into(),
-        drawing: Box::new(figure.guide(Guide::horizontal(0.5, "disk"))),
-        columns: vec!["ratio", "c_alpha_0", "c_alpha_1", "c_alpha_3"],
+    Ok(Exhibit::new(
+        FIGURE_3_9.prose(),
+        figure.guide(Guide::horizontal(0.5, "disk")),
+        &["ratio", "c_alpha_0", "c_alpha_1", "c_alpha_3"],
         rows,
         claims,
-    })
+    ))
 }
 
 /// The limits of C_α.
@@ -81,9 +83,16 @@ pub fn table_3_2() -> Result<Exhibit> {
             modes.inertia_ratio_of(FAR),
         );
         for (end, printed, ours) in [("0", slow, at_zero), ("∞", fast, at_infinity)] {
-            let what = format!("α = {alpha}: C for ε₀ → {end}");
             let allowance = Allowance::Exact(1e-15);
-            claims.push(Claim::stated("table 3.2", &what, printed, ours, allowance));
+            claims.push(Claim::stated(
+                TABLE_3_2
+                    .said("limit")
+                    .with("alpha", alpha)
+                    .with("end", end),
+                printed,
+                ours,
+                allowance,
+            ));
         }
         rows.push(vec![alpha, at_zero, at_infinity]);
     }
@@ -95,16 +104,16 @@ pub fn table_3_2() -> Result<Exhibit> {
     )
     .series(Series::points("ε₀ → 0", column(1)))
     .series(Series::points("ε₀ → ∞", column(2)));
-    Ok(Exhibit {
-        heading: "Table 3.2: limits of C".into(),
-        text: vec![format!("Evaluated at ε₀ = {:e} and {FAR:e}.", 1.0 / FAR)],
-        film: None,
-        caption: "The six numbers of the table.".into(),
-        drawing: Box::new(figure),
-        columns: vec!["alpha", "c_at_zero", "c_at_infinity"],
+    Ok(Exhibit::new(
+        TABLE_3_2
+            .prose()
+            .with("small", format!("{:e}", 1.0 / FAR))
+            .with("large", format!("{FAR:e}")),
+        figure,
+        &["alpha", "c_at_zero", "c_at_infinity"],
         rows,
         claims,
-    })
+    ))
 }
 
 /// The phase diagram.
@@ -116,22 +125,13 @@ pub fn figure_3_10() -> Result<Exhibit> {
             vec![alpha, low, high]
         })
         .collect();
-    Ok(Exhibit {
-        heading: "Figure 3.10: phase diagram of final motion".into(),
-        text: vec![
-            "Between its two borders, 2/(3+α) and (1+α)/4, a finite fixed point exists: stable \
-             for α < 1, unstable for α > 1. Above both, spinning remains; below both, sliding. \
-             The claims are checked against the exact g at many points of the plane, not against \
-             the formulas of the borders."
-                .into(),
-        ],
-        film: None,
-        caption: "Final motion in the plane of exponent and inertia ratio.".into(),
-        drawing: Box::new(Diagram::uniform_disk().figure(None)),
-        columns: vec!["alpha", "c_min", "c_max"],
+    Ok(Exhibit::new(
+        FIGURE_3_10.prose(),
+        Diagram::uniform_disk().figure(None),
+        &["alpha", "c_min", "c_max"],
         rows,
-        claims: plane_claims()?,
-    })
+        plane_claims()?,
+    ))
 }
 
 /// What was found at points of the plane.
@@ -173,8 +173,7 @@ fn plane_claims() -> Result<Vec<Claim>> {
     let negative = look(exponents().filter(|alpha| *alpha < -1e-9))?;
     let all = positive.points;
     let shown = |n: usize| format!("{n} of {all} points of the plane, 0 ≤ α ≤ 9");
-    let row =
-        |what: &str, n: usize, of: &str| Claim::trend("fig. 3.10", what, shown(n), n == all, of);
+    let row = |id, n: usize| Claim::trend(FIGURE_3_10.said(id), shown(n), n == all);
     let Found {
         points,
         right,
@@ -182,27 +181,13 @@ fn plane_claims() -> Result<Vec<Claim>> {
         fitting,
     } = negative;
     Ok(vec![
-        row(
-            "A finite fixed point exists exactly for c_min < C < c_max",
-            positive.right,
-            "regions",
-        ),
-        row(
-            "There is only one finite fixed point",
-            positive.single,
-            "number",
-        ),
-        row(
-            "It is stable for α < 1 and unstable for α > 1",
-            positive.fitting,
-            "stability",
-        ),
+        row("regions", positive.right),
+        row("single", positive.single),
+        row("stability", positive.fitting),
         Claim::own_statement(
-            "Negative exponents: one finite fixed point between the continued borders, stable, and \
-             none outside",
+            FIGURE_3_10.said("negative"),
             format!("{right} of {points} points of the plane, −0.9 ≤ α < 0"),
             [right, single, fitting] == [points; 3],
-            "signs of g at 61 ratios",
         ),
     ])
 }

@@ -1,10 +1,13 @@
 //! Figure 3.3: the local law for several exponents.
 
 use crate::exhibit::{Exhibit, linear};
+use crate::text::Text;
 use anyhow::Result;
 use tribos_core::law::{LocalLaw, PowerLaw};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Series};
+
+const TEXT: Text = Text(include_str!("figure-3.3.md"));
 
 const EXPONENTS: [f64; 6] = [0.0, 0.1, 0.5, 1.0, 2.0, 3.0];
 
@@ -37,17 +40,10 @@ pub fn figure_3_3() -> Result<Exhibit> {
         against &= velocities.iter().all(|&v| friction(v) * v <= 0.0);
     }
     let count = EXPONENTS.len();
-    Ok(Exhibit {
-        heading: "Figure 3.3: local friction law".into(),
-        text: vec![
-            "Only the direction of the velocity counts for α = 0; for α = 1 the law is viscous. \
-             At rest dynamic friction is undetermined; the kernel returns zero there."
-                .into(),
-        ],
-        film: None,
-        caption: "Friction of one surface element against its velocity.".into(),
-        drawing: Box::new(figure),
-        columns: vec![
+    Ok(Exhibit::new(
+        TEXT.prose(),
+        figure,
+        &[
             "velocity",
             "alpha_0",
             "alpha_0.1",
@@ -57,12 +53,10 @@ pub fn figure_3_3() -> Result<Exhibit> {
             "alpha_3",
         ],
         rows,
-        claims: vec![Claim::definition(
-            "fig. 3.3",
-            "All curves meet at |v| = 1 with |f| = 1, and f is opposite to v",
+        vec![Claim::definition(
+            TEXT.said("meet"),
             format!("for {count} of {count} exponents"),
             meet && against,
-            "the power law −v|v|^(α−1)",
         )],
-    })
+    ))
 }

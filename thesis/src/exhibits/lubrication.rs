@@ -1,6 +1,7 @@
 //! Figure 2.8 and section 2.3.2: friction in and with a fluid.
 
 use crate::exhibit::{Exhibit, geometric, points};
+use crate::text::Text;
 use anyhow::{Result, anyhow};
 use std::f64::consts::PI;
 use tribos_core::law::{
@@ -11,6 +12,8 @@ use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Figure, Legend, Series};
 use tribos_report::verdict::Allowance;
+
+const TEXT: Text = Text(include_str!("figure-2.8.md"));
 
 /// Boundary friction without a film, and the rise of the film's own friction. Speeds are in units
 /// of the one at which the film begins to lift the body. Ours.
@@ -47,21 +50,13 @@ pub fn figure_2_8() -> Result<Exhibit> {
     .legend(Legend::Below);
     let mut claims = stribeck_claims(&law)?;
     claims.extend(drag_claims()?);
-    Ok(Exhibit {
-        heading: "Figure 2.8: boundary and hydrodynamic lubrication".into(),
-        text: vec![
-            "The thesis draws this curve without numbers. Here boundary friction is 0.1 and the \
-             film's own friction is chosen so that the least friction is a hundred times smaller, \
-             as the thesis calls typical."
-                .into(),
-        ],
-        film: None,
-        caption: "Friction of a lubricated body against viscosity × velocity / load.".into(),
-        drawing: Box::new(figure),
-        columns: vec!["parameter", "friction", "boundary", "hydrodynamic"],
+    Ok(Exhibit::new(
+        TEXT.prose(),
+        figure,
+        &["parameter", "friction", "boundary", "hydrodynamic"],
         rows,
         claims,
-    })
+    ))
 }
 
 /// d ln f/d ln x between `x` and `2x`.
@@ -72,38 +67,30 @@ fn exponent(f: impl Fn(f64) -> f64, x: f64) -> f64 {
 fn stribeck_claims(law: &Stribeck<f64>) -> Result<Vec<Claim>> {
     let minimum = law
         .minimum()
-        .ok_or_else(|| anyhow!("the lubricated body has no least friction"))?;
+        .ok_or_else(|| anyhow!("the friction of the lubricated body has no minimum"))?;
     let least = law.friction(minimum);
     let friction = |x: f64| law.friction(x);
     let (slow, fast) = (exponent(friction, 1e-3), exponent(friction, 1e2));
     Ok(vec![
         Claim::definition(
-            "2.3.2",
-            "Boundary lubrication: independent of the velocity",
+            TEXT.said("boundary"),
             format!("∝ v^{slow:.1e} at 1e-3"),
             slow.abs() < 1e-4,
-            "the law without a film",
         ),
         Claim::definition(
-            "2.3.2",
-            "Hydrodynamic lubrication: proportional to the velocity, ∝ v^x, x at 100",
+            TEXT.said("hydrodynamic"),
             short(fast),
             (fast - 1.0).abs() <= 1e-12,
-            "the law of the full film",
         ),
         Claim::trend(
-            "fig. 2.8",
-            "Boundary lubrication is much higher than hydrodynamic; one minimum between them",
+            TEXT.said("minimum"),
             format!("least friction {least:.2e} at {minimum:.2}, boundary {BOUNDARY}"),
             law.slope(0.99 * minimum) < 0.0 && law.slope(1.01 * minimum) > 0.0,
-            "one minimum, with parameters of our choice",
         ),
         Claim::definition(
-            "2.3.2",
-            "Boundary friction over hydrodynamic friction, \"typically by a factor of 100\"",
+            TEXT.said("factor"),
             format!("{:.0}", BOUNDARY / least),
             (BOUNDARY / least / 100.0 - 1.0).abs() < 0.05,
-            "the film's friction, chosen for it",
         )
         .printed("100"),
     ])
@@ -123,57 +110,38 @@ fn drag_claims() -> Result<Vec<Claim>> {
     let crossover = speed_at(crossover_reynolds(CONSTANT));
     let (slow, fast) = (speed_at(1e-3), speed_at(1e4));
     let re = reynolds(DENSITY, slow, RADIUS, VISCOSITY);
-    let law = |place: &str, what: &str, ours: f64, value: f64, of: &str| {
+    let law = |id, ours: f64, value: f64| {
         let holds = (ours - value).abs() <= 1e-13 * value;
-        Claim::definition(place, what, short(ours), holds, of)
+        Claim::definition(TEXT.said(id), short(ours), holds)
     };
     Ok(vec![
         Claim::stated(
-            "2.3.2",
-            "C₁, from pressure and shear of Stokes' flow over the sphere",
+            TEXT.said("stokes-constant"),
             ("6π", 6.0 * PI),
             stokes_constant(),
             Allowance::Exact(1e-12),
         ),
         law(
-            "eq. 2.4",
-            "F/(ηvr)",
+            "stokes",
             viscous.force(slow) / (VISCOSITY * slow * RADIUS),
             6.0 * PI,
-            "Stokes' law, with C₁ put in",
         )
         .printed("6π"),
         law(
-            "eq. 2.3",
-            "F/(ρv²r²) over C₁/Re, at Re = 1e-3",
+            "reynolds",
             viscous.force(slow) / scale(slow) / (6.0 * PI / re),
             1.0,
-            "the Reynolds number",
         ),
-        law(
-            "2.3.2",
-            "Laminar flow: linear in v, F ∝ v^x, x",
-            exponent(|v| viscous.force(v), slow),
-            1.0,
-            "Stokes' law",
-        ),
-        law(
-            "2.3.2",
-            "Turbulent flow: square of v, F ∝ v^x, x",
-            exponent(|v| inertial.force(v), fast),
-            2.0,
-            "inertial drag",
-        ),
+        law("laminar", exponent(|v| viscous.force(v), slow), 1.0),
+        law("turbulent", exponent(|v| inertial.force(v), fast), 2.0),
         Claim::trend(
-            "2.3.2",
-            "The viscous force dominates at low Reynolds numbers, inertia at high ones",
+            TEXT.said("dominance"),
             format!(
                 "equal at Re = C₁/C₂ = {:.1} for C₂ = {CONSTANT}, which is ours",
                 crossover_reynolds(CONSTANT)
             ),
             viscous.force(0.5 * crossover) > inertial.force(0.5 * crossover)
                 && viscous.force(2.0 * crossover) < inertial.force(2.0 * crossover),
-            "order below and above one number",
         ),
     ])
 }

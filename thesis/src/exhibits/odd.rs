@@ -1,11 +1,14 @@
 //! Appendix A: the double sums for odd exponents, as printed and mended.
 
 use crate::exhibit::{Exhibit, at, linear, table};
+use crate::text::Text;
 use anyhow::Result;
 use std::f64::consts::PI;
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Figure, Series};
+
+const TEXT: Text = Text(include_str!("appendix-a.md"));
 
 /// Ratio at which the sums are compared.
 const RATIO: f64 = 0.7;
@@ -55,68 +58,38 @@ fn double_sum(n: u32, ratio: f64, l_factorial: bool, term: impl Fn(u32, u32) -> 
 /// The sentence before A.6.
 fn even_powers_of_the_sine() -> Claim {
     let integral = 2.0 * PI * mean_of_sine_power(4);
-    Claim::erratum(
-        "before A.6",
-        "The integral of sinˡφ over the circle for an even exponent; l = 4",
-        ("π", PI),
-        (integral, 0.75 * PI),
-        "it is 2π (l−1)!!/l!!, which is π for l = 2 only",
-    )
+    Claim::erratum(TEXT.said("sine"), ("π", PI), (integral, 0.75 * PI))
 }
 
 /// Both sums of α = 2n + 1 against the kernel, mended and as printed.
 fn sum_claims(n: u32, alpha: f64, [force, torque]: [f64; 2]) -> Vec<Claim> {
     let (right_force, right_torque) = (force_sum(n, RATIO, true), torque_sum(n, RATIO, 2.0));
-    let mended = |place: &str, what: &str, ours: f64, sum: f64| {
-        let what = format!("α = {alpha}: {what}");
-        Claim::formula(
-            place,
-            &what,
-            (ours / sum - 1.0).abs(),
-            1e-13,
-            "mended, relative",
-        )
+    let mended = |id, ours: f64, sum: f64| {
+        let said = TEXT.said(id).with("alpha", alpha);
+        Claim::formula(said, (ours / sum - 1.0).abs(), 1e-13)
     };
     let mut claims = vec![
-        mended(
-            "A.7",
-            "F(0.7) of the sum, l! put into the denominator",
-            force,
-            right_force,
-        ),
-        mended(
-            "A.9",
-            "T(0.7) of the sum, 2ε put into the odd branch",
-            torque,
-            right_torque,
-        ),
+        mended("force", force, right_force),
+        mended("torque", torque, right_torque),
     ];
     if n >= 2 {
         let printed = force_sum(n, RATIO, false);
         claims.push(Claim::erratum(
-            "A.7",
-            &format!("α = {alpha}: F(0.7) of the sum as printed"),
+            TEXT.said("printed-force")
+                .with("alpha", alpha)
+                .with("factor", format!("{:.4}", printed / force)),
             (&short(printed), printed),
             (force, right_force),
-            &format!(
-                "l! is missing in the denominator of the inner sum: {:.4} times too large; no \
-                 effect for α = 1 and 3",
-                printed / force
-            ),
         ));
     }
     if n >= 1 {
         let printed = torque_sum(n, RATIO, 1.0);
         claims.push(Claim::erratum(
-            "A.9",
-            &format!("α = {alpha}: T(0.7) of the sum as printed"),
+            TEXT.said("printed-torque")
+                .with("alpha", alpha)
+                .with("factor", format!("{:.4}", printed / torque)),
             (&short(printed), printed),
             (torque, right_torque),
-            &format!(
-                "the odd branch needs −2ε: {:.4} of the right value; as printed it contradicts \
-                 eq. 3.22",
-                printed / torque
-            ),
         ));
     }
     claims
@@ -145,18 +118,10 @@ pub fn appendix_a() -> Result<Exhibit> {
         }
         figure = figure.series(Series::line(format!("α = {alpha}"), curve));
     }
-    Ok(Exhibit {
-        heading: "Appendix A: odd exponents".into(),
-        text: vec![
-            "For odd α the integrand is a polynomial and the thesis gives double sums. Mended, \
-             they agree with the general formula; as printed they do not. (In eq. 3.22 the label \
-             T_n,1 should read T_n,3, and one term of its integrand lacks the fourth power of r.)"
-                .into(),
-        ],
-        film: None,
-        caption: "Force over the velocity ratio at ωR = 1.".into(),
-        drawing: Box::new(figure),
-        columns: vec![
+    Ok(Exhibit::new(
+        TEXT.prose(),
+        figure,
+        &[
             "ratio",
             "f_alpha_1",
             "f_alpha_3",
@@ -166,5 +131,5 @@ pub fn appendix_a() -> Result<Exhibit> {
         ],
         rows,
         claims,
-    })
+    ))
 }

@@ -2,11 +2,14 @@
 
 use crate::exhibit::Exhibit;
 use crate::runs::{Case, Effort, Run, Runs, System};
+use crate::text::Text;
 use anyhow::Result;
 use tribos::powder::Ending;
 use tribos::powder::deposit::{Ballistic, Until};
 use tribos_report::claim::Claim;
 use tribos_report::runs::powder::packing;
+
+const TEXT: Text = Text(include_str!("figure-4.6.md"));
 
 /// Deposits of each system.
 const SEEDS: std::ops::Range<u64> = 1..6;
@@ -24,41 +27,38 @@ pub fn figure_4_6(runs: &Runs) -> Result<Exhibit> {
     let case = Case::new(system, [0.0, 0.0], 1);
     let run = runs.one(&case)?;
     let mut claims = Vec::new();
-    for system in [System::Small, System::Large] {
-        claims.push(piston_claim(system)?);
+    for (id, system) in [
+        ("small-piston", System::Small),
+        ("large-piston", System::Large),
+    ] {
+        claims.push(piston_claim(id, system)?);
     }
     claims.extend(end_claims(&run));
     let [before, after] = &run.states;
     let pairs = before.positions.iter().zip(&after.positions);
     Ok(Exhibit {
-        heading: "Figure 4.6: ballistic deposit before and after compaction".into(),
-        text: vec![format!(
-            "The {} system, {} spheres of the first seed, without rolling and torsion friction; \
-             the thesis shows the large one and does not say with which torques. Colours are the \
-             heights in the deposit; the third picture shows the forces that hold the blocked \
-             packing{}.",
-            system.name(),
-            run.outcome.particles,
-            runs.hint("; `--full` takes the large system")
-        )],
         film: Some(case.film(runs)?),
-        caption: "Initial and final packing, and the final forces.".into(),
-        drawing: Box::new(packing(&run.scene, &run.states, &run.outcome)?),
-        columns: vec![
-            "x_initial",
-            "y_initial",
-            "z_initial",
-            "x_final",
-            "y_final",
-            "z_final",
-        ],
-        rows: pairs.map(|(x, y)| [*x, *y].concat()).collect(),
-        claims,
+        ..Exhibit::new(
+            TEXT.prose_of(runs.effort())
+                .with("system", system.name())
+                .with("spheres", run.outcome.particles),
+            packing(&run.scene, &run.states, &run.outcome)?,
+            &[
+                "x_initial",
+                "y_initial",
+                "z_initial",
+                "x_final",
+                "y_final",
+                "z_final",
+            ],
+            pairs.map(|(x, y)| [*x, *y].concat()).collect(),
+            claims,
+        )
     })
 }
 
 /// Heights of five deposits; figure 4.5 has their spheres and porosities.
-fn piston_claim(system: System) -> Result<Claim> {
+fn piston_claim(id: &str, system: System) -> Result<Claim> {
     let [width, height] = system.size();
     let ballistic = Ballistic::new(width, 1.0, CAPTURE_RADIUS)?;
     let mut lowest = height;
@@ -67,14 +67,9 @@ fn piston_claim(system: System) -> Result<Claim> {
         lowest = lowest.min(deposit?.height);
     }
     let claim = Claim::trend(
-        "4.5",
-        &format!(
-            "Initially the piston of the {} system, at {height}R, nearly touches the highest sphere",
-            system.name()
-        ),
-        format!("highest points from {lowest:.2}R on"),
+        TEXT.said(id).with("height", height),
+        format!("highest points at {lowest:.2}R and above"),
         height - lowest < NEAR,
-        "less than 0.5R apart",
     );
     Ok(claim.uncertain("five deposits"))
 }
@@ -86,8 +81,7 @@ fn end_claims(run: &Run) -> [Claim; 2] {
     let (outcome, means) = (&run.outcome, &run.outcome.means);
     [
         Claim::trend(
-            "fig. 4.6",
-            "The final configuration is blocked: the piston does not move any more",
+            TEXT.said("blocked"),
             format!(
                 "piston moved {:.1e}R in the last window of 200 steps or more; mean net force \
                  {:.1e} of the mean contact force",
@@ -95,13 +89,11 @@ fn end_claims(run: &Run) -> [Claim; 2] {
                 means.net / means.contact
             ),
             outcome.ending == Some(Ending::Blocked),
-            "comes to rest",
         ),
         Claim::own_statement(
-            "Spheres are rigid: the deepest overlap",
+            TEXT.said("rigid"),
             format!("{:.1e}R", outcome.statistics.max_overlap),
             outcome.statistics.max_overlap < OVERLAP,
-            "distances of all pairs; less than 0.01R",
         ),
     ]
 }

@@ -1,10 +1,13 @@
 //! Figure 3.17: pipes that slide and spin on their end.
 
 use crate::exhibit::{Exhibit, linear};
+use crate::text::Text;
 use anyhow::Result;
 use tribos::slide::planar::{Arrival, Journey, Launch, Pipe};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Legend, Series};
+
+const TEXT: Text = Text(include_str!("figure-3.17.md"));
 
 const GRAVITY: f64 = 9.81;
 /// The launches of the two pipes: m/s and rad/s, counterclockwise.
@@ -82,23 +85,17 @@ pub fn figure_3_17() -> Result<Exhibit> {
     let mut claims = shape(&paths)?;
     claims.extend(trends()?);
     claims.extend(unchecked());
-    Ok(Exhibit {
-        heading: "Figure 3.17: paths of sliding, spinning pipes".into(),
-        text: vec![format!(
-            "Penner's two launches. The thesis does not give dimensions and friction of the pipes: \
-             μ = {MU}, radius {RADIUS} m, wall {:.0} mm and height {HEIGHT} m are ours, so that \
-             side and trend can be compared, but not the lengths. The thesis draws its launches along \
-             y; here x points forward and y to the left, as in the scenes of pipes. The pressure gradients along and \
-             across the path are both followed.",
-            1e3 * RADIUS * (1.0 - INNER_RATIO)
-        )],
-        film: None,
-        caption: "Paths from the origin to rest, for a pipe of our dimensions.".into(),
-        drawing: Box::new(figure.size(900, 460)),
-        columns: vec!["pipe", "time", "x", "y"],
+    Ok(Exhibit::new(
+        TEXT.prose()
+            .with("mu", MU)
+            .with("radius", RADIUS)
+            .with("wall", format!("{:.0}", 1e3 * RADIUS * (1.0 - INNER_RATIO)))
+            .with("height", HEIGHT),
+        figure.size(900, 460),
+        &["pipe", "time", "x", "y"],
         rows,
         claims,
-    })
+    ))
 }
 
 /// Side and bend of the two paths.
@@ -113,33 +110,27 @@ fn shape(paths: &[Vec<[f64; 3]>; 2]) -> Result<Vec<Claim>> {
             (x1 - x0) * (y2 - y1) - (y1 - y0) * (x2 - x1) < 1e-12
         })
     };
-    let row = |what: &str, shown: String, holds: bool, of: &str| {
-        Claim::trend("3.5.1", what, shown, holds, of)
-    };
+    let row = |id, shown: String, holds| Claim::trend(TEXT.said(id), shown, holds);
     Ok(vec![
         row(
-            "Counterclockwise spin: both pipes drift to the right",
+            "drift",
             format!("{:.4} m and {:.4} m to the right", -ends[0][1], -ends[1][1]),
             ends.iter().all(|end| end[1] < 0.0),
-            "side",
         ),
         row(
-            "The path is curved: it bends to the right all the way",
+            "curved",
             format!("at {} points of each", SHOWN + 1),
             paths.iter().all(bends_right),
-            "sign of the curvature",
         ),
         row(
-            "Clockwise spin: to the left",
+            "clockwise",
             format!("{:.4} m to the left, launch (a) mirrored", mirrored[1]),
             (mirrored[1] + ends[0][1]).abs() < 1e-12 && (mirrored[0] - ends[0][0]).abs() < 1e-12,
-            "side",
         ),
         row(
-            "Without spin no lateral force: the pipe slides straight on",
+            "straight",
             format!("{} m to the side", straight[1].abs()),
             straight[1] == 0.0,
-            "symmetry",
         ),
     ])
 }
@@ -163,18 +154,14 @@ fn trends() -> Result<Vec<Claim>> {
         .collect::<Result<Vec<f64>>>()?;
     Ok(vec![
         Claim::trend(
-            "3.5.1",
-            "The deflection increases with the spin; 2, 5, 10.2, 20 rad/s",
+            TEXT.said("by-spin"),
             format!("{} m", shown(&by_spin)),
             rises(&by_spin),
-            "monotony",
         ),
         Claim::trend(
-            "3.5.1",
-            "The deflection increases with the height; 0, 5, 10, 15 cm",
+            TEXT.said("by-height"),
             format!("{} m", shown(&by_height)),
             rises(&by_height) && by_height[0] == 0.0,
-            "monotony",
         ),
         fast_spin()?,
     ])
@@ -185,21 +172,15 @@ fn fast_spin() -> Result<Claim> {
     let (speed, spin) = (0.5, 300.0);
     let [forward, left] = rest(HEIGHT, (speed, spin))?;
     Ok(Claim::not_checkable(
-        "3.5.1",
-        "Fast spin, ε ≪ 1: the deflection can be as large as the path forward, a spiral",
-        &format!(
-            "dimensions and launch are not in the thesis; our pipe at {speed} m/s and {spin} rad/s \
-             comes {:.2} m to the right and {forward:.2} m forward",
-            -left
-        ),
+        TEXT.said("spiral")
+            .with("speed", speed)
+            .with("spin", spin)
+            .with("right", format!("{:.2}", -left))
+            .with("forward", format!("{forward:.2}")),
     ))
 }
 
 /// Measurements, and theory with dimensions that are not given.
 fn unchecked() -> Vec<Claim> {
-    vec![Claim::not_checkable(
-        "fig. 3.17",
-        "The measured positions are very well in line with the theoretical paths",
-        "neither the positions nor the pipes' dimensions and friction are in the thesis",
-    )]
+    vec![Claim::not_checkable(TEXT.said("measured-paths"))]
 }

@@ -2,12 +2,12 @@
 
 mod claims;
 mod grid;
-mod peer;
 
 pub(super) use claims::few_sweeps;
 
 use crate::exhibit::Exhibit;
 use crate::runs::{Case, Effort, Run, Runs, System};
+use crate::text::Text;
 use anyhow::Result;
 use std::sync::Arc;
 use tribos::powder::Ending;
@@ -15,6 +15,8 @@ use tribos::powder::deposit::curve::statistics;
 use tribos_report::figure::Axis;
 use tribos_report::sheet::Sheet;
 use tribos_report::surface::Surface;
+
+const TEXT: Text = Text(include_str!("figure-4.7.md"));
 
 /// Coefficients along both axes.
 const CORNERS: [f64; 2] = [0.0, 1.0];
@@ -138,20 +140,17 @@ pub fn figure_4_7(runs: &Runs) -> Result<Exhibit> {
         sheet = sheet.drawing(large.surface());
         rows.extend(large.rows());
     }
-    Ok(Exhibit {
-        heading: "Figure 4.7: final porosity over rolling and torsion friction".into(),
-        text: text(runs, &small),
-        film: None,
-        caption: match runs.effort() {
-            Effort::Quick => {
-                "Final porosity at four points, joined by a smooth sheet; whiskers are standard \
-                 deviations of single deposits."
-            }
-            Effort::Full => "Final porosity; whiskers are standard deviations of single deposits.",
-        }
-        .into(),
-        drawing: Box::new(sheet),
-        columns: vec![
+    let spheres: Vec<String> = small.spheres.iter().map(usize::to_string).collect();
+    let at = match runs.effort() {
+        Effort::Quick => " at four points, joined by a smooth sheet",
+        Effort::Full => "",
+    };
+    Ok(Exhibit::new(
+        TEXT.prose_of(runs.effort())
+            .with("spheres", spheres.join(", "))
+            .with("sheet", at),
+        sheet,
+        &[
             "width",
             "rolling",
             "torsion",
@@ -160,43 +159,6 @@ pub fn figure_4_7(runs: &Runs) -> Result<Exhibit> {
             "porosity_std",
         ],
         rows,
-        claims: claims::all(runs, &small, large.as_ref())?,
-    })
-}
-
-fn text(runs: &Runs, small: &Porosities) -> Vec<String> {
-    let mut text = vec![
-        "The thesis states the pressure F_coh/(400R²), the piston's mass, μ = 0.3 and the law of \
-         the contacts. It does not state the range of cohesion d_c, what happens where spheres \
-         touch the bottom and the piston, the step, the sweeps of its iteration or when that \
-         stops, or for how long the piston has to stand. Here d_c = 0.01R, the walls have the law \
-         of spheres, the iteration runs until a sweep changes the forces by 10⁻⁴, each step \
-         starts from the forces of the last, and a packing is blocked when the piston stands and \
-         all forces balance to 1 %."
-            .into(),
-        "The order of the four porosities does not depend on these. Their level and their differences \
-         do: a shorter d_c lowers E₀ alone, which raises E₁(1,0) and E₁(1,1) (rows below), and a \
-         converged iteration ends above the thesis' numbers."
-            .into(),
-        spheres(&small.spheres),
-    ];
-    text.extend(peer::text());
-    let hint = runs.hint(
-        "Two deposits of the small system, at the four corners; `--full` takes the whole grid, with \
-         rows on saturation and on other coefficients, and the large system.",
-    );
-    if !hint.is_empty() {
-        text.push(hint.into());
-    }
-    text
-}
-
-/// How many spheres the deposits have.
-fn spheres(counts: &[usize]) -> String {
-    let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
-    format!(
-        "Deposits of one size differ: those averaged at the corners have {} spheres (thesis: about \
-         470). Differences of porosities are taken deposit by deposit.",
-        counts.join(", ")
-    )
+        claims::all(runs, &small, large.as_ref())?,
+    ))
 }

@@ -1,6 +1,7 @@
 //! Section 5.1: what a radial pressure does to force and torque.
 
 use crate::exhibit::{Exhibit, geometric, points, table};
+use crate::text::Text;
 use anyhow::Result;
 use std::f64::consts::PI;
 use tribos_core::coupling::nodes::NodeFriction;
@@ -12,6 +13,8 @@ use tribos_core::patch::polar::PolarRule;
 use tribos_core::twist::Twist;
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
+
+const TEXT: Text = Text(include_str!("section-5.1.md"));
 
 /// A name and a pressure (1−r²)^q, from the rim inwards.
 pub const PRESSURES: [(&str, PowerPressure); 5] = [
@@ -76,18 +79,10 @@ pub fn section_5_1() -> Result<Exhibit> {
     claims.extend(torque(&tables));
     claims.push(lateral()?);
     claims.extend(conclusions()?);
-    Ok(Exhibit {
-        heading: "Section 5.1: radial pressures".into(),
-        text: vec![
-            "The thesis reports a preliminary analysis without figures. Here are five pressures \
-             (1−r²)^q: a thin ring (the limit q → −1), a flat punch (−1/2), the uniform disk (0), \
-             Hertz (1/2) and a paraboloid (1), from the outermost to the innermost."
-                .into(),
-        ],
-        film: None,
-        caption: "Force and torque under dry friction for pressures from the rim inwards.".into(),
-        drawing: Box::new(panels),
-        columns: vec![
+    Ok(Exhibit::new(
+        TEXT.prose(),
+        panels,
+        &[
             "ratio",
             "ring_force",
             "ring_torque",
@@ -102,7 +97,7 @@ pub fn section_5_1() -> Result<Exhibit> {
         ],
         rows,
         claims,
-    })
+    ))
 }
 
 /// What the force does.
@@ -125,37 +120,26 @@ fn force(tables: &Tables, rows: &[Vec<f64>]) -> Vec<Claim> {
     });
     vec![
         Claim::refutation(
-            "5.1",
-            "α = 0: a radial pressure leaves the friction force unaltered",
+            TEXT.said("force-unaltered"),
             format!("F(1): {}", shown.join(", ")),
             differ,
-            "only the limits F(0) = 0 and F(∞) = 1 are unaltered",
         ),
         Claim::own(
-            "Hertz: F(1)",
+            TEXT.said("hertz-force"),
             tables.at(HERTZ, 1.0)[0],
-            ("its closed form, 9π/32", 9.0 * PI / 32.0),
+            9.0 * PI / 32.0,
             ROUNDING,
         ),
-        Claim::own(
-            "Hertz: dF/dε at 0 (uniform: 1)",
-            slope,
-            ("its closed form, 3π/8", 3.0 * PI / 8.0),
-            ROUNDING,
-        ),
+        Claim::own(TEXT.said("hertz-slope"), slope, 3.0 * PI / 8.0, ROUNDING),
         Claim::trend(
-            "5.1",
-            "At ε = ∞ the friction torque is not changed",
-            "T(∞) = 0, F(0) = 0 and F(∞) = 1 for all five".into(),
+            TEXT.said("ends"),
+            "T(∞) = 0, F(0) = 0 and F(∞) = 1 for all five",
             ends,
-            "limits",
         ),
         Claim::trend(
-            "5.1",
-            "The curves are qualitatively the same as for the uniform pressure",
+            TEXT.said("alike"),
             format!("F rises and T falls at {} ratios for all five", rows.len()),
             alike,
-            "monotony",
         ),
     ]
 }
@@ -175,16 +159,19 @@ fn torque(tables: &Tables) -> Vec<Claim> {
         && rest(UNIFORM) > rest(HERTZ)
         && rest(HERTZ) > rest(PARABOLOID);
     let mut claims = vec![Claim::trend(
-        "5.1",
-        "T(0) increases for pressure that grows outwards and decreases for one that falls",
-        "ring > punch > uniform > Hertz > paraboloid".into(),
+        TEXT.said("torque-order"),
+        "ring > punch > uniform > Hertz > paraboloid",
         ordered,
-        "order",
     )];
     for (i, text, value) in known {
-        let what = format!("T(0), {}", PRESSURES[i].0);
-        let against = format!("its closed form, {text}");
-        claims.push(Claim::own(&what, rest(i), (&against, value), ROUNDING));
+        claims.push(Claim::own(
+            TEXT.said("torque-at-zero")
+                .with("pressure", PRESSURES[i].0)
+                .with("formula", text),
+            rest(i),
+            value,
+            ROUNDING,
+        ));
     }
     let far = 1e9;
     let tails = PRESSURES.iter().enumerate().map(|(i, (_, pressure))| {
@@ -192,10 +179,9 @@ fn torque(tables: &Tables) -> Vec<Claim> {
     });
     let deviation = tails.fold(0.0, f64::max);
     claims.push(Claim::own_statement(
-        "Tails: T → ⟨r²⟩/(2ε)",
+        TEXT.said("tails"),
         format!("deviation {deviation:.1e} at most, relative, at ε = 1e9"),
         deviation <= ROUNDING,
-        "the mean square radius of each pressure",
     ));
     claims
 }
@@ -220,13 +206,11 @@ fn lateral() -> Result<Claim> {
         }
     }
     Ok(Claim::refutation(
-        "3.6",
-        "For rotationally symmetric pressures the lateral force is nonzero for all α",
+        TEXT.said("lateral"),
         format!(
             "at most {largest:.1e} of the force, by integration of four pressures, α = −0.5 to 3"
         ),
         largest < ROUNDING_OF_SUM,
-        "it is zero, as section 3.5 has it; in 5.1, too, only an asymmetric pressure has one",
     ))
 }
 
@@ -257,20 +241,13 @@ fn conclusions() -> Result<Vec<Claim>> {
     let power = (1.0 + 2.0 / 3.0) / (force + torque);
     Ok(vec![
         Claim::trend(
-            "5.1",
-            "For 0 ≤ α < 1 coupling decreases force and torque, for α > 1 it increases both",
-            "seven exponents from 0 to 3 at 101 ratios".into(),
+            TEXT.said("coupling"),
+            "seven exponents from 0 to 3 at 101 ratios",
             less && more,
-            "sign",
         ),
         Claim::not_checkable(
-            "5.1",
-            "Powders with ε ≈ 1: how much friction without coupling is overestimated",
-            &format!(
-                "an estimate of another work, which does not say of what; at ε = 1 and α = 0 the \
-                 power is overestimated by {:.0} %",
-                100.0 * (power - 1.0)
-            ),
+            TEXT.said("powders")
+                .with("power", format!("{:.0}", 100.0 * (power - 1.0))),
         )
         .printed("30 % – 50 %"),
     ])

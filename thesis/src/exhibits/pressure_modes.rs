@@ -2,6 +2,7 @@
 
 use super::pressure::PRESSURES;
 use crate::exhibit::{Exhibit, geometric, linear, modes};
+use crate::text::Text;
 use anyhow::{Result, anyhow};
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
@@ -10,6 +11,8 @@ use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
 use tribos_report::figure::{Axis, Color, Figure, Guide, Legend, Series};
+
+const TEXT: Text = Text(include_str!("section-5.1-modes.md"));
 
 /// Exponents shown; the borders diverge or vanish at −1.
 const ALPHA: (f64, f64) = (-0.99, 5.0);
@@ -62,26 +65,13 @@ pub fn section_5_1_modes() -> Result<Exhibit> {
     claims.push(decoupled()?);
     claims.extend(negative()?);
     claims.extend(curling()?);
-    Ok(Exhibit {
-        heading: "Section 5.1: final motion for other pressures and negative exponents".into(),
-        text: vec![
-            "For the pressure (1−r²)^q the borders of C are 1/(q + (3+α)/2) and (1+α)/(2(q+2)). \
-             They cross at α = 1 and C = ⟨r²⟩. Left of it a finite ε₀ is stable, down to α → −1; \
-             right of it, unstable. Above both borders spinning remains, below both sliding. The \
-             claims are checked against g itself."
-                .into(),
-            format!(
-                "A curling stone counts as a solid cylinder of radius {STONE} m on a thin band of \
-                 radius {BAND} m: C = {:.4}.",
-                stone()
-            ),
-        ],
-        film: None,
-        caption: "Borders of the finite fixed point in the plane of exponent and inertia ratio, \
-                  with curling stones at α = −0.75, −0.5 and −0.19."
-            .into(),
-        drawing: Box::new(figure),
-        columns: vec![
+    Ok(Exhibit::new(
+        TEXT.prose()
+            .with("stone", STONE)
+            .with("band", BAND)
+            .with("inertia", format!("{:.4}", stone())),
+        figure,
+        &[
             "alpha",
             "ring_low",
             "ring_high",
@@ -96,7 +86,7 @@ pub fn section_5_1_modes() -> Result<Exhibit> {
         ],
         rows,
         claims,
-    })
+    ))
 }
 
 fn round(alpha: f64, pressure: PowerPressure) -> Result<RoundTable64> {
@@ -128,18 +118,11 @@ fn plane(exponents: &[f64]) -> Result<Vec<Claim>> {
         |n: usize| format!("{n} of {bodies} bodies: five pressures, −0.9 ≤ α ≤ 5, 0.03 < C < 17");
     Ok(vec![
         Claim::own_statement(
-            "Other pressures and negative α: one finite fixed point between the borders, none \
-             outside",
+            TEXT.said("plane"),
             all(inside_right),
             inside_right == bodies,
-            "signs of g at 61 ratios",
         ),
-        Claim::own_statement(
-            "It is stable for α < 1 and unstable for α > 1, as for the uniform pressure",
-            all(fitting),
-            fitting == bodies,
-            "signs of g at 61 ratios",
-        ),
+        Claim::own_statement(TEXT.said("stability"), all(fitting), fitting == bodies),
     ])
 }
 
@@ -156,10 +139,9 @@ fn decoupled() -> Result<Claim> {
             .all(|ratio| modes.growth(ratio).abs() <= 1e-14 * ratio);
     }
     Ok(Claim::own_statement(
-        "α = 1 keeps every ratio if C = ⟨r²⟩ (uniform: 1/2)",
-        "ring 1, punch 2/3, uniform 1/2, Hertz 2/5, paraboloid 1/3".into(),
+        TEXT.said("decoupled"),
+        "ring 1, punch 2/3, uniform 1/2, Hertz 2/5, paraboloid 1/3",
         holds,
-        "g = 0 at 61 ratios",
     ))
 }
 
@@ -176,9 +158,12 @@ fn negative() -> Result<Vec<Claim>> {
         .into_iter()
         .map(|(alpha, value)| {
             let ratio = modes(alpha, 0.5)?.finite_fixed_point().unwrap_or(f64::NAN);
-            let what = format!("Uniform disk, α = {alpha}: stable ε₀");
-            let series = ("the hypergeometric series at 30 digits", value);
-            Ok(Claim::own(&what, ratio, series, 1e-12))
+            Ok(Claim::own(
+                TEXT.said("disk").with("alpha", alpha),
+                ratio,
+                value,
+                1e-12,
+            ))
         })
         .collect()
 }
@@ -201,43 +186,22 @@ fn curling() -> Result<Vec<Claim>> {
     };
     let bounds = inertia_interval(DRAW, PowerPressure::RING.order());
     Ok(vec![
-        Claim::own(
-            "Stone, α = −1/2: slides and spins to the end, ε₀",
-            ratio,
-            (
-                "the hypergeometric series at 30 digits",
-                0.781_502_820_849_875_1,
-            ),
-            1e-12,
-        ),
+        Claim::own(TEXT.said("penner"), ratio, 0.781_502_820_849_875_1, 1e-12),
         Claim::own_statement(
-            "Stone, α = −0.19 (draw shot): no finite fixed point, ε falls to 0",
+            TEXT.said("draw"),
             format!("{}; C is above c_max = {:.4}", in_words(&draw), bounds.1),
             draw == FinalMode::Spinning,
-            "the border of the ring in closed form",
         ),
         Claim::contradiction(
-            "3.5.2",
-            "Draw shot: both motions are seen to stop together, and one can conclude that a finite \
-             fixed point exists",
+            TEXT.said("draw-stops"),
             format!(
                 "with the measured exponent −0.19 a thin band has none: C is {:.0} % above the \
-                 border; a launch at ε = 1 slides and spins to the same instant all the same",
+                 border; after a launch at ε = 1 both motions still end at the same instant",
                 100.0 * (stone() / bounds.1 - 1.0)
             ),
             draw == FinalMode::Spinning && stops_together(DRAW)?,
-            "for α < 1 both motions end in the same instant, with or without a finite fixed point: \
-             the observation does not tell",
         ),
-        Claim::not_checkable(
-            "3.5.2",
-            "Slow slide with fast spin: sliding is seen to stop first",
-            &format!(
-                "the thesis puts it down to wells in pebbled ice, which no exponent has. From the \
-                 measured −0.75 on a thin band: {}",
-                in_words(&slow_slide)
-            ),
-        ),
+        Claim::not_checkable(TEXT.said("slow-slide").with("mode", in_words(&slow_slide))),
     ])
 }
 

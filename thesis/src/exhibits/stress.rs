@@ -3,11 +3,14 @@
 use super::porosity::few_sweeps;
 use crate::exhibit::{Exhibit, points};
 use crate::runs::{Case, Effort, Run, Runs, System};
+use crate::text::Text;
 use anyhow::Result;
 use tribos::powder::Ending;
 use tribos_report::claim::{Claim, Otherwise};
 use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
 use tribos_report::verdict::Allowance;
+
+const TEXT: Text = Text(include_str!("table-4.1.md"));
 
 /// The table: μ_t, μ_n, σ_zz⁺, σ_zz⁻ in units of the pressure; the corners of figure 4.7 first.
 const TABLE: [[f64; 4]; 8] = [
@@ -31,10 +34,6 @@ const OF_RATIO: f64 = 0.075;
 const FOUND: std::ops::RangeInclusive<f64> = 1.0..=9.0;
 const FOUND_LEFT: std::ops::RangeInclusive<f64> = 0.3..=1.0;
 
-const SPLIT_IS_OPEN: &str = "cause not known. At (0,0) an independent soft-particle prototype, which has \
-    no iteration, finds +4.8 to +6.0, and contact dynamics on the same deposits +5.8; an iteration that starts each step from zero \
-    forces, or stops early, finds less (row on it). The thesis does not state its own";
-
 /// Partial stresses of the blocked packings.
 pub fn table_4_1(runs: &Runs) -> Result<Exhibit> {
     let (system, lines) = match runs.effort() {
@@ -56,33 +55,10 @@ pub fn table_4_1(runs: &Runs) -> Result<Exhibit> {
     let claims = claims
         .into_iter()
         .map(|claim| claim.uncertain("one deposit"));
-    Ok(Exhibit {
-        heading: "Table 4.1: stress carried by pushing and by pulling contacts".into(),
-        text: vec![
-            format!(
-                "Eq. 4.10 with the contacts at bottom and piston, over the whole volume, in units \
-                 of the pressure, compression positive; means over the last window of steps. The \
-                 thesis has the large system; here it is the {} one, first deposit, whose scatter \
-                 from deposit to deposit is not known{}.",
-                system.name(),
-                runs.hint(
-                    "; `--full` takes the large one and all eight lines, and sweeps one packing from \
-                     zero forces"
-                )
-            ),
-            "A packing of rigid spheres with friction has more contacts than it needs: forces that \
-             balance are not unique, and cohesion lets pushes and pulls grow together. An \
-             iteration that starts each step from the last forces keeps what was built up during \
-             the compaction; one that starts from zero finds small forces. An independent soft-particle \
-             prototype (see figure 4.7), whose forces follow from the overlaps, has the large ones \
-             too: +4.8 to +6.0 and −3.8 to −5.0 at (0,0). The self-stress belongs to the law and is no \
-             artefact of starting from the last forces."
-                .into(),
-        ],
-        film: None,
-        caption: "Partial stresses by line of the table, (μ_t, μ_n), thesis and ours.".into(),
-        drawing: Box::new(figure(lines, &rows)),
-        columns: vec![
+    Ok(Exhibit::new(
+        TEXT.prose_of(runs.effort()).with("system", system.name()),
+        figure(lines, &rows),
+        &[
             "line",
             "rolling",
             "torsion",
@@ -93,8 +69,8 @@ pub fn table_4_1(runs: &Runs) -> Result<Exhibit> {
             "stress_zz_minus",
         ],
         rows,
-        claims: claims.collect(),
-    })
+        claims.collect(),
+    ))
 }
 
 /// Points by line.
@@ -105,7 +81,7 @@ fn figure(lines: &[[f64; 4]], rows: &[Vec<f64>]) -> Figure {
     Figure::new(
         "Partial stresses",
         Axis::named("(μ_t, μ_n)", cases.collect()),
-        Axis::linear("σ_zz of the pressure"),
+        Axis::linear("σ_zz in units of the pressure"),
     )
     .series(Series::points("σ⁺", points(rows, 0, 6)))
     .series(Series::points("σ⁻", points(rows, 0, 7)))
@@ -121,16 +97,21 @@ fn split([_, plus, minus]: [f64; 3]) -> String {
     format!("+{plus:.2} −{:.2}", minus.abs())
 }
 
+/// What is known of the difference.
+fn open() -> String {
+    TEXT.said("open").text
+}
+
 /// Total and shares of each line.
 fn line_claims(lines: &[[f64; 4]], stresses: &[[f64; 3]]) -> Vec<Claim> {
     let mut claims = Vec::new();
     for ([rolling, torsion, plus, minus], stress) in lines.iter().zip(stresses) {
-        let at = format!("at μ_t = {rolling}, μ_n = {torsion}");
+        let said = |id| {
+            let said = TEXT.said(id).with("rolling", rolling);
+            said.with("torsion", torsion).with("open", open())
+        };
         claims.push(Claim::compared(
-            (
-                "table 4.1",
-                &format!("σ_zz {at}, in units of the pressure, which the piston has to balance"),
-            ),
+            said("total"),
             ("1.0", 1.0),
             (format!("{:.3}", stress[0]), stress[0]),
             Allowance::Digits(HALF_DIGIT),
@@ -139,14 +120,11 @@ fn line_claims(lines: &[[f64; 4]], stresses: &[[f64; 3]]) -> Vec<Claim> {
         let printed = format!("+{plus:.1} −{:.1}", minus.abs());
         // The total is 1: σ_zz⁻ adds nothing to compare.
         claims.push(Claim::compared(
-            (
-                "table 4.1",
-                &format!("σ_zz⁺ and σ_zz⁻ {at}; compared: σ_zz⁺"),
-            ),
+            said("split"),
             (&printed, *plus),
             (split(*stress), stress[1]),
             Allowance::Digits(HALF_DIGIT),
-            Otherwise::Known(FOUND, SPLIT_IS_OPEN),
+            Otherwise::Known(FOUND),
         ));
     }
     claims
@@ -159,38 +137,28 @@ fn order_claims(stresses: &[[f64; 3]]) -> Vec<Claim> {
     let left = |stress| pull(stress) / pull(none);
     vec![
         Claim::trend(
-            "4.6.2",
-            "Without torques the pushing contacts carry more than twice the pressure",
+            TEXT.said("without-torques"),
             format!("{:.2}", none[1]),
             none[1] > 2.0,
-            "more than twice; the number differs, see its row",
         )
         .printed("2.2"),
         Claim::trend(
-            "4.6.2",
-            "Rolling friction diminishes the internal counter-stress significantly",
+            TEXT.said("rolling"),
             format!("{:.2} to {:.2}", pull(none), pull(rolling)),
             left(rolling) < 0.5,
-            "to less than half; the numbers differ",
         )
         .printed("1.2 to 0.4"),
         Claim::compared(
-            (
-                "4.6.2",
-                "Torsion friction alone has little effect on the partial stresses; share of the \
-                 pull that is left",
-            ),
+            TEXT.said("torsion").with("open", open()),
             ("−0.9 of −1.2", 0.75),
             (format!("{:.2}", left(torsion)), left(torsion)),
             Allowance::Digits(OF_RATIO),
-            Otherwise::Known(FOUND_LEFT, SPLIT_IS_OPEN),
+            Otherwise::Known(FOUND_LEFT),
         ),
         Claim::trend(
-            "4.6.2",
-            "With both, the pushing contacts carry approximately the external load",
+            TEXT.said("both"),
             format!("{:.2}", both[1]),
             (both[1] - 1.0).abs() <= 0.2,
-            "1 within 0.2",
         )
         .printed("1.1"),
     ]
@@ -213,27 +181,19 @@ fn choice_claims(runs: &Runs) -> Result<Vec<Claim>> {
             split(run.outcome.stress_zz())
         )
     };
-    let against = format!(
-        "the same deposit swept from the last forces, {}",
-        shown(&warm)
-    );
     let mut claims = vec![Claim::own_statement(
-        "The split depends on the iteration: 20 sweeps a step from zero forces at (0,0), small \
-         system, end below the thesis' +2.2",
+        TEXT.said("few-sweeps").with("warm", shown(&warm)),
         shown(&few),
         plus(&few) < TABLE[0][2] && plus(&warm) > TABLE[0][2],
-        &against,
     )];
     if runs.effort() == Effort::Full {
         let cold = runs.one(&usual.with("warm_start=off", |scene| scene.warm_start = false))?;
         let apart = cold.outcome.porosity[1] - warm.outcome.porosity[1];
         let overlap = cold.outcome.statistics.max_overlap;
         claims.push(Claim::own_statement(
-            "The same, swept to our tolerance from zero forces: near our porosity, with less than \
-             half of our split",
+            TEXT.said("zero-forces").with("warm", shown(&warm)),
             format!("{}, overlaps up to {overlap:.2}R", shown(&cold)),
             apart.abs() < 0.02 && plus(&cold) < 0.5 * plus(&warm),
-            &against,
         ));
     }
     Ok(claims)

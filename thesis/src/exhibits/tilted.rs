@@ -1,6 +1,7 @@
 //! Figure 3.16: a sliding, spinning cylinder leans forward and drifts to the side.
 
 use crate::exhibit::{Exhibit, at, geometric, linear, points, table};
+use crate::text::Text;
 use anyhow::Result;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::tall::{AllRound, Footing, FrontBack, Lean, TallFriction, TallWrench};
@@ -12,6 +13,8 @@ use tribos_core::twist::{Twist, Wrench};
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Legend, Series};
 use tribos_report::verdict::Allowance;
+
+const TEXT: Text = Text(include_str!("figure-3.16.md"));
 
 /// Nodes of the direct integration, and the error they leave in reduced force and torque.
 const RINGS: u32 = 64;
@@ -52,32 +55,14 @@ pub fn figure_3_16() -> Result<Exhibit> {
     claims.extend(cylinder(&dry)?);
     claims.extend(sideways(&dry)?);
     claims.push(other_exponents()?);
-    claims.push(Claim::not_checkable(
-        "3.5.1",
-        "The disk with aspect ratio 1/4 left its straight path only a little",
-        "measured; no numbers are published",
-    ));
-    Ok(Exhibit {
-        heading: "Figure 3.16: lateral friction of a cylinder".into(),
-        text: vec![
-            "Friction at the foot presses the front of a cylinder down. More pressure in front \
-             than behind makes spinning friction lateral. The thesis integrated by the trapezoid \
-             rule; here the lateral function has a closed form, 2G with \
-             G = (F/ε + T)/5, and a direct integration over 8192 points checks it."
-                .into(),
-            "Far out, where the cylinder hardly spins, the lateral function falls as 1/(2ε), \
-             twice as high as the torque, 1/(4ε)."
-                .into(),
-        ],
-        film: None,
-        caption: "Force, torque, lateral function and their product, which is the lateral force \
-                  over its dimensions."
-            .into(),
-        drawing: Box::new(figure),
-        columns: vec!["ratio", "force", "torque", "lateral", "product"],
+    claims.push(Claim::not_checkable(TEXT.said("disk")));
+    Ok(Exhibit::new(
+        TEXT.prose(),
+        figure,
+        &["ratio", "force", "torque", "lateral", "product"],
         rows,
         claims,
-    })
+    ))
 }
 
 /// F⊥ at the ends.
@@ -86,25 +71,18 @@ fn limits(dry: &Table64) -> Vec<Claim> {
     let far = 1e9;
     vec![
         Claim::stated(
-            "3.5.1, eq. 3.16",
-            "F⊥(0), the limit of the torque",
+            TEXT.said("side-at-zero"),
             ("2/3", 2.0 / 3.0),
             lateral(dry, 0.0),
             Allowance::Exact(rounding),
         ),
         Claim::stated(
-            "3.5.1, eq. 3.15",
-            "F⊥(∞), the limit of the torque",
+            TEXT.said("side-at-infinity"),
             ("0", 0.0),
             2.0 * dry.lateral(1.0, 0.0),
             Allowance::Exact(0.0),
         ),
-        Claim::own(
-            "Tail of the lateral function, twice the torque's: ε F⊥ at ε = 1e9",
-            far * lateral(dry, far),
-            ("its closed form, 1/2", 0.5),
-            rounding,
-        ),
+        Claim::own(TEXT.said("tail"), far * lateral(dry, far), 0.5, rounding),
     ]
 }
 
@@ -118,22 +96,15 @@ fn product(dry: &Table64) -> Vec<Claim> {
     let (slow, fast) = (height(1e-9), height(1e9));
     vec![
         Claim::trend(
-            "3.5.1",
-            "The lateral force vanishes for ε → 0 and for ε → ∞",
+            TEXT.said("vanishes"),
             format!("F F⊥ = {slow:.1e} at 1e-9, {fast:.1e} at 1e9"),
             slow < 1e-9 && fast < 1e-9,
-            "limits",
         ),
+        Claim::own(TEXT.said("largest"), peak.0, 0.387_763_697_824_766_9, 1e-10),
         Claim::own(
-            "Largest product F F⊥",
-            peak.0,
-            ("its value at 30 digits", 0.387_763_697_824_766_9),
-            1e-10,
-        ),
-        Claim::own(
-            "The ratio ε at which it lies",
+            TEXT.said("place-of-largest"),
             peak.1,
-            ("its value at 30 digits", 0.921_964_425_271_233_1),
+            0.921_964_425_271_233_1,
             1e-5,
         ),
     ]
@@ -168,23 +139,15 @@ fn direct_integration(dry: &Table64) -> Result<Vec<Claim>> {
         let sum: f64 = foot.nodes().iter().map(|node| node.weight * node.x).sum();
         sum / foot.total_weight()
     };
-    let over = "and an integration over 8192 points, 0.05 ≤ ε ≤ 20";
     Ok(vec![
-        Claim::formula("eq. 3.37", "It does not change F", force, NODE_ERROR, over),
-        Claim::formula("eq. 3.37", "It does not change T", torque, NODE_ERROR, over),
+        Claim::formula(TEXT.said("same-force"), force, NODE_ERROR),
+        Claim::formula(TEXT.said("same-torque"), torque, NODE_ERROR),
         Claim::own_statement(
-            "Closed form of the lateral function, 2G with G = (F/ε + T)/5",
+            TEXT.said("closed-form"),
             format!("deviation {side:.1e} at most, 0.05 ≤ ε ≤ 20"),
             side <= NODE_ERROR,
-            "an integration of 3.37 over 8192 points",
         ),
-        Claim::formula(
-            "eq. 3.37",
-            "It balances the torque F H/2: moment of the pressure for 2 F H/(N R) = 0.8",
-            (moment - LEAN / 4.0).abs(),
-            1e-14,
-            "moment 0.2 N R",
-        ),
+        Claim::formula(TEXT.said("moment"), (moment - LEAN / 4.0).abs(), 1e-14),
     ])
 }
 
@@ -216,25 +179,19 @@ fn cylinder(dry: &Table64) -> Result<Vec<Claim>> {
     let border = (footing(0.499)?, footing(0.501)?);
     Ok(vec![
         Claim::formula(
-            "eq. 3.38",
-            "Magnitude of the lateral force at ε = 1",
+            TEXT.said("magnitude"),
             (-left.force.y / printed - 1.0).abs(),
             1e-14,
-            "relative",
         ),
         Claim::trend(
-            "3.5.1",
-            "Counterclockwise spin drives to the right, clockwise to the left",
+            TEXT.said("side"),
             format!("{:.4} and {:.4} to the left", left.force.y, right.force.y),
             left.force.y < 0.0 && right.force.y == -left.force.y,
-            "sign",
         ),
         Claim::own_statement(
-            "Premise of 3.37, the cylinder does not lift up: 3.37 is positive everywhere as long \
-             as 2 μ F H/R ≤ 1",
-            "stands whole at 0.998, lifts at 1.002".into(),
+            TEXT.said("lifting"),
+            "loaded everywhere at 0.998, lifts at 1.002",
             border == (Footing::Whole, Footing::Lifting),
-            "the pressure at the trailing edge",
         ),
     ])
 }
@@ -268,8 +225,7 @@ fn sideways(dry: &Table64) -> Result<Vec<Claim>> {
     }
     let [force, torque] = largest;
     Ok(vec![Claim::own_statement(
-        "The lateral force tips the cylinder sideways too, and that changes F and T (order λ², \
-         here λ = 2 μ H/R = 0.8)",
+        TEXT.said("sideways"),
         format!(
             "F {:+.1} % at ε = {:.2}, T {:+.1} % at ε = {:.2}; deviation {deviation:.1e}",
             100.0 * force.0,
@@ -278,7 +234,6 @@ fn sideways(dry: &Table64) -> Result<Vec<Claim>> {
             torque.1
         ),
         deviation < NODE_ERROR,
-        "an integration of the leaning pressure over 8192 points",
     )])
 }
 
@@ -294,10 +249,8 @@ fn other_exponents() -> Result<Claim> {
             .all(|ratio| lateral(&table, ratio) > 0.0);
     }
     Ok(Claim::trend(
-        "3.5.1",
-        "Other exponents: the lateral force is nonzero as well and similar to the torque",
-        "positive, and F⊥(0) = T(0), for α = 0.5, 1, 2, 3 and for −0.5".into(),
+        TEXT.said("other-exponents"),
+        "positive, and F⊥(0) = T(0), for α = 0.5, 1, 2, 3 and for −0.5",
         holds,
-        "sign and limit",
     ))
 }

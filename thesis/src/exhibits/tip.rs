@@ -2,6 +2,7 @@
 
 use crate::exhibit::Exhibit;
 use crate::runs::{Batch, Effort, FRAMES, Runs, film};
+use crate::text::Text;
 use anyhow::{Result, anyhow};
 use nalgebra::Vector3;
 use std::num::NonZero;
@@ -14,6 +15,9 @@ use tribos_report::claim::{Claim, Otherwise};
 use tribos_report::figure::{Axis, Figure, Guide, Series};
 use tribos_report::runs::tip::atoms;
 use tribos_report::verdict::Allowance;
+
+const FIGURE_5_1: Text = Text(include_str!("figure-5.1.md"));
+const FIGURE_5_2: Text = Text(include_str!("figure-5.2.md"));
 
 /// Strengths of the torque: the thesis' two cases, and one that turns this tip for good.
 const QUICK: [f64; 3] = [0.017, 0.020, 0.060];
@@ -31,14 +35,6 @@ const REVERSIBLE: f64 = 0.017;
 const HALF_STEP: f64 = 0.0005;
 /// Where ours was found before: the strongest tried that lets the tip turn back.
 const FOUND: std::ops::RangeInclusive<f64> = 0.020..=0.045;
-/// What is known of the position of the threshold, and what is not.
-const THRESHOLD_IS_OPEN: &str = "cause not known. The height or load of the driven layers, the size of \
-    the tip, the adhesion and what λ means are not stated; they move the threshold from below 0.01 \
-    to 0.1, and pulled by 0.45 σ to 0.6 σ ours passes the thesis' value \
-    (docs/molecular-dynamics.md). Nothing tells which of them the thesis had. A quick \
-    reproduction applies the torque for a time of 40 instead of 200 at few strengths: it \
-    can only bracket the threshold";
-
 /// One run of a strength.
 struct Turned {
     lambda: f64,
@@ -80,32 +76,20 @@ pub fn figure_5_1() -> Result<Exhibit> {
         .iter()
         .map(|&part| format!("{} {}", number(part), part.name()))
         .collect();
-    Ok(Exhibit {
-        heading: "Figure 5.1: tip and substrate".into(),
-        text: vec![
-            "Layers (111) of a face-centred cubic crystal of Lennard-Jones atoms. The thesis gives \
-             the number of atoms and the colours of the layers only; six layers of 28 × 28 atoms \
-             and six hexagons of ten atoms a side are one way to make 6330 atoms of two layers \
-             a colour: an inference. Black atoms are held, green ones have a thermostat, red ones \
-             keep their height and are driven; one atom of each part of the tip is yellow."
-                .into(),
-        ],
-        film: None,
-        caption: "The system before it moves.".into(),
-        drawing: Box::new(atoms("", &scene, &places)?.size(760, 560)),
-        columns: vec!["x", "y", "z", "part", "layer"],
-        rows: rows.collect(),
-        claims: vec![
+    Ok(Exhibit::new(
+        FIGURE_5_1.prose(),
+        atoms("", &scene, &places)?.size(760, 560),
+        &["x", "y", "z", "part", "layer"],
+        rows.collect(),
+        vec![
             Claim::definition(
-                "5.3",
-                "Total number of atoms",
+                FIGURE_5_1.said("atoms"),
                 format!("{}: {}", sites.len(), counts.join(", ")),
                 sites.len() == 6330,
-                "the shape of the tip, inferred from it",
             )
             .printed("6330"),
         ],
-    })
+    ))
 }
 
 /// Angles over time.
@@ -128,18 +112,17 @@ pub fn figure_5_2(runs: &Runs) -> Result<Exhibit> {
     let end = scene(REVERSIBLE, 1, runs.effort()).drive_time;
     figure = figure.guide(Guide::vertical(end, "off"));
     Ok(Exhibit {
-        heading: "Figure 5.2: torsion angle over time".into(),
-        text: text(runs),
         film: Some(film(&folder(FILMED.0, FILMED.1, runs))?),
-        caption: "Angle of the driven layers for different strengths; the axis is cut at 60°."
-            .into(),
-        drawing: Box::new(figure),
-        columns: vec!["lambda", "seed", "time", "angle_degrees"],
-        rows,
-        claims: claims(&turned)
-            .into_iter()
-            .map(|claim| claim.uncertain(seeds(runs.effort())))
-            .collect(),
+        ..Exhibit::new(
+            FIGURE_5_2.prose_of(runs.effort()),
+            figure,
+            &["lambda", "seed", "time", "angle_degrees"],
+            rows,
+            claims(&turned)
+                .into_iter()
+                .map(|claim| claim.uncertain(seeds(runs.effort())))
+                .collect(),
+        )
     })
 }
 
@@ -164,7 +147,7 @@ fn all(runs: &Runs) -> Result<Vec<Turned>> {
     });
     results
         .into_iter()
-        .map(|run| run.ok_or_else(|| anyhow!("a run was lost"))?)
+        .map(|run| run.ok_or_else(|| anyhow!("a run gave no result"))?)
         .collect()
 }
 
@@ -187,24 +170,6 @@ fn folder(lambda: f64, seed: u64, runs: &Runs) -> PathBuf {
     let effort = runs.effort().name();
     runs.kept()
         .run(&format!("tip,{effort},lambda={lambda},seed={seed}"))
-}
-
-fn text(runs: &Runs) -> Vec<String> {
-    let mut text = vec![
-        "The driven layers have the same angular acceleration, λ times the distance from the axis \
-         is the force on an atom. The crystal has the spacing 2^(1/6)σ that the thesis names, its \
-         driven layers stand at the height that belongs to it. docs/molecular-dynamics.md maps the \
-         threshold over what the thesis leaves open."
-            .into(),
-    ];
-    let hint = runs.hint(
-        "Here the torque lasts for a time of 40, with steps of 0.01 and one seed; `--full` takes the thesis' times, \
-         more strengths and three seeds.",
-    );
-    if !hint.is_empty() {
-        text.push(hint.into());
-    }
-    text
 }
 
 /// How many runs of each strength stand behind a claim.
@@ -239,47 +204,32 @@ fn claims(turned: &[Turned]) -> Vec<Claim> {
         .fold(f64::NAN, f64::max);
     vec![
         Claim::trend(
-            "5.3",
-            "At λ = 0.017 the driven layers turn back when the torque ends",
+            FIGURE_5_2.said("reversible"),
             format!(
                 "{back} of {} runs with λ ≤ 0.017 end within 1°",
                 below.len()
             ),
             back == below.len(),
-            "reversible",
         )
         .printed("0.017"),
         Claim::compared(
-            (
-                "5.3",
-                "The strongest λ tried that lets the layers turn back; the next, 0.018, does not",
-            ),
+            FIGURE_5_2.said("strongest"),
             ("0.017", REVERSIBLE),
             (
                 format!("{strongest}; the next that was tried, {weakest}, does not"),
                 strongest,
             ),
             Allowance::Digits(HALF_STEP),
-            Otherwise::Known(FOUND, THRESHOLD_IS_OPEN),
+            Otherwise::Known(FOUND),
         ),
         Claim::trend(
-            "5.3",
-            "There is a threshold: some strength turns the tip for good, a weaker one does not",
+            FIGURE_5_2.said("threshold"),
             format!("between {strongest} and {weakest}"),
             back > 0 && weakest.is_finite(),
-            "existence; its place differs, see its row",
         )
         .printed("0.017 to 0.018"),
-        Claim::not_checkable(
-            "5.3",
-            "Which layers are responsible",
-            &format!("left open in the thesis; ours: {}", slips(turned)),
-        ),
-        Claim::not_checkable(
-            "fig. 5.2",
-            "The tip locks in at certain angles",
-            "the angles are not given; ours are in docs/molecular-dynamics.md",
-        ),
+        Claim::not_checkable(FIGURE_5_2.said("layers").with("slips", slips(turned))),
+        Claim::not_checkable(FIGURE_5_2.said("locking")),
     ]
 }
 
@@ -301,9 +251,5 @@ fn slips(turned: &[Turned]) -> String {
     };
     let first = turned.iter().filter(|run| run.seed == 1).map(of);
     let list: Vec<String> = first.collect();
-    format!(
-        "interfaces above the tip's layers (0 is the contact) that differ by more than 1° while \
-         driven; {}",
-        list.join("; ")
-    )
+    list.join("; ")
 }

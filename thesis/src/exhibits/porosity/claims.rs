@@ -1,6 +1,6 @@
 //! What the thesis says on figure 4.7.
 
-use super::{Porosities, grid};
+use super::{Porosities, TEXT, grid};
 use crate::runs::{Case, Runs, System};
 use anyhow::Result;
 use tribos::powder::Ending;
@@ -18,18 +18,6 @@ pub(super) const FLUCTUATION_STATED: &str = "section 4.6.1: fluctuations ≈ 2 %
 pub(super) const RATIO_TOLERANCE: f64 = 0.6;
 /// What the thesis calls about 3 %.
 pub(super) const ADDITIVITY: f64 = 0.035;
-
-/// What is known and what is not of the levels.
-const BASE_IS_OPEN: &str = "cause not known. For our d_c and walls, which the thesis does not state, an \
-    independent soft-particle prototype ends where ours does (text above). A shorter d_c and smooth \
-    walls lower this porosity to within 4 points of the thesis', but not those with rolling \
-    friction (rows below)";
-const TOP_IS_OPEN: &str = "cause not known. An independent soft-particle prototype ends where ours does \
-    (text above). Of all choices tried only more pressure or an iteration that stops early reaches \
-    the thesis' number; d_c does not matter here (rows below)";
-const DIFFERENCE_IS_OPEN: &str = "cause not known: a difference of two porosities that both differ. A \
-    shorter d_c raises it, since it lowers E₀ alone (rows below)";
-const COMPACTED_IS_OPEN: &str = "cause not known: the final porosity differs, see its row";
 
 /// What our conditions gave before, to two points: E₀, E(1,1), E₁(1,0), E₁(0,1), E₁(1,1) and the
 /// compaction left at (1,1).
@@ -66,12 +54,7 @@ pub fn all(runs: &Runs, small: &Porosities, large: Option<&Porosities>) -> Resul
     if let Some(large) = large {
         claims.extend(grid::all(small, large));
     }
-    let even_larger = Claim::not_checkable(
-        "4.7",
-        "Final porosity of the system of 4193 spheres at μ_t = μ_n = 0.1",
-        "one pair of coefficients, and a range of porosities: not a number to compare with; `tribos \
-         run scenes/compaction-4193.toml` has ours",
-    );
+    let even_larger = Claim::not_checkable(TEXT.said("larger-system"));
     claims.push(even_larger.printed("54 % to 82 %"));
     Ok(claims)
 }
@@ -99,37 +82,28 @@ fn shape(small: &Porosities) -> Vec<Claim> {
     let ratio = (rolling - none) / (torsion - none);
     vec![
         Claim::trend(
-            "4.6.1",
-            "Rolling and torsion friction raise the porosity, rolling more: \
-             E(0,0) < E(0,1) < E(1,0) < E(1,1)",
+            TEXT.said("order"),
             shown,
             none < torsion && torsion < rolling && rolling < both,
-            "order; the levels are in rows of their own",
         )
         .printed("54, 54 + 8, 54 + 18, 82 %")
         .uncertain(scatter(&deviations, small.initial.len())),
         Claim::trend(
-            "4.6.1",
-            "E₁(1,0) is about twice as big as E₁(0,1)",
+            TEXT.said("twice"),
             format!("{ratio:.1}"),
             (ratio - 2.0).abs() < RATIO_TOLERANCE,
-            "ratio of the contributions within 2 ± 0.6, what two fluctuations of 2 % leave of it",
         )
         .printed("≈ 2"),
         Claim::trend(
-            "eq. 4.7",
-            "E₁(1,1) = E₁(1,0) + E₁(0,1): |ΔE| is less than about",
+            TEXT.said("sum"),
             format!("ΔE = {:+.1} %", 100.0 * excess),
             excess.abs() < ADDITIVITY,
-            "below the bound, read as 3.5 %",
         )
         .printed("3 %"),
         Claim::trend(
-            "4.6.1",
-            "Runs of the small system fluctuate little",
+            TEXT.said("fluctuations"),
             format!("largest standard deviation {:.1} %", 100.0 * widest),
             widest < 1.5 * FLUCTUATION,
-            "size: below 3 %",
         )
         .printed("≈ 2 %"),
     ]
@@ -145,54 +119,28 @@ fn levels(small: &Porosities) -> Vec<Claim> {
     };
     let added = |i, j| paired(small.each(i, j), small.each(0, 0));
     let rows = [
+        ("base", ("≈ 54 %", 54.0), none),
+        ("top", ("≈ 82 %", 82.0), both),
+        ("rolling-alone", ("≈ 18 %", 18.0), added(1, 0)),
+        ("torsion-alone", ("≈ 8 %", 8.0), added(0, 1)),
+        ("both", ("≈ 28 %", 28.0), added(1, 1)),
         (
-            "E₀ without rolling and torsion friction",
-            ("≈ 54 %", 54.0),
-            none,
-            BASE_IS_OPEN,
-        ),
-        (
-            "Porosity at μ_t = μ_n = 1",
-            ("≈ 82 %", 82.0),
-            both,
-            TOP_IS_OPEN,
-        ),
-        (
-            "E₁(1,0) = E(1,0) − E₀, both of which differ",
-            ("≈ 18 %", 18.0),
-            added(1, 0),
-            DIFFERENCE_IS_OPEN,
-        ),
-        (
-            "E₁(0,1) = E(0,1) − E₀, both of which differ",
-            ("≈ 8 %", 8.0),
-            added(0, 1),
-            DIFFERENCE_IS_OPEN,
-        ),
-        (
-            "E₁(1,1) = E(1,1) − E₀, both of which differ",
-            ("≈ 28 %", 28.0),
-            added(1, 1),
-            DIFFERENCE_IS_OPEN,
-        ),
-        (
-            "Torques alone do not avoid compaction: the highest final porosity is less than the \
-             initial one by",
+            "compaction",
             ("≈ 10 %", 10.0),
             paired(&small.initial, small.each(1, 1)),
-            COMPACTED_IS_OPEN,
         ),
     ];
+    let difference = TEXT.said("difference").text;
     let rows = rows.into_iter().zip(FOUND);
-    rows.map(|((what, printed, (ours, deviation), known), found)| {
+    rows.map(|((id, printed, (ours, deviation)), found)| {
         // In points, as the thesis and the reader have them.
         let range = 100.0 * (found - FLUCTUATION).max(0.0)..=100.0 * (found + FLUCTUATION);
         Claim::compared(
-            ("4.6.1", what),
+            TEXT.said(id).with("difference", &difference),
             printed,
             (percent(ours), 100.0 * ours),
             Allowance::StatedError(100.0 * FLUCTUATION, FLUCTUATION_STATED.into()),
-            Otherwise::Known(range, known),
+            Otherwise::Known(range),
         )
         .uncertain(scatter(&[deviation], small.initial.len()))
     })
@@ -227,37 +175,22 @@ fn trials(runs: &Runs) -> Result<Vec<Claim>> {
     };
     let between = |at: usize| format!("{} instead of {}", shown(at + 1), shown(at));
     let early = |at: usize| format!("{} instead of {}", shown(at + 2), shown(at));
-    let row = |what: &str, shown: String, holds: bool| {
-        Claim::own_statement(
-            what,
-            shown,
-            holds,
-            "the same deposit under our usual conditions",
-        )
-    };
+    let row = |id, shown, holds| Claim::own_statement(TEXT.said(id), shown, holds);
     Ok(vec![
+        row("short-base", between(0), ends[1] < ends[0] - FLUCTUATION),
         row(
-            "E(0,0) with d_c = 10⁻⁴R instead of 10⁻²R: lower",
-            between(0),
-            ends[1] < ends[0] - FLUCTUATION,
-        ),
-        row(
-            "E(0,0) with d_c = 10⁻⁴R and walls that have cohesion only: lower still",
+            "short-smooth-base",
             format!("{} instead of {}", shown(6), shown(1)),
             ends[6] < ends[1] - FLUCTUATION,
         ),
         row(
-            "E(1,1) with d_c = 10⁻⁴R instead of 10⁻²R: the same",
+            "short-top",
             between(3),
             (ends[4] - ends[3]).abs() < 0.5 * FLUCTUATION,
         ),
+        row("few-base", early(0), ends[2] < ends[0] - FLUCTUATION),
         row(
-            "E(0,0) with 20 sweeps a step from zero forces, 4000 steps: lower",
-            early(0),
-            ends[2] < ends[0] - FLUCTUATION,
-        ),
-        row(
-            "E(1,1) with 20 sweeps a step from zero forces, 4000 steps: does not block, lower",
+            "few-top",
             early(3),
             ends[5] < ends[3] - FLUCTUATION && !blocked(5),
         ),
@@ -276,39 +209,31 @@ fn smooth(runs: &Runs) -> Result<Vec<Claim>> {
         [0, 1, 2, 3].map(|at: usize| ends[at].outcome.porosity[1]);
     Ok(vec![
         Claim::definition(
-            "eq. 4.9",
-            "Without sliding friction (μ = 0) torques cannot increase the porosity: \
-             E₁(0,μ_t,0) and E₁(0,0,μ_n) are nearly zero",
+            TEXT.said("no-sliding"),
             format!(
                 "E(0,0,0) = {:.1} %, E(0,1,1) = {:.1} %",
                 100.0 * free,
                 100.0 * held
             ),
             (held - free).abs() < FLUCTUATION,
-            "the model: a smooth contact never turns a sphere",
         ),
         Claim::trend(
-            "4.6.1",
-            "Without sliding friction the packing is compacted to a low porosity, whatever the \
-             torques",
+            TEXT.said("no-sliding-is-low"),
             format!(
                 "{:.1} % against {:.1} % with μ = 0.3 alone",
                 100.0 * held,
                 100.0 * base
             ),
             held < base - FLUCTUATION,
-            "order",
         ),
         Claim::trend(
-            "eq. 4.9",
-            "The porosity is not a sum of contributions of sliding, rolling and torsion",
+            TEXT.said("not-a-sum"),
             format!(
                 "E(0.3,1,1) = {:.1} %, the sum {:.1} %",
                 100.0 * with_sliding,
                 100.0 * (base + held - free)
             ),
             with_sliding - (base + held - free) > ADDITIVITY,
-            "sign of the excess",
         ),
     ])
 }
@@ -317,13 +242,8 @@ fn smooth(runs: &Runs) -> Result<Vec<Claim>> {
 pub(super) fn all_blocked(small: &Porosities) -> Claim {
     let [blocked, all] = small.blocked;
     Claim::trend(
-        "4.5",
-        &format!(
-            "Runs of the {} system end in a blocked state, here with all forces balanced to 1 %",
-            small.system.name()
-        ),
+        TEXT.said("all-blocked").with("system", small.system.name()),
         format!("{blocked} of {all}"),
         blocked == all,
-        "comes to rest",
     )
 }

@@ -1,7 +1,7 @@
 //! What only the whole grid of figure 4.7 shows.
 
-use super::Porosities;
 use super::claims::{ADDITIVITY, FLUCTUATION, RATIO_TOLERANCE, all_blocked, percent};
+use super::{Porosities, TEXT};
 use tribos_report::claim::Claim;
 use tribos_report::verdict::Verdict;
 
@@ -11,8 +11,6 @@ const SATURATED: f64 = 0.4;
 const LATER: f64 = 0.7;
 /// How much ours rises from 0.4 on, as found before.
 const RISE: std::ops::RangeInclusive<f64> = 0.025..=0.045;
-const ROLLING_RISES: &str = "cause not known. Torsion adds a point at most above 0.4, rolling still \
-    two to three points up to 0.7 (row below); single runs of the thesis fluctuate by 2 %";
 
 /// All claims.
 pub fn all(small: &Porosities, large: &Porosities) -> Vec<Claim> {
@@ -26,6 +24,7 @@ pub fn all(small: &Porosities, large: &Porosities) -> Vec<Claim> {
 /// Saturation, sum and ratio of the contributions in one system.
 fn of_one(system: &Porosities) -> Vec<Claim> {
     let name = system.system.name();
+    let said = |id| TEXT.said(id).with("system", name);
     let count = system.mus.len();
     let mean = |i: usize, j: usize| system.at(i, j).0;
     let added = |i, j| mean(i, j) - mean(0, 0);
@@ -42,26 +41,17 @@ fn of_one(system: &Porosities) -> Vec<Claim> {
     let shown = |spread: f64| format!("at most {} from E(1,1)", percent(spread));
     vec![
         saturation(name, shown(early), early),
-        Claim::own_statement(
-            &format!("Saturation above 0.7, {name} system"),
-            shown(late),
-            late < FLUCTUATION,
-            "the thesis' fluctuations of 2 %",
-        ),
+        Claim::own_statement(said("later-saturation"), shown(late), late < FLUCTUATION),
         Claim::trend(
-            "eq. 4.7",
-            &format!("|ΔE| for all pairs of coefficients, {name} system, is less than about"),
+            said("sum-of-all"),
             format!("at most {}", percent(worst)),
             worst < ADDITIVITY,
-            "below the bound, read as 3.5 %",
         )
         .printed("3 %"),
         Claim::trend(
-            "4.6.1",
-            &format!("E₁(μ,0)/E₁(0,μ) is roughly independent of μ, {name} system"),
+            said("twice-for-all"),
             format!("between {:.1} and {:.1}", ratios.0, ratios.1),
             ratios.0 > 2.0 - RATIO_TOLERANCE && ratios.1 < 2.0 + RATIO_TOLERANCE,
-            "within 2 ± 0.6, what two fluctuations of 2 % leave of it",
         )
         .printed("≈ 2"),
     ]
@@ -69,17 +59,14 @@ fn of_one(system: &Porosities) -> Vec<Claim> {
 
 /// The thesis' saturation, or what ours does instead as it did before.
 fn saturation(name: &str, shown: String, rise: f64) -> Claim {
-    let what = format!("Saturation above 0.4, {name} system");
     let holds = rise < FLUCTUATION;
     let claim = Claim::trend(
-        "4.6.1",
-        &what,
+        TEXT.said("saturation").with("system", name),
         shown,
         holds || RISE.contains(&rise),
-        "saturation",
     );
     let verdict = match claim.verdict {
-        Verdict::Trend(_) if !holds => Verdict::Differs(ROLLING_RISES.into()),
+        Verdict::Trend(_) if !holds => Verdict::Differs(TEXT.said("saturation-differs").basis),
         verdict => verdict,
     };
     Claim { verdict, ..claim }.printed("0.4")
@@ -110,14 +97,12 @@ fn sizes(small: &Porosities, large: &Porosities) -> Claim {
     }
     let mean = sum / count;
     Claim::trend(
-        "4.6.1",
-        "The effect is quantitatively nearly the same for both systems",
+        TEXT.said("sizes"),
         format!(
-            "{:.1} % apart in the mean, {:.1} % at most",
+            "{:.1} % apart on average, {:.1} % at most",
             100.0 * mean,
             100.0 * worst
         ),
         mean < FLUCTUATION,
-        "equal within the fluctuations of 2 % in the mean",
     )
 }
