@@ -1,7 +1,7 @@
-//! Solid friction on a host: whatever allocates, reads files or writes them.
+//! Simulations on top of `tribos-core`: everything that allocates or accesses files.
 //!
 //! A scene file becomes a validated scene ([`scene`]), an application turns it into a simulation
-//! ([`slide`], [`powder`], [`tip`]), one driver runs it ([`run`]) and its results are kept
+//! ([`slide`], [`powder`], [`tip`]), one driver runs it ([`run`]) and its results are recorded
 //! ([`record`]) or pinned to the bit ([`golden`]). The physics is in [`tribos_core`], re-exported
 //! here as [`kernel`].
 //!

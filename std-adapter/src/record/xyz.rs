@@ -3,7 +3,7 @@
 use super::{Snapshot, SnapshotError, number};
 use nalgebra::Vector3;
 
-/// Species where no name is given; chemistry programs know it as "no element".
+/// Species without a name; chemistry programs read it as "no element".
 const NAMELESS: &str = "X";
 
 /// One frame of extended XYZ: species, id from 0, place in the cell, radius and coordination, then
