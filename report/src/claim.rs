@@ -5,10 +5,10 @@ use super::page::{escape, inline};
 use super::verdict::{Agreement, Allowance, Stated, Verdict};
 use serde::{Deserialize, Serialize};
 
-/// One statement and what became of it.
+/// One statement and its verdict.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Claim {
-    /// Where the thesis makes it: section, equation, figure; empty for our own.
+    /// Section, equation or figure of the thesis; empty for our own statements.
     pub place: String,
     /// The statement.
     pub statement: String,
@@ -16,21 +16,20 @@ pub struct Claim {
     pub thesis: String,
     /// Our result.
     pub ours: String,
-    /// How far our result can be off: scatter over seeds; empty where it is computed to the digits
-    /// shown.
+    /// Uncertainty of our result: scatter over seeds; empty if all digits shown are certain.
     pub uncertainty: String,
-    /// Difference between the two numbers, or from what ours is checked against.
+    /// Difference between the two numbers, or between ours and its reference.
     pub difference: String,
     /// Our judgement.
     pub verdict: Verdict,
 }
 
-/// What a number that is not reproduced means.
+/// Meaning of a number that is not reproduced.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Otherwise<'a> {
     /// Something is wrong.
     Failure,
-    /// It was found in this range before; the text tells what is known and what is not.
+    /// The number was in this range before; the text says what is known and what is not.
     Known(std::ops::RangeInclusive<f64>, &'a str),
 }
 
@@ -65,7 +64,7 @@ impl Claim {
         )
     }
 
-    /// The same, shown as the text, and with what to say if it is not reproduced.
+    /// The same, shown as the text, and with the meaning of a number that is not reproduced.
     pub fn compared(
         (place, statement): (&str, &str),
         thesis: (&str, f64),
@@ -88,7 +87,8 @@ impl Claim {
         }
     }
 
-    /// A statement on sign, order, monotony or scaling, `what`, that holds in our result or does not.
+    /// A statement on sign, order, monotonicity or scaling, `what`, that holds in our result or does
+    /// not.
     pub fn trend(place: &str, statement: &str, ours: String, holds: bool, what: &str) -> Self {
         Self::judged(place, statement, ours, holds, Verdict::Trend(what.into()))
     }
@@ -103,7 +103,7 @@ impl Claim {
         }
     }
 
-    /// A result of ours that holds beside what it is checked against, or does not.
+    /// A result of ours that agrees with its reference or does not.
     pub fn own_statement(statement: &str, ours: String, holds: bool, against: &str) -> Self {
         Self::judged(
             "",
@@ -127,7 +127,7 @@ impl Claim {
         Self::judged(place, statement, ours, deviation <= tolerance, verdict)
     }
 
-    /// An input or a convention, of what the text tells.
+    /// An input or a convention, which the text describes.
     pub fn definition(place: &str, statement: &str, ours: String, holds: bool, of: &str) -> Self {
         Self::judged(
             place,
@@ -138,7 +138,7 @@ impl Claim {
         )
     }
 
-    /// A statement of the thesis that our result contradicts for a reason that is shown.
+    /// A statement of the thesis that our result contradicts for a demonstrated reason.
     pub fn contradiction(
         place: &str,
         statement: &str,
@@ -155,7 +155,7 @@ impl Claim {
         )
     }
 
-    /// A statement known to be wrong, with the evidence; `refuted` tells that the evidence holds.
+    /// A statement known to be wrong, with the evidence; `refuted` is whether the evidence holds.
     pub fn refutation(
         place: &str,
         statement: &str,
@@ -192,7 +192,7 @@ impl Claim {
         .printed(printed.0)
     }
 
-    /// Something that the thesis gives too little for; the text tells what is missing.
+    /// A statement for which the thesis gives too little; the text says what is missing.
     pub fn not_checkable(place: &str, statement: &str, why: &str) -> Self {
         Self::new(
             place,
