@@ -6,10 +6,10 @@ use super::verdict::{Agreement, Allowance, Stated, Verdict};
 use serde::{Deserialize, Serialize};
 use std::fmt::Display;
 
-/// One statement and what became of it.
+/// One statement and its verdict.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Claim {
-    /// Where the thesis makes it: section, equation, figure; empty for our own.
+    /// Section, equation or figure of the thesis; empty for our own statements.
     pub place: String,
     /// The statement.
     pub statement: String,
@@ -17,16 +17,15 @@ pub struct Claim {
     pub thesis: String,
     /// Our result.
     pub ours: String,
-    /// How far our result can be off: scatter over seeds; empty where it is computed to the digits
-    /// shown.
+    /// Uncertainty of our result: scatter over seeds; empty if all digits shown are certain.
     pub uncertainty: String,
-    /// Difference between the two numbers, or from what ours is checked against.
+    /// Difference between the two numbers, or between ours and its reference.
     pub difference: String,
     /// Our judgement.
     pub verdict: Verdict,
 }
 
-/// What a number that is not reproduced means.
+/// Meaning of a number that is not reproduced.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Otherwise {
     /// Something is wrong.

@@ -17,7 +17,7 @@ type Curve = Vec<(f64, f64)>;
 /// The borders of one patch.
 #[derive(Debug)]
 pub struct Diagram {
-    /// What it is of.
+    /// Name of the patch.
     name: String,
     from: f64,
     low: Curve,
@@ -25,7 +25,7 @@ pub struct Diagram {
 }
 
 impl Diagram {
-    /// From the interval of C at each exponent from `from` on.
+    /// The borders from the interval of C at each exponent, starting at `from`.
     pub fn new<E>(
         name: impl Into<String>,
         from: f64,

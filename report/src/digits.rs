@@ -1,4 +1,4 @@
-//! Numbers as people read them.
+//! Rounded numbers for people.
 
 /// Digits of a number for people.
 const DIGITS: i32 = 6;

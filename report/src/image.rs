@@ -1,4 +1,4 @@
-//! A drawing as files, by their ending.
+//! Writing drawings to files, in the format of the file extension.
 
 use super::figure::{Figure, FigureError, Panels, canvas};
 use super::packing::PackingPicture;
@@ -6,16 +6,16 @@ use super::surface::Surface;
 use std::path::{Path, PathBuf};
 use tribos::record::{WriteError, write_atomically};
 
-/// Why a drawing did not become a file.
+/// Why a drawing could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum ImageError {
-    /// It cannot be drawn.
+    /// The drawing failed.
     #[error(transparent)]
     Figure(#[from] FigureError),
     /// The file cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
-    /// The ending of the file's name is that of no format.
+    /// The file extension is not that of a supported format.
     #[error("{}: end the name in .svg, .png or .csv", .0.display())]
     Ending(PathBuf),
 }
@@ -76,7 +76,7 @@ pub fn write_both(folder: &Path, stem: &str, drawing: &dyn Drawing) -> Result<St
     Ok(svg)
 }
 
-/// Writes the drawing, or its numbers, in the format that the file's ending names.
+/// Writes the drawing, or its numbers, in the format of the file extension.
 pub fn write_as_named(
     path: &Path,
     drawing: &dyn Drawing,

@@ -1,4 +1,4 @@
-//! What people look at: figures, pictures and films of runs, and pages of claims. No physics of its own.
+//! Figures, pictures and films of runs, and pages of claims. This crate contains no physics.
 
 pub mod claim;
 pub mod diagram;

@@ -15,7 +15,7 @@ use super::solid::view::{Frame, View, corners};
 use forces::Network;
 use spheres::Balls;
 
-/// Where the eye stands: a little to the right of the front and above.
+/// Direction of the eye: a little to the right of the front and above.
 const AZIMUTH: f64 = -1.13;
 const ELEVATION: f64 = 0.2;
 
@@ -30,7 +30,7 @@ pub struct PackingPicture {
     surroundings: Surroundings,
 }
 
-// What stands round the spheres.
+// Surroundings of the spheres.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Surroundings {
     // Substrate, piston and the edges of the box.
@@ -43,13 +43,13 @@ enum Surroundings {
 struct Hall {
     lengths: [f64; 2],
     piston: Option<f64>,
-    // Top of what stands in it.
+    // Top of the contents.
     top: f64,
     // Thickness of the plates.
     plate: f64,
 }
 
-// What is shown in the box.
+// Contents of the box.
 #[derive(Debug, Clone, PartialEq)]
 enum Content {
     Spheres(Balls),

@@ -167,7 +167,7 @@ impl Section {
 }
 
 impl FigureRef {
-    // The drawing on a card, then caption and links.
+    // The drawing on a card, followed by caption and links.
     fn html(&self) -> String {
         let mut links = String::new();
         for file in &self.files {
@@ -204,7 +204,7 @@ fn paragraphs(texts: &[String]) -> String {
     paragraphs.collect()
 }
 
-// Text with all characters that mean something in HTML replaced.
+// Text with HTML's special characters escaped.
 pub(super) fn escape(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {
@@ -220,7 +220,7 @@ pub(super) fn escape(text: &str) -> String {
     safe
 }
 
-// Text with its characters replaced and what stands between two backticks as code.
+// Escaped text, with parts between backticks as code.
 pub(super) fn inline(text: &str) -> String {
     let mut html = String::new();
     for (at, part) in text.split('`').enumerate() {
@@ -233,7 +233,7 @@ pub(super) fn inline(text: &str) -> String {
     html
 }
 
-// A section name that can stand in a link.
+// A section name for use in a link.
 fn anchor(id: &str) -> String {
     let keep = |character: char| character.is_ascii_alphanumeric() || "-_.".contains(character);
     let characters = id.chars();

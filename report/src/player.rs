@@ -30,7 +30,7 @@ const STYLE: &str = include_str!("../assets/player/player.css");
 /// A film ready for a page.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
-    /// What the player is told.
+    /// Metadata for the player.
     meta: Value,
     /// Places, speeds and contacts of all frames, compressed, as base64; of solid films only.
     data: Option<String>,
@@ -52,7 +52,7 @@ impl Film {
         )
     }
 
-    /// A page of its own.
+    /// A page with this film alone.
     pub fn page(&self) -> String {
         let title = escape(self.meta["title"].as_str().unwrap_or_default());
         format!(

@@ -9,7 +9,7 @@ use super::solid::paper::Paper;
 use super::solid::ramp;
 use super::solid::view::{Point, View, corners};
 
-/// Where the eye stands: (0, 0) is the near corner, x runs to the right and y to the left.
+/// Azimuth of the eye: (0, 0) is the near corner, x runs to the right and y to the left.
 const AZIMUTH: f64 = -2.27;
 const ELEVATION: f64 = 0.46;
 /// Height of the box whose floor is the unit square.
@@ -19,8 +19,8 @@ const ROOM: [f64; 4] = [68.0, 10.0, 30.0, 52.0];
 
 /// One surface with its axes.
 ///
-/// Missing values leave holes, and so do those outside a given range of an axis. Values at the
-/// back hide behind values at the front: the picture suits what rises from the corner of the
+/// Missing values leave holes, and so do values outside a given range of an axis. Values in
+/// front hide those behind: the picture suits surfaces that rise from the corner of the
 /// smallest x and y.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
@@ -87,7 +87,7 @@ impl Surface {
         let frame = paper.title(&self.title);
         let spans = self.spans()?;
 
-        // The colour bar stands at the right, the box with its labels in what is left.
+        // The colour bar is at the right, the box with its labels in the remaining space.
         let unnamed = Axis::linear("");
         let frame = ramp::bar(&mut paper, (&unnamed, &spans[2]), frame)?;
         let [left, above, right, below] = ROOM;

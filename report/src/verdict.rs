@@ -1,4 +1,4 @@
-//! What became of a statement of the thesis, with the evidence inside each verdict.
+//! Verdicts on statements of the thesis, each with its evidence.
 
 use super::digits::brief;
 use serde::{Deserialize, Serialize};
@@ -28,14 +28,14 @@ impl Stated {
     }
 }
 
-/// How far a number may lie from the thesis' own, and why.
+/// Allowed distance of a number from the thesis' own, with its reason.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Allowance {
     /// The thesis gives an exact value or a closed form: our numerical error, absolute.
     Exact(f64),
     /// Half a unit of the last digit that the thesis prints.
     Digits(f64),
-    /// An error that the thesis states, with the place where it does.
+    /// An error that the thesis states, with the place of the statement.
     StatedError(f64, String),
 }
 
@@ -52,7 +52,7 @@ impl Allowance {
         matches!(self, Self::Exact(_))
     }
 
-    /// Where it comes from.
+    /// Description of the allowance's origin.
     pub fn words(&self) -> String {
         match self {
             Self::Exact(_) => "exact value, up to our numerical error".into(),
@@ -103,19 +103,19 @@ impl Agreement {
 pub enum Verdict {
     /// A number that the thesis states, within the thesis' own error.
     Reproduced(Agreement),
-    /// Sign, order, monotony or scaling as the thesis says; the text tells which.
+    /// Sign, order, monotonicity or scaling as the thesis says; the text says which.
     Trend(String),
     /// Our own result, or a formula of the thesis, that agrees with what the text names.
     OursChecked(String),
-    /// An input or a convention, which cannot fail; the text tells of what.
+    /// An input or a convention, which cannot fail; the text says of what.
     Definition(String),
-    /// The results differ for a reason that is shown; the text gives it.
+    /// The results differ for a demonstrated reason, which the text gives.
     CauseKnown(String),
-    /// The results differ as they did before; the text tells what is known and what is not.
+    /// The results differ as before; the text says what is known and what is not.
     Differs(String),
-    /// The thesis is wrong; the text tells what is right.
+    /// The thesis is wrong; the text gives the correct result.
     ThesisInError(String),
-    /// The thesis gives too little to compare with; the text tells what is missing.
+    /// The thesis gives too little for a comparison; the text says what is missing.
     NotCheckable(String),
     /// The comparison failed, and nothing known explains it.
     Failed,
@@ -135,7 +135,7 @@ pub const KINDS: [&str; 9] = [
 ];
 
 impl Verdict {
-    /// Place among [`KINDS`].
+    /// Index into [`KINDS`].
     pub fn kind(&self) -> usize {
         match self {
             Self::Reproduced(_) => 0,
@@ -150,12 +150,12 @@ impl Verdict {
         }
     }
 
-    /// Its words.
+    /// Name of the kind of verdict.
     pub fn name(&self) -> &'static str {
         KINDS[self.kind()]
     }
 
-    /// What it rests on, in a few words.
+    /// Short description of the evidence.
     pub fn evidence(&self) -> String {
         match self {
             Self::Reproduced(agreement) => {
@@ -186,7 +186,7 @@ impl Verdict {
     }
 }
 
-/// How many claims ended in which verdict.
+/// Number of claims for each verdict.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Counts(pub [usize; 9]);
 

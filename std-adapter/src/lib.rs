@@ -1,4 +1,4 @@
-//! Solid friction on a host: whatever allocates, reads files or writes them.
+//! Simulations on top of `tribos-core`: everything that allocates or accesses files.
 //!
 //! A scene, plain data or read from a file ([`scene`]), becomes a simulation ([`slide`], [`powder`], [`tip`]), one driver runs it ([`run`]) and its results are kept
 //! ([`record`]) or pinned to the bit ([`golden`]). The physics is in [`tribos_core`], re-exported

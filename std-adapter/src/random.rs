@@ -1,4 +1,4 @@
-//! Random numbers that are the same bits everywhere, for ever.
+//! Random numbers that are bit-identical on every platform and in every version.
 
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng as _;
@@ -9,8 +9,8 @@ const UNIT: f64 = 1.0 / 9_007_199_254_740_992.0;
 /// Seeded numbers: PCG XSL RR 128/64 (O'Neill 2014), its 128-bit state from the seed by two numbers
 /// of SplitMix64 (Steele, Lea & Flood 2014), so that neighbouring seeds have nothing in common.
 ///
-/// Only the 64 bits come from a library, all else is computed here: no version of it changes a
-/// result. The streams of one seed belong to different purposes.
+/// A library generates only the 64 bits; everything else is computed here, so that no version of
+/// it changes a result. Different purposes use different streams of one seed.
 ///
 /// ```
 /// use tribos::random::Random;
@@ -27,7 +27,7 @@ const UNIT: f64 = 1.0 / 9_007_199_254_740_992.0;
 pub struct Random(Pcg64);
 
 impl Random {
-    /// Generator of a seed and a stream; any numbers.
+    /// Generator for any seed and stream.
     pub fn new(seed: u64, stream: u64) -> Self {
         let mut state = seed;
         let [high, low] = [(); 2].map(|()| u128::from(split_mix(&mut state)));

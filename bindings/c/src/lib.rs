@@ -1,17 +1,18 @@
 //! The friction kernel for programs in C: `include/tribos.h` and a static library.
 //!
-//! This crate has no idea of its own. Each function checks its pointers, makes the kernel's types
-//! from plain structures, calls the kernel and writes the answer: same arguments, same bits as
-//! `tribos-core` gives. `docs/c.md` tells how to build and to link.
+//! This crate contains no logic of its own. Each function checks its pointers, builds the
+//! kernel's types from plain structures, calls the kernel and writes the result: the same
+//! arguments give the same bits as `tribos-core`. `docs/c.md` explains how to build and link.
 //!
-//! Everything exists twice, [`double`] and [`single`]; the second is written by `build.rs` from the
-//! text of the first.
+//! Everything exists twice, in [`double`] and [`single`]; `build.rs` generates the second from the
+//! source of the first.
 //!
 //! # Safety
 //!
-//! One contract for all functions: a pointer is null, which is refused, or it leads to memory of
-//! its type that is aligned and, for arguments, initialised; a pointer to an array comes with the
-//! number of its elements and does not overlap the results. Nothing is kept after the call.
+//! One contract holds for all functions: a pointer is null, which is refused, or points to memory
+//! of its type that is aligned and, for arguments, initialised; a pointer to an array comes with
+//! the number of its elements and does not overlap the results. No pointer is kept after the
+//! call.
 #![no_std]
 
 // On hosts the standard library brings the panic handler that a static library needs.
@@ -40,15 +41,15 @@ pub mod single {
     include!(concat!(env!("OUT_DIR"), "/single.rs"));
 }
 
-/// Nothing here panics: no image that drops unused sections contains this function, which
-/// `arm-none-eabi-nm` shows. Should one do, it stops here.
+/// Nothing here panics: no image that drops unused sections contains this function, as
+/// `arm-none-eabi-nm` shows. A panic would stop here.
 #[cfg(all(target_os = "none", feature = "panic-handler"))]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo) -> ! {
     tribos_panicked()
 }
 
-/// A name that is easy to look for.
+/// A symbol that is easy to find.
 #[cfg(all(target_os = "none", feature = "panic-handler"))]
 #[unsafe(no_mangle)]
 #[inline(never)]

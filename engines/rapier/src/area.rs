@@ -1,4 +1,4 @@
-//! What resists at one place under a body: the dissipation of a motion and its derivatives.
+//! Elements of area friction: the dissipation of a motion and its derivatives.
 //!
 //! A patch under dry friction dissipates h(v, ω), the largest power that its friction can take from
 //! the twist. Its gradient is the wrench against the motion, its second derivatives are the
@@ -12,23 +12,23 @@ use tribos_core::coupling::{Coupling, ReducedJacobian, ReducedWrench};
 /// The shape of an element.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Area {
-    /// Radius in metres.
+    /// A disk of this radius in metres.
     Disk(f64),
-    /// Radius in metres.
+    /// A ring of this radius in metres.
     Ring(f64),
     /// A point of a polygon.
     Point,
 }
 
-/// A part of a foot, at a place from the body's centre of mass.
+/// A part of a foot.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Element {
-    /// In metres, in the contact's axes.
+    /// Position relative to the centre of mass in metres, in the contact's axes.
     pub(crate) place: [f64; 2],
     pub(crate) area: Area,
-    /// μN, in newtons.
+    /// Friction limit μN, in newtons.
     pub(crate) limit: f64,
-    /// The foot that it belongs to.
+    /// Index of the foot.
     pub(crate) foot: usize,
 }
 
@@ -44,7 +44,7 @@ pub(crate) struct Response {
 const BESIDE: f64 = 1e-7;
 
 impl Area {
-    /// From the middle to the rim, in metres.
+    /// Distance from the middle to the rim, in metres.
     pub(crate) fn radius(self) -> f64 {
         match self {
             Self::Disk(radius) | Self::Ring(radius) => radius,
@@ -95,7 +95,7 @@ fn both<C: Coupling<f64>>(
 }
 
 impl Element {
-    /// Velocity at the element of a twist at the centre of mass.
+    /// Velocity of the element under a twist at the centre of mass.
     fn velocity(&self, twist: &[f64; 3]) -> [f64; 2] {
         let [x, y] = self.place;
         [twist[0] - twist[2] * y, twist[1] + twist[2] * x]

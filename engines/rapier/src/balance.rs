@@ -7,18 +7,19 @@
 //! φ(u) = (u − u₀)ᵀ M (u − u₀)/2 + Δt Σ hᵢ(u + dᵢ)
 //! ```
 //!
-//! with the dissipation hᵢ of each element ([`crate::area`]) and the motion dᵢ of its ground against
-//! that which u refers to (Moreau, Eur. J. Mech. A 13 (1994) 93). Newton's method finds it for one
-//! smoothing σ after another, each a fraction of the last. It counts as rest where u shrinks with σ.
-//! All is done in double precision, with roots and products alone: the same bits everywhere.
+//! with the dissipation hᵢ of each element ([`crate::area`]) and the motion dᵢ of its ground
+//! relative to the reference ground of u (Moreau, Eur. J. Mech. A 13 (1994) 93). Newton's method
+//! finds it for one smoothing σ after another, each a fraction of the last. It counts as rest where
+//! u shrinks with σ. All arithmetic is in double precision, with roots and products only, so that
+//! results are bit-identical on every platform.
 
 use crate::area::{Element, Response};
 
 /// First smoothing, in units of the speed without friction.
 const FIRST: f64 = 0.25;
-/// From one smoothing to the next.
+/// Ratio of successive smoothings.
 const SHRINK: f64 = 1.0 / 64.0;
-/// A step shorter than this share of u or σ is the last for its σ.
+/// A step shorter than this fraction of u or σ is the last for its σ.
 const CONVERGED: f64 = 1e-3;
 /// σ/|u| at which σ no longer shows in single precision.
 const SHARP: f64 = 1e-9;
@@ -27,24 +28,24 @@ const HELD_ULPS: f64 = 16.0;
 /// Newton steps in all, and halvings of each. Fewer than 60 and 20 were seen.
 const MOST_STEPS: usize = 120;
 const MOST_HALVINGS: usize = 40;
-/// Share of the linear decrease that a step must bring.
+/// Fraction of the linear decrease that a step must achieve.
 const ENOUGH: f64 = 0.1;
 /// Rounding of φ, in rounding errors of its terms.
 const ROUNDING_ULPS: f64 = 32.0;
-/// Least arm of spin in metres where speeds and spins are compared.
+/// Least arm of spin in metres for comparing speeds with spins.
 const LEAST_ARM: f64 = 1e-6;
 
 /// A body with its feet.
 #[derive(Debug)]
 pub(crate) struct Balance<'a> {
-    /// xx, xy, yy, xn, yn, nn of the mass matrix.
+    /// Components xx, xy, yy, xn, yn, nn of the mass matrix.
     pub(crate) mass: [f64; 6],
     pub(crate) elements: &'a [Element],
-    /// Motion of each foot's ground against the first one's, as seen from the body: added to u.
+    /// Motion of each foot's ground relative to the first one's, as added to u.
     pub(crate) drifts: &'a [[f64; 3]],
 }
 
-/// The twist at the end, and the smoothing that is left in it.
+/// The twist at the end, and its remaining smoothing.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Balanced {
     pub(crate) twist: [f64; 3],
@@ -52,7 +53,7 @@ pub(crate) struct Balanced {
 }
 
 impl Balance<'_> {
-    /// The twist after a time `dt` that would be `free` without friction.
+    /// The twist after a time `dt`, which without friction would be `free`.
     pub(crate) fn solve(&self, free: &[f64; 3], dt: f64) -> Balanced {
         let arm = self.arm();
         let drifts = self.drifts.iter().map(|drift| size(drift, arm));
@@ -82,7 +83,7 @@ impl Balance<'_> {
         }
     }
 
-    /// The twist, or the one of a ground that it does not differ from.
+    /// The twist, or that of a ground from which it does not differ.
     fn held(&self, twist: [f64; 3], none: f64, arm: f64) -> [f64; 3] {
         for element in self.elements {
             let drift = self.drift(element);
@@ -98,7 +99,7 @@ impl Balance<'_> {
         self.drifts.get(element.foot).copied().unwrap_or([0.0; 3])
     }
 
-    /// Mean distance of what resists from the centre of mass, in metres.
+    /// Mean distance of the elements from the centre of mass, in metres.
     fn arm(&self) -> f64 {
         let (mut sum, mut weight) = (0.0, 0.0);
         for element in self.elements {
@@ -113,7 +114,7 @@ impl Balance<'_> {
         }
     }
 
-    /// One damped step; returns where it leads and how long it is.
+    /// One damped step; returns its end and its length.
     fn newton(
         &self,
         from: &[f64; 3],

@@ -45,9 +45,9 @@ use rapier3d::prelude::*;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// *State*: what the contacts of the last step have shown is part of the simulation. To save a game,
+/// *State*: results of the last step's contacts are part of the simulation state. To save a game,
 /// clone the contacts with the engine's sets, or serialise both (feature `serde-serialize`, the same
-/// name as Rapier's), between two steps: then the motion goes on to the same bits.
+/// name as Rapier's), between two steps: the motion then continues with the same bits.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(
     feature = "serde-serialize",
@@ -55,9 +55,9 @@ use rapier3d::prelude::*;
 )]
 pub struct PatchContacts {
     pairs: Vec<Pair>,
-    /// What each group was lent for the step that has begun.
+    /// Forces and offsets that each group has received for the current step.
     lent: Vec<Vec<Lent>>,
-    /// What was foreseen for each group.
+    /// Prediction for each group.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     begun: Vec<Begun>,
 }
@@ -68,11 +68,11 @@ impl PatchContacts {
         Self::default()
     }
 
-    /// Gives the contact of `foot` on `ground` a patch, in place of the engine's friction.
+    /// Gives the contact of `foot` on `ground` a patch that replaces the engine's friction.
     ///
-    /// A pair that has one already goes on with the new one: another floor, ice that is swept. The
-    /// colliders' hook that sets their friction aside is switched on. The foot's body must be dynamic;
-    /// a body may have several feet, which resist together. The ground may be fixed, driven by its
+    /// A pair that already has a patch continues with the new one: another floor, swept ice. The
+    /// colliders' hook that disables their friction is enabled. The foot's body must be dynamic; a
+    /// body may have several feet, which resist together. The ground may be fixed, driven by its
     /// velocity, or free to move.
     pub fn insert(
         &mut self,
@@ -97,9 +97,10 @@ impl PatchContacts {
         Ok(())
     }
 
-    /// Gives the pair back to the engine's friction; true if it had a patch.
+    /// Returns the pair to the engine's friction; true if it had a patch.
     ///
-    /// What was lent to its bodies for a step that has begun comes back at the end of the step.
+    /// Forces and velocities of its bodies that were changed for the current step are restored at
+    /// the end of the step.
     pub fn remove(&mut self, foot: ColliderHandle, ground: ColliderHandle) -> bool {
         let at = self
             .pairs
@@ -110,12 +111,12 @@ impl PatchContacts {
         at.is_ok()
     }
 
-    /// How many pairs there are. Pairs of removed colliders leave with the next step.
+    /// Number of pairs. Pairs of removed colliders disappear in the next step.
     pub fn len(&self) -> usize {
         self.pairs.len()
     }
 
-    /// True if there are no pairs.
+    /// Whether there are no pairs.
     pub fn is_empty(&self) -> bool {
         self.pairs.is_empty()
     }
@@ -143,7 +144,7 @@ impl PatchContacts {
         );
     }
 
-    /// Foresees friction and hands it to the engine, before its step.
+    /// Predicts friction and passes it to the engine, before its step.
     ///
     /// ```
     /// use rapier3d::prelude::*;
@@ -183,7 +184,7 @@ impl PatchContacts {
         bodies: &mut RigidBodySet,
         colliders: &ColliderSet,
     ) {
-        // Of a step that was begun and not finished.
+        // For a step that was begun and not finished.
         self.cancel_step(bodies);
         let is_there =
             |pair: &Pair| colliders.contains(pair.foot) && colliders.contains(pair.ground);
@@ -200,7 +201,7 @@ impl PatchContacts {
         }
     }
 
-    /// Corrects the motion by the loads that the engine has found, after its step.
+    /// Corrects the motion with the loads that the engine has found, after its step.
     pub fn finish_step(
         &mut self,
         parameters: &IntegrationParameters,
@@ -208,7 +209,7 @@ impl PatchContacts {
         colliders: &ColliderSet,
         narrow_phase: &NarrowPhase,
     ) {
-        // Restored in the middle of a step: forces are taken back, the step is not judged.
+        // Restored in the middle of a step: forces are restored, the step is not corrected.
         if self.begun.len() != self.lent.len() {
             self.cancel_step(bodies);
         }
@@ -228,8 +229,8 @@ impl PatchContacts {
         }
     }
 
-    /// Takes back what [`begin_step`](Self::begin_step) has lent to bodies, for a step that will not
-    /// be taken. A step that is begun anew does the same first.
+    /// Undoes the changes of [`begin_step`](Self::begin_step) to bodies, for a step that will not be
+    /// taken. The next `begin_step` does the same first.
     ///
     /// ```
     /// use rapier3d::prelude::*;
@@ -279,7 +280,7 @@ impl PatchContacts {
         self.pairs.iter().enumerate().filter_map(member).collect()
     }
 
-    /// Pairs that touch no more carry nothing.
+    /// Pairs that no longer touch carry nothing.
     fn forget_open(&mut self, members: &[Member], bodies: &RigidBodySet, colliders: &ColliderSet) {
         for (number, pair) in self.pairs.iter_mut().enumerate() {
             pair.stop = None;

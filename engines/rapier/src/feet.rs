@@ -5,35 +5,36 @@ use crate::balance::{Balance, dot, minus, plus, solved, times};
 use crate::reduced::Reduced;
 use tribos_core::twist::{Twist, Wrench};
 
-/// The feet of a body, each at its place from the centre of mass.
+/// The feet of a body, positioned relative to the centre of mass.
 #[derive(Debug, Default)]
 pub(crate) struct Feet {
-    /// Parts of the feet that press the ground.
+    /// Elements of the feet that press on the ground.
     pub(crate) elements: Vec<Element>,
     /// Middle of each foot in metres, in the contact's axes.
     pub(crate) places: Vec<[f64; 2]>,
-    /// Motion of each foot against its ground beyond that of the first foot against its own.
+    /// Motion of each foot relative to its ground minus that of the first foot relative to its
+    /// own.
     pub(crate) drifts: Vec<[f64; 3]>,
 }
 
-/// What friction does to the feet in a step.
+/// Result of friction on the feet in a step.
 #[derive(Debug)]
 pub(crate) struct Solved {
-    /// The motion after the step, of the first foot against its ground, at the centre of mass.
+    /// The motion of the first foot relative to its ground after the step, at the centre of mass.
     pub(crate) twist: Twist<f32>,
     /// Friction of all feet at the centre of mass, as its mean over the step.
     pub(crate) friction: Wrench<f32>,
     /// Each foot's friction about its own middle.
     pub(crate) each: Vec<Wrench<f32>>,
-    /// Which feet do not move against their ground.
+    /// Whether each foot is at rest relative to its ground.
     pub(crate) holds: Vec<bool>,
 }
 
-/// Loads that are surely not enough for rest, by rounding.
+/// Gauge beyond which a load certainly exceeds rest, given rounding.
 const BEYOND: f64 = 1.01;
 
 impl Solved {
-    /// Whether no foot moves against its ground.
+    /// Whether all feet are at rest relative to their ground.
     pub(crate) fn is_at_rest(&self) -> bool {
         !self.holds.is_empty() && self.holds.iter().all(|&holds| holds)
     }

@@ -1,4 +1,4 @@
-//! The contact plane: two tangents and a normal, and what moves in it.
+//! The contact plane: two tangents and a normal, and motions in it.
 
 use nalgebra::Vector2;
 use rapier3d::prelude::*;
@@ -48,8 +48,8 @@ impl Frame {
     }
 }
 
-/// The motion of the foot against the ground, at the foot's centre of mass. A ground without body
-/// stands still.
+/// The motion of the foot relative to the ground, at the foot's centre of mass. A ground without
+/// body is at rest.
 pub(crate) fn relative(frame: &Frame, foot: &RigidBody, ground: Option<&RigidBody>) -> Twist<f32> {
     let (below, turn) = ground.map_or((Vector::ZERO, Vector::ZERO), |ground| {
         let below = ground.velocity_at_point(foot.center_of_mass());
@@ -58,7 +58,7 @@ pub(crate) fn relative(frame: &Frame, foot: &RigidBody, ground: Option<&RigidBod
     frame.twist(foot.linvel() - below, foot.angvel() - turn)
 }
 
-/// How fast the velocity of the ground below the foot changes because the ground turns.
+/// Acceleration of the ground below the foot due to the ground's rotation.
 pub(crate) fn carried(foot: &RigidBody, ground: Option<&RigidBody>) -> Vector {
     ground.map_or(Vector::ZERO, |ground| {
         ground.angvel().cross(foot.linvel() - ground.linvel())

@@ -1,9 +1,9 @@
 //! The feet of one body on the ground, through one step of the engine.
 //!
-//! The engine's own solver sees the feet without friction. Before its step the motion at the end is
-//! foreseen by an implicit step of all feet together, and the friction is handed over as a force;
-//! after it the same step is taken again with the loads and the pushes that the engine has found.
-//! What it gives is the motion: at rest that is zero to the last bit.
+//! The engine's own solver treats the feet as frictionless. Before its step an implicit step of all
+//! feet together predicts the motion at the end, and the friction is passed on as a force; after it
+//! the same step is repeated with the loads and pushes that the engine has found. Its result is the
+//! motion: at rest it is zero to the last bit.
 
 use crate::feet::Solved;
 use crate::frame::{Frame, carried, relative};
@@ -16,21 +16,21 @@ use rapier3d::prelude::*;
 use tribos_core::contact::TimeStep;
 use tribos_core::twist::{Twist, Wrench};
 
-/// Cosine of the angle between the normals of two feet from which on they stand on one plane.
+/// Least cosine of the angle between the normals of two feet on one plane.
 const ONE_PLANE: f32 = 0.99;
 
 /// A foot of a group.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Member {
-    /// Its number among the pairs.
+    /// Index of the pair.
     pub(crate) pair: usize,
     pub(crate) body: RigidBodyHandle,
-    /// A collider without body stands still.
+    /// Body of the ground; a collider without body is at rest.
     pub(crate) ground: Option<RigidBodyHandle>,
     pub(crate) touching: Touching,
 }
 
-/// What was foreseen before the engine's step.
+/// Prediction made before the engine's step.
 #[derive(Clone, Debug)]
 pub(crate) struct Begun {
     pub(crate) body: RigidBodyHandle,
@@ -76,7 +76,7 @@ fn joins(one: &Member, other: &Member, bodies: &RigidBodySet) -> bool {
         && one.touching.normal.dot(other.touching.normal) > ONE_PLANE
 }
 
-/// Whether one mass meets the feet on both grounds.
+/// Whether both grounds can be treated as one.
 pub(crate) fn share_motion(
     one: Option<RigidBodyHandle>,
     other: Option<RigidBodyHandle>,
@@ -88,7 +88,7 @@ pub(crate) fn share_motion(
     movable(one) == movable(other)
 }
 
-/// Mean normal and depth of some contacts, by load.
+/// Mean normal and depth of some contacts, weighted by load.
 fn mean_contact(members: &[Member]) -> Option<(Vector, f32)> {
     if let [one] = members {
         return Some((one.touching.normal, one.touching.depth));
@@ -103,7 +103,7 @@ fn mean_contact(members: &[Member]) -> Option<(Vector, f32)> {
     (size > 0.0 && size.is_finite()).then(|| (normal / size, depth / load))
 }
 
-/// Hands the friction of the coming step to the engine.
+/// Passes the friction of the coming step to the engine.
 pub(crate) fn begin(
     members: &[Member],
     pairs: &[Pair],
@@ -123,7 +123,7 @@ pub(crate) fn begin(
     let push = expected(gravity, &reduced, &frame, foot, ground);
     let held = pairs.get(first.pair)?.known.and_then(|known| known.held());
     let pushed = held.map_or(push, |held| push + held);
-    // The feet as they stand in the middle of the step.
+    // The feet at the middle of the step.
     let half_turn = 0.25 * parameters.dt * foot.angvel().dot(normal);
     let stand = |member: &Member| {
         let pair = pairs.get(member.pair)?;
@@ -172,8 +172,8 @@ pub(crate) fn begin(
     Some((begun, lent))
 }
 
-/// Judges the step by the loads and the pushes that the engine has found. Feet of `members` that the
-/// step was not begun with stand where they are now.
+/// Corrects the step with the loads and pushes that the engine has found. Feet of `members` that did
+/// not begin the step are taken at their current position.
 pub(crate) fn finish(
     begun: Option<Begun>,
     members: &[Member],
@@ -197,7 +197,7 @@ pub(crate) fn finish(
         }
     };
     let after = relative(&frame, foot, ground);
-    // All pushes but friction, as their mean over the step, and what of them was expected.
+    // All pushes except friction, as their mean over the step, and the expected part of them.
     let (before, others, push) = match &begun {
         Some(begun) => {
             let all = reduced.push(&(after - begun.before), parameters.dt);
@@ -251,7 +251,7 @@ pub(crate) fn finish(
     Some(())
 }
 
-/// What a step has shown of a foot.
+/// Stores the results of a step for a foot.
 fn remember(
     pair: &mut Pair,
     member: &Member,
@@ -278,7 +278,7 @@ fn remember(
     pair.known = Some(Known::new(member.touching, held));
 }
 
-/// By how much a foot moves faster against its ground than the first foot against its own, at the
+/// Motion of a foot relative to its ground minus that of the first foot relative to its own, at the
 /// centre of mass.
 fn drift(
     member: &Member,
@@ -312,7 +312,7 @@ fn forces(
     ]
 }
 
-/// What gravity, the forces of the user and the turning of the ground will push.
+/// Expected push of gravity, the user's forces and the rotation of the ground.
 fn expected(
     gravity: Vector,
     reduced: &Reduced,
@@ -333,12 +333,12 @@ fn expected(
     reduced.push(&frame.twist(linear, angular), 1.0)
 }
 
-/// The change of velocity for the time of the step that makes the engine's way that of the mean
+/// The velocity offset during the step that makes the engine's displacement that of the mean
 /// velocity.
 ///
 /// The engine moves a body by its velocity at the end of each of its n substeps, so that a body under
-/// constant deceleration is late by half of what a substep takes. Friction that ends the motion needs
-/// the given `share` of the step for it, and what is left of the way is cut.
+/// constant deceleration lags by half a substep's change. Friction that ends the motion needs the
+/// given `share` of the step for it, and the remaining displacement is cut.
 fn offset(before: &Twist<f32>, after: &Twist<f32>, share: f32, substeps: usize) -> Twist<f32> {
     let [late, cut] = [0.5 / substeps as f32, 0.5 * (1.0 - share)];
     (*after - *before) * -late - *before * cut

@@ -1,9 +1,9 @@
-//! What is lent to the engine for one step: forces, and offsets of the velocities.
+//! Forces and velocity offsets that are applied to bodies for one step.
 
 use crate::reduced::accelerate;
 use rapier3d::prelude::*;
 
-/// A body with what it has been lent.
+/// A body with its temporary changes.
 #[derive(Clone, Debug)]
 #[cfg_attr(
     feature = "serde-serialize",
@@ -37,8 +37,7 @@ impl Lent {
         })
     }
 
-    /// Leaves the forces as the user had set them, and the velocities without offset. Nothing is done
-    /// for a body that is gone.
+    /// Restores the user's forces and removes the velocity offsets. Removed bodies are ignored.
     pub(crate) fn take_back(self, bodies: &mut RigidBodySet) {
         let Some(body) = bodies.get_mut(self.body) else {
             return;
@@ -47,7 +46,7 @@ impl Lent {
         body.reset_torques(false);
         body.add_force(self.user[0], false);
         body.add_torque(self.user[1], false);
-        // A body that fell asleep was stopped.
+        // A body that fell asleep is at rest.
         if !body.is_sleeping() {
             accelerate(body, &self.offset, -1.0);
         }

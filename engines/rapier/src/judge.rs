@@ -1,5 +1,5 @@
-//! Friction on the feet of a group over one step: one round patch below the centre of mass by its own
-//! law, any other feet by the elements of their areas.
+//! Friction on the feet of a group over one step: the kernel's step for one round patch below the
+//! centre of mass, elements of area for any other feet.
 
 use crate::feet::{Feet, Solved};
 use crate::group::Member;
@@ -9,18 +9,18 @@ use crate::stand::Stand;
 use tribos_core::contact::TimeStep;
 use tribos_core::twist::{Twist, Wrench};
 
-/// All that friction on a group needs to be known.
+/// Input for the friction on a group.
 pub(crate) struct Judge<'a> {
     pub(crate) pairs: &'a [Pair],
     pub(crate) members: &'a [Member],
     pub(crate) stands: &'a [Stand],
-    /// By how much each foot moves faster against its ground than the first, at the centre of mass.
+    /// Motion of each foot relative to its ground minus that of the first, at the centre of mass.
     pub(crate) drifts: Vec<[f64; 3]>,
     pub(crate) reduced: &'a Reduced,
 }
 
 impl Judge<'_> {
-    /// The one foot, if it is a round patch below the centre of mass on a ground that stays.
+    /// The only foot, if it is a round patch below the centre of mass on an immovable ground.
     fn centred(&self) -> Option<(&Pair, f32)> {
         let ([member], [stand]) = (self.members, self.stands) else {
             return None;
@@ -67,7 +67,7 @@ impl Judge<'_> {
         })
     }
 
-    /// The part of the step that coming to rest has taken.
+    /// The fraction of the step until rest.
     pub(crate) fn share(&self, solved: &Solved, before: &Twist<f32>) -> Option<f32> {
         let friction = &solved.friction;
         if let Some((pair, load)) = self.centred() {
@@ -75,7 +75,7 @@ impl Judge<'_> {
         }
         let power = friction.power(before);
         let share = -power / self.feet().dissipation(before);
-        // Nothing resists nothing: no share.
+        // No friction under no load: no fraction.
         Some(if share > 0.0 { share.min(1.0) } else { 0.0 })
     }
 }

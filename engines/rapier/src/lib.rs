@@ -1,10 +1,10 @@
 //! Friction of area contacts for [Rapier](https://rapier.rs): bodies that slide and spin at once.
 //!
-//! Rapier resists the sliding of contact points. A puck that spins slides farther than its points
-//! tell, because every element of the area resists along its own velocity. [`PatchContacts`] takes
-//! the friction of chosen pairs of colliders out of the engine and puts the exact friction of a
-//! patch in its place: a disk, a ring or a polygon. All else (normal forces, other contacts, joints)
-//! stays the engine's.
+//! Rapier resists the sliding of contact points. A spinning puck slides farther than its points
+//! predict, because every element of the area resists along its own velocity. [`PatchContacts`]
+//! replaces the engine's friction of chosen pairs of colliders by the exact friction of a patch: a
+//! disk, a ring or a polygon. Everything else (normal forces, other contacts, joints) is left to the
+//! engine.
 //!
 //! ```
 //! use rapier3d::prelude::*;
@@ -36,16 +36,15 @@
 //! mass, within 0.5 % of the exact solution at 60 steps a second.
 //! *At rest*: a patch that friction holds has no relative motion, to the last bit where the contact's
 //! normal is an axis of the world, and creeps no farther than the engine rounds elsewhere.
-//! *Refused*: feet on a fixed or kinematic body, or on none, which the wrong order of the arguments
-//! gives ([`PairError`]).
-//! *State*: [`PatchContacts`] can be cloned, and serialised with the feature `serde-serialize`; a
-//! simulation goes on to the same bits.
-//! *Limits*: the pressure stays evenly spread within each patch whatever leans on the body; friction
-//! is known from the second step of a contact on, and a push that comes anew through another body one
-//! step late; a turn of more than 45° a step needs `allow_fast_rotation` of the body, as always in
-//! Rapier. Feet of one body on several grounds that move freely, or on planes that are more than 8°
-//! apart, are solved one ground after another. Links of multibodies are not moved. With
-//! `max_ccd_substeps` above 1 a step that the engine splits is judged by its last part.
+//! *Refused*: feet on a fixed or kinematic body, or on none, as results from swapped arguments
+//! ([`PairError`]). *State*: [`PatchContacts`] can be cloned, and serialised with the feature
+//! `serde-serialize`; a simulation then continues with the same bits. *Limits*: the pressure stays
+//! uniform within each patch whatever leans on the body; friction acts from the second step of a
+//! contact on, and responds one step late to a new push from another body; a rotation of more than
+//! 45° a step needs `allow_fast_rotation` of the body, as always in Rapier. Feet of one body on
+//! several grounds that move freely, or on planes that are more than 8° apart, are solved one ground
+//! after another. Links of multibodies are not moved. With `max_ccd_substeps` above 1 a step that the
+//! engine splits is corrected by its last part.
 
 mod area;
 mod balance;

@@ -1,4 +1,4 @@
-//! One foot on one ground: what is known of the contact, and what friction did to it.
+//! One foot on one ground: the state of the contact, and its friction.
 
 use crate::patch::Patch;
 use rapier3d::prelude::*;
@@ -34,17 +34,17 @@ use tribos_core::twist::Wrench;
     derive(serde::Serialize, serde::Deserialize)
 )]
 pub struct Friction {
-    /// In newtons, in axes of the world, at the middle of the patch.
+    /// Force in newtons, in world axes, at the middle of the patch.
     pub force: Vector,
-    /// About the contact's normal, in newton metres, in axes of the world.
+    /// Torque about the contact's normal in newton metres, in world axes.
     pub torque: Vector,
-    /// What presses the foot to the ground, in newtons.
+    /// Normal load of the foot, in newtons.
     pub load: f32,
-    /// The foot does not move against the ground.
+    /// Whether the foot is at rest relative to the ground.
     pub holds: bool,
 }
 
-/// Where the sliding ended within the last step.
+/// End of sliding within the last step.
 ///
 /// ```
 /// use rapier3d::prelude::*;
@@ -79,22 +79,23 @@ pub struct Stop {
     pub within_step: f32,
 }
 
-/// A contact as the engine has left it.
+/// A contact after the engine's step.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(
     feature = "serde-serialize",
     derive(serde::Serialize, serde::Deserialize)
 )]
 pub(crate) struct Touching {
-    /// In newtons.
+    /// Normal load in newtons.
     pub(crate) load: f32,
-    /// From the ground to the foot.
+    /// Normal from the ground to the foot.
     pub(crate) normal: Vector,
-    /// From the centre of mass of the foot to the contact, against the normal, in metres.
+    /// Distance from the centre of mass of the foot to the contact, against the normal, in
+    /// metres.
     pub(crate) depth: f32,
 }
 
-/// What a step has shown and the next one foresees with.
+/// Results of a step with which the next one predicts.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(
     feature = "serde-serialize",
@@ -102,7 +103,7 @@ pub(crate) struct Touching {
 )]
 pub(crate) struct Known {
     pub(crate) touching: Touching,
-    /// Force and torque in the plane beyond those expected, if friction held against them.
+    /// Force and torque in the plane beyond the expected ones, if friction held against them.
     held: Option<[f32; 3]>,
 }
 
@@ -133,7 +134,7 @@ impl Pair {
         }
     }
 
-    /// Goes on with the patch of `other`, from what is known of the contact.
+    /// Continues with the patch of `other` from the current state of the contact.
     pub(crate) fn repatch(&mut self, other: Self) {
         if self.foot == other.foot {
             self.patch = other.patch;
@@ -151,7 +152,7 @@ impl Known {
         }
     }
 
-    /// What friction held against beyond what was expected.
+    /// The push beyond the expected one against which friction held.
     pub(crate) fn held(&self) -> Option<Wrench<f32>> {
         let [x, y, torque] = self.held?;
         Some(Wrench::new(x, y, torque))

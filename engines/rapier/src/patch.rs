@@ -1,4 +1,4 @@
-//! Where a body touches its ground, and how rough it is.
+//! Contact patches: shape, position and coefficient of friction.
 
 use crate::area::{Area, Element};
 use core::fmt;
@@ -12,15 +12,16 @@ use tribos_core::patch::polygon::{PolygonError, polygon};
 use tribos_core::planar::{PlanarBody, PlanarStep};
 use tribos_core::twist::{Twist, Wrench};
 
-/// Points of a polygon at most.
+/// Largest number of points of a polygon.
 const POINTS: usize = 256;
-/// Share of its radius by which a round patch may lie off the centre of mass and count as centred.
+/// Distance from the centre of mass, as a fraction of the radius, up to which a round patch counts
+/// as centred.
 const CENTRED: f64 = 1e-3;
 
 /// A patch of Coulomb friction under a foot, centred below the origin of the foot's collider.
 ///
-/// The pressure is spread evenly: over a disk, along a ring, over a polygon. A body may stand on
-/// several feet, each a collider with a patch of its own: the engine tells how they share the load.
+/// The pressure is uniform over a disk, along a ring or over a polygon. A body may have several
+/// feet, each a collider with its own patch: the engine determines how they share the load.
 ///
 /// ```
 /// use tribos_rapier::{Patch, PatchError};
@@ -82,7 +83,7 @@ pub enum PatchError {
         /// What was given.
         given: f32,
     },
-    /// The polygon has no inside, or too many corners.
+    /// The polygon has no interior, or too many corners.
     Polygon(PolygonError),
 }
 
@@ -117,7 +118,7 @@ impl Patch {
     }
 
     /// The same patch centred below another point than the collider's origin, in metres in the
-    /// collider's own frame: for shapes whose origin is not above the middle of what touches.
+    /// collider's own frame: for shapes whose origin is not above the middle of the contact.
     ///
     /// ```
     /// use rapier3d::prelude::Vector;
@@ -153,8 +154,8 @@ impl Patch {
         self.mu
     }
 
-    /// Whether the patch is round and centred on the centre of mass, from which its centre is as far
-    /// as `place`: then the kernel's step for round patches is exact.
+    /// Whether the patch is round and, with its centre at `place` from the centre of mass, centred:
+    /// then the kernel's step for round patches is exact.
     pub(crate) fn is_centred(&self, place: [f64; 2]) -> bool {
         let [x, y] = place;
         match self.shape {
@@ -189,7 +190,7 @@ impl Patch {
         }
     }
 
-    /// How much of what a round patch can carry `friction` is, at most 1.
+    /// `friction` as a fraction of the largest that a round patch can carry, at most 1.
     pub(crate) fn share(&self, load: f32, friction: &Wrench<f32>) -> Option<f32> {
         let limit = self.mu * load;
         let gauge = match self.shape {
@@ -199,12 +200,12 @@ impl Patch {
             Shape::Ring { radius } => LimitSurface::new(Ring, limit, radius).ok()?.gauge(friction),
             Shape::Polygon(_) => return None,
         };
-        // Nothing resists nothing: no share.
+        // No friction under no load: no fraction.
         Some(if gauge > 0.0 { gauge.min(1.0) } else { 0.0 })
     }
 
-    /// The parts of the patch under a load in newtons, as those of the foot of this number: its centre
-    /// at `place` from the centre of mass, its x axis along `axis` in the plane.
+    /// The elements of the patch under a load in newtons, labelled with the index of the foot: centre
+    /// at `place` from the centre of mass, x axis along `axis` in the plane.
     pub(crate) fn elements(
         &self,
         foot: usize,

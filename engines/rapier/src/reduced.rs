@@ -13,16 +13,16 @@ const LOCKED: f32 = 1e3;
 /// Cosine to the normal from which on an axis of the world counts as the normal.
 const ALONG: f32 = 0.99;
 
-/// What moves against what.
+/// A foot and its ground, reduced to one body.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reduced {
     /// The pair, if friction acted at the ground's centre of mass.
     pub(crate) body: PlanarBody<f32>,
-    /// 1/mass and 1/inertia of the foot and of the ground.
+    /// Inverse mass and inertia of the foot and of the ground.
     inverse: [[f32; 2]; 2],
-    /// From the ground's centre of mass to the foot's, in the plane.
+    /// Vector from the ground's centre of mass to the foot's, in the plane.
     lever: [f32; 2],
-    /// Whether friction moves the foot, the ground.
+    /// Whether friction moves the foot and the ground.
     pub(crate) moved: [bool; 2],
 }
 
@@ -32,7 +32,7 @@ impl Reduced {
         let of_foot = inverse(foot, ground, frame);
         let of_ground = ground.map_or([0.0; 2], |ground| inverse(ground, Some(foot), frame));
         let sums = [0, 1].map(|i| of_foot[i] + of_ground[i]);
-        // What is locked is heavy, so that friction acts on the rest alone.
+        // Locked motions get a large mass, so that friction acts only on the others.
         let [mass, inertia] = match sums.map(|sum| sum > 0.0) {
             [true, true] => sums.map(f32::recip),
             [true, false] => [sums[0].recip(), sums[0].recip() * (LOCKED * LOCKED)],
@@ -58,7 +58,7 @@ impl Reduced {
         if !self.moved[1] || turn == 0.0 {
             return [mass, 0.0, mass, 0.0, 0.0, inertia];
         }
-        // A force on the ground turns it, and shifts what lies off its centre.
+        // A force on the ground rotates it, which moves points off its centre.
         let inverse = [
             1.0 / mass + turn * y * y,
             -(turn * x * y),
@@ -74,7 +74,8 @@ impl Reduced {
         [xx, xy, yy, xn, yn, nn]
     }
 
-    /// Changes of the foot's and the ground's velocities that make up a change of the relative twist.
+    /// Changes of the foot's and the ground's velocities that together give a change of the relative
+    /// twist.
     pub(crate) fn shared(&self, change: &Twist<f32>, frame: &Frame) -> [[Vector; 2]; 2] {
         let moved =
             |velocity: &Vector2<f32>, spin: f32| [frame.world(velocity), frame.normal * spin];
@@ -126,12 +127,12 @@ fn inverse(body: &RigidBody, other: Option<&RigidBody>, frame: &Frame) -> [f32; 
     [shift, turn.dot(frame.normal)]
 }
 
-/// True for a body that forces move.
+/// Whether forces move a body.
 pub(crate) fn is_free(body: &RigidBody) -> bool {
     body.is_dynamic() && body.is_enabled() && !body.is_sleeping()
 }
 
-/// Changes the velocities of a body but along locked axes, without waking it.
+/// Changes the velocities of a body except along locked axes, without waking it.
 pub(crate) fn accelerate(body: &mut RigidBody, change: &[Vector; 2], sign: f32) {
     let free = body
         .mass_properties()

@@ -25,19 +25,19 @@ use rapier3d::prelude::*;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PairError {
-    /// There is no collider of this handle.
+    /// No collider has this handle.
     Missing {
         /// The handle.
         collider: ColliderHandle,
     },
-    /// The foot has no body that forces move: none, a fixed or a kinematic one. Often foot and ground
-    /// were given in the wrong order.
+    /// The foot's body is not dynamic: it has none, or a fixed or kinematic one. Often foot and
+    /// ground were given in the wrong order.
     FootIsNotDynamic,
     /// Foot and ground are parts of one body.
     OneBody,
 }
 
-/// Refuses what the adapter cannot make right.
+/// Refuses pairs that the adapter cannot handle.
 pub(crate) fn check(
     foot: ColliderHandle,
     ground: ColliderHandle,

@@ -1,10 +1,10 @@
-//! Where a foot is in the plane of its group.
+//! Position of a foot in the plane of its group.
 
 use crate::frame::Frame;
 use crate::pair::Pair;
 use rapier3d::prelude::*;
 
-/// Where a foot is in the plane, half a step on.
+/// Position of a foot in the plane after half a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stand {
     pub(crate) foot: ColliderHandle,
@@ -15,7 +15,7 @@ pub(crate) struct Stand {
 }
 
 impl Stand {
-    /// Where a foot is in the plane now.
+    /// The current position of a foot in the plane.
     pub(crate) fn now(
         pair: &Pair,
         frame: &Frame,
@@ -27,7 +27,7 @@ impl Stand {
         let along = *foot.rotation() * (pose.rotation * Vector::X);
         let [c, s] = frame.plane(along).map(f64::from);
         let length = (c * c + s * s).sqrt();
-        // A direction within a hundredth of the normal tells nothing.
+        // A direction within a hundredth of the normal is undefined in the plane.
         let axis = match length > 1e-2 {
             true => [c / length, s / length],
             false => [1.0, 0.0],
@@ -44,7 +44,7 @@ impl Stand {
         self.foot == pair.foot && self.ground == pair.ground
     }
 
-    /// Turned by an angle, given its half in radians; that angle to the third order.
+    /// The position rotated by an angle, given half of it in radians; accurate to third order.
     pub(crate) fn turned(self, half: f32) -> Self {
         let half = f64::from(half);
         let scale = 1.0 / (1.0 + half * half);

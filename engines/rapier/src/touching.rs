@@ -1,4 +1,4 @@
-//! What the engine's solver has found at a contact.
+//! Results of the engine's solver at a contact.
 
 use crate::pair::{Pair, Touching};
 use rapier3d::parry::utils::PoseOpt;
@@ -26,7 +26,7 @@ pub(crate) fn touching(
         };
         let normal = manifold.data.normal * towards;
         let part = part.prepend_to(place);
-        // Points that the solver did not see keep the impulse of an earlier step.
+        // Points that the solver did not treat keep the impulse of an earlier step.
         for solved in manifold.data.solver_contacts.iter() {
             let [index] = solved.contact_indices();
             let Some(point) = manifold.points.get(index as usize) else {

@@ -11,7 +11,7 @@ const LINE: i32 = 20 * PX;
 const SAMPLE: i32 = 28 * PX;
 const GAP: i32 = 8 * PX;
 
-/// Where the legend stands.
+/// Position of the legend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Legend {
     /// Outside, at the right of the plot.

@@ -1,4 +1,4 @@
-//! What a figure shows: curves, reference lines, filled regions and their colours.
+//! Elements of a figure: curves, reference lines, filled regions and their colours.
 
 use plotters::style::RGBColor;
 
@@ -30,7 +30,7 @@ impl Color {
         Color(lighten(red), lighten(green), lighten(blue))
     }
 
-    // The colour as plotters knows it.
+    // The colour for plotters.
     pub(super) fn rgb(self) -> RGBColor {
         RGBColor(self.0, self.1, self.2)
     }

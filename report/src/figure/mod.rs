@@ -64,7 +64,7 @@ impl Figure {
         self
     }
 
-    /// Chooses where the legend stands.
+    /// Sets the position of the legend.
     #[must_use]
     pub fn legend(mut self, legend: Legend) -> Self {
         self.legend = legend;

@@ -21,7 +21,7 @@ const SAMPLE: f64 = 22.0;
 const BOLD: f64 = 5.0;
 const GAP: f64 = 6.0;
 
-/// Lines with a force each.
+/// Lines, each with a force.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Network {
     lines: Vec<Line>,
@@ -87,7 +87,7 @@ impl Network {
         self.unit = unit;
     }
 
-    /// Writes what the colours and the width mean at the bottom; returns the rest of the frame.
+    /// Writes the meaning of colours and width at the bottom; returns the rest of the frame.
     pub fn legend(&self, paper: &mut Paper, [left, top, right, bottom]: Frame) -> Frame {
         let full = format!(
             "width of a sphere's radius: {} {}",

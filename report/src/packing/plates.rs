@@ -11,12 +11,12 @@ const SUBSTRATE: Color = Color(176, 176, 184);
 const PISTON: Color = Color(120, 130, 150);
 /// Shares of black in the sides of a plate that face the front and the right.
 const SHADE: [f64; 2] = [0.18, 0.32];
-/// Opacity of the piston: what it presses on stays visible.
+/// Opacity of the piston: the spheres below stay visible.
 const GLASS: f64 = 0.7;
 /// Width of edges, px.
 const THIN: f64 = 0.8;
 
-/// Draws what is behind the spheres.
+/// Draws the parts behind the spheres.
 pub(super) fn behind(paper: &mut Paper, view: &View, hall: &Hall) {
     slab(paper, view, hall, ([-hall.plate, 0.0], SUBSTRATE, 1.0));
     let [x, y] = hall.lengths;
@@ -25,7 +25,7 @@ pub(super) fn behind(paper: &mut Paper, view: &View, hall: &Hall) {
     }
 }
 
-/// Draws what is before the spheres: the edge nearest to the eye and the piston.
+/// Draws the parts in front of the spheres: the edge nearest to the eye and the piston.
 pub(super) fn before(paper: &mut Paper, view: &View, hall: &Hall) {
     upright(paper, view, [hall.lengths[0], 0.0], hall.top);
     if let Some(height) = hall.piston {

@@ -15,12 +15,12 @@ pub(super) struct Balls {
     paint: Paint,
 }
 
-// What the spheres are coloured by.
+// Colouring of the spheres.
 #[derive(Debug, Clone, PartialEq)]
 enum Paint {
-    // A value each, on a scale.
+    // One value per sphere, on a scale.
     Values(Axis, Vec<f64>),
-    // A colour each.
+    // One colour per sphere.
     Colors(Vec<Color>),
 }
 
@@ -39,21 +39,21 @@ impl Balls {
         }
     }
 
-    /// Takes other values.
+    /// Colours the spheres by other values.
     pub fn color_by(&mut self, axis: Axis, values: &[f64]) -> Result<(), PackingError> {
         self.check(values.len())?;
         self.paint = Paint::Values(axis, values.to_vec());
         Ok(())
     }
 
-    /// Takes a colour each.
+    /// Gives each sphere its own colour.
     pub fn colors(&mut self, colors: &[Color]) -> Result<(), PackingError> {
         self.check(colors.len())?;
         self.paint = Paint::Colors(colors.to_vec());
         Ok(())
     }
 
-    // One for each sphere.
+    // Refuses a list that is not one entry per sphere.
     fn check(&self, values: usize) -> Result<(), PackingError> {
         let spheres = self.centres.len();
         if values == spheres {

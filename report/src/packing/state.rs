@@ -1,4 +1,4 @@
-//! The state of a packing as pictures need it: borrowed, checked once.
+//! The state of a packing for pictures: borrowed, checked once.
 
 use super::Hall;
 
@@ -14,9 +14,9 @@ pub struct Packing<'a> {
 /// A contact between two spheres, or between a sphere and the nearer plate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
-    /// One sphere.
+    /// Index of one sphere.
     pub a: usize,
-    /// The other sphere, nothing at a plate.
+    /// Index of the other sphere, `None` at a plate.
     pub b: Option<usize>,
     /// Normal force, positive in compression and negative in tension.
     pub normal_force: f64,
@@ -42,10 +42,10 @@ pub enum PackingError {
     /// The piston's height is not positive and finite.
     #[error("a piston at height {0}: give a positive height")]
     Piston(f64),
-    /// A contact names a sphere that there is not, or one sphere twice.
+    /// A contact names a sphere that does not exist, or one sphere twice.
     #[error("contact {0} does not join two spheres of the packing")]
     Contact(usize),
-    /// Not one value for each sphere.
+    /// The number of values differs from that of spheres.
     #[error("{values} values for {spheres} spheres")]
     Values {
         /// Number of values.
@@ -104,7 +104,7 @@ impl<'a> Packing<'a> {
         Ok(numbers)
     }
 
-    /// Refuses contacts of spheres that there are not.
+    /// Refuses contacts of spheres that do not exist.
     pub(super) fn check(&self, contacts: &[Contact]) -> Result<(), PackingError> {
         let count = self.positions.len();
         let sound = |contact: &Contact| {
@@ -127,7 +127,7 @@ impl<'a> Packing<'a> {
         ]
     }
 
-    /// From one centre to the nearest image of another.
+    /// Vector from one centre to the nearest image of another.
     pub(super) fn branch(&self, from: usize, to: usize) -> [f64; 3] {
         let (a, b) = (self.positions[from], self.positions[to]);
         let nearest = |axis: usize| {
@@ -137,7 +137,7 @@ impl<'a> Packing<'a> {
         [nearest(0), nearest(1), b[2] - a[2]]
     }
 
-    /// From a centre straight to the nearer plate.
+    /// Vector from a centre straight to the nearer plate.
     pub(super) fn branch_to_plate(&self, sphere: usize) -> [f64; 3] {
         let height = self.positions[sphere][2];
         let up = self.piston.map(|piston| piston - height);

@@ -5,9 +5,9 @@ use base64::engine::general_purpose::STANDARD;
 use tribos::record::Partner;
 use tribos::record::frames::Frame;
 
-/// Strength of the compression, of 10; more takes longer than it saves.
+/// Compression level out of 10; a higher one takes longer than it saves.
 const LEVEL: u8 = 6;
-/// The largest number of a place.
+/// Largest encoded coordinate.
 const STEPS: f64 = u16::MAX as f64;
 
 /// The low and the high corner of the box that holds all frames.
@@ -74,7 +74,7 @@ fn planes<T: Copy, const N: usize>(bytes: &mut Vec<u8>, numbers: &[T], of: fn(T)
     }
 }
 
-/// What a frame's file holds of a number: its upper half, to which it was rounded.
+/// Upper half of a number, to which a frame's file rounds it.
 fn half(value: f32) -> u16 {
     (value.to_bits() >> 16) as u16
 }

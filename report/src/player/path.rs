@@ -6,18 +6,18 @@ use serde_json::{Value, json};
 /// Pictures of a film, evenly spread in time.
 const PICTURES: usize = 240;
 
-/// What is drawn of a body in the plane.
+/// Description of a body in the plane for drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathBody {
-    /// As scenes call it.
+    /// Name of the body in scenes.
     pub name: String,
-    /// Radius of its outline.
+    /// Radius of the outline.
     pub radius: f64,
     /// Whether numbers have SI units, or none.
     pub is_si: bool,
     /// Mass, and moment of inertia about the upright axis.
     pub inertia: [f64; 2],
-    /// What the scene says, in one line.
+    /// Summary of the scene in one line.
     pub parameters: String,
 }
 
@@ -27,7 +27,7 @@ pub type Row = [f64; 8];
 /// A row with force and torque on the body: F_x, F_y, T.
 type Drawn = [f64; 11];
 
-/// A film of a path, rows in the order of time; between them it goes straight on.
+/// A film of a path, with rows in order of time and linear interpolation between them.
 pub fn path_film(title: &str, body: &PathBody, rows: &[Row]) -> Film {
     let end = rows.last().map_or(0.0, |row| row[0]);
     let begin = rows.first().map_or(0.0, |row| row[0]);

@@ -67,7 +67,7 @@ pub fn solid_film(title: &str, bodies: &Bodies, frames: &[Frame]) -> Result<Film
     Ok(Film { meta, data })
 }
 
-/// One for all, or one each.
+/// One radius for all, or one each.
 fn radii(radii: &[f64]) -> Value {
     match radii {
         [one, rest @ ..] if rest.iter().all(|radius| radius == one) => json!(one),
@@ -93,7 +93,7 @@ fn units(kind: Kind) -> Value {
     }
 }
 
-/// Numbers of a frame; what is not finite is left open.
+/// Numbers of a frame; numbers that are not finite are omitted.
 fn frame(frame: &Frame) -> Value {
     json!({
         "step": frame.step,

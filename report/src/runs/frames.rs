@@ -1,4 +1,4 @@
-//! The frames of a run, read, and films of them.
+//! Reading the frames of a run, and films of them.
 
 use crate::player::{Film, MovieError, solid_film};
 use serde_json::Value;
@@ -8,23 +8,23 @@ use tribos::record::frames::{Bodies, Frame, FrameError, FrameFolder, Kind};
 /// Why a run cannot be shown as a film.
 #[derive(Debug, thiserror::Error)]
 pub enum FilmError {
-    /// The run kept no frames.
+    /// The run has no frames.
     #[error("{}: no frames are there; run the scene again", .0.display())]
     Missing(PathBuf),
     /// The frames cannot be read.
     #[error(transparent)]
     Frames(#[from] FrameError),
-    /// The frames make no film.
+    /// The frames cannot be made into a film.
     #[error(transparent)]
     Movie(#[from] MovieError),
 }
 
-/// A run of a powder or a tip as its frames show it.
+/// A run of a powder or a tip, from its frames.
 #[derive(Debug)]
 pub struct RunFrames {
-    /// What it is called.
+    /// Title of the run.
     pub title: String,
-    /// What its frames have in common.
+    /// The data that all frames share.
     pub bodies: Bodies,
     /// The frames in order, at least one.
     pub frames: Vec<Frame>,
@@ -59,11 +59,11 @@ impl RunFrames {
     }
 }
 
-/// What a run is, with what its summary adds.
+/// Title from the kind of run and its summary.
 fn title(bodies: &Bodies, summary: Option<&Value>) -> String {
     let count = bodies.radii.len();
     let told = |key: &str| {
-        // As short as a person writes it.
+        // In short form.
         let value = summary?["scene"][key].as_f64()?;
         Some(value.to_string())
     };

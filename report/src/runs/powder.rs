@@ -17,7 +17,7 @@ pub fn packing(
     let percent = outcome.porosity.map(|porosity| 100.0 * porosity);
     let title = |name: &str, percent: f64| format!("{name}, {percent:.1} % empty");
 
-    // Both coloured by the place in the deposit: how the layers sink and mix.
+    // Both are coloured by height in the deposit, which shows how layers sink and mix.
     let layers: Vec<f64> = before.positions.iter().map(|[_, _, z]| *z).collect();
     let picture = |name: &str, percent: f64, packing: &Packing<'_>| {
         let picture = PackingPicture::spheres(title(name, percent), packing).headroom(top);
@@ -70,7 +70,7 @@ pub fn series(compaction: &Compaction, outcome: &Outcome) -> Panels {
         .figure(energies)
 }
 
-/// A snapshot as pictures take it.
+/// A snapshot for pictures.
 #[derive(Debug)]
 pub struct State {
     /// Centres.
@@ -80,7 +80,7 @@ pub struct State {
 }
 
 impl State {
-    /// The deposit that the run began with, and what has become of it.
+    /// The initial deposit and the current state.
     pub fn both(compaction: &Compaction) -> [Self; 2] {
         let before = Self::of(&compaction.deposit().snapshot(&[]));
         [before, compaction.with_snapshot(Self::of)]

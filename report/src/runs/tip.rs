@@ -1,4 +1,4 @@
-//! Pictures of a tip: its atoms, coloured by what they are, and the angles over time.
+//! Pictures of a tip: its atoms, coloured by part, and the angles over time.
 
 use crate::figure::{Axis, Color, Figure, Guide, Panels, Series};
 use crate::packing::{Packing, PackingError, PackingPicture};
@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use tribos::scene::TipScene;
 use tribos::tip::{Outcome, Part, Shape, TipRun};
 
-/// One atom of each part of the tip is marked, to see it turn.
+/// Colour of one marked atom in each part of the tip, which shows its rotation.
 const MARK: Color = Color(250, 205, 30);
 
 /// Colours of all atoms.
@@ -27,7 +27,7 @@ pub fn colors(shape: &Shape) -> Vec<Color> {
     colors
 }
 
-/// The system of a scene, at places of its atoms.
+/// The system of a scene, with its atoms at given positions.
 pub fn atoms(
     title: &str,
     scene: &TipScene,

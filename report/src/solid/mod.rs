@@ -1,4 +1,4 @@
-//! What pictures of three dimensions share: the view, the paper they are drawn on and colours.
+//! Shared parts of three-dimensional pictures: the view, the paper and colours.
 
 pub(super) mod paper;
 pub(super) mod ramp;

@@ -17,7 +17,7 @@ const STRIP: f64 = 24.0;
 /// Centre of the highlight of a ball, as a share of its size from the upper left.
 const LIGHT: (f64, f64) = (0.36, 0.32);
 
-/// Which part of a text stands at its place.
+/// Alignment of a text at its position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     /// Its left end.
@@ -28,7 +28,7 @@ pub enum Anchor {
     End,
 }
 
-/// A drawing in the making; later shapes lie over earlier ones.
+/// A drawing under construction; later shapes lie over earlier ones.
 #[derive(Debug)]
 pub struct Paper {
     size: (u32, u32),
@@ -49,7 +49,7 @@ impl Paper {
         })
     }
 
-    /// Writes a title at the top and returns what is left of the paper.
+    /// Writes a title at the top and returns the rest of the paper.
     pub fn title(&mut self, text: &str) -> Frame {
         let (wide, high) = (f64::from(self.size.0), f64::from(self.size.1));
         let inside = |top| [MARGIN, top, wide - MARGIN, high - MARGIN];
@@ -210,7 +210,7 @@ fn digits(value: f64) -> f64 {
     (value * 100.0).round() / 100.0 + 0.0
 }
 
-// Text with the characters replaced that mean something in SVG.
+// Text with SVG's special characters escaped.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")

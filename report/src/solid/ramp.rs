@@ -10,7 +10,7 @@ use crate::figure::{Color, FigureError, canvas};
 const LIGHTNESS: (f64, f64) = (0.36, 0.92);
 const HUE: (f64, f64) = (285.0, 100.0);
 const CHROMA: f64 = 0.125;
-/// Steps of the ramp: finer than the eye tells apart, and few shadings in a file.
+/// Steps of the ramp: finer than the eye can distinguish, with few shadings in a file.
 const STEPS: f64 = 63.0;
 /// Colour of a value that is missing.
 pub const MISSING: Color = Color(200, 200, 200);

@@ -32,7 +32,7 @@ impl View {
         }
     }
 
-    /// The same directions, with all points as large as they fit into the middle of a frame.
+    /// The same directions, scaled so that all points just fit into a frame, centred.
     pub fn fitted(mut self, points: &[Point], [left, top, right, bottom]: Frame) -> Self {
         (self.scale, self.origin) = (1.0, (0.0, 0.0));
         let (mut low, mut high) = ((f64::MAX, f64::MAX), (f64::MIN, f64::MIN));
@@ -49,7 +49,7 @@ impl View {
         self
     }
 
-    /// Where a point stands in the picture, in pixels from its upper left corner.
+    /// Position of a point in the picture, in pixels from the upper left corner.
     pub fn place(&self, point: Point) -> Place {
         let (x, y) = (dot(self.right, point), dot(self.up, point));
         (

@@ -21,7 +21,7 @@ const LARGE: f64 = 14.0;
 /// Pixels between two labels, about.
 const APART: f64 = 30.0;
 
-// One axis in the picture: where its ticks stand, and where they point to.
+// One axis in the picture: positions and directions of its ticks.
 struct Edge {
     // From the low to the high end.
     ends: [Point; 2],

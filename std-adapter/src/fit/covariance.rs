@@ -1,23 +1,23 @@
-//! How well the data determine the parameters.
+//! Covariance of the parameters, and the combinations that the data do not determine.
 
 use super::reduce::{length_of, reduced};
 use nalgebra::DMatrix;
 
-/// What the Jacobian at the minimum says.
+/// Result of the analysis of the Jacobian at the minimum.
 #[derive(Clone, Debug)]
 pub(super) struct Certainty {
-    /// (JᵀJ)⁻¹ of the given columns; of combinations that nothing determines it has no share.
+    /// (JᵀJ)⁻¹ of the given columns, without combinations that the data do not determine.
     pub covariance: DMatrix<f64>,
-    /// Columns that trade against each other, or alone change nothing.
+    /// Groups of columns that trade against each other, or that alone have no effect.
     pub loose: Vec<Vec<usize>>,
 }
 
 /// Singular value of the Jacobian with columns of length 1, over the largest, below which a
-/// combination of parameters changes nothing: what differences leave of zero.
+/// combination of parameters has no effect, given the rounding of differences.
 const RANK: f64 = 1e-7;
 /// Length of a column over that of the data below which a parameter changes nothing.
 const EMPTY: f64 = 1e-10;
-/// Component from which a parameter takes part in a combination.
+/// Least component with which a parameter counts as part of a combination.
 const TAKES_PART: f64 = 0.05;
 
 /// From some columns of the Jacobian; `sizes` are the magnitudes of their coordinates and `length`
@@ -47,7 +47,7 @@ pub(super) fn certainty(
         .v_t
         .unwrap_or_else(|| DMatrix::identity(full.len(), full.len()));
     let most = svd.singular_values.iter().copied().fold(0.0, f64::max);
-    // V Σ⁻² Vᵀ, without what is not determined.
+    // V Σ⁻² Vᵀ, without undetermined directions.
     for (k, sigma) in svd.singular_values.iter().enumerate() {
         let direction = v_t.row(k);
         if *sigma <= RANK * most {

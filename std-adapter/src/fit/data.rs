@@ -1,18 +1,18 @@
 //! Measurements: friction at speeds, or over time.
 
-/// How the surfaces moved.
+/// Motion of the surfaces.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motion {
     /// Steady sliding at these speeds.
     Steady {
-        /// All > 0, in m/s.
+        /// Speeds, all > 0, in m/s.
         speeds: Vec<f64>,
     },
     /// A record over time.
     Series {
-        /// Rising, in s.
+        /// Times in rising order, in s.
         times: Vec<f64>,
-        /// At those times, of either sign, in m/s.
+        /// Velocities at those times, of either sign, in m/s.
         velocities: Vec<f64>,
     },
 }
@@ -45,15 +45,15 @@ pub enum DataError {
     /// One point.
     #[error("{message}")]
     Point {
-        /// Which one, from 0.
+        /// Index of the point, from 0.
         point: usize,
-        /// What is wrong and what would be valid.
+        /// Description of the error and of valid values.
         message: String,
     },
     /// Columns of different lengths.
     #[error("columns have different lengths, {0} and {1}")]
     Lengths(usize, usize),
-    /// All of them.
+    /// The measurements as a whole.
     #[error("{0}")]
     Whole(&'static str),
 }
@@ -80,10 +80,11 @@ impl Data {
         Self::checked(Motion::Steady { speeds }, friction, sigma)
     }
 
-    /// Friction over time. Between two times the velocity is taken for the mean of both.
+    /// Friction over time. Between two times the velocity is the mean of both.
     ///
     /// *Domain*: times finite and rising, velocities and friction finite, friction with the sign of
-    /// the velocity on the whole; speeds but 0 and the largest friction between 1e-290 and 1e290.
+    /// the velocity on the whole; speeds other than 0 and the largest friction between 1e-290 and
+    /// 1e290.
     pub fn series(
         times: Vec<f64>,
         velocities: Vec<f64>,
@@ -158,7 +159,7 @@ impl Data {
         })
     }
 
-    /// How the surfaces moved.
+    /// Motion of the surfaces.
     pub fn motion(&self) -> &Motion {
         &self.motion
     }
@@ -181,12 +182,12 @@ impl Data {
         }
     }
 
-    /// Smallest and largest |velocity| but 0.
+    /// Smallest and largest nonzero |velocity|.
     pub(super) fn speeds(&self) -> [f64; 2] {
         extremes(self.velocities().iter().map(|v| v.abs()))
     }
 
-    /// Smallest and largest |friction| but 0.
+    /// Smallest and largest nonzero |friction|.
     pub(super) fn forces(&self) -> [f64; 2] {
         extremes(self.friction.iter().map(|f| f.abs()))
     }
@@ -200,7 +201,7 @@ fn same_length(one: usize, other: usize) -> Result<(), DataError> {
     }
 }
 
-/// The first value that is wrong, in words.
+/// Error for the first invalid value.
 fn refuse(
     values: &[f64],
     wrong: impl Fn(&f64) -> bool,

@@ -1,11 +1,11 @@
-//! A fit: what is asked for, and what is found.
+//! Options and result of a fit.
 
 use super::parameter::{Model, Parameter};
 use super::search::{Unknowns, search};
 use super::{Data, DataError};
 use nalgebra::DMatrix;
 
-/// What is asked for.
+/// Options of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Parameters that keep these values.
@@ -24,27 +24,28 @@ impl Default for Options {
     }
 }
 
-/// How a parameter is known.
+/// Certainty of a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Known {
     /// From the data, with this standard error.
     StandardError(f64),
-    /// It was fixed.
+    /// The parameter was fixed.
     Fixed,
-    /// It is as small or as large as it may be.
+    /// The parameter is at an end of its range.
     AtBound,
-    /// The data determine only a combination with these others; with none, they say nothing of it.
+    /// The data determine only a combination with these other parameters, or, if the list is
+    /// empty, nothing.
     Undetermined(Vec<&'static str>),
 }
 
 /// One parameter of the result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
-    /// Which one.
+    /// Description of the parameter.
     pub parameter: Parameter,
-    /// Its value.
+    /// Value of the parameter.
     pub value: f64,
-    /// How it is known.
+    /// Certainty of the value.
     pub known: Known,
 }
 
@@ -69,33 +70,32 @@ pub struct Estimate {
 pub struct Fit {
     /// All parameters, in the order of the model.
     pub parameters: Vec<Estimate>,
-    /// Covariance of those with a standard error, in their order.
+    /// Covariance of the parameters with a standard error, in their order.
     pub covariance: DMatrix<f64>,
     /// Predicted friction of each point.
     pub predictions: Vec<f64>,
-    /// Σ ((data − prediction)/σ)², with σ = 1 where it is not known; infinite beyond the largest
-    /// f64.
+    /// Σ ((data − prediction)/σ)², with σ = 1 if unknown; infinite beyond the largest f64.
     pub cost: f64,
     /// √(cost/freedoms), also where the cost itself overflows.
     pub(super) deviation: f64,
-    /// Points less parameters that were sought.
+    /// Number of points minus number of free parameters.
     pub freedoms: usize,
     /// Whether standard deviations of the points were known.
     pub is_weighted: bool,
-    /// Whether the best search came to its end: nothing but rounding was left to gain.
+    /// Whether the best search converged, so that only rounding limited further descent.
     pub converged: bool,
     /// Starts from which a search was possible.
     pub starts: usize,
-    /// How many of them ended at the best minimum.
+    /// Number of starts that ended at the best minimum.
     pub at_best: usize,
     /// Steps of the best search.
     pub iterations: usize,
-    /// Points on which the starts were searched: all, or of many points a sample, from whose best
-    /// minima a last search took all points.
+    /// Number of points on which the starts were searched: all, or a sample, whose best minima
+    /// were refined on all points.
     pub searched: usize,
 }
 
-/// Why there is no fit.
+/// Why a fit failed.
 ///
 /// ```
 /// use tribos::fit::{Data, FitError, LawName, Options, fit, law_model};
@@ -110,7 +110,7 @@ pub struct Fit {
 /// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FitError {
-    /// A measurement.
+    /// A measurement is invalid.
     #[error(transparent)]
     Data(#[from] DataError),
     /// A parameter that the law does not have.
@@ -118,15 +118,15 @@ pub enum FitError {
     NoParameter {
         /// What was given.
         name: String,
-        /// What there is.
+        /// Names of the law's parameters.
         known: Vec<&'static str>,
     },
     /// A fixed value out of its range.
     #[error("`{name}` must be {range}, not {given}")]
     Range {
-        /// Which one.
+        /// Name of the parameter.
         name: &'static str,
-        /// What it may be.
+        /// Range of the parameter.
         range: String,
         /// What was given.
         given: f64,
@@ -137,9 +137,9 @@ pub enum FitError {
          parameters"
     )]
     TooFew {
-        /// Points.
+        /// Number of points.
         points: usize,
-        /// Parameters that are sought.
+        /// Number of free parameters.
         free: usize,
     },
     /// All parameters are fixed.
@@ -148,27 +148,27 @@ pub enum FitError {
     /// The law refuses every start.
     #[error("the law refuses every start; check the fixed values against each other")]
     NoStart,
-    /// A law without a form for such data.
+    /// The law has no form for such data.
     #[error("{0}")]
     Form(&'static str),
 }
 
-/// How far a fit is.
+/// Progress of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FitProgress {
-    /// Points that are searched on: a sample, or all of them.
+    /// Number of points in the current search: a sample, or all.
     pub points: usize,
-    /// Search, from 1, of so many on these points.
+    /// Number of the search, from 1, and number of searches on these points.
     pub search: [usize; 2],
-    /// Steps that it has taken.
+    /// Steps of the current search so far.
     pub steps: usize,
 }
 
 /// Fits the model to the data.
 ///
-/// *Cost*: up to 4,000 points take all starts, with some 30 steps each. Of more points, starts search
-/// a sample of them if the model can be [thinned](Model::thinned), and the few minima that are alike
-/// on it are refined on all points. The same data give the same bits.
+/// *Cost*: with up to 4,000 points all starts use all points, with some 30 steps each. With more
+/// points, starts use a sample if the model can be [thinned](Model::thinned), and the few minima that
+/// are alike on it are refined on all points. The same data give the same bits.
 pub fn fit(model: &dyn Model, data: &Data, options: &Options) -> Result<Fit, FitError> {
     fit_watched(model, data, options, &mut |_| ())
 }

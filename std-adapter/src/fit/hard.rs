@@ -1,4 +1,4 @@
-//! Data that are out of scale, odd or many.
+//! Data of extreme scale, odd values or many points.
 
 use super::*;
 use crate::random::Random;
@@ -144,7 +144,8 @@ impl Model for Whole<'_> {
     }
 }
 
-/// The sample finds the starts, all points decide: the minimum is that of searches on all points.
+/// Checks that a search on a sample, refined on all points, finds the minimum of searches on all
+/// points.
 fn assert_same_minimum(law: LawName, data: &Data) {
     let sampled = found(law, data).unwrap();
     assert!(

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-/// Residuals as a function of the coordinates; `None` where the model refuses them.
+/// Residuals as a function of the coordinates; `None` if the model refuses them.
 pub(super) type Residuals<'a> = dyn Fn(&[f64]) -> Option<Vec<f64>> + 'a;
 
 /// Length of a coordinate over which residuals change.
@@ -26,7 +26,7 @@ impl Length {
         }
     }
 
-    /// At zero.
+    /// The length at zero.
     pub fn least(self) -> f64 {
         self.at(0.0)
     }
@@ -38,8 +38,8 @@ const STEP: f64 = 7.400_959_797_414_05e-4;
 /// Step of a one-sided difference of second order: ε^(1/3), 4e-11.
 const SHORT_STEP: f64 = 6.055_454_452_393_343e-6;
 
-/// ∂r/∂q at `q`; a coordinate whose steps would leave its bounds, or are refused, is stepped to one
-/// side.
+/// ∂r/∂q at `q`; a coordinate whose steps would leave its bounds, or are refused, gets one-sided
+/// differences.
 ///
 pub(super) fn jacobian(
     residuals: &Residuals<'_>,
@@ -90,7 +90,7 @@ impl Line<'_> {
         found
     }
 
-    /// What is added to the coordinate and what is divided by are the same number.
+    /// Rounds the step so that the increment and the divisor are the same number.
     fn rounded(&self, step: f64) -> f64 {
         (self.at + step) - self.at
     }

@@ -1,4 +1,4 @@
-//! How sure the parameters of the best minimum are.
+//! Standard errors of the fitted parameters.
 
 use super::covariance::{Certainty, certainty};
 use super::estimate::{Estimate, Fit, Known};
@@ -6,9 +6,9 @@ use super::minimise::{free, gradient};
 use super::search::{Search, Unknowns};
 use nalgebra::DMatrix;
 
-/// The coordinates that have an error, with what the Jacobian says of them.
+/// The coordinates that have an error, with their covariance.
 struct Inside {
-    /// Their places among those that are sought.
+    /// Indices of the coordinates among the free parameters.
     places: Vec<usize>,
     certain: Certainty,
 }
@@ -19,7 +19,7 @@ impl Search {
         let values = unknowns.values(&self.best.q);
         let freedoms = self.residuals.len() - unknowns.sought.len();
         let scatter = (self.best.cost / freedoms as f64).sqrt();
-        // Without known deviations the residuals tell how large they are.
+        // Without known deviations their size is estimated from the residuals.
         let deviation = if is_weighted { self.unit } else { scatter };
         let inside = self.inside();
         let known = inside.known(unknowns, &values, deviation);
@@ -46,7 +46,7 @@ impl Search {
         }
     }
 
-    /// Coordinates that are not held at a bound, which have no error of their own.
+    /// Coordinates that are not at a bound; those at a bound have no error.
     fn inside(&self) -> Inside {
         let gradient = gradient(&self.jacobian, &self.residuals);
         let places = free(&self.best.q, &self.bounds, &gradient);
@@ -59,7 +59,7 @@ impl Search {
 }
 
 impl Inside {
-    /// How each parameter of the model is known.
+    /// Certainty of each parameter of the model.
     fn known(&self, unknowns: &Unknowns<'_>, values: &[f64], deviation: f64) -> Vec<Known> {
         let parameters = unknowns.model.parameters();
         let number = |k: usize| unknowns.sought[self.places[k]];
@@ -83,7 +83,7 @@ impl Inside {
         known
     }
 
-    /// Whether nothing determines it.
+    /// Whether the data do not determine this coordinate.
     fn is_loose(&self, k: usize) -> bool {
         self.certain.loose.iter().any(|group| group.contains(&k))
     }

@@ -4,17 +4,17 @@ use super::jacobian::{Length, Residuals, jacobian};
 use super::reduce::{Reduced, reduced};
 use nalgebra::{DMatrix, DVector};
 
-/// A sum of squares to be made least.
+/// A sum of squares to be minimised.
 pub(super) struct Problem<'a> {
     /// r(q)
     pub residuals: &'a Residuals<'a>,
-    /// Moves coordinates to the nearest that are admitted, within the bounds already.
+    /// Moves coordinates within the bounds to the nearest ones that the law admits.
     pub repair: &'a dyn Fn(&mut [f64]),
     /// Bounds of the coordinates.
     pub bounds: Vec<[f64; 2]>,
-    /// Lengths over which residuals change.
+    /// Length over which residuals change, for each coordinate.
     pub lengths: Vec<Length>,
-    /// Sum of squares below which residuals are rounding.
+    /// Sum of squares below which residuals are rounding errors.
     pub floor: f64,
 }
 
@@ -26,43 +26,44 @@ impl Problem<'_> {
     }
 }
 
-/// Where a search ended.
+/// Result of a search.
 #[derive(Clone, Debug)]
 pub(super) struct Minimum {
     /// q
     pub q: Vec<f64>,
     /// Σ r²
     pub cost: f64,
-    /// Whether nothing but rounding is left to gain.
+    /// Whether only rounding limits further descent.
     pub converged: bool,
     /// Steps taken.
     pub iterations: usize,
 }
 
-/// Most steps of a search.
+/// Largest number of steps of a search.
 const MOST: usize = 400;
 /// First damping, relative to squares of singular values of the scaled Jacobian.
 const FIRST_DAMPING: f64 = 1e-3;
 /// Damping under which steps are lost in rounding.
 const LAST_DAMPING: f64 = 1e20;
-/// Share of the residuals' length that a Gauss–Newton step would take off (the relative offset of
+/// Fraction of the residuals' length that a Gauss–Newton step would remove (the relative offset of
 /// Bates and Watts 1981) below which a search has converged: parameters are good to this fraction of
 /// their standard errors.
 const OFFSET: f64 = 1e-9;
-/// The same from which on undamped steps are taken without a look at the cost, whose last digits no
-/// longer tell which way is down.
+/// The offset below which undamped steps are taken without checking the cost, whose last digits no
+/// longer show the descent.
 const NEAR: f64 = 1e-5;
-/// Where such a step overshoots and the offset grows, later ones are halved; below this share nothing
-/// but rounding moves it.
+/// If such a step overshoots and the offset grows, later steps are halved; below this fraction only
+/// rounding changes the offset.
 const SHORTEST: f64 = 1.0 / 64.0;
-/// The offset that counts as converged where rounding ends the descent.
+/// The offset that counts as converged if rounding ends the descent.
 const ROUGH_OFFSET: f64 = 1e-4;
 
-/// Singular value over the largest below which nothing changes in a direction: no step is taken
-/// along it, and none is missed.
+/// Singular value over the largest below which a direction has no effect, so no step is taken
+/// along it.
 const FLAT: f64 = 1e-10;
 
-/// Searches from `start`, and tells `watch` the number of each step; `None` if the model refuses it.
+/// Searches from `start`, and passes the number of each step to `watch`; `None` if the model refuses
+/// `start`.
 pub(super) fn minimise(
     problem: &Problem<'_>,
     start: &[f64],
@@ -113,7 +114,7 @@ struct Place {
 }
 
 impl Place {
-    /// The admitted point nearest to `q`; `None` if the model refuses it.
+    /// The admissible point nearest to `q`; `None` if the model refuses it.
     fn at(problem: &Problem<'_>, mut q: Vec<f64>) -> Option<Self> {
         admit(problem, &mut q);
         let residuals = (problem.residuals)(&q)?;
@@ -122,17 +123,17 @@ impl Place {
     }
 }
 
-/// How far steps go.
+/// Step lengths.
 struct Pace {
     damping: f64,
     growth: f64,
-    /// Of an undamped step.
+    /// Fraction of an undamped step.
     share: f64,
     last_offset: f64,
 }
 
 impl Pace {
-    /// Shorter and shorter steps until one goes down; `None` if rounding hides all.
+    /// Tries ever shorter steps until one descends; `None` if rounding hides all.
     fn descend(&mut self, problem: &Problem<'_>, place: &Place, step: &Step) -> Option<Place> {
         while self.damping <= LAST_DAMPING {
             let mut trial = place.q.clone();
@@ -153,7 +154,8 @@ impl Pace {
         None
     }
 
-    /// An undamped step, or a share of it where such steps overshoot; `None` if rounding moves it.
+    /// An undamped step, or a fraction of it if such steps overshoot; `None` if it only changes by
+    /// rounding.
     fn approach(
         &mut self,
         problem: &Problem<'_>,
@@ -177,7 +179,7 @@ impl Pace {
     }
 }
 
-/// Into the bounds, then to what the model admits.
+/// Moves `q` into the bounds, then to values that the model admits.
 fn admit(problem: &Problem<'_>, q: &mut [f64]) {
     for (x, [low, high]) in q.iter_mut().zip(&problem.bounds) {
         *x = x.max(*low).min(*high);
@@ -233,7 +235,7 @@ impl Step {
         } = reduced(slopes, &free, here);
         let svd = triangle.svd(true, true);
         let rows = svd.singular_values.len();
-        // Both are there: they were asked for.
+        // Both factors exist, since they were requested.
         let shares = svd.u.map_or(top.clone(), |u| u.tr_mul(&top));
         let v_t = svd
             .v_t
@@ -247,7 +249,7 @@ impl Step {
         }
     }
 
-    /// Moves `q`; returns by how much the linear model says that the cost falls.
+    /// Moves `q`; returns the decrease of the cost that the linear model predicts.
     fn take(&self, damping: f64, q: &mut [f64]) -> f64 {
         let mut predicted = 0.0;
         let most = self.sigma.iter().copied().fold(0.0, f64::max);
@@ -267,7 +269,7 @@ impl Step {
         predicted
     }
 
-    /// Length of what a full step would take off, over that of the residuals.
+    /// Length of the residuals that a full step would remove, as a fraction of the whole.
     fn offset(&self, cost: f64) -> f64 {
         let most = self.sigma.iter().copied().fold(0.0, f64::max);
         let pairs = self.sigma.iter().zip(self.shares.iter());

@@ -1,24 +1,24 @@
 //! Parameters of friction laws from measurements: nonlinear least squares.
 //!
-//! The laws are the kernel's own ([`tribos_core::law`]), steady or with their states; nothing of
-//! them is written down again. [`Data`] are speeds with friction, or friction over time;
-//! [`law_model`] joins them with a law; [`fit`] seeks the parameters with the least sum of squared
-//! residuals, each divided by its standard deviation where that is known:
+//! The laws are the kernel's own ([`tribos_core::law`]), steady or with their states, without a
+//! second implementation. [`Data`] are speeds with friction, or friction over time; [`law_model`]
+//! joins them with a law; [`fit`] finds the parameters with the least sum of squared residuals,
+//! each divided by its standard deviation if that is known:
 //!
 //! - Levenberg–Marquardt (Marquardt 1963; damping after Nielsen 1999), every step from a singular
 //!   value decomposition of the scaled Jacobian, derivatives by differences of fourth order. The
-//!   crate `levenberg-marquardt` 0.15 is for another version of nalgebra than ours.
-//! - Positive parameters are sought by their logarithms, others within their bounds; a parameter at
+//!   crate `levenberg-marquardt` 0.15 requires another version of nalgebra.
+//! - Positive parameters are varied in their logarithms, others within their bounds; a parameter at
 //!   its bound stays there while the descent points outwards.
-//! - Several starts, spread by a Halton sequence over what the data leave open, the same every time.
-//!   How many ended at the best minimum is told.
-//! - Of more than 4,000 points the starts search a sample; the minima that are alike on it are refined
+//! - Several starts, spread by a fixed Halton sequence over the range that the data leave open. The
+//!   number that ended at the best minimum is reported.
+//! - With more than 4,000 points the starts use a sample; the minima that are alike on it are refined
 //!   on all points.
-//! - Parameters that the data do not determine are named, with those that they trade against, in
+//! - Parameters that the data do not determine are listed with those that they trade against, in
 //!   place of a standard error.
 //!
-//! *Accuracy*: NIST's reference problems Misra1a, Thurber and MGH09 come out to 8 digits of the
-//! parameters and 6 of their standard deviations, from both of its starts.
+//! *Accuracy*: NIST's reference problems Misra1a, Thurber and MGH09 are reproduced to 8 digits of
+//! the parameters and 6 of their standard deviations, from both of NIST's starts.
 //!
 //! ```
 //! use tribos::fit::{Data, LawName, Options, fit, law_model};

@@ -1,6 +1,6 @@
-//! Parameters of a model, and the coordinates in which they are sought.
+//! Parameters of a model, and the coordinates of the search.
 
-/// What a parameter may be.
+/// Range of a parameter.
 ///
 /// ```
 /// use tribos::fit::Range;
@@ -14,7 +14,7 @@
 pub enum Range {
     /// Any finite number.
     Any,
-    /// Finite and > 0: sought by its logarithm.
+    /// Finite and > 0: the search uses its logarithm.
     Positive,
     /// Finite and ≥ 0.
     NotNegative,
@@ -30,17 +30,17 @@ pub enum Range {
 /// One parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
-    /// Its name on the command line and in files.
+    /// Name of the parameter on the command line and in files.
     pub name: &'static str,
-    /// Its unit, or "-" for a pure number.
+    /// Unit of the parameter, or "-" for a pure number.
     pub unit: &'static str,
-    /// What it means.
+    /// Meaning of the parameter.
     pub meaning: &'static str,
-    /// What it may be.
+    /// Range of the parameter.
     pub range: Range,
 }
 
-/// What is fitted: a prediction for each point of the data.
+/// A model to be fitted: it predicts each point of the data.
 ///
 /// ```
 /// use tribos::fit::{Data, Model, Options, Parameter, Range, fit};
@@ -68,32 +68,32 @@ pub trait Model {
     /// The parameters, in the order of all slices here.
     fn parameters(&self) -> &[Parameter];
 
-    /// Values of parameters that are fixed unless something else is asked for, in the order of the
-    /// parameters: a reference that only names the scale of another one.
+    /// Default value of a parameter that is fixed unless stated otherwise: a reference that only
+    /// sets the scale of another one.
     fn reference(&self, parameter: usize) -> Option<f64>;
 
-    /// One prediction a point; `None` where the law refuses the values.
+    /// One prediction per point; `None` if the law refuses the values.
     fn predict(&self, values: &[f64]) -> Option<Vec<f64>>;
 
-    /// Values to start from, for a point of the unit cube with one coordinate a parameter.
+    /// Initial values for a point of the unit cube with one coordinate per parameter.
     fn start(&self, unit: &[f64]) -> Vec<f64>;
 
-    /// Moves values to the nearest that the law admits, where parameters bound each other. Those
-    /// that are not free must stay.
+    /// Moves values to the nearest that the law admits if parameters bound each other. Values
+    /// that are not free must not change.
     fn repair(&self, _values: &mut [f64], _is_free: &[bool]) {}
 
-    /// The same model of some of the points alone, which rise and include the first; `None` if it
-    /// needs all of them. Fits of many points search on such a sample first.
+    /// The same model for a subset of the points, in rising order and including the first; `None`
+    /// if it needs all points. Fits of many points search on such a sample first.
     fn thinned(&self, _points: &[usize]) -> Option<Box<dyn Model>> {
         None
     }
 }
 
-/// How near to an exclusive end a parameter may come.
+/// Least distance of a parameter from an exclusive end.
 const MARGIN: f64 = 1e-9;
 
 impl Range {
-    /// True for values in the range.
+    /// Whether a value is in the range.
     pub fn admits(self, value: f64) -> bool {
         value.is_finite()
             && match self {
@@ -104,7 +104,7 @@ impl Range {
             }
     }
 
-    /// In words.
+    /// Description of the range.
     pub fn describe(self) -> String {
         match self {
             Self::Any => "finite".into(),

@@ -1,8 +1,8 @@
-//! The triangle that a tall Jacobian leaves behind: all that a step or a standard error needs.
+//! Triangular factor of a tall Jacobian: all that a step or a standard error needs.
 
 use nalgebra::{DMatrix, DVector};
 
-/// Columns of a Jacobian J over their lengths D, and residuals r: J D⁻¹ = Q R and Qᵀ r.
+/// Reduction of a Jacobian J with column lengths D and residuals r: J D⁻¹ = Q R and Qᵀ r.
 pub(super) struct Reduced {
     /// Lengths of the columns, 1 for a column of zeros.
     pub norms: Vec<f64>,
@@ -12,10 +12,10 @@ pub(super) struct Reduced {
     pub turned: DVector<f64>,
 }
 
-/// Rows that are taken at a time: the memory does not grow with the number of points.
+/// Rows per block: memory does not grow with the number of points.
 const BLOCK: usize = 8192;
 
-/// Reduces some columns, of which there are fewer than rows.
+/// Reduces some columns, which must be fewer than the rows.
 ///
 /// Householder reflections of blocks of rows, each below the triangle of those before it (Golub and
 /// Van Loan, *Matrix Computations*, 5.2), in the order of the rows: the same points give the same

@@ -1,10 +1,10 @@
-//! What is fitted, in a unit of its own, and a sample of it.
+//! The data to be fitted in a scaled unit, and a sample of them.
 
 use super::reduce::power_of_two;
 use super::search::Unknowns;
 use super::{Data, Motion};
 
-/// Points of a sample; up to twice as many are searched without one.
+/// Number of points in a sample; up to twice as many points are used without one.
 const SAMPLE: usize = 2000;
 
 /// Friction with its weights, in a unit in which neither overflows when squared.
@@ -15,7 +15,7 @@ pub(super) struct Target {
     weights: Vec<f64>,
     /// A power of two that brings weighted friction to the order of 1.
     scale: f64,
-    /// What (prediction − friction)/σ is multiplied by.
+    /// Factor of (prediction − friction)/σ.
     pub unit: f64,
 }
 
@@ -80,8 +80,8 @@ impl Target {
 }
 
 /// Rising indices of a sample, the first among them, if there are many points. Of steady sliding half
-/// of it is spread over the points and half over the logarithm of the speed, so that few points at
-/// the ends are not lost; of a record it is spread over the points.
+/// of it is spread over the points and half over the logarithm of the speed, so that sparse points
+/// at the ends are not lost; of a record it is spread over the points.
 pub(super) fn sample(data: &Data) -> Option<Vec<usize>> {
     let count = data.friction().len();
     if count <= 2 * SAMPLE {

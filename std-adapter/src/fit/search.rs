@@ -12,18 +12,18 @@ use nalgebra::DMatrix;
 /// Costs that differ relatively by less belong to the same minimum.
 const SAME: f64 = 1e-6;
 
-/// The parameters that are sought, and the values of the others.
+/// The free parameters, and the values of the fixed ones.
 pub(super) struct Unknowns<'a> {
     /// The model.
     pub model: &'a dyn Model,
-    /// Values of those that are not sought.
+    /// Values of the parameters that are not free.
     pub fixed: Vec<Option<f64>>,
-    /// Numbers of those that are.
+    /// Indices of the free parameters.
     pub sought: Vec<usize>,
 }
 
 impl<'a> Unknowns<'a> {
-    /// All but the fixed ones and references.
+    /// All parameters except the fixed ones and references.
     pub fn new(model: &'a dyn Model, given: &[(String, f64)]) -> Result<Self, FitError> {
         let fixed = fixed(model, given)?;
         let sought: Vec<usize> = (0..fixed.len()).filter(|&j| fixed[j].is_none()).collect();
@@ -37,7 +37,7 @@ impl<'a> Unknowns<'a> {
         })
     }
 
-    /// All values from the coordinates of those that are sought.
+    /// All values from the coordinates of the free parameters.
     pub fn values(&self, q: &[f64]) -> Vec<f64> {
         let fixed = self.fixed.iter();
         let mut values: Vec<f64> = fixed.map(|value| value.unwrap_or(f64::NAN)).collect();
@@ -55,7 +55,7 @@ impl<'a> Unknowns<'a> {
             .collect()
     }
 
-    /// The same of another model with the same parameters.
+    /// The same unknowns for another model with the same parameters.
     fn with<'b>(&self, model: &'b dyn Model) -> Unknowns<'b> {
         Unknowns {
             model,
@@ -74,7 +74,7 @@ impl<'a> Unknowns<'a> {
         self.model.parameters()[j].range
     }
 
-    /// Moves coordinates to the nearest that the law admits; untouched ones keep their bits.
+    /// Moves coordinates to the nearest that the law admits; unchanged ones keep their bits.
     fn repair(&self, q: &mut [f64]) {
         let before = self.values(q);
         let mut values = before.clone();
@@ -87,8 +87,8 @@ impl<'a> Unknowns<'a> {
         }
     }
 
-    /// Over which lengths predictions change: of what has no logarithm, a thousandth of the largest
-    /// start at least, as it may come near zero.
+    /// Lengths over which predictions change: without logarithm at least a thousandth of the
+    /// largest start, since the parameter may approach zero.
     fn lengths(&self, starts: &[Vec<f64>]) -> Vec<Length> {
         const SHARE: f64 = 1e-3;
         let largest = |k: usize| starts.iter().map(|q| q[k].abs()).fold(0.0, f64::max);
@@ -103,7 +103,7 @@ impl<'a> Unknowns<'a> {
     }
 }
 
-/// Values of the parameters that are not sought.
+/// Values of the parameters that are not free.
 fn fixed(model: &dyn Model, given: &[(String, f64)]) -> Result<Vec<Option<f64>>, FitError> {
     let all = model.parameters();
     let mut fixed: Vec<_> = (0..all.len()).map(|j| model.reference(j)).collect();
@@ -128,29 +128,29 @@ fn fixed(model: &dyn Model, given: &[(String, f64)]) -> Result<Vec<Option<f64>>,
 
 /// The best of several searches.
 pub(super) struct Search {
-    /// Where it ended.
+    /// The best minimum.
     pub best: Minimum,
-    /// r there, in units of 1/[`Self::unit`].
+    /// Residuals r at the minimum, in units of 1/[`Self::unit`].
     pub residuals: Vec<f64>,
-    /// ∂r/∂q there.
+    /// Jacobian ∂r/∂q at the minimum.
     pub jacobian: DMatrix<f64>,
     /// Bounds of the coordinates.
     pub bounds: Vec<[f64; 2]>,
-    /// Over which lengths predictions change.
+    /// Lengths over which predictions change.
     pub lengths: Vec<Length>,
     /// √Σ (data/σ)² in the unit of the residuals.
     pub size: f64,
-    /// What residuals were multiplied by.
+    /// Factor by which residuals were multiplied.
     pub unit: f64,
     /// Starts from which a search was possible.
     pub starts: usize,
-    /// How many of them ended at the best.
+    /// Number of starts that ended at the best minimum.
     pub at_best: usize,
-    /// Points that the starts were searched on.
+    /// Number of points on which the starts were searched.
     pub searched: usize,
 }
 
-/// Minima on a sample that are refined on all points at most.
+/// Largest number of minima on a sample that are refined on all points.
 const MOST_REFINED: usize = 3;
 /// Minima whose costs on a sample differ by less than this many variances of a residual are alike:
 /// five standard deviations of a likelihood's logarithm.
@@ -233,7 +233,7 @@ pub(super) fn search(
     })
 }
 
-/// Where the searches end, in the order of the places that they start from.
+/// Ends of the searches, in the order of their starts.
 fn minima(
     unknowns: &Unknowns<'_>,
     target: &Target,
@@ -261,8 +261,8 @@ fn minima(
     ends.collect()
 }
 
-/// Different minima by rising cost with the number of searches that ended there: the best, and those
-/// that the points hardly tell from it.
+/// Different minima by rising cost, with the number of searches that ended there: the best, and
+/// those that the points hardly distinguish from it.
 fn distinct(sorted: Vec<Minimum>, floor: f64, freedoms: usize) -> Vec<(Minimum, usize)> {
     let least = sorted.first().map_or(0.0, |best| best.cost);
     let alike = least + ALIKE * least / freedoms as f64 + floor;

@@ -1,6 +1,6 @@
-//! Points spread evenly over the unit cube, the same every time.
+//! A fixed sequence of points spread evenly over the unit cube.
 
-/// Bases of the Halton sequence, one a coordinate.
+/// Bases of the Halton sequence, one per coordinate.
 const BASES: [u32; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
 
 /// Point `index` of the Halton sequence (1960) in `dimensions` ≤ 8 coordinates; the first is the

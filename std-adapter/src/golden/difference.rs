@@ -1,20 +1,20 @@
-//! How a run differs from what is pinned, in words for a person.
+//! Differences between a run and its pinned results, as readable messages.
 
 use super::quantity::Quantity;
 use std::fmt;
 
-/// A run compared with what is pinned.
+/// Result of comparing a run with its pinned results.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// The same bits.
+    /// The results have the same bits.
     Same,
-    /// Other parameters, here the first of them: the results cannot be compared.
+    /// The parameters differ, so results cannot be compared; the text names the first difference.
     SceneChanged(String),
-    /// The same scene with other results.
+    /// The scene is the same and the results differ.
     Differs(Difference),
 }
 
-/// What differs first.
+/// The first differences.
 ///
 /// ```
 /// use tribos::golden::{Difference, Pinned, SeriesDifference, SummaryDifference, Verdict, measure};
@@ -34,13 +34,13 @@ pub enum Verdict {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// Earliest in the series.
+    /// Earliest difference in the series.
     pub series: Option<SeriesDifference>,
-    /// First in the summary.
+    /// First difference in the summary.
     pub summary: Option<SummaryDifference>,
-    /// First part of the final state.
+    /// First part of the final state that differs.
     pub state: Option<String>,
-    /// Columns, quantities and parts of the state that differ.
+    /// Number of columns, quantities and parts of the state that differ.
     pub count: usize,
 }
 
@@ -53,13 +53,13 @@ pub enum SeriesDifference {
     New(String),
     /// A block of rows.
     Block {
-        /// The column.
+        /// Name of the column.
         column: String,
         /// First and last row, from 0.
         rows: [usize; 2],
         /// Times of these rows in the run.
         times: [f64; 2],
-        /// Rows of the run, and pinned.
+        /// Number of rows in the run, and pinned.
         lengths: [usize; 2],
     },
 }
@@ -67,7 +67,7 @@ pub enum SeriesDifference {
 /// A difference of the summary.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SummaryDifference {
-    /// Which quantity.
+    /// Name of the quantity.
     pub name: String,
     /// Its value in the run, if it has one.
     pub is: Option<Quantity>,

@@ -1,7 +1,7 @@
 //! The digest of a golden file: FNV-1a of 64 bits.
 //!
-//! Ten lines of its own: the bytes and their order belong to the format of the file, and the crates
-//! for this hash take whole numbers in the order of bytes of the machine.
+//! It is implemented here because the bytes and their order are part of the file format, and the
+//! crates for this hash take integers in the byte order of the machine.
 
 /// 64-bit Fowler–Noll–Vo hash, version 1a, over numbers and texts.
 ///
@@ -21,7 +21,7 @@ pub struct Digest(u64);
 
 const OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
 const PRIME: u64 = 0x0000_0100_0000_01b3;
-/// All NaN count as this one: their payload and sign are no part of any promise.
+/// All NaN are replaced by this one: their payload and sign are not promised.
 const CANONICAL_NAN: u64 = 0x7ff8_0000_0000_0000;
 
 /// The bits of a number; one NaN for all.
@@ -34,10 +34,10 @@ pub fn canonical_bits(value: f64) -> u64 {
 }
 
 impl Digest {
-    /// Of nothing.
+    /// Digest of nothing.
     pub const EMPTY: Self = Self(OFFSET);
 
-    /// Of all numbers, in their order.
+    /// Digest of all numbers, in their order.
     pub fn of(numbers: impl IntoIterator<Item = f64>) -> u64 {
         let mut digest = Self::EMPTY;
         for number in numbers {

@@ -1,4 +1,4 @@
-//! A scene run, and everything of it that a golden file pins.
+//! Runs a scene and collects everything that a golden file pins.
 
 use super::digest::Digest;
 use super::quantity::{Quantity, leaves};
@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// A scene that could not be run to its end.
+/// A scene could not be run to its end.
 ///
 /// ```
 /// use tribos::golden::{MeasureError, measure};
@@ -35,7 +35,7 @@ pub enum MeasureError {
     Tip(#[from] TipError),
 }
 
-/// What a scene computed.
+/// Results of a scene.
 ///
 /// ```
 /// use tribos::golden::{Measurement, measure};
@@ -61,7 +61,7 @@ pub struct Measurement {
     pub state: Vec<(&'static str, u64)>,
 }
 
-/// Branches of a summary that are no results.
+/// Branches of a summary that are not results.
 const NO_RESULTS: [&str; 3] = ["scene", "version", "wall_seconds"];
 
 /// Runs the scene to its end; `watch` is called after every step.
@@ -111,7 +111,7 @@ fn path(scene: &dyn PlanarScene) -> Result<Measurement, MeasureError> {
 }
 
 impl Measurement {
-    /// From a summary, which holds the scene, and a series.
+    /// A measurement from a summary, which contains the scene, and a series.
     fn new(
         summary: &Value,
         columns: &[impl ToString],
@@ -142,7 +142,7 @@ impl Measurement {
     }
 }
 
-/// Digests of places, motions and contacts.
+/// Digests of positions, motions and contacts.
 fn state(snapshot: &Snapshot<'_>) -> Vec<(&'static str, u64)> {
     let digest = |vectors: &[Vector3<f64>]| Digest::of(vectors.iter().flat_map(components));
     vec![

@@ -1,14 +1,14 @@
-//! What a golden file holds of one scene, and how a new run compares with it.
+//! The pinned results of one scene, and their comparison with a new run.
 
 use super::difference::{Difference, SeriesDifference, SummaryDifference, Verdict};
 use super::measure::Measurement;
 use super::quantity::{Quantity, digest};
 use std::collections::BTreeMap;
 
-/// Blocks of rows that a column is digested in.
+/// Number of blocks of rows per column, each with a digest.
 const BLOCKS: usize = 16;
 
-/// One scene with what it computed.
+/// One scene with its results.
 ///
 /// ```
 /// use tribos::golden::{Pinned, Verdict, measure};
@@ -39,7 +39,7 @@ pub struct Pinned {
     pub(super) summary: BTreeMap<String, Quantity>,
     /// Lines of the series.
     pub(super) rows: usize,
-    /// Lines in a block, but for the last one.
+    /// Lines in a block, except the last one.
     pub(super) block_rows: usize,
     /// Digests of the blocks of each column.
     pub(super) columns: BTreeMap<String, Vec<u64>>,
@@ -67,7 +67,8 @@ impl Pinned {
         }
     }
 
-    /// Digest of the resolved parameters: tells a changed scene from changed results.
+    /// Digest of the resolved parameters, which distinguishes a changed scene from changed
+    /// results.
     pub fn scene_digest(&self) -> u64 {
         digest(&self.parameters)
     }
@@ -82,7 +83,7 @@ impl Pinned {
         self.rows
     }
 
-    /// Compares a new run with what is pinned.
+    /// Compares a new run with the pinned results.
     pub fn compare(&self, measured: &Measurement) -> Verdict {
         if self.scene_digest() != digest(&measured.parameters) {
             return Verdict::SceneChanged(self.changed_parameter(measured));

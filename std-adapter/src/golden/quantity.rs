@@ -17,7 +17,7 @@ use std::fmt;
 pub enum Quantity {
     /// A number, compared by its bits.
     Number(f64),
-    /// A word, or what is no number: `inf`, `null`, `true`.
+    /// A word, or a value that is not a finite number: `inf`, `null`, `true`.
     Text(String),
 }
 
@@ -32,7 +32,7 @@ impl PartialEq for Quantity {
 }
 
 impl Quantity {
-    /// As a golden file spells it: `0x` and the 16 hexadecimal digits of the bits, or the text.
+    /// Spelling in a golden file: `0x` and the 16 hexadecimal digits of the bits, or the text.
     pub(super) fn spelled(&self) -> String {
         match self {
             Self::Number(value) => hex(canonical_bits(*value)),

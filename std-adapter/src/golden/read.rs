@@ -1,4 +1,4 @@
-//! A golden file read: everything checked, refusals with their line.
+//! Reading and checking golden files; errors name their line.
 
 use super::quantity::{Quantity, hex, read_hex};
 use super::{FORMAT, Golden, Pinned};
@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A file that cannot be checked against.
+/// A golden file that cannot be used.
 ///
 /// ```
 /// use tribos::golden::{Golden, GoldenError};

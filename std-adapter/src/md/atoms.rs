@@ -1,11 +1,11 @@
-//! Atoms, one array a property.
+//! Atoms, with one array per property.
 
 use nalgebra::Vector3;
 
-/// Most species that a table of pairs can number.
+/// Largest number of species in a table of pairs.
 pub const MOST_SPECIES: usize = 64;
 
-/// Atoms of one or more species; consistent units, in reduced ones σ, ε and m are 1.
+/// Atoms of one or more species in consistent units; in reduced units σ, ε and m are 1.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -27,17 +27,17 @@ pub const MOST_SPECIES: usize = 64;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Atoms {
-    /// Places; periodic axes are not wrapped, so that ways travelled can be read off.
+    /// Positions, not wrapped along periodic axes, so that they show the distance travelled.
     pub positions: Vec<Vector3<f64>>,
     /// Velocities.
     pub velocities: Vec<Vector3<f64>>,
-    /// Species, from 0.
+    /// Species of each atom, from 0.
     pub species: Vec<u8>,
     /// Mass of each species.
     pub masses: Vec<f64>,
 }
 
-/// Atoms that make no sense.
+/// Why atoms are invalid.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum AtomsError {
     /// The arrays have different lengths.
@@ -63,7 +63,7 @@ pub enum AtomsError {
     Species {
         /// Index of the atom, from 0.
         atom: usize,
-        /// Its species, from 1.
+        /// Species of the atom, from 1.
         species: usize,
         /// Number of species with a mass.
         known: usize,
@@ -77,7 +77,7 @@ pub enum AtomsError {
     /// A mass is not positive and finite.
     #[error("species {species}: its mass must be finite and positive, not {given}")]
     Mass {
-        /// The species, from 1.
+        /// Species with the invalid mass, from 1.
         species: usize,
         /// What was given.
         given: f64,
@@ -101,7 +101,7 @@ impl Atoms {
         self.positions.len()
     }
 
-    /// True without atoms.
+    /// Whether there are no atoms.
     pub fn is_empty(&self) -> bool {
         self.positions.is_empty()
     }
@@ -112,7 +112,8 @@ impl Atoms {
         self.masses[usize::from(self.species[atom])]
     }
 
-    /// Refuses arrays that do not fit, numbers that are not finite and species without a mass.
+    /// Refuses arrays of different lengths, numbers that are not finite and species without a
+    /// mass.
     pub fn check(&self) -> Result<(), AtomsError> {
         let count = self.len();
         if self.velocities.len() != count || self.species.len() != count {

@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 
-/// F = m a n × (r − axis) on every atom of the driven groups, n upwards, from one time to another.
+/// F = m a n × (r − axis) on every atom of the driven groups during an interval of time; n points
+/// upwards.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -24,18 +25,18 @@ use nalgebra::Vector3;
 pub struct TorqueDrive {
     /// x and y of the axis.
     pub axis: [f64; 2],
-    /// Angular acceleration a, over time².
+    /// Angular acceleration a, in 1/time².
     pub acceleration: f64,
-    /// Time at which it begins.
+    /// Time at which the torque begins.
     pub from: f64,
-    /// Time at which it ends.
+    /// Time at which the torque ends.
     pub until: f64,
     /// The driven groups.
     pub groups: Vec<usize>,
 }
 
 impl TorqueDrive {
-    /// Whether it acts at `time`.
+    /// Whether the torque acts at `time`.
     pub fn is_on(&self, time: f64) -> bool {
         time >= self.from && time < self.until && self.acceleration != 0.0
     }

@@ -26,10 +26,10 @@ const CUT_SHORT: &str = "is the file cut short?";
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Columns `species` and `pos` are needed, `vel` (or `velo`, `velocities`) and `id` are read where
-/// they stand, others passed over. Species that are all numbers from 1 keep them, names are numbered
-/// in the order of their first appearance. Masses are 1. Without `Lattice` all axes are open and the
-/// box is as large as the atoms need.
+/// Columns `species` and `pos` are required, `vel` (or `velo`, `velocities`) and `id` are optional,
+/// others are ignored. Species that are all numbers from 1 keep them; names are numbered in the
+/// order of their first appearance. Masses are 1. Without `Lattice` all axes are open and the box
+/// encloses the atoms.
 pub fn last_frame(text: &str) -> Result<Configuration, TextError> {
     let mut lines = Lines::new(text);
     let mut last = None;
@@ -97,7 +97,7 @@ fn frame(lines: &mut Lines) -> Result<Configuration, TextError> {
     })
 }
 
-/// Three words from a column on.
+/// A vector from three columns.
 fn vector(
     line: Line,
     what: &'static str,
@@ -108,7 +108,7 @@ fn vector(
     Ok(Vector3::new(x?, y?, z?))
 }
 
-/// Gives every atom its species; the names unless they are numbers.
+/// Numbers the species of all atoms; returns the names unless they are numbers.
 fn number_species(
     atoms: &mut Atoms,
     words: &[(Line, &str)],
@@ -139,7 +139,7 @@ fn number_species(
     Ok(Some(names))
 }
 
-/// From the lowest to the highest place along each axis.
+/// Lowest and highest coordinate along each axis.
 fn extent(places: &[Vector3<f64>]) -> [[f64; 2]; 3] {
     std::array::from_fn(|axis| {
         let mut along = places.iter().map(|place| place[axis]);

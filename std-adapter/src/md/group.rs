@@ -10,20 +10,20 @@ pub enum Hold {
     Free,
     /// Not at all.
     Frozen,
-    /// In x and y; z stays.
+    /// In x and y; z is fixed.
     Plane,
-    /// In x and y each, in z all as one: a layer that stays flat and carries a load.
+    /// Individually in x and y, together in z: a layer that stays flat under a load.
     Level,
-    /// As a rigid body round the vertical axis through a point, at a given rate.
+    /// As a rigid body about a vertical axis, at a given rate.
     Turning {
         /// x and y of the axis.
         axis: [f64; 2],
-        /// Angle over time, positive from x to y.
+        /// Angular velocity, positive from x to y.
         rate: f64,
     },
 }
 
-/// What is said of a group.
+/// Properties of a group.
 ///
 /// ```
 /// use tribos::md::group::{Group, Hold};
@@ -37,18 +37,18 @@ pub enum Hold {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Group {
-    /// How its atoms may move.
+    /// How the atoms of the group may move.
     pub hold: Hold,
-    /// What keeps their temperature.
+    /// Thermostat of the group.
     pub thermostat: Thermostat,
-    /// Force −γv on each atom over its mass: γ, in 1/time. Exact for any γ·dt.
+    /// Damping rate γ in 1/time: force −γv per mass on each atom. Exact for any γ·dt.
     pub damping: f64,
     /// Constant force on each atom along z.
     pub load: f64,
 }
 
 impl Hold {
-    /// Degrees of freedom of so many atoms.
+    /// Degrees of freedom of `atoms` atoms in this group.
     pub fn freedoms(&self, atoms: usize) -> usize {
         match self {
             Self::Free => 3 * atoms,
@@ -58,7 +58,7 @@ impl Hold {
         }
     }
 
-    /// Whether forces move its atoms.
+    /// Whether forces move the atoms of the group.
     pub fn is_driven_by_forces(&self) -> bool {
         !matches!(self, Self::Frozen | Self::Turning { .. })
     }

@@ -1,4 +1,4 @@
-//! What acts between atoms.
+//! Interactions of atoms.
 
 use super::atoms::Atoms;
 use super::neighbours::{ListError, VerletList};
@@ -13,7 +13,7 @@ pub struct Tally {
     pub virial: Matrix3<f64>,
 }
 
-/// What a force calculation sums up besides forces. A run asks for sums only where it records.
+/// What a force calculation sums besides forces. A run requests sums only when it records.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
     /// Nothing: [`Tally`] is all NaN.
@@ -22,15 +22,15 @@ pub enum Wanted {
     Sums,
 }
 
-/// An interaction of atoms that ends at a cut-off.
+/// An interaction of atoms with a cut-off.
 pub trait Interaction: Sync {
-    /// The farthest that two atoms act on each other.
+    /// Largest distance at which two atoms interact.
     fn cutoff(&self) -> f64;
 
-    /// Number of species it knows.
+    /// Number of species of the interaction.
     fn species(&self) -> usize;
 
-    /// Puts the force on every atom into `forces`, with `list` up to date.
+    /// Writes the force on every atom to `forces`; `list` must be up to date.
     fn forces(&self, list: &mut VerletList, forces: &mut [Vector3<f64>], wanted: Wanted) -> Tally;
 }
 
@@ -48,7 +48,7 @@ impl<I: Interaction + ?Sized> Interaction for Box<I> {
     }
 }
 
-/// Forces and sums for atoms as they are: the list is brought up to date first.
+/// Forces and sums for the current positions: the list is updated first.
 ///
 /// ```
 /// use nalgebra::Vector3;

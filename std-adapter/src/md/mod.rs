@@ -1,10 +1,10 @@
-//! Molecular dynamics: atoms that act on each other up to a cut-off.
+//! Molecular dynamics: atoms that interact up to a cut-off.
 //!
-//! [`atoms`] are kept one array a property, an [`interaction`] acts between those near each other
+//! [`atoms`] have one array per property; an [`interaction`] acts between neighbours
 //! ([`neighbours`]): [`pair`] forces or the embedded-atom method ([`eam`]). A [`system`] moves them
-//! group by group ([`group`]), with thermostats ([`thermostat`]) and a torque ([`drive`]); what it
-//! does is read off by [`observe`]. A [`configuration`] comes from a file or goes into one:
-//! [`lammps`] data and dumps, [`extended_xyz`].
+//! group by group ([`group`]), with thermostats ([`thermostat`]) and a torque ([`drive`]);
+//! [`observe`] measures energies, temperature and angles. A [`configuration`] is read from or
+//! written to a file: [`lammps`] data and dumps, [`extended_xyz`].
 
 pub mod atoms;
 pub mod configuration;

@@ -1,4 +1,4 @@
-//! What is read off a system: energies, temperature, pressure, angles.
+//! Measurements on a system: energies, temperature, pressure, angles.
 //!
 //! ```
 //! # use nalgebra::Vector3;
@@ -38,7 +38,7 @@ use super::system::System;
 use super::thermostat::Thermostat;
 use nalgebra::Vector3;
 
-/// Kinetic energy of each group, at the time of the places.
+/// Kinetic energy of each group, at the time of the positions.
 pub fn kinetic_energies<I: Interaction>(system: &System<I>) -> Vec<f64> {
     let velocities = system.velocities_on_step();
     let atoms = system.atoms();
@@ -75,10 +75,11 @@ pub fn pressure<I: Interaction>(system: &System<I>, volume: f64) -> f64 {
     (2.0 * kinetic + system.tally().virial.trace()) / (3.0 * volume)
 }
 
-/// The rotation of some atoms about the vertical through their centre, from a first sight on.
+/// The rotation of some atoms about the vertical through their centre, relative to a reference
+/// state.
 ///
 /// The angle is that of the best fit: Σ m r₀ × r over Σ m r₀ · r. It counts whole turns if it is
-/// looked at before half of one has passed.
+/// updated at least every half turn.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -99,13 +100,13 @@ pub fn pressure<I: Interaction>(system: &System<I>, volume: f64) -> f64 {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Torsion {
     atoms: Vec<usize>,
-    /// From the centre, at first sight.
+    /// Arms from the centre to each atom in the reference state.
     arms: Vec<[f64; 2]>,
     angle: f64,
 }
 
 impl Torsion {
-    /// First sight of some atoms.
+    /// Takes the current positions of some atoms as the reference state.
     pub fn new(atoms: Vec<usize>, positions: &[Vector3<f64>]) -> Self {
         let arms = arms(&atoms, positions);
         Self {
@@ -115,17 +116,17 @@ impl Torsion {
         }
     }
 
-    /// The angle when it was last looked at, in radians, positive from x to y.
+    /// The angle at the last update, in radians, positive from x to y.
     pub fn angle(&self) -> f64 {
         self.angle
     }
 
-    /// Puts back an angle: what a checkpoint keeps.
+    /// Restores an angle from a checkpoint.
     pub fn restore(&mut self, angle: f64) {
         self.angle = angle;
     }
 
-    /// Looks again.
+    /// Updates the angle from the current positions.
     pub fn look(&mut self, positions: &[Vector3<f64>]) -> f64 {
         let (mut cross, mut dot) = (0.0, 0.0);
         for ([x0, y0], [x, y]) in self.arms.iter().zip(arms(&self.atoms, positions)) {
@@ -139,7 +140,7 @@ impl Torsion {
     }
 }
 
-/// From the mean place, in the plane.
+/// Arms from the mean position, in the plane.
 fn arms(atoms: &[usize], positions: &[Vector3<f64>]) -> Vec<[f64; 2]> {
     let places = || atoms.iter().map(|&atom| &positions[atom]);
     let count = atoms.len().max(1) as f64;

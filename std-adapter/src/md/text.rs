@@ -1,8 +1,8 @@
-//! Text files line by line: words as numbers, refusals that name the line and what would be valid.
+//! Text files line by line: words as numbers, errors that name the line and the valid input.
 
 use super::atoms::AtomsError;
 
-/// What is wrong with a file, and where.
+/// An error in a file, with its line.
 ///
 /// ```
 /// use tribos::md::{configuration::read, text::TextError};
@@ -15,29 +15,29 @@ use super::atoms::AtomsError;
 /// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TextError {
-    /// A word that means something else or nothing.
+    /// An invalid word.
     #[error("line {line}: {what} must be {valid}, not `{given}`")]
     Value {
         /// Line, from 1.
         line: usize,
-        /// What the word stands for.
+        /// Meaning of the word.
         what: &'static str,
         /// What would be valid.
         valid: String,
         /// What was given.
         given: String,
     },
-    /// The file ends, or a line does, before something that is needed.
+    /// A required item is missing: the file or a line ends too early.
     #[error("line {line}: {what} is missing; {cure}")]
     Missing {
-        /// Line, from 1, where it should have been.
+        /// Line, from 1, where the item was expected.
         line: usize,
-        /// What is missing.
+        /// Name of the missing item.
         what: &'static str,
         /// What to do.
         cure: String,
     },
-    /// Something valid in other programs.
+    /// An item that other programs accept, but Tribos does not.
     #[error("line {line}: {what} cannot be read; {cure}")]
     Unsupported {
         /// Line, from 1.
@@ -47,17 +47,17 @@ pub enum TextError {
         /// What to do.
         cure: &'static str,
     },
-    /// The same thing twice.
+    /// An item that occurs twice.
     #[error("line {line}: {what} {given} stands here for the second time")]
     Twice {
         /// Line, from 1.
         line: usize,
         /// What it is.
         what: &'static str,
-        /// Which one.
+        /// The repeated value.
         given: String,
     },
-    /// The atoms make no sense; they are numbered in the order of the file.
+    /// The atoms are invalid; messages number them in the order of the file.
     #[error(transparent)]
     Atoms(#[from] AtomsError),
 }
@@ -70,7 +70,7 @@ pub(super) struct Line<'a> {
 }
 
 impl<'a> Line<'a> {
-    /// Without what follows a `#`, and without blanks at the ends.
+    /// The line without comment (from `#` on) and surrounding blanks.
     pub fn without_comment(self) -> Self {
         let text = self.text.split('#').next().unwrap_or_default().trim();
         Self { text, ..self }
@@ -146,19 +146,19 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The next line, whatever it holds; `what` it should have been if there is none.
+    /// The next line; the error for a missing line names `what` was expected.
     pub fn need(&mut self, what: &'static str, cure: &str) -> Result<Line<'a>, TextError> {
         let here = self.here();
         self.next().ok_or_else(|| here.missing(what, cure))
     }
 
-    /// The next line, or an empty one behind the last.
+    /// The next line, or an empty one after the last.
     pub fn here(&mut self) -> Line<'a> {
         let number = self.last + 1;
         self.peek().unwrap_or(Line { number, text: "" })
     }
 
-    /// The next line, which stays.
+    /// The next line, without consuming it.
     pub fn peek(&mut self) -> Option<Line<'a>> {
         self.lines.peek().map(|&(index, text)| Line {
             number: index + 1,
@@ -166,7 +166,7 @@ impl<'a> Lines<'a> {
         })
     }
 
-    /// Passes over lines that are blank or all comment.
+    /// Skips lines that are blank or contain only a comment.
     pub fn skip_blank(&mut self) {
         while let Some(line) = self.peek()
             && line.without_comment().text.is_empty()

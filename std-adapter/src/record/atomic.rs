@@ -1,10 +1,10 @@
-//! Files that exist whole or not at all.
+//! Files that are complete or absent.
 
 use super::target::{Target, prepare};
 use std::io::{BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
-/// A file could not be written; whatever stood there before still does.
+/// A file could not be written; an earlier file at its path is unchanged.
 ///
 /// ```
 /// use std::io::{Error, ErrorKind};
@@ -16,15 +16,15 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 #[error("cannot write {}: {cause}", path.display())]
 pub struct WriteError {
-    /// The file meant.
+    /// Path of the file.
     pub path: PathBuf,
-    /// What the system said.
+    /// Error of the operating system.
     #[source]
     pub cause: std::io::Error,
 }
 
 impl WriteError {
-    /// Whether the disk is full, or the user's share of it, or the file larger than allowed.
+    /// Whether the disk or the user's quota is full, or the file exceeds the allowed size.
     pub fn is_out_of_room(&self) -> bool {
         use std::io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
         matches!(
@@ -34,10 +34,10 @@ impl WriteError {
     }
 }
 
-/// How names begin and end of files that are being written.
+/// Beginning and end of the names of unfinished files.
 const UNFINISHED: [&str; 2] = [".tribos-", ".tmp"];
 
-/// Whether a file of this name was being written when its program was killed, or is just now.
+/// Whether a file of this name is being written, or was when its program was killed.
 ///
 /// ```
 /// use tribos::record::is_unfinished;
@@ -50,13 +50,13 @@ pub fn is_unfinished(name: &str) -> bool {
         .is_some_and(|rest| rest.ends_with(end))
 }
 
-/// Writes `bytes` to `path` through a temporary file in the same folder, which is made if missing.
-/// Once it returns, the file outlives the program and the machine's power.
+/// Writes `bytes` to `path` through a temporary file in the same folder, which is created if
+/// missing. Once it returns, the file survives a crash of the program and a loss of power.
 ///
-/// A symbolic link stays: the file that it leads to is replaced. A file that is replaced keeps its
-/// permissions. Devices, pipes and sockets are never replaced: the bytes go into them.
+/// A symbolic link is kept, and the file that it points to is replaced. A replaced file keeps its
+/// permissions. Devices, pipes and sockets are never replaced: the bytes are written to them.
 ///
-/// A program that is killed meanwhile leaves a file whose name [tells so](is_unfinished).
+/// A program that is killed meanwhile leaves a file whose name [shows this](is_unfinished).
 ///
 /// ```
 /// use tribos::record::write_atomically;
@@ -75,7 +75,7 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     file.finish()
 }
 
-/// As [`write_atomically`], in a folder that is there: one that was moved away is not made again.
+/// As [`write_atomically`], in an existing folder, which is not created again if it was moved.
 ///
 /// ```
 /// use tribos::record::write_atomically_there;
@@ -91,8 +91,8 @@ pub fn write_atomically_there(path: &Path, bytes: &[u8]) -> Result<(), WriteErro
     file.finish()
 }
 
-/// As [`write_atomically`], with `fill` to write the contents: for files that are too large for the
-/// memory. If `fill` fails, whatever stood at `path` still does.
+/// As [`write_atomically`], with `fill` to write the contents, for files that are too large for
+/// memory. If `fill` fails, an earlier file at `path` is unchanged.
 ///
 /// ```
 /// use std::io::Write;
@@ -115,10 +115,10 @@ pub fn write_atomically_with<E: From<WriteError>>(
     Ok(file.finish()?)
 }
 
-/// A file that is written part by part, and is there once it is finished.
+/// A file that is written in parts, and appears once it is finished.
 #[derive(Debug)]
 pub(crate) struct AtomicFile {
-    /// As messages name it.
+    /// Path for messages.
     path: PathBuf,
     target: Target,
     file: BufWriter<Unnamed>,
@@ -139,12 +139,12 @@ impl Write for Unnamed {
 }
 
 impl AtomicFile {
-    /// Begins a temporary file in the folder of `path`, which is made if missing.
+    /// Begins a temporary file in the folder of `path`, which is created if missing.
     pub(crate) fn begin(path: &Path) -> Result<Self, WriteError> {
         Self::begin_in(path, |folder| std::fs::create_dir_all(folder))
     }
 
-    /// The same in a folder that is there.
+    /// The same in an existing folder.
     fn begin_there(path: &Path) -> Result<Self, WriteError> {
         Self::begin_in(path, |_| Ok(()))
     }
@@ -181,7 +181,7 @@ impl AtomicFile {
         })
     }
 
-    /// Gives the file its name, or sends its bytes to what is no file.
+    /// Gives the file its name, or copies its bytes to a device, pipe or socket.
     pub(crate) fn finish(self) -> Result<(), WriteError> {
         let Self { path, target, file } = self;
         let deliver = || {

@@ -1,7 +1,7 @@
-//! Frames of a run, for films: a few states of many, each a small file that exists whole or not at
-//! all.
+//! Frames of a run, for films: selected states, each a small file that is complete or absent.
 //!
-//! A folder of frames holds `bodies.json`, what stays the same, and `<step>.frame`, one state a file.
+//! A folder of frames contains `bodies.json` with the constant data, and one file `<step>.frame` per
+//! state.
 //!
 //! ```
 //! use nalgebra::Vector3;
@@ -45,11 +45,10 @@
 //!
 //! # Format
 //!
-//! `bodies.json`: `format` (2), `body` (`powder` or `tip`), `scene`, `frames` (how many are kept at
-//! most), `stride` (steps from one state that may be kept to the next), `periods` (sides of the cell along
-//! x and y), `radii` (one for all or one each); of a tip also `layers` and `parts` (one number an
-//! atom) and `marked` (atoms drawn in another colour); at the end `digest`, see
-//! [`sealed`](crate::record::sealed).
+//! `bodies.json`: `format` (2), `body` (`powder` or `tip`), `scene`, `frames` (largest number that is
+//! kept), `stride` (steps between states that may be kept), `periods` (sides of the cell along x and y),
+//! `radii` (one for all or one each); of a tip also `layers` and `parts` (one number an atom) and `marked`
+//! (atoms drawn in another colour); at the end `digest`, see [`sealed`](crate::record::sealed).
 //!
 //! `<step>.frame`, all numbers little-endian, n particles and m contacts:
 //!
@@ -70,11 +69,11 @@
 //! | m | u8, what the contact does: see [`Hold`] |
 //! | 16 | u128, the [`digest`](crate::record::digest) of all bytes before, xor that of what the run is about |
 //!
-//! *Accuracy*: a place to half a 65535th of the box's side (a millionth of the side more where an
-//! end is no f32), speeds and forces to 2⁻⁸ of their size. Any consistent units.
+//! *Accuracy*: positions to half a 65535th of the box's side (a millionth of the side more where
+//! an end is no f32), speeds and forces to 2⁻⁸ of their size. Any consistent units.
 //!
-//! Which states are kept depends on the number of steps alone ([`spacing`]), so that a run that was
-//! broken off and resumed leaves the same files.
+//! Which states are kept depends on the number of steps alone ([`spacing`]), so that an interrupted
+//! and resumed run leaves the same files.
 
 mod bodies;
 mod bytes;

@@ -1,5 +1,5 @@
-//! What checkpoints of all runs are made of: JSON, with lists of numbers as texts of 16 hexadecimal
-//! digits a number, the bits of each f64.
+//! The common format of checkpoints: JSON, in which a list of numbers is a text of 16 hexadecimal
+//! digits per number, the bits of each f64.
 
 use super::seal::unsealed;
 use nalgebra::Vector3;
@@ -8,7 +8,7 @@ use serde_json::{Map, Value};
 /// Hexadecimal digits of an f64.
 const DIGITS: usize = 16;
 
-/// A checkpoint that a run cannot go on from.
+/// A checkpoint from which a run cannot resume.
 ///
 /// ```
 /// use tribos::powder::{Compaction, CompactionError};
@@ -26,21 +26,21 @@ const DIGITS: usize = 16;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CheckpointError {
-    /// Damaged, or no checkpoint.
+    /// The text is damaged, or not a checkpoint.
     #[error("the checkpoint is damaged ({0}); start anew with --anew")]
     Format(String),
-    /// Of a format that this version does not read.
+    /// The format is not supported by this version.
     #[error(
         "the checkpoint has format {found}, and this version reads format {read} only; \
          finish the run with the version that wrote it, or start anew with --anew"
     )]
     Version {
-        /// In the checkpoint.
+        /// Format of the checkpoint.
         found: u64,
-        /// What is read.
+        /// Supported format.
         read: u64,
     },
-    /// Of another scene.
+    /// The checkpoint belongs to another scene.
     #[error(
         "the checkpoint belongs to another scene: `{key}` is {kept} there and {given} here; \
          change it back, or start anew with --anew"
@@ -48,9 +48,9 @@ pub enum CheckpointError {
     Scene {
         /// The first key that differs.
         key: String,
-        /// In the checkpoint.
+        /// Value in the checkpoint.
         kept: String,
-        /// In the scene.
+        /// Value in the scene.
         given: String,
     },
 }
@@ -77,7 +77,7 @@ pub(crate) fn opened(text: &str, name: &str, format: u64) -> Result<Value, Check
     }
 }
 
-/// The error of a part that makes no sense.
+/// The error for an invalid part.
 pub(crate) fn damaged(name: &str) -> CheckpointError {
     CheckpointError::Format(format!("`{name}` cannot be read"))
 }
@@ -129,7 +129,7 @@ pub(crate) fn triple(vector: &Vector3<f64>) -> [f64; 3] {
     [vector.x, vector.y, vector.z]
 }
 
-/// The numbers of a part in groups of `N`, none left over.
+/// The numbers of a part in groups of `N`, without remainder.
 pub(crate) fn groups<const N: usize>(
     value: &Value,
     name: &str,
@@ -148,13 +148,13 @@ pub(crate) fn one(value: &Value, name: &str) -> Result<f64, CheckpointError> {
     }
 }
 
-/// Vectors of coordinates one after another; a rest is left out.
+/// Vectors from consecutive coordinates; a remainder is ignored.
 pub(crate) fn vectors(numbers: &[f64]) -> Vec<Vector3<f64>> {
     let triples = numbers.as_chunks().0.iter();
     triples.map(|&[x, y, z]| Vector3::new(x, y, z)).collect()
 }
 
-/// The vectors of a part, no number left over.
+/// The vectors of a part, without remainder.
 pub(crate) fn places(value: &Value, name: &str) -> Result<Vec<Vector3<f64>>, CheckpointError> {
     let triples = groups::<3>(value, name)?;
     Ok(triples.into_iter().map(Vector3::from).collect())

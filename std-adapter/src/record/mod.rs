@@ -1,4 +1,4 @@
-//! What a run leaves behind: numbers as text, whole files or none.
+//! Output of runs: numbers as text, files written atomically.
 
 mod atomic;
 pub mod frames;

@@ -1,11 +1,11 @@
-//! Numbers as text that loses nothing.
+//! Lossless text for numbers.
 
 use serde_json::Value;
 
 /// The shortest decimal text that reads back to the same f64; `inf`, `-inf` or `nan` otherwise.
 ///
-/// Whole numbers keep `.0`, so that a column of floats stays one; a power of ten is written below
-/// 1e-5 and from 1e16 on.
+/// Whole numbers keep `.0`, so that a column of floats stays a column of floats; a power of ten
+/// is written below 1e-5 and from 1e16 on.
 ///
 /// ```
 /// use tribos::record::number;

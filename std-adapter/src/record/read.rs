@@ -1,4 +1,4 @@
-//! Texts from files that somebody else wrote: never more than what was agreed.
+//! Reading text files of limited size.
 
 use std::fs::File;
 use std::io::{ErrorKind, Read};
@@ -18,22 +18,22 @@ pub enum ReadError {
     /// The file cannot be opened or read.
     #[error(transparent)]
     Io(#[from] std::io::Error),
-    /// There is more of it than is read.
+    /// The file is larger than the limit.
     #[error("the file is larger than {} MB, which is the most that is read", most >> 20)]
     TooLarge {
-        /// Bytes that are read at most.
+        /// Largest number of bytes.
         most: u64,
     },
-    /// It holds a zero byte or is not UTF-8.
+    /// The file contains a zero byte or is not UTF-8.
     #[error("the file is not a text: byte {at} is not of one")]
     NotText {
-        /// Place of the first byte that is not of a text, from 0.
+        /// Offset of the first byte that is not text.
         at: u64,
     },
 }
 
 impl ReadError {
-    /// Whether there is no such file.
+    /// Whether the file does not exist.
     pub fn is_missing(&self) -> bool {
         matches!(self, Self::Io(error) if error.kind() == ErrorKind::NotFound)
     }
@@ -42,8 +42,8 @@ impl ReadError {
 /// Bytes that are read at a time.
 const CHUNK: u64 = 1 << 16;
 
-/// The text of a file or a pipe, of at most `most` bytes. Stops at the first byte that is not of a
-/// text or one too many, so that a device that never ends is refused at once.
+/// The text of a file or a pipe, of at most `most` bytes. Stops at the first byte that is not text
+/// or exceeds the limit, so that an endless device is refused at once.
 ///
 /// ```
 /// use tribos::record::{ReadError, read_text};
@@ -60,7 +60,7 @@ pub fn read_text(path: &Path, most: u64) -> Result<String, ReadError> {
     read_text_from(&mut File::open(path)?, most)
 }
 
-/// As [`read_text`], from anything that is open.
+/// As [`read_text`], from an open source.
 fn read_text_from(source: &mut impl Read, most: u64) -> Result<String, ReadError> {
     let mut bytes = Vec::new();
     loop {

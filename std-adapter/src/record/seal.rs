@@ -1,4 +1,4 @@
-//! JSON files that carry a digest of their own bytes, so that damage is noticed before they are used.
+//! JSON files that contain a digest of their own bytes, so that damage is detected before use.
 
 use serde_json::{Map, Value};
 use twox_hash::XxHash3_128;
@@ -47,7 +47,7 @@ pub fn sealed(object: Map<String, Value>) -> String {
     text + KEY + &digits + END
 }
 
-/// The object of a [`sealed`] text; `None` if any byte of it is not as it was written.
+/// The object of a [`sealed`] text; `None` if any byte differs from what was written.
 pub fn unsealed(text: &str) -> Option<Value> {
     let length = KEY.len() + DIGITS + END.len();
     let (head, tail) = text.split_at_checked(text.len().checked_sub(length)?)?;

@@ -24,7 +24,7 @@ pub fn series_csv<'a>(columns: &[&str], rows: impl IntoIterator<Item = &'a [f64]
     text
 }
 
-/// Writes the file of [`series_csv`] row by row, whole or not at all.
+/// Writes the file of [`series_csv`] row by row, completely or not at all.
 ///
 /// ```
 /// use tribos::record::{series_csv, write_series};

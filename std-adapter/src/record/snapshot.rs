@@ -1,4 +1,4 @@
-//! The state of many particles at one time, as exports take it.
+//! The state of many particles at one time, the input of exports.
 
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
@@ -31,19 +31,19 @@ use nalgebra::Vector3;
 pub struct Snapshot<'a> {
     /// The time.
     pub time: f64,
-    /// What repeats; places are shown in its cell.
+    /// Periodic box; positions are wrapped into its cell.
     pub space: PeriodicBox,
-    /// Where the drawn box begins and ends along open axes; without meaning along periodic ones.
+    /// Ends of the drawn box along open axes; unused along periodic ones.
     pub extents: [[f64; 2]; 3],
     /// Centres.
     pub positions: &'a [Vector3<f64>],
     /// Radii.
     pub radii: &'a [f64],
-    /// Velocities, where there are any.
+    /// Velocities, if there are any.
     pub velocities: Option<&'a [Vector3<f64>]>,
-    /// Angular velocities, where there are any.
+    /// Angular velocities, if there are any.
     pub spins: Option<&'a [Vector3<f64>]>,
-    /// Names of the species without blanks, `X` if left out.
+    /// Names of the species without blanks, `X` if absent.
     pub species: Option<&'a [&'a str]>,
     /// Contacts.
     pub contacts: &'a [ContactRow],
@@ -70,13 +70,13 @@ pub struct Snapshot<'a> {
 pub struct ContactRow {
     /// A particle.
     pub a: u32,
-    /// What it touches.
+    /// The other side of the contact.
     pub b: Partner,
     /// Unit vector from a to b.
     pub normal: Vector3<f64>,
     /// Distance of the surfaces, negative for overlap.
     pub gap: f64,
-    /// Force on b; along the normal it pushes, against it it pulls.
+    /// Force on b; a component along the normal pushes, one against it pulls.
     pub force: Vector3<f64>,
     /// Torque on b at the contact.
     pub torque: Vector3<f64>,
@@ -123,17 +123,17 @@ pub enum Partner {
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SnapshotError {
-    /// A list is not as long as the positions.
+    /// A list and the positions differ in length.
     #[error("{positions} positions need as many {name}, not {given}")]
     Lengths {
-        /// Which list.
+        /// Name of the list.
         name: &'static str,
         /// Number of positions.
         positions: usize,
         /// Length of the list.
         given: usize,
     },
-    /// A contact of a particle that is not there.
+    /// A contact refers to a particle that does not exist.
     #[error("contact {contact} names particle {particle}, but there are {positions}, from 0 on")]
     Contact {
         /// Index of the contact.
@@ -143,7 +143,7 @@ pub enum SnapshotError {
         /// Number of positions.
         positions: usize,
     },
-    /// A name that would be read as more than one column, or as none.
+    /// A species name is empty or contains blanks.
     #[error("particle {particle}: the species `{given}` must be one word")]
     Species {
         /// Index of the particle.
@@ -154,7 +154,7 @@ pub enum SnapshotError {
 }
 
 impl Partner {
-    /// The particle, if it is one.
+    /// The particle, unless this is a wall.
     pub fn particle(self) -> Option<u32> {
         match self {
             Self::Particle(index) => Some(index),
@@ -176,7 +176,7 @@ impl ContactRow {
 }
 
 impl Snapshot<'_> {
-    /// Refuses lists of different lengths, unknown particles and names that are no words.
+    /// Refuses lists of different lengths, unknown particles and names that are not single words.
     pub fn check(&self) -> Result<(), SnapshotError> {
         let positions = self.positions.len();
         for (name, given) in [

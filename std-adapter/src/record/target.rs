@@ -1,12 +1,12 @@
-//! Where the bytes of a file go that a path names: what may be replaced, and what is written into.
+//! Resolves a path to a file that may be replaced or a stream to write to.
 
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Links followed at most, as by Linux.
+/// Largest number of links that are followed, as in Linux.
 const MOST_LINKS: usize = 40;
 
-/// What a path leads to.
+/// Target of a path.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Target {
     /// A regular file, or none yet: replaced at the end of all links.
@@ -18,7 +18,7 @@ pub(super) enum Target {
 impl Target {
     /// Follows the links of a path.
     pub(super) fn of(path: &Path) -> io::Result<Self> {
-        // What a link of /dev/fd names is not always a path: the system opens it.
+        // The target of a link in /dev/fd is not always a path: the system opens it.
         let is_stream = path
             .metadata()
             .is_ok_and(|there| !there.is_file() && !there.is_dir());
@@ -39,7 +39,7 @@ impl Target {
         Err(io::Error::other("too many symbolic links"))
     }
 
-    /// Where the bytes are gathered.
+    /// Folder of the temporary file.
     pub(super) fn folder(&self) -> PathBuf {
         match self {
             Self::File(place) => folder_of(place).to_owned(),
@@ -55,8 +55,8 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Whether a link is an open file of a process, as /dev/stdout leads to: its file is not replaced
-/// under whoever has opened it.
+/// Whether a link is an open file of a process, like that of /dev/stdout: a file that a process
+/// has open is not replaced.
 fn is_of_process(link: &Path) -> bool {
     let folder = folder_of(link).canonicalize();
     cfg!(target_os = "linux") && folder.is_ok_and(|folder| folder.starts_with("/proc"))
@@ -68,9 +68,9 @@ fn is_of_process(link: &Path) -> bool {
 pub(super) fn prepare(file: &std::fs::File, place: &Path) -> io::Result<()> {
     use std::fs::Permissions;
     use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
-    /// Owner writes, everybody reads.
+    /// Mode of an ordinary file: the owner writes, everybody reads.
     const ORDINARY: u32 = 0o644;
-    /// Of a mode, without the bits that lend rights.
+    /// Permission bits of a mode, without setuid, setgid and sticky bits.
     const RIGHTS: u32 = 0o777;
     let old = place.metadata().ok().filter(std::fs::Metadata::is_file);
     if let Some(old) = &old {
@@ -114,7 +114,7 @@ mod tests {
         assert_eq!(mode(&file)? & 0o777, 0o600);
         assert!(home.join("far").is_symlink() && home.join("near").is_symlink());
         assert_eq!(std::fs::read_dir(home.join("there"))?.count(), 1);
-        // One that leads nowhere yet makes its file; a circle is refused.
+        // A dangling link creates its file; a cycle is refused.
         symlink("there/made", home.join("dangling"))?;
         write_atomically(&home.join("dangling"), b"made")?;
         assert_eq!(mode(&home.join("there/made"))? & 0o777, 0o644);

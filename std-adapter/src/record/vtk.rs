@@ -64,8 +64,8 @@ pub fn particles_vtp(snapshot: &Snapshot) -> Result<String, SnapshotError> {
 /// Contacts as lines from centre to centre, or from a centre to the wall, with the particles `a`
 /// and `b` (−1, −2, … for walls 0, 1, …), normal and tangential force, gap, force and torque on b.
 ///
-/// A line begins in the cell and goes the short way, out of the cell where the other particle is
-/// across a border.
+/// A line begins in the cell and takes the shortest path, leaving the cell if the other particle
+/// is across a border.
 ///
 /// ```
 /// # use nalgebra::Vector3;
@@ -131,7 +131,7 @@ pub fn contacts_vtp(snapshot: &Snapshot) -> Result<String, SnapshotError> {
     ))
 }
 
-/// Both ends of a contact's line.
+/// End points of a contact's line.
 fn line(snapshot: &Snapshot, row: &ContactRow) -> [Vector3<f64>; 2] {
     let a = row.a as usize;
     let from = snapshot.space.wrap(&snapshot.positions[a]);

@@ -3,14 +3,14 @@
 use super::{Snapshot, SnapshotError, number};
 use nalgebra::Vector3;
 
-/// Species where no name is given; chemistry programs know it as "no element".
+/// Species without a name; chemistry programs read it as "no element".
 const NAMELESS: &str = "X";
 
-/// One frame of extended XYZ: species, id from 0, place in the cell, radius and coordination, then
-/// velocity and angular velocity where there are any, in the shortest form that keeps the bits.
+/// One frame of extended XYZ: species, id from 0, position in the cell, radius and coordination,
+/// then velocity and angular velocity if present, in the shortest form that keeps the bits.
 ///
-/// Columns have the names that OVITO knows (`velo`, `omega`, `n_neighb`). Frames one after another
-/// are a trajectory. OVITO takes places for fractions of the cell if all lie between 0 and 1.
+/// Columns have OVITO's names (`velo`, `omega`, `n_neighb`). Concatenated frames form a
+/// trajectory. OVITO takes positions for fractions of the cell if all lie between 0 and 1.
 ///
 /// ```
 /// # use nalgebra::Vector3;

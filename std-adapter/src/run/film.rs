@@ -4,7 +4,7 @@ use super::session::{LongRun, RunError, Start};
 use crate::record::frames::{FrameError, FrameFolder};
 use std::path::Path;
 
-/// Frames kept where nobody says how many.
+/// Default number of frames.
 const USUAL: u64 = 100;
 
 /// Keeps frames of a run, or none.
@@ -12,8 +12,8 @@ const USUAL: u64 = 100;
 pub(super) struct Film(Option<FrameFolder>);
 
 impl Film {
-    /// Begins to keep at most `limit` frames in a folder, or goes on as the run began; frames of an
-    /// earlier run are removed.
+    /// Starts keeping at most `limit` frames in a folder, or continues with the limit of the run's
+    /// start; frames of an earlier run are removed.
     pub fn of<R: LongRun>(
         run: &R,
         folder: &Path,
@@ -30,7 +30,7 @@ impl Film {
         Ok(Self(begun.map_err(RunError::Recording)?))
     }
 
-    /// The number of frames is that of the run's start: others would not be the same set.
+    /// The limit must be that of the run's start: another would give a different set of frames.
     fn resume(folder: &Path, limit: Option<u64>) -> Result<Self, FrameError> {
         let there = FrameFolder::resume(folder)?;
         let kept = there.as_ref().map_or(0, FrameFolder::limit);
@@ -43,7 +43,7 @@ impl Film {
         }
     }
 
-    /// Sees the first state and every one after a step.
+    /// Call this for the first state and after every step.
     pub fn look<R: LongRun>(&mut self, run: &R) {
         match &mut self.0 {
             Some(folder) if folder.wants(run.steps()) => folder.add(&run.frame()),
@@ -57,7 +57,7 @@ impl Film {
         saved.map_err(RunError::Recording)
     }
 
-    /// Sees the last state.
+    /// Adds the last state.
     pub fn end<R: LongRun>(self, run: &R) -> Result<(), RunError<R::Error>> {
         let ended = self.0.map_or(Ok(()), |folder| folder.finish(&run.frame()));
         ended.map_err(RunError::Recording)

@@ -1,8 +1,8 @@
-//! The driver of simulations: step, observe, record, checkpoint, resume, cancel; and what a run will
-//! take.
+//! The driver of simulations: step, observe, record, checkpoint, resume, cancel; and the estimated
+//! cost of a run.
 //!
-//! [`drive`] runs anything that steps. A [`Session`] runs what takes long in a folder of its own, from
-//! which it can be resumed to the same bits.
+//! [`drive`] runs any [`Simulation`]. A [`Session`] runs a long simulation in a folder, from which it
+//! can be resumed to the same bits.
 
 mod film;
 pub mod folder;
@@ -15,7 +15,7 @@ pub use session::{
     read_checkpoint,
 };
 
-/// About what a run will take, from its scene alone: before anything is built.
+/// Estimated size of a run, from its scene alone, before anything is built.
 ///
 /// ```
 /// use tribos::powder::size;
@@ -27,7 +27,7 @@ pub use session::{
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunSize {
-    /// Spheres or atoms.
+    /// Number of spheres or atoms.
     pub bodies: f64,
     /// Memory, in bytes.
     pub bytes: f64,
@@ -60,12 +60,12 @@ pub struct RunSize {
 /// # Ok::<(), std::convert::Infallible>(())
 /// ```
 pub trait Simulation {
-    /// One line of its series.
+    /// One line of the series.
     type Record;
     /// Why a step can fail.
     type Error;
 
-    /// The present state as a line of the series.
+    /// The current state as a line of the series.
     fn record(&self) -> Self::Record;
 
     /// Takes one step. `Ok(false)` when the simulation has ended.

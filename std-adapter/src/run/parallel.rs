@@ -1,9 +1,9 @@
-//! Independent pieces of work, some at a time.
+//! Independent pieces of work on several threads.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What `work` makes of 0, 1, … `count` − 1 in that order, whatever the `threads` do; `None` for a
+/// Results of `work` for 0, 1, … `count` − 1 in that order, independent of `threads`; `None` for a
 /// piece that panicked.
 pub fn in_order<T: Send>(
     count: usize,

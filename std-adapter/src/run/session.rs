@@ -1,4 +1,4 @@
-//! A long run in a folder of its own: checkpoints, frames, progress, cancellation, resuming.
+//! A long run in its own folder: checkpoints, frames, progress, cancellation, resuming.
 
 use super::Simulation;
 use super::film::Film;
@@ -16,18 +16,18 @@ use std::time::{Duration, Instant};
 pub const CHECKPOINT: &str = "checkpoint.json";
 /// Name of the folder of frames in the folder of their run.
 pub const FRAMES: &str = "frames";
-/// Bytes of a checkpoint at most: twenty million spheres take some 15 GB.
+/// Largest size of a checkpoint in bytes: twenty million spheres take some 15 GB.
 const MOST_BYTES: u64 = 1 << 36;
-/// Time from one checkpoint to the next unless said otherwise.
+/// Default time between checkpoints.
 const PAUSE: Duration = Duration::from_secs(60);
 
-/// A simulation that can be kept in a file and resumed from it to the same bits.
+/// A simulation that can be saved to a file and resumed from it to the same bits.
 pub trait LongRun: Simulation<Error: Error> + Sized {
-    /// What is run.
+    /// Description from which a run starts.
     type Scene;
 
-    /// A new run, or one resumed from the text of a checkpoint. `growing` sees how many bodies have
-    /// been placed so far and can stop that.
+    /// A new run, or one resumed from the text of a checkpoint. `growing` receives the number of
+    /// bodies placed so far and can stop the placement.
     fn begin(
         scene: &Self::Scene,
         checkpoint: Option<&str>,
@@ -43,17 +43,17 @@ pub trait LongRun: Simulation<Error: Error> + Sized {
     /// Steps taken.
     fn steps(&self) -> u64;
 
-    /// What all frames have in common, where at most `limit` are kept.
+    /// The data that all frames share, with at most `limit` frames.
     fn bodies(&self, limit: u64) -> Bodies;
 
-    /// The present state as a frame.
+    /// The current state as a frame.
     fn frame(&self) -> Frame;
 }
 
-/// What is behind an error of a run.
+/// Cause of a run's error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// The scene cannot be run, or a number left its range on the way: the same every time.
+    /// The scene cannot be run, or a number left its range: every attempt fails alike.
     Scene,
     /// The checkpoint is damaged, or of another scene or version.
     Checkpoint,
@@ -68,7 +68,7 @@ pub enum Start {
     Fresh,
     /// From its checkpoint.
     Resume,
-    /// From its checkpoint, or at the beginning where there is no usable one of the same scene.
+    /// From its checkpoint, or at the beginning if there is no usable one of the same scene.
     ResumeIfPossible,
 }
 
@@ -76,7 +76,7 @@ pub enum Start {
 #[derive(Debug, thiserror::Error)]
 #[error("nothing to go on from: {}: {cause}; run without --resume", file.display())]
 pub struct NoCheckpoint {
-    /// Where it was looked for.
+    /// Path of the missing checkpoint.
     pub file: PathBuf,
     /// What is wrong.
     #[source]
@@ -98,7 +98,7 @@ pub enum RunError<E: Error + 'static> {
     /// The folder cannot be used, or was lost while the run worked in it.
     #[error(transparent)]
     Folder(#[from] FolderError),
-    /// The frames that are there cannot be continued.
+    /// The existing frames cannot be continued.
     #[error(transparent)]
     Frames(FrameError),
     /// A frame cannot be kept.
@@ -110,13 +110,13 @@ pub enum RunError<E: Error + 'static> {
     /// The caller cancelled the run; its checkpoint and frames are written.
     #[error("cancelled after step {0}; resume it from its checkpoint")]
     Cancelled(u64),
-    /// The caller cancelled the run before there was anything to keep.
+    /// The caller cancelled the run before there was anything to save.
     #[error("cancelled while the bodies were placed; nothing is lost")]
     CancelledEarly,
 }
 
 impl<E: Error> RunError<E> {
-    /// Whether the disk is full: what was written before is whole.
+    /// Whether the disk is full; files written before are complete.
     pub fn is_out_of_room(&self) -> bool {
         match self {
             Self::Write(error) | Self::Recording(FrameError::Write(error)) => {
@@ -127,7 +127,7 @@ impl<E: Error> RunError<E> {
         }
     }
 
-    /// Whether a run that starts at its beginning would not meet this.
+    /// Whether a run from the beginning would avoid this error.
     fn is_of_earlier_run(&self) -> bool {
         matches!(
             self,
@@ -138,8 +138,9 @@ impl<E: Error> RunError<E> {
 
 /// Drives a [`LongRun`] to its end in a folder, with checkpoints and frames there.
 ///
-/// Whatever ends it in between (a kill, a full disk, [`Self::cancel_when`]), it can be resumed, and
-/// ends with the same bits as without the break. The last checkpoint is of the end.
+/// A run interrupted for any reason (a kill, a full disk, [`Self::cancel_when`]) can be resumed,
+/// and ends with the same bits as without interruption. The last checkpoint contains the final
+/// state.
 ///
 /// ```
 /// use tribos::powder::Compaction;
@@ -172,7 +173,7 @@ pub struct Session<'a, R> {
     cancelled: Box<dyn Fn() -> bool + 'a>,
 }
 
-/// What sees a checkpoint that was written.
+/// Callback for a written checkpoint.
 type Saved<'a, R> = Box<dyn FnMut(&R, &Path) + 'a>;
 
 impl<R> fmt::Debug for Session<'_, R> {
@@ -187,13 +188,13 @@ impl<R> fmt::Debug for Session<'_, R> {
 }
 
 impl<'a, R: LongRun> Session<'a, R> {
-    /// A run in a folder, which is made if missing and locked until the session ends.
+    /// A run in a folder, which is created if missing and locked until the session ends.
     pub fn in_folder(folder: impl AsRef<Path>) -> Result<Self, FolderError> {
         let lock = Lock::take(folder.as_ref(), Sharing::Alone)?;
         Ok(Self::under(Arc::new(lock), folder.as_ref()))
     }
 
-    /// A run in a folder that a lock which is held protects: its own or one above it.
+    /// A run in a folder that a held lock protects: the lock of this folder or of one above it.
     pub fn under(lock: Arc<Lock>, folder: &Path) -> Self {
         Self {
             lock,
@@ -208,42 +209,42 @@ impl<'a, R: LongRun> Session<'a, R> {
         }
     }
 
-    /// Where the run starts; at its beginning if nothing is said.
+    /// Where the run starts; by default at its beginning.
     pub fn start(self, start: Start) -> Self {
         Self { start, ..self }
     }
 
-    /// Time from one checkpoint to the next; a minute if nothing is said.
+    /// Time between checkpoints; by default a minute.
     pub fn checkpoint_every(self, pause: Duration) -> Self {
         Self { pause, ..self }
     }
 
-    /// Frames kept at most, 0 for none, else 2 or more. If nothing is said 100, or as many as when the
-    /// run began. They change no result.
+    /// Largest number of frames, 0 for none, else 2 or more. The default is 100, or the number when
+    /// the run began. Frames change no result.
     pub fn frames(self, limit: u64) -> Self {
         let frames = Some(limit);
         Self { frames, ..self }
     }
 
-    /// While bodies are placed: how many there are so far.
+    /// Callback with the number of bodies placed so far.
     pub fn on_growth(self, growing: impl FnMut(usize) + 'a) -> Self {
         let growing = Box::new(growing);
         Self { growing, ..self }
     }
 
-    /// Before the first step and after every one.
+    /// Callback before the first step and after every step.
     pub fn on_progress(self, progress: impl FnMut(&R) + 'a) -> Self {
         let progress = Box::new(progress);
         Self { progress, ..self }
     }
 
-    /// After a checkpoint was written to this file.
+    /// Callback after a checkpoint was written to a file.
     pub fn on_checkpoint(self, saved: impl FnMut(&R, &Path) + 'a) -> Self {
         let saved = Box::new(saved);
         Self { saved, ..self }
     }
 
-    /// Asked after every step: the run ends with a checkpoint where the answer is yes.
+    /// Called after every step: if it returns true, the run ends with a checkpoint.
     pub fn cancel_when(self, cancelled: impl Fn() -> bool + 'a) -> Self {
         let cancelled = Box::new(cancelled);
         Self { cancelled, ..self }
@@ -319,7 +320,7 @@ impl<'a, R: LongRun> Session<'a, R> {
         })
     }
 
-    /// Frames first: a checkpoint stands only beside all frames before it.
+    /// Writes frames first: a checkpoint requires all frames before it.
     fn save(&mut self, run: &R, film: &mut Film, file: &Path) -> Result<(), RunError<R::Error>> {
         self.lock.check()?;
         film.save()?;
@@ -333,7 +334,7 @@ impl<'a, R: LongRun> Session<'a, R> {
         Ok(())
     }
 
-    /// A folder that was lost explains every file that could not be written.
+    /// Replaces a write error by the loss of the folder, if that is its cause.
     fn explained(&self, error: RunError<R::Error>) -> RunError<R::Error> {
         let is_final = matches!(
             error,

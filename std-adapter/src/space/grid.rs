@@ -1,13 +1,15 @@
-//! A coarse grid over places: few cells, whatever the places.
+//! A coarse grid over positions, with a limited number of cells.
 
 use super::PeriodicBox;
 use nalgebra::Vector3;
 use std::ops::RangeInclusive;
 
-/// Cells per particle at most; a grid finer than the particles are apart only costs time.
+/// Largest number of cells per particle; cells smaller than the particles' distance only cost
+/// time.
 const CELLS_PER_PARTICLE: f64 = 4.0;
 
-/// Relative room for the roundings of a place, a difference and a cell number, about 1e-15.
+/// Relative tolerance for the rounding of a position, a difference and a cell number, about
+/// 1e-15.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// One axis cut into cells; the first and the last of an open one have no outer end.
@@ -17,7 +19,7 @@ struct Axis {
     low: f64,
     inv_width: f64,
     cells: usize,
-    /// What roundings can displace a place, same unit as places.
+    /// Largest displacement of a position by rounding, in the unit of positions.
     rounding: f64,
 }
 
@@ -28,8 +30,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Cells about `edge` wide over `positions`, wider where there would be too many of them.
-    /// *Domain*: finite positions.
+    /// Cells about `edge` wide over `positions`, wider if there would be too many. *Domain*:
+    /// finite positions.
     pub fn new(space: &PeriodicBox, positions: &[Vector3<f64>], edge: f64) -> Self {
         let most = (CELLS_PER_PARTICLE * positions.len() as f64).max(1.0);
         let mut extents = [[0.0; 2]; 3];
@@ -57,7 +59,7 @@ impl Grid {
         self.axes.iter().map(|axis| axis.cells).product()
     }
 
-    /// The cell of a place.
+    /// The cell of a position.
     pub fn cell(&self, place: &Vector3<f64>) -> usize {
         let [x, y, z] = self.axes;
         let row = self.row(y.cell(place.y), z.cell(place.z));
@@ -69,8 +71,8 @@ impl Grid {
         (z * self.axes[1].cells + y) * self.axes[0].cells
     }
 
-    /// Calls `visit` with every run of neighbouring cells that may hold places within `reach` of
-    /// `place`, each cell once.
+    /// Calls `visit` with every run of adjacent cells that may contain positions within `reach`
+    /// of `place`, each cell once.
     pub fn near(
         &self,
         place: &Vector3<f64>,
@@ -109,7 +111,7 @@ const MOST_CELLS: f64 = 5.6e102;
 /// Whole cells at least `edge` wide, one or more.
 fn cells_along(extent: f64, edge: f64) -> f64 {
     let cells = (extent / edge).floor();
-    // Also the answer to 0/0 and to no particles at all.
+    // The other branch also handles 0/0 and the absence of particles.
     if cells >= 1.0 {
         cells.min(MOST_CELLS)
     } else {
@@ -123,7 +125,7 @@ impl Axis {
         Self {
             length,
             low,
-            // Everything in one place: one cell.
+            // All positions coincide: one cell.
             inv_width: if inv_width.is_finite() {
                 inv_width
             } else {
@@ -134,7 +136,7 @@ impl Axis {
         }
     }
 
-    /// Learns how large the coordinates are.
+    /// Sets the rounding tolerance from the size of the coordinates.
     fn with_roundings(mut self, axis: usize, positions: &[Vector3<f64>]) -> Self {
         let largest = positions
             .iter()

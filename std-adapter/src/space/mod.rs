@@ -1,4 +1,4 @@
-//! Where particles are: periodic boxes, and who is near whom.
+//! Periodic boxes, and neighbours within them.
 
 mod grid;
 pub mod pairs;

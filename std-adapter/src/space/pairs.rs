@@ -1,10 +1,10 @@
-//! Pairs of spheres near each other, by linked cells.
+//! Pairs of nearby spheres, found by linked cells.
 
 use super::grid::Grid;
 use super::{AXES, PeriodicBox};
 use nalgebra::Vector3;
 
-/// Why there is no list of neighbours.
+/// Why a neighbour search is refused.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -17,7 +17,7 @@ use nalgebra::Vector3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum NeighbourError {
-    /// As many radii as positions are needed.
+    /// The numbers of radii and positions differ.
     #[error("{positions} positions need as many radii, not {radii}")]
     Lengths {
         /// Number of positions.
@@ -31,17 +31,17 @@ pub enum NeighbourError {
         u32::MAX
     )]
     TooMany {
-        /// Their number.
+        /// Number of particles.
         given: usize,
     },
-    /// A place is not finite.
+    /// A position is not finite.
     #[error("particle {particle}: {} is {given}, not finite", AXES[*axis])]
     Position {
         /// Index of the particle.
         particle: usize,
         /// 0, 1 or 2 for x, y or z.
         axis: usize,
-        /// The coordinate.
+        /// The rejected coordinate.
         given: f64,
     },
     /// A radius is negative, infinite or NaN.
@@ -67,14 +67,14 @@ pub enum NeighbourError {
     Reach {
         /// 0, 1 or 2 for x, y or z.
         axis: usize,
-        /// Two largest radii and the skin.
+        /// Sum of the two largest radii and the skin.
         reach: f64,
         /// The period.
         length: f64,
     },
 }
 
-/// A particle as it lies in its cell.
+/// A particle in its cell.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     position: Vector3<f64>,
@@ -82,7 +82,7 @@ struct Entry {
     index: u32,
 }
 
-/// Memory of a search, to be used again by the next.
+/// Buffers of a search, reused by the next one.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -100,13 +100,13 @@ struct Entry {
 pub struct Cells {
     /// Cell of each particle.
     cell_of: Vec<usize>,
-    /// Where each cell begins in `entries`; one more at the end.
+    /// First entry of each cell in `entries`, and the end of the last.
     starts: Vec<u32>,
     /// The particles, cell by cell.
     entries: Vec<Entry>,
-    /// For the median.
+    /// Sorted radii, for the median.
     radii: Vec<f64>,
-    /// i in the upper half, j in the lower: what sorts quickly.
+    /// Pairs as sort keys: i in the upper half, j in the lower.
     keys: Vec<u64>,
     pairs: Vec<[u32; 2]>,
 }
@@ -116,10 +116,10 @@ pub struct Cells {
 ///
 /// *Domain*: finite positions, inside the cell or not; radii finite and ≥ 0; `skin` finite, negative
 /// for overlapping pairs only; two largest radii and the skin at most half of every period. *Cost*:
-/// proportional to particles and pairs for radii alike and places spread evenly; each sphere looks
-/// as far as its own diameter and the skin for smaller ones, so that few large spheres among many
-/// small ones are not dear. Far outliers along an open axis make cells coarse and the search
-/// slower. A loop over time keeps a [`Cells`] instead.
+/// proportional to particles and pairs for similar radii and evenly spread positions; each sphere
+/// searches for smaller ones within its own diameter plus the skin, so a few large spheres among
+/// many small ones are cheap. Far outliers along an open axis make cells coarse and the search
+/// slower. For a time loop keep a [`Cells`] instead.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -213,7 +213,7 @@ impl Cells {
         }
     }
 
-    /// Every sphere looks for those that are smaller, or as large and of a lower index.
+    /// Every sphere searches for smaller ones, and for equal ones of lower index.
     fn search(&mut self, grid: &Grid, space: &PeriodicBox, skin: f64) {
         self.keys.clear();
         for entry in &self.entries {
@@ -244,7 +244,7 @@ fn is_near(space: &PeriodicBox, a: &Entry, b: &Entry, skin: f64) -> bool {
     distance - (a.radius + b.radius) < skin
 }
 
-/// Refuses what is not finite.
+/// Refuses positions, radii and skins that are not finite.
 fn check(positions: &[Vector3<f64>], radii: &[f64], skin: f64) -> Result<(), NeighbourError> {
     if positions.len() != radii.len() {
         return Err(NeighbourError::Lengths {
@@ -278,7 +278,7 @@ fn check(positions: &[Vector3<f64>], radii: &[f64], skin: f64) -> Result<(), Nei
     Ok(())
 }
 
-/// Refuses boxes so small that a pair could meet over two images.
+/// Refuses boxes so small that a pair could meet through two images.
 fn check_reach(space: &PeriodicBox, radii: &[f64], skin: f64) -> Result<(), NeighbourError> {
     if radii.len() < 2 {
         return Ok(());

@@ -1,4 +1,4 @@
-//! Space that repeats itself along some axes.
+//! Space that is periodic along some axes.
 
 use nalgebra::Vector3;
 
@@ -7,7 +7,7 @@ pub const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Lengths after which space repeats, each axis periodic or open.
 ///
-/// The cell stands at the origin: a periodic axis runs from 0 to its length. Any unit of length.
+/// The cell begins at the origin: a periodic axis runs from 0 to its length. Any unit of length.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -67,12 +67,12 @@ impl PeriodicBox {
         self.lengths
     }
 
-    /// Shortest way from `a` to `b`: b − a, less whole periods.
+    /// Shortest displacement from `a` to `b`: b − a minus whole periods.
     ///
     /// *Domain*: any; NaN and infinite coordinates give NaN along their axis, or infinity along an
     /// open one. At half a period the sign of b − a stays. `displacement(b, a)` is its negative to
-    /// the bit. *Accuracy*: one rounding of b − a within a period of each other, half an ulp of
-    /// each place else.
+    /// the bit. *Accuracy*: one rounding of b − a for positions within a period of each other,
+    /// otherwise half an ulp of each position.
     #[inline]
     pub fn displacement(&self, a: &Vector3<f64>, b: &Vector3<f64>) -> Vector3<f64> {
         let straight = b - a;
@@ -95,7 +95,7 @@ impl PeriodicBox {
     }
 }
 
-/// `distance` less whole periods, at most half of one.
+/// `distance` minus whole periods, at most half of one.
 #[inline]
 fn nearest_image(distance: f64, length: Option<f64>) -> f64 {
     match length {
@@ -106,7 +106,7 @@ fn nearest_image(distance: f64, length: Option<f64>) -> f64 {
     }
 }
 
-/// `x` less whole periods, in [0, length).
+/// `x` minus whole periods, in [0, length).
 fn wrapped(x: f64, length: Option<f64>) -> f64 {
     match length {
         None => x,

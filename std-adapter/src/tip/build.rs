@@ -11,7 +11,7 @@ use crate::scene::{BathKind, BathSpin, DrivenHold, InvalidScene, Reading, TipSce
 use crate::space::{PeriodicBox, PeriodicBoxError};
 use nalgebra::Vector3;
 
-/// Stream of the first velocities, apart from all steps' noise.
+/// Stream of the initial velocities, separate from the noise of the steps.
 const FIRST: u64 = u64::MAX;
 
 /// A tip that cannot be built.
@@ -31,7 +31,7 @@ pub enum BuildError {
     Thermostat(#[from] ThermostatError),
 }
 
-/// What a run is made from, with the layer of each atom.
+/// The setup of a run, with the layer of each atom.
 #[derive(Debug)]
 pub struct TipSystem {
     /// Atoms, groups in the order of [`Part::ALL`], drive.
@@ -98,7 +98,7 @@ fn is_of_tip(part: Part) -> bool {
     matches!(part, Part::Apex | Part::TipBath | Part::Driven)
 }
 
-/// One species, or one for the substrate and one for the tip where they differ.
+/// One species, or one each for the substrate and the tip if they differ.
 fn atoms(scene: &TipScene, sites: &[Site]) -> Atoms {
     let mut atoms = Atoms::at(sites.iter().map(|site| site.place).collect());
     if scene.adhesion != 1.0 {
@@ -167,7 +167,8 @@ fn thermostat(scene: &TipScene, wanted: Spin) -> Result<Thermostat, ThermostatEr
     })
 }
 
-/// Velocities of twice the temperature: atoms on their sites give half of it to the lattice.
+/// Velocities at twice the temperature, since atoms on lattice sites lose half of it to potential
+/// energy.
 fn warm(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms: &mut Atoms) {
     let mut noise = Noise::new(scene.seed, FIRST, 0);
     let speed = (2.0 * scene.temperature).sqrt();

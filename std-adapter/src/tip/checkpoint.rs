@@ -1,4 +1,4 @@
-//! A run of the tip as a file.
+//! Checkpoints of tip runs.
 
 use super::shape::Part;
 use super::watch;
@@ -17,11 +17,11 @@ const NAME: &str = "tribos_tip";
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Checkpoint {
     pub state: State,
-    /// Of the driven atoms and of each layer, in radians.
+    /// Angles of the driven atoms and of each layer, in radians.
     pub angles: Vec<f64>,
-    /// Of the drive, in ε.
+    /// Work of the drive, in ε.
     pub work: f64,
-    /// What averages are taken of.
+    /// Lines for averages.
     pub lines: Vec<Vec<f64>>,
     pub series: Vec<Vec<f64>>,
 }
@@ -97,7 +97,7 @@ impl Checkpoint {
             angles: finite("angles", 1 + scene.tip_layers)?,
             work: finite("work", 1)?.first().copied().unwrap_or_default(),
             lines: table("lines", watch::lines(scene, steps))?,
-            // One line at the start and one after every stretch of steps.
+            // One line at the start and one after every interval of steps.
             series: table("series", 1 + steps.div_ceil(scene.samples))?,
         })
     }

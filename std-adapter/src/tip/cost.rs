@@ -1,4 +1,4 @@
-//! What a tip will cost: atoms, pairs, steps, and the time of an atom-step.
+//! Cost of a tip: atoms, pairs, steps, and the time of an atom-step.
 
 use super::build::{TipSystem, build};
 use super::run::TipError;
@@ -12,7 +12,7 @@ use crate::space::pairs::neighbours;
 use nalgebra::Vector3;
 use std::time::Instant;
 
-/// What a scene will carry. *Units*: times in s on one core of this machine.
+/// Size and cost of a scene. *Units*: times in s on one core of this machine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TipCost {
     /// Atoms of each part, in the order of [`Part::ALL`].
@@ -38,8 +38,8 @@ impl TipScene {
         }
     }
 
-    /// Components of the places of all atoms that move: none of the base, two of driven atoms whose
-    /// height is held or common.
+    /// Number of free coordinates of all atoms: none for the base, two for driven atoms of fixed or
+    /// common height.
     pub fn freedoms(&self) -> usize {
         let of = |part: Part| match part {
             Part::Base => 0,
@@ -52,16 +52,16 @@ impl TipScene {
     }
 }
 
-/// Bytes that a run holds for an atom, its neighbours and exports among them: measured with 6,000 and
-/// 62,000 atoms.
+/// Bytes that a run needs per atom, including neighbours and exports: measured with 6,000 and 62,000
+/// atoms.
 const BYTES_AN_ATOM: f64 = 6.5e3;
-/// Time of an atom-step with the usual cut-off.
+/// Time of an atom-step with the default cut-off.
 const SECONDS_AN_ATOM_STEP: f64 = 0.2e-6;
 
-/// About what a run of the scene will take, before its atoms are placed.
+/// Estimated size of a run of the scene, before its atoms are placed.
 ///
-/// *Accuracy*: of the atoms exact but for disks, which have up to a fifth more; of the memory a factor
-/// of 1.5, of the time the order of magnitude.
+/// *Accuracy*: atoms are exact except for disks, which have up to a fifth more; memory is within a
+/// factor of 1.5, time within an order of magnitude.
 ///
 /// ```
 /// use tribos::scene::TipScene;
@@ -120,8 +120,8 @@ pub fn size(scene: &TipScene) -> RunSize {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// *Accuracy*: of the time some ten per cent; later steps of a warmer system renew the list of
-/// neighbours more often.
+/// *Accuracy*: the time is within some ten per cent; later steps of a warmer system rebuild the
+/// neighbour list more often.
 pub fn cost(scene: &TipScene) -> Result<TipCost, TipError> {
     let TipSystem { setup, .. } = build(scene)?;
     let mut atoms = [0; Part::ALL.len()];
@@ -165,7 +165,7 @@ impl TipCost {
     }
 }
 
-/// Pairs nearer than the cut-off. A box too small for them is refused with the scene.
+/// Pairs closer than the cut-off. A box too small for them is refused with the scene.
 fn pairs(positions: &[Vector3<f64>], space: &PeriodicBox, cutoff: f64) -> usize {
     let points = vec![0.0; positions.len()];
     neighbours(space, positions, &points, cutoff).map_or(0, |pairs| pairs.len())

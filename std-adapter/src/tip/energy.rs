@@ -12,19 +12,20 @@ use serde_json::{Value, json};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriveEnergy {
-    /// Work of the drive: its force on each driven atom along the atom's way, summed over all steps.
+    /// Work of the drive: its force on each driven atom times the atom's displacement, summed over
+    /// all steps.
     pub work: f64,
     /// Rise of the potential energy while driven, between means over 20 τ at the ends of stages.
     /// Pairs that cross a cut-off without shift change it without work.
     pub stored: f64,
-    /// Its fall after the drive.
+    /// Fall of the potential energy after the drive.
     pub released: f64,
-    /// Standard error of what was stored, from the scatter of lines 0.5 τ apart as if they were independent.
+    /// Standard error of `stored`, from the scatter of lines 0.5 τ apart, treated as independent.
     pub uncertainty: f64,
 }
 
 impl DriveEnergy {
-    /// What thermostats and damping took while driven: the work that was not stored.
+    /// Heat absorbed by thermostats and damping while driven: the work that was not stored.
     pub fn heat(&self) -> f64 {
         self.work - self.stored
     }

@@ -1,4 +1,4 @@
-//! A tip as files for LAMMPS, which runs the same system.
+//! Files with which LAMMPS runs the same system.
 
 use super::build::{BuildError, TipSystem, build};
 use super::shape::Part;
@@ -58,7 +58,7 @@ pub fn start(scene: &TipScene) -> Result<Export, BuildError> {
     })
 }
 
-/// Atoms of a scene at some places as a data file.
+/// Atoms of a scene at given positions as a data file.
 pub fn data(
     scene: &TipScene,
     positions: &[Vector3<f64>],
@@ -136,7 +136,7 @@ fn pair(scene: &TipScene) -> String {
     text
 }
 
-/// Integration, thermostats and what is held.
+/// Integration, thermostats and constraints.
 fn motion(scene: &TipScene) -> String {
     let temperature = number(scene.temperature);
     let seed = scene.seed % 900_000_000 + 1;

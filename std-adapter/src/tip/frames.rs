@@ -4,8 +4,8 @@ use super::run::TipRun;
 use crate::record::frames::{Bodies, Frame, Kind};
 
 impl TipRun {
-    /// What all frames have in common, of which `limit` are kept at most. Atoms are balls that touch
-    /// in the crystal.
+    /// The data that all frames share, with at most `limit` frames. Atoms are balls that touch in
+    /// the crystal.
     pub fn bodies(&self, limit: u64) -> Bodies {
         let shape = self.scene().shape();
         Bodies {
@@ -21,7 +21,7 @@ impl TipRun {
         }
     }
 
-    /// The present state.
+    /// The current state.
     ///
     /// ```
     /// use tribos::scene::TipScene;
@@ -48,7 +48,7 @@ impl TipRun {
         let cell = self.system().space();
         let positions = &self.system().atoms().positions;
         let places: Vec<_> = positions.iter().map(|place| cell.wrap(place)).collect();
-        // A box that holds all atoms; its ends are rounded outwards.
+        // A box that contains all atoms; its ends are rounded outwards.
         let heights = places.iter().map(|place| place.z);
         let low = heights.clone().fold(f64::INFINITY, f64::min) as f32;
         let high = heights.fold(f64::NEG_INFINITY, f64::max) as f32;

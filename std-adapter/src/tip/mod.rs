@@ -1,5 +1,5 @@
 //! The tip on a substrate, turned by a torque (thesis, section 5.3): a [`scene::TipScene`] becomes a
-//! [`TipRun`], whose [`Outcome`] tells whether it turned back, where it locked in and which layers
+//! [`TipRun`], whose [`Outcome`] says whether it turned back, where it locked in and which layers
 //! slipped.
 //!
 //! [`scene::TipScene`]: crate::scene::TipScene

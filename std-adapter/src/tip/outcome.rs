@@ -1,4 +1,4 @@
-//! What came out of a run: back or not, where it locked in, which layers slipped.
+//! The outcome of a run: reversible or not, where it locked in, which layers slipped.
 
 use super::energy::DriveEnergy;
 use crate::record::json_number;
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 const ANGLE: usize = 1;
 /// Column of the potential energy.
 const POTENTIAL: usize = 6;
-/// Times at the end of a stage over which angles are averaged, in τ.
+/// Time at the end of a stage over which angles are averaged, in τ.
 const END: f64 = 20.0;
 /// An angle below which the tip counts as turned back, in degrees. Thermal motion is a tenth of it.
 const BACK: f64 = 1.0;
@@ -23,20 +23,20 @@ const LOCKED_TIME: f64 = 15.0;
 /// Whether the driven layers turned back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// They did.
+    /// The driven layers turned back.
     Reversible,
-    /// They did not.
+    /// The driven layers did not turn back.
     Irreversible,
-    /// The run ended too early to tell, or has no time after the drive.
+    /// Undecided: the run ended too early, or has no time after the drive.
     Open,
 }
 
-/// A time during which the driven layers stood.
+/// An interval during which the driven layers rested.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plateau {
-    /// In τ from the start of the drive.
+    /// Start of the interval, in τ from the start of the drive.
     pub from: f64,
-    /// The same.
+    /// End of the interval, in τ from the start of the drive.
     pub to: f64,
     /// Mean angle, in degrees.
     pub angle: f64,
@@ -44,8 +44,8 @@ pub struct Plateau {
 
 /// The result of a run. Angles in degrees, times in τ from the start of the drive.
 ///
-/// Turns and work are counted at every step, averages taken of lines 0.5 τ apart (closer where a
-/// stage is short): how often a series or frames are written changes nothing but `samples`.
+/// Turns and work are accumulated at every step, averages use lines 0.5 τ apart (closer if a
+/// stage is short): how often a series or frames are written changes only `samples`.
 ///
 /// ```
 /// use tribos::run::drive;
@@ -79,13 +79,13 @@ pub struct Plateau {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// Whether it turned back.
+    /// Whether the driven layers turned back.
     pub verdict: Verdict,
-    /// Mean angle before the drive ended.
+    /// Mean angle of the driven layers before the drive ended.
     pub driven_angle: f64,
-    /// Largest angle.
+    /// Largest angle of the driven layers.
     pub largest_angle: f64,
-    /// Mean angle at the end.
+    /// Mean angle of the driven layers at the end.
     pub final_angle: f64,
     /// Mean angles of the tip's layers at the end, from below.
     pub layer_angles: Vec<f64>,
@@ -93,19 +93,19 @@ pub struct Outcome {
     pub slipped: Vec<usize>,
     /// Interfaces that had slipped before the drive ended.
     pub slipped_driven: Vec<usize>,
-    /// Where the driven layers stood while they were driven.
+    /// Intervals in which the driven layers rested while they were driven.
     pub plateaus: Vec<Plateau>,
     /// Mean temperature of the tip's bath while driven, ε/k_B.
     pub tip_temperature: f64,
-    /// What became of the drive's work.
+    /// Energy balance of the drive.
     pub energy: DriveEnergy,
     /// Lines of the series.
     pub samples: usize,
 }
 
-/// What a run was seen to do.
+/// Measurements of a run.
 pub(super) struct Measured<'a> {
-    /// Lines as those of the series, at times that do not depend on it.
+    /// Lines like those of the series, at times independent of it.
     pub lines: &'a [Vec<f64>],
     /// Column at which the angles of the tip's layers begin.
     pub layers: usize,
@@ -116,7 +116,7 @@ pub(super) struct Measured<'a> {
 }
 
 impl Outcome {
-    /// Of what was measured.
+    /// The outcome of what was measured.
     pub(super) fn of(scene: &TipScene, measured: &Measured) -> Self {
         let (series, layers) = (measured.lines, measured.layers);
         let StageSteps {
@@ -202,7 +202,7 @@ impl Outcome {
     }
 }
 
-/// Means of all columns over a stretch of time; NaN where there is no line.
+/// Means of all columns over an interval of time; NaN if it has no line.
 fn means(series: &[Vec<f64>], from: f64, to: f64, width: usize) -> Vec<f64> {
     let mut sums = vec![0.0; width];
     let mut count = 0.0;
@@ -218,7 +218,8 @@ fn means(series: &[Vec<f64>], from: f64, to: f64, width: usize) -> Vec<f64> {
     sums.into_iter().map(|sum| sum / count).collect()
 }
 
-/// Of the mean potential energy over a stretch of time, as if lines were independent.
+/// Standard error of the mean potential energy over an interval of time, with lines treated as
+/// independent.
 fn standard_error(series: &[Vec<f64>], from: f64, to: f64) -> f64 {
     let within = |line: &&Vec<f64>| line[0] >= from && line[0] <= to;
     let energies: Vec<f64> = series
@@ -235,7 +236,7 @@ fn standard_error(series: &[Vec<f64>], from: f64, to: f64) -> f64 {
     (square / (count * (count - 1.0))).sqrt()
 }
 
-/// Interfaces across which the angles differ; the substrate stands.
+/// Interfaces across which the angles differ; the substrate has angle 0.
 fn slipped(layers: &[f64]) -> Vec<usize> {
     let below = std::iter::once(&0.0).chain(layers);
     let is_slip = |(below, above): (&f64, &f64)| (above - below).abs() > SLIPPED;
@@ -246,7 +247,7 @@ fn slipped(layers: &[f64]) -> Vec<usize> {
         .collect()
 }
 
-/// Longest stretches, one after another, in which the angle stays within a width.
+/// Successive longest intervals in which the angle stays within a width.
 fn plateaus(curve: &[[f64; 2]]) -> Vec<Plateau> {
     let mut found = Vec::new();
     let mut start = 0;

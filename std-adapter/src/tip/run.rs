@@ -24,16 +24,16 @@ const FIXED_COLUMNS: [&str; 7] = [
     "potential_energy",
 ];
 
-/// Why a run cannot start or go on.
+/// Why a run cannot start or continue.
 #[derive(Debug, thiserror::Error)]
 pub enum TipError {
-    /// The scene makes no system.
+    /// The scene does not give a valid system.
     #[error(transparent)]
     Build(#[from] BuildError),
     /// The system cannot be set up, or blew up.
     #[error(transparent)]
     System(#[from] SystemError),
-    /// The checkpoint is of no use.
+    /// The checkpoint cannot be used.
     #[error(transparent)]
     Checkpoint(#[from] CheckpointError),
 }
@@ -87,7 +87,7 @@ pub struct TipRun {
 }
 
 impl TipRun {
-    /// From the crystal.
+    /// A run that starts from the crystal.
     pub fn new(scene: &TipScene) -> Result<Self, TipError> {
         let TipSystem { setup, layer_of } = build(scene)?;
         let watch = Watch::new(scene, &layer_of, &setup.atoms.positions);
@@ -105,7 +105,7 @@ impl TipRun {
         Ok(run)
     }
 
-    /// From a checkpoint of the same scene, to the same bits as without a break.
+    /// Resumes from a checkpoint of the same scene, with the same bits as without interruption.
     pub fn resume(scene: &TipScene, text: &str) -> Result<Self, TipError> {
         let TipSystem { setup, layer_of } = build(scene)?;
         let mut watch = Watch::new(scene, &layer_of, &setup.atoms.positions);
@@ -122,7 +122,7 @@ impl TipRun {
         })
     }
 
-    /// What [`resume`](Self::resume) goes on from.
+    /// The state from which [`resume`](Self::resume) continues.
     pub fn checkpoint(&self) -> String {
         let kept = Checkpoint {
             state: self.system.state(),
@@ -149,7 +149,7 @@ impl TipRun {
         &self.part_of
     }
 
-    /// The scene that runs.
+    /// Scene of the run.
     pub(super) fn scene(&self) -> &TipScene {
         &self.scene
     }
@@ -182,7 +182,7 @@ impl TipRun {
         self.watch.angles().next().unwrap_or_default()
     }
 
-    /// What came out. It does not depend on how often lines of the series are written.
+    /// The outcome, which does not depend on how often lines of the series are written.
     pub fn outcome(&self) -> Outcome {
         let measured = Measured {
             lines: self.watch.lines(),
@@ -193,7 +193,7 @@ impl TipRun {
         Outcome::of(&self.scene, &measured)
     }
 
-    /// Goes on to a step, at which the sums of the interaction are known.
+    /// Advances to a step and computes the sums of the interaction there.
     fn advance(&mut self, to: u64) -> Result<(), TipError> {
         while self.system.steps() < to {
             let wanted = if self.system.steps() + 1 == to {
@@ -212,7 +212,7 @@ impl TipRun {
         self.scene.stage_steps().total()
     }
 
-    /// Adds a line to those lists that want one after this step.
+    /// Adds a line to the series and to the averages if they take one after this step.
     fn write_lines(&mut self) {
         let line = self.line();
         if self.wants_average() {
@@ -235,7 +235,7 @@ impl TipRun {
         steps.is_multiple_of(interval(&self.scene)) || steps == self.last_step()
     }
 
-    /// The present state as a line.
+    /// The current state as a line.
     fn line(&self) -> Vec<f64> {
         let kinetic = kinetic_energies(&self.system);
         let heat = |part: Part| {
@@ -289,13 +289,13 @@ impl Simulation for TipRun {
         self.series.last().cloned().unwrap_or_default()
     }
 
-    /// Goes on to the next line of the series; at the end it does nothing.
+    /// Advances to the next line of the series; at the end it does nothing.
     fn step(&mut self) -> Result<bool, TipError> {
         let last = self.last_step();
         if self.system.steps() >= last {
             return Ok(false);
         }
-        // Lines stand at multiples of their distance, and at the end.
+        // Lines are at multiples of their interval, and at the end.
         let until = |every: u64, steps: u64| (steps / every + 1).saturating_mul(every).min(last);
         let next = until(self.scene.samples, self.system.steps());
         while self.system.steps() < next {

@@ -16,7 +16,7 @@ pub enum Outline {
     Cone,
 }
 
-/// What a tip on a substrate is built from. Lengths in any unit.
+/// Shape of a tip on a substrate. Lengths in any unit.
 ///
 /// ```
 /// use tribos::tip::{Outline, Shape, Site};
@@ -43,7 +43,7 @@ pub enum Outline {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
-    /// Distance of neighbours d.
+    /// Distance d of nearest neighbours.
     pub spacing: f64,
     /// Atoms along x in a layer of the substrate, along the close-packed rows.
     pub columns: usize,
@@ -55,15 +55,15 @@ pub struct Shape {
     pub tip_layers: usize,
     /// Atoms on a side of the tip's top layer.
     pub side: usize,
-    /// Outline of its layers.
+    /// Outline of the tip's layers.
     pub outline: Outline,
     /// Angle by which the tip is turned about the vertical, in radians; 0 is in registry.
     pub orientation: f64,
-    /// How much higher than in the crystal the driven layers stand.
+    /// Height of the driven layers above their position in the crystal.
     pub raise: f64,
 }
 
-/// What an atom belongs to, from below (thesis, fig. 5.1, with its colours).
+/// Parts of the system, from below (thesis, fig. 5.1, with its colours).
 ///
 /// ```
 /// # use tribos::tip::{Outline, Shape};
@@ -106,7 +106,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// All, in the order of their numbers.
+    /// All parts, in the order of their numbers.
     pub const ALL: [Self; 6] = [
         Self::Base,
         Self::SubstrateBath,
@@ -116,7 +116,7 @@ impl Part {
         Self::Driven,
     ];
 
-    /// In words.
+    /// Name of the part.
     pub fn name(self) -> &'static str {
         match self {
             Self::Base => "base",
@@ -132,11 +132,11 @@ impl Part {
 /// An atom of the crystal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Site {
-    /// Its place.
+    /// Position of the atom.
     pub place: Vector3<f64>,
-    /// What it belongs to.
+    /// Part that the atom belongs to.
     pub part: Part,
-    /// Its layer, from the lowest of the substrate.
+    /// Layer of the atom, from the lowest of the substrate.
     pub layer: usize,
 }
 
@@ -149,7 +149,7 @@ impl Shape {
         ]
     }
 
-    /// Where the tip's axis stands: on a site of the lowest layer next to the middle.
+    /// Axis of the tip, through a site of the lowest layer next to the middle.
     pub fn axis(&self) -> [f64; 2] {
         // Even rows start at x = 0.
         let row = self.rows / 2;
@@ -199,8 +199,8 @@ impl Shape {
         sites
     }
 
-    /// One atom of each part of the tip, to see it turn: the one farthest to the right in the part's
-    /// top layer.
+    /// One atom of each part of the tip that shows its rotation: the one farthest to the right in
+    /// the part's top layer.
     pub fn marked(&self) -> Vec<usize> {
         let sites = self.sites();
         let right_of = |&a: &usize, &b: &usize| {
@@ -216,7 +216,7 @@ impl Shape {
         parts.into_iter().filter_map(top_right).collect()
     }
 
-    /// What a layer belongs to.
+    /// Part that a layer belongs to.
     pub fn part(&self, layer: usize) -> Part {
         let from_top = self.layers() - 1 - layer;
         if layer < LAYERS_OF_A_KIND {
@@ -234,7 +234,7 @@ impl Shape {
         }
     }
 
-    /// From a site of the lowest layer to one of this layer above it: stacking ABC.
+    /// Shift from a site of the lowest layer to one of this layer, for stacking ABC.
     fn stacking(&self, layer: usize) -> f64 {
         let step = self.spacing / 3.0_f64.sqrt();
         match layer % 3 {
@@ -258,7 +258,7 @@ impl Shape {
         places
     }
 
-    /// Sites of a layer round the axis, turned.
+    /// Sites of a layer around the axis, rotated.
     fn tip_layer(&self, layer: usize) -> Vec<[f64; 2]> {
         let below_top = self.layers() - 1 - layer;
         let side = match self.outline {
@@ -274,7 +274,7 @@ impl Shape {
         self.outlined(side).into_iter().map(place).collect()
     }
 
-    /// Sites of a triangular lattice round the origin within an outline.
+    /// Sites of a triangular lattice around the origin within an outline.
     fn outlined(&self, side: usize) -> Vec<[f64; 2]> {
         let reach = side as i64 - 1;
         let is_inside = |q: i64, r: i64| match self.outline {

@@ -1,5 +1,5 @@
-//! What is measured of a run, apart from what is recorded of it: turns and work at every step,
-//! averages from lines whose distance the scene's stages decide alone.
+//! Measurements of a run, independent of its records: turns and work at every step, averages from
+//! lines whose interval depends only on the scene's stages.
 
 use super::shape::Part;
 use crate::md::drive::TorqueDrive;
@@ -9,12 +9,12 @@ use crate::md::system::System;
 use crate::scene::{StageSteps, TipScene};
 use nalgebra::Vector3;
 
-/// Time from one line that averages are taken of to the next, in τ.
+/// Time between the lines for averages, in τ.
 const INTERVAL: f64 = 0.5;
-/// Lines of the shortest stage at least, as far as it has as many steps.
+/// Least number of lines in the shortest stage, if it has as many steps.
 const LINES: u64 = 40;
 
-/// Steps from one line that averages are taken of to the next.
+/// Steps between the lines for averages.
 pub(super) fn interval(scene: &TipScene) -> u64 {
     let usual = (INTERVAL / scene.time_step).round() as u64;
     let StageSteps {
@@ -29,7 +29,8 @@ pub(super) fn interval(scene: &TipScene) -> u64 {
     usual.min(shortest / LINES).max(1)
 }
 
-/// Number of lines after so many steps of a run: one at the start, one an interval, one at the end.
+/// Number of lines after `steps` steps of a run: one at the start, one per interval, one at the
+/// end.
 pub(super) fn lines(scene: &TipScene, steps: u64) -> u64 {
     let every = interval(scene);
     let last: u64 = scene.stage_steps().total();
@@ -40,18 +41,18 @@ pub(super) fn lines(scene: &TipScene, steps: u64) -> u64 {
 /// Turns, work and lines of a run.
 #[derive(Debug)]
 pub(super) struct Watch {
-    /// Driven atoms, then each layer of the tip from below.
+    /// Rotation of the driven atoms, then of each layer of the tip from below.
     torsions: Vec<Torsion>,
     /// Work of the drive, in ε.
     work: f64,
-    /// Places of the driven atoms before the step.
+    /// Positions of the driven atoms before the step.
     places: Vec<Vector3<f64>>,
-    /// Lines that averages are taken of.
+    /// Lines for averages.
     lines: Vec<Vec<f64>>,
 }
 
 impl Watch {
-    /// First sight of the crystal.
+    /// Takes the crystal as reference state.
     pub fn new(scene: &TipScene, layer_of: &[usize], positions: &[Vector3<f64>]) -> Self {
         Self {
             torsions: torsions(scene, layer_of, positions),
@@ -61,7 +62,7 @@ impl Watch {
         }
     }
 
-    /// Puts back what a checkpoint keeps.
+    /// Restores the state of a checkpoint.
     pub fn restore(&mut self, angles: &[f64], work: f64, lines: Vec<Vec<f64>>) {
         for (torsion, &angle) in self.torsions.iter_mut().zip(angles) {
             torsion.restore(angle);
@@ -70,7 +71,7 @@ impl Watch {
         self.lines = lines;
     }
 
-    /// Notes where the driven atoms are, before a step.
+    /// Stores the positions of the driven atoms; call it before a step.
     pub fn before(&mut self, system: &System<LennardJones>) {
         let positions = &system.atoms().positions;
         let driven = system.members(Part::ALL.len() - 1);
@@ -79,7 +80,7 @@ impl Watch {
             .extend(driven.iter().map(|&atom| positions[atom]));
     }
 
-    /// Looks at the angles and adds the work of the drive, after a step.
+    /// Updates the angles and adds the work of the drive; call it after a step.
     pub fn after(&mut self, system: &System<LennardJones>) {
         self.look(system);
         // The drive acts in a step if it is on in its middle.
@@ -89,14 +90,15 @@ impl Watch {
         }
     }
 
-    /// Looks at the angles.
+    /// Updates the angles.
     pub fn look(&mut self, system: &System<LennardJones>) {
         for torsion in &mut self.torsions {
             torsion.look(&system.atoms().positions);
         }
     }
 
-    /// Mean of the force at both ends times the way: a Σ m (r × r'), whatever the atoms do.
+    /// Mean force of both ends times the displacement: a Σ m (r × r') for any motion of the
+    /// atoms.
     fn work_of_step(&self, system: &System<LennardJones>, drive: &TorqueDrive) -> f64 {
         let [x0, y0] = drive.axis;
         let atoms = system.atoms();
@@ -108,7 +110,7 @@ impl Watch {
         drive.acceleration * swept.sum::<f64>()
     }
 
-    /// Keeps a line.
+    /// Stores a line.
     pub fn keep(&mut self, line: Vec<f64>) {
         self.lines.push(line);
     }

@@ -48,7 +48,7 @@ const PARAMETERS: [Parameter; 6] = [
 const STEADY: usize = 4;
 
 fn law(values: &[f64]) -> Option<LuGre<f64>> {
-    // Steady sliding does not feel the bristles.
+    // Steady sliding does not depend on the bristles.
     let at = |index: usize| values.get(index).copied().unwrap_or(1.0);
     LuGre::new(LuGreParameters {
         coulomb_force: at(0),
@@ -160,7 +160,7 @@ impl Model for Series<'_> {
     fn start(&self, unit: &[f64]) -> Vec<f64> {
         let mut start = steady_start(unit, &self.scales);
         let force = self.scales.forces[1];
-        // The bristles give way somewhere between the shortest and the whole distance.
+        // The bristles yield at a distance between the shortest and the whole one.
         let [shortest, whole] = self.slid;
         start.push(log_between(unit[4], [force / whole, force / shortest]));
         /// Damping of bristles, over the largest force at the largest speed.

@@ -33,7 +33,7 @@ pub enum LawName {
     Power,
     /// Rate and state with the ageing law of Dieterich; steady, or over time with its age.
     RateState,
-    /// The same with the slip law of Ruina; steadily it is no other law.
+    /// Rate and state with the slip law of Ruina; in steady sliding it equals `RateState`.
     RateStateSlip,
 }
 
@@ -135,7 +135,7 @@ pub fn law_model<'a>(law: LawName, data: &'a Data) -> Result<Box<dyn Model + 'a>
     })
 }
 
-/// What starts are taken from: the least and the largest of what was measured.
+/// Scales of the starts: the smallest and largest measured values.
 #[derive(Clone, Copy)]
 struct Scales {
     speeds: [f64; 2],
@@ -171,7 +171,7 @@ fn between(share: f64, [low, high]: [f64; 2]) -> f64 {
     low + (high - low) * share
 }
 
-/// Puts `low` ≤ `high` in order, moving what is free: both to their mean, or one to the other.
+/// Enforces `low` ≤ `high` by moving free values: both to their mean, or one to the other.
 fn order(values: &mut [f64], is_free: &[bool], [low, high]: [usize; 2]) {
     if values[low] <= values[high] {
         return;
@@ -209,7 +209,7 @@ fn intervals(times: &[f64], velocities: &[f64]) -> Vec<Interval> {
     lengths.zip(means).collect()
 }
 
-/// Intervals between some points of a record: as long, and over the same distances.
+/// Intervals between selected points of a record, with the same durations and distances.
 fn merged(intervals: &[Interval], points: &[usize]) -> Vec<Interval> {
     let between = points
         .windows(2)

@@ -1,4 +1,4 @@
-//! γ|v|^α.
+//! The power law γ|v|^α.
 
 use super::super::Data;
 use super::super::parameter::{Model, Parameter, Range};

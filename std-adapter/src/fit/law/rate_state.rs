@@ -48,7 +48,7 @@ const PARAMETERS: [Parameter; 6] = [
 ];
 /// The first five describe steady sliding.
 const STEADY: usize = 5;
-/// Place of v₀, which only says for which speed μ₀ is.
+/// Index of v₀, which only defines the speed to which μ₀ belongs.
 const REFERENCE: usize = 3;
 /// Effects of rate and age to start from, over the coefficient: of rock 0.01 of 0.6.
 const EFFECTS: [f64; 2] = [3e-3, 0.1];
@@ -63,7 +63,7 @@ fn law<E: Evolution>(values: &[f64]) -> Option<RateState<f64, E>> {
         b,
         reference_speed,
         viscous,
-        // Steady sliding does not feel the memory length.
+        // Steady sliding does not depend on the memory length.
         slip_distance: rest.first().copied().unwrap_or(1.0),
     })
     .ok()
@@ -124,7 +124,7 @@ pub(super) struct Series<'a, E> {
 }
 
 impl<'a, E: Evolution> Series<'a, E> {
-    /// Refuses motion backwards and a start at rest: the age is then not known.
+    /// Refuses backward motion and a start at rest, for which the age is unknown.
     pub fn new(data: &Data, times: &'a [f64], velocities: &'a [f64]) -> Result<Self, FitError> {
         if velocities.first().is_some_and(|v| *v <= 0.0) {
             let message = "rate and state begins in steady sliding: the first velocity must be > 0";

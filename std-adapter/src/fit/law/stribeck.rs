@@ -1,4 +1,4 @@
-//! μ_d + (μₛ − μ_d) exp(−(v/vₛ)^δ) + k v.
+//! The Stribeck law μ_d + (μₛ − μ_d) exp(−(v/vₛ)^δ) + k v.
 
 use super::super::parameter::{Model, Parameter, Range};
 use super::{Scales, between, log_between, order, picked, steady};

@@ -1,10 +1,10 @@
-//! Which file it is.
+//! Detection of file formats.
 
 use super::Configuration;
 use crate::md::text::TextError;
 use crate::md::{extended_xyz, lammps};
 
-/// A kind of file with atoms.
+/// A file format for atoms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// LAMMPS data file.
@@ -16,8 +16,8 @@ pub enum Format {
 }
 
 impl Format {
-    /// Told by the first lines: a dump begins with `ITEM:`, extended XYZ with a number alone and a
-    /// line of `key=value`; all else is a data file.
+    /// Detects the format from the first lines: a dump begins with `ITEM:`, extended XYZ with a
+    /// number alone and a line of `key=value`; anything else is a data file.
     pub fn of(text: &str) -> Self {
         let mut lines = text.lines();
         let first = lines.next().unwrap_or_default().trim();
@@ -32,7 +32,7 @@ impl Format {
     }
 }
 
-/// The atoms of a file in any of the formats; the last frame where there are many.
+/// The atoms of a file in any of the formats; if it has several frames, the last.
 ///
 /// ```
 /// use tribos::md::configuration::{Format, read};

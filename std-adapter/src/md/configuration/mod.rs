@@ -1,4 +1,4 @@
-//! Atoms as files hold them: numbered, in a box.
+//! Atoms as in files: numbered, in a box.
 
 mod format;
 
@@ -24,25 +24,25 @@ use nalgebra::Vector3;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Places are those of the file, to the bit: they are not moved to a box that begins at 0, since
-/// only the periods matter to who is near whom.
+/// Positions are those of the file, to the bit: they are not shifted to a box that begins at 0,
+/// since neighbours depend only on the periods.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Configuration {
     /// The atoms in the order of the file. Velocities are 0 and masses 1 where the file has none.
     pub atoms: Atoms,
-    /// Number of each atom, all different.
+    /// Unique number of each atom.
     pub ids: Vec<u64>,
     /// Name of each species, `None` where the file has numbers.
     pub names: Option<Vec<String>>,
-    /// Ends of the box, low and high, along x, y and z.
+    /// Low and high end of the box along x, y and z.
     pub bounds: [[f64; 2]; 3],
-    /// False where the file has no box: its ends are then those of the places.
+    /// Whether the file has a box; if not, the box encloses the positions.
     pub has_box: bool,
-    /// Axes along which space repeats; a LAMMPS data file does not tell, then all.
+    /// Axes along which space repeats; all for a LAMMPS data file, which does not specify them.
     pub is_periodic: [bool; 3],
-    /// Step at which the state was, 0 where the file does not tell.
+    /// Step of the state, 0 if the file does not contain it.
     pub step: u64,
-    /// Forces, where the file has them.
+    /// Forces, if the file has them.
     pub forces: Option<Vec<Vector3<f64>>>,
 }
 
@@ -52,12 +52,12 @@ impl Configuration {
         self.bounds.map(|[low, high]| high - low)
     }
 
-    /// Volume of the box, open axes from end to end.
+    /// Volume of the box, including its extent along open axes.
     pub fn volume(&self) -> f64 {
         self.lengths().iter().product()
     }
 
-    /// Space that repeats itself along the periodic axes.
+    /// The box as a [`PeriodicBox`], which repeats along the periodic axes.
     pub fn space(&self) -> Result<PeriodicBox, PeriodicBoxError> {
         let lengths = self.lengths();
         PeriodicBox::new(std::array::from_fn(|axis| {

@@ -1,7 +1,7 @@
-//! Embedded atoms: E = Σ F(ρᵢ) + Σ φ(r) over pairs, where ρᵢ sums what the neighbours of atom i
-//! contribute to the electron density at its place (Daw & Baskes 1984; Finnis & Sinclair 1984).
+//! Embedded atoms: E = Σ F(ρᵢ) + Σ φ(r) over pairs, where ρᵢ is the electron density that the
+//! neighbours of atom i contribute at its position (Daw & Baskes 1984; Finnis & Sinclair 1984).
 //!
-//! [`Tabulated`] reads the functions from a file, [`SuttonChen`] has them in closed form.
+//! [`Tabulated`] reads the functions from a file; [`SuttonChen`] has them in closed form.
 
 mod passes;
 mod spline;
@@ -16,16 +16,16 @@ pub use tabulated::Tabulated;
 /// A function's value and its slope.
 type Jet = [f64; 2];
 
-/// What a pair of atoms gives each other: (what the second puts at the first, the other way round),
-/// and the energy of the pair.
+/// Contributions of a pair of atoms: the densities at the first and at the second, and the pair
+/// energy.
 type PairJets = ([Jet; 2], Jet);
 
-/// The three functions of embedded atoms. Distances handed in are nearer than the cut-off.
+/// The three functions of embedded atoms. All distances are below the cut-off.
 trait Functions: Sync {
     /// Square of the cut-off.
     fn cutoff_sq(&self) -> f64;
 
-    /// Density at the first of two atoms due to the second, and the other way round.
+    /// Density at the first of two atoms due to the second, and vice versa.
     fn densities(&self, species: [u8; 2], r: f64) -> [f64; 2];
 
     /// Densities and φ with their slopes.

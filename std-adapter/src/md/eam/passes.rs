@@ -1,4 +1,4 @@
-//! Forces of embedded atoms: densities, then what they cost, then forces.
+//! Forces of embedded atoms in three passes: densities, embedding energies, forces.
 
 use super::Functions;
 use crate::md::interaction::{Tally, Wanted};
@@ -6,7 +6,7 @@ use crate::md::neighbours::{Chunk, Site, VerletList};
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
 
-/// Forces on all atoms. Sums run chunk after chunk, whatever the number of threads.
+/// Forces on all atoms. Sums run chunk by chunk, independent of the number of threads.
 pub(super) fn forces<F: Functions>(
     law: &F,
     list: &mut VerletList,
@@ -46,7 +46,7 @@ pub(super) fn forces<F: Functions>(
     }
 }
 
-/// What a chunk's pairs put at its sites.
+/// Densities that a chunk's pairs contribute to its sites.
 fn densities<F: Functions>(law: &F, chunk: &mut Chunk) -> Vec<f64> {
     let (sites, rows) = chunk.sites_and_rows();
     let mut densities = vec![0.0; sites.len()];
@@ -122,7 +122,7 @@ fn over_pairs<F: Functions>(law: &F, chunk: &mut Chunk, jets: &[[f64; 2]]) -> Ta
     tally
 }
 
-/// From `there` to `here`.
+/// Displacement from `there` to `here`.
 #[inline]
 fn way(here: &Site, there: &Site) -> Vector3<f64> {
     Vector3::from(here.place) - Vector3::from(there.place)

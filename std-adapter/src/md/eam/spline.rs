@@ -1,13 +1,13 @@
-//! A tabulated function as cubics between knots of equal distance.
+//! A tabulated function as cubics between equidistant knots.
 
-/// Fewest knots that the five-point slopes can do with.
+/// Smallest number of knots for the five-point slopes.
 pub(super) const FEWEST_KNOTS: usize = 5;
 
-/// Where a number falls between the knots.
+/// Position of a number between the knots.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spot {
     segment: usize,
-    /// Part of the way to the next knot.
+    /// Fraction of the distance to the next knot.
     t: f64,
 }
 
@@ -27,8 +27,7 @@ impl Grid {
         }
     }
 
-    /// Where `x` falls; beyond the last knot at the last knot, below 0 before the first, NaN
-    /// nowhere.
+    /// Position of `x`: at the last knot beyond it, before the first knot below 0, none for NaN.
     #[inline]
     pub fn spot(&self, x: f64) -> Spot {
         let steps = x * self.inv_step;
@@ -39,13 +38,13 @@ impl Grid {
     }
 }
 
-/// The cubic between two knots: what a pair reads stands in one line of cache.
+/// The cubic between two knots; a pair reads a single cache line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 struct Segment {
-    /// Of t³, t², t and 1.
+    /// Coefficients of t³, t², t and 1.
     value: [f64; 4],
-    /// Of t², t and 1.
+    /// Coefficients of t², t and 1.
     slope: [f64; 3],
 }
 

@@ -18,19 +18,20 @@ pub struct SuttonChenParameters {
     pub n: u32,
     /// Exponent of the density, ≥ 1.
     pub m: u32,
-    /// Where all ends.
+    /// Cut-off of all functions.
     pub cutoff: f64,
-    /// Where the taper S begins, 0 < `taper` < `cutoff`; nearer, the functions are as published.
+    /// Distance at which the taper S begins, 0 < `taper` < `cutoff`; closer, the functions are as
+    /// published.
     pub taper: f64,
 }
 
-/// Parameters that make no potential.
+/// Invalid parameters of the potential.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum SuttonChenError {
     /// A number is not finite and positive.
     #[error("{name} must be finite and positive, not {given}")]
     Parameter {
-        /// Name of the field.
+        /// Name of the invalid field.
         name: &'static str,
         /// What was given.
         given: f64,
@@ -46,7 +47,7 @@ pub enum SuttonChenError {
     /// There is no room for the taper.
     #[error("the taper must begin before the cut-off {cutoff}, not at {taper}")]
     Taper {
-        /// Where it begins.
+        /// Start of the taper.
         taper: f64,
         /// The cut-off.
         cutoff: f64,
@@ -56,7 +57,7 @@ pub enum SuttonChenError {
 /// Largest exponent; published ones end at 14.
 const MOST_EXPONENT: u32 = 64;
 
-/// One species after Sutton & Chen.
+/// The Sutton–Chen potential of one species.
 ///
 /// ```
 /// # use nalgebra::Vector3;
@@ -90,7 +91,8 @@ const MOST_EXPONENT: u32 = 64;
 /// The sums of the original run over the whole lattice. Here (a/r)ⁿ and (a/r)ᵐ are multiplied by
 /// S = (1 − x)³ (1 + 3x + 6x²), x = (r − taper)/(cutoff − taper): 1 up to the taper, 0 at the cut-off,
 /// with two continuous derivatives. Energy and force are continuous everywhere, the force also for a
-/// lone pair that parts, whose density has a root: it ends as the root of the way that is left.
+/// separating lone pair, whose embedding energy is a root: it vanishes as the square root of the
+/// remaining distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SuttonChen {
     given: SuttonChenParameters,
@@ -143,7 +145,7 @@ impl SuttonChen {
         if x <= 0.0 {
             return [1.0, 0.0];
         }
-        // At the cut-off rounding may leave less than nothing.
+        // At the cut-off rounding may give a negative value.
         let left = (1.0 - x).max(0.0);
         let value = left * left * left * (1.0 + 3.0 * x + 6.0 * x * x);
         [value, -30.0 * x * x * left * left * inv_width]
@@ -178,7 +180,7 @@ impl Functions for SuttonChen {
 
     #[inline]
     fn embedding(&self, _: u8, density: f64) -> Jet {
-        // An atom without neighbours feels nothing, though the root's slope is infinite there.
+        // An atom without neighbours has no force, though the root's slope is infinite there.
         if density == 0.0 {
             return [0.0; 2];
         }

@@ -38,26 +38,27 @@ use nalgebra::Vector3;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// *Domain*: distances above 0. *Special values*: densities beyond the table continue F in a straight
-/// line; atoms in the same place give NaN. *Accuracy*: a few ulp of what LAMMPS computes.
+/// *Domain*: distances above 0. *Special values*: F continues linearly for densities beyond the
+/// table; atoms at the same position give NaN. *Accuracy*: within a few ulp of LAMMPS.
 #[derive(Clone, Debug)]
 pub struct Tabulated {
     cutoff: f64,
     cutoff_sq: f64,
     distances: Grid,
     charges: Grid,
-    /// Where the table of F ends.
+    /// Largest density in the tables of F.
     densest: f64,
     /// F of each species.
     embeddings: Vec<Spline>,
-    /// What each species puts at others.
+    /// Density that each species contributes to its neighbours.
     densities: Vec<Spline>,
     /// rφ of each pair of species.
     pairs: Vec<Spline>,
 }
 
 impl Tabulated {
-    /// One species for each element, which are numbers in the file from 0.
+    /// A potential with one species for each of `elements`, which are indices into the file from
+    /// 0.
     pub fn new(file: &PotentialFile, elements: &[usize]) -> Result<Self, ElementError> {
         let known = file.elements.len();
         if let Some(&beyond) = elements.iter().find(|&&element| element >= known) {

@@ -2,7 +2,7 @@
 
 use crate::md::text::{Line, TextError};
 
-/// What it says.
+/// Contents of the line.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Header {
     /// Ends of the cell, if there is one.
@@ -17,7 +17,7 @@ pub(super) struct Header {
     pub id: Option<usize>,
 }
 
-/// Columns of a file that does not tell.
+/// Columns of a file without `Properties`.
 const PLAIN: &str = "species:S:1:pos:R:3";
 
 impl Header {
@@ -68,7 +68,7 @@ impl Header {
     }
 }
 
-/// Keys and values; a key alone is a flag, which means nothing here.
+/// Keys and values; a key without a value is a flag, which is ignored.
 fn entries(line: Line<'_>) -> Result<Vec<(&str, &str)>, TextError> {
     let mut entries = Vec::new();
     let mut rest = line.text.trim_start();

@@ -1,23 +1,24 @@
-//! Which column of a dump holds what.
+//! Columns of a dump.
 
 use crate::md::text::{Line, TextError};
 
-/// Places of the columns that matter.
+/// Indices of the columns that are read.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Columns {
     pub count: usize,
     pub id: usize,
     pub species: usize,
     pub place: [usize; 3],
-    /// The places are parts of the box.
+    /// Whether positions are fractions of the box.
     pub is_scaled: bool,
-    /// Image flags, where the places are wrapped.
+    /// Columns of the image flags, if the positions are wrapped.
     pub images: Option<[usize; 3]>,
     pub velocity: Option<[usize; 3]>,
     pub forces: Option<[usize; 3]>,
 }
 
-/// Names of places, the best first: whether they are parts of the box, whether they are wrapped.
+/// Names of position columns, preferred first, with whether they are fractions of the box and
+/// wrapped.
 const PLACES: [([&str; 3], bool, bool); 4] = [
     (["xu", "yu", "zu"], false, false),
     (["x", "y", "z"], false, true),

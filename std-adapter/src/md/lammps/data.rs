@@ -7,8 +7,8 @@ use crate::md::text::{Line, Lines, TextError};
 use nalgebra::Vector3;
 use std::collections::HashMap;
 
-/// The atoms of a data file (`atom_style atomic`), periodic along all axes, which the file does not
-/// tell. Image flags move an atom by whole periods.
+/// The atoms of a data file (`atom_style atomic`), taken as periodic along all axes, which the file
+/// does not specify. Image flags move an atom by whole periods.
 ///
 /// ```
 /// use tribos::md::lammps::read_data;

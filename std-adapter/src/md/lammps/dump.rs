@@ -11,9 +11,9 @@ use std::collections::HashSet;
 
 const CUT_SHORT: &str = "is the file cut short?";
 
-/// All frames of a dump, in order. Columns may stand in any order; needed are `id`, `type` and one
-/// of `xu yu zu`, `x y z`, `xsu ysu zsu`, `xs ys zs`; velocities, forces and image flags are read
-/// where they stand, other columns passed over. A dump has no masses: all are 1.
+/// All frames of a dump, in order. Columns may be in any order; `id`, `type` and one of
+/// `xu yu zu`, `x y z`, `xsu ysu zsu`, `xs ys zs` are required; velocities, forces and image flags
+/// are optional, other columns are ignored. A dump has no masses: all are 1.
 ///
 /// ```
 /// use tribos::md::lammps::{frames, last_frame};
@@ -75,7 +75,7 @@ fn frame(lines: &mut Lines) -> Result<Configuration, TextError> {
                 head.atoms = Some(count(lines, "the number of atoms", u64::from(u32::MAX))?);
             }
             ["BOX", "BOUNDS", flags @ ..] => head.read_box(line, flags, lines)?,
-            // Units and time say nothing that matters here.
+            // Units and time are not needed.
             ["UNITS" | "TIME"] => {
                 lines.need("what follows an item", CUT_SHORT)?;
             }
@@ -100,7 +100,7 @@ fn count(lines: &mut Lines, what: &'static str, most: u64) -> Result<u64, TextEr
     line.whole(what, 0..=most, line.text.trim())
 }
 
-/// What a frame says before its atoms.
+/// The header of a frame.
 #[derive(Default)]
 struct Head {
     step: u64,
@@ -111,7 +111,7 @@ struct Head {
 impl Head {
     fn read_box(&mut self, item: Line, flags: &[&str], lines: &mut Lines) -> Result<(), TextError> {
         let is_periodic = match flags {
-            // Old dumps do not tell.
+            // Old dumps do not specify the boundaries.
             [] => [true; 3],
             &[x, y, z] => [x, y, z].map(|flag| flag == "pp"),
             _ => return Err(tilted(item)),

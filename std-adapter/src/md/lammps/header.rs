@@ -4,7 +4,7 @@ use super::bounds::{bounds, tilted};
 use crate::md::atoms::MOST_SPECIES;
 use crate::md::text::{Line, Lines, TextError};
 
-/// What stands before the first section.
+/// The part of the file before the first section.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Header {
     pub atoms: usize,
@@ -12,7 +12,7 @@ pub(super) struct Header {
     pub bounds: [[f64; 2]; 3],
 }
 
-/// The name of a section, if the line begins one: all else begins with a number.
+/// The name of a section, if the line begins one: all other lines begin with a number.
 pub(super) fn section(line: Line<'_>) -> Option<&str> {
     let text = line.without_comment().text;
     let is_named = text.starts_with(|c: char| c.is_ascii_alphabetic());
@@ -48,7 +48,7 @@ impl Header {
                         }
                     }
                 }
-                // Of what atoms have besides, none is as good as no word about it.
+                // A count of zero of other items is the same as no count.
                 ["0", ..] => {}
                 _ => return Err(unknown(line)),
             }

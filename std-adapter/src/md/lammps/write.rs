@@ -5,8 +5,8 @@ use crate::record::number;
 use nalgebra::Vector3;
 use std::fmt::Write as _;
 
-/// A data file. Places are not wrapped into the box; velocities stand in it unless all are 0.
-/// The steps, the periods and the forces are lost.
+/// A data file. Positions are not wrapped into the box; velocities are omitted if all are 0. The
+/// step, the periods and the forces are not written.
 ///
 /// ```
 /// use tribos::md::{configuration::read, lammps::{data_file, read_data}};
@@ -43,8 +43,8 @@ pub fn data_file(configuration: &Configuration) -> String {
     text
 }
 
-/// One frame of a text dump: unwrapped places, velocities, and forces where there are any. Frames
-/// one after another are a trajectory.
+/// One frame of a text dump: unwrapped positions, velocities, and forces if there are any.
+/// Concatenated frames form a trajectory.
 ///
 /// ```
 /// use nalgebra::Vector3;

@@ -1,4 +1,4 @@
-//! Slots sorted into cells as wide as the list reaches.
+//! Slots sorted into cells as wide as the reach of the list.
 
 use super::images::Slot;
 use nalgebra::Vector3;
@@ -7,10 +7,10 @@ use std::ops::Range;
 /// Cells per slot at most; far outliers make cells wider instead of more.
 const CELLS_PER_SLOT: f64 = 4.0;
 
-/// Of a cell's width: far more than rounding moves the border of a cell.
+/// Tolerance as a fraction of a cell's width, far more than rounding can move a cell's border.
 const DOUBT: f64 = 1e-6;
 
-/// One axis: where its cells begin, how wide they are and how many, two of them outside all slots.
+/// Cells along one axis: their start, width and number, including one empty cell at each end.
 #[derive(Clone, Copy, Debug, Default)]
 struct Axis {
     low: f64,
@@ -36,7 +36,7 @@ impl Axis {
     }
 
     /// Squares of the least distances from `x` to the cell before its own, its own and the next,
-    /// in doubt smaller.
+    /// rounded down.
     fn gaps_sq(&self, x: f64) -> [f64; 3] {
         let inside = (x - self.low) * self.inv_width - (self.cell(x) - 1) as f64;
         [inside, 0.0, 1.0 - inside].map(|gap| {
@@ -46,18 +46,18 @@ impl Axis {
     }
 }
 
-/// Slots in the order of their cells: x runs quickest, z slowest.
+/// Slots in the order of their cells: x varies fastest, z slowest.
 #[derive(Clone, Debug, Default)]
 pub struct Cells {
     axes: [Axis; 3],
     slots: Vec<Slot>,
-    /// Their places, an array an axis.
+    /// Positions of the slots, one array per axis.
     places: [Vec<f64>; 3],
     /// Cell of each slot.
     cell_of: Vec<u32>,
-    /// First slot of each cell, and one more.
+    /// First slot of each cell, and the end of the last.
     starts: Vec<u32>,
-    /// Images before each slot, and one more.
+    /// Number of images before each slot, and in total.
     images: Vec<u32>,
 }
 
@@ -96,7 +96,7 @@ impl Cells {
         self.images.extend(self.slots.iter().scan(0, count));
     }
 
-    /// Lays the cells over all places.
+    /// Fits the cells to all positions.
     fn lay(&mut self, places: impl Iterator<Item = Vector3<f64>>, count: usize, reach: f64) {
         let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
         for place in places {
@@ -134,13 +134,13 @@ impl Cells {
         &self.slots
     }
 
-    /// Their places along x, y and z.
+    /// Positions of the sorted slots along x, y and z.
     pub fn places(&self) -> [&[f64]; 3] {
         let [x, y, z] = &self.places;
         [x, y, z]
     }
 
-    /// Place of a slot.
+    /// Position of a slot.
     pub fn place(&self, slot: usize) -> [f64; 3] {
         self.places().map(|along| along[slot])
     }
@@ -150,7 +150,8 @@ impl Cells {
         self.images[slots.end] > self.images[slots.start]
     }
 
-    /// The nine rows of three cells round that of `slot`, as ranges of slots in ascending order.
+    /// The nine rows of three cells around the cell of `slot`, as ranges of slots in ascending
+    /// order.
     pub fn around(&self, slot: usize) -> [Range<usize>; 9] {
         std::array::from_fn(|row| self.row(slot, row, [1, 1]))
     }
@@ -164,7 +165,7 @@ impl Cells {
         self.starts[middle - left] as usize..self.starts[middle + right + 1] as usize
     }
 
-    /// The same rows without the cells that are out of `reach_sq` as a whole.
+    /// The same rows without the cells that are entirely beyond `reach_sq`.
     pub fn in_reach(&self, slot: usize, reach_sq: f64) -> [Range<usize>; 9] {
         let place = self.place(slot);
         let [x, y, z]: [[f64; 3]; 3] =
@@ -179,7 +180,7 @@ impl Cells {
         })
     }
 
-    /// Slots of all cells round those of `owned`.
+    /// Slots of all cells around those of `owned`.
     pub fn window(&self, owned: &Range<usize>) -> Range<usize> {
         let rows = |slot: usize| self.around(slot);
         let first = rows(owned.start)[0].start;

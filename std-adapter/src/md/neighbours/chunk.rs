@@ -1,27 +1,27 @@
-//! A part of a Verlet list: its slots, those that they see, and the pairs.
+//! A part of a Verlet list: its slots, their neighbours, and the pairs.
 
 use super::cells::Cells;
 use super::images::Slot;
 use nalgebra::Vector3;
 use std::ops::Range;
 
-/// Pairs computed side by side. Part of the result: sums run lane by lane, whatever the machine's
-/// vectors hold.
+/// Number of pairs computed at once. It affects results: sums run lane by lane on every machine,
+/// whatever its vector width.
 pub const LANES: usize = 4;
 
-/// Distances tested side by side when a list is built.
+/// Number of distances tested at once when a list is built.
 const ABREAST: usize = 8;
 
-/// Where the site stands that fills up the lanes: far from all others, its square still a number.
+/// Coordinate of the site that pads the lanes: far from all others, with a finite square.
 const NOWHERE: f64 = 1e100;
 
-/// What the loop over pairs reads and writes of a slot, in one line of cache.
+/// The data of a slot that the loop over pairs reads and writes, in one cache line.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub struct Site {
-    /// Place now.
+    /// Current position.
     pub place: [f64; 3],
-    /// Force gathered so far.
+    /// Force summed so far.
     pub force: [f64; 3],
     /// Species.
     pub species: u8,
@@ -59,13 +59,13 @@ pub struct Site {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Chunk {
-    /// All slots in sight, ordered by cells.
+    /// Owned slots and all slots within reach of them, ordered by cells.
     window: Vec<Slot>,
-    /// As many sites, and a last one nowhere.
+    /// One site for each slot of the window, and a last one that pads the lanes.
     sites: Vec<Site>,
-    /// The owned ones among them.
+    /// Range of the owned slots within the window.
     owned: Range<usize>,
-    /// Where the row of each owned slot begins, and one more: blocks of `neighbours`.
+    /// First block of `neighbours` of each owned slot, and the end of the last.
     starts: Vec<u32>,
     neighbours: Vec<[u32; LANES]>,
     pairs: usize,
@@ -104,7 +104,7 @@ impl Chunk {
         chunk
     }
 
-    /// Adds a row, its last block filled up with the site that is nowhere.
+    /// Adds a row and pads its last block with the distant site.
     fn push_row(&mut self, row: &mut Row) {
         self.pairs += row.count;
         let nowhere = self.window.len() as u32;
@@ -116,7 +116,7 @@ impl Chunk {
         self.starts.push(self.neighbours.len() as u32);
     }
 
-    /// Takes over the places of the atoms and forgets the forces.
+    /// Copies the positions of the atoms and clears the forces.
     pub(super) fn refresh(&mut self, positions: &[Vector3<f64>]) {
         for (site, slot) in self.sites.iter_mut().zip(&self.window) {
             site.place = (positions[slot.atom as usize] + slot.shift).into();
@@ -124,7 +124,8 @@ impl Chunk {
         }
     }
 
-    /// Slots in sight; the first [`window`](Self::window)`.len()` sites are theirs.
+    /// Slots of this chunk and within its reach; the first [`window`](Self::window)`.len()` sites
+    /// belong to them.
     pub fn window(&self) -> &[Slot] {
         &self.window
     }
@@ -157,20 +158,21 @@ impl Chunk {
     }
 }
 
-/// Neighbours of one slot, in memory that is used again for the next.
+/// Neighbours of one slot; the memory is reused for the next slot.
 #[derive(Debug, Default)]
 struct Row {
-    /// Sites; those from `count` on mean nothing.
+    /// Sites; entries from `count` on are unused.
     sites: Vec<u32>,
     count: usize,
 }
 
 impl Row {
-    /// Neighbours of a slot that is no image: all images in reach, of the atoms those after it.
+    /// Finds the neighbours of a slot that is not an image: all images in reach, and the atoms
+    /// after it.
     fn fill(&mut self, cells: &Cells, slot: usize, reach_sq: f64, first: usize) {
         let place = cells.place(slot);
         for range in cells.in_reach(slot, reach_sq) {
-            // Rows behind the slot matter for their images only.
+            // Rows before the slot matter only for their images.
             let before = range.start..range.end.min(slot);
             if !before.is_empty() && cells.has_image(&before) {
                 for other in before.filter(|&other| cells.slots()[other].is_image) {
@@ -186,7 +188,7 @@ impl Row {
         }
     }
 
-    /// Keeps those of `later` that are in reach, some distances side by side.
+    /// Keeps the slots of `later` that are in reach, testing several distances at once.
     fn test(
         &mut self,
         places: [&[f64]; 3],
@@ -218,7 +220,7 @@ impl Row {
         }
     }
 
-    /// Written always, kept if near: no branch to guess.
+    /// Always written, kept if near, so there is no branch to predict.
     #[inline(always)]
     fn keep(&mut self, site: usize, is_near: bool) {
         self.sites[self.count] = site as u32;
@@ -226,7 +228,7 @@ impl Row {
     }
 }
 
-/// Squares of the ways from `place` to some others.
+/// Squared distances from `place` to some others.
 #[inline(always)]
 fn ways_sq<const N: usize>(there: [[f64; N]; 3], place: [f64; 3]) -> [f64; N] {
     std::array::from_fn(|lane| {

@@ -1,4 +1,4 @@
-//! Atoms and their images behind the ends of the periods.
+//! Atoms and their periodic images.
 
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
@@ -26,11 +26,11 @@ pub struct Slot {
     pub atom: u32,
     /// False for the atom itself.
     pub is_image: bool,
-    /// From the atom's place to this one's: whole periods.
+    /// Displacement of the image from the atom, in whole periods.
     pub shift: Vector3<f64>,
 }
 
-/// The atoms, each moved into the cell, and those of their images that a pair needs.
+/// The atoms, each wrapped into the cell, and the images that pairs need.
 ///
 /// Of two opposite images one suffices, since (i, j + L) and (i − L, j) are the same pair: the one
 /// whose last shifted axis is shifted upwards.
@@ -58,7 +58,7 @@ pub fn slots(space: &PeriodicBox, positions: &[Vector3<f64>], reach: f64) -> Vec
     slots
 }
 
-/// Shifts that keep a coordinate within `reach` of the cell: none, and up to two of a period.
+/// Shifts that keep a coordinate within `reach` of the cell: zero, and up to two by a period.
 fn shifts(x: f64, length: Option<f64>, reach: f64) -> impl Iterator<Item = f64> + Clone {
     let up = length.filter(|_| x <= reach);
     let down = length.filter(|length| x >= length - reach).map(|l| -l);

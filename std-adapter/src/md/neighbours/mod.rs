@@ -1,4 +1,4 @@
-//! Verlet lists: who is near whom, each pair once, valid while atoms move less than the skin allows.
+//! Verlet lists: all near pairs, each once, valid while atoms move less than the skin allows.
 
 mod cells;
 mod chunk;
@@ -12,21 +12,21 @@ use cells::Cells;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-/// Slots that one chunk of the list owns. Chunks, not threads, decide the order of sums.
+/// Slots that one chunk of the list owns. Chunks, not threads, determine the order of sums.
 const SLOTS_PER_CHUNK: usize = 4096;
 
-/// Why there is no list of neighbours.
+/// Why a neighbour list cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ListError {
-    /// The cut-off or the skin is no length.
+    /// The cut-off or the skin is not a valid length.
     #[error("{what} must be finite and positive, not {given}")]
     Length {
-        /// "the cut-off" or "the skin".
+        /// Name of the invalid length: "the cut-off" or "the skin".
         what: &'static str,
         /// What was given.
         given: f64,
     },
-    /// Two atoms could meet over two images.
+    /// Two atoms could interact through two images.
     #[error(
         "the cut-off {cutoff} exceeds half the period along {}, {length}: \
          a larger box or a smaller cut-off is needed",
@@ -40,7 +40,7 @@ pub enum ListError {
         /// The period.
         length: f64,
     },
-    /// The skin reaches round the box.
+    /// Cut-off and skin exceed the period.
     #[error(
         "cut-off and skin together, {reach}, exceed the period along {}, {length}: \
          a smaller skin is needed",
@@ -49,7 +49,7 @@ pub enum ListError {
     Skin {
         /// 0, 1 or 2 for x, y or z.
         axis: usize,
-        /// Cut-off and skin.
+        /// Sum of cut-off and skin.
         reach: f64,
         /// The period.
         length: f64,
@@ -62,11 +62,11 @@ pub enum ListError {
     },
 }
 
-/// All pairs nearer than cut-off and skin at the last build, in chunks.
+/// All pairs closer than cut-off plus skin at the last build, in chunks.
 ///
-/// An atom near the end of a period also stands behind the other end, as an image; a pair is atom
-/// and atom or atom and image, so that distances need no look at the box. Cells order the atoms:
-/// neighbours in space are neighbours in memory.
+/// An atom near the end of a period has an image beyond the other end; a pair is two atoms or an
+/// atom and an image, so distances do not depend on the box. Cells order the atoms: neighbours in
+/// space are neighbours in memory.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -95,15 +95,15 @@ pub struct VerletList {
     cutoff: f64,
     skin: f64,
     chunks: Vec<Chunk>,
-    /// Where the atoms were at the last build.
+    /// Positions of the atoms at the last build.
     reference: Vec<Vector3<f64>>,
     cells: Cells,
     builds: u64,
 }
 
 impl VerletList {
-    /// A list yet to be built. *Domain*: `cutoff` and `skin` > 0 in the unit of the places; the
-    /// cut-off at most half of every period, cut-off and skin together at most a period.
+    /// An empty list. *Domain*: `cutoff` and `skin` > 0 in the unit of the positions; the cut-off
+    /// at most half of every period, cut-off plus skin at most a period.
     pub fn new(space: PeriodicBox, cutoff: f64, skin: f64) -> Result<Self, ListError> {
         for (what, given) in [("the cut-off", cutoff), ("the skin", skin)] {
             if !given.is_finite() || given <= 0.0 {
@@ -144,23 +144,23 @@ impl VerletList {
         &self.space
     }
 
-    /// Pairs farther apart than this do not act on each other.
+    /// Cut-off: pairs farther apart do not interact.
     pub fn cutoff(&self) -> f64 {
         self.cutoff
     }
 
-    /// How much farther the list reaches than the cut-off.
+    /// Skin: the reach of the list beyond the cut-off.
     pub fn skin(&self) -> f64 {
         self.skin
     }
 
-    /// Builds so far.
+    /// Number of builds so far.
     pub fn builds(&self) -> u64 {
         self.builds
     }
 
-    /// Where the atoms were at the last build: what a checkpoint keeps, since the order of sums
-    /// follows from it.
+    /// Positions of the atoms at the last build; a checkpoint stores them, since they determine
+    /// the order of sums.
     pub fn reference(&self) -> &[Vector3<f64>] {
         &self.reference
     }
@@ -170,10 +170,10 @@ impl VerletList {
         &mut self.chunks
     }
 
-    /// Brings the list up to date: builds it where two atoms could have come nearer by the skin
-    /// since the last build, and moves the sites. True if it was built.
+    /// Updates the list: rebuilds it if two atoms could have approached by the skin since the
+    /// last build, and moves the sites. Returns whether it was rebuilt.
     ///
-    /// *Domain*: finite places, which are not looked at again.
+    /// *Domain*: finite positions, which are not checked.
     pub fn update(
         &mut self,
         positions: &[Vector3<f64>],
@@ -210,7 +210,7 @@ impl VerletList {
         Ok(())
     }
 
-    /// Moves the sites of a list to where the atoms are now.
+    /// Moves the sites of the list to the current positions.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -234,7 +234,7 @@ impl VerletList {
             .for_each(|chunk| chunk.refresh(positions));
     }
 
-    /// Whether the two farthest ways since the last build add up to the skin.
+    /// Whether the two largest displacements since the last build add up to the skin.
     fn is_stale(&self, positions: &[Vector3<f64>]) -> bool {
         let [mut farthest, mut second] = [0.0_f64; 2];
         for (now, then) in positions.iter().zip(&self.reference) {

@@ -1,19 +1,19 @@
 //! The Lennard-Jones potential of one pair of species, U = 4ε((σ/r)¹² − (σ/r)⁶) up to a cut-off.
 
-/// What is done about the jump at the cut-off.
+/// Treatment of the jump at the cut-off.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shift {
-    /// Nothing: the energy jumps, and is not conserved by pairs that cross.
+    /// No shift: the energy jumps, and is not conserved when pairs cross the cut-off.
     #[default]
     None,
     /// U − U(r_c): the energy is continuous.
     Energy,
-    /// U − U(r_c) − (r − r_c)U'(r_c): energy and force are.
+    /// U − U(r_c) − (r − r_c)U'(r_c): energy and force are continuous.
     Force,
 }
 
 impl Shift {
-    /// The words a user may write.
+    /// Names of the shifts in scenes.
     pub const WORDS: [(&'static str, Self); 3] = [
         ("none", Self::None),
         ("energy", Self::Energy),
@@ -21,7 +21,7 @@ impl Shift {
     ];
 }
 
-/// Numbers of one pair of species, ready for the loop.
+/// Precomputed coefficients of one pair of species.
 ///
 /// ```
 /// use tribos::md::pair::{Coefficients, Shift};
@@ -40,19 +40,19 @@ impl Shift {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Coefficients {
-    /// r_c².
+    /// Squared cut-off r_c².
     pub cutoff_sq: f64,
-    /// 48εσ¹² and 24εσ⁶: −U'(r)/r = (force12/r⁶ − force6)/r⁸.
+    /// 48εσ¹², where −U'(r)/r = (force12/r⁶ − force6)/r⁸.
     pub force12: f64,
-    /// See `force12`.
+    /// 24εσ⁶, see `force12`.
     pub force6: f64,
-    /// 4εσ¹² and 4εσ⁶: U = (energy12/r⁶ − energy6)/r⁶ + offset + force_at_cutoff · r.
+    /// 4εσ¹², where U = (energy12/r⁶ − energy6)/r⁶ + offset + force_at_cutoff · r.
     pub energy12: f64,
-    /// See `energy12`.
+    /// 4εσ⁶, see `energy12`.
     pub energy6: f64,
-    /// Constant part of the shift.
+    /// Constant part of the energy shift.
     pub offset: f64,
-    /// −U'(r_c) where the force is shifted, else 0.
+    /// −U'(r_c) if the force is shifted, else 0.
     pub force_at_cutoff: f64,
 }
 

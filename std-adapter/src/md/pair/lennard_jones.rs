@@ -1,4 +1,4 @@
-//! Lennard-Jones of any number of species.
+//! The Lennard-Jones potential for any number of species.
 
 use super::{Coefficients, LANES, Lanes, Mixing, PairLaw, Shift, Tally, Wanted, forces};
 use crate::md::atoms::MOST_SPECIES;
@@ -6,10 +6,10 @@ use crate::md::interaction::Interaction;
 use crate::md::neighbours::{Site, VerletList};
 use nalgebra::Vector3;
 
-/// Parameters that make no potential.
+/// Invalid parameters of the potential.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum LennardJonesError {
-    /// No species, or more than pairs can number.
+    /// No species, or more than the table of pairs can hold.
     #[error("there must be 1 to {MOST_SPECIES} species, not {given}")]
     Species {
         /// Number of species.
@@ -18,7 +18,7 @@ pub enum LennardJonesError {
     /// A number is not finite and positive.
     #[error("{name}{first}{second} must be finite and positive, not {given}")]
     Parameter {
-        /// "epsilon", "sigma" or "cutoff".
+        /// Name of the parameter: "epsilon", "sigma" or "cutoff".
         name: &'static str,
         /// A species, from 1.
         first: usize,
@@ -27,7 +27,7 @@ pub enum LennardJonesError {
         /// What was given.
         given: f64,
     },
-    /// A pair of a species that is not there.
+    /// A pair of a species that does not exist.
     #[error("there is no pair {first}{second} among {known} species")]
     Pair {
         /// A species, from 1.
@@ -42,11 +42,11 @@ pub enum LennardJonesError {
 /// ε, σ and r_c of a pair of species.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pairing {
-    /// Depth.
+    /// Depth ε of the potential.
     pub epsilon: f64,
-    /// Where the potential crosses 0.
+    /// Distance σ at which the potential crosses 0.
     pub sigma: f64,
-    /// Cut-off.
+    /// Cut-off radius r_c.
     pub cutoff: f64,
 }
 
@@ -81,12 +81,12 @@ pub struct LennardJones {
 }
 
 impl LennardJones {
-    /// One species. *Domain*: all > 0 and finite.
+    /// A potential of one species. *Domain*: all parameters > 0 and finite.
     pub fn single(pairing: Pairing, shift: Shift) -> Result<Self, LennardJonesError> {
         Self::mixed(&[pairing], Mixing::default(), shift)
     }
 
-    /// Species with their own parameters; those of unlike pairs are mixed, a cut-off as σ is.
+    /// A potential of several species; parameters of unlike pairs are mixed, the cut-off like σ.
     pub fn mixed(
         like: &[Pairing],
         mixing: Mixing,
@@ -118,7 +118,7 @@ impl LennardJones {
         Ok(all)
     }
 
-    /// Gives a pair of species, from 0, parameters of its own.
+    /// Sets the parameters of a pair of species, from 0.
     pub fn set(
         &mut self,
         first: usize,
@@ -162,7 +162,7 @@ impl LennardJones {
         is_known.then(|| &self.pairings[first * self.species + second])
     }
 
-    /// What is done at the cut-off.
+    /// How the potential is shifted at the cut-off.
     pub fn shift(&self) -> Shift {
         self.shift
     }
@@ -180,7 +180,7 @@ impl Interaction for LennardJones {
     }
 
     fn forces(&self, list: &mut VerletList, onto: &mut [Vector3<f64>], wanted: Wanted) -> Tally {
-        // A loop for each: one species looks up nothing, a force that is not shifted takes no root.
+        // Separate loops: one species needs no table, an unshifted force no square root.
         let many = Many {
             species: self.species,
             table: &self.table,
@@ -199,7 +199,7 @@ fn law<S, E>(source: S, end: E) -> Truncated<S, E> {
     Truncated { source, end }
 }
 
-/// Where the coefficients of a block of pairs come from.
+/// Source of the coefficients of a block of pairs.
 trait Source: Sync {
     type Kinds: Copy;
 
@@ -209,7 +209,7 @@ trait Source: Sync {
     fn each(&self, kinds: Self::Kinds, of: impl Fn(&Coefficients) -> f64) -> Lanes;
 }
 
-/// One species: always the same.
+/// One species: constant coefficients.
 struct One(Coefficients);
 
 impl Source for One {
@@ -224,14 +224,14 @@ impl Source for One {
     }
 }
 
-/// More: a table.
+/// Several species: a table of coefficients.
 struct Many<'a> {
     species: usize,
     table: &'a [Coefficients],
 }
 
 impl Source for Many<'_> {
-    /// Places in the table.
+    /// Indices into the table.
     type Kinds = [usize; LANES];
 
     #[inline(always)]
@@ -246,7 +246,7 @@ impl Source for Many<'_> {
     }
 }
 
-/// What is taken off a force before it is cut, and the energy that belongs to it.
+/// The shift of the force at the cut-off, and the corresponding energy.
 trait End: Sync {
     /// Force over distance at 1/r².
     fn force(&self, force_at_cutoff: Lanes, inv_sq: Lanes) -> Lanes;
@@ -255,7 +255,7 @@ trait End: Sync {
     fn energy(&self, force_at_cutoff: Lanes, r_sq: Lanes) -> Lanes;
 }
 
-/// Nothing: no root is taken.
+/// No shift, and no square root.
 struct Plain;
 
 impl End for Plain {
@@ -270,7 +270,7 @@ impl End for Plain {
     }
 }
 
-/// The force at the cut-off.
+/// Shift by the force at the cut-off.
 struct Shifted;
 
 impl End for Shifted {
@@ -285,14 +285,14 @@ impl End for Shifted {
     }
 }
 
-/// The potential with its coefficients and its end.
+/// The potential with its coefficients and its shift.
 struct Truncated<S, E> {
     source: S,
     end: E,
 }
 
 impl<S: Source, E: End> Truncated<S, E> {
-    /// The values where r is below the cut-off, else 0.
+    /// The values where r is below the cut-off, 0 elsewhere.
     #[inline(always)]
     fn within(&self, kinds: S::Kinds, r_sq: Lanes, values: Lanes) -> Lanes {
         let cutoff_sq = self.source.each(kinds, |pair| pair.cutoff_sq);

@@ -1,4 +1,4 @@
-//! Lennard-Jones parameters of unlike species from those of the like.
+//! Mixing rules: Lennard-Jones parameters of unlike species.
 
 /// How ε and σ of two species are mixed.
 ///
@@ -13,7 +13,7 @@
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mixing {
-    /// Both by geometric means (Good & Hope 1970).
+    /// Geometric means of ε and σ (Good & Hope 1970).
     #[default]
     Geometric,
     /// ε geometric, σ arithmetic (Lorentz 1881, Berthelot 1898).
@@ -23,7 +23,7 @@ pub enum Mixing {
 }
 
 impl Mixing {
-    /// The words a user may write, in the order of the variants.
+    /// Names of the rules in scenes, in the order of the variants.
     pub const WORDS: [(&'static str, Self); 3] = [
         ("geometric", Self::Geometric),
         ("arithmetic", Self::Arithmetic),

@@ -1,4 +1,4 @@
-//! Forces between pairs: the loop, and the laws in it.
+//! Pair forces: the loop over pairs, and the pair potentials.
 
 mod coefficients;
 mod lennard_jones;
@@ -15,17 +15,17 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 use sums::{ForcesOnly, Sums, Totals};
 
-/// A number for each of the pairs computed side by side; every operation rounds as that of one
-/// number does.
+/// One number for each of the pairs computed at once; every operation rounds as the scalar one
+/// does.
 type Lanes = wide::f64x4;
 const _: () = assert!(size_of::<Lanes>() == LANES * size_of::<f64>());
 
-/// A force along the line of two atoms that ends at a cut-off.
+/// A central force with a cut-off.
 trait PairLaw: Sync {
-    /// What the law needs to know of a pair's species.
+    /// The information on a pair's species that the law needs.
     type Kinds: Copy;
 
-    /// Of the site `here` and the sites of a block.
+    /// Species information of the site `here` and the sites of a block.
     fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> Self::Kinds;
 
     /// −U'(r)/r at these squares of r; 0 beyond the cut-off.
@@ -35,7 +35,7 @@ trait PairLaw: Sync {
     fn energy(&self, kinds: Self::Kinds, r_sq: Lanes) -> Lanes;
 }
 
-/// Forces of a law on all atoms, with the sums that are wanted.
+/// Forces of a law on all atoms, with the requested sums.
 fn forces<L: PairLaw>(
     law: &L,
     list: &mut VerletList,
@@ -63,7 +63,7 @@ fn forces<L: PairLaw>(
         })
 }
 
-/// The forces of a chunk's pairs on its sites: for each owned site four neighbours at a time.
+/// Adds the forces of a chunk's pairs to its sites, four neighbours of an owned site at a time.
 fn over_pairs<L: PairLaw, S: Sums>(law: &L, chunk: &mut Chunk) -> Tally {
     let mut sums = S::default();
     let (sites, rows) = chunk.sites_and_rows();
@@ -96,7 +96,7 @@ fn over_pairs<L: PairLaw, S: Sums>(law: &L, chunk: &mut Chunk) -> Tally {
     sums.tally()
 }
 
-/// From each site of a block to `own`, axis by axis.
+/// Displacements from each site of a block to `own`, axis by axis.
 #[inline(always)]
 fn ways(own: &Site, block: &[u32; LANES], sites: &[Site]) -> [Lanes; 3] {
     let [a, b, c, d] = block.map(|other| &sites[other as usize].place);

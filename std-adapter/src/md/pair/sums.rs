@@ -1,11 +1,11 @@
-//! What a loop over pairs sums up: nothing, or energy and virial.
+//! Sums of a loop over pairs: nothing, or energy and virial.
 
 use super::{Lanes, Tally, across};
 use nalgebra::Matrix3;
 
-/// Takes what a block of pairs adds.
+/// Accumulates the contributions of blocks of pairs.
 pub(super) trait Sums: Default {
-    /// Adds a block; the energy is computed only where it is summed.
+    /// Adds a block; the energy is computed only if it is summed.
     fn add(&mut self, energy: impl FnOnce() -> Lanes, way: &[Lanes; 3], force: &[Lanes; 3]);
 
     /// The sums.
@@ -32,11 +32,11 @@ impl Sums for ForcesOnly {
 #[derive(Default)]
 pub(super) struct Totals {
     energy: Lanes,
-    /// xx, yy, zz, xy, xz, yz.
+    /// Virial components xx, yy, zz, xy, xz, yz.
     virial: [Lanes; 6],
 }
 
-/// Axes of the way and the force in each sum of the virial.
+/// Axes of displacement and force in each component of the virial.
 const AXES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
 
 impl Sums for Totals {

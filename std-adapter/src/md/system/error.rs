@@ -1,4 +1,4 @@
-//! Why a system cannot be set up or go on.
+//! Errors of a system of atoms.
 
 use crate::md::atoms::AtomsError;
 use crate::md::neighbours::ListError;
@@ -34,27 +34,27 @@ use crate::md::neighbours::ListError;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum SystemError {
-    /// Atoms that make no sense.
+    /// The atoms are invalid.
     #[error(transparent)]
     Atoms(#[from] AtomsError),
     /// The box does not fit the cut-off.
     #[error(transparent)]
     List(#[from] ListError),
-    /// Atoms of a species that the interaction does not know.
+    /// The atoms have a species that the interaction lacks.
     #[error("the interaction knows {known} species, not {given}: the others need parameters")]
     Species {
-        /// Species that it knows.
+        /// Number of species of the interaction.
         known: usize,
-        /// Species of the atoms.
+        /// Number of species of the atoms.
         given: usize,
     },
-    /// The time step is no time.
+    /// The time step is not positive and finite.
     #[error("the time step must be finite and positive, not {given}")]
     TimeStep {
         /// What was given.
         given: f64,
     },
-    /// Every atom needs a group that there is.
+    /// An atom has no group, or one that does not exist.
     #[error("atom {atom} is in no group: groups are numbered from 0 to {last}")]
     Group {
         /// Index of the atom, from 0.
@@ -62,7 +62,7 @@ pub enum SystemError {
         /// Number of the last group.
         last: usize,
     },
-    /// Two atoms so near that their force throws them out of each other's reach in one step.
+    /// Two atoms are so close that their force throws them out of each other's range in one step.
     #[error("atoms {} and {} overlap: they are {distance:.3e} apart", pair[0], pair[1])]
     Overlap {
         /// Indices of the atoms, from 0.
@@ -80,7 +80,7 @@ pub enum SystemError {
         step: u64,
         /// Index of the atom, from 0.
         atom: usize,
-        /// How far it moved.
+        /// Distance that the atom moved.
         way: f64,
     },
 }

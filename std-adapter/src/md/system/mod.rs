@@ -15,42 +15,42 @@ use super::thermostat::Thermostat;
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 
-/// Which velocities are kept from step to step. The places are the same but for rounding.
+/// Which velocities are stored from step to step. The positions differ only by rounding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
-    /// Velocities at the times of the places.
+    /// Velocities at the times of the positions.
     #[default]
     VelocityVerlet,
-    /// Velocities half a step behind the places.
+    /// Velocities half a step behind the positions.
     LeapFrog,
 }
 
-/// Everything that a run starts from.
+/// The initial state and the parameters of a run.
 #[derive(Debug)]
 pub struct Setup<I> {
-    /// Atoms; their velocities are those at the start, for either integrator.
+    /// Atoms with their initial velocities, for either integrator.
     pub atoms: Atoms,
     /// The box.
     pub space: PeriodicBox,
-    /// What acts between them.
+    /// Interaction between the atoms.
     pub interaction: I,
-    /// How much farther the list of neighbours reaches than the cut-off.
+    /// Skin: the reach of the neighbour list beyond the cut-off.
     pub skin: f64,
-    /// The groups.
+    /// Groups of atoms.
     pub groups: Vec<Group>,
-    /// Group of each atom.
+    /// Group of each atom, as an index into `groups`.
     pub group_of: Vec<u8>,
     /// A torque on some groups.
     pub drive: Option<TorqueDrive>,
-    /// Which velocities are kept.
+    /// Which velocities are stored from step to step.
     pub integrator: Integrator,
-    /// Δt.
+    /// Time step Δt.
     pub time_step: f64,
-    /// Of all noise.
+    /// Seed of all noise.
     pub seed: u64,
 }
 
-/// What a run goes on from, besides its setup, to the same bits.
+/// The state from which a run with the same setup resumes, to the same bits.
 ///
 /// ```
 /// # use nalgebra::Vector3;
@@ -86,11 +86,11 @@ pub struct Setup<I> {
 pub struct State {
     /// Steps taken.
     pub steps: u64,
-    /// Places.
+    /// Positions of the atoms.
     pub positions: Vec<Vector3<f64>>,
-    /// Velocities as kept by the integrator.
+    /// Velocities as stored by the integrator.
     pub velocities: Vec<Vector3<f64>>,
-    /// Places at the last build of the list.
+    /// Positions at the last build of the neighbour list.
     pub reference: Vec<Vector3<f64>>,
     /// ξ and η of each group.
     pub thermostats: Vec<[f64; 2]>,
@@ -167,7 +167,7 @@ impl<I: Interaction> System<I> {
         Ok(system)
     }
 
-    /// Goes on from `state`, which belongs to the same setup.
+    /// Resumes from `state`, which must belong to the same setup.
     pub fn resume(setup: Setup<I>, state: State) -> Result<Self, SystemError> {
         let mut system = Self::assemble(setup)?;
         system.atoms.positions = state.positions;
@@ -220,7 +220,7 @@ impl<I: Interaction> System<I> {
         })
     }
 
-    /// Forces at the present places.
+    /// Computes the forces at the current positions.
     fn compute(&mut self, wanted: Wanted) -> Result<(), SystemError> {
         self.tally = evaluate(
             &self.interaction,
@@ -232,17 +232,17 @@ impl<I: Interaction> System<I> {
         Ok(())
     }
 
-    /// The atoms; velocities as the integrator keeps them.
+    /// The atoms, with velocities as the integrator stores them.
     pub fn atoms(&self) -> &Atoms {
         &self.atoms
     }
 
-    /// Forces of the interaction at the present places.
+    /// Forces of the interaction at the current positions.
     pub fn forces(&self) -> &[Vector3<f64>] {
         &self.forces
     }
 
-    /// Energy and virial of the interaction, NaN after a step that did not want them.
+    /// Energy and virial of the interaction, NaN after a step that did not request them.
     pub fn tally(&self) -> &Tally {
         &self.tally
     }
@@ -257,7 +257,7 @@ impl<I: Interaction> System<I> {
         &self.interaction
     }
 
-    /// The groups, thermostats as they are now.
+    /// The groups, with the current state of their thermostats.
     pub fn groups(&self) -> &[Group] {
         &self.groups
     }
@@ -272,7 +272,7 @@ impl<I: Interaction> System<I> {
         self.drive.as_ref()
     }
 
-    /// Replaces the torque drive: another protocol from here on.
+    /// Replaces the torque drive from now on.
     ///
     /// ```
     /// # use nalgebra::Vector3;
@@ -317,7 +317,7 @@ impl<I: Interaction> System<I> {
         self.steps
     }
 
-    /// Δt.
+    /// Time step Δt.
     pub fn time_step(&self) -> f64 {
         self.time_step
     }
@@ -332,7 +332,7 @@ impl<I: Interaction> System<I> {
         self.list.builds()
     }
 
-    /// What [`resume`](Self::resume) goes on from.
+    /// The state from which [`resume`](Self::resume) continues.
     pub fn state(&self) -> State {
         let state = |group: &Group| match &group.thermostat {
             Thermostat::NoseHoover(thermostat) => thermostat.state(),

@@ -7,14 +7,14 @@ use crate::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat};
 use nalgebra::Vector3;
 
 impl<I: Interaction> System<I> {
-    /// Advances by Δt. With `wanted` the sums of the interaction at the new places are computed.
+    /// Advances by Δt. `wanted` selects the sums of the interaction at the new positions.
     ///
     /// Velocity Verlet: thermostats and damping for Δt/2, kick Δt/2, drift Δt, forces, kick Δt/2,
     /// thermostats and damping Δt/2 (Tuckerman, Berne & Martyna 1992); leap-frog the same, cut
     /// before the drift. Langevin noise acts in the middle of the drift.
     pub fn step(&mut self, wanted: Wanted) -> Result<(), SystemError> {
         let half = 0.5 * self.time_step;
-        // In the middle of the last step and of this one: what tells whether the drive is on.
+        // The drive is on or off according to the middle of the last step and of this one.
         let [last, this] = [self.time() - half, self.time() + half];
         match self.integrator {
             Integrator::VelocityVerlet => {
@@ -36,7 +36,7 @@ impl<I: Interaction> System<I> {
         Ok(())
     }
 
-    /// Velocities at the time of the places.
+    /// Velocities at the time of the positions.
     ///
     /// ```
     /// # use nalgebra::Vector3;
@@ -81,7 +81,8 @@ impl<I: Interaction> System<I> {
         self.atoms.velocities = velocities;
     }
 
-    /// Velocities under the forces of the interaction, loads and, if it is on at `at`, the drive.
+    /// Adds the forces of the interaction, loads and, if it is on at `at`, the drive to the
+    /// velocities.
     fn kick(&self, velocities: &mut [Vector3<f64>], time: f64, at: f64) {
         for (index, group) in self.groups.iter().enumerate() {
             if !group.hold.is_driven_by_forces() {
@@ -122,7 +123,7 @@ impl<I: Interaction> System<I> {
         force / mass
     }
 
-    /// Damping and Nosé–Hoover thermostats.
+    /// Applies damping and Nosé–Hoover thermostats.
     fn thermalise(&mut self, time: f64) {
         for index in 0..self.groups.len() {
             let group = self.groups[index];
@@ -142,7 +143,7 @@ impl<I: Interaction> System<I> {
         }
     }
 
-    /// Scales the velocities of a group, or what of them is not its common rotation.
+    /// Scales the velocities of a group, or their deviation from its common rotation.
     fn scale(&mut self, index: usize, thermostat: &mut NoseHoover, time: f64) {
         let freedoms = self.heat_freedoms(index);
         match thermostat.spin() {
@@ -172,7 +173,7 @@ impl<I: Interaction> System<I> {
         }
     }
 
-    /// Degrees of freedom of a group's heat.
+    /// Degrees of freedom of a group that its thermostat controls.
     ///
     /// ```
     /// # use nalgebra::Vector3;
@@ -214,7 +215,7 @@ impl<I: Interaction> System<I> {
         (all - spared) as f64
     }
 
-    /// Kinetic energy of a group, of the velocities as they are kept.
+    /// Kinetic energy of a group, from the stored velocities.
     fn kinetic(&self, index: usize) -> f64 {
         let part = |&atom: &usize| {
             0.5 * self.atoms.mass(atom) * self.atoms.velocities[atom].norm_squared()
@@ -245,7 +246,7 @@ impl<I: Interaction> System<I> {
         Vector3::new(-rate * (place.y - axis[1]), rate * (place.x - axis[0]), 0.0)
     }
 
-    /// Places, and the noise of Langevin groups in the middle.
+    /// Moves the atoms, with the noise of Langevin groups in the middle.
     fn drift(&mut self) -> Result<(), SystemError> {
         let time = self.time_step;
         for index in 0..self.groups.len() {
@@ -272,7 +273,7 @@ impl<I: Interaction> System<I> {
         }
     }
 
-    /// Friction and noise over a whole step, along the axes that are free.
+    /// Applies friction and noise over a whole step, along the free axes.
     fn shake(&mut self, index: usize, thermostat: &Langevin) {
         let [kept, unit] = thermostat.factors(self.time_step);
         let is_flat = matches!(self.groups[index].hold, Hold::Plane | Hold::Level);
@@ -288,7 +289,7 @@ impl<I: Interaction> System<I> {
         }
     }
 
-    /// Places and velocities of a group that turns at a given rate.
+    /// Positions and velocities of a group that rotates at a given rate.
     fn turn(&mut self, index: usize, axis: [f64; 2], rate: f64) {
         let (sin, cos) = libm::sincos(rate * self.time_step);
         for &atom in &self.members[index] {

@@ -1,12 +1,12 @@
-//! Langevin dynamics: friction and the noise that belongs to it.
+//! Langevin dynamics: friction and the corresponding noise.
 
 use super::{ThermostatError, check};
 use crate::random::Random;
 use nalgebra::Vector3;
 
 /// v' = … − γv + noise, exact over a step (Ornstein & Uhlenbeck 1930) in the middle of the drift
-/// (the splitting "BAOAB" of Leimkuhler & Matthews 2013, whose places have the right distribution
-/// to fourth order in the step for a harmonic force).
+/// (the splitting "BAOAB" of Leimkuhler & Matthews 2013, whose positions have the right
+/// distribution to fourth order in the step for a harmonic force).
 ///
 /// ```
 /// use tribos::md::thermostat::Langevin;
@@ -24,7 +24,7 @@ pub struct Langevin {
 }
 
 impl Langevin {
-    /// *Domain*: temperature ≥ 0, an energy; friction γ > 0, over time.
+    /// *Domain*: temperature ≥ 0, an energy; friction γ > 0, in 1/time.
     pub fn new(temperature: f64, friction: f64) -> Result<Self, ThermostatError> {
         check(temperature, "friction", friction)?;
         Ok(Self {
@@ -33,12 +33,12 @@ impl Langevin {
         })
     }
 
-    /// Target.
+    /// Target temperature.
     pub fn temperature(&self) -> f64 {
         self.temperature
     }
 
-    /// Factor of the velocities, and of unit noise for an atom of mass 1, over `time`.
+    /// Factors of the velocities, and of unit noise for an atom of mass 1, for a step `time`.
     pub fn factors(&self, time: f64) -> [f64; 2] {
         let kept = libm::exp(-self.friction * time);
         let lost = -libm::expm1(-2.0 * self.friction * time);
@@ -46,7 +46,8 @@ impl Langevin {
     }
 }
 
-/// Normal numbers of one group in one step; no other state, so that a run can go on at any step.
+/// Normally distributed numbers of one group in one step. They have no other state, so a run can
+/// resume at any step.
 ///
 /// ```
 /// use tribos::md::thermostat::Noise;
@@ -62,7 +63,7 @@ impl Langevin {
 pub struct Noise(Random);
 
 impl Noise {
-    /// The stream of a seed, a step and a group.
+    /// The stream for a seed, a step and a group.
     pub fn new(seed: u64, step: u64, group: usize) -> Self {
         Self(Random::new(Random::new(seed, step).bits(), group as u64))
     }

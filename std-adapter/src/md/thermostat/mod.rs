@@ -1,4 +1,4 @@
-//! What keeps the temperature of a group.
+//! Thermostats of groups of atoms.
 
 mod langevin;
 mod nose_hoover;
@@ -23,16 +23,16 @@ pub enum Thermostat {
     /// None.
     #[default]
     None,
-    /// Deterministic, with a conserved quantity.
+    /// Nosé–Hoover: deterministic, with a conserved quantity.
     NoseHoover(NoseHoover),
-    /// Friction and noise.
+    /// Langevin: friction and noise.
     Langevin(Langevin),
 }
 
-/// A thermostat that makes no sense.
+/// Invalid parameters of a thermostat.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ThermostatError {
-    /// The temperature is negative or no number.
+    /// The temperature is negative or not a number.
     #[error("the temperature of a thermostat must be finite and not negative, not {given}")]
     Temperature {
         /// What was given.
@@ -41,14 +41,14 @@ pub enum ThermostatError {
     /// The time or the rate is not positive.
     #[error("the {what} of a thermostat must be finite and positive, not {given}")]
     Rate {
-        /// "relaxation time" or "friction".
+        /// Name of the parameter: "relaxation time" or "friction".
         what: &'static str,
         /// What was given.
         given: f64,
     },
 }
 
-/// Refuses what is no temperature and no positive `what`.
+/// Refuses an invalid temperature and a `what` that is not positive.
 fn check(temperature: f64, what: &'static str, given: f64) -> Result<(), ThermostatError> {
     if !temperature.is_finite() || temperature < 0.0 {
         let given = temperature;

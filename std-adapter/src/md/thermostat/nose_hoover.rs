@@ -2,13 +2,14 @@
 
 use super::{ThermostatError, check};
 
-/// Whether the common rotation of a group about the vertical takes part.
+/// Whether the common rotation of a group about the vertical counts as heat.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Spin {
     /// All motion is heat.
     #[default]
     Counts,
-    /// The mean rotation about this vertical axis is left alone: only what deviates from it is heat.
+    /// The mean rotation about this vertical axis is not thermostatted: only deviations from it are
+    /// heat.
     Spared {
         /// x and y of the axis.
         axis: [f64; 2],
@@ -17,8 +18,8 @@ pub enum Spin {
 
 /// A friction ξ that follows the kinetic energy: Q ξ' = 2K − gT, v' = … − ξv.
 ///
-/// Half a step by Suzuki–Trotter splitting (Martyna, Tuckerman, Tobias & Klein 1996), reversible in
-/// time. E + Qξ²/2 + gTη is conserved as well as the energy is without it, where η' = ξ.
+/// Half steps by Suzuki–Trotter splitting (Martyna, Tuckerman, Tobias & Klein 1996), reversible in
+/// time. E + Qξ²/2 + gTη with η' = ξ is conserved as accurately as the energy without thermostat.
 ///
 /// ```
 /// use tribos::md::thermostat::{NoseHoover, Spin};
@@ -49,8 +50,8 @@ pub struct NoseHoover {
 }
 
 impl NoseHoover {
-    /// Keeps `temperature` within about `relaxation`, a time: Q = gT·relaxation². At T = 0 it does
-    /// nothing.
+    /// A thermostat at `temperature` with the time constant `relaxation`: Q = gT·relaxation². At T
+    /// = 0 it does nothing.
     pub fn new(temperature: f64, relaxation: f64, spin: Spin) -> Result<Self, ThermostatError> {
         check(temperature, "relaxation time", relaxation)?;
         Ok(Self {
@@ -62,28 +63,28 @@ impl NoseHoover {
         })
     }
 
-    /// Target.
+    /// Target temperature.
     pub fn temperature(&self) -> f64 {
         self.temperature
     }
 
-    /// Whether the rotation takes part.
+    /// Whether the rotation counts as heat.
     pub fn spin(&self) -> Spin {
         self.spin
     }
 
-    /// ξ and η, what a checkpoint keeps.
+    /// ξ and η, the state that a checkpoint stores.
     pub fn state(&self) -> [f64; 2] {
         [self.friction, self.position]
     }
 
-    /// Puts ξ and η back.
+    /// Restores ξ and η.
     pub fn restore(&mut self, [friction, position]: [f64; 2]) {
         (self.friction, self.position) = (friction, position);
     }
 
-    /// Advances ξ and η by `time`; returns the factor of all velocities of a group with so much
-    /// kinetic energy and so many freedoms.
+    /// Advances ξ and η by `time`; returns the factor for all velocities of a group with this
+    /// kinetic energy and number of freedoms.
     pub fn scale(&mut self, kinetic: f64, freedoms: f64, time: f64) -> f64 {
         let inertia = freedoms * self.temperature * self.relaxation * self.relaxation;
         if inertia <= 0.0 {
@@ -97,7 +98,7 @@ impl NoseHoover {
         factor
     }
 
-    /// Qξ²/2 + gTη.
+    /// Energy of the thermostat, Qξ²/2 + gTη.
     pub fn energy(&self, freedoms: f64) -> f64 {
         let heat = freedoms * self.temperature;
         let speed = self.friction * self.relaxation;

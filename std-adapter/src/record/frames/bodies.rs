@@ -1,4 +1,4 @@
-//! What all frames of a run have in common.
+//! The data that all frames of a run share.
 
 use crate::record::{digest, sealed, unsealed};
 use serde_json::{Map, Value, json};
@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 /// The version of `bodies.json`.
 const FORMAT: u64 = 2;
 
-/// What a run is about.
+/// Kind of simulation.
 ///
 /// ```
 /// use tribos::record::frames::Kind;
@@ -45,30 +45,31 @@ pub enum Kind {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bodies {
-    /// What they are.
+    /// Kind of simulation.
     pub kind: Kind,
     /// The scene of the run as JSON: frames belong to the run of one scene.
     pub scene: Value,
-    /// How many frames are kept at most.
+    /// Largest number of frames that are kept.
     pub limit: u64,
-    /// Steps from one state that may be kept to the next, at least 1.
+    /// Steps between states that may be kept, at least 1.
     pub stride: u64,
     /// Sides of the cell along x and y, which are periodic.
     pub periods: [f64; 2],
     /// Radii.
     pub radii: Vec<f64>,
-    /// Layers from below; empty where there are none.
+    /// Layer of each body from below; empty if there are none.
     pub layers: Vec<u16>,
-    /// Parts, by their numbers in [`Part::ALL`](crate::tip::Part::ALL); empty where there are none.
+    /// Part of each body, as an index into [`Part::ALL`](crate::tip::Part::ALL); empty if there are
+    /// none.
     pub parts: Vec<u8>,
-    /// Bodies to be seen among the others.
+    /// Bodies that are drawn in another colour.
     pub marked: Vec<u32>,
 }
 
 impl Kind {
     const NAMES: [(Self, &str); 2] = [(Self::Powder, "powder"), (Self::Tip, "tip")];
 
-    /// As scenes call it.
+    /// Name of the kind in scenes.
     pub fn name(self) -> &'static str {
         match self {
             Self::Powder => Self::NAMES[0].1,
@@ -78,7 +79,7 @@ impl Kind {
 }
 
 impl Bodies {
-    /// As the text of `bodies.json`.
+    /// The text of `bodies.json`.
     pub(super) fn text(&self) -> String {
         let one = self.radii.first().copied().unwrap_or_default();
         let radii = if self.radii.iter().all(|&radius| radius == one) {
@@ -107,13 +108,13 @@ impl Bodies {
         }
     }
 
-    /// What tells the run's frames from those of other runs: a digest of what it is about.
+    /// Digest of kind and scene, which identifies the frames of the run.
     pub(super) fn run(&self) -> u128 {
         let about = format!("{} {} {}", self.kind.name(), self.radii.len(), self.scene);
         digest(about.as_bytes())
     }
 
-    /// From that text; `None` if it does not make sense.
+    /// Parses the text of `bodies.json`; `None` if it is invalid.
     pub(super) fn parse(text: &str) -> Option<Self> {
         let value = unsealed(text)?;
         if value["format"].as_u64() != Some(FORMAT) {
@@ -122,7 +123,7 @@ impl Bodies {
         let name = value["body"].as_str()?;
         let (kind, _) = Kind::NAMES.into_iter().find(|(_, known)| *known == name)?;
         let count = usize::try_from(value["particles"].as_u64()?).ok()?;
-        // As many as numbers of 32 bits tell apart, walls left out.
+        // Particles and walls must fit into 32-bit numbers.
         if u32::try_from(count).ok()? > u32::MAX / 2 {
             return None;
         }

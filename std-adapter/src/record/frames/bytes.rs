@@ -30,7 +30,7 @@ impl Source<'_> {
         Some(*first)
     }
 
-    /// As many things as said, if there are bytes for them.
+    /// A list of `count` items, if there are enough bytes.
     pub fn list<T, const N: usize>(
         &mut self,
         count: usize,

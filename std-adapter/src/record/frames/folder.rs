@@ -1,15 +1,15 @@
-//! The folder of a run's frames: filled while it runs, thinned as it fills.
+//! The folder of a run's frames, filled and thinned while it runs.
 
 use super::{Bodies, FEWEST, Frame, spacing};
 use crate::record::{WriteError, is_unfinished, write_atomically, write_atomically_there};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// What all frames have in common.
+/// File with the data that all frames share.
 const BODIES: &str = "bodies.json";
-/// Ending of a frame's name.
+/// File extension of a frame.
 const ENDING: &str = ".frame";
-/// Frames that cannot be kept or read.
+/// Frames cannot be stored or read.
 ///
 /// ```
 /// # use tribos::record::frames::{Bodies, FrameError, FrameFolder, Kind};
@@ -43,22 +43,22 @@ pub enum FrameError {
     /// A file or the folder cannot be read or removed.
     #[error("{}: {cause}", path.display())]
     Access {
-        /// Which.
+        /// Path of the file or folder.
         path: PathBuf,
-        /// What the system said.
+        /// Error of the operating system.
         #[source]
         cause: std::io::Error,
     },
-    /// A file is not what it should be.
+    /// A file is damaged or of another run.
     #[error(
         "{} is damaged, of another run or of another version; run the scene again",
         .0.display()
     )]
     Damaged(PathBuf),
-    /// A frame that must be there is not.
+    /// A required frame is missing.
     #[error("{} is missing; run the scene again", .0.display())]
     Missing(PathBuf),
-    /// Frames of another run or of another number are there.
+    /// The folder contains frames of another limit.
     #[error(
         "{}: {kept} frames are kept there, not {given}; give `--frames {kept}`, or start anew with --anew",
         path.display()
@@ -66,14 +66,14 @@ pub enum FrameError {
     Limit {
         /// The folder.
         path: PathBuf,
-        /// As many as are kept.
+        /// Number of frames that the run keeps.
         kept: u64,
-        /// As many as are wanted now.
+        /// Number of frames that was requested.
         given: u64,
     },
 }
 
-/// Frames of one run: new ones are held back until they have to be on the disk, as most are dropped
+/// Frames of one run. New ones stay in memory until they must be on disk, as most are discarded
 /// again.
 ///
 /// ```
@@ -116,7 +116,7 @@ pub enum FrameError {
 #[derive(Debug)]
 pub struct FrameFolder {
     path: PathBuf,
-    /// What tells its frames from those of other runs.
+    /// Digest that identifies the frames of this run.
     run: u128,
     limit: u64,
     stride: u64,
@@ -134,7 +134,7 @@ impl FrameFolder {
         Ok(Self::of(path, bodies))
     }
 
-    /// The folder of a run that goes on; `None` if it kept no frames.
+    /// The folder of a resumed run; `None` if it has no frames.
     pub fn resume(path: &Path) -> Result<Option<Self>, FrameError> {
         let bodies = Self::bodies(path)?;
         Ok(bodies.map(|bodies| Self::of(path, &bodies)))
@@ -151,7 +151,7 @@ impl FrameFolder {
         }
     }
 
-    /// How many frames are kept at most.
+    /// Largest number of frames.
     pub fn limit(&self) -> u64 {
         self.limit
     }
@@ -163,25 +163,25 @@ impl FrameFolder {
         }
         remove(&path.join(BODIES))?;
         remove_where(path, |_| true)?;
-        // Not empty: something of somebody else.
+        // Not empty: the folder contains other files.
         let _ = std::fs::remove_dir(path);
         Ok(())
     }
 
-    /// Whether the state after this many steps is kept for now.
+    /// Whether the state after this many steps is to be kept for now.
     pub fn wants(&self, step: u64) -> bool {
         let states = step / self.stride;
         step.is_multiple_of(self.stride) && states.is_multiple_of(spacing(states, self.limit))
     }
 
-    /// Takes a frame that is [wanted](Self::wants); drops those that are not wanted any more.
+    /// Adds a frame that is [wanted](Self::wants), and discards those no longer wanted.
     pub fn add(&mut self, frame: &Frame) {
         self.thin(frame.step);
         self.held.insert(frame.step, frame.bytes(self.run));
     }
 
-    /// Brings all frames so far to the disk, without those that are not wanted any more: before a
-    /// checkpoint of the run, after which they will not be made again.
+    /// Writes all frames so far to disk, except those no longer wanted. Call it before each
+    /// checkpoint: a resumed run does not make earlier frames again.
     pub fn save(&mut self) -> Result<(), FrameError> {
         let apart = self.apart;
         remove_where(&self.path, |step| !step.is_multiple_of(apart))?;
@@ -191,16 +191,16 @@ impl FrameFolder {
         Ok(())
     }
 
-    /// Takes the last state, wanted or not, and writes all frames.
+    /// Adds the last state, wanted or not, and writes all frames.
     pub fn finish(mut self, frame: &Frame) -> Result<(), FrameError> {
         self.thin(frame.step);
-        // Left by a run that went on longer than its last checkpoint.
+        // Frames from steps after the last checkpoint of an interrupted run.
         remove_where(&self.path, |step| step > frame.step)?;
         self.held.insert(frame.step, frame.bytes(self.run));
         self.save()
     }
 
-    /// Drops held frames that are not wanted after so many steps.
+    /// Discards frames in memory that are not wanted after `steps`.
     fn thin(&mut self, steps: u64) {
         let apart = spacing(steps / self.stride, self.limit).saturating_mul(self.stride);
         if apart != self.apart {
@@ -209,7 +209,7 @@ impl FrameFolder {
         }
     }
 
-    /// What the frames of a folder have in common; `None` if there are no frames.
+    /// The data that the frames of a folder share; `None` if there are no frames.
     pub fn bodies(path: &Path) -> Result<Option<Bodies>, FrameError> {
         let file = path.join(BODIES);
         let text = match std::fs::read_to_string(&file) {
@@ -222,8 +222,8 @@ impl FrameFolder {
         }
     }
 
-    /// Steps of the frames that are there, in order. Refuses a gap: after any number of steps it is
-    /// known which frames are kept.
+    /// Steps of the existing frames, in order. Refuses a gap: the number of steps determines which
+    /// frames are kept.
     pub fn steps(path: &Path) -> Result<Vec<u64>, FrameError> {
         let mut steps: Vec<u64> = names(path)?.iter().filter_map(|name| step(name)).collect();
         steps.sort_unstable();
@@ -239,7 +239,7 @@ impl FrameFolder {
         Ok(steps)
     }
 
-    /// Reads the frame of a step, with as many bodies as there must be.
+    /// Reads the frame of a step and checks its number of bodies.
     pub fn read(path: &Path, bodies: &Bodies, step: u64) -> Result<Frame, FrameError> {
         let file = file(path, step);
         let bytes = std::fs::read(&file).map_err(|cause| access(&file, cause))?;
@@ -250,7 +250,7 @@ impl FrameFolder {
     }
 }
 
-/// Where the frame of a step is.
+/// Path of the frame of a step.
 fn file(path: &Path, step: u64) -> PathBuf {
     path.join(format!("{step:012}{ENDING}"))
 }
@@ -277,7 +277,7 @@ fn step(name: &str) -> Option<u64> {
     name.strip_suffix(ENDING)?.parse().ok()
 }
 
-/// Removes the frames of some steps, and what a killed run left half-written.
+/// Removes the frames of some steps, and half-written files of a killed run.
 fn remove_where(path: &Path, is_old: impl Fn(u64) -> bool) -> Result<(), FrameError> {
     for name in names(path)? {
         if is_unfinished(&name) || step(&name).is_some_and(&is_old) {

@@ -1,4 +1,4 @@
-//! One state of a run, as a film needs it.
+//! One state of a run for a film.
 
 use super::bytes::{Source, from_upper_half, upper_half};
 use crate::record::{Partner, digest};
@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 /// The first bytes of a frame, and the version that follows.
 const MAGIC: [u8; 4] = *b"TrFr";
 const VERSION: u32 = 2;
-/// The largest number of a place.
+/// Largest encoded coordinate.
 const STEPS: f64 = u16::MAX as f64;
 
 /// A state. *Units*: those of the run.
@@ -54,7 +54,7 @@ pub struct Frame {
     pub height: f64,
     /// Porosity of a powder, angle of a tip's driven layers in degrees.
     pub measure: f64,
-    /// The box in which places are counted: low and high corner.
+    /// Low and high corner of the box in which positions are encoded.
     pub corners: [[f32; 3]; 2],
     /// Centres; in a file to half a 65535th of the box's sides.
     pub places: Vec<Vector3<f64>>,
@@ -69,15 +69,15 @@ pub struct Frame {
 pub struct FrameContact {
     /// A particle.
     pub a: u32,
-    /// What it touches.
+    /// The other side of the contact.
     pub b: Partner,
     /// Normal force, positive for pressure, negative for a pull; in a file to 2⁻⁸ of it.
     pub normal_force: f32,
-    /// What it does.
+    /// State of the contact.
     pub hold: Hold,
 }
 
-/// What a contact does: the modes that are at their thresholds, as bits.
+/// State of a contact: the modes that are at their thresholds, as bits.
 ///
 /// ```
 /// use tribos::record::frames::Hold;
@@ -99,10 +99,10 @@ impl Hold {
     pub const ROLLS: Self = Self(2);
     /// The torque along the normal is at the threshold of torsion.
     pub const SPINS: Self = Self(4);
-    /// Nothing is carried, or there are no thresholds to compare with.
+    /// The contact carries nothing, or has no thresholds of its own.
     pub const OPEN: Self = Self(128);
 
-    /// Of the thresholds of sliding, rolling and torsion that are reached.
+    /// The state in which these thresholds are reached: sliding, rolling, torsion.
     pub fn of(reached: [bool; 3]) -> Self {
         let [slides, rolls, spins] = reached.map(u8::from);
         Self(slides * Self::SLIDES.0 + rolls * Self::ROLLS.0 + spins * Self::SPINS.0)
@@ -127,7 +127,7 @@ impl Frame {
         Self::of_content(content)
     }
 
-    /// What the file holds before its digest.
+    /// Contents of the file before its digest.
     fn content(&self) -> Vec<u8> {
         let (n, m) = (self.places.len(), self.contacts.len());
         let mut bytes = Vec::with_capacity(72 + 8 * n + 11 * m);
@@ -159,7 +159,7 @@ impl Frame {
         bytes
     }
 
-    /// A frame from what its file holds before its digest; `None` if it makes no sense.
+    /// A frame from the contents of its file before the digest; `None` if they are invalid.
     fn of_content(bytes: &[u8]) -> Option<Self> {
         let mut source = Source(bytes);
         if source.take()? != MAGIC || u32::from_le_bytes(source.take()?) != VERSION {
@@ -204,15 +204,15 @@ impl Frame {
         (source.0.is_empty() && sound).then_some(frame)
     }
 
-    /// The number of a coordinate.
+    /// Encodes a coordinate.
     fn count(&self, axis: usize, place: f64) -> u16 {
         let [low, high] = self.corners.map(|corner| f64::from(corner[axis]));
         let share = (place - low) / (high - low);
-        // Out of the box counts as on its side, NaN as on the low one: the cast does both.
+        // The cast saturates: coordinates outside the box go to its side, NaN to the low side.
         (STEPS * share).round() as u16
     }
 
-    /// The coordinate of a number.
+    /// Decodes a coordinate.
     fn place(&self, axis: usize, count: u16) -> f64 {
         let [low, high] = self.corners.map(|corner| f64::from(corner[axis]));
         low + (high - low) * (f64::from(count) / STEPS)
@@ -224,7 +224,7 @@ fn seal(content: &[u8], run: u128) -> [u8; 16] {
     (digest(content) ^ run).to_le_bytes()
 }
 
-/// Particles from 0 up, walls from the top down.
+/// Number of a partner: particles count from 0 up, walls from the top down.
 fn number(partner: Partner) -> u32 {
     match partner {
         Partner::Particle(index) => index,
@@ -294,7 +294,7 @@ mod tests {
         assert_eq!(read.contacts[1].b, Partner::Wall(1));
         assert_eq!(read.contacts[1].hold, Hold(5));
         assert_eq!(read.contacts[1].normal_force, -1.25);
-        // What is read is written again to the same bytes.
+        // Reading and writing again gives the same bytes.
         assert_eq!(read.bytes(RUN), written.bytes(RUN));
         Ok(())
     }
@@ -315,7 +315,7 @@ mod tests {
             other[at] = 77;
             assert!(Frame::of_content(&other).is_none(), "{at}");
         }
-        // A count that no memory holds.
+        // A count larger than memory.
         let mut huge = bytes;
         huge[40..44].fill(0xff);
         assert!(Frame::of_content(&huge).is_none());

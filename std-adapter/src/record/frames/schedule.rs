@@ -1,4 +1,4 @@
-//! Which states are kept, when the number of steps is not known before the end.
+//! Which states are kept when the number of steps is not known in advance.
 
 /// The smallest number of frames that can be kept: the first state and the last.
 ///
@@ -13,9 +13,9 @@ pub const FEWEST: u64 = 2;
 /// States from one kept frame to the next, a power of two, once `states` have followed the first:
 /// the smallest for which those kept and the last one are not more than `limit`.
 ///
-/// The set is halved as it fills, and never refilled: what is kept after more states is a part of
-/// what was kept before, apart from the last. *Domain*: limits below [`FEWEST`] count as that;
-/// `u64::MAX` where a power of two has too many digits.
+/// The set is halved when it is full: except for the last state, the frames kept later are a
+/// subset of those kept before. *Domain*: limits below [`FEWEST`] count as that; `u64::MAX` where
+/// a power of two has too many digits.
 ///
 /// ```
 /// use tribos::record::frames::spacing;
@@ -47,7 +47,7 @@ mod tests {
                 let kept = states / now + 1 + u64::from(!states.is_multiple_of(now));
                 assert!(kept <= limit.max(FEWEST), "{states} {limit}");
                 assert!(now >= last && now.is_multiple_of(last));
-                // No coarser than it has to be.
+                // No coarser than necessary.
                 let half = now / 2;
                 assert!(now == 1 || states / half + 2 > limit.max(FEWEST));
                 last = now;

@@ -4,7 +4,8 @@ use super::xyz::{push, push_vector};
 use super::{Column, State, Values};
 use crate::record::number;
 
-/// Time, step, number, box, a line a body. Types are those of parts from 1 up, 1 for all without.
+/// Time, step, number, box, and one line per body. Types are the parts, counted from 1, or 1 for
+/// all bodies.
 pub(super) fn frame(state: &State) -> String {
     let flags = state
         .sides
@@ -37,7 +38,7 @@ pub(super) fn frame(state: &State) -> String {
     text
 }
 
-/// As LAMMPS calls it.
+/// Name of the column in LAMMPS.
 fn name(column: &Column) -> String {
     match (column.name, &column.values) {
         ("velocity", _) => "vx vy vz".into(),

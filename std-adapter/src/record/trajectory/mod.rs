@@ -1,4 +1,4 @@
-//! Whole trajectories as files of other programs, written state by state.
+//! Trajectories in formats of other programs, written state by state.
 //!
 //! | format | files | read by |
 //! |---|---|---|
@@ -49,7 +49,7 @@ pub use state::{Column, Side, State, Values};
 use super::{AtomicFile, WriteError, write_atomically};
 use std::path::{Path, PathBuf};
 
-/// What other programs read.
+/// File formats of other programs.
 ///
 /// ```
 /// use tribos::record::trajectory::Format;
@@ -57,7 +57,7 @@ use std::path::{Path, PathBuf};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// A collection of VTK PolyData, one file a state.
+    /// A collection of VTK PolyData, one file per state.
     Vtk,
     /// Extended XYZ, all states in one file.
     Xyz,
@@ -81,7 +81,7 @@ impl Format {
     }
 }
 
-/// A trajectory on its way to the disk: no more than one state is held, and the file to open exists
+/// A trajectory that is being written: memory holds only one state, and the file to open exists
 /// once all states have been written.
 #[derive(Debug)]
 pub struct Trajectory {
@@ -92,8 +92,8 @@ pub struct Trajectory {
 }
 
 impl Trajectory {
-    /// Begins the files in a folder, which is made if missing; files of an earlier export to the same
-    /// format are replaced.
+    /// Begins the files in a folder, which is created if missing; files of an earlier export in the
+    /// same format are replaced.
     pub fn begin(folder: &Path, format: Format) -> Result<Self, WriteError> {
         let mut file = AtomicFile::begin(&folder.join(format.file()))?;
         if format == Format::Vtk {
@@ -122,12 +122,12 @@ impl Trajectory {
         }
     }
 
-    /// How many states have been written.
+    /// Number of states written so far.
     pub fn states(&self) -> usize {
         self.states
     }
 
-    /// Ends the files; returns the one to open.
+    /// Completes the files; returns the one to open.
     pub fn finish(mut self) -> Result<PathBuf, WriteError> {
         if self.format == Format::Vtk {
             self.file.add(vtp::COLLECTION_END.as_bytes())?;

@@ -14,16 +14,16 @@ pub struct State {
     pub sides: [Side; 3],
     /// Centres of the bodies.
     pub places: Vec<Vector3<f64>>,
-    /// What else is known of each body.
+    /// Further properties of each body.
     pub columns: Vec<Column>,
 }
 
 /// The box along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Side {
-    /// Low end.
+    /// Low end of the box.
     pub low: f64,
-    /// High end.
+    /// High end of the box.
     pub high: f64,
     /// Whether the box repeats.
     pub is_periodic: bool,
@@ -33,7 +33,7 @@ pub struct Side {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// Name, one word. `radius`, `velocity` and `angular_velocity` are written under the names that
-    /// the programs know.
+    /// each program uses.
     pub name: &'static str,
     /// A value for each body.
     pub values: Values,
@@ -51,7 +51,7 @@ pub enum Values {
 }
 
 impl Side {
-    /// From 0 to a length, which repeats.
+    /// A periodic side from 0 to a length.
     pub fn periodic(length: f64) -> Self {
         Self {
             low: 0.0,
@@ -60,7 +60,7 @@ impl Side {
         }
     }
 
-    /// From one end to another.
+    /// An open side between two ends.
     pub fn open(low: f64, high: f64) -> Self {
         Self {
             low,
@@ -71,15 +71,16 @@ impl Side {
 }
 
 impl Column {
-    /// Of these values.
+    /// A column of these values.
     pub fn new(name: &'static str, values: Values) -> Self {
         Self { name, values }
     }
 }
 
 impl State {
-    /// Of a kept frame, as near as [frames](crate::record::frames) are: places, radii, speeds, the
-    /// number of contacts of each particle of a powder, layer and part of each atom of a tip.
+    /// The state of a stored frame, with the accuracy of [frames](crate::record::frames):
+    /// positions, radii, speeds, the number of contacts of each particle of a powder, layer and
+    /// part of each atom of a tip.
     ///
     /// ```
     /// use nalgebra::Vector3;

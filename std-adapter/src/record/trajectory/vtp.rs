@@ -1,10 +1,10 @@
-//! A state as VTK PolyData, and the collection that gives each its time.
+//! A state as VTK PolyData, and the collection that assigns times to states.
 
 use super::{State, Values};
 use crate::record::number;
 use crate::record::vtk::{document, integers, scalars, vectors};
 
-/// How a collection begins and ends.
+/// Beginning and end of a collection.
 pub(super) const COLLECTION_BEGIN: &str = "<?xml version=\"1.0\"?>\n\
     <VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
 pub(super) const COLLECTION_END: &str = "</Collection>\n</VTKFile>\n";

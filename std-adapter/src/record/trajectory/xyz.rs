@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 /// Species without a name; chemistry programs know it as "no element".
 const NAMELESS: &str = "X";
 
-/// Number of bodies, header, a line a body. Numbers of bodies have single precision.
+/// Number of bodies, header, and one line per body. Numbers of bodies have single precision.
 pub(super) fn frame(state: &State) -> String {
     let mut text = format!("{}\n{}\n", state.places.len(), header(state));
     for (body, place) in state.places.iter().enumerate() {
@@ -47,7 +47,7 @@ fn header(state: &State) -> String {
     )
 }
 
-/// As OVITO knows it.
+/// Name of the column in OVITO.
 fn name(column: &Column) -> &'static str {
     match column.name {
         "velocity" => "velo",

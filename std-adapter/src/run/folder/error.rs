@@ -7,7 +7,7 @@ use std::path::Path;
 /// A folder for results that cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum FolderError {
-    /// What is there forbids it; the message says what it is and what to do.
+    /// Existing files forbid it; the message says which, and what to do.
     #[error("{0}")]
     Refused(String),
     /// The system refused access, or the folder was lost.

@@ -1,6 +1,7 @@
-//! Who works in a folder: a file that its process keeps locked, and that says which one it is.
+//! Lock of a folder: a file that a process keeps locked and that names this process.
 //!
-//! The system lets go of the lock when the process ends, whatever ended it: there are no stale locks.
+//! The operating system releases the lock when the process ends for any reason, so there are no stale
+//! locks.
 
 use super::FolderError;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -10,7 +11,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 /// Name of the file.
 const NAME: &str = ".tribos-lock";
-/// Letters of a command that are shown to others.
+/// Number of characters of a command that are shown to others.
 const MOST_LETTERS: usize = 200;
 
 /// Whether others may work in the folder at the same time.
@@ -18,31 +19,31 @@ const MOST_LETTERS: usize = 200;
 pub enum Sharing {
     /// Nobody else.
     Alone,
-    /// Others that share it too: parts of a sweep.
+    /// Other processes that share it too: parts of a sweep.
     Shared,
 }
 
-/// A lock that is held. Dropped, it is free.
+/// A held lock; dropping it releases the folder.
 #[derive(Debug)]
 pub struct Lock {
     folder: PathBuf,
     path: PathBuf,
-    /// None where the file system has no locks.
+    /// The locked file; `None` if the file system has no locks.
     file: Option<File>,
     sharing: Sharing,
 }
 
-/// What became of an attempt.
+/// Result of an attempt to lock.
 #[derive(Debug)]
 pub enum Attempt {
     /// The lock is held.
     Taken(Lock),
-    /// Somebody else holds it: who, as a sentence begins.
+    /// Another process holds the lock; the text names it as the beginning of a sentence.
     InUse(String),
 }
 
 impl Lock {
-    /// Takes the lock of a folder, which is made if missing.
+    /// Locks a folder, which is created if missing.
     pub fn take(folder: &Path, sharing: Sharing) -> Result<Self, FolderError> {
         match Self::attempt(folder, sharing)? {
             Attempt::Taken(lock) => Ok(lock),
@@ -52,7 +53,7 @@ impl Lock {
         }
     }
 
-    /// Takes the lock of a folder, which is made if missing, unless somebody else holds it.
+    /// Locks a folder, which is created if missing, unless another process holds the lock.
     pub fn attempt(folder: &Path, sharing: Sharing) -> Result<Attempt, FolderError> {
         let path = folder.join(NAME);
         let fail = |error| FolderError::access("lock", folder, error);
@@ -100,8 +101,9 @@ impl Lock {
         &self.folder
     }
 
-    /// Before something is written: fails if the folder at this place is not the one that was
-    /// locked. Somebody moved or deleted it, or removed the lock, and another command may be there.
+    /// Call this before writing: it fails if the folder at this path is not the one that was
+    /// locked. In that case it was moved or deleted, or the lock was removed, and another command
+    /// may use it.
     pub fn check(&self) -> Result<(), FolderError> {
         if self.is_mine() {
             return Ok(());
@@ -118,14 +120,14 @@ impl Lock {
         let file = self.file.as_ref();
         file.is_none_or(|file| match self.sharing {
             Sharing::Alone => is_still_at(file, &self.path),
-            // Others that share it sign it too.
+            // Other processes that share the lock sign it too.
             Sharing::Shared => is_at(file, &self.path),
         })
     }
 }
 
-/// Writes who holds it. On a full disk the lock holds without a name, and what is written next
-/// tells of the disk.
+/// Writes the holder's name. On a full disk the lock holds without a name, and the next write
+/// reports the disk.
 fn signed(mut file: File) -> File {
     let _ = sign(&mut file);
     file
@@ -174,7 +176,7 @@ fn is_still_at(_: &File, path: &Path) -> bool {
     }
 }
 
-/// Names the other command.
+/// Text that names the other command.
 fn in_use(folder: &Path, mut file: File) -> String {
     let mut other = String::new();
     let told = file.read_to_string(&mut other).is_ok() && !other.trim().is_empty();
@@ -193,7 +195,7 @@ fn sign(file: &mut File) -> std::io::Result<()> {
     file.write_all(myself().as_bytes())
 }
 
-/// This process as others read it.
+/// Description of this process for others.
 fn myself() -> String {
     let words: Vec<String> = std::env::args_os()
         .skip(1)

@@ -11,24 +11,24 @@ pub const NAME: &str = "tribos.json";
 /// First key of the file, with its format.
 const KEY: &str = "tribos_folder";
 const FORMAT: u64 = 1;
-/// Bytes of it at most.
+/// Largest size of the file in bytes.
 const MOST_BYTES: u64 = 16 << 20;
 
-/// What a folder holds.
+/// Contents of a folder.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Manifest {
     /// Name of the command.
     pub command: String,
-    /// What it is about: the scene of a run, else null.
+    /// Subject of the results: the scene of a run, else null.
     pub about: Value,
-    /// Names of its files, as in [`Contents`].
+    /// Names of the files, as in [`Contents`].
     pub files: Vec<String>,
-    /// Digests of some of them, once they are complete.
+    /// Digests of some of the files, once they are complete.
     pub digests: Map<String, Value>,
 }
 
 impl Manifest {
-    /// Of what a command begins to write.
+    /// Manifest of a command that begins to write.
     pub fn of(contents: &Contents<'_>) -> Self {
         Self {
             command: contents.command.into(),
@@ -38,7 +38,7 @@ impl Manifest {
         }
     }
 
-    /// Adds names; whether any of them is new.
+    /// Adds names and returns whether any of them is new.
     pub fn add(&mut self, names: &[&str]) -> bool {
         let before = self.files.len();
         for &name in names {
@@ -49,7 +49,7 @@ impl Manifest {
         self.files.len() > before
     }
 
-    /// That of a folder, if it has one.
+    /// Reads the manifest of a folder, if there is one.
     pub fn read(folder: &Path) -> Result<Option<Self>, FolderError> {
         let file = folder.join(NAME);
         let text = match read_text(&file, MOST_BYTES) {
@@ -84,9 +84,9 @@ impl Manifest {
         })
     }
 
-    /// Writes it into the folder.
+    /// Writes the manifest to the folder.
     pub fn write(&self, folder: &Path) -> Result<(), FolderError> {
-        // In one order, however the run was broken off and went on.
+        // Sorted, so that the order does not depend on interruptions.
         let mut files = self.files.clone();
         files.sort();
         let map = Map::from_iter([
@@ -103,7 +103,7 @@ impl Manifest {
         )?)
     }
 
-    /// Notes the digests of files.
+    /// Records the digests of files.
     pub fn seal(&mut self, folder: &Path, names: &[&str]) -> Result<(), FolderError> {
         for &name in names {
             let file = folder.join(name);
@@ -114,7 +114,7 @@ impl Manifest {
         Ok(())
     }
 
-    /// Whether these are the bytes of a file as the command left it.
+    /// Whether these are the bytes of a file as the command wrote it.
     pub fn is_of(&self, name: &str, bytes: &[u8]) -> bool {
         self.digests.get(name).and_then(Value::as_str) == Some(&digits(bytes))
     }
@@ -124,7 +124,7 @@ fn digits(bytes: &[u8]) -> String {
     format!("{:032x}", digest(bytes))
 }
 
-/// Whether a name leads to a place in the folder.
+/// Whether a name denotes a path inside the folder.
 fn is_inside(name: &str) -> bool {
     let mut parts = Path::new(name).components();
     !name.is_empty() && parts.all(|part| matches!(part, Component::Normal(_)))

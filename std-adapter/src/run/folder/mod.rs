@@ -1,9 +1,9 @@
 //! Folders for results: each belongs to one command at a time, and its files to one result.
 //!
-//! `tribos.json` in the folder says which command wrote which files, of which scene. A command that
-//! starts there takes away what that file names, and nothing else; files of somebody else are never
-//! replaced. While a command works it holds a lock, which names it to others. Files that a killed
-//! command left half-written are removed by the next one.
+//! `tribos.json` in the folder records which command wrote which files, of which scene. A command
+//! that starts there removes the files named there, and nothing else; it never replaces other
+//! files. While a command works it holds a lock that names it to others. The next command removes
+//! half-written files of a killed one.
 
 mod error;
 mod lock;
@@ -21,24 +21,24 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What a command is going to leave in its folder.
+/// The files that a command will write to its folder.
 #[derive(Clone, Debug)]
 pub struct Contents<'a> {
     /// Name of the command.
     pub command: &'static str,
-    /// What it is about: the scene of a run, else null.
+    /// Subject of the result: the scene of a run, else null.
     pub about: Value,
     /// Names of files that it writes now; `#` stands for digits, and a folder of frames ends with
     /// `/`.
     pub files: &'a [&'a str],
     /// Names of files that it adds later, before it writes them.
     pub later: &'a [&'a str],
-    /// What happens to a run that was broken off.
+    /// What happens to an interrupted run.
     pub broken: Broken,
 }
 
 impl<'a> Contents<'a> {
-    /// Of a command whose results are not of one scene.
+    /// Contents of a command whose results do not belong to one scene.
     pub fn of(command: &'static str, files: &'a [&'a str]) -> Self {
         Self {
             command,
@@ -50,25 +50,27 @@ impl<'a> Contents<'a> {
     }
 }
 
-/// A folder that a command works in. Dropped, it is free again, and its manifest names what is there.
+/// A folder that a command works in. Dropping it releases the folder, and its manifest then names the
+/// existing files.
 #[derive(Debug)]
 pub struct OutputFolder {
     lock: Arc<Lock>,
 }
 
 impl OutputFolder {
-    /// The folder for a new result, made if missing: what an earlier one left is taken away.
+    /// The folder for a new result, created if missing; files of an earlier result are removed.
     pub fn begin(path: &Path, contents: &Contents<'_>) -> Result<Self, FolderError> {
         let lock = Lock::take(path, Sharing::Alone)?;
         Self::claim(lock, contents, |_| false)
     }
 
-    /// The folder of the same command about the same, whose files stay; or for a new result.
+    /// The folder of the same command and subject, whose files are kept, or else a folder for a new
+    /// result.
     pub fn go_on(path: &Path, contents: &Contents<'_>) -> Result<Self, FolderError> {
         Self::go_on_with(Lock::take(path, Sharing::Alone)?, contents)
     }
 
-    /// The same for a folder whose lock is held.
+    /// The same for a folder that is already locked.
     pub fn go_on_with(lock: Lock, contents: &Contents<'_>) -> Result<Self, FolderError> {
         Self::claim(lock, contents, |old| {
             old.command == contents.command && old.about == contents.about
@@ -111,35 +113,35 @@ impl OutputFolder {
         Ok(Self { lock })
     }
 
-    /// Its lock, for those that write a file now and then.
+    /// Lock of the folder, for occasional writers.
     pub fn lock(&self) -> &Arc<Lock> {
         &self.lock
     }
 
-    /// Where it is.
+    /// Path of the folder.
     pub fn path(&self) -> &Path {
         self.lock.folder()
     }
 
-    /// Before results are written: fails if the folder belongs to another command by now.
+    /// Call this before writing results: it fails if the folder now belongs to another command.
     pub fn check(&self) -> Result<(), FolderError> {
         self.lock.check()
     }
 
-    /// Writes a file that is named, if the folder is still this command's.
+    /// Writes a file that the manifest names, if the folder still belongs to this command.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
         self.check()?;
         write_atomically_there(&self.path().join(name), bytes)
             .map_err(|error| self.check().err().unwrap_or_else(|| error.into()))
     }
 
-    /// Before files are written that were not named at the start.
+    /// Adds names to the manifest; call it before writing files that were not named at the start.
     pub fn add(&self, names: &[&str]) -> Result<(), FolderError> {
         self.check()?;
         add(self.path(), names)
     }
 
-    /// Takes away files that the manifest names and this means.
+    /// Removes the files of the manifest that `is_meant` selects.
     pub fn remove(&self, is_meant: impl Fn(&str) -> bool) -> Result<(), FolderError> {
         self.check()?;
         let Some(mut manifest) = Manifest::read(self.path())? else {
@@ -152,7 +154,7 @@ impl OutputFolder {
         manifest.write(self.path())
     }
 
-    /// Before the summary: notes the digests of files that others will rely on.
+    /// Records the digests of files that others rely on; call it before writing the summary.
     pub fn seal(&self, names: &[&str]) -> Result<(), FolderError> {
         self.check()?;
         let Some(mut manifest) = Manifest::read(self.path())? else {
@@ -162,7 +164,7 @@ impl OutputFolder {
         manifest.write(self.path())
     }
 
-    /// Leaves out of the manifest what was not written.
+    /// Removes files that were not written from the manifest.
     fn trim(&self) -> Result<(), FolderError> {
         self.check()?;
         let Some(manifest) = Manifest::read(self.path())? else {
@@ -184,12 +186,12 @@ impl OutputFolder {
 
 impl Drop for OutputFolder {
     fn drop(&mut self) {
-        // Names too many do no harm where it fails.
+        // Surplus names do no harm if this fails.
         let _ = self.trim();
     }
 }
 
-/// Adds names to what a folder says of itself, before files of these names are written there.
+/// Adds names to the manifest of a folder, before files of these names are written there.
 pub fn add(path: &Path, names: &[&str]) -> Result<(), FolderError> {
     let Some(mut manifest) = Manifest::read(path)? else {
         return Err(FolderError::Access(format!(
@@ -204,7 +206,7 @@ pub fn add(path: &Path, names: &[&str]) -> Result<(), FolderError> {
     Ok(())
 }
 
-/// Files that would be replaced though no command of tribos in this folder wrote them.
+/// Refuses to replace files that no tribos command wrote in this folder.
 fn refuse_strangers(path: &Path, files: &[&str], known: &[String]) -> Result<(), FolderError> {
     for file in files {
         if known.iter().any(|name| name == file) {
@@ -222,7 +224,7 @@ fn refuse_strangers(path: &Path, files: &[&str], known: &[String]) -> Result<(),
     Ok(())
 }
 
-/// Takes away what a name in a manifest stands for.
+/// Removes the files that a name in a manifest denotes.
 fn remove(path: &Path, name: &str) -> Result<(), FolderError> {
     if let Some(folder) = name.strip_suffix('/') {
         return Ok(FrameFolder::clear(&path.join(folder))?);
@@ -231,13 +233,13 @@ fn remove(path: &Path, name: &str) -> Result<(), FolderError> {
         remove_file(&file)?;
     }
     if let Some((folder, _)) = name.rsplit_once('/') {
-        // It may hold somebody else's files too, or not be there.
+        // The folder may contain other files too, or not exist.
         let _ = std::fs::remove_dir(path.join(folder));
     }
     Ok(())
 }
 
-/// Files of a folder that a name stands for.
+/// Files of a folder that a name denotes.
 fn matching(path: &Path, name: &str) -> Result<Vec<PathBuf>, FolderError> {
     if let Some(folder) = name.strip_suffix('/') {
         let frames = path.join(folder);
@@ -275,7 +277,7 @@ fn matching(path: &Path, name: &str) -> Result<Vec<PathBuf>, FolderError> {
         .collect())
 }
 
-/// Removes what killed commands left half-written, here and among the frames.
+/// Removes half-written files of killed commands, here and among the frames.
 pub fn remove_unfinished(path: &Path) -> Result<(), FolderError> {
     for folder in [path.to_owned(), path.join("frames")] {
         if !folder.is_dir() {
@@ -297,7 +299,7 @@ fn names(folder: &Path) -> Result<Vec<String>, FolderError> {
     Ok(names)
 }
 
-/// Removes a file, if it is there.
+/// Removes a file if it exists.
 pub fn remove_file(file: &Path) -> Result<(), FolderError> {
     match std::fs::remove_file(file) {
         Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(FolderError::Access(

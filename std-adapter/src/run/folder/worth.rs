@@ -1,4 +1,4 @@
-//! Results that took long: what a command may take away, and what it must not.
+//! Protection of results that took long to compute.
 
 use super::FolderError;
 use super::{Contents, Manifest};
@@ -10,22 +10,22 @@ const COLLECTIONS: [&str; 2] = ["sweep", "reproduce"];
 const RUN: &str = "run";
 const LONG: [&str; 2] = ["powder", "tip"];
 
-/// What happens to a run that was broken off when another one begins in its folder.
+/// What happens to an interrupted run when another one begins in its folder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Broken {
-    /// It is kept: the new one is refused.
+    /// The interrupted run is kept, and the new one refused.
     Kept,
-    /// It goes away.
+    /// The interrupted run is removed.
     Replaced,
 }
 
-/// Whether the run of a folder has come to its end.
+/// Whether the run in a folder is finished.
 pub fn is_finished(path: &Path) -> bool {
     path.join("summary.json").exists()
 }
 
-/// Refuses to take away what took long: collections and long runs by another command, and runs
-/// that were broken off by any.
+/// Refuses to remove results that took long: collections and long runs if the command is another,
+/// and interrupted runs always.
 pub fn refuse_loss(path: &Path, old: &Manifest, new: &Contents<'_>) -> Result<(), FolderError> {
     let name = path.display();
     let is_other = old.command != new.command;

@@ -13,7 +13,7 @@ pub struct Element {
     pub mass: f64,
 }
 
-/// Species that a file does not know.
+/// A species that the file does not contain.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ElementError {
     /// No such name.
@@ -35,8 +35,8 @@ pub enum ElementError {
 }
 
 impl PotentialFile {
-    /// Which element of the file, from 0, each species is: that of its name where the species and the
-    /// file have names, else the first species is the first element and so on.
+    /// The element of the file, from 0, of each species: by name if the species and the file have
+    /// names, else in order.
     pub fn elements_of(
         &self,
         names: Option<&[String]>,

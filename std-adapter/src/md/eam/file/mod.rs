@@ -36,11 +36,11 @@ use crate::md::text::{Line, Lines, TextError};
 pub struct PotentialFile {
     /// The elements.
     pub elements: Vec<Element>,
-    /// Where densities and pair energies end.
+    /// Cut-off of densities and pair energies.
     pub cutoff: f64,
-    /// Between knots of F.
+    /// Distance between knots of F, a density.
     pub density_step: f64,
-    /// Between knots of ρ and rφ.
+    /// Distance between knots of ρ and rφ.
     pub distance_step: f64,
     /// F of each element.
     pub embeddings: Vec<Vec<f64>>,
@@ -51,7 +51,7 @@ pub struct PotentialFile {
 }
 
 impl PotentialFile {
-    /// Reads either format, told by the numbers in the second and third line.
+    /// Reads either format, recognised by the numbers in the second and third line.
     pub fn read(text: &str) -> Result<Self, TextError> {
         if funcfl::is_funcfl(text) {
             funcfl::read(text)
@@ -67,7 +67,7 @@ impl PotentialFile {
     }
 }
 
-/// Most knots of a table; published files have some ten thousand.
+/// Largest number of knots of a table; published files have some ten thousand.
 const MOST_KNOTS: u64 = 10_000_000;
 
 /// The line `nrho drho nr dr cutoff`.

@@ -1,4 +1,4 @@
-//! Files that are wrong are refused where they are wrong.
+//! Errors in files are reported at their line.
 
 use super::PotentialFile;
 use crate::md::text::TextError;
