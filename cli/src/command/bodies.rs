@@ -1,12 +1,13 @@
 //! What the commands do with the scenes of each body.
 
 use super::explain::{after, powder as powder_text, slide as slide_text, tip as tip_text};
-use super::run::long::Unfinished;
+use super::sweep::body::Unfinished;
 use super::sweep::{self, kind};
 use crate::failure::Failure;
-use crate::folder::Lock;
 use serde_json::Value;
 use std::path::Path;
+use std::sync::Arc;
+use tribos::run::folder::Lock;
 use tribos::scene::{PowderScene, Scene, SliderScene, TipScene};
 use tribos::slide::PlanarScene;
 
@@ -16,7 +17,7 @@ pub trait Commands {
     fn kind(&self) -> &'static kind::Kind;
 
     /// One run of a sweep, on from a checkpoint if there is one: the summary, and a line about it.
-    fn run(&self, folder: &Lock) -> Result<(Value, String), Unfinished>;
+    fn run(&self, folder: &Arc<Lock>) -> Result<(Value, String), Unfinished>;
 
     /// Laws, modes and unknowns that the scene carries, and their cost.
     fn explanation(&self) -> Result<String, Failure>;
@@ -50,7 +51,7 @@ impl Commands for &SliderScene {
         &kind::DISK
     }
 
-    fn run(&self, _: &Lock) -> Result<(Value, String), Unfinished> {
+    fn run(&self, _: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
         sweep::body::slide(self)
     }
 
@@ -69,7 +70,7 @@ impl Commands for InPlane<'_> {
         &kind::PLANAR
     }
 
-    fn run(&self, _: &Lock) -> Result<(Value, String), Unfinished> {
+    fn run(&self, _: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
         sweep::body::path(self.scene)
     }
 
@@ -88,7 +89,7 @@ impl Commands for &PowderScene {
         &kind::POWDER
     }
 
-    fn run(&self, folder: &Lock) -> Result<(Value, String), Unfinished> {
+    fn run(&self, folder: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
         sweep::body::compact(self, folder)
     }
 
@@ -106,7 +107,7 @@ impl Commands for &TipScene {
         &kind::TIP
     }
 
-    fn run(&self, folder: &Lock) -> Result<(Value, String), Unfinished> {
+    fn run(&self, folder: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
         sweep::body::turn(self, folder)
     }
 

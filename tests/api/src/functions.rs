@@ -269,12 +269,14 @@ fn named<'a>(of: &mut Value, names: &mut impl Iterator<Item = &'a Parameter>) ->
         return true;
     }
     match of {
-        Value::Array(parts) => parts
-            .iter_mut()
-            .fold(false, |any, part| named(part, names) || any),
+        // Every part has its own names: none is left out.
+        Value::Array(parts) => {
+            let named = parts.iter_mut().map(|part| named(part, names));
+            named.filter(|any| *any).count() > 0
+        }
         Value::Object(parts) => {
-            let parts = parts.iter_mut();
-            parts.fold(false, |any, (_, part)| named(part, names) || any)
+            let named = parts.values_mut().map(|part| named(part, names));
+            named.filter(|any| *any).count() > 0
         }
         _ => false,
     }

@@ -53,7 +53,7 @@ fn sleepers_have_no_contacts_and_wake_when_hit() {
     for _ in 0..50 {
         assert_eq!(stepped(&mut world).awake, CHAIN + 1);
     }
-    let awake = world.state().rest.awake();
+    let awake = world.state().sleep.awake();
     assert!(awake[..CHAIN].iter().all(|awake| *awake) && !awake[CHAIN..2 * CHAIN].contains(&true));
     assert!(world.state().spheres[CHAIN - 1].velocity.norm() > 0.01);
 }

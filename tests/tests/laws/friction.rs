@@ -4,15 +4,18 @@ use tribos::friction::{
     Friction, LARGEST_EXPONENT, LAWS, Law, Patch, Precision, Refusal, Tier, leaning, upright,
 };
 use tribos::random::Random;
-use tribos::scene::{SliderScene, parse_slider};
+use tribos::scene::SliderScene;
 use tribos::slide::planar::{Gradient, Journey, Launch, TallBody, TallCylinder};
 use tribos::slide::{Ending, run, run_law};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
 use tribos_core::coupling::table::{self, Table32, Table64};
-use tribos_core::coupling::{Annulus, Coupling, Lateral, LeanProfile, Profile, closed, compact};
-use tribos_core::law::{DryFriction, LocalLaw, PlateauPower, Stribeck};
+use tribos_core::coupling::{Annulus, Coupling, Lateral, Profile, closed, compact};
+use tribos_core::internals::LeanProfile;
+use tribos_core::law::{
+    DryFriction, LocalLaw, PlateauPower, PlateauPowerParameters, Stribeck, StribeckParameters,
+};
 use tribos_core::modes::Modes;
 use tribos_core::patch::nodes::NodeList;
 use tribos_core::patch::polar::PolarRule;
@@ -87,7 +90,7 @@ fn assert_same<R: Precision>(name: &str, room: &dyn Lateral<R>, kernel: &dyn Lat
 /// The kernel's type for a power on a patch in 64 bit, written down once more.
 fn kernel(name: &str, alpha: f64, tier: Tier) -> Option<Box<dyn Lateral<f64>>> {
     let dry = alpha == 0.0;
-    let power = |pressure| compact::Power::with_pressure(alpha, pressure).unwrap();
+    let power = |pressure| compact::CompactPower::with_pressure(alpha, pressure).unwrap();
     let round = |pressure| RoundTable64::new(alpha, pressure).unwrap();
     let quarter = PowerPressure::new(0.25).unwrap();
     let polynomial = PolynomialPressure::new([1.0, -0.5]).unwrap();
@@ -96,13 +99,13 @@ fn kernel(name: &str, alpha: f64, tier: Tier) -> Option<Box<dyn Lateral<f64>>> {
         (_, Tier::Table) if alpha > 10.0 => return None,
         ("disk", Tier::Table) if dry => Box::new(table::Coulomb),
         ("disk", Tier::Table) => Box::new(Table64::new(alpha).unwrap()),
-        ("disk", Tier::Compact) if dry => Box::new(compact::Coulomb),
-        ("disk", Tier::Compact) => Box::new(compact::Power::new(alpha).unwrap()),
+        ("disk", Tier::Compact) if dry => Box::new(compact::CompactCoulomb),
+        ("disk", Tier::Compact) => Box::new(compact::CompactPower::new(alpha).unwrap()),
         ("annulus:0.5", Tier::Table) if dry => Box::new(Annulus::new(table::Coulomb, 0.5).unwrap()),
         ("annulus:0.5", Tier::Table) => {
             Box::new(Annulus::new(Table64::new(alpha).unwrap(), 0.5).unwrap())
         }
-        ("annulus:0.5", _) if dry => Box::new(Annulus::new(compact::Coulomb, 0.5).unwrap()),
+        ("annulus:0.5", _) if dry => Box::new(Annulus::new(compact::CompactCoulomb, 0.5).unwrap()),
         ("annulus:0.5", _) => Box::new(Annulus::new(power(PowerPressure::UNIFORM), 0.5).unwrap()),
         ("ring", Tier::Compact) if dry => Box::new(closed::Ring),
         ("hertz", Tier::Compact) if dry => Box::new(closed::Hertz),
@@ -196,8 +199,21 @@ fn single_precision_has_its_own_tables() {
 #[test]
 fn other_laws_are_the_kernel_s_quadratures() {
     let dry = DryFriction::new(0.4, 0.2).unwrap();
-    let stribeck = Stribeck::new(dry, 0.05, 2.0, 0.02).unwrap();
-    let plateau = PlateauPower::new(-0.4, 0.1, 1e-3, 1e-4, 0.5).unwrap();
+    let stribeck = Stribeck::new(StribeckParameters {
+        dry,
+        speed: 0.05,
+        exponent: 2.0,
+        viscous: 0.02,
+    })
+    .unwrap();
+    let plateau = PlateauPower::new(PlateauPowerParameters {
+        alpha: -0.4,
+        coefficient: 0.1,
+        plateau_speed: 1e-3,
+        drop_speed: 1e-4,
+        rest_share: 0.5,
+    })
+    .unwrap();
     fn agree(text: &str, law: impl LocalLaw<f64> + Copy) {
         let spec: Law = text.parse().unwrap();
         let friction = |name: &str| Friction::<f64>::new(&patch(name), &spec, None).unwrap();
@@ -321,7 +337,7 @@ fn final_motion_takes_closed_forms_then_tables_then_series() {
         0.0,
         &Annulus::new(table::Coulomb, 0.5).unwrap(),
     );
-    same("disk", 20.0, &compact::Power::new(20.0).unwrap());
+    same("disk", 20.0, &compact::CompactPower::new(20.0).unwrap());
     let leant = LeanProfile::new(closed::Hertz, 0.6).unwrap();
     assert_eq!(
         growth(&&*leaning(&Patch::Hertz, 0.6).unwrap()),
@@ -342,7 +358,7 @@ fn scene(more: &[&str]) -> SliderScene {
     let text = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0\ngravity = 9.81\nradius = 0.08\n\
                 mass = 0.1\ninertia_ratio = 0.5";
     let more: Vec<String> = more.iter().map(|item| (*item).into()).collect();
-    parse_slider("disk.toml", text, &more).unwrap()
+    SliderScene::parse("disk.toml", text, &more).unwrap()
 }
 
 #[test]

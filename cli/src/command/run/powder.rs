@@ -32,7 +32,7 @@ pub fn simulate(
             }
         })
         .on_progress(|run: &Compaction| {
-            sweeps += run.last_step().effort.sweeps;
+            sweeps += run.last_step().iterations.sweeps;
             let from = *since.get_or_insert(run.steps());
             if meter.is_due(run.progress()) {
                 let each = sweeps as f64 / (run.steps() - from).max(1) as f64;
