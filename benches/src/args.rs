@@ -1,4 +1,4 @@
-//! What the command line of the fronts says.
+//! Command line of the fronts.
 
 use crate::fronts::Front;
 use std::path::PathBuf;
@@ -25,18 +25,18 @@ rustup. Without QEMU the firmware front tells flash alone, and the kernel's colu
 The atoms front runs LAMMPS beside ours if `lmp` is on the PATH (Debian: lammps).
 ";
 
-/// What to make, where, and how long to measure.
+/// Options: what to make, where, and how long to measure.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
     /// Folder for the results.
     pub out: PathBuf,
-    /// Few rounds: for a look, not for publication.
+    /// Whether to take few rounds: for a quick check, not for publication.
     pub quick: bool,
     /// Fronts wanted, in the order of the index.
     pub fronts: Vec<Front>,
 }
 
-/// What is asked for.
+/// Request of the user.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Request {
     /// The help text.
@@ -77,7 +77,7 @@ impl Request {
 }
 
 impl Options {
-    /// The command that makes the same, but for the folder.
+    /// The command that reproduces the results, except for the folder.
     pub fn command(&self) -> String {
         let mut words = vec!["cargo run --release -p tribos-benches --bin fronts".to_string()];
         if self.quick || self.fronts.len() < Front::ALL.len() {
@@ -94,7 +94,7 @@ impl Options {
     }
 }
 
-/// A quick look does not replace what is published.
+/// A quick run does not replace published results.
 fn default_folder(quick: bool) -> PathBuf {
     let root = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
     root.join(if quick {

@@ -1,4 +1,4 @@
-//! The inputs that everything is timed and judged on.
+//! The inputs for all timings and errors.
 
 /// Knuth's MMIX generator (TAOCP vol. 2, 3.3.4): the same inputs on every run.
 #[derive(Clone, Debug)]

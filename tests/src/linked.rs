@@ -1,4 +1,4 @@
-//! The functions that a program holds, by the keys of [`public_items`](crate::public_items).
+//! The functions that a program contains, by the keys of [`public_items`](crate::public_items).
 
 use crate::public_items::Precision;
 use std::collections::{BTreeMap, BTreeSet};

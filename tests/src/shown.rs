@@ -1,9 +1,9 @@
 //! Which public items of a crate an example shows, read from its source.
 //!
-//! An item is shown if an example names it where its reader looks: in the file that defines it, in
-//! its own words or those of its neighbours, or on the page of a module above. A method has to be
-//! called; what is called by the name of its type, such as a constructor, needs an example that
-//! names both. Fields, variants and what a trait asks of others are shown by their owner.
+//! An item is shown if an example names it where a reader looks: in the docs of the file that
+//! defines it, or on the page of a parent module. A method has to be called; an associated
+//! function that is called by the name of its type, such as a constructor, needs an example that
+//! names both. Fields, variants and required methods of traits are shown by their owner.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! Emulated microcontrollers: what a call costs on them.
+//! Cost of calls on emulated microcontrollers.
 
 use crate::fronts::made::first_line;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! What the front of patches is made of: rows of patch × law × tier, each judged and timed.
+//! Rows of the front of patches: patch × law × tier, each with error and time.
 //!
 //! | judge | of what | digits |
 //! |---|---|---|

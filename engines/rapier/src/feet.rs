@@ -31,7 +31,7 @@ pub(crate) struct Solved {
     pub(crate) holds: Vec<bool>,
 }
 
-/// Gauge beyond which a load certainly exceeds rest, given rounding.
+/// Factor of the friction limit beyond which rest is certainly impossible, given rounding.
 const BEYOND: f64 = 1.01;
 
 impl Solved {

@@ -1,7 +1,8 @@
-//! A seeded generator of inputs that no test thought of, for every platform.
+//! A fuzzer: seeded inputs, the same on every platform.
 //!
-//! [`TARGETS`] take one input each: made from a seed, used, judged. [`run`] catches panics, measures
-//! the time of each input and reports what was found with the seed that repeats it. The properties are
+//! [`TARGETS`] generate one input from a seed, use it and check the results. [`run`] catches panics,
+//! measures the time of each input and reports findings with the seed that reproduces them. The
+//! properties are
 //!
 //! - no panic, whatever the input, and no input that takes longer than [`SLOW`];
 //! - finite results of mild inputs: magnitudes from 2⁻¹² to 2¹² and zero, within each domain;

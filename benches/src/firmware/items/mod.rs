@@ -1,4 +1,4 @@
-//! The items whose cost is told: what each program prepares and what it calls.
+//! The measured items: what each program prepares and calls.
 
 mod bodies;
 mod impulses;

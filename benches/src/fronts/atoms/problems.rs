@@ -1,4 +1,4 @@
-//! What both programs run: melts and the tip, from the same places and velocities.
+//! Problems for both programs: melts and the tip, from the same positions and velocities.
 
 use super::lammps::Input;
 use super::melt::{CUTOFF, Melt, SKIN, TIME_STEP};
@@ -23,7 +23,7 @@ const TIP: &str = "body = \"tip\"\nlambda = 0.017\n\
 const QUICK_TIP: &str = "body = \"tip\"\nlambda = 0.017\n\
                          equilibration = 0.5\ndrive_time = 0.5\nrest_time = 0";
 
-/// A problem: what moves, and for how long.
+/// A problem with its duration.
 #[derive(Debug)]
 pub enum Problem {
     /// A melt at constant energy.
@@ -52,7 +52,7 @@ pub struct Ran {
     pub atoms: Atoms,
     /// Their box.
     pub space: PeriodicBox,
-    /// What acts between them.
+    /// Interaction between the atoms.
     pub interaction: LennardJones,
 }
 
@@ -71,7 +71,7 @@ impl Ran {
     }
 }
 
-/// The moment from which is counted.
+/// Start of a timed section.
 struct Since {
     steps: u64,
     builds: u64,

@@ -1,4 +1,4 @@
-//! Every public function of the kernel in one image that a panic would keep from linking.
+//! Every public function of the kernel in one image, which does not link if any can panic.
 //!
 //!     cargo build --release -p tribos-no-panic --bin no_panic --target thumbv7em-none-eabihf
 #![cfg_attr(target_os = "none", no_std)]

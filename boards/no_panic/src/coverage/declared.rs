@@ -1,4 +1,4 @@
-//! What the kernel makes public.
+//! The public items of the kernel.
 
 use super::source::{self, Placed, inside};
 use super::{LEFT_OUT, Required};
@@ -12,7 +12,7 @@ pub struct Kernel {
     items: Vec<Placed>,
     /// Types with a hand-written `defmt::Format`.
     formatted: BTreeSet<String>,
-    /// Types by path; aliases with what they stand for.
+    /// Types by path; aliases with their targets.
     types: BTreeMap<String, Option<Type>>,
     /// Methods of traits by path.
     traits: BTreeMap<String, Vec<String>>,

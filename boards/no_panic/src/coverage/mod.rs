@@ -1,8 +1,8 @@
 //! Whether the list is complete: the kernel's source against the names in the image.
 //!
 //! From the source come all public functions: free ones, methods of public types, and methods of
-//! public traits for every type that implements them, provided methods included. From the list come
-//! the compiler's names of what it holds. Both are brought to one form, such as
+//! public traits for every type that implements them, provided methods included. The list gives the
+//! compiler's names of its entries. Both are brought to one form, such as
 //! `<coupling::table::Coulomb as coupling::Coupling>::reduced_wrench`.
 
 mod declared;
@@ -48,7 +48,7 @@ pub fn kept_names() -> Vec<&'static str> {
     names.0
 }
 
-/// What is required and not kept.
+/// Required functions that are not in the image.
 pub fn missing(required: &BTreeSet<Required>, kept: &[&str]) -> Vec<Required> {
     let mut precisions: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
     for name in kept.iter().map(|name| Name::of(name)) {

@@ -1,6 +1,6 @@
 //! The compiler's names of functions, without their type arguments.
 
-/// A function as the source knows it.
+/// A function as named in the source.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
     /// `module::function`, `module::Type::method` or `<module::Type as module::Trait>::method`,
@@ -18,7 +18,7 @@ impl Name {
             .collect();
         let precisions = ["f32", "f64"];
         Self {
-            // The arrow of a function's type is no bracket.
+            // The arrow of a function type is not a bracket.
             path: path(&name.replace("->", "")),
             precisions: precisions
                 .into_iter()
@@ -66,7 +66,7 @@ fn cut(inside: &str) -> (&str, &str) {
     (inside, "")
 }
 
-/// Where the bracket closes that was open at the start.
+/// Position where the bracket open at the start closes.
 fn closing(text: &str) -> usize {
     let mut depth = 1;
     for (at, character) in text.char_indices() {

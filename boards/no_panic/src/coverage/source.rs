@@ -3,14 +3,14 @@
 use std::path::Path;
 use syn::{Attribute, Item};
 
-/// An item and the module that it stands in, such as `coupling::table`; the root is empty.
+/// An item and its module, such as `coupling::table`; the root is empty.
 #[derive(Debug)]
 pub struct Placed {
     /// The module.
     pub module: String,
     /// The item.
     pub item: Item,
-    /// Whether it is compiled under a condition only: tests, features.
+    /// Whether the item is compiled conditionally: tests, features.
     pub conditional: bool,
 }
 

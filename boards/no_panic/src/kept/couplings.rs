@@ -74,7 +74,7 @@ pub fn tables(keeper: &mut impl Keeper) {
     lean::<f64, Dry<RoundTable64>>(keeper);
 }
 
-/// What every smooth axisymmetric coupling has, bare and with dimensions.
+/// Functions of every smooth axisymmetric coupling, without and with dimensions.
 fn round<R: Real, C: Lateral<R> + SmoothProfile<R>>(keeper: &mut impl Keeper) {
     coupling::<R, C>(keeper);
     smooth::<R, C>(keeper);

@@ -1,7 +1,7 @@
 //! Every public function of the kernel, by name and address.
 //!
-//! A function whose address is handed out has to be compiled for all arguments: nothing that a
-//! caller knows about them can remove a branch.
+//! A function whose address is taken must be compiled for all arguments: no knowledge of a
+//! caller's arguments can remove a branch.
 #![allow(clippy::type_complexity)] // Types of functions, to settle their generic arguments.
 
 mod contacts;
@@ -14,13 +14,13 @@ mod surfaces;
 
 use tribos_core::coupling::table::CoulombTable;
 
-/// What is done with each function.
+/// Receiver of the functions.
 pub trait Keeper {
     /// `name` is the compiler's, with all types spelled out.
     fn keep(&mut self, name: &'static str, address: *const ());
 }
 
-/// Hands functions to a keeper: paths, or `path => type` where arguments are generic.
+/// Passes functions to a keeper: paths, or `path => type` if arguments are generic.
 macro_rules! keep {
     ($keeper:ident: $($function:expr),+ $(,)?) => {
         $($keeper.keep(core::any::type_name_of_val(&$function), $function as *const ());)+

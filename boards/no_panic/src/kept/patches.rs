@@ -41,7 +41,7 @@ pub fn all<R: Real>(keeper: &mut impl Keeper) {
     keep!(keeper: NodeSlice::<R>::new, NodeBuffer::<R>::new);
 }
 
-/// What takes the nodes of rules.
+/// Receiver of the nodes of rules.
 fn sink<R: Real, S: NodeSink<R>>(keeper: &mut impl Keeper) {
     keep!(keeper: <S as NodeSink<R>>::push);
     keep!(keeper: polygon_into::<R> => fn(&mut S, &[[R; 2]], u32) -> Result<(), PolygonError>);

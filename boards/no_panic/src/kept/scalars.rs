@@ -6,7 +6,7 @@ use tribos_core::Real;
 use tribos_core::special::{CompleteElliptic, Gauss};
 use tribos_core::twist::{Twist, Wrench};
 
-/// Serves both precisions.
+/// Functions of both precisions.
 pub fn all<R: Real>(keeper: &mut impl Keeper) {
     elementary::<R>(keeper);
     keep!(keeper:
