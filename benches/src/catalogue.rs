@@ -1,5 +1,4 @@
-//! The methods that are timed and checked: the kernel's tiers, their baselines, tables of other
-//! exponents.
+//! The methods that are timed and checked: the kernel's tiers, their baselines, tables of other exponents.
 
 use crate::baselines::trapezoid::Trapezoid;
 use crate::baselines::{agm, bulirsch, cephes, decoupled, ellipsoid, micromath_agm, pade, series};

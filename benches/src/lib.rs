@@ -1,10 +1,9 @@
 //! Speed against error: cost and accuracy of the kernel and of its alternatives.
 //!
-//! One program, `fronts`, makes the fronts that the documentation shows: kernel (one evaluation of
-//! force and torque), patches (every patch, law and tier), integrators (one stop of a sliding,
-//! spinning disk), contacts (of packings, and their solvers), atoms (molecular dynamics beside
-//! LAMMPS) and firmware (the cost of each on a microcontroller). The benches under `benches/` time the same methods
-//! with criterion.
+//! One program, `fronts`, makes the fronts that the documentation shows: kernel (one evaluation of force
+//! and torque), patches (every patch, law and tier), integrators (one stop of a sliding, spinning disk),
+//! contacts (of packings, and their solvers), atoms (molecular dynamics beside LAMMPS) and firmware (the
+//! cost of each on a microcontroller). The benches under `benches/` time the same methods with criterion.
 
 pub mod args;
 pub mod baselines;

@@ -103,7 +103,7 @@ impl Region {
     /// All three.
     pub const ALL: [Self; 3] = [Self::Spinning, Self::Equal, Self::Sliding];
 
-    /// As it appears in reports.
+    /// Name of the region in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Spinning => "spinning (eps < 0.1)",

@@ -9,7 +9,7 @@ use tribos_report::figure::{Axis, Color, Figure, Legend, Region, Series};
 pub struct Place {
     /// Its own name.
     pub label: String,
-    /// What it is drawn with.
+    /// Style of the group in the picture.
     pub group: String,
     /// Time and error.
     pub at: (f64, f64),

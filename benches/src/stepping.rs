@@ -175,8 +175,7 @@ fn held(launch: &Motion<f64>, dt: f64) -> Option<Stop> {
     None
 }
 
-/// Friction at the speeds before the step slows the motion; the position also moves with these
-/// speeds.
+/// Friction at the speeds before the step slows the motion; the position also moves with these speeds.
 fn pushed(motion: &Motion<f64>, dt: f64) -> Motion<f64> {
     let impulse = DISK.deceleration * dt;
     let rim = motion.spin * DISK.radius;

@@ -12,7 +12,7 @@ const SHORTEST_RUN: f64 = 1e-9;
 
 /// Something to time.
 pub struct Task<'a> {
-    /// As it appears in reports.
+    /// Name of the task in reports.
     pub name: String,
     /// Evaluations in one run.
     pub elements: usize,

@@ -1,5 +1,4 @@
-//! Stack use of a call: the free stack is painted before the call and searched for paint after
-//! it.
+//! Stack use of a call: the free stack is painted before the call and searched for paint after it.
 
 use core::arch::asm;
 

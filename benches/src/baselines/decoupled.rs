@@ -1,5 +1,4 @@
-//! Two independent clamps: full Coulomb force and full drilling torque, independent of each
-//! other.
+//! Two independent clamps: full Coulomb force and full drilling torque, independent of each other.
 //!
 //! *Source*: engines with separate sliding and torsional coefficients (Bullet, PhysX, Gazebo,
 //! Box2D).

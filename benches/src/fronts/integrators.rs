@@ -23,12 +23,10 @@ const VERLET_STEPS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 const FEW_STEPS: [f64; 3] = [1e-2, 1e-3, 1e-4];
 /// The step at which methods are compared.
 const COMPARED: f64 = 1e-3;
-/// Below the first error rounding hides the effect of the step; errors below the second are drawn
-/// at it.
+/// Below the first error rounding hides the effect of the step; errors below the second are drawn at it.
 const ROUNDING: f64 = 1e-12;
 const LEAST: f64 = 1e-16;
-/// Launch speeds over [`SPEED`] for the orders: the instant of rest within the last step is
-/// random.
+/// Launch speeds over [`SPEED`] for the orders: the instant of rest within the last step is random.
 const LAUNCHES: [f64; 5] = [0.9, 0.947, 1.0, 1.031, 1.083];
 const PICTURE: &str = "integrators.svg";
 /// Distance over spin, by the methods that a game could use.

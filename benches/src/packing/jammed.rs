@@ -5,8 +5,7 @@ use tribos::random::Random;
 use tribos::space::pairs::{Cells, NeighbourError};
 use tribos::space::{PeriodicBox, PeriodicBoxError};
 
-/// Solid fraction, above random close packing (0.64): there are more contacts than forces can
-/// determine.
+/// Solid fraction, above random close packing (0.64): there are more contacts than forces can determine.
 pub const SOLID_FRACTION: f64 = 0.66;
 /// Half width of the radii around 1, which keeps a quick compression from making a crystal.
 pub const UNEVEN: f64 = 0.1;

@@ -89,7 +89,7 @@ fn over(error: f64, size: f64) -> f64 {
 
 /// One row of the front, ready to be timed.
 pub struct Entry {
-    /// What it is about.
+    /// Patch, law and tier of the row.
     pub label: Label,
     /// "f64" or "f32".
     pub precision: &'static str,

@@ -18,8 +18,7 @@ use tribos_core::real::Real;
 
 /// Inner over outer radius of the annulus.
 pub const INNER: f64 = 0.9;
-/// Table tiers are timed on every `TABLE_STRIDE`-th pair, others on fewer: equal work for all
-/// tiers.
+/// Table tiers are timed on every `TABLE_STRIDE`-th pair, others on fewer: equal work for all tiers.
 pub const TABLE_STRIDE: usize = 4;
 const COMPACT_STRIDE: usize = 20;
 /// Also for nodes.

@@ -13,8 +13,7 @@ pub(crate) struct Feet {
     pub(crate) elements: Vec<Element>,
     /// Middle of each foot in metres, in the contact's axes.
     pub(crate) places: Vec<[f64; 2]>,
-    /// Motion of each foot relative to its ground minus that of the first foot relative to its
-    /// own.
+    /// Motion of each foot relative to its ground minus that of the first foot relative to its own.
     pub(crate) drifts: Vec<[f64; 3]>,
 }
 

@@ -75,12 +75,12 @@ enum Shape {
 pub enum PatchError {
     /// The coefficient of friction is negative, infinite or NaN.
     Coefficient {
-        /// What was given.
+        /// The rejected value.
         given: f32,
     },
     /// The radius is not positive and finite.
     Radius {
-        /// What was given.
+        /// The rejected value.
         given: f32,
     },
     /// The polygon has no interior, or too many corners.

@@ -58,8 +58,7 @@ const SHORTEST: f64 = 1.0 / 64.0;
 /// The offset that counts as converged if rounding ends the descent.
 const ROUGH_OFFSET: f64 = 1e-4;
 
-/// Singular value over the largest below which a direction has no effect, so no step is taken
-/// along it.
+/// Singular value over the largest below which a direction has no effect, so no step is taken along it.
 const FLAT: f64 = 1e-10;
 
 /// Searches from `start`, and passes the number of each step to `watch`; `None` if the model refuses

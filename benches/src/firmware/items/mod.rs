@@ -20,7 +20,7 @@ use tiers::TIERS;
 pub struct Item {
     /// Law, tier, patch, …
     pub group: &'static str,
-    /// As it appears in reports.
+    /// Name of the item in reports.
     pub name: &'static str,
     /// Modules of the kernel that the program may contain, beside [`PLUMBING`].
     pub modules: &'static [&'static str],

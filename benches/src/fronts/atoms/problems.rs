@@ -109,7 +109,7 @@ impl Problem {
         }
     }
 
-    /// As it appears in tables.
+    /// Name of the problem in tables.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Melt { .. } => "melt",

@@ -101,9 +101,8 @@ impl Lock {
         &self.folder
     }
 
-    /// Call this before writing: it fails if the folder at this path is not the one that was
-    /// locked. In that case it was moved or deleted, or the lock was removed, and another command
-    /// may use it.
+    /// Call this before writing: it fails if the folder at this path is not the one that was locked.
+    /// In that case it was moved or deleted, or the lock was removed, and another command may use it.
     pub fn check(&self) -> Result<(), FolderError> {
         if self.is_mine() {
             return Ok(());

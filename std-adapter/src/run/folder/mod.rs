@@ -64,8 +64,7 @@ impl OutputFolder {
         Self::claim(lock, contents, |_| false)
     }
 
-    /// The folder of the same command and subject, whose files are kept, or else a folder for a new
-    /// result.
+    /// The folder of the same command and subject, whose files are kept, or else a folder for a new result.
     pub fn go_on(path: &Path, contents: &Contents<'_>) -> Result<Self, FolderError> {
         Self::go_on_with(Lock::take(path, Sharing::Alone)?, contents)
     }
@@ -97,8 +96,8 @@ impl OutputFolder {
             manifest = kept.clone();
             manifest.add(contents.files);
         } else {
-            // The name of the old result goes first: what is left of it belongs to nobody then, and
-            // is named again by the new one.
+            // The new command takes over the manifest first, so that old files left by an
+            // interruption belong to it.
             Manifest {
                 files: [names, &manifest.files].concat(),
                 ..manifest.clone()
