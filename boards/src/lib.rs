@@ -57,8 +57,7 @@ pub use stack::{free, stack_used};
 /// The board that the memory map is made for: "mps2-an386", "microbit", "virt", or "host".
 pub const BOARD: &str = env!("TRIBOS_BOARD");
 
-/// Makes `$run: fn()` the program: on a board it runs between start-up and exit, on a host a
-/// notice is printed.
+/// Makes `$run: fn()` the program: on a board it runs between start-up and exit, on a host a notice is printed.
 #[macro_export]
 macro_rules! main {
     ($run:path) => {

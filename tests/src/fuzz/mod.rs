@@ -1,8 +1,7 @@
 //! A fuzzer: seeded inputs, the same on every platform.
 //!
-//! [`TARGETS`] generate one input from a seed, use it and check the results. [`run`] catches panics,
-//! measures the time of each input and reports findings with the seed that reproduces them. The
-//! properties are
+//! [`TARGETS`] generate one input from a seed, use it and check the results. [`run`] catches panics, measures
+//! the time of each input and reports findings with the seed that reproduces them. The properties are
 //!
 //! - no panic, whatever the input, and no input that takes longer than [`SLOW`];
 //! - finite results of mild inputs: magnitudes from 2⁻¹² to 2¹² and zero, within each domain;

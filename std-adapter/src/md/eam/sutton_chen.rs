@@ -20,8 +20,7 @@ pub struct SuttonChenParameters {
     pub m: u32,
     /// Cut-off of all functions.
     pub cutoff: f64,
-    /// Distance at which the taper S begins, 0 < `taper` < `cutoff`; closer, the functions are as
-    /// published.
+    /// Distance at which the taper S begins, 0 < `taper` < `cutoff`; closer, the functions are as published.
     pub taper: f64,
 }
 

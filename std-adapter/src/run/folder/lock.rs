@@ -1,7 +1,6 @@
 //! Lock of a folder: a file that a process keeps locked and that names this process.
 //!
-//! The operating system releases the lock when the process ends for any reason, so there are no stale
-//! locks.
+//! The operating system releases the lock when the process ends for any reason, so there are no stale locks.
 
 use super::FolderError;
 use std::fs::{File, OpenOptions, TryLockError};

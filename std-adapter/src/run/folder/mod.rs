@@ -1,9 +1,8 @@
 //! Folders for results: each belongs to one command at a time, and its files to one result.
 //!
-//! `tribos.json` in the folder records which command wrote which files, of which scene. A command
-//! that starts there removes the files named there, and nothing else; it never replaces other
-//! files. While a command works it holds a lock that names it to others. The next command removes
-//! half-written files of a killed one.
+//! `tribos.json` in the folder records which command wrote which files, of which scene. A command that starts
+//! there removes the files named there, and nothing else; it never replaces other files. While a command works
+//! it holds a lock that names it to others. The next command removes half-written files of a killed one.
 
 mod error;
 mod lock;
