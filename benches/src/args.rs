@@ -1,4 +1,4 @@
-//! What the command line of the fronts says.
+//! Command line of the fronts.
 
 use crate::fronts::Front;
 use clap::Parser;

@@ -1,4 +1,4 @@
-//! What is timed and judged: the kernel's tiers, their baselines, the tables of other exponents.
+//! The methods that are timed and checked: the kernel's tiers, their baselines, tables of other exponents.
 
 use crate::baselines::trapezoid::Trapezoid;
 use crate::baselines::{agm, bulirsch, cephes, decoupled, ellipsoid, micromath_agm, pade, series};
@@ -41,7 +41,7 @@ pub fn tiers() -> Result<Vec<Method>, LawError> {
     ])
 }
 
-/// Everything the kernel is compared with, α = 0.
+/// All baselines for the kernel, α = 0.
 pub fn baselines() -> Vec<Method> {
     use Kind::{Approximation, Elliptic, Integration};
     let mut methods = vec![

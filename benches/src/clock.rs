@@ -1,8 +1,8 @@
-//! The clock of all samples: what the processor spends on this program.
+//! The clock of all samples: processor time of this program.
 //!
-//! On a machine that is shared, the time of day tells the others' work, too: a sample of a millisecond
-//! waits for them where one of a microsecond does not, which bends ratios. Where the system does not
-//! tell the processor's time, the time of day has to do.
+//! On a shared machine wall time includes other programs' work: a sample of a millisecond waits for
+//! them and one of a microsecond does not, which distorts ratios. If the system does not provide
+//! processor time, wall time is used.
 
 /// A point in time.
 #[derive(Clone, Copy, Debug)]

@@ -36,7 +36,7 @@ impl<R: CoulombTable> Contact<R> {
         })
     }
 
-    /// One call a twist, each out of the optimiser's sight.
+    /// One call per twist, each hidden from the optimiser.
     pub fn one_by_one(&mut self) -> &[Wrench<R>] {
         let load = R::from_f64(LOAD);
         for (twist, wrench) in self.twists.iter().zip(&mut self.wrenches) {

@@ -1,9 +1,9 @@
-//! Speed against error: what the kernel costs, what it is worth, and what else there is.
+//! Speed against error: cost and accuracy of the kernel and of its alternatives.
 //!
-//! One program, `fronts`, makes the fronts that the documentation shows: kernel (one evaluation of
-//! force and torque), patches (every patch, law and tier), integrators (one stop of a sliding,
-//! spinning disk), contacts (of packings, and their solvers), atoms (molecular dynamics beside
-//! LAMMPS) and firmware (what each costs on a microcontroller). The benches under `benches/` time the same methods with criterion.
+//! One program, `fronts`, makes the fronts that the documentation shows: kernel (one evaluation of force
+//! and torque), patches (every patch, law and tier), integrators (one stop of a sliding, spinning disk),
+//! contacts (of packings, and their solvers), atoms (molecular dynamics beside LAMMPS) and firmware (the
+//! cost of each on a microcontroller). The benches under `benches/` time the same methods with criterion.
 
 pub mod args;
 pub mod baselines;

@@ -1,4 +1,4 @@
-//! One interface for every method and tier: timed, judged and named alike.
+//! One interface for every method and tier, with common timing, error and name.
 
 use crate::errors::Errors;
 use crate::mix;
@@ -9,7 +9,7 @@ use tribos_core::coupling::{Coupling, ReducedWrench, compact};
 use tribos_core::internals::unscaled_wrench;
 use tribos_core::real::Real;
 
-/// What a method is.
+/// Kind of a method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A tier of the kernel.
@@ -23,7 +23,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// As it appears in reports.
+    /// Name of the kind in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Tier => "tier",
@@ -37,9 +37,9 @@ impl Kind {
 /// Pairs `[slide, rim]` in both precisions.
 #[derive(Clone, Debug)]
 pub struct Inputs {
-    /// f64
+    /// Pairs in f64.
     pub wide: Vec<[f64; 2]>,
-    /// The same, rounded.
+    /// The same pairs, rounded to f32.
     pub narrow: Vec<[f32; 2]>,
 }
 
@@ -65,17 +65,17 @@ enum Evaluation {
 
 /// One way to compute force and torque.
 pub struct Method {
-    /// As it appears in reports.
+    /// Name of the method in reports.
     pub name: String,
-    /// What it is.
+    /// Kind of the method.
     pub kind: Kind,
-    /// The exponent of its law.
+    /// Exponent α of the method's law.
     pub alpha: f64,
-    /// True if the power of the velocity scale is left out.
+    /// Whether the power of the velocity scale is omitted.
     pub unscaled: bool,
-    /// Largest absolute error of F and T/T(0) that is right for it; α = 0 only.
+    /// Largest allowed absolute error of F and T/T(0); α = 0 only.
     pub bound: f64,
-    /// Timed on every so manieth pair.
+    /// Only every `stride`-th pair is timed.
     pub stride: usize,
     evaluation: Evaluation,
 }
@@ -88,7 +88,7 @@ impl fmt::Debug for Method {
     }
 }
 
-/// The loop over a slice, compiled once a method, so that the method itself is inlined.
+/// The loop over a slice, compiled once per method, so that the method itself is inlined.
 pub(crate) fn sweep<R: Copy + 'static>(evaluate: impl Fn(R, R) -> [R; 2] + 'static) -> Sweep<R> {
     Box::new(move |pairs, results| {
         for (&[slide, rim], result) in pairs.iter().zip(results) {
@@ -158,7 +158,7 @@ impl Method {
         }
     }
 
-    /// One pass over `inputs`, kept from the optimiser's eyes on both sides.
+    /// One pass over `inputs`, hidden from the optimiser on both sides.
     pub fn runner<'a>(&'a self, inputs: &'a Inputs) -> Box<dyn FnMut() + 'a> {
         match &self.evaluation {
             Evaluation::Wide(sweep) => Box::new(pass(sweep, &inputs.wide)),
@@ -181,7 +181,7 @@ impl Method {
         (results, exact)
     }
 
-    /// α = 0: double-double; otherwise the compact tier, good to 4 ulp.
+    /// Double-double for α = 0; otherwise the compact tier, accurate to 4 ulp.
     fn exact(&self, slide: f64, rim: f64) -> [Wide; 2] {
         if self.alpha == 0.0 {
             return reference::wrench(slide, rim);
@@ -204,7 +204,7 @@ impl Method {
         Errors::between(&found, &exact)
     }
 
-    /// Panics unless the method is as good as it should be: nothing wrong is timed.
+    /// Panics unless the method meets its accuracy, so that no wrong method is timed.
     ///
     /// For α ≠ 0 the relative error decides, else the absolute one.
     pub fn assert_right(&self, inputs: &Inputs) {

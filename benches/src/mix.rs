@@ -1,4 +1,4 @@
-//! The inputs that everything is timed and judged on.
+//! The inputs for all timings and errors.
 
 /// Knuth's MMIX generator (TAOCP vol. 2, 3.3.4): the same inputs on every run.
 #[derive(Clone, Debug)]
@@ -103,7 +103,7 @@ impl Region {
     /// All three.
     pub const ALL: [Self; 3] = [Self::Spinning, Self::Equal, Self::Sliding];
 
-    /// As it appears in reports.
+    /// Name of the region in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Spinning => "spinning (eps < 0.1)",

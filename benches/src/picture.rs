@@ -7,15 +7,15 @@ use tribos_report::figure::{Axis, Color, Figure, Legend, Region, Series};
 /// One method in the picture.
 #[derive(Clone, Debug)]
 pub struct Place {
-    /// Its own name.
+    /// Name of the method.
     pub label: String,
-    /// What it is drawn with.
+    /// Group of methods that are drawn alike.
     pub group: String,
     /// Time and error.
     pub at: (f64, f64),
 }
 
-/// How far a label stands above its point, and how much room it takes: shares of the axes.
+/// Height of a label above its point, and its size, as fractions of the axes.
 const LIFT: f64 = 0.035;
 const ROOM: [f64; 2] = [0.14, 0.035];
 

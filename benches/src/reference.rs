@@ -1,4 +1,4 @@
-//! Force and torque for α = 0 in double-double arithmetic: the judge of every method.
+//! Force and torque for α = 0 in double-double arithmetic: the reference for every method.
 //!
 //! It shares no code with the kernel. For h² ≤ ½ the hypergeometric series are summed; beyond, E
 //! and K come from an arithmetic–geometric mean and enter eqs. 3.11 and 3.13 themselves, which lose
@@ -11,7 +11,7 @@ use core::ops::{Add, Div, Mul, Sub};
 pub struct Wide {
     /// The value rounded to f64.
     pub high: f64,
-    /// What that rounding left out.
+    /// Remainder of that rounding.
     pub low: f64,
 }
 

@@ -9,7 +9,7 @@ use tribos_core::planar::PlanarBody;
 use tribos_core::slider::{Motion, Slider};
 use tribos_core::twist::{Twist, Wrench};
 
-/// A stepper that has not stopped by then never will.
+/// Number of steps after which a stepper is considered never to stop.
 const MAX_STEPS: u32 = 20_000_000;
 /// Newton's rounds and relative tolerance of the ellipsoid's multiplier.
 const NEWTON_ROUNDS: usize = 20;
@@ -40,9 +40,9 @@ pub const SPINS: [f64; 3] = [5.0, 12.5, 50.0];
 /// Time and distance until nothing moves; NaN if it never came to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
-    /// s
+    /// Time to rest in s.
     pub time: f64,
-    /// m
+    /// Distance to rest in m.
     pub distance: f64,
 }
 
@@ -60,7 +60,7 @@ impl Stop {
     }
 }
 
-/// A way to follow a stop.
+/// A method of following a stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stepper {
     /// `Slider::to_rest`.
@@ -80,7 +80,7 @@ pub enum Stepper {
 }
 
 impl Stepper {
-    /// As it appears in reports.
+    /// Name of the method in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::ToRest => "to_rest",
@@ -123,7 +123,7 @@ impl Stepper {
     }
 }
 
-/// Fixed calls of the exact stepper; the last one tells when rest came.
+/// Calls of the exact stepper with a fixed step; the last one gives the time of rest.
 fn advanced(slider: &Slider<f64, Coulomb>, launch: &Motion<f64>, dt: f64) -> Stop {
     let mut motion = *launch;
     for _ in 0..MAX_STEPS {
@@ -150,7 +150,7 @@ fn stepped(launch: &Motion<f64>, step: impl Fn(&Motion<f64>) -> Motion<f64>) -> 
 
 /// Implicit steps of a body of unit mass; distance by the trapezoid rule.
 ///
-/// The share of the friction limit that ends the last step tells when in it rest came.
+/// The fraction of the friction limit in the last step gives the time of rest within it.
 fn held(launch: &Motion<f64>, dt: f64) -> Option<Stop> {
     let inertia = DISK.inertia_ratio * DISK.radius * DISK.radius;
     let body = PlanarBody::new(1.0, inertia).ok()?;
@@ -175,7 +175,7 @@ fn held(launch: &Motion<f64>, dt: f64) -> Option<Stop> {
     None
 }
 
-/// Friction of the speeds before the step slows it; the place moves with them, too.
+/// Friction at the speeds before the step slows the motion; the position also moves with these speeds.
 fn pushed(motion: &Motion<f64>, dt: f64) -> Motion<f64> {
     let impulse = DISK.deceleration * dt;
     let rim = motion.spin * DISK.radius;

@@ -1,7 +1,7 @@
 //! Times on a noisy machine: interleaved rounds, medians, ratios within a round.
 //!
-//! All tasks run once a round, so that a slow second of the machine hits them alike. A ratio is
-//! the median of the rounds' ratios, not the ratio of two medians.
+//! All tasks run once per round, so that a slow second of the machine affects them alike. A ratio
+//! is the median of the rounds' ratios, not the ratio of two medians.
 
 use crate::clock::Clock;
 
@@ -12,7 +12,7 @@ const SHORTEST_RUN: f64 = 1e-9;
 
 /// Something to time.
 pub struct Task<'a> {
-    /// As it appears in reports.
+    /// Name of the task in reports.
     pub name: String,
     /// Evaluations in one run.
     pub elements: usize,

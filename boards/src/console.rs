@@ -3,7 +3,7 @@
 
 use core::fmt::{Arguments, Error, Result, Write};
 
-/// Where a program may write to.
+/// Outputs of a program.
 #[cfg(not(feature = "silent"))]
 struct Terminal<W>(W);
 
@@ -13,7 +13,7 @@ impl<W: semihosting::io::Write> Write for Terminal<W> {
         let mut left = text.as_bytes();
         while !left.is_empty() {
             let written = self.0.write(left).map_err(|_| Error)?;
-            // A terminal that takes nothing would be asked for ever.
+            // A terminal that accepts nothing would be retried for ever.
             left = match left.get(written..) {
                 Some(rest) if written > 0 => rest,
                 _ => return Err(Error),
@@ -23,7 +23,7 @@ impl<W: semihosting::io::Write> Write for Terminal<W> {
     }
 }
 
-/// Where text goes that nobody reads: it is formatted, byte by byte, all the same.
+/// Output that is discarded: the text is still formatted, byte by byte.
 #[cfg(feature = "silent")]
 struct Nowhere;
 
@@ -37,7 +37,7 @@ impl Write for Nowhere {
     }
 }
 
-/// What [`crate::print`] does. There is nobody to tell that it failed.
+/// Implementation of [`crate::print`]. Failures are ignored, since they cannot be reported.
 #[doc(hidden)]
 pub fn tell(text: Arguments<'_>) {
     #[cfg(not(feature = "silent"))]
@@ -48,7 +48,7 @@ pub fn tell(text: Arguments<'_>) {
     let _ = Nowhere.write_fmt(text);
 }
 
-/// What [`crate::eprintln`] does.
+/// Implementation of [`crate::eprintln`].
 #[doc(hidden)]
 pub fn complain(text: Arguments<'_>) {
     #[cfg(not(feature = "silent"))]
@@ -72,7 +72,7 @@ macro_rules! println {
     ($($text:tt)*) => { $crate::print!("{}\n", ::core::format_args!($($text)*)) };
 }
 
-/// Writes a line to the errors of the emulator.
+/// Writes a line to the error output of the emulator.
 #[macro_export]
 macro_rules! eprintln {
     ($($text:tt)*) => {

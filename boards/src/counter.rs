@@ -1,8 +1,8 @@
-//! Instructions executed, from the clock of an emulator in which each takes the same time.
+//! Executed instructions, from the clock of an emulator in which each takes the same time.
 //!
-//! With `-icount shift=S` QEMU's clock advances by 2^S ns an instruction. On ARM the SysTick timer
-//! reads that clock, on RISC-V `minstret` does. S is found at start-up by timing a loop of known
-//! length, so the same program serves any shift: 10 resolves single instructions on both ARM
+//! With `-icount shift=S` QEMU's clock advances by 2^S ns an instruction. The SysTick timer reads
+//! that clock on ARM, `minstret` on RISC-V. S is found at start-up by timing a loop of known
+//! length, so the same program works with any shift: 10 resolves single instructions on both ARM
 //! boards, 0 suits whole programs.
 
 use core::arch::asm;
@@ -18,7 +18,7 @@ mod clock;
 
 /// Instructions of the loop that is timed at start-up.
 const KNOWN: u32 = 1 << 19;
-/// S + 1; 0 where the clock does not follow the instructions.
+/// S + 1; 0 if the clock does not follow the instructions.
 static SHIFT: AtomicU32 = AtomicU32::new(0);
 
 /// Executes `count` instructions, give or take a constant.
@@ -41,7 +41,7 @@ pub(crate) fn start() {
         spin(black_box(count));
         clock::ticks() - before
     };
-    // The difference of two loops is free of what surrounds them.
+    // The difference of two loops cancels the overhead around them.
     let short = timed(KNOWN);
     let span = timed(2 * KNOWN).saturating_sub(short);
     let picoseconds = span * clock::TICK_PS / u64::from(KNOWN);
@@ -67,7 +67,7 @@ fn span(work: &mut dyn FnMut()) -> u64 {
     clock::ticks() - before
 }
 
-/// Instructions that a call executes, an empty call being none; `None` without `-icount`.
+/// Instructions that a call executes, with 0 for an empty call; `None` without `-icount`.
 ///
 /// With shift 10 the count is exact to the instruction up to some 655 000 (mps2-an386) or a
 /// million (microbit) instructions on ARM, beyond which some ten are added for every wrap of the

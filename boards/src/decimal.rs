@@ -1,10 +1,10 @@
-//! Numbers with a fixed number of decimals, written by integers alone.
+//! Numbers with a fixed number of decimals, formatted with integers only.
 //!
-//! The formatting of floats in `core` takes some 10 KiB and has panics that survive optimisation.
+//! Float formatting in `core` takes some 10 KiB and contains panics that survive optimisation.
 
 use core::fmt::{Display, Formatter, Result, Write};
 
-/// A number that is written with `PLACES` decimals, at most 6.
+/// A number that is formatted with `PLACES` decimals, at most 6.
 ///
 /// *Domain*: magnitudes below 2³²/10^`PLACES`; larger ones are written as the largest.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -19,9 +19,9 @@
 //! ```
 //!
 //! `cargo run -p tribos-boards --release --bin hello --target thumbv7em-none-eabihf` runs it; the
-//! command of the emulator stands in `.cargo/config.toml`. The program ends as failed when it
-//! panics, faults, or when its stack has run into its statics. On a host the same file compiles to
-//! a line that says for which targets to build.
+//! command of the emulator is in `.cargo/config.toml`. The program ends with an error if it
+//! panics, faults, or if its stack has overwritten its statics. On a host the same file compiles
+//! to a line that says for which targets to build.
 //!
 //! `instructions` and `stack_used` exist on boards alone. They take `&mut dyn FnMut()`, an
 //! opaque call that the compiler cannot move work out of; still, pass arguments and results
@@ -57,7 +57,7 @@ pub use stack::{free, stack_used};
 /// The board that the memory map is made for: "mps2-an386", "microbit", "virt", or "host".
 pub const BOARD: &str = env!("TRIBOS_BOARD");
 
-/// Makes `$run: fn()` the program: on a board between start-up and exit, on a host a notice.
+/// Makes `$run: fn()` the program: on a board it runs between start-up and exit, on a host a notice is printed.
 #[macro_export]
 macro_rules! main {
     ($run:path) => {
@@ -76,7 +76,7 @@ macro_rules! main {
     };
 }
 
-/// Says on a host how to get the program onto a board.
+/// Prints on a host how to run the program on a board.
 #[cfg(not(target_os = "none"))]
 pub fn explain() {
     std::println!(

@@ -1,4 +1,4 @@
-//! The clock of RISC-V: the counter of retired instructions, which QEMU gives in nanoseconds.
+//! The clock of RISC-V: the counter of retired instructions, which QEMU counts in nanoseconds.
 
 use core::arch::asm;
 
@@ -20,7 +20,7 @@ pub fn ticks() -> u64 {
     #[cfg(target_arch = "riscv32")]
     loop {
         let (high, low, again): (u32, u32, u32);
-        // SAFETY: reads two registers, the upper half twice to notice a carry.
+        // SAFETY: reads two registers, the upper half twice to detect a carry.
         unsafe {
             asm!(
                 "csrr {}, minstreth", "csrr {}, minstret", "csrr {}, minstreth",

@@ -1,4 +1,4 @@
-//! From reset to exit: how a program begins and how it ends.
+//! Start and exit of a program.
 
 use crate::eprintln;
 #[cfg(target_arch = "arm")]
@@ -7,7 +7,7 @@ use cortex_m_rt::{ExceptionFrame, exception};
 use riscv_rt as _;
 use semihosting::process::exit;
 
-/// Runs a program and ends it: as done, or as failed if its stack has met its statics.
+/// Runs a program and exits: with an error if its stack has reached its statics.
 pub fn start(run: fn()) -> ! {
     crate::stack::set_guard();
     crate::counter::start();

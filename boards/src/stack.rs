@@ -1,15 +1,15 @@
-//! How deep a call goes: the free stack is painted, the call made, the paint looked for.
+//! Stack use of a call: the free stack is painted before the call and searched for paint after it.
 
 use core::arch::asm;
 
-/// What the free stack is painted with.
+/// Pattern with which the free stack is painted.
 const PAINT: usize = 0xc5a3_5ac5;
 const WORD: usize = size_of::<usize>();
-/// Bytes painted for one measurement at most.
+/// Largest number of bytes painted for one measurement.
 const PAINTED: usize = 128 * 1024;
-/// Bytes above the statics that must still bear paint when a program ends.
+/// Bytes above the statics that must still be painted when a program ends.
 const GUARD: usize = 64;
-/// The smallest depth that is told: saved registers of the call itself come near to it.
+/// The smallest reported depth, close to that of the saved registers of the call itself.
 const FLOOR: usize = 64;
 
 unsafe extern "C" {
@@ -37,7 +37,7 @@ fn stack_pointer() -> usize {
 /// Fills the words of `from..to` with paint. In assembly, so that it needs no stack of its own.
 ///
 /// # Safety
-/// Both ends are aligned, `from < to`, and nothing alive stands between them.
+/// Both ends are aligned, `from < to`, and nothing live lies between them.
 #[inline(always)]
 unsafe fn paint(from: usize, to: usize) {
     // SAFETY: by the contract above.
@@ -80,14 +80,14 @@ pub(crate) fn guard_holds() -> bool {
     first_used(bottom(), bottom() + GUARD).is_none()
 }
 
-/// Bytes of stack that are free where it is called.
+/// Bytes of stack that are free at the call.
 pub fn free() -> usize {
     stack_pointer().saturating_sub(bottom())
 }
 
 /// Bytes of stack that a call needs, to the word; 64 stands for "64 or less".
 ///
-/// At most 128 KiB below the caller are watched: a result of 128 KiB means at least that.
+/// At most 128 KiB below the caller are observed: a result of 128 KiB means at least that.
 #[inline(never)]
 pub fn stack_used(work: &mut dyn FnMut()) -> usize {
     let top = stack_pointer() & !(WORD - 1);

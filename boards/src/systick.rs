@@ -10,7 +10,7 @@ pub const TICK_PS: u64 = match crate::BOARD.as_bytes() {
     _ => 40_000,
 };
 
-/// Where the count starts, and its period less one.
+/// Start of the count, one less than its period.
 const RELOAD: u32 = 0x00ff_ffff;
 /// Bits of the control register: enabled, with exception, on the processor's clock.
 const CONTROL: u32 = 0b111;

@@ -1,4 +1,4 @@
-//! A panic handler that cannot be linked: an image with it has no panic left.
+//! A panic handler that cannot be linked: an image that links with it cannot panic.
 
 unsafe extern "C" {
     /// Defined nowhere.

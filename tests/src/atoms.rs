@@ -1,4 +1,4 @@
-//! Atoms of `tables/md/` with what LAMMPS computed for them.
+//! Atoms of `tables/md/` with the results of LAMMPS.
 
 use crate::tables::Table;
 use nalgebra::Vector3;

@@ -1,4 +1,4 @@
-//! A gas of rough spheres in a box, for what contact dynamics keeps in collisions.
+//! A gas of rough spheres in a box, for conservation laws of contact dynamics in collisions.
 
 use crate::packings::{Rough, accelerated, spheres};
 use nalgebra::Vector3;

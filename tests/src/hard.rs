@@ -1,4 +1,4 @@
-//! Hard cases of contact dynamics: what each should give, what it gives, and at what price.
+//! Hard cases of contact dynamics: expected result, actual result and cost of each.
 
 use crate::packings::{Rough, accelerated, chain, column, dry, floor, jammed_box};
 use crate::packings::{rough, spheres, tower, unequal_pair};

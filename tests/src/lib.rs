@@ -1,8 +1,8 @@
-//! What is promised, checked against independent sources.
+//! Checks of all promises against independent sources.
 //!
-//! The tests stand in `tests/`, one file a promise; here are their shared parts. No module of
-//! this crate computes friction except [`rim_mean`] and [`tilted`], oracles of their own; all others are
-//! the tables of `tables/` or formulas of the test that uses them.
+//! The tests are in `tests/`, one file per promise; this library has their shared parts. No module of
+//! this crate computes friction except [`rim_mean`] and [`tilted`], which are independent oracles; other
+//! references are the tables of `tables/` or formulas of the test that uses them.
 
 pub mod atoms;
 pub mod contacts;

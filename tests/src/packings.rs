@@ -1,6 +1,6 @@
 //! Packings of spheres for contact dynamics: chains, towers, plates, pairs and a jammed box.
 //!
-//! Units: radius 1 and density 1 unless said otherwise. Every packing is the same bits each time.
+//! Units: radius 1 and density 1 unless stated otherwise. Every packing has the same bits each time.
 
 use nalgebra::Vector3;
 use tribos::cd::internals::{Coefficients, Spheres};

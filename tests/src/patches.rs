@@ -1,5 +1,5 @@
-//! Round patches by pressure: every tier that serves a pressure (1−r²)^q, by name, and their
-//! distance from a row of the tables.
+//! Round patches by pressure: all tiers for a pressure (1−r²)^q, by name, and their distance from
+//! a row of the tables.
 
 use crate::reference::Reference;
 use crate::tables::Row;

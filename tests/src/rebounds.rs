@@ -1,4 +1,4 @@
-//! A gas that rebounds with friction: where its energy goes, and its largest impulse.
+//! A gas that rebounds with friction: its energy balance and largest impulse.
 
 use crate::gas::{SIDE, gas};
 use crate::packings::rough;

@@ -1,4 +1,4 @@
-//! An oracle for every exponent that shares nothing with the kernel's series: means over the rim
+//! An oracle for every exponent that shares no code with the kernel's series: means over the rim
 //! by double-exponential quadrature.
 //!
 //! With rim speed 1 and d² = 1 + ε² − 2ε cosθ, the divergence theorem reduces the area means of

@@ -1,4 +1,4 @@
-//! What tests of friction sets share: wrenches, distances, couplings with a purpose.
+//! Shared parts of the tests of friction sets: wrenches, distances, special couplings.
 
 use crate::sweep::Lcg;
 use std::cell::Cell;

@@ -1,9 +1,9 @@
-//! An oracle for leaning pressures that shares nothing with the kernel: the friction of surface
+//! An oracle for leaning pressures that shares no code with the kernel: the friction of surface
 //! elements, summed over the patch in two dimensions.
 //!
-//! Elements are counted along rays from the centre of rotation where that lies on the patch, and
-//! else around the patch's own centre, so that the sums always run over smooth functions: the
-//! rules (Gauss–Legendre along, the trapezoid around) converge geometrically.
+//! Elements lie on rays from the centre of rotation if that is on the patch, else around the
+//! patch's own centre, so that the sums always run over smooth functions: the rules
+//! (Gauss–Legendre along, the trapezoid around) converge geometrically.
 
 /// What is summed: pressure (1−r²)^`order` with unit load, leaning by `gradient`, and the law |u|^`alpha`.
 #[derive(Clone, Copy, Debug)]

@@ -1,4 +1,4 @@
-//! The largest error seen, with the argument where it is attained.
+//! The largest error seen, with the argument where it occurs.
 
 use crate::tolerance::Bound;
 

@@ -1,4 +1,4 @@
-//! The arithmetic–geometric mean, as a competent engineer writes it.
+//! The arithmetic–geometric mean, as a competent engineer would implement it.
 //!
 //! One AGM gives the complete elliptic integrals B and D of the parameter m = h²; the closed forms
 //! of the disk in B and D do not cancel. Two shortcuts that pay: for small m four to six terms of

@@ -1,7 +1,7 @@
-//! Two independent clamps: full Coulomb force and full drilling torque whatever the other does.
+//! Two independent clamps: full Coulomb force and full drilling torque, independent of each other.
 //!
-//! *Source*: what engines with separate sliding and torsional coefficients do (Bullet, PhysX,
-//! Gazebo, Box2D).
+//! *Source*: engines with separate sliding and torsional coefficients (Bullet, PhysX, Gazebo,
+//! Box2D).
 
 use super::PURE_SPIN_TORQUE;
 

@@ -1,7 +1,7 @@
 //! The AGM in f32 with micromath's square root: what a coarse root costs in accuracy.
 //!
 //! Its root is a shift of the bits, good to 6 %; the mean of two numbers that should meet then
-//! keeps that error, whatever the number of rounds.
+//! keeps that error for any number of rounds.
 //!
 //! *Source*: T. Arcieri, micromath 2.1, `F32Ext::sqrt`.
 

@@ -1,4 +1,4 @@
-//! What the kernel is compared with, one method a file.
+//! Baselines for the kernel, one method per file.
 //!
 //! Every method returns `[F, T]` of a uniform disk of radius 1 under unit load with α = 0, for
 //! sliding speed `slide` ≥ 0 and rim speed `rim` ≥ 0, not both zero.

@@ -1,4 +1,4 @@
-//! Speed against error: makes the fronts in docs/fronts. `--help` tells the options.
+//! Speed against error: makes the fronts in docs/fronts. `--help` lists the options.
 
 use clap::Parser;
 use std::process::ExitCode;

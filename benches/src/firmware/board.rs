@@ -1,4 +1,4 @@
-//! Emulated microcontrollers: what a call costs on them.
+//! Cost of calls on emulated microcontrollers.
 
 use crate::fronts::made::first_line;
 use std::path::Path;
@@ -7,7 +7,7 @@ use std::process::Command;
 /// A board that QEMU emulates.
 #[derive(Clone, Copy, Debug)]
 pub struct Board {
-    /// As it appears in reports.
+    /// Name of the board in reports.
     pub name: &'static str,
     /// The compiler's target.
     pub target: &'static str,

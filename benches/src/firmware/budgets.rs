@@ -1,4 +1,4 @@
-//! What may be spent on an f32 call on a Cortex-M4F at most.
+//! Budgets of f32 calls on a Cortex-M4F.
 
 use super::programs::Program;
 
@@ -7,7 +7,7 @@ use super::programs::Program;
 pub struct Budget {
     /// Group and name of the item.
     pub item: [&'static str; 2],
-    /// Instructions of the dearest call.
+    /// Largest number of instructions of a call.
     pub instructions: u64,
     /// Bytes of flash at opt-level 3.
     pub flash: Option<u64>,
@@ -36,12 +36,12 @@ pub const BUDGETS: [Budget; 6] = [
 ];
 
 impl Budget {
-    /// True for the program that the budget is of.
+    /// Whether the budget is that of a program.
     pub fn is_of(&self, program: &Program) -> bool {
         [program.item.group, program.item.name] == self.item && program.precision == "f32"
     }
 
-    /// True if neither limit is passed.
+    /// Whether neither limit is exceeded.
     pub fn is_kept(&self, instructions: u64, flash: u64) -> bool {
         instructions <= self.instructions && self.flash.is_none_or(|limit| flash <= limit)
     }

@@ -1,4 +1,4 @@
-//! What a linked image holds: bytes of flash, and modules of the kernel.
+//! Contents of a linked image: bytes of flash, and modules of the kernel.
 
 use object::read::elf::ElfFile32;
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags, SectionKind, elf};
@@ -20,7 +20,7 @@ impl Flash {
         self.code + self.data
     }
 
-    /// What this has more than `baseline`.
+    /// The size in excess of `baseline`.
     pub fn beyond(self, baseline: Self) -> Self {
         Self {
             code: self.code.saturating_sub(baseline.code),
@@ -72,7 +72,7 @@ impl Image {
     }
 }
 
-/// The modules that a mangled name speaks of.
+/// The modules in a mangled name.
 fn named(name: &[u8], known: &[String]) -> Vec<String> {
     let Ok(name) = core::str::from_utf8(name) else {
         return Vec::new();

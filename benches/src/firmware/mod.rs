@@ -1,11 +1,11 @@
-//! What an item of the kernel costs a microcontroller when named: flash, stack and instructions;
-//! and that the unnamed costs nothing.
+//! Cost of an item of the kernel on a microcontroller: flash, stack and instructions; and proof
+//! that unused items cost nothing.
 //!
-//! Each item has a bare-metal program of its own that names it and nothing else. Its size beyond
-//! that of a program that names nothing is the item's price. Symbols and debug records of the
-//! linked image tell which modules of the kernel are in it: every function leaves its name there,
-//! inlined or not. A second program calls the same fragment of code on an emulated board for many
-//! inputs and counts.
+//! Each item has its own bare-metal program that uses nothing else. Its size beyond that of a
+//! program that uses no item is the item's cost. Symbols and debug records of the linked image
+//! show which modules of the kernel it contains: every function leaves its name there, inlined or
+//! not. A second program calls the same code fragment on an emulated board for many inputs and
+//! counts.
 
 pub mod board;
 pub mod budgets;

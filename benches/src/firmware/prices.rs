@@ -54,7 +54,7 @@ pub fn weigh(rows: &mut [Row], levels: usize) -> Result<(), String> {
     }
 }
 
-/// What the image has more than that of the program that names nothing.
+/// Size of the image beyond that of the program that uses no item.
 fn beside_nothing(
     program: &Program,
     image: &Image,

@@ -6,7 +6,7 @@ use super::image::Flash;
 use super::programs::Program;
 use crate::written::Sheet;
 
-/// What is known of one program.
+/// Results of one program.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// Which item, in which precision.

@@ -47,7 +47,7 @@ pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
     })
 }
 
-/// What the front says: speed of all modes, and what acceleration saves.
+/// Summary of the front: speed of all modes, and savings by acceleration.
 fn line(costs: &[Cost], contests: &[Contest]) -> String {
     let speed = |modes: &str| {
         let cost = costs.iter().find(|cost| cost.modes == modes);

@@ -1,5 +1,5 @@
-//! What each law, patch, tier and body costs a microcontroller when named, and that it costs none
-//! else.
+//! Cost of each law, patch, tier and body on a microcontroller that uses it, and proof that it
+//! costs no other.
 
 use super::{Finding, Front, Setting};
 use crate::firmware::board;
@@ -44,7 +44,7 @@ pub fn run(setting: &Setting<'_>) -> Result<(Finding, Vec<Row>), String> {
     Ok((finding, rows))
 }
 
-/// Measures what is wanted; tells why not if that is impossible here.
+/// Measures the requested rows; returns the reason if that is impossible here.
 fn measure(rows: &mut [Row], quick: bool) -> Result<Option<String>, String> {
     let is_wanted = |program: &Program| {
         let has_budget = BUDGETS.iter().any(|budget| budget.is_of(program));
@@ -86,7 +86,7 @@ fn draw(out: &Path, rows: &[Row]) -> Result<(), String> {
     )
 }
 
-/// What the front says: budgets, with the smallest disk beside them.
+/// Summary of the front: budgets, with the smallest disk beside them.
 fn line(rows: &[Row]) -> String {
     let kept = report::kept(rows);
     let flash = |row: &Row| row.flash.first().map_or(0, |flash| flash.total());

@@ -1,4 +1,4 @@
-//! The first page of the folder: what each front says, with its picture.
+//! The first page of the folder: summary and picture of each front.
 
 use super::{Finding, Front, Setting};
 use crate::written;
@@ -13,7 +13,7 @@ front alone. Ratios within a run are steadier than times: the load average in th
 busy the machine was.
 ";
 
-/// Puts the finding in the front's place, and leaves what other runs found.
+/// Puts the finding in the front's section, and leaves the other sections.
 pub fn enter(setting: &Setting<'_>, front: Front, finding: &Finding) -> Result<(), String> {
     let old = std::fs::read_to_string(setting.out.join(PAGE)).unwrap_or_default();
     let page = entered(&old, front, &section(setting.made, front, finding));

@@ -23,13 +23,13 @@ const VERLET_STEPS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 const FEW_STEPS: [f64; 3] = [1e-2, 1e-3, 1e-4];
 /// The step at which methods are compared.
 const COMPARED: f64 = 1e-3;
-/// Below this, rounding hides what the step does; errors below the least are drawn at it.
+/// Below the first error rounding hides the effect of the step; errors below the second are drawn at it.
 const ROUNDING: f64 = 1e-12;
 const LEAST: f64 = 1e-16;
-/// Launch speeds over [`SPEED`] for the orders: where in the last step rest comes is chance.
+/// Launch speeds over [`SPEED`] for the orders: the instant of rest within the last step is random.
 const LAUNCHES: [f64; 5] = [0.9, 0.947, 1.0, 1.031, 1.083];
 const PICTURE: &str = "integrators.svg";
-/// Distance over spin, by the methods that a game could take.
+/// Distance over spin, by the methods that a game could use.
 const TRAVEL: &str = "travel.svg";
 /// Spins of its curves, rad/s.
 const TRAVEL_SPINS: (f64, usize) = (50.0, 100);
@@ -80,7 +80,7 @@ pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
     })
 }
 
-/// What the methods are, and what counts as their time.
+/// Description of the methods and their timing.
 const LEGEND: &str = "\
 `to_rest` and `advance` are exact but for rounding; `verlet` and the `implicit step` \
 (`PlanarBody::step` on the disk's limit surface) are the kernel's steps of second order. `explicit \
@@ -310,7 +310,7 @@ fn travel(slider: &Disk) -> Result<String, String> {
     figure.svg().map_err(|error| error.to_string())
 }
 
-/// What the front says.
+/// Summary of the front.
 fn line(rows: &[Row], orders: &[[f64; 2]]) -> String {
     let error = |name| short(compared_row(rows, name).map_or(f64::NAN, |row| row.errors[1].abs()));
     let order = |name| {
@@ -350,7 +350,7 @@ mod tests {
             },
         );
         let slider = slider.unwrap();
-        // Fine enough that the few steps before rest do not tell.
+        // Fine enough that the few steps before rest do not matter.
         let steps = [4e-4, 2e-4, 1e-4];
         let of = |stepper: fn(f64) -> Stepper| orders(&slider, &steps.map(stepper))[1];
         let implicit = of(Stepper::Implicit);

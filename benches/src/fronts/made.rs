@@ -1,4 +1,4 @@
-//! When, on what and by what a front was made.
+//! Date, machine and command of a front.
 
 use crate::args::Options;
 use std::fs;
@@ -31,7 +31,7 @@ pub fn first_line(program: &str, arguments: &[&str]) -> Result<String, String> {
     }
 }
 
-/// The model that Linux tells, else the architecture.
+/// The model that Linux reports, else the architecture.
 fn processor() -> String {
     let told = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = model(&told).map(|model| format!("{model} ({})", std::env::consts::ARCH));
@@ -44,7 +44,7 @@ fn model(told: &str) -> Option<String> {
     Some(model.trim().to_string())
 }
 
-/// Of the last minute: what else the machine does.
+/// Load average of the last minute, which shows other work on the machine.
 fn load() -> Option<String> {
     let told = fs::read_to_string("/proc/loadavg").ok()?;
     told.split(' ').next().map(String::from)

@@ -1,4 +1,4 @@
-//! The fronts that the documentation shows: each a page, tables and pictures in one folder.
+//! The fronts of the documentation: each is a page, tables and pictures in one folder.
 
 pub mod atoms;
 pub mod contacts;
@@ -78,7 +78,7 @@ impl Front {
     }
 }
 
-/// Where a front goes, how long it measures, and what stands above its tables.
+/// Output folder of a front, length of its measurements, and text above its tables.
 #[derive(Clone, Debug)]
 pub struct Setting<'a> {
     /// Folder for the results.
@@ -103,7 +103,7 @@ impl Setting<'_> {
     }
 }
 
-/// What a front says in one line, and the picture that shows it.
+/// Summary of a front in one line, and its picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
     /// One line, with the figures of this run.

@@ -12,11 +12,11 @@ const ROUNDS: usize = 31;
 const QUICK_ROUNDS: usize = 3;
 /// Errors below rounding are drawn at it.
 const ROUNDING: f64 = 1e-17;
-/// Times are told in units of this row's, too: Coulomb's table of the disk in f64.
+/// Times are also given in units of this row's: Coulomb's table of the disk in f64.
 const UNIT: usize = 0;
 const PICTURE: &str = "patches.svg";
 
-/// What is left of an entry once its task runs.
+/// The part of an entry that is not its task.
 #[derive(Debug)]
 struct Row {
     label: Label,
@@ -46,7 +46,7 @@ pub fn run(setting: &Setting<'_>) -> Result<Finding, Refused> {
     })
 }
 
-/// What the front says: the tables of all round patches and laws in f64.
+/// Summary of the front: the tables of all round patches and laws in f64.
 fn line(rows: &[Row], samples: &Samples) -> String {
     let of_tables =
         |index: &usize| rows[*index].label.tier == "table" && rows[*index].precision == "f64";
@@ -99,7 +99,7 @@ fn split(entries: Vec<Entry>) -> (Vec<Row>, Vec<Task<'static>>) {
     entries.into_iter().enumerate().map(part).unzip()
 }
 
-/// What the columns mean, and what there is not.
+/// Meaning of the columns, and what is missing.
 const LEGEND: &str = "\
 Errors are the largest over fixed speeds: `rel F` and `rel T` relative, `of larger` the larger of \
 the two (and of the lateral force) over the larger of F and T, which is the load's scale where T or \

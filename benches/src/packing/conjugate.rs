@@ -2,8 +2,8 @@
 //!
 //! Silcowitz-Hansen, Niebe and Erleben, Vis. Comput. 26 (2010) 893, with β of Fletcher and Reeves
 //! and a restart when a displacement grows. Differences: a sweep goes forwards and backwards, which
-//! is a gradient in a fixed metric where everything sticks; what is extrapolated is brought back to
-//! what its contact admits.
+//! is a gradient in a fixed metric where everything sticks; extrapolated impulses are projected
+//! onto those that the contact admits.
 
 use tribos::cd::Iterations;
 use tribos::cd::internals::{GlobalChange, Impulse, NoMonitor, Operator, Visit};

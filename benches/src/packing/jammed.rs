@@ -5,16 +5,16 @@ use tribos::random::Random;
 use tribos::space::pairs::{Cells, NeighbourError};
 use tribos::space::{PeriodicBox, PeriodicBoxError};
 
-/// Solid fraction, above random close packing (0.64): contacts are more than forces can tell.
+/// Solid fraction, above random close packing (0.64): there are more contacts than forces can determine.
 pub const SOLID_FRACTION: f64 = 0.66;
 /// Half width of the radii around 1, which keeps a quick compression from making a crystal.
 pub const UNEVEN: f64 = 0.1;
-/// Extra distance of listed neighbours, so that a list serves many steps.
+/// Extra distance of listed neighbours, so that a list can be used for many steps.
 const SKIN: f64 = 0.3;
 /// Steps of the relaxation, first and longest, in √(m/k): half of what twelve springs would allow.
 const STEP: f64 = 0.1;
 const LONGEST: f64 = 0.3;
-/// Largest force that is left, in k R; contacts overlap by about 1e-2 R.
+/// Largest remaining force, in k R; contacts overlap by about 1e-2 R.
 const RELAXED: f64 = 1e-4;
 /// Most steps of the relaxation.
 const MOST_STEPS: usize = 20_000;
@@ -58,7 +58,7 @@ impl From<PeriodicBoxError> for NotJammed {
 
 /// Packs `count` spheres with radii 1 ± `uneven` over a square of `width`.
 ///
-/// Random places are relaxed as soft spheres until all forces balance. Overlaps that are left count
+/// Random positions are relaxed as soft spheres until all forces balance. Remaining overlaps count
 /// as contacts: the soft forces show that pushes alone can hold the packing under load.
 pub fn jammed(count: usize, width: f64, uneven: f64, seed: u64) -> Result<Jammed, NotJammed> {
     let mut random = Random::new(seed, 0);

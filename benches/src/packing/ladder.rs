@@ -1,4 +1,4 @@
-//! Residual against work: every method with every rule to stop by, from nothing.
+//! Residual against work: every method with every stopping rule, from zero impulses.
 
 use super::jammed::NotJammed;
 use super::powder::compacting;
@@ -15,7 +15,7 @@ use tribos_tests::packings::{dry, first_problem, jammed_box, rough};
 const COUNT: usize = 1000;
 const SEED: u64 = 1;
 const CHAIN: usize = 100;
-/// Steps of the powder before its problem is taken: about half of its way.
+/// Steps of the powder before its problem is taken: about half of the compaction.
 const STEPS: usize = 1000;
 /// Sliding, rolling and torsion coefficients.
 const MU: [f64; 3] = [0.3, 0.1, 0.1];
@@ -31,13 +31,13 @@ const TARGETS: [f64; 3] = [1e-4, 1e-6, 1e-8];
 /// One solution of one problem.
 #[derive(Clone, Debug)]
 pub struct Rung {
-    /// Which problem.
+    /// Name of the problem.
     pub problem: &'static str,
     /// Which method.
     pub method: Method,
-    /// Rule to stop by, with its number.
+    /// Stopping rule, with its number.
     pub rule: String,
-    /// What it took, whether or not the rule was met.
+    /// Work of the solution, whether or not the rule was met.
     pub work: Work,
     /// Whether the rule was met.
     pub met: bool,
@@ -46,9 +46,9 @@ pub struct Rung {
 /// Work to the same residuals: methods in the order of [`METHODS`], `None` where not reached.
 #[derive(Clone, Debug)]
 pub struct Contest {
-    /// Which problem.
+    /// Name of the problem.
     pub problem: &'static str,
-    /// Contacts of it.
+    /// Number of contacts of the problem.
     pub contacts: usize,
     /// Residual to reach.
     pub target: f64,

@@ -1,4 +1,4 @@
-//! Contact problems of packings, their solvers and what both cost.
+//! Contact problems of packings, their solvers, and the cost of both.
 
 pub mod conjugate;
 pub mod drawn;

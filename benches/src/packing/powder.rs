@@ -20,11 +20,11 @@ const RANGE: f64 = 1e-2;
 /// Load of the piston on an area R², and the piston's mass.
 const PRESSURE: f64 = 1.0 / 400.0;
 const PISTON: f64 = 1000.0;
-/// Solution of the steps on the way.
+/// Tolerance of the steps before the problem is taken.
 const TOLERANCE: f64 = 1e-4;
 const MOST_SWEEPS: usize = 1000;
 
-/// The contact problem after `steps` steps under the piston, its impulses taken away.
+/// The contact problem after `steps` steps under the piston, with impulses set to zero.
 pub fn compacting<F>(friction: F, steps: usize) -> Result<Spheres<F>, NotJammed>
 where
     F: ContactFriction<f64> + Coefficients,

@@ -1,4 +1,4 @@
-//! One step of contact dynamics for packings under load, without impulses so far.
+//! One step of contact dynamics for packings under load, with zero initial impulses.
 
 use super::jammed::{Jammed, NotJammed};
 use nalgebra::Vector3;
@@ -12,7 +12,7 @@ use tribos_core::contact::{Cohesion, Contact, ContactFriction, Modal, NormalLaw,
 const STEP: f64 = 0.01;
 /// Load of the upper plate on an area R².
 const PRESSURE: f64 = 1.0;
-/// Gap at which surfaces count as touching: above rounding, nothing beside a motion.
+/// Gap up to which surfaces count as touching: above rounding, far below any motion.
 const TOUCHING: f64 = 1e-9;
 
 /// The step of a packing whose upper plate is pushed down; a plate as heavy as all spheres.
@@ -77,7 +77,7 @@ pub fn pressed<F: ContactFriction<f64>>(
     Ok(problem)
 }
 
-/// A chain of touching spheres that stands upright between the plates.
+/// An upright chain of touching spheres between the plates.
 pub fn chain(count: usize) -> Jammed {
     let place = |index| Vector3::z() * (2.0 * index as f64 + 1.0);
     Jammed {
@@ -88,7 +88,7 @@ pub fn chain(count: usize) -> Jammed {
     }
 }
 
-/// Takes all impulses away.
+/// Sets all impulses to zero.
 pub fn cool<F: ContactFriction<f64>>(problem: &mut Spheres<F>) {
     for contact in 0..problem.contacts() {
         problem.guess(contact, &Modal::default());

@@ -27,7 +27,7 @@ const SEED: u64 = 1;
 /// Most sweeps of any run.
 const MOST_SWEEPS: usize = 1_000_000;
 
-/// Sizes of the families, and the contact updates that a run may be expected to take.
+/// Sizes of the families, and a limit for the expected contact updates of a run.
 #[derive(Clone, Debug)]
 pub struct Extent {
     /// Spheres of chains.
@@ -53,7 +53,7 @@ pub struct Point {
     pub method: Method,
     /// Residual to reach.
     pub target: f64,
-    /// What it took.
+    /// Work of the run.
     pub work: Work,
 }
 
@@ -134,7 +134,7 @@ fn grow<F>(
             let same = |point: &&Point| {
                 point.family == family && point.method == method && point.target == target
             };
-            // What the size before could not afford, this one cannot.
+            // A run that was too long at the previous size is too long at this one.
             let reached = points.iter().filter(same).count();
             if reached < sizes_before {
                 continue;

@@ -26,7 +26,7 @@ const SWEEPS: usize = 10;
 const CONVERGED: f64 = 1e-6;
 const MOST_SWEEPS: usize = 100_000;
 
-/// What one set of modes costs.
+/// Cost of one set of modes.
 #[derive(Clone, Debug)]
 pub struct Cost {
     /// Set of modes.
@@ -46,7 +46,7 @@ pub struct Cost {
 /// One problem, ready to be swept over and over.
 struct Sample {
     cost: Cost,
-    /// Starts anew, sweeps, tells seconds an update.
+    /// Restarts, sweeps, and returns seconds per update.
     run: Box<dyn FnMut() -> f64>,
     times: Vec<f64>,
 }
@@ -140,7 +140,7 @@ fn sweeps<F: ContactFriction<f64> + 'static>(start: Spheres<F>) -> Box<dyn FnMut
     })
 }
 
-/// Updates a second, and what a contact costs beside one with all modes.
+/// Updates per second, and the cost of a contact relative to one with all modes.
 pub fn sheet(costs: &[Cost], rounds: usize) -> Sheet {
     let cells = |cost: &Cost| {
         let full = costs.iter().find(|other| other.state == cost.state);

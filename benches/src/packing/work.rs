@@ -1,5 +1,5 @@
-//! Sweeps and time that a method takes to a residual. The residual is worked out from impulses
-//! anew, outside of the time.
+//! Sweeps and time that a method needs to reach a residual, which is computed from the impulses
+//! outside the timing.
 
 use super::conjugate;
 use crate::clock::Clock;
@@ -7,7 +7,7 @@ use tribos::cd::internals::{Accelerated, Coefficients, NoMonitor, Spheres, Sweep
 use tribos::cd::{Iterations, Order};
 use tribos_core::contact::ContactFriction;
 
-/// What is compared.
+/// The compared methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// Plain non-linear Gauss–Seidel.
@@ -28,7 +28,7 @@ pub const METHODS: [Method; 5] = [
 ];
 
 impl Method {
-    /// As it appears in reports.
+    /// Name of the method in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::GaussSeidel(Order::Fixed) => "GS fixed order",
@@ -53,18 +53,18 @@ impl Method {
     }
 }
 
-/// What was spent, and what was reached.
+/// Work of a solution, and the residual reached.
 #[derive(Clone, Copy, Debug)]
 pub struct Work {
     /// Sweeps, extrapolations included.
     pub sweeps: usize,
-    /// Time of them.
+    /// Time of the sweeps.
     pub seconds: f64,
-    /// Residual in the end.
+    /// Residual at the end.
     pub residual: f64,
 }
 
-/// Between two looks at the residual plain sweeps grow by one in so many.
+/// Plain sweeps between two checks of the residual: one, and one more for every `LOOKS` so far.
 const LOOKS: usize = 50;
 /// First tolerance tried for a residual, in its units, and the ratio to the next.
 const FIRST: f64 = 2.0;
@@ -81,7 +81,7 @@ where
     }
 }
 
-/// Plain sweeps with a look at the residual now and then.
+/// Plain sweeps with occasional checks of the residual.
 fn plain_to<F>(start: &Spheres<F>, order: Order, target: f64, most: usize) -> Option<Work>
 where
     F: ContactFriction<f64> + Coefficients,
@@ -109,7 +109,7 @@ where
     None
 }
 
-/// The first tolerance, from coarse to fine, that does it.
+/// The first tolerance, from coarse to fine, that reaches the residual.
 fn tolerances_to<F>(start: &Spheres<F>, method: Method, target: f64, most: usize) -> Option<Work>
 where
     F: ContactFriction<f64> + Coefficients,

@@ -1,4 +1,4 @@
-//! The laws of the front, in both precisions, and what they give in f64.
+//! The laws of the front in both precisions, and their values in f64.
 //!
 //! Every parameter is a binary fraction, so that f32 and f64 mean the same law. Speeds that mark a
 //! law are within the range of speeds on the patch, or far below it where nature has them there.

@@ -1,4 +1,4 @@
-//! What the front of patches is made of: rows of patch × law × tier, each judged and timed.
+//! Rows of the front of patches: patch × law × tier, each with error and time.
 //!
 //! | judge | of what | digits |
 //! |---|---|---|
@@ -34,9 +34,9 @@ pub struct Label {
     pub patch: &'static str,
     /// Local law.
     pub law: &'static str,
-    /// How it is computed.
+    /// Tier that computes it.
     pub tier: &'static str,
-    /// Who says what is right.
+    /// Reference for the errors.
     pub judge: &'static str,
 }
 
@@ -89,7 +89,7 @@ fn over(error: f64, size: f64) -> f64 {
 
 /// One row of the front, ready to be timed.
 pub struct Entry {
-    /// What it is about.
+    /// Patch, law, tier and reference of the row.
     pub label: Label,
     /// "f64" or "f32".
     pub precision: &'static str,

@@ -1,4 +1,4 @@
-//! Contacts at points: a tripod, and 100 nodes that stand for a continuous pressure.
+//! Contacts at points: a tripod, and 100 nodes that represent a continuous pressure.
 
 use super::area::Pressure;
 use super::laws::{self, ForLaw, Friction};

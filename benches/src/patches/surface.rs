@@ -1,4 +1,4 @@
-//! The limit surface: gauge, motion and projection, judged by points that lie on it.
+//! The limit surface: gauge, motion and projection, checked with points that lie on it.
 
 use super::round::{TABLE_STRIDE, timed};
 use super::tables::{self, Source};

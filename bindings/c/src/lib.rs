@@ -11,8 +11,7 @@
 //!
 //! One contract holds for all functions: a pointer is null, which is refused, or points to memory
 //! of its type that is aligned and, for arguments, initialised; a pointer to an array comes with
-//! the number of its elements and does not overlap the results. No pointer is kept after the
-//! call.
+//! the number of its elements and does not overlap the results. No pointer is kept after the call.
 #![no_std]
 
 // On hosts the standard library brings the panic handler that a static library needs.

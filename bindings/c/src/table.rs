@@ -81,7 +81,7 @@ lent! {
     tribos_power_compact_f32 for CompactPower<f32>;
 }
 
-/// Fills lent memory, or leaves it as it is.
+/// Fills the caller's memory, or leaves it unchanged.
 #[inline(always)]
 pub(crate) unsafe fn build<L: Lent, E: Into<tribos_status>>(
     lent: *mut L,
@@ -100,7 +100,7 @@ pub(crate) unsafe fn build<L: Lent, E: Into<tribos_status>>(
     }
 }
 
-/// What lent memory holds, not copied.
+/// The contents of the caller's memory, by reference.
 #[inline(always)]
 pub(crate) unsafe fn held<'a, L: Lent>(lent: *const L) -> Result<&'a L::Held, tribos_status> {
     if lent.is_null() {

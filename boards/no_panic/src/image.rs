@@ -1,4 +1,4 @@
-//! What both images share.
+//! Shared parts of both images.
 
 use core::hint::black_box;
 
@@ -22,7 +22,7 @@ fn panic(_: &core::panic::PanicInfo) -> ! {
     unsafe { a_panic_is_reachable() }
 }
 
-/// Lets names and addresses go where the compiler cannot follow.
+/// Passes names and addresses to a place that the compiler cannot analyse.
 pub struct Opaque;
 
 impl Opaque {

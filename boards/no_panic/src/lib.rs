@@ -9,8 +9,8 @@
 //! both for three microcontrollers at three optimisation levels.
 //!
 //! What this proves: no panic in the functions listed, for all arguments, with the type arguments
-//! listed. What it does not: the same for a law or patch of the caller's own, which may panic
-//! itself; nor that loops end.
+//! listed. What it does not prove: the same for a law or patch of the caller's own, which may
+//! panic itself, or that loops terminate.
 #![cfg_attr(target_os = "none", no_std)]
 
 #[cfg(not(target_os = "none"))]

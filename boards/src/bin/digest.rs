@@ -1,6 +1,6 @@
 //! Digests of the kernel's bits as this target computes them: `index digest instructions`, one
-//! chapter a line. `TRIBOS_CHAPTERS=2,3,8` at build time takes these chapters only, so that the
-//! image stays small; by default all are in.
+//! chapter per line. `TRIBOS_CHAPTERS=2,3,8` at build time selects chapters, so that the image
+//! stays small; by default it contains all.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 tribos_boards::main!(run);
@@ -22,7 +22,7 @@ static CHOSEN: [Option<Chapter>; CHAPTERS.len()] = {
     chosen
 };
 
-/// True if the number stands in a list with commas; the empty list holds all.
+/// Whether a comma-separated list contains the number; the empty list contains all.
 #[cfg(target_os = "none")]
 const fn is_listed(number: usize, list: &[u8]) -> bool {
     let (mut at, mut read) = (0, 0);

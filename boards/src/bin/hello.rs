@@ -14,7 +14,7 @@ fn run() {
     let seventh = black_box(1.0_f32) / black_box(7.0);
     assert_eq!(third.to_bits(), 0x3fd5_5555_5555_5555);
     assert_eq!(seventh.to_bits(), 0x3e12_4925);
-    // As much work again is as many instructions again, and a second count is the first.
+    // Twice the work takes twice the instructions, and a second count equals the first.
     let mut divide = |times: u32| {
         instructions(&mut || {
             for _ in 0..black_box(times) {

@@ -7,11 +7,10 @@
 //! φ(u) = (u − u₀)ᵀ M (u − u₀)/2 + Δt Σ hᵢ(u + dᵢ)
 //! ```
 //!
-//! with the dissipation hᵢ of each element ([`crate::area`]) and the motion dᵢ of its ground
-//! relative to the reference ground of u (Moreau, Eur. J. Mech. A 13 (1994) 93). Newton's method
-//! finds it for one smoothing σ after another, each a fraction of the last. It counts as rest where
-//! u shrinks with σ. All arithmetic is in double precision, with roots and products only, so that
-//! results are bit-identical on every platform.
+//! with the dissipation hᵢ of each element ([`crate::area`]) and the motion dᵢ of its ground relative to the
+//! reference ground of u (Moreau, Eur. J. Mech. A 13 (1994) 93). Newton's method finds it for one smoothing
+//! σ after another, each a fraction of the last. It counts as rest where u shrinks with σ. All arithmetic is
+//! in double precision, with roots and products only, so that results are bit-identical on every platform.
 
 use crate::area::{Element, Response};
 

@@ -70,10 +70,9 @@ impl PatchContacts {
 
     /// Gives the contact of `foot` on `ground` a patch that replaces the engine's friction.
     ///
-    /// A pair that already has a patch continues with the new one: another floor, swept ice. The
-    /// colliders' hook that disables their friction is enabled. The foot's body must be dynamic; a
-    /// body may have several feet, which resist together. The ground may be fixed, driven by its
-    /// velocity, or free to move.
+    /// A pair that already has a patch continues with the new one: another floor, swept ice. The colliders'
+    /// hook that disables their friction is enabled. The foot's body must be dynamic; a body may have several
+    /// feet, which resist together. The ground may be fixed, driven by its velocity, or free to move.
     pub fn insert(
         &mut self,
         foot: ColliderHandle,

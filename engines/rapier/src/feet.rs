@@ -12,8 +12,7 @@ pub(crate) struct Feet {
     pub(crate) elements: Vec<Element>,
     /// Middle of each foot in metres, in the contact's axes.
     pub(crate) places: Vec<[f64; 2]>,
-    /// Motion of each foot relative to its ground minus that of the first foot relative to its
-    /// own.
+    /// Motion of each foot relative to its ground minus that of the first foot relative to its own.
     pub(crate) drifts: Vec<[f64; 3]>,
 }
 
@@ -30,7 +29,7 @@ pub(crate) struct Solved {
     pub(crate) holds: Vec<bool>,
 }
 
-/// Gauge beyond which a load certainly exceeds rest, given rounding.
+/// Factor of the friction limit beyond which rest is certainly impossible, given rounding.
 const BEYOND: f64 = 1.01;
 
 impl Solved {

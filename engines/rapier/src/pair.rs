@@ -90,8 +90,7 @@ pub(crate) struct Touching {
     pub(crate) load: f32,
     /// Normal from the ground to the foot.
     pub(crate) normal: Vector,
-    /// Distance from the centre of mass of the foot to the contact, against the normal, in
-    /// metres.
+    /// Distance from the centre of mass of the foot to the contact, against the normal, in metres.
     pub(crate) depth: f32,
 }
 

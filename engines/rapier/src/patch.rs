@@ -14,8 +14,7 @@ use tribos_core::twist::{Twist, Wrench};
 
 /// Largest number of points of a polygon.
 const POINTS: usize = 256;
-/// Distance from the centre of mass, as a fraction of the radius, up to which a round patch counts
-/// as centred.
+/// Distance from the centre of mass, as a fraction of the radius, up to which a round patch counts as centred.
 const CENTRED: f64 = 1e-3;
 
 /// A patch of Coulomb friction under a foot, centred below the origin of the foot's collider.
@@ -75,12 +74,12 @@ enum Shape {
 pub enum PatchError {
     /// The coefficient of friction is negative, infinite or NaN.
     Coefficient {
-        /// What was given.
+        /// The rejected value.
         given: f32,
     },
     /// The radius is not positive and finite.
     Radius {
-        /// What was given.
+        /// The rejected value.
         given: f32,
     },
     /// The polygon has no interior, or too many corners.

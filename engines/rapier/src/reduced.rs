@@ -74,8 +74,7 @@ impl Reduced {
         [xx, xy, yy, xn, yn, nn]
     }
 
-    /// Changes of the foot's and the ground's velocities that together give a change of the relative
-    /// twist.
+    /// Changes of the foot's and the ground's velocities that together give a change of the relative twist.
     pub(crate) fn shared(&self, change: &Twist<f32>, frame: &Frame) -> [[Vector; 2]; 2] {
         let moved =
             |velocity: &Vector2<f32>, spin: f32| [frame.world(velocity), frame.normal * spin];

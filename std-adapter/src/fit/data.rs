@@ -82,9 +82,8 @@ impl Data {
 
     /// Friction over time. Between two times the velocity is the mean of both.
     ///
-    /// *Domain*: times finite and rising, velocities and friction finite, friction with the sign of
-    /// the velocity on the whole; speeds other than 0 and the largest friction between 1e-290 and
-    /// 1e290.
+    /// *Domain*: times finite and rising, velocities and friction finite, friction with the sign of the
+    /// velocity on the whole; speeds other than 0 and the largest friction between 1e-290 and 1e290.
     pub fn series(
         times: Vec<f64>,
         velocities: Vec<f64>,

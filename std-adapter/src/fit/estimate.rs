@@ -116,7 +116,7 @@ pub enum FitError {
     /// A parameter that the law does not have.
     #[error("there is no parameter `{name}`; the parameters are {}", known.join(", "))]
     NoParameter {
-        /// What was given.
+        /// The rejected value.
         name: String,
         /// Names of the law's parameters.
         known: Vec<&'static str>,
@@ -128,7 +128,7 @@ pub enum FitError {
         name: &'static str,
         /// Range of the parameter.
         range: String,
-        /// What was given.
+        /// The rejected value.
         given: f64,
     },
     /// Fewer points than parameters.

@@ -144,8 +144,7 @@ impl Model for Whole<'_> {
     }
 }
 
-/// Checks that a search on a sample, refined on all points, finds the minimum of searches on all
-/// points.
+/// Checks that a search on a sample, refined on all points, finds the minimum of searches on all points.
 fn assert_same_minimum(law: LawName, data: &Data) {
     let sampled = found(law, data).unwrap();
     assert!(

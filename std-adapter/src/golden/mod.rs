@@ -1,10 +1,9 @@
 //! Golden files: results of scenes, pinned to the bit, to be checked later and on other machines.
 //!
-//! A golden file is TOML. For each scene it contains the path, the overrides, the resolved
-//! parameters with their digest, every quantity of the summary by its bits, digests of each
-//! column of the series over consecutive blocks of rows, and of powders digests of the final
-//! state. A digest is FNV-1a of 64 bits over the bits of the numbers, lowest byte first, with one
-//! NaN for all.
+//! A golden file is TOML. For each scene it contains the path, the overrides, the resolved parameters
+//! with their digest, every quantity of the summary by its bits, digests of each column of the series
+//! over consecutive blocks of rows, and of powders digests of the final state. A digest is FNV-1a of
+//! 64 bits over the bits of the numbers, lowest byte first, with one NaN for all.
 //!
 //! ```
 //! use tribos::golden::{Golden, Pinned, Verdict, measure};

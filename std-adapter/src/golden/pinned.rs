@@ -67,8 +67,7 @@ impl Pinned {
         }
     }
 
-    /// Digest of the resolved parameters, which distinguishes a changed scene from changed
-    /// results.
+    /// Digest of the resolved parameters, which distinguishes a changed scene from changed results.
     pub fn scene_digest(&self) -> u64 {
         digest(&self.parameters)
     }

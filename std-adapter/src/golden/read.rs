@@ -33,9 +33,9 @@ pub enum GoldenError {
     Damaged {
         /// The file.
         name: String,
-        /// Line, from 1.
+        /// Line number, from 1.
         line: usize,
-        /// What is wrong.
+        /// Description of the error.
         message: String,
     },
 }

@@ -79,7 +79,7 @@ pub enum AtomsError {
     Mass {
         /// Species with the invalid mass, from 1.
         species: usize,
-        /// What was given.
+        /// The rejected value.
         given: f64,
     },
 }
@@ -112,8 +112,7 @@ impl Atoms {
         self.masses[usize::from(self.species[atom])]
     }
 
-    /// Refuses arrays of different lengths, numbers that are not finite and species without a
-    /// mass.
+    /// Refuses arrays of different lengths, numbers that are not finite and species without a mass.
     pub fn check(&self) -> Result<(), AtomsError> {
         let count = self.len();
         if self.velocities.len() != count || self.species.len() != count {

@@ -2,8 +2,7 @@
 
 use nalgebra::Vector3;
 
-/// F = m a n × (r − axis) on every atom of the driven groups during an interval of time; n points
-/// upwards.
+/// F = m a n × (r − axis) on every atom of the driven groups during an interval of time; n points upwards.
 ///
 /// ```
 /// use nalgebra::Vector3;

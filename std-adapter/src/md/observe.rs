@@ -75,8 +75,7 @@ pub fn pressure<I: Interaction>(system: &System<I>, volume: f64) -> f64 {
     (2.0 * kinetic + system.tally().virial.trace()) / (3.0 * volume)
 }
 
-/// The rotation of some atoms about the vertical through their centre, relative to a reference
-/// state.
+/// The rotation of some atoms about the vertical through their centre, relative to a reference state.
 ///
 /// The angle is that of the best fit: Σ m r₀ × r over Σ m r₀ · r. It counts whole turns if it is
 /// updated at least every half turn.

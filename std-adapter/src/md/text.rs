@@ -18,13 +18,13 @@ pub enum TextError {
     /// An invalid word.
     #[error("line {line}: {what} must be {valid}, not `{given}`")]
     Value {
-        /// Line, from 1.
+        /// Line number, from 1.
         line: usize,
         /// Meaning of the word.
         what: &'static str,
-        /// What would be valid.
+        /// Description of valid values.
         valid: String,
-        /// What was given.
+        /// The rejected value.
         given: String,
     },
     /// A required item is missing: the file or a line ends too early.
@@ -34,25 +34,25 @@ pub enum TextError {
         line: usize,
         /// Name of the missing item.
         what: &'static str,
-        /// What to do.
+        /// How to correct it.
         cure: String,
     },
     /// An item that other programs accept, but Tribos does not.
     #[error("line {line}: {what} cannot be read; {cure}")]
     Unsupported {
-        /// Line, from 1.
+        /// Line number, from 1.
         line: usize,
-        /// What it is.
+        /// Name of the item.
         what: String,
-        /// What to do.
+        /// How to correct it.
         cure: &'static str,
     },
     /// An item that occurs twice.
     #[error("line {line}: {what} {given} stands here for the second time")]
     Twice {
-        /// Line, from 1.
+        /// Line number, from 1.
         line: usize,
-        /// What it is.
+        /// Name of the item.
         what: &'static str,
         /// The repeated value.
         given: String,

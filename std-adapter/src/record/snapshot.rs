@@ -148,7 +148,7 @@ pub enum SnapshotError {
     Species {
         /// Index of the particle.
         particle: usize,
-        /// What was given.
+        /// The rejected value.
         given: String,
     },
 }

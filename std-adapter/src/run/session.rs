@@ -78,7 +78,7 @@ pub enum Start {
 pub struct NoCheckpoint {
     /// Path of the missing checkpoint.
     pub file: PathBuf,
-    /// What is wrong.
+    /// Description of the error.
     #[source]
     pub cause: ReadError,
 }
@@ -138,9 +138,8 @@ impl<E: Error> RunError<E> {
 
 /// Drives a [`LongRun`] to its end in a folder, with checkpoints and frames there.
 ///
-/// A run interrupted for any reason (a kill, a full disk, [`Self::cancel_when`]) can be resumed,
-/// and ends with the same bits as without interruption. The last checkpoint contains the final
-/// state.
+/// A run interrupted for any reason (a kill, a full disk, [`Self::cancel_when`]) can be resumed, and
+/// ends with the same bits as without interruption. The last checkpoint contains the final state.
 ///
 /// ```
 /// use tribos::powder::Compaction;

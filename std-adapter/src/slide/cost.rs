@@ -138,7 +138,7 @@ fn pass(evaluate: Evaluated<'_>, passes: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{CurlingScene, CylinderScene, IceModel, PipeScene};
+    use crate::scene::{CurlingScene, CylinderScene, FootPressure, IceModel, PipeScene};
     use crate::slide::PlanarScene;
 
     #[test]

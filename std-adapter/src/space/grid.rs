@@ -4,12 +4,10 @@ use super::PeriodicBox;
 use nalgebra::Vector3;
 use std::ops::RangeInclusive;
 
-/// Largest number of cells per particle; cells smaller than the particles' distance only cost
-/// time.
+/// Largest number of cells per particle; cells smaller than the particles' distance only cost time.
 const CELLS_PER_PARTICLE: f64 = 4.0;
 
-/// Relative tolerance for the rounding of a position, a difference and a cell number, about
-/// 1e-15.
+/// Relative tolerance for the rounding of a position, a difference and a cell number, about 1e-15.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// One axis cut into cells; the first and the last of an open one have no outer end.

@@ -39,7 +39,7 @@ pub enum NeighbourError {
     Position {
         /// Index of the particle.
         particle: usize,
-        /// 0, 1 or 2 for x, y or z.
+        /// Axis: 0, 1 or 2 for x, y or z.
         axis: usize,
         /// The rejected coordinate.
         given: f64,
@@ -49,13 +49,13 @@ pub enum NeighbourError {
     Radius {
         /// Index of the particle.
         particle: usize,
-        /// What was given.
+        /// The rejected value.
         given: f64,
     },
     /// The largest gap is infinite or NaN.
     #[error("the largest gap of neighbours must be finite, not {given}")]
     Skin {
-        /// What was given.
+        /// The rejected value.
         given: f64,
     },
     /// Two particles could be neighbours over more than one image.
@@ -65,7 +65,7 @@ pub enum NeighbourError {
         AXES[*axis]
     )]
     Reach {
-        /// 0, 1 or 2 for x, y or z.
+        /// Axis: 0, 1 or 2 for x, y or z.
         axis: usize,
         /// Sum of the two largest radii and the skin.
         reach: f64,

@@ -39,9 +39,9 @@ pub struct PeriodicBox {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("the period along {} must be finite and positive, not {given}", AXES[*axis])]
 pub struct PeriodicBoxError {
-    /// 0, 1 or 2 for x, y or z.
+    /// Axis: 0, 1 or 2 for x, y or z.
     pub axis: usize,
-    /// What was given.
+    /// The rejected value.
     pub given: f64,
 }
 

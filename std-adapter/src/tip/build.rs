@@ -167,8 +167,7 @@ fn thermostat(scene: &TipScene, wanted: Spin) -> Result<Thermostat, ThermostatEr
     })
 }
 
-/// Velocities at twice the temperature, since atoms on lattice sites lose half of it to potential
-/// energy.
+/// Velocities at twice the temperature, since atoms on lattice sites lose half of it to potential energy.
 fn warm(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms: &mut Atoms) {
     let mut noise = Noise::new(scene.seed, FIRST, 0);
     let speed = (2.0 * scene.temperature).sqrt();

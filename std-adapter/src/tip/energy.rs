@@ -12,8 +12,7 @@ use serde_json::{Value, json};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriveEnergy {
-    /// Work of the drive: its force on each driven atom times the atom's displacement, summed over
-    /// all steps.
+    /// Work of the drive: its force on each driven atom times the atom's displacement, summed over all steps.
     pub work: f64,
     /// Rise of the potential energy while driven, between means over 20 τ at the ends of stages.
     /// Pairs that cross a cut-off without shift change it without work.

@@ -218,8 +218,7 @@ fn means(series: &[Vec<f64>], from: f64, to: f64, width: usize) -> Vec<f64> {
     sums.into_iter().map(|sum| sum / count).collect()
 }
 
-/// Standard error of the mean potential energy over an interval of time, with lines treated as
-/// independent.
+/// Standard error of the mean potential energy over an interval of time, with lines treated as independent.
 fn standard_error(series: &[Vec<f64>], from: f64, to: f64) -> f64 {
     let within = |line: &&Vec<f64>| line[0] >= from && line[0] <= to;
     let energies: Vec<f64> = series

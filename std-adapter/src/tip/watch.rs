@@ -29,8 +29,7 @@ pub(super) fn interval(scene: &TipScene) -> u64 {
     usual.min(shortest / LINES).max(1)
 }
 
-/// Number of lines after `steps` steps of a run: one at the start, one per interval, one at the
-/// end.
+/// Number of lines after `steps` steps of a run: one at the start, one per interval, one at the end.
 pub(super) fn lines(scene: &TipScene, steps: u64) -> u64 {
     let every = interval(scene);
     let last: u64 = scene.stage_steps().total();
@@ -97,8 +96,7 @@ impl Watch {
         }
     }
 
-    /// Mean force of both ends times the displacement: a Σ m (r × r') for any motion of the
-    /// atoms.
+    /// Mean force of both ends times the displacement: a Σ m (r × r') for any motion of the atoms.
     fn work_of_step(&self, system: &System<LennardJones>, drive: &TorqueDrive) -> f64 {
         let [x0, y0] = drive.axis;
         let atoms = system.atoms();

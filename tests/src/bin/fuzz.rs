@@ -1,4 +1,4 @@
-//! Inputs that no test thought of, for every target or one.
+//! Runs the fuzzer for every target or one.
 //!
 //! `cargo run --release -p tribos-tests --bin fuzz -- --help`
 

@@ -1,4 +1,4 @@
-//! Where the digests are computed: one row of the table each.
+//! The platforms that compute the digests, one row of the table each.
 
 use tribos_digest::{CHAPTERS, Needs};
 

@@ -1,4 +1,4 @@
-//! What results have to fulfil.
+//! Properties that results must have.
 
 use super::Source;
 use tribos_core::real::Real;

@@ -1,4 +1,4 @@
-//! A seeded generator of inputs that no test thought of, for every platform.
+//! A fuzzer: seeded inputs, the same on every platform.
 //!
 //! [`targets`] take one input each: made from a seed, used, judged. [`run`] catches panics, measures
 //! the time of each input and reports what was found with the seed that repeats it. The properties are

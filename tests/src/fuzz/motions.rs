@@ -1,4 +1,4 @@
-//! Final motion and whole motions.
+//! Final motion and complete motions.
 
 use super::check::{at_most, finite, holds};
 use super::{Broken, Source};

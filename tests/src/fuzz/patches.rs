@@ -1,4 +1,4 @@
-//! Patches: what is accepted can be used.
+//! Patches: every accepted patch can be used.
 
 use super::check::holds;
 use super::{Broken, Source};

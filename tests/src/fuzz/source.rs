@@ -1,4 +1,4 @@
-//! Where the inputs come from: one seed makes one input, on every platform.
+//! Source of the inputs: one seed gives the same input on every platform.
 
 use tribos_core::real::Real;
 

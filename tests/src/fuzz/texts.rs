@@ -200,7 +200,7 @@ fn tip() -> Option<&'static (TipScene, String)> {
     made.as_ref()
 }
 
-/// A damaged checkpoint: refused, or a run that goes on or ends with an error.
+/// A damaged checkpoint: it is refused, or the run continues or ends with an error.
 pub fn checkpoints(source: &mut Source) -> Result<(), Broken> {
     if source.one_in(2) {
         let (scene, text) = powder().ok_or("the tiny powder cannot be run")?;

@@ -1,8 +1,8 @@
-//! What stands on a coupling: patches with dimensions, limit surfaces, motions.
+//! Items built on a coupling: patches with dimensions, limit surfaces, motions.
 
 use super::{BOTH, Code, Item, NARROW, item, round};
 
-/// Modules of everything that stands on the disk's Coulomb table.
+/// Modules of every item built on the disk's Coulomb table.
 macro_rules! on_table {
     ($($more:literal),* $(,)?) => {
         round!["coupling::table", "coupling::side", $($more),*]

@@ -1,4 +1,4 @@
-//! The items whose cost is told: what each program prepares and what it calls.
+//! The measured items: what each program prepares and calls.
 
 mod bodies;
 mod impulses;
@@ -20,7 +20,7 @@ use tiers::TIERS;
 pub struct Item {
     /// Law, tier, patch, …
     pub group: &'static str,
-    /// As it appears in reports.
+    /// Name of the item in reports.
     pub name: &'static str,
     /// Modules of the kernel that the program may contain, beside [`PLUMBING`].
     pub modules: &'static [&'static str],

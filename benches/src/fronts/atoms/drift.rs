@@ -14,13 +14,13 @@ const CUBES: usize = 6;
 const MELTING: usize = 2000;
 /// Time steps in σ√(m/ε).
 const TIME_STEPS: [f64; 6] = [0.001, 0.002, 0.004, 0.005, 0.008, 0.01];
-/// From one look at the energy to the next: whole numbers of all the steps.
+/// Time between samples of the energy: a multiple of all time steps.
 const BETWEEN: f64 = 0.04;
-/// Looks, and those of a quick run.
+/// Number of samples, and that of a quick run.
 const LOOKS: usize = 500;
 const QUICK_LOOKS: usize = 25;
 
-/// What is done at the cut-off, as in tables and pictures.
+/// Names of the shifts at the cut-off in tables and pictures.
 pub const SHIFTS: [(&str, Shift); 3] = [
     ("truncated", Shift::None),
     ("energy shifted", Shift::Energy),
@@ -30,15 +30,15 @@ pub const SHIFTS: [(&str, Shift); 3] = [
 /// One run at constant energy; energies of an atom in ε, times in τ = σ√(m/ε).
 #[derive(Clone, Copy, Debug)]
 pub struct Run {
-    /// What is done at the cut-off.
+    /// How the potential is shifted at the cut-off.
     pub shift: &'static str,
     /// Time step.
     pub time_step: f64,
     /// Slope of the energy over time.
     pub drift: f64,
-    /// Its standard error, looks taken as independent.
+    /// Standard error of the drift, with samples treated as independent.
     pub drift_error: f64,
-    /// Root mean square of what is left.
+    /// Root mean square of the residuals.
     pub rms: f64,
     /// Mean temperature.
     pub temperature: f64,

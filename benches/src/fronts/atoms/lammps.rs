@@ -1,14 +1,14 @@
-//! LAMMPS beside us: is it there, what it is given, what it says about its time.
+//! Running LAMMPS: detection, input, and timing from its output.
 
 use std::fs;
 use std::process::Command;
 
 /// Name of the program on the PATH.
 const PROGRAM: &str = "lmp";
-/// What to do where it is missing.
+/// Advice if the program is missing.
 pub const MISSING: &str = "LAMMPS: no `lmp` on the PATH (Debian: apt-get install lammps)";
 
-/// What LAMMPS runs.
+/// Input of LAMMPS.
 #[derive(Clone, Debug)]
 pub struct Input {
     /// Name and text of the file that the script reads.
@@ -19,7 +19,7 @@ pub struct Input {
     pub timed: usize,
 }
 
-/// What it says about a run.
+/// Output of LAMMPS about a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Told {
     /// The processor's seconds in the loop over steps.
@@ -72,7 +72,7 @@ fn read(text: &str, timed: usize) -> Option<Told> {
     let wall: f64 = number(text, 0)?;
     let busy = line("% CPU use")?.split('%').next()?.trim();
     let busy: f64 = busy.parse().ok()?;
-    // Their clock is of the wall: shares hold for the processor's time too.
+    // LAMMPS measures wall time; its shares apply to processor time too.
     let share = |part: &str| -> Option<f64> { Some(number(line(part)?, 2)? / wall) };
     Some(Told {
         seconds: wall * busy / 100.0,

@@ -23,7 +23,7 @@ const PANEL: (u32, u32) = (640, 460);
 /// Reads a figure of a run.
 type Read = fn(&Run) -> f64;
 
-/// How long is measured.
+/// Length of the measurements.
 struct Extent {
     rounds: usize,
     /// Steps from the crystal to the melt.
@@ -66,7 +66,7 @@ pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
     })
 }
 
-/// What the programs run, and what the columns mean.
+/// Description of the problems and the columns.
 const SPEED_LEGEND: &str = "\
 The melt is LAMMPS' bench: density 0.8442, a crystal warmed to 1.44 and left to melt before anything is \
 timed, velocity Verlet in steps of 0.005, cut-off 2.5 without a shift, skin 0.3, lists built as soon as an \
@@ -78,7 +78,7 @@ without the exchange of atoms, which it counts apart). Ours of forces and lists 
 places. The potential energy at the start must agree to 1e-10, or nothing is compared.
 ";
 
-/// What the drift tells.
+/// Interpretation of the drift.
 const DRIFT_LEGEND: &str = "\
 A step costs the same whatever its length and whatever is done at the cut-off (a force that is shifted takes \
 a square root more), so atom-steps per time are the price. Runs of the truncated and the energy-shifted \
@@ -139,7 +139,7 @@ fn draw(folder: &Path, runs: &[Run]) -> Result<(), String> {
     written::write(folder, PICTURE, &svg)
 }
 
-/// What the front says.
+/// Summary of the front.
 fn line(races: &[Race], runs: &[Run]) -> String {
     let speed = |race: &Race| {
         let beside = match race.theirs {

@@ -1,4 +1,4 @@
-//! What a step consists of: forces over the listed pairs, and now and then a list.
+//! Parts of a step: forces over the listed pairs, and occasionally a new list.
 
 use super::melt::SKIN;
 use super::problems::Ran;

@@ -1,4 +1,4 @@
-//! What both programs run: melts and the tip, from the same places and velocities.
+//! Problems for both programs: melts and the tip, from the same positions and velocities.
 
 use super::lammps::Input;
 use super::melt::{CUTOFF, Melt, SKIN, TIME_STEP};
@@ -21,7 +21,7 @@ const TIMES: [f64; 2] = [1.5, 2.5];
 /// The same for a quick look.
 const QUICK_TIMES: [f64; 2] = [0.5, 0.5];
 
-/// A problem: what moves, and for how long.
+/// A problem with its duration.
 #[derive(Debug)]
 pub enum Problem {
     /// A melt at constant energy.
@@ -50,7 +50,7 @@ pub struct Ran {
     pub atoms: Atoms,
     /// Their box.
     pub space: PeriodicBox,
-    /// What acts between them.
+    /// Interaction between the atoms.
     pub interaction: LennardJones,
 }
 
@@ -69,7 +69,7 @@ impl Ran {
     }
 }
 
-/// The moment from which is counted.
+/// Start of a timed section.
 struct Since {
     steps: u64,
     builds: u64,
@@ -109,7 +109,7 @@ impl Problem {
         }))
     }
 
-    /// As it appears in tables.
+    /// Name of the problem in tables.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Melt { .. } => "melt",

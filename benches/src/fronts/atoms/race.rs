@@ -28,15 +28,15 @@ pub struct Speed {
 /// One problem.
 #[derive(Debug)]
 pub struct Race {
-    /// What moves.
+    /// Name of the problem.
     pub name: &'static str,
     /// Number of atoms.
     pub atoms: usize,
-    /// Ours.
+    /// Speed of Tribos.
     pub ours: Speed,
-    /// LAMMPS, where it is.
+    /// Speed of LAMMPS, if it is installed.
     pub theirs: Option<Speed>,
-    /// How many times as fast ours is, median over the rounds.
+    /// Speed of Tribos over that of LAMMPS, median over the rounds.
     pub ratio: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The melt on one thread and on two, by the time of day.
+//! The melt on one thread and on two, by wall time.
 
 use super::melt::{Melt, TIME_STEP};
 use crate::timing::median;

@@ -1,4 +1,4 @@
-//! Instructions of the tiers on microcontrollers, beside the methods.
+//! Instruction counts of the tiers on microcontrollers.
 
 use crate::firmware::prices::{self, Boards};
 use crate::firmware::report::Row as Priced;
@@ -14,7 +14,7 @@ const ITEMS: [(&str, &str); 5] = [
     ("quadrature", "quadrature: Coulomb"),
 ];
 
-/// Counts the instructions of the tiers; tells why not if that is impossible here.
+/// Counts the instructions of the tiers; returns the reason if that is impossible here.
 pub fn count(quick: bool) -> Result<(Vec<Priced>, Option<String>), String> {
     let programs = all_programs();
     let tiers = programs.iter().filter(|program| program.item.group == TIER);

@@ -1,7 +1,7 @@
 //! Speed against error of one evaluation of force and torque.
 //!
 //! Times come from eight mixes in a row, errors from one.
-//! Errors are judged by double-double arithmetic (α = 0), by the compact tier (else).
+//! References for errors are double-double arithmetic for α = 0, else the compact tier.
 
 mod instructions;
 
@@ -23,7 +23,7 @@ const SEED: u64 = 1;
 /// Rounds of all methods, and of a quick look.
 const ROUNDS: usize = 101;
 const QUICK_ROUNDS: usize = 9;
-/// Slow methods are judged on every so manieth pair.
+/// Errors of slow methods are taken on every `SLOW_STRIDE`-th pair.
 const SLOW_STRIDE: usize = 100;
 /// The accuracy at which the trapezoid rule is compared with the table.
 const TRAPEZOID_ERROR: f64 = 1e-3;
@@ -47,7 +47,7 @@ struct Row {
     instructions: [Option<u64>; 2],
 }
 
-/// Makes the front; `counted` are the firmware's rows of the same run, else tiers are counted anew.
+/// Makes the front; `counted` are the firmware's rows of the same run, else tiers are counted here.
 pub fn run(setting: &Setting<'_>, counted: Option<&[Priced]>) -> Result<Finding, String> {
     let (own, obstacle) = match counted {
         Some(_) => (Vec::new(), None),
@@ -92,7 +92,7 @@ pub fn run(setting: &Setting<'_>, counted: Option<&[Priced]>) -> Result<Finding,
     })
 }
 
-/// What the front says.
+/// Summary of the front.
 fn line(rows: &[Row], samples: &Samples) -> String {
     let of = |name: &str| rows.iter().find(|row| row.method.name == name);
     let error = |name| short(of(name).map_or(f64::NAN, |row| row.errors.relative()));

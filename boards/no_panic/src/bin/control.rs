@@ -1,5 +1,5 @@
-//! The same image with one function that may panic: the proof is worth something only if this
-//! does not link.
+//! The same image with one function that may panic: the proof is valid only if this does not
+//! link.
 #![cfg_attr(target_os = "none", no_std)]
 #![cfg_attr(target_os = "none", no_main)]
 #![allow(unsafe_code)] // The exported entry and the panic handler of the image.

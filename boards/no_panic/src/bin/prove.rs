@@ -1,8 +1,8 @@
-//! Builds the proof and its control for microcontrollers, and tells whether the kernel can panic.
+//! Builds the proof and its control for microcontrollers, and reports whether the kernel can panic.
 //!
 //! `cargo run -p tribos-no-panic --bin prove -- [--quick]` builds `no_panic` and `control` for three
-//! targets at opt-levels 3, "s" and "z"; `--quick` leaves out "s" and "z" and all controls but one.
-//! It fails if `no_panic` does not link, if a function of the list is not in the image, or if
+//! targets at opt-levels 3, "s" and "z"; `--quick` omits "s" and "z" and all controls but one. It
+//! fails if `no_panic` does not link, if a function of the list is not in the image, or if
 //! `control` links, or fails for another reason than its panic.
 
 use clap::Parser;
@@ -17,7 +17,7 @@ const TARGETS: [&str; 3] = [
 ];
 const LEVELS: [&str; 3] = ["3", "\"s\"", "\"z\""];
 
-/// What the linker says of a panic that is reachable.
+/// Message of the linker for a reachable panic.
 const PANIC: &str = "undefined symbol: a_panic_is_reachable";
 
 /// Proves by linking that no public function of tribos-core can panic.

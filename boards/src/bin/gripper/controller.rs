@@ -12,7 +12,7 @@ pub struct Reference {
     pub acceleration: f32,
 }
 
-/// What the jaw shall do in this tick.
+/// Task of the jaw in this tick.
 #[derive(Clone, Copy)]
 pub enum Command {
     /// Follow a motion.
@@ -21,7 +21,7 @@ pub enum Command {
     Press(f32),
 }
 
-/// Whether the motor makes up for friction.
+/// Whether the motor compensates friction.
 #[derive(Clone, Copy)]
 pub enum Compensation {
     /// By the LuGre model.
@@ -33,7 +33,7 @@ pub enum Compensation {
 /// N/m and N s/m: critically damped at 20 Hz.
 const STIFFNESS: f32 = 3200.0;
 const DAMPING: f32 = 50.0;
-/// What calms the jaw while it presses, N s/m.
+/// Damping of the jaw while it presses, N s/m.
 const CALMING: f32 = 60.0;
 
 /// State of the controller: the model, its bristle and the last position.
@@ -60,7 +60,7 @@ impl Controller {
         let velocity = counts.wrapping_sub(self.counts) as f32 * (COUNT / PERIOD);
         self.counts = counts;
         match command {
-            // Friction is foreseen from the wanted velocity, which has no noise.
+            // Friction is predicted from the commanded velocity, which has no noise.
             Command::Follow(wanted) => {
                 STIFFNESS * (wanted.position - position)
                     + DAMPING * (wanted.velocity - velocity)
@@ -71,7 +71,7 @@ impl Controller {
         }
     }
 
-    /// Friction in the tick to come, N.
+    /// Friction in the next tick, N.
     fn friction(&mut self, velocity: f32) -> f32 {
         let (bristle, force) = self.friction.step(self.bristle, velocity, PERIOD);
         self.bristle = bristle;

@@ -1,4 +1,4 @@
-//! What the ticks of a controller cost.
+//! Cost of the ticks of a controller.
 
 use tribos_boards::instructions;
 
@@ -13,7 +13,7 @@ pub struct Cost {
 impl Cost {
     /// Executes a tick and counts.
     pub fn count(&mut self, tick: &mut dyn FnMut()) {
-        // Without -icount nothing can be told, and the budget below fails.
+        // Without -icount nothing is known, and the budget below fails.
         let count = instructions(tick).unwrap_or(u64::MAX / 1_000_000);
         self.ticks += 1;
         self.sum += count;

@@ -1,4 +1,4 @@
-//! Close, press, let the object hang, push it: what the pads feel and where the object goes.
+//! Close, press, let the object hang, push it: forces on the pads and motion of the object.
 
 use crate::PERIOD;
 use crate::controller::{Command, Compensation, Controller, Reference};
@@ -8,10 +8,10 @@ use crate::object::{LOAD, MU_PRESENT, Object};
 use tribos_boards::stack_used;
 use tribos_core::twist::Wrench;
 
-/// Where the jaw meets the object, m, and how fast it comes, m/s.
+/// Position at which the jaw meets the object, m, and speed of the approach, m/s.
 const FACE: f32 = 2e-3;
 const APPROACH: f32 = 0.01;
-/// How fast the grip force grows, N/s.
+/// Rate of the grip force, N/s.
 const RISE: f32 = 50.0;
 /// Ticks of each phase.
 const CLOSING: u32 = 600;
@@ -30,7 +30,7 @@ pub fn pushed() -> Wrench<f32> {
 struct Firmware {
     controller: Controller,
     object: Object,
-    /// The grip force that is asked for now, N.
+    /// The commanded grip force, N.
     grip: f32,
 }
 
@@ -51,26 +51,26 @@ pub struct Grasp {
     object: Object,
     wanted: f32,
     time: f32,
-    /// Bytes of stack of the deepest tick that was looked at.
+    /// Bytes of stack of the deepest measured tick.
     pub stack: usize,
 }
 
-/// How a phase went.
+/// Result of a phase.
 #[derive(Default)]
 pub struct Phase {
-    /// Ticks after which the object was held, as it was and as it was foreseen.
+    /// Ticks after which the object was held, simulated and predicted.
     pub last_moving: [u32; 2],
-    /// Way in m, as it was and as it was foreseen.
+    /// Distance in m, simulated and predicted.
     pub travel: [f32; 2],
-    /// Turn in rad.
+    /// Rotation in rad, simulated and predicted.
     pub angle: [f32; 2],
-    /// It has not moved since it was gripped.
+    /// Whether the object has not moved since it was gripped.
     pub has_not_moved: [bool; 2],
     pub is_at_rest: [bool; 2],
 }
 
 impl Grasp {
-    /// Open; it shall press with `wanted` N.
+    /// An open gripper that is to press with `wanted` N.
     pub fn new(compensation: Compensation, wanted: f32) -> Option<Self> {
         Some(Self {
             firmware: Firmware {
@@ -104,7 +104,7 @@ impl Grasp {
         self.go_through(&[(pushed(), PUSHED), (LOAD, AFTER)], cost)
     }
 
-    /// The way that would have been foreseen, m and rad, had friction and grip force been known.
+    /// The predicted motion, m and rad, with known friction and grip force.
     pub fn push_as_known(&self) -> Option<[f32; 2]> {
         let mut object = Object::new(MU_PRESENT, PERIOD)?;
         for (load, ticks) in [(pushed(), PUSHED), (LOAD, AFTER)] {
@@ -135,12 +135,12 @@ impl Grasp {
         phase
     }
 
-    /// The object as it is, and as it is foreseen.
+    /// The simulated and the predicted object.
     fn both(&self) -> [&Object; 2] {
         [&self.object, &self.firmware.object]
     }
 
-    /// Follows the jaw to the object, then presses ever more, up to what is wanted.
+    /// Moves the jaw to the object, then raises the force to the wanted one.
     fn command(&mut self) -> Command {
         self.time += PERIOD;
         if self.firmware.grip == 0.0 && self.joint.position < FACE {
@@ -165,7 +165,7 @@ impl Grasp {
         let mut motor = 0.0;
         let firmware = &mut self.firmware;
         let mut tick = || motor = firmware.tick(&command, counts, load);
-        // Depth is looked for where the object slides; a tick counts once.
+        // Stack depth is measured where the object slides; a tick counts once.
         if self.object.is_at_rest {
             cost.count(&mut tick);
         } else {

@@ -3,7 +3,7 @@
 use crate::PERIOD;
 use tribos_core::law::{Bristle, LawError, LuGre, LuGreParameters};
 
-/// What there is to know of a jaw.
+/// Parameters of a jaw.
 pub struct Jaw {
     /// kg, the motor's inertia included
     pub mass: f32,
@@ -11,7 +11,7 @@ pub struct Jaw {
     pub friction: LuGreParameters<f32>,
 }
 
-/// As it was identified: what the controller knows.
+/// The identified parameters, which the controller uses.
 pub const MODEL: Jaw = Jaw {
     mass: 0.2,
     friction: LuGreParameters {
@@ -24,7 +24,7 @@ pub const MODEL: Jaw = Jaw {
     },
 };
 
-/// As it is today: warm, worn and a little heavier.
+/// The true parameters: warm, worn and a little heavier.
 const PRESENT: Jaw = Jaw {
     mass: 0.21,
     friction: LuGreParameters {
@@ -37,7 +37,7 @@ const PRESENT: Jaw = Jaw {
     },
 };
 
-/// m that a count of the encoder stands for: 14 bits on a turn of 5 mm.
+/// Length of a count of the encoder in m: 14 bits on a turn of 5 mm.
 pub const COUNT: f32 = 5e-3 / 16384.0;
 /// Steps of the simulated jaw in a tick of the controller.
 pub const FINE_STEPS: u32 = 10;
@@ -55,7 +55,7 @@ pub struct Joint {
     pub position: f32,
     /// m/s
     velocity: f32,
-    /// Where the pads meet the object, m.
+    /// Position at which the pads meet the object, m.
     face: f32,
     /// N
     pub pad_force: f32,
@@ -74,16 +74,16 @@ impl Joint {
         })
     }
 
-    /// What the encoder tells.
+    /// Reading of the encoder.
     pub fn counts(&self) -> i32 {
         (self.position / COUNT) as i32
     }
 
-    /// Follows the force of the motor, in N, for a fine step.
+    /// Advances by a fine step under the force of the motor, in N.
     pub fn advance(&mut self, motor: f32) {
         let (bristle, friction) = self.friction.step(self.bristle, self.velocity, FINE);
         self.bristle = bristle;
-        // Rubber that is pressed, and never pulls.
+        // Compressed rubber, which never pulls.
         let pressed = self.position - self.face;
         let pad = PAD_STIFFNESS * pressed + PAD_DAMPING * self.velocity;
         self.pad_force = if pressed > 0.0 && pad > 0.0 { pad } else { 0.0 };

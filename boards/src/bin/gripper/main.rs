@@ -1,7 +1,7 @@
-//! A parallel gripper at 1 kHz: its joint with friction made up for, and what its pads hold.
+//! A parallel gripper at 1 kHz, with friction compensation of its joint and a model of its grip.
 //!
-//! The firmware is `controller` and the foreseen `object`; `joint` and a second object, in
-//! finer steps and with other parameters, stand for the machine. Ends as failed if a promise of the
+//! The firmware is `controller` and the predicted `object`; `joint` and a second object, in finer
+//! steps and with other parameters, simulate the machine. It ends with an error if a promise of the
 //! report does not hold.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg_attr(target_os = "none", allow(unsafe_code))]

@@ -1,4 +1,4 @@
-//! The object between two pads: what they hold, and where it goes when they do not.
+//! The object between two pads: what they hold, and its motion when it slips.
 
 use crate::PERIOD;
 use nalgebra::Vector2;
@@ -11,10 +11,10 @@ use tribos_core::twist::{Twist, Wrench};
 /// A part of 0.4 kg, a bar as to its inertia, gripped at its centre of mass.
 const MASS: f32 = 0.4;
 const INERTIA: f32 = 3.6e-4;
-/// Flat round pads of 1 cm radius, which press evenly.
+/// Radius of the flat round pads, which press uniformly: 1 cm.
 const RADIUS: f32 = 0.01;
 const PADS: f32 = 2.0;
-/// Friction of the pads as the controller knows it, and as it is today.
+/// Friction of the pads in the controller's model, and the true value.
 pub const MU_MODEL: f32 = 0.6;
 pub const MU_PRESENT: f32 = 0.57;
 /// What the pads carry all the time: the weight, and the torque of a cable.
@@ -22,7 +22,7 @@ pub const LOAD: Wrench<f32> = Wrench::new(0.0, -MASS * 9.81, 0.01);
 /// The least force with which pads are pressed at all; no surface is without size.
 const LEAST: f32 = 1e-3;
 
-/// What the pads carry if each presses with `grip` N.
+/// Limit surface of the pads if each presses with `grip` N.
 fn pads(mu: f32, grip: f32) -> Option<LimitSurface<f32, Coulomb>> {
     let grip = if grip > LEAST { grip } else { LEAST };
     LimitSurface::new(Coulomb, PADS * mu * grip, RADIUS).ok()
@@ -48,7 +48,7 @@ pub struct Object {
 }
 
 impl Object {
-    /// As the controller foresees it, tick by tick.
+    /// As the controller predicts it, tick by tick.
     pub fn foreseen() -> Option<Self> {
         Self::new(MU_MODEL, PERIOD)
     }
@@ -66,7 +66,7 @@ impl Object {
         })
     }
 
-    /// Follows the load for a step, with `grip` N on each pad.
+    /// Advances by a step under the load, with `grip` N on each pad.
     pub fn advance(&mut self, grip: f32, load: &Wrench<f32>) {
         let Some(pads) = pads(self.mu, grip) else {
             return;
@@ -84,7 +84,7 @@ impl Object {
         tribos_core::Real::hypot(self.place.x, self.place.y)
     }
 
-    /// True if it never moved, to the last bit.
+    /// Whether the object never moved, to the last bit.
     pub fn has_not_moved(&self) -> bool {
         let Twist { velocity, spin } = self.twist;
         let motion = [velocity.x, velocity.y, spin];

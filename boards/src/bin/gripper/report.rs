@@ -1,4 +1,4 @@
-//! The experiments, one after the other, told in a line or two each.
+//! The experiments, each reported in a line or two.
 
 use crate::controller::{Compensation, Controller};
 use crate::cost::Cost;
@@ -7,16 +7,16 @@ use crate::object::{LOAD, MU_MODEL, MU_PRESENT, least_grip};
 use crate::tracking;
 use tribos_boards::{BOARD, Checks, Decimal, println};
 
-/// The grip is so much more than the least that holds the load.
+/// Ratio of the grip force to the least that holds the load.
 const MARGIN: f32 = 1.5;
 /// Instructions that a tick may take with an FPU, a twentieth of 1 ms at 168 MHz. Without one the
 /// loop is a slower one, and nothing is promised.
 const BUDGET: u64 = 8_400;
-/// How near the way of a push must be that was foreseen with all forces known, relative: the
-/// controller's step is ten times as long.
+/// Relative tolerance of the motion that is predicted with all forces known: the controller's
+/// step is ten times as long.
 const NEAR: f32 = 2e-3;
 
-/// Runs and tells everything; `None` if a parameter is refused.
+/// Runs and reports everything; `None` if a parameter is refused.
 pub fn print() -> Option<()> {
     let mut checks = Checks::default();
     println!("gripper, 1 kHz, f32, on {BOARD}");
@@ -54,7 +54,7 @@ fn track(checks: &mut Checks) -> Option<()> {
     Some(())
 }
 
-/// The grip force that is taken, N.
+/// The chosen grip force, N.
 fn choose_grip() -> Option<f32> {
     let least = least_grip(&LOAD)?;
     let wanted = MARGIN * least;
@@ -75,7 +75,7 @@ fn choose_grip() -> Option<f32> {
     Some(wanted)
 }
 
-/// Without compensation the joint keeps a part of the grip force for itself.
+/// Without compensation friction in the joint absorbs a part of the grip force.
 fn drop_it(wanted: f32, checks: &mut Checks) -> Option<()> {
     let mut cost = Cost::default();
     let mut grasp = Grasp::new(Compensation::Absent, wanted)?;
@@ -140,7 +140,7 @@ fn hold_it(wanted: f32, checks: &mut Checks) -> Option<()> {
     Some(())
 }
 
-/// The ways of a pushed object.
+/// Motions of a pushed object.
 fn tell_ways(after: &Phase, known: [f32; 2], checks: &mut Checks) {
     let ([travel, foreseen], [angle, foreseen_angle]) = (after.travel, after.angle);
     let [ticks, foreseen_ticks] = after.last_moving;

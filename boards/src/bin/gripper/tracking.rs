@@ -1,4 +1,4 @@
-//! To and fro: how far the jaw stays behind, with and without its friction made up for.
+//! Tracking an oscillation: error of the jaw with and without friction compensation.
 
 use crate::PERIOD;
 use crate::controller::{Command, Compensation, Controller, Reference};
@@ -14,7 +14,7 @@ const FREQUENCY: f32 = core::f32::consts::PI;
 /// Two periods.
 const TICKS: u32 = 4000;
 
-/// How far the jaw was from where it should be, m.
+/// Tracking error of the jaw, m.
 pub struct Tracking {
     pub rms: f32,
     pub worst: f32,
@@ -61,7 +61,7 @@ pub fn follow(compensation: Compensation, cost: &mut Cost) -> Result<Tracking, L
         for _ in 0..FINE_STEPS {
             joint.advance(motor);
         }
-        // The reference is where the jaw shall be at the end of the tick.
+        // The reference is the wanted position at the end of the tick.
         let error = (wanted.position - joint.position).abs();
         sum += error * error;
         worst = if error > worst { error } else { worst };

@@ -1,8 +1,8 @@
 //! Twelve contacts at once in real time: three balls on a floor, pressed together by three fingers,
 //! and a fourth on top.
 //!
-//! They start apart, fall and close, settle and are held. Ends as failed if what the contacts carry
-//! is not the weight, if something still moves, or if a step takes too long.
+//! They start apart, fall and close, settle and are held. The program ends with an error if the
+//! contacts do not carry the weight, if something still moves, or if a step takes too long.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg_attr(target_os = "none", allow(unsafe_code))]
 

@@ -1,4 +1,4 @@
-//! Four balls, a floor and three fingers: who is where, and who touches whom.
+//! Four balls, a floor and three fingers: positions and contacts.
 
 use nalgebra::Vector3;
 use tribos_core::contact::AllModes;
@@ -7,19 +7,19 @@ use tribos_core::manifold::{
     BodyHandle, ContactHandle, InitialGuess, Manifold, SolverLimits, SolverReport,
 };
 
-/// Of a ball: m, kg.
+/// Radius and mass of a ball: m, kg.
 const RADIUS: f32 = 0.02;
 const MASS: f32 = 0.05;
 const GRAVITY: f32 = 9.81;
-/// What a finger presses with, N, and its mass, kg.
+/// Force of a finger, N, and its mass, kg.
 const PRESS: f32 = 3.0;
 const FINGER: f32 = 0.1;
-/// How far everything is from what it will touch, m.
+/// Initial gap of every contact, m.
 const APART: f32 = 1e-3;
 /// Sliding, rolling and torsion.
 const FRICTION: [f32; 3] = [0.4, 0.01, 0.01];
-/// Sweeps of a step at most, which bound its time: an impact may take longer and goes on in the
-/// next step.
+/// Largest number of sweeps of a step, which bounds its time: an impact may take longer and
+/// continues in the next step.
 pub const SWEEPS: u32 = 20;
 /// When the sweeps end.
 const STOP: SolverLimits<f32> = SolverLimits {
@@ -40,7 +40,7 @@ const SQRT_2_3: f32 = 0.816_496_6;
 
 type Friction = Thresholds<f32, AllModes>;
 
-/// A body and where it is.
+/// A body and its position.
 #[derive(Clone, Copy)]
 struct Placed {
     body: BodyHandle,
@@ -54,7 +54,7 @@ struct Side {
     outward: Vector3<f32>,
 }
 
-/// Who touches whom.
+/// Contact partners.
 #[derive(Clone, Copy)]
 enum Pair {
     Balls(usize, usize),
@@ -87,7 +87,7 @@ pub struct Pile {
 }
 
 impl Pile {
-    /// All apart from each other, at rest; the fingers press, gravity pulls.
+    /// Separate bodies at rest; the fingers press, gravity pulls.
     pub fn new(dt: f32) -> Option<Self> {
         let [sliding, rolling, torsion] = FRICTION;
         let friction = Thresholds::all(sliding, rolling, torsion).ok()?;
@@ -134,7 +134,7 @@ impl Pile {
         Some(pile)
     }
 
-    /// Makes the contacts, or tells them where they are.
+    /// Creates the contacts, or updates their positions.
     fn find_contacts(&mut self) -> Option<()> {
         for (pair, slot) in PAIRS.iter().zip(&mut self.contacts) {
             let ([first, second], touch) = match *pair {
@@ -181,7 +181,7 @@ impl Pile {
         Some(fastest)
     }
 
-    /// What floor and fingers carry of the balls against gravity, N.
+    /// Force of floor and fingers on the balls against gravity, N.
     pub fn carried(&self) -> Option<f32> {
         let mut sum = 0.0;
         for (pair, contact) in PAIRS.iter().zip(self.contacts) {
@@ -238,7 +238,7 @@ fn side(
     })
 }
 
-/// An array of which nothing is missing.
+/// An array, if no element is missing.
 fn all<T: Copy, const N: usize>(slots: [Option<T>; N]) -> Option<[T; N]> {
     let first = slots.first().copied().flatten()?;
     let mut whole = [first; N];

@@ -11,12 +11,12 @@ const HELD: u32 = 250;
 /// Instructions that a step may take with an FPU, half of 4 ms at 168 MHz. Without one the loop is a
 /// slower one, and nothing is promised.
 const BUDGET: u64 = 336_000;
-/// What counts as rest, m/s: 60 µm in a minute.
+/// Speed that counts as rest, m/s: 60 µm in a minute.
 const SLOW: f32 = 1e-6;
-/// Part of the weight.
+/// Tolerance of the carried load, as a fraction of the weight.
 const EQUAL: f32 = 1e-3;
 
-/// How the steps of a phase went.
+/// Results of the steps of a phase.
 #[derive(Default)]
 struct Phase {
     steps: u32,
@@ -31,7 +31,7 @@ struct Phase {
     fastest: f32,
 }
 
-/// Runs and tells everything; `None` if something is refused.
+/// Runs and reports everything; `None` if a parameter is refused.
 pub fn print() -> Option<()> {
     println!(
         "stack: {BALLS} balls, {CONTACTS} contacts, at {} Hz, at most {SWEEPS} sweeps, f32, on {BOARD}",
@@ -81,7 +81,7 @@ fn follow(pile: &mut Pile, steps: u32) -> Option<Phase> {
         let mut report = None;
         let count = instructions(&mut || report = pile.advance());
         let report = report?;
-        // Without -icount nothing can be told, and the budget fails.
+        // Without -icount nothing is known, and the budget fails.
         let count = count.unwrap_or(u64::from(u32::MAX));
         phase.steps += 1;
         phase.sweeps += report.sweeps;

@@ -20,8 +20,7 @@ pub struct SuttonChenParameters {
     pub m: u32,
     /// Cut-off of all functions.
     pub cutoff: f64,
-    /// Distance at which the taper S begins, 0 < `taper` < `cutoff`; closer, the functions are as
-    /// published.
+    /// Distance at which the taper S begins, 0 < `taper` < `cutoff`; closer, the functions are as published.
     pub taper: f64,
 }
 
@@ -33,7 +32,7 @@ pub enum SuttonChenError {
     Parameter {
         /// Name of the invalid field.
         name: &'static str,
-        /// What was given.
+        /// The rejected value.
         given: f64,
     },
     /// The exponents would not repel at short range.
@@ -90,9 +89,8 @@ const MOST_EXPONENT: u32 = 64;
 ///
 /// The sums of the original run over the whole lattice. Here (a/r)ⁿ and (a/r)ᵐ are multiplied by
 /// S = (1 − x)³ (1 + 3x + 6x²), x = (r − taper)/(cutoff − taper): 1 up to the taper, 0 at the cut-off,
-/// with two continuous derivatives. Energy and force are continuous everywhere, the force also for a
-/// separating lone pair, whose embedding energy is a root: it vanishes as the square root of the
-/// remaining distance.
+/// with two continuous derivatives. Energy and force are continuous everywhere, also for a separating
+/// lone pair, whose embedding energy is a root: its force vanishes as the root of the remaining distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SuttonChen {
     given: SuttonChenParameters,

@@ -57,8 +57,7 @@ pub struct Tabulated {
 }
 
 impl Tabulated {
-    /// A potential with one species for each of `elements`, which are indices into the file from
-    /// 0.
+    /// A potential with one species for each of `elements`, which are indices into the file from 0.
     pub fn new(file: &PotentialFile, elements: &[usize]) -> Result<Self, ElementError> {
         let known = file.elements.len();
         if let Some(&beyond) = elements.iter().find(|&&element| element >= known) {

@@ -17,8 +17,7 @@ pub(super) struct Columns {
     pub forces: Option<[usize; 3]>,
 }
 
-/// Names of position columns, preferred first, with whether they are fractions of the box and
-/// wrapped.
+/// Names of position columns, preferred first, with whether they are fractions of the box and wrapped.
 const PLACES: [([&str; 3], bool, bool); 4] = [
     (["xu", "yu", "zu"], false, false),
     (["x", "y", "z"], false, true),

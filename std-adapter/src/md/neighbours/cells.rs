@@ -150,8 +150,7 @@ impl Cells {
         self.images[slots.end] > self.images[slots.start]
     }
 
-    /// The nine rows of three cells around the cell of `slot`, as ranges of slots in ascending
-    /// order.
+    /// The nine rows of three cells around the cell of `slot`, as ranges of slots in ascending order.
     pub fn around(&self, slot: usize) -> [Range<usize>; 9] {
         std::array::from_fn(|row| self.row(slot, row, [1, 1]))
     }

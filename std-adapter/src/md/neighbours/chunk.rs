@@ -167,8 +167,7 @@ struct Row {
 }
 
 impl Row {
-    /// Finds the neighbours of a slot that is not an image: all images in reach, and the atoms
-    /// after it.
+    /// Finds the neighbours of a slot that is not an image: all images in reach, and the atoms after it.
     fn fill(&mut self, cells: &Cells, slot: usize, reach_sq: f64, first: usize) {
         let place = cells.place(slot);
         for range in cells.in_reach(slot, reach_sq) {

@@ -23,7 +23,7 @@ pub enum ListError {
     Length {
         /// Name of the invalid length: "the cut-off" or "the skin".
         what: &'static str,
-        /// What was given.
+        /// The rejected value.
         given: f64,
     },
     /// Two atoms could interact through two images.
@@ -33,7 +33,7 @@ pub enum ListError {
         AXES[*axis]
     )]
     Cutoff {
-        /// 0, 1 or 2 for x, y or z.
+        /// Axis: 0, 1 or 2 for x, y or z.
         axis: usize,
         /// The cut-off.
         cutoff: f64,
@@ -47,7 +47,7 @@ pub enum ListError {
         AXES[*axis]
     )]
     Skin {
-        /// 0, 1 or 2 for x, y or z.
+        /// Axis: 0, 1 or 2 for x, y or z.
         axis: usize,
         /// Sum of cut-off and skin.
         reach: f64,

@@ -20,19 +20,19 @@ pub enum LennardJonesError {
     Parameter {
         /// Name of the parameter: "epsilon", "sigma" or "cutoff".
         name: &'static str,
-        /// A species, from 1.
+        /// First species of the pair, from 1.
         first: usize,
-        /// The other, from 1.
+        /// Second species of the pair, from 1.
         second: usize,
-        /// What was given.
+        /// The rejected value.
         given: f64,
     },
     /// A pair of a species that does not exist.
     #[error("there is no pair {first}{second} among {known} species")]
     Pair {
-        /// A species, from 1.
+        /// First species of the pair, from 1.
         first: usize,
-        /// The other, from 1.
+        /// Second species of the pair, from 1.
         second: usize,
         /// Number of species.
         known: usize,

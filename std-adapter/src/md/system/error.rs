@@ -51,7 +51,7 @@ pub enum SystemError {
     /// The time step is not positive and finite.
     #[error("the time step must be finite and positive, not {given}")]
     TimeStep {
-        /// What was given.
+        /// The rejected value.
         given: f64,
     },
     /// An atom has no group, or one that does not exist.

@@ -81,8 +81,7 @@ impl<I: Interaction> System<I> {
         self.atoms.velocities = velocities;
     }
 
-    /// Adds the forces of the interaction, loads and, if it is on at `at`, the drive to the
-    /// velocities.
+    /// Adds the forces of the interaction, loads and, if it is on at `at`, the drive to the velocities.
     fn kick(&self, velocities: &mut [Vector3<f64>], time: f64, at: f64) {
         for (index, group) in self.groups.iter().enumerate() {
             if !group.hold.is_driven_by_forces() {

@@ -35,7 +35,7 @@ pub enum ThermostatError {
     /// The temperature is negative or not a number.
     #[error("the temperature of a thermostat must be finite and not negative, not {given}")]
     Temperature {
-        /// What was given.
+        /// The rejected value.
         given: f64,
     },
     /// The time or the rate is not positive.
@@ -43,7 +43,7 @@ pub enum ThermostatError {
     Rate {
         /// Name of the parameter: "relaxation time" or "friction".
         what: &'static str,
-        /// What was given.
+        /// The rejected value.
         given: f64,
     },
 }

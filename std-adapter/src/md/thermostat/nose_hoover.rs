@@ -8,8 +8,7 @@ pub enum Spin {
     /// All motion is heat.
     #[default]
     Counts,
-    /// The mean rotation about this vertical axis is not thermostatted: only deviations from it are
-    /// heat.
+    /// The mean rotation about this vertical axis is not thermostatted: only deviations from it are heat.
     Spared {
         /// x and y of the axis.
         axis: [f64; 2],

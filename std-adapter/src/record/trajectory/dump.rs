@@ -4,8 +4,7 @@ use super::xyz::{push, push_vector};
 use super::{Column, State, Values};
 use crate::record::number;
 
-/// Time, step, number, box, and one line per body. Types are the parts, counted from 1, or 1 for
-/// all bodies.
+/// Time, step, number, box, and one line per body. Types are the parts, counted from 1, or 1 for all bodies.
 pub(super) fn frame(state: &State) -> String {
     let flags = state
         .sides

@@ -78,9 +78,8 @@ impl Column {
 }
 
 impl State {
-    /// The state of a stored frame, with the accuracy of [frames](crate::record::frames):
-    /// positions, radii, speeds, the number of contacts of each particle of a powder, layer and
-    /// part of each atom of a tip.
+    /// The state of a stored frame, with the accuracy of [frames](crate::record::frames): positions, radii,
+    /// speeds, the number of contacts of each particle of a powder, layer and part of each atom of a tip.
     ///
     /// ```
     /// use nalgebra::Vector3;

@@ -1,7 +1,6 @@
 //! Lock of a folder: a file that a process keeps locked and that names this process.
 //!
-//! The operating system releases the lock when the process ends for any reason, so there are no stale
-//! locks.
+//! The operating system releases the lock when the process ends for any reason, so there are no stale locks.
 
 use super::FolderError;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -101,9 +100,8 @@ impl Lock {
         &self.folder
     }
 
-    /// Call this before writing: it fails if the folder at this path is not the one that was
-    /// locked. In that case it was moved or deleted, or the lock was removed, and another command
-    /// may use it.
+    /// Call this before writing: it fails if the folder at this path is not the one that was locked.
+    /// In that case it was moved or deleted, or the lock was removed, and another command may use it.
     pub fn check(&self) -> Result<(), FolderError> {
         if self.is_mine() {
             return Ok(());

@@ -1,9 +1,8 @@
 //! Folders for results: each belongs to one command at a time, and its files to one result.
 //!
-//! `tribos.json` in the folder records which command wrote which files, of which scene. A command
-//! that starts there removes the files named there, and nothing else; it never replaces other
-//! files. While a command works it holds a lock that names it to others. The next command removes
-//! half-written files of a killed one.
+//! `tribos.json` in the folder records which command wrote which files, of which scene. A command that starts
+//! there removes the files named there, and nothing else; it never replaces other files. While a command works
+//! it holds a lock that names it to others. The next command removes half-written files of a killed one.
 
 mod error;
 mod lock;
@@ -64,8 +63,7 @@ impl OutputFolder {
         Self::claim(lock, contents, |_| false)
     }
 
-    /// The folder of the same command and subject, whose files are kept, or else a folder for a new
-    /// result.
+    /// The folder of the same command and subject, whose files are kept, or else a folder for a new result.
     pub fn go_on(path: &Path, contents: &Contents<'_>) -> Result<Self, FolderError> {
         Self::go_on_with(Lock::take(path, Sharing::Alone)?, contents)
     }
@@ -97,8 +95,8 @@ impl OutputFolder {
             manifest = kept.clone();
             manifest.add(contents.files);
         } else {
-            // The name of the old result goes first: what is left of it belongs to nobody then, and
-            // is named again by the new one.
+            // The new command takes over the manifest first, so that old files left by an
+            // interruption belong to it.
             Manifest {
                 files: [names, &manifest.files].concat(),
                 ..manifest.clone()

@@ -19,9 +19,8 @@ pub(super) fn is_funcfl(text: &str) -> bool {
     numbers(lines.next()) >= 2 && numbers(lines.next()) == 5
 }
 
-/// The last knot of each table only sets its length: LAMMPS, and so Tribos, ends one before it. Beyond
-/// that density F continues linearly; LAMMPS' energy there, not its forces, is off by the slope times a
-/// step.
+/// The last knot of each table only sets its length: LAMMPS, and so Tribos, ends one before it. Beyond that
+/// density F continues linearly; LAMMPS' energy there, not its forces, is off by the slope times a step.
 pub(super) fn read(text: &str) -> Result<PotentialFile, TextError> {
     let mut lines = Lines::new(text);
     lines.need("a line of comment", CUT_SHORT)?;
