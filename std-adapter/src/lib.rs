@@ -28,6 +28,7 @@
 pub mod cd;
 pub mod fit;
 pub mod friction;
+#[doc(hidden)]
 pub mod golden;
 pub mod md;
 pub mod powder;

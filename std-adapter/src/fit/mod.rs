@@ -47,8 +47,13 @@ mod search;
 mod starts;
 
 pub use data::{Data, DataError, Motion};
-pub use estimate::{Estimate, Fit, FitError, FitProgress, Known, Options, fit, fit_watched};
-pub use law::{LawName, law_model};
+pub use estimate::{Estimate, Fit, FitError, Known, Options, fit};
+#[doc(hidden)]
+pub use estimate::{FitProgress, fit_watched};
+pub use law::LawName;
+#[doc(hidden)]
+pub use law::law_model;
+#[doc(hidden)]
 pub use parameter::{Model, Parameter, Range};
 
 #[cfg(test)]

@@ -40,14 +40,24 @@ mod refusal;
 mod tier;
 mod visit;
 
-pub use catalogue::{Entry, LAWS, Maker, Parameter, find};
-pub use law::{AnyLaw, Law};
+pub use catalogue::{Entry, LAWS};
+#[doc(hidden)]
+pub use catalogue::{Maker, Parameter, find};
+#[doc(hidden)]
+pub use law::AnyLaw;
+pub use law::Law;
 pub use patch::Patch;
 pub use precision::Precision;
+#[doc(hidden)]
 pub use quadrature::{polynomial, pressure_nodes};
-pub use refusal::{Refusal, finite_number};
-pub use tier::{Evaluation, LARGEST_EXPONENT, Tier, valid_exponent};
+pub use refusal::Refusal;
+#[doc(hidden)]
+pub use refusal::finite_number;
+pub use tier::{Evaluation, Tier};
+#[doc(hidden)]
+pub use tier::{LARGEST_EXPONENT, valid_exponent};
 pub(crate) use visit::visit_disk;
+#[doc(hidden)]
 pub use visit::{RoundPower, Visitor, leaning, upright, visit};
 
 use quadrature::{ByNodes, DiskOfAnyLaw};

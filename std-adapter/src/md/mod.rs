@@ -7,16 +7,23 @@
 //! written to a file: [`lammps`] data and dumps, [`extended_xyz`].
 
 pub mod atoms;
+#[doc(hidden)]
 pub mod configuration;
+#[doc(hidden)]
 pub mod drive;
 pub mod eam;
+#[doc(hidden)]
 pub mod extended_xyz;
 pub mod group;
+#[doc(hidden)]
 pub mod interaction;
+#[doc(hidden)]
 pub mod lammps;
+#[doc(hidden)]
 pub mod neighbours;
 pub mod observe;
 pub mod pair;
 pub mod system;
+#[doc(hidden)]
 pub mod text;
 pub mod thermostat;

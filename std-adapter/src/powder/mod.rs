@@ -16,13 +16,18 @@ mod statistics;
 mod stress;
 
 pub use crate::record::CheckpointError;
+#[doc(hidden)]
 pub use blocked::{Means, Window};
+#[doc(hidden)]
 pub use carried::{Carried, CarriedModes};
 pub use compaction::{COLUMNS, Compaction, Ending};
+#[doc(hidden)]
 pub use cost::{PowderCost, cost, size};
 pub use error::CompactionError;
+#[doc(hidden)]
 pub use limits::Limits;
 pub use outcome::Outcome;
+#[doc(hidden)]
 pub use packing::PISTON;
 pub use statistics::Statistics;
 pub use stress::Stress;

@@ -5,15 +5,16 @@
 //! can be resumed to the same bits.
 
 mod film;
+#[doc(hidden)]
 pub mod folder;
 mod parallel;
 mod session;
 
+#[doc(hidden)]
 pub use parallel::in_order;
-pub use session::{
-    CHECKPOINT, Cause, FRAMES, LongRun, NoCheckpoint, RunError, Session, Start, forget_checkpoint,
-    read_checkpoint,
-};
+#[doc(hidden)]
+pub use session::{CHECKPOINT, Cause, FRAMES, NoCheckpoint, forget_checkpoint, read_checkpoint};
+pub use session::{LongRun, RunError, Session, Start};
 
 /// Estimated size of a run, from its scene alone, before anything is built.
 ///
@@ -26,6 +27,7 @@ pub use session::{
 /// assert!(told.bodies > 1e12 && told.bytes > 1e15 && told.seconds > 1e9);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(hidden)]
 pub struct RunSize {
     /// Number of spheres or atoms.
     pub bodies: f64,

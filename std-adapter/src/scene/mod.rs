@@ -34,7 +34,9 @@ mod words;
 pub use body::{Scene, parse_scene, read_scene};
 pub use curling::{CurlingScene, IceModel};
 pub use cylinder::CylinderScene;
+#[doc(hidden)]
 pub use hint::{nearest, number_hint};
+#[doc(hidden)]
 pub use key::{Domain, Key, Need};
 pub use library::{LIBRARY, LibraryScene, library_scene};
 pub use pipe::PipeScene;
@@ -44,8 +46,10 @@ pub use problem::{InvalidScene, Problem, SceneError};
 pub use schema::schema;
 pub use slider::{SliderScene, Stepper, Units};
 pub use table::Body;
+#[doc(hidden)]
 pub use template::{keys_page, template, toml_value, with_all_keys};
 pub use tip::{BathKind, BathSpin, DrivenHold, Reading, StageSteps, TipScene};
+#[doc(hidden)]
 pub use vocabulary::{Vocabulary, bodies, vocabulary};
 pub use words::UnknownWord;
 
@@ -57,4 +61,5 @@ use body::DEFAULT_BODY;
 /// use tribos::scene::{LIBRARY, MOST_BYTES};
 /// assert!(LIBRARY.iter().all(|scene| 1000 * (scene.text.len() as u64) < MOST_BYTES));
 /// ```
+#[doc(hidden)]
 pub const MOST_BYTES: u64 = 16 << 20;

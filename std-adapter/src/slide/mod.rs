@@ -11,11 +11,15 @@ mod simulation;
 mod spent;
 
 pub use any_law::run_law;
+#[doc(hidden)]
 pub use cost::EvaluationCost;
 pub(crate) use cost::of_law;
 pub use outcome::{Ending, Outcome};
 pub use path::{PATH_COLUMNS, PathOutcome, PathRun, PlanarCourse, PlanarScene, run_path};
-pub use simulation::{COLUMNS, SlideSimulation};
+pub use simulation::COLUMNS;
+#[doc(hidden)]
+pub use simulation::SlideSimulation;
+#[doc(hidden)]
 pub use spent::Spent;
 
 use crate::friction::{Law, Patch, Refusal, RoundPower, Tier, Visitor, visit_disk};

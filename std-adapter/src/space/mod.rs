@@ -1,7 +1,10 @@
 //! Periodic boxes, and neighbours within them.
 
 mod grid;
+#[doc(hidden)]
 pub mod pairs;
 mod periodic;
 
-pub use periodic::{AXES, PeriodicBox, PeriodicBoxError};
+#[doc(hidden)]
+pub use periodic::AXES;
+pub use periodic::{PeriodicBox, PeriodicBoxError};

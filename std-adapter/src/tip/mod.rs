@@ -8,6 +8,7 @@ mod build;
 mod checkpoint;
 mod cost;
 mod energy;
+#[doc(hidden)]
 pub mod export;
 mod frames;
 mod outcome;
@@ -16,9 +17,13 @@ mod session;
 mod shape;
 mod watch;
 
-pub use build::{BuildError, TipSystem, build};
+pub use build::BuildError;
+#[doc(hidden)]
+pub use build::{TipSystem, build};
+#[doc(hidden)]
 pub use cost::{TipCost, cost, size};
 pub use energy::DriveEnergy;
 pub use outcome::{Outcome, Plateau, Verdict};
 pub use run::{TipError, TipRun};
+#[doc(hidden)]
 pub use shape::{LAYERS_OF_A_KIND, Outline, Part, Shape, Site};

@@ -2,14 +2,17 @@
 
 mod columns;
 mod contacts;
+#[doc(hidden)]
 pub mod curve;
 mod cut;
 mod error;
 mod grow;
 mod porosity;
 
+#[doc(hidden)]
 pub use contacts::SUBSTRATE;
 pub use error::DepositError;
+#[doc(hidden)]
 pub use porosity::{BULK, volume_between};
 
 use crate::space::PeriodicBox;

@@ -51,10 +51,15 @@ mod slope;
 mod solve;
 
 pub use error::{InverseError, OutOfReach};
+#[doc(hidden)]
 pub use jacobian::PoseJacobian;
 pub use limits::Limits;
-pub use map::{Landing, RestMap};
-pub use plan::{Launches, MAX_SOLUTIONS, Solution, Turns};
+#[doc(hidden)]
+pub use map::Landing;
+pub use map::RestMap;
+#[doc(hidden)]
+pub use plan::MAX_SOLUTIONS;
+pub use plan::{Launches, Solution, Turns};
 
 /// Velocity of the centre and spin at the start, m/s and rad/s.
 ///
