@@ -4,6 +4,7 @@ use tribos::cd::{Laws, Setup, Wall, World, solid};
 use tribos::kernel::contact::{Cohesion, NormalLaw, Sphere, Thresholds};
 use tribos::kernel::nalgebra::Vector3;
 
+#[rustfmt::skip] // As short as documentation shows it.
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (up, radius) = (Vector3::z(), 0.028); // m
     let ball = Sphere {

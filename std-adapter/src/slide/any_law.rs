@@ -16,10 +16,10 @@ use tribos_core::modes::Modes;
 /// differs from point to point.
 ///
 /// ```
-/// use tribos::{friction::Law, scene::parse_slider, slide::run_law};
+/// use tribos::{friction::Law, scene::SliderScene, slide::run_law};
 /// let text = "speed = 1.0\nspin = 0.0\ncoefficient = 1.0\nalpha = 0\ngravity = 10.0\n\
 ///             radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5";
-/// let scene = parse_slider("disk.toml", text, &[])?;
+/// let scene = SliderScene::parse("disk.toml", text, &[])?;
 /// let law: Law = "stribeck:mu_s=0.2,mu_d=0.2,vs=0.01,k=0.1".parse()?; // s/m
 /// let end = run_law(&scene, &law, |_| ())?.outcome;
 /// // dv/dt = -g (mu + k v), which ends after ln(1 + k v0/mu)/(g k).
