@@ -1,29 +1,84 @@
-//! Simulations on top of `tribos-core`: everything that allocates or accesses files.
+//! Simulations on top of `tribos-core`: bodies that slide and spin to rest, contact dynamics, cohesive
+//! powders, atoms; everything that allocates or accesses files.
 //!
-//! A scene, plain data or read from a file ([`scene`]), becomes a simulation ([`slide`], [`powder`], [`tip`]), one driver runs it ([`run`]) and its results are kept
-//! ([`record`]) or pinned to the bit ([`golden`]). The physics is in [`tribos_core`], re-exported
-//! here as [`kernel`].
+//! A scene, which is plain data ([`scene`]), becomes a simulation ([`slide`], [`powder`], [`tip`]); a
+//! session runs it with checkpoints ([`run`]). The physics is in [`tribos_core`], re-exported here as
+//! [`kernel`].
+//!
+//! # Examples
+//!
+//! A puck that slides and spins: both motions end in the same moment.
 //!
 //! ```
-//! use tribos::scene::SliderScene;
-//! use tribos::slide::run;
-//! // A puck slides and spins to rest: 1 m/s and 5 rad/s end in the same moment.
+//! use tribos::{scene::SliderScene, slide::run};
 //! let puck = SliderScene { speed: 1.0, spin: 5.0, coefficient: 0.3, ..SliderScene::default() };
-//! let end = run(&puck, |_done| ())?.outcome;
+//! let end = run(&puck, |_done| ())?.outcome; // m/s, rad/s
 //! assert!((end.time - 0.369017132104558).abs() < 1e-9); // s
 //! # Ok::<(), tribos::slide::SlideError>(())
 //! ```
 //!
-//! | module | what it has |
+//! A patch and a law chosen by name:
+//!
+//! ```
+//! use tribos::friction::{Friction, Law, Patch};
+//! use tribos::kernel::prelude::*;
+//! let (patch, law): (Patch, Law) = ("hertz".parse()?, "coulomb:mu=0.3".parse()?);
+//! let ball = Friction::new(&patch, &law, None)?.with_radius(0.002)?; // m
+//! let wrench = ball.wrench(10.0, &Twist::new(0.1, 0.0, 50.0)); // N; m/s, m/s, rad/s
+//! assert!(wrench.force.x < 0.0 && wrench.torque < 0.0); // N, N m
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A curling stone that turns counterclockwise, and curls to the left:
+//!
+//! ```
+//! use tribos::scene::CurlingScene;
+//! use tribos::slide::run_path;
+//! let stone = CurlingScene { speed: 2.0, spin: 1.5, ..CurlingScene::default() }; // m/s, rad/s
+//! let end = run_path(&stone)?.outcome.arrival.point;
+//! assert!(end.position[0] > 20.0 && end.position[1] > 0.0); // m on, and to the left
+//! # Ok::<(), tribos::slide::SlideError>(())
+//! ```
+//!
+//! A billiard ball, struck through its centre, ends rolling with 5/7 of its speed:
+//!
+//! ```
+//! use tribos::cd::{Laws, Setup, Wall, World, solid};
+//! use tribos::kernel::contact::{Cohesion, NormalLaw, Sphere, Thresholds};
+//! use tribos::kernel::nalgebra::Vector3;
+//! let ball = Sphere { velocity: Vector3::x(), ..solid(0.028, 1700.0) }; // m/s; m, kg/m³
+//! let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, Thresholds::sliding(0.2)?);
+//! let table = Setup::new(laws).wall(Wall::fixed(Vector3::z(), 0.0)).gravity(Vector3::z() * -9.81);
+//! let mut world = World::new(table.sphere(Vector3::z() * 0.028, 0.028, ball))?;
+//! (0..200).try_for_each(|_| world.step().map(|_| ()))?;
+//! assert!((world.state().spheres[0].velocity.x - 5.0 / 7.0).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A cohesive powder under a piston:
+//!
+//! ```
+//! use tribos::{powder::Compaction, run::drive, scene::PowderScene};
+//! let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
+//! let mut compaction = Compaction::new(&scene)?;
+//! drive(&mut compaction, |_line, _done| ())?;
+//! let [before, after] = compaction.outcome().porosity;
+//! assert!(after < before);
+//! # Ok::<(), tribos::powder::CompactionError>(())
+//! ```
+//!
+//! # Modules
+//!
+//! | module | contents |
 //! |---|---|
 //! | [`friction`] | patch, law and accuracy tier chosen by name; the catalogue of laws |
 //! | [`scene`] | scenes: plain data with defaults, their files, units and checks |
-//! | [`slide`] | sliding bodies: disk, cylinder, pipe, curling rock; which launch ends at a wanted pose |
+//! | [`slide`] | sliding bodies: disk, cylinder, pipe, curling rock; launches that end at a wanted pose |
 //! | [`cd`], [`powder`] | rigid spheres in contact; cohesive powders under a piston |
-//! | [`md`], [`tip`] | atoms; a tip of them turned on a substrate |
-//! | [`space`], [`random`] | places of many particles and who is near whom; seeded numbers |
+//! | [`md`], [`tip`] | atoms; a tip of atoms turned on a substrate |
 //! | [`fit`] | parameters of friction laws from measurements |
-//! | [`run`], [`record`], [`golden`] | the driver; files, checkpoints, frames; results pinned to the bit |
+//! | [`run`] | the driver: sessions with checkpoints, progress, cancellation |
+//! | [`record`], [`space`], [`random`] | output files; periodic boxes; seeded random numbers |
 
 pub mod cd;
 pub mod fit;

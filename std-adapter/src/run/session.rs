@@ -136,6 +136,13 @@ impl<E: Error> RunError<E> {
     }
 }
 
+/// What becomes of the state at the end of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum FinalCheckpoint {
+    Written,
+    Skipped,
+}
+
 /// Drives a [`LongRun`] to its end in a folder, with checkpoints and frames there.
 ///
 /// A run interrupted for any reason (a kill, a full disk, [`Self::cancel_when`]) can be resumed, and
@@ -166,6 +173,7 @@ pub struct Session<'a, R> {
     start: Start,
     pause: Duration,
     frames: Option<u64>,
+    end: FinalCheckpoint,
     growing: Box<dyn FnMut(usize) + 'a>,
     progress: Box<dyn FnMut(&R) + 'a>,
     saved: Saved<'a, R>,
@@ -201,6 +209,7 @@ impl<'a, R: LongRun> Session<'a, R> {
             start: Start::Fresh,
             pause: PAUSE,
             frames: None,
+            end: FinalCheckpoint::Written,
             growing: Box::new(|_| ()),
             progress: Box::new(|_| ()),
             saved: Box::new(|_, _| ()),
@@ -223,6 +232,12 @@ impl<'a, R: LongRun> Session<'a, R> {
     pub fn frames(self, limit: u64) -> Self {
         let frames = Some(limit);
         Self { frames, ..self }
+    }
+
+    /// Leaves no checkpoint of the end, where the caller keeps the results at once.
+    pub fn without_final_checkpoint(self) -> Self {
+        let end = FinalCheckpoint::Skipped;
+        Self { end, ..self }
     }
 
     /// Callback with the number of bodies placed so far.
@@ -290,7 +305,9 @@ impl<'a, R: LongRun> Session<'a, R> {
         }
         self.lock.check()?;
         film.end(&run)?;
-        self.write(&run, &file)?;
+        if self.end == FinalCheckpoint::Written {
+            self.write(&run, &file)?;
+        }
         Ok(run)
     }
 

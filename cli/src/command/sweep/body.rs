@@ -5,6 +5,7 @@ use super::refusal;
 use crate::command::bodies;
 use crate::command::digits::shown;
 use crate::command::interrupt;
+use crate::command::run::size::{Allowed, check};
 use crate::command::run::tip;
 use crate::failure::Failure;
 use serde_json::{Value, json};
@@ -99,6 +100,7 @@ impl From<SlideError> for Unfinished {
 
 /// A powder, resumed from a checkpoint if there is one.
 pub fn compact(scene: &PowderScene, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
+    check(&tribos::powder::size(scene), "spheres", Allowed::Usual).map_err(Unfinished::Refused)?;
     let run: Compaction = session(lock).run(scene)?;
     let outcome = run.outcome();
     let told = format!(
@@ -112,6 +114,7 @@ pub fn compact(scene: &PowderScene, lock: &Arc<Lock>) -> Result<(Value, String),
 
 /// A tip, resumed from a checkpoint if there is one.
 pub fn turn(scene: &TipScene, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
+    check(&tribos::tip::size(scene), "atoms", Allowed::Usual).map_err(Unfinished::Refused)?;
     let run: TipRun = session(lock).run(scene)?;
     let outcome = run.outcome();
     let written = lock.check().map_err(Failure::from);
@@ -131,5 +134,6 @@ fn session<R: LongRun>(lock: &Arc<Lock>) -> Session<'_, R> {
     Session::under(lock.clone(), lock.folder())
         .start(Start::ResumeIfPossible)
         .frames(0)
+        .without_final_checkpoint()
         .cancel_when(interrupt::is_asked)
 }
