@@ -363,7 +363,10 @@ fn figure(scene: &SliderScene, result: &SlideRun) -> Figure {
             .collect::<Vec<_>>()
     };
     let figure = Figure::new(
-        format!("Sliding and spinning to rest, α = {}", scene.alpha),
+        match scene.law {
+            Some(law) => format!("Sliding and spinning to rest, {law}"),
+            None => format!("Sliding and spinning to rest, α = {}", scene.alpha),
+        },
         Axis::linear(format!("time{}", unit[0])),
         Axis::linear(format!("speed{}", unit[1])),
     )

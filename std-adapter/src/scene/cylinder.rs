@@ -1,10 +1,13 @@
 //! The scene of a tall cylinder.
 
-use super::key::{Domain::*, Need::*};
-use super::planar::{EXPONENT, FootPressure, MOST_SAMPLES, STOP_FRACTION, Tipping, moves};
-use super::table::{as_written, scene};
+use super::entries::Written;
+use super::key::{Domain, Domain::*, Need::*};
+use super::planar::{
+    EXPONENT, FootPressure, MOST_SAMPLES, STOP_FRACTION, Tipping, is_of_power_law, moves,
+};
+use super::table::scene;
 use super::words::Word;
-use crate::friction::{Evaluation, Law};
+use crate::friction::{Evaluation, Law, Refusal};
 use crate::slide::planar::{Gradient, Resistance, TallCylinder};
 use crate::slide::{PlanarCourse, PlanarScene, SlideError, of_law};
 
@@ -22,16 +25,18 @@ scene! {
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
     #[derive(Copy)]
-    pub struct CylinderScene = "cylinder", moves_at_all, as_written;
+    pub struct CylinderScene = "cylinder", moves_at_all, in_force;
 
     /// Initial speed, along x.
     speed: f64 = 1.0, "m/s", NotNegative, Required;
     /// Initial spin, > 0 counterclockwise.
     spin: f64 = 5.0, "rad/s", Finite, Required;
     /// Friction coefficient of the local law: mu for alpha = 0.
-    coefficient: f64 = 0.2, "(s/m)^alpha", Positive, Required;
+    coefficient: f64 = 0.2, "(s/m)^alpha", Positive, UnlessGiven("law");
     /// Exponent of the local law |v|^alpha, 0 for Coulomb.
     alpha: f64 = 0.0, "-", EXPONENT;
+    /// Local law in place of `coefficient` and `alpha`.
+    law: Option<Law> = None, "-", Domain::Law;
     /// Outer radius.
     radius: f64 = 0.08, "m", Positive, Required;
     /// Height of the body; its centre of mass is half way up.
@@ -58,7 +63,18 @@ fn moves_at_all(scene: &CylinderScene, judge: &mut super::reader::Judge<'_>) {
     moves(scene.speed, scene.spin, judge);
 }
 
+/// A law of its own takes the place of the power law.
+fn in_force(scene: &CylinderScene, key: &str, written: Option<Written>) -> Option<Written> {
+    written.filter(|_| scene.law.is_none() || !is_of_power_law(key))
+}
+
 impl CylinderScene {
+    /// The law of the scene.
+    fn local_law(&self) -> Result<Law, Refusal> {
+        self.law
+            .map_or_else(|| Law::power(self.coefficient, self.alpha), Ok)
+    }
+
     /// The cylinder.
     pub fn cylinder(&self) -> TallCylinder {
         TallCylinder {
@@ -86,13 +102,13 @@ impl PlanarScene for CylinderScene {
     }
 
     fn resistance(&self) -> Result<Box<dyn Resistance>, SlideError> {
-        Ok(Box::new(self.cylinder().body(self.gravity)?))
+        Ok(Box::new(
+            self.cylinder()
+                .body_under(&self.local_law()?, self.gravity)?,
+        ))
     }
 
     fn evaluation(&self) -> Result<Evaluation, SlideError> {
-        of_law(
-            &self.pressure.pressure().into(),
-            &Law::power(self.coefficient, self.alpha)?,
-        )
+        of_law(&self.pressure.pressure().into(), &self.local_law()?)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::entries::Written;
 use super::words::meant;
+use crate::friction::Law;
 
 /// One key of a scene file.
 ///
@@ -54,6 +55,8 @@ pub enum Domain {
     },
     /// One of these words.
     OneOf(&'static [&'static str]),
+    /// A friction law with its parameters, as [`crate::friction::Law`] reads it.
+    Law,
 }
 
 /// When a file must or may give a key. Pairs are another key and one of its words.
@@ -63,7 +66,7 @@ pub enum Need {
     Required,
     /// It has a default, or its absence has a meaning.
     Optional,
-    /// Every file gives either this key or the named one.
+    /// Every file gives either this key or the named one; an override of that replaces this.
     UnlessGiven(&'static str),
     /// Every file gives it, except where the other key has this word: there it is 1.
     UnitWith(&'static str, &'static str),
@@ -85,6 +88,9 @@ impl Domain {
             Self::Between { above, up_to } => format!("a number > {above} and <= {up_to}"),
             Self::Fraction => "a number from 0 to 1".into(),
             Self::Count { up_to } => format!("a whole number from 1 to {up_to}"),
+            Self::Law => {
+                "a law with its parameters, such as \"stribeck:mu_s=0.4,mu_d=0.2,vs=0.05\"".into()
+            }
             Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
         }
     }
@@ -99,7 +105,7 @@ impl Domain {
                 Self::Between { above, up_to } => x > above && x <= up_to,
                 Self::Fraction => (0.0..=1.0).contains(&x),
                 Self::Count { up_to } => x >= 1.0 && x <= up_to && x.fract() == 0.0,
-                Self::OneOf(_) => false,
+                Self::OneOf(_) | Self::Law => false,
             }
     }
 }
@@ -112,7 +118,10 @@ impl Key {
             (Domain::OneOf(words), Written::Text(text)) => {
                 format!("got \"{text}\"{}", meant(text, words))
             }
-            (Domain::OneOf(_), other) => format!("not {}", other.kind()),
+            (Domain::Law, Written::Text(text)) => {
+                return Some(format!("`{}`: {}", self.name, text.parse::<Law>().err()?));
+            }
+            (Domain::OneOf(_) | Domain::Law, other) => format!("not {}", other.kind()),
             (domain, Written::Number(x)) if domain.admits(*x) => return None,
             (_, other) => other.got(),
         };

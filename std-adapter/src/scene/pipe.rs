@@ -1,10 +1,11 @@
 //! The scene of a pipe.
 
-use super::key::{Domain::*, Need::*};
-use super::planar::{EXPONENT, MOST_SAMPLES, STOP_FRACTION, Tipping, moves};
-use super::table::{as_written, scene};
+use super::entries::Written;
+use super::key::{Domain, Domain::*, Need::*};
+use super::planar::{EXPONENT, MOST_SAMPLES, STOP_FRACTION, Tipping, is_of_power_law, moves};
+use super::table::scene;
 use super::words::Word;
-use crate::friction::{Evaluation, Law, Patch};
+use crate::friction::{Evaluation, Law, Patch, Refusal};
 use crate::slide::planar::{Gradient, Pipe, Resistance};
 use crate::slide::{PlanarCourse, PlanarScene, SlideError, of_law};
 
@@ -22,16 +23,18 @@ scene! {
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
     #[derive(Copy)]
-    pub struct PipeScene = "pipe", rules, as_written;
+    pub struct PipeScene = "pipe", rules, in_force;
 
     /// Initial speed, along x.
     speed: f64 = 1.74, "m/s", NotNegative, Required;
     /// Initial spin, > 0 counterclockwise.
     spin: f64 = 10.2, "rad/s", Finite, Required;
     /// Friction coefficient of the local law: mu for alpha = 0.
-    coefficient: f64 = 0.2, "(s/m)^alpha", Positive, Required;
+    coefficient: f64 = 0.2, "(s/m)^alpha", Positive, UnlessGiven("law");
     /// Exponent of the local law |v|^alpha, 0 for Coulomb.
     alpha: f64 = 0.0, "-", EXPONENT;
+    /// Local law in place of `coefficient` and `alpha`.
+    law: Option<Law> = None, "-", Domain::Law;
     /// Outer radius.
     radius: f64 = 0.05, "m", Positive, Required;
     /// Height of the body; its centre of mass is half way up.
@@ -60,7 +63,18 @@ fn rules(scene: &PipeScene, judge: &mut super::reader::Judge<'_>) {
     }
 }
 
+/// A law of its own takes the place of the power law.
+fn in_force(scene: &PipeScene, key: &str, written: Option<Written>) -> Option<Written> {
+    written.filter(|_| scene.law.is_none() || !is_of_power_law(key))
+}
+
 impl PipeScene {
+    /// The law of the scene.
+    fn local_law(&self) -> Result<Law, Refusal> {
+        self.law
+            .map_or_else(|| Law::power(self.coefficient, self.alpha), Ok)
+    }
+
     /// The pipe.
     pub fn pipe(&self) -> Pipe {
         Pipe {
@@ -87,13 +101,15 @@ impl PlanarScene for PipeScene {
     }
 
     fn resistance(&self) -> Result<Box<dyn Resistance>, SlideError> {
-        Ok(Box::new(self.pipe().body(self.gravity)?))
+        Ok(Box::new(
+            self.pipe().body_under(&self.local_law()?, self.gravity)?,
+        ))
     }
 
     fn evaluation(&self) -> Result<Evaluation, SlideError> {
         of_law(
             &Patch::band(self.inner_radius / self.radius),
-            &Law::power(self.coefficient, self.alpha)?,
+            &self.local_law()?,
         )
     }
 }

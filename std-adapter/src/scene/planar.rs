@@ -72,3 +72,8 @@ pub(super) fn moves(speed: f64, spin: f64, judge: &mut Judge<'_>) {
         judge.refuse(&["speed", "spin"], message);
     }
 }
+
+/// Whether a key is a parameter of the power law, which another law takes the place of.
+pub(super) fn is_of_power_law(key: &str) -> bool {
+    key == "coefficient" || key == "alpha"
+}

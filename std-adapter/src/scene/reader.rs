@@ -70,6 +70,7 @@ impl<'a> Judge<'a> {
                 }
                 Need::Required | Need::Optional => {}
                 Need::UnlessGiven(other) => match [name, other].map(|key| self.place(key)) {
+                    [Some(Origin::Line(_)), Some(Origin::Override)] => {}
                     [Some(_), Some(_)] => {
                         self.refuse(
                             &[other, name],

@@ -1,9 +1,11 @@
 //! The scene of one sliding, spinning body on a straight path.
 
-use super::key::{Domain::*, Need::*};
-use super::planar::{EXPONENT, MOST_SAMPLES, STOP_FRACTION, moves};
-use super::table::{as_written, scene};
+use super::entries::Written;
+use super::key::{Domain, Domain::*, Need::*};
+use super::planar::{EXPONENT, MOST_SAMPLES, STOP_FRACTION, is_of_power_law, moves};
+use super::table::scene;
 use super::words::{Word, words};
+use crate::friction::Law;
 
 /// Which units a scene is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,16 +48,18 @@ scene! {
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
     #[derive(Copy)]
-    pub struct SliderScene = "disk", moves_at_all, as_written;
+    pub struct SliderScene = "disk", moves_at_all, in_force;
 
     /// Initial sliding speed.
     speed: f64 = 1.0, "m/s", NotNegative, Required;
     /// Initial spin, of either sign.
     spin: f64 = 5.0, "rad/s", Finite, Required;
     /// Friction coefficient of the local law: mu for alpha = 0.
-    coefficient: f64 = 0.3, "(s/m)^alpha", Positive, Required;
+    coefficient: f64 = 0.3, "(s/m)^alpha", Positive, UnlessGiven("law");
     /// Exponent of the local law |v|^alpha, 0 for Coulomb.
-    alpha: f64 = 0.0, "-", EXPONENT, Required;
+    alpha: f64 = 0.0, "-", EXPONENT, UnlessGiven("law");
+    /// Local law in place of `coefficient` and `alpha`.
+    law: Option<Law> = None, "-", Domain::Law;
     /// Acceleration that presses the body down.
     gravity: f64 = 9.81, "m/s^2", Positive, UnitWith("units", "dimensionless");
     /// Radius of the contact.
@@ -80,4 +84,9 @@ scene! {
 
 fn moves_at_all(scene: &SliderScene, judge: &mut super::reader::Judge<'_>) {
     moves(scene.speed, scene.spin, judge);
+}
+
+/// A law of its own takes the place of the power law.
+fn in_force(scene: &SliderScene, key: &str, written: Option<Written>) -> Option<Written> {
+    written.filter(|_| scene.law.is_none() || !is_of_power_law(key))
 }

@@ -5,6 +5,7 @@ use super::key::{Domain, Key, Need};
 use super::problem::{InvalidScene, Problem, SceneError};
 use super::reader::{self, Judge};
 use super::words::Word;
+use crate::friction::Law;
 use crate::record::json_number;
 use serde_json::{Map, Value};
 use std::fmt::Debug;
@@ -57,6 +58,18 @@ impl<T: Word> Setting for T {
             && let Some(known) = Self::of_word(text)
         {
             *self = known;
+        }
+    }
+}
+
+impl Setting for Option<Law> {
+    fn written(&self) -> Option<Written> {
+        self.map(|law| Written::Text(law.to_string()))
+    }
+
+    fn set(&mut self, value: &Written) {
+        if let Written::Text(text) = value {
+            *self = text.parse().ok();
         }
     }
 }
@@ -150,10 +163,13 @@ pub(super) trait Table: Clone + Debug + Default + PartialEq + 'static {
             map.insert("body".into(), Self::BODY.into());
         }
         for (key, field) in Self::rows() {
-            if matches!(key.need, Need::PartOf(other, word) if !self.says(other, word)) {
+            let written = (field.written)(self);
+            let is_foreign =
+                matches!(key.need, Need::PartOf(other, word) if !self.says(other, word));
+            if is_foreign || (key.domain == Domain::Law && written.is_none()) {
                 continue;
             }
-            let value = match self.in_force(key.name, (field.written)(self)) {
+            let value = match self.in_force(key.name, written) {
                 Some(Written::Number(x)) => shown(key, x),
                 Some(Written::Text(word)) => word.into(),
                 Some(Written::Other(_)) | None => Value::Null,

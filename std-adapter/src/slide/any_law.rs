@@ -35,10 +35,12 @@ pub fn run_law(
         let scene = SliderScene {
             coefficient,
             alpha,
+            law: None,
             ..*scene
         };
         return run(&scene, progress);
     }
+    scene.check()?;
     if scene.stepper == Stepper::Verlet {
         return Err(SlideError::OnlyPowers { law: law.name() });
     }

@@ -2,7 +2,7 @@
 
 use super::SlideError;
 use super::planar::Resistance;
-use crate::friction::{Evaluation, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
+use crate::friction::{Evaluation, Friction, Law, Patch, RoundPower, Tier, Visitor, visit_disk};
 use crate::scene::SliderScene;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -45,8 +45,13 @@ impl SliderScene {
     /// Times evaluations over a mix of speeds, a tenth of a second long. *Accuracy*: a few per cent of
     /// the ratio, some ten of the times.
     pub fn evaluation_cost(&self) -> Result<EvaluationCost, SlideError> {
-        let tier = Tier::serving::<f64>(&Patch::Disk, &self.law()?, None)?;
-        Ok(visit_disk(self.alpha, tier, Timed)?)
+        let law = self.law()?;
+        let Some([_, alpha]) = law.power_of_speed() else {
+            let friction = Friction::<f64>::new(&Patch::Disk, &law, None)?;
+            return Ok(timed(&|v, w| both(friction.reduced_wrench(v, w))));
+        };
+        let tier = Tier::serving::<f64>(&Patch::Disk, &law, None)?;
+        Ok(visit_disk(alpha, tier, Timed)?)
     }
 }
 

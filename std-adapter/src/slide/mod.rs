@@ -166,6 +166,9 @@ pub struct SlideRun {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run(scene: &SliderScene, progress: impl FnMut(f64)) -> Result<SlideRun, SlideError> {
+    if let Some(law) = &scene.law {
+        return run_law(scene, law, progress);
+    }
     let tier = Tier::serving::<f64>(&Patch::Disk, &scene.law()?, None)?;
     visit_disk(scene.alpha, tier, Run { scene, progress })?
 }
@@ -196,6 +199,7 @@ impl<F: FnMut(f64)> Visitor<f64> for Run<'_, F> {
 impl SliderScene {
     /// The law of the scene.
     pub(crate) fn law(&self) -> Result<Law, Refusal> {
-        Law::power(self.coefficient, self.alpha)
+        self.law
+            .map_or_else(|| Law::power(self.coefficient, self.alpha), Ok)
     }
 }

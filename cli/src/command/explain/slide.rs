@@ -2,6 +2,7 @@
 
 use super::line;
 use crate::failure::Failure;
+use tribos::friction::Law;
 use tribos::scene::{
     CurlingScene, CylinderScene, FootPressure, PipeScene, SliderScene, Stepper, Tipping,
 };
@@ -15,7 +16,7 @@ pub fn disk(scene: &SliderScene) -> Result<String, Failure> {
         "unknowns",
         "2: sliding speed and spin; the path is straight",
     );
-    text += &line("law", law(scene.alpha, scene.coefficient));
+    text += &line("law", law(scene.law, scene.alpha, scene.coefficient));
     text += &line("patch", "disk under uniform pressure");
     text += &line("friction", scene.evaluation()?.to_string());
     text += &line(
@@ -43,7 +44,7 @@ pub fn planar(scene: &dyn PlanarScene, laws: &str) -> Result<String, Failure> {
 
 /// Laws of a cylinder.
 pub fn cylinder(scene: &CylinderScene) -> String {
-    line("law", law(scene.alpha, scene.coefficient))
+    line("law", law(scene.law, scene.alpha, scene.coefficient))
         + &line("patch", pressure(scene.pressure))
         + &leaning(scene.gradient, scene.tipping)
 }
@@ -52,7 +53,7 @@ pub fn cylinder(scene: &CylinderScene) -> String {
 pub fn pipe(scene: &PipeScene) -> String {
     let inner = scene.pipe().inner_ratio;
     let patch = format!("annulus from {inner:.4} to 1 radii under uniform pressure");
-    line("law", law(scene.alpha, scene.coefficient))
+    line("law", law(scene.law, scene.alpha, scene.coefficient))
         + &line("patch", patch)
         + &leaning(scene.gradient, scene.tipping)
 }
@@ -83,8 +84,10 @@ pub fn curling(scene: &CurlingScene) -> String {
     ) + &line("patch", patch)
 }
 
-fn law(alpha: f64, coefficient: f64) -> String {
-    if alpha == 0.0 {
+fn law(law: Option<Law>, alpha: f64, coefficient: f64) -> String {
+    if let Some(law) = law {
+        law.to_string()
+    } else if alpha == 0.0 {
         format!("Coulomb, mu = {coefficient}")
     } else {
         format!("{coefficient} |v|^{alpha}")

@@ -52,8 +52,12 @@ impl TallCylinder {
 
     /// Its resistance under `gravity`, in m/s².
     pub fn body(&self, gravity: f64) -> Result<TallBody, SlideError> {
-        let law = Law::power(self.coefficient, self.alpha)?;
-        let foot = Friction::new(&self.pressure.into(), &law, None)?.with_radius(self.radius)?;
+        self.body_under(&Law::power(self.coefficient, self.alpha)?, gravity)
+    }
+
+    /// Its resistance under another law than its own, and `gravity`, in m/s².
+    pub(crate) fn body_under(&self, law: &Law, gravity: f64) -> Result<TallBody, SlideError> {
+        let foot = Friction::new(&self.pressure.into(), law, None)?.with_radius(self.radius)?;
         let rest = [gravity, self.inertia_ratio];
         TallBody::new(foot, 0.5 * self.height, self.gradient, rest)
     }

@@ -50,8 +50,12 @@ impl Pipe {
 
     /// Its resistance under `gravity`, in m/s².
     pub fn body(&self, gravity: f64) -> Result<TallBody, SlideError> {
-        let law = Law::power(self.coefficient, self.alpha)?;
-        let foot = Friction::new(&Patch::band(self.inner_ratio), &law, None)?;
+        self.body_under(&Law::power(self.coefficient, self.alpha)?, gravity)
+    }
+
+    /// Its resistance under another law than its own, and `gravity`, in m/s².
+    pub(crate) fn body_under(&self, law: &Law, gravity: f64) -> Result<TallBody, SlideError> {
+        let foot = Friction::new(&Patch::band(self.inner_ratio), law, None)?;
         let foot = foot.with_radius(self.radius)?;
         let rest = [gravity, self.inertia_ratio()];
         TallBody::new(foot, 0.5 * self.height, self.gradient, rest)
