@@ -32,11 +32,11 @@
 //! A curling stone that turns counterclockwise, and curls to the left:
 //!
 //! ```
-//! use tribos::scene::CurlingScene;
-//! use tribos::slide::run_path;
-//! let stone = CurlingScene { speed: 2.0, spin: 1.5, ..CurlingScene::default() }; // m/s, rad/s
+//! use tribos::{scene::{CurlingScene, IceModel}, slide::run_path};
+//! let model = IceModel::ScratchGuide;
+//! let stone = CurlingScene { model, speed: 1.9866, spin: 1.5, ..CurlingScene::default() }; // m/s, rad/s
 //! let end = run_path(&stone)?.outcome.arrival.point;
-//! assert!(end.position[0] > 20.0 && end.position[1] > 0.0); // m on, and to the left
+//! assert!(end.position[0] > 28.3 && end.position[1] > 0.9); // m on, and to the left
 //! # Ok::<(), tribos::slide::SlideError>(())
 //! ```
 //!

@@ -59,7 +59,7 @@ fn every_kind_of_bad_scene_is_refused_with_its_line_and_cure() -> Outcome {
             "alpha = 0.0",
             "alpha = -1",
             "scene.toml:4",
-            "> -1 and <= 10",
+            "> -1 and <= 128",
         ),
         ("alpha = 0.0", "alpha = [0]", "scene.toml:4", "not an array"),
         (
@@ -158,7 +158,7 @@ fn scenes_that_are_not_text_or_not_there_are_refused() -> Outcome {
 fn bad_arguments_of_wrench_are_refused() -> Outcome {
     let twist = ["--speed", "1", "--spin", "1"];
     for (bad, words) in [
-        (vec!["--alpha", "-1"], "-1 < alpha"),
+        (vec!["--alpha", "-1"], "> -1 and <= 128"),
         (vec!["--alpha", "nan"], "finite"),
         (vec!["--load", "-1"], ">= 0"),
         (vec!["--radius", "0"], "> 0"),

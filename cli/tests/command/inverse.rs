@@ -126,7 +126,7 @@ fn bad_input_is_refused_with_its_cure() -> Outcome {
         (&["--patch", "annulus"], "annulus:0.8"),
         (&["--symmetry", "0"], "symmetry"),
         (&["--plot", "reach.gif"], ".svg or .png"),
-        (&["--alpha", "-2"], "-1 < alpha"),
+        (&["--alpha", "-2"], "> -1 and <= 128"),
     ];
     for (more, words) in cases {
         let (code, _, error) = tribos(&[&PUCK, &LIMITS, &TARGET, more])?;

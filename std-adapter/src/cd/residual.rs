@@ -31,7 +31,7 @@ pub struct Residual {
 /// Coefficients of friction as the residual needs them.
 ///
 /// ```
-/// use tribos::cd::Coefficients;
+/// use tribos::cd::internals::Coefficients;
 /// use tribos::kernel::contact::{AllModes, CoupledFriction, Thresholds};
 /// use tribos::kernel::limit_surface::Ellipsoid;
 /// let apart = Thresholds::<f64, AllModes>::all(0.3, 0.1, 0.05)?;

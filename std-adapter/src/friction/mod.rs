@@ -57,7 +57,6 @@ pub use tier::{Evaluation, Tier};
 #[doc(hidden)]
 pub use tier::{LARGEST_EXPONENT, valid_exponent};
 pub(crate) use visit::visit_disk;
-#[doc(hidden)]
 pub use visit::{RoundPower, Visitor, leaning, upright, visit};
 
 use quadrature::{ByNodes, DiskOfAnyLaw};
@@ -82,7 +81,7 @@ use tribos_core::real::Real;
 /// assert!((dry.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.0).abs() < 1e-14); // the mean radius
 /// assert!(dry.power().is_some_and(|power| power.exponent() == 0.0));
 /// let law: Law = "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05".parse()?;
-/// let oiled = Friction::new(&Patch::Disk, &law, None)?;
+/// let oiled = Friction::<f64>::new(&Patch::Disk, &law, None)?;
 /// assert_eq!((oiled.tier(), oiled.coefficient()), (Tier::Quadrature, 1.0));
 /// assert!((oiled.reduced_wrench(9.0, 0.0).force - 0.2).abs() < 1e-9); // sliding fast: mu_d
 /// assert!(oiled.power().is_none() && oiled.exponent_at_rest() == 0.0);

@@ -91,11 +91,11 @@ pub(crate) fn visit_disk<R: Precision, V: Visitor<R>>(
 /// ```
 /// use tribos::friction::{Patch, leaning};
 /// use tribos::kernel::modes::{FinalMode, Modes};
-/// let ratio = |lean: f64| {
+/// let ratio = |lean: f64| -> Result<f64, Box<dyn std::error::Error>> {
 ///     let tall = leaning(&Patch::Disk, lean)?;
 ///     match Modes::new(&*tall, 0.5)?.final_mode(1.0) {
 ///         FinalMode::Together { ratio } => Ok(ratio),
-///         other => Err(format!("{other:?}")),
+///         other => Err(format!("{other:?}").into()),
 ///     }
 /// };
 /// assert!(ratio(0.8)? > ratio(0.0)?); // it settles at a larger ratio of sliding to spinning
@@ -114,9 +114,9 @@ pub fn leaning(patch: &Patch, lean: f64) -> Result<Box<dyn Profile<f64>>, Refusa
 ///
 /// ```
 /// use tribos::friction::{Patch, upright};
-/// use tribos::kernel::modes::Modes;
+/// use tribos::kernel::modes::{Modes, inertia_interval};
 /// let ring = upright(&Patch::Ring, 0.0)?;
-/// assert_eq!(Modes::new(&*ring, 1.0)?.inertia_interval(), (0.5, 1.0));
+/// assert_eq!(Modes::new(&*ring, 1.0)?.inertia_interval(), inertia_interval(0.0, -1.0));
 /// assert!(upright(&Patch::Polynomial(vec![1.0]), 20.0).is_err()); // tables end at 10
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

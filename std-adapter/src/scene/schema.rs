@@ -4,6 +4,7 @@
 //! can say it: that a pipe is narrower inside than outside is the reader's to tell.
 
 use super::DEFAULT_BODY;
+use super::body::BODY;
 use super::key::{Domain, Key, Need};
 use super::vocabulary::{Vocabulary, bodies, vocabulary};
 use serde_json::{Map, Number, Value, json};
@@ -41,7 +42,7 @@ fn branch(known: &Vocabulary) -> Map<String, Value> {
     let defaults = known.defaults();
     let property = |key: &Key| (key.name.to_owned(), property(key, defaults.get(key.name)));
     let mut properties: Map<String, Value> = known.keys.iter().map(property).collect();
-    let body = json!({"const": known.body, "description": "what the scene is about"});
+    let body = json!({"const": known.body, "description": BODY.meaning});
     properties.insert("body".into(), body);
     let mut branch = Map::new();
     branch.insert("title".into(), known.body.into());

@@ -40,6 +40,7 @@ fn every_key_sets_its_field() {
                     let other = words.iter().find(|word| was.as_str() != Some(*word));
                     format!("\"{}\"", other.unwrap())
                 }
+                Domain::Law => "\"dry:mu_s=0.4,mu_d=0.3\"".into(),
                 Domain::Count { .. } => format!("{}", was.as_u64().unwrap_or(30) + 4),
                 _ => format!("{}", 0.98 * was.as_f64().unwrap_or(0.8) + 0.0017),
             };
@@ -48,6 +49,7 @@ fn every_key_sets_its_field() {
                 .into_iter()
                 .filter(|(name, _)| *name != key.name)
                 .filter(|(name, _)| !(key.name == "count" && *name == "height"))
+                .filter(|(name, _)| key.name != "law" || !["coefficient", "alpha"].contains(name))
                 .map(|(name, value)| format!("{name} = {value}\n"))
                 .collect();
             let condition = match key.need {

@@ -53,7 +53,7 @@ const DRY: &[&str] = &[
 pub const INSTANCES: &[Instance] = &[
     instance("R", &["Real", "CoulombTable"]),
     // Local laws.
-    instance("law::Coulomb<R>", LAW),
+    instance("law::CoulombLaw<R>", LAW),
     instance("law::DryFriction<R>", LAW),
     instance("law::PowerLaw<R>", LAW),
     instance("law::PlateauPower<R>", LAW),
@@ -69,8 +69,8 @@ pub const INSTANCES: &[Instance] = &[
     // Tiers.
     instance("coupling::table::Coulomb", DRY),
     similar(instance("&'static coupling::table::Coulomb", DRY)),
-    instance("coupling::compact::Coulomb", DRY),
-    instance("coupling::compact::Power<R>", TIER),
+    instance("coupling::compact::CompactCoulomb", DRY),
+    instance("coupling::compact::CompactPower<R>", TIER),
     instance("coupling::closed::Ring", DRY),
     similar(instance("coupling::closed::FlatPunch", DRY)),
     similar(instance("coupling::closed::Hertz", DRY)),
@@ -95,7 +95,10 @@ pub const INSTANCES: &[Instance] = &[
             &["Coupling", "Profile", "SmoothProfile"],
         )),
     ),
-    similar(instance("coupling::Dry<coupling::compact::Power<R>>", DRY)),
+    similar(instance(
+        "coupling::Dry<coupling::compact::CompactPower<R>>",
+        DRY,
+    )),
     only(
         "f32",
         instance("coupling::Dry<coupling::round::RoundTable32>", DRY),
@@ -127,11 +130,11 @@ pub const INSTANCES: &[Instance] = &[
     // Contacts.
     instance("contact::Sphere<R>", &["Body"]),
     instance("contact::Plate<R>", &["Body"]),
-    instance("contact::Frictionless", &["Modes"]),
-    instance("contact::Sliding", &["Modes"]),
-    instance("contact::SlidingTorsion", &["Modes"]),
-    instance("contact::SlidingRolling", &["Modes"]),
-    instance("contact::AllModes", &["Modes"]),
+    instance("contact::Frictionless", &["ContactModes"]),
+    instance("contact::Sliding", &["ContactModes"]),
+    instance("contact::SlidingTorsion", &["ContactModes"]),
+    instance("contact::SlidingRolling", &["ContactModes"]),
+    instance("contact::AllModes", &["ContactModes"]),
     instance(
         "contact::Thresholds<R, contact::Frictionless>",
         &["ContactFriction"],
@@ -190,5 +193,5 @@ pub const UNBOUNDED: &[(&str, &str)] = &[
     ("C", "Coupling"),
     ("L", "LocalLaw"),
     ("P", "NodePatch"),
-    ("M", "Modes"),
+    ("M", "ContactModes"),
 ];
