@@ -78,7 +78,7 @@ fn every_kind_of_bad_scene_is_refused_with_its_line_and_cure() -> Outcome {
             "gravity",
             "colour",
             "scene.toml:5",
-            "the keys are speed, spin,",
+            "the keys are body, speed, spin,",
         ),
         ("mass = 0.1", "mass 0.1", "scene.toml:7", "not TOML"),
         (
