@@ -1,27 +1,19 @@
 //! A billiard ball, struck through its centre, slides at first and ends rolling with 5/7 of its speed.
 
 use tribos::cd::{Laws, Setup, Wall, World, solid};
-use tribos::kernel::contact::{Cohesion, NormalLaw, Sphere, Thresholds};
-use tribos::kernel::nalgebra::Vector3;
+use tribos::kernel::{
+    contact::{Cohesion, NormalLaw, Sphere, Thresholds},
+    nalgebra::Vector3,
+};
 
 #[rustfmt::skip] // As short as documentation shows it.
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (up, radius) = (Vector3::z(), 0.028); // m
-    let ball = Sphere {
-        velocity: Vector3::x(),
-        ..solid(radius, 1700.0)
-    }; // m/s, kg/m³
-    let laws = Laws::uniform(
-        NormalLaw::new(Cohesion::NONE, 0.0)?,
-        Thresholds::sliding(0.2)?,
-    );
-    let table = Setup::new(laws)
-        .wall(Wall::fixed(up, 0.0))
-        .gravity(up * -9.81);
+    let ball = Sphere { velocity: Vector3::x(), ..solid(radius, 1700.0) }; // m/s, kg/m³
+    let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, Thresholds::sliding(0.2)?);
+    let table = Setup::new(laws).wall(Wall::fixed(up, 0.0)).gravity(up * -9.81);
     let mut world = World::new(table.sphere(up * radius, radius, ball))?;
-    while world.state().time < 0.3 {
-        world.step()?;
-    }
-    println!("{:.6} m/s", world.state().spheres[0].velocity.x);
+    (0..300).try_for_each(|_| world.step().map(|_| ()))?;
+    println!("{:.6} m/s after {:.1} s", world.state().spheres[0].velocity.x, world.state().time);
     Ok(())
 }

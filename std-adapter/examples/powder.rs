@@ -9,9 +9,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = PowderScene { width: 12.0, height: 20.0, rolling: 0.1, ..Default::default() };
     let run: Compaction = Session::in_folder("out/powder-example")?
         .start(Start::ResumeIfPossible)
-        .on_checkpoint(|run: &Compaction, file| {
-            println!("step {}: {}", run.steps(), file.display());
-        })
+        .on_checkpoint(|run: &Compaction, file| println!("step {}: {}", run.steps(), file.display()))
         .run(&scene)?;
     println!("porosity {:.4}", run.outcome().porosity[1]);
     Ok(())
