@@ -20,7 +20,7 @@ pub const LAWS: [Item; 13] = [
     law(
         "Coulomb",
         &["law::coulomb"],
-        "Coulomb::new(b).ok()?",
+        "CoulombLaw::new(b).ok()?",
         "object.friction(a)",
     ),
     law(

@@ -66,7 +66,7 @@ pub const TIERS: [Item; 7] = [
         "quadrature: Coulomb",
         BOTH,
         &["coupling::quadrature", "law", "law::coulomb"],
-        "DiskQuadrature::new(Coulomb::new(1.0 as R).ok()?)",
+        "DiskQuadrature::new(CoulombLaw::new(1.0 as R).ok()?)",
     ),
     tier(
         "quadrature: Stribeck",
