@@ -42,6 +42,23 @@ bounds! {
     /// Quadrature's Jacobian for α ≥ 0, of F/v.
     QUADRATURE_JACOBIAN = 2e-6, "1e-5 is promised; logarithmic derivative near equal speeds";
 
+    /// Polygons up to 10 times as long as wide, uniform pressure: of μN and μN (R + |centre|).
+    POLYGON = 5e-15, "promised in coupling::flat; opposite edges cancel, next to the border of near and far";
+    /// Their Jacobian, of its largest entry.
+    POLYGON_JACOBIAN = 1e-14, "promised in coupling::flat; next to an edge its slope is the logarithm of the distance";
+    /// The same under linear pressure.
+    POLYGON_LINEAR = 1e-13, "promised in coupling::flat; moments about a centre up to 3 radii away cancel";
+    /// Their Jacobian, of its largest entry.
+    POLYGON_LINEAR_JACOBIAN = 1e-13, "as the wrench";
+    /// A strip 1000 times as long as wide, as above.
+    SLIVER = 2e-12, "promised in coupling::flat: the aspect ratio times 2e-15, long edges cancel";
+    /// Its Jacobian, of its largest entry.
+    SLIVER_JACOBIAN = 1e-11, "promised in coupling::flat: the aspect ratio times 1e-14";
+    /// Polygons in f32, of μN and μN (R + |centre|).
+    POLYGON_SINGLE = 4e-6, "promised in coupling::flat; opposite edges cancel, most where the shape is long";
+    /// Their Jacobian, of its largest entry.
+    POLYGON_SINGLE_JACOBIAN = 6e-6, "logarithm of the distance from an edge, which single precision rounds";
+
     /// Jacobian of tables and compact forms at the tables' arguments, relative.
     JACOBIAN = 1e-12, "derivative of a degree-12 polynomial; relative to entries that pass through zero";
     /// The same for α < −0.95.

@@ -38,6 +38,7 @@ mod wide;
 
 pub mod closed;
 pub mod compact;
+pub mod flat;
 pub mod nodes;
 pub mod quadrature;
 pub mod round;

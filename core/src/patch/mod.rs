@@ -4,12 +4,16 @@
 //! over the unit disk, and [`crate::coupling::PatchFriction`] adds the radius.
 
 mod borrowed;
+mod edge;
+mod flat_pressure;
 mod gauss_jacobi;
 pub mod nodes;
+pub mod outline;
 pub mod polar;
 pub mod polygon;
 mod polynomial;
 mod power;
+mod simple;
 pub mod tripod;
 
 pub use polynomial::PolynomialPressure;

@@ -12,6 +12,7 @@ mod lugre;
 mod node_rules;
 mod nodes;
 mod patches;
+mod polygon_friction;
 mod polygons;
 mod pressure_properties;
 mod pressures;

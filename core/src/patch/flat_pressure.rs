@@ -1,0 +1,70 @@
+//! Pressure on patches with straight edges.
+
+use crate::real::Real;
+
+/// Pressure that is the same everywhere on a patch.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Uniform;
+
+/// Pressure that changes linearly along a patch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Linear<R> {
+    at_centre: R,
+    slope: [R; 2],
+}
+
+impl<R> Linear<R> {
+    /// Pressure at the centre of pressure and its slope, of the mean pressure (and over the radius).
+    pub(super) fn new(at_centre: R, slope: [R; 2]) -> Self {
+        Self { at_centre, slope }
+    }
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::Uniform {}
+    impl<R> Sealed for super::Linear<R> {}
+}
+
+/// How pressure is spread over a patch with straight edges: [`Uniform`] or [`Linear`].
+///
+/// A patch under uniform pressure carries no code or number of a linear one.
+pub trait FlatPressure<R: Real>: Copy + sealed::Sealed {
+    /// True if there may be a slope.
+    #[doc(hidden)]
+    const IS_LINEAR: bool;
+
+    /// Pressure at the centre of pressure, of the mean pressure.
+    #[doc(hidden)]
+    fn at_centre(&self) -> R;
+
+    /// Slope of the pressure, of the mean pressure over the radius.
+    #[doc(hidden)]
+    fn slope(&self) -> [R; 2];
+}
+
+impl<R: Real> FlatPressure<R> for Uniform {
+    const IS_LINEAR: bool = false;
+    #[inline(always)]
+    fn at_centre(&self) -> R {
+        R::ONE
+    }
+    #[inline(always)]
+    fn slope(&self) -> [R; 2] {
+        [R::ZERO; 2]
+    }
+}
+
+impl<R: Real> FlatPressure<R> for Linear<R> {
+    const IS_LINEAR: bool = true;
+    #[inline(always)]
+    fn at_centre(&self) -> R {
+        self.at_centre
+    }
+    #[inline(always)]
+    fn slope(&self) -> [R; 2] {
+        self.slope
+    }
+}

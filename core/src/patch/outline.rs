@@ -1,0 +1,419 @@
+//! Patches bounded by straight edges: any polygon, with holes, under uniform or linear pressure.
+//!
+//! Lengths are stored in units of the *radius*, the distance of the farthest corner from the
+//! *centre*, which is the centre of pressure. [`crate::coupling::flat`] gives their friction.
+
+pub use super::edge::Edge;
+pub use super::flat_pressure::{FlatPressure, Linear, Uniform};
+
+use super::simple::{Scale, checked, sides};
+use crate::real::Real;
+use nalgebra::Vector2;
+
+/// A patch bounded by straight edges, convex or not, with or without holes.
+///
+/// The storage `S` holds the edges: an array, or memory of the caller.
+///
+/// *Units*: length. *Size*: 7 numbers an edge and at most 8 more.
+///
+/// ```
+/// use tribos_core::patch::outline::Polygon;
+/// let sole = Polygon::new([[0.0_f64, 0.0], [0.24, 0.0], [0.24, 0.1], [0.0, 0.08]])?; // m
+/// assert!((sole.area() - 0.24 * 0.09).abs() < 1e-16);
+/// assert!(sole.centre().x > 0.12); // towards the broad end
+/// # Ok::<(), tribos_core::patch::outline::OutlineError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Polygon<R: Real, S, K = Uniform> {
+    edges: S,
+    count: usize,
+    pressure: K,
+    centre: Vector2<R>,
+    radius: R,
+    /// Area in units of radius².
+    reduced_area: R,
+}
+
+impl<R: Real, const N: usize> Polygon<R, [Edge<R>; N]> {
+    /// The polygon with these corners, clockwise or counterclockwise, under uniform pressure.
+    ///
+    /// *Domain*: at least 3 finite corners; edges meet only at the corners that they share; the area
+    /// is not lost in rounding.
+    pub fn new(corners: [[R; 2]; N]) -> Result<Self, OutlineError> {
+        Self::with_holes(&[&corners], [Edge::default(); N])
+    }
+}
+
+impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
+    /// The polygon with an outer loop of corners and further loops that are holes, each clockwise or
+    /// counterclockwise, under uniform pressure; `memory` has room for an edge a corner.
+    ///
+    /// *Domain*: as [`Polygon::new`]; holes lie inside of the outer loop and outside of each other.
+    /// *Cost*: the number of edges squared.
+    ///
+    /// ```
+    /// use tribos_core::patch::outline::{Edge, Polygon};
+    /// let square = |half: f64| [[-half, -half], [half, -half], [half, half], [-half, half]];
+    /// let mut memory = [Edge::default(); 8];
+    /// let frame = Polygon::with_holes(&[&square(0.1), &square(0.05)], &mut memory[..])?; // m
+    /// assert!((frame.area() - 0.03).abs() < 1e-16);
+    /// # Ok::<(), tribos_core::patch::outline::OutlineError>(())
+    /// ```
+    pub fn with_holes(loops: &[&[[R; 2]]], memory: S) -> Result<Self, OutlineError> {
+        let mut edges = memory;
+        let count = loops.iter().map(|corners| corners.len()).sum();
+        let room = edges.as_ref().len();
+        if count > room {
+            return Err(OutlineError::Room { given: count, room });
+        }
+        let scale = checked(loops)?;
+        let Frame {
+            centroid,
+            radius,
+            area,
+        } = Frame::of(loops, &scale)?;
+        let mut slots = edges.as_mut().iter_mut();
+        for (index, corners) in loops.iter().enumerate() {
+            let reduced = |corner: &[R; 2]| {
+                let at = scale.at(corner) - centroid;
+                Vector2::new(at.x / radius, at.y / radius)
+            };
+            // The patch lies to the left of the outer loop's edges and outside of a hole.
+            let is_backwards = (twice_area(corners, &scale) > R::ZERO) != (index == 0);
+            for (side, slot) in sides(corners).zip(&mut slots) {
+                let [from, to] = side.map(reduced);
+                *slot = if is_backwards {
+                    Edge::new(to, from)
+                } else {
+                    Edge::new(from, to)
+                };
+            }
+        }
+        Ok(Self {
+            edges,
+            count,
+            pressure: Uniform,
+            centre: scale.origin + centroid * scale.unit,
+            radius: radius * scale.unit,
+            reduced_area: area / (radius * radius),
+        })
+    }
+
+    /// The same area under linear pressure with its centre at `at`, in the corners' coordinates.
+    ///
+    /// *Domain*: the pressure is nowhere negative: in a rectangle of sides a and b,
+    /// |Δx|/a + |Δy|/b ≤ 1/6 from its centre.
+    ///
+    /// ```
+    /// use tribos_core::patch::outline::{OutlineError, Polygon};
+    /// let sole = Polygon::new([[0.0_f64, 0.0], [0.24, 0.0], [0.24, 0.1], [0.0, 0.1]])?; // m
+    /// assert!(sole.with_centre_of_pressure([0.14, 0.05]).is_ok());
+    /// let tiptoe = sole.with_centre_of_pressure([0.17, 0.05]); // beyond the middle third
+    /// assert!(matches!(tiptoe, Err(OutlineError::LiftOff { .. })));
+    /// # Ok::<(), OutlineError>(())
+    /// ```
+    pub fn with_centre_of_pressure(
+        self,
+        at: [R; 2],
+    ) -> Result<Polygon<R, S, Linear<R>>, OutlineError> {
+        let [x, y] = at;
+        let shift = Vector2::new(
+            (x - self.centre.x) / self.radius,
+            (y - self.centre.y) / self.radius,
+        );
+        // ∫k x = S g for the pressure k = 1 + g·x about the centroid.
+        let [xx, xy, yy] = self.second_moments();
+        let determinant = xx * yy - xy * xy;
+        let slope = Vector2::new(
+            (yy * shift.x - xy * shift.y) / determinant,
+            (xx * shift.y - xy * shift.x) / determinant,
+        );
+        self.about(shift, slope, Vector2::new(x, y))
+    }
+
+    /// The polygon under the pressure p₀ (1 + `slope`·(x − centroid)). *Units*: 1/length.
+    ///
+    /// *Domain*: the pressure is nowhere negative.
+    ///
+    /// ```
+    /// use tribos_core::patch::outline::Polygon;
+    /// let wedge = Polygon::new([[0.0_f64, 0.0], [0.1, 0.0], [0.1, 0.1], [0.0, 0.1]])?; // m
+    /// let wedge = wedge.with_slope([20.0, 0.0])?; // no pressure at x = 0, twice the mean at 0.1 m
+    /// assert!((wedge.centre().x - 0.1 * 2.0 / 3.0).abs() < 1e-16);
+    /// # Ok::<(), tribos_core::patch::outline::OutlineError>(())
+    /// ```
+    pub fn with_slope(self, slope: [R; 2]) -> Result<Polygon<R, S, Linear<R>>, OutlineError> {
+        let slope = Vector2::new(slope[0] * self.radius, slope[1] * self.radius);
+        let [xx, xy, yy] = self.second_moments();
+        let shift = Vector2::new(xx * slope.x + xy * slope.y, xy * slope.x + yy * slope.y);
+        let centre = self.centre + shift * self.radius;
+        self.about(shift, slope, centre)
+    }
+
+    /// The polygon about its centre of pressure, given the pressure's slope about the centroid.
+    fn about(
+        mut self,
+        shift: Vector2<R>,
+        slope: Vector2<R>,
+        centre: Vector2<R>,
+    ) -> Result<Polygon<R, S, Linear<R>>, OutlineError> {
+        let is_finite = |v: &Vector2<R>| v.x.is_finite() && v.y.is_finite();
+        if !(is_finite(&shift) && is_finite(&slope) && is_finite(&centre)) {
+            return Err(OutlineError::Slope);
+        }
+        let collar = R::from_f64(LIFT_ULPS) * R::EPSILON;
+        let mut radius = R::ZERO;
+        for edge in self.edges().iter() {
+            let corner = edge.start();
+            let pressure = R::ONE + slope.x * corner.x + slope.y * corner.y;
+            if pressure < -collar {
+                return Err(OutlineError::LiftOff {
+                    lowest: pressure.to_f64(),
+                });
+            }
+            let from = corner - shift;
+            let distance = from.x.hypot(from.y);
+            if distance > radius {
+                radius = distance;
+            }
+        }
+        for edge in self.edges.as_mut().iter_mut() {
+            *edge = edge.about(&shift, radius);
+        }
+        let pressure = Linear::new(
+            R::ONE + slope.x * shift.x + slope.y * shift.y,
+            [slope.x * radius, slope.y * radius],
+        );
+        Ok(Polygon {
+            edges: self.edges,
+            count: self.count,
+            pressure,
+            centre,
+            radius: self.radius * radius,
+            reduced_area: self.reduced_area / (radius * radius),
+        })
+    }
+
+    /// Means of x², xy and y² about the centroid, in units of radius².
+    fn second_moments(&self) -> [R; 3] {
+        let mut sums = [R::ZERO; 3];
+        for edge in self.edges() {
+            let [a, b] = [edge.start(), edge.end()];
+            let area = edge.offset() * edge.length();
+            let mixed = |p: R, q: R, r: R, s: R| p * (R::TWO * q + s) + r * (R::TWO * s + q);
+            for (sum, [[p, q], [r, s]]) in sums.iter_mut().zip([
+                [[a.x, a.x], [b.x, b.x]],
+                [[a.x, a.y], [b.x, b.y]],
+                [[a.y, a.y], [b.y, b.y]],
+            ]) {
+                *sum += area * mixed(p, q, r, s);
+            }
+        }
+        // Each triangle with the centroid: its area times the sum over 12.
+        let scale = R::ONE / (R::from_f64(24.0) * self.reduced_area);
+        sums.map(|sum| sum * scale)
+    }
+}
+
+/// Rounding of a pressure that is zero at a corner.
+const LIFT_ULPS: f64 = 64.0;
+
+impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> Polygon<R, S, K> {
+    /// The edges, as line integrals need them.
+    #[inline(always)]
+    pub(crate) fn edges(&self) -> &[Edge<R>] {
+        let edges = self.edges.as_ref();
+        edges.get(..self.count).unwrap_or(edges)
+    }
+
+    /// How the pressure is spread.
+    #[inline(always)]
+    pub(crate) fn pressure(&self) -> &K {
+        &self.pressure
+    }
+
+    /// Area over radius².
+    #[inline(always)]
+    pub(crate) fn reduced_area(&self) -> R {
+        self.reduced_area
+    }
+
+    /// The centre of pressure, in the corners' coordinates.
+    pub fn centre(&self) -> Vector2<R> {
+        self.centre
+    }
+
+    /// Distance of the farthest corner from the centre of pressure.
+    pub fn radius(&self) -> R {
+        self.radius
+    }
+
+    /// The area. *Special values*: zero or infinite where it leaves the range of numbers.
+    pub fn area(&self) -> R {
+        self.reduced_area * self.radius * self.radius
+    }
+}
+
+/// Centroid, distance of the farthest corner from it, and area, in units of a [`Scale`].
+struct Frame<R: Real> {
+    centroid: Vector2<R>,
+    radius: R,
+    area: R,
+}
+
+impl<R: Real> Frame<R> {
+    fn of(loops: &[&[[R; 2]]], scale: &Scale<R>) -> Result<Self, OutlineError> {
+        let (mut area, mut moment) = (R::ZERO, Vector2::new(R::ZERO, R::ZERO));
+        for (in_loop, corners) in loops.iter().enumerate() {
+            let twice = twice_area(corners, scale);
+            if twice == R::ZERO {
+                return Err(OutlineError::Flat { in_loop });
+            }
+            let sense = R::ONE.copysign(if in_loop == 0 { twice } else { -twice });
+            for side in sides(corners) {
+                let [a, b] = side.map(|corner| scale.at(corner));
+                let part = sense * (a.x * b.y - a.y * b.x);
+                area += part;
+                moment += (a + b) * part;
+            }
+        }
+        let third = R::ONE / (R::from_f64(3.0) * area);
+        let centroid = moment * third;
+        let mut radius = R::ZERO;
+        for corner in loops.iter().flat_map(|corners| corners.iter()) {
+            let from = scale.at(corner) - centroid;
+            let distance = from.x.hypot(from.y);
+            if distance > radius {
+                radius = distance;
+            }
+        }
+        Ok(Self {
+            centroid,
+            radius,
+            area: R::HALF * area,
+        })
+    }
+}
+
+/// Twice the signed area of a loop; zero if it is not larger than its own rounding.
+fn twice_area<R: Real>(corners: &[[R; 2]], scale: &Scale<R>) -> R {
+    let (mut area, mut size) = (R::ZERO, R::ZERO);
+    for side in sides(corners) {
+        let [a, b] = side.map(|corner| scale.at(corner));
+        area += a.x * b.y - a.y * b.x;
+        size += (a.x * b.y).abs() + (a.y * b.x).abs();
+    }
+    let rounding = R::TWO * R::TWO * R::EPSILON * size;
+    if area.abs() > rounding { area } else { R::ZERO }
+}
+
+/// A polygon that bounds no patch, or a pressure that it cannot carry.
+///
+/// ```
+/// use tribos_core::patch::outline::{OutlineError, Polygon};
+/// // A bow tie: two edges cross.
+/// let tie = Polygon::new([[0.0_f64, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]);
+/// assert_eq!(tie.err(), Some(OutlineError::Crossing { edges: [[0, 0], [0, 2]] }));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum OutlineError {
+    /// Fewer than 3 corners.
+    Corners {
+        /// Which loop, from 0.
+        in_loop: usize,
+        /// How many were given.
+        given: usize,
+    },
+    /// A coordinate is infinite or NaN.
+    Position {
+        /// Which loop, from 0.
+        in_loop: usize,
+        /// Which corner, from 0.
+        corner: usize,
+    },
+    /// A corner coincides with the next one.
+    Repeated {
+        /// Which loop, from 0.
+        in_loop: usize,
+        /// Which corner, from 0.
+        corner: usize,
+    },
+    /// Two edges touch or cross.
+    Crossing {
+        /// Loop and number of the edge, each from 0, of both.
+        edges: [[usize; 2]; 2],
+    },
+    /// A loop has no area beyond rounding.
+    Flat {
+        /// Which loop, from 0.
+        in_loop: usize,
+    },
+    /// A loop that should be a hole lies outside of the first loop or inside of another hole.
+    Hole {
+        /// Which loop, from 0.
+        in_loop: usize,
+    },
+    /// The distance between two corners is out of range.
+    Extent,
+    /// There are more corners than there is room for edges.
+    Room {
+        /// How many corners were given.
+        given: usize,
+        /// How many there is room for.
+        room: usize,
+    },
+    /// The slope of the pressure or its centre is infinite or NaN.
+    Slope,
+    /// The pressure would be negative at a corner: the patch lifts off there.
+    LiftOff {
+        /// The pressure at that corner, of the mean pressure.
+        lowest: f64,
+    },
+}
+
+impl core::fmt::Display for OutlineError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Corners { in_loop, given } => {
+                write!(
+                    f,
+                    "loop {in_loop} must have at least 3 corners, not {given}"
+                )
+            }
+            Self::Position { in_loop, corner } => {
+                write!(
+                    f,
+                    "corner {corner} of loop {in_loop} must lie at a finite place"
+                )
+            }
+            Self::Repeated { in_loop, corner } => write!(
+                f,
+                "corner {corner} of loop {in_loop} must differ from the next one"
+            ),
+            Self::Crossing {
+                edges: [[a, i], [b, j]],
+            } => write!(
+                f,
+                "edge {i} of loop {a} and edge {j} of loop {b} must not touch or cross"
+            ),
+            Self::Flat { in_loop } => write!(f, "loop {in_loop} must enclose an area"),
+            Self::Hole { in_loop } => write!(
+                f,
+                "loop {in_loop} must lie inside of the first loop and outside of other holes"
+            ),
+            Self::Extent => f.write_str("the distances between corners must be finite"),
+            Self::Room { given, room } => {
+                write!(f, "there is room for {room} edges, not for {given}")
+            }
+            Self::Slope => f.write_str("slope and centre of the pressure must be finite"),
+            Self::LiftOff { lowest } => write!(
+                f,
+                "the pressure must be nowhere negative, not {lowest} of its mean at a corner; \
+                 the patch lifts off there"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for OutlineError {}
