@@ -15,8 +15,46 @@ mod sealed {
             single: &'static [[f32; COLUMNS]; ROWS],
             double: &'static [[f64; COLUMNS]; ROWS],
         ) -> &'static [[Self; COLUMNS]; ROWS];
+
+        /// The whole number k for which `self` 2⁻ᵏ is nearest to `other`, by a factor of 1.51 at most.
+        ///
+        /// *Domain*: positive normal numbers; k ends at ±[`Sealed::MOST_OCTAVES`].
+        fn octaves_above(self, other: Self) -> i32;
+
+        /// 2ᵏ, exact. *Domain*: |k| ≤ [`Sealed::MOST_OCTAVES`].
+        fn power_of_two(k: i32) -> Self;
+
+        /// Octaves on both sides of 1 that are safely in range.
+        const MOST_OCTAVES: i32;
     }
+
+    /// The two functions of a binary format's exponent.
+    macro_rules! octaves {
+        ($real:ty, $bits:ty, $signed:ty, $mantissa:expr, $most:expr) => {
+            const MOST_OCTAVES: i32 = $most;
+            #[inline]
+            fn octaves_above(self, other: Self) -> i32 {
+                // The bits of a positive number are its logarithm, but for 0.09 octaves.
+                let apart = (self.to_bits() as $signed).wrapping_sub(other.to_bits() as $signed);
+                let octaves = apart.wrapping_add(1 << ($mantissa - 1)) >> $mantissa;
+                if octaves > $most {
+                    $most
+                } else if octaves < -$most {
+                    -$most
+                } else {
+                    octaves as i32
+                }
+            }
+            #[inline]
+            fn power_of_two(k: i32) -> Self {
+                const BIAS: i32 = <$real>::MAX_EXP - 1;
+                Self::from_bits(((BIAS.wrapping_add(k)) as $bits) << $mantissa)
+            }
+        };
+    }
+
     impl Sealed for f32 {
+        octaves!(f32, u32, i32, super::MANTISSA_F32, 120);
         const IS_SINGLE: bool = true;
         #[inline]
         fn pick<const COLUMNS: usize, const ROWS: usize>(
@@ -27,6 +65,7 @@ mod sealed {
         }
     }
     impl Sealed for f64 {
+        octaves!(f64, u64, i64, super::MANTISSA_F64, 1000);
         const IS_SINGLE: bool = false;
         #[inline]
         fn pick<const COLUMNS: usize, const ROWS: usize>(

@@ -14,7 +14,7 @@ use nalgebra::Vector2;
 ///
 /// The storage `S` holds the edges: an array, or memory of the caller.
 ///
-/// *Units*: length. *Size*: 7 numbers an edge and at most 8 more.
+/// *Units*: length. *Size*: 7 numbers an edge and at most 9 more.
 ///
 /// ```
 /// use tribos_core::patch::outline::Polygon;
@@ -32,6 +32,8 @@ pub struct Polygon<R: Real, S, K = Uniform> {
     radius: R,
     /// Area in units of radius².
     reduced_area: R,
+    /// Half the length of the longest edge, in radii.
+    longest_half: R,
 }
 
 impl<R: Real, const N: usize> Polygon<R, [Edge<R>; N]> {
@@ -89,6 +91,12 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
                 };
             }
         }
+        let mut longest = R::ZERO;
+        for edge in edges.as_ref().iter().take(count) {
+            if edge.length() > longest {
+                longest = edge.length();
+            }
+        }
         Ok(Self {
             edges,
             count,
@@ -96,6 +104,7 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
             centre: scale.origin + centroid * scale.unit,
             radius: radius * scale.unit,
             reduced_area: area / (radius * radius),
+            longest_half: R::HALF * longest,
         })
     }
 
@@ -191,6 +200,7 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
             centre,
             radius: self.radius * radius,
             reduced_area: self.reduced_area / (radius * radius),
+            longest_half: self.longest_half / radius,
         })
     }
 
@@ -236,6 +246,12 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> Polygon<R, S, K> {
     #[inline(always)]
     pub(crate) fn reduced_area(&self) -> R {
         self.reduced_area
+    }
+
+    /// Half the length of the longest edge over the radius.
+    #[inline(always)]
+    pub(crate) fn longest_half(&self) -> R {
+        self.longest_half
     }
 
     /// The centre of pressure, in the corners' coordinates.

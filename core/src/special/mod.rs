@@ -3,6 +3,8 @@
 mod elliptic;
 mod hypergeometric;
 pub(crate) mod legendre;
+mod log_quotient;
 
 pub use elliptic::CompleteElliptic;
 pub use hypergeometric::{Gauss, Jet};
+pub(crate) use log_quotient::log_quotient;

@@ -1,243 +1,381 @@
 //! Friction of a patch with straight edges that slides more than it turns.
 //!
-//! Let the first axis lie along the sliding velocity of the centre of pressure, which is the unit of
-//! speed, and w be the spin. An element at (x, y) has the velocity (g, w x) with g = 1 − w y, and the
-//! speed q with q² = g² + w² x². With 1 = g + w y, and since the pressure k has its centre at the
-//! origin,
+//! The sliding velocity of the centre of pressure, the origin, is the unit of speed and has the
+//! direction e; w is the spin. With a = e·(z × x) an element at x has the speed q,
 //!
 //! ```text
-//! force along velocity = −∫k g/q           = −∫k + w² ∫k x²/(q (q + g))
-//! force across         = −w ∫k x/q         = −w² ∫k x (y − w x²/(q + g))/q
-//! torque               = −∫k (w x² − y g)/q = −w ∫k x² (1 + q)/(q (q + g))
+//! q² = 1 + 2 w a + w² x²,    q = 1 + w a + w² b,    b = (x² − a m)/s,    m = (2 a + w x²)/s,    s = q + 1
 //! ```
 //!
-//! where nothing cancels and no digit is lost as w → 0. All integrals over x have closed forms in
-//! q, g and the function B below, at every y; what is left is one smooth integral along each edge,
-//! by Gauss' rule with as many points as the distance of the centre of rotation asks for:
+//! *Uniform pressure*. Integrals of q along the edges give force and torque, and those of 1 and a are
+//! known. The part of b that is left at w = 0 has no share in the torque, where its line integral is that of an
+//! exact differential; b₁ = −(a b + m (x² − a²)/2)/s is the rest of b over w:
 //!
 //! ```text
-//! u = w x/g,    B(u) = (1 − asinh u/u)/u² = 1/6 − u² B₂(u²)
+//! force = −(area e + w Σ τ ∫b dl),     torque = −w Σ [offset ∫b dl − 2 (e·τ) ∫b₁ dl]/3
 //! ```
+//!
+//! *Linear pressure* k, *and second derivatives*. Let the axes lie along e and across it. The
+//! velocity is (g, w x) with g = 1 − w y. Since the pressure has its centre at the origin,
+//!
+//! ```text
+//! force along e  = −∫k g/q            = −∫k + w² ∫k x²/(q s),     s = q + g
+//! force across   = −w ∫k x/q          = −w² ∫k x (y − w x²/s)/q
+//! torque         = −∫k (w x² − y g)/q = −w ∫k x² (1 + q)/(q s)
+//! D″             = ∫k (g², x g, x²)/q³   across and across, across and spin, spin and spin
+//! ```
+//!
+//! The integrals over x have closed forms at every y in c = x/s, σ = w c (the tangent of half the
+//! angle of the velocity) and one function P:
+//!
+//! ```text
+//! ∫x²/(q s) = x c² P             ∫x²/q = x² c (1 + (1 − σ²) P/2)/2        ∫x/q = x c
+//! ∫x³/(q s) = x² c²/2            ∫x³/q = x² c² (q + 2 g)/3
+//! P(σ²) = (1 − (1 − σ²) atanh(σ)/σ)/σ² = 2/3 + σ² P₁(σ²)
+//! ```
+//!
+//! In either case nothing cancels, no digit is lost as w → 0, and what is left is a smooth integral
+//! along each edge, by Gauss' rule with as many points as the distance of the centre of rotation
+//! asks for.
 
+use super::two::Two;
 use super::{Hessian, Reduced};
 use crate::patch::outline::{Edge, FlatPressure};
 use crate::real::Real;
-use crate::special::legendre::pairs;
+use crate::special::legendre::{FEW_HALF, OF_4, OF_6, OF_10};
 use nalgebra::Vector2;
 
-/// B₂ for 0 ≤ u² ≤ 1/8, from the constant term on: Chebyshev's fit by mpmath 1.3,
-/// `chebyfit(b2, [0, 1/8], 9)`, to 2.6e-16; B to 3.3e-17.
-const B2: [f64; 9] = [
-    0.074_999_999_999_999_741_6,
-    -0.044_642_857_142_522_030_6,
-    0.030_381_944_372_708_109_5,
-    -0.022_372_153_160_162_588_7,
-    0.017_352_517_800_189_999_3,
-    -0.013_959_047_842_159_941_9,
-    0.011_470_967_549_811_185_8,
-    -0.009_091_323_086_027_231_54,
-    0.005_244_404_319_017_212_47,
+/// P₁ for σ² ≤ 0.0295, from the constant term on: `chebyfit` of mpmath 1.3 for P with 7 terms, to 2e-17.
+const P1: [f64; 6] = [
+    0.133_333_333_333_266_2,
+    0.057_142_857_179_222_015,
+    0.031_746_024_367_753_08,
+    0.020_202_731_754_960_662,
+    0.013_950_909_975_489_176,
+    0.011_107_954_969_641_478,
 ];
-/// The same for 0 ≤ u² ≤ 1/3 by `chebyfit(b2, [0, 1/3], 5)`, to 5.9e-8; B to 2e-8.
-const B2_SINGLE: [f32; 5] = [
-    0.074_999_94,
-    -0.044_633_774,
-    0.030_157_71,
-    -0.020_367_672,
-    0.009_468_25,
-];
+/// The same for σ² ≤ 0.072 with 4 terms, to 5e-9.
+const P1_SINGLE: [f32; 3] = [0.133_335_42, 0.056_999_336, 0.034_867_745];
 
+/// Pairs of terms first: a chain of products would have to wait for each other.
 #[inline(always)]
-fn b2<R: Real>(u_sq: R) -> R {
-    let mut sum = R::ZERO;
+fn p1<R: Real>(z: Two<R>) -> Two<R> {
+    let pair = |low: R, high: R| Two::of(low) + Two::of(high) * z;
+    let z_sq = z * z;
     if R::IS_SINGLE {
-        for &c in B2_SINGLE.iter().rev() {
-            sum = sum * u_sq + R::from_f64(f64::from(c));
-        }
+        let [a, b, c] = P1_SINGLE.map(|c| R::from_f64(f64::from(c)));
+        pair(a, b) + Two::of(c) * z_sq
     } else {
-        for &c in B2.iter().rev() {
-            sum = sum * u_sq + R::from_f64(c);
-        }
+        let [a, b, c, d, e, f] = P1.map(R::from_f64);
+        pair(a, b) + z_sq * (pair(c, d) + z_sq * pair(e, f))
     }
-    sum
 }
 
-/// Sums of line integrals along y.
-#[derive(Clone, Copy)]
-struct Sums<R> {
-    /// What is missing of the force along the velocity, of the force across it, and the torque.
-    missing: R,
-    across: R,
-    torque: R,
-    /// ∫k g²/q³, ∫k x g/q³ and ∫k x²/q³.
-    yy: R,
-    yn: R,
-    nn: R,
+/// A motion with the speed of the origin as unit: direction, and spin, at most 1/3 (f32: 1/2).
+pub(super) struct Slide<'a, R: Real> {
+    pub(super) direction: &'a Vector2<R>,
+    pub(super) spin: R,
 }
 
-/// Pressure and spin in the frame of the sliding velocity.
-struct Frame<R> {
-    spin: R,
-    at_centre: R,
-    slope_x: R,
-    slope_y: R,
+/// Distances of the centre of rotation, in half lengths of the longest edge, below which 10, 8 and 6
+/// points are taken and not 4: for the wrench to 1e-15, for second derivatives to 3e-15.
+const FOR_WRENCH: [f64; 3] = [5.0, 9.0, 75.0];
+const FOR_HESSIAN: [f64; 3] = [6.0, 15.0, 300.0];
+/// The same in single precision, to 1e-7.
+const SINGLE: [f64; 3] = [0.0, 0.0, 6.0];
+
+/// A sum that Gauss' rule makes of the edges, with half of a rule's nodes and weights.
+trait Rule<R> {
+    type Sum;
+    fn sum(&self, half: &[[f64; 2]]) -> Self::Sum;
 }
 
-impl<R: Real> Frame<R> {
-    /// Adds what one point of an edge at (x, y) stands for, whose part along y is `weight`.
+/// The sum by the rule that half the length of the longest edge asks for at this spin.
+#[inline(always)]
+fn by_rule<R: Real, S: Rule<R>>(sum: &S, reach: R, double: [f64; 3]) -> S::Sum {
+    let [ten, eight, six] = if R::IS_SINGLE { SINGLE } else { double };
+    let is_below = |limit: f64| reach * R::from_f64(limit) > R::ONE;
+    let rule: &[[f64; 2]] = if !R::IS_SINGLE && is_below(ten) {
+        &OF_10
+    } else if !R::IS_SINGLE && is_below(eight) {
+        &FEW_HALF
+    } else if is_below(six) {
+        &OF_6
+    } else {
+        &OF_4
+    };
+    sum.sum(rule)
+}
+
+/// The edges under uniform pressure.
+struct OfUniform<'a, R: Real> {
+    slide: &'a Slide<'a, R>,
+    edges: &'a [Edge<R>],
+}
+
+impl<R: Real> Rule<R> for OfUniform<'_, R> {
+    /// Σ τ ∫b dl and Σ [offset ∫b dl − 2 (e·τ) ∫b₁ dl].
+    type Sum = (Vector2<R>, R);
+
     #[inline(always)]
-    fn add<const LINEAR: bool, const HESSIAN: bool>(
-        &self,
-        sums: &mut Sums<R>,
-        [x, y]: [R; 2],
-        weight: R,
-    ) {
-        let w = self.spin;
-        let g = R::ONE - w * y;
-        let wx = w * x;
-        let q = (g * g + wx * wx).sqrt();
-        let inv_g = R::ONE / g;
-        let inv_sum = R::ONE / (q + g);
-        let u = wx * inv_g;
-        let u_sq = u * u;
-        let b2 = b2(u_sq);
-        let b = R::from_f64(1.0 / 6.0) - u_sq * b2;
-        let x_sq = x * x;
-        let x_cube = x_sq * x;
-        // 1/(1 + q/g)
-        let share = g * inv_sum;
-        // ∫x²/(q(q+g)), ∫x³/(q(q+g)), ∫x²/q and ∫x/q over x.
-        let p2 = x_cube * b * (inv_g * inv_g);
-        let p3 = R::HALF * (x_sq * inv_sum) * (x_sq * inv_sum);
-        let c2 = R::HALF * x_cube * (share + b) * inv_g;
-        let c1 = x_sq * inv_sum;
-        let here = if LINEAR {
-            self.at_centre + self.slope_y * y
-        } else {
-            R::ONE
-        };
-        let mut missing = here * p2;
-        let mut across = here * (y * c1 - w * p3);
-        let mut torque = here * (c2 + w * y * p2);
-        if LINEAR {
-            // ∫x⁴/(q(q+g)) and ∫x³/q.
-            let quarter = R::HALF * R::HALF;
-            let p4 = x_cube * x_sq * (inv_g * inv_g) * (quarter * share * share + R::HALF * b2);
-            let c3 = c1 * c1 * (q + R::TWO * g) * R::from_f64(1.0 / 3.0);
-            missing += self.slope_x * p3;
-            across += self.slope_x * (y * c2 - w * p4);
-            torque += self.slope_x * (c3 + w * y * p3);
-        }
-        sums.missing += weight * missing;
-        sums.across += weight * across;
-        sums.torque += weight * torque;
-        if HESSIAN {
-            let inv_q = R::ONE / q;
-            // ∫g²/q³, ∫x g/q³ and ∫x²/q³ over x; g/(q (1 + q/g)) − B is φ of the last one.
-            let mut yy = x * inv_q;
-            let mut yn = x_sq * inv_q * inv_sum;
-            let phi = g * inv_q * share - b;
-            let mut nn = x_cube * phi * (inv_g * inv_g * inv_g);
-            if LINEAR {
-                let next = (g * yn, x_cube * phi * (inv_g * inv_g), c1 * c1 * inv_q);
-                yy = here * yy + self.slope_x * next.0;
-                yn = here * yn + self.slope_x * next.1;
-                nn = here * nn + self.slope_x * next.2;
+    fn sum(&self, rule: &[[f64; 2]]) -> Self::Sum {
+        let Slide { direction: e, spin } = *self.slide;
+        let (one, w, one_half) = (Two::of(R::ONE), Two::of(spin), Two::of(R::HALF));
+        let mut force = Vector2::new(R::ZERO, R::ZERO);
+        let mut torque = R::ZERO;
+        for edge in self.edges {
+            let (tangent, half) = (edge.tangent(), R::HALF * edge.length());
+            let middle = edge.start() + tangent * half;
+            let along = e.x * tangent.x + e.y * tangent.y;
+            // a and x² are polynomials in the place along the edge.
+            let a_middle = e.y * middle.x - e.x * middle.y;
+            let a_rate = half * (e.y * tangent.x - e.x * tangent.y);
+            let sq_middle = middle.x * middle.x + middle.y * middle.y;
+            let sq_rate = R::TWO * half * (middle.x * tangent.x + middle.y * tangent.y);
+            let (mut b_sum, mut b1_sum) = (Two::of(R::ZERO), Two::of(R::ZERO));
+            for &[node, weight] in rule {
+                let (node, weight) = (R::from_f64(node), Two::of(R::from_f64(weight)));
+                let by = node * half;
+                let a = Two::of(a_middle) + Two([node * a_rate, -(node * a_rate)]);
+                let even = sq_middle + by * by;
+                let sq = Two::of(even) + Two([node * sq_rate, -(node * sq_rate)]);
+                let double = a + a + w * sq;
+                let inv = ((one + w * double).sqrt() + one).inverse();
+                let m = double * inv;
+                let b = (sq - a * m) * inv;
+                // −b₁
+                let b1 = (a * b + one_half * m * (sq - a * a)) * inv;
+                b_sum = b_sum + weight * b;
+                b1_sum = b1_sum + weight * b1;
             }
-            sums.yy += weight * yy;
-            sums.yn += weight * yn;
-            sums.nn += weight * nn;
+            let (b, b1) = (half * b_sum.sum(), half * b1_sum.sum());
+            force += tangent * b;
+            torque += edge.offset() * b + R::TWO * along * b1;
         }
+        (force, torque)
     }
 }
 
-/// Half lengths of an edge between it and the centre of rotation, from which on a rule serves.
-const NEAREST_OF_8: f64 = 6.0;
-const NEAREST_OF_6: f64 = 15.0;
-const NEAREST_OF_4: f64 = 300.0;
+/// The edges under any pressure: a function of two points and their weights along y.
+struct OfPairs<'a, R: Real, F> {
+    slide: &'a Slide<'a, R>,
+    edges: &'a [Edge<R>],
+    at: F,
+}
 
-/// Reduced friction, and second derivatives of the power, for a velocity of length 1 along
-/// `direction` and the spin `spin`, at most 1/3 (f32: 1/2).
-#[inline]
-pub(super) fn friction<R: Real, K: FlatPressure<R>, const HESSIAN: bool>(
-    edges: &[Edge<R>],
-    pressure: &K,
-    direction: &Vector2<R>,
-    spin: R,
-    load: R,
-) -> (Reduced<R>, Hessian<R>) {
-    let e = direction;
-    let turned = |v: &Vector2<R>| [v.x * e.x + v.y * e.y, v.y * e.x - v.x * e.y];
-    let [slope_x, slope_y] = {
-        let [x, y] = pressure.slope();
-        turned(&Vector2::new(x, y))
-    };
-    let frame = Frame {
-        spin,
-        at_centre: pressure.at_centre(),
-        slope_x,
-        slope_y,
-    };
-    let mut sums = Sums {
-        missing: R::ZERO,
-        across: R::ZERO,
-        torque: R::ZERO,
-        yy: R::ZERO,
-        yn: R::ZERO,
-        nn: R::ZERO,
-    };
-    let distance = R::ONE / spin.abs();
-    for edge in edges {
-        let half = R::HALF * edge.length();
-        let [x, y] = turned(&edge.start());
-        let [tx, ty] = turned(&edge.tangent());
-        let (dx, dy) = (half * tx, half * ty);
-        let (x, y) = (x + dx, y + dy);
-        let reach = distance / half;
-        let rule = if R::IS_SINGLE {
-            if reach < R::from_f64(NEAREST_OF_8) {
-                pairs(6)
-            } else {
-                pairs(4)
-            }
-        } else if reach < R::from_f64(NEAREST_OF_8) {
-            pairs(10)
-        } else if reach < R::from_f64(NEAREST_OF_6) {
-            pairs(8)
-        } else if reach < R::from_f64(NEAREST_OF_4) {
-            pairs(6)
-        } else {
-            pairs(4)
-        };
-        for &[node, weight] in rule {
-            let (node, weight) = (R::from_f64(node), R::from_f64(weight) * dy);
-            let (by_x, by_y) = (node * dx, node * dy);
-            for at in [[x + by_x, y + by_y], [x - by_x, y - by_y]] {
-                if K::IS_LINEAR {
-                    frame.add::<true, HESSIAN>(&mut sums, at, weight);
-                } else {
-                    frame.add::<false, HESSIAN>(&mut sums, at, weight);
+impl<R: Real, F: Fn([Two<R>; 2]) -> [Two<R>; 3]> Rule<R> for OfPairs<'_, R, F> {
+    type Sum = [R; 3];
+
+    #[inline(always)]
+    fn sum(&self, rule: &[[f64; 2]]) -> [R; 3] {
+        let mut sums = [Two::of(R::ZERO); 3];
+        for edge in self.edges {
+            let half = R::HALF * edge.length();
+            let [tx, ty] = self.slide.turned(&edge.tangent());
+            let [x, y] = self.slide.turned(&edge.start());
+            let (dx, dy) = (half * tx, half * ty);
+            let middle = [Two::of(x + dx), Two::of(y + dy)];
+            for &[node, weight] in rule {
+                let (by_x, by_y) = (R::from_f64(node) * dx, R::from_f64(node) * dy);
+                let weight = Two::of(R::from_f64(weight) * dy);
+                let parts = (self.at)([
+                    middle[0] + Two([by_x, -by_x]),
+                    middle[1] + Two([by_y, -by_y]),
+                ]);
+                for (sum, part) in sums.iter_mut().zip(parts) {
+                    *sum = *sum + weight * part;
                 }
             }
         }
+        sums.map(Two::sum)
     }
-    let along = spin * spin * sums.missing - load;
-    let across = -(spin * spin * sums.across);
-    let reduced = Reduced {
-        force: Vector2::new(along * e.x - across * e.y, along * e.y + across * e.x),
-        torque: -(spin * sums.torque),
-    };
-    // D″ times the twist (1, 0, spin) is 0.
-    let (yy, yn, nn) = (sums.yy, sums.yn, sums.nn);
-    let (xx, xy, xn) = (spin * spin * nn, -(spin * yn), -(spin * nn));
-    let (c, s) = (e.x, e.y);
-    let hessian = Hessian {
-        xx: c * c * xx - R::TWO * c * s * xy + s * s * yy,
-        xy: c * s * (xx - yy) + (c * c - s * s) * xy,
-        yy: s * s * xx + R::TWO * c * s * xy + c * c * yy,
-        xn: c * xn - s * yn,
-        yn: s * xn + c * yn,
-        nn,
-    };
-    (reduced, hessian)
+}
+
+impl<R: Real> Slide<'_, R> {
+    /// Friction, given the pressure's integral and half the length of the longest edge.
+    #[inline]
+    pub(super) fn friction<K: FlatPressure<R>>(
+        &self,
+        edges: &[Edge<R>],
+        pressure: &K,
+        [load, half]: [R; 2],
+    ) -> Reduced<R> {
+        let (e, spin) = (self.direction, self.spin);
+        let reach = half * spin.abs();
+        if K::IS_LINEAR {
+            return self.linear(edges, pressure, [load, reach]);
+        }
+        let (force, torque) = by_rule(&OfUniform { slide: self, edges }, reach, FOR_WRENCH);
+        Reduced {
+            force: Vector2::new(
+                -(load * e.x + spin * force.x),
+                -(load * e.y + spin * force.y),
+            ),
+            torque: -(spin * torque * R::from_f64(1.0 / 3.0)),
+        }
+    }
+
+    /// A vector along the direction and across it.
+    #[inline(always)]
+    fn turned(&self, v: &Vector2<R>) -> [R; 2] {
+        let e = self.direction;
+        [v.x * e.x + v.y * e.y, v.y * e.x - v.x * e.y]
+    }
+
+    fn linear<K: FlatPressure<R>>(
+        &self,
+        edges: &[Edge<R>],
+        pressure: &K,
+        [load, reach]: [R; 2],
+    ) -> Reduced<R> {
+        let (e, spin) = (self.direction, self.spin);
+        let pressure = Turned::new(self, pressure);
+        let at = |[x, y]: [Two<R>; 2]| {
+            let w = Two::of(spin);
+            let at = Point::new(w, x, y);
+            let (half, wy) = (Two::of(R::HALF), w * y);
+            let (x_c, x_x) = (x * at.c, x * x);
+            let c_sq = at.c * at.c;
+            // ∫x²/(q s), ∫x³/(q s), ∫x⁴/(q s), ∫x²/q and ∫x³/q over x.
+            let p2 = x * c_sq * at.p;
+            let p3 = half * x_c * x_c;
+            let bracket = Two::of(R::from_f64(5.0 / 12.0))
+                - at.sigma_sq * Two::of(R::from_f64(1.0 / 12.0))
+                - at.rest * at.rest * at.p1 * Two::of(R::from_f64(0.125));
+            let p4 = x * x_x * c_sq * bracket;
+            let c2 = half * x_x * at.c * (Two::of(R::ONE) + half * at.rest * at.p);
+            let c3 = x_c * x_c * (at.q + at.g + at.g) * Two::of(R::from_f64(1.0 / 3.0));
+            let (here, slope) = (pressure.at(y), pressure.slope_x);
+            [
+                here * p2 + slope * p3,
+                here * (y * x_c - w * p3) + slope * (y * c2 - w * p4),
+                here * (c2 + wy * p2) + slope * (c3 + wy * p3),
+            ]
+        };
+        let sums = OfPairs {
+            slide: self,
+            edges,
+            at,
+        };
+        let [missing, across, torque] = by_rule(&sums, reach, FOR_WRENCH);
+        let along = spin * spin * missing - load;
+        let across = -(spin * spin * across);
+        Reduced {
+            force: Vector2::new(along * e.x - across * e.y, along * e.y + across * e.x),
+            torque: -(spin * torque),
+        }
+    }
+
+    /// Second derivatives of the power, given half the length of the longest edge.
+    pub(super) fn hessian<K: FlatPressure<R>>(
+        &self,
+        edges: &[Edge<R>],
+        pressure: &K,
+        half: R,
+    ) -> Hessian<R> {
+        let spin = self.spin;
+        let pressure = Turned::new(self, pressure);
+        let at = |[x, y]: [Two<R>; 2]| {
+            let at = Point::new(Two::of(spin), x, y);
+            let inv_q = at.q.inverse();
+            let inv_g = (at.inv_s + at.inv_s) * at.rest.inverse();
+            let x_c = x * at.c;
+            // ∫g²/q³, ∫x g/q³, ∫x²/q³ g and ∫x²/q³ over x.
+            let (yy, yn) = (x * inv_q, x_c * inv_q);
+            let full = x * at.c * at.c * ((at.q + at.g) * inv_q - at.p);
+            let nn = full * inv_g;
+            if K::IS_LINEAR {
+                let (here, slope) = (pressure.at(y), pressure.slope_x);
+                [
+                    here * yy + slope * (at.g * yn),
+                    here * yn + slope * full,
+                    here * nn + slope * (x_c * x_c * inv_q),
+                ]
+            } else {
+                [yy, yn, nn]
+            }
+        };
+        let sums = OfPairs {
+            slide: self,
+            edges,
+            at,
+        };
+        let [yy, yn, nn] = by_rule(&sums, half * spin.abs(), FOR_HESSIAN);
+        // D″ times the twist (1, 0, spin) is 0.
+        let (xx, xy, xn) = (spin * spin * nn, -(spin * yn), -(spin * nn));
+        let (c, s) = (self.direction.x, self.direction.y);
+        Hessian {
+            xx: c * c * xx - R::TWO * c * s * xy + s * s * yy,
+            xy: c * s * (xx - yy) + (c * c - s * s) * xy,
+            yy: s * s * xx + R::TWO * c * s * xy + c * c * yy,
+            xn: c * xn - s * yn,
+            yn: s * xn + c * yn,
+            nn,
+        }
+    }
+}
+
+/// Pressure along the direction and across it.
+struct Turned<R> {
+    at_centre: Two<R>,
+    slope_x: Two<R>,
+    slope_y: Two<R>,
+}
+
+impl<R: Real> Turned<R> {
+    #[inline(always)]
+    fn new(slide: &Slide<'_, R>, pressure: &impl FlatPressure<R>) -> Self {
+        let [x, y] = pressure.slope();
+        let [x, y] = slide.turned(&Vector2::new(x, y));
+        Self {
+            at_centre: Two::of(pressure.at_centre()),
+            slope_x: Two::of(x),
+            slope_y: Two::of(y),
+        }
+    }
+
+    /// Pressure on the second axis.
+    #[inline(always)]
+    fn at(&self, y: Two<R>) -> Two<R> {
+        self.at_centre + self.slope_y * y
+    }
+}
+
+/// What the closed forms at two points are made of.
+struct Point<R> {
+    g: Two<R>,
+    q: Two<R>,
+    /// 1/s
+    inv_s: Two<R>,
+    c: Two<R>,
+    sigma_sq: Two<R>,
+    /// 1 − σ²
+    rest: Two<R>,
+    p1: Two<R>,
+    p: Two<R>,
+}
+
+impl<R: Real> Point<R> {
+    #[inline(always)]
+    fn new(w: Two<R>, x: Two<R>, y: Two<R>) -> Self {
+        let one = Two::of(R::ONE);
+        let g = one - w * y;
+        let wx = w * x;
+        let q = (g * g + wx * wx).sqrt();
+        let inv_s = (q + g).inverse();
+        let c = x * inv_s;
+        let sigma = w * c;
+        let sigma_sq = sigma * sigma;
+        let p1 = p1(sigma_sq);
+        Self {
+            g,
+            q,
+            inv_s,
+            c,
+            sigma_sq,
+            rest: one - sigma_sq,
+            p1,
+            p: Two::of(R::from_f64(2.0 / 3.0)) + sigma_sq * p1,
+        }
+    }
 }

@@ -12,12 +12,14 @@
 mod far;
 mod motion;
 mod near;
+mod two;
 
 use super::FrictionError;
 use crate::law::validated_coefficient;
 use crate::patch::outline::{Edge, FlatPressure, Polygon};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
+use far::Slide;
 use motion::Motion;
 use nalgebra::{Matrix3, Vector2};
 
@@ -94,7 +96,11 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> DryPatch<R> for Polygon<R
             }
             Motion::Slides {
                 direction, turn, ..
-            } => far::friction::<R, K, false>(edges, pressure, direction, *turn, area).0,
+            } => Slide {
+                direction,
+                spin: *turn,
+            }
+            .friction(edges, pressure, [area, self.longest_half()]),
         };
         whole.scaled(R::ONE / area)
     }
@@ -112,8 +118,12 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> DryPatch<R> for Polygon<R
                 turn,
                 speed,
             } => {
-                let (whole, hessian) =
-                    far::friction::<R, K, true>(edges, pressure, direction, *turn, area);
+                let slide = Slide {
+                    direction,
+                    spin: *turn,
+                };
+                let whole = slide.friction(edges, pressure, [area, self.longest_half()]);
+                let hessian = slide.hessian(edges, pressure, self.longest_half());
                 (whole, hessian, *speed)
             }
         };

@@ -19,6 +19,7 @@
 use super::{Hessian, Reduced};
 use crate::patch::outline::{Edge, FlatPressure};
 use crate::real::Real;
+use crate::special::log_quotient;
 use nalgebra::Vector2;
 
 /// One edge seen from the centre of rotation.
@@ -47,20 +48,20 @@ impl<R: Real> Seen<R> {
         let h_sq = h * h;
         let (r0, r1) = ((h_sq + t0 * t0).sqrt(), (h_sq + t1 * t1).sqrt());
         let (sum, middle) = (r0 + r1, t0 + t1);
-        // r + t and r − t without cancellation; a corner at the centre has neither.
+        // r + t at the first corner and r − t at the second one without cancellation, as quotients.
         let (a0, a1) = (r0 + t0.abs(), r1 + t1.abs());
-        let before = if t0 > R::ZERO {
-            a0
+        let (n0, d0) = if t0 > R::ZERO {
+            (a0, R::ONE)
         } else {
-            h_sq / (a0 + R::MIN_POSITIVE)
+            (h_sq, a0)
         };
-        let after = if t1 < R::ZERO {
-            a1
+        let (n1, d1) = if t1 < R::ZERO {
+            (a1, R::ONE)
         } else {
-            h_sq / (a1 + R::MIN_POSITIVE)
+            (h_sq, a1)
         };
-        let gap = before + after + R::MIN_POSITIVE * R::from_f64(LEAST_GAP);
-        let log = (R::TWO * length / gap).ln_1p();
+        let gap = n0 * d1 + n1 * d0 + R::MIN_POSITIVE * R::from_f64(LEAST_GAP);
+        let log = log_quotient(R::TWO * length * (d0 * d1), gap);
         let mean = middle / sum;
         let quarter = R::HALF * R::HALF;
         Self {
@@ -76,7 +77,7 @@ impl<R: Real> Seen<R> {
     }
 }
 
-/// Keeps the quotient of an edge's length, at most 2 radii, by the gap in range.
+/// Smallest gap, where the centre lies on the edge, in smallest normal numbers.
 const LEAST_GAP: f64 = 8.0;
 
 /// Reduced friction about the centre of pressure for the spin `sense` (±1) about `centre`.
