@@ -37,10 +37,13 @@
 mod ellipsoid;
 mod exact;
 mod meridian;
+mod patch;
 mod polar;
+mod quadratic;
 
 pub use ellipsoid::Ellipsoid;
 pub use exact::LimitSurface;
+pub use patch::PatchSurface;
 
 use crate::patch::PatchError;
 use crate::real::Real;

@@ -1,0 +1,607 @@
+//! The exact limit surface of a patch of any shape.
+//!
+//! Nothing is known of its form but the dissipated power D(t), which is convex and grows in
+//! proportion to the twist t, its gradient g, which is a wrench of the surface, and its Hessian. With
+//!
+//! ```text
+//! φ(t) = D(t)²/2 − x·t       D g = x where it is least: t is the normal above x, and D(t) the gauge of x
+//! ψ(t) = t·M t/2 + D(t) − x·t       g = x − M t where it is least: the point of the set nearest to x
+//! ```
+//!
+//! both questions are smooth, strictly convex problems in three unknowns: Newton's method, with
+//! steps that are halved until they descend. φ's matrix g gᵀ + D D″ at its minimum is also the inverse of the
+//! normal's derivative; and M + D″ that of the projection's.
+
+use super::quadratic::Factors;
+use super::{FrictionSet, Projection, Region, SurfaceError, collar};
+use crate::coupling::flat::{DryPatch, FlatFriction};
+use crate::real::Real;
+use crate::twist::{Twist, Wrench};
+use nalgebra::{Matrix3, Vector3};
+
+/// All wrenches that the dry friction of a patch of any shape can carry, about the origin of its
+/// coordinates.
+///
+/// *Accuracy* (f64): gauge 1e-14, surface points and normals 1e-13 of the limits (f32: 1e-5).
+/// *Cost*, in wrenches with Jacobian: gauge, normal and projection about 5 each, at most 12.
+///
+/// ```
+/// use tribos_core::limit_surface::{FrictionSet, PatchSurface};
+/// use tribos_core::patch::outline::Polygon;
+/// use tribos_core::twist::Wrench;
+/// let (a, b) = (0.1_f64, 0.05); // half sides in m
+/// let book = Polygon::new([[-a, -b], [a, -b], [a, b], [-a, b]])?;
+/// let table = PatchSurface::new(book, 2.0)?; // μN in N
+/// assert!(table.contains(&Wrench::new(1.0, 0.0, 0.05))); // N, N, N m
+/// // Pushed at its long side, off the middle, it slides and turns.
+/// let motion = table.twist_normal_to(&Wrench::new(0.0, 2.0, 2.0 * 0.04));
+/// assert!(motion.velocity.y > 0.0 && motion.spin > 0.0 && motion.velocity.x.abs() < 1e-14);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PatchSurface<R, P> {
+    /// Its coefficient is the force limit.
+    friction: FlatFriction<R, P>,
+    /// Largest torque about the origin over the force limit: the unit of length of the search.
+    arm: R,
+    radius: R,
+}
+
+/// Least pivot of a matrix, in rounding errors of its diagonal.
+const PIVOT_ULPS: f64 = 4.0;
+/// A gradient of this many rounding errors of the wrench is none.
+const DONE_ULPS: f64 = 8.0;
+/// Most Newton steps; 12 were seen.
+const MOST_STEPS: usize = 40;
+/// Halvings of a step.
+const MOST_HALVINGS: usize = 30;
+/// Share of the linear decrease that a step must bring.
+const ENOUGH: f64 = 1e-4;
+
+/// Power, gradient and Hessian at a twist, in units of the force limit and the arm.
+struct Power<R: Real> {
+    value: R,
+    gradient: Vector3<R>,
+    hessian: Matrix3<R>,
+}
+
+/// Where a function is least.
+struct Least<R: Real> {
+    at: Vector3<R>,
+    power: Power<R>,
+    /// How many steps were tried.
+    steps: usize,
+}
+
+/// A convex function of the twist that is to be least.
+trait Goal<R: Real> {
+    /// Its value without the constant, and its gradient.
+    fn value(&self, at: &Vector3<R>, power: R) -> R;
+    fn gradient(&self, at: &Vector3<R>, power: &Power<R>) -> Vector3<R>;
+    fn matrix(&self, power: &Power<R>) -> Matrix3<R>;
+}
+
+/// φ
+struct Radial<R: Real> {
+    wrench: Vector3<R>,
+}
+
+/// ψ
+struct Nearest<R: Real> {
+    wrench: Vector3<R>,
+    /// Squared length of the distance, in arms.
+    length_sq: R,
+}
+
+fn dot<R: Real>(a: &Vector3<R>, b: &Vector3<R>) -> R {
+    a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+fn norm<R: Real>(a: &Vector3<R>) -> R {
+    a.x.hypot(a.y).hypot(a.z)
+}
+
+impl<R: Real> Goal<R> for Radial<R> {
+    fn value(&self, at: &Vector3<R>, power: R) -> R {
+        R::HALF * power * power - dot(&self.wrench, at)
+    }
+    fn gradient(&self, _: &Vector3<R>, power: &Power<R>) -> Vector3<R> {
+        power.gradient * power.value - self.wrench
+    }
+    fn matrix(&self, power: &Power<R>) -> Matrix3<R> {
+        let g = &power.gradient;
+        outer(g) + power.hessian * power.value
+    }
+}
+
+impl<R: Real> Nearest<R> {
+    /// M t
+    fn displacement(&self, at: &Vector3<R>) -> Vector3<R> {
+        Vector3::new(at.x, at.y, self.length_sq * at.z)
+    }
+}
+
+impl<R: Real> Goal<R> for Nearest<R> {
+    fn value(&self, at: &Vector3<R>, power: R) -> R {
+        R::HALF * dot(at, &self.displacement(at)) + power - dot(&self.wrench, at)
+    }
+    fn gradient(&self, at: &Vector3<R>, power: &Power<R>) -> Vector3<R> {
+        self.displacement(at) + power.gradient - self.wrench
+    }
+    fn matrix(&self, power: &Power<R>) -> Matrix3<R> {
+        let mut matrix = power.hessian;
+        matrix.m11 += R::ONE;
+        matrix.m22 += R::ONE;
+        matrix.m33 += self.length_sq;
+        matrix
+    }
+}
+
+/// g gᵀ
+fn outer<R: Real>(g: &Vector3<R>) -> Matrix3<R> {
+    let (x, y, z) = (g.x, g.y, g.z);
+    Matrix3::new(
+        x * x,
+        x * y,
+        x * z,
+        x * y,
+        y * y,
+        y * z,
+        x * z,
+        y * z,
+        z * z,
+    )
+}
+
+impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
+    /// *Domain*: 0 ≤ `force_limit` < ∞ (μN). Without force limit the set is {0}.
+    pub fn new(patch: P, force_limit: R) -> Result<Self, SurfaceError> {
+        let refused = |given: R| SurfaceError::ForceLimit {
+            given: given.to_f64(),
+        };
+        let centre = patch.centre();
+        let radius = patch.radius() + centre.x.hypot(centre.y);
+        let friction =
+            FlatFriction::new(patch, force_limit.abs()).map_err(|_| refused(force_limit))?;
+        if force_limit < R::ZERO {
+            return Err(refused(force_limit));
+        }
+        let unit = FlatFriction::new(friction.patch(), R::ONE).map_err(|_| refused(force_limit))?;
+        let arm = unit
+            .wrench(R::ONE, &Twist::new(R::ZERO, R::ZERO, R::ONE))
+            .torque
+            .abs();
+        Ok(Self {
+            friction,
+            arm,
+            radius,
+        })
+    }
+
+    /// The patch.
+    pub fn patch(&self) -> &P {
+        self.friction.patch()
+    }
+
+    /// The largest torque about the origin.
+    pub fn torque_limit(&self) -> R {
+        self.force_limit() * self.arm
+    }
+
+    /// ∂gauge/∂wrench: the normal above `wrench`, scaled such that its support is 1, and the
+    /// symmetric ∂²gauge/∂wrench².
+    ///
+    /// *Units*: 1/force and 1/(force × length); their products. *Special values*: NaN for the zero
+    /// wrench, where the gauge has no derivative, for an infinite one and without force limit.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tribos_core::limit_surface::{FrictionSet, PatchSurface};
+    /// use tribos_core::patch::outline::Polygon;
+    /// use tribos_core::twist::Wrench;
+    /// let foot = Polygon::new([[-0.05_f64, -0.04], [0.2, -0.05], [0.2, 0.05], [-0.05, 0.04]])?; // m
+    /// let floor = PatchSurface::new(foot, 400.0)?; // N
+    /// let push = Wrench::new(100.0, 50.0, 10.0); // N, N, N m
+    /// let (normal, hessian) = floor.gauge_derivatives(&push);
+    /// // The gauge grows in proportion to the wrench.
+    /// assert!((push.power(&normal) - floor.gauge(&push)).abs() < 1e-14);
+    /// assert!((hessian * Vector3::new(100.0, 50.0, 10.0)).amax() < 1e-12);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn gauge_derivatives(&self, wrench: &Wrench<R>) -> (Twist<R>, Matrix3<R>) {
+        let Some(wanted) = self.scaled(wrench) else {
+            let nan = R::NAN;
+            return (Twist::new(nan, nan, nan), Matrix3::from_element(nan));
+        };
+        let size = norm(&wanted);
+        let goal = Radial {
+            wrench: wanted * (R::ONE / size),
+        };
+        let Least { at, power, .. } = self.above(&goal);
+        let gauge = dot(&goal.wrench, &at) / power.value;
+        let normal = at * (R::ONE / power.value);
+        let curvature = Factors::of(&goal.matrix(&power), pivot()).inverse();
+        let hessian = (curvature - outer(&normal)) * (R::ONE / (gauge * size));
+        // Back to the units of wrench and twist.
+        let (unit, arm) = (R::ONE / self.force_limit(), R::ONE / self.arm);
+        let twist = Twist::new(normal.x * unit, normal.y * unit, normal.z * unit * arm);
+        (twist, stretched(&hessian, unit * unit, [arm, arm]))
+    }
+
+    /// [`FrictionSet::project_with_length`] and the derivative of the projected wrench.
+    ///
+    /// The derivative is the unit matrix inside the set and has the normal as its null space
+    /// outside of it. *Units*: none, length, 1/length by row and column.
+    ///
+    /// ```
+    /// use tribos_core::limit_surface::PatchSurface;
+    /// use tribos_core::patch::outline::Polygon;
+    /// use tribos_core::twist::Wrench;
+    /// let tile = Polygon::new([[-0.1_f64, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]])?; // m
+    /// let floor = PatchSurface::new(tile, 5.0)?; // N
+    /// // A straight push of 9 N, where 5 N are carried: to the side alone the force follows.
+    /// let (carried, rate) = floor.project_with_jacobian(&Wrench::new(9.0, 0.0, 0.0), 0.1);
+    /// assert!((carried.wrench.force.x - 5.0).abs() < 1e-13 && rate[(0, 0)].abs() < 1e-13);
+    /// assert!((rate[(1, 1)] - 5.0 / 9.0).abs() < 1e-13);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn project_with_jacobian(
+        &self,
+        wrench: &Wrench<R>,
+        length: R,
+    ) -> (Projection<R>, Matrix3<R>) {
+        match self.pulled_back(wrench, length) {
+            Pulled::Stays(projection) => (projection, unit_matrix()),
+            Pulled::Nowhere(projection) => (projection, Matrix3::from_element(R::NAN)),
+            Pulled::Back {
+                projection,
+                goal,
+                power,
+            } => {
+                let inverse = Factors::of(&goal.matrix(&power), pivot()).inverse();
+                let rate = product(&power.hessian, &inverse);
+                let rate = stretched(&rate, R::ONE, [self.arm, R::ONE / self.arm]);
+                (projection, rate)
+            }
+        }
+    }
+
+    /// The wrench in units of force limit and arm; `None` where it has no direction.
+    fn scaled(&self, wrench: &Wrench<R>) -> Option<Vector3<R>> {
+        let limit = self.force_limit();
+        let scaled = Vector3::new(
+            wrench.force.x / limit,
+            wrench.force.y / limit,
+            wrench.torque / limit / self.arm,
+        );
+        let size = norm(&scaled);
+        (size > R::ZERO && size.is_finite()).then_some(scaled)
+    }
+
+    fn power(&self, at: &Vector3<R>) -> Power<R> {
+        let limit = R::ONE / self.force_limit();
+        let inv_arm = R::ONE / self.arm;
+        let twist = Twist::new(at.x, at.y, at.z * inv_arm);
+        let (wrench, jacobian) = self.friction.wrench_and_jacobian(R::ONE, &twist);
+        let gradient = Vector3::new(
+            -(wrench.force.x * limit),
+            -(wrench.force.y * limit),
+            -(wrench.torque * limit * inv_arm),
+        );
+        let hessian = stretched(&jacobian, -limit, [inv_arm, inv_arm]);
+        Power {
+            value: dot(&gradient, at),
+            gradient,
+            hessian,
+        }
+    }
+
+    /// The twist at which `goal` is least, from `start` on.
+    fn least(&self, goal: &impl Goal<R>, start: Vector3<R>) -> Least<R> {
+        let mut at = start;
+        let mut power = self.power(&at);
+        let mut steps = 0;
+        while steps < MOST_STEPS {
+            let gradient = goal.gradient(&at, &power);
+            let size = norm(&gradient);
+            if size.is_nan() || size <= R::from_f64(DONE_ULPS) * R::EPSILON {
+                break;
+            }
+            steps += 1;
+            let step = Factors::of(&goal.matrix(&power), pivot()).solve(&gradient);
+            let descent = dot(&gradient, &step);
+            let before = goal.value(&at, power.value);
+            let mut factor = R::ONE;
+            let mut next = at - step;
+            let mut next_power = self.power(&next);
+            for _ in 0..MOST_HALVINGS {
+                let enough = before - R::from_f64(ENOUGH) * factor * descent;
+                let rounding = R::from_f64(DONE_ULPS) * R::EPSILON * (R::ONE + before.abs());
+                if goal.value(&next, next_power.value) <= enough + rounding {
+                    break;
+                }
+                factor = R::HALF * factor;
+                next = at - step * factor;
+                next_power = self.power(&next);
+            }
+            // Rounding decides from here on.
+            if norm(&goal.gradient(&next, &next_power)) >= size
+                && factor == R::ONE
+                && size < rough()
+            {
+                break;
+            }
+            at = next;
+            power = next_power;
+        }
+        Least { at, power, steps }
+    }
+
+    /// The normal above a wrench of length 1, not normalised, from that of the ellipsoid on.
+    fn above(&self, goal: &Radial<R>) -> Least<R> {
+        self.least(goal, goal.wrench)
+    }
+
+    /// A twist of the search with |velocity|² + (spin · radius)² = 1.
+    fn normal(&self, at: &Vector3<R>) -> Twist<R> {
+        let spin = at.z / self.arm;
+        let length = at.x.hypot(at.y).hypot(spin * self.radius);
+        Twist::new(at.x / length, at.y / length, spin / length)
+    }
+
+    fn pulled_back(&self, wrench: &Wrench<R>, length: R) -> Pulled<R> {
+        let limit = self.force_limit();
+        let stays = |region| {
+            Pulled::Stays(Projection {
+                wrench: *wrench,
+                region,
+            })
+        };
+        if *wrench == Wrench::ZERO {
+            return stays(Region::Inside);
+        }
+        let arm = length / self.arm;
+        let (Some(wanted), true) = (self.scaled(wrench), arm > R::ZERO && arm.is_finite()) else {
+            return self.pulled_to_zero(wrench, length);
+        };
+        let size = norm(&wanted);
+        let radial = Radial {
+            wrench: wanted * (R::ONE / size),
+        };
+        let Least {
+            at: above, power, ..
+        } = self.above(&radial);
+        let gauge = dot(&wanted, &above) / power.value;
+        if gauge < R::ONE - collar() {
+            return stays(Region::Inside);
+        }
+        if gauge <= R::ONE + collar() {
+            let normal = self.normal(&above);
+            return stays(Region::OnSurface { normal });
+        }
+        let goal = Nearest {
+            wrench: wanted,
+            length_sq: arm * arm,
+        };
+        // Along the normal above the wrench ψ is a parabola.
+        let far = dot(&wanted, &above) - power.value;
+        let start = above * (far / dot(&above, &goal.displacement(&above)));
+        let Least { at, power, .. } = self.least(&goal, start);
+        let g = &power.gradient;
+        Pulled::Back {
+            projection: Projection {
+                wrench: Wrench::new(limit * g.x, limit * g.y, limit * self.arm * g.z),
+                region: Region::OnSurface {
+                    normal: self.normal(&at),
+                },
+            },
+            goal,
+            power,
+        }
+    }
+
+    /// The answer where no wrench is carried, and where there is no nearest one.
+    #[cold]
+    fn pulled_to_zero(&self, wrench: &Wrench<R>, length: R) -> Pulled<R> {
+        let nan = R::NAN;
+        let spin = wrench.torque / (length * length);
+        let at = Vector3::new(wrench.force.x, wrench.force.y, spin * self.arm);
+        let normal = self.normal(&at);
+        let is_number = normal.spin.is_finite() && normal.velocity.x.is_finite();
+        let (wrench, normal) = if self.force_limit() == R::ZERO && length > R::ZERO && is_number {
+            (Wrench::ZERO, normal)
+        } else {
+            (Wrench::new(nan, nan, nan), Twist::new(nan, nan, nan))
+        };
+        Pulled::Nowhere(Projection {
+            wrench,
+            region: Region::OnSurface { normal },
+        })
+    }
+}
+
+/// How a wrench is brought into the set.
+enum Pulled<R: Real> {
+    Stays(Projection<R>),
+    Back {
+        projection: Projection<R>,
+        goal: Nearest<R>,
+        power: Power<R>,
+    },
+    Nowhere(Projection<R>),
+}
+
+/// Least pivot, of its diagonal.
+fn pivot<R: Real>() -> R {
+    R::from_f64(PIVOT_ULPS) * R::EPSILON
+}
+
+/// A gradient below which a full step that does not shrink it shows rounding.
+fn rough<R: Real>() -> R {
+    R::EPSILON.sqrt()
+}
+
+/// `factor` · m with another unit of length in the last row and column.
+fn stretched<R: Real>(m: &Matrix3<R>, factor: R, [row, column]: [R; 2]) -> Matrix3<R> {
+    let (right, below) = (factor * column, factor * row);
+    Matrix3::new(
+        factor * m.m11,
+        factor * m.m12,
+        right * m.m13,
+        factor * m.m21,
+        factor * m.m22,
+        right * m.m23,
+        below * m.m31,
+        below * m.m32,
+        below * column * m.m33,
+    )
+}
+
+/// A matrix times a symmetric one.
+fn product<R: Real>(a: &Matrix3<R>, b: &Matrix3<R>) -> Matrix3<R> {
+    let rows = |m: &Matrix3<R>| {
+        [
+            Vector3::new(m.m11, m.m12, m.m13),
+            Vector3::new(m.m21, m.m22, m.m23),
+            Vector3::new(m.m31, m.m32, m.m33),
+        ]
+    };
+    let ([ax, ay, az], [bx, by, bz]) = (rows(a), rows(b));
+    let row = |a: &Vector3<R>| [dot(a, &bx), dot(a, &by), dot(a, &bz)];
+    let ([xx, xy, xz], [yx, yy, yz], [zx, zy, zz]) = (row(&ax), row(&ay), row(&az));
+    Matrix3::new(xx, xy, xz, yx, yy, yz, zx, zy, zz)
+}
+
+fn unit_matrix<R: Real>() -> Matrix3<R> {
+    let (one, zero) = (R::ONE, R::ZERO);
+    Matrix3::new(one, zero, zero, zero, one, zero, zero, zero, one)
+}
+
+impl<R: Real, P: DryPatch<R>> FrictionSet<R> for PatchSurface<R, P> {
+    fn force_limit(&self) -> R {
+        self.friction.coefficient()
+    }
+
+    fn radius(&self) -> R {
+        self.radius
+    }
+
+    fn support(&self, twist: &Twist<R>) -> R {
+        -self.friction.wrench(R::ONE, twist).power(twist)
+    }
+
+    fn wrench(&self, twist: &Twist<R>) -> Wrench<R> {
+        self.friction.wrench(R::ONE, twist)
+    }
+
+    fn gauge(&self, wrench: &Wrench<R>) -> R {
+        let Some(wanted) = self.scaled(wrench) else {
+            return self.odd_gauge(wrench);
+        };
+        let size = norm(&wanted);
+        let goal = Radial {
+            wrench: wanted * (R::ONE / size),
+        };
+        let Least { at, power, .. } = self.above(&goal);
+        size * (dot(&goal.wrench, &at) / power.value)
+    }
+
+    fn twist_normal_to(&self, push: &Wrench<R>) -> Twist<R> {
+        let Some(wanted) = self.scaled(push) else {
+            let nan = R::NAN;
+            return if *push == Wrench::ZERO {
+                Twist::ZERO
+            } else {
+                Twist::new(nan, nan, nan)
+            };
+        };
+        let goal = Radial {
+            wrench: wanted * (R::ONE / norm(&wanted)),
+        };
+        self.normal(&self.above(&goal).at)
+    }
+
+    fn scale_to_surface(&self, wrench: &Wrench<R>) -> Wrench<R> {
+        if *wrench == Wrench::ZERO {
+            return *wrench;
+        }
+        *wrench * (R::ONE / self.gauge(wrench))
+    }
+
+    fn project_with_length(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
+        match self.pulled_back(wrench, length) {
+            Pulled::Stays(projection)
+            | Pulled::Nowhere(projection)
+            | Pulled::Back { projection, .. } => projection,
+        }
+    }
+}
+
+impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
+    /// The gauge of a wrench without direction.
+    #[cold]
+    fn odd_gauge(&self, wrench: &Wrench<R>) -> R {
+        let size = wrench.force.x.abs() + wrench.force.y.abs() + wrench.torque.abs();
+        if size == R::ZERO || size.is_nan() {
+            size
+        } else {
+            R::INFINITY
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::patch::outline::Polygon;
+
+    /// A number of −1 … 1 that golden angles and their like spread evenly.
+    fn part(i: u32, k: f64) -> f64 {
+        2.0 * (f64::from(i) * k).fract() - 1.0
+    }
+
+    #[test]
+    fn a_dozen_steps_find_the_motion_under_any_push() {
+        let (a, b, c) = ([1.0, 1.0], [4.0, 1.0], [10.0, 1.0]);
+        let mut worst = [0; 2];
+        let mut residual = 0.0_f64;
+        for [x, y] in [a, b, c] {
+            let patch = Polygon::new([[-x, -y], [x, -y], [x, y], [-x, y]]).unwrap();
+            let surface = PatchSurface::new(patch, 1.0).unwrap();
+            let length_sq = (surface.radius / surface.arm) * (surface.radius / surface.arm);
+            for i in 0..20_000 {
+                let wrench = Vector3::new(
+                    part(i, 0.754_877_666_25),
+                    part(i, 0.569_840_290_99),
+                    part(i, 0.819_172_513_4),
+                );
+                // Some pushes lie next to an axis.
+                let narrow = libm::exp(6.0 * part(i, 0.671_043_606_7) - 6.0);
+                let wrench = match i % 3 {
+                    0 => Vector3::new(wrench.x, wrench.y * narrow, wrench.z * narrow),
+                    1 => Vector3::new(wrench.x * narrow, wrench.y * narrow, wrench.z),
+                    _ => wrench,
+                };
+                let radial = Radial {
+                    wrench: wrench * (1.0 / norm(&wrench)),
+                };
+                let found = surface.above(&radial);
+                worst[0] = worst[0].max(found.steps);
+                residual = residual.max(norm(&radial.gradient(&found.at, &found.power)));
+                let goal = Nearest {
+                    wrench: radial.wrench * (1.5 + part(i, 0.445_041_867_9)),
+                    length_sq,
+                };
+                let far = dot(&goal.wrench, &found.at) - found.power.value;
+                if far > 0.0 {
+                    let start = found.at * (far / dot(&found.at, &goal.displacement(&found.at)));
+                    let found = surface.least(&goal, start);
+                    worst[1] = worst[1].max(found.steps);
+                    residual = residual.max(norm(&goal.gradient(&found.at, &found.power)));
+                }
+            }
+        }
+        assert!(worst[0] <= 12 && worst[1] <= 12, "{worst:?} {residual:e}");
+        assert!(residual < 1e-13, "{residual:e} {worst:?}");
+    }
+}
