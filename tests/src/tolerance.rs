@@ -54,6 +54,8 @@ bounds! {
     SLIVER = 2e-12, "promised in coupling::flat: the aspect ratio times 2e-15, long edges cancel";
     /// Its Jacobian, of its largest entry.
     SLIVER_JACOBIAN = 1e-11, "promised in coupling::flat: the aspect ratio times 1e-14";
+    /// Push over gauge plus the friction of its motion, of μN with the torque over the largest arm.
+    PATCH_SURFACE = 1e-13, "promised in limit_surface::PatchSurface; Newton's residual and the gauge's rounding";
     /// Polygons in f32, of μN and μN (R + |centre|).
     POLYGON_SINGLE = 4e-6, "promised in coupling::flat; opposite edges cancel, most where the shape is long";
     /// Their Jacobian, of its largest entry.

@@ -70,6 +70,7 @@ struct Least<R: Real> {
     at: Vector3<R>,
     power: Power<R>,
     /// How many steps were tried.
+    #[cfg_attr(not(test), expect(dead_code, reason = "tests bound it"))]
     steps: usize,
 }
 
@@ -99,6 +100,11 @@ fn dot<R: Real>(a: &Vector3<R>, b: &Vector3<R>) -> R {
 
 fn norm<R: Real>(a: &Vector3<R>) -> R {
     a.x.hypot(a.y).hypot(a.z)
+}
+
+/// a/size, whose reciprocal may be out of range.
+fn over<R: Real>(a: &Vector3<R>, size: R) -> Vector3<R> {
+    Vector3::new(a.x / size, a.y / size, a.z / size)
 }
 
 impl<R: Real> Goal<R> for Radial<R> {
@@ -215,7 +221,7 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
         };
         let size = norm(&wanted);
         let goal = Radial {
-            wrench: wanted * (R::ONE / size),
+            wrench: over(&wanted, size),
         };
         let Least { at, power, .. } = self.above(&goal);
         let gauge = dot(&goal.wrench, &at) / power.value;
@@ -366,7 +372,7 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
         };
         let size = norm(&wanted);
         let radial = Radial {
-            wrench: wanted * (R::ONE / size),
+            wrench: over(&wanted, size),
         };
         let Least {
             at: above, power, ..
@@ -500,7 +506,7 @@ impl<R: Real, P: DryPatch<R>> FrictionSet<R> for PatchSurface<R, P> {
         };
         let size = norm(&wanted);
         let goal = Radial {
-            wrench: wanted * (R::ONE / size),
+            wrench: over(&wanted, size),
         };
         let Least { at, power, .. } = self.above(&goal);
         size * (dot(&goal.wrench, &at) / power.value)
@@ -516,7 +522,7 @@ impl<R: Real, P: DryPatch<R>> FrictionSet<R> for PatchSurface<R, P> {
             };
         };
         let goal = Radial {
-            wrench: wanted * (R::ONE / norm(&wanted)),
+            wrench: over(&wanted, norm(&wanted)),
         };
         self.normal(&self.above(&goal).at)
     }

@@ -5,8 +5,11 @@ use std::hint::black_box;
 use tribos_core::coupling::table::{self, Coulomb};
 use tribos_core::coupling::{Coupling, DryCoupling, compact};
 use tribos_core::internals::COLLAR_ULPS;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Region, SurfaceError};
+use tribos_core::limit_surface::{
+    Ellipsoid, FrictionSet, LimitSurface, PatchSurface, Region, SurfaceError,
+};
 use tribos_core::patch::PatchError;
+use tribos_core::patch::outline::Polygon;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::reference::Reference;
 use tribos_tests::surfaces::{Counting, FORCE_LIMIT, RADIUS, Ring, norm, random_wrench, same_bits};
@@ -300,6 +303,8 @@ fn every_bit_pattern_has_an_answer() {
     assert_total(&unit(compact::CompactCoulomb));
     assert_total(&unit(Ring));
     assert_total(&Ellipsoid::new(FORCE_LIMIT, RADIUS, 0.6).unwrap());
+    let tile = Polygon::new([[0.0, 0.0], [0.05, 0.0], [0.01, 0.03]]).unwrap();
+    assert_total(&PatchSurface::new(tile, FORCE_LIMIT).unwrap());
 }
 
 #[test]

@@ -17,4 +17,5 @@ mod ellipsoid;
 mod limit_surface;
 mod manifold;
 mod manifold_extremes;
+mod patch_surface;
 mod projection;
