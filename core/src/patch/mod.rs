@@ -3,6 +3,7 @@
 //! Round patches are measured in units of their radius: a pressure says how a unit load is spread
 //! over the unit disk, and [`crate::coupling::PatchFriction`] adds the radius.
 
+pub mod bar;
 mod borrowed;
 mod edge;
 mod flat_pressure;

@@ -79,20 +79,20 @@ pub(super) struct Slide<'a, R: Real> {
 
 /// Distances of the centre of rotation, in half lengths of the longest edge, below which 10, 8 and 6
 /// points are taken and not 4: for the wrench to 1e-15, for second derivatives to 3e-15.
-const FOR_WRENCH: [f64; 3] = [5.0, 9.0, 75.0];
-const FOR_HESSIAN: [f64; 3] = [6.0, 15.0, 300.0];
+pub(super) const FOR_WRENCH: [f64; 3] = [5.0, 9.0, 75.0];
+pub(super) const FOR_HESSIAN: [f64; 3] = [6.0, 15.0, 300.0];
 /// The same in single precision, to 1e-7.
 const SINGLE: [f64; 3] = [0.0, 0.0, 6.0];
 
 /// A sum that Gauss' rule makes of the edges, with half of a rule's nodes and weights.
-trait Rule<R> {
+pub(super) trait Rule<R> {
     type Sum;
     fn sum(&self, half: &[[f64; 2]]) -> Self::Sum;
 }
 
 /// The sum by the rule that half the length of the longest edge asks for at this spin.
 #[inline(always)]
-fn by_rule<R: Real, S: Rule<R>>(sum: &S, reach: R, double: [f64; 3]) -> S::Sum {
+pub(super) fn by_rule<R: Real, S: Rule<R>>(sum: &S, reach: R, double: [f64; 3]) -> S::Sum {
     let [ten, eight, six] = if R::IS_SINGLE { SINGLE } else { double };
     let is_below = |limit: f64| reach * R::from_f64(limit) > R::ONE;
     let rule: &[[f64; 2]] = if !R::IS_SINGLE && is_below(ten) {
@@ -156,11 +156,13 @@ impl<R: Real> Rule<R> for OfUniform<'_, R> {
     }
 }
 
-/// The edges under any pressure: a function of two points and their weights along y.
-struct OfPairs<'a, R: Real, F> {
-    slide: &'a Slide<'a, R>,
-    edges: &'a [Edge<R>],
-    at: F,
+/// Integrals along the edges of three functions, at two points at once.
+pub(super) struct OfPairs<'a, R: Real, F> {
+    pub(super) slide: &'a Slide<'a, R>,
+    pub(super) edges: &'a [Edge<R>],
+    /// What a length along an edge counts; `None` counts its part along y.
+    pub(super) along: Option<R>,
+    pub(super) at: F,
 }
 
 impl<R: Real, F: Fn([Two<R>; 2]) -> [Two<R>; 3]> Rule<R> for OfPairs<'_, R, F> {
@@ -175,9 +177,10 @@ impl<R: Real, F: Fn([Two<R>; 2]) -> [Two<R>; 3]> Rule<R> for OfPairs<'_, R, F> {
             let [x, y] = self.slide.turned(&edge.start());
             let (dx, dy) = (half * tx, half * ty);
             let middle = [Two::of(x + dx), Two::of(y + dy)];
+            let unit = self.along.map_or(dy, |along| along * half);
             for &[node, weight] in rule {
                 let (by_x, by_y) = (R::from_f64(node) * dx, R::from_f64(node) * dy);
-                let weight = Two::of(R::from_f64(weight) * dy);
+                let weight = Two::of(R::from_f64(weight) * unit);
                 let parts = (self.at)([
                     middle[0] + Two([by_x, -by_x]),
                     middle[1] + Two([by_y, -by_y]),
@@ -255,6 +258,7 @@ impl<R: Real> Slide<'_, R> {
         let sums = OfPairs {
             slide: self,
             edges,
+            along: None,
             at,
         };
         let [missing, across, torque] = by_rule(&sums, reach, FOR_WRENCH);
@@ -298,9 +302,16 @@ impl<R: Real> Slide<'_, R> {
         let sums = OfPairs {
             slide: self,
             edges,
+            along: None,
             at,
         };
         let [yy, yn, nn] = by_rule(&sums, half * spin.abs(), FOR_HESSIAN);
+        self.hessian_of([yy, yn, nn])
+    }
+
+    /// All second derivatives from those across the direction and about the normal.
+    pub(super) fn hessian_of(&self, [yy, yn, nn]: [R; 3]) -> Hessian<R> {
+        let spin = self.spin;
         // D″ times the twist (1, 0, spin) is 0.
         let (xx, xy, xn) = (spin * spin * nn, -(spin * yn), -(spin * nn));
         let (c, s) = (self.direction.x, self.direction.y);

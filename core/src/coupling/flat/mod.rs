@@ -9,6 +9,7 @@
 //! of the dissipated power, follows from the same integrals. Nothing is sampled on the area, so that
 //! the cost grows with the number of edges alone.
 
+mod bar;
 mod far;
 mod motion;
 mod near;
@@ -143,6 +144,22 @@ impl<R: Real> Reduced<R> {
 }
 
 impl<R: Real> Hessian<R> {
+    /// That of a spin of 1 about `centre`, given the part in the velocities.
+    #[inline(always)]
+    fn about(centre: &Vector2<R>, [xx, xy, yy]: [R; 3]) -> Self {
+        // D″ times the twist is 0, and velocity/spin is −z × centre.
+        let (x, y) = (centre.x, centre.y);
+        let (xn, yn) = (xy * x - xx * y, yy * x - xy * y);
+        Self {
+            xx,
+            xy,
+            yy,
+            xn,
+            yn,
+            nn: yn * x - xn * y,
+        }
+    }
+
     #[inline(always)]
     fn scaled(&self, factor: R) -> Self {
         Self {

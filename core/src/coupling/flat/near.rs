@@ -23,24 +23,24 @@ use crate::special::log_quotient;
 use nalgebra::Vector2;
 
 /// One edge seen from the centre of rotation.
-struct Seen<R> {
+pub(super) struct Seen<R> {
     /// Distance of the edge's line, positive where the patch lies on this side of it.
-    h: R,
-    t0: R,
-    t1: R,
-    r0: R,
-    r1: R,
+    pub(super) h: R,
+    pub(super) t0: R,
+    pub(super) t1: R,
+    pub(super) r0: R,
+    pub(super) r1: R,
     /// r₁ − r₀
-    rise: R,
+    pub(super) rise: R,
     /// L, or a large number where it is infinite.
-    log: R,
+    pub(super) log: R,
     /// I
-    integral: R,
+    pub(super) integral: R,
 }
 
 impl<R: Real> Seen<R> {
     #[inline(always)]
-    fn new(edge: &Edge<R>, centre: &Vector2<R>) -> Self {
+    pub(super) fn new(edge: &Edge<R>, centre: &Vector2<R>) -> Self {
         let (tangent, normal, length) = (edge.tangent(), edge.normal(), edge.length());
         let h = edge.offset() - (centre.x * normal.x + centre.y * normal.y);
         let t0 = edge.along() - (centre.x * tangent.x + centre.y * tangent.y);
@@ -95,12 +95,12 @@ pub(super) fn friction<R: Real, K: FlatPressure<R>>(
     sums.friction(pressure, centre, sense)
 }
 
-/// The same, and second derivatives of the dissipated power for the spin `spin` about `centre`.
+/// The same, and second derivatives of the dissipated power at a rim speed of 1.
 pub(super) fn friction_and_hessian<R: Real, K: FlatPressure<R>>(
     edges: &[Edge<R>],
     pressure: &K,
     centre: &Vector2<R>,
-    spin: R,
+    sense: R,
 ) -> (Reduced<R>, Hessian<R>) {
     let mut sums = Sums::new();
     let mut across = Across::new();
@@ -109,8 +109,8 @@ pub(super) fn friction_and_hessian<R: Real, K: FlatPressure<R>>(
         sums.add(edge, pressure, &seen);
         across.add(edge, pressure, &seen);
     }
-    let reduced = sums.friction(pressure, centre, R::ONE.copysign(spin));
-    (reduced, across.hessian(pressure, centre, spin))
+    let reduced = sums.friction(pressure, centre, sense);
+    (reduced, across.hessian(pressure, centre))
 }
 
 /// Integrals over the patch: of r and ρ/r, and of ρ r and ρρ/r for a linear pressure.
@@ -262,29 +262,11 @@ impl<R: Real> Across<R> {
     }
 
     /// D″ of the power: only the part of a change of velocity across ρ counts.
-    fn hessian<K: FlatPressure<R>>(
-        &self,
-        pressure: &K,
-        centre: &Vector2<R>,
-        spin: R,
-    ) -> Hessian<R> {
+    fn hessian<K: FlatPressure<R>>(&self, pressure: &K, centre: &Vector2<R>) -> Hessian<R> {
         let [xx, xy, yy] = self.uniform;
         let here = at(pressure, centre);
         let [lxx, lxy, lyy] = self.linear;
-        let rate = R::ONE / spin.abs();
-        let xx_yy = [here * yy + lxx, here * xx + lyy].map(|part| rate * part);
-        let [kxx, kyy] = xx_yy;
-        let kxy = rate * (lxy - here * xy);
-        // D″ times the twist is 0, and velocity/spin is −z × centre.
-        let (x, y) = (centre.x, centre.y);
-        let (kxn, kyn) = (kxy * x - kxx * y, kyy * x - kxy * y);
-        Hessian {
-            xx: kxx,
-            xy: kxy,
-            yy: kyy,
-            xn: kxn,
-            yn: kyn,
-            nn: kyn * x - kxn * y,
-        }
+        let kxy = lxy - here * xy;
+        Hessian::about(centre, [here * yy + lxx, kxy, here * xx + lyy])
     }
 }
