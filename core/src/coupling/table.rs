@@ -175,51 +175,11 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table
 }
 
 /// Table of α = 0 in f32.
-type CoulombTable32 = Table<f32, CELLS_F32, TERMS_COULOMB_F32>;
+pub(crate) type CoulombTable32 = Table<f32, CELLS_F32, TERMS_COULOMB_F32>;
 
-/// A scalar with a Coulomb table in read-only memory.
-///
-/// ```
-/// use tribos_core::coupling::{Coupling, table::{Coulomb, CoulombTable}};
-/// // For code that is generic in the scalar: the arm of a disk's torque, 2/3 of its radius.
-/// fn arm<R: CoulombTable>() -> R {
-///     Coulomb.reduced_wrench(R::ZERO, R::ONE).torque
-/// }
-/// assert!((arm::<f64>() - 2.0 / 3.0).abs() < 1e-15);
-/// assert!((arm::<f32>() - 2.0 / 3.0).abs() < 1e-6);
-/// ```
-pub trait CoulombTable: Real + sealed::Sealed {
-    /// The table's type.
-    #[doc(hidden)]
-    type Table: SmoothProfile<Self> + 'static;
-    /// The table of α = 0.
-    #[doc(hidden)]
-    fn coulomb_table() -> &'static Self::Table;
-}
-
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
-}
-
-impl CoulombTable for f64 {
-    type Table = Table64;
-    #[inline]
-    fn coulomb_table() -> &'static Table64 {
-        static TABLE: Table64 = Table64::build(0.0);
-        &TABLE
-    }
-}
-
-impl CoulombTable for f32 {
-    type Table = CoulombTable32;
-    #[inline]
-    fn coulomb_table() -> &'static Self::Table {
-        static TABLE: CoulombTable32 = CoulombTable32::build(0.0);
-        &TABLE
-    }
-}
+/// The tables of α = 0, in read-only memory.
+pub(crate) static COULOMB_F64: Table64 = Table64::build(0.0);
+pub(crate) static COULOMB_F32: CoulombTable32 = CoulombTable32::build(0.0);
 
 /// Coulomb friction, α = 0, from a table built by the compiler: no constructor, no RAM, no power.
 ///
@@ -230,11 +190,24 @@ impl CoulombTable for f32 {
 /// let w = Coulomb.reduced_wrench(1.0_f64, 1.0);
 /// assert!((w.force - 8.0 / (3.0 * core::f64::consts::PI)).abs() < 1e-15);
 /// ```
+///
+/// In code that is generic in the scalar:
+///
+/// ```
+/// use tribos_core::Real;
+/// use tribos_core::coupling::{Coupling, table::Coulomb};
+/// /// The arm of a disk's torque, 2/3 of its radius.
+/// fn arm<R: Real>() -> R {
+///     Coulomb.reduced_wrench(R::ZERO, R::ONE).torque
+/// }
+/// assert!((arm::<f64>() - 2.0 / 3.0).abs() < 1e-15);
+/// assert!((arm::<f32>() - 2.0 / 3.0).abs() < 1e-6);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coulomb;
 
-impl<R: CoulombTable> Profile<R> for Coulomb {
+impl<R: Real> Profile<R> for Coulomb {
     #[inline]
     fn exponent(&self) -> R {
         R::ZERO
@@ -255,15 +228,15 @@ impl<R: CoulombTable> Profile<R> for Coulomb {
     }
 }
 
-impl<R: CoulombTable> SmoothProfile<R> for Coulomb {
+impl<R: Real> SmoothProfile<R> for Coulomb {
     #[inline]
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         R::coulomb_table().factors_and_slope(at)
     }
 }
 
-impl<R: CoulombTable> DryCoupling<R> for Coulomb {}
+impl<R: Real> DryCoupling<R> for Coulomb {}
 
 family::coupled!([R: Real, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>, |_table| R::ZERO);
 
-family::coupled!([R: CoulombTable] Coulomb, |_table| R::ZERO);
+family::coupled!([R: Real] Coulomb, |_table| R::ZERO);

@@ -53,7 +53,7 @@ pub use drag::{DragRegime, InertialDrag, Stokes, crossover_reynolds, reynolds};
 pub use dry::DryFriction;
 pub use error::LawError;
 pub(crate) use error::{fraction as validated_fraction, not_negative as validated_not_negative};
-pub(crate) use error::{validated_coefficient, validated_exponent};
+pub(crate) use error::{positive as validated_positive, validated_coefficient, validated_exponent};
 pub use grip::Grip;
 pub use incline::{Incline, critical_angle};
 pub use lugre::{Bristle, LuGre, LuGreParameters, SteadyLuGre};

@@ -51,7 +51,7 @@ const DRY: &[&str] = &[
 
 /// All of them.
 pub const INSTANCES: &[Instance] = &[
-    instance("R", &["Real", "CoulombTable"]),
+    instance("R", &["Real"]),
     // Local laws.
     instance("law::CoulombLaw<R>", LAW),
     instance("law::DryFriction<R>", LAW),
