@@ -58,6 +58,7 @@ pub const INSTANCES: &[Instance] = &[
     instance("law::PowerLaw<R>", LAW),
     instance("law::PlateauPower<R>", LAW),
     instance("law::Stribeck<R>", LAW),
+    instance("law::Savkoor<R>", LAW),
     instance("law::SteadyLuGre<R>", LAW),
     instance("law::SteadyRateState<R>", LAW),
     // What laws are made of.
