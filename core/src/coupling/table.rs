@@ -18,32 +18,37 @@ pub(super) const TERMS_F32: usize = 6;
 /// One degree less is enough for α = 0 in f32, whose singularity is weaker than that of α < 0.
 const TERMS_COULOMB_F32: usize = 5;
 
-/// [`Table::MAX_EXPONENT`] of every table.
+/// [`Table64::MAX_EXPONENT`], and that of every other table.
 pub(super) const MAX_EXPONENT: f64 = 10.0;
 
-/// Friction v^α on a uniform disk, from a table: [`Table64`] or [`Table32`].
-///
-/// The table holds Φ and Θ; Χ = (1−a²)Φ/n + a²Θ with a = v/m, whichever speed leads.
-///
-/// ```
-/// use tribos_core::coupling::{Coupling, table::{Table32, Table64}};
-/// use tribos_core::law::LawError;
-/// // Torque of spinning in place under friction v^α: the mean of r^(1+α).
-/// assert!((Table64::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-14);
-/// assert!((Table32::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-6);
-/// let max = Table64::MAX_EXPONENT;
-/// assert_eq!(Table64::new(10.5).err(), Some(LawError::Exponent { given: 10.5, max }));
-/// # Ok::<(), LawError>(())
-/// ```
+/// Both tables: Φ and Θ; Χ = (1−a²)Φ/n + a²Θ with a = v/m, whichever speed leads.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Table<R, const CELLS: usize, const TERMS: usize> {
     alpha: R,
     side: Side<R, CELLS, TERMS>,
 }
 
-/// Table of one exponent in f64 (23 KiB).
+/// Friction v^α on a uniform disk, from a table of one exponent in f64 (23 KiB).
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, table::Table64};
+/// use tribos_core::law::LawError;
+/// // Torque of spinning in place under friction v^α: the mean of r^(1+α).
+/// assert!((Table64::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-14);
+/// let max = Table64::MAX_EXPONENT;
+/// assert_eq!(Table64::new(10.5).err(), Some(LawError::Exponent { given: 10.5, max }));
+/// # Ok::<(), LawError>(())
+/// ```
 pub type Table64 = Table<f64, CELLS_F64, TERMS_F64>;
-/// Table of one exponent in f32 (3 KiB).
+/// Friction v^α on a uniform disk, from a table of one exponent in f32 (3 KiB).
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, table::Table32};
+/// // Torque of spinning in place under friction v^α: the mean of r^(1+α).
+/// assert!((Table32::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-6);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 pub type Table32 = Table<f32, CELLS_F32, TERMS_F32>;
 
 impl<R, const CELLS: usize, const TERMS: usize> Table<R, CELLS, TERMS> {
@@ -54,7 +59,7 @@ impl<R, const CELLS: usize, const TERMS: usize> Table<R, CELLS, TERMS> {
 impl Table64 {
     /// Builds the table of exponent α; `const`, so that a `static` table can live in flash.
     ///
-    /// *Domain*: −1 < α ≤ [`Table::MAX_EXPONENT`]. *Accuracy* of force and torque: 1.5e-15 relative for
+    /// *Domain*: −1 < α ≤ 10. *Accuracy* of force and torque: 1.5e-15 relative for
     /// α ≥ −0.75 (5 ulp at α = 0), 1.2e-14 below; Jacobian 2e-13 of F/v. *Cost*: about 300,000
     /// floating-point operations.
     ///
@@ -86,7 +91,7 @@ impl Table64 {
 impl Table32 {
     /// Builds the table of exponent α in f64 arithmetic and rounds it; `const`.
     ///
-    /// *Domain*: −1 < α ≤ [`Table::MAX_EXPONENT`]. *Accuracy* of force and torque: 5 ulp for
+    /// *Domain*: −1 < α ≤ 10. *Accuracy* of force and torque: 5 ulp for
     /// −0.75 ≤ α ≤ 5, 8 ulp up to 10; Jacobian 6e-6 of F/v. *Cost*: about 150,000 operations in
     /// f64.
     ///
