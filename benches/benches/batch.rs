@@ -6,11 +6,11 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use std::hint::black_box;
 use tribos_benches::contact::Contact;
 use tribos_benches::mix;
-use tribos_core::coupling::table::CoulombTable;
+use tribos_core::Real;
 
 const SEED: u64 = 1;
 
-fn time<R: CoulombTable>(criterion: &mut Criterion, precision: &str) {
+fn time<R: Real>(criterion: &mut Criterion, precision: &str) {
     let pairs = mix::long_pairs(SEED);
     let mut contact = Contact::<R>::new(&pairs, SEED).expect("the contact of the benches is valid");
     contact.assert_right();

@@ -5,8 +5,8 @@ use crate::baselines::{agm, bulirsch, cephes, decoupled, ellipsoid, micromath_ag
 use crate::methods::{Kind, Method, as_pair};
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::table::{self, Table32, Table64};
+use tribos_core::coupling::unscaled_wrench;
 use tribos_core::coupling::{Coupling, compact};
-use tribos_core::internals::unscaled_wrench;
 use tribos_core::law::{CoulombLaw, LawError};
 
 /// Exponents for which the tables are timed.

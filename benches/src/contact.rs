@@ -4,7 +4,7 @@ use crate::mix::Lcg;
 use core::f64::consts::TAU;
 use std::hint::black_box;
 use tribos_core::coupling::PatchFriction;
-use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::coupling::table::Coulomb;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -24,7 +24,7 @@ pub struct Contact<R: Real> {
     wrenches: Vec<Wrench<R>>,
 }
 
-impl<R: CoulombTable> Contact<R> {
+impl<R: Real> Contact<R> {
     /// Twists with the speeds of `pairs`.
     pub fn new(pairs: &[[f64; 2]], seed: u64) -> Result<Self, Refused> {
         let radius = R::from_f64(RADIUS);

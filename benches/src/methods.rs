@@ -5,8 +5,8 @@ use crate::mix;
 use crate::reference::{self, Wide};
 use core::fmt;
 use std::hint::black_box;
+use tribos_core::coupling::unscaled_wrench;
 use tribos_core::coupling::{Coupling, ReducedWrench, compact};
-use tribos_core::internals::unscaled_wrench;
 use tribos_core::real::Real;
 
 /// Kind of a method.

@@ -121,8 +121,6 @@ pub mod internals {
     pub use crate::coupling::internals::*;
     pub use crate::coupling::tall::{LeaningWrench, leaning_wrench};
     pub use crate::limit_surface::COLLAR_ULPS;
-    pub use crate::patch::nodes::{NodeBuffer, NodeSink};
-    pub use crate::patch::polygon::polygon_into;
     pub use crate::patch::tripod::tripod_shares;
     pub use crate::slider::runge_kutta;
     pub use crate::special::{CompleteElliptic, Gauss, Jet};

@@ -8,6 +8,7 @@
 //! −1 ≤ q ≤ 6 and −0.9 ≤ α ≤ 9), hence ε₀ is unique, stable for α < 1 and unstable for α > 1.
 
 use crate::coupling::{Lead, Profile, Speeds};
+use crate::law::{LawError, validated_positive};
 use crate::real::Real;
 
 /// How ε moves near a fixed point.
@@ -44,7 +45,7 @@ pub enum Stability {
 /// // Between two ends that it leaves there is one ratio to which the motion tends.
 /// assert_eq!([spinning, sliding], [Stability::Unstable; 2]);
 /// assert!(finite.is_some_and(|(_, stability)| stability == Stability::Stable));
-/// # Ok::<(), tribos_core::modes::InertiaError>(())
+/// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -67,7 +68,7 @@ pub struct FixedPoints<R> {
 /// assert_eq!(last(0.8)?, FinalMode::Spinning);
 /// assert_eq!(last(0.2)?, FinalMode::Sliding);
 /// assert!(matches!(last(0.5)?, FinalMode::Together { ratio } if ratio > 0.6 && ratio < 0.7));
-/// # Ok::<(), tribos_core::modes::InertiaError>(())
+/// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -83,34 +84,9 @@ pub enum FinalMode<R> {
     },
 }
 
-/// The ratio of inertia C = I/(M R²) is not positive and finite.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct InertiaError {
-    /// What was given.
-    pub given: f64,
-}
-
-impl core::fmt::Display for InertiaError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(
-            f,
-            "the inertia ratio C = I/(M R^2) must be positive and finite, not {}",
-            self.given
-        )
-    }
-}
-
-impl core::error::Error for InertiaError {}
-
 /// `ratio` if positive and finite.
-pub(crate) fn validated_inertia_ratio<R: Real>(ratio: R) -> Result<R, InertiaError> {
-    if ratio > R::ZERO && ratio.is_finite() {
-        Ok(ratio)
-    } else {
-        let given = ratio.to_f64();
-        Err(InertiaError { given })
-    }
+pub(crate) fn validated_inertia_ratio<R: Real>(ratio: R) -> Result<R, LawError> {
+    validated_positive("inertia ratio C = I/(M R^2)", ratio)
 }
 
 /// Limits of C between which a finite fixed point exists, (c_min, c_max), for the pressure
@@ -148,7 +124,7 @@ fn in_order<R: Real>([spinning, sliding]: [R; 2]) -> (R, R) {
 /// assert!((disk.inertia_ratio_of(ratio) - 0.5).abs() < 1e-13);
 /// assert!(disk.growth(ratio).abs() < 1e-13);
 /// assert!(disk.growth(0.5) > 0.0 && disk.growth(1.0) < 0.0);
-/// # Ok::<(), tribos_core::modes::InertiaError>(())
+/// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -159,7 +135,7 @@ pub struct Modes<R, P> {
 
 impl<R: Real, P: Profile<R>> Modes<R, P> {
     /// *Domain*: 0 < `inertia_ratio` < ∞; 1/2 for a disk on its own face.
-    pub fn new(profile: P, inertia_ratio: R) -> Result<Self, InertiaError> {
+    pub fn new(profile: P, inertia_ratio: R) -> Result<Self, LawError> {
         Ok(Self {
             profile,
             inertia_ratio: validated_inertia_ratio(inertia_ratio)?,

@@ -1,5 +1,7 @@
 //! The scalar of the kernel, with all elementary functions that the kernel uses.
 
+use crate::coupling::SmoothProfile;
+use crate::coupling::table::{COULOMB_F32, COULOMB_F64, CoulombTable32, Table64};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -132,6 +134,10 @@ pub trait Real:
     + Sync
     + sealed::Sealed
 {
+    /// Coulomb's table in this precision.
+    #[doc(hidden)]
+    type CoulombTable: SmoothProfile<Self> + 'static;
+
     /// 0
     const ZERO: Self;
     /// 1/2
@@ -191,6 +197,10 @@ pub trait Real:
     /// [2ᵏ, 1.5·2ᵏ) and [1.5·2ᵏ, 2ᵏ⁺¹) has its own count. No logarithm is taken.
     fn half_octave(self) -> usize;
 
+    /// The table of Coulomb friction on the uniform disk.
+    #[doc(hidden)]
+    fn coulomb_table() -> &'static Self::CoulombTable;
+
     /// Length of the vector (`self`, `other`) without overflow or underflow on the way.
     ///
     /// *Accuracy*: 2 ulp. *Special values*: NaN if either is NaN; infinite if either is infinite
@@ -209,8 +219,10 @@ pub trait Real:
 }
 
 macro_rules! impl_real {
-    ($real:ty, $mantissa:expr, $($name:ident($($argument:ident),*) = $function:path;)*) => {
+    ($real:ty, $mantissa:expr, $table:ident: $of:ty, $($name:ident($($argument:ident),*) = $function:path;)*) => {
         impl Real for $real {
+            type CoulombTable = $of;
+
             const ZERO: Self = 0.0;
             const HALF: Self = 0.5;
             const ONE: Self = 1.0;
@@ -246,6 +258,10 @@ macro_rules! impl_real {
                 <$real>::is_finite(self)
             }
             #[inline]
+            fn coulomb_table() -> &'static $of {
+                &$table
+            }
+            #[inline]
             fn half_octave(self) -> usize {
                 (self.to_bits() >> ($mantissa - 1)) as usize
             }
@@ -258,7 +274,7 @@ const MANTISSA_F32: u32 = f32::MANTISSA_DIGITS - 1;
 const MANTISSA_F64: u32 = f64::MANTISSA_DIGITS - 1;
 
 impl_real! {
-    f32, MANTISSA_F32,
+    f32, MANTISSA_F32, COULOMB_F32: CoulombTable32,
     abs() = libm::fabsf;
     copysign(sign) = libm::copysignf;
     sqrt() = tribos_sqrt::sqrtf;
@@ -274,7 +290,7 @@ impl_real! {
     asinh() = libm::asinhf;
 }
 impl_real! {
-    f64, MANTISSA_F64,
+    f64, MANTISSA_F64, COULOMB_F64: Table64,
     abs() = libm::fabs;
     copysign(sign) = libm::copysign;
     sqrt() = libm::sqrt;

@@ -2,7 +2,7 @@
 
 use tribos_core::law::{
     Dieterich, DryFriction, LuGre, LuGreParameters, PlateauPower, PlateauPowerParameters,
-    RateState, RateStateParameters, Stribeck, StribeckParameters,
+    RateState, RateStateParameters, Savkoor, SavkoorParameters, Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
 
@@ -40,6 +40,18 @@ pub fn plateau<R: Real>(alpha: f64, rest: f64) -> PlateauPower<R> {
         plateau_speed: plateau,
         drop_speed: drop,
         rest_share: rest,
+    })
+    .expect("a law in its domain")
+}
+
+/// A tread with its largest friction at 0.5 m/s.
+pub fn savkoor<R: Real>(narrowness: f64) -> Savkoor<R> {
+    let [base, max, speed, narrowness] = [0.6, 1.2, 0.5, narrowness].map(R::from_f64);
+    Savkoor::new(SavkoorParameters {
+        mu_base: base,
+        mu_max: max,
+        speed,
+        narrowness,
     })
     .expect("a law in its domain")
 }

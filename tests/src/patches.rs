@@ -9,14 +9,15 @@ use tribos_core::coupling::Lateral;
 use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
 use tribos_core::coupling::compact;
 use tribos_core::coupling::round::{RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{self, CoulombTable, Table32, Table64};
+use tribos_core::coupling::table::{self, Table32, Table64};
 use tribos_core::patch::PowerPressure;
+use tribos_core::real::Real;
 
 /// A tier's name and the tier, with force, torque and lateral function.
 pub type PatchTier<R> = (&'static str, Box<dyn Lateral<R>>);
 
 /// A scalar whose tables of pressures can be built at run time.
-pub trait RoundTabulated: CoulombTable {
+pub trait RoundTabulated: Real {
     /// The table of one pressure.
     fn round_table(alpha: f64, pressure: PowerPressure) -> Option<Box<dyn Lateral<Self>>>;
     /// The uniform disk's own table.

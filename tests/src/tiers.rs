@@ -1,15 +1,16 @@
 //! Every accuracy tier of one exponent, by name.
 
 use tribos_core::coupling::quadrature::DiskQuadrature;
-use tribos_core::coupling::table::{self, CoulombTable, Table32, Table64};
+use tribos_core::coupling::table::{self, Table32, Table64};
 use tribos_core::coupling::{Coupling, compact};
 use tribos_core::law::PowerLaw;
+use tribos_core::real::Real;
 
 /// A tier's name and the tier.
 pub type Tier<R> = (&'static str, Box<dyn Coupling<R>>);
 
 /// A scalar whose tables can be built at run time.
-pub trait Tabulated: CoulombTable {
+pub trait Tabulated: Real {
     /// The table of exponent `alpha`, if it reaches that far.
     fn table(alpha: f64) -> Option<Box<dyn Coupling<Self>>>;
 }

@@ -117,7 +117,7 @@ pub fn table_bytes<R: Precision, P>() -> usize {
     if own > size_of::<R>() {
         own
     } else {
-        size_of::<R::Table>()
+        size_of::<R::CoulombTable>()
     }
 }
 

@@ -4,7 +4,7 @@ use super::round::{TABLE_STRIDE, timed};
 use super::tables::{self, Source};
 use super::{Case, Entry, Label, Refused};
 use crate::reference::Wide;
-use tribos_core::coupling::table::{self, CoulombTable};
+use tribos_core::coupling::table;
 use tribos_core::coupling::{Coupling, DryCoupling, closed, compact};
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
 use tribos_core::real::Real;
@@ -105,8 +105,8 @@ const TABLE: [&str; 3] = ["table gauge", "table motion", "table projection"];
 const CLOSED: [&str; 3] = ["closed gauge", "closed motion", "closed projection"];
 
 /// The disk by its table and in closed form, the ring and Hertz' pressure in closed form.
-pub fn rows<R: CoulombTable>() -> Result<Vec<Entry>, Refused> {
-    let (disk, bytes) = (["disk surface", "uniform"], size_of::<R::Table>());
+pub fn rows<R: Real>() -> Result<Vec<Entry>, Refused> {
+    let (disk, bytes) = (["disk surface", "uniform"], size_of::<R::CoulombTable>());
     let mut rows = Vec::new();
     rows.extend(rows_of::<R, _>(disk, TABLE, bytes, table::Coulomb)?);
     rows.extend(rows_of::<R, _>(disk, CLOSED, 0, compact::CompactCoulomb)?);

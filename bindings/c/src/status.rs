@@ -1,17 +1,11 @@
 //! What a function answers besides its result.
 
 use core::ffi::{CStr, c_char};
-use tribos_core::contact::{TimeStepError, TouchError};
-use tribos_core::coupling::FrictionError;
+use tribos_core::Error;
+use tribos_core::contact::TouchError;
 use tribos_core::law::LawError;
-use tribos_core::limit_surface::SurfaceError;
-use tribos_core::modes::InertiaError;
+use tribos_core::manifold::ManifoldError;
 use tribos_core::patch::PatchError;
-use tribos_core::patch::nodes::NodeError;
-use tribos_core::patch::polar::PolarError;
-use tribos_core::patch::polygon::PolygonError;
-use tribos_core::patch::tripod::TripodError;
-use tribos_core::slider::SliderError;
 
 /// 0 if all went well; else the result was left as it was, and this tells why.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -184,8 +178,18 @@ impl From<LawError> for tribos_status {
         match error {
             LawError::Coefficient { .. } => Self::Coefficient,
             LawError::Exponent { .. } | LawError::NotDry { .. } => Self::Exponent,
-            LawError::NotPositive { .. } => Self::NotPositive,
-            LawError::Negative { .. } => Self::Negative,
+            LawError::NotPositive { parameter, .. } => match parameter {
+                // What has a status of its own.
+                "reduced torque of pure spinning" => Self::SpinTorque,
+                "deceleration (coefficient x gravity)" => Self::Deceleration,
+                "inertia ratio C = I/(M R^2)" => Self::Inertia,
+                "time step" => Self::TimeStep,
+                _ => Self::NotPositive,
+            },
+            LawError::Negative { parameter, .. } => match parameter {
+                "force limit" => Self::ForceLimit,
+                _ => Self::Negative,
+            },
             LawError::NotAFraction { .. } => Self::NotAFraction,
             LawError::Order { .. } => Self::Order,
         }
@@ -201,85 +205,17 @@ impl From<PatchError> for tribos_status {
             PatchError::Height { .. } | PatchError::Lean { .. } | PatchError::Negative => {
                 Self::Negative
             }
-            PatchError::NoLoad => Self::Unloaded,
-        }
-    }
-}
-
-impl From<FrictionError> for tribos_status {
-    fn from(error: FrictionError) -> Self {
-        match error {
-            FrictionError::Law(error) => error.into(),
-            FrictionError::Patch(error) => error.into(),
-        }
-    }
-}
-
-impl From<NodeError> for tribos_status {
-    fn from(error: NodeError) -> Self {
-        match error {
-            NodeError::Position { .. } => Self::NodePosition,
-            NodeError::Weight { .. } => Self::NodeWeight,
-            NodeError::Unloaded => Self::Unloaded,
-            NodeError::Full { .. } => Self::Full,
-        }
-    }
-}
-
-impl From<TripodError> for tribos_status {
-    fn from(error: TripodError) -> Self {
-        match error {
-            TripodError::Line => Self::FeetInLine,
-            TripodError::Tips { .. } => Self::Tips,
-            TripodError::Nodes(error) => error.into(),
-        }
-    }
-}
-
-impl From<PolygonError> for tribos_status {
-    fn from(error: PolygonError) -> Self {
-        match error {
-            PolygonError::Corners { .. } => Self::Corners,
-            PolygonError::Hidden => Self::Hidden,
-            PolygonError::Divisions { .. } => Self::Divisions,
-            PolygonError::Nodes(error) => error.into(),
-        }
-    }
-}
-
-impl From<PolarError> for tribos_status {
-    fn from(error: PolarError) -> Self {
-        match error {
-            PolarError::Radius(error) => error.into(),
-            PolarError::Order { .. } => Self::Rings,
-            PolarError::RimExponent { .. } => Self::RimExponent,
-            PolarError::Nodes(error) => error.into(),
-        }
-    }
-}
-
-impl From<SurfaceError> for tribos_status {
-    fn from(error: SurfaceError) -> Self {
-        match error {
-            SurfaceError::ForceLimit { .. } => Self::ForceLimit,
-            SurfaceError::Radius(error) => error.into(),
-            SurfaceError::SpinTorque { .. } => Self::SpinTorque,
-        }
-    }
-}
-
-impl From<InertiaError> for tribos_status {
-    fn from(_: InertiaError) -> Self {
-        Self::Inertia
-    }
-}
-
-impl From<SliderError> for tribos_status {
-    fn from(error: SliderError) -> Self {
-        match error {
-            SliderError::Deceleration { .. } => Self::Deceleration,
-            SliderError::Radius(error) => error.into(),
-            SliderError::Inertia(error) => error.into(),
+            PatchError::NodePosition { .. } => Self::NodePosition,
+            PatchError::NodeWeight { .. } => Self::NodeWeight,
+            PatchError::NoLoad | PatchError::Unloaded => Self::Unloaded,
+            PatchError::Full { .. } => Self::Full,
+            PatchError::FeetInLine => Self::FeetInLine,
+            PatchError::FootPulls { .. } | PatchError::Tips { .. } => Self::Tips,
+            PatchError::Corners { .. } => Self::Corners,
+            PatchError::Hidden => Self::Hidden,
+            PatchError::Divisions { .. } => Self::Divisions,
+            PatchError::RuleOrder { .. } => Self::Rings,
+            PatchError::RimExponent { .. } => Self::RimExponent,
         }
     }
 }
@@ -293,8 +229,14 @@ impl From<TouchError> for tribos_status {
     }
 }
 
-impl From<TimeStepError> for tribos_status {
-    fn from(_: TimeStepError) -> Self {
-        Self::TimeStep
+impl From<Error> for tribos_status {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::Law(error) => error.into(),
+            Error::Patch(error) => error.into(),
+            Error::Touch(error) => error.into(),
+            Error::Manifold(ManifoldError::Full { .. }) => Self::Full,
+            Error::Manifold(_) => Self::Choice,
+        }
     }
 }

@@ -53,7 +53,7 @@ pub use modes::{
     AllModes, ContactModes, Frictionless, Modal, Sliding, SlidingRolling, SlidingTorsion,
 };
 pub use normal::{Attraction, Cohesion, NormalLaw};
-pub use time_step::{TimeStep, TimeStepError};
+pub use time_step::TimeStep;
 pub use touch::{Touch, TouchError};
 pub use update::Contact;
 

@@ -2,8 +2,9 @@
 
 use super::wide::is_ordinary;
 use super::{Coupling, ReducedWrench};
-use crate::law::{LawError, validated_coefficient};
-use crate::patch::{PatchError, validated_radius};
+use crate::error::Error;
+use crate::law::validated_coefficient;
+use crate::patch::validated_radius;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
 use nalgebra::Matrix3;
@@ -35,47 +36,6 @@ pub struct PatchFriction<R, C> {
     radius: R,
 }
 
-/// An invalid coefficient or patch.
-///
-/// ```
-/// use tribos_core::coupling::{FrictionError, PatchFriction, table::Coulomb};
-/// use tribos_core::patch::PatchError;
-/// let point = PatchFriction::new(Coulomb, 0.3_f64, 0.0); // no radius
-/// assert_eq!(point, Err(FrictionError::Patch(PatchError::Radius { given: 0.0 })));
-/// assert!(matches!(PatchFriction::new(Coulomb, -0.3_f64, 0.04), Err(FrictionError::Law(_))));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum FrictionError {
-    /// The coefficient is invalid.
-    Law(LawError),
-    /// The patch is invalid.
-    Patch(PatchError),
-}
-
-impl core::fmt::Display for FrictionError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Law(error) => error.fmt(f),
-            Self::Patch(error) => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for FrictionError {}
-
-impl From<LawError> for FrictionError {
-    fn from(error: LawError) -> Self {
-        Self::Law(error)
-    }
-}
-
-impl From<PatchError> for FrictionError {
-    fn from(error: PatchError) -> Self {
-        Self::Patch(error)
-    }
-}
-
 /// Force and torque that oppose the motion, as magnitudes.
 ///
 /// ```
@@ -85,7 +45,7 @@ impl From<PatchError> for FrictionError {
 /// let Magnitudes { force, torque } = puck.magnitudes(1.7, 0.0, 20.0); // N, N m
 /// let most = puck.coefficient() * 1.7 * puck.radius();
 /// assert!(force == 0.0 && (torque - most * 2.0 / 3.0).abs() < 1e-16);
-/// # Ok::<(), tribos_core::coupling::FrictionError>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -120,7 +80,7 @@ fn along<R: Real>(force: R, speed: R, twist: &Twist<R>) -> [R; 2] {
 impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     /// *Domain*: 0 ≤ `coefficient` < ∞, 0 < `radius` < ∞. The coefficient multiplies the
     /// coupling's own (1 for the power-law tiers).
-    pub fn new(coupling: C, coefficient: R, radius: R) -> Result<Self, FrictionError> {
+    pub fn new(coupling: C, coefficient: R, radius: R) -> Result<Self, Error> {
         Ok(Self {
             coupling,
             coefficient: validated_coefficient(coefficient)?,
@@ -190,7 +150,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     /// assert_eq!(jacobian, jacobian.transpose());
     /// // Dry friction stays when the whole motion becomes faster.
     /// assert!((jacobian * Vector3::new(1.0, -0.5, 20.0)).amax() < 1e-12);
-    /// # Ok::<(), tribos_core::coupling::FrictionError>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn wrench_jacobian(&self, load: R, twist: &Twist<R>) -> WrenchJacobian<R> {
         let speed = twist.speed();
@@ -232,7 +192,7 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     /// puck.wrench_batch(1.7, &twists, &mut wrenches);
     /// assert_eq!(wrenches[0].force, -wrenches[1].force); // a motion and its reverse
     /// assert_eq!(wrenches[0].torque, -wrenches[1].torque);
-    /// # Ok::<(), tribos_core::coupling::FrictionError>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     #[inline]
     pub fn wrench_batch(&self, load: R, twists: &[Twist<R>], wrenches: &mut [Wrench<R>]) {

@@ -48,15 +48,15 @@ pub mod tall;
 pub use annulus::Annulus;
 pub use dry::Dry;
 pub(crate) use family::inertia_ends;
-pub use friction::{FrictionError, Magnitudes, MagnitudesJacobian, PatchFriction};
+pub use friction::{Magnitudes, MagnitudesJacobian, PatchFriction};
 pub use lateral::Lateral;
-pub use profile::Profile;
+pub use profile::{Profile, unscaled_wrench};
 
 /// See [`crate::internals`].
 pub(crate) mod internals {
     pub use super::lateral::LateralJacobian;
     pub use super::lean_profile::LeanProfile;
-    pub use super::profile::{SmoothProfile, unscaled_wrench};
+    pub use super::profile::SmoothProfile;
     pub use super::speeds::{Lead, Speeds};
 }
 

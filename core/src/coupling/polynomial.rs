@@ -18,7 +18,7 @@ pub struct PolynomialTable {
 }
 
 impl PolynomialTable {
-    /// *Domain*: −1 < α ≤ [`Table::MAX_EXPONENT`](super::table::Table::MAX_EXPONENT).
+    /// *Domain*: −1 < α ≤ 10.
     ///
     /// ```
     /// use tribos_core::coupling::{Coupling, round::PolynomialTable};
@@ -90,7 +90,7 @@ pub struct LateralPolynomialTable {
 }
 
 impl LateralPolynomialTable {
-    /// *Domain*: −1 < α ≤ [`Table::MAX_EXPONENT`](super::table::Table::MAX_EXPONENT).
+    /// *Domain*: −1 < α ≤ 10.
     pub fn new<const N: usize>(
         alpha: f64,
         pressure: &PolynomialPressure<N>,

@@ -145,6 +145,15 @@ impl<R: Real, P: SmoothProfile<R> + ?Sized> SmoothProfile<R> for &P {
 
 /// The wrench with the power of the velocity scale left out, (F, T)/max(v, w)^α: what a caller
 /// that keeps the scale itself needs. Zero at rest.
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, table::Table64, unscaled_wrench};
+/// let law = Table64::new(0.5)?;
+/// let (whole, bare) = (law.reduced_wrench(0.3, 0.4), unscaled_wrench(&law, 0.3, 0.4));
+/// assert!((whole.force - bare.force * 0.4_f64.sqrt()).abs() < 1e-15);
+/// assert!((whole.torque - bare.torque * 0.4_f64.sqrt()).abs() < 1e-15);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 #[inline]
 pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> ReducedWrench<R> {
     let speeds = Speeds::new(slide, rim);

@@ -14,19 +14,8 @@ use crate::law::{LawError, validated_exponent};
 use crate::patch::PowerPressure;
 use crate::real::Real;
 
-/// Friction v^α under a pressure (1−r²)^q, from a table of Φ and Χ: [`RoundTable64`] or
-/// [`RoundTable32`].
-///
-/// ```
-/// use tribos_core::coupling::{Coupling, round::{RoundTable32, RoundTable64}};
-/// use tribos_core::patch::PowerPressure;
-/// // Torque of spinning in place under dry friction: the mean radius, 8/15 for a paraboloid.
-/// let pad = PowerPressure::PARABOLOID;
-/// let (double, single) = (RoundTable64::new(0.0, pad)?, RoundTable32::new(0.0, pad)?);
-/// assert!((double.reduced_wrench(0.0, 1.0).torque - 8.0 / 15.0).abs() < 1e-14);
-/// assert!((single.reduced_wrench(0.0, 1.0).torque - 8.0 / 15.0).abs() < 1e-6);
-/// # Ok::<(), tribos_core::law::LawError>(())
-/// ```
+/// Both tables, of Φ and Χ.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct RoundTable<R, const CELLS: usize, const TERMS: usize> {
     order: R,
@@ -36,15 +25,33 @@ pub struct RoundTable<R, const CELLS: usize, const TERMS: usize> {
 /// Exponents this close to 1 leave C_α too flat for a plain difference.
 const NEARLY_LINEAR: f64 = 0.125;
 
-/// Table in f64 (46 KiB).
+/// Friction v^α under a pressure (1−r²)^q, from a table in f64 (46 KiB).
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, round::RoundTable64};
+/// use tribos_core::patch::PowerPressure;
+/// // Torque of spinning in place under dry friction: the mean radius, 8/15 for a paraboloid.
+/// let pad = RoundTable64::new(0.0, PowerPressure::PARABOLOID)?;
+/// assert!((pad.reduced_wrench(0.0, 1.0).torque - 8.0 / 15.0).abs() < 1e-14);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 pub type RoundTable64 = RoundTable<f64, CELLS_F64, TERMS_F64>;
-/// Table in f32 (6 KiB).
+/// Friction v^α under a pressure (1−r²)^q, from a table in f32 (6 KiB).
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, round::RoundTable32};
+/// use tribos_core::patch::PowerPressure;
+/// // Torque of spinning in place under dry friction: the mean radius, 8/15 for a paraboloid.
+/// let pad = RoundTable32::new(0.0, PowerPressure::PARABOLOID)?;
+/// assert!((pad.reduced_wrench(0.0, 1.0).torque - 8.0 / 15.0).abs() < 1e-6);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 pub type RoundTable32 = RoundTable<f32, CELLS_F32, TERMS_F32>;
 
 impl RoundTable64 {
     /// Builds the table; `const`, so that a `static` table can live in flash.
     ///
-    /// *Domain*: −1 < α ≤ [`Table::MAX_EXPONENT`](super::table::Table::MAX_EXPONENT). *Accuracy* for orders up to 6: force, torque and lateral
+    /// *Domain*: −1 < α ≤ 10. *Accuracy* for orders up to 6: force, torque and lateral
     /// function 4e-15 relative for −0.5 ≤ α ≤ 3, 3e-14 for −0.9 ≤ α ≤ 10; Jacobian, in units of the
     /// larger of the entry and F/v (next to equal speeds a ring's entries grow without bound), 2e-13
     /// for q ≥ 0, 8e-12 below for α ≥ −0.5, 1.2e-10 for α ≥ −0.99. *Cost*: about 600,000 floating-point
@@ -75,7 +82,7 @@ impl RoundTable64 {
 impl RoundTable32 {
     /// Builds the table in f64 arithmetic and rounds it; `const`.
     ///
-    /// *Domain*: −1 < α ≤ [`Table::MAX_EXPONENT`](super::table::Table::MAX_EXPONENT). *Accuracy* of force and torque for −0.75 ≤ α and orders
+    /// *Domain*: −1 < α ≤ 10. *Accuracy* of force and torque for −0.75 ≤ α and orders
     /// up to 2: 10 ulp for α ≤ 3, 25 ulp for α ≤ 5; 220 ulp for orders up to 6 and α ≤ 10.
     ///
     /// ```

@@ -18,32 +18,37 @@ pub(super) const TERMS_F32: usize = 6;
 /// One degree less is enough for α = 0 in f32, whose singularity is weaker than that of α < 0.
 const TERMS_COULOMB_F32: usize = 5;
 
-/// [`Table::MAX_EXPONENT`] of every table.
+/// [`Table64::MAX_EXPONENT`], and that of every other table.
 pub(super) const MAX_EXPONENT: f64 = 10.0;
 
-/// Friction v^α on a uniform disk, from a table: [`Table64`] or [`Table32`].
-///
-/// The table holds Φ and Θ; Χ = (1−a²)Φ/n + a²Θ with a = v/m, whichever speed leads.
-///
-/// ```
-/// use tribos_core::coupling::{Coupling, table::{Table32, Table64}};
-/// use tribos_core::law::LawError;
-/// // Torque of spinning in place under friction v^α: the mean of r^(1+α).
-/// assert!((Table64::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-14);
-/// assert!((Table32::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-6);
-/// let max = Table64::MAX_EXPONENT;
-/// assert_eq!(Table64::new(10.5).err(), Some(LawError::Exponent { given: 10.5, max }));
-/// # Ok::<(), LawError>(())
-/// ```
+/// Both tables: Φ and Θ; Χ = (1−a²)Φ/n + a²Θ with a = v/m, whichever speed leads.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Table<R, const CELLS: usize, const TERMS: usize> {
     alpha: R,
     side: Side<R, CELLS, TERMS>,
 }
 
-/// Table of one exponent in f64 (23 KiB).
+/// Friction v^α on a uniform disk, from a table of one exponent in f64 (23 KiB).
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, table::Table64};
+/// use tribos_core::law::LawError;
+/// // Torque of spinning in place under friction v^α: the mean of r^(1+α).
+/// assert!((Table64::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-14);
+/// let max = Table64::MAX_EXPONENT;
+/// assert_eq!(Table64::new(10.5).err(), Some(LawError::Exponent { given: 10.5, max }));
+/// # Ok::<(), LawError>(())
+/// ```
 pub type Table64 = Table<f64, CELLS_F64, TERMS_F64>;
-/// Table of one exponent in f32 (3 KiB).
+/// Friction v^α on a uniform disk, from a table of one exponent in f32 (3 KiB).
+///
+/// ```
+/// use tribos_core::coupling::{Coupling, table::Table32};
+/// // Torque of spinning in place under friction v^α: the mean of r^(1+α).
+/// assert!((Table32::new(0.5)?.reduced_wrench(0.0, 1.0).torque - 2.0 / 3.5).abs() < 1e-6);
+/// # Ok::<(), tribos_core::law::LawError>(())
+/// ```
 pub type Table32 = Table<f32, CELLS_F32, TERMS_F32>;
 
 impl<R, const CELLS: usize, const TERMS: usize> Table<R, CELLS, TERMS> {
@@ -54,7 +59,7 @@ impl<R, const CELLS: usize, const TERMS: usize> Table<R, CELLS, TERMS> {
 impl Table64 {
     /// Builds the table of exponent α; `const`, so that a `static` table can live in flash.
     ///
-    /// *Domain*: −1 < α ≤ [`Table::MAX_EXPONENT`]. *Accuracy* of force and torque: 1.5e-15 relative for
+    /// *Domain*: −1 < α ≤ 10. *Accuracy* of force and torque: 1.5e-15 relative for
     /// α ≥ −0.75 (5 ulp at α = 0), 1.2e-14 below; Jacobian 2e-13 of F/v. *Cost*: about 300,000
     /// floating-point operations.
     ///
@@ -86,7 +91,7 @@ impl Table64 {
 impl Table32 {
     /// Builds the table of exponent α in f64 arithmetic and rounds it; `const`.
     ///
-    /// *Domain*: −1 < α ≤ [`Table::MAX_EXPONENT`]. *Accuracy* of force and torque: 5 ulp for
+    /// *Domain*: −1 < α ≤ 10. *Accuracy* of force and torque: 5 ulp for
     /// −0.75 ≤ α ≤ 5, 8 ulp up to 10; Jacobian 6e-6 of F/v. *Cost*: about 150,000 operations in
     /// f64.
     ///
@@ -175,51 +180,11 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table
 }
 
 /// Table of α = 0 in f32.
-type CoulombTable32 = Table<f32, CELLS_F32, TERMS_COULOMB_F32>;
+pub(crate) type CoulombTable32 = Table<f32, CELLS_F32, TERMS_COULOMB_F32>;
 
-/// A scalar with a Coulomb table in read-only memory.
-///
-/// ```
-/// use tribos_core::coupling::{Coupling, table::{Coulomb, CoulombTable}};
-/// // For code that is generic in the scalar: the arm of a disk's torque, 2/3 of its radius.
-/// fn arm<R: CoulombTable>() -> R {
-///     Coulomb.reduced_wrench(R::ZERO, R::ONE).torque
-/// }
-/// assert!((arm::<f64>() - 2.0 / 3.0).abs() < 1e-15);
-/// assert!((arm::<f32>() - 2.0 / 3.0).abs() < 1e-6);
-/// ```
-pub trait CoulombTable: Real + sealed::Sealed {
-    /// The table's type.
-    #[doc(hidden)]
-    type Table: SmoothProfile<Self> + 'static;
-    /// The table of α = 0.
-    #[doc(hidden)]
-    fn coulomb_table() -> &'static Self::Table;
-}
-
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
-}
-
-impl CoulombTable for f64 {
-    type Table = Table64;
-    #[inline]
-    fn coulomb_table() -> &'static Table64 {
-        static TABLE: Table64 = Table64::build(0.0);
-        &TABLE
-    }
-}
-
-impl CoulombTable for f32 {
-    type Table = CoulombTable32;
-    #[inline]
-    fn coulomb_table() -> &'static Self::Table {
-        static TABLE: CoulombTable32 = CoulombTable32::build(0.0);
-        &TABLE
-    }
-}
+/// The tables of α = 0, in read-only memory.
+pub(crate) static COULOMB_F64: Table64 = Table64::build(0.0);
+pub(crate) static COULOMB_F32: CoulombTable32 = CoulombTable32::build(0.0);
 
 /// Coulomb friction, α = 0, from a table built by the compiler: no constructor, no RAM, no power.
 ///
@@ -230,11 +195,24 @@ impl CoulombTable for f32 {
 /// let w = Coulomb.reduced_wrench(1.0_f64, 1.0);
 /// assert!((w.force - 8.0 / (3.0 * core::f64::consts::PI)).abs() < 1e-15);
 /// ```
+///
+/// In code that is generic in the scalar:
+///
+/// ```
+/// use tribos_core::Real;
+/// use tribos_core::coupling::{Coupling, table::Coulomb};
+/// /// The arm of a disk's torque, 2/3 of its radius.
+/// fn arm<R: Real>() -> R {
+///     Coulomb.reduced_wrench(R::ZERO, R::ONE).torque
+/// }
+/// assert!((arm::<f64>() - 2.0 / 3.0).abs() < 1e-15);
+/// assert!((arm::<f32>() - 2.0 / 3.0).abs() < 1e-6);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coulomb;
 
-impl<R: CoulombTable> Profile<R> for Coulomb {
+impl<R: Real> Profile<R> for Coulomb {
     #[inline]
     fn exponent(&self) -> R {
         R::ZERO
@@ -255,15 +233,15 @@ impl<R: CoulombTable> Profile<R> for Coulomb {
     }
 }
 
-impl<R: CoulombTable> SmoothProfile<R> for Coulomb {
+impl<R: Real> SmoothProfile<R> for Coulomb {
     #[inline]
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         R::coulomb_table().factors_and_slope(at)
     }
 }
 
-impl<R: CoulombTable> DryCoupling<R> for Coulomb {}
+impl<R: Real> DryCoupling<R> for Coulomb {}
 
 family::coupled!([R: Real, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>, |_table| R::ZERO);
 
-family::coupled!([R: CoulombTable] Coulomb, |_table| R::ZERO);
+family::coupled!([R: Real] Coulomb, |_table| R::ZERO);

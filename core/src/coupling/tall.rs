@@ -18,7 +18,7 @@
 //! ([`FrontBack`]). The lateral force tips the body sideways as well, an effect of order λ² that
 //! [`AllRound`] includes.
 
-use super::{FrictionError, Lateral, LateralJacobian, PatchFriction, ReducedWrench};
+use super::{Lateral, LateralJacobian, PatchFriction, ReducedWrench};
 use crate::patch::PatchError;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
@@ -176,41 +176,6 @@ pub enum Footing {
     Lifting,
 }
 
-/// The body begins to tip.
-///
-/// ```
-/// use tribos_core::coupling::tall::{AllRound, TallFriction, Tips};
-/// use tribos_core::coupling::{PatchFriction, table::Coulomb};
-/// use tribos_core::twist::Twist;
-/// let foot = PatchFriction::new(Coulomb, 0.5_f64, 0.05)?; // mu, m
-/// let bottle = TallFriction::<_, _, AllRound>::new(foot, 0.1)?; // centre of mass, m
-/// // Sliding without spin, force μN: the gradient is 4 μ h/R.
-/// let Err(Tips { lean }) = bottle.wrench(5.0, &Twist::new(1.0, 0.0, 0.0)).whole() else {
-///     panic!("it tips")
-/// };
-/// assert!((lean - 4.0 * 0.5 * 0.1 / 0.05).abs() < 1e-14);
-/// # Ok::<(), tribos_core::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Tips {
-    /// |l|, which must not exceed 1.
-    pub lean: f64,
-}
-
-impl core::fmt::Display for Tips {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(
-            f,
-            "the body tips: the pressure gradient is {} of what its foot can bear; \
-             lower the centre of mass or the friction",
-            self.lean
-        )
-    }
-}
-
-impl core::error::Error for Tips {}
-
 /// Wrench, pressure gradient and footing of a tall body.
 ///
 /// ```
@@ -239,10 +204,24 @@ pub struct TallWrench<R: Real> {
 
 impl<R: Real> TallWrench<R> {
     /// The wrench, unless the body tips.
-    pub fn whole(&self) -> Result<Wrench<R>, Tips> {
+    ///
+    /// ```
+    /// use tribos_core::coupling::tall::{AllRound, TallFriction};
+    /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+    /// use tribos_core::patch::PatchError;
+    /// use tribos_core::twist::Twist;
+    /// let foot = PatchFriction::new(Coulomb, 0.5_f64, 0.05)?; // mu, m
+    /// let bottle = TallFriction::<_, _, AllRound>::new(foot, 0.1)?; // centre of mass, m
+    /// // Sliding without spin, force μN: the gradient is 4 μ h/R.
+    /// let slides = bottle.wrench(5.0, &Twist::new(1.0, 0.0, 0.0)).whole();
+    /// let Err(PatchError::Tips { lean }) = slides else { panic!("it tips") };
+    /// assert!((lean - 4.0 * 0.5 * 0.1 / 0.05).abs() < 1e-14);
+    /// # Ok::<(), tribos_core::Error>(())
+    /// ```
+    pub fn whole(&self) -> Result<Wrench<R>, PatchError> {
         match self.footing {
             Footing::Whole => Ok(self.wrench),
-            Footing::Lifting => Err(Tips {
+            Footing::Lifting => Err(PatchError::Tips {
                 lean: self.lean.x.hypot(self.lean.y).to_f64(),
             }),
         }
@@ -275,12 +254,11 @@ pub struct TallFriction<R, C, L> {
 
 impl<R: Real, C: Lateral<R>, L: Lean> TallFriction<R, C, L> {
     /// *Domain*: 0 ≤ `height` < ∞, of the centre of mass above the foot.
-    pub fn new(foot: PatchFriction<R, C>, height: R) -> Result<Self, FrictionError> {
+    pub fn new(foot: PatchFriction<R, C>, height: R) -> Result<Self, PatchError> {
         let is_valid = height >= R::ZERO && height.is_finite();
         if !is_valid {
-            return Err(FrictionError::Patch(PatchError::Height {
-                given: height.to_f64(),
-            }));
+            let given = height.to_f64();
+            return Err(PatchError::Height { given });
         }
         let arm = foot.radius() * foot.coupling().mean_square_radius();
         Ok(Self {

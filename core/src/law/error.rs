@@ -2,7 +2,7 @@
 
 use crate::real::Real;
 
-/// An invalid parameter of a law.
+/// An invalid parameter of a law, or of what it acts on: an inertia, a limit, a time step.
 ///
 /// ```
 /// use tribos_core::law::{CoulombLaw, DryFriction, LawError};
@@ -124,7 +124,7 @@ pub(crate) fn validated_coefficient<R: Real>(coefficient: R) -> Result<R, LawErr
 }
 
 /// `value` if positive and finite.
-pub(super) fn positive<R: Real>(parameter: &'static str, value: R) -> Result<R, LawError> {
+pub(crate) fn positive<R: Real>(parameter: &'static str, value: R) -> Result<R, LawError> {
     if value > R::ZERO && value.is_finite() {
         Ok(value)
     } else {

@@ -5,6 +5,7 @@
 //! | [`CoulombLaw`], [`DryFriction`] | load; rest or motion | dynamic friction |
 //! | [`PowerLaw`], [`PlateauPower`] | a power of the speed | yes |
 //! | [`Stribeck`] | speed: boundary and hydrodynamic lubrication | yes |
+//! | [`Savkoor`] | speed: the maximum of rubber | yes |
 //! | [`Ageing`] | time of rest | – |
 //! | [`RateState`] | speed and age, ageing law [`Dieterich`] or slip law [`Ruina`] | [`SteadyRateState`] |
 //! | [`LuGre`] | velocity and deflection of bristles | [`SteadyLuGre`] |
@@ -42,6 +43,7 @@ mod plateau;
 mod power;
 mod rate_state;
 mod real_area;
+mod savkoor;
 mod steady_rate_state;
 mod stribeck;
 
@@ -53,7 +55,7 @@ pub use drag::{DragRegime, InertialDrag, Stokes, crossover_reynolds, reynolds};
 pub use dry::DryFriction;
 pub use error::LawError;
 pub(crate) use error::{fraction as validated_fraction, not_negative as validated_not_negative};
-pub(crate) use error::{validated_coefficient, validated_exponent};
+pub(crate) use error::{positive as validated_positive, validated_coefficient, validated_exponent};
 pub use grip::Grip;
 pub use incline::{Incline, critical_angle};
 pub use lugre::{Bristle, LuGre, LuGreParameters, SteadyLuGre};
@@ -61,6 +63,7 @@ pub use plateau::{PlateauPower, PlateauPowerParameters};
 pub use power::PowerLaw;
 pub use rate_state::{RateState, RateStateParameters};
 pub use real_area::{GreenwoodWilliamson, HertzSphere, Plastic, RealArea};
+pub use savkoor::{Savkoor, SavkoorParameters};
 pub use steady_rate_state::SteadyRateState;
 pub use stribeck::{Stribeck, StribeckParameters};
 

@@ -1,8 +1,10 @@
 //! The ellipsoidal approximation of the limit surface, common in planners.
 
 use super::exact::LimitSurface;
-use super::{FrictionSet, Projection, SurfaceError};
+use super::{FrictionSet, Projection};
 use crate::coupling::{Coupling, DryCoupling, ReducedJacobian, ReducedWrench};
+use crate::error::Error;
+use crate::law::validated_positive;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 
@@ -19,7 +21,7 @@ use crate::twist::{Twist, Wrench};
 /// let puck = Ellipsoid::new(0.51_f64, 0.04, 2.0 / 3.0)?; // N, m, uniform disk
 /// let friction = puck.wrench(&Twist::new(0.0, 0.0, 2.0));
 /// assert!((friction.torque + 0.51 * 0.04 * 2.0 / 3.0).abs() < 1e-15);
-/// # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ellipsoid<R> {
@@ -75,11 +77,8 @@ impl<R: Real> DryCoupling<R> for Ellipse<R> {}
 impl<R: Real> Ellipsoid<R> {
     /// *Domain*: 0 ≤ `force_limit` < ∞ (μN), 0 < `radius` < ∞, 0 < `spin_torque` < ∞: the reduced
     /// torque T₀ = T(0, 1) of pure spinning, 2/3 for the uniform disk.
-    pub fn new(force_limit: R, radius: R, spin_torque: R) -> Result<Self, SurfaceError> {
-        if !(spin_torque > R::ZERO && spin_torque.is_finite()) {
-            let given = spin_torque.to_f64();
-            return Err(SurfaceError::SpinTorque { given });
-        }
+    pub fn new(force_limit: R, radius: R, spin_torque: R) -> Result<Self, Error> {
+        let spin_torque = validated_positive("reduced torque of pure spinning", spin_torque)?;
         let surface = LimitSurface::new(Ellipse { spin_torque }, force_limit, radius)?;
         Ok(Self { surface })
     }
@@ -94,7 +93,7 @@ impl<R: Real> Ellipsoid<R> {
     /// let torque = 0.8 * puck.torque_limit();
     /// let wrench = Wrench::new(0.6 * puck.force_limit(), 0.0, torque);
     /// assert!((puck.gauge(&wrench) - 1.0).abs() < 1e-15);
-    /// # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn torque_limit(&self) -> R {
         self.surface.torque_limit()

@@ -2,8 +2,10 @@
 
 use super::meridian::{Aim, Meridian, Normal, Radial};
 use super::polar::Polar;
-use super::{Ellipsoid, FrictionSet, Projection, Region, SurfaceError, collar};
+use super::{Ellipsoid, FrictionSet, Projection, Region, collar};
 use crate::coupling::{DryCoupling, ReducedWrench};
+use crate::error::Error;
+use crate::law::validated_not_negative;
 use crate::patch::validated_radius;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
@@ -33,7 +35,7 @@ use crate::twist::{Twist, Wrench};
 /// assert!((usual.torque_limit() - puck.torque_limit()).abs() < 1e-17);
 /// let friction = puck.wrench(&Twist::new(0.1, 0.0, 3.0)); // m/s, rad/s
 /// assert!(usual.gauge(&friction) < 0.94 && (puck.gauge(&friction) - 1.0).abs() < 1e-14);
-/// # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LimitSurface<R, C> {
@@ -55,11 +57,8 @@ struct Scaled<R> {
 
 impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
     /// *Domain*: 0 ≤ `force_limit` < ∞ (μN), 0 < `radius` < ∞. Without force limit the set is {0}.
-    pub fn new(coupling: C, force_limit: R, radius: R) -> Result<Self, SurfaceError> {
-        if !(force_limit >= R::ZERO && force_limit.is_finite()) {
-            let given = force_limit.to_f64();
-            return Err(SurfaceError::ForceLimit { given });
-        }
+    pub fn new(coupling: C, force_limit: R, radius: R) -> Result<Self, Error> {
+        let force_limit = validated_not_negative("force limit", force_limit)?;
         Ok(Self {
             meridian: Meridian::new(coupling),
             // A quotient by −0 would have the wrong sign.
@@ -79,7 +78,7 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
     }
 
     /// The ellipsoid with the same largest force and torque.
-    pub fn ellipsoid(&self) -> Result<Ellipsoid<R>, SurfaceError> {
+    pub fn ellipsoid(&self) -> Result<Ellipsoid<R>, Error> {
         Ellipsoid::new(self.force_limit, self.radius, self.spin_torque())
     }
 

@@ -31,7 +31,7 @@
 //! // More than friction can carry, brought back to the surface.
 //! let carried = puck.project(&Wrench::new(1.0, 0.0, 0.02));
 //! assert!(puck.contains(&carried.wrench));
-//! # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
+//! # Ok::<(), tribos_core::Error>(())
 //! ```
 
 mod ellipsoid;
@@ -45,7 +45,6 @@ pub use ellipsoid::Ellipsoid;
 pub use exact::LimitSurface;
 pub use patch::PatchSurface;
 
-use crate::patch::PatchError;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 
@@ -142,7 +141,7 @@ fn collar<R: Real>() -> R {
 /// let sticks = Projection { wrench: pull(0.3), region: Region::Inside };
 /// assert_eq!(puck.project(&pull(0.3)), sticks);
 /// assert!((puck.project(&pull(1.0)).wrench.force.x - 0.5).abs() < 1e-15);
-/// # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -166,7 +165,7 @@ pub struct Projection<R: Real> {
 ///     panic!("1 N is more than 0.5 N")
 /// };
 /// assert!((normal.velocity - push.force).amax() < 1e-14 && normal.spin == 0.0);
-/// # Ok::<(), tribos_core::limit_surface::SurfaceError>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -178,46 +177,4 @@ pub enum Region<R: Real> {
         /// Outward normal, scaled as in [`FrictionSet::twist_normal_to`]. NaN with the wrench.
         normal: Twist<R>,
     },
-}
-
-/// An invalid parameter of a limit surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum SurfaceError {
-    /// The force limit is negative, infinite or NaN.
-    ForceLimit {
-        /// What was given.
-        given: f64,
-    },
-    /// The radius is not positive and finite.
-    Radius(PatchError),
-    /// The reduced torque of pure spinning is not positive and finite.
-    SpinTorque {
-        /// What was given.
-        given: f64,
-    },
-}
-
-impl core::fmt::Display for SurfaceError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::ForceLimit { given } => write!(
-                f,
-                "the force limit must be finite and not negative, not {given}"
-            ),
-            Self::Radius(error) => error.fmt(f),
-            Self::SpinTorque { given } => write!(
-                f,
-                "the reduced torque of pure spinning must be positive and finite, not {given}"
-            ),
-        }
-    }
-}
-
-impl core::error::Error for SurfaceError {}
-
-impl From<PatchError> for SurfaceError {
-    fn from(error: PatchError) -> Self {
-        Self::Radius(error)
-    }
 }

@@ -13,8 +13,9 @@
 //! normal's derivative; and M + D″ that of the projection's.
 
 use super::quadratic::Factors;
-use super::{FrictionSet, Projection, Region, SurfaceError, collar};
+use super::{FrictionSet, Projection, Region, collar};
 use crate::coupling::flat::{DryPatch, FlatFriction};
+use crate::law::{LawError, validated_not_negative};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 use nalgebra::{Matrix3, Vector3};
@@ -36,7 +37,7 @@ use nalgebra::{Matrix3, Vector3};
 /// // Pushed at its long side, off the middle, it slides and turns.
 /// let motion = table.twist_normal_to(&Wrench::new(0.0, 2.0, 2.0 * 0.04));
 /// assert!(motion.velocity.y > 0.0 && motion.spin > 0.0 && motion.velocity.x.abs() < 1e-14);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatchSurface<R, P> {
@@ -161,24 +162,18 @@ fn outer<R: Real>(g: &Vector3<R>) -> Matrix3<R> {
 
 impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
     /// *Domain*: 0 ≤ `force_limit` < ∞ (μN). Without force limit the set is {0}.
-    pub fn new(patch: P, force_limit: R) -> Result<Self, SurfaceError> {
-        let refused = |given: R| SurfaceError::ForceLimit {
-            given: given.to_f64(),
-        };
+    pub fn new(patch: P, force_limit: R) -> Result<Self, LawError> {
+        // A quotient by −0 would have the wrong sign.
+        let limit = validated_not_negative("force limit", force_limit)?.abs();
         let centre = patch.centre();
         let radius = patch.radius() + centre.x.hypot(centre.y);
-        let friction =
-            FlatFriction::new(patch, force_limit.abs()).map_err(|_| refused(force_limit))?;
-        if force_limit < R::ZERO {
-            return Err(refused(force_limit));
-        }
-        let unit = FlatFriction::new(friction.patch(), R::ONE).map_err(|_| refused(force_limit))?;
-        let arm = unit
-            .wrench(R::ONE, &Twist::new(R::ZERO, R::ZERO, R::ONE))
+        let turn = Twist::new(R::ZERO, R::ZERO, R::ONE);
+        let arm = FlatFriction::new(&patch, R::ONE)?
+            .wrench(R::ONE, &turn)
             .torque
             .abs();
         Ok(Self {
-            friction,
+            friction: FlatFriction::new(patch, limit)?,
             arm,
             radius,
         })
@@ -212,7 +207,7 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
     /// // The gauge grows in proportion to the wrench.
     /// assert!((push.power(&normal) - floor.gauge(&push)).abs() < 1e-14);
     /// assert!((hessian * Vector3::new(100.0, 50.0, 10.0)).amax() < 1e-12);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn gauge_derivatives(&self, wrench: &Wrench<R>) -> (Twist<R>, Matrix3<R>) {
         let Some(wanted) = self.scaled(wrench) else {
@@ -249,7 +244,7 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
     /// let (carried, rate) = floor.project_with_jacobian(&Wrench::new(9.0, 0.0, 0.0), 0.1);
     /// assert!((carried.wrench.force.x - 5.0).abs() < 1e-13 && rate[(0, 0)].abs() < 1e-13);
     /// assert!((rate[(1, 1)] - 5.0 / 9.0).abs() < 1e-13);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn project_with_jacobian(
         &self,

@@ -16,7 +16,7 @@ use nalgebra::Vector2;
 /// let blade = FlatFriction::new(Bar::new([-0.1_f64, 0.0], [0.1, 0.0])?, 0.05)?; // m, mu
 /// let pivoting = blade.wrench(700.0, &Twist::new(0.0, 0.0, 1.0)); // N; rad/s
 /// assert!((pivoting.torque + 0.05 * 700.0 * 0.05).abs() < 1e-14); // mean distance: 5 cm
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar<R: Real> {

@@ -1,6 +1,7 @@
 //! Nodes in memory owned by the caller.
 
-use super::nodes::{Node, NodeError, NodePatch, NodeSink, total_with, validated_total};
+use super::PatchError;
+use super::nodes::{Node, NodePatch, NodeSink, total_with, validated_total};
 use crate::real::Real;
 
 /// Nodes in borrowed memory: in flash, or in memory of another language.
@@ -19,7 +20,7 @@ pub struct NodeSlice<'a, R> {
 impl<'a, R: Real> NodeSlice<'a, R> {
     /// *Domain*: finite positions, weights ≥ 0 of which at least one is positive, finite sum.
     /// *Cost*: one look at each node.
-    pub fn new(nodes: &'a [Node<R>]) -> Result<Self, NodeError> {
+    pub fn new(nodes: &'a [Node<R>]) -> Result<Self, PatchError> {
         Ok(Self {
             nodes,
             total_weight: validated_total(nodes)?,
@@ -39,7 +40,18 @@ impl<R: Real> NodePatch<R> for NodeSlice<'_, R> {
 }
 
 /// A list of nodes in caller-provided memory, filled from its start.
-#[doc(hidden)]
+///
+/// ```
+/// use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch, NodeSink};
+/// let mut memory = [Node::default(); 2];
+/// let mut feet = NodeBuffer::new(&mut memory);
+/// for x in [-0.1_f64, 0.1] {
+///     feet.push(Node { x, y: 0.0, weight: 4.0 })?; // m, N
+/// }
+/// assert_eq!(feet.total_weight(), 8.0);
+/// assert!(feet.push(feet.nodes()[0]).is_err()); // two have room
+/// # Ok::<(), tribos_core::patch::PatchError>(())
+/// ```
 #[derive(Debug, PartialEq)]
 pub struct NodeBuffer<'a, R> {
     memory: &'a mut [Node<R>],
@@ -70,11 +82,11 @@ impl<R: Real> NodePatch<R> for NodeBuffer<'_, R> {
 }
 
 impl<R: Real> NodeSink<R> for NodeBuffer<'_, R> {
-    fn push(&mut self, node: Node<R>) -> Result<(), NodeError> {
+    fn push(&mut self, node: Node<R>) -> Result<(), PatchError> {
         let total_weight = total_with(self.total_weight, self.filled, &node)?;
         let capacity = self.memory.len();
         let Some(place) = self.memory.get_mut(self.filled) else {
-            return Err(NodeError::Full { capacity });
+            return Err(PatchError::Full { capacity });
         };
         *place = node;
         self.filled += 1;
@@ -88,7 +100,7 @@ mod tests {
     use super::*;
     use crate::patch::nodes::{NodeList, Nodes};
     use crate::patch::polar::PolarRule;
-    use crate::patch::polygon::{PolygonError, polygon, polygon_into};
+    use crate::patch::polygon::{polygon, polygon_into};
 
     const NOWHERE: Node<f64> = Node {
         x: f64::NAN,
@@ -119,8 +131,7 @@ mod tests {
         let mut memory = [NOWHERE; 20];
         let corners = [[0.0, 0.0], [0.3, 0.0], [0.0, 0.2]];
         let full = polygon_into(&mut NodeBuffer::new(&mut memory), &corners, 2);
-        let expected = NodeError::Full { capacity: 20 };
-        assert_eq!(full, Err(PolygonError::Nodes(expected)));
+        assert_eq!(full, Err(PatchError::Full { capacity: 20 }));
         let mut lent = NodeBuffer::new(&mut memory);
         assert!(lent.push(NOWHERE).is_err());
         assert!(lent.nodes().is_empty());
@@ -140,6 +151,6 @@ mod tests {
             let of_slice = NodeSlice::new(&nodes).map(|n| n.total_weight()).ok();
             assert_eq!(of_array, of_slice);
         }
-        assert_eq!(NodeSlice::<f64>::new(&[]), Err(NodeError::Unloaded));
+        assert_eq!(NodeSlice::<f64>::new(&[]), Err(PatchError::Unloaded));
     }
 }

@@ -5,6 +5,7 @@
 
 pub use super::borrowed::{NodeBuffer, NodeSlice};
 
+use super::PatchError;
 use crate::real::Real;
 
 /// One point of a contact.
@@ -36,7 +37,7 @@ pub struct Node<R> {
 /// let heel = Node { x: 0.0, y: 0.0, weight: 300.0 }; // m, N
 /// let toe = Node { x: 0.2, y: 0.0, weight: 100.0 };
 /// assert!((centre_of_pressure(&Nodes::new([heel, toe])?) - 0.05).abs() < 1e-16);
-/// # Ok::<(), tribos_core::patch::nodes::NodeError>(())
+/// # Ok::<(), tribos_core::patch::PatchError>(())
 /// ```
 pub trait NodePatch<R: Real> {
     /// All nodes, in the order in which they are summed.
@@ -58,12 +59,29 @@ impl<R: Real, P: NodePatch<R> + ?Sized> NodePatch<R> for &P {
 }
 
 /// A list to which nodes are added one by one.
-#[doc(hidden)]
+///
+/// ```
+/// use tribos_core::patch::PatchError;
+/// use tribos_core::patch::nodes::{Node, NodeBuffer, NodeList, NodePatch, NodeSink};
+/// /// The four feet of a table, 1 m by 2 m.
+/// fn table(feet: &mut impl NodeSink<f64>) -> Result<(), PatchError> {
+///     for (x, y) in [(0.5, 1.0), (-0.5, 1.0), (0.5, -1.0), (-0.5, -1.0)] {
+///         feet.push(Node { x, y, weight: 1.0 })?;
+///     }
+///     Ok(())
+/// }
+/// let (mut owned, mut memory) = (NodeList::<f64, 4>::new(), [Node::default(); 4]);
+/// let mut lent = NodeBuffer::new(&mut memory);
+/// table(&mut owned)?;
+/// table(&mut lent)?;
+/// assert_eq!(owned.nodes(), lent.nodes());
+/// # Ok::<(), PatchError>(())
+/// ```
 pub trait NodeSink<R: Real>: NodePatch<R> {
     /// Adds one node; a refused node leaves the others as they were.
     ///
     /// *Domain*: finite position, weight ≥ 0, finite sum of weights, room for one more.
-    fn push(&mut self, node: Node<R>) -> Result<(), NodeError>;
+    fn push(&mut self, node: Node<R>) -> Result<(), PatchError>;
 }
 
 /// A fixed number of nodes.
@@ -86,7 +104,7 @@ pub struct Nodes<R, const N: usize> {
 
 impl<R: Real, const N: usize> Nodes<R, N> {
     /// *Domain*: finite positions, weights ≥ 0 of which at least one is positive, finite sum.
-    pub fn new(nodes: [Node<R>; N]) -> Result<Self, NodeError> {
+    pub fn new(nodes: [Node<R>; N]) -> Result<Self, PatchError> {
         let total_weight = validated_total(&nodes)?;
         Ok(Self {
             nodes,
@@ -117,7 +135,7 @@ impl<R: Real, const N: usize> NodePatch<R> for Nodes<R, N> {
 /// assert_eq!(touching.total_weight(), 9.81);
 /// touching.clear(); // lifted
 /// assert!(touching.nodes().is_empty());
-/// # Ok::<(), tribos_core::patch::nodes::NodeError>(())
+/// # Ok::<(), tribos_core::patch::PatchError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct NodeList<R, const CAPACITY: usize> {
@@ -137,14 +155,14 @@ impl<R: Real, const CAPACITY: usize> NodeList<R, CAPACITY> {
     /// Adds one node; a refused node leaves the list as it was.
     ///
     /// *Domain*: finite position, weight ≥ 0, finite sum of weights, room for one more.
-    pub fn push(&mut self, node: Node<R>) -> Result<(), NodeError> {
+    pub fn push(&mut self, node: Node<R>) -> Result<(), PatchError> {
         let total_weight = total_with(self.total_weight, self.nodes.len(), &node)?;
         match self.nodes.push(node) {
             Ok(()) => {
                 self.total_weight = total_weight;
                 Ok(())
             }
-            Err(_) => Err(NodeError::Full { capacity: CAPACITY }),
+            Err(_) => Err(PatchError::Full { capacity: CAPACITY }),
         }
     }
 
@@ -172,13 +190,13 @@ impl<R: Real, const CAPACITY: usize> NodePatch<R> for NodeList<R, CAPACITY> {
 }
 
 impl<R: Real, const CAPACITY: usize> NodeSink<R> for NodeList<R, CAPACITY> {
-    fn push(&mut self, node: Node<R>) -> Result<(), NodeError> {
+    fn push(&mut self, node: Node<R>) -> Result<(), PatchError> {
         NodeList::push(self, node)
     }
 }
 
 /// The positive sum of the weights of valid nodes.
-pub(super) fn validated_total<R: Real>(nodes: &[Node<R>]) -> Result<R, NodeError> {
+pub(super) fn validated_total<R: Real>(nodes: &[Node<R>]) -> Result<R, PatchError> {
     let mut total_weight = R::ZERO;
     for (index, node) in nodes.iter().enumerate() {
         total_weight = total_with(total_weight, index, node)?;
@@ -186,14 +204,14 @@ pub(super) fn validated_total<R: Real>(nodes: &[Node<R>]) -> Result<R, NodeError
     if total_weight > R::ZERO {
         Ok(total_weight)
     } else {
-        Err(NodeError::Unloaded)
+        Err(PatchError::Unloaded)
     }
 }
 
 /// The sum of weights after a valid `node`.
-pub(super) fn total_with<R: Real>(total: R, index: usize, node: &Node<R>) -> Result<R, NodeError> {
+pub(super) fn total_with<R: Real>(total: R, index: usize, node: &Node<R>) -> Result<R, PatchError> {
     if !(node.x.is_finite() && node.y.is_finite()) {
-        return Err(NodeError::Position {
+        return Err(PatchError::NodePosition {
             index,
             given: [node.x.to_f64(), node.y.to_f64()],
         });
@@ -202,67 +220,9 @@ pub(super) fn total_with<R: Real>(total: R, index: usize, node: &Node<R>) -> Res
     if node.weight >= R::ZERO && sum.is_finite() {
         Ok(sum)
     } else {
-        Err(NodeError::Weight {
+        Err(PatchError::NodeWeight {
             index,
             given: node.weight.to_f64(),
         })
     }
 }
-
-/// An invalid node.
-///
-/// ```
-/// use tribos_core::patch::nodes::{Node, NodeError, Nodes};
-/// let foot = |weight: f64| Node { x: 0.1, y: 0.0, weight };
-/// assert_eq!(Nodes::new([foot(0.0)]), Err(NodeError::Unloaded));
-/// let pulling = Nodes::new([foot(2.0), foot(-1.0)]);
-/// assert_eq!(pulling, Err(NodeError::Weight { index: 1, given: -1.0 }));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum NodeError {
-    /// A position is infinite or NaN.
-    Position {
-        /// Which node, from 0.
-        index: usize,
-        /// What was given.
-        given: [f64; 2],
-    },
-    /// A weight is negative or NaN, or makes the sum infinite.
-    Weight {
-        /// Which node, from 0.
-        index: usize,
-        /// What was given.
-        given: f64,
-    },
-    /// No node has a positive weight.
-    Unloaded,
-    /// There is no room for another node.
-    Full {
-        /// How many nodes there is room for.
-        capacity: usize,
-    },
-}
-
-impl core::fmt::Display for NodeError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Position {
-                index,
-                given: [x, y],
-            } => {
-                write!(f, "node {index} must lie at a finite place, not ({x}, {y})")
-            }
-            Self::Weight { index, given } => {
-                write!(
-                    f,
-                    "node {index} must carry a finite weight, not negative, not {given}"
-                )
-            }
-            Self::Unloaded => f.write_str("at least one node must carry load"),
-            Self::Full { capacity } => write!(f, "there is room for {capacity} nodes, not more"),
-        }
-    }
-}
-
-impl core::error::Error for NodeError {}

@@ -1,8 +1,8 @@
 //! Rings of nodes for pressures on a disk.
 
-use super::PatchError;
 use super::gauss_jacobi::GaussJacobi;
-use super::nodes::{Node, NodeError, NodeList, NodeSink};
+use super::nodes::{Node, NodeList, NodeSink};
+use super::{PatchError, validated_radius};
 use crate::real::Real;
 
 /// Rings × angles on a disk with pressure p ∝ (1 − r²/R²)^q · shape(x, y).
@@ -43,7 +43,7 @@ use crate::real::Real;
 /// // A tilt lx moves the load by lx R/(2q + 4).
 /// let moment: f64 = ball.nodes().iter().map(|node| node.weight * node.x).sum();
 /// assert!((moment / ball.total_weight() - 0.2 * 0.04 / 5.0).abs() < 1e-16);
-/// # Ok::<(), tribos_core::patch::polar::PolarError>(())
+/// # Ok::<(), tribos_core::patch::PatchError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -57,21 +57,19 @@ pub struct PolarRule<R> {
 impl<R: Real> PolarRule<R> {
     /// Most rings, and most angles on a ring.
     pub const MAX_ORDER: u32 = 1024;
+    /// Largest exponent q: beyond it the disk is all rim and a smaller disk is meant.
+    pub const MAX_RIM_EXPONENT: f64 = 64.0;
     /// Nodes of the [`PolarRule::standard`] rule.
     pub const STANDARD_NODES: usize = 16 * 32;
 
     /// A uniform pressure on a disk of radius `radius` around the origin.
     ///
     /// *Domain*: 0 < `radius` < ∞; `rings` and `angles` from 1 to [`PolarRule::MAX_ORDER`].
-    pub fn new(radius: R, rings: u32, angles: u32) -> Result<Self, PolarError> {
-        if !(radius > R::ZERO && radius.is_finite()) {
-            return Err(PolarError::Radius(PatchError::Radius {
-                given: radius.to_f64(),
-            }));
-        }
+    pub fn new(radius: R, rings: u32, angles: u32) -> Result<Self, PatchError> {
+        let radius = validated_radius(radius)?;
         for given in [rings, angles] {
             if given == 0 || given > Self::MAX_ORDER {
-                return Err(PolarError::Order { given });
+                return Err(PatchError::RuleOrder { given });
             }
         }
         Ok(Self {
@@ -97,31 +95,31 @@ impl<R: Real> PolarRule<R> {
     /// let second = puck.nodes().iter().map(|n| n.weight * (n.x * n.x + n.y * n.y));
     /// let mean_square = second.sum::<f64>() / puck.total_weight();
     /// assert!((mean_square - 0.04 * 0.04 / 2.0).abs() < 1e-16); // that of a uniform disk
-    /// # Ok::<(), tribos_core::patch::polar::PolarError>(())
+    /// # Ok::<(), tribos_core::patch::PatchError>(())
     /// ```
-    pub fn standard(radius: R) -> Result<Self, PolarError> {
+    pub fn standard(radius: R) -> Result<Self, PatchError> {
         Self::new(radius, 16, 32)
     }
 
     /// As many nodes for a pressure that goes as (1 − r²/R²)^q.
     ///
-    /// *Domain*: −1 < `q` ≤ [`PolarError::MAX_RIM_EXPONENT`].
-    pub fn with_rim_exponent(self, q: R) -> Result<Self, PolarError> {
+    /// *Domain*: −1 < `q` ≤ [`PolarRule::MAX_RIM_EXPONENT`].
+    pub fn with_rim_exponent(self, q: R) -> Result<Self, PatchError> {
         let rim_exponent = q.to_f64();
-        if rim_exponent > -1.0 && rim_exponent <= PolarError::MAX_RIM_EXPONENT {
+        if rim_exponent > -1.0 && rim_exponent <= Self::MAX_RIM_EXPONENT {
             Ok(Self {
                 rim_exponent,
                 ..self
             })
         } else {
-            Err(PolarError::RimExponent {
+            Err(PatchError::RimExponent {
                 given: rim_exponent,
             })
         }
     }
 
     /// The nodes of the axisymmetric pressure.
-    pub fn nodes<const CAPACITY: usize>(&self) -> Result<NodeList<R, CAPACITY>, NodeError> {
+    pub fn nodes<const CAPACITY: usize>(&self) -> Result<NodeList<R, CAPACITY>, PatchError> {
         self.nodes_shaped(|_, _| R::ONE)
     }
 
@@ -133,7 +131,7 @@ impl<R: Real> PolarRule<R> {
         &self,
         lx: R,
         ly: R,
-    ) -> Result<NodeList<R, CAPACITY>, NodeError> {
+    ) -> Result<NodeList<R, CAPACITY>, PatchError> {
         self.nodes_shaped(|x, y| R::ONE + (lx * x + ly * y) / self.radius)
     }
 
@@ -150,12 +148,12 @@ impl<R: Real> PolarRule<R> {
     /// let second: f64 = foot.nodes().iter().map(|n| n.weight * n.y * n.y).sum();
     /// // The mean of y^2 is that of y^4 over that of y^2 of the uniform disk, R^2/2.
     /// assert!((second / foot.total_weight() - 0.04 * 0.04 / 2.0).abs() < 1e-16);
-    /// # Ok::<(), tribos_core::patch::polar::PolarError>(())
+    /// # Ok::<(), tribos_core::patch::PatchError>(())
     /// ```
     pub fn nodes_shaped<const CAPACITY: usize>(
         &self,
         shape: impl Fn(R, R) -> R,
-    ) -> Result<NodeList<R, CAPACITY>, NodeError> {
+    ) -> Result<NodeList<R, CAPACITY>, PatchError> {
         let mut list = NodeList::new();
         self.nodes_into(&mut list, shape)?;
         Ok(list)
@@ -167,7 +165,8 @@ impl<R: Real> PolarRule<R> {
     /// *Special values*: what was added before an error stays.
     ///
     /// ```
-    /// use tribos_core::patch::nodes::{Node, NodeBuffer, NodeError, NodePatch};
+    /// use tribos_core::patch::PatchError;
+    /// use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch};
     /// use tribos_core::patch::polar::PolarRule;
     /// let mut memory = [Node::default(); 30];
     /// let mut feet = NodeBuffer::new(&mut memory);
@@ -175,15 +174,15 @@ impl<R: Real> PolarRule<R> {
     /// pad.nodes_into(&mut feet, |_, _| 1.0)?;
     /// assert_eq!(feet.nodes().len(), 24);
     /// let second = pad.nodes_into(&mut feet, |_, _| 1.0);
-    /// assert_eq!(second, Err(NodeError::Full { capacity: 30 }));
+    /// assert_eq!(second, Err(PatchError::Full { capacity: 30 }));
     /// assert_eq!(feet.nodes().len(), 30);
-    /// # Ok::<(), tribos_core::patch::polar::PolarError>(())
+    /// # Ok::<(), PatchError>(())
     /// ```
     pub fn nodes_into(
         &self,
         list: &mut impl NodeSink<R>,
         shape: impl Fn(R, R) -> R,
-    ) -> Result<(), NodeError> {
+    ) -> Result<(), PatchError> {
         let rule = GaussJacobi::new(self.rings, self.rim_exponent);
         for (ring, node) in rule.nodes().enumerate() {
             let radius = self.radius * R::from_f64(Real::sqrt(node.s));
@@ -194,7 +193,7 @@ impl<R: Real> PolarRule<R> {
         if list.total_weight() > R::ZERO {
             Ok(())
         } else {
-            Err(NodeError::Unloaded)
+            Err(PatchError::Unloaded)
         }
     }
 }
@@ -209,12 +208,12 @@ impl<R: Real> PolarRule<R> {
 /// let cup: NodeList<f64, 32> = ring(0.03, 32)?; // m
 /// assert!(cup.nodes().iter().all(|node| (node.x.hypot(node.y) - 0.03).abs() < 1e-16));
 /// assert_eq!(cup.total_weight(), 32.0);
-/// # Ok::<(), tribos_core::patch::polar::PolarError>(())
+/// # Ok::<(), tribos_core::patch::PatchError>(())
 /// ```
 pub fn ring<R: Real, const CAPACITY: usize>(
     radius: R,
     angles: u32,
-) -> Result<NodeList<R, CAPACITY>, PolarError> {
+) -> Result<NodeList<R, CAPACITY>, PatchError> {
     PolarRule::new(radius, 1, angles)?;
     let mut list = NodeList::new();
     push_ring(&mut list, angles, 0.0, radius, R::ONE, &|_, _| R::ONE)?;
@@ -229,7 +228,7 @@ fn push_ring<R: Real>(
     radius: R,
     weight: R,
     shape: &impl Fn(R, R) -> R,
-) -> Result<(), NodeError> {
+) -> Result<(), PatchError> {
     let step = core::f64::consts::TAU / f64::from(angles);
     for n in 0..angles {
         let angle = (f64::from(n) + start) * step;
@@ -240,72 +239,3 @@ fn push_ring<R: Real>(
     }
     Ok(())
 }
-
-/// An invalid quadrature rule on a disk.
-///
-/// ```
-/// use tribos_core::patch::polar::{PolarError, PolarRule};
-/// let most = PolarRule::<f64>::MAX_ORDER;
-/// assert!(PolarRule::new(0.04, most, 16).is_ok());
-/// assert_eq!(PolarRule::new(0.04, 0, 16), Err(PolarError::Order { given: 0 }));
-/// let steep = PolarRule::new(0.04, 8, 16)?.with_rim_exponent(PolarError::MAX_RIM_EXPONENT + 1.0);
-/// assert_eq!(steep, Err(PolarError::RimExponent { given: 65.0 }));
-/// # Ok::<(), PolarError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum PolarError {
-    /// The radius is not positive and finite.
-    Radius(PatchError),
-    /// The number of rings or angles is 0 or too large.
-    Order {
-        /// What was given.
-        given: u32,
-    },
-    /// The exponent of the pressure is NaN or not in (−1, [`PolarError::MAX_RIM_EXPONENT`]].
-    RimExponent {
-        /// What was given.
-        given: f64,
-    },
-    /// The nodes do not fit.
-    Nodes(NodeError),
-}
-
-impl PolarError {
-    /// Largest exponent q: beyond it the disk is all rim and a smaller disk is meant.
-    pub const MAX_RIM_EXPONENT: f64 = 64.0;
-}
-
-impl From<PatchError> for PolarError {
-    fn from(error: PatchError) -> Self {
-        Self::Radius(error)
-    }
-}
-
-impl From<NodeError> for PolarError {
-    fn from(error: NodeError) -> Self {
-        Self::Nodes(error)
-    }
-}
-
-impl core::fmt::Display for PolarError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Radius(error) => error.fmt(f),
-            Self::Order { given } => {
-                let max = PolarRule::<f64>::MAX_ORDER;
-                write!(f, "rings and angles must be from 1 to {max}, not {given}")
-            }
-            Self::RimExponent { given } => {
-                let max = Self::MAX_RIM_EXPONENT;
-                write!(
-                    f,
-                    "the exponent q must satisfy -1 < q <= {max}, not {given}"
-                )
-            }
-            Self::Nodes(error) => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for PolarError {}

@@ -6,7 +6,8 @@
 //!
 //! *Source*: J. Radon, Monatsh. Math. 52 (1948) 286.
 
-use super::nodes::{Node, NodeError, NodeList, NodeSink};
+use super::PatchError;
+use super::nodes::{Node, NodeList, NodeSink};
 use crate::real::Real;
 use nalgebra::Vector2;
 
@@ -21,7 +22,7 @@ const NODES_PER_TRIANGLE: usize = 7;
 ///
 /// *Domain*: a simple polygon of at least 3 corners, one of which sees the whole inside: every
 /// convex polygon, and shapes like L, T and +, but not like U. `divisions` from 1 to
-/// [`PolygonError::MAX_DIVISIONS`]. Edges that cross are refused if no corner spans only triangles
+/// [`PatchError::MAX_DIVISIONS`]. Edges that cross are refused if no corner spans only triangles
 /// of one sense; otherwise what is covered twice carries twice.
 /// *Accuracy*: area, centroid and all moments up to degree 5 to rounding. Friction: while the
 /// instantaneous centre of rotation lies inside, the error falls as h^(2+α) with the size h of the
@@ -35,12 +36,12 @@ const NODES_PER_TRIANGLE: usize = 7;
 /// const NODES: usize = 7 * (6 - 2) * 2 * 2;
 /// let foot: NodeList<f64, NODES> = polygon(&ell, 2)?;
 /// assert!((foot.total_weight() - 0.03).abs() < 1e-16); // three squares of 0.1 m
-/// # Ok::<(), tribos_core::patch::polygon::PolygonError>(())
+/// # Ok::<(), tribos_core::patch::PatchError>(())
 /// ```
 pub fn polygon<R: Real, const CAPACITY: usize>(
     corners: &[[R; 2]],
     divisions: u32,
-) -> Result<NodeList<R, CAPACITY>, PolygonError> {
+) -> Result<NodeList<R, CAPACITY>, PatchError> {
     let mut list = NodeList::new();
     polygon_into(&mut list, corners, divisions)?;
     Ok(list)
@@ -49,30 +50,39 @@ pub fn polygon<R: Real, const CAPACITY: usize>(
 /// [`polygon`] into memory of the caller's choice, behind the nodes that are there already.
 ///
 /// *Special values*: what was added before an error stays.
-#[doc(hidden)]
+///
+/// ```
+/// use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch};
+/// use tribos_core::patch::polygon::polygon_into;
+/// let mut memory = [Node::default(); 14]; // two triangles of 7 nodes
+/// let mut sole = NodeBuffer::new(&mut memory);
+/// polygon_into(&mut sole, &[[0.0, 0.0], [0.3, 0.0], [0.3, 0.1], [0.0, 0.1_f64]], 1)?; // m
+/// assert!((sole.total_weight() - 0.03).abs() < 1e-16);
+/// # Ok::<(), tribos_core::patch::PatchError>(())
+/// ```
 pub fn polygon_into<R: Real>(
     list: &mut impl NodeSink<R>,
     corners: &[[R; 2]],
     divisions: u32,
-) -> Result<(), PolygonError> {
+) -> Result<(), PatchError> {
     if corners.len() < 3 {
-        return Err(PolygonError::Corners {
+        return Err(PatchError::Corners {
             given: corners.len(),
         });
     }
-    if divisions == 0 || divisions > PolygonError::MAX_DIVISIONS {
-        return Err(PolygonError::Divisions { given: divisions });
+    if divisions == 0 || divisions > PatchError::MAX_DIVISIONS {
+        return Err(PatchError::Divisions { given: divisions });
     }
     for (index, [x, y]) in corners.iter().enumerate() {
         if !(x.is_finite() && y.is_finite()) {
             let given = [x.to_f64(), y.to_f64()];
-            return Err(NodeError::Position { index, given }.into());
+            return Err(PatchError::NodePosition { index, given });
         }
     }
     let apex = corners
         .iter()
         .find(|&&apex| sees_everything(corners, apex))
-        .ok_or(PolygonError::Hidden)?;
+        .ok_or(PatchError::Hidden)?;
     for triangle in fan(corners, *apex) {
         push_triangle(list, triangle, divisions)?;
     }
@@ -112,7 +122,7 @@ fn push_triangle<R: Real>(
     list: &mut impl NodeSink<R>,
     triangle: [[R; 2]; 3],
     divisions: u32,
-) -> Result<(), NodeError> {
+) -> Result<(), PatchError> {
     let [a, b, c] = triangle.map(|[x, y]| Vector2::new(x, y));
     let step = R::ONE / R::from_f64(f64::from(divisions));
     let (first, second) = ((b - a) * step, (c - a) * step);
@@ -141,7 +151,7 @@ fn push_small<R: Real>(
     first: Vector2<R>,
     second: Vector2<R>,
     area: R,
-) -> Result<(), NodeError> {
+) -> Result<(), PatchError> {
     for [i, j, weight] in RADON {
         let at = corner + first * R::from_f64(i) + second * R::from_f64(j);
         list.push(Node {
@@ -172,66 +182,3 @@ const RADON: [[f64; 3]; NODES_PER_TRIANGLE] = [
     [1.0 - 2.0 * INNER, INNER, INNER_WEIGHT],
     [INNER, 1.0 - 2.0 * INNER, INNER_WEIGHT],
 ];
-
-/// An invalid polygon.
-///
-/// ```
-/// use tribos_core::patch::nodes::NodeList;
-/// use tribos_core::patch::polygon::{PolygonError, polygon};
-/// type Few = NodeList<f64, 100>;
-/// let u = [[0, 0], [3, 0], [3, 3], [2, 3], [2, 1], [1, 1], [1, 3], [0, 3]];
-/// let u = u.map(|corner| corner.map(f64::from));
-/// assert_eq!(polygon(&u, 1) as Result<Few, _>, Err(PolygonError::Hidden)); // cut it into three
-/// let given = PolygonError::MAX_DIVISIONS + 1;
-/// let fine: Result<Few, _> = polygon(&u, given);
-/// assert_eq!(fine, Err(PolygonError::Divisions { given }));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum PolygonError {
-    /// Fewer than 3 corners.
-    Corners {
-        /// How many were given.
-        given: usize,
-    },
-    /// No corner sees the whole inside, or there is no area.
-    Hidden,
-    /// The number of divisions is 0 or too large.
-    Divisions {
-        /// What was given.
-        given: u32,
-    },
-    /// A corner is infinite or NaN, or the nodes do not fit.
-    Nodes(NodeError),
-}
-
-impl PolygonError {
-    /// Most divisions of an edge.
-    pub const MAX_DIVISIONS: u32 = 1024;
-}
-
-impl From<NodeError> for PolygonError {
-    fn from(error: NodeError) -> Self {
-        Self::Nodes(error)
-    }
-}
-
-impl core::fmt::Display for PolygonError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Corners { given } => {
-                write!(f, "a polygon has at least 3 corners, not {given}")
-            }
-            Self::Hidden => f.write_str(
-                "a polygon must have an area and a corner that sees all of it; cut it into several",
-            ),
-            Self::Divisions { given } => {
-                let max = Self::MAX_DIVISIONS;
-                write!(f, "divisions must be from 1 to {max}, not {given}")
-            }
-            Self::Nodes(error) => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for PolygonError {}

@@ -1,6 +1,7 @@
 //! A rigid body on three feet: the loads follow from statics alone.
 
-use super::nodes::{Node, NodeError, Nodes};
+use super::PatchError;
+use super::nodes::{Node, Nodes};
 use crate::real::Real;
 
 /// Shares of the load on three `feet`, sum 1, for a body whose weight acts above `centre`.
@@ -12,18 +13,18 @@ use crate::real::Real;
 /// *Units*: length in, shares out. *Domain*: feet not in a line, `centre` between them.
 /// *Accuracy*: a few ulp for feet whose distances are not small against their coordinates.
 #[doc(hidden)]
-pub fn tripod_shares<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<[R; 3], TripodError> {
+pub fn tripod_shares<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<[R; 3], PatchError> {
     let [a, b, c] = feet;
     let areas = [[centre, b, c], [a, centre, c], [a, b, centre]].map(twice_area);
     let total = twice_area(feet);
     if total == R::ZERO || !total.is_finite() {
-        return Err(TripodError::Line);
+        return Err(PatchError::FeetInLine);
     }
     let shares = areas.map(|area| area / total);
     match shares.iter().position(|&share| share < R::ZERO) {
-        Some(foot) => Err(TripodError::Tips { foot }),
+        Some(foot) => Err(PatchError::FootPulls { foot }),
         // Areas that are rounding errors, or none.
-        None if !shares.iter().all(|&share| share <= R::TWO) => Err(TripodError::Line),
+        None if !shares.iter().all(|&share| share <= R::TWO) => Err(PatchError::FeetInLine),
         None => Ok(shares),
     }
 }
@@ -37,7 +38,7 @@ pub fn tripod_shares<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<[R; 3
 /// assert!(stool.is_ok());
 /// assert!(tripod([[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]], [0.2, 0.2]).is_err()); // it tips over
 /// ```
-pub fn tripod<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<Nodes<R, 3>, TripodError> {
+pub fn tripod<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<Nodes<R, 3>, PatchError> {
     let [a, b, c] = tripod_shares(feet, centre)?;
     let [first, second, third] = feet;
     let nodes = [(first, a), (second, b), (third, c)].map(|([x, y], weight)| Node {
@@ -45,51 +46,10 @@ pub fn tripod<R: Real>(feet: [[R; 2]; 3], centre: [R; 2]) -> Result<Nodes<R, 3>,
         y: y - centre[1],
         weight,
     });
-    Ok(Nodes::new(nodes)?)
+    Nodes::new(nodes)
 }
 
 /// Twice the signed area of a triangle.
 fn twice_area<R: Real>([a, b, c]: [[R; 2]; 3]) -> R {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
-
-/// Invalid feet of a tripod.
-///
-/// ```
-/// use tribos_core::patch::tripod::{TripodError, tripod};
-/// let feet = [[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]]; // m
-/// assert_eq!(tripod(feet, [0.2, 0.2]), Err(TripodError::Tips { foot: 0 }));
-/// let row = [[0.0, 0.0], [0.1, 0.0], [0.2, 0.0]];
-/// assert_eq!(tripod(row, [0.1, 0.0]), Err(TripodError::Line));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum TripodError {
-    /// The feet lie in a line, or a position is not finite.
-    Line,
-    /// The body tips over: a foot would have to pull.
-    Tips {
-        /// Which foot lifts first, from 0.
-        foot: usize,
-    },
-    /// The nodes are not valid.
-    Nodes(NodeError),
-}
-
-impl From<NodeError> for TripodError {
-    fn from(error: NodeError) -> Self {
-        Self::Nodes(error)
-    }
-}
-
-impl core::fmt::Display for TripodError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Line => f.write_str("three feet must span a triangle of finite size"),
-            Self::Tips { foot } => write!(f, "the body tips over: foot {foot} would have to pull"),
-            Self::Nodes(error) => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for TripodError {}

@@ -5,6 +5,9 @@
 //! is kept: as long as the next wrench is that sum nothing needs to be found.
 
 use super::balance::{Balance, Remainder, norm};
+use crate::error::Error;
+use crate::law::{LawError, validated_not_negative};
+use crate::patch::PatchError;
 use crate::patch::nodes::NodePatch;
 use crate::real::Real;
 use crate::twist::Wrench;
@@ -24,6 +27,7 @@ use nalgebra::{Vector2, Vector3};
 /// let mut table: NodeFoot<f64, _, 2> = NodeFoot::new(feet, 10.0)?; // μN = 10 N
 /// let push = Wrench::new(0.0, 3.0, 0.2);
 /// assert_eq!(table.nearest(&push, 0.1), push); // held
+/// assert!(NodeFoot::<f64, _, 1>::new(feet, 10.0).is_err()); // two points, room for one
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -31,33 +35,6 @@ pub struct NodeFoot<R: Real, P, const CAPACITY: usize> {
     patch: P,
     force_limit: R,
     forces: heapless::Vec<Vector2<R>, CAPACITY>,
-}
-
-/// An invalid foot.
-///
-/// ```
-/// use tribos_core::patch::nodes::{Node, Nodes};
-/// use tribos_core::planar::{NodeFoot, FootError};
-/// let two = Nodes::new([-0.1, 0.1].map(|x| Node { x, y: 0.0, weight: 0.5_f64 }))?;
-/// let small = NodeFoot::<_, _, 1>::new(two, 10.0).err();
-/// assert_eq!(small, Some(FootError::Full { capacity: 1 }));
-/// let pulled = NodeFoot::<_, _, 2>::new(two, -10.0).err();
-/// assert_eq!(pulled, Some(FootError::ForceLimit { given: -10.0 }));
-/// # Ok::<(), tribos_core::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum FootError {
-    /// The force limit μN is negative, infinite or NaN.
-    ForceLimit {
-        /// What was given.
-        given: f64,
-    },
-    /// The patch has more points than the foot has room for.
-    Full {
-        /// How many points there is room for.
-        capacity: usize,
-    },
 }
 
 /// What kept forces may leave of a wrench that they carry, in rounding errors of it.
@@ -69,11 +46,11 @@ const PASSES: usize = 8;
 
 impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
     /// *Domain*: 0 ≤ `force_limit` < ∞ (μN, in units of force); at most `CAPACITY` points.
-    pub fn new(patch: P, force_limit: R) -> Result<Self, FootError> {
+    pub fn new(patch: P, force_limit: R) -> Result<Self, Error> {
         let mut forces = heapless::Vec::new();
         let zero = Vector2::new(R::ZERO, R::ZERO);
         if forces.resize(patch.nodes().len(), zero).is_err() {
-            return Err(FootError::Full { capacity: CAPACITY });
+            return Err(PatchError::Full { capacity: CAPACITY }.into());
         }
         let mut foot = Self {
             patch,
@@ -101,14 +78,9 @@ impl<R: Real, P: NodePatch<R>, const CAPACITY: usize> NodeFoot<R, P, CAPACITY> {
     /// assert!((resisted.force.y - table.force_limit()).abs() < 1e-11);
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
-    pub fn set_force_limit(&mut self, force_limit: R) -> Result<(), FootError> {
-        if force_limit >= R::ZERO && force_limit.is_finite() {
-            self.force_limit = force_limit;
-            Ok(())
-        } else {
-            let given = force_limit.to_f64();
-            Err(FootError::ForceLimit { given })
-        }
+    pub fn set_force_limit(&mut self, force_limit: R) -> Result<(), LawError> {
+        self.force_limit = validated_not_negative("force limit", force_limit)?;
+        Ok(())
     }
 
     /// The largest force, μN.
@@ -234,17 +206,3 @@ fn within<R: Real>(wanted: &Vector2<R>, bound: R) -> Vector2<R> {
     let scale = bound / size;
     Vector2::new(wanted.x * scale, wanted.y * scale)
 }
-
-impl core::fmt::Display for FootError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::ForceLimit { given } => write!(
-                f,
-                "the force limit must be finite and not negative, not {given}"
-            ),
-            Self::Full { capacity } => write!(f, "there is room for {capacity} points, not more"),
-        }
-    }
-}
-
-impl core::error::Error for FootError {}

@@ -43,9 +43,10 @@ mod balance;
 mod foot;
 mod step;
 
-pub use foot::{FootError, NodeFoot};
+pub use foot::NodeFoot;
 pub use step::PlanarStep;
 
+use crate::law::{LawError, validated_positive};
 use crate::real::Real;
 
 /// Mass, and moment of inertia about the normal, of a body that a patch carries.
@@ -54,14 +55,16 @@ use crate::real::Real;
 /// [`crate::limit_surface::FrictionSet`] is centred there.
 ///
 /// ```
-/// use tribos_core::planar::{PlanarBody, PlanarBodyError};
+/// use tribos_core::law::LawError;
+/// use tribos_core::planar::PlanarBody;
 /// // A disk of 0.17 kg and 4 cm: half of its mass counts at its rim.
 /// let puck = PlanarBody::new(0.17_f64, 0.5 * 0.17 * 0.04 * 0.04)?;
 /// assert!((puck.inertia() - puck.mass() * puck.gyration() * puck.gyration()).abs() < 1e-18);
 /// assert!((puck.gyration() - 0.04 / 2.0_f64.sqrt()).abs() < 1e-16);
+/// let parameter = "moment of inertia";
 /// let refused = PlanarBody::new(0.17, 0.0);
-/// assert_eq!(refused, Err(PlanarBodyError { mass: 0.17, inertia: 0.0 }));
-/// # Ok::<(), PlanarBodyError>(())
+/// assert_eq!(refused, Err(LawError::NotPositive { parameter, given: 0.0 }));
+/// # Ok::<(), LawError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -72,31 +75,14 @@ pub struct PlanarBody<R> {
     gyration: R,
 }
 
-/// A mass or moment of inertia that is not positive and finite, or a radius of gyration that is not.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PlanarBodyError {
-    /// The mass that was given.
-    pub mass: f64,
-    /// The moment of inertia that was given.
-    pub inertia: f64,
-}
-
 impl<R: Real> PlanarBody<R> {
     /// *Units*: mass, mass × length². *Domain*: both positive and finite, and so their ratio.
-    pub fn new(mass: R, inertia: R) -> Result<Self, PlanarBodyError> {
-        let valid = |x: R| x > R::ZERO && x.is_finite();
-        let gyration = (inertia / mass).sqrt();
-        if valid(mass) && valid(inertia) && valid(gyration) {
-            Ok(Self {
-                mass,
-                inertia,
-                gyration,
-            })
-        } else {
-            let (mass, inertia) = (mass.to_f64(), inertia.to_f64());
-            Err(PlanarBodyError { mass, inertia })
-        }
+    pub fn new(mass: R, inertia: R) -> Result<Self, LawError> {
+        Ok(Self {
+            mass: validated_positive("mass", mass)?,
+            inertia: validated_positive("moment of inertia", inertia)?,
+            gyration: validated_positive("radius of gyration", (inertia / mass).sqrt())?,
+        })
     }
 
     /// The mass.
@@ -114,16 +100,3 @@ impl<R: Real> PlanarBody<R> {
         self.gyration
     }
 }
-
-impl core::fmt::Display for PlanarBodyError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let Self { mass, inertia } = self;
-        write!(
-            f,
-            "mass and moment of inertia must be positive and finite, and so their ratio, not {mass} \
-             and {inertia}"
-        )
-    }
-}
-
-impl core::error::Error for PlanarBodyError {}

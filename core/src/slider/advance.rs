@@ -25,7 +25,7 @@ use crate::real::Real;
 /// let stops = puck.advance(&start, 1.0);
 /// assert!(stops.motion.is_at_rest());
 /// assert!(stops.rest.is_some_and(|rest| (rest.motion.time - 0.4).abs() < 1e-13));
-/// # Ok::<(), tribos_core::slider::SliderError>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -24,8 +24,10 @@ pub use advance::Advance;
 pub use rest::Rest;
 
 use crate::coupling::{Coupling, Profile, ReducedWrench};
-use crate::modes::{InertiaError, validated_inertia_ratio};
-use crate::patch::{PatchError, validated_radius};
+use crate::error::Error;
+use crate::law::validated_positive;
+use crate::modes::validated_inertia_ratio;
+use crate::patch::validated_radius;
 use crate::real::Real;
 
 /// The state of a slider.
@@ -72,48 +74,6 @@ impl<R: Real> Motion<R> {
     }
 }
 
-/// An invalid parameter of a slider.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum SliderError {
-    /// The deceleration γ g is not positive and finite.
-    Deceleration {
-        /// What was given.
-        given: f64,
-    },
-    /// The contact radius is not positive and finite.
-    Radius(PatchError),
-    /// The inertia ratio is not positive and finite.
-    Inertia(InertiaError),
-}
-
-impl core::fmt::Display for SliderError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Deceleration { given } => write!(
-                f,
-                "the deceleration (coefficient x gravity) must be positive and finite, not {given}"
-            ),
-            Self::Radius(error) => error.fmt(f),
-            Self::Inertia(error) => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for SliderError {}
-
-impl From<PatchError> for SliderError {
-    fn from(error: PatchError) -> Self {
-        Self::Radius(error)
-    }
-}
-
-impl From<InertiaError> for SliderError {
-    fn from(error: InertiaError) -> Self {
-        Self::Inertia(error)
-    }
-}
-
 /// Parameters of [`Slider`].
 ///
 /// *Domain*: all positive and finite.
@@ -152,19 +112,16 @@ pub struct Slider<R, P> {
 
 impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// From the coupling of its contact. *Domain*: that of [`SliderParameters`].
-    pub fn new(profile: P, parameters: SliderParameters<R>) -> Result<Self, SliderError> {
+    pub fn new(profile: P, parameters: SliderParameters<R>) -> Result<Self, Error> {
         let SliderParameters {
             deceleration,
             radius,
             inertia_ratio,
         } = parameters;
-        if !(deceleration > R::ZERO && deceleration.is_finite()) {
-            let given = deceleration.to_f64();
-            return Err(SliderError::Deceleration { given });
-        }
+        let named = "deceleration (coefficient x gravity)";
         Ok(Self {
             profile,
-            deceleration,
+            deceleration: validated_positive(named, deceleration)?,
             radius: validated_radius(radius)?,
             inertia_ratio: validated_inertia_ratio(inertia_ratio)?,
         })
@@ -190,7 +147,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// let lost = (puck.energy_per_mass(&start) - puck.energy_per_mass(&end)) / 1e-4;
     /// let mean = 0.5 * (puck.dissipation_per_mass(&start) + puck.dissipation_per_mass(&end));
     /// assert!((lost - mean).abs() < 1e-6);
-    /// # Ok::<(), tribos_core::slider::SliderError>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn dissipation_per_mass(&self, motion: &Motion<R>) -> R {
         let rim = (motion.spin * self.radius).abs();
@@ -209,7 +166,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// assert_eq!(puck.ratio(&Motion::launched(1.0, 5.0)), 1.0 / (5.0 * 0.08));
     /// assert_eq!(puck.ratio(&Motion::launched(1.0, 0.0)), f64::INFINITY);
     /// assert_eq!(*puck.profile(), Coulomb);
-    /// # Ok::<(), tribos_core::slider::SliderError>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn ratio(&self, motion: &Motion<R>) -> R {
         motion.speed / (motion.spin * self.radius).abs()

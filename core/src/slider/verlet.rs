@@ -31,7 +31,7 @@ impl<R: Real, P: Profile<R> + Coupling<R>> Slider<R, P> {
     /// };
     /// // Half the step, a quarter of the error.
     /// assert!((error(50) / error(100) - 4.0).abs() < 0.2);
-    /// # Ok::<(), tribos_core::slider::SliderError>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn verlet_step(&self, motion: &Motion<R>, duration: R) -> Motion<R> {
         let rim = (motion.spin * self.radius).abs();

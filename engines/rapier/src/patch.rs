@@ -8,7 +8,7 @@ use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
-use tribos_core::patch::polygon::{PolygonError, polygon};
+use tribos_core::patch::polygon::polygon;
 use tribos_core::planar::{PlanarBody, PlanarStep};
 use tribos_core::twist::{Twist, Wrench};
 
@@ -83,7 +83,7 @@ pub enum PatchError {
         given: f32,
     },
     /// The polygon has no interior, or too many corners.
-    Polygon(PolygonError),
+    Polygon(tribos_core::patch::PatchError),
 }
 
 impl Patch {

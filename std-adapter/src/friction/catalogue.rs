@@ -3,7 +3,8 @@
 use std::fmt;
 use tribos_core::law::{
     CoulombLaw, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters, PlateauPower,
-    PlateauPowerParameters, PowerLaw, RateState, RateStateParameters, Stribeck, StribeckParameters,
+    PlateauPowerParameters, PowerLaw, RateState, RateStateParameters, Savkoor, SavkoorParameters,
+    Stribeck, StribeckParameters,
 };
 use tribos_core::real::Real;
 
@@ -125,6 +126,15 @@ fn stribeck<R: Real + 'static>([mu_s, mu_d, vs, delta, k, _]: Values<R>) -> Made
         speed: vs,
         exponent: delta,
         viscous: k,
+    })?))
+}
+
+fn savkoor<R: Real + 'static>([mu0, mu_m, vm, h, ..]: Values<R>) -> Made<R> {
+    Ok(Box::new(Savkoor::new(SavkoorParameters {
+        mu_base: mu0,
+        mu_max: mu_m,
+        speed: vm,
+        narrowness: h,
     })?))
 }
 
@@ -256,6 +266,19 @@ pub const LAWS: &[Entry] = &[
         ],
         source: "Stribeck 1902, form of Bo and Pavelescu 1982; thesis fig. 2.8",
         local: local(stribeck, stribeck),
+    },
+    Entry {
+        name: "savkoor",
+        summary: "rubber: a maximum over decades of speed",
+        formula: "mu0 + (mu_m - mu0) exp(-h^2 ln(v/vm)^2)",
+        parameters: &[
+            needed("mu0", "-", "coefficient far from the maximum, <= mu_m"),
+            needed("mu_m", "-", "largest coefficient"),
+            needed("vm", "m/s", "speed of the maximum"),
+            optional("h", "-", "narrowness of the maximum", 0.4),
+        ],
+        source: "Savkoor 1966",
+        local: local(savkoor, savkoor),
     },
     Entry {
         name: "rate-state",

@@ -62,7 +62,7 @@ pub use visit::{RoundPower, Visitor, leaning, upright, visit};
 use quadrature::{ByNodes, DiskOfAnyLaw};
 use std::fmt;
 use tribos_core::coupling::{
-    Annulus, Coupling, FrictionError, Lateral, PatchFriction, ReducedJacobian, ReducedWrench,
+    Annulus, Coupling, Lateral, PatchFriction, ReducedJacobian, ReducedWrench,
 };
 use tribos_core::internals::LateralJacobian;
 use tribos_core::real::Real;
@@ -144,7 +144,7 @@ impl<R: Precision> Friction<R> {
     }
 
     /// The contact of this friction on a patch of `radius`.
-    pub fn with_radius(self, radius: R) -> Result<PatchFriction<R, Self>, FrictionError> {
+    pub fn with_radius(self, radius: R) -> Result<PatchFriction<R, Self>, tribos_core::Error> {
         let coefficient = self.coefficient;
         PatchFriction::new(self, coefficient, radius)
     }

@@ -7,7 +7,7 @@ use super::visit::Smooth;
 use std::fmt::Debug;
 use tribos_core::coupling::Lateral;
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
-use tribos_core::coupling::table::{CoulombTable, Table32, Table64};
+use tribos_core::coupling::table::{Table32, Table64};
 use tribos_core::internals::SmoothProfile;
 use tribos_core::law::LawError;
 use tribos_core::patch::PowerPressure;
@@ -34,7 +34,7 @@ pub(super) mod sealed {
     use super::*;
 
     /// The kernel's tables and laws in one precision.
-    pub trait Tables: Real + CoulombTable + Debug {
+    pub trait Tables: Real + Debug {
         const HAS_POLYNOMIALS: bool;
         type Disk: SmoothProfile<Self> + Lateral<Self> + 'static;
         type Round: SmoothProfile<Self> + Lateral<Self> + 'static;

@@ -1,10 +1,8 @@
 //! Why a choice of friction is refused.
 
 use super::{LARGEST_EXPONENT, Tier};
-use tribos_core::coupling::FrictionError;
 use tribos_core::law::LawError;
 use tribos_core::patch::PatchError;
-use tribos_core::patch::nodes::NodeError;
 
 /// Why a patch, a law or a tier was refused, with what to do about it.
 ///
@@ -78,7 +76,7 @@ pub enum Refusal {
     /// Points have no axis of symmetry.
     #[error("points have no axis of symmetry: name a round patch")]
     NoAxis,
-    /// The kernel refused the patch.
+    /// The kernel refused the patch, or the nodes that stand for its pressure.
     #[error(transparent)]
     Patch(#[from] PatchError),
     /// The kernel refused the law.
@@ -86,10 +84,7 @@ pub enum Refusal {
     Law(#[from] LawError),
     /// The kernel refused radius or coefficient.
     #[error(transparent)]
-    Friction(#[from] FrictionError),
-    /// The kernel refused the nodes that stand for the pressure.
-    #[error(transparent)]
-    Nodes(#[from] NodeError),
+    Friction(#[from] tribos_core::Error),
 }
 
 impl Refusal {

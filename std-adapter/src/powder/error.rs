@@ -6,7 +6,6 @@ use crate::record::CheckpointError;
 use crate::scene::InvalidScene;
 use tribos_core::contact::TouchError;
 use tribos_core::law::LawError;
-use tribos_core::limit_surface::SurfaceError;
 
 /// A compaction that cannot start or go on.
 ///
@@ -31,7 +30,7 @@ pub enum CompactionError {
     Law(#[from] LawError),
     /// The kernel refused a set of sliding and torsion.
     #[error(transparent)]
-    Surface(#[from] SurfaceError),
+    Surface(#[from] tribos_core::Error),
     /// The world cannot start or go on.
     #[error(transparent)]
     World(#[from] WorldError),

@@ -12,12 +12,13 @@ use crate::record::{ContactRow, Partner};
 use crate::scene::{Coupling, PowderScene, WallLaw};
 use nalgebra::Vector3;
 use std::fmt::Debug;
+use tribos_core::Error;
 use tribos_core::contact::{
     Cohesion, ContactFriction, ContactModes, CoupledFriction, Modal, NormalLaw, Sphere, Thresholds,
     Touch, TouchError,
 };
 use tribos_core::coupling::table;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, SurfaceError};
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 
 /// Number of the piston among the walls.
 ///
@@ -121,7 +122,7 @@ fn contact_radius(scene: &PowderScene) -> f64 {
 }
 
 /// What a contact of a joint set carries at a coefficient, in P and P r_eff.
-pub(super) fn ellipsoid(scene: &PowderScene, mu: f64) -> Result<Ellipsoid<f64>, SurfaceError> {
+pub(super) fn ellipsoid(scene: &PowderScene, mu: f64) -> Result<Ellipsoid<f64>, Error> {
     Ellipsoid::new(mu, contact_radius(scene), SPIN_TORQUE)
 }
 
@@ -129,7 +130,7 @@ pub(super) fn ellipsoid(scene: &PowderScene, mu: f64) -> Result<Ellipsoid<f64>, 
 pub(super) fn exact(
     scene: &PowderScene,
     mu: f64,
-) -> Result<LimitSurface<f64, table::Coulomb>, SurfaceError> {
+) -> Result<LimitSurface<f64, table::Coulomb>, Error> {
     LimitSurface::new(table::Coulomb, mu, contact_radius(scene))
 }
 

@@ -25,11 +25,8 @@ pub use spent::Spent;
 use crate::friction::{Law, Patch, Refusal, RoundPower, Tier, Visitor, visit_disk};
 use crate::run::drive;
 use crate::scene::{InvalidScene, SliderScene};
-use tribos_core::coupling::FrictionError;
 use tribos_core::law::LawError;
-use tribos_core::modes::InertiaError;
 use tribos_core::patch::PatchError;
-use tribos_core::slider::SliderError;
 
 /// Why a validated scene could not be run to its end.
 ///
@@ -109,21 +106,15 @@ pub enum SlideError {
         /// Name of the law.
         law: &'static str,
     },
-    /// The kernel refused the friction.
-    #[error(transparent)]
-    Friction(#[from] FrictionError),
     /// The kernel refused the contact patch.
     #[error(transparent)]
     Patch(#[from] PatchError),
-    /// The kernel refused the law.
+    /// The kernel refused the law or the inertia.
     #[error(transparent)]
     Law(#[from] LawError),
-    /// The kernel refused the body.
+    /// The kernel refused the body on its patch.
     #[error(transparent)]
-    Slider(#[from] SliderError),
-    /// The kernel refused the inertia ratio.
-    #[error(transparent)]
-    Inertia(#[from] InertiaError),
+    Body(#[from] tribos_core::Error),
 }
 
 /// The energy of a launch, if the shares of it are numbers.

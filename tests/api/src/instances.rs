@@ -51,13 +51,14 @@ const DRY: &[&str] = &[
 
 /// All of them.
 pub const INSTANCES: &[Instance] = &[
-    instance("R", &["Real", "CoulombTable"]),
+    instance("R", &["Real"]),
     // Local laws.
     instance("law::CoulombLaw<R>", LAW),
     instance("law::DryFriction<R>", LAW),
     instance("law::PowerLaw<R>", LAW),
     instance("law::PlateauPower<R>", LAW),
     instance("law::Stribeck<R>", LAW),
+    instance("law::Savkoor<R>", LAW),
     instance("law::SteadyLuGre<R>", LAW),
     instance("law::SteadyRateState<R>", LAW),
     // What laws are made of.

@@ -8,7 +8,7 @@ use tribos_core::contact::{
     Attraction, Cohesion, Contact, ContactFriction, ContactModes, CoupledFriction, Modal,
     NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch,
 };
-use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
 use tribos_core::manifold::{InitialGuess, Manifold, SolverLimits};
 use tribos_core::real::Real;
@@ -18,7 +18,7 @@ pub fn contacts() -> u64 {
     in_both(contacts_of::<f64>, contacts_of::<f32>)
 }
 
-fn contacts_of<R: CoulombTable>(hash: &mut Fnv) {
+fn contacts_of<R: Real>(hash: &mut Fnv) {
     let [mu, mu_t, mu_n] = [0.5, 0.125, 0.25].map(R::from_f64);
     let exact = LimitSurface::new(Coulomb, mu, mu_n).expect("in range");
     let usual = Ellipsoid::new(mu, mu_n, R::HALF).expect("in range");

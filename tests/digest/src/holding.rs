@@ -5,10 +5,9 @@ use crate::inputs::{Lcg, ends, pairs_of_ends, signed, triples_of_ends, twist, un
 use nalgebra::Vector3;
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::Ring;
-use tribos_core::coupling::table::{Coulomb, CoulombTable};
-use tribos_core::internals::{NodeBuffer, NodeSink};
+use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
-use tribos_core::patch::nodes::{Node, NodePatch, NodeSlice};
+use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch, NodeSink, NodeSlice};
 use tribos_core::planar::{NodeFoot, PlanarBody, PlanarStep};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
@@ -23,7 +22,7 @@ pub fn holding() -> u64 {
     in_both(held::<f64>, held::<f32>)
 }
 
-fn held<R: CoulombTable>(hash: &mut Fnv) {
+fn held<R: Real>(hash: &mut Fnv) {
     let [mass, inertia, limit, radius] = [0.5, 0.015625, 0.75, 0.25].map(R::from_f64);
     let body = PlanarBody::new(mass, inertia).expect("positive");
     hash.numbers([body.mass(), body.inertia(), body.gyration()]);

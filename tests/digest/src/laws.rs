@@ -5,8 +5,8 @@ use crate::inputs::{Lcg, ends, pairs_of_ends, speed, unit};
 use tribos_core::law::{
     Age, Ageing, BowdenTabor, CoulombLaw, DragRegime, DryFriction, GreenwoodWilliamson, Grip,
     HertzSphere, Incline, InertialDrag, LawError, LocalLaw, Plastic, PlateauPower,
-    PlateauPowerParameters, PowerLaw, RealArea, Stokes, Stribeck, StribeckParameters,
-    critical_angle, crossover_reynolds, reynolds,
+    PlateauPowerParameters, PowerLaw, RealArea, Savkoor, SavkoorParameters, Stokes, Stribeck,
+    StribeckParameters, critical_angle, crossover_reynolds, reynolds,
 };
 use tribos_core::real::Real;
 
@@ -59,6 +59,29 @@ fn moving_of<R: Real>(hash: &mut Fnv) {
             exponent: R::ONE,
             viscous: y,
         }));
+    }
+}
+
+/// Digest of rubber, f64 and f32.
+pub fn rubber() -> u64 {
+    in_both(rubber_of::<f64>, rubber_of::<f32>)
+}
+
+fn rubber_of<R: Real>(hash: &mut Fnv) {
+    let tread = |speed, narrowness| {
+        Savkoor::new(SavkoorParameters {
+            mu_base: R::from_f64(0.625),
+            mu_max: R::from_f64(1.25),
+            speed,
+            narrowness,
+        })
+    };
+    for narrowness in [0.375, 2.0] {
+        let law = tread(R::HALF, R::from_f64(narrowness));
+        local(hash, &law.expect("in range"));
+    }
+    for (x, y) in pairs_of_ends::<R>() {
+        hash.verdict(&tread(x, y));
     }
 }
 

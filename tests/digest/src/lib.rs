@@ -69,7 +69,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 35] = [
+pub const CHAPTERS: [Chapter; 36] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),
@@ -105,6 +105,7 @@ pub const CHAPTERS: [Chapter; 35] = [
     little("touching", touching::touching),
     little("manifold", touching::manifold),
     little("holding", holding::holding),
+    little("rubber", laws::rubber),
 ];
 
 const DIGESTS: &str = include_str!("../digests.txt");

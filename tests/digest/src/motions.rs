@@ -3,7 +3,7 @@
 use crate::hash::{Fnv, in_both};
 use crate::inputs::{pairs_of_ends, triples_of_ends};
 use tribos_core::coupling::closed::Hertz;
-use tribos_core::coupling::table::{self, CoulombTable};
+use tribos_core::coupling::table;
 use tribos_core::coupling::{Coupling, Profile};
 use tribos_core::internals::runge_kutta::{judge, step, tolerance};
 use tribos_core::real::Real;
@@ -17,7 +17,7 @@ pub fn motions() -> u64 {
     in_both(motions_of::<f64>, motions_of::<f32>)
 }
 
-fn motions_of<R: CoulombTable>(hash: &mut Fnv) {
+fn motions_of<R: Real>(hash: &mut Fnv) {
     long(hash, table::Coulomb, [1.0, 5.0].map(R::from_f64));
     long(hash, Hertz, [0.25, -40.0].map(R::from_f64));
     pendulum::<R>(hash);

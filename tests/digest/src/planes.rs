@@ -5,11 +5,12 @@ use crate::inputs::{Lcg, arguments, ends, speed, triples_of_ends, twist};
 use nalgebra::Vector3;
 use tribos_core::coupling::closed::Hertz;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::table::{self, CoulombTable};
+use tribos_core::coupling::table;
 use tribos_core::coupling::tall::{AllRound, Footing, FrontBack, Lean, TallFriction};
 use tribos_core::coupling::{Lateral, PatchFriction};
 use tribos_core::internals::leaning_wrench;
 use tribos_core::law::PowerLaw;
+use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::NodePatch;
 use tribos_core::patch::tripod::tripod;
 use tribos_core::real::Real;
@@ -20,7 +21,7 @@ pub fn planes() -> u64 {
     in_both(planes_of::<f64>, planes_of::<f32>)
 }
 
-fn planes_of<R: CoulombTable>(hash: &mut Fnv) {
+fn planes_of<R: Real>(hash: &mut Fnv) {
     let real = R::from_f64;
     let puck = PatchFriction::new(table::Coulomb, real(0.3), real(0.04)).expect("in range");
     hash.numbers([puck.radius(), puck.coefficient()]);
@@ -69,7 +70,7 @@ pub fn leaning() -> u64 {
     in_both(leaning_of::<f64>, leaning_of::<f32>)
 }
 
-fn leaning_of<R: CoulombTable>(hash: &mut Fnv) {
+fn leaning_of<R: Real>(hash: &mut Fnv) {
     for height in [0.0, 0.1, 0.5] {
         tall::<R, _, AllRound>(hash, table::Coulomb, height);
         tall::<R, _, FrontBack>(hash, Hertz, height);
@@ -105,7 +106,8 @@ fn tall<R: Real, C: Lateral<R>, L: Lean>(hash: &mut Fnv, coupling: C, height: f6
         hash.feed(u64::from(got.footing == Footing::Whole));
         match got.whole() {
             Ok(wrench) => hash.wrench(&wrench),
-            Err(tips) => hash.number(tips.lean),
+            Err(PatchError::Tips { lean }) => hash.number(lean),
+            Err(other) => panic!("{other}"),
         }
     }
 }

@@ -8,9 +8,10 @@ use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::{
     LateralPolynomialTable, PolynomialTable, RoundTable32, RoundTable64,
 };
-use tribos_core::coupling::table::{self, CoulombTable, Table32, Table64};
+use tribos_core::coupling::table::{self, Table32, Table64};
+use tribos_core::coupling::unscaled_wrench;
 use tribos_core::coupling::{Annulus, Dry, Lateral, Profile, compact};
-use tribos_core::internals::{Lead, LeanProfile, SmoothProfile, Speeds, unscaled_wrench};
+use tribos_core::internals::{Lead, LeanProfile, SmoothProfile, Speeds};
 use tribos_core::law::PowerLaw;
 use tribos_core::modes::{FinalMode, Modes, Stability, inertia_interval};
 use tribos_core::patch::{PolynomialPressure, PowerPressure};
@@ -70,7 +71,7 @@ pub fn plain_forms() -> u64 {
     hash.0
 }
 
-fn plain_forms_of<R: CoulombTable>(hash: &mut Fnv) {
+fn plain_forms_of<R: Real>(hash: &mut Fnv) {
     smooth::<R, _>(hash, &compact::CompactCoulomb, 30);
     smooth::<R, _>(hash, &Ring, 20);
     smooth::<R, _>(hash, &FlatPunch, 20);

@@ -4,7 +4,7 @@ use crate::hash::{Fnv, in_both};
 use crate::inputs::{Lcg, ends, pairs_of_ends, speed, triples_of_ends, twist};
 use nalgebra::Vector2;
 use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
-use tribos_core::coupling::table::{self, CoulombTable};
+use tribos_core::coupling::table;
 use tribos_core::coupling::{Annulus, Dry, DryCoupling, compact};
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Region};
 use tribos_core::real::Real;
@@ -15,7 +15,7 @@ pub fn sets() -> u64 {
     in_both(sets_of::<f64>, sets_of::<f32>)
 }
 
-fn sets_of<R: CoulombTable>(hash: &mut Fnv) {
+fn sets_of<R: Real>(hash: &mut Fnv) {
     exact::<R, _>(hash, table::Coulomb, 16);
     exact::<R, _>(hash, compact::CompactCoulomb, 2);
     exact::<R, _>(hash, Ring, 2);

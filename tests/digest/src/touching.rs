@@ -8,7 +8,7 @@ use tribos_core::contact::{
     Attraction, Body, Cohesion, Contact, ContactFriction, CoupledFriction, NormalLaw, Plate,
     Sphere, Thresholds, TimeStep, Touch,
 };
-use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::coupling::table::Coulomb;
 use tribos_core::internals::{InPlane, project_on_disc};
 use tribos_core::internals::{Masses, TangentialLoad};
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
@@ -20,7 +20,7 @@ pub fn touching() -> u64 {
     in_both(touching_of::<f64>, touching_of::<f32>)
 }
 
-fn touching_of<R: CoulombTable>(hash: &mut Fnv) {
+fn touching_of<R: Real>(hash: &mut Fnv) {
     let [mu, mu_t, mu_n] = [0.5, 0.125, 0.25].map(R::from_f64);
     let exact = LimitSurface::new(Coulomb, mu, mu_n).expect("in range");
     let usual = Ellipsoid::new(mu, mu_n, R::HALF).expect("in range");

@@ -6,7 +6,7 @@ use tribos_core::contact::{
     AllModes, Attraction, Body, Cohesion, Contact, ContactFriction, ContactModes, CoupledFriction,
     Modal, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch,
 };
-use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{Ellipsoid, LimitSurface};
 use tribos_core::manifold::{InitialGuess, Manifold, SolverLimits};
 use tribos_core::real::Real;
@@ -20,7 +20,7 @@ pub fn contacts(source: &mut Source) -> Result<(), Broken> {
     }
 }
 
-fn of<R: CoulombTable>(source: &mut Source) -> Result<(), Broken> {
+fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let [mu, rolling, torsion] = [(); 3].map(|()| source.size::<R>());
     match source.below(7) {
         0 => updated::<R, _>(source, &Thresholds::none()),

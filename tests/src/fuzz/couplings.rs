@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::RoundTable64;
-use tribos_core::coupling::table::{self, CoulombTable, Table32, Table64};
+use tribos_core::coupling::table::{self, Table32, Table64};
 use tribos_core::coupling::{Annulus, Coupling, Lateral, Profile, compact};
 use tribos_core::internals::Speeds;
 use tribos_core::law::PowerLaw;
@@ -77,7 +77,7 @@ pub fn couplings(source: &mut Source) -> Result<(), Broken> {
     }
 }
 
-fn closed<R: CoulombTable>(source: &mut Source) -> Result<(), Broken> {
+fn closed<R: Real>(source: &mut Source) -> Result<(), Broken> {
     match source.below(3) {
         0 => lateral::<R>(source, &Ring),
         1 => lateral::<R>(source, &FlatPunch),

@@ -6,8 +6,8 @@ use tribos_core::law::{
     Age, Ageing, BowdenTabor, Bristle, ContactAge, CoulombLaw, Dieterich, DragRegime, DryFriction,
     Evolution, GreenwoodWilliamson, Grip, HertzSphere, Incline, InertialDrag, LocalLaw, LuGre,
     LuGreParameters, Plastic, PlateauPower, PlateauPowerParameters, PowerLaw, RateState,
-    RateStateParameters, RealArea, Ruina, Stokes, Stribeck, StribeckParameters, critical_angle,
-    crossover_reynolds, reynolds,
+    RateStateParameters, RealArea, Ruina, Savkoor, SavkoorParameters, Stokes, Stribeck,
+    StribeckParameters, critical_angle, crossover_reynolds, reynolds,
 };
 use tribos_core::real::Real;
 
@@ -21,7 +21,7 @@ pub fn memoryless(source: &mut Source) -> Result<(), Broken> {
 }
 
 fn memoryless_of<R: Real>(source: &mut Source) -> Result<(), Broken> {
-    match source.below(7) {
+    match source.below(8) {
         0 => dry::<R>(source),
         1 => {
             let law = CoulombLaw::<R>::new(source.size());
@@ -35,6 +35,7 @@ fn memoryless_of<R: Real>(source: &mut Source) -> Result<(), Broken> {
         3 => stribeck::<R>(source),
         4 => plateau::<R>(source),
         5 => drag::<R>(source),
+        6 => savkoor::<R>(source),
         _ => areas::<R>(source),
     }
 }
@@ -144,6 +145,17 @@ fn plateau<R: Real>(source: &mut Source) -> Result<(), Broken> {
         rest_share: share,
     });
     law.map_or(Ok(()), |law| local(source, "plateau", &law))
+}
+
+fn savkoor<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let mu_base = source.size::<R>();
+    let law = Savkoor::new(SavkoorParameters {
+        mu_base,
+        mu_max: mu_base + source.size(),
+        speed: source.positive(),
+        narrowness: source.positive(),
+    });
+    law.map_or(Ok(()), |law| local(source, "Savkoor", &law))
 }
 
 fn drag<R: Real>(source: &mut Source) -> Result<(), Broken> {

@@ -3,7 +3,7 @@
 use super::check::{at_most, finite, holds};
 use super::{Broken, Source};
 use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
-use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::coupling::table::Coulomb;
 use tribos_core::coupling::{Coupling, Profile, compact};
 use tribos_core::modes::{FinalMode, Modes, inertia_interval};
 use tribos_core::real::Real;
@@ -70,7 +70,7 @@ fn slid_single(source: &mut Source) -> Result<(), Broken> {
     slid::<f32, _>(source, Coulomb)
 }
 
-fn slid<R: CoulombTable, P: Profile<R> + Coupling<R>>(
+fn slid<R: Real, P: Profile<R> + Coupling<R>>(
     source: &mut Source,
     profile: P,
 ) -> Result<(), Broken> {

@@ -6,7 +6,7 @@ use super::{Broken, Source};
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::Hertz;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::coupling::table::Coulomb;
 use tribos_core::coupling::tall::{AllRound, FrontBack, Lean, TallFriction};
 use tribos_core::coupling::{Lateral, PatchFriction};
 use tribos_core::law::PowerLaw;
@@ -66,7 +66,7 @@ pub fn planes(source: &mut Source) -> Result<(), Broken> {
     }
 }
 
-fn upright<R: CoulombTable>(source: &mut Source) -> Result<(), Broken> {
+fn upright<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let Ok(puck) = PatchFriction::<R, _>::new(Coulomb, source.size(), source.positive()) else {
         return Ok(());
     };
@@ -136,7 +136,7 @@ pub fn steps(source: &mut Source) -> Result<(), Broken> {
     }
 }
 
-fn step_on_surface<R: CoulombTable>(source: &mut Source) -> Result<(), Broken> {
+fn step_on_surface<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let Ok(set) = LimitSurface::new(Coulomb, source.size::<R>(), source.positive()) else {
         return Ok(());
     };

@@ -4,7 +4,7 @@ use super::check::{at_most, finite, holds};
 use super::planes::{dissipates, twist, wrench};
 use super::{Broken, Source};
 use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
-use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Region};
 use tribos_core::real::Real;
 
@@ -17,7 +17,7 @@ pub fn sets(source: &mut Source) -> Result<(), Broken> {
     }
 }
 
-fn of<R: CoulombTable>(source: &mut Source) -> Result<(), Broken> {
+fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let (force, radius) = (source.size::<R>(), source.positive::<R>());
     match source.below(6) {
         0 => LimitSurface::new(Hertz, force, radius).map_or(Ok(()), |set| asked(source, &set)),

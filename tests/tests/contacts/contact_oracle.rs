@@ -5,7 +5,7 @@ use tribos_core::contact::{
     AllModes, Attraction, Cohesion, Contact, ContactFriction, CoupledFriction, Modal, NormalLaw,
     SlidingTorsion, Sphere, Thresholds, Touch,
 };
-use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::LimitSurface;
 use tribos_core::real::Real;
 use tribos_tests::contacts::size;
@@ -86,9 +86,7 @@ fn thresholds<R: Real>(row: &Row) -> Thresholds<R, AllModes> {
     Thresholds::all(mu, mu_rolling, mu_torsion).unwrap()
 }
 
-fn exact<R: CoulombTable>(
-    row: &Row,
-) -> CoupledFriction<R, LimitSurface<R, Coulomb>, SlidingTorsion> {
+fn exact<R: Real>(row: &Row) -> CoupledFriction<R, LimitSurface<R, Coulomb>, SlidingTorsion> {
     let set = LimitSurface::new(Coulomb, number(row, "mu"), number(row, "mu_n")).unwrap();
     CoupledFriction::sliding_torsion(set)
 }

@@ -2,12 +2,12 @@
 
 use std::f64::consts::PI;
 use std::hint::black_box;
+use tribos_core::Error;
 use tribos_core::coupling::table::{self, Coulomb};
 use tribos_core::coupling::{Coupling, DryCoupling, compact};
 use tribos_core::internals::COLLAR_ULPS;
-use tribos_core::limit_surface::{
-    Ellipsoid, FrictionSet, LimitSurface, PatchSurface, Region, SurfaceError,
-};
+use tribos_core::law::LawError;
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface, Region};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::outline::Polygon;
 use tribos_core::twist::{Twist, Wrench};
@@ -362,17 +362,23 @@ fn wrong_limits_are_refused_with_what_was_given() {
     for given in [-1.0, -5e-324, f64::INFINITY] {
         assert_eq!(
             LimitSurface::new(Coulomb, given, 1.0).unwrap_err(),
-            SurfaceError::ForceLimit { given }
+            Error::Law(LawError::Negative {
+                parameter: "force limit",
+                given
+            })
         );
     }
     for given in [0.0, -1.0, f64::INFINITY] {
         assert_eq!(
             LimitSurface::new(Coulomb, 1.0, given).unwrap_err(),
-            SurfaceError::Radius(PatchError::Radius { given })
+            Error::Patch(PatchError::Radius { given })
         );
         assert_eq!(
             Ellipsoid::new(1.0, 1.0, given).unwrap_err(),
-            SurfaceError::SpinTorque { given }
+            Error::Law(LawError::NotPositive {
+                parameter: "reduced torque of pure spinning",
+                given
+            })
         );
     }
     assert!(LimitSurface::new(Coulomb, f64::NAN, 1.0).is_err());

@@ -23,12 +23,13 @@ use tribos_core::patch::{PolynomialPressure, PowerPressure};
 use tribos_core::twist::Twist;
 
 /// One law with values for each name of the catalogue.
-const LOCAL: [&str; 7] = [
+const LOCAL: [&str; 8] = [
     "coulomb:mu=0.3",
     "dry:mu_s=0.4,mu_d=0.3",
     "power:gamma=0.3,alpha=0.5",
     "plateau:gamma=0.1,alpha=-0.4,vp=1e-3,vd=1e-4",
     "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05,k=0.02",
+    "savkoor:mu0=0.6,mu_m=1.2,vm=0.5",
     "rate-state:mu0=0.4,a=0.01,b=0.015,v0=1e-3,dc=1e-5",
     "lugre:fc=0.3,fs=0.4,vs=0.01,s2=0.1",
 ];

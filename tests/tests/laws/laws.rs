@@ -8,7 +8,7 @@ use tribos_core::law::{
     StribeckParameters,
 };
 use tribos_core::real::Real;
-use tribos_tests::laws::{differentiated, lugre, plateau, rate_state, stribeck};
+use tribos_tests::laws::{differentiated, lugre, plateau, rate_state, savkoor, stribeck};
 use tribos_tests::sweep::{Lcg, special_f64};
 use tribos_tests::tables::Table;
 use tribos_tests::tolerance;
@@ -30,6 +30,8 @@ fn laws<R: Real + 'static>() -> Vec<Named<R>> {
         ("plateau -1/2", Box::new(plateau(-0.5, 0.5))),
         ("plateau -0.19", Box::new(plateau(-0.19, 0.0))),
         ("plateau 0", Box::new(plateau(0.0, 1.0))),
+        ("Savkoor, wide", Box::new(savkoor(0.4))),
+        ("Savkoor, narrow", Box::new(savkoor(2.0))),
         (
             "rate-and-state, weakening",
             Box::new(rate_state(0.01, 0.015, 2.0).steady()),
@@ -193,6 +195,7 @@ fn quadrature_serves_laws_with_several_regimes() {
     see_disk(&mut worst, "rate-and-state", weakening, (1e-6, 1.0));
     see_disk(&mut worst, "Stribeck", stribeck(2.0, 0.5), (1e-3, 0.1));
     see_disk(&mut worst, "plateau", plateau(-0.5, 0.5), (1e-5, 1.0));
+    see_disk(&mut worst, "Savkoor", savkoor(0.4), (1e-3, 10.0));
     let joint = lugre().steady_per_load(4.0).unwrap();
     see_disk(&mut worst, "LuGre", joint, (1e-4, 1e-2));
     worst.assert_within(&tolerance::REGIMES_ON_DISK);

@@ -5,10 +5,11 @@ use std::f64::consts::PI;
 use tribos_core::law::{
     Age, Ageing, BowdenTabor, CoulombLaw, Dieterich, DragRegime, DryFriction, GreenwoodWilliamson,
     Grip, HertzSphere, Incline, InertialDrag, LawError, LocalLaw, LuGre, LuGreParameters, Plastic,
-    PlateauPower, PlateauPowerParameters, RateState, RateStateParameters, RealArea, Stokes,
-    Stribeck, StribeckParameters, critical_angle, crossover_reynolds, reynolds,
+    PlateauPower, PlateauPowerParameters, RateState, RateStateParameters, RealArea, Savkoor,
+    SavkoorParameters, Stokes, Stribeck, StribeckParameters, critical_angle, crossover_reynolds,
+    reynolds,
 };
-use tribos_tests::laws::{differentiated, lugre, plateau, rate_state, stribeck};
+use tribos_tests::laws::{differentiated, lugre, plateau, rate_state, savkoor, stribeck};
 use tribos_tests::sweep::Lcg;
 
 #[test]
@@ -154,6 +155,58 @@ fn exponential_asperities_make_area_proportional_to_load() {
         assert!((rough.junction_area() * count / area - 1.0).abs() < 1e-12);
         assert!((rough.mean_pressure() * area / load - 1.0).abs() < 1e-12);
     }
+}
+
+#[test]
+fn savkoor_s_bell_keeps_its_formula() {
+    // v, h, μ and dμ/dv for μ₀ = 0.6, μ_m = 1.2, v_m = 0.5: mpmath in 40 digits.
+    let exact = [
+        (1e-9, 0.4, 0.6, 5.085814675869668e-19),
+        (1e-6, 0.4, 0.6000000000006497, 2.7282266363130422e-6),
+        (1e-6, 2.0, 0.6, 4.607148404837301e-292),
+        (1e-3, 0.4, 0.6012429816434762, 2.4718860120760833),
+        (0.1, 0.4, 0.9964235427854786, 2.041661053249251),
+        (0.1, 2.0, 0.6000189826111652, 0.0024441067268901186),
+        (0.5, 0.4, 1.2, 0.0),
+        (0.7, 0.4, 1.1892293429289142, -0.09063282966772089),
+        (0.7, 2.0, 0.9814864724116401, -1.466966932720928),
+        (3.0, 0.4, 0.9589795187141159, -0.06860852820426101),
+        (3.0, 2.0, 0.600001588955611, -7.59207003205463e-6),
+        (1e3, 0.4, 0.6000580259324764, -1.4113582492049572e-7),
+    ];
+    for (v, h, mu, slope) in exact {
+        let law = savkoor::<f64>(h);
+        assert!((law.friction(v) / mu - 1.0).abs() < 1e-15, "v = {v:e}");
+        // The exponent of the bell is up to 690.
+        assert!((law.slope(v) - slope).abs() <= 1e-12 * slope.abs(), "{v:e}");
+        let single = f64::from(savkoor::<f32>(h).friction(v as f32));
+        assert!((single / mu - 1.0).abs() < 1e-6, "v = {v:e}");
+    }
+    for h in [0.4, 2.0] {
+        let law = savkoor::<f64>(h);
+        assert_eq!([law.friction(0.0), law.slope(0.0)], [0.6, 0.0]);
+        assert_eq!(
+            [law.friction(f64::INFINITY), law.slope(f64::INFINITY)],
+            [0.6, 0.0]
+        );
+    }
+    let with = |mu_base, mu_max, speed, narrowness| {
+        Savkoor::new(SavkoorParameters {
+            mu_base,
+            mu_max,
+            speed,
+            narrowness,
+        })
+    };
+    assert!(with(0.6, 0.6, 0.5, 0.4).is_ok());
+    for bad in [0.0, -1.0, f64::INFINITY, f64::NAN] {
+        assert!(with(0.6, 1.2, bad, 0.4).is_err() && with(0.6, 1.2, 0.5, bad).is_err());
+    }
+    let low = with(0.6, 0.5, 0.5, 0.4).unwrap_err().to_string();
+    assert_eq!(
+        low,
+        "the largest coefficient must not be below the base coefficient"
+    );
 }
 
 #[test]

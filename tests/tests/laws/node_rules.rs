@@ -7,8 +7,9 @@ use core::f64::consts::{PI, TAU};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::{PatchFriction, compact};
 use tribos_core::law::{CoulombLaw, PowerLaw};
-use tribos_core::patch::nodes::{NodeError, NodeList, NodePatch};
-use tribos_core::patch::polar::{self, PolarError, PolarRule};
+use tribos_core::patch::PatchError;
+use tribos_core::patch::nodes::{NodeList, NodePatch};
+use tribos_core::patch::polar::{self, PolarRule};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tables::{Row, Table};
@@ -242,22 +243,28 @@ fn a_shape_may_be_any_pressure() {
     assert!(distance(&found, &expected) < 1e-8);
     // A tilt that would pull is refused where a node lies there.
     let pulling = rule(8, 16, 0.0).nodes_tilted::<ROOM>(1.5, 0.0);
-    assert!(matches!(pulling, Err(NodeError::Weight { .. })));
+    assert!(matches!(pulling, Err(PatchError::NodeWeight { .. })));
 }
 
 #[test]
 fn rules_without_meaning_are_refused() {
     let with = |r, rings, angles| PolarRule::new(r, rings, angles);
-    assert!(matches!(with(0.0, 1, 1), Err(PolarError::Radius(_))));
-    assert!(matches!(with(f64::NAN, 1, 1), Err(PolarError::Radius(_))));
-    assert_eq!(with(1.0, 0, 1), Err(PolarError::Order { given: 0 }));
-    assert_eq!(with(1.0, 1, 1025), Err(PolarError::Order { given: 1025 }));
+    assert!(matches!(with(0.0, 1, 1), Err(PatchError::Radius { .. })));
+    assert!(matches!(
+        with(f64::NAN, 1, 1),
+        Err(PatchError::Radius { .. })
+    ));
+    assert_eq!(with(1.0, 0, 1), Err(PatchError::RuleOrder { given: 0 }));
+    assert_eq!(
+        with(1.0, 1, 1025),
+        Err(PatchError::RuleOrder { given: 1025 })
+    );
     for q in [-1.0, 65.0, f64::NAN] {
         let refused = rule(2, 2, 0.0).with_rim_exponent(q);
-        assert!(matches!(refused, Err(PolarError::RimExponent { .. })));
+        assert!(matches!(refused, Err(PatchError::RimExponent { .. })));
     }
     let full = rule(4, 8, 0.0).nodes::<31>();
-    assert_eq!(full, Err(NodeError::Full { capacity: 31 }));
+    assert_eq!(full, Err(PatchError::Full { capacity: 31 }));
 }
 
 #[test]

@@ -4,8 +4,9 @@ use nalgebra::{Matrix3, Rotation2, Vector2, Vector3};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::internals::tripod_shares;
 use tribos_core::law::{CoulombLaw, LocalLaw, PowerLaw};
-use tribos_core::patch::nodes::{Node, NodeError, NodeList, NodePatch, Nodes};
-use tribos_core::patch::tripod::{TripodError, tripod};
+use tribos_core::patch::PatchError;
+use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
+use tribos_core::patch::tripod::tripod;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::{Lcg, special_f64};
 use tribos_tests::tolerance::{self, Bound};
@@ -86,7 +87,7 @@ fn a_tripods_feet_carry_what_balances_its_weight() {
                 assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-14);
                 assert!(shares.iter().all(|&p| p >= 0.0));
             }
-            Err(TripodError::Tips { foot }) => {
+            Err(PatchError::FootPulls { foot }) => {
                 tipping += 1;
                 // The centre lies beyond the line through the other two, seen from that foot.
                 let [a, b] = [feet[(foot + 1) % 3], feet[(foot + 2) % 3]];
@@ -99,8 +100,11 @@ fn a_tripods_feet_carry_what_balances_its_weight() {
     }
     assert!(standing > 100 && tipping > 100);
     let line = [[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]];
-    assert_eq!(tripod_shares(line, [1.0, 1.0]), Err(TripodError::Line));
-    assert_eq!(tripod_shares(feet, [f64::NAN, 0.0]), Err(TripodError::Line));
+    assert_eq!(tripod_shares(line, [1.0, 1.0]), Err(PatchError::FeetInLine));
+    assert_eq!(
+        tripod_shares(feet, [f64::NAN, 0.0]),
+        Err(PatchError::FeetInLine)
+    );
 }
 
 #[test]
@@ -325,27 +329,30 @@ fn invalid_nodes_are_refused_with_their_number() {
     let weight = |w| Nodes::new([good, node(0.0, 0.0, w)]);
     assert!(matches!(
         weight(-1.0),
-        Err(NodeError::Weight { index: 1, .. })
+        Err(PatchError::NodeWeight { index: 1, .. })
     ));
     assert!(matches!(
         weight(f64::NAN),
-        Err(NodeError::Weight { index: 1, .. })
+        Err(PatchError::NodeWeight { index: 1, .. })
     ));
     assert!(matches!(
         weight(f64::INFINITY),
-        Err(NodeError::Weight { index: 1, .. })
+        Err(PatchError::NodeWeight { index: 1, .. })
     ));
     let place = Nodes::new([node(f64::NAN, 0.0, 1.0), good]);
-    assert!(matches!(place, Err(NodeError::Position { index: 0, .. })));
-    assert_eq!(Nodes::new([node(0.0, 0.0, 0.0)]), Err(NodeError::Unloaded));
-    assert_eq!(Nodes::<f64, 0>::new([]), Err(NodeError::Unloaded));
+    assert!(matches!(
+        place,
+        Err(PatchError::NodePosition { index: 0, .. })
+    ));
+    assert_eq!(Nodes::new([node(0.0, 0.0, 0.0)]), Err(PatchError::Unloaded));
+    assert_eq!(Nodes::<f64, 0>::new([]), Err(PatchError::Unloaded));
     let huge = Nodes::new([node(0.0, 0.0, f64::MAX), node(0.0, 0.0, f64::MAX)]);
-    assert!(matches!(huge, Err(NodeError::Weight { index: 1, .. })));
+    assert!(matches!(huge, Err(PatchError::NodeWeight { index: 1, .. })));
 
     let mut list = NodeList::<f64, 1>::new();
     assert!(list.push(node(0.0, 0.0, -1.0)).is_err());
     assert_eq!(list.push(good), Ok(()));
     let before = list.clone();
-    assert_eq!(list.push(good), Err(NodeError::Full { capacity: 1 }));
+    assert_eq!(list.push(good), Err(PatchError::Full { capacity: 1 }));
     assert_eq!(list, before);
 }

@@ -4,8 +4,9 @@ use core::f64::consts::TAU;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::{PatchFriction, compact};
 use tribos_core::law::CoulombLaw;
-use tribos_core::patch::nodes::{NodeError, NodeList, NodePatch};
-use tribos_core::patch::polygon::{PolygonError, polygon};
+use tribos_core::patch::PatchError;
+use tribos_core::patch::nodes::{NodeList, NodePatch};
+use tribos_core::patch::polygon::polygon;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 
@@ -104,21 +105,18 @@ fn polygons_that_no_corner_oversees_are_refused() {
         [1.0, 3.0],
         [0.0, 3.0],
     ];
-    assert_eq!(polygon::<f64, ROOM>(&u_shape, 1), Err(PolygonError::Hidden));
+    assert_eq!(polygon::<f64, ROOM>(&u_shape, 1), Err(PatchError::Hidden));
     let line = [[0.0, 0.0], [1.0, 1.0], [3.0, 3.0]];
-    assert_eq!(polygon::<f64, ROOM>(&line, 1), Err(PolygonError::Hidden));
+    assert_eq!(polygon::<f64, ROOM>(&line, 1), Err(PatchError::Hidden));
     let bow_tie = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
-    assert_eq!(polygon::<f64, ROOM>(&bow_tie, 1), Err(PolygonError::Hidden));
+    assert_eq!(polygon::<f64, ROOM>(&bow_tie, 1), Err(PatchError::Hidden));
     let two = polygon::<f64, ROOM>(&line[..2], 1);
-    assert_eq!(two, Err(PolygonError::Corners { given: 2 }));
+    assert_eq!(two, Err(PatchError::Corners { given: 2 }));
     let none = polygon::<f64, ROOM>(&u_shape, 0);
-    assert_eq!(none, Err(PolygonError::Divisions { given: 0 }));
+    assert_eq!(none, Err(PatchError::Divisions { given: 0 }));
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let full = polygon::<f64, 13>(&square, 1);
-    assert_eq!(
-        full,
-        Err(PolygonError::Nodes(NodeError::Full { capacity: 13 }))
-    );
+    assert_eq!(full, Err(PatchError::Full { capacity: 13 }));
 }
 
 /// A regular polygon with 256 corners and the area of the unit disk.

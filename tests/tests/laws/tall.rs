@@ -2,7 +2,7 @@
 
 use tribos_core::coupling::closed::{Hertz, Ring};
 use tribos_core::coupling::tall::{AllRound, Footing, FrontBack, Lean, TallFriction};
-use tribos_core::coupling::{Coupling, FrictionError, Lateral, PatchFriction, table};
+use tribos_core::coupling::{Coupling, Lateral, PatchFriction, table};
 use tribos_core::coupling::{ReducedJacobian, ReducedWrench};
 use tribos_core::internals::LateralJacobian;
 use tribos_core::internals::leaning_wrench;
@@ -264,10 +264,11 @@ fn tipping_begins_exactly_where_the_trailing_edge_bears_nothing() {
     assert_eq!((border.lean.x, border.lean.y), (1.0, 0.0));
     let beyond = at(1.0_f64.next_up());
     assert_eq!(beyond.footing, Footing::Lifting);
-    assert_eq!(beyond.whole().expect_err("it tips").lean, 1.0_f64.next_up());
+    let lean = 1.0_f64.next_up();
+    assert_eq!(beyond.whole(), Err(PatchError::Tips { lean }));
     let far = at(4.0);
     let error = far.whole().expect_err("it tips");
-    assert_eq!(error.lean, 4.0);
+    assert_eq!(error, PatchError::Tips { lean: 4.0 });
     assert!(
         error.to_string().contains("4 of what its foot can bear"),
         "{error}"
@@ -331,7 +332,7 @@ fn impossible_heights_are_refused() {
     for height in [-1e-300, -1.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
         let error = TallFriction::<_, _, AllRound>::new(foot, height).expect_err("impossible");
         match error {
-            FrictionError::Patch(PatchError::Height { given }) => {
+            PatchError::Height { given } => {
                 assert!(given == height || given.is_nan() && height.is_nan());
             }
             other => panic!("{height}: {other:?}"),

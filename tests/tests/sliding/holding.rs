@@ -4,7 +4,7 @@ use nalgebra::{Vector2, Vector3};
 use tribos_core::contact::{
     Body, Cohesion, ContactFriction, NormalLaw, Plate, Sphere, Thresholds, TimeStep, Touch,
 };
-use tribos_core::coupling::table::{Coulomb, CoulombTable};
+use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
 use tribos_core::manifold::{InitialGuess, Manifold, SolverLimits};
 use tribos_core::patch::nodes::NodeList;
@@ -26,7 +26,7 @@ fn at_rest<R: Real>() -> Twist<R> {
 }
 
 /// A puck on a slope just below the angle at which it slides, with and without a torque.
-fn held_on_a_slope<R: CoulombTable>() {
+fn held_on_a_slope<R: Real>() {
     let [mass, radius, weight] = [0.17, 0.04, 0.17 * 9.81];
     let puck = PlanarBody::new(R::from_f64(mass), R::from_f64(0.5 * mass * radius * radius));
     let puck = puck.expect("positive");
@@ -170,7 +170,7 @@ fn spin_down_ends_where_and_when_it_should_to_second_order() {
 }
 
 /// A ball between two plates that press it, under its weight: what a gripper holds.
-fn pinched<R: CoulombTable, F: ContactFriction<R>>(friction: F, margin: f64) {
+fn pinched<R: Real, F: ContactFriction<R>>(friction: F, margin: f64) {
     let real = R::from_f64;
     let law = NormalLaw::new(Cohesion::NONE, R::ZERO).expect("valid");
     let mut grip = Manifold::<R, F, 3, 2>::new(law, friction);

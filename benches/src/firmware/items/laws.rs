@@ -16,7 +16,7 @@ const RATE_AND_STATE_STEADY: &str = "RateState::<R, Dieterich>::new(RateStatePar
 const LUGRE: &str = "LuGre::new(LuGreParameters { coulomb_force: 1.0, static_force: 1.5, stribeck_speed: b, stiffness: 1e5, bristle_damping: 300.0, viscous_damping: 0.5 }).ok()?";
 
 /// One speed in, one coefficient or force out.
-pub const LAWS: [Item; 13] = [
+pub const LAWS: [Item; 14] = [
     law(
         "Coulomb",
         &["law::coulomb"],
@@ -45,6 +45,12 @@ pub const LAWS: [Item; 13] = [
         "Stribeck",
         &["law::stribeck", "law::dry"],
         "Stribeck::new(StribeckParameters { dry: DryFriction::new(0.5, 0.25).ok()?, speed: b, exponent: 2.0, viscous: 0.125 }).ok()?",
+        "object.friction(a)",
+    ),
+    law(
+        "Savkoor",
+        &["law::savkoor"],
+        "Savkoor::new(SavkoorParameters { mu_base: 0.625, mu_max: 1.25, speed: b, narrowness: 0.5 }).ok()?",
         "object.friction(a)",
     ),
     law(

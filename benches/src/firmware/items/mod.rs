@@ -68,12 +68,13 @@ const BOTH: &[&str] = &["f32", "f64"];
 
 /// Modules that are no feature of their own: `coupling` itself has its traits only, and `wide` and
 /// `beyond` serve the ends of the number range in every coupling.
-pub const PLUMBING: [&str; 8] = [
+pub const PLUMBING: [&str; 9] = [
     "coupling",
     "real",
     "twist",
     "law::error",
     "law::limits",
+    "patch::error",
     "coupling::speeds",
     "coupling::wide",
     "coupling::beyond",

@@ -254,13 +254,11 @@ fn method_task<'a>(method: &'a Method, inputs: &'a Inputs) -> Task<'a> {
     )
 }
 
-fn contact<R: tribos_core::coupling::table::CoulombTable>(
-    pairs: &[[f64; 2]],
-) -> Result<Contact<R>, String> {
+fn contact<R: tribos_core::Real>(pairs: &[[f64; 2]]) -> Result<Contact<R>, String> {
     Contact::new(pairs, SEED).map_err(|error| error.to_string())
 }
 
-fn sweep<R: tribos_core::coupling::table::CoulombTable>(contact: &mut Contact<R>, single: bool) {
+fn sweep<R: tribos_core::Real>(contact: &mut Contact<R>, single: bool) {
     std::hint::black_box(if single {
         contact.one_by_one()
     } else {

@@ -8,10 +8,9 @@ use super::vectors::{tribos_jacobian_f64, tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read, slice, slice_mut};
 use crate::status::tribos_status;
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::internals::NodeBuffer;
-use tribos_core::internals::polygon_into;
-use tribos_core::patch::nodes::{Node, NodePatch, NodeSlice};
+use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch, NodeSlice};
 use tribos_core::patch::polar::PolarRule;
+use tribos_core::patch::polygon::polygon_into;
 use tribos_core::patch::tripod::tripod;
 
 /// One point of a contact.

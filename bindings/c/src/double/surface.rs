@@ -7,10 +7,9 @@
 use super::vectors::{tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
+use tribos_core::Error;
 use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{
-    Ellipsoid, FrictionSet, LimitSurface, Projection, Region, SurfaceError,
-};
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Projection, Region};
 use tribos_core::real::Real;
 
 /// The exact limit surface of a uniform disk, by table.
@@ -72,13 +71,13 @@ impl From<Projection<f64>> for tribos_projection_f64 {
 /// Parameters of a set.
 trait Set: Copy {
     type Set: FrictionSet<f64>;
-    fn set(self) -> Result<Self::Set, SurfaceError>;
+    fn set(self) -> Result<Self::Set, Error>;
 }
 
 impl Set for tribos_disk_surface_f64 {
     type Set = LimitSurface<f64, Coulomb>;
     #[inline(always)]
-    fn set(self) -> Result<Self::Set, SurfaceError> {
+    fn set(self) -> Result<Self::Set, Error> {
         LimitSurface::new(Coulomb, self.force_limit, self.radius)
     }
 }
@@ -86,7 +85,7 @@ impl Set for tribos_disk_surface_f64 {
 impl Set for tribos_ellipsoid_f64 {
     type Set = Ellipsoid<f64>;
     #[inline(always)]
-    fn set(self) -> Result<Self::Set, SurfaceError> {
+    fn set(self) -> Result<Self::Set, Error> {
         Ellipsoid::new(self.force_limit, self.radius, self.spin_torque)
     }
 }

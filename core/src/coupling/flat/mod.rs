@@ -15,8 +15,7 @@ mod motion;
 mod near;
 mod two;
 
-use super::FrictionError;
-use crate::law::validated_coefficient;
+use crate::law::{LawError, validated_coefficient};
 use crate::patch::outline::{Edge, FlatPressure, Polygon};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
@@ -193,7 +192,7 @@ impl<R: Real> Hessian<R> {
 /// let wrench = friction.wrench(10.0, &Twist::new(0.0, 0.0, 3.0)); // N; m/s, m/s, rad/s
 /// let arm = (2.0_f64.sqrt() + 1.0_f64.asinh()) / 3.0; // the mean distance from the centre, in m
 /// assert!((wrench.torque + 0.5 * 10.0 * arm).abs() < 2e-15);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -204,7 +203,7 @@ pub struct FlatFriction<R, P> {
 
 impl<R: Real, P: DryPatch<R>> FlatFriction<R, P> {
     /// *Domain*: 0 ≤ `coefficient` < ∞.
-    pub fn new(patch: P, coefficient: R) -> Result<Self, FrictionError> {
+    pub fn new(patch: P, coefficient: R) -> Result<Self, LawError> {
         Ok(Self {
             patch,
             coefficient: validated_coefficient(coefficient)?,
@@ -251,7 +250,7 @@ impl<R: Real, P: DryPatch<R>> FlatFriction<R, P> {
     /// assert_eq!(wrench, friction.wrench(10.0, &twist));
     /// // Dry friction does not change with the speed.
     /// assert!((jacobian * Vector3::from(twist)).amax() < 1e-13);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn wrench_and_jacobian(&self, load: R, twist: &Twist<R>) -> (Wrench<R>, WrenchJacobian<R>) {
         match Motion::new(&self.patch, twist) {

@@ -1,14 +1,14 @@
 //! Why there is no launch.
 
 use super::{Limits, Pose, Solution};
-use tribos_core::slider::SliderError;
+use tribos_core::Error;
 
 /// Why a rest pose was not inverted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum InverseError {
     /// The kernel refused the body.
     #[error(transparent)]
-    Body(#[from] SliderError),
+    Body(#[from] Error),
     /// α ≥ 1.
     #[error("a body under |v|^{alpha} never comes to rest; the inverse problem needs alpha < 1")]
     NeverRests {

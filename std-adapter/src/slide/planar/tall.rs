@@ -5,7 +5,7 @@ use crate::friction::Friction as Foot;
 use crate::slide::SlideError;
 use tribos_core::coupling::PatchFriction;
 use tribos_core::coupling::tall::{AllRound, FrontBack, TallFriction};
-use tribos_core::modes::InertiaError;
+use tribos_core::law::LawError;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -35,7 +35,7 @@ pub enum Gradient {
 /// let lean = body(0.05, 9.81)?.lean([1.0, 0.0, 0.0]);
 /// assert!((lean - 4.0 * 0.3 * 0.05 / 0.08).abs() < 1e-14);
 /// assert!(body(0.10, 9.81)?.lean([1.0, 0.0, 0.0]) > 1.0); // it begins to tip
-/// assert!(matches!(body(0.05, 0.0), Err(SlideError::Inertia(_))));
+/// assert!(matches!(body(0.05, 0.0), Err(SlideError::Law(_))));
 /// # Ok::<(), SlideError>(())
 /// ```
 #[derive(Debug)]
@@ -63,10 +63,10 @@ impl TallBody {
         gradient: Gradient,
         [gravity, inertia_ratio]: [f64; 2],
     ) -> Result<Self, SlideError> {
-        for given in [gravity, inertia_ratio] {
+        for (parameter, given) in [("gravity", gravity), ("inertia ratio", inertia_ratio)] {
             let is_valid = given > 0.0 && given.is_finite();
             if !is_valid {
-                return Err(SlideError::Inertia(InertiaError { given }));
+                return Err(SlideError::Law(LawError::NotPositive { parameter, given }));
             }
         }
         let friction = match gradient {

@@ -3,7 +3,8 @@
 use super::stream::{Precision, Range, Stream};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::{CoulombLaw, DryFriction, LocalLaw, PowerLaw, Stribeck, StribeckParameters};
-use tribos_core::patch::nodes::{Node, NodeError, NodeList, NodePatch, Nodes};
+use tribos_core::patch::PatchError;
+use tribos_core::patch::nodes::{Node, NodeList, NodePatch, Nodes};
 use tribos_core::patch::polar::PolarRule;
 use tribos_core::patch::polygon::polygon;
 use tribos_core::patch::tripod::tripod;
@@ -47,7 +48,7 @@ pub fn at_points<R: Precision>(s: &mut Stream) {
 fn feed<R: Precision, L: LocalLaw<R>>(
     s: &mut Stream,
     law: Option<L>,
-    nodes: &Result<Nodes<R, 4>, NodeError>,
+    nodes: &Result<Nodes<R, 4>, PatchError>,
     load: R,
     twist: &Twist<R>,
 ) {

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use tribos_core::coupling::Coupling;
-use tribos_core::coupling::table::{CoulombTable, Table32, Table64};
+use tribos_core::coupling::table::{Table32, Table64};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
@@ -16,7 +16,7 @@ pub enum Range {
 }
 
 /// What the two precisions do not share by [`Real`].
-pub trait Precision: CoulombTable {
+pub trait Precision: Real {
     const MAX: Self;
     type PowerTable: Coupling<Self>;
     /// A table of the power law, if the exponent has one.

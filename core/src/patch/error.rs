@@ -1,0 +1,215 @@
+//! Validation of patches.
+
+use super::polar::PolarRule;
+use crate::real::Real;
+
+/// An invalid patch: its dimensions, its pressure, or the points that it is made of.
+///
+/// ```
+/// use tribos_core::coupling::{Annulus, table::Coulomb};
+/// use tribos_core::patch::nodes::{Node, NodeList, Nodes};
+/// use tribos_core::patch::polar::PolarRule;
+/// use tribos_core::patch::polygon::polygon;
+/// use tribos_core::patch::tripod::tripod;
+/// use tribos_core::patch::{PatchError, PolynomialPressure, PowerPressure};
+/// let max = PowerPressure::MAX_ORDER;
+/// assert_eq!(PowerPressure::new(-2.0), Err(PatchError::Order { given: -2.0, max }));
+/// assert_eq!(PolynomialPressure::new([0.0]), Err(PatchError::NoLoad));
+/// assert!(matches!(Annulus::new(Coulomb, 1.0), Err(PatchError::InnerRatio { .. })));
+///
+/// let foot = |weight: f64| Node { x: 0.1, y: 0.0, weight };
+/// assert_eq!(Nodes::new([foot(0.0)]), Err(PatchError::Unloaded));
+/// let pulling = Nodes::new([foot(2.0), foot(-1.0)]);
+/// assert_eq!(pulling, Err(PatchError::NodeWeight { index: 1, given: -1.0 }));
+/// assert_eq!(PolarRule::new(0.04, 0, 16), Err(PatchError::RuleOrder { given: 0 }));
+///
+/// let feet = [[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]]; // m
+/// assert_eq!(tripod(feet, [0.2, 0.2]), Err(PatchError::FootPulls { foot: 0 }));
+///
+/// let u = [[0, 0], [3, 0], [3, 3], [2, 3], [2, 1], [1, 1], [1, 3], [0, 3]];
+/// let u = u.map(|corner| corner.map(f64::from));
+/// let bent: Result<NodeList<f64, 100>, _> = polygon(&u, 1);
+/// assert_eq!(bent, Err(PatchError::Hidden)); // cut it into three
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum PatchError {
+    /// The radius is not positive and finite.
+    Radius {
+        /// What was given.
+        given: f64,
+    },
+    /// The order q of a pressure (1−r²)^q is not in [−1, `max`].
+    Order {
+        /// What was given.
+        given: f64,
+        /// Largest order served.
+        max: f64,
+    },
+    /// The inner over the outer radius of an annulus is not in [0, `max`].
+    InnerRatio {
+        /// What was given.
+        given: f64,
+        /// Thinnest annulus served; a thinner one is a ring.
+        max: f64,
+    },
+    /// The height of the centre of mass is negative, infinite or NaN.
+    Height {
+        /// What was given.
+        given: f64,
+    },
+    /// The lean of a tall body is negative, infinite or NaN.
+    Lean {
+        /// What was given.
+        given: f64,
+    },
+    /// A tall body begins to tip.
+    Tips {
+        /// |l|, which must not exceed 1.
+        lean: f64,
+    },
+    /// A polynomial pressure is negative somewhere on the patch, or not finite.
+    Negative,
+    /// The pressure carries no load.
+    NoLoad,
+    /// The position of a node is infinite or NaN.
+    NodePosition {
+        /// Which node, from 0.
+        index: usize,
+        /// What was given.
+        given: [f64; 2],
+    },
+    /// The weight of a node is negative or NaN, or makes the sum infinite.
+    NodeWeight {
+        /// Which node, from 0.
+        index: usize,
+        /// What was given.
+        given: f64,
+    },
+    /// No node has a positive weight.
+    Unloaded,
+    /// There is no room for another node.
+    Full {
+        /// How many nodes there is room for.
+        capacity: usize,
+    },
+    /// The number of rings or angles of a quadrature rule is 0 or too large.
+    RuleOrder {
+        /// What was given.
+        given: u32,
+    },
+    /// The exponent of a rule's pressure is NaN or not in (−1, [`PolarRule::MAX_RIM_EXPONENT`]].
+    RimExponent {
+        /// What was given.
+        given: f64,
+    },
+    /// A polygon has fewer than 3 corners.
+    Corners {
+        /// How many were given.
+        given: usize,
+    },
+    /// No corner of a polygon sees its whole inside, or there is no area.
+    Hidden,
+    /// The number of divisions of an edge is not from 1 to [`PatchError::MAX_DIVISIONS`].
+    Divisions {
+        /// What was given.
+        given: u32,
+    },
+    /// Three feet lie in a line, or a position is not finite.
+    FeetInLine,
+    /// A body on three feet tips over: a foot would have to pull.
+    FootPulls {
+        /// Which foot lifts first, from 0.
+        foot: usize,
+    },
+}
+
+impl PatchError {
+    /// Most divisions of an edge of a polygon.
+    pub const MAX_DIVISIONS: u32 = 1024;
+}
+
+impl core::fmt::Display for PatchError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Radius { given } => write!(
+                f,
+                "the contact radius must be positive and finite, not {given}"
+            ),
+            Self::Order { given, max } => write!(
+                f,
+                "the order q of a pressure (1-r^2)^q must satisfy -1 <= q <= {max}, not {given}"
+            ),
+            Self::InnerRatio { given, max } => write!(
+                f,
+                "inner radius / outer radius must be from 0 to {max}, not {given}; \
+                 a thinner annulus is a ring"
+            ),
+            Self::Height { given } => write!(
+                f,
+                "the height of the centre of mass must be finite and not negative, not {given}"
+            ),
+            Self::Lean { given } => {
+                write!(f, "the lean must be finite and not negative, not {given}")
+            }
+            Self::Tips { lean } => write!(
+                f,
+                "the body tips: the pressure gradient is {lean} of what its foot can bear; \
+                 lower the centre of mass or the friction"
+            ),
+            Self::Negative => f.write_str(
+                "the pressure must be finite and nowhere negative on the patch; \
+                 change its coefficients",
+            ),
+            Self::NoLoad => {
+                f.write_str("the pressure carries no load; give a positive coefficient")
+            }
+            Self::NodePosition {
+                index,
+                given: [x, y],
+            } => write!(f, "node {index} must lie at a finite place, not ({x}, {y})"),
+            Self::NodeWeight { index, given } => write!(
+                f,
+                "node {index} must carry a finite weight, not negative, not {given}"
+            ),
+            Self::Unloaded => f.write_str("at least one node must carry load"),
+            Self::Full { capacity } => write!(f, "there is room for {capacity} nodes, not more"),
+            Self::RuleOrder { given } => {
+                let max = PolarRule::<f64>::MAX_ORDER;
+                write!(f, "rings and angles must be from 1 to {max}, not {given}")
+            }
+            Self::RimExponent { given } => {
+                let max = PolarRule::<f64>::MAX_RIM_EXPONENT;
+                write!(
+                    f,
+                    "the exponent q must satisfy -1 < q <= {max}, not {given}"
+                )
+            }
+            Self::Corners { given } => write!(f, "a polygon has at least 3 corners, not {given}"),
+            Self::Hidden => f.write_str(
+                "a polygon must have an area and a corner that sees all of it; cut it into several",
+            ),
+            Self::Divisions { given } => {
+                let max = Self::MAX_DIVISIONS;
+                write!(f, "divisions must be from 1 to {max}, not {given}")
+            }
+            Self::FeetInLine => f.write_str("three feet must span a triangle of finite size"),
+            Self::FootPulls { foot } => {
+                write!(f, "the body tips over: foot {foot} would have to pull")
+            }
+        }
+    }
+}
+
+impl core::error::Error for PatchError {}
+
+/// `radius` if positive and finite.
+pub(crate) fn validated_radius<R: Real>(radius: R) -> Result<R, PatchError> {
+    if radius > R::ZERO && radius.is_finite() {
+        Ok(radius)
+    } else {
+        Err(PatchError::Radius {
+            given: radius.to_f64(),
+        })
+    }
+}
