@@ -32,6 +32,7 @@
 //! A loop over many evaluations asks [`visit`] for the kernel's own type and pays for no dispatch.
 
 mod catalogue;
+mod flat;
 mod law;
 mod patch;
 mod precision;
@@ -43,6 +44,7 @@ mod visit;
 pub use catalogue::{Entry, LAWS};
 #[doc(hidden)]
 pub use catalogue::{Maker, Parameter, find};
+pub use flat::{Flat, FlatPatch};
 #[doc(hidden)]
 pub use law::AnyLaw;
 pub use law::Law;

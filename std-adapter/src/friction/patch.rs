@@ -1,7 +1,7 @@
 //! Contact patches by name.
 
-use super::Refusal;
 use super::refusal::finite_number;
+use super::{FlatPatch, Refusal};
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -188,6 +188,7 @@ fn with_parameters(name: &str, rest: &str, text: &str) -> Result<Patch, Refusal>
         }
         "points" if rest.is_empty() => missing("a CSV file, such as points:feet.csv"),
         "points" => Ok(Patch::Points(rest.into())),
+        _ if FlatPatch::is_named_by(text) => Err(Refusal::NoAxis),
         _ => {
             let all: Vec<&str> = Patch::SYNTAX.iter().map(|(syntax, _)| *syntax).collect();
             let names = all.iter().filter_map(|syntax| syntax.split(':').next());

@@ -73,8 +73,8 @@ pub enum Refusal {
     /// Quadrature has no profile, which final motion and sliders are computed from.
     #[error("quadrature serves no final motion; use the table or the compact tier")]
     NoProfile,
-    /// Points have no axis of symmetry.
-    #[error("points have no axis of symmetry: name a round patch")]
+    /// Points and patches with straight edges have no axis of symmetry.
+    #[error("points and patches with straight edges have no axis of symmetry: name a round patch")]
     NoAxis,
     /// The kernel refused the patch, or the nodes that stand for its pressure.
     #[error(transparent)]

@@ -20,7 +20,8 @@ use crate::patch::outline::{Edge, FlatPressure, Polygon};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench, WrenchJacobian};
 use far::Slide;
-use motion::Motion;
+#[doc(hidden)]
+pub use motion::Motion;
 use nalgebra::{Matrix3, Vector2};
 
 /// Friction of a patch per limit μN, about its centre of pressure; the torque per radius.
