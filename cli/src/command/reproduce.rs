@@ -40,14 +40,9 @@ pub struct Arguments {
     #[arg(long, conflicts_with = "full")]
     quick: bool,
     /// Seconds from one checkpoint of a run to the next.
-    #[arg(
-        long,
-        value_name = "SECONDS",
-        default_value = "20",
-        value_parser = number::not_negative,
-        allow_negative_numbers = true
-    )]
-    checkpoint: f64,
+    #[arg(long, value_name = "SECONDS", default_value = "20", value_parser = number::pause)]
+    #[arg(allow_negative_numbers = true)]
+    checkpoint: Duration,
     /// List the names and stop.
     #[arg(long)]
     list: bool,
@@ -95,7 +90,7 @@ impl Arguments {
         let report = Report {
             exhibits,
             effort,
-            pause: Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX),
+            pause: self.checkpoint,
         };
         report.write(&out, &Terminal).map_err(failure)
     }

@@ -1,23 +1,40 @@
 //! What the commands do with the scenes of each body.
+//!
+//! A body has its own file here, and its line in the list of [`of`].
 
-use super::explain::{after, powder as powder_text, slide as slide_text, tip as tip_text};
-use super::sweep::body::Unfinished;
-use super::sweep::{self, kind};
+mod disk;
+mod kind;
+mod planar;
+mod powder;
+mod tip;
+mod unfinished;
+
+pub use kind::Kind;
+pub use unfinished::Unfinished;
+
+use super::explain::slide;
+use super::run::order::Order;
 use crate::failure::Failure;
+use planar::InPlane;
 use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
 use tribos::run::folder::Lock;
-use tribos::scene::{PowderScene, Scene, SliderScene, TipScene};
-use tribos::slide::PlanarScene;
+use tribos::scene::Scene;
 
 /// What the commands ask of a scene.
 pub trait Commands {
+    /// Whether a run takes long enough for checkpoints and frames.
+    fn is_long(&self) -> bool;
+
+    /// Runs the scene and writes its results into a folder.
+    fn simulate(&self, order: &Order<'_>) -> Result<(), Failure>;
+
     /// What a sweep makes a table of.
-    fn kind(&self) -> &'static kind::Kind;
+    fn kind(&self) -> &'static Kind;
 
     /// One run of a sweep, on from a checkpoint if there is one: the summary, and a line about it.
-    fn run(&self, folder: &Arc<Lock>) -> Result<(Value, String), Unfinished>;
+    fn summarize(&self, folder: &Arc<Lock>) -> Result<(Value, String), Unfinished>;
 
     /// Laws, modes and unknowns that the scene carries, and their cost.
     fn explanation(&self) -> Result<String, Failure>;
@@ -32,91 +49,11 @@ pub fn of(scene: &Scene) -> Box<dyn Commands + '_> {
     let path = |scene, laws| Box::new(InPlane { scene, laws });
     match scene {
         Scene::Disk(scene) => Box::new(scene),
-        Scene::Cylinder(scene) => path(scene, slide_text::cylinder(scene)),
-        Scene::Pipe(scene) => path(scene, slide_text::pipe(scene)),
-        Scene::Curling(scene) => path(scene, slide_text::curling(scene)),
+        Scene::Cylinder(scene) => path(scene, slide::cylinder(scene)),
+        Scene::Pipe(scene) => path(scene, slide::pipe(scene)),
+        Scene::Curling(scene) => path(scene, slide::curling(scene)),
         Scene::Powder(scene) => Box::new(scene),
         Scene::Tip(scene) => Box::new(scene),
-    }
-}
-
-/// A body in the plane, and what is told of its laws.
-struct InPlane<'a> {
-    scene: &'a dyn PlanarScene,
-    laws: String,
-}
-
-impl Commands for &SliderScene {
-    fn kind(&self) -> &'static kind::Kind {
-        &kind::DISK
-    }
-
-    fn run(&self, _: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
-        sweep::body::slide(self)
-    }
-
-    fn explanation(&self) -> Result<String, Failure> {
-        slide_text::disk(self)
-    }
-
-    fn account(&self, out: Option<&Path>, _: &str) -> Result<String, Failure> {
-        at_once(out)?;
-        after::disk(self)
-    }
-}
-
-impl Commands for InPlane<'_> {
-    fn kind(&self) -> &'static kind::Kind {
-        &kind::PLANAR
-    }
-
-    fn run(&self, _: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
-        sweep::body::path(self.scene)
-    }
-
-    fn explanation(&self) -> Result<String, Failure> {
-        slide_text::planar(self.scene, &self.laws)
-    }
-
-    fn account(&self, out: Option<&Path>, _: &str) -> Result<String, Failure> {
-        at_once(out)?;
-        after::planar(self.scene)
-    }
-}
-
-impl Commands for &PowderScene {
-    fn kind(&self) -> &'static kind::Kind {
-        &kind::POWDER
-    }
-
-    fn run(&self, folder: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
-        sweep::body::compact(self, folder)
-    }
-
-    fn explanation(&self) -> Result<String, Failure> {
-        powder_text::text(self)
-    }
-
-    fn account(&self, out: Option<&Path>, command: &str) -> Result<String, Failure> {
-        out.map_or(Ok(String::new()), |out| after::powder(self, out, command))
-    }
-}
-
-impl Commands for &TipScene {
-    fn kind(&self) -> &'static kind::Kind {
-        &kind::TIP
-    }
-
-    fn run(&self, folder: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
-        sweep::body::turn(self, folder)
-    }
-
-    fn explanation(&self) -> Result<String, Failure> {
-        tip_text::text(self)
-    }
-
-    fn account(&self, out: Option<&Path>, _: &str) -> Result<String, Failure> {
-        out.map_or(Ok(String::new()), |out| after::tip(self, out))
     }
 }
 

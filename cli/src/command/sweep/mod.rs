@@ -1,10 +1,9 @@
 //! `tribos sweep`: a scene run for all combinations of some keys and seeds.
 
-pub mod body;
+mod body;
 mod frame;
 mod grid;
 mod jobs;
-pub mod kind;
 mod output;
 #[cfg(feature = "parquet")]
 mod parquet;

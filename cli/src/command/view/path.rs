@@ -36,13 +36,7 @@ pub fn film(folder: &Path, scene: &Value, run: &Manifest) -> Result<Film, Failur
         parameters: parameters(name, scene, is_si),
     };
     let rows = rows(&folder.join("series.csv"), run)?;
-    let title = match name {
-        "disk" => "A disk that slides and spins to rest",
-        "cylinder" => "A tall cylinder that slides and spins to rest",
-        "pipe" => "An upright pipe that slides and spins to rest",
-        "curling" => "A curling rock",
-        other => other,
-    };
+    let title = vocabulary(name).map_or(name, |known| known.title);
     let kind = scene["model"].as_str();
     let title = kind.map_or(title.into(), |model| format!("{title}, model {model}"));
     Ok(path_film(&title, &body, &rows))
