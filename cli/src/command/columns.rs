@@ -85,7 +85,7 @@ fn places(header: &[&str], names: &[&str]) -> Result<Vec<usize>, String> {
     for (at, head) in header.iter().enumerate() {
         if header[..at].contains(head) {
             return Err(format!(
-                "column `{head}` is there twice; the header must be {wanted}"
+                "column `{head}` occurs twice; the header must be {wanted}"
             ));
         }
         if !names.contains(head) {

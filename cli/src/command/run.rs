@@ -20,7 +20,7 @@ use tribos::run::FRAMES;
 use tribos::run::folder::Broken;
 use tribos::scene::bodies as names;
 
-/// Simulates the scene and writes summary.json, series.csv and a plot: motion.svg and motion.png of
+/// Simulate the scene and write summary.json, series.csv and a plot: motion.svg and motion.png of
 /// a disk, path.svg and path.png of a body in the plane.
 ///
 /// Of a powder: series.svg and .png, packing.svg and .png (spheres before and after, the forces),
@@ -35,30 +35,31 @@ use tribos::scene::bodies as names;
 pub struct Arguments {
     /// The scene: a TOML file, or a name that `tribos scene list` has.
     scene: PathBuf,
-    /// Folder for the results; made if missing. Results of an earlier command in it go away first;
-    /// files that no command of tribos wrote there are never replaced. A powder or a tip there that
-    /// was broken off is refused: go on with --resume, or start with --anew.
+    /// Folder for the results, created if missing. Results of an earlier command in it are removed
+    /// first; files that tribos did not write are never replaced. A folder with an interrupted run of
+    /// a powder or a tip is refused: continue it with --resume or discard it with --anew.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Replace or add a key of the scene; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// A powder or a tip: go on from the checkpoint in DIR, to the same result as without the break.
-    /// One that is finished is left as it is.
+    /// Powders and tips: continue from the checkpoint in DIR, to the same result as without the
+    /// interruption. A finished run is not changed.
     #[arg(long)]
     resume: bool,
-    /// Take away a powder or a tip in DIR that was broken off, and start.
+    /// Powders and tips: discard the interrupted run in DIR and start from the beginning.
     #[arg(long, conflicts_with = "resume")]
     anew: bool,
-    /// A powder or a tip: seconds from one checkpoint in DIR to the next.
+    /// Powders and tips: seconds between checkpoints in DIR.
     #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = number::pause)]
     #[arg(allow_negative_numbers = true)]
     checkpoint: Duration,
-    /// A powder or a tip: frames kept in DIR/frames at most, evenly spread over the steps; 0 for
-    /// none. They change no result. [default: 100, with --resume as the run began]
+    /// Powders and tips: largest number of frames kept in DIR/frames, evenly spread over the steps;
+    /// 0 for none. Frames do not change the results. [default: 100, or with --resume the number that
+    /// the run began with]
     #[arg(long, value_name = "N", value_parser = frames)]
     frames: Option<u64>,
-    /// A powder or a tip: run it even if it is expected to take more than 4 GB of memory.
+    /// Powders and tips: run even if more than 4 GB of memory is expected.
     #[arg(long)]
     allow_large: bool,
 }
@@ -76,7 +77,7 @@ fn frames(text: &str) -> Result<u64, String> {
     }
 }
 
-/// Examples, and where the keys of a scene are told.
+/// Examples, and the commands that list the keys of a scene.
 fn examples() -> String {
     let mut text = String::from(
         "Examples:\n  \
@@ -104,7 +105,7 @@ impl Arguments {
         let body = bodies::of(&scene);
         if self.resume && !body.is_long() {
             return Err(Failure::input(
-                "--resume is for powders and tips only; this scene takes a moment, run it anew",
+                "--resume is for powders and tips only; this scene runs in a moment, run it again",
             ));
         }
         if self.frames.is_some() && !body.is_long() {

@@ -194,7 +194,7 @@ fn what_was_put_into_a_run_by_hand_is_not_played() -> Outcome {
             "c",
             "d",
             "series.csv",
-            "not as the run of this folder left it",
+            "changed after the run of this folder",
         ),
         ("c", "d", "summary.json", "of another scene"),
     ];

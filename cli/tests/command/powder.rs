@@ -307,7 +307,7 @@ fn a_sweep_averages_its_runs_and_keeps_them() -> Outcome {
     assert_eq!(said.lines().next(), Some("6 of 8 runs kept"), "{said}");
     assert_eq!(said.lines().count(), 4, "{said}");
     assert!(
-        said.contains("seed=2: its summary is not as the run left it"),
+        said.contains("seed=2: its summary was changed after the run"),
         "{said}"
     );
     assert_eq!(table, std::fs::read_to_string(serial.join("sweep.csv"))?);

@@ -393,13 +393,13 @@ fn a_summary_that_was_changed_is_not_taken_for_a_result() -> Outcome {
     let output = merge.args(["--merge", "whole"]).output()?;
     let [_, said] = texts(&output)?;
     assert_eq!(output.status.code(), Some(1), "{said}");
-    let words = "rolling=0.1,torsion=0.2 (its summary is not as the run left it)";
+    let words = "rolling=0.1,torsion=0.2 (its summary was changed after the run)";
     assert!(said.contains(words), "{said}");
 
     let mut again = sweep(folder.path())?;
     again.arg("tiny.toml").args(GRID).args(["--out", "whole"]);
     let [_, said] = succeed(again)?;
-    assert!(said.contains("the run is taken again"), "{said}");
+    assert!(said.contains("the run is repeated"), "{said}");
     assert!(said.contains("24 of 25 runs kept"), "{said}");
     assert!(std::fs::read(whole.join("runs.csv"))? == tables);
     Ok(())

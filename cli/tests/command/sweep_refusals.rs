@@ -241,7 +241,7 @@ fn what_is_no_fault_of_the_scene_ends_the_sweep_and_leaves_no_row() -> Outcome {
     // Nothing is wrong with the scene.
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("error: height=61.5: "), "{said}");
-    assert!(said.contains("the same command goes on"), "{said}");
+    assert!(said.contains("the same command continues"), "{said}");
     assert!(said.contains(&process), "{process}: {said}");
     interrupt(holder)?;
     let summary = |height: &str| home.join(format!("out/runs/height={height}/summary.json"));

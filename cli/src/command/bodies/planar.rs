@@ -60,7 +60,10 @@ impl Commands for InPlane<'_> {
     fn summarize(&self, _: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
         let outcome = slide::run_path(self.scene)?.outcome;
         let [x, y] = outcome.arrival.point.position.map(shown);
-        Ok((outcome.json(self.scene), format!("{x} m on, curl {y} m")))
+        Ok((
+            outcome.json(self.scene),
+            format!("{x} m forward, curl {y} m"),
+        ))
     }
 
     fn explanation(&self) -> Result<String, Failure> {

@@ -107,7 +107,9 @@ impl<'a> Order<'a> {
                 return Ok(None);
             }
             Some(begun) if begun.about == *scene => {
-                crate::command::tell(format_args!("no checkpoint yet: from the start"));
+                crate::command::tell(format_args!(
+                    "no checkpoint yet: starting from the beginning"
+                ));
                 return Ok(Some(Start::Fresh));
             }
             None if file.exists() => {}
@@ -145,7 +147,7 @@ pub fn how_to_go_on(out: &Path) -> String {
     let file = checkpoint(out);
     if file.exists() {
         let name = file.display();
-        format!("Then go on from {name}: the same command with --resume.")
+        format!("Then continue from {name}: the same command with --resume.")
     } else {
         "Then give the same command again: there is no checkpoint yet.".into()
     }

@@ -21,7 +21,7 @@ pub fn run(scene: &PowderScene, order: &Order<'_>) -> Result<(), Failure> {
     let Some((folder, start)) = order.long(scene.json(), files::POWDER)? else {
         return Ok(());
     };
-    // From its end on a break costs no more than the results.
+    // After its end an interruption costs no more than the results.
     let compaction =
         simulate(scene, order.session(start, &folder)).map_err(|error| order.failure(error))?;
     folder.remove(files::is_made_from_frames)?;
@@ -46,7 +46,7 @@ fn simulate(
         .on_growth(|spheres| {
             if growth.is_due(0.0) {
                 growth.tell_open(format_args!(
-                    "deposit: {spheres} spheres have fallen, about {:.0} will stay below the cut",
+                    "deposit: {spheres} spheres have fallen, about {:.0} will be below the cut",
                     size.bodies
                 ));
             }

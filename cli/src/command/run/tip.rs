@@ -23,7 +23,7 @@ pub fn run(scene: &TipScene, order: &Order<'_>) -> Result<(), Failure> {
     let Some((folder, start)) = order.long(scene.json(), files::TIP)? else {
         return Ok(());
     };
-    // From its end on a break costs no more than the results.
+    // After its end an interruption costs no more than the results.
     let run =
         simulate(scene, order.session(start, &folder)).map_err(|error| order.failure(error))?;
     folder.remove(files::is_made_from_frames)?;

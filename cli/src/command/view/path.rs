@@ -79,7 +79,7 @@ pub fn rows(file: &Path, run: &Manifest) -> Result<Vec<Row>, Failure> {
     };
     let text = read_text(file, MOST_BYTES).map_err(|error| named(&error))?;
     if !run.is_of("series.csv", text.as_bytes()) {
-        return Err(named(&"not as the run of this folder left it"));
+        return Err(named(&"changed after the run of this folder"));
     }
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let head = reader.headers().map_err(|error| named(&error))?.clone();
