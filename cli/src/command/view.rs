@@ -67,7 +67,7 @@ impl Arguments {
         let folder = self.folder.display();
         let Some(summary) = summary else {
             return Err(Failure::input(format!(
-                "{folder}: the run there was broken off before it left anything to show; \
+                "{folder}: the run there was interrupted before it wrote anything to show; \
                  run its scene again"
             )));
         };

@@ -103,7 +103,7 @@ fn bad_files_of_twists_are_refused_with_their_line() -> Outcome {
         ("speed,spin,load\n1,2,3\n", "unknown column `load`"),
         (
             "speed,spin,speed\n1,2,3\n",
-            ":1: column `speed` is there twice",
+            ":1: column `speed` occurs twice",
         ),
         ("speed,spin\n1,2\n3\n", ":3: 1 columns instead of 2"),
         ("speed,spin\n1,2\n\n1,x\n", ":4: spin is `x`"),

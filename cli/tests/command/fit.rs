@@ -228,7 +228,7 @@ fn bad_measurements_are_refused_with_their_line_and_cure() -> Outcome {
             "power",
             "v,f,f\n1,1,2\n",
             &[],
-            "m.csv:1: column `f` is there twice",
+            "m.csv:1: column `f` occurs twice",
         ),
         (
             "power",

@@ -46,7 +46,7 @@ fn a_new_scene_is_right_and_nothing_is_overwritten() -> Outcome {
         folder.path(),
         ["scene", "new", "powder", "--out", "tip.toml"],
     )?;
-    assert!(code == Some(2) && said.contains("there already"), "{said}");
+    assert!(code == Some(2) && said.contains("exists already"), "{said}");
     assert_eq!(std::fs::read(folder.path().join("tip.toml"))?, before);
     let (code, _, said) = tribos(folder.path(), "scene new brick")?;
     assert!(code == Some(2) && said.contains("powder"), "{said}");
