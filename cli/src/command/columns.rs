@@ -85,7 +85,7 @@ fn places(header: &[&str], names: &[&str]) -> Result<Vec<usize>, String> {
     for (at, head) in header.iter().enumerate() {
         if header[..at].contains(head) {
             return Err(format!(
-                "column `{head}` is there twice; the header must be {wanted}"
+                "column `{head}` occurs twice; the header must be {wanted}"
             ));
         }
         if !names.contains(head) {
@@ -150,7 +150,7 @@ mod tests {
         assert_eq!(places(&["spin", "speed"], &names), Ok(vec![1, 0]));
         for (header, words) in [
             (&["speed"][..], "`spin` is missing"),
-            (&["speed", "spin", "speed"], "`speed` is there twice"),
+            (&["speed", "spin", "speed"], "`speed` occurs twice"),
             (&["speed", "spin", "spam", "spam"], "unknown column `spam`"),
         ] {
             let refused = places(header, &names).err().unwrap_or_default();

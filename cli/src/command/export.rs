@@ -39,7 +39,7 @@ enum Program {
 struct Lammps {
     /// The scene: a TOML file, or a name that `tribos scene list` has.
     scene: PathBuf,
-    /// Folder for the files; made if missing; files of an earlier command in it go away first.
+    /// Folder for the files, created if missing; files of an earlier command in it are removed first.
     /// The folder of a powder, a tip, a sweep or a report is refused.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,

@@ -24,7 +24,7 @@ fn folder(name: OsString) -> Result<PathBuf, String> {
     let given = path(name)?;
     match given.metadata() {
         Ok(there) if !there.is_dir() => {
-            Err("that is a file; name a folder, which is made if it is missing".into())
+            Err("that is a file; name a folder, which is created if missing".into())
         }
         Err(_) if given.is_symlink() => Err(
             "that is a symbolic link to what is not there; make the folder that it leads to, or \

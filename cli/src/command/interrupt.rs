@@ -37,7 +37,7 @@ pub fn is_asked() -> bool {
 /// The end of a run whose checkpoint and frames are in its folder.
 pub fn ended(out: &Path, told: &str) -> Failure {
     Failure::Interrupted(format!(
-        "{told}; what is done is in {}\n  Go on with the same command and --resume.",
+        "{told}; its results so far are in {}\n  Continue with the same command and --resume.",
         out.display()
     ))
 }

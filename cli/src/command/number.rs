@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::num::NonZeroU32;
+use std::time::Duration;
 use tribos_core::Real;
 
 /// A finite number.
@@ -19,6 +20,11 @@ pub fn not_negative(text: &str) -> Result<f64, String> {
             Err("give a number >= 0".into())
         }
     })
+}
+
+/// A number of seconds ≥ 0.
+pub fn pause(text: &str) -> Result<Duration, String> {
+    not_negative(text).map(|x| Duration::try_from_secs_f64(x).unwrap_or(Duration::MAX))
 }
 
 /// A finite number > 0.

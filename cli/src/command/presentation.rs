@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Options that every command has.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub struct Presentation {
-    /// Significant digits of numbers for people, or `full` [default: 6]; files keep all bits.
+    /// Significant digits of printed numbers, or `full` [default: 6]; files keep all bits.
     #[arg(long, global = true, value_name = "N", help_heading = "Every command")]
     digits: Option<Digits>,
-    /// Do not tell of progress; results, warnings and errors are still written.
+    /// Do not report progress; results, warnings and errors are still written.
     #[arg(long, short, global = true, help_heading = "Every command")]
     quiet: bool,
 }

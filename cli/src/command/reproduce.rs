@@ -18,14 +18,14 @@ use tribos_thesis::{Effort, Interrupted, Reader, Report, chosen};
 /// Reproduce the results of the thesis on friction laws and coupled friction (chapters 2 and 3,
 /// section 5.1 and appendix A), on the compaction of cohesive powders (chapter 4) and on torsion
 /// friction of atoms (section 5.3): every figure and table as CSV, SVG and PNG, and index.html with
-/// the thesis' claims, our numbers, their uncertainty, a verdict and what it rests on, and with films.
+/// the thesis' claims, our numbers, their uncertainty, a verdict and its grounds, and with films.
 ///
-/// Tells first what it will cost. It may be interrupted at any time: the same command goes on, to the
-/// same files, from what DIR/kept has of it. Runs take all cores.
+/// The expected cost is printed first. The command may be interrupted at any time; the same command
+/// continues from DIR/kept and ends with the same files. Runs use all cores.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
-    /// Folder for the report; made if missing; its own files in it are replaced. The folder of a
+    /// Folder for the report, created if missing; files of an earlier report in it are replaced. The folder of a
     /// sweep, or of a run of a powder or a tip, is refused.
     #[arg(long, value_name = "DIR", required_unless_present = "list")]
     out: Option<PathBuf>,
@@ -35,20 +35,15 @@ pub struct Arguments {
     /// half an hour on two cores instead of a minute.
     #[arg(long)]
     full: bool,
-    /// A sample of what takes long: fewer seeds, coefficients and spheres, shorter times. The
-    /// default; the page says where.
+    /// Simulate a sample where the whole takes long: fewer seeds, coefficients and spheres, shorter
+    /// times. This is the default; the page marks the places.
     #[arg(long, conflicts_with = "full")]
     quick: bool,
-    /// Seconds from one checkpoint of a run to the next.
-    #[arg(
-        long,
-        value_name = "SECONDS",
-        default_value = "20",
-        value_parser = number::not_negative,
-        allow_negative_numbers = true
-    )]
-    checkpoint: f64,
-    /// List the names and stop.
+    /// Seconds between checkpoints of a run.
+    #[arg(long, value_name = "SECONDS", default_value = "20", value_parser = number::pause)]
+    #[arg(allow_negative_numbers = true)]
+    checkpoint: Duration,
+    /// List the names only.
     #[arg(long)]
     list: bool,
 }
@@ -95,7 +90,7 @@ impl Arguments {
         let report = Report {
             exhibits,
             effort,
-            pause: Duration::try_from_secs_f64(self.checkpoint).unwrap_or(Duration::MAX),
+            pause: self.checkpoint,
         };
         report.write(&out, &Terminal).map_err(failure)
     }

@@ -16,7 +16,7 @@ use tribos::run::folder;
 use tribos_report::player::Film;
 use tribos_report::runs::RunFrames;
 
-/// Writes DIR/view.html, a page that plays the run in a browser, from a file and without a network.
+/// Write DIR/view.html, a page that plays the run in a browser, from a file and without a network.
 ///
 /// Powders and tips are shown from the frames that `tribos run` keeps in DIR/frames, bodies in the
 /// plane from series.csv and summary.json.
@@ -25,7 +25,7 @@ use tribos_report::runs::RunFrames;
 pub struct Arguments {
     /// The folder of a run.
     folder: PathBuf,
-    /// Where the page goes. [default: DIR/view.html]
+    /// File for the page. [default: DIR/view.html]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// PNG pictures of these frames instead of a page, into DIR/still-<frame>.png: numbers from 1,
@@ -38,10 +38,10 @@ pub struct Arguments {
     /// Frames a second of a film file.
     #[arg(long, default_value = "20", value_parser = clap::value_parser!(u32).range(1..=100), requires = "film")]
     rate: u32,
-    /// What colours pictures and film files. [default: layer, of a tip part]
+    /// Quantity shown by colour in pictures and film files. [default: layer, or part for a tip]
     #[arg(long, value_enum)]
     color: Option<Paint>,
-    /// In pictures and film files the normal forces instead of the spheres.
+    /// Draw the normal forces instead of the spheres in pictures and film files.
     #[arg(long, conflicts_with = "color")]
     network: bool,
 }
@@ -67,7 +67,7 @@ impl Arguments {
         let folder = self.folder.display();
         let Some(summary) = summary else {
             return Err(Failure::input(format!(
-                "{folder}: the run there was broken off before it left anything to show; \
+                "{folder}: the run there was interrupted before it wrote anything to show; \
                  run its scene again"
             )));
         };

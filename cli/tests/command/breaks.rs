@@ -2,14 +2,12 @@
 
 #![cfg(unix)]
 
+use crate::program::{Error, Outcome, assert_has, prepared, wait_for};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
-
-type Error = Box<dyn std::error::Error>;
-type Outcome = Result<(), Error>;
 
 /// Some twenty spheres, and 748 atoms: a second or two each.
 const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
@@ -21,16 +19,6 @@ const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside 
 const BREAKS: (&str, u64) = ("TRIBOS_BREAKS", 3);
 /// A run that does not end meanwhile.
 const LONG: &str = "body = \"powder\"\nwidth = 20\nheight = 61.5\n";
-
-fn tribos(home: &Path, arguments: &str) -> Command {
-    let mut tribos = Command::new(env!("CARGO_BIN_EXE_tribos"));
-    tribos.current_dir(home).args(arguments.split(' '));
-    tribos
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    tribos
-}
 
 fn home() -> Result<tempfile::TempDir, Error> {
     let home = tempfile::tempdir()?;
@@ -50,14 +38,6 @@ fn signal(child: &Child, name: &str) -> Outcome {
     // It may have ended by itself.
     status.stderr(Stdio::null()).status()?;
     Ok(())
-}
-
-fn wait_for(what: &str, is_there: impl Fn() -> bool) {
-    let patience = Instant::now();
-    while !is_there() {
-        assert!(patience.elapsed() < Duration::from_secs(60), "{what}");
-        std::thread::sleep(Duration::from_millis(1));
-    }
 }
 
 fn said(output: &Output) -> String {
@@ -97,7 +77,7 @@ fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome 
     for scene in ["powder", "tip"] {
         let run = format!("run {scene}.toml --frames 10 --out");
         let began = Instant::now();
-        let whole = tribos(home.path(), &format!("{run} whole-{scene}")).output()?;
+        let whole = prepared(home.path(), format!("{run} whole-{scene}")).output()?;
         assert!(whole.status.success(), "{}", said(&whole));
         let lasts = began.elapsed().as_millis() as u64;
         let whole = files(&home.path().join(format!("whole-{scene}")))?;
@@ -107,7 +87,7 @@ fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome 
             let mut resume = "";
             for _ in 0..breaks.unwrap_or(usual) {
                 let command = format!("{run} {out} --checkpoint 0.05{resume}");
-                let child = tribos(home.path(), &command).spawn()?;
+                let child = prepared(home.path(), &command).spawn()?;
                 moment = moment
                     .wrapping_mul(6_364_136_223_846_793_005)
                     .wrapping_add(1);
@@ -129,7 +109,7 @@ fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome 
                 }
             }
             if !home.path().join(&out).join("summary.json").exists() {
-                let end = tribos(home.path(), &format!("{run} {out}{resume}")).output()?;
+                let end = prepared(home.path(), format!("{run} {out}{resume}")).output()?;
                 assert!(end.status.success(), "{out}: {}", said(&end));
             }
             let ours = files(&home.path().join(&out))?;
@@ -146,21 +126,22 @@ fn runs_broken_by_any_signal_at_any_moment_go_on_to_the_same_bytes() -> Outcome 
 fn the_first_second_is_kept_and_two_runs_do_not_share_a_folder() -> Outcome {
     let home = home()?;
     let out = home.path().join("out");
-    let child = tribos(home.path(), "run long.toml --out out").spawn()?;
+    let child = prepared(home.path(), "run long.toml --out out").spawn()?;
     wait_for("the run starts", || out.join("frames/bodies.json").exists());
     // Another one is told who works there, and changes nothing.
-    let other = tribos(home.path(), "run disk --out out").output()?;
+    let other = prepared(home.path(), "run disk --out out").output()?;
     assert_eq!(other.status.code(), Some(2));
     let told = said(&other);
     let process = format!("process {}", child.id());
-    for words in [
-        &process,
-        "tribos run long.toml --out out",
-        "since 20",
-        "another --out",
-    ] {
-        assert!(told.contains(words), "{words}: {told}");
-    }
+    assert_has(
+        &told,
+        &[
+            &process,
+            "tribos run long.toml --out out",
+            "since 20",
+            "another --out",
+        ],
+    );
     signal(&child, "INT")?;
     let output = child.wait_with_output()?;
     assert_eq!(output.status.code(), Some(130), "{}", said(&output));
@@ -177,10 +158,10 @@ fn the_first_second_is_kept_and_two_runs_do_not_share_a_folder() -> Outcome {
     assert!(out.join("checkpoint.json").exists() && !out.join("summary.json").exists());
     assert!(out.join("frames/000000000000.frame").exists());
     assert!(!out.join(".tribos-lock").exists());
-    let view = tribos(home.path(), "view out").output()?;
+    let view = prepared(home.path(), "view out").output()?;
     assert!(view.status.success(), "{}", said(&view));
     // What goes on has the folder again, from where it was.
-    let child = tribos(home.path(), "run long.toml --resume --out out").spawn()?;
+    let child = prepared(home.path(), "run long.toml --resume --out out").spawn()?;
     wait_for("the run goes on", || out.join(".tribos-lock").exists());
     signal(&child, "KILL")?;
     child.wait_with_output()?;
@@ -193,7 +174,7 @@ fn the_first_second_is_kept_and_two_runs_do_not_share_a_folder() -> Outcome {
         "run long.toml --out out",
         "deposit --count 20 --out out",
     ] {
-        let refused = tribos(home.path(), command).output()?;
+        let refused = prepared(home.path(), command).output()?;
         assert_eq!(refused.status.code(), Some(2), "{command}");
         let told = said(&refused);
         assert!(told.contains("broken off"), "{command}: {told}");
@@ -207,7 +188,7 @@ fn the_first_second_is_kept_and_two_runs_do_not_share_a_folder() -> Outcome {
             "{told}"
         );
     }
-    let disk = tribos(home.path(), "run disk --out out --anew").output()?;
+    let disk = prepared(home.path(), "run disk --out out --anew").output()?;
     assert!(disk.status.success(), "{}", said(&disk));
     assert!(!out.join("frames").exists() && !out.join("checkpoint.json").exists());
     Ok(())
@@ -226,7 +207,7 @@ fn half_written_files_of_killed_runs_go_away() -> Outcome {
     ] {
         std::fs::write(out.join(name), "half")?;
     }
-    let run = tribos(home.path(), "run powder.toml --set steps=5 --out out").output()?;
+    let run = prepared(home.path(), "run powder.toml --set steps=5 --out out").output()?;
     assert!(run.status.success(), "{}", said(&run));
     let there = [
         ".tribos-Ab3.tmp",
@@ -278,7 +259,7 @@ fn what_is_too_large_is_refused_at_once_with_its_size() -> Outcome {
         ),
     ] {
         let began = Instant::now();
-        let output = tribos(home.path(), command).output()?;
+        let output = prepared(home.path(), command).output()?;
         assert_eq!(
             output.status.code(),
             Some(2),
@@ -312,7 +293,7 @@ fn endless_and_foreign_inputs_are_refused_at_once() -> Outcome {
         "export lammps /dev/zero --out out",
         "run /dev/urandom --out out",
     ] {
-        let output = tribos(home.path(), command).output()?;
+        let output = prepared(home.path(), command).output()?;
         assert_eq!(
             output.status.code(),
             Some(2),
@@ -325,7 +306,7 @@ fn endless_and_foreign_inputs_are_refused_at_once() -> Outcome {
     // A text that is larger than any scene.
     let large = home.path().join("large.toml");
     std::fs::write(&large, "# much\n".repeat(3 << 20))?;
-    let output = tribos(home.path(), "run large.toml --out out").output()?;
+    let output = prepared(home.path(), "run large.toml --out out").output()?;
     assert_eq!(output.status.code(), Some(2));
     assert!(
         said(&output).contains("larger than 16 MB"),
@@ -338,7 +319,7 @@ fn endless_and_foreign_inputs_are_refused_at_once() -> Outcome {
 /// A run that keeps writing until its folder is lost; what `disturb` leaves there stays as it is.
 fn lost(home: &Path, disturb: impl FnOnce(&Path) -> Outcome) -> Result<String, Error> {
     let out = home.join("out");
-    let run = tribos(home, "run long.toml --checkpoint 0 --out out").spawn()?;
+    let run = prepared(home, "run long.toml --checkpoint 0 --out out").spawn()?;
     wait_for("the run is under way", || {
         out.join("checkpoint.json").exists()
     });
@@ -357,11 +338,11 @@ fn a_run_whose_folder_is_lost_ends_and_mixes_with_no_other() -> Outcome {
     // Moved away, and made again by another run, whose files are all of it.
     lost(home.path(), |out| {
         std::fs::rename(out, home.path().join("moved"))?;
-        let other = tribos(home.path(), "run powder.toml --out out").output()?;
+        let other = prepared(home.path(), "run powder.toml --out out").output()?;
         assert!(other.status.success(), "{}", said(&other));
         Ok(())
     })?;
-    let alone = tribos(home.path(), "run powder.toml --out alone").output()?;
+    let alone = prepared(home.path(), "run powder.toml --out alone").output()?;
     assert!(alone.status.success());
     assert!(files(&out)? == files(&home.path().join("alone"))?);
     // What was moved goes on elsewhere.
@@ -384,11 +365,11 @@ fn a_run_whose_folder_is_lost_ends_and_mixes_with_no_other() -> Outcome {
 #[test]
 fn a_run_under_way_is_in_use_for_one_that_would_go_on() -> Outcome {
     let home = home()?;
-    let run = tribos(home.path(), "run long.toml --out out").spawn()?;
+    let run = prepared(home.path(), "run long.toml --out out").spawn()?;
     wait_for("the run starts", || {
         home.path().join("out/frames/bodies.json").exists()
     });
-    let other = tribos(home.path(), "run long.toml --resume --out out").output()?;
+    let other = prepared(home.path(), "run long.toml --resume --out out").output()?;
     let told = said(&other);
     assert_eq!(other.status.code(), Some(2), "{told}");
     assert!(
@@ -405,7 +386,7 @@ fn a_run_under_way_is_in_use_for_one_that_would_go_on() -> Outcome {
 fn what_was_exported_from_a_broken_run_goes_away_when_it_goes_on() -> Outcome {
     let home = home()?;
     let out = home.path().join("out");
-    let run = tribos(home.path(), "run powder.toml --checkpoint 0 --out out").spawn()?;
+    let run = prepared(home.path(), "run powder.toml --checkpoint 0 --out out").spawn()?;
     wait_for("the run is under way", || {
         out.join("frames/000000000016.frame").exists()
     });
@@ -418,11 +399,11 @@ fn what_was_exported_from_a_broken_run_goes_away_when_it_goes_on() -> Outcome {
         "view out",
         "view out --still 1,last",
     ] {
-        let made = tribos(home.path(), command).output()?;
+        let made = prepared(home.path(), command).output()?;
         assert!(made.status.success(), "{command}: {}", said(&made));
     }
     std::fs::write(out.join("still-life.png"), "mine")?;
-    let run = tribos(home.path(), "run powder.toml --resume --out out").output()?;
+    let run = prepared(home.path(), "run powder.toml --resume --out out").output()?;
     assert!(run.status.success(), "{}", said(&run));
     for gone in [
         "trajectory.xyz",

@@ -1,24 +1,13 @@
 //! `tribos deposit` leaves complete, repeatable results.
 
+use crate::program::{Error, Outcome, number, summary};
 use assert_cmd::Command;
-use serde_json::Value;
 use std::path::Path;
 
-type Outcome = Result<(), Box<dyn std::error::Error>>;
-
-fn deposit(out: &Path, arguments: &[&str]) -> Result<Command, Box<dyn std::error::Error>> {
+fn deposit(out: &Path, arguments: &[&str]) -> Result<Command, Error> {
     let mut command = Command::cargo_bin("tribos")?;
     command.arg("deposit").args(arguments).arg("--out").arg(out);
     Ok(command)
-}
-
-fn summary(out: &Path) -> Result<Value, Box<dyn std::error::Error>> {
-    let text = std::fs::read_to_string(out.join("summary.json"))?;
-    Ok(serde_json::from_str(&text)?)
-}
-
-fn number(value: &Value, name: &str) -> f64 {
-    value[name].as_f64().unwrap_or(f64::NAN)
 }
 
 #[test]

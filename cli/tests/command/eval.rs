@@ -1,10 +1,8 @@
 //! `tribos eval` gives the forces of LAMMPS for LAMMPS' files, and refuses what it cannot serve.
 
-use assert_cmd::Command;
+use crate::program::{Error, Outcome, tribos};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-
-type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// A file of the tables.
 fn table(name: &str) -> String {
@@ -13,23 +11,22 @@ fn table(name: &str) -> String {
 }
 
 /// Exit code and what was said on standard error.
-fn eval(out: &Path, arguments: &[&str]) -> Result<(i32, String), Box<dyn std::error::Error>> {
+fn eval(out: &Path, arguments: &[&str]) -> Result<(i32, String), Error> {
     let out = out.display().to_string();
     let all = [&["eval", "--out", &out][..], arguments].concat();
-    let output = Command::cargo_bin("tribos")?.args(all).output()?;
-    let code = output.status.code().ok_or("killed")?;
-    Ok((code, String::from_utf8(output.stderr)?))
+    let (code, _, said) = tribos(".", all)?;
+    Ok((code.ok_or("killed")?, said))
 }
 
 /// Id of an atom and the force on it.
 type Row = (u64, [f64; 3]);
 
 /// The rows of a CSV table.
-fn forces(path: &Path) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
+fn forces(path: &Path) -> Result<Vec<Row>, Error> {
     let text = std::fs::read_to_string(path)?;
     let mut lines = text.lines().skip_while(|line| line.starts_with('#'));
     assert_eq!(lines.next(), Some("id,fx,fy,fz"));
-    let row = |line: &str| -> Result<Row, Box<dyn std::error::Error>> {
+    let row = |line: &str| -> Result<Row, Error> {
         let cells: Vec<&str> = line.split(',').collect();
         Ok((
             cells[0].parse()?,
@@ -177,7 +174,7 @@ fn names_and_ids_find_their_elements() -> Outcome {
 const PAIR: [&str; 2] = ["--pair", "lj:cutoff=2.5"];
 
 /// What is said about a file of three atoms; nothing may be written.
-fn refused(text: &str, law: &[&str]) -> Result<String, Box<dyn std::error::Error>> {
+fn refused(text: &str, law: &[&str]) -> Result<String, Error> {
     let folder = tempfile::tempdir()?;
     let config = folder.path().join("atoms");
     std::fs::write(&config, text)?;

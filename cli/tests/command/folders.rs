@@ -1,11 +1,8 @@
 //! Output folders that were used before: what stands there is of one command, or a clear refusal.
 
-use assert_cmd::Command;
+use crate::program::{self, Error, Outcome};
 use std::collections::BTreeMap;
 use std::path::Path;
-
-type Error = Box<dyn std::error::Error>;
-type Outcome = Result<(), Error>;
 
 const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nsteps = 20\n";
 const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 8\nrows = 8\nside = 2\n\
@@ -71,9 +68,8 @@ fn copy(from: &Path, to: &Path) -> Outcome {
 
 /// Runs a command in the home folder: exit code and what was said.
 fn tribos(home: &Path, command: &str) -> Result<(Option<i32>, String), Error> {
-    let mut tribos = Command::cargo_bin("tribos")?;
-    let output = tribos.current_dir(home).args(command.split(' ')).output()?;
-    Ok((output.status.code(), String::from_utf8(output.stderr)?))
+    let (code, _, said) = program::tribos(home, command)?;
+    Ok((code, said))
 }
 
 fn home() -> Result<tempfile::TempDir, Error> {
@@ -198,7 +194,7 @@ fn what_was_put_into_a_run_by_hand_is_not_played() -> Outcome {
             "c",
             "d",
             "series.csv",
-            "not as the run of this folder left it",
+            "changed after the run of this folder",
         ),
         ("c", "d", "summary.json", "of another scene"),
     ];

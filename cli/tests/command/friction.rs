@@ -1,18 +1,12 @@
 //! All commands that take an exponent serve the same ones, refuse the others in the same words, and say
 //! which tier they chose.
 
-use assert_cmd::Command;
-
-type Outcome = Result<(), Box<dyn std::error::Error>>;
+use crate::program::{Error, Outcome, tribos};
 
 /// Exit code, and all that was said.
-fn said(arguments: &str) -> Result<(i32, String), Box<dyn std::error::Error>> {
-    let output = Command::cargo_bin("tribos")?
-        .args(arguments.split_whitespace())
-        .output()?;
-    let text = [output.stdout, output.stderr].concat();
-    let code = output.status.code().ok_or("ended by a signal")?;
-    Ok((code, String::from_utf8(text)?))
+fn said(arguments: &str) -> Result<(i32, String), Error> {
+    let (code, out, err) = tribos(".", arguments)?;
+    Ok((code.ok_or("ended by a signal")?, out + &err))
 }
 
 /// Commands with the exponent and a folder left open.

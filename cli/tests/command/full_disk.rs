@@ -1,12 +1,10 @@
 //! A disk that is full: what is told, what is kept, and how work goes on.
 #![cfg(unix)]
 
+use crate::program::{Error, Outcome};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-
-type Error = Box<dyn std::error::Error>;
-type Outcome = Result<(), Error>;
 
 /// Some twenty spheres.
 const TINY: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\

@@ -1,9 +1,7 @@
 //! `tribos golden`: results pinned and checked, every kind of difference told apart.
 
-use assert_cmd::Command;
+use crate::program::{Error, Outcome, assert_has, tribos};
 use std::path::{Path, PathBuf};
-
-type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// Exit codes.
 const DONE: Option<i32> = Some(0);
@@ -15,20 +13,8 @@ const DISK: &str = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0.0\ngra
 const ROCK: &str = "body = \"curling\"\nmodel = \"scratch-guide\"\nspeed = 0.16\nspin = 20.0\n";
 const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\nsteps = 60\n";
 
-fn tribos<'a>(
-    folder: &Path,
-    arguments: impl IntoIterator<Item = &'a str>,
-) -> Result<(Option<i32>, String, String), Box<dyn std::error::Error>> {
-    let output = Command::cargo_bin("tribos")?
-        .current_dir(folder)
-        .args(arguments)
-        .output()?;
-    let [out, err] = [output.stdout, output.stderr].map(String::from_utf8);
-    Ok((output.status.code(), out?, err?))
-}
-
 /// A folder with scenes in `in/` and their golden file.
-fn pinned() -> Result<tempfile::TempDir, Box<dyn std::error::Error>> {
+fn pinned() -> Result<tempfile::TempDir, Error> {
     let folder = tempfile::tempdir()?;
     let scenes = folder.path().join("in");
     std::fs::create_dir(&scenes)?;
@@ -36,7 +22,7 @@ fn pinned() -> Result<tempfile::TempDir, Box<dyn std::error::Error>> {
         std::fs::write(scenes.join(format!("{name}.toml")), text)?;
     }
     let write = "golden write in/disk.toml in/rock.toml in/powder.toml --out out/golden.toml";
-    let (code, said, err) = tribos(folder.path(), write.split(' '))?;
+    let (code, said, err) = tribos(folder.path(), write)?;
     assert_eq!(code, DONE, "{err}");
     assert!(said.contains("written to out/golden.toml"), "{said}");
     Ok(folder)
@@ -51,7 +37,7 @@ fn edit(file: PathBuf, from: &str, to: &str) -> Outcome {
 }
 
 /// The hexadecimal digits of the first number after `mark`, and the same with another last digit.
-fn digits(file: &Path, mark: &str) -> Result<[String; 2], Box<dyn std::error::Error>> {
+fn digits(file: &Path, mark: &str) -> Result<[String; 2], Error> {
     let text = std::fs::read_to_string(file)?;
     let after = text.split_once(mark).ok_or("no such mark")?.1;
     let from = after.find("\"0x").ok_or("no number")? + 1;
@@ -70,15 +56,16 @@ fn what_was_pinned_is_found_again_and_the_file_has_the_same_bytes() -> Outcome {
     let (code, said, err) = tribos(folder.path(), VERIFY)?;
     assert_eq!(code, DONE, "{said}{err}");
     assert_eq!(said.lines().count(), 3);
-    for name in [
-        "../in/disk.toml: same, 201 rows",
-        "../in/rock.toml: same",
-        "../in/powder.toml: same",
-    ] {
-        assert!(said.contains(name), "{said}");
-    }
+    assert_has(
+        &said,
+        &[
+            "../in/disk.toml: same, 201 rows",
+            "../in/rock.toml: same",
+            "../in/powder.toml: same",
+        ],
+    );
     let write = "golden write in/disk.toml in/rock.toml in/powder.toml --out out/golden.toml";
-    tribos(folder.path(), write.split(' '))?;
+    tribos(folder.path(), write)?;
     assert_eq!(std::fs::read(&file)?, first);
     Ok(())
 }
@@ -107,7 +94,7 @@ fn a_changed_scene_is_told_from_changed_results() -> Outcome {
     edit(folder.path().join("in/rock.toml"), "body", "# a rock\nbody")?;
     let only = ["--only", "../in/rock.toml"];
     assert_eq!(
-        tribos(folder.path(), VERIFY.into_iter().chain(only))?.0,
+        tribos(folder.path(), [&VERIFY[..], &only].concat())?.0,
         DONE
     );
     Ok(())
@@ -154,8 +141,8 @@ fn a_changed_result_is_named() -> Outcome {
 fn overrides_are_kept_with_the_scene() -> Outcome {
     let folder = pinned()?;
     let write = "golden write in/disk.toml --set spin=50 --set stepper=verlet --out fast.toml";
-    assert_eq!(tribos(folder.path(), write.split(' '))?.0, DONE);
-    let (code, said, _) = tribos(folder.path(), ["golden", "verify", "fast.toml"])?;
+    assert_eq!(tribos(folder.path(), write)?.0, DONE);
+    let (code, said, _) = tribos(folder.path(), "golden verify fast.toml")?;
     assert_eq!(code, DONE);
     assert!(said.starts_with("in/disk.toml: same"), "{said}");
     let text = std::fs::read_to_string(folder.path().join("fast.toml"))?;
@@ -228,7 +215,7 @@ fn what_cannot_be_checked_is_refused_with_its_reason() -> Outcome {
         ),
     ];
     for (arguments, words) in cases {
-        let (code, _, err) = tribos(folder.path(), arguments.iter().copied())?;
+        let (code, _, err) = tribos(folder.path(), arguments)?;
         assert_eq!(code, BAD_INPUT, "{arguments:?}");
         assert!(err.contains(words), "{err}");
     }

@@ -1,13 +1,10 @@
 //! Help, completions and manual: every command has them, with examples.
 
-use assert_cmd::Command;
+use crate::program::{Error, Outcome, assert_has, told};
 use clap::Command as Clap;
 use serde_json::Value;
 use std::path::Path;
 use tribos_cli::command::program;
-
-type Error = Box<dyn std::error::Error>;
-type Outcome = Result<(), Error>;
 
 /// Every command with its path, subcommands of subcommands too.
 fn all(command: &Clap, path: &[String], found: &mut Vec<(Vec<String>, Clap)>) {
@@ -25,23 +22,18 @@ fn commands() -> Vec<(Vec<String>, Clap)> {
     found
 }
 
-fn said(arguments: &[&str]) -> Result<String, Error> {
-    let output = Command::cargo_bin("tribos")?.args(arguments).output()?;
-    assert!(output.status.success(), "{arguments:?}");
-    Ok(String::from_utf8(output.stdout)?)
-}
-
 #[test]
 fn the_first_page_names_every_command_once_and_shows_examples() -> Outcome {
-    let page = said(&["--help"])?;
+    let page = told("--help")?;
     for command in program().get_subcommands() {
         let name = command.get_name();
         let line = |line: &&str| line.starts_with(&format!("  {name} "));
         assert_eq!(page.lines().filter(line).count(), 1, "{name}: {page}");
     }
-    for words in ["Examples:\n", "\n    tribos run ", "docs/how-to.md"] {
-        assert!(page.contains(words), "{words}");
-    }
+    assert_has(
+        &page,
+        &["Examples:\n", "\n    tribos run ", "docs/how-to.md"],
+    );
     Ok(())
 }
 
@@ -69,12 +61,12 @@ fn help_is_short_and_points_to_the_rest() -> Outcome {
     for (path, _) in commands() {
         let path: Vec<&str> = path.iter().map(String::as_str).collect();
         for (option, most) in [("-h", SHORT), ("--help", LONG)] {
-            let page = said(&[&path[..], &[option]].concat())?;
+            let page = told([&path[..], &[option]].concat())?;
             let lines = page.lines().count();
             assert!(lines <= most, "{path:?} {option}: {lines} lines");
         }
     }
-    let page = said(&["run", "--help"])?;
+    let page = told("run --help")?;
     for body in tribos::scene::bodies() {
         assert!(
             page.contains(&format!("tribos scene keys {body}")),
@@ -86,11 +78,11 @@ fn help_is_short_and_points_to_the_rest() -> Outcome {
 
 #[test]
 fn keys_are_told_body_by_body() -> Outcome {
-    let all = said(&["scene", "keys"])?;
+    let all = told("scene keys")?;
     for body in tribos::scene::bodies() {
         assert!(all.contains(&format!("  {body} ")), "{all}");
         let keys = tribos::scene::vocabulary(body).ok_or("a body")?.keys;
-        let text = said(&["scene", "keys", body])?;
+        let text = told(["scene", "keys", body])?;
         assert_eq!(text.lines().count(), 1 + keys.len(), "{text}");
         for key in keys {
             let told = |line: &str| line.trim_start().starts_with(&format!("{} ", key.name));
@@ -98,7 +90,7 @@ fn keys_are_told_body_by_body() -> Outcome {
         }
     }
     // A scene stands for its body.
-    let [scene, body] = ["compaction-small", "powder"].map(|word| said(&["scene", "keys", word]));
+    let [scene, body] = ["compaction-small", "powder"].map(|word| told(["scene", "keys", word]));
     assert_eq!(scene?, body?);
     Ok(())
 }
@@ -109,12 +101,12 @@ const MEANING: usize = 8;
 #[test]
 fn every_key_has_its_meaning_wherever_keys_are_told() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let schema: Value = serde_json::from_str(&said(&["scene", "schema"])?)?;
+    let schema: Value = serde_json::from_str(&told("scene schema")?)?;
     for body in tribos::scene::bodies() {
-        let listed = said(&["scene", "keys", body])?;
+        let listed = told(["scene", "keys", body])?;
         let file = folder.path().join(format!("{body}.toml"));
         let place = file.to_str().ok_or("a name")?;
-        said(&["scene", "new", body, "--out", place])?;
+        told(["scene", "new", body, "--out", place])?;
         for key in tribos::scene::vocabulary(body).ok_or("a body")?.keys {
             let name = key.name;
             assert!(key.meaning.len() >= MEANING, "{body}: {name}");
@@ -137,7 +129,7 @@ fn every_key_has_its_meaning_wherever_keys_are_told() -> Outcome {
             );
         }
         // What a scene says of itself is told too.
-        let checked = said(&["scene", "check", place])?;
+        let checked = told(["scene", "check", place])?;
         let values = checked.lines().filter(|line| line.starts_with("  "));
         let names = values.filter_map(|line| Some(line.split_once(" = ")?.0.trim()));
         for name in names {
@@ -172,7 +164,7 @@ fn every_command_has_a_manual_page() -> Outcome {
     let folder = tempfile::tempdir()?;
     let out = folder.path().join("man1");
     let place = out.to_str().ok_or("a name")?;
-    said(&["man", "--out", place])?;
+    told(["man", "--out", place])?;
     let mut names: Vec<String> = commands()
         .iter()
         .map(|(path, _)| format!("tribos-{}.1", path.join("-")))
@@ -181,9 +173,10 @@ fn every_command_has_a_manual_page() -> Outcome {
     assert_eq!(std::fs::read_dir(&out)?.count(), names.len());
     for name in &names {
         let page = std::fs::read_to_string(out.join(name))?;
-        for section in [".SH NAME", ".SH SYNOPSIS", ".SH OPTIONS", ".SH EXAMPLES"] {
-            assert!(page.contains(section), "{name}: {section}");
-        }
+        assert_has(
+            &page,
+            &[".SH NAME", ".SH SYNOPSIS", ".SH OPTIONS", ".SH EXAMPLES"],
+        );
     }
     // A reader of manuals, where there is one.
     let mut mandoc = std::process::Command::new("mandoc");
@@ -202,7 +195,7 @@ fn every_command_has_a_manual_page() -> Outcome {
 fn bash_completes_commands_options_and_values() -> Outcome {
     let folder = tempfile::tempdir()?;
     let script = folder.path().join("tribos.bash");
-    std::fs::write(&script, said(&["completions", "bash"])?)?;
+    std::fs::write(&script, told("completions bash")?)?;
     // The script asks the program itself.
     let program = Path::new(env!("CARGO_BIN_EXE_tribos"));
     let own = program.parent().ok_or("no folder")?.display();
@@ -268,7 +261,7 @@ fn bash_completes_commands_options_and_values() -> Outcome {
         Err(_) => println!("skipped: no fish"),
     }
     for shell in ["zsh", "fish", "powershell", "elvish"] {
-        let text = said(&["completions", shell])?;
+        let text = told(["completions", shell])?;
         assert!(
             text.contains("tribos") && text.contains("TRIBOS_COMPLETE"),
             "{shell}"

@@ -1,8 +1,6 @@
 //! `tribos inverse` prints launches that lead to the pose, or says what is missing.
 
-use assert_cmd::Command;
-
-type Outcome = Result<(), Box<dyn std::error::Error>>;
+use crate::program::{Error, Outcome, Said, assert_has, tribos};
 
 const PUCK: [&str; 9] = [
     "inverse",
@@ -19,21 +17,14 @@ const LIMITS: [&str; 4] = ["--max-speed", "3", "--max-spin", "40"];
 const TARGET: [&str; 6] = ["--x", "1.2", "--y", "0.3", "--angle", "90deg"];
 
 /// Exit code, standard output and standard error.
-fn tribos(parts: &[&[&str]]) -> Result<(Option<i32>, String, String), Box<dyn std::error::Error>> {
-    let output = Command::cargo_bin("tribos")?
-        .args(parts.concat())
-        .output()?;
-    Ok((
-        output.status.code(),
-        String::from_utf8(output.stdout)?,
-        String::from_utf8(output.stderr)?,
-    ))
+fn inverse(parts: &[&[&str]]) -> Result<Said, Error> {
+    tribos(".", parts.concat())
 }
 
 #[test]
 fn launches_come_by_energy_in_every_format() -> Outcome {
     let base: [&[&str]; 3] = [&PUCK, &LIMITS, &TARGET];
-    let (code, text, _) = tribos(&[&base[..], &[&["--format", "json", "--jacobian"]]].concat())?;
+    let (code, text, _) = inverse(&[&base[..], &[&["--format", "json", "--jacobian"]]].concat())?;
     assert_eq!(code, Some(0));
     let value: serde_json::Value = serde_json::from_str(&text)?;
     let launches = value.as_array().ok_or("no array")?;
@@ -51,10 +42,10 @@ fn launches_come_by_energy_in_every_format() -> Outcome {
         }
         assert!(number(i, "dx_dvx")? > 0.0 && number(i, "dangle_dspin")? > 0.0);
     }
-    let (_, csv, _) = tribos(&[&base[..], &[&["--format", "csv"]]].concat())?;
+    let (_, csv, _) = inverse(&[&base[..], &[&["--format", "csv"]]].concat())?;
     assert_eq!(csv.lines().count(), launches.len() + 1);
     assert!(csv.starts_with("speed,spin,direction,vx,vy,angle,turns,time,energy_per_mass\n"));
-    let (_, text, _) = tribos(&base)?;
+    let (_, text, _) = inverse(&base)?;
     assert!(
         text.starts_with(&format!("{} launches", launches.len())),
         "{text}"
@@ -85,7 +76,7 @@ fn an_exact_angle_has_one_launch_on_every_patch() -> Outcome {
             "--inertia-ratio",
             "0.6",
         ];
-        let (code, csv, error) = tribos(&[
+        let (code, csv, error) = inverse(&[
             &body,
             &LIMITS,
             &asked,
@@ -105,16 +96,17 @@ fn an_exact_angle_has_one_launch_on_every_patch() -> Outcome {
 #[test]
 fn what_is_out_of_reach_ends_with_code_2_and_the_reach() -> Outcome {
     let far = ["--x", "9", "--y", "0", "--angle", "1", "--turns", "exact"];
-    let (code, out, error) = tribos(&[&PUCK, &LIMITS, &far])?;
+    let (code, out, error) = inverse(&[&PUCK, &LIMITS, &far])?;
     assert_eq!((code, out.as_str()), (Some(2), ""));
-    for part in [
-        "out of reach",
-        "m/s",
-        "the limits are 3 m/s and 40 rad/s",
-        "they reach from",
-    ] {
-        assert!(error.contains(part), "{error}");
-    }
+    assert_has(
+        &error,
+        &[
+            "out of reach",
+            "m/s",
+            "the limits are 3 m/s and 40 rad/s",
+            "they reach from",
+        ],
+    );
     Ok(())
 }
 
@@ -129,17 +121,17 @@ fn bad_input_is_refused_with_its_cure() -> Outcome {
         (&["--alpha", "-2"], "> -1 and <= 128"),
     ];
     for (more, words) in cases {
-        let (code, _, error) = tribos(&[&PUCK, &LIMITS, &TARGET, more])?;
+        let (code, _, error) = inverse(&[&PUCK, &LIMITS, &TARGET, more])?;
         assert_eq!(code, Some(2), "{more:?}");
         assert!(error.contains(words), "{more:?}: {error}");
     }
-    let (code, _, error) = tribos(&[
+    let (code, _, error) = inverse(&[
         &PUCK,
         &LIMITS,
         &["--x", "1", "--y", "0", "--angle", "90grad"],
     ])?;
     assert!(code == Some(2) && error.contains("90deg"), "{error}");
-    let (code, _, error) = tribos(&[&PUCK, &TARGET])?;
+    let (code, _, error) = inverse(&[&PUCK, &TARGET])?;
     assert!(code == Some(2) && error.contains("--max-speed"), "{error}");
     Ok(())
 }
@@ -149,7 +141,7 @@ fn the_reach_is_drawn() -> Outcome {
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("reach.svg");
     let name = file.display().to_string();
-    let (code, _, error) = tribos(&[&PUCK, &LIMITS, &TARGET, &["--plot", &name]])?;
+    let (code, _, error) = inverse(&[&PUCK, &LIMITS, &TARGET, &["--plot", &name]])?;
     assert_eq!(code, Some(0), "{error}");
     let svg = std::fs::read_to_string(file)?;
     assert!(svg.contains("distance in m") && svg.contains("launches to the target"));
@@ -161,7 +153,7 @@ fn many_launches_are_counted_and_only_the_first_worked_out() -> Outcome {
     let limits = ["--max-speed", "3", "--max-spin", "162"];
     let base: [&[&str]; 3] = [&PUCK, &limits, &TARGET];
     let more: &[&str] = &["--symmetry", "4", "--most", "5", "--format", "csv"];
-    let (code, csv, said) = tribos(&[&base[..], &[more]].concat())?;
+    let (code, csv, said) = inverse(&[&base[..], &[more]].concat())?;
     assert_eq!(code, Some(0), "{said}");
     assert_eq!(csv.lines().count(), 6);
     assert!(
@@ -180,7 +172,7 @@ fn many_launches_are_counted_and_only_the_first_worked_out() -> Outcome {
 #[test]
 fn an_angle_without_a_unit_is_read_aloud() -> Outcome {
     let at = ["--x", "1.2", "--y", "0.3", "--angle"];
-    let with = |angle| tribos(&[&PUCK, &LIMITS, &at, &[angle]]);
+    let with = |angle| inverse(&[&PUCK, &LIMITS, &at, &[angle]]);
     let (code, told, said) = with("90")?;
     assert_eq!(code, Some(0));
     assert!(
@@ -196,7 +188,7 @@ fn an_angle_without_a_unit_is_read_aloud() -> Outcome {
         "--x", "1e-300", "--y", "0", "--angle", "0", "--turns", "exact",
     ];
     let limits = ["--max-speed", "0", "--max-spin", "40"];
-    let (code, _, said) = tribos(&[&PUCK, &limits, &at])?;
+    let (code, _, said) = inverse(&[&PUCK, &limits, &at])?;
     assert_eq!(code, Some(2));
     assert!(said.contains("takes 2.426108e-150 m/s"), "{said}");
     Ok(())
@@ -205,9 +197,9 @@ fn an_angle_without_a_unit_is_read_aloud() -> Outcome {
 #[test]
 fn limits_that_do_not_limit_are_no_limit() -> Outcome {
     let few = ["--most", "5"];
-    let huge = |speed, spin| -> Result<_, Box<dyn std::error::Error>> {
+    let huge = |speed, spin| -> Result<_, Error> {
         let limits = ["--max-speed", speed, "--max-spin", spin];
-        tribos(&[&PUCK, &TARGET, &few, &limits])
+        inverse(&[&PUCK, &TARGET, &few, &limits])
     };
     let (_, wanted, _) = huge("100", "1000")?;
     for (speed, spin) in [("1e12", "1e12"), ("1e9", "1e12"), ("1e300", "1e300")] {
@@ -233,7 +225,7 @@ fn whole_numbers_have_their_range_named() -> Outcome {
         ("--symmetry", "0", "from 1 to 4294967295"),
         ("--symmetry", "1e3", "from 1 to 4294967295"),
     ] {
-        let (code, _, told) = tribos(&[&base[..], &[&[option, value]]].concat())?;
+        let (code, _, told) = inverse(&[&base[..], &[&[option, value]]].concat())?;
         assert_eq!(code, Some(2));
         assert!(told.contains(range), "{option} {value}: {told}");
     }

@@ -21,6 +21,7 @@ mod planar;
 mod player;
 mod powder;
 mod printed_commands;
+mod program;
 mod progress;
 mod reports;
 mod run;

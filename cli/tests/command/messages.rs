@@ -1,29 +1,10 @@
 //! Messages quote what they got, say what was meant, and say what was written.
 
+use crate::program::{Outcome, refused, tribos};
 use assert_cmd::Command;
-use std::path::Path;
-
-type Error = Box<dyn std::error::Error>;
-type Outcome = Result<(), Error>;
 
 const DISK: &str = "speed = 1.0\nspin = 5.0\ncoefficient = 0.3\nalpha = 0.0\ngravity = 9.81\n\
                     radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5\n";
-
-/// Exit code, standard output and standard error.
-fn tribos(folder: &Path, arguments: &str) -> Result<(Option<i32>, String, String), Error> {
-    let output = Command::cargo_bin("tribos")?
-        .current_dir(folder)
-        .args(arguments.split_whitespace())
-        .output()?;
-    let [said, told] = [output.stdout, output.stderr].map(String::from_utf8);
-    Ok((output.status.code(), said?, told?))
-}
-
-fn refused(folder: &Path, arguments: &str) -> Result<String, Error> {
-    let (code, _, told) = tribos(folder, arguments)?;
-    assert_eq!(code, Some(2), "{arguments}: {told}");
-    Ok(told)
-}
 
 #[test]
 fn a_syntax_error_is_the_only_problem_of_a_file() -> Outcome {

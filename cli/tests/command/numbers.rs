@@ -1,27 +1,16 @@
 //! Numbers: the shortest form that keeps the bits in files, six digits for people; signs and units
 //! that an answer states itself.
 
-use assert_cmd::Command;
+use crate::program::{Error, Outcome, assert_has, refused, succeed};
 use serde_json::Value;
 use std::path::Path;
-
-type Error = Box<dyn std::error::Error>;
-type Outcome = Result<(), Error>;
-
-/// Standard output and standard error of a command that succeeds.
-fn said(arguments: &[&str]) -> Result<[String; 2], Error> {
-    let output = Command::cargo_bin("tribos")?.args(arguments).output()?;
-    let told = String::from_utf8(output.stderr)?;
-    assert!(output.status.success(), "{arguments:?}: {told}");
-    Ok([String::from_utf8(output.stdout)?, told])
-}
 
 fn wrench(more: &str) -> Result<Value, Error> {
     let arguments: Vec<&str> = ["wrench", "--format", "json"]
         .into_iter()
         .chain(more.split_whitespace())
         .collect();
-    Ok(serde_json::from_str(&said(&arguments)?[0])?)
+    Ok(serde_json::from_str(&succeed(".", &arguments)?[0])?)
 }
 
 /// Every number of a text that has a point or a power of ten.
@@ -59,7 +48,7 @@ fn files_of_runs_have_the_shortest_form_that_keeps_the_bits() -> Outcome {
     ] {
         let out = folder.path().join(scene);
         let place = out.to_str().ok_or("a name")?;
-        said(&[&["run", scene, "--out", place][..], &more].concat())?;
+        succeed(".", [&["run", scene, "--out", place][..], &more].concat())?;
         for file in files {
             assert_shortest(&out.join(file))?;
         }
@@ -94,7 +83,7 @@ fn what_is_counted_stays_a_whole_number_in_summaries() -> Outcome {
     ] {
         let out = folder.path().join(scene);
         let place = out.to_str().ok_or("a name")?;
-        said(&[&["run", scene, "--out", place][..], &more].concat())?;
+        succeed(".", [&["run", scene, "--out", place][..], &more].concat())?;
         let summary: Value =
             serde_json::from_str(&std::fs::read_to_string(out.join("summary.json"))?)?;
         for key in counted {
@@ -116,7 +105,8 @@ fn people_read_six_digits_unless_they_ask_for_others() -> Outcome {
         "--coefficient",
         "0.3",
     ];
-    let with = |more: &[&str]| Ok::<_, Error>(said(&[&twist[..], more].concat())?[0].clone());
+    let with =
+        |more: &[&str]| Ok::<_, Error>(succeed(".", [&twist[..], more].concat())?[0].clone());
     let [six, four, all] = [
         with(&[])?,
         with(&["--digits", "4"])?,
@@ -137,15 +127,14 @@ fn people_read_six_digits_unless_they_ask_for_others() -> Outcome {
     assert_eq!(line(&all), Some(format!("{force:?}")));
     assert!(six.contains("speed           0.3 m/s\n"), "{six}");
     // The option may stand before the command too, and changes no file.
-    assert_eq!(said(&[&["--digits", "4"], &twist[..]].concat())?[0], four);
+    assert_eq!(
+        succeed(".", [&["--digits", "4"], &twist[..]].concat())?[0],
+        four
+    );
     let csv = [&twist[..], &["--format", "csv"]].concat();
     let short = [&csv[..], &["--digits", "2"]].concat();
-    assert_eq!(said(&csv)?[0], said(&short)?[0]);
-    let output = Command::cargo_bin("tribos")?
-        .args([&twist[..], &["--digits", "18"]].concat())
-        .output()?;
-    assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8(output.stderr)?.contains("from 1 to 17"));
+    assert_eq!(succeed(".", &csv)?[0], succeed(".", &short)?[0]);
+    assert!(refused(".", [&twist[..], &["--digits", "18"]].concat())?.contains("from 1 to 17"));
     Ok(())
 }
 
@@ -165,7 +154,7 @@ fn reports_of_all_commands_have_short_numbers() -> Outcome {
         format!("sweep disk --set spin=0,3 --out {}", place("sweep")),
     ] {
         let words: Vec<&str> = arguments.split_whitespace().collect();
-        let [text, _] = said(&words)?;
+        let [text, _] = succeed(".", &words)?;
         for number in floats(&text) {
             let mantissa = number.split('e').next().unwrap_or_default();
             let digits = mantissa.trim_start_matches(['-', '0', '.']);
@@ -178,16 +167,17 @@ fn reports_of_all_commands_have_short_numbers() -> Outcome {
 
 #[test]
 fn an_answer_repeats_the_contact_that_it_is_for() -> Outcome {
-    let [text, told] = said(&["wrench", "--speed", "1", "--spin", "1"])?;
-    for line in [
-        "patch           disk\n",
-        "radius          1 m\n",
-        "load            1 N\n",
-        "coefficient     1\n",
-        "alpha           0\n",
-    ] {
-        assert!(text.contains(line), "{text}");
-    }
+    let [text, told] = succeed(".", ["wrench", "--speed", "1", "--spin", "1"])?;
+    assert_has(
+        &text,
+        &[
+            "patch           disk\n",
+            "radius          1 m\n",
+            "load            1 N\n",
+            "coefficient     1\n",
+            "alpha           0\n",
+        ],
+    );
     assert_eq!(told, "");
     let contact = wrench("--patch annulus:0.5 --alpha 0.5 --load 3 --speed 1 --spin 1")?;
     let contact = &contact["contact"];
@@ -198,7 +188,10 @@ fn an_answer_repeats_the_contact_that_it_is_for() -> Outcome {
     assert_eq!(law["contact"]["law"], "dry:mu_s=0.4,mu_d=0.3");
     assert!(law["contact"]["coefficient"].is_null());
     // Columns have no place for it.
-    let [_, told] = said(&["wrench", "--speed", "1", "--spin", "1", "--format", "csv"])?;
+    let [_, told] = succeed(
+        ".",
+        ["wrench", "--speed", "1", "--spin", "1", "--format", "csv"],
+    )?;
     assert!(
         told.contains("contact: patch disk, radius 1 m, load 1 N"),
         "{told}"

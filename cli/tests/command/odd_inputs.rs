@@ -1,5 +1,6 @@
 //! Whatever is written, nothing panics: a result, or a refusal with code 2.
 
+use crate::program::Error;
 use assert_cmd::Command;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -132,10 +133,7 @@ proptest! {
 }
 
 /// `tribos run SCENE --set …` into a folder of its own: exit code, what it said, its summary.
-fn run(
-    scene: &str,
-    overrides: &[&str],
-) -> Result<(Option<i32>, String, String), Box<dyn std::error::Error>> {
+fn run(scene: &str, overrides: &[&str]) -> Result<(Option<i32>, String, String), Error> {
     let folder = tempfile::tempdir()?;
     let out = folder.path().join("out");
     let mut command = Command::cargo_bin("tribos")?;
@@ -151,8 +149,7 @@ fn run(
 }
 
 #[test]
-fn numbers_that_are_not_finite_end_in_a_refusal_and_not_in_a_result()
--> Result<(), Box<dyn std::error::Error>> {
+fn numbers_that_are_not_finite_end_in_a_refusal_and_not_in_a_result() -> Result<(), Error> {
     const SMALL: [&str; 3] = ["width=6", "height=6", "steps=5"];
     for (scene, overrides, code, words) in [
         ("disk", &["radius=1e300"][..], 2, "kinetic energy of inf J"),

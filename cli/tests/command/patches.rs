@@ -1,34 +1,12 @@
 //! `tribos wrench`, `laws` and `modes` with other patches and laws.
 
-use assert_cmd::Command;
+use crate::program::{Error, Outcome, refused, told};
 use std::f64::consts::PI;
 
-type Outcome = Result<(), Box<dyn std::error::Error>>;
-
-fn tribos(arguments: &str) -> Result<String, Box<dyn std::error::Error>> {
-    let output = Command::cargo_bin("tribos")?
-        .args(arguments.split_whitespace())
-        .output()?;
-    assert!(
-        output.status.success(),
-        "{arguments}: {}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    Ok(String::from_utf8(output.stdout)?)
-}
-
-fn refused(arguments: &str) -> Result<String, Box<dyn std::error::Error>> {
-    let output = Command::cargo_bin("tribos")?
-        .args(arguments.split_whitespace())
-        .output()?;
-    assert_eq!(output.status.code(), Some(2), "{arguments}");
-    Ok(String::from_utf8(output.stderr)?)
-}
-
 /// The named field of one twist.
-fn field(arguments: &str, name: &str) -> Result<f64, Box<dyn std::error::Error>> {
+fn field(arguments: &str, name: &str) -> Result<f64, Error> {
     let value: serde_json::Value =
-        serde_json::from_str(&tribos(&format!("wrench {arguments} --format json"))?)?;
+        serde_json::from_str(&told(format!("wrench {arguments} --format json"))?)?;
     Ok(value[name].as_f64().ok_or(name)?)
 }
 
@@ -80,7 +58,7 @@ fn tilt_adds_the_lateral_force_and_nothing_else() -> Outcome {
         field("--speed 1 --spin 1 --tilt -0.5", "lateral")?,
         -lateral
     );
-    assert!(refused("wrench --speed 1 --spin 1 --tilt 1.01")?.contains("tips"));
+    assert!(refused(".", "wrench --speed 1 --spin 1 --tilt 1.01")?.contains("tips"));
     let held = field("--speed 1 --spin 1 --tilt 9 --on-lift clamp", "lateral")?;
     assert_eq!(held, 2.0 * lateral);
     Ok(())
@@ -155,7 +133,7 @@ fn bad_patches_laws_and_points_are_refused_with_a_cure() -> Outcome {
         ("--tilt 0.1 --jacobian", "--jacobian"),
         ("--tilt nan", "finite"),
     ] {
-        let message = refused(&format!("wrench --speed 1 --spin 1 {arguments}"))?;
+        let message = refused(".", format!("wrench --speed 1 --spin 1 {arguments}"))?;
         assert!(message.contains(words), "{arguments}: {message}");
     }
     let folder = tempfile::tempdir()?;
@@ -172,7 +150,7 @@ fn bad_patches_laws_and_points_are_refused_with_a_cure() -> Outcome {
             "wrench --speed 1 --spin 1 --patch points:{}",
             path.display()
         );
-        let message = refused(&arguments)?;
+        let message = refused(".", &arguments)?;
         assert!(message.contains(words), "{text}: {message}");
     }
     Ok(())
@@ -180,7 +158,7 @@ fn bad_patches_laws_and_points_are_refused_with_a_cure() -> Outcome {
 
 #[test]
 fn every_law_is_listed_with_units_and_source() -> Outcome {
-    let list: serde_json::Value = serde_json::from_str(&tribos("laws --format json")?)?;
+    let list: serde_json::Value = serde_json::from_str(&told("laws --format json")?)?;
     let laws = list.as_array().ok_or("no array")?;
     assert!(laws.len() >= 16);
     for law in laws {
@@ -196,8 +174,8 @@ fn every_law_is_listed_with_units_and_source() -> Outcome {
                 .is_some_and(|list| !list.is_empty())
         );
     }
-    assert!(tribos("laws stribeck")?.contains("vs       [m/s] Stribeck speed"));
-    assert!(refused("laws strybeck")?.contains("stribeck"));
+    assert!(told("laws stribeck")?.contains("vs       [m/s] Stribeck speed"));
+    assert!(refused(".", "laws strybeck")?.contains("stribeck"));
     Ok(())
 }
 
@@ -207,7 +185,7 @@ fn curves_of_laws_are_written_as_numbers_and_pictures() -> Outcome {
     let base = "laws --curve power:gamma=2,alpha=0.5 --curve coulomb:mu=0.3 --from 0.01 --to 1";
     for ending in ["csv", "svg", "png"] {
         let path = folder.path().join(format!("curve.{ending}"));
-        tribos(&format!("{base} --out {}", path.display()))?;
+        told(format!("{base} --out {}", path.display()))?;
         assert!(std::fs::metadata(&path)?.len() > 1000, "{ending}");
     }
     let csv = std::fs::read_to_string(folder.path().join("curve.csv"))?;
@@ -218,15 +196,17 @@ fn curves_of_laws_are_written_as_numbers_and_pictures() -> Outcome {
         .collect();
     assert_close(cells[1], 2.0 * cells[0].sqrt(), 1e-15, last);
     assert_eq!(cells[2], 0.3);
-    assert!(refused(&format!("{base} --out x.pdf"))?.contains(".svg"));
-    assert!(refused("laws --curve coulomb:mu=1 --from 2 --to 1 --out x.csv")?.contains("below"));
+    assert!(refused(".", format!("{base} --out x.pdf"))?.contains(".svg"));
+    assert!(
+        refused(".", "laws --curve coulomb:mu=1 --from 2 --to 1 --out x.csv")?.contains("below")
+    );
     Ok(())
 }
 
 #[test]
 fn final_motion_depends_on_patch_and_lean() -> Outcome {
-    let ratio = |arguments: &str| -> Result<f64, Box<dyn std::error::Error>> {
-        let text = tribos(&format!("modes {arguments} --format json"))?;
+    let ratio = |arguments: &str| -> Result<f64, Error> {
+        let text = told(format!("modes {arguments} --format json"))?;
         let value: serde_json::Value = serde_json::from_str(&text)?;
         Ok(value["final_ratio"].as_f64().ok_or(text)?)
     };
@@ -255,7 +235,7 @@ fn final_motion_depends_on_patch_and_lean() -> Outcome {
         ("--alpha 0.5 --lean 0.5", "--alpha 0"),
         ("--alpha 0 --patch points:x.csv", "round patch"),
     ] {
-        let message = refused(&format!("modes --inertia-ratio 0.5 {arguments}"))?;
+        let message = refused(".", format!("modes --inertia-ratio 0.5 {arguments}"))?;
         assert!(message.contains(words), "{arguments}: {message}");
     }
     Ok(())

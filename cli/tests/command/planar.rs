@@ -1,56 +1,14 @@
 //! `tribos run` of bodies that slide along a path in the plane.
 
+use crate::program::{
+    Error, Outcome, assert_has, assert_refused_scenes, number, refusal, summary_of,
+};
 use assert_cmd::Command;
-use serde_json::Value;
-use std::path::Path;
-
-type Outcome = Result<(), Box<dyn std::error::Error>>;
-
-/// Runs a scene that ships with the project, or any other file.
-fn run(scene: &str, out: &Path, overrides: &[&str]) -> Result<Value, Box<dyn std::error::Error>> {
-    let path = format!("{}/../scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR"));
-    let mut command = Command::cargo_bin("tribos")?;
-    command.args(["run", &path, "--out"]).arg(out);
-    for item in overrides {
-        command.args(["--set", item]);
-    }
-    let output = command.output()?;
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    Ok(serde_json::from_str(&std::fs::read_to_string(
-        out.join("summary.json"),
-    )?)?)
-}
-
-/// What a bad scene is answered with; nothing may have been written.
-fn refusal(
-    text: &str,
-    overrides: &[&str],
-) -> Result<(Option<i32>, String), Box<dyn std::error::Error>> {
-    let folder = tempfile::tempdir()?;
-    let (scene, out) = (folder.path().join("scene.toml"), folder.path().join("out"));
-    std::fs::write(&scene, text)?;
-    let mut command = Command::cargo_bin("tribos")?;
-    command.arg("run").arg(&scene).arg("--out").arg(&out);
-    for item in overrides {
-        command.args(["--set", item]);
-    }
-    let output = command.output()?;
-    assert!(!out.exists(), "work was done before the refusal");
-    Ok((output.status.code(), String::from_utf8(output.stderr)?))
-}
-
-fn number(value: &Value, name: &str) -> f64 {
-    value[name].as_f64().unwrap_or(f64::NAN)
-}
 
 #[test]
 fn the_cylinder_ends_where_the_table_says_and_leaves_complete_results() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let summary = run("cylinder", folder.path(), &[])?;
+    let summary = summary_of("cylinder", folder.path(), &[])?;
     // tests/tables/tilted_cylinder.csv, "full", 5 rad/s.
     assert!((number(&summary, "stop_time") / 0.563_721_099_858_319_1 - 1.0).abs() < 1e-12);
     assert!((number(&summary, "x") / 0.265_924_351_225_834_87 - 1.0).abs() < 1e-12);
@@ -78,7 +36,7 @@ fn the_cylinder_ends_where_the_table_says_and_leaves_complete_results() -> Outco
 #[test]
 fn the_other_gradient_is_the_thesis_own() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let summary = run("cylinder", folder.path(), &["gradient=front-back"])?;
+    let summary = summary_of("cylinder", folder.path(), &["gradient=front-back"])?;
     assert!((number(&summary, "y") / -0.013_837_666_364_369_062 - 1.0).abs() < 1e-12);
     Ok(())
 }
@@ -87,7 +45,7 @@ fn the_other_gradient_is_the_thesis_own() -> Outcome {
 fn the_same_path_gives_the_same_bytes() -> Outcome {
     let (one, two) = (tempfile::tempdir()?, tempfile::tempdir()?);
     for folder in [&one, &two] {
-        run("curling-slow", folder.path(), &["model=film"])?;
+        summary_of("curling-slow", folder.path(), &["model=film"])?;
     }
     for file in ["summary.json", "series.csv", "path.svg", "path.png"] {
         assert_eq!(
@@ -101,8 +59,11 @@ fn the_same_path_gives_the_same_bytes() -> Outcome {
 #[test]
 fn pipes_bend_right_more_with_spin_and_height() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let curl = |scene, overrides: &[&str]| -> Result<f64, Box<dyn std::error::Error>> {
-        Ok(number(&run(scene, folder.path(), overrides)?, "curl"))
+    let curl = |scene, overrides: &[&str]| -> Result<f64, Error> {
+        Ok(number(
+            &summary_of(scene, folder.path(), overrides)?,
+            "curl",
+        ))
     };
     let [a, b] = [curl("pipe-a", &[])?, curl("pipe-b", &[])?];
     assert!(a < 0.0 && b < a, "{a} {b}");
@@ -117,7 +78,7 @@ fn every_curling_model_runs_and_a_draw_stops_about_the_tee() -> Outcome {
     let folder = tempfile::tempdir()?;
     let plain = folder.path().join("plain.toml");
     std::fs::write(&plain, "body = \"curling\"\nspeed = 1.9866\nspin = 1.5\n")?;
-    let draw = run("curling-draw", folder.path(), &[])?;
+    let draw = summary_of("curling-draw", folder.path(), &[])?;
     assert!((0.9..1.1).contains(&number(&draw, "curl")));
     for (model, range) in [
         ("dry", -0.02..-0.005),
@@ -128,7 +89,7 @@ fn every_curling_model_runs_and_a_draw_stops_about_the_tee() -> Outcome {
         ("pivot-slide", 0.6..0.7),
         ("scratch-guide", 0.9..1.1),
     ] {
-        let summary = run("curling-draw", folder.path(), &[&format!("model={model}")])?;
+        let summary = summary_of("curling-draw", folder.path(), &[&format!("model={model}")])?;
         let curl = number(&summary, "curl");
         assert!(range.contains(&curl), "{model}: {curl}");
         assert!((number(&summary, "x") - 28.35).abs() < 0.1, "{model}");
@@ -143,104 +104,28 @@ fn bad_scenes_are_refused_with_their_line_and_cure() -> Outcome {
                         gravity = 9.81\nradius = 0.05\ninner_radius = 0.046\nheight = 0.15\n\
                         mass = 0.5\n";
     const DRAW: &str = "body = \"curling\"\nspeed = 2.0\nspin = 1.5\n";
-    for (text, old, new, place, words) in [
-        (
-            PIPE,
-            "\"pipe\"",
-            "\"tube\"",
-            "scene.toml:1",
-            "one of \"disk\", \"cylinder\"",
-        ),
-        (PIPE, "\"pipe\"", "3", "scene.toml:1", "not a number"),
-        (
-            PIPE,
-            "0.046",
-            "0.06",
-            "scene.toml:7",
-            "must not exceed `radius`",
-        ),
-        (PIPE, "mass = 0.5\n", "", "scene.toml:", "`mass` is missing"),
-        (
-            PIPE,
-            "inner_radius",
-            "inner_radios",
-            "scene.toml:7",
-            "did you mean `inner_radius`?",
-        ),
-        (PIPE, "height = 0.15", "height = -1", "scene.toml:8", ">= 0"),
-        // A disk's key, not a pipe's.
-        (
-            PIPE,
-            "mass = 0.5",
-            "mass = 0.5\nstepper = \"exact\"",
-            "scene.toml:10",
-            "unknown key",
-        ),
-        (
-            PIPE,
-            "height = 0.15",
-            "height = 1.5",
-            "error",
-            "tipping = \"clamp\"",
-        ),
-        (
-            DRAW,
-            "spin = 1.5",
-            "model = \"magic\"\nspin = 1",
-            "scene.toml:3",
-            "\"scratch-guide\"",
-        ),
-        (
-            DRAW,
-            "spin = 1.5",
-            "spin = 1\npivot = 0.1",
-            "scene.toml:4",
-            "is for model \"pivot-slide\"",
-        ),
-        (
-            DRAW,
-            "spin = 1.5",
-            "spin = 1\nmodel = \"dry\"\nalpha = -0.5",
-            "scene.toml:5",
-            "`alpha` is 0",
-        ),
-        (
-            DRAW,
-            "spin = 1.5",
-            "spin = 1\nband_width = 1",
-            "scene.toml:4",
-            "`band_width` must not",
-        ),
-        (
-            DRAW,
-            "spin = 1.5",
-            "spin = 1\nmodel = \"film\"\nfilm_back = 2",
-            "scene.toml:5",
-            "from 0 to 1",
-        ),
-        (
-            DRAW,
-            "spin = 1.5",
-            "spin = 1\nalpha = 1",
-            "scene.toml:4",
-            "<= 0.9",
-        ),
-        (
-            DRAW,
-            "speed = 2.0\nspin = 1.5",
-            "speed = 0\nspin = 0",
-            "scene.toml:2",
-            "nothing moves",
-        ),
-    ] {
-        let (code, message) = refusal(&text.replacen(old, new, 1), &[])?;
-        assert_eq!(code, Some(2), "{new}: {message}");
-        assert!(
-            message.contains(place) && message.contains(words),
-            "{new}: {message}"
-        );
-    }
-    Ok(())
+    let cases = r#"
+        "pipe" | "tube" | scene.toml:1 | one of "disk", "cylinder"
+        "pipe" | 3 | scene.toml:1 | not a number
+        0.046 | 0.06 | scene.toml:7 | must not exceed `radius`
+        mass = 0.5\n |  | scene.toml: | `mass` is missing
+        inner_radius | inner_radios | scene.toml:7 | did you mean `inner_radius`?
+        height = 0.15 | height = -1 | scene.toml:8 | >= 0
+        # A disk's key, not a pipe's.
+        mass = 0.5 | mass = 0.5\nstepper = "exact" | scene.toml:10 | unknown key
+        height = 0.15 | height = 1.5 | error | tipping = "clamp"
+    "#;
+    assert_refused_scenes(PIPE, cases)?;
+    let cases = r#"
+        spin = 1.5 | model = "magic"\nspin = 1 | scene.toml:3 | "scratch-guide"
+        spin = 1.5 | spin = 1\npivot = 0.1 | scene.toml:4 | is for model "pivot-slide"
+        spin = 1.5 | spin = 1\nmodel = "dry"\nalpha = -0.5 | scene.toml:5 | `alpha` is 0
+        spin = 1.5 | spin = 1\nband_width = 1 | scene.toml:4 | `band_width` must not
+        spin = 1.5 | spin = 1\nmodel = "film"\nfilm_back = 2 | scene.toml:5 | from 0 to 1
+        spin = 1.5 | spin = 1\nalpha = 1 | scene.toml:4 | <= 0.9
+        speed = 2.0\nspin = 1.5 | speed = 0\nspin = 0 | scene.toml:2 | nothing moves
+    "#;
+    assert_refused_scenes(DRAW, cases)
 }
 
 #[test]
@@ -248,24 +133,25 @@ fn all_problems_of_a_body_are_told_at_once() -> Outcome {
     let text = "body = \"cylinder\"\nspeed = nan\nheight = -1\nradius = 0.1\n";
     let (code, message) = refusal(text, &["mass=0", "pressure=square"])?;
     assert_eq!(code, Some(2));
-    for words in [
-        "scene.toml:2: `speed`",
-        "scene.toml:3: `height`",
-        "--set: `mass`",
-        "--set: `pressure` must be one of",
-        "`coefficient` is missing",
-        "`spin` is missing",
-        "`gravity` is missing",
-    ] {
-        assert!(message.contains(words), "{words}: {message}");
-    }
+    assert_has(
+        &message,
+        &[
+            "scene.toml:2: `speed`",
+            "scene.toml:3: `height`",
+            "--set: `mass`",
+            "--set: `pressure` must be one of",
+            "`coefficient` is missing",
+            "`spin` is missing",
+            "`gravity` is missing",
+        ],
+    );
     Ok(())
 }
 
 #[test]
 fn a_body_that_may_tip_is_held_at_the_edge_when_asked() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let summary = run("cylinder", folder.path(), &["height=0.4", "tipping=clamp"])?;
+    let summary = summary_of("cylinder", folder.path(), &["height=0.4", "tipping=clamp"])?;
     assert_eq!(summary["tipped"], true);
     assert!(number(&summary, "max_lean") > 1.0 && number(&summary, "tipped_at") < 0.1);
     Ok(())

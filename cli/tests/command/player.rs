@@ -1,11 +1,10 @@
 //! The player of `tribos view` in a browser: keys, a narrow page, the arrows of a slider.
 
 use crate::browser::{Browser, Error};
+use crate::program::Outcome;
 use assert_cmd::Command;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-
-type Outcome = Result<(), Error>;
 
 /// Some twenty spheres.
 const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
@@ -168,15 +167,7 @@ fn a_sliders_film_has_its_parameters_force_and_torque() -> Outcome {
     );
     // F/(mu N) and T/(mu N R) are those of the ratio of the speeds.
     let wrench = Command::cargo_bin("tribos")?
-        .args([
-            "wrench",
-            "--coefficient",
-            "0.3",
-            "--load",
-            "0.981",
-            "--radius",
-            "0.08",
-        ])
+        .args("wrench --coefficient 0.3 --load 0.981 --radius 0.08".split(' '))
         .args(["--format", "json", "--speed"])
         .arg(number("speed").to_string())
         .arg("--spin")

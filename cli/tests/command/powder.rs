@@ -1,33 +1,23 @@
 //! `tribos run` and `tribos sweep` of powders: complete, resumable, repeatable results.
 
+use crate::program::{
+    Error, Outcome, assert_has, assert_refused_scenes, json, number, prepared, summary, wait_for,
+};
 use assert_cmd::Command;
 use serde_json::Value;
 use std::path::Path;
-use std::time::{Duration, Instant};
-
-type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// Some twenty spheres.
 const TINY: &str =
     "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\npiston_mass = 100\n";
 
 /// Writes the scene into the folder and begins a command on it.
-fn tribos(folder: &Path, command: &str) -> Result<Command, Box<dyn std::error::Error>> {
+fn tribos(folder: &Path, command: &str) -> Result<Command, Error> {
     let scene = folder.join("tiny.toml");
     std::fs::write(&scene, TINY)?;
     let mut tribos = Command::cargo_bin("tribos")?;
     tribos.arg(command).arg(scene);
     Ok(tribos)
-}
-
-fn summary(out: &Path) -> Result<Value, Box<dyn std::error::Error>> {
-    let text = std::fs::read_to_string(out.join("summary.json"))?;
-    Ok(serde_json::from_str(&text)?)
-}
-
-fn number(value: &Value, place: &str) -> f64 {
-    let number = value.pointer(place).and_then(Value::as_f64);
-    number.unwrap_or(f64::NAN)
 }
 
 #[test]
@@ -40,9 +30,10 @@ fn a_run_leaves_summary_series_states_and_pictures() -> Outcome {
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{said}");
     let told = String::from_utf8(output.stdout)?;
-    for words in ["blocked: ", "stress_zz", "of which", "rolling", "imbalance"] {
-        assert!(told.contains(words), "{words} not in {told}");
-    }
+    assert_has(
+        &told,
+        &["blocked: ", "stress_zz", "of which", "rolling", "imbalance"],
+    );
 
     let summary = summary(&out)?;
     assert_eq!(summary["ending"], "blocked");
@@ -126,7 +117,7 @@ const CRUSHED: &str = "height=16 cohesion_range=0 restitution=0.5 pressure=10 pi
 fn steps_that_end_approximately_are_told_and_counted() -> Outcome {
     let folder = tempfile::tempdir()?;
     let out = folder.path().join("out");
-    let run = |keys: &str| -> Result<(String, Value), Box<dyn std::error::Error>> {
+    let run = |keys: &str| -> Result<(String, Value), Error> {
         let mut command = tribos(folder.path(), "run")?;
         for key in keys.split_whitespace() {
             command.args(["--set", key]);
@@ -180,27 +171,12 @@ fn a_killed_run_goes_on_to_the_same_bits() -> Outcome {
         .success();
 
     // A checkpoint after every step, until the run is killed somewhere on its way.
-    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"))
-        .arg("run")
-        .arg(folder.path().join("tiny.toml"))
+    let mut child = prepared(folder.path(), ["run", "tiny.toml", "--checkpoint", "0"])
         .args(sets)
-        .args(["--checkpoint", "0", "--out"])
-        .arg(&broken)
-        .stdout(std::process::Stdio::null())
-        .stderr(std::process::Stdio::null())
+        .args(["--out", "broken"])
         .spawn()?;
-    let patience = Instant::now();
-    let steps = || -> Option<u64> {
-        let text = std::fs::read_to_string(broken.join("checkpoint.json")).ok()?;
-        serde_json::from_str::<Value>(&text).ok()?["steps"].as_u64()
-    };
-    while steps().unwrap_or(0) < 30 {
-        assert!(
-            patience.elapsed() < Duration::from_secs(60),
-            "no checkpoint"
-        );
-        std::thread::sleep(Duration::from_millis(1));
-    }
+    let steps = || json(&broken.join("checkpoint.json")).ok()?["steps"].as_u64();
+    wait_for("a checkpoint", || steps() >= Some(30));
     child.kill()?;
     child.wait()?;
     let at = steps().unwrap_or(0);
@@ -243,99 +219,32 @@ fn a_killed_run_goes_on_to_the_same_bits() -> Outcome {
 
 #[test]
 fn bad_powders_are_refused_with_their_line_and_cure() -> Outcome {
-    for (old, new, place, words) in [
-        ("width = 8\n", "", "tiny.toml:", "`width` is missing"),
-        ("height = 12\n", "", "tiny.toml:", "or give `count`"),
-        (
-            "height = 12",
-            "height = 12\ncount = 9",
-            "tiny.toml:4",
-            "not both",
-        ),
-        (
-            "width = 8",
-            "width = 5",
-            "tiny.toml:2",
-            "must be twice that",
-        ),
-        (
-            "height = 12",
-            "height = 12\ncapture_radius = 1",
-            "tiny.toml:4",
-            "at least 2",
-        ),
-        (
-            "height = 12",
-            "height = 12\nradius_spread = 1",
-            "tiny.toml:4",
-            "less than 1",
-        ),
-        ("height = 12", "height = 1", "error", "above a diameter"),
-        ("pressure = 0.01", "pressure = 0", "tiny.toml:4", "> 0"),
-        ("pressure = 0.01", "rolling = -0.1", "tiny.toml:4", ">= 0"),
-        (
-            "pressure = 0.01",
-            "torsoin = 0.1",
-            "tiny.toml:4",
-            "did you mean `torsion`?",
-        ),
-        (
-            "pressure = 0.01",
-            "order = \"fixed\"",
-            "tiny.toml:4",
-            "\"gauss-seidel\" only",
-        ),
-        (
-            "pressure = 0.01",
-            "wall = \"rough\"",
-            "tiny.toml:4",
-            "\"smooth\"",
-        ),
-        (
-            "pressure = 0.01",
-            "restitution = 2",
-            "tiny.toml:4",
-            "from 0 to 1",
-        ),
-        ("pressure = 0.01", "motion = 3", "tiny.toml:4", "<= 0.5"),
-        (
-            "pressure = 0.01",
-            "seed = 1.5",
-            "tiny.toml:4",
-            "a whole number",
-        ),
-        (
-            "pressure = 0.01",
-            "solver = \"gauss-seidel\"\nstop = \"fixed\"\ntolerance = 1e-3",
-            "tiny.toml:6",
-            "not used",
-        ),
-    ] {
-        let folder = tempfile::tempdir()?;
-        let out = folder.path().join("out");
-        let scene = folder.path().join("tiny.toml");
-        assert!(TINY.contains(old));
-        std::fs::write(&scene, TINY.replace(old, new))?;
-        let mut command = Command::cargo_bin("tribos")?;
-        let output = command
-            .arg("run")
-            .arg(scene)
-            .arg("--out")
-            .arg(&out)
-            .output()?;
-        let said = String::from_utf8(output.stderr)?;
-        assert_eq!(output.status.code(), Some(2), "{new} {said}");
-        assert!(said.contains(place) && said.contains(words), "{new} {said}");
-        assert!(!out.exists(), "{new}");
-    }
-    Ok(())
+    let cases = r#"
+        width = 8\n |  | scene.toml: | `width` is missing
+        height = 12\n |  | scene.toml: | or give `count`
+        height = 12 | height = 12\ncount = 9 | scene.toml:4 | not both
+        width = 8 | width = 5 | scene.toml:2 | must be twice that
+        height = 12 | height = 12\ncapture_radius = 1 | scene.toml:4 | at least 2
+        height = 12 | height = 12\nradius_spread = 1 | scene.toml:4 | less than 1
+        height = 12 | height = 1 | error | above a diameter
+        pressure = 0.01 | pressure = 0 | scene.toml:4 | > 0
+        pressure = 0.01 | rolling = -0.1 | scene.toml:4 | >= 0
+        pressure = 0.01 | torsoin = 0.1 | scene.toml:4 | did you mean `torsion`?
+        pressure = 0.01 | order = "fixed" | scene.toml:4 | "gauss-seidel" only
+        pressure = 0.01 | wall = "rough" | scene.toml:4 | "smooth"
+        pressure = 0.01 | restitution = 2 | scene.toml:4 | from 0 to 1
+        pressure = 0.01 | motion = 3 | scene.toml:4 | <= 0.5
+        pressure = 0.01 | seed = 1.5 | scene.toml:4 | a whole number
+        pressure = 0.01 | solver = "gauss-seidel"\nstop = "fixed"\ntolerance = 1e-3 | scene.toml:6 | not used
+    "#;
+    assert_refused_scenes(TINY, cases)
 }
 
 #[test]
 fn a_sweep_averages_its_runs_and_keeps_them() -> Outcome {
     let folder = tempfile::tempdir()?;
     let [serial, parallel] = ["serial", "parallel"].map(|name| folder.path().join(name));
-    let sweep = |out: &Path, jobs: &str| -> Result<String, Box<dyn std::error::Error>> {
+    let sweep = |out: &Path, jobs: &str| -> Result<String, Error> {
         let mut command = tribos(folder.path(), "sweep")?;
         command.args(["--set", "rolling=0,0.3", "--set", "torsion=0,0.3"]);
         command.args([
@@ -398,7 +307,7 @@ fn a_sweep_averages_its_runs_and_keeps_them() -> Outcome {
     assert_eq!(said.lines().next(), Some("6 of 8 runs kept"), "{said}");
     assert_eq!(said.lines().count(), 4, "{said}");
     assert!(
-        said.contains("seed=2: its summary is not as the run left it"),
+        said.contains("seed=2: its summary was changed after the run"),
         "{said}"
     );
     assert_eq!(table, std::fs::read_to_string(serial.join("sweep.csv"))?);

@@ -3,11 +3,10 @@
 //! Powders and tips are cut short; with TRIBOS_PRINTED=whole they run to their ends.
 #![cfg(unix)]
 
+use crate::program::{Error, Outcome};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
-
-type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// As printed for a reader who has the repository, and for one who has the command.
 const CALLS: [&str; 2] = ["cargo run --release -- ", "tribos "];
@@ -71,7 +70,7 @@ fn every_scene_runs() -> Outcome {
 
 #[test]
 fn examples_of_the_help_texts_run() -> Outcome {
-    let help = |name: &str| -> Result<String, Box<dyn std::error::Error>> {
+    let help = |name: &str| -> Result<String, Error> {
         let mut command = Command::new(env!("CARGO_BIN_EXE_tribos"));
         let output = command.arg(name).arg("--help").output()?;
         Ok(String::from_utf8(output.stdout)?)
@@ -168,7 +167,7 @@ fn cut_short(command: &str, settings: &str) -> String {
 }
 
 /// What it said, if it failed.
-fn runs(line: &str, folder: &Path) -> Result<Result<(), String>, Box<dyn std::error::Error>> {
+fn runs(line: &str, folder: &Path) -> Result<Result<(), String>, Error> {
     let program = Path::new(env!("CARGO_BIN_EXE_tribos"));
     let own = program.parent().ok_or("no folder")?.display();
     let path = format!("{own}:{}", std::env::var("PATH")?);

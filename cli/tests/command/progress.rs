@@ -1,10 +1,8 @@
 //! Progress: plain lines in a pipe, a bar with the time left in a terminal, nothing with --quiet.
 #![cfg(unix)]
 
+use crate::program::{Error, Outcome};
 use std::process::{Command, Output};
-
-type Error = Box<dyn std::error::Error>;
-type Outcome = Result<(), Error>;
 
 /// A tip that takes some seconds.
 const TIP: [&str; 20] = [

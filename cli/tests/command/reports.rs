@@ -1,13 +1,12 @@
 //! The report and the phase diagram are complete, and no comparison with the thesis fails.
 
 use crate::browser::Browser;
+use crate::program::{Error, Outcome};
 #[allow(dead_code)]
 use assert_cmd::Command;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::time::Duration;
-
-type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// Exhibits for the test of kills: quick ones, and a compaction of some seconds.
 const KILLED: [&str; 4] = ["3.4", "3.9", "4.5", "4.6"];
@@ -104,7 +103,7 @@ fn the_whole_report_is_made_and_no_comparison_fails() -> Outcome {
 struct Claims(Vec<Vec<String>>);
 
 impl Claims {
-    fn read(file: &Path) -> Result<Self, Box<dyn std::error::Error>> {
+    fn read(file: &Path) -> Result<Self, Error> {
         let text = std::fs::read_to_string(file)?;
         let fields = |line: &str| {
             let inside = line.trim_matches('"').split("\",\"");
@@ -196,16 +195,7 @@ fn modes_answers_in_json_and_draws() -> Outcome {
     for ending in ["svg", "png", "csv"] {
         let file = folder.path().join(format!("diagram.{ending}"));
         let output = Command::cargo_bin("tribos")?
-            .args([
-                "modes",
-                "--alpha",
-                "0",
-                "--inertia-ratio",
-                "0.5",
-                "--format",
-                "json",
-                "--diagram",
-            ])
+            .args("modes --alpha 0 --inertia-ratio 0.5 --format json --diagram".split(' '))
             .arg(&file)
             .output()?;
         let answer: serde_json::Value = serde_json::from_slice(&output.stdout)?;

@@ -1,41 +1,13 @@
 //! `tribos run` leaves complete, repeatable results.
 
+use crate::program::{Error, Outcome, number, summary_of};
 use assert_cmd::Command;
 use serde_json::Value;
-use std::path::Path;
-
-type Outcome = Result<(), Box<dyn std::error::Error>>;
-
-/// The scene that ships with the project.
-fn disk() -> String {
-    format!("{}/../scenes/disk.toml", env!("CARGO_MANIFEST_DIR"))
-}
-
-fn run(out: &Path, overrides: &[&str]) -> Result<Value, Box<dyn std::error::Error>> {
-    let mut command = Command::cargo_bin("tribos")?;
-    command.args(["run", &disk(), "--out"]).arg(out);
-    for item in overrides {
-        command.args(["--set", item]);
-    }
-    let output = command.output()?;
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    Ok(serde_json::from_str(&std::fs::read_to_string(
-        out.join("summary.json"),
-    )?)?)
-}
-
-fn number(value: &Value, name: &str) -> f64 {
-    value[name].as_f64().unwrap_or(f64::NAN)
-}
 
 #[test]
 fn the_disk_stops_where_an_independent_solution_says() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let summary = run(folder.path(), &[])?;
+    let summary = summary_of("disk", folder.path(), &[])?;
     // 20-digit quadratures in mpmath, tests/tables/stops.csv, over mu g = 2.943 m/s².
     assert!((number(&summary, "stop_time") / 0.369_017_132_104_518_4 - 1.0).abs() < 1e-12);
     assert!((number(&summary, "distance") / 0.176_861_185_300_854_5 - 1.0).abs() < 1e-12);
@@ -60,7 +32,7 @@ fn the_disk_stops_where_an_independent_solution_says() -> Outcome {
 fn the_same_scene_gives_the_same_bytes() -> Outcome {
     let (one, two) = (tempfile::tempdir()?, tempfile::tempdir()?);
     for folder in [&one, &two] {
-        run(folder.path(), &["alpha=0.25", "spin=-12"])?;
+        summary_of("disk", folder.path(), &["alpha=0.25", "spin=-12"])?;
     }
     for file in ["summary.json", "series.csv", "motion.svg", "motion.png"] {
         assert_eq!(
@@ -74,13 +46,15 @@ fn the_same_scene_gives_the_same_bytes() -> Outcome {
 #[test]
 fn verlet_tends_to_the_exact_motion() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let exact = number(&run(folder.path(), &[])?, "distance");
-    let error = |step: &str| -> Result<f64, Box<dyn std::error::Error>> {
+    let exact = number(&summary_of("disk", folder.path(), &[])?, "distance");
+    let error = |step: &str| -> Result<f64, Error> {
         let step = format!("time_step={step}");
-        Ok(
-            (number(&run(folder.path(), &["stepper=verlet", &step])?, "distance") / exact - 1.0)
-                .abs(),
-        )
+        Ok((number(
+            &summary_of("disk", folder.path(), &["stepper=verlet", &step])?,
+            "distance",
+        ) / exact
+            - 1.0)
+            .abs())
     };
     // The stop itself is met to first order only.
     let (coarse, fine) = (error("1e-3")?, error("1e-4")?);
@@ -109,7 +83,7 @@ fn a_dimensionless_scene_is_the_scaled_dimensional_one() -> Outcome {
         .assert()
         .success();
     let summary: Value = serde_json::from_str(&std::fs::read_to_string(out.join("summary.json"))?)?;
-    let dimensional = run(&folder.path().join("si"), &[])?;
+    let dimensional = summary_of("disk", &folder.path().join("si"), &[])?;
     let time = number(&summary, "stop_time") * (0.08_f64 / 9.81).sqrt();
     assert!((time / number(&dimensional, "stop_time") - 1.0).abs() < 1e-12);
     let distance = number(&summary, "distance") * 0.08;
@@ -121,12 +95,12 @@ fn a_dimensionless_scene_is_the_scaled_dimensional_one() -> Outcome {
 fn linear_and_steeper_laws_fade_without_rest() -> Outcome {
     let folder = tempfile::tempdir()?;
     for alpha in ["alpha=1", "alpha=3"] {
-        let summary = run(folder.path(), &[alpha])?;
+        let summary = summary_of("disk", folder.path(), &[alpha])?;
         assert_eq!(summary["ending"], "faded");
         assert_eq!(summary["stop_time"], Value::Null);
         assert!(number(&summary, "energy_error") < 1e-10);
     }
-    let summary = run(folder.path(), &["alpha=3", "duration=2"])?;
+    let summary = summary_of("disk", folder.path(), &["alpha=3", "duration=2"])?;
     assert_eq!(summary["ending"], "duration");
     assert_eq!(number(&summary, "end_time"), 2.0);
     Ok(())

@@ -1,13 +1,11 @@
 //! `tribos sweep` stopped, in parts, as a job array: the same tables to the byte.
 
+use crate::program::{Error, Outcome, assert_has, texts};
 use assert_cmd::Command;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use std::process::{Output, Stdio};
+use std::process::Stdio;
 use std::time::{Duration, Instant};
-
-type Error = Box<dyn std::error::Error>;
-type Outcome = Result<(), Error>;
 
 /// Some ten spheres, some milliseconds a run.
 const TINY: &str = "body = \"powder\"\nwidth = 7\nheight = 9\npressure = 0.01\npiston_mass = 100\n\
@@ -32,11 +30,6 @@ fn succeed(mut command: Command) -> Result<[String; 2], Error> {
     let [told, said] = texts(&output)?;
     assert!(output.status.success(), "{command:?}\n{said}");
     Ok([told, said])
-}
-
-fn texts(output: &Output) -> Result<[String; 2], Error> {
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec());
-    Ok([text(&output.stdout)?, text(&output.stderr)?])
 }
 
 /// A folder with the scene in tiny.toml, and the undisturbed sweep of 25 runs in `whole`.
@@ -133,14 +126,15 @@ fn parts_on_two_machines_merge_to_the_undisturbed_tables() -> Outcome {
     let output = early.args(["--merge", "parts"]).output()?;
     let [_, said] = texts(&output)?;
     assert_eq!(output.status.code(), Some(1));
-    for words in [
-        "12 of 25 runs are missing",
-        "\n  rolling=0,torsion=0.1\n",
-        "and 2 more",
-        "tribos sweep --plan parts",
-    ] {
-        assert!(said.contains(words), "{words}: {said}");
-    }
+    assert_has(
+        &said,
+        &[
+            "12 of 25 runs are missing",
+            "\n  rolling=0,torsion=0.1\n",
+            "and 2 more",
+            "tribos sweep --plan parts",
+        ],
+    );
 
     // Runs come home; the same number of runs as in the plan, none of them new.
     for summary in summaries(&other) {
@@ -343,15 +337,7 @@ fn a_refused_combination_has_its_row_and_the_others_run() -> Outcome {
     // A value that nothing takes is bad input: nothing runs.
     let mut command = sweep(folder.path())?;
     let output = command
-        .args([
-            "cylinder",
-            "--set",
-            "spin=0,5",
-            "--set",
-            "height=0.16,-1",
-            "--out",
-            "none",
-        ])
+        .args("cylinder --set spin=0,5 --set height=0.16,-1 --out none".split(' '))
         .output()?;
     let [_, said] = texts(&output)?;
     assert_eq!(output.status.code(), Some(2), "{said}");
@@ -407,13 +393,13 @@ fn a_summary_that_was_changed_is_not_taken_for_a_result() -> Outcome {
     let output = merge.args(["--merge", "whole"]).output()?;
     let [_, said] = texts(&output)?;
     assert_eq!(output.status.code(), Some(1), "{said}");
-    let words = "rolling=0.1,torsion=0.2 (its summary is not as the run left it)";
+    let words = "rolling=0.1,torsion=0.2 (its summary was changed after the run)";
     assert!(said.contains(words), "{said}");
 
     let mut again = sweep(folder.path())?;
     again.arg("tiny.toml").args(GRID).args(["--out", "whole"]);
     let [_, said] = succeed(again)?;
-    assert!(said.contains("the run is taken again"), "{said}");
+    assert!(said.contains("the run is repeated"), "{said}");
     assert!(said.contains("24 of 25 runs kept"), "{said}");
     assert!(std::fs::read(whole.join("runs.csv"))? == tables);
     Ok(())

@@ -1,11 +1,9 @@
 //! Combinations of a sweep that are refused, or fail, once they run: a row with the reason each, and the others go on.
 
+use crate::program::{Error, Outcome, prepared, texts};
 use std::path::Path;
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Child, Command, Output};
 use std::time::{Duration, Instant};
-
-type Error = Box<dyn std::error::Error>;
-type Outcome = Result<(), Error>;
 
 /// Some ten spheres, some milliseconds a run.
 const POWDER: &str = "body = \"powder\"\nwidth = 7\nheight = 9\npressure = 0.01\n\
@@ -68,16 +66,6 @@ const CASES: [Case; 2] = [
     },
 ];
 
-fn tribos(home: &Path, arguments: &str) -> Command {
-    let mut tribos = Command::new(env!("CARGO_BIN_EXE_tribos"));
-    tribos.current_dir(home).args(arguments.split(' '));
-    tribos
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    tribos
-}
-
 fn home() -> Result<tempfile::TempDir, Error> {
     let home = tempfile::tempdir()?;
     let scenes = [
@@ -89,12 +77,6 @@ fn home() -> Result<tempfile::TempDir, Error> {
         std::fs::write(home.path().join(name), text)?;
     }
     Ok(home)
-}
-
-/// What was said on standard output and error.
-fn texts(output: &Output) -> Result<[String; 2], Error> {
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec());
-    Ok([text(&output.stdout)?, text(&output.stderr)?])
 }
 
 /// The same of a command that worked.
@@ -122,7 +104,7 @@ impl Case {
     /// The sweep into a folder.
     fn sweep(&self, home: &Path, options: &str) -> Command {
         let Self { scene, keys, .. } = self;
-        tribos(home, &format!("sweep {scene} {keys} {options}"))
+        prepared(home, format!("sweep {scene} {keys} {options}"))
     }
 
     /// Every combination has its row in the tables, with the reason if it was refused.
@@ -188,7 +170,7 @@ fn a_run_that_fails_has_its_row_whatever_threads_and_parts_do() -> Outcome {
         for part in ["--part 1/3", "--part 0/3", "--part 2/3"] {
             succeed(case.sweep(home, &format!("{part} --out parts")))?;
         }
-        let [merged, _] = succeed(tribos(home, "sweep --merge parts"))?;
+        let [merged, _] = succeed(prepared(home, "sweep --merge parts"))?;
         assert_eq!(merged.replace("parts\n", "whole\n"), told);
         assert_same_tables(home, "whole", "parts")?;
     }
@@ -248,18 +230,18 @@ fn what_is_no_fault_of_the_scene_ends_the_sweep_and_leaves_no_row() -> Outcome {
 
     // A run's folder that another process holds; the others have been tried.
     let place = "out/runs/height=61.5";
-    let holder = tribos(home, &format!("run long.toml --out {place}")).spawn()?;
+    let holder = prepared(home, format!("run long.toml --out {place}")).spawn()?;
     wait_for("the run starts", || {
         home.join(place).join("frames").exists()
     });
     let sweep = "sweep long.toml --set height=61.5,1e12,1 --jobs 2 --out out";
-    let output = tribos(home, sweep).output()?;
+    let output = prepared(home, sweep).output()?;
     let [_, said] = texts(&output)?;
     let process = format!("process {}", holder.id());
     // Nothing is wrong with the scene.
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("error: height=61.5: "), "{said}");
-    assert!(said.contains("the same command goes on"), "{said}");
+    assert!(said.contains("the same command continues"), "{said}");
     assert!(said.contains(&process), "{process}: {said}");
     interrupt(holder)?;
     let summary = |height: &str| home.join(format!("out/runs/height={height}/summary.json"));
@@ -267,7 +249,7 @@ fn what_is_no_fault_of_the_scene_ends_the_sweep_and_leaves_no_row() -> Outcome {
     assert!(!summary("61.5").exists() && !home.join("out/sweep.csv").exists());
 
     // A signal: the run under way is not refused, it goes on later.
-    let child = tribos(
+    let child = prepared(
         home,
         "sweep long.toml --set height=61.5,1e12 --out stopped --jobs 2",
     );
@@ -286,7 +268,7 @@ fn what_is_no_fault_of_the_scene_ends_the_sweep_and_leaves_no_row() -> Outcome {
     // A folder that cannot be made.
     std::fs::create_dir_all(home.join("blocked/runs"))?;
     std::fs::write(home.join("blocked/runs/height=9"), "")?;
-    let output = tribos(home, "sweep powder.toml --set height=9,1 --out blocked").output()?;
+    let output = prepared(home, "sweep powder.toml --set height=9,1 --out blocked").output()?;
     let [_, said] = texts(&output)?;
     assert!(matches!(output.status.code(), Some(1 | 2)), "{said}");
     assert!(said.contains("error: height=9: "), "{said}");

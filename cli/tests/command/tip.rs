@@ -1,43 +1,26 @@
 //! Tips on a substrate: `tribos run`, `sweep`, `golden` and `export` of a small one.
 
-use assert_cmd::Command;
-use serde_json::Value;
+use crate::program::{
+    self, Error, Outcome, assert_has, assert_refused_scenes, json, prepared, wait_for,
+};
 use std::path::Path;
-use std::time::{Duration, Instant};
-
-type Error = Box<dyn std::error::Error>;
-type Outcome = Result<(), Error>;
 
 /// 748 atoms, 400 steps.
 const TINY: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside = 3\n\
                     substrate_layers = 4\ntip_layers = 4\nequilibration = 0.5\ndrive_time = 1\n\
                     rest_time = 0.5\nsamples = 20\n";
 
-/// Begins a command in the folder, where the scene is `tiny.toml`.
-fn tribos(folder: &Path, arguments: &str) -> Result<Command, Error> {
-    std::fs::write(folder.join("tiny.toml"), TINY)?;
-    let mut tribos = Command::cargo_bin("tribos")?;
-    tribos.current_dir(folder).args(arguments.split(' '));
-    Ok(tribos)
-}
-
-/// Runs it: what was said on standard output and error.
+/// Runs a command in the folder, where the scene is `tiny.toml`: what was said.
 fn succeed(folder: &Path, arguments: &str) -> Result<[String; 2], Error> {
-    let output = tribos(folder, arguments)?.output()?;
-    let [out, err] = [output.stdout, output.stderr].map(String::from_utf8);
-    let (out, err) = (out?, err?);
-    assert!(output.status.success(), "{arguments}: {err}");
-    Ok([out, err])
+    std::fs::write(folder.join("tiny.toml"), TINY)?;
+    program::succeed(folder, arguments)
 }
 
 /// Runs it in vain: the exit code and what was said.
 fn fail(folder: &Path, arguments: &str) -> Result<(Option<i32>, String), Error> {
-    let output = tribos(folder, arguments)?.output()?;
-    Ok((output.status.code(), String::from_utf8(output.stderr)?))
-}
-
-fn json(file: &Path) -> Result<Value, Error> {
-    Ok(serde_json::from_str(&std::fs::read_to_string(file)?)?)
+    std::fs::write(folder.join("tiny.toml"), TINY)?;
+    let (code, _, said) = program::tribos(folder, arguments)?;
+    Ok((code, said))
 }
 
 /// The cells of a table.
@@ -52,14 +35,15 @@ fn a_run_leaves_series_summary_pictures_and_atoms() -> Outcome {
     let folder = tempfile::tempdir()?;
     let [told, _] = succeed(folder.path(), "run tiny.toml --out out")?;
     let out = folder.path().join("out");
-    for words in [
-        "verdict       reversible",
-        "degrees driven",
-        "slipped",
-        "written to    out",
-    ] {
-        assert!(told.contains(words), "{words} not in {told}");
-    }
+    assert_has(
+        &told,
+        &[
+            "verdict       reversible",
+            "degrees driven",
+            "slipped",
+            "written to    out",
+        ],
+    );
     let series = table(&out.join("series.csv"))?;
     let head = "time,angle,resisting_torque,height,substrate_temperature,tip_temperature,\
                 potential_energy,layer_1,layer_2,layer_3,layer_4";
@@ -128,23 +112,10 @@ fn a_killed_run_goes_on_to_the_same_files() -> Outcome {
 
     // A checkpoint after every line of the series, until the run is killed somewhere on its way.
     let broken = folder.path().join("broken");
-    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"))
-        .current_dir(folder.path())
-        .args(["run", "tiny.toml"])
-        .args(sets.split(' '))
-        .args(["--checkpoint", "0", "--out", "broken"])
-        .stdout(std::process::Stdio::null())
-        .stderr(std::process::Stdio::null())
-        .spawn()?;
-    let patience = Instant::now();
+    let under_way = format!("run tiny.toml {sets} --checkpoint 0 --out broken");
+    let mut child = prepared(folder.path(), under_way).spawn()?;
     let steps = || json(&broken.join("checkpoint.json")).ok()?["steps"].as_u64();
-    while steps().unwrap_or(0) < 50 {
-        assert!(
-            patience.elapsed() < Duration::from_secs(60),
-            "no checkpoint"
-        );
-        std::thread::sleep(Duration::from_millis(1));
-    }
+    wait_for("a checkpoint", || steps() >= Some(50));
     child.kill()?;
     child.wait()?;
     let at = steps().unwrap_or(0);
@@ -209,132 +180,32 @@ fn a_run_that_blows_up_says_where_and_keeps_its_checkpoint() -> Outcome {
 
 #[test]
 fn bad_tips_are_refused_with_their_line_and_cure() -> Outcome {
-    for (old, new, place, words) in [
-        ("lambda = 0.02\n", "", "tiny.toml:", "`lambda` is missing"),
-        (
-            "lambda = 0.02",
-            "lambda = \"x\"",
-            "tiny.toml:2",
-            "a finite number",
-        ),
-        (
-            "rows = 14",
-            "rows = 15",
-            "tiny.toml:4",
-            "`rows` must be even, not 15",
-        ),
-        (
-            "rows = 14",
-            "rows = 6",
-            "tiny.toml:4",
-            "tip and cut-off need",
-        ),
-        (
-            "columns = 12",
-            "columns = 0",
-            "tiny.toml:3",
-            "a whole number from 1",
-        ),
-        (
-            "columns = 12",
-            "columns = 6",
-            "tiny.toml:3",
-            "tip and cut-off need",
-        ),
-        (
-            "side = 3",
-            "side = 6",
-            "tiny.toml:3",
-            "tip and cut-off need",
-        ),
-        (
-            "side = 3",
-            "side = 0",
-            "tiny.toml:5",
-            "a whole number from 1",
-        ),
-        (
-            "side = 3",
-            "side = 3\ncutoff = 7",
-            "tiny.toml:3",
-            "tip and cut-off need",
-        ),
-        (
-            "side = 3",
-            "side = 3\nskin = 20",
-            "tiny.toml:3",
-            "tip and cut-off need",
-        ),
-        (
-            "side = 3",
-            "side = 3\nload = 1",
-            "tiny.toml:6",
-            "hold = \"level\"",
-        ),
-        ("side = 3", "side = 3\nskin = 0", "tiny.toml:6", "> 0"),
-        (
-            "side = 3",
-            "side = 3\norientation = 200",
-            "tiny.toml:6",
-            "180",
-        ),
-        (
-            "side = 3",
-            "side = 3\noutline = \"square\"",
-            "tiny.toml:6",
-            "\"hexagon\"",
-        ),
-        (
-            "side = 3",
-            "side = 3\nthermostat = \"cold\"",
-            "tiny.toml:6",
-            "\"langevin\"",
-        ),
-        (
-            "side = 3",
-            "side = 3\ndampign = 1",
-            "tiny.toml:6",
-            "did you mean `damping`?",
-        ),
-        ("side = 3", "side = 3\ntime_step = 1", "tiny.toml:6", "0.05"),
-        ("side = 3", "side = 3\ncutoff = 0.5", "tiny.toml:6", "10"),
-        (
-            "tip_layers = 4",
-            "tip_layers = 3",
-            "tiny.toml:7",
-            "must be at least 4, not 3",
-        ),
-        (
-            "substrate_layers = 4",
-            "substrate_layers = 3",
-            "tiny.toml:6",
-            "at least 4",
-        ),
-        (
-            "samples = 20",
-            "samples = 0",
-            "tiny.toml:11",
-            "a whole number from 1",
-        ),
-        (
-            "drive_time = 1",
-            "drive_time = 1e300",
-            "tiny.toml:9",
-            "steps of `time_step`",
-        ),
-        ("drive_time = 1", "drive_time = -1", "tiny.toml:9", ">= 0"),
-    ] {
-        let folder = tempfile::tempdir()?;
-        assert!(TINY.contains(old));
-        let mut command = tribos(folder.path(), "run tiny.toml --out out")?;
-        std::fs::write(folder.path().join("tiny.toml"), TINY.replace(old, new))?;
-        let output = command.output()?;
-        let said = String::from_utf8(output.stderr)?;
-        assert_eq!(output.status.code(), Some(2), "{new} {said}");
-        assert!(said.contains(place) && said.contains(words), "{new} {said}");
-        assert!(!folder.path().join("out").exists(), "{new}");
-    }
-    Ok(())
+    let cases = r#"
+        lambda = 0.02\n |  | scene.toml: | `lambda` is missing
+        lambda = 0.02 | lambda = "x" | scene.toml:2 | a finite number
+        rows = 14 | rows = 15 | scene.toml:4 | `rows` must be even, not 15
+        rows = 14 | rows = 6 | scene.toml:4 | tip and cut-off need
+        columns = 12 | columns = 0 | scene.toml:3 | a whole number from 1
+        columns = 12 | columns = 6 | scene.toml:3 | tip and cut-off need
+        side = 3 | side = 6 | scene.toml:3 | tip and cut-off need
+        side = 3 | side = 0 | scene.toml:5 | a whole number from 1
+        side = 3 | side = 3\ncutoff = 7 | scene.toml:3 | tip and cut-off need
+        side = 3 | side = 3\nskin = 20 | scene.toml:3 | tip and cut-off need
+        side = 3 | side = 3\nload = 1 | scene.toml:6 | hold = "level"
+        side = 3 | side = 3\nskin = 0 | scene.toml:6 | > 0
+        side = 3 | side = 3\norientation = 200 | scene.toml:6 | 180
+        side = 3 | side = 3\noutline = "square" | scene.toml:6 | "hexagon"
+        side = 3 | side = 3\nthermostat = "cold" | scene.toml:6 | "langevin"
+        side = 3 | side = 3\ndampign = 1 | scene.toml:6 | did you mean `damping`?
+        side = 3 | side = 3\ntime_step = 1 | scene.toml:6 | 0.05
+        side = 3 | side = 3\ncutoff = 0.5 | scene.toml:6 | 10
+        tip_layers = 4 | tip_layers = 3 | scene.toml:7 | must be at least 4, not 3
+        substrate_layers = 4 | substrate_layers = 3 | scene.toml:6 | at least 4
+        samples = 20 | samples = 0 | scene.toml:11 | a whole number from 1
+        drive_time = 1 | drive_time = 1e300 | scene.toml:9 | steps of `time_step`
+        drive_time = 1 | drive_time = -1 | scene.toml:9 | >= 0
+    "#;
+    assert_refused_scenes(TINY, cases)
 }
 
 #[test]
@@ -419,9 +290,8 @@ fn a_golden_file_pins_a_tip_and_tells_what_changed() -> Outcome {
     };
     let changed = format!("{head}{}{other}{}", &state[..digit], &state[digit + 1..]);
     std::fs::write(&file, changed)?;
-    let output = tribos(folder.path(), verify)?.output()?;
-    let said = String::from_utf8(output.stdout)?;
-    assert_eq!(output.status.code(), Some(3), "{said}");
+    let (code, said, _) = program::tribos(folder.path(), verify)?;
+    assert_eq!(code, Some(3), "{said}");
     assert!(said.contains("final state: velocities differ"), "{said}");
     Ok(())
 }
@@ -446,13 +316,14 @@ fn exported_atoms_have_the_energy_of_the_run() -> Outcome {
         assert!(told.contains("lmp -in in.tip"), "{told}");
         let out = folder.path().join(name);
         let script = std::fs::read_to_string(out.join("lammps/in.tip"))?;
-        for line in [
-            "read_data tip.data",
-            "run 100\n",
-            "run 200\nunfix torque\nrun 100\n",
-        ] {
-            assert!(script.contains(line), "{line} not in {script}");
-        }
+        assert_has(
+            &script,
+            &[
+                "read_data tip.data",
+                "run 100\n",
+                "run 200\nunfix torque\nrun 100\n",
+            ],
+        );
         let data = std::fs::read(out.join("lammps/tip.data"))?;
         assert!(data == std::fs::read(out.join("initial.data"))?);
         succeed(

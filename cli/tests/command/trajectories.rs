@@ -1,15 +1,12 @@
 //! `tribos export vtk|xyz|lammps-dump`: whole trajectories, read back.
 
-use assert_cmd::Command;
+use crate::program::{self, Error, Outcome};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use nalgebra::Vector3;
 use std::path::Path;
 use tribos::md::{extended_xyz, lammps};
 use tribos::record::frames::{Bodies, Frame, FrameFolder};
-
-type Error = Box<dyn std::error::Error>;
-type Outcome = Result<(), Error>;
 
 const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside = 3\n\
                    substrate_layers = 4\ntip_layers = 4\nequilibration = 0.1\ndrive_time = 0.2\n\
@@ -18,13 +15,8 @@ const POWDER: &str = "body = \"powder\"\nwidth = 6\nheight = 8\npressure = 0.02\
 
 /// Runs a command in the folder: exit code and what was said.
 fn tribos(folder: &Path, arguments: &str) -> Result<(Option<i32>, String), Error> {
-    let mut tribos = Command::cargo_bin("tribos")?;
-    let output = tribos
-        .current_dir(folder)
-        .args(arguments.split(' '))
-        .output()?;
-    let said = String::from_utf8([output.stdout, output.stderr].concat())?;
-    Ok((output.status.code(), said))
+    let (code, out, err) = program::tribos(folder, arguments)?;
+    Ok((code, out + &err))
 }
 
 fn succeed(folder: &Path, arguments: &str) -> Outcome {

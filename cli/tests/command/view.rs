@@ -1,13 +1,10 @@
 //! Frames of runs, and `tribos view`: the same frames after a break, a page that plays.
 
 use crate::browser::Browser;
+use crate::program::{self, Error, Outcome, prepared, wait_for};
 use assert_cmd::Command;
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::time::{Duration, Instant};
-
-type Error = Box<dyn std::error::Error>;
-type Outcome = Result<(), Error>;
 
 /// Some twenty spheres.
 const POWDER: &str = "body = \"powder\"\nwidth = 8\nheight = 12\npressure = 0.01\n\
@@ -21,17 +18,7 @@ const TIP: &str = "body = \"tip\"\nlambda = 0.02\ncolumns = 12\nrows = 14\nside 
 fn tribos(folder: &Path, arguments: &str) -> Result<(Option<i32>, String, String), Error> {
     std::fs::write(folder.join("powder.toml"), POWDER)?;
     std::fs::write(folder.join("tip.toml"), TIP)?;
-    let mut tribos = Command::cargo_bin("tribos")?;
-    let output = tribos
-        .current_dir(folder)
-        .args(arguments.split(' '))
-        .output()?;
-    let said = String::from_utf8(output.stderr)?;
-    Ok((
-        output.status.code(),
-        String::from_utf8(output.stdout)?,
-        said,
-    ))
+    program::tribos(folder, arguments)
 }
 
 /// Runs it with success.
@@ -75,24 +62,11 @@ fn a_killed_run_leaves_the_same_bounded_frames() -> Outcome {
 
     // A checkpoint after every step, until the run is killed on its way.
     let broken = home.path().join("broken");
-    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"))
-        .current_dir(home.path())
-        .args(run.split(' '))
-        .args(["--checkpoint", "0", "--out", "broken"])
-        .stdout(std::process::Stdio::null())
-        .stderr(std::process::Stdio::null())
-        .spawn()?;
-    let patience = Instant::now();
-    let is_under_way = || {
+    let under_way = format!("{run} --checkpoint 0 --out broken");
+    let mut child = prepared(home.path(), under_way).spawn()?;
+    wait_for("the run is under way", || {
         broken.join("checkpoint.json").exists() && broken.join("frames/000000000064.frame").exists()
-    };
-    while !is_under_way() {
-        assert!(
-            patience.elapsed() < Duration::from_secs(60),
-            "no checkpoint"
-        );
-        std::thread::sleep(Duration::from_millis(1));
-    }
+    });
     child.kill()?;
     child.wait()?;
     assert!(!broken.join("summary.json").exists(), "killed too late");

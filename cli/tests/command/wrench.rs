@@ -1,23 +1,12 @@
 //! `tribos wrench` prints what the kernel computes, in the form that was asked for.
 
+use crate::program::{Error, Outcome, refused, told};
 use assert_cmd::Command;
 use std::f64::consts::PI;
 
-type Outcome = Result<(), Box<dyn std::error::Error>>;
-
-fn tribos(arguments: &[&str]) -> Result<String, Box<dyn std::error::Error>> {
-    let output = Command::cargo_bin("tribos")?.args(arguments).output()?;
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    Ok(String::from_utf8(output.stdout)?)
-}
-
 #[test]
 fn one_twist_as_json_keeps_all_bits() -> Outcome {
-    let text = tribos(&["wrench", "--speed", "1", "--spin", "1", "--format", "json"])?;
+    let text = told("wrench --speed 1 --spin 1 --format json")?;
     let value: serde_json::Value = serde_json::from_str(&text)?;
     let force = value["force"].as_f64().ok_or("no force")?;
     assert!((force - 8.0 / (3.0 * PI)).abs() < 2e-16);
@@ -30,23 +19,10 @@ fn one_twist_as_json_keeps_all_bits() -> Outcome {
 #[test]
 fn dimensions_scale_force_and_torque() -> Outcome {
     let dimensionless = ["--speed", "0.5", "--spin", "1", "--format", "csv"];
-    let plain = tribos(&[&["wrench"][..], &dimensionless].concat())?;
+    let plain = told([&["wrench"][..], &dimensionless].concat())?;
     // The same ratio v/(ωR) with radius 1/4, load 8 and coefficient 1/2.
-    let scaled = tribos(&[
-        "wrench",
-        "--speed",
-        "0.5",
-        "--spin",
-        "4",
-        "--radius",
-        "0.25",
-        "--load",
-        "8",
-        "--coefficient",
-        "0.5",
-        "--format",
-        "csv",
-    ])?;
+    let scaled =
+        told("wrench --speed 0.5 --spin 4 --radius 0.25 --load 8 --coefficient 0.5 --format csv")?;
     let row = |text: &str| -> Vec<f64> {
         let line = text.lines().nth(1).unwrap_or("");
         line.split(',')
@@ -67,7 +43,7 @@ fn a_file_of_twists_becomes_csv_with_the_jacobian() -> Outcome {
     // Columns in any order, spaces allowed.
     std::fs::write(&twists, "spin, speed\n1,0.25\n-2,-0.5\n0,0\n")?;
     let (input, out) = (twists.display().to_string(), output.display().to_string());
-    let printed = tribos(&["wrench", "--twists", &input, "--jacobian", "--output", &out])?;
+    let printed = told(["wrench", "--twists", &input, "--jacobian", "--output", &out])?;
     assert_eq!(printed, "");
     let text = std::fs::read_to_string(&output)?;
     let lines: Vec<&str> = text.lines().collect();
@@ -88,11 +64,11 @@ fn a_file_of_twists_becomes_csv_with_the_jacobian() -> Outcome {
 #[test]
 fn all_tiers_and_precisions_agree() -> Outcome {
     for alpha in ["-0.5", "0", "0.5", "1", "2.5"] {
-        let force = |more: &[&str]| -> Result<f64, Box<dyn std::error::Error>> {
+        let force = |more: &[&str]| -> Result<f64, Error> {
             let base = [
                 "wrench", "--alpha", alpha, "--speed", "0.8", "--spin", "1.1",
             ];
-            let text = tribos(&[&base[..], &["--format", "json"], more].concat())?;
+            let text = told([&base[..], &["--format", "json"], more].concat())?;
             let value: serde_json::Value = serde_json::from_str(&text)?;
             value["force"].as_f64().ok_or("no force".into())
         };
@@ -106,9 +82,7 @@ fn all_tiers_and_precisions_agree() -> Outcome {
 
 #[test]
 fn a_large_exponent_is_served_without_tables() -> Outcome {
-    let text = tribos(&[
-        "wrench", "--alpha", "30", "--speed", "1", "--spin", "0", "--format", "csv",
-    ])?;
+    let text = told("wrench --alpha 30 --speed 1 --spin 0 --format csv")?;
     assert_eq!(
         text.lines().nth(1).and_then(|line| line.split(',').nth(2)),
         Some("1.0")
@@ -123,11 +97,11 @@ fn the_rows_of_a_file_are_those_of_single_twists_in_every_format() -> Outcome {
     std::fs::write(&twists, "\u{feff}speed,spin\r\n1,2\r\n\r\n\"0.5\", 3\r\n")?;
     let file = twists.display().to_string();
     let one = |speed, spin, format| {
-        tribos(&[
+        told([
             "wrench", "--speed", speed, "--spin", spin, "--format", format,
         ])
     };
-    let all = |format| tribos(&["wrench", "--twists", &file, "--format", format]);
+    let all = |format| told(["wrench", "--twists", &file, "--format", format]);
     let json: serde_json::Value = serde_json::from_str(&all("json")?)?;
     let rows = [("1", "2"), ("0.5", "3")];
     for (at, (speed, spin)) in rows.into_iter().enumerate() {
@@ -190,7 +164,7 @@ fn many_twists_take_no_more_memory_than_few() -> Outcome {
 }
 
 /// Named numbers of the answer, and what is said beside it.
-fn said(arguments: &str) -> Result<(serde_json::Value, String), Box<dyn std::error::Error>> {
+fn said(arguments: &str) -> Result<(serde_json::Value, String), Error> {
     let output = Command::cargo_bin("tribos")?
         .args(format!("wrench {arguments} --format json").split_whitespace())
         .output()?;
@@ -310,11 +284,7 @@ fn what_single_precision_cannot_hold_is_refused_as_it_was_given() -> Outcome {
             "mu_d 1e-50 is too small for f32",
         ),
     ] {
-        let output = Command::cargo_bin("tribos")?
-            .args(format!("wrench {arguments} --precision f32").split_whitespace())
-            .output()?;
-        let told = String::from_utf8(output.stderr)?;
-        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        let told = refused(".", format!("wrench {arguments} --precision f32"))?;
         assert!(told.contains(quoted), "{arguments}: {told}");
     }
     Ok(())
@@ -363,11 +333,7 @@ fn tiers_of_powers_refuse_other_laws() -> Outcome {
     for tier in ["table", "compact"] {
         let arguments =
             format!("wrench --speed 1 --spin 1 --law dry:mu_s=0.3,mu_d=0.2 --tier {tier}");
-        let output = Command::cargo_bin("tribos")?
-            .args(arguments.split_whitespace())
-            .output()?;
-        let told = String::from_utf8(output.stderr)?;
-        assert_eq!(output.status.code(), Some(2));
+        let told = refused(".", arguments)?;
         assert!(told.contains("leave out --tier"), "{told}");
     }
     Ok(())
@@ -388,12 +354,7 @@ fn an_input_is_not_its_own_output() -> Outcome {
         "wrench --twists twists.csv -o other.csv",
         "wrench --patch points:feet.csv --speed 1 --spin 1 -o feet.csv",
     ] {
-        let output = Command::cargo_bin("tribos")?
-            .current_dir(folder.path())
-            .args(arguments.split(' '))
-            .output()?;
-        let told = String::from_utf8(output.stderr)?;
-        assert_eq!(output.status.code(), Some(2), "{arguments}: {told}");
+        let told = refused(folder.path(), arguments)?;
         assert!(told.contains("is what the command reads"), "{told}");
     }
     let left = std::fs::read_to_string(folder.path().join("twists.csv"))?;
@@ -409,7 +370,7 @@ fn devices_pipes_and_links_are_written_into() -> Outcome {
     use std::process::Command as System;
     let folder = tempfile::tempdir()?;
     let here = |name: &str| folder.path().join(name);
-    let write = |name: &str| -> Result<(Option<i32>, String), Box<dyn std::error::Error>> {
+    let write = |name: &str| -> Result<(Option<i32>, String), Error> {
         let output = Command::cargo_bin("tribos")?
             .current_dir(folder.path())
             .args(["wrench", "--speed", "1", "--spin", "1", "-o", name])

@@ -2,12 +2,11 @@
 
 use super::digest::Digest;
 use super::quantity::{Quantity, leaves};
-use crate::powder::{self, Compaction, CompactionError};
-use crate::record::{ContactRow, Partner, Snapshot};
-use crate::run::drive;
+use crate::powder::CompactionError;
+use crate::record::{ContactRow, Partner};
 use crate::scene::Scene;
-use crate::slide::{self, PlanarScene, SlideError};
-use crate::tip::{TipError, TipRun};
+use crate::slide::SlideError;
+use crate::tip::TipError;
 use nalgebra::Vector3;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -64,55 +63,20 @@ pub struct Measurement {
 /// Branches of a summary that are not results.
 const NO_RESULTS: [&str; 3] = ["scene", "version", "wall_seconds"];
 
-/// Runs the scene to its end; `watch` is called after every step.
-pub fn measure(scene: &Scene, mut watch: impl FnMut()) -> Result<Measurement, MeasureError> {
-    match scene {
-        Scene::Disk(scene) => {
-            let run = slide::run(scene, |_| watch())?;
-            let rows = run.series.iter().map(|row| row.to_vec());
-            let summary = run.outcome.json(scene);
-            Ok(Measurement::new(&summary, &slide::COLUMNS, rows))
-        }
-        Scene::Cylinder(scene) => path(scene),
-        Scene::Pipe(scene) => path(scene),
-        Scene::Curling(scene) => path(scene),
-        Scene::Powder(scene) => {
-            let mut compaction = Compaction::new(scene)?;
-            drive(&mut compaction, |_, _| watch())?;
-            let rows = compaction.series().iter().map(|row| row.to_vec());
-            let summary = compaction.outcome().json(scene);
-            let mut measurement = Measurement::new(&summary, &powder::COLUMNS, rows);
-            measurement.state = compaction.with_snapshot(state);
-            Ok(measurement)
-        }
-        Scene::Tip(scene) => {
-            let mut run = TipRun::new(scene)?;
-            drive(&mut run, |_, _| watch())?;
-            let summary = run.outcome().json(scene);
-            let rows = run.series().iter().cloned();
-            let mut measurement = Measurement::new(&summary, &run.columns(), rows);
-            let atoms = run.system().atoms();
-            let digest = |vectors: &[Vector3<f64>]| Digest::of(vectors.iter().flat_map(components));
-            measurement.state = vec![
-                ("positions", digest(&atoms.positions)),
-                ("velocities", digest(&atoms.velocities)),
-            ];
-            Ok(measurement)
-        }
-    }
+/// A scene that can be run to the end for its results.
+pub(crate) trait Measure {
+    /// Runs the scene; `watch` is called after every step.
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MeasureError>;
 }
 
-/// A body in the plane.
-fn path(scene: &dyn PlanarScene) -> Result<Measurement, MeasureError> {
-    let run = slide::run_path(scene)?;
-    let rows = run.series.iter().map(|row| row.to_vec());
-    let summary = run.outcome.json(scene);
-    Ok(Measurement::new(&summary, &slide::PATH_COLUMNS, rows))
+/// Runs the scene to its end; `watch` is called after every step.
+pub fn measure(scene: &Scene, mut watch: impl FnMut()) -> Result<Measurement, MeasureError> {
+    scene.as_body().measured(&mut watch)
 }
 
 impl Measurement {
     /// A measurement from a summary, which contains the scene, and a series.
-    fn new(
+    pub(crate) fn new(
         summary: &Value,
         columns: &[impl ToString],
         rows: impl Iterator<Item = Vec<f64>>,
@@ -142,22 +106,13 @@ impl Measurement {
     }
 }
 
-/// Digests of positions, motions and contacts.
-fn state(snapshot: &Snapshot<'_>) -> Vec<(&'static str, u64)> {
-    let digest = |vectors: &[Vector3<f64>]| Digest::of(vectors.iter().flat_map(components));
-    vec![
-        ("positions", digest(snapshot.positions)),
-        ("radii", Digest::of(snapshot.radii.iter().copied())),
-        (
-            "velocities",
-            digest(snapshot.velocities.unwrap_or_default()),
-        ),
-        ("spins", digest(snapshot.spins.unwrap_or_default())),
-        ("contacts", contacts(snapshot.contacts)),
-    ]
+/// Digest of the components of vectors.
+pub(crate) fn digest(vectors: &[Vector3<f64>]) -> u64 {
+    Digest::of(vectors.iter().flat_map(components))
 }
 
-fn contacts(rows: &[ContactRow]) -> u64 {
+/// Digest of the pairs in contact, with gaps, normals, forces and torques.
+pub(crate) fn contacts(rows: &[ContactRow]) -> u64 {
     let mut digest = Digest::EMPTY;
     for row in rows {
         let (kind, partner) = match row.b {

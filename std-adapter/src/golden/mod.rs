@@ -26,6 +26,7 @@ mod text;
 
 pub use difference::{Difference, SeriesDifference, SummaryDifference, Verdict};
 pub use digest::{Digest, canonical_bits};
+pub(crate) use measure::{Measure, contacts, digest};
 pub use measure::{MeasureError, Measurement, measure};
 pub use pinned::Pinned;
 pub use quantity::Quantity;

@@ -1,10 +1,12 @@
 //! The summary of a compaction.
 
 use super::blocked::Means;
-use super::compaction::Ending;
+use super::compaction::{COLUMNS, Compaction, Ending};
 use super::statistics::Statistics;
 use crate::cd::EnergyBalance;
+use crate::golden::{Digest, Measure, MeasureError, Measurement, contacts, digest};
 use crate::record::json_number;
+use crate::run::drive;
 use crate::scene::PowderScene;
 use nalgebra::Matrix3;
 use serde_json::{Map, Value};
@@ -178,4 +180,24 @@ fn object(numbers: &[(&str, f64)]) -> Value {
         .iter()
         .map(|(name, value)| ((*name).to_owned(), json_number(*value)));
     Value::Object(entries.collect())
+}
+
+impl Measure for PowderScene {
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MeasureError> {
+        let mut compaction = Compaction::new(self)?;
+        drive(&mut compaction, |_, _| watch())?;
+        let rows = compaction.series().iter().map(|row| row.to_vec());
+        let summary = compaction.outcome().json(self);
+        let mut measurement = Measurement::new(&summary, &COLUMNS, rows);
+        measurement.state = compaction.with_snapshot(|end| {
+            vec![
+                ("positions", digest(end.positions)),
+                ("radii", Digest::of(end.radii.iter().copied())),
+                ("velocities", digest(end.velocities.unwrap_or_default())),
+                ("spins", digest(end.spins.unwrap_or_default())),
+                ("contacts", contacts(end.contacts)),
+            ]
+        });
+        Ok(measurement)
+    }
 }

@@ -1,6 +1,6 @@
 //! Frames of a run, kept while it runs.
 
-use super::session::{LongRun, RunError, Start};
+use super::long_run::{LongRun, RunError, Start};
 use crate::record::frames::{FrameError, FrameFolder};
 use std::path::Path;
 

@@ -7,14 +7,18 @@
 mod film;
 #[doc(hidden)]
 pub mod folder;
+mod long_run;
 mod parallel;
 mod session;
 
 #[doc(hidden)]
-pub use parallel::in_order;
+pub use long_run::{Cause, NoCheckpoint};
+pub use long_run::{LongRun, RunError, Start};
 #[doc(hidden)]
-pub use session::{CHECKPOINT, Cause, FRAMES, NoCheckpoint, forget_checkpoint, read_checkpoint};
-pub use session::{LongRun, RunError, Session, Start};
+pub use parallel::in_order;
+pub use session::Session;
+#[doc(hidden)]
+pub use session::{CHECKPOINT, FRAMES, forget_checkpoint, read_checkpoint};
 
 /// Estimated size of a run, from its scene alone, before anything is built.
 ///

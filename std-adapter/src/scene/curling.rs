@@ -59,7 +59,8 @@ scene! {
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
     #[derive(Copy)]
-    pub struct CurlingScene = "curling", rules, in_force;
+    pub struct CurlingScene = "curling", "A curling rock",
+        rules, in_force;
 
     /// Initial speed, along x.
     speed: f64 = 2.0, "m/s", NotNegative, Required;

@@ -25,7 +25,8 @@ scene! {
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
     #[derive(Copy)]
-    pub struct CylinderScene = "cylinder", moves_at_all, in_force;
+    pub struct CylinderScene = "cylinder", "A tall cylinder that slides and spins to rest",
+        moves_at_all, in_force;
 
     /// Initial speed, along x.
     speed: f64 = 1.0, "m/s", NotNegative, Required;

@@ -7,7 +7,8 @@
 //! override, or the field), what is wrong and what would be valid. A scene that was made in Rust is
 //! checked by the same rules when its run begins.
 //!
-//! To add a body, declare its scene in a file of this folder and name it in the list of `body.rs`.
+//! To add a body, declare its scene in a file of this folder, implement `golden::Measure` for it beside
+//! its runs, and name it in the list of `body.rs`; a body in the plane implements `PlanarScene` only.
 
 mod body;
 mod curling;

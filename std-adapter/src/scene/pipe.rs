@@ -23,7 +23,8 @@ scene! {
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
     #[derive(Copy)]
-    pub struct PipeScene = "pipe", rules, in_force;
+    pub struct PipeScene = "pipe", "An upright pipe that slides and spins to rest",
+        rules, in_force;
 
     /// Initial speed, along x.
     speed: f64 = 1.74, "m/s", NotNegative, Required;

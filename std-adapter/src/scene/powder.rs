@@ -103,7 +103,8 @@ scene! {
     /// assert!(after < before);
     /// # Ok::<(), tribos::powder::CompactionError>(())
     /// ```
-    pub struct PowderScene = "powder", rules, in_force;
+    pub struct PowderScene = "powder", "A powder under a piston",
+        rules, in_force;
 
     /// Side of the square base, periodic in x and y.
     width: f64 = 20.0, "R", Positive, Required;

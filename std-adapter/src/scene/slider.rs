@@ -48,7 +48,8 @@ scene! {
     /// # Ok::<(), tribos::slide::SlideError>(())
     /// ```
     #[derive(Copy)]
-    pub struct SliderScene = "disk", moves_at_all, in_force;
+    pub struct SliderScene = "disk", "A disk that slides and spins to rest",
+        moves_at_all, in_force;
 
     /// Initial sliding speed.
     speed: f64 = 1.0, "m/s", NotNegative, Required;

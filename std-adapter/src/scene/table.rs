@@ -6,6 +6,7 @@ use super::problem::{InvalidScene, Problem, SceneError};
 use super::reader::{self, Judge};
 use super::words::Word;
 use crate::friction::Law;
+use crate::golden::{Measure, MeasureError, Measurement};
 use crate::record::json_number;
 use serde_json::{Map, Value};
 use std::fmt::Debug;
@@ -101,6 +102,10 @@ pub trait Body: Debug {
 
     /// Checks the fields by the rules that files are read by.
     fn check(&self) -> Result<(), InvalidScene>;
+
+    /// Runs the scene to its end for a golden file; `watch` is called after every step.
+    #[doc(hidden)]
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MeasureError>;
 }
 
 impl<T: Table> Body for T {
@@ -120,6 +125,10 @@ impl<T: Table> Body for T {
         let body = T::BODY;
         Err(InvalidScene { body, problems })
     }
+
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MeasureError> {
+        Measure::measured(self, watch)
+    }
 }
 
 /// Access to one field of a scene.
@@ -130,9 +139,11 @@ pub(super) struct Field<S> {
 }
 
 /// A scene whose fields are the keys of its files.
-pub(super) trait Table: Clone + Debug + Default + PartialEq + 'static {
+pub(super) trait Table: Clone + Debug + Default + Measure + PartialEq + 'static {
     /// Value of the key `body`.
     const BODY: &'static str;
+    /// The title of a film of the body.
+    const TITLE: &'static str;
     /// The keys: `body`, then one for each field.
     const TABLE: &'static [Key];
     /// The fields, in the order of their keys.
@@ -212,7 +223,7 @@ macro_rules! scene {
     (@need $need:expr) => { $need };
     (
         $(#[$about:meta])*
-        pub struct $name:ident = $body:literal, $rules:expr, $in_force:expr;
+        pub struct $name:ident = $body:literal, $title:literal, $rules:expr, $in_force:expr;
         $(
             $(#[doc = $doc:literal])+
             $field:ident: $type:ty = $default:expr, $unit:literal, $domain:expr $(, $need:expr)?;
@@ -239,6 +250,7 @@ macro_rules! scene {
 
         impl $crate::scene::table::Table for $name {
             const BODY: &'static str = $body;
+            const TITLE: &'static str = $title;
             const TABLE: &'static [$crate::scene::Key] = &[
                 $crate::scene::body::BODY,
                 $($crate::scene::Key {

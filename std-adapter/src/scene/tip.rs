@@ -98,7 +98,8 @@ scene! {
     /// assert!(run.step()?); // to the next line of the series
     /// # Ok::<(), tribos::tip::TipError>(())
     /// ```
-    pub struct TipScene = "tip", rules, as_written;
+    pub struct TipScene = "tip", "A tip turned on a substrate",
+        rules, as_written;
 
     /// Distance of neighbours in the crystal; the default is that of the potential's minimum.
     // 2^(1/6) (thesis, section 5.3).

@@ -25,6 +25,8 @@ use serde_json::{Map, Value};
 pub struct Vocabulary {
     /// Value of the key `body`.
     pub body: &'static str,
+    /// The title of a film of it.
+    pub title: &'static str,
     /// Its keys, in the order of the documentation.
     pub keys: &'static [Key],
     /// The default scene, as JSON.
@@ -55,6 +57,7 @@ impl Vocabulary {
     pub(super) const fn of<T: Table>() -> Self {
         Self {
             body: T::BODY,
+            title: T::TITLE,
             keys: T::TABLE,
             example: || T::default().values(),
         }

@@ -1,5 +1,6 @@
 //! The summary of a slide.
 
+use crate::golden::{Measure, MeasureError, Measurement};
 use crate::record::json_number;
 use crate::scene::SliderScene;
 use serde_json::{Map, Value};
@@ -101,5 +102,14 @@ impl Outcome {
         map.insert("scene".into(), scene.json());
         map.insert("version".into(), env!("CARGO_PKG_VERSION").into());
         Value::Object(map)
+    }
+}
+
+impl Measure for SliderScene {
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MeasureError> {
+        let run = super::run(self, |_| watch())?;
+        let rows = run.series.iter().map(|row| row.to_vec());
+        let summary = run.outcome.json(self);
+        Ok(Measurement::new(&summary, &super::COLUMNS, rows))
     }
 }

@@ -4,6 +4,7 @@ use super::cost::{EvaluationCost, resistance_cost};
 use super::planar::{Arrival, Ending, Journey, Launch, Point, Resistance};
 use super::{SlideError, energy_at_launch};
 use crate::friction::Evaluation;
+use crate::golden::{Measure, MeasureError, Measurement};
 use crate::record::json_number;
 use crate::scene::{Body, Tipping};
 use serde_json::{Map, Value};
@@ -224,5 +225,14 @@ impl PathOutcome {
         map.insert("scene".into(), scene.json());
         map.insert("version".into(), env!("CARGO_PKG_VERSION").into());
         Value::Object(map)
+    }
+}
+
+impl<T: PlanarScene> Measure for T {
+    fn measured(&self, _: &mut dyn FnMut()) -> Result<Measurement, MeasureError> {
+        let run = run_path(self)?;
+        let rows = run.series.iter().map(|row| row.to_vec());
+        let summary = run.outcome.json(self);
+        Ok(Measurement::new(&summary, &PATH_COLUMNS, rows))
     }
 }

@@ -1,7 +1,10 @@
 //! The outcome of a run: reversible or not, where it locked in, which layers slipped.
 
+use super::TipRun;
 use super::energy::DriveEnergy;
+use crate::golden::{Measure, MeasureError, Measurement, digest};
 use crate::record::json_number;
+use crate::run::drive;
 use crate::scene::{StageSteps, TipScene};
 use serde_json::{Value, json};
 
@@ -269,6 +272,22 @@ fn plateaus(curve: &[[f64; 2]]) -> Vec<Plateau> {
         }
     }
     found
+}
+
+impl Measure for TipScene {
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MeasureError> {
+        let mut run = TipRun::new(self)?;
+        drive(&mut run, |_, _| watch())?;
+        let summary = run.outcome().json(self);
+        let rows = run.series().iter().cloned();
+        let mut measurement = Measurement::new(&summary, &run.columns(), rows);
+        let atoms = run.system().atoms();
+        measurement.state = vec![
+            ("positions", digest(&atoms.positions)),
+            ("velocities", digest(&atoms.velocities)),
+        ];
+        Ok(measurement)
+    }
 }
 
 #[cfg(test)]

@@ -1,4 +1,5 @@
-//! What is promised of the whole: the same bits everywhere, arbitrary input, damaged files.
+//! What is promised of the whole: the same bits everywhere, arbitrary input, damaged files, the kept
+//! surface of the libraries.
 
 mod coverage;
 mod damaged;
@@ -7,4 +8,5 @@ mod found;
 mod fuzz;
 mod golden;
 mod scene_bits;
+mod surface;
 mod tip_bits;

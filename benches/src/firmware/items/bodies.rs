@@ -4,21 +4,15 @@ use super::{BOTH, Code, Item, NARROW, item, round};
 
 /// Modules of every item built on the disk's Coulomb table.
 macro_rules! on_table {
-    ($($more:literal),* $(,)?) => {
-        round!["coupling::table", "coupling::side", $($more),*]
+    ($($more:literal),*) => {
+        round!("coupling::table coupling::side" $(, $more)*)
     };
 }
 
 /// The same with the modules of the limit surface.
 macro_rules! surface {
-    ($($more:literal),* $(,)?) => {
-        on_table![
-            "limit_surface",
-            "limit_surface::exact",
-            "limit_surface::meridian",
-            "limit_surface::polar",
-            $($more),*
-        ]
+    () => {
+        on_table!("limit_surface limit_surface::exact limit_surface::meridian limit_surface::polar")
     };
 }
 
@@ -32,19 +26,19 @@ pub const BODIES: [Item; 11] = [
     item(
         ["body", "disk with dimensions"],
         BOTH,
-        on_table![],
+        on_table!(),
         Code::new("disk(table::Coulomb)?", WRENCH),
     ),
     item(
         ["body", "disk with dimensions: compact"],
         BOTH,
-        round!["coupling::compact", "special::elliptic"],
+        round!("coupling::compact special::elliptic"),
         Code::new("disk(compact::CompactCoulomb)?", WRENCH),
     ),
     item(
         ["body", "tall: front-back"],
         NARROW,
-        on_table!["coupling::tall"],
+        on_table!("coupling::tall"),
         Code::new(
             "TallFriction::<_, _, FrontBack>::new(disk(table::Coulomb)?, 0.25).ok()?",
             TALL_WRENCH,
@@ -53,7 +47,7 @@ pub const BODIES: [Item; 11] = [
     item(
         ["body", "tall: all round"],
         NARROW,
-        on_table!["coupling::tall"],
+        on_table!("coupling::tall"),
         Code::new(
             "TallFriction::<_, _, AllRound>::new(disk(table::Coulomb)?, 0.25).ok()?",
             TALL_WRENCH,
@@ -62,31 +56,25 @@ pub const BODIES: [Item; 11] = [
     item(
         ["limit surface", "gauge"],
         NARROW,
-        surface![],
+        surface!(),
         Code::new(SURFACE, "object.gauge(&given.push)"),
     ),
     item(
         ["limit surface", "projection"],
         BOTH,
-        surface![],
+        surface!(),
         Code::new(SURFACE, PROJECTION),
     ),
     item(
         ["limit surface", "ellipsoid: projection"],
         NARROW,
-        &[
-            "limit_surface",
-            "limit_surface::ellipsoid",
-            "limit_surface::exact",
-            "limit_surface::meridian",
-            "limit_surface::polar",
-        ],
+        "limit_surface limit_surface::ellipsoid limit_surface::exact limit_surface::meridian limit_surface::polar",
         Code::new("Ellipsoid::new(1.0 as R, 1.0, 0.625).ok()?", PROJECTION),
     ),
     item(
         ["motion", "final modes"],
         NARROW,
-        on_table!["modes"],
+        on_table!("modes"),
         Code::new(
             "table::Coulomb",
             "Modes::new(*object, b).ok().and_then(|modes| modes.finite_fixed_point()).unwrap_or(0.0)",
@@ -95,20 +83,9 @@ pub const BODIES: [Item; 11] = [
     item(
         ["motion", "slider to rest"],
         BOTH,
-        on_table![
-            "modes",
-            "slider",
-            "slider::rest",
-            "slider::leg",
-            "slider::march",
-            "slider::march::course",
-            "slider::march::finish",
-            "slider::march::panel",
-            "slider::march::rates",
-            "slider::rule",
-            "slider::tail",
-            "special::legendre"
-        ],
+        on_table!(
+            "modes slider slider::rest slider::leg slider::march slider::march::course slider::march::finish slider::march::panel slider::march::rates slider::rule slider::tail special::legendre"
+        ),
         Code::new(
             "slider()?",
             "object.to_rest(&given.motion).map_or(0.0, |rest| state(&rest.motion))",
@@ -117,23 +94,9 @@ pub const BODIES: [Item; 11] = [
     item(
         ["motion", "slider: a given time"],
         NARROW,
-        on_table![
-            "modes",
-            "slider",
-            "slider::rest",
-            "slider::advance",
-            "slider::runge_kutta",
-            "slider::single",
-            "slider::leg",
-            "slider::march",
-            "slider::march::course",
-            "slider::march::finish",
-            "slider::march::panel",
-            "slider::march::rates",
-            "slider::rule",
-            "slider::tail",
-            "special::legendre"
-        ],
+        on_table!(
+            "modes slider slider::rest slider::advance slider::runge_kutta slider::single slider::leg slider::march slider::march::course slider::march::finish slider::march::panel slider::march::rates slider::rule slider::tail special::legendre"
+        ),
         Code::new(
             "slider()?",
             "state(&object.advance(&given.motion, given.duration).motion)",
@@ -142,7 +105,7 @@ pub const BODIES: [Item; 11] = [
     item(
         ["motion", "slider: Verlet step"],
         BOTH,
-        on_table!["slider", "slider::verlet"],
+        on_table!("slider slider::verlet"),
         Code::new(
             "slider()?",
             "state(&object.verlet_step(&given.motion, given.duration))",

@@ -4,69 +4,43 @@ use super::{BOTH, Code, Item, NARROW, item, round};
 
 /// Modules of one contact under thresholds.
 macro_rules! impulse {
-    ($($more:literal),* $(,)?) => {
-        &[
-            "contact",
-            "contact::block",
-            "contact::body",
-            "contact::update",
-            "contact::disc",
-            "contact::friction",
-            "contact::modes",
-            "contact::normal",
-            "contact::touch",
-            "contact::vector",
-            $($more),*
-        ]
+    ($($more:literal),*) => {
+        concat!(
+            "contact contact::block contact::body contact::update contact::disc contact::friction ",
+            "contact::modes contact::normal contact::touch contact::vector",
+            $(" ", $more),*
+        )
     };
 }
 
 /// Modules of a contact under the exact coupled set.
 macro_rules! exact {
-    ($($more:literal),* $(,)?) => {
-        round![
-            "coupling::table",
-            "coupling::side",
-            "limit_surface",
-            "limit_surface::exact",
-            "limit_surface::meridian",
-            "limit_surface::polar",
-            "contact",
-            "contact::block",
-            "contact::body",
-            "contact::update",
-            "contact::coupled",
-            "contact::friction",
-            "contact::modes",
-            "contact::normal",
-            "contact::pair", "contact::both_slip",
-            "contact::touch",
-            "contact::vector",
-            $($more),*
-        ]
+    ($($more:literal),*) => {
+        round!(
+            "coupling::table coupling::side",
+            "limit_surface limit_surface::exact limit_surface::meridian limit_surface::polar",
+            "contact contact::block contact::body contact::update contact::coupled",
+            "contact::friction contact::modes contact::normal contact::pair contact::both_slip",
+            "contact::touch contact::vector" $(, $more)*
+        )
     };
 }
 
 /// Modules of a contact under the ellipsoid.
 macro_rules! ellipsoid {
     () => {
-        impulse![
-            "limit_surface",
-            "limit_surface::ellipsoid",
-            "limit_surface::exact",
-            "limit_surface::meridian",
-            "limit_surface::polar",
-            "contact::coupled",
-            "contact::pair",
-            "contact::both_slip"
-        ]
+        impulse!(
+            "limit_surface limit_surface::ellipsoid limit_surface::exact",
+            "limit_surface::meridian limit_surface::polar",
+            "contact::coupled contact::pair contact::both_slip"
+        )
     };
 }
 
 const fn struck(
     name: &'static str,
     precisions: &'static [&'static str],
-    modules: &'static [&'static str],
+    modules: &'static str,
     prepare: &'static str,
 ) -> Item {
     let code = Code::new(prepare, "object.update()").with_ready("object.ready(given)");
@@ -78,49 +52,49 @@ pub const IMPULSES: [Item; 11] = [
     struck(
         "frictionless",
         NARROW,
-        impulse![],
+        impulse!(),
         "Struck::on_floor(Thresholds::none())?",
     ),
     struck(
         "sliding",
         BOTH,
-        impulse![],
+        impulse!(),
         "Struck::on_floor(Thresholds::sliding(b).ok()?)?",
     ),
     struck(
         "sliding, torsion",
         NARROW,
-        impulse![],
+        impulse!(),
         "Struck::on_floor(Thresholds::sliding_torsion(b, b).ok()?)?",
     ),
     struck(
         "sliding, rolling",
         NARROW,
-        impulse!["contact::pair", "contact::both_slip"],
+        impulse!("contact::pair contact::both_slip"),
         "Struck::on_floor(Thresholds::sliding_rolling(b, a).ok()?)?",
     ),
     struck(
         "sliding, rolling, torsion",
         BOTH,
-        impulse!["contact::pair", "contact::both_slip"],
+        impulse!("contact::pair contact::both_slip"),
         "Struck::on_floor(Thresholds::all(b, a, b).ok()?)?",
     ),
     struck(
         "sliding, rolling, torsion: two balls",
         NARROW,
-        impulse!["contact::pair", "contact::both_slip"],
+        impulse!("contact::pair contact::both_slip"),
         "Struck::on_ball(Thresholds::all(b, a, b).ok()?)?",
     ),
     struck(
         "coupled: exact",
         NARROW,
-        exact![],
+        exact!(),
         "Struck::on_floor(CoupledFriction::sliding_torsion(LimitSurface::new(table::Coulomb, b, 0.5).ok()?))?",
     ),
     struck(
         "coupled: exact, and rolling",
         NARROW,
-        exact!["contact::disc"],
+        exact!("contact::disc"),
         "Struck::on_floor(CoupledFriction::all(LimitSurface::new(table::Coulomb, b, 0.5).ok()?, a).ok()?)?",
     ),
     struck(
@@ -138,13 +112,7 @@ pub const IMPULSES: [Item; 11] = [
     item(
         ["impulse", "manifold: sliding"],
         BOTH,
-        impulse![
-            "manifold",
-            "manifold::impact",
-            "manifold::member",
-            "manifold::solve",
-            "contact::time_step"
-        ],
+        impulse!("manifold manifold::impact manifold::member manifold::solve contact::time_step"),
         Code::new(
             "Gripped::new(Thresholds::sliding(b).ok()?)?",
             "object.solve()",

@@ -4,7 +4,7 @@ use super::{Code, Item, NARROW, item};
 
 const fn law(
     name: &'static str,
-    modules: &'static [&'static str],
+    modules: &'static str,
     prepare: &'static str,
     call: &'static str,
 ) -> Item {
@@ -19,31 +19,31 @@ const LUGRE: &str = "LuGre::new(LuGreParameters { coulomb_force: 1.0, static_for
 pub const LAWS: [Item; 14] = [
     law(
         "Coulomb",
-        &["law::coulomb"],
+        "law::coulomb",
         "CoulombLaw::new(b).ok()?",
         "object.friction(a)",
     ),
     law(
         "dry friction",
-        &["law::dry", "law::grip"],
+        "law::dry law::grip",
         "DryFriction::new(0.5 as R, 0.25).ok()?",
         "object.net_drive(a)",
     ),
     law(
         "power",
-        &["law::power"],
+        "law::power",
         "PowerLaw::new(0.5, b).ok()?",
         "object.friction(a)",
     ),
     law(
         "plateau",
-        &["law::plateau"],
+        "law::plateau",
         "PlateauPower::new(PlateauPowerParameters { alpha: -0.5, coefficient: b, plateau_speed: 1e-2, drop_speed: 1e-4, rest_share: 0.5 }).ok()?",
         "object.friction(a)",
     ),
     law(
         "Stribeck",
-        &["law::stribeck", "law::dry"],
+        "law::stribeck law::dry",
         "Stribeck::new(StribeckParameters { dry: DryFriction::new(0.5, 0.25).ok()?, speed: b, exponent: 2.0, viscous: 0.125 }).ok()?",
         "object.friction(a)",
     ),
@@ -55,54 +55,50 @@ pub const LAWS: [Item; 14] = [
     ),
     law(
         "ageing",
-        &["law::ageing", "law::grip"],
+        "law::ageing law::grip",
         "Ageing::new(0.25, 0.125, b).ok()?",
         "object.mu_static(Age::default().advance(a, object.at_rest(Age::default(), b)))",
     ),
     law(
         "rate and state",
-        &["law::rate_state", "law::contact_age"],
+        "law::rate_state law::contact_age",
         RATE_AND_STATE,
         "let age = object.advance(ContactAge { theta: b }, a, b);
         object.coefficient(a, age)",
     ),
     law(
         "rate and state: steady",
-        &[
-            "law::rate_state",
-            "law::steady_rate_state",
-            "law::contact_age",
-        ],
+        "law::rate_state law::steady_rate_state law::contact_age",
         RATE_AND_STATE_STEADY,
         "object.friction(a)",
     ),
     law(
         "LuGre",
-        &["law::lugre"],
+        "law::lugre",
         LUGRE,
         "object.step(Bristle { deflection: b }, a, b).1",
     ),
     law(
         "LuGre: steady",
-        &["law::lugre"],
+        "law::lugre",
         LUGRE,
         "object.steady_force(a)",
     ),
     law(
         "Bowden-Tabor on Hertz",
-        &["law::bowden_tabor", "law::real_area"],
+        "law::bowden_tabor law::real_area",
         "BowdenTabor::new(1e6, HertzSphere::new(b, 1e9).ok()?).ok()?",
         "object.force(a)",
     ),
     law(
         "Stokes",
-        &["law::drag"],
+        "law::drag",
         "Stokes::new(b, 1e-3).ok()?",
         "object.force(a)",
     ),
     law(
         "inertial drag",
-        &["law::drag"],
+        "law::drag",
         "InertialDrag::new(b, 1.25, 1e-3).ok()?",
         "object.force(a)",
     ),

@@ -22,12 +22,19 @@ pub struct Item {
     pub group: &'static str,
     /// Name of the item in reports.
     pub name: &'static str,
-    /// Modules of the kernel that the program may contain, beside [`PLUMBING`].
-    pub modules: &'static [&'static str],
+    /// Modules of the kernel that the program may contain, beside [`PLUMBING`], separated by spaces.
+    modules: &'static str,
     /// In which precisions it is built.
     pub precisions: &'static [&'static str],
     /// What is called, and how.
     pub code: Code,
+}
+
+impl Item {
+    /// The modules one by one.
+    pub fn modules(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.modules.split_whitespace()
+    }
 }
 
 /// Fragments of Rust.
@@ -82,15 +89,11 @@ pub const PLUMBING: [&str; 9] = [
 
 /// Modules of every round patch under a power law.
 macro_rules! round {
-    ($($more:literal),* $(,)?) => {
-        &[
-            "coupling::profile",
-            "coupling::family",
-            "coupling::lateral",
-            "coupling::friction",
-            "patch::power",
-            $($more),*
-        ]
+    ($($more:literal),*) => {
+        concat!(
+            "coupling::profile coupling::family coupling::lateral coupling::friction patch::power",
+            $(" ", $more),*
+        )
     };
 }
 use round;
@@ -98,7 +101,7 @@ use round;
 const fn item(
     [group, name]: [&'static str; 2],
     precisions: &'static [&'static str],
-    modules: &'static [&'static str],
+    modules: &'static str,
     code: Code,
 ) -> Item {
     Item {
@@ -111,7 +114,7 @@ const fn item(
 }
 
 /// Names nothing of the kernel.
-pub const BASELINE: Item = item(["baseline", "nothing"], BOTH, &[], Code::new("()", "a + b"));
+pub const BASELINE: Item = item(["baseline", "nothing"], BOTH, "", Code::new("()", "a + b"));
 
 /// All items, the baseline first.
 pub fn all() -> impl Iterator<Item = Item> {

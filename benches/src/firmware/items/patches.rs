@@ -8,7 +8,7 @@ const HERTZ_TABLE: &str = "static TABLE: RoundTable = match RoundTable::new(0.0,
 const fn coupled(
     name: &'static str,
     precisions: &'static [&'static str],
-    modules: &'static [&'static str],
+    modules: &'static str,
     prepare: &'static str,
 ) -> Item {
     item(
@@ -23,7 +23,7 @@ const fn coupled(
 const fn on_nodes(
     name: &'static str,
     precisions: &'static [&'static str],
-    modules: &'static [&'static str],
+    modules: &'static str,
     prepare: &'static str,
 ) -> Item {
     let call = "whole(&object.wrench(given.load, &given.twist))";
@@ -40,89 +40,63 @@ pub const PATCHES: [Item; 10] = [
     item(
         ["patch", "Hertz: table: Coulomb"],
         BOTH,
-        round!["coupling::round", "coupling::side"],
+        round!("coupling::round coupling::side"),
         Code::new("&TABLE", "couple(object, a, b)").with_statics(HERTZ_TABLE),
     ),
     coupled(
         "Hertz: closed",
         NARROW,
-        round!["coupling::closed"],
+        round!("coupling::closed"),
         "closed::Hertz",
     ),
     coupled(
         "punch: closed",
         NARROW,
-        round!["coupling::closed"],
+        round!("coupling::closed"),
         "closed::FlatPunch",
     ),
     coupled(
         "ring: closed",
         NARROW,
-        round!["coupling::closed", "special::elliptic"],
+        round!("coupling::closed special::elliptic"),
         "closed::Ring",
     ),
     coupled(
         "annulus: table: Coulomb",
         NARROW,
-        round!["coupling::annulus", "coupling::table", "coupling::side"],
+        round!("coupling::annulus coupling::table coupling::side"),
         "Annulus::new(table::Coulomb, 0.5 as R).ok()?",
     ),
     coupled(
         "polynomial: table built at run time",
         WIDE,
-        round![
-            "coupling::polynomial",
-            "coupling::side",
-            "coupling::member",
-            "coupling::octave",
-            "special::hypergeometric",
-            "patch::polynomial"
-        ],
+        round!(
+            "coupling::polynomial coupling::side coupling::member coupling::octave special::hypergeometric patch::polynomial"
+        ),
         "round::PolynomialTable::new(0.0, &PolynomialPressure::new([1.0, -2.0, 1.5]).ok()?).ok()?",
     ),
     on_nodes(
         "tripod: Coulomb",
         BOTH,
-        &[
-            "coupling::nodes",
-            "law::coulomb",
-            "patch::nodes",
-            "patch::tripod",
-        ],
+        "coupling::nodes law::coulomb patch::nodes patch::tripod",
         "dry_nodes(tripod([[1.0, 0.0], [-0.5, 0.75], [-0.5, -0.75]], [a, 0.0]).ok()?)?",
     ),
     on_nodes(
         "100 nodes on a disk: Coulomb",
         NARROW,
-        &[
-            "coupling::nodes",
-            "law::coulomb",
-            "patch::nodes",
-            "patch::polar",
-            "patch::gauss_jacobi",
-        ],
+        "coupling::nodes law::coulomb patch::nodes patch::polar patch::gauss_jacobi",
         "dry_nodes(PolarRule::new(1.0 as R, 5, 20).ok()?.nodes::<100>().ok()?)?",
     ),
     on_nodes(
         "ring of 100 nodes: Coulomb",
         NARROW,
-        &[
-            "coupling::nodes",
-            "law::coulomb",
-            "patch::nodes",
-            "patch::polar",
-        ],
+        "coupling::nodes law::coulomb patch::nodes patch::polar",
         "dry_nodes(polar::ring::<R, 100>(1.0 as R, 100).ok()?)?",
     ),
     on_nodes(
         "polygon of 28 nodes: Coulomb",
         NARROW,
-        &[
-            "coupling::nodes",
-            "law::coulomb",
-            "patch::nodes",
-            "patch::polygon",
-        ],
+        "coupling::nodes law::coulomb patch::nodes patch::polygon",
         "dry_nodes(polygon::<R, 28>(&[[1.0, 0.0], [-0.5, 0.75], [-0.5, -a]], 2).ok()?)?",
     ),
 ];

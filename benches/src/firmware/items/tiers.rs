@@ -9,7 +9,7 @@ const HALF_TABLE: &str =
 const fn tier(
     name: &'static str,
     precisions: &'static [&'static str],
-    modules: &'static [&'static str],
+    modules: &'static str,
     prepare: &'static str,
 ) -> Item {
     item(
@@ -25,53 +25,43 @@ pub const TIERS: [Item; 7] = [
     tier(
         "table: Coulomb",
         BOTH,
-        round!["coupling::table", "coupling::side"],
+        round!("coupling::table coupling::side"),
         "table::Coulomb",
     ),
     item(
         [TIER, "table: alpha 0.5"],
         BOTH,
-        round!["coupling::table", "coupling::side"],
+        round!("coupling::table coupling::side"),
         Code::new("&TABLE", "couple(object, a, b)").with_statics(HALF_TABLE),
     ),
     tier(
         "compact: Coulomb",
         BOTH,
-        round!["coupling::compact", "special::elliptic"],
+        round!("coupling::compact special::elliptic"),
         "compact::CompactCoulomb",
     ),
     tier(
         "compact: alpha 0.5",
         BOTH,
-        round![
-            "coupling::compact",
-            "coupling::member",
-            "coupling::octave",
-            "special::hypergeometric"
-        ],
+        round!("coupling::compact coupling::member coupling::octave special::hypergeometric"),
         "compact::CompactPower::new(0.5 as R).ok()?",
     ),
     tier(
         "compact: power alpha 0",
         BOTH,
-        round![
-            "coupling::compact",
-            "coupling::member",
-            "coupling::octave",
-            "special::hypergeometric"
-        ],
+        round!("coupling::compact coupling::member coupling::octave special::hypergeometric"),
         "compact::CompactPower::new(0.0 as R).ok()?",
     ),
     tier(
         "quadrature: Coulomb",
         BOTH,
-        &["coupling::quadrature", "law", "law::coulomb"],
+        "coupling::quadrature law law::coulomb",
         "DiskQuadrature::new(CoulombLaw::new(1.0 as R).ok()?)",
     ),
     tier(
         "quadrature: Stribeck",
         NARROW,
-        &["coupling::quadrature", "law", "law::stribeck", "law::dry"],
+        "coupling::quadrature law law::stribeck law::dry",
         "DiskQuadrature::new(Stribeck::new(StribeckParameters { dry: DryFriction::new(0.5 as R, 0.25).ok()?, speed: 0.5, exponent: 2.0, viscous: 0.125 }).ok()?)",
     ),
 ];

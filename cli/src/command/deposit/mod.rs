@@ -31,18 +31,18 @@ pub struct Arguments {
     /// Side of the square base in radii, at least twice the capture radius.
     #[arg(long, default_value = "20", value_parser = number::positive, allow_negative_numbers = true)]
     width: f64,
-    /// Grow higher and cut at this height in radii, as the thesis' systems were: spheres that reach
-    /// above are taken away.
+    /// Grow higher and cut at this height in radii, as in the thesis: spheres that reach above it
+    /// are removed.
     #[arg(long, value_parser = number::positive, allow_negative_numbers = true)]
     cut: Option<f64>,
     /// Stop with the first sphere whose highest point reaches this height in radii.
     #[arg(long, value_parser = number::positive, allow_negative_numbers = true)]
     height: Option<f64>,
-    /// Stop with so many spheres.
+    /// Stop at this number of spheres.
     #[arg(long)]
     count: Option<usize>,
-    /// Distance of centres, in radii, at which a sphere is captured; at least 2. It moves on until it
-    /// touches.
+    /// Distance of centres, in radii, at which a sphere is captured; at least 2. It then moves on
+    /// until it touches.
     #[arg(long, default_value = "3", value_parser = number::positive, allow_negative_numbers = true)]
     capture_radius: f64,
     /// Radii uniform from 1 - SPREAD to 1 + SPREAD.
@@ -55,12 +55,12 @@ pub struct Arguments {
     /// seeds.
     #[arg(long, conflicts_with_all = ["count", "capture_radius", "spread"])]
     porosity_curve: bool,
-    /// Folder for the results; made if missing. Results of an earlier command in it go away first;
-    /// files that no command of tribos wrote there are never replaced. The folder of a powder's run,
-    /// a tip, a sweep or a report is refused.
+    /// Folder for the results, created if missing. Results of an earlier command in it are removed
+    /// first; files that tribos did not write are never replaced. The folder of a powder's run, a
+    /// tip, a sweep or a report is refused.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Grow it even if it is expected to take more than 4 GB of memory.
+    /// Grow it even if more than 4 GB of memory is expected.
     #[arg(long)]
     allow_large: bool,
 }

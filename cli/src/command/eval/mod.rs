@@ -22,13 +22,13 @@ use units::Units;
 /// Bytes of a file of atoms or of a potential at most.
 const MOST_BYTES: u64 = 4 << 30;
 
-/// Forces, energy, virial and pressure of atoms as a file has them.
+/// Forces, energy, virial and pressure of the atoms in a file.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = MORE)]
 #[command(group(clap::ArgGroup::new("law").required(true).args(["pair", "eam"])))]
 pub struct Arguments {
-    /// Atoms: a LAMMPS data file (atom_style atomic), a LAMMPS text dump or extended XYZ, told by the
-    /// contents; of many frames the last. Boxes must be orthogonal.
+    /// Atoms: a LAMMPS data file (atom_style atomic), a LAMMPS text dump or extended XYZ, recognized
+    /// by its contents. The last of several frames is used. Boxes must be orthogonal.
     config: PathBuf,
     /// Lennard-Jones: lj:cutoff=R[,shift=none|energy|force][,mixing=geometric|arithmetic|sixthpower]
     /// and for species 1, 2 … [,epsilon11=E][,sigma11=S][,cutoff12=R]; epsilon10-2 from ten species on.
@@ -37,19 +37,20 @@ pub struct Arguments {
     /// given are `cutoff`.
     #[arg(long, value_name = "LAW")]
     pair: Option<PairSpec>,
-    /// Embedded atoms from a DYNAMO file: setfl (*.eam.alloy) or funcfl (*.eam), told by its contents.
+    /// Embedded atoms from a DYNAMO file: setfl (*.eam.alloy) or funcfl (*.eam), recognized by its
+    /// contents.
     ///
     /// Species with names are the elements of that name, numbered ones the first, second … of the file.
     #[arg(long, value_name = "FILE")]
     eam: Option<PathBuf>,
-    /// Periodic (p) or open (f) along x, y, z [default: as the file tells; p,p,p for data files].
+    /// Periodic (p) or open (f) along x, y, z [default: as in the file; p,p,p for data files].
     #[arg(long, value_name = "X,Y,Z")]
     boundary: Option<Boundary>,
     /// Units [default: lj, or metal with --eam].
     #[arg(long)]
     units: Option<Units>,
-    /// Folder for the results; made if missing; files of an earlier command in it go away first.
-    /// The folder of a powder, a tip, a sweep or a report is refused.
+    /// Folder for the results, created if missing; files of an earlier command in it are removed
+    /// first. The folder of a powder, a tip, a sweep or a report is refused.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }

@@ -9,11 +9,11 @@ use super::{bodies, scene};
 use crate::failure::Failure;
 use std::path::PathBuf;
 
-/// Says which laws, modes and unknowns a scene will carry and what they cost, so that it models only
-/// what it needs. Costs are measured here and now, in a fraction of a second.
+/// Show which laws, modes and unknowns a scene uses and what they cost, so that it models only what it
+/// needs. Costs are measured on this machine, in a fraction of a second.
 ///
-/// Then it tells where the energy went, and what could be left out: of a sliding body at once, since
-/// its run takes a moment; of a powder or a tip with --out DIR of a finished run.
+/// The energy balance follows, with the parts that could be left out: for a sliding body at once,
+/// since it runs in a moment; for a powder or a tip with --out DIR of a finished run.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -22,7 +22,7 @@ pub struct Arguments {
     /// Replace or add a key of the scene; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Folder of a finished run of this powder or tip: where its energy went.
+    /// Folder of a finished run of this powder or tip, for its energy balance.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }

@@ -79,7 +79,7 @@ fn idle(scene: &PowderScene) -> String {
     line(
         "",
         format!(
-            "{} carried with a coefficient of 0: there is no type without, and it is computed in vain",
+            "{} computed with a coefficient of 0: no type of contact leaves it out",
             idle.join(" and ")
         ),
     )
@@ -186,6 +186,6 @@ fn speed(cost: &PowderCost, modes: CarriedModes) -> String {
     );
     text + &line(
         "",
-        "steps and sweeps follow from the motion: `--out DIR` of a run tells them",
+        "steps and sweeps follow from the motion: `--out DIR` of a run shows them",
     )
 }

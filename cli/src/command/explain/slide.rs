@@ -113,5 +113,5 @@ fn price(cost: &EvaluationCost, with: &str) -> String {
             NANO * cost.seconds,
             cost.seconds / cost.table_seconds
         ),
-    ) + &line("", "the whole run takes a moment")
+    ) + &line("", "the whole run takes less than a second")
 }

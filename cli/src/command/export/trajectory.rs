@@ -10,17 +10,19 @@ use tribos::record::frames::{Bodies, FrameFolder};
 use tribos::record::trajectory::{self, Column, Format, Side, State, Values};
 use tribos::run::folder::{self, Contents, OutputFolder};
 
-/// Of a run, finished or broken off: all frames of a powder or a tip, the path of a body in the plane.
+/// All frames of a powder or a tip, or the path of a body in the plane, from a finished or interrupted
+/// run.
 ///
-/// Written are places in the cell, radii and speeds; the number of contacts of each particle of a
-/// powder, layer and part of each atom of a tip; velocity, spin and angle of a body in the plane.
-/// Frames are as many as `tribos run --frames` kept; their places are known to a 130,000th of the box.
+/// Writes positions in the cell, radii and speeds; the number of contacts of each particle of a
+/// powder, the layer and part of each atom of a tip, or the velocity, spin and angle of a body in the
+/// plane. It has the frames that `tribos run --frames` kept, with positions exact to a 130,000th of
+/// the box.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = super::EXAMPLES)]
 pub struct Trajectory {
     /// The folder of the run.
     run: PathBuf,
-    /// Folder for the files; made if missing; an export of another run in it goes away first.
+    /// Folder for the files, created if missing; an export of another run in it is removed first.
     /// [default: that of the run]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -80,7 +82,7 @@ impl Trajectory {
         let steps = FrameFolder::steps(frames)?;
         if steps.is_empty() {
             return Err(Failure::input(format!(
-                "{}: no frame is there yet; let the run go on to its first checkpoint",
+                "{}: there is no frame yet; let the run continue to its first checkpoint",
                 frames.display()
             )));
         }

@@ -14,16 +14,16 @@ use tribos::fit::{LawName, Options, fit_watched, law_model};
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos_report::image;
 
-/// Fits a law of the kernel to measured friction by least squares and prints its parameters with
-/// standard errors, what the data do not tell, and how many of several starts agree.
+/// Fit a friction law to measurements by least squares and print its parameters with standard errors,
+/// the parameters that the data do not determine, and how many of several starts agree.
 ///
 /// The header of the file decides: `v,f` is friction f of steady sliding at speeds v [m/s]; `t,v,f`
 /// is a record over time [s], for laws with a memory (lugre, rate-state). A column `sigma` with the
 /// standard deviation of f gives points their weights. f is a coefficient, or a force [N] that --load
 /// makes a coefficient; forces of lugre may stay forces.
 ///
-/// Of more than 4,000 points the starts search a sample of about 2,000, and the minima that are alike
-/// on it are refined on all points. What takes longer than two seconds says how far it is.
+/// With more than 4,000 points the starts search a sample of about 2,000, and the distinct minima
+/// found on it are refined on all points. A fit longer than two seconds reports its progress.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -35,17 +35,17 @@ pub struct Arguments {
         LawName::ALL.map(|(_, name, help)| (name, help)),
     ))]
     law: LawName,
-    /// Load [N] at which forces were measured: friction is divided by it.
+    /// Load [N] at which forces were measured; friction is divided by it.
     #[arg(long, value_name = "N", value_parser = super::number::positive)]
     load: Option<f64>,
     /// Keep a parameter at a value; may be repeated.
     #[arg(long = "fix", value_name = "NAME=VALUE", value_parser = fixed)]
     fixed: Vec<(String, f64)>,
-    /// Starts of the search, spread over what the data leave open.
+    /// Number of starts of the search, spread over the range that the data allow.
     #[arg(long, default_value = "16", value_parser = starts)]
     starts: NonZero<usize>,
-    /// Folder for fit.toml, covariance.csv, residuals.csv, fit.svg and fit.png; made if missing;
-    /// files of an earlier command in it go away first.
+    /// Folder for fit.toml, covariance.csv, residuals.csv, fit.svg and fit.png, created if
+    /// missing; files of an earlier command in it are removed first.
     /// The folder of a powder, a tip, a sweep or a report is refused.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,

@@ -109,7 +109,7 @@ impl Report<'_> {
             text += "warning       only one start ended there; try more --starts, or --fix a parameter\n";
         }
         if !fit.converged {
-            text += "warning       the search did not come to its end: standard errors are rough\n";
+            text += "warning       the search did not converge: standard errors are rough\n";
         }
         text
     }
@@ -128,9 +128,9 @@ impl Report<'_> {
             }
         }
         let told = groups.iter().map(|group| match group.as_slice() {
-            [name] => format!("warning       the data say nothing of {name}; give --fix {name}=VALUE\n"),
+            [name] => format!("warning       the data do not determine {name}; give --fix {name}=VALUE\n"),
             names => format!(
-                "warning       the data tell only a combination of {}; give --fix NAME=VALUE for one\n",
+                "warning       the data determine only a combination of {}; give --fix NAME=VALUE for one\n",
                 names.join(" and ")
             ),
         });

@@ -15,19 +15,19 @@ use tribos::record::write_atomically;
 use tribos::slide::inverse::{Launches, Limits, Pose, RestMap, Turns};
 use tribos_report::image::Drawing;
 
-/// Every launch (speed, direction, spin) after which a flat body comes to rest at the wanted pose,
-/// by rising kinetic energy. The body starts at the origin with angle 0 and slides under the local
+/// Find every launch (speed, direction, spin) after which a flat body comes to rest at the wanted
+/// pose, in order of kinetic energy. The body starts at the origin with angle 0 and slides under the local
 /// law `coefficient` * |v|^`alpha`, alpha < 1.
 ///
-/// A pose that no launch within the limits reaches is refused with exit code 2; the message says
-/// what it would take and how far the limits reach.
+/// A pose that no launch within the limits reaches is refused with exit code 2; the message gives
+/// the launch that it would need and the reach of the limits.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
-    /// Where it shall rest, first coordinate [m].
+    /// First coordinate of the position at rest [m].
     #[arg(long, value_parser = number::finite, allow_negative_numbers = true)]
     x: f64,
-    /// Where it shall rest, second coordinate [m].
+    /// Second coordinate of the position at rest [m].
     #[arg(long, value_parser = number::finite, allow_negative_numbers = true)]
     y: f64,
     /// Angle at rest [rad, or with the suffix deg].
@@ -64,8 +64,8 @@ pub struct Arguments {
     /// Largest spin of a launch, in either sense [rad/s].
     #[arg(long, value_parser = number::not_negative, allow_negative_numbers = true)]
     max_spin: f64,
-    /// Most launches that are worked out and listed, those with the fewest turns, up to 100000; how
-    /// many there are is always said.
+    /// Largest number of launches that are computed and listed, those with the fewest turns, up to
+    /// 100000; the total number is always printed.
     #[arg(long, value_name = "N", default_value = "1000", value_parser = most)]
     most: u64,
     /// Add the derivatives of the pose (x, y, angle) by the launch (vx, vy, spin).
@@ -74,7 +74,7 @@ pub struct Arguments {
     /// Output format.
     #[arg(long, default_value = "text")]
     format: Format,
-    /// Draw what the limits reach, distance against turns, with the solutions: FILE.svg or
+    /// Draw the poses within the limits, distance against turns, with the solutions: FILE.svg or
     /// FILE.png.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,

@@ -1,20 +1,21 @@
 //! Bodies that slide along a path in the plane.
 
-use super::{begin, files};
+use super::files;
+use super::order::Order;
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::record::write_series;
-use tribos::run::folder::Broken;
 use tribos::slide::planar::Ending;
 use tribos::slide::{PATH_COLUMNS, PathRun, PlanarScene, run_path};
 use tribos_report::figure::{Axis, Figure, Series};
 use tribos_report::image;
 
 /// Runs the scene and writes its results into the folder.
-pub fn run(scene: &dyn PlanarScene, out: &Path, broken: Broken) -> Result<(), Failure> {
+pub fn run(scene: &dyn PlanarScene, order: &Order<'_>) -> Result<(), Failure> {
+    let out = order.out;
     let result = run_path(scene)?;
-    let folder = begin(out, scene.json(), files::PATH, broken)?;
+    let folder = order.begin(scene.json(), files::PATH)?;
     let rows = result
         .series
         .iter()

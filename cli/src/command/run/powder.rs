@@ -2,18 +2,38 @@
 
 mod output;
 
-pub use output::{report, write};
-
-use super::size;
+use super::order::Order;
+use super::{files, size};
 use crate::command::interrupt;
 use crate::command::progress::Meter;
 use crate::failure::Failure;
+use output::{report, write};
 use tribos::powder::{self, Compaction, CompactionError};
-use tribos::run::{RunError, Session, Simulation};
+use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
 use tribos::scene::PowderScene;
 
+/// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
+pub fn run(scene: &PowderScene, order: &Order<'_>) -> Result<(), Failure> {
+    let size = tribos::powder::size(scene);
+    size::check(&size, "spheres", order.allowed)?;
+    // All refusals come before the folder is touched.
+    Compaction::check(scene)?;
+    let Some((folder, start)) = order.long(scene.json(), files::POWDER)? else {
+        return Ok(());
+    };
+    // After its end an interruption costs no more than the results.
+    let compaction =
+        simulate(scene, order.session(start, &folder)).map_err(|error| order.failure(error))?;
+    folder.remove(files::is_made_from_frames)?;
+    let outcome = compaction.outcome();
+    write(scene, &compaction, &outcome, &folder)?;
+    folder.check()?;
+    forget_checkpoint(order.out)?;
+    report(&outcome, order.out)
+}
+
 /// Runs the scene to its end and says how far it is.
-pub fn simulate(
+fn simulate(
     scene: &PowderScene,
     session: Session<'_, Compaction>,
 ) -> Result<Compaction, RunError<CompactionError>> {
@@ -26,7 +46,7 @@ pub fn simulate(
         .on_growth(|spheres| {
             if growth.is_due(0.0) {
                 growth.tell_open(format_args!(
-                    "deposit: {spheres} spheres have fallen, about {:.0} will stay below the cut",
+                    "deposit: {spheres} spheres have fallen, about {:.0} will be below the cut",
                     size.bodies
                 ));
             }

@@ -1,24 +1,40 @@
 //! Tips turned on a substrate.
 
+use super::order::Order;
+use super::{files, size};
 use crate::command::digits::shown;
 use crate::command::interrupt;
 use crate::command::progress::Meter;
-use crate::command::run::{files, size};
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::record;
 use tribos::run::folder::OutputFolder;
-use tribos::run::{RunError, Session, Simulation};
+use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
 use tribos::scene::TipScene;
 use tribos::tip::{self, Outcome, TipError, TipRun, Verdict, export};
 use tribos_report::image;
 use tribos_report::runs::tip as picture;
 
+/// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
+pub fn run(scene: &TipScene, order: &Order<'_>) -> Result<(), Failure> {
+    size::check(&tip::size(scene), "atoms", order.allowed)?;
+    // All refusals come before the folder is touched.
+    tip::build(scene).map_err(TipError::Build)?;
+    let Some((folder, start)) = order.long(scene.json(), files::TIP)? else {
+        return Ok(());
+    };
+    // After its end an interruption costs no more than the results.
+    let run =
+        simulate(scene, order.session(start, &folder)).map_err(|error| order.failure(error))?;
+    folder.remove(files::is_made_from_frames)?;
+    write(scene, &run, &folder)?;
+    folder.check()?;
+    forget_checkpoint(order.out)?;
+    report(&run.outcome(), order.out)
+}
+
 /// Runs the scene to its end and says how far it is.
-pub fn simulate(
-    scene: &TipScene,
-    session: Session<'_, TipRun>,
-) -> Result<TipRun, RunError<TipError>> {
+fn simulate(scene: &TipScene, session: Session<'_, TipRun>) -> Result<TipRun, RunError<TipError>> {
     let size = tip::size(scene);
     crate::command::tell(format_args!("{}", size::told(&size, "atoms")));
     let mut meter = Meter::new();
@@ -45,7 +61,7 @@ pub fn write_series(run: &TipRun, out: &Path) -> Result<(), Failure> {
 }
 
 /// Writes series, pictures, the first and the last state and at last the summary.
-pub fn write(scene: &TipScene, run: &TipRun, folder: &OutputFolder) -> Result<(), Failure> {
+fn write(scene: &TipScene, run: &TipRun, folder: &OutputFolder) -> Result<(), Failure> {
     folder.add(files::TIP)?;
     let out = folder.path();
     let outcome = run.outcome();
@@ -74,7 +90,7 @@ pub fn write(scene: &TipScene, run: &TipRun, folder: &OutputFolder) -> Result<()
 }
 
 /// A few lines for the person at the terminal.
-pub fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
+fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
     let verdict = match outcome.verdict {
         Verdict::Reversible => "reversible: the driven layers turned back",
         Verdict::Irreversible => "irreversible: the driven layers did not turn back",

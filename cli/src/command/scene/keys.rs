@@ -48,7 +48,7 @@ fn all() -> String {
             needed.join(", ")
         );
     }
-    text + "`tribos scene keys BODY` tells them, `tribos scene new BODY` starts a file with all of them.\n"
+    text + "`tribos scene keys BODY` lists them, `tribos scene new BODY` starts a file with all of them.\n"
 }
 
 /// A line a key.

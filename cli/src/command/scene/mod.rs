@@ -15,9 +15,9 @@ use tribos::record::write_atomically;
 use tribos::scene::{Vocabulary, bodies, schema, vocabulary};
 
 /// Scenes that come with the program: list and show them, start your own from one, check a file, and
-/// tell an editor what may stand in it.
+/// write a schema for editors.
 ///
-/// Wherever a command takes a scene it takes the name of one of these as well.
+/// Every command that takes a scene file also takes one of these names.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {

@@ -29,7 +29,7 @@ impl New {
             .unwrap_or_else(|| format!("{}.toml", self.from).into());
         if path.symlink_metadata().is_ok() {
             return Err(Failure::input(format!(
-                "{} is there already; name another file with --out",
+                "{} exists already; name another file with --out",
                 path.display()
             )));
         }

@@ -65,7 +65,7 @@ pub fn run(tasks: &[&Task], asked: Option<usize>, lock: &Lock) -> Result<(), Fai
     let progress = Progress::start(possible, kept, share.jobs);
     for task in missing.iter().filter(|task| task.is_changed()) {
         crate::command::tell(format_args!(
-            "{}: its summary is not as the run left it; the run is taken again",
+            "{}: its summary was changed after the run; the run is repeated",
             task.name
         ));
     }
@@ -94,7 +94,7 @@ pub fn run(tasks: &[&Task], asked: Option<usize>, lock: &Lock) -> Result<(), Fai
     let done = format!("{} of {} runs are done.", progress.done(), tasks.len());
     if interrupt::is_asked() {
         return Err(Failure::Interrupted(format!(
-            "interrupted; {done} The others go on from where they are with the same command."
+            "interrupted; {done} The same command continues the others where they stopped."
         )));
     }
     let first = failures.into_iter().next();
@@ -129,7 +129,7 @@ impl Task {
             Attempt::Taken(lock) => Arc::new(lock),
             Attempt::InUse(told) => {
                 return Err(Failure::run(format!(
-                    "{told}; when that has ended, the same command goes on"
+                    "{told}; when it has ended, the same command continues"
                 )));
             }
         };

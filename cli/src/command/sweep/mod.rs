@@ -1,10 +1,9 @@
 //! `tribos sweep`: a scene run for all combinations of some keys and seeds.
 
-pub mod body;
+mod body;
 mod frame;
 mod grid;
 mod jobs;
-pub mod kind;
 mod output;
 #[cfg(feature = "parquet")]
 mod parquet;
@@ -37,15 +36,16 @@ use tribos::run::folder::{Attempt, Contents, Lock, Manifest, OutputFolder, Shari
 /// each there is a surface, of one a line, of the final porosity, angle, distance or curl: sweep.svg
 /// and sweep.png.
 ///
-/// Every run leaves its summary in DIR/runs. A sweep that was interrupted goes on where it stopped:
-/// runs whose summary is there are not taken again.
+/// Every run writes its summary to DIR/runs. An interrupted sweep continues where it stopped: runs
+/// with a summary are not repeated.
 ///
 /// A combination that is refused or fails, such as a body that tips or a tip that blows up, has a row
-/// that says why in the column `refusal`, and the others run; the exit code is 0 unless all are refused. A value that is refused
-/// in every combination is bad input: nothing runs, and the exit code is 2.
+/// with the reason in the column `refusal`, and the others run; the exit code is 0 unless all are
+/// refused. A value that is refused in every combination is bad input: nothing runs, and the exit code
+/// is 2.
 ///
-/// DIR/sweep.json is the plan: the scene's text and the keys. Other machines take a part of it,
-/// and a cluster a job array; then one command merges. See docs/sweeps.md.
+/// DIR/sweep.json is the plan: the scene's text and the keys. Other machines can each run a
+/// part of it, or a cluster a job array; then one command merges the tables. See docs/sweeps.md.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -63,20 +63,20 @@ pub struct Arguments {
     /// Runs at a time; as many as there are cores if left out. Their threads share the cores.
     #[arg(long, conflicts_with_all = ["merge", "slurm"])]
     jobs: Option<NonZero<usize>>,
-    /// Folder for the results; made if missing. Results of another command in it go away first, but
-    /// for those of a powder, a tip or a report.
+    /// Folder for the results, created if missing. Results of another command in it are removed
+    /// first; the folder of a powder, a tip or a report is refused.
     #[arg(long, value_name = "DIR", conflicts_with_all = ["plan", "merge"])]
     out: Option<PathBuf>,
-    /// Take the sweep that DIR/sweep.json plans, instead of a scene.
+    /// Run the sweep planned in DIR/sweep.json instead of a scene.
     #[arg(long, value_name = "DIR", conflicts_with_all = ["scene", "merge"])]
     plan: Option<PathBuf>,
-    /// Take only part I of K, counted from 0; tables are made by --merge.
+    /// Run only part I of K, counted from 0; --merge makes the tables.
     #[arg(long, value_name = "I/K", conflicts_with_all = ["merge", "slurm"])]
     part: Option<Part>,
-    /// Make the tables of a sweep whose parts are done; names the runs that are missing.
+    /// Make the tables of a sweep whose parts are finished; missing runs are listed.
     #[arg(long, value_name = "DIR", conflicts_with = "scene")]
     merge: Option<PathBuf>,
-    /// Run nothing here: write a job array for Slurm, DIR/job.sh.
+    /// Write a job array for Slurm, DIR/job.sh, and run nothing.
     #[arg(long, requires = "scene")]
     slurm: bool,
     /// Tasks of the array, each with its part of the runs; one a run, at most 100, if left out.
@@ -123,7 +123,7 @@ Examples:
 /// How long a part waits for others that begin in its folder, and between two looks.
 const PATIENCE: Duration = Duration::from_secs(5);
 const PAUSE: Duration = Duration::from_millis(20);
-const GO_ON: &str = "Then give the same command again: runs that are done are not taken again.";
+const GO_ON: &str = "Then give the same command again: finished runs are not repeated.";
 
 impl Arguments {
     /// Runs, writes and prints.

@@ -68,7 +68,7 @@ pub fn complete(
     for task in missing.iter().take(MOST_NAMES) {
         text += &format!("\n  {}", task.name);
         if task.is_changed() {
-            text += " (its summary is not as the run left it)";
+            text += " (its summary was changed after the run)";
         }
     }
     if let Some(more) = missing
@@ -79,7 +79,7 @@ pub fn complete(
         text += &format!("\n  and {more} more");
     }
     text += &format!(
-        "\nTake them here with `tribos sweep --plan {}`, or start their part again.",
+        "\nRun them here with `tribos sweep --plan {}`, or start their part again.",
         out.display()
     );
     Err(Failure::run(text))

@@ -65,7 +65,7 @@ impl Plan {
         }
         Self::of(&value).ok_or_else(|| {
             Failure::input(format!(
-                "{name}: not a plan of a sweep; make it anew with `tribos sweep SCENE --set … --out DIR`"
+                "{name}: not a plan of a sweep; make a new one with `tribos sweep SCENE --set … --out DIR`"
             ))
         })
     }

@@ -2,8 +2,8 @@
 
 use super::frame::{Cells, Column, add, scalar};
 use super::grid::Grid;
-use super::kind::Kind;
 use super::refusal;
+use crate::command::bodies::Kind;
 use crate::command::digits::shown;
 use serde_json::Value;
 use tribos::powder::deposit::curve::statistics;

@@ -36,13 +36,7 @@ pub fn film(folder: &Path, scene: &Value, run: &Manifest) -> Result<Film, Failur
         parameters: parameters(name, scene, is_si),
     };
     let rows = rows(&folder.join("series.csv"), run)?;
-    let title = match name {
-        "disk" => "A disk that slides and spins to rest",
-        "cylinder" => "A tall cylinder that slides and spins to rest",
-        "pipe" => "An upright pipe that slides and spins to rest",
-        "curling" => "A curling rock",
-        other => other,
-    };
+    let title = vocabulary(name).map_or(name, |known| known.title);
     let kind = scene["model"].as_str();
     let title = kind.map_or(title.into(), |model| format!("{title}, model {model}"));
     Ok(path_film(&title, &body, &rows))
@@ -85,7 +79,7 @@ pub fn rows(file: &Path, run: &Manifest) -> Result<Vec<Row>, Failure> {
     };
     let text = read_text(file, MOST_BYTES).map_err(|error| named(&error))?;
     if !run.is_of("series.csv", text.as_bytes()) {
-        return Err(named(&"not as the run of this folder left it"));
+        return Err(named(&"changed after the run of this folder"));
     }
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let head = reader.headers().map_err(|error| named(&error))?.clone();

@@ -31,7 +31,7 @@ pub fn text(scene: &PowderScene, out: &Path, command: &str) -> Result<String, Fa
     );
     text += &line(
         "energy",
-        "where the work went, of all that was exchanged at contacts:",
+        "energy balance, as shares of all energy exchanged at contacts:",
     );
     for (part, energy) in PARTS.iter().zip(parts) {
         let gave = if energy < 0.0 { "  (gave energy)" } else { "" };

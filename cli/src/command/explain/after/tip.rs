@@ -63,7 +63,7 @@ fn spare(summary: &Value) -> String {
     line(
         "could go",
         format!(
-            "the driven layers stood at {:.2} degrees from {:.0} tau on: --set drive_time={enough} tells the same",
+            "the driven layers stayed at {:.2} degrees after {:.0} tau: --set drive_time={enough} shows the same",
             number(last, "/angle_degrees"),
             number(last, "/from")
         ),

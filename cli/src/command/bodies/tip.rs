@@ -1,0 +1,73 @@
+//! Tips turned on a substrate.
+
+use super::kind::{Kind, told};
+use super::unfinished::session;
+use super::{Commands, Unfinished};
+use crate::command::digits::shown;
+use crate::command::explain::{after, tip as text};
+use crate::command::run::order::Order;
+use crate::command::run::size::{Allowed, check};
+use crate::command::run::tip;
+use crate::failure::Failure;
+use serde_json::Value;
+use std::path::Path;
+use std::sync::Arc;
+use tribos::run::folder::Lock;
+use tribos::scene::TipScene;
+use tribos::tip::TipRun;
+
+/// Tips.
+static KIND: Kind = Kind {
+    quantities: &[
+        ("final_angle", "/final_angle_degrees"),
+        ("driven_angle", "/driven_angle_degrees"),
+        ("largest_angle", "/largest_angle_degrees"),
+        ("tip_temperature", "/tip_temperature"),
+    ],
+    drawn: ["Angle after the drive", "final angle [degree]"],
+    share: ["reversible", "/verdict", "reversible"],
+    told: &[
+        told("final angle [deg]", 0, 1.0),
+        told("driven [deg]", 1, 1.0),
+        told("largest [deg]", 2, 1.0),
+        told("tip T [eps/k_B]", 3, 1.0),
+    ],
+};
+
+impl Commands for &TipScene {
+    fn is_long(&self) -> bool {
+        true
+    }
+
+    fn simulate(&self, order: &Order<'_>) -> Result<(), Failure> {
+        tip::run(self, order)
+    }
+
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+
+    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
+        check(&tribos::tip::size(self), "atoms", Allowed::Usual).map_err(Unfinished::Refused)?;
+        let run: TipRun = session(lock).run(*self)?;
+        let outcome = run.outcome();
+        let written = lock.check().map_err(Failure::from);
+        written
+            .and_then(|()| tip::write_series(&run, lock.folder()))
+            .map_err(Unfinished::Stopped)?;
+        let told = format!(
+            "{} degrees driven, {} after it",
+            shown(outcome.driven_angle),
+            shown(outcome.final_angle)
+        );
+        Ok((outcome.json(self), told))
+    }
+
+    fn explanation(&self) -> Result<String, Failure> {
+        text::text(self)
+    }
+
+    fn account(&self, out: Option<&Path>, _: &str) -> Result<String, Failure> {
+        out.map_or(Ok(String::new()), |out| after::tip(self, out))
+    }
+}

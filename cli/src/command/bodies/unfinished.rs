@@ -1,0 +1,41 @@
+//! Runs of a sweep: how they start, and why one ends without a summary.
+
+use crate::command::interrupt;
+use crate::failure::Failure;
+use std::error::Error;
+use std::sync::Arc;
+use tribos::run::folder::Lock;
+use tribos::run::{LongRun, RunError, Session, Start};
+use tribos::slide::SlideError;
+
+/// Why there is no result.
+pub enum Unfinished {
+    /// The scene cannot be run: the same every time.
+    Refused(Failure),
+    /// Something other than the scene.
+    Stopped(Failure),
+}
+
+impl<E: Error + Into<Failure>> From<RunError<E>> for Unfinished {
+    fn from(error: RunError<E>) -> Self {
+        match error {
+            RunError::Scene(error) => Self::Refused(error.into()),
+            error => Self::Stopped(error.into()),
+        }
+    }
+}
+
+impl From<SlideError> for Unfinished {
+    fn from(error: SlideError) -> Self {
+        Self::Refused(error.into())
+    }
+}
+
+/// A run without frames, resumed if it can be.
+pub fn session<R: LongRun>(lock: &Arc<Lock>) -> Session<'_, R> {
+    Session::under(lock.clone(), lock.folder())
+        .start(Start::ResumeIfPossible)
+        .frames(0)
+        .without_final_checkpoint()
+        .cancel_when(interrupt::is_asked)
+}

@@ -1,0 +1,90 @@
+//! Disks on a straight path.
+
+use super::files;
+use super::order::Order;
+use crate::command::digits::shown;
+use crate::command::progress::Meter;
+use crate::failure::Failure;
+use std::path::Path;
+use tribos::record::write_series;
+use tribos::scene::{SliderScene, Units};
+use tribos::slide::{self, COLUMNS, SlideRun};
+use tribos_report::figure::{Axis, Figure, Guide, Series};
+use tribos_report::image;
+
+/// Runs the scene and writes its results into the folder.
+pub fn run(scene: &SliderScene, order: &Order<'_>) -> Result<(), Failure> {
+    let mut meter = Meter::new();
+    let result = slide::run(scene, |done| {
+        if meter.is_due(done) {
+            meter.tell(done, format_args!("sliding"));
+        }
+    })?;
+    let folder = order.begin(scene.json(), files::DISK)?;
+    let rows = result.series.iter().map(<[f64; COLUMNS.len()]>::as_slice);
+    write_series(&order.out.join("series.csv"), &COLUMNS, rows)?;
+    image::write_both(order.out, "motion", &figure(scene, &result))?;
+    folder.seal(&["series.csv"])?;
+    // Last: a summary stands only beside complete results.
+    let summary = format!("{:#}\n", result.outcome.json(scene));
+    folder.write("summary.json", summary.as_bytes())?;
+    report(scene, &result, order.out)
+}
+
+/// A few lines for the person at the terminal.
+fn report(scene: &SliderScene, result: &SlideRun, out: &Path) -> Result<(), Failure> {
+    let outcome = &result.outcome;
+    let (s, m) = match scene.units {
+        Units::Si => (" s", " m"),
+        Units::Dimensionless => ("", ""),
+    };
+    crate::command::print(&format!(
+        "ending        {:?} after {} steps\n\
+         time          {}{s}\n\
+         distance      {}{m}\n\
+         angle         {} rad\n\
+         final ratio   {}\n\
+         energy error  {:.1e} of the initial energy\n\
+         written to    {}\n",
+        outcome.ending,
+        outcome.steps,
+        shown(outcome.time),
+        shown(outcome.distance),
+        shown(outcome.angle),
+        shown(outcome.ratio),
+        outcome.energy_error,
+        out.display()
+    ))
+}
+
+/// Sliding and rim speed over time.
+fn figure(scene: &SliderScene, result: &SlideRun) -> Figure {
+    let unit = match scene.units {
+        Units::Si => [" [s]", " [m/s]"],
+        Units::Dimensionless => ["", " [√(gR)]"],
+    };
+    let curve = |value: &dyn Fn(&[f64; COLUMNS.len()]) -> f64| {
+        result
+            .series
+            .iter()
+            .map(|row| (row[0], value(row)))
+            .collect::<Vec<_>>()
+    };
+    let figure = Figure::new(
+        match scene.law {
+            Some(law) => format!("Sliding and spinning to rest, {law}"),
+            None => format!("Sliding and spinning to rest, α = {}", scene.alpha),
+        },
+        Axis::linear(format!("time{}", unit[0])),
+        Axis::linear(format!("speed{}", unit[1])),
+    )
+    .series(Series::line("sliding, v", curve(&|row| row[1])))
+    .series(Series::line(
+        "rim, |ω|R",
+        curve(&|row| (row[2] * scene.radius).abs()),
+    ));
+    match result.outcome.ending {
+        slide::Ending::Rest => figure.guide(Guide::vertical(result.outcome.time, "rest")),
+        _ => figure,
+    }
+}

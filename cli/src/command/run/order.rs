@@ -1,0 +1,154 @@
+//! A run as it was asked for: its folder, and how it starts and goes on.
+
+use super::files;
+use super::size::Allowed;
+use crate::command::interrupt;
+use crate::failure::Failure;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use tribos::record::CheckpointError;
+use tribos::run::folder::{Broken, Contents, Lock, Manifest, OutputFolder, Sharing, is_finished};
+use tribos::run::{CHECKPOINT, LongRun, RunError, Session, Start, read_checkpoint};
+
+/// The command's name in the folders that it writes.
+pub const COMMAND: &str = "run";
+
+/// What the command line asks of a run.
+#[derive(Debug)]
+pub struct Order<'a> {
+    /// Folder for the results.
+    pub out: &'a Path,
+    /// What becomes of a run in the folder that was broken off.
+    pub broken: Broken,
+    /// Whether a run in the folder goes on.
+    pub resume: bool,
+    /// Time between checkpoints.
+    pub pause: Duration,
+    /// Largest number of frames.
+    pub frames: Option<u64>,
+    /// Which sizes are run.
+    pub allowed: Allowed,
+}
+
+impl<'a> Order<'a> {
+    /// The folder of a run that starts.
+    pub fn begin(&self, scene: Value, files: &[&str]) -> Result<OutputFolder, Failure> {
+        let contents = Contents {
+            about: scene,
+            broken: self.broken,
+            ..Contents::of(COMMAND, files)
+        };
+        Ok(OutputFolder::begin(self.out, &contents)?)
+    }
+
+    /// A long run in its folder.
+    pub fn session<R: LongRun>(&self, start: Start, folder: &OutputFolder) -> Session<'a, R> {
+        let session = Session::under(folder.lock().clone(), self.out)
+            .start(start)
+            .checkpoint_every(self.pause);
+        match self.frames {
+            Some(limit) => session.frames(limit),
+            None => session,
+        }
+    }
+
+    /// A run that was interrupted says how to go on.
+    pub fn failure<E: std::error::Error + Into<Failure>>(&self, error: RunError<E>) -> Failure {
+        match error {
+            RunError::Cancelled(step) => {
+                interrupt::ended(self.out, &format!("interrupted after step {step}"))
+            }
+            other => other.into(),
+        }
+    }
+
+    /// The folder of a long run, and where the run starts; none if it is finished.
+    pub fn long(
+        &self,
+        scene: Value,
+        later: &[&str],
+    ) -> Result<Option<(OutputFolder, Start)>, Failure> {
+        interrupt::watch()?;
+        let contents = Contents {
+            about: scene,
+            later,
+            broken: self.broken,
+            ..Contents::of(COMMAND, files::UNDER_WAY)
+        };
+        if !self.resume {
+            let folder = OutputFolder::begin(self.out, &contents)?;
+            return Ok(Some((folder, Start::Fresh)));
+        }
+        if !self.out.is_dir() {
+            read_checkpoint(&checkpoint(self.out))?;
+        }
+        let lock = Lock::take(self.out, Sharing::Alone)?;
+        let Some(start) = self.start(&contents.about)? else {
+            let out = self.out.display();
+            crate::command::print(&format!("finished already; its results are in {out}\n"))?;
+            return Ok(None);
+        };
+        let folder = OutputFolder::go_on_with(lock, &contents)?;
+        // What was made from the frames of the unfinished run is out of date.
+        folder.remove(files::is_made_from_frames)?;
+        Ok(Some((folder, start)))
+    }
+
+    /// Where a run that goes on starts: broken off before its first checkpoint at the beginning, and
+    /// nowhere if it is finished.
+    fn start(&self, scene: &Value) -> Result<Option<Start>, Failure> {
+        let file = checkpoint(self.out);
+        let begun = Manifest::read(self.out)?.filter(|begun| begun.command == COMMAND);
+        match begun {
+            Some(begun) if file.exists() => same_scene(&begun.about, scene)?,
+            Some(begun) if is_finished(self.out) => {
+                same_scene(&begun.about, scene)?;
+                return Ok(None);
+            }
+            Some(begun) if begun.about == *scene => {
+                crate::command::tell(format_args!(
+                    "no checkpoint yet: starting from the beginning"
+                ));
+                return Ok(Some(Start::Fresh));
+            }
+            None if file.exists() => {}
+            _ => {
+                read_checkpoint(&file)?;
+            }
+        }
+        Ok(Some(Start::Resume))
+    }
+}
+
+/// Refuses to go on with another scene than the folder's.
+fn same_scene(kept: &Value, given: &Value) -> Result<(), Failure> {
+    let empty = serde_json::Map::new();
+    let [there, here] = [kept, given].map(|scene| scene.as_object().unwrap_or(&empty));
+    let mut keys = here.keys().chain(there.keys());
+    let Some(key) = keys.find(|key| there.get(*key) != here.get(*key)) else {
+        return Ok(());
+    };
+    let told = |value: Option<&Value>| value.map_or("missing".into(), Value::to_string);
+    Err(Failure::input(CheckpointError::Scene {
+        key: key.clone(),
+        kept: told(there.get(key)),
+        given: told(here.get(key)),
+    }))
+}
+
+/// The checkpoint of a folder.
+fn checkpoint(out: &Path) -> PathBuf {
+    out.join(CHECKPOINT)
+}
+
+/// What to do once a full disk has room: a long run loses what it did since its checkpoint.
+pub fn how_to_go_on(out: &Path) -> String {
+    let file = checkpoint(out);
+    if file.exists() {
+        let name = file.display();
+        format!("Then continue from {name}: the same command with --resume.")
+    } else {
+        "Then give the same command again: there is no checkpoint yet.".into()
+    }
+}
