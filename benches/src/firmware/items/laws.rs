@@ -49,7 +49,7 @@ pub const LAWS: [Item; 14] = [
     ),
     law(
         "Savkoor",
-        &["law::savkoor"],
+        "law::savkoor",
         "Savkoor::new(SavkoorParameters { mu_base: 0.625, mu_max: 1.25, speed: b, narrowness: 0.5 }).ok()?",
         "object.friction(a)",
     ),
