@@ -6,6 +6,7 @@ use tribos_core::contact::TouchError;
 use tribos_core::law::LawError;
 use tribos_core::manifold::ManifoldError;
 use tribos_core::patch::PatchError;
+use tribos_core::patch::outline::OutlineError;
 
 /// 0 if all went well; else the result was left as it was, and this tells why.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -234,6 +235,11 @@ impl From<Error> for tribos_status {
         match error {
             Error::Law(error) => error.into(),
             Error::Patch(error) => error.into(),
+            // C has no function yet that checks an outline.
+            Error::Outline(OutlineError::Corners { .. }) => Self::Corners,
+            Error::Outline(OutlineError::Position { .. }) => Self::NodePosition,
+            Error::Outline(OutlineError::Room { .. }) => Self::Full,
+            Error::Outline(_) => Self::Hidden,
             Error::Touch(error) => error.into(),
             Error::Manifold(ManifoldError::Full { .. }) => Self::Full,
             Error::Manifold(_) => Self::Choice,

@@ -43,6 +43,8 @@ pub enum Patch {
     Polynomial(Vec<f64>),
     /// Points with weights, from a file. They have no axis: only nodes serve them.
     Points(PathBuf),
+    /// A patch with straight edges, in m. It has no axis; dry friction on it is exact.
+    Flat(FlatPatch),
 }
 
 /// Most coefficients of a polynomial pressure.
@@ -60,6 +62,9 @@ impl Patch {
         ("power:Q", "(1 - r^2)^Q"),
         ("polynomial:a0,a1,...", "a0 + a1 r^2 + ..."),
         ("points:FILE", "a CSV file with columns x, y, weight"),
+        FlatPatch::SYNTAX[0],
+        FlatPatch::SYNTAX[1],
+        FlatPatch::SYNTAX[2],
     ];
 
     /// A band of uniform pressure from `inner_ratio` to 1 radii; a ring if it is too thin for one.
@@ -80,8 +85,13 @@ impl Patch {
             Self::Punch => Some(PowerPressure::FLAT_PUNCH),
             Self::Paraboloid => Some(PowerPressure::PARABOLOID),
             Self::Power(pressure) => Some(*pressure),
-            Self::Annulus(_) | Self::Polynomial(_) | Self::Points(_) => None,
+            Self::Annulus(_) | Self::Polynomial(_) | Self::Points(_) | Self::Flat(_) => None,
         }
+    }
+
+    /// Whether the friction is the same in all directions.
+    pub fn has_axis(&self) -> bool {
+        !matches!(self, Self::Points(_) | Self::Flat(_))
     }
 
     /// Whether Coulomb friction on it has elementary or elliptic closed forms, which the compact tier
@@ -124,6 +134,7 @@ impl fmt::Display for Patch {
                 write!(f, "polynomial:{}", list.join(","))
             }
             Self::Points(file) => write!(f, "points:{}", file.display()),
+            Self::Flat(patch) => patch.fmt(f),
         }
     }
 }
@@ -188,7 +199,7 @@ fn with_parameters(name: &str, rest: &str, text: &str) -> Result<Patch, Refusal>
         }
         "points" if rest.is_empty() => missing("a CSV file, such as points:feet.csv"),
         "points" => Ok(Patch::Points(rest.into())),
-        _ if FlatPatch::is_named_by(text) => Err(Refusal::NoAxis),
+        _ if FlatPatch::is_named_by(text) => text.parse().map(Patch::Flat),
         _ => {
             let all: Vec<&str> = Patch::SYNTAX.iter().map(|(syntax, _)| *syntax).collect();
             let names = all.iter().filter_map(|syntax| syntax.split(':').next());

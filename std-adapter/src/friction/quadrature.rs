@@ -260,7 +260,7 @@ pub fn pressure_nodes<R: Real>(patch: &Patch, tilt: R) -> Result<Vec<Node<R>>, R
     let lean = |x: R| R::ONE + tilt * x;
     let rule = || rule_of(PolarRule::new(R::ONE, RINGS, ANGLES));
     match patch {
-        Patch::Points(_) => Err(Refusal::NoAxis),
+        Patch::Points(_) | Patch::Flat(_) => Err(Refusal::NoAxis),
         Patch::Ring => {
             let ring = rule_of(polar::ring::<R, NODES>(R::ONE, NODES as u32 / 2))?;
             Ok(leaned(ring.nodes(), lean).collect())

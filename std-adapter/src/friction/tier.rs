@@ -56,7 +56,7 @@ impl Tier {
         law: &Law,
         asked: Option<Self>,
     ) -> Result<Self, Refusal> {
-        if matches!(patch, Patch::Points(_)) {
+        if !patch.has_axis() {
             return Err(Refusal::NoAxis);
         }
         law.made::<R>()?;

@@ -138,7 +138,7 @@ fn smooth<R: Precision, V: Smooth<R>>(
     let is_dry = alpha == 0.0;
     let pressure = patch.pressure().unwrap_or(PowerPressure::UNIFORM);
     match (patch, tier) {
-        (Patch::Points(_), _) => Err(Refusal::NoAxis),
+        (Patch::Points(_) | Patch::Flat(_), _) => Err(Refusal::NoAxis),
         (Patch::Disk, _) => disk(alpha, tier, visitor),
         (_, Tier::Quadrature) => Err(Refusal::NoProfile),
         (Patch::Polynomial(a), _) => R::polynomial(narrow, a, visitor),

@@ -2,6 +2,7 @@
 
 mod contact;
 mod extreme;
+mod flat;
 mod given;
 mod output;
 mod product;
@@ -10,11 +11,12 @@ use super::columns::Rows;
 use super::{file, number, spool};
 use crate::failure::Failure;
 use contact::{Contact, Request, Resistance};
+use given::Given;
 use number::in_range;
-use output::{Format, Line};
+use output::{Fields, Format, Line};
 use product::Product;
 use std::path::{Path, PathBuf};
-use tribos::friction::{Law, Patch, Precision, Tier};
+use tribos::friction::{FlatPatch, Law, Patch, Precision, Tier};
 use tribos::record::write_atomically;
 
 /// Friction force and torque of a contact under the local law `coefficient` * |v|^`alpha`, or
@@ -29,8 +31,14 @@ use tribos::record::write_atomically;
 pub struct Arguments {
     /// Contact patch.
     #[arg(long, default_value = "disk", long_help = format!("Contact patch: {}.\n\
-        A polynomial is the pressure a0 + a1 r^2 + ..., power:Q the pressure (1-r^2)^Q, r in radii. The file of points has columns x,y [m] and weight; the body slides along x.", patches()))]
+        A polynomial is the pressure a0 + a1 r^2 + ..., power:Q the pressure (1-r^2)^Q, r in radii. The file of points has columns x,y [m] and weight; the body slides along x. Boxes, polygons and bars are exact for \
+        dry friction: the wrench is that on the body about the origin of the corners, and --twists has columns \
+        velocity_x,velocity_y,spin.", patches()))]
     patch: Patch,
+    /// Centre of pressure of a box or a polygon, under a pressure that is linear [m]; without it the
+    /// pressure is uniform.
+    #[arg(long, value_name = "X,Y", value_parser = flat::centre, allow_hyphen_values = true)]
+    centre: Option<[f64; 2]>,
     /// Local law instead of coefficient and alpha; see `tribos laws`.
     #[arg(long, value_name = "NAME:KEY=VALUE,…", conflicts_with_all = ["alpha", "coefficient"])]
     law: Option<Law>,
@@ -65,10 +73,12 @@ pub struct Arguments {
     #[arg(long, value_parser = number::finite, allow_negative_numbers = true,
           required_unless_present = "twists", conflicts_with = "twists")]
     spin: Option<f64>,
-    /// CSV file with columns `speed,spin`, one twist a line (`-` for standard input).
+    /// CSV file with columns `speed,spin`, one twist a line (`-` for standard input); for boxes,
+    /// polygons and bars `velocity_x,velocity_y,spin`.
     #[arg(long, value_name = "FILE")]
     twists: Option<PathBuf>,
-    /// Add the derivatives dforce_dspeed, dforce_dspin, dtorque_dspeed, dtorque_dspin.
+    /// Add the derivatives dforce_dspeed, dforce_dspin, dtorque_dspeed, dtorque_dspin; for boxes,
+    /// polygons and bars the nine dforce_x_dvelocity_x ... dtorque_dspin.
     #[arg(long)]
     jacobian: bool,
     /// Accuracy tier [default: the quickest that serves the law: table, compact for alpha > 10, quadrature for other laws].
@@ -119,6 +129,9 @@ Examples:
     tribos wrench --tilt 0.6 --coefficient 0.2 --load 10 --radius 0.08 --speed 1 --spin 5
   Three feet (a CSV file with the header x,y,weight):
     tribos wrench --patch points:feet.csv --coefficient 0.3 --load 20 --speed 0.5 --spin -2
+  A box that slides and turns, and one whose weight is towards its front:
+    tribos wrench --patch box:0.3x0.2 --coefficient 0.4 --load 20 --speed 0.5 --spin 3 --jacobian
+    tribos wrench --patch box:0.3x0.2 --centre 0.03,0 --coefficient 0.4 --load 20 --speed 0.5 --spin 3
   Many twists from a file, evaluated without tables in single precision:
     tribos wrench --twists twists.csv --tier compact --precision f32 --output wrenches.csv";
 
@@ -140,12 +153,20 @@ impl Arguments {
     fn evaluate<R: Precision>(&self) -> Result<(), Failure> {
         if let Some(output) = &self.output {
             let points = match &self.patch {
-                Patch::Points(file) => Some(file),
+                Patch::Points(file) | Patch::Flat(FlatPatch::Polygon(file)) => Some(file),
                 _ => None,
             };
             for input in self.twists.iter().chain(points) {
                 file::refuse_input("--output", output, input)?;
             }
+        }
+        if let Patch::Flat(patch) = &self.patch {
+            return flat::evaluate::<R>(self, patch);
+        }
+        if self.centre.is_some() {
+            return Err(Failure::input(
+                "--centre is for boxes and polygons; --tilt leans the pressure of a round patch",
+            ));
         }
         let contact = Contact::<R>::new(&self.request()?)?;
         let load = in_range("load", self.load)?;
@@ -154,56 +175,65 @@ impl Arguments {
         }
         let at = |twist| self.line(&contact, load, twist);
         match (&self.twists, self.speed, self.spin) {
-            (Some(file), ..) => self.all(file, contact.tier(), at),
+            (Some(file), ..) => {
+                let given = given::contact(self, contact.tier());
+                let at = |twist| at(twist).map(|line: Line| (line.fields(), line.is_beyond));
+                self.all(file, &["speed", "spin"], &given, at)
+            }
             (None, Some(speed), Some(spin)) => {
                 let format = self.format.unwrap_or(Format::Text);
                 let given = given::contact(self, contact.tier());
                 let line = at([speed, spin])?;
-                let text = format.one(&line, &given);
                 warn_of_beyond(u64::from(line.is_beyond));
-                if format == Format::Csv {
-                    // Columns have no place for it.
-                    super::tell(format_args!("contact: {}", given::sentence(&given)));
-                }
-                match &self.output {
-                    Some(path) => {
-                        write_atomically(path, text.as_bytes())?;
-                        super::tell(format_args!("written to    {}", path.display()));
-                        Ok(())
-                    }
-                    None => super::print(&text),
-                }
+                self.deliver(&format.one(&line.fields(), &given), format, &given)
             }
             _ => Err(Failure::input("give --speed and --spin, or --twists FILE")),
         }
     }
 
+    /// Prints one answer, or writes it to the file that was asked for.
+    fn deliver(&self, text: &str, format: Format, given: &[Given]) -> Result<(), Failure> {
+        if format == Format::Csv {
+            // Columns have no place for the contact.
+            super::tell(format_args!("contact: {}", given::sentence(given)));
+        }
+        match &self.output {
+            Some(path) => {
+                write_atomically(path, text.as_bytes())?;
+                super::tell(format_args!("written to    {}", path.display()));
+                Ok(())
+            }
+            None => super::print(text),
+        }
+    }
+
     /// Evaluates a file of twists row by row: memory does not grow with their number. Nothing is
     /// printed, and no file replaced, before all of them are evaluated.
-    fn all(
+    fn all<const N: usize>(
         &self,
         file: &Path,
-        tier: Tier,
-        at: impl Fn([f64; 2]) -> Result<Line, Failure>,
+        columns: &'static [&'static str; N],
+        given: &[Given],
+        at: impl Fn([f64; N]) -> Result<(Fields, bool), Failure>,
     ) -> Result<(), Failure> {
-        let mut rows = Rows::open(file, |_| &["speed", "spin"])?;
+        let mut rows = Rows::open(file, |_| columns)?;
         let format = self.format.unwrap_or(Format::Csv);
         let mut beyond = 0;
         spool::deliver(self.output.as_deref(), |sink| {
-            let mut twist = [0.0; 2];
+            let mut twist = [0.0; N];
             let mut count = 0;
             while rows.next(&mut twist)?.is_some() {
-                let line = at(twist).map_err(|failure| rows.refusal(&failure.to_string()))?;
-                sink.put(&format.begin(count, &line))?;
-                sink.put(&format.row(&line))?;
-                beyond += u64::from(line.is_beyond);
+                let answer = at(twist).map_err(|failure| rows.refusal(&failure.to_string()));
+                let (fields, is_beyond) = answer?;
+                sink.put(&format.begin(count, &fields))?;
+                sink.put(&format.row(&fields))?;
+                beyond += u64::from(is_beyond);
                 count += 1;
             }
             sink.put(format.end())
         })?;
         warn_of_beyond(beyond);
-        let given = given::contact(self, tier);
-        super::tell(format_args!("contact: {}", given::sentence(&given)));
+        super::tell(format_args!("contact: {}", given::sentence(given)));
         if let Some(path) = &self.output {
             super::tell(format_args!("written to    {}", path.display()));
         }

@@ -29,6 +29,9 @@ pub struct Line {
     pub is_beyond: bool,
 }
 
+/// Names and values of an answer, in the order of its columns.
+pub type Fields = Vec<(&'static str, f64)>;
+
 const COLUMNS: [&str; 4] = ["speed", "spin", "force", "torque"];
 const JACOBIAN: [&str; 4] = [
     "dforce_dspeed",
@@ -38,7 +41,19 @@ const JACOBIAN: [&str; 4] = [
 ];
 const LATERAL: &str = "lateral";
 /// Units in SI, for people.
-const UNITS: [(&str, &str); 9] = [
+const UNITS: &[(&str, &str)] = &[
+    ("velocity_x", "m/s"),
+    ("velocity_y", "m/s"),
+    ("force_x", "N"),
+    ("force_y", "N"),
+    ("dforce_x_dvelocity_x", "N s/m"),
+    ("dforce_x_dvelocity_y", "N s/m"),
+    ("dforce_x_dspin", "N s/rad"),
+    ("dforce_y_dvelocity_x", "N s/m"),
+    ("dforce_y_dvelocity_y", "N s/m"),
+    ("dforce_y_dspin", "N s/rad"),
+    ("dtorque_dvelocity_x", "N s"),
+    ("dtorque_dvelocity_y", "N s"),
     ("speed", "m/s"),
     ("spin", "rad/s"),
     ("force", "N"),
@@ -52,7 +67,7 @@ const UNITS: [(&str, &str); 9] = [
 
 impl Line {
     /// Names and values.
-    fn fields(&self) -> Vec<(&'static str, f64)> {
+    pub fn fields(&self) -> Fields {
         let values = [self.twist[0], self.twist[1], self.force, self.torque];
         let mut fields: Vec<_> = COLUMNS.into_iter().zip(values).collect();
         fields.extend(self.lateral.map(|x| (LATERAL, x)));
@@ -61,36 +76,35 @@ impl Line {
         }
         fields
     }
+}
 
-    fn json(&self) -> Value {
-        let fields = self.fields().into_iter();
-        Value::Object(
-            fields
-                .map(|(name, x)| (name.into(), json_number(x)))
-                .collect::<Map<_, _>>(),
-        )
-    }
+fn object(fields: &Fields) -> Value {
+    let entry = |(name, x): &(&str, f64)| ((*name).to_owned(), json_number(*x));
+    Value::Object(fields.iter().map(entry).collect::<Map<_, _>>())
+}
 
-    fn text(&self) -> String {
-        let unit = |name| {
-            let known = UNITS.iter().find(|(known, _)| *known == name);
-            known.map_or("", |(_, unit)| unit)
-        };
-        self.fields()
-            .into_iter()
-            .map(|(name, x)| format!("{name:<15} {} {}\n", shown(x), unit(name)))
-            .collect()
-    }
+fn text(fields: &Fields) -> String {
+    let width = fields
+        .iter()
+        .fold(15, |most, (name, _)| most.max(name.len()));
+    let line = |(name, x): &(&str, f64)| format!("{name:<width$} {} {}\n", shown(*x), unit(name));
+    fields.iter().map(line).collect()
+}
+
+/// The unit of a column in SI, for people.
+fn unit(name: &str) -> &'static str {
+    let known = UNITS.iter().find(|(known, _)| *known == name);
+    known.map_or("", |(_, unit)| unit)
 }
 
 impl Format {
     /// A single line in this format with the contact that it is for, where there is a place for it.
-    pub fn one(self, line: &Line, contact: &[Given]) -> String {
+    pub fn one(self, line: &Fields, contact: &[Given]) -> String {
         match self {
             Self::Text => given::lines(contact) + &self.row(line),
             Self::Csv => self.begin(0, line) + &self.row(line),
             Self::Json => {
-                let mut value = line.json();
+                let mut value = object(line);
                 value["contact"] = given::json(contact);
                 format!("{value:#}\n")
             }
@@ -98,10 +112,10 @@ impl Format {
     }
 
     /// What comes before line `index` of many.
-    pub fn begin(self, index: usize, line: &Line) -> String {
+    pub fn begin(self, index: usize, line: &Fields) -> String {
         match (self, index) {
             (Self::Csv, 0) => {
-                let names: Vec<&str> = line.fields().iter().map(|field| field.0).collect();
+                let names: Vec<&str> = line.iter().map(|field| field.0).collect();
                 series_csv(&names, [])
             }
             (Self::Json, 0) => "[\n".into(),
@@ -112,15 +126,15 @@ impl Format {
     }
 
     /// One line of many.
-    pub fn row(self, line: &Line) -> String {
+    pub fn row(self, line: &Fields) -> String {
         match self {
-            Self::Text => line.text(),
+            Self::Text => text(line),
             Self::Json => {
-                let object = format!("{:#}", line.json());
+                let object = format!("{:#}", object(line));
                 format!("  {}", object.replace('\n', "\n  "))
             }
             Self::Csv => {
-                let cells = line.fields().into_iter().map(|(_, x)| number(x));
+                let cells = line.iter().map(|(_, x)| number(*x));
                 cells.collect::<Vec<_>>().join(",") + "\n"
             }
         }

@@ -1,0 +1,123 @@
+//! Patches with straight edges: the exact wrench of dry friction at any planar twist.
+
+use super::given::Given;
+use super::output::{Fields, Format};
+use super::{Arguments, warn_of_beyond};
+use crate::command::number::{self, in_range};
+use crate::failure::Failure;
+use tribos::friction::{Flat, FlatPatch, Precision};
+use tribos_core::coupling::flat::FlatFriction;
+use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
+
+const TWIST: [&str; 3] = ["velocity_x", "velocity_y", "spin"];
+const WRENCH: [&str; 3] = ["force_x", "force_y", "torque"];
+const JACOBIAN: [[&str; 3]; 3] = [
+    [
+        "dforce_x_dvelocity_x",
+        "dforce_x_dvelocity_y",
+        "dforce_x_dspin",
+    ],
+    [
+        "dforce_y_dvelocity_x",
+        "dforce_y_dvelocity_y",
+        "dforce_y_dspin",
+    ],
+    [
+        "dtorque_dvelocity_x",
+        "dtorque_dvelocity_y",
+        "dtorque_dspin",
+    ],
+];
+
+/// A position `X,Y`.
+pub fn centre(text: &str) -> Result<[f64; 2], String> {
+    let (x, y) = text
+        .split_once(',')
+        .ok_or("give two coordinates in m, such as 0.03,0")?;
+    Ok([number::finite(x)?, number::finite(y)?])
+}
+
+/// Evaluates and prints what the arguments ask of `patch`.
+pub fn evaluate<R: Precision>(arguments: &Arguments, patch: &FlatPatch) -> Result<(), Failure> {
+    let coefficient = coefficient(arguments)?;
+    let flat = patch.loaded::<R>(arguments.centre)?;
+    let friction =
+        FlatFriction::new(flat, in_range("coefficient", coefficient)?).map_err(Failure::input)?;
+    let load = in_range("load", arguments.load)?;
+    let given = contact(arguments, coefficient);
+    let at = |twist| line(&friction, load, twist, arguments.jacobian);
+    match (&arguments.twists, arguments.speed, arguments.spin) {
+        (Some(file), ..) => arguments.all(file, &TWIST, &given, at),
+        (None, Some(speed), Some(spin)) => {
+            let format = arguments.format.unwrap_or(Format::Text);
+            let (fields, is_beyond) = at([speed, 0.0, spin])?;
+            warn_of_beyond(u64::from(is_beyond));
+            arguments.deliver(&format.one(&fields, &given), format, &given)
+        }
+        _ => Err(Failure::input("give --speed and --spin, or --twists FILE")),
+    }
+}
+
+/// The coefficient of a dry law; options that have no meaning here are refused.
+fn coefficient(arguments: &Arguments) -> Result<f64, Failure> {
+    let refused = |reason: &str| Err(Failure::input(reason.to_owned()));
+    if arguments.tilt.is_some() {
+        return refused("--tilt is for round patches; --centre X,Y moves the centre of pressure");
+    }
+    if arguments.tier.is_some() {
+        return refused(
+            "a patch with straight edges has one tier, which is exact: leave out --tier",
+        );
+    }
+    if arguments.radius != 1.0 {
+        return refused("a patch with straight edges has its own size: leave out --radius");
+    }
+    let power = match &arguments.law {
+        Some(law) => law.power_of_speed(),
+        None => Some([arguments.coefficient, arguments.alpha]),
+    };
+    match power {
+        Some([coefficient, 0.0]) => Ok(coefficient),
+        _ => refused(
+            "patches with straight edges serve dry friction: leave out --alpha and --law, or give \
+             points",
+        ),
+    }
+}
+
+fn contact(arguments: &Arguments, coefficient: f64) -> Vec<Given> {
+    let mut given = vec![Given::Word("patch", arguments.patch.to_string())];
+    if let Some([x, y]) = arguments.centre {
+        given.push(Given::Word("centre", format!("{x},{y} m")));
+    }
+    given.push(Given::Number("load", arguments.load, "N"));
+    given.push(Given::Number("coefficient", coefficient, ""));
+    given
+}
+
+fn line<R: Precision>(
+    friction: &FlatFriction<R, Flat<R>>,
+    load: R,
+    given: [f64; 3],
+    with_jacobian: bool,
+) -> Result<(Fields, bool), Failure> {
+    let mut parts = [R::ZERO; 3];
+    for ((part, name), value) in parts.iter_mut().zip(TWIST).zip(given) {
+        *part = in_range(name, value)?;
+    }
+    let [x, y, spin] = parts;
+    let (wrench, jacobian): (Wrench<R>, WrenchJacobian<R>) =
+        friction.wrench_and_jacobian(load, &Twist::new(x, y, spin));
+    let mut fields: Fields = TWIST.into_iter().zip(given).collect();
+    let parts = [wrench.force.x, wrench.force.y, wrench.torque];
+    fields.extend(WRENCH.into_iter().zip(parts.map(R::to_f64)));
+    if with_jacobian {
+        for (i, names) in JACOBIAN.iter().enumerate() {
+            for (j, name) in names.iter().enumerate() {
+                fields.push((name, jacobian[(i, j)].to_f64()));
+            }
+        }
+    }
+    let is_beyond = fields.iter().any(|(_, x)| !x.is_finite());
+    Ok((fields, is_beyond))
+}
