@@ -15,10 +15,11 @@ pub use any_law::run_law;
 pub use cost::EvaluationCost;
 pub(crate) use cost::of_law;
 pub use outcome::{Ending, Outcome};
-pub use path::{PATH_COLUMNS, PathOutcome, PathRun, PlanarCourse, PlanarScene, run_path};
-pub use simulation::COLUMNS;
 #[doc(hidden)]
-pub use simulation::SlideSimulation;
+pub use path::{PATH_COLUMNS, PlanarCourse, PlanarScene};
+pub use path::{PathOutcome, PathRun, run_path};
+#[doc(hidden)]
+pub use simulation::{COLUMNS, SlideSimulation};
 #[doc(hidden)]
 pub use spent::Spent;
 

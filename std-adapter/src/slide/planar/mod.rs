@@ -8,9 +8,12 @@ mod journey;
 mod pipe;
 mod tall;
 
+#[doc(hidden)]
 pub use cylinder::TallCylinder;
 pub use journey::{Arrival, Ending, Journey, Launch, Point};
+#[doc(hidden)]
 pub use pipe::Pipe;
+#[doc(hidden)]
 pub use tall::{Gradient, TallBody};
 
 use std::fmt::Debug;
