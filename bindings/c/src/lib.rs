@@ -19,6 +19,7 @@
 extern crate std;
 
 pub mod choice;
+mod fields;
 mod memory;
 pub mod status;
 pub mod table;

@@ -6,6 +6,7 @@
 
 use super::vectors::tribos_vector_f64;
 use crate::choice::tribos_attraction;
+use crate::fields::same_fields;
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::contact::{
@@ -119,71 +120,9 @@ pub struct tribos_contact_f64 {
     pub rests_open: u32,
 }
 
-impl From<tribos_sphere_f64> for Sphere<f64> {
-    #[inline(always)]
-    fn from(s: tribos_sphere_f64) -> Self {
-        Self {
-            velocity: s.velocity.into(),
-            spin: s.spin.into(),
-            inv_mass: s.inv_mass,
-            inv_inertia: s.inv_inertia,
-        }
-    }
-}
-
-impl From<Sphere<f64>> for tribos_sphere_f64 {
-    #[inline(always)]
-    fn from(s: Sphere<f64>) -> Self {
-        Self {
-            velocity: s.velocity.into(),
-            spin: s.spin.into(),
-            inv_mass: s.inv_mass,
-            inv_inertia: s.inv_inertia,
-        }
-    }
-}
-
-impl From<tribos_plate_f64> for Plate<f64> {
-    #[inline(always)]
-    fn from(p: tribos_plate_f64) -> Self {
-        Self {
-            velocity: p.velocity.into(),
-            inv_mass: p.inv_mass,
-        }
-    }
-}
-
-impl From<Plate<f64>> for tribos_plate_f64 {
-    #[inline(always)]
-    fn from(p: Plate<f64>) -> Self {
-        Self {
-            velocity: p.velocity.into(),
-            inv_mass: p.inv_mass,
-        }
-    }
-}
-
-impl From<Touch<f64>> for tribos_touch_f64 {
-    fn from(t: Touch<f64>) -> Self {
-        Self {
-            normal: t.normal.into(),
-            gap: t.gap,
-            arms: t.arms,
-            lever: t.lever,
-        }
-    }
-}
-
-impl From<tribos_touch_f64> for Touch<f64> {
-    fn from(t: tribos_touch_f64) -> Self {
-        Self {
-            normal: t.normal.into(),
-            gap: t.gap,
-            arms: t.arms,
-            lever: t.lever,
-        }
-    }
-}
+same_fields!(tribos_sphere_f64, Sphere<f64> { velocity, spin, inv_mass, inv_inertia });
+same_fields!(tribos_plate_f64, Plate<f64> { velocity, inv_mass });
+same_fields!(tribos_touch_f64, Touch<f64> { normal, gap, arms, lever });
 
 impl From<PreparedContact<f64>> for tribos_contact_f64 {
     fn from(c: PreparedContact<f64>) -> Self {
@@ -253,19 +192,19 @@ fn normal_law(law: tribos_normal_law_f64) -> Result<NormalLaw<f64>, tribos_statu
     Ok(NormalLaw::new(cohesion, law.restitution)?)
 }
 
-/// A contact between two bodies as they are at the start of the step.
+/// Prepares a contact of two bodies in their state at the start of the step.
 #[inline(always)]
-unsafe fn prepared(
+unsafe fn prepared<A: AsBody + Copy, B: AsBody + Copy>(
     touch: *const tribos_touch_f64,
     law: *const tribos_normal_law_f64,
-    first: &impl Body<f64>,
-    second: &impl Body<f64>,
+    (first, second): (*const A, *const B),
     dt: f64,
 ) -> Result<tribos_contact_f64, tribos_status> {
+    let (first, second) = (read(first)?.body(), read(second)?.body());
     let (touch, law) = (read(touch)?.into(), normal_law(read(law)?)?);
     let dt = TimeStep::new(dt)?.dt();
-    // What is prepared does not depend on the modes.
-    let contact = Contact::<f64, AllModes>::new(&touch, &law, first, second, dt);
+    // The prepared quantities do not depend on the modes.
+    let contact = Contact::<f64, AllModes>::new(&touch, &law, &first, &second, dt);
     Ok(contact.prepared().into())
 }
 
@@ -332,10 +271,7 @@ pub unsafe extern "C" fn tribos_contact_spheres_f64(
     dt: f64,
     contact: *mut tribos_contact_f64,
 ) -> tribos_status {
-    answer(contact, || {
-        let (a, b) = (read(first)?.body(), read(second)?.body());
-        prepared(touch, law, &a, &b, dt)
-    })
+    answer(contact, || prepared(touch, law, (first, second), dt))
 }
 
 /// Prepares a contact of a sphere with a plate, the second body.
@@ -348,8 +284,5 @@ pub unsafe extern "C" fn tribos_contact_plate_f64(
     dt: f64,
     contact: *mut tribos_contact_f64,
 ) -> tribos_status {
-    answer(contact, || {
-        let (a, b) = (read(first)?.body(), read(second)?.body());
-        prepared(touch, law, &a, &b, dt)
-    })
+    answer(contact, || prepared(touch, law, (first, second), dt))
 }

@@ -93,25 +93,8 @@ pub struct tribos_rate_state_f64 {
     pub viscous: f64,
 }
 
-fn coulomb(law: tribos_coulomb_f64) -> Result<CoulombLaw<f64>, LawError> {
-    CoulombLaw::new(law.mu)
-}
-
 fn dry(law: tribos_dry_f64) -> Result<DryFriction<f64>, LawError> {
     DryFriction::new(law.mu_static, law.mu_dynamic)
-}
-
-fn power(law: tribos_power_f64) -> Result<PowerLaw<f64>, LawError> {
-    PowerLaw::new(law.alpha, law.coefficient)
-}
-
-fn stribeck(law: tribos_stribeck_f64) -> Result<Stribeck<f64>, LawError> {
-    Stribeck::new(StribeckParameters {
-        dry: dry(law.dry)?,
-        speed: law.stribeck_speed,
-        exponent: law.exponent,
-        viscous: law.viscous,
-    })
 }
 
 fn lugre(law: tribos_lugre_f64) -> Result<LuGre<f64>, LawError> {
@@ -155,7 +138,7 @@ impl Local for tribos_coulomb_f64 {
     type Law = CoulombLaw<f64>;
     #[inline(always)]
     fn law(self) -> Result<Self::Law, LawError> {
-        coulomb(self)
+        CoulombLaw::new(self.mu)
     }
 }
 
@@ -163,7 +146,7 @@ impl Local for tribos_power_f64 {
     type Law = PowerLaw<f64>;
     #[inline(always)]
     fn law(self) -> Result<Self::Law, LawError> {
-        power(self)
+        PowerLaw::new(self.alpha, self.coefficient)
     }
 }
 
@@ -171,7 +154,12 @@ impl Local for tribos_stribeck_f64 {
     type Law = Stribeck<f64>;
     #[inline(always)]
     fn law(self) -> Result<Self::Law, LawError> {
-        stribeck(self)
+        Stribeck::new(StribeckParameters {
+            dry: dry(self.dry)?,
+            speed: self.stribeck_speed,
+            exponent: self.exponent,
+            viscous: self.viscous,
+        })
     }
 }
 
@@ -182,7 +170,7 @@ pub unsafe extern "C" fn tribos_coulomb_friction_f64(
     speed: f64,
     friction: *mut f64,
 ) -> tribos_status {
-    answer(friction, || Ok(coulomb(read(law)?)?.friction(speed)))
+    answer(friction, || Ok(read(law)?.law()?.friction(speed)))
 }
 
 /// Friction per load in motion: mu_dynamic. Special values: NaN stays NaN.
@@ -226,7 +214,7 @@ pub unsafe extern "C" fn tribos_power_friction_f64(
     speed: f64,
     friction: *mut f64,
 ) -> tribos_status {
-    answer(friction, || Ok(power(read(law)?)?.friction(speed)))
+    answer(friction, || Ok(read(law)?.law()?.friction(speed)))
 }
 
 /// Derivative of the power law's friction by the speed, at speed > 0.
@@ -236,7 +224,7 @@ pub unsafe extern "C" fn tribos_power_slope_f64(
     speed: f64,
     slope: *mut f64,
 ) -> tribos_status {
-    answer(slope, || Ok(power(read(law)?)?.slope(speed)))
+    answer(slope, || Ok(read(law)?.law()?.slope(speed)))
 }
 
 /// Friction per load of the Stribeck curve at speed >= 0.
@@ -246,7 +234,7 @@ pub unsafe extern "C" fn tribos_stribeck_friction_f64(
     speed: f64,
     friction: *mut f64,
 ) -> tribos_status {
-    answer(friction, || Ok(stribeck(read(law)?)?.friction(speed)))
+    answer(friction, || Ok(read(law)?.law()?.friction(speed)))
 }
 
 /// Derivative of the Stribeck curve by the speed. At rest: -inf for an exponent below 1.
@@ -256,7 +244,7 @@ pub unsafe extern "C" fn tribos_stribeck_slope_f64(
     speed: f64,
     slope: *mut f64,
 ) -> tribos_status {
-    answer(slope, || Ok(stribeck(read(law)?)?.slope(speed)))
+    answer(slope, || Ok(read(law)?.law()?.slope(speed)))
 }
 
 /// Speed of least friction between boundary and hydrodynamic lubrication;
@@ -267,7 +255,7 @@ pub unsafe extern "C" fn tribos_stribeck_minimum_f64(
     speed: *mut f64,
 ) -> tribos_status {
     answer(speed, || {
-        let least = stribeck(read(law)?)?.minimum();
+        let least = read(law)?.law()?.minimum();
         least.ok_or(tribos_status::NoMinimum)
     })
 }

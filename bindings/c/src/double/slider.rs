@@ -1,5 +1,6 @@
 //! One body that slides and spins to rest on a plane, on a uniform disk under Coulomb friction.
 
+use crate::fields::same_fields;
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::coupling::table::Coulomb;
@@ -59,29 +60,7 @@ pub struct tribos_advance_f64 {
     pub evaluations: u32,
 }
 
-impl From<tribos_motion_f64> for Motion<f64> {
-    fn from(m: tribos_motion_f64) -> Self {
-        Self {
-            time: m.time,
-            speed: m.speed,
-            spin: m.spin,
-            distance: m.distance,
-            angle: m.angle,
-        }
-    }
-}
-
-impl From<Motion<f64>> for tribos_motion_f64 {
-    fn from(m: Motion<f64>) -> Self {
-        Self {
-            time: m.time,
-            speed: m.speed,
-            spin: m.spin,
-            distance: m.distance,
-            angle: m.angle,
-        }
-    }
-}
+same_fields!(tribos_motion_f64, Motion<f64> { time, speed, spin, distance, angle });
 
 #[inline(always)]
 unsafe fn slider_of(

@@ -14,11 +14,14 @@ use tribos_core::contact::{Contact, ContactFriction, CoupledFriction, Thresholds
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::LimitSurface;
 
+/// Friction with parameters that have been checked, or the reason for their refusal.
+type Checked<F> = Result<F, tribos_status>;
+
 /// Updates the impulse and both bodies.
 #[inline(always)]
 unsafe fn update<F, A, B>(
     contact: *const tribos_contact_f64,
-    friction: impl FnOnce() -> Result<F, tribos_status>,
+    friction: Checked<F>,
     (first, second): (*mut A, *mut B),
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status
@@ -31,11 +34,37 @@ where
         let (contact, old) = (read(contact)?.into(), read(impulse)?.into());
         let (mut a, mut b) = (read(first)?.body(), read(second)?.body());
         let mut contact = Contact::resume(&contact, &old);
-        contact.update(&friction()?, &mut a, &mut b);
+        contact.update(&friction?, &mut a, &mut b);
         first.write(a.into());
         second.write(b.into());
         Ok(contact.impulse().into())
     })
+}
+
+unsafe fn sliding(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
+    Ok(Thresholds::sliding(read(f)?.sliding)?)
+}
+
+unsafe fn sliding_torsion(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
+    let f = read(f)?;
+    Ok(Thresholds::sliding_torsion(f.sliding, f.torsion)?)
+}
+
+unsafe fn sliding_rolling(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
+    let f = read(f)?;
+    Ok(Thresholds::sliding_rolling(f.sliding, f.rolling)?)
+}
+
+unsafe fn all(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
+    let f = read(f)?;
+    Ok(Thresholds::all(f.sliding, f.rolling, f.torsion)?)
+}
+
+/// Sliding and torsion under one threshold, that of a uniform disk.
+unsafe fn patch(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
+    let f = read(f)?;
+    let set = LimitSurface::new(Coulomb, f.sliding, f.torsion)?;
+    Ok(CoupledFriction::sliding_torsion(set))
 }
 
 /// Updates a contact of two spheres. Only the normal impulse.
@@ -46,7 +75,7 @@ pub unsafe extern "C" fn tribos_update_frictionless_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(contact, || Ok(Thresholds::none()), (first, second), impulse)
+    update(contact, Ok(Thresholds::none()), (first, second), impulse)
 }
 
 /// Updates a contact of two spheres. Normal impulse and sliding friction.
@@ -58,12 +87,7 @@ pub unsafe extern "C" fn tribos_update_sliding_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || Ok(Thresholds::sliding(read(friction)?.sliding)?),
-        (first, second),
-        impulse,
-    )
+    update(contact, sliding(friction), (first, second), impulse)
 }
 
 /// Updates a contact of two spheres.
@@ -76,15 +100,7 @@ pub unsafe extern "C" fn tribos_update_sliding_torsion_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::sliding_torsion(f.sliding, f.torsion)?)
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, sliding_torsion(friction), (first, second), impulse)
 }
 
 /// Updates a contact of two spheres. Normal impulse, sliding and rolling friction.
@@ -96,15 +112,7 @@ pub unsafe extern "C" fn tribos_update_sliding_rolling_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::sliding_rolling(f.sliding, f.rolling)?)
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, sliding_rolling(friction), (first, second), impulse)
 }
 
 /// Updates a contact of two spheres.
@@ -117,15 +125,7 @@ pub unsafe extern "C" fn tribos_update_all_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::all(f.sliding, f.rolling, f.torsion)?)
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, all(friction), (first, second), impulse)
 }
 
 /// Updates a contact of two spheres.
@@ -139,16 +139,7 @@ pub unsafe extern "C" fn tribos_update_patch_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            let set = LimitSurface::new(Coulomb, f.sliding, f.torsion)?;
-            Ok(CoupledFriction::sliding_torsion(set))
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, patch(friction), (first, second), impulse)
 }
 
 /// Updates a contact of a sphere with a plate. Only the normal impulse.
@@ -159,7 +150,7 @@ pub unsafe extern "C" fn tribos_update_frictionless_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(contact, || Ok(Thresholds::none()), (first, second), impulse)
+    update(contact, Ok(Thresholds::none()), (first, second), impulse)
 }
 
 /// Updates a contact of a sphere with a plate. Normal impulse and sliding friction.
@@ -171,12 +162,7 @@ pub unsafe extern "C" fn tribos_update_sliding_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || Ok(Thresholds::sliding(read(friction)?.sliding)?),
-        (first, second),
-        impulse,
-    )
+    update(contact, sliding(friction), (first, second), impulse)
 }
 
 /// Updates a contact of a sphere with a plate.
@@ -189,15 +175,7 @@ pub unsafe extern "C" fn tribos_update_sliding_torsion_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::sliding_torsion(f.sliding, f.torsion)?)
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, sliding_torsion(friction), (first, second), impulse)
 }
 
 /// Updates a contact of a sphere with a plate. Normal impulse, sliding and rolling friction.
@@ -209,15 +187,7 @@ pub unsafe extern "C" fn tribos_update_sliding_rolling_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::sliding_rolling(f.sliding, f.rolling)?)
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, sliding_rolling(friction), (first, second), impulse)
 }
 
 /// Updates a contact of a sphere with a plate.
@@ -230,15 +200,7 @@ pub unsafe extern "C" fn tribos_update_all_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::all(f.sliding, f.rolling, f.torsion)?)
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, all(friction), (first, second), impulse)
 }
 
 /// Updates a contact of a sphere with a plate.
@@ -252,14 +214,5 @@ pub unsafe extern "C" fn tribos_update_patch_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            let set = LimitSurface::new(Coulomb, f.sliding, f.torsion)?;
-            Ok(CoupledFriction::sliding_torsion(set))
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, patch(friction), (first, second), impulse)
 }
