@@ -1,8 +1,8 @@
-//! One update of a prepared contact: the impulse that obeys its laws with all else as it is.
+//! One update of a prepared contact: the impulse that satisfies its laws with all other contacts fixed.
 //!
-//! Impulse and bodies are changed in place. Modes that a function does not have get no impulse. All
-//! is closed form, unless sliding and rolling are coupled and both slip (then at most 96 rounds) or
-//! friction is that of a patch (then the searches of its limit surface).
+//! Impulse and bodies are changed in place. Modes without friction have no impulse. The solution
+//! is in closed form, unless sliding and rolling are coupled and both slip (at most 96 iterations) or
+//! friction is that of a patch (searches on its limit surface).
 
 use super::contact::{
     AsBody, tribos_contact_f64, tribos_impulse_f64, tribos_plate_f64, tribos_sphere_f64,
@@ -14,7 +14,7 @@ use tribos_core::contact::{Contact, ContactFriction, CoupledFriction, Thresholds
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::LimitSurface;
 
-/// Friction with parameters that have been checked, or the reason for their refusal.
+/// Friction with validated parameters, or the reason for their refusal.
 type Checked<F> = Result<F, tribos_status>;
 
 /// Updates the impulse and both bodies.
@@ -67,7 +67,7 @@ unsafe fn patch(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction
     Ok(CoupledFriction::sliding_torsion(set))
 }
 
-/// Updates a contact of two spheres. Only the normal impulse.
+/// Updates a contact of two spheres, with a normal impulse only.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_frictionless_spheres_f64(
     contact: *const tribos_contact_f64,
@@ -78,7 +78,7 @@ pub unsafe extern "C" fn tribos_update_frictionless_spheres_f64(
     update(contact, Ok(Thresholds::none()), (first, second), impulse)
 }
 
-/// Updates a contact of two spheres. Normal impulse and sliding friction.
+/// Updates a contact of two spheres, with normal impulse and sliding friction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_sliding_spheres_f64(
     contact: *const tribos_contact_f64,
@@ -90,8 +90,8 @@ pub unsafe extern "C" fn tribos_update_sliding_spheres_f64(
     update(contact, sliding(friction), (first, second), impulse)
 }
 
-/// Updates a contact of two spheres.
-/// Normal impulse, sliding and torsion friction, each with its own threshold.
+/// Updates a contact of two spheres, with normal impulse, sliding and torsion friction, each with its
+/// own threshold.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_sliding_torsion_spheres_f64(
     contact: *const tribos_contact_f64,
@@ -103,7 +103,7 @@ pub unsafe extern "C" fn tribos_update_sliding_torsion_spheres_f64(
     update(contact, sliding_torsion(friction), (first, second), impulse)
 }
 
-/// Updates a contact of two spheres. Normal impulse, sliding and rolling friction.
+/// Updates a contact of two spheres, with normal impulse, sliding and rolling friction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_sliding_rolling_spheres_f64(
     contact: *const tribos_contact_f64,
@@ -115,8 +115,8 @@ pub unsafe extern "C" fn tribos_update_sliding_rolling_spheres_f64(
     update(contact, sliding_rolling(friction), (first, second), impulse)
 }
 
-/// Updates a contact of two spheres.
-/// Normal impulse, sliding, rolling and torsion friction, each with its own threshold.
+/// Updates a contact of two spheres, with normal impulse, sliding, rolling and torsion friction, each
+/// with its own threshold.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_all_spheres_f64(
     contact: *const tribos_contact_f64,
@@ -128,9 +128,9 @@ pub unsafe extern "C" fn tribos_update_all_spheres_f64(
     update(contact, all(friction), (first, second), impulse)
 }
 
-/// Updates a contact of two spheres.
-/// Normal impulse, and sliding and torsion under the one threshold of a uniform disk: `sliding` is
-/// mu, `torsion` the radius of the disk over the lever, not a coefficient.
+/// Updates a contact of two spheres, with normal impulse, and sliding and torsion under the common
+/// threshold of a uniform disk: `sliding` is mu, `torsion` is the radius of the disk over the lever, not
+/// a coefficient.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_patch_spheres_f64(
     contact: *const tribos_contact_f64,
@@ -142,7 +142,7 @@ pub unsafe extern "C" fn tribos_update_patch_spheres_f64(
     update(contact, patch(friction), (first, second), impulse)
 }
 
-/// Updates a contact of a sphere with a plate. Only the normal impulse.
+/// Updates a contact of a sphere with a plate, with a normal impulse only.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_frictionless_plate_f64(
     contact: *const tribos_contact_f64,
@@ -153,7 +153,7 @@ pub unsafe extern "C" fn tribos_update_frictionless_plate_f64(
     update(contact, Ok(Thresholds::none()), (first, second), impulse)
 }
 
-/// Updates a contact of a sphere with a plate. Normal impulse and sliding friction.
+/// Updates a contact of a sphere with a plate, with normal impulse and sliding friction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_sliding_plate_f64(
     contact: *const tribos_contact_f64,
@@ -165,8 +165,8 @@ pub unsafe extern "C" fn tribos_update_sliding_plate_f64(
     update(contact, sliding(friction), (first, second), impulse)
 }
 
-/// Updates a contact of a sphere with a plate.
-/// Normal impulse, sliding and torsion friction, each with its own threshold.
+/// Updates a contact of a sphere with a plate, with normal impulse, sliding and torsion friction, each
+/// with its own threshold.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_sliding_torsion_plate_f64(
     contact: *const tribos_contact_f64,
@@ -178,7 +178,7 @@ pub unsafe extern "C" fn tribos_update_sliding_torsion_plate_f64(
     update(contact, sliding_torsion(friction), (first, second), impulse)
 }
 
-/// Updates a contact of a sphere with a plate. Normal impulse, sliding and rolling friction.
+/// Updates a contact of a sphere with a plate, with normal impulse, sliding and rolling friction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_sliding_rolling_plate_f64(
     contact: *const tribos_contact_f64,
@@ -190,8 +190,8 @@ pub unsafe extern "C" fn tribos_update_sliding_rolling_plate_f64(
     update(contact, sliding_rolling(friction), (first, second), impulse)
 }
 
-/// Updates a contact of a sphere with a plate.
-/// Normal impulse, sliding, rolling and torsion friction, each with its own threshold.
+/// Updates a contact of a sphere with a plate, with normal impulse, sliding, rolling and torsion
+/// friction, each with its own threshold.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_all_plate_f64(
     contact: *const tribos_contact_f64,
@@ -203,9 +203,9 @@ pub unsafe extern "C" fn tribos_update_all_plate_f64(
     update(contact, all(friction), (first, second), impulse)
 }
 
-/// Updates a contact of a sphere with a plate.
-/// Normal impulse, and sliding and torsion under the one threshold of a uniform disk: `sliding` is
-/// mu, `torsion` the radius of the disk over the lever, not a coefficient.
+/// Updates a contact of a sphere with a plate, with normal impulse, and sliding and torsion under the
+/// common threshold of a uniform disk: `sliding` is mu, `torsion` is the radius of the disk over the
+/// lever, not a coefficient.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_patch_plate_f64(
     contact: *const tribos_contact_f64,
