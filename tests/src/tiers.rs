@@ -10,7 +10,7 @@ pub type Tier<R> = (&'static str, Box<dyn Coupling<R>>);
 
 /// A scalar whose tables can be built at run time.
 pub trait Tabulated: CoulombTable {
-    /// The table of exponent `alpha`, if it reaches that far.
+    /// The table of exponent `alpha`, if its range includes it.
     fn table(alpha: f64) -> Option<Box<dyn Coupling<Self>>>;
 }
 
@@ -26,7 +26,7 @@ impl Tabulated for f32 {
     }
 }
 
-/// The tiers that work to rounding accuracy: tables up to their largest exponent, compact forms.
+/// The tiers with rounding accuracy: tables up to their largest exponent, compact forms.
 ///
 /// # Panics
 /// If the exponent is refused.
