@@ -10,7 +10,7 @@ pub type Tier<R> = (&'static str, Box<dyn Coupling<R>>);
 
 /// A scalar whose tables can be built at run time.
 pub trait Tabulated: CoulombTable {
-    /// The table of exponent `alpha`, if its range includes it.
+    /// The table of exponent `alpha`, if it reaches that far.
     fn table(alpha: f64) -> Option<Box<dyn Coupling<Self>>>;
 }
 

@@ -42,7 +42,7 @@ bounds! {
     /// Quadrature's Jacobian for α ≥ 0, of F/v.
     QUADRATURE_JACOBIAN = 2e-6, "1e-5 is promised; logarithmic derivative near equal speeds";
 
-    /// Jacobian of tables and compact forms at the arguments of the tables, relative.
+    /// Jacobian of tables and compact forms at the tables' arguments, relative.
     JACOBIAN = 1e-12, "derivative of a degree-12 polynomial; relative to entries that pass through zero";
     /// The same for α < −0.95.
     JACOBIAN_DEEP = 5e-12, "slope at equal speeds is z^(1+alpha): z^0.01 carries rounding of z from all octaves";

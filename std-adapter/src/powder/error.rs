@@ -32,7 +32,7 @@ pub enum CompactionError {
     /// The kernel refused a set of sliding and torsion.
     #[error(transparent)]
     Surface(#[from] SurfaceError),
-    /// The world cannot start or continue.
+    /// The world cannot start or go on.
     #[error(transparent)]
     World(#[from] WorldError),
     /// A contact of two bodies has no normal.

@@ -120,7 +120,7 @@ fn contact_radius(scene: &PowderScene) -> f64 {
     scene.torsion / (scene.sliding * SPIN_TORQUE)
 }
 
-/// Ellipsoid that joins sliding and torsion at a coefficient `mu`, in P and P r_eff.
+/// What a contact of a joint set carries at a coefficient, in P and P r_eff.
 pub(super) fn ellipsoid(scene: &PowderScene, mu: f64) -> Result<Ellipsoid<f64>, SurfaceError> {
     Ellipsoid::new(mu, contact_radius(scene), SPIN_TORQUE)
 }

@@ -9,7 +9,7 @@ pub enum InverseError {
     /// The kernel refused the body.
     #[error(transparent)]
     Body(#[from] SliderError),
-    /// The exponent α is 1 or more.
+    /// α ≥ 1.
     #[error("a body under |v|^{alpha} never comes to rest; the inverse problem needs alpha < 1")]
     NeverRests {
         /// The exponent.

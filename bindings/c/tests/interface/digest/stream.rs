@@ -15,7 +15,7 @@ pub enum Range {
     Sure,
 }
 
-/// Differences between the two precisions that [`Real`] does not cover.
+/// What the two precisions do not share by [`Real`].
 pub trait Precision: CoulombTable {
     const MAX: Self;
     type PowerTable: Coupling<Self>;
