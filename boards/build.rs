@@ -1,4 +1,4 @@
-//! Picks the memory map of the board and hands the start-up's linker script to the linker.
+//! Selects the memory map of the board and passes the start-up's linker script to the linker.
 
 use std::path::Path;
 use std::{env, fs};
@@ -39,7 +39,7 @@ REGION_ALIAS(\"REGION_STACK\", RAM);
 fn main() {
     println!("cargo::rerun-if-env-changed=TRIBOS_BOARD");
     println!("cargo::rerun-if-env-changed=TRIBOS_CHAPTERS");
-    // Chapters of the digest program: none named means all.
+    // Chapters of the digest program; an empty list selects all.
     let chapters = env::var("TRIBOS_CHAPTERS").unwrap_or_default();
     println!("cargo::rustc-env=TRIBOS_CHAPTERS={chapters}");
     let [os, arch, target] = ["CARGO_CFG_TARGET_OS", "CARGO_CFG_TARGET_ARCH", "TARGET"]

@@ -1,5 +1,5 @@
-//! Atoms of a melt: forces by potential and by what is summed up, the list of pairs, a step by
-//! thermostat. The front `atoms` tells speeds beside LAMMPS and drift against the time step.
+//! Atoms of a melt: forces by potential and by the sums computed, the pair list, and a step by
+//! thermostat. The front `atoms` compares speeds with LAMMPS and shows drift against the time step.
 
 mod settings;
 

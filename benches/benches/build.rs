@@ -1,4 +1,4 @@
-//! What a table of a new exponent costs at run time.
+//! Cost of building a table of a new exponent at run time.
 
 mod settings;
 

@@ -1,7 +1,7 @@
-//! One contact's update, by its modes and by what happens: it sticks, it slips, or either.
+//! Update of one contact, by modes and by state: sticking, slipping, or either.
 //!
-//! Beside it what an engine does that knows no torques: a normal impulse and sliding under a
-//! friction pyramid, each direction clamped for itself.
+//! The baseline is an engine without torques: a normal impulse, and sliding under a
+//! friction pyramid with each direction clamped separately.
 
 mod settings;
 
@@ -23,7 +23,7 @@ const DT: f64 = 1e-3;
 const SLOW: f64 = 0.01;
 const FAST: f64 = 10.0;
 
-/// What the pairs do.
+/// Motion of the pairs.
 #[derive(Clone, Copy, Debug)]
 enum Motion {
     Stick,

@@ -15,7 +15,7 @@ use tribos_core::real::Real;
 use tribos_core::twist::Twist;
 
 const SEED: u64 = 1;
-/// What 100 nodes may differ from the disk they stand for, of the load.
+/// Largest accepted difference between 100 nodes and the disk that they represent, relative to the load.
 const CHECK: f64 = 2e-2;
 
 /// Twists with velocities in both directions.

@@ -1,5 +1,5 @@
-//! Contact dynamics of a jammed box: a sweep for every set of modes, the setting up of a step, and
-//! the residual. The front `contacts` tells speeds beside accuracy.
+//! Contact dynamics of a jammed box: a sweep for every set of modes, the setup of a step, and
+//! the residual. The front `contacts` shows speeds beside accuracy.
 
 mod settings;
 

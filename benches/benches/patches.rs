@@ -1,13 +1,13 @@
 //! Every patch under Coulomb friction in f64: tables, closed forms, tall bodies, limit surfaces.
 //!
-//! The rows are those of the front `patches`, which tells errors beside times.
+//! The rows are those of the front `patches`, which shows errors beside times.
 
 mod settings;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use tribos_benches::patches::{Entry, round, surface, tall};
 
-/// What no tier of the kernel may exceed in f64, of the larger of force and torque.
+/// Largest accepted error of a tier in f64, relative to the larger of force and torque.
 const BOUND: f64 = 1e-12;
 
 /// Checks each row, then times it.

@@ -1,5 +1,5 @@
-//! Force and torque where one motion dominates and where both are alike, apart from each other:
-//! branches that always go one way, and rounds that are always few or many.
+//! Force and torque where one motion dominates and where both are similar, timed separately:
+//! branches that always go the same way, and iterations that are always few or many.
 
 mod settings;
 

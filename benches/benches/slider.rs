@@ -1,4 +1,4 @@
-//! One sliding, spinning disk: a millisecond of it, and its whole stop.
+//! One sliding, spinning disk: a step of one millisecond, and the whole motion to rest.
 
 mod settings;
 
@@ -10,7 +10,7 @@ use tribos_core::slider::{Motion, Slider, SliderParameters};
 
 /// The step of an engine, in s.
 const STEP: f64 = 1e-3;
-/// What a second-order step of 1 ms may differ by in speed from the exact one, in m/s.
+/// Largest accepted speed error of a second-order step of 1 ms, in m/s.
 const VERLET_ERROR: f64 = 1e-6;
 
 fn slider(criterion: &mut Criterion) {

@@ -1,6 +1,6 @@
 //! Force and torque: every tier and every method it is compared with, over the mix.
 //!
-//! The group `price` is the proof that nobody pays for what is not named: Coulomb's table, a table
+//! The group `price` shows that unused features cost nothing: Coulomb's table, a table
 //! of another exponent without the power of the scale, and with it.
 
 mod settings;

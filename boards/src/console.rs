@@ -1,5 +1,5 @@
-//! Lines on the terminal of the emulator, without a panic of our own: `semihosting`'s macros keep
-//! one for formatters that fail.
+//! Lines on the terminal of the emulator. The macros of `semihosting` contain a panic for formatters
+//! that fail, so they are not used.
 
 use core::fmt::{Arguments, Error, Result, Write};
 
@@ -13,7 +13,7 @@ impl<W: semihosting::io::Write> Write for Terminal<W> {
         let mut left = text.as_bytes();
         while !left.is_empty() {
             let written = self.0.write(left).map_err(|_| Error)?;
-            // A terminal that accepts nothing would be retried for ever.
+            // A terminal that accepts nothing would cause endless retries.
             left = match left.get(written..) {
                 Some(rest) if written > 0 => rest,
                 _ => return Err(Error),

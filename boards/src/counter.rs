@@ -1,4 +1,4 @@
-//! Executed instructions, from the clock of an emulator in which each takes the same time.
+//! Executed instructions, from the clock of an emulator in which every instruction takes the same time.
 //!
 //! With `-icount shift=S` QEMU's clock advances by 2^S ns an instruction. The SysTick timer reads
 //! that clock on ARM, `minstret` on RISC-V. S is found at start-up by timing a loop of known
@@ -21,7 +21,7 @@ const KNOWN: u32 = 1 << 19;
 /// S + 1; 0 if the clock does not follow the instructions.
 static SHIFT: AtomicU32 = AtomicU32::new(0);
 
-/// Executes `count` instructions, give or take a constant.
+/// Executes `count` instructions, up to a constant.
 #[inline(never)]
 fn spin(count: u32) {
     // SAFETY: counts a register down to zero, by two instructions a round.
@@ -69,9 +69,9 @@ fn span(work: &mut dyn FnMut()) -> u64 {
 
 /// Instructions that a call executes, with 0 for an empty call; `None` without `-icount`.
 ///
-/// With shift 10 the count is exact to the instruction up to some 655 000 (mps2-an386) or a
-/// million (microbit) instructions on ARM, beyond which some ten are added for every wrap of the
-/// 24-bit timer; on RISC-V it is always exact. A call of this function inside `work` spoils the
+/// With shift 10 the count is exact to the instruction up to about 655 000 (mps2-an386) or a
+/// million (microbit) instructions on ARM, above which about ten are added for every wrap of the
+/// 24-bit timer; on RISC-V it is always exact. A call of this function inside `work` invalidates the
 /// outer count.
 #[inline(never)]
 pub fn instructions(work: &mut dyn FnMut()) -> Option<u64> {

@@ -78,7 +78,10 @@
 //! | [`md`], [`tip`] | atoms; a tip of atoms turned on a substrate |
 //! | [`fit`] | parameters of friction laws from measurements |
 //! | [`run`] | the driver: sessions with checkpoints, progress, cancellation |
-//! | [`record`], [`space`], [`random`] | output files; periodic boxes; seeded random numbers |
+//! | [`record`], [`space`] | errors of output files; periodic boxes |
+//!
+//! [`prelude`] has the names of everyday use. Items that this documentation does not show serve the
+//! command of this repository: they are no part of the promise and change without notice.
 
 pub mod cd;
 pub mod fit;
@@ -87,6 +90,8 @@ pub mod friction;
 pub mod golden;
 pub mod md;
 pub mod powder;
+pub mod prelude;
+#[doc(hidden)]
 pub mod random;
 pub mod record;
 pub mod run;

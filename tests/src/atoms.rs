@@ -1,4 +1,4 @@
-//! Atoms of `tables/md/` with the results of LAMMPS.
+//! Atoms of `tables/md/` with the forces and sums that LAMMPS computed.
 
 use crate::tables::Table;
 use nalgebra::Vector3;
@@ -8,14 +8,14 @@ use tribos::md::interaction::{Interaction, Tally, Wanted, evaluate};
 use tribos::md::neighbours::VerletList;
 use tribos::md::pair::{LennardJones, Mixing, Pairing, Shift};
 
-/// A file of `tables/md/`.
+/// Path of a file of `tables/md/`.
 pub fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("tables/md")
         .join(name)
 }
 
-/// Its text.
+/// Text of a file of `tables/md/`.
 ///
 /// # Panics
 /// If it cannot be read.
@@ -24,7 +24,7 @@ pub fn text(name: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The atoms of `NAME.data`, periodic along the axes told.
+/// The atoms of `NAME.data`, periodic along the given axes.
 ///
 /// # Panics
 /// If it cannot be read.
@@ -34,23 +34,23 @@ pub fn data(name: &str, is_periodic: [bool; 3]) -> Configuration {
     all
 }
 
-/// Forces and sums of LAMMPS for one input.
+/// Forces and sums computed by LAMMPS for one input.
 #[derive(Clone, Debug)]
 pub struct Expected {
-    /// Forces, by number of the atom from 1.
+    /// Forces by number of the atom, starting at 1.
     pub forces: Vec<Vector3<f64>>,
     /// Potential energy.
     pub energy: f64,
-    /// Pressure, kinetic part included.
+    /// Pressure, including the kinetic part.
     pub pressure: f64,
-    /// The pressure's xx, yy, zz, xy, xz, yz.
+    /// Components xx, yy, zz, xy, xz, yz of the pressure.
     pub tensor: [f64; 6],
     /// Volume of the box.
     pub volume: f64,
 }
 
 impl Expected {
-    /// Of `in.NAME`.
+    /// Results for `in.NAME`.
     ///
     /// # Panics
     /// If there is no such table.
@@ -72,13 +72,13 @@ impl Expected {
         }
     }
 
-    /// Length of the largest force.
+    /// Magnitude of the largest force.
     pub fn largest(&self) -> f64 {
         self.forces.iter().map(Vector3::norm).fold(0.0, f64::max)
     }
 }
 
-/// Forces by number of the atom from 1, and sums.
+/// Forces by number of the atom, and sums.
 ///
 /// # Panics
 /// If the box is too small for the cut-off.
@@ -94,7 +94,7 @@ pub fn computed(all: &Configuration, law: &dyn Interaction) -> (Vec<Vector3<f64>
     (by_id, tally)
 }
 
-/// Two species as in `in.binary500_…`: ε 1 and 1/2, σ 1 and 0.88, cut-off 2.5.
+/// Two species as in `in.binary500_…`: ε of 1 and 1/2, σ of 1 and 0.88, cut-off 2.5.
 ///
 /// # Panics
 /// Never with the numbers here.

@@ -1,4 +1,4 @@
-//! Spheres that meet at random, for the tests of contacts.
+//! Random pairs of spheres for the contact tests.
 
 use crate::sweep::Lcg;
 use nalgebra::Vector3;
@@ -8,10 +8,10 @@ use tribos_core::contact::{
 };
 use tribos_core::real::Real;
 
-/// Two spheres near each other, what acts between them along the normal, and a step of time.
+/// Two spheres near each other, the law along the normal, and a time step.
 #[derive(Clone, Copy, Debug)]
 pub struct Meeting<R> {
-    /// Where they touch.
+    /// Contact geometry.
     pub touch: Touch<R>,
     /// The spheres.
     pub spheres: [Sphere<R>; 2],
@@ -38,7 +38,7 @@ pub fn solid<R: Real>(rng: &mut Lcg, radius: f64, speed: f64) -> Sphere<R> {
 }
 
 impl<R: Real> Meeting<R> {
-    /// Spheres of the given radii; every branch of the normal law is frequent.
+    /// Spheres of the given radii, drawn so that every branch of the normal law is frequent.
     pub fn random(rng: &mut Lcg, radii: [f64; 2]) -> Self {
         let away = [0.0, 0.01, -0.01, 0.05][rng.bits() as usize % 4];
         let direction: Vector3<f64> = vector(rng, 1.0);
@@ -63,7 +63,7 @@ impl<R: Real> Meeting<R> {
         Contact::new(&self.touch, &self.law, a, b, self.dt)
     }
 
-    /// Speed at which the spheres meet; turns count by their speed at r_eff.
+    /// Relative speed of the spheres at the contact; spins count by their speed at r_eff.
     pub fn speed(&self) -> f64 {
         let all = Thresholds::all(R::ZERO, R::ZERO, R::ZERO).expect("in range");
         let [a, b] = &self.spheres;
@@ -71,7 +71,7 @@ impl<R: Real> Meeting<R> {
         size(&velocity, R::ONE / self.touch.lever)
     }
 
-    /// What rounding of an impulse is measured by: itself, P, and the momentum that meets.
+    /// Scale of the rounding of an impulse: the impulse, P, and the relative momentum.
     pub fn scale<F: ContactFriction<R>>(&self, friction: &F) -> f64 {
         let contact = self.updated(friction).0;
         let met = contact.block().mass_normal.to_f64() * self.speed();
@@ -89,7 +89,7 @@ impl<R: Real> Meeting<R> {
     }
 }
 
-/// Equal, unequal and very unequal radii in turn.
+/// Equal, unequal and very unequal radii, alternately.
 pub fn radii(rng: &mut Lcg) -> [f64; 2] {
     match rng.bits() % 3 {
         0 => [1.0, 1.0],
@@ -105,7 +105,7 @@ pub fn components<R: Real, M: ContactModes<R>>(modal: &Modal<R, M>) -> [R; 8] {
     [modal.normal, s.x, s.y, s.z, r.x, r.y, r.z, torsion]
 }
 
-/// |p| + |T|/lever of all modes: a scale of impulses.
+/// |p| + |T|/lever of all modes, a scale of impulses.
 pub fn size<R: Real, M: ContactModes<R>>(modal: &Modal<R, M>, lever: R) -> f64 {
     modal.dot_with_lever(modal, lever).to_f64().sqrt()
 }

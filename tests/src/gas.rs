@@ -1,4 +1,4 @@
-//! A gas of rough spheres in a box, for conservation laws of contact dynamics in collisions.
+//! A gas of rough spheres in a box, for conservation laws in collisions.
 
 use crate::packings::{Rough, accelerated, spheres};
 use nalgebra::Vector3;
@@ -10,7 +10,7 @@ use tribos_core::contact::NormalLaw;
 /// Side of the box: a power of two, so that images are exact.
 pub const SIDE: f64 = 16.0;
 
-/// 64 spheres on a cubic lattice with random radii, velocities and spins, that soon collide.
+/// 64 spheres on a cubic lattice with random radii, velocities and spins, which soon collide.
 pub fn gas(space: PeriodicBox, normal: NormalLaw<f64>, friction: Rough) -> Setup<Rough> {
     let mut random = Random::new(7, 1);
     let lattice = |index: usize| {
@@ -35,7 +35,7 @@ pub fn gas(space: PeriodicBox, normal: NormalLaw<f64>, friction: Rough) -> Setup
         let radius = 1.4 + 0.4 * vector(1.0).x;
         setup.radii[body] = radius;
         *sphere = solid(radius, 1.0);
-        // Towards the middle: an open gas must meet.
+        // Velocities point to the middle, because an open gas must collide.
         let inwards = (setup.positions[body] - Vector3::repeat(0.5 * SIDE)) * -0.15;
         sphere.velocity = vector(1.0) + inwards;
         sphere.spin = vector(1.0);
@@ -43,7 +43,7 @@ pub fn gas(space: PeriodicBox, normal: NormalLaw<f64>, friction: Rough) -> Setup
     setup
 }
 
-/// A box of this side, periodic along some axes.
+/// A box of this side, periodic along the given axes.
 pub fn periodic(axes: [bool; 3]) -> PeriodicBox {
     PeriodicBox::new(axes.map(|periodic| periodic.then_some(SIDE))).expect("the box is valid")
 }

@@ -8,35 +8,35 @@ use tribos::cd::{Laws, Setup, StepLimits, Wall, World, WorldError};
 use tribos::space::PeriodicBox;
 use tribos_core::contact::{Attraction, Cohesion, ContactFriction, NormalLaw};
 
-/// A case that was run.
+/// Result of one case.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// What it is.
+    /// Name of the case.
     pub name: String,
-    /// Solver's tolerance, of P.
+    /// Tolerance of the solver, relative to P.
     pub tolerance: f64,
-    /// Contacts of the last step.
+    /// Number of contacts in the last step.
     pub contacts: usize,
-    /// Sweeps of the first step, which knows no forces, and the mean of all others.
+    /// Sweeps of the first step, which has no initial forces, and the mean over all other steps.
     pub sweeps: [f64; 2],
     /// Whether every step met the tolerance.
     pub met: bool,
-    /// Largest relative residual of a step.
+    /// Largest relative residual of any step.
     pub residual: f64,
-    /// Sum of what every step may have let overlap, in R.
+    /// Sum of the overlaps that the steps may have allowed, in R.
     pub overlap: f64,
-    /// What is compared with theory.
+    /// The quantity compared with theory.
     pub what: &'static str,
     /// Its error.
     pub error: f64,
 }
 
-/// Steps of a case.
+/// Number of steps of a case.
 const STEPS: usize = 20;
 /// Tolerances: the usual one and one near rounding.
 pub const TOLERANCES: [f64; 2] = [1e-4, 1e-10];
 
-/// A setup, the number of steps, and the error of what comes out.
+/// A setup, the number of steps, and the error of the result.
 type Plan = (
     String,
     Setup<Rough>,
@@ -45,7 +45,7 @@ type Plan = (
     fn(&World<Rough>) -> f64,
 );
 
-/// Every case at every tolerance.
+/// Runs every case with every tolerance.
 pub fn cases() -> Vec<Case> {
     let plans = plans();
     let each = plans
@@ -183,7 +183,7 @@ fn plans() -> Vec<Plan> {
     plans
 }
 
-/// Force on the floor against all weights and loads, relative.
+/// Force on the floor compared with the sum of weights and loads, relative.
 fn floor_force(world: &World<Rough>) -> f64 {
     let (state, setup) = (world.state(), world.setup());
     let weight =
@@ -216,10 +216,10 @@ fn overlap_change(world: &World<Rough>) -> f64 {
     (apart(&world.state().positions) - apart(&world.setup().positions)).abs()
 }
 
-/// Pull and coefficients of the slider, its speed at first.
+/// Pull and coefficients of the slider, and its initial speed.
 const SLIDER: (f64, [f64; 2], f64) = (4.0, [0.3, 0.05], 1.0);
 
-/// A cohesive sphere that slides on a large one, then rolls against resistance.
+/// A cohesive sphere that slides on a large one, then rolls against rolling resistance.
 fn slider(ratio: f64) -> Setup<Rough> {
     let (strength, [mu, mu_rolling], speed) = SLIDER;
     let cohesion = Cohesion::new(strength, 0.1, Attraction::Pull).expect("cohesion is valid");
@@ -233,17 +233,17 @@ fn slider(ratio: f64) -> Setup<Rough> {
     setup
 }
 
-/// Speed of the slider against that on a plane, relative.
+/// Speed of the slider compared with that on a plane, relative.
 fn rolling_speed(world: &World<Rough>) -> f64 {
     let (strength, [mu, mu_rolling], speed) = SLIDER;
     let g = strength * world.setup().spheres[1].inv_mass;
-    // Friction mu g slows it, and turns it at 5/2 (mu − mu_t) g, until it rolls.
+    // Friction mu g decelerates it and spins it up at 5/2 (mu − mu_t) g until it rolls.
     let rolls = speed / (g * (mu + 2.5 * (mu - mu_rolling)));
     let wanted = speed - mu * g * rolls - 5.0 / 7.0 * mu_rolling * g * (world.state().time - rolls);
     (world.state().spheres[1].velocity.norm() / wanted - 1.0).abs()
 }
 
-/// A sphere under a ceiling whose cohesion is its weight.
+/// A sphere under a ceiling whose cohesion equals its weight.
 fn hanging() -> Setup<Rough> {
     let mut setup = spheres(
         vec![-Vector3::z()],
@@ -259,7 +259,7 @@ fn hanging() -> Setup<Rough> {
     setup
 }
 
-/// A sphere that cannot roll on a slope whose tangent is its coefficient.
+/// A sphere that cannot roll, on a slope whose tangent is its coefficient.
 fn at_threshold() -> Setup<Rough> {
     Setup {
         gravity: Vector3::new(0.5, 0.0, -1.0),
@@ -267,14 +267,14 @@ fn at_threshold() -> Setup<Rough> {
     }
 }
 
-/// Two spheres that overlap by 0.1, pressed on the floor.
+/// Two spheres that overlap by 0.1, pressed against the floor.
 fn overlapping() -> Setup<Rough> {
     let mut setup = chain(2, Laws::uniform(dry(), rough(0.3, 0.1, 0.1)));
     setup.positions[1].z -= 0.1;
     setup
 }
 
-/// A chain of other size: lengths times `scale`, gravity too.
+/// A chain of another size: lengths and gravity are multiplied by `scale`.
 fn scaled(scale: f64) -> Setup<Rough> {
     let mut setup = chain(20, Laws::uniform(dry(), rough(0.3, 0.1, 0.1)));
     setup.positions.iter_mut().for_each(|x| *x *= scale);
@@ -285,7 +285,7 @@ fn scaled(scale: f64) -> Setup<Rough> {
     setup
 }
 
-/// Bad input and what a world says of it in its first step; `None` if it says nothing.
+/// Invalid input, and the error of a world at construction or in its first step; `None` if there is none.
 pub fn refusals() -> Vec<(&'static str, Option<WorldError>)> {
     let base = || chain(2, Laws::uniform(dry(), rough(0.3, 0.1, 0.1)));
     let with = |change: fn(&mut Setup<Rough>)| {
@@ -336,7 +336,7 @@ pub fn refusals() -> Vec<(&'static str, Option<WorldError>)> {
     ]
 }
 
-/// A pull that no step is short enough for.
+/// A pull for which no step is short enough.
 fn far_pull(setup: &mut Setup<Rough>) {
     let cohesion = Cohesion::new(1e30, 1.0, Attraction::Pull).expect("cohesion is valid");
     let normal = NormalLaw::new(cohesion, 0.0).expect("the law is valid");

@@ -1,4 +1,4 @@
-//! Friction laws that several tests use, and their derivative by differences.
+//! Friction laws shared by several tests, and their derivative by differences.
 
 use tribos_core::law::{
     Dieterich, DryFriction, LuGre, LuGreParameters, PlateauPower, PlateauPowerParameters,

@@ -3,9 +3,9 @@
 //! min |x| subject to G x ≥ h becomes min |Eᵀu − f| with u ≥ 0, E = (G h), f = (0 … 0 1), whose
 //! residual r gives x = −r/r_last (Lawson and Hanson 1974, chapters 20 and 23).
 
-/// Gradient below which a multiplier stays 0, relative to its row's length.
+/// Gradient relative to the row's length below which a multiplier stays 0.
 const STATIONARY: f64 = 1e-13;
-/// Part of a row outside of the active ones below which it counts as dependent on them.
+/// Fraction of a row outside the span of the active ones below which it counts as dependent.
 const DEPENDENT: f64 = 1e-11;
 
 /// Nearest point x with rows·x ≥ bounds; `None` if there is none.
@@ -45,7 +45,7 @@ fn least_squares_not_negative(rows: &[Vec<f64>], target: &[f64]) -> Vec<f64> {
             continue;
         };
         refused.fill(false);
-        // Back to the last point where no multiplier is negative.
+        // Back to the last point at which no multiplier is negative.
         while trial.iter().any(|value| *value <= 0.0) {
             let step = active
                 .iter()
@@ -77,7 +77,7 @@ fn least_squares_not_negative(rows: &[Vec<f64>], target: &[f64]) -> Vec<f64> {
     }
 }
 
-/// Coefficients of the active rows that come nearest to the target, by Gram and Schmidt, twice.
+/// Coefficients of the active rows for the best approximation of the target, by Gram-Schmidt, applied twice.
 fn least_squares(rows: &[Vec<f64>], active: &[usize], target: &[f64]) -> Option<Vec<f64>> {
     let count = active.len();
     let mut basis: Vec<Vec<f64>> = Vec::with_capacity(count);

@@ -1,7 +1,7 @@
-//! Checks of all promises against independent sources.
+//! Checks of all promises against independent references.
 //!
-//! The tests are in `tests/`, one file per promise; this library has their shared parts. No module of
-//! this crate computes friction except [`rim_mean`] and [`tilted`], which are independent oracles; other
+//! The tests are in `tests/`, one file per promise; this library contains their shared parts. Of its modules
+//! only [`rim_mean`] and [`tilted`], which are independent oracles, compute friction; other
 //! references are the tables of `tables/` or formulas of the test that uses them.
 
 pub mod atoms;

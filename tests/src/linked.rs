@@ -1,12 +1,12 @@
-//! The functions that a program holds, by the symbols of [`tribos_api`].
+//! The functions contained in a program, identified by the symbols of [`tribos_api`].
 
 use std::collections::{BTreeMap, BTreeSet};
 use tribos_api::Function;
 
-/// The functions of `crate_name` that a program holds, each with the precisions in its generics.
+/// The functions of `crate_name` contained in a program, each with the precisions in its generics.
 ///
-/// The program is to be built with `-Csymbol-mangling-version=v0`, without optimisation, so that
-/// nothing is inlined, and without debug information, which names what the linker dropped.
+/// The program must be built with `-Csymbol-mangling-version=v0`, without optimisation, so that
+/// nothing is inlined, and without debug information, which also names what the linker dropped.
 pub fn linked_functions(
     program: &[u8],
     crate_name: &str,
@@ -30,10 +30,10 @@ pub fn linked_functions(
     out
 }
 
-/// Functions of the kernel that a program does not hold, or not in every precision.
+/// Functions of the kernel that are missing from a program, or not present in every precision.
 ///
-/// Of no interest are derived functions, those that are always inlined into their callers and leave
-/// no symbol, and those of types of other crates.
+/// Derived functions, functions that are always inlined and leave no symbol, and functions of types of
+/// other crates are ignored.
 pub fn not_linked(
     functions: &[Function],
     linked: &BTreeMap<String, BTreeSet<&'static str>>,
@@ -106,14 +106,14 @@ fn bare(path: &str) -> String {
         .to_owned()
 }
 
-/// Where the bracket closes that was open before the text.
+/// Position of the bracket that closes the one open before the text.
 fn closing(text: &str) -> Option<usize> {
     let mut depth = 1;
     let mut last = ' ';
     for (at, c) in text.char_indices() {
         match c {
             '<' => depth += 1,
-            // Not the arrow of a function's type.
+            // The `>` of a function type's arrow is not a bracket.
             '>' if last != '-' => depth -= 1,
             _ => {}
         }

@@ -1,6 +1,6 @@
 //! Packings of spheres for contact dynamics: chains, towers, plates, pairs and a jammed box.
 //!
-//! Units: radius 1 and density 1 unless stated otherwise. Every packing has the same bits each time.
+//! Units: radius 1 and density 1 unless stated otherwise. Every packing is bit-reproducible.
 
 use nalgebra::Vector3;
 use tribos::cd::internals::{Coefficients, Spheres};
@@ -10,9 +10,9 @@ use tribos::space::{PeriodicBox, pairs::Cells};
 use tribos_core::contact::{AllModes, Cohesion, ContactFriction, Frictionless};
 use tribos_core::contact::{NormalLaw, Thresholds};
 
-/// Friction in all modes.
+/// Friction coefficients of all modes.
 pub type Rough = Thresholds<f64, AllModes>;
-/// No friction.
+/// Zero friction in all modes.
 pub type Smooth = Thresholds<f64, Frictionless>;
 
 /// Sliding, rolling and torsion coefficients.
@@ -20,12 +20,12 @@ pub fn rough(mu: f64, mu_rolling: f64, mu_torsion: f64) -> Rough {
     Thresholds::all(mu, mu_rolling, mu_torsion).expect("coefficients are valid")
 }
 
-/// Hard contact without cohesion and without rebound.
+/// Hard contact without cohesion and restitution.
 pub fn dry() -> NormalLaw<f64> {
     NormalLaw::new(Cohesion::NONE, 0.0).expect("the law is valid")
 }
 
-/// Sweeps with momentum to a tolerance, from the last step's forces.
+/// Sweeps with momentum to a tolerance, starting from the last step's forces.
 pub fn accelerated(tolerance: f64) -> Solver {
     Solver {
         method: Method::Accelerated { tolerance },
@@ -34,9 +34,9 @@ pub fn accelerated(tolerance: f64) -> Solver {
     }
 }
 
-/// Solver of the packings below, in units of P: far below what the tests ask.
+/// Solver of the packings below, in units of P: far more accurate than the tests require.
 const TOLERANCE: f64 = 1e-10;
-/// Bounds of the step of the packings below.
+/// Step limits of the packings below.
 const STEP_LIMITS: StepLimits = StepLimits {
     longest: 0.02,
     motion: 0.02,
@@ -59,12 +59,12 @@ pub fn spheres<F>(positions: Vec<Vector3<f64>>, laws: Laws<F>) -> Setup<F> {
     }
 }
 
-/// The plane z = 0, spheres above it.
+/// The plane z = 0 with the spheres above it.
 pub fn floor() -> Wall {
     Wall::fixed(Vector3::z(), 0.0)
 }
 
-/// A vertical chain on the floor under its own weight, gravity 1; all gaps are 0.
+/// A vertical chain on the floor under its own weight, with gravity 1 and gaps of 0.
 pub fn chain<F>(count: usize, laws: Laws<F>) -> Setup<F> {
     let height = |level: usize| Vector3::new(0.0, 0.0, 1.0 + 2.0 * level as f64);
     Setup {
@@ -74,11 +74,11 @@ pub fn chain<F>(count: usize, laws: Laws<F>) -> Setup<F> {
     }
 }
 
-/// A chain on which a plate lies that is `ratio` times as heavy as one sphere.
+/// A chain under a plate that is `ratio` times as heavy as one sphere.
 pub fn column<F>(count: usize, ratio: f64, laws: Laws<F>) -> Setup<F> {
     let mass = ratio / solid(1.0, 1.0).inv_mass;
     let mut setup = chain(count, laws);
-    // Gravity 1 acts on spheres alone: the plate's weight is a load.
+    // Gravity 1 acts only on spheres, so the plate's weight is a load.
     let plate = Wall::piston(-Vector3::z(), -2.0 * count as f64, mass, mass);
     setup.walls.push(plate);
     setup
@@ -93,7 +93,7 @@ pub fn tower<F>(count: usize, growth: f64, laws: Laws<F>) -> Setup<F> {
     setup
 }
 
-/// A row along x whose first sphere lies a `gap` before a wall; the spheres touch each other.
+/// A row along x whose first sphere is a `gap` away from a wall; the spheres touch each other.
 pub fn row<F>(count: usize, gap: f64, laws: Laws<F>) -> Setup<F> {
     let place = |index: usize| Vector3::new(1.0 + gap + 2.0 * index as f64, 0.0, 0.0);
     Setup {
@@ -113,24 +113,24 @@ pub fn unequal_pair<F>(ratio: f64, laws: Laws<F>) -> Setup<F> {
     setup
 }
 
-/// Volume fraction of centres' first random places: dilute enough to relax in a few rounds.
+/// Volume fraction of the initial random positions: dilute enough to relax in a few rounds.
 const LOOSE: f64 = 0.4;
-/// How much the box shrinks at a time.
+/// Factor by which the box shrinks in one stage.
 const SHRINK: f64 = 0.998;
-/// Mean overlap a sphere, in radii, below which a box is relaxed.
+/// Mean overlap per sphere, in radii, below which a box is relaxed.
 const RELAXED: f64 = 1e-4;
-/// Most rounds of relaxation after each shrinking.
+/// Largest number of relaxation rounds after each shrinking.
 const ROUNDS: usize = 1000;
-/// Contacts a sphere at which the box is done; 3 would leave as many forces as translations.
+/// Contacts per sphere at which the box is finished; 3 would give as many forces as translations.
 const CONTACTS: f64 = 3.5;
-/// Share of an overlap that a round takes back: below 1/2 of a body with a dozen neighbours' sum.
+/// Fraction of an overlap removed in a round: below 1/2, because a body with a dozen neighbours sums them.
 const RELAX: f64 = 0.2;
 
-/// A jammed cube of `count` equal spheres between five walls and a piston (the last wall) of
-/// pressure 1, with 3.5 contacts a sphere: hyperstatic even without friction.
+/// A jammed cube of `count` equal spheres between five walls and a piston (the last wall) with
+/// pressure 1 and 3.5 contacts per sphere: hyperstatic even without friction.
 ///
-/// Random places are relaxed as soft spheres while the box shrinks, until contacts abound.
-/// Overlaps of about 1e-2 are left: rigid contacts treat them as gaps of 0.
+/// Random positions are relaxed as soft spheres while the box shrinks, until there are enough contacts.
+/// Overlaps of about 1e-2 remain, which rigid contacts treat as gaps of 0.
 pub fn jammed_box<F>(count: usize, seed: u64, laws: Laws<F>) -> Setup<F> {
     let mut random = Random::new(seed, 0);
     let volume = 4.0 / 3.0 * std::f64::consts::PI * count as f64;
@@ -155,7 +155,7 @@ pub fn jammed_box<F>(count: usize, seed: u64, laws: Laws<F>) -> Setup<F> {
     }
 }
 
-/// Moves overlapping soft spheres apart; returns how many contacts are left.
+/// Moves overlapping soft spheres apart; returns the number of remaining contacts.
 fn relax(positions: &mut [Vector3<f64>], side: f64, cells: &mut Cells) -> usize {
     let radii = vec![1.0; positions.len()];
     let mut contacts = 0;
@@ -193,7 +193,7 @@ fn relax(positions: &mut [Vector3<f64>], side: f64, cells: &mut Cells) -> usize 
     contacts
 }
 
-/// The contact problem of the first step, nothing solved: free velocities and no impulses.
+/// The unsolved contact problem of the first step: free velocities and zero impulses.
 pub fn first_problem<F>(setup: &Setup<F>) -> Result<Spheres<F>, WorldError>
 where
     F: ContactFriction<f64> + Coefficients,

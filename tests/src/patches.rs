@@ -1,4 +1,4 @@
-//! Round patches by pressure: all tiers for a pressure (1−r²)^q, by name, and their distance from
+//! Round patches by pressure: all tiers for a pressure (1−r²)^q, by name, and their errors against
 //! a row of the tables.
 
 use crate::reference::Reference;
@@ -20,7 +20,7 @@ pub type PatchTier<R> = (&'static str, Box<dyn Lateral<R>>);
 pub trait RoundTabulated: Real {
     /// The table of one pressure.
     fn round_table(alpha: f64, pressure: PowerPressure) -> Option<Box<dyn Lateral<Self>>>;
-    /// The uniform disk's own table.
+    /// The table of the uniform disk.
     fn disk_table(alpha: f64) -> Option<Box<dyn Lateral<Self>>>;
 }
 
@@ -79,7 +79,7 @@ pub fn tiers<R: RoundTabulated>(order: f64, alpha: f64) -> Vec<PatchTier<R>> {
     tiers
 }
 
-/// All tiers made for the uniform disk alone.
+/// All tiers specific to the uniform disk.
 ///
 /// # Panics
 /// If the exponent is refused.
@@ -96,7 +96,7 @@ pub fn disks<R: RoundTabulated>(alpha: f64) -> Vec<PatchTier<R>> {
     tiers
 }
 
-/// Worst distances of one tier from rows with F, T, G and the derivatives dF, dT along v.
+/// Largest errors of one tier over rows with F, T, G and the derivatives dF, dT along v.
 #[derive(Clone, Debug)]
 pub struct RowErrors {
     wrench: [Worst; 3],
@@ -104,7 +104,7 @@ pub struct RowErrors {
 }
 
 impl RowErrors {
-    /// Nothing seen yet.
+    /// No rows so far.
     pub fn of(wrench: [&'static str; 3], derivatives: [&'static str; 2]) -> Self {
         Self {
             wrench: wrench.map(Worst::of),
@@ -112,7 +112,7 @@ impl RowErrors {
         }
     }
 
-    /// Takes one row into account: F, T and G relative, derivatives in units of the larger of
+    /// Adds one row: errors of F, T and G are relative, those of the derivatives in units of the larger of
     /// themselves and F/v.
     pub fn see(&mut self, tier: &dyn Lateral<f64>, row: &Row, place: impl Fn() -> String) {
         let ratio = row.number("eps");
@@ -134,7 +134,7 @@ impl RowErrors {
         }
     }
 
-    /// Fails if F, T or G exceed `wrench`, or the derivatives `derivatives`.
+    /// Fails if the error of F, T or G exceeds `wrench`, or that of the derivatives `derivatives`.
     ///
     /// # Panics
     /// If they do.
@@ -149,7 +149,7 @@ impl RowErrors {
     }
 }
 
-/// Distance in units of the larger of |`wanted`| and `drag`; infinite slopes must be infinite.
+/// Error in units of the larger of |`wanted`| and `drag`; an infinite slope must be infinite.
 pub fn slope_error(wanted: &Reference, got: f64, drag: f64) -> f64 {
     let size = wanted.high.abs();
     wanted.over(got, if size > drag { size } else { drag })

@@ -1,4 +1,4 @@
-//! A gas that rebounds with friction: its energy balance and largest impulse.
+//! A gas with restitution and friction: its energy balance and largest impulse.
 
 use crate::gas::{SIDE, gas};
 use crate::packings::rough;
@@ -7,10 +7,10 @@ use tribos::cd::{EnergyBalance, StepLimits, Wall, World};
 use tribos::space::PeriodicBox;
 use tribos_core::contact::{Cohesion, NormalLaw};
 
-/// Restitution, friction and step of a run.
+/// Restitution, friction and time step of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Cell {
-    /// Coefficient of restitution, of spheres and walls.
+    /// Coefficient of restitution of spheres and walls.
     pub restitution: f64,
     /// Sliding coefficient.
     pub mu: f64,
@@ -20,25 +20,25 @@ pub struct Cell {
     pub dt: f64,
 }
 
-/// What came of it, energies in units of the initial one.
+/// Results of a run, with energies in units of the initial one.
 #[derive(Clone, Copy, Debug)]
 pub struct Answer {
-    /// Collisions, sliding, rolling, torsion.
+    /// Losses by collisions, sliding, rolling and torsion.
     pub lost: [f64; 4],
-    /// Kinetic energy that is left.
+    /// Kinetic energy at the end.
     pub kept: f64,
-    /// Least that any of the four took in a step: negative if one gave energy.
+    /// Smallest loss of any of the four in a step: negative if one gained energy.
     pub least: f64,
-    /// What the book does not account for.
+    /// Imbalance of the energy balance.
     pub imbalance: f64,
-    /// Largest impulse of a contact in a step, along or across its normal.
+    /// Largest impulse of a contact in a step, along its normal or across it.
     pub largest: f64,
     /// Steps whose impacts were cut off or whose solver missed its tolerance.
     pub unmet: usize,
 }
 
-/// 64 spheres between six walls for a time, in which about 100 pairs collide. Nothing moves so fast
-/// that a step is cut.
+/// 64 spheres between six walls, for a time in which about 100 pairs collide. No motion is fast enough
+/// to shorten a step.
 pub fn run(cell: Cell, time: f64) -> Answer {
     let mut world = World::new(setup(cell)).expect("the setup is valid");
     let (mut largest, mut least, mut unmet) = (0.0_f64, 0.0_f64, 0);
@@ -67,7 +67,7 @@ pub fn run(cell: Cell, time: f64) -> Answer {
     }
 }
 
-/// The gas of a cell.
+/// The gas with the parameters of one run.
 pub fn setup(cell: Cell) -> tribos::cd::Setup<crate::packings::Rough> {
     let normal = NormalLaw::new(Cohesion::NONE, cell.restitution).expect("the law is valid");
     let friction = rough(cell.mu, cell.rolling, cell.rolling);
@@ -83,7 +83,7 @@ pub fn setup(cell: Cell) -> tribos::cd::Setup<crate::packings::Rough> {
     setup
 }
 
-/// Entries that may only grow.
+/// Losses, none of which may decrease.
 fn losses(book: &EnergyBalance) -> [f64; 4] {
     [book.normal, book.sliding, book.rolling, book.torsion]
 }

@@ -1,13 +1,13 @@
-//! Reference values with more digits than an `f64`, and distances from them.
+//! Reference values with more digits than an `f64`, and errors relative to them.
 
 /// A number of a table, kept as an unevaluated sum `high + low` of two `f64` (about 32 digits).
 ///
-/// In the subnormal range `low` is zero: distances there are off by up to half a unit.
+/// In the subnormal range `low` is zero, and errors there are inaccurate by up to half a unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
     /// The nearest `f64`.
     pub high: f64,
-    /// What `high` leaves out.
+    /// Remainder that `high` leaves out.
     pub low: f64,
 }
 
@@ -23,7 +23,7 @@ impl Reference {
             return Some(Self { high, low: 0.0 });
         }
         let (wanted, wanted_exponent) = integer(text.trim())?;
-        // Rust prints as many correct digits of a binary number as it is asked for.
+        // Rust prints as many correct digits of a binary number as requested.
         let (rounded, rounded_exponent) = integer(&format!("{high:.*e}", DIGITS - 1))?;
         let exponent = wanted_exponent.min(rounded_exponent);
         let aligned = |n: i128, e: i32| n * 10_i128.pow((e - exponent) as u32);
@@ -50,22 +50,22 @@ impl Reference {
         }
     }
 
-    /// Distance over |reference|; a reference of zero allows nothing but zero.
+    /// Error over |reference|; for a reference of zero only zero error is accepted.
     pub fn relative(&self, got: f64) -> f64 {
         self.over(got, self.high.abs())
     }
 
-    /// Distance in units of the last place of the `f64` reference.
+    /// Error in units of the last place of the `f64` reference.
     pub fn ulps(&self, got: f64) -> f64 {
         self.over(got, ulp_f64(self.high))
     }
 
-    /// Distance of an `f32` in units of its last place.
+    /// Error of an `f32` in units of its last place.
     pub fn ulps_f32(&self, got: f32) -> f64 {
         self.over(f64::from(got), ulp_f32(self.high as f32))
     }
 
-    /// Distance over `scale` > 0; zero distance is zero on any scale.
+    /// Error over `scale` > 0; zero error is zero on any scale.
     pub fn over(&self, got: f64, scale: f64) -> f64 {
         let distance = self.distance(got);
         if distance == 0.0 || distance == f64::INFINITY {

@@ -9,13 +9,13 @@ use nalgebra::Vector3;
 use std::f64::consts::PI;
 use tribos::cd::{Laws, Method, Order, Setup, Solver, StepLimits, Stop, Wall, World};
 
-/// Spheres in the row; the piston at its end is one more body of the same mass.
+/// Number of spheres in the row; the piston at its end is one more body of the same mass.
 const SPHERES: usize = 49;
-/// Sweeps of a step.
+/// Number of sweeps per step.
 const SWEEPS: usize = 40;
-/// Half swings that are left out: the load's first front, and contacts that reach a force of 0.
+/// Half periods that are left out: the first front of the load, and contacts with zero force.
 const FIRST: usize = 3;
-/// Periods that are compared.
+/// Number of periods compared.
 const PERIODS: usize = 3;
 
 /// A row between a wall and a piston of one sphere's mass, pushed from time 0 by 0.05 m d/dt².
@@ -39,8 +39,8 @@ pub fn pushed(order: Order) -> Setup<Smooth> {
     setup
 }
 
-/// Period and rate of damping of the last body's velocity, in steps: from its zeros, and from its
-/// swing between them, which is that of the fundamental wave once the others are gone.
+/// Period and damping rate of the last body's velocity, in steps: from its zeros, and from its
+/// amplitude between them, which is that of the fundamental mode once the others have decayed.
 pub fn measured(order: Order) -> (f64, f64) {
     let mut world = World::new(pushed(order)).expect("the setup is valid");
     let (mut zeros, mut swings) = (Vec::new(), Vec::new());
@@ -66,18 +66,18 @@ pub fn measured(order: Order) -> (f64, f64) {
     (period, ratio.abs().ln() / (0.5 * period * halves))
 }
 
-/// Period and rate of damping by the theory, in steps.
+/// Theoretical period and damping rate, in steps.
 pub fn expected(q: f64) -> (f64, f64) {
     let diffusion = q * SWEEPS as f64;
     let speed = diffusion.sqrt();
-    // A quarter of the wave from the wall to the free end.
+    // The row is a quarter of the wavelength, from the wall to the free end.
     let k = 0.5 * PI / (SPHERES + 1) as f64;
     let omega = k * (diffusion - 0.25 * (diffusion * k).powi(2)).sqrt();
     assert!(k < 2.0 * speed / diffusion, "the wave is not overdamped");
     (2.0 * PI / omega, 0.5 * diffusion * k * k)
 }
 
-/// q of random orders.
+/// Factor q of random orders.
 pub fn random_q() -> f64 {
     0.5 * (4.0 * 0.5_f64.exp() - 5.0)
 }

@@ -1,4 +1,4 @@
-//! Shared parts of the tests of friction sets: wrenches, distances, special couplings.
+//! Shared parts of the tests of friction sets: wrenches, norms, special couplings.
 
 use crate::sweep::Lcg;
 use std::cell::Cell;
@@ -8,17 +8,17 @@ use tribos_core::internals::CompleteElliptic;
 use tribos_core::internals::Speeds;
 use tribos_core::twist::Wrench;
 
-/// μN in N and R in m of every set that has dimensions: no powers of two.
+/// Force limit μN in N, and radius R in m, of every set with dimensions; neither is a power of two.
 pub const FORCE_LIMIT: f64 = 0.51;
 /// See [`FORCE_LIMIT`].
 pub const RADIUS: f64 = 0.04;
 
-/// Inner product of two wrenches, torques over `length`.
+/// Inner product of two wrenches, with torques divided by `length`.
 pub fn inner(a: &Wrench<f64>, b: &Wrench<f64>, length: f64) -> f64 {
     a.force.dot(&b.force) + a.torque / length * (b.torque / length)
 }
 
-/// Length of a wrench, torque over `length`.
+/// Norm of a wrench, with the torque divided by `length`.
 pub fn norm(a: &Wrench<f64>, length: f64) -> f64 {
     a.force.x.hypot(a.force.y).hypot(a.torque / length)
 }
@@ -34,8 +34,8 @@ pub fn same_bits(a: &Wrench<f64>, b: &Wrench<f64>) -> bool {
     .all(|(a, b)| a.to_bits() == b.to_bits())
 }
 
-/// A wrench in any direction, one in four near a pole or on one; force and torque/`RADIUS` over
-/// `FORCE_LIMIT` together `size`.
+/// A wrench in a random direction, one in four near a pole or on it; force and torque/`RADIUS` over
+/// `FORCE_LIMIT` have the joint norm `size`.
 pub fn random_wrench(rng: &mut Lcg, size: f64) -> Wrench<f64> {
     use std::f64::consts::{FRAC_PI_2, TAU};
     let tilt = match rng.bits() >> 60 {
@@ -53,7 +53,7 @@ pub fn random_wrench(rng: &mut Lcg, size: f64) -> Wrench<f64> {
 }
 
 /// Coulomb friction of a ring: D = (2/π)(2E − (1−h²)K) of the larger speed. At equal speeds the
-/// slopes are infinite like a logarithm.
+/// slopes have a logarithmic singularity.
 #[derive(Clone, Copy, Debug)]
 pub struct Ring;
 
@@ -86,14 +86,14 @@ impl Coupling<f64> for Ring {
     }
 }
 
-/// Leading and trailing component, (2/π) E and (2/π) h B.
+/// Dominant and minor component, (2/π) E and (2/π) h B.
 fn ring_factors(h: f64) -> (f64, f64) {
     let integrals = CompleteElliptic::new((1.0 - h) * (1.0 + h));
     let unit = std::f64::consts::FRAC_2_PI;
     (unit * integrals.e(), unit * h * integrals.b)
 }
 
-/// A coupling that counts how often it is asked.
+/// A coupling that counts its evaluations.
 #[derive(Debug)]
 pub struct Counting<C> {
     coupling: C,
@@ -101,7 +101,7 @@ pub struct Counting<C> {
 }
 
 impl<C> Counting<C> {
-    /// Counts the calls of `coupling`.
+    /// Counts the evaluations of `coupling`.
     pub fn new(coupling: C) -> Self {
         Self {
             coupling,
@@ -109,7 +109,7 @@ impl<C> Counting<C> {
         }
     }
 
-    /// Wrenches and Jacobians since the last question.
+    /// Number of wrenches and Jacobians since the last call.
     pub fn take(&self) -> u32 {
         self.calls.replace(0)
     }

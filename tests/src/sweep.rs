@@ -1,6 +1,6 @@
-//! Deterministic arguments: counted, pseudo-random, and dense where formulas meet.
+//! Deterministic arguments: enumerated, pseudo-random, and dense at the borders between formulas.
 
-/// A 64-bit linear congruential generator (Knuth's MMIX constants), the same everywhere.
+/// A 64-bit linear congruential generator (Knuth's MMIX constants), the same on every platform.
 #[derive(Clone, Debug)]
 pub struct Lcg(u64);
 
@@ -10,14 +10,14 @@ const INCREMENT: u64 = 1_442_695_040_888_963_407;
 const UNIT: f64 = 1.0 / 4_294_967_296.0;
 
 impl Lcg {
-    /// A generator for one stream.
+    /// A generator for one random stream.
     pub fn new(seed: u64) -> Self {
         let mut out = Self(seed);
         out.bits();
         out
     }
 
-    /// 64 bits, the better half of two states.
+    /// 64 bits, from the upper halves of two states.
     pub fn bits(&mut self) -> u64 {
         let mut step = || {
             self.0 = self.0.wrapping_mul(MULTIPLIER).wrapping_add(INCREMENT);
@@ -83,8 +83,8 @@ pub fn cell_borders() -> Vec<f64> {
     out
 }
 
-/// Pairs of speeds (v, w) a part 2⁻ᵏ of them apart, k = 1…52, either leading, with numbers whose
-/// quotient does not happen to be exact.
+/// Pairs of speeds (v, w) that differ by a fraction 2⁻ᵏ, k = 1…52, either one larger, chosen so that the
+/// quotient is not exact by chance.
 pub fn nearly_equal() -> Vec<(f64, f64)> {
     let mut out = Vec::new();
     for base in [1.0, 1.1, 0.7, 0.531_415, 123.456] {
@@ -110,7 +110,7 @@ pub fn ratios_f32(count: usize) -> Vec<f32> {
     out
 }
 
-/// Zero, one, the ends of the normal and subnormal range, infinity and NaN, both signs.
+/// Zero, one, the limits of the normal and subnormal range, infinity and NaN, with both signs.
 pub fn special_f64() -> Vec<f64> {
     let positive = [
         0.0,

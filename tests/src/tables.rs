@@ -76,7 +76,7 @@ impl<'a> Row<'a> {
         &self.table.rows[self.number][at]
     }
 
-    /// The binary number nearest to a column: arguments are such numbers by definition.
+    /// The f64 nearest to a column: arguments are such numbers by definition.
     ///
     /// # Panics
     /// If the column is not a number.

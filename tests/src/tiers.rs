@@ -27,7 +27,7 @@ impl Tabulated for f32 {
     }
 }
 
-/// The tiers that work to rounding accuracy: tables up to their largest exponent, compact forms.
+/// The tiers with rounding accuracy: tables up to their largest exponent, compact forms.
 ///
 /// # Panics
 /// If the exponent is refused.

@@ -1,18 +1,18 @@
 //! An oracle for leaning pressures that shares no code with the kernel: the friction of surface
-//! elements, summed over the patch in two dimensions.
+//! elements, integrated over the patch in two dimensions.
 //!
-//! Elements lie on rays from the centre of rotation if that is on the patch, else around the
-//! patch's own centre, so that the sums always run over smooth functions: the rules
-//! (Gauss–Legendre along, the trapezoid around) converge geometrically.
+//! Elements lie on rays from the centre of rotation if that is on the patch, otherwise around the
+//! patch's own centre, so that the integrands are always smooth and the rules
+//! (Gauss–Legendre along the rays, trapezoid around) converge geometrically.
 
-/// What is summed: pressure (1−r²)^`order` with unit load, leaning by `gradient`, and the law |u|^`alpha`.
+/// The integrand: pressure (1−r²)^`order` with unit load, leaning by `gradient`, and the law |u|^`alpha`.
 #[derive(Clone, Copy, Debug)]
 pub struct Tilted {
-    /// q = −1 (the ring), 0, 1/2 or 1.
+    /// Order q of the pressure: −1 (the ring), 0, 1/2 or 1.
     pub order: f64,
-    /// The law's exponent, a multiple of 1/2.
+    /// Exponent of the law, a multiple of 1/2.
     pub alpha: f64,
-    /// l, per radius, in the frame of the velocity.
+    /// Gradient l, per radius, in the frame of the velocity.
     pub gradient: [f64; 2],
 }
 
@@ -24,8 +24,8 @@ const NODES: usize = 48;
 impl Tilted {
     /// Force (x, y) and torque of the friction on a patch of radius 1 with coefficient 1.
     ///
-    /// *Domain*: spin ≠ 0. For order −1 any rotation centre off the rim, for 1/2 outside the
-    /// patch, else anywhere but close to the rim: within 1/5 of it digits are lost.
+    /// *Domain*: spin ≠ 0. For order −1 the rotation centre must be off the rim, for 1/2 outside the
+    /// patch, otherwise anywhere except within 1/5 of the rim, where digits are lost.
     pub fn wrench(&self, velocity: [f64; 2], spin: f64) -> [f64; 3] {
         let center = [-velocity[1] / spin, velocity[0] / spin];
         let nodes = gauss_legendre(NODES);
@@ -43,7 +43,7 @@ impl Tilted {
         sum
     }
 
-    /// Positions along one ray with their shares of 2π times the upright load of unit angle.
+    /// Positions along one ray with their shares of 2π times the upright load per unit angle.
     fn ray(
         &self,
         nodes: &[(f64, f64)],
@@ -59,7 +59,7 @@ impl Tilted {
         let load = 2.0 * (self.order + 1.0);
         let c_sq = cx * cx + cy * cy;
         if c_sq < 1.0 {
-            // From the centre of rotation to the rim: s = S t^2 tames the powers of s.
+            // From the centre of rotation to the rim: s = S t^2 removes the singular powers of s.
             let along = cx * dx + cy * dy;
             let length = (along * along + 1.0 - c_sq).sqrt() - along;
             return nodes
@@ -72,7 +72,7 @@ impl Tilted {
                 })
                 .collect();
         }
-        // Around the middle: r^2 = 1 - t^2 tames the power of 1 - r^2.
+        // Around the middle: r^2 = 1 - t^2 removes the singular power of 1 - r^2.
         nodes
             .map(|(t, weight)| {
                 let r = (1.0 - t * t).sqrt();

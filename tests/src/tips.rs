@@ -1,4 +1,4 @@
-//! Tips small enough to run in a moment.
+//! Scenes of tips small enough to run quickly.
 
 use tribos::run::Simulation;
 use tribos::scene::TipScene;
@@ -6,21 +6,21 @@ use tribos::tip::TipRun;
 
 type Error = Box<dyn std::error::Error>;
 
-/// 748 atoms: a hexagon of three a side.
+/// 748 atoms: a hexagon with three atoms per side.
 const TINY: &str = "body = \"tip\"\ncolumns = 12\nrows = 14\nsubstrate_layers = 4\ntip_layers = 4\n\
                     side = 3\nspacing = 1.1";
 
-/// The scene of a text.
+/// Parses the text of a scene.
 pub fn scene(text: &str) -> Result<TipScene, Error> {
     Ok(TipScene::parse("tip.toml", text, &[])?)
 }
 
-/// A tiny tip with some more lines.
+/// A tiny tip with additional lines.
 pub fn tiny(text: &str) -> Result<TipScene, Error> {
     scene(&format!("{TINY}\n{text}"))
 }
 
-/// Steps until the run is over.
+/// Runs all steps of a simulation.
 pub fn to_the_end(run: &mut TipRun) -> Result<(), Error> {
     while run.step()? {}
     Ok(())

@@ -1,16 +1,16 @@
-//! Every bound of the tests, once, with its reason.
+//! Every tolerance of the tests, defined once, with its reason.
 //!
-//! Bounds are measured worst cases rounded up; [`crate::worst::Worst`] prints the measured value
-//! and its place beside each (`cargo test -p tribos-tests -- --nocapture`). *ulp* is the gap above
-//! the reference value; *relative* is the distance over the reference; *of F/v* is the distance
+//! Tolerances are measured worst cases rounded up; [`crate::worst::Worst`] prints the measured value
+//! and its argument beside each (`cargo test -p tribos-tests -- --nocapture`). *ulp* is the gap above
+//! the reference value; *relative* is the error over the reference; *of F/v* is the error
 //! over the drag F/v, the natural unit of all derivatives, which themselves pass through zero.
 
-/// A bound with its reason.
+/// A tolerance with its reason.
 #[derive(Clone, Copy, Debug)]
 pub struct Bound {
     /// The largest error allowed.
     pub limit: f64,
-    /// Why it is not smaller.
+    /// Reason why it is not smaller.
     pub reason: &'static str,
 }
 
@@ -67,7 +67,7 @@ bounds! {
     JACOBIAN_DEEP = 5e-12, "slope at equal speeds is z^(1+alpha): z^0.01 carries rounding of z from all octaves";
     /// Jacobian of tables and compact forms on a dense sweep, of F/v.
     JACOBIAN_DENSE = 2e-13, "economized polynomials differentiated at the cell borders";
-    /// A tier against the other one on a dense sweep, relative.
+    /// Two tiers compared on a dense sweep, relative.
     TIERS_AGREE = 2.2e-15, "sum of the two tiers' own errors";
     /// AGM tier against the Coulomb table, ulp.
     AGM_AGAINST_TABLE_ULPS = 48.0, "cross-check only; 5.2e-15, the AGM tier's own error";
@@ -100,7 +100,7 @@ bounds! {
     DIFFERENCES_IN_PLANE = 1e-6, "Coulomb's third derivative near equal speeds and near zero of either";
     /// Derivatives of pressures against twice extrapolated differences, of F/v times the speeds' ratio.
     RICHARDSON = 2e-12, "differences of steps down to 4e-4: 1e-16/4e-4, doubled by each extrapolation";
-    /// What differs by a handful of roundings, relative.
+    /// Quantities that differ by a few rounding errors, relative.
     ROUNDING = 1e-15, "4 to 5 ulp";
     /// Largest eigenvalue of a negative semidefinite Jacobian, of its norm.
     EIGENVALUE = 1e-14, "an exact zero eigenvalue rounds to either side";

@@ -1,8 +1,8 @@
-//! The largest error seen, with the argument where it occurs.
+//! The largest error and the argument at which it occurs.
 
 use crate::tolerance::Bound;
 
-/// Keeps the largest of many errors.
+/// Accumulates the largest of many errors.
 #[derive(Clone, Debug)]
 pub struct Worst {
     quantity: &'static str,
@@ -12,7 +12,7 @@ pub struct Worst {
 }
 
 impl Worst {
-    /// Nothing seen yet.
+    /// No errors so far.
     pub fn of(quantity: &'static str) -> Self {
         Self {
             quantity,
@@ -22,7 +22,7 @@ impl Worst {
         }
     }
 
-    /// Takes one error into account; NaN counts as infinite.
+    /// Adds one error; NaN counts as infinite.
     pub fn see(&mut self, error: f64, place: impl FnOnce() -> String) {
         self.seen += 1;
         let error = if error.is_nan() { f64::INFINITY } else { error };
@@ -59,8 +59,8 @@ impl Worst {
         );
     }
 
-    /// As [`Worst::assert_within`] for a bound that excuses more than the `general` one: fails
-    /// also if the excuse is not needed.
+    /// Like [`Worst::assert_within`] for a tolerance that is looser than the `general` one: also fails
+    /// if the general one would be met.
     ///
     /// # Panics
     /// If the error exceeds `bound` or stays below `general`.

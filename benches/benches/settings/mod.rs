@@ -1,4 +1,4 @@
-//! How long every bench measures.
+//! Measuring time of every bench.
 
 use criterion::Criterion;
 use std::time::Duration;

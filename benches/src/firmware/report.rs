@@ -138,7 +138,7 @@ fn explained() -> String {
     )
 }
 
-/// What was spent of every budget; "not measured" where QEMU is missing.
+/// Share of every budget that was used; "not measured" if QEMU is missing.
 pub fn budgets(rows: &[Row]) -> Sheet {
     let row = |budget: &Budget| {
         let row = rows.iter().find(|row| budget.is_of(&row.program))?;

@@ -15,7 +15,7 @@ const QUICK_ROUNDS: usize = 15;
 const MOST_SWEEPS: usize = 10_000;
 const QUICK_SWEEPS: usize = 1000;
 
-/// What others report for a contact update or a step of contacts.
+/// Published figures for a contact update or a step of contacts.
 const PEERS: [[&str; 3]; 4] = [
     [
         "single-file C++ program, Gauss-Seidel",

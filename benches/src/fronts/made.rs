@@ -20,7 +20,7 @@ pub fn now(options: &Options) -> String {
     )
 }
 
-/// What a program prints first.
+/// The first line of a program's output.
 pub fn first_line(program: &str, arguments: &[&str]) -> Result<String, String> {
     let output = Command::new(program).args(arguments).output();
     let output = output.map_err(|error| format!("cannot run {program}: {error}"))?;

@@ -37,7 +37,7 @@ pub struct Moments {
     pub torque: f64,
     /// The lateral force per gradient of the pressure along the velocity.
     pub lateral: f64,
-    /// What a gradient to the left of the velocity adds to F, and to T.
+    /// Contributions of a gradient to the left of the velocity to F and to T.
     pub across: [f64; 2],
 }
 

@@ -27,7 +27,7 @@ pub const SEED: u64 = 1;
 /// Why a row could not be made; it does not happen.
 pub type Refused = Box<dyn core::error::Error>;
 
-/// What a row is about.
+/// Subject of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Label {
     /// Shape and pressure.
@@ -93,7 +93,7 @@ pub struct Entry {
     pub label: Label,
     /// "f64" or "f32".
     pub precision: &'static str,
-    /// What it holds in memory: a table, nodes, parameters.
+    /// Memory that it occupies: a table, nodes, parameters.
     pub bytes: usize,
     /// How far off it is.
     pub worst: Worst,

@@ -19,7 +19,7 @@ use tribos_core::twist::Twist;
 pub const NODES: usize = 100;
 const RINGS: u32 = 5;
 const ANGLES: u32 = 20;
-/// Where a stool stands, in m, and the point above which its weight acts.
+/// Positions of the stool's feet, in m, and of the point above which its weight acts.
 const FEET: [[f64; 2]; 3] = [[1.0, 0.125], [-0.5, 0.75], [-0.625, -0.875]];
 const CENTRE: [f64; 2] = [0.0625, 0.0];
 

@@ -39,7 +39,7 @@ fn pairs<R: Real>() -> Vec<[f64; 2]> {
     all.map(unit).collect()
 }
 
-/// What the formulas of a leaning pressure say, from moments that share nothing with the kernel.
+/// Forces of a leaning pressure from moments that share nothing with the kernel.
 fn exact(all_round: bool, friction: &Friction, speeds: [f64; 2]) -> [f64; 3] {
     let Moments {
         force,

@@ -7,7 +7,7 @@
 /* From board.ld. */
 extern uint32_t stack_top, data_start, data_end, data_image, bss_start, bss_end;
 
-/* Semihosting: write a text, leave. */
+/* Semihosting calls: write a text, exit. */
 enum { SYS_WRITE0 = 0x04, SYS_EXIT = 0x18, APPLICATION_EXIT = 0x20026, FAULT = 0x20023 };
 
 static void semihost(uint32_t operation, uintptr_t argument)

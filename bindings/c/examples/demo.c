@@ -2,7 +2,7 @@
 #include "demo.h"
 #include "tribos.h"
 
-/* A number with six decimals, without printf. */
+/* Writes a number with six decimals, without printf. */
 static void put_number(double x)
 {
     char text[32];
@@ -84,7 +84,7 @@ static void coin(void)
     }
 }
 
-/* What a refusal looks like. */
+/* The text of a refusal. */
 static void refusal(void)
 {
     const tribos_round_f64 contact = {.coefficient = -0.3, .radius = 0.04};

@@ -1,8 +1,8 @@
 /*
  * A digest of all functions of the header, in both precisions, over a seeded stream of inputs.
  *
- * The numbers are drawn from integers and powers of two without rounding, so that all rounding, but
- * that of a sum here and there, happens in the library.
+ * The numbers are drawn from integers and powers of two without rounding, so that all rounding except
+ * that of a few sums happens in the library.
  */
 #include "demo.h"
 #include "tribos.h"
@@ -10,7 +10,7 @@
 #include <float.h>
 #include <string.h>
 
-/* What numbers a draw gives. */
+/* Distribution of the numbers of a draw. */
 enum range {
     WIDE, /* either sign, 2^-16 to 2^15; one in six at an edge of the number range */
     MILD, /* -2 to 2, one in 64 at an edge */
@@ -50,7 +50,7 @@ static void feed_number(struct stream *s, double x)
     feed_bits(s, bits);
 }
 
-/* Feeds whether a call went well, and tells it. */
+/* Hashes whether a call succeeded, and returns it. */
 static int ok(struct stream *s, tribos_status status)
 {
     feed_bits(s, status == TRIBOS_STATUS_OK);

@@ -1,6 +1,6 @@
-/* Draws and the hash in one precision; included by digest_real.h. */
+/* Random draws and the hash in one precision; included by digest_real.h. */
 
-/* One number of a range. */
+/* One number from a distribution. */
 static REAL LOCAL(draw)(struct stream *s, enum range range)
 {
     const REAL infinity = (REAL)REAL_MAX + (REAL)REAL_MAX;
@@ -127,7 +127,7 @@ static void LOCAL(feed_motion)(struct stream *s, NAME(motion) m)
     feed_number(s, m.angle);
 }
 
-/* Declares what a call answers, calls, and feeds it. */
+/* Declares the result of a call, calls, and hashes the result. */
 #define NUMBER(call)                  \
     do {                              \
         REAL out = 0;                 \

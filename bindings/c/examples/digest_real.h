@@ -342,7 +342,7 @@ static void LOCAL(feed_touch)(struct stream *s, const NAME(touch) *t)
     LOCAL(feed_three)(s, t->arms[0], t->arms[1], t->lever);
 }
 
-/* One update from the same start, of whatever kind. */
+/* One update of any kind, from the same initial state. */
 #define SPHERES(call)                           \
     do {                                        \
         NAME(sphere) a = first, b = second;     \

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Flash that single functions take on a Cortex-M4F, code and tables: a table for docs/c.md.
+# Flash used by single functions on a Cortex-M4F, code and data: a table for docs/c.md.
 #
 #     cargo build --release -p tribos-c --target thumbv7em-none-eabihf
 #     bindings/c/examples/flash.sh target/thumbv7em-none-eabihf/release/libtribos_c.a

@@ -5,12 +5,12 @@
  * (_f32), with the same meaning. Units are any consistent set.
  *
  * Every function returns a tribos_status. If it is not TRIBOS_STATUS_OK, the results are left as
- * they were. Parameters are checked in every call, which costs a comparison or two each; motions,
- * loads and states are never refused: NaN in gives NaN out.
+ * they were. Every call validates its parameters, with one or two comparisons each; motions, loads
+ * and states are never refused: NaN in gives NaN out.
  *
- * A null pointer is refused. Every other pointer must lead to memory of its type, aligned and, for
- * arguments, initialised; an array must hold as many elements as are announced and must not
- * overlap the results. Nothing is kept after the call. Functions may be called from any thread and
+ * A null pointer is refused. Every other pointer must point to memory of its type, aligned and, for
+ * arguments, initialised; an array must hold as many elements as its count says and must not
+ * overlap the results. No pointer is kept after the call. Functions may be called from any thread and
  * from interrupts.
  *
  * The floating-point unit must round to nearest and keep subnormal numbers, as it does by default:
@@ -23,7 +23,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// 0 if all went well; else the result was left as it was, and this tells why.
+// 0 after success; any other value gives the reason why the results were not written.
 enum tribos_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : int32_t
@@ -33,9 +33,9 @@ enum tribos_status
   TRIBOS_STATUS_OK = 0,
   // A pointer is null.
   TRIBOS_STATUS_NULL_POINTER = 1,
-  // A count of elements is larger than any memory.
+  // A number of elements exceeds the address space.
   TRIBOS_STATUS_COUNT = 2,
-  // A choice is none of those listed for it.
+  // An enumerator has no valid value.
   TRIBOS_STATUS_CHOICE = 3,
   // The memory of a table was not filled by its build function.
   TRIBOS_STATUS_NOT_BUILT = 4,
@@ -59,27 +59,27 @@ enum tribos_status
   TRIBOS_STATUS_PRESSURE_ORDER = 21,
   // The inner over the outer radius of an annulus is not between 0 and 0.999999.
   TRIBOS_STATUS_INNER_RATIO = 22,
-  // A node does not lie at a finite place.
+  // A node has a position that is not finite.
   TRIBOS_STATUS_NODE_POSITION = 30,
   // A node's weight is negative or NaN, or makes the sum infinite.
   TRIBOS_STATUS_NODE_WEIGHT = 31,
   // No node carries load.
   TRIBOS_STATUS_UNLOADED = 32,
-  // The nodes do not fit into the memory given.
+  // The nodes do not fit into the given memory.
   TRIBOS_STATUS_FULL = 33,
-  // Three feet stand in a line.
+  // Three feet lie on a line.
   TRIBOS_STATUS_FEET_IN_LINE = 34,
   // A body on three feet tips over.
   TRIBOS_STATUS_TIPS = 35,
   // A polygon has fewer than 3 corners.
   TRIBOS_STATUS_CORNERS = 36,
-  // No corner of the polygon sees all of it, or it has no area.
+  // No corner of the polygon sees all of it, or its area is zero.
   TRIBOS_STATUS_HIDDEN = 37,
   // The number of divisions is not between 1 and 1024.
   TRIBOS_STATUS_DIVISIONS = 38,
   // The number of rings or angles is not between 1 and 1024.
   TRIBOS_STATUS_RINGS = 39,
-  // The exponent of a pressure at the rim is not between -1 (excluded) and 64.
+  // The rim exponent of a pressure is not between -1 (excluded) and 64.
   TRIBOS_STATUS_RIM_EXPONENT = 40,
   // The force limit is negative, infinite or NaN.
   TRIBOS_STATUS_FORCE_LIMIT = 50,
@@ -89,7 +89,7 @@ enum tribos_status
   TRIBOS_STATUS_DECELERATION = 60,
   // The inertia ratio of a slider is not positive and finite.
   TRIBOS_STATUS_INERTIA = 61,
-  // The motion has no rest, or is not finite.
+  // The motion does not come to rest, or is not finite.
   TRIBOS_STATUS_NO_REST = 62,
   // There is no normal: centres coincide, or one lies in the plate.
   TRIBOS_STATUS_NO_NORMAL = 70,
@@ -106,15 +106,15 @@ typedef int32_t tribos_status;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-// What cohesion does within its range.
+// Effect of cohesion within its range.
 enum tribos_attraction
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-  // A constant pull: a pair that is let go closes again.
+  // A constant pull, which closes the gap of a released pair.
   TRIBOS_ATTRACTION_PULL = 0,
-  // A resistance against opening: a pair that is let go stays where it is.
+  // A resistance against opening, which does not close the gap of a released pair.
   TRIBOS_ATTRACTION_RESISTANCE = 1,
 };
 #ifndef __cplusplus
@@ -142,7 +142,7 @@ typedef struct tribos_dry_f64 {
 
 // The power law: friction per load = coefficient x |speed|^alpha.
 typedef struct tribos_power_f64 {
-  // Exponent, -1 < alpha <= 128. Below 0 friction falls with speed and no uniqueness is promised.
+  // Exponent, -1 < alpha <= 128. Below 0 friction falls with speed, and motions need not be unique.
   double alpha;
   // Coefficient, 0 <= coefficient < inf, in (time/length)^alpha.
   double coefficient;
@@ -150,57 +150,57 @@ typedef struct tribos_power_f64 {
 
 // The Stribeck curve: mu(v) = mu_d + (mu_s - mu_d) exp(-(v/v_s)^exponent) + viscous v.
 typedef struct tribos_stribeck_f64 {
-  // mu_s and mu_d.
+  // Coefficients mu_s and mu_d.
   struct tribos_dry_f64 dry;
-  // v_s, positive and finite, in units of speed.
+  // Stribeck speed v_s, positive and finite.
   double stribeck_speed;
-  // Positive and finite; 1 and 2 are usual.
+  // Exponent of the decay, positive and finite; 1 and 2 are usual.
   double exponent;
-  // Finite and not negative, in 1/speed.
+  // Viscous coefficient in 1/speed, finite and not negative.
   double viscous;
 } tribos_stribeck_f64;
 
 // The LuGre model in units of force:
 // z' = v - stiffness |v| z/g(v), g(v) = F_c + (F_s - F_c) exp(-(v/v_s)^2),
 // force = stiffness z + bristle_damping z' + viscous_damping v.
-// The force has the sign of v: a body that moves with v feels minus that.
+// The force has the sign of v: the friction on a body that moves with v is minus this force.
 typedef struct tribos_lugre_f64 {
-  // F_c, 0 < F_c <= F_s.
+  // Coulomb force F_c, 0 < F_c <= F_s.
   double coulomb_force;
-  // F_s, the most that the bristles carry.
+  // Static force F_s, the largest force of the bristles.
   double static_force;
-  // v_s, positive.
+  // Stribeck speed v_s, positive.
   double stribeck_speed;
-  // Of the bristles, positive, force/length.
+  // Stiffness of the bristles, positive, force/length.
   double stiffness;
-  // Of the bristles, not negative, force x time/length.
+  // Damping of the bristles, not negative, force x time/length.
   double bristle_damping;
-  // Not negative, force x time/length.
+  // Viscous damping, not negative, force x time/length.
   double viscous_damping;
 } tribos_lugre_f64;
 
 // Rate-and-state friction, regularised at rest:
 // mu(V, theta) = a asinh(V/q) + viscous V, q = 2 V_0 exp(-(mu + b ln(V_0 theta/D_c))/a).
 typedef struct tribos_rate_state_f64 {
-  // Coefficient of steady sliding with V_0, not negative.
+  // Coefficient of steady sliding at V_0, not negative.
   double mu;
   // Direct effect of the speed, positive.
   double a;
   // Effect of the age, not negative.
   double b;
-  // V_0, positive.
+  // Reference speed V_0, positive.
   double reference_speed;
-  // D_c, memory length, positive.
+  // Memory length D_c, positive.
   double slip_distance;
   // Viscous coefficient in 1/speed, not negative.
   double viscous;
 } tribos_rate_state_f64;
 
-// A round contact.
+// A round contact patch.
 typedef struct tribos_round_f64 {
-  // Friction coefficient mu, or that of the power law, 0 <= coefficient < inf.
+  // Friction coefficient mu, or coefficient of the power law, 0 <= coefficient < inf.
   double coefficient;
-  // Radius of the contact, positive and finite.
+  // Radius of the patch, positive and finite.
   double radius;
 } tribos_round_f64;
 
@@ -208,7 +208,7 @@ typedef struct tribos_round_f64 {
 typedef struct tribos_twist_f64 {
   // Sliding velocity of the patch centre, first component.
   double x;
-  // Second component.
+  // Sliding velocity of the patch centre, second component.
   double y;
   // Angular velocity about the normal; positive turns the first axis towards the second.
   double spin;
@@ -218,42 +218,42 @@ typedef struct tribos_twist_f64 {
 typedef struct tribos_wrench_f64 {
   // Force at the patch centre, first component.
   double x;
-  // Second component.
+  // Force at the patch centre, second component.
   double y;
   // Torque about the normal.
   double torque;
 } tribos_wrench_f64;
 
-// d(force x, force y, torque)/d(velocity x, velocity y, spin).
+// Derivatives d(force x, force y, torque)/d(velocity x, velocity y, spin).
 typedef struct tribos_jacobian_f64 {
   // `rows[i][j]`: component i of the wrench per component j of the twist.
   double rows[3][3];
 } tribos_jacobian_f64;
 
-// One exponent under one pressure, built by `tribos_power_compact_build_f64` and opaque otherwise.
+// One exponent under one pressure, built by `tribos_power_compact_build_f64`. Its content is opaque.
 typedef struct tribos_power_compact_f64 {
-  // Not to be looked at.
+  // Internal data.
   uint64_t opaque[24];
-  // Tells that it has been built.
+  // Marker of a completed build.
   uint32_t built;
 } tribos_power_compact_f64;
 
-// A table of one exponent, built by `tribos_power_table_build_f64` and opaque otherwise. It may be
+// A table of one exponent, built by `tribos_power_table_build_f64`. Its content is opaque. It may be
 // copied and moved, but not to a program with another version of the library.
 typedef struct tribos_power_table_f64 {
-  // Not to be looked at.
+  // Internal data.
   double opaque[2969];
-  // Tells that it has been built.
+  // Marker of a completed build.
   uint32_t built;
 } tribos_power_table_f64;
 
 // One point of a contact.
 typedef struct tribos_node_f64 {
-  // First coordinate, from the point that twist and wrench refer to; finite.
+  // First coordinate relative to the reference point of twist and wrench; finite.
   double x;
   // Second coordinate.
   double y;
-  // Share of the load, not negative, in any unit: only ratios of weights count.
+  // Share of the load in any unit, not negative: only ratios of weights matter.
   double weight;
 } tribos_node_f64;
 
@@ -265,19 +265,19 @@ typedef struct tribos_point_f64 {
   double y;
 } tribos_point_f64;
 
-// A pressure on a disk, p = (1 - r^2/R^2)^q (1 + tilt x/R), as rings of nodes.
+// A pressure on a disk, p = (1 - r^2/R^2)^q (1 + tilt x/R), represented by rings of nodes.
 typedef struct tribos_disk_rule_f64 {
-  // R, positive and finite.
+  // Radius R, positive and finite.
   double radius;
   // Number of rings, 1 to 1024.
   uint32_t rings;
   // Nodes on each ring, 1 to 1024.
   uint32_t angles;
-  // q, -1 < q <= 64: -1/2 flat punch, 0 uniform, 1/2 Hertz.
+  // Exponent q, -1 < q <= 64: -1/2 flat punch, 0 uniform, 1/2 Hertz.
   double rim_exponent;
-  // First component of the tilt, for the contact of a body that brakes; 0 for none.
+  // First component of the tilt, for the contact of a braking body; 0 for no tilt.
   double tilt_x;
-  // Second component; a pressure that is negative at a node is refused.
+  // Second component of the tilt. A pressure that is negative at a node is refused.
   double tilt_y;
 } tribos_disk_rule_f64;
 
@@ -289,20 +289,20 @@ typedef struct tribos_disk_surface_f64 {
   double radius;
 } tribos_disk_surface_f64;
 
-// A wrench of the set nearest to a given one.
+// The wrench of a set that is nearest to a given wrench.
 typedef struct tribos_projection_f64 {
-  // The wrench; the given one to the bit if that was inside or on the surface.
+  // The nearest wrench; bit-identical to the given one if that is inside or on the surface.
   struct tribos_wrench_f64 wrench;
-  // Outward normal there, |velocity|^2 + (spin radius)^2 = 1; zero if the contact sticks.
+  // Outward normal at the wrench, |velocity|^2 + (spin radius)^2 = 1; zero if the contact sticks.
   struct tribos_twist_f64 normal;
-  // 1 on the surface: the contact slides. 0 inside: it sticks.
+  // 1 if the wrench is on the surface and the contact slides; 0 if it is inside and the contact sticks.
   uint32_t slides;
 } tribos_projection_f64;
 
-// The ellipsoid (|force|/f)^2 + (torque/(f radius spin_torque))^2 <= 1 that planners take instead.
+// The ellipsoid (|force|/f)^2 + (torque/(f radius spin_torque))^2 <= 1, which planners use instead.
 // For the disk the exact surface lies inside it, down to gauge 0.934.
 typedef struct tribos_ellipsoid_f64 {
-  // f = mu x load, finite and not negative.
+  // Force limit f = mu x load, finite and not negative.
   double force_limit;
   // Radius of the patch, positive and finite.
   double radius;
@@ -310,17 +310,17 @@ typedef struct tribos_ellipsoid_f64 {
   double spin_torque;
 } tribos_ellipsoid_f64;
 
-// A sliding body; all positive and finite.
+// A sliding body; all parameters are positive and finite.
 typedef struct tribos_slider_f64 {
-  // mu x gravity.
+  // Deceleration of pure sliding, mu x gravity.
   double deceleration;
   // Radius of the contact.
   double radius;
-  // I/(M radius^2): 1/2 for a disk on its own face.
+  // Inertia ratio I/(M radius^2): 1/2 for a disk on its own face.
   double inertia_ratio;
 } tribos_slider_f64;
 
-// The state of a slider, in units that are consistent with its deceleration and radius.
+// The state of a slider, in units consistent with its deceleration and radius.
 typedef struct tribos_motion_f64 {
   // Time since the start.
   double time;
@@ -334,19 +334,19 @@ typedef struct tribos_motion_f64 {
   double angle;
 } tribos_motion_f64;
 
-// The end of a step.
+// State of a slider at the end of a step.
 typedef struct tribos_advance_f64 {
   // The motion at the end of the step.
   struct tribos_motion_f64 motion;
-  // Ratio of sliding to rim speed in the limit of rest; NaN where the step ends in motion.
+  // Ratio of sliding to rim speed in the limit of rest; NaN if the body is still moving.
   double ratio;
-  // 1 in the step in which the body comes to rest, else 0.
+  // 1 if the body comes to rest in this step, else 0.
   uint32_t came_to_rest;
   // Evaluations of the wrench.
   uint32_t evaluations;
 } tribos_advance_f64;
 
-// The end of a motion.
+// State of a slider at rest.
 typedef struct tribos_rest_f64 {
   // Time, distance and angle at rest; speeds zero.
   struct tribos_motion_f64 motion;
@@ -356,7 +356,7 @@ typedef struct tribos_rest_f64 {
   uint32_t evaluations;
 } tribos_rest_f64;
 
-// A vector in space.
+// A vector in three dimensions.
 typedef struct tribos_vector_f64 {
   // First component.
   double x;
@@ -378,31 +378,31 @@ typedef struct tribos_touch_f64 {
   double lever;
 } tribos_touch_f64;
 
-// The law along the normal.
+// The contact law along the normal.
 typedef struct tribos_normal_law_f64 {
   // Pull of cohesion, a force, finite and not negative.
   double cohesion;
-  // Gap up to which it acts, finite and not negative.
+  // Largest gap at which cohesion acts, finite and not negative.
   double cohesion_range;
   // A value of tribos_attraction.
   uint32_t attraction;
-  // Speed after an impact over speed before, 0 to 1.
+  // Coefficient of restitution: speed after an impact over speed before, 0 to 1.
   double restitution;
 } tribos_normal_law_f64;
 
-// A sphere, free in all directions.
+// A sphere that can move and rotate freely.
 typedef struct tribos_sphere_f64 {
   // Velocity of the centre.
   struct tribos_vector_f64 velocity;
   // Angular velocity.
   struct tribos_vector_f64 spin;
-  // 1/mass; 0 for an infinite one.
+  // 1/mass; 0 for an infinite mass.
   double inv_mass;
   // 1/(moment of inertia about any axis through the centre).
   double inv_inertia;
 } tribos_sphere_f64;
 
-// A contact prepared for one time step; to be looked at, and changed at one's own risk.
+// A contact prepared for one time step. The fields may be read; changed values are not validated.
 typedef struct tribos_contact_f64 {
   // Unit normal, from the first body to the second.
   struct tribos_vector_f64 normal;
@@ -412,33 +412,33 @@ typedef struct tribos_contact_f64 {
   double lever;
   // Effective mass along the normal.
   double mass_normal;
-  // Effective mass across it.
+  // Effective mass in the contact plane.
   double mass_sliding;
-  // Effective moment of inertia, of rolling and of torsion.
+  // Effective moment of inertia of rolling and of torsion.
   double inertia;
   // Coupling of sliding and rolling, 0 for equal spheres.
   double coupling;
   // Impulse of cohesion in this step, 0 beyond its range.
   double cohesion;
-  // Speed of approach that counts as closed; minus the speed of a rebound.
+  // Approach speed at which the contact counts as closed; the negative speed of a rebound.
   double allowance;
-  // 1 if cohesion lets the gap, now open, stay as it is; else 0.
+  // 1 if cohesion keeps the gap, which is open, as it is; else 0.
   uint32_t rests_open;
 } tribos_contact_f64;
 
-// A plate that impulses move along its normal alone: a wall or a piston.
+// A plate that impulses move only along its normal: a wall or a piston.
 typedef struct tribos_plate_f64 {
-  // Velocity; its part in the plane is driven and feels no impulse.
+  // Velocity; its component in the plane is prescribed and unaffected by impulses.
   struct tribos_vector_f64 velocity;
   // 1/mass; 0 for a wall.
   double inv_mass;
 } tribos_plate_f64;
 
-// An impulse on the second body; its opposite acts on the first. Start a contact with zeros.
+// An impulse on the second body; its opposite acts on the first. A new contact starts with zeros.
 typedef struct tribos_impulse_f64 {
-  // Along the normal; positive pushes apart.
+  // Impulse along the normal; positive separates the bodies.
   double normal;
-  // Force impulse in the contact plane, in the axes of space.
+  // Force impulse in the contact plane, in world axes.
   struct tribos_vector_f64 sliding;
   // Torque impulse in the contact plane.
   struct tribos_vector_f64 rolling;
@@ -446,7 +446,7 @@ typedef struct tribos_impulse_f64 {
   double torsion;
 } tribos_impulse_f64;
 
-// Friction coefficients, finite and not negative; a function takes those of its modes and ignores
+// Friction coefficients, finite and not negative; a function reads those of its modes and ignores
 // the others. P is the normal impulse plus cohesion.
 typedef struct tribos_thresholds_f64 {
   // Sliding force over P.
@@ -474,7 +474,7 @@ typedef struct tribos_dry_f32 {
 
 // The power law: friction per load = coefficient x |speed|^alpha.
 typedef struct tribos_power_f32 {
-  // Exponent, -1 < alpha <= 128. Below 0 friction falls with speed and no uniqueness is promised.
+  // Exponent, -1 < alpha <= 128. Below 0 friction falls with speed, and motions need not be unique.
   float alpha;
   // Coefficient, 0 <= coefficient < inf, in (time/length)^alpha.
   float coefficient;
@@ -482,57 +482,57 @@ typedef struct tribos_power_f32 {
 
 // The Stribeck curve: mu(v) = mu_d + (mu_s - mu_d) exp(-(v/v_s)^exponent) + viscous v.
 typedef struct tribos_stribeck_f32 {
-  // mu_s and mu_d.
+  // Coefficients mu_s and mu_d.
   struct tribos_dry_f32 dry;
-  // v_s, positive and finite, in units of speed.
+  // Stribeck speed v_s, positive and finite.
   float stribeck_speed;
-  // Positive and finite; 1 and 2 are usual.
+  // Exponent of the decay, positive and finite; 1 and 2 are usual.
   float exponent;
-  // Finite and not negative, in 1/speed.
+  // Viscous coefficient in 1/speed, finite and not negative.
   float viscous;
 } tribos_stribeck_f32;
 
 // The LuGre model in units of force:
 // z' = v - stiffness |v| z/g(v), g(v) = F_c + (F_s - F_c) exp(-(v/v_s)^2),
 // force = stiffness z + bristle_damping z' + viscous_damping v.
-// The force has the sign of v: a body that moves with v feels minus that.
+// The force has the sign of v: the friction on a body that moves with v is minus this force.
 typedef struct tribos_lugre_f32 {
-  // F_c, 0 < F_c <= F_s.
+  // Coulomb force F_c, 0 < F_c <= F_s.
   float coulomb_force;
-  // F_s, the most that the bristles carry.
+  // Static force F_s, the largest force of the bristles.
   float static_force;
-  // v_s, positive.
+  // Stribeck speed v_s, positive.
   float stribeck_speed;
-  // Of the bristles, positive, force/length.
+  // Stiffness of the bristles, positive, force/length.
   float stiffness;
-  // Of the bristles, not negative, force x time/length.
+  // Damping of the bristles, not negative, force x time/length.
   float bristle_damping;
-  // Not negative, force x time/length.
+  // Viscous damping, not negative, force x time/length.
   float viscous_damping;
 } tribos_lugre_f32;
 
 // Rate-and-state friction, regularised at rest:
 // mu(V, theta) = a asinh(V/q) + viscous V, q = 2 V_0 exp(-(mu + b ln(V_0 theta/D_c))/a).
 typedef struct tribos_rate_state_f32 {
-  // Coefficient of steady sliding with V_0, not negative.
+  // Coefficient of steady sliding at V_0, not negative.
   float mu;
   // Direct effect of the speed, positive.
   float a;
   // Effect of the age, not negative.
   float b;
-  // V_0, positive.
+  // Reference speed V_0, positive.
   float reference_speed;
-  // D_c, memory length, positive.
+  // Memory length D_c, positive.
   float slip_distance;
   // Viscous coefficient in 1/speed, not negative.
   float viscous;
 } tribos_rate_state_f32;
 
-// A round contact.
+// A round contact patch.
 typedef struct tribos_round_f32 {
-  // Friction coefficient mu, or that of the power law, 0 <= coefficient < inf.
+  // Friction coefficient mu, or coefficient of the power law, 0 <= coefficient < inf.
   float coefficient;
-  // Radius of the contact, positive and finite.
+  // Radius of the patch, positive and finite.
   float radius;
 } tribos_round_f32;
 
@@ -540,7 +540,7 @@ typedef struct tribos_round_f32 {
 typedef struct tribos_twist_f32 {
   // Sliding velocity of the patch centre, first component.
   float x;
-  // Second component.
+  // Sliding velocity of the patch centre, second component.
   float y;
   // Angular velocity about the normal; positive turns the first axis towards the second.
   float spin;
@@ -550,42 +550,42 @@ typedef struct tribos_twist_f32 {
 typedef struct tribos_wrench_f32 {
   // Force at the patch centre, first component.
   float x;
-  // Second component.
+  // Force at the patch centre, second component.
   float y;
   // Torque about the normal.
   float torque;
 } tribos_wrench_f32;
 
-// d(force x, force y, torque)/d(velocity x, velocity y, spin).
+// Derivatives d(force x, force y, torque)/d(velocity x, velocity y, spin).
 typedef struct tribos_jacobian_f32 {
   // `rows[i][j]`: component i of the wrench per component j of the twist.
   float rows[3][3];
 } tribos_jacobian_f32;
 
-// One exponent under one pressure, built by `tribos_power_compact_build_f32` and opaque otherwise.
+// One exponent under one pressure, built by `tribos_power_compact_build_f32`. Its content is opaque.
 typedef struct tribos_power_compact_f32 {
-  // Not to be looked at.
+  // Internal data.
   uint64_t opaque[24];
-  // Tells that it has been built.
+  // Marker of a completed build.
   uint32_t built;
 } tribos_power_compact_f32;
 
-// A table of one exponent, built by `tribos_power_table_build_f32` and opaque otherwise. It may be
+// A table of one exponent, built by `tribos_power_table_build_f32`. Its content is opaque. It may be
 // copied and moved, but not to a program with another version of the library.
 typedef struct tribos_power_table_f32 {
-  // Not to be looked at.
+  // Internal data.
   float opaque[673];
-  // Tells that it has been built.
+  // Marker of a completed build.
   uint32_t built;
 } tribos_power_table_f32;
 
 // One point of a contact.
 typedef struct tribos_node_f32 {
-  // First coordinate, from the point that twist and wrench refer to; finite.
+  // First coordinate relative to the reference point of twist and wrench; finite.
   float x;
   // Second coordinate.
   float y;
-  // Share of the load, not negative, in any unit: only ratios of weights count.
+  // Share of the load in any unit, not negative: only ratios of weights matter.
   float weight;
 } tribos_node_f32;
 
@@ -597,19 +597,19 @@ typedef struct tribos_point_f32 {
   float y;
 } tribos_point_f32;
 
-// A pressure on a disk, p = (1 - r^2/R^2)^q (1 + tilt x/R), as rings of nodes.
+// A pressure on a disk, p = (1 - r^2/R^2)^q (1 + tilt x/R), represented by rings of nodes.
 typedef struct tribos_disk_rule_f32 {
-  // R, positive and finite.
+  // Radius R, positive and finite.
   float radius;
   // Number of rings, 1 to 1024.
   uint32_t rings;
   // Nodes on each ring, 1 to 1024.
   uint32_t angles;
-  // q, -1 < q <= 64: -1/2 flat punch, 0 uniform, 1/2 Hertz.
+  // Exponent q, -1 < q <= 64: -1/2 flat punch, 0 uniform, 1/2 Hertz.
   float rim_exponent;
-  // First component of the tilt, for the contact of a body that brakes; 0 for none.
+  // First component of the tilt, for the contact of a braking body; 0 for no tilt.
   float tilt_x;
-  // Second component; a pressure that is negative at a node is refused.
+  // Second component of the tilt. A pressure that is negative at a node is refused.
   float tilt_y;
 } tribos_disk_rule_f32;
 
@@ -621,20 +621,20 @@ typedef struct tribos_disk_surface_f32 {
   float radius;
 } tribos_disk_surface_f32;
 
-// A wrench of the set nearest to a given one.
+// The wrench of a set that is nearest to a given wrench.
 typedef struct tribos_projection_f32 {
-  // The wrench; the given one to the bit if that was inside or on the surface.
+  // The nearest wrench; bit-identical to the given one if that is inside or on the surface.
   struct tribos_wrench_f32 wrench;
-  // Outward normal there, |velocity|^2 + (spin radius)^2 = 1; zero if the contact sticks.
+  // Outward normal at the wrench, |velocity|^2 + (spin radius)^2 = 1; zero if the contact sticks.
   struct tribos_twist_f32 normal;
-  // 1 on the surface: the contact slides. 0 inside: it sticks.
+  // 1 if the wrench is on the surface and the contact slides; 0 if it is inside and the contact sticks.
   uint32_t slides;
 } tribos_projection_f32;
 
-// The ellipsoid (|force|/f)^2 + (torque/(f radius spin_torque))^2 <= 1 that planners take instead.
+// The ellipsoid (|force|/f)^2 + (torque/(f radius spin_torque))^2 <= 1, which planners use instead.
 // For the disk the exact surface lies inside it, down to gauge 0.934.
 typedef struct tribos_ellipsoid_f32 {
-  // f = mu x load, finite and not negative.
+  // Force limit f = mu x load, finite and not negative.
   float force_limit;
   // Radius of the patch, positive and finite.
   float radius;
@@ -642,17 +642,17 @@ typedef struct tribos_ellipsoid_f32 {
   float spin_torque;
 } tribos_ellipsoid_f32;
 
-// A sliding body; all positive and finite.
+// A sliding body; all parameters are positive and finite.
 typedef struct tribos_slider_f32 {
-  // mu x gravity.
+  // Deceleration of pure sliding, mu x gravity.
   float deceleration;
   // Radius of the contact.
   float radius;
-  // I/(M radius^2): 1/2 for a disk on its own face.
+  // Inertia ratio I/(M radius^2): 1/2 for a disk on its own face.
   float inertia_ratio;
 } tribos_slider_f32;
 
-// The state of a slider, in units that are consistent with its deceleration and radius.
+// The state of a slider, in units consistent with its deceleration and radius.
 typedef struct tribos_motion_f32 {
   // Time since the start.
   float time;
@@ -666,19 +666,19 @@ typedef struct tribos_motion_f32 {
   float angle;
 } tribos_motion_f32;
 
-// The end of a step.
+// State of a slider at the end of a step.
 typedef struct tribos_advance_f32 {
   // The motion at the end of the step.
   struct tribos_motion_f32 motion;
-  // Ratio of sliding to rim speed in the limit of rest; NaN where the step ends in motion.
+  // Ratio of sliding to rim speed in the limit of rest; NaN if the body is still moving.
   float ratio;
-  // 1 in the step in which the body comes to rest, else 0.
+  // 1 if the body comes to rest in this step, else 0.
   uint32_t came_to_rest;
   // Evaluations of the wrench.
   uint32_t evaluations;
 } tribos_advance_f32;
 
-// The end of a motion.
+// State of a slider at rest.
 typedef struct tribos_rest_f32 {
   // Time, distance and angle at rest; speeds zero.
   struct tribos_motion_f32 motion;
@@ -688,7 +688,7 @@ typedef struct tribos_rest_f32 {
   uint32_t evaluations;
 } tribos_rest_f32;
 
-// A vector in space.
+// A vector in three dimensions.
 typedef struct tribos_vector_f32 {
   // First component.
   float x;
@@ -710,31 +710,31 @@ typedef struct tribos_touch_f32 {
   float lever;
 } tribos_touch_f32;
 
-// The law along the normal.
+// The contact law along the normal.
 typedef struct tribos_normal_law_f32 {
   // Pull of cohesion, a force, finite and not negative.
   float cohesion;
-  // Gap up to which it acts, finite and not negative.
+  // Largest gap at which cohesion acts, finite and not negative.
   float cohesion_range;
   // A value of tribos_attraction.
   uint32_t attraction;
-  // Speed after an impact over speed before, 0 to 1.
+  // Coefficient of restitution: speed after an impact over speed before, 0 to 1.
   float restitution;
 } tribos_normal_law_f32;
 
-// A sphere, free in all directions.
+// A sphere that can move and rotate freely.
 typedef struct tribos_sphere_f32 {
   // Velocity of the centre.
   struct tribos_vector_f32 velocity;
   // Angular velocity.
   struct tribos_vector_f32 spin;
-  // 1/mass; 0 for an infinite one.
+  // 1/mass; 0 for an infinite mass.
   float inv_mass;
   // 1/(moment of inertia about any axis through the centre).
   float inv_inertia;
 } tribos_sphere_f32;
 
-// A contact prepared for one time step; to be looked at, and changed at one's own risk.
+// A contact prepared for one time step. The fields may be read; changed values are not validated.
 typedef struct tribos_contact_f32 {
   // Unit normal, from the first body to the second.
   struct tribos_vector_f32 normal;
@@ -744,33 +744,33 @@ typedef struct tribos_contact_f32 {
   float lever;
   // Effective mass along the normal.
   float mass_normal;
-  // Effective mass across it.
+  // Effective mass in the contact plane.
   float mass_sliding;
-  // Effective moment of inertia, of rolling and of torsion.
+  // Effective moment of inertia of rolling and of torsion.
   float inertia;
   // Coupling of sliding and rolling, 0 for equal spheres.
   float coupling;
   // Impulse of cohesion in this step, 0 beyond its range.
   float cohesion;
-  // Speed of approach that counts as closed; minus the speed of a rebound.
+  // Approach speed at which the contact counts as closed; the negative speed of a rebound.
   float allowance;
-  // 1 if cohesion lets the gap, now open, stay as it is; else 0.
+  // 1 if cohesion keeps the gap, which is open, as it is; else 0.
   uint32_t rests_open;
 } tribos_contact_f32;
 
-// A plate that impulses move along its normal alone: a wall or a piston.
+// A plate that impulses move only along its normal: a wall or a piston.
 typedef struct tribos_plate_f32 {
-  // Velocity; its part in the plane is driven and feels no impulse.
+  // Velocity; its component in the plane is prescribed and unaffected by impulses.
   struct tribos_vector_f32 velocity;
   // 1/mass; 0 for a wall.
   float inv_mass;
 } tribos_plate_f32;
 
-// An impulse on the second body; its opposite acts on the first. Start a contact with zeros.
+// An impulse on the second body; its opposite acts on the first. A new contact starts with zeros.
 typedef struct tribos_impulse_f32 {
-  // Along the normal; positive pushes apart.
+  // Impulse along the normal; positive separates the bodies.
   float normal;
-  // Force impulse in the contact plane, in the axes of space.
+  // Force impulse in the contact plane, in world axes.
   struct tribos_vector_f32 sliding;
   // Torque impulse in the contact plane.
   struct tribos_vector_f32 rolling;
@@ -778,7 +778,7 @@ typedef struct tribos_impulse_f32 {
   float torsion;
 } tribos_impulse_f32;
 
-// Friction coefficients, finite and not negative; a function takes those of its modes and ignores
+// Friction coefficients, finite and not negative; a function reads those of its modes and ignores
 // the others. P is the normal impulse plus cohesion.
 typedef struct tribos_thresholds_f32 {
   // Sliding force over P.
@@ -793,29 +793,29 @@ typedef struct tribos_thresholds_f32 {
 extern "C" {
 #endif // __cplusplus
 
-// What a status means, in one line of English that lives as long as the program.
+// The meaning of a status as a line of English text. The text is a constant of the program.
 //
 // *Special values*: a number that is no status gives "no such status".
 const char *tribos_status_text(int32_t status);
 
-// Friction per load of Coulomb's law: mu, at every speed.
+// Friction per load of Coulomb's law: mu at every speed.
 tribos_status tribos_coulomb_friction_f64(const struct tribos_coulomb_f64 *law,
                                           double speed,
                                           double *friction);
 
-// Friction per load in motion: mu_dynamic. Special values: NaN stays NaN.
+// Friction per load in motion: mu_dynamic. Special values: NaN gives NaN.
 tribos_status tribos_dry_friction_f64(const struct tribos_dry_f64 *law,
                                       double speed,
                                       double *friction);
 
-// Whether a body at rest stays there under a tangential drive per load, of either sign: 1 if it
-// sticks, 0 if it slips. Special values: |drive| = mu_static sticks, NaN slips.
+// Whether a body at rest remains at rest under a tangential load per normal load, of either sign: 1 if
+// it sticks, 0 if it slips. Special values: |drive| = mu_static sticks, NaN slips.
 tribos_status tribos_dry_sticks_f64(const struct tribos_dry_f64 *law,
                                     double drive_per_load,
                                     uint32_t *sticks);
 
-// What a body at rest has left of the drive, per load: zero if it sticks, else the drive less
-// dynamic friction, with the drive's sign. Special values: NaN stays NaN.
+// Net tangential load on a body at rest, per normal load: zero if the body sticks, else the drive minus
+// dynamic friction, with the sign of the drive. Special values: NaN gives NaN.
 tribos_status tribos_dry_net_drive_f64(const struct tribos_dry_f64 *law,
                                        double drive_per_load,
                                        double *net);
@@ -825,7 +825,7 @@ tribos_status tribos_power_friction_f64(const struct tribos_power_f64 *law,
                                         double speed,
                                         double *friction);
 
-// Derivative of the power law's friction by the speed, at speed > 0.
+// Derivative of the power law's friction with respect to speed, at speed > 0.
 tribos_status tribos_power_slope_f64(const struct tribos_power_f64 *law,
                                      double speed,
                                      double *slope);
@@ -835,16 +835,16 @@ tribos_status tribos_stribeck_friction_f64(const struct tribos_stribeck_f64 *law
                                            double speed,
                                            double *friction);
 
-// Derivative of the Stribeck curve by the speed. At rest: -inf for an exponent below 1.
+// Derivative of the Stribeck curve with respect to speed. At rest: -inf for an exponent below 1.
 tribos_status tribos_stribeck_slope_f64(const struct tribos_stribeck_f64 *law,
                                         double speed,
                                         double *slope);
 
-// Speed of least friction between boundary and hydrodynamic lubrication;
-// TRIBOS_STATUS_NO_MINIMUM without one. Cost: at most 512 slopes.
+// Speed of minimum friction between boundary and hydrodynamic lubrication;
+// TRIBOS_STATUS_NO_MINIMUM if there is none. Cost: at most 512 slopes.
 tribos_status tribos_stribeck_minimum_f64(const struct tribos_stribeck_f64 *law, double *speed);
 
-// One step of dt >= 0 at constant velocity: moves the deflection on (start with 0) and gives the
+// One step of dt >= 0 at constant velocity: advances the deflection (initially 0) and returns the
 // mean force over the step, so that force x dt is the impulse. Both are exact for any dt. The
 // force has the sign of the velocity. Special values: NaN gives NaN.
 tribos_status tribos_lugre_step_f64(const struct tribos_lugre_f64 *law,
@@ -853,40 +853,40 @@ tribos_status tribos_lugre_step_f64(const struct tribos_lugre_f64 *law,
                                     double dt,
                                     double *force);
 
-// Force at this moment, stiffness z + bristle_damping z' + viscous_damping v.
+// Instantaneous force, stiffness z + bristle_damping z' + viscous_damping v.
 tribos_status tribos_lugre_force_f64(const struct tribos_lugre_f64 *law,
                                      double deflection,
                                      double velocity,
                                      double *force);
 
-// Force of steady sliding, sgn(v) g(v) + viscous_damping v; at rest the limit for the zero's sign.
+// Force of steady sliding, sgn(v) g(v) + viscous_damping v; at rest the limit for the sign of the zero.
 tribos_status tribos_lugre_steady_force_f64(const struct tribos_lugre_f64 *law,
                                             double velocity,
                                             double *force);
 
-// Speed up to which the model dissipates whatever the deflection; infinite if at every speed.
+// Speed up to which the model dissipates energy for any deflection; infinite if it always does.
 tribos_status tribos_lugre_passive_up_to_f64(const struct tribos_lugre_f64 *law, double *speed);
 
-// Friction per load at speed >= 0 for a contact of the age theta (a time). 0 at rest.
+// Friction per load at speed >= 0 for a contact of age theta (a time); 0 at rest.
 tribos_status tribos_rate_state_friction_f64(const struct tribos_rate_state_f64 *law,
                                              double speed,
                                              double theta,
                                              double *friction);
 
-// Derivative of that friction by the speed at constant age.
+// Derivative of this friction with respect to speed at constant age.
 tribos_status tribos_rate_state_slope_f64(const struct tribos_rate_state_f64 *law,
                                           double speed,
                                           double theta,
                                           double *slope);
 
-// Moves the age theta on by dt >= 0 at constant speed, exactly, by the ageing law
+// Advances the age theta by dt >= 0 at constant speed, exactly, by the ageing law
 // theta' = 1 - V theta/D_c.
 tribos_status tribos_rate_state_advance_dieterich_f64(const struct tribos_rate_state_f64 *law,
                                                       double *theta,
                                                       double speed,
                                                       double dt);
 
-// The same by the slip law theta' = -(V theta/D_c) ln(V theta/D_c).
+// Advances the age theta like the function above, by the slip law theta' = -(V theta/D_c) ln(V theta/D_c).
 tribos_status tribos_rate_state_advance_ruina_f64(const struct tribos_rate_state_f64 *law,
                                                   double *theta,
                                                   double speed,
@@ -897,12 +897,12 @@ tribos_status tribos_rate_state_steady_friction_f64(const struct tribos_rate_sta
                                                     double speed,
                                                     double *friction);
 
-// Derivative of the steady friction by the speed.
+// Derivative of the steady friction with respect to speed.
 tribos_status tribos_rate_state_steady_slope_f64(const struct tribos_rate_state_f64 *law,
                                                  double speed,
                                                  double *slope);
 
-// Uniform disk under Coulomb friction, by table: the quickest. Flash: 23 KiB of table (f32: 3).
+// Uniform disk under Coulomb friction, by table, the fastest method. Flash: 23 KiB of table (f32: 3).
 // Accuracy: 5 ulp in force and torque.
 tribos_status tribos_disk_wrench_f64(const struct tribos_round_f64 *patch,
                                      double load,
@@ -915,20 +915,20 @@ tribos_status tribos_disk_jacobian_f64(const struct tribos_round_f64 *patch,
                                        const struct tribos_twist_f64 *twist,
                                        struct tribos_jacobian_f64 *jacobian);
 
-// Uniform disk under Coulomb friction without table, by elliptic integrals: a few KiB of code, 5
-// times as slow. Accuracy: 1e-14 relative (f32: 5e-6).
+// Uniform disk under Coulomb friction without a table, by elliptic integrals: a few KiB of code, 5
+// times slower. Accuracy: 1e-14 relative (f32: 5e-6).
 tribos_status tribos_disk_compact_wrench_f64(const struct tribos_round_f64 *patch,
                                              double load,
                                              const struct tribos_twist_f64 *twist,
                                              struct tribos_wrench_f64 *wrench);
 
-// Jacobian of the uniform disk without table.
+// Jacobian of the uniform disk without a table.
 tribos_status tribos_disk_compact_jacobian_f64(const struct tribos_round_f64 *patch,
                                                double load,
                                                const struct tribos_twist_f64 *twist,
                                                struct tribos_jacobian_f64 *jacobian);
 
-// Uniform pressure between inner_ratio and 1 radii under Coulomb friction, by the disk's table.
+// Annulus between inner_ratio and 1 radii under uniform pressure and Coulomb friction, by the disk's table.
 // Domain: 0 <= inner_ratio <= 0.999999. Accuracy: that of the disk times 2/(1 - inner_ratio), at most 32.
 tribos_status tribos_annulus_wrench_f64(const struct tribos_round_f64 *patch,
                                         double inner_ratio,
@@ -983,20 +983,20 @@ tribos_status tribos_punch_jacobian_f64(const struct tribos_round_f64 *patch,
                                         struct tribos_jacobian_f64 *jacobian);
 
 // Prepares one exponent, -1 < alpha <= 128, under the pressure (1-r^2)^q of order q, -1 <= q <= 8:
-// -1 ring, -1/2 flat punch, 0 uniform, 1/2 Hertz, 1 paraboloid. Cost: some 200 wrenches unless q = 0.
+// -1 ring, -1/2 flat punch, 0 uniform, 1/2 Hertz, 1 paraboloid. Cost: about 200 wrenches unless q = 0.
 tribos_status tribos_power_compact_build_f64(double alpha,
                                              double pressure_order,
                                              struct tribos_power_compact_f64 *power);
 
-// Any exponent under any pressure (1-r^2)^q, without table. Works in double precision inside, for _f32
-// too: on a processor that has none it is slow. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
+// Any exponent under any pressure (1-r^2)^q, without a table. Computes in double precision, for _f32
+// too, and is slow on a processor without it. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
 tribos_status tribos_power_compact_wrench_f64(const struct tribos_power_compact_f64 *power,
                                               const struct tribos_round_f64 *patch,
                                               double load,
                                               const struct tribos_twist_f64 *twist,
                                               struct tribos_wrench_f64 *wrench);
 
-// Its Jacobian.
+// Jacobian of any exponent under any pressure (1-r^2)^q, without a table.
 tribos_status tribos_power_compact_jacobian_f64(const struct tribos_power_compact_f64 *power,
                                                 const struct tribos_round_f64 *patch,
                                                 double load,
@@ -1004,11 +1004,11 @@ tribos_status tribos_power_compact_jacobian_f64(const struct tribos_power_compac
                                                 struct tribos_jacobian_f64 *jacobian);
 
 // Builds the table of one exponent for the uniform disk, -1 < alpha <= 10, in the caller's memory:
-// 23 KiB (f32: 3). Cost: about 300,000 operations in double precision (f32: half as many, in double
-// precision too), and 49 KiB of stack on a Cortex-M4 (f32: 13).
+// 23 KiB (f32: 3). Cost: about 300,000 operations in double precision (f32: half as many, also in
+// double precision), and 49 KiB of stack on a Cortex-M4 (f32: 13).
 tribos_status tribos_power_table_build_f64(double alpha, struct tribos_power_table_f64 *table);
 
-// Uniform disk under the power law, by a table built before; as quick as Coulomb friction but for
+// Uniform disk under the power law, by a table built before; as fast as Coulomb friction except for
 // one power. Accuracy: 1.5e-15 relative for alpha >= -0.75 (f32: 5 ulp).
 tribos_status tribos_power_table_wrench_f64(const struct tribos_power_table_f64 *table,
                                             const struct tribos_round_f64 *patch,
@@ -1016,14 +1016,14 @@ tribos_status tribos_power_table_wrench_f64(const struct tribos_power_table_f64 
                                             const struct tribos_twist_f64 *twist,
                                             struct tribos_wrench_f64 *wrench);
 
-// Its Jacobian.
+// Jacobian of the uniform disk under the power law, by a table built before.
 tribos_status tribos_power_table_jacobian_f64(const struct tribos_power_table_f64 *table,
                                               const struct tribos_round_f64 *patch,
                                               double load,
                                               const struct tribos_twist_f64 *twist,
                                               struct tribos_jacobian_f64 *jacobian);
 
-// The wrench of Coulomb friction at `count` nodes.
+// Wrench of Coulomb friction at `count` nodes.
 tribos_status tribos_nodes_coulomb_wrench_f64(const struct tribos_coulomb_f64 *law,
                                               const struct tribos_node_f64 *nodes,
                                               size_t count,
@@ -1031,8 +1031,8 @@ tribos_status tribos_nodes_coulomb_wrench_f64(const struct tribos_coulomb_f64 *l
                                               const struct tribos_twist_f64 *twist,
                                               struct tribos_wrench_f64 *wrench);
 
-// Its Jacobian. Special values: a node at rest counts with the law's slope at rest if that is not
-// negative: dry friction is left out.
+// Jacobian of Coulomb friction at `count` nodes. Special values: a node at rest contributes the law's
+// slope at rest if that is not negative, hence nothing under dry friction.
 tribos_status tribos_nodes_coulomb_jacobian_f64(const struct tribos_coulomb_f64 *law,
                                                 const struct tribos_node_f64 *nodes,
                                                 size_t count,
@@ -1040,7 +1040,7 @@ tribos_status tribos_nodes_coulomb_jacobian_f64(const struct tribos_coulomb_f64 
                                                 const struct tribos_twist_f64 *twist,
                                                 struct tribos_jacobian_f64 *jacobian);
 
-// The wrench of the power law at `count` nodes.
+// Wrench of the power law at `count` nodes.
 tribos_status tribos_nodes_power_wrench_f64(const struct tribos_power_f64 *law,
                                             const struct tribos_node_f64 *nodes,
                                             size_t count,
@@ -1048,7 +1048,7 @@ tribos_status tribos_nodes_power_wrench_f64(const struct tribos_power_f64 *law,
                                             const struct tribos_twist_f64 *twist,
                                             struct tribos_wrench_f64 *wrench);
 
-// Its Jacobian.
+// Jacobian of the power law at `count` nodes.
 tribos_status tribos_nodes_power_jacobian_f64(const struct tribos_power_f64 *law,
                                               const struct tribos_node_f64 *nodes,
                                               size_t count,
@@ -1056,7 +1056,7 @@ tribos_status tribos_nodes_power_jacobian_f64(const struct tribos_power_f64 *law
                                               const struct tribos_twist_f64 *twist,
                                               struct tribos_jacobian_f64 *jacobian);
 
-// The wrench of the Stribeck curve at `count` nodes.
+// Wrench of the Stribeck curve at `count` nodes.
 tribos_status tribos_nodes_stribeck_wrench_f64(const struct tribos_stribeck_f64 *law,
                                                const struct tribos_node_f64 *nodes,
                                                size_t count,
@@ -1064,7 +1064,7 @@ tribos_status tribos_nodes_stribeck_wrench_f64(const struct tribos_stribeck_f64 
                                                const struct tribos_twist_f64 *twist,
                                                struct tribos_wrench_f64 *wrench);
 
-// Its Jacobian.
+// Jacobian of the Stribeck curve at `count` nodes.
 tribos_status tribos_nodes_stribeck_jacobian_f64(const struct tribos_stribeck_f64 *law,
                                                  const struct tribos_node_f64 *nodes,
                                                  size_t count,
@@ -1072,9 +1072,9 @@ tribos_status tribos_nodes_stribeck_jacobian_f64(const struct tribos_stribeck_f6
                                                  const struct tribos_twist_f64 *twist,
                                                  struct tribos_jacobian_f64 *jacobian);
 
-// Nodes of a uniform pressure on a simple polygon of which one corner sees the whole inside:
-// 7 (corners - 2) divisions^2 of them, written to `nodes` with room for `capacity`; `filled` is
-// their number. On TRIBOS_STATUS_FULL and other refusals the content of `nodes` is not defined.
+// Nodes of a uniform pressure on a simple polygon in which one corner sees the whole interior. The
+// 7 (corners - 2) divisions^2 nodes are written to `nodes`, which has room for `capacity`; `filled` is
+// their number. After TRIBOS_STATUS_FULL and other refusals the content of `nodes` is undefined.
 // Accuracy: moments up to degree 5 to rounding; friction of a square 1.2e-2, 2.8e-3, 6.8e-4 of the
 // load with 56, 224, 896 nodes while the centre of rotation lies inside.
 tribos_status tribos_polygon_nodes_f64(const struct tribos_point_f64 *corners,
@@ -1084,49 +1084,49 @@ tribos_status tribos_polygon_nodes_f64(const struct tribos_point_f64 *corners,
                                        size_t capacity,
                                        size_t *filled);
 
-// Nodes of a pressure on a disk: rings x angles of them, as above.
-// Accuracy: Coulomb friction under uniform pressure with 8 x 16 nodes 3.7e-3, with 16 x 32 9.4e-4
-// while the centre of rotation lies inside; outside it falls geometrically.
+// Nodes of a pressure on a disk: rings x angles of them, written as by tribos_polygon_nodes_f64.
+// Accuracy: Coulomb friction under uniform pressure 3.7e-3 with 8 x 16 nodes, 9.4e-4 with 16 x 32
+// while the centre of rotation lies inside; outside, the error falls geometrically.
 tribos_status tribos_disk_nodes_f64(const struct tribos_disk_rule_f64 *rule,
                                     struct tribos_node_f64 *nodes,
                                     size_t capacity,
                                     size_t *filled);
 
-// The nodes of three feet that carry a body whose weight acts above `centre`: `feet` leads to
+// Nodes of three feet that carry a body whose centre of mass lies above `centre`: `feet` points to
 // three points, `nodes` to room for three nodes, whose positions are relative to `centre`.
 tribos_status tribos_tripod_nodes_f64(const struct tribos_point_f64 *feet,
                                       const struct tribos_point_f64 *centre,
                                       struct tribos_node_f64 *nodes);
 
-// The power that the patch dissipates with a twist: the largest wrench . twist of the set.
+// Power that the patch dissipates with a twist: the largest wrench . twist of the set.
 tribos_status tribos_disk_surface_support_f64(const struct tribos_disk_surface_f64 *surface,
                                               const struct tribos_twist_f64 *twist,
                                               double *power);
 
-// Friction on the patch that moves with a twist. Special values: zero at rest.
+// Friction on a patch that moves with a twist. Special values: zero at rest.
 tribos_status tribos_disk_surface_wrench_f64(const struct tribos_disk_surface_f64 *surface,
                                              const struct tribos_twist_f64 *twist,
                                              struct tribos_wrench_f64 *wrench);
 
-// The smallest factor g >= 0 with wrench/g in the set: below 1 friction holds the patch, above 1 it
-// slides. Special values: 0 for no wrench, infinite for an infinite one.
+// The smallest factor g >= 0 with wrench/g in the set: below 1 friction holds the patch, above 1 the patch
+// slides. Special values: 0 for the zero wrench, infinite for an infinite one.
 tribos_status tribos_disk_surface_gauge_f64(const struct tribos_disk_surface_f64 *surface,
                                             const struct tribos_wrench_f64 *wrench,
                                             double *gauge);
 
-// The motion that a push causes, scaled to |velocity|^2 + (spin radius)^2 = 1.
-// Special values: zero for no push.
+// The motion caused by a push, scaled to |velocity|^2 + (spin radius)^2 = 1.
+// Special values: zero for the zero wrench.
 tribos_status tribos_disk_surface_motion_f64(const struct tribos_disk_surface_f64 *surface,
                                              const struct tribos_wrench_f64 *push,
                                              struct tribos_twist_f64 *twist);
 
-// The wrench along the same ray on the surface. Special values: the zero wrench stays.
+// The wrench scaled to the surface. Special values: the zero wrench is unchanged.
 tribos_status tribos_disk_surface_scale_f64(const struct tribos_disk_surface_f64 *surface,
                                             const struct tribos_wrench_f64 *wrench,
                                             struct tribos_wrench_f64 *scaled);
 
-// The nearest wrench of the set by the distance sqrt(|d force|^2 + (d torque/length)^2); a length of
-// 0 stands for the radius. Special values: NaN for a negative or infinite length.
+// The nearest wrench of the set in the norm sqrt(|d force|^2 + (d torque/length)^2); a length of
+// 0 represents the radius. Special values: NaN for a negative or infinite length.
 tribos_status tribos_disk_surface_project_f64(const struct tribos_disk_surface_f64 *surface,
                                               const struct tribos_wrench_f64 *wrench,
                                               double length,
@@ -1163,23 +1163,23 @@ tribos_status tribos_ellipsoid_project_f64(const struct tribos_ellipsoid_f64 *el
                                            double length,
                                            struct tribos_projection_f64 *projection);
 
-// One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never turns
-// it round. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.
+// One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never reverses
+// it. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.
 tribos_status tribos_slider_verlet_step_f64(const struct tribos_slider_f64 *slider,
                                             struct tribos_motion_f64 *motion,
                                             double duration);
 
-// Advances by duration >= 0, through rest if it comes. Accuracy: as tribos_slider_to_rest_f64.
-// Cost: 8 evaluations of the wrench while the speeds change by less than some thousandths, 12 up to
-// a few hundredths; some 50 to 250 otherwise.
+// Advances the motion by duration >= 0, also past rest. Accuracy: as tribos_slider_to_rest_f64.
+// Cost: 8 evaluations of the wrench if the speeds change by less than a few thousandths, 12 up to
+// a few hundredths; otherwise about 50 to 250.
 tribos_status tribos_slider_advance_f64(const struct tribos_slider_f64 *slider,
                                         const struct tribos_motion_f64 *motion,
                                         double duration,
                                         struct tribos_advance_f64 *advance);
 
-// Follows the motion to rest; TRIBOS_STATUS_NO_REST for one that is not finite. Accuracy: 1e-13
-// relative in each of time, distance and angle (f32: 5e-6), whichever motion dies first. Cost: some
-// 150 evaluations of the wrench, seldom more than 500.
+// Advances the motion to rest; TRIBOS_STATUS_NO_REST if it is not finite. Accuracy: 1e-13
+// relative in each of time, distance and angle (f32: 5e-6), whichever motion ends first. Cost: about
+// 150 evaluations of the wrench, rarely more than 500.
 tribos_status tribos_slider_to_rest_f64(const struct tribos_slider_f64 *slider,
                                         const struct tribos_motion_f64 *motion,
                                         struct tribos_rest_f64 *rest);
@@ -1189,20 +1189,20 @@ tribos_status tribos_slider_energy_f64(const struct tribos_slider_f64 *slider,
                                        const struct tribos_motion_f64 *motion,
                                        double *energy_per_mass);
 
-// Power lost to friction per mass.
+// Power dissipated by friction, per mass.
 tribos_status tribos_slider_dissipation_f64(const struct tribos_slider_f64 *slider,
                                             const struct tribos_motion_f64 *motion,
                                             double *power_per_mass);
 
-// Where two spheres touch; `displacement` leads from the first centre to the second.
+// Contact geometry of two spheres; `displacement` is the vector from the first centre to the second.
 // Accuracy: the normal to 4 ulp, the gap to 2 ulp of the distance.
 tribos_status tribos_touch_spheres_f64(const struct tribos_vector_f64 *displacement,
                                        double first_radius,
                                        double second_radius,
                                        struct tribos_touch_f64 *touch);
 
-// Where a sphere, the first body, whose centre is `height` above a plate touches it; `outward` is
-// the plate's unit normal into the space of the sphere, taken as it is.
+// Contact geometry of a sphere, the first body, and a plate at distance `height` from its centre; `outward`
+// is the plate's unit normal into the space of the sphere and is not normalised.
 tribos_status tribos_touch_plate_f64(double height,
                                      const struct tribos_vector_f64 *outward,
                                      double radius,
@@ -1224,114 +1224,114 @@ tribos_status tribos_contact_plate_f64(const struct tribos_touch_f64 *touch,
                                        double dt,
                                        struct tribos_contact_f64 *contact);
 
-// Updates a contact of two spheres. Only the normal impulse.
+// Updates a contact of two spheres, with a normal impulse only.
 tribos_status tribos_update_frictionless_spheres_f64(const struct tribos_contact_f64 *contact,
                                                      struct tribos_sphere_f64 *first,
                                                      struct tribos_sphere_f64 *second,
                                                      struct tribos_impulse_f64 *impulse);
 
-// Updates a contact of two spheres. Normal impulse and sliding friction.
+// Updates a contact of two spheres, with normal impulse and sliding friction.
 tribos_status tribos_update_sliding_spheres_f64(const struct tribos_contact_f64 *contact,
                                                 const struct tribos_thresholds_f64 *friction,
                                                 struct tribos_sphere_f64 *first,
                                                 struct tribos_sphere_f64 *second,
                                                 struct tribos_impulse_f64 *impulse);
 
-// Updates a contact of two spheres.
-// Normal impulse, sliding and torsion friction, each with its own threshold.
+// Updates a contact of two spheres, with normal impulse, sliding and torsion friction, each with its
+// own threshold.
 tribos_status tribos_update_sliding_torsion_spheres_f64(const struct tribos_contact_f64 *contact,
                                                         const struct tribos_thresholds_f64 *friction,
                                                         struct tribos_sphere_f64 *first,
                                                         struct tribos_sphere_f64 *second,
                                                         struct tribos_impulse_f64 *impulse);
 
-// Updates a contact of two spheres. Normal impulse, sliding and rolling friction.
+// Updates a contact of two spheres, with normal impulse, sliding and rolling friction.
 tribos_status tribos_update_sliding_rolling_spheres_f64(const struct tribos_contact_f64 *contact,
                                                         const struct tribos_thresholds_f64 *friction,
                                                         struct tribos_sphere_f64 *first,
                                                         struct tribos_sphere_f64 *second,
                                                         struct tribos_impulse_f64 *impulse);
 
-// Updates a contact of two spheres.
-// Normal impulse, sliding, rolling and torsion friction, each with its own threshold.
+// Updates a contact of two spheres, with normal impulse, sliding, rolling and torsion friction, each
+// with its own threshold.
 tribos_status tribos_update_all_spheres_f64(const struct tribos_contact_f64 *contact,
                                             const struct tribos_thresholds_f64 *friction,
                                             struct tribos_sphere_f64 *first,
                                             struct tribos_sphere_f64 *second,
                                             struct tribos_impulse_f64 *impulse);
 
-// Updates a contact of two spheres.
-// Normal impulse, and sliding and torsion under the one threshold of a uniform disk: `sliding` is
-// mu, `torsion` the radius of the disk over the lever, not a coefficient.
+// Updates a contact of two spheres, with normal impulse, and sliding and torsion under the common
+// threshold of a uniform disk: `sliding` is mu, `torsion` is the radius of the disk over the lever, not
+// a coefficient.
 tribos_status tribos_update_patch_spheres_f64(const struct tribos_contact_f64 *contact,
                                               const struct tribos_thresholds_f64 *friction,
                                               struct tribos_sphere_f64 *first,
                                               struct tribos_sphere_f64 *second,
                                               struct tribos_impulse_f64 *impulse);
 
-// Updates a contact of a sphere with a plate. Only the normal impulse.
+// Updates a contact of a sphere with a plate, with a normal impulse only.
 tribos_status tribos_update_frictionless_plate_f64(const struct tribos_contact_f64 *contact,
                                                    struct tribos_sphere_f64 *first,
                                                    struct tribos_plate_f64 *second,
                                                    struct tribos_impulse_f64 *impulse);
 
-// Updates a contact of a sphere with a plate. Normal impulse and sliding friction.
+// Updates a contact of a sphere with a plate, with normal impulse and sliding friction.
 tribos_status tribos_update_sliding_plate_f64(const struct tribos_contact_f64 *contact,
                                               const struct tribos_thresholds_f64 *friction,
                                               struct tribos_sphere_f64 *first,
                                               struct tribos_plate_f64 *second,
                                               struct tribos_impulse_f64 *impulse);
 
-// Updates a contact of a sphere with a plate.
-// Normal impulse, sliding and torsion friction, each with its own threshold.
+// Updates a contact of a sphere with a plate, with normal impulse, sliding and torsion friction, each
+// with its own threshold.
 tribos_status tribos_update_sliding_torsion_plate_f64(const struct tribos_contact_f64 *contact,
                                                       const struct tribos_thresholds_f64 *friction,
                                                       struct tribos_sphere_f64 *first,
                                                       struct tribos_plate_f64 *second,
                                                       struct tribos_impulse_f64 *impulse);
 
-// Updates a contact of a sphere with a plate. Normal impulse, sliding and rolling friction.
+// Updates a contact of a sphere with a plate, with normal impulse, sliding and rolling friction.
 tribos_status tribos_update_sliding_rolling_plate_f64(const struct tribos_contact_f64 *contact,
                                                       const struct tribos_thresholds_f64 *friction,
                                                       struct tribos_sphere_f64 *first,
                                                       struct tribos_plate_f64 *second,
                                                       struct tribos_impulse_f64 *impulse);
 
-// Updates a contact of a sphere with a plate.
-// Normal impulse, sliding, rolling and torsion friction, each with its own threshold.
+// Updates a contact of a sphere with a plate, with normal impulse, sliding, rolling and torsion
+// friction, each with its own threshold.
 tribos_status tribos_update_all_plate_f64(const struct tribos_contact_f64 *contact,
                                           const struct tribos_thresholds_f64 *friction,
                                           struct tribos_sphere_f64 *first,
                                           struct tribos_plate_f64 *second,
                                           struct tribos_impulse_f64 *impulse);
 
-// Updates a contact of a sphere with a plate.
-// Normal impulse, and sliding and torsion under the one threshold of a uniform disk: `sliding` is
-// mu, `torsion` the radius of the disk over the lever, not a coefficient.
+// Updates a contact of a sphere with a plate, with normal impulse, and sliding and torsion under the
+// common threshold of a uniform disk: `sliding` is mu, `torsion` is the radius of the disk over the
+// lever, not a coefficient.
 tribos_status tribos_update_patch_plate_f64(const struct tribos_contact_f64 *contact,
                                             const struct tribos_thresholds_f64 *friction,
                                             struct tribos_sphere_f64 *first,
                                             struct tribos_plate_f64 *second,
                                             struct tribos_impulse_f64 *impulse);
 
-// Friction per load of Coulomb's law: mu, at every speed.
+// Friction per load of Coulomb's law: mu at every speed.
 tribos_status tribos_coulomb_friction_f32(const struct tribos_coulomb_f32 *law,
                                           float speed,
                                           float *friction);
 
-// Friction per load in motion: mu_dynamic. Special values: NaN stays NaN.
+// Friction per load in motion: mu_dynamic. Special values: NaN gives NaN.
 tribos_status tribos_dry_friction_f32(const struct tribos_dry_f32 *law,
                                       float speed,
                                       float *friction);
 
-// Whether a body at rest stays there under a tangential drive per load, of either sign: 1 if it
-// sticks, 0 if it slips. Special values: |drive| = mu_static sticks, NaN slips.
+// Whether a body at rest remains at rest under a tangential load per normal load, of either sign: 1 if
+// it sticks, 0 if it slips. Special values: |drive| = mu_static sticks, NaN slips.
 tribos_status tribos_dry_sticks_f32(const struct tribos_dry_f32 *law,
                                     float drive_per_load,
                                     uint32_t *sticks);
 
-// What a body at rest has left of the drive, per load: zero if it sticks, else the drive less
-// dynamic friction, with the drive's sign. Special values: NaN stays NaN.
+// Net tangential load on a body at rest, per normal load: zero if the body sticks, else the drive minus
+// dynamic friction, with the sign of the drive. Special values: NaN gives NaN.
 tribos_status tribos_dry_net_drive_f32(const struct tribos_dry_f32 *law,
                                        float drive_per_load,
                                        float *net);
@@ -1341,7 +1341,7 @@ tribos_status tribos_power_friction_f32(const struct tribos_power_f32 *law,
                                         float speed,
                                         float *friction);
 
-// Derivative of the power law's friction by the speed, at speed > 0.
+// Derivative of the power law's friction with respect to speed, at speed > 0.
 tribos_status tribos_power_slope_f32(const struct tribos_power_f32 *law, float speed, float *slope);
 
 // Friction per load of the Stribeck curve at speed >= 0.
@@ -1349,16 +1349,16 @@ tribos_status tribos_stribeck_friction_f32(const struct tribos_stribeck_f32 *law
                                            float speed,
                                            float *friction);
 
-// Derivative of the Stribeck curve by the speed. At rest: -inf for an exponent below 1.
+// Derivative of the Stribeck curve with respect to speed. At rest: -inf for an exponent below 1.
 tribos_status tribos_stribeck_slope_f32(const struct tribos_stribeck_f32 *law,
                                         float speed,
                                         float *slope);
 
-// Speed of least friction between boundary and hydrodynamic lubrication;
-// TRIBOS_STATUS_NO_MINIMUM without one. Cost: at most 512 slopes.
+// Speed of minimum friction between boundary and hydrodynamic lubrication;
+// TRIBOS_STATUS_NO_MINIMUM if there is none. Cost: at most 512 slopes.
 tribos_status tribos_stribeck_minimum_f32(const struct tribos_stribeck_f32 *law, float *speed);
 
-// One step of dt >= 0 at constant velocity: moves the deflection on (start with 0) and gives the
+// One step of dt >= 0 at constant velocity: advances the deflection (initially 0) and returns the
 // mean force over the step, so that force x dt is the impulse. Both are exact for any dt. The
 // force has the sign of the velocity. Special values: NaN gives NaN.
 tribos_status tribos_lugre_step_f32(const struct tribos_lugre_f32 *law,
@@ -1367,40 +1367,40 @@ tribos_status tribos_lugre_step_f32(const struct tribos_lugre_f32 *law,
                                     float dt,
                                     float *force);
 
-// Force at this moment, stiffness z + bristle_damping z' + viscous_damping v.
+// Instantaneous force, stiffness z + bristle_damping z' + viscous_damping v.
 tribos_status tribos_lugre_force_f32(const struct tribos_lugre_f32 *law,
                                      float deflection,
                                      float velocity,
                                      float *force);
 
-// Force of steady sliding, sgn(v) g(v) + viscous_damping v; at rest the limit for the zero's sign.
+// Force of steady sliding, sgn(v) g(v) + viscous_damping v; at rest the limit for the sign of the zero.
 tribos_status tribos_lugre_steady_force_f32(const struct tribos_lugre_f32 *law,
                                             float velocity,
                                             float *force);
 
-// Speed up to which the model dissipates whatever the deflection; infinite if at every speed.
+// Speed up to which the model dissipates energy for any deflection; infinite if it always does.
 tribos_status tribos_lugre_passive_up_to_f32(const struct tribos_lugre_f32 *law, float *speed);
 
-// Friction per load at speed >= 0 for a contact of the age theta (a time). 0 at rest.
+// Friction per load at speed >= 0 for a contact of age theta (a time); 0 at rest.
 tribos_status tribos_rate_state_friction_f32(const struct tribos_rate_state_f32 *law,
                                              float speed,
                                              float theta,
                                              float *friction);
 
-// Derivative of that friction by the speed at constant age.
+// Derivative of this friction with respect to speed at constant age.
 tribos_status tribos_rate_state_slope_f32(const struct tribos_rate_state_f32 *law,
                                           float speed,
                                           float theta,
                                           float *slope);
 
-// Moves the age theta on by dt >= 0 at constant speed, exactly, by the ageing law
+// Advances the age theta by dt >= 0 at constant speed, exactly, by the ageing law
 // theta' = 1 - V theta/D_c.
 tribos_status tribos_rate_state_advance_dieterich_f32(const struct tribos_rate_state_f32 *law,
                                                       float *theta,
                                                       float speed,
                                                       float dt);
 
-// The same by the slip law theta' = -(V theta/D_c) ln(V theta/D_c).
+// Advances the age theta like the function above, by the slip law theta' = -(V theta/D_c) ln(V theta/D_c).
 tribos_status tribos_rate_state_advance_ruina_f32(const struct tribos_rate_state_f32 *law,
                                                   float *theta,
                                                   float speed,
@@ -1411,12 +1411,12 @@ tribos_status tribos_rate_state_steady_friction_f32(const struct tribos_rate_sta
                                                     float speed,
                                                     float *friction);
 
-// Derivative of the steady friction by the speed.
+// Derivative of the steady friction with respect to speed.
 tribos_status tribos_rate_state_steady_slope_f32(const struct tribos_rate_state_f32 *law,
                                                  float speed,
                                                  float *slope);
 
-// Uniform disk under Coulomb friction, by table: the quickest. Flash: 23 KiB of table (f32: 3).
+// Uniform disk under Coulomb friction, by table, the fastest method. Flash: 23 KiB of table (f32: 3).
 // Accuracy: 5 ulp in force and torque.
 tribos_status tribos_disk_wrench_f32(const struct tribos_round_f32 *patch,
                                      float load,
@@ -1429,20 +1429,20 @@ tribos_status tribos_disk_jacobian_f32(const struct tribos_round_f32 *patch,
                                        const struct tribos_twist_f32 *twist,
                                        struct tribos_jacobian_f32 *jacobian);
 
-// Uniform disk under Coulomb friction without table, by elliptic integrals: a few KiB of code, 5
-// times as slow. Accuracy: 1e-14 relative (f32: 5e-6).
+// Uniform disk under Coulomb friction without a table, by elliptic integrals: a few KiB of code, 5
+// times slower. Accuracy: 1e-14 relative (f32: 5e-6).
 tribos_status tribos_disk_compact_wrench_f32(const struct tribos_round_f32 *patch,
                                              float load,
                                              const struct tribos_twist_f32 *twist,
                                              struct tribos_wrench_f32 *wrench);
 
-// Jacobian of the uniform disk without table.
+// Jacobian of the uniform disk without a table.
 tribos_status tribos_disk_compact_jacobian_f32(const struct tribos_round_f32 *patch,
                                                float load,
                                                const struct tribos_twist_f32 *twist,
                                                struct tribos_jacobian_f32 *jacobian);
 
-// Uniform pressure between inner_ratio and 1 radii under Coulomb friction, by the disk's table.
+// Annulus between inner_ratio and 1 radii under uniform pressure and Coulomb friction, by the disk's table.
 // Domain: 0 <= inner_ratio <= 0.999999. Accuracy: that of the disk times 2/(1 - inner_ratio), at most 32.
 tribos_status tribos_annulus_wrench_f32(const struct tribos_round_f32 *patch,
                                         float inner_ratio,
@@ -1497,20 +1497,20 @@ tribos_status tribos_punch_jacobian_f32(const struct tribos_round_f32 *patch,
                                         struct tribos_jacobian_f32 *jacobian);
 
 // Prepares one exponent, -1 < alpha <= 128, under the pressure (1-r^2)^q of order q, -1 <= q <= 8:
-// -1 ring, -1/2 flat punch, 0 uniform, 1/2 Hertz, 1 paraboloid. Cost: some 200 wrenches unless q = 0.
+// -1 ring, -1/2 flat punch, 0 uniform, 1/2 Hertz, 1 paraboloid. Cost: about 200 wrenches unless q = 0.
 tribos_status tribos_power_compact_build_f32(float alpha,
                                              float pressure_order,
                                              struct tribos_power_compact_f32 *power);
 
-// Any exponent under any pressure (1-r^2)^q, without table. Works in double precision inside, for _f32
-// too: on a processor that has none it is slow. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
+// Any exponent under any pressure (1-r^2)^q, without a table. Computes in double precision, for _f32
+// too, and is slow on a processor without it. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
 tribos_status tribos_power_compact_wrench_f32(const struct tribos_power_compact_f32 *power,
                                               const struct tribos_round_f32 *patch,
                                               float load,
                                               const struct tribos_twist_f32 *twist,
                                               struct tribos_wrench_f32 *wrench);
 
-// Its Jacobian.
+// Jacobian of any exponent under any pressure (1-r^2)^q, without a table.
 tribos_status tribos_power_compact_jacobian_f32(const struct tribos_power_compact_f32 *power,
                                                 const struct tribos_round_f32 *patch,
                                                 float load,
@@ -1518,11 +1518,11 @@ tribos_status tribos_power_compact_jacobian_f32(const struct tribos_power_compac
                                                 struct tribos_jacobian_f32 *jacobian);
 
 // Builds the table of one exponent for the uniform disk, -1 < alpha <= 10, in the caller's memory:
-// 23 KiB (f32: 3). Cost: about 300,000 operations in double precision (f32: half as many, in double
-// precision too), and 49 KiB of stack on a Cortex-M4 (f32: 13).
+// 23 KiB (f32: 3). Cost: about 300,000 operations in double precision (f32: half as many, also in
+// double precision), and 49 KiB of stack on a Cortex-M4 (f32: 13).
 tribos_status tribos_power_table_build_f32(float alpha, struct tribos_power_table_f32 *table);
 
-// Uniform disk under the power law, by a table built before; as quick as Coulomb friction but for
+// Uniform disk under the power law, by a table built before; as fast as Coulomb friction except for
 // one power. Accuracy: 1.5e-15 relative for alpha >= -0.75 (f32: 5 ulp).
 tribos_status tribos_power_table_wrench_f32(const struct tribos_power_table_f32 *table,
                                             const struct tribos_round_f32 *patch,
@@ -1530,14 +1530,14 @@ tribos_status tribos_power_table_wrench_f32(const struct tribos_power_table_f32 
                                             const struct tribos_twist_f32 *twist,
                                             struct tribos_wrench_f32 *wrench);
 
-// Its Jacobian.
+// Jacobian of the uniform disk under the power law, by a table built before.
 tribos_status tribos_power_table_jacobian_f32(const struct tribos_power_table_f32 *table,
                                               const struct tribos_round_f32 *patch,
                                               float load,
                                               const struct tribos_twist_f32 *twist,
                                               struct tribos_jacobian_f32 *jacobian);
 
-// The wrench of Coulomb friction at `count` nodes.
+// Wrench of Coulomb friction at `count` nodes.
 tribos_status tribos_nodes_coulomb_wrench_f32(const struct tribos_coulomb_f32 *law,
                                               const struct tribos_node_f32 *nodes,
                                               size_t count,
@@ -1545,8 +1545,8 @@ tribos_status tribos_nodes_coulomb_wrench_f32(const struct tribos_coulomb_f32 *l
                                               const struct tribos_twist_f32 *twist,
                                               struct tribos_wrench_f32 *wrench);
 
-// Its Jacobian. Special values: a node at rest counts with the law's slope at rest if that is not
-// negative: dry friction is left out.
+// Jacobian of Coulomb friction at `count` nodes. Special values: a node at rest contributes the law's
+// slope at rest if that is not negative, hence nothing under dry friction.
 tribos_status tribos_nodes_coulomb_jacobian_f32(const struct tribos_coulomb_f32 *law,
                                                 const struct tribos_node_f32 *nodes,
                                                 size_t count,
@@ -1554,7 +1554,7 @@ tribos_status tribos_nodes_coulomb_jacobian_f32(const struct tribos_coulomb_f32 
                                                 const struct tribos_twist_f32 *twist,
                                                 struct tribos_jacobian_f32 *jacobian);
 
-// The wrench of the power law at `count` nodes.
+// Wrench of the power law at `count` nodes.
 tribos_status tribos_nodes_power_wrench_f32(const struct tribos_power_f32 *law,
                                             const struct tribos_node_f32 *nodes,
                                             size_t count,
@@ -1562,7 +1562,7 @@ tribos_status tribos_nodes_power_wrench_f32(const struct tribos_power_f32 *law,
                                             const struct tribos_twist_f32 *twist,
                                             struct tribos_wrench_f32 *wrench);
 
-// Its Jacobian.
+// Jacobian of the power law at `count` nodes.
 tribos_status tribos_nodes_power_jacobian_f32(const struct tribos_power_f32 *law,
                                               const struct tribos_node_f32 *nodes,
                                               size_t count,
@@ -1570,7 +1570,7 @@ tribos_status tribos_nodes_power_jacobian_f32(const struct tribos_power_f32 *law
                                               const struct tribos_twist_f32 *twist,
                                               struct tribos_jacobian_f32 *jacobian);
 
-// The wrench of the Stribeck curve at `count` nodes.
+// Wrench of the Stribeck curve at `count` nodes.
 tribos_status tribos_nodes_stribeck_wrench_f32(const struct tribos_stribeck_f32 *law,
                                                const struct tribos_node_f32 *nodes,
                                                size_t count,
@@ -1578,7 +1578,7 @@ tribos_status tribos_nodes_stribeck_wrench_f32(const struct tribos_stribeck_f32 
                                                const struct tribos_twist_f32 *twist,
                                                struct tribos_wrench_f32 *wrench);
 
-// Its Jacobian.
+// Jacobian of the Stribeck curve at `count` nodes.
 tribos_status tribos_nodes_stribeck_jacobian_f32(const struct tribos_stribeck_f32 *law,
                                                  const struct tribos_node_f32 *nodes,
                                                  size_t count,
@@ -1586,9 +1586,9 @@ tribos_status tribos_nodes_stribeck_jacobian_f32(const struct tribos_stribeck_f3
                                                  const struct tribos_twist_f32 *twist,
                                                  struct tribos_jacobian_f32 *jacobian);
 
-// Nodes of a uniform pressure on a simple polygon of which one corner sees the whole inside:
-// 7 (corners - 2) divisions^2 of them, written to `nodes` with room for `capacity`; `filled` is
-// their number. On TRIBOS_STATUS_FULL and other refusals the content of `nodes` is not defined.
+// Nodes of a uniform pressure on a simple polygon in which one corner sees the whole interior. The
+// 7 (corners - 2) divisions^2 nodes are written to `nodes`, which has room for `capacity`; `filled` is
+// their number. After TRIBOS_STATUS_FULL and other refusals the content of `nodes` is undefined.
 // Accuracy: moments up to degree 5 to rounding; friction of a square 1.2e-2, 2.8e-3, 6.8e-4 of the
 // load with 56, 224, 896 nodes while the centre of rotation lies inside.
 tribos_status tribos_polygon_nodes_f32(const struct tribos_point_f32 *corners,
@@ -1598,49 +1598,49 @@ tribos_status tribos_polygon_nodes_f32(const struct tribos_point_f32 *corners,
                                        size_t capacity,
                                        size_t *filled);
 
-// Nodes of a pressure on a disk: rings x angles of them, as above.
-// Accuracy: Coulomb friction under uniform pressure with 8 x 16 nodes 3.7e-3, with 16 x 32 9.4e-4
-// while the centre of rotation lies inside; outside it falls geometrically.
+// Nodes of a pressure on a disk: rings x angles of them, written as by tribos_polygon_nodes_f32.
+// Accuracy: Coulomb friction under uniform pressure 3.7e-3 with 8 x 16 nodes, 9.4e-4 with 16 x 32
+// while the centre of rotation lies inside; outside, the error falls geometrically.
 tribos_status tribos_disk_nodes_f32(const struct tribos_disk_rule_f32 *rule,
                                     struct tribos_node_f32 *nodes,
                                     size_t capacity,
                                     size_t *filled);
 
-// The nodes of three feet that carry a body whose weight acts above `centre`: `feet` leads to
+// Nodes of three feet that carry a body whose centre of mass lies above `centre`: `feet` points to
 // three points, `nodes` to room for three nodes, whose positions are relative to `centre`.
 tribos_status tribos_tripod_nodes_f32(const struct tribos_point_f32 *feet,
                                       const struct tribos_point_f32 *centre,
                                       struct tribos_node_f32 *nodes);
 
-// The power that the patch dissipates with a twist: the largest wrench . twist of the set.
+// Power that the patch dissipates with a twist: the largest wrench . twist of the set.
 tribos_status tribos_disk_surface_support_f32(const struct tribos_disk_surface_f32 *surface,
                                               const struct tribos_twist_f32 *twist,
                                               float *power);
 
-// Friction on the patch that moves with a twist. Special values: zero at rest.
+// Friction on a patch that moves with a twist. Special values: zero at rest.
 tribos_status tribos_disk_surface_wrench_f32(const struct tribos_disk_surface_f32 *surface,
                                              const struct tribos_twist_f32 *twist,
                                              struct tribos_wrench_f32 *wrench);
 
-// The smallest factor g >= 0 with wrench/g in the set: below 1 friction holds the patch, above 1 it
-// slides. Special values: 0 for no wrench, infinite for an infinite one.
+// The smallest factor g >= 0 with wrench/g in the set: below 1 friction holds the patch, above 1 the patch
+// slides. Special values: 0 for the zero wrench, infinite for an infinite one.
 tribos_status tribos_disk_surface_gauge_f32(const struct tribos_disk_surface_f32 *surface,
                                             const struct tribos_wrench_f32 *wrench,
                                             float *gauge);
 
-// The motion that a push causes, scaled to |velocity|^2 + (spin radius)^2 = 1.
-// Special values: zero for no push.
+// The motion caused by a push, scaled to |velocity|^2 + (spin radius)^2 = 1.
+// Special values: zero for the zero wrench.
 tribos_status tribos_disk_surface_motion_f32(const struct tribos_disk_surface_f32 *surface,
                                              const struct tribos_wrench_f32 *push,
                                              struct tribos_twist_f32 *twist);
 
-// The wrench along the same ray on the surface. Special values: the zero wrench stays.
+// The wrench scaled to the surface. Special values: the zero wrench is unchanged.
 tribos_status tribos_disk_surface_scale_f32(const struct tribos_disk_surface_f32 *surface,
                                             const struct tribos_wrench_f32 *wrench,
                                             struct tribos_wrench_f32 *scaled);
 
-// The nearest wrench of the set by the distance sqrt(|d force|^2 + (d torque/length)^2); a length of
-// 0 stands for the radius. Special values: NaN for a negative or infinite length.
+// The nearest wrench of the set in the norm sqrt(|d force|^2 + (d torque/length)^2); a length of
+// 0 represents the radius. Special values: NaN for a negative or infinite length.
 tribos_status tribos_disk_surface_project_f32(const struct tribos_disk_surface_f32 *surface,
                                               const struct tribos_wrench_f32 *wrench,
                                               float length,
@@ -1677,23 +1677,23 @@ tribos_status tribos_ellipsoid_project_f32(const struct tribos_ellipsoid_f32 *el
                                            float length,
                                            struct tribos_projection_f32 *projection);
 
-// One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never turns
-// it round. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.
+// One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never reverses
+// it. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.
 tribos_status tribos_slider_verlet_step_f32(const struct tribos_slider_f32 *slider,
                                             struct tribos_motion_f32 *motion,
                                             float duration);
 
-// Advances by duration >= 0, through rest if it comes. Accuracy: as tribos_slider_to_rest_f32.
-// Cost: 8 evaluations of the wrench while the speeds change by less than some thousandths, 12 up to
-// a few hundredths; some 50 to 250 otherwise.
+// Advances the motion by duration >= 0, also past rest. Accuracy: as tribos_slider_to_rest_f32.
+// Cost: 8 evaluations of the wrench if the speeds change by less than a few thousandths, 12 up to
+// a few hundredths; otherwise about 50 to 250.
 tribos_status tribos_slider_advance_f32(const struct tribos_slider_f32 *slider,
                                         const struct tribos_motion_f32 *motion,
                                         float duration,
                                         struct tribos_advance_f32 *advance);
 
-// Follows the motion to rest; TRIBOS_STATUS_NO_REST for one that is not finite. Accuracy: 1e-13
-// relative in each of time, distance and angle (f32: 5e-6), whichever motion dies first. Cost: some
-// 150 evaluations of the wrench, seldom more than 500.
+// Advances the motion to rest; TRIBOS_STATUS_NO_REST if it is not finite. Accuracy: 1e-13
+// relative in each of time, distance and angle (f32: 5e-6), whichever motion ends first. Cost: about
+// 150 evaluations of the wrench, rarely more than 500.
 tribos_status tribos_slider_to_rest_f32(const struct tribos_slider_f32 *slider,
                                         const struct tribos_motion_f32 *motion,
                                         struct tribos_rest_f32 *rest);
@@ -1703,20 +1703,20 @@ tribos_status tribos_slider_energy_f32(const struct tribos_slider_f32 *slider,
                                        const struct tribos_motion_f32 *motion,
                                        float *energy_per_mass);
 
-// Power lost to friction per mass.
+// Power dissipated by friction, per mass.
 tribos_status tribos_slider_dissipation_f32(const struct tribos_slider_f32 *slider,
                                             const struct tribos_motion_f32 *motion,
                                             float *power_per_mass);
 
-// Where two spheres touch; `displacement` leads from the first centre to the second.
+// Contact geometry of two spheres; `displacement` is the vector from the first centre to the second.
 // Accuracy: the normal to 4 ulp, the gap to 2 ulp of the distance.
 tribos_status tribos_touch_spheres_f32(const struct tribos_vector_f32 *displacement,
                                        float first_radius,
                                        float second_radius,
                                        struct tribos_touch_f32 *touch);
 
-// Where a sphere, the first body, whose centre is `height` above a plate touches it; `outward` is
-// the plate's unit normal into the space of the sphere, taken as it is.
+// Contact geometry of a sphere, the first body, and a plate at distance `height` from its centre; `outward`
+// is the plate's unit normal into the space of the sphere and is not normalised.
 tribos_status tribos_touch_plate_f32(float height,
                                      const struct tribos_vector_f32 *outward,
                                      float radius,
@@ -1738,90 +1738,90 @@ tribos_status tribos_contact_plate_f32(const struct tribos_touch_f32 *touch,
                                        float dt,
                                        struct tribos_contact_f32 *contact);
 
-// Updates a contact of two spheres. Only the normal impulse.
+// Updates a contact of two spheres, with a normal impulse only.
 tribos_status tribos_update_frictionless_spheres_f32(const struct tribos_contact_f32 *contact,
                                                      struct tribos_sphere_f32 *first,
                                                      struct tribos_sphere_f32 *second,
                                                      struct tribos_impulse_f32 *impulse);
 
-// Updates a contact of two spheres. Normal impulse and sliding friction.
+// Updates a contact of two spheres, with normal impulse and sliding friction.
 tribos_status tribos_update_sliding_spheres_f32(const struct tribos_contact_f32 *contact,
                                                 const struct tribos_thresholds_f32 *friction,
                                                 struct tribos_sphere_f32 *first,
                                                 struct tribos_sphere_f32 *second,
                                                 struct tribos_impulse_f32 *impulse);
 
-// Updates a contact of two spheres.
-// Normal impulse, sliding and torsion friction, each with its own threshold.
+// Updates a contact of two spheres, with normal impulse, sliding and torsion friction, each with its
+// own threshold.
 tribos_status tribos_update_sliding_torsion_spheres_f32(const struct tribos_contact_f32 *contact,
                                                         const struct tribos_thresholds_f32 *friction,
                                                         struct tribos_sphere_f32 *first,
                                                         struct tribos_sphere_f32 *second,
                                                         struct tribos_impulse_f32 *impulse);
 
-// Updates a contact of two spheres. Normal impulse, sliding and rolling friction.
+// Updates a contact of two spheres, with normal impulse, sliding and rolling friction.
 tribos_status tribos_update_sliding_rolling_spheres_f32(const struct tribos_contact_f32 *contact,
                                                         const struct tribos_thresholds_f32 *friction,
                                                         struct tribos_sphere_f32 *first,
                                                         struct tribos_sphere_f32 *second,
                                                         struct tribos_impulse_f32 *impulse);
 
-// Updates a contact of two spheres.
-// Normal impulse, sliding, rolling and torsion friction, each with its own threshold.
+// Updates a contact of two spheres, with normal impulse, sliding, rolling and torsion friction, each
+// with its own threshold.
 tribos_status tribos_update_all_spheres_f32(const struct tribos_contact_f32 *contact,
                                             const struct tribos_thresholds_f32 *friction,
                                             struct tribos_sphere_f32 *first,
                                             struct tribos_sphere_f32 *second,
                                             struct tribos_impulse_f32 *impulse);
 
-// Updates a contact of two spheres.
-// Normal impulse, and sliding and torsion under the one threshold of a uniform disk: `sliding` is
-// mu, `torsion` the radius of the disk over the lever, not a coefficient.
+// Updates a contact of two spheres, with normal impulse, and sliding and torsion under the common
+// threshold of a uniform disk: `sliding` is mu, `torsion` is the radius of the disk over the lever, not
+// a coefficient.
 tribos_status tribos_update_patch_spheres_f32(const struct tribos_contact_f32 *contact,
                                               const struct tribos_thresholds_f32 *friction,
                                               struct tribos_sphere_f32 *first,
                                               struct tribos_sphere_f32 *second,
                                               struct tribos_impulse_f32 *impulse);
 
-// Updates a contact of a sphere with a plate. Only the normal impulse.
+// Updates a contact of a sphere with a plate, with a normal impulse only.
 tribos_status tribos_update_frictionless_plate_f32(const struct tribos_contact_f32 *contact,
                                                    struct tribos_sphere_f32 *first,
                                                    struct tribos_plate_f32 *second,
                                                    struct tribos_impulse_f32 *impulse);
 
-// Updates a contact of a sphere with a plate. Normal impulse and sliding friction.
+// Updates a contact of a sphere with a plate, with normal impulse and sliding friction.
 tribos_status tribos_update_sliding_plate_f32(const struct tribos_contact_f32 *contact,
                                               const struct tribos_thresholds_f32 *friction,
                                               struct tribos_sphere_f32 *first,
                                               struct tribos_plate_f32 *second,
                                               struct tribos_impulse_f32 *impulse);
 
-// Updates a contact of a sphere with a plate.
-// Normal impulse, sliding and torsion friction, each with its own threshold.
+// Updates a contact of a sphere with a plate, with normal impulse, sliding and torsion friction, each
+// with its own threshold.
 tribos_status tribos_update_sliding_torsion_plate_f32(const struct tribos_contact_f32 *contact,
                                                       const struct tribos_thresholds_f32 *friction,
                                                       struct tribos_sphere_f32 *first,
                                                       struct tribos_plate_f32 *second,
                                                       struct tribos_impulse_f32 *impulse);
 
-// Updates a contact of a sphere with a plate. Normal impulse, sliding and rolling friction.
+// Updates a contact of a sphere with a plate, with normal impulse, sliding and rolling friction.
 tribos_status tribos_update_sliding_rolling_plate_f32(const struct tribos_contact_f32 *contact,
                                                       const struct tribos_thresholds_f32 *friction,
                                                       struct tribos_sphere_f32 *first,
                                                       struct tribos_plate_f32 *second,
                                                       struct tribos_impulse_f32 *impulse);
 
-// Updates a contact of a sphere with a plate.
-// Normal impulse, sliding, rolling and torsion friction, each with its own threshold.
+// Updates a contact of a sphere with a plate, with normal impulse, sliding, rolling and torsion
+// friction, each with its own threshold.
 tribos_status tribos_update_all_plate_f32(const struct tribos_contact_f32 *contact,
                                           const struct tribos_thresholds_f32 *friction,
                                           struct tribos_sphere_f32 *first,
                                           struct tribos_plate_f32 *second,
                                           struct tribos_impulse_f32 *impulse);
 
-// Updates a contact of a sphere with a plate.
-// Normal impulse, and sliding and torsion under the one threshold of a uniform disk: `sliding` is
-// mu, `torsion` the radius of the disk over the lever, not a coefficient.
+// Updates a contact of a sphere with a plate, with normal impulse, and sliding and torsion under the
+// common threshold of a uniform disk: `sliding` is mu, `torsion` is the radius of the disk over the
+// lever, not a coefficient.
 tribos_status tribos_update_patch_plate_f32(const struct tribos_contact_f32 *contact,
                                             const struct tribos_thresholds_f32 *friction,
                                             struct tribos_sphere_f32 *first,

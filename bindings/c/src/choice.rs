@@ -1,11 +1,11 @@
-//! Choices that a structure holds as a number.
+//! Enumerations that a structure stores as a number.
 
-/// What cohesion does within its range.
+/// Effect of cohesion within its range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum tribos_attraction {
-    /// A constant pull: a pair that is let go closes again.
+    /// A constant pull, which closes the gap of a released pair.
     Pull = 0,
-    /// A resistance against opening: a pair that is let go stays where it is.
+    /// A resistance against opening, which does not close the gap of a released pair.
     Resistance = 1,
 }

@@ -19,6 +19,7 @@
 extern crate std;
 
 pub mod choice;
+mod fields;
 mod memory;
 pub mod status;
 pub mod table;
@@ -40,7 +41,7 @@ pub mod single {
     include!(concat!(env!("OUT_DIR"), "/single.rs"));
 }
 
-/// Nothing here panics: no image that drops unused sections contains this function, as
+/// The library has no panics: an image without its unused sections does not contain this function, as
 /// `arm-none-eabi-nm` shows. A panic would stop here.
 #[cfg(all(target_os = "none", feature = "panic-handler"))]
 #[panic_handler]
@@ -48,7 +49,7 @@ fn panic(_: &core::panic::PanicInfo) -> ! {
     tribos_panicked()
 }
 
-/// A symbol that is easy to find.
+/// A symbol that is easy to find in an image.
 #[cfg(all(target_os = "none", feature = "panic-handler"))]
 #[unsafe(no_mangle)]
 #[inline(never)]

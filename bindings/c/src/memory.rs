@@ -1,4 +1,4 @@
-//! What lies behind the pointers of a caller.
+//! Access to the memory behind a caller's pointers.
 
 use crate::status::tribos_status;
 
@@ -11,14 +11,14 @@ pub(crate) unsafe fn read<T: Copy>(from: *const T) -> Result<T, tribos_status> {
     Ok(from.read())
 }
 
-/// `count` arguments, which stay where they are.
+/// The `count` elements of an argument, in place.
 #[inline(always)]
 pub(crate) unsafe fn slice<'a, T>(from: *const T, count: usize) -> Result<&'a [T], tribos_status> {
     fits::<T>(from.is_null(), count)?;
     Ok(core::slice::from_raw_parts(from, count))
 }
 
-/// Memory for `count` answers.
+/// Memory for `count` results.
 #[inline(always)]
 pub(crate) unsafe fn slice_mut<'a, T>(
     to: *mut T,
@@ -28,7 +28,7 @@ pub(crate) unsafe fn slice_mut<'a, T>(
     Ok(core::slice::from_raw_parts_mut(to, count))
 }
 
-/// No array is larger than half of the memory that can be addressed.
+/// Refuses null and arrays larger than half of the address space.
 #[inline(always)]
 fn fits<T>(is_null: bool, count: usize) -> Result<(), tribos_status> {
     if is_null {
@@ -40,7 +40,7 @@ fn fits<T>(is_null: bool, count: usize) -> Result<(), tribos_status> {
     }
 }
 
-/// Writes the result, or leaves the caller's memory as it is.
+/// Writes the result, or leaves the caller's memory unchanged.
 #[inline(always)]
 pub(crate) unsafe fn answer<T>(
     to: *mut T,

@@ -1,4 +1,4 @@
-//! What a function answers besides its result.
+//! Status codes.
 
 use core::ffi::{CStr, c_char};
 use tribos_core::Error;
@@ -8,7 +8,7 @@ use tribos_core::manifold::ManifoldError;
 use tribos_core::patch::PatchError;
 use tribos_core::patch::outline::OutlineError;
 
-/// 0 if all went well; else the result was left as it was, and this tells why.
+/// 0 after success; any other value gives the reason why the results were not written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
 pub enum tribos_status {
@@ -16,9 +16,9 @@ pub enum tribos_status {
     Ok = 0,
     /// A pointer is null.
     NullPointer = 1,
-    /// A count of elements is larger than any memory.
+    /// A number of elements exceeds the address space.
     Count = 2,
-    /// A choice is none of those listed for it.
+    /// An enumerator has no valid value.
     Choice = 3,
     /// The memory of a table was not filled by its build function.
     NotBuilt = 4,
@@ -42,27 +42,27 @@ pub enum tribos_status {
     PressureOrder = 21,
     /// The inner over the outer radius of an annulus is not between 0 and 0.999999.
     InnerRatio = 22,
-    /// A node does not lie at a finite place.
+    /// A node has a position that is not finite.
     NodePosition = 30,
     /// A node's weight is negative or NaN, or makes the sum infinite.
     NodeWeight = 31,
     /// No node carries load.
     Unloaded = 32,
-    /// The nodes do not fit into the memory given.
+    /// The nodes do not fit into the given memory.
     Full = 33,
-    /// Three feet stand in a line.
+    /// Three feet lie on a line.
     FeetInLine = 34,
     /// A body on three feet tips over.
     Tips = 35,
     /// A polygon has fewer than 3 corners.
     Corners = 36,
-    /// No corner of the polygon sees all of it, or it has no area.
+    /// No corner of the polygon sees all of it, or its area is zero.
     Hidden = 37,
     /// The number of divisions is not between 1 and 1024.
     Divisions = 38,
     /// The number of rings or angles is not between 1 and 1024.
     Rings = 39,
-    /// The exponent of a pressure at the rim is not between -1 (excluded) and 64.
+    /// The rim exponent of a pressure is not between -1 (excluded) and 64.
     RimExponent = 40,
     /// The force limit is negative, infinite or NaN.
     ForceLimit = 50,
@@ -72,7 +72,7 @@ pub enum tribos_status {
     Deceleration = 60,
     /// The inertia ratio of a slider is not positive and finite.
     Inertia = 61,
-    /// The motion has no rest, or is not finite.
+    /// The motion does not come to rest, or is not finite.
     NoRest = 62,
     /// There is no normal: centres coincide, or one lies in the plate.
     NoNormal = 70,
@@ -83,7 +83,7 @@ pub enum tribos_status {
 }
 
 impl tribos_status {
-    /// All of them; C has each by its name.
+    /// All statuses; each has a name in C.
     pub const fn all() -> [Self; 34] {
         [
             Self::Ok,
@@ -163,7 +163,7 @@ impl tribos_status {
     }
 }
 
-/// What a status means, in one line of English that lives as long as the program.
+/// The meaning of a status as a line of English text. The text is a constant of the program.
 ///
 /// *Special values*: a number that is no status gives "no such status".
 #[unsafe(no_mangle)]

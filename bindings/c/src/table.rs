@@ -1,60 +1,60 @@
-//! Memory that callers lend for what takes long to build.
+//! Caller-provided memory for objects that take long to build.
 
 use crate::status::tribos_status;
 use core::ptr::addr_of;
 use tribos_core::coupling::compact::CompactPower;
 use tribos_core::coupling::table::{Table32, Table64};
 
-/// A table of one exponent, built by `tribos_power_table_build_f64` and opaque otherwise. It may be
+/// A table of one exponent, built by `tribos_power_table_build_f64`. Its content is opaque. It may be
 /// copied and moved, but not to a program with another version of the library.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_power_table_f64 {
-    /// Not to be looked at.
+    /// Internal data.
     pub opaque: [f64; 2969],
-    /// Tells that it has been built.
+    /// Marker of a completed build.
     pub built: u32,
 }
 
-/// A table of one exponent, built by `tribos_power_table_build_f32` and opaque otherwise. It may be
+/// A table of one exponent, built by `tribos_power_table_build_f32`. Its content is opaque. It may be
 /// copied and moved, but not to a program with another version of the library.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_power_table_f32 {
-    /// Not to be looked at.
+    /// Internal data.
     pub opaque: [f32; 673],
-    /// Tells that it has been built.
+    /// Marker of a completed build.
     pub built: u32,
 }
 
-/// One exponent under one pressure, built by `tribos_power_compact_build_f64` and opaque otherwise.
+/// One exponent under one pressure, built by `tribos_power_compact_build_f64`. Its content is opaque.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_power_compact_f64 {
-    /// Not to be looked at.
+    /// Internal data.
     pub opaque: [u64; 24],
-    /// Tells that it has been built.
+    /// Marker of a completed build.
     pub built: u32,
 }
 
-/// One exponent under one pressure, built by `tribos_power_compact_build_f32` and opaque otherwise.
+/// One exponent under one pressure, built by `tribos_power_compact_build_f32`. Its content is opaque.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_power_compact_f32 {
-    /// Not to be looked at.
+    /// Internal data.
     pub opaque: [u64; 24],
-    /// Tells that it has been built.
+    /// Marker of a completed build.
     pub built: u32,
 }
 
-/// What `built` holds then: no memory has it by chance.
+/// Value of `built` after a build, unlikely to occur in other memory.
 const BUILT: u32 = 0x7472_6962;
 
-/// Lent memory whose first field is the room for `Held`.
+/// Caller-provided memory whose first field has room for `Held`.
 pub(crate) trait Lent {
-    /// What is built there.
+    /// The object built there.
     type Held;
-    /// Whether it has been; a number that only [`build`] writes.
+    /// Address of the marker, which only [`build`] writes.
     unsafe fn built(lent: *const Self) -> *const u32;
 }
 
@@ -81,7 +81,7 @@ lent! {
     tribos_power_compact_f32 for CompactPower<f32>;
 }
 
-/// Fills the caller's memory, or leaves it unchanged.
+/// Builds the object in the caller's memory, or leaves the memory unchanged.
 #[inline(always)]
 pub(crate) unsafe fn build<L: Lent, E: Into<tribos_status>>(
     lent: *mut L,
@@ -100,7 +100,7 @@ pub(crate) unsafe fn build<L: Lent, E: Into<tribos_status>>(
     }
 }
 
-/// The contents of the caller's memory, by reference.
+/// The object in the caller's memory, by reference.
 #[inline(always)]
 pub(crate) unsafe fn held<'a, L: Lent>(lent: *const L) -> Result<&'a L::Held, tribos_status> {
     if lent.is_null() {

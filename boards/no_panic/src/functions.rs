@@ -1,7 +1,7 @@
 //! The image's source: every public function of the kernel for every instance of its parameters.
 //!
-//! The functions are the compiler's list, the instances those of `tribos-api`. Each function is
-//! written once, generic as it is, and called once for each choice of its parameters.
+//! The compiler's list gives the functions, `tribos-api` the instances. Each function is
+//! written once, generic, and called once for each choice of its parameters.
 
 use std::fmt::Write;
 use tribos_api::{
@@ -11,14 +11,14 @@ use tribos_api::{
 /// Precisions with their place in [`CONSTANTS`].
 const PRECISIONS: [(usize, &str); 2] = [(0, "f32"), (1, "f64")];
 
-/// The image's source and what it keeps.
+/// Source of the image, and the names of its functions.
 #[derive(Debug)]
 pub struct Image {
-    /// Rust.
+    /// Rust source text.
     pub source: String,
-    /// A name for each function, precision and choice of parameters; each is a constant of the image.
+    /// One name per function, precision and choice of parameters; each is a constant of the image.
     pub names: Vec<String>,
-    /// How many functions there are.
+    /// Number of functions.
     pub functions: usize,
 }
 
@@ -49,7 +49,7 @@ fn of(functions: &[Function]) -> Result<Image, String> {
         let thorough = THOROUGH
             .iter()
             .any(|start| function.path.starts_with(start));
-        // What has no parameter is one function, whatever the precision.
+        // A function without parameters is a single function for all precisions.
         let precisions = if given.is_empty() {
             &PRECISIONS[1..]
         } else {
@@ -88,7 +88,7 @@ fn of(functions: &[Function]) -> Result<Image, String> {
     Ok(image)
 }
 
-/// A generic function that hands out the address of `function`.
+/// A generic function that returns the address of `function`.
 fn definition(function: &Function, number: usize) -> String {
     let declared = function
         .parameters
@@ -115,7 +115,7 @@ fn definition(function: &Function, number: usize) -> String {
         [] => String::new(),
         _ => format!("::<{}>", function.own.join(", ")),
     };
-    // What is generic by `impl Trait` is settled by the function's type.
+    // Parameters written as `impl Trait` follow from the type of the function.
     let pointer = match function
         .parameters
         .iter()
@@ -133,7 +133,7 @@ fn definition(function: &Function, number: usize) -> String {
         }
         false => String::new(),
     };
-    // Functions live as long as the image.
+    // References are static, like the functions of the image.
     let path = function.path.replace("'a", "'static");
     format!(
         "fn f{number}<{}>(keeper: &mut crate::image::Opaque, name: &'static str){conditions} {{\n    \
@@ -143,7 +143,7 @@ fn definition(function: &Function, number: usize) -> String {
     )
 }
 
-/// A closure, for which a function stands.
+/// Whether the parameter is a closure; the image uses a function in its place.
 fn is_closure(parameter: &Parameter) -> bool {
     parameter
         .bounds
@@ -160,7 +160,7 @@ fn choices(parameters: &[&Parameter], precision: usize, thorough: bool) -> Vec<V
             other.bounds.iter().any(|bound| bound.ends_with(&given))
         };
         let candidates = match parameters.iter().any(|other| is_given(&other)) {
-            // The compiler finds it.
+            // The compiler infers it.
             true => vec!["_"],
             false => candidates(parameter, precision, thorough),
         };
@@ -174,7 +174,7 @@ fn choices(parameters: &[&Parameter], precision: usize, thorough: bool) -> Vec<V
     choices
 }
 
-/// What may stand for a parameter.
+/// Candidates for a parameter.
 fn candidates(parameter: &Parameter, precision: usize, thorough: bool) -> Vec<&'static str> {
     if parameter.constant.is_some() {
         let named = CONSTANTS.iter().find(|(name, _)| *name == parameter.name);

@@ -2,15 +2,15 @@
 //!
 //! The image of `no_panic` holds the address of every public function of `tribos-core`, in both
 //! precisions, and a panic handler that calls a function that does not exist: a panic that
-//! survives optimisation anywhere fails the link. A function whose address is handed out has to be
-//! compiled for all arguments: nothing that a caller knows about them can remove a branch. `control`
-//! holds one more function, with an index that may lie outside: it must not link. `prove` writes
-//! their source from the compiler's list of public functions and the list of instances, and builds
-//! both for three microcontrollers at three optimisation levels.
+//! survives optimisation anywhere fails the link. A function whose address is taken must be
+//! compiled for all arguments: the compiler cannot remove a branch from knowledge of a caller. `control`
+//! contains one more function, with an index that may be out of bounds: it must not link. `prove` generates
+//! the source of both from the compiler's list of public functions and the list of instances, and builds
+//! them for three microcontrollers at three optimisation levels.
 //!
-//! What this proves: no panic in the functions listed, for all arguments, with the type arguments
-//! listed. What it does not prove: the same for a law or patch of the caller's own, which may
-//! panic itself, or that loops terminate.
+//! The proof covers the listed functions, for all arguments and the listed type arguments. It does
+//! not cover laws or patches implemented by a caller, which may panic themselves, and it does not prove
+//! that loops terminate.
 #![cfg_attr(target_os = "none", no_std)]
 
 #[cfg(not(target_os = "none"))]

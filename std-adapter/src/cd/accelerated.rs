@@ -1,24 +1,24 @@
 //! Gauss–Seidel sweeps with Nesterov's momentum.
 //!
-//! A sweep takes impulses y to x(y) and moves nothing but at a solution. The next one starts ahead
-//! of it, where the last step leads on:
+//! A sweep maps impulses y to x(y), and only a solution is mapped to itself. The next sweep starts from a
+//! point extrapolated along the last step:
 //!
 //! ```text
 //! y' = x + β (x − x₋),   β = (t − 1)/t',   t' = (1 + √(1 + 4 t²))/2
 //! ```
 //!
 //! with x₋ the impulses of the sweep before (Nesterov 1983). When a sweep leads back, against
-//! y − x₋, the momentum is lost (the gradient scheme of O'Donoghue and Candès, Found. Comput. Math.
-//! 15 (2015) 715). Contacts took the method up with projected gradients (Mazhar et al., ACM Trans.
-//! Graph. 34 (2015) 32). Differences: the gradient step is a sweep, which needs no step length;
-//! every impulse ahead is first brought back to what its contact admits; a restart halves the age t
-//! of the momentum instead of setting it to 1, because bounds that follow the normal forces turn
-//! sweeps round more often than the curvature does; products count torques as forces at the
+//! y − x₋, the momentum is reset (the gradient scheme of O'Donoghue and Candès, Found. Comput. Math.
+//! 15 (2015) 715). Mazhar et al. (ACM Trans. Graph. 34 (2015) 32) applied the method to contacts with
+//! projected gradients. Differences: the gradient step is a sweep, which needs no step length;
+//! every extrapolated impulse is first projected onto the impulses that its contact admits; a restart
+//! halves the age t of the momentum instead of setting it to 1, because bounds that follow the normal
+//! forces reverse sweeps more often than the curvature does; products count torques as forces at the
 //! contact's lever.
 //!
-//! Where friction is large, sweeps may go round in a circle, with momentum or without: each contact
-//! answers to bounds that its answer moves. Then damped sweeps follow, y' = y + ω (x − y), which are
-//! slower and settle.
+//! If friction is large, sweeps may cycle, with or without momentum: each contact responds to bounds that
+//! depend on its own response. The method then continues with damped sweeps, y' = y + ω (x − y), which are
+//! slower and converge.
 
 use super::nsgs::Iterations;
 use super::operator::{GlobalChange, Impulse, Operator, Visit};
@@ -55,9 +55,9 @@ use super::operator::{GlobalChange, Impulse, Operator, Visit};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Accelerated<I> {
-    /// Impulses before the sweep, y.
+    /// Impulses y before the sweep.
     start: Vec<I>,
-    /// Impulses after the sweep before, x₋.
+    /// Impulses x₋ after the previous sweep.
     swept: Vec<I>,
 }
 
@@ -70,22 +70,22 @@ impl<I> Default for Accelerated<I> {
     }
 }
 
-/// Work of an extrapolation (guess and fresh velocities) in sweeps, by measurement.
+/// Measured cost of an extrapolation (projection and new velocities), in sweeps.
 const EXTRAPOLATION: usize = 1;
-/// What a restart leaves of the momentum's age: between 1/4 and 3/4 nothing depends on it.
+/// Factor that a restart applies to the age of the momentum: results are the same for 1/4 to 3/4.
 const LEFT: f64 = 0.5;
 
-/// What a damped sweep takes of its change, ω, in the first and in the second half of these sweeps:
-/// of the circles that a gas with μ = 10 falls into 0.5 leaves many, 0.2 few.
+/// Damping factor ω of the first and of the second half of the damped sweeps: of the cycles of a gas
+/// with μ = 10, 0.5 leaves many and 0.2 few.
 const DAMPED: [f64; 2] = [0.2, 0.05];
-/// Sweeps go round if their mean change in the second half of all sweeps is more than this share of
-/// that in the quarter before; where they converge like 1/t, it is half.
+/// Sweeps cycle if their mean change in the second half of all sweeps exceeds this fraction of the mean
+/// change in the quarter before; for convergence like 1/t the fraction is one half.
 const CIRCLING: f64 = 0.7;
 
-/// Changes of sweeps, which tell whether they still fall.
+/// Changes of the sweeps, which show whether they still decrease.
 #[derive(Clone, Copy, Debug, Default)]
 struct Progress {
-    /// Sum and number, in the second quarter of all sweeps and in the second half.
+    /// Sum and number of the changes, in the second quarter of all sweeps and in the second half.
     changes: [(f64, usize); 2],
 }
 
@@ -98,25 +98,25 @@ impl Progress {
         }
     }
 
-    /// Whether changes stay above the goal and no longer fall.
+    /// Whether the changes stay above the tolerance and no longer decrease.
     fn is_circling(&self, goal: f64) -> bool {
         let [early, late] = self.changes.map(|(sum, count)| sum / count as f64);
         late > goal && late > CIRCLING * early
     }
 }
 
-/// When the iteration may stop.
+/// Tolerance at which the iteration stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// Largest change of a sweep relative to P, in the root mean square.
+    /// Largest root mean square of a sweep's change relative to P.
     pub relative: f64,
-    /// Largest normal speed that a sweep still corrects at any contact. Where heavy bodies lie on
-    /// light ones forces change slowly and this tells that they are not yet right.
+    /// Largest correction of the normal speed at any contact in a sweep. If heavy bodies lie on
+    /// light ones, forces change slowly, and this criterion detects that they have not yet converged.
     pub speed: f64,
 }
 
 impl From<f64> for Tolerance {
-    /// By the relative change alone.
+    /// Tolerance for the relative change only.
     fn from(relative: f64) -> Self {
         Self {
             relative,
@@ -126,8 +126,8 @@ impl From<f64> for Tolerance {
 }
 
 impl<I: Impulse> Accelerated<I> {
-    /// Iterates until a sweep reaches the goal, or for `most` sweeps. An extrapolation counts as one.
-    /// Where these go round in a circle, half as many damped ones follow at most.
+    /// Iterates until a sweep meets the tolerance, for at most `most` sweeps. An extrapolation counts as one.
+    /// If the sweeps cycle, at most half as many damped sweeps follow.
     pub fn solve<O: Operator<Impulse = I>>(
         &mut self,
         problem: &mut O,
@@ -168,7 +168,7 @@ impl<I: Impulse> Accelerated<I> {
         }
     }
 
-    /// Goes on with damped sweeps, up to `most` with those before.
+    /// Continues with damped sweeps, up to a total of `most`.
     fn damp<O: Operator<Impulse = I>>(
         &mut self,
         problem: &mut O,
@@ -207,7 +207,7 @@ impl<I: Impulse> Accelerated<I> {
         sum
     }
 
-    /// Goes `beta` times the last step ahead.
+    /// Extrapolates by `beta` times the last step.
     fn extrapolate<O: Operator<Impulse = I>>(&mut self, problem: &mut O, beta: f64) {
         for (contact, (start, swept)) in self.start.iter_mut().zip(&mut self.swept).enumerate() {
             let now = problem.impulse(contact);
@@ -219,7 +219,7 @@ impl<I: Impulse> Accelerated<I> {
         problem.refresh();
     }
 
-    /// Goes on from where the sweep ended.
+    /// Continues from the result of the sweep, without extrapolation.
     fn rest<O: Operator<Impulse = I>>(&mut self, problem: &O) {
         for (contact, (start, swept)) in self.start.iter_mut().zip(&mut self.swept).enumerate() {
             *start = problem.impulse(contact);

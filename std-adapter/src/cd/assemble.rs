@@ -1,4 +1,4 @@
-//! The contact problem of a step: who touches whom, free velocities, guessed impulses.
+//! The contact problem of a step: contact search, free velocities, initial guess of the impulses.
 
 use super::impact::{self, Surroundings};
 use super::residual::Coefficients;
@@ -7,13 +7,13 @@ use super::spheres::Link;
 use super::world::World;
 use tribos_core::contact::{Contact, ContactFriction, NormalLaw, Touch};
 
-/// Bodies of a contact, and its geometry.
+/// Bodies of a contact, and their geometry.
 pub(super) type Touching = ([u32; 2], Touch<f64>);
 
-/// Extra distance of listed neighbours over those that may touch, in motions of a step: a longer
-/// list serves for more steps.
+/// Margin of the neighbour list beyond the contact distance, in motions of a step: a longer
+/// list remains valid for more steps.
 const SKIN: f64 = 8.0;
-/// Distance at which surfaces may meet in a step: two bodies, each moving twice the usual motion.
+/// Distance at which surfaces may meet in a step: two bodies that each move by twice the usual motion.
 const MEETING: f64 = 4.0;
 
 impl<F: ContactFriction<f64> + Coefficients> World<F> {
@@ -26,7 +26,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             .max(MEETING * self.setup.step_limits.motion)
     }
 
-    /// Renews the list of neighbours once something has moved half the extra distance.
+    /// Renews the neighbour list once something has moved by half the margin.
     pub(super) fn list_neighbours(&mut self) -> Result<(), WorldError> {
         let skin = SKIN * self.setup.step_limits.motion;
         let far = |(x, y): (&_, &_)| nalgebra::Vector3::norm(&(x - y)) > 0.5 * skin;
@@ -59,7 +59,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         let awake = state.sleep.awake();
         let problem = &mut self.problem;
 
-        // Impacts first, in the middle of the step's load.
+        // Impacts come first, at the middle of the step's load.
         let laws = &self.setup.laws;
         let (mut spheres, mut walls_before, mut loaded) = (&state.spheres, &state.walls, dt);
         if impact::rebounds(laws) {
@@ -75,7 +75,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             loaded = 0.5 * dt;
         }
 
-        // Free motion of what is awake.
+        // Free motion of the bodies that are awake.
         problem.free.0.clone_from(spheres);
         for (sphere, _) in problem
             .free
@@ -95,7 +95,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             plate.velocity += wall.outward * (wall.force * plate.inv_mass * loaded);
         }
 
-        // Contacts that last: what rebounds has done so.
+        // Lasting contacts; contacts that rebound were treated as impacts.
         let [pair, wall] = &laws.normal().map(lasting);
         problem.pairs.clear();
         for (bodies, touch) in &pairs {
@@ -127,7 +127,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         Ok(())
     }
 
-    /// Pairs of spheres that may act on each other, in ascending order.
+    /// Pairs of spheres within interaction range, in ascending order.
     fn touching_pairs(&self) -> Result<Vec<Touching>, WorldError> {
         let (reach, radii) = (self.reach(), &self.setup.radii);
         let mut found = Vec::new();
@@ -150,7 +150,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         Ok(found)
     }
 
-    /// Spheres and walls that may act on each other, sphere by sphere.
+    /// Pairs of a sphere and a wall within interaction range, sphere by sphere.
     fn touching_walls(&self) -> Result<Vec<Touching>, WorldError> {
         let reach = self.reach();
         let mut found = Vec::new();
@@ -180,8 +180,8 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     }
 }
 
-/// The law of a contact without rebound.
+/// The law of a contact without restitution.
 fn lasting(law: NormalLaw<f64>) -> NormalLaw<f64> {
-    // 0 is a valid coefficient.
+    // 0 is a valid coefficient of restitution.
     NormalLaw::new(*law.cohesion(), 0.0).unwrap_or(law)
 }

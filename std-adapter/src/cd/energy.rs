@@ -1,4 +1,4 @@
-//! Where the energy goes.
+//! Energy balance.
 //!
 //! With velocities v⁺ after and v⁻ before a step of implicit Euler, impulses p and external loads
 //! f, the kinetic energy T changes by
@@ -7,16 +7,16 @@
 //! T⁺ − T⁻ = f·v⁺ dt + Σ p·U⁺ − ½ |v⁺ − v⁻|²_M
 //! ```
 //!
-//! exactly: the first term is work done from outside (positions move with v⁺), the second what the
-//! modes take, the last what inelastic collisions take. No term but the work and a pull of cohesion
-//! that closes a gap can raise the energy, so nothing is created.
+//! exactly: the first term is external work (positions move with v⁺), the second is the energy taken by
+//! the contact modes, the last is the energy lost in inelastic collisions. Only the work and a pull of
+//! cohesion that closes a gap can raise the energy, so the scheme creates none.
 
 use super::setup::Wall;
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
 
-/// Energies of a run so far. *Units*: energy.
+/// Energy balance of a run. *Units*: energy.
 ///
 /// ```
 /// # use nalgebra::Vector3;
@@ -47,35 +47,35 @@ use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate,
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EnergyBalance {
-    /// Work of walls' loads, of what drives walls, and of gravity.
+    /// Work of the loads on walls, of prescribed wall motions, and of gravity.
     pub work: f64,
-    /// Lost in collisions and by closing gaps.
+    /// Energy lost in collisions and in closing gaps.
     pub normal: f64,
-    /// Lost in sliding.
+    /// Energy lost in sliding.
     pub sliding: f64,
-    /// Lost in rolling.
+    /// Energy lost in rolling.
     pub rolling: f64,
-    /// Lost in torsion.
+    /// Energy lost in torsion.
     pub torsion: f64,
-    /// Work against cohesion: what contacts that are stretched hold, and what broken ones took.
+    /// Work against cohesion: stored in stretched contacts, or lost in broken ones.
     pub cohesion: f64,
-    /// Taken from bodies laid to rest.
+    /// Kinetic energy of bodies at the moment they are put to sleep.
     pub stilled: f64,
-    /// Kinetic energy now, and at the start.
+    /// Current kinetic energy.
     pub kinetic: f64,
     /// Kinetic energy at the first entry.
     pub kinetic_initial: Option<f64>,
 }
 
 impl EnergyBalance {
-    /// What the book does not account for: rounding.
+    /// Residual of the balance: rounding errors.
     pub fn imbalance(&self) -> f64 {
         let spent = self.normal + self.sliding + self.rolling + self.torsion + self.cohesion;
         let kept = self.kinetic - self.kinetic_initial.unwrap_or(0.0);
         self.work - spent - self.stilled - kept
     }
 
-    /// Books one step; spheres and walls are those at its start.
+    /// Adds one step; spheres and walls are those at its start.
     pub fn enter<F: ContactFriction<f64>>(
         &mut self,
         awake: &[bool],
@@ -110,7 +110,7 @@ impl EnergyBalance {
         self.contacts(problem);
     }
 
-    /// What each mode takes: −p·U⁺.
+    /// Energy taken by each mode: −p·U⁺.
     fn contacts<F: ContactFriction<f64>>(&mut self, problem: &Spheres<F>) {
         for link in &problem.pairs {
             let [a, b] = link.bodies.map(|body| &problem.spheres[body as usize]);
@@ -136,7 +136,7 @@ impl EnergyBalance {
         self.torsion -= p.torsion() * u.torsion();
     }
 
-    /// Books the impacts of a step, before the step itself.
+    /// Adds the impacts of a step, before the step itself.
     pub(super) fn enter_impacts(&mut self, taken: &Taken) {
         self.kinetic_initial.get_or_insert(taken.kinetic);
         self.work += taken.work;
@@ -146,7 +146,7 @@ impl EnergyBalance {
         self.torsion += taken.torsion;
     }
 
-    /// Books the energy of a body that is laid to rest.
+    /// Adds the energy of a body that is put to sleep.
     pub fn still(&mut self, sphere: &Sphere<f64>) {
         let energy = 0.5 * sphere.velocity.norm_squared() / sphere.inv_mass
             + 0.5 * sphere.spin.norm_squared() / sphere.inv_inertia;
@@ -155,25 +155,25 @@ impl EnergyBalance {
     }
 }
 
-/// Energies that the impacts of a step take.
+/// Energies taken by the impacts of a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Taken {
-    /// Kinetic energy before them.
+    /// Kinetic energy before the impacts.
     pub kinetic: f64,
-    /// Work of loads and of what drives walls.
+    /// Work of loads and of prescribed wall motions.
     pub work: f64,
-    /// Lost along the normals.
+    /// Energy lost along the normals.
     pub normal: f64,
-    /// Lost in sliding.
+    /// Energy lost in sliding.
     pub sliding: f64,
-    /// Lost in rolling.
+    /// Energy lost in rolling.
     pub rolling: f64,
-    /// Lost in torsion.
+    /// Energy lost in torsion.
     pub torsion: f64,
 }
 
 impl Taken {
-    /// Nothing yet, from bodies that move.
+    /// Zero losses, for bodies in their current motion.
     pub fn from_motion(spheres: &[Sphere<f64>], walls: &[Wall]) -> Self {
         let moving = |sphere: &Sphere<f64>| kinetic_energy(sphere, &sphere.velocity, &sphere.spin);
         let plates = walls.iter().filter(|wall| wall.plate.inv_mass > 0.0);
@@ -191,8 +191,8 @@ pub(super) fn kinetic_energy(sphere: &Sphere<f64>, v: &Vector3<f64>, w: &Vector3
     0.5 * (mass * v.norm_squared() + inertia * w.norm_squared())
 }
 
-/// Energy that goes to what drives a wall. It bears the impulse on the wall: all of it if the wall
-/// feels none, else what is across the normal.
+/// Energy transferred to the drive of a wall. The drive bears the impulse on the wall: all of it if the wall
+/// is not movable, else the part across the normal.
 pub(super) fn driven_work<M: ContactModes<f64>>(link: &Link<M>, wall: &Plate<f64>) -> f64 {
     let normal = link.contact.normal();
     let felt = if wall.inv_mass > 0.0 {

@@ -1,7 +1,7 @@
-//! Impacts with restitution: what a step does before its loads and lasting contacts.
+//! Impacts with restitution, which a step treats before its loads and lasting contacts.
 //!
-//! Contacts that would close in the step by their present velocities impact in rounds, until none
-//! closes any more. A round has two parts, with M the masses, G the contacts' directions, U a
+//! Contacts that would close in the step at their current velocities impact in rounds, until no
+//! contact closes. A round has two parts, with M the masses, G the contact directions, U a
 //! relative velocity, `-` before and `+` after:
 //!
 //! ```text
@@ -11,17 +11,17 @@
 //! ```
 //!
 //! The reflection is Moreau's law without friction (Moreau, in: Nonsmooth Mechanics and
-//! Applications, CISM 302, 1988). It takes (1 − e²)/2 |w − v⁻|²_M of the energy, whatever the number
-//! of contacts, and nothing else, because q·U_n(w) = 0. Friction under given normal impulses is the
-//! minimum of the energy over a convex set, and cannot raise it. Neither holds for Newton's law
+//! Applications, CISM 302, 1988). It dissipates exactly (1 − e²)/2 |w − v⁻|²_M for any number
+//! of contacts, because q·U_n(w) = 0. Friction under given normal impulses is the
+//! minimum of the energy over a convex set, and cannot raise the energy. Neither holds for Newton's law
 //! with Coulomb friction, nor for Poisson's with more than one rough contact (Kane, Stanford
 //! Mechanics Alumni Club Newsletter 6 (1983); Glocker, Multibody Syst. Dyn. 29 (2013) 77 and
-//! 32 (2014) 431). For a single contact of spheres all of them are the same.
+//! 32 (2014) 431). For a single contact of spheres all these laws agree.
 //!
-//! Repeating the reflection until nothing approaches follows Smith, Kaufman, Vouga, Tamstorf and
+//! Repeating the reflection until no contact approaches follows Smith, Kaufman, Vouga, Tamstorf and
 //! Grinspun (ACM Trans. Graph. 31 (2012) 106). Differences: friction after each reflection, e < 1,
 //! and contacts that close within the step count as closed, so that several impacts of a body in
-//! one step follow each other.
+//! one step happen one after the other.
 
 use super::assemble::Touching;
 use super::energy::Taken;
@@ -35,20 +35,20 @@ use tribos_core::contact::{
 };
 use tribos_core::internals::{Block, PreparedContact};
 
-/// Rounds of a step at most. What is left of an approach after them is stopped without rebound.
+/// Most rounds per step. The approach that remains after them is stopped without rebound.
 const MOST_ROUNDS: usize = 100;
-/// Sweeps of a part of a round at most. Two are enough where no body has two impacts. A part that
-/// uses them up is counted; it raises no energy then either.
+/// Most sweeps for a part of a round. Two are enough if no body has two impacts. A part that
+/// reaches the limit is counted; even then it does not raise the energy.
 const MOST_SWEEPS: usize = 1000;
-/// Approach, in units of the fastest of the step's first round, below which there is no impact:
-/// its energy is 1e-18 of that one's.
+/// Approach speed below which there is no impact, relative to the fastest of the step's first round:
+/// the energy of such an impact is 1e-18 of the energy of that one.
 const SLOW: f64 = 1e-9;
 
-/// Bodies whose contacts may close in a step, and what governs them.
+/// Bodies whose contacts may close in a step, with the laws and loads that apply to them.
 pub(super) struct Surroundings<'a, F> {
     /// Pairs of spheres, and spheres with walls.
     pub touching: [&'a [Touching]; 2],
-    /// One flag a sphere.
+    /// One flag per sphere, true if awake.
     pub awake: &'a [bool],
     /// Contact laws.
     pub laws: &'a Laws<F>,
@@ -58,39 +58,39 @@ pub(super) struct Surroundings<'a, F> {
     pub dt: f64,
 }
 
-/// What the impacts of a step did.
+/// Statistics of the impacts of a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Counts {
-    /// Contacts that took an impact, each once a round.
+    /// Contacts that received an impact, counted once per round.
     pub impacts: usize,
-    /// Rounds.
+    /// Number of rounds.
     pub rounds: usize,
-    /// Whether impacts still went on after the last round.
+    /// Whether impacts remained after the last round.
     pub cut: bool,
-    /// Reflections, and solutions of friction under them, that used up their sweeps.
+    /// Reflections, and solutions of friction under them, that reached the limit of sweeps.
     pub unmet: usize,
 }
 
 /// The impacts of one step.
 #[derive(Debug)]
 pub(super) struct Impacts<F: ContactFriction<f64>> {
-    /// Spheres as half of the loads and the impacts leave them.
+    /// Spheres after half of the loads and the impacts.
     pub spheres: Vec<Sphere<f64>>,
-    /// Walls, likewise.
+    /// Walls after half of the loads and the impacts.
     pub walls: Vec<Wall>,
-    /// Energies that impacts took, and the work of the loads until then.
+    /// Energies taken by the impacts, and the work of the loads so far.
     pub taken: Taken,
-    /// How many there were.
+    /// Statistics of the impacts.
     pub counts: Counts,
-    /// Impulses of pairs and at walls, after [`Impacts::run`] in ascending order of the bodies.
+    /// Impulses of pairs and at walls; after [`Impacts::run`] in ascending order of the bodies.
     pub(super) impulses: [Vec<StoredForce<F::Modes>>; 2],
     pub(super) reflection: Spheres<Thresholds<f64, Frictionless>>,
     pub(super) friction: Spheres<F>,
-    /// Sweeps of a part of a round at most.
+    /// Most sweeps for a part of a round.
     pub(super) most_sweeps: usize,
 }
 
-/// Whether any contact can rebound.
+/// Whether any contact law has restitution.
 pub(super) fn rebounds<F>(laws: &Laws<F>) -> bool {
     laws.normal().iter().any(|law| law.restitution() > 0.0)
 }
@@ -110,7 +110,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         }
     }
 
-    /// Half of the loads on bodies with the velocities of the step's start, then all impacts.
+    /// Applies half of the loads to bodies with the velocities of the step's start, then all impacts.
     pub fn run(
         &mut self,
         (spheres, walls): (&[Sphere<f64>], &[Wall]),
@@ -145,7 +145,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         self.impulses.iter_mut().for_each(merge);
     }
 
-    /// Impulses of the step's impacts over its length, of pairs and at walls.
+    /// Impulses of the step's impacts divided by its length, of pairs and at walls.
     pub fn mean_forces(&self, dt: f64) -> [Vec<StoredForce<F::Modes>>; 2] {
         let over = |(bodies, impulse): &StoredForce<F::Modes>| {
             (*bodies, Modal::default().plus_scaled(1.0 / dt, impulse))
@@ -153,8 +153,8 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         [0, 1].map(|kind: usize| self.impulses[kind].iter().map(over).collect())
     }
 
-    /// Lets the loads act for half of the step. With the other half after the impacts a ball that
-    /// bounces without loss comes back to its height.
+    /// Applies the loads of half a step. With the other half after the impacts, a ball that
+    /// bounces without loss returns to its initial height.
     fn load(&mut self, around: &Surroundings<'_, F>) {
         let half = 0.5 * around.dt;
         let bodies = self.spheres.iter_mut().zip(around.awake);
@@ -174,8 +174,8 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         }
     }
 
-    /// Collects the contacts of these kinds that close faster than `slow`; returns the speed of the
-    /// fastest, 0 if there is none.
+    /// Collects the contacts of these kinds that close faster than `slow`; returns the largest closing
+    /// speed, or 0 if there is none.
     fn gather(&mut self, kinds: [bool; 2], around: &Surroundings<'_, F>, slow: f64) -> f64 {
         let (awake, gravity) = (around.awake, around.gravity.norm());
         let [pair_law, wall_law] = &around.laws.normal();
@@ -222,15 +222,15 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     }
 }
 
-/// When a contact takes an impact.
+/// Criterion for an impact.
 struct Closing {
     dt: f64,
     slow: f64,
 }
 
 impl Closing {
-    /// True if the gap closes in the step, faster than the loads of one step and cohesion make it:
-    /// slower contacts last, and are the matter of the step's own problem.
+    /// True if the gap closes in the step, faster than the loads of one step and cohesion explain:
+    /// slower contacts are lasting ones and belong to the contact problem of the step.
     fn impacts(
         &self,
         touch: &Touch<f64>,
@@ -246,8 +246,8 @@ impl Closing {
     }
 }
 
-/// Kinds of contacts, pairs and walls, that rebound with the same coefficient: the energy of a
-/// reflection falls for a common one.
+/// Kinds of contacts, pairs and walls, with the same coefficient of restitution: a reflection is
+/// guaranteed to lose energy only for a common one.
 fn groups<F>(laws: &Laws<F>) -> Vec<([bool; 2], f64)> {
     let [pair, wall] = laws.normal().map(|law| law.restitution());
     let groups = if pair == wall {
@@ -258,9 +258,9 @@ fn groups<F>(laws: &Laws<F>) -> Vec<([bool; 2], f64)> {
     groups.into_iter().filter(|(_, e)| *e > 0.0).collect()
 }
 
-/// A sphere that has reached its plate: friction's lever is the radius, whatever gap the last step
-/// left. Between two spheres the levers end at one point within the gap, which keeps angular
-/// momentum; a plate does not turn.
+/// A sphere that has reached its plate: the lever of friction is the radius, whatever gap the last step
+/// left. Between two spheres both levers end at one point within the gap, which conserves angular
+/// momentum; a plate does not rotate.
 fn at_plate(touch: &Touch<f64>) -> Touch<f64> {
     Touch {
         arms: [touch.lever, 0.0],

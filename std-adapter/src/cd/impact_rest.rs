@@ -1,8 +1,8 @@
-//! When the impulses of a round of impacts are solved: to their tolerance, or to rounding.
+//! Stopping rule for the impulses of a round of impacts: their tolerance, or rounding.
 //!
-//! Impulses of late rounds may be small beside the momenta of the bodies that they act on. A sweep then
-//! changes them by the rounding of the bodies' velocities, for ever, which no tolerance relative to
-//! the impulse admits.
+//! Impulses of late rounds may be small compared with the momenta of the bodies. Each sweep then
+//! changes them by the rounding of the bodies' velocities without end, and no tolerance relative to
+//! the impulse can be met.
 
 use super::nsgs::{Iterations, Order, Stop, Sweeper, solve};
 use super::operator::{NoMonitor, Operator, Visit};
@@ -10,15 +10,15 @@ use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
 use tribos_core::contact::{ContactFriction, ContactModes};
 
-/// GlobalChange of a sweep relative to the impulses at which a part of a round is solved.
+/// Relative change of the impulses in a sweep at which a part of a round is solved.
 pub(super) const TOLERANCE: f64 = 1e-13;
-/// Rounding of a velocity that some impulses have been added to, in units of ε: a sweep changes
+/// Rounding of a velocity after several impulses have been added, in units of ε: a sweep changes
 /// impulses by up to 5.
 const ROUNDING: f64 = 16.0;
-/// Sweeps from one look at the rounding to the next: it costs about a sweep.
+/// Number of sweeps between two checks against rounding, each of which costs about a sweep.
 const EACH: usize = 20;
 
-/// Sweeps until each contact rests, at most so many times.
+/// Sweeps until every contact has converged, for at most `most` sweeps.
 pub(super) fn settle<F: ContactFriction<f64>>(problem: &mut Spheres<F>, most: usize) -> Iterations {
     let mut sweeper = Sweeper::new(Order::Fixed, 0);
     let mut sweeps = 0;
@@ -36,7 +36,7 @@ pub(super) fn settle<F: ContactFriction<f64>>(problem: &mut Spheres<F>, most: us
     Iterations { sweeps, met }
 }
 
-/// Whether one more sweep changes no impulse by more than its tolerance and rounding.
+/// Whether one more sweep changes every impulse by no more than its tolerance and rounding.
 pub(super) fn rests<F: ContactFriction<f64>>(problem: &mut Spheres<F>) -> bool {
     let before: Vec<_> = problem
         .links()
@@ -66,12 +66,12 @@ pub(super) fn rests<F: ContactFriction<f64>>(problem: &mut Spheres<F>) -> bool {
             let contact = &link.contact;
             let change = contact.impulse().minus(&old);
             let change = change.dot_with_lever(&change, contact.lever()).sqrt();
-            // NaN does not rest.
+            // NaN has not converged.
             change <= TOLERANCE * contact.bound() + rounding
         })
 }
 
-/// What the rounding of two bodies' velocities and spins makes of an impulse between them, torques
+/// Effect of the rounding of two bodies' velocities and spins on the impulse between them, with torques
 /// counted as forces at the lever.
 fn rounding<M: ContactModes<f64>>(link: &Link<M>, velocities: [[Vector3<f64>; 2]; 2]) -> f64 {
     let (block, lever) = (link.contact.block(), link.contact.lever());
@@ -88,8 +88,8 @@ mod tests {
     use nalgebra::Vector3;
     use tribos_core::contact::{Cohesion, ContactFriction, NormalLaw, Sphere, Thresholds};
 
-    /// A step of a column of spheres that touch and come down on the floor, the highest fastest, sliding
-    /// at 1: all contacts impact at once. Parts of a round take so many sweeps at most.
+    /// One step of a column of touching spheres that falls on the floor, the highest fastest, while sliding
+    /// at speed 1: all contacts impact at once. Each part of a round is limited to this number of sweeps.
     fn step<F: ContactFriction<f64> + Coefficients>(
         count: usize,
         friction: F,
@@ -141,7 +141,7 @@ mod tests {
         // A reflection of five spheres takes more than two sweeps, and has no friction here.
         let reflected = step(5, smooth, 2)?;
         assert!(reflected.impacts_unmet > 0 && !reflected.is_met() && reflected.iterations.met);
-        // A single impact is reflected in one sweep; friction needs a second to know that it rests.
+        // A single impact is reflected in one sweep; friction needs a second one to detect convergence.
         let rubbed = step(1, rough, 1)?;
         assert_eq!((rubbed.impact_rounds, rubbed.impacts_unmet), (1, 1));
         assert!(!rubbed.is_met() && rubbed.iterations.met);

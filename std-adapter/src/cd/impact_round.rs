@@ -1,4 +1,4 @@
-//! One round of impacts: reflection along the normals, friction under it, and their energies.
+//! One round of impacts: reflection along the normals, friction, and the energies of both.
 
 use super::accelerated::{Accelerated, Tolerance};
 use super::energy::{driven_work, kinetic_energy};
@@ -11,7 +11,7 @@ use super::spheres::{Link, Spheres};
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, Frictionless, Modal};
 
 impl<F: ContactFriction<f64>> Impacts<F> {
-    /// Lets the gathered contacts rebound.
+    /// Applies the rebound to the collected contacts.
     pub(super) fn round(&mut self, restitution: f64) {
         let reflected = self.reflect(restitution);
         self.counts.unmet += usize::from(!reflected.met);
@@ -31,7 +31,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         self.keep(frictionless);
     }
 
-    /// The reflection: impulses that stop the approach, and e times as much again.
+    /// The reflection: impulses that stop the approach, followed by e times the same impulses.
     fn reflect(&mut self, restitution: f64) -> Iterations {
         let problem = &mut self.reflection;
         problem.free.0.clone_from(&self.spheres);
@@ -45,7 +45,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         let goal = Tolerance::from(TOLERANCE);
         let mut iterations = Accelerated::default().solve(problem, goal, self.most_sweeps);
         iterations.met = iterations.met || rests(problem);
-        // Σ q·U(w), 0 for a solution, and |w − v⁻|²_M: what the first leaves must not come back as
+        // Σ q·U(w), which is 0 for a solution, and |w − v⁻|²_M: the error in the first must not return as
         // energy.
         let (mut left, mut change) = (0.0, 0.0);
         let stopped = normal_velocities(problem);
@@ -73,7 +73,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         iterations
     }
 
-    /// Friction, with the normal impulses of the reflection.
+    /// Friction under the normal impulses of the reflection.
     fn rub(&mut self) -> Iterations {
         let (source, problem) = (&self.reflection, &mut self.friction);
         problem.free.0.clone_from(&source.spheres);
@@ -93,7 +93,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         iterations
     }
 
-    /// Adds the impulses of all rounds to those of a solved problem; the velocities stay.
+    /// Adds the impulses of all rounds to those of a solved problem; velocities are unchanged.
     pub(super) fn add_to(&self, problem: &mut Spheres<F>) {
         let [pairs, walls] = &self.impulses;
         let (spheres, plates) = (&mut problem.free.0, &mut problem.free.1);
@@ -119,7 +119,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         }
     }
 
-    /// Remembers the impulses of the round.
+    /// Stores the impulses of the round.
     fn keep(&mut self, frictionless: bool) {
         let links = [&self.reflection.pairs, &self.reflection.walls];
         let rough = [&self.friction.pairs, &self.friction.walls];
@@ -139,8 +139,8 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     }
 }
 
-/// The contact of a reflection with friction, whose normal impulse is given: it acts as a cohesion
-/// on a contact that nothing moves along the normal.
+/// Contact of a reflection with friction under a given normal impulse: the impulse acts as a cohesion
+/// on a contact that cannot move along the normal.
 fn rough<M: ContactModes<f64>>(link: &Link<Frictionless>) -> Link<M> {
     let mut prepared = link.contact.prepared();
     prepared.cohesion = link.contact.impulse().normal;
@@ -151,7 +151,7 @@ fn rough<M: ContactModes<f64>>(link: &Link<Frictionless>) -> Link<M> {
     }
 }
 
-/// Adds an impulse to that of a contact, without telling the bodies.
+/// Adds an impulse to that of a contact, without applying it to the bodies.
 fn add<M: ContactModes<f64>>(contact: &mut Contact<f64, M>, impulse: &Modal<f64, M>) {
     let sum = contact.impulse().plus_scaled(1.0, impulse);
     contact.set_impulse_in_plane(&sum);
@@ -163,7 +163,7 @@ fn modal<M: ContactModes<f64>>(normal: f64) -> Modal<f64, M> {
     Modal::new(normal, zero, zero, 0.0)
 }
 
-/// The normal velocity of each contact, in the order of their numbers.
+/// Normal velocity of each contact, in the order of their numbers.
 fn normal_velocities<F: ContactFriction<f64>>(problem: &Spheres<F>) -> Vec<f64> {
     let pairs = problem
         .pairs
@@ -193,7 +193,7 @@ fn wall_velocity<F: ContactFriction<f64>>(
     link.contact.velocity(a, b)
 }
 
-/// Energy that goes to what drives walls.
+/// Energy transferred to the drives of walls.
 fn drives<F: ContactFriction<f64>>(problem: &Spheres<F>) -> f64 {
     let walls = problem.walls.iter();
     walls
@@ -201,7 +201,7 @@ fn drives<F: ContactFriction<f64>>(problem: &Spheres<F>) -> f64 {
         .sum()
 }
 
-/// −p·U⁺ of sliding, rolling and torsion, over all contacts.
+/// Energy −p·U⁺ taken by sliding, rolling and torsion, over all contacts.
 fn slipped<F: ContactFriction<f64>>(problem: &Spheres<F>) -> [f64; 3] {
     let pairs = problem.pairs.iter().map(|l| (l, pair_velocity(problem, l)));
     let walls = problem.walls.iter().map(|l| (l, wall_velocity(problem, l)));
@@ -215,8 +215,8 @@ fn slipped<F: ContactFriction<f64>>(problem: &Spheres<F>) -> [f64; 3] {
     sums
 }
 
-/// ½ |v⁺ − v'|²_M of friction, shared among the modes in proportion to what each impulse alone
-/// would give, ½ p²/m: exact for a contact of spheres whose modes are not coupled.
+/// ½ |v⁺ − v'|²_M of friction, divided among the modes in proportion to the share ½ p²/m of each impulse
+/// alone: exact for a contact of spheres whose modes are not coupled.
 fn jump_shares<F: ContactFriction<f64>>(problem: &Spheres<F>) -> [f64; 3] {
     let mut jump = 0.0;
     for (old, new) in problem.free.0.iter().zip(&problem.spheres) {
@@ -239,7 +239,7 @@ fn jump_shares<F: ContactFriction<f64>>(problem: &Spheres<F>) -> [f64; 3] {
     }
 }
 
-/// ½ p²/m, and nothing where nothing can move.
+/// ½ p²/m, or 0 if the mode cannot move.
 fn alone(impulse_sq: f64, mass: f64) -> f64 {
     if mass > 0.0 {
         0.5 * impulse_sq / mass

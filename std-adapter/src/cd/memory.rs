@@ -1,14 +1,14 @@
-//! Impulses of the last step, as a first guess for the next.
+//! Impulses of the last step, used as the initial guess for the next.
 
 use super::spheres::{Link, Spheres};
 use tribos_core::contact::{ContactFriction, ContactModes, Modal};
 
-/// The force of a contact that was, with the bodies that it joined.
+/// The force of a former contact, with its two bodies.
 ///
 /// See [`Memory`] for an example.
 pub type StoredForce<M> = ([u32; 2], Modal<f64, M>);
 
-/// Forces of contacts that were, in ascending order of their bodies.
+/// Forces of the last step's contacts, in ascending order of their bodies.
 ///
 /// ```
 /// # use nalgebra::Vector3;
@@ -41,7 +41,7 @@ pub type StoredForce<M> = ([u32; 2], Modal<f64, M>);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Memory<M: ContactModes<f64>> {
-    /// Bodies and mean force (impulse over step), pairs and walls.
+    /// Bodies and mean force (impulse over step) of pairs and of contacts with walls.
     pub forces: [Vec<StoredForce<M>>; 2],
 }
 
@@ -54,19 +54,19 @@ impl<M: ContactModes<f64>> Default for Memory<M> {
 }
 
 impl<M: ContactModes<f64>> Memory<M> {
-    /// The force of a contact of this kind, 0 for a pair and 1 at a wall; `None` if it had none.
+    /// The force of a contact of this kind, 0 for a pair and 1 at a wall; `None` if it was not in contact.
     pub(crate) fn force(&self, kind: usize, bodies: [u32; 2]) -> Option<&Modal<f64, M>> {
         find(self.forces.get(kind)?, bodies)
     }
 
-    /// Gives contacts that were there before the force that they had.
+    /// Initialises contacts that existed before with their former force.
     pub fn recall<F: ContactFriction<f64, Modes = M>>(&self, problem: &mut Spheres<F>, dt: f64) {
         let [pair, wall] = problem.friction;
         recall(&self.forces[0], &mut problem.pairs, &pair, dt);
         recall(&self.forces[1], &mut problem.walls, &wall, dt);
     }
 
-    /// Remembers the forces of this step, and those between bodies that slept through it.
+    /// Stores the forces of this step, and keeps those between bodies that slept through it.
     pub fn keep<F: ContactFriction<f64, Modes = M>>(
         &mut self,
         problem: &Spheres<F>,
@@ -83,7 +83,7 @@ impl<M: ContactModes<f64>> Memory<M> {
         pairs.extend(problem.pairs.iter().map(force));
         walls.retain(|(bodies, _)| sleeps(bodies[0]));
         walls.extend(problem.walls.iter().map(force));
-        // Sleepers and others, each in order: nearly sorted.
+        // Sleeping bodies, then the others, each in order: the list is nearly sorted.
         for forces in [pairs, walls] {
             forces.sort_by_key(|(bodies, _)| *bodies);
         }
@@ -99,7 +99,7 @@ pub(super) fn find<M: ContactModes<f64>>(
     kept.get(place.ok()?).map(|(_, modal)| modal)
 }
 
-/// Finds the old forces of links; both are in ascending order of their bodies.
+/// Finds the former forces of links; both lists are in ascending order of their bodies.
 fn recall<M: ContactModes<f64>, F: ContactFriction<f64, Modes = M>>(
     forces: &[StoredForce<M>],
     links: &mut [Link<M>],
@@ -110,7 +110,7 @@ fn recall<M: ContactModes<f64>, F: ContactFriction<f64, Modes = M>>(
     for link in links {
         while old.next_if(|(bodies, _)| *bodies < link.bodies).is_some() {}
         if let Some((_, force)) = old.next_if(|(bodies, _)| *bodies == link.bodies) {
-            // The normal has turned since.
+            // The normal has turned since the last step.
             link.contact
                 .set_impulse(&Modal::default().plus_scaled(dt, force));
             link.contact.admit(friction);

@@ -1,7 +1,7 @@
 //! Contact dynamics: rigid spheres and plates with constraint forces (thesis, section 4.4).
 //!
-//! A billiard ball that is struck through its centre slides at first, and in the end rolls with 5/7
-//! of its speed, whatever the friction:
+//! A billiard ball that is struck through its centre slides at first and finally rolls with 5/7
+//! of its initial speed, for any friction:
 //!
 //! ```
 //! use tribos::cd::{Laws, Setup, Wall, World, solid};
@@ -46,7 +46,7 @@ pub use setup::{ContactLaws, Laws, Setup, StepLimits, Wall, WorldError, solid};
 pub use solver::{Method, Solver};
 pub use world::{State, StepReport, World};
 
-/// The solvers, for tests and benches of this project: no part of what is promised.
+/// Internals of the solvers, public only for tests and benches of this project: no stable interface.
 #[doc(hidden)]
 pub mod internals {
     pub use super::accelerated::{Accelerated, Tolerance};

@@ -1,34 +1,34 @@
-//! Non-linear Gauss–Seidel: every contact in turn, until a rule says stop.
+//! Non-linear Gauss–Seidel: contacts solved one after the other until a stopping rule is met.
 
 use super::operator::{GlobalChange, LocalChange, NoMonitor, Operator, Visit};
 use crate::random::Random;
 
-/// In which order a sweep goes over the contacts.
+/// Order in which a sweep visits the contacts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// Always as they are numbered.
+    /// Always in the order of their numbers.
     Fixed,
-    /// Forwards and backwards in turn: a symmetric iteration.
+    /// Alternately forwards and backwards, which gives a symmetric iteration.
     Alternating,
-    /// A new random permutation for each sweep (Unger and Kertész 2003), from a seed.
+    /// A new random permutation for each sweep (Unger and Kertész 2003), generated from a seed.
     Random {
-        /// Seed of the stream.
+        /// Seed of the random stream.
         seed: u64,
     },
 }
 
-/// When the iteration stops (thesis, section 4.4.2).
+/// Stopping rule of the iteration (thesis, section 4.4.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stop {
-    /// After a fixed number of sweeps.
+    /// A fixed number of sweeps.
     Fixed,
-    /// When no contact's impulse changes by more than this fraction of its own P.
+    /// No contact's impulse changes by more than this fraction of its own P.
     Local(f64),
-    /// When the mean change falls below this fraction of the mean P.
+    /// The mean change is below this fraction of the mean P.
     Global(f64),
 }
 
-/// Sweeps over permutations or in turn.
+/// Performs sweeps in a given order.
 ///
 /// ```
 /// # use nalgebra::Vector3;
@@ -65,7 +65,7 @@ pub struct Sweeper {
 }
 
 impl Sweeper {
-    /// Starts at the first sweep; random orders differ from stream to stream.
+    /// Starts at the first sweep; random orders differ between streams.
     pub fn new(order: Order, stream: u64) -> Self {
         let seed = match order {
             Order::Random { seed } => seed,
@@ -79,7 +79,7 @@ impl Sweeper {
         }
     }
 
-    /// One sweep.
+    /// Performs one sweep.
     pub fn sweep<O: Operator, W: super::operator::Monitor>(
         &mut self,
         problem: &mut O,
@@ -97,28 +97,28 @@ impl Sweeper {
         }
     }
 
-    /// A fresh permutation (Fisher and Yates).
+    /// A new permutation (Fisher and Yates).
     fn shuffle(&mut self, count: usize) {
         self.permutation.clear();
         self.permutation.extend(0..count as u32);
         for last in (1..count).rev() {
-            // The product's upper half: a bias of at most count/2⁶⁴.
+            // The upper half of the product has a bias of at most count/2⁶⁴.
             let drawn = (u128::from(self.random.bits()) * (last as u128 + 1)) >> 64;
             self.permutation.swap(last, drawn as usize);
         }
     }
 }
 
-/// What an iteration did.
+/// Cost and result of an iteration.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Iterations {
-    /// Sweeps over all contacts, or work of the same size.
+    /// Number of sweeps over all contacts, including other work of the same cost.
     pub sweeps: usize,
-    /// Whether the rule was met; always true after a fixed number.
+    /// Whether the stopping rule was met; always true for a fixed number of sweeps.
     pub met: bool,
 }
 
-/// Sweeps until `stop` or `most` sweeps.
+/// Performs sweeps until `stop` is met, or `most` sweeps.
 ///
 /// ```
 /// # use nalgebra::Vector3;

@@ -1,4 +1,4 @@
-//! What a global solver needs to know of a contact problem, whatever its bodies are.
+//! Interface of a contact problem for global solvers, independent of the type of its bodies.
 
 /// An impulse of one contact: an element of a vector space.
 ///
@@ -9,31 +9,31 @@ pub trait Impulse: Copy + Default {
     fn plus_scaled(&self, factor: f64, other: &Self) -> Self;
 }
 
-/// Looks on while a sweep goes over the contacts.
+/// Observer of a sweep over the contacts.
 pub trait Monitor: Send {
-    /// A watcher of the same kind that has seen nothing.
+    /// A new monitor of the same kind, without data.
     fn fork(&self) -> Self;
-    /// Sees one contact: the square of its impulse's change, P, the force scale of its friction, and
-    /// the normal speed that the change took from it.
+    /// Records one contact: the square of its impulse's change, P (the force scale of its friction), and
+    /// the change of its normal speed.
     fn see(&mut self, change_sq: f64, bound: f64, speed: f64);
-    /// Adds what another watcher saw after this one.
+    /// Adds the data of a monitor that observed the contacts after those of this one.
     fn join(&mut self, later: &Self);
 }
 
 /// The order in which a sweep visits contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Visit<'a> {
-    /// As they are numbered.
+    /// In the order of their numbers.
     Forward,
-    /// The last first.
+    /// In reverse order.
     Backward,
-    /// As listed.
+    /// In the order of a list.
     Listed(&'a [u32]),
 }
 
-/// A contact problem: impulses at contacts, and bodies that answer to them.
+/// A contact problem: impulses at contacts, and bodies that respond to them.
 ///
-/// The operator holds the present impulses and the velocities that belong to them.
+/// The operator holds the current impulses and the velocities that follow from them.
 ///
 /// ```
 /// use tribos::cd::{Order, Stop};
@@ -100,24 +100,24 @@ pub trait Operator {
     /// Number of contacts.
     fn contacts(&self) -> usize;
 
-    /// The present impulse.
+    /// The current impulse.
     fn impulse(&self, contact: usize) -> Self::Impulse;
 
-    /// Product of two impulses of a contact, torques counted as forces at a lever.
+    /// Inner product of two impulses of a contact, with torques counted as forces at a lever.
     fn dot(&self, contact: usize, a: &Self::Impulse, b: &Self::Impulse) -> f64;
 
-    /// Replaces the impulse by the nearest admissible one; velocities go stale until
+    /// Replaces the impulse by the nearest admissible one; velocities are invalid until
     /// [`Operator::refresh`].
     fn guess(&mut self, contact: usize, impulse: &Self::Impulse);
 
-    /// Works the velocities out anew from all impulses, in the order of the contacts.
+    /// Recomputes the velocities from all impulses, in the order of the contacts.
     fn refresh(&mut self);
 
-    /// Lets every contact in turn solve its own laws with the others held.
+    /// Solves the laws of every contact in turn, with all other contacts held fixed.
     fn sweep<W: Monitor>(&mut self, visit: Visit<'_>, watch: &mut W);
 }
 
-/// Sees nothing, costs nothing.
+/// A monitor that records nothing and has no cost.
 ///
 /// ```
 /// use tribos::cd::internals::{NoMonitor, Monitor};
@@ -136,7 +136,7 @@ impl Monitor for NoMonitor {
     fn join(&mut self, _: &Self) {}
 }
 
-/// How much one sweep changed.
+/// Change of the impulses in one sweep.
 ///
 /// ```
 /// use tribos::cd::internals::{GlobalChange, Monitor};
@@ -151,34 +151,34 @@ impl Monitor for NoMonitor {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GlobalChange {
-    /// Σ |Δp|²
+    /// Sum of squares Σ |Δp|².
     pub change_sq: f64,
-    /// Σ P²
+    /// Sum of squares Σ P².
     pub bound_sq: f64,
-    /// Σ |Δp| and Σ P, for the mean.
+    /// Sums Σ |Δp| and Σ P, for the mean.
     pub mean: [f64; 2],
-    /// Largest normal speed that a contact corrected.
+    /// Largest correction of the normal speed at a contact.
     pub speed: f64,
 }
 
 impl GlobalChange {
-    /// √(Σ|Δp|²/ΣP²), 0 without contacts.
+    /// Relative change √(Σ|Δp|²/ΣP²); 0 without contacts.
     pub fn relative(&self) -> f64 {
         ratio(self.change_sq, self.bound_sq).sqrt()
     }
 
-    /// ⟨|Δp|⟩/⟨P⟩, the global criterion of Unger and Kertész (2003).
+    /// Relative mean change ⟨|Δp|⟩/⟨P⟩, the global criterion of Unger and Kertész (2003).
     pub fn relative_mean(&self) -> f64 {
         ratio(self.mean[0], self.mean[1])
     }
 }
 
-/// `change`/`scale`, where nothing changed 0 even of nothing.
+/// `change`/`scale`, and 0 for a zero change whatever the scale.
 fn ratio(change: f64, scale: f64) -> f64 {
     if change == 0.0 { 0.0 } else { change / scale }
 }
 
-/// The larger of two numbers, NaN if either is.
+/// The larger of two numbers; NaN if either is NaN.
 #[inline(always)]
 pub(super) fn largest(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
@@ -207,7 +207,7 @@ impl Monitor for GlobalChange {
     }
 }
 
-/// Counts contacts whose impulse changed by more than a fraction of P.
+/// Counts the contacts whose impulse changed by more than a fraction of P.
 ///
 /// ```
 /// use tribos::cd::internals::{LocalChange, Monitor};
@@ -220,7 +220,7 @@ impl Monitor for GlobalChange {
 #[derive(Clone, Copy, Debug)]
 pub struct LocalChange {
     tolerance_sq: f64,
-    /// Contacts seen that changed by more.
+    /// Number of recorded contacts above the tolerance.
     pub count: usize,
 }
 
@@ -241,7 +241,7 @@ impl Monitor for LocalChange {
 
     #[inline(always)]
     fn see(&mut self, change_sq: f64, bound: f64, _: f64) {
-        // A change of nothing is at rest, whatever the bound; NaN is not.
+        // A zero change has converged for any bound; NaN has not.
         let rests = change_sq <= self.tolerance_sq * bound * bound;
         self.count += usize::from(!rests);
     }

@@ -1,7 +1,7 @@
-//! How far impulses and velocities are from obeying the laws, judged without the solver's code.
+//! Violation of the contact laws by impulses and velocities, judged without the solver's code.
 //!
-//! Velocities are worked out anew from the impulses. Each law is read as a set: what it asks of a
-//! contact is written down here once more, from the formulas, not through [`Contact::update`].
+//! Velocities are recomputed from the impulses. Each law is treated as a set: its conditions on a
+//! contact are implemented here a second time, from the formulas, not through [`Contact::update`].
 
 use super::operator::{Operator, largest};
 use super::spheres::{Link, Spheres};
@@ -18,17 +18,17 @@ use tribos_core::twist::{Twist, Wrench};
 /// See [`residual`] for an example.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residual {
-    /// Largest speed at which a closed contact still closes; times the step, the overlap made in it.
+    /// Largest closing speed of a closed contact; multiplied by the step, the overlap that it creates.
     pub penetration: f64,
-    /// Largest friction impulse beyond its threshold, or pull beyond cohesion.
+    /// Largest friction impulse in excess of its threshold, or pull in excess of cohesion.
     pub excess: f64,
-    /// Largest |P · U| of contacts that push and part, as a power times time: energy.
+    /// Largest |P · U| of contacts that push while they separate, an energy (impulse times speed).
     pub complementarity: f64,
-    /// √(Σ|p − proj(p − m U)|²/ΣP²) over all modes, torques as forces at the lever: 0 for a solution.
+    /// √(Σ|p − proj(p − m U)|²/ΣP²) over all modes, with torques as forces at the lever: 0 for a solution.
     pub relative: f64,
 }
 
-/// Coefficients of friction as the residual needs them.
+/// Friction coefficients in the form that the residual needs.
 ///
 /// ```
 /// use tribos::cd::internals::Coefficients;
@@ -44,11 +44,11 @@ pub struct Residual {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Coefficients {
-    /// μ, μ_t and μ_n.
+    /// Coefficients μ, μ_t and μ_n.
     fn coefficients(&self) -> [f64; 3];
 
-    /// The set of sliding forces and torsion torques for P = 1 and r_eff = 1, where the two have
-    /// one threshold.
+    /// The set of sliding forces and torsion torques for P = 1 and r_eff = 1, if sliding and torsion have
+    /// a common threshold.
     fn joint(&self) -> Option<&dyn FrictionSet<f64>> {
         None
     }
@@ -70,7 +70,7 @@ impl<M> Coefficients for Thresholds<f64, M> {
     }
 }
 
-/// Judges a problem.
+/// Computes the residual of a contact problem.
 ///
 /// ```
 /// # use nalgebra::Vector3;
@@ -135,7 +135,7 @@ impl Sum {
         let (bound, gap_speed) = (contact.bound(), u.normal + contact.allowance());
         let r = &mut self.residual;
 
-        // 0 ≤ P ⟂ U + allowance ≥ 0; a resistance may also rest with the gap open.
+        // 0 ≤ P ⟂ U + allowance ≥ 0; a contact under a resistance may also rest with an open gap.
         let rests = contact.rests_open() && gap_speed >= 0.0;
         let normal = if rests {
             resting(p.normal, u.normal, contact.cohesion(), block.mass_normal)
@@ -195,12 +195,12 @@ impl Sum {
     }
 }
 
-/// Natural map of a contact that rests open: −C ≤ p ≤ 0, p = −C where it opens, 0 where it closes.
+/// Natural map of a contact at rest with an open gap: −C ≤ p ≤ 0, p = −C if it opens, 0 if it closes.
 fn resting(p: f64, u: f64, cohesion: f64, mass: f64) -> f64 {
     p - (p - mass * u).clamp(-cohesion, 0.0)
 }
 
-/// Natural map of a disc, and how far the point lies outside.
+/// Natural map of a disc, and the distance of the point beyond it.
 fn disc(p: Vector3<f64>, u: Vector3<f64>, mass: f64, limit: f64) -> (Vector3<f64>, f64) {
     let trial = p - u * mass;
     let (size, limit) = (trial.norm(), limit.max(0.0));
@@ -212,12 +212,12 @@ fn disc(p: Vector3<f64>, u: Vector3<f64>, mass: f64, limit: f64) -> (Vector3<f64
     (p - nearest, p.norm() - limit)
 }
 
-/// Sliding and torsion under one threshold, without its projection: an upper bound of the natural
-/// map's square, and how far the pair lies outside.
+/// Sliding and torsion with a common threshold, without its projection: an upper bound of the square of the
+/// natural map, and the distance of the pair beyond the set.
 ///
-/// With y = proj(p − m U) the map p − y is at most m U, and |p − y|² ≤ m δ with the power δ by which
-/// friction falls short of the largest possible, P·support(U) + p·U: what a nearest point has to do
-/// with the support of a convex set.
+/// With y = proj(p − m U) the map p − y is at most m U, and |p − y|² ≤ m δ, where δ is the difference
+/// between the power of friction and the largest possible, P·support(U) + p·U: a relation between the
+/// nearest point and the support of a convex set.
 fn joint<M: ContactModes<f64>>(
     set: &dyn FrictionSet<f64>,
     contact: &Contact<f64, M>,
@@ -232,7 +232,7 @@ fn joint<M: ContactModes<f64>>(
     let energy = block.mass_sliding * slip.norm_squared() + block.inertia * spin * spin;
     let map_sq = block.mass_sliding * energy.min(short.abs());
     let gauge = set.gauge(&Wrench::new(force.norm(), 0.0, torque / lever));
-    // Of nothing the gauge is 0, whatever the bound.
+    // The gauge of the zero wrench is 0 for any bound.
     let beyond = if gauge == 0.0 {
         0.0
     } else {

@@ -1,24 +1,24 @@
-//! In which order the pairs of a packing are visited.
+//! Order in which the pairs of a packing are visited.
 //!
-//! Spheres are cut into blocks of neighbouring numbers. Pairs inside a block come block by block, so
-//! that blocks can be swept side by side; pairs across blocks come last. Within each of these groups
-//! pairs are sorted by colours, such that no sphere has two pairs of a colour: consecutive updates
-//! then do not wait for each other's velocities. The order depends on the contacts alone, never on
+//! Spheres are divided into blocks of consecutive numbers. Pairs inside a block come block by block, so
+//! that blocks can be swept in parallel; pairs across blocks come last. Within each of these groups
+//! pairs are sorted by colours, such that no sphere has two pairs of the same colour: consecutive updates
+//! then do not wait for each other's velocities. The order depends only on the contacts, never on
 //! the number of threads.
 
 use super::spheres::Link;
 use std::ops::Range;
 use tribos_core::contact::ContactModes;
 
-/// Spheres of a block: a few hundred kilobytes with their contacts, what a core's own cache holds.
+/// Spheres per block: with their contacts a few hundred kilobytes, the size of a core's own cache.
 const BLOCK: usize = 1024;
 
-/// A block of spheres and the pairs inside.
+/// A block of spheres and the pairs inside it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Block {
     /// Numbers of the spheres.
     pub spheres: Range<usize>,
-    /// Places of the pairs.
+    /// Positions of its pairs in the order.
     pub pairs: Range<usize>,
 }
 
@@ -27,9 +27,9 @@ pub(super) struct Block {
 pub(super) struct Schedule {
     /// Blocks in order.
     pub blocks: Vec<Block>,
-    /// Group and colour of each pair, and where it goes.
+    /// Group and colour of each pair, and its position in the order.
     keys: Vec<(u32, u32, u32)>,
-    /// Colours that each sphere has, group by group.
+    /// Colours already used at each sphere, group by group.
     taken: Vec<u64>,
 }
 
@@ -62,8 +62,8 @@ impl Schedule {
         }
     }
 
-    /// Gives each pair the first colour that neither of its spheres has yet, inside and across
-    /// blocks apart. Spheres with very many contacts share the last colour.
+    /// Gives each pair the first colour that neither of its spheres has yet, separately inside and across
+    /// blocks. Spheres with very many contacts share the last colour.
     fn colour<M: ContactModes<f64>>(&mut self, spheres: usize, across: u32, pairs: &[Link<M>]) {
         self.taken.clear();
         self.taken.resize(2 * spheres, 0);

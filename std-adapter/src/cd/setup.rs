@@ -1,4 +1,4 @@
-//! What a world is made of.
+//! Initial state, laws and parameters of a world.
 
 use super::solver::Solver;
 use crate::space::PeriodicBox;
@@ -26,17 +26,17 @@ pub struct Wall {
     pub place: f64,
     /// Velocity and inverse mass. A piston moves along its normal alone.
     pub plate: Plate<f64>,
-    /// Force on it along the normal; positive pushes it into the spheres' space.
+    /// Force on the plate along the normal; positive pushes it into the space of the spheres.
     pub force: f64,
 }
 
 impl Wall {
-    /// A wall that stands still.
+    /// A fixed wall.
     pub fn fixed(outward: Vector3<f64>, place: f64) -> Self {
         Self::piston(outward, place, f64::INFINITY, 0.0)
     }
 
-    /// A plate of this mass, at rest, pushed by `force`.
+    /// A plate of this mass at rest, loaded by `force`.
     pub fn piston(outward: Vector3<f64>, place: f64, mass: f64, force: f64) -> Self {
         Self {
             outward,
@@ -106,10 +106,10 @@ impl<F> Laws<F> {
 /// Limits of the time step. The default, 1 ms and 1 cm, suits bodies of centimetres in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepLimits {
-    /// Longest step, a time.
+    /// Longest step, in time.
     pub longest: f64,
-    /// Farthest that a body may be expected to move in a step, a length. A step in which something
-    /// moves more than twice as far is taken again, halved.
+    /// Largest motion of a body that is expected in a step, a length. A step with a motion of
+    /// more than twice this length is repeated with half the step.
     pub motion: f64,
 }
 
@@ -122,7 +122,7 @@ impl Default for StepLimits {
     }
 }
 
-/// A world at time 0.
+/// Parameters of a world at time 0.
 ///
 /// The [module](super) has an example.
 #[derive(Clone, Debug)]
@@ -151,8 +151,8 @@ pub struct Setup<F> {
 }
 
 impl<F> Setup<F> {
-    /// Open space without bodies and gravity, where nothing sleeps; [`StepLimits`] and [`Solver`] by
-    /// default.
+    /// Open space without bodies and gravity, where nothing sleeps, with the default [`StepLimits`] and
+    /// [`Solver`].
     pub fn new(laws: Laws<F>) -> Self {
         Self {
             space: PeriodicBox::OPEN,
@@ -168,7 +168,7 @@ impl<F> Setup<F> {
         }
     }
 
-    /// With one more sphere, its centre here.
+    /// Adds one sphere with its centre at `position`.
     #[must_use]
     pub fn sphere(mut self, position: Vector3<f64>, radius: f64, sphere: Sphere<f64>) -> Self {
         self.positions.push(position);
@@ -177,27 +177,27 @@ impl<F> Setup<F> {
         self
     }
 
-    /// With one more wall.
+    /// Adds one wall.
     #[must_use]
     pub fn wall(mut self, wall: Wall) -> Self {
         self.walls.push(wall);
         self
     }
 
-    /// With this acceleration of all spheres.
+    /// Sets the acceleration of all spheres.
     #[must_use]
     pub fn gravity(self, gravity: Vector3<f64>) -> Self {
         Self { gravity, ..self }
     }
 }
 
-/// Masses between which squares of impulses neither vanish nor overflow: the solvers compare them.
+/// Range of masses whose squared impulses neither vanish nor overflow: the solvers compare squares.
 const MASSES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 /// Largest deviation of a unit normal's length from 1.
 const UNIT: f64 = 1e-12;
 
 impl<F> Setup<F> {
-    /// Refuses what no step could work with.
+    /// Refuses parameters with which no step is possible.
     pub(super) fn check(&self) -> Result<(), WorldError> {
         let StepLimits { longest, motion } = self.step_limits;
         let valid = |x: f64| x > 0.0 && x.is_finite();
@@ -264,7 +264,7 @@ pub fn solid(radius: f64, density: f64) -> Sphere<f64> {
     }
 }
 
-/// A world that cannot start or go on.
+/// Why a world cannot start or continue.
 ///
 /// ```
 /// use tribos::cd::{Laws, Setup, World, WorldError, solid};
@@ -278,97 +278,97 @@ pub fn solid(radius: f64, density: f64) -> Sphere<f64> {
 /// ```
 #[derive(Debug, thiserror::Error)]
 pub enum WorldError {
-    /// Two bodies have no normal.
+    /// A contact of two bodies has no normal.
     #[error("step {step}: sphere {body} and {other}: {cause}")]
     Touch {
-        /// Step of the run.
+        /// Number of the step.
         step: u64,
         /// First body.
         body: usize,
         /// The other sphere, or the wall.
         other: String,
-        /// What is wrong.
+        /// The kernel's reason.
         #[source]
         cause: TouchError,
     },
-    /// The list of neighbours could not be made.
+    /// The neighbour list could not be built.
     #[error("step {step}: {cause}")]
     Neighbours {
-        /// Step of the run.
+        /// Number of the step.
         step: u64,
-        /// What is wrong.
+        /// The reason.
         #[source]
         cause: NeighbourError,
     },
     /// A velocity is infinite or NaN.
     #[error("step {step}: the velocity of sphere {body} is not finite")]
     NotFinite {
-        /// Step of the run.
+        /// Number of the step.
         step: u64,
-        /// Which sphere.
+        /// Number of the sphere.
         body: usize,
     },
-    /// No step is short enough.
+    /// No step is short enough for the motion.
     #[error("step {step}: something moves {speed:e} however short the step; its load is too large")]
     TooFast {
-        /// Step of the run.
+        /// Number of the step.
         step: u64,
-        /// Its speed.
+        /// Speed of what moves too far.
         speed: f64,
     },
-    /// Nothing may move by the bounds of the step.
+    /// The limits of the step allow no motion.
     #[error(
         "the longest step and the largest motion must be positive and finite, \
          not {longest} and {motion}"
     )]
     StepLimits {
-        /// Given.
+        /// Longest step given.
         longest: f64,
-        /// Given.
+        /// Largest motion given.
         motion: f64,
     },
-    /// Everything or nothing would count as still.
+    /// The sleep threshold would put every body to sleep, or is not a number.
     #[error("the speed of stillness must be finite and not negative, not {given}")]
     StillSpeed {
-        /// Given.
+        /// Value given.
         given: f64,
     },
-    /// Not one radius and one set of velocities a position.
+    /// The numbers of positions, radii and velocities differ.
     #[error(
         "{positions} positions, {radii} radii and {spheres} spheres: give one of each a sphere"
     )]
     Count {
-        /// Given.
+        /// Number of positions.
         positions: usize,
-        /// Given.
+        /// Number of radii.
         radii: usize,
-        /// Given.
+        /// Number of spheres.
         spheres: usize,
     },
     /// A radius is not positive and finite.
     #[error("sphere {body}: the radius must be positive and finite, not {given}")]
     Radius {
-        /// Which sphere.
+        /// Number of the sphere.
         body: usize,
-        /// Given.
+        /// Value given.
         given: f64,
     },
     /// Gravity is infinite or NaN.
     #[error("gravity must be finite")]
     Gravity,
-    /// A sphere has no mass that can be computed with, or no finite state.
+    /// A sphere has a mass outside the valid range, or a state that is not finite.
     #[error(
         "sphere {body}: the mass must lie between 1e-100 and 1e100, the inertia must be positive \
          and finite, velocities finite; other units help"
     )]
     Sphere {
-        /// Which sphere.
+        /// Number of the sphere.
         body: usize,
     },
     /// A wall's normal is not a unit vector, or its state is not finite.
     #[error("wall {wall}: the normal must have length 1, place, velocity and force must be finite")]
     Wall {
-        /// Which wall.
+        /// Number of the wall.
         wall: usize,
     },
 }

@@ -1,11 +1,11 @@
-//! Bodies that rest together cost nothing until something touches them.
+//! Sleep: groups of bodies at rest cost nothing until something touches them.
 
 use super::assemble::Touching;
 use super::energy::EnergyBalance;
 use super::setup::Wall;
 use tribos_core::contact::Sphere;
 
-/// Steps of stillness before a group of bodies is left alone.
+/// Number of slow steps after which a group of bodies is put to sleep.
 const PATIENCE: u8 = 4;
 
 /// Who is awake.
@@ -33,14 +33,14 @@ const PATIENCE: u8 = 4;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sleep {
     awake: Vec<bool>,
-    /// Steps for which each body has been still.
+    /// Number of steps for which each body has been slow.
     still: Vec<u8>,
-    /// Group of each body, one more for walls that move.
+    /// Group of each body, with one more for walls that move.
     group: Vec<u32>,
 }
 
 impl Sleep {
-    /// Everybody awake.
+    /// Starts with all bodies awake.
     pub fn new(bodies: usize) -> Self {
         Self {
             awake: vec![true; bodies],
@@ -49,7 +49,7 @@ impl Sleep {
         }
     }
 
-    /// As it was left, from what [`Sleep::awake`] and [`Sleep::still`] told of each body.
+    /// Restores a state from the results of [`Sleep::awake`] and [`Sleep::still`].
     pub fn restored(awake: Vec<bool>, still: Vec<u8>) -> Self {
         Self {
             awake,
@@ -58,17 +58,17 @@ impl Sleep {
         }
     }
 
-    /// Steps for which each body has been still.
+    /// Number of steps for which each body has been slow.
     pub fn still(&self) -> &[u8] {
         &self.still
     }
 
-    /// One flag a body.
+    /// One flag per body, true if it is awake.
     pub fn awake(&self) -> &[bool] {
         &self.awake
     }
 
-    /// Finds groups of touching bodies; one that has an awake member is awake.
+    /// Finds the groups of touching bodies; a group with an awake member is awake.
     pub fn wake(
         &mut self,
         sleep_speed: f64,
@@ -85,7 +85,7 @@ impl Sleep {
         for ([a, b], _) in pairs {
             join(&mut self.group, *a, *b);
         }
-        // A wall that can move, or does, joins what it touches.
+        // A wall that can move, or does, joins the group of the bodies that it touches.
         let moves = |wall: &Wall| wall.plate.inv_mass > 0.0 || wall.plate.velocity.norm() > 0.0;
         for ([a, wall], _) in walls {
             if plates.get(*wall as usize).is_some_and(moves) {
@@ -104,7 +104,7 @@ impl Sleep {
         }
     }
 
-    /// Puts groups to sleep in which everybody has been still for long enough.
+    /// Puts groups to sleep in which every body has been slow for long enough.
     pub fn settle(
         &mut self,
         sleep_speed: f64,
@@ -141,7 +141,7 @@ impl Sleep {
     }
 }
 
-/// Root of a body's group; paths are halved on the way.
+/// Root of a body's group; paths are halved during the search.
 fn find(group: &mut [u32], mut body: u32) -> u32 {
     while group[body as usize] != body {
         let above = group[group[body as usize] as usize];

@@ -1,43 +1,43 @@
-//! Which method solves the contacts of a step.
+//! Methods for the contact problem of a step.
 
 use super::accelerated::{Accelerated, Tolerance};
 use super::nsgs::{self, Iterations, Order, Stop, Sweeper};
 use super::spheres::Spheres;
 use tribos_core::contact::{ContactFriction, ContactModes, Modal};
 
-/// A method.
+/// Method that solves the contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Method {
     /// Plain non-linear Gauss–Seidel.
     GaussSeidel {
-        /// Order of visits.
+        /// Order in which contacts are visited.
         order: Order,
-        /// Rule.
+        /// Stopping rule.
         stop: Stop,
     },
-    /// Gauss–Seidel with momentum, as [`Accelerated`] does it.
+    /// Gauss–Seidel with momentum, see [`Accelerated`].
     Accelerated {
-        /// Largest change of a sweep relative to P, in the root mean square.
+        /// Largest root mean square of a sweep's change relative to P.
         tolerance: f64,
     },
 }
 
-/// How contacts are solved.
+/// Solver settings.
 ///
 /// The [module](super) has an example.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solver {
     /// The method.
     pub method: Method,
-    /// Most sweeps a step. The accelerated method adds half as many at most where its sweeps go round
-    /// in a circle, as they may with large coefficients of friction.
+    /// Largest number of sweeps per step. The accelerated method adds at most half as many if its sweeps
+    /// cycle, which may happen with large friction coefficients.
     pub most_sweeps: usize,
     /// Whether a step starts from the forces of the last one.
     pub warm_start: bool,
 }
 
 impl Default for Solver {
-    /// Sweeps with momentum to 1e-9, at most 1000 a step, each step from the forces of the last.
+    /// Sweeps with momentum to 1e-9, at most 1000 per step, starting from the forces of the last step.
     fn default() -> Self {
         Self {
             method: Method::Accelerated { tolerance: 1e-9 },
@@ -62,8 +62,8 @@ impl<M: ContactModes<f64>> Default for Workspace<M> {
 }
 
 impl<M: ContactModes<f64>> Workspace<M> {
-    /// Solves the problem of a step. Its number picks the stream of random orders; `speed` is what
-    /// the accelerated method may leave of a closing speed.
+    /// Solves the contact problem of a step. The number of the step selects the stream of random orders;
+    /// `speed` is the closing speed that the accelerated method may leave.
     pub fn solve<F: ContactFriction<f64, Modes = M>>(
         &mut self,
         solver: &Solver,

@@ -1,4 +1,4 @@
-//! Spheres and plates in contact, as an operator.
+//! The contact problem of spheres and plates.
 
 use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::schedule::Schedule;
@@ -58,11 +58,11 @@ pub struct Link<M: ContactModes<f64>> {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Spheres<F: ContactFriction<f64>> {
-    /// Spheres with the velocities that belong to the present impulses.
+    /// Spheres with the velocities that follow from the current impulses.
     pub spheres: Vec<Sphere<f64>>,
-    /// Plates, likewise.
+    /// Plates with the velocities that follow from the current impulses.
     pub plates: Vec<Plate<f64>>,
-    /// Spheres and plates with the velocities that they have without contacts.
+    /// Spheres and plates with their velocities in the absence of contacts.
     pub free: (Vec<Sphere<f64>>, Vec<Plate<f64>>),
     /// Contacts of spheres.
     pub pairs: Vec<Link<F::Modes>>,
@@ -74,7 +74,7 @@ pub struct Spheres<F: ContactFriction<f64>> {
 }
 
 impl<F: ContactFriction<f64>> Spheres<F> {
-    /// No bodies, no contacts.
+    /// A problem without bodies and contacts.
     pub fn new(friction: [F; 2]) -> Self {
         Self {
             spheres: Vec::new(),
@@ -87,8 +87,8 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         }
     }
 
-    /// Puts the pairs in the order in which they are swept, and brings the velocities in line with
-    /// new bodies, contacts and guesses.
+    /// Sorts the pairs into the order of the sweep, and updates the velocities for new bodies, contacts and
+    /// initial guesses.
     pub fn start(&mut self) {
         self.schedule.arrange(self.free.0.len(), &mut self.pairs);
         self.spheres.clone_from(&self.free.0);
@@ -101,8 +101,8 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         self.pairs.iter().chain(&self.walls)
     }
 
-    /// Sweeps the pairs: blocks side by side, then those across. What the watch sees does not depend
-    /// on how many threads there are.
+    /// Sweeps the pairs: blocks in parallel, then pairs across blocks. The data of the monitor do not depend
+    /// on the number of threads.
     fn sweep_pairs<W: Monitor>(&mut self, way: Way, watch: &mut W) {
         let friction = self.friction[0];
         let blocks = self.schedule.blocks.len();
@@ -153,17 +153,17 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     }
 }
 
-/// Which end a sweep starts at.
+/// Direction of a sweep.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Way {
     Forward,
     Backward,
 }
 
-/// Contacts below which threads cost more than they gain.
+/// Number of contacts below which threads cost more than they gain.
 const WORTHWHILE: usize = 2_000;
 
-/// Solves pairs one after the other; `spheres` starts with the number `first`.
+/// Solves pairs one after the other; the first element of `spheres` has the number `first`.
 fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
     links: &mut [Link<F::Modes>],
     first: u32,

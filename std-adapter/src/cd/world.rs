@@ -1,4 +1,4 @@
-//! Spheres and plates that move: implicit time stepping with contact impulses (Moreau and Jean).
+//! Motion of spheres and plates: implicit time stepping with contact impulses (Moreau and Jean).
 
 use super::energy::EnergyBalance;
 use super::impact::{self, Counts, Impacts};
@@ -14,59 +14,59 @@ use crate::space::pairs::Cells;
 use nalgebra::Vector3;
 use tribos_core::contact::{ContactFriction, ContactModes, Plate, Sphere};
 
-/// What one step did.
+/// Report of one step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepReport {
     /// Length of the step.
     pub dt: f64,
-    /// Work of the solver for lasting contacts, and whether it met its rule.
+    /// Cost of the solver for lasting contacts, and whether it met its stopping rule.
     pub iterations: Iterations,
-    /// What is left.
+    /// Residual of the contact problem.
     pub residual: Residual,
-    /// Contacts that took part.
+    /// Number of contacts in the problem.
     pub contacts: usize,
-    /// Impacts with restitution; one that follows another at the same contact counts again.
+    /// Number of impacts with restitution; repeated impacts at the same contact count separately.
     pub impacts: usize,
-    /// Rounds of impacts, each after those that caused it.
+    /// Rounds of impacts; each follows from the round before.
     pub impact_rounds: usize,
-    /// Whether impacts still caused others after the last round, the 100th. What is left of their
+    /// Whether impacts still caused further impacts after the last round, the 100th. The remaining
     /// approach is then stopped without rebound.
     pub impacts_cut: bool,
     /// Reflections of impacts, and solutions of friction under them, that missed their tolerance of
-    /// 1e-13 in 1000 sweeps: their impulses are approximate, and raise no energy.
+    /// 1e-13 in 1000 sweeps: their impulses are approximate but do not raise the energy.
     pub impacts_unmet: usize,
-    /// Spheres that took part.
+    /// Number of spheres that were awake.
     pub awake: usize,
 }
 
 impl StepReport {
-    /// Whether the solver met its rule, and impacts came to their end, each to its tolerance.
+    /// Whether the solver met its stopping rule and the impacts ended, each within its tolerance.
     pub fn is_met(&self) -> bool {
         self.iterations.met && !self.impacts_cut && self.impacts_unmet == 0
     }
 }
 
-/// Everything that changes from step to step: a run goes on from it to the same bits.
+/// The complete state of a world: a run continues from it with identical bits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State<M: ContactModes<f64>> {
-    /// Time so far.
+    /// Elapsed time.
     pub time: f64,
-    /// Steps so far.
+    /// Number of steps so far.
     pub steps: u64,
-    /// Centres; not wrapped into the periodic box.
+    /// Centres of the spheres, not wrapped into the periodic box.
     pub positions: Vec<Vector3<f64>>,
-    /// Velocities and inverse masses.
+    /// Velocities, inverse masses and inertias of the spheres.
     pub spheres: Vec<Sphere<f64>>,
-    /// Walls.
+    /// Walls with their current positions and velocities.
     pub walls: Vec<Wall>,
-    /// Energy so far.
+    /// Energy balance so far.
     pub energy: EnergyBalance,
-    /// Contact forces of the last step, from which the next one starts.
+    /// Contact forces of the last step, used as the initial guess for the next one.
     pub memory: Memory<M>,
-    /// Mean forces of the last step's impacts with restitution: their impulses over the step. The
+    /// Mean forces of the last step's impacts with restitution: their impulses divided by the step. The
     /// force of a contact is the sum of both.
     pub impacts: Memory<M>,
-    /// Who rests.
+    /// Sleep state of the bodies.
     pub sleep: Sleep,
 }
 
@@ -102,16 +102,16 @@ pub struct World<F: ContactFriction<f64>> {
     pub(super) problem: Spheres<F>,
     pub(super) cells: Cells,
     pub(super) neighbours: Vec<[u32; 2]>,
-    /// Positions at which the neighbours were listed.
+    /// Positions for which the neighbour list was built.
     pub(super) listed_at: Vec<Vector3<f64>>,
     workspace: Workspace<F::Modes>,
     pub(super) impacts: Impacts<F>,
 }
 
-/// What a step may leave of an approach at a closed contact, in the largest motion of a step: by so
-/// much two bodies may come to overlap in it. Only the accelerated method looks at it.
+/// Closing speed that a step may leave at a closed contact, in units of the largest motion of a step: the
+/// overlap of two bodies may grow by this in a step. Only the accelerated method uses it.
 const OVERLAP: f64 = 1e-3;
-/// How often a step is halved before the state counts as hopeless.
+/// Number of halvings of a step after which the run fails.
 const MOST_HALVINGS: u32 = 40;
 
 impl<F: ContactFriction<f64> + Coefficients> World<F> {
@@ -132,7 +132,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         Ok(Self::resume(setup, state))
     }
 
-    /// A world that goes on from a state of a world with the same setup.
+    /// A world that continues from a state of a world with the same setup.
     pub fn resume(setup: Setup<F>, state: State<F::Modes>) -> Self {
         Self {
             problem: Spheres::new(setup.laws.friction()),
@@ -146,30 +146,30 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         }
     }
 
-    /// How the world began, and its laws.
+    /// Initial state and laws of the world.
     pub fn setup(&self) -> &Setup<F> {
         &self.setup
     }
 
-    /// The present state.
+    /// The current state.
     pub fn state(&self) -> &State<F::Modes> {
         &self.state
     }
 
-    /// The present state, to be changed between two steps.
+    /// The current state, which may be changed between two steps.
     pub fn state_mut(&mut self) -> &mut State<F::Modes> {
         &mut self.state
     }
 
-    /// The contact problem of the last step, with its solution. Where the law has restitution the
-    /// contacts' impulses include those of impacts, of which a [`residual`] knows nothing:
+    /// The contact problem of the last step, with its solution. If the law has restitution, the
+    /// contacts' impulses include those of impacts, which a [`residual`] cannot judge:
     /// [`StepReport::residual`] judges the problem without them.
     pub fn problem(&self) -> &Spheres<F> {
         &self.problem
     }
 
-    /// Takes one step. A step in which something would move much farther than allowed is taken
-    /// again with half the length.
+    /// Takes one step. A step in which something would move much farther than allowed is
+    /// repeated with half the length.
     pub fn step(&mut self) -> Result<StepReport, WorldError> {
         let mut dt = self.time_step();
         self.list_neighbours()?;
@@ -183,7 +183,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
                 .workspace
                 .solve(&self.setup.solver, &mut self.problem, step);
             let speed = self.fastest(&self.problem.spheres, &self.problem.plates)?;
-            // Contacts were sought as far as two bodies come that both move so much.
+            // Contacts were searched up to the distance that two bodies can cover with this motion.
             if speed * dt <= 2.0 * self.setup.step_limits.motion {
                 return Ok(self.commit(dt, iterations));
             }
@@ -194,7 +194,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         Err(WorldError::TooFast { step, speed })
     }
 
-    /// The longest step in which nothing moves too far by its present velocity and load.
+    /// The longest step in which nothing moves too far at its current velocity and load.
     fn time_step(&self) -> f64 {
         let State { spheres, walls, .. } = &self.state;
         let plates: Vec<_> = walls.iter().map(|wall| wall.plate).collect();
@@ -228,7 +228,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         Ok(plates.fold(fastest, f64::max))
     }
 
-    /// Takes over the solution: velocities, positions, memory, energy.
+    /// Applies the solution: velocities, positions, memory, energy.
     fn commit(&mut self, dt: f64, iterations: Iterations) -> StepReport {
         let residual = residual(&self.problem);
         let (problem, state) = (&self.problem, &mut self.state);

@@ -29,7 +29,7 @@
 //! | compact | −1 < α ≤ 128 on every round patch but polynomial pressures |
 //! | quadrature | every local law; 1e-8 on disk and annulus, elsewhere nodes, 1e-3 of the load |
 //!
-//! A loop over many evaluations asks [`visit`] for the kernel's own type and pays for no dispatch.
+//! A loop over many evaluations is quicker with the kernel's own type, which pays for no dispatch.
 
 mod catalogue;
 mod flat;
@@ -49,16 +49,18 @@ pub use flat::{Flat, FlatPatch};
 pub use law::AnyLaw;
 pub use law::Law;
 pub use patch::Patch;
+#[doc(hidden)]
 pub use precision::Precision;
 #[doc(hidden)]
 pub use quadrature::{polynomial, pressure_nodes};
 pub use refusal::Refusal;
 #[doc(hidden)]
 pub use refusal::finite_number;
-pub use tier::{Evaluation, Tier};
+pub use tier::Tier;
 #[doc(hidden)]
-pub use tier::{LARGEST_EXPONENT, valid_exponent};
+pub use tier::{Evaluation, LARGEST_EXPONENT, valid_exponent};
 pub(crate) use visit::visit_disk;
+#[doc(hidden)]
 pub use visit::{RoundPower, Visitor, leaning, upright, visit};
 
 use quadrature::{ByNodes, DiskOfAnyLaw};

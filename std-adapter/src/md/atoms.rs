@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 /// Largest number of species in a table of pairs.
+#[doc(hidden)]
 pub const MOST_SPECIES: usize = 64;
 
 /// Atoms of one or more species in consistent units; in reduced units σ, ε and m are 1.

@@ -21,6 +21,7 @@ pub mod interaction;
 pub mod lammps;
 #[doc(hidden)]
 pub mod neighbours;
+#[doc(hidden)]
 pub mod observe;
 pub mod pair;
 pub mod system;

@@ -1,23 +1,23 @@
-//! Has the packing come to rest? Means over windows of steps, and what they are compared with.
+//! Whether a packing is blocked, judged by means over windows of steps.
 
 use super::stress::Stress;
 use crate::scene::Criterion;
 
-/// Least number of steps in a window: pseudo-elastic waves of an iteration that stops early take
-/// some ten steps across the thesis' systems.
+/// Least number of steps in a window: the pseudo-elastic waves of an iteration that stops early take
+/// about ten steps to cross the thesis' systems.
 pub const WINDOW_STEPS: u64 = 200;
-/// Largest motion of the piston in a window, in R: 10⁻⁵ of the porosity. Thesis: "has not changed".
-/// What an iterative solver leaves of the motion, pseudo-elastic waves, stays below.
+/// Largest motion of the piston in a window, in R: 10⁻⁵ of the porosity. The thesis says "has not changed".
+/// The motion that an iterative solver leaves behind, its pseudo-elastic waves, stays below this bound.
 const PISTON_MOTION: f64 = 1e-3;
-/// A window lasts long enough for a piston without resistance to go so many times farther.
+/// A window is long enough for a piston without resistance to travel this multiple of that distance.
 const DECISIVE: f64 = 100.0;
-/// Largest deviation of the force on the piston and of σ_zz from the applied load: a hundredth,
-/// a tenth of the digit in which table 4.1 is given.
+/// Largest deviation of the force on the piston and of σ_zz from the applied load: one per cent,
+/// a tenth of the last digit of table 4.1.
 const LOAD_DEVIATION: f64 = 1e-2;
-/// Largest mean net force on a sphere over the mean contact force.
+/// Largest ratio of the mean net force on a sphere to the mean contact force.
 const UNBALANCED: f64 = 1e-2;
 
-/// Sums over the steps of a window, each weighted with its length.
+/// Sums over the steps of a window, each step weighted with its length.
 ///
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
@@ -38,13 +38,13 @@ const UNBALANCED: f64 = 1e-2;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Window {
-    /// Steps so far.
+    /// Number of steps so far.
     pub steps: u64,
-    /// Time so far.
+    /// Elapsed time.
     pub time: f64,
-    /// Height of the piston at the start.
+    /// Initial height of the piston.
     pub start: f64,
-    /// ∫ σ dt
+    /// Integral of the stress over time, ∫ σ dt.
     pub stress: Stress,
     /// Integrals of the contact force on the piston, the mean net force on a sphere and the mean
     /// normal force of a contact.
@@ -56,20 +56,20 @@ pub struct Window {
 /// See [`Window`] for an example.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Means {
-    /// |GlobalChange of the piston's height|, a length.
+    /// Magnitude of the change of the piston's height, a length.
     pub moved: f64,
-    /// Contact force on the piston.
+    /// Mean contact force on the piston.
     pub piston: f64,
-    /// Net force on a sphere.
+    /// Mean net force on a sphere.
     pub net: f64,
-    /// |Normal force| of a contact.
+    /// Mean magnitude of a contact's normal force.
     pub contact: f64,
-    /// Stress.
+    /// Mean stress.
     pub stress: Stress,
 }
 
 impl Window {
-    /// A window that begins with the piston at this height.
+    /// A window that begins with the piston at height `at`.
     pub fn starting(at: f64) -> Self {
         Self {
             start: at,
@@ -87,13 +87,13 @@ impl Window {
         }
     }
 
-    /// True once the window says something about a piston of this mass under this load.
+    /// True if the window is long enough to judge a piston of this mass under this load.
     pub fn is_full(&self, mass: f64, load: f64) -> bool {
         let least = (2.0 * DECISIVE * PISTON_MOTION * mass / load).sqrt();
         self.steps >= WINDOW_STEPS && self.time >= least
     }
 
-    /// Means, with the piston now at this height.
+    /// Means over the window, given the current height of the piston.
     pub fn means(&self, height: f64) -> Means {
         let [piston, net, contact] = self.forces.map(|sum| sum / self.time);
         Means {
@@ -109,9 +109,9 @@ impl Window {
 impl Means {
     /// Whether the packing is blocked under this pressure on this area.
     ///
-    /// The piston moved by less than 10⁻³ R. Balance asks for more: the contact force on the piston
-    /// and σ_zz are within 1 % of what is applied, and the net force on a sphere is less than 1 % of
-    /// a contact force, in the mean.
+    /// The piston must have moved by less than 10⁻³ R. The balance criterion also requires that the mean
+    /// contact force on the piston and the mean σ_zz are within 1 % of the applied load, and that the mean net
+    /// force on a sphere is less than 1 % of the mean contact force.
     pub fn is_blocked(&self, criterion: Criterion, pressure: f64, area: f64) -> bool {
         let stands = self.moved < PISTON_MOTION;
         let near = |value: f64, applied: f64| (value / applied - 1.0).abs() < LOAD_DEVIATION;

@@ -1,4 +1,4 @@
-//! Which modes the contacts of a scene carry, and what they are limited by.
+//! Modes that the contacts of a scene carry, and their limits.
 
 use crate::cd::internals::Link;
 use crate::scene::{Coupling, PowderScene};
@@ -6,7 +6,7 @@ use tribos_core::contact::{
     AllModes, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion,
 };
 
-/// Modes of a contact for which there is a type; what is not named is neither stored nor computed.
+/// Sets of contact modes for which a type exists; an absent mode is neither stored nor computed.
 ///
 /// ```
 /// use tribos::powder::CarriedModes;
@@ -17,29 +17,29 @@ use tribos_core::contact::{
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CarriedModes {
-    /// The normal force alone.
+    /// Normal force only.
     Normal,
-    /// And sliding.
+    /// Normal force and sliding.
     Sliding,
-    /// Sliding and torsion.
+    /// Normal force, sliding and torsion.
     SlidingTorsion,
-    /// Sliding and rolling.
+    /// Normal force, sliding and rolling.
     SlidingRolling,
-    /// Sliding, rolling and torsion.
+    /// Normal force, sliding, rolling and torsion.
     All,
 }
 
-/// What limits the modes of a contact.
+/// Modes of a scene's contacts and the shape of their limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Carried {
-    /// The modes.
+    /// Set of modes.
     pub modes: CarriedModes,
-    /// How the limits of sliding and torsion go together; independent where one of them is absent.
+    /// How the limits of sliding and torsion are combined; independent if one of them is absent.
     pub coupling: Coupling,
 }
 
 impl PowderScene {
-    /// What its contacts carry: the smallest set of modes for which there is a type. Modes with a
+    /// Modes of the scene's contacts: the smallest set for which a type exists. Modes with a
     /// coefficient of zero in it are carried but never resist.
     ///
     /// ```
@@ -69,7 +69,7 @@ impl PowderScene {
 }
 
 impl CarriedModes {
-    /// Unknowns of a contact, the normal one included.
+    /// Number of unknowns of a contact, including the normal one.
     pub fn unknowns(self) -> usize {
         match self {
             Self::Normal => <Frictionless as ContactModes<f64>>::UNKNOWNS,
@@ -80,7 +80,7 @@ impl CarriedModes {
         }
     }
 
-    /// Bytes of a contact in the solver.
+    /// Size of a contact in the solver, in bytes.
     pub fn bytes(self) -> usize {
         match self {
             Self::Normal => size_of::<Link<Frictionless>>(),
@@ -91,7 +91,7 @@ impl CarriedModes {
         }
     }
 
-    /// Whether sliding, rolling and torsion are among them.
+    /// Whether the set includes sliding, rolling and torsion.
     pub fn has(self) -> [bool; 3] {
         match self {
             Self::Normal => [false; 3],

@@ -1,4 +1,4 @@
-//! A run as a file: everything that it goes on from, to the same bits.
+//! Checkpoint files: the complete state of a run, from which it continues with identical bits.
 
 use super::blocked::Window;
 use super::compaction::{COLUMNS, Ending, Totals};
@@ -13,51 +13,51 @@ use serde_json::{Map, Value};
 
 /// Version of the format.
 const VERSION: u64 = 3;
-/// First key of the file.
+/// First key of a checkpoint file.
 const NAME: &str = "tribos_compaction";
-/// Numbers of a window, of the energy book, of a kept force with its bodies.
+/// Lengths of a window, of the energy balance, and of a stored force with its bodies.
 const WINDOW: usize = 24;
 const BALANCE: usize = 10;
 const FORCE: usize = 10;
 
-/// Keys of forces of pairs and at walls.
+/// Keys of the forces of pairs and at walls.
 const FORCES: [&str; 2] = ["pair_forces", "wall_forces"];
 const IMPACTS: [&str; 2] = ["pair_impacts", "wall_impacts"];
 
-/// A state of a world without its types.
+/// The state of a world independent of its contact modes.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Frozen {
     pub time: f64,
     pub steps: u64,
     pub positions: Vec<Vector3<f64>>,
-    /// Velocity and spin.
+    /// Velocities and spins.
     pub motions: Vec<[Vector3<f64>; 2]>,
-    /// Place and velocity.
+    /// Positions and velocities of the walls.
     pub walls: Vec<(f64, Vector3<f64>)>,
     pub energy: EnergyBalance,
-    /// Of contacts that last.
+    /// Forces of lasting contacts.
     pub forces: Forces,
-    /// Of the last step's impacts.
+    /// Forces of the last step's impacts.
     pub impacts: Forces,
     pub awake: Vec<bool>,
     pub still: Vec<u8>,
 }
 
-/// A run between two steps.
+/// State of a run between two steps.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Checkpoint {
     pub frozen: Frozen,
     pub window: Window,
-    /// The last complete window with the piston's height at its end.
+    /// The last complete window, with the piston's height at its end.
     pub complete: Option<(Window, f64)>,
     pub totals: Totals,
     pub series: Vec<[f64; COLUMNS.len()]>,
-    /// Why it ended, if it has.
+    /// Why the run ended, if it has.
     pub ending: Option<Ending>,
 }
 
 impl Checkpoint {
-    /// The file.
+    /// Text of the checkpoint file.
     pub fn text(&self, scene: &PowderScene) -> String {
         let mut map = Map::new();
         map.insert(NAME.into(), VERSION.into());
@@ -113,7 +113,7 @@ impl Checkpoint {
         sealed(map)
     }
 
-    /// Reads a file of the same scene.
+    /// Reads a checkpoint of the same scene.
     pub fn read(text: &str, scene: &PowderScene) -> Result<Self, CheckpointError> {
         let value = opened(text, NAME, VERSION)?;
         same_scene(&value["scene"], &scene.json())?;
@@ -166,8 +166,8 @@ impl Checkpoint {
         })
     }
 
-    /// Whether it holds this many spheres, forces between them only, and as many lines of the series
-    /// as the scene writes in its steps.
+    /// Whether the state has this many spheres, forces only between them, and as many rows of the series
+    /// as the scene writes in its number of steps.
     pub fn fits(&self, spheres: usize, samples: u64) -> Result<(), CheckpointError> {
         let frozen = &self.frozen;
         let lengths = [
@@ -206,7 +206,7 @@ fn motions(value: &Value) -> Result<Vec<[Vector3<f64>; 2]>, CheckpointError> {
     }
 }
 
-/// A digit a sphere, 1 for those awake.
+/// One digit per sphere, 1 if it is awake.
 fn awake(value: &Value) -> Result<Vec<bool>, CheckpointError> {
     let digits = value["awake"].as_str().ok_or_else(|| damaged("awake"))?;
     let is_awake = |byte| match byte {
@@ -217,7 +217,7 @@ fn awake(value: &Value) -> Result<Vec<bool>, CheckpointError> {
     digits.bytes().map(is_awake).collect()
 }
 
-/// Steps that each sphere has been slow.
+/// Number of steps for which each sphere has been slow.
 fn still(value: &Value) -> Result<Vec<u8>, CheckpointError> {
     let steps = value["still"].as_array().ok_or_else(|| damaged("still"))?;
     let small = |steps: &Value| u8::try_from(steps.as_u64()?).ok();
@@ -266,7 +266,7 @@ fn energy(numbers: &[f64]) -> Option<EnergyBalance> {
     })
 }
 
-/// Numbers of bodies are far below 2⁵³: exact in f64.
+/// Numbers of bodies are far below 2⁵³ and therefore exact in f64.
 fn force_numbers((bodies, force): &([u32; 2], Force)) -> [f64; FORCE] {
     let [a, b] = bodies.map(f64::from);
     let ([sx, sy, sz], [rx, ry, rz]) = (triple(&force.sliding), triple(&force.rolling));

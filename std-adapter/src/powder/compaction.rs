@@ -1,4 +1,4 @@
-//! A deposit under a piston, followed until it is blocked (thesis, sections 4.5 and 4.6).
+//! Compaction of a deposit by a piston until it is blocked (thesis, sections 4.5 and 4.6).
 
 use super::blocked::{Means, Window};
 use super::checkpoint::Checkpoint;
@@ -37,7 +37,7 @@ pub const COLUMNS: [&str; 15] = [
     "work",
 ];
 
-/// Column of the residual.
+/// Index of the residual among the columns.
 const RESIDUAL: usize = 7;
 
 /// Why a run ended.
@@ -65,14 +65,14 @@ const RESIDUAL: usize = 7;
 pub enum Ending {
     /// The packing is blocked.
     Blocked,
-    /// The scene's duration was over.
+    /// The scene's duration elapsed.
     Time,
-    /// The scene's steps were done.
+    /// The scene's number of steps was reached.
     Steps,
 }
 
 impl Ending {
-    /// As it stands in summaries and checkpoints.
+    /// Name in summaries and checkpoints.
     pub fn name(self) -> &'static str {
         match self {
             Self::Blocked => "blocked",
@@ -87,24 +87,24 @@ impl Ending {
     }
 }
 
-/// What adds up over a run.
+/// Totals of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Totals {
     /// Sweeps of the solver.
     pub iterations: u64,
-    /// Steps in which anything was not met.
+    /// Steps in which any tolerance or rule was not met.
     pub unmet: u64,
-    /// Those of them in which the solver's rule was not.
+    /// Those in which the solver missed its stopping rule.
     pub solver_unmet: u64,
-    /// Those of them whose impacts were cut off.
+    /// Those in which the impacts were cut off.
     pub cut: u64,
-    /// Those of them in which a part of the impacts missed its tolerance.
+    /// Those in which a part of the impacts missed its tolerance.
     pub impacts_unmet: u64,
-    /// Time on the clock, in s, up to the last start.
+    /// Wall-clock time in s, up to the last start.
     pub wall_seconds: f64,
 }
 
-/// A compaction under way.
+/// A compaction in progress.
 ///
 /// ```
 /// use tribos::powder::{COLUMNS, Compaction};
@@ -130,7 +130,7 @@ pub struct Compaction {
     scene: PowderScene,
     deposit: Deposit,
     packing: Box<dyn Packing>,
-    /// Volume of all spheres.
+    /// Total volume of the spheres.
     solid: f64,
     contacts: Vec<ContactRow>,
     stress: Stress,
@@ -144,13 +144,13 @@ pub struct Compaction {
 }
 
 impl Compaction {
-    /// The scene's deposit with the piston on its highest sphere.
+    /// Starts from the scene's deposit, with the piston touching its highest sphere.
     pub fn new(scene: &PowderScene) -> Result<Self, CompactionError> {
         Self::begin(scene, None, |_| ControlFlow::Continue(()))
     }
 
-    /// Goes on from a [checkpoint](Compaction::checkpoint) of a run of the same scene, to the same
-    /// bits as without the break. One that had ended is at its end again, and takes no more steps.
+    /// Continues from a [checkpoint](Compaction::checkpoint) of a run of the same scene, with the same
+    /// bits as without interruption. A run that had ended remains ended and takes no more steps.
     ///
     /// ```
     /// use tribos::powder::Compaction;
@@ -180,7 +180,7 @@ impl Compaction {
         Self::begin(scene, Some(checkpoint), |_| ControlFlow::Continue(()))
     }
 
-    /// Whether a run of the scene can begin, without growing its deposit: with two spheres of it.
+    /// Checks that a run of the scene can start, without growing its deposit: two spheres of it are enough.
     ///
     /// ```
     /// use tribos::powder::{Compaction, CompactionError, deposit::DepositError};
@@ -207,8 +207,8 @@ impl Compaction {
         Self::new(&two).map(|_| ())
     }
 
-    /// [New](Self::new), or [resumed](Self::resume) from a checkpoint, while `watch` sees how many
-    /// spheres the deposit has so far and can stop its growth.
+    /// Starts [anew](Self::new) or [resumes](Self::resume) from a checkpoint; `watch` receives the number of
+    /// spheres deposited so far and can stop the growth.
     ///
     /// ```
     /// use std::ops::ControlFlow;
@@ -272,7 +272,7 @@ impl Compaction {
         Ok(compaction)
     }
 
-    /// The run as a file, to go on from.
+    /// The run as a checkpoint file.
     pub fn checkpoint(&self) -> String {
         let checkpoint = Checkpoint {
             frozen: self.packing.freeze(),
@@ -288,28 +288,28 @@ impl Compaction {
         checkpoint.text(&self.scene)
     }
 
-    /// The scene that runs.
+    /// The scene of the run.
     pub(super) fn scene(&self) -> &PowderScene {
         &self.scene
     }
 
-    /// Height of the piston.
+    /// Current height of the piston.
     pub fn height(&self) -> f64 {
         // Its normal points down.
         -self.packing.walls()[PISTON as usize].place
     }
 
-    /// Free share of the volume below the piston (thesis, eq. 4.5).
+    /// Porosity: free share of the volume below the piston (thesis, eq. 4.5).
     pub fn porosity(&self) -> f64 {
         1.0 - self.solid / (self.area() * self.height())
     }
 
-    /// What the last step did.
+    /// Report of the last step.
     pub fn last_step(&self) -> &StepReport {
         &self.report
     }
 
-    /// Steps so far.
+    /// Number of steps so far.
     pub fn steps(&self) -> u64 {
         self.packing.clock().1
     }
@@ -319,22 +319,22 @@ impl Compaction {
         self.ending
     }
 
-    /// Lines of the series so far, columns as in [`COLUMNS`].
+    /// Rows of the series so far, with the columns of [`COLUMNS`].
     pub fn series(&self) -> &[[f64; COLUMNS.len()]] {
         &self.series
     }
 
-    /// The deposit that the run began with.
+    /// The deposit from which the run started.
     pub fn deposit(&self) -> &Deposit {
         &self.deposit
     }
 
-    /// Contacts after the last step, with their forces; those of the deposit before the first.
+    /// Contacts after the last step with their forces; before the first step, the contacts of the deposit.
     pub fn contacts(&self) -> &[ContactRow] {
         &self.contacts
     }
 
-    /// Hands the present state to `export`.
+    /// Calls `export` with the current state.
     ///
     /// ```
     /// use tribos::powder::Compaction;
@@ -370,7 +370,7 @@ impl Compaction {
         })
     }
 
-    /// The summary of what has happened so far.
+    /// Summary of the run so far.
     pub fn outcome(&self) -> Outcome {
         let height = self.height();
         let [low, high] = BULK.map(|share| share * height);
@@ -400,7 +400,7 @@ impl Compaction {
         }
     }
 
-    /// Means over the last complete window, or over what there is of the first.
+    /// Means over the last complete window, or over the incomplete first one.
     fn means(&self) -> Means {
         match &self.complete {
             Some((window, height)) => window.means(*height),
@@ -416,7 +416,7 @@ impl Compaction {
         self.totals.wall_seconds + self.started.elapsed().as_secs_f64()
     }
 
-    /// What the last step left, from the forces that were kept; a run's last line has its residual.
+    /// Residual of the last step, computed from the stored forces; the last row of a run contains it.
     fn look_again(&mut self) -> Result<(), CompactionError> {
         let step = self.steps();
         if step > 0 {
@@ -429,7 +429,7 @@ impl Compaction {
         Ok(())
     }
 
-    /// The present line of the series, if all of it, and the energy balance of it, are numbers.
+    /// The current row of the series, if all its values and the energy balance are finite.
     fn finite_record(&self) -> Result<[f64; COLUMNS.len()], CompactionError> {
         let record = self.record();
         let named = COLUMNS.into_iter().zip(record);
@@ -444,7 +444,7 @@ impl Compaction {
         }
     }
 
-    /// Contacts and stress after a step; adds both to the window.
+    /// Updates contacts and stress after a step, and adds both to the window.
     fn measure(&mut self, before: &[Sphere<f64>]) -> Result<(), CompactionError> {
         let step = self.steps();
         let contacts = self.packing.contacts();
@@ -454,7 +454,7 @@ impl Compaction {
         self.stress = Stress::of(&self.contacts, |contact| branch(contact, radii), volume);
         let dt = self.report.dt;
 
-        // Push on the piston, mean net force on a sphere, mean normal force of a contact.
+        // Force on the piston, mean net force on a sphere, mean normal force of a contact.
         let at_piston = self
             .contacts
             .iter()
@@ -479,7 +479,7 @@ impl Compaction {
         Ok(())
     }
 
-    /// Closes a full window and judges it; otherwise looks at the scene's limits.
+    /// Closes a full window and applies the criterion; otherwise checks the scene's limits.
     fn judge(&mut self) -> Option<Ending> {
         let scene = &self.scene;
         let height = self.height();
@@ -527,7 +527,7 @@ impl Simulation for Compaction {
         ]
     }
 
-    /// At its end a run takes no more steps.
+    /// A run that has ended takes no more steps.
     fn step(&mut self) -> Result<bool, CompactionError> {
         if self.ending.is_some() {
             return Ok(false);

@@ -1,4 +1,4 @@
-//! What a compaction will cost: spheres, contacts, unknowns, and the time of an update.
+//! Forecast of the cost of a compaction: spheres, contacts, unknowns, and the time of an update.
 
 use super::carried::CarriedModes;
 use super::deposit::{Ballistic, Deposit};
@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use std::time::Instant;
 use tribos_core::contact::Sphere;
 
-/// What a scene will carry. *Units*: times in s on one core of this machine.
+/// Size of a scene and time of its updates. *Units*: times in s on one core of this machine.
 ///
 /// ```
 /// use tribos::powder::{PowderCost, cost};
@@ -26,23 +26,23 @@ use tribos_core::contact::Sphere;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PowderCost {
-    /// Spheres of its deposit; about so many from 200,000 on, where it is not grown.
+    /// Number of spheres in the deposit; an estimate from 200,000 on, where it is not grown.
     pub spheres: usize,
-    /// Contacts when it is compacted, from and to.
+    /// Lower and upper estimate of the number of contacts in the compacted packing.
     pub contacts: [usize; 2],
-    /// Unknowns of a contact.
+    /// Unknowns per contact.
     pub unknowns: usize,
-    /// Bytes of a contact in the solver.
+    /// Bytes per contact in the solver.
     pub bytes: usize,
-    /// Time of an update of a contact.
+    /// Time of one contact update.
     pub update_seconds: f64,
-    /// The same with sliding friction alone, measured in turns with it.
+    /// Time of an update with sliding friction only, measured alternately with the other.
     pub sliding_seconds: f64,
 }
 
-/// Contacts a sphere when compacted. The thesis' small system ends with 2.8 if it is smooth, with 2.1
-/// under sliding friction, and with 1.5 and 1.0 where rolling and torsion resist by 0.1 and by 1:
-/// the more a contact holds the fewer are needed.
+/// Contacts per sphere after compaction. The thesis' small system ends with 2.8 if smooth, with 2.1
+/// under sliding friction, and with 1.5 and 1.0 for rolling and torsion coefficients of 0.1 and 1:
+/// the more a contact can bear, the fewer are needed.
 fn contacts_a_sphere(modes: CarriedModes) -> [f64; 2] {
     match modes {
         CarriedModes::Normal => [2.6, 3.0],
@@ -51,20 +51,20 @@ fn contacts_a_sphere(modes: CarriedModes) -> [f64; 2] {
     }
 }
 
-/// Bytes that a run holds for a sphere, its contacts, neighbours and exports among them: measured with
+/// Memory of a run per sphere, in bytes, including contacts, neighbours and exports: measured with
 /// 3,000 and 12,000 spheres.
 const BYTES_A_SPHERE: f64 = 5e3;
-/// Time in which the thesis' systems of 470 to 4,193 spheres are blocked, for a sphere.
+/// Time per sphere until the thesis' systems of 470 to 4,193 spheres are blocked.
 const SECONDS_A_SPHERE: f64 = 25e-3;
-/// Time of a step, for a sphere, with the usual number of sweeps.
+/// Time of a step per sphere, with the usual number of sweeps.
 const SECONDS_A_STEP: f64 = 5e-6;
-/// Spheres up to which the deposit is grown to count them.
+/// Largest number of spheres for which the deposit is grown to count them.
 const COUNTED: f64 = 2e5;
 
-/// About what a run of the scene will take, before its deposit is grown.
+/// Rough cost of a run of the scene, before its deposit is grown.
 ///
-/// *Accuracy*: of the spheres a tenth, of the memory a factor of 1.5, of the time the order of
-/// magnitude.
+/// *Accuracy*: a tenth for the spheres, a factor of 1.5 for the memory, the order of magnitude for
+/// the time.
 ///
 /// ```
 /// use tribos::powder::size;
@@ -83,7 +83,7 @@ pub fn size(scene: &PowderScene) -> RunSize {
     }
 }
 
-/// Spheres of the deposit; none where width and capture radius do not fit together.
+/// Number of spheres in the deposit; `None` if width and capture radius are incompatible.
 fn expected_spheres(scene: &PowderScene) -> f64 {
     let spheres = |ballistic: Ballistic| ballistic.expected_spheres(scene.until());
     scene.ballistic().map_or(0.0, spheres)
@@ -91,8 +91,8 @@ fn expected_spheres(scene: &PowderScene) -> f64 {
 
 /// Grows the deposit if it is not too large, and times updates in a small block of spheres under load.
 ///
-/// *Accuracy*: of the times some ten per cent, and that of unequal spheres or of thresholds that all
-/// slip is longer.
+/// *Accuracy*: about ten per cent for the times; the updates of unequal spheres, or with all contacts at
+/// their thresholds, take longer.
 pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
     scene.check()?;
     let expected = expected_spheres(scene);
@@ -102,12 +102,12 @@ pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
     } else {
         expected.round() as usize
     };
-    /// A coefficient of dry friction.
+    /// A dry friction coefficient.
     const USUAL: f64 = 0.3;
     let carried = scene.carried();
     let mu = scene.sliding;
     let plain = PowderScene {
-        // The same coefficient, or of smooth spheres the usual one.
+        // The same coefficient, or the usual one for smooth spheres.
         sliding: if mu > 0.0 { mu } else { USUAL },
         rolling: 0.0,
         torsion: 0.0,
@@ -126,16 +126,16 @@ pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
     })
 }
 
-/// Spheres along an edge of the block, and their distance, a touch less than their diameters.
+/// Spheres along an edge of the block, and their distance, slightly less than a diameter.
 const EDGE: usize = 6;
 const SPACING: f64 = 2.0 - 1e-6;
-/// How far the block is sheared a layer: tangents and normals mix.
+/// Shear of the block per layer, which mixes normals and tangents.
 const SHEAR: f64 = 0.05;
-/// Sweeps of a step, so that nothing else of it counts, and how often it is timed.
+/// Sweeps per step, so that the rest of the step is negligible, and number of timings.
 const SWEEPS: usize = 50;
 const ROUNDS: usize = 31;
 
-/// Time of an update under the laws of each scene: the least of interleaved rounds.
+/// Time of an update under the laws of each scene: the minimum over alternating rounds.
 fn update_seconds(scenes: [&PowderScene; 2]) -> Result<[f64; 2], CompactionError> {
     let mut least = [f64::INFINITY; 2];
     for _ in 0..ROUNDS {
@@ -183,14 +183,14 @@ fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
 }
 
 impl PowderCost {
-    /// Bytes that the spheres and the most contacts take in the solver, without lists of neighbours.
+    /// Memory of the spheres and of the most contacts in the solver, in bytes, without neighbour lists.
     pub fn memory(&self) -> usize {
         // Place and radius; velocities and masses of the state, of the trial and without contacts.
         let sphere = size_of::<Vector3<f64>>() + size_of::<f64>() + 3 * size_of::<Sphere<f64>>();
         self.spheres * sphere + self.contacts[1] * self.bytes
     }
 
-    /// Unknowns of a contact if one of its modes (sliding, rolling, torsion) were left out.
+    /// Unknowns per contact if one of the modes (sliding, rolling, torsion) were left out.
     pub fn unknowns_without(scene: &PowderScene, mode: usize) -> usize {
         let mut less = scene.clone();
         match mode {
@@ -249,7 +249,7 @@ mod tests {
             "cohesion_range = 0",
         ] {
             let report = block(&scene(keys)).unwrap().step().unwrap();
-            // Three a sphere, and two walls; the top layer has no layer above.
+            // Three contacts per sphere and two walls; the top layer has no layer above it.
             let expected = 3 * EDGE.pow(3) + EDGE.pow(2);
             assert_eq!(
                 (report.iterations.sweeps, report.contacts),

@@ -1,4 +1,4 @@
-//! What keeps a compaction from starting or going on.
+//! Errors of a compaction.
 
 use super::deposit::DepositError;
 use crate::cd::WorldError;
@@ -7,7 +7,7 @@ use crate::scene::InvalidScene;
 use tribos_core::contact::TouchError;
 use tribos_core::law::LawError;
 
-/// A compaction that cannot start or go on.
+/// Why a compaction cannot start or continue.
 ///
 /// ```
 /// use tribos::powder::{Compaction, CompactionError};
@@ -34,12 +34,12 @@ pub enum CompactionError {
     /// The world cannot start or go on.
     #[error(transparent)]
     World(#[from] WorldError),
-    /// Two bodies have no normal.
+    /// A contact of two bodies has no normal.
     #[error("after step {step}: {cause}")]
     Touch {
-        /// Step of the run.
+        /// Number of the step.
         step: u64,
-        /// What is wrong.
+        /// The kernel's reason.
         #[source]
         cause: TouchError,
     },
@@ -49,14 +49,14 @@ pub enum CompactionError {
          too far apart"
     )]
     NotFinite {
-        /// Step of the run.
+        /// Number of the step.
         step: u64,
         /// Column of the series.
         column: &'static str,
-        /// What it has become.
+        /// The value.
         value: f64,
     },
-    /// The checkpoint is of no use.
+    /// The checkpoint cannot be used.
     #[error(transparent)]
     Checkpoint(#[from] CheckpointError),
 }

@@ -1,11 +1,11 @@
-//! A compaction as frames of a film.
+//! Frames of a film of a compaction.
 
 use super::compaction::Compaction;
 use super::limits::Limits;
 use crate::record::frames::{Bodies, Frame, FrameContact, Hold, Kind};
 
 impl Compaction {
-    /// What all frames have in common, of which `limit` are kept at most.
+    /// Data common to all frames of the film, which keeps at most `limit` of them.
     pub fn bodies(&self, limit: u64) -> Bodies {
         Bodies {
             kind: Kind::Powder,
@@ -20,7 +20,7 @@ impl Compaction {
         }
     }
 
-    /// The present state; the deposit's contacts before the first step carry nothing.
+    /// The current state; before the first step the contacts of the deposit carry no force.
     ///
     /// ```
     /// use tribos::powder::Compaction;

@@ -1,4 +1,4 @@
-//! What the friction of a contact is compared with.
+//! Friction thresholds of the contacts of a powder.
 
 use super::packing::{ellipsoid, exact};
 use crate::record::{ContactRow, Partner};
@@ -8,14 +8,14 @@ use tribos_core::coupling::table;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 use tribos_core::twist::Wrench;
 
-/// Contacts whose P, in F_coh, is less carry nothing: cohesion pulls them together in vain.
+/// A contact whose P is below this value, in F_coh, carries no force although cohesion pulls.
 const IDLE: f64 = 1e-9;
-/// A force this near its threshold, relatively, is at it: more than what a turn of the normal in a
-/// step takes off.
+/// A force within this relative distance of its threshold counts as at the threshold: more than a step's
+/// rotation of the normal takes off it.
 const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 
-/// Thresholds of sliding, rolling and torsion of the contacts of a powder. A load counts as at its
-/// threshold from 99.9 % of it on.
+/// Thresholds of sliding, rolling and torsion of the contacts of a powder. A load of 99.9 % of its
+/// threshold or more counts as at the threshold.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -38,12 +38,12 @@ const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 pub struct Limits {
     friction: [f64; 3],
     joint: Option<Joint>,
-    /// Cohesion acts up to this gap.
+    /// Largest gap at which cohesion acts.
     range: f64,
     rough_walls: bool,
 }
 
-/// What sliding force over P and torsion torque over P r_eff have for a common threshold.
+/// Common threshold of the sliding force over P and the torsion torque over P r_eff.
 #[derive(Clone, Copy, Debug)]
 enum Joint {
     Ellipsoid(Ellipsoid<f64>),
@@ -51,9 +51,9 @@ enum Joint {
 }
 
 impl Limits {
-    /// Those of a scene.
+    /// Thresholds of a scene.
     pub fn of(scene: &PowderScene) -> Self {
-        // A scene whose set the kernel refuses has no packing, thus no contacts.
+        // If the kernel refuses a scene's set, there is no packing and hence no contact.
         let joint = match scene.carried().coupling {
             Coupling::Independent => None,
             Coupling::Ellipsoid => ellipsoid(scene, scene.sliding).ok().map(Joint::Ellipsoid),
@@ -67,14 +67,14 @@ impl Limits {
         }
     }
 
-    /// Which modes resist between spheres.
+    /// Modes with friction between spheres.
     pub fn resists(&self) -> [bool; 3] {
         self.friction.map(|mu| mu > 0.0)
     }
 
-    /// Which of the modes that resist are at their thresholds, `radii` being those of all spheres.
-    /// Where sliding and torsion share one they reach it together. `None` where a contact carries
-    /// nothing, and at smooth walls.
+    /// Modes with friction that are at their thresholds; `radii` are those of all spheres.
+    /// Sliding and torsion with a common threshold reach it together. `None` if a contact carries
+    /// no force, and at smooth walls.
     pub fn reached(&self, contact: &ContactRow, radii: &[f64]) -> Option<[bool; 3]> {
         let resists = matches!(contact.b, Partner::Particle(_)) || self.rough_walls;
         let loads = relative_loads(contact, radii, self.range).filter(|_| resists)?;
@@ -92,7 +92,7 @@ impl Limits {
 }
 
 impl Joint {
-    /// 1 where the relative loads of sliding and torsion lie on the set's surface.
+    /// 1 if the relative loads of sliding and torsion lie on the surface of the set.
     fn gauge(&self, [force, _, torque]: [f64; 3]) -> f64 {
         let wrench = Wrench::new(force, 0.0, torque);
         match self {
@@ -102,8 +102,8 @@ impl Joint {
     }
 }
 
-/// Sliding force over P, rolling and torsion torque over P r_eff: what coefficients are compared
-/// with. `None` where the contact carries nothing.
+/// Sliding force over P, rolling and torsion torque over P r_eff, to be compared with the coefficients.
+/// `None` if the contact carries no force.
 fn relative_loads(contact: &ContactRow, radii: &[f64], range: f64) -> Option<[f64; 3]> {
     let bound = contact.normal_force() + if contact.gap <= range { 1.0 } else { 0.0 };
     if bound.is_nan() || bound <= IDLE {

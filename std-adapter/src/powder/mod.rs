@@ -5,6 +5,7 @@ mod carried;
 mod checkpoint;
 mod compaction;
 mod cost;
+#[doc(hidden)]
 pub mod deposit;
 mod error;
 mod frames;
@@ -20,7 +21,9 @@ pub use crate::record::CheckpointError;
 pub use blocked::{Means, Window};
 #[doc(hidden)]
 pub use carried::{Carried, CarriedModes};
-pub use compaction::{COLUMNS, Compaction, Ending};
+#[doc(hidden)]
+pub use compaction::COLUMNS;
+pub use compaction::{Compaction, Ending};
 #[doc(hidden)]
 pub use cost::{PowderCost, cost, size};
 pub use error::CompactionError;

@@ -1,4 +1,4 @@
-//! The summary of a compaction.
+//! Summary of a compaction.
 
 use super::blocked::Means;
 use super::compaction::{COLUMNS, Compaction, Ending};
@@ -11,7 +11,7 @@ use crate::scene::PowderScene;
 use nalgebra::Matrix3;
 use serde_json::{Map, Value};
 
-/// What came out of a compaction, in the units of its scene.
+/// Results of a compaction, in the units of its scene.
 ///
 /// ```
 /// use tribos::powder::{Compaction, Outcome};
@@ -38,19 +38,19 @@ use serde_json::{Map, Value};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// Why it ended; `None` if it has not.
+    /// Why the run ended; `None` if it has not.
     pub ending: Option<Ending>,
     /// Time at the end.
     pub time: f64,
-    /// Steps taken.
+    /// Number of steps taken.
     pub steps: u64,
-    /// Spheres.
+    /// Number of spheres.
     pub particles: usize,
     /// Height of the piston at the start and at the end.
     pub heights: [f64; 2],
-    /// Free share of the volume below the piston, at the start and at the end (thesis, eq. 4.5).
+    /// Porosity below the piston, at the start and at the end (thesis, eq. 4.5).
     pub porosity: [f64; 2],
-    /// Free share of the volume in the middle half of the height, at the end.
+    /// Porosity in the middle half of the height, at the end.
     pub bulk_porosity: f64,
     /// Means over the last window of steps.
     pub means: Means,
@@ -58,28 +58,28 @@ pub struct Outcome {
     pub pressure: f64,
     /// Area of the piston.
     pub area: f64,
-    /// Contacts at the end.
+    /// Number of contacts at the end.
     pub statistics: Statistics,
     /// Relative residual of the contact laws in the last step.
     pub residual: f64,
-    /// Sweeps of all steps.
+    /// Total number of sweeps.
     pub iterations: u64,
-    /// Steps in which anything was not met: the next three together, each step once.
+    /// Steps in which any tolerance or rule was not met: the union of the next three.
     pub unmet: u64,
-    /// Steps in which the solver for lasting contacts missed its rule.
+    /// Steps in which the solver for lasting contacts missed its stopping rule.
     pub solver_unmet: u64,
-    /// Steps in which impacts with restitution still caused others after the last round.
+    /// Steps in which impacts with restitution still caused further impacts after the last round.
     pub impacts_cut: u64,
     /// Steps in which a reflection of impacts, or friction under it, missed its tolerance.
     pub impacts_unmet: u64,
-    /// Energies.
+    /// Energy balance.
     pub energy: EnergyBalance,
-    /// Time on the clock, in s.
+    /// Wall-clock time, in s.
     pub wall_seconds: f64,
 }
 
 impl Outcome {
-    /// σ_zz: of all contacts, of those that push and of those that pull, in units of the applied
+    /// σ_zz of all contacts, of those that push and of those that pull, in units of the applied
     /// pressure (thesis, table 4.1).
     pub fn stress_zz(&self) -> [f64; 3] {
         let stress = &self.means.stress;

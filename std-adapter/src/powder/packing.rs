@@ -1,4 +1,4 @@
-//! A world whose contact modes are hidden: whole steps, states, contacts.
+//! A world with its contact modes hidden behind a trait: steps, states, contacts.
 
 use super::carried::CarriedModes;
 use super::checkpoint::Frozen;
@@ -38,35 +38,35 @@ use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
 /// ```
 pub const PISTON: u32 = 1;
 
-/// Cohesion and density are the units.
+/// Units of the powder: cohesion and density are 1.
 const STRENGTH: f64 = 1.0;
 const DENSITY: f64 = 1.0;
 
-/// Spheres between a substrate and a piston, of any contact modes.
+/// Spheres between a substrate and a piston, with any contact modes.
 pub(super) trait Packing: Debug {
     /// Takes one step.
     fn step(&mut self) -> Result<StepReport, WorldError>;
-    /// Time so far, and steps.
+    /// Elapsed time and number of steps.
     fn clock(&self) -> (f64, u64);
-    /// Centres.
+    /// Centres of the spheres.
     fn positions(&self) -> &[Vector3<f64>];
-    /// Radii.
+    /// Radii of the spheres.
     fn radii(&self) -> &[f64];
-    /// Velocities and masses.
+    /// Velocities, inverse masses and inertias of the spheres.
     fn spheres(&self) -> &[Sphere<f64>];
     /// Substrate and piston.
     fn walls(&self) -> &[Wall];
-    /// Energies.
+    /// Energy balance.
     fn energy(&self) -> &EnergyBalance;
     /// Contacts that carry a force or lie within the range of cohesion, with the forces of the last
-    /// step, its impacts included, at the present places.
+    /// step, including its impacts, at the current positions.
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError>;
-    /// Everything that a run goes on from.
+    /// The complete state of a run.
     fn freeze(&self) -> Frozen;
 }
 
-/// Builds the packing of a scene, at its start or as it was frozen. Modes whose coefficient is zero
-/// are left out where there is a type without them.
+/// Builds the packing of a scene at its start or from a stored state. Modes whose coefficient is zero
+/// are omitted if a type without them exists.
 pub(super) fn build(
     scene: &PowderScene,
     deposit: &Deposit,
@@ -113,10 +113,10 @@ pub(super) fn build(
     }
 }
 
-/// Torque of a spinning contact over force limit and radius, under uniform pressure.
+/// Torque of pure spinning over force limit and radius, under uniform pressure.
 const SPIN_TORQUE: f64 = 2.0 / 3.0;
 
-/// The contact's radius in r_eff, as its two thresholds have it.
+/// Radius of the contact in r_eff that follows from its two thresholds.
 fn contact_radius(scene: &PowderScene) -> f64 {
     scene.torsion / (scene.sliding * SPIN_TORQUE)
 }
@@ -126,7 +126,7 @@ pub(super) fn ellipsoid(scene: &PowderScene, mu: f64) -> Result<Ellipsoid<f64>, 
     Ellipsoid::new(mu, contact_radius(scene), SPIN_TORQUE)
 }
 
-/// The same with the exact surface.
+/// Exact limit surface that joins sliding and torsion at a coefficient `mu`.
 pub(super) fn exact(
     scene: &PowderScene,
     mu: f64,
@@ -134,7 +134,7 @@ pub(super) fn exact(
     LimitSurface::new(table::Coulomb, mu, contact_radius(scene))
 }
 
-/// A world in which sliding and torsion share a set: between spheres, and where walls are smooth.
+/// A world in which sliding and torsion share a set: one between spheres, one at smooth walls.
 fn coupled<S: FrictionSet<f64> + Copy + Debug + Send + Sync + 'static>(
     at: (&PowderScene, &Deposit, Option<&Frozen>),
     [rough, smooth]: [S; 2],
@@ -158,7 +158,7 @@ fn both<F: Copy>(scene: &PowderScene, rough: F, smooth: F) -> [F; 2] {
     }
 }
 
-/// A world with these modes.
+/// A world with these contact modes.
 fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
     (scene, deposit, frozen): (&PowderScene, &Deposit, Option<&Frozen>),
     friction: [F; 2],
@@ -186,7 +186,7 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
         positions: deposit.positions.clone(),
         radii: deposit.radii.clone(),
         spheres: deposit.radii.iter().map(|&r| solid(r, DENSITY)).collect(),
-        // In the order of SUBSTRATE and PISTON.
+        // The order of SUBSTRATE and PISTON.
         walls: vec![
             Wall::fixed(up, 0.0),
             Wall::piston(-up, -deposit.height, scene.piston_mass, scene.load()),
@@ -203,7 +203,7 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
     Ok(Box::new(world))
 }
 
-/// Puts a frozen state into a fresh one of the same bodies.
+/// Restores a stored state in a new world of the same bodies.
 fn thaw<M: ContactModes<f64>>(frozen: &Frozen, state: &mut State<M>) {
     state.time = frozen.time;
     state.steps = frozen.steps;
@@ -231,7 +231,7 @@ fn memory<M: ContactModes<f64>>(forces: &Forces) -> Memory<M> {
     }
 }
 
-/// Forces of all modes.
+/// Forces in all modes.
 fn forces<M: ContactModes<f64>>(memory: &Memory<M>) -> Forces {
     let force = |(bodies, modal): &StoredForce<M>| (*bodies, Force::of(modal));
     [0, 1].map(|kind: usize| memory.forces[kind].iter().map(force).collect())
@@ -240,7 +240,7 @@ fn forces<M: ContactModes<f64>>(memory: &Memory<M>) -> Forces {
 /// Forces of pairs and at walls, with their bodies.
 pub(super) type Forces = [Vec<([u32; 2], Force)>; 2];
 
-/// Force and torque of a contact, of all modes.
+/// Force and torque of a contact, in all modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Force {
     pub normal: f64,
@@ -259,7 +259,7 @@ impl Force {
         }
     }
 
-    /// As a row of a table, with the geometry of the contact.
+    /// A row of the contact table, with the geometry of the contact.
     fn row(&self, a: u32, b: Partner, touch: &Touch<f64>) -> ContactRow {
         let normal = touch.normal;
         ContactRow {
@@ -355,7 +355,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
     }
 }
 
-/// From the first centre of a contact to the second, or straight to the wall.
+/// Vector from the first centre of a contact to the second, or perpendicular to the wall.
 pub(super) fn branch(contact: &ContactRow, radii: &[f64]) -> Vector3<f64> {
     let other = contact.b.particle().map_or(0.0, |b| radii[b as usize]);
     contact.normal * (radii[contact.a as usize] + other + contact.gap)

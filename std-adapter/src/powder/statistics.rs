@@ -1,11 +1,11 @@
-//! How a packing hangs together: coordination, forces, thresholds.
+//! Statistics of the contacts of a packing: coordination, forces, thresholds.
 
 use super::limits::Limits;
 use crate::record::ContactRow;
 use crate::record::json_number;
 use serde_json::{Map, Value};
 
-/// Numbers about the contacts of a packing. *Units*: R, F_coh.
+/// Statistics of the contacts of a packing. *Units*: R, F_coh.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -32,19 +32,19 @@ use serde_json::{Map, Value};
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statistics {
-    /// Contacts between spheres.
+    /// Number of contacts between spheres.
     pub contacts: usize,
-    /// Contacts with substrate and piston.
+    /// Number of contacts with substrate and piston.
     pub wall_contacts: usize,
     /// Number of spheres with 0, 1, 2, … contacts, walls included.
     pub coordination: Vec<usize>,
-    /// Contacts between spheres that push, and that pull.
+    /// Number of contacts between spheres that push, and of those that pull.
     pub signs: [usize; 2],
-    /// Mean and largest normal force of those that push.
+    /// Mean and largest normal force of the contacts that push.
     pub compression: [f64; 2],
-    /// Mean and largest pull of the others.
+    /// Mean and largest pull of the contacts that pull.
     pub tension: [f64; 2],
-    /// Shares of the contacts between spheres that are at the threshold of sliding, rolling,
+    /// Fractions of the contacts between spheres that are at the threshold of sliding, rolling and
     /// torsion; `None` for modes without friction. See [`Limits`].
     pub at_threshold: [Option<f64>; 3],
     /// Deepest overlap, a length; 0 if there is none.
@@ -52,7 +52,7 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// Counts, `radii` being those of all spheres.
+    /// Evaluates the contacts; `radii` are those of all spheres.
     pub fn of(contacts: &[ContactRow], radii: &[f64], limits: &Limits) -> Self {
         let mut counts = vec![0; radii.len()];
         let mut found = Self::default();
@@ -68,7 +68,7 @@ impl Statistics {
             counts[b as usize] += 1;
             found.contacts += 1;
 
-            // Pushes and pulls.
+            // Contacts that push, and contacts that pull.
             let force = contact.normal_force();
             if force > 0.0 {
                 found.signs[0] += 1;
@@ -98,7 +98,7 @@ impl Statistics {
         found
     }
 
-    /// Mean number of contacts of a sphere, walls included.
+    /// Mean number of contacts of a sphere, including walls.
     pub fn mean_coordination(&self) -> f64 {
         let spheres: usize = self.coordination.iter().sum();
         let ends: usize = self
@@ -110,7 +110,7 @@ impl Statistics {
         ends as f64 / spheres as f64
     }
 
-    /// As JSON.
+    /// The statistics as JSON.
     pub fn json(&self) -> Value {
         let pair = |[mean, most]: [f64; 2], count: usize| {
             let mut map = Map::new();
@@ -140,7 +140,7 @@ impl Statistics {
     }
 }
 
-/// How many spheres have 0, 1, 2, … contacts.
+/// Number of spheres with 0, 1, 2, … contacts.
 fn histogram(counts: &[usize]) -> Vec<usize> {
     let most = counts.iter().copied().max().unwrap_or(0);
     let mut histogram = vec![0; most + 1];

@@ -1,14 +1,14 @@
-//! The stress that contacts carry (thesis, eq. 4.10).
+//! The stress carried by the contacts (thesis, eq. 4.10).
 
 use crate::record::ContactRow;
 use nalgebra::{Matrix3, Vector3};
 
 /// Stress tensor, positive for compression. *Units*: force over area.
 ///
-/// *Formula*: σ_ij = Σ F_i l_j/V over all contacts, F the force on the second body, l from the first
-/// centre to the second, or straight to the wall: the sign of the thesis turned, so that the piston's
-/// pressure counts as positive. With wall contacts in the sum, σ_zz is the pressure on the piston
-/// wherever all forces balance.
+/// *Formula*: σ_ij = Σ F_i l_j/V over all contacts, F the force on the second body, l the vector from the
+/// first centre to the second, or perpendicular to the wall. The sign is opposite to the thesis, so that the
+/// piston's pressure is positive. With wall contacts in the sum, σ_zz is the pressure on the piston
+/// if all forces balance.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -30,14 +30,14 @@ use nalgebra::{Matrix3, Vector3};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stress {
-    /// Share of contacts whose normal force pushes.
+    /// Contribution of contacts whose normal force pushes.
     pub plus: Matrix3<f64>,
-    /// Share of contacts whose normal force pulls.
+    /// Contribution of contacts whose normal force pulls.
     pub minus: Matrix3<f64>,
 }
 
 impl Stress {
-    /// Stress in a volume; `branch` is the vector l of a contact.
+    /// Stress in a volume; `branch` gives the vector l of a contact.
     pub fn of(
         contacts: &[ContactRow],
         branch: impl Fn(&ContactRow) -> Vector3<f64>,
@@ -55,7 +55,7 @@ impl Stress {
         stress
     }
 
-    /// Both shares.
+    /// Sum of both contributions.
     pub fn total(&self) -> Matrix3<f64> {
         self.plus + self.minus
     }

@@ -29,6 +29,9 @@ pub use read::read_text;
 pub use seal::{digest, sealed, unsealed};
 #[doc(hidden)]
 pub use series::{series_csv, write_series};
+#[doc(hidden)]
 pub use snapshot::{ContactRow, Partner, Snapshot, SnapshotError};
+#[doc(hidden)]
 pub use vtk::{contacts_vtp, particles_vtp};
+#[doc(hidden)]
 pub use xyz::extended_xyz;

@@ -12,8 +12,8 @@ mod parallel;
 mod session;
 
 #[doc(hidden)]
-pub use long_run::{Cause, NoCheckpoint};
-pub use long_run::{LongRun, RunError, Start};
+pub use long_run::{Cause, LongRun, NoCheckpoint};
+pub use long_run::{RunError, Start};
 #[doc(hidden)]
 pub use parallel::in_order;
 pub use session::Session;

@@ -39,19 +39,26 @@ pub use cylinder::CylinderScene;
 pub use hint::{nearest, number_hint};
 #[doc(hidden)]
 pub use key::{Domain, Key, Need};
-pub use library::{LIBRARY, LibraryScene, library_scene};
+#[doc(hidden)]
+pub use library::LIBRARY;
+pub use library::{LibraryScene, library_scene};
 pub use pipe::PipeScene;
 pub use planar::{FootPressure, Tipping};
 pub use powder::{Coupling, Criterion, PowderScene, SweepMethod, SweepOrder, SweepStop, WallLaw};
-pub use problem::{InvalidScene, Problem, SceneError};
+pub use problem::SceneError;
+#[doc(hidden)]
+pub use problem::{InvalidScene, Problem};
+#[doc(hidden)]
 pub use schema::schema;
 pub use slider::{SliderScene, Stepper, Units};
+#[doc(hidden)]
 pub use table::Body;
 #[doc(hidden)]
 pub use template::{keys_page, template, toml_value, with_all_keys};
 pub use tip::{BathKind, BathSpin, DrivenHold, Reading, StageSteps, TipScene};
 #[doc(hidden)]
 pub use vocabulary::{Vocabulary, bodies, vocabulary};
+#[doc(hidden)]
 pub use words::UnknownWord;
 
 use body::DEFAULT_BODY;

@@ -7,13 +7,13 @@ use crate::friction::{Friction, Law, Patch};
 use crate::scene::{SliderScene, Stepper};
 use tribos_core::modes::Modes;
 
-/// Runs a scene to its end under a law of its own, which takes the place of the scene's `coefficient` and
-/// `alpha`; `progress` sees the fraction done after every sample.
+/// Runs a scene to its end under `law`, which replaces the scene's `coefficient` and `alpha`;
+/// `progress` receives the completed fraction after every sample.
 ///
-/// A power of the speed is run as by [`run`](super::run()). Any other law is followed in the logarithm of the
-/// speed, as a body in the plane is ([`Journey`]). *Accuracy*: 1e-8, that of the quadrature of the law.
-/// A law with a state (bristles, ages) acts with its steady form: on a patch that slides and spins its state
-/// differs from point to point.
+/// For a power of the speed this is [`run`](super::run()). Under any other law the motion is integrated
+/// over the logarithm of the speed, like that of a body in the plane ([`Journey`]). *Accuracy*: 1e-8, the
+/// accuracy of the law's quadrature. A law with a state (bristles, ages) acts in its steady form, because on
+/// a patch that slides and spins the state differs from point to point.
 ///
 /// ```
 /// use tribos::{friction::Law, scene::SliderScene, slide::run_law};
@@ -54,7 +54,7 @@ pub fn run_law(
     let journey = || Journey::new(&body, &launch, scene.stop_fraction);
     let energy = |point: &Point| scene.mass * super::path::energy_per_mass(&body, point);
 
-    // The end tells how long a sample is.
+    // A first pass finds the end and thus the length of a sample.
     let scouted = journey()?.to_end()?.point.time;
     let end = scene
         .duration
@@ -62,7 +62,7 @@ pub fn run_law(
     let times = sample_times(scene, end)?;
     let mut points: Vec<Point> = Vec::new();
     let arrival = journey()?.follow(&times, |point| {
-        // Times on the way are met to 2 ulp.
+        // Sample times are met to 2 ulp.
         if point.time <= end * (1.0 + SLIVER) {
             points.push(*point);
             progress((point.time / end).clamp(0.0, 1.0));
@@ -74,7 +74,7 @@ pub fn run_law(
     let initial_energy = energy_at_launch(energy(first))?;
     let dissipated = scene.mass * last.work;
     let lost = initial_energy - energy(last);
-    // Towards rest the law is a power of the speed, and its fixed points tell the limit.
+    // Towards rest the law tends to a power of the speed, whose fixed points give the limit of the ratio.
     let near_rest = Law::power(1.0, body.exponent())?;
     let near_rest = Friction::<f64>::new(&Patch::Disk, &near_rest, None)?;
     let profile = near_rest.power().ok_or(SlideError::NotFinite { step: 0 })?;
@@ -102,7 +102,7 @@ pub fn run_law(
     })
 }
 
-/// Times of the samples up to `end`, which is the last.
+/// Times of the samples up to and including `end`.
 fn sample_times(scene: &SliderScene, end: f64) -> Result<Vec<f64>, SlideError> {
     let interval = scene.time_step.unwrap_or(end / f64::from(scene.samples));
     let steps = end / interval;

@@ -1,4 +1,4 @@
-//! How the friction of a sliding body is evaluated, and what that costs.
+//! How the friction of a sliding body is evaluated, and the cost of an evaluation.
 
 use super::SlideError;
 use super::planar::Resistance;
@@ -21,14 +21,14 @@ use tribos_core::coupling::{Coupling, ReducedWrench};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvaluationCost {
-    /// Of the scene's friction; in the plane with the lateral force and the leaning pressure.
+    /// One evaluation of the scene's friction; in the plane this includes lateral force and leaning pressure.
     pub seconds: f64,
-    /// Of force and torque of a disk under Coulomb's law from the table, measured in turns with it.
+    /// One evaluation of force and torque of a disk under Coulomb's law by table, timed alternately with it.
     pub table_seconds: f64,
 }
 
 impl SliderScene {
-    /// What an evaluation of force and torque consists of.
+    /// Method by which force and torque are evaluated.
     ///
     /// ```
     /// use tribos::{friction::Evaluation, scene::SliderScene};
@@ -42,8 +42,8 @@ impl SliderScene {
         of_law(&Patch::Disk, &self.law()?)
     }
 
-    /// Times evaluations over a mix of speeds, a tenth of a second long. *Accuracy*: a few per cent of
-    /// the ratio, some ten of the times.
+    /// Times evaluations over a mix of speeds for a tenth of a second. *Accuracy*: a few per cent for the
+    /// ratio of the two times, about ten per cent for the times.
     pub fn evaluation_cost(&self) -> Result<EvaluationCost, SlideError> {
         let law = self.law()?;
         let Some([_, alpha]) = law.power_of_speed() else {
@@ -55,12 +55,12 @@ impl SliderScene {
     }
 }
 
-/// What an evaluation of a law consists of in the tier that is chosen for it.
+/// Method of evaluation in the tier chosen for the law.
 pub(crate) fn of_law(patch: &Patch, law: &Law) -> Result<Evaluation, SlideError> {
     Ok(Tier::serving::<f64>(patch, law, None)?.evaluation(patch, law))
 }
 
-/// Times the kernel's own type.
+/// Times the kernel's type for this friction.
 struct Timed;
 
 impl Visitor<f64> for Timed {
@@ -70,7 +70,7 @@ impl Visitor<f64> for Timed {
     }
 }
 
-/// The cost of a body's resistance, with the lateral force and the leaning pressure.
+/// Cost of a body's resistance, including the lateral force and the leaning pressure.
 pub(super) fn resistance_cost(body: &dyn Resistance) -> EvaluationCost {
     timed(&|v, w| {
         let [force, _, torque] = body.deceleration([v, 0.0, w]);
@@ -78,18 +78,18 @@ pub(super) fn resistance_cost(body: &dyn Resistance) -> EvaluationCost {
     })
 }
 
-/// Evaluations that are timed at once, over ratios of the speeds from 1/17 to 17.
+/// Evaluations timed together, over velocity ratios from 1/17 to 17.
 const EVALUATIONS: usize = 256;
-/// Shortest time of a round: a million ticks of the clock, and far more than an interrupt.
+/// Shortest duration of a round: a million ticks of the clock, much longer than an interrupt.
 const ROUND: Duration = Duration::from_millis(1);
-/// Rounds of each of both; the quickest counts.
+/// Rounds of each of the two; the fastest one counts.
 const ROUNDS: usize = 40;
 
-/// Force and torque at a sliding speed and a rim speed. Both are asked for through a pointer: two
-/// of the same kind run the same instructions.
+/// Force and torque at a sliding speed and a rim speed. Both methods are called through a pointer, so that
+/// two methods of the same kind execute the same instructions.
 type Evaluated<'a> = &'a dyn Fn(f64, f64) -> [f64; 2];
 
-/// Time of one evaluation, the least of interleaved rounds with the table's.
+/// Time of one evaluation: the minimum over rounds that alternate with those of the table.
 fn timed(evaluate: Evaluated<'_>) -> EvaluationCost {
     let table = |v, w| both(Coulomb.reduced_wrench(v, w));
     let passes = [passes(evaluate), passes(&table)];
@@ -108,7 +108,7 @@ fn both(wrench: ReducedWrench<f64>) -> [f64; 2] {
     [wrench.force, wrench.torque]
 }
 
-/// How often all evaluations fill a round.
+/// Number of repetitions of the whole mix that fill a round.
 fn passes(evaluate: Evaluated<'_>) -> u32 {
     let mut passes = 1;
     loop {
@@ -121,14 +121,14 @@ fn passes(evaluate: Evaluated<'_>) -> u32 {
     }
 }
 
-/// Time of one evaluation in a round.
+/// Time of one evaluation, averaged over a round.
 fn round(evaluate: Evaluated<'_>, passes: u32) -> f64 {
     let start = Instant::now();
     pass(evaluate, passes);
     start.elapsed().as_secs_f64() / (EVALUATIONS as f64 * f64::from(passes))
 }
 
-/// All evaluations, so many times. Not inlined: the compiler makes one version of it.
+/// Repeats the whole mix `count` times. Not inlined, so that the compiler generates one version of it.
 #[inline(never)]
 fn pass(evaluate: Evaluated<'_>, passes: u32) {
     for _ in 0..passes {
@@ -149,7 +149,7 @@ mod tests {
     #[test]
     fn a_table_costs_as_much_as_itself() {
         let scene = SliderScene::default();
-        // On a busy machine a measurement may go wrong, three of them do not.
+        // On a busy machine one measurement may fail; three in a row do not.
         let ratio = || {
             let cost = scene.evaluation_cost().unwrap();
             cost.seconds / cost.table_seconds

@@ -15,10 +15,11 @@ pub use any_law::run_law;
 pub use cost::EvaluationCost;
 pub(crate) use cost::of_law;
 pub use outcome::{Ending, Outcome};
-pub use path::{PATH_COLUMNS, PathOutcome, PathRun, PlanarCourse, PlanarScene, run_path};
-pub use simulation::COLUMNS;
 #[doc(hidden)]
-pub use simulation::SlideSimulation;
+pub use path::{PATH_COLUMNS, PlanarCourse, PlanarScene};
+pub use path::{PathOutcome, PathRun, run_path};
+#[doc(hidden)]
+pub use simulation::{COLUMNS, SlideSimulation};
 #[doc(hidden)]
 pub use spent::Spent;
 
@@ -42,28 +43,28 @@ pub enum SlideError {
     /// A field of the scene is wrong.
     #[error(transparent)]
     Scene(#[from] InvalidScene),
-    /// A step this short needs too many of them.
+    /// The time step is so short that the run would need too many steps.
     #[error(
         "a time_step of {time_step} s needs {steps:.3e} steps, more than {most:.0e}; \
          use at least {at_least:.1e} s"
     )]
     TooManySteps {
-        /// The step asked for.
+        /// Requested time step.
         time_step: f64,
-        /// Steps that it needs.
+        /// Number of steps it would need.
         steps: f64,
-        /// Steps allowed.
+        /// Largest number of steps allowed.
         most: f64,
-        /// Shortest step allowed.
+        /// Shortest time step allowed.
         at_least: f64,
     },
-    /// The numbers left the range of f64, or time no longer moves.
+    /// A number left the range of f64, or the time no longer advances.
     #[error("the motion is no longer finite after step {step}; its scales are too far apart")]
     NotFinite {
-        /// The step.
+        /// Number of the step.
         step: u64,
     },
-    /// The energy of the launch is no positive number of f64, and neither are its shares.
+    /// The kinetic energy of the launch, or one of its two shares, is not a positive f64.
     #[error(
         "the launch has a kinetic energy of {energy:e} J, outside the range of numbers; bring \
          `speed`, `spin`, `radius` and `mass` nearer to 1"
@@ -72,33 +73,33 @@ pub enum SlideError {
         /// Kinetic energy at the launch, in J.
         energy: f64,
     },
-    /// One part of the motion keeps the steps so short that the other does not come to its end.
+    /// One motion keeps the steps so short that the other does not reach its end.
     #[error(
         "after {steps} steps the speeds have fallen by {folds:.3} e-folds only; sliding and \
          spinning change on scales that are too far apart"
     )]
     TooStiff {
-        /// Steps taken.
+        /// Number of steps taken.
         steps: u64,
-        /// e-folds of the common scale of both speeds.
+        /// e-folds by which the common scale of both speeds has fallen.
         folds: f64,
     },
-    /// A tall body would tip, and the scene does not let it.
+    /// A tall body would tip, and the scene forbids it.
     #[error(
         "the body tips: from {time:.6} s on its foot cannot bear the pressure gradient, which \
          reaches {lean:.4} of the limit; lower `height` or `coefficient`, or set \
          tipping = \"clamp\""
     )]
     Tips {
-        /// When it begins to, in s.
+        /// Time at which tipping begins, in s.
         time: f64,
-        /// Largest |l| on the way.
+        /// Largest |l| during the motion.
         lean: f64,
     },
-    /// The law, or its tier, was refused.
+    /// The law, or the tier chosen for it, was refused.
     #[error(transparent)]
     Choice(#[from] Refusal),
-    /// The method follows powers of the speed only.
+    /// The method supports only powers of the speed.
     #[error(
         "stepper = \"verlet\" follows powers of the speed; the law {law} needs stepper = \"exact\""
     )]
@@ -117,7 +118,7 @@ pub enum SlideError {
     Body(#[from] tribos_core::Error),
 }
 
-/// The energy of a launch, if the shares of it are numbers.
+/// The kinetic energy of a launch, if both of its shares are positive numbers.
 fn energy_at_launch(energy: f64) -> Result<f64, SlideError> {
     if energy.is_finite() && energy >= f64::MIN_POSITIVE {
         Ok(energy)
@@ -126,7 +127,7 @@ fn energy_at_launch(energy: f64) -> Result<f64, SlideError> {
     }
 }
 
-/// Everything a run of one slider gives.
+/// Series and summary of the run of one slider.
 ///
 /// ```
 /// use tribos::scene::SliderScene;
@@ -141,13 +142,13 @@ fn energy_at_launch(energy: f64) -> Result<f64, SlideError> {
 /// ```
 #[derive(Clone, Debug)]
 pub struct SlideRun {
-    /// Lines of the series, columns as in [`COLUMNS`].
+    /// Rows of the series, with the columns of [`COLUMNS`].
     pub series: Vec<[f64; COLUMNS.len()]>,
     /// The summary.
     pub outcome: Outcome,
 }
 
-/// Runs a scene to its end; `progress` sees the fraction done after every step.
+/// Runs a scene to its end; `progress` receives the completed fraction after every step.
 ///
 /// ```
 /// use tribos::{scene::SliderScene, slide::run};
@@ -164,7 +165,7 @@ pub fn run(scene: &SliderScene, progress: impl FnMut(f64)) -> Result<SlideRun, S
     visit_disk(scene.alpha, tier, Run { scene, progress })?
 }
 
-/// The run of a scene for the kernel's own type of its friction.
+/// Runs a scene with the kernel's type for its friction.
 struct Run<'a, F> {
     scene: &'a SliderScene,
     progress: F,
@@ -188,7 +189,7 @@ impl<F: FnMut(f64)> Visitor<f64> for Run<'_, F> {
 }
 
 impl SliderScene {
-    /// The law of the scene.
+    /// Friction law of the scene.
     pub(crate) fn law(&self) -> Result<Law, Refusal> {
         self.law
             .map_or_else(|| Law::power(self.coefficient, self.alpha), Ok)

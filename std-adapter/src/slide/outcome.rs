@@ -9,15 +9,15 @@ use tribos_core::modes::FinalMode;
 /// Why a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
-    /// Both motions stopped, in the same instant.
+    /// Sliding and spinning stopped at the same instant.
     Rest,
-    /// Both speeds fell below the scene's stop_fraction.
+    /// Both speeds fell below the scene's `stop_fraction`.
     Faded,
-    /// The scene's duration was over.
+    /// The scene's `duration` elapsed.
     Duration,
 }
 
-/// What came out of a run, in the units of its scene.
+/// Results of a run, in the units of its scene.
 ///
 /// ```
 /// use tribos::kernel::modes::FinalMode;
@@ -37,19 +37,19 @@ pub enum Ending {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// Why it ended.
+    /// Why the run ended.
     pub ending: Ending,
-    /// Time at the end: the stop time if the body rests, in s.
+    /// Time at the end, in s; the stop time if the body comes to rest.
     pub time: f64,
     /// Distance covered, in m.
     pub distance: f64,
     /// Angle turned, in rad.
     pub angle: f64,
-    /// Velocity ratio v/(|ω|R) at the end, its limit if the body rests.
+    /// Velocity ratio v/(|ω|R) at the end; its limit if the body comes to rest.
     pub ratio: f64,
-    /// What the theory of fixed points says of the end.
+    /// Final motion predicted by the theory of fixed points.
     pub limit: FinalMode<f64>,
-    /// Steps taken.
+    /// Number of steps taken.
     pub steps: u64,
     /// Kinetic energy at the launch, in J.
     pub initial_energy: f64,
@@ -60,7 +60,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// The summary as JSON; `stop_time` is null if the body does not rest.
+    /// The summary as JSON; `stop_time` is null if the body does not come to rest.
     pub fn json(&self, scene: &SliderScene) -> Value {
         let mut map = Map::new();
         let ending = match self.ending {

@@ -1,4 +1,4 @@
-//! A planar scene run to its end.
+//! Runs of planar scenes.
 
 use super::cost::{EvaluationCost, resistance_cost};
 use super::planar::{Arrival, Ending, Journey, Launch, Point, Resistance};
@@ -24,7 +24,7 @@ pub const PATH_COLUMNS: [&str; 11] = [
     "dissipated_energy",
 ];
 
-/// What all scenes of bodies in the plane say. *Units*: SI.
+/// Parameters common to all scenes of bodies in the plane. *Units*: SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarCourse {
     /// Initial speed, along x, in m/s.
@@ -33,11 +33,11 @@ pub struct PlanarCourse {
     pub spin: f64,
     /// Mass of the body, in kg.
     pub mass: f64,
-    /// What happens where the body would tip.
+    /// What happens when the body would tip.
     pub tipping: Tipping,
-    /// Fraction of their start below which both speeds count as rest, for alpha ≥ 1.
+    /// Fraction of their initial values below which both speeds count as rest, for alpha ≥ 1.
     pub stop_fraction: f64,
-    /// Number of intervals of time in the series.
+    /// Number of time intervals in the series.
     pub samples: u32,
 }
 
@@ -55,23 +55,23 @@ pub struct PlanarCourse {
 /// # Ok::<(), tribos::slide::SlideError>(())
 /// ```
 pub trait PlanarScene: Body {
-    /// Launch, mass and end.
+    /// Launch, mass and stopping conditions.
     fn course(&self) -> PlanarCourse;
 
-    /// What the body meets.
+    /// Resistance that the body meets.
     fn resistance(&self) -> Result<Box<dyn Resistance>, SlideError>;
 
-    /// What an evaluation of force and torque consists of.
+    /// Method by which force and torque are evaluated.
     fn evaluation(&self) -> Result<Evaluation, SlideError>;
 
-    /// Times evaluations over a mix of speeds, a tenth of a second long. *Accuracy*: a few per cent
-    /// of the ratio, some ten of the times.
+    /// Times evaluations over a mix of speeds for a tenth of a second. *Accuracy*: a few per cent for the
+    /// ratio of the two times, about ten per cent for the times.
     fn evaluation_cost(&self) -> Result<EvaluationCost, SlideError> {
         Ok(resistance_cost(&self.resistance()?))
     }
 }
 
-/// Everything a run of a planar scene gives.
+/// Series and summary of the run of a planar scene.
 ///
 /// ```
 /// use tribos::scene::PipeScene;
@@ -89,22 +89,22 @@ pub trait PlanarScene: Body {
 /// ```
 #[derive(Clone, Debug)]
 pub struct PathRun {
-    /// Lines of the series, columns as in [`PATH_COLUMNS`].
+    /// Rows of the series, with the columns of [`PATH_COLUMNS`].
     pub series: Vec<[f64; PATH_COLUMNS.len()]>,
     /// The summary.
     pub outcome: PathOutcome,
 }
 
-/// What came out of a run.
+/// Results of the run of a planar scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathOutcome {
-    /// The end of the journey.
+    /// State at the end of the journey.
     pub arrival: Arrival,
     /// Kinetic energy at the launch, in J.
     pub initial_energy: f64,
     /// |work − loss of kinetic energy| / initial energy.
     pub energy_error: f64,
-    /// In kg.
+    /// Mass of the body, in kg.
     pub(super) mass: f64,
 }
 
@@ -158,7 +158,7 @@ pub fn run_path(scene: &dyn PlanarScene) -> Result<PathRun, SlideError> {
     })
 }
 
-/// (v² + C (ωR)²)/2
+/// Kinetic energy per mass, (v² + C (ωR)²)/2.
 pub(super) fn energy_per_mass(body: &impl Resistance, point: &Point) -> f64 {
     let [x, y] = point.velocity;
     let rim = point.spin * body.radius();
@@ -183,7 +183,7 @@ fn row(point: &Point, energy: f64, mass: f64) -> [f64; PATH_COLUMNS.len()] {
 }
 
 impl PathOutcome {
-    /// The summary as JSON; `stop_time` is null if the body does not rest.
+    /// The summary as JSON; `stop_time` is null if the body does not come to rest.
     pub fn json(&self, scene: &dyn PlanarScene) -> Value {
         let Arrival {
             point,

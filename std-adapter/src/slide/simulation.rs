@@ -1,4 +1,4 @@
-//! One slider followed from its launch to its end, with its energy book.
+//! One slider followed from launch to end, with its energy balance.
 
 use super::{Ending, Outcome, SlideError, energy_at_launch};
 use crate::run::Simulation;
@@ -20,25 +20,25 @@ pub const COLUMNS: [&str; 8] = [
     "dissipated_energy",
 ];
 
-/// Column of the velocity ratio.
+/// Index of the velocity ratio among the columns.
 const RATIO: usize = 5;
-/// Logarithm beyond which a time leaves f64.
+/// Logarithm beyond which a time exceeds the range of f64.
 const LARGEST_LN: f64 = 709.0;
-/// Steps beyond which a series no longer fits a sensible file.
+/// Largest number of steps whose series fits a file of reasonable size.
 pub(super) const MOST_STEPS: f64 = 1e7;
-/// Verlet steps for one recorded step of the exact method, when none is asked for.
+/// Verlet steps per recorded step of the exact method, when the scene gives no time step.
 const VERLET_REFINEMENT: f64 = 50.0;
-/// Relative surplus of a chosen step, far above rounding and far below anything seen.
+/// Relative margin added to a chosen step: far above rounding and far below any visible effect.
 pub(super) const SLIVER: f64 = 1e-12;
-/// Steps of the search for the end of a fading run: three for each bit of its time.
+/// Iterations of the search for the end of a fading run: three per bit of its time.
 const MOST_CORRECTIONS: u32 = 200;
-/// Part of the initial energy whose loss does not count.
+/// Fraction of the initial energy whose loss is neglected.
 const NOTHING: f64 = 1e-18;
-/// Pieces of the work, in e-folds of the energy: the rule is exact to 1e-15 on them.
+/// Length of the integration pieces of the work, in e-folds of the energy: the rule is exact to 1e-15 on them.
 const PIECE: f64 = 0.125;
-/// A piece is settled if its work is the energy lost but for this part of the initial energy.
+/// A piece is accepted if its work equals the energy lost within this fraction of the initial energy.
 const SETTLED: f64 = 1e-14;
-/// Halvings in one step: eight lead to a kink, and a fault of the motion must not lead on for ever.
+/// Halvings per step: eight isolate a kink, and the limit ends the search if the motion itself is wrong.
 const MOST_HALVINGS: u32 = 64;
 /// Nodes and weights of the 5-point Gauss–Legendre rule on [0, 1], which integrates the power.
 const POWER_NODES: [[f64; 2]; 5] = [
@@ -49,16 +49,16 @@ const POWER_NODES: [[f64; 2]; 5] = [
     [0.953_089_922_969_332, 0.118_463_442_528_094_54],
 ];
 
-/// How long a step is.
+/// Length of the steps.
 #[derive(Clone, Copy, Debug)]
 enum StepLength {
-    /// Always the same.
+    /// Constant time step.
     Fixed(f64),
-    /// This fraction of the time in which the present speeds would fade.
+    /// This fraction of the time in which the current speeds would fade.
     OfFading(f64),
 }
 
-/// A slider under way.
+/// The simulation of one slider.
 ///
 /// ```
 /// use tribos::kernel::coupling::table::Coulomb;
@@ -82,20 +82,20 @@ pub struct SlideSimulation<P> {
     slider: Slider<f64, P>,
     scene: SliderScene,
     length: StepLength,
-    /// Time of rest, or of fading, or the duration asked for.
+    /// Time of rest or of fading, or the requested duration.
     end: f64,
-    /// The rest that the motion comes to, if it does.
+    /// State at rest, if the motion comes to rest.
     coming: Option<Rest<f64>>,
     start: Motion<f64>,
     motion: Motion<f64>,
     rest: Option<Rest<f64>>,
-    /// Work of friction, integrated from the power.
+    /// Work of friction, integrated from its power.
     dissipated: f64,
     steps: u64,
 }
 
 impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
-    /// Prepares a run; the whole motion is scouted once to choose and check the step.
+    /// Prepares a run; the whole motion is computed once to choose and validate the time step.
     pub fn new(profile: P, scene: &SliderScene) -> Result<Self, SlideError> {
         scene.check()?;
         let deceleration = scene.coefficient * scene.gravity;
@@ -128,7 +128,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         Ok(simulation)
     }
 
-    /// Time of rest (α < 1), or until both speeds have faded.
+    /// Time of rest (α < 1), or the time at which both speeds have faded.
     fn scout(&self) -> Result<f64, SlideError> {
         if let Some(rest) = &self.coming {
             return Ok(rest.motion.time);
@@ -139,9 +139,9 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         self.fading_time()
     }
 
-    /// When the slower of the two to fade reaches the scene's fraction of its start.
+    /// Time at which the slower of the two motions to fade reaches the scene's fraction of its initial value.
     fn fading_time(&self) -> Result<f64, SlideError> {
-        // The excess of its logarithm falls with the logarithm of the time.
+        // The logarithm's excess decreases with the logarithm of the time.
         let excess = |ln_time: f64| {
             let time = Real::exp(ln_time);
             self.ln_excess(&self.slider.advance(&self.start, time).motion)
@@ -166,7 +166,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         let mut step = 0;
         while high - low > f64::EPSILON * high.abs() && above > 0.0 && below < 0.0 {
             step += 1;
-            // Regula falsi, every third time bisection.
+            // Regula falsi, with a bisection every third iteration.
             let share = if step % 3 == 0 {
                 0.5
             } else {
@@ -192,8 +192,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         }
     }
 
-    /// Logarithm of the larger of both speeds, each in units of the fraction of its start that
-    /// counts as faded.
+    /// Logarithm of the larger of both speeds, each divided by the value below which it counts as faded.
     fn ln_excess(&self, motion: &Motion<f64>) -> f64 {
         let over = |now: f64, start: f64| {
             if start == 0.0 {
@@ -211,7 +210,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         }
     }
 
-    /// The step that was asked for, or one that suits the motion.
+    /// The scene's time step, or one that suits the motion.
     fn choose_length(&self) -> Result<StepLength, SlideError> {
         let refinement = match self.scene.stepper {
             Stepper::Exact => 1.0,
@@ -222,7 +221,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
             return Ok(if never_rests {
                 StepLength::OfFading(fading_fraction(&self.scene) / refinement)
             } else {
-                // A little longer, lest rounding leave a sliver for one more step.
+                // A little longer, so that rounding does not leave a tiny last step.
                 StepLength::Fixed(
                     self.end * (1.0 + SLIVER) / (f64::from(self.scene.samples) * refinement),
                 )
@@ -251,11 +250,11 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         }
     }
 
-    /// Work of friction in `duration` from `motion` on, along the exact motion: by pieces in which an eighth of
-    /// an e-fold of the energy goes, down to an energy that does not count.
+    /// Work of friction during `duration` after `motion`, along the exact motion. The integration pieces cover
+    /// an eighth of an e-fold of the energy each, until the remaining energy is negligible.
     ///
-    /// Where the power has a kink, at equal speeds, its integral and the energy lost differ, and the
-    /// piece is halved. A fault of the motion itself would remain however short the pieces are.
+    /// Where the power has a kink (at equal speeds), its integral differs from the energy lost, and the
+    /// piece is halved. If the motion itself were wrong, the difference would persist for any piece length.
     fn work(&self, motion: &Motion<f64>, duration: f64) -> f64 {
         let initial = self.slider.energy_per_mass(&self.start);
         let (mut state, mut left, mut work) = (*motion, duration, 0.0);
@@ -288,7 +287,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         self.scene.mass * work
     }
 
-    /// Work per mass by the rule, and the motion after the piece.
+    /// Work per mass by the rule, and the motion at the end of the piece.
     fn work_of_piece(&self, motion: &Motion<f64>, piece: f64) -> (f64, Motion<f64>) {
         let (mut state, mut at, mut work) = (*motion, 0.0, 0.0);
         for [node, weight] in POWER_NODES {
@@ -308,14 +307,14 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         self.dissipated += self.work(&self.motion, moving);
         self.motion = match &rest {
             Some(rest) => rest.motion,
-            // The end does not depend on the steps to it.
+            // The end does not depend on the steps that lead to it.
             None if is_last => self.slider.advance(&self.start, self.end).motion,
             None => self.slider.advance(&self.motion, duration).motion,
         };
         self.rest = rest;
     }
 
-    /// Trapezoid rule for the power: of the method's own order.
+    /// Trapezoid rule for the power, which has the order of the method itself.
     fn verlet_step(&mut self, duration: f64) {
         let before = self.motion;
         self.motion = self.slider.verlet_step(&before, duration);
@@ -332,7 +331,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         }
     }
 
-    /// The present velocity ratio, its limit at rest.
+    /// The current velocity ratio; its limit at rest.
     fn ratio(&self) -> f64 {
         match &self.rest {
             Some(rest) => rest.ratio,
@@ -340,7 +339,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
         }
     }
 
-    /// The summary of what has happened so far.
+    /// Summary of the run so far.
     pub fn outcome(&self) -> Result<Outcome, SlideError> {
         let energy = |motion| self.scene.mass * self.slider.energy_per_mass(motion);
         let initial = energy(&self.start);
@@ -368,7 +367,7 @@ impl<P: Profile<f64> + Coupling<f64>> SlideSimulation<P> {
     }
 }
 
-/// Steps of fading that make the scene's number of samples between the start and its end.
+/// Fraction of the fading time per step with which the scene's number of samples covers the fading motion.
 fn fading_fraction(scene: &SliderScene) -> f64 {
     -Real::ln(scene.stop_fraction) / f64::from(scene.samples)
 }
@@ -420,7 +419,7 @@ impl<P: Profile<f64> + Coupling<f64>> Simulation for SlideSimulation<P> {
                 .record()
                 .iter()
                 .enumerate()
-                // A ratio is infinite where nothing spins.
+                // The ratio is infinite where nothing spins.
                 .all(|(column, x)| column == RATIO || x.is_finite())
         {
             return Err(SlideError::NotFinite { step: self.steps });

@@ -1,12 +1,12 @@
-//! Which motion the work of friction slowed.
+//! Distribution of the work of friction over sliding and spinning.
 
 use super::{PathRun, SlideRun};
 use crate::scene::SliderScene;
 
-/// Work of friction in J, by the motion that it slowed.
+/// Work of friction in J, split by the motion that it slowed.
 ///
-/// A patch has one friction, and its force and torque go with both motions; the work of the force
-/// slows the sliding, that of the torque the spin.
+/// A patch has a single friction, whose force and torque depend on both motions; the work of the force
+/// slows the sliding, and the work of the torque slows the spin.
 ///
 /// ```
 /// use tribos::{scene::SliderScene, slide::{Spent, run}};
@@ -19,19 +19,19 @@ use crate::scene::SliderScene;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spent {
-    /// Loss of m v²/2.
+    /// Loss of the kinetic energy of sliding, m v²/2.
     pub sliding: f64,
-    /// Loss of I ω²/2.
+    /// Loss of the kinetic energy of spinning, I ω²/2.
     pub spinning: f64,
 }
 
 impl Spent {
-    /// Part of the spin in all, between 0 and 1 unless one motion gained energy from the other.
+    /// Share of spinning in the total, between 0 and 1 unless one motion gained energy from the other.
     pub fn spinning_share(&self) -> f64 {
         self.spinning / (self.sliding + self.spinning)
     }
 
-    /// Between two lines of a series, each as its speed squared and its kinetic energy.
+    /// Losses between two rows of a series, each given as speed squared and kinetic energy.
     fn between(mass: f64, [first, last]: [[f64; 2]; 2]) -> Self {
         let sliding = 0.5 * mass * (first[0] - last[0]);
         let all = first[1] - last[1];
@@ -43,7 +43,7 @@ impl Spent {
 }
 
 impl SlideRun {
-    /// Which motion lost the energy.
+    /// Work of friction by the motion that lost the energy.
     pub fn spent(&self, scene: &SliderScene) -> Spent {
         let ends = ends(&self.series).map(|[_, speed, .., kinetic, _]| [speed * speed, kinetic]);
         Spent::between(scene.mass, ends)
@@ -51,7 +51,7 @@ impl SlideRun {
 }
 
 impl PathRun {
-    /// Which motion lost the energy.
+    /// Work of friction by the motion that lost the energy.
     pub fn spent(&self) -> Spent {
         let ends = ends(&self.series)
             .map(|[_, _, _, vx, vy, .., kinetic, _]| [vx * vx + vy * vy, kinetic]);
@@ -59,7 +59,7 @@ impl PathRun {
     }
 }
 
-/// The first line and the last, NaN without any.
+/// First and last row; NaN if there are none.
 fn ends<const N: usize>(series: &[[f64; N]]) -> [[f64; N]; 2] {
     [series.first(), series.last()].map(|line| line.copied().unwrap_or([f64::NAN; N]))
 }

@@ -22,8 +22,11 @@ pub use build::BuildError;
 pub use build::{TipSystem, build};
 #[doc(hidden)]
 pub use cost::{TipCost, cost, size};
+#[doc(hidden)]
 pub use energy::DriveEnergy;
-pub use outcome::{Outcome, Plateau, Verdict};
+#[doc(hidden)]
+pub use outcome::Plateau;
+pub use outcome::{Outcome, Verdict};
 pub use run::{TipError, TipRun};
 #[doc(hidden)]
 pub use shape::{LAYERS_OF_A_KIND, Outline, Part, Shape, Site};

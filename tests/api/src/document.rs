@@ -97,7 +97,10 @@ impl Library {
                 self.publish(child, path, hidden)?;
             } else if inner["is_glob"] == true {
                 let target = id(&inner["id"])?;
-                self.walk(&target, prefix, hidden)?;
+                // Others are of another crate, with a list of its own.
+                if self.index.contains_key(&target) {
+                    self.walk(&target, prefix, hidden)?;
+                }
             } else {
                 let name = inner["name"].as_str().ok_or("an import without name")?;
                 let (target, path) = (id(&inner["id"])?, inside(prefix, name));

@@ -1,5 +1,5 @@
-//! Proves that every platform computes the same bits: builds the digests for each, runs them on
-//! it or its emulator, compares.
+//! Checks that every platform computes the same bits: builds the digests for each, runs them on
+//! the platform or its emulator, and compares.
 //!
 //! `cargo run -p tribos-tests --bin cross -- --help`
 
@@ -24,7 +24,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// True if all that was asked for came out as promised.
+/// True if every requested row gave the promised result.
 fn run(options: &Options) -> Result<bool, String> {
     let rows = rows(options);
     let table = table(&rows);
@@ -36,7 +36,7 @@ fn run(options: &Options) -> Result<bool, String> {
     Ok(!incomplete && !rows.iter().any(Row::is_broken))
 }
 
-/// Builds one row after the other; each runs while the next is built.
+/// Builds one row after the other; each runs while the next is being built.
 fn rows(options: &Options) -> Vec<Row> {
     let limit = Duration::from_secs(options.limit);
     let wanted = PLATFORMS.into_iter().filter(|p| options.wants(p.name));

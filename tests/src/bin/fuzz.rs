@@ -1,4 +1,4 @@
-//! Runs the fuzzer for every target or one.
+//! Runs the fuzzer for all targets or one.
 //!
 //! `cargo run --release -p tribos-tests --bin fuzz -- --help`
 
@@ -9,7 +9,7 @@ use std::sync::Mutex;
 use std::time::Instant;
 use tribos_tests::fuzz::{Report, Target, run, take, targets};
 
-/// Inputs that a thread takes at once.
+/// Number of inputs that a thread takes at a time.
 const BATCH: u64 = 5_000;
 
 /// Takes seeded inputs for every target and reports what is found: panics, broken properties, slow
@@ -39,7 +39,7 @@ fn main() -> ExitCode {
     let wanted = Wanted::parse();
     let is_wanted = |target: &Target| wanted.only.as_ref().is_none_or(|only| target.name == only);
     let targets: Vec<Target> = targets().filter(is_wanted).collect();
-    // The report tells panics.
+    // The report describes panics itself.
     std::panic::set_hook(Box::new(|_| ()));
     match wanted.repeat {
         Some(seed) => repeat(&targets[0], seed),
@@ -95,7 +95,7 @@ fn all(targets: &[Target], wanted: &Wanted) -> ExitCode {
     told
 }
 
-/// A line a target, and its findings.
+/// One line per target, followed by its findings.
 fn tell(targets: &[Target], reports: &[Report]) -> ExitCode {
     let mut found = 0;
     for (target, report) in targets.iter().zip(reports) {

@@ -2,14 +2,14 @@
 
 use tribos_digest::{CHAPTERS, Needs};
 
-/// A build and a machine for it.
+/// A build with the machine that runs it.
 #[derive(Clone, Copy, Debug)]
 pub struct Platform {
-    /// What `--only` calls it.
+    /// Name for `--only`.
     pub name: &'static str,
     /// The compiler's target; `None` for this machine.
     pub target: Option<&'static str>,
-    /// What runs it.
+    /// Machine that runs it.
     pub machine: Machine,
     /// Cargo's profile, "dev" or "release".
     pub profile: &'static str,
@@ -17,18 +17,18 @@ pub struct Platform {
     pub config: &'static [&'static str],
     /// Flags of the compiler.
     pub flags: &'static str,
-    /// What must be there.
+    /// Programs that must be installed.
     pub tools: &'static [Tool],
-    /// Whether equal bits are promised.
+    /// Whether identical bits are promised.
     pub promised: bool,
 }
 
-/// What runs a program.
+/// A way to run a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Machine {
-    /// This one, or a user-mode emulator: the words before the program.
+    /// This machine, or a user-mode emulator: the words before the program.
     Host(&'static [&'static str]),
-    /// Node with a wasm module.
+    /// Node with a WebAssembly module.
     Node,
     /// QEMU's system emulator, by program and board.
     Board {
@@ -36,30 +36,30 @@ pub enum Machine {
         emulator: &'static str,
         /// Its `-M`, which is also our `TRIBOS_BOARD`.
         board: &'static str,
-        /// The chapters that fit it and end in time.
+        /// Chapters that fit the board and finish in time.
         chapters: Share,
     },
 }
 
-/// The chapters of a board.
+/// Chapters that run on a board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Share {
-    /// Those that need little.
+    /// Chapters with low requirements.
     Little,
-    /// Those that need memory alone: what a board next to it leaves out.
+    /// Chapters that require only memory: those that a neighbouring board omits.
     Memory,
-    /// All but those that need speed.
+    /// All chapters except those that require speed.
     WithoutSpeed,
-    /// All.
+    /// All chapters.
     All,
 }
 
-/// A program that must answer, and how to get it.
+/// A program that must run, and the way to install it.
 #[derive(Clone, Copy, Debug)]
 pub struct Tool {
-    /// A command that succeeds if it is there.
+    /// A command that succeeds if the program is installed.
     pub check: &'static [&'static str],
-    /// A command that installs it.
+    /// A command that installs the program.
     pub install: &'static str,
 }
 
@@ -75,7 +75,7 @@ impl Share {
 }
 
 impl Platform {
-    /// Indices of the chapters that it computes.
+    /// Indices of the chapters that the platform computes.
     pub fn chapters(&self) -> Vec<usize> {
         let share = match self.machine {
             Machine::Board { chapters, .. } => chapters,
@@ -86,7 +86,7 @@ impl Platform {
             .collect()
     }
 
-    /// The machine in a word or two.
+    /// Short description of the machine.
     pub fn machine_name(&self) -> &'static str {
         match self.machine {
             Machine::Host([]) => "this one",
@@ -155,7 +155,7 @@ const M4: Platform = Platform {
 };
 
 /// Small code, so that a chapter fits into 256 KiB of flash; without optimisation at link time the
-/// search for images that fit stays quick.
+/// search for images that fit remains fast.
 const SMALL: &[&str] = &[
     "profile.release.opt-level=\"z\"",
     "profile.release.lto=false",
@@ -185,7 +185,7 @@ const RISCV32: Platform = Platform {
     ..NATIVE
 };
 
-/// All rows, the quick ones first.
+/// All rows, fast ones first.
 pub const PLATFORMS: [Platform; 14] = [
     NATIVE,
     Platform {
@@ -256,7 +256,7 @@ pub const PLATFORMS: [Platform; 14] = [
         tools: &[QEMU_RISCV64],
         ..RISCV32
     },
-    // Sums in the 80-bit registers of the x87 are rounded twice.
+    // The x87 rounds sums twice, first in its 80-bit registers.
     Platform {
         name: "i586-x87",
         target: Some("i586-unknown-linux-gnu"),

@@ -5,10 +5,10 @@ use std::process::{Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How often a running command is looked at.
+/// Interval at which a running command is polled.
 const GLANCE: Duration = Duration::from_millis(50);
 
-/// What a command said, or why it failed.
+/// Output of a command, or the reason for its failure.
 pub(super) fn output(command: &mut Command, limit: Duration) -> Result<String, String> {
     let name = command.get_program().to_string_lossy().into_owned();
     let pipes = command.stdin(Stdio::null()).stdout(Stdio::piped());
@@ -40,7 +40,7 @@ pub(super) fn output(command: &mut Command, limit: Duration) -> Result<String, S
 
 fn text(from: Option<impl Read>) -> String {
     let mut bytes = Vec::new();
-    // What a killed program has said before is enough.
+    // The output of a killed program up to that time is sufficient.
     let _ = from.map(|mut from| from.read_to_end(&mut bytes));
     String::from_utf8_lossy(&bytes).into_owned()
 }

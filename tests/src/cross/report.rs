@@ -1,4 +1,4 @@
-//! The table of all platforms.
+//! Table of all platforms.
 
 use super::platforms::Platform;
 use super::work::Answer;
@@ -6,30 +6,30 @@ use std::fmt::Write;
 use std::time::Duration;
 use tribos_digest::{CHAPTERS, pinned, whole};
 
-/// How a row ended.
+/// Result of a row.
 #[derive(Clone, Debug)]
 pub enum Outcome {
-    /// It answered.
+    /// The platform computed its digests.
     Ran {
         /// Its digests.
         answers: Vec<Answer>,
-        /// Programs that the chapters were divided into.
+        /// Number of programs among which the chapters were divided.
         images: usize,
-        /// Time in the machine.
+        /// Running time on the machine.
         time: Duration,
     },
-    /// Something to be installed is not there: the commands for it.
+    /// A required program is not installed: the commands that install it.
     Missing(Vec<String>),
-    /// It did not build or run: why.
+    /// The build or the run failed: the reason.
     Failed(String),
 }
 
-/// A platform and how it ended.
+/// A platform and its result.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// The platform.
     pub platform: Platform,
-    /// Its end.
+    /// Its result.
     pub outcome: Outcome,
 }
 
@@ -38,7 +38,7 @@ const HEADER: &str = "\
 |---|---|---|---:|---|---|---:|---:|
 ";
 
-/// The first chapter whose digest is not the pinned one.
+/// The first chapter whose digest differs from the pinned one.
 pub fn first_difference(answers: &[Answer]) -> Option<&'static str> {
     let differs = |answer: &&Answer| pinned(CHAPTERS[answer.chapter].name) != Some(answer.digest);
     answers
@@ -48,7 +48,7 @@ pub fn first_difference(answers: &[Answer]) -> Option<&'static str> {
 }
 
 impl Row {
-    /// True if what is promised of the platform did not come out.
+    /// True if the platform broke its promise.
     pub fn is_broken(&self) -> bool {
         match &self.outcome {
             Outcome::Ran { answers, .. } => {
@@ -99,7 +99,7 @@ fn ran(platform: &Platform, answers: &[Answer], images: usize, time: Duration) -
     format!("{chapters} | `{digest:016x}` | {promise}{equal} | {counts} | {seconds:.1}")
 }
 
-/// A number in groups of three digits.
+/// A number with digits in groups of three.
 fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut out = String::new();
@@ -112,7 +112,7 @@ fn grouped(number: u64) -> String {
     out
 }
 
-/// The whole table, and what to do about rows that did not run.
+/// The whole table, with instructions for rows that did not run.
 pub fn table(rows: &[Row]) -> String {
     let mut out = String::from(HEADER);
     for row in rows {
@@ -141,7 +141,7 @@ pub fn table(rows: &[Row]) -> String {
     out
 }
 
-/// Every chapter that differs, with both digests.
+/// Every chapter with differing digests, with both digests.
 fn differences(out: &mut String, row: &str, answers: &[Answer]) -> std::fmt::Result {
     for answer in answers {
         let name = CHAPTERS[answer.chapter].name;

@@ -1,4 +1,4 @@
-//! Builds and runs one platform's digests.
+//! Builds and runs the digests of one platform.
 
 use super::platforms::{Machine, Platform, Tool};
 use super::process::output;
@@ -10,12 +10,12 @@ use tribos_digest::CHAPTERS;
 
 /// Longest time for one build.
 const BUILD_LIMIT: Duration = Duration::from_secs(1800);
-/// QEMU's clock: one nanosecond an instruction, so that whole chapters can be counted.
+/// QEMU's clock: one nanosecond per instruction, so that instructions of whole chapters can be counted.
 const ICOUNT: &str = "shift=0,sleep=off";
-/// What the linker says of an image too large for its flash.
+/// Message of the linker for an image larger than its flash.
 const TOO_LARGE: &str = "will not fit in region";
 
-/// Runs every chapter of the wasm module given as argument.
+/// Runs every chapter of the WebAssembly module given as argument.
 const NODE_SCRIPT: &str = "
 const bytes = require('fs').readFileSync(process.argv[1]);
 const { digest } = new WebAssembly.Instance(new WebAssembly.Module(bytes), {}).exports;
@@ -28,20 +28,20 @@ for (let index = 0, got; (got = BigInt.asUintN(64, digest(index))) !== 0n; index
 pub struct Answer {
     /// Its index among all chapters.
     pub chapter: usize,
-    /// What came out.
+    /// Its digest.
     pub digest: u64,
-    /// Instructions, where they are counted.
+    /// Number of instructions, if counted.
     pub instructions: Option<u64>,
 }
 
-/// A program and the chapters in it.
+/// A program and the chapters that it contains.
 #[derive(Clone, Debug)]
 pub struct Image {
     file: PathBuf,
     chapters: Vec<usize>,
 }
 
-/// What a platform lacks: one line for each thing, with the command that brings it.
+/// Missing programs of a platform: one line each, with the command that installs it.
 pub fn missing(platform: &Platform) -> Vec<String> {
     let absent = |tool: &&Tool| {
         let [name, arguments @ ..] = tool.check else {
@@ -69,10 +69,10 @@ fn is_installed(target: &str) -> bool {
     root.is_ok_and(|root| library(root).join("lib").is_dir())
 }
 
-/// Builds the programs of a platform: one, or as many as its flash asks for.
+/// Builds the programs of a platform: one, or as many as the flash requires.
 ///
 /// # Errors
-/// What cargo or the linker said.
+/// The message of cargo or the linker.
 pub fn build(platform: &Platform) -> Result<Vec<Image>, String> {
     let mut open = vec![platform.chapters()];
     let mut images = Vec::new();
@@ -122,7 +122,7 @@ fn image(platform: &Platform, chapters: &[usize]) -> Result<Image, String> {
         }
     };
     output(&mut cargo, BUILD_LIMIT)?;
-    // Kept apart: the next build may overwrite it.
+    // A copy, because the next build may overwrite the image.
     let folder = [("dev", "debug")]
         .into_iter()
         .find(|(of, _)| *of == platform.profile);
@@ -135,17 +135,17 @@ fn image(platform: &Platform, chapters: &[usize]) -> Result<Image, String> {
     Ok(Image { file, chapters })
 }
 
-/// A folder of our own, so that no other build waits for ours.
+/// A separate folder, so that no other build waits for this one.
 fn target_dir() -> PathBuf {
     let usual = concat!(env!("CARGO_MANIFEST_DIR"), "/../target").into();
     let root: PathBuf = env::var_os("CARGO_TARGET_DIR").unwrap_or(usual).into();
     root.join("cross")
 }
 
-/// Runs the images one after the other: the answers in the order of the chapters, and the time.
+/// Runs the images one after the other: returns the results in the order of the chapters, and the time.
 ///
 /// # Errors
-/// A program that fails, takes too long or does not answer for each of its chapters.
+/// A program that fails, takes too long or gives no result for one of its chapters.
 pub fn run(
     platform: &Platform,
     images: &[Image],
@@ -188,7 +188,7 @@ fn command(platform: &Platform, file: &Path) -> Command {
             let mut command = Command::new(emulator);
             command.args(["-M", board, "-nographic", "-icount", ICOUNT]);
             command.args(["-semihosting-config", "enable=on,target=native"]);
-            // RISC-V's machine would start a firmware of its own.
+            // QEMU's RISC-V machine would start its own firmware by default.
             if board == "virt" {
                 command.args(["-bios", "none"]);
             }

@@ -3,10 +3,10 @@
 use super::Source;
 use tribos_core::real::Real;
 
-/// A broken property, in words with the numbers.
+/// Description of a broken property, including the numbers.
 pub type Broken = String;
 
-/// Finite results of a mild input; any others pass.
+/// Checks that the results of a mild input are finite; results of other inputs pass.
 pub fn finite<R: Real>(
     source: &Source,
     what: &str,
@@ -19,7 +19,7 @@ pub fn finite<R: Real>(
     Err(format!("{what} is not finite: {values:?}"))
 }
 
-/// Results that are numbers, whatever the input.
+/// Checks that no result is NaN, whatever the input.
 pub fn numbers<R: Real>(what: &str, values: impl IntoIterator<Item = R>) -> Result<(), Broken> {
     let values: Vec<R> = values.into_iter().collect();
     if values.iter().any(|x| x.is_nan()) {
@@ -28,7 +28,7 @@ pub fn numbers<R: Real>(what: &str, values: impl IntoIterator<Item = R>) -> Resu
     Ok(())
 }
 
-/// NaN in, NaN out: every result is NaN.
+/// Checks that every result is NaN.
 pub fn all_nan<R: Real>(what: &str, values: impl IntoIterator<Item = R>) -> Result<(), Broken> {
     let values: Vec<R> = values.into_iter().collect();
     if values.iter().all(|x| x.is_nan()) {
@@ -37,7 +37,7 @@ pub fn all_nan<R: Real>(what: &str, values: impl IntoIterator<Item = R>) -> Resu
     Err(format!("{what} is a number for NaN: {values:?}"))
 }
 
-/// A condition, told with `values` if it does not hold.
+/// Checks a condition and reports `values` if it does not hold.
 pub fn holds<R: Real>(condition: bool, what: &str, values: &[R]) -> Result<(), Broken> {
     if condition {
         return Ok(());
@@ -45,11 +45,11 @@ pub fn holds<R: Real>(condition: bool, what: &str, values: &[R]) -> Result<(), B
     Err(format!("{what} does not hold: {values:?}"))
 }
 
-/// `part` ≤ `whole` but for rounding of `scale`.
+/// Checks `part` ≤ `whole` up to the rounding of `scale`.
 pub fn at_most<R: Real>(what: &str, part: R, whole: R, scale: R) -> Result<(), Broken> {
     let rounding = R::from_f64(ROUNDING) * R::EPSILON * scale.abs();
     holds(part <= whole + rounding, what, &[part, whole, scale])
 }
 
-/// Rounding errors that an inequality of sums and products may be missed by.
+/// Rounding errors by which an inequality of sums and products may be violated.
 const ROUNDING: f64 = 256.0;

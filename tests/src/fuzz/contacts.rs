@@ -1,4 +1,4 @@
-//! Contacts of spheres and plates, alone and a few at once.
+//! Contacts of spheres and plates, one or a few at a time.
 
 use super::check::{finite, holds};
 use super::{Broken, Source};
@@ -134,7 +134,7 @@ fn between<R: Real, F: ContactFriction<R>, B: Body<R>>(
             &[contact.bound(), impulse.normal],
         )?;
     }
-    // Warm start, and the hold that the impulse has on the sphere.
+    // Warm start, and application of the impulse to the sphere.
     contact.set_impulse(&impulse);
     contact.admit(friction);
     contact.set_impulse_in_plane(&impulse.plus_scaled(R::HALF, &impulse));
@@ -155,7 +155,7 @@ fn components<R: Real, M: ContactModes<R>>(modal: &Modal<R, M>) -> [R; 8] {
     [modal.normal, s.x, s.y, s.z, r.x, r.y, r.z, torsion]
 }
 
-/// Three bodies and up to three contacts, some steps.
+/// Three bodies with up to three contacts, over several steps.
 pub fn manifolds(source: &mut Source) -> Result<(), Broken> {
     if source.one_in(2) {
         manifold::<f64>(source)

@@ -85,7 +85,7 @@ fn closed<R: Real>(source: &mut Source) -> Result<(), Broken> {
     }
 }
 
-/// Finite speeds give forces ≥ 0 and derivatives that are numbers; NaN gives NaN.
+/// Finite speeds give forces ≥ 0 and derivatives that are not NaN; NaN gives NaN.
 fn exact<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), Broken> {
     let (slide, rim) = (source.number::<R>(), source.number::<R>());
     let wrench = tier.reduced_wrench(slide, rim);
@@ -150,7 +150,7 @@ fn annulus(source: &mut Source) -> Result<(), Broken> {
         finite(source, "factors of an annulus", [phi, chi])?;
     }
     let _ = jacobian;
-    // Differences of two disks: a rounding error below zero is theirs.
+    // The annulus is the difference of two disks, so that its result may be negative by a rounding error.
     let least = -1e-12;
     let resists = wrench.force >= least && wrench.torque >= least;
     holds(

@@ -49,7 +49,7 @@ fn exponent<R: Real>(source: &mut Source) -> R {
     }
 }
 
-/// Friction is a number that does not push; finite for mild speeds.
+/// Friction is not NaN and not negative, and finite for mild speeds.
 fn local<R: Real>(source: &mut Source, name: &str, law: &impl LocalLaw<R>) -> Result<(), Broken> {
     let v = source.positive::<R>();
     let (friction, slope) = (law.friction(v), law.slope(v));
@@ -264,7 +264,7 @@ fn rocks<R: Real, E: Evolution>(source: &mut Source) -> Result<(), Broken> {
         numbers("age of contacts", [age.theta])?;
         holds(age.theta >= R::ZERO, "age ≥ 0", &[theta, v, dt, age.theta])?;
     }
-    // A state near the ends of the range may carry b/a beyond it.
+    // Near the ends of the range b/a may carry the state beyond it.
     let steep = (b / a) > R::from_f64(8.0) || (mu / a) > R::from_f64(8.0);
     if !steep {
         finite(

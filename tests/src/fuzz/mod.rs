@@ -1,13 +1,14 @@
 //! A fuzzer: seeded inputs, the same on every platform.
 //!
-//! [`targets`] take one input each: made from a seed, used, judged. [`run`] catches panics, measures
-//! the time of each input and reports what was found with the seed that repeats it. The properties are
+//! [`targets`] take one input each, generated from a seed, use it and judge the results. [`run`] catches
+//! panics, measures the time of each input and reports findings with the seed that repeats them. The
+//! properties are
 //!
-//! - no panic, whatever the input, and no input that takes longer than [`SLOW`];
+//! - no panic for any input, and no input that takes longer than [`SLOW`];
 //! - finite results of mild inputs: magnitudes from 2⁻¹² to 2¹² and zero, within each domain;
-//! - results that are numbers for every finite input, and NaN for NaN, where the documentation says so;
+//! - results that are not NaN for every finite input, and NaN for NaN, if so documented;
 //! - friction that dissipates;
-//! - refusals that name their place.
+//! - refusals that report the position of the error.
 
 mod check;
 mod contacts;
@@ -27,14 +28,14 @@ pub use source::{Regime, Source, seed_of};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
-/// Something that takes inputs.
+/// A target of the fuzzer.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
-    /// Its name.
+    /// Name of the target.
     pub name: &'static str,
-    /// Inputs of it in a thousand: slow ones get fewer.
+    /// Its share of the inputs, per mille; slow targets get fewer.
     pub share: u64,
-    /// Takes one input.
+    /// Runs one input.
     pub take: fn(&mut Source) -> Result<(), Broken>,
 }
 
@@ -54,7 +55,7 @@ pub const READERS: [Target; 4] = [
     target("golden files", 5, texts::golden_files),
 ];
 
-/// Everything of the kernel that takes inputs.
+/// Targets in the kernel.
 pub const KERNEL: [Target; 13] = [
     target("laws", 120, laws::memoryless),
     target("laws with memory", 120, laws::with_memory),
@@ -71,39 +72,39 @@ pub const KERNEL: [Target; 13] = [
     target("feet", 20, planes::feet),
 ];
 
-/// Everything that takes inputs.
+/// All targets.
 pub fn targets() -> impl Iterator<Item = Target> {
     READERS.into_iter().chain(KERNEL)
 }
 
-/// An input that takes longer is a finding.
+/// An input that takes longer than this is a finding.
 pub const SLOW: Duration = Duration::from_secs(5);
-/// Findings of a target that are kept.
+/// Number of findings of a target that are kept.
 const KEPT: usize = 5;
 
 /// An input with a broken property.
 #[derive(Clone, Debug)]
 pub struct Finding {
-    /// The seed that makes the input.
+    /// The seed of the input.
     pub seed: u64,
-    /// What is broken.
+    /// Description of the broken property.
     pub broken: Broken,
 }
 
-/// What a run saw.
+/// Result of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// Inputs taken.
+    /// Number of inputs.
     pub inputs: u64,
     /// The first findings.
     pub findings: Vec<Finding>,
-    /// How many there were.
+    /// Total number of findings.
     pub found: u64,
     /// The longest time of an input, and its seed.
     pub slowest: (Duration, u64),
 }
 
-/// Takes the input of one seed.
+/// Runs the input of one seed.
 pub fn take(target: &Target, seed: u64) -> Result<(), Broken> {
     let mut source = Source::new(seed);
     let caught = catch_unwind(AssertUnwindSafe(|| (target.take)(&mut source)));
@@ -116,7 +117,7 @@ pub fn take(target: &Target, seed: u64) -> Result<(), Broken> {
     })
 }
 
-/// Takes the inputs `range` of the run with `seed`.
+/// Runs the inputs `range` of the run with `seed`.
 pub fn run(target: &Target, seed: u64, range: std::ops::Range<u64>) -> Report {
     let mut report = Report::default();
     for index in range {
@@ -140,7 +141,7 @@ pub fn run(target: &Target, seed: u64, range: std::ops::Range<u64>) -> Report {
 }
 
 impl Report {
-    /// Both together.
+    /// Sum of both results.
     pub fn merged(mut self, other: Self) -> Self {
         self.inputs += other.inputs;
         self.found += other.found;

@@ -1,4 +1,4 @@
-//! Patches: every accepted patch can be used.
+//! Patches: every accepted patch is usable.
 
 use super::check::holds;
 use super::{Broken, Source};
@@ -77,7 +77,7 @@ fn rules<R: Real>(source: &mut Source) -> Result<(), Broken> {
     shaped.map_or(Ok(()), |nodes| sound(&nodes))
 }
 
-/// Finite places, weights that do not pull, a finite sum.
+/// Finite positions, weights that are not negative, and a finite sum.
 fn sound<R: Real>(patch: &impl NodePatch<R>) -> Result<(), Broken> {
     for node in patch.nodes() {
         let [x, y, weight] = [node.x, node.y, node.weight];

@@ -55,7 +55,7 @@ pub fn dissipates<R: Real>(
     )
 }
 
-/// Patches that move, upright and tall, and points.
+/// Moving patches, upright and tall, and points.
 pub fn planes(source: &mut Source) -> Result<(), Broken> {
     match source.below(5) {
         0 => upright::<f64>(source),
@@ -155,7 +155,7 @@ fn step_on_ellipsoid(source: &mut Source) -> Result<(), Broken> {
     })
 }
 
-/// A step: finite, and without a push it takes kinetic energy.
+/// A step is finite, and without a push it does not raise the kinetic energy.
 fn stepped<R: Real>(
     source: &mut Source,
     mut step: impl FnMut(
@@ -191,7 +191,7 @@ fn stepped<R: Real>(
             mass * (u.velocity.x * u.velocity.x + u.velocity.y * u.velocity.y)
                 + inertia * u.spin * u.spin
         };
-        // A projection is right to 1e-8, f32: 1e-5, of the wrench.
+        // A projection is accurate to 1e-8 of the wrench (f32: 1e-5).
         let slack = R::from_f64(if size_of::<R>() == 4 { 1e-4 } else { 1e-7 });
         let (was, is) = (energy(&before), energy(&after.twist));
         holds(is <= was + slack * was, "energy falls", &[was, is])?;
@@ -199,7 +199,7 @@ fn stepped<R: Real>(
     Ok(())
 }
 
-/// Feet of many points: what they carry, and steps on them.
+/// Feet of many points: the forces that they carry, and steps on them.
 pub fn feet(source: &mut Source) -> Result<(), Broken> {
     if source.one_in(2) {
         foot::<f64>(source)

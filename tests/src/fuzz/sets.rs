@@ -8,7 +8,7 @@ use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Region};
 use tribos_core::real::Real;
 
-/// A set and a question.
+/// One set and one query.
 pub fn sets(source: &mut Source) -> Result<(), Broken> {
     if source.one_in(2) {
         of::<f64>(source)

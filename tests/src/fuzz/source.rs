@@ -2,12 +2,12 @@
 
 use tribos_core::real::Real;
 
-/// Which numbers an input is made of.
+/// Range from which the numbers of an input are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Regime {
-    /// Every bit pattern: NaN, infinities, subnormals, the ends of the range.
+    /// Every bit pattern: NaN, infinities, subnormals, the limits of the range.
     Any,
-    /// Zero and magnitudes from 2⁻¹² to 2¹², where every result has to be finite.
+    /// Zero and magnitudes from 2⁻¹² to 2¹², for which every result must be finite.
     Mild,
 }
 
@@ -22,7 +22,7 @@ pub struct Source {
 /// Steele, Lea and Flood's SplitMix64 (OOPSLA 2014).
 const STRIDE: u64 = 0x9e37_79b9_7f4a_7c15;
 const MIX: [u64; 2] = [0xbf58_476d_1ce4_e5b9, 0x94d0_49bb_1331_11eb];
-/// Largest power of two of a mild number, either way.
+/// Largest power of two of a mild number, up or down.
 const MILD: i32 = 12;
 
 /// The seed of input `index` of a run with `seed`.
@@ -37,7 +37,7 @@ fn mixed(mut z: u64) -> u64 {
 }
 
 impl Source {
-    /// The numbers of one seed; half of the seeds are mild.
+    /// The random numbers of one seed; half of the seeds are mild.
     pub fn new(seed: u64) -> Self {
         let mut source = Self {
             state: seed,
@@ -50,17 +50,17 @@ impl Source {
         source
     }
 
-    /// Which numbers this input is made of.
+    /// The regime of this input.
     pub fn regime(&self) -> Regime {
         self.regime
     }
 
-    /// True if every result has to be finite.
+    /// True if every result must be finite.
     pub fn is_mild(&self) -> bool {
         self.regime == Regime::Mild
     }
 
-    /// 64 bits.
+    /// A 64-bit number.
     pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(STRIDE);
         mixed(self.state)
@@ -71,23 +71,23 @@ impl Source {
         (self.bits() % count.max(1) as u64) as usize
     }
 
-    /// True once in `count`.
+    /// True with probability 1/`count`.
     pub fn one_in(&mut self, count: usize) -> bool {
         self.below(count) == 0
     }
 
-    /// One of them.
+    /// A random element.
     pub fn one_of<T: Copy>(&mut self, all: &[T]) -> T {
         all[self.below(all.len())]
     }
 
-    /// From 0 to 1.
+    /// A number from 0 to 1.
     pub fn unit<R: Real>(&mut self) -> R {
         R::from_f64((self.bits() >> 40) as f64 / 16_777_216.0)
     }
 
-    /// A number of the regime, of either sign: often equal to the last one, next to it, or in a tiny
-    /// ratio with it.
+    /// A number of the regime, of either sign: often equal to the last one, adjacent to it, or in a tiny
+    /// ratio to it.
     pub fn number<R: Real>(&mut self) -> R {
         let value = match (self.below(12), self.regime) {
             (0, _) => self.last,
@@ -123,7 +123,7 @@ impl Source {
         }
     }
 
-    /// An ordinary number > 0 in every regime, for what must not be refused.
+    /// An ordinary number > 0 in every regime, for inputs that must not be refused.
     pub fn ordinary<R: Real>(&mut self) -> R {
         R::from_f64(self.mild().abs())
     }
@@ -140,7 +140,7 @@ impl Source {
         sign * mantissa * two_to(power)
     }
 
-    /// Any bits of the type.
+    /// An arbitrary bit pattern of the type.
     fn pattern<R: Real>(&mut self) -> f64 {
         let bits = self.bits();
         if size_of::<R>() == size_of::<f32>() {
@@ -150,7 +150,7 @@ impl Source {
         }
     }
 
-    /// The ends of the range and the neighbours of 1.
+    /// The limits of the range and the neighbours of 1.
     fn end<R: Real>(&mut self) -> R {
         let least = R::MIN_POSITIVE;
         let most = (R::TWO - R::EPSILON) * (R::ONE / least * R::TWO);

@@ -5,7 +5,7 @@ use super::{Broken, Source};
 use tribos_core::internals::{CompleteElliptic, Gauss};
 use tribos_core::real::Real;
 
-/// One of them.
+/// One of the functions.
 pub fn special(source: &mut Source) -> Result<(), Broken> {
     match source.below(5) {
         0 => elementary::<f64>(source),
@@ -76,7 +76,7 @@ fn elliptic<R: Real>(source: &mut Source) -> Result<(), Broken> {
 }
 
 fn gauss(source: &mut Source) -> Result<(), Broken> {
-    // Within the domain, or with anything.
+    // Arguments within the domain, or arbitrary ones.
     let [a, b] = [(); 2].map(|()| 4.0 * source.unit::<f64>() - 2.0);
     let (a, b, c) = if source.is_mild() {
         (a, b, (a + b).max(0.0) + 0.125 + 3.0 * source.unit::<f64>())

@@ -1,4 +1,4 @@
-//! Files that people and programs write: scenes, overrides, checkpoints, golden files.
+//! Files written by people and programs: scenes, overrides, checkpoints, golden files.
 
 use super::{Broken, Source};
 use std::sync::OnceLock;
@@ -11,7 +11,7 @@ use tribos::scene::{
 };
 use tribos::tip::TipRun;
 
-/// Scenes that inputs are made from.
+/// Scenes from which inputs are derived.
 const SCENES: [&str; 9] = [
     include_str!("../../../scenes/disk.toml"),
     include_str!("../../../scenes/cylinder.toml"),
@@ -23,7 +23,7 @@ const SCENES: [&str; 9] = [
     include_str!("../../../scenes/tip-reversible.toml"),
     LEAST,
 ];
-/// Values that a scene may be given.
+/// Values for the keys of a scene.
 const VALUES: [&str; 25] = [
     "0",
     "-0.0",
@@ -51,10 +51,10 @@ const VALUES: [&str; 25] = [
     "'raw'",
     "2.0",
 ];
-/// A powder that takes a moment.
+/// A powder with a short running time.
 const TINY: &str =
     "body = \"powder\"\nwidth = 6\nheight = 6\npressure = 0.02\nsteps = 4\nsamples = 1\n";
-/// A tip that takes a moment: a chain of atoms on a substrate.
+/// A tip with a short running time: a chain of atoms on a substrate.
 const LEAST: &str = "body = \"tip\"\nlambda = 0.1\ncolumns = 4\nrows = 4\nside = 1\n\
                      substrate_layers = 4\ntip_layers = 4\ncutoff = 1.5\nspacing = 1.1\n\
                      equilibration = 0\ndrive_time = 0.02\nrest_time = 0.02\nsamples = 1\n";
@@ -67,7 +67,7 @@ fn vocabulary() -> &'static [&'static str] {
     })
 }
 
-/// A text with some changes: lines of the vocabulary, lines gone or twice, other bytes.
+/// A text with several changes: lines of the vocabulary, deleted or repeated lines, changed bytes.
 fn mutated(source: &mut Source, text: &str) -> String {
     let mut lines: Vec<Vec<u8>> = text.lines().map(|line| line.as_bytes().to_vec()).collect();
     for _ in 0..1 + source.below(4) {
@@ -105,7 +105,7 @@ fn value(source: &mut Source) -> String {
     }
 }
 
-/// Some bytes changed, gone or added.
+/// Changes, deletes or inserts some bytes.
 fn scramble(source: &mut Source, line: &mut Vec<u8>) {
     for _ in 0..1 + source.below(3) {
         let at = source.below(line.len() + 1);
@@ -124,14 +124,14 @@ fn scramble(source: &mut Source, line: &mut Vec<u8>) {
     }
 }
 
-/// A scene file: accepted with parameters that are numbers, or refused with places.
+/// A scene file is accepted with parameters that are numbers, or refused with the positions of its errors.
 pub fn scenes(source: &mut Source) -> Result<(), Broken> {
     let base = source.one_of(&SCENES);
     let text = mutated(source, base);
     judged(parse_scene("scene.toml", &text, &[])).map_err(|broken| format!("{broken}\n{text}"))
 }
 
-/// A good scene with overrides of all kinds.
+/// A valid scene with overrides of all kinds.
 pub fn overrides(source: &mut Source) -> Result<(), Broken> {
     let text = source.one_of(&SCENES);
     let mut all = Vec::new();
@@ -186,7 +186,7 @@ fn powder() -> Option<&'static (PowderScene, String)> {
     made.as_ref()
 }
 
-/// The least tip and its checkpoint after two steps.
+/// The smallest tip and its checkpoint after two steps.
 fn tip() -> Option<&'static (TipScene, String)> {
     static KEPT: OnceLock<Option<(TipScene, String)>> = OnceLock::new();
     let made = KEPT.get_or_init(|| {
@@ -200,7 +200,7 @@ fn tip() -> Option<&'static (TipScene, String)> {
     made.as_ref()
 }
 
-/// A damaged checkpoint: it is refused, or the run continues or ends with an error.
+/// A damaged checkpoint is refused, or the run continues or ends with an error.
 pub fn checkpoints(source: &mut Source) -> Result<(), Broken> {
     if source.one_in(2) {
         let (scene, text) = powder().ok_or("the tiny powder cannot be run")?;
@@ -218,8 +218,8 @@ pub fn checkpoints(source: &mut Source) -> Result<(), Broken> {
     Ok(())
 }
 
-/// One line of JSON: cut at its commas, so that single entries change; mostly with the digest of what
-/// it says now, behind which the reader must not fall for anything else.
+/// One line of JSON, cut at its commas so that single entries change; usually with a digest that matches
+/// the changed text, so that the reader must find the damage in the content.
 fn damaged(source: &mut Source, text: &str) -> String {
     let lines = text.replace(',', ",\n");
     let changed = mutated(source, &lines).replace(",\n", ",");
@@ -243,7 +243,7 @@ fn golden() -> Option<&'static (Measurement, String)> {
     made.as_ref()
 }
 
-/// A damaged golden file: refused with its line, or compared.
+/// A damaged golden file is refused with its line number, or compared.
 pub fn golden_files(source: &mut Source) -> Result<(), Broken> {
     let (measured, text) = golden().ok_or("the disk cannot be run")?;
     let text = mutated(source, text);

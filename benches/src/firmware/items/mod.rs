@@ -26,7 +26,7 @@ pub struct Item {
     modules: &'static str,
     /// In which precisions it is built.
     pub precisions: &'static [&'static str],
-    /// What is called, and how.
+    /// The call that is measured.
     pub code: Code,
 }
 
@@ -44,7 +44,7 @@ pub struct Code {
     pub statics: &'static str,
     /// The object that is prepared once; `?` on an option refuses.
     pub prepare: &'static str,
-    /// What becomes of the `object` before each call, not counted.
+    /// Code that runs before each call and is not counted.
     pub ready: &'static str,
     /// The call on the `object`: an `R`.
     pub call: &'static str,

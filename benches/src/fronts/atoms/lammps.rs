@@ -63,7 +63,7 @@ pub fn run(input: &Input) -> Result<Told, String> {
     })
 }
 
-/// Reads what is printed.
+/// Reads the output of LAMMPS.
 fn read(text: &str, timed: usize) -> Option<Told> {
     let energy = energy(text)?;
     let text = text.split("Loop time of ").nth(timed + 1)?;

@@ -1,11 +1,12 @@
-//! Contacts of rigid bodies that open, slide, roll and spin: impulses under thresholds.
+//! Contacts of rigid bodies that open, slide, roll and spin: impulses under friction thresholds.
 //!
-//! In each time step: find where bodies touch, prepare the contact from the velocities at the start
-//! of the step, let forces act on the bodies, then update. One update is the exact solution of one
-//! contact; sweeping updates over all contacts solves a system of them (non-linear Gauss-Seidel).
+//! In each time step: find the contacts of the bodies, prepare each from the velocities at the start
+//! of the step, apply the forces to the bodies, then update. One update is the exact solution of one
+//! contact; repeated updates of all contacts solve a system of them (non-linear Gauss-Seidel).
 
 use super::vectors::tribos_vector_f64;
 use crate::choice::tribos_attraction;
+use crate::fields::same_fields;
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::contact::{
@@ -14,7 +15,7 @@ use tribos_core::contact::{
 };
 use tribos_core::internals::{Block, PreparedContact};
 
-/// A sphere, free in all directions.
+/// A sphere that can move and rotate freely.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_sphere_f64 {
@@ -22,17 +23,17 @@ pub struct tribos_sphere_f64 {
     pub velocity: tribos_vector_f64,
     /// Angular velocity.
     pub spin: tribos_vector_f64,
-    /// 1/mass; 0 for an infinite one.
+    /// 1/mass; 0 for an infinite mass.
     pub inv_mass: f64,
     /// 1/(moment of inertia about any axis through the centre).
     pub inv_inertia: f64,
 }
 
-/// A plate that impulses move along its normal alone: a wall or a piston.
+/// A plate that impulses move only along its normal: a wall or a piston.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_plate_f64 {
-    /// Velocity; its part in the plane is driven and feels no impulse.
+    /// Velocity; its component in the plane is prescribed and unaffected by impulses.
     pub velocity: tribos_vector_f64,
     /// 1/mass; 0 for a wall.
     pub inv_mass: f64,
@@ -52,21 +53,21 @@ pub struct tribos_touch_f64 {
     pub lever: f64,
 }
 
-/// The law along the normal.
+/// The contact law along the normal.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_normal_law_f64 {
     /// Pull of cohesion, a force, finite and not negative.
     pub cohesion: f64,
-    /// Gap up to which it acts, finite and not negative.
+    /// Largest gap at which cohesion acts, finite and not negative.
     pub cohesion_range: f64,
     /// A value of tribos_attraction.
     pub attraction: u32,
-    /// Speed after an impact over speed before, 0 to 1.
+    /// Coefficient of restitution: speed after an impact over speed before, 0 to 1.
     pub restitution: f64,
 }
 
-/// Friction coefficients, finite and not negative; a function takes those of its modes and ignores
+/// Friction coefficients, finite and not negative; a function reads those of its modes and ignores
 /// the others. P is the normal impulse plus cohesion.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
@@ -79,13 +80,13 @@ pub struct tribos_thresholds_f64 {
     pub torsion: f64,
 }
 
-/// An impulse on the second body; its opposite acts on the first. Start a contact with zeros.
+/// An impulse on the second body; its opposite acts on the first. A new contact starts with zeros.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_impulse_f64 {
-    /// Along the normal; positive pushes apart.
+    /// Impulse along the normal; positive separates the bodies.
     pub normal: f64,
-    /// Force impulse in the contact plane, in the axes of space.
+    /// Force impulse in the contact plane, in world axes.
     pub sliding: tribos_vector_f64,
     /// Torque impulse in the contact plane.
     pub rolling: tribos_vector_f64,
@@ -93,7 +94,7 @@ pub struct tribos_impulse_f64 {
     pub torsion: f64,
 }
 
-/// A contact prepared for one time step; to be looked at, and changed at one's own risk.
+/// A contact prepared for one time step. The fields may be read; changed values are not validated.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_contact_f64 {
@@ -105,85 +106,23 @@ pub struct tribos_contact_f64 {
     pub lever: f64,
     /// Effective mass along the normal.
     pub mass_normal: f64,
-    /// Effective mass across it.
+    /// Effective mass in the contact plane.
     pub mass_sliding: f64,
-    /// Effective moment of inertia, of rolling and of torsion.
+    /// Effective moment of inertia of rolling and of torsion.
     pub inertia: f64,
     /// Coupling of sliding and rolling, 0 for equal spheres.
     pub coupling: f64,
     /// Impulse of cohesion in this step, 0 beyond its range.
     pub cohesion: f64,
-    /// Speed of approach that counts as closed; minus the speed of a rebound.
+    /// Approach speed at which the contact counts as closed; the negative speed of a rebound.
     pub allowance: f64,
-    /// 1 if cohesion lets the gap, now open, stay as it is; else 0.
+    /// 1 if cohesion keeps the gap, which is open, as it is; else 0.
     pub rests_open: u32,
 }
 
-impl From<tribos_sphere_f64> for Sphere<f64> {
-    #[inline(always)]
-    fn from(s: tribos_sphere_f64) -> Self {
-        Self {
-            velocity: s.velocity.into(),
-            spin: s.spin.into(),
-            inv_mass: s.inv_mass,
-            inv_inertia: s.inv_inertia,
-        }
-    }
-}
-
-impl From<Sphere<f64>> for tribos_sphere_f64 {
-    #[inline(always)]
-    fn from(s: Sphere<f64>) -> Self {
-        Self {
-            velocity: s.velocity.into(),
-            spin: s.spin.into(),
-            inv_mass: s.inv_mass,
-            inv_inertia: s.inv_inertia,
-        }
-    }
-}
-
-impl From<tribos_plate_f64> for Plate<f64> {
-    #[inline(always)]
-    fn from(p: tribos_plate_f64) -> Self {
-        Self {
-            velocity: p.velocity.into(),
-            inv_mass: p.inv_mass,
-        }
-    }
-}
-
-impl From<Plate<f64>> for tribos_plate_f64 {
-    #[inline(always)]
-    fn from(p: Plate<f64>) -> Self {
-        Self {
-            velocity: p.velocity.into(),
-            inv_mass: p.inv_mass,
-        }
-    }
-}
-
-impl From<Touch<f64>> for tribos_touch_f64 {
-    fn from(t: Touch<f64>) -> Self {
-        Self {
-            normal: t.normal.into(),
-            gap: t.gap,
-            arms: t.arms,
-            lever: t.lever,
-        }
-    }
-}
-
-impl From<tribos_touch_f64> for Touch<f64> {
-    fn from(t: tribos_touch_f64) -> Self {
-        Self {
-            normal: t.normal.into(),
-            gap: t.gap,
-            arms: t.arms,
-            lever: t.lever,
-        }
-    }
-}
+same_fields!(tribos_sphere_f64, Sphere<f64> { velocity, spin, inv_mass, inv_inertia });
+same_fields!(tribos_plate_f64, Plate<f64> { velocity, inv_mass });
+same_fields!(tribos_touch_f64, Touch<f64> { normal, gap, arms, lever });
 
 impl From<PreparedContact<f64>> for tribos_contact_f64 {
     fn from(c: PreparedContact<f64>) -> Self {
@@ -253,27 +192,27 @@ fn normal_law(law: tribos_normal_law_f64) -> Result<NormalLaw<f64>, tribos_statu
     Ok(NormalLaw::new(cohesion, law.restitution)?)
 }
 
-/// A contact between two bodies as they are at the start of the step.
+/// Prepares a contact of two bodies in their state at the start of the step.
 #[inline(always)]
-unsafe fn prepared(
+unsafe fn prepared<A: AsBody + Copy, B: AsBody + Copy>(
     touch: *const tribos_touch_f64,
     law: *const tribos_normal_law_f64,
-    first: &impl Body<f64>,
-    second: &impl Body<f64>,
+    (first, second): (*const A, *const B),
     dt: f64,
 ) -> Result<tribos_contact_f64, tribos_status> {
+    let (first, second) = (read(first)?.body(), read(second)?.body());
     let (touch, law) = (read(touch)?.into(), normal_law(read(law)?)?);
     let dt = TimeStep::new(dt)?.dt();
-    // What is prepared does not depend on the modes.
-    let contact = Contact::<f64, AllModes>::new(&touch, &law, first, second, dt);
+    // The prepared quantities do not depend on the modes.
+    let contact = Contact::<f64, AllModes>::new(&touch, &law, &first, &second, dt);
     Ok(contact.prepared().into())
 }
 
-/// A structure that stands for a body of the kernel.
+/// A structure of the header that represents a body of the kernel.
 pub(super) trait AsBody {
-    /// Its type there.
+    /// Type of the body in the kernel.
     type Kernel: Body<f64>;
-    /// The body.
+    /// Converts to the kernel's body.
     fn body(self) -> Self::Kernel;
 }
 
@@ -293,7 +232,7 @@ impl AsBody for tribos_plate_f64 {
     }
 }
 
-/// Where two spheres touch; `displacement` leads from the first centre to the second.
+/// Contact geometry of two spheres; `displacement` is the vector from the first centre to the second.
 /// Accuracy: the normal to 4 ulp, the gap to 2 ulp of the distance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_touch_spheres_f64(
@@ -308,8 +247,8 @@ pub unsafe extern "C" fn tribos_touch_spheres_f64(
     })
 }
 
-/// Where a sphere, the first body, whose centre is `height` above a plate touches it; `outward` is
-/// the plate's unit normal into the space of the sphere, taken as it is.
+/// Contact geometry of a sphere, the first body, and a plate at distance `height` from its centre; `outward`
+/// is the plate's unit normal into the space of the sphere and is not normalised.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_touch_plate_f64(
     height: f64,
@@ -332,10 +271,7 @@ pub unsafe extern "C" fn tribos_contact_spheres_f64(
     dt: f64,
     contact: *mut tribos_contact_f64,
 ) -> tribos_status {
-    answer(contact, || {
-        let (a, b) = (read(first)?.body(), read(second)?.body());
-        prepared(touch, law, &a, &b, dt)
-    })
+    answer(contact, || prepared(touch, law, (first, second), dt))
 }
 
 /// Prepares a contact of a sphere with a plate, the second body.
@@ -348,8 +284,5 @@ pub unsafe extern "C" fn tribos_contact_plate_f64(
     dt: f64,
     contact: *mut tribos_contact_f64,
 ) -> tribos_status {
-    answer(contact, || {
-        let (a, b) = (read(first)?.body(), read(second)?.body());
-        prepared(touch, law, &a, &b, dt)
-    })
+    answer(contact, || prepared(touch, law, (first, second), dt))
 }

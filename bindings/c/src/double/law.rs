@@ -1,6 +1,6 @@
 //! Friction laws of one surface element, body or joint.
 //!
-//! Each call checks the parameters anew: some comparisons, no division.
+//! Each call validates the parameters again, with a few comparisons and no division.
 
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
@@ -33,7 +33,7 @@ pub struct tribos_dry_f64 {
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_power_f64 {
-    /// Exponent, -1 < alpha <= 128. Below 0 friction falls with speed and no uniqueness is promised.
+    /// Exponent, -1 < alpha <= 128. Below 0 friction falls with speed, and motions need not be unique.
     pub alpha: f64,
     /// Coefficient, 0 <= coefficient < inf, in (time/length)^alpha.
     pub coefficient: f64,
@@ -43,34 +43,34 @@ pub struct tribos_power_f64 {
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_stribeck_f64 {
-    /// mu_s and mu_d.
+    /// Coefficients mu_s and mu_d.
     pub dry: tribos_dry_f64,
-    /// v_s, positive and finite, in units of speed.
+    /// Stribeck speed v_s, positive and finite.
     pub stribeck_speed: f64,
-    /// Positive and finite; 1 and 2 are usual.
+    /// Exponent of the decay, positive and finite; 1 and 2 are usual.
     pub exponent: f64,
-    /// Finite and not negative, in 1/speed.
+    /// Viscous coefficient in 1/speed, finite and not negative.
     pub viscous: f64,
 }
 
 /// The LuGre model in units of force:
 /// z' = v - stiffness |v| z/g(v), g(v) = F_c + (F_s - F_c) exp(-(v/v_s)^2),
 /// force = stiffness z + bristle_damping z' + viscous_damping v.
-/// The force has the sign of v: a body that moves with v feels minus that.
+/// The force has the sign of v: the friction on a body that moves with v is minus this force.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_lugre_f64 {
-    /// F_c, 0 < F_c <= F_s.
+    /// Coulomb force F_c, 0 < F_c <= F_s.
     pub coulomb_force: f64,
-    /// F_s, the most that the bristles carry.
+    /// Static force F_s, the largest force of the bristles.
     pub static_force: f64,
-    /// v_s, positive.
+    /// Stribeck speed v_s, positive.
     pub stribeck_speed: f64,
-    /// Of the bristles, positive, force/length.
+    /// Stiffness of the bristles, positive, force/length.
     pub stiffness: f64,
-    /// Of the bristles, not negative, force x time/length.
+    /// Damping of the bristles, not negative, force x time/length.
     pub bristle_damping: f64,
-    /// Not negative, force x time/length.
+    /// Viscous damping, not negative, force x time/length.
     pub viscous_damping: f64,
 }
 
@@ -79,39 +79,22 @@ pub struct tribos_lugre_f64 {
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_rate_state_f64 {
-    /// Coefficient of steady sliding with V_0, not negative.
+    /// Coefficient of steady sliding at V_0, not negative.
     pub mu: f64,
     /// Direct effect of the speed, positive.
     pub a: f64,
     /// Effect of the age, not negative.
     pub b: f64,
-    /// V_0, positive.
+    /// Reference speed V_0, positive.
     pub reference_speed: f64,
-    /// D_c, memory length, positive.
+    /// Memory length D_c, positive.
     pub slip_distance: f64,
     /// Viscous coefficient in 1/speed, not negative.
     pub viscous: f64,
 }
 
-fn coulomb(law: tribos_coulomb_f64) -> Result<CoulombLaw<f64>, LawError> {
-    CoulombLaw::new(law.mu)
-}
-
 fn dry(law: tribos_dry_f64) -> Result<DryFriction<f64>, LawError> {
     DryFriction::new(law.mu_static, law.mu_dynamic)
-}
-
-fn power(law: tribos_power_f64) -> Result<PowerLaw<f64>, LawError> {
-    PowerLaw::new(law.alpha, law.coefficient)
-}
-
-fn stribeck(law: tribos_stribeck_f64) -> Result<Stribeck<f64>, LawError> {
-    Stribeck::new(StribeckParameters {
-        dry: dry(law.dry)?,
-        speed: law.stribeck_speed,
-        exponent: law.exponent,
-        viscous: law.viscous,
-    })
 }
 
 fn lugre(law: tribos_lugre_f64) -> Result<LuGre<f64>, LawError> {
@@ -139,15 +122,15 @@ fn rate_state<E: tribos_core::law::Evolution>(
 }
 
 fn steady(law: tribos_rate_state_f64) -> Result<SteadyRateState<f64>, LawError> {
-    // The age of steady sliding does not depend on how it evolves.
+    // The age of steady sliding is the same for both evolution laws.
     Ok(rate_state::<Dieterich>(law)?.steady())
 }
 
-/// Parameters that make a law of the local sliding speed.
+/// Parameters of a law of the local sliding speed.
 pub(super) trait Local {
     /// The kernel's law.
     type Law: LocalLaw<f64>;
-    /// Checks the parameters.
+    /// Validates the parameters.
     fn law(self) -> Result<Self::Law, LawError>;
 }
 
@@ -155,7 +138,7 @@ impl Local for tribos_coulomb_f64 {
     type Law = CoulombLaw<f64>;
     #[inline(always)]
     fn law(self) -> Result<Self::Law, LawError> {
-        coulomb(self)
+        CoulombLaw::new(self.mu)
     }
 }
 
@@ -163,7 +146,7 @@ impl Local for tribos_power_f64 {
     type Law = PowerLaw<f64>;
     #[inline(always)]
     fn law(self) -> Result<Self::Law, LawError> {
-        power(self)
+        PowerLaw::new(self.alpha, self.coefficient)
     }
 }
 
@@ -171,21 +154,26 @@ impl Local for tribos_stribeck_f64 {
     type Law = Stribeck<f64>;
     #[inline(always)]
     fn law(self) -> Result<Self::Law, LawError> {
-        stribeck(self)
+        Stribeck::new(StribeckParameters {
+            dry: dry(self.dry)?,
+            speed: self.stribeck_speed,
+            exponent: self.exponent,
+            viscous: self.viscous,
+        })
     }
 }
 
-/// Friction per load of Coulomb's law: mu, at every speed.
+/// Friction per load of Coulomb's law: mu at every speed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_coulomb_friction_f64(
     law: *const tribos_coulomb_f64,
     speed: f64,
     friction: *mut f64,
 ) -> tribos_status {
-    answer(friction, || Ok(coulomb(read(law)?)?.friction(speed)))
+    answer(friction, || Ok(read(law)?.law()?.friction(speed)))
 }
 
-/// Friction per load in motion: mu_dynamic. Special values: NaN stays NaN.
+/// Friction per load in motion: mu_dynamic. Special values: NaN gives NaN.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_dry_friction_f64(
     law: *const tribos_dry_f64,
@@ -195,8 +183,8 @@ pub unsafe extern "C" fn tribos_dry_friction_f64(
     answer(friction, || Ok(dry(read(law)?)?.friction(speed)))
 }
 
-/// Whether a body at rest stays there under a tangential drive per load, of either sign: 1 if it
-/// sticks, 0 if it slips. Special values: |drive| = mu_static sticks, NaN slips.
+/// Whether a body at rest remains at rest under a tangential load per normal load, of either sign: 1 if
+/// it sticks, 0 if it slips. Special values: |drive| = mu_static sticks, NaN slips.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_dry_sticks_f64(
     law: *const tribos_dry_f64,
@@ -208,8 +196,8 @@ pub unsafe extern "C" fn tribos_dry_sticks_f64(
     })
 }
 
-/// What a body at rest has left of the drive, per load: zero if it sticks, else the drive less
-/// dynamic friction, with the drive's sign. Special values: NaN stays NaN.
+/// Net tangential load on a body at rest, per normal load: zero if the body sticks, else the drive minus
+/// dynamic friction, with the sign of the drive. Special values: NaN gives NaN.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_dry_net_drive_f64(
     law: *const tribos_dry_f64,
@@ -226,17 +214,17 @@ pub unsafe extern "C" fn tribos_power_friction_f64(
     speed: f64,
     friction: *mut f64,
 ) -> tribos_status {
-    answer(friction, || Ok(power(read(law)?)?.friction(speed)))
+    answer(friction, || Ok(read(law)?.law()?.friction(speed)))
 }
 
-/// Derivative of the power law's friction by the speed, at speed > 0.
+/// Derivative of the power law's friction with respect to speed, at speed > 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_power_slope_f64(
     law: *const tribos_power_f64,
     speed: f64,
     slope: *mut f64,
 ) -> tribos_status {
-    answer(slope, || Ok(power(read(law)?)?.slope(speed)))
+    answer(slope, || Ok(read(law)?.law()?.slope(speed)))
 }
 
 /// Friction per load of the Stribeck curve at speed >= 0.
@@ -246,33 +234,33 @@ pub unsafe extern "C" fn tribos_stribeck_friction_f64(
     speed: f64,
     friction: *mut f64,
 ) -> tribos_status {
-    answer(friction, || Ok(stribeck(read(law)?)?.friction(speed)))
+    answer(friction, || Ok(read(law)?.law()?.friction(speed)))
 }
 
-/// Derivative of the Stribeck curve by the speed. At rest: -inf for an exponent below 1.
+/// Derivative of the Stribeck curve with respect to speed. At rest: -inf for an exponent below 1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_stribeck_slope_f64(
     law: *const tribos_stribeck_f64,
     speed: f64,
     slope: *mut f64,
 ) -> tribos_status {
-    answer(slope, || Ok(stribeck(read(law)?)?.slope(speed)))
+    answer(slope, || Ok(read(law)?.law()?.slope(speed)))
 }
 
-/// Speed of least friction between boundary and hydrodynamic lubrication;
-/// TRIBOS_STATUS_NO_MINIMUM without one. Cost: at most 512 slopes.
+/// Speed of minimum friction between boundary and hydrodynamic lubrication;
+/// TRIBOS_STATUS_NO_MINIMUM if there is none. Cost: at most 512 slopes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_stribeck_minimum_f64(
     law: *const tribos_stribeck_f64,
     speed: *mut f64,
 ) -> tribos_status {
     answer(speed, || {
-        let least = stribeck(read(law)?)?.minimum();
+        let least = read(law)?.law()?.minimum();
         least.ok_or(tribos_status::NoMinimum)
     })
 }
 
-/// One step of dt >= 0 at constant velocity: moves the deflection on (start with 0) and gives the
+/// One step of dt >= 0 at constant velocity: advances the deflection (initially 0) and returns the
 /// mean force over the step, so that force x dt is the impulse. Both are exact for any dt. The
 /// force has the sign of the velocity. Special values: NaN gives NaN.
 #[unsafe(no_mangle)]
@@ -293,7 +281,7 @@ pub unsafe extern "C" fn tribos_lugre_step_f64(
     })
 }
 
-/// Force at this moment, stiffness z + bristle_damping z' + viscous_damping v.
+/// Instantaneous force, stiffness z + bristle_damping z' + viscous_damping v.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_lugre_force_f64(
     law: *const tribos_lugre_f64,
@@ -306,7 +294,7 @@ pub unsafe extern "C" fn tribos_lugre_force_f64(
     })
 }
 
-/// Force of steady sliding, sgn(v) g(v) + viscous_damping v; at rest the limit for the zero's sign.
+/// Force of steady sliding, sgn(v) g(v) + viscous_damping v; at rest the limit for the sign of the zero.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_lugre_steady_force_f64(
     law: *const tribos_lugre_f64,
@@ -316,7 +304,7 @@ pub unsafe extern "C" fn tribos_lugre_steady_force_f64(
     answer(force, || Ok(lugre(read(law)?)?.steady_force(velocity)))
 }
 
-/// Speed up to which the model dissipates whatever the deflection; infinite if at every speed.
+/// Speed up to which the model dissipates energy for any deflection; infinite if it always does.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_lugre_passive_up_to_f64(
     law: *const tribos_lugre_f64,
@@ -325,7 +313,7 @@ pub unsafe extern "C" fn tribos_lugre_passive_up_to_f64(
     answer(speed, || Ok(lugre(read(law)?)?.passive_up_to()))
 }
 
-/// Friction per load at speed >= 0 for a contact of the age theta (a time). 0 at rest.
+/// Friction per load at speed >= 0 for a contact of age theta (a time); 0 at rest.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_rate_state_friction_f64(
     law: *const tribos_rate_state_f64,
@@ -338,7 +326,7 @@ pub unsafe extern "C" fn tribos_rate_state_friction_f64(
     })
 }
 
-/// Derivative of that friction by the speed at constant age.
+/// Derivative of this friction with respect to speed at constant age.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_rate_state_slope_f64(
     law: *const tribos_rate_state_f64,
@@ -351,7 +339,7 @@ pub unsafe extern "C" fn tribos_rate_state_slope_f64(
     })
 }
 
-/// Moves the age theta on by dt >= 0 at constant speed, exactly, by the ageing law
+/// Advances the age theta by dt >= 0 at constant speed, exactly, by the ageing law
 /// theta' = 1 - V theta/D_c.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_rate_state_advance_dieterich_f64(
@@ -366,7 +354,7 @@ pub unsafe extern "C" fn tribos_rate_state_advance_dieterich_f64(
     })
 }
 
-/// The same by the slip law theta' = -(V theta/D_c) ln(V theta/D_c).
+/// Advances the age theta like the function above, by the slip law theta' = -(V theta/D_c) ln(V theta/D_c).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_rate_state_advance_ruina_f64(
     law: *const tribos_rate_state_f64,
@@ -390,7 +378,7 @@ pub unsafe extern "C" fn tribos_rate_state_steady_friction_f64(
     answer(friction, || Ok(steady(read(law)?)?.friction(speed)))
 }
 
-/// Derivative of the steady friction by the speed.
+/// Derivative of the steady friction with respect to speed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_rate_state_steady_slope_f64(
     law: *const tribos_rate_state_f64,

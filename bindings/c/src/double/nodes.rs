@@ -1,7 +1,7 @@
-//! Contacts at points, and rules that make points of an area.
+//! Contacts at points, and quadrature rules that represent an area by points.
 //!
-//! Each call checks all nodes, which makes it a third dearer than the kernel's own on a desktop
-//! processor. A node that does not move carries nothing.
+//! Each call validates all nodes, which takes a third longer than the kernel itself on a desktop
+//! processor. A node at rest contributes no friction.
 
 use super::law::{Local, tribos_coulomb_f64, tribos_power_f64, tribos_stribeck_f64};
 use super::vectors::{tribos_jacobian_f64, tribos_twist_f64, tribos_wrench_f64};
@@ -17,11 +17,11 @@ use tribos_core::patch::tripod::tripod;
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_node_f64 {
-    /// First coordinate, from the point that twist and wrench refer to; finite.
+    /// First coordinate relative to the reference point of twist and wrench; finite.
     pub x: f64,
     /// Second coordinate.
     pub y: f64,
-    /// Share of the load, not negative, in any unit: only ratios of weights count.
+    /// Share of the load in any unit, not negative: only ratios of weights matter.
     pub weight: f64,
 }
 
@@ -35,25 +35,25 @@ pub struct tribos_point_f64 {
     pub y: f64,
 }
 
-/// A pressure on a disk, p = (1 - r^2/R^2)^q (1 + tilt x/R), as rings of nodes.
+/// A pressure on a disk, p = (1 - r^2/R^2)^q (1 + tilt x/R), represented by rings of nodes.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_disk_rule_f64 {
-    /// R, positive and finite.
+    /// Radius R, positive and finite.
     pub radius: f64,
     /// Number of rings, 1 to 1024.
     pub rings: u32,
     /// Nodes on each ring, 1 to 1024.
     pub angles: u32,
-    /// q, -1 < q <= 64: -1/2 flat punch, 0 uniform, 1/2 Hertz.
+    /// Exponent q, -1 < q <= 64: -1/2 flat punch, 0 uniform, 1/2 Hertz.
     pub rim_exponent: f64,
-    /// First component of the tilt, for the contact of a body that brakes; 0 for none.
+    /// First component of the tilt, for the contact of a braking body; 0 for no tilt.
     pub tilt_x: f64,
-    /// Second component; a pressure that is negative at a node is refused.
+    /// Second component of the tilt. A pressure that is negative at a node is refused.
     pub tilt_y: f64,
 }
 
-// The kernel's nodes and points are the same three and two numbers.
+// The kernel's nodes and points have the same layout.
 const _: () = {
     assert!(size_of::<Node<f64>>() == size_of::<tribos_node_f64>());
     assert!(align_of::<Node<f64>>() == align_of::<tribos_node_f64>());
@@ -64,7 +64,7 @@ const _: () = {
     assert!(size_of::<[f64; 2]>() == size_of::<tribos_point_f64>());
 };
 
-/// A law on nodes that the caller keeps.
+/// A law at nodes in the caller's memory.
 type Friction<'a, L> = NodeFriction<<L as Local>::Law, NodeSlice<'a, f64>>;
 
 #[inline(always)]
@@ -77,7 +77,7 @@ unsafe fn friction_of<'a, L: Local + Copy>(
     Ok(NodeFriction::new(read(law)?.law()?, NodeSlice::new(nodes)?))
 }
 
-/// The wrench of Coulomb friction at `count` nodes.
+/// Wrench of Coulomb friction at `count` nodes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_nodes_coulomb_wrench_f64(
     law: *const tribos_coulomb_f64,
@@ -93,8 +93,8 @@ pub unsafe extern "C" fn tribos_nodes_coulomb_wrench_f64(
     })
 }
 
-/// Its Jacobian. Special values: a node at rest counts with the law's slope at rest if that is not
-/// negative: dry friction is left out.
+/// Jacobian of Coulomb friction at `count` nodes. Special values: a node at rest contributes the law's
+/// slope at rest if that is not negative, hence nothing under dry friction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_nodes_coulomb_jacobian_f64(
     law: *const tribos_coulomb_f64,
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn tribos_nodes_coulomb_jacobian_f64(
     })
 }
 
-/// The wrench of the power law at `count` nodes.
+/// Wrench of the power law at `count` nodes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_nodes_power_wrench_f64(
     law: *const tribos_power_f64,
@@ -126,7 +126,7 @@ pub unsafe extern "C" fn tribos_nodes_power_wrench_f64(
     })
 }
 
-/// Its Jacobian.
+/// Jacobian of the power law at `count` nodes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_nodes_power_jacobian_f64(
     law: *const tribos_power_f64,
@@ -142,7 +142,7 @@ pub unsafe extern "C" fn tribos_nodes_power_jacobian_f64(
     })
 }
 
-/// The wrench of the Stribeck curve at `count` nodes.
+/// Wrench of the Stribeck curve at `count` nodes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_nodes_stribeck_wrench_f64(
     law: *const tribos_stribeck_f64,
@@ -158,7 +158,7 @@ pub unsafe extern "C" fn tribos_nodes_stribeck_wrench_f64(
     })
 }
 
-/// Its Jacobian.
+/// Jacobian of the Stribeck curve at `count` nodes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_nodes_stribeck_jacobian_f64(
     law: *const tribos_stribeck_f64,
@@ -174,9 +174,9 @@ pub unsafe extern "C" fn tribos_nodes_stribeck_jacobian_f64(
     })
 }
 
-/// Nodes of a uniform pressure on a simple polygon of which one corner sees the whole inside:
-/// 7 (corners - 2) divisions^2 of them, written to `nodes` with room for `capacity`; `filled` is
-/// their number. On TRIBOS_STATUS_FULL and other refusals the content of `nodes` is not defined.
+/// Nodes of a uniform pressure on a simple polygon in which one corner sees the whole interior. The
+/// 7 (corners - 2) divisions^2 nodes are written to `nodes`, which has room for `capacity`; `filled` is
+/// their number. After TRIBOS_STATUS_FULL and other refusals the content of `nodes` is undefined.
 /// Accuracy: moments up to degree 5 to rounding; friction of a square 1.2e-2, 2.8e-3, 6.8e-4 of the
 /// load with 56, 224, 896 nodes while the centre of rotation lies inside.
 #[unsafe(no_mangle)]
@@ -196,9 +196,9 @@ pub unsafe extern "C" fn tribos_polygon_nodes_f64(
     })
 }
 
-/// Nodes of a pressure on a disk: rings x angles of them, as above.
-/// Accuracy: Coulomb friction under uniform pressure with 8 x 16 nodes 3.7e-3, with 16 x 32 9.4e-4
-/// while the centre of rotation lies inside; outside it falls geometrically.
+/// Nodes of a pressure on a disk: rings x angles of them, written as by tribos_polygon_nodes_f64.
+/// Accuracy: Coulomb friction under uniform pressure 3.7e-3 with 8 x 16 nodes, 9.4e-4 with 16 x 32
+/// while the centre of rotation lies inside; outside, the error falls geometrically.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_disk_nodes_f64(
     rule: *const tribos_disk_rule_f64,
@@ -218,7 +218,7 @@ pub unsafe extern "C" fn tribos_disk_nodes_f64(
     })
 }
 
-/// The nodes of three feet that carry a body whose weight acts above `centre`: `feet` leads to
+/// Nodes of three feet that carry a body whose centre of mass lies above `centre`: `feet` points to
 /// three points, `nodes` to room for three nodes, whose positions are relative to `centre`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_tripod_nodes_f64(

@@ -1,8 +1,8 @@
 //! Round contact patches: the coupled friction of sliding and spinning.
 //!
 //! The wrench acts on the patch, against its twist; the Jacobian is symmetric. At rest the wrench is
-//! zero and the Jacobian the limit of damping, infinite for Coulomb friction. NaN in gives NaN out.
-//! The load is taken as it is: a negative one (a contact that pulls) is the caller's to exclude.
+//! zero and the Jacobian is the limit of damping, infinite for Coulomb friction. NaN in gives NaN out.
+//! The load is not validated: the caller must exclude a negative load (a contact that pulls).
 
 use super::vectors::{tribos_jacobian_f64, tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read};
@@ -13,17 +13,17 @@ use tribos_core::coupling::table::{Coulomb, Table64};
 use tribos_core::coupling::{Annulus, Coupling, PatchFriction, compact};
 use tribos_core::patch::PowerPressure;
 
-/// A round contact.
+/// A round contact patch.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_round_f64 {
-    /// Friction coefficient mu, or that of the power law, 0 <= coefficient < inf.
+    /// Friction coefficient mu, or coefficient of the power law, 0 <= coefficient < inf.
     pub coefficient: f64,
-    /// Radius of the contact, positive and finite.
+    /// Radius of the patch, positive and finite.
     pub radius: f64,
 }
 
-/// The wrench of one coupling.
+/// Wrench of one coupling.
 #[inline(always)]
 unsafe fn wrench_of<C: Coupling<f64>>(
     coupling: C,
@@ -36,7 +36,7 @@ unsafe fn wrench_of<C: Coupling<f64>>(
     Ok(friction.wrench(load, &twist.into()).into())
 }
 
-/// Its Jacobian.
+/// Jacobian of one coupling.
 #[inline(always)]
 unsafe fn jacobian_of<C: Coupling<f64>>(
     coupling: C,
@@ -49,7 +49,7 @@ unsafe fn jacobian_of<C: Coupling<f64>>(
     Ok(friction.wrench_jacobian(load, &twist.into()).into())
 }
 
-/// Uniform disk under Coulomb friction, by table: the quickest. Flash: 23 KiB of table (f32: 3).
+/// Uniform disk under Coulomb friction, by table, the fastest method. Flash: 23 KiB of table (f32: 3).
 /// Accuracy: 5 ulp in force and torque.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_disk_wrench_f64(
@@ -72,8 +72,8 @@ pub unsafe extern "C" fn tribos_disk_jacobian_f64(
     answer(jacobian, || jacobian_of(Coulomb, patch, load, twist))
 }
 
-/// Uniform disk under Coulomb friction without table, by elliptic integrals: a few KiB of code, 5
-/// times as slow. Accuracy: 1e-14 relative (f32: 5e-6).
+/// Uniform disk under Coulomb friction without a table, by elliptic integrals: a few KiB of code, 5
+/// times slower. Accuracy: 1e-14 relative (f32: 5e-6).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_disk_compact_wrench_f64(
     patch: *const tribos_round_f64,
@@ -86,7 +86,7 @@ pub unsafe extern "C" fn tribos_disk_compact_wrench_f64(
     })
 }
 
-/// Jacobian of the uniform disk without table.
+/// Jacobian of the uniform disk without a table.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_disk_compact_jacobian_f64(
     patch: *const tribos_round_f64,
@@ -99,7 +99,7 @@ pub unsafe extern "C" fn tribos_disk_compact_jacobian_f64(
     })
 }
 
-/// Uniform pressure between inner_ratio and 1 radii under Coulomb friction, by the disk's table.
+/// Annulus between inner_ratio and 1 radii under uniform pressure and Coulomb friction, by the disk's table.
 /// Domain: 0 <= inner_ratio <= 0.999999. Accuracy: that of the disk times 2/(1 - inner_ratio), at most 32.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_annulus_wrench_f64(
@@ -198,7 +198,7 @@ pub unsafe extern "C" fn tribos_punch_jacobian_f64(
 }
 
 /// Prepares one exponent, -1 < alpha <= 128, under the pressure (1-r^2)^q of order q, -1 <= q <= 8:
-/// -1 ring, -1/2 flat punch, 0 uniform, 1/2 Hertz, 1 paraboloid. Cost: some 200 wrenches unless q = 0.
+/// -1 ring, -1/2 flat punch, 0 uniform, 1/2 Hertz, 1 paraboloid. Cost: about 200 wrenches unless q = 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_power_compact_build_f64(
     alpha: f64,
@@ -212,8 +212,8 @@ pub unsafe extern "C" fn tribos_power_compact_build_f64(
     })
 }
 
-/// Any exponent under any pressure (1-r^2)^q, without table. Works in double precision inside, for _f32
-/// too: on a processor that has none it is slow. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
+/// Any exponent under any pressure (1-r^2)^q, without a table. Computes in double precision, for _f32
+/// too, and is slow on a processor without it. Accuracy: 1e-14 relative for alpha >= -0.9 (f32: 10 ulp).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_power_compact_wrench_f64(
     power: *const tribos_power_compact_f64,
@@ -225,7 +225,7 @@ pub unsafe extern "C" fn tribos_power_compact_wrench_f64(
     answer(wrench, || wrench_of(held(power)?, patch, load, twist))
 }
 
-/// Its Jacobian.
+/// Jacobian of any exponent under any pressure (1-r^2)^q, without a table.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_power_compact_jacobian_f64(
     power: *const tribos_power_compact_f64,
@@ -238,8 +238,8 @@ pub unsafe extern "C" fn tribos_power_compact_jacobian_f64(
 }
 
 /// Builds the table of one exponent for the uniform disk, -1 < alpha <= 10, in the caller's memory:
-/// 23 KiB (f32: 3). Cost: about 300,000 operations in double precision (f32: half as many, in double
-/// precision too), and 49 KiB of stack on a Cortex-M4 (f32: 13).
+/// 23 KiB (f32: 3). Cost: about 300,000 operations in double precision (f32: half as many, also in
+/// double precision), and 49 KiB of stack on a Cortex-M4 (f32: 13).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_power_table_build_f64(
     alpha: f64,
@@ -248,7 +248,7 @@ pub unsafe extern "C" fn tribos_power_table_build_f64(
     build(table, || Table64::new(alpha))
 }
 
-/// Uniform disk under the power law, by a table built before; as quick as Coulomb friction but for
+/// Uniform disk under the power law, by a table built before; as fast as Coulomb friction except for
 /// one power. Accuracy: 1.5e-15 relative for alpha >= -0.75 (f32: 5 ulp).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_power_table_wrench_f64(
@@ -261,7 +261,7 @@ pub unsafe extern "C" fn tribos_power_table_wrench_f64(
     answer(wrench, || wrench_of(held(table)?, patch, load, twist))
 }
 
-/// Its Jacobian.
+/// Jacobian of the uniform disk under the power law, by a table built before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_power_table_jacobian_f64(
     table: *const tribos_power_table_f64,

@@ -1,23 +1,24 @@
-//! One body that slides and spins to rest on a plane, on a uniform disk under Coulomb friction.
+//! One body that slides and spins to rest on a plane: a uniform disk under Coulomb friction.
 
+use crate::fields::same_fields;
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::slider::{Motion, Slider, SliderParameters};
 
-/// A sliding body; all positive and finite.
+/// A sliding body; all parameters are positive and finite.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_slider_f64 {
-    /// mu x gravity.
+    /// Deceleration of pure sliding, mu x gravity.
     pub deceleration: f64,
     /// Radius of the contact.
     pub radius: f64,
-    /// I/(M radius^2): 1/2 for a disk on its own face.
+    /// Inertia ratio I/(M radius^2): 1/2 for a disk on its own face.
     pub inertia_ratio: f64,
 }
 
-/// The state of a slider, in units that are consistent with its deceleration and radius.
+/// The state of a slider, in units consistent with its deceleration and radius.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_motion_f64 {
@@ -33,7 +34,7 @@ pub struct tribos_motion_f64 {
     pub angle: f64,
 }
 
-/// The end of a motion.
+/// State of a slider at rest.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_rest_f64 {
@@ -45,43 +46,21 @@ pub struct tribos_rest_f64 {
     pub evaluations: u32,
 }
 
-/// The end of a step.
+/// State of a slider at the end of a step.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_advance_f64 {
     /// The motion at the end of the step.
     pub motion: tribos_motion_f64,
-    /// Ratio of sliding to rim speed in the limit of rest; NaN where the step ends in motion.
+    /// Ratio of sliding to rim speed in the limit of rest; NaN if the body is still moving.
     pub ratio: f64,
-    /// 1 in the step in which the body comes to rest, else 0.
+    /// 1 if the body comes to rest in this step, else 0.
     pub came_to_rest: u32,
     /// Evaluations of the wrench.
     pub evaluations: u32,
 }
 
-impl From<tribos_motion_f64> for Motion<f64> {
-    fn from(m: tribos_motion_f64) -> Self {
-        Self {
-            time: m.time,
-            speed: m.speed,
-            spin: m.spin,
-            distance: m.distance,
-            angle: m.angle,
-        }
-    }
-}
-
-impl From<Motion<f64>> for tribos_motion_f64 {
-    fn from(m: Motion<f64>) -> Self {
-        Self {
-            time: m.time,
-            speed: m.speed,
-            spin: m.spin,
-            distance: m.distance,
-            angle: m.angle,
-        }
-    }
-}
+same_fields!(tribos_motion_f64, Motion<f64> { time, speed, spin, distance, angle });
 
 #[inline(always)]
 unsafe fn slider_of(
@@ -98,8 +77,8 @@ unsafe fn slider_of(
     )?)
 }
 
-/// One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never turns
-/// it round. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.
+/// One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never reverses
+/// it. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_slider_verlet_step_f64(
     slider: *const tribos_slider_f64,
@@ -112,9 +91,9 @@ pub unsafe extern "C" fn tribos_slider_verlet_step_f64(
     })
 }
 
-/// Advances by duration >= 0, through rest if it comes. Accuracy: as tribos_slider_to_rest_f64.
-/// Cost: 8 evaluations of the wrench while the speeds change by less than some thousandths, 12 up to
-/// a few hundredths; some 50 to 250 otherwise.
+/// Advances the motion by duration >= 0, also past rest. Accuracy: as tribos_slider_to_rest_f64.
+/// Cost: 8 evaluations of the wrench if the speeds change by less than a few thousandths, 12 up to
+/// a few hundredths; otherwise about 50 to 250.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_slider_advance_f64(
     slider: *const tribos_slider_f64,
@@ -134,9 +113,9 @@ pub unsafe extern "C" fn tribos_slider_advance_f64(
     })
 }
 
-/// Follows the motion to rest; TRIBOS_STATUS_NO_REST for one that is not finite. Accuracy: 1e-13
-/// relative in each of time, distance and angle (f32: 5e-6), whichever motion dies first. Cost: some
-/// 150 evaluations of the wrench, seldom more than 500.
+/// Advances the motion to rest; TRIBOS_STATUS_NO_REST if it is not finite. Accuracy: 1e-13
+/// relative in each of time, distance and angle (f32: 5e-6), whichever motion ends first. Cost: about
+/// 150 evaluations of the wrench, rarely more than 500.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_slider_to_rest_f64(
     slider: *const tribos_slider_f64,
@@ -167,7 +146,7 @@ pub unsafe extern "C" fn tribos_slider_energy_f64(
     })
 }
 
-/// Power lost to friction per mass.
+/// Power dissipated by friction, per mass.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_slider_dissipation_f64(
     slider: *const tribos_slider_f64,

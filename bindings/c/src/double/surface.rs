@@ -1,8 +1,8 @@
 //! The limit surface: all wrenches that dry friction can carry.
 //!
-//! Friction opposes the motion; a push is the wrench that moves the patch against it. Each call
-//! makes the surface anew: the check of two numbers and three wrenches of the disk, beside the 6 to
-//! 13 that a gauge, a normal or a projection takes.
+//! Friction opposes the motion; a push is the wrench that moves the patch against friction. Each call
+//! builds the surface again: it validates two numbers and computes three wrenches of the disk, in addition
+//! to the 6 to 13 of a gauge, a normal or a projection.
 
 use super::vectors::{tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read};
@@ -22,12 +22,12 @@ pub struct tribos_disk_surface_f64 {
     pub radius: f64,
 }
 
-/// The ellipsoid (|force|/f)^2 + (torque/(f radius spin_torque))^2 <= 1 that planners take instead.
+/// The ellipsoid (|force|/f)^2 + (torque/(f radius spin_torque))^2 <= 1, which planners use instead.
 /// For the disk the exact surface lies inside it, down to gauge 0.934.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_ellipsoid_f64 {
-    /// f = mu x load, finite and not negative.
+    /// Force limit f = mu x load, finite and not negative.
     pub force_limit: f64,
     /// Radius of the patch, positive and finite.
     pub radius: f64,
@@ -35,15 +35,15 @@ pub struct tribos_ellipsoid_f64 {
     pub spin_torque: f64,
 }
 
-/// A wrench of the set nearest to a given one.
+/// The wrench of a set that is nearest to a given wrench.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_projection_f64 {
-    /// The wrench; the given one to the bit if that was inside or on the surface.
+    /// The nearest wrench; bit-identical to the given one if that is inside or on the surface.
     pub wrench: tribos_wrench_f64,
-    /// Outward normal there, |velocity|^2 + (spin radius)^2 = 1; zero if the contact sticks.
+    /// Outward normal at the wrench, |velocity|^2 + (spin radius)^2 = 1; zero if the contact sticks.
     pub normal: tribos_twist_f64,
-    /// 1 on the surface: the contact slides. 0 inside: it sticks.
+    /// 1 if the wrench is on the surface and the contact slides; 0 if it is inside and the contact sticks.
     pub slides: u32,
 }
 
@@ -95,7 +95,7 @@ unsafe fn set_of<S: Set>(set: *const S) -> Result<S::Set, tribos_status> {
     Ok(read(set)?.set()?)
 }
 
-/// A length of 0 stands for the radius of the set.
+/// Projects a wrench; a length of 0 represents the radius of the set.
 #[inline(always)]
 fn projected<S: FrictionSet<f64>>(
     set: &S,
@@ -110,7 +110,7 @@ fn projected<S: FrictionSet<f64>>(
     set.project_with_length(&wrench.into(), length).into()
 }
 
-/// The power that the patch dissipates with a twist: the largest wrench . twist of the set.
+/// Power that the patch dissipates with a twist: the largest wrench . twist of the set.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_disk_surface_support_f64(
     surface: *const tribos_disk_surface_f64,
@@ -120,7 +120,7 @@ pub unsafe extern "C" fn tribos_disk_surface_support_f64(
     answer(power, || Ok(set_of(surface)?.support(&read(twist)?.into())))
 }
 
-/// Friction on the patch that moves with a twist. Special values: zero at rest.
+/// Friction on a patch that moves with a twist. Special values: zero at rest.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_disk_surface_wrench_f64(
     surface: *const tribos_disk_surface_f64,
@@ -132,8 +132,8 @@ pub unsafe extern "C" fn tribos_disk_surface_wrench_f64(
     })
 }
 
-/// The smallest factor g >= 0 with wrench/g in the set: below 1 friction holds the patch, above 1 it
-/// slides. Special values: 0 for no wrench, infinite for an infinite one.
+/// The smallest factor g >= 0 with wrench/g in the set: below 1 friction holds the patch, above 1 the patch
+/// slides. Special values: 0 for the zero wrench, infinite for an infinite one.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_disk_surface_gauge_f64(
     surface: *const tribos_disk_surface_f64,
@@ -143,8 +143,8 @@ pub unsafe extern "C" fn tribos_disk_surface_gauge_f64(
     answer(gauge, || Ok(set_of(surface)?.gauge(&read(wrench)?.into())))
 }
 
-/// The motion that a push causes, scaled to |velocity|^2 + (spin radius)^2 = 1.
-/// Special values: zero for no push.
+/// The motion caused by a push, scaled to |velocity|^2 + (spin radius)^2 = 1.
+/// Special values: zero for the zero wrench.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_disk_surface_motion_f64(
     surface: *const tribos_disk_surface_f64,
@@ -157,7 +157,7 @@ pub unsafe extern "C" fn tribos_disk_surface_motion_f64(
     })
 }
 
-/// The wrench along the same ray on the surface. Special values: the zero wrench stays.
+/// The wrench scaled to the surface. Special values: the zero wrench is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_disk_surface_scale_f64(
     surface: *const tribos_disk_surface_f64,
@@ -170,8 +170,8 @@ pub unsafe extern "C" fn tribos_disk_surface_scale_f64(
     })
 }
 
-/// The nearest wrench of the set by the distance sqrt(|d force|^2 + (d torque/length)^2); a length of
-/// 0 stands for the radius. Special values: NaN for a negative or infinite length.
+/// The nearest wrench of the set in the norm sqrt(|d force|^2 + (d torque/length)^2); a length of
+/// 0 represents the radius. Special values: NaN for a negative or infinite length.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_disk_surface_project_f64(
     surface: *const tribos_disk_surface_f64,

@@ -1,8 +1,8 @@
-//! One update of a prepared contact: the impulse that obeys its laws with all else as it is.
+//! One update of a prepared contact: the impulse that satisfies its laws with all other contacts fixed.
 //!
-//! Impulse and bodies are changed in place. Modes that a function does not have get no impulse. All
-//! is closed form, unless sliding and rolling are coupled and both slip (then at most 96 rounds) or
-//! friction is that of a patch (then the searches of its limit surface).
+//! Impulse and bodies are changed in place. Modes without friction have no impulse. The solution
+//! is in closed form, unless sliding and rolling are coupled and both slip (at most 96 iterations) or
+//! friction is that of a patch (searches on its limit surface).
 
 use super::contact::{
     AsBody, tribos_contact_f64, tribos_impulse_f64, tribos_plate_f64, tribos_sphere_f64,
@@ -14,11 +14,14 @@ use tribos_core::contact::{Contact, ContactFriction, CoupledFriction, Thresholds
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::LimitSurface;
 
+/// Friction with validated parameters, or the reason for their refusal.
+type Checked<F> = Result<F, tribos_status>;
+
 /// Updates the impulse and both bodies.
 #[inline(always)]
 unsafe fn update<F, A, B>(
     contact: *const tribos_contact_f64,
-    friction: impl FnOnce() -> Result<F, tribos_status>,
+    friction: Checked<F>,
     (first, second): (*mut A, *mut B),
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status
@@ -31,14 +34,40 @@ where
         let (contact, old) = (read(contact)?.into(), read(impulse)?.into());
         let (mut a, mut b) = (read(first)?.body(), read(second)?.body());
         let mut contact = Contact::resume(&contact, &old);
-        contact.update(&friction()?, &mut a, &mut b);
+        contact.update(&friction?, &mut a, &mut b);
         first.write(a.into());
         second.write(b.into());
         Ok(contact.impulse().into())
     })
 }
 
-/// Updates a contact of two spheres. Only the normal impulse.
+unsafe fn sliding(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
+    Ok(Thresholds::sliding(read(f)?.sliding)?)
+}
+
+unsafe fn sliding_torsion(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
+    let f = read(f)?;
+    Ok(Thresholds::sliding_torsion(f.sliding, f.torsion)?)
+}
+
+unsafe fn sliding_rolling(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
+    let f = read(f)?;
+    Ok(Thresholds::sliding_rolling(f.sliding, f.rolling)?)
+}
+
+unsafe fn all(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
+    let f = read(f)?;
+    Ok(Thresholds::all(f.sliding, f.rolling, f.torsion)?)
+}
+
+/// Sliding and torsion under one threshold, that of a uniform disk.
+unsafe fn patch(f: *const tribos_thresholds_f64) -> Checked<impl ContactFriction<f64>> {
+    let f = read(f)?;
+    let set = LimitSurface::new(Coulomb, f.sliding, f.torsion)?;
+    Ok(CoupledFriction::sliding_torsion(set))
+}
+
+/// Updates a contact of two spheres, with a normal impulse only.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_frictionless_spheres_f64(
     contact: *const tribos_contact_f64,
@@ -46,10 +75,10 @@ pub unsafe extern "C" fn tribos_update_frictionless_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(contact, || Ok(Thresholds::none()), (first, second), impulse)
+    update(contact, Ok(Thresholds::none()), (first, second), impulse)
 }
 
-/// Updates a contact of two spheres. Normal impulse and sliding friction.
+/// Updates a contact of two spheres, with normal impulse and sliding friction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_sliding_spheres_f64(
     contact: *const tribos_contact_f64,
@@ -58,16 +87,11 @@ pub unsafe extern "C" fn tribos_update_sliding_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || Ok(Thresholds::sliding(read(friction)?.sliding)?),
-        (first, second),
-        impulse,
-    )
+    update(contact, sliding(friction), (first, second), impulse)
 }
 
-/// Updates a contact of two spheres.
-/// Normal impulse, sliding and torsion friction, each with its own threshold.
+/// Updates a contact of two spheres, with normal impulse, sliding and torsion friction, each with its
+/// own threshold.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_sliding_torsion_spheres_f64(
     contact: *const tribos_contact_f64,
@@ -76,18 +100,10 @@ pub unsafe extern "C" fn tribos_update_sliding_torsion_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::sliding_torsion(f.sliding, f.torsion)?)
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, sliding_torsion(friction), (first, second), impulse)
 }
 
-/// Updates a contact of two spheres. Normal impulse, sliding and rolling friction.
+/// Updates a contact of two spheres, with normal impulse, sliding and rolling friction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_sliding_rolling_spheres_f64(
     contact: *const tribos_contact_f64,
@@ -96,19 +112,11 @@ pub unsafe extern "C" fn tribos_update_sliding_rolling_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::sliding_rolling(f.sliding, f.rolling)?)
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, sliding_rolling(friction), (first, second), impulse)
 }
 
-/// Updates a contact of two spheres.
-/// Normal impulse, sliding, rolling and torsion friction, each with its own threshold.
+/// Updates a contact of two spheres, with normal impulse, sliding, rolling and torsion friction, each
+/// with its own threshold.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_all_spheres_f64(
     contact: *const tribos_contact_f64,
@@ -117,20 +125,12 @@ pub unsafe extern "C" fn tribos_update_all_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::all(f.sliding, f.rolling, f.torsion)?)
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, all(friction), (first, second), impulse)
 }
 
-/// Updates a contact of two spheres.
-/// Normal impulse, and sliding and torsion under the one threshold of a uniform disk: `sliding` is
-/// mu, `torsion` the radius of the disk over the lever, not a coefficient.
+/// Updates a contact of two spheres, with normal impulse, and sliding and torsion under the common
+/// threshold of a uniform disk: `sliding` is mu, `torsion` is the radius of the disk over the lever, not
+/// a coefficient.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_patch_spheres_f64(
     contact: *const tribos_contact_f64,
@@ -139,19 +139,10 @@ pub unsafe extern "C" fn tribos_update_patch_spheres_f64(
     second: *mut tribos_sphere_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            let set = LimitSurface::new(Coulomb, f.sliding, f.torsion)?;
-            Ok(CoupledFriction::sliding_torsion(set))
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, patch(friction), (first, second), impulse)
 }
 
-/// Updates a contact of a sphere with a plate. Only the normal impulse.
+/// Updates a contact of a sphere with a plate, with a normal impulse only.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_frictionless_plate_f64(
     contact: *const tribos_contact_f64,
@@ -159,10 +150,10 @@ pub unsafe extern "C" fn tribos_update_frictionless_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(contact, || Ok(Thresholds::none()), (first, second), impulse)
+    update(contact, Ok(Thresholds::none()), (first, second), impulse)
 }
 
-/// Updates a contact of a sphere with a plate. Normal impulse and sliding friction.
+/// Updates a contact of a sphere with a plate, with normal impulse and sliding friction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_sliding_plate_f64(
     contact: *const tribos_contact_f64,
@@ -171,16 +162,11 @@ pub unsafe extern "C" fn tribos_update_sliding_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || Ok(Thresholds::sliding(read(friction)?.sliding)?),
-        (first, second),
-        impulse,
-    )
+    update(contact, sliding(friction), (first, second), impulse)
 }
 
-/// Updates a contact of a sphere with a plate.
-/// Normal impulse, sliding and torsion friction, each with its own threshold.
+/// Updates a contact of a sphere with a plate, with normal impulse, sliding and torsion friction, each
+/// with its own threshold.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_sliding_torsion_plate_f64(
     contact: *const tribos_contact_f64,
@@ -189,18 +175,10 @@ pub unsafe extern "C" fn tribos_update_sliding_torsion_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::sliding_torsion(f.sliding, f.torsion)?)
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, sliding_torsion(friction), (first, second), impulse)
 }
 
-/// Updates a contact of a sphere with a plate. Normal impulse, sliding and rolling friction.
+/// Updates a contact of a sphere with a plate, with normal impulse, sliding and rolling friction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_sliding_rolling_plate_f64(
     contact: *const tribos_contact_f64,
@@ -209,19 +187,11 @@ pub unsafe extern "C" fn tribos_update_sliding_rolling_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::sliding_rolling(f.sliding, f.rolling)?)
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, sliding_rolling(friction), (first, second), impulse)
 }
 
-/// Updates a contact of a sphere with a plate.
-/// Normal impulse, sliding, rolling and torsion friction, each with its own threshold.
+/// Updates a contact of a sphere with a plate, with normal impulse, sliding, rolling and torsion
+/// friction, each with its own threshold.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_all_plate_f64(
     contact: *const tribos_contact_f64,
@@ -230,20 +200,12 @@ pub unsafe extern "C" fn tribos_update_all_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            Ok(Thresholds::all(f.sliding, f.rolling, f.torsion)?)
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, all(friction), (first, second), impulse)
 }
 
-/// Updates a contact of a sphere with a plate.
-/// Normal impulse, and sliding and torsion under the one threshold of a uniform disk: `sliding` is
-/// mu, `torsion` the radius of the disk over the lever, not a coefficient.
+/// Updates a contact of a sphere with a plate, with normal impulse, and sliding and torsion under the
+/// common threshold of a uniform disk: `sliding` is mu, `torsion` is the radius of the disk over the
+/// lever, not a coefficient.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_update_patch_plate_f64(
     contact: *const tribos_contact_f64,
@@ -252,14 +214,5 @@ pub unsafe extern "C" fn tribos_update_patch_plate_f64(
     second: *mut tribos_plate_f64,
     impulse: *mut tribos_impulse_f64,
 ) -> tribos_status {
-    update(
-        contact,
-        || {
-            let f = read(friction)?;
-            let set = LimitSurface::new(Coulomb, f.sliding, f.torsion)?;
-            Ok(CoupledFriction::sliding_torsion(set))
-        },
-        (first, second),
-        impulse,
-    )
+    update(contact, patch(friction), (first, second), impulse)
 }

@@ -1,4 +1,4 @@
-//! Motion in, force out.
+//! Motions, forces and vectors.
 
 use nalgebra::Vector3;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
@@ -9,7 +9,7 @@ use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 pub struct tribos_twist_f64 {
     /// Sliding velocity of the patch centre, first component.
     pub x: f64,
-    /// Second component.
+    /// Sliding velocity of the patch centre, second component.
     pub y: f64,
     /// Angular velocity about the normal; positive turns the first axis towards the second.
     pub spin: f64,
@@ -21,13 +21,13 @@ pub struct tribos_twist_f64 {
 pub struct tribos_wrench_f64 {
     /// Force at the patch centre, first component.
     pub x: f64,
-    /// Second component.
+    /// Force at the patch centre, second component.
     pub y: f64,
     /// Torque about the normal.
     pub torque: f64,
 }
 
-/// d(force x, force y, torque)/d(velocity x, velocity y, spin).
+/// Derivatives d(force x, force y, torque)/d(velocity x, velocity y, spin).
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_jacobian_f64 {
@@ -35,7 +35,7 @@ pub struct tribos_jacobian_f64 {
     pub rows: [[f64; 3]; 3],
 }
 
-/// A vector in space.
+/// A vector in three dimensions.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_vector_f64 {
@@ -86,7 +86,7 @@ impl From<Wrench<f64>> for tribos_wrench_f64 {
 impl From<WrenchJacobian<f64>> for tribos_jacobian_f64 {
     #[inline(always)]
     fn from(j: WrenchJacobian<f64>) -> Self {
-        // Stored by columns there, by rows here.
+        // The kernel stores columns, the header rows.
         Self {
             rows: j.transpose().into(),
         }

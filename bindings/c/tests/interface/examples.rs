@@ -1,4 +1,4 @@
-//! The programs in C print what the kernel computes.
+//! The C programs print what the kernel computes.
 
 use crate::programs::{
     BOARD, archive, compile_for_board, compile_for_host, folder, has, header, printed, scratch,
@@ -13,7 +13,7 @@ use tribos_core::twist::Twist;
 
 const DEMO: [&str; 2] = ["demo.c", "digest.c"];
 
-/// What the demonstration tells, by the kernel itself, and the digest.
+/// Expected output of the demonstration, computed by the kernel itself, and of the digest.
 fn expected() -> String {
     let puck = PatchFriction::new(Coulomb, 0.3_f32, 0.04).expect("a puck");
     let wrench = puck.wrench(1.7, &Twist::new(1.0, 0.0, 20.0));
@@ -97,8 +97,8 @@ fn the_board_prints_the_digest_of_the_kernel_itself() {
     assert_eq!(crate::programs::text(&said), expected());
 }
 
-/// The image calls every function of the header: a panic that any of them could reach would have
-/// brought the handler along.
+/// The image calls every function of the header. If any of them could reach a panic, the image would
+/// contain the panic handler.
 fn no_panic_is_left_in(image: &Path) {
     let names = printed(Command::new("arm-none-eabi-nm").arg(image));
     assert!(names.contains("tribos_disk_wrench_f64"));

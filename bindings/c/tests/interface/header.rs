@@ -1,11 +1,11 @@
-//! The header says what the library has.
+//! The committed header matches the library.
 
 use std::path::PathBuf;
 use std::{env, fs};
 
 use cbindgen::{Builder, Config, DocumentationStyle, EnumConfig, Language, RenameRule, Style};
 
-/// Where the committed header lies.
+/// Path of the committed header.
 fn header() -> PathBuf {
     at("include/tribos.h")
 }
@@ -14,7 +14,7 @@ fn at(path: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
-/// The header of the present source.
+/// The header generated from the current source.
 fn generated() -> String {
     let config = Config {
         language: Language::C,

@@ -5,12 +5,12 @@
  * (_f32), with the same meaning. Units are any consistent set.
  *
  * Every function returns a tribos_status. If it is not TRIBOS_STATUS_OK, the results are left as
- * they were. Parameters are checked in every call, which costs a comparison or two each; motions,
- * loads and states are never refused: NaN in gives NaN out.
+ * they were. Every call validates its parameters, with one or two comparisons each; motions, loads
+ * and states are never refused: NaN in gives NaN out.
  *
- * A null pointer is refused. Every other pointer must lead to memory of its type, aligned and, for
- * arguments, initialised; an array must hold as many elements as are announced and must not
- * overlap the results. Nothing is kept after the call. Functions may be called from any thread and
+ * A null pointer is refused. Every other pointer must point to memory of its type, aligned and, for
+ * arguments, initialised; an array must hold as many elements as its count says and must not
+ * overlap the results. No pointer is kept after the call. Functions may be called from any thread and
  * from interrupts.
  *
  * The floating-point unit must round to nearest and keep subnormal numbers, as it does by default:

@@ -1,4 +1,4 @@
-//! What is not admitted is refused, and told.
+//! Invalid arguments are refused with their status.
 
 use crate::programs::{archive, compile_for_host, has, header, printed, scratch};
 use std::collections::BTreeSet;
@@ -16,8 +16,8 @@ use tribos_c::double::vectors::*;
 use tribos_c::status::{tribos_status, tribos_status_text};
 use tribos_c::table::tribos_power_compact_f64;
 
-/// Calls of one function with null for each of its pointers and for all of them, other pointers to
-/// numbers that are all 1.
+/// Calls of one function with null for each of its pointers in turn and for all of them; the other pointers
+/// point to numbers that are all 1.
 fn calls(prototype: &str) -> String {
     let (name, arguments) = prototype.split_once('(').expect("a function");
     let (_, name) = name.rsplit_once(' ').expect("a type");
@@ -123,7 +123,7 @@ fn every_refusal_is_told_by_its_status() {
         torque: 7.0,
     };
     let mut x = 7.0;
-    // SAFETY: all pointers are those of variables.
+    // SAFETY: all pointers point to variables.
     unsafe {
         let patch = |coefficient, radius| tribos_round_f64 {
             coefficient,
@@ -311,7 +311,7 @@ fn every_refusal_is_told_by_its_status() {
         expect(prepare(0, 2.0, 1.0), S::NotAFraction);
         expect(prepare(0, 0.0, 0.0), S::TimeStep);
     }
-    // Nothing was written on the way.
+    // No refused call has written anything.
     assert_eq!([wrench.x, wrench.y, wrench.torque, x], [7.0; 4]);
     assert_eq!(seen.len(), tribos_status::all().len());
 }

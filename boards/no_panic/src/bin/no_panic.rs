@@ -1,4 +1,4 @@
-//! Every public function of the kernel in one image that a panic would keep from linking.
+//! Every public function of the kernel in one image, which does not link if any of them can panic.
 #![cfg_attr(target_os = "none", no_std)]
 #![cfg_attr(target_os = "none", no_main)]
 #![allow(unsafe_code)] // The exported entry and the panic handler of the image.

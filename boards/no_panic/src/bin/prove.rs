@@ -42,7 +42,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// All targets at `levels`, the first `controls` of them with their control.
+/// Builds all targets at `levels`, the first `controls` of them with their control.
 fn prove(levels: &[&str], controls: usize) -> Result<(), String> {
     let functions::Image {
         source,
@@ -78,7 +78,7 @@ fn prove(levels: &[&str], controls: usize) -> Result<(), String> {
     Ok(())
 }
 
-/// The control has to fail, for its panic.
+/// The control must fail, and because of its panic.
 fn control(functions: &Path, target: &str, level: &str) -> Result<&'static str, String> {
     match build("control", functions, target, level)? {
         Err(complaint) if complaint.contains(PANIC) => Ok("refused by the linker"),
@@ -91,7 +91,7 @@ fn control(functions: &Path, target: &str, level: &str) -> Result<&'static str, 
     }
 }
 
-/// Where the image is, or what the compiler and linker complain of.
+/// Path of the image, or the messages of compiler and linker.
 fn build(
     bin: &str,
     functions: &Path,
@@ -119,7 +119,7 @@ fn build(
         let complaint = String::from_utf8_lossy(&output.stderr);
         return Ok(Err(complaint.into()));
     }
-    // The line of the image names its file; nothing else of the output is needed.
+    // The output line of the image contains the file name; the rest is ignored.
     let path = said
         .split("\"executable\":\"")
         .skip(1)

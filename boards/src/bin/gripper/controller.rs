@@ -17,7 +17,7 @@ pub struct Reference {
 pub enum Command {
     /// Follow a motion.
     Follow(Reference),
-    /// Press with so many N.
+    /// Press with this force, in N.
     Press(f32),
 }
 

@@ -13,7 +13,7 @@ pub struct Cost {
 impl Cost {
     /// Executes a tick and counts.
     pub fn count(&mut self, tick: &mut dyn FnMut()) {
-        // Without -icount nothing is known, and the budget below fails.
+        // Without -icount there is no count, and the budget below fails.
         let count = instructions(tick).unwrap_or(u64::MAX / 1_000_000);
         self.ticks += 1;
         self.sum += count;

@@ -18,15 +18,15 @@ const CLOSING: u32 = 600;
 const HANGING: u32 = 1000;
 const PUSHED: u32 = 30;
 const AFTER: u32 = 500;
-/// What pushes the object aside, beside its load.
+/// Additional load that pushes the object aside.
 const PUSH: Wrench<f32> = Wrench::new(6.0, 0.0, 0.02);
 
-/// The load while it is pushed.
+/// Total load during the push.
 pub fn pushed() -> Wrench<f32> {
     LOAD + PUSH
 }
 
-/// All that happens in a tick of 1 ms.
+/// The firmware, called once per tick of 1 ms.
 struct Firmware {
     controller: Controller,
     object: Object,

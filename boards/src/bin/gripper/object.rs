@@ -1,4 +1,4 @@
-//! The object between two pads: what they hold, and its motion when it slips.
+//! The object between two pads: the load that they hold, and the motion of the object when it slips.
 
 use crate::PERIOD;
 use nalgebra::Vector2;
@@ -8,7 +8,7 @@ use tribos_core::limit_surface::{FrictionSet, LimitSurface};
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
 
-/// A part of 0.4 kg, a bar as to its inertia, gripped at its centre of mass.
+/// A part of 0.4 kg with the inertia of a bar, gripped at its centre of mass.
 const MASS: f32 = 0.4;
 const INERTIA: f32 = 3.6e-4;
 /// Radius of the flat round pads, which press uniformly: 1 cm.
@@ -17,9 +17,9 @@ const PADS: f32 = 2.0;
 /// Friction of the pads in the controller's model, and the true value.
 pub const MU_MODEL: f32 = 0.6;
 pub const MU_PRESENT: f32 = 0.57;
-/// What the pads carry all the time: the weight, and the torque of a cable.
+/// Permanent load of the pads: the weight, and the torque of a cable.
 pub const LOAD: Wrench<f32> = Wrench::new(0.0, -MASS * 9.81, 0.01);
-/// The least force with which pads are pressed at all; no surface is without size.
+/// Smallest force of the pads in the model; a limit surface must not be empty.
 const LEAST: f32 = 1e-3;
 
 /// Limit surface of the pads if each presses with `grip` N.
@@ -48,7 +48,7 @@ pub struct Object {
 }
 
 impl Object {
-    /// As the controller predicts it, tick by tick.
+    /// The object as the controller predicts it, tick by tick.
     pub fn foreseen() -> Option<Self> {
         Self::new(MU_MODEL, PERIOD)
     }
@@ -72,7 +72,7 @@ impl Object {
             return;
         };
         let step = self.body.step(&pads, &self.twist, load, self.dt);
-        // The mean of both velocities, as the step is of second order.
+        // The mean of both velocities makes the step second-order.
         let half = 0.5 * self.dt.dt();
         self.place += (self.twist.velocity + step.twist.velocity) * half;
         self.angle += (self.twist.spin + step.twist.spin) * half;

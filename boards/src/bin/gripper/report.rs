@@ -9,8 +9,8 @@ use tribos_boards::{BOARD, Checks, Decimal, println};
 
 /// Ratio of the grip force to the least that holds the load.
 const MARGIN: f32 = 1.5;
-/// Instructions that a tick may take with an FPU, a twentieth of 1 ms at 168 MHz. Without one the
-/// loop is a slower one, and nothing is promised.
+/// Instructions that a tick may take with an FPU, a twentieth of 1 ms at 168 MHz. Without an FPU the
+/// loop would be slower, and there is no guarantee.
 const BUDGET: u64 = 8_400;
 /// Relative tolerance of the motion that is predicted with all forces known: the controller's
 /// step is ten times as long.
@@ -75,7 +75,7 @@ fn choose_grip() -> Option<f32> {
     Some(wanted)
 }
 
-/// Without compensation friction in the joint absorbs a part of the grip force.
+/// Without compensation, friction in the joint absorbs a part of the grip force.
 fn drop_it(wanted: f32, checks: &mut Checks) -> Option<()> {
     let mut cost = Cost::default();
     let mut grasp = Grasp::new(Compensation::Absent, wanted)?;

@@ -20,7 +20,7 @@ pub struct Tracking {
     pub worst: f32,
 }
 
-/// An oscillation by turning a vector, since a sine a tick would cost more than the controller.
+/// An oscillation by rotation of a vector, because a sine per tick would cost more than the controller.
 struct Oscillation {
     turn: [f32; 2],
     now: [f32; 2],

@@ -8,8 +8,8 @@ const DT: f32 = 4e-3;
 /// Steps to settle in, and steps to be held for.
 const SETTLING: u32 = 250;
 const HELD: u32 = 250;
-/// Instructions that a step may take with an FPU, half of 4 ms at 168 MHz. Without one the loop is a
-/// slower one, and nothing is promised.
+/// Instructions that a step may take with an FPU, half of 4 ms at 168 MHz. Without an FPU the loop would
+/// be slower, and there is no guarantee.
 const BUDGET: u64 = 336_000;
 /// Speed that counts as rest, m/s: 60 µm in a minute.
 const SLOW: f32 = 1e-6;
@@ -81,7 +81,7 @@ fn follow(pile: &mut Pile, steps: u32) -> Option<Phase> {
         let mut report = None;
         let count = instructions(&mut || report = pile.advance());
         let report = report?;
-        // Without -icount nothing is known, and the budget fails.
+        // Without -icount there is no count, and the budget fails.
         let count = count.unwrap_or(u64::from(u32::MAX));
         phase.steps += 1;
         phase.sweeps += report.sweeps;
@@ -90,7 +90,7 @@ fn follow(pile: &mut Pile, steps: u32) -> Option<Phase> {
         phase.instructions += count;
         phase.worst = phase.worst.max(count);
         phase.residual = report.residual;
-        // NaN stays: it is not slower than anything.
+        // NaN is kept, because it is not slower than anything.
         let speed = pile.speed()?;
         let is_slower = speed <= phase.fastest;
         phase.fastest = if is_slower { phase.fastest } else { speed };

@@ -8,6 +8,7 @@ mod spline;
 mod sutton_chen;
 mod tabulated;
 
+#[doc(hidden)]
 pub mod file;
 
 pub use sutton_chen::{SuttonChen, SuttonChenError, SuttonChenParameters};

@@ -1,12 +1,12 @@
-//! Deposited spheres by the column of the base that they stand in.
+//! Deposited spheres sorted into columns over the base.
 
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 
-/// Columns along one side at most: a million of them in all.
+/// Largest number of columns along one side: a million in total.
 const MOST_COLUMNS: f64 = 1024.0;
 
-/// A deposited sphere as it stands in its column.
+/// A deposited sphere in its column.
 #[derive(Clone, Copy, Debug)]
 struct Resident {
     position: Vector3<f64>,
@@ -24,16 +24,16 @@ pub struct Columns {
     largest: f64,
 }
 
-/// Where a falling sphere meets a deposited one.
+/// Contact of a falling sphere with a deposited one.
 #[derive(Clone, Copy, Debug)]
 pub struct Meeting {
-    /// The deposited sphere.
+    /// Number of the deposited sphere.
     pub index: u32,
-    /// Its centre.
+    /// Centre of the deposited sphere.
     pub centre: Vector3<f64>,
-    /// Its radius.
+    /// Radius of the deposited sphere.
     pub radius: f64,
-    /// From its centre to that of the falling one.
+    /// Vector from its centre to that of the falling sphere.
     pub way: Vector3<f64>,
 }
 
@@ -51,11 +51,11 @@ impl Columns {
         }
     }
 
-    /// Adds a sphere in its place among the heights.
+    /// Inserts a sphere, in order of height.
     pub fn insert(&mut self, index: u32, position: Vector3<f64>, radius: f64) {
         let (x, y) = (self.number(position.x), self.number(position.y));
         let column = &mut self.columns[y * self.side + x];
-        // Near the end: deposits grow upwards.
+        // The place is near the end, because deposits grow upwards.
         let place = column.partition_point(|other| other.position.z <= position.z);
         column.insert(
             place,
@@ -67,16 +67,16 @@ impl Columns {
         );
     }
 
-    /// The first sphere that another, falling down the vertical of `above`, meets above the height
-    /// `above.z`: as the distance of centres falls to its radius and `reach`, at most what the
-    /// columns were made for.
+    /// The first sphere that another meets while falling down the vertical of `above`, at a height above
+    /// `above.z`. They meet when the distance of the centres falls to the radius plus `reach`, which must not
+    /// exceed the value for which the columns were made.
     pub fn first_meeting(&self, above: Vector3<f64>, reach: f64) -> Option<Meeting> {
         let mut first: Option<Meeting> = None;
         let mut floor = above.z;
         let farthest = reach + self.largest;
         for y in self.around(above.y) {
             for x in self.around(above.x) {
-                // From the top until even a meeting straight above would be too low.
+                // From the top, until even a sphere straight below would be met too low.
                 for other in self.columns[y * self.side + x].iter().rev() {
                     if other.position.z + farthest <= floor {
                         break;
@@ -106,10 +106,10 @@ impl Columns {
         ((x * self.inv_width) as usize).min(self.side - 1)
     }
 
-    /// The column of a coordinate and its neighbours on both sides, each once.
+    /// The column of a coordinate and its neighbours on both sides, each listed once.
     fn around(&self, x: f64) -> impl Iterator<Item = usize> + use<> {
         let (side, own) = (self.side, self.number(x));
-        // From the left neighbour on, around the period.
+        // Starts at the left neighbour and wraps around the period.
         (0..side.min(3)).map(move |step| (own + side - 1 + step) % side)
     }
 }

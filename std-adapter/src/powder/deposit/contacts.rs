@@ -1,4 +1,4 @@
-//! What touches what in a deposit.
+//! Contacts of a deposit.
 
 use super::Deposit;
 use crate::record::{ContactRow, Partner, Snapshot};
@@ -8,8 +8,8 @@ use nalgebra::Vector3;
 pub const SUBSTRATE: u32 = 0;
 
 impl Deposit {
-    /// The contacts, one a sphere in their order, with its parent or the substrate as partner and
-    /// without forces.
+    /// The contacts, one per sphere in the order of the spheres, without forces. The partner is the parent
+    /// or the substrate.
     pub fn contacts(&self) -> Vec<ContactRow> {
         let spheres = self.positions.iter().zip(&self.parents).enumerate();
         let row = |(index, (place, parent)): (usize, (&Vector3<f64>, &Option<u32>))| {
@@ -32,7 +32,7 @@ impl Deposit {
         spheres.map(row).collect()
     }
 
-    /// The deposit with its [contacts](Self::contacts), ready to be exported.
+    /// The deposit with its [contacts](Self::contacts), ready for export.
     pub fn snapshot<'a>(&'a self, contacts: &'a [ContactRow]) -> Snapshot<'a> {
         Snapshot {
             time: 0.0,

@@ -1,8 +1,8 @@
-//! Porosity of ballistic deposits over the inverse capture radius (fig. 4.5).
+//! Porosity of ballistic deposits against the inverse capture radius (fig. 4.5).
 
 use super::{Ballistic, DepositError, Until};
 
-/// Columns of the table; lengths in radii, deviations of single deposits.
+/// Columns of the table; lengths in radii, standard deviations of single deposits.
 pub const COLUMNS: [&str; 8] = [
     "inv_capture_radius",
     "capture_radius",
@@ -14,21 +14,21 @@ pub const COLUMNS: [&str; 8] = [
     "particles_std",
 ];
 
-/// Capture radii, from spheres that stick where they touch.
+/// Capture radii, beginning with spheres that stick where they touch.
 const CAPTURE_RADII: [f64; 10] = [10.0, 8.0, 6.0, 5.0, 4.0, 3.5, 3.0, 2.5, 2.2, 2.0];
 
-/// Deposits averaged for each point, as many as in the thesis.
+/// Number of deposits averaged for each point, as in the thesis.
 const SEEDS: u64 = 5;
 
-/// The curve.
+/// Porosity against the capture radius.
 #[derive(Debug)]
 pub struct PorosityCurve {
-    /// One line for each capture radius, the largest first.
+    /// One row per capture radius, in decreasing order.
     pub rows: Vec<[f64; COLUMNS.len()]>,
 }
 
 impl PorosityCurve {
-    /// Deposits on a base of `width`, with five seeds from `seed` on.
+    /// Grows deposits on a base of `width`, with five seeds starting at `seed`.
     pub fn new(width: f64, until: Until, seed: u64) -> Result<Self, DepositError> {
         let mut rows = Vec::new();
         for capture in CAPTURE_RADII {
@@ -48,14 +48,14 @@ impl PorosityCurve {
         Ok(Self { rows })
     }
 
-    /// (1/r_capt, solid fraction of the bulk), the largest r_capt first.
+    /// Points (1/r_capt, solid fraction of the bulk) in order of decreasing r_capt.
     pub fn solid(&self) -> Vec<(f64, f64)> {
         let point = |row: &[f64; COLUMNS.len()]| (row[0], 1.0 - row[4]);
         self.rows.iter().map(point).collect()
     }
 }
 
-/// Some deposits of one kind.
+/// Several deposits with the same parameters.
 #[derive(Debug)]
 pub struct Sample {
     /// Porosity below the highest point.
@@ -67,7 +67,7 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// Deposits with these seeds.
+    /// Grows one deposit per seed.
     pub fn new(
         ballistic: &Ballistic,
         until: Until,
@@ -88,7 +88,7 @@ impl Sample {
     }
 }
 
-/// Mean and standard deviation of single values; two or more.
+/// Mean and standard deviation of two or more values.
 pub fn statistics(values: &[f64]) -> (f64, f64) {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
@@ -96,7 +96,7 @@ pub fn statistics(values: &[f64]) -> (f64, f64) {
     (mean, (squares / (count - 1.0)).sqrt())
 }
 
-/// Intercept and slope of the straight line through points, by least squares.
+/// Intercept and slope of the least-squares line through points.
 pub fn straight_line(points: &[(f64, f64)]) -> (f64, f64) {
     let count = points.len() as f64;
     let mean = |value: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(value).sum::<f64>() / count;

@@ -3,7 +3,7 @@
 use super::Deposit;
 
 impl Deposit {
-    /// The deposit without the spheres that reach above `height` and what they held.
+    /// The deposit without the spheres that reach above `height` and those that rest on them.
     pub(super) fn cut(&self, height: f64) -> Self {
         let mut low = Self {
             positions: Vec::new(),
@@ -12,7 +12,7 @@ impl Deposit {
             height: 0.0,
             ..*self
         };
-        // New numbers of the spheres that stay; parents come first.
+        // Parents come first, so that each sphere's parent already has its new number.
         let mut numbers: Vec<Option<u32>> = Vec::with_capacity(self.positions.len());
         for (index, (&position, &radius)) in self.positions.iter().zip(&self.radii).enumerate() {
             let top = position.z + radius;

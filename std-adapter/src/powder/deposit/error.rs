@@ -1,9 +1,9 @@
-//! Why nothing is deposited.
+//! Errors of the growth of a deposit.
 
 use super::MOST_SPHERES;
 use crate::space::PeriodicBoxError;
 
-/// A deposit that cannot be grown.
+/// Why a deposit cannot be grown.
 ///
 /// ```
 /// use tribos::powder::deposit::{Ballistic, DepositError, Until};
@@ -19,12 +19,12 @@ pub enum DepositError {
     /// A length is not a finite positive number.
     #[error("the {name} must be finite and positive, not {given}")]
     NotPositive {
-        /// Which one.
+        /// Name of the length.
         name: &'static str,
-        /// What was given.
+        /// Value given.
         given: f64,
     },
-    /// The base is no period.
+    /// The width of the base is not a valid period.
     #[error(transparent)]
     Base(#[from] PeriodicBoxError),
     /// The bounds of the radii are in the wrong order.
@@ -35,29 +35,29 @@ pub enum DepositError {
         /// Largest radius.
         high: f64,
     },
-    /// Spheres would be captured inside each other.
+    /// Spheres would overlap when captured.
     #[error("the capture radius {given} is less than a diameter; give at least {least}")]
     CaptureRadius {
-        /// What was given.
+        /// Value given.
         given: f64,
-        /// Least possible.
+        /// Smallest valid value.
         least: f64,
     },
-    /// A sphere could be captured by two images of another.
+    /// A sphere could be captured by two periodic images of another.
     #[error("spheres capture each other over {farthest}: the width {width} must be twice that")]
     Narrow {
         /// Side of the base.
         width: f64,
-        /// Largest distance of capture.
+        /// Largest distance at which spheres are captured.
         farthest: f64,
     },
-    /// No sphere at all, or a cut below the first.
+    /// The deposit has no sphere, or is cut below the first one.
     #[error("a deposit has one sphere or more; ask for one, or for a height above a diameter")]
     Empty,
-    /// More spheres than memory.
+    /// There are more spheres than fit into memory.
     #[error("the deposit needs more than {MOST_SPHERES} spheres; make it lower or narrower")]
     TooMany,
-    /// Whoever watched the growth stopped it.
+    /// The observer stopped the growth.
     #[error("the growth of the deposit was stopped")]
     Stopped,
 }

@@ -1,4 +1,4 @@
-//! Growth, sphere by sphere.
+//! Growth of a deposit, sphere by sphere.
 
 use super::columns::{Columns, Meeting};
 use super::{Ballistic, Deposit, DepositError, MOST_SPHERES, STREAM, Until};
@@ -15,22 +15,22 @@ struct Landed {
     parent: Option<u32>,
 }
 
-/// How many times the spheres in a row above a cut would cover the base.
+/// Number of times that the spheres in a row above a cut would cover the base.
 const COVERS: f64 = 10.0;
-/// Spheres from one look at the growth to the next: about ten milliseconds.
+/// Spheres between two calls of the observer: about ten milliseconds.
 const WATCHED: usize = 1024;
 
 impl Ballistic {
     /// Grows a deposit; the same seed gives the same bits.
     ///
-    /// *Domain*: a finite, positive height, a cut above the first sphere, one sphere or more.
-    /// *Cost*: about ten microseconds a sphere. *Accuracy*: touching distances to a few ulp of the
-    /// coordinates.
+    /// *Domain*: a finite, positive height, a cut above the first sphere, at least one sphere.
+    /// *Cost*: about ten microseconds per sphere. *Accuracy*: distances of touching spheres to a few ulp of
+    /// the coordinates.
     pub fn grow(&self, until: Until, seed: u64) -> Result<Deposit, DepositError> {
         self.grow_watched(until, seed, |_| ControlFlow::Continue(()))
     }
 
-    /// As [`grow`](Self::grow); `watch` sees the number of spheres so far, every 1024 spheres, and can
+    /// Like [`grow`](Self::grow); `watch` receives the number of spheres after every 1024 spheres, and can
     /// stop the growth.
     ///
     /// ```
@@ -81,11 +81,11 @@ impl Ballistic {
         }
     }
 
-    /// About how many spheres a deposit will have, before it is grown.
+    /// Estimated number of spheres of a deposit before it is grown.
     ///
-    /// *Formula*: the volume up to the height times the solid share 0.1535 (2r̄/r_capt)^1.72 of the
+    /// *Formula*: the volume up to the height times the solid fraction 0.1535 (2r̄/r_capt)^1.72 of the
     /// bulk, over the mean volume of a sphere. *Accuracy*: a tenth for 2r̄ ≤ r_capt ≤ 10r̄ and heights
-    /// from ten radii up: a fit to means of five deposits on 40R × 40R, cut at 200R.
+    /// of at least ten radii: a fit to means of five deposits on 40R × 40R, cut at 200R.
     ///
     /// ```
     /// use tribos::powder::deposit::{Ballistic, Until};
@@ -96,7 +96,7 @@ impl Ballistic {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn expected_spheres(&self, until: Until) -> f64 {
-        /// Solid share of spheres that stick where they touch, and how fast it falls.
+        /// Solid fraction of spheres that stick where they touch, and the exponent of its decrease.
         const TOUCHING: f64 = 0.1535;
         const POWER: f64 = 1.72;
         let [low, high] = self.radii;
@@ -111,7 +111,7 @@ impl Ballistic {
         (solid * self.width * self.width * height / sphere).max(1.0)
     }
 
-    /// Adds spheres as long as `goes_on` says so, one call each.
+    /// Adds spheres while `goes_on`, which is called once per sphere, returns true.
     fn grow_while(
         &self,
         seed: u64,
@@ -148,13 +148,13 @@ impl Ballistic {
         Ok(deposit)
     }
 
-    /// Spheres that cover the base with their circles of capture, [`COVERS`] times.
+    /// Number of spheres that cover the base with their capture circles, [`COVERS`] times.
     fn cover(&self) -> usize {
         let shares = self.width / self.capture_radius;
         (COVERS / PI * shares * shares).ceil() as usize
     }
 
-    /// Lets one sphere fall and brings it to rest.
+    /// Drops one sphere and brings it to rest.
     fn drop_one(&self, columns: &Columns, random: &mut Random) -> Landed {
         let [x, y] = [(); 2].map(|()| self.width * random.unit());
         let [low, high] = self.radii;
@@ -163,12 +163,12 @@ impl Ballistic {
         } else {
             low
         };
-        // Captured by a sphere above the height where the substrate captures.
+        // The sphere is captured by another one above the height at which the substrate captures.
         let captured = Vector3::new(x, y, radius + self.substrate_gap());
         if let Some(meeting) = columns.first_meeting(captured, radius + self.capture_gap()) {
             return touching(&meeting, radius, &self.space);
         }
-        // Drawn to the substrate, unless a sphere is in the way.
+        // The sphere moves to the substrate, unless another sphere is in the way.
         let lying = Vector3::new(x, y, radius);
         match columns.first_meeting(lying, radius) {
             Some(meeting) => touching(&meeting, radius, &self.space),
@@ -199,7 +199,7 @@ impl Deposit {
     }
 }
 
-/// Refuses heights that are none.
+/// Refuses heights that are not positive and finite.
 fn check_height(given: f64) -> Result<(), DepositError> {
     if given.is_finite() && given > 0.0 {
         Ok(())

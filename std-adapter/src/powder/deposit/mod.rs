@@ -18,7 +18,7 @@ pub use porosity::{BULK, volume_between};
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 
-/// Stream of random numbers that deposits draw from: x, y and, where radii differ, the radius of
+/// Random stream of a deposit. It gives x, y and, if radii differ, the radius of
 /// each sphere, in this order.
 ///
 /// ```
@@ -32,7 +32,7 @@ use nalgebra::Vector3;
 /// ```
 pub const STREAM: u64 = 0;
 
-/// Spheres at most, for which some 4 GB of memory are enough.
+/// Largest number of spheres, for which about 4 GB of memory are sufficient.
 ///
 /// ```
 /// use tribos::powder::deposit::{Ballistic, DepositError, MOST_SPHERES, Until};
@@ -42,7 +42,7 @@ pub const STREAM: u64 = 0;
 /// ```
 pub const MOST_SPHERES: usize = 20_000_000;
 
-/// How deposits grow.
+/// Parameters of the growth of a deposit.
 ///
 /// Spheres fall one by one down −z on a square base, periodic in x and y, each at a random place.
 /// A falling sphere is *captured* by the first of
@@ -50,20 +50,20 @@ pub const MOST_SPHERES: usize = 20_000_000;
 /// - a deposited sphere, as the distance of the centres falls to the capture radius,
 /// - the substrate z = 0, as the height of the centre falls to the capture radius,
 ///
-/// and goes the shortest way to it, at once and for good: along the line of centres until the
+/// and moves to it by the shortest path, at once and permanently: along the line of centres until the
 /// spheres touch, or straight down until it lies on the substrate. A sphere that touches another
-/// on its way down to the substrate sticks to that.
+/// on its path to the substrate sticks to that one.
 ///
-/// *A deposit is a forest without overlaps*: every sphere touches the one that holds it, its
-/// parent, or the substrate. Let the sphere be captured at p, a distance r_capt from its parent and
+/// *A deposit is a forest without overlaps*: every sphere touches its parent, the sphere or substrate that
+/// holds it. Let the sphere be captured at p, a distance r_capt from its parent and
 /// at least r_capt from every other sphere; it moves by r_capt − 2R to q. A ball of radius 2R
-/// around q lies within the ball of radius r_capt around p, and no centre does. The way to the
-/// substrate is R longer than that: there, spheres in the way are looked for, which there are
-/// where r_capt < 2.5 R.
+/// around q lies within the ball of radius r_capt around p, which contains no centre. The path to the
+/// substrate is longer than that by R: on this path the program checks for spheres in the way, which exist
+/// only if r_capt < 2.5 R.
 ///
-/// *Unequal radii*: capture is by the gap between the surfaces, r_capt − 2r̄ for every pair with
-/// r̄ the middle of the bounds, r_capt − r̄ for the substrate; the proof above stays (a factor of
-/// the radii instead would let a sphere be drawn into a smaller one).
+/// *Unequal radii*: capture depends on the gap between the surfaces, r_capt − 2r̄ for every pair with
+/// r̄ the middle of the bounds, r_capt − r̄ for the substrate; the proof above remains valid (with a factor
+/// of the radii instead, a sphere could be moved into a smaller one).
 ///
 /// Any unit of length. In the thesis' units R = 1, and r_capt = 3 gives a porosity of 92 %.
 ///
@@ -84,20 +84,20 @@ pub struct Ballistic {
 /// When a deposit is complete.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Until {
-    /// With the first sphere whose highest point reaches this height above the substrate. That
-    /// sphere stays, so that the [height](Deposit::height) of the deposit, where a piston just
-    /// touches it, lies between this one and a sphere's diameter more.
+    /// Growth ends with the first sphere whose highest point reaches this height above the substrate. That
+    /// sphere remains, so that the [height](Deposit::height) of the deposit, at which a piston just
+    /// touches it, lies between this height and one sphere diameter above it.
     Height(f64),
-    /// Grown higher and cut at this height: spheres that reach above it are taken away, so that the
-    /// deposit has the density of the bulk up to the cut. Every parent stays, as it stands below
-    /// (of unequal radii, what a removed sphere held goes too). Growth ends as soon as so many
+    /// The deposit is grown higher and cut at this height: spheres that reach above it are removed, so that
+    /// the deposit has the density of the bulk up to the cut. Every parent remains, because it lies lower
+    /// (with unequal radii, spheres that rest on a removed one are removed too). Growth ends when as many
     /// spheres in a row have come to rest above the cut as would cover the base ten times.
     ///
-    /// A piston at the cut nearly touches the highest sphere (0.15R below on 20R × 20R). Spheres
-    /// and porosities of the thesis come out so, 470 on 20R × 20R to 61.5R and 1015 on 25R × 25R to
-    /// 87.5R; deposits that end with a [height](Self::Height) are loose below it, with 9 % less.
+    /// A piston at the cut nearly touches the highest sphere (0.15R below on 20R × 20R). This rule reproduces
+    /// the spheres and porosities of the thesis, 470 on 20R × 20R to 61.5R and 1015 on 25R × 25R to
+    /// 87.5R; deposits that end with a [height](Self::Height) are looser below it and have 9 % fewer spheres.
     Cut(f64),
-    /// With so many spheres.
+    /// Growth ends with this number of spheres.
     Count(usize),
 }
 
@@ -122,13 +122,13 @@ pub struct Deposit {
     pub positions: Vec<Vector3<f64>>,
     /// Radii.
     pub radii: Vec<f64>,
-    /// The sphere that each one touches, an earlier one; `None` for the substrate.
+    /// Parent of each sphere, an earlier one that it touches; `None` for the substrate.
     pub parents: Vec<Option<u32>>,
     /// Side of the square base.
     pub width: f64,
-    /// The space, periodic in x and y after `width`.
+    /// The space, periodic in x and y with period `width`.
     pub space: PeriodicBox,
-    /// Highest point of all spheres.
+    /// Highest point of the deposit.
     pub height: f64,
 }
 
@@ -139,8 +139,8 @@ impl Ballistic {
         Self::uneven(width, [radius; 2], capture_radius)
     }
 
-    /// Spheres of radii uniform between two bounds. *Domain*: all finite and positive, the bounds
-    /// in order, their sum ≤ `capture_radius`, and the two largest capture within width/2.
+    /// Spheres with radii uniformly distributed between two bounds. *Domain*: all finite and positive, the
+    /// bounds in order, their sum ≤ `capture_radius`, and the two largest spheres captured within width/2.
     ///
     /// ```
     /// use tribos::powder::deposit::{Ballistic, Until};

@@ -1,24 +1,24 @@
-//! How much of a deposit is empty.
+//! Porosity of a deposit.
 
 use super::Deposit;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-/// The bulk: a quarter of the height away from the substrate, whose spheres stand denser, and from
-/// the highest point, below which the last ones stand apart.
+/// The bulk: a quarter of the height away from the substrate, near which spheres are denser, and from
+/// the highest point, below which the last spheres are sparse.
 pub const BULK: [f64; 2] = [0.25, 0.75];
 
 impl Deposit {
-    /// Free share of the volume below the highest point, from 0 to 1.
+    /// Porosity: free share of the volume below the highest point, from 0 to 1.
     ///
-    /// *Formula*: 1 − V/(width² height), V the volume of all spheres (thesis, eq. 4.5, at the
-    /// piston's start).
+    /// *Formula*: 1 − V/(width² height), V the volume of all spheres (thesis, eq. 4.5, with the piston in its
+    /// initial position).
     pub fn porosity(&self) -> f64 {
         1.0 - self.solid_fraction(0.0, self.height)
     }
 
-    /// Free share of the volume in the middle half of the height, from 0 to 1: free of the ends
-    /// where the deposit is many times higher than its structure.
+    /// Porosity in the middle half of the height, from 0 to 1: free of end effects if
+    /// the deposit is many times higher than its structure.
     ///
     /// ```
     /// use tribos::powder::deposit::{BULK, Ballistic, Until};
@@ -36,7 +36,7 @@ impl Deposit {
         1.0 - self.solid_fraction(low, high)
     }
 
-    /// Share of the volume between two heights that spheres fill, with the exact volumes of those
+    /// Solid fraction between two heights, with the exact volumes of spheres
     /// cut by a plane. *Domain*: `low` < `high`; NaN for equal heights.
     pub fn solid_fraction(&self, low: f64, high: f64) -> f64 {
         let volume = volume_between(&self.positions, &self.radii, [low, high]);

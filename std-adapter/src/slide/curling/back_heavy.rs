@@ -1,4 +1,4 @@
-//! More friction at the back.
+//! Friction that is larger at the back of the band.
 
 use super::{CurlingModel, CurlingRock, IceLaw};
 use crate::friction::Friction;
@@ -7,15 +7,15 @@ use crate::slide::planar::Resistance;
 use tribos_core::Real;
 use tribos_core::internals::{LeaningWrench, leaning_wrench};
 
-/// Friction larger at the back of the band than in front by a given factor, whatever the cause
-/// (melt water, evaporation, debris).
+/// Friction that is larger at the back of the band than at the front by a given factor, whatever the
+/// cause (melt water, evaporation, debris).
 ///
 /// *Formula*: friction × (1 + l x), x in band radii along the velocity, l = −(r−1)/(r+1) with r
 /// the ratio of the rearmost to the foremost element. The mean ratio of the two halves of a ring
 /// is (1 + 2|l|/π)/(1 − 2|l|/π), which stays below 4.5. *Source*: the front–back asymmetry that
 /// Penner (Am. J. Phys. 69 (2001) 332) examined, in the linear form of eq. 3.37 of the thesis; his
-/// profile around the band is not known to us. *How sure*: the sign and the proportion to the spin
-/// are; the cause and the size are not, and Penner's experiment excludes ratios as large as needed.
+/// profile around the band is not known to us. *Confidence*: the sign and the proportionality to the spin
+/// are certain; the cause and the size are not, and Penner's experiment excludes ratios as large as needed.
 ///
 /// ```
 /// use tribos::slide::curling::{BackHeavy, CurlingModel, CurlingRock, IceLaw};
@@ -32,12 +32,12 @@ use tribos_core::internals::{LeaningWrench, leaning_wrench};
 pub struct BackHeavy {
     /// Law of the ice.
     pub ice: IceLaw,
-    /// r ≥ 1; infinite if the foremost element has none.
+    /// Ratio r ≥ 1 of the friction at the rearmost to that at the foremost element; may be infinite.
     pub back_to_front: f64,
 }
 
 impl BackHeavy {
-    /// l = −(r−1)/(r+1) = 2/(r+1) − 1.
+    /// Modulation l = −(r−1)/(r+1) = 2/(r+1) − 1.
     fn gradient(&self) -> f64 {
         2.0 / (self.back_to_front + 1.0) - 1.0
     }
@@ -59,7 +59,7 @@ impl CurlingModel for BackHeavy {
     }
 }
 
-/// A band under friction that is modulated along the velocity.
+/// A band whose friction varies linearly along the velocity.
 #[derive(Debug)]
 struct Modulated {
     foot: Friction,

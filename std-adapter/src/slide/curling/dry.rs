@@ -7,8 +7,8 @@ use crate::slide::planar::Resistance;
 /// Coulomb friction under a rock that leans forward, as under a cylinder on a table.
 ///
 /// *Formula*: pressure p (1 + l·r) with l = −2 h F/(N R), friction μ against each element's
-/// velocity. *Source*: eqs. 3.37 and 3.38 of the thesis. *How sure*: certain physics, and the
-/// right answer for a cylinder; refuted for ice, where rocks go the other way.
+/// velocity. *Source*: eqs. 3.37 and 3.38 of the thesis. *Confidence*: established physics, and correct for
+/// a cylinder; refuted for ice, where rocks curl in the opposite direction.
 ///
 /// ```
 /// use tribos::slide::curling::{CurlingModel, CurlingRock, Dry};
@@ -26,7 +26,7 @@ use crate::slide::planar::Resistance;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dry {
-    /// μ
+    /// Friction coefficient μ.
     pub coefficient: f64,
 }
 

@@ -1,4 +1,4 @@
-//! A film of water that goes along.
+//! A film of water dragged along by the band.
 
 use super::ring_rule::{POINTS, points};
 use super::{CurlingModel, CurlingRock, IceLaw};
@@ -7,10 +7,10 @@ use crate::slide::planar::Resistance;
 use tribos_core::Real;
 use tribos_core::law::LawError;
 
-/// Steps need not be finer than the rule.
+/// Step tolerance, which need not be finer than the accuracy of the quadrature rule.
 const ACCURACY: f64 = 1e-9;
 
-/// Friction against a thin film of melt water that the turning band drags along, more in front
+/// Friction against a thin film of melt water that the turning band drags along, more strongly at the front
 /// than at the back.
 ///
 /// *Formula* (our own parametrisation): the film under the element at angle φ from the direction
@@ -21,15 +21,15 @@ const ACCURACY: f64 = 1e-9;
 /// ```
 ///
 /// of the band's rotational velocity ω × r; friction is γ |u|^α against u = v + (1 − f) ω × r, on
-/// a thin ring under uniform pressure. Where nothing slides there is no front: the difference
-/// vanishes with v.
+/// a thin ring under uniform pressure. Without sliding there is no front, so the difference vanishes
+/// with v.
 ///
 /// *Source of the idea*: Shegelski, Niebergall & Walton, Can. J. Phys. 74 (1996) 663, and Jensen &
 /// Shegelski, Can. J. Phys. 82 (2004) 791 (arXiv 2112.09835): friction opposes the motion
-/// relative to the film and not to the ice; their equations were not at hand. *How sure*: a liquid
-/// film is likely; that it lets the front go and holds the back is assumed here to get the sign
-/// right, for the thesis notes that the film alone does not explain it. Even the largest
-/// difference, f from 1 to 0, curls too little and in proportion to the spin.
+/// relative to the film and not to the ice; their equations were not available. *Confidence*: a liquid
+/// film is likely; that it releases the front and holds the back is assumed here to obtain the correct
+/// sign, since the thesis notes that the film alone does not explain it. Even the largest
+/// difference, f from 1 to 0, gives too little curl, and in proportion to the spin.
 ///
 /// ```
 /// use tribos::slide::curling::{CurlingModel, CurlingRock, Film, IceLaw};
@@ -48,9 +48,9 @@ const ACCURACY: f64 = 1e-9;
 pub struct Film {
     /// Law of the ice.
     pub ice: IceLaw,
-    /// f₁, from 0 to 1.
+    /// f₁, the fraction at the front, from 0 to 1.
     pub front: f64,
-    /// f₂, from 0 to 1.
+    /// f₂, the fraction at the back, from 0 to 1.
     pub back: f64,
 }
 
@@ -64,7 +64,7 @@ impl CurlingModel for Film {
     }
 }
 
-/// A ring on a film, by a fixed rule of 256 points.
+/// A ring on a film, integrated with a fixed rule of 256 points.
 ///
 /// *Accuracy* of force and torque for α = −1/2: 1e-12 where v and (1−f)w differ by a tenth, 1e-6 by
 /// a twentieth, and 4e-2 where they meet and an element of the ring stands still.
@@ -86,7 +86,7 @@ impl CurlingModel for Film {
 pub struct FilmRing {
     /// (cos φ, sin φ) of the points.
     points: Vec<[f64; 2]>,
-    /// (f₁ + f₂)/2 and (f₁ − f₂)/2.
+    /// Mean (f₁ + f₂)/2 and half difference (f₁ − f₂)/2.
     film: [f64; 2],
     strength: f64,
     alpha: f64,
@@ -133,7 +133,7 @@ impl Resistance for FilmRing {
         };
         for &[cos, sin] in &self.points {
             let slip = 1.0 - mean - change * cos;
-            // Velocity relative to the film, along and to the left of the motion.
+            // Velocity relative to the film, along the motion and to the left of it.
             let (along, left) = (speed - slip * rim * sin, slip * rim * cos);
             let square = along * along + left * left;
             if square > 0.0 {

@@ -4,14 +4,14 @@ use super::{CurlingModel, CurlingRock, IceLaw};
 use crate::slide::SlideError;
 use crate::slide::planar::Resistance;
 
-/// [`super::LeftRight`] with the pressure gradient that the rock's height brings.
+/// [`super::LeftRight`] with the pressure gradient caused by the rock's height.
 ///
 /// *Formula*: as [`super::Dry`] with γ v^α in place of μ. *Source*: "for other friction than α = 0
-/// the net lateral force is nonzero as well" (thesis, section 3.5.1). *How sure*: the lean is
-/// certainly there; alone it bends the path the wrong way.
+/// the net lateral force is nonzero as well" (thesis, section 3.5.1). *Confidence*: the lean certainly
+/// exists; alone it bends the path in the wrong direction.
 ///
-/// *Domain*: γ v^α exceeds every bound towards rest. Where |l| would pass 1 (below 1 mm/s) the
-/// gradient is held there.
+/// *Domain*: γ v^α grows without bound towards rest. Where |l| would exceed 1 (below 1 mm/s) the
+/// gradient is limited to 1.
 ///
 /// ```
 /// use tribos::slide::curling::{CurlingModel, CurlingRock, FrontBack, IceLaw};

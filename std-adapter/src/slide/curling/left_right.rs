@@ -1,4 +1,4 @@
-//! Friction that differs left and right.
+//! Friction that differs between left and right.
 
 use super::{CurlingModel, CurlingRock, IceLaw};
 use crate::slide::SlideError;
@@ -7,9 +7,9 @@ use crate::slide::planar::Resistance;
 /// γ v^α with α < 0 under a rock that does not lean: the slower left side of a counterclockwise
 /// rock has the larger friction.
 ///
-/// *Formula*: [`IceLaw`], uniform pressure. *Source*: section 3.5.2 of the thesis. *How sure*:
-/// certainly no curl, for every α: elements that mirror each other in the direction of motion
-/// pull sideways alike and opposite in front and at the back.
+/// *Formula*: [`IceLaw`], uniform pressure. *Source*: section 3.5.2 of the thesis. *Confidence*:
+/// certainly no curl, for every α: of two elements that mirror each other front to back, the lateral
+/// forces are equal and opposite.
 ///
 /// ```
 /// use tribos::slide::curling::{CurlingModel, CurlingRock, IceLaw, LeftRight};

@@ -1,8 +1,8 @@
-//! The curling rock on ice, under models to choose from.
+//! Models of the curling rock on ice.
 //!
-//! Why a rock curls is not settled. Each model here is one published or plausible answer, with its
-//! formula, its source and how sure it is; none is *the* model. `docs/curling.md` holds them
-//! against what is observed.
+//! Why a rock curls is not settled. Each model here is one published or plausible explanation, with its
+//! formula, its source and our confidence in it; none is *the* model. `docs/curling.md` compares them
+//! with observations.
 //!
 //! | type | friction at work | path for counterclockwise spin |
 //! |---|---|---|
@@ -39,7 +39,7 @@ use super::SlideError;
 use super::planar::Resistance;
 use std::fmt::Debug;
 
-/// An answer to the question why a rock curls.
+/// An explanation of why a rock curls.
 ///
 /// ```
 /// use tribos::slide::curling::{CurlingModel, CurlingRock, Dry, IceLaw, LeftRight};
@@ -58,9 +58,9 @@ use std::fmt::Debug;
 /// # Ok::<(), tribos::slide::SlideError>(())
 /// ```
 pub trait CurlingModel: Debug + Send + Sync {
-    /// The name that scenes use.
+    /// Name of the model in scenes.
     fn name(&self) -> &'static str;
 
-    /// What the rock meets on the ice.
+    /// Resistance that the rock meets on the ice.
     fn resistance(&self, rock: &CurlingRock) -> Result<Box<dyn Resistance>, SlideError>;
 }

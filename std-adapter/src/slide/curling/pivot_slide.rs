@@ -1,4 +1,4 @@
-//! Pivots about points on the slow side.
+//! Pivoting about points on the slow side.
 
 use super::sideways::{Mechanism, Sideways};
 use super::{CurlingModel, CurlingRock, IceLaw};
@@ -6,18 +6,18 @@ use crate::slide::SlideError;
 use crate::slide::planar::Resistance;
 use tribos_core::Real;
 
-/// A sideways pull that sums up many short pivots, after Leaney (2020).
+/// A lateral force that represents the sum of many short pivots, after Leaney (2020).
 ///
 /// *Formula*: friction [`IceLaw`] on the upright rock; force a γ w^α N towards the slow side (left
-/// for counterclockwise spin), w = |ω|R, and a torque of that force times R against the spin. It
-/// would stop the spin dead before the slide; below 0.02 rad/s, where the public code ends the
-/// spin, force and torque fade in proportion to w.
+/// for counterclockwise spin), w = |ω|R, and a torque of that force times R against the spin. This torque
+/// would stop the spin before the slide ends; below 0.02 rad/s, where the public code ends the
+/// spin, force and torque decrease in proportion to w.
 /// *Source*: S. Leaney, Curling rock physics and smartphone rotation data, GeoConvention 2020,
-/// eqs. 1–5 with a = 0.014, in the form that public code gives it; the paper itself was not at
-/// hand. The pivot–slide theory of Shegelski & Lozowski (Cold Reg. Sci. Technol. 2016) has a
-/// formula of its own, which we have not found. *How sure*: a fit, not a theory; the pull *grows*
-/// as the spin falls, so that fast spin curls less than half as much as slow spin: kept as an
-/// example of how a model can meet the size of the curl and miss its trend.
+/// eqs. 1–5 with a = 0.014, in the form used by public code; the paper itself was not
+/// available. The pivot–slide theory of Shegelski & Lozowski (Cold Reg. Sci. Technol. 2016) has a
+/// formula of its own, which we have not found. *Confidence*: a fit, not a theory; the force *grows*
+/// as the spin falls, so that fast spin curls less than half as much as slow spin. It is kept as an
+/// example of a model that matches the size of the curl and misses its trend.
 ///
 /// ```
 /// use tribos::slide::curling::{CurlingModel, CurlingRock, IceLaw, PivotSlide};
@@ -33,15 +33,15 @@ use tribos_core::Real;
 pub struct PivotSlide {
     /// Law of the ice.
     pub ice: IceLaw,
-    /// a
+    /// Strength a of the lateral force.
     pub weight: f64,
 }
 
-/// Spin below which the pivots fade, rad/s.
+/// Spin below which the pivots fade, in rad/s.
 const FADING_SPIN: f64 = 0.02;
 
 impl PivotSlide {
-    /// Leaney's a.
+    /// Leaney's value of a.
     pub const WEIGHT: f64 = 0.014;
 }
 

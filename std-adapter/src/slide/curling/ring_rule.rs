@@ -1,12 +1,12 @@
-//! Points evenly around a ring.
+//! Evenly spaced points on a ring.
 
-/// Points of the rule: a power of two.
+/// Number of points of the rule, a power of two.
 pub(crate) const POINTS: usize = 256;
 
-/// (cos, sin) of the points at (k + ½) 2π/[`POINTS`], made by square roots and products alone, so
-/// that they have the same bits everywhere.
+/// (cos, sin) of the points at (k + ½) 2π/[`POINTS`], computed with square roots and products only, so
+/// that the bits are the same on every platform.
 pub(super) fn points() -> Vec<[f64; 2]> {
-    // Half a turn, then a rotation by half as much doubles the points each time.
+    // Start with half a turn; each rotation by half the angle doubles the number of points.
     let mut points = vec![[1.0, 0.0]];
     let mut turn: [f64; 2] = [-1.0, 0.0];
     while points.len() < POINTS {

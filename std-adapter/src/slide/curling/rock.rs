@@ -1,4 +1,4 @@
-//! The rock and the law of ice.
+//! The rock, and the friction law of ice.
 
 use crate::friction::{Friction, Law, Patch};
 use crate::slide::SlideError;
@@ -17,23 +17,23 @@ use crate::slide::planar::{Gradient, TallBody};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurlingRock {
-    /// Outer radius of the running band, of the thin ring if the band has no width, in m.
+    /// Outer radius of the running band in m; the radius of the thin ring if the band has no width.
     pub band_radius: f64,
     /// Width of the band, in m.
     pub band_width: f64,
     /// Height of the centre of mass, in m.
     pub height: f64,
-    /// C = I/(M R²) with R the band's radius.
+    /// C = I/(M R²) with R the radius of the band.
     pub inertia_ratio: f64,
-    /// In m/s².
+    /// Gravitational acceleration, in m/s².
     pub gravity: f64,
 }
 
 impl CurlingRock {
-    /// A rock by the rules: height 11.4 cm, so that its middle is at 5.7 cm; diameter 29 cm, so
-    /// that a solid cylinder of that size has C = (14.5/6.25)²/2 = 2.69; a ring of diameter
-    /// 12.5 cm for the band (thesis, section 3.5.2). A real rock is rounded and hollow below: its
-    /// C is somewhat smaller.
+    /// A rock according to the rules: height 11.4 cm, hence its middle at 5.7 cm; diameter 29 cm, hence
+    /// C = (14.5/6.25)²/2 = 2.69 for a solid cylinder of that size; a ring of diameter
+    /// 12.5 cm as the band (thesis, section 3.5.2). A real rock is rounded and hollow underneath, which makes
+    /// its C somewhat smaller.
     pub const STANDARD: Self = Self {
         band_radius: 0.0625,
         band_width: 0.0,
@@ -42,7 +42,7 @@ impl CurlingRock {
         gravity: 9.81,
     };
 
-    /// The running band.
+    /// Contact patch of the running band.
     pub(crate) fn patch(&self) -> Patch {
         Patch::band(1.0 - self.band_width / self.band_radius)
     }
@@ -53,7 +53,7 @@ impl CurlingRock {
         Ok(Friction::new(&self.patch(), &law, None)?)
     }
 
-    /// The rock under a law of ice, its centre of mass at `height`.
+    /// The rock under a law of ice, with its centre of mass at `height`.
     pub(super) fn body(&self, ice: IceLaw, height: f64) -> Result<TallBody, SlideError> {
         let foot = self.friction(ice)?.with_radius(self.band_radius)?;
         let rest = [self.gravity, self.inertia_ratio];
@@ -74,24 +74,24 @@ impl CurlingRock {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IceLaw {
-    /// γ, in (s/m)^α.
+    /// Coefficient γ, in (s/m)^α.
     pub coefficient: f64,
-    /// α
+    /// Exponent α.
     pub alpha: f64,
 }
 
 impl IceLaw {
-    /// Penner's, from frictional heat that flows into the ice (Am. J. Phys. 69 (2001) 332).
+    /// Penner's law, from frictional heat that flows into the ice (Am. J. Phys. 69 (2001) 332).
     pub const PENNER: Self = Self {
         coefficient: 0.008,
         alpha: -0.5,
     };
-    /// Measured in draw shots (Jensen & Shegelski, Can. J. Phys. 82 (2004) 791).
+    /// Law measured in draw shots (Jensen & Shegelski, Can. J. Phys. 82 (2004) 791).
     pub const DRAW: Self = Self {
         coefficient: 0.0076,
         alpha: -0.19,
     };
-    /// Measured in slow shots with fast spin (same source).
+    /// Law measured in slow shots with fast spin (same source).
     pub const FAST_SPIN: Self = Self {
         coefficient: 0.0103,
         alpha: -0.75,

@@ -1,4 +1,4 @@
-//! Scratches that guide.
+//! Guidance by scratches in the ice.
 
 use super::sideways::{Mechanism, Sideways};
 use super::{CurlingModel, CurlingRock, IceLaw};
@@ -6,7 +6,7 @@ use crate::slide::SlideError;
 use crate::slide::planar::Resistance;
 use tribos_core::Real;
 
-/// The front of the band scratches the ice, its back crosses the scratches at an angle and is
+/// The front of the band scratches the ice; the back crosses these scratches at an angle and is
 /// guided by them.
 ///
 /// *Formula* (our own reduction): friction [`IceLaw`] on the upright rock, and a force
@@ -16,14 +16,14 @@ use tribos_core::Real;
 /// ```
 ///
 /// to the left for counterclockwise spin. Front and back cross at the angle 2w/v: below δ they run
-/// in the same grooves and nothing guides, above it the force no longer depends on the angle. The
-/// last factor makes the force vanish with the sliding, as symmetry demands.
+/// in the same grooves and there is no guidance, above δ the force no longer depends on the angle. The
+/// last factor makes the force vanish with the sliding speed, as symmetry requires.
 ///
 /// *Source of the idea*: Nyberg, Alfredson, Hogmark & Jacobson, Wear 301 (2013) 583, and Penner's
-/// scratch-guide model (2019); their equations were not at hand, and none of them is claimed here.
-/// *How sure*: the mechanism is well supported (scratched ice steers even a rock without spin);
-/// this form is a reading of it, with σ fitted to nothing but a curl of about 1 m and δ chosen
-/// small.
+/// scratch-guide model (2019); their equations were not available and are not reproduced here.
+/// *Confidence*: the mechanism is well supported (scratched ice steers even a rock without spin);
+/// this form is our interpretation, with σ fitted only to a curl of about 1 m and a small
+/// value chosen for δ.
 ///
 /// ```
 /// use tribos::slide::curling::{CurlingModel, CurlingRock, IceLaw, ScratchGuide};
@@ -41,16 +41,16 @@ use tribos_core::Real;
 pub struct ScratchGuide {
     /// Law of the ice.
     pub ice: IceLaw,
-    /// σ: guiding force per load.
+    /// σ, the guiding force per load.
     pub strength: f64,
-    /// δ: half the crossing angle from which scratches guide, in rad.
+    /// δ, half the crossing angle above which scratches guide, in rad.
     pub onset: f64,
 }
 
 impl ScratchGuide {
-    /// σ that makes a draw with 1.5 rad/s curl by about 1 m.
+    /// Value of σ with which a draw at 1.5 rad/s curls by about 1 m.
     pub const STRENGTH: f64 = 0.0006;
-    /// δ: about half a degree.
+    /// Value of δ: about half a degree.
     pub const ONSET: f64 = 0.01;
 }
 

@@ -1,16 +1,16 @@
-//! Ice friction with a sideways acceleration added.
+//! Ice friction with an additional lateral acceleration.
 
 use crate::slide::planar::{Resistance, TallBody};
 use tribos_core::Real;
 
-/// What a mechanism adds to the friction of the upright rock.
+/// Contribution of a mechanism beyond the friction of the upright rock.
 pub(super) trait Mechanism: std::fmt::Debug {
-    /// Acceleration to the left of the velocity for counterclockwise spin, and what the same
-    /// mechanism takes from the rim speed, divided by C; both ≥ 0, in m/s².
+    /// Acceleration to the left of the velocity for counterclockwise spin, and the deceleration of the rim
+    /// speed by the same mechanism, divided by C; both ≥ 0, in m/s².
     fn added(&self, slide: f64, rim: f64) -> [f64; 2];
 }
 
-/// An upright rock with a mechanism.
+/// An upright rock with an additional mechanism.
 #[derive(Debug)]
 pub(super) struct Sideways<M> {
     pub body: TallBody,

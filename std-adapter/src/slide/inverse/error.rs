@@ -1,9 +1,9 @@
-//! Why there is no launch.
+//! Why no launch was found.
 
 use super::{Limits, Pose, Solution};
 use tribos_core::Error;
 
-/// Why a rest pose was not inverted.
+/// Why a rest pose could not be inverted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum InverseError {
     /// The kernel refused the body.
@@ -15,37 +15,37 @@ pub enum InverseError {
         /// The exponent.
         alpha: f64,
     },
-    /// A limit is negative, infinite or NaN.
+    /// A launch limit is negative, infinite or NaN.
     #[error("the largest {name} must be finite and not negative, not {given}")]
     Limit {
-        /// Which one.
+        /// Name of the limit.
         name: &'static str,
-        /// What was given.
+        /// Value given.
         given: f64,
     },
-    /// The target is not finite, or so far that the launch leaves the number range.
+    /// The target is not finite, or so far away that the launch exceeds the range of numbers.
     #[error(
         "the target x {} m, y {} m, angle {} rad is not finite or its launch is not",
         given.x, given.y, given.angle
     )]
     Target {
-        /// What was given.
+        /// Target given.
         given: Pose,
     },
-    /// More solutions than anyone reads.
+    /// There are more solutions than can usefully be listed.
     #[error(
         "{count} numbers of turns lead there; lower the largest spin or ask for an exact angle"
     )]
     TooMany {
-        /// Their number.
+        /// Number of solutions.
         count: u64,
     },
-    /// No launch within the limits.
+    /// No launch within the limits reaches the target.
     #[error(transparent)]
     OutOfReach(Box<OutOfReach>),
 }
 
-/// A target beyond the limits: what it takes, and what the limits allow.
+/// A target beyond the launch limits: the launch it needs, and the reach of the limits.
 ///
 /// ```
 /// use tribos::slide::inverse::{InverseError, Limits, OutOfReach, Pose, RestMap, Turns};
@@ -63,18 +63,18 @@ pub enum InverseError {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfReach {
-    /// The launch that exceeds the limits least.
+    /// The launch that exceeds the limits by the least.
     pub needed: Solution,
-    /// The limits.
+    /// The launch limits.
     pub limits: Limits,
-    /// Distance of the target, m.
+    /// Distance of the target, in m.
     pub distance: f64,
-    /// Shortest and farthest distance within the limits with the angle of `needed`, m; none if
+    /// Shortest and longest distance within the limits for the angle of `needed`, in m; `None` if
     /// the body cannot turn that far.
     pub distances: Option<[f64; 2]>,
-    /// Farthest distance within the limits at any angle, m.
+    /// Longest distance within the limits at any angle, in m.
     pub farthest: f64,
-    /// Largest angle within the limits at any distance, rad.
+    /// Largest angle within the limits at any distance, in rad.
     pub most: f64,
 }
 
@@ -113,14 +113,14 @@ impl std::fmt::Display for OutOfReach {
     }
 }
 
-/// Magnitudes that six decimals tell.
+/// Range of magnitudes that six decimals represent well.
 const EVERYDAY: std::ops::Range<f64> = 1e-3..1e9;
 
 fn is_everyday(x: f64) -> bool {
     x == 0.0 || EVERYDAY.contains(&x.abs())
 }
 
-/// Six decimals, or seven digits where those would lose them.
+/// Six decimals, or seven significant digits where six decimals would lose them.
 fn shown(x: f64) -> String {
     if is_everyday(x) {
         format!("{x:.6}")
@@ -129,7 +129,7 @@ fn shown(x: f64) -> String {
     }
 }
 
-/// A limit as it was given.
+/// A limit in the form in which it was given.
 fn given(x: f64) -> String {
     if is_everyday(x) {
         format!("{x}")
@@ -138,7 +138,7 @@ fn given(x: f64) -> String {
     }
 }
 
-/// What is needed; with all digits where fewer would not show that it is beyond the limit.
+/// The needed value, with all digits where fewer would not show that it exceeds the limit.
 fn beyond(needed: f64, limit: f64) -> String {
     let text = shown(needed);
     let is_rounded_away = text.parse().is_ok_and(|x: f64| x.abs() <= limit);

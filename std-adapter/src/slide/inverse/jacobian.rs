@@ -4,11 +4,11 @@ use super::{Launch, RestMap};
 use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
 
-/// ∂(x, y, angle)/∂(v_x, v_y, ω), a row for each of x, y, angle.
+/// ∂(x, y, angle)/∂(v_x, v_y, ω), with one row each for x, y and angle.
 pub type PoseJacobian = [[f64; 3]; 3];
 
 impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
-    /// How the rest pose answers small changes of the launch.
+    /// Sensitivity of the rest pose to small changes of the launch.
     ///
     /// With distance d(v, w), w = |ω|R, and the unit vector e of the velocity
     ///
@@ -17,15 +17,15 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
     /// ∂d/∂v = s^(1−α)/κ (p X c − X' n),   ∂d/∂w = s^(1−α)/κ (p X n + X' c),   p = 2 − α
     /// ```
     ///
-    /// and the rim's path with Y. *Units*: s for x and y by velocity, m s/rad by spin, rad s/m and
+    /// and the path of the rim with Y. *Units*: s for x and y by velocity, m s/rad by spin, rad s/m and
     /// s for the angle.
     ///
-    /// *Special values*: smooth in every direction; at v = 0 with spin it is ∂d/∂v times the unit
-    /// matrix, without spin the angle decouples, at rest it is zero. NaN for a launch that is not
-    /// finite.
+    /// *Special values*: smooth in every direction; at v = 0 with spin the block is ∂d/∂v times the unit
+    /// matrix, without spin the angle decouples, and at rest the Jacobian is zero. NaN for a launch that is
+    /// not finite.
     ///
-    /// *Accuracy*: within 1e-9 of extrapolated differences, whose own error that is, for unit
-    /// scales; next to v = ωR the differences lose their order and confirm 2e-4.
+    /// *Accuracy*: within 1e-9 of extrapolated differences, which is the error of these differences for unit
+    /// scales; near v = ωR the differences lose their order and confirm only 2e-4.
     ///
     /// ```
     /// use tribos::slide::inverse::{Launch, PoseJacobian, RestMap};
@@ -59,7 +59,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         } else {
             (unit * paths.centre / c, [x / v, y / v])
         };
-        // Without spin neither distance nor angle answers to the other motion.
+        // Without spin neither distance nor angle depends on the other motion.
         let sense = if w == 0.0 { 0.0 } else { launch.spin.signum() };
         let distance_by_spin = match v {
             0.0 => 0.0,

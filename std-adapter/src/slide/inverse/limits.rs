@@ -1,11 +1,11 @@
-//! What the launcher can do, and how far that reaches.
+//! Limits of the launcher, and their reach.
 
 use super::root::rising_root;
 use super::{InverseError, RestMap};
 use tribos_core::coupling::{Coupling, Profile};
 
 /// The fastest launch: a solution is admissible if |velocity| ≤ `max_speed` and |spin| ≤ `max_spin`,
-/// to the bit.
+/// compared exactly.
 ///
 /// ```
 /// use tribos::slide::inverse::{InverseError, Limits, RestMap};
@@ -46,19 +46,19 @@ impl Limits {
         })
     }
 
-    /// Largest speed, m/s.
+    /// Largest speed, in m/s.
     pub fn max_speed(&self) -> f64 {
         self.max_speed
     }
 
-    /// Largest spin, rad/s.
+    /// Largest spin, in rad/s.
     pub fn max_spin(&self) -> f64 {
         self.max_spin
     }
 }
 
 impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
-    /// Distance and |angle| at rest for speed and |spin|. Neither falls if either argument grows.
+    /// Distance and |angle| at rest for speed and |spin|. Neither decreases if either argument grows.
     pub fn reach(&self, speed: f64, spin: f64) -> [f64; 2] {
         let landing = self.rest(&super::Launch {
             velocity: [speed, 0.0],
@@ -67,11 +67,11 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         [landing.pose.x, landing.pose.angle]
     }
 
-    /// Shortest and farthest distance within `limits` for a body that turns by |`angle`|; none
-    /// if it cannot turn that far.
+    /// Shortest and longest distance within `limits` for a body that turns by |`angle`|; `None` if it
+    /// cannot turn that far.
     ///
-    /// Both ends are launches at a limit: the shortest spins fastest, the farthest slides
-    /// fastest.
+    /// Both ends are launches at a limit: the shortest has the fastest spin, the longest the highest
+    /// speed.
     pub fn distances(&self, angle: f64, limits: &Limits) -> Option<[f64; 2]> {
         let (angle, speed, spin) = (angle.abs(), limits.max_speed, limits.max_spin);
         let turned = |speed: f64, spin: f64| self.reach(speed, spin)[1];

@@ -1,11 +1,11 @@
-//! Launch → rest pose.
+//! Map from launch to rest pose.
 
 use super::{InverseError, Launch, Pose};
 use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
 use tribos_core::slider::{Motion, Slider, SliderParameters};
 
-/// Where a body comes to rest, as a function of its launch.
+/// Rest pose of a body as a function of its launch.
 ///
 /// ```
 /// use tribos::slide::inverse::{Launch, RestMap};
@@ -18,14 +18,14 @@ use tribos_core::slider::{Motion, Slider, SliderParameters};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct RestMap<P> {
-    /// The body with κ = R = 1.
+    /// The body scaled to κ = R = 1.
     unit: Slider<f64, P>,
     deceleration: f64,
     radius: f64,
     inertia_ratio: f64,
 }
 
-/// The end of a throw.
+/// Rest pose and time of a launch.
 ///
 /// ```
 /// use tribos::slide::inverse::{Landing, Launch, RestMap};
@@ -44,20 +44,20 @@ pub struct RestMap<P> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landing {
-    /// Where and how it lies.
+    /// Position and orientation at rest.
     pub pose: Pose,
-    /// Time from launch to rest, s.
+    /// Time from launch to rest, in s.
     pub time: f64,
 }
 
 /// Paths and time to rest from unit scale, s² = v² + (ωR)² = 1, with κ = R = 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reduced {
-    /// X, path of the centre.
+    /// X, the path of the centre.
     pub centre: f64,
-    /// Y, path of the rim.
+    /// Y, the path of the rim.
     pub rim: f64,
-    /// Time.
+    /// Time to rest.
     pub time: f64,
 }
 
@@ -130,7 +130,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         }
     }
 
-    /// Kinetic energy per mass, (v² + C (ωR)²)/2, J/kg.
+    /// Kinetic energy per mass, (v² + C (ωR)²)/2, in J/kg.
     pub fn energy_per_mass(&self, launch: &Launch) -> f64 {
         let [x, y] = launch.velocity;
         let rim = launch.spin * self.radius;
@@ -153,7 +153,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         2.0 - self.profile().exponent()
     }
 
-    /// Friction law and pressure.
+    /// Coupling of friction law and pressure.
     pub fn profile(&self) -> &P {
         self.unit.profile()
     }

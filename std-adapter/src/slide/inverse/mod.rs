@@ -1,4 +1,4 @@
-//! The inverse sliding problem: how to launch a body that shall come to rest at a wanted pose.
+//! The inverse sliding problem: the launch with which a body comes to rest at a given pose.
 //!
 //! A flat axisymmetric body under |v|^α, α < 1, slides straight and rests after a finite distance
 //! d and angle θ. With (v, |ω|R) = s (cos φ, sin φ) and p = 2 − α the equations of motion are
@@ -9,7 +9,7 @@
 //! ```
 //!
 //! **One launch for each distance and angle.** The direction φ obeys an equation of its own,
-//! dφ/dτ = m(φ), and so moves one way, towards a fixed point. (X, Y) is a positive sum of all the
+//! dφ/dτ = m(φ), and so moves monotonically towards a fixed point. (X, Y) is a positive sum of all the
 //! directions (cos φ, sin φ) still to come; its own direction A therefore lies ahead of φ. From
 //! m X' = p k X − cos φ and m Y' = p k Y − sin φ,
 //!
@@ -17,15 +17,15 @@
 //! A' = sin(A − φ) / (m hypot(X, Y)) > 0
 //! ```
 //!
-//! A rises from 0 to π/2, for every exponent α < 1, pressure and inertia ratio: the wanted
-//! R|θ|/d fixes φ, then the distance fixes s. There are no double roots.
+//! A rises from 0 to π/2, for every exponent α < 1, pressure and inertia ratio: the given
+//! R|θ|/d determines φ, then the distance determines s. There are no double roots.
 //!
-//! **More is more.** For α < 1, ∂F/∂w = ∂T/∂v < 0: each motion eases the other. Such a system
-//! keeps the order of its states, hence d and |θ| never fall if v or |ω| grows. At a given
+//! **Monotonicity.** For α < 1, ∂F/∂w = ∂T/∂v < 0: each motion reduces the friction of the other. Such a
+//! system preserves the order of its states, hence d and |θ| never decrease if v or |ω| grows. At a given
 //! distance more turns need more spin and less speed; the reach of launch limits is the image of
 //! their corners and edges.
 //!
-//! `docs/inverse.md` has the proofs. *Source*: the problem is that of Partridge and Spong, and of
+//! `docs/inverse.md` has the proofs. *Source*: the problem was posed by Partridge and Spong and by
 //! Han and Park; the reduction to one monotone function is this project's own.
 //!
 //! ```
@@ -61,7 +61,7 @@ pub use map::RestMap;
 pub use plan::MAX_SOLUTIONS;
 pub use plan::{Launches, Solution, Turns};
 
-/// Velocity of the centre and spin at the start, m/s and rad/s.
+/// Initial velocity of the centre and initial spin, in m/s and rad/s.
 ///
 /// ```
 /// use tribos::slide::inverse::{Launch, RestMap};
@@ -81,7 +81,7 @@ pub struct Launch {
     pub spin: f64,
 }
 
-/// Place of the centre and angle turned, from where the body started, m and rad.
+/// Displacement of the centre and angle turned since the launch, in m and rad.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose {
     /// Along the first axis.

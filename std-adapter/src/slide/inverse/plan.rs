@@ -1,4 +1,4 @@
-//! Rest pose → every launch within the limits.
+//! From a rest pose to every launch within the limits.
 
 use super::{InverseError, Launch, Limits, OutOfReach, Pose, RestMap};
 use crate::slide::inverse::solve::Throw;
@@ -8,20 +8,20 @@ use std::num::NonZeroU32;
 use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
 
-/// What the wanted angle means.
+/// Meaning of the requested angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Turns {
-    /// The total angle turned on the way, of either sign.
+    /// The total angle turned during the motion, of either sign.
     Exact,
-    /// The orientation at rest, the same after every 2π/`symmetry`: any number of turns, in both
-    /// senses.
+    /// The orientation at rest, which repeats every 2π/`symmetry`: any number of turns, in both
+    /// directions.
     Modulo {
         /// Order of the body's rotational symmetry, 1 for none.
         symmetry: NonZeroU32,
     },
 }
 
-/// One launch that ends at the wanted pose.
+/// One launch that ends at the requested pose.
 ///
 /// ```
 /// use tribos::slide::inverse::{Limits, Pose, RestMap, Solution, Turns};
@@ -41,28 +41,28 @@ pub enum Turns {
 pub struct Solution {
     /// The launch.
     pub launch: Launch,
-    /// |velocity|, m/s.
+    /// |velocity|, in m/s.
     pub speed: f64,
-    /// Direction of the velocity from the first axis, rad; 0 for a spin in place, where it is
-    /// free.
+    /// Direction of the velocity from the first axis, in rad; 0 for a pure spin, where it is
+    /// arbitrary.
     pub direction: f64,
-    /// Total angle turned, rad.
+    /// Total angle turned, in rad.
     pub angle: f64,
-    /// Time from launch to rest, s.
+    /// Time from launch to rest, in s.
     pub time: f64,
-    /// Kinetic energy per mass, J/kg.
+    /// Kinetic energy per mass, in J/kg.
     pub energy_per_mass: f64,
 }
 
 impl Solution {
-    /// Full turns on the way, of either sign.
+    /// Number of turns during the motion, of either sign.
     pub fn turns(&self) -> f64 {
         self.angle / TAU
     }
 }
 
-/// Most solutions that [`RestMap::launches`] lists; [`RestMap::fewest_turns`] has a limit of the
-/// caller.
+/// Largest number of solutions that [`RestMap::launches`] lists; for [`RestMap::fewest_turns`] the
+/// caller chooses the number.
 ///
 /// ```
 /// use tribos::slide::inverse::{InverseError, Limits, MAX_SOLUTIONS, Pose, RestMap, Turns};
@@ -77,7 +77,7 @@ impl Solution {
 /// ```
 pub const MAX_SOLUTIONS: u64 = 10_000;
 
-/// Launches that end at the wanted pose: how many there are, and those that were worked out.
+/// Launches that end at the requested pose: their number, and those that were computed.
 ///
 /// ```
 /// use tribos::slide::inverse::{Launches, Limits, Pose, RestMap, Turns};
@@ -97,27 +97,27 @@ pub const MAX_SOLUTIONS: u64 = 10_000;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Launches {
-    /// Number of launches within the limits; beyond 2^53 turns as exact as an f64, and at most
-    /// [`u64::MAX`], which stands for any larger number.
+    /// Number of launches within the limits; beyond 2^53 turns it is as exact as an f64, and it saturates at
+    /// [`u64::MAX`].
     pub count: u64,
-    /// Those with the fewest turns, by rising kinetic energy.
+    /// The launches with the fewest turns, in order of increasing kinetic energy.
     pub solutions: Vec<Solution>,
 }
 
-/// A turn more than the farthest one is tried, against rounding.
+/// Relative margin for rounding in the number of turns that are tried.
 const SPARE: f64 = 1e-9;
 
-/// Angles of one sense, `first` + j `step`, that share an orientation.
+/// Angles of one sign, `first` + j `step`, that have the same orientation.
 struct Ladder {
     sense: f64,
     first: f64,
     step: f64,
 }
 
-/// Every whole number up to here is an f64; beyond, every f64 is a whole number.
+/// Every whole number up to this one is an f64; above it, every f64 is a whole number.
 const WHOLE: u64 = 1 << f64::MANTISSA_DIGITS;
 
-/// The `rank`-th of all whole numbers that are an f64, from 0. They number less than 2^63.
+/// The `rank`-th whole number that is an f64, counted from 0. There are fewer than 2^63 of them.
 fn whole(rank: u64) -> f64 {
     match rank.checked_sub(WHOLE) {
         None => rank as f64,
@@ -125,10 +125,10 @@ fn whole(rank: u64) -> f64 {
     }
 }
 
-/// How many of the whole numbers that are an f64 do not exceed `x`.
+/// Count of the whole numbers that are an f64 and do not exceed `x`.
 fn wholes_up_to(x: f64) -> u64 {
     if x < WHOLE as f64 {
-        // Zero for what is negative or NaN.
+        // Zero if negative or NaN.
         return if x >= 0.0 { x as u64 + 1 } else { 0 };
     }
     let largest = x.min(f64::MAX);
@@ -140,7 +140,7 @@ impl Ladder {
         self.first + whole(rank) * self.step
     }
 
-    /// Ranks of the angles up to `most`, all of which are tried. Beyond [`WHOLE`] they pass over
+    /// Ranks of the angles up to `most`, all of which are tried. Beyond [`WHOLE`] they skip
     /// the turns whose number is not an f64.
     fn ranks(&self, most: f64) -> u64 {
         if self.step == 0.0 {
@@ -150,7 +150,7 @@ impl Ladder {
     }
 }
 
-/// The angles of a ladder whose launches are within the limits, by rank from `first` to before
+/// The angles of a ladder whose launches are within the limits, by rank, from `first` up to but not including
 /// `end`.
 struct Flight {
     ladder: Ladder,
@@ -177,14 +177,14 @@ impl Flight {
     }
 }
 
-/// Launches of all flights together, at most [`u64::MAX`].
+/// Total number of launches of all flights, at most [`u64::MAX`].
 fn count(flights: &[Flight]) -> u64 {
     let counts = flights.iter().map(Flight::count);
     counts.fold(0, u64::saturating_add)
 }
 
 impl Turns {
-    /// The angles that a wanted `angle` admits, positive sense first.
+    /// The angles that match a requested `angle`, positive direction first.
     fn ladders(self, angle: f64) -> Vec<Ladder> {
         let Self::Modulo { symmetry } = self else {
             return vec![Ladder {
@@ -195,7 +195,7 @@ impl Turns {
         };
         let step = TAU / f64::from(symmetry.get());
         let left = angle.rem_euclid(step);
-        // Zero belongs to one sense only.
+        // Zero belongs to one direction only.
         let right = step - left;
         [(1.0, left), (-1.0, right)]
             .map(|(sense, first)| Ladder { sense, first, step })
@@ -204,16 +204,16 @@ impl Turns {
 }
 
 impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
-    /// Every launch within `limits` that comes to rest at `target`, by rising kinetic energy; refused
-    /// if they are more than [`MAX_SOLUTIONS`].
+    /// Every launch within `limits` that comes to rest at `target`, in order of increasing kinetic energy;
+    /// refused if there are more than [`MAX_SOLUTIONS`].
     ///
-    /// For each total angle there is exactly one launch ([the module](super) says why), and along
-    /// the turns the speed needed falls while the spin needed rises: those admissible follow each
-    /// other, and both ends are found by bisection.
+    /// For each total angle there is exactly one launch (proved in [the module](super)). With more turns
+    /// the required speed falls and the required spin rises: the admissible launches are consecutive,
+    /// and both ends of their range are found by bisection.
     ///
     /// *Accuracy*: the rest pose of every solution meets `target` to 1e-12 of the distance and
     /// of the angle turned, as long as the distance and the path of the rim differ by a factor of less
-    /// than 1e99; beyond, the shorter one is taken for 0. *Cost*: about ten motions to rest a solution.
+    /// than 1e99; beyond, the shorter one is taken as 0. *Cost*: about ten motions to rest per solution.
     pub fn launches(
         &self,
         target: &Pose,
@@ -229,12 +229,13 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         Ok(all.solutions)
     }
 
-    /// How many launches within `limits` come to rest at `target`, and of them the `most` with the
-    /// fewest turns, by rising kinetic energy. Counting takes some bisections, however many there are.
+    /// Number of launches within `limits` that come to rest at `target`, and the `most` with the
+    /// fewest turns, in order of increasing kinetic energy. Counting takes a few bisections for any number of
+    /// launches.
     ///
-    /// *Memory*: 72 bytes a launch that is listed. *Domain*: any finite limits. Of orientations that are more than 2^53 steps away only those
-    /// are found whose number of steps is an f64; launches whose rim goes more than 1e99 times as
-    /// far as the centre are left out.
+    /// *Memory*: 72 bytes per listed launch. *Domain*: any finite limits. Of orientations that are more than
+    /// 2^53 steps away only those are found whose number of steps is an f64; launches whose rim travels more
+    /// than 1e99 times as far as the centre are omitted.
     pub fn fewest_turns(
         &self,
         target: &Pose,
@@ -246,7 +247,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         self.worked_out(target, turns, limits, &flights, most)
     }
 
-    /// The angles of each sense whose launches are within the limits.
+    /// The angles of each direction whose launches are within the limits.
     fn flights(
         &self,
         target: &Pose,
@@ -289,7 +290,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
             .flat_map(|flight| flight.angles(most))
             .collect();
         angles.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
-        // Beyond the whole numbers two ranks may round to one angle.
+        // Beyond the exact whole numbers two ranks may round to one angle.
         angles.dedup();
         angles.truncate(usize::try_from(most).unwrap_or(usize::MAX));
         let all = angles.into_iter().map(|angle| {
@@ -325,7 +326,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         Ok(Launches { count, solutions })
     }
 
-    /// A throw of magnitudes, aimed at the target.
+    /// A launch of given magnitudes, aimed at the target.
     fn solution(&self, target: &Pose, angle: f64, throw: &Throw) -> Solution {
         let distance = Real::hypot(target.x, target.y);
         let along = |component: f64| match distance {
@@ -349,8 +350,8 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         }
     }
 
-    /// The launch of one sense that exceeds the limits least. With more turns the speed needed
-    /// falls and the spin needed rises: it stands where their excesses cross.
+    /// The launch of one direction that exceeds the limits by the least. With more turns the required speed
+    /// falls and the required spin rises: the optimum is where their excesses are equal.
     fn nearest(&self, target: &Pose, ladder: &Ladder, limits: &Limits) -> Solution {
         let distance = Real::hypot(target.x, target.y);
         let throw = |rank| self.throw(distance, ladder.angle(rank));
@@ -377,7 +378,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
     }
 }
 
-/// The first j of `from`..`to` for which `holds` no longer does; it never holds again.
+/// The first j of `from`..`to` for which `holds` is false; it is false for all that follow.
 fn partition(from: u64, to: u64, mut holds: impl FnMut(u64) -> bool) -> u64 {
     let (mut low, mut high) = (from, to.max(from));
     while low < high {
@@ -395,7 +396,7 @@ fn is_within(solution: &Solution, limits: &Limits) -> bool {
     solution.speed <= limits.max_speed() && solution.launch.spin.abs() <= limits.max_spin()
 }
 
-/// How many times a limit is needed.
+/// Ratio of a required value to its limit.
 fn over(needed: f64, limit: f64) -> f64 {
     match needed {
         0.0 => 0.0,
@@ -403,7 +404,7 @@ fn over(needed: f64, limit: f64) -> f64 {
     }
 }
 
-/// How many times the limits are exceeded.
+/// Factor by which the limits are exceeded.
 fn excess(solution: &Solution, limits: &Limits) -> f64 {
     let speed = over(solution.speed, limits.max_speed());
     let spin = over(solution.launch.spin.abs(), limits.max_spin());

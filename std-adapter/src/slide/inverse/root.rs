@@ -1,10 +1,10 @@
-//! The zero of a rising function of one variable.
+//! Root of an increasing function of one variable.
 
-/// Where a rising function passes zero.
+/// The argument at which an increasing function passes zero.
 ///
 /// Chandrupatla, Adv. Eng. Softw. 28 (1997) 145: inverse quadratic interpolation where it is
-/// safe, else bisection. Ends where the function is not above `enough` or the bracket has closed
-/// to rounding.
+/// safe, otherwise bisection. The iteration ends when the absolute value is at most `enough` or the bracket
+/// has closed to rounding.
 ///
 /// *Domain*: `below.1` ≤ 0 ≤ `above.1`. Returns the argument with the smaller value of the last
 /// two.
@@ -22,7 +22,7 @@ pub(super) fn rising_root(
     for _ in 0..MAX_ROUNDS {
         let at = newest.0 + share * (other.0 - newest.0);
         let value = function(at);
-        // The third point of the parabola: what the new one replaces.
+        // The third point of the parabola is the one that the new point replaces.
         let third;
         if (value > 0.0) == (newest.1 > 0.0) {
             third = newest;
@@ -46,11 +46,11 @@ pub(super) fn rising_root(
     newest.0
 }
 
-/// More rounds than halving the largest f64 down to the smallest one takes.
+/// More iterations than bisection from the largest f64 to the smallest needs.
 const MAX_ROUNDS: u32 = 2200;
 
-/// Share of the way from `newest` to `other` at which the inverse parabola has its zero; the
-/// middle where the parabola is not monotone.
+/// Fraction of the interval from `newest` to `other` at which the inverse parabola has its zero; one half
+/// where the parabola is not monotone.
 fn interpolated(newest: (f64, f64), other: (f64, f64), third: (f64, f64)) -> f64 {
     let place = (newest.0 - other.0) / (third.0 - other.0);
     let height = (newest.1 - other.1) / (third.1 - other.1);
@@ -76,7 +76,7 @@ mod tests {
             (|x| x.exp() - 1e-3, -40.0, 4.0, 1e-3_f64.ln()),
             (|x| (x - 0.3).cbrt(), 0.0, 1.0, 0.3),
             (|x| if x < 0.7 { -1.0 } else { 1.0 }, 0.0, 1.0, 0.7),
-            // Straight, and zero at either end.
+            // A straight line, with its zero at either end.
             (|x| (x + 8.0) - 15.0, 1.0, 12.0, 7.0),
             (|x| x - 7.0, 7.0, 9.0, 7.0),
             (|x| x - 7.0, 4.0, 7.0, 7.0),

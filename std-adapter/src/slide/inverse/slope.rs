@@ -1,22 +1,22 @@
-//! How the paths to rest change with the direction of the launch.
+//! Derivatives of the paths to rest by the direction of the launch.
 //!
 //! With (v, ωR) = s (cos φ, sin φ) = s (c, n), p = 2 − α, the loss k and the turning rate m of the
-//! direction (dφ/dτ = m, d ln s/dτ = −k), the path left to go is s^p X(φ)/κ. It shrinks by c s^p/κ
-//! a unit of τ, and likewise that of the rim:
+//! direction (dφ/dτ = m, d ln s/dτ = −k), the remaining path is s^p X(φ)/κ. It shrinks by c s^p/κ
+//! per unit of τ, and the path of the rim likewise:
 //!
 //! ```text
 //! m X' = p k X − c,        m Y' = p k Y − n                                            (1)
 //! ```
 //!
-//! Where m ≈ 0 both sides vanish. There, with the path left if the direction stayed, X_s = c/(pk),
+//! Where m ≈ 0 both sides vanish. There, with the path X_s = c/(pk) that would remain at constant direction,
 //! and after integration of ∫ e^(pL) c dτ by parts,
 //!
 //! ```text
 //! X' = p k₀ ∫ W X_s' dτ,     W = e^(pL) m/m₀,     dW/dτ = (m' − p k) W,     W(0) = 1   (2)
 //! ```
 //!
-//! which needs no quotient. It is followed until the direction turns briskly and (1) takes over,
-//! or until it has settled and the integral closes: W X_s'/(p k − m').
+//! which contains no quotient. (2) is integrated until the direction turns fast enough for (1),
+//! or until it has settled and the integral has a closed form: W X_s'/(p k − m').
 
 use super::RestMap;
 use tribos_core::Real;
@@ -26,21 +26,21 @@ use tribos_core::internals::runge_kutta;
 /// c, n, W, ∫ W X_s' dτ, ∫ W Y_s' dτ.
 type State = [f64; 5];
 
-/// Local tolerance of a step.
+/// Local error tolerance of a step.
 const TOLERANCE: f64 = 1e-14;
-/// A direction that turns by this fraction of the loss leaves 1e-13 of the slope to (1).
+/// If the direction turns by this fraction of the loss, (1) is accurate to 1e-13 of the slope.
 const BRISK: f64 = 1e-2;
-/// A turning rate below this fraction of the loss changes nothing any more.
+/// A turning rate below this fraction of the loss has no further effect.
 const SETTLED: f64 = 1e-14;
 /// A weight this small is below rounding.
 const SPENT: f64 = 1e-17;
-/// First step in τ, and more steps than any integral needs.
+/// First step in τ, and a number of steps that no integral needs.
 const FIRST: f64 = 1.0 / 32.0;
 const MAX_STEPS: u32 = 20_000;
-/// Half step of the difference quotient that serves where the law's own slope is infinite.
+/// Half step of the difference quotient used where the slope of the law is infinite.
 const STEP: f64 = 1e-6;
 
-/// Loss and turning rate at one direction with their derivatives along the circle.
+/// Loss and turning rate at one direction, with their derivatives along the circle.
 struct Rates {
     loss: f64,
     turning: f64,
@@ -51,14 +51,13 @@ struct Rates {
 
 impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
     /// X' and Y' at the direction (c, n).
-    ///
-    /// *Accuracy*: 1e-9, as [`RestMap::jacobian`] is checked; none is promised for a thin ring
-    /// whose direction has settled at v = ωR, where the slopes of the law itself are infinite.
+    /// *Accuracy*: 1e-9, the tolerance of the check of [`RestMap::jacobian`]; none is guaranteed for a thin
+    /// ring whose direction has settled at v = ωR, where the slopes of the law itself are infinite.
     pub(super) fn slopes(&self, at: [f64; 2]) -> [f64; 2] {
         self.followed(at).unwrap_or_else(|| self.difference(at))
     }
 
-    /// By (1) or (2); none where the law has no slope.
+    /// Derivatives by (1) or (2); `None` where the law has no slope.
     fn followed(&self, [c, n]: [f64; 2]) -> Option<[f64; 2]> {
         let [start, turning] = self.loss_and_turning([c, n]);
         if turning.abs() >= BRISK * start {
@@ -94,7 +93,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         None
     }
 
-    /// By (1).
+    /// Derivatives by (1).
     fn brisk(&self, at: [f64; 2]) -> [f64; 2] {
         let [loss, turning] = self.loss_and_turning(at);
         let paths = self.reduced(at);
@@ -105,7 +104,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         ]
     }
 
-    /// By a symmetric difference.
+    /// Derivatives by a symmetric difference.
     fn difference(&self, [c, n]: [f64; 2]) -> [f64; 2] {
         let [after, before] = [STEP, -STEP].map(|turn| {
             let (sin, cos) = (Real::sin(turn), Real::cos(turn));
@@ -164,8 +163,8 @@ fn finite(pair: [f64; 2]) -> Option<[f64; 2]> {
     pair.iter().all(|x| x.is_finite()).then_some(pair)
 }
 
-/// The largest error. The direction counts relative to its own components, so that a small one
-/// keeps its digits.
+/// The largest error. Each component of the direction is compared with itself, so that a small one
+/// keeps its accuracy.
 fn worst(at: &State, error: &State) -> f64 {
     let units = [at[0].abs(), at[1].abs(), 1.0, 1.0, 1.0];
     let terms = error.iter().zip(units).map(|(error, unit)| match error {

@@ -1,32 +1,32 @@
-//! The one launch that goes a given distance while it turns a given angle.
+//! The unique launch that covers a given distance while turning through a given angle.
 
 use super::RestMap;
 use super::root::rising_root;
 use tribos_core::Real;
 use tribos_core::coupling::{Coupling, Profile};
 
-/// Magnitudes of a launch, with its time to rest.
+/// Magnitudes of a launch, and its time to rest.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Throw {
-    /// v
+    /// Speed v.
     pub speed: f64,
-    /// |ω|
+    /// Spin |ω|.
     pub spin: f64,
     pub time: f64,
 }
 
-/// Paths whose logarithms differ by more than this have one pure motion: the other's part is far
+/// If the logarithms of the paths differ by more than this, the motion is pure: the other part is far
 /// below every rounding error.
 const PURE: f64 = 230.0;
-/// The farthest rim is counted to this logarithm of the ratio of the paths, just below [`PURE`].
+/// The farthest rim path is limited to this logarithm of the ratio of the paths, just below [`PURE`].
 const SPUN: f64 = 229.0;
-/// The ratio of the paths is met to this, a tenth of its own rounding errors.
+/// Tolerance of the ratio of the paths, a tenth of its rounding errors.
 const ENOUGH: f64 = 1e-15;
-/// Widening of a bracket that has not caught the root.
+/// Factor by which a bracket is widened if it does not contain the root.
 const WIDEN: f64 = 2.0;
 
 impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
-    /// The launch for `distance` ≥ 0 and `angle` ≥ 0: unique, and it always exists.
+    /// The launch for `distance` ≥ 0 and `angle` ≥ 0; it exists and is unique.
     pub(super) fn throw(&self, distance: f64, angle: f64) -> Throw {
         let rim_path = angle * self.radius();
         if distance == 0.0 && rim_path == 0.0 {
@@ -38,7 +38,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         }
         let direction = self.direction(distance, rim_path);
         let paths = self.reduced(direction);
-        // The scale from both paths at once: s^p hypot(X, Y) = κ hypot(d, R angle).
+        // Both paths together give the scale: s^p hypot(X, Y) = κ hypot(d, R angle).
         let wanted = self.deceleration() * Real::hypot(distance, rim_path);
         let scale = Real::pow(
             wanted / Real::hypot(paths.centre, paths.rim),
@@ -53,7 +53,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         }
     }
 
-    /// The largest angle for which a throw over `distance` has a speed; none without distance.
+    /// The largest angle for which a launch over `distance` has a positive speed; `None` if the distance is 0.
     pub(super) fn farthest_turn(&self, distance: f64) -> f64 {
         match distance {
             0.0 => f64::INFINITY,
@@ -61,7 +61,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         }
     }
 
-    /// The direction (c, n) whose paths have the ratio wanted: ln(Y/X) rises with ln(n/c).
+    /// The direction (c, n) whose paths have the requested ratio: ln(Y/X) rises with ln(n/c).
     fn direction(&self, distance: f64, rim_path: f64) -> [f64; 2] {
         let wanted = Real::ln(rim_path) - Real::ln(distance);
         if wanted < -PURE {
@@ -75,7 +75,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
             Real::ln(paths.rim / paths.centre) - wanted
         };
         let near = (wanted, excess(wanted));
-        // A slope of one would put the root here; further out until the sign changes.
+        // A slope of one would put the root here; the bracket grows outwards until the sign changes.
         let mut step = -near.1;
         let mut inner = near;
         loop {

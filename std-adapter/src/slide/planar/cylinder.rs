@@ -1,4 +1,4 @@
-//! The tall cylinder.
+//! The tall cylinder on its flat face.
 
 use super::{Gradient, TallBody};
 use crate::friction::{Friction, Law};
@@ -24,20 +24,20 @@ pub struct TallCylinder {
     pub coefficient: f64,
     /// α of the local law.
     pub alpha: f64,
-    /// In m.
+    /// Radius, in m.
     pub radius: f64,
-    /// Of the cylinder, in m; its centre of mass is half way up.
+    /// Height of the cylinder, in m; its centre of mass is at half the height.
     pub height: f64,
     /// C = I/(M R²) about its axis.
     pub inertia_ratio: f64,
-    /// Under the cylinder at rest.
+    /// Pressure under the cylinder at rest.
     pub pressure: PowerPressure,
-    /// Which gradients are followed.
+    /// Components of the pressure gradient that are included.
     pub gradient: Gradient,
 }
 
 impl TallCylinder {
-    /// A solid, uniform cylinder on Coulomb friction, flat until a height is given.
+    /// A solid, uniform cylinder under Coulomb friction, with height 0 until one is set.
     pub fn solid(coefficient: f64, radius: f64) -> Self {
         Self {
             coefficient,
@@ -55,7 +55,7 @@ impl TallCylinder {
         self.body_under(&Law::power(self.coefficient, self.alpha)?, gravity)
     }
 
-    /// Its resistance under another law than its own, and `gravity`, in m/s².
+    /// Its resistance under `gravity`, in m/s², and another law than its own.
     pub(crate) fn body_under(&self, law: &Law, gravity: f64) -> Result<TallBody, SlideError> {
         let foot = Friction::new(&self.pressure.into(), law, None)?.with_radius(self.radius)?;
         let rest = [gravity, self.inertia_ratio];

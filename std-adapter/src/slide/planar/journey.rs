@@ -1,4 +1,4 @@
-//! The way to rest in the plane, in the logarithm of the speed.
+//! The motion to rest in the plane, integrated over the logarithm of the speed.
 //!
 //! With V = (v_x, v_y, w) = s e, |e| = 1, and L = −ln(s/s₀) as the independent variable, dV/dt = −A
 //! becomes, with the power P = e·A > 0,
@@ -7,11 +7,11 @@
 //! de/dL = e − A/P,   dt/dL = s/P,   d(x, y)/dL = s² (e_x, e_y)/P,   dangle/dL = s² e_w/(R P)
 //! ```
 //!
-//! No heading angle and no trigonometry: loops are turns of e. Rest is L → ∞, where time and place
-//! converge, so that nothing is stepped over. Errors of the sliding and of the spinning part of e
-//! are weighed by their own lengths: a slow slide under a fast spin keeps its digits, and path and
-//! angle are each relative to themselves. Below e⁻⁶⁰⁰ of its start the speed is held in A, which is
-//! homogeneous there, and only the time goes on with L.
+//! There is no heading angle and no trigonometry: loops are rotations of e. Rest is L → ∞, where time and
+//! position converge, so that no step can skip it. Errors of the sliding and of the spinning part of e
+//! are scaled by their own lengths: a slow slide under a fast spin keeps its digits, and path and
+//! angle each have a relative accuracy. Below e⁻⁶⁰⁰ of its initial value the speed is held constant in A,
+//! which is homogeneous there, and only the time depends further on L.
 
 mod ends;
 
@@ -20,7 +20,7 @@ use crate::slide::SlideError;
 use tribos_core::Real;
 use tribos_core::internals::runge_kutta;
 
-/// How a body is set off.
+/// Initial velocity and spin of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Launch {
     /// Velocity of the centre of mass, in m/s.
@@ -29,79 +29,79 @@ pub struct Launch {
     pub spin: f64,
 }
 
-/// A moment of a journey that starts at time 0 in the origin.
+/// State at one time of a journey that starts at time 0 in the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// In s.
+    /// Time, in s.
     pub time: f64,
-    /// Of the centre, in m.
+    /// Position of the centre, in m.
     pub position: [f64; 2],
-    /// Of the centre, in m/s.
+    /// Velocity of the centre, in m/s.
     pub velocity: [f64; 2],
-    /// In rad/s.
+    /// Spin, in rad/s.
     pub spin: f64,
-    /// Turned, in rad.
+    /// Angle turned, in rad.
     pub angle: f64,
     /// Length of the path, in m.
     pub distance: f64,
-    /// Velocity ratio v/(|ω|R), its limit at rest (to 1e-12/(1−α) for 0 ≤ α < 1).
+    /// Velocity ratio v/(|ω|R); its limit at rest (to 1e-12/(1−α) for 0 ≤ α < 1).
     pub ratio: f64,
     /// Work of friction per mass, integrated from its power, in m²/s².
     pub work: f64,
-    /// |l|, the pressure gradient.
+    /// Magnitude |l| of the pressure gradient.
     pub lean: f64,
 }
 
 /// Why a journey ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
-    /// Sliding and spinning stopped, in the same instant.
+    /// Sliding and spinning stopped at the same instant.
     Rest,
-    /// Both speeds fell below the given fraction: a law with α ≥ 1 never rests.
+    /// Both speeds fell below the given fraction; under a law with α ≥ 1 the body never comes to rest.
     Faded,
 }
 
 /// The end of a journey.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrival {
-    /// Time, place and angle at the end.
+    /// State at the end.
     pub point: Point,
-    /// Why it ended.
+    /// Why the journey ended.
     pub ending: Ending,
-    /// Largest |l| on the way.
+    /// Largest |l| during the journey.
     pub most_lean: f64,
-    /// When |l| first exceeded 1 and the body began to tip, in s: located within the step.
+    /// Time at which |l| first exceeded 1 and the body began to tip, in s, located within the step.
     pub tips_at: Option<f64>,
-    /// Steps taken.
+    /// Number of steps taken.
     pub steps: u64,
 }
 
-/// e (3), time, x, y, angle × R, path length, work, L.
+/// Integration variables: e (3), time, x, y, angle × R, path length, work, L.
 type State = [f64; 10];
 
-/// Local error that a step may make: with it the tabulated stops of tall cylinders are met to
+/// Local error tolerance of a step: with it the tabulated stops of tall cylinders are met to
 /// 4e-14; ten times more gives 5e-13, a tenth costs half as many steps again and gains nothing.
 const TOLERANCE: f64 = 1e-13;
 /// First step.
 const FIRST: f64 = 1e-3;
-/// Largest step: the path bends smoothly between accepted steps.
+/// Largest step, which keeps the path smooth between accepted steps.
 const LARGEST: f64 = 0.25;
-/// e-folds of the speed that f64 holds with room to spare.
+/// e-folds of the speed within the range of f64, with a wide margin.
 const MOST_FOLDS: f64 = 600.0;
-/// More steps than 300 loops need.
+/// Largest number of steps, more than 300 loops need.
 const MOST_STEPS: u64 = 200_000;
-/// Parts of e, and lengths against others, that are nothing: their relative errors are rounding.
+/// Parts of e, and lengths relative to others, that count as zero: their relative errors are rounding.
 const NOTHING: f64 = 1e-200;
-/// The sliding or spinning part of e is exact relative to this fraction of its first length.
+/// The sliding or spinning part of e is accurate relative to this fraction of its initial length.
 const FLOOR: f64 = 1e-6;
-/// Iterations of Newton's method for a time within a step; three are enough.
+/// Newton iterations for a time within a step; three are sufficient.
 const MOST_CORRECTIONS: u32 = 8;
-/// Squared cosine of 15 degrees: 24 points for each turn of the path.
+/// Squared cosine of 15 degrees, which gives 24 points for each turn of the path.
 const BEND: f64 = 0.933_012_701_892_219_3;
-/// A turn is worth its points while this fraction of the path is still to come.
+/// Points of a turn are recorded while the remaining path exceeds this fraction of the whole.
 const VISIBLE: f64 = 1e-6;
 
-/// A body on its way.
+/// The motion of a body in progress.
 ///
 /// ```
 /// use tribos::slide::planar::{Arrival, Ending, Journey, Launch, Point, TallCylinder};
@@ -122,22 +122,22 @@ const VISIBLE: f64 = 1e-6;
 pub struct Journey<'a, B> {
     body: &'a B,
     scale: f64,
-    /// First lengths of the sliding and the spinning part of e.
+    /// Initial lengths of the sliding and the spinning part of e.
     lengths: [f64; 2],
     state: State,
-    /// Speeds that count as rest where rest is never reached.
+    /// Speeds that count as rest under laws that never reach it.
     stop_fraction: f64,
 }
 
 impl<'a, B: Resistance> Journey<'a, B> {
-    /// Sets a body off; `stop_fraction` matters for laws that never rest.
+    /// Starts a journey; `stop_fraction` matters only for laws that never reach rest.
     ///
-    /// *Domain*: a finite launch that moves, otherwise [`SlideError::NotFinite`].
+    /// *Domain*: a finite launch with nonzero motion, otherwise [`SlideError::NotFinite`].
     ///
-    /// *Accuracy*: time, path length and angle at the end are each relative to themselves, whichever
-    /// motion dies first: 2e-12 for upright bodies with α ≤ 0.9, inertia ratios from 1e-3 to 1e3 and
-    /// minor speeds down to 1e-12 of the others; for 0.9 < α < 1 the time is good to 1e-12/(1−α). A
-    /// motion that fades (α ≥ 1) ends where the slower of both speeds to fade reaches
+    /// *Accuracy*: time, path length and angle at the end each have this relative accuracy, whichever
+    /// motion ends first: 2e-12 for upright bodies with α ≤ 0.9, inertia ratios from 1e-3 to 1e3 and
+    /// minor speeds down to 1e-12 of the others; for 0.9 < α < 1 the time is accurate to 1e-12/(1−α). A
+    /// motion that fades (α ≥ 1) ends when the slower of the two speeds to fade reaches
     /// `stop_fraction`, to 1e-11 in time.
     pub fn new(body: &'a B, launch: &Launch, stop_fraction: f64) -> Result<Self, SlideError> {
         let [x, y] = launch.velocity;
@@ -163,8 +163,8 @@ impl<'a, B: Resistance> Journey<'a, B> {
         self.follow(&[], |_| ())
     }
 
-    /// As [`Journey::to_end`]; `observe` sees the launch, the given times, which must ascend,
-    /// points between them wherever the path has turned by 15 degrees, and the end.
+    /// Like [`Journey::to_end`]; `observe` receives the launch, the given times, which must ascend,
+    /// intermediate points wherever the path has turned by 15 degrees, and the end.
     pub fn follow(
         mut self,
         times: &[f64],
@@ -207,7 +207,7 @@ impl<'a, B: Resistance> Journey<'a, B> {
         Ok(arrival)
     }
 
-    /// One accepted step; returns its length.
+    /// Takes one accepted step and returns its length.
     fn step(&mut self, size: &mut f64, steps: &mut u64) -> Result<f64, SlideError> {
         loop {
             *steps += 1;
@@ -247,7 +247,7 @@ impl<'a, B: Resistance> Journey<'a, B> {
         let speed = self.speed(state);
         let [ax, ay, aw] = self.body.deceleration([speed * x, speed * y, speed * w]);
         let power = x * ax + y * ay + w * aw;
-        // A motion that friction feeds has no end.
+        // A motion to which friction adds energy has no end.
         let power = if power > 0.0 { power } else { f64::NAN };
         let (pace, reach) = (speed / power, speed * speed / power);
         let pace = pace * self.held_pace(state);
@@ -266,7 +266,7 @@ impl<'a, B: Resistance> Journey<'a, B> {
         ]
     }
 
-    /// s = s₀ e^(−L), held where it would leave the range of numbers.
+    /// s = s₀ e^(−L), held constant where it would leave the range of numbers.
     fn speed(&self, state: &State) -> f64 {
         let folds = state[9];
         let folds = if folds > MOST_FOLDS {
@@ -277,7 +277,7 @@ impl<'a, B: Resistance> Journey<'a, B> {
         self.scale * Real::exp(-folds)
     }
 
-    /// The largest error, of each part relative to itself and of the place relative to the path.
+    /// The largest error: each part relative to itself, the position relative to the path.
     fn weighed(&self, at: &State, error: &State) -> f64 {
         let least = |length: f64, first: f64| {
             let floor = first * FLOOR;
@@ -315,7 +315,7 @@ impl<'a, B: Resistance> Journey<'a, B> {
         normalized(at)
     }
 
-    /// True if the path has turned by 15 degrees since `shown` and what is left is visible.
+    /// True if the path has turned by 15 degrees since `shown` and the remaining path is visible.
     fn has_turned(&self, shown: &State) -> bool {
         let [x, y, ..] = self.state;
         let along = x * shown[0] + y * shown[1];
@@ -341,7 +341,7 @@ impl<'a, B: Resistance> Journey<'a, B> {
         }
     }
 
-    /// The end: what is left of the time closes as a power of the speed, the rest is nothing.
+    /// The end: the remaining time follows as a power of the speed, everything else is negligible.
     fn arrival(&self, uprightness: Uprightness, steps: u64) -> Arrival {
         let mut point = self.point(&self.state);
         let beta = 1.0 - self.body.exponent();
@@ -363,7 +363,7 @@ impl<'a, B: Resistance> Journey<'a, B> {
     }
 }
 
-/// How far the body has leant.
+/// Largest lean so far, and the time at which the body began to tip.
 #[derive(Clone, Copy, Debug, Default)]
 struct Uprightness {
     most_lean: f64,
@@ -381,7 +381,7 @@ impl Uprightness {
     }
 }
 
-/// The direction back on the unit sphere.
+/// The direction, normalised to the unit sphere.
 fn normalized(mut state: State) -> State {
     let length = Real::hypot(Real::hypot(state[0], state[1]), state[2]);
     for part in state.iter_mut().take(3) {

@@ -1,24 +1,27 @@
-//! Bodies whose friction is not only against their velocity: they slide along a path in the plane.
+//! Bodies with lateral friction, which follow a curved path in the plane.
 //!
-//! A [`Resistance`] says how a body is slowed, a [`Journey`] follows it to rest. Two bodies are
-//! here, the tall [`TallCylinder`] and [`Pipe`]; [`super::curling`] has the curling rock.
+//! A [`Resistance`] gives the deceleration of a body, a [`Journey`] follows the body to rest. This module
+//! has two bodies, [`TallCylinder`] and [`Pipe`]; [`super::curling`] has the curling rock.
 
 mod cylinder;
 mod journey;
 mod pipe;
 mod tall;
 
+#[doc(hidden)]
 pub use cylinder::TallCylinder;
 pub use journey::{Arrival, Ending, Journey, Launch, Point};
+#[doc(hidden)]
 pub use pipe::Pipe;
+#[doc(hidden)]
 pub use tall::{Gradient, TallBody};
 
 use std::fmt::Debug;
 
-/// How a body that slides and spins in the plane is slowed.
+/// Deceleration of a body that slides and spins in the plane.
 ///
 /// Velocities are three speeds, (v_x, v_y, w) with the rim speed w = ωR, positive
-/// counterclockwise, so that all have one unit.
+/// counterclockwise, so that all have the same unit.
 ///
 /// ```
 /// use tribos::slide::planar::{Ending, Journey, Launch, Resistance};
@@ -43,22 +46,22 @@ pub trait Resistance: Debug {
     /// V·A, must be positive.
     fn deceleration(&self, velocity: [f64; 3]) -> [f64; 3];
 
-    /// The power of the common scale of all speeds that A follows towards rest.
+    /// Exponent with which A scales in the common scale of all speeds towards rest.
     fn exponent(&self) -> f64;
 
     /// C = I/(M R²).
     fn inertia_ratio(&self) -> f64;
 
-    /// R, in m.
+    /// Radius R, in m.
     fn radius(&self) -> f64;
 
-    /// Relative accuracy of [`Resistance::deceleration`], if it is no exact law: a journey takes no
-    /// finer steps.
+    /// Relative accuracy of [`Resistance::deceleration`] if it is not an exact law; the steps of a journey are
+    /// no finer than that.
     fn accuracy(&self) -> f64 {
         0.0
     }
 
-    /// |l|, the pressure gradient that keeps the body upright; above 1 it begins to tip.
+    /// |l|, the pressure gradient that keeps the body upright; above 1 the body begins to tip.
     fn lean(&self, _velocity: [f64; 3]) -> f64 {
         0.0
     }

@@ -7,7 +7,7 @@ use crate::slide::SlideError;
 /// A hollow cylinder that stands and slides on its end.
 ///
 /// *Units*: SI. *Source*: A. R. Penner, Am. J. Phys. 69 (2001) 332, who compared paths of such
-/// pipes with experiments; its equations are those of [`super::TallCylinder`] on a band.
+/// pipes with experiments; the equations are those of [`super::TallCylinder`] on a band.
 ///
 /// ```
 /// use tribos::slide::planar::{Gradient, Pipe, Resistance};
@@ -36,14 +36,14 @@ pub struct Pipe {
     pub radius: f64,
     /// Inner radius over the outer one, from 0 to 1; 1 is a thin ring.
     pub inner_ratio: f64,
-    /// Of the pipe, in m.
+    /// Height of the pipe, in m.
     pub height: f64,
-    /// Which gradients are followed.
+    /// Components of the pressure gradient that are included.
     pub gradient: Gradient,
 }
 
 impl Pipe {
-    /// C = (1 + k²)/2 about its own axis.
+    /// Inertia ratio C = (1 + k²)/2 about its own axis.
     pub fn inertia_ratio(&self) -> f64 {
         0.5 * (1.0 + self.inner_ratio * self.inner_ratio)
     }
@@ -53,7 +53,7 @@ impl Pipe {
         self.body_under(&Law::power(self.coefficient, self.alpha)?, gravity)
     }
 
-    /// Its resistance under another law than its own, and `gravity`, in m/s².
+    /// Its resistance under `gravity`, in m/s², and another law than its own.
     pub(crate) fn body_under(&self, law: &Law, gravity: f64) -> Result<TallBody, SlideError> {
         let foot = Friction::new(&Patch::band(self.inner_ratio), law, None)?;
         let foot = foot.with_radius(self.radius)?;

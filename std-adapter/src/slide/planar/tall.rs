@@ -1,4 +1,4 @@
-//! Any body of revolution whose centre of mass stands above its foot.
+//! Bodies of revolution with a raised centre of mass.
 
 use super::Resistance;
 use crate::friction::Friction as Foot;
@@ -9,17 +9,17 @@ use tribos_core::law::LawError;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
-/// Which pressure gradients are followed.
+/// Components of the pressure gradient that are included.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Gradient {
-    /// Along and across the velocity.
+    /// Gradient along and across the velocity.
     #[default]
     AllRound,
-    /// Along the velocity alone, the thesis' eq. 3.37.
+    /// Gradient along the velocity only, eq. 3.37 of the thesis.
     FrontBack,
 }
 
-/// A tall body on its foot; beyond |l| = 1 the gradient's share in the friction is held.
+/// A tall body on its foot; beyond |l| = 1 the effect of the gradient on the friction no longer grows.
 ///
 /// *Units*: SI. *Source*: [`tribos_core::coupling::tall`].
 ///
@@ -49,14 +49,14 @@ pub struct TallBody {
 enum Friction {
     AllRound(TallFriction<f64, Foot, AllRound>),
     FrontBack(TallFriction<f64, Foot, FrontBack>),
-    /// No height, and a law whose lateral force costs a quadrature.
+    /// A body of zero height, under a law whose lateral force would cost a quadrature.
     Flat(PatchFriction<f64, Foot>),
 }
 
 impl TallBody {
-    /// A body on `foot`, its centre of mass at `height`.
+    /// A body on `foot`, with its centre of mass at `height`.
     ///
-    /// *Domain*: gravity and inertia ratio positive and finite; the rest as [`TallFriction::new`].
+    /// *Domain*: gravity and inertia ratio positive and finite; otherwise as [`TallFriction::new`].
     pub fn new(
         foot: PatchFriction<f64, Foot>,
         height: f64,
@@ -89,7 +89,7 @@ impl TallBody {
         }
     }
 
-    /// The wrench per mass, and the length of the pressure gradient.
+    /// The wrench per mass, and the magnitude of the pressure gradient.
     fn wrench(&self, [x, y, rim]: [f64; 3]) -> (Wrench<f64>, f64) {
         let twist = Twist::new(x, y, rim / self.radius());
         let tall = match &self.friction {

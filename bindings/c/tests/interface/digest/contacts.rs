@@ -19,7 +19,7 @@ struct Impulse<R: Real> {
     torsion: R,
 }
 
-/// Everything but the bodies.
+/// All inputs of a contact except its bodies.
 struct Case<R: Real> {
     law: NormalLaw<R>,
     dt: R,
@@ -73,7 +73,7 @@ pub fn both<R: Precision>(s: &mut Stream) {
     met(s, touch.ok(), case.as_ref(), first, floor);
 }
 
-/// One contact under all kinds of friction.
+/// One contact under every kind of friction.
 fn met<R: Precision>(
     s: &mut Stream,
     touch: Option<Touch<R>>,
@@ -128,7 +128,7 @@ fn feed_contact<R: Precision>(
     s.feed_bits(contact.rests_open().into());
 }
 
-/// One update from the same start.
+/// One update from the same initial state.
 fn update<R: Precision, F: ContactFriction<R>>(
     s: &mut Stream,
     friction: Option<F>,

@@ -1,5 +1,5 @@
-//! The digest of `examples/digest.c`, computed by the kernel itself: no function of the C interface
-//! takes part. The same draws in the same order, the same answers.
+//! The digest of `examples/digest.c`, computed by the kernel itself without any function of the C
+//! interface: the same draws in the same order give the same results.
 
 mod contacts;
 mod laws;
@@ -11,7 +11,7 @@ mod surfaces;
 
 use stream::{Precision, Range, Stream};
 
-/// What the C program prints.
+/// Expected output of the C program.
 pub fn digest() -> u64 {
     let mut stream = Stream::new();
     all::<f64>(&mut stream);

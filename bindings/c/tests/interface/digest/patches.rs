@@ -6,7 +6,7 @@ use tribos_core::coupling::{Annulus, Coupling, PatchFriction, compact, table};
 use tribos_core::patch::PowerPressure;
 use tribos_core::twist::Twist;
 
-/// A patch and what acts on it.
+/// A patch with its load and twist.
 struct Case<R: Precision> {
     coefficient: R,
     radius: R,

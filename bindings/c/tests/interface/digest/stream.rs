@@ -1,4 +1,4 @@
-//! The stream of inputs, and the hash of what comes out.
+//! The stream of inputs, and the hash of the results.
 
 use nalgebra::Vector3;
 use tribos_core::coupling::Coupling;
@@ -6,7 +6,7 @@ use tribos_core::coupling::table::{Table32, Table64};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
-/// What numbers a draw gives; as in C.
+/// Distribution of the numbers of a draw, as in C.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Range {
     Wide,
@@ -19,7 +19,7 @@ pub enum Range {
 pub trait Precision: Real {
     const MAX: Self;
     type PowerTable: Coupling<Self>;
-    /// A table of the power law, if the exponent has one.
+    /// A table of the power law, if one exists for the exponent.
     fn table(alpha: Self) -> Option<Self::PowerTable>;
 }
 
@@ -39,7 +39,7 @@ impl Precision for f32 {
     }
 }
 
-/// State of the draws and of the hash.
+/// State of the random draws and of the hash.
 pub struct Stream {
     state: u64,
     hash: u64,
@@ -139,7 +139,7 @@ impl Stream {
         }
     }
 
-    /// Feeds whether there is an answer, and hands it on.
+    /// Hashes whether there is a result, and returns the result.
     pub fn ok<T, E>(&mut self, answer: Result<T, E>) -> Option<T> {
         self.feed_bits(answer.is_ok().into());
         answer.ok()
@@ -163,7 +163,7 @@ impl Stream {
         }
     }
 
-    /// Row by row.
+    /// Hashes the matrix row by row.
     pub fn jacobian_of<R: Real, E>(&mut self, answer: Result<WrenchJacobian<R>, E>) {
         if let Some(j) = self.ok(answer) {
             for row in 0..3 {

@@ -11,7 +11,7 @@ pub fn both<R: Precision>(s: &mut Stream, range: Range) {
     let (twist, wrench) = (s.twist(range), s.wrench(range));
     let disk = LimitSurface::new(Coulomb, limit, radius);
     feed(s, disk.ok(), &twist, &wrench, length);
-    // The disk alone is asked for its own length as well.
+    // Only the disk is also asked for its own length.
     feed_projection(s, disk.ok().map(|set| set.project(&wrench)));
     let usual = Ellipsoid::new(limit, radius, spin_torque);
     feed(s, usual.ok(), &twist, &wrench, length);
@@ -30,7 +30,7 @@ fn feed<R: Precision, S: FrictionSet<R>>(
     s.result(set.map(|set| set.gauge(wrench)));
     s.twist_of(set.map(|set| set.twist_normal_to(wrench)));
     s.wrench_of(set.map(|set| set.scale_to_surface(wrench)));
-    // In C a length of 0 stands for the radius.
+    // In C a length of 0 represents the radius.
     let nearest = set.map(|set| {
         if length == R::ZERO {
             set.project(wrench)

@@ -1,16 +1,16 @@
-//! Builds the library as users do, and programs in C with it.
+//! Builds the library like a user, and C programs with it.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::{env, fs};
 
-/// The board's target.
+/// Target of the board.
 pub const BOARD: &str = "thumbv7em-none-eabihf";
-/// Switch that makes a missing tool a failure.
+/// Environment variable that makes a missing tool a failure.
 const REQUIRE: &str = "TRIBOS_REQUIRE_TARGETS";
 
-/// Warnings are errors. No contraction: C itself only draws and hashes here, and does it the same
-/// way everywhere.
+/// Warnings are errors. Contraction is off: the C code itself only draws and hashes, with the same
+/// rounding everywhere.
 const FLAGS: [&str; 8] = [
     "-Wall",
     "-Wextra",
@@ -38,12 +38,12 @@ pub fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
 }
 
-/// A place for what a test builds.
+/// Folder for the files that a test builds.
 pub fn scratch(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
 
-/// True if `tool` can be run; says what is missing if not.
+/// True if `tool` can be run; otherwise reports what is missing.
 pub fn has(tool: &str) -> bool {
     if Command::new(tool).arg("--version").output().is_ok() {
         return true;
@@ -52,7 +52,7 @@ pub fn has(tool: &str) -> bool {
     false
 }
 
-/// A part of the test that cannot be run here.
+/// Reports a part of the test that cannot be run here.
 fn missing(what: &str) {
     assert!(
         env::var_os(REQUIRE).is_none(),
@@ -61,7 +61,7 @@ fn missing(what: &str) {
     println!("not tested: {what}");
 }
 
-/// The static library, or nothing where the target's own library is not installed.
+/// The static library, or `None` if the Rust library of the target is not installed.
 pub fn archive(target: Option<&str>) -> Option<PathBuf> {
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["build", "--release", "--message-format=json"]);
@@ -86,7 +86,7 @@ pub fn archive(target: Option<&str>) -> Option<PathBuf> {
     Some(PathBuf::from(found.expect("a static library")))
 }
 
-/// Compiles files of `examples` for this computer, or other files by their full path.
+/// Compiles files of `examples`, or other files given by their full path, for this computer.
 pub fn compile_for_host(files: &[&str], archive: &Path, program: &Path) {
     let mut cc = Command::new("cc");
     cc.args(FLAGS).args(["-std=c99", "-pedantic"]);
@@ -106,7 +106,7 @@ fn compile(cc: &mut Command, program: &Path) {
     assert!(output.status.success(), "{cc:?}\n{}", text(&output.stderr));
 }
 
-/// What a program prints.
+/// Output of a program.
 pub fn printed(command: &mut Command) -> String {
     let Output {
         status,
@@ -126,7 +126,7 @@ pub fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// The header.
+/// Text of the header.
 pub fn header() -> String {
     fs::read_to_string(folder("include/tribos.h")).expect("the header")
 }

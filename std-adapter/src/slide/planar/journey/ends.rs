@@ -1,42 +1,42 @@
-//! Where a journey ends: rest, fading, and a part of the motion that has died on the way.
+//! End conditions of a journey: rest, fading, and one motion that ends before the other.
 
 use super::{Journey, LARGEST, MOST_FOLDS, Resistance, State, normalized};
 use tribos_core::Real;
 use tribos_core::internals::runge_kutta;
 
-/// e-folds of the speed before which no motion is at its end: e⁻⁴⁰ = 4e-18.
+/// No motion has ended before the speed has fallen by this many e-folds: e⁻⁴⁰ = 4e-18.
 const FOLDS: f64 = 40.0;
-/// What an e-fold of the speed may still add to path or angle at their end, of either.
+/// Largest relative contribution of a further e-fold of the speed to path or angle at their end.
 const REACHED: f64 = 4e-18;
-/// e-folds of the time that is left, granted to the velocity ratio to find its limit.
+/// e-folds of the remaining time granted to the velocity ratio to reach its limit.
 const PATIENT_FOLDS: f64 = 100.0;
-/// A ratio has settled that changes by less than this fraction while the time that is left falls by
+/// A ratio has settled if it changes by less than this fraction while the remaining time falls by
 /// an e-fold.
 const SETTLED: f64 = 1e-13;
-/// Rounding of the rate at which the ratio changes.
+/// Rounding error of the rate at which the ratio changes.
 const NOISE: f64 = 4.0 * f64::EPSILON;
-/// A part of e below this one, and falling, leaves the other one alone for good.
+/// A decreasing part of e below this value no longer affects the other part.
 const ALONE: f64 = 1e-16;
-/// A part that has fallen below this fraction of its first length has no share in any sum; the
-/// tolerated error of a step is a thousandth of it.
+/// A part that has fallen below this fraction of its initial length contributes to no sum; the
+/// error tolerance of a step is a thousandth of it.
 const DEAD: f64 = 1e-16;
-/// e-folds of a part in an e-fold of the speed from which on its decay limits the steps.
+/// e-folds of a part per e-fold of the speed above which its decay limits the steps.
 const STIFF: f64 = 10.0;
-/// Halvings of a step that leave nothing of it in f64.
+/// Halvings after which a step vanishes in f64.
 const HALVINGS: u32 = 53;
 
 impl<B: Resistance> Journey<'_, B> {
-    /// 1 − α, the power of the speed with which the time that is left falls; at most 1.
+    /// 1 − α, the exponent with which the remaining time follows the speed; at most 1.
     fn slower(&self) -> f64 {
         let beta = 1.0 - self.body.exponent();
         if beta < 1.0 { beta } else { 1.0 }
     }
 
-    /// True when nothing of size is left, or both speeds have faded.
+    /// True if nothing significant remains, or both speeds have faded.
     pub(super) fn is_over(&self) -> bool {
         let (folds, beta) = (self.state[9], self.slower());
         if beta > 0.0 {
-            // The time that is left closes as a power of the speed once the ratio has settled.
+            // The remaining time follows as a power of the speed once the ratio has settled.
             let is_settled = || self.has_arrived() && self.has_settled(beta);
             folds >= FOLDS && (folds * beta >= PATIENT_FOLDS || is_settled())
         } else {
@@ -44,21 +44,21 @@ impl<B: Resistance> Journey<'_, B> {
         }
     }
 
-    /// True if both speeds are below the fraction of their start that counts as rest.
+    /// True if both speeds are below the fraction of their initial values that counts as rest.
     fn has_faded(&self, state: &State) -> bool {
         let left = self.stop_fraction * Real::exp(state[9]);
         let slide = Real::hypot(state[0], state[1]);
         slide <= left * self.lengths[0] && state[2].abs() <= left * self.lengths[1]
     }
 
-    /// True if path and angle grow no more: each goes on with a power of the speed above 1.
+    /// True if path and angle no longer grow: each follows a power of the speed above 1.
     fn has_arrived(&self) -> bool {
         let rates = self.derivative(&self.state);
         let is_reached = |part: usize| rates[part].abs() <= REACHED * self.state[part].abs();
         is_reached(6) && is_reached(7)
     }
 
-    /// True if the velocity ratio has found its limit.
+    /// True if the velocity ratio has reached its limit.
     fn has_settled(&self, beta: f64) -> bool {
         let [x, y, w, ..] = self.state;
         let slide = Real::hypot(x, y);
@@ -72,7 +72,7 @@ impl<B: Resistance> Journey<'_, B> {
         slides_alone || spins_alone || rate.abs() < if allowed > NOISE { allowed } else { NOISE }
     }
 
-    /// Growth of the sliding and of the spinning part of e in an e-fold of the speed.
+    /// Growth of the sliding and of the spinning part of e per e-fold of the speed.
     fn rates(&self) -> [f64; 2] {
         let [x, y, w, ..] = self.state;
         let [dx, dy, dw, ..] = self.derivative(&self.state);
@@ -80,7 +80,7 @@ impl<B: Resistance> Journey<'_, B> {
         [(x / slide * dx + y / slide * dy) / slide, dw / w]
     }
 
-    /// Longest step: the path bends smoothly between accepted steps while it can be seen.
+    /// Longest step, which keeps the path smooth between accepted steps while it is visible.
     pub(super) fn largest_step(&self) -> f64 {
         let beta = self.slower();
         if self.state[9] > FOLDS && beta > 0.0 {
@@ -90,7 +90,7 @@ impl<B: Resistance> Journey<'_, B> {
         }
     }
 
-    /// e, brought back to the unit sphere where steps are long: off it, errors grow as e^(2L).
+    /// e, projected back to the unit sphere where steps are long: off the sphere, errors grow as e^(2L).
     pub(super) fn direction(&self, state: &State) -> State {
         if state[9] > FOLDS {
             normalized(*state)
@@ -99,7 +99,7 @@ impl<B: Resistance> Journey<'_, B> {
         }
     }
 
-    /// What the time still follows of the speed where that is held: e^(−(1−α)(L−600)).
+    /// Factor by which the time depends on the speed once that is held constant: e^(−(1−α)(L−600)).
     pub(super) fn held_pace(&self, state: &State) -> f64 {
         let beyond = state[9] - MOST_FOLDS;
         if beyond > 0.0 {
@@ -109,7 +109,7 @@ impl<B: Resistance> Journey<'_, B> {
         }
     }
 
-    /// Sets a part of e to nothing that has died and whose fast decay would keep the steps short.
+    /// Sets a part of e to zero if it has ended and its fast decay would keep the steps short.
     pub(super) fn extinguish(&mut self) -> bool {
         let [x, y, w, ..] = self.state;
         let slide = Real::hypot(x, y);
@@ -131,7 +131,7 @@ impl<B: Resistance> Journey<'_, B> {
         true
     }
 
-    /// Takes back what the step went beyond the end of a motion that fades; the step's new length.
+    /// Shortens the step so that it ends with a fading motion; returns the new length.
     pub(super) fn cut_at_fading(&mut self, from: &State, taken: f64) -> f64 {
         let fades = self.body.exponent() >= 1.0 && self.has_faded(&self.state);
         if !fades || self.has_faded(from) {
@@ -142,8 +142,8 @@ impl<B: Resistance> Journey<'_, B> {
         length
     }
 
-    /// The first state within the step of length `taken` from `from` for which `holds`, which is true
-    /// at its end, and the length of the step to it.
+    /// The first state within the step of length `taken` from `from` for which `holds` is true, as it is
+    /// at the end of the step, and the length of the step to that state.
     pub(super) fn first(
         &self,
         from: &State,
