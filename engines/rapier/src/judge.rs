@@ -20,14 +20,14 @@ pub(crate) struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    /// The only foot, if it is a round patch below the centre of mass on an immovable ground.
-    fn centred(&self) -> Option<(&Pair, f32)> {
+    /// The only foot on an immovable ground with its load, if the kernel has its exact limit surface.
+    fn exact(&self) -> Option<(&Pair, f32, &Stand)> {
         let ([member], [stand]) = (self.members, self.stands) else {
             return None;
         };
         let pair = self.pairs.get(member.pair)?;
-        let is_centred = !self.reduced.moved[1] && pair.patch.is_centred(stand.place);
-        is_centred.then_some((pair, member.touching.load))
+        let is_exact = !self.reduced.moved[1] && pair.patch.is_exact(stand.place);
+        is_exact.then_some((pair, member.touching.load, stand))
     }
 
     fn feet(&self) -> Feet {
@@ -53,12 +53,12 @@ impl Judge<'_> {
         push: &Wrench<f32>,
         dt: TimeStep<f32>,
     ) -> Option<Solved> {
-        let Some((pair, load)) = self.centred() else {
+        let Some((pair, load, stand)) = self.exact() else {
             return self.feet().step(self.reduced, before, push, dt.dt());
         };
         let step = pair
             .patch
-            .step(&self.reduced.body, load, before, push, dt)?;
+            .step(&self.reduced.body, (load, stand), before, push, dt)?;
         Some(Solved {
             twist: step.twist,
             friction: step.friction,
@@ -70,8 +70,8 @@ impl Judge<'_> {
     /// The fraction of the step until rest.
     pub(crate) fn share(&self, solved: &Solved, before: &Twist<f32>) -> Option<f32> {
         let friction = &solved.friction;
-        if let Some((pair, load)) = self.centred() {
-            return pair.patch.share(load, friction);
+        if let Some((pair, load, stand)) = self.exact() {
+            return pair.patch.share(load, stand, friction);
         }
         let power = friction.power(before);
         let share = -power / self.feet().dissipation(before);

@@ -1,13 +1,15 @@
 //! Contact patches: shape, position and coefficient of friction.
 
 use crate::area::{Area, Element};
+use crate::stand::Stand;
 use core::fmt;
 use rapier3d::math::Vector;
 use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{FrictionSet, LimitSurface};
+use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
+use tribos_core::patch::outline::{Edge, Polygon};
 use tribos_core::patch::polygon::polygon;
 use tribos_core::planar::{PlanarBody, PlanarStep};
 use tribos_core::twist::{Twist, Wrench};
@@ -55,8 +57,11 @@ enum Shape {
     Ring {
         radius: f32,
     },
-    /// Points with their shares of the load.
-    Polygon(Vec<[f32; 3]>),
+    Polygon {
+        corners: Vec<[f32; 2]>,
+        /// Points with their shares of the load, for a body on several feet.
+        points: Vec<[f32; 3]>,
+    },
 }
 
 /// Why a patch was refused.
@@ -104,16 +109,20 @@ impl Patch {
     /// The first coordinate lies along the x axis of the foot's collider, the second across it, so that the
     /// normal, x and the second axis are right-handed. *Domain*: `mu` ≥ 0; at least 3 corners, one
     /// of which sees the whole inside; `divisions` of every edge such that 7 (corners − 2)
-    /// `divisions`² ≤ 256. *Accuracy*: friction within 1.2 % (root mean square) with 56 points.
+    /// `divisions`² ≤ 256. *Accuracy*: exact where the body stands on this foot alone; friction within
+    /// 1.2 % (root mean square) with 56 points where it stands on several feet or on a ground that moves.
     pub fn polygon(mu: f32, corners: &[[f32; 2]], divisions: u32) -> Result<Self, PatchError> {
         let points: NodeList<f32, POINTS> =
             polygon(corners, divisions).map_err(PatchError::Polygon)?;
         let whole = points.total_weight();
         let point = |node: &Node<f32>| [node.x, node.y, node.weight / whole];
-        Self::new(
-            mu,
-            Shape::Polygon(points.nodes().iter().map(point).collect()),
-        )
+        let points = points.nodes().iter().map(point).collect();
+        // Corners whose edges touch have points alone.
+        let corners = match outline(corners.to_vec()) {
+            Some(_) => corners.to_vec(),
+            None => Vec::new(),
+        };
+        Self::new(mu, Shape::Polygon { corners, points })
     }
 
     /// The same patch centred below another point than the collider's origin, in metres in the
@@ -153,51 +162,65 @@ impl Patch {
         self.mu
     }
 
-    /// Whether the patch is round and, with its centre at `place` from the centre of mass, centred:
-    /// then the kernel's step for round patches is exact.
-    pub(crate) fn is_centred(&self, place: [f64; 2]) -> bool {
+    /// Whether the kernel's step of a body on this foot alone is exact, with the centre at `place` from
+    /// the centre of mass: a polygon anywhere, a round patch in the middle.
+    pub(crate) fn is_exact(&self, place: [f64; 2]) -> bool {
         let [x, y] = place;
-        match self.shape {
+        match &self.shape {
             Shape::Disk { radius } | Shape::Ring { radius } => {
-                (x * x + y * y).sqrt() <= CENTRED * f64::from(radius)
+                (x * x + y * y).sqrt() <= CENTRED * f64::from(*radius)
             }
-            Shape::Polygon(_) => false,
+            Shape::Polygon { corners, .. } => !corners.is_empty(),
         }
     }
 
-    /// The kernel's step of a round patch below the centre of mass: the motion after `dt` under a
-    /// load in newtons. `None` for polygons.
+    /// What friction carries of a body on this foot alone, about its centre of mass; `None` without load.
+    fn set(&self, load: f32, stand: &Stand) -> Option<Set> {
+        let limit = self.mu * load;
+        match &self.shape {
+            Shape::Disk { radius } => {
+                Some(Set::Disk(LimitSurface::new(Coulomb, limit, *radius).ok()?))
+            }
+            Shape::Ring { radius } => {
+                Some(Set::Ring(LimitSurface::new(Ring, limit, *radius).ok()?))
+            }
+            Shape::Polygon { corners, .. } => {
+                let [c, s] = stand.axis;
+                let moved = |&[x, y]: &[f32; 2]| {
+                    let [x, y] = [x, y].map(f64::from);
+                    [
+                        (stand.place[0] + c * x - s * y) as f32,
+                        (stand.place[1] + s * x + c * y) as f32,
+                    ]
+                };
+                let patch = outline(corners.iter().map(moved).collect())?;
+                Some(Set::Polygon(PatchSurface::new(patch, limit).ok()?))
+            }
+        }
+    }
+
+    /// The kernel's step of a body on this foot alone: the motion after `dt` under a load in newtons.
     pub(crate) fn step(
         &self,
         body: &PlanarBody<f32>,
-        load: f32,
+        (load, stand): (f32, &Stand),
         twist: &Twist<f32>,
         push: &Wrench<f32>,
         dt: TimeStep<f32>,
     ) -> Option<PlanarStep<f32>> {
-        let limit = self.mu * load;
-        match self.shape {
-            Shape::Disk { radius } => {
-                let set = LimitSurface::new(Coulomb, limit, radius).ok()?;
-                Some(body.step(&set, twist, push, dt))
-            }
-            Shape::Ring { radius } => {
-                let set = LimitSurface::new(Ring, limit, radius).ok()?;
-                Some(body.step(&set, twist, push, dt))
-            }
-            Shape::Polygon(_) => None,
-        }
+        Some(match self.set(load, stand)? {
+            Set::Disk(set) => body.step(&set, twist, push, dt),
+            Set::Ring(set) => body.step(&set, twist, push, dt),
+            Set::Polygon(set) => body.step(&set, twist, push, dt),
+        })
     }
 
-    /// `friction` as a fraction of the largest that a round patch can carry, at most 1.
-    pub(crate) fn share(&self, load: f32, friction: &Wrench<f32>) -> Option<f32> {
-        let limit = self.mu * load;
-        let gauge = match self.shape {
-            Shape::Disk { radius } => LimitSurface::new(Coulomb, limit, radius)
-                .ok()?
-                .gauge(friction),
-            Shape::Ring { radius } => LimitSurface::new(Ring, limit, radius).ok()?.gauge(friction),
-            Shape::Polygon(_) => return None,
+    /// `friction` as a fraction of the largest that this foot alone can carry, at most 1.
+    pub(crate) fn share(&self, load: f32, stand: &Stand, friction: &Wrench<f32>) -> Option<f32> {
+        let gauge = match self.set(load, stand)? {
+            Set::Disk(set) => set.gauge(friction),
+            Set::Ring(set) => set.gauge(friction),
+            Set::Polygon(set) => set.gauge(friction),
         };
         // No friction under no load: no fraction.
         Some(if gauge > 0.0 { gauge.min(1.0) } else { 0.0 })
@@ -232,9 +255,22 @@ impl Patch {
         match &self.shape {
             Shape::Disk { radius } => vec![one(Area::Disk(f64::from(*radius)), place, 1.0)],
             Shape::Ring { radius } => vec![one(Area::Ring(f64::from(*radius)), place, 1.0)],
-            Shape::Polygon(points) => points.iter().map(point).collect(),
+            Shape::Polygon { points, .. } => points.iter().map(point).collect(),
         }
     }
+}
+
+/// The exact limit surface of one foot.
+enum Set {
+    Disk(LimitSurface<f32, Coulomb>),
+    Ring(LimitSurface<f32, Ring>),
+    Polygon(PatchSurface<f32, Polygon<f32, Vec<Edge<f32>>>>),
+}
+
+/// The patch with these corners, if no edges touch.
+fn outline(corners: Vec<[f32; 2]>) -> Option<Polygon<f32, Vec<Edge<f32>>>> {
+    let memory = vec![Edge::default(); corners.len()];
+    Polygon::with_holes(&[&corners], memory).ok()
 }
 
 fn valid_radius(radius: f32) -> Result<f32, PatchError> {

@@ -97,12 +97,12 @@ fn a_spinning_box_stops_with_the_mean_arm_of_its_square() {
 fn a_box_that_slides_and_spins_stops_as_the_dense_polygon() {
     for (speed, spin) in [(1.0, 5.0), (1.0, 12.5), (0.5, 20.0)] {
         let right = exact(f64::from(speed), f64::from(spin));
-        for (divisions, bound) in [(2, 0.02), (4, 0.01)] {
+        for divisions in [2, 4] {
             let is = thrown(speed, spin, divisions);
             let errors = [0, 1].map(|i| is[i] / right[i] - 1.0);
             println!("{speed} m/s, {spin} rad/s, {divisions}: {errors:.4?} of {right:?}");
             assert!(
-                errors.iter().all(|e| e.abs() < bound),
+                errors.iter().all(|e| e.abs() < 3e-3),
                 "{is:?} for {right:?}"
             );
         }
