@@ -35,6 +35,7 @@ const COMPLETED: &[(&[&str], &str, Words)] = &[
     (&["scene", "schema"], "body", all_bodies),
     (&["wrench"], "patch", patches),
     (&["modes"], "patch", patches),
+    (&["surface"], "patch", patches),
     (&["inverse"], "patch", patches),
     (&["wrench"], "law", local_laws),
     (&["laws"], "curve", local_laws),

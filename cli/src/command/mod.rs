@@ -27,6 +27,7 @@ mod reproduce;
 mod run;
 mod scene;
 mod spool;
+mod surface;
 mod sweep;
 mod unknown;
 mod view;
@@ -61,7 +62,7 @@ pub fn program() -> clap::Command {
 }
 
 /// What `--help` of a command begins with: the documentation of its arguments.
-fn documentation() -> [(&'static str, StyledStr); 15] {
+fn documentation() -> [(&'static str, StyledStr); 16] {
     fn of<A: clap::Args>() -> StyledStr {
         let command = A::augment_args(clap::Command::new(""));
         let text = command.get_long_about().or(command.get_about());
@@ -69,6 +70,7 @@ fn documentation() -> [(&'static str, StyledStr); 15] {
     }
     [
         ("wrench", of::<wrench::Arguments>()),
+        ("surface", of::<surface::Arguments>()),
         ("modes", of::<modes::Arguments>()),
         ("laws", of::<laws::Arguments>()),
         ("inverse", of::<inverse::Arguments>()),
@@ -108,8 +110,10 @@ pub fn parse() -> Command {
 /// What to do.
 #[derive(Debug, clap::Subcommand)]
 pub enum Command {
-    /// Friction force and torque of a sliding, spinning disk.
+    /// Friction force and torque of a sliding, spinning contact.
     Wrench(wrench::Arguments),
+    /// Limit surface: the wrenches that dry friction carries, and the motion under a push.
+    Surface(surface::Arguments),
     /// Final motion: fixed points of the velocity ratio and the phase diagram.
     Modes(modes::Arguments),
     /// Friction laws: formulas, parameters, units, sources; curves of the local ones.
@@ -149,6 +153,7 @@ impl Command {
     pub fn execute(self) -> Result<(), Failure> {
         match self {
             Self::Wrench(arguments) => arguments.execute(),
+            Self::Surface(arguments) => arguments.execute(),
             Self::Modes(arguments) => arguments.execute(),
             Self::Laws(arguments) => arguments.execute(),
             Self::Inverse(arguments) => arguments.execute(),

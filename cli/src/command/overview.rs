@@ -5,7 +5,10 @@ use std::fmt::Write;
 
 /// The commands, by what they are for.
 pub const GROUPS: [(&str, &[&str]); 6] = [
-    ("One contact", &["wrench", "laws", "modes", "fit"]),
+    (
+        "One contact",
+        &["wrench", "surface", "laws", "modes", "fit"],
+    ),
     (
         "Bodies, powders, atoms",
         &["run", "view", "inverse", "deposit", "eval", "export"],

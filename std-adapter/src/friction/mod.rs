@@ -38,6 +38,7 @@ mod patch;
 mod precision;
 mod quadrature;
 mod refusal;
+mod surface;
 mod tier;
 mod visit;
 
@@ -56,6 +57,7 @@ pub use quadrature::{polynomial, pressure_nodes};
 pub use refusal::Refusal;
 #[doc(hidden)]
 pub use refusal::finite_number;
+pub use surface::limit_surface;
 pub use tier::Tier;
 #[doc(hidden)]
 pub use tier::{Evaluation, LARGEST_EXPONENT, valid_exponent};

@@ -11,6 +11,7 @@ use super::columns::Rows;
 use super::{file, number, spool};
 use crate::failure::Failure;
 use contact::{Contact, Request, Resistance};
+pub use flat::centre;
 use given::Given;
 use number::in_range;
 use output::{Fields, Format, Line};
@@ -136,7 +137,7 @@ Examples:
     tribos wrench --twists twists.csv --tier compact --precision f32 --output wrenches.csv";
 
 /// All patches as they are written.
-fn patches() -> String {
+pub fn patches() -> String {
     let all: Vec<&str> = Patch::SYNTAX.iter().map(|(syntax, _)| *syntax).collect();
     all.join(", ")
 }
