@@ -75,7 +75,7 @@
 //! | [`scene`] | scenes: plain data with defaults, their files, units and checks |
 //! | [`slide`] | sliding bodies: disk, cylinder, pipe, curling rock; launches that end at a wanted pose |
 //! | [`cd`], [`powder`] | rigid spheres in contact; cohesive powders under a piston |
-//! | [`md`], [`tip`] | atoms; a tip of atoms turned on a substrate |
+//! | [`md`], [`tip`] | pair potentials of atoms; a tip of atoms turned on a substrate |
 //! | [`fit`] | parameters of friction laws from measurements |
 //! | [`run`] | the driver: sessions with checkpoints, progress, cancellation |
 //! | [`record`], [`space`] | errors of output files; periodic boxes |

@@ -46,12 +46,13 @@ mod sample;
 mod search;
 mod starts;
 
-pub use data::{Data, DataError, Motion};
+#[doc(hidden)]
+pub use data::Motion;
+pub use data::{Data, DataError};
 pub use estimate::{Estimate, Fit, FitError, Known, Options, fit};
 #[doc(hidden)]
 pub use estimate::{FitProgress, fit_watched};
 pub use law::LawName;
-#[doc(hidden)]
 pub use law::law_model;
 #[doc(hidden)]
 pub use parameter::{Model, Parameter, Range};

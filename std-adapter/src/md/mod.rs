@@ -5,15 +5,20 @@
 //! group by group ([`group`]), with thermostats ([`thermostat`]) and a torque ([`drive`]);
 //! [`observe`] measures energies, temperature and angles. A [`configuration`] is read from or
 //! written to a file: [`lammps`] data and dumps, [`extended_xyz`].
+//!
+//! Only [`pair`] is promised to stay as it is; the other modules serve [`crate::tip`] and the command.
 
+#[doc(hidden)]
 pub mod atoms;
 #[doc(hidden)]
 pub mod configuration;
 #[doc(hidden)]
 pub mod drive;
+#[doc(hidden)]
 pub mod eam;
 #[doc(hidden)]
 pub mod extended_xyz;
+#[doc(hidden)]
 pub mod group;
 #[doc(hidden)]
 pub mod interaction;
@@ -24,7 +29,9 @@ pub mod neighbours;
 #[doc(hidden)]
 pub mod observe;
 pub mod pair;
+#[doc(hidden)]
 pub mod system;
 #[doc(hidden)]
 pub mod text;
+#[doc(hidden)]
 pub mod thermostat;

@@ -33,6 +33,7 @@ pub use outcome::Outcome;
 #[doc(hidden)]
 pub use packing::PISTON;
 pub use statistics::Statistics;
+#[doc(hidden)]
 pub use stress::Stress;
 
 #[cfg(test)]

@@ -40,14 +40,13 @@ pub use hint::{nearest, number_hint};
 #[doc(hidden)]
 pub use key::{Domain, Key, Need};
 #[doc(hidden)]
-pub use library::LIBRARY;
-pub use library::{LibraryScene, library_scene};
+pub use library::{LIBRARY, LibraryScene, library_scene};
 pub use pipe::PipeScene;
 pub use planar::{FootPressure, Tipping};
 pub use powder::{Coupling, Criterion, PowderScene, SweepMethod, SweepOrder, SweepStop, WallLaw};
-pub use problem::SceneError;
 #[doc(hidden)]
-pub use problem::{InvalidScene, Problem};
+pub use problem::Problem;
+pub use problem::{InvalidScene, SceneError};
 #[doc(hidden)]
 pub use schema::schema;
 pub use slider::{SliderScene, Stepper, Units};
@@ -55,7 +54,9 @@ pub use slider::{SliderScene, Stepper, Units};
 pub use table::Body;
 #[doc(hidden)]
 pub use template::{keys_page, template, toml_value, with_all_keys};
-pub use tip::{BathKind, BathSpin, DrivenHold, Reading, StageSteps, TipScene};
+#[doc(hidden)]
+pub use tip::StageSteps;
+pub use tip::{BathKind, BathSpin, DrivenHold, Reading, TipScene};
 #[doc(hidden)]
 pub use vocabulary::{Vocabulary, bodies, vocabulary};
 #[doc(hidden)]

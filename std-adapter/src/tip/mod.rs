@@ -17,16 +17,16 @@ mod session;
 mod shape;
 mod watch;
 
+pub use crate::md::system::{Integrator, SystemError};
+pub use crate::md::thermostat::ThermostatError;
 pub use build::BuildError;
 #[doc(hidden)]
 pub use build::{TipSystem, build};
 #[doc(hidden)]
 pub use cost::{TipCost, cost, size};
-#[doc(hidden)]
 pub use energy::DriveEnergy;
-#[doc(hidden)]
-pub use outcome::Plateau;
-pub use outcome::{Outcome, Verdict};
+pub use outcome::{Outcome, Plateau, Verdict};
 pub use run::{TipError, TipRun};
+pub use shape::Outline;
 #[doc(hidden)]
-pub use shape::{LAYERS_OF_A_KIND, Outline, Part, Shape, Site};
+pub use shape::{LAYERS_OF_A_KIND, Part, Shape, Site};

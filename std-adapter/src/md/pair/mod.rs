@@ -5,8 +5,11 @@ mod lennard_jones;
 mod mixing;
 mod sums;
 
-pub use coefficients::{Coefficients, Shift};
+#[doc(hidden)]
+pub use coefficients::Coefficients;
+pub use coefficients::Shift;
 pub use lennard_jones::{LennardJones, LennardJonesError, Pairing};
+#[doc(hidden)]
 pub use mixing::Mixing;
 
 use super::interaction::{Tally, Wanted};

@@ -27,7 +27,9 @@ mod sideways;
 
 pub use back_heavy::BackHeavy;
 pub use dry::Dry;
-pub use film::{Film, FilmRing};
+pub use film::Film;
+#[doc(hidden)]
+pub use film::FilmRing;
 pub use front_back::FrontBack;
 pub use left_right::LeftRight;
 pub use pivot_slide::PivotSlide;

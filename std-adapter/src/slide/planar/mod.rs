@@ -13,8 +13,9 @@ pub use cylinder::TallCylinder;
 pub use journey::{Arrival, Ending, Journey, Launch, Point};
 #[doc(hidden)]
 pub use pipe::Pipe;
+pub use tall::Gradient;
 #[doc(hidden)]
-pub use tall::{Gradient, TallBody};
+pub use tall::TallBody;
 
 use std::fmt::Debug;
 
