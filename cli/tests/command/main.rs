@@ -7,6 +7,7 @@ mod deposit;
 mod eval;
 mod explain;
 mod fit;
+mod flat;
 mod folders;
 mod friction;
 mod full_disk;

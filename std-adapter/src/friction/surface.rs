@@ -50,6 +50,11 @@ pub fn limit_surface(
             let table = PolynomialTable::new(0.0, &polynomial(coefficients)?)?;
             Box::new(LimitSurface::new(Dry::new(table)?, limit, r)?)
         }
-        Patch::Points(_) => return Err(Refusal::NoAxis),
+        Patch::Points(_) => {
+            return Err(Refusal::Syntax(
+                "points have no smooth limit surface: name a round patch, a box, a polygon or a bar"
+                    .into(),
+            ));
+        }
     })
 }

@@ -1,0 +1,182 @@
+//! Boxes, polygons and bars: `tribos wrench`, `tribos surface`, refusals.
+
+use crate::program::{Error, Outcome, refused, succeed, told};
+use std::fs;
+use std::path::Path;
+
+/// Rows of a table after its header.
+fn rows(table: &str) -> Vec<Vec<f64>> {
+    let numbers = |line: &str| {
+        line.split(',')
+            .map(|cell| cell.parse().expect("a number"))
+            .collect()
+    };
+    table.lines().skip(1).map(numbers).collect()
+}
+
+/// A square frame with a square hole.
+fn frame(folder: &Path) -> Outcome {
+    let outer = "x,y,loop\n-1,-1,a\n1,-1,a\n1,1,a\n-1,1,a\n";
+    let hole = "-0.5,-0.5,b\n0.5,-0.5,b\n0.5,0.5,b\n-0.5,0.5,b\n";
+    Ok(fs::write(
+        folder.join("frame.csv"),
+        format!("{outer}{hole}"),
+    )?)
+}
+
+#[test]
+fn boxes_polygons_and_bars_have_their_torque_of_pure_spinning() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    frame(folder.path())?;
+    // Mean distances: of a square of half side a, a (√2 + asinh 1)/3; of the frame from both squares.
+    let square = (2.0_f64.sqrt() + 1.0_f64.asinh()) / 3.0;
+    for (patch, arm) in [
+        ("box:2x2", square),
+        ("polygon:frame.csv", square * (4.0 - 0.5) / 3.0),
+        ("bar:0.2", 0.05),
+    ] {
+        let line = format!(
+            "wrench --patch {patch} --coefficient 0.5 --load 10 --speed 0 --spin 3 --format json"
+        );
+        let [out, _] = succeed(folder.path(), line)?;
+        let answer: serde_json::Value = serde_json::from_str(&out)?;
+        let torque = answer["torque"].as_f64().ok_or("torque")?;
+        assert!((torque + 5.0 * arm).abs() < 1e-14, "{patch}: {torque}");
+        assert_eq!(answer["contact"]["coefficient"], 0.5);
+    }
+    Ok(())
+}
+
+#[test]
+fn a_file_of_planar_twists_has_wrenches_and_nine_derivatives() -> Result<(), Error> {
+    let folder = tempfile::tempdir()?;
+    let twists = "velocity_x,velocity_y,spin\n0.3,-0.2,1.5\n0.2,0.4,-0.1\n";
+    fs::write(folder.path().join("twists.csv"), twists)?;
+    let line =
+        "wrench --patch box:0.3x0.2 --centre 0.02,0.01 --load 7 --jacobian --twists twists.csv";
+    let [table, said] = succeed(folder.path(), line)?;
+    assert!(said.contains("centre 0.02,0.01 m"), "{said}");
+    let header = table.lines().next().ok_or("a header")?;
+    assert!(
+        header
+            .starts_with("velocity_x,velocity_y,spin,force_x,force_y,torque,dforce_x_dvelocity_x,")
+    );
+    assert!(header.ends_with("dtorque_dvelocity_x,dtorque_dvelocity_y,dtorque_dspin"));
+    for row in rows(&table) {
+        let [twist, wrench, jacobian] = [&row[..3], &row[3..6], &row[6..]];
+        let power: f64 = twist.iter().zip(wrench).map(|(t, w)| t * w).sum();
+        assert!(power < 0.0, "{row:?}");
+        // Dry friction does not depend on the speed: the derivative along the twist is 0.
+        for line in jacobian.chunks(3) {
+            let along: f64 = line.iter().zip(twist).map(|(d, t)| d * t).sum();
+            assert!(along.abs() < 1e-13, "{along}");
+        }
+        assert!((jacobian[1] - jacobian[3]).abs() < 1e-13);
+    }
+    Ok(())
+}
+
+#[test]
+fn pushes_are_judged_by_the_limit_surface() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let box_ = "surface --patch box:0.3x0.2 --coefficient 0.4 --load 20";
+    let pushes = "torque,force_x,force_y\n0,4,0\n0.2,-6,3\n0,0,0\n";
+    fs::write(folder.path().join("pushes.csv"), pushes)?;
+    let [table, _] = succeed(folder.path(), format!("{box_} --pushes pushes.csv"))?;
+    let [straight, turning, none] = rows(&table).try_into().map_err(|_| "three rows")?;
+    assert_eq!(&straight[..3], [4.0, 0.0, 0.0]);
+    assert!((straight[3] - 0.5).abs() < 1e-14 && (straight[4] - 1.0).abs() < 1e-14);
+    assert!(turning[3] < 1.0 && turning[4] < 0.0 && turning[5] > 0.0 && turning[6] > 0.0);
+    assert_eq!(none[3..], [0.0; 4]);
+    // Every point of the table lies on the surface, and the picture is one.
+    let [points, _] = succeed(folder.path(), format!("{box_} --points 50"))?;
+    let found = rows(&points);
+    assert_eq!(found.len(), 50);
+    let again: String = found
+        .iter()
+        .map(|row| format!("{},{},{}\n", row[0], row[1], row[2]))
+        .collect();
+    fs::write(
+        folder.path().join("pushes.csv"),
+        format!("force_x,force_y,torque\n{again}"),
+    )?;
+    let [table, _] = succeed(folder.path(), format!("{box_} --pushes pushes.csv"))?;
+    for row in rows(&table) {
+        assert!((row[3] - 1.0).abs() < 1e-13, "{row:?}");
+    }
+    succeed(folder.path(), format!("{box_} --picture box.svg"))?;
+    assert!(
+        fs::read_to_string(folder.path().join("box.svg"))?.contains("Limit surface of box:0.3x0.2")
+    );
+    let round = told("surface --patch hertz --radius 0.01 --points 3")?;
+    assert_eq!(round.lines().count(), 4);
+    Ok(())
+}
+
+#[test]
+fn what_makes_no_sense_for_straight_edges_is_refused() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text);
+    write("tie.csv", "x,y\n0,0\n1,1\n1,0\n0,1\n")?;
+    write("gap.csv", "x,y\n0,0\n1,\n0,1\n")?;
+    for (line, reason) in [
+        ("wrench --patch box:0.3 --speed 1 --spin 1", "box:0.3x0.2"),
+        (
+            "wrench --patch box:0x1 --speed 1 --spin 1",
+            "side A must be > 0",
+        ),
+        (
+            "wrench --patch box:1x1 --alpha 0.5 --speed 1 --spin 1",
+            "serve dry friction",
+        ),
+        (
+            "wrench --patch box:1x1 --radius 2 --speed 1 --spin 1",
+            "leave out --radius",
+        ),
+        (
+            "wrench --patch box:1x1 --tilt 0.5 --speed 1 --spin 1",
+            "--centre X,Y",
+        ),
+        (
+            "wrench --patch box:1x1 --tier table --speed 1 --spin 1",
+            "leave out --tier",
+        ),
+        (
+            "wrench --patch box:1x1 --centre 0.4,0 --speed 1 --spin 1",
+            "lifts off",
+        ),
+        (
+            "wrench --patch disk --centre 0.4,0 --speed 1 --spin 1",
+            "for boxes and polygons",
+        ),
+        (
+            "wrench --patch bar:1 --centre 0.4,0 --speed 1 --spin 1",
+            "evenly",
+        ),
+        (
+            "wrench --patch polygon:tie.csv --speed 1 --spin 1",
+            "edge 0 of loop 0 and edge 2",
+        ),
+        (
+            "wrench --patch polygon:gap.csv --speed 1 --spin 1",
+            "gap.csv:3: y: ",
+        ),
+        (
+            "wrench --patch polygon:none.csv --speed 1 --spin 1",
+            "none.csv",
+        ),
+        (
+            "modes --patch box:1x1 --alpha 0 --inertia-ratio 0.5",
+            "no axis of symmetry",
+        ),
+        (
+            "surface --patch points:feet.csv",
+            "points have no smooth limit surface",
+        ),
+        ("surface --patch box:1x1 --radius 2", "leave out --radius"),
+    ] {
+        let message = refused(folder.path(), line)?;
+        assert!(message.contains(reason), "{line}: {message}");
+    }
+    Ok(())
+}
