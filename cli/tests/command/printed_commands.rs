@@ -213,6 +213,10 @@ fn prepare(folder: &Path) -> Outcome {
     fs::write(folder.join("twists.csv"), "speed,spin\n1,0\n0.5,20\n")?;
     let feet = "x,y,weight\n0.1,0,0.4\n-0.1,0.1,0.3\n-0.1,-0.1,0.3\n";
     fs::write(folder.join("feet.csv"), feet)?;
+    let sole = "x,y\n0,0\n0.24,0\n0.24,0.1\n0,0.08\n";
+    fs::write(folder.join("sole.csv"), sole)?;
+    let pushes = "force_x,force_y,torque\n100,20,5\n300,0,-10\n";
+    fs::write(folder.join("pushes.csv"), pushes)?;
     measurements(folder)
 }
 
