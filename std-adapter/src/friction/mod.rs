@@ -40,14 +40,13 @@ mod refusal;
 mod tier;
 mod visit;
 
-pub use catalogue::{Entry, LAWS};
+pub use catalogue::{Entry, LAWS, Parameter};
 #[doc(hidden)]
-pub use catalogue::{Maker, Parameter, find};
+pub use catalogue::{Maker, find};
 #[doc(hidden)]
 pub use law::AnyLaw;
 pub use law::Law;
 pub use patch::Patch;
-#[doc(hidden)]
 pub use precision::Precision;
 #[doc(hidden)]
 pub use quadrature::{polynomial, pressure_nodes};
