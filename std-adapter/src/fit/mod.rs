@@ -46,16 +46,15 @@ mod sample;
 mod search;
 mod starts;
 
-#[doc(hidden)]
-pub use data::Motion;
-pub use data::{Data, DataError};
+pub use data::{Data, DataError, Motion};
 pub use estimate::{Estimate, Fit, FitError, Known, Options, fit};
 #[doc(hidden)]
 pub use estimate::{FitProgress, fit_watched};
 pub use law::LawName;
 pub use law::law_model;
+pub use parameter::Parameter;
 #[doc(hidden)]
-pub use parameter::{Model, Parameter, Range};
+pub use parameter::{Model, Range};
 
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]

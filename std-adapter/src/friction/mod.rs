@@ -42,15 +42,14 @@ mod surface;
 mod tier;
 mod visit;
 
-pub use catalogue::{Entry, LAWS};
+pub use catalogue::{Entry, LAWS, Parameter};
 #[doc(hidden)]
-pub use catalogue::{Maker, Parameter, find};
+pub use catalogue::{Maker, find};
 pub use flat::{Flat, FlatPatch};
 #[doc(hidden)]
 pub use law::AnyLaw;
 pub use law::Law;
 pub use patch::Patch;
-#[doc(hidden)]
 pub use precision::Precision;
 #[doc(hidden)]
 pub use quadrature::{polynomial, pressure_nodes};

@@ -6,11 +6,10 @@
 //! [`observe`] measures energies, temperature and angles. A [`configuration`] is read from or
 //! written to a file: [`lammps`] data and dumps, [`extended_xyz`].
 //!
-//! Only [`pair`] is promised to stay as it is; the other modules serve [`crate::tip`] and the command.
+//! Forces between atoms of a file are part of the promise: [`configuration`], [`atoms`], [`neighbours`],
+//! [`interaction`] and [`pair`]. The other modules serve [`crate::tip`] and the command.
 
-#[doc(hidden)]
 pub mod atoms;
-#[doc(hidden)]
 pub mod configuration;
 #[doc(hidden)]
 pub mod drive;
@@ -20,11 +19,9 @@ pub mod eam;
 pub mod extended_xyz;
 #[doc(hidden)]
 pub mod group;
-#[doc(hidden)]
 pub mod interaction;
 #[doc(hidden)]
 pub mod lammps;
-#[doc(hidden)]
 pub mod neighbours;
 #[doc(hidden)]
 pub mod observe;

@@ -26,6 +26,7 @@ pub use compaction::COLUMNS;
 pub use compaction::{Compaction, Ending};
 #[doc(hidden)]
 pub use cost::{PowderCost, cost, size};
+pub use deposit::DepositError;
 pub use error::CompactionError;
 #[doc(hidden)]
 pub use limits::Limits;

@@ -19,6 +19,7 @@ pub(crate) use atomic::AtomicFile;
 pub use atomic::WriteError;
 #[doc(hidden)]
 pub use atomic::{is_unfinished, write_atomically, write_atomically_there, write_atomically_with};
+pub use frames::FrameError;
 pub use kept::CheckpointError;
 #[doc(hidden)]
 pub use number::{json_number, number};

@@ -11,9 +11,10 @@ mod long_run;
 mod parallel;
 mod session;
 
+pub use folder::FolderError;
 #[doc(hidden)]
-pub use long_run::{Cause, LongRun, NoCheckpoint};
-pub use long_run::{RunError, Start};
+pub use long_run::{Cause, LongRun};
+pub use long_run::{NoCheckpoint, RunError, Start};
 #[doc(hidden)]
 pub use parallel::in_order;
 pub use session::Session;

@@ -44,9 +44,7 @@ pub use library::{LIBRARY, LibraryScene, library_scene};
 pub use pipe::PipeScene;
 pub use planar::{FootPressure, Tipping};
 pub use powder::{Coupling, Criterion, PowderScene, SweepMethod, SweepOrder, SweepStop, WallLaw};
-#[doc(hidden)]
-pub use problem::Problem;
-pub use problem::{InvalidScene, SceneError};
+pub use problem::{InvalidScene, Problem, SceneError};
 #[doc(hidden)]
 pub use schema::schema;
 pub use slider::{SliderScene, Stepper, Units};
@@ -54,9 +52,7 @@ pub use slider::{SliderScene, Stepper, Units};
 pub use table::Body;
 #[doc(hidden)]
 pub use template::{keys_page, template, toml_value, with_all_keys};
-#[doc(hidden)]
-pub use tip::StageSteps;
-pub use tip::{BathKind, BathSpin, DrivenHold, Reading, TipScene};
+pub use tip::{BathKind, BathSpin, DrivenHold, Reading, StageSteps, TipScene};
 #[doc(hidden)]
 pub use vocabulary::{Vocabulary, bodies, vocabulary};
 #[doc(hidden)]

@@ -5,6 +5,7 @@ mod grid;
 pub mod pairs;
 mod periodic;
 
+pub use pairs::NeighbourError;
 #[doc(hidden)]
 pub use periodic::AXES;
 pub use periodic::{PeriodicBox, PeriodicBoxError};

@@ -4,7 +4,9 @@ mod cells;
 mod chunk;
 mod images;
 
+#[doc(hidden)]
 pub use chunk::{Chunk, LANES, Site};
+#[doc(hidden)]
 pub use images::Slot;
 
 use crate::space::{AXES, PeriodicBox};
