@@ -6,6 +6,7 @@ use tribos_core::contact::TouchError;
 use tribos_core::law::LawError;
 use tribos_core::manifold::ManifoldError;
 use tribos_core::patch::PatchError;
+use tribos_core::patch::outline::OutlineError;
 
 /// 0 if all went well; else the result was left as it was, and this tells why.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -220,6 +221,22 @@ impl From<PatchError> for tribos_status {
     }
 }
 
+impl From<OutlineError> for tribos_status {
+    fn from(error: OutlineError) -> Self {
+        match error {
+            OutlineError::Corners { .. } => Self::Corners,
+            OutlineError::Position { .. } => Self::NodePosition,
+            OutlineError::Repeated { .. }
+            | OutlineError::Crossing { .. }
+            | OutlineError::Flat { .. }
+            | OutlineError::Hole { .. } => Self::Hidden,
+            OutlineError::Extent | OutlineError::Slope => Self::NotFinite,
+            OutlineError::Room { .. } => Self::Full,
+            OutlineError::LiftOff { .. } => Self::Negative,
+        }
+    }
+}
+
 impl From<TouchError> for tribos_status {
     fn from(error: TouchError) -> Self {
         match error {
@@ -234,6 +251,7 @@ impl From<Error> for tribos_status {
         match error {
             Error::Law(error) => error.into(),
             Error::Patch(error) => error.into(),
+            Error::Outline(error) => error.into(),
             Error::Touch(error) => error.into(),
             Error::Manifold(ManifoldError::Full { .. }) => Self::Full,
             Error::Manifold(_) => Self::Choice,
