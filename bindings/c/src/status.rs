@@ -221,6 +221,22 @@ impl From<PatchError> for tribos_status {
     }
 }
 
+impl From<OutlineError> for tribos_status {
+    fn from(error: OutlineError) -> Self {
+        match error {
+            OutlineError::Corners { .. } => Self::Corners,
+            OutlineError::Position { .. } => Self::NodePosition,
+            OutlineError::Repeated { .. }
+            | OutlineError::Crossing { .. }
+            | OutlineError::Flat { .. }
+            | OutlineError::Hole { .. } => Self::Hidden,
+            OutlineError::Extent | OutlineError::Slope => Self::NotFinite,
+            OutlineError::Room { .. } => Self::Full,
+            OutlineError::LiftOff { .. } => Self::Negative,
+        }
+    }
+}
+
 impl From<TouchError> for tribos_status {
     fn from(error: TouchError) -> Self {
         match error {
@@ -235,11 +251,7 @@ impl From<Error> for tribos_status {
         match error {
             Error::Law(error) => error.into(),
             Error::Patch(error) => error.into(),
-            // C has no function yet that checks an outline.
-            Error::Outline(OutlineError::Corners { .. }) => Self::Corners,
-            Error::Outline(OutlineError::Position { .. }) => Self::NodePosition,
-            Error::Outline(OutlineError::Room { .. }) => Self::Full,
-            Error::Outline(_) => Self::Hidden,
+            Error::Outline(error) => error.into(),
             Error::Touch(error) => error.into(),
             Error::Manifold(ManifoldError::Full { .. }) => Self::Full,
             Error::Manifold(_) => Self::Choice,

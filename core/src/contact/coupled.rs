@@ -24,7 +24,8 @@ use nalgebra::Vector3;
 /// the coefficients of [`Thresholds`](super::Thresholds), and for the same reason: it stays when a
 /// packing is scaled. Its largest torque is that of a torsion coefficient μ_n = μ (R_c/r_eff) T₀,
 /// with T₀ = 2/3 under uniform pressure. Take [`LimitSurface`](crate::limit_surface::LimitSurface)
-/// for the exact set, [`Ellipsoid`](crate::limit_surface::Ellipsoid) for the usual approximation.
+/// for the exact set, [`Ellipsoid`](crate::limit_surface::Ellipsoid) for the usual approximation; the
+/// set of a polygon is not symmetric about the normal and does not belong here.
 ///
 /// *Accuracy* of the projection: that of the set's, 1e-15 of the limits for the exact disk by
 /// table in f64. Trials that stay inside are returned to the bit.

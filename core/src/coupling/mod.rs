@@ -8,7 +8,9 @@
 //! | (1−r²)^q: ring, punch, Hertz, … | [`round::RoundTable64`], [`round::RoundTable32`] | [`closed`] (Coulomb), [`compact::CompactPower::with_pressure`] | nodes |
 //! | polynomial in r² | [`round::PolynomialTable`] | – | nodes |
 //! | annulus | [`Annulus`] of the disk's | [`Annulus`] of the disk's | [`Annulus`] of the disk's |
-//! | points, polygons, any pressure map | – | – | [`nodes::NodeFriction`] |
+//! | points, any pressure map | – | – | [`nodes::NodeFriction`] |
+//!
+//! Polygons and bars under Coulomb's law have closed forms, a few ulp without a table: [`flat`].
 //!
 //! Tables take 23 KiB a law on the uniform disk and 46 KiB elsewhere (f32: 3 and 6 KiB) and the same
 //! time for every pressure and exponent; compact tiers are code only, 5 times as slow, 150 times for

@@ -9,8 +9,8 @@
 //! set = { x : x·twist ≤ D(twist) for every twist },      friction = −∂D/∂twist
 //! ```
 //!
-//! [`LimitSurface`] is this set for any [`crate::coupling::DryCoupling`], to rounding;
-//! [`Ellipsoid`] is the usual approximation. Both are a [`FrictionSet`].
+//! [`LimitSurface`] is this set for any [`crate::coupling::DryCoupling`] and [`PatchSurface`] for
+//! polygons and bars, to rounding; [`Ellipsoid`] is the usual approximation. All are a [`FrictionSet`].
 //!
 //! *Sign*: friction opposes the motion. A *push* is the wrench that moves the patch against its
 //! friction, and its motion is the outward normal. The set is symmetric: what it carries as
@@ -56,7 +56,10 @@ use crate::twist::{Twist, Wrench};
 #[doc(hidden)]
 pub const COLLAR_ULPS: f64 = 64.0;
 
-/// A closed convex set of wrenches with a smooth surface, symmetric like the friction of a disk.
+/// A closed convex set of wrenches with a smooth surface that contains −x with every wrench x.
+///
+/// The set of a round patch is a solid of revolution about the axis of torques; that of a
+/// [`PatchSurface`] need not be.
 ///
 /// All methods are total. NaN in gives NaN out. A wrench is infinite here if its force magnitude,
 /// its torque/radius or the ratio of these to the force limit overflows.

@@ -23,7 +23,8 @@ use nalgebra::{Matrix3, Vector3};
 /// All wrenches that the dry friction of a patch of any shape can carry, about the origin of its
 /// coordinates.
 ///
-/// *Accuracy* (f64): gauge 1e-14, surface points and normals 1e-13 of the limits (f32: 1e-5).
+/// *Accuracy* (f64): gauge 1e-14, surface points and normals 1e-13 of the limits (f32: 1e-5), with the
+/// origin at most a few radii away from the centre of pressure; about a distant one their ratio is lost.
 /// *Cost*, in wrenches with Jacobian: gauge, normal and projection about 5 each, at most 12.
 ///
 /// ```
@@ -41,8 +42,10 @@ use nalgebra::{Matrix3, Vector3};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatchSurface<R, P> {
-    /// Its coefficient is the force limit.
+    /// With a coefficient of 1.
     friction: FlatFriction<R, P>,
+    /// μN
+    limit: R,
     /// Largest torque about the origin over the force limit: the unit of length of the search.
     arm: R,
     radius: R,
@@ -168,12 +171,11 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
         let centre = patch.centre();
         let radius = patch.radius() + centre.x.hypot(centre.y);
         let turn = Twist::new(R::ZERO, R::ZERO, R::ONE);
-        let arm = FlatFriction::new(&patch, R::ONE)?
-            .wrench(R::ONE, &turn)
-            .torque
-            .abs();
+        let friction = FlatFriction::new(patch, R::ONE)?;
+        let arm = friction.wrench(R::ONE, &turn).torque.abs();
         Ok(Self {
-            friction: FlatFriction::new(patch, limit)?,
+            friction,
+            limit,
             arm,
             radius,
         })
@@ -280,16 +282,11 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
     }
 
     fn power(&self, at: &Vector3<R>) -> Power<R> {
-        let limit = R::ONE / self.force_limit();
         let inv_arm = R::ONE / self.arm;
         let twist = Twist::new(at.x, at.y, at.z * inv_arm);
         let (wrench, jacobian) = self.friction.wrench_and_jacobian(R::ONE, &twist);
-        let gradient = Vector3::new(
-            -(wrench.force.x * limit),
-            -(wrench.force.y * limit),
-            -(wrench.torque * limit * inv_arm),
-        );
-        let hessian = stretched(&jacobian, -limit, [inv_arm, inv_arm]);
+        let gradient = Vector3::new(-wrench.force.x, -wrench.force.y, -(wrench.torque * inv_arm));
+        let hessian = stretched(&jacobian, -R::ONE, [inv_arm, inv_arm]);
         Power {
             value: dot(&gradient, at),
             gradient,
@@ -480,7 +477,7 @@ fn unit_matrix<R: Real>() -> Matrix3<R> {
 
 impl<R: Real, P: DryPatch<R>> FrictionSet<R> for PatchSurface<R, P> {
     fn force_limit(&self) -> R {
-        self.friction.coefficient()
+        self.limit
     }
 
     fn radius(&self) -> R {
@@ -488,11 +485,11 @@ impl<R: Real, P: DryPatch<R>> FrictionSet<R> for PatchSurface<R, P> {
     }
 
     fn support(&self, twist: &Twist<R>) -> R {
-        -self.friction.wrench(R::ONE, twist).power(twist)
+        -self.friction.wrench(self.limit, twist).power(twist)
     }
 
     fn wrench(&self, twist: &Twist<R>) -> Wrench<R> {
-        self.friction.wrench(R::ONE, twist)
+        self.friction.wrench(self.limit, twist)
     }
 
     fn gauge(&self, wrench: &Wrench<R>) -> R {

@@ -74,21 +74,28 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
             radius,
             area,
         } = Frame::of(loops, &scale)?;
+        let centre = scale.origin + centroid * scale.unit;
+        if !(centre.x + centre.y + radius * scale.unit).is_finite() {
+            return Err(OutlineError::Extent);
+        }
         let mut slots = edges.as_mut().iter_mut();
-        for (index, corners) in loops.iter().enumerate() {
+        for (in_loop, corners) in loops.iter().enumerate() {
             let reduced = |corner: &[R; 2]| {
                 let at = scale.at(corner) - centroid;
                 Vector2::new(at.x / radius, at.y / radius)
             };
             // The patch lies to the left of the outer loop's edges and outside of a hole.
-            let is_backwards = (twice_area(corners, &scale) > R::ZERO) != (index == 0);
-            for (side, slot) in sides(corners).zip(&mut slots) {
+            let is_backwards = (twice_area(corners, &scale) > R::ZERO) != (in_loop == 0);
+            for (corner, (side, slot)) in sides(corners).zip(&mut slots).enumerate() {
                 let [from, to] = side.map(reduced);
                 *slot = if is_backwards {
                     Edge::new(to, from)
                 } else {
                     Edge::new(from, to)
                 };
+                if slot.length() == R::ZERO {
+                    return Err(OutlineError::Repeated { in_loop, corner });
+                }
             }
         }
         let mut longest = R::ZERO;
@@ -101,7 +108,7 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
             edges,
             count,
             pressure: Uniform,
-            centre: scale.origin + centroid * scale.unit,
+            centre,
             radius: radius * scale.unit,
             reduced_area: area / (radius * radius),
             longest_half: R::HALF * longest,
@@ -279,12 +286,14 @@ struct Frame<R: Real> {
 
 impl<R: Real> Frame<R> {
     fn of(loops: &[&[[R; 2]]], scale: &Scale<R>) -> Result<Self, OutlineError> {
-        let (mut area, mut moment) = (R::ZERO, Vector2::new(R::ZERO, R::ZERO));
+        let (mut area, mut size) = (R::ZERO, R::ZERO);
+        let mut moment = Vector2::new(R::ZERO, R::ZERO);
         for (in_loop, corners) in loops.iter().enumerate() {
             let twice = twice_area(corners, scale);
             if twice == R::ZERO {
                 return Err(OutlineError::Flat { in_loop });
             }
+            size += twice.abs();
             let sense = R::ONE.copysign(if in_loop == 0 { twice } else { -twice });
             for side in sides(corners) {
                 let [a, b] = side.map(|corner| scale.at(corner));
@@ -292,6 +301,10 @@ impl<R: Real> Frame<R> {
                 area += part;
                 moment += (a + b) * part;
             }
+        }
+        // Holes may leave nothing of it.
+        if area <= least_area(size) {
+            return Err(OutlineError::Flat { in_loop: 0 });
         }
         let third = R::ONE / (R::from_f64(3.0) * area);
         let centroid = moment * third;
@@ -319,8 +332,16 @@ fn twice_area<R: Real>(corners: &[[R; 2]], scale: &Scale<R>) -> R {
         area += a.x * b.y - a.y * b.x;
         size += (a.x * b.y).abs() + (a.y * b.x).abs();
     }
-    let rounding = R::TWO * R::TWO * R::EPSILON * size;
-    if area.abs() > rounding { area } else { R::ZERO }
+    if area.abs() > least_area(size) {
+        area
+    } else {
+        R::ZERO
+    }
+}
+
+/// Rounding of a sum of areas whose magnitudes add up to `size`, or of a number with few digits left.
+fn least_area<R: Real>(size: R) -> R {
+    R::TWO * R::TWO * R::EPSILON * size + R::MIN_POSITIVE / R::EPSILON
 }
 
 /// A polygon that bounds no patch, or a pressure that it cannot carry.
@@ -348,7 +369,7 @@ pub enum OutlineError {
         /// Which corner, from 0.
         corner: usize,
     },
-    /// A corner coincides with the next one.
+    /// A corner coincides with the next one, or cannot be told from it beside the patch's size.
     Repeated {
         /// Which loop, from 0.
         in_loop: usize,
@@ -360,7 +381,7 @@ pub enum OutlineError {
         /// Loop and number of the edge, each from 0, of both.
         edges: [[usize; 2]; 2],
     },
-    /// A loop has no area beyond rounding.
+    /// A loop has no area beyond rounding; the outer one, if its holes leave none of it.
     Flat {
         /// Which loop, from 0.
         in_loop: usize,
@@ -370,7 +391,7 @@ pub enum OutlineError {
         /// Which loop, from 0.
         in_loop: usize,
     },
-    /// The distance between two corners is out of range.
+    /// The distance between two corners or the centre of pressure is out of range.
     Extent,
     /// There are more corners than there is room for edges.
     Room {

@@ -49,6 +49,8 @@ const DRY: &[&str] = &[
     "DryCoupling",
 ];
 
+const EDGES: &[&str] = &["AsRef", "AsMut"];
+
 /// All of them.
 pub const INSTANCES: &[Instance] = &[
     instance("R", &["Real"]),
@@ -122,12 +124,34 @@ pub const INSTANCES: &[Instance] = &[
         "patch::nodes::NodeBuffer<'static, R>",
         &["NodePatch", "NodeSink"],
     ),
+    // Patches with straight edges, in an array and in memory of the caller.
+    instance("[patch::outline::Edge<R>; 4]", EDGES),
+    instance("&'static mut [patch::outline::Edge<R>]", EDGES),
+    instance("patch::outline::Uniform", &["FlatPressure"]),
+    instance("patch::outline::Linear<R>", &["FlatPressure"]),
+    instance(
+        "patch::outline::Polygon<R, [patch::outline::Edge<R>; 4]>",
+        &["DryPatch"],
+    ),
+    instance(
+        "patch::outline::Polygon<R, [patch::outline::Edge<R>; 4], patch::outline::Linear<R>>",
+        &["DryPatch"],
+    ),
+    instance("patch::bar::Bar<R>", &["DryPatch"]),
     // Limit surfaces.
     instance(
         "limit_surface::LimitSurface<R, coupling::table::Coulomb>",
         &["FrictionSet"],
     ),
     instance("limit_surface::Ellipsoid<R>", &["FrictionSet"]),
+    instance(
+        "limit_surface::PatchSurface<R, patch::outline::Polygon<R, [patch::outline::Edge<R>; 4]>>",
+        &["FrictionSet"],
+    ),
+    similar(instance(
+        "limit_surface::PatchSurface<R, patch::bar::Bar<R>>",
+        &["FrictionSet"],
+    )),
     // Contacts.
     instance("contact::Sphere<R>", &["Body"]),
     instance("contact::Plate<R>", &["Body"]),

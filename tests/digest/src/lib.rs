@@ -20,6 +20,7 @@ mod memory;
 mod motions;
 mod patches;
 mod planes;
+mod polygons;
 mod pressures;
 mod profiles;
 mod sets;
@@ -69,7 +70,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 36] = [
+pub const CHAPTERS: [Chapter; 37] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),
@@ -106,6 +107,7 @@ pub const CHAPTERS: [Chapter; 36] = [
     little("manifold", touching::manifold),
     little("holding", holding::holding),
     little("rubber", laws::rubber),
+    little("polygons", polygons::polygons),
 ];
 
 const DIGESTS: &str = include_str!("../digests.txt");

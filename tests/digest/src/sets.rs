@@ -46,7 +46,7 @@ fn exact<R: Real, C: DryCoupling<R>>(hash: &mut Fnv, coupling: C, count: usize) 
 }
 
 /// All that can be asked of a set, about pushes near it, far from it and at the ends.
-fn questions<R: Real, S: FrictionSet<R>>(hash: &mut Fnv, set: &S, count: usize) {
+pub(crate) fn questions<R: Real, S: FrictionSet<R>>(hash: &mut Fnv, set: &S, count: usize) {
     hash.numbers([set.force_limit(), set.radius()]);
     let mut rng = Lcg::new(151);
     let every = 4096 / count;

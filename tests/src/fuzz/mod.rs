@@ -17,6 +17,7 @@ mod laws;
 mod motions;
 mod patches;
 mod planes;
+mod polygons;
 mod sets;
 mod source;
 mod special;
@@ -56,20 +57,21 @@ pub const READERS: [Target; 4] = [
 ];
 
 /// Targets in the kernel.
-pub const KERNEL: [Target; 13] = [
+pub const KERNEL: [Target; 14] = [
     target("laws", 120, laws::memoryless),
     target("laws with memory", 120, laws::with_memory),
     target("special functions", 100, special::special),
-    target("couplings", 130, couplings::couplings),
+    target("couplings", 110, couplings::couplings),
     target("patches", 30, patches::patches),
     target("planes", 100, planes::planes),
     target("limit surfaces", 60, sets::sets),
-    target("contacts", 150, contacts::contacts),
+    target("contacts", 130, contacts::contacts),
     target("manifolds", 40, contacts::manifolds),
     target("modes", 40, motions::modes),
     target("sliders", 13, motions::sliders),
     target("planar steps", 30, planes::steps),
     target("feet", 20, planes::feet),
+    target("polygons", 40, polygons::polygons),
 ];
 
 /// All targets.

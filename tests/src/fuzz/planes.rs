@@ -156,7 +156,7 @@ fn step_on_ellipsoid(source: &mut Source) -> Result<(), Broken> {
 }
 
 /// A step is finite, and without a push it does not raise the kinetic energy.
-fn stepped<R: Real>(
+pub fn stepped<R: Real>(
     source: &mut Source,
     mut step: impl FnMut(
         &PlanarBody<R>,

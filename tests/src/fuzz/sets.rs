@@ -31,7 +31,7 @@ fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
     }
 }
 
-fn asked<R: Real, S: FrictionSet<R>>(source: &mut Source, set: &S) -> Result<(), Broken> {
+pub fn asked<R: Real, S: FrictionSet<R>>(source: &mut Source, set: &S) -> Result<(), Broken> {
     let motion = twist::<R>(source);
     let (power, met) = (set.support(&motion), set.wrench(&motion));
     finite(source, "support", [power])?;

@@ -75,9 +75,10 @@ const BOTH: &[&str] = &["f32", "f64"];
 
 /// Modules that are no feature of their own: `coupling` itself has its traits only, and `wide` and
 /// `beyond` serve the ends of the number range in every coupling.
-pub const PLUMBING: [&str; 9] = [
+pub const PLUMBING: [&str; 10] = [
     "coupling",
     "real",
+    "real::sealed",
     "twist",
     "law::error",
     "law::limits",

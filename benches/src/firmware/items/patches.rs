@@ -19,8 +19,8 @@ const fn coupled(
     )
 }
 
-/// A patch of nodes under Coulomb's law.
-const fn on_nodes(
+/// A patch of nodes or edges under Coulomb's law, one twist in.
+const fn dry(
     name: &'static str,
     precisions: &'static [&'static str],
     modules: &'static str,
@@ -35,8 +35,20 @@ const fn on_nodes(
     )
 }
 
+/// Modules of every exact patch with straight edges.
+macro_rules! flat {
+    ($more:literal) => {
+        concat!(
+            "coupling::flat coupling::flat::far coupling::flat::motion coupling::flat::near ",
+            "coupling::flat::two patch::edge patch::outline special::legendre ",
+            "special::log_quotient ",
+            $more
+        )
+    };
+}
+
 /// One pair of speeds or one twist in.
-pub const PATCHES: [Item; 10] = [
+pub const PATCHES: [Item; 14] = [
     item(
         ["patch", "Hertz: table: Coulomb"],
         BOTH,
@@ -75,28 +87,60 @@ pub const PATCHES: [Item; 10] = [
         ),
         "round::PolynomialTable::new(0.0, &PolynomialPressure::new([1.0, -2.0, 1.5]).ok()?).ok()?",
     ),
-    on_nodes(
+    dry(
         "tripod: Coulomb",
         BOTH,
         "coupling::nodes law::coulomb patch::nodes patch::tripod",
         "dry_nodes(tripod([[1.0, 0.0], [-0.5, 0.75], [-0.5, -0.75]], [a, 0.0]).ok()?)?",
     ),
-    on_nodes(
+    dry(
         "100 nodes on a disk: Coulomb",
         NARROW,
         "coupling::nodes law::coulomb patch::nodes patch::polar patch::gauss_jacobi",
         "dry_nodes(PolarRule::new(1.0 as R, 5, 20).ok()?.nodes::<100>().ok()?)?",
     ),
-    on_nodes(
+    dry(
         "ring of 100 nodes: Coulomb",
         NARROW,
         "coupling::nodes law::coulomb patch::nodes patch::polar",
         "dry_nodes(polar::ring::<R, 100>(1.0 as R, 100).ok()?)?",
     ),
-    on_nodes(
+    dry(
         "polygon of 28 nodes: Coulomb",
         NARROW,
         "coupling::nodes law::coulomb patch::nodes patch::polygon",
         "dry_nodes(polygon::<R, 28>(&[[1.0, 0.0], [-0.5, 0.75], [-0.5, -a]], 2).ok()?)?",
+    ),
+    dry(
+        "square, exact: Coulomb",
+        BOTH,
+        flat!("patch::flat_pressure patch::simple"),
+        "FlatFriction::new(square(b)?, 0.5).ok()?",
+    ),
+    item(
+        ["patch", "square, exact: Coulomb, Jacobian"],
+        NARROW,
+        flat!("patch::flat_pressure patch::simple"),
+        Code::new(
+            "FlatFriction::new(square(b)?, 0.5).ok()?",
+            "whole_jacobian(&object.wrench_and_jacobian(given.load, &given.twist))",
+        ),
+    ),
+    dry(
+        "bar, exact: Coulomb",
+        NARROW,
+        flat!("coupling::flat::bar patch::bar"),
+        "FlatFriction::new(Bar::new([-1.0, b], [1.0, a]).ok()?, 0.5).ok()?",
+    ),
+    item(
+        ["patch", "square, exact: limit surface, motion of a push"],
+        NARROW,
+        flat!(
+            "patch::flat_pressure patch::simple limit_surface limit_surface::patch limit_surface::quadratic"
+        ),
+        Code::new(
+            "PatchSurface::new(square(b)?, 0.5).ok()?",
+            "turned(&object.twist_normal_to(&given.push))",
+        ),
     ),
 ];

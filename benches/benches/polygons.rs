@@ -1,0 +1,106 @@
+//! Exact friction of polygons, near the centre of rotation and far from it, beside the disk's table
+//! and 504 nodes on the same square.
+
+mod settings;
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use std::hint::black_box;
+use tribos_core::coupling::flat::{DryPatch, FlatFriction};
+use tribos_core::coupling::nodes::NodeFriction;
+use tribos_core::coupling::{PatchFriction, table};
+use tribos_core::law::CoulombLaw;
+use tribos_core::patch::nodes::NodeList;
+use tribos_core::patch::outline::Polygon;
+use tribos_core::patch::polygon::polygon;
+use tribos_core::twist::Twist;
+
+/// Largest difference between 504 nodes and the square they stand for, of the load.
+const CHECK: f64 = 1e-2;
+const TWISTS: usize = 1000;
+
+const SQUARE: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+const TRIANGLE: [[f64; 2]; 3] = [[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]];
+const ELL: [[f64; 2]; 6] = [
+    [-1.0, -1.0],
+    [1.0, -1.0],
+    [1.0, -0.5],
+    [-0.5, -0.5],
+    [-0.5, 1.0],
+    [-1.0, 1.0],
+];
+const OCTAGON: [[f64; 2]; 8] = [
+    [1.0, -0.4],
+    [1.0, 0.4],
+    [0.4, 1.0],
+    [-0.4, 1.0],
+    [-1.0, 0.4],
+    [-1.0, -0.4],
+    [-0.4, -1.0],
+    [0.4, -1.0],
+];
+
+/// Spins of 1 about centres that are `least` to `most` away from the origin, in every direction.
+fn about([least, most]: [f64; 2]) -> Vec<Twist<f64>> {
+    let turn = |i: usize| {
+        let part = i as f64 / TWISTS as f64;
+        let (distance, angle) = (least + (most - least) * part, 2.4 * i as f64);
+        Twist::new(distance * angle.sin(), -distance * angle.cos(), 1.0)
+    };
+    (0..TWISTS).map(turn).collect()
+}
+
+/// Times `friction` over twists with a centre of rotation on the patch or next to it, and far away.
+fn time<T: Copy>(criterion: &mut Criterion, name: &str, friction: impl Fn(&Twist<f64>) -> T) {
+    for (place, distances) in [("near", [0.0, 2.5]), ("far", [5.0, 50.0])] {
+        let twists = about(distances);
+        let mut results: Vec<T> = twists.iter().map(&friction).collect();
+        let mut group = criterion.benchmark_group("polygons");
+        group.throughput(Throughput::Elements(twists.len() as u64));
+        group.bench_function(BenchmarkId::new(name, place), |bencher| {
+            bencher.iter(|| {
+                for (twist, result) in black_box(&twists).iter().zip(&mut results) {
+                    *result = friction(twist);
+                }
+                black_box(&mut results);
+            });
+        });
+        group.finish();
+    }
+}
+
+/// A patch under friction with μ = 1.
+fn dry<P: DryPatch<f64>>(patch: P) -> FlatFriction<f64, P> {
+    FlatFriction::new(patch, 1.0).expect("1 is a valid coefficient")
+}
+
+fn polygons(criterion: &mut Criterion) {
+    let square = dry(Polygon::new(SQUARE).expect("a square"));
+    let triangle = dry(Polygon::new(TRIANGLE).expect("a triangle"));
+    let ell = dry(Polygon::new(ELL).expect("an L"));
+    let octagon = dry(Polygon::new(OCTAGON).expect("an octagon"));
+    let disk = PatchFriction::new(table::Coulomb, 1.0, 1.0).expect("1 is a valid coefficient");
+    let nodes: NodeList<f64, 504> = polygon(&SQUARE, 6).expect("room for all nodes");
+    let law = CoulombLaw::new(1.0).expect("1 is a valid coefficient");
+    let nodes = NodeFriction::new(law, nodes);
+    let twist = Twist::new(0.3, 0.4, 0.7);
+    let (exact, found) = (square.wrench(1.0, &twist), nodes.wrench(1.0, &twist));
+    assert!((found.force - exact.force).norm() < CHECK, "force");
+    assert!((found.torque - exact.torque).abs() < CHECK, "torque");
+
+    time(criterion, "disk by table", |t| disk.wrench(1.0, t));
+    time(criterion, "square", |t| square.wrench(1.0, t));
+    time(criterion, "triangle", |t| triangle.wrench(1.0, t));
+    time(criterion, "L", |t| ell.wrench(1.0, t));
+    time(criterion, "octagon", |t| octagon.wrench(1.0, t));
+    time(criterion, "square, Jacobian", |t| {
+        square.wrench_and_jacobian(1.0, t)
+    });
+    time(criterion, "square of 504 nodes", |t| nodes.wrench(1.0, t));
+}
+
+criterion_group! {
+    name = benches;
+    config = settings::criterion();
+    targets = polygons
+}
+criterion_main!(benches);

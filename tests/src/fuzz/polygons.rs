@@ -1,0 +1,206 @@
+//! Patches with straight edges and bars: every accepted one has friction and a limit surface.
+
+use super::check::{all_nan, finite, holds};
+use super::planes::{dissipates, stepped, twist, wrench};
+use super::sets::asked;
+use super::{Broken, Source};
+use tribos_core::coupling::flat::{DryPatch, FlatFriction};
+use tribos_core::limit_surface::{FrictionSet, PatchSurface};
+use tribos_core::patch::bar::Bar;
+use tribos_core::patch::outline::{Edge, FlatPressure, Polygon};
+use tribos_core::real::Real;
+
+/// Room for edges.
+const ROOM: usize = 16;
+
+type Shape<R, K> = Polygon<R, [Edge<R>; ROOM], K>;
+
+/// One patch in either precision.
+pub fn polygons(source: &mut Source) -> Result<(), Broken> {
+    if source.one_in(2) {
+        of::<f64>(source)
+    } else {
+        of::<f32>(source)
+    }
+}
+
+fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    match source.below(6) {
+        0 => any_corners::<R>(source),
+        1 => {
+            let ends = [(); 2].map(|()| [source.number::<R>(), source.number()]);
+            let Ok(bar) = Bar::new(ends[0], ends[1]) else {
+                return Ok(());
+            };
+            placed(&bar.centre(), bar.radius())?;
+            rubs(source, &bar)
+        }
+        2 => blade::<R>(source),
+        _ => star::<R>(source),
+    }
+}
+
+/// Corners anywhere: a patch may be as thin as rounding lets it.
+fn any_corners<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let corners = [(); 3].map(|()| [source.number::<R>(), source.number()]);
+    let fourth = [source.number::<R>(), source.number()];
+    if let Ok(triangle) = Polygon::new(corners) {
+        placed(&triangle.centre(), triangle.radius())?;
+        let friction = FlatFriction::new(triangle, source.size());
+        let (load, motion) = (source.size(), twist::<R>(source));
+        let met = friction.map(|friction| friction.wrench_and_jacobian(load, &motion));
+        if let Ok((met, _)) = met {
+            let parts = [met.force.x, met.force.y, met.torque];
+            finite(source, "friction of a triangle", parts)?;
+        }
+    }
+    let [a, b, c] = corners;
+    let loops = [&[a, b, c, fourth][..source.below(5)], &[b, c, a]];
+    let frame = Polygon::with_holes(&loops[..source.below(3)], [Edge::default(); ROOM]);
+    frame.map_or(Ok(()), |frame| placed(&frame.centre(), frame.radius()))
+}
+
+/// The set of a bar, not far from the origin: about a distant one it is lost in rounding.
+fn blade<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let size = source.ordinary::<R>();
+    let mut end = || [(); 2].map(|()| size * R::from_f64(4.0 * source.unit::<f64>() - 2.0));
+    let Ok(bar) = Bar::new(end(), end()) else {
+        return Ok(());
+    };
+    let set = PatchSurface::new(bar, source.size());
+    set.map_or(Ok(()), |set| asked(source, &set))
+}
+
+/// A patch that is at most a few times as long as wide, at times with a hole.
+fn star<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let size = source.ordinary::<R>();
+    let centre = [(); 2].map(|()| size * R::from_f64(4.0 * source.unit::<f64>() - 2.0));
+    let corners: Vec<[R; 2]> = DIRECTIONS
+        .iter()
+        .map(|direction| {
+            let far = size * (R::ONE + source.unit::<R>());
+            [0, 1].map(|axis| centre[axis] + far * R::from_f64(direction[axis]))
+        })
+        .collect();
+    let hole = corners.iter().map(|corner| {
+        [0, 1].map(|axis| centre[axis] + R::from_f64(0.25) * (corner[axis] - centre[axis]))
+    });
+    let hole: Vec<[R; 2]> = hole.collect();
+    let loops = [&corners[..], &hole];
+    let count = 1 + source.below(2);
+    let patch = Polygon::with_holes(&loops[..count], [Edge::default(); ROOM])
+        .map_err(|error| format!("a star is refused: {error}"))?;
+    match source.below(3) {
+        0 => {
+            let part = [(); 2].map(|()| R::from_f64(0.4 * source.unit::<f64>() - 0.2) / size);
+            let slope = if source.is_mild() {
+                part
+            } else {
+                [source.number(), source.number()]
+            };
+            let tilted = patch.with_slope(slope);
+            tilted.map_or(Ok(()), |tilted| used(source, &tilted))
+        }
+        1 => {
+            let [x, y] = [(); 2].map(|()| source.number::<R>());
+            let place = [centre[0] + x, centre[1] + y];
+            let shifted = patch.with_centre_of_pressure(place);
+            shifted.map_or(Ok(()), |shifted| used(source, &shifted))
+        }
+        _ => used(source, &patch),
+    }
+}
+
+/// The eight compass directions, roughly.
+const DIRECTIONS: [[f64; 2]; 8] = [
+    [1.0, 0.0],
+    [0.75, 0.75],
+    [0.0, 1.0],
+    [-0.75, 0.75],
+    [-1.0, 0.0],
+    [-0.75, -0.75],
+    [0.0, -1.0],
+    [0.75, -0.75],
+];
+
+fn placed<R: Real>(centre: &nalgebra::Vector2<R>, radius: R) -> Result<(), Broken> {
+    let fine = centre.x.is_finite() && centre.y.is_finite() && radius.is_finite();
+    holds(
+        fine && radius > R::ZERO,
+        "a finite place and radius",
+        &[centre.x, centre.y, radius],
+    )
+}
+
+fn used<R: Real, K: FlatPressure<R>>(
+    source: &mut Source,
+    patch: &Shape<R, K>,
+) -> Result<(), Broken> {
+    let area = patch.area();
+    holds(area > R::ZERO, "an area", &[area])?;
+    placed(&patch.centre(), patch.radius())?;
+    if source.one_in(2) {
+        return rubs(source, patch);
+    }
+    let Ok(set) = PatchSurface::new(*patch, source.size()) else {
+        return Ok(());
+    };
+    holds(
+        set.torque_limit() <= set.force_limit() * set.radius() * R::TWO,
+        "no arm beyond the radius",
+        &[set.torque_limit(), set.patch().radius()],
+    )?;
+    match source.below(3) {
+        0 => asked(source, &set),
+        1 => stepped(source, |body, twist, push, dt| {
+            body.step(&set, twist, push, dt)
+        }),
+        _ => derived(source, &set),
+    }
+}
+
+/// Friction at any motion.
+fn rubs<R: Real>(source: &mut Source, patch: &impl DryPatch<R>) -> Result<(), Broken> {
+    let Ok(friction) = FlatFriction::new(patch, source.size::<R>()) else {
+        return Ok(());
+    };
+    let (load, motion) = (source.size(), twist::<R>(source));
+    let met = friction.wrench(load, &motion);
+    let (same, jacobian) = friction.wrench_and_jacobian(load, &motion);
+    let parts = [met.force.x, met.force.y, met.torque];
+    let all = [motion.velocity.x, motion.velocity.y, motion.spin];
+    if all.iter().any(|x| x.is_nan()) {
+        return all_nan("wrench", parts);
+    }
+    if parts.iter().all(|x| !x.is_nan()) {
+        holds(same == met, "the same wrench with its Jacobian", &parts)?;
+    }
+    finite(source, "Jacobian of a wrench", jacobian.iter().copied())?;
+    dissipates(source, &met, &motion)
+}
+
+/// The derivatives at any push.
+fn derived<R: Real, P: DryPatch<R>>(
+    source: &mut Source,
+    set: &PatchSurface<R, P>,
+) -> Result<(), Broken> {
+    let (push, length) = (wrench::<R>(source), source.positive::<R>());
+    let (normal, curvature) = set.gauge_derivatives(&push);
+    let (carried, rate) = set.project_with_jacobian(&push, length);
+    let parts = [push.force.x, push.force.y, push.torque];
+    if parts.iter().any(|x| x.is_nan()) {
+        return all_nan("normal", [normal.spin]);
+    }
+    let near = carried.wrench;
+    finite(
+        source,
+        "projection",
+        [near.force.x, near.force.y, near.torque],
+    )?;
+    if set.force_limit() > R::ZERO && parts.iter().any(|x| *x != R::ZERO) {
+        finite(source, "normal", [normal.spin])?;
+        finite(source, "curvature", curvature.iter().copied())?;
+        finite(source, "rate", rate.iter().copied())?;
+    }
+    Ok(())
+}
