@@ -40,6 +40,7 @@ mod meridian;
 mod patch;
 mod polar;
 mod quadratic;
+mod search;
 
 pub use ellipsoid::Ellipsoid;
 pub use exact::LimitSurface;

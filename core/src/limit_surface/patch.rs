@@ -12,7 +12,8 @@
 //! steps that are halved until they descend. φ's matrix g gᵀ + D D″ at its minimum is also the inverse of the
 //! normal's derivative; and M + D″ that of the projection's.
 
-use super::quadratic::Factors;
+use super::quadratic::{Factors, dot, norm, outer, over, product, stretched, unit_matrix};
+use super::search::{Goal, Least, Nearest, Power, Radial, least, pivot};
 use super::{FrictionSet, Projection, Region, collar};
 use crate::coupling::flat::{DryPatch, FlatFriction};
 use crate::law::{LawError, validated_not_negative};
@@ -49,118 +50,6 @@ pub struct PatchSurface<R, P> {
     /// Largest torque about the origin over the force limit: the unit of length of the search.
     arm: R,
     radius: R,
-}
-
-/// Least pivot of a matrix, in rounding errors of its diagonal.
-const PIVOT_ULPS: f64 = 4.0;
-/// A gradient of this many rounding errors of the wrench is none.
-const DONE_ULPS: f64 = 8.0;
-/// Most Newton steps; 12 were seen.
-const MOST_STEPS: usize = 40;
-/// Halvings of a step.
-const MOST_HALVINGS: usize = 30;
-/// Share of the linear decrease that a step must bring.
-const ENOUGH: f64 = 1e-4;
-
-/// Power, gradient and Hessian at a twist, in units of the force limit and the arm.
-struct Power<R: Real> {
-    value: R,
-    gradient: Vector3<R>,
-    hessian: Matrix3<R>,
-}
-
-/// Where a function is least.
-struct Least<R: Real> {
-    at: Vector3<R>,
-    power: Power<R>,
-    /// How many steps were tried.
-    #[cfg_attr(not(test), expect(dead_code, reason = "tests bound it"))]
-    steps: usize,
-}
-
-/// A convex function of the twist that is to be least.
-trait Goal<R: Real> {
-    /// Its value without the constant, and its gradient.
-    fn value(&self, at: &Vector3<R>, power: R) -> R;
-    fn gradient(&self, at: &Vector3<R>, power: &Power<R>) -> Vector3<R>;
-    fn matrix(&self, power: &Power<R>) -> Matrix3<R>;
-}
-
-/// φ
-struct Radial<R: Real> {
-    wrench: Vector3<R>,
-}
-
-/// ψ
-struct Nearest<R: Real> {
-    wrench: Vector3<R>,
-    /// Squared length of the distance, in arms.
-    length_sq: R,
-}
-
-fn dot<R: Real>(a: &Vector3<R>, b: &Vector3<R>) -> R {
-    a.x * b.x + a.y * b.y + a.z * b.z
-}
-
-fn norm<R: Real>(a: &Vector3<R>) -> R {
-    a.x.hypot(a.y).hypot(a.z)
-}
-
-/// a/size, whose reciprocal may be out of range.
-fn over<R: Real>(a: &Vector3<R>, size: R) -> Vector3<R> {
-    Vector3::new(a.x / size, a.y / size, a.z / size)
-}
-
-impl<R: Real> Goal<R> for Radial<R> {
-    fn value(&self, at: &Vector3<R>, power: R) -> R {
-        R::HALF * power * power - dot(&self.wrench, at)
-    }
-    fn gradient(&self, _: &Vector3<R>, power: &Power<R>) -> Vector3<R> {
-        power.gradient * power.value - self.wrench
-    }
-    fn matrix(&self, power: &Power<R>) -> Matrix3<R> {
-        let g = &power.gradient;
-        outer(g) + power.hessian * power.value
-    }
-}
-
-impl<R: Real> Nearest<R> {
-    /// M t
-    fn displacement(&self, at: &Vector3<R>) -> Vector3<R> {
-        Vector3::new(at.x, at.y, self.length_sq * at.z)
-    }
-}
-
-impl<R: Real> Goal<R> for Nearest<R> {
-    fn value(&self, at: &Vector3<R>, power: R) -> R {
-        R::HALF * dot(at, &self.displacement(at)) + power - dot(&self.wrench, at)
-    }
-    fn gradient(&self, at: &Vector3<R>, power: &Power<R>) -> Vector3<R> {
-        self.displacement(at) + power.gradient - self.wrench
-    }
-    fn matrix(&self, power: &Power<R>) -> Matrix3<R> {
-        let mut matrix = power.hessian;
-        matrix.m11 += R::ONE;
-        matrix.m22 += R::ONE;
-        matrix.m33 += self.length_sq;
-        matrix
-    }
-}
-
-/// g gᵀ
-fn outer<R: Real>(g: &Vector3<R>) -> Matrix3<R> {
-    let (x, y, z) = (g.x, g.y, g.z);
-    Matrix3::new(
-        x * x,
-        x * y,
-        x * z,
-        x * y,
-        y * y,
-        y * z,
-        x * z,
-        y * z,
-        z * z,
-    )
 }
 
 impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
@@ -294,50 +183,9 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
         }
     }
 
-    /// The twist at which `goal` is least, from `start` on.
-    fn least(&self, goal: &impl Goal<R>, start: Vector3<R>) -> Least<R> {
-        let mut at = start;
-        let mut power = self.power(&at);
-        let mut steps = 0;
-        while steps < MOST_STEPS {
-            let gradient = goal.gradient(&at, &power);
-            let size = norm(&gradient);
-            if size.is_nan() || size <= R::from_f64(DONE_ULPS) * R::EPSILON {
-                break;
-            }
-            steps += 1;
-            let step = Factors::of(&goal.matrix(&power), pivot()).solve(&gradient);
-            let descent = dot(&gradient, &step);
-            let before = goal.value(&at, power.value);
-            let mut factor = R::ONE;
-            let mut next = at - step;
-            let mut next_power = self.power(&next);
-            for _ in 0..MOST_HALVINGS {
-                let enough = before - R::from_f64(ENOUGH) * factor * descent;
-                let rounding = R::from_f64(DONE_ULPS) * R::EPSILON * (R::ONE + before.abs());
-                if goal.value(&next, next_power.value) <= enough + rounding {
-                    break;
-                }
-                factor = R::HALF * factor;
-                next = at - step * factor;
-                next_power = self.power(&next);
-            }
-            // Rounding decides from here on.
-            if norm(&goal.gradient(&next, &next_power)) >= size
-                && factor == R::ONE
-                && size < rough()
-            {
-                break;
-            }
-            at = next;
-            power = next_power;
-        }
-        Least { at, power, steps }
-    }
-
     /// The normal above a wrench of length 1, not normalised, from that of the ellipsoid on.
     fn above(&self, goal: &Radial<R>) -> Least<R> {
-        self.least(goal, goal.wrench)
+        least(goal, goal.wrench, |at| self.power(at))
     }
 
     /// A twist of the search with |velocity|² + (spin · radius)² = 1.
@@ -384,7 +232,7 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
         // Along the normal above the wrench ψ is a parabola.
         let far = dot(&wanted, &above) - power.value;
         let start = above * (far / dot(&above, &goal.displacement(&above)));
-        let Least { at, power, .. } = self.least(&goal, start);
+        let Least { at, power, .. } = least(&goal, start, |at| self.power(at));
         let g = &power.gradient;
         Pulled::Back {
             projection: Projection {
@@ -427,52 +275,6 @@ enum Pulled<R: Real> {
         power: Power<R>,
     },
     Nowhere(Projection<R>),
-}
-
-/// Least pivot, of its diagonal.
-fn pivot<R: Real>() -> R {
-    R::from_f64(PIVOT_ULPS) * R::EPSILON
-}
-
-/// A gradient below which a full step that does not shrink it shows rounding.
-fn rough<R: Real>() -> R {
-    R::EPSILON.sqrt()
-}
-
-/// `factor` · m with another unit of length in the last row and column.
-fn stretched<R: Real>(m: &Matrix3<R>, factor: R, [row, column]: [R; 2]) -> Matrix3<R> {
-    let (right, below) = (factor * column, factor * row);
-    Matrix3::new(
-        factor * m.m11,
-        factor * m.m12,
-        right * m.m13,
-        factor * m.m21,
-        factor * m.m22,
-        right * m.m23,
-        below * m.m31,
-        below * m.m32,
-        below * column * m.m33,
-    )
-}
-
-/// A matrix times a symmetric one.
-fn product<R: Real>(a: &Matrix3<R>, b: &Matrix3<R>) -> Matrix3<R> {
-    let rows = |m: &Matrix3<R>| {
-        [
-            Vector3::new(m.m11, m.m12, m.m13),
-            Vector3::new(m.m21, m.m22, m.m23),
-            Vector3::new(m.m31, m.m32, m.m33),
-        ]
-    };
-    let ([ax, ay, az], [bx, by, bz]) = (rows(a), rows(b));
-    let row = |a: &Vector3<R>| [dot(a, &bx), dot(a, &by), dot(a, &bz)];
-    let ([xx, xy, xz], [yx, yy, yz], [zx, zy, zz]) = (row(&ax), row(&ay), row(&az));
-    Matrix3::new(xx, xy, xz, yx, yy, yz, zx, zy, zz)
-}
-
-fn unit_matrix<R: Real>() -> Matrix3<R> {
-    let (one, zero) = (R::ONE, R::ZERO);
-    Matrix3::new(one, zero, zero, zero, one, zero, zero, zero, one)
 }
 
 impl<R: Real, P: DryPatch<R>> FrictionSet<R> for PatchSurface<R, P> {
@@ -593,7 +395,7 @@ mod tests {
                 let far = dot(&goal.wrench, &found.at) - found.power.value;
                 if far > 0.0 {
                     let start = found.at * (far / dot(&found.at, &goal.displacement(&found.at)));
-                    let found = surface.least(&goal, start);
+                    let found = least(&goal, start, |at| surface.power(at));
                     worst[1] = worst[1].max(found.steps);
                     residual = residual.max(norm(&goal.gradient(&found.at, &found.power)));
                 }

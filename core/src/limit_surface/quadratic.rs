@@ -1,4 +1,4 @@
-//! Symmetric systems of three equations.
+//! Vectors and matrices of three numbers, and symmetric systems of three equations.
 
 use crate::real::Real;
 use nalgebra::{Matrix3, Vector3};
@@ -49,4 +49,69 @@ impl<R: Real> Factors<R> {
         .map(|axis| self.solve(&axis));
         Matrix3::from_columns(&[x, y, z])
     }
+}
+
+pub(super) fn dot<R: Real>(a: &Vector3<R>, b: &Vector3<R>) -> R {
+    a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+pub(super) fn norm<R: Real>(a: &Vector3<R>) -> R {
+    a.x.hypot(a.y).hypot(a.z)
+}
+
+/// a/size, whose reciprocal may be out of range.
+pub(super) fn over<R: Real>(a: &Vector3<R>, size: R) -> Vector3<R> {
+    Vector3::new(a.x / size, a.y / size, a.z / size)
+}
+
+/// g gᵀ
+pub(super) fn outer<R: Real>(g: &Vector3<R>) -> Matrix3<R> {
+    let (x, y, z) = (g.x, g.y, g.z);
+    Matrix3::new(
+        x * x,
+        x * y,
+        x * z,
+        x * y,
+        y * y,
+        y * z,
+        x * z,
+        y * z,
+        z * z,
+    )
+}
+
+/// `factor` · m with another unit of length in the last row and column.
+pub(super) fn stretched<R: Real>(m: &Matrix3<R>, factor: R, [row, column]: [R; 2]) -> Matrix3<R> {
+    let (right, below) = (factor * column, factor * row);
+    Matrix3::new(
+        factor * m.m11,
+        factor * m.m12,
+        right * m.m13,
+        factor * m.m21,
+        factor * m.m22,
+        right * m.m23,
+        below * m.m31,
+        below * m.m32,
+        below * column * m.m33,
+    )
+}
+
+/// A matrix times a symmetric one.
+pub(super) fn product<R: Real>(a: &Matrix3<R>, b: &Matrix3<R>) -> Matrix3<R> {
+    let rows = |m: &Matrix3<R>| {
+        [
+            Vector3::new(m.m11, m.m12, m.m13),
+            Vector3::new(m.m21, m.m22, m.m23),
+            Vector3::new(m.m31, m.m32, m.m33),
+        ]
+    };
+    let ([ax, ay, az], [bx, by, bz]) = (rows(a), rows(b));
+    let row = |a: &Vector3<R>| [dot(a, &bx), dot(a, &by), dot(a, &bz)];
+    let ([xx, xy, xz], [yx, yy, yz], [zx, zy, zz]) = (row(&ax), row(&ay), row(&az));
+    Matrix3::new(xx, xy, xz, yx, yy, yz, zx, zy, zz)
+}
+
+pub(super) fn unit_matrix<R: Real>() -> Matrix3<R> {
+    let (one, zero) = (R::ONE, R::ZERO);
+    Matrix3::new(one, zero, zero, zero, one, zero, zero, zero, one)
 }

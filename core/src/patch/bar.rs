@@ -1,7 +1,7 @@
 //! A straight line that carries load: a blade, a skate, the edge of a box.
 
 use super::edge::Edge;
-use super::outline::OutlineError;
+use super::outline_error::OutlineError;
 use crate::real::Real;
 use nalgebra::Vector2;
 

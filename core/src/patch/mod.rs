@@ -11,6 +11,7 @@ mod flat_pressure;
 mod gauss_jacobi;
 pub mod nodes;
 pub mod outline;
+mod outline_error;
 pub mod polar;
 pub mod polygon;
 mod polynomial;

@@ -1,6 +1,6 @@
 //! Whether loops of corners bound a patch: no edge touches another one, holes lie inside.
 
-use super::outline::OutlineError;
+use super::outline_error::OutlineError;
 use crate::real::Real;
 use nalgebra::Vector2;
 

@@ -1,7 +1,6 @@
 //! Contact patches: shape, position and coefficient of friction.
 
 use crate::area::{Area, Element};
-use crate::stand::Stand;
 use core::fmt;
 use rapier3d::math::Vector;
 use tribos_core::contact::TimeStep;
@@ -174,8 +173,9 @@ impl Patch {
         }
     }
 
-    /// What friction carries of a body on this foot alone, about its centre of mass; `None` without load.
-    fn set(&self, load: f32, stand: &Stand) -> Option<Set> {
+    /// What friction carries of a body on this foot alone, about its centre of mass: the foot's centre at
+    /// `place` from there, its x axis along `axis` in the plane.
+    fn set(&self, load: f32, [place, axis]: [[f64; 2]; 2]) -> Option<Set> {
         let limit = self.mu * load;
         match &self.shape {
             Shape::Disk { radius } => {
@@ -185,12 +185,12 @@ impl Patch {
                 Some(Set::Ring(LimitSurface::new(Ring, limit, *radius).ok()?))
             }
             Shape::Polygon { corners, .. } => {
-                let [c, s] = stand.axis;
+                let [c, s] = axis;
                 let moved = |&[x, y]: &[f32; 2]| {
                     let [x, y] = [x, y].map(f64::from);
                     [
-                        (stand.place[0] + c * x - s * y) as f32,
-                        (stand.place[1] + s * x + c * y) as f32,
+                        (place[0] + c * x - s * y) as f32,
+                        (place[1] + s * x + c * y) as f32,
                     ]
                 };
                 let patch = outline(corners.iter().map(moved).collect())?;
@@ -203,12 +203,12 @@ impl Patch {
     pub(crate) fn step(
         &self,
         body: &PlanarBody<f32>,
-        (load, stand): (f32, &Stand),
+        (load, position): (f32, [[f64; 2]; 2]),
         twist: &Twist<f32>,
         push: &Wrench<f32>,
         dt: TimeStep<f32>,
     ) -> Option<PlanarStep<f32>> {
-        Some(match self.set(load, stand)? {
+        Some(match self.set(load, position)? {
             Set::Disk(set) => body.step(&set, twist, push, dt),
             Set::Ring(set) => body.step(&set, twist, push, dt),
             Set::Polygon(set) => body.step(&set, twist, push, dt),
@@ -216,8 +216,12 @@ impl Patch {
     }
 
     /// `friction` as a fraction of the largest that this foot alone can carry, at most 1.
-    pub(crate) fn share(&self, load: f32, stand: &Stand, friction: &Wrench<f32>) -> Option<f32> {
-        let gauge = match self.set(load, stand)? {
+    pub(crate) fn share(
+        &self,
+        (load, position): (f32, [[f64; 2]; 2]),
+        friction: &Wrench<f32>,
+    ) -> Option<f32> {
+        let gauge = match self.set(load, position)? {
             Set::Disk(set) => set.gauge(friction),
             Set::Ring(set) => set.gauge(friction),
             Set::Polygon(set) => set.gauge(friction),

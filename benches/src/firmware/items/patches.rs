@@ -136,7 +136,7 @@ pub const PATCHES: [Item; 14] = [
         ["patch", "square, exact: limit surface, motion of a push"],
         NARROW,
         flat!(
-            "patch::flat_pressure patch::simple limit_surface limit_surface::patch limit_surface::quadratic"
+            "patch::flat_pressure patch::simple limit_surface limit_surface::patch limit_surface::quadratic limit_surface::search"
         ),
         Code::new(
             "PatchSurface::new(square(b)?, 0.5).ok()?",

@@ -1,0 +1,143 @@
+//! The twist at which a strictly convex function of the dissipated power is least.
+//!
+//! Newton's method with steps that are halved until they descend; the derivation stands in
+//! [`super::patch`].
+
+use super::quadratic::{Factors, dot, norm, outer};
+use crate::real::Real;
+use nalgebra::{Matrix3, Vector3};
+
+/// Least pivot of a matrix, in rounding errors of its diagonal.
+const PIVOT_ULPS: f64 = 4.0;
+/// A gradient of this many rounding errors of the wrench is none.
+const DONE_ULPS: f64 = 8.0;
+/// Most Newton steps; 12 were seen.
+const MOST_STEPS: usize = 40;
+/// Halvings of a step.
+const MOST_HALVINGS: usize = 30;
+/// Share of the linear decrease that a step must bring.
+const ENOUGH: f64 = 1e-4;
+
+/// Power, gradient and Hessian at a twist, in units of the force limit and the arm.
+pub(super) struct Power<R: Real> {
+    pub(super) value: R,
+    pub(super) gradient: Vector3<R>,
+    pub(super) hessian: Matrix3<R>,
+}
+
+/// Where a function is least.
+pub(super) struct Least<R: Real> {
+    pub(super) at: Vector3<R>,
+    pub(super) power: Power<R>,
+    /// How many steps were tried.
+    #[cfg_attr(not(test), expect(dead_code, reason = "tests bound it"))]
+    pub(super) steps: usize,
+}
+
+/// A convex function of the twist that is to be least.
+pub(super) trait Goal<R: Real> {
+    /// Its value without the constant, and its gradient.
+    fn value(&self, at: &Vector3<R>, power: R) -> R;
+    fn gradient(&self, at: &Vector3<R>, power: &Power<R>) -> Vector3<R>;
+    fn matrix(&self, power: &Power<R>) -> Matrix3<R>;
+}
+
+/// φ
+pub(super) struct Radial<R: Real> {
+    pub(super) wrench: Vector3<R>,
+}
+
+/// ψ
+pub(super) struct Nearest<R: Real> {
+    pub(super) wrench: Vector3<R>,
+    /// Squared length of the distance, in arms.
+    pub(super) length_sq: R,
+}
+
+impl<R: Real> Goal<R> for Radial<R> {
+    fn value(&self, at: &Vector3<R>, power: R) -> R {
+        R::HALF * power * power - dot(&self.wrench, at)
+    }
+    fn gradient(&self, _: &Vector3<R>, power: &Power<R>) -> Vector3<R> {
+        power.gradient * power.value - self.wrench
+    }
+    fn matrix(&self, power: &Power<R>) -> Matrix3<R> {
+        let g = &power.gradient;
+        outer(g) + power.hessian * power.value
+    }
+}
+
+impl<R: Real> Nearest<R> {
+    /// M t
+    pub(super) fn displacement(&self, at: &Vector3<R>) -> Vector3<R> {
+        Vector3::new(at.x, at.y, self.length_sq * at.z)
+    }
+}
+
+impl<R: Real> Goal<R> for Nearest<R> {
+    fn value(&self, at: &Vector3<R>, power: R) -> R {
+        R::HALF * dot(at, &self.displacement(at)) + power - dot(&self.wrench, at)
+    }
+    fn gradient(&self, at: &Vector3<R>, power: &Power<R>) -> Vector3<R> {
+        self.displacement(at) + power.gradient - self.wrench
+    }
+    fn matrix(&self, power: &Power<R>) -> Matrix3<R> {
+        let mut matrix = power.hessian;
+        matrix.m11 += R::ONE;
+        matrix.m22 += R::ONE;
+        matrix.m33 += self.length_sq;
+        matrix
+    }
+}
+
+/// The twist at which `goal` is least, from `start` on.
+pub(super) fn least<R: Real>(
+    goal: &impl Goal<R>,
+    start: Vector3<R>,
+    power_at: impl Fn(&Vector3<R>) -> Power<R>,
+) -> Least<R> {
+    let mut at = start;
+    let mut power = power_at(&at);
+    let mut steps = 0;
+    while steps < MOST_STEPS {
+        let gradient = goal.gradient(&at, &power);
+        let size = norm(&gradient);
+        if size.is_nan() || size <= R::from_f64(DONE_ULPS) * R::EPSILON {
+            break;
+        }
+        steps += 1;
+        let step = Factors::of(&goal.matrix(&power), pivot()).solve(&gradient);
+        let descent = dot(&gradient, &step);
+        let before = goal.value(&at, power.value);
+        let mut factor = R::ONE;
+        let mut next = at - step;
+        let mut next_power = power_at(&next);
+        for _ in 0..MOST_HALVINGS {
+            let enough = before - R::from_f64(ENOUGH) * factor * descent;
+            let rounding = R::from_f64(DONE_ULPS) * R::EPSILON * (R::ONE + before.abs());
+            if goal.value(&next, next_power.value) <= enough + rounding {
+                break;
+            }
+            factor = R::HALF * factor;
+            next = at - step * factor;
+            next_power = power_at(&next);
+        }
+        // Rounding decides from here on.
+        if norm(&goal.gradient(&next, &next_power)) >= size && factor == R::ONE && size < rough() {
+            break;
+        }
+        at = next;
+        power = next_power;
+    }
+    Least { at, power, steps }
+}
+
+/// Least pivot, of its diagonal.
+pub(super) fn pivot<R: Real>() -> R {
+    R::from_f64(PIVOT_ULPS) * R::EPSILON
+}
+
+/// A gradient below which a full step that does not shrink it shows rounding.
+pub(super) fn rough<R: Real>() -> R {
+    R::EPSILON.sqrt()
+}
