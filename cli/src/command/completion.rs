@@ -230,7 +230,7 @@ mod tests {
     fn words_are_those_that_the_program_takes() {
         assert_eq!(values(library, "compaction-s"), ["compaction-small"]);
         assert_eq!(values(all_bodies, "cy"), ["cylinder"]);
-        assert_eq!(values(patches, "pol"), ["polynomial:"]);
+        assert_eq!(values(patches, "pol"), ["polynomial:", "polygon:"]);
         assert_eq!(values(local_laws, "strib"), ["stribeck:"]);
         assert_eq!(values(local_laws, "dry:mu_s=1,"), ["dry:mu_s=1,mu_d="]);
         assert_eq!(values(laws, "stok"), ["stokes"]);
