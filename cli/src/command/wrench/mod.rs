@@ -27,6 +27,9 @@ use tribos::record::write_atomically;
 /// feels -force along x, along which it slides with `speed`, and -torque about z, about which it
 /// spins counterclockwise with `spin`. Friction takes the power force*speed + torque*spin, and the
 /// Jacobian is the derivative of just these. The answer repeats the contact that it is for.
+///
+/// Boxes, polygons and bars answer with the wrench on the body instead, force_x, force_y and torque,
+/// which has the opposite sign.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
