@@ -3,12 +3,15 @@
 
 use crate::contact::internals::{InPlane, PreparedContact, TangentialLoad};
 use crate::contact::{Contact, ContactModes, Modal, Plate, Sphere, Touch};
+use crate::coupling::flat::{DryPatch, Motion, Reduced};
 use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable};
 use crate::coupling::table::Table;
 use crate::coupling::tall::TallWrench;
 use crate::coupling::{DryCoupling, Lateral, Profile, compact::CompactPower};
-use crate::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
+use crate::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
+use crate::patch::bar::Bar;
 use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
+use crate::patch::outline::{Edge, FlatPressure, Polygon};
 use crate::planar::{NodeFoot, PlanarStep};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
@@ -70,6 +73,19 @@ formats! {
     [R: Real + Format, const CAPACITY: usize] NodeList<R, CAPACITY>: |l| "{}", l.nodes();
     [R: Real + Format] NodeSlice<'_, R>: |s| "nodes {}", s.nodes();
     [R: Real + Format] NodeBuffer<'_, R>: |b| "nodes {}", b.nodes();
+    [R: Real + Format, S: AsRef<[Edge<R>]>, K: FlatPressure<R>] Polygon<R, S, K>: |p|
+        "polygon of {} edges, radius {}", p.edges().len(), p.radius();
+    [R: Real + Format] Bar<R>: |b| "bar of half length {}", b.radius();
+    [R: Real + Format, P: DryPatch<R>] PatchSurface<R, P>: |s|
+        "limit surface of force {}, torque {}, radius {}",
+        s.force_limit(), s.torque_limit(), s.radius();
+    [R: Real + Format] Reduced<R>: |r| "force [{}, {}], torque {}", r.force.x, r.force.y, r.torque;
+    [R: Real + Format] Motion<R>: |m| "{}", match m {
+        Motion::Turns { centre, spin } => Components(Vector3::new(centre.x, centre.y, *spin)),
+        Motion::Slides { direction, turn, .. } => {
+            Components(Vector3::new(direction.x, direction.y, *turn))
+        }
+    };
     [R: Real + Format] PlanarStep<R>: |s| "{} under {}, at rest: {}",
         s.twist, s.friction, s.is_at_rest;
     [R: Real + Format, P: NodePatch<R>, const CAPACITY: usize] NodeFoot<R, P, CAPACITY>: |p|

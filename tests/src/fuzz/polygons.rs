@@ -164,6 +164,8 @@ fn rubs<R: Real>(source: &mut Source, patch: &impl DryPatch<R>) -> Result<(), Br
     let Ok(friction) = FlatFriction::new(patch, source.size::<R>()) else {
         return Ok(());
     };
+    let coefficient = friction.coefficient();
+    holds(coefficient >= R::ZERO, "coefficient ≥ 0", &[coefficient])?;
     let (load, motion) = (source.size(), twist::<R>(source));
     let met = friction.wrench(load, &motion);
     let (same, jacobian) = friction.wrench_and_jacobian(load, &motion);
@@ -190,6 +192,10 @@ fn derived<R: Real, P: DryPatch<R>>(
     let parts = [push.force.x, push.force.y, push.torque];
     if parts.iter().any(|x| x.is_nan()) {
         return all_nan("normal", [normal.spin]);
+    }
+    if set.contains(&push) {
+        let stays = set.project(&push).wrench == push;
+        holds(stays || !source.is_mild(), "a carried wrench stays", &parts)?;
     }
     let near = carried.wrench;
     finite(

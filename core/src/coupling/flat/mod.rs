@@ -35,6 +35,7 @@ pub struct Reduced<R: Real> {
 /// Second derivatives of the dissipated power per limit μN, in velocity and rim speed.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hessian<R> {
     pub xx: R,
     pub xy: R,
