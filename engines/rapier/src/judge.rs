@@ -4,6 +4,7 @@
 use crate::feet::{Feet, Solved};
 use crate::group::Member;
 use crate::pair::Pair;
+use crate::patch::Lying;
 use crate::reduced::Reduced;
 use crate::stand::Stand;
 use tribos_core::contact::TimeStep;
@@ -22,13 +23,18 @@ pub(crate) struct Judge<'a> {
 impl Judge<'_> {
     /// The only foot on an immovable ground with its load and position, if the kernel has its exact limit
     /// surface.
-    fn exact(&self) -> Option<(&Pair, (f32, [[f64; 2]; 2]))> {
+    fn exact(&self) -> Option<(&Pair, Lying)> {
         let ([member], [stand]) = (self.members, self.stands) else {
             return None;
         };
         let pair = self.pairs.get(member.pair)?;
         let is_exact = !self.reduced.moved[1] && pair.patch.is_exact(stand.place);
-        is_exact.then_some((pair, (member.touching.load, [stand.place, stand.axis])))
+        let lying = Lying {
+            load: member.touching.load,
+            place: stand.place,
+            axis: stand.axis,
+        };
+        is_exact.then_some((pair, lying))
     }
 
     fn feet(&self) -> Feet {
@@ -54,12 +60,12 @@ impl Judge<'_> {
         push: &Wrench<f32>,
         dt: TimeStep<f32>,
     ) -> Option<Solved> {
-        let Some((pair, carried)) = self.exact() else {
+        let Some((pair, lying)) = self.exact() else {
             return self.feet().step(self.reduced, before, push, dt.dt());
         };
         let step = pair
             .patch
-            .step(&self.reduced.body, carried, before, push, dt)?;
+            .step(&self.reduced.body, &lying, before, push, dt)?;
         Some(Solved {
             twist: step.twist,
             friction: step.friction,
@@ -71,8 +77,8 @@ impl Judge<'_> {
     /// The fraction of the step until rest.
     pub(crate) fn share(&self, solved: &Solved, before: &Twist<f32>) -> Option<f32> {
         let friction = &solved.friction;
-        if let Some((pair, carried)) = self.exact() {
-            return pair.patch.share(carried, friction);
+        if let Some((pair, lying)) = self.exact() {
+            return pair.patch.share(&lying, friction);
         }
         let power = friction.power(before);
         let share = -power / self.feet().dissipation(before);

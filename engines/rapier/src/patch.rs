@@ -173,9 +173,9 @@ impl Patch {
         }
     }
 
-    /// What friction carries of a body on this foot alone, about its centre of mass: the foot's centre at
-    /// `place` from there, its x axis along `axis` in the plane.
-    fn set(&self, load: f32, [place, axis]: [[f64; 2]; 2]) -> Option<Set> {
+    /// What friction carries of a body on this foot alone, about its centre of mass.
+    fn set(&self, lying: &Lying) -> Option<Set> {
+        let Lying { load, place, axis } = *lying;
         let limit = self.mu * load;
         match &self.shape {
             Shape::Disk { radius } => {
@@ -203,12 +203,12 @@ impl Patch {
     pub(crate) fn step(
         &self,
         body: &PlanarBody<f32>,
-        (load, position): (f32, [[f64; 2]; 2]),
+        lying: &Lying,
         twist: &Twist<f32>,
         push: &Wrench<f32>,
         dt: TimeStep<f32>,
     ) -> Option<PlanarStep<f32>> {
-        Some(match self.set(load, position)? {
+        Some(match self.set(lying)? {
             Set::Disk(set) => body.step(&set, twist, push, dt),
             Set::Ring(set) => body.step(&set, twist, push, dt),
             Set::Polygon(set) => body.step(&set, twist, push, dt),
@@ -216,12 +216,8 @@ impl Patch {
     }
 
     /// `friction` as a fraction of the largest that this foot alone can carry, at most 1.
-    pub(crate) fn share(
-        &self,
-        (load, position): (f32, [[f64; 2]; 2]),
-        friction: &Wrench<f32>,
-    ) -> Option<f32> {
-        let gauge = match self.set(load, position)? {
+    pub(crate) fn share(&self, lying: &Lying, friction: &Wrench<f32>) -> Option<f32> {
+        let gauge = match self.set(lying)? {
             Set::Disk(set) => set.gauge(friction),
             Set::Ring(set) => set.gauge(friction),
             Set::Polygon(set) => set.gauge(friction),
@@ -262,6 +258,16 @@ impl Patch {
             Shape::Polygon { points, .. } => points.iter().map(point).collect(),
         }
     }
+}
+
+/// How a foot lies under a body.
+pub(crate) struct Lying {
+    /// Load in newtons.
+    pub(crate) load: f32,
+    /// The foot's centre from the centre of mass, in the plane.
+    pub(crate) place: [f64; 2],
+    /// Direction of its x axis in the plane.
+    pub(crate) axis: [f64; 2],
 }
 
 /// The exact limit surface of one foot.
