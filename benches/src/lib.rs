@@ -15,6 +15,7 @@ pub mod firmware;
 pub mod fronts;
 pub mod methods;
 pub mod mix;
+pub mod outlines;
 pub mod packing;
 pub mod patches;
 pub mod picture;

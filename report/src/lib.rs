@@ -5,6 +5,7 @@ pub mod diagram;
 pub mod digits;
 pub mod figure;
 pub mod image;
+pub mod limit_surface;
 pub mod packing;
 pub mod page;
 pub mod player;

@@ -8,6 +8,7 @@ pub mod integrators;
 pub mod kernel;
 pub mod made;
 pub mod patches;
+pub mod polygons;
 
 use crate::args::Options;
 use crate::written::{self, Sheet};
@@ -21,6 +22,8 @@ pub enum Front {
     Kernel,
     /// Every patch, law and tier.
     Patches,
+    /// Flat feet with straight edges.
+    Polygons,
     /// One stop of a sliding, spinning disk.
     Integrators,
     /// Contacts of packings and their solvers.
@@ -33,9 +36,10 @@ pub enum Front {
 
 impl Front {
     /// In the order of the index.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Kernel,
         Self::Patches,
+        Self::Polygons,
         Self::Integrators,
         Self::Contacts,
         Self::Atoms,
@@ -44,10 +48,11 @@ impl Front {
 
     /// The order of work: what builds comes before what is timed, and the kernel's front shows
     /// instructions that the firmware's counts.
-    const WORK: [Self; 6] = [
+    const WORK: [Self; 7] = [
         Self::Firmware,
         Self::Kernel,
         Self::Patches,
+        Self::Polygons,
         Self::Integrators,
         Self::Contacts,
         Self::Atoms,
@@ -58,6 +63,7 @@ impl Front {
         match self {
             Self::Kernel => "kernel",
             Self::Patches => "patches",
+            Self::Polygons => "polygons",
             Self::Integrators => "integrators",
             Self::Contacts => "contacts",
             Self::Atoms => "atoms",
@@ -70,6 +76,7 @@ impl Front {
         match self {
             Self::Kernel => "Force and torque: speed against error",
             Self::Patches => "Every patch, law and tier: speed, error, size",
+            Self::Polygons => "Flat feet: speed against error",
             Self::Integrators => "A disk brought to rest: step, order, error, cost",
             Self::Contacts => "Contacts of packings: speed, residual, size",
             Self::Atoms => "Atoms in motion: speed, conserved energy",
@@ -134,6 +141,7 @@ pub fn run(options: &Options) -> Result<(), String> {
             }
             Front::Kernel => kernel::run(&setting, counted.as_deref())?,
             Front::Patches => patches::run(&setting).map_err(|error| error.to_string())?,
+            Front::Polygons => polygons::run(&setting)?,
             Front::Integrators => integrators::run(&setting)?,
             Front::Contacts => contacts::run(&setting)?,
             Front::Atoms => atoms::run(&setting)?,

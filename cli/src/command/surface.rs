@@ -2,21 +2,24 @@
 
 use super::columns::Rows;
 use super::wrench::{centre, patches};
-use super::{file, number, spool};
+use super::{digits, file, number, spool};
 use crate::failure::Failure;
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use tribos::friction::{FlatPatch, Patch, limit_surface};
-use tribos::record::{number as shortest, series_csv};
+use tribos::record::{number as shortest, series_csv, write_atomically};
 use tribos_core::Real;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_report::figure::{Axis, Figure, Series};
 use tribos_report::image;
+use tribos_report::limit_surface::LimitSurfacePage;
 
 /// The limit surface of a patch: all force and torque that its dry friction carries, exact to
-/// rounding, as points with the motion under each.
+/// rounding.
 ///
-/// A row has the push (force on the body in its plane, torque about the origin of the patch) and the
+/// On a terminal the limits are printed; with --output, --points or in a pipe a table of points with
+/// the motion under each. A row has the push (force on the body in its plane, torque about the origin of the patch) and the
 /// unit motion that it causes, velocity and spin with |velocity|^2 + (spin*R)^2 = 1 for the
 /// farthest distance R of the patch from the origin. With --pushes the motion of each given push is
 /// added, and its gauge: below 1 friction holds, from 1 on the body slides.
@@ -41,21 +44,24 @@ pub struct Arguments {
     /// CSV file with columns `force_x,force_y,torque`, one push a line (`-` for standard input).
     #[arg(long, value_name = "FILE", conflicts_with = "points")]
     pushes: Option<PathBuf>,
-    /// Number of points of the table.
-    #[arg(long, default_value = "1000", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
-    points: u32,
+    /// Number of points of the table [default: 1000].
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    points: Option<u32>,
     /// Write the table to this file instead of standard output.
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Draw sections of the surface: FILE.svg, FILE.png or FILE.csv.
     #[arg(long, value_name = "FILE")]
     picture: Option<PathBuf>,
+    /// Write a page that shows the surface in space, to be turned and read in a browser.
+    #[arg(long, value_name = "FILE.html")]
+    page: Option<PathBuf>,
 }
 
 const EXAMPLES: &str = "\
 Examples:
   What holds a box of 30 x 20 cm under 20 N at mu 0.4, and how it moves when pushed:
-    tribos surface --patch box:0.3x0.2 --coefficient 0.4 --load 20 --picture box.svg --output box.csv
+    tribos surface --patch box:0.3x0.2 --coefficient 0.4 --load 20 --picture box.svg --page box.html
   Measured pushes, their gauge (1 on the surface) and motion:
     tribos surface --patch polygon:sole.csv --coefficient 0.6 --load 400 --pushes pushes.csv";
 
@@ -77,8 +83,12 @@ const JUDGED: [&str; 7] = [
     "velocity_y",
     "spin",
 ];
+/// Points of a table.
+const POINTS: u32 = 1000;
 /// Points of a section.
 const SECTION: usize = 721;
+/// Points of a page, by share of spin and by direction.
+const GRID: [usize; 2] = [65, 120];
 
 impl Arguments {
     /// Tabulates, draws and prints.
@@ -87,7 +97,11 @@ impl Arguments {
             Patch::Flat(FlatPatch::Polygon(file)) => Some(file),
             _ => None,
         };
-        let outputs = [("--output", &self.output), ("--picture", &self.picture)];
+        let outputs = [
+            ("--output", &self.output),
+            ("--picture", &self.picture),
+            ("--page", &self.page),
+        ];
         for (name, output) in outputs {
             for (output, input) in output.iter().zip(self.pushes.iter().chain(corners)) {
                 file::refuse_input(name, output, input)?;
@@ -98,17 +112,33 @@ impl Arguments {
                 "a patch with straight edges has its own size: leave out --radius",
             ));
         }
+        let standard_input = Some(Path::new("-"));
+        if self.page.is_some() && self.pushes.as_deref() == standard_input {
+            return Err(Failure::input(
+                "a page and a table both read the pushes: give them as a file",
+            ));
+        }
         let limit = self.coefficient * self.load;
         let set = limit_surface(&self.patch, limit, self.radius, self.centre)?;
         if let Some(path) = &self.picture {
             draw(path, &self.patch, &*set)?;
             super::tell(format_args!("written to    {}", path.display()));
         }
-        match &self.pushes {
-            Some(file) => self.judge(file, &*set)?,
+        if let Some(path) = &self.page {
+            let pushes = self.pushes.as_deref().map_or(Ok(Vec::new()), read)?;
+            let page = page(&self.patch, &*set, pushes);
+            write_atomically(path, page.html().as_bytes())?;
+            super::tell(format_args!("written to    {}", path.display()));
+        }
+        let is_drawn = self.picture.is_some() || self.page.is_some();
+        match (&self.pushes, self.points) {
+            (Some(file), _) => self.judge(file, &*set)?,
             // A picture alone needs no table.
-            None if self.picture.is_some() && self.output.is_none() => {}
-            None => self.tabulate(&*set)?,
+            (None, None) if is_drawn && self.output.is_none() => {}
+            (None, None) if self.output.is_none() && std::io::stdout().is_terminal() => {
+                super::print(&limits(&*set))?;
+            }
+            (None, points) => self.tabulate(&*set, points.unwrap_or(POINTS))?,
         }
         if let Some(path) = &self.output {
             super::tell(format_args!("written to    {}", path.display()));
@@ -117,11 +147,11 @@ impl Arguments {
     }
 
     /// Points under motions that are spread evenly over all directions.
-    fn tabulate(&self, set: &dyn FrictionSet<f64>) -> Result<(), Failure> {
+    fn tabulate(&self, set: &dyn FrictionSet<f64>, points: u32) -> Result<(), Failure> {
         spool::deliver(self.output.as_deref(), |sink| {
             sink.put(&series_csv(&COLUMNS, []))?;
-            for i in 0..self.points {
-                let motion = direction(i, self.points, set.radius());
+            for i in 0..points {
+                let motion = direction(i, points, set.radius());
                 let push = -set.wrench(&motion);
                 sink.put(&row([push_of(&push), twist_of(&motion)].as_flattened()))?;
             }
@@ -143,6 +173,72 @@ impl Arguments {
             }
             Ok(())
         })
+    }
+}
+
+/// All pushes of a file.
+fn read(file: &Path) -> Result<Vec<[f64; 3]>, Failure> {
+    let mut rows = Rows::open(file, |_| &PUSH)?;
+    let (mut pushes, mut push) = (Vec::new(), [0.0; 3]);
+    while rows.next(&mut push)?.is_some() {
+        pushes.push(push);
+    }
+    Ok(pushes)
+}
+
+/// What the set carries at most, for people.
+fn limits(set: &dyn FrictionSet<f64>) -> String {
+    let spinning = -set.wrench(&Twist::new(0.0, 0.0, 1.0));
+    let about = match (spinning.force.x, spinning.force.y) {
+        (0.0, 0.0) => String::new(),
+        (x, y) => format!(
+            ", together with the force ({}, {}) N",
+            digits::shown(x),
+            digits::shown(y)
+        ),
+    };
+    let [x, y] = [[1.0, 0.0], [0.0, 1.0]].map(|[x, y]| {
+        let straight = -set.wrench(&Twist::new(x, y, 0.0));
+        digits::shown(straight.torque)
+    });
+    format!(
+        "largest force    {} N, in any direction\n\
+         \x20 along x        with the torque {x} N m about the origin\n\
+         \x20 along y        with the torque {y} N m\n\
+         largest torque   {} N m about the origin{about}\n\
+         farthest point   {} m from the origin\n\
+         For a table give --output FILE or --points N, for pictures --picture FILE and --page FILE.html.\n",
+        digits::shown(set.force_limit()),
+        digits::shown(spinning.torque),
+        digits::shown(set.radius()),
+    )
+}
+
+/// The surface in space.
+fn page(patch: &Patch, set: &dyn FrictionSet<f64>, pushes: Vec<[f64; 3]>) -> LimitSurfacePage {
+    let torque = set.support(&Twist::new(0.0, 0.0, 1.0));
+    let arm = torque / set.force_limit();
+    let [rows, columns] = GRID;
+    let point = |i: usize, j: usize| {
+        let share = std::f64::consts::PI * (i as f64 / (rows - 1) as f64 - 0.5);
+        let angle = std::f64::consts::TAU * j as f64 / columns as f64;
+        let slide = Real::cos(share);
+        let motion = Twist::new(
+            slide * Real::cos(angle),
+            slide * Real::sin(angle),
+            Real::sin(share) / arm,
+        );
+        let [x, y, torque] = push_of(&-set.wrench(&motion));
+        let [vx, vy, spin] = twist_of(&motion);
+        [x, y, torque, vx, vy, spin]
+    };
+    LimitSurfacePage {
+        title: format!("Limit surface of {patch}"),
+        limits: [set.force_limit(), torque],
+        grid: (0..rows)
+            .map(|i| (0..columns).map(|j| point(i, j)).collect())
+            .collect(),
+        pushes,
     }
 }
 
@@ -169,7 +265,8 @@ fn twist_of(twist: &Twist<f64>) -> [f64; 3] {
 }
 
 fn row(values: &[f64]) -> String {
-    let cells: Vec<String> = values.iter().map(|&x| shortest(x)).collect();
+    // No minus before a zero.
+    let cells: Vec<String> = values.iter().map(|&x| shortest(x + 0.0)).collect();
     cells.join(",") + "\n"
 }
 

@@ -108,6 +108,21 @@ fn pushes_are_judged_by_the_limit_surface() -> Outcome {
     assert!(
         fs::read_to_string(folder.path().join("box.svg"))?.contains("Limit surface of box:0.3x0.2")
     );
+    // The page keeps nothing outside, and its points lie on the surface too.
+    succeed(
+        folder.path(),
+        format!("{box_} --page box.html --pushes pushes.csv"),
+    )?;
+    let page = fs::read_to_string(folder.path().join("box.html"))?;
+    assert!(!page.contains("src=") && page.contains("drawPushes"));
+    let data = page.split_once("class=\"data\">").ok_or("data")?.1;
+    let data: serde_json::Value =
+        serde_json::from_str(data.split_once("</script>").ok_or("an end")?.0)?;
+    assert_eq!(data["pushes"].as_array().map(Vec::len), Some(50));
+    let points = data["points"].as_array().ok_or("points")?;
+    assert_eq!(points.len(), 65 * 120);
+    let [top, limit] = [&points[64 * 120][2], &data["limits"]["torque"]].map(|x| x.as_f64());
+    assert!((top.ok_or("a torque")? / limit.ok_or("a limit")? - 1.0).abs() < 1e-5);
     let round = told("surface --patch hertz --radius 0.01 --points 3")?;
     assert_eq!(round.lines().count(), 4);
     Ok(())

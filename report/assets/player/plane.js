@@ -147,8 +147,9 @@ class PlaneView {
     pen.strokeStyle = "#22405f";
     pen.lineWidth = ring ? Math.max(5, 0.12 * radius) : 3;
     pen.beginPath();
-    pen.arc(x, y, radius - pen.lineWidth / 2, 0, 7);
-    pen.fill();
+    if (this.meta.corners?.length) this.corners(pen, angle, [x, y], radius / this.meta.radius);
+    else pen.arc(x, y, radius - pen.lineWidth / 2, 0, 7);
+    pen.fill("evenodd");
     pen.stroke();
     const tip = [x + Math.cos(angle) * radius * 0.92, y - Math.sin(angle) * radius * 0.92];
     pen.strokeStyle = "#d55e00";
@@ -161,6 +162,19 @@ class PlaneView {
     pen.beginPath();
     pen.arc(...tip, 7, 0, 7);
     pen.fill();
+  }
+
+  /** The outline of a body that is not round. */
+  corners(pen, angle, [x, y], scale) {
+    const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
+    for (const loop of this.meta.corners) {
+      loop.forEach(([along, left], k) => {
+        const place = [x + scale * (cos * along - sin * left), y - scale * (sin * along + cos * left)];
+        if (k) pen.lineTo(...place);
+        else pen.moveTo(...place);
+      });
+      pen.closePath();
+    }
   }
 
   /** A vector of the plane from the centre: the velocity as long as a diameter at the launch, the force 1.4 radii where it is largest. */

@@ -13,6 +13,8 @@ pub struct PathBody {
     pub name: String,
     /// Radius of the outline.
     pub radius: f64,
+    /// Loops of corners about the centre at the angle 0, of a body that is not round.
+    pub corners: Vec<Vec<[f64; 2]>>,
     /// Whether numbers have SI units, or none.
     pub is_si: bool,
     /// Mass, and moment of inertia about the upright axis.
@@ -53,6 +55,7 @@ pub fn path_film(title: &str, body: &PathBody, rows: &[Row]) -> Film {
         "units": units,
         "radius": body.radius,
         "outline": outline,
+        "corners": body.corners,
         "curves": body.name != "disk",
         "frames": frames,
     });

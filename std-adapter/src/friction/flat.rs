@@ -70,20 +70,11 @@ impl FlatPatch {
         all.any(|known| known == name)
     }
 
-    /// The patch for the kernel, its file read; with a centre of pressure under linear pressure.
-    pub fn loaded<R: Real>(&self, centre: Option<[f64; 2]>) -> Result<Flat<R>, Refusal> {
-        let narrow = |[x, y]: [f64; 2]| [x, y].map(R::from_f64);
-        let loops = match self {
-            Self::Bar(_) if centre.is_some() => {
-                return Err(Refusal::Syntax(
-                    "a bar carries its load evenly; leave the centre of pressure out".into(),
-                ));
-            }
-            Self::Bar(length) => {
-                let half = 0.5 * length;
-                let bar = Bar::new(narrow([-half, 0.0]), narrow([half, 0.0]));
-                return Ok(Flat::Bar(bar.map_err(tribos_core::Error::from)?));
-            }
+    /// The corners of all loops, the outer one first; of a bar both ends.
+    #[doc(hidden)]
+    pub fn loops(&self) -> Result<Vec<Vec<[f64; 2]>>, Refusal> {
+        Ok(match self {
+            Self::Bar(length) => vec![vec![[-0.5 * length, 0.0], [0.5 * length, 0.0]]],
             Self::Box([a, b]) => {
                 let (x, y) = (0.5 * a, 0.5 * b);
                 vec![vec![[-x, -y], [x, -y], [x, y], [-x, y]]]
@@ -93,8 +84,24 @@ impl FlatPatch {
                     .map_err(|error| Refusal::Syntax(format!("{}: {error}", path.display())))?;
                 read_loops(path, &text)?
             }
-        };
-        let narrowed: Vec<Vec<[R; 2]>> = loops
+        })
+    }
+
+    /// The patch for the kernel, its file read; with a centre of pressure under linear pressure.
+    pub fn loaded<R: Real>(&self, centre: Option<[f64; 2]>) -> Result<Flat<R>, Refusal> {
+        let narrow = |[x, y]: [f64; 2]| [x, y].map(R::from_f64);
+        if let Self::Bar(length) = self {
+            if centre.is_some() {
+                return Err(Refusal::Syntax(
+                    "a bar carries its load evenly; leave the centre of pressure out".into(),
+                ));
+            }
+            let half = 0.5 * length;
+            let bar = Bar::new(narrow([-half, 0.0]), narrow([half, 0.0]));
+            return Ok(Flat::Bar(bar.map_err(tribos_core::Error::from)?));
+        }
+        let narrowed: Vec<Vec<[R; 2]>> = self
+            .loops()?
             .iter()
             .map(|corners| corners.iter().map(|&corner| narrow(corner)).collect())
             .collect();
@@ -110,7 +117,17 @@ impl FlatPatch {
             None => Flat::Polygon(polygon),
             Some(at) => {
                 let leaning = polygon.with_centre_of_pressure(narrow(at));
-                Flat::Leaning(leaning.map_err(refused)?)
+                let leaning = leaning.map_err(|error| match (error, self) {
+                    (OutlineError::LiftOff { .. }, Self::Box([a, b])) => Refusal::Syntax(format!(
+                        "with this centre of pressure the box lifts off: give |X|/{a} + |Y|/{b} <= 1/6"
+                    )),
+                    (OutlineError::LiftOff { .. }, _) => Refusal::Syntax(format!(
+                        "with this centre of pressure the patch lifts off: {error}; move it nearer to the \
+                         centroid"
+                    )),
+                    _ => refused(error),
+                })?;
+                Flat::Leaning(leaning)
             }
         })
     }
@@ -172,6 +189,18 @@ fn read_loops(path: &Path, text: &str) -> Result<Vec<Vec<[f64; 2]>>, Refusal> {
         return Err(refused(first, "there are no corners; give at least 3"));
     }
     Ok(loops)
+}
+
+impl<R: Real> Flat<R> {
+    /// Radius of gyration about the upright axis through the centre, of a plate of uniform thickness on the
+    /// patch.
+    pub(crate) fn radius_of_gyration(&self) -> R {
+        match self {
+            Self::Polygon(patch) => patch.radius_of_gyration(),
+            Self::Leaning(patch) => patch.radius_of_gyration(),
+            Self::Bar(bar) => bar.radius() / R::from_f64(3.0).sqrt(),
+        }
+    }
 }
 
 impl<R: Real> DryPatch<R> for Flat<R> {

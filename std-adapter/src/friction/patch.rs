@@ -156,7 +156,9 @@ impl FromStr for Patch {
             _ => return with_parameters(name, rest, text),
         };
         if text.contains(':') {
-            return Err(Refusal::Syntax(format!("`{name}` takes no `{rest}`")));
+            return Err(Refusal::Syntax(format!(
+                "`{name}` takes no `{rest}`: its radius is given apart, with --radius or the key radius"
+            )));
         }
         Ok(plain)
     }

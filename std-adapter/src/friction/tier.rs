@@ -139,6 +139,8 @@ pub enum Evaluation {
     TwoSeries,
     /// Quadrature over the rim and the inside of a disk.
     Quadrature,
+    /// Closed forms along the edges of a patch.
+    Edges,
     /// A sum over nodes that stand for the pressure.
     Nodes,
     /// A sum over points evenly around a ring.
@@ -157,6 +159,7 @@ impl fmt::Display for Evaluation {
             Self::Series => "series without a table, to tens of ulp; no quadrature",
             Self::TwoSeries => "two disks by series, to tens of ulp; no quadrature",
             Self::Quadrature => "quadrature of the law, to 1e-8",
+            Self::Edges => "closed forms along the edges, to rounding; no quadrature",
             Self::Nodes => "sum over nodes that stand for the pressure, to 1e-3 of the load",
             Self::RingRule { points } => {
                 return write!(f, "quadrature over {points} points of the ring");

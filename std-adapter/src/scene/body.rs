@@ -7,7 +7,8 @@ use super::table::Table;
 use super::vocabulary::Vocabulary;
 use super::words::meant;
 use super::{
-    Body, CurlingScene, CylinderScene, PipeScene, PowderScene, SceneError, SliderScene, TipScene,
+    Body, CurlingScene, CylinderScene, PipeScene, PlateScene, PowderScene, SceneError, SliderScene,
+    TipScene,
 };
 use serde_json::Value;
 use std::path::Path;
@@ -72,6 +73,8 @@ bodies! {
     Cylinder(CylinderScene),
     /// A pipe on its end along a path in the plane.
     Pipe(PipeScene),
+    /// A flat plate of any outline along a path in the plane.
+    Plate(PlateScene),
     /// A curling rock.
     Curling(CurlingScene),
     /// A powder under a piston.

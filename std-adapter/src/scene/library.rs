@@ -40,6 +40,10 @@ pub const LIBRARY: &[LibraryScene] = &[
         text: include_str!("../../scenes/pipe-b.toml"),
     },
     LibraryScene {
+        name: "plate",
+        text: include_str!("../../scenes/plate.toml"),
+    },
+    LibraryScene {
         name: "curling-draw",
         text: include_str!("../../scenes/curling-draw.toml"),
     },

@@ -19,6 +19,7 @@ mod key;
 mod library;
 mod pipe;
 mod planar;
+mod plate;
 mod powder;
 mod problem;
 mod reader;
@@ -43,6 +44,7 @@ pub use key::{Domain, Key, Need};
 pub use library::{LIBRARY, LibraryScene, library_scene};
 pub use pipe::PipeScene;
 pub use planar::{FootPressure, Tipping};
+pub use plate::PlateScene;
 pub use powder::{Coupling, Criterion, PowderScene, SweepMethod, SweepOrder, SweepStop, WallLaw};
 pub use problem::{InvalidScene, Problem, SceneError};
 #[doc(hidden)]

@@ -5,11 +5,12 @@ use crate::powder::{Compaction, CompactionError};
 use crate::record::CheckpointError;
 
 /// Every body's default scene.
-fn defaults() -> [Scene; 6] {
+fn defaults() -> [Scene; 7] {
     [
         SliderScene::default().into(),
         CylinderScene::default().into(),
         PipeScene::default().into(),
+        PlateScene::default().into(),
         CurlingScene::default().into(),
         PowderScene::default().into(),
         TipScene::default().into(),
@@ -40,6 +41,7 @@ fn every_key_sets_its_field() {
                     let other = words.iter().find(|word| was.as_str() != Some(*word));
                     format!("\"{}\"", other.unwrap())
                 }
+                Domain::Patch => "\"bar:0.4\"".into(),
                 Domain::Law => "\"dry:mu_s=0.4,mu_d=0.3\"".into(),
                 Domain::Count { .. } => format!("{}", was.as_u64().unwrap_or(30) + 4),
                 _ => format!("{}", 0.98 * was.as_f64().unwrap_or(0.8) + 0.0017),

@@ -7,26 +7,11 @@ use crate::friction::{Friction, Law, Patch};
 use crate::scene::{SliderScene, Stepper};
 use tribos_core::modes::Modes;
 
-/// Runs a scene to its end under `law`, which replaces the scene's `coefficient` and `alpha`;
-/// `progress` receives the completed fraction after every sample.
+/// Runs a scene to its end under `law`, which replaces the scene's `coefficient` and `alpha`.
 ///
-/// For a power of the speed this is [`run`](super::run()). Under any other law the motion is integrated
-/// over the logarithm of the speed, like that of a body in the plane ([`Journey`]). *Accuracy*: 1e-8, the
-/// accuracy of the law's quadrature. A law with a state (bristles, ages) acts in its steady form, because on
-/// a patch that slides and spins the state differs from point to point.
-///
-/// ```
-/// use tribos::{friction::Law, scene::SliderScene, slide::run_law};
-/// let text = "speed = 1.0\nspin = 0.0\ncoefficient = 1.0\nalpha = 0\ngravity = 10.0\n\
-///             radius = 0.08\nmass = 0.1\ninertia_ratio = 0.5";
-/// let scene = SliderScene::parse("disk.toml", text, &[])?;
-/// let law: Law = "stribeck:mu_s=0.2,mu_d=0.2,vs=0.01,k=0.1".parse()?; // s/m
-/// let end = run_law(&scene, &law, |_| ())?.outcome;
-/// // dv/dt = -g (mu + k v), which ends after ln(1 + k v0/mu)/(g k).
-/// assert!((end.time - 1.5_f64.ln()).abs() < 1e-8);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn run_law(
+/// For a power of the speed this is [`run`]. Under any other law the motion is integrated over the logarithm
+/// of the speed, like that of a body in the plane ([`Journey`]).
+pub(super) fn run_law(
     scene: &SliderScene,
     law: &Law,
     mut progress: impl FnMut(f64),

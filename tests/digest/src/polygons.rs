@@ -67,7 +67,7 @@ fn polygons_of<R: Real>(hash: &mut Fnv) {
 
 fn shape<R: Real, K: FlatPressure<R>>(hash: &mut Fnv, patch: &Polygon<R, Memory<R>, K>) {
     hash.numbers([patch.centre().x, patch.centre().y]);
-    hash.numbers([patch.radius(), patch.area()]);
+    hash.numbers([patch.radius(), patch.area(), patch.radius_of_gyration()]);
     friction(hash, *patch);
 }
 

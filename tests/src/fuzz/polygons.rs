@@ -139,6 +139,8 @@ fn used<R: Real, K: FlatPressure<R>>(
     let area = patch.area();
     holds(area > R::ZERO, "an area", &[area])?;
     placed(&patch.centre(), patch.radius())?;
+    let gyration = patch.radius_of_gyration();
+    holds(gyration >= R::ZERO, "a radius of gyration", &[gyration])?;
     if source.one_in(2) {
         return rubs(source, patch);
     }

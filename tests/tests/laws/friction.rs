@@ -6,7 +6,7 @@ use tribos::friction::{
 use tribos::random::Random;
 use tribos::scene::SliderScene;
 use tribos::slide::planar::{Gradient, Journey, Launch, TallBody, TallCylinder};
-use tribos::slide::{Ending, run, run_law};
+use tribos::slide::{Ending, SlideError, SlideRun, run};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::{LateralPolynomialTable, RoundTable32, RoundTable64};
@@ -362,10 +362,21 @@ fn scene(more: &[&str]) -> SliderScene {
     SliderScene::parse("disk.toml", text, &more).unwrap()
 }
 
+fn run_under(disk: &SliderScene, law: Law) -> Result<SlideRun, SlideError> {
+    let law = Some(law);
+    run(
+        &SliderScene {
+            law,
+            ..disk.clone()
+        },
+        |_| (),
+    )
+}
+
 #[test]
 fn every_local_law_brings_a_disk_to_rest() {
     for text in LOCAL {
-        let end = run_law(&scene(&[]), &law(text), |_| ()).unwrap().outcome;
+        let end = run_under(&scene(&[]), law(text)).unwrap().outcome;
         assert_eq!(end.ending, Ending::Rest, "{text}");
         assert!(end.energy_error < 1e-7, "{text}: {}", end.energy_error);
         // Friction lies between its extremes at speeds up to that of the rim.
@@ -392,7 +403,7 @@ fn a_law_that_is_coulomb_s_in_disguise_moves_as_coulomb_s() {
         "dry:mu_s=0.4,mu_d=0.3",
         "stribeck:mu_s=0.3,mu_d=0.3,vs=0.05",
     ] {
-        let other = run_law(&scene(&[]), &law(text), |_| ()).unwrap();
+        let other = run_under(&scene(&[]), law(text)).unwrap();
         let [a, b] = [&coulomb.outcome, &other.outcome];
         assert!(
             close(a.time, b.time) && close(a.distance, b.distance),
@@ -446,9 +457,7 @@ fn a_stribeck_disk_without_spin_takes_the_time_of_the_integral() {
         time += pace;
         way += v * pace;
     }
-    let end = run_law(&scene(&["spin=0"]), &law(text), |_| ())
-        .unwrap()
-        .outcome;
+    let end = run_under(&scene(&["spin=0"]), law(text)).unwrap().outcome;
     assert!((end.time / time - 1.0).abs() < 1e-8, "{} {time}", end.time);
     assert!(
         (end.distance / way - 1.0).abs() < 1e-8,
@@ -456,7 +465,7 @@ fn a_stribeck_disk_without_spin_takes_the_time_of_the_integral() {
         end.distance
     );
     // With spin both motions end together, in the ratio of Coulomb friction: near rest mu is mu_s.
-    let end = run_law(&scene(&[]), &law(text), |_| ()).unwrap().outcome;
+    let end = run_under(&scene(&[]), law(text)).unwrap().outcome;
     let coulomb = run(&scene(&[]), |_| ()).unwrap().outcome;
     assert!(
         (end.ratio - coulomb.ratio).abs() < 1e-6,
@@ -465,12 +474,12 @@ fn a_stribeck_disk_without_spin_takes_the_time_of_the_integral() {
         coulomb.ratio
     );
     // A duration cuts the motion; the thesis' method is for powers alone.
-    let cut = run_law(&scene(&["duration=0.1"]), &law(text), |_| ()).unwrap();
+    let cut = run_under(&scene(&["duration=0.1"]), law(text)).unwrap();
     assert_eq!(cut.outcome.ending, Ending::Duration);
     assert!(
         (cut.outcome.time - 0.1).abs() < 1e-15,
         "{}",
         cut.outcome.time
     );
-    assert!(run_law(&scene(&["stepper=verlet"]), &law(text), |_| ()).is_err());
+    assert!(run_under(&scene(&["stepper=verlet"]), law(text)).is_err());
 }

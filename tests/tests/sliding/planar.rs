@@ -1,10 +1,11 @@
 //! Tall bodies: their paths bend, loop and end where independent solutions say.
 
-use tribos::friction::{Friction, Law, Patch};
+use tribos::friction::{Flat, FlatPatch, Friction, Law, Patch};
 use tribos::slide::planar::{
-    Arrival, Ending, Gradient, Journey, Launch, Pipe, Resistance, TallBody, TallCylinder,
+    Arrival, Ending, Gradient, Journey, Launch, Pipe, Plate, Resistance, TallBody, TallCylinder,
 };
 use tribos_core::coupling::table::Table64;
+use tribos_core::patch::outline::{Edge, Polygon};
 use tribos_core::slider::{Motion, Slider, SliderParameters};
 use tribos_tests::pucks::relative;
 use tribos_tests::tables::Table;
@@ -272,4 +273,78 @@ fn steep_laws_fade_and_a_body_too_tall_is_held_at_the_edge() {
     };
     let arrival = end(&tall.body(GRAVITY).unwrap(), [1.0, 0.0], 5.0);
     assert!(arrival.most_lean > 1.0 && arrival.point.position[1] < 0.0);
+}
+
+#[test]
+fn plates_end_where_the_table_says() {
+    for row in Table::read("plates.csv").rows() {
+        let corners = match row.text("shape") {
+            "box" => vec![[-0.15, -0.05], [0.15, -0.05], [0.15, 0.05], [-0.15, 0.05]],
+            "triangle" => vec![[0.0, 0.0], [0.3, 0.0], [0.0, 0.2]],
+            _ => vec![
+                [0.0, 0.0],
+                [0.4, 0.0],
+                [0.4, 0.1],
+                [0.1, 0.1],
+                [0.1, 0.4],
+                [0.0, 0.4],
+            ],
+        };
+        let memory = vec![Edge::default(); corners.len()];
+        let outline = Polygon::with_holes(&[&corners], memory).unwrap();
+        let plate = Plate::new(Flat::Polygon(outline), row.number("mu"), GRAVITY).unwrap();
+        let plate = plate.with_orientation(row.number("orientation"));
+        let plate = match row.number("gyration") {
+            0.0 => plate,
+            radius => plate.with_radius_of_gyration(radius).unwrap(),
+        };
+        let arrival = end(&plate, [row.number("v0"), 0.0], row.number("spin0"));
+        let point = arrival.point;
+        let at = (row.text("shape"), row.number("spin0"));
+        assert_eq!(arrival.ending, Ending::Rest);
+        // The table's own steps are good to 1e-11.
+        let reach = point.distance;
+        let [x, y] = [row.number("x"), row.number("y")];
+        assert!(
+            (point.position[0] - x).hypot(point.position[1] - y) < 2e-10 * reach,
+            "{at:?}"
+        );
+        assert!(relative(point.time, row.number("t_stop")) < 2e-10, "{at:?}");
+        assert!(relative(point.angle, row.number("angle")) < 2e-10, "{at:?}");
+    }
+}
+
+fn plate(patch: &str) -> Plate {
+    let patch: FlatPatch = patch.parse().unwrap();
+    Plate::new(patch.loaded(None).unwrap(), 0.3, GRAVITY).unwrap()
+}
+
+#[test]
+fn plates_of_every_proportion_come_to_rest_and_keep_their_energy_balance() {
+    let balance = |plate: &Plate, velocity: [f64; 2], spin: f64| {
+        let point = end(plate, velocity, spin).point;
+        let rim = spin * plate.radius();
+        let energy = 0.5 * (velocity[0] * velocity[0] + velocity[1] * velocity[1] + rim * rim);
+        (point.work / energy - 1.0).abs()
+    };
+    for patch in ["box:0.2x0.2", "box:1x0.01", "bar:0.3"] {
+        for gyration in [0.01, 0.1, 1.0] {
+            let plate = plate(patch).with_radius_of_gyration(gyration).unwrap();
+            for (speed, spin) in [(1.0, 5.0), (0.0, 5.0), (1.0, 0.0), (1e-6, 5.0), (1.0, 1e-6)] {
+                let off = balance(&plate, [0.8 * speed, 0.6 * speed], spin);
+                assert!(off < 1e-11, "{patch} {gyration} {speed} {spin}: {off:e}");
+            }
+        }
+    }
+    // A plate turned with its launch ends turned.
+    let turned = |angle: f64| {
+        let plate = plate("box:0.3x0.1");
+        let (sin, cos) = angle.sin_cos();
+        let [x, y] = end(&plate.with_orientation(angle), [cos, sin], 8.0)
+            .point
+            .position;
+        [cos * x + sin * y, cos * y - sin * x]
+    };
+    let (one, other) = (turned(0.0), turned(2.1));
+    assert!((one[0] - other[0]).abs() < 1e-12 && (one[1] - other[1]).abs() < 1e-12);
 }

@@ -51,6 +51,7 @@ pub fn of(scene: &Scene) -> Box<dyn Commands + '_> {
         Scene::Disk(scene) => Box::new(scene),
         Scene::Cylinder(scene) => path(scene, slide::cylinder(scene)),
         Scene::Pipe(scene) => path(scene, slide::pipe(scene)),
+        Scene::Plate(scene) => path(scene, slide::plate(scene)),
         Scene::Curling(scene) => path(scene, slide::curling(scene)),
         Scene::Powder(scene) => Box::new(scene),
         Scene::Tip(scene) => Box::new(scene),

@@ -4,7 +4,7 @@ use super::line;
 use crate::failure::Failure;
 use tribos::friction::Law;
 use tribos::scene::{
-    CurlingScene, CylinderScene, FootPressure, PipeScene, SliderScene, Stepper, Tipping,
+    CurlingScene, CylinderScene, FootPressure, PipeScene, PlateScene, SliderScene, Stepper, Tipping,
 };
 use tribos::slide::planar::Gradient;
 use tribos::slide::{EvaluationCost, PlanarScene};
@@ -68,6 +68,12 @@ fn leaning(gradient: Gradient, tipping: Tipping) -> String {
         Tipping::Clamp => "the lean is held where the body would tip",
     };
     line("pressure", format!("{lean}; {tips}"))
+}
+
+/// Laws of a plate.
+pub fn plate(scene: &PlateScene) -> String {
+    let patch = format!("{} under uniform pressure", scene.patch);
+    line("law", law(None, 0.0, scene.coefficient)) + &line("patch", patch)
 }
 
 /// Laws of a curling rock.

@@ -127,7 +127,7 @@ fn is_same(one: &Path, other: &Path) -> bool {
 /// A body in the plane z = 0, line by line of its series.
 fn states(run: &Path, kept: &Kept) -> Result<Vec<State>, Failure> {
     let rows = path::rows(&run.join("series.csv"), &kept.manifest)?;
-    let radius = path::radius(&kept.manifest.about);
+    let radius = path::radius(&kept.manifest.about)?;
     let side = |axis: usize| {
         let places = rows.iter().map(|row| row[1 + axis]);
         let low = places.clone().fold(f64::INFINITY, f64::min);

@@ -38,8 +38,15 @@ fn report(result: &PathRun, out: &Path) -> Result<(), Failure> {
         Ending::Faded => "Faded",
     };
     let lean = match arrival.tips_at {
-        Some(time) => format!("held at its limit from {} s on", shown(time)),
-        None => format!("at most {} of its limit", shown(arrival.most_lean)),
+        Some(time) => format!(
+            "lean          held at its limit from {} s on\n",
+            shown(time)
+        ),
+        None if arrival.most_lean == 0.0 => String::new(),
+        None => {
+            let most = shown(arrival.most_lean);
+            format!("lean          at most {most} of its limit\n")
+        }
     };
     crate::command::print(&format!(
         "ending        {ending} after {} steps\n\
@@ -48,7 +55,7 @@ fn report(result: &PathRun, out: &Path) -> Result<(), Failure> {
          curl          {y} m, to the left if positive\n\
          angle         {} rad\n\
          final ratio   {}\n\
-         lean          {lean}\n\
+         {lean}\
          energy error  {:.1e} of the initial energy\n\
          written to    {}\n",
         arrival.steps,

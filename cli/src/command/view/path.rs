@@ -4,9 +4,13 @@ use crate::command::digits::shown;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
+use tribos::friction::FlatPatch;
 use tribos::record::read_text;
 use tribos::run::folder::Manifest;
 use tribos::scene::{Key, vocabulary};
+use tribos::slide::planar::{Plate, Resistance};
+use tribos_core::Real;
+use tribos_core::coupling::flat::DryPatch;
 pub use tribos_report::player::Row;
 use tribos_report::player::{Film, PathBody, path_film};
 
@@ -20,17 +24,22 @@ const MOST_BYTES: u64 = 1 << 30;
 pub fn film(folder: &Path, scene: &Value, run: &Manifest) -> Result<Film, Failure> {
     let name = scene["body"].as_str().unwrap_or("disk");
     let number = |key: &str| scene[key].as_f64();
-    let radius = radius(scene);
+    let outline = outline(scene)?;
+    let radius = radius(scene)?;
     let is_si = scene["units"].as_str() != Some("dimensionless");
     let mass = number("mass").unwrap_or(1.0);
     // C = I/(M R²); of a pipe it follows from its radii.
     let ratio = number("inertia_ratio").unwrap_or_else(|| {
+        if let Some(outline) = &outline {
+            return (outline.gyration / radius).powi(2);
+        }
         let inner = number("inner_radius").unwrap_or(0.0) / radius;
         0.5 * (1.0 + inner * inner)
     });
     let body = PathBody {
         name: name.into(),
         radius,
+        corners: outline.map_or(Vec::new(), |outline| outline.corners),
         is_si,
         inertia: [mass, ratio * mass * radius * radius],
         parameters: parameters(name, scene, is_si),
@@ -66,10 +75,49 @@ fn parameters(body: &str, scene: &Value, is_si: bool) -> String {
     told.filter_map(part).collect::<Vec<_>>().join(", ")
 }
 
+/// The outline of a body that is not round.
+struct Outline {
+    /// About the centre, turned as at the launch.
+    corners: Vec<Vec<[f64; 2]>>,
+    radius: f64,
+    gyration: f64,
+}
+
+fn outline(scene: &Value) -> Result<Option<Outline>, Failure> {
+    let Some(patch) = scene["patch"].as_str() else {
+        return Ok(None);
+    };
+    let patch: FlatPatch = patch.parse().map_err(Failure::input)?;
+    let flat = patch.loaded::<f64>(None)?;
+    let (centre, orientation) = (flat.centre(), scene["orientation"].as_f64().unwrap_or(0.0));
+    let (sin, cos) = (Real::sin(orientation), Real::cos(orientation));
+    let place = |[x, y]: [f64; 2]| {
+        let [x, y] = [x - centre.x, y - centre.y];
+        [cos * x - sin * y, sin * x + cos * y]
+    };
+    let mut corners = patch.loops()?;
+    for corner in corners.iter_mut().flatten() {
+        *corner = place(*corner);
+    }
+    let radius = flat.radius();
+    let gyration = match scene["gyration_radius"].as_f64() {
+        Some(radius) => radius,
+        None => Plate::new(flat, 1.0, 1.0)?.radius(),
+    };
+    Ok(Some(Outline {
+        corners,
+        radius,
+        gyration,
+    }))
+}
+
 /// Radius of what touches the ground.
-pub fn radius(scene: &Value) -> f64 {
+pub fn radius(scene: &Value) -> Result<f64, Failure> {
+    if let Some(outline) = outline(scene)? {
+        return Ok(outline.radius);
+    }
     let number = |key: &str| scene[key].as_f64();
-    number("radius").or(number("band_radius")).unwrap_or(BAND)
+    Ok(number("radius").or(number("band_radius")).unwrap_or(BAND))
 }
 
 /// Rows of the series; a disk goes straight on.

@@ -110,7 +110,8 @@ fn line<R: Precision>(
         friction.wrench_and_jacobian(load, &Twist::new(x, y, spin));
     let mut fields: Fields = TWIST.into_iter().zip(given).collect();
     let parts = [wrench.force.x, wrench.force.y, wrench.torque];
-    fields.extend(WRENCH.into_iter().zip(parts.map(R::to_f64)));
+    // No minus before a zero.
+    fields.extend(WRENCH.into_iter().zip(parts.map(|x| x.to_f64() + 0.0)));
     if with_jacobian {
         for (i, names) in JACOBIAN.iter().enumerate() {
             for (j, name) in names.iter().enumerate() {

@@ -124,6 +124,8 @@ pub struct Journey<'a, B> {
     scale: f64,
     /// Initial lengths of the sliding and the spinning part of e.
     lengths: [f64; 2],
+    /// Lengths below which a part of e is accurate relative to them.
+    floors: [f64; 2],
     state: State,
     /// Speeds that count as rest under laws that never reach it.
     stop_fraction: f64,
@@ -147,12 +149,20 @@ impl<'a, B: Resistance> Journey<'a, B> {
         if scale == 0.0 || !scale.is_finite() {
             return Err(SlideError::NotFinite { step: 0 });
         }
+        let lengths = [slide / scale, rim.abs() / scale];
+        // Motions that cause each other are accurate relative to both.
+        let floors = if body.is_round() {
+            lengths.map(|length| length * FLOOR)
+        } else {
+            [1.0; 2]
+        };
         let mut state = [0.0; 10];
         [state[0], state[1], state[2]] = [x / scale, y / scale, rim / scale];
         Ok(Self {
             body,
             scale,
-            lengths: [slide / scale, rim.abs() / scale],
+            lengths,
+            floors,
             state,
             stop_fraction,
         })
@@ -245,7 +255,9 @@ impl<'a, B: Resistance> Journey<'a, B> {
     fn derivative(&self, state: &State) -> State {
         let [x, y, w, ..] = self.direction(state);
         let speed = self.speed(state);
-        let [ax, ay, aw] = self.body.deceleration([speed * x, speed * y, speed * w]);
+        let angle = state[6] / self.body.radius();
+        let velocity = [speed * x, speed * y, speed * w];
+        let [ax, ay, aw] = self.body.deceleration_at(velocity, angle);
         let power = x * ax + y * ay + w * aw;
         // A motion to which friction adds energy has no end.
         let power = if power > 0.0 { power } else { f64::NAN };
@@ -279,20 +291,26 @@ impl<'a, B: Resistance> Journey<'a, B> {
 
     /// The largest error: each part relative to itself, the position relative to the path.
     fn weighed(&self, at: &State, error: &State) -> f64 {
-        let least = |length: f64, first: f64| {
-            let floor = first * FLOOR;
+        let least = |length: f64, floor: f64| {
             let length = if length < floor { floor } else { length };
             length + NOTHING
         };
         let over = |error: f64, of: f64| error.abs() / (of.abs() + NOTHING);
-        let slide = least(Real::hypot(at[0], at[1]), self.lengths[0]);
+        let slide = least(Real::hypot(at[0], at[1]), self.floors[0]);
         let terms = [
             Real::hypot(error[0], error[1]) / slide,
-            error[2].abs() / least(at[2].abs(), self.lengths[1]),
+            error[2].abs() / least(at[2].abs(), self.floors[1]),
             over(error[3], at[3]),
             over(error[4], at[7]),
             over(error[5], at[7]),
-            over(error[6], at[6]),
+            over(
+                error[6],
+                if self.body.is_round() {
+                    at[6]
+                } else {
+                    at[6].abs() + at[7]
+                },
+            ),
             over(error[8], at[8]),
         ];
         terms

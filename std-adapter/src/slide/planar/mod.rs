@@ -1,11 +1,12 @@
 //! Bodies with lateral friction, which follow a curved path in the plane.
 //!
 //! A [`Resistance`] gives the deceleration of a body, a [`Journey`] follows the body to rest. This module
-//! has two bodies, [`TallCylinder`] and [`Pipe`]; [`super::curling`] has the curling rock.
+//! has three bodies, [`TallCylinder`], [`Pipe`] and [`Plate`]; [`super::curling`] has the curling rock.
 
 mod cylinder;
 mod journey;
 mod pipe;
+mod plate;
 mod tall;
 
 #[doc(hidden)]
@@ -13,6 +14,8 @@ pub use cylinder::TallCylinder;
 pub use journey::{Arrival, Ending, Journey, Launch, Point};
 #[doc(hidden)]
 pub use pipe::Pipe;
+#[doc(hidden)]
+pub use plate::Plate;
 pub use tall::Gradient;
 #[doc(hidden)]
 pub use tall::TallBody;
@@ -47,6 +50,17 @@ pub trait Resistance: Debug {
     /// V·A, must be positive.
     fn deceleration(&self, velocity: [f64; 3]) -> [f64; 3];
 
+    /// A for a body that has turned by `angle` since its launch, in rad; a round one resists alike at any angle.
+    fn deceleration_at(&self, velocity: [f64; 3], _angle: f64) -> [f64; 3] {
+        self.deceleration(velocity)
+    }
+
+    /// Whether the body is round: then it never spins up while it only slides, nor slides while it only spins,
+    /// and each motion keeps its own relative accuracy.
+    fn is_round(&self) -> bool {
+        true
+    }
+
     /// Exponent with which A scales in the common scale of all speeds towards rest.
     fn exponent(&self) -> f64;
 
@@ -71,6 +85,12 @@ pub trait Resistance: Debug {
 impl Resistance for Box<dyn Resistance> {
     fn deceleration(&self, velocity: [f64; 3]) -> [f64; 3] {
         (**self).deceleration(velocity)
+    }
+    fn deceleration_at(&self, velocity: [f64; 3], angle: f64) -> [f64; 3] {
+        (**self).deceleration_at(velocity, angle)
+    }
+    fn is_round(&self) -> bool {
+        (**self).is_round()
     }
     fn exponent(&self) -> f64 {
         (**self).exponent()

@@ -35,7 +35,10 @@ impl<B: Resistance> Journey<'_, B> {
     /// True if nothing significant remains, or both speeds have faded.
     pub(super) fn is_over(&self) -> bool {
         let (folds, beta) = (self.state[9], self.slower());
-        if beta > 0.0 {
+        if beta > 0.0 && !self.body.is_round() {
+            // Nothing adds to time and path any more; the ratio may need longer to settle.
+            folds * beta >= FOLDS
+        } else if beta > 0.0 {
             // The remaining time follows as a power of the speed once the ratio has settled.
             let is_settled = || self.has_arrived() && self.has_settled(beta);
             folds >= FOLDS && (folds * beta >= PATIENT_FOLDS || is_settled())
@@ -111,6 +114,9 @@ impl<B: Resistance> Journey<'_, B> {
 
     /// Sets a part of e to zero if it has ended and its fast decay would keep the steps short.
     pub(super) fn extinguish(&mut self) -> bool {
+        if !self.body.is_round() {
+            return false;
+        }
         let [x, y, w, ..] = self.state;
         let slide = Real::hypot(x, y);
         let [first_slide, first_rim] = self.lengths;

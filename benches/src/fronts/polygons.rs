@@ -1,0 +1,239 @@
+//! Flat feet: closed forms, nodes, ellipsoid and sampled hull.
+
+use super::{Finding, Front, Setting};
+use crate::outlines::{Method, Shape, methods, shapes};
+use crate::picture::{self, Place};
+use crate::timing::{self, Samples, Task};
+use crate::written::{Sheet, short};
+use std::hint::black_box;
+use tribos_core::coupling::flat::{DryPatch, FlatFriction};
+use tribos_core::coupling::{PatchFriction, table::Coulomb};
+use tribos_core::twist::{Twist, Wrench};
+
+const ROUNDS: usize = 31;
+const QUICK_ROUNDS: usize = 3;
+/// Twists that are timed and judged.
+const TWISTS: usize = 1000;
+/// Distances of their centres of rotation, in radii, evenly spread in the logarithm.
+const DISTANCES: [f64; 2] = [0.01, 100.0];
+/// Errors below rounding are drawn at it.
+const ROUNDING: f64 = 1e-17;
+const UNIT: &str = "disk by table";
+const PICTURE: &str = "polygons.svg";
+const EXACT: &str = "closed";
+
+/// One method on one shape.
+struct Row {
+    shape: String,
+    method: &'static str,
+    points: usize,
+    /// Largest and root mean square error, of μN and μN R.
+    error: [f64; 2],
+    judge: &'static str,
+}
+
+/// Makes the front.
+pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
+    let (mut rows, mut tasks) = (Vec::new(), vec![unit()?]);
+    for shape in shapes() {
+        let exact = FlatFriction::new(shape.patch::<f64>(), 1.0).map_err(|e| e.to_string())?;
+        let twists = twists(exact.patch().radius());
+        for method in methods(&shape)? {
+            rows.push(judged(&shape, &exact, &method, &twists));
+            let (twists, name) = (twists.clone(), (rows.len() - 1).to_string());
+            tasks.push(timed(name, twists, method.wrench));
+        }
+    }
+    let rounds = if setting.quick { QUICK_ROUNDS } else { ROUNDS };
+    let samples = timing::interleaved(tasks, rounds);
+    let sheet = sheet(&rows, &samples, rounds);
+    setting.table("polygons", &sheet)?;
+    let body = format!(
+        "![Time against error]({PICTURE})\n\n{LEGEND}\n{}",
+        sheet.markdown()
+    );
+    setting.page(Front::Polygons, &body)?;
+    let places = rows.iter().enumerate().map(|(index, row)| Place {
+        label: row.shape.clone(),
+        group: row.method.into(),
+        at: (
+            samples.ratio(&index.to_string(), UNIT).unwrap_or(f64::NAN),
+            row.error[0].max(ROUNDING),
+        ),
+    });
+    let axes = ["time, of the disk's table", "largest error, of μN and μN R"];
+    let title = "Coulomb friction of flat feet";
+    picture::scatter(setting.out, "polygons", title, axes, places.collect())?;
+    Ok(Finding {
+        line: line(&rows, &samples),
+        picture: PICTURE,
+    })
+}
+
+/// Twists about the centroid.
+fn twists(radius: f64) -> Vec<Twist<f64>> {
+    let [least, most] = DISTANCES.map(f64::ln);
+    let twist = |i: usize| {
+        // A full period of the distances, in an order that angles do not follow.
+        let part = (i * 387 % TWISTS) as f64 / (TWISTS - 1) as f64;
+        let distance = radius * (least + (most - least) * part).exp();
+        let angle = 2.4 * i as f64;
+        let sense = if i % 2 == 0 { 1.0 } else { -1.0 };
+        Twist::new(
+            sense * distance * angle.sin(),
+            -sense * distance * angle.cos(),
+            sense,
+        )
+    };
+    (0..TWISTS).map(twist).collect()
+}
+
+/// The larger error of force (of μN = 1) and torque (of μN R).
+fn error(found: &Wrench<f64>, [x, y, torque]: [f64; 3], radius: f64) -> f64 {
+    let force = (found.force.x - x).hypot(found.force.y - y);
+    force.max((found.torque - torque).abs() / radius)
+}
+
+fn judged(
+    shape: &Shape,
+    exact: &FlatFriction<f64, impl DryPatch<f64>>,
+    method: &Method,
+    twists: &[Twist<f64>],
+) -> Row {
+    let radius = exact.patch().radius();
+    let is_exact = method.name.starts_with(EXACT) && !method.name.ends_with("f32");
+    let references = if is_exact {
+        shape.references()
+    } else {
+        Vec::new()
+    };
+    let (errors, judge): (Vec<f64>, _) = if is_exact {
+        let errors = references.iter().map(|(twist, wanted)| {
+            let arm = radius;
+            error(&(method.wrench)(twist), *wanted, arm)
+        });
+        (
+            errors.collect(),
+            if references.is_empty() {
+                "none"
+            } else {
+                "150 digits"
+            },
+        )
+    } else {
+        let errors = twists.iter().map(|twist| {
+            let wanted = exact.wrench(1.0, twist);
+            let wanted = [wanted.force.x, wanted.force.y, wanted.torque];
+            error(&(method.wrench)(twist), wanted, radius)
+        });
+        (errors.collect(), EXACT)
+    };
+    let largest = errors.iter().copied().fold(f64::NAN, f64::max);
+    let squares: f64 = errors.iter().map(|error| error * error).sum();
+    Row {
+        shape: shape.name.clone(),
+        method: method.name,
+        points: method.points,
+        error: [largest, (squares / errors.len() as f64).sqrt()],
+        judge,
+    }
+}
+
+fn unit() -> Result<Task<'static>, String> {
+    let disk = PatchFriction::new(Coulomb, 1.0, 1.0).map_err(|error| error.to_string())?;
+    let wrench = move |twist: &Twist<f64>| disk.wrench(1.0, twist);
+    Ok(timed(UNIT.into(), twists(1.0), wrench))
+}
+
+fn timed(
+    name: String,
+    twists: Vec<Twist<f64>>,
+    wrench: impl Fn(&Twist<f64>) -> Wrench<f64> + 'static,
+) -> Task<'static> {
+    let mut results = vec![Wrench::ZERO; twists.len()];
+    Task::new(name, twists.len(), move || {
+        for (twist, result) in black_box(&twists).iter().zip(&mut results) {
+            *result = wrench(twist);
+        }
+        black_box(&mut results);
+    })
+}
+
+const LEGEND: &str = "\
+Force and torque about the centroid for a given twist. The centres of 1000 twists lie 0.01 to 100 radii from the \
+centroid, in every direction, evenly in the logarithm of the distance; times are means over them. `x` is the time in \
+units of the disk's Coulomb table over the same twists, the median of the rounds' own ratios. Errors are of μN and \
+μN R. The closed form in f64 is judged by the tests' table of 150 digits (centres on corners and edges and up to \
+1e16 radii away; torques beyond some radii of the centroid carry the rounding of the twist's own coordinates), all \
+other methods by the closed form. `points` are edges, nodes, or sampled wrenches. The ellipsoid has the exact largest \
+force and torque; the hull answers with the sampled wrench that dissipates most, as planners do.
+";
+
+fn sheet(rows: &[Row], samples: &Samples, rounds: usize) -> Sheet {
+    let medians = samples.medians();
+    let cells = |(index, row): (usize, &Row)| {
+        let ratio = samples.ratio(&index.to_string(), UNIT);
+        vec![
+            row.shape.clone(),
+            row.method.into(),
+            row.points.to_string(),
+            // The unit is the first task.
+            short(1e9 * medians[index + 1]),
+            short(ratio.unwrap_or(f64::NAN)),
+            short(row.error[0]),
+            short(row.error[1]),
+            row.judge.into(),
+        ]
+    };
+    Sheet {
+        about: format!("Shape and method: medians of {rounds} interleaved rounds"),
+        header: vec![
+            "shape",
+            "method",
+            "points",
+            "ns",
+            "x",
+            "largest error",
+            "rms error",
+            "judge",
+        ],
+        rows: rows.iter().enumerate().map(cells).collect(),
+    }
+}
+
+fn line(rows: &[Row], samples: &Samples) -> String {
+    let of = |shape: &str, method: &str| {
+        let is_it = |row: &Row| row.shape == shape && row.method == method;
+        let index = rows.iter().position(is_it);
+        let ratio = index.and_then(|index| samples.ratio(&index.to_string(), UNIT));
+        (
+            ratio.unwrap_or(f64::NAN),
+            index.map_or(f64::NAN, |index| rows[index].error[0]),
+        )
+    };
+    let worst = |method: &str| {
+        let errors = rows.iter().filter(|row| row.method == method);
+        errors.map(|row| row.error[0]).fold(0.0, f64::max)
+    };
+    let (closed, exact) = of("square", EXACT);
+    let nodes = rows
+        .iter()
+        .position(|row| row.shape == "square" && row.method == "nodes" && row.points > 300);
+    let nodes = nodes.and_then(|index| {
+        Some((
+            rows[index].points,
+            samples.ratio(&index.to_string(), UNIT)?,
+            rows[index].error[0],
+        ))
+    });
+    let (count, ratio, error) = nodes.unwrap_or((0, f64::NAN, f64::NAN));
+    format!(
+        "A square costs {} times the disk's table with an error of {}; {count} nodes cost {} times it and err by {}. \
+         The ellipsoid errs by up to {}.",
+        short(closed),
+        short(exact),
+        short(ratio),
+        short(error),
+        short(worst("ellipsoid")),
+    )
+}

@@ -1,0 +1,39 @@
+//! The planners' habit: the convex hull of sampled wrenches.
+
+use tribos_core::coupling::flat::{DryPatch, FlatFriction};
+use tribos_core::twist::{Twist, Wrench};
+
+/// Wrenches of the limit surface under motions that are spread evenly.
+#[derive(Clone, Debug)]
+pub struct Hull {
+    wrenches: Vec<Wrench<f64>>,
+}
+
+impl Hull {
+    /// So many wrenches of a patch with μN = 1.
+    pub fn of(friction: &FlatFriction<f64, impl DryPatch<f64>>, samples: usize) -> Self {
+        let golden = core::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
+        let radius = friction.patch().radius();
+        let wrench = |i: usize| {
+            let rim = 1.0 - (2.0 * i as f64 + 1.0) / samples as f64;
+            let (slide, angle) = ((1.0 - rim * rim).sqrt(), golden * i as f64);
+            let twist = Twist::new(slide * angle.cos(), slide * angle.sin(), rim / radius);
+            friction.wrench(1.0, &twist)
+        };
+        Self {
+            wrenches: (0..samples).map(wrench).collect(),
+        }
+    }
+
+    /// The corner of the hull that dissipates most.
+    pub fn wrench(&self, twist: &Twist<f64>) -> Wrench<f64> {
+        let mut best = (f64::INFINITY, Wrench::ZERO);
+        for wrench in &self.wrenches {
+            let power = wrench.power(twist);
+            if power < best.0 {
+                best = (power, *wrench);
+            }
+        }
+        best.1
+    }
+}
