@@ -11,6 +11,7 @@ use tribos_core::coupling::flat::{DryPatch, FlatFriction};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::CoulombLaw;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet};
+use tribos_core::patch::PatchError;
 use tribos_core::patch::nodes::{Node, NodeBuffer, NodePatch, NodeSlice};
 use tribos_core::patch::polygon::polygon_into;
 use tribos_core::twist::{Twist, Wrench};
@@ -78,7 +79,11 @@ pub fn methods(shape: &Shape) -> Result<Vec<Method>, String> {
         let count = NODES * (edges - 2) * (divisions * divisions) as usize;
         let mut memory = vec![Node::default(); count];
         let mut buffer = NodeBuffer::new(&mut memory);
-        polygon_into(&mut buffer, &shape.corners, divisions).map_err(|error| told(&error))?;
+        match polygon_into(&mut buffer, &shape.corners, divisions) {
+            // No corner sees the whole shape.
+            Err(PatchError::Hidden) => break,
+            filled => filled.map_err(|error| told(&error))?,
+        }
         let count = buffer.nodes().len();
         let total = buffer.total_weight();
         memory.truncate(count);

@@ -45,6 +45,7 @@ mod reduce;
 mod sample;
 mod search;
 mod starts;
+pub mod support;
 
 pub use data::{Data, DataError, Motion};
 pub use estimate::{Estimate, Fit, FitError, Known, Options, fit};

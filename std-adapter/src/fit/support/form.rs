@@ -1,0 +1,74 @@
+//! Ellipsoid and convex quartic: limit surfaces on which a form of the wrench is 1.
+
+use super::least::Normal;
+use super::{Model, Row, size};
+use nalgebra::{DVector, Vector3};
+use tribos_core::Real;
+
+/// H(w) = Σ c (d·w)ⁿ with n = 2 or 4 and c ≥ 0 over fixed directions d, which is convex; it has any positive
+/// definite quadratic form up to the fineness of the directions, and a cone of convex quartics.
+#[derive(Clone, Debug)]
+pub struct Form {
+    degree: i32,
+    /// Direction and coefficient.
+    terms: Vec<(Vector3<f64>, f64)>,
+}
+
+/// Directions, evenly over half of the sphere.
+const DIRECTIONS: usize = 300;
+/// Weight of the normal's parts across the measured motion, beside that of H = 1.
+const ACROSS: f64 = 0.5;
+/// Keeps the normal equations regular: a form has 6 or 15 coefficients, fewer than there are directions.
+const RIDGE: f64 = 1e-9;
+
+impl Form {
+    /// The form of degree 2 or 4 with the least squares of H − 1 and of the parts of its gradient across the
+    /// measured motions, for wrenches in units of their mean.
+    pub fn fitted(degree: i32, rows: &[Row]) -> Self {
+        let mean = rows.iter().map(|row| size(&row.wrench)).sum::<f64>() / rows.len() as f64;
+        let directions: Vec<Vector3<f64>> = (0..DIRECTIONS).map(direction).collect();
+        let mut normal = Normal::new(DIRECTIONS);
+        for row in rows {
+            let wrench = row.wrench / mean;
+            let lines = directions.iter().map(|d| (*d, d.dot(&wrench)));
+            let values = lines.clone().map(|(_, p)| power(p, degree));
+            normal.add(&DVector::from_iterator(DIRECTIONS, values), 1.0);
+            let across = lines.map(|(d, p)| {
+                let slope = d * (f64::from(degree) * power(p, degree - 1));
+                (slope - row.motion * slope.dot(&row.motion)) * ACROSS
+            });
+            let across: Vec<Vector3<f64>> = across.collect();
+            for part in 0..3 {
+                let line = across.iter().map(|slope| slope[part]);
+                normal.add(&DVector::from_iterator(DIRECTIONS, line), 0.0);
+            }
+        }
+        let found = normal.solve(RIDGE);
+        let terms = directions.into_iter().zip(found);
+        Self {
+            degree,
+            terms: terms.filter(|(_, c)| *c > 0.0).collect(),
+        }
+    }
+}
+
+impl Model for Form {
+    fn motion(&self, wrench: &Vector3<f64>) -> Vector3<f64> {
+        let unit = wrench / size(wrench);
+        let slope = |(d, c): &(Vector3<f64>, f64)| d * (c * power(d.dot(&unit), self.degree - 1));
+        self.terms.iter().map(slope).sum()
+    }
+}
+
+/// xⁿ for n from 1 to 4.
+fn power(x: f64, degree: i32) -> f64 {
+    (1..degree).fold(x, |power, _| power * x)
+}
+
+/// Direction `i`, on a spiral.
+fn direction(i: usize) -> Vector3<f64> {
+    let golden = std::f64::consts::PI * (1.0 + 5.0_f64.sqrt());
+    let (part, height) = (i as f64 + 0.5, 1.0 - (i as f64 + 0.5) / DIRECTIONS as f64);
+    let (rim, angle) = ((1.0 - height * height).sqrt(), golden * part);
+    Vector3::new(rim * Real::cos(angle), rim * Real::sin(angle), height)
+}

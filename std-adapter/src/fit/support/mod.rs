@@ -1,0 +1,312 @@
+//! The pressure under a foot from quasi-static pushes.
+//!
+//! A push is a motion and the wrench that it took. Friction of a point that carries the load N and moves with
+//! the velocity q is μN q/|q|: the wrench is linear in the loads of all points of the foot, whose distribution
+//! is the non-negative one with the least squares. Beside it stand the models that planners use: the ellipsoid and
+//! the convex quartic of Zhou, Paolini, Bagnell, Mason, ICRA 2016, page 372, both fitted to the same pushes.
+//!
+//! A model is judged by the motion that it foretells for a wrench, the normal of its limit surface: by the angle
+//! to the measured one, with the spin in units of a length ([`SupportFit::length`]). Fitted models are
+//! cross-validated in 5 parts: push i belongs to part i mod 5, and is foretold by a model of the other four.
+
+mod form;
+mod least;
+mod nodes;
+mod points;
+
+use crate::friction::{Patch, Refusal, limit_surface};
+use form::Form;
+use nalgebra::Vector3;
+use points::Points;
+use tribos_core::Real;
+use tribos_core::limit_surface::FrictionSet;
+use tribos_core::patch::nodes::{Node, NodeSlice};
+use tribos_core::twist::{Twist, Wrench};
+
+/// A measured push: a motion of the body, of which the direction alone counts, and the wrench on it.
+///
+/// *Units*: m, rad; N, N m, about the origin of the body's coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Push {
+    /// Displacement or velocity of the origin, and turn or spin.
+    pub motion: Twist<f64>,
+    /// The wrench that the pusher exerts.
+    pub wrench: Wrench<f64>,
+}
+
+/// Angles between the motions that a model foretells and the measured ones.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Score {
+    /// `known`, `pressure`, `ellipsoid` or `quartic`.
+    pub name: &'static str,
+    /// Median in degrees.
+    pub median: f64,
+    /// Mean in degrees.
+    pub mean: f64,
+}
+
+/// A fitted pressure, and how well it and other models foretell motions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SupportFit {
+    /// The models, fitted ones cross-validated.
+    pub models: Vec<Score>,
+    /// Loads times μ at points of the foot, in N; those without load are left out.
+    pub pressure: Vec<Node<f64>>,
+    /// Centre of pressure, in m.
+    pub centre_of_pressure: [f64; 2],
+    /// Sum of the loads times μ, in N.
+    pub force_limit: f64,
+    /// Length by which torques are divided and spins multiplied, in m: the ratio of what nine tenths of the
+    /// torques and of the forces do not exceed.
+    pub length: f64,
+}
+
+/// Pushes that cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PushError {
+    /// One of them.
+    #[error("{message}")]
+    Push {
+        /// Its index, from 0.
+        push: usize,
+        /// What is wrong, and what would be valid.
+        message: String,
+    },
+    /// All of them.
+    #[error("{0}")]
+    Whole(String),
+    /// The known support.
+    #[error(transparent)]
+    Support(#[from] Refusal),
+}
+
+/// Parts of the cross-validation.
+const PARTS: usize = 5;
+/// Pushes below which nothing is fitted.
+const FEWEST: usize = 10;
+/// Part of the torques and forces that give the length.
+const USUAL: f64 = 0.9;
+
+/// Fits the pressure under a foot to pushes, and compares models.
+///
+/// *Domain*: at least 10 pushes, finite, each with a motion and a wrench, some with a torque. `known` is the support if it is
+/// known, in the coordinates of the pushes: a box, a polygon or a bar. Points are for [`fit_support_at`].
+/// Without a support the points lie on a grid over the disc of 2.2 lengths around the origin.
+///
+/// ```
+/// use tribos::fit::support::{Push, fit_support};
+/// use tribos::friction::limit_surface;
+/// use tribos::prelude::*;
+/// let tile: Patch = "box:0.2x0.1".parse()?; // m
+/// let floor = limit_surface(&tile, 4.0, 1.0, None)?; // μN in N
+/// let pushes: Vec<Push> = (0..40)
+///     .map(|i| {
+///         let (a, b) = (0.7 * f64::from(i), 1.3 * f64::from(i));
+///         let motion = Twist::new(a.sin(), a.cos(), 15.0 * b.sin());
+///         Push { motion, wrench: -floor.wrench(&motion) }
+///     })
+///     .collect();
+/// let fit = fit_support(&pushes, Some(&tile))?;
+/// assert!(fit.centre_of_pressure.iter().all(|x| x.abs() < 1e-3)); // m
+/// assert!((fit.force_limit - 4.0).abs() < 0.04);
+/// let [known, pressure, ..] = &fit.models[..] else { return Ok(()) };
+/// assert!(known.median < 1e-6 && pressure.median < 1.0); // degrees
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn fit_support(pushes: &[Push], known: Option<&Patch>) -> Result<SupportFit, PushError> {
+    let length = checked(pushes)?;
+    let (places, truth): (_, Option<Box<dyn Model>>) = match known {
+        None => (nodes::disc(length), None),
+        Some(patch @ Patch::Flat(flat)) => {
+            let surface = limit_surface(patch, 1.0, 1.0, None)?;
+            (nodes::of(flat)?, Some(Box::new(Exact { surface, length })))
+        }
+        Some(other) => {
+            return Err(PushError::Whole(format!(
+                "a support is a box, a polygon, a bar or points, not {other}"
+            )));
+        }
+    };
+    Ok(judged(pushes, length, &places, truth))
+}
+
+/// As [`fit_support`], for a foot that stands on these points; only ratios of weights matter.
+///
+/// *Domain*: points finite, weights not negative, one of them positive.
+pub fn fit_support_at(pushes: &[Push], points: &[Node<f64>]) -> Result<SupportFit, PushError> {
+    let length = checked(pushes)?;
+    NodeSlice::new(points).map_err(|error| Refusal::from(tribos_core::Error::from(error)))?;
+    let places: Vec<[f64; 2]> = points.iter().map(|node| [node.x, node.y]).collect();
+    let loads = points.iter().map(|node| node.weight).collect();
+    let scaled = places
+        .iter()
+        .map(|place| place.map(|x| x / length))
+        .collect();
+    let truth = Points::new(scaled, loads);
+    Ok(judged(pushes, length, &places, Some(Box::new(truth))))
+}
+
+/// A push in units of the length: the motion of length 1.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    motion: Vector3<f64>,
+    wrench: Vector3<f64>,
+}
+
+/// Foretells motions.
+trait Model {
+    /// A normal of the limit surface under a wrench, both in units of the length.
+    fn motion(&self, wrench: &Vector3<f64>) -> Vector3<f64>;
+}
+
+/// A patch under uniform pressure, exact.
+struct Exact {
+    surface: Box<dyn FrictionSet<f64>>,
+    length: f64,
+}
+
+impl Model for Exact {
+    fn motion(&self, wrench: &Vector3<f64>) -> Vector3<f64> {
+        let push = Wrench::new(wrench.x, wrench.y, wrench.z * self.length);
+        let motion = self.surface.twist_normal_to(&push);
+        let spin = motion.spin * self.length;
+        Vector3::new(motion.velocity.x, motion.velocity.y, spin)
+    }
+}
+
+/// The length of valid pushes.
+fn checked(pushes: &[Push]) -> Result<f64, PushError> {
+    if pushes.len() < FEWEST {
+        let given = pushes.len();
+        return Err(PushError::Whole(format!(
+            "{given} pushes are too few for a fit; give at least {FEWEST}"
+        )));
+    }
+    for (push, Push { motion, wrench }) in pushes.iter().enumerate() {
+        let parts = [
+            (
+                "motion",
+                [motion.velocity.x, motion.velocity.y, motion.spin],
+            ),
+            ("wrench", [wrench.force.x, wrench.force.y, wrench.torque]),
+        ];
+        for (name, part) in parts {
+            let message = if !part.iter().all(|x| x.is_finite()) {
+                format!("the {name} must be finite")
+            } else if part == [0.0; 3] {
+                format!("the {name} must not be zero: a push moves the body and takes a force")
+            } else {
+                continue;
+            };
+            return Err(PushError::Push { push, message });
+        }
+    }
+    let usual = |of: fn(&Push) -> f64| {
+        let mut all: Vec<f64> = pushes.iter().map(of).collect();
+        all.sort_by(f64::total_cmp);
+        let at = (USUAL * all.len() as f64) as usize;
+        all.get(at).copied().unwrap_or(f64::NAN)
+    };
+    let force = usual(|push| Real::hypot(push.wrench.force.x, push.wrench.force.y));
+    let length = usual(|push| push.wrench.torque.abs()) / force;
+    if length > 0.0 && length.is_finite() {
+        Ok(length)
+    } else {
+        Err(PushError::Whole(
+            "a tenth of the pushes at least must have a torque, and most of them a force".into(),
+        ))
+    }
+}
+
+fn rows(pushes: &[Push], length: f64) -> Vec<Row> {
+    let row = |Push { motion, wrench }: &Push| {
+        let motion = Vector3::new(motion.velocity.x, motion.velocity.y, motion.spin * length);
+        Row {
+            motion: motion / size(&motion),
+            wrench: Vector3::new(wrench.force.x, wrench.force.y, wrench.torque / length),
+        }
+    };
+    pushes.iter().map(row).collect()
+}
+
+fn size(v: &Vector3<f64>) -> f64 {
+    Real::hypot(Real::hypot(v.x, v.y), v.z)
+}
+
+/// Scores of all models, and the pressure of all pushes.
+fn judged(
+    pushes: &[Push],
+    length: f64,
+    places: &[[f64; 2]],
+    truth: Option<Box<dyn Model>>,
+) -> SupportFit {
+    let rows = rows(pushes, length);
+    let mut models: Vec<Score> = truth
+        .iter()
+        .map(|truth| score("known", rows.iter().map(|row| off(&**truth, row))))
+        .collect();
+    let places: Vec<[f64; 2]> = places
+        .iter()
+        .map(|place| place.map(|x| x / length))
+        .collect();
+    let pressure = |rows: &[Row]| -> Box<dyn Model> { Box::new(Points::fitted(&places, rows)) };
+    let ellipsoid = |rows: &[Row]| -> Box<dyn Model> { Box::new(Form::fitted(2, rows)) };
+    let quartic = |rows: &[Row]| -> Box<dyn Model> { Box::new(Form::fitted(4, rows)) };
+    models.push(score("pressure", crossed(&rows, &pressure)));
+    models.push(score("ellipsoid", crossed(&rows, &ellipsoid)));
+    models.push(score("quartic", crossed(&rows, &quartic)));
+    let pressure = Points::fitted(&places, &rows).nodes(length);
+    let force_limit: f64 = pressure.iter().map(|node| node.weight).sum();
+    let mean = |of: fn(&Node<f64>) -> f64| {
+        let moments = pressure.iter().map(|node| node.weight * of(node));
+        moments.sum::<f64>() / force_limit
+    };
+    SupportFit {
+        models,
+        centre_of_pressure: [mean(|node| node.x), mean(|node| node.y)],
+        pressure,
+        force_limit,
+        length,
+    }
+}
+
+/// Angles of all pushes, each foretold by a model of the parts that it does not belong to.
+fn crossed(rows: &[Row], fitted: &dyn Fn(&[Row]) -> Box<dyn Model>) -> impl Iterator<Item = f64> {
+    let mut angles = Vec::with_capacity(rows.len());
+    for part in 0..PARTS {
+        let is_in = |i: usize| i % PARTS == part;
+        let others = rows.iter().enumerate().filter(|(i, _)| !is_in(*i));
+        let model = fitted(&others.map(|(_, row)| *row).collect::<Vec<Row>>());
+        let mine = rows.iter().enumerate().filter(|(i, _)| is_in(*i));
+        angles.extend(mine.map(|(_, row)| off(&*model, row)));
+    }
+    angles.into_iter()
+}
+
+/// Angle between the measured motion and the one foretold, in degrees.
+fn off(model: &dyn Model, row: &Row) -> f64 {
+    let motion = model.motion(&row.wrench);
+    let motion = motion / size(&motion);
+    // Half of it is the angle between one of two vectors of the same length and their sum.
+    let tangent = size(&(motion - row.motion)) / size(&(motion + row.motion));
+    2.0 * Real::atan(tangent).to_degrees()
+}
+
+fn score(name: &'static str, angles: impl Iterator<Item = f64>) -> Score {
+    let mut angles: Vec<f64> = angles.collect();
+    angles.sort_by(f64::total_cmp);
+    let (count, half) = (angles.len(), angles.len() / 2);
+    let middle = if count.is_multiple_of(2) {
+        0.5 * (angles[half - 1] + angles[half])
+    } else {
+        angles[half]
+    };
+    Score {
+        name,
+        median: middle,
+        mean: angles.iter().sum::<f64>() / count as f64,
+    }
+}
+
+#[cfg(test)]
+mod tests;
