@@ -4,8 +4,8 @@ use std::path::Path;
 use std::{env, fs};
 
 /// Files of `src/double`, in the order of the header.
-const MODULES: [&str; 8] = [
-    "vectors", "law", "patch", "nodes", "surface", "slider", "contact", "update",
+const MODULES: [&str; 9] = [
+    "vectors", "law", "patch", "nodes", "surface", "polygon", "slider", "contact", "update",
 ];
 
 fn main() -> std::io::Result<()> {

@@ -261,6 +261,8 @@ static void LOCAL(surfaces)(struct stream *s, enum range range)
     LOCAL(feed_projection)(s, status, nearest);
 }
 
+#include "digest_polygons.h"
+
 static void LOCAL(steps)(struct stream *s, enum range range)
 {
     REAL p[4], x[2];
@@ -449,6 +451,7 @@ static void LOCAL(all)(struct stream *s)
     for (n = 0; n < 40; ++n) {
         LOCAL(powers)(s);
         LOCAL(rules)(s);
+        LOCAL(polygons)(s, n % 2 ? WIDE : MILD);
         LOCAL(ways)(s, n % 8 == 0);
     }
 }

@@ -10,8 +10,8 @@
  *
  * A null pointer is refused. Every other pointer must point to memory of its type, aligned and, for
  * arguments, initialised; an array must hold as many elements as its count says and must not
- * overlap the results. No pointer is kept after the call. Functions may be called from any thread and
- * from interrupts.
+ * overlap the results. No pointer is kept after the call, except that a polygon names the memory of its
+ * edges. Functions may be called from any thread and from interrupts.
  *
  * The floating-point unit must round to nearest and keep subnormal numbers, as it does by default:
  * do not link with -ffast-math.
@@ -71,7 +71,7 @@ enum tribos_status
   TRIBOS_STATUS_FEET_IN_LINE = 34,
   // A body on three feet tips over.
   TRIBOS_STATUS_TIPS = 35,
-  // A polygon has fewer than 3 corners.
+  // A loop of a polygon has fewer than 3 corners.
   TRIBOS_STATUS_CORNERS = 36,
   // No corner of the polygon sees all of it, or its area is zero.
   TRIBOS_STATUS_HIDDEN = 37,
@@ -81,6 +81,10 @@ enum tribos_status
   TRIBOS_STATUS_RINGS = 39,
   // The rim exponent of a pressure is not between -1 (excluded) and 64.
   TRIBOS_STATUS_RIM_EXPONENT = 40,
+  // The pressure on a polygon is linear already.
+  TRIBOS_STATUS_LEANS = 41,
+  // Edges of a polygon touch or cross, a hole lies outside, or a loop has no area.
+  TRIBOS_STATUS_OUTLINE = 42,
   // The force limit is negative, infinite or NaN.
   TRIBOS_STATUS_FORCE_LIMIT = 50,
   // The reduced torque of pure spinning is not positive and finite.
@@ -309,6 +313,35 @@ typedef struct tribos_ellipsoid_f64 {
   // Reduced torque of pure spinning, positive and finite: 2/3 for the uniform disk.
   double spin_torque;
 } tribos_ellipsoid_f64;
+
+// Memory for one edge of a polygon. Its content is opaque.
+typedef struct tribos_edge_f64 {
+  // Internal data.
+  double opaque[7];
+} tribos_edge_f64;
+
+// A polygon under uniform or linear pressure, written by tribos_polygon_new_f64. It does not contain
+// its edges: their memory must stay valid and unchanged for as long as the polygon or a copy is used.
+typedef struct tribos_polygon_f64 {
+  // The edges, in the memory given to tribos_polygon_new_f64.
+  struct tribos_edge_f64 *edges;
+  // Number of edges.
+  size_t count;
+  // Centre of pressure: the centroid of the area under uniform pressure.
+  struct tribos_point_f64 centre;
+  // Distance of the farthest corner from the centre of pressure.
+  double radius;
+  // Area over radius^2.
+  double reduced_area;
+  // Half the length of the longest edge over the radius.
+  double longest_half;
+  // Pressure at the centre of pressure over the mean pressure: 1 if uniform.
+  double pressure;
+  // Slope of the pressure times radius over the mean pressure, first component: 0 if uniform.
+  double slope_x;
+  // Second component of the slope.
+  double slope_y;
+} tribos_polygon_f64;
 
 // A sliding body; all parameters are positive and finite.
 typedef struct tribos_slider_f64 {
@@ -641,6 +674,35 @@ typedef struct tribos_ellipsoid_f32 {
   // Reduced torque of pure spinning, positive and finite: 2/3 for the uniform disk.
   float spin_torque;
 } tribos_ellipsoid_f32;
+
+// Memory for one edge of a polygon. Its content is opaque.
+typedef struct tribos_edge_f32 {
+  // Internal data.
+  float opaque[7];
+} tribos_edge_f32;
+
+// A polygon under uniform or linear pressure, written by tribos_polygon_new_f32. It does not contain
+// its edges: their memory must stay valid and unchanged for as long as the polygon or a copy is used.
+typedef struct tribos_polygon_f32 {
+  // The edges, in the memory given to tribos_polygon_new_f32.
+  struct tribos_edge_f32 *edges;
+  // Number of edges.
+  size_t count;
+  // Centre of pressure: the centroid of the area under uniform pressure.
+  struct tribos_point_f32 centre;
+  // Distance of the farthest corner from the centre of pressure.
+  float radius;
+  // Area over radius^2.
+  float reduced_area;
+  // Half the length of the longest edge over the radius.
+  float longest_half;
+  // Pressure at the centre of pressure over the mean pressure: 1 if uniform.
+  float pressure;
+  // Slope of the pressure times radius over the mean pressure, first component: 0 if uniform.
+  float slope_x;
+  // Second component of the slope.
+  float slope_y;
+} tribos_polygon_f32;
 
 // A sliding body; all parameters are positive and finite.
 typedef struct tribos_slider_f32 {
@@ -1163,6 +1225,68 @@ tribos_status tribos_ellipsoid_project_f64(const struct tribos_ellipsoid_f64 *el
                                            double length,
                                            struct tribos_projection_f64 *projection);
 
+// Prepares a polygon, convex or not, under uniform pressure. `corners` holds the corners of `loops` loops
+// one after another, `counts` how many each has: first the outer loop, then holes inside of it and outside
+// of each other, clockwise or counterclockwise. `memory` has room for `room` edges, one a corner is needed.
+// Domain: 3 or more finite corners a loop; edges meet only at the corners that they share.
+// Cost: the number of corners squared. After a refusal the content of `memory` is undefined.
+tribos_status tribos_polygon_new_f64(const struct tribos_point_f64 *corners,
+                                     const size_t *counts,
+                                     size_t loops,
+                                     struct tribos_edge_f64 *memory,
+                                     size_t room,
+                                     struct tribos_polygon_f64 *polygon);
+
+// Moves the centre of pressure of a uniform polygon to `centre`, by a pressure that is linear over the
+// area. Rewrites the polygon and the memory of its edges: copies of it are lost. TRIBOS_STATUS_NEGATIVE if
+// the patch would lift off, in a rectangle a x b beyond |dx|/a + |dy|/b = 1/6 from its middle, and
+// TRIBOS_STATUS_LEANS if the pressure is linear already; refusals leave polygon and edges as they were.
+tribos_status tribos_polygon_lean_f64(struct tribos_polygon_f64 *polygon,
+                                      const struct tribos_point_f64 *centre);
+
+// Wrench of Coulomb friction on a polygon, against its twist. Special values: zero at rest.
+// Accuracy: 2e-14 of coefficient x load, and x radius, about the centre of pressure, under linear pressure
+// 5e-14 (f32: 4e-6), for patches up to 10 times as long as wide.
+tribos_status tribos_polygon_wrench_f64(const struct tribos_polygon_f64 *polygon,
+                                        double coefficient,
+                                        double load,
+                                        const struct tribos_twist_f64 *twist,
+                                        struct tribos_wrench_f64 *wrench);
+
+// Wrench and Jacobian, which is symmetric. Special values: both zero at rest. Accuracy of the Jacobian,
+// of its largest entry with the radius as the unit of length: 5e-14, under linear pressure 2.5e-13
+// (f32: 6e-6).
+tribos_status tribos_polygon_wrench_jacobian_f64(const struct tribos_polygon_f64 *polygon,
+                                                 double coefficient,
+                                                 double load,
+                                                 const struct tribos_twist_f64 *twist,
+                                                 struct tribos_wrench_f64 *wrench,
+                                                 struct tribos_jacobian_f64 *jacobian);
+
+// The limit surface of a polygon with force_limit = coefficient x load: the smallest factor g >= 0 with
+// wrench/g in the set. Below 1 friction holds the patch, above 1 it slides. Special values: 0 for the zero
+// wrench, infinite for an infinite one. Accuracy: 1e-14 (f32: 1e-5) with the origin at most a few radii away.
+// Cost: about 6 wrenches with Jacobian, at most 13.
+tribos_status tribos_polygon_gauge_f64(const struct tribos_polygon_f64 *polygon,
+                                       double force_limit,
+                                       const struct tribos_wrench_f64 *wrench,
+                                       double *gauge);
+
+// The motion caused by a push, scaled to |velocity|^2 + (spin length)^2 = 1, where length is the radius
+// plus the distance of the centre of pressure from the origin. Special values: zero for the zero wrench.
+tribos_status tribos_polygon_motion_f64(const struct tribos_polygon_f64 *polygon,
+                                        double force_limit,
+                                        const struct tribos_wrench_f64 *push,
+                                        struct tribos_twist_f64 *twist);
+
+// The nearest wrench of the set in the norm sqrt(|d force|^2 + (d torque/length)^2); a length of 0
+// represents that of tribos_polygon_motion_f64. Special values: NaN for a negative or infinite length.
+tribos_status tribos_polygon_project_f64(const struct tribos_polygon_f64 *polygon,
+                                         double force_limit,
+                                         const struct tribos_wrench_f64 *wrench,
+                                         double length,
+                                         struct tribos_projection_f64 *projection);
+
 // One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never reverses
 // it. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.
 tribos_status tribos_slider_verlet_step_f64(const struct tribos_slider_f64 *slider,
@@ -1676,6 +1800,68 @@ tribos_status tribos_ellipsoid_project_f32(const struct tribos_ellipsoid_f32 *el
                                            const struct tribos_wrench_f32 *wrench,
                                            float length,
                                            struct tribos_projection_f32 *projection);
+
+// Prepares a polygon, convex or not, under uniform pressure. `corners` holds the corners of `loops` loops
+// one after another, `counts` how many each has: first the outer loop, then holes inside of it and outside
+// of each other, clockwise or counterclockwise. `memory` has room for `room` edges, one a corner is needed.
+// Domain: 3 or more finite corners a loop; edges meet only at the corners that they share.
+// Cost: the number of corners squared. After a refusal the content of `memory` is undefined.
+tribos_status tribos_polygon_new_f32(const struct tribos_point_f32 *corners,
+                                     const size_t *counts,
+                                     size_t loops,
+                                     struct tribos_edge_f32 *memory,
+                                     size_t room,
+                                     struct tribos_polygon_f32 *polygon);
+
+// Moves the centre of pressure of a uniform polygon to `centre`, by a pressure that is linear over the
+// area. Rewrites the polygon and the memory of its edges: copies of it are lost. TRIBOS_STATUS_NEGATIVE if
+// the patch would lift off, in a rectangle a x b beyond |dx|/a + |dy|/b = 1/6 from its middle, and
+// TRIBOS_STATUS_LEANS if the pressure is linear already; refusals leave polygon and edges as they were.
+tribos_status tribos_polygon_lean_f32(struct tribos_polygon_f32 *polygon,
+                                      const struct tribos_point_f32 *centre);
+
+// Wrench of Coulomb friction on a polygon, against its twist. Special values: zero at rest.
+// Accuracy: 2e-14 of coefficient x load, and x radius, about the centre of pressure, under linear pressure
+// 5e-14 (f32: 4e-6), for patches up to 10 times as long as wide.
+tribos_status tribos_polygon_wrench_f32(const struct tribos_polygon_f32 *polygon,
+                                        float coefficient,
+                                        float load,
+                                        const struct tribos_twist_f32 *twist,
+                                        struct tribos_wrench_f32 *wrench);
+
+// Wrench and Jacobian, which is symmetric. Special values: both zero at rest. Accuracy of the Jacobian,
+// of its largest entry with the radius as the unit of length: 5e-14, under linear pressure 2.5e-13
+// (f32: 6e-6).
+tribos_status tribos_polygon_wrench_jacobian_f32(const struct tribos_polygon_f32 *polygon,
+                                                 float coefficient,
+                                                 float load,
+                                                 const struct tribos_twist_f32 *twist,
+                                                 struct tribos_wrench_f32 *wrench,
+                                                 struct tribos_jacobian_f32 *jacobian);
+
+// The limit surface of a polygon with force_limit = coefficient x load: the smallest factor g >= 0 with
+// wrench/g in the set. Below 1 friction holds the patch, above 1 it slides. Special values: 0 for the zero
+// wrench, infinite for an infinite one. Accuracy: 1e-14 (f32: 1e-5) with the origin at most a few radii away.
+// Cost: about 6 wrenches with Jacobian, at most 13.
+tribos_status tribos_polygon_gauge_f32(const struct tribos_polygon_f32 *polygon,
+                                       float force_limit,
+                                       const struct tribos_wrench_f32 *wrench,
+                                       float *gauge);
+
+// The motion caused by a push, scaled to |velocity|^2 + (spin length)^2 = 1, where length is the radius
+// plus the distance of the centre of pressure from the origin. Special values: zero for the zero wrench.
+tribos_status tribos_polygon_motion_f32(const struct tribos_polygon_f32 *polygon,
+                                        float force_limit,
+                                        const struct tribos_wrench_f32 *push,
+                                        struct tribos_twist_f32 *twist);
+
+// The nearest wrench of the set in the norm sqrt(|d force|^2 + (d torque/length)^2); a length of 0
+// represents that of tribos_polygon_motion_f32. Special values: NaN for a negative or infinite length.
+tribos_status tribos_polygon_project_f32(const struct tribos_polygon_f32 *polygon,
+                                         float force_limit,
+                                         const struct tribos_wrench_f32 *wrench,
+                                         float length,
+                                         struct tribos_projection_f32 *projection);
 
 // One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never reverses
 // it. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.

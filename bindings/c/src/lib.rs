@@ -11,7 +11,8 @@
 //!
 //! One contract holds for all functions: a pointer is null, which is refused, or points to memory
 //! of its type that is aligned and, for arguments, initialised; a pointer to an array comes with
-//! the number of its elements and does not overlap the results. No pointer is kept after the call.
+//! the number of its elements and does not overlap the results. No pointer is kept after the call,
+//! except that a polygon names the memory of its edges.
 #![no_std]
 
 // On hosts the standard library brings the panic handler that a static library needs.
@@ -30,6 +31,7 @@ pub mod double {
     pub mod law;
     pub mod nodes;
     pub mod patch;
+    pub mod polygon;
     pub mod slider;
     pub mod surface;
     pub mod update;

@@ -54,7 +54,7 @@ pub enum tribos_status {
     FeetInLine = 34,
     /// A body on three feet tips over.
     Tips = 35,
-    /// A polygon has fewer than 3 corners.
+    /// A loop of a polygon has fewer than 3 corners.
     Corners = 36,
     /// No corner of the polygon sees all of it, or its area is zero.
     Hidden = 37,
@@ -64,6 +64,10 @@ pub enum tribos_status {
     Rings = 39,
     /// The rim exponent of a pressure is not between -1 (excluded) and 64.
     RimExponent = 40,
+    /// The pressure on a polygon is linear already.
+    Leans = 41,
+    /// Edges of a polygon touch or cross, a hole lies outside, or a loop has no area.
+    Outline = 42,
     /// The force limit is negative, infinite or NaN.
     ForceLimit = 50,
     /// The reduced torque of pure spinning is not positive and finite.
@@ -84,7 +88,7 @@ pub enum tribos_status {
 
 impl tribos_status {
     /// All statuses; each has a name in C.
-    pub const fn all() -> [Self; 34] {
+    pub const fn all() -> [Self; 36] {
         [
             Self::Ok,
             Self::NullPointer,
@@ -112,6 +116,8 @@ impl tribos_status {
             Self::Divisions,
             Self::Rings,
             Self::RimExponent,
+            Self::Leans,
+            Self::Outline,
             Self::ForceLimit,
             Self::SpinTorque,
             Self::Deceleration,
@@ -151,6 +157,8 @@ impl tribos_status {
             Self::Divisions => c"divisions must be from 1 to 1024",
             Self::Rings => c"rings and angles must be from 1 to 1024",
             Self::RimExponent => c"the exponent at the rim must be above -1 and not above 64",
+            Self::Leans => c"only a polygon under uniform pressure can lean",
+            Self::Outline => c"edges must not touch, holes lie inside, each loop has an area",
             Self::ForceLimit => c"the force limit must be finite and not negative",
             Self::SpinTorque => c"the reduced torque of spinning must be positive and finite",
             Self::Deceleration => c"the deceleration must be positive and finite",
@@ -229,7 +237,7 @@ impl From<OutlineError> for tribos_status {
             OutlineError::Repeated { .. }
             | OutlineError::Crossing { .. }
             | OutlineError::Flat { .. }
-            | OutlineError::Hole { .. } => Self::Hidden,
+            | OutlineError::Hole { .. } => Self::Outline,
             OutlineError::Extent | OutlineError::Slope => Self::NotFinite,
             OutlineError::Room { .. } => Self::Full,
             OutlineError::LiftOff { .. } => Self::Negative,

@@ -15,9 +15,11 @@ pub struct Linear<R> {
     slope: [R; 2],
 }
 
-impl<R> Linear<R> {
+impl<R: Real> Linear<R> {
     /// Pressure at the centre of pressure and its slope, of the mean pressure (and over the radius).
-    pub(super) fn new(at_centre: R, slope: [R; 2]) -> Self {
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn new(at_centre: R, slope: [R; 2]) -> Self {
         Self { at_centre, slope }
     }
 }

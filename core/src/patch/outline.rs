@@ -6,8 +6,11 @@
 pub use super::edge::Edge;
 pub use super::flat_pressure::{FlatPressure, Linear, Uniform};
 pub use super::outline_error::OutlineError;
+#[doc(hidden)]
+pub use super::parts::Parts;
 
-use super::simple::{Scale, checked, sides};
+use super::frame::{Frame, twice_area};
+use super::simple::{Loops, checked, sides};
 use crate::real::Real;
 use nalgebra::Vector2;
 
@@ -26,15 +29,15 @@ use nalgebra::Vector2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polygon<R: Real, S, K = Uniform> {
-    edges: S,
-    count: usize,
-    pressure: K,
-    centre: Vector2<R>,
-    radius: R,
+    pub(super) edges: S,
+    pub(super) count: usize,
+    pub(super) pressure: K,
+    pub(super) centre: Vector2<R>,
+    pub(super) radius: R,
     /// Area in units of radius².
-    reduced_area: R,
+    pub(super) reduced_area: R,
     /// Half the length of the longest edge, in radii.
-    longest_half: R,
+    pub(super) longest_half: R,
 }
 
 impl<R: Real, const N: usize> Polygon<R, [Edge<R>; N]> {
@@ -63,24 +66,29 @@ impl<R: Real, S: AsRef<[Edge<R>]> + AsMut<[Edge<R>]>> Polygon<R, S> {
     /// # Ok::<(), tribos_core::patch::outline::OutlineError>(())
     /// ```
     pub fn with_holes(loops: &[&[[R; 2]]], memory: S) -> Result<Self, OutlineError> {
+        Self::of_loops(loops.iter().copied(), memory)
+    }
+
+    /// The polygon of loops that nothing is known of.
+    pub(super) fn of_loops<'a>(loops: impl Loops<'a, R>, memory: S) -> Result<Self, OutlineError> {
         let mut edges = memory;
-        let count = loops.iter().map(|corners| corners.len()).sum();
+        let count = loops.clone().map(<[_]>::len).sum();
         let room = edges.as_ref().len();
         if count > room {
             return Err(OutlineError::Room { given: count, room });
         }
-        let scale = checked(loops)?;
+        let scale = checked(loops.clone())?;
         let Frame {
             centroid,
             radius,
             area,
-        } = Frame::of(loops, &scale)?;
+        } = Frame::of(loops.clone(), &scale)?;
         let centre = scale.origin + centroid * scale.unit;
         if !(centre.x + centre.y + radius * scale.unit).is_finite() {
             return Err(OutlineError::Extent);
         }
         let mut slots = edges.as_mut().iter_mut();
-        for (in_loop, corners) in loops.iter().enumerate() {
+        for (in_loop, corners) in loops.enumerate() {
             let reduced = |corner: &[R; 2]| {
                 let at = scale.at(corner) - centroid;
                 Vector2::new(at.x / radius, at.y / radius)
@@ -293,71 +301,4 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> Polygon<R, S, K> {
     pub fn area(&self) -> R {
         self.reduced_area * self.radius * self.radius
     }
-}
-
-/// Centroid, distance of the farthest corner from it, and area, in units of a [`Scale`].
-struct Frame<R: Real> {
-    centroid: Vector2<R>,
-    radius: R,
-    area: R,
-}
-
-impl<R: Real> Frame<R> {
-    fn of(loops: &[&[[R; 2]]], scale: &Scale<R>) -> Result<Self, OutlineError> {
-        let (mut area, mut size) = (R::ZERO, R::ZERO);
-        let mut moment = Vector2::new(R::ZERO, R::ZERO);
-        for (in_loop, corners) in loops.iter().enumerate() {
-            let twice = twice_area(corners, scale);
-            if twice == R::ZERO {
-                return Err(OutlineError::Flat { in_loop });
-            }
-            size += twice.abs();
-            let sense = R::ONE.copysign(if in_loop == 0 { twice } else { -twice });
-            for side in sides(corners) {
-                let [a, b] = side.map(|corner| scale.at(corner));
-                let part = sense * (a.x * b.y - a.y * b.x);
-                area += part;
-                moment += (a + b) * part;
-            }
-        }
-        // Holes may leave nothing of it.
-        if area <= least_area(size) {
-            return Err(OutlineError::Flat { in_loop: 0 });
-        }
-        let third = R::ONE / (R::from_f64(3.0) * area);
-        let centroid = moment * third;
-        let mut radius = R::ZERO;
-        for corner in loops.iter().flat_map(|corners| corners.iter()) {
-            let from = scale.at(corner) - centroid;
-            let distance = from.x.hypot(from.y);
-            if distance > radius {
-                radius = distance;
-            }
-        }
-        Ok(Self {
-            centroid,
-            radius,
-            area: R::HALF * area,
-        })
-    }
-}
-
-/// Twice the signed area of a loop; zero if it is not larger than its own rounding.
-fn twice_area<R: Real>(corners: &[[R; 2]], scale: &Scale<R>) -> R {
-    let (mut area, mut size) = (R::ZERO, R::ZERO);
-    for side in sides(corners) {
-        let [a, b] = side.map(|corner| scale.at(corner));
-        area += a.x * b.y - a.y * b.x;
-        size += (a.x * b.y).abs() + (a.y * b.x).abs();
-    }
-    if area.abs() > least_area(size) {
-        area
-    } else {
-        R::ZERO
-    }
-}
-
-/// Rounding of a sum of areas whose magnitudes add up to `size`, or of a number with few digits left.
-fn least_area<R: Real>(size: R) -> R {
-    R::TWO * R::TWO * R::EPSILON * size + R::MIN_POSITIVE / R::EPSILON
 }

@@ -7,6 +7,11 @@ use nalgebra::Vector2;
 /// Corners of a loop.
 pub(super) type Corners<'a, R> = &'a [[R; 2]];
 
+/// The loops of an outline, the outer one first.
+pub(super) trait Loops<'a, R: 'a>: Iterator<Item = Corners<'a, R>> + Clone {}
+
+impl<'a, R: 'a, L: Iterator<Item = Corners<'a, R>> + Clone> Loops<'a, R> for L {}
+
 /// All sides of a loop, the last one back to the first corner.
 pub(super) fn sides<R>(corners: &[[R; 2]]) -> impl Iterator<Item = [&[R; 2]; 2]> + Clone {
     let next = corners.iter().cycle().skip(1);
@@ -27,8 +32,8 @@ impl<R: Real> Scale<R> {
     }
 
     /// The scale of loops with finite corners.
-    fn of(loops: &[Corners<'_, R>]) -> Result<Self, OutlineError> {
-        let mut corners = loops.iter().flat_map(|corners| corners.iter());
+    fn of<'a>(loops: impl Loops<'a, R>) -> Result<Self, OutlineError> {
+        let mut corners = loops.flat_map(|corners| corners.iter());
         let [x, y] = corners.clone().next().copied().unwrap_or_default();
         let origin = Vector2::new(x, y);
         let mut unit = R::ZERO;
@@ -48,18 +53,18 @@ impl<R: Real> Scale<R> {
 }
 
 /// The scale of loops that bound a patch.
-pub(super) fn checked<R: Real>(loops: &[Corners<'_, R>]) -> Result<Scale<R>, OutlineError> {
-    if loops.is_empty() {
+pub(super) fn checked<'a, R: Real>(loops: impl Loops<'a, R>) -> Result<Scale<R>, OutlineError> {
+    if loops.clone().next().is_none() {
         let (in_loop, given) = (0, 0);
         return Err(OutlineError::Corners { in_loop, given });
     }
-    for (in_loop, corners) in loops.iter().enumerate() {
+    for (in_loop, corners) in loops.clone().enumerate() {
         check_corners(in_loop, corners)?;
     }
-    let scale = Scale::of(loops)?;
-    for (first, one) in loops.iter().enumerate() {
+    let scale = Scale::of(loops.clone())?;
+    for (first, one) in loops.clone().enumerate() {
         check_folds(first, one, &scale)?;
-        for (second, other) in loops.iter().enumerate().skip(first) {
+        for (second, other) in loops.clone().enumerate().skip(first) {
             check_crossings([first, second], [one, other], &scale)?;
         }
     }
@@ -126,10 +131,13 @@ fn check_crossings<R: Real>(
 }
 
 /// Every loop but the first lies inside of it and outside of the others.
-fn check_holes<R: Real>(loops: &[Corners<'_, R>], scale: &Scale<R>) -> Result<(), OutlineError> {
-    for (in_loop, hole) in loops.iter().enumerate().skip(1) {
+fn check_holes<'a, R: Real>(
+    loops: impl Loops<'a, R>,
+    scale: &Scale<R>,
+) -> Result<(), OutlineError> {
+    for (in_loop, hole) in loops.clone().enumerate().skip(1) {
         for corner in hole.iter().take(1) {
-            for (index, around) in loops.iter().enumerate() {
+            for (index, around) in loops.clone().enumerate() {
                 if index != in_loop && contains(around, corner, scale) != (index == 0) {
                     return Err(OutlineError::Hole { in_loop });
                 }

@@ -97,7 +97,7 @@ unsafe fn set_of<S: Set>(set: *const S) -> Result<S::Set, tribos_status> {
 
 /// Projects a wrench; a length of 0 represents the radius of the set.
 #[inline(always)]
-fn projected<S: FrictionSet<f64>>(
+pub(super) fn projected<S: FrictionSet<f64>>(
     set: &S,
     wrench: tribos_wrench_f64,
     length: f64,

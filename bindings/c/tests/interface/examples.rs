@@ -111,7 +111,9 @@ fn no_panic_is_left_in(image: &Path) {
 
 #[test]
 fn the_digest_calls_every_function_of_the_header() {
-    let source = fs::read_to_string(folder("examples/digest_real.h")).expect("the digest");
+    let source = ["digest_real.h", "digest_polygons.h"]
+        .map(|name| fs::read_to_string(folder("examples").join(name)).expect("the digest"))
+        .concat();
     let mut count = 0;
     for line in header().lines() {
         let Some(rest) = line.strip_prefix("tribos_status tribos_") else {
@@ -127,22 +129,23 @@ fn the_digest_calls_every_function_of_the_header() {
 }
 
 #[test]
-fn the_example_of_the_documentation_runs() {
+fn the_examples_of_the_documentation_run() {
     if !has("cc") {
         return;
     }
     let Some(archive) = archive(None) else { return };
     let page = fs::read_to_string(folder("../../docs/c.md")).expect("the page");
-    let (_, example) = page.split_once("```c\n").expect("an example");
-    let (example, _) = example.split_once("```").expect("its end");
-    let source = scratch("page.c");
-    fs::write(&source, example).expect("a file");
-    let program = scratch("page");
-    let file = source.to_str().expect("a plain path");
-    compile_for_host(&[file], &archive, &program);
-    let said = printed(&mut Command::new(program));
-    assert!(
-        page.contains(&format!("prints `{}`", said.trim_end())),
-        "{said}"
-    );
+    let examples: Vec<_> = page.split("```c\n").skip(1).collect();
+    assert!(examples.len() >= 2);
+    for example in examples {
+        let (example, after) = example.split_once("```").expect("its end");
+        let source = scratch("page.c");
+        fs::write(&source, example).expect("a file");
+        let program = scratch("page");
+        let file = source.to_str().expect("a plain path");
+        compile_for_host(&[file], &archive, &program);
+        let said = printed(&mut Command::new(program));
+        let told = format!("\n\nprints `{}`", said.trim_end());
+        assert!(after.starts_with(&told), "{said}");
+    }
 }

@@ -10,8 +10,8 @@
  *
  * A null pointer is refused. Every other pointer must point to memory of its type, aligned and, for
  * arguments, initialised; an array must hold as many elements as its count says and must not
- * overlap the results. No pointer is kept after the call. Functions may be called from any thread and
- * from interrupts.
+ * overlap the results. No pointer is kept after the call, except that a polygon names the memory of its
+ * edges. Functions may be called from any thread and from interrupts.
  *
  * The floating-point unit must round to nearest and keep subnormal numbers, as it does by default:
  * do not link with -ffast-math.

@@ -10,6 +10,7 @@ use tribos_c::double::contact::*;
 use tribos_c::double::law::*;
 use tribos_c::double::nodes::*;
 use tribos_c::double::patch::*;
+use tribos_c::double::polygon::*;
 use tribos_c::double::slider::*;
 use tribos_c::double::surface::*;
 use tribos_c::double::vectors::*;
@@ -227,6 +228,53 @@ fn every_refusal_is_told_by_its_status() {
         };
         expect(rule(0, 0.0), S::Rings);
         expect(rule(1, -1.0), S::RimExponent);
+
+        let mut edges = [tribos_edge_f64 { opaque: [0.0; 7] }; 4];
+        let mut sole = std::mem::zeroed::<tribos_polygon_f64>();
+        let mut outline = |corners: &[tribos_point_f64], counts: &[usize], room| {
+            let (corners, memory) = (corners.as_ptr(), edges.as_mut_ptr());
+            let (counts, loops) = (counts.as_ptr(), counts.len());
+            tribos_polygon_new_f64(corners, counts, loops, memory, room, &mut sole)
+        };
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let square = square.map(|[x, y]| tribos_point_f64 { x, y });
+        expect(outline(&square, &[4], 3), S::Full);
+        expect(outline(&square, &[], 4), S::Corners);
+        expect(outline(&square, &[2, 2], 4), S::Corners);
+        expect(outline(&square, &[usize::MAX, 1], 4), S::Count);
+        let [a, b, c, d] = square;
+        expect(outline(&[a, c, b, d], &[4], 4), S::Outline);
+        let nowhere = tribos_point_f64 { x: f64::NAN, ..a };
+        expect(outline(&[a, b, nowhere], &[3], 4), S::NodePosition);
+        let far = |x| tribos_point_f64 { x, ..c };
+        let widest = [far(-f64::MAX), b, far(f64::MAX)];
+        expect(outline(&widest, &[3], 4), S::NotFinite);
+        expect(outline(&square, &[4], 4), S::Ok);
+        let centre = |x| tribos_point_f64 { x, y: 0.5 };
+        let before = edges.map(|edge| edge.opaque);
+        expect(
+            tribos_polygon_lean_f64(&mut sole, &centre(0.7)),
+            S::Negative,
+        );
+        expect(
+            tribos_polygon_lean_f64(&mut sole, &centre(f64::NAN)),
+            S::NotFinite,
+        );
+        assert_eq!(
+            (before, sole.centre.x),
+            (edges.map(|edge| edge.opaque), 0.5)
+        );
+        expect(tribos_polygon_lean_f64(&mut sole, &centre(0.6)), S::Ok);
+        expect(tribos_polygon_lean_f64(&mut sole, &centre(0.6)), S::Leans);
+        expect(
+            tribos_polygon_wrench_f64(&sole, -1.0, 1.0, &twist, &mut wrench),
+            S::Coefficient,
+        );
+        let push = wrench;
+        expect(
+            tribos_polygon_gauge_f64(&sole, -1.0, &push, &mut x),
+            S::ForceLimit,
+        );
 
         let mut power = |force_limit, spin_torque| {
             let set = tribos_ellipsoid_f64 {

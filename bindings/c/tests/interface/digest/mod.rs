@@ -5,6 +5,7 @@ mod contacts;
 mod laws;
 mod patches;
 mod points;
+mod polygons;
 mod sliders;
 mod stream;
 mod surfaces;
@@ -20,8 +21,9 @@ pub fn digest() -> u64 {
 }
 
 fn all<R: Precision>(s: &mut Stream) {
+    let range = |n| if n % 2 == 1 { Range::Wide } else { Range::Mild };
     for n in 0..200 {
-        let range = if n % 2 == 1 { Range::Wide } else { Range::Mild };
+        let range = range(n);
         laws::simple::<R>(s);
         laws::with_state::<R>(s);
         patches::round::<R>(s);
@@ -34,6 +36,7 @@ fn all<R: Precision>(s: &mut Stream) {
     for n in 0..40 {
         patches::powers::<R>(s);
         points::rules::<R>(s);
+        polygons::leaning::<R>(s, range(n));
         sliders::ways::<R>(s, n % 8 == 0);
     }
 }

@@ -41,7 +41,7 @@ fn feed<R: Precision, S: FrictionSet<R>>(
     feed_projection(s, nearest.ok());
 }
 
-fn feed_projection<R: Real>(s: &mut Stream, projection: Option<Projection<R>>) {
+pub fn feed_projection<R: Real>(s: &mut Stream, projection: Option<Projection<R>>) {
     if let Some(p) = s.ok(projection.ok_or(())) {
         let (slides, normal) = match p.region {
             Region::Inside => (0, Twist::ZERO),
