@@ -156,8 +156,8 @@ impl<R: Real> Rule<R> for OfUniform<'_, R> {
     }
 }
 
-/// Integrals along the edges of three functions, at two points at once.
-pub(super) struct OfPairs<'a, R: Real, F> {
+/// Integrals along the edges of `N` functions, at two points at once.
+pub(super) struct OfPairs<'a, R: Real, F, const N: usize> {
     pub(super) slide: &'a Slide<'a, R>,
     pub(super) edges: &'a [Edge<R>],
     /// What a length along an edge counts; `None` counts its part along y.
@@ -165,12 +165,15 @@ pub(super) struct OfPairs<'a, R: Real, F> {
     pub(super) at: F,
 }
 
-impl<R: Real, F: Fn([Two<R>; 2]) -> [Two<R>; 3]> Rule<R> for OfPairs<'_, R, F> {
-    type Sum = [R; 3];
+impl<R: Real, F, const N: usize> Rule<R> for OfPairs<'_, R, F, N>
+where
+    F: Fn([Two<R>; 2]) -> [Two<R>; N],
+{
+    type Sum = [R; N];
 
     #[inline(always)]
-    fn sum(&self, rule: &[[f64; 2]]) -> [R; 3] {
-        let mut sums = [Two::of(R::ZERO); 3];
+    fn sum(&self, rule: &[[f64; 2]]) -> [R; N] {
+        let mut sums = [Two::of(R::ZERO); N];
         for edge in self.edges {
             let half = R::HALF * edge.length();
             let [tx, ty] = self.slide.turned(&edge.tangent());
@@ -314,6 +317,26 @@ impl<R: Real> Slide<'_, R> {
         let spin = self.spin;
         // D″ times the twist (1, 0, spin) is 0.
         let (xx, xy, xn) = (spin * spin * nn, -(spin * yn), -(spin * nn));
+        self.turned_back(&Hessian {
+            xx,
+            xy,
+            yy,
+            xn,
+            yn,
+            nn,
+        })
+    }
+
+    /// A matrix with axes along the direction and across it, in those of the patch.
+    pub(super) fn turned_back(&self, matrix: &Hessian<R>) -> Hessian<R> {
+        let Hessian {
+            xx,
+            xy,
+            yy,
+            xn,
+            yn,
+            nn,
+        } = *matrix;
         let (c, s) = (self.direction.x, self.direction.y);
         Hessian {
             xx: c * c * xx - R::TWO * c * s * xy + s * s * yy,
@@ -327,15 +350,15 @@ impl<R: Real> Slide<'_, R> {
 }
 
 /// Pressure along the direction and across it.
-struct Turned<R> {
+pub(super) struct Turned<R> {
     at_centre: Two<R>,
-    slope_x: Two<R>,
+    pub(super) slope_x: Two<R>,
     slope_y: Two<R>,
 }
 
 impl<R: Real> Turned<R> {
     #[inline(always)]
-    fn new(slide: &Slide<'_, R>, pressure: &impl FlatPressure<R>) -> Self {
+    pub(super) fn new(slide: &Slide<'_, R>, pressure: &impl FlatPressure<R>) -> Self {
         let [x, y] = pressure.slope();
         let [x, y] = slide.turned(&Vector2::new(x, y));
         Self {
@@ -347,7 +370,7 @@ impl<R: Real> Turned<R> {
 
     /// Pressure on the second axis.
     #[inline(always)]
-    fn at(&self, y: Two<R>) -> Two<R> {
+    pub(super) fn at(&self, y: Two<R>) -> Two<R> {
         self.at_centre + self.slope_y * y
     }
 }

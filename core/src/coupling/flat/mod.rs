@@ -8,11 +8,14 @@
 //! and become a smooth integral along each edge where it does not. The Jacobian, minus the Hessian
 //! of the dissipated power, follows from the same integrals. Nothing is sampled on the area, so that
 //! the cost grows with the number of edges alone.
+//!
+//! [`FlatPowerFriction`] is the same for friction μ|q|^α, α > −1.
 
 mod bar;
 mod far;
 mod motion;
 mod near;
+mod power;
 mod two;
 
 use crate::law::{LawError, validated_coefficient};
@@ -23,6 +26,7 @@ use far::Slide;
 #[doc(hidden)]
 pub use motion::Motion;
 use nalgebra::{Matrix3, Vector2};
+pub use power::{FlatPower, FlatPowerFriction, PowerPatch};
 
 /// Friction of a patch per limit μN, about its centre of pressure; the torque per radius.
 #[doc(hidden)]
