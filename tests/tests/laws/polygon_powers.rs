@@ -288,7 +288,7 @@ fn differences_of_the_wrench_are_the_jacobian() {
         for alpha in [-0.25, 0.5, 2.0, 3.5] {
             let friction = friction(&tilted, alpha);
             // Away from the patch, where the wrench is smooth.
-            for ratio in [1.5, 2.5, 2.999, 3.001, 5.0, 100.0] {
+            for ratio in [1.5, 1.999, 2.001, 2.5, 5.0, 100.0] {
                 let angle = rng.between(0.0, core::f64::consts::TAU);
                 let reach = ratio * tilted.radius();
                 let at = tilted.centre() + Vector2::new(angle.cos(), angle.sin()) * reach;

@@ -42,7 +42,7 @@ use super::two::Two;
 use super::{Hessian, Reduced};
 use crate::patch::outline::{Edge, FlatPressure};
 use crate::real::Real;
-use crate::special::legendre::{FEW_HALF, OF_4, OF_6, OF_10};
+use crate::special::legendre::{FEW_HALF, HALF, OF_4, OF_6, OF_10};
 use nalgebra::Vector2;
 
 /// P₁ for σ² ≤ 0.0295, from the constant term on: `chebyfit` of mpmath 1.3 for P with 7 terms, to 2e-17.
@@ -77,12 +77,12 @@ pub(super) struct Slide<'a, R: Real> {
     pub(super) spin: R,
 }
 
-/// Distances of the centre of rotation, in half lengths of the longest edge, below which 10, 8 and 6
-/// points are taken and not 4: for the wrench to 1e-15, for second derivatives to 3e-15.
-pub(super) const FOR_WRENCH: [f64; 3] = [5.0, 9.0, 75.0];
-pub(super) const FOR_HESSIAN: [f64; 3] = [6.0, 15.0, 300.0];
+/// Distances of the centre of rotation, in half lengths of the longest edge, below which 16, 10, 8 and 6
+/// points are taken and not 4: for the wrench to 1e-15, for second derivatives to 3e-15. Zero is never.
+pub(super) const FOR_WRENCH: [f64; 4] = [0.0, 5.0, 9.0, 75.0];
+pub(super) const FOR_HESSIAN: [f64; 4] = [0.0, 6.0, 15.0, 300.0];
 /// The same in single precision, to 1e-7.
-const SINGLE: [f64; 3] = [0.0, 0.0, 6.0];
+const SINGLE: [f64; 4] = [0.0, 0.0, 0.0, 6.0];
 
 /// A sum that Gauss' rule makes of the edges, with half of a rule's nodes and weights.
 pub(super) trait Rule<R> {
@@ -92,12 +92,15 @@ pub(super) trait Rule<R> {
 
 /// The sum by the rule that half the length of the longest edge asks for at this spin.
 #[inline(always)]
-pub(super) fn by_rule<R: Real, S: Rule<R>>(sum: &S, reach: R, double: [f64; 3]) -> S::Sum {
-    let [ten, eight, six] = if R::IS_SINGLE { SINGLE } else { double };
-    let is_below = |limit: f64| reach * R::from_f64(limit) > R::ONE;
-    let rule: &[[f64; 2]] = if !R::IS_SINGLE && is_below(ten) {
+pub(super) fn by_rule<R: Real, S: Rule<R>>(sum: &S, reach: R, double: [f64; 4]) -> S::Sum {
+    let [sixteen, ten, eight, six] = if R::IS_SINGLE { SINGLE } else { double };
+    // A rule that is never taken is no part of a program.
+    let is_below = |limit: f64| limit > 0.0 && reach * R::from_f64(limit) > R::ONE;
+    let rule: &[[f64; 2]] = if is_below(sixteen) {
+        &HALF
+    } else if is_below(ten) {
         &OF_10
-    } else if !R::IS_SINGLE && is_below(eight) {
+    } else if is_below(eight) {
         &FEW_HALF
     } else if is_below(six) {
         &OF_6

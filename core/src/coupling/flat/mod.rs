@@ -1,4 +1,6 @@
-//! Dry friction of flat patches with straight edges, exact to rounding.
+//! Friction of flat patches with straight edges, exact to rounding.
+//!
+//! Force and torque of dry friction,
 //!
 //! ```text
 //! force = −μ ∫p q/|q| dA,     torque = −μ ∫p (x × q)/|q| dA,     q = v + ω × x
@@ -9,7 +11,7 @@
 //! of the dissipated power, follows from the same integrals. Nothing is sampled on the area, so that
 //! the cost grows with the number of edges alone.
 //!
-//! [`FlatPowerFriction`] is the same for friction μ|q|^α, α > −1.
+//! [`FlatPowerFriction`] is the same for friction γ|q|^α, α > −1.
 
 mod bar;
 mod far;

@@ -40,9 +40,9 @@ use crate::patch::outline::{Edge, FlatPressure};
 use crate::real::Real;
 use nalgebra::Vector2;
 
-/// Distances of the centre of rotation, in half lengths of the longest edge, below which 10, 8 and 6
+/// Distances of the centre of rotation, in half lengths of the longest edge, below which 16, 10, 8 and 6
 /// points are taken and not 4.
-const POINTS: [f64; 3] = [6.0, 15.0, 300.0];
+const POINTS: [f64; 4] = [3.5, 6.0, 15.0, 300.0];
 
 /// Integrals of a patch over x, at two points of an edge at once.
 struct Point<'a, R: Real> {

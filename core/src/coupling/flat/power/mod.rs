@@ -104,13 +104,13 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: FlatPressure<R>> PowerPatch<R> for Polygon
 /// zero or normal numbers.
 ///
 /// *Accuracy*, of γN V^α and γN V^α R about the centre of pressure, V being the speed of the centre plus
-/// the rim speed, for patches up to 10 times as long as wide and −1/2 ≤ α ≤ 3: 1e-13, for α down to −7/8
-/// and up to 10 1e-12 (f32: 2e-5). The torque of a patch that hardly turns keeps that accuracy relative
+/// the rim speed, for patches up to 10 times as long as wide: 5e-14 for −1/2 ≤ α ≤ 3, under linear pressure
+/// 1e-13; 5e-13 for α down to −7/8 and up to 10 (f32, 0 ≤ α ≤ 3: 4e-6). The torque of a patch that hardly turns keeps that accuracy relative
 /// to itself.
 ///
 /// *Cost*: an edge takes two roots, three exponentials and logarithms, and two polynomials of 24
-/// terms; where the centre of rotation is farther away than 3 radii (f32: 2), 4 to 10 points, each with
-/// three polynomials of 24, 12 and 12 terms. An exponent within 1/4 of an even number takes two more
+/// terms; where the centre of rotation is farther away than 2 radii, 4 to 16 points, each with
+/// three polynomials of 28, 16 and 16 terms. An exponent within 1/4 of an even number takes two more
 /// exponentials an edge.
 ///
 /// *Special values*: zero at rest, also for α ≤ 0, where friction has no limit; NaN for infinite
@@ -165,7 +165,7 @@ impl<R: Real, P: PowerPatch<R>> FlatPowerFriction<R, P> {
     /// exclude.
     #[inline]
     pub fn wrench(&self, load: R, twist: &Twist<R>) -> Wrench<R> {
-        match Motion::new(self.patch(), twist) {
+        match Motion::of_power(self.patch(), twist) {
             Ok(motion) => {
                 let reduced = self.patch().of_power(&self.power, &motion);
                 let pace = self.pace(&motion, twist, self.power.alpha);
@@ -180,10 +180,11 @@ impl<R: Real, P: PowerPatch<R>> FlatPowerFriction<R, P> {
     /// It is negative semidefinite for α ≥ 0. For α < 0 friction weakens with the speed, and the
     /// Jacobian times the twist, α times the wrench, shows along the twist: the matrix is indefinite.
     ///
-    /// *Accuracy*: the Jacobian 1e-12 of its largest entry, with the radius as the unit of length (f32:
-    /// 4e-5). For α < 0 a place next to an edge counts with the α-th power of its distance: the
-    /// Jacobian is that of a centre of rotation a rounding error away, which is a difference of
-    /// ε^(1+α) where the centre lies on an edge.
+    /// *Accuracy*: the Jacobian 1e-13 of its largest entry, with the radius as the unit of length, for
+    /// −1/2 ≤ α ≤ 3, under linear pressure 2.5e-13; 1e-12 for α down to −7/8 and up to 10 (f32, 0 ≤ α ≤ 3:
+    /// 8e-6). For α < 0 the Jacobian changes with the α-th power of the distance between the centre of
+    /// rotation and an edge. It is then that of a centre a rounding error ε away, which makes a difference
+    /// of about ε^(1+α) where the centre lies on an edge.
     /// *Special values*: at rest constant for α = 1, otherwise zero, although it has no limit for α < 1.
     ///
     /// ```
@@ -202,7 +203,7 @@ impl<R: Real, P: PowerPatch<R>> FlatPowerFriction<R, P> {
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn wrench_and_jacobian(&self, load: R, twist: &Twist<R>) -> (Wrench<R>, WrenchJacobian<R>) {
-        let unmoved = match Motion::new(self.patch(), twist) {
+        let unmoved = match Motion::of_power(self.patch(), twist) {
             Ok(motion) => {
                 let (reduced, hessian) = self.patch().of_power_with_hessian(&self.power, &motion);
                 let alpha = self.power.alpha;
