@@ -5,7 +5,7 @@ mod settings;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use tribos_core::coupling::flat::{DryPatch, FlatFriction};
+use tribos_core::coupling::flat::{DryPatch, FlatFriction, FlatPower, FlatPowerFriction};
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::{PatchFriction, table};
 use tribos_core::law::CoulombLaw;
@@ -95,6 +95,15 @@ fn polygons(criterion: &mut Criterion) {
     time(criterion, "square, Jacobian", |t| {
         square.wrench_and_jacobian(1.0, t)
     });
+    for alpha in [0.0625, 0.5, 3.0] {
+        let power = FlatPower::new(alpha).expect("in range");
+        let patch = Polygon::new(SQUARE).expect("a square");
+        let friction = FlatPowerFriction::new(patch, 1.0, power).expect("in range");
+        let name = format!("square, power {alpha}");
+        time(criterion, &name, |t| friction.wrench(1.0, t));
+        let name = format!("{name}, Jacobian");
+        time(criterion, &name, |t| friction.wrench_and_jacobian(1.0, t));
+    }
     time(criterion, "square of 504 nodes", |t| nodes.wrench(1.0, t));
 }
 

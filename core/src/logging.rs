@@ -3,7 +3,7 @@
 
 use crate::contact::internals::{InPlane, PreparedContact, TangentialLoad};
 use crate::contact::{Contact, ContactModes, Modal, Plate, Sphere, Touch};
-use crate::coupling::flat::{DryPatch, Motion, Reduced};
+use crate::coupling::flat::{DryPatch, FlatPower, Motion, Reduced};
 use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable};
 use crate::coupling::table::Table;
 use crate::coupling::tall::TallWrench;
@@ -80,6 +80,7 @@ formats! {
         "limit surface of force {}, torque {}, radius {}",
         s.force_limit(), s.torque_limit(), s.radius();
     [R: Real + Format] Reduced<R>: |r| "force [{}, {}], torque {}", r.force.x, r.force.y, r.torque;
+    [R: Real + Format] FlatPower<R>: |p| "prepared law of exponent {}", p.alpha();
     [R: Real + Format] Motion<R>: |m| "{}", match m {
         Motion::Turns { centre, spin } => Components(Vector3::new(centre.x, centre.y, *spin)),
         Motion::Slides { direction, turn, .. } => {

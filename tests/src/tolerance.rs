@@ -50,6 +50,22 @@ bounds! {
     POLYGON_LINEAR = 5e-14, "promised in coupling::flat; moments about a centre up to 3 radii away cancel";
     /// Their Jacobian, of its largest entry.
     POLYGON_LINEAR_JACOBIAN = 2.5e-13, "promised in coupling::flat; 1.8e-13 at 10:1 among 100,800 twists";
+    /// Power laws of −1/2 ≤ α ≤ 3 on polygons, uniform pressure: of γN V^α, and that times R + |centre|.
+    POLYGON_POWER = 5e-14, "promised in coupling::flat; opposite edges cancel: 1.4e-14 at 10:1 among 11,000 twists";
+    /// Their Jacobian, of its largest entry.
+    POLYGON_POWER_JACOBIAN = 1e-13, "promised in coupling::flat; moments about a centre up to 2 radii away cancel: 6.7e-14 at 10:1";
+    /// The same under linear pressure.
+    POLYGON_POWER_LINEAR = 1e-13, "promised in coupling::flat; moments about a centre up to 2 radii away cancel";
+    /// Their Jacobian, of its largest entry.
+    POLYGON_POWER_LINEAR_JACOBIAN = 2.5e-13, "promised in coupling::flat; 1.5e-13 among 11,000 twists";
+    /// Power laws of −7/8 ≤ α ≤ 10 on polygons, either pressure.
+    POLYGON_POWER_ENDS = 5e-13, "promised in coupling::flat; divided by 1 + alpha";
+    /// Their Jacobian, of its largest entry.
+    POLYGON_POWER_ENDS_JACOBIAN = 1e-12, "promised in coupling::flat; divided by 1 + alpha";
+    /// Power laws of 0 < α ≤ 3 on polygons in f32.
+    POLYGON_POWER_SINGLE = 4e-6, "promised in coupling::flat; opposite edges cancel, most where the shape is long";
+    /// Their Jacobian, of its largest entry.
+    POLYGON_POWER_SINGLE_JACOBIAN = 8e-6, "promised in coupling::flat; moments about a centre up to 2 radii away cancel";
     /// A strip 1000 times as long as wide, as above.
     SLIVER = 5e-12, "promised in coupling::flat: the aspect ratio times 5e-15, long edges cancel";
     /// Its Jacobian, of its largest entry.

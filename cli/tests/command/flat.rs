@@ -48,6 +48,54 @@ fn boxes_polygons_and_bars_have_their_torque_of_pure_spinning() -> Outcome {
 }
 
 #[test]
+fn boxes_and_polygons_serve_powers_of_the_speed() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    frame(folder.path())?;
+    // Viscous friction: γN ω times the mean square of the distance, (a² + b²)/12 for a box.
+    let square = (4.0 + 4.0) / 12.0;
+    let hole = (1.0 + 1.0) / 12.0;
+    for (patch, mean) in [
+        ("box:2x2", square),
+        ("box:0.3x0.2", (0.09 + 0.04) / 12.0),
+        ("polygon:frame.csv", (4.0 * square - hole) / 3.0),
+    ] {
+        for law in [
+            "--coefficient 0.5 --alpha 1",
+            "--law power:gamma=0.5,alpha=1",
+        ] {
+            let line = format!(
+                "wrench --patch {patch} {law} --load 10 --speed 0.2 --spin 3 --jacobian --format json"
+            );
+            let [out, _] = succeed(folder.path(), line)?;
+            let answer: serde_json::Value = serde_json::from_str(&out)?;
+            let part = |name: &str| answer[name].as_f64().ok_or(name.to_owned());
+            assert!((part("force_x")? + 5.0 * 0.2).abs() < 1e-13, "{patch}");
+            assert!(
+                (part("torque")? + 5.0 * 3.0 * mean).abs() < 1e-13,
+                "{patch}"
+            );
+            assert!(
+                (part("dtorque_dspin")? + 5.0 * mean).abs() < 1e-13,
+                "{patch}"
+            );
+            assert_eq!(answer["contact"]["alpha"], 1.0);
+        }
+    }
+    // The same box with its load towards one side, and in single precision.
+    let box_ = "wrench --patch box:0.3x0.2 --centre 0.02,0 --alpha 0.5 --speed 0.5 --spin 3";
+    let [double, said] = succeed(folder.path(), format!("{box_} --format csv"))?;
+    assert!(said.contains("alpha 0.5"), "{said}");
+    let [single, _] = succeed(
+        folder.path(),
+        format!("{box_} --format csv --precision f32"),
+    )?;
+    for (a, b) in rows(&double)[0].iter().zip(&rows(&single)[0]) {
+        assert!((a - b).abs() < 1e-5, "{double}{single}");
+    }
+    Ok(())
+}
+
+#[test]
 fn a_file_of_planar_twists_has_wrenches_and_nine_derivatives() -> Result<(), Error> {
     let folder = tempfile::tempdir()?;
     let twists = "velocity_x,velocity_y,spin\n0.3,-0.2,1.5\n0.2,0.4,-0.1\n";
@@ -141,9 +189,14 @@ fn what_makes_no_sense_for_straight_edges_is_refused() -> Outcome {
             "side A must be > 0",
         ),
         (
-            "wrench --patch box:1x1 --alpha 0.5 --speed 1 --spin 1",
-            "serve dry friction",
+            "wrench --patch bar:1 --alpha 0.5 --speed 1 --spin 1",
+            "bars serve dry friction",
         ),
+        (
+            "wrench --patch box:1x1 --law stribeck:mu_s=0.2,mu_d=0.1,vs=0.01 --speed 1 --spin 1",
+            "powers of the speed, not stribeck",
+        ),
+        ("wrench --patch box:1x1 --alpha 11 --speed 1 --spin 1", "10"),
         (
             "wrench --patch box:1x1 --radius 2 --speed 1 --spin 1",
             "leave out --radius",

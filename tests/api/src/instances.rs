@@ -131,11 +131,11 @@ pub const INSTANCES: &[Instance] = &[
     instance("patch::outline::Linear<R>", &["FlatPressure"]),
     instance(
         "patch::outline::Polygon<R, [patch::outline::Edge<R>; 4]>",
-        &["DryPatch"],
+        &["DryPatch", "PowerPatch"],
     ),
     instance(
         "patch::outline::Polygon<R, [patch::outline::Edge<R>; 4], patch::outline::Linear<R>>",
-        &["DryPatch"],
+        &["DryPatch", "PowerPatch"],
     ),
     instance("patch::bar::Bar<R>", &["DryPatch"]),
     // Limit surfaces.

@@ -20,6 +20,7 @@ mod memory;
 mod motions;
 mod patches;
 mod planes;
+mod polygon_powers;
 mod polygons;
 mod pressures;
 mod profiles;
@@ -70,7 +71,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 37] = [
+pub const CHAPTERS: [Chapter; 38] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),
@@ -108,6 +109,7 @@ pub const CHAPTERS: [Chapter; 37] = [
     little("holding", holding::holding),
     little("rubber", laws::rubber),
     little("polygons", polygons::polygons),
+    little("polygon powers", polygon_powers::polygon_powers),
 ];
 
 const DIGESTS: &str = include_str!("../digests.txt");

@@ -4,7 +4,9 @@ use super::check::{all_nan, finite, holds};
 use super::planes::{dissipates, stepped, twist, wrench};
 use super::sets::asked;
 use super::{Broken, Source};
-use tribos_core::coupling::flat::{DryPatch, FlatFriction};
+use tribos_core::coupling::flat::{
+    DryPatch, FlatFriction, FlatPower, FlatPowerFriction, PowerPatch,
+};
 use tribos_core::limit_surface::{FrictionSet, PatchSurface};
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::outline::{Edge, FlatPressure, Polygon};
@@ -142,7 +144,8 @@ fn used<R: Real, K: FlatPressure<R>>(
     let gyration = patch.radius_of_gyration();
     holds(gyration >= R::ZERO, "a radius of gyration", &[gyration])?;
     if source.one_in(2) {
-        return rubs(source, patch);
+        rubs(source, patch)?;
+        return resists(source, patch);
     }
     let Ok(set) = PatchSurface::new(*patch, source.size()) else {
         return Ok(());
@@ -180,6 +183,41 @@ fn rubs<R: Real>(source: &mut Source, patch: &impl DryPatch<R>) -> Result<(), Br
         holds(same == met, "the same wrench with its Jacobian", &parts)?;
     }
     finite(source, "Jacobian of a wrench", jacobian.iter().copied())?;
+    dissipates(source, &met, &motion)
+}
+
+/// Friction of any power of the speed at any motion.
+fn resists<R: Real>(source: &mut Source, patch: &impl PowerPatch<R>) -> Result<(), Broken> {
+    let alpha = if source.is_mild() {
+        R::from_f64(2.5 * source.unit::<f64>() - 0.5)
+    } else {
+        source.number()
+    };
+    let Ok(power) = FlatPower::new(alpha) else {
+        let is_in = alpha > -R::ONE && alpha.to_f64() <= FlatPower::<R>::MAX_EXPONENT;
+        return holds(!is_in, "an exponent in range is taken", &[alpha]);
+    };
+    let Ok(friction) = FlatPowerFriction::new(patch, source.size::<R>(), power) else {
+        return Ok(());
+    };
+    let own = [friction.power().alpha(), friction.coefficient()];
+    let fits = own[0] == alpha && own[1] >= R::ZERO && friction.patch().radius() > R::ZERO;
+    holds(fits, "its parts", &own)?;
+    let (load, motion) = (source.size(), twist::<R>(source));
+    let met = friction.wrench(load, &motion);
+    let (same, jacobian) = friction.wrench_and_jacobian(load, &motion);
+    let parts = [met.force.x, met.force.y, met.torque];
+    let all = [motion.velocity.x, motion.velocity.y, motion.spin];
+    if all.iter().any(|x| x.is_nan()) {
+        return all_nan("wrench", parts);
+    }
+    if parts.iter().all(|x| !x.is_nan()) {
+        holds(same == met, "the same wrench with its Jacobian", &parts)?;
+    }
+    // A weakening law's derivatives grow without bound towards rest.
+    if alpha >= R::ONE {
+        finite(source, "Jacobian of a power", jacobian.iter().copied())?;
+    }
     dissipates(source, &met, &motion)
 }
 

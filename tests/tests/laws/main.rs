@@ -13,6 +13,7 @@ mod node_rules;
 mod nodes;
 mod patches;
 mod polygon_friction;
+mod polygon_powers;
 mod polygons;
 mod pressure_properties;
 mod pressures;

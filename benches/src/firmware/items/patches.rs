@@ -48,7 +48,7 @@ macro_rules! flat {
 }
 
 /// One pair of speeds or one twist in.
-pub const PATCHES: [Item; 14] = [
+pub const PATCHES: [Item; 15] = [
     item(
         ["patch", "Hertz: table: Coulomb"],
         BOTH,
@@ -125,6 +125,14 @@ pub const PATCHES: [Item; 14] = [
             "FlatFriction::new(square(b)?, 0.5).ok()?",
             "whole_jacobian(&object.wrench_and_jacobian(given.load, &given.twist))",
         ),
+    ),
+    dry(
+        "square, exact: square root of the speed",
+        NARROW,
+        flat!(
+            "patch::flat_pressure patch::simple coupling::flat::power coupling::flat::power::far coupling::flat::power::fit coupling::flat::power::near coupling::flat::power::prepared special::hypergeometric"
+        ),
+        "FlatPowerFriction::new(square(b)?, 0.5, FlatPower::new(0.5).ok()?).ok()?",
     ),
     dry(
         "bar, exact: Coulomb",

@@ -1,4 +1,4 @@
-//! Patches with straight edges: the exact wrench of dry friction at any planar twist.
+//! Patches with straight edges: the exact wrench of dry friction and of power laws at any planar twist.
 
 use super::given::Given;
 use super::output::{Fields, Format};
@@ -6,7 +6,7 @@ use super::{Arguments, warn_of_beyond};
 use crate::command::number::{self, in_range};
 use crate::failure::Failure;
 use tribos::friction::{Flat, FlatPatch, Precision};
-use tribos_core::coupling::flat::FlatFriction;
+use tribos_core::coupling::flat::{FlatFriction, FlatPower, FlatPowerFriction};
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
 const TWIST: [&str; 3] = ["velocity_x", "velocity_y", "spin"];
@@ -37,14 +37,15 @@ pub fn centre(text: &str) -> Result<[f64; 2], String> {
     Ok([number::finite(x)?, number::finite(y)?])
 }
 
+/// Wrench and Jacobian at a load and a twist.
+type Friction<R> = Box<dyn Fn(R, &Twist<R>) -> (Wrench<R>, WrenchJacobian<R>)>;
+
 /// Evaluates and prints what the arguments ask of `patch`.
 pub fn evaluate<R: Precision>(arguments: &Arguments, patch: &FlatPatch) -> Result<(), Failure> {
-    let coefficient = coefficient(arguments)?;
-    let flat = patch.loaded::<R>(arguments.centre)?;
-    let friction =
-        FlatFriction::new(flat, in_range("coefficient", coefficient)?).map_err(Failure::input)?;
+    let law = law(arguments)?;
+    let friction = friction::<R>(patch.loaded::<R>(arguments.centre)?, law)?;
     let load = in_range("load", arguments.load)?;
-    let given = contact(arguments, coefficient);
+    let given = contact(arguments, law);
     let at = |twist| line(&friction, load, twist, arguments.jacobian);
     match (&arguments.twists, arguments.speed, arguments.spin) {
         (Some(file), ..) => arguments.all(file, &TWIST, &given, at),
@@ -58,8 +59,42 @@ pub fn evaluate<R: Precision>(arguments: &Arguments, patch: &FlatPatch) -> Resul
     }
 }
 
-/// The coefficient of a dry law; options that have no meaning here are refused.
-fn coefficient(arguments: &Arguments) -> Result<f64, Failure> {
+/// Friction of a patch under the law of this coefficient and exponent.
+fn friction<R: Precision>(
+    flat: Flat<R>,
+    [coefficient, alpha]: [f64; 2],
+) -> Result<Friction<R>, Failure> {
+    let coefficient = in_range("coefficient", coefficient)?;
+    if alpha == 0.0 {
+        let dry = FlatFriction::new(flat, coefficient).map_err(Failure::input)?;
+        return Ok(Box::new(move |load, twist| {
+            dry.wrench_and_jacobian(load, twist)
+        }));
+    }
+    let power = FlatPower::new(in_range("alpha", alpha)?).map_err(Failure::input)?;
+    match flat {
+        Flat::Polygon(patch) => {
+            let friction =
+                FlatPowerFriction::new(patch, coefficient, power).map_err(Failure::input)?;
+            Ok(Box::new(move |load, twist| {
+                friction.wrench_and_jacobian(load, twist)
+            }))
+        }
+        Flat::Leaning(patch) => {
+            let friction =
+                FlatPowerFriction::new(patch, coefficient, power).map_err(Failure::input)?;
+            Ok(Box::new(move |load, twist| {
+                friction.wrench_and_jacobian(load, twist)
+            }))
+        }
+        Flat::Bar(_) => Err(Failure::input(
+            "bars serve dry friction: leave out --alpha and --law, or give a thin box",
+        )),
+    }
+}
+
+/// Coefficient and exponent of the law; options that have no meaning here are refused.
+fn law(arguments: &Arguments) -> Result<[f64; 2], Failure> {
     let refused = |reason: &str| Err(Failure::input(reason.to_owned()));
     if arguments.tilt.is_some() {
         return refused("--tilt is for round patches; --centre X,Y moves the centre of pressure");
@@ -72,31 +107,35 @@ fn coefficient(arguments: &Arguments) -> Result<f64, Failure> {
     if arguments.radius != 1.0 {
         return refused("a patch with straight edges has its own size: leave out --radius");
     }
-    let power = match &arguments.law {
-        Some(law) => law.power_of_speed(),
-        None => Some([arguments.coefficient, arguments.alpha]),
-    };
-    match power {
-        Some([coefficient, 0.0]) => Ok(coefficient),
-        _ => refused(
-            "patches with straight edges serve dry friction: leave out --alpha and --law, or give \
-             points",
-        ),
+    match &arguments.law {
+        None => Ok([arguments.coefficient, arguments.alpha]),
+        Some(law) => law.power_of_speed().ok_or_else(|| {
+            Failure::input(format!(
+                "patches with straight edges serve dry friction and powers of the speed, not {}: give \
+                 --law coulomb or power, --alpha, or points",
+                law.name()
+            ))
+        }),
     }
 }
 
-fn contact(arguments: &Arguments, coefficient: f64) -> Vec<Given> {
+fn contact(arguments: &Arguments, [coefficient, alpha]: [f64; 2]) -> Vec<Given> {
     let mut given = vec![Given::Word("patch", arguments.patch.to_string())];
     if let Some([x, y]) = arguments.centre {
         given.push(Given::Word("centre", format!("{x},{y} m")));
     }
     given.push(Given::Number("load", arguments.load, "N"));
-    given.push(Given::Number("coefficient", coefficient, ""));
+    if alpha == 0.0 {
+        given.push(Given::Number("coefficient", coefficient, ""));
+    } else {
+        given.push(Given::Number("coefficient", coefficient, "(s/m)^alpha"));
+        given.push(Given::Number("alpha", alpha, ""));
+    }
     given
 }
 
 fn line<R: Precision>(
-    friction: &FlatFriction<R, Flat<R>>,
+    friction: &Friction<R>,
     load: R,
     given: [f64; 3],
     with_jacobian: bool,
@@ -106,8 +145,7 @@ fn line<R: Precision>(
         *part = in_range(name, value)?;
     }
     let [x, y, spin] = parts;
-    let (wrench, jacobian): (Wrench<R>, WrenchJacobian<R>) =
-        friction.wrench_and_jacobian(load, &Twist::new(x, y, spin));
+    let (wrench, jacobian) = friction(load, &Twist::new(x, y, spin));
     let mut fields: Fields = TWIST.into_iter().zip(given).collect();
     let parts = [wrench.force.x, wrench.force.y, wrench.torque];
     // No minus before a zero.

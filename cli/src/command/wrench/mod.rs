@@ -36,8 +36,8 @@ pub struct Arguments {
     /// Contact patch.
     #[arg(long, default_value = "disk", long_help = format!("Contact patch: {}.\n\
         A polynomial is the pressure a0 + a1 r^2 + ..., power:Q the pressure (1-r^2)^Q, r in radii. The file of points has columns x,y [m] and weight; the body slides along x. Boxes, polygons and bars are exact for \
-        dry friction: the wrench is that on the body about the origin of the corners, and --twists has columns \
-        velocity_x,velocity_y,spin.", patches()))]
+        dry friction, boxes and polygons for every alpha too: the wrench is that on the body about the origin of the \
+        corners, and --twists has columns velocity_x,velocity_y,spin.", patches()))]
     patch: Patch,
     /// Centre of pressure of a box or a polygon, under a pressure that is linear [m]; without it the
     /// pressure is uniform.

@@ -128,7 +128,7 @@ fn mean<R: Real>(
     bar: &Bar<R>,
     slide: &Slide<'_, R>,
     at: impl Fn([Two<R>; 2]) -> [Two<R>; 3],
-    thresholds: [f64; 3],
+    thresholds: [f64; 4],
 ) -> [R; 3] {
     let edge = bar.edge();
     let along = R::ONE / edge.length();

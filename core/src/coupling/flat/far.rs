@@ -42,7 +42,7 @@ use super::two::Two;
 use super::{Hessian, Reduced};
 use crate::patch::outline::{Edge, FlatPressure};
 use crate::real::Real;
-use crate::special::legendre::{FEW_HALF, OF_4, OF_6, OF_10};
+use crate::special::legendre::{FEW_HALF, HALF, OF_4, OF_6, OF_10};
 use nalgebra::Vector2;
 
 /// P₁ for σ² ≤ 0.0295, from the constant term on: `chebyfit` of mpmath 1.3 for P with 7 terms, to 2e-17.
@@ -77,12 +77,12 @@ pub(super) struct Slide<'a, R: Real> {
     pub(super) spin: R,
 }
 
-/// Distances of the centre of rotation, in half lengths of the longest edge, below which 10, 8 and 6
-/// points are taken and not 4: for the wrench to 1e-15, for second derivatives to 3e-15.
-pub(super) const FOR_WRENCH: [f64; 3] = [5.0, 9.0, 75.0];
-pub(super) const FOR_HESSIAN: [f64; 3] = [6.0, 15.0, 300.0];
+/// Distances of the centre of rotation, in half lengths of the longest edge, below which 16, 10, 8 and 6
+/// points are taken and not 4: for the wrench to 1e-15, for second derivatives to 3e-15. Zero is never.
+pub(super) const FOR_WRENCH: [f64; 4] = [0.0, 5.0, 9.0, 75.0];
+pub(super) const FOR_HESSIAN: [f64; 4] = [0.0, 6.0, 15.0, 300.0];
 /// The same in single precision, to 1e-7.
-const SINGLE: [f64; 3] = [0.0, 0.0, 6.0];
+const SINGLE: [f64; 4] = [0.0, 0.0, 0.0, 6.0];
 
 /// A sum that Gauss' rule makes of the edges, with half of a rule's nodes and weights.
 pub(super) trait Rule<R> {
@@ -92,12 +92,15 @@ pub(super) trait Rule<R> {
 
 /// The sum by the rule that half the length of the longest edge asks for at this spin.
 #[inline(always)]
-pub(super) fn by_rule<R: Real, S: Rule<R>>(sum: &S, reach: R, double: [f64; 3]) -> S::Sum {
-    let [ten, eight, six] = if R::IS_SINGLE { SINGLE } else { double };
-    let is_below = |limit: f64| reach * R::from_f64(limit) > R::ONE;
-    let rule: &[[f64; 2]] = if !R::IS_SINGLE && is_below(ten) {
+pub(super) fn by_rule<R: Real, S: Rule<R>>(sum: &S, reach: R, double: [f64; 4]) -> S::Sum {
+    let [sixteen, ten, eight, six] = if R::IS_SINGLE { SINGLE } else { double };
+    // A rule that is never taken is no part of a program.
+    let is_below = |limit: f64| limit > 0.0 && reach * R::from_f64(limit) > R::ONE;
+    let rule: &[[f64; 2]] = if is_below(sixteen) {
+        &HALF
+    } else if is_below(ten) {
         &OF_10
-    } else if !R::IS_SINGLE && is_below(eight) {
+    } else if is_below(eight) {
         &FEW_HALF
     } else if is_below(six) {
         &OF_6
@@ -156,8 +159,8 @@ impl<R: Real> Rule<R> for OfUniform<'_, R> {
     }
 }
 
-/// Integrals along the edges of three functions, at two points at once.
-pub(super) struct OfPairs<'a, R: Real, F> {
+/// Integrals along the edges of `N` functions, at two points at once.
+pub(super) struct OfPairs<'a, R: Real, F, const N: usize> {
     pub(super) slide: &'a Slide<'a, R>,
     pub(super) edges: &'a [Edge<R>],
     /// What a length along an edge counts; `None` counts its part along y.
@@ -165,12 +168,15 @@ pub(super) struct OfPairs<'a, R: Real, F> {
     pub(super) at: F,
 }
 
-impl<R: Real, F: Fn([Two<R>; 2]) -> [Two<R>; 3]> Rule<R> for OfPairs<'_, R, F> {
-    type Sum = [R; 3];
+impl<R: Real, F, const N: usize> Rule<R> for OfPairs<'_, R, F, N>
+where
+    F: Fn([Two<R>; 2]) -> [Two<R>; N],
+{
+    type Sum = [R; N];
 
     #[inline(always)]
-    fn sum(&self, rule: &[[f64; 2]]) -> [R; 3] {
-        let mut sums = [Two::of(R::ZERO); 3];
+    fn sum(&self, rule: &[[f64; 2]]) -> [R; N] {
+        let mut sums = [Two::of(R::ZERO); N];
         for edge in self.edges {
             let half = R::HALF * edge.length();
             let [tx, ty] = self.slide.turned(&edge.tangent());
@@ -314,6 +320,26 @@ impl<R: Real> Slide<'_, R> {
         let spin = self.spin;
         // D″ times the twist (1, 0, spin) is 0.
         let (xx, xy, xn) = (spin * spin * nn, -(spin * yn), -(spin * nn));
+        self.turned_back(&Hessian {
+            xx,
+            xy,
+            yy,
+            xn,
+            yn,
+            nn,
+        })
+    }
+
+    /// A matrix with axes along the direction and across it, in those of the patch.
+    pub(super) fn turned_back(&self, matrix: &Hessian<R>) -> Hessian<R> {
+        let Hessian {
+            xx,
+            xy,
+            yy,
+            xn,
+            yn,
+            nn,
+        } = *matrix;
         let (c, s) = (self.direction.x, self.direction.y);
         Hessian {
             xx: c * c * xx - R::TWO * c * s * xy + s * s * yy,
@@ -327,15 +353,15 @@ impl<R: Real> Slide<'_, R> {
 }
 
 /// Pressure along the direction and across it.
-struct Turned<R> {
+pub(super) struct Turned<R> {
     at_centre: Two<R>,
-    slope_x: Two<R>,
+    pub(super) slope_x: Two<R>,
     slope_y: Two<R>,
 }
 
 impl<R: Real> Turned<R> {
     #[inline(always)]
-    fn new(slide: &Slide<'_, R>, pressure: &impl FlatPressure<R>) -> Self {
+    pub(super) fn new(slide: &Slide<'_, R>, pressure: &impl FlatPressure<R>) -> Self {
         let [x, y] = pressure.slope();
         let [x, y] = slide.turned(&Vector2::new(x, y));
         Self {
@@ -347,7 +373,7 @@ impl<R: Real> Turned<R> {
 
     /// Pressure on the second axis.
     #[inline(always)]
-    fn at(&self, y: Two<R>) -> Two<R> {
+    pub(super) fn at(&self, y: Two<R>) -> Two<R> {
         self.at_centre + self.slope_y * y
     }
 }

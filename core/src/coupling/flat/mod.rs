@@ -1,4 +1,6 @@
-//! Dry friction of flat patches with straight edges, exact to rounding.
+//! Friction of flat patches with straight edges, exact to rounding.
+//!
+//! Force and torque of dry friction,
 //!
 //! ```text
 //! force = −μ ∫p q/|q| dA,     torque = −μ ∫p (x × q)/|q| dA,     q = v + ω × x
@@ -8,11 +10,14 @@
 //! and become a smooth integral along each edge where it does not. The Jacobian, minus the Hessian
 //! of the dissipated power, follows from the same integrals. Nothing is sampled on the area, so that
 //! the cost grows with the number of edges alone.
+//!
+//! [`FlatPowerFriction`] is the same for friction γ|q|^α, α > −1.
 
 mod bar;
 mod far;
 mod motion;
 mod near;
+mod power;
 mod two;
 
 use crate::law::{LawError, validated_coefficient};
@@ -23,6 +28,7 @@ use far::Slide;
 #[doc(hidden)]
 pub use motion::Motion;
 use nalgebra::{Matrix3, Vector2};
+pub use power::{FlatPower, FlatPowerFriction, PowerPatch};
 
 /// Friction of a patch per limit μN, about its centre of pressure; the torque per radius.
 #[doc(hidden)]

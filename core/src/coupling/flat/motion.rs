@@ -9,7 +9,7 @@ use nalgebra::Vector2;
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Motion<R: Real> {
-    /// About a centre that is at most 3 radii away (f32: 2).
+    /// About a centre that is at most 3 radii away (f32 and power laws: 2).
     Turns {
         /// Where it lies.
         centre: Vector2<R>,
@@ -20,7 +20,7 @@ pub enum Motion<R: Real> {
     Slides {
         /// Direction of the velocity, of length 1.
         direction: Vector2<R>,
-        /// Rim speed over speed, at most 1/3 (f32: 1/2).
+        /// Rim speed over speed, at most 1/3 (f32 and power laws: 1/2).
         turn: R,
         /// |velocity|
         speed: R,
@@ -30,7 +30,7 @@ pub enum Motion<R: Real> {
 /// Distance of the centre of rotation, in radii, up to which the closed form serves. It loses the cube
 /// of the distance in rounding errors of the torque.
 const NEAR: f64 = 3.0;
-/// The same in single precision, of which there are fewer digits to lose.
+/// The same in single precision, of which there are fewer digits to lose, and for power laws.
 const NEAR_SINGLE: f64 = 2.0;
 
 impl<R: Real> Motion<R> {
@@ -38,10 +38,22 @@ impl<R: Real> Motion<R> {
     /// that is infinite or NaN.
     #[inline(always)]
     pub(super) fn new(patch: &impl DryPatch<R>, twist: &Twist<R>) -> Result<Self, R> {
+        let near = if R::IS_SINGLE { NEAR_SINGLE } else { NEAR };
+        Self::split_at(near, patch, twist)
+    }
+
+    /// The same for a power law, whose closed form ends at 2 radii.
+    #[inline(always)]
+    pub(super) fn of_power(patch: &impl DryPatch<R>, twist: &Twist<R>) -> Result<Self, R> {
+        Self::split_at(NEAR_SINGLE, patch, twist)
+    }
+
+    #[inline(always)]
+    fn split_at(near: f64, patch: &impl DryPatch<R>, twist: &Twist<R>) -> Result<Self, R> {
         let (velocity, rim) = at_centre(patch, twist);
         let size = size(&velocity, rim);
         if is_ordinary(size) {
-            return Ok(Self::of(&velocity, rim));
+            return Ok(Self::of(near, &velocity, rim));
         }
         let scale = Self::unit(patch, twist);
         if !twist_size(twist).is_finite() {
@@ -52,7 +64,7 @@ impl<R: Real> Motion<R> {
         if velocity.x == R::ZERO && velocity.y == R::ZERO && rim == R::ZERO {
             return Err(R::ZERO);
         }
-        Ok(Self::of(&velocity, rim))
+        Ok(Self::of(near, &velocity, rim))
     }
 
     /// The power of two that brings `twist` to speeds whose squares are numbers, almost always 1.
@@ -72,9 +84,9 @@ impl<R: Real> Motion<R> {
     }
 
     #[inline(always)]
-    fn of(velocity: &Vector2<R>, rim: R) -> Self {
+    fn of(near: f64, velocity: &Vector2<R>, rim: R) -> Self {
         let speed = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
-        if speed <= R::from_f64(if R::IS_SINGLE { NEAR_SINGLE } else { NEAR }) * rim.abs() {
+        if speed <= R::from_f64(near) * rim.abs() {
             Self::Turns {
                 centre: Vector2::new(-(velocity.y / rim), velocity.x / rim),
                 spin: rim,
