@@ -28,12 +28,20 @@ fn frame(folder: &Path) -> Outcome {
 fn boxes_polygons_and_bars_have_their_torque_of_pure_spinning() -> Outcome {
     let folder = tempfile::tempdir()?;
     frame(folder.path())?;
+    // A square of two triangles; the second one has a needle of no area beside it.
+    let header = "x1,y1,p1,x2,y2,p2,x3,y3,p3";
+    let triangles = "-1,-1,7,1,-1,7,1,1,7\n1,1,7,-1,1,7,-1,-1,7\n1,1,7,0,0,7,-1,-1,7";
+    fs::write(
+        folder.path().join("square.csv"),
+        format!("{header}\n{triangles}\n"),
+    )?;
     // Mean distances: of a square of half side a, a (√2 + asinh 1)/3; of the frame from both squares.
     let square = (2.0_f64.sqrt() + 1.0_f64.asinh()) / 3.0;
     for (patch, arm) in [
         ("box:2x2", square),
         ("polygon:frame.csv", square * (4.0 - 0.5) / 3.0),
         ("bar:0.2", 0.05),
+        ("mesh:square.csv", square),
     ] {
         let line = format!(
             "wrench --patch {patch} --coefficient 0.5 --load 10 --speed 0 --spin 3 --format json"
@@ -118,6 +126,10 @@ fn what_makes_no_sense_for_straight_edges_is_refused() -> Outcome {
     let folder = tempfile::tempdir()?;
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text);
     write("tie.csv", "x,y\n0,0\n1,1\n1,0\n0,1\n")?;
+    write(
+        "pull.csv",
+        "x1,y1,p1,x2,y2,p2,x3,y3,p3\n0,0,1,1,0,1,0,1,-1\n",
+    )?;
     write("gap.csv", "x,y\n0,0\n1,\n0,1\n")?;
     for (line, reason) in [
         ("wrench --patch box:0.3 --speed 1 --spin 1", "box:0.3x0.2"),
@@ -160,6 +172,18 @@ fn what_makes_no_sense_for_straight_edges_is_refused() -> Outcome {
         (
             "wrench --patch polygon:gap.csv --speed 1 --spin 1",
             "gap.csv:3: y: ",
+        ),
+        (
+            "wrench --patch mesh:tie.csv --speed 1 --spin 1",
+            "the columns must be x1,y1,p1,x2,y2,p2,x3,y3,p3",
+        ),
+        (
+            "wrench --patch mesh:pull.csv --speed 1 --spin 1",
+            "pull.csv: the pressure at corner 2 of triangle 0",
+        ),
+        (
+            "wrench --patch mesh:pull.csv --centre 0,0 --speed 1 --spin 1",
+            "a mesh has its own pressure",
         ),
         (
             "wrench --patch polygon:none.csv --speed 1 --spin 1",

@@ -36,6 +36,7 @@
 
 mod ellipsoid;
 mod exact;
+mod kinks;
 mod meridian;
 mod patch;
 mod polar;

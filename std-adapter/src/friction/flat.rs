@@ -1,16 +1,17 @@
-//! Patches with straight edges by name, and their corners from files.
+//! Patches with straight edges and meshes by name, and their corners from files.
 
-use super::Refusal;
 use super::refusal::finite_number;
+use super::{Refusal, columns};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use tribos_core::coupling::flat::{DryPatch, Hessian, Motion, Reduced};
 use tribos_core::patch::bar::Bar;
+use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::outline::{Edge, Linear, OutlineError, Polygon};
 use tribos_core::real::Real;
 
-/// A patch with straight edges, as it is written. Lengths are in m.
+/// A patch with straight edges or a mesh, as it is written. Lengths are in m.
 ///
 /// ```
 /// use tribos::friction::FlatPatch;
@@ -29,9 +30,11 @@ pub enum FlatPatch {
     Polygon(PathBuf),
     /// A straight bar of this length along x, about the origin.
     Bar(f64),
+    /// Triangles with a pressure at each corner, in a file.
+    Mesh(PathBuf),
 }
 
-/// A patch with straight edges, ready for the kernel.
+/// A patch with straight edges or a mesh, ready for the kernel.
 #[derive(Clone, Debug)]
 pub enum Flat<R: Real> {
     /// Under uniform pressure.
@@ -40,11 +43,17 @@ pub enum Flat<R: Real> {
     Leaning(Polygon<R, Vec<Edge<R>>, Linear<R>>),
     /// Without an area.
     Bar(Bar<R>),
+    /// Of triangles, each under linear pressure.
+    Mesh(Mesh<R, Vec<Triangle<R>>>),
 }
 
 /// Most corners of a file: the check that no edges cross takes the square of their number.
 const MOST_CORNERS: usize = 10_000;
-/// Most bytes of a file.
+/// Most triangles of a file.
+const MOST_TRIANGLES: usize = 1_000_000;
+/// Columns of a file of triangles: place and pressure of each corner.
+const TRIANGLE: [&str; 9] = ["x1", "y1", "p1", "x2", "y2", "p2", "x3", "y3", "p3"];
+/// Most bytes of a file of corners.
 const MOST_BYTES: u64 = 1 << 20;
 
 impl FlatPatch {
@@ -58,6 +67,11 @@ impl FlatPatch {
         (
             "bar:L",
             "a line of length L, in m, along x about the origin",
+        ),
+        (
+            "mesh:FILE",
+            "a CSV file of triangles with columns x1,y1,p1,x2,y2,p2,x3,y3,p3: corners in m, and \
+             pressures of which only the ratios count",
         ),
     ];
 
@@ -74,6 +88,12 @@ impl FlatPatch {
     pub fn loaded<R: Real>(&self, centre: Option<[f64; 2]>) -> Result<Flat<R>, Refusal> {
         let narrow = |[x, y]: [f64; 2]| [x, y].map(R::from_f64);
         let loops = match self {
+            Self::Mesh(_) if centre.is_some() => {
+                return Err(Refusal::Syntax(
+                    "a mesh has its own pressure; leave the centre of pressure out".into(),
+                ));
+            }
+            Self::Mesh(path) => return Ok(Flat::Mesh(mesh(path)?)),
             Self::Bar(_) if centre.is_some() => {
                 return Err(Refusal::Syntax(
                     "a bar carries its load evenly; leave the centre of pressure out".into(),
@@ -114,6 +134,22 @@ impl FlatPatch {
             }
         })
     }
+}
+
+/// The mesh of a file of triangles.
+fn mesh<R: Real>(path: &Path) -> Result<Mesh<R, Vec<Triangle<R>>>, Refusal> {
+    let rows = columns::read(path, TRIANGLE, MOST_TRIANGLES)?;
+    let corners = rows.as_flattened().chunks_exact(3);
+    let vertices: Vec<Vertex<R>> = corners
+        .map(|corner| {
+            let [x, y, pressure] = [corner[0], corner[1], corner[2]].map(R::from_f64);
+            Vertex { x, y, pressure }
+        })
+        .collect();
+    let count = rows.len();
+    let triangles: Vec<[usize; 3]> = (0..count).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
+    Mesh::with_vertices(&vertices, &triangles, vec![Triangle::default(); count])
+        .map_err(|error| Refusal::Syntax(format!("{}: {error}", path.display())))
 }
 
 /// The corners of a file with columns x, y and perhaps loop: the first loop is the outer one.
@@ -180,6 +216,7 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Polygon(patch) => patch.centre(),
             Self::Leaning(patch) => patch.centre(),
             Self::Bar(patch) => patch.centre(),
+            Self::Mesh(patch) => patch.centre(),
         }
     }
     fn radius(&self) -> R {
@@ -187,6 +224,7 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Polygon(patch) => patch.radius(),
             Self::Leaning(patch) => patch.radius(),
             Self::Bar(patch) => patch.radius(),
+            Self::Mesh(patch) => patch.radius(),
         }
     }
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
@@ -194,6 +232,7 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Polygon(patch) => patch.reduced(motion),
             Self::Leaning(patch) => patch.reduced(motion),
             Self::Bar(patch) => patch.reduced(motion),
+            Self::Mesh(patch) => patch.reduced(motion),
         }
     }
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
@@ -201,6 +240,7 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Polygon(patch) => patch.reduced_with_hessian(motion),
             Self::Leaning(patch) => patch.reduced_with_hessian(motion),
             Self::Bar(patch) => patch.reduced_with_hessian(motion),
+            Self::Mesh(patch) => patch.reduced_with_hessian(motion),
         }
     }
 }
@@ -212,6 +252,7 @@ impl fmt::Display for FlatPatch {
             Self::Box([a, b]) => write!(f, "box:{a}x{b}"),
             Self::Polygon(path) => write!(f, "polygon:{}", path.display()),
             Self::Bar(length) => write!(f, "bar:{length}"),
+            Self::Mesh(path) => write!(f, "mesh:{}", path.display()),
         }
     }
 }
@@ -245,6 +286,10 @@ impl FromStr for FlatPatch {
             ("bar", "") => Err(Refusal::Syntax(
                 "give a length in m, such as bar:0.2".into(),
             )),
+            ("mesh", "") => Err(Refusal::Syntax(
+                "give a CSV file of triangles, such as mesh:pad.csv".into(),
+            )),
+            ("mesh", file) => Ok(Self::Mesh(file.into())),
             ("bar", length) => Ok(Self::Bar(positive("the length", length)?)),
             _ => {
                 let all: Vec<&str> = Self::SYNTAX.iter().map(|(syntax, _)| *syntax).collect();

@@ -72,7 +72,7 @@ impl<R: Real> Motion<R> {
     }
 
     #[inline(always)]
-    fn of(velocity: &Vector2<R>, rim: R) -> Self {
+    pub(super) fn of(velocity: &Vector2<R>, rim: R) -> Self {
         let speed = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
         if speed <= R::from_f64(if R::IS_SINGLE { NEAR_SINGLE } else { NEAR }) * rim.abs() {
             Self::Turns {
