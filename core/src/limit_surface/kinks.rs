@@ -118,7 +118,7 @@ pub(super) fn least<R: Real>(
         let after = goal.value(&next, next_power.value);
         let is_rounding =
             factor == R::ONE && size < rough() && norm(&goal.gradient(&next, &next_power)) >= size;
-        if is_rounding || !(after <= before + slack) {
+        if is_rounding || after > before + slack || after.is_nan() {
             break;
         }
         (at, power) = (next, next_power);

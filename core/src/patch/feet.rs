@@ -80,7 +80,7 @@ impl<'a, R: Real, P: DryPatch<R>> Feet<'a, R, P> {
         for foot in feet.iter().filter(|foot| foot.weight > R::ZERO) {
             let from = foot.patch.centre() - centre;
             let reach = from.x.hypot(from.y) + foot.patch.radius();
-            if !(reach <= radius) {
+            if reach > radius || reach.is_nan() {
                 radius = reach;
             }
         }

@@ -288,7 +288,7 @@ impl<R: Real> Frame<R> {
             moment += (a * (sum * four) + (b + c) * sum + b * q + c * r) * twice;
         }
         // Pressures may be lost in rounding beside the largest one.
-        if !(load > R::MIN_POSITIVE / R::EPSILON) {
+        if load <= R::MIN_POSITIVE / R::EPSILON || load.is_nan() {
             return Err(MeshError::Unloaded);
         }
         let quarter = R::HALF * R::HALF / load;

@@ -60,7 +60,7 @@ impl<R: Real, P: NodePatch<R>> Points<R, P> {
         let mut radius = R::ZERO;
         for node in loaded() {
             let distance = (node.x - centre.x).hypot(node.y - centre.y);
-            if !(distance <= radius) {
+            if distance > radius || distance.is_nan() {
                 radius = distance;
             }
         }

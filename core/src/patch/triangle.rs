@@ -79,7 +79,7 @@ impl<R: Real> Triangle<R> {
 
     /// From the first corner to the mean of all.
     #[inline(always)]
-    pub(crate) fn to_middle(&self) -> Vector2<R> {
+    pub(crate) fn middle_from_corner(&self) -> Vector2<R> {
         let [b, c] = self.sides();
         (b + c) * R::from_f64(1.0 / 3.0)
     }

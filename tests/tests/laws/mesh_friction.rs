@@ -281,7 +281,7 @@ fn what_carries_nothing_is_left_out_and_what_is_no_mesh_is_refused() {
         })
     );
     let wide = refusal([vertex(-1e308, 0.0, 1.0), vertex(1e308, 0.0, 1.0), a]);
-    assert_eq!(wide, Some(MeshError::Unloaded));
+    assert_eq!(wide, Some(MeshError::Extent));
     let wide = refusal([vertex(-1.7e308, 0.0, 1.0), vertex(1.7e308, 1e308, 1.0), a]);
     assert_eq!(wide, Some(MeshError::Extent));
     let none = Mesh::<f64, [Triangle<f64>; 0]>::new([]).err();

@@ -120,7 +120,7 @@ pub(super) fn answer<R: Precision>(
     let mut fields: Fields = TWIST.into_iter().zip(given).collect();
     let parts = [wrench.force.x, wrench.force.y, wrench.torque];
     fields.extend(WRENCH.into_iter().zip(parts.map(R::to_f64)));
-    for jacobian in jacobian {
+    if let Some(jacobian) = jacobian {
         for (i, names) in JACOBIAN.iter().enumerate() {
             for (j, name) in names.iter().enumerate() {
                 fields.push((name, jacobian[(i, j)].to_f64()));

@@ -31,6 +31,9 @@ use nalgebra::Vector2;
 /// points are enough.
 const ENOUGH: [f64; 4] = [190.0 * 190.0, 43.0 * 43.0, 21.0 * 21.0, NEAREST];
 const NEAREST: f64 = 8.0 * 8.0;
+/// The same in single precision for 7 and 16 points: the closed forms lose digits that count from 3 sizes on.
+const ENOUGH_SINGLE: [f64; 2] = [12.0 * 12.0, NEAREST_SINGLE];
+const NEAREST_SINGLE: f64 = 3.0 * 3.0;
 
 impl<R: Real, S: AsRef<[Triangle<R>]>> DryPatch<R> for Mesh<R, S> {
     fn centre(&self) -> Vector2<R> {
@@ -87,7 +90,7 @@ fn turn<R: Real, const WITH_HESSIAN: bool>(
     centre: &Vector2<R>,
 ) {
     let start = triangle.corner() - centre;
-    let from = start + triangle.to_middle();
+    let from = start + triangle.middle_from_corner();
     let far_sq = from.x * from.x + from.y * from.y;
     let Some(rule) = rule(far_sq, triangle.size_sq()) else {
         sums.add_found(about_centre::<R, WITH_HESSIAN>(triangle, centre));
@@ -109,7 +112,7 @@ fn slip<R: Real, const WITH_HESSIAN: bool>(
 ) {
     // Distances from the centre of rotation times the spin are speeds.
     let spin = slide.spin;
-    let [x, y] = slide.turned(&(triangle.corner() + triangle.to_middle()));
+    let [x, y] = slide.turned(&(triangle.corner() + triangle.middle_from_corner()));
     let (along, across) = (R::ONE - spin * y, spin * x);
     let far_sq = along * along + across * across;
     let Some(rule) = rule_of_slide(far_sq, triangle.size_sq(), spin * spin) else {
@@ -140,11 +143,21 @@ fn slip<R: Real, const WITH_HESSIAN: bool>(
 #[inline(always)]
 fn rule<R: Real>(far_sq: R, size_sq: R) -> Option<&'static [Pair]> {
     let is_within = |limit: f64| far_sq < R::from_f64(limit) * size_sq;
+    if R::IS_SINGLE {
+        let [seven, sixteen] = ENOUGH_SINGLE;
+        return if is_within(sixteen) {
+            None
+        } else if is_within(seven) {
+            Some(&OF_DEGREE_8)
+        } else {
+            Some(&OF_DEGREE_5)
+        };
+    }
     if is_within(NEAREST) {
         return None;
     }
     let [seven, twelve, sixteen, _] = ENOUGH;
-    Some(if R::IS_SINGLE || !is_within(seven) {
+    Some(if !is_within(seven) {
         &OF_DEGREE_5
     } else if !is_within(twelve) {
         &OF_DEGREE_6
@@ -173,7 +186,7 @@ fn rule_of_slide<R: Real>(far_sq: R, size_sq: R, spin_sq: R) -> Option<&'static 
     let is_below = |power: R, limit: f64| power < R::from_f64(limit);
     if R::IS_SINGLE {
         let [seven, sixteen] = SLIDING_SINGLE;
-        return if ratio < R::from_f64(NEAREST) || is_below(eighth * spin_sq, sixteen) {
+        return if ratio < R::from_f64(NEAREST_SINGLE) || is_below(eighth * spin_sq, sixteen) {
             None
         } else if is_below(tenth * (spin_sq * spin_sq), seven) {
             Some(&OF_DEGREE_8)
