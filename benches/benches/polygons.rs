@@ -1,4 +1,4 @@
-//! Exact friction of polygons, near the centre of rotation and far from it, beside the disk's table
+//! Exact friction of polygons and of meshes, near the centre of rotation and far from it, beside the disk's table
 //! and 504 nodes on the same square.
 
 mod settings;
@@ -9,6 +9,7 @@ use tribos_core::coupling::flat::{DryPatch, FlatFriction, FlatPower, FlatPowerFr
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::{PatchFriction, table};
 use tribos_core::law::CoulombLaw;
+use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::NodeList;
 use tribos_core::patch::outline::Polygon;
 use tribos_core::patch::polygon::polygon;
@@ -73,6 +74,30 @@ fn dry<P: DryPatch<f64>>(patch: P) -> FlatFriction<f64, P> {
     FlatFriction::new(patch, 1.0).expect("1 is a valid coefficient")
 }
 
+/// The square as a grid of `cells` × `cells` squares, each of two triangles, under a pressure that bends.
+fn face(cells: u32) -> Mesh<f64, Vec<Triangle<f64>>> {
+    let place = |n: u32| 2.0 * f64::from(n) / f64::from(cells) - 1.0;
+    let vertices: Vec<Vertex<f64>> = (0..=cells)
+        .flat_map(|i| (0..=cells).map(move |j| [place(i), place(j)]))
+        .map(|[x, y]| Vertex {
+            x,
+            y,
+            pressure: 2.0 + x * y,
+        })
+        .collect();
+    let vertex = |i: u32, j: u32| (i * (cells + 1) + j) as usize;
+    let squares = (0..cells).flat_map(|i| (0..cells).map(move |j| [i, j]));
+    let triangles: Vec<[usize; 3]> = squares
+        .flat_map(|[i, j]| {
+            let (a, b) = (vertex(i, j), vertex(i + 1, j));
+            let (c, d) = (vertex(i + 1, j + 1), vertex(i, j + 1));
+            [[a, b, c], [a, c, d]]
+        })
+        .collect();
+    let memory = vec![Triangle::default(); triangles.len()];
+    Mesh::with_vertices(&vertices, &triangles, memory).expect("a mesh")
+}
+
 fn polygons(criterion: &mut Criterion) {
     let square = dry(Polygon::new(SQUARE).expect("a square"));
     let triangle = dry(Polygon::new(TRIANGLE).expect("a triangle"));
@@ -103,6 +128,13 @@ fn polygons(criterion: &mut Criterion) {
         time(criterion, &name, |t| friction.wrench(1.0, t));
         let name = format!("{name}, Jacobian");
         time(criterion, &name, |t| friction.wrench_and_jacobian(1.0, t));
+    }
+    for cells in [4, 16] {
+        let mesh = dry(face(cells));
+        let name = format!("mesh of {} triangles", 2 * cells * cells);
+        time(criterion, &name, |t| mesh.wrench(1.0, t));
+        let name = format!("{name}, Jacobian");
+        time(criterion, &name, |t| mesh.wrench_and_jacobian(1.0, t));
     }
     time(criterion, "square of 504 nodes", |t| nodes.wrench(1.0, t));
 }

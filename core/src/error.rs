@@ -4,6 +4,7 @@ use crate::contact::TouchError;
 use crate::law::LawError;
 use crate::manifold::ManifoldError;
 use crate::patch::PatchError;
+use crate::patch::mesh::MeshError;
 use crate::patch::outline::OutlineError;
 
 /// One variant for each typed error, with its conversion and its message.
@@ -56,6 +57,8 @@ errors! {
     Patch(PatchError),
     /// The corners of a polygon, or its pressure.
     Outline(OutlineError),
+    /// The triangles of a mesh, or their pressure.
+    Mesh(MeshError),
     /// The geometry of a contact.
     Touch(TouchError),
     /// A body or contact of a manifold.

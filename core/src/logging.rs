@@ -3,15 +3,18 @@
 
 use crate::contact::internals::{InPlane, PreparedContact, TangentialLoad};
 use crate::contact::{Contact, ContactModes, Modal, Plate, Sphere, Touch};
-use crate::coupling::flat::{DryPatch, FlatPower, Motion, Reduced};
+use crate::coupling::flat::{DryPatch, FlatPower, Motion, PointLoad, Reduced};
 use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable};
 use crate::coupling::table::Table;
 use crate::coupling::tall::TallWrench;
 use crate::coupling::{DryCoupling, Lateral, Profile, compact::CompactPower};
 use crate::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
 use crate::patch::bar::Bar;
+use crate::patch::feet::Feet;
+use crate::patch::mesh::{Mesh, Triangle};
 use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
 use crate::patch::outline::{Edge, FlatPressure, Polygon};
+use crate::patch::points::Points;
 use crate::planar::{NodeFoot, PlanarStep};
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
@@ -75,6 +78,13 @@ formats! {
     [R: Real + Format] NodeBuffer<'_, R>: |b| "nodes {}", b.nodes();
     [R: Real + Format, S: AsRef<[Edge<R>]>, K: FlatPressure<R>] Polygon<R, S, K>: |p|
         "polygon of {} edges, radius {}", p.edges().len(), p.radius();
+    [R: Real + Format, S: AsRef<[Triangle<R>]>] Mesh<R, S>: |m|
+        "mesh of {} triangles, radius {}", m.triangles().len(), m.radius();
+    [R: Real + Format, P: NodePatch<R>] Points<R, P>: |p|
+        "{} points, radius {}", p.nodes().nodes().len(), p.radius();
+    [R: Real + Format, P: DryPatch<R>] Feet<'_, R, P>: |f|
+        "{} feet, radius {}", f.feet().len(), f.radius();
+    [R: Real + Format] PointLoad<R>: |p| "share {} at [{}, {}]", p.share, p.place.x, p.place.y;
     [R: Real + Format] Bar<R>: |b| "bar of half length {}", b.radius();
     [R: Real + Format, P: DryPatch<R>] PatchSurface<R, P>: |s|
         "limit surface of force {}, torque {}, radius {}",

@@ -13,6 +13,7 @@ pub mod hard;
 pub mod laws;
 pub mod least_distance;
 pub mod linked;
+pub mod meshes;
 pub mod outlines;
 pub mod packings;
 pub mod patches;

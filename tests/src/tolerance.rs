@@ -72,6 +72,18 @@ bounds! {
     SLIVER_JACOBIAN = 2e-11, "promised in coupling::flat: the aspect ratio times 2e-14";
     /// Push over gauge plus the friction of its motion, of μN with the torque over the largest arm.
     PATCH_SURFACE = 1e-13, "promised in limit_surface::PatchSurface; Newton's residual and the gauge's rounding";
+    /// Meshes of triangles up to 5 times as long as wide: of μN and μN (R + |centre|).
+    MESH = 2e-14, "promised in patch::mesh; next to the centre of rotation a triangle loses the square of its distance over its size";
+    /// Their Jacobian, of its largest entry.
+    MESH_JACOBIAN = 2.5e-13, "promised in patch::mesh; logarithm of the distance from edges, sums about a centre up to 3 radii away";
+    /// Needles 40 times as long as wide, and triangles of 1e-4 radii with a tenth of the load.
+    MESH_UNEVEN = 2e-12, "a rounding error of the radius is 1e-12 of such a triangle next to the centre of rotation";
+    /// Their Jacobian, of its largest entry.
+    MESH_UNEVEN_JACOBIAN = 1e-10, "the same, over the distance from an edge";
+    /// Meshes in f32.
+    MESH_SINGLE = 1e-5, "promised in patch::mesh";
+    /// Their Jacobian in f32, of its largest entry.
+    MESH_SINGLE_JACOBIAN = 2e-5, "promised in patch::mesh";
     /// Polygons in f32, of μN and μN (R + |centre|).
     POLYGON_SINGLE = 4e-6, "promised in coupling::flat; opposite edges cancel, most where the shape is long";
     /// Their Jacobian, of its largest entry.

@@ -6,6 +6,7 @@ use tribos_core::contact::TouchError;
 use tribos_core::law::LawError;
 use tribos_core::manifold::ManifoldError;
 use tribos_core::patch::PatchError;
+use tribos_core::patch::mesh::MeshError;
 use tribos_core::patch::outline::OutlineError;
 
 /// 0 after success; any other value gives the reason why the results were not written.
@@ -217,6 +218,7 @@ impl From<PatchError> for tribos_status {
             PatchError::NodePosition { .. } => Self::NodePosition,
             PatchError::NodeWeight { .. } => Self::NodeWeight,
             PatchError::NoLoad | PatchError::Unloaded => Self::Unloaded,
+            PatchError::OnePlace => Self::FeetInLine,
             PatchError::Full { .. } => Self::Full,
             PatchError::FeetInLine => Self::FeetInLine,
             PatchError::FootPulls { .. } | PatchError::Tips { .. } => Self::Tips,
@@ -245,6 +247,19 @@ impl From<OutlineError> for tribos_status {
     }
 }
 
+impl From<MeshError> for tribos_status {
+    fn from(error: MeshError) -> Self {
+        match error {
+            MeshError::Empty | MeshError::Unloaded => Self::Unloaded,
+            MeshError::Room { .. } => Self::Full,
+            MeshError::Index { .. } => Self::Choice,
+            MeshError::Position { .. } => Self::NodePosition,
+            MeshError::Pressure { .. } => Self::NodeWeight,
+            MeshError::Extent => Self::NotFinite,
+        }
+    }
+}
+
 impl From<TouchError> for tribos_status {
     fn from(error: TouchError) -> Self {
         match error {
@@ -260,6 +275,7 @@ impl From<Error> for tribos_status {
             Error::Law(error) => error.into(),
             Error::Patch(error) => error.into(),
             Error::Outline(error) => error.into(),
+            Error::Mesh(error) => error.into(),
             Error::Touch(error) => error.into(),
             Error::Manifold(ManifoldError::Full { .. }) => Self::Full,
             Error::Manifold(_) => Self::Choice,

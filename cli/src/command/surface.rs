@@ -27,7 +27,7 @@ use tribos_report::limit_surface::LimitSurfacePage;
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
     /// Contact patch.
-    #[arg(long, default_value = "disk", long_help = format!("Contact patch: {}. Points have no smooth surface and are refused.", patches()))]
+    #[arg(long, default_value = "disk", long_help = format!("Contact patch: {}. The surface of points has flat facets: the motion under them is the rotation about a point.", patches()))]
     patch: Patch,
     /// Centre of pressure of a box or a polygon, under a pressure that is linear [m].
     #[arg(long, value_name = "X,Y", value_parser = centre, allow_hyphen_values = true)]
@@ -94,7 +94,9 @@ impl Arguments {
     /// Tabulates, draws and prints.
     pub fn execute(self) -> Result<(), Failure> {
         let corners = match &self.patch {
-            Patch::Flat(FlatPatch::Polygon(file)) => Some(file),
+            Patch::Points(file) | Patch::Flat(FlatPatch::Polygon(file) | FlatPatch::Mesh(file)) => {
+                Some(file)
+            }
             _ => None,
         };
         let outputs = [
@@ -107,9 +109,9 @@ impl Arguments {
                 file::refuse_input(name, output, input)?;
             }
         }
-        if matches!(self.patch, Patch::Flat(_)) && self.radius != 1.0 {
+        if matches!(self.patch, Patch::Flat(_) | Patch::Points(_)) && self.radius != 1.0 {
             return Err(Failure::input(
-                "a patch with straight edges has its own size: leave out --radius",
+                "a patch of straight edges, triangles or points has its own size: leave out --radius",
             ));
         }
         let standard_input = Some(Path::new("-"));

@@ -28,12 +28,20 @@ fn frame(folder: &Path) -> Outcome {
 fn boxes_polygons_and_bars_have_their_torque_of_pure_spinning() -> Outcome {
     let folder = tempfile::tempdir()?;
     frame(folder.path())?;
+    // A square of two triangles; the second one has a needle of no area beside it.
+    let header = "x1,y1,p1,x2,y2,p2,x3,y3,p3";
+    let triangles = "-1,-1,7,1,-1,7,1,1,7\n1,1,7,-1,1,7,-1,-1,7\n1,1,7,0,0,7,-1,-1,7";
+    fs::write(
+        folder.path().join("square.csv"),
+        format!("{header}\n{triangles}\n"),
+    )?;
     // Mean distances: of a square of half side a, a (√2 + asinh 1)/3; of the frame from both squares.
     let square = (2.0_f64.sqrt() + 1.0_f64.asinh()) / 3.0;
     for (patch, arm) in [
         ("box:2x2", square),
         ("polygon:frame.csv", square * (4.0 - 0.5) / 3.0),
         ("bar:0.2", 0.05),
+        ("mesh:square.csv", square),
     ] {
         let line = format!(
             "wrench --patch {patch} --coefficient 0.5 --load 10 --speed 0 --spin 3 --format json"
@@ -177,10 +185,49 @@ fn pushes_are_judged_by_the_limit_surface() -> Outcome {
 }
 
 #[test]
+fn points_answer_at_any_planar_twist_and_turn_about_one_another() -> Result<(), Error> {
+    let folder = tempfile::tempdir()?;
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text);
+    write("feet.csv", "x,y,weight\n-0.1,0,1\n0.1,0,1\n")?;
+    write("twists.csv", "velocity_x,velocity_y,spin\n0,0.5,0\n0,0,3\n")?;
+    let line = "wrench --patch points:feet.csv --coefficient 0.5 --load 20 --twists twists.csv";
+    let [table, _] = succeed(folder.path(), format!("{line} --jacobian"))?;
+    let [slides, turns] = rows(&table).try_into().map_err(|_| "two rows")?;
+    // Each foot resists with 5 N against its own velocity.
+    for (row, expected) in [(&slides, [0.0, -10.0, 0.0]), (&turns, [0.0, 0.0, -1.0])] {
+        for (found, expected) in row[3..6].iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-14, "{row:?}");
+        }
+    }
+    assert_eq!(slides.len(), 3 + 3 + 9);
+    // Across the motion a point resists with its force over its speed: 10 N over 0.5 m/s.
+    assert!((slides[6] + 20.0).abs() < 1e-13 && slides[10].abs() < 1e-13);
+    // Pushed at one foot, it turns about the other one.
+    write("pushes.csv", "force_x,force_y,torque\n0,1,0.08\n0,1,0.09\n")?;
+    let surface = "surface --patch points:feet.csv --coefficient 0.5 --load 20";
+    let [table, _] = succeed(folder.path(), format!("{surface} --pushes pushes.csv"))?;
+    for row in rows(&table) {
+        let [vx, vy, spin] = [row[4], row[5], row[6]];
+        assert!(
+            vx.abs() < 1e-15 && (vy - 0.1 * spin).abs() < 1e-15 && spin > 0.0,
+            "{row:?}"
+        );
+        // About the foot at -0.1 m the push has the torque 0.1 + torque; the other foot holds 5 N at 0.2 m.
+        assert!((row[3] - (0.1 + row[2]) / 1.0).abs() < 1e-14, "{row:?}");
+    }
+    Ok(())
+}
+
+#[test]
 fn what_makes_no_sense_for_straight_edges_is_refused() -> Outcome {
     let folder = tempfile::tempdir()?;
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text);
     write("tie.csv", "x,y\n0,0\n1,1\n1,0\n0,1\n")?;
+    write(
+        "pull.csv",
+        "x1,y1,p1,x2,y2,p2,x3,y3,p3\n0,0,1,1,0,1,0,1,-1\n",
+    )?;
+    write("one.csv", "x,y,weight\n1,2,3\n")?;
     write("gap.csv", "x,y\n0,0\n1,\n0,1\n")?;
     for (line, reason) in [
         ("wrench --patch box:0.3 --speed 1 --spin 1", "box:0.3x0.2"),
@@ -230,6 +277,18 @@ fn what_makes_no_sense_for_straight_edges_is_refused() -> Outcome {
             "gap.csv:3: y: ",
         ),
         (
+            "wrench --patch mesh:tie.csv --speed 1 --spin 1",
+            "the columns must be x1,y1,p1,x2,y2,p2,x3,y3,p3",
+        ),
+        (
+            "wrench --patch mesh:pull.csv --speed 1 --spin 1",
+            "pull.csv: the pressure at corner 2 of triangle 0",
+        ),
+        (
+            "wrench --patch mesh:pull.csv --centre 0,0 --speed 1 --spin 1",
+            "a mesh has its own pressure",
+        ),
+        (
             "wrench --patch polygon:none.csv --speed 1 --spin 1",
             "none.csv",
         ),
@@ -238,8 +297,12 @@ fn what_makes_no_sense_for_straight_edges_is_refused() -> Outcome {
             "no axis of symmetry",
         ),
         (
-            "surface --patch points:feet.csv",
-            "points have no smooth limit surface",
+            "surface --patch points:one.csv",
+            "at least two places a finite distance apart must carry load",
+        ),
+        (
+            "wrench --patch points:one.csv --speed 1 --spin 1 --jacobian --tilt 0.5",
+            "leave out --tilt",
         ),
         ("surface --patch box:1x1 --radius 2", "leave out --radius"),
     ] {

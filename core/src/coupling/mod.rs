@@ -10,7 +10,7 @@
 //! | annulus | [`Annulus`] of the disk's | [`Annulus`] of the disk's | [`Annulus`] of the disk's |
 //! | points, any pressure map | – | – | [`nodes::NodeFriction`] |
 //!
-//! Polygons and bars under Coulomb's law have closed forms, a few ulp without a table: [`flat`]; polygons
+//! Polygons, bars and meshes under Coulomb's law have closed forms, a few ulp without a table: [`flat`]; polygons
 //! under |v|^α need 127 prepared numbers.
 //!
 //! Tables take 23 KiB a law on the uniform disk and 46 KiB elsewhere (f32: 3 and 6 KiB) and the same

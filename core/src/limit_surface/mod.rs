@@ -10,7 +10,7 @@
 //! ```
 //!
 //! [`LimitSurface`] is this set for any [`crate::coupling::DryCoupling`] and [`PatchSurface`] for
-//! polygons and bars, to rounding; [`Ellipsoid`] is the usual approximation. All are a [`FrictionSet`].
+//! polygons, bars, meshes, points and bodies on several of them; [`Ellipsoid`] is the usual approximation. All are a [`FrictionSet`].
 //!
 //! *Sign*: friction opposes the motion. A *push* is the wrench that moves the patch against its
 //! friction, and its motion is the outward normal. The set is symmetric: what it carries as
@@ -36,6 +36,7 @@
 
 mod ellipsoid;
 mod exact;
+mod kinks;
 mod meridian;
 mod patch;
 mod polar;
@@ -59,6 +60,7 @@ pub const COLLAR_ULPS: f64 = 64.0;
 
 /// A closed convex set of wrenches with a smooth surface that contains −x with every wrench x.
 ///
+/// The surface of points has flat facets, at whose rims the normal turns quickly.
 /// The set of a round patch is a solid of revolution about the axis of torques; that of a
 /// [`PatchSurface`] need not be.
 ///

@@ -3,7 +3,7 @@
 //! Newton's method with steps that are halved until they descend; the derivation stands in
 //! [`super::patch`].
 
-use super::quadratic::{Factors, dot, norm, outer};
+use super::quadratic::{Factors, dot, norm, outer, over};
 use crate::real::Real;
 use nalgebra::{Matrix3, Vector3};
 
@@ -14,7 +14,7 @@ const DONE_ULPS: f64 = 8.0;
 /// Most Newton steps; 12 were seen.
 const MOST_STEPS: usize = 40;
 /// Halvings of a step.
-const MOST_HALVINGS: usize = 30;
+pub(super) const MOST_HALVINGS: usize = 30;
 /// Share of the linear decrease that a step must bring.
 const ENOUGH: f64 = 1e-4;
 
@@ -30,8 +30,9 @@ pub(super) struct Least<R: Real> {
     pub(super) at: Vector3<R>,
     pub(super) power: Power<R>,
     /// How many steps were tried.
-    #[cfg_attr(not(test), expect(dead_code, reason = "tests bound it"))]
     pub(super) steps: usize,
+    /// True on a facet, whose normal is the same everywhere.
+    pub(super) is_flat: bool,
 }
 
 /// A convex function of the twist that is to be least.
@@ -40,6 +41,15 @@ pub(super) trait Goal<R: Real> {
     fn value(&self, at: &Vector3<R>, power: R) -> R;
     fn gradient(&self, at: &Vector3<R>, power: &Power<R>) -> Vector3<R>;
     fn matrix(&self, power: &Power<R>) -> Matrix3<R>;
+
+    /// The wrench that is asked for.
+    fn wrench(&self) -> &Vector3<R>;
+    /// What the wrench of the surface counts in the gradient.
+    fn reach(&self, power: &Power<R>) -> R;
+    /// Where the function is least along a twist, in units of it.
+    fn length_along(&self, twist: &Vector3<R>, power: R) -> R;
+    /// The wrench of the surface with which the gradient is zero.
+    fn balanced(&self, at: &Vector3<R>, power: R) -> Vector3<R>;
 }
 
 /// φ
@@ -65,6 +75,18 @@ impl<R: Real> Goal<R> for Radial<R> {
         let g = &power.gradient;
         outer(g) + power.hessian * power.value
     }
+    fn wrench(&self) -> &Vector3<R> {
+        &self.wrench
+    }
+    fn reach(&self, power: &Power<R>) -> R {
+        power.value
+    }
+    fn length_along(&self, twist: &Vector3<R>, power: R) -> R {
+        dot(&self.wrench, twist) / (power * power)
+    }
+    fn balanced(&self, _: &Vector3<R>, power: R) -> Vector3<R> {
+        over(&self.wrench, power)
+    }
 }
 
 impl<R: Real> Nearest<R> {
@@ -87,6 +109,18 @@ impl<R: Real> Goal<R> for Nearest<R> {
         matrix.m22 += R::ONE;
         matrix.m33 += self.length_sq;
         matrix
+    }
+    fn wrench(&self) -> &Vector3<R> {
+        &self.wrench
+    }
+    fn reach(&self, _: &Power<R>) -> R {
+        R::ONE
+    }
+    fn length_along(&self, twist: &Vector3<R>, power: R) -> R {
+        (dot(&self.wrench, twist) - power) / dot(twist, &self.displacement(twist))
+    }
+    fn balanced(&self, at: &Vector3<R>, _: R) -> Vector3<R> {
+        self.wrench - self.displacement(at)
     }
 }
 
@@ -129,7 +163,12 @@ pub(super) fn least<R: Real>(
         at = next;
         power = next_power;
     }
-    Least { at, power, steps }
+    Least {
+        at,
+        power,
+        steps,
+        is_flat: false,
+    }
 }
 
 /// Least pivot, of its diagonal.

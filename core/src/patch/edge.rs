@@ -34,7 +34,8 @@ impl<R: Real> Edge<R> {
         Self::towards(from, Vector2::new(side.x / length, side.y / length), length)
     }
 
-    fn towards(from: Vector2<R>, tangent: Vector2<R>, length: R) -> Self {
+    #[inline(always)]
+    pub(crate) fn towards(from: Vector2<R>, tangent: Vector2<R>, length: R) -> Self {
         Self {
             x: from.x,
             y: from.y,

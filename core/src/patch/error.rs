@@ -88,6 +88,8 @@ pub enum PatchError {
     },
     /// No node has a positive weight.
     Unloaded,
+    /// All load is at one place, or places are too far apart for their distance to be a number.
+    OnePlace,
     /// There is no room for another node.
     Full {
         /// How many nodes there is room for.
@@ -173,6 +175,9 @@ impl core::fmt::Display for PatchError {
                 "node {index} must carry a finite weight, not negative, not {given}"
             ),
             Self::Unloaded => f.write_str("at least one node must carry load"),
+            Self::OnePlace => {
+                f.write_str("at least two places a finite distance apart must carry load")
+            }
             Self::Full { capacity } => write!(f, "there is room for {capacity} nodes, not more"),
             Self::RuleOrder { given } => {
                 let max = PolarRule::<f64>::MAX_ORDER;

@@ -4,6 +4,7 @@ mod elliptic;
 mod hypergeometric;
 pub(crate) mod legendre;
 mod log_quotient;
+pub(crate) mod triangle;
 
 pub use elliptic::CompleteElliptic;
 pub use hypergeometric::{Gauss, Jet};

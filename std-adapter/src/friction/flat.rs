@@ -1,16 +1,17 @@
-//! Patches with straight edges by name, and their corners from files.
+//! Patches with straight edges and meshes by name, and their corners from files.
 
-use super::Refusal;
 use super::refusal::finite_number;
+use super::{Refusal, columns};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use tribos_core::coupling::flat::{DryPatch, Hessian, Motion, Reduced};
 use tribos_core::patch::bar::Bar;
+use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::outline::{Edge, Linear, OutlineError, Polygon};
 use tribos_core::real::Real;
 
-/// A patch with straight edges, as it is written. Lengths are in m.
+/// A patch with straight edges or a mesh, as it is written. Lengths are in m.
 ///
 /// ```
 /// use tribos::friction::FlatPatch;
@@ -29,9 +30,11 @@ pub enum FlatPatch {
     Polygon(PathBuf),
     /// A straight bar of this length along x, about the origin.
     Bar(f64),
+    /// Triangles with a pressure at each corner, in a file.
+    Mesh(PathBuf),
 }
 
-/// A patch with straight edges, ready for the kernel.
+/// A patch with straight edges or a mesh, ready for the kernel.
 #[derive(Clone, Debug)]
 pub enum Flat<R: Real> {
     /// Under uniform pressure.
@@ -40,11 +43,17 @@ pub enum Flat<R: Real> {
     Leaning(Polygon<R, Vec<Edge<R>>, Linear<R>>),
     /// Without an area.
     Bar(Bar<R>),
+    /// Of triangles, each under linear pressure.
+    Mesh(Mesh<R, Vec<Triangle<R>>>),
 }
 
 /// Most corners of a file: the check that no edges cross takes the square of their number.
 const MOST_CORNERS: usize = 10_000;
-/// Most bytes of a file.
+/// Most triangles of a file.
+const MOST_TRIANGLES: usize = 1_000_000;
+/// Columns of a file of triangles: place and pressure of each corner.
+const TRIANGLE: [&str; 9] = ["x1", "y1", "p1", "x2", "y2", "p2", "x3", "y3", "p3"];
+/// Most bytes of a file of corners.
 const MOST_BYTES: u64 = 1 << 20;
 
 impl FlatPatch {
@@ -59,6 +68,11 @@ impl FlatPatch {
             "bar:L",
             "a line of length L, in m, along x about the origin",
         ),
+        (
+            "mesh:FILE",
+            "a CSV file of triangles with columns x1,y1,p1,x2,y2,p2,x3,y3,p3: corners in m, and \
+             pressures of which only the ratios count",
+        ),
     ];
 
     /// True if `text` begins with the name of such a patch.
@@ -70,11 +84,16 @@ impl FlatPatch {
         all.any(|known| known == name)
     }
 
-    /// The corners of all loops, the outer one first; of a bar both ends.
+    /// The corners of all loops, the outer one first; of a bar both ends, of a mesh its triangles.
     #[doc(hidden)]
     pub fn loops(&self) -> Result<Vec<Vec<[f64; 2]>>, Refusal> {
         Ok(match self {
             Self::Bar(length) => vec![vec![[-0.5 * length, 0.0], [0.5 * length, 0.0]]],
+            Self::Mesh(path) => {
+                let triangle = |row: &[f64; 9]| vec![[row[0], row[1]], [row[3], row[4]], [row[6], row[7]]];
+                let rows = columns::read(path, TRIANGLE, MOST_TRIANGLES)?;
+                rows.iter().map(triangle).collect()
+            }
             Self::Box([a, b]) => {
                 let (x, y) = (0.5 * a, 0.5 * b);
                 vec![vec![[-x, -y], [x, -y], [x, y], [-x, y]]]
@@ -90,6 +109,14 @@ impl FlatPatch {
     /// The patch for the kernel, its file read; with a centre of pressure under linear pressure.
     pub fn loaded<R: Real>(&self, centre: Option<[f64; 2]>) -> Result<Flat<R>, Refusal> {
         let narrow = |[x, y]: [f64; 2]| [x, y].map(R::from_f64);
+        if let Self::Mesh(path) = self {
+            if centre.is_some() {
+                return Err(Refusal::Syntax(
+                    "a mesh has its own pressure; leave the centre of pressure out".into(),
+                ));
+            }
+            return Ok(Flat::Mesh(mesh(path)?));
+        }
         if let Self::Bar(length) = self {
             if centre.is_some() {
                 return Err(Refusal::Syntax(
@@ -131,6 +158,22 @@ impl FlatPatch {
             }
         })
     }
+}
+
+/// The mesh of a file of triangles.
+fn mesh<R: Real>(path: &Path) -> Result<Mesh<R, Vec<Triangle<R>>>, Refusal> {
+    let rows = columns::read(path, TRIANGLE, MOST_TRIANGLES)?;
+    let corners = rows.as_flattened().chunks_exact(3);
+    let vertices: Vec<Vertex<R>> = corners
+        .map(|corner| {
+            let [x, y, pressure] = [corner[0], corner[1], corner[2]].map(R::from_f64);
+            Vertex { x, y, pressure }
+        })
+        .collect();
+    let count = rows.len();
+    let triangles: Vec<[usize; 3]> = (0..count).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
+    Mesh::with_vertices(&vertices, &triangles, vec![Triangle::default(); count])
+        .map_err(|error| Refusal::Syntax(format!("{}: {error}", path.display())))
 }
 
 /// The corners of a file with columns x, y and perhaps loop: the first loop is the outer one.
@@ -194,12 +237,17 @@ fn read_loops(path: &Path, text: &str) -> Result<Vec<Vec<[f64; 2]>>, Refusal> {
 impl<R: Real> Flat<R> {
     /// Radius of gyration about the upright axis through the centre, of a plate of uniform thickness on the
     /// patch.
-    pub(crate) fn radius_of_gyration(&self) -> R {
-        match self {
+    pub(crate) fn radius_of_gyration(&self) -> Result<R, Refusal> {
+        Ok(match self {
             Self::Polygon(patch) => patch.radius_of_gyration(),
             Self::Leaning(patch) => patch.radius_of_gyration(),
             Self::Bar(bar) => bar.radius() / R::from_f64(3.0).sqrt(),
-        }
+            Self::Mesh(_) => {
+                return Err(Refusal::Syntax(
+                    "a plate is a box, a polygon or a bar, not a mesh".into(),
+                ));
+            }
+        })
     }
 }
 
@@ -209,6 +257,7 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Polygon(patch) => patch.centre(),
             Self::Leaning(patch) => patch.centre(),
             Self::Bar(patch) => patch.centre(),
+            Self::Mesh(patch) => patch.centre(),
         }
     }
     fn radius(&self) -> R {
@@ -216,6 +265,7 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Polygon(patch) => patch.radius(),
             Self::Leaning(patch) => patch.radius(),
             Self::Bar(patch) => patch.radius(),
+            Self::Mesh(patch) => patch.radius(),
         }
     }
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
@@ -223,6 +273,7 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Polygon(patch) => patch.reduced(motion),
             Self::Leaning(patch) => patch.reduced(motion),
             Self::Bar(patch) => patch.reduced(motion),
+            Self::Mesh(patch) => patch.reduced(motion),
         }
     }
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
@@ -230,6 +281,7 @@ impl<R: Real> DryPatch<R> for Flat<R> {
             Self::Polygon(patch) => patch.reduced_with_hessian(motion),
             Self::Leaning(patch) => patch.reduced_with_hessian(motion),
             Self::Bar(patch) => patch.reduced_with_hessian(motion),
+            Self::Mesh(patch) => patch.reduced_with_hessian(motion),
         }
     }
 }
@@ -241,6 +293,7 @@ impl fmt::Display for FlatPatch {
             Self::Box([a, b]) => write!(f, "box:{a}x{b}"),
             Self::Polygon(path) => write!(f, "polygon:{}", path.display()),
             Self::Bar(length) => write!(f, "bar:{length}"),
+            Self::Mesh(path) => write!(f, "mesh:{}", path.display()),
         }
     }
 }
@@ -274,6 +327,10 @@ impl FromStr for FlatPatch {
             ("bar", "") => Err(Refusal::Syntax(
                 "give a length in m, such as bar:0.2".into(),
             )),
+            ("mesh", "") => Err(Refusal::Syntax(
+                "give a CSV file of triangles, such as mesh:pad.csv".into(),
+            )),
+            ("mesh", file) => Ok(Self::Mesh(file.into())),
             ("bar", length) => Ok(Self::Bar(positive("the length", length)?)),
             _ => {
                 let all: Vec<&str> = Self::SYNTAX.iter().map(|(syntax, _)| *syntax).collect();

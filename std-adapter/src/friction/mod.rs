@@ -32,6 +32,7 @@
 //! A loop over many evaluations is quicker with the kernel's own type, which pays for no dispatch.
 
 mod catalogue;
+mod columns;
 mod flat;
 mod law;
 mod patch;

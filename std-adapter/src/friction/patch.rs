@@ -65,6 +65,7 @@ impl Patch {
         FlatPatch::SYNTAX[0],
         FlatPatch::SYNTAX[1],
         FlatPatch::SYNTAX[2],
+        FlatPatch::SYNTAX[3],
     ];
 
     /// A band of uniform pressure from `inner_ratio` to 1 radii; a ring if it is too thin for one.

@@ -1,15 +1,19 @@
 //! Limit surfaces of patches by name.
 
-use super::{Patch, Refusal, polynomial};
+use super::{Patch, Refusal, columns, polynomial};
 use tribos_core::coupling::round::{PolynomialTable, RoundTable64};
 use tribos_core::coupling::{Annulus, Dry, closed, table::Coulomb};
 use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
+use tribos_core::patch::PatchError;
+use tribos_core::patch::nodes::{Node, NodePatch, NodeSlice};
+use tribos_core::patch::points::Points;
 
 /// All wrenches that dry friction carries on `patch`, exact to rounding.
 ///
 /// *Units*: `force_limit` is μN in N, `radius` in m. A patch with straight edges has its own size, and
-/// its pressure its centre at `centre` where one is given; `radius` is for round patches. Points have
-/// no such surface: they are refused.
+/// its pressure its centre at `centre` where one is given; `radius` is for round patches. Points and
+/// meshes have their own size too. The set of points has flat facets, whose normal is the rotation
+/// about a point.
 ///
 /// ```
 /// use tribos::friction::limit_surface;
@@ -50,11 +54,36 @@ pub fn limit_surface(
             let table = PolynomialTable::new(0.0, &polynomial(coefficients)?)?;
             Box::new(LimitSurface::new(Dry::new(table)?, limit, r)?)
         }
-        Patch::Points(_) => {
-            return Err(Refusal::Syntax(
-                "points have no smooth limit surface: name a round patch, a box, a polygon or a bar"
-                    .into(),
-            ));
+        Patch::Points(file) => {
+            let rows = columns::read(file, ["x", "y", "weight"], MOST_POINTS)?;
+            let node = |&[x, y, weight]: &[f64; 3]| Node { x, y, weight };
+            let nodes = HeldNodes::new(rows.iter().map(node).collect())?;
+            Box::new(PatchSurface::new(Points::new(nodes)?, limit)?)
         }
     })
+}
+
+/// Most points of a file.
+const MOST_POINTS: usize = 100_000;
+
+/// Nodes in a list.
+struct HeldNodes {
+    nodes: Vec<Node<f64>>,
+    total: f64,
+}
+
+impl HeldNodes {
+    fn new(nodes: Vec<Node<f64>>) -> Result<Self, PatchError> {
+        let total = NodeSlice::new(&nodes)?.total_weight();
+        Ok(Self { nodes, total })
+    }
+}
+
+impl NodePatch<f64> for HeldNodes {
+    fn nodes(&self) -> &[Node<f64>] {
+        &self.nodes
+    }
+    fn total_weight(&self) -> f64 {
+        self.total
+    }
 }

@@ -45,7 +45,8 @@ scene! {
 
 fn rules(scene: &PlateScene, judge: &mut super::reader::Judge<'_>) {
     moves(scene.speed, scene.spin, judge);
-    if let Err(refusal) = scene.patch.loaded::<f64>(None) {
+    let loaded = scene.patch.loaded::<f64>(None);
+    if let Err(refusal) = loaded.and_then(|patch| patch.radius_of_gyration()) {
         judge.refuse(&["patch"], format!("`patch`: {refusal}"));
     }
 }

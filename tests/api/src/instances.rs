@@ -138,6 +138,21 @@ pub const INSTANCES: &[Instance] = &[
         &["DryPatch", "PowerPatch"],
     ),
     instance("patch::bar::Bar<R>", &["DryPatch"]),
+    // Meshes, in the same two kinds of memory.
+    instance("[patch::mesh::Triangle<R>; 4]", EDGES),
+    instance("&'static mut [patch::mesh::Triangle<R>]", EDGES),
+    instance(
+        "patch::mesh::Mesh<R, [patch::mesh::Triangle<R>; 4]>",
+        &["DryPatch"],
+    ),
+    instance(
+        "patch::points::Points<R, patch::nodes::Nodes<R, 3>>",
+        &["DryPatch"],
+    ),
+    instance(
+        "patch::feet::Feet<'static, R, patch::bar::Bar<R>>",
+        &["DryPatch"],
+    ),
     // Limit surfaces.
     instance(
         "limit_surface::LimitSurface<R, coupling::table::Coulomb>",
@@ -152,6 +167,10 @@ pub const INSTANCES: &[Instance] = &[
         "limit_surface::PatchSurface<R, patch::bar::Bar<R>>",
         &["FrictionSet"],
     )),
+    instance(
+        "limit_surface::PatchSurface<R, patch::points::Points<R, patch::nodes::Nodes<R, 3>>>",
+        &["FrictionSet"],
+    ),
     // Contacts.
     instance("contact::Sphere<R>", &["Body"]),
     instance("contact::Plate<R>", &["Body"]),

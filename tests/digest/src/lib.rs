@@ -17,6 +17,7 @@ mod holding;
 mod inputs;
 mod laws;
 mod memory;
+mod meshes;
 mod motions;
 mod patches;
 mod planes;
@@ -71,7 +72,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 38] = [
+pub const CHAPTERS: [Chapter; 39] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),
@@ -110,6 +111,7 @@ pub const CHAPTERS: [Chapter; 38] = [
     little("rubber", laws::rubber),
     little("polygons", polygons::polygons),
     little("polygon powers", polygon_powers::polygon_powers),
+    little("meshes", meshes::meshes),
 ];
 
 const DIGESTS: &str = include_str!("../digests.txt");

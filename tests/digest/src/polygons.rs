@@ -72,7 +72,7 @@ fn shape<R: Real, K: FlatPressure<R>>(hash: &mut Fnv, patch: &Polygon<R, Memory<
 }
 
 /// Wrenches and Jacobians, about centres of rotation near the patch and far away.
-fn friction<R: Real, P: DryPatch<R>>(hash: &mut Fnv, patch: P) {
+pub(crate) fn friction<R: Real, P: DryPatch<R>>(hash: &mut Fnv, patch: P) {
     let centre = patch.centre();
     hash.numbers([centre.x, centre.y, patch.radius()]);
     let friction = FlatFriction::new(patch, R::from_f64(0.375)).expect("in range");
@@ -97,7 +97,7 @@ fn friction<R: Real, P: DryPatch<R>>(hash: &mut Fnv, patch: P) {
 }
 
 /// All that can be asked of a limit surface, its derivatives, and steps on it.
-fn surface<R: Real, P: DryPatch<R>>(hash: &mut Fnv, patch: P) {
+pub(crate) fn surface<R: Real, P: DryPatch<R>>(hash: &mut Fnv, patch: P) {
     let set = PatchSurface::new(patch, R::from_f64(0.75)).expect("in range");
     hash.numbers([set.torque_limit(), set.patch().radius()]);
     questions(hash, &set, 8);

@@ -9,7 +9,11 @@ use tribos_core::coupling::flat::{
 };
 use tribos_core::limit_surface::{FrictionSet, PatchSurface};
 use tribos_core::patch::bar::Bar;
+use tribos_core::patch::feet::{Feet, Foot};
+use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
+use tribos_core::patch::nodes::{Node, NodePatch, Nodes};
 use tribos_core::patch::outline::{Edge, FlatPressure, Polygon};
+use tribos_core::patch::points::Points;
 use tribos_core::real::Real;
 
 /// Room for edges.
@@ -27,7 +31,10 @@ pub fn polygons(source: &mut Source) -> Result<(), Broken> {
 }
 
 fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
-    match source.below(6) {
+    match source.below(9) {
+        6 => faces::<R>(source),
+        7 => spikes::<R>(source),
+        8 => sledge::<R>(source),
         0 => any_corners::<R>(source),
         1 => {
             let ends = [(); 2].map(|()| [source.number::<R>(), source.number()]);
@@ -71,6 +78,93 @@ fn blade<R: Real>(source: &mut Source) -> Result<(), Broken> {
     };
     let set = PatchSurface::new(bar, source.size());
     set.map_or(Ok(()), |set| asked(source, &set))
+}
+
+/// Triangles anywhere, or around a middle.
+fn faces<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let is_ordinary = source.is_mild();
+    let size = source.ordinary::<R>();
+    let mut vertex = || {
+        let [x, y] = [(); 2].map(|()| {
+            if is_ordinary {
+                size * R::from_f64(4.0 * source.unit::<f64>() - 2.0)
+            } else {
+                source.number()
+            }
+        });
+        let pressure = if is_ordinary {
+            source.unit()
+        } else {
+            source.number()
+        };
+        Vertex { x, y, pressure }
+    };
+    let vertices = [(); 6].map(|()| vertex());
+    let named = [(); 4].map(|()| [source.below(7), source.below(6), source.below(6)]);
+    let Ok(mesh) = Mesh::with_vertices(&vertices, &named, [Triangle::default(); 4]) else {
+        return Ok(());
+    };
+    let load = mesh.load();
+    holds(load >= R::ZERO, "a load", &[load])?;
+    placed(&mesh.centre(), mesh.radius())?;
+    let [a, b, c, ..] = vertices;
+    if let Ok(lone) = Mesh::new([[a, b, c]]) {
+        placed(&lone.centre(), lone.radius())?;
+    }
+    if is_ordinary {
+        rubs(source, &mesh)
+    } else {
+        Ok(())
+    }
+}
+
+/// Points, and their set near the origin.
+fn spikes<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let is_ordinary = source.is_mild();
+    let size = source.ordinary::<R>();
+    let nodes = [(); 4].map(|()| {
+        let [x, y] = [(); 2].map(|()| {
+            if is_ordinary {
+                size * R::from_f64(4.0 * source.unit::<f64>() - 2.0)
+            } else {
+                source.number()
+            }
+        });
+        let weight = source.unit::<R>();
+        Node { x, y, weight }
+    });
+    let Ok(points) = Nodes::new(nodes).and_then(Points::new) else {
+        return Ok(());
+    };
+    placed(&points.centre(), points.radius())?;
+    let total: R = points.nodes().total_weight();
+    holds(total > R::ZERO, "a weight", &[total])?;
+    if !is_ordinary {
+        return Ok(());
+    }
+    rubs(source, &points)
+}
+
+/// Two blades under one body.
+fn sledge<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let size = source.ordinary::<R>();
+    let mut end = || [(); 2].map(|()| size * R::from_f64(4.0 * source.unit::<f64>() - 2.0));
+    let ends = [(); 2].map(|()| [end(), end()]);
+    let [one, other] = ends.map(|[from, to]| Bar::new(from, to));
+    let (Ok(one), Ok(other)) = (one, other) else {
+        return Ok(());
+    };
+    let feet = [one, other].map(|patch| Foot {
+        patch,
+        weight: source.size::<R>(),
+    });
+    let Ok(body) = Feet::new(&feet) else {
+        return Ok(());
+    };
+    let radius = body.radius();
+    holds(body.feet().len() == 2, "two feet", &[radius])?;
+    placed(&body.centre(), body.radius())?;
+    rubs(source, &body)
 }
 
 /// A patch that is at most a few times as long as wide, at times with a hole.

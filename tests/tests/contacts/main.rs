@@ -18,4 +18,5 @@ mod limit_surface;
 mod manifold;
 mod manifold_extremes;
 mod patch_surface;
+mod point_surface;
 mod projection;

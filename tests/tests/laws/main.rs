@@ -9,6 +9,7 @@ mod hard_cases;
 mod laws;
 mod laws_one_by_one;
 mod lugre;
+mod mesh_friction;
 mod node_rules;
 mod nodes;
 mod patches;

@@ -21,12 +21,12 @@ const HESSIAN: [[&str; 3]; 3] = [["xx", "xy", "xn"], ["xy", "yy", "yn"], ["xn", 
 
 /// Errors of one row: of μN and μN (R + |centre|), and of the largest entry of the Jacobian with
 /// R + |centre| as the unit of length.
-struct Errors {
-    wrench: f64,
-    jacobian: f64,
+pub(crate) struct Errors {
+    pub(crate) wrench: f64,
+    pub(crate) jacobian: f64,
 }
 
-fn errors<R: Real>(
+pub(crate) fn errors<R: Real>(
     row: &Row<'_>,
     patch: &impl DryPatch<R>,
     (wrench, jacobian): (Wrench<R>, WrenchJacobian<R>),
@@ -59,7 +59,7 @@ fn errors<R: Real>(
     }
 }
 
-fn twist_of<R: Real>(row: &Row<'_>) -> Twist<R> {
+pub(crate) fn twist_of<R: Real>(row: &Row<'_>) -> Twist<R> {
     let [x, y, spin] =
         ["velocity_x", "velocity_y", "spin"].map(|name| R::from_f64(row.number(name)));
     Twist::new(x, y, spin)
@@ -112,7 +112,7 @@ fn the_wrench_and_the_jacobian_are_those_of_150_digits() {
 }
 
 /// A twist whose centre of rotation is anywhere from the patch to 10⁶ radii away, at any speed.
-fn anyhow(rng: &mut Lcg, patch: &impl DryPatch<f64>) -> Twist<f64> {
+pub(crate) fn anyhow(rng: &mut Lcg, patch: &impl DryPatch<f64>) -> Twist<f64> {
     let speed = 10_f64.powf(rng.between(-6.0, 6.0));
     let turn = speed / patch.radius() * 10_f64.powf(rng.between(-6.0, 1.0));
     let angle = rng.between(0.0, core::f64::consts::TAU);
@@ -125,7 +125,7 @@ fn anyhow(rng: &mut Lcg, patch: &impl DryPatch<f64>) -> Twist<f64> {
 }
 
 /// The twist or wrench with its normal component in units of `length` on the other side.
-fn of_twist(twist: &Twist<f64>, arm: f64) -> Vector3<f64> {
+pub(crate) fn of_twist(twist: &Twist<f64>, arm: f64) -> Vector3<f64> {
     Vector3::new(twist.velocity.x, twist.velocity.y, twist.spin * arm)
 }
 

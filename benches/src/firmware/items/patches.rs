@@ -137,7 +137,7 @@ pub const PATCHES: [Item; 15] = [
     dry(
         "bar, exact: Coulomb",
         NARROW,
-        flat!("coupling::flat::bar patch::bar"),
+        flat!("coupling::flat::bar coupling::flat::sums patch::bar"),
         "FlatFriction::new(Bar::new([-1.0, b], [1.0, a]).ok()?, 0.5).ok()?",
     ),
     item(

@@ -91,6 +91,15 @@ pub struct Points<R> {
     total: R,
 }
 
+impl<R: Real> Points<R> {
+    /// The points of a file.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let nodes = points(path, &|_| R::ONE)?;
+        let total = nodes.iter().fold(R::ZERO, |sum, node| sum + node.weight);
+        Ok(Self { nodes, total })
+    }
+}
+
 impl<R: Real> NodePatch<R> for Points<R> {
     fn nodes(&self) -> &[Node<R>] {
         &self.nodes

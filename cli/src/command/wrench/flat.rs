@@ -9,7 +9,7 @@ use tribos::friction::{Flat, FlatPatch, Precision};
 use tribos_core::coupling::flat::{FlatFriction, FlatPower, FlatPowerFriction};
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
-const TWIST: [&str; 3] = ["velocity_x", "velocity_y", "spin"];
+pub(super) const TWIST: [&str; 3] = ["velocity_x", "velocity_y", "spin"];
 const WRENCH: [&str; 3] = ["force_x", "force_y", "torque"];
 const JACOBIAN: [[&str; 3]; 3] = [
     [
@@ -146,11 +146,20 @@ fn line<R: Precision>(
     }
     let [x, y, spin] = parts;
     let (wrench, jacobian) = friction(load, &Twist::new(x, y, spin));
+    Ok(answer(given, &wrench, with_jacobian.then_some(&jacobian)))
+}
+
+/// The columns of a wrench on the body, and whether one is no finite number.
+pub(super) fn answer<R: Precision>(
+    given: [f64; 3],
+    wrench: &Wrench<R>,
+    jacobian: Option<&WrenchJacobian<R>>,
+) -> (Fields, bool) {
     let mut fields: Fields = TWIST.into_iter().zip(given).collect();
     let parts = [wrench.force.x, wrench.force.y, wrench.torque];
     // No minus before a zero.
     fields.extend(WRENCH.into_iter().zip(parts.map(|x| x.to_f64() + 0.0)));
-    if with_jacobian {
+    if let Some(jacobian) = jacobian {
         for (i, names) in JACOBIAN.iter().enumerate() {
             for (j, name) in names.iter().enumerate() {
                 fields.push((name, jacobian[(i, j)].to_f64()));
@@ -158,5 +167,5 @@ fn line<R: Precision>(
         }
     }
     let is_beyond = fields.iter().any(|(_, x)| !x.is_finite());
-    Ok((fields, is_beyond))
+    (fields, is_beyond)
 }

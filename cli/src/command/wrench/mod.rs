@@ -5,6 +5,7 @@ mod extreme;
 mod flat;
 mod given;
 mod output;
+mod points;
 mod product;
 
 use super::columns::Rows;
@@ -28,14 +29,15 @@ use tribos::record::write_atomically;
 /// spins counterclockwise with `spin`. Friction takes the power force*speed + torque*spin, and the
 /// Jacobian is the derivative of just these. The answer repeats the contact that it is for.
 ///
-/// Boxes, polygons and bars answer with the wrench on the body instead, force_x, force_y and torque,
+/// Boxes, polygons, bars and meshes answer with the wrench on the body instead, force_x, force_y and torque,
 /// which has the opposite sign.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
     /// Contact patch.
     #[arg(long, default_value = "disk", long_help = format!("Contact patch: {}.\n\
-        A polynomial is the pressure a0 + a1 r^2 + ..., power:Q the pressure (1-r^2)^Q, r in radii. The file of points has columns x,y [m] and weight; the body slides along x. Boxes, polygons and bars are exact for \
+        A polynomial is the pressure a0 + a1 r^2 + ..., power:Q the pressure (1-r^2)^Q, r in radii. The file of points has columns x,y [m] and weight; the body slides along x, or with \
+        --jacobian or --twists velocity_x,velocity_y,spin answers as boxes do. Boxes, polygons, bars and meshes are exact for \
         dry friction, boxes and polygons for every alpha too: the wrench is that on the body about the origin of the \
         corners, and --twists has columns velocity_x,velocity_y,spin.", patches()))]
     patch: Patch,
@@ -78,11 +80,11 @@ pub struct Arguments {
           required_unless_present = "twists", conflicts_with = "twists")]
     spin: Option<f64>,
     /// CSV file with columns `speed,spin`, one twist a line (`-` for standard input); for boxes,
-    /// polygons and bars `velocity_x,velocity_y,spin`.
+    /// polygons, bars and meshes `velocity_x,velocity_y,spin`, for points either.
     #[arg(long, value_name = "FILE")]
     twists: Option<PathBuf>,
     /// Add the derivatives dforce_dspeed, dforce_dspin, dtorque_dspeed, dtorque_dspin; for boxes,
-    /// polygons and bars the nine dforce_x_dvelocity_x ... dtorque_dspin.
+    /// polygons, bars, meshes and points the nine dforce_x_dvelocity_x ... dtorque_dspin.
     #[arg(long)]
     jacobian: bool,
     /// Accuracy tier [default: the quickest that serves the law: table, compact for alpha > 10, quadrature for other laws].
@@ -136,6 +138,8 @@ Examples:
   A box that slides and turns, and one whose weight is towards its front:
     tribos wrench --patch box:0.3x0.2 --coefficient 0.4 --load 20 --speed 0.5 --spin 3 --jacobian
     tribos wrench --patch box:0.3x0.2 --centre 0.03,0 --coefficient 0.4 --load 20 --speed 0.5 --spin 3
+  The contact face of a solver, triangles with a pressure at each corner:
+    tribos wrench --patch mesh:face.csv --coefficient 0.5 --load 80 --twists twists.csv --jacobian
   Many twists from a file, evaluated without tables in single precision:
     tribos wrench --twists twists.csv --tier compact --precision f32 --output wrenches.csv";
 
@@ -157,7 +161,8 @@ impl Arguments {
     fn evaluate<R: Precision>(&self) -> Result<(), Failure> {
         if let Some(output) = &self.output {
             let points = match &self.patch {
-                Patch::Points(file) | Patch::Flat(FlatPatch::Polygon(file)) => Some(file),
+                Patch::Points(file)
+                | Patch::Flat(FlatPatch::Polygon(file) | FlatPatch::Mesh(file)) => Some(file),
                 _ => None,
             };
             for input in self.twists.iter().chain(points) {
@@ -166,6 +171,11 @@ impl Arguments {
         }
         if let Patch::Flat(patch) = &self.patch {
             return flat::evaluate::<R>(self, patch);
+        }
+        if let Patch::Points(points) = &self.patch
+            && points::is_asked_for(self)?
+        {
+            return points::evaluate::<R>(self, points);
         }
         if self.centre.is_some() {
             return Err(Failure::input(
@@ -256,9 +266,9 @@ impl Arguments {
             }
             (tilt, _) => tilt.map(|tilt| tilt.clamp(-1.0, 1.0)),
         };
-        if self.jacobian && (tilted || matches!(self.patch, Patch::Points(_))) {
+        if self.jacobian && tilted {
             return Err(Failure::input(
-                "--jacobian is for round, upright patches: leave out --tilt and points",
+                "--jacobian is for upright patches: leave out --tilt",
             ));
         }
         Ok(Request {

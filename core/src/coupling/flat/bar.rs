@@ -20,6 +20,7 @@
 use super::far::{FOR_HESSIAN, FOR_WRENCH, OfPairs, Slide, by_rule};
 use super::motion::Motion;
 use super::near::Seen;
+use super::sums::{self, slid};
 use super::two::Two;
 use super::{DryPatch, Hessian, Reduced};
 use crate::patch::bar::Bar;
@@ -91,34 +92,15 @@ fn turning<R: Real>(bar: &Bar<R>, centre: &Vector2<R>, sense: R) -> (Reduced<R>,
 }
 
 fn sliding<R: Real>(bar: &Bar<R>, slide: &Slide<'_, R>) -> Reduced<R> {
-    let (e, spin) = (slide.direction, slide.spin);
-    let at = |[x, y]: [Two<R>; 2]| {
-        let (w, one) = (Two::of(spin), Two::of(R::ONE));
-        let (g, wx) = (one - w * y, w * x);
-        let q = (g * g + wx * wx).sqrt();
-        let (inv_q, inv_s) = (q.inverse(), (q + g).inverse());
-        let missing = x * x * inv_q * inv_s;
-        let across = x * (y - wx * x * inv_s) * inv_q;
-        [missing, across, missing * (one + q)]
-    };
+    let spin = slide.spin;
+    let at = |at| slid(Two::of(spin), at);
     let [missing, across, torque] = mean(bar, slide, at, FOR_WRENCH);
-    let along = spin * spin * missing - R::ONE;
-    let across = -(spin * spin * across);
-    Reduced {
-        force: Vector2::new(along * e.x - across * e.y, along * e.y + across * e.x),
-        torque: -(spin * torque),
-    }
+    slide.reduced_of([missing, across, torque], R::ONE)
 }
 
 fn bent<R: Real>(bar: &Bar<R>, slide: &Slide<'_, R>) -> Hessian<R> {
     let spin = slide.spin;
-    let at = |[x, y]: [Two<R>; 2]| {
-        let (w, one) = (Two::of(spin), Two::of(R::ONE));
-        let (g, wx) = (one - w * y, w * x);
-        let q_sq = g * g + wx * wx;
-        let inv_cube = (q_sq * q_sq.sqrt()).inverse();
-        [g * g * inv_cube, x * g * inv_cube, x * x * inv_cube]
-    };
+    let at = |at| sums::bent(Two::of(spin), at);
     let [yy, yn, nn] = mean(bar, slide, at, FOR_HESSIAN);
     slide.hessian_of([yy, yn, nn])
 }

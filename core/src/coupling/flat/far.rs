@@ -212,7 +212,8 @@ impl<R: Real> Slide<'_, R> {
         let (e, spin) = (self.direction, self.spin);
         let reach = half * spin.abs();
         if K::IS_LINEAR {
-            return self.linear(edges, pressure, [load, reach]);
+            let sums = self.linear(edges, pressure, reach);
+            return self.reduced_of(sums, load);
         }
         let (force, torque) = by_rule(&OfUniform { slide: self, edges }, reach, FOR_WRENCH);
         Reduced {
@@ -226,18 +227,21 @@ impl<R: Real> Slide<'_, R> {
 
     /// A vector along the direction and across it.
     #[inline(always)]
-    fn turned(&self, v: &Vector2<R>) -> [R; 2] {
+    pub(super) fn turned(&self, v: &Vector2<R>) -> [R; 2] {
         let e = self.direction;
         [v.x * e.x + v.y * e.y, v.y * e.x - v.x * e.y]
     }
 
-    fn linear<K: FlatPressure<R>>(
+    /// Integrals of x²/(q s), x (y − w x²/s)/q and x² (1 + q)/(q s) under a pressure, given the
+    /// largest speed that half an edge turns with.
+    #[inline]
+    pub(super) fn linear<K: FlatPressure<R>>(
         &self,
         edges: &[Edge<R>],
         pressure: &K,
-        [load, reach]: [R; 2],
-    ) -> Reduced<R> {
-        let (e, spin) = (self.direction, self.spin);
+        reach: R,
+    ) -> [R; 3] {
+        let spin = self.spin;
         let pressure = Turned::new(self, pressure);
         let at = |[x, y]: [Two<R>; 2]| {
             let w = Two::of(spin);
@@ -267,7 +271,13 @@ impl<R: Real> Slide<'_, R> {
             along: None,
             at,
         };
-        let [missing, across, torque] = by_rule(&sums, reach, FOR_WRENCH);
+        by_rule(&sums, reach, FOR_WRENCH)
+    }
+
+    /// Friction from such integrals over the whole patch, given that of the pressure.
+    #[inline(always)]
+    pub(super) fn reduced_of(&self, [missing, across, torque]: [R; 3], load: R) -> Reduced<R> {
+        let (e, spin) = (self.direction, self.spin);
         let along = spin * spin * missing - load;
         let across = -(spin * spin * across);
         Reduced {
@@ -283,6 +293,17 @@ impl<R: Real> Slide<'_, R> {
         pressure: &K,
         half: R,
     ) -> Hessian<R> {
+        self.hessian_of(self.bent(edges, pressure, half * self.spin.abs()))
+    }
+
+    /// Integrals of (g², x g, x²)/q³ under a pressure.
+    #[inline]
+    pub(super) fn bent<K: FlatPressure<R>>(
+        &self,
+        edges: &[Edge<R>],
+        pressure: &K,
+        reach: R,
+    ) -> [R; 3] {
         let spin = self.spin;
         let pressure = Turned::new(self, pressure);
         let at = |[x, y]: [Two<R>; 2]| {
@@ -311,8 +332,7 @@ impl<R: Real> Slide<'_, R> {
             along: None,
             at,
         };
-        let [yy, yn, nn] = by_rule(&sums, half * spin.abs(), FOR_HESSIAN);
-        self.hessian_of([yy, yn, nn])
+        by_rule(&sums, reach, FOR_HESSIAN)
     }
 
     /// All second derivatives from those across the direction and about the normal.

@@ -14,10 +14,15 @@
 //! [`FlatPowerFriction`] is the same for friction γ|q|^α, α > −1.
 
 mod bar;
+mod cone;
 mod far;
+mod feet;
+mod mesh;
 mod motion;
 mod near;
+mod points;
 mod power;
+mod sums;
 mod two;
 
 use crate::law::{LawError, validated_coefficient};
@@ -51,9 +56,20 @@ pub struct Hessian<R> {
     pub nn: R,
 }
 
+/// A point of contact, with lengths in units of the patch's radius about its centre.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointLoad<R: Real> {
+    pub place: Vector2<R>,
+    /// Its share of the load.
+    pub share: R,
+}
+
 /// A patch of any shape under dry friction: its dissipated power and the derivatives of that.
 ///
-/// Implemented by the patches with straight edges of [`crate::patch::outline`].
+/// Implemented by the patches with straight edges of [`crate::patch::outline`] by meshes
+/// ([`crate::patch::mesh`]), points ([`crate::patch::points`]) and bodies on several of them
+/// ([`crate::patch::feet`]).
 pub trait DryPatch<R: Real> {
     /// The centre of pressure, in the coordinates that twist and wrench refer to.
     fn centre(&self) -> Vector2<R>;
@@ -68,6 +84,14 @@ pub trait DryPatch<R: Real> {
     /// The same with the power's second derivatives.
     #[doc(hidden)]
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>);
+
+    /// The point of contact nearest to a place, if there are points: the limit surface has facets.
+    #[doc(hidden)]
+    #[inline]
+    fn nearest_point(&self, place: &Vector2<R>) -> Option<PointLoad<R>> {
+        let _ = place;
+        None
+    }
 }
 
 impl<R: Real, P: DryPatch<R> + ?Sized> DryPatch<R> for &P {
@@ -83,6 +107,9 @@ impl<R: Real, P: DryPatch<R> + ?Sized> DryPatch<R> for &P {
     }
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
         (**self).reduced_with_hessian(motion)
+    }
+    fn nearest_point(&self, place: &Vector2<R>) -> Option<PointLoad<R>> {
+        (**self).nearest_point(place)
     }
 }
 

@@ -38,8 +38,13 @@ impl<R: Real> Motion<R> {
     /// that is infinite or NaN.
     #[inline(always)]
     pub(super) fn new(patch: &impl DryPatch<R>, twist: &Twist<R>) -> Result<Self, R> {
-        let near = if R::IS_SINGLE { NEAR_SINGLE } else { NEAR };
-        Self::split_at(near, patch, twist)
+        Self::split_at(near::<R>(), patch, twist)
+    }
+
+    /// The motion with this velocity and rim speed, whose squares are numbers.
+    #[inline(always)]
+    pub(super) fn dry(velocity: &Vector2<R>, rim: R) -> Self {
+        Self::of(near::<R>(), velocity, rim)
     }
 
     /// The same for a power law, whose closed form ends at 2 radii.
@@ -99,6 +104,12 @@ impl<R: Real> Motion<R> {
             }
         }
     }
+}
+
+/// Radii up to which the closed form of dry friction serves.
+#[inline(always)]
+fn near<R: Real>() -> f64 {
+    if R::IS_SINGLE { NEAR_SINGLE } else { NEAR }
 }
 
 /// Velocity of the centre of pressure, and rim speed.

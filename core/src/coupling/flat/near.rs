@@ -46,7 +46,14 @@ impl<R: Real> Seen<R> {
         let t0 = edge.along() - (centre.x * tangent.x + centre.y * tangent.y);
         let t1 = t0 + length;
         let h_sq = h * h;
-        let (r0, r1) = ((h_sq + t0 * t0).sqrt(), (h_sq + t1 * t1).sqrt());
+        let ends = [t0, t1].map(|t| (h_sq + t * t).sqrt());
+        Self::between(h, [t0, t1], ends, length)
+    }
+
+    /// An edge at the distance `h` from `t0` to `t1`, whose ends are as far away as `ends` says.
+    #[inline(always)]
+    pub(super) fn between(h: R, [t0, t1]: [R; 2], ends: [R; 2], length: R) -> Self {
+        let (h_sq, [r0, r1]) = (h * h, ends);
         let (sum, middle) = (r0 + r1, t0 + t1);
         // r + t at the first corner and r − t at the second one without cancellation, as quotients.
         let (a0, a1) = (r0 + t0.abs(), r1 + t1.abs());

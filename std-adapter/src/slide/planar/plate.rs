@@ -36,9 +36,9 @@ pub struct Plate {
 impl Plate {
     /// A plate of uniform thickness on `patch`, under friction with this coefficient.
     ///
-    /// *Domain*: coefficient ≥ 0, gravity > 0, in m/s².
+    /// *Domain*: coefficient ≥ 0, gravity > 0, in m/s²; meshes are refused.
     pub fn new(patch: Flat<f64>, coefficient: f64, gravity: f64) -> Result<Self, SlideError> {
-        let gyration = patch.radius_of_gyration();
+        let gyration = patch.radius_of_gyration()?;
         Ok(Self {
             friction: FlatFriction::new(patch, coefficient)?,
             gravity: positive("gravity", gravity)?,

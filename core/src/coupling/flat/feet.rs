@@ -1,0 +1,171 @@
+//! Friction of several patches under one rigid body.
+//!
+//! Each foot moves with the velocity of its own centre and the common spin, and carries its share of the
+//! load; forces add up, and torques with the moments of the forces about the common centre.
+
+use super::motion::Motion;
+use super::points::rest;
+use super::{DryPatch, Hessian, PointLoad, Reduced};
+use crate::patch::feet::{Feet, Foot};
+use crate::real::Real;
+use nalgebra::Vector2;
+
+impl<R: Real, P: DryPatch<R>> DryPatch<R> for Feet<'_, R, P> {
+    fn centre(&self) -> Vector2<R> {
+        Feet::centre(self)
+    }
+
+    fn radius(&self) -> R {
+        Feet::radius(self)
+    }
+
+    fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
+        let mut sum = Reduced {
+            force: Vector2::new(R::ZERO, R::ZERO),
+            torque: R::ZERO,
+        };
+        for foot in self.feet() {
+            if let Some(part) = Part::of(self, foot, motion) {
+                part.add(&foot.patch.reduced(&part.motion), &mut sum);
+            }
+        }
+        sum
+    }
+
+    fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
+        let zero = R::ZERO;
+        let mut sum = Reduced {
+            force: Vector2::new(zero, zero),
+            torque: zero,
+        };
+        let mut hessian = Hessian {
+            xx: zero,
+            xy: zero,
+            yy: zero,
+            xn: zero,
+            yn: zero,
+            nn: zero,
+        };
+        for foot in self.feet() {
+            if let Some(part) = Part::of(self, foot, motion) {
+                let (reduced, own) = foot.patch.reduced_with_hessian(&part.motion);
+                part.add(&reduced, &mut sum);
+                part.add_hessian(&own, &mut hessian);
+            }
+        }
+        (sum, hessian)
+    }
+
+    fn nearest_point(&self, place: &Vector2<R>) -> Option<PointLoad<R>> {
+        // The nearest point of each foot, in the units of all.
+        let near = |place: &Vector2<R>| {
+            let place = *place;
+            self.feet().iter().filter_map(move |foot| {
+                let (at, scale) = self.placed(foot);
+                let own = (place - at) * (R::ONE / scale);
+                let point = foot.patch.nearest_point(&own)?;
+                Some(PointLoad {
+                    place: at + point.place * scale,
+                    share: point.share * self.share(foot),
+                })
+            })
+        };
+        let distance = |point: &PointLoad<R>, place: &Vector2<R>| {
+            (point.place.x - place.x).hypot(point.place.y - place.y)
+        };
+        let mut nearest: Option<(PointLoad<R>, R)> = None;
+        for point in near(place) {
+            let far = distance(&point, place);
+            if nearest.is_none_or(|(_, least)| far < least) {
+                nearest = Some((point, far));
+            }
+        }
+        let (point, _) = nearest?;
+        // Points of other feet at the same place carry with it.
+        let mut share = R::ZERO;
+        for other in near(&point.place) {
+            if distance(&other, &point.place) <= rest() {
+                share += other.share;
+            }
+        }
+        let place = point.place;
+        Some(PointLoad { place, share })
+    }
+}
+
+/// One foot: its motion, place, size and share, with lengths in radii of the whole.
+struct Part<R: Real> {
+    motion: Motion<R>,
+    at: Vector2<R>,
+    scale: R,
+    share: R,
+}
+
+impl<R: Real> Part<R> {
+    /// `None` for a foot that carries nothing or, alone, does not move.
+    fn of<P: DryPatch<R>>(
+        feet: &Feet<'_, R, P>,
+        foot: &Foot<R, P>,
+        motion: &Motion<R>,
+    ) -> Option<Self> {
+        let share = feet.share(foot);
+        if share == R::ZERO {
+            return None;
+        }
+        let (at, scale) = feet.placed(foot);
+        let (velocity, spin) = match motion {
+            Motion::Turns { centre, spin } => {
+                let from = at - centre;
+                (Vector2::new(-(*spin * from.y), *spin * from.x), *spin)
+            }
+            Motion::Slides {
+                direction,
+                turn,
+                speed,
+            } => {
+                let spin = *turn * *speed;
+                let by = Vector2::new(-(*turn * at.y), *turn * at.x);
+                ((direction + by) * *speed, spin)
+            }
+        };
+        let rim = spin * scale;
+        if velocity.x == R::ZERO && velocity.y == R::ZERO && rim == R::ZERO {
+            return None;
+        }
+        Some(Self {
+            motion: Motion::dry(&velocity, rim),
+            at,
+            scale,
+            share,
+        })
+    }
+
+    fn add(&self, reduced: &Reduced<R>, sum: &mut Reduced<R>) {
+        let force = reduced.force * self.share;
+        sum.force += force;
+        sum.torque +=
+            self.share * self.scale * reduced.torque + (self.at.x * force.y - self.at.y * force.x);
+    }
+
+    fn add_hessian(&self, own: &Hessian<R>, sum: &mut Hessian<R>) {
+        let Hessian {
+            xx,
+            xy,
+            yy,
+            xn,
+            yn,
+            nn,
+        } = own.scaled(self.share);
+        let (x, y) = (self.at.x, self.at.y);
+        let [xn, yn] = [xn * self.scale, yn * self.scale];
+        let nn = nn * self.scale * self.scale;
+        // The foot's centre moves with (−y, x) for each unit of spin.
+        let (from_x, from_y) = (xy * x - xx * y, yy * x - xy * y);
+        sum.xx += xx;
+        sum.xy += xy;
+        sum.yy += yy;
+        sum.xn += xn + from_x;
+        sum.yn += yn + from_y;
+        sum.nn += nn + R::TWO * (yn * x - xn * y) + (from_y * x - from_x * y);
+    }
+}

@@ -1,0 +1,125 @@
+//! Several patches under one rigid body, each with its share of the load.
+
+use super::PatchError;
+use crate::coupling::flat::DryPatch;
+use crate::real::Real;
+use nalgebra::Vector2;
+
+/// A patch in the coordinates of the body, and what it carries.
+///
+/// ```
+/// use tribos_core::patch::bar::Bar;
+/// use tribos_core::patch::feet::Foot;
+/// // One blade of a sledge, with half of its weight.
+/// let runner = Foot { patch: Bar::new([-0.5_f64, 0.2], [0.5, 0.2])?, weight: 0.5 }; // m
+/// assert!(runner.weight > 0.0);
+/// # Ok::<(), tribos_core::patch::outline::OutlineError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Foot<R, P> {
+    /// The patch.
+    pub patch: P,
+    /// Its share of the load in any unit, because only ratios count.
+    pub weight: R,
+}
+
+/// A body on several feet: one patch under dry friction.
+///
+/// Feet of different kinds have a common type as `&dyn DryPatch`. How the load is shared is the
+/// caller's to know: statics gives it for three feet ([`super::tripod`]).
+///
+/// *Units*: length. *Accuracy*: that of the feet; the torque of a body that hardly turns has that
+/// of μN R, not of itself. *Cost*: that of all feet.
+///
+/// ```
+/// use tribos_core::coupling::flat::FlatFriction;
+/// use tribos_core::patch::bar::Bar;
+/// use tribos_core::patch::feet::{Feet, Foot};
+/// use tribos_core::twist::Twist;
+/// let runner = |y: f64| Bar::new([-0.5, y], [0.5, y]); // m
+/// let runners = [
+///     Foot { patch: runner(-0.2)?, weight: 300.0 }, // N
+///     Foot { patch: runner(0.2)?, weight: 100.0 },
+/// ];
+/// let sledge = Feet::new(&runners)?;
+/// assert!((sledge.centre().y + 0.1).abs() < 1e-16);
+/// let friction = FlatFriction::new(sledge, 0.05)?;
+/// // Drawn straight on, the heavier side resists more.
+/// let drag = friction.wrench(400.0, &Twist::new(1.0, 0.0, 0.0));
+/// assert!((drag.force.x + 20.0).abs() < 1e-13 && (drag.torque + 20.0 * 0.1).abs() < 1e-14);
+/// # Ok::<(), tribos_core::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Feet<'a, R: Real, P> {
+    feet: &'a [Foot<R, P>],
+    total: R,
+    centre: Vector2<R>,
+    radius: R,
+}
+
+impl<'a, R: Real, P: DryPatch<R>> Feet<'a, R, P> {
+    /// *Domain*: weights ≥ 0 of which at least one is positive, finite sum; finite distances.
+    pub fn new(feet: &'a [Foot<R, P>]) -> Result<Self, PatchError> {
+        let mut total = R::ZERO;
+        for (index, foot) in feet.iter().enumerate() {
+            total += foot.weight;
+            if !(foot.weight >= R::ZERO && total.is_finite()) {
+                let given = foot.weight.to_f64();
+                return Err(PatchError::NodeWeight { index, given });
+            }
+        }
+        if total == R::ZERO {
+            return Err(PatchError::Unloaded);
+        }
+        let mut centre = Vector2::new(R::ZERO, R::ZERO);
+        for foot in feet {
+            centre += foot.patch.centre() * (foot.weight / total);
+        }
+        let mut radius = R::ZERO;
+        for foot in feet.iter().filter(|foot| foot.weight > R::ZERO) {
+            let from = foot.patch.centre() - centre;
+            let reach = from.x.hypot(from.y) + foot.patch.radius();
+            if reach > radius || reach.is_nan() {
+                radius = reach;
+            }
+        }
+        if !(radius + centre.x + centre.y).is_finite() {
+            let given = radius.to_f64();
+            return Err(PatchError::Radius { given });
+        }
+        Ok(Self {
+            feet,
+            total,
+            centre,
+            radius,
+        })
+    }
+
+    /// The common centre of pressure.
+    pub fn centre(&self) -> Vector2<R> {
+        self.centre
+    }
+
+    /// Distance from the centre of pressure within which all feet lie.
+    pub fn radius(&self) -> R {
+        self.radius
+    }
+
+    /// The feet.
+    pub fn feet(&self) -> &'a [Foot<R, P>] {
+        self.feet
+    }
+
+    /// Share of the load.
+    pub(crate) fn share(&self, foot: &Foot<R, P>) -> R {
+        foot.weight / self.total
+    }
+
+    /// Centre and radius of a foot, in radii of all about the common centre.
+    pub(crate) fn placed(&self, foot: &Foot<R, P>) -> (Vector2<R>, R) {
+        let from = foot.patch.centre() - self.centre;
+        let at = Vector2::new(from.x / self.radius, from.y / self.radius);
+        (at, foot.patch.radius() / self.radius)
+    }
+}

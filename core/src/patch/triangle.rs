@@ -1,0 +1,153 @@
+//! One triangle of a mesh, prepared for integrals over it.
+
+use super::edge::Edge;
+use super::flat_pressure::Linear;
+use crate::real::Real;
+use nalgebra::Vector2;
+
+/// A triangle under linear pressure.
+///
+/// Lengths are in units of the mesh's radius, positions relative to its centre, pressures such that
+/// the mesh carries 1. A default triangle is room for one.
+///
+/// *Layout*: that of a C structure of 16 numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(C)]
+pub struct Triangle<R> {
+    /// First corner, and from there to the others, counterclockwise: a small triangle that is far away
+    /// keeps its shape.
+    corner: [R; 2],
+    second: [R; 2],
+    third: [R; 2],
+    /// At the corners.
+    pressures: [R; 3],
+    /// Squared distance of the farthest corner from the middle.
+    size_sq: R,
+    /// Lengths of the edges, each from one corner to the next one, and 1 over each.
+    lengths: [R; 3],
+    inv_lengths: [R; 3],
+}
+
+impl<R: Real> Triangle<R> {
+    /// From the first corner, the sides to the others, which enclose an area, and pressures.
+    pub(super) fn new(corner: Vector2<R>, sides: [Vector2<R>; 2], pressures: [R; 3]) -> Self {
+        let ([b, c], [p, q, r]) = (sides, pressures);
+        let ([b, c], pressures) = if cross(&b, &c) < R::ZERO {
+            ([c, b], [p, r, q])
+        } else {
+            (sides, pressures)
+        };
+        let middle = (b + c) * R::from_f64(1.0 / 3.0);
+        let mut size_sq = R::ZERO;
+        for from in [middle, b - middle, c - middle] {
+            let sq = from.x * from.x + from.y * from.y;
+            if sq > size_sq {
+                size_sq = sq;
+            }
+        }
+        let lengths = [b, c - b, c].map(|side| side.x.hypot(side.y));
+        Self {
+            corner: [corner.x, corner.y],
+            second: [b.x, b.y],
+            third: [c.x, c.y],
+            pressures,
+            size_sq,
+            lengths,
+            inv_lengths: lengths.map(|length| R::ONE / length),
+        }
+    }
+
+    /// Its first corner.
+    #[inline(always)]
+    pub(crate) fn corner(&self) -> Vector2<R> {
+        let [x, y] = self.corner;
+        Vector2::new(x, y)
+    }
+
+    /// From the first corner to the second and to the third one.
+    #[inline(always)]
+    pub(crate) fn sides(&self) -> [Vector2<R>; 2] {
+        [self.second, self.third].map(|[x, y]| Vector2::new(x, y))
+    }
+
+    /// Pressures at its corners.
+    #[inline(always)]
+    pub(crate) fn pressures(&self) -> [R; 3] {
+        self.pressures
+    }
+
+    /// From the first corner to the mean of all.
+    #[inline(always)]
+    pub(crate) fn middle_from_corner(&self) -> Vector2<R> {
+        let [b, c] = self.sides();
+        (b + c) * R::from_f64(1.0 / 3.0)
+    }
+
+    /// Squared distance of the farthest corner from the middle.
+    #[inline(always)]
+    pub(crate) fn size_sq(&self) -> R {
+        self.size_sq
+    }
+
+    /// Twice its area.
+    #[inline(always)]
+    pub(crate) fn twice_area(&self) -> R {
+        let [b, c] = self.sides();
+        cross(&b, &c)
+    }
+
+    /// Half the length of its longest edge.
+    #[inline(always)]
+    pub(crate) fn longest_half(&self) -> R {
+        let [a, b, c] = self.lengths;
+        let longer = if a > b { a } else { b };
+        R::HALF * if longer > c { longer } else { c }
+    }
+
+    /// Slope of the pressure.
+    #[inline(always)]
+    pub(crate) fn slope(&self) -> [R; 2] {
+        let ([b, c], [p, q, r]) = (self.sides(), self.pressures);
+        let (second, third) = (q - p, r - p);
+        let inv = R::ONE / cross(&b, &c);
+        [
+            (second * c.y - third * b.y) * inv,
+            (third * b.x - second * c.x) * inv,
+        ]
+    }
+
+    /// Its pressure about the mesh's centre.
+    #[inline(always)]
+    pub(crate) fn pressure(&self) -> Linear<R> {
+        let (slope, [p, ..]) = (self.slope(), self.pressures);
+        let [x, y] = slope;
+        Linear::new(p - x * self.corner().x - y * self.corner().y, slope)
+    }
+
+    /// Directions of its edges, their lengths, and 1 over these.
+    #[inline(always)]
+    pub(crate) fn directions(&self) -> [(Vector2<R>, R, R); 3] {
+        let ([b, c], [l, m, n]) = (self.sides(), self.lengths);
+        let [inv_l, inv_m, inv_n] = self.inv_lengths;
+        [
+            (b * inv_l, l, inv_l),
+            ((c - b) * inv_m, m, inv_m),
+            (c * -inv_n, n, inv_n),
+        ]
+    }
+
+    /// Its edges, as line integrals need them.
+    #[inline(always)]
+    pub(crate) fn edges(&self) -> [Edge<R>; 3] {
+        let (a, [b, c]) = (self.corner(), self.sides());
+        let [first, second, third] = self.directions();
+        let edge = |from, (tangent, length, _)| Edge::towards(from, tangent, length);
+        [edge(a, first), edge(a + b, second), edge(a + c, third)]
+    }
+}
+
+/// a × b
+pub(super) fn cross<R: Real>(a: &Vector2<R>, b: &Vector2<R>) -> R {
+    a.x * b.y - a.y * b.x
+}
