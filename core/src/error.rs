@@ -2,6 +2,7 @@
 
 use crate::contact::TouchError;
 use crate::law::LawError;
+use crate::limit_surface::SupportError;
 use crate::manifold::ManifoldError;
 use crate::patch::PatchError;
 use crate::patch::outline::OutlineError;
@@ -56,6 +57,8 @@ errors! {
     Patch(PatchError),
     /// The corners of a polygon, or its pressure.
     Outline(OutlineError),
+    /// The corners of a support, or its centre of pressure.
+    Support(SupportError),
     /// The geometry of a contact.
     Touch(TouchError),
     /// A body or contact of a manifold.

@@ -8,7 +8,7 @@ use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable
 use crate::coupling::table::Table;
 use crate::coupling::tall::TallWrench;
 use crate::coupling::{DryCoupling, Lateral, Profile, compact::CompactPower};
-use crate::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
+use crate::limit_surface::{AnyPressure, Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
 use crate::patch::bar::Bar;
 use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
 use crate::patch::outline::{Edge, FlatPressure, Polygon};
@@ -79,6 +79,9 @@ formats! {
     [R: Real + Format, P: DryPatch<R>] PatchSurface<R, P>: |s|
         "limit surface of force {}, torque {}, radius {}",
         s.force_limit(), s.torque_limit(), s.radius();
+    [R: Real + Format, S: AsRef<[[R; 2]]>] AnyPressure<R, S>: |s|
+        "support of force {}, centre [{}, {}], radius {}",
+        s.force_limit(), s.centre().x, s.centre().y, s.radius();
     [R: Real + Format] Reduced<R>: |r| "force [{}, {}], torque {}", r.force.x, r.force.y, r.torque;
     [R: Real + Format] Motion<R>: |m| "{}", match m {
         Motion::Turns { centre, spin } => Components(Vector3::new(centre.x, centre.y, *spin)),

@@ -56,6 +56,12 @@ bounds! {
     SLIVER_JACOBIAN = 2e-11, "promised in coupling::flat: the aspect ratio times 2e-14";
     /// Push over gauge plus the friction of its motion, of μN with the torque over the largest arm.
     PATCH_SURFACE = 1e-13, "promised in limit_surface::PatchSurface; Newton's residual and the gauge's rounding";
+    /// Yaw limits under any pressure, from both sides, of μN times the radius.
+    ANY_PRESSURE_LIMIT = 2e-11, "1e-9 is promised; twice the corners over the last weight of the barrier";
+    /// Supports under any pressure, relative.
+    ANY_PRESSURE_SUPPORT = 2e-15, "1e-14 is promised; shares and speeds, each rounded a few times";
+    /// Yaw limits under any pressure in f32, of μN times the radius.
+    ANY_PRESSURE_SINGLE = 1e-2, "promised in limit_surface::AnyPressure; the barrier's last weight, of single precision, next to the largest force";
     /// Polygons in f32, of μN and μN (R + |centre|).
     POLYGON_SINGLE = 4e-6, "promised in coupling::flat; opposite edges cancel, most where the shape is long";
     /// Their Jacobian, of its largest entry.
