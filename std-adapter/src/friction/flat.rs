@@ -84,15 +84,7 @@ impl FlatPatch {
                 let bar = Bar::new(narrow([-half, 0.0]), narrow([half, 0.0]));
                 return Ok(Flat::Bar(bar.map_err(tribos_core::Error::from)?));
             }
-            Self::Box([a, b]) => {
-                let (x, y) = (0.5 * a, 0.5 * b);
-                vec![vec![[-x, -y], [x, -y], [x, y], [-x, y]]]
-            }
-            Self::Polygon(path) => {
-                let text = crate::record::read_text(path, MOST_BYTES)
-                    .map_err(|error| Refusal::Syntax(format!("{}: {error}", path.display())))?;
-                read_loops(path, &text)?
-            }
+            Self::Box(_) | Self::Polygon(_) => self.loops()?,
         };
         let narrowed: Vec<Vec<[R; 2]>> = loops
             .iter()
@@ -113,6 +105,24 @@ impl FlatPatch {
                 Flat::Leaning(leaning.map_err(refused)?)
             }
         })
+    }
+}
+
+impl FlatPatch {
+    /// Corners of the outline, its file read: the outer loop first; of a bar its two ends.
+    pub(crate) fn loops(&self) -> Result<Vec<Vec<[f64; 2]>>, Refusal> {
+        match self {
+            Self::Bar(length) => Ok(vec![vec![[-0.5 * length, 0.0], [0.5 * length, 0.0]]]),
+            Self::Box([a, b]) => {
+                let (x, y) = (0.5 * a, 0.5 * b);
+                Ok(vec![vec![[-x, -y], [x, -y], [x, y], [-x, y]]])
+            }
+            Self::Polygon(path) => {
+                let text = crate::record::read_text(path, MOST_BYTES)
+                    .map_err(|error| Refusal::Syntax(format!("{}: {error}", path.display())))?;
+                read_loops(path, &text)
+            }
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::entries::Written;
 use super::words::meant;
-use crate::friction::Law;
+use crate::friction::{Law, Patch};
 
 /// One key of a scene file.
 ///
@@ -57,6 +57,8 @@ pub enum Domain {
     OneOf(&'static [&'static str]),
     /// A friction law with its parameters, as [`crate::friction::Law`] reads it.
     Law,
+    /// A contact patch, as [`crate::friction::Patch`] reads it.
+    Patch,
 }
 
 /// When a file must or may give a key. Pairs are another key and one of its words.
@@ -91,6 +93,7 @@ impl Domain {
             Self::Law => {
                 "a law with its parameters, such as \"stribeck:mu_s=0.4,mu_d=0.2,vs=0.05\"".into()
             }
+            Self::Patch => "a patch such as \"box:0.3x0.2\", \"polygon:FILE\" or \"disk\"".into(),
             Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
         }
     }
@@ -105,7 +108,7 @@ impl Domain {
                 Self::Between { above, up_to } => x > above && x <= up_to,
                 Self::Fraction => (0.0..=1.0).contains(&x),
                 Self::Count { up_to } => x >= 1.0 && x <= up_to && x.fract() == 0.0,
-                Self::OneOf(_) | Self::Law => false,
+                Self::OneOf(_) | Self::Law | Self::Patch => false,
             }
     }
 }
@@ -121,7 +124,12 @@ impl Key {
             (Domain::Law, Written::Text(text)) => {
                 return Some(format!("`{}`: {}", self.name, text.parse::<Law>().err()?));
             }
-            (Domain::OneOf(_) | Domain::Law, other) => format!("not {}", other.kind()),
+            (Domain::Patch, Written::Text(text)) => {
+                return Some(format!("`{}`: {}", self.name, text.parse::<Patch>().err()?));
+            }
+            (Domain::OneOf(_) | Domain::Law | Domain::Patch, other) => {
+                format!("not {}", other.kind())
+            }
             (domain, Written::Number(x)) if domain.admits(*x) => return None,
             (_, other) => other.got(),
         };

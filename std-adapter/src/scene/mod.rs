@@ -21,6 +21,7 @@ mod pipe;
 mod planar;
 mod powder;
 mod problem;
+mod push;
 mod reader;
 mod schema;
 mod slider;
@@ -45,6 +46,7 @@ pub use pipe::PipeScene;
 pub use planar::{FootPressure, Tipping};
 pub use powder::{Coupling, Criterion, PowderScene, SweepMethod, SweepOrder, SweepStop, WallLaw};
 pub use problem::{InvalidScene, Problem, SceneError};
+pub use push::PushScene;
 #[doc(hidden)]
 pub use schema::schema;
 pub use slider::{SliderScene, Stepper, Units};

@@ -5,7 +5,7 @@ use super::key::{Domain, Key, Need};
 use super::problem::{InvalidScene, Problem, SceneError};
 use super::reader::{self, Judge};
 use super::words::Word;
-use crate::friction::Law;
+use crate::friction::{Law, Patch};
 use crate::golden::{Measure, MeasureError, Measurement};
 use crate::record::json_number;
 use serde_json::{Map, Value};
@@ -71,6 +71,20 @@ impl Setting for Option<Law> {
     fn set(&mut self, value: &Written) {
         if let Written::Text(text) = value {
             *self = text.parse().ok();
+        }
+    }
+}
+
+impl Setting for Patch {
+    fn written(&self) -> Option<Written> {
+        Some(Written::Text(self.to_string()))
+    }
+
+    fn set(&mut self, value: &Written) {
+        if let Written::Text(text) = value
+            && let Ok(patch) = text.parse()
+        {
+            *self = patch;
         }
     }
 }
