@@ -25,6 +25,7 @@ mod pressures;
 mod profiles;
 mod sets;
 mod special;
+mod supports;
 mod surfaces;
 mod tiers;
 mod touching;
@@ -70,7 +71,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 37] = [
+pub const CHAPTERS: [Chapter; 38] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),
@@ -108,6 +109,7 @@ pub const CHAPTERS: [Chapter; 37] = [
     little("holding", holding::holding),
     little("rubber", laws::rubber),
     little("polygons", polygons::polygons),
+    speed("supports", supports::supports),
 ];
 
 const DIGESTS: &str = include_str!("../digests.txt");

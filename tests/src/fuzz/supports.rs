@@ -35,6 +35,11 @@ pub fn supports<R: Real>(source: &mut Source) -> Result<(), Broken> {
     };
     let at = foot.centre();
     holds(
+        foot.force_limit() == limit.abs(),
+        "the force limit",
+        &[limit],
+    )?;
+    holds(
         at.x == centre[0] && at.y == centre[1],
         "the centre of pressure",
         &centre,
