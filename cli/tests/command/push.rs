@@ -44,9 +44,9 @@ fn people_read_whether_a_pusher_sticks_and_whether_a_line_holds() -> Outcome {
     assert!(sticks.contains("pusher          sticking\n"), "{sticks}");
     assert!(sticks.contains("motion cone") && sticks.contains("gauge 1\n"));
     let line = "push push-box --set contact_x=-0.08 --set end_x=0.08 --set end_y=-0.1";
-    let holds = told(&format!("{line} --set spin=0.02"))?;
+    let holds = told(format!("{line} --set spin=0.02"))?;
     assert!(holds.contains("stable push     yes"), "{holds}");
-    let loose = told(&format!("{line} --set spin=1"))?;
+    let loose = told(format!("{line} --set spin=1"))?;
     assert!(loose.contains("stable push     no"), "{loose}");
     assert!(loose.contains("path            not followed"), "{loose}");
     // Round bodies and their own normals.

@@ -157,16 +157,14 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
         let force = Vector2::new(x, y);
         let offset = cross(&self.centre(), &force);
         let unit = self.limit * self.radius();
-        let reduced = if self.limit > R::ZERO {
-            Vector2::new(x / self.limit, y / self.limit)
-        } else {
-            // Without limit only no force is carried.
-            force * R::INFINITY
-        };
+        let reduced = Vector2::new(x / self.limit, y / self.limit);
         let size = if x == R::ZERO && y == R::ZERO {
             R::ZERO
-        } else {
+        } else if self.limit > R::ZERO {
             speed(&reduced)
+        } else {
+            // Without limit no force is carried; NaN stays.
+            speed(&force) * R::INFINITY
         };
         if size > R::ONE {
             return None;
@@ -329,7 +327,11 @@ mod tests {
             let mut sum = 0.0;
             for (j, corner) in corners.iter().enumerate() {
                 // At times all but on an edge.
-                let narrow = if (i + j as u32) % 3 == 0 { 1e-6 } else { 1.0 };
+                let narrow = if (i + j as u32).is_multiple_of(3) {
+                    1e-6
+                } else {
+                    1.0
+                };
                 let share = narrow * (1.01 + part(i + j as u32, 0.819_172_513_4));
                 sum += share;
                 centre = [centre[0] + share * corner[0], centre[1] + share * corner[1]];

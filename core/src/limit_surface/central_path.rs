@@ -88,7 +88,7 @@ pub(super) fn reach<R: Real, S: AsRef<[[R; 2]]>>(sharing: &Sharing<R, S>, ray: &
         if !goes_on {
             break;
         }
-        weight = weight * R::from_f64(GROWTH);
+        weight *= R::from_f64(GROWTH);
     }
     bounds
 }
@@ -200,7 +200,7 @@ fn centred<R: Real, S: AsRef<[[R; 2]]>>(
 fn moved<R: Real>(at: &Unknowns<R>, step: &Unknowns<R>, factor: R) -> Unknowns<R> {
     let mut next = *at;
     for (x, s) in next.iter_mut().zip(step) {
-        *x = *x - factor * *s;
+        *x -= factor * *s;
     }
     next
 }
@@ -257,7 +257,7 @@ fn newton<R: Real, S: AsRef<[[R; 2]]>>(
                 *entry += *s * *t - inverse * (p * q - *x * *v - y * w);
             }
             if let Some(gradient) = row.last_mut() {
-                *gradient = *gradient - *s;
+                *gradient -= *s;
             }
         }
     });
@@ -288,11 +288,11 @@ fn solved<R: Real>(mut rows: [[R; 6]; 5]) -> Unknowns<R> {
                 } else {
                     R::ONE / pivot
                 };
-                row.iter_mut().for_each(|x| *x = *x * inverse);
+                row.iter_mut().for_each(|x| *x *= inverse);
             } else if pivot > least {
                 let factor = entry(row, column) / pivot;
                 for (x, p) in row.iter_mut().zip(pivot_row) {
-                    *x = *x - factor * p;
+                    *x -= factor * p;
                 }
             }
         }

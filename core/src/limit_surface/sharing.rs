@@ -304,7 +304,7 @@ impl<R: Real> Tripod<R> {
             sum += share.part;
         }
         for share in &mut self.shares {
-            share.part = share.part / sum;
+            share.part /= sum;
         }
         self
     }

@@ -21,7 +21,12 @@ const CORNERS: [[f64; 2]; 5] = [
     [-0.0625, 0.03125],
 ];
 /// Inside, on an edge, at a corner.
-const CENTRES: [[f64; 2]; 4] = [[0.0625, 0.0], [0.15625, 0.03125], [-0.0625, 0.0], [0.25, 0.03125]];
+const CENTRES: [[f64; 2]; 4] = [
+    [0.0625, 0.0],
+    [0.15625, 0.03125],
+    [-0.0625, 0.0],
+    [0.25, 0.03125],
+];
 
 fn supports_of<R: Real>(hash: &mut Fnv) {
     let corners = CORNERS.map(|corner| corner.map(R::from_f64));

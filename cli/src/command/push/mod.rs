@@ -119,7 +119,7 @@ impl Arguments {
         } else {
             read_text(&self.scene, MOST_BYTES).map_err(|error| {
                 let what = format!("cannot read the scene {name}: {error}");
-                Failure::input(unknown(&what, &name, [BUILT_IN.0].into_iter()))
+                Failure::input(unknown(&what, &name, [BUILT_IN.0]))
             })?
         };
         PushScene::parse(&name, &text, &self.overrides).map_err(Failure::input)

@@ -37,7 +37,7 @@ pub fn draw(path: &Path, scene: &PushScene, answer: &PushRun) -> Result<(), Fail
         }
         points
     };
-    let pusher: Points = moments.iter().map(|moment| touching(moment)).collect();
+    let pusher: Points = moments.iter().map(touching).collect();
     let centre: Points = moments
         .iter()
         .map(|moment| (moment.pose.position.x, moment.pose.position.y))
