@@ -3,7 +3,7 @@
 
 use tribos_core::Real;
 use tribos_core::limit_surface::{AnyPressure, FrictionSet, PatchSurface};
-use tribos_core::patch::outline::Polygon;
+use tribos_core::patch::outline::{Edge, Linear, Polygon};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 use tribos_tests::tables::{Row, Table};
@@ -90,18 +90,10 @@ fn single_precision_bounds_are_sound_and_near() {
     worst.assert_within(&tolerance::ANY_PRESSURE_SINGLE);
 }
 
-/// A sole, its centre of pressure under linear pressure, and its set.
-fn soles() -> Vec<(
-    [f64; 2],
-    PatchSurface<
-        f64,
-        Polygon<
-            f64,
-            [tribos_core::patch::outline::Edge<f64>; 4],
-            tribos_core::patch::outline::Linear<f64>,
-        >,
-    >,
-)> {
+type Sole = Polygon<f64, [Edge<f64>; 4], Linear<f64>>;
+
+/// Centres of pressure of a sole under linear pressure, and its sets.
+fn soles() -> Vec<([f64; 2], PatchSurface<f64, Sole>)> {
     let mut rng = Lcg::new(3);
     let mut soles = Vec::new();
     while soles.len() < 20 {
