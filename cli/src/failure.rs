@@ -5,6 +5,7 @@ use std::error::Error;
 use std::process::ExitCode;
 use tribos::friction::Refusal;
 use tribos::golden::MeasureError;
+use tribos::push::PushError;
 use tribos::record::WriteError;
 use tribos::record::frames::FrameError;
 use tribos::run::folder::FolderError;
@@ -155,12 +156,23 @@ impl From<SlideError> for Failure {
     }
 }
 
+impl From<PushError> for Failure {
+    fn from(error: PushError) -> Self {
+        match error {
+            PushError::Steps { .. } => Self::run(error),
+            PushError::Refusal(refusal) => refusal.into(),
+            _ => Self::input(error),
+        }
+    }
+}
+
 impl From<MeasureError> for Failure {
     fn from(error: MeasureError) -> Self {
         match error {
             MeasureError::Slide(error) => error.into(),
             MeasureError::Compaction(error) => error.into(),
             MeasureError::Tip(error) => error.into(),
+            MeasureError::Push(error) => error.into(),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::contact::TouchError;
 use crate::law::LawError;
+use crate::limit_surface::SupportError;
 use crate::manifold::ManifoldError;
 use crate::patch::PatchError;
 use crate::patch::mesh::MeshError;
@@ -59,6 +60,8 @@ errors! {
     Outline(OutlineError),
     /// The triangles of a mesh, or their pressure.
     Mesh(MeshError),
+    /// The corners of a support, or its centre of pressure.
+    Support(SupportError),
     /// The geometry of a contact.
     Touch(TouchError),
     /// A body or contact of a manifold.

@@ -8,7 +8,7 @@ use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable
 use crate::coupling::table::Table;
 use crate::coupling::tall::TallWrench;
 use crate::coupling::{DryCoupling, Lateral, Profile, compact::CompactPower};
-use crate::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
+use crate::limit_surface::{AnyPressure, Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
 use crate::patch::bar::Bar;
 use crate::patch::feet::Feet;
 use crate::patch::mesh::{Mesh, Triangle};
@@ -89,6 +89,9 @@ formats! {
     [R: Real + Format, P: DryPatch<R>] PatchSurface<R, P>: |s|
         "limit surface of force {}, torque {}, radius {}",
         s.force_limit(), s.torque_limit(), s.radius();
+    [R: Real + Format, S: AsRef<[[R; 2]]>] AnyPressure<R, S>: |s|
+        "support of force {}, centre [{}, {}], radius {}",
+        s.force_limit(), s.centre().x, s.centre().y, s.radius();
     [R: Real + Format] Reduced<R>: |r| "force [{}, {}], torque {}", r.force.x, r.force.y, r.torque;
     [R: Real + Format] FlatPower<R>: |p| "prepared law of exponent {}", p.alpha();
     [R: Real + Format] Motion<R>: |m| "{}", match m {

@@ -73,6 +73,7 @@
 //! |---|---|
 //! | [`friction`] | patch, law and accuracy tier chosen by name; the catalogue of laws |
 //! | [`scene`] | scenes: plain data with defaults, their files, units and checks |
+//! | [`push`] | quasi-static pushing: motion cones, sticking and sliding, paths |
 //! | [`slide`] | sliding bodies: disk, cylinder, pipe, curling rock; launches that end at a wanted pose |
 //! | [`cd`], [`powder`] | rigid spheres in contact; cohesive powders under a piston |
 //! | [`md`], [`tip`] | pair potentials of atoms; a tip of atoms turned on a substrate |
@@ -91,6 +92,7 @@ pub mod golden;
 pub mod md;
 pub mod powder;
 pub mod prelude;
+pub mod push;
 #[doc(hidden)]
 pub mod random;
 pub mod record;

@@ -4,6 +4,7 @@ use core::ffi::{CStr, c_char};
 use tribos_core::Error;
 use tribos_core::contact::TouchError;
 use tribos_core::law::LawError;
+use tribos_core::limit_surface::SupportError;
 use tribos_core::manifold::ManifoldError;
 use tribos_core::patch::PatchError;
 use tribos_core::patch::mesh::MeshError;
@@ -260,6 +261,17 @@ impl From<MeshError> for tribos_status {
     }
 }
 
+impl From<SupportError> for tribos_status {
+    fn from(error: SupportError) -> Self {
+        match error {
+            SupportError::NoCorners => Self::Corners,
+            SupportError::Position { .. } => Self::NodePosition,
+            SupportError::Centre | SupportError::Extent => Self::NotFinite,
+            SupportError::Outside => Self::Hidden,
+        }
+    }
+}
+
 impl From<TouchError> for tribos_status {
     fn from(error: TouchError) -> Self {
         match error {
@@ -276,6 +288,7 @@ impl From<Error> for tribos_status {
             Error::Patch(error) => error.into(),
             Error::Outline(error) => error.into(),
             Error::Mesh(error) => error.into(),
+            Error::Support(error) => error.into(),
             Error::Touch(error) => error.into(),
             Error::Manifold(ManifoldError::Full { .. }) => Self::Full,
             Error::Manifold(_) => Self::Choice,

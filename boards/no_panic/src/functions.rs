@@ -203,10 +203,14 @@ fn candidates(parameter: &Parameter, precision: usize, thorough: bool) -> Vec<&'
         .collect()
 }
 
-/// The name of a trait, without path and arguments.
+/// The name of a trait without path; conversions, of which there are many, with their arguments.
 fn last(bound: &str) -> &str {
     let path = bound.split(['<', '(']).next().unwrap_or_default();
-    path.rsplit("::").next().unwrap_or_default()
+    let name = path.rsplit("::").next().unwrap_or_default();
+    match name {
+        "AsRef" | "AsMut" => &bound[path.len() - name.len()..],
+        _ => name,
+    }
 }
 
 #[cfg(test)]

@@ -23,6 +23,7 @@ mod number;
 mod overview;
 mod presentation;
 mod progress;
+mod push;
 mod reproduce;
 mod run;
 mod scene;
@@ -62,7 +63,7 @@ pub fn program() -> clap::Command {
 }
 
 /// What `--help` of a command begins with: the documentation of its arguments.
-fn documentation() -> [(&'static str, StyledStr); 16] {
+fn documentation() -> [(&'static str, StyledStr); 17] {
     fn of<A: clap::Args>() -> StyledStr {
         let command = A::augment_args(clap::Command::new(""));
         let text = command.get_long_about().or(command.get_about());
@@ -71,6 +72,7 @@ fn documentation() -> [(&'static str, StyledStr); 16] {
     [
         ("wrench", of::<wrench::Arguments>()),
         ("surface", of::<surface::Arguments>()),
+        ("push", of::<push::Arguments>()),
         ("modes", of::<modes::Arguments>()),
         ("laws", of::<laws::Arguments>()),
         ("inverse", of::<inverse::Arguments>()),
@@ -114,6 +116,8 @@ pub enum Command {
     Wrench(wrench::Arguments),
     /// Limit surface: the wrenches that dry friction carries, and the motion under a push.
     Surface(surface::Arguments),
+    /// A body that a pusher moves over the floor: sticking or sliding, motion cone, path.
+    Push(push::Arguments),
     /// Final motion: fixed points of the velocity ratio and the phase diagram.
     Modes(modes::Arguments),
     /// Friction laws: formulas, parameters, units, sources; curves of the local ones.
@@ -154,6 +158,7 @@ impl Command {
         match self {
             Self::Wrench(arguments) => arguments.execute(),
             Self::Surface(arguments) => arguments.execute(),
+            Self::Push(arguments) => arguments.execute(),
             Self::Modes(arguments) => arguments.execute(),
             Self::Laws(arguments) => arguments.execute(),
             Self::Inverse(arguments) => arguments.execute(),

@@ -24,6 +24,7 @@ mod powder;
 mod printed_commands;
 mod program;
 mod progress;
+mod push;
 mod reports;
 mod run;
 mod scene;

@@ -11,6 +11,7 @@
 //!
 //! [`LimitSurface`] is this set for any [`crate::coupling::DryCoupling`] and [`PatchSurface`] for
 //! polygons, bars, meshes, points and bodies on several of them; [`Ellipsoid`] is the usual approximation. All are a [`FrictionSet`].
+//! [`AnyPressure`] is the set where only corners, load and centre of pressure are known.
 //!
 //! *Sign*: friction opposes the motion. A *push* is the wrench that moves the patch against its
 //! friction, and its motion is the outward normal. The set is symmetric: what it carries as
@@ -34,6 +35,8 @@
 //! # Ok::<(), tribos_core::Error>(())
 //! ```
 
+mod any_pressure;
+mod central_path;
 mod ellipsoid;
 mod exact;
 mod kinks;
@@ -42,10 +45,15 @@ mod patch;
 mod polar;
 mod quadratic;
 mod search;
+mod sharing;
+mod support_error;
+mod yaw;
 
+pub use any_pressure::{AnyPressure, TorqueLimits};
 pub use ellipsoid::Ellipsoid;
 pub use exact::LimitSurface;
 pub use patch::PatchSurface;
+pub use support_error::SupportError;
 
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};

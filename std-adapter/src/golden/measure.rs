@@ -3,6 +3,7 @@
 use super::digest::Digest;
 use super::quantity::{Quantity, leaves};
 use crate::powder::CompactionError;
+use crate::push::PushError;
 use crate::record::{ContactRow, Partner};
 use crate::scene::Scene;
 use crate::slide::SlideError;
@@ -32,6 +33,9 @@ pub enum MeasureError {
     /// A tip.
     #[error(transparent)]
     Tip(#[from] TipError),
+    /// A pushed body.
+    #[error(transparent)]
+    Push(#[from] PushError),
 }
 
 /// Results of a scene.

@@ -2,7 +2,7 @@
 
 use super::entries::Written;
 use super::words::meant;
-use crate::friction::{FlatPatch, Law};
+use crate::friction::{Law, Patch};
 
 /// One key of a scene file.
 ///
@@ -57,7 +57,7 @@ pub enum Domain {
     OneOf(&'static [&'static str]),
     /// A friction law with its parameters, as [`crate::friction::Law`] reads it.
     Law,
-    /// A patch with straight edges, as [`crate::friction::FlatPatch`] reads it.
+    /// A contact patch, as [`crate::friction::Patch`] reads it.
     Patch,
 }
 
@@ -93,10 +93,7 @@ impl Domain {
             Self::Law => {
                 "a law with its parameters, such as \"stribeck:mu_s=0.4,mu_d=0.2,vs=0.05\"".into()
             }
-            Self::Patch => {
-                "a patch with straight edges, such as \"box:0.3x0.2\" (m) or \"polygon:FILE.csv\""
-                    .into()
-            }
+            Self::Patch => "a patch such as \"box:0.3x0.2\", \"polygon:FILE\" or \"disk\"".into(),
             Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
         }
     }
@@ -128,11 +125,7 @@ impl Key {
                 return Some(format!("`{}`: {}", self.name, text.parse::<Law>().err()?));
             }
             (Domain::Patch, Written::Text(text)) => {
-                return Some(format!(
-                    "`{}`: {}",
-                    self.name,
-                    text.parse::<FlatPatch>().err()?
-                ));
+                return Some(format!("`{}`: {}", self.name, text.parse::<Patch>().err()?));
             }
             (Domain::OneOf(_) | Domain::Law | Domain::Patch, other) => {
                 format!("not {}", other.kind())

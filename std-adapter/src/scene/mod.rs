@@ -22,6 +22,7 @@ mod planar;
 mod plate;
 mod powder;
 mod problem;
+mod push;
 mod reader;
 mod schema;
 mod slider;
@@ -47,6 +48,7 @@ pub use planar::{FootPressure, Tipping};
 pub use plate::PlateScene;
 pub use powder::{Coupling, Criterion, PowderScene, SweepMethod, SweepOrder, SweepStop, WallLaw};
 pub use problem::{InvalidScene, Problem, SceneError};
+pub use push::PushScene;
 #[doc(hidden)]
 pub use schema::schema;
 pub use slider::{SliderScene, Stepper, Units};

@@ -5,7 +5,7 @@ use super::key::{Domain, Key, Need};
 use super::problem::{InvalidScene, Problem, SceneError};
 use super::reader::{self, Judge};
 use super::words::Word;
-use crate::friction::{FlatPatch, Law};
+use crate::friction::{Law, Patch};
 use crate::golden::{Measure, MeasureError, Measurement};
 use crate::record::json_number;
 use serde_json::{Map, Value};
@@ -75,7 +75,7 @@ impl Setting for Option<Law> {
     }
 }
 
-impl Setting for FlatPatch {
+impl Setting for Patch {
     fn written(&self) -> Option<Written> {
         Some(Written::Text(self.to_string()))
     }

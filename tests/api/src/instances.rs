@@ -8,7 +8,7 @@
 pub struct Instance {
     /// As Rust writes it with the paths of the kernel; `R` is the scalar.
     pub of: &'static str,
-    /// Names of traits.
+    /// Names of traits; those of the standard library with their arguments.
     pub traits: &'static [&'static str],
     /// Large things that take any tier are built for some of them only.
     pub representative: bool,
@@ -49,7 +49,11 @@ const DRY: &[&str] = &[
     "DryCoupling",
 ];
 
-const EDGES: &[&str] = &["AsRef", "AsMut"];
+const EDGES: &[&str] = &[
+    "AsRef<[patch::outline::Edge<R>]>",
+    "AsMut<[patch::outline::Edge<R>]>",
+];
+const CORNERS: &[&str] = &["AsRef<[[R; 2]]>"];
 
 /// All of them.
 pub const INSTANCES: &[Instance] = &[
@@ -127,6 +131,9 @@ pub const INSTANCES: &[Instance] = &[
     // Patches with straight edges, in an array and in memory of the caller.
     instance("[patch::outline::Edge<R>; 4]", EDGES),
     instance("&'static mut [patch::outline::Edge<R>]", EDGES),
+    // Corners alone, in the same two ways.
+    instance("[[R; 2]; 4]", CORNERS),
+    similar(instance("&'static [[R; 2]]", CORNERS)),
     instance("patch::outline::Uniform", &["FlatPressure"]),
     instance("patch::outline::Linear<R>", &["FlatPressure"]),
     instance(

@@ -27,6 +27,7 @@ mod pressures;
 mod profiles;
 mod sets;
 mod special;
+mod supports;
 mod surfaces;
 mod tiers;
 mod touching;
@@ -72,7 +73,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 39] = [
+pub const CHAPTERS: [Chapter; 40] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),
@@ -112,6 +113,7 @@ pub const CHAPTERS: [Chapter; 39] = [
     little("polygons", polygons::polygons),
     little("polygon powers", polygon_powers::polygon_powers),
     little("meshes", meshes::meshes),
+    speed("supports", supports::supports),
 ];
 
 const DIGESTS: &str = include_str!("../digests.txt");

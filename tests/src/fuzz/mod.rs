@@ -21,6 +21,7 @@ mod polygons;
 mod sets;
 mod source;
 mod special;
+mod supports;
 mod texts;
 
 pub use check::Broken;

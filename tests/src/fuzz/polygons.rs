@@ -3,6 +3,7 @@
 use super::check::{all_nan, finite, holds};
 use super::planes::{dissipates, stepped, twist, wrench};
 use super::sets::asked;
+use super::supports::supports;
 use super::{Broken, Source};
 use tribos_core::coupling::flat::{
     DryPatch, FlatFriction, FlatPower, FlatPowerFriction, PowerPatch,
@@ -31,7 +32,7 @@ pub fn polygons(source: &mut Source) -> Result<(), Broken> {
 }
 
 fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
-    match source.below(9) {
+    match source.below(11) {
         6 => faces::<R>(source),
         7 => spikes::<R>(source),
         8 => sledge::<R>(source),
@@ -45,6 +46,7 @@ fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
             rubs(source, &bar)
         }
         2 => blade::<R>(source),
+        3 | 4 => supports::<R>(source),
         _ => star::<R>(source),
     }
 }
@@ -324,6 +326,14 @@ fn derived<R: Real, P: DryPatch<R>>(
     let (normal, curvature) = set.gauge_derivatives(&push);
     let (carried, rate) = set.project_with_jacobian(&push, length);
     let parts = [push.force.x, push.force.y, push.torque];
+    if let Some([low, high]) = set.torque_limits([push.force.x, push.force.y]) {
+        let is_ordered = low <= high || parts[0].is_nan() || parts[1].is_nan();
+        holds(
+            is_ordered || !source.is_mild(),
+            "torques in their order",
+            &[low, high],
+        )?;
+    }
     if parts.iter().any(|x| x.is_nan()) {
         return all_nan("normal", [normal.spin]);
     }

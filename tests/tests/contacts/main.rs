@@ -1,5 +1,6 @@
 //! Limit surfaces, single contacts, manifolds and contact dynamics.
 
+mod any_pressure;
 mod cd_hard;
 mod cd_invariants;
 mod cd_physics;

@@ -11,4 +11,5 @@ mod planar_scrutiny;
 mod planar_steps;
 mod pressure_modes;
 mod pressure_stops;
+mod push;
 mod sliders;

@@ -1,0 +1,188 @@
+//! The motion of a body under a pusher of given velocity.
+
+use super::cone::{ConeEdge, MotionCone, edge, motion_cone};
+use super::contact::PointContact;
+use super::error::{PushError, finite};
+use tribos_core::limit_surface::FrictionSet;
+use tribos_core::nalgebra::Vector2;
+use tribos_core::twist::{Twist, Wrench};
+
+/// Most halvings and secants of the search for a force; 14 were seen.
+const MOST_STEPS: usize = 100;
+/// A contact velocity has the pusher's direction to this angle, in rad.
+const PARALLEL: f64 = 1e-15;
+
+/// What a contact does while its pusher moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// The pusher keeps its place on the body.
+    Sticking,
+    /// The pusher slides to the left along the body, which it drags to the left.
+    SlidingLeft,
+    /// The pusher slides to the right along the body, which it drags to the right.
+    SlidingRight,
+    /// The pusher moves away, or along the side; the body rests.
+    Separating,
+}
+
+impl std::fmt::Display for Mode {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Sticking => "sticking",
+            Self::SlidingLeft => "sliding to the left",
+            Self::SlidingRight => "sliding to the right",
+            Self::Separating => "separating",
+        })
+    }
+}
+
+/// A quasi-static push.
+///
+/// ```
+/// use tribos::friction::limit_surface;
+/// use tribos::push::{Mode, PointContact, push};
+/// let puck = limit_surface(&"disk".parse()?, 1.0, 0.05, None)?; // N, m
+/// let slippery = PointContact::new([-0.05, 0.0], [1.0, 0.0], 0.1)?;
+/// let moved = push(&*puck, &slippery, [0.01, 0.02])?; // m/s
+/// assert_eq!(moved.mode, Mode::SlidingLeft);
+/// // What the pusher does not spend on the floor it spends at the contact.
+/// let given = moved.wrench.force.dot(&[0.01, 0.02].into());
+/// let rubbed = moved.wrench.force.dot(&moved.slip);
+/// assert!((given - rubbed - puck.support(&moved.twist)).abs() < 1e-15 && rubbed > 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Push {
+    /// What the contact does.
+    pub mode: Mode,
+    /// Motion of the body. *Units*: m/s and rad/s.
+    pub twist: Twist<f64>,
+    /// Velocity of the body at the contact, in m/s.
+    pub contact_velocity: Vector2<f64>,
+    /// Velocity of the pusher past the body, in m/s.
+    pub slip: Vector2<f64>,
+    /// What the pusher exerts, about the origin: on the limit surface, or zero. *Units*: N and N m.
+    pub wrench: Wrench<f64>,
+}
+
+/// The motion of a body of this friction under a pusher whose contact point has this `velocity`.
+///
+/// A pusher with no velocity along the inward normal leaves the body at rest, though a wedged one might drag it.
+/// *Accuracy*: contact velocities 1e-14 of the pusher's, motions what the set's normals allow. *Cost*:
+/// about 8 normals if it sticks, 2 if not.
+pub fn push(
+    set: &dyn FrictionSet<f64>,
+    contact: &PointContact,
+    velocity: [f64; 2],
+) -> Result<Push, PushError> {
+    let [x, y] = velocity;
+    let velocity = Vector2::new(
+        finite("x of the pusher's velocity", x)?,
+        finite("y of the pusher's velocity", y)?,
+    );
+    let cone = motion_cone(set, contact)?;
+    Ok(within(set, &cone, velocity))
+}
+
+/// The same with the motion cone at hand.
+pub(super) fn within(
+    set: &dyn FrictionSet<f64>,
+    cone: &MotionCone,
+    velocity: Vector2<f64>,
+) -> Push {
+    let contact = &cone.contact;
+    let approach = contact.normal().dot(&velocity);
+    if approach <= 0.0 {
+        return Push {
+            mode: Mode::Separating,
+            twist: Twist::ZERO,
+            contact_velocity: Vector2::zeros(),
+            slip: velocity,
+            wrench: Wrench::ZERO,
+        };
+    }
+    // Forces are less than a right angle off the normal, and velocities off their forces: angles from the
+    // normal never jump. An edge a right angle or more off it is beyond every pusher.
+    let [right, left] = cone.angles();
+    let angle = cone.angle(velocity);
+    let (mode, at) = if angle > left {
+        (Mode::SlidingLeft, cone.left)
+    } else if angle < right {
+        (Mode::SlidingRight, cone.right)
+    } else {
+        (Mode::Sticking, sticking(set, cone, velocity))
+    };
+    // The body takes the whole velocity, or its part along the normal.
+    let factor = if mode == Mode::Sticking {
+        velocity.dot(&at.velocity) / at.velocity.dot(&at.velocity)
+    } else {
+        approach / contact.normal().dot(&at.velocity)
+    };
+    let contact_velocity = at.velocity * factor;
+    let slip = if mode == Mode::Sticking {
+        Vector2::zeros()
+    } else {
+        velocity - contact_velocity
+    };
+    Push {
+        mode,
+        twist: at.twist * factor,
+        contact_velocity,
+        slip,
+        wrench: at.wrench,
+    }
+}
+
+/// The force between the edges under which the contact moves in the pusher's direction.
+///
+/// The velocity turns with the force: a bracket of the friction's share, made smaller by the Illinois
+/// variant of the secant (Dowell and Jarratt, BIT 11 (1971) 168).
+fn sticking(set: &dyn FrictionSet<f64>, cone: &MotionCone, velocity: Vector2<f64>) -> ConeEdge {
+    let contact = &cone.contact;
+    let wanted = cone.angle(velocity);
+    // From the pusher's velocity to the contact's.
+    let off = |at: &ConeEdge| cone.angle(at.velocity) - wanted;
+    let (mut low, mut high) = (-1.0, 1.0);
+    let (mut below, mut above) = (off(&cone.right), off(&cone.left));
+    let mut at = cone.left;
+    if above <= PARALLEL {
+        return at;
+    }
+    if below >= -PARALLEL {
+        return cone.right;
+    }
+    let mut was_above = None;
+    for _ in 0..MOST_STEPS {
+        let secant = (low * above - high * below) / (above - below);
+        let share = if secant > low && secant < high {
+            secant
+        } else {
+            0.5 * (low + high)
+        };
+        if share == low || share == high {
+            break;
+        }
+        let side = share * contact.coefficient();
+        let force = contact.normal() + contact.tangent() * side;
+        at = edge(set, contact, force);
+        let found = off(&at);
+        if found.abs() <= PARALLEL {
+            break;
+        }
+        // An end that stays twice counts half.
+        let is_above = found > 0.0;
+        if is_above {
+            (high, above) = (share, found);
+            if was_above == Some(true) {
+                below *= 0.5;
+            }
+        } else {
+            (low, below) = (share, found);
+            if was_above == Some(false) {
+                above *= 0.5;
+            }
+        }
+        was_above = Some(is_above);
+    }
+    at
+}

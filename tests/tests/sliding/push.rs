@@ -1,0 +1,261 @@
+//! Quasi-static pushing: against sums over nodes, by symmetry, by energy, along paths.
+
+use tribos::friction::limit_surface;
+use tribos::kernel::limit_surface::FrictionSet;
+use tribos::kernel::nalgebra::Vector2;
+use tribos::kernel::twist::Twist;
+use tribos::push::{
+    Drive, End, LineContact, Mode, PointContact, Pose, PushError, Side, motion_cone, push,
+    push_along,
+};
+use tribos_tests::sweep::Lcg;
+use tribos_tests::tables::Table;
+
+fn set(patch: &str, centre: Option<[f64; 2]>) -> Box<dyn FrictionSet<f64>> {
+    limit_surface(&patch.parse().expect("a patch"), 1.0, 0.05, centre).expect("a set")
+}
+
+fn finger(position: [f64; 2], normal: [f64; 2], mu: f64) -> PointContact {
+    PointContact::new(position, normal, mu).expect("valid")
+}
+
+#[test]
+fn pushes_of_a_box_are_those_of_sums_over_nodes() {
+    let table = Table::read("pushes.csv");
+    for row in table.rows() {
+        let pair = |x, y| [row.number(x), row.number(y)];
+        let centre = pair("centre_x", "centre_y");
+        let floor = set("box:0.3x0.2", Some(centre));
+        let contact = finger(
+            [row.number("contact_x"), -0.1],
+            [0.0, 1.0],
+            row.number("mu"),
+        );
+        let velocity = pair("pusher_x", "pusher_y");
+        let moved = push(&*floor, &contact, velocity).expect("pushes");
+        let slip = row.number("slip");
+        let mode = match slip {
+            0.0 => Mode::Sticking,
+            s if s > 0.0 => Mode::SlidingRight,
+            _ => Mode::SlidingLeft,
+        };
+        let name = format!("{contact:?} {velocity:?}");
+        assert_eq!(moved.mode, mode, "{name}");
+        // The nodes are good for 1e-5; motions follow forces with the set's curvature.
+        for (found, column, scale) in [
+            (moved.slip.x, "slip", 1.0),
+            (moved.twist.velocity.x, "velocity_x", 1.0),
+            (moved.twist.velocity.y, "velocity_y", 1.0),
+            (moved.twist.spin, "spin", 10.0),
+            (moved.wrench.force.x, "force_x", 1.0),
+            (moved.wrench.force.y, "force_y", 1.0),
+            (moved.wrench.torque, "torque", 0.1),
+        ] {
+            let error = (found - row.number(column)).abs() / scale;
+            assert!(error < 1e-4, "{name} {column}: {found} {error:e}");
+        }
+    }
+}
+
+#[test]
+fn a_push_through_the_centre_of_a_disk_does_not_turn_it() {
+    let puck = set("disk", None);
+    let contact = finger([-0.05, 0.0], [1.0, 0.0], 0.3);
+    let moved = push(&*puck, &contact, [0.02, 0.0]).expect("pushes");
+    assert_eq!(moved.mode, Mode::Sticking);
+    assert!(moved.twist.spin.abs() < 1e-15 && moved.twist.velocity.y.abs() < 1e-16);
+    assert!((moved.twist.velocity.x - 0.02).abs() < 1e-16);
+    // A pusher that moves along the side or away leaves it at rest.
+    for away in [[0.0, 0.01], [-0.02, 0.0]] {
+        let left = push(&*puck, &contact, away).expect("answers");
+        assert_eq!((left.mode, left.twist), (Mode::Separating, Twist::ZERO));
+    }
+}
+
+#[test]
+fn mirror_images_move_like_mirror_images() {
+    let floor = set("box:0.3x0.2", None);
+    let mut rng = Lcg::new(11);
+    for _ in 0..50 {
+        let (x, mu) = (rng.between(-0.15, 0.15), rng.between(0.0, 1.0));
+        let velocity = [rng.between(-1.0, 1.0), rng.between(0.1, 1.0)];
+        let one = push(&*floor, &finger([x, -0.1], [0.0, 1.0], mu), velocity).expect("pushes");
+        let image = finger([-x, -0.1], [0.0, 1.0], mu);
+        let other = push(&*floor, &image, [-velocity[0], velocity[1]]).expect("pushes");
+        assert!(
+            (one.twist.spin + other.twist.spin).abs() < 1e-11,
+            "{x} {mu}"
+        );
+        assert!((one.twist.velocity.y - other.twist.velocity.y).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn the_pushers_power_is_what_floor_and_contact_dissipate() {
+    let mut rng = Lcg::new(12);
+    for patch in ["box:0.3x0.2", "box:0.3x0.02", "disk", "ring", "bar:0.2"] {
+        let floor = set(patch, None);
+        for _ in 0..200 {
+            let place = [rng.between(-0.1, 0.1), rng.between(-0.1, 0.1)];
+            let normal = [rng.between(-1.0, 1.0), rng.between(-1.0, 1.0)];
+            let contact = finger(place, normal, rng.between(0.0, 2.0));
+            let velocity = Vector2::new(rng.between(-1.0, 1.0), rng.between(-1.0, 1.0));
+            let moved = push(&*floor, &contact, velocity.into()).expect("pushes");
+            let given = moved.wrench.force.dot(&velocity);
+            let rubbed = moved.wrench.force.dot(&moved.slip);
+            let floor_takes = floor.support(&moved.twist);
+            assert!(
+                rubbed >= 0.0 && floor_takes >= 0.0,
+                "{patch} {contact:?} {velocity:?} {rubbed:e}"
+            );
+            let error = (given - rubbed - floor_takes).abs();
+            assert!(error < 1e-12, "{patch} {contact:?} {velocity:?}: {error:e}");
+            // The contact follows the pusher along the normal, and in no other way leaves it.
+            if moved.mode != Mode::Separating {
+                assert!(moved.slip.dot(&contact.normal()).abs() < 1e-14);
+                assert!((floor.gauge(&moved.wrench) - 1.0).abs() < 1e-12);
+                let [right, left] = contact.edges();
+                let force = moved.wrench.force;
+                let inside = |a: Vector2<f64>, b: Vector2<f64>| a.x * b.y - a.y * b.x > -1e-12;
+                assert!(inside(right, force) && inside(force, left));
+            }
+        }
+    }
+}
+
+#[test]
+fn motions_are_continuous_where_sliding_begins() {
+    let floor = set("box:0.3x0.2", None);
+    let contact = finger([0.04, -0.1], [0.0, 1.0], 0.3);
+    let cone = motion_cone(&*floor, &contact).expect("a cone");
+    for edge in [cone.right, cone.left] {
+        let speed = edge.velocity.norm();
+        let along = edge.velocity / speed;
+        let across = Vector2::new(-along.y, along.x);
+        let [one, other] = [-1e-9, 1e-9].map(|off| {
+            let velocity = along + across * off;
+            push(&*floor, &contact, velocity.into()).expect("pushes")
+        });
+        assert_ne!(one.mode, other.mode);
+        assert!((one.twist.spin - other.twist.spin).abs() < 1e-6);
+        assert!((one.wrench.force - other.wrench.force).norm() < 1e-7);
+    }
+    assert!(cone.holds(cone.left.velocity + cone.right.velocity));
+}
+
+fn drive(samples: u32, tolerance: f64) -> Drive {
+    Drive {
+        contact: finger([0.05, -0.1], [0.0, 1.0], 0.3),
+        side: Side::Straight {
+            right: 0.1,
+            left: 0.2,
+        },
+        start: Pose::ORIGIN,
+        velocity: [0.0, 0.02],
+        duration: 10.0,
+        samples,
+        tolerance,
+    }
+}
+
+#[test]
+fn paths_have_the_error_that_they_were_asked_for_and_keep_the_pusher_on_the_side() {
+    let floor = set("box:0.3x0.2", None);
+    let fine = push_along(&*floor, &drive(10, 1e-11)).expect("a path");
+    let exact = fine.moments[10].pose;
+    for tolerance in [1e-4, 1e-6, 1e-8] {
+        let path = push_along(&*floor, &drive(10, tolerance)).expect("a path");
+        let pose = path.moments[10].pose;
+        let off = (pose.position - exact.position).norm();
+        let turn = (pose.angle - exact.angle).abs() * floor.radius();
+        assert!(
+            off < tolerance && turn < tolerance,
+            "{tolerance} {off:e} {turn:e}"
+        );
+        for moment in &path.moments {
+            assert!((moment.contact.y + 0.1).abs() < tolerance);
+        }
+    }
+    // How often it is recorded does not matter, nor where the floor's axes lie.
+    let often = push_along(&*floor, &drive(1000, 1e-9)).expect("a path");
+    assert!((often.moments[1000].pose.angle - exact.angle).abs() < 1e-8);
+    let turned = Drive {
+        start: Pose {
+            position: Vector2::new(1.0, -2.0),
+            angle: 1.0,
+        },
+        velocity: [-0.02 * 1.0_f64.sin(), 0.02 * 1.0_f64.cos()],
+        ..drive(10, 1e-9)
+    };
+    let path = push_along(&*floor, &turned).expect("a path");
+    assert!((path.moments[10].pose.angle - 1.0 - exact.angle).abs() < 1e-8);
+}
+
+#[test]
+fn paths_end_where_the_pusher_slips_off_or_moves_away() {
+    let floor = set("box:0.3x0.2", None);
+    let short = Drive {
+        contact: finger([0.05, -0.1], [0.0, 1.0], 0.0),
+        side: Side::Straight {
+            right: 0.1,
+            left: 0.001,
+        },
+        ..drive(10, 1e-7)
+    };
+    let path = push_along(&*floor, &short).expect("a path");
+    let last = path.moments.last().expect("an end");
+    assert_eq!(path.end, End::Slipped);
+    assert!((last.contact.x - 0.049).abs() < 1e-5 && last.time < 10.0);
+    let away = Drive {
+        velocity: [0.0, -0.02],
+        ..short
+    };
+    let path = push_along(&*floor, &away).expect("a path");
+    assert_eq!((path.end, path.moments.len()), (End::Separated, 1));
+    let puck = set("disk", None);
+    let straight = Drive {
+        contact: finger([-0.05, 0.0], [1.0, 0.0], 0.3),
+        side: Side::Round,
+        velocity: [0.02, 0.0],
+        ..short
+    };
+    let path = push_along(&*puck, &straight).expect("a path");
+    let last = path.moments[10].pose;
+    assert!((last.position.x - 0.2).abs() < 1e-9 && last.angle.abs() < 1e-9);
+    let never = Drive {
+        duration: 0.0,
+        ..straight
+    };
+    let refused = push_along(&*puck, &never);
+    assert!(matches!(refused, Err(PushError::Number { .. })));
+}
+
+#[test]
+fn a_line_holds_the_motions_whose_push_is_a_sum_of_its_ends() {
+    let floor = set("box:0.3x0.2", None);
+    let fence = LineContact::new([[-0.08, -0.1], [0.08, -0.1]], 0.4).expect("a line");
+    // The boundary is on the edge: just inside it holds, just outside it does not.
+    let boundary = fence.stable_boundary(&*floor, 25);
+    let middle = Twist::new(0.0, 1.0, 0.0);
+    for motion in &boundary {
+        let mixed = |part: f64| {
+            let inner = -floor.wrench(&middle);
+            let edge = -floor.wrench(motion);
+            let push = inner * part + edge * (1.0 - part);
+            fence.grip(&*floor, &floor.twist_normal_to(&push)).is_stable
+        };
+        assert!(mixed(1e-6) && !mixed(-1e-6), "{motion:?}");
+    }
+    // Any push that both ends give, in any parts, is a stable one.
+    let mut rng = Lcg::new(13);
+    for _ in 0..500 {
+        let mut push = tribos::kernel::twist::Wrench::ZERO;
+        for end in fence.ends() {
+            for force in end.edges() {
+                push += end.wrench(force) * rng.between(0.01, 1.0);
+            }
+        }
+        let grip = fence.grip(&*floor, &floor.twist_normal_to(&push));
+        assert!(grip.is_stable, "{push:?}");
+    }
+}
