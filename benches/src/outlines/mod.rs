@@ -7,7 +7,7 @@ pub use shapes::{Shape, shapes};
 
 use hull::Hull;
 use tribos_core::Real;
-use tribos_core::coupling::flat::{DryPatch, FlatFriction};
+use tribos_core::coupling::flat::FlatFriction;
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::law::CoulombLaw;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet};

@@ -43,7 +43,7 @@ impl Lines {
         }
     }
 
-    /// The next line that is not blank.
+    /// The next line that is neither blank nor a comment, which begins with #.
     pub fn next(&mut self) -> Result<Option<&str>, Failure> {
         loop {
             let read = self.read_line();
@@ -57,7 +57,8 @@ impl Lines {
                 let message = format!("longer than {LONGEST} bytes; give plain CSV");
                 return Err(self.refusal(&message));
             }
-            if !self.bytes.iter().all(u8::is_ascii_whitespace) {
+            let first = self.bytes.iter().find(|byte| !byte.is_ascii_whitespace());
+            if first.is_some_and(|byte| *byte != b'#') {
                 break;
             }
         }

@@ -90,7 +90,8 @@ impl FlatPatch {
         Ok(match self {
             Self::Bar(length) => vec![vec![[-0.5 * length, 0.0], [0.5 * length, 0.0]]],
             Self::Mesh(path) => {
-                let triangle = |row: &[f64; 9]| vec![[row[0], row[1]], [row[3], row[4]], [row[6], row[7]]];
+                let triangle =
+                    |row: &[f64; 9]| vec![[row[0], row[1]], [row[3], row[4]], [row[6], row[7]]];
                 let rows = columns::read(path, TRIANGLE, MOST_TRIANGLES)?;
                 rows.iter().map(triangle).collect()
             }

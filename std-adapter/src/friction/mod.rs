@@ -58,6 +58,7 @@ pub use refusal::Refusal;
 #[doc(hidden)]
 pub use refusal::finite_number;
 pub use surface::limit_surface;
+pub(crate) use surface::points_of;
 pub use tier::Tier;
 #[doc(hidden)]
 pub use tier::{Evaluation, LARGEST_EXPONENT, valid_exponent};

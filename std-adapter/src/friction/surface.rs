@@ -1,6 +1,7 @@
 //! Limit surfaces of patches by name.
 
 use super::{Patch, Refusal, columns, polynomial};
+use std::path::Path;
 use tribos_core::coupling::round::{PolynomialTable, RoundTable64};
 use tribos_core::coupling::{Annulus, Dry, closed, table::Coulomb};
 use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
@@ -55,12 +56,17 @@ pub fn limit_surface(
             Box::new(LimitSurface::new(Dry::new(table)?, limit, r)?)
         }
         Patch::Points(file) => {
-            let rows = columns::read(file, ["x", "y", "weight"], MOST_POINTS)?;
-            let node = |&[x, y, weight]: &[f64; 3]| Node { x, y, weight };
-            let nodes = HeldNodes::new(rows.iter().map(node).collect())?;
+            let nodes = HeldNodes::new(points_of(file)?)?;
             Box::new(PatchSurface::new(Points::new(nodes)?, limit)?)
         }
     })
+}
+
+/// The points of a file.
+pub(crate) fn points_of(file: &Path) -> Result<Vec<Node<f64>>, Refusal> {
+    let rows = columns::read(file, ["x", "y", "weight"], MOST_POINTS)?;
+    let node = |&[x, y, weight]: &[f64; 3]| Node { x, y, weight };
+    Ok(rows.iter().map(node).collect())
 }
 
 /// Most points of a file.

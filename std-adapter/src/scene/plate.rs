@@ -3,7 +3,7 @@
 use super::key::{Domain, Domain::*, Need::*};
 use super::planar::{MOST_SAMPLES, STOP_FRACTION, Tipping, moves};
 use super::table::{as_written, scene};
-use crate::friction::{Evaluation, FlatPatch};
+use crate::friction::{Evaluation, Flat, FlatPatch, Patch, Refusal};
 use crate::slide::planar::{Plate, Resistance};
 use crate::slide::{PlanarCourse, PlanarScene, SlideError};
 
@@ -24,7 +24,7 @@ scene! {
         rules, as_written;
 
     /// Outline of the plate.
-    patch: FlatPatch = FlatPatch::Box([0.3, 0.2]), "-", Domain::Patch, Required;
+    patch: Patch = Patch::Flat(FlatPatch::Box([0.3, 0.2])), "-", Domain::Patch, Required;
     /// Initial speed, along x.
     speed: f64 = 1.0, "m/s", NotNegative, Required;
     /// Initial spin, > 0 counterclockwise.
@@ -45,18 +45,25 @@ scene! {
 
 fn rules(scene: &PlateScene, judge: &mut super::reader::Judge<'_>) {
     moves(scene.speed, scene.spin, judge);
-    let loaded = scene.patch.loaded::<f64>(None);
-    if let Err(refusal) = loaded.and_then(|patch| patch.radius_of_gyration()) {
+    if let Err(refusal) = scene.outline().and_then(|patch| patch.radius_of_gyration()) {
         judge.refuse(&["patch"], format!("`patch`: {refusal}"));
     }
 }
 
 impl PlateScene {
+    fn outline(&self) -> Result<Flat<f64>, Refusal> {
+        match &self.patch {
+            Patch::Flat(flat) => flat.loaded(None),
+            other => Err(Refusal::Syntax(format!(
+                "a plate is a box, a polygon or a bar, not {other}"
+            ))),
+        }
+    }
+
     /// The plate.
     pub fn plate(&self) -> Result<Plate, SlideError> {
-        let patch = self.patch.loaded(None)?;
-        let plate =
-            Plate::new(patch, self.coefficient, self.gravity)?.with_orientation(self.orientation);
+        let plate = Plate::new(self.outline()?, self.coefficient, self.gravity)?
+            .with_orientation(self.orientation);
         match self.gyration_radius {
             Some(radius) => plate.with_radius_of_gyration(radius),
             None => Ok(plate),

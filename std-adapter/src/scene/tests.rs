@@ -41,7 +41,6 @@ fn every_key_sets_its_field() {
                     let other = words.iter().find(|word| was.as_str() != Some(*word));
                     format!("\"{}\"", other.unwrap())
                 }
-                Domain::Patch => "\"bar:0.4\"".into(),
                 Domain::Law => "\"dry:mu_s=0.4,mu_d=0.3\"".into(),
                 Domain::Patch => "\"box:0.2x0.1\"".into(),
                 Domain::Count { .. } => format!("{}", was.as_u64().unwrap_or(30) + 4),

@@ -1,8 +1,9 @@
-//! `tribos fit`: parameters of a friction law from measurements.
+//! `tribos fit`: parameters of a friction law, or the pressure under a foot, from measurements.
 
 mod output;
 mod plot;
 mod progress;
+mod support;
 mod table;
 
 use crate::failure::Failure;
@@ -11,11 +12,13 @@ use std::num::NonZero;
 use std::path::PathBuf;
 use table::Table;
 use tribos::fit::{LawName, Options, fit_watched, law_model};
+use tribos::friction::Patch;
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos_report::image;
 
 /// Fit a friction law to measurements by least squares and print its parameters with standard errors,
-/// the parameters that the data do not determine, and how many of several starts agree.
+/// the parameters that the data do not determine, and how many of several starts agree; or, with
+/// --support, the pressure under a foot to measured pushes.
 ///
 /// The header of the file decides: `v,f` is friction f of steady sliding at speeds v [m/s]; `t,v,f`
 /// is a record over time [s], for laws with a memory (lugre, rate-state). A column `sigma` with the
@@ -24,17 +27,29 @@ use tribos_report::image;
 ///
 /// With more than 4,000 points the starts search a sample of about 2,000, and the distinct minima
 /// found on it are refined on all points. A fit longer than two seconds reports its progress.
+///
+/// --support takes quasi-static pushes with the columns dx,dy,dtheta [m, rad], of which the direction
+/// counts, and fx,fy,torque [N, N m], the wrench on the body, in the frame of the body. The loads of points
+/// come from non-negative least squares; the motions that they foretell are compared with the measured
+/// ones, beside those of an ellipsoid and a convex quartic fitted to the same pushes.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
     /// Measurements, a CSV file with the columns v,f or t,v,f and perhaps sigma; `-` for standard
     /// input.
-    data: PathBuf,
+    #[arg(required_unless_present = "support")]
+    data: Option<PathBuf>,
     /// The law.
-    #[arg(long, value_parser = super::number::named::<LawName, 5>(
+    #[arg(long, required_unless_present = "support", value_parser = super::number::named::<LawName, 5>(
         LawName::ALL.map(|(_, name, help)| (name, help)),
     ))]
-    law: LawName,
+    law: Option<LawName>,
+    /// Measured pushes, a CSV file with the columns dx,dy,dtheta,fx,fy,torque (`-` for standard input).
+    #[arg(long, value_name = "PUSHES.csv", conflicts_with_all = ["data", "law", "load", "fixed", "starts"])]
+    support: Option<PathBuf>,
+    /// The support under the pushed body, if it is known: box:AxB, polygon:FILE, bar:L, mesh:FILE or points:FILE, in the frame of the pushes.
+    #[arg(long, requires = "support")]
+    patch: Option<Patch>,
     /// Load [N] at which forces were measured; friction is divided by it.
     #[arg(long, value_name = "N", value_parser = super::number::positive)]
     load: Option<f64>,
@@ -44,8 +59,8 @@ pub struct Arguments {
     /// Number of starts of the search, spread over the range that the data allow.
     #[arg(long, default_value = "16", value_parser = starts)]
     starts: NonZero<usize>,
-    /// Folder for fit.toml, covariance.csv, residuals.csv, fit.svg and fit.png, created if
-    /// missing; files of an earlier command in it are removed first.
+    /// Folder for fit.toml, covariance.csv, residuals.csv, fit.svg and fit.png, or for pressure.csv,
+    /// pressure.svg, pressure.png and summary.json, created if missing; files of an earlier command in it are removed first.
     /// The folder of a powder, a tip, a sweep or a report is refused.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -58,6 +73,7 @@ Examples:
   tribos fit --law power ice.csv
   tribos fit --law lugre pull.csv --out out/joint          # t,v,f: bristles too
   tribos fit --law rate-state steps.csv --fix v0=1e-6 --fix eta=0
+  tribos fit --support pushes.csv --patch polygon:sole.csv --out out/sole
 bearing.csv:
   v,f,sigma
   0.001,0.148,0.002
@@ -87,11 +103,17 @@ fn fixed(text: &str) -> Result<(String, f64), String> {
 impl Arguments {
     /// Fits, writes and prints.
     pub fn execute(self) -> Result<(), Failure> {
+        if let Some(pushes) = &self.support {
+            return support::execute(pushes, self.patch.as_ref(), self.out.as_deref());
+        }
+        let (Some(data), Some(law)) = (&self.data, self.law) else {
+            return Err(Failure::input("give measurements and --law, or --support"));
+        };
         self.fixed_once()?;
-        let table = Table::read(&self.data, self.load)?;
+        let table = Table::read(data, self.load)?;
         let fail = |error| table.refusal(error);
         let data = &table.data;
-        let model = law_model(self.law, data).map_err(fail)?;
+        let model = law_model(law, data).map_err(fail)?;
         let options = Options {
             fixed: self.fixed.clone(),
             starts: self.starts.get(),
@@ -100,13 +122,13 @@ impl Arguments {
         let found =
             fit_watched(model.as_ref(), data, &options, &mut |at| progress.at(at)).map_err(fail)?;
         let report = output::Report {
-            law: self.law,
+            law,
             table: &table,
             fit: &found,
             is_per_load: self.load.is_some(),
         };
         if let Some(out) = &self.out {
-            let figure = plot::panels(self.law, data, &found)?;
+            let figure = plot::panels(law, data, &found)?;
             let files = [
                 "covariance.csv",
                 "residuals.csv",

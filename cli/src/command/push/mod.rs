@@ -88,7 +88,9 @@ impl Arguments {
     pub fn execute(self) -> Result<(), Failure> {
         let scene = self.read()?;
         let corners = match &scene.patch {
-            Patch::Flat(FlatPatch::Polygon(file)) => Some(file),
+            Patch::Points(file) | Patch::Flat(FlatPatch::Polygon(file) | FlatPatch::Mesh(file)) => {
+                Some(file)
+            }
             _ => None,
         };
         for (name, output) in [("--output", &self.output), ("--picture", &self.picture)] {

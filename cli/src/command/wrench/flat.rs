@@ -87,8 +87,8 @@ fn friction<R: Precision>(
                 friction.wrench_and_jacobian(load, twist)
             }))
         }
-        Flat::Bar(_) => Err(Failure::input(
-            "bars serve dry friction: leave out --alpha and --law, or give a thin box",
+        Flat::Bar(_) | Flat::Mesh(_) => Err(Failure::input(
+            "bars and meshes serve dry friction: leave out --alpha and --law, or give a box or a polygon",
         )),
     }
 }

@@ -14,7 +14,7 @@ mod least;
 mod nodes;
 mod points;
 
-use crate::friction::{Patch, Refusal, limit_surface};
+use crate::friction::{Patch, Refusal, limit_surface, points_of};
 use form::Form;
 use nalgebra::Vector3;
 use points::Points;
@@ -27,7 +27,7 @@ use tribos_core::twist::{Twist, Wrench};
 ///
 /// *Units*: m, rad; N, N m, about the origin of the body's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Push {
+pub struct MeasuredPush {
     /// Displacement or velocity of the origin, and turn or spin.
     pub motion: Twist<f64>,
     /// The wrench that the pusher exerts.
@@ -63,7 +63,7 @@ pub struct SupportFit {
 
 /// Pushes that cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum PushError {
+pub enum MeasuredPushError {
     /// One of them.
     #[error("{message}")]
     Push {
@@ -90,20 +90,20 @@ const USUAL: f64 = 0.9;
 /// Fits the pressure under a foot to pushes, and compares models.
 ///
 /// *Domain*: at least 10 pushes, finite, each with a motion and a wrench, some with a torque. `known` is the support if it is
-/// known, in the coordinates of the pushes: a box, a polygon or a bar. Points are for [`fit_support_at`].
+/// known, in the coordinates of the pushes: a box, a polygon, a bar, a mesh or points.
 /// Without a support the points lie on a grid over the disc of 2.2 lengths around the origin.
 ///
 /// ```
-/// use tribos::fit::support::{Push, fit_support};
+/// use tribos::fit::support::{MeasuredPush, fit_support};
 /// use tribos::friction::limit_surface;
 /// use tribos::prelude::*;
 /// let tile: Patch = "box:0.2x0.1".parse()?; // m
 /// let floor = limit_surface(&tile, 4.0, 1.0, None)?; // μN in N
-/// let pushes: Vec<Push> = (0..40)
+/// let pushes: Vec<MeasuredPush> = (0..40)
 ///     .map(|i| {
 ///         let (a, b) = (0.7 * f64::from(i), 1.3 * f64::from(i));
 ///         let motion = Twist::new(a.sin(), a.cos(), 15.0 * b.sin());
-///         Push { motion, wrench: -floor.wrench(&motion) }
+///         MeasuredPush { motion, wrench: -floor.wrench(&motion) }
 ///     })
 ///     .collect();
 /// let fit = fit_support(&pushes, Some(&tile))?;
@@ -113,7 +113,10 @@ const USUAL: f64 = 0.9;
 /// assert!(known.median < 1e-6 && pressure.median < 1.0); // degrees
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn fit_support(pushes: &[Push], known: Option<&Patch>) -> Result<SupportFit, PushError> {
+pub fn fit_support(
+    pushes: &[MeasuredPush],
+    known: Option<&Patch>,
+) -> Result<SupportFit, MeasuredPushError> {
     let length = checked(pushes)?;
     let (places, truth): (_, Option<Box<dyn Model>>) = match known {
         None => (nodes::disc(length), None),
@@ -121,9 +124,10 @@ pub fn fit_support(pushes: &[Push], known: Option<&Patch>) -> Result<SupportFit,
             let surface = limit_surface(patch, 1.0, 1.0, None)?;
             (nodes::of(flat)?, Some(Box::new(Exact { surface, length })))
         }
+        Some(Patch::Points(file)) => return fit_support_at(pushes, &points_of(file)?),
         Some(other) => {
-            return Err(PushError::Whole(format!(
-                "a support is a box, a polygon, a bar or points, not {other}"
+            return Err(MeasuredPushError::Whole(format!(
+                "a support is a box, a polygon, a bar, a mesh or points, not {other}"
             )));
         }
     };
@@ -133,7 +137,10 @@ pub fn fit_support(pushes: &[Push], known: Option<&Patch>) -> Result<SupportFit,
 /// As [`fit_support`], for a foot that stands on these points; only ratios of weights matter.
 ///
 /// *Domain*: points finite, weights not negative, one of them positive.
-pub fn fit_support_at(pushes: &[Push], points: &[Node<f64>]) -> Result<SupportFit, PushError> {
+pub fn fit_support_at(
+    pushes: &[MeasuredPush],
+    points: &[Node<f64>],
+) -> Result<SupportFit, MeasuredPushError> {
     let length = checked(pushes)?;
     NodeSlice::new(points).map_err(|error| Refusal::from(tribos_core::Error::from(error)))?;
     let places: Vec<[f64; 2]> = points.iter().map(|node| [node.x, node.y]).collect();
@@ -175,14 +182,14 @@ impl Model for Exact {
 }
 
 /// The length of valid pushes.
-fn checked(pushes: &[Push]) -> Result<f64, PushError> {
+fn checked(pushes: &[MeasuredPush]) -> Result<f64, MeasuredPushError> {
     if pushes.len() < FEWEST {
         let given = pushes.len();
-        return Err(PushError::Whole(format!(
+        return Err(MeasuredPushError::Whole(format!(
             "{given} pushes are too few for a fit; give at least {FEWEST}"
         )));
     }
-    for (push, Push { motion, wrench }) in pushes.iter().enumerate() {
+    for (push, MeasuredPush { motion, wrench }) in pushes.iter().enumerate() {
         let parts = [
             (
                 "motion",
@@ -198,10 +205,10 @@ fn checked(pushes: &[Push]) -> Result<f64, PushError> {
             } else {
                 continue;
             };
-            return Err(PushError::Push { push, message });
+            return Err(MeasuredPushError::Push { push, message });
         }
     }
-    let usual = |of: fn(&Push) -> f64| {
+    let usual = |of: fn(&MeasuredPush) -> f64| {
         let mut all: Vec<f64> = pushes.iter().map(of).collect();
         all.sort_by(f64::total_cmp);
         let at = (USUAL * all.len() as f64) as usize;
@@ -212,14 +219,14 @@ fn checked(pushes: &[Push]) -> Result<f64, PushError> {
     if length > 0.0 && length.is_finite() {
         Ok(length)
     } else {
-        Err(PushError::Whole(
+        Err(MeasuredPushError::Whole(
             "a tenth of the pushes at least must have a torque, and most of them a force".into(),
         ))
     }
 }
 
-fn rows(pushes: &[Push], length: f64) -> Vec<Row> {
-    let row = |Push { motion, wrench }: &Push| {
+fn rows(pushes: &[MeasuredPush], length: f64) -> Vec<Row> {
+    let row = |MeasuredPush { motion, wrench }: &MeasuredPush| {
         let motion = Vector3::new(motion.velocity.x, motion.velocity.y, motion.spin * length);
         Row {
             motion: motion / size(&motion),
@@ -235,7 +242,7 @@ fn size(v: &Vector3<f64>) -> f64 {
 
 /// Scores of all models, and the pressure of all pushes.
 fn judged(
-    pushes: &[Push],
+    pushes: &[MeasuredPush],
     length: f64,
     places: &[[f64; 2]],
     truth: Option<Box<dyn Model>>,

@@ -12,7 +12,7 @@ fn motion(random: &mut Random) -> Twist<f64> {
 }
 
 /// Pushes of feet with the friction limits 1, 2 and 1 N, with an error of so much of the force in each part.
-fn pushes_of_feet(noise: f64) -> (Vec<Node<f64>>, Vec<Push>) {
+fn pushes_of_feet(noise: f64) -> (Vec<Node<f64>>, Vec<MeasuredPush>) {
     let feet = [[-0.04, -0.02, 1.0], [0.06, -0.03, 2.0], [-0.02, 0.07, 1.0]];
     let feet = feet.map(|[x, y, weight]| Node { x, y, weight }).to_vec();
     let mut random = Random::new(1, 0);
@@ -29,7 +29,7 @@ fn pushes_of_feet(noise: f64) -> (Vec<Node<f64>>, Vec<Push>) {
         }
         let mut error = |scale: f64| noise * scale * (2.0 * random.unit() - 1.0);
         let wrench = push + Wrench::new(error(4.0), error(4.0), error(0.3));
-        Push { motion, wrench }
+        MeasuredPush { motion, wrench }
     };
     let pushes = (0..60).map(one).collect();
     (feet, pushes)
@@ -80,9 +80,9 @@ fn a_leaning_pressure_has_its_centre() {
     let one = |_| {
         let motion = motion(&mut random);
         let wrench = -friction.wrench(8.0, &motion);
-        Push { motion, wrench }
+        MeasuredPush { motion, wrench }
     };
-    let pushes: Vec<Push> = (0..80).map(one).collect();
+    let pushes: Vec<MeasuredPush> = (0..80).map(one).collect();
     let patch = "box:0.2x0.1".parse().unwrap();
     let fit = fit_support(&pushes, Some(&patch)).unwrap();
     let [x, y] = fit.centre_of_pressure;
@@ -95,16 +95,16 @@ fn a_leaning_pressure_has_its_centre() {
 #[test]
 fn what_cannot_be_used_is_refused() {
     let (feet, pushes) = pushes_of_feet(0.0);
-    let told = |pushes: &[Push]| fit_support(pushes, None).unwrap_err().to_string();
+    let told = |pushes: &[MeasuredPush]| fit_support(pushes, None).unwrap_err().to_string();
     assert!(told(&pushes[..9]).contains("at least 10"));
     let mut wrong = pushes.clone();
     wrong[3].motion = Twist::ZERO;
     assert!(told(&wrong).contains("must not be zero"));
     wrong[3].motion = Twist::new(f64::NAN, 0.0, 0.0);
     assert!(told(&wrong).contains("must be finite"));
-    let straight: Vec<Push> = pushes
+    let straight: Vec<MeasuredPush> = pushes
         .iter()
-        .map(|push| Push {
+        .map(|push| MeasuredPush {
             wrench: Wrench::new(1.0, 0.0, 0.0),
             ..*push
         })
