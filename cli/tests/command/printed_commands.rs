@@ -215,6 +215,8 @@ fn prepare(folder: &Path) -> Outcome {
     fs::write(folder.join("feet.csv"), feet)?;
     let sole = "x,y\n0,0\n0.24,0\n0.24,0.1\n0,0.08\n";
     fs::write(folder.join("sole.csv"), sole)?;
+    let face = "x1,y1,p1,x2,y2,p2,x3,y3,p3\n0,0,1,0.1,0,2,0,0.1,0\n";
+    fs::write(folder.join("face.csv"), face)?;
     let pushes = "force_x,force_y,torque\n100,20,5\n300,0,-10\n";
     fs::write(folder.join("pushes.csv"), pushes)?;
     measurements(folder)
