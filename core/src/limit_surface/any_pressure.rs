@@ -199,7 +199,7 @@ impl<R: Real, S: AsRef<[[R; 2]]>> AnyPressure<R, S> {
     /// A lower bound above 1 proves that no pressure carries the wrench, an upper one of at most 1 that some
     /// pressure does. *Accuracy* (f64): they differ by less than 1e-9 of the gauge. *Cost*: as
     /// [`AnyPressure::torque_limits`], half as much. *Special values*: 0 for no wrench, infinite for one
-    /// that no load carries, NaN for NaN.
+    /// that no load carries, NaN for NaN and where the torque about the centre of pressure is out of range.
     ///
     /// ```
     /// use tribos_core::limit_surface::AnyPressure;
