@@ -267,7 +267,7 @@ impl From<SupportError> for tribos_status {
             SupportError::NoCorners => Self::Corners,
             SupportError::Position { .. } => Self::NodePosition,
             SupportError::Centre | SupportError::Extent => Self::NotFinite,
-            SupportError::Outside => Self::Hidden,
+            SupportError::Outside => Self::Outline,
         }
     }
 }
