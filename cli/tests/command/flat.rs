@@ -237,7 +237,7 @@ fn what_makes_no_sense_for_straight_edges_is_refused() -> Outcome {
         ),
         (
             "wrench --patch bar:1 --alpha 0.5 --speed 1 --spin 1",
-            "bars serve dry friction",
+            "bars and meshes serve dry friction",
         ),
         (
             "wrench --patch box:1x1 --law stribeck:mu_s=0.2,mu_d=0.1,vs=0.01 --speed 1 --spin 1",
@@ -309,5 +309,76 @@ fn what_makes_no_sense_for_straight_edges_is_refused() -> Outcome {
         let message = refused(folder.path(), line)?;
         assert!(message.contains(reason), "{line}: {message}");
     }
+    Ok(())
+}
+
+#[test]
+fn pressure_comes_from_pushes() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let box_ = "--patch box:0.3x0.2";
+    let line = format!("surface {box_} --coefficient 0.4 --load 20 --points 80");
+    let [points, _] = succeed(folder.path(), line)?;
+    let pushes: String = rows(&points)
+        .iter()
+        .map(|row| {
+            let [push, motion] = [&row[..3], &row[3..]];
+            format!(
+                "{},{},{},{},{},{}\n",
+                push[2], motion[0], motion[1], motion[2], push[0], push[1]
+            )
+        })
+        .collect();
+    let write = |text: &str| fs::write(folder.path().join("pushes.csv"), text);
+    write(&format!(
+        "# a box\ntorque,dx,dy,dtheta,fx,fy\n# 80 of them\n{pushes}"
+    ))?;
+    let fit = "fit --support pushes.csv";
+    let [told, _] = succeed(folder.path(), format!("{fit} {box_} --out out"))?;
+    assert!(told.contains("no fit"), "{told}");
+    let summary = fs::read_to_string(folder.path().join("out/summary.json"))?;
+    let summary: serde_json::Value = serde_json::from_str(&summary)?;
+    let median = |k: usize| {
+        summary["models"][k]["median_angle_deg"]
+            .as_f64()
+            .ok_or("a median")
+    };
+    assert_eq!(summary["models"][0]["name"], "known");
+    assert!(median(0)? < 1e-6 && median(1)? < 0.5, "{summary}");
+    for axis in 0..2 {
+        let centre = summary["centre_of_pressure"][axis]
+            .as_f64()
+            .ok_or("a centre")?;
+        assert!(centre.abs() < 1e-3, "{summary}");
+    }
+    let table = fs::read_to_string(folder.path().join("out/pressure.csv"))?;
+    let shares: f64 = rows(&table).iter().map(|row| row[2]).sum();
+    assert!((shares - 1.0).abs() < 1e-12);
+    assert!(
+        fs::read_to_string(folder.path().join("out/pressure.svg"))?.contains("centre of pressure")
+    );
+    // Without the support its models are three.
+    let [told, _] = succeed(folder.path(), fit)?;
+    assert!(
+        !told.contains("no fit") && told.contains("quartic"),
+        "{told}"
+    );
+    for (text, reason) in [
+        (
+            "dx,dy,dtheta,fx,fy\n1,0,0,1,0\n",
+            "column `torque` is missing",
+        ),
+        ("dx,dy,dtheta,fx,fy,torque\n1,0,0,1,0,0\n", "at least 10"),
+        ("dx,dy,dtheta,fx,fy,torque\n1,0,0,1,0,nan\n", "pushes.csv:2"),
+    ] {
+        write(text)?;
+        let told = refused(folder.path(), fit)?;
+        assert!(told.contains(reason), "{reason}: {told}");
+    }
+    write(&format!("torque,dx,dy,dtheta,fx,fy\n0,0,0,0,1,0\n{pushes}"))?;
+    let told = refused(folder.path(), fit)?;
+    assert!(
+        told.contains("pushes.csv:2: the motion must not be zero"),
+        "{told}"
+    );
     Ok(())
 }

@@ -53,6 +53,10 @@ const EDGES: &[&str] = &[
     "AsRef<[patch::outline::Edge<R>]>",
     "AsMut<[patch::outline::Edge<R>]>",
 ];
+const TRIANGLES: &[&str] = &[
+    "AsRef<[patch::mesh::Triangle<R>]>",
+    "AsMut<[patch::mesh::Triangle<R>]>",
+];
 const CORNERS: &[&str] = &["AsRef<[[R; 2]]>"];
 
 /// All of them.
@@ -146,8 +150,8 @@ pub const INSTANCES: &[Instance] = &[
     ),
     instance("patch::bar::Bar<R>", &["DryPatch"]),
     // Meshes, in the same two kinds of memory.
-    instance("[patch::mesh::Triangle<R>; 4]", EDGES),
-    instance("&'static mut [patch::mesh::Triangle<R>]", EDGES),
+    instance("[patch::mesh::Triangle<R>; 4]", TRIANGLES),
+    instance("&'static mut [patch::mesh::Triangle<R>]", TRIANGLES),
     instance(
         "patch::mesh::Mesh<R, [patch::mesh::Triangle<R>; 4]>",
         &["DryPatch"],

@@ -48,7 +48,7 @@ macro_rules! flat {
 }
 
 /// One pair of speeds or one twist in.
-pub const PATCHES: [Item; 15] = [
+pub const PATCHES: [Item; 20] = [
     item(
         ["patch", "Hertz: table: Coulomb"],
         BOTH,
@@ -148,6 +148,41 @@ pub const PATCHES: [Item; 15] = [
         ),
         Code::new(
             "PatchSurface::new(square(b)?, 0.5).ok()?",
+            "turned(&object.twist_normal_to(&given.push))",
+        ),
+    ),
+    item(
+        ["patch", "square, exact: torque limits at a force"],
+        NARROW,
+        flat!(
+            "patch::flat_pressure patch::simple limit_surface limit_surface::patch limit_surface::quadratic limit_surface::search limit_surface::yaw"
+        ),
+        Code::new(
+            "PatchSurface::new(square(b)?, 0.5).ok()?",
+            "pair(object.torque_limits([given.push.force.x, given.push.force.y]))",
+        ),
+    ),
+    item(
+        ["patch", "square, any pressure: torque limits at a force"],
+        NARROW,
+        "limit_surface limit_surface::any_pressure limit_surface::central_path limit_surface::sharing limit_surface::support_error",
+        Code::new(
+            "AnyPressure::new([[-b, -b], [b, -b], [b, b], [-b, b]], [0.1, 0.1], 0.5).ok()?",
+            "pair(object.torque_limits([given.push.force.x, given.push.force.y]).map(|limits| limits.carried))",
+        ),
+    ),
+    dry(
+        "mesh of two triangles, exact: Coulomb",
+        NARROW,
+        "coupling::flat coupling::flat::cone coupling::flat::mesh coupling::flat::motion coupling::flat::near coupling::flat::sums coupling::flat::two patch::edge patch::mesh patch::mesh_error patch::triangle special::log_quotient special::triangle",
+        "FlatFriction::new(face(b)?, 0.5).ok()?",
+    ),
+    item(
+        ["patch", "three points: limit surface, motion of a push"],
+        NARROW,
+        "coupling::flat coupling::flat::motion coupling::flat::points patch::nodes patch::points limit_surface limit_surface::kinks limit_surface::patch limit_surface::quadratic limit_surface::search",
+        Code::new(
+            "PatchSurface::new(spikes(b)?, 0.5).ok()?",
             "turned(&object.twist_normal_to(&given.push))",
         ),
     ),

@@ -47,7 +47,7 @@ pub struct Arguments {
     /// Measured pushes, a CSV file with the columns dx,dy,dtheta,fx,fy,torque (`-` for standard input).
     #[arg(long, value_name = "PUSHES.csv", conflicts_with_all = ["data", "law", "load", "fixed", "starts"])]
     support: Option<PathBuf>,
-    /// The support under the pushed body, if it is known: box:AxB, polygon:FILE, bar:L, mesh:FILE or points:FILE, in the frame of the pushes.
+    /// The support under the pushed body, if it is known: box:AxB, polygon:FILE, bar:L, mesh:FILE or points:FILE (weights are loads), in the frame of the pushes.
     #[arg(long, requires = "support")]
     patch: Option<Patch>,
     /// Load [N] at which forces were measured; friction is divided by it.
@@ -73,7 +73,7 @@ Examples:
   tribos fit --law power ice.csv
   tribos fit --law lugre pull.csv --out out/joint          # t,v,f: bristles too
   tribos fit --law rate-state steps.csv --fix v0=1e-6 --fix eta=0
-  tribos fit --support pushes.csv --patch polygon:sole.csv --out out/sole
+  tribos fit --support scenes/data/pushes.csv --patch box:0.2x0.1 --out out/pushes
 bearing.csv:
   v,f,sigma
   0.001,0.148,0.002

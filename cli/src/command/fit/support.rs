@@ -10,7 +10,7 @@ use tribos::friction::Patch;
 use tribos::record::{write_atomically, write_series};
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos_core::twist::{Twist, Wrench};
-use tribos_report::figure::{Axis, Figure, Series};
+use tribos_report::figure::{Axis, Figure, Legend, Series};
 use tribos_report::image;
 
 const COLUMNS: [&str; 6] = ["dx", "dy", "dtheta", "fx", "fy", "torque"];
@@ -26,6 +26,8 @@ const CLASSES: [(f64, &str); 3] = [(5.0, "5 % and more"), (1.0, "1 to 5 %"), (0.
 const MARGIN: f64 = 0.08;
 /// Side of the picture, in pixels.
 const SIDE: u32 = 700;
+/// Room of its legend.
+const LEGEND: u32 = 60;
 
 /// Fits, writes and prints.
 pub fn execute(file: &Path, patch: Option<&Patch>, out: Option<&Path>) -> Result<(), Failure> {
@@ -112,7 +114,7 @@ fn text(fit: &SupportFit, pushes: usize) -> String {
     );
     for score in &fit.models {
         let how = match score.name {
-            "known" => "uniform pressure on the given support, no fit",
+            "known" => "the given support under uniform pressure or with its weights, no fit",
             _ => "fitted, cross-validated in 5 parts",
         };
         let (median, mean) = (score.median, score.mean);
@@ -130,7 +132,9 @@ fn figure(fit: &SupportFit) -> Figure {
         .fold(0.0, |most: f64, x| most.max(millimetres(x).abs()));
     let half = reach * (1.0 + MARGIN);
     let axis = |name: &str| Axis::linear(format!("{name} [mm]")).range(-half, half);
-    let mut figure = Figure::new("Pressure from pushes", axis("x"), axis("y")).size(SIDE, SIDE);
+    let mut figure = Figure::new("Pressure from pushes", axis("x"), axis("y"))
+        .legend(Legend::Below)
+        .size(SIDE, SIDE + LEGEND);
     let mut above = f64::INFINITY;
     for (least, label) in CLASSES {
         let is_mine = |share: f64| 100.0 * share >= least && 100.0 * share < above;
