@@ -423,7 +423,7 @@ fn two_processes_of_one_part_take_no_run_twice() -> Outcome {
         let output = output?;
         let [_, said] = texts(&output)?;
         // A run that the other one has under way is no bad input.
-        let is_in_use = output.status.code() == Some(1) && said.contains("in use by process");
+        let is_in_use = output.status.code() == Some(1) && said.contains("is in use by");
         assert!(output.status.success() || is_in_use, "{said}");
     }
     succeed({

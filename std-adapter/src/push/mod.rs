@@ -21,7 +21,7 @@
 //! // A finger at the lower long side, 4 cm to the right of the middle, pushes upwards.
 //! let finger = PointContact::new([0.04, -0.05], [0.0, 1.0], 0.3)?;
 //! let moved = push(&*table, &finger, [0.0, 0.01])?; // m/s
-//! assert_eq!(moved.mode, Mode::Sticking);
+//! assert_eq!(moved.mode, Mode::SlidingLeft); // the body turns away to the right
 //! assert!(moved.twist.spin > 0.0 && (moved.contact_velocity.y - 0.01).abs() < 1e-15);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

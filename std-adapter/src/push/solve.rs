@@ -40,13 +40,14 @@ impl std::fmt::Display for Mode {
 ///
 /// ```
 /// use tribos::friction::limit_surface;
+/// use tribos::nalgebra::Vector2;
 /// use tribos::push::{Mode, PointContact, push};
 /// let puck = limit_surface(&"disk".parse()?, 1.0, 0.05, None)?; // N, m
 /// let slippery = PointContact::new([-0.05, 0.0], [1.0, 0.0], 0.1)?;
 /// let moved = push(&*puck, &slippery, [0.01, 0.02])?; // m/s
 /// assert_eq!(moved.mode, Mode::SlidingLeft);
 /// // What the pusher does not spend on the floor it spends at the contact.
-/// let given = moved.wrench.force.dot(&[0.01, 0.02].into());
+/// let given = moved.wrench.force.dot(&Vector2::new(0.01, 0.02));
 /// let rubbed = moved.wrench.force.dot(&moved.slip);
 /// assert!((given - rubbed - puck.support(&moved.twist)).abs() < 1e-15 && rubbed > 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

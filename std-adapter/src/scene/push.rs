@@ -18,7 +18,7 @@ scene! {
     /// use tribos::{push::{Mode, run}, scene::PushScene};
     /// let scene = PushScene { contact_x: 0.05, ..PushScene::default() }; // m
     /// let pushed = run(&scene)?;
-    /// assert_eq!(pushed.first.mode, Mode::Sticking);
+    /// assert_eq!(pushed.first.mode, Mode::SlidingLeft);
     /// assert!(pushed.journey.moments.last().is_some_and(|last| last.pose.angle > 0.1));
     /// # Ok::<(), tribos::push::PushError>(())
     /// ```

@@ -48,7 +48,7 @@ macro_rules! flat {
 }
 
 /// One pair of speeds or one twist in.
-pub const PATCHES: [Item; 20] = [
+pub const PATCHES: [Item; 19] = [
     item(
         ["patch", "Hertz: table: Coulomb"],
         BOTH,
