@@ -53,7 +53,11 @@ pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
         sheet.markdown()
     );
     setting.page(Front::Polygons, &body)?;
-    let places = rows.iter().enumerate().map(|(index, row)| Place {
+    let known = rows
+        .iter()
+        .enumerate()
+        .filter(|(_, row)| !row.error[0].is_nan());
+    let places = known.map(|(index, row)| Place {
         label: row.shape.clone(),
         group: row.method.into(),
         at: (
@@ -78,7 +82,7 @@ fn twists(radius: f64) -> Vec<Twist<f64>> {
         let part = (i * 387 % TWISTS) as f64 / (TWISTS - 1) as f64;
         let distance = radius * (least + (most - least) * part).exp();
         let angle = 2.4 * i as f64;
-        let sense = if i % 2 == 0 { 1.0 } else { -1.0 };
+        let sense = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
         Twist::new(
             sense * distance * angle.sin(),
             -sense * distance * angle.cos(),
@@ -180,8 +184,8 @@ fn sheet(rows: &[Row], samples: &Samples, rounds: usize) -> Sheet {
             // The unit is the first task.
             short(1e9 * medians[index + 1]),
             short(ratio.unwrap_or(f64::NAN)),
-            short(row.error[0]),
-            short(row.error[1]),
+            judged_error(row.error[0]),
+            judged_error(row.error[1]),
             row.judge.into(),
         ]
     };
@@ -198,6 +202,15 @@ fn sheet(rows: &[Row], samples: &Samples, rounds: usize) -> Sheet {
             "judge",
         ],
         rows: rows.iter().enumerate().map(cells).collect(),
+    }
+}
+
+/// An error, if something judged it.
+fn judged_error(error: f64) -> String {
+    if error.is_nan() {
+        "–".into()
+    } else {
+        short(error)
     }
 }
 

@@ -23,6 +23,9 @@ const SAMPLES: [usize; 2] = [100, 1000];
 /// Nodes of one triangle that is not divided.
 const NODES: usize = 7;
 
+/// Force and torque for a twist.
+pub type Evaluated = Box<dyn Fn(&Twist<f64>) -> Wrench<f64>>;
+
 /// A method for one shape: friction for μN = 1 about the centroid.
 pub struct Method {
     /// Its kind.
@@ -30,7 +33,7 @@ pub struct Method {
     /// Points that it sums over or searches.
     pub points: usize,
     /// Force and torque.
-    pub wrench: Box<dyn Fn(&Twist<f64>) -> Wrench<f64>>,
+    pub wrench: Evaluated,
 }
 
 impl core::fmt::Debug for Method {

@@ -364,13 +364,7 @@ fn scene(more: &[&str]) -> SliderScene {
 
 fn run_under(disk: &SliderScene, law: Law) -> Result<SlideRun, SlideError> {
     let law = Some(law);
-    run(
-        &SliderScene {
-            law,
-            ..disk.clone()
-        },
-        |_| (),
-    )
+    run(&SliderScene { law, ..*disk }, |_| ())
 }
 
 #[test]

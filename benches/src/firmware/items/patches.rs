@@ -174,13 +174,13 @@ pub const PATCHES: [Item; 19] = [
     dry(
         "mesh of two triangles, exact: Coulomb",
         NARROW,
-        "coupling::flat coupling::flat::cone coupling::flat::mesh coupling::flat::motion coupling::flat::near coupling::flat::sums coupling::flat::two patch::edge patch::mesh patch::mesh_error patch::triangle special::log_quotient special::triangle",
+        "coupling::flat coupling::flat::cone coupling::flat::far coupling::flat::mesh coupling::flat::motion coupling::flat::near coupling::flat::sums coupling::flat::two patch::edge patch::mesh patch::mesh_error patch::triangle special::log_quotient special::triangle",
         "FlatFriction::new(face(b)?, 0.5).ok()?",
     ),
     item(
         ["patch", "three points: limit surface, motion of a push"],
         NARROW,
-        "coupling::flat coupling::flat::motion coupling::flat::points patch::nodes patch::points limit_surface limit_surface::kinks limit_surface::patch limit_surface::quadratic limit_surface::search",
+        "coupling::flat coupling::flat::far coupling::flat::motion coupling::flat::points coupling::flat::sums coupling::flat::two patch::nodes patch::points limit_surface limit_surface::kinks limit_surface::patch limit_surface::quadratic limit_surface::search",
         Code::new(
             "PatchSurface::new(spikes(b)?, 0.5).ok()?",
             "turned(&object.twist_normal_to(&given.push))",

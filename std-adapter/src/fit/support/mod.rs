@@ -316,4 +316,5 @@ fn score(name: &'static str, angles: impl Iterator<Item = f64>) -> Score {
 }
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests;
