@@ -40,7 +40,7 @@ macro_rules! flat {
     ($more:literal) => {
         concat!(
             "coupling::flat coupling::flat::far coupling::flat::motion coupling::flat::near ",
-            "coupling::flat::two patch::edge patch::outline special::legendre ",
+            "coupling::flat::two patch::edge patch::frame patch::outline special::legendre ",
             "special::log_quotient ",
             $more
         )
@@ -165,7 +165,7 @@ pub const PATCHES: [Item; 19] = [
     item(
         ["patch", "square, any pressure: torque limits at a force"],
         NARROW,
-        "limit_surface limit_surface::any_pressure limit_surface::central_path limit_surface::sharing limit_surface::support_error",
+        "limit_surface limit_surface::any_pressure limit_surface::central_path limit_surface::quadratic limit_surface::sharing limit_surface::support_error",
         Code::new(
             "AnyPressure::new([[-b, -b], [b, -b], [b, b], [-b, b]], [0.1, 0.1], 0.5).ok()?",
             "pair(object.torque_limits([given.push.force.x, given.push.force.y]).map(|limits| limits.carried))",
