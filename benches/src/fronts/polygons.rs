@@ -1,4 +1,4 @@
-//! Flat feet: closed forms, nodes, ellipsoid and sampled hull.
+//! Flat feet: closed forms, nodes, ellipsoid, convex quartic and sampled hull.
 
 use super::{Finding, Front, Setting};
 use crate::outlines::{Method, Shape, methods, shapes};
@@ -170,7 +170,8 @@ units of the disk's Coulomb table over the same twists, the median of the rounds
 μN R. The closed form in f64 is judged by the tests' table of 150 digits (centres on corners and edges and up to \
 1e16 radii away; torques beyond some radii of the centroid carry the rounding of the twist's own coordinates), all \
 other methods by the closed form. `points` are edges, nodes, or sampled wrenches. The ellipsoid has the exact largest \
-force and torque; the hull answers with the sampled wrench that dissipates most, as planners do.
+force and torque; the hull answers with the sampled wrench that dissipates most, as planners do; the convex quartic is fitted to 400 \
+wrenches, as `tribos fit --support` does.
 ";
 
 fn sheet(rows: &[Row], samples: &Samples, rounds: usize) -> Sheet {

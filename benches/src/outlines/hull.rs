@@ -3,6 +3,16 @@
 use tribos_core::coupling::flat::{DryPatch, FlatFriction};
 use tribos_core::twist::{Twist, Wrench};
 
+/// So many motions, spread evenly over all directions of velocity and rim speed.
+pub fn motions(count: usize, radius: f64) -> impl Iterator<Item = Twist<f64>> {
+    let golden = core::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
+    (0..count).map(move |i| {
+        let rim = 1.0 - (2.0 * i as f64 + 1.0) / count as f64;
+        let (slide, angle) = ((1.0 - rim * rim).sqrt(), golden * i as f64);
+        Twist::new(slide * angle.cos(), slide * angle.sin(), rim / radius)
+    })
+}
+
 /// Wrenches of the limit surface under motions that are spread evenly.
 #[derive(Clone, Debug)]
 pub struct Hull {
@@ -12,16 +22,9 @@ pub struct Hull {
 impl Hull {
     /// So many wrenches of a patch with μN = 1.
     pub fn of(friction: &FlatFriction<f64, impl DryPatch<f64>>, samples: usize) -> Self {
-        let golden = core::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
-        let radius = friction.patch().radius();
-        let wrench = |i: usize| {
-            let rim = 1.0 - (2.0 * i as f64 + 1.0) / samples as f64;
-            let (slide, angle) = ((1.0 - rim * rim).sqrt(), golden * i as f64);
-            let twist = Twist::new(slide * angle.cos(), slide * angle.sin(), rim / radius);
-            friction.wrench(1.0, &twist)
-        };
+        let motions = motions(samples, friction.patch().radius());
         Self {
-            wrenches: (0..samples).map(wrench).collect(),
+            wrenches: motions.map(|twist| friction.wrench(1.0, &twist)).collect(),
         }
     }
 

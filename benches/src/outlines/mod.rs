@@ -6,6 +6,7 @@ mod shapes;
 pub use shapes::{Shape, shapes};
 
 use hull::Hull;
+use tribos::fit::support::{ConvexQuartic, MeasuredPush};
 use tribos_core::Real;
 use tribos_core::coupling::flat::FlatFriction;
 use tribos_core::coupling::nodes::NodeFriction;
@@ -20,6 +21,8 @@ use tribos_core::twist::{Twist, Wrench};
 const DIVISIONS: [u32; 4] = [2, 5, 10, 20];
 /// Sampled wrenches of the hulls.
 const SAMPLES: [usize; 2] = [100, 1000];
+/// Wrenches that a quartic is fitted to.
+const LEARNT: usize = 400;
 /// Nodes of one triangle that is not divided.
 const NODES: usize = 7;
 
@@ -56,6 +59,16 @@ pub fn methods(shape: &Shape) -> Result<Vec<Method>, String> {
     let ellipsoid = Ellipsoid::new(1.0, radius, arm / radius).map_err(|error| told(&error))?;
     let narrow = f32::from_f64;
     let mut all = Vec::new();
+    let pushes: Vec<MeasuredPush> = hull::motions(LEARNT, radius)
+        .map(|motion| MeasuredPush {
+            motion,
+            wrench: -exact.wrench(1.0, &motion),
+        })
+        .collect();
+    let quartic = ConvexQuartic::fitted(&pushes).map_err(|error| told(&error))?;
+    all.push(method("convex quartic", LEARNT, move |twist| {
+        -quartic.push(twist)
+    }));
     let with_jacobian = exact.clone();
     for samples in SAMPLES {
         let hull = Hull::of(&exact, samples);

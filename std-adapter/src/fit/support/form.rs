@@ -2,7 +2,7 @@
 
 use super::least::Normal;
 use super::{Model, Row, size};
-use nalgebra::{DVector, Vector3};
+use nalgebra::{DVector, Matrix3, Vector3};
 use tribos_core::Real;
 
 /// H(w) = Σ c (d·w)ⁿ with n = 2 or 4 and c ≥ 0 over fixed directions d, which is convex; it has any positive
@@ -10,6 +10,8 @@ use tribos_core::Real;
 #[derive(Clone, Debug)]
 pub struct Form {
     degree: i32,
+    /// Unit of the wrench.
+    mean: f64,
     /// Direction and coefficient.
     terms: Vec<(Vector3<f64>, f64)>,
 }
@@ -20,6 +22,9 @@ const DIRECTIONS: usize = 300;
 const ACROSS: f64 = 0.5;
 /// Keeps the normal equations regular: a form has 6 or 15 coefficients, fewer than there are directions.
 const RIDGE: f64 = 1e-9;
+/// Most steps of Newton's method, and the part of a wrench that may be left.
+const MOST_STEPS: u32 = 60;
+const LEFT: f64 = 1e-12;
 
 impl Form {
     /// The form of degree 2 or 4 with the least squares of H − 1 and of the parts of its gradient across the
@@ -47,8 +52,38 @@ impl Form {
         let terms = directions.into_iter().zip(found);
         Self {
             degree,
+            mean,
             terms: terms.filter(|(_, c)| *c > 0.0).collect(),
         }
+    }
+}
+
+impl Form {
+    /// The wrench with H = 1 whose normal is along a motion: where the gradient of H/n is the motion, by Newton's
+    /// method, scaled.
+    pub fn wrench(&self, motion: &Vector3<f64>) -> Vector3<f64> {
+        let mut at = *motion;
+        for _ in 0..MOST_STEPS {
+            let (mut slope, mut curvature) = (-motion, Matrix3::zeros());
+            for (d, c) in &self.terms {
+                let along = d.dot(&at);
+                slope += d * (c * power(along, self.degree - 1));
+                let bend = f64::from(self.degree - 1) * c * power(along, self.degree - 2);
+                curvature += d * d.transpose() * bend;
+            }
+            let lift = Matrix3::identity() * (f64::EPSILON * curvature.trace());
+            let Some(factors) = (curvature + lift).cholesky() else {
+                break;
+            };
+            let step = factors.solve(&slope);
+            at -= step;
+            if size(&step) <= LEFT * size(&at) {
+                break;
+            }
+        }
+        let value = |(d, c): &(Vector3<f64>, f64)| c * power(d.dot(&at), self.degree);
+        let value: f64 = self.terms.iter().map(value).sum();
+        at * (self.mean / Real::pow(value, 1.0 / f64::from(self.degree)))
     }
 }
 
@@ -60,9 +95,9 @@ impl Model for Form {
     }
 }
 
-/// xⁿ for n from 1 to 4.
+/// xⁿ for n from 0 to 4.
 fn power(x: f64, degree: i32) -> f64 {
-    (1..degree).fold(x, |power, _| power * x)
+    (0..degree).fold(1.0, |power, _| power * x)
 }
 
 /// Direction `i`, on a spiral.

@@ -153,6 +153,34 @@ pub fn fit_support_at(
     Ok(judged(pushes, length, &places, Some(Box::new(truth))))
 }
 
+/// The convex quartic fitted to pushes, for comparisons.
+#[doc(hidden)]
+#[derive(Clone, Debug)]
+pub struct ConvexQuartic {
+    form: Form,
+    length: f64,
+}
+
+impl ConvexQuartic {
+    /// As in [`fit_support`].
+    pub fn fitted(pushes: &[MeasuredPush]) -> Result<Self, MeasuredPushError> {
+        let length = checked(pushes)?;
+        let form = Form::fitted(4, &rows(pushes, length));
+        Ok(Self { form, length })
+    }
+
+    /// The push that causes a motion.
+    pub fn push(&self, motion: &Twist<f64>) -> Wrench<f64> {
+        let motion = Vector3::new(
+            motion.velocity.x,
+            motion.velocity.y,
+            motion.spin * self.length,
+        );
+        let push = self.form.wrench(&(motion / size(&motion)));
+        Wrench::new(push.x, push.y, push.z * self.length)
+    }
+}
+
 /// A push in units of the length: the motion of length 1.
 #[derive(Clone, Copy, Debug)]
 struct Row {

@@ -93,6 +93,25 @@ fn a_leaning_pressure_has_its_centre() {
 }
 
 #[test]
+fn a_quartic_answers_motions_with_the_pushes_that_cause_them() {
+    let (_, pushes) = pushes_of_feet(0.0);
+    let quartic = ConvexQuartic::fitted(&pushes).unwrap();
+    let motion = Twist::new(0.3, -0.7, 4.0);
+    let push = quartic.push(&motion);
+    let row = &rows(
+        &[MeasuredPush {
+            motion,
+            wrench: push,
+        }],
+        quartic.length,
+    )[0];
+    assert!(off(&quartic.form, row) < 1e-6);
+    // It lies on the surface: twice the motion needs the same push.
+    let same = quartic.push(&(motion * 2.0));
+    assert!((same.force - push.force).norm() < 1e-12);
+}
+
+#[test]
 fn what_cannot_be_used_is_refused() {
     let (feet, pushes) = pushes_of_feet(0.0);
     let told = |pushes: &[MeasuredPush]| fit_support(pushes, None).unwrap_err().to_string();
