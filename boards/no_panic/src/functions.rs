@@ -103,7 +103,14 @@ fn definition(function: &Function, number: usize) -> String {
             } = parameter;
             match constant {
                 Some(of) => format!("const {name}: {of}"),
-                None => format!("{name}: {}", bounds.join(" + ")),
+                // Instances borrow nothing that is not static.
+                None => {
+                    let bounds: Vec<&str> = bounds.iter().map(String::as_str).collect();
+                    format!(
+                        "{name}: {}",
+                        [&bounds[..], &["'static"]].concat().join(" + ")
+                    )
+                }
             }
         });
     let declared: Vec<String> = declared.collect();
