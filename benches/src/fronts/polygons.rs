@@ -171,7 +171,8 @@ units of the disk's Coulomb table over the same twists, the median of the rounds
 1e16 radii away; torques beyond some radii of the centroid carry the rounding of the twist's own coordinates), all \
 other methods by the closed form. `points` are edges, nodes, or sampled wrenches. The ellipsoid has the exact largest \
 force and torque; the hull answers with the sampled wrench that dissipates most, as planners do; the convex quartic is fitted to 400 \
-wrenches, as `tribos fit --support` does.
+wrenches, as `tribos fit --support` does. It gives the motion under a push at once; the push for a motion, which \
+stands here, takes Newton's method.
 ";
 
 fn sheet(rows: &[Row], samples: &Samples, rounds: usize) -> Sheet {

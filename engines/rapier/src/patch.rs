@@ -7,6 +7,7 @@ use tribos_core::contact::TimeStep;
 use tribos_core::coupling::closed::Ring;
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
+use tribos_core::patch::bar::Bar;
 use tribos_core::patch::nodes::{Node, NodeList, NodePatch};
 use tribos_core::patch::outline::{Edge, Polygon};
 use tribos_core::patch::polygon::polygon;
@@ -17,10 +18,12 @@ use tribos_core::twist::{Twist, Wrench};
 const POINTS: usize = 256;
 /// Distance from the centre of mass, as a fraction of the radius, up to which a round patch counts as centred.
 const CENTRED: f64 = 1e-3;
+/// Points of a bar, where the body stands on several feet.
+const ALONG: usize = 16;
 
 /// A patch of Coulomb friction under a foot, centred below the origin of the foot's collider.
 ///
-/// The pressure is uniform over a disk, along a ring or over a polygon. A body may have several
+/// The pressure is uniform over a disk, along a ring or a bar, or over a polygon. A body may have several
 /// feet, each a collider with its own patch: the engine determines how they share the load.
 ///
 /// ```
@@ -61,6 +64,9 @@ enum Shape {
         /// Points with their shares of the load, for a body on several feet.
         points: Vec<[f32; 3]>,
     },
+    Bar {
+        half: f32,
+    },
 }
 
 /// Why a patch was refused.
@@ -81,7 +87,7 @@ pub enum PatchError {
         /// The rejected value.
         given: f32,
     },
-    /// The radius is not positive and finite.
+    /// The radius, or the half length of a bar, is not positive and finite.
     Radius {
         /// The rejected value.
         given: f32,
@@ -101,6 +107,22 @@ impl Patch {
     pub fn ring(mu: f32, radius: f32) -> Result<Self, PatchError> {
         let radius = valid_radius(radius)?;
         Self::new(mu, Shape::Ring { radius })
+    }
+
+    /// A straight bar along the x axis of the foot's collider: a skate's blade, the edge of a tilted box.
+    ///
+    /// *Domain*: `mu` ≥ 0, `half_length` > 0 in metres. *Accuracy*: exact where the body stands on this foot
+    /// alone; elsewhere 16 points stand for it.
+    ///
+    /// ```
+    /// use tribos_rapier::{Patch, PatchError};
+    /// assert_eq!(Patch::bar(0.02, 0.14)?.mu(), 0.02); // steel on ice
+    /// assert_eq!(Patch::bar(0.02, 0.0).err(), Some(PatchError::Radius { given: 0.0 }));
+    /// # Ok::<(), PatchError>(())
+    /// ```
+    pub fn bar(mu: f32, half_length: f32) -> Result<Self, PatchError> {
+        let half = valid_radius(half_length)?;
+        Self::new(mu, Shape::Bar { half })
     }
 
     /// The foot of a box or a boot: corners in metres, around the patch's centre.
@@ -162,7 +184,7 @@ impl Patch {
     }
 
     /// Whether the kernel's step of a body on this foot alone is exact, with the centre at `place` from
-    /// the centre of mass: a polygon anywhere, a round patch in the middle.
+    /// the centre of mass: a polygon or a bar anywhere, a round patch in the middle.
     pub(crate) fn is_exact(&self, place: [f64; 2]) -> bool {
         let [x, y] = place;
         match &self.shape {
@@ -170,6 +192,7 @@ impl Patch {
                 (x * x + y * y).sqrt() <= CENTRED * f64::from(*radius)
             }
             Shape::Polygon { corners, .. } => !corners.is_empty(),
+            Shape::Bar { .. } => true,
         }
     }
 
@@ -177,6 +200,14 @@ impl Patch {
     fn set(&self, lying: &Lying) -> Option<Set> {
         let Lying { load, place, axis } = *lying;
         let limit = self.mu * load;
+        let [c, s] = axis;
+        let moved = |&[x, y]: &[f32; 2]| {
+            let [x, y] = [x, y].map(f64::from);
+            [
+                (place[0] + c * x - s * y) as f32,
+                (place[1] + s * x + c * y) as f32,
+            ]
+        };
         match &self.shape {
             Shape::Disk { radius } => {
                 Some(Set::Disk(LimitSurface::new(Coulomb, limit, *radius).ok()?))
@@ -184,15 +215,12 @@ impl Patch {
             Shape::Ring { radius } => {
                 Some(Set::Ring(LimitSurface::new(Ring, limit, *radius).ok()?))
             }
+            Shape::Bar { half } => {
+                let [from, to] = [[-half, 0.0], [*half, 0.0]].map(|end| moved(&end));
+                let bar = Bar::new(from, to).ok()?;
+                Some(Set::Bar(PatchSurface::new(bar, limit).ok()?))
+            }
             Shape::Polygon { corners, .. } => {
-                let [c, s] = axis;
-                let moved = |&[x, y]: &[f32; 2]| {
-                    let [x, y] = [x, y].map(f64::from);
-                    [
-                        (place[0] + c * x - s * y) as f32,
-                        (place[1] + s * x + c * y) as f32,
-                    ]
-                };
                 let patch = outline(corners.iter().map(moved).collect())?;
                 Some(Set::Polygon(PatchSurface::new(patch, limit).ok()?))
             }
@@ -212,6 +240,7 @@ impl Patch {
             Set::Disk(set) => body.step(&set, twist, push, dt),
             Set::Ring(set) => body.step(&set, twist, push, dt),
             Set::Polygon(set) => body.step(&set, twist, push, dt),
+            Set::Bar(set) => body.step(&set, twist, push, dt),
         })
     }
 
@@ -221,6 +250,7 @@ impl Patch {
             Set::Disk(set) => set.gauge(friction),
             Set::Ring(set) => set.gauge(friction),
             Set::Polygon(set) => set.gauge(friction),
+            Set::Bar(set) => set.gauge(friction),
         };
         // No friction under no load: no fraction.
         Some(if gauge > 0.0 { gauge.min(1.0) } else { 0.0 })
@@ -256,6 +286,11 @@ impl Patch {
             Shape::Disk { radius } => vec![one(Area::Disk(f64::from(*radius)), place, 1.0)],
             Shape::Ring { radius } => vec![one(Area::Ring(f64::from(*radius)), place, 1.0)],
             Shape::Polygon { points, .. } => points.iter().map(point).collect(),
+            Shape::Bar { half } => {
+                let share = 1.0 / ALONG as f32;
+                let at = |k: usize| [half * ((2 * k + 1) as f32 * share - 1.0), 0.0, share];
+                (0..ALONG).map(|k| point(&at(k))).collect()
+            }
         }
     }
 }
@@ -275,6 +310,7 @@ enum Set {
     Disk(LimitSurface<f32, Coulomb>),
     Ring(LimitSurface<f32, Ring>),
     Polygon(PatchSurface<f32, Polygon<f32, Vec<Edge<f32>>>>),
+    Bar(PatchSurface<f32, Bar<f32>>),
 }
 
 /// The patch with these corners, if no edges touch.

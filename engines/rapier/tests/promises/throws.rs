@@ -84,6 +84,27 @@ fn a_thrown_ring_stops_where_and_when_the_exact_one_does() {
 }
 
 #[test]
+fn a_body_on_a_blade_stops_turning_when_the_exact_one_does() {
+    let half = 0.5 * RADIUS;
+    let mut table = Table::level();
+    let spin = 12.5;
+    let body = lying(HALF_HEIGHT).angvel(Vector::new(0.0, spin, 0.0));
+    let (body, foot) = table.put(body, puck_shape(), Patch::bar(MU, half).ok());
+    let dt = f64::from(table.world.integration_parameters.dt);
+    let mut stop = f64::NAN;
+    for step in 0..STEPS {
+        table.steps(1);
+        if let Some(end) = table.patches.stop(foot, table.ground) {
+            stop = step as f64 * dt + f64::from(end.within_step);
+        }
+    }
+    // The mean arm of a bar is half of its half length.
+    let exact = f64::from(0.5 * RADIUS * RADIUS * spin / (MU * GRAVITY * 0.5 * half));
+    assert!((stop / exact - 1.0).abs() < 5e-3, "{stop} for {exact}");
+    assert!(table.world.bodies[body].translation().x.abs() < 1e-4);
+}
+
+#[test]
 fn the_engine_alone_is_off_by_a_fifth() {
     let exact = exact!(Coulomb, 12.5);
     let alone = thrown(12.5, None);
