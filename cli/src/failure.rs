@@ -2,7 +2,6 @@
 
 use crate::command::interrupt;
 use std::error::Error;
-use std::process::ExitCode;
 use tribos::friction::Refusal;
 use tribos::golden::MeasureError;
 use tribos::push::PushError;
@@ -78,13 +77,13 @@ impl Failure {
 
     /// 2 for bad input, 1 for a failed run, 3 for results that differ from those pinned,
     /// 130 for an interrupted command.
-    pub fn exit_code(&self) -> ExitCode {
-        ExitCode::from(match self {
+    pub fn exit_code(&self) -> u8 {
+        match self {
             Self::Input(_) => BAD_INPUT,
             Self::Run(_) | Self::NoRoom(_) => RUN_FAILED,
             Self::Mismatch(_) => MISMATCH,
             Self::Interrupted(_) => interrupt::EXIT_CODE,
-        })
+        }
     }
 }
 

@@ -37,6 +37,7 @@ mod wrench;
 use crate::failure::Failure;
 use clap::builder::StyledStr;
 use clap::{CommandFactory, FromArgMatches};
+use std::ffi::OsString;
 use std::fmt;
 use std::io::Write;
 
@@ -91,16 +92,21 @@ fn documentation() -> [(&'static str, StyledStr); 17] {
 }
 
 /// Answers a shell that asks for completions, and ends the process then; else nothing.
-pub fn complete() {
-    clap_complete::CompleteEnv::with_factory(program)
+pub fn complete(arguments: &[OsString]) {
+    let here = std::env::current_dir().ok();
+    let shell = clap_complete::CompleteEnv::with_factory(program)
         .var(completion::VARIABLE)
-        .bin("tribos")
-        .complete();
+        .bin("tribos");
+    match shell.try_complete(arguments, here.as_deref()) {
+        Ok(false) => {}
+        Ok(true) => std::process::exit(0),
+        Err(error) => error.exit(),
+    }
 }
 
-/// What the arguments of this process ask for; ends it with help or a refusal if that is the answer.
-pub fn parse() -> Command {
-    match Program::from_arg_matches(&program().get_matches()) {
+/// What the arguments ask for; ends the process with help or a refusal if that is the answer.
+pub fn parse(arguments: Vec<OsString>) -> Command {
+    match Program::from_arg_matches(&program().get_matches_from(arguments)) {
         Ok(program) => {
             program.presentation.adopt();
             program.command

@@ -58,7 +58,7 @@ pub(super) const MOST_PARAMETERS: usize = 6;
 /// Values of a law's parameters in their order, followed by zeros.
 pub(super) type Values<R> = [R; MOST_PARAMETERS];
 /// A law, or why its values make none.
-pub(super) type Made<R> = Result<Box<dyn LocalLaw<R>>, LawError>;
+pub(super) type Made<R> = Result<Box<dyn LocalLaw<R> + Send + Sync>, LawError>;
 
 /// How a local law is made from the values of its parameters.
 #[derive(Clone, Copy)]

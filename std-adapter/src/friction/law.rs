@@ -38,7 +38,7 @@ pub struct Law {
 /// assert_eq!(law.friction(2.0), 0.5);
 /// # Ok::<(), tribos::friction::Refusal>(())
 /// ```
-pub struct AnyLaw<R>(pub(super) Box<dyn LocalLaw<R>>);
+pub struct AnyLaw<R>(pub(super) Box<dyn LocalLaw<R> + Send + Sync>);
 
 impl<R> fmt::Debug for AnyLaw<R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

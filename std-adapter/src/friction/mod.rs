@@ -107,7 +107,7 @@ const SLOWEST: f64 = 2.65e-261;
 
 enum Kind<R: Real> {
     Power(Box<dyn RoundPower<R>>),
-    Quadrature(Box<dyn Lateral<R>>),
+    Quadrature(Box<dyn Lateral<R> + Send + Sync>),
     Nodes(ByNodes<R>),
 }
 

@@ -36,8 +36,8 @@ pub(super) mod sealed {
     /// The kernel's tables and laws in one precision.
     pub trait Tables: Real + Debug {
         const HAS_POLYNOMIALS: bool;
-        type Disk: SmoothProfile<Self> + Lateral<Self> + 'static;
-        type Round: SmoothProfile<Self> + Lateral<Self> + 'static;
+        type Disk: SmoothProfile<Self> + Lateral<Self> + Send + Sync + 'static;
+        type Round: SmoothProfile<Self> + Lateral<Self> + Send + Sync + 'static;
         fn disk(alpha: Self) -> Result<Self::Disk, LawError>;
         fn round(alpha: Self, pressure: PowerPressure) -> Result<Self::Round, LawError>;
         /// Hands the table of a polynomial pressure to `visitor`, if there is one.

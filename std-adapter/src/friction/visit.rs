@@ -46,12 +46,12 @@ pub trait Visitor<R: Real> {
 /// assert!((lateral - 32.0 / (45.0 * std::f64::consts::PI)).abs() < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub trait RoundPower<R: Real>: Profile<R> + Lateral<R> {
+pub trait RoundPower<R: Real>: Profile<R> + Lateral<R> + Send + Sync {
     /// The same as a lateral coupling.
     fn as_lateral(&self) -> &dyn Lateral<R>;
 }
 
-impl<R: Real, P: Profile<R> + Lateral<R>> RoundPower<R> for P {
+impl<R: Real, P: Profile<R> + Lateral<R> + Send + Sync> RoundPower<R> for P {
     fn as_lateral(&self) -> &dyn Lateral<R> {
         self
     }
@@ -173,7 +173,7 @@ pub trait Smooth<R: Real> {
     /// Does the work.
     fn smooth<P>(self, friction: P) -> Result<Self::Output, Refusal>
     where
-        P: SmoothProfile<R> + Lateral<R> + 'static;
+        P: SmoothProfile<R> + Lateral<R> + Send + Sync + 'static;
 }
 
 /// A visitor of patches that are no annulus.
@@ -183,7 +183,7 @@ impl<R: Real, V: Visitor<R>> Smooth<R> for Plain<V> {
     type Output = V::Output;
     fn smooth<P>(self, friction: P) -> Result<V::Output, Refusal>
     where
-        P: SmoothProfile<R> + Lateral<R> + 'static,
+        P: SmoothProfile<R> + Lateral<R> + Send + Sync + 'static,
     {
         Ok(self.0.visit(friction))
     }
@@ -199,7 +199,7 @@ impl<R: Real + 'static, V: Visitor<R>> Smooth<R> for InAnnulus<R, V> {
     type Output = V::Output;
     fn smooth<P>(self, disk: P) -> Result<V::Output, Refusal>
     where
-        P: SmoothProfile<R> + Lateral<R> + 'static,
+        P: SmoothProfile<R> + Lateral<R> + Send + Sync + 'static,
     {
         Ok(self.visitor.visit(Annulus::new(disk, self.inner)?))
     }
@@ -221,7 +221,7 @@ impl Smooth<f64> for Leaned {
     type Output = Box<dyn Profile<f64>>;
     fn smooth<P>(self, foot: P) -> Result<Self::Output, Refusal>
     where
-        P: SmoothProfile<f64> + Lateral<f64> + 'static,
+        P: SmoothProfile<f64> + Lateral<f64> + Send + Sync + 'static,
     {
         self.dry(Dry::new(foot)?)
     }

@@ -1,0 +1,136 @@
+"""Limit surfaces: what dry friction carries, and how it moves when it is pushed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tribos import _native
+from tribos._checks import number
+from tribos._patches import Patch
+
+
+class LimitSurface:
+    """All wrenches that dry friction of a patch carries: a closed convex set.
+
+    Parameters
+    ----------
+    patch
+        The contact patch.
+    mu
+        Coefficient of friction.
+    load
+        Normal force in N, at least 0: a number, or an array that is broadcast with the leading axes
+        of the arguments of a call.
+
+    Notes
+    -----
+    Accuracy: gauge 1e-14, surface points and normals 1e-13 of the limits; at points of contact next
+    to a facet's rim less, see the documentation of the patch.
+
+    Examples
+    --------
+    >>> import tribos
+    >>> table = tribos.Friction(tribos.box(0.3, 0.2), mu=0.4).limit_surface(load=20.0)
+    >>> round(float(table.gauge([0.0, 4.0, 0.5])), 4)              # below 1: it holds
+    0.8821
+    >>> print(table.normal([0.0, 8.0, 1.0]).round(3))              # pushed harder it moves like this
+    [0.    0.457 4.933]
+    """
+
+    __slots__ = ("_limits", "_handle", "load", "mu", "patch")
+
+    patch: Patch
+    mu: float
+    load: Any
+    _handle: _native.LimitSurface
+    _limits: Any
+
+    def __init__(self, patch: Patch, mu: float, load: ArrayLike) -> None:
+        self.patch = patch
+        self.mu = number("mu", mu)
+        if self.mu < 0.0:
+            raise ValueError(f"mu must be >= 0, not {mu!r}")
+        try:
+            loads = np.array(load, dtype=np.float64)
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"load must be real numbers: {error}") from None
+        if not np.all((loads >= 0.0) & (loads < np.inf)):
+            raise ValueError("load must be >= 0 and finite")
+        loads.flags.writeable = False
+        self.load = float(loads) if loads.ndim == 0 else loads
+        self._limits = self.mu * self.load
+        self._handle = patch._limits()
+
+    @property
+    def force_limit(self) -> Any:
+        """The largest force ``mu * load``, in N."""
+        return self._limits
+
+    @property
+    def torque_limit(self) -> Any:
+        """The largest torque about the origin, in N m."""
+        return self.force_limit * self._handle.torque_limit(1.0)
+
+    def gauge(self, wrenches: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+        """The least factor by which the set must grow to hold each wrench.
+
+        Below 1 friction holds, at 1 the body starts to move. Of shape (...) for wrenches of shape
+        (..., 3).
+        """
+        return self._handle.gauge(self._limits, wrenches, out)
+
+    def contains(self, wrenches: ArrayLike) -> Any:
+        """Whether friction can carry each wrench, up to rounding: ``gauge <= 1``."""
+        return self.gauge(wrenches) <= 1.0 + 64.0 * np.finfo(np.float64).eps
+
+    def normal(self, wrenches: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+        """The motion that each push causes: the outward normal where its ray meets the surface.
+
+        Twists of shape (..., 3), scaled such that ``|velocity|² + (spin * radius)² = 1`` with the
+        patch's radius about the origin; friction under the push is ``-push / gauge``.
+        """
+        return self._handle.normal(self._limits, wrenches, out)
+
+    def scale_to_surface(self, wrenches: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+        """The wrench along the same ray on the surface, ``wrench / gauge``."""
+        return self._handle.scale_to_surface(self._limits, wrenches, out)
+
+    def project(
+        self,
+        wrenches: ArrayLike,
+        *,
+        length: float | None = None,
+        out: NDArray[Any] | None = None,
+    ) -> Any:
+        """The nearest wrench that friction carries.
+
+        Nearest by ``sqrt(|Δforce|² + (Δtorque/length)²)``; wrenches of the set stay as they are, to
+        the last bit.
+
+        Parameters
+        ----------
+        wrenches
+            Of shape (..., 3), in N and N m.
+        length
+            What makes a force of a torque, in m; the radius of gyration makes the distance that of
+            kinetic energy. None for the patch's radius.
+        """
+        return self._handle.project(self._limits, wrenches, length, out)
+
+    def support(self, twists: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+        """The largest power that the set takes from each twist, in W: what friction dissipates."""
+        return self._handle.support(self._limits, twists, out)
+
+    def wrench(self, twists: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+        """Friction at each twist: the surface point with the outward normal ``-twist``."""
+        return self._handle.wrench(self._limits, twists, out)
+
+    def __repr__(self) -> str:
+        load = self.load if isinstance(self.load, float) else f"<array {np.shape(self.load)}>"
+        return f"tribos.LimitSurface({self.patch!r}, mu={self.mu!r}, load={load})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return LimitSurface, (self.patch, self.mu, self.load)

@@ -1,0 +1,39 @@
+//! The compiled half of the Python package `tribos`: the kernel and the library on numpy arrays.
+//!
+//! Python's half, in `python/tribos`, has the public classes, their documentation and their checks of
+//! types; here are the loops. Nothing of this module is public: it is `tribos._native`.
+
+mod arrays;
+mod command;
+mod friction;
+mod law;
+mod model;
+mod patch;
+mod surface;
+mod threads;
+
+use pyo3::prelude::*;
+
+/// Loops of the package `tribos`, which documents them.
+#[pymodule(gil_used = false)]
+mod _native {
+    use super::*;
+
+    #[pymodule_export]
+    use command::command;
+    #[pymodule_export]
+    use friction::Friction;
+    #[pymodule_export]
+    use law::{Law, laws};
+    #[pymodule_export]
+    use patch::Patch;
+    #[pymodule_export]
+    use surface::LimitSurface;
+    #[pymodule_export]
+    use threads::{num_threads, set_num_threads};
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

@@ -1,0 +1,200 @@
+//! Limit surfaces.
+
+use crate::arrays::{Numbers, Output, Rows, View, broadcast, refused};
+use crate::model::{Sets, numbers, sets, twist_numbers, twist_of, wrench_of};
+use crate::patch::Patch;
+use crate::threads::fill;
+use pyo3::prelude::*;
+use tribos_core::limit_surface::FrictionSet;
+
+/// All wrenches that dry friction of a patch carries.
+#[pyclass(frozen, module = "tribos._native")]
+pub struct LimitSurface {
+    /// The surfaces for every force limit.
+    pub sets: Box<dyn Sets>,
+}
+
+/// Nanoseconds that a projection takes, about.
+const COST: usize = 500;
+
+/// Force limits or a length, and rows, of a method, with the caller's array for results.
+struct Call<'a, 'py, const N: usize> {
+    limits: &'a Bound<'py, PyAny>,
+    rows: Rows<'py, N>,
+    out: Option<&'a Bound<'py, PyAny>>,
+}
+
+impl LimitSurface {
+    /// What `of` makes of the surface and of each row, in rows of `shape`.
+    fn each<'py, const N: usize, const M: usize>(
+        &self,
+        py: Python<'py>,
+        call: Call<'_, 'py, N>,
+        shape: &[usize],
+        of: impl Fn(&dyn FrictionSet<f64>, [f64; N]) -> [f64; M] + Sync,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let Call { limits, rows, out } = call;
+        let limits = Numbers::new("force limit", limits)?;
+        let batch = broadcast(&[&rows, &limits])?;
+        let (rows, limits) = (rows.over(&batch)?, limits.over(&batch)?);
+        let (rows, limits) = (rows.view()?, limits.view()?);
+        let mut output = Output::new(py, &batch, shape, out)?;
+        fill(py, output.rows::<M>()?, COST, |from, piece| {
+            if let View::One([limit]) = limits {
+                return self.sets.with(limit, &mut |set| {
+                    for (index, row) in (from..).zip(piece.iter_mut()) {
+                        *row = of(set, rows.at(index));
+                    }
+                });
+            }
+            for (index, row) in (from..).zip(piece.iter_mut()) {
+                let [limit] = limits.at(index);
+                self.sets
+                    .with(limit, &mut |set| *row = of(set, rows.at(index)))?;
+            }
+            Ok(())
+        })?;
+        output.finish()
+    }
+}
+
+#[pymethods]
+impl LimitSurface {
+    #[new]
+    fn new(patch: &Patch) -> PyResult<Self> {
+        let sets = sets(&patch.0)?;
+        Ok(Self { sets })
+    }
+
+    /// The largest torque, in N m, for a force limit in N; the kernel's refusal of that limit.
+    fn torque_limit(&self, force_limit: f64) -> PyResult<f64> {
+        let mut limit = f64::NAN;
+        let turn = twist_of([0.0, 0.0, 1.0]);
+        self.sets
+            .with(force_limit, &mut |set| limit = set.support(&turn))?;
+        Ok(limit)
+    }
+
+    /// Gauges of wrenches.
+    #[pyo3(signature = (force_limit, wrenches, out=None))]
+    fn gauge<'py>(
+        &self,
+        py: Python<'py>,
+        force_limit: &Bound<'py, PyAny>,
+        wrenches: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let rows = Rows::<3>::new("wrenches", wrenches)?;
+        let call = Call {
+            limits: force_limit,
+            rows,
+            out,
+        };
+        self.each(py, call, &[], |set, row| [set.gauge(&wrench_of(row))])
+    }
+
+    /// Support function at twists: the dissipated power, in W.
+    #[pyo3(signature = (force_limit, twists, out=None))]
+    fn support<'py>(
+        &self,
+        py: Python<'py>,
+        force_limit: &Bound<'py, PyAny>,
+        twists: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let rows = Rows::<3>::new("twists", twists)?;
+        let call = Call {
+            limits: force_limit,
+            rows,
+            out,
+        };
+        self.each(py, call, &[], |set, row| [set.support(&twist_of(row))])
+    }
+
+    /// Friction at twists: points of the surface.
+    #[pyo3(signature = (force_limit, twists, out=None))]
+    fn wrench<'py>(
+        &self,
+        py: Python<'py>,
+        force_limit: &Bound<'py, PyAny>,
+        twists: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let rows = Rows::<3>::new("twists", twists)?;
+        let call = Call {
+            limits: force_limit,
+            rows,
+            out,
+        };
+        self.each(py, call, &[3], |set, row| {
+            numbers(&set.wrench(&twist_of(row)))
+        })
+    }
+
+    /// Outward normals above wrenches: the motions that pushes cause.
+    #[pyo3(signature = (force_limit, wrenches, out=None))]
+    fn normal<'py>(
+        &self,
+        py: Python<'py>,
+        force_limit: &Bound<'py, PyAny>,
+        wrenches: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let rows = Rows::<3>::new("wrenches", wrenches)?;
+        let call = Call {
+            limits: force_limit,
+            rows,
+            out,
+        };
+        self.each(py, call, &[3], |set, row| {
+            twist_numbers(&set.twist_normal_to(&wrench_of(row)))
+        })
+    }
+
+    /// The wrenches on the same rays on the surface.
+    #[pyo3(signature = (force_limit, wrenches, out=None))]
+    fn scale_to_surface<'py>(
+        &self,
+        py: Python<'py>,
+        force_limit: &Bound<'py, PyAny>,
+        wrenches: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let rows = Rows::<3>::new("wrenches", wrenches)?;
+        let call = Call {
+            limits: force_limit,
+            rows,
+            out,
+        };
+        self.each(py, call, &[3], |set, row| {
+            numbers(&set.scale_to_surface(&wrench_of(row)))
+        })
+    }
+
+    /// The nearest wrenches of the set, measured with `length`, in m; None for the radius.
+    #[pyo3(signature = (force_limit, wrenches, length=None, out=None))]
+    fn project<'py>(
+        &self,
+        py: Python<'py>,
+        force_limit: &Bound<'py, PyAny>,
+        wrenches: &Bound<'py, PyAny>,
+        length: Option<f64>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        if let Some(length) = length.filter(|length| !(*length > 0.0 && length.is_finite())) {
+            return Err(refused(format!(
+                "length must be > 0 and finite, not {length}"
+            )));
+        }
+        let rows = Rows::<3>::new("wrenches", wrenches)?;
+        let call = Call {
+            limits: force_limit,
+            rows,
+            out,
+        };
+        self.each(py, call, &[3], |set, row| {
+            let length = length.unwrap_or(set.radius());
+            numbers(&set.project_with_length(&wrench_of(row), length).wrench)
+        })
+    }
+}
