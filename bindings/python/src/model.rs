@@ -12,7 +12,7 @@ use tribos_core::coupling::round::{PolynomialTable, RoundTable64};
 use tribos_core::coupling::{
     Annulus, Coupling, Dry, DryCoupling, PatchFriction, closed, table::Coulomb,
 };
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface};
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
 /// Loads and twists of a batch.
@@ -275,6 +275,35 @@ impl<P: DryPatch<f64> + Send + Sync> Sets for FlatSets<P> {
         work(&PatchSurface::new(&self.0, force_limit).map_err(refused)?);
         Ok(())
     }
+}
+
+struct EllipsoidSets {
+    radius: f64,
+    /// The largest torque per force limit and radius.
+    spin_torque: f64,
+}
+
+impl Sets for EllipsoidSets {
+    fn with(&self, force_limit: f64, work: Work<'_>) -> PyResult<()> {
+        let surface = Ellipsoid::new(force_limit, self.radius, self.spin_torque);
+        work(&surface.map_err(refused)?);
+        Ok(())
+    }
+}
+
+/// The ellipsoids with the same largest force, and the same largest torque about the origin.
+pub fn ellipsoids(sets: &dyn Sets) -> PyResult<Box<dyn Sets>> {
+    let mut made = None;
+    sets.with(1.0, &mut |set| {
+        let radius = set.radius();
+        let spin_torque = set.support(&Twist::new(0.0, 0.0, 1.0)) / radius;
+        made = Some(EllipsoidSets {
+            radius,
+            spin_torque,
+        });
+    })?;
+    let made = made.ok_or_else(|| refused("there is no limit surface"))?;
+    Ok(Box::new(made))
 }
 
 /// The limit surfaces of dry friction on `shape`.

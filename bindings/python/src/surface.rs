@@ -1,7 +1,7 @@
 //! Limit surfaces.
 
 use crate::arrays::{Numbers, Output, Rows, View, broadcast, refused};
-use crate::model::{Sets, numbers, sets, twist_numbers, twist_of, wrench_of};
+use crate::model::{Sets, ellipsoids, numbers, sets, twist_numbers, twist_of, wrench_of};
 use crate::patch::Patch;
 use crate::threads::fill;
 use pyo3::prelude::*;
@@ -63,6 +63,12 @@ impl LimitSurface {
     #[new]
     fn new(patch: &Patch) -> PyResult<Self> {
         let sets = sets(&patch.0)?;
+        Ok(Self { sets })
+    }
+
+    /// The ellipsoids with the same largest force and torque.
+    fn ellipsoid(&self) -> PyResult<Self> {
+        let sets = ellipsoids(&*self.sets)?;
         Ok(Self { sets })
     }
 

@@ -40,6 +40,8 @@ pub use contact::PointContact;
 pub use error::PushError;
 pub use line::{Grip, LineContact};
 pub use path::{Drive, End, Journey, Moment, Pose, Side, push_along};
+#[doc(hidden)]
+pub use scene::PUSH_BOX;
 pub use scene::{PushRun, run};
 pub use solve::{Mode, Push, push};
 

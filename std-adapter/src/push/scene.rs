@@ -16,6 +16,10 @@ use tribos_core::Real;
 use tribos_core::limit_surface::AnyPressure;
 use tribos_core::twist::{Twist, Wrench};
 
+/// The scene of a pushed body that comes with the program.
+#[doc(hidden)]
+pub const PUSH_BOX: &str = include_str!("../../scenes/push/push-box.toml");
+
 /// A scene of a pushed body with its answers.
 #[derive(Clone, Debug)]
 pub struct PushRun {

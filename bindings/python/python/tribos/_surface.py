@@ -40,13 +40,14 @@ class LimitSurface:
     [0.    0.457 4.933]
     """
 
-    __slots__ = ("_limits", "_handle", "load", "mu", "patch")
+    __slots__ = ("_handle", "_limits", "is_ellipsoid", "load", "mu", "patch")
 
     patch: Patch
     mu: float
     load: Any
     _handle: _native.LimitSurface
     _limits: Any
+    is_ellipsoid: bool
 
     def __init__(self, patch: Patch, mu: float, load: ArrayLike) -> None:
         self.patch = patch
@@ -63,6 +64,7 @@ class LimitSurface:
         self.load = float(loads) if loads.ndim == 0 else loads
         self._limits = self.mu * self.load
         self._handle = patch._limits()
+        self.is_ellipsoid = False
 
     @property
     def force_limit(self) -> Any:
@@ -73,6 +75,22 @@ class LimitSurface:
     def torque_limit(self) -> Any:
         """The largest torque about the origin, in N m."""
         return self.force_limit * self._handle.torque_limit(1.0)
+
+    def ellipsoid(self) -> LimitSurface:
+        """The ellipsoid with the same largest force and torque: the usual approximation, to compare.
+
+        Examples
+        --------
+        >>> import tribos
+        >>> puck = tribos.Friction(tribos.disk(0.04), mu=0.3).limit_surface(load=1.7)
+        >>> friction = puck.wrench([0.1, 0.0, 3.0])
+        >>> print(round(float(puck.gauge(friction)), 4), round(float(puck.ellipsoid().gauge(friction)), 4))
+        1.0 0.9313
+        """
+        made = LimitSurface(self.patch, self.mu, self.load)
+        made._handle = self._handle.ellipsoid()
+        made.is_ellipsoid = True
+        return made
 
     def gauge(self, wrenches: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
         """The least factor by which the set must grow to hold each wrench.
@@ -130,7 +148,13 @@ class LimitSurface:
 
     def __repr__(self) -> str:
         load = self.load if isinstance(self.load, float) else f"<array {np.shape(self.load)}>"
-        return f"tribos.LimitSurface({self.patch!r}, mu={self.mu!r}, load={load})"
+        end = ".ellipsoid()" if self.is_ellipsoid else ""
+        return f"tribos.LimitSurface({self.patch!r}, mu={self.mu!r}, load={load}){end}"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return LimitSurface, (self.patch, self.mu, self.load)
+        return _made, (self.patch, self.mu, self.load, self.is_ellipsoid)
+
+
+def _made(patch: Patch, mu: float, load: Any, is_ellipsoid: bool) -> LimitSurface:
+    surface = LimitSurface(patch, mu, load)
+    return surface.ellipsoid() if is_ellipsoid else surface

@@ -8,7 +8,7 @@ use crate::command::unknown::unknown;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::friction::{FlatPatch, Patch};
-use tribos::push::{PushRun, run};
+use tribos::push::{PUSH_BOX, PushRun, run};
 use tribos::record::{number as shortest, read_text, series_csv};
 use tribos::scene::{MOST_BYTES, PushScene, toml_value};
 
@@ -55,10 +55,7 @@ Examples:
     tribos push push-box --format json";
 
 /// The scene that comes with the program.
-const BUILT_IN: (&str, &str) = (
-    "push-box",
-    include_str!("../../../../scenes/push/push-box.toml"),
-);
+const BUILT_IN: (&str, &str) = ("push-box", PUSH_BOX);
 
 /// Examples, and the keys of a scene.
 fn help() -> String {

@@ -1,0 +1,39 @@
+"""Where the tables of the repository are."""
+
+import csv
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+HERE = Path(__file__).resolve().parent
+REPOSITORY = Path(os.environ.get("TRIBOS_REPOSITORY", HERE.parents[2])).resolve()
+
+
+@pytest.fixture
+def repository() -> Path:
+    """The checkout, where the tests run in one."""
+    if not (REPOSITORY / "tests/tables").is_dir():
+        pytest.skip("needs the repository")
+    return REPOSITORY
+
+
+@pytest.fixture
+def table(repository: Path):
+    """Reads a table of reference values: an array a column."""
+
+    def read(name: str) -> dict[str, np.ndarray]:
+        with open(repository / "tests/tables" / name, encoding="utf-8") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+        def column(key: str) -> np.ndarray:
+            values = [row[key] for row in rows]
+            try:
+                return np.array([float(value or "nan") for value in values])
+            except ValueError:
+                return np.array(values)
+
+        return {key: column(key) for key in rows[0]}
+
+    return read

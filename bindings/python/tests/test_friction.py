@@ -1,0 +1,81 @@
+"""Friction and limit surfaces against tables of independent values."""
+
+import numpy as np
+import pytest
+
+import tribos
+
+
+@pytest.mark.parametrize(("tier", "bound"), [("table", 8e-16), ("compact", 1e-14), ("quadrature", 2e-9)])
+def test_the_disk_is_right_to_its_tier(table, tier: str, bound: float) -> None:
+    rows = table("uniform.csv")
+    dry = rows["alpha"] == 0.0
+    slide = rows["eps"][dry]
+    disk = tribos.Friction(tribos.disk(1.0), mu=1.0, tier=tier)
+    twists = np.stack((slide, 0.0 * slide, np.ones_like(slide)), axis=-1)
+    wrench = disk.wrench(twists, 1.0)
+    assert np.abs(wrench[:, 0] / -np.maximum(rows["F"][dry], 1e-300) - 1.0)[slide > 0].max() < bound
+    assert np.abs(wrench[:, 2] / -rows["T"][dry] - 1.0).max() < bound
+
+
+def test_powers_of_the_speed_are_right(table) -> None:
+    rows = table("uniform.csv")
+    for alpha in np.unique(rows["alpha"]):
+        here = rows["alpha"] == alpha
+        slide = rows["eps"][here]
+        disk = tribos.Friction(tribos.disk(1.0), mu=1.0, alpha=float(alpha))
+        wrench = disk.wrench(np.stack((slide, 0.0 * slide, np.ones_like(slide)), axis=-1), 1.0)
+        assert np.allclose(-wrench[:, 0], rows["F"][here], rtol=3e-15, atol=0.0), alpha
+        assert np.allclose(-wrench[:, 2], rows["T"][here], rtol=3e-15, atol=0.0), alpha
+
+
+def test_a_square_is_right(table) -> None:
+    rows = table("polygons.csv")
+    here = (rows["shape"] == "square") & (rows["slope_x"] == 0.0) & (rows["slope_y"] == 0.0)
+    columns = ("velocity_x", "velocity_y", "spin")
+    twists = np.stack([rows[name][here] for name in columns], axis=-1)
+    expected = np.stack([rows[name][here] for name in ("force_x", "force_y", "torque")], axis=-1)
+    square = tribos.Friction(tribos.box(2.0, 2.0), mu=1.0)
+    assert np.abs(square.wrench(twists, 1.0) - expected).max() < 2e-14
+    jacobian = square.jacobian(twists, 1.0)
+    for at, name in {(0, 0): "xx", (0, 1): "xy", (1, 1): "yy", (0, 2): "xn", (2, 2): "nn"}.items():
+        entries = rows[name][here]
+        assert np.allclose(-jacobian[:, at[0], at[1]], entries, rtol=1e-11, atol=1e-11), name
+
+
+@pytest.mark.parametrize(
+    "patch",
+    [tribos.disk(0.1), tribos.ring(0.1), tribos.box(0.2, 0.1), tribos.points([[0, 0], [1, 0], [0, 1]])],
+    ids=repr,
+)
+def test_a_limit_surface_is_made_of_friction(patch: tribos.Patch) -> None:
+    rng = np.random.default_rng(5)
+    twists = rng.normal(size=(200, 3))
+    friction = tribos.Friction(patch, mu=0.5)
+    surface = friction.limit_surface(10.0)
+    wrench = friction.wrench(twists, 10.0)
+    assert np.allclose(surface.wrench(twists), wrench, rtol=1e-12, atol=1e-13)
+    assert np.allclose(surface.gauge(wrench), 1.0, rtol=0.0, atol=1e-9)
+    assert np.allclose(surface.support(twists), -np.sum(wrench * twists, axis=-1), rtol=1e-12)
+    carried = surface.project(3.0 * wrench)
+    assert surface.contains(carried).all()
+    assert np.array_equal(surface.project(carried), carried)
+    assert np.allclose(surface.scale_to_surface(0.2 * wrench), wrench, rtol=1e-8, atol=1e-9)
+
+
+def test_the_normal_is_the_motion_under_a_push() -> None:
+    surface = tribos.Friction(tribos.box(0.3, 0.2), mu=0.4).limit_surface([10.0, 20.0])
+    rng = np.random.default_rng(6)
+    pushes = rng.normal(size=(50, 2, 3)) * [1.0, 1.0, 0.1]
+    motion = surface.normal(pushes)
+    balance = pushes / surface.gauge(pushes)[..., None]
+    assert np.allclose(surface.wrench(motion), -balance, rtol=1e-10, atol=1e-11)
+
+
+def test_a_load_each_is_the_same_as_one_by_one() -> None:
+    friction = tribos.Friction(tribos.hertz(0.01), mu=0.5)
+    loads = np.array([0.5, 1.0, 7.0])
+    pushes = np.array([[0.1, 0.2, 0.001], [1.0, 0.0, 0.0], [0.0, 0.0, 0.01]])
+    together = friction.limit_surface(loads).project(pushes)
+    for load, push, carried in zip(loads, pushes, together, strict=True):
+        assert np.array_equal(friction.limit_surface(load).project(push), carried)
