@@ -85,7 +85,7 @@ class LimitSurface:
         >>> puck = tribos.Friction(tribos.disk(0.04), mu=0.3).limit_surface(load=1.7)
         >>> friction = puck.wrench([0.1, 0.0, 3.0])
         >>> print(round(float(puck.gauge(friction)), 4), round(float(puck.ellipsoid().gauge(friction)), 4))
-        1.0 0.9313
+        1.0 0.9356
         """
         made = LimitSurface(self.patch, self.mu, self.load)
         made._handle = self._handle.ellipsoid()
