@@ -77,6 +77,25 @@ class Patch:
         return hash((self.kind, self._parameters))
 
 
+def outline(patch: Patch) -> list[list[list[float]]]:
+    """Loops of corners in m: of straight edges the outer one first, of a bar both ends, of a mesh its
+    triangles; none for points and patches with an axis."""
+    given = dict(patch._parameters)
+    if patch.kind == "box":
+        x, y = 0.5 * given["a"], 0.5 * given["b"]
+        return [[[-x, -y], [x, -y], [x, y], [-x, y]]]
+    if patch.kind == "bar":
+        half = 0.5 * given["length"]
+        return [[[-half, 0.0], [half, 0.0]]]
+    if patch.kind == "polygon":
+        loops = (given["corners"], *given.get("holes", ()))
+        return [[list(corner) for corner in loop] for loop in loops]
+    if patch.kind == "mesh":
+        places = given["vertices"]
+        return [[list(places[index]) for index in corners] for corners in given["triangles"]]
+    return []
+
+
 def _short(value: Any) -> str:
     text = repr(value)
     return text if len(text) <= 60 else f"<{len(value)} rows>"

@@ -74,6 +74,34 @@ class LimitSurface:
         """The largest torque about the origin, in N m."""
         return self.force_limit * self._handle.torque_limit(1.0)
 
+    def torque_limits(self, forces: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+        """The lowest and the highest torque about the origin that is carried with each force.
+
+        For polygons, bars, meshes and points; on round patches ValueError. Of a foot whose pressure is
+        not known, `any_pressure` has the limits.
+
+        Parameters
+        ----------
+        forces
+            In N, of shape (..., 2).
+        out
+            An array of floats for the result.
+
+        Returns
+        -------
+        numpy.ndarray
+            Torques in N m, of shape (..., 2); NaN where friction does not carry the force alone.
+
+        Examples
+        --------
+        >>> import tribos
+        >>> sole = tribos.polygon([[-0.06, -0.04], [0.18, -0.05], [0.18, 0.05], [-0.06, 0.04]])
+        >>> floor = tribos.LimitSurface(sole, mu=0.6, load=700.0)
+        >>> print(floor.torque_limits([200.0, 0.0]).round(3))
+        [-24.699  24.699]
+        """
+        return self._handle.torque_limits(self._limits, forces, out)
+
     def gauge(self, wrenches: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
         """The least factor by which the set must grow to hold each wrench.
 
