@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from tribos import _native
 from tribos._checks import number, pair, positive, table
+from tribos._plot import svg
 
 Pair = Sequence[float]
 Parameters = tuple[tuple[str, Any], ...]
@@ -64,6 +65,10 @@ class Patch:
     def __repr__(self) -> str:
         given = ", ".join(f"{name}={_short(value)}" for name, value in self._parameters)
         return f"tribos.{self.kind}({given})"
+
+    def _repr_svg_(self) -> str:
+        """The outline with the centre of pressure, for notebooks."""
+        return svg(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _made, (self.kind, self._parameters)
