@@ -253,6 +253,14 @@ pub type Work<'a> = &'a mut dyn FnMut(&dyn FrictionSet<f64>);
 pub trait Sets: Send + Sync {
     /// Hands the surface of the force limit μN, in N, to `work`.
     fn with(&self, force_limit: f64, work: Work<'_>) -> PyResult<()>;
+
+    /// The lowest and the highest torque with a force, in N m, NaN for a force that is not carried; for
+    /// straight edges and points.
+    fn torque_limits(&self, _force_limit: f64, _force: [f64; 2]) -> PyResult<[f64; 2]> {
+        Err(refused(
+            "torque limits are for straight edges and points: on a round patch use the gauge",
+        ))
+    }
 }
 
 struct RoundSets<C> {
@@ -274,6 +282,11 @@ impl<P: DryPatch<f64> + Send + Sync> Sets for FlatSets<P> {
     fn with(&self, force_limit: f64, work: Work<'_>) -> PyResult<()> {
         work(&PatchSurface::new(&self.0, force_limit).map_err(refused)?);
         Ok(())
+    }
+
+    fn torque_limits(&self, force_limit: f64, force: [f64; 2]) -> PyResult<[f64; 2]> {
+        let surface = PatchSurface::new(&self.0, force_limit).map_err(refused)?;
+        Ok(surface.torque_limits(force).unwrap_or([f64::NAN; 2]))
     }
 }
 

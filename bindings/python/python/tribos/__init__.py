@@ -12,8 +12,12 @@ broadcast. Any consistent set of units serves.
 """
 
 from tribos import _native
+from tribos._any_pressure import AnyPressure, TorqueLimits, any_pressure
+from tribos._contact import Collision, ContactLaw, Plates, Spheres
+from tribos._fit import Estimate, LawFit, SupportFit, fit, fit_support
 from tribos._friction import Friction
 from tribos._laws import Law, laws
+from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._patches import (
     Patch,
     annulus,
@@ -30,23 +34,58 @@ from tribos._patches import (
     punch,
     ring,
 )
+from tribos._push import (
+    ConeEdge,
+    Grip,
+    Journey,
+    LineContact,
+    MotionCone,
+    PointContact,
+    Push,
+    motion_cone,
+    push,
+    push_along,
+)
 from tribos._surface import LimitSurface
 from tribos._threads import num_threads, set_num_threads
 
 __version__: str = _native.__version__
 
 __all__ = [
+    "AnyPressure",
+    "Collision",
+    "ConeEdge",
+    "ContactForce",
+    "ContactLaw",
+    "Estimate",
     "Friction",
+    "Grip",
+    "Journey",
     "Law",
+    "LawFit",
     "LimitSurface",
+    "LineContact",
+    "Manifold",
+    "MotionCone",
     "Patch",
+    "Plates",
+    "PointContact",
+    "Push",
+    "SolverReport",
+    "Spheres",
+    "SupportFit",
+    "TorqueLimits",
     "annulus",
+    "any_pressure",
     "bar",
     "box",
     "disk",
+    "fit",
+    "fit_support",
     "hertz",
     "laws",
     "mesh",
+    "motion_cone",
     "num_threads",
     "paraboloid",
     "points",
@@ -54,6 +93,8 @@ __all__ = [
     "polynomial",
     "power",
     "punch",
+    "push",
+    "push_along",
     "ring",
     "set_num_threads",
 ]
