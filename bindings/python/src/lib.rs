@@ -6,6 +6,7 @@
 mod arrays;
 mod command;
 mod friction;
+mod gradients;
 mod law;
 mod model;
 mod patch;
@@ -23,6 +24,8 @@ mod _native {
     use command::command;
     #[pymodule_export]
     use friction::Friction;
+    #[pymodule_export]
+    use gradients::{RestMap, SurfaceDerivatives};
     #[pymodule_export]
     use law::{Law, laws};
     #[pymodule_export]

@@ -13,6 +13,15 @@ broadcast. Any consistent set of units serves.
 
 from tribos import _native
 from tribos._friction import Friction
+from tribos._gradients import (
+    PlanarStepBy,
+    PlanarStepJacobian,
+    SlideBy,
+    SlideJacobian,
+    planar_step_jacobian,
+    slide_jacobian,
+    softened,
+)
 from tribos._laws import Law, laws
 from tribos._patches import (
     Patch,
@@ -40,6 +49,10 @@ __all__ = [
     "Law",
     "LimitSurface",
     "Patch",
+    "PlanarStepBy",
+    "PlanarStepJacobian",
+    "SlideBy",
+    "SlideJacobian",
     "annulus",
     "bar",
     "box",
@@ -49,6 +62,7 @@ __all__ = [
     "mesh",
     "num_threads",
     "paraboloid",
+    "planar_step_jacobian",
     "points",
     "polygon",
     "polynomial",
@@ -56,4 +70,6 @@ __all__ = [
     "punch",
     "ring",
     "set_num_threads",
+    "slide_jacobian",
+    "softened",
 ]
