@@ -9,6 +9,7 @@ mod command;
 mod contact;
 mod fit;
 mod friction;
+mod gradients;
 mod law;
 mod manifold;
 mod model;
@@ -34,6 +35,8 @@ mod _native {
     use fit::{fit_law, fit_laws, fit_support, predict_law};
     #[pymodule_export]
     use friction::Friction;
+    #[pymodule_export]
+    use gradients::{RestMap, SurfaceDerivatives};
     #[pymodule_export]
     use law::{Law, laws};
     #[pymodule_export]

@@ -51,6 +51,21 @@ impl<R: Real> PlanarBody<R> {
         push: &Wrench<R>,
         dt: TimeStep<R>,
     ) -> PlanarStep<R> {
+        self.step_and_instant(set, twist, push, dt).0
+    }
+
+    /// The same, and the share of `dt` after which friction opposes the motion; `None` at rest.
+    ///
+    /// Friction is the wrench of `set` nearest to [`PlanarBody::needed_for_rest`] in that time, so that
+    /// the step's derivatives follow from the projection's.
+    #[doc(hidden)]
+    pub fn step_and_instant<S: FrictionSet<R> + ?Sized>(
+        &self,
+        set: &S,
+        twist: &Twist<R>,
+        push: &Wrench<R>,
+        dt: TimeStep<R>,
+    ) -> (PlanarStep<R>, Option<R>) {
         let length = self.gyration;
         // Power at unit spin is the largest torque.
         let torque_limit = set.support(&Twist::new(R::ZERO, R::ZERO, R::ONE));
@@ -95,13 +110,12 @@ impl<R: Real> PlanarBody<R> {
     ) -> PlanarStep<R> {
         let length = self.gyration;
         let limits = [foot.force_limit(), R::INFINITY];
-        self.step_within(twist, push, dt, limits, |needed| {
-            foot.nearest(needed, length)
-        })
+        let nearest = |needed: &Wrench<R>| foot.nearest(needed, length);
+        self.step_within(twist, push, dt, limits, nearest).0
     }
 
-    /// The step, given bounds of force and torque of friction, and the wrench of friction nearest to
-    /// the one needed for rest.
+    /// The step and the share of it after which friction opposes the motion, given bounds of force and
+    /// torque of friction, and the wrench of friction nearest to the one needed for rest.
     fn step_within(
         &self,
         twist: &Twist<R>,
@@ -109,17 +123,18 @@ impl<R: Real> PlanarBody<R> {
         dt: TimeStep<R>,
         limits: [R; 2],
         mut nearest: impl FnMut(&Wrench<R>) -> Wrench<R>,
-    ) -> PlanarStep<R> {
+    ) -> (PlanarStep<R>, Option<R>) {
         let dt = dt.dt();
         // Friction that would end the step at rest, and the one that is.
         let at_end = self.needed_for_rest(twist, push, dt);
         let ended = (!is_beyond(&at_end, limits)).then(|| nearest(&at_end));
         if ended == Some(at_end) {
-            return PlanarStep {
+            let held = PlanarStep {
                 twist: Twist::ZERO,
                 friction: at_end,
                 is_at_rest: true,
             };
+            return (held, None);
         }
         // The motion at half time under the friction that it meets itself.
         let at_half = self.needed_for_rest(twist, push, R::HALF * dt);
@@ -130,7 +145,7 @@ impl<R: Real> PlanarBody<R> {
             is_at_rest: false,
         };
         if !turns_about(twist, &after.twist) {
-            return after;
+            return (after, Some(R::HALF));
         }
         // The motion at the end under the friction that it meets there, if that takes power.
         let friction = ended.unwrap_or_else(|| nearest(&at_end));
@@ -140,15 +155,16 @@ impl<R: Real> PlanarBody<R> {
             is_at_rest: false,
         };
         if power(&friction, &mean(twist, &at_last.twist)) > R::ZERO {
-            after
+            (after, Some(R::HALF))
         } else {
-            at_last
+            (at_last, Some(R::ONE))
         }
     }
 
-    /// −(M u/Δt + push)
+    /// The friction that brings the body to rest within `dt`, −(M u/Δt + push).
+    #[doc(hidden)]
     #[inline]
-    fn needed_for_rest(&self, twist: &Twist<R>, push: &Wrench<R>, dt: R) -> Wrench<R> {
+    pub fn needed_for_rest(&self, twist: &Twist<R>, push: &Wrench<R>, dt: R) -> Wrench<R> {
         let (mass, inertia) = (self.mass / dt, self.inertia / dt);
         Wrench::new(
             -(mass * twist.velocity.x + push.force.x),

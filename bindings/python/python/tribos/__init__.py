@@ -16,6 +16,15 @@ from tribos._any_pressure import AnyPressure, TorqueLimits, any_pressure
 from tribos._contact import Collision, ContactLaw, Plates, Spheres
 from tribos._fit import Estimate, LawFit, SupportFit, fit, fit_support
 from tribos._friction import Friction
+from tribos._gradients import (
+    PlanarStepBy,
+    PlanarStepJacobian,
+    SlideBy,
+    SlideJacobian,
+    planar_step_jacobian,
+    slide_jacobian,
+    softened,
+)
 from tribos._laws import Law, laws
 from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._patches import (
@@ -68,9 +77,13 @@ __all__ = [
     "Manifold",
     "MotionCone",
     "Patch",
+    "PlanarStepBy",
+    "PlanarStepJacobian",
     "Plates",
     "PointContact",
     "Push",
+    "SlideBy",
+    "SlideJacobian",
     "SolverReport",
     "Spheres",
     "SupportFit",
@@ -88,6 +101,7 @@ __all__ = [
     "motion_cone",
     "num_threads",
     "paraboloid",
+    "planar_step_jacobian",
     "points",
     "polygon",
     "polynomial",
@@ -97,4 +111,6 @@ __all__ = [
     "push_along",
     "ring",
     "set_num_threads",
+    "slide_jacobian",
+    "softened",
 ]

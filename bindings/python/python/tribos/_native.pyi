@@ -12,6 +12,8 @@ __all__ = [
     "LimitSurface",
     "Manifold",
     "Patch",
+    "RestMap",
+    "SurfaceDerivatives",
     "__version__",
     "command",
     "fit_law",
@@ -187,3 +189,66 @@ class LimitSurface:
         length: float | None = None,
         out: NDArray[Any] | None = None,
     ) -> NDArray[Any]: ...
+
+@final
+class RestMap:
+    def __new__(cls, patch: Patch, alpha: float) -> RestMap: ...
+    def rest(
+        self,
+        speed: ArrayLike,
+        spin: ArrayLike,
+        deceleration: ArrayLike,
+        radius: ArrayLike,
+        inertia_ratio: ArrayLike,
+    ) -> NDArray[Any]: ...
+    def rest_and_jacobian(
+        self,
+        speed: ArrayLike,
+        spin: ArrayLike,
+        deceleration: ArrayLike,
+        radius: ArrayLike,
+        inertia_ratio: ArrayLike,
+    ) -> tuple[NDArray[Any], NDArray[Any]]: ...
+
+@final
+class SurfaceDerivatives:
+    def __new__(cls, patch: Patch) -> SurfaceDerivatives: ...
+    @staticmethod
+    def of_ellipsoids(patch: Patch) -> SurfaceDerivatives: ...
+    def gauge_gradient(
+        self, force_limit: ArrayLike, wrenches: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def gauge_hessian(
+        self, force_limit: ArrayLike, wrenches: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def normal_jacobian(
+        self, force_limit: ArrayLike, wrenches: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def project_jacobian(
+        self,
+        force_limit: ArrayLike,
+        wrenches: ArrayLike,
+        length: float | None = None,
+        out: NDArray[Any] | None = None,
+    ) -> NDArray[Any]: ...
+    def support_hessian(
+        self, force_limit: ArrayLike, twists: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def planar_step(
+        self,
+        force_limit: ArrayLike,
+        twists: ArrayLike,
+        pushes: ArrayLike,
+        mass: ArrayLike,
+        inertia: ArrayLike,
+        dt: ArrayLike,
+    ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]: ...
+    def planar_step_jacobian(
+        self,
+        force_limit: ArrayLike,
+        twists: ArrayLike,
+        pushes: ArrayLike,
+        mass: ArrayLike,
+        inertia: ArrayLike,
+        dt: ArrayLike,
+    ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]]: ...

@@ -49,6 +49,7 @@ mod plan;
 mod root;
 mod slope;
 mod solve;
+mod time;
 
 pub use error::{InverseError, OutOfReach};
 #[doc(hidden)]

@@ -27,26 +27,34 @@ use tribos_core::internals::runge_kutta;
 type State = [f64; 5];
 
 /// Local error tolerance of a step.
-const TOLERANCE: f64 = 1e-14;
+pub(super) const TOLERANCE: f64 = 1e-14;
 /// If the direction turns by this fraction of the loss, (1) is accurate to 1e-13 of the slope.
-const BRISK: f64 = 1e-2;
+pub(super) const BRISK: f64 = 1e-2;
 /// A turning rate below this fraction of the loss has no further effect.
-const SETTLED: f64 = 1e-14;
+pub(super) const SETTLED: f64 = 1e-14;
 /// A weight this small is below rounding.
-const SPENT: f64 = 1e-17;
+pub(super) const SPENT: f64 = 1e-17;
 /// First step in τ, and a number of steps that no integral needs.
-const FIRST: f64 = 1.0 / 32.0;
-const MAX_STEPS: u32 = 20_000;
+pub(super) const FIRST: f64 = 1.0 / 32.0;
+pub(super) const MAX_STEPS: u32 = 20_000;
 /// Half step of the difference quotient used where the slope of the law is infinite.
-const STEP: f64 = 1e-6;
+pub(super) const STEP: f64 = 1e-6;
 
 /// Loss and turning rate at one direction, with their derivatives along the circle.
-struct Rates {
-    loss: f64,
-    turning: f64,
-    turning_slope: f64,
+pub(super) struct Rates {
+    pub loss: f64,
+    pub turning: f64,
+    pub turning_slope: f64,
+    loss_slope: f64,
     /// X_s' and Y_s'.
     frozen: [f64; 2],
+}
+
+impl Rates {
+    /// Derivative of 1/(q k).
+    pub(super) fn frozen_time(&self, q: f64) -> f64 {
+        -self.loss_slope / (q * self.loss * self.loss)
+    }
 }
 
 impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
@@ -136,7 +144,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
         [force * c + spin_down * n, force * n - spin_down * c]
     }
 
-    fn rates(&self, [c, n]: [f64; 2]) -> Rates {
+    pub(super) fn rates(&self, [c, n]: [f64; 2]) -> Rates {
         let wrench = self.profile().reduced_wrench(c, n);
         let slopes = self.profile().reduced_jacobian(c, n);
         let (force, spin_down) = (wrench.force, wrench.torque / self.inertia_ratio());
@@ -151,6 +159,7 @@ impl<P: Profile<f64> + Coupling<f64>> RestMap<P> {
             loss,
             turning,
             turning_slope: force_turn * n - spin_down_turn * c + loss,
+            loss_slope,
             frozen: [
                 -(n + c * loss_slope / loss) / gain,
                 (c - n * loss_slope / loss) / gain,
