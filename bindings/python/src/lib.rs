@@ -6,9 +6,12 @@
 mod arrays;
 mod command;
 mod friction;
+mod inverse;
 mod law;
 mod model;
+mod modes;
 mod patch;
+mod slide;
 mod surface;
 mod threads;
 
@@ -24,9 +27,15 @@ mod _native {
     #[pymodule_export]
     use friction::Friction;
     #[pymodule_export]
+    use inverse::launches;
+    #[pymodule_export]
     use law::{Law, laws};
     #[pymodule_export]
+    use modes::Profiled;
+    #[pymodule_export]
     use patch::Patch;
+    #[pymodule_export]
+    use slide::Slider;
     #[pymodule_export]
     use surface::LimitSurface;
     #[pymodule_export]

@@ -13,7 +13,9 @@ broadcast. Any consistent set of units serves.
 
 from tribos import _native
 from tribos._friction import Friction
+from tribos._inverse import Launch, inverse
 from tribos._laws import Law, laws
+from tribos._modes import FixedPoint, Modes, modes
 from tribos._patches import (
     Patch,
     annulus,
@@ -30,23 +32,31 @@ from tribos._patches import (
     punch,
     ring,
 )
+from tribos._slide import Motion, Rest, slide, slide_path
 from tribos._surface import LimitSurface
 from tribos._threads import num_threads, set_num_threads
 
 __version__: str = _native.__version__
 
 __all__ = [
+    "FixedPoint",
     "Friction",
+    "Launch",
     "Law",
     "LimitSurface",
+    "Modes",
+    "Motion",
     "Patch",
+    "Rest",
     "annulus",
     "bar",
     "box",
     "disk",
     "hertz",
+    "inverse",
     "laws",
     "mesh",
+    "modes",
     "num_threads",
     "paraboloid",
     "points",
@@ -56,4 +66,6 @@ __all__ = [
     "punch",
     "ring",
     "set_num_threads",
+    "slide",
+    "slide_path",
 ]

@@ -9,8 +9,11 @@ __all__ = [
     "Law",
     "LimitSurface",
     "Patch",
+    "Profiled",
+    "Slider",
     "__version__",
     "command",
+    "launches",
     "laws",
     "num_threads",
     "set_num_threads",
@@ -18,6 +21,9 @@ __all__ = [
 __version__: str
 
 def command(arguments: list[str]) -> int: ...
+def launches(
+    friction: Profiled, wanted: dict[str, float | int | None]
+) -> list[tuple[tuple[float, float], float, float, float, float, float, float]]: ...
 def laws() -> list[dict[str, Any]]: ...
 def num_threads() -> int: ...
 def set_num_threads(count: int | None) -> None: ...
@@ -78,4 +84,31 @@ class LimitSurface:
         wrenches: ArrayLike,
         length: float | None = None,
         out: NDArray[Any] | None = None,
+    ) -> NDArray[Any]: ...
+
+@final
+class Profiled:
+    def __new__(cls, patch: Patch, law: Law) -> Profiled: ...
+    def alpha(self) -> float: ...
+    def modes(
+        self, inertia_ratio: float, initial_ratio: float | None = None, lean: float = 0.0
+    ) -> tuple[tuple[float, float], list[tuple[float, str]], tuple[str, float] | None]: ...
+
+@final
+class Slider:
+    def __new__(cls, patch: Patch, law: Law, tier: str | None = None) -> Slider: ...
+    def to_rest(
+        self,
+        speed: ArrayLike,
+        spin: ArrayLike,
+        inertia_ratio: ArrayLike,
+        gravity: ArrayLike,
+    ) -> NDArray[Any]: ...
+    def advance(
+        self,
+        speed: ArrayLike,
+        spin: ArrayLike,
+        times: ArrayLike,
+        inertia_ratio: ArrayLike,
+        gravity: ArrayLike,
     ) -> NDArray[Any]: ...
