@@ -10,11 +10,14 @@ mod contact;
 mod fit;
 mod friction;
 mod gradients;
+mod inverse;
 mod law;
 mod manifold;
 mod model;
+mod modes;
 mod patch;
 mod push;
+mod slide;
 mod surface;
 mod threads;
 
@@ -45,6 +48,15 @@ mod _native {
     use patch::Patch;
     #[pymodule_export]
     use push::{line_boundary, line_grip, motion_cone, push_along, push_modes, pushes};
+    use inverse::launches;
+    #[pymodule_export]
+    use law::{Law, laws};
+    #[pymodule_export]
+    use modes::Profiled;
+    #[pymodule_export]
+    use patch::Patch;
+    #[pymodule_export]
+    use slide::Slider;
     #[pymodule_export]
     use surface::LimitSurface;
     #[pymodule_export]

@@ -27,6 +27,9 @@ from tribos._gradients import (
 )
 from tribos._laws import Law, laws
 from tribos._manifold import ContactForce, Manifold, SolverReport
+from tribos._inverse import Launch, inverse
+from tribos._laws import Law, laws
+from tribos._modes import FixedPoint, Modes, modes
 from tribos._patches import (
     Patch,
     annulus,
@@ -55,6 +58,7 @@ from tribos._push import (
     push,
     push_along,
 )
+from tribos._slide import Motion, Rest, slide, slide_path
 from tribos._surface import LimitSurface
 from tribos._threads import num_threads, set_num_threads
 
@@ -67,14 +71,18 @@ __all__ = [
     "ContactForce",
     "ContactLaw",
     "Estimate",
+    "FixedPoint",
     "Friction",
     "Grip",
     "Journey",
+    "Launch",
     "Law",
     "LawFit",
     "LimitSurface",
     "LineContact",
     "Manifold",
+    "Modes",
+    "Motion",
     "MotionCone",
     "Patch",
     "PlanarStepBy",
@@ -82,6 +90,7 @@ __all__ = [
     "Plates",
     "PointContact",
     "Push",
+    "Rest",
     "SlideBy",
     "SlideJacobian",
     "SolverReport",
@@ -96,8 +105,10 @@ __all__ = [
     "fit",
     "fit_support",
     "hertz",
+    "inverse",
     "laws",
     "mesh",
+    "modes",
     "motion_cone",
     "num_threads",
     "paraboloid",
@@ -111,6 +122,8 @@ __all__ = [
     "push_along",
     "ring",
     "set_num_threads",
+    "slide",
     "slide_jacobian",
+    "slide_path",
     "softened",
 ]

@@ -12,13 +12,16 @@ __all__ = [
     "LimitSurface",
     "Manifold",
     "Patch",
+    "Profiled",
     "RestMap",
+    "Slider",
     "SurfaceDerivatives",
     "__version__",
     "command",
     "fit_law",
     "fit_laws",
     "fit_support",
+    "launches",
     "laws",
     "line_boundary",
     "line_grip",
@@ -43,6 +46,9 @@ def fit_laws() -> list[list[str]]: ...
 def fit_support(
     pushes: list[list[float]], patch: Patch | None, loops: list[list[list[float]]]
 ) -> dict[str, Any]: ...
+def launches(
+    friction: Profiled, wanted: dict[str, float | int | None]
+) -> list[tuple[tuple[float, float], float, float, float, float, float, float]]: ...
 def laws() -> list[dict[str, Any]]: ...
 def line_boundary(
     surface: LimitSurface, force_limit: float, ends: list[float], count: int
@@ -252,3 +258,28 @@ class SurfaceDerivatives:
         inertia: ArrayLike,
         dt: ArrayLike,
     ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]]: ...
+class Profiled:
+    def __new__(cls, patch: Patch, law: Law) -> Profiled: ...
+    def alpha(self) -> float: ...
+    def modes(
+        self, inertia_ratio: float, initial_ratio: float | None = None, lean: float = 0.0
+    ) -> tuple[tuple[float, float], list[tuple[float, str]], tuple[str, float] | None]: ...
+
+@final
+class Slider:
+    def __new__(cls, patch: Patch, law: Law, tier: str | None = None) -> Slider: ...
+    def to_rest(
+        self,
+        speed: ArrayLike,
+        spin: ArrayLike,
+        inertia_ratio: ArrayLike,
+        gravity: ArrayLike,
+    ) -> NDArray[Any]: ...
+    def advance(
+        self,
+        speed: ArrayLike,
+        spin: ArrayLike,
+        times: ArrayLike,
+        inertia_ratio: ArrayLike,
+        gravity: ArrayLike,
+    ) -> NDArray[Any]: ...
