@@ -8,6 +8,7 @@ mod command;
 mod friction;
 mod law;
 mod model;
+mod mujoco;
 mod patch;
 mod surface;
 mod threads;
@@ -25,6 +26,8 @@ mod _native {
     use friction::Friction;
     #[pymodule_export]
     use law::{Law, laws};
+    #[pymodule_export]
+    use mujoco::MujocoFeet;
     #[pymodule_export]
     use patch::Patch;
     #[pymodule_export]
