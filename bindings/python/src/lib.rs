@@ -15,6 +15,7 @@ mod law;
 mod manifold;
 mod model;
 mod modes;
+mod mujoco;
 mod patch;
 mod push;
 mod slide;
@@ -44,6 +45,7 @@ mod _native {
     use law::{Law, laws};
     #[pymodule_export]
     use manifold::Manifold;
+    use mujoco::MujocoFeet;
     #[pymodule_export]
     use patch::Patch;
     #[pymodule_export]
