@@ -42,21 +42,19 @@ mod _native {
     #[pymodule_export]
     use gradients::{RestMap, SurfaceDerivatives};
     #[pymodule_export]
+    use inverse::launches;
+    #[pymodule_export]
     use law::{Law, laws};
     #[pymodule_export]
     use manifold::Manifold;
+    #[pymodule_export]
+    use modes::Profiled;
+    #[pymodule_export]
     use mujoco::MujocoFeet;
     #[pymodule_export]
     use patch::Patch;
     #[pymodule_export]
     use push::{line_boundary, line_grip, motion_cone, push_along, push_modes, pushes};
-    use inverse::launches;
-    #[pymodule_export]
-    use law::{Law, laws};
-    #[pymodule_export]
-    use modes::Profiled;
-    #[pymodule_export]
-    use patch::Patch;
     #[pymodule_export]
     use slide::Slider;
     #[pymodule_export]
