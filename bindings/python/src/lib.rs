@@ -11,7 +11,9 @@ mod law;
 mod model;
 mod modes;
 mod patch;
+mod planar;
 mod slide;
+mod state;
 mod surface;
 mod threads;
 
@@ -35,7 +37,11 @@ mod _native {
     #[pymodule_export]
     use patch::Patch;
     #[pymodule_export]
+    use planar::{planar_rollout, planar_step};
+    #[pymodule_export]
     use slide::Slider;
+    #[pymodule_export]
+    use state::{LuGre, RateState};
     #[pymodule_export]
     use surface::LimitSurface;
     #[pymodule_export]

@@ -32,7 +32,9 @@ from tribos._patches import (
     punch,
     ring,
 )
+from tribos._planar import PlanarBody, Rollout, Step
 from tribos._slide import Motion, Rest, slide, slide_path
+from tribos._state import LuGre, RateState
 from tribos._surface import LimitSurface
 from tribos._threads import num_threads, set_num_threads
 
@@ -44,10 +46,15 @@ __all__ = [
     "Launch",
     "Law",
     "LimitSurface",
+    "LuGre",
     "Modes",
     "Motion",
     "Patch",
+    "PlanarBody",
+    "RateState",
     "Rest",
+    "Rollout",
+    "Step",
     "annulus",
     "bar",
     "box",
