@@ -18,7 +18,9 @@ mod modes;
 mod mujoco;
 mod patch;
 mod push;
+mod planar;
 mod slide;
+mod state;
 mod surface;
 mod threads;
 
@@ -55,8 +57,11 @@ mod _native {
     use patch::Patch;
     #[pymodule_export]
     use push::{line_boundary, line_grip, motion_cone, push_along, push_modes, pushes};
+    use planar::{planar_rollout, planar_step};
     #[pymodule_export]
     use slide::Slider;
+    #[pymodule_export]
+    use state::{LuGre, RateState};
     #[pymodule_export]
     use surface::LimitSurface;
     #[pymodule_export]

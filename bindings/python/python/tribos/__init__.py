@@ -58,7 +58,9 @@ from tribos._push import (
     push,
     push_along,
 )
+from tribos._planar import PlanarBody, Rollout, Step
 from tribos._slide import Motion, Rest, slide, slide_path
+from tribos._state import LuGre, RateState
 from tribos._surface import LimitSurface
 from tribos._threads import num_threads, set_num_threads
 
@@ -80,21 +82,26 @@ __all__ = [
     "LawFit",
     "LimitSurface",
     "LineContact",
+    "LuGre",
     "Manifold",
     "Modes",
     "Motion",
     "MotionCone",
     "Patch",
+    "PlanarBody",
     "PlanarStepBy",
     "PlanarStepJacobian",
     "Plates",
     "PointContact",
     "Push",
+    "RateState",
     "Rest",
+    "Rollout",
     "SlideBy",
     "SlideJacobian",
     "SolverReport",
     "Spheres",
+    "Step",
     "SupportFit",
     "TorqueLimits",
     "annulus",

@@ -10,9 +10,11 @@ __all__ = [
     "Friction",
     "Law",
     "LimitSurface",
+    "LuGre",
     "Manifold",
     "Patch",
     "Profiled",
+    "RateState",
     "RestMap",
     "Slider",
     "SurfaceDerivatives",
@@ -27,6 +29,8 @@ __all__ = [
     "line_grip",
     "motion_cone",
     "num_threads",
+    "planar_rollout",
+    "planar_step",
     "predict_law",
     "push_along",
     "push_modes",
@@ -78,6 +82,23 @@ def push_modes() -> list[str]: ...
 def pushes(
     surface: LimitSurface, force_limit: ArrayLike, contacts: ArrayLike
 ) -> NDArray[Any]: ...
+def planar_rollout(
+    patch: Patch,
+    surface: LimitSurface,
+    bodies: dict[str, Any],
+    twists: ArrayLike,
+    pushes: ArrayLike,
+    poses: ArrayLike,
+) -> list[NDArray[Any]]: ...
+def planar_step(
+    patch: Patch,
+    surface: LimitSurface,
+    bodies: dict[str, Any],
+    twists: ArrayLike,
+    pushes: ArrayLike,
+    angle: ArrayLike,
+    out: NDArray[Any] | None = None,
+) -> list[NDArray[Any]]: ...
 def set_num_threads(count: int | None) -> None: ...
 @final
 class AnyPressure:
@@ -283,3 +304,40 @@ class Slider:
         inertia_ratio: ArrayLike,
         gravity: ArrayLike,
     ) -> NDArray[Any]: ...
+
+@final
+class LuGre:
+    def __new__(cls, parameters: list[float]) -> LuGre: ...
+    def largest_deflection(self) -> float: ...
+    def passive_up_to(self) -> float: ...
+    def step(
+        self, deflection: ArrayLike, velocity: ArrayLike, dt: ArrayLike
+    ) -> NDArray[Any]: ...
+    def force(
+        self, deflection: ArrayLike, velocity: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def rate(
+        self, deflection: ArrayLike, velocity: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def steady_force(
+        self, velocity: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+
+@final
+class RateState:
+    def __new__(cls, parameters: list[float], evolution: str) -> RateState: ...
+    def friction(
+        self, speed: ArrayLike, age: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def slope(
+        self, speed: ArrayLike, age: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def step(
+        self, age: ArrayLike, speed: ArrayLike, dt: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def steady_age(self, speed: ArrayLike, out: NDArray[Any] | None = None) -> NDArray[Any]: ...
+    def steady_friction(
+        self, speed: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def critical_stiffness(self, load: float, speed: float | None = None) -> float: ...
+    def minimum(self) -> float | None: ...
