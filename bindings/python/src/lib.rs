@@ -9,6 +9,8 @@ mod friction;
 mod law;
 mod model;
 mod patch;
+mod run;
+mod scene;
 mod surface;
 mod threads;
 
@@ -27,6 +29,10 @@ mod _native {
     use law::{Law, laws};
     #[pymodule_export]
     use patch::Patch;
+    #[pymodule_export]
+    use run::{Film, Stop, folder_scene, run_at_once, run_scene};
+    #[pymodule_export]
+    use scene::{library_scenes, scene_of_file, scene_of_settings, scene_of_text, vocabularies};
     #[pymodule_export]
     use surface::LimitSurface;
     #[pymodule_export]

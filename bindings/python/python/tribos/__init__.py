@@ -30,16 +30,40 @@ from tribos._patches import (
     punch,
     ring,
 )
+from tribos._run import Run, open_run, resume, run
+from tribos._scene import Scene, scene
+from tribos._states import Frame, Frames, State
 from tribos._surface import LimitSurface
 from tribos._threads import num_threads, set_num_threads
+from tribos.scenes import (
+    CurlingScene,
+    CylinderScene,
+    PipeScene,
+    PlateScene,
+    PowderScene,
+    SliderScene,
+    TipScene,
+)
 
 __version__: str = _native.__version__
 
 __all__ = [
+    "CurlingScene",
+    "CylinderScene",
+    "Frame",
+    "Frames",
     "Friction",
     "Law",
     "LimitSurface",
     "Patch",
+    "PipeScene",
+    "PlateScene",
+    "PowderScene",
+    "Run",
+    "Scene",
+    "SliderScene",
+    "State",
+    "TipScene",
     "annulus",
     "bar",
     "box",
@@ -48,12 +72,16 @@ __all__ = [
     "laws",
     "mesh",
     "num_threads",
+    "open_run",
     "paraboloid",
     "points",
     "polygon",
     "polynomial",
     "power",
     "punch",
+    "resume",
     "ring",
+    "run",
+    "scene",
     "set_num_threads",
 ]

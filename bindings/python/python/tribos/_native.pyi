@@ -1,19 +1,32 @@
 """Loops of the package `tribos`, which documents them."""
 
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any, final
 
+import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
+    "Film",
     "Friction",
     "Law",
     "LimitSurface",
     "Patch",
+    "Stop",
     "__version__",
     "command",
+    "folder_scene",
     "laws",
+    "library_scenes",
     "num_threads",
+    "run_at_once",
+    "run_scene",
+    "scene_of_file",
+    "scene_of_settings",
+    "scene_of_text",
     "set_num_threads",
+    "vocabularies",
 ]
 __version__: str
 
@@ -21,6 +34,43 @@ def command(arguments: list[str]) -> int: ...
 def laws() -> list[dict[str, Any]]: ...
 def num_threads() -> int: ...
 def set_num_threads(count: int | None) -> None: ...
+def folder_scene(folder: Path) -> dict[str, Any] | None: ...
+def library_scenes() -> list[tuple[str, str, str]]: ...
+def run_at_once(
+    name: str, text: str
+) -> tuple[dict[str, Any], list[str], NDArray[np.float64]] | None: ...
+def run_scene(
+    name: str,
+    text: str,
+    out: Path,
+    *,
+    resume: bool,
+    anew: bool,
+    checkpoint: float,
+    frames: int | None,
+    allow_large: bool,
+    pictures: bool,
+    threads: int | None,
+    progress: Callable[[float | None, str], object] | None,
+    stop: Stop | None,
+) -> None: ...
+def scene_of_file(path: str, overrides: list[str]) -> tuple[str, dict[str, Any]]: ...
+def scene_of_settings(name: str, body: str, settings: list[str]) -> dict[str, Any]: ...
+def scene_of_text(name: str, text: str, overrides: list[str]) -> tuple[str, dict[str, Any]]: ...
+def vocabularies() -> list[dict[str, Any]]: ...
+@final
+class Film:
+    @staticmethod
+    def open(path: Path) -> Film | None: ...
+    def steps(self) -> list[int]: ...
+    def bodies(self) -> dict[str, Any]: ...
+    def read(self, step: int) -> dict[str, Any]: ...
+
+@final
+class Stop:
+    def __new__(cls) -> Stop: ...
+    def stop(self) -> None: ...
+
 @final
 class Friction:
     def __new__(cls, patch: Patch, law: Law, tier: str | None = None) -> Friction: ...
