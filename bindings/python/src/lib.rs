@@ -21,6 +21,8 @@ mod push;
 mod planar;
 mod slide;
 mod state;
+mod run;
+mod scene;
 mod surface;
 mod threads;
 
@@ -62,6 +64,9 @@ mod _native {
     use slide::Slider;
     #[pymodule_export]
     use state::{LuGre, RateState};
+    use run::{Film, Stop, folder_scene, run_at_once, run_scene};
+    #[pymodule_export]
+    use scene::{library_scenes, scene_of_file, scene_of_settings, scene_of_text, vocabularies};
     #[pymodule_export]
     use surface::LimitSurface;
     #[pymodule_export]

@@ -61,8 +61,20 @@ from tribos._push import (
 from tribos._planar import PlanarBody, Rollout, Step
 from tribos._slide import Motion, Rest, slide, slide_path
 from tribos._state import LuGre, RateState
+from tribos._run import Run, open_run, resume, run
+from tribos._scene import Scene, scene
+from tribos._states import Frame, Frames, State
 from tribos._surface import LimitSurface
 from tribos._threads import num_threads, set_num_threads
+from tribos.scenes import (
+    CurlingScene,
+    CylinderScene,
+    PipeScene,
+    PlateScene,
+    PowderScene,
+    SliderScene,
+    TipScene,
+)
 
 __version__: str = _native.__version__
 
@@ -72,8 +84,12 @@ __all__ = [
     "ConeEdge",
     "ContactForce",
     "ContactLaw",
+    "CurlingScene",
+    "CylinderScene",
     "Estimate",
     "FixedPoint",
+    "Frame",
+    "Frames",
     "Friction",
     "Grip",
     "Journey",
@@ -88,21 +104,29 @@ __all__ = [
     "Motion",
     "MotionCone",
     "Patch",
+    "PipeScene",
     "PlanarBody",
     "PlanarStepBy",
     "PlanarStepJacobian",
+    "PlateScene",
     "Plates",
     "PointContact",
+    "PowderScene",
     "Push",
     "RateState",
     "Rest",
     "Rollout",
+    "Run",
+    "Scene",
     "SlideBy",
     "SlideJacobian",
+    "SliderScene",
     "SolverReport",
     "Spheres",
+    "State",
     "Step",
     "SupportFit",
+    "TipScene",
     "TorqueLimits",
     "annulus",
     "any_pressure",
@@ -118,6 +142,7 @@ __all__ = [
     "modes",
     "motion_cone",
     "num_threads",
+    "open_run",
     "paraboloid",
     "planar_step_jacobian",
     "points",
@@ -127,7 +152,10 @@ __all__ = [
     "punch",
     "push",
     "push_along",
+    "resume",
     "ring",
+    "run",
+    "scene",
     "set_num_threads",
     "slide",
     "slide_jacobian",

@@ -1,12 +1,16 @@
 """Loops of the package `tribos`, which documents them."""
 
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any, final
 
+import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
     "AnyPressure",
     "ContactLaw",
+    "Film",
     "Friction",
     "Law",
     "LimitSurface",
@@ -17,14 +21,17 @@ __all__ = [
     "RateState",
     "RestMap",
     "Slider",
+    "Stop",
     "SurfaceDerivatives",
     "__version__",
     "command",
     "fit_law",
     "fit_laws",
     "fit_support",
+    "folder_scene",
     "launches",
     "laws",
+    "library_scenes",
     "line_boundary",
     "line_grip",
     "motion_cone",
@@ -35,7 +42,13 @@ __all__ = [
     "push_along",
     "push_modes",
     "pushes",
+    "run_at_once",
+    "run_scene",
+    "scene_of_file",
+    "scene_of_settings",
+    "scene_of_text",
     "set_num_threads",
+    "vocabularies",
 ]
 __version__: str
 
@@ -100,6 +113,43 @@ def planar_step(
     out: NDArray[Any] | None = None,
 ) -> list[NDArray[Any]]: ...
 def set_num_threads(count: int | None) -> None: ...
+def folder_scene(folder: Path) -> dict[str, Any] | None: ...
+def library_scenes() -> list[tuple[str, str, str]]: ...
+def run_at_once(
+    name: str, text: str
+) -> tuple[dict[str, Any], list[str], NDArray[np.float64]] | None: ...
+def run_scene(
+    name: str,
+    text: str,
+    out: Path,
+    *,
+    resume: bool,
+    anew: bool,
+    checkpoint: float,
+    frames: int | None,
+    allow_large: bool,
+    pictures: bool,
+    threads: int | None,
+    progress: Callable[[float | None, str], object] | None,
+    stop: Stop | None,
+) -> None: ...
+def scene_of_file(path: str, overrides: list[str]) -> tuple[str, dict[str, Any]]: ...
+def scene_of_settings(name: str, body: str, settings: list[str]) -> dict[str, Any]: ...
+def scene_of_text(name: str, text: str, overrides: list[str]) -> tuple[str, dict[str, Any]]: ...
+def vocabularies() -> list[dict[str, Any]]: ...
+@final
+class Film:
+    @staticmethod
+    def open(path: Path) -> Film | None: ...
+    def steps(self) -> list[int]: ...
+    def bodies(self) -> dict[str, Any]: ...
+    def read(self, step: int) -> dict[str, Any]: ...
+
+@final
+class Stop:
+    def __new__(cls) -> Stop: ...
+    def stop(self) -> None: ...
+
 @final
 class AnyPressure:
     def __new__(
