@@ -243,18 +243,20 @@ def softened(mu: float, speed: float) -> Law:
 class Operation:
     """A function of arrays with known derivatives, for programs that differentiate.
 
-    Inputs and outputs are rows of three numbers or numbers, as `inputs` and `outputs` tell by 3 and 0.
+    Inputs and outputs are rows of three numbers or numbers, as `inputs` and `outputs` tell by 3 and 0;
+    `smooth` are the outputs that have derivatives.
     """
 
     inputs: ClassVar[tuple[int, ...]]
     outputs: ClassVar[tuple[int, ...]]
+    smooth: ClassVar[tuple[int, ...]] = (0,)
 
     def value(self, *given: Any) -> tuple[Any, ...]:
         """The outputs."""
         raise NotImplementedError
 
     def derivatives(self, *given: Any) -> tuple[tuple[Any, ...], list[list[Any]]]:
-        """The outputs, and the derivatives of each of them by each input; None for zero."""
+        """The outputs, and the derivatives of the smooth ones by each input."""
         raise NotImplementedError
 
 
@@ -289,6 +291,10 @@ class OnSurface(Operation):
     """Something about the limit surface of a friction, for every load."""
 
     friction: Friction
+
+    def __post_init__(self) -> None:
+        # Laws without limit surface are refused here, not in the midst of another program's loop.
+        _ = self.friction.mu
 
     def limits(self, load: Any) -> Any:
         """Force limits."""
@@ -392,6 +398,7 @@ class PlanarStep(OnSurface):
 
     inputs: ClassVar[tuple[int, ...]] = (3, 3, 0, 0, 0, 0)
     outputs: ClassVar[tuple[int, ...]] = (3, 3, 0)
+    smooth: ClassVar[tuple[int, ...]] = (0, 1)
 
     def all(self, *given: Any) -> tuple[Any, Any, Any, Any]:
         """Motion, friction, rest and the derivatives of the first two by ten numbers."""
@@ -411,7 +418,7 @@ class PlanarStep(OnSurface):
 
     def derivatives(self, *given: Any) -> tuple[tuple[Any, ...], list[list[Any]]]:
         after, mean, rest, by = self.all(*given)
-        return (after, mean, rest), [list(self.by(by, 0)), list(self.by(by, 1)), [None] * 6]
+        return (after, mean, rest), [list(self.by(by, 0)), list(self.by(by, 1))]
 
 
 @dataclass(frozen=True)
@@ -423,6 +430,10 @@ class Slide(Operation):
     inertia_ratio: float
     inputs: ClassVar[tuple[int, ...]] = (0, 0, 0, 0)
     outputs: ClassVar[tuple[int, ...]] = (0, 0, 0)
+    smooth: ClassVar[tuple[int, ...]] = (0, 1, 2)
+
+    def __post_init__(self) -> None:
+        rest_map(self.patch, self.alpha)
 
     def own(self, radius: Any) -> Any:
         """The radius, that of the patch for None."""
