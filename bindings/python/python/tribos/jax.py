@@ -8,8 +8,9 @@ The functions take and return JAX arrays and work under ``jit``, ``vmap``, ``gra
 >>> puck = tribos.Friction(tribos.disk(0.04), mu=0.3)
 >>> def power(twist):
 ...     return twist @ tribos.jax.wrench(puck, twist, 1.7)
->>> print(jax.jit(jax.grad(power))(jax.numpy.array([1.0, 0.0, 20.0])).round(4))
-[-0.465  0.    -0.0044]
+>>> slope = jax.jit(jax.grad(power))(jax.numpy.array([1.0, 0.0, 20.0]))
+>>> print([round(float(x), 4) for x in slope])                    # that of the force along
+[-0.465, -0.0, -0.0044]
 
 Notes
 -----
@@ -97,10 +98,11 @@ def support(friction: Friction, twists: Any, load: Any) -> Any:
     >>> import jax, tribos, tribos.jax
     >>> box = tribos.Friction(tribos.box(0.3, 0.2), mu=0.4)
     >>> twist = jax.numpy.array([0.1, 0.2, 1.0])
-    >>> print(jax.grad(tribos.jax.support, argnums=1)(box, twist, 20.0).round(3))
-    [2.843 5.892 0.438]
+    >>> slope = jax.grad(tribos.jax.support, argnums=1)(box, twist, 20.0)
+    >>> print([round(float(x), 3) for x in slope])
+    [3.595, 6.721, 0.163]
     >>> print(-box.wrench(twist, 20.0).round(3))
-    [2.843 5.892 0.438]
+    [3.595 6.721 0.163]
     """
     (made,) = _apply(_gradients.Support(friction), twists, load)
     return made
@@ -171,8 +173,8 @@ def planar_step(
     ...         return (after.twist, x + 0.005 * (twist[0] + after.twist[0])), None
     ...     start = (jax.numpy.array([1.0, 0.0, 20.0]), 0.0)
     ...     return jax.lax.scan(step, start, length=60)[0][1]
-    >>> print(jax.jit(distance)(0.17).round(3), abs(jax.grad(distance)(0.17)) < 1e-5)
-    0.187 True
+    >>> print(f"{jax.jit(distance)(0.17):.3f}", bool(abs(jax.grad(distance)(0.17)) < 1e-5))
+    0.199 True
     """
     operation = _gradients.PlanarStep(friction)
     after, mean, rest = _apply(operation, twists, push, load, mass, inertia, dt)
@@ -198,8 +200,8 @@ def slide(
     >>> import jax, tribos, tribos.jax
     >>> def distance(spin):
     ...     return tribos.jax.slide(tribos.disk(0.08), 1.0, spin, 0.3 * 9.81).distance
-    >>> print(distance(12.5).round(4), jax.grad(distance)(12.5).round(5))
-    0.2203 0.00617
+    >>> print(f"{distance(12.5):.4f} {jax.grad(distance)(12.5):.5f}")
+    0.2166 0.00789
     """
     ratio = positive("inertia_ratio", inertia_ratio)
     operation = _gradients.Slide(patch, number("alpha", alpha), ratio)
@@ -241,7 +243,10 @@ def _called(
         return tuple(np.broadcast_to(np.asarray(one, dtype), axes + row) for one, row in made)
 
     axes = _axes(operation, given)
-    results = tuple(jax.ShapeDtypeStruct(axes + row, dtype) for row in rows)
+    results = tuple(
+        jax.ShapeDtypeStruct(axes + row, dtype)  # type: ignore[no-untyped-call, unused-ignore]
+        for row in rows
+    )
     made: tuple[Any, ...] = jax.pure_callback(call, results, *given, vmap_method="expand_dims")
     return made
 

@@ -29,8 +29,10 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-import torch
-from torch.autograd.function import once_differentiable
+import torch  # type: ignore[import-not-found, unused-ignore]
+from torch.autograd.function import (  # type: ignore[import-not-found, unused-ignore]
+    once_differentiable,
+)
 
 from tribos import _gradients
 from tribos._checks import number, positive
@@ -198,7 +200,7 @@ class _Operated(torch.autograd.Function):  # type: ignore[misc, unused-ignore]
         return made
 
     @staticmethod
-    @once_differentiable  # type: ignore[misc, unused-ignore]
+    @once_differentiable  # type: ignore[misc, untyped-decorator, unused-ignore]
     def backward(ctx: Any, *gradients: Any) -> tuple[Any, ...]:
         operation = ctx.operation
         slopes = iter(ctx.saved_tensors)
