@@ -294,7 +294,7 @@ class LimitSurface:
         >>> print(tile.project_jacobian([9.0, 0.0, 0.0]).round(4) + 0.0)
         [[0.     0.     0.    ]
          [0.     0.5556 0.    ]
-         [0.     0.     0.3846]]
+         [0.     0.     0.2381]]
         """
         return self._slopes().project_jacobian(self._limits, wrenches, length, out)
 

@@ -1,0 +1,219 @@
+"""Friction, limit surfaces, planar steps and ways to rest in PyTorch programs, with derivatives.
+
+The functions take and return tensors on the processor. The numbers come from the same compiled
+kernel as those of numpy arrays; ``backward`` uses the analytic derivatives, of first order.
+
+>>> import torch, tribos, tribos.torch
+>>> puck = tribos.Friction(tribos.disk(0.04), mu=0.3)
+>>> twist = torch.tensor([1.0, 0.0, 20.0], dtype=torch.float64, requires_grad=True)
+>>> tribos.torch.support(puck, twist, 1.7).backward()
+>>> print(twist.grad.numpy().round(4) + 0.0)                      # minus friction
+[0.465  0.     0.0044]
+
+Notes
+-----
+*Precision*: the kernel computes in float64; results have the type that the tensors have together, or
+torch's default type for numbers. Derivatives that matter want float64.
+
+*Constants*: friction, patch, `length`, `alpha` and `inertia_ratio` have no derivatives. Friction
+depends on mu and load by their product: a derivative by mu is one by the load, of a `tribos.Friction`
+with ``mu=1``.
+
+*At rest* Coulomb friction jumps, and its derivative is infinite: a gradient through `wrench` there
+is not a number. `planar_step` has finite derivatives everywhere, and its motion after a step that
+ends at rest has a derivative of exactly zero. `tribos.softened` has a law that is smooth at rest.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import torch  # type: ignore[import-not-found, unused-ignore]
+from torch.autograd.function import (  # type: ignore[import-not-found, unused-ignore]
+    once_differentiable,
+)
+
+from tribos import _gradients
+from tribos._checks import number, positive
+from tribos._friction import Friction
+from tribos._gradients import Operation, length_of
+from tribos._patches import Patch
+
+__all__ = ["PlanarStep", "Slide", "gauge", "normal", "planar_step", "project", "slide", "support", "wrench"]
+
+
+class PlanarStep(NamedTuple):
+    """The end of a planar step."""
+
+    #: The motion after the step, in m/s and rad/s, of shape (..., 3).
+    twist: Any
+    #: Friction, as its mean over the step, in N and N m, of shape (..., 3).
+    friction: Any
+    #: Whether friction holds the body, of shape (...).
+    at_rest: Any
+
+
+class Slide(NamedTuple):
+    """A way to rest."""
+
+    #: Time to rest, in s.
+    time: Any
+    #: Distance to rest, in m.
+    distance: Any
+    #: Angle to rest, in rad.
+    angle: Any
+
+
+def wrench(friction: Friction, twists: Any, load: Any) -> Any:
+    """Force and torque on the body, as `tribos.Friction.wrench`.
+
+    Parameters
+    ----------
+    friction
+        Friction of a patch under any law.
+    twists
+        Velocities in m/s and spins in rad/s, of shape (..., 3).
+    load
+        Normal force in N, at least 0, broadcast with the leading axes of the twists.
+    """
+    (made,) = _apply(_gradients.Wrench(friction), twists, load)
+    return made
+
+
+def support(friction: Friction, twists: Any, load: Any) -> Any:
+    """What dry friction dissipates at each twist, in W, as `tribos.LimitSurface.support`."""
+    (made,) = _apply(_gradients.Support(friction), twists, load)
+    return made
+
+
+def gauge(friction: Friction, wrenches: Any, load: Any) -> Any:
+    """The least factor by which the limit surface must grow, as `tribos.LimitSurface.gauge`."""
+    (made,) = _apply(_gradients.Gauge(friction), wrenches, load)
+    return made
+
+
+def normal(friction: Friction, wrenches: Any) -> Any:
+    """The motion that each push causes, as `tribos.LimitSurface.normal`; the load has no effect."""
+    (made,) = _apply(_gradients.Normal(friction), wrenches)
+    return made
+
+
+def project(friction: Friction, wrenches: Any, load: Any, *, length: float | None = None) -> Any:
+    """The nearest wrench that friction carries, as `tribos.LimitSurface.project`.
+
+    Parameters
+    ----------
+    friction
+        Coulomb friction of a patch.
+    wrenches
+        Of shape (..., 3), in N and N m.
+    load
+        Normal force in N, at least 0.
+    length
+        What makes a force of a torque, in m; None for the patch's radius.
+    """
+    (made,) = _apply(_gradients.Project(friction, length_of(friction, length)), wrenches, load)
+    return made
+
+
+def planar_step(
+    friction: Friction, twists: Any, push: Any, load: Any, *, mass: Any, inertia: Any, dt: Any
+) -> PlanarStep:
+    """An implicit step of a body on its patch, as `tribos.planar_step_jacobian`.
+
+    Differentiable in all but the friction, at rest too.
+
+    Parameters
+    ----------
+    friction
+        Coulomb friction of a patch.
+    twists, push
+        Velocities in m/s and spins in rad/s; other forces in N and torques in N m; (..., 3).
+    load
+        Normal force in N, at least 0.
+    mass, inertia, dt
+        In kg, kg m² and s.
+    """
+    operation = _gradients.PlanarStep(friction)
+    after, mean, rest = _apply(operation, twists, push, load, mass, inertia, dt)
+    return PlanarStep(after, mean, rest > 0.5)
+
+
+def slide(
+    patch: Patch,
+    speed: Any,
+    spin: Any,
+    deceleration: Any,
+    *,
+    radius: Any = None,
+    inertia_ratio: float = 0.5,
+    alpha: float = 0.0,
+) -> Slide:
+    """Time, distance and angle until a thrown body is at rest, as `tribos.slide_jacobian`.
+
+    Differentiable in speed, spin, deceleration and radius.
+    """
+    ratio = positive("inertia_ratio", inertia_ratio)
+    operation = _gradients.Slide(patch, number("alpha", alpha), ratio)
+    return Slide(*_apply(operation, speed, spin, deceleration, operation.own(radius)))
+
+
+def _apply(operation: Operation, *given: Any) -> tuple[Any, ...]:
+    """The operation on tensors of one type."""
+    made = [x for x in given if isinstance(x, torch.Tensor)]
+    dtype = torch.get_default_dtype()
+    if made:
+        dtype = made[0].dtype
+        for tensor in made[1:]:
+            dtype = torch.promote_types(dtype, tensor.dtype)
+        if not dtype.is_floating_point:
+            dtype = torch.get_default_dtype()
+    tensors = [torch.as_tensor(x, dtype=dtype) for x in given]
+    for tensor in tensors:
+        if tensor.device.type != "cpu":
+            raise ValueError(f"tensors must be on the processor, not on {tensor.device}")
+    results: tuple[Any, ...] = _Operated.apply(operation, *tensors)
+    return results
+
+
+class _Operated(torch.autograd.Function):  # type: ignore[misc, unused-ignore]
+    """An operation as a node of the graph."""
+
+    @staticmethod
+    def forward(ctx: Any, operation: Operation, *given: Any) -> tuple[Any, ...]:
+        dtype = given[0].dtype
+        arrays = [tensor.detach().numpy() for tensor in given]
+        ctx.operation = operation
+        ctx.needed = [at for at, is_needed in enumerate(ctx.needs_input_grad[1:]) if is_needed]
+        slopes: list[Any] = []
+        if ctx.needed:
+            values, by = operation.derivatives(*arrays)
+            slopes = [by[output][at] for at in ctx.needed for output in operation.smooth]
+        else:
+            values = operation.value(*arrays)
+        ctx.shapes = [tensor.shape for tensor in given]
+        ctx.save_for_backward(*(_tensor(slope, dtype) for slope in slopes))
+        made = tuple(_tensor(value, dtype) for value in values)
+        constant = [one for at, one in enumerate(made) if at not in operation.smooth]
+        ctx.mark_non_differentiable(*constant)
+        return made
+
+    @staticmethod
+    @once_differentiable  # type: ignore[misc, untyped-decorator, unused-ignore]
+    def backward(ctx: Any, *gradients: Any) -> tuple[Any, ...]:
+        operation = ctx.operation
+        slopes = iter(ctx.saved_tensors)
+        results: list[Any] = [None] * (1 + len(ctx.shapes))
+        for at in ctx.needed:
+            total: Any = 0.0
+            for output in operation.smooth:
+                i, j = "i" if operation.outputs[output] else "", "j" if operation.inputs[at] else ""
+                formula = f"...{i}{j},...{i}->...{j}"
+                total = total + torch.einsum(formula, next(slopes), gradients[output])
+            results[1 + at] = total.sum_to_size(ctx.shapes[at])
+        return tuple(results)
+
+
+def _tensor(array: Any, dtype: Any) -> Any:
+    return torch.as_tensor(np.asarray(array), dtype=dtype)
