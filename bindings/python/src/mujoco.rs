@@ -103,7 +103,8 @@ impl Foot {
     /// Motion at the centre for velocities or accelerations of all degrees of freedom.
     fn motion(&self, of: &[f64]) -> Vector6<f64> {
         let rows = self.freedoms.iter().zip(&self.jacobian);
-        rows.map(|(freedom, column)| column * of[freedom.index]).sum()
+        rows.map(|(freedom, column)| column * of[freedom.index])
+            .sum()
     }
 
     /// Forgets its contacts, and its friction.
@@ -121,7 +122,11 @@ impl Foot {
         let sum: Vector3<f64> = contacts.iter().map(|contact| contact.normal).sum();
         let normal = sum.try_normalize(0.0).unwrap_or(contacts[0].normal);
         let count = contacts.len() as f64;
-        let height = contacts.iter().map(|at| normal.dot(&(at.at - origin))).sum::<f64>() / count;
+        let height = contacts
+            .iter()
+            .map(|at| normal.dot(&(at.at - origin)))
+            .sum::<f64>()
+            / count;
         self.centre = origin + normal * height;
         // The frame's axis next to the one along the normal is the patch's x.
         let along = normal.transpose() * frame;
@@ -138,8 +143,8 @@ impl Foot {
         self.jacobian.extend(self.freedoms.iter().map(|freedom| {
             let [a, b, c, u, v, w] = axes[freedom.index];
             let turn = Vector3::new(a, b, c);
-            let shift =
-                Vector3::new(u, v, w) + turn.cross(&(centre - Vector3::from(centres[freedom.root])));
+            let shift = Vector3::new(u, v, w)
+                + turn.cross(&(centre - Vector3::from(centres[freedom.root])));
             stacked(&shift, &turn) * freedom.sign
         }));
     }
@@ -169,7 +174,9 @@ impl Foot {
     /// Sum of D r rᵀ of its normal forces.
     fn stiffness(&self) -> Matrix3<f64> {
         let normals = self.normals.iter();
-        normals.map(|normal| normal.tilt * normal.tilt.transpose() * normal.stiffness).sum()
+        normals
+            .map(|normal| normal.tilt * normal.tilt.transpose() * normal.stiffness)
+            .sum()
     }
 
     /// Rows of the patch's frame in that of the world: x, y, turn; lift, tilt about x and y.

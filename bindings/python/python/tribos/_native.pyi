@@ -1,5 +1,6 @@
 """Loops of the package `tribos`, which documents them."""
 
+from collections.abc import Sequence
 from typing import Any, final
 
 from numpy.typing import ArrayLike, NDArray
@@ -8,6 +9,7 @@ __all__ = [
     "Friction",
     "Law",
     "LimitSurface",
+    "MujocoFeet",
     "Patch",
     "__version__",
     "command",
@@ -79,3 +81,26 @@ class LimitSurface:
         length: float | None = None,
         out: NDArray[Any] | None = None,
     ) -> NDArray[Any]: ...
+
+@final
+class MujocoFeet:
+    def __new__(
+        cls,
+        feet: Sequence[object],
+        arrays: object,
+        frames: Sequence[tuple[NDArray[Any], NDArray[Any]]],
+        layout: object,
+        mass: tuple[NDArray[Any], NDArray[Any]] | None,
+    ) -> MujocoFeet: ...
+    def lift(self) -> None: ...
+    def land(
+        self,
+        time: float,
+        contacts: tuple[NDArray[Any], NDArray[Any]],
+        stiffness: NDArray[Any],
+        springs: NDArray[Any],
+    ) -> bool: ...
+    def push(self, dt: float) -> None: ...
+    def state(
+        self, foot: int
+    ) -> tuple[float, list[float], list[float], list[list[float]], list[float], bool]: ...

@@ -61,7 +61,10 @@ impl Step<'_> {
         } else {
             Some(self.nearest(&at_end, start)?)
         };
-        if let Some(held) = ended.as_ref().filter(|end| end.is_held.iter().all(|held| *held)) {
+        if let Some(held) = ended
+            .as_ref()
+            .filter(|end| end.is_held.iter().all(|held| *held))
+        {
             return Ok(Solution {
                 friction: held.friction.clone(),
                 is_held: held.is_held.clone(),
@@ -76,7 +79,9 @@ impl Step<'_> {
             Some(ended) => ended,
             None => self.nearest(&at_end, start)?,
         };
-        let power = ended.friction.dot(&(self.velocity + self.after(&ended.friction)));
+        let power = ended
+            .friction
+            .dot(&(self.velocity + self.after(&ended.friction)));
         Ok(if power > 0.0 { midway } else { ended })
     }
 
@@ -132,7 +137,9 @@ impl Step<'_> {
             friction: start.clone(),
             is_held: vec![false; count],
         };
-        let metrics: Vec<Metric> = (0..count).map(|foot| Metric::new(self.block(foot))).collect();
+        let metrics: Vec<Metric> = (0..count)
+            .map(|foot| Metric::new(self.block(foot)))
+            .collect();
         let scale = self.limits.iter().map(|l| l.force).fold(0.0, f64::max);
         for _ in 0..SWEEPS {
             let mut change: f64 = 0.0;
@@ -145,7 +152,10 @@ impl Step<'_> {
                 limits.sets.with(limits.force, &mut |set| {
                     found = metric.nearest(set, &before, &slope, limits);
                 })?;
-                solution.friction.fixed_rows_mut::<3>(3 * foot).copy_from(&found.0);
+                solution
+                    .friction
+                    .fixed_rows_mut::<3>(3 * foot)
+                    .copy_from(&found.0);
                 solution.is_held[foot] = found.1;
                 let moved = found.0 - before;
                 let arm = limits.arm.max(f64::MIN_POSITIVE);
