@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from collections.abc import Sequence
 from typing import Any, final
 
 import numpy as np
@@ -16,6 +17,7 @@ __all__ = [
     "LimitSurface",
     "LuGre",
     "Manifold",
+    "MujocoFeet",
     "Patch",
     "Profiled",
     "RateState",
@@ -391,3 +393,24 @@ class RateState:
     ) -> NDArray[Any]: ...
     def critical_stiffness(self, load: float, speed: float | None = None) -> float: ...
     def minimum(self) -> float | None: ...
+class MujocoFeet:
+    def __new__(
+        cls,
+        feet: Sequence[object],
+        arrays: object,
+        frames: Sequence[tuple[NDArray[Any], NDArray[Any]]],
+        layout: object,
+        mass: tuple[NDArray[Any], NDArray[Any]] | None,
+    ) -> MujocoFeet: ...
+    def lift(self) -> None: ...
+    def land(
+        self,
+        time: float,
+        contacts: tuple[NDArray[Any], NDArray[Any]],
+        stiffness: NDArray[Any],
+        springs: NDArray[Any],
+    ) -> bool: ...
+    def push(self, dt: float) -> None: ...
+    def state(
+        self, foot: int
+    ) -> tuple[float, list[float], list[float], list[list[float]], list[float], bool]: ...

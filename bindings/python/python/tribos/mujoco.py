@@ -36,24 +36,28 @@ other forces, brought to the nearest point of the limit surface in the metric of
 A foot that friction can hold therefore stands still exactly. Several feet of one body are solved
 together. Reactions act on the floor, which may move.
 
+MuJoCo runs its callbacks when it compiles a model, and fails where they are Python's: compile models before
+feet are attached, or within `paused`.
+
 The step is of second order in the time step for velocities; MuJoCo's positions are of first order. Friction
 of a body that starts to touch begins one step late.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from types import TracebackType
 from typing import Any, NamedTuple
 
-import mujoco
+import mujoco  # type: ignore[import-untyped]
 import numpy as np
 from numpy.typing import NDArray
 
 from tribos import _native
 from tribos._friction import Friction
 
-__all__ = ["Feet", "FootState", "attach"]
+__all__ = ["Feet", "FootState", "attach", "paused"]
 
 Name = str | tuple[str, ...]
 
@@ -135,6 +139,24 @@ def attach(
     See the documentation of `tribos.mujoco`.
     """
     return Feet(model, data, feet, floor, sites=sites)
+
+
+@contextmanager
+def paused() -> Iterator[None]:
+    """A context without MuJoCo's callback for passive forces, for models to be compiled in.
+
+    Examples
+    --------
+    >>> import mujoco, tribos.mujoco
+    >>> with tribos.mujoco.paused():
+    ...     model = mujoco.MjModel.from_xml_string("<mujoco/>")
+    """
+    current = mujoco.get_mjcb_passive()
+    mujoco.set_mjcb_passive(None)
+    try:
+        yield
+    finally:
+        mujoco.set_mjcb_passive(current)
 
 
 class Feet:
@@ -340,12 +362,10 @@ def _layout() -> _Layout:
     """The fields' places, from a contact of a tiny model."""
     global _LAYOUT
     if _LAYOUT is None:
-        model = mujoco.MjModel.from_xml_string(
-            "<mujoco><worldbody><geom type='sphere' size='1'/>"
-            "<body><freejoint/><geom type='sphere' size='1' pos='1 0 0'/></body></worldbody></mujoco>"
-        )
-        data = mujoco.MjData(model)
-        mujoco.mj_forward(model, data)
+        with paused():
+            model = mujoco.MjModel.from_xml_string(_TWO_SPHERES)
+            data = mujoco.MjData(model)
+            mujoco.mj_forward(model, data)
         contact = data.contact
         start = _address(contact.dist)
         fields = (contact.dist, contact.pos, contact.frame, contact.includemargin)
@@ -356,6 +376,14 @@ def _layout() -> _Layout:
 
 
 _LAYOUT: _Layout | None = None
+_TWO_SPHERES = """
+<mujoco>
+  <worldbody>
+    <geom size="1"/>
+    <body><freejoint/><geom size="1" pos="1 0 0"/></body>
+  </worldbody>
+</mujoco>
+"""
 
 
 def _address(array: NDArray[Any]) -> int:
