@@ -81,7 +81,9 @@ def plot_surface(
         # Lengths of the axes differ: an arrow is upright where the picture has equal sides.
         arrows = surface.normal(pushes) * scale
         arrows *= _ARROW / np.linalg.norm(arrows, axis=-1, keepdims=True)
-        drawn.quiver(*feet.T, *(arrows * scale).T, color="C3")
+        # A head would be skewed by the axes: a dot marks the foot.
+        drawn.quiver(*feet.T, *(arrows * scale).T, color="C3", arrow_length_ratio=0.0)
+        drawn.scatter(*feet.T, color="C3", s=12.0, depthshade=False)
     drawn.set_xlabel("force x [N]")
     drawn.set_ylabel("force y [N]")
     drawn.set_zlabel("torque [N m]")

@@ -193,7 +193,7 @@ class LimitSurface:
         wrenches
             Wrenches that are drawn as points, of shape (..., 3).
         normals
-            Pushes, of shape (..., 3): where their rays meet the surface, arrows point along the motions
+            Pushes, of shape (..., 3): where their rays meet the surface, lines point along the motions
             that they cause.
         resolution
             Number of rays from pole to pole.
