@@ -13,7 +13,6 @@ use tribos_core::coupling::{
     Annulus, Coupling, Dry, DryCoupling, PatchFriction, closed, table::Coulomb,
 };
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface, Projection};
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
 /// Loads and twists of a batch.
@@ -355,36 +354,5 @@ fn round_sets(patch: &Patch, radius: f64) -> PyResult<Box<dyn Sets>> {
             let table = RoundTable64::new(0.0, pressure.map_err(refused)?).map_err(refused)?;
             boxed(Dry::new(table).map_err(refused)?, radius)
         }
-    }
-}
-
-/// A limit surface behind a pointer, for kernel functions that want a type.
-#[derive(Clone, Copy)]
-pub struct AnySet<'a>(pub &'a dyn FrictionSet<f64>);
-
-impl FrictionSet<f64> for AnySet<'_> {
-    fn force_limit(&self) -> f64 {
-        self.0.force_limit()
-    }
-    fn radius(&self) -> f64 {
-        self.0.radius()
-    }
-    fn support(&self, twist: &Twist<f64>) -> f64 {
-        self.0.support(twist)
-    }
-    fn wrench(&self, twist: &Twist<f64>) -> Wrench<f64> {
-        self.0.wrench(twist)
-    }
-    fn gauge(&self, wrench: &Wrench<f64>) -> f64 {
-        self.0.gauge(wrench)
-    }
-    fn twist_normal_to(&self, push: &Wrench<f64>) -> Twist<f64> {
-        self.0.twist_normal_to(push)
-    }
-    fn scale_to_surface(&self, wrench: &Wrench<f64>) -> Wrench<f64> {
-        self.0.scale_to_surface(wrench)
-    }
-    fn project_with_length(&self, wrench: &Wrench<f64>, length: f64) -> Projection<f64> {
-        self.0.project_with_length(wrench, length)
     }
 }

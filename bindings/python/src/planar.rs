@@ -1,7 +1,7 @@
 //! Bodies that are pushed and turned on their patch: implicit time steps.
 
 use crate::arrays::{Batched, Column, Numbers, Output, Rows, View, broadcast, refused};
-use crate::model::{AnySet, numbers, twist_numbers, twist_of, wrench_of};
+use crate::model::{numbers, twist_numbers, twist_of, wrench_of};
 use crate::patch::{Patch, Shape};
 use crate::surface::LimitSurface;
 use crate::threads::fill;
@@ -138,7 +138,7 @@ impl Stepper {
         push: [f64; 3],
     ) -> Stepped {
         let (twist, push) = (twist_of(twist), wrench_of(push));
-        let step = self.body.step(&AnySet(set), &twist, &push, self.dt);
+        let step = self.body.step(set, &twist, &push, self.dt);
         Stepped {
             twist: twist_numbers(&step.twist),
             friction: numbers(&step.friction),

@@ -44,7 +44,7 @@ impl<R: Real> PlanarBody<R> {
     /// m v·v⁺ + I ω ω⁺ ≥ 0, and on a round patch both terms.
     /// *Cost*: a wrench, and one projection far from rest, two near it.
     /// *Special values*: NaN for NaN, and where momentum/`dt` overflows.
-    pub fn step<S: FrictionSet<R>>(
+    pub fn step<S: FrictionSet<R> + ?Sized>(
         &self,
         set: &S,
         twist: &Twist<R>,
