@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
+from tribos._checks import positive
 from tribos._friction import Friction
 
 
@@ -97,10 +98,10 @@ class PlanarBody:
         mu = friction.mu
         set_ = object.__setattr__
         set_(self, "friction", friction)
-        set_(self, "mass", _kept("mass", mass))
-        set_(self, "inertia", _kept("inertia", inertia))
-        weight = np.multiply(self.mass, gravity) if load is None else load
-        set_(self, "load", _kept("load", weight))
+        set_(self, "mass", _positive("mass", mass))
+        set_(self, "inertia", _positive("inertia", inertia))
+        weight = np.multiply(self.mass, positive("gravity", gravity)) if load is None else load
+        set_(self, "load", _load(weight))
         set_(self, "_limit", mu * self.load)
         set_(self, "_surface", friction.patch._limits())
         # The kernel refuses wrong bodies here rather than in the first step.
@@ -223,7 +224,7 @@ class PlanarBody:
 
     def _given(self, load: ArrayLike | None, dt: ArrayLike) -> dict[str, Any]:
         """The bodies as the compiled half takes them."""
-        limit = self._limit if load is None else self.friction.mu * _kept("load", load)
+        limit = self._limit if load is None else self.friction.mu * _load(load)
         return {
             "force_limit": limit,
             "mass": self.mass,
@@ -252,10 +253,22 @@ def _kept(name: str, value: ArrayLike) -> Any:
         array = np.array(value, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name} must be real numbers: {error}") from None
-    if name == "load" and bool((array < 0.0).any()):
-        raise ValueError(f"load must be >= 0, not {array.min()}")
     array.flags.writeable = False
     return float(array) if array.ndim == 0 else array
+
+
+def _positive(name: str, value: ArrayLike) -> Any:
+    kept = _kept(name, value)
+    if not np.all((kept > 0.0) & (kept < np.inf)):
+        raise ValueError(f"{name} must be > 0 and finite")
+    return kept
+
+
+def _load(value: ArrayLike) -> Any:
+    kept = _kept("load", value)
+    if np.any(np.less(kept, 0.0)):
+        raise ValueError(f"load must be >= 0, not {np.min(kept)}")
+    return kept
 
 
 def _short(value: Any) -> str:
