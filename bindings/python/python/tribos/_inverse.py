@@ -81,7 +81,7 @@ def inverse(
     symmetry
         Orientations repeat after ``2π/symmetry``.
     most
-        The number of launches to be listed, those with the fewest turns; None for all.
+        The number of launches to be listed, those with the fewest turns, at most 100,000; None for all.
 
     Returns
     -------
@@ -124,7 +124,7 @@ def inverse(
         "max_speed": number("max_speed", max_speed),
         "max_spin": number("max_spin", max_spin),
         "symmetry": order if turns == "modulo" else None,
-        "most": None if most is None else _count("most", most, 10_000_000),
+        "most": None if most is None else _count("most", most, 100_000),
     }
     return [Launch(*row) for row in _native.launches(profiled(friction), wanted)]
 
