@@ -99,7 +99,7 @@ def test_paths_pass_through_the_states_of_the_table() -> None:
     for row in rows:
         value = {name: float(text) for name, text in row.items() if text}
         friction = tribos.Friction(PATCHES[0.0], mu=1.0, alpha=value["alpha"])
-        body = {"inertia_ratio": value["inertia_ratio"], "gravity": 1.0}
+        body: dict[str, Any] = {"inertia_ratio": value["inertia_ratio"], "gravity": 1.0}
         path = tribos.slide_path(friction, value["v0"], value["w0"], value["time"], **body)
         wanted = [value[n] for n in ("speed", "spin", "distance_then", "angle_then")]
         np.testing.assert_allclose(path[1:], wanted, rtol=1e-11)
@@ -278,7 +278,7 @@ def test_a_launch_comes_to_rest_at_the_wanted_pose() -> None:
         friction = tribos.Friction(PATCHES[order], mu=0.4, alpha=alpha)
         for _ in range(5):
             x, y, angle = rng.normal(size=3)
-            limits = {"max_speed": 1e3, "max_spin": 1e3}
+            limits: dict[str, Any] = {"max_speed": 1e3, "max_spin": 1e3}
             (throw,) = tribos.inverse(friction, x, y, angle, turns="exact", **limits)
             rest = tribos.slide(friction, throw.speed, throw.spin)
             along = np.array(throw.velocity) / throw.speed * rest.distance
@@ -297,7 +297,7 @@ def test_a_throw_is_found_again() -> None:
 
 
 def test_every_number_of_turns_is_listed_once_by_energy() -> None:
-    wanted = {"max_speed": 3.0, "max_spin": 60.0, "symmetry": 4}
+    wanted: dict[str, Any] = {"max_speed": 3.0, "max_spin": 60.0, "symmetry": 4}
     found = tribos.inverse(PUCK, 1.0, 0.2, 0.3, **wanted)
     quarters = sorted((throw.angle - 0.3) / (math.pi / 2) for throw in found)
     np.testing.assert_allclose(np.diff(quarters), 1.0, atol=1e-9)
@@ -310,7 +310,7 @@ def test_every_number_of_turns_is_listed_once_by_energy() -> None:
 
 def test_the_command_finds_the_same_launches() -> None:
     found = tribos.inverse(PUCK, 1.2, 0.3, 1.57, max_speed=3.0, max_spin=100.0)
-    given = {"x": 1.2, "y": 0.3, "angle": 1.57, "coefficient": 0.3, "radius": 0.08}
+    given: dict[str, Any] = {"x": 1.2, "y": 0.3, "angle": 1.57, "coefficient": 0.3, "radius": 0.08}
     given |= {"inertia-ratio": 0.5, "max-speed": 3, "max-spin": 100, "format": "json"}
     words = [word for name, value in given.items() for word in (f"--{name}", str(value))]
     run = "import sys; from tribos._command import main; sys.exit(main())"
@@ -552,7 +552,7 @@ JOINT = tribos.LuGre(
     bristle_damping=700.0,
     viscous_damping=0.4,
 )
-ROCK = {"mu": 0.6, "a": 0.01, "b": 0.015, "reference_speed": 1e-6, "slip_distance": 1e-5}
+ROCK: dict[str, Any] = {"mu": 0.6, "a": 0.01, "b": 0.015, "reference_speed": 1e-6, "slip_distance": 1e-5}
 
 
 def test_bristles_hold_a_block_without_creep() -> None:
@@ -614,7 +614,8 @@ def test_rate_and_state_keeps_its_formula() -> None:
     np.testing.assert_allclose(rock.friction(speed, age), mu, rtol=1e-13)
     np.testing.assert_allclose(rock.slope(speed, age), slope, rtol=1e-13)
     assert rock.friction(0.0, 1.0) == 0.0
-    assert np.isnan(rock.friction(1.0, -1.0)) and np.isnan(rock.friction(math.nan, 1.0))
+    assert np.isnan(rock.friction(1.0, -1.0)) and np.isnan(rock.step(-1.0, 1e-6, 1.0))
+    assert np.isnan(rock.friction(math.nan, 1.0)) and np.isnan(rock.step(1.0, math.nan, 1.0))
 
 
 @pytest.mark.parametrize("evolution", ["ageing", "slip"])
