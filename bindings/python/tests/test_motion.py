@@ -158,13 +158,14 @@ def test_a_batch_is_its_launches_one_by_one_whatever_the_threads() -> None:
     for threads in (1, 3):
         tribos.set_num_threads(threads)
         whole.append(np.array(tribos.slide(PUCK, speed, spin, inertia_ratio=inertia)))
-    assert np.array_equal(*whole)
+    assert np.array_equal(whole[0], whole[1])
     for i, k in itertools.product((0, 17, 39), range(5)):
         one = tribos.slide(PUCK, speed[i, 0], spin[k], inertia_ratio=inertia[i, 0])
         assert np.array_equal(whole[0][:, i, k], one)
     path = tribos.slide_path(PUCK, 1.0, 5.0, np.linspace(0, 0.4, 9)[:, None], gravity=[9.81, 1.62])
     assert path.time.shape == path.speed.shape == (9, 2)
-    assert path.speed[3, 1] == tribos.slide_path(PUCK, 1.0, 5.0, path.time[3, 1], gravity=1.62).speed
+    then = tribos.slide_path(PUCK, 1.0, 5.0, path.time[3, 1], gravity=1.62)
+    assert path.speed[3, 1] == then.speed
 
 
 def test_a_path_ends_at_its_rest() -> None:
@@ -188,7 +189,7 @@ def test_an_array_of_gravities_varies_the_deceleration() -> None:
 @pytest.mark.parametrize(
     ("friction", "given", "reason"),
     [
-        (tribos.Friction(tribos.disk(0.1), mu=0.3, alpha=1.0), {}, "never comes to rest.*alpha < 1"),
+        (tribos.Friction(tribos.disk(0.1), mu=0.3, alpha=1.0), {}, "never comes to rest.*alpha <"),
         (tribos.Friction(tribos.box(0.1, 0.1), mu=0.3), {}, "only a round patch"),
         (
             tribos.Friction(tribos.disk(0.1), law="stribeck:mu_s=0.4,mu_d=0.2,vs=0.1"),
@@ -245,7 +246,7 @@ def test_a_body_ends_in_its_final_mode() -> None:
     for inertia, mode in ((0.2, "sliding"), (0.5, "together"), (0.8, "spinning")):
         last = tribos.modes(PUCK, inertia)
         rest = tribos.slide(PUCK, [1.0, 0.2], [2.0, 30.0], inertia_ratio=inertia)
-        assert last.final_mode == mode
+        assert last.final_mode == mode and last.final_ratio is not None
         np.testing.assert_allclose(rest.ratio, last.final_ratio, rtol=1e-12)
 
 
@@ -338,7 +339,8 @@ def test_the_command_finds_the_same_launches() -> None:
     ],
 )
 def test_poses_out_of_reach_are_refused_with_the_reason(given: dict[str, Any], reason: str) -> None:
-    wanted = {"friction": PUCK, "x": 1.0, "y": 0.0, "angle": 0.0, "max_speed": 3.0, "max_spin": 60.0}
+    wanted = {"friction": PUCK, "x": 1.0, "y": 0.0, "angle": 0.0}
+    wanted |= {"max_speed": 3.0, "max_spin": 60.0}
     with pytest.raises(ValueError, match=reason):
         tribos.inverse(**{**wanted, **given})
 
@@ -552,11 +554,17 @@ JOINT = tribos.LuGre(
     bristle_damping=700.0,
     viscous_damping=0.4,
 )
-ROCK: dict[str, Any] = {"mu": 0.6, "a": 0.01, "b": 0.015, "reference_speed": 1e-6, "slip_distance": 1e-5}
+ROCK: dict[str, Any] = {
+    "mu": 0.6,
+    "a": 0.01,
+    "b": 0.015,
+    "reference_speed": 1e-6,
+    "slip_distance": 1e-5,
+}
 
 
 def test_bristles_hold_a_block_without_creep() -> None:
-    # Pulled ever harder, but slowly, to a force f: dx = dz/(1 - z/z_s), thus x = -z_s log(1 - f/f_s).
+    # Pulled ever harder, but slowly, to a force f: dx = dz/(1 - z/z_s), x = -z_s log(1 - f/f_s).
     dt, pull = 1e-4, np.array([1.0, 3.0, 5.0])
     place, velocity, deflection = np.zeros(3), np.zeros(3), np.zeros(3)
     held = None

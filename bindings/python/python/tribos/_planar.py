@@ -37,17 +37,18 @@ class Rollout(NamedTuple):
 class PlanarBody:
     """Bodies that lie flat on a patch under dry friction, stepped in time together.
 
-    Each step is implicit: friction is the wrench nearest to the one that would stop the body, measured
-    by kinetic energy. A body that friction holds rests exactly and does not creep, and without a push
-    no step gains energy, however long it is.
+    Each step is implicit: friction is the wrench nearest to the one that would stop the body,
+    measured by kinetic energy. A body that friction holds rests exactly and does not creep, and
+    without a push no step gains energy, however long it is.
 
     Parameters
     ----------
     friction
-        Coulomb friction on any patch: round, polygon, bar, mesh, or points. The origin of the patch's
-        coordinates is the foot of the centre of mass, to which twist and wrench refer.
+        Coulomb friction on any patch: round, polygon, bar, mesh, or points. The origin of the
+        patch's coordinates is the foot of the centre of mass, to which twist and wrench refer.
     mass
-        Mass in kg, above 0: a number, or an array that is broadcast with the leading axes of a call.
+        Mass in kg, above 0: a number, or an array that is broadcast with the leading axes of a
+        call.
     inertia
         Moment of inertia in kg m² about the normal through the centre of mass, above 0.
     load
@@ -57,16 +58,17 @@ class PlanarBody:
 
     Notes
     -----
-    Accuracy: of second order in the time step while a body slides, of first order in the step in which
-    it starts, stops or turns about. Results do not depend on the number of threads, and a batch gives
-    the bits of its bodies one by one. NaN in twist or push gives NaN.
+    Accuracy: of second order in the time step while a body slides, of first order in the step in
+    which it starts, stops or turns about. Results do not depend on the number of threads, and a
+    batch gives the bits of its bodies one by one. NaN in twist or push gives NaN.
 
     Only the product ``mu * load`` matters: an array of loads also varies the coefficient.
 
     Examples
     --------
     >>> import numpy as np, tribos
-    >>> crate = tribos.PlanarBody(tribos.Friction(tribos.box(0.4, 0.3), mu=0.5), mass=8.0, inertia=0.17)
+    >>> wood = tribos.Friction(tribos.box(0.4, 0.3), mu=0.5)
+    >>> crate = tribos.PlanarBody(wood, mass=8.0, inertia=0.17)
     >>> pushes = np.array([[30.0, 0.0, 0.0], [60.0, 0.0, 0.0]])      # friction carries 39.24 N
     >>> step = crate.step(np.zeros((2, 3)), pushes, dt=0.01)
     >>> step.at_rest
@@ -176,11 +178,11 @@ class PlanarBody:
         """Many time steps of each body, without a return to Python in between.
 
         Twists and pushes refer to axes that stay; the patch turns with the body. Position and angle
-        advance by the mean of the twists before and after a step, which is exact for constant friction
-        and of second order in the time step otherwise: a plate of 0.3 m that spins to rest in 1000
-        steps is at most 3e-7 m from its exact place.
-        A patch that is not round is taken at the angle that the spin at the start of the step gives for
-        half time: ``step(..., angle=angle + dt / 2 * spin)`` in a loop gives the same bits.
+        advance by the mean of the twists before and after a step, which is exact for constant
+        friction and of second order in the time step otherwise: a plate of 0.3 m that spins to rest
+        in 1000 steps is at most 3e-7 m from its exact place. A patch that is not round is taken at
+        the angle that the spin at the start of the step gives for half time:
+        ``step(..., angle=angle + dt / 2 * spin)`` in a loop gives the same bits.
 
         Parameters
         ----------
@@ -209,7 +211,7 @@ class PlanarBody:
         >>> course = puck.rollout([1.0, 0.0, 5.0], np.zeros((400, 3)), dt=0.001)
         >>> course.twists.shape, int(course.at_rest.argmax())         # rests after 0.369 s
         ((400, 3), 369)
-        >>> print(course.poses[-1].round(3))                          # m, m, rad: tribos.slide gives
+        >>> print(course.poses[-1].round(3))                          # m, m, rad, as tribos.slide
         [0.177 0.    1.155]
         """
         bodies = self._given(load, dt)
