@@ -116,8 +116,8 @@ impl friction::Visitor<f64> for Boxed {
 pub fn power_of(law: &friction::Law) -> PyResult<[f64; 2]> {
     law.power_of_speed().ok_or_else(|| {
         refused(format!(
-            "{} is not a power of the speed: only Coulomb's law and mu * speed**alpha are followed \
-             to rest in one piece; tribos.PlanarBody or a scene steps through others",
+            "{} is not a power of the speed: this needs Coulomb's law or mu * speed**alpha; scenes \
+             of disks follow other laws",
             law.name()
         ))
     })
@@ -128,8 +128,8 @@ pub fn round(shape: &Shape) -> PyResult<(&friction::Patch, f64)> {
     match shape {
         Shape::Round(patch, radius) => Ok((patch, *radius)),
         _ => Err(refused(
-            "only a round patch slides straight: give a disk, ring, annulus or the like; \
-             tribos.PlanarBody steps on any patch",
+            "only a round patch slides straight: give a disk, ring, annulus or the like; the rollout \
+             of a tribos.PlanarBody follows the others",
         )),
     }
 }

@@ -58,8 +58,8 @@ def inverse(
 ) -> list[Launch]:
     """Every launch after which a body comes to rest at a wanted pose.
 
-    The body starts at the origin with angle 0. To each distance and angle turned belongs exactly one
-    launch; several numbers of turns give several launches.
+    The body starts at the origin with angle 0. To each distance and angle turned belongs exactly
+    one launch; several numbers of turns give several launches.
 
     Parameters
     ----------
@@ -81,7 +81,8 @@ def inverse(
     symmetry
         Orientations repeat after ``2π/symmetry``.
     most
-        The number of launches to be listed, those with the fewest turns; None for all.
+        The number of launches to be listed, those with the fewest turns, at most 100,000; None for
+        all.
 
     Returns
     -------
@@ -91,8 +92,8 @@ def inverse(
     Raises
     ------
     ValueError
-        If no launch within the limits leads there, with the launch that it would need and the reach of
-        the limits; for more than 10,000 launches without ``most``; for ``alpha >= 1``.
+        If no launch within the limits leads there, with the launch that it would need and the reach
+        of the limits; for more than 10,000 launches without ``most``; for ``alpha >= 1``.
 
     Notes
     -----
@@ -124,7 +125,7 @@ def inverse(
         "max_speed": number("max_speed", max_speed),
         "max_spin": number("max_spin", max_spin),
         "symmetry": order if turns == "modulo" else None,
-        "most": None if most is None else _count("most", most, 10_000_000),
+        "most": None if most is None else _count("most", most, 100_000),
     }
     return [Launch(*row) for row in _native.launches(profiled(friction), wanted)]
 

@@ -25,8 +25,8 @@ class Modes:
     """The final motion of a body that nothing but friction acts on."""
 
     final_mode: str | None
-    """What dominates just before rest: ``"sliding"``, ``"spinning"``, or ``"together"`` where both fade
-    in a fixed ratio; None where it depends on an initial ratio that was not given."""
+    """What dominates just before rest: ``"sliding"``, ``"spinning"``, or ``"together"`` where both
+    fade in a fixed ratio; None where it depends on an initial ratio that was not given."""
     final_ratio: float | None
     """The ratio ``speed / (|spin| * radius)`` in the limit of rest; None with `final_mode`."""
     fixed_points: tuple[FixedPoint, ...]
@@ -53,11 +53,11 @@ def modes(
     inertia_ratio
         ``I/(m * radius**2)``, above 0 and finite: 1/2 for a solid disk on its own face.
     initial_ratio
-        ``speed / (|spin| * radius)`` at the launch, from 0 to infinity. It decides between two stable
-        ends, which there are for ``alpha > 1``.
+        ``speed / (|spin| * radius)`` at the launch, from 0 to infinity. It decides between two
+        stable ends, which there are for ``alpha > 1``.
     lean
-        Lean of a tall body under dry friction, from 0 to 1: ``mu * height / (radius * <r²>)`` with the mean
-        square ``<r²>`` of the distance from the centre in radii, 1/2 for a disk.
+        Lean of a tall body under dry friction, from 0 to 1: ``mu * height / (radius * <r²>)`` with
+        the mean square ``<r²>`` of the distance from the centre in radii, 1/2 for a disk.
 
     Examples
     --------

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
+from tribos._checks import positive
 from tribos._friction import Friction
 
 
@@ -36,17 +37,18 @@ class Rollout(NamedTuple):
 class PlanarBody:
     """Bodies that lie flat on a patch under dry friction, stepped in time together.
 
-    Each step is implicit: friction is the wrench nearest to the one that would stop the body, measured
-    by kinetic energy. A body that friction holds rests exactly and does not creep, and without a push
-    no step gains energy, however long it is.
+    Each step is implicit: friction is the wrench nearest to the one that would stop the body,
+    measured by kinetic energy. A body that friction holds rests exactly and does not creep, and
+    without a push no step gains energy, however long it is.
 
     Parameters
     ----------
     friction
-        Coulomb friction on any patch: round, polygon, bar, mesh, or points. The origin of the patch's
-        coordinates is the foot of the centre of mass, to which twist and wrench refer.
+        Coulomb friction on any patch: round, polygon, bar, mesh, or points. The origin of the
+        patch's coordinates is the foot of the centre of mass, to which twist and wrench refer.
     mass
-        Mass in kg, above 0: a number, or an array that is broadcast with the leading axes of a call.
+        Mass in kg, above 0: a number, or an array that is broadcast with the leading axes of a
+        call.
     inertia
         Moment of inertia in kg m² about the normal through the centre of mass, above 0.
     load
@@ -56,16 +58,17 @@ class PlanarBody:
 
     Notes
     -----
-    Accuracy: of second order in the time step while a body slides, of first order in the step in which
-    it starts, stops or turns about. Results do not depend on the number of threads, and a batch gives
-    the bits of its bodies one by one. NaN in twist or push gives NaN.
+    Accuracy: of second order in the time step while a body slides, of first order in the step in
+    which it starts, stops or turns about. Results do not depend on the number of threads, and a
+    batch gives the bits of its bodies one by one. NaN in twist or push gives NaN.
 
     Only the product ``mu * load`` matters: an array of loads also varies the coefficient.
 
     Examples
     --------
     >>> import numpy as np, tribos
-    >>> crate = tribos.PlanarBody(tribos.Friction(tribos.box(0.4, 0.3), mu=0.5), mass=8.0, inertia=0.17)
+    >>> wood = tribos.Friction(tribos.box(0.4, 0.3), mu=0.5)
+    >>> crate = tribos.PlanarBody(wood, mass=8.0, inertia=0.17)
     >>> pushes = np.array([[30.0, 0.0, 0.0], [60.0, 0.0, 0.0]])      # friction carries 39.24 N
     >>> step = crate.step(np.zeros((2, 3)), pushes, dt=0.01)
     >>> step.at_rest
@@ -97,10 +100,10 @@ class PlanarBody:
         mu = friction.mu
         set_ = object.__setattr__
         set_(self, "friction", friction)
-        set_(self, "mass", _kept("mass", mass))
-        set_(self, "inertia", _kept("inertia", inertia))
-        weight = np.multiply(self.mass, gravity) if load is None else load
-        set_(self, "load", _kept("load", weight))
+        set_(self, "mass", _positive("mass", mass))
+        set_(self, "inertia", _positive("inertia", inertia))
+        weight = np.multiply(self.mass, positive("gravity", gravity)) if load is None else load
+        set_(self, "load", _load(weight))
         set_(self, "_limit", mu * self.load)
         set_(self, "_surface", friction.patch._limits())
         # The kernel refuses wrong bodies here rather than in the first step.
@@ -175,9 +178,11 @@ class PlanarBody:
         """Many time steps of each body, without a return to Python in between.
 
         Twists and pushes refer to axes that stay; the patch turns with the body. Position and angle
-        advance by the mean of the twists before and after a step, which is exact for constant friction.
-        A patch that is not round is taken at the angle that the spin at the start of the step gives for
-        half time: ``step(..., angle=angle + dt / 2 * spin)`` in a loop gives the same bits.
+        advance by the mean of the twists before and after a step, which is exact for constant
+        friction and of second order in the time step otherwise: a plate of 0.3 m that spins to rest
+        in 1000 steps is at most 3e-7 m from its exact place. A patch that is not round is taken at
+        the angle that the spin at the start of the step gives for half time:
+        ``step(..., angle=angle + dt / 2 * spin)`` in a loop gives the same bits.
 
         Parameters
         ----------
@@ -206,7 +211,7 @@ class PlanarBody:
         >>> course = puck.rollout([1.0, 0.0, 5.0], np.zeros((400, 3)), dt=0.001)
         >>> course.twists.shape, int(course.at_rest.argmax())         # rests after 0.369 s
         ((400, 3), 369)
-        >>> print(course.poses[-1].round(3))                          # m, m, rad: tribos.slide gives
+        >>> print(course.poses[-1].round(3))                          # m, m, rad, as tribos.slide
         [0.177 0.    1.155]
         """
         bodies = self._given(load, dt)
@@ -223,7 +228,7 @@ class PlanarBody:
 
     def _given(self, load: ArrayLike | None, dt: ArrayLike) -> dict[str, Any]:
         """The bodies as the compiled half takes them."""
-        limit = self._limit if load is None else self.friction.mu * _kept("load", load)
+        limit = self._limit if load is None else self.friction.mu * _load(load)
         return {
             "force_limit": limit,
             "mass": self.mass,
@@ -252,10 +257,22 @@ def _kept(name: str, value: ArrayLike) -> Any:
         array = np.array(value, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name} must be real numbers: {error}") from None
-    if name == "load" and bool((array < 0.0).any()):
-        raise ValueError(f"load must be >= 0, not {array.min()}")
     array.flags.writeable = False
     return float(array) if array.ndim == 0 else array
+
+
+def _positive(name: str, value: ArrayLike) -> Any:
+    kept = _kept(name, value)
+    if not np.all((kept > 0.0) & (kept < np.inf)):
+        raise ValueError(f"{name} must be > 0 and finite")
+    return kept
+
+
+def _load(value: ArrayLike) -> Any:
+    kept = _kept("load", value)
+    if np.any(np.less(kept, 0.0)):
+        raise ValueError(f"load must be >= 0, not {np.min(kept)}")
+    return kept
 
 
 def _short(value: Any) -> str:

@@ -22,12 +22,12 @@ class Rest(NamedTuple):
     angle: Any
     """Angle turned, in rad, with the sign of the spin; not reduced to one turn."""
     ratio: Any
-    """Ratio of speed to ``|spin| * radius`` in the limit of rest: 0, infinite, or the fixed point of
-    `modes`; NaN for a body that does not move."""
+    """Ratio of speed to ``|spin| * radius`` in the limit of rest: 0, infinite, or the fixed point
+    of `modes`; NaN for a body that does not move."""
 
 
 class Motion(NamedTuple):
-    """Motions at given times: numbers, or arrays of the shape that launches and times are broadcast to."""
+    """Motions at given times: numbers, or arrays of the shape of launches and times together."""
 
     time: Any
     """Time since the launch, in s."""
@@ -60,11 +60,12 @@ def slide(
     spin
         Spins in rad/s, of either sign.
     inertia_ratio
-        ``I/(m * radius**2)`` with the moment of inertia I about the normal, the mass m and the radius
-        of the patch: 1/2 for a solid disk on its own face, 1 for a hoop. Above 0 and finite.
+        ``I/(m * radius**2)`` with the moment of inertia I about the normal, the mass m and the
+        radius of the patch: 1/2 for a solid disk on its own face, 1 for a hoop. Above 0 and finite.
     gravity
-        Acceleration that presses the body down, in m/s², above 0 and finite. The deceleration of pure
-        sliding is ``mu * gravity``, so that an array of gravities varies it from launch to launch.
+        Acceleration that presses the body down, in m/s², above 0 and finite. The deceleration of
+        pure sliding is ``mu * gravity``, so that an array of gravities varies it from launch to
+        launch.
 
     Returns
     -------
@@ -75,8 +76,8 @@ def slide(
     Raises
     ------
     ValueError
-        For ``alpha >= 1``, under which no body rests in finite time, for patches that are not round,
-        and for laws that are no power of the speed.
+        For ``alpha >= 1``, under which no body rests in finite time, for patches that are not
+        round, and for laws that are no power of the speed.
 
     Notes
     -----
@@ -91,7 +92,7 @@ def slide(
     >>> rest = tribos.slide(puck, 1.0, 5.0)
     >>> round(rest.time, 12), round(rest.ratio, 9)
     (0.369017132105, 0.653001789)
-    >>> print(tribos.slide(puck, 1.0, [0.0, 5.0, 50.0]).distance.round(4))   # spin lets it slide farther
+    >>> print(tribos.slide(puck, 1.0, [0.0, 5.0, 50.0]).distance.round(4))   # spun it goes farther
     [0.1699 0.1769 0.606 ]
     """
     rows = _slider(friction).to_rest(speed, spin, inertia_ratio, gravity)
@@ -116,8 +117,8 @@ def slide_path(
     speed, spin
         The launches, as in `slide`.
     times
-        Times since the launch in s, at least 0, in any order. From the time of rest on the body stays
-        where it is.
+        Times since the launch in s, at least 0, in any order. From the time of rest on the body
+        stays where it is.
     inertia_ratio, gravity
         As in `slide`.
 
@@ -129,8 +130,9 @@ def slide_path(
 
     Notes
     -----
-    Accuracy: distance and angle 1e-13; speed and spin 1e-13 times the time to rest over the time that
-    is left. Every time is reached from the launch by itself, so that no error grows along the path.
+    Accuracy: distance and angle 1e-13; speed and spin 1e-13 times the time to rest over the time
+    that is left. Every time is reached from the launch by itself, so that no error grows along the
+    path.
 
     Examples
     --------

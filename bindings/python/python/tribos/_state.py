@@ -12,7 +12,7 @@ from tribos._checks import number
 
 
 class LuGre:
-    """The LuGre model: friction as the bending of bristles, with break-away and the Stribeck effect.
+    """The LuGre model: friction by bristles that bend, with break-away and the Stribeck effect.
 
     With the velocity v and the mean deflection z of the bristles, the state::
 
@@ -36,10 +36,10 @@ class LuGre:
 
     Notes
     -----
-    The force has the sign of the velocity and acts on the body with the opposite one. Under a constant
-    force below ``static_force`` a body comes to rest and stays; under one that swings around it, it
-    creeps, which is a property of the model. *Source*: Canudas de Wit, Olsson, Åström and Lischinsky
-    1995.
+    The force has the sign of the velocity and acts on the body with the opposite one. Under a
+    constant force below ``static_force`` a body comes to rest and stays; under one that swings
+    around it, it creeps, which is a property of the model. *Source*: Canudas de Wit, Olsson, Åström
+    and Lischinsky 1995.
 
     Examples
     --------
@@ -98,14 +98,14 @@ class LuGre:
 
     @property
     def passive_up_to(self) -> float:
-        """Speed in m/s up to which friction dissipates whatever the deflection; infinite if always."""
+        """Speed in m/s up to which friction dissipates at any deflection; infinite if always."""
         return self._handle.passive_up_to()
 
     def step(self, deflection: ArrayLike, velocity: ArrayLike, dt: ArrayLike) -> tuple[Any, Any]:
         """The deflections after a time at constant velocity, and the mean forces over that time.
 
-        Exact for every step: ``force * dt`` is the impulse. With the velocity at the middle of a step
-        a changing one is followed to second order.
+        Exact for every step: ``force * dt`` is the impulse. With the velocity at the middle of a
+        step a changing one is followed to second order.
 
         Parameters
         ----------
@@ -265,11 +265,11 @@ class RateState:
 
     @property
     def slowest_speed(self) -> float | None:
-        """Speed of least steady friction in m/s, about ``(b - a)/viscous``; None if there is none."""
+        """Speed of least steady friction in m/s, about ``(b - a)/viscous``, or None."""
         return self._handle.minimum()
 
     def critical_stiffness(self, load: float, speed: float | None = None) -> float:
-        """Stiffness in N/m below which a spring does not pull a load steadily, but by stick and slip.
+        """Stiffness in N/m below which a spring pulls a load by stick and slip, not steadily.
 
         Parameters
         ----------
