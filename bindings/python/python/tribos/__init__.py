@@ -34,6 +34,7 @@ from tribos._run import Run, open_run, resume, run
 from tribos._scene import Scene, scene
 from tribos._states import Frame, Frames, State
 from tribos._surface import LimitSurface
+from tribos._sweep import cases, run_case, sweep
 from tribos._threads import num_threads, set_num_threads
 from tribos.scenes import (
     CurlingScene,
@@ -67,6 +68,7 @@ __all__ = [
     "annulus",
     "bar",
     "box",
+    "cases",
     "disk",
     "hertz",
     "laws",
@@ -82,6 +84,8 @@ __all__ = [
     "resume",
     "ring",
     "run",
+    "run_case",
     "scene",
     "set_num_threads",
+    "sweep",
 ]
