@@ -22,7 +22,7 @@ mod _native {
     use super::*;
 
     #[pymodule_export]
-    use command::command;
+    use crate::command::{command, host};
     #[pymodule_export]
     use friction::Friction;
     #[pymodule_export]

@@ -11,7 +11,9 @@ torque)`` in N and N m, on the body. Both are the last axis of an array; all axe
 broadcast. Any consistent set of units serves.
 """
 
-from tribos import _native
+import sys
+
+from tribos import _command, _native
 from tribos._friction import Friction
 from tribos._laws import Law, laws
 from tribos._patches import (
@@ -47,6 +49,8 @@ from tribos.scenes import (
 )
 
 __version__: str = _native.__version__
+
+_command.host(["python", *getattr(sys, "argv", [])])
 
 __all__ = [
     "CurlingScene",

@@ -1,6 +1,7 @@
 """Loops of the package `tribos`, which documents them."""
 
 from collections.abc import Callable
+from os import PathLike
 from pathlib import Path
 from typing import Any, final
 
@@ -17,6 +18,7 @@ __all__ = [
     "__version__",
     "command",
     "folder_scene",
+    "host",
     "laws",
     "library_scenes",
     "num_threads",
@@ -31,6 +33,7 @@ __all__ = [
 __version__: str
 
 def command(arguments: list[str]) -> int: ...
+def host(line: list[str], command: str | None, library: str | PathLike[str]) -> None: ...
 def laws() -> list[dict[str, Any]]: ...
 def num_threads() -> int: ...
 def set_num_threads(count: int | None) -> None: ...
