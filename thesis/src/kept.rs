@@ -8,6 +8,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use tribos::record::write_atomically;
 use tribos::run::folder::Lock;
+use tribos::run::program;
 use tribos_report::page::Section;
 
 /// Name of the folder in a report's.
@@ -73,7 +74,7 @@ impl Kept {
 /// A name for this program: its version, and a digest of its file where that can be read.
 fn program() -> String {
     let mut hasher = DefaultHasher::new();
-    let file = std::env::current_exe().and_then(std::fs::read);
+    let file = program::code().and_then(std::fs::read);
     hasher.write(&file.unwrap_or_default());
     format!("{}-{:016x}", env!("CARGO_PKG_VERSION"), hasher.finish())
 }

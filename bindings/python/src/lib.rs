@@ -37,6 +37,7 @@ mod _native {
     use any_pressure::AnyPressure;
     #[pymodule_export]
     use command::command;
+    use crate::command::{command, host};
     #[pymodule_export]
     use contact::ContactLaw;
     #[pymodule_export]

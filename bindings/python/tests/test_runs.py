@@ -19,6 +19,9 @@ import tribos
 POWDER = tribos.PowderScene(width=8.0, height=24.0, pressure=0.02, steps=400, duration=60.0)
 """Some forty spheres, in less than a second."""
 
+LONG = tribos.PowderScene(width=14.0, height=40.0, pressure=0.02, steps=700)
+"""A hundred and fifty spheres; the run is interrupted on its way."""
+
 
 def files(folder: Path) -> dict[str, bytes]:
     """All files of a run by their names, without the line with the time that it took."""
@@ -67,41 +70,66 @@ def test_a_sliding_bodys_files_are_those_of_the_command(name: str, tmp_path: Pat
     assert np.array_equal(memory.series, run.series) and memory.columns == run.columns
 
 
-@pytest.mark.parametrize("delay", [0.02, 0.1, 0.25])
-def test_an_interrupted_run_goes_on_to_the_same_bytes(
-    delay: float, whole: Path, tmp_path: Path
-) -> None:
-    out = tmp_path / "out"
+@pytest.fixture(scope="module")
+def long(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The longer run by the command."""
+    home = tmp_path_factory.mktemp("long")
+    (home / "powder.toml").write_text(LONG.to_toml())
+    command("run", str(home / "powder.toml"), "--out", str(home / "out"), "--frames", "10")
+    return home / "out"
+
+
+def interrupted(delay: float, out: Path) -> str:
+    """Runs or goes on and presses Ctrl-C after `delay` seconds; what the interruption says."""
+    resume = out.exists()
     timer = threading.Timer(delay, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     try:
-        with pytest.raises(KeyboardInterrupt, match="interrupted"):
-            tribos.run(POWDER, out)
+        with pytest.raises(KeyboardInterrupt, match="interrupted") as raised:
+            tribos.run(LONG, out, frames=10, resume=resume)
     finally:
         timer.join()
+    return str(raised.value)
+
+
+@pytest.mark.parametrize("delays", [[0.02], [0.12], [0.25], [0.06, 0.06, 0.06]])
+def test_an_interrupted_run_goes_on_to_the_same_bytes(
+    delays: list[float], long: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    for delay in delays:
+        told = interrupted(delay, out)
     assert not (out / "summary.json").exists()
     with pytest.raises(ValueError, match="not finished"):
         tribos.open_run(out)
     if (out / "checkpoint.json").exists():
+        assert "after step" in told and "tribos.resume(" in told
         # Another run there is refused while this one can go on.
-        with pytest.raises(ValueError, match="broken off"):
-            tribos.run(POWDER.replace(seed=2), out)
-    done = tribos.run(POWDER, out, resume=True)
-    assert files(out) == files(whole)
-    assert done.summary["steps"] == tribos.open_run(whole).summary["steps"]
+        with pytest.raises(ValueError, match="resume=True, give another out"):
+            tribos.run(LONG.replace(seed=2), out)
+    done = tribos.run(LONG, out, resume=True)
+    assert files(out) == files(long)
     # A finished run is opened.
     assert tribos.resume(out).summary == done.summary
 
 
+def test_the_command_goes_on_with_a_run_from_python(long: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    interrupted(0.2, out)
+    (tmp_path / "powder.toml").write_text(LONG.to_toml())
+    command("run", str(tmp_path / "powder.toml"), "--out", str(out), "--resume")
+    assert files(out) == files(long)
+
+
 def test_a_callback_that_raises_ends_the_run_with_its_error(tmp_path: Path) -> None:
-    long = POWDER.replace(width=20.0, height=61.5, steps=100_000, duration=None)
+    scene = POWDER.replace(width=20.0, height=61.5, steps=100_000, duration=None)
 
     def raises(done: float | None, words: str) -> None:
         assert words
         raise ZeroDivisionError("mine")
 
     with pytest.raises(ZeroDivisionError, match="mine"):
-        tribos.run(long, tmp_path, progress=raises)
+        tribos.run(scene, tmp_path, progress=raises)
     assert (tmp_path / "checkpoint.json").exists()
     tribos.run(POWDER, tmp_path, anew=True)
     assert (tmp_path / "summary.json").exists()

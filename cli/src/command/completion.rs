@@ -7,6 +7,7 @@ use clap_complete::engine::{ArgValueCompleter, PathCompleter, ValueCompleter};
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
 use tribos::friction::{LAWS, Patch, find};
+use tribos::run::program;
 use tribos::scene::{Domain, Key, LIBRARY, bodies, library_scene, vocabulary};
 
 /// Environment variable with the shell that asks.
@@ -161,7 +162,7 @@ fn local_laws(current: &OsStr) -> Vec<CompletionCandidate> {
 /// KEY=VALUE of the scene that the command line names, or of any body where it names none.
 fn settings(current: &OsStr) -> Vec<CompletionCandidate> {
     let text = current.to_string_lossy();
-    let keys = keys(std::env::args_os());
+    let keys = keys(program::line().into_iter());
     let Some((name, _)) = text.split_once('=') else {
         return beginning(
             current,

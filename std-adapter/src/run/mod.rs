@@ -9,6 +9,8 @@ mod film;
 pub mod folder;
 mod long_run;
 mod parallel;
+#[doc(hidden)]
+pub mod program;
 mod session;
 
 pub use folder::FolderError;

@@ -15,6 +15,9 @@ from tribos import _native
 from tribos._any_pressure import AnyPressure, TorqueLimits, any_pressure
 from tribos._contact import Collision, ContactLaw, Plates, Spheres
 from tribos._fit import Estimate, LawFit, SupportFit, fit, fit_support
+import sys
+
+from tribos import _command, _native
 from tribos._friction import Friction
 from tribos._gradients import (
     PlanarStepBy,
@@ -65,6 +68,7 @@ from tribos._run import Run, open_run, resume, run
 from tribos._scene import Scene, scene
 from tribos._states import Frame, Frames, State
 from tribos._surface import LimitSurface
+from tribos._sweep import cases, run_case, sweep
 from tribos._threads import num_threads, set_num_threads
 from tribos.scenes import (
     CurlingScene,
@@ -77,6 +81,8 @@ from tribos.scenes import (
 )
 
 __version__: str = _native.__version__
+
+_command.host(["python", *getattr(sys, "argv", [])])
 
 __all__ = [
     "AnyPressure",
@@ -132,6 +138,7 @@ __all__ = [
     "any_pressure",
     "bar",
     "box",
+    "cases",
     "disk",
     "fit",
     "fit_support",
@@ -155,10 +162,12 @@ __all__ = [
     "resume",
     "ring",
     "run",
+    "run_case",
     "scene",
     "set_num_threads",
     "slide",
     "slide_jacobian",
     "slide_path",
     "softened",
+    "sweep",
 ]

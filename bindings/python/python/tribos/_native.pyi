@@ -1,6 +1,7 @@
 """Loops of the package `tribos`, which documents them."""
 
 from collections.abc import Callable
+from os import PathLike
 from pathlib import Path
 from collections.abc import Sequence
 from typing import Any, final
@@ -31,6 +32,7 @@ __all__ = [
     "fit_laws",
     "fit_support",
     "folder_scene",
+    "host",
     "launches",
     "laws",
     "library_scenes",
@@ -68,6 +70,7 @@ def fit_support(
 def launches(
     friction: Profiled, wanted: dict[str, float | int | None]
 ) -> list[tuple[tuple[float, float], float, float, float, float, float, float]]: ...
+def host(line: list[str], command: str | None, library: str | PathLike[str]) -> None: ...
 def laws() -> list[dict[str, Any]]: ...
 def line_boundary(
     surface: LimitSurface, force_limit: float, ends: list[float], count: int

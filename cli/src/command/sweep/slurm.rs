@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::record::write_atomically;
+use tribos::run::program;
 
 /// Name of the script in a sweep's folder.
 pub const SCRIPT: &str = "job.sh";
@@ -56,7 +57,7 @@ impl JobArray {
         std::fs::create_dir_all(&logs).map_err(|error| fail(&logs, error))?;
         // Slurm starts a copy of the script elsewhere: every place is a whole one.
         let folder = out.canonicalize().map_err(|error| fail(out, error))?;
-        let program = std::env::current_exe().map_err(|error| fail(Path::new("tribos"), error))?;
+        let program = program::command().map_err(|error| fail(Path::new("tribos"), error))?;
         let script = folder.join(SCRIPT);
         let text = self.script(&plain(&folder)?, &plain(&program)?);
         write_atomically(&script, text.as_bytes())?;

@@ -3,6 +3,7 @@
 //! The operating system releases the lock when the process ends for any reason, so there are no stale locks.
 
 use super::FolderError;
+use crate::run::program;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{Read, Seek, Write};
 use std::path::{Path, PathBuf};
@@ -195,15 +196,15 @@ fn sign(file: &mut File) -> std::io::Result<()> {
 
 /// Description of this process for others.
 fn myself() -> String {
-    let words: Vec<String> = std::env::args_os()
-        .skip(1)
+    let words: Vec<String> = program::line()
+        .iter()
         .map(|word| word.to_string_lossy().into_owned())
         .collect();
     let command: String = words.join(" ").chars().take(MOST_LETTERS).collect();
     let now = SystemTime::now().duration_since(UNIX_EPOCH);
     let seconds = now.map_or(0, |now| now.as_secs());
     format!(
-        "process {}, `tribos {command}`, since {}\n",
+        "process {}, `{command}`, since {}\n",
         std::process::id(),
         clock(seconds)
     )
