@@ -229,9 +229,9 @@ def softened(mu: float, speed: float) -> Law:
     >>> law = tribos.softened(mu=0.3, speed=1e-3)
     >>> print(law.friction([0.0, 1e-3, 1.0]).round(4), law.slope(0.0))
     [0.     0.15   0.2997] 300.0
-    >>> puck = tribos.Friction(tribos.disk(0.04), law=law)
+    >>> puck = tribos.Friction(tribos.disk(0.1), law=law)
     >>> print(puck.jacobian([0.0, 0.0, 0.0], load=1.0).diagonal().round(3))
-    [-300.   -300.     -0.24]
+    [-300.  -300.    -1.5]
     """
     width = positive("speed", speed)
     # The plateau's own speed has no effect where the exponent is 0; it may not be below the other.
