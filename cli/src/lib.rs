@@ -2,6 +2,8 @@
 
 pub mod command;
 pub mod failure;
+#[doc(hidden)]
+pub mod library;
 
 use failure::Failure;
 use std::ffi::OsString;

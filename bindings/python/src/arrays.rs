@@ -208,8 +208,10 @@ impl<const N: usize> View<'_, N> {
 
 /// An array for results: a new one, or the caller's `out`.
 pub struct Output<'py> {
-    /// The caller's array, if there is one.
+    /// The caller's array, if it gets a copy.
     out: Option<Bound<'py, PyAny>>,
+    /// Whether the result is one number.
+    is_number: bool,
     array: Bound<'py, PyArrayDyn<f64>>,
     memory: PyReadwriteArrayDyn<'py, f64>,
 }
@@ -226,10 +228,23 @@ impl<'py> Output<'py> {
         let shape = [batch, row].concat();
         if let Some(out) = out {
             check(out, &shape)?;
+            // Written in place, unless an argument shares its memory.
+            if let Ok(array) = out.cast::<PyArrayDyn<f64>>()
+                && array.is_c_contiguous()
+                && let Ok(memory) = array.try_readwrite()
+            {
+                return Ok(Self {
+                    out: None,
+                    is_number: false,
+                    memory,
+                    array: array.clone(),
+                });
+            }
         }
-        let array = PyArrayDyn::<f64>::zeros(py, shape, false);
+        let array = PyArrayDyn::<f64>::zeros(py, shape.clone(), false);
         Ok(Self {
             out: out.cloned(),
+            is_number: shape.is_empty(),
             memory: array.readwrite(),
             array,
         })
@@ -243,12 +258,11 @@ impl<'py> Output<'py> {
 
     /// The filled array.
     pub fn finish(self) -> PyResult<Bound<'py, PyAny>> {
-        let is_number = self.array.shape().is_empty();
         let array = self.array.into_any();
         let Some(out) = self.out else {
             // A number for a number, as numpy's functions do.
             let index = pyo3::types::PyTuple::empty(array.py());
-            return if is_number {
+            return if self.is_number {
                 array.get_item(index)
             } else {
                 Ok(array)

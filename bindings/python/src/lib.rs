@@ -3,13 +3,26 @@
 //! Python's half, in `python/tribos`, has the public classes, their documentation and their checks of
 //! types; here are the loops. Nothing of this module is public: it is `tribos._native`.
 
+mod any_pressure;
 mod arrays;
 mod command;
+mod contact;
+mod fit;
 mod friction;
 mod gradients;
+mod inverse;
 mod law;
+mod manifold;
 mod model;
+mod modes;
+mod mujoco;
 mod patch;
+mod push;
+mod planar;
+mod slide;
+mod state;
+mod run;
+mod scene;
 mod surface;
 mod threads;
 
@@ -21,15 +34,39 @@ mod _native {
     use super::*;
 
     #[pymodule_export]
+    use any_pressure::AnyPressure;
+    #[pymodule_export]
     use command::command;
+    #[pymodule_export]
+    use contact::ContactLaw;
+    #[pymodule_export]
+    use fit::{fit_law, fit_laws, fit_support, predict_law};
     #[pymodule_export]
     use friction::Friction;
     #[pymodule_export]
     use gradients::{RestMap, SurfaceDerivatives};
     #[pymodule_export]
+    use inverse::launches;
+    #[pymodule_export]
     use law::{Law, laws};
     #[pymodule_export]
+    use manifold::Manifold;
+    #[pymodule_export]
+    use modes::Profiled;
+    #[pymodule_export]
+    use mujoco::MujocoFeet;
+    #[pymodule_export]
     use patch::Patch;
+    #[pymodule_export]
+    use push::{line_boundary, line_grip, motion_cone, push_along, push_modes, pushes};
+    use planar::{planar_rollout, planar_step};
+    #[pymodule_export]
+    use slide::Slider;
+    #[pymodule_export]
+    use state::{LuGre, RateState};
+    use run::{Film, Stop, folder_scene, run_at_once, run_scene};
+    #[pymodule_export]
+    use scene::{library_scenes, scene_of_file, scene_of_settings, scene_of_text, vocabularies};
     #[pymodule_export]
     use surface::LimitSurface;
     #[pymodule_export]

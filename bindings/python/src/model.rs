@@ -13,6 +13,7 @@ use tribos_core::coupling::{
     Annulus, Coupling, Dry, DryCoupling, PatchFriction, closed, table::Coulomb,
 };
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
+use tribos_core::limit_surface::{FrictionSet, LimitSurface, PatchSurface, Projection};
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
 /// Loads and twists of a batch.
@@ -253,6 +254,14 @@ pub type Work<'a> = &'a mut dyn FnMut(&dyn FrictionSet<f64>);
 pub trait Sets: Send + Sync {
     /// Hands the surface of the force limit μN, in N, to `work`.
     fn with(&self, force_limit: f64, work: Work<'_>) -> PyResult<()>;
+
+    /// The lowest and the highest torque with a force, in N m, NaN for a force that is not carried; for
+    /// straight edges and points.
+    fn torque_limits(&self, _force_limit: f64, _force: [f64; 2]) -> PyResult<[f64; 2]> {
+        Err(refused(
+            "torque limits are for straight edges and points: on a round patch use the gauge",
+        ))
+    }
 }
 
 struct RoundSets<C> {
@@ -274,6 +283,11 @@ impl<P: DryPatch<f64> + Send + Sync> Sets for FlatSets<P> {
     fn with(&self, force_limit: f64, work: Work<'_>) -> PyResult<()> {
         work(&PatchSurface::new(&self.0, force_limit).map_err(refused)?);
         Ok(())
+    }
+
+    fn torque_limits(&self, force_limit: f64, force: [f64; 2]) -> PyResult<[f64; 2]> {
+        let surface = PatchSurface::new(&self.0, force_limit).map_err(refused)?;
+        Ok(surface.torque_limits(force).unwrap_or([f64::NAN; 2]))
     }
 }
 
@@ -341,5 +355,36 @@ fn round_sets(patch: &Patch, radius: f64) -> PyResult<Box<dyn Sets>> {
             let table = RoundTable64::new(0.0, pressure.map_err(refused)?).map_err(refused)?;
             boxed(Dry::new(table).map_err(refused)?, radius)
         }
+    }
+}
+
+/// A limit surface behind a pointer, for kernel functions that want a type.
+#[derive(Clone, Copy)]
+pub struct AnySet<'a>(pub &'a dyn FrictionSet<f64>);
+
+impl FrictionSet<f64> for AnySet<'_> {
+    fn force_limit(&self) -> f64 {
+        self.0.force_limit()
+    }
+    fn radius(&self) -> f64 {
+        self.0.radius()
+    }
+    fn support(&self, twist: &Twist<f64>) -> f64 {
+        self.0.support(twist)
+    }
+    fn wrench(&self, twist: &Twist<f64>) -> Wrench<f64> {
+        self.0.wrench(twist)
+    }
+    fn gauge(&self, wrench: &Wrench<f64>) -> f64 {
+        self.0.gauge(wrench)
+    }
+    fn twist_normal_to(&self, push: &Wrench<f64>) -> Twist<f64> {
+        self.0.twist_normal_to(push)
+    }
+    fn scale_to_surface(&self, wrench: &Wrench<f64>) -> Wrench<f64> {
+        self.0.scale_to_surface(wrench)
+    }
+    fn project_with_length(&self, wrench: &Wrench<f64>, length: f64) -> Projection<f64> {
+        self.0.project_with_length(wrench, length)
     }
 }

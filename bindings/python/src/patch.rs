@@ -63,6 +63,10 @@ impl Patch {
         if !patch.has_axis() {
             return Err(refused(format!("`{text}` has no axis")));
         }
+        if let friction::Patch::Polynomial(coefficients) = &patch {
+            // Refuses what is negative anywhere.
+            friction::polynomial(coefficients).map_err(refused)?;
+        }
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(refused(format!(
                 "the radius must be > 0 and finite, not {radius}"

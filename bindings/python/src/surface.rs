@@ -81,6 +81,31 @@ impl LimitSurface {
         Ok(limit)
     }
 
+    /// The lowest and the highest torque with each force.
+    #[pyo3(signature = (force_limit, forces, out=None))]
+    fn torque_limits<'py>(
+        &self,
+        py: Python<'py>,
+        force_limit: &Bound<'py, PyAny>,
+        forces: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let limits = Numbers::new("force limit", force_limit)?;
+        let forces = Rows::<2>::new("forces", forces)?;
+        let batch = broadcast(&[&forces, &limits])?;
+        let (forces, limits) = (forces.over(&batch)?, limits.over(&batch)?);
+        let (forces, limits) = (forces.view()?, limits.view()?);
+        let mut output = Output::new(py, &batch, &[2], out)?;
+        fill(py, output.rows::<2>()?, 10 * COST, |from, piece| {
+            for (index, row) in (from..).zip(piece) {
+                let [limit] = limits.at(index);
+                *row = self.sets.torque_limits(limit, forces.at(index))?;
+            }
+            Ok(())
+        })?;
+        output.finish()
+    }
+
     /// Gauges of wrenches.
     #[pyo3(signature = (force_limit, wrenches, out=None))]
     fn gauge<'py>(

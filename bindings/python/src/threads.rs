@@ -18,7 +18,8 @@ static POOL: Mutex<Option<Pool>> = Mutex::new(None);
 /// Number of threads asked for.
 static ASKED: Mutex<Option<NonZeroUsize>> = Mutex::new(None);
 
-fn pool() -> PyResult<Arc<ThreadPool>> {
+/// The threads of this process.
+pub fn pool() -> PyResult<Arc<ThreadPool>> {
     let process = std::process::id();
     let mut pool = POOL.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(known) = pool.as_ref().filter(|known| known.process == process) {

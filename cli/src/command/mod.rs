@@ -1,6 +1,6 @@
 //! The subcommands, one module each.
 
-mod bodies;
+pub(crate) mod bodies;
 mod columns;
 mod completion;
 mod completions;
@@ -25,7 +25,7 @@ mod presentation;
 mod progress;
 mod push;
 mod reproduce;
-mod run;
+pub(crate) mod run;
 mod scene;
 mod spool;
 mod surface;

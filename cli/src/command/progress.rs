@@ -2,6 +2,7 @@
 //! the time left; plain lines, rarer as time goes on, in a pipe or a file; nothing with --quiet.
 
 use super::presentation::is_quiet;
+use super::run::caller::Host;
 use std::fmt;
 use std::io::{IsTerminal, Write};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
@@ -66,18 +67,37 @@ pub fn show(done: f64, words: fmt::Arguments<'_>) {
 }
 
 /// Follows one piece of work.
-#[derive(Debug)]
-pub struct Meter {
+pub struct Meter<'a> {
+    /// The program that hears of it in place of a terminal.
+    host: Option<&'a dyn Host>,
     started: Instant,
     told: Instant,
     /// Share that was done before the start, known with the first message.
     before: Option<f64>,
 }
 
-impl Meter {
+impl fmt::Debug for Meter<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Meter")
+            .field("started", &self.started)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'a> Meter<'a> {
     /// Begins now.
     pub fn new() -> Self {
+        Self::told_to(None)
+    }
+
+    /// Begins now, for a program.
+    pub fn of(host: &'a dyn Host) -> Self {
+        Self::told_to(Some(host))
+    }
+
+    fn told_to(host: Option<&'a dyn Host>) -> Self {
         Self {
+            host,
             started: Instant::now(),
             told: Instant::now(),
             before: None,
@@ -87,6 +107,9 @@ impl Meter {
     /// Whether it is time to say how far the work is; `done` is its share now.
     pub fn is_due(&mut self, done: f64) -> bool {
         self.before.get_or_insert(done);
+        if self.host.is_some() {
+            return self.told.elapsed() >= REDRAWN;
+        }
         let pause = if is_terminal() {
             REDRAWN
         } else {
@@ -98,6 +121,9 @@ impl Meter {
     /// Says that the share `done` is done, with the time left.
     pub fn tell(&mut self, done: f64, words: fmt::Arguments<'_>) {
         self.told = Instant::now();
+        if let Some(host) = self.host {
+            return host.hear(Some(done), words);
+        }
         let before = self.before.unwrap_or(0.0);
         let left = match left(self.started.elapsed(), before, done) {
             Some(left) => format!("{} left", in_words(left)),
@@ -113,6 +139,9 @@ impl Meter {
     /// As [`Self::tell`] for work whose end is not known: the time gone.
     pub fn tell_open(&mut self, words: fmt::Arguments<'_>) {
         self.told = Instant::now();
+        if let Some(host) = self.host {
+            return host.hear(None, words);
+        }
         let gone = in_words(self.started.elapsed());
         if is_terminal() {
             draw(&format!("{gone}  {words}"));

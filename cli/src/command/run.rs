@@ -1,5 +1,6 @@
 //! `tribos run`: a scene simulated, its results in a folder.
 
+pub mod caller;
 pub mod disk;
 pub mod files;
 pub mod order;
@@ -10,7 +11,8 @@ pub mod tip;
 
 pub use order::COMMAND;
 
-use self::order::{Order, how_to_go_on};
+use self::caller::Caller;
+use self::order::{Order, Pictures, how_to_go_on};
 use self::size::Allowed;
 use super::{bodies, number};
 use crate::failure::Failure;
@@ -124,6 +126,8 @@ impl Arguments {
             pause: self.checkpoint,
             frames: self.frames,
             allowed: Allowed::of(self.allow_large),
+            pictures: Pictures::Drawn,
+            caller: Caller::Terminal,
         });
         done.map_err(|failure| failure.going_on(&how_to_go_on(&self.out)))
     }

@@ -12,6 +12,9 @@ broadcast. Any consistent set of units serves.
 """
 
 from tribos import _native
+from tribos._any_pressure import AnyPressure, TorqueLimits, any_pressure
+from tribos._contact import Collision, ContactLaw, Plates, Spheres
+from tribos._fit import Estimate, LawFit, SupportFit, fit, fit_support
 from tribos._friction import Friction
 from tribos._gradients import (
     PlanarStepBy,
@@ -23,6 +26,10 @@ from tribos._gradients import (
     softened,
 )
 from tribos._laws import Law, laws
+from tribos._manifold import ContactForce, Manifold, SolverReport
+from tribos._inverse import Launch, inverse
+from tribos._laws import Law, laws
+from tribos._modes import FixedPoint, Modes, modes
 from tribos._patches import (
     Patch,
     annulus,
@@ -39,28 +46,103 @@ from tribos._patches import (
     punch,
     ring,
 )
+from tribos._push import (
+    ConeEdge,
+    Grip,
+    Journey,
+    LineContact,
+    MotionCone,
+    PointContact,
+    Push,
+    motion_cone,
+    push,
+    push_along,
+)
+from tribos._planar import PlanarBody, Rollout, Step
+from tribos._slide import Motion, Rest, slide, slide_path
+from tribos._state import LuGre, RateState
+from tribos._run import Run, open_run, resume, run
+from tribos._scene import Scene, scene
+from tribos._states import Frame, Frames, State
 from tribos._surface import LimitSurface
 from tribos._threads import num_threads, set_num_threads
+from tribos.scenes import (
+    CurlingScene,
+    CylinderScene,
+    PipeScene,
+    PlateScene,
+    PowderScene,
+    SliderScene,
+    TipScene,
+)
 
 __version__: str = _native.__version__
 
 __all__ = [
+    "AnyPressure",
+    "Collision",
+    "ConeEdge",
+    "ContactForce",
+    "ContactLaw",
+    "CurlingScene",
+    "CylinderScene",
+    "Estimate",
+    "FixedPoint",
+    "Frame",
+    "Frames",
     "Friction",
+    "Grip",
+    "Journey",
+    "Launch",
     "Law",
+    "LawFit",
     "LimitSurface",
+    "LineContact",
+    "LuGre",
+    "Manifold",
+    "Modes",
+    "Motion",
+    "MotionCone",
     "Patch",
+    "PipeScene",
+    "PlanarBody",
     "PlanarStepBy",
     "PlanarStepJacobian",
+    "PlateScene",
+    "Plates",
+    "PointContact",
+    "PowderScene",
+    "Push",
+    "RateState",
+    "Rest",
+    "Rollout",
+    "Run",
+    "Scene",
     "SlideBy",
     "SlideJacobian",
+    "SliderScene",
+    "SolverReport",
+    "Spheres",
+    "State",
+    "Step",
+    "SupportFit",
+    "TipScene",
+    "TorqueLimits",
     "annulus",
+    "any_pressure",
     "bar",
     "box",
     "disk",
+    "fit",
+    "fit_support",
     "hertz",
+    "inverse",
     "laws",
     "mesh",
+    "modes",
+    "motion_cone",
     "num_threads",
+    "open_run",
     "paraboloid",
     "planar_step_jacobian",
     "points",
@@ -68,8 +150,15 @@ __all__ = [
     "polynomial",
     "power",
     "punch",
+    "push",
+    "push_along",
+    "resume",
     "ring",
+    "run",
+    "scene",
     "set_num_threads",
+    "slide",
     "slide_jacobian",
+    "slide_path",
     "softened",
 ]

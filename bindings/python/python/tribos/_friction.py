@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from tribos import _native
 from tribos._laws import Law, law_of
 from tribos._patches import Patch
+from tribos._plot import html, short
 from tribos._surface import LimitSurface
 
 
@@ -132,6 +133,17 @@ class Friction:
     def __repr__(self) -> str:
         tier = "" if self.tier is None else f", tier={self.tier!r}"
         return f"tribos.Friction({self.patch!r}, law={self.law!r}{tier})"
+
+    def _repr_html_(self) -> str:
+        """A table of patch and law, for notebooks."""
+        rows = [
+            ("patch", repr(self.patch)),
+            ("radius", short(self.patch.radius, "m")),
+            ("law", repr(self.law)),
+        ]
+        if self.tier is not None:
+            rows.append(("tier", self.tier))
+        return html("Friction", rows, self.patch)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _made, (self.patch, self.law, self.tier)

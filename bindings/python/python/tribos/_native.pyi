@@ -1,28 +1,211 @@
 """Loops of the package `tribos`, which documents them."""
 
+from collections.abc import Callable
+from pathlib import Path
+from collections.abc import Sequence
 from typing import Any, final
 
+import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
+    "AnyPressure",
+    "ContactLaw",
+    "Film",
     "Friction",
     "Law",
     "LimitSurface",
+    "LuGre",
+    "Manifold",
+    "MujocoFeet",
     "Patch",
+    "Profiled",
+    "RateState",
     "RestMap",
+    "Slider",
+    "Stop",
     "SurfaceDerivatives",
     "__version__",
     "command",
+    "fit_law",
+    "fit_laws",
+    "fit_support",
+    "folder_scene",
+    "launches",
     "laws",
+    "library_scenes",
+    "line_boundary",
+    "line_grip",
+    "motion_cone",
     "num_threads",
+    "planar_rollout",
+    "planar_step",
+    "predict_law",
+    "push_along",
+    "push_modes",
+    "pushes",
+    "run_at_once",
+    "run_scene",
+    "scene_of_file",
+    "scene_of_settings",
+    "scene_of_text",
     "set_num_threads",
+    "vocabularies",
 ]
 __version__: str
 
 def command(arguments: list[str]) -> int: ...
+def fit_law(
+    law: str,
+    columns: tuple[list[float], list[float], list[float] | None, list[float] | None],
+    fixed: list[tuple[str, float]],
+    starts: int,
+) -> dict[str, Any]: ...
+def fit_laws() -> list[list[str]]: ...
+def fit_support(
+    pushes: list[list[float]], patch: Patch | None, loops: list[list[list[float]]]
+) -> dict[str, Any]: ...
+def launches(
+    friction: Profiled, wanted: dict[str, float | int | None]
+) -> list[tuple[tuple[float, float], float, float, float, float, float, float]]: ...
 def laws() -> list[dict[str, Any]]: ...
+def line_boundary(
+    surface: LimitSurface, force_limit: float, ends: list[float], count: int
+) -> list[list[float]]: ...
+def line_grip(
+    surface: LimitSurface, force_limit: ArrayLike, ends: list[float], twists: ArrayLike
+) -> NDArray[Any]: ...
+def motion_cone(
+    surface: LimitSurface, force_limit: ArrayLike, contacts: ArrayLike
+) -> NDArray[Any]: ...
 def num_threads() -> int: ...
+def predict_law(
+    law: str, velocities: list[float], times: list[float] | None, values: list[float]
+) -> list[float]: ...
+def push_along(
+    surface: LimitSurface,
+    force_limit: float,
+    at: list[float],
+    side: list[float] | None,
+    start: list[float],
+    velocity: list[float],
+    duration: float,
+    samples: int,
+    tolerance: float,
+) -> tuple[NDArray[Any], str, int]: ...
+def push_modes() -> list[str]: ...
+def pushes(
+    surface: LimitSurface, force_limit: ArrayLike, contacts: ArrayLike
+) -> NDArray[Any]: ...
+def planar_rollout(
+    patch: Patch,
+    surface: LimitSurface,
+    bodies: dict[str, Any],
+    twists: ArrayLike,
+    pushes: ArrayLike,
+    poses: ArrayLike,
+) -> list[NDArray[Any]]: ...
+def planar_step(
+    patch: Patch,
+    surface: LimitSurface,
+    bodies: dict[str, Any],
+    twists: ArrayLike,
+    pushes: ArrayLike,
+    angle: ArrayLike,
+    out: NDArray[Any] | None = None,
+) -> list[NDArray[Any]]: ...
 def set_num_threads(count: int | None) -> None: ...
+def folder_scene(folder: Path) -> dict[str, Any] | None: ...
+def library_scenes() -> list[tuple[str, str, str]]: ...
+def run_at_once(
+    name: str, text: str
+) -> tuple[dict[str, Any], list[str], NDArray[np.float64]] | None: ...
+def run_scene(
+    name: str,
+    text: str,
+    out: Path,
+    *,
+    resume: bool,
+    anew: bool,
+    checkpoint: float,
+    frames: int | None,
+    allow_large: bool,
+    pictures: bool,
+    threads: int | None,
+    progress: Callable[[float | None, str], object] | None,
+    stop: Stop | None,
+) -> None: ...
+def scene_of_file(path: str, overrides: list[str]) -> tuple[str, dict[str, Any]]: ...
+def scene_of_settings(name: str, body: str, settings: list[str]) -> dict[str, Any]: ...
+def scene_of_text(name: str, text: str, overrides: list[str]) -> tuple[str, dict[str, Any]]: ...
+def vocabularies() -> list[dict[str, Any]]: ...
+@final
+class Film:
+    @staticmethod
+    def open(path: Path) -> Film | None: ...
+    def steps(self) -> list[int]: ...
+    def bodies(self) -> dict[str, Any]: ...
+    def read(self, step: int) -> dict[str, Any]: ...
+
+@final
+class Stop:
+    def __new__(cls) -> Stop: ...
+    def stop(self) -> None: ...
+
+@final
+class AnyPressure:
+    def __new__(
+        cls, corners: list[list[float]], centre: list[float], force_limit: float
+    ) -> AnyPressure: ...
+    def radius(self) -> float: ...
+    def support(self, twists: ArrayLike) -> NDArray[Any]: ...
+    def wrench(self, twists: ArrayLike) -> NDArray[Any]: ...
+    def torque_limits(self, forces: ArrayLike) -> NDArray[Any]: ...
+    def gauge_bounds(self, wrenches: ArrayLike) -> NDArray[Any]: ...
+
+@final
+class ContactLaw:
+    def __new__(
+        cls,
+        coefficients: list[float],
+        patch: Patch | None,
+        restitution: float,
+        cohesion: list[float],
+        attraction: str,
+    ) -> ContactLaw: ...
+    def mu_torsion(self) -> float: ...
+    def spheres(self, rows: ArrayLike, dt: float) -> NDArray[Any]: ...
+    def plate(self, rows: ArrayLike, dt: float) -> NDArray[Any]: ...
+
+@final
+class Manifold:
+    def __new__(cls, law: ContactLaw) -> Manifold: ...
+    def copy(self) -> Manifold: ...
+    def add_sphere(self, ball: tuple[list[float], list[float], float, float]) -> int: ...
+    def add_plate(self, velocity: list[float], inv_mass: float) -> int: ...
+    def add_contact(
+        self,
+        first: int,
+        second: int,
+        normal: list[float],
+        gap: float,
+        radii: tuple[float, float | None],
+    ) -> int: ...
+    def set_contact(
+        self, contact: int, normal: list[float], gap: float, radii: tuple[float, float | None]
+    ) -> None: ...
+    def clear_contacts(self) -> None: ...
+    def set_gravity(self, gravity: list[float]) -> None: ...
+    def set_force(self, body: int, force: list[float], torque: list[float]) -> None: ...
+    def motion(self, body: int) -> tuple[list[float], list[float]]: ...
+    def set_motion(self, body: int, velocity: list[float], spin: list[float]) -> None: ...
+    def force(
+        self, contact: int
+    ) -> tuple[float, list[float], list[float], float] | None: ...
+    def solve(
+        self, dt: float, start: str, sweeps: int, tolerance: float
+    ) -> tuple[int, float, bool]: ...
+
 @final
 class Friction:
     def __new__(cls, patch: Patch, law: Law, tier: str | None = None) -> Friction: ...
@@ -60,6 +243,9 @@ class LimitSurface:
     def __new__(cls, patch: Patch) -> LimitSurface: ...
     def ellipsoid(self) -> LimitSurface: ...
     def torque_limit(self, force_limit: float) -> float: ...
+    def torque_limits(
+        self, force_limit: ArrayLike, forces: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
     def gauge(
         self, force_limit: ArrayLike, wrenches: ArrayLike, out: NDArray[Any] | None = None
     ) -> NDArray[Any]: ...
@@ -145,3 +331,86 @@ class SurfaceDerivatives:
         inertia: ArrayLike,
         dt: ArrayLike,
     ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any]]: ...
+class Profiled:
+    def __new__(cls, patch: Patch, law: Law) -> Profiled: ...
+    def alpha(self) -> float: ...
+    def modes(
+        self, inertia_ratio: float, initial_ratio: float | None = None, lean: float = 0.0
+    ) -> tuple[tuple[float, float], list[tuple[float, str]], tuple[str, float] | None]: ...
+
+@final
+class Slider:
+    def __new__(cls, patch: Patch, law: Law, tier: str | None = None) -> Slider: ...
+    def to_rest(
+        self,
+        speed: ArrayLike,
+        spin: ArrayLike,
+        inertia_ratio: ArrayLike,
+        gravity: ArrayLike,
+    ) -> NDArray[Any]: ...
+    def advance(
+        self,
+        speed: ArrayLike,
+        spin: ArrayLike,
+        times: ArrayLike,
+        inertia_ratio: ArrayLike,
+        gravity: ArrayLike,
+    ) -> NDArray[Any]: ...
+
+@final
+class LuGre:
+    def __new__(cls, parameters: list[float]) -> LuGre: ...
+    def largest_deflection(self) -> float: ...
+    def passive_up_to(self) -> float: ...
+    def step(
+        self, deflection: ArrayLike, velocity: ArrayLike, dt: ArrayLike
+    ) -> NDArray[Any]: ...
+    def force(
+        self, deflection: ArrayLike, velocity: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def rate(
+        self, deflection: ArrayLike, velocity: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def steady_force(
+        self, velocity: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+
+@final
+class RateState:
+    def __new__(cls, parameters: list[float], evolution: str) -> RateState: ...
+    def friction(
+        self, speed: ArrayLike, age: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def slope(
+        self, speed: ArrayLike, age: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def step(
+        self, age: ArrayLike, speed: ArrayLike, dt: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def steady_age(self, speed: ArrayLike, out: NDArray[Any] | None = None) -> NDArray[Any]: ...
+    def steady_friction(
+        self, speed: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def critical_stiffness(self, load: float, speed: float | None = None) -> float: ...
+    def minimum(self) -> float | None: ...
+class MujocoFeet:
+    def __new__(
+        cls,
+        feet: Sequence[object],
+        arrays: object,
+        frames: Sequence[tuple[NDArray[Any], NDArray[Any]]],
+        layout: object,
+        mass: tuple[NDArray[Any], NDArray[Any]] | None,
+    ) -> MujocoFeet: ...
+    def lift(self) -> None: ...
+    def land(
+        self,
+        time: float,
+        contacts: tuple[NDArray[Any], NDArray[Any]],
+        stiffness: NDArray[Any],
+        springs: NDArray[Any],
+    ) -> bool: ...
+    def push(self, dt: float) -> None: ...
+    def state(
+        self, foot: int
+    ) -> tuple[float, list[float], list[float], list[list[float]], list[float], bool]: ...

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from tribos import _native
 from tribos._checks import number, pair, positive, table
+from tribos._plot import svg
 
 Pair = Sequence[float]
 Parameters = tuple[tuple[str, Any], ...]
@@ -65,6 +66,10 @@ class Patch:
         given = ", ".join(f"{name}={_short(value)}" for name, value in self._parameters)
         return f"tribos.{self.kind}({given})"
 
+    def _repr_svg_(self) -> str:
+        """The outline with the centre of pressure, for notebooks."""
+        return svg(self)
+
     def __reduce__(self) -> tuple[Any, ...]:
         return _made, (self.kind, self._parameters)
 
@@ -75,6 +80,25 @@ class Patch:
 
     def __hash__(self) -> int:
         return hash((self.kind, self._parameters))
+
+
+def outline(patch: Patch) -> list[list[list[float]]]:
+    """Loops of corners in m: of straight edges the outer one first, of a bar both ends, of a mesh its
+    triangles; none for points and patches with an axis."""
+    given = dict(patch._parameters)
+    if patch.kind == "box":
+        x, y = 0.5 * given["a"], 0.5 * given["b"]
+        return [[[-x, -y], [x, -y], [x, y], [-x, y]]]
+    if patch.kind == "bar":
+        half = 0.5 * given["length"]
+        return [[[-half, 0.0], [half, 0.0]]]
+    if patch.kind == "polygon":
+        loops = (given["corners"], *given.get("holes", ()))
+        return [[list(corner) for corner in loop] for loop in loops]
+    if patch.kind == "mesh":
+        places = given["vertices"]
+        return [[list(places[index]) for index in corners] for corners in given["triangles"]]
+    return []
 
 
 def _short(value: Any) -> str:

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from tribos import _native
 from tribos._checks import number
 from tribos._patches import Patch
+from tribos._plot import html, plot_surface, short
 
 
 class LimitSurface:
@@ -85,12 +86,40 @@ class LimitSurface:
         >>> puck = tribos.Friction(tribos.disk(0.04), mu=0.3).limit_surface(load=1.7)
         >>> friction = puck.wrench([0.1, 0.0, 3.0])
         >>> print(round(float(puck.gauge(friction)), 4), round(float(puck.ellipsoid().gauge(friction)), 4))
-        1.0 0.9313
+        1.0 0.9356
         """
         made = LimitSurface(self.patch, self.mu, self.load)
         made._handle = self._handle.ellipsoid()
         made.is_ellipsoid = True
         return made
+
+    def torque_limits(self, forces: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+        """The lowest and the highest torque about the origin that is carried with each force.
+
+        For polygons, bars, meshes and points; on round patches ValueError. Of a foot whose pressure is
+        not known, `any_pressure` has the limits.
+
+        Parameters
+        ----------
+        forces
+            In N, of shape (..., 2).
+        out
+            An array of floats for the result.
+
+        Returns
+        -------
+        numpy.ndarray
+            Torques in N m, of shape (..., 2); NaN where friction does not carry the force alone.
+
+        Examples
+        --------
+        >>> import tribos
+        >>> sole = tribos.polygon([[-0.06, -0.04], [0.18, -0.05], [0.18, 0.05], [-0.06, 0.04]])
+        >>> floor = tribos.LimitSurface(sole, mu=0.6, load=700.0)
+        >>> print(floor.torque_limits([200.0, 0.0]).round(3))
+        [-24.699  24.699]
+        """
+        return self._handle.torque_limits(self._limits, forces, out)
 
     def gauge(self, wrenches: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
         """The least factor by which the set must grow to hold each wrench.
@@ -146,6 +175,59 @@ class LimitSurface:
         """Friction at each twist: the surface point with the outward normal ``-twist``."""
         return self._handle.wrench(self._limits, twists, out)
 
+    def plot(
+        self,
+        ax: Any = None,
+        *,
+        wrenches: ArrayLike | None = None,
+        normals: ArrayLike | None = None,
+        resolution: int = 24,
+        **options: Any,
+    ) -> Any:
+        """Draw the surface in three dimensions: forces in N and the torque in N m.
+
+        Parameters
+        ----------
+        ax
+            Axes of matplotlib in three dimensions; None for new ones.
+        wrenches
+            Wrenches that are drawn as points, of shape (..., 3).
+        normals
+            Pushes, of shape (..., 3): where their rays meet the surface, lines point along the motions
+            that they cause.
+        resolution
+            Number of rays from pole to pole.
+        **options
+            For matplotlib's ``plot_surface``, such as ``color`` and ``alpha``.
+
+        Returns
+        -------
+        matplotlib axes
+            The given ones, or the new ones. ImportError without matplotlib.
+
+        Examples
+        --------
+        >>> import pytest
+        >>> matplotlib = pytest.importorskip("matplotlib")
+        >>> matplotlib.use("Agg")
+        >>> import tribos
+        >>> table = tribos.LimitSurface(tribos.box(0.3, 0.2), mu=0.4, load=20.0)
+        >>> ax = table.plot(normals=[[0.0, 8.0, 1.0]], color="C0")
+        >>> ax.get_zlabel()
+        'torque [N m]'
+        """
+        return plot_surface(self, ax, wrenches, normals, resolution, options)
+
+    def _repr_html_(self) -> str:
+        """A table of patch and limits, for notebooks."""
+        rows = [
+            ("patch", repr(self.patch)),
+            ("mu", f"{self.mu:.6g}"),
+            ("load", short(self.load, "N")),
+            ("largest force", short(self.force_limit, "N")),
+            ("largest torque", short(self.torque_limit, "N m")),
+        ]
+        return html("Limit surface", rows, self.patch)
     def _slopes(self) -> _native.SurfaceDerivatives:
         from tribos import _gradients
 

@@ -3,18 +3,15 @@
 use super::files;
 use super::order::Order;
 use crate::command::digits::shown;
-use crate::command::progress::Meter;
 use crate::failure::Failure;
-use std::path::Path;
 use tribos::record::write_series;
 use tribos::scene::{SliderScene, Units};
 use tribos::slide::{self, COLUMNS, SlideRun};
 use tribos_report::figure::{Axis, Figure, Guide, Series};
-use tribos_report::image;
 
 /// Runs the scene and writes its results into the folder.
 pub fn run(scene: &SliderScene, order: &Order<'_>) -> Result<(), Failure> {
-    let mut meter = Meter::new();
+    let mut meter = order.caller.meter();
     let result = slide::run(scene, |done| {
         if meter.is_due(done) {
             meter.tell(done, format_args!("sliding"));
@@ -23,22 +20,22 @@ pub fn run(scene: &SliderScene, order: &Order<'_>) -> Result<(), Failure> {
     let folder = order.begin(scene.json(), files::DISK)?;
     let rows = result.series.iter().map(<[f64; COLUMNS.len()]>::as_slice);
     write_series(&order.out.join("series.csv"), &COLUMNS, rows)?;
-    image::write_both(order.out, "motion", &figure(scene, &result))?;
+    order.draw("motion", || Ok(figure(scene, &result)))?;
     folder.seal(&["series.csv"])?;
     // Last: a summary stands only beside complete results.
     let summary = format!("{:#}\n", result.outcome.json(scene));
     folder.write("summary.json", summary.as_bytes())?;
-    report(scene, &result, order.out)
+    report(scene, &result, order)
 }
 
 /// A few lines for the person at the terminal.
-fn report(scene: &SliderScene, result: &SlideRun, out: &Path) -> Result<(), Failure> {
+fn report(scene: &SliderScene, result: &SlideRun, order: &Order<'_>) -> Result<(), Failure> {
     let outcome = &result.outcome;
     let (s, m) = match scene.units {
         Units::Si => (" s", " m"),
         Units::Dimensionless => ("", ""),
     };
-    crate::command::print(&format!(
+    order.caller.report(&format!(
         "ending        {:?} after {} steps\n\
          time          {}{s}\n\
          distance      {}{m}\n\
@@ -53,7 +50,7 @@ fn report(scene: &SliderScene, result: &SlideRun, out: &Path) -> Result<(), Fail
         shown(outcome.angle),
         shown(outcome.ratio),
         outcome.energy_error,
-        out.display()
+        order.out.display()
     ))
 }
 

@@ -1,5 +1,6 @@
 //! A run as it was asked for: its folder, and how it starts and goes on.
 
+use super::caller::Caller;
 use super::files;
 use super::size::Allowed;
 use crate::command::interrupt;
@@ -10,6 +11,7 @@ use std::time::Duration;
 use tribos::record::CheckpointError;
 use tribos::run::folder::{Broken, Contents, Lock, Manifest, OutputFolder, Sharing, is_finished};
 use tribos::run::{CHECKPOINT, LongRun, RunError, Session, Start, read_checkpoint};
+use tribos_report::image::{self, Drawing};
 
 /// The command's name in the folders that it writes.
 pub const COMMAND: &str = "run";
@@ -29,6 +31,19 @@ pub struct Order<'a> {
     pub frames: Option<u64>,
     /// Which sizes are run.
     pub allowed: Allowed,
+    /// Whether pictures are drawn.
+    pub pictures: Pictures,
+    /// Who asked.
+    pub caller: Caller<'a>,
+}
+
+/// Whether the pictures of a run are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pictures {
+    /// With the other results.
+    Drawn,
+    /// Nobody will see them.
+    LeftOut,
 }
 
 impl<'a> Order<'a> {
@@ -44,13 +59,38 @@ impl<'a> Order<'a> {
 
     /// A long run in its folder.
     pub fn session<R: LongRun>(&self, start: Start, folder: &OutputFolder) -> Session<'a, R> {
+        let caller = self.caller;
         let session = Session::under(folder.lock().clone(), self.out)
             .start(start)
-            .checkpoint_every(self.pause);
+            .checkpoint_every(self.pause)
+            .cancel_when(move || caller.is_asked());
         match self.frames {
             Some(limit) => session.frames(limit),
             None => session,
         }
+    }
+
+    /// Draws a picture as .svg and .png, if pictures are asked for.
+    pub fn draw<D: Drawing>(
+        &self,
+        stem: &str,
+        drawing: impl FnOnce() -> Result<D, Failure>,
+    ) -> Result<(), Failure> {
+        if self.pictures == Pictures::Drawn {
+            image::write_both(self.out, stem, &drawing()?)?;
+        }
+        Ok(())
+    }
+
+    /// Ends a run that was interrupted after its last step: it is in its checkpoint.
+    pub fn interrupted(&self) -> Result<(), Failure> {
+        if self.caller.is_asked() {
+            return Err(interrupt::ended(
+                self.out,
+                "interrupted while results were written",
+            ));
+        }
+        Ok(())
     }
 
     /// A run that was interrupted says how to go on.
@@ -69,7 +109,7 @@ impl<'a> Order<'a> {
         scene: Value,
         later: &[&str],
     ) -> Result<Option<(OutputFolder, Start)>, Failure> {
-        interrupt::watch()?;
+        self.caller.watch()?;
         let contents = Contents {
             about: scene,
             later,
@@ -86,7 +126,8 @@ impl<'a> Order<'a> {
         let lock = Lock::take(self.out, Sharing::Alone)?;
         let Some(start) = self.start(&contents.about)? else {
             let out = self.out.display();
-            crate::command::print(&format!("finished already; its results are in {out}\n"))?;
+            let told = format!("finished already; its results are in {out}\n");
+            self.caller.report(&told)?;
             return Ok(None);
         };
         let folder = OutputFolder::go_on_with(lock, &contents)?;
@@ -107,9 +148,8 @@ impl<'a> Order<'a> {
                 return Ok(None);
             }
             Some(begun) if begun.about == *scene => {
-                crate::command::tell(format_args!(
-                    "no checkpoint yet: starting from the beginning"
-                ));
+                let told = format_args!("no checkpoint yet: starting from the beginning");
+                self.caller.tell(told);
                 return Ok(Some(Start::Fresh));
             }
             None if file.exists() => {}

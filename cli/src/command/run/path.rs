@@ -4,12 +4,10 @@ use super::files;
 use super::order::Order;
 use crate::command::digits::shown;
 use crate::failure::Failure;
-use std::path::Path;
 use tribos::record::write_series;
 use tribos::slide::planar::Ending;
 use tribos::slide::{PATH_COLUMNS, PathRun, PlanarScene, run_path};
 use tribos_report::figure::{Axis, Figure, Series};
-use tribos_report::image;
 
 /// Runs the scene and writes its results into the folder.
 pub fn run(scene: &dyn PlanarScene, order: &Order<'_>) -> Result<(), Failure> {
@@ -21,16 +19,16 @@ pub fn run(scene: &dyn PlanarScene, order: &Order<'_>) -> Result<(), Failure> {
         .iter()
         .map(<[f64; PATH_COLUMNS.len()]>::as_slice);
     write_series(&out.join("series.csv"), &PATH_COLUMNS, rows)?;
-    image::write_both(out, "path", &figure(scene, &result))?;
+    order.draw("path", || Ok(figure(scene, &result)))?;
     folder.seal(&["series.csv"])?;
     // Last: a summary stands only beside complete results.
     let summary = format!("{:#}\n", result.outcome.json(scene));
     folder.write("summary.json", summary.as_bytes())?;
-    report(&result, out)
+    report(&result, order)
 }
 
 /// A few lines for the person at the terminal.
-fn report(result: &PathRun, out: &Path) -> Result<(), Failure> {
+fn report(result: &PathRun, order: &Order<'_>) -> Result<(), Failure> {
     let arrival = &result.outcome.arrival;
     let [x, y] = arrival.point.position.map(shown);
     let ending = match arrival.ending {
@@ -48,7 +46,7 @@ fn report(result: &PathRun, out: &Path) -> Result<(), Failure> {
             format!("lean          at most {most} of its limit\n")
         }
     };
-    crate::command::print(&format!(
+    order.caller.report(&format!(
         "ending        {ending} after {} steps\n\
          time          {} s\n\
          forward       {x} m\n\
@@ -63,7 +61,7 @@ fn report(result: &PathRun, out: &Path) -> Result<(), Failure> {
         shown(arrival.point.angle),
         shown(arrival.point.ratio),
         result.outcome.energy_error,
-        out.display()
+        order.out.display()
     ))
 }
 

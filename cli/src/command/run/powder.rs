@@ -2,9 +2,9 @@
 
 mod output;
 
+use super::caller::Caller;
 use super::order::Order;
 use super::{files, size};
-use crate::command::interrupt;
 use crate::command::progress::Meter;
 use crate::failure::Failure;
 use output::{report, write};
@@ -22,24 +22,25 @@ pub fn run(scene: &PowderScene, order: &Order<'_>) -> Result<(), Failure> {
         return Ok(());
     };
     // After its end an interruption costs no more than the results.
-    let compaction =
-        simulate(scene, order.session(start, &folder)).map_err(|error| order.failure(error))?;
+    let compaction = simulate(scene, order.session(start, &folder), order.caller)
+        .map_err(|error| order.failure(error))?;
     folder.remove(files::is_made_from_frames)?;
     let outcome = compaction.outcome();
-    write(scene, &compaction, &outcome, &folder)?;
+    write(scene, &compaction, &outcome, &folder, order)?;
     folder.check()?;
     forget_checkpoint(order.out)?;
-    report(&outcome, order.out)
+    report(&outcome, order)
 }
 
 /// Runs the scene to its end and says how far it is.
 fn simulate(
     scene: &PowderScene,
     session: Session<'_, Compaction>,
+    caller: Caller<'_>,
 ) -> Result<Compaction, RunError<CompactionError>> {
     let size = powder::size(scene);
-    crate::command::tell(format_args!("{}", size::told(&size, "spheres")));
-    let (mut growth, mut meter) = (Meter::new(), Meter::new());
+    caller.tell(format_args!("{}", size::told(&size, "spheres")));
+    let (mut growth, mut meter) = (caller.meter(), caller.meter());
     // Sweeps since the last line, and the step that it told.
     let (mut sweeps, mut since) = (0, None);
     session
@@ -60,13 +61,12 @@ fn simulate(
                 (sweeps, since) = (0, Some(run.steps()));
             }
         })
-        .cancel_when(interrupt::is_asked)
         .run(scene)
 }
 
 /// How far a compaction is: its end is known where a time is given, or so few steps that they may
 /// end it before the packing is blocked.
-fn tell(meter: &mut Meter, scene: &PowderScene, compaction: &Compaction, sweeps: f64) {
+fn tell(meter: &mut Meter<'_>, scene: &PowderScene, compaction: &Compaction, sweeps: f64) {
     /// A packing is seldom blocked within fewer steps.
     const FEW: u64 = 5_000;
     let words = format!(

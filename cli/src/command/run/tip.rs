@@ -1,10 +1,9 @@
 //! Tips turned on a substrate.
 
+use super::caller::Caller;
 use super::order::Order;
 use super::{files, size};
 use crate::command::digits::shown;
-use crate::command::interrupt;
-use crate::command::progress::Meter;
 use crate::failure::Failure;
 use std::path::Path;
 use tribos::record;
@@ -12,7 +11,6 @@ use tribos::run::folder::OutputFolder;
 use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
 use tribos::scene::TipScene;
 use tribos::tip::{self, Outcome, TipError, TipRun, Verdict, export};
-use tribos_report::image;
 use tribos_report::runs::tip as picture;
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
@@ -24,20 +22,24 @@ pub fn run(scene: &TipScene, order: &Order<'_>) -> Result<(), Failure> {
         return Ok(());
     };
     // After its end an interruption costs no more than the results.
-    let run =
-        simulate(scene, order.session(start, &folder)).map_err(|error| order.failure(error))?;
+    let run = simulate(scene, order.session(start, &folder), order.caller)
+        .map_err(|error| order.failure(error))?;
     folder.remove(files::is_made_from_frames)?;
-    write(scene, &run, &folder)?;
+    write(scene, &run, &folder, order)?;
     folder.check()?;
     forget_checkpoint(order.out)?;
-    report(&run.outcome(), order.out)
+    report(&run.outcome(), order)
 }
 
 /// Runs the scene to its end and says how far it is.
-fn simulate(scene: &TipScene, session: Session<'_, TipRun>) -> Result<TipRun, RunError<TipError>> {
+fn simulate(
+    scene: &TipScene,
+    session: Session<'_, TipRun>,
+    caller: Caller<'_>,
+) -> Result<TipRun, RunError<TipError>> {
     let size = tip::size(scene);
-    crate::command::tell(format_args!("{}", size::told(&size, "atoms")));
-    let mut meter = Meter::new();
+    caller.tell(format_args!("{}", size::told(&size, "atoms")));
+    let mut meter = caller.meter();
     session
         .on_progress(|run: &TipRun| {
             if meter.is_due(run.progress()) {
@@ -48,7 +50,6 @@ fn simulate(scene: &TipScene, session: Session<'_, TipRun>) -> Result<TipRun, Ru
                 );
             }
         })
-        .cancel_when(interrupt::is_asked)
         .run(scene)
 }
 
@@ -61,24 +62,22 @@ pub fn write_series(run: &TipRun, out: &Path) -> Result<(), Failure> {
 }
 
 /// Writes series, pictures, the first and the last state and at last the summary.
-fn write(scene: &TipScene, run: &TipRun, folder: &OutputFolder) -> Result<(), Failure> {
+fn write(
+    scene: &TipScene,
+    run: &TipRun,
+    folder: &OutputFolder,
+    order: &Order<'_>,
+) -> Result<(), Failure> {
     folder.add(files::TIP)?;
     let out = folder.path();
     let outcome = run.outcome();
     write_series(run, out)?;
-    image::write_both(out, "angles", &picture::series(scene, run, &outcome))?;
-    if interrupt::is_asked() {
-        return Err(interrupt::ended(
-            out,
-            "interrupted while results were written",
-        ));
-    }
+    order.draw("angles", || Ok(picture::series(scene, run, &outcome)))?;
+    order.interrupted()?;
     folder.check()?;
-    image::write_both(
-        out,
-        "tip",
-        &picture::both_ends(scene, run).map_err(Failure::run)?,
-    )?;
+    order.draw("tip", || {
+        picture::both_ends(scene, run).map_err(Failure::run)
+    })?;
     let start = export::start(scene).map_err(Failure::input)?;
     folder.write("initial.data", start.data.as_bytes())?;
     let atoms = run.system().atoms();
@@ -90,7 +89,7 @@ fn write(scene: &TipScene, run: &TipRun, folder: &OutputFolder) -> Result<(), Fa
 }
 
 /// A few lines for the person at the terminal.
-fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
+fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
     let verdict = match outcome.verdict {
         Verdict::Reversible => "reversible: the driven layers turned back",
         Verdict::Irreversible => "irreversible: the driven layers did not turn back",
@@ -131,8 +130,8 @@ fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
             shown(plateau.to)
         );
     }
-    text += &format!("written to    {}\n", out.display());
-    crate::command::print(&text)
+    text += &format!("written to    {}\n", order.out.display());
+    order.caller.report(&text)
 }
 
 impl From<TipError> for Failure {

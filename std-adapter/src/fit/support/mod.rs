@@ -118,20 +118,30 @@ pub fn fit_support(
     known: Option<&Patch>,
 ) -> Result<SupportFit, MeasuredPushError> {
     let length = checked(pushes)?;
-    let (places, truth): (_, Option<Box<dyn Model>>) = match known {
-        None => (nodes::disc(length), None),
+    match known {
+        None => Ok(judged(pushes, length, &nodes::disc(length), None)),
         Some(patch @ Patch::Flat(flat)) => {
             let surface = limit_surface(patch, 1.0, 1.0, None)?;
-            (nodes::of(flat)?, Some(Box::new(Exact { surface, length })))
+            fit_support_within(pushes, &flat.loops()?, surface)
         }
-        Some(Patch::Points(file)) => return fit_support_at(pushes, &points_of(file)?),
-        Some(other) => {
-            return Err(MeasuredPushError::Whole(format!(
-                "a support is a box, a polygon, a bar, a mesh or points, not {other}"
-            )));
-        }
-    };
-    Ok(judged(pushes, length, &places, truth))
+        Some(Patch::Points(file)) => fit_support_at(pushes, &points_of(file)?),
+        Some(other) => Err(MeasuredPushError::Whole(format!(
+            "a support is a box, a polygon, a bar, a mesh or points, not {other}"
+        ))),
+    }
+}
+
+/// As [`fit_support`], for a support with these loops of corners, of which two make a bar, and this limit
+/// surface.
+#[doc(hidden)]
+pub fn fit_support_within(
+    pushes: &[MeasuredPush],
+    loops: &[Vec<[f64; 2]>],
+    surface: Box<dyn FrictionSet<f64>>,
+) -> Result<SupportFit, MeasuredPushError> {
+    let length = checked(pushes)?;
+    let truth = Box::new(Exact { surface, length });
+    Ok(judged(pushes, length, &nodes::of(loops), Some(truth)))
 }
 
 /// As [`fit_support`], for a foot that stands on these points; only ratios of weights matter.

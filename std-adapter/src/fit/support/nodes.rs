@@ -1,7 +1,5 @@
 //! Places where a foot may carry load.
 
-use crate::friction::{FlatPatch, Refusal};
-
 /// Radius of the disc that an unknown foot lies in, in lengths: on three equal points the largest torque over the
 /// largest force is their mean distance, and on a ring the radius.
 const REACH: f64 = 2.2;
@@ -20,15 +18,14 @@ pub fn disc(length: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The middles of cells that lie in a support.
-pub fn of(flat: &FlatPatch) -> Result<Vec<[f64; 2]>, Refusal> {
-    let loops = flat.loops()?;
-    if let (FlatPatch::Bar(_), Some([from, to])) = (flat, loops.first().map(Vec::as_slice)) {
+/// The middles of cells that lie in a support, or the points of a bar, which has two corners.
+pub fn of(loops: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
+    if let Some(&[from, to]) = loops.first().map(Vec::as_slice) {
         let at = |k: usize| {
             let share = k as f64 / (ALONG - 1) as f64;
             [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis]))
         };
-        return Ok((0..ALONG).map(at).collect());
+        return (0..ALONG).map(at).collect();
     }
     let corners = || loops.iter().flatten();
     let span = [0, 1].map(|axis| {
@@ -48,7 +45,7 @@ pub fn of(flat: &FlatPatch) -> Result<Vec<[f64; 2]>, Refusal> {
     };
     let place = |[i, j]: [usize; 2]| [middle(0, i), middle(1, j)];
     let all = grid(counts, &place);
-    Ok(all.filter(|place| lies_in(place, &loops)).collect())
+    all.filter(|place| lies_in(place, loops)).collect()
 }
 
 fn grid<'a>(

@@ -1,17 +1,15 @@
 //! What a compaction leaves behind.
 
 use crate::command::digits::shown;
-use crate::command::interrupt;
 use crate::command::run::files;
+use crate::command::run::order::Order;
 use crate::failure::Failure;
-use std::path::Path;
 use tribos::powder::{COLUMNS, Compaction, Ending, Outcome};
 use tribos::record::{
     Snapshot, SnapshotError, contacts_vtp, extended_xyz, particles_vtp, write_series,
 };
 use tribos::run::folder::OutputFolder;
 use tribos::scene::PowderScene;
-use tribos_report::image;
 use tribos_report::runs::powder as picture;
 
 /// A format of a state: text of a snapshot.
@@ -30,6 +28,7 @@ pub fn write(
     compaction: &Compaction,
     outcome: &Outcome,
     folder: &OutputFolder,
+    order: &Order<'_>,
 ) -> Result<(), Failure> {
     folder.add(files::POWDER)?;
     let out = folder.path();
@@ -39,39 +38,31 @@ pub fn write(
 
     let deposit = compaction.deposit();
     let contacts = deposit.contacts();
-    states(&deposit.snapshot(&contacts), "initial", folder)?;
-    compaction.with_snapshot(|snapshot| states(snapshot, "final", folder))?;
+    states(&deposit.snapshot(&contacts), "initial", folder, order)?;
+    compaction.with_snapshot(|snapshot| states(snapshot, "final", folder, order))?;
 
-    interrupted(out)?;
+    order.interrupted()?;
     folder.check()?;
-    image::write_both(
-        out,
-        "packing",
-        &picture::packing(scene, &picture::State::both(compaction), outcome)
-            .map_err(Failure::run)?,
-    )?;
+    order.draw("packing", || {
+        let states = picture::State::both(compaction);
+        picture::packing(scene, &states, outcome).map_err(Failure::run)
+    })?;
     folder.check()?;
-    image::write_both(out, "series", &picture::series(compaction, outcome))?;
+    order.draw("series", || Ok(picture::series(compaction, outcome)))?;
     // Last: a summary stands only beside complete results.
     let summary = format!("{:#}\n", outcome.json(scene));
     Ok(folder.write("summary.json", summary.as_bytes())?)
 }
 
-/// Ends the command where it was asked to: the run itself is in its checkpoint.
-fn interrupted(out: &Path) -> Result<(), Failure> {
-    if interrupt::is_asked() {
-        return Err(interrupt::ended(
-            out,
-            "interrupted while results were written",
-        ));
-    }
-    Ok(())
-}
-
 /// A state in all formats.
-fn states(snapshot: &Snapshot<'_>, stem: &str, folder: &OutputFolder) -> Result<(), Failure> {
+fn states(
+    snapshot: &Snapshot<'_>,
+    stem: &str,
+    folder: &OutputFolder,
+    order: &Order<'_>,
+) -> Result<(), Failure> {
     for (ending, export) in EXPORTS {
-        interrupted(folder.path())?;
+        order.interrupted()?;
         let text = export(snapshot).map_err(Failure::run)?;
         folder.write(&format!("{stem}{ending}"), text.as_bytes())?;
     }
@@ -79,7 +70,7 @@ fn states(snapshot: &Snapshot<'_>, stem: &str, folder: &OutputFolder) -> Result<
 }
 
 /// A few lines for the person at the terminal.
-pub fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
+pub fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
     let ending = match outcome.ending {
         Some(Ending::Blocked) => "blocked",
         Some(Ending::Time) => "duration over before the packing was blocked",
@@ -106,8 +97,8 @@ pub fn report(outcome: &Outcome, out: &Path) -> Result<(), Failure> {
     );
     text += &unmet(outcome);
     text += &budget(outcome);
-    text += &format!("written to    {}\n", out.display());
-    crate::command::print(&text)
+    text += &format!("written to    {}\n", order.out.display());
+    order.caller.report(&text)
 }
 
 /// Steps that did not end as they should, and what that means.

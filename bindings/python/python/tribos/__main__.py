@@ -1,0 +1,5 @@
+"""The command ``tribos`` as ``python -m tribos``."""
+
+from tribos._command import main
+
+main()

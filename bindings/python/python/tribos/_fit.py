@@ -1,0 +1,386 @@
+"""Parameters of laws from measurements, and the pressure under a foot from pushes."""
+
+from __future__ import annotations
+
+import csv
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tribos import _native
+from tribos._checks import number, positive
+from tribos._laws import Law
+from tribos._patches import Patch, outline, points
+from tribos._surface import LimitSurface
+
+Array = NDArray[np.float64]
+_PUSHES = ("dx", "dy", "dtheta", "fx", "fy", "torque")
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """One fitted parameter.
+
+    Attributes
+    ----------
+    name, unit, meaning : str
+        Description of the parameter.
+    value : float
+        Its value.
+    error : float
+        Its standard error; 0 if it was fixed, NaN where the data give none.
+    state : str
+        ``"determined"``, ``"fixed"``, ``"at its bound"`` or ``"not determined"``.
+    trades_with : tuple of str
+        Parameters with which the data determine only a combination.
+    """
+
+    name: str
+    unit: str
+    meaning: str
+    value: float
+    error: float
+    state: str
+    trades_with: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class LawFit:
+    """A law fitted to measurements.
+
+    Attributes
+    ----------
+    name : str
+        The law's name in `fit`.
+    estimates : tuple of Estimate
+        All parameters.
+    covariance : numpy.ndarray
+        Covariance of the parameters with the state ``"determined"``, in their order.
+    predictions : numpy.ndarray
+        Friction of each point.
+    deviation : float
+        Standard deviation of the residuals, in the unit of friction; with a column sigma the square
+        root of the reduced χ².
+    freedoms : int
+        Number of points minus number of free parameters.
+    is_weighted : bool
+        Whether there was a column sigma.
+    converged : bool
+        Whether rounding alone limited further descent.
+    starts, at_best : int
+        Starts from which a search was possible, and those that ended at the best minimum.
+    """
+
+    name: str
+    estimates: tuple[Estimate, ...]
+    covariance: Any = field(repr=False)
+    predictions: Any = field(repr=False)
+    deviation: float
+    freedoms: int
+    is_weighted: bool
+    converged: bool
+    starts: int
+    at_best: int
+    is_record: bool
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """Values by name."""
+        return {estimate.name: estimate.value for estimate in self.estimates}
+
+    @property
+    def errors(self) -> dict[str, float]:
+        """Standard errors by name; 0 if fixed, NaN where the data give none."""
+        return {estimate.name: estimate.error for estimate in self.estimates}
+
+    def __getitem__(self, name: str) -> float:
+        return self.parameters[name]
+
+    @property
+    def law(self) -> Law:
+        """The fitted law of steady sliding, as a law of the local speed.
+
+        ValueError for laws that are none. A memory length that the data do not have is 1 m.
+        """
+        names = {row[0]: row[2] for row in _native.fit_laws()}
+        steady = names[self.name]
+        entries = [entry for entry in _native.laws() if entry["name"] == steady]
+        known = [parameter["name"] for entry in entries for parameter in entry["parameters"]]
+        values = {"dc": 1.0, **self.parameters}
+        return Law(steady, **{name: values[name] for name in known if name in values})
+
+    def predict(self, speeds: ArrayLike, times: ArrayLike | None = None) -> Any:
+        """Friction of the fitted law.
+
+        Parameters
+        ----------
+        speeds
+            Speeds above 0 in m/s; or, with times, velocities of a record.
+        times
+            Rising times of the record, in s: for laws that were fitted to a record over time.
+        """
+        if (times is not None) != self.is_record:
+            wanted = "times as well" if self.is_record else "speeds alone"
+            raise ValueError(f"this fit predicts from {wanted}")
+        velocities = np.asarray(speeds, dtype=np.float64)
+        moments = None if times is None else _column("times", times).tolist()
+        values = [estimate.value for estimate in self.estimates]
+        made = _native.predict_law(self.name, velocities.ravel().tolist(), moments, values)
+        return np.array(made).reshape(velocities.shape)[()]
+
+    def __repr__(self) -> str:
+        width = max(len(estimate.name) for estimate in self.estimates)
+        lines = [f"<{self.name} fitted to {len(self.predictions)} points>"]
+        for estimate in self.estimates:
+            value, how = _told(estimate)
+            unit = f"[{estimate.unit}]"
+            lines.append(
+                f"  {estimate.name:<{width}}  {value:<12} {how:<16} {unit} {estimate.meaning}"
+            )
+        what = "square root of reduced chi²" if self.is_weighted else "residuals"
+        end = "" if self.converged else "; the search did not converge"
+        lines.append(
+            f"  {what} {self.deviation:.4g} over {self.freedoms} degrees of freedom; "
+            f"{self.at_best} of {self.starts} starts agree{end}"
+        )
+        return "\n".join(lines)
+
+
+@dataclass(frozen=True, eq=False)
+class SupportFit:
+    """The pressure under a foot from pushes, and how well models foretell motions.
+
+    Attributes
+    ----------
+    angles : dict of str to tuple of float
+        Median and mean angle in degrees between foretold and measured motions, of the models
+        ``"known"`` (the given patch), ``"pressure"``, ``"ellipsoid"`` and ``"quartic"``; fitted ones
+        are cross-validated in 5 parts.
+    pressure : numpy.ndarray
+        Points of the foot with x and y in m and the friction limit of the point, ``mu`` times its load,
+        in N, of shape (n, 3).
+    centre_of_pressure : tuple of float
+        In m.
+    force_limit : float
+        Sum of the points' friction limits, in N.
+    length : float
+        By which spins are multiplied in angles, in m.
+    """
+
+    angles: dict[str, tuple[float, float]]
+    pressure: Any = field(repr=False)
+    centre_of_pressure: tuple[float, float]
+    force_limit: float
+    length: float
+
+    @property
+    def patch(self) -> Patch:
+        """The fitted pressure as a patch of points."""
+        return points(self.pressure[:, :2], self.pressure[:, 2])
+
+    def limit_surface(self) -> LimitSurface:
+        """The limit surface of the fitted pressure."""
+        return LimitSurface(self.patch, 1.0, self.force_limit)
+
+    def __repr__(self) -> str:
+        x, y = self.centre_of_pressure
+        lines = [
+            f"<pressure on {len(self.pressure)} points: centre at ({1e3 * x:.4g}, {1e3 * y:.4g}) mm, "
+            f"force limit {self.force_limit:.5g} N>",
+            "  model       median   mean angle between foretold and measured motion [deg]",
+        ]
+        for name, (median, mean) in self.angles.items():
+            lines.append(f"  {name:<11} {median:6.2f} {mean:6.2f}")
+        return "\n".join(lines)
+
+
+def fit(
+    law: str,
+    data: Any,
+    *,
+    load: float | None = None,
+    fixed: Mapping[str, float] | None = None,
+    starts: int = 16,
+) -> LawFit:
+    """Fit a law of friction to measurements by nonlinear least squares.
+
+    Parameters
+    ----------
+    law
+        ``"stribeck"``, ``"lugre"``, ``"power"``, ``"rate-state"`` or ``"rate-state-slip"``.
+    data
+        A table with the columns ``v`` and ``f``: friction of steady sliding at speeds in m/s; or ``t``,
+        ``v`` and ``f``: a record over time in s, for laws with a memory; either with ``sigma``, the
+        standard deviation of f. A mapping of columns, a structured array, a data frame, or the path of a
+        CSV file whose header has these names and whose lines with ``#`` are comments.
+    load
+        Load in N at which f was measured as a force; friction is divided by it. None for coefficients.
+    fixed
+        Parameters that keep these values.
+    starts
+        Number of starts of the search.
+
+    Notes
+    -----
+    Reference problems of NIST are reproduced to 8 digits of the parameters and 6 of their errors. The
+    same data give the same bits.
+
+    Examples
+    --------
+    >>> import tribos
+    >>> speeds = [0.25, 0.5, 1.0, 2.0, 4.0]
+    >>> found = tribos.fit("power", {"v": speeds, "f": [0.016, 0.0113, 0.008, 0.0057, 0.004]})
+    >>> {name: round(value, 3) for name, value in found.parameters.items()}
+    {'gamma': 0.008, 'alpha': -0.499}
+    """
+    table = _table(data, ("v", "f"), ("t", "sigma"))
+    scale = 1.0 if load is None else positive("load", load)
+    count = int(starts)
+    if not 0 < count <= 10_000:
+        raise ValueError(f"starts must be a whole number from 1 to 10000, not {starts!r}")
+    keep = [(str(name), number(name, value)) for name, value in (fixed or {}).items()]
+    times = table.get("t")
+    sigma = table.get("sigma")
+    columns = (
+        table["v"].tolist(),
+        (table["f"] / scale).tolist(),
+        None if times is None else times.tolist(),
+        None if sigma is None else (sigma / scale).tolist(),
+    )
+    made = _native.fit_law(law, columns, keep, count)
+    free = sum(row["state"] == "determined" for row in made["estimates"])
+    estimates = [
+        Estimate(**{**row, "trades_with": tuple(row["trades_with"])}) for row in made["estimates"]
+    ]
+    return LawFit(
+        name=law,
+        estimates=tuple(estimates),
+        covariance=np.array(made["covariance"]).reshape(free, free),
+        predictions=np.array(made["predictions"]),
+        deviation=made["deviation"],
+        freedoms=made["freedoms"],
+        is_weighted=made["is_weighted"],
+        converged=made["converged"],
+        starts=made["starts"],
+        at_best=made["at_best"],
+        is_record=times is not None,
+    )
+
+
+def fit_support(pushes: Any, patch: Patch | None = None) -> SupportFit:
+    """Fit the pressure under a foot to quasi-static pushes, and compare models.
+
+    Parameters
+    ----------
+    pushes
+        At least 10 pushes in the coordinates of the body: motions ``dx``, ``dy``, ``dtheta`` in m and
+        rad, of which the direction counts, and the wrenches ``fx``, ``fy``, ``torque`` of the pusher on
+        the body in N and N m. An array of shape (n, 6) in this order, or a table with these columns as in
+        `fit`.
+    patch
+        The support, if it is known: a polygon, box, bar, mesh or points. None for points on a grid
+        around the origin.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tribos
+    >>> tile = tribos.box(0.2, 0.1)
+    >>> floor = tribos.Friction(tile, mu=0.4).limit_surface(load=10.0)
+    >>> i = np.arange(40.0)
+    >>> motions = np.column_stack((np.sin(0.7 * i), np.cos(0.7 * i), 15 * np.sin(1.3 * i)))
+    >>> pushes = np.hstack((motions, -floor.wrench(motions)))
+    >>> found = tribos.fit_support(pushes, tile)
+    >>> round(found.force_limit, 1), found.angles["known"][0] < 1e-6       # N; degrees
+    (4.0, True)
+    """
+    if isinstance(pushes, (list, tuple)) or (
+        isinstance(pushes, np.ndarray) and pushes.dtype.names is None
+    ):
+        rows = np.asarray(pushes, dtype=np.float64)
+        if rows.ndim != 2 or rows.shape[1] != 6:
+            raise ValueError(f"pushes must have shape (n, 6), not {rows.shape}")
+    else:
+        table = _table(pushes, _PUSHES, ())
+        rows = np.column_stack([table[name] for name in _PUSHES])
+    if patch is not None and not isinstance(patch, Patch):
+        raise ValueError(f"the patch must be made by tribos.box and the like, not {patch!r}")
+    loops = [] if patch is None else outline(patch)
+    handle = None if patch is None else patch._handle
+    made = _native.fit_support(rows.tolist(), handle, loops)
+    x, y = made["centre_of_pressure"]
+    return SupportFit(
+        angles={name: (median, mean) for name, median, mean in made["models"]},
+        pressure=np.array(made["pressure"]).reshape(-1, 3),
+        centre_of_pressure=(x, y),
+        force_limit=made["force_limit"],
+        length=made["length"],
+    )
+
+
+def _table(data: Any, needed: tuple[str, ...], more: tuple[str, ...]) -> dict[str, Array]:
+    """The columns of a table that are needed, and more where it has them."""
+    source: Any = data
+    if isinstance(data, (str, os.PathLike)):
+        source = _csv(data)
+    if isinstance(source, np.ndarray):
+        names = source.dtype.names or ()
+    elif hasattr(source, "keys"):
+        names = tuple(str(name) for name in source.keys())
+    else:
+        raise ValueError(
+            f"the data must be a table with the columns {', '.join(needed)}: a mapping, a structured "
+            f"array, a data frame or the path of a CSV file, not {type(data).__name__}"
+        )
+    missing = [name for name in needed if name not in names]
+    if missing:
+        raise ValueError(
+            f"there is no column {', '.join(missing)}; the columns are {', '.join(names) or 'none'}"
+        )
+    wanted = [name for name in (*needed, *more) if name in names]
+    return {name: _column(name, source[name]) for name in wanted}
+
+
+def _column(name: str, values: Any) -> Array:
+    try:
+        column = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name} must be real numbers: {error}") from None
+    if column.ndim != 1:
+        raise ValueError(f"{name} must have one axis, not {column.ndim}")
+    return column
+
+
+def _csv(path: str | os.PathLike[str]) -> dict[str, Array]:
+    """The columns of a CSV file with a header."""
+    name = os.fspath(path)
+    with open(path, newline="", encoding="utf-8-sig") as file:
+        lines = ((number, line) for number, line in enumerate(file, 1))
+        kept = [(at, line) for at, line in lines if line.strip() and not line.startswith("#")]
+    if not kept:
+        raise ValueError(f"{name} is empty")
+    header, *rows = ((at, next(csv.reader([line]))) for at, line in kept)
+    names = [cell.strip() for cell in header[1]]
+    numbers = []
+    for at, cells in rows:
+        if len(cells) != len(names):
+            raise ValueError(f"{name}:{at}: {len(cells)} cells, but {len(names)} columns")
+        try:
+            numbers.append([float(cell) for cell in cells])
+        except ValueError as error:
+            raise ValueError(f"{name}:{at}: {error}") from None
+    columns = np.array(numbers, dtype=np.float64).reshape(-1, len(names))
+    return {title: columns[:, at] for at, title in enumerate(names)}
+
+
+def _told(estimate: Estimate) -> tuple[str, str]:
+    """Value and error, with two digits of the error."""
+    if estimate.state != "determined" or not estimate.error > 0.0:
+        return f"{estimate.value:.6g}", estimate.state if estimate.error != 0.0 else "fixed"
+    size = abs(estimate.value) if estimate.value else estimate.error
+    digits = int(np.floor(np.log10(size)) - np.floor(np.log10(estimate.error))) + 2
+    return f"{estimate.value:.{min(max(digits, 1), 15)}g}", f"± {estimate.error:.2g}"

@@ -1,0 +1,358 @@
+//! Contacts of spheres and plates that may open, slide, roll and spin.
+
+use crate::arrays::{Output, Rows, broadcast, refused};
+use crate::patch::{Patch, Shape};
+use crate::threads::fill;
+use pyo3::prelude::*;
+use tribos::friction;
+use tribos_core::contact::{
+    AllModes, Attraction, Body, Cohesion, Contact, ContactFriction, CoupledFriction, Frictionless,
+    NormalLaw, Plate, Sliding, SlidingRolling, SlidingTorsion, Sphere, Thresholds, TimeStep, Touch,
+    TouchError,
+};
+use tribos_core::coupling::{Annulus, closed, table::Coulomb};
+use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection};
+use tribos_core::nalgebra::Vector3;
+use tribos_core::twist::{Twist, Wrench};
+
+/// Friction of a contact, by the modes that it resists.
+#[derive(Clone, Copy)]
+enum AnyFriction {
+    None(Thresholds<f64, Frictionless>),
+    Sliding(Thresholds<f64, Sliding>),
+    SlidingRolling(Thresholds<f64, SlidingRolling>),
+    SlidingTorsion(Thresholds<f64, SlidingTorsion>),
+    All(Thresholds<f64, AllModes>),
+    Coupled(CoupledFriction<f64, RoundSet, SlidingTorsion>),
+    CoupledRolling(CoupledFriction<f64, RoundSet, AllModes>),
+}
+
+/// Work with friction of one type.
+pub trait Visitor {
+    /// Its result.
+    type Output;
+    /// Does it.
+    fn visit<F: ContactFriction<f64> + 'static>(self, friction: F) -> Self::Output;
+}
+
+/// Exact sets of round patches whose size is known without memory.
+#[derive(Clone, Copy)]
+pub enum RoundSet {
+    Disk(LimitSurface<f64, Coulomb>),
+    Ring(LimitSurface<f64, closed::Ring>),
+    Hertz(LimitSurface<f64, closed::Hertz>),
+    Punch(LimitSurface<f64, closed::FlatPunch>),
+    Annulus(LimitSurface<f64, Annulus<f64, Coulomb>>),
+}
+
+impl RoundSet {
+    fn new(patch: &Patch, mu: f64) -> PyResult<Self> {
+        let Shape::Round(kind, radius) = &patch.0 else {
+            return Err(refused(
+                "the set of a contact must be symmetric about the normal: patch must be round",
+            ));
+        };
+        let r = *radius;
+        Ok(match kind {
+            friction::Patch::Disk => {
+                Self::Disk(LimitSurface::new(Coulomb, mu, r).map_err(refused)?)
+            }
+            friction::Patch::Ring => {
+                Self::Ring(LimitSurface::new(closed::Ring, mu, r).map_err(refused)?)
+            }
+            friction::Patch::Hertz => {
+                Self::Hertz(LimitSurface::new(closed::Hertz, mu, r).map_err(refused)?)
+            }
+            friction::Patch::Punch => {
+                Self::Punch(LimitSurface::new(closed::FlatPunch, mu, r).map_err(refused)?)
+            }
+            friction::Patch::Annulus(inner) => {
+                let annulus = Annulus::new(Coulomb, *inner).map_err(refused)?;
+                Self::Annulus(LimitSurface::new(annulus, mu, r).map_err(refused)?)
+            }
+            other => {
+                return Err(refused(format!(
+                    "contacts have the exact set of disk, ring, annulus, hertz and punch, not of {other}"
+                )));
+            }
+        })
+    }
+
+    fn set(&self) -> &dyn FrictionSet<f64> {
+        match self {
+            Self::Disk(set) => set,
+            Self::Ring(set) => set,
+            Self::Hertz(set) => set,
+            Self::Punch(set) => set,
+            Self::Annulus(set) => set,
+        }
+    }
+}
+
+impl FrictionSet<f64> for RoundSet {
+    fn force_limit(&self) -> f64 {
+        self.set().force_limit()
+    }
+    fn radius(&self) -> f64 {
+        self.set().radius()
+    }
+    fn support(&self, twist: &Twist<f64>) -> f64 {
+        self.set().support(twist)
+    }
+    fn wrench(&self, twist: &Twist<f64>) -> Wrench<f64> {
+        self.set().wrench(twist)
+    }
+    fn gauge(&self, wrench: &Wrench<f64>) -> f64 {
+        self.set().gauge(wrench)
+    }
+    fn twist_normal_to(&self, push: &Wrench<f64>) -> Twist<f64> {
+        self.set().twist_normal_to(push)
+    }
+    fn scale_to_surface(&self, wrench: &Wrench<f64>) -> Wrench<f64> {
+        self.set().scale_to_surface(wrench)
+    }
+    fn project_with_length(&self, wrench: &Wrench<f64>, length: f64) -> Projection<f64> {
+        self.set().project_with_length(wrench, length)
+    }
+}
+
+/// Laws of a contact: along the normal, and friction.
+#[pyclass(frozen, module = "tribos._native")]
+pub struct ContactLaw {
+    /// Cohesion and restitution.
+    pub normal: NormalLaw<f64>,
+    friction: AnyFriction,
+}
+
+impl ContactLaw {
+    /// Hands the friction to `visitor`.
+    pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
+        match self.friction {
+            AnyFriction::None(friction) => visitor.visit(friction),
+            AnyFriction::Sliding(friction) => visitor.visit(friction),
+            AnyFriction::SlidingRolling(friction) => visitor.visit(friction),
+            AnyFriction::SlidingTorsion(friction) => visitor.visit(friction),
+            AnyFriction::All(friction) => visitor.visit(friction),
+            AnyFriction::Coupled(friction) => visitor.visit(friction),
+            AnyFriction::CoupledRolling(friction) => visitor.visit(friction),
+        }
+    }
+}
+
+fn thresholds([mu, rolling, torsion]: [f64; 3]) -> PyResult<AnyFriction> {
+    // Modes without a threshold cost nothing; negative and missing numbers are refused by the full form.
+    let full = Thresholds::all(mu, rolling, torsion).map_err(refused)?;
+    let some = |made: Result<AnyFriction, tribos_core::law::LawError>| made.map_err(refused);
+    match [mu == 0.0, rolling == 0.0, torsion == 0.0] {
+        [true, true, true] => Ok(AnyFriction::None(Thresholds::none())),
+        [_, true, true] => some(Thresholds::sliding(mu).map(AnyFriction::Sliding)),
+        [_, false, true] => {
+            some(Thresholds::sliding_rolling(mu, rolling).map(AnyFriction::SlidingRolling))
+        }
+        [_, true, false] => {
+            some(Thresholds::sliding_torsion(mu, torsion).map(AnyFriction::SlidingTorsion))
+        }
+        [_, false, false] => Ok(AnyFriction::All(full)),
+    }
+}
+
+#[pymethods]
+impl ContactLaw {
+    /// Friction coefficients of sliding, rolling and torsion, or those of sliding and rolling with a patch
+    /// of radius R_c/r_eff; restitution; cohesion's strength in N, range in m and whether it attracts.
+    #[new]
+    fn new(
+        coefficients: [f64; 3],
+        patch: Option<&Patch>,
+        restitution: f64,
+        cohesion: [f64; 2],
+        attraction: &str,
+    ) -> PyResult<Self> {
+        let attraction = match attraction {
+            "pull" => Attraction::Pull,
+            "resistance" => Attraction::Resistance,
+            other => {
+                return Err(refused(format!(
+                    "attraction must be 'pull' or 'resistance', not {other:?}"
+                )));
+            }
+        };
+        let [strength, range] = cohesion;
+        let cohesion = Cohesion::new(strength, range, attraction).map_err(refused)?;
+        let [mu, rolling, _] = coefficients;
+        let friction = match patch {
+            None => thresholds(coefficients)?,
+            Some(patch) => {
+                let set = RoundSet::new(patch, mu)?;
+                if rolling == 0.0 {
+                    AnyFriction::Coupled(CoupledFriction::sliding_torsion(set))
+                } else {
+                    let all = CoupledFriction::all(set, rolling).map_err(refused)?;
+                    AnyFriction::CoupledRolling(all)
+                }
+            }
+        };
+        Ok(Self {
+            normal: NormalLaw::new(cohesion, restitution).map_err(refused)?,
+            friction,
+        })
+    }
+
+    /// Largest torsion torque without sliding, over force and lever.
+    fn mu_torsion(&self) -> f64 {
+        match self.friction {
+            AnyFriction::Coupled(friction) => friction.mu_torsion(),
+            AnyFriction::CoupledRolling(friction) => friction.mu_torsion(),
+            AnyFriction::SlidingTorsion(friction) => friction.mu_torsion(),
+            AnyFriction::All(friction) => friction.mu_torsion(),
+            _ => 0.0,
+        }
+    }
+
+    /// Contacts of two spheres: rows of velocity, spin, 1/mass, 1/inertia and radius of both, normal and
+    /// gap. Returns rows of both bodies' velocities and spins and of the impulse on the second: normal,
+    /// sliding, rolling, torsion.
+    fn spheres<'py>(
+        &self,
+        py: Python<'py>,
+        rows: &Bound<'py, PyAny>,
+        dt: f64,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.each(py, rows, dt, |row| {
+            let (first, second) = (sphere(row, 0), sphere(row, FIELDS));
+            let (normal, gap) = geometry(row);
+            let touch = sphere_touch(&normal, gap, [row[8], row[FIELDS + 8]])?;
+            Ok((first, second, touch))
+        })
+    }
+
+    /// The same for a sphere and a plate, of which velocity and 1/mass count.
+    fn plate<'py>(
+        &self,
+        py: Python<'py>,
+        rows: &Bound<'py, PyAny>,
+        dt: f64,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.each(py, rows, dt, |row| {
+            let (first, second) = (sphere(row, 0), sphere(row, FIELDS));
+            let plate = Plate {
+                velocity: second.velocity,
+                inv_mass: second.inv_mass,
+            };
+            let (normal, gap) = geometry(row);
+            Ok((first, plate, plate_touch(&normal, gap, row[8])?))
+        })
+    }
+}
+
+/// Numbers of a body in a row: velocity, spin, 1/mass, 1/inertia, radius.
+const FIELDS: usize = 9;
+/// Both bodies, normal and gap.
+const GIVEN: usize = 2 * FIELDS + 4;
+/// Velocities and spins of both, and the impulse.
+const ANSWER: usize = 20;
+/// Nanoseconds that a contact takes, about.
+const COST: usize = 100;
+
+/// A row as three numbers from `at` on.
+fn vector(row: &[f64; GIVEN], at: usize) -> Vector3<f64> {
+    Vector3::new(row[at], row[at + 1], row[at + 2])
+}
+
+fn sphere(row: &[f64; GIVEN], at: usize) -> Sphere<f64> {
+    Sphere {
+        velocity: vector(row, at),
+        spin: vector(row, at + 3),
+        inv_mass: row[at + 6],
+        inv_inertia: row[at + 7],
+    }
+}
+
+fn geometry(row: &[f64; GIVEN]) -> (Vector3<f64>, f64) {
+    (vector(row, 2 * FIELDS), row[2 * FIELDS + 3])
+}
+
+/// The touch of spheres with this unit normal, from the first to the second, and gap.
+pub fn sphere_touch(
+    normal: &Vector3<f64>,
+    gap: f64,
+    radii: [f64; 2],
+) -> Result<Touch<f64>, TouchError> {
+    let [first, second] = radii;
+    let touch = Touch::spheres(&(normal * (first + second + gap)), radii)?;
+    // To the bit as given: a gap of 0 is closed.
+    let normal = *normal;
+    Ok(Touch {
+        normal,
+        gap,
+        ..touch
+    })
+}
+
+/// The touch of a sphere with a plate, to which the unit normal leads.
+pub fn plate_touch(normal: &Vector3<f64>, gap: f64, radius: f64) -> Result<Touch<f64>, TouchError> {
+    let touch = Touch::plate(radius + gap, &-normal, radius)?;
+    Ok(Touch { gap, ..touch })
+}
+
+/// Bodies and geometry of a row.
+type Prepared<B> = Result<(Sphere<f64>, B, Touch<f64>), TouchError>;
+
+impl ContactLaw {
+    fn each<'py, B: Body<f64>>(
+        &self,
+        py: Python<'py>,
+        rows: &Bound<'py, PyAny>,
+        dt: f64,
+        of: impl Fn(&[f64; GIVEN]) -> Prepared<B> + Sync,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let dt = TimeStep::new(dt).map_err(refused)?.dt();
+        let rows = Rows::<GIVEN>::new("rows", rows)?;
+        let batch = broadcast(&[&rows])?;
+        let rows = rows.over(&batch)?;
+        let rows = rows.view()?;
+        let mut output = Output::new(py, &batch, &[ANSWER], None)?;
+        fill(py, output.rows::<ANSWER>()?, COST, |from, piece| {
+            self.visit(Piece {
+                law: &self.normal,
+                dt,
+                prepared: |index: usize| of(&rows.at(from + index)),
+                out: piece,
+            })
+        })?;
+        output.finish()
+    }
+}
+
+/// Contacts to be updated.
+struct Piece<'a, P> {
+    law: &'a NormalLaw<f64>,
+    dt: f64,
+    prepared: P,
+    out: &'a mut [[f64; ANSWER]],
+}
+
+impl<B: Body<f64>, P: Fn(usize) -> Prepared<B>> Visitor for Piece<'_, P> {
+    type Output = PyResult<()>;
+    fn visit<F: ContactFriction<f64>>(self, friction: F) -> PyResult<()> {
+        for (index, row) in self.out.iter_mut().enumerate() {
+            let (mut a, mut b, touch) = (self.prepared)(index).map_err(refused)?;
+            let mut contact = Contact::<f64, F::Modes>::new(&touch, self.law, &a, &b, self.dt);
+            contact.update(&friction, &mut a, &mut b);
+            let impulse = contact.impulse();
+            let vectors = [
+                a.velocity,
+                a.spin,
+                b.velocity(),
+                b.spin(),
+                impulse.sliding(),
+                impulse.rolling(),
+            ];
+            for (numbers, vector) in row.as_chunks_mut::<3>().0.iter_mut().zip(vectors) {
+                *numbers = vector.into();
+            }
+            [row[18], row[19]] = [impulse.normal, impulse.torsion()];
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,246 @@
+//! Quasi-static pushing.
+
+use crate::arrays::{Numbers, Output, Rows, View, broadcast, refused};
+use crate::model::numbers;
+use crate::model::{twist_numbers, twist_of};
+use crate::surface::LimitSurface;
+use crate::threads::{detached, fill};
+use pyo3::prelude::*;
+use tribos::push::{
+    ConeEdge, Drive, End, Journey, LineContact, Mode, Moment, PointContact, Pose, Push, PushError,
+    Side,
+};
+use tribos_core::limit_surface::FrictionSet;
+use tribos_core::nalgebra::Vector2;
+
+/// Nanoseconds that a push takes, about.
+const COST: usize = 5_000;
+
+/// Place, inward normal, coefficient.
+fn contact([x, y, nx, ny, mu]: [f64; 5]) -> Result<PointContact, PushError> {
+    PointContact::new([x, y], [nx, ny], mu)
+}
+
+/// What `of` makes of each row and the surface of each force limit, in rows of `M`.
+fn each<'py, const N: usize, const M: usize>(
+    py: Python<'py>,
+    surface: &LimitSurface,
+    limits: &Bound<'py, PyAny>,
+    rows: &Bound<'py, PyAny>,
+    of: impl Fn(&dyn FrictionSet<f64>, [f64; N]) -> Result<[f64; M], PushError> + Sync,
+) -> PyResult<Bound<'py, PyAny>> {
+    let limits = Numbers::new("force limit", limits)?;
+    let rows = Rows::<N>::new("contacts and velocities", rows)?;
+    let batch = broadcast(&[&rows, &limits])?;
+    let (rows, limits) = (rows.over(&batch)?, limits.over(&batch)?);
+    let (rows, limits) = (rows.view()?, limits.view()?);
+    let mut output = Output::new(py, &batch, &[M], None)?;
+    fill(py, output.rows::<M>()?, COST, |from, piece| {
+        let count = piece.len();
+        // One surface serves all elements with one limit.
+        let together = if matches!(limits, View::One(_)) {
+            count.max(1)
+        } else {
+            1
+        };
+        for (part, out) in piece.chunks_mut(together).enumerate() {
+            let at = from + part * together;
+            let [limit] = limits.at(at);
+            let mut answer = Ok(());
+            surface.sets.with(limit, &mut |set| {
+                answer = (at..).zip(out.iter_mut()).try_for_each(|(index, row)| {
+                    *row = of(set, rows.at(index))?;
+                    Ok(())
+                });
+            })?;
+            answer.map_err(|error: PushError| refused(error))?;
+        }
+        Ok(())
+    })?;
+    output.finish()
+}
+
+/// The parts of an answer in one row.
+fn joined<const M: usize>(parts: &[&[f64]]) -> [f64; M] {
+    let mut row = [f64::NAN; M];
+    for (to, from) in row.iter_mut().zip(parts.iter().copied().flatten()) {
+        *to = *from;
+    }
+    row
+}
+
+fn edge_numbers(edge: &ConeEdge) -> [f64; 8] {
+    joined(&[
+        &numbers(&edge.wrench),
+        &twist_numbers(&edge.twist),
+        edge.velocity.as_slice(),
+    ])
+}
+
+/// Names of the modes, by their numbers in a row.
+#[pyfunction]
+pub fn push_modes() -> [&'static str; 4] {
+    ["sticking", "sliding left", "sliding right", "separating"]
+}
+
+fn push_numbers(push: &Push) -> [f64; 11] {
+    let mode = match push.mode {
+        Mode::Sticking => 0.0,
+        Mode::SlidingLeft => 1.0,
+        Mode::SlidingRight => 2.0,
+        Mode::Separating => 3.0,
+    };
+    joined(&[
+        &[mode],
+        &twist_numbers(&push.twist),
+        push.contact_velocity.as_slice(),
+        push.slip.as_slice(),
+        &numbers(&push.wrench),
+    ])
+}
+
+/// Motion cones of contacts (place, inward normal, coefficient): of the right and of the left edge wrench,
+/// twist and contact's velocity, then both angles.
+#[pyfunction]
+pub fn motion_cone<'py>(
+    py: Python<'py>,
+    surface: &LimitSurface,
+    force_limit: &Bound<'py, PyAny>,
+    contacts: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyAny>> {
+    each::<5, 18>(py, surface, force_limit, contacts, |set, row| {
+        let cone = tribos::push::motion_cone(set, &contact(row)?)?;
+        Ok(joined(&[
+            &edge_numbers(&cone.right),
+            &edge_numbers(&cone.left),
+            &cone.angles(),
+        ]))
+    })
+}
+
+/// Pushes by contacts with velocities: mode, twist, contact's velocity, slip, wrench.
+#[pyfunction]
+pub fn pushes<'py>(
+    py: Python<'py>,
+    surface: &LimitSurface,
+    force_limit: &Bound<'py, PyAny>,
+    contacts: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyAny>> {
+    each::<7, 11>(
+        py,
+        surface,
+        force_limit,
+        contacts,
+        |set, [x, y, nx, ny, mu, u, v]| {
+            let contact = contact([x, y, nx, ny, mu])?;
+            Ok(push_numbers(&tribos::push::push(set, &contact, [u, v])?))
+        },
+    )
+}
+
+/// Time, pose, contact, push.
+fn moment_numbers(moment: &Moment) -> [f64; 17] {
+    let pose = &moment.pose;
+    joined(&[
+        &[moment.time],
+        pose.position.as_slice(),
+        &[pose.angle],
+        moment.contact.as_slice(),
+        &push_numbers(&moment.push),
+    ])
+}
+
+/// The path under a pusher of constant velocity; a straight side has a reach to the right and to the left.
+/// Returns rows of time, pose, contact and push, how it ended, and the number of steps.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "Python's half names them")]
+pub fn push_along<'py>(
+    py: Python<'py>,
+    surface: &LimitSurface,
+    force_limit: f64,
+    at: [f64; 5],
+    side: Option<[f64; 2]>,
+    start: [f64; 3],
+    velocity: [f64; 2],
+    duration: f64,
+    samples: u32,
+    tolerance: f64,
+) -> PyResult<(Bound<'py, PyAny>, &'static str, usize)> {
+    let [x, y, angle] = start;
+    let drive = Drive {
+        contact: contact(at).map_err(refused)?,
+        side: match side {
+            Some([right, left]) => Side::Straight { right, left },
+            None => Side::Round,
+        },
+        start: Pose {
+            position: Vector2::new(x, y),
+            angle,
+        },
+        velocity,
+        duration,
+        samples,
+        tolerance,
+    };
+    let journey: Journey = detached(py, || {
+        let mut journey = None;
+        surface.sets.with(force_limit, &mut |set| {
+            journey = Some(tribos::push::push_along(set, &drive));
+        })?;
+        let journey = journey.ok_or_else(|| refused("there is no surface"))?;
+        journey.map_err(refused)
+    })??;
+    let end = match journey.end {
+        End::Done => "done",
+        End::Slipped => "slipped",
+        End::Separated => "separated",
+        End::Loose => "loose",
+    };
+    let mut output = Output::new(py, &[journey.moments.len()], &[17], None)?;
+    for (row, moment) in output.rows::<17>()?.iter_mut().zip(&journey.moments) {
+        *row = moment_numbers(moment);
+    }
+    Ok((output.finish()?, end, journey.steps))
+}
+
+fn line([x0, y0, x1, y1, mu]: [f64; 5]) -> Result<LineContact, PushError> {
+    LineContact::new([[x0, y0], [x1, y1]], mu)
+}
+
+/// What a straight pusher (both ends, coefficient) has to give for motions: whether it can, the wrench, the
+/// place along the line and the share of friction.
+#[pyfunction]
+pub fn line_grip<'py>(
+    py: Python<'py>,
+    surface: &LimitSurface,
+    force_limit: &Bound<'py, PyAny>,
+    ends: [f64; 5],
+    twists: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let line = line(ends).map_err(refused)?;
+    each::<3, 6>(py, surface, force_limit, twists, |set, row| {
+        let grip = line.grip(set, &twist_of(row));
+        Ok(joined(&[
+            &[f64::from(u8::from(grip.is_stable))],
+            &numbers(&grip.wrench),
+            &[grip.place, grip.friction],
+        ]))
+    })
+}
+
+/// Motions on the boundary of those that a straight pusher holds.
+#[pyfunction]
+pub fn line_boundary(
+    surface: &LimitSurface,
+    force_limit: f64,
+    ends: [f64; 5],
+    count: usize,
+) -> PyResult<Vec<[f64; 3]>> {
+    let line = line(ends).map_err(refused)?;
+    let mut boundary = Vec::new();
+    surface.sets.with(force_limit, &mut |set| {
+        let motions = line.stable_boundary(set, count);
+        boundary = motions.iter().map(twist_numbers).collect();
+    })?;
+    Ok(boundary)
+}

@@ -1,0 +1,47 @@
+"""The programs on the page *Python* and in the README run as printed, and print what follows them."""
+
+import contextlib
+import io
+import os
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+HERE = Path(__file__).resolve().parent
+PAGES = {"README": HERE.parent / "README.md"}
+BOOK = Path(os.environ.get("TRIBOS_REPOSITORY", HERE.parents[2])) / "docs/python.md"
+if BOOK.exists():
+    PAGES["page"] = BOOK
+
+OPTIONAL = ("ase", "dask", "jax", "matplotlib", "mujoco", "pandas", "ray", "scipy", "torch")
+BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\n```text\n(.*?)^```$)?", re.MULTILINE | re.DOTALL)
+
+
+def programs() -> list[object]:
+    found = []
+    for name, page in PAGES.items():
+        text = page.read_text(encoding="utf-8")
+        for number, (code, printed) in enumerate(BLOCK.findall(text), 1):
+            found.append(pytest.param(code, printed, id=f"{name}-{number}"))
+    return found
+
+
+@pytest.mark.parametrize(("code", "printed"), programs())
+def test_a_recipe_runs_as_printed(
+    code: str, printed: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for package in OPTIONAL:
+        if re.search(rf"\b(import|from) (tribos\.)?{package}\b", code):
+            pytest.importorskip(package)
+    data = BOOK.parents[1] / "scenes/data"
+    if data.is_dir():
+        shutil.copytree(data, tmp_path / "scenes/data")
+    elif "scenes/data" in code:
+        pytest.skip("needs the repository")
+    monkeypatch.chdir(tmp_path)
+    told = io.StringIO()
+    with contextlib.redirect_stdout(told):
+        exec(compile(code, "recipe", "exec"), {"__name__": "__main__"})
+    assert told.getvalue() == printed

@@ -1,0 +1,74 @@
+//! Who asked for a run: a person at a terminal, or a program that has this crate as a library.
+
+use crate::command::interrupt;
+use crate::command::progress::Meter;
+use crate::failure::Failure;
+use std::fmt;
+
+/// A program that runs scenes through this crate.
+pub trait Host: Sync {
+    /// Whether the run is to end; a long one leaves its checkpoint then. Called after every step.
+    fn is_asked(&self) -> bool;
+
+    /// Called a few times in a second: the share of the run that is done, if its end is known, and words.
+    fn hear(&self, done: Option<f64>, words: fmt::Arguments<'_>);
+}
+
+/// The one who asked, and who hears what a person at a terminal would read.
+#[derive(Clone, Copy)]
+pub enum Caller<'a> {
+    /// The person who gave the command.
+    Terminal,
+    /// A program.
+    Host(&'a dyn Host),
+}
+
+impl fmt::Debug for Caller<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Terminal => "Terminal",
+            Self::Host(_) => "Host",
+        })
+    }
+}
+
+impl<'a> Caller<'a> {
+    /// From now on signals of the terminal are noted; a program has its own.
+    pub fn watch(self) -> Result<(), Failure> {
+        match self {
+            Self::Terminal => interrupt::watch(),
+            Self::Host(_) => Ok(()),
+        }
+    }
+
+    /// Whether the run has been asked to end.
+    pub fn is_asked(self) -> bool {
+        match self {
+            Self::Terminal => interrupt::is_asked(),
+            Self::Host(host) => host.is_asked(),
+        }
+    }
+
+    /// Follows the run.
+    pub fn meter(self) -> Meter<'a> {
+        match self {
+            Self::Terminal => Meter::new(),
+            Self::Host(host) => Meter::of(host),
+        }
+    }
+
+    /// A line before the work starts.
+    pub fn tell(self, words: fmt::Arguments<'_>) {
+        if matches!(self, Self::Terminal) {
+            crate::command::tell(words);
+        }
+    }
+
+    /// The results in words.
+    pub fn report(self, text: &str) -> Result<(), Failure> {
+        match self {
+            Self::Terminal => crate::command::print(text),
+            Self::Host(_) => Ok(()),
+        }
+    }
+}
