@@ -17,12 +17,12 @@ mod model;
 mod modes;
 mod mujoco;
 mod patch;
-mod push;
 mod planar;
-mod slide;
-mod state;
+mod push;
 mod run;
 mod scene;
+mod slide;
+mod state;
 mod surface;
 mod threads;
 
@@ -57,16 +57,16 @@ mod _native {
     use mujoco::MujocoFeet;
     #[pymodule_export]
     use patch::Patch;
+    use planar::{planar_rollout, planar_step};
     #[pymodule_export]
     use push::{line_boundary, line_grip, motion_cone, push_along, push_modes, pushes};
-    use planar::{planar_rollout, planar_step};
+    use run::{Film, Stop, folder_scene, run_at_once, run_scene};
+    #[pymodule_export]
+    use scene::{library_scenes, scene_of_file, scene_of_settings, scene_of_text, vocabularies};
     #[pymodule_export]
     use slide::Slider;
     #[pymodule_export]
     use state::{LuGre, RateState};
-    use run::{Film, Stop, folder_scene, run_at_once, run_scene};
-    #[pymodule_export]
-    use scene::{library_scenes, scene_of_file, scene_of_settings, scene_of_text, vocabularies};
     #[pymodule_export]
     use surface::LimitSurface;
     #[pymodule_export]
