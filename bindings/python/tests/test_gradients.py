@@ -177,7 +177,7 @@ def stepped(patch: tribos.Patch, at: np.ndarray) -> np.ndarray:
         inertia=at[..., 8],
         dt=at[..., 9],
     )
-    return np.concatenate((step.twist, step.friction), axis=-1)
+    return np.concatenate((step.twists, step.friction), axis=-1)
 
 
 def cases(count: int, speed: float, push: float) -> np.ndarray:
@@ -198,8 +198,8 @@ def test_a_step_follows_its_state(patch: tribos.Patch, speed: float, push: float
     )
     got = np.concatenate(
         [
-            np.concatenate([by.twist, by.push, *(x[..., None] for x in by[2:])], axis=-1)
-            for by in (step.twist_by, step.friction_by)
+            np.concatenate([by.twists, by.pushes, *(x[..., None] for x in by[2:])], axis=-1)
+            for by in (step.twists_by, step.friction_by)
         ],
         axis=-2,
     )
@@ -220,9 +220,9 @@ def test_a_body_at_rest_stays_whatever_happens() -> None:
         friction = tribos.Friction(patch, mu=MU)
         step = tribos.planar_step_jacobian(friction, [0, 0, 0], [1.0, 0.5, 0.01], LOAD, **BODIES)
         assert step.at_rest
-        for by in step.twist_by:
+        for by in step.twists_by:
             assert np.array_equal(by, np.zeros_like(by))
-        assert np.array_equal(step.friction_by.push, -np.eye(3))
+        assert np.array_equal(step.friction_by.pushes, -np.eye(3))
         assert np.array_equal(step.friction_by.load, np.zeros(3))
 
 
@@ -230,11 +230,11 @@ def test_a_puck_without_spin_loses_mu_g_dt() -> None:
     puck = tribos.Friction(tribos.disk(0.1), mu=MU)
     step = tribos.planar_step_jacobian(puck, [3.0, 0.0, 0.0], [0.0, 0.0, 0.0], LOAD, **BODIES)
     lost = MU * LOAD * BODIES["dt"] / BODIES["mass"]
-    assert np.allclose(step.twist_by.load, [-lost / LOAD, 0, 0], rtol=1e-12)
-    assert np.allclose(step.twist_by.mass, [lost / BODIES["mass"], 0, 0], rtol=1e-12)
+    assert np.allclose(step.twists_by.load, [-lost / LOAD, 0, 0], rtol=1e-12)
+    assert np.allclose(step.twists_by.mass, [lost / BODIES["mass"], 0, 0], rtol=1e-12)
     # Across the motion friction opposes the mean velocity: (1 - h)/(1 + h) with h = lost/2 over the mean speed.
     h = 0.5 * lost / (3.0 - 0.5 * lost)
-    assert np.allclose(np.diag(step.twist_by.twist)[:2], [1.0, (1 - h) / (1 + h)], rtol=1e-12)
+    assert np.allclose(np.diag(step.twists_by.twists)[:2], [1.0, (1 - h) / (1 + h)], rtol=1e-12)
 
 
 def test_a_first_load_slows_as_its_friction_does() -> None:
@@ -246,18 +246,19 @@ def test_a_first_load_slows_as_its_friction_does() -> None:
         )
         assert np.allclose(none.friction_by.load, little.friction / 1e-6, rtol=1e-6)
         assert np.allclose(none.friction_by.load, friction.wrench(state[0], 1.0), rtol=1e-12)
-        assert np.array_equal(none.twist_by.twist, np.eye(3))
+        assert np.array_equal(none.twists_by.twists, np.eye(3))
 
 
 @pytest.mark.parametrize("alpha", [0.0, 0.5, -0.5])
 @pytest.mark.parametrize("patch", [tribos.disk(0.08), tribos.hertz(0.08), tribos.annulus(0.04, 0.08)], ids=repr)
-def test_the_way_to_rest_follows_the_throw(patch: tribos.Patch, alpha: float) -> None:
+def test_the_way_to_rest_follows_the_launch(patch: tribos.Patch, alpha: float) -> None:
+    friction = tribos.Friction(patch, mu=0.3, alpha=alpha)
     at = np.array(
-        [[1.0, 12.5, 3.0, 0.08], [2.0, 3.0, 3.0, 0.05], [0.5, -40.0, 2.0, 0.08], [-1.0, 20.0, 3.0, 0.08]]
+        [[1.0, 12.5, 9.81, 0.08], [2.0, 3.0, 9.81, 0.05], [0.5, -40.0, 6.0, 0.08], [-1.0, 20.0, 9.81, 0.08]]
     )
 
     def thrown(x: np.ndarray) -> tribos.SlideJacobian:
-        return tribos.slide_jacobian(patch, *np.moveaxis(x, -1, 0)[:3], radius=x[..., 3], alpha=alpha)
+        return tribos.slide_jacobian(friction, x[..., 0], x[..., 1], gravity=x[..., 2], radius=x[..., 3])
 
     throw = thrown(at)
     got = np.stack([np.stack(by, axis=-1) for by in (throw.time_by, throw.distance_by, throw.angle_by)], axis=-2)
@@ -267,26 +268,43 @@ def test_the_way_to_rest_follows_the_throw(patch: tribos.Patch, alpha: float) ->
     assert np.allclose(got, expected, rtol=1e-6, atol=1e-7)
 
 
-def test_a_throw_without_spin_goes_as_far_as_a_point() -> None:
-    throw = tribos.slide_jacobian(tribos.disk(0.08), 2.0, 0.0, 2.5)
+def test_a_launch_without_spin_goes_as_far_as_a_point() -> None:
+    disk = tribos.Friction(tribos.disk(0.08), mu=0.25)
+    throw = tribos.slide_jacobian(disk, 2.0, 0.0, gravity=10.0)
     assert np.allclose([throw.time, throw.distance, throw.angle], [2.0 / 2.5, 4.0 / 5.0, 0.0], rtol=1e-13)
-    assert np.allclose(throw.time_by, [1 / 2.5, 0.0, -2.0 / 2.5**2, 0.0], rtol=1e-13)
-    assert np.allclose(throw.distance_by, [2.0 / 2.5, 0.0, -4.0 / 5.0 / 2.5, 0.0], rtol=1e-13)
-    rest = tribos.slide_jacobian(tribos.disk(0.08), 0.0, 0.0, 2.5)
+    assert np.allclose(throw.time_by, [1 / 2.5, 0.0, -0.8 / 10.0, 0.0], rtol=1e-13)
+    assert np.allclose(throw.distance_by, [2.0 / 2.5, 0.0, -0.8 / 10.0, 0.0], rtol=1e-13)
+    rest = tribos.slide_jacobian(disk, 0.0, 0.0)
     assert not np.array(rest.time_by).any() and rest.time == 0.0
 
 
-def test_throws_that_cannot_be_are_refused() -> None:
-    with pytest.raises(ValueError, match="deceleration must be > 0"):
-        tribos.slide_jacobian(tribos.disk(0.1), 1.0, 1.0, 0.0)
-    with pytest.raises(ValueError, match="axis"):
-        tribos.slide_jacobian(tribos.box(0.1, 0.1), 1.0, 1.0, 1.0)
-    with pytest.raises(ValueError, match="at rest|never|exponent"):
-        tribos.slide_jacobian(tribos.disk(0.1), 1.0, 1.0, 1.0, alpha=1.5)
+def test_derivatives_are_those_of_the_same_slide_and_step() -> None:
+    friction = tribos.Friction(tribos.hertz(0.08), mu=0.25, alpha=0.3)
+    speed, spin = np.array([1.0, -2.0]), np.array([[3.0], [20.0], [-4.0]])
+    rest = tribos.slide(friction, speed, spin, inertia_ratio=0.7)
+    throw = tribos.slide_jacobian(friction, speed, spin, inertia_ratio=0.7)
+    assert np.allclose(throw[:3], rest[:3], rtol=1e-12)
+    box = tribos.Friction(tribos.box(0.2, 0.1), mu=0.4)
+    at = cases(30, 0.1, 3.0)
+    body = tribos.PlanarBody(box, BODIES["mass"], BODIES["inertia"], load=LOAD)
+    expected = body.step(at[:, :3], at[:, 3:6], BODIES["dt"])
+    step = tribos.planar_step_jacobian(box, at[:, :3], at[:, 3:6], LOAD, **BODIES)
+    for got, wanted in zip(step, expected, strict=False):
+        assert np.array_equal(got, wanted)
+
+
+def test_launches_that_cannot_be_are_refused() -> None:
+    disk = tribos.Friction(tribos.disk(0.1), mu=0.3)
+    with pytest.raises(ValueError, match="mu \\* gravity must be > 0"):
+        tribos.slide_jacobian(disk, 1.0, 1.0, gravity=0.0)
+    with pytest.raises(ValueError, match="round"):
+        tribos.slide_jacobian(tribos.Friction(tribos.box(0.1, 0.1), mu=0.3), 1.0, 1.0)
+    with pytest.raises(ValueError, match="power of the speed"):
+        tribos.slide_jacobian(tribos.Friction(tribos.disk(0.1), law=tribos.softened(0.3, 0.1)), 1.0, 1.0)
+    with pytest.raises(ValueError, match="rest"):
+        tribos.slide_jacobian(tribos.Friction(tribos.disk(0.1), mu=0.3, alpha=1.5), 1.0, 1.0)
     with pytest.raises(ValueError, match="mass"):
-        tribos.planar_step_jacobian(
-            tribos.Friction(tribos.disk(0.1), mu=0.3), [0, 0, 0], [0, 0, 0], 1.0, mass=0.0, inertia=1.0, dt=0.1
-        )
+        tribos.planar_step_jacobian(disk, [0, 0, 0], [0, 0, 0], 1.0, mass=0.0, inertia=1.0, dt=0.1)
 
 
 def test_a_softened_law_has_a_slope_at_rest() -> None:

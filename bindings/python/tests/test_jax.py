@@ -80,7 +80,7 @@ def test_a_planar_step_has_the_slopes_of_differences(friction: tribos.Friction) 
 
 def test_a_step_into_rest_depends_on_nothing() -> None:
     def step(twist, push):
-        return tj.planar_step(DISK, twist, push, 10.0, **BODY).twist
+        return tj.planar_step(DISK, twist, push, 10.0, **BODY).twists
 
     by_twist, by_push = jax.jacrev(step, argnums=(0, 1))(jnp.array([1e-3, 0, 0]), jnp.array([1.0, 0, 0.01]))
     assert not by_twist.any() and not by_push.any()
@@ -92,20 +92,35 @@ def test_gradients_at_rest_are_no_numbers_under_coulombs_law() -> None:
     assert not np.isfinite(slope).all()
 
 
+def test_a_turned_box_has_the_slopes_of_differences() -> None:
+    box = FRICTIONS[1]
+
+    def step(twists, pushes, angle):
+        return tj.planar_step(box, twists, pushes, 10.0, angle=angle, **BODY)[:2]
+
+    angles = np.array([0.3, -1.0])
+    check(step, TWISTS, PUSHES, angles, eps=1e-6)
+    body = tribos.PlanarBody(box, BODY["mass"], BODY["inertia"], load=10.0)
+    expected = body.step(TWISTS, PUSHES, BODY["dt"], angle=angles)
+    for got, wanted in zip(step(TWISTS, PUSHES, angles), expected, strict=False):
+        assert np.allclose(got, wanted, rtol=1e-12, atol=1e-14)
+
+
 def test_a_slide_has_the_slopes_of_differences() -> None:
-    disk = tribos.disk(0.08)
+    disk = tribos.Friction(tribos.disk(0.08), mu=0.3)
 
-    def way(speed, spin, deceleration, radius):
-        return tuple(tj.slide(disk, speed, spin, deceleration, radius=radius))
+    def way(speed, spin, gravity, radius):
+        return tuple(tj.slide(disk, speed, spin, gravity=gravity, radius=radius))
 
-    check(way, np.array([1.0, 2.0]), np.array([11.0, -5.0]), 3.0, 0.08, eps=1e-5)
-    check(lambda v: tj.slide(disk, v, 11.0, 3.0, alpha=0.5).time, 1.0)
+    check(way, np.array([1.0, 2.0]), np.array([11.0, -5.0]), 10.0, 0.08, eps=1e-5)
+    viscous = tribos.Friction(tribos.disk(0.08), mu=0.3, alpha=0.5)
+    check(lambda speed: tj.slide(viscous, speed, 11.0).time, 1.0)
 
 
 def swung(friction: tribos.Friction, steps: int):
     def cost(start, push, load):
         def one(twist, _):
-            after = tj.planar_step(friction, twist, push, load, **BODY).twist
+            after = tj.planar_step(friction, twist, push, load, **BODY).twists
             return after, 0.01 * (twist + after) / 2
 
         _, ways = jax.lax.scan(one, start, length=steps)
@@ -159,7 +174,7 @@ def test_single_precision_is_rounded_once() -> None:
     slope = jax.grad(lambda x: tj.support(DISK, x, 10.0))(jnp.array(TWISTS[0]))
     assert slope.dtype == jnp.float32 and np.allclose(slope, -exact[0] , rtol=1e-6)
     step = jax.jit(lambda x: tj.planar_step(DISK, x, jnp.zeros(3), 10.0, **BODY))(jnp.array(TWISTS[0]))
-    assert step.twist.dtype == jnp.float32
+    assert step.twists.dtype == jnp.float32
 
 
 def test_frictions_may_be_static_arguments() -> None:

@@ -43,29 +43,36 @@ def test_a_planar_step_has_the_slopes_of_differences(friction: tribos.Friction) 
     check(step, TWISTS, PUSHES, [10.0, 7.0], 2.0, 0.006, 0.01, eps=1e-7, tol=1e-5)
     at_rest = tt.planar_step(friction, *doubles([1e-3, 0.0, 0.0], [1.0, 0.0, 0.01]), 10.0, **BODY)
     assert at_rest.at_rest
-    assert np.array_equal(at_rest.twist.detach(), np.zeros(3))
+    assert np.array_equal(at_rest.twists.detach(), np.zeros(3))
 
 
 def test_a_step_into_rest_passes_no_gradient_on() -> None:
     twist, push = doubles([1e-3, 0.0, 0.0], [1.0, 0.0, 0.01])
-    tt.planar_step(FRICTIONS[0], twist, push, 10.0, **BODY).twist.sum().backward()
+    tt.planar_step(FRICTIONS[0], twist, push, 10.0, **BODY).twists.sum().backward()
     assert not twist.grad.any() and not push.grad.any()
 
 
+def test_a_turned_box_has_the_slopes_of_differences() -> None:
+    def step(twists, pushes, angle):
+        return tt.planar_step(FRICTIONS[1], twists, pushes, 10.0, angle=angle, **BODY)[:2]
+
+    check(step, TWISTS, PUSHES, [0.3, -1.0], eps=1e-7, tol=1e-5)
+
+
 def test_a_slide_has_the_slopes_of_differences() -> None:
-    disk = tribos.disk(0.08)
+    disk = tribos.Friction(tribos.disk(0.08), mu=0.3)
 
-    def way(speed, spin, deceleration, radius):
-        return tuple(tt.slide(disk, speed, spin, deceleration, radius=radius))
+    def way(speed, spin, gravity, radius):
+        return tuple(tt.slide(disk, speed, spin, gravity=gravity, radius=radius))
 
-    check(way, [1.0, 2.0], [11.0, -5.0], 3.0, 0.08, eps=1e-5)
+    check(way, [1.0, 2.0], [11.0, -5.0], 10.0, 0.08, eps=1e-5)
 
 
 def test_a_gradient_through_a_hundred_steps_is_that_of_differences() -> None:
     def travelled(start):
         twist, way = start, 0.0
         for _ in range(100):
-            after = tt.planar_step(FRICTIONS[0], twist, torch.zeros(3, dtype=torch.float64), 5.0, **BODY).twist
+            after = tt.planar_step(FRICTIONS[0], twist, torch.zeros(3, dtype=torch.float64), 5.0, **BODY).twists
             way = way + 0.005 * (twist + after)
             twist = after
         return way

@@ -33,9 +33,9 @@ def derivatives_of_ellipsoids(patch: Patch) -> _native.SurfaceDerivatives:
 
 
 @lru_cache(maxsize=KEPT)
-def rest_map(patch: Patch, alpha: float) -> _native.RestMap:
+def rest_map(friction: Friction) -> _native.RestMap:
     """How bodies on a round patch come to rest."""
-    return _native.RestMap(patch._handle, alpha)
+    return _native.RestMap(friction.patch._handle, friction.law._handle)
 
 
 class PlanarStepBy(NamedTuple):
@@ -44,8 +44,8 @@ class PlanarStepBy(NamedTuple):
     Shapes (..., 3, 3) for twist and push, (..., 3) for the others; components are rows.
     """
 
-    twist: Any
-    push: Any
+    twists: Any
+    pushes: Any
     load: Any
     mass: Any
     inertia: Any
@@ -55,16 +55,16 @@ class PlanarStepBy(NamedTuple):
 class PlanarStepJacobian(NamedTuple):
     """A planar step and its derivatives."""
 
-    #: The motion after the step, in m/s and rad/s.
-    twist: Any
-    #: Friction, as its mean over the step, in N and N m.
+    twists: Any
+    """Motions after the step, in m/s and rad/s, of shape (..., 3); zero to the last bit at rest."""
     friction: Any
-    #: Whether friction holds the body.
+    """Mean friction over the step, in N and N m, of shape (..., 3)."""
     at_rest: Any
-    #: Derivatives of the motion after the step.
-    twist_by: PlanarStepBy
-    #: Derivatives of friction.
+    """Whether friction holds the body, of shape (...)."""
+    twists_by: PlanarStepBy
+    """Derivatives of the motions after the step."""
     friction_by: PlanarStepBy
+    """Derivatives of friction."""
 
 
 class SlideBy(NamedTuple):
@@ -72,35 +72,38 @@ class SlideBy(NamedTuple):
 
     speed: Any
     spin: Any
-    deceleration: Any
+    gravity: Any
     radius: Any
 
 
 class SlideJacobian(NamedTuple):
     """The way to rest and its derivatives."""
 
-    #: Time to rest, in s.
     time: Any
-    #: Distance to rest, in m.
+    """Time from launch to rest, in s."""
     distance: Any
-    #: Angle to rest, in rad.
+    """Distance covered, in m, with the sign of the speed."""
     angle: Any
+    """Angle turned, in rad, with the sign of the spin."""
     time_by: SlideBy
+    """Derivatives of the time."""
     distance_by: SlideBy
+    """Derivatives of the distance."""
     angle_by: SlideBy
+    """Derivatives of the angle."""
 
 
 def planar_step_jacobian(
     friction: Friction,
     twists: ArrayLike,
-    push: ArrayLike,
+    pushes: ArrayLike,
     load: ArrayLike,
     *,
     mass: ArrayLike,
     inertia: ArrayLike,
     dt: ArrayLike,
 ) -> PlanarStepJacobian:
-    """An implicit step of a body on its patch in the plane, and its derivatives.
+    """The implicit step of `PlanarBody`, and its derivatives.
 
     Friction is the wrench, of those that the patch carries, nearest to the one that would end the
     motion within half the step (the implicit midpoint rule), or within the whole step where the
@@ -112,8 +115,8 @@ def planar_step_jacobian(
     friction
         Coulomb friction of a patch.
     twists
-        Velocities in m/s and spins in rad/s, of shape (..., 3).
-    push
+        Velocities in m/s and spins in rad/s, of shape (..., 3), along the axes of the patch.
+    pushes
         All other forces in N and torques in N m, constant over the step, of shape (..., 3).
     load
         Normal force in N, at least 0.
@@ -125,7 +128,7 @@ def planar_step_jacobian(
     Returns
     -------
     PlanarStepJacobian
-        Twist, friction and rest after the step; derivatives by twist, push, load, mass, inertia, dt.
+        Twist, friction and rest after the step; derivatives by twists, pushes, load, mass, inertia, dt.
 
     Notes
     -----
@@ -141,53 +144,51 @@ def planar_step_jacobian(
     >>> puck = tribos.Friction(tribos.disk(0.04), mu=0.3)
     >>> body = {"mass": 0.17, "inertia": 1.36e-4, "dt": 0.01}
     >>> step = tribos.planar_step_jacobian(puck, [1.0, 0.0, 20.0], [0.0, 0.0, 0.0], 1.7, **body)
-    >>> print(step.twist.round(4), step.twist_by.load.round(5))
+    >>> print(step.twists.round(4), step.twists_by.load.round(5))
     [ 0.9727  0.     19.6778] [-0.01605  0.      -0.19077]
     >>> held = tribos.planar_step_jacobian(puck, [0.0, 0.0, 0.0], [0.3, 0.0, 0.0], 1.7, **body)
-    >>> bool(held.at_rest), float(abs(held.twist_by.push).max())
+    >>> bool(held.at_rest), float(abs(held.twists_by.pushes).max())
     (True, 0.0)
     """
     step = PlanarStep(friction)
-    given = (twists, push, load, mass, inertia, dt)
+    given = (twists, pushes, load, mass, inertia, dt)
     after, mean, rest, by = step.all(*given)
     return PlanarStepJacobian(after, mean, rest != 0.0, step.by(by, 0), step.by(by, 1))
 
 
 def slide_jacobian(
-    patch: Patch,
+    friction: Friction,
     speed: ArrayLike,
     spin: ArrayLike,
-    deceleration: ArrayLike,
     *,
-    radius: ArrayLike | None = None,
     inertia_ratio: float = 0.5,
-    alpha: float = 0.0,
+    gravity: ArrayLike = 9.81,
+    radius: ArrayLike | None = None,
 ) -> SlideJacobian:
-    """Time, distance and angle until a thrown body is at rest, and their derivatives.
+    """Time, distance and angle until launched bodies are at rest, and their derivatives.
 
     Parameters
     ----------
-    patch
-        A round patch.
+    friction
+        Coulomb friction, or ``mu * speed**alpha`` with ``alpha < 1``, on a round patch.
     speed, spin
-        Speed in m/s and spin in rad/s of the throw; both signed, as distance and angle are.
-    deceleration
-        That of the body without spin: ``mu * g`` in m/s², and ``gamma * g`` for other exponents.
-    radius
-        Radius of the patch in m; None for its own.
+        Speeds in m/s and spins in rad/s of the launch, of either sign.
     inertia_ratio
-        Moment of inertia over mass and radius squared; 0.5 for a uniform cylinder.
-    alpha
-        Exponent of the speed in the law of friction, above -1 and below 1; 0 for dry friction.
+        ``I/(m * radius**2)``: 1/2 for a solid disk on its own face.
+    gravity
+        Acceleration that presses the body down, in m/s². Friction depends on ``mu * gravity``: a
+        derivative by mu is ``gravity / mu`` times the one by gravity.
+    radius
+        Radius of the patch in m, for the derivative by it; None for its own.
 
     Returns
     -------
     SlideJacobian
-        Time in s, distance in m, angle in rad; derivatives by speed, spin, deceleration and radius.
+        Time in s, distance in m, angle in rad; derivatives by speed, spin, gravity and radius.
 
     Notes
     -----
-    The derivatives are smooth in every direction of the throw; for one at rest they are given as
+    The derivatives are smooth in every direction of the launch; for one at rest they are given as
     zero, although the time has a kink there.
 
     Accuracy: time, distance and angle 1e-13, derivatives 1e-9, on a thin ring next to
@@ -196,12 +197,13 @@ def slide_jacobian(
     Examples
     --------
     >>> import tribos
-    >>> throw = tribos.slide_jacobian(tribos.disk(0.08), 1.0, 12.5, 0.3 * 9.81)
+    >>> puck = tribos.Friction(tribos.disk(0.08), mu=0.3)
+    >>> throw = tribos.slide_jacobian(puck, 1.0, 12.5)
     >>> print(throw.distance.round(4), throw.distance_by.spin.round(5))     # m, m s/rad
     0.2166 0.00789
     """
-    slide = Slide(patch, number("alpha", alpha), positive("inertia_ratio", inertia_ratio))
-    rows, by = slide.all(speed, spin, deceleration, slide.own(radius))
+    slide = Slide(friction, positive("inertia_ratio", inertia_ratio))
+    rows, by = slide.all(speed, spin, gravity, slide.own(radius))
     values = [rows[..., k] for k in range(3)]
     slopes = [SlideBy(*(by[..., k, j] for j in range(4))) for k in range(3)]
     return SlideJacobian(*values, *slopes)
@@ -229,9 +231,9 @@ def softened(mu: float, speed: float) -> Law:
     >>> law = tribos.softened(mu=0.3, speed=1e-3)
     >>> print(law.friction([0.0, 1e-3, 1.0]).round(4), law.slope(0.0))
     [0.     0.15   0.2997] 300.0
-    >>> puck = tribos.Friction(tribos.disk(0.04), law=law)
+    >>> puck = tribos.Friction(tribos.disk(0.1), law=law)
     >>> print(puck.jacobian([0.0, 0.0, 0.0], load=1.0).diagonal().round(3))
-    [-300.   -300.     -0.24]
+    [-300.  -300.    -1.5]
     """
     width = positive("speed", speed)
     # The plateau's own speed has no effect where the exponent is 0; it may not be below the other.
@@ -400,9 +402,9 @@ class PlanarStep(OnSurface):
 
     def all(self, *given: Any) -> tuple[Any, Any, Any, Any]:
         """Motion, friction, rest and the derivatives of the first two by ten numbers."""
-        twists, push, load, mass, inertia, dt = given
+        twists, pushes, load, mass, inertia, dt = given
         step = self.slopes.planar_step_jacobian
-        return step(self.limits(load), twists, push, mass, inertia, dt)
+        return step(self.limits(load), twists, pushes, mass, inertia, dt)
 
     def by(self, by: Any, output: int) -> PlanarStepBy:
         """The derivatives of one output."""
@@ -411,8 +413,11 @@ class PlanarStep(OnSurface):
         return PlanarStepBy(of[..., :3], of[..., 3:6], load, of[..., 7], of[..., 8], of[..., 9])
 
     def value(self, *given: Any) -> tuple[Any, ...]:
-        twists, push, load, mass, inertia, dt = given
-        return self.slopes.planar_step(self.limits(load), twists, push, mass, inertia, dt)
+        twists, pushes, load, mass, inertia, dt = given
+        limits = self.limits(load)
+        bodies = {"force_limit": limits, "mass": mass, "inertia": inertia, "dt": dt}
+        patch = self.friction.patch._handle
+        return tuple(_native.planar_step(patch, self.surface, bodies, twists, pushes, 0.0))
 
     def derivatives(self, *given: Any) -> tuple[tuple[Any, ...], list[list[Any]]]:
         after, mean, rest, by = self.all(*given)
@@ -421,32 +426,30 @@ class PlanarStep(OnSurface):
 
 @dataclass(frozen=True)
 class Slide(Operation):
-    """Time, distance and angle to rest by speed, spin, deceleration and radius."""
+    """Time, distance and angle to rest by speed, spin, gravity and radius."""
 
-    patch: Patch
-    alpha: float
+    friction: Friction
     inertia_ratio: float
     inputs: ClassVar[tuple[int, ...]] = (0, 0, 0, 0)
     outputs: ClassVar[tuple[int, ...]] = (0, 0, 0)
     smooth: ClassVar[tuple[int, ...]] = (0, 1, 2)
 
     def __post_init__(self) -> None:
-        rest_map(self.patch, self.alpha)
+        rest_map(self.friction)
 
     def own(self, radius: Any) -> Any:
         """The radius, that of the patch for None."""
-        return self.patch.radius if radius is None else radius
+        return self.friction.patch.radius if radius is None else radius
 
     def all(self, *given: Any) -> tuple[Any, Any]:
         """Rows of time, distance, angle, and their derivatives."""
-        speed, spin, deceleration, radius = given
-        rest_and_jacobian = rest_map(self.patch, self.alpha).rest_and_jacobian
-        return rest_and_jacobian(speed, spin, deceleration, radius, self.inertia_ratio)
+        speed, spin, gravity, radius = given
+        rest_and_jacobian = rest_map(self.friction).rest_and_jacobian
+        return rest_and_jacobian(speed, spin, gravity, radius, self.inertia_ratio)
 
     def value(self, *given: Any) -> tuple[Any, ...]:
-        speed, spin, deceleration, radius = given
-        rest = rest_map(self.patch, self.alpha).rest
-        rows = rest(speed, spin, deceleration, radius, self.inertia_ratio)
+        speed, spin, gravity, radius = given
+        rows = rest_map(self.friction).rest(speed, spin, gravity, radius, self.inertia_ratio)
         return tuple(rows[..., k] for k in range(3))
 
     def derivatives(self, *given: Any) -> tuple[tuple[Any, ...], list[list[Any]]]:

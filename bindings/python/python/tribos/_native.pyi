@@ -274,12 +274,12 @@ class LimitSurface:
 
 @final
 class RestMap:
-    def __new__(cls, patch: Patch, alpha: float) -> RestMap: ...
+    def __new__(cls, patch: Patch, law: Law) -> RestMap: ...
     def rest(
         self,
         speed: ArrayLike,
         spin: ArrayLike,
-        deceleration: ArrayLike,
+        gravity: ArrayLike,
         radius: ArrayLike,
         inertia_ratio: ArrayLike,
     ) -> NDArray[Any]: ...
@@ -287,7 +287,7 @@ class RestMap:
         self,
         speed: ArrayLike,
         spin: ArrayLike,
-        deceleration: ArrayLike,
+        gravity: ArrayLike,
         radius: ArrayLike,
         inertia_ratio: ArrayLike,
     ) -> tuple[NDArray[Any], NDArray[Any]]: ...
@@ -316,15 +316,6 @@ class SurfaceDerivatives:
     def support_hessian(
         self, force_limit: ArrayLike, twists: ArrayLike, out: NDArray[Any] | None = None
     ) -> NDArray[Any]: ...
-    def planar_step(
-        self,
-        force_limit: ArrayLike,
-        twists: ArrayLike,
-        pushes: ArrayLike,
-        mass: ArrayLike,
-        inertia: ArrayLike,
-        dt: ArrayLike,
-    ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]: ...
     def planar_step_jacobian(
         self,
         force_limit: ArrayLike,

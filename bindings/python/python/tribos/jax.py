@@ -9,16 +9,15 @@ The functions take and return JAX arrays and work under ``jit``, ``vmap``, ``gra
 >>> def power(twist):
 ...     return twist @ tribos.jax.wrench(puck, twist, 1.7)
 >>> slope = jax.jit(jax.grad(power))(jax.numpy.array([1.0, 0.0, 20.0]))
->>> print([round(float(x), 4) for x in slope])                    # that of the force along
-[-0.465, -0.0, -0.0044]
+>>> print([round(float(x), 4) + 0.0 for x in slope])
+[-0.465, 0.0, -0.0044]
 
 Notes
 -----
 *Precision*: the kernel computes in float64. JAX rounds arguments and results to float32 unless 64-bit
 numbers are on: ``jax.config.update("jax_enable_x64", True)`` is advised where derivatives matter.
 
-*Static arguments*: friction, patch, `length`, `alpha` and `inertia_ratio` are not arrays and have no
-derivatives. They are hashable, and may be ``static_argnums`` of ``jit``. Friction depends on mu and
+*Static arguments*: friction, `length` and `inertia_ratio` are not arrays and have no derivatives. They are hashable, and may be ``static_argnums`` of ``jit``. Friction depends on mu and
 load by their product: a derivative by mu is one by the load, of a `Friction` with ``mu=1``.
 
 *At rest* Coulomb friction jumps, and its derivative is infinite: a gradient through `wrench` there
@@ -42,34 +41,23 @@ import numpy as np
 from jax.custom_derivatives import SymbolicZero
 
 from tribos import _gradients
-from tribos._checks import number, positive
+from tribos._checks import positive
 from tribos._friction import Friction
 from tribos._gradients import Operation, length_of
-from tribos._patches import Patch
+from tribos._planar import Step
 
-__all__ = ["PlanarStep", "Slide", "gauge", "normal", "planar_step", "project", "slide", "support", "wrench"]
-
-
-class PlanarStep(NamedTuple):
-    """The end of a planar step."""
-
-    #: The motion after the step, in m/s and rad/s, of shape (..., 3).
-    twist: Any
-    #: Friction, as its mean over the step, in N and N m, of shape (..., 3).
-    friction: Any
-    #: Whether friction holds the body, of shape (...).
-    at_rest: Any
+__all__ = ["Slide", "Step", "gauge", "normal", "planar_step", "project", "slide", "support", "wrench"]
 
 
 class Slide(NamedTuple):
     """A way to rest."""
 
-    #: Time to rest, in s.
     time: Any
-    #: Distance to rest, in m.
+    """Time from launch to rest, in s."""
     distance: Any
-    #: Angle to rest, in rad.
+    """Distance covered, in m, with the sign of the speed."""
     angle: Any
+    """Angle turned, in rad, with the sign of the spin."""
 
 
 def wrench(friction: Friction, twists: Any, load: Any) -> Any:
@@ -142,70 +130,92 @@ def project(friction: Friction, wrenches: Any, load: Any, *, length: float | Non
 
 
 def planar_step(
-    friction: Friction, twists: Any, push: Any, load: Any, *, mass: Any, inertia: Any, dt: Any
-) -> PlanarStep:
-    """An implicit step of a body on its patch, as `tribos.planar_step_jacobian`.
+    friction: Friction,
+    twists: Any,
+    pushes: Any,
+    load: Any,
+    *,
+    mass: Any,
+    inertia: Any,
+    dt: Any,
+    angle: Any = None,
+) -> Step:
+    """The implicit step of `tribos.PlanarBody`.
 
-    Differentiable in all but the friction, at rest too.
+    Differentiable in all but the friction, at rest too; see `tribos.planar_step_jacobian`.
 
     Parameters
     ----------
     friction
         Coulomb friction of a patch.
-    twists, push
+    twists, pushes
         Velocities in m/s and spins in rad/s; other forces in N and torques in N m; (..., 3).
     load
         Normal force in N, at least 0.
     mass, inertia, dt
         In kg, kg m² and s.
+    angle
+        Angle in rad by which the patch is turned against the axes of twists and pushes; None for 0.
 
     Examples
     --------
-    How far a puck goes depends on its mass only if something pushes it.
+    How far a puck slides does not depend on its mass.
 
     >>> import jax, tribos, tribos.jax
     >>> puck = tribos.Friction(tribos.disk(0.04), mu=0.3)
     >>> def distance(mass):
     ...     def step(state, _):
-    ...         twist, x = state
+    ...         twists, x = state
     ...         body = {"mass": mass, "inertia": 8e-4 * mass, "dt": 0.01}
-    ...         after = tribos.jax.planar_step(puck, twist, jax.numpy.zeros(3), 9.81 * mass, **body)
-    ...         return (after.twist, x + 0.005 * (twist[0] + after.twist[0])), None
+    ...         after = tribos.jax.planar_step(puck, twists, jax.numpy.zeros(3), 9.81 * mass, **body)
+    ...         return (after.twists, x + 0.005 * (twists[0] + after.twists[0])), None
     ...     start = (jax.numpy.array([1.0, 0.0, 20.0]), 0.0)
     ...     return jax.lax.scan(step, start, length=60)[0][1]
     >>> print(f"{jax.jit(distance)(0.17):.3f}", bool(abs(jax.grad(distance)(0.17)) < 1e-5))
     0.199 True
     """
     operation = _gradients.PlanarStep(friction)
-    after, mean, rest = _apply(operation, twists, push, load, mass, inertia, dt)
-    return PlanarStep(after, mean, rest > 0.5)
+    if angle is None:
+        after, mean, rest = _apply(operation, twists, pushes, load, mass, inertia, dt)
+        return Step(after, mean, rest > 0.5)
+    to_patch = (_turned(twists, angle, -1.0), _turned(pushes, angle, -1.0))
+    after, mean, rest = _apply(operation, *to_patch, load, mass, inertia, dt)
+    return Step(_turned(after, angle, 1.0), _turned(mean, angle, 1.0), rest > 0.5)
+
+
+def _turned(rows: Any, angle: Any, sense: float) -> Any:
+    """Rows with their first two components turned about the normal."""
+    rows, angle = jnp.asarray(rows), jnp.asarray(angle)
+    cos, sin = jnp.cos(angle), sense * jnp.sin(angle)
+    x, y = rows[..., 0], rows[..., 1]
+    parts = (cos * x - sin * y, sin * x + cos * y, rows[..., 2] + 0.0 * cos)
+    return jnp.stack(parts, axis=-1)
 
 
 def slide(
-    patch: Patch,
+    friction: Friction,
     speed: Any,
     spin: Any,
-    deceleration: Any,
     *,
-    radius: Any = None,
     inertia_ratio: float = 0.5,
-    alpha: float = 0.0,
+    gravity: Any = 9.81,
+    radius: Any = None,
 ) -> Slide:
-    """Time, distance and angle until a thrown body is at rest, as `tribos.slide_jacobian`.
+    """Time, distance and angle until launched bodies are at rest, as `tribos.slide_jacobian`.
 
-    Differentiable in speed, spin, deceleration and radius.
+    Differentiable in speed, spin, gravity and radius.
 
     Examples
     --------
     >>> import jax, tribos, tribos.jax
+    >>> puck = tribos.Friction(tribos.disk(0.08), mu=0.3)
     >>> def distance(spin):
-    ...     return tribos.jax.slide(tribos.disk(0.08), 1.0, spin, 0.3 * 9.81).distance
+    ...     return tribos.jax.slide(puck, 1.0, spin).distance
     >>> print(f"{distance(12.5):.4f} {jax.grad(distance)(12.5):.5f}")
     0.2166 0.00789
     """
-    ratio = positive("inertia_ratio", inertia_ratio)
-    operation = _gradients.Slide(patch, number("alpha", alpha), ratio)
-    return Slide(*_apply(operation, speed, spin, deceleration, operation.own(radius)))
+    operation = _gradients.Slide(friction, positive("inertia_ratio", inertia_ratio))
+    return Slide(*_apply(operation, speed, spin, gravity, operation.own(radius)))
 
 
 def _apply(operation: Operation, *given: Any) -> tuple[Any, ...]:

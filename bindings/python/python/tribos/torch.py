@@ -15,8 +15,7 @@ Notes
 *Precision*: the kernel computes in float64; results have the type that the tensors have together, or
 torch's default type for numbers. Derivatives that matter want float64.
 
-*Constants*: friction, patch, `length`, `alpha` and `inertia_ratio` have no derivatives. Friction
-depends on mu and load by their product: a derivative by mu is one by the load, of a `tribos.Friction`
+*Constants*: friction, `length` and `inertia_ratio` have no derivatives. Friction depends on mu and load by their product: a derivative by mu is one by the load, of a `tribos.Friction`
 with ``mu=1``.
 
 *At rest* Coulomb friction jumps, and its derivative is infinite: a gradient through `wrench` there
@@ -35,34 +34,23 @@ from torch.autograd.function import (  # type: ignore[import-not-found, unused-i
 )
 
 from tribos import _gradients
-from tribos._checks import number, positive
+from tribos._checks import positive
 from tribos._friction import Friction
 from tribos._gradients import Operation, length_of
-from tribos._patches import Patch
+from tribos._planar import Step
 
-__all__ = ["PlanarStep", "Slide", "gauge", "normal", "planar_step", "project", "slide", "support", "wrench"]
-
-
-class PlanarStep(NamedTuple):
-    """The end of a planar step."""
-
-    #: The motion after the step, in m/s and rad/s, of shape (..., 3).
-    twist: Any
-    #: Friction, as its mean over the step, in N and N m, of shape (..., 3).
-    friction: Any
-    #: Whether friction holds the body, of shape (...).
-    at_rest: Any
+__all__ = ["Slide", "Step", "gauge", "normal", "planar_step", "project", "slide", "support", "wrench"]
 
 
 class Slide(NamedTuple):
     """A way to rest."""
 
-    #: Time to rest, in s.
     time: Any
-    #: Distance to rest, in m.
+    """Time from launch to rest, in s."""
     distance: Any
-    #: Angle to rest, in rad.
+    """Distance covered, in m, with the sign of the speed."""
     angle: Any
+    """Angle turned, in rad, with the sign of the spin."""
 
 
 def wrench(friction: Friction, twists: Any, load: Any) -> Any:
@@ -118,45 +106,66 @@ def project(friction: Friction, wrenches: Any, load: Any, *, length: float | Non
 
 
 def planar_step(
-    friction: Friction, twists: Any, push: Any, load: Any, *, mass: Any, inertia: Any, dt: Any
-) -> PlanarStep:
-    """An implicit step of a body on its patch, as `tribos.planar_step_jacobian`.
+    friction: Friction,
+    twists: Any,
+    pushes: Any,
+    load: Any,
+    *,
+    mass: Any,
+    inertia: Any,
+    dt: Any,
+    angle: Any = None,
+) -> Step:
+    """The implicit step of `tribos.PlanarBody`.
 
-    Differentiable in all but the friction, at rest too.
+    Differentiable in all but the friction, at rest too; see `tribos.planar_step_jacobian`.
 
     Parameters
     ----------
     friction
         Coulomb friction of a patch.
-    twists, push
+    twists, pushes
         Velocities in m/s and spins in rad/s; other forces in N and torques in N m; (..., 3).
     load
         Normal force in N, at least 0.
     mass, inertia, dt
         In kg, kg m² and s.
+    angle
+        Angle in rad by which the patch is turned against the axes of twists and pushes; None for 0.
     """
     operation = _gradients.PlanarStep(friction)
-    after, mean, rest = _apply(operation, twists, push, load, mass, inertia, dt)
-    return PlanarStep(after, mean, rest > 0.5)
+    if angle is None:
+        after, mean, rest = _apply(operation, twists, pushes, load, mass, inertia, dt)
+        return Step(after, mean, rest > 0.5)
+    to_patch = (_turned(twists, angle, -1.0), _turned(pushes, angle, -1.0))
+    after, mean, rest = _apply(operation, *to_patch, load, mass, inertia, dt)
+    return Step(_turned(after, angle, 1.0), _turned(mean, angle, 1.0), rest > 0.5)
+
+
+def _turned(rows: Any, angle: Any, sense: float) -> Any:
+    """Rows with their first two components turned about the normal."""
+    rows, angle = torch.as_tensor(rows), torch.as_tensor(angle)
+    cos, sin = torch.cos(angle), sense * torch.sin(angle)
+    x, y = rows[..., 0], rows[..., 1]
+    parts = (cos * x - sin * y, sin * x + cos * y, rows[..., 2] + 0.0 * cos)
+    return torch.stack(parts, dim=-1)
 
 
 def slide(
-    patch: Patch,
+    friction: Friction,
     speed: Any,
     spin: Any,
-    deceleration: Any,
     *,
-    radius: Any = None,
     inertia_ratio: float = 0.5,
-    alpha: float = 0.0,
+    gravity: Any = 9.81,
+    radius: Any = None,
 ) -> Slide:
-    """Time, distance and angle until a thrown body is at rest, as `tribos.slide_jacobian`.
+    """Time, distance and angle until launched bodies are at rest, as `tribos.slide_jacobian`.
 
-    Differentiable in speed, spin, deceleration and radius.
+    Differentiable in speed, spin, gravity and radius.
     """
-    ratio = positive("inertia_ratio", inertia_ratio)
-    operation = _gradients.Slide(patch, number("alpha", alpha), ratio)
-    return Slide(*_apply(operation, speed, spin, deceleration, operation.own(radius)))
+    operation = _gradients.Slide(friction, positive("inertia_ratio", inertia_ratio))
+    return Slide(*_apply(operation, speed, spin, gravity, operation.own(radius)))
 
 
 def _apply(operation: Operation, *given: Any) -> tuple[Any, ...]:

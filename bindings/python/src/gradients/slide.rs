@@ -2,16 +2,18 @@
 
 use super::part;
 use crate::arrays::{Numbers, View, broadcast, refused};
-use crate::patch::{Patch, Shape};
+use crate::law::Law;
+use crate::patch::Patch;
+use crate::slide::{power_of, round};
 use crate::threads::fill;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use tribos::friction::{Refusal, RoundPower, upright};
+use tribos::friction::{RoundPower, upright};
 use tribos::slide::inverse::{self, Launch};
 
 /// Nanoseconds that a way to rest takes, about.
 const COST: usize = 200_000;
-/// Columns of the derivatives: speed, spin, deceleration, radius.
+/// Columns of the derivatives: speed, spin, gravity, radius.
 const BY: usize = 4;
 /// Time, distance and angle, and their derivatives.
 const ALL: usize = 3 + 3 * BY;
@@ -20,12 +22,14 @@ const ALL: usize = 3 + 3 * BY;
 #[pyclass(frozen, module = "tribos._native")]
 pub struct RestMap {
     friction: Box<dyn RoundPower<f64>>,
+    coefficient: f64,
 }
 
 /// A throw, in SI units.
 struct Throw {
     speed: f64,
     spin: f64,
+    gravity: f64,
     deceleration: f64,
     radius: f64,
     inertia_ratio: f64,
@@ -35,10 +39,11 @@ struct Throw {
 struct Throws<'a>([View<'a, 1>; 5]);
 
 impl Throws<'_> {
-    fn at(&self, index: usize) -> PyResult<Throw> {
-        let [[speed], [spin], [deceleration], [radius], [inertia_ratio]] =
+    fn at(&self, index: usize, coefficient: f64) -> PyResult<Throw> {
+        let [[speed], [spin], [gravity], [radius], [inertia_ratio]] =
             self.0.map(|view| view.at(index));
-        for (name, value) in [("deceleration", deceleration), ("radius", radius)] {
+        let deceleration = coefficient * gravity;
+        for (name, value) in [("mu * gravity", deceleration), ("radius", radius)] {
             if !(value > 0.0 && value.is_finite()) {
                 let text = format!("{name} must be > 0 and finite, not {value}");
                 return Err(refused(text));
@@ -47,6 +52,7 @@ impl Throws<'_> {
         Ok(Throw {
             speed,
             spin,
+            gravity,
             deceleration,
             radius,
             inertia_ratio,
@@ -80,6 +86,7 @@ impl RestMap {
         let (map, launch) = self.unit(throw)?;
         let (landing, pose, time) = map.landing_derivatives(&launch);
         let Throw {
+            gravity,
             deceleration,
             radius,
             ..
@@ -100,7 +107,7 @@ impl RestMap {
             all[3 + BY * row..3 + BY * (row + 1)].copy_from_slice(&[
                 by_speed / unit,
                 by_rim * radius / unit,
-                -value / deceleration,
+                -value / gravity,
                 by_rim * throw.spin / unit - own,
             ]);
         }
@@ -109,14 +116,15 @@ impl RestMap {
 
     /// What `of` makes of every throw.
     fn each<'py, const M: usize>(
-        [speed, spin, deceleration, radius, inertia_ratio]: [&Bound<'py, PyAny>; 5],
+        &self,
+        [speed, spin, gravity, radius, inertia_ratio]: [&Bound<'py, PyAny>; 5],
         of: impl Fn(&Throw) -> PyResult<[f64; M]> + Sync,
     ) -> PyResult<(Vec<usize>, Vec<[f64; M]>)> {
         let py = speed.py();
         let given = [
             Numbers::new("speed", speed)?,
             Numbers::new("spin", spin)?,
-            Numbers::new("deceleration", deceleration)?,
+            Numbers::new("gravity", gravity)?,
             Numbers::new("radius", radius)?,
             Numbers::new("inertia ratio", inertia_ratio)?,
         ];
@@ -128,7 +136,7 @@ impl RestMap {
         let mut rows = vec![[0.0; M]; batch.iter().product()];
         fill(py, &mut rows, COST, |from, piece| {
             for (index, row) in (from..).zip(piece.iter_mut()) {
-                *row = of(&throws.at(index)?)?;
+                *row = of(&throws.at(index, self.coefficient)?)?;
             }
             Ok(())
         })?;
@@ -139,13 +147,15 @@ impl RestMap {
 #[pymethods]
 impl RestMap {
     #[new]
-    fn new(patch: &Patch, alpha: f64) -> PyResult<Self> {
-        let Shape::Round(patch, _) = &patch.0 else {
-            return Err(refused(Refusal::NoAxis));
-        };
+    fn new(patch: &Patch, law: &Law) -> PyResult<Self> {
+        let (patch, _) = round(&patch.0)?;
+        let [coefficient, alpha] = power_of(&law.0)?;
         let friction = upright(patch, alpha).map_err(refused)?;
         inverse::RestMap::new(&*friction, 1.0, 1.0, 0.5).map_err(refused)?;
-        Ok(Self { friction })
+        Ok(Self {
+            friction,
+            coefficient,
+        })
     }
 
     /// Times, distances and angles to rest, as rows.
@@ -153,27 +163,27 @@ impl RestMap {
         &self,
         speed: &Bound<'py, PyAny>,
         spin: &Bound<'py, PyAny>,
-        deceleration: &Bound<'py, PyAny>,
+        gravity: &Bound<'py, PyAny>,
         radius: &Bound<'py, PyAny>,
         inertia_ratio: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let given = [speed, spin, deceleration, radius, inertia_ratio];
-        let (batch, rows) = Self::each(given, |throw| self.rested(throw))?;
+        let given = [speed, spin, gravity, radius, inertia_ratio];
+        let (batch, rows) = self.each(given, |throw| self.rested(throw))?;
         part::<3, 3>(speed.py(), &batch, &[3], &rows, 0)
     }
 
-    /// The same, and their derivatives by speed, spin, deceleration and radius.
+    /// The same, and their derivatives by speed, spin, gravity and radius.
     fn rest_and_jacobian<'py>(
         &self,
         speed: &Bound<'py, PyAny>,
         spin: &Bound<'py, PyAny>,
-        deceleration: &Bound<'py, PyAny>,
+        gravity: &Bound<'py, PyAny>,
         radius: &Bound<'py, PyAny>,
         inertia_ratio: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyTuple>> {
         let py = speed.py();
-        let given = [speed, spin, deceleration, radius, inertia_ratio];
-        let (batch, rows) = Self::each(given, |throw| self.rested_by(throw))?;
+        let given = [speed, spin, gravity, radius, inertia_ratio];
+        let (batch, rows) = self.each(given, |throw| self.rested_by(throw))?;
         let parts = [
             part::<ALL, 3>(py, &batch, &[3], &rows, 0)?,
             part::<ALL, { 3 * BY }>(py, &batch, &[3, BY], &rows, 3)?,

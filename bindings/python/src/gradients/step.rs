@@ -92,18 +92,6 @@ impl Moved {
     }
 }
 
-/// The step.
-pub fn after(surface: &dyn Smooth, moved: &Moved) -> [f64; AFTER] {
-    let Moved {
-        body,
-        dt,
-        twist,
-        push,
-        ..
-    } = moved;
-    row(&body.step_and_instant(surface.set(), twist, push, *dt).0)
-}
-
 fn row(step: &PlanarStep<f64>) -> [f64; AFTER] {
     let [x, y, spin] = twist_numbers(&step.twist);
     let [force_x, force_y, torque] = numbers(&step.friction);

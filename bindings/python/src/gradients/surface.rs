@@ -11,7 +11,7 @@
 //! they are computed here, in units of force limit and radius.
 
 use super::part;
-use super::step::{AFTER, BY, Moved, STEP, after, moved};
+use super::step::{AFTER, BY, Moved, STEP, moved};
 use crate::arrays::{Numbers, Output, Rows, View, broadcast, refused};
 use crate::model::{Model, Sets, ellipsoids, model, sets, twist_numbers, twist_of, wrench_of};
 use crate::patch::{Patch, Shape};
@@ -290,17 +290,16 @@ impl SurfaceDerivatives {
         output.finish()
     }
 
-    /// What `of` makes of every step of a batch.
-    fn steps<const M: usize>(
+    /// Steps and derivatives of a batch.
+    fn steps(
         &self,
         [twists, pushes]: [&Bound<'_, PyAny>; 2],
         [limits, mass, inertia, dt]: [&Bound<'_, PyAny>; 4],
-        of: impl Fn(&dyn Smooth, &Moved) -> [f64; M] + Sync,
-    ) -> PyResult<(Vec<usize>, Vec<[f64; M]>)> {
+    ) -> PyResult<(Vec<usize>, Vec<[f64; STEP]>)> {
         let py = twists.py();
-        let limits = Numbers::new("force limit", limits)?;
+        let limits = Numbers::new("load", limits)?;
         let twists = Rows::<3>::new("twists", twists)?;
-        let pushes = Rows::<3>::new("push", pushes)?;
+        let pushes = Rows::<3>::new("pushes", pushes)?;
         let mass = Numbers::new("mass", mass)?;
         let inertia = Numbers::new("inertia", inertia)?;
         let dt = Numbers::new("dt", dt)?;
@@ -311,7 +310,7 @@ impl SurfaceDerivatives {
         let (inertia, dt) = (inertia.over(&batch)?, dt.over(&batch)?);
         let (limits, mass, inertia, dt) =
             (limits.view()?, mass.view()?, inertia.view()?, dt.view()?);
-        let mut rows = vec![[0.0; M]; batch.iter().product()];
+        let mut rows = vec![[0.0; STEP]; batch.iter().product()];
         fill(py, &mut rows, COST, |from, piece| {
             for (index, row) in (from..).zip(piece.iter_mut()) {
                 let ([mass], [inertia], [dt]) = (mass.at(index), inertia.at(index), dt.at(index));
@@ -329,7 +328,7 @@ impl SurfaceDerivatives {
                     self.family.with(1.0, &mut work)?;
                 }
                 self.family
-                    .with(limit, &mut |surface| *row = of(surface, &body))?;
+                    .with(limit, &mut |surface| *row = moved(surface, &body))?;
             }
             Ok(())
         })?;
@@ -445,29 +444,8 @@ impl SurfaceDerivatives {
         })
     }
 
-    /// Implicit steps of bodies: twists after, mean friction, and 1 at rest or else 0.
-    fn planar_step<'py>(
-        &self,
-        force_limit: &Bound<'py, PyAny>,
-        twists: &Bound<'py, PyAny>,
-        pushes: &Bound<'py, PyAny>,
-        mass: &Bound<'py, PyAny>,
-        inertia: &Bound<'py, PyAny>,
-        dt: &Bound<'py, PyAny>,
-    ) -> PyResult<Bound<'py, PyTuple>> {
-        let py = twists.py();
-        let (rows, numbers) = ([twists, pushes], [force_limit, mass, inertia, dt]);
-        let (batch, rows) = self.steps(rows, numbers, after)?;
-        let parts = [
-            part::<AFTER, 3>(py, &batch, &[3], &rows, 0)?,
-            part::<AFTER, 3>(py, &batch, &[3], &rows, 3)?,
-            part::<AFTER, 1>(py, &batch, &[], &rows, 6)?,
-        ];
-        PyTuple::new(py, parts)
-    }
-
-    /// The same, and the derivatives of the first two by twist, push, force limit, mass, inertia and
-    /// time.
+    /// Implicit steps of bodies: twists after, mean friction, 1 at rest or else 0, and the derivatives of
+    /// the first two by twist, push, force limit, mass, inertia and time.
     fn planar_step_jacobian<'py>(
         &self,
         force_limit: &Bound<'py, PyAny>,
@@ -479,7 +457,7 @@ impl SurfaceDerivatives {
     ) -> PyResult<Bound<'py, PyTuple>> {
         let py = twists.py();
         let (rows, numbers) = ([twists, pushes], [force_limit, mass, inertia, dt]);
-        let (batch, rows) = self.steps(rows, numbers, moved)?;
+        let (batch, rows) = self.steps(rows, numbers)?;
         let parts = [
             part::<STEP, 3>(py, &batch, &[3], &rows, 0)?,
             part::<STEP, 3>(py, &batch, &[3], &rows, 3)?,
