@@ -486,7 +486,7 @@ impl MujocoFeet {
             foot.load,
             [force.x, force.y, foot.torque],
             foot.twist.into(),
-            foot.axes.transpose().into(),
+            foot.axes.into(),
             foot.centre.into(),
             foot.is_held,
         ))
