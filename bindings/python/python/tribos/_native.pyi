@@ -391,16 +391,17 @@ class MujocoFeet:
     def __new__(
         cls,
         feet: Sequence[object],
-        arrays: object,
-        frames: Sequence[tuple[NDArray[Any], NDArray[Any]]],
+        memory: NDArray[Any],
+        places: object,
         layout: object,
         mass: tuple[NDArray[Any], NDArray[Any]] | None,
     ) -> MujocoFeet: ...
     def lift(self) -> None: ...
-    def land(
+    def step(
         self,
         time: float,
-        contacts: tuple[NDArray[Any], NDArray[Any]],
+        dt: float,
+        contacts: NDArray[Any],
         stiffness: NDArray[Any],
         springs: NDArray[Any],
     ) -> bool: ...

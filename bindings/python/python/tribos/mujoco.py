@@ -278,18 +278,24 @@ class _Given(NamedTuple):
     is_free: bool
 
 
-class _Arrays(NamedTuple):
-    velocity: NDArray[np.float64]
-    acceleration: NDArray[np.float64]
-    force: NDArray[np.float64]
-    axes: NDArray[np.float64]
-    centres: NDArray[np.float64]
-    inertias: NDArray[np.float64]
+class _Places(NamedTuple):
+    """Where arrays begin in the memory of a simulation, in numbers of 8 bytes, and their sizes."""
+
+    velocity: int
+    acceleration: int
+    force: int
+    axes: int
+    centres: int
+    inertias: int
+    frames: list[tuple[int, int]]
+    freedoms: int
+    bodies: int
 
 
 class _Layout(NamedTuple):
     """Places of fields in MuJoCo's contacts: in numbers of 8 bytes, the last two of 4."""
 
+    width: int
     distance: int
     position: int
     frame: int
@@ -301,31 +307,43 @@ class _Layout(NamedTuple):
 class _State:
     """The feet of one MjData."""
 
-    __slots__ = ("_contacts", "_mass", "_options", "_views", "is_lifted", "native")
+    __slots__ = ("_mass", "_options", "_views", "is_lifted", "native")
 
     def __init__(self, model: Any, data: Any, given: list[_Given]) -> None:
-        rows = None
+        self._mass: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
         if not all(foot.is_free for foot in given):
             shape = (6 * len(given), model.nv)
-            rows = (np.zeros(shape), np.zeros(shape))
-        self._mass = rows
+            self._mass = (np.zeros(shape), np.zeros(shape))
         self._options = model.opt
-        self._contacts: Any = None
-        self._views: dict[int, tuple[NDArray[np.float64], NDArray[np.int32]]] = {}
+        self._views: dict[int, NDArray[np.int64]] = {}
         self.is_lifted = True
+        frames = (
+            (data.geom_xpos, data.geom_xmat),
+            (data.xpos, data.xmat),
+            (data.site_xpos, data.site_xmat),
+        )
+        rows = [array[row] for foot in given for table, row in [foot.frame] for array in frames[table]]
+        memory, places = _memory(
+            data,
+            [data.qvel, data.qacc, data.qfrc_passive, data.cdof, data.subtree_com, data.ximat, *rows],
+        )
+        velocity, acceleration, force, axes, centres, inertias, *others = places
         self.native = _native.MujocoFeet(
             given,
-            _Arrays(
-                data.qvel,
-                data.qacc,
-                data.qfrc_passive,
-                data.cdof,
-                data.subtree_com,
-                data.ximat,
+            memory,
+            _Places(
+                velocity,
+                acceleration,
+                force,
+                axes,
+                centres,
+                inertias,
+                frames=list(zip(others[::2], others[1::2], strict=True)),
+                freedoms=model.nv,
+                bodies=model.nbody,
             ),
-            [(data.geom_xpos, data.geom_xmat), (data.xpos, data.xmat), (data.site_xpos, data.site_xmat)],
             _layout(),
-            rows,
+            self._mass,
         )
 
     def push(self, model: Any, data: Any) -> None:
@@ -338,24 +356,35 @@ class _State:
                 self.is_lifted = True
             return
         self.is_lifted = False
-        views = self._views.get(count)
-        if views is None:
-            views = self._views[count] = _views(data.contact)
-        if native.land(data.time, views, data.efc_D, data.efc_KBIP):
+        view = self._views.get(count)
+        if view is None:
+            view = self._views[count] = _view(data.contact)
+        step = self._options.timestep
+        if native.step(data.time, step, view, data.efc_D, data.efc_KBIP):
             assert self._mass is not None
             mujoco.mj_solveM(model, data, self._mass[1], self._mass[0])
-        native.push(self._options.timestep)
+            native.push(step)
 
 
-def _views(contact: Any) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-    """MuJoCo's contacts as rows of numbers. They begin where the memory of a step begins, which does not
+def _memory(data: Any, arrays: list[NDArray[Any]]) -> tuple[NDArray[np.float64], list[int]]:
+    """One array over the memory that MuJoCo's arrays are parts of, and where in it each begins."""
+    starts = [_address(array) for array in arrays]
+    first = min(starts)
+    size = max(start + array.nbytes for start, array in zip(starts, arrays, strict=True)) - first
+    if size > data.nbuffer or any((start - first) % 8 for start in starts):
+        raise RuntimeError("the arrays of this version of MuJoCo are not in one piece of memory")
+    lowest = arrays[starts.index(first)]
+    whole = np.lib.stride_tricks.as_strided(lowest, shape=(size // 8,), strides=(8,))
+    return whole, [(start - first) // 8 for start in starts]
+
+
+def _view(contact: Any) -> NDArray[np.int64]:
+    """MuJoCo's contacts as words of 8 bytes. They begin where the memory of a step begins, which does not
     move; their number is that of this step."""
     distance = contact.dist
-    (stride,) = distance.strides
-    numbers = np.lib.stride_tricks.as_strided(
-        distance, shape=(len(distance), stride // 8), strides=(stride, 8)
-    )
-    return numbers, numbers.view(np.int32)
+    size = len(distance) * distance.strides[0] // 8
+    whole = np.lib.stride_tricks.as_strided(distance, shape=(size,), strides=(8,))
+    return whole.view(np.int64)
 
 
 def _layout() -> _Layout:
@@ -371,7 +400,10 @@ def _layout() -> _Layout:
         fields = (contact.dist, contact.pos, contact.frame, contact.includemargin)
         places = [_address(field) - start for field in fields]
         indices = [_address(field) - start for field in (contact.geom, contact.efc_address)]
-        _LAYOUT = _Layout(*(at // 8 for at in places), *(at // 4 for at in indices))
+        width = contact.dist.strides[0]
+        if min(places + indices) < 0 or max(places + indices) >= width or width % 8:
+            raise RuntimeError("the contacts of this version of MuJoCo are laid out in another way")
+        _LAYOUT = _Layout(width // 8, *(at // 8 for at in places), *(at // 4 for at in indices))
     return _LAYOUT
 
 

@@ -1,7 +1,7 @@
 //! Friction of several feet in one time step: each block of the impulses on its own limit surface.
 
 use crate::model::{Sets, numbers, twist_of, wrench_of};
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use nalgebra::{Matrix3, Vector3};
 use pyo3::PyResult;
 use tribos_core::limit_surface::FrictionSet;
 
@@ -15,24 +15,36 @@ pub struct Limits<'a> {
     pub arm: f64,
 }
 
-/// The feet's motion in their contact planes, three rows a foot: along x, along y, about the normal.
+/// The largest torque per force of a patch about its origin, in m.
+pub fn arm(sets: &dyn Sets) -> PyResult<f64> {
+    let mut arm = f64::NAN;
+    let turn = twist_of([0.0, 0.0, 1.0]);
+    sets.with(1.0, &mut |set| arm = set.support(&turn))?;
+    Ok(arm)
+}
+
+/// Motions or friction of the feet in their contact planes: along x, along y, about the normal.
+pub type Rows = Vec<Vector3<f64>>;
+
+/// A step of the feet.
 pub struct Step<'a> {
     /// What each foot can carry.
     pub limits: &'a [Limits<'a>],
-    /// Acceleration that unit friction gives, the response of the normal forces included.
-    pub compliance: &'a DMatrix<f64>,
+    /// Acceleration of each foot, row by row, that unit friction of each foot gives, the response of the
+    /// normal forces included.
+    pub compliance: &'a [Matrix3<f64>],
     /// Relative velocity now.
-    pub velocity: &'a DVector<f64>,
+    pub velocity: &'a [Vector3<f64>],
     /// Relative acceleration without friction.
-    pub acceleration: &'a DVector<f64>,
+    pub acceleration: &'a [Vector3<f64>],
     /// Time step, in s.
     pub dt: f64,
 }
 
 /// Friction in a step.
 pub struct Solution {
-    /// Force along x and y, torque about the normal, of each foot.
-    pub friction: DVector<f64>,
+    /// Friction on each foot.
+    pub friction: Rows,
     /// Each foot is brought to rest relative to its floor, and stays there.
     pub is_held: Vec<bool>,
 }
@@ -41,8 +53,9 @@ pub struct Solution {
 const BEYOND: f64 = 1.01;
 /// Distance from the solution at which the iteration ends, in units of the largest friction.
 const TOLERANCE: f64 = 1e-9;
-/// Sweeps over the feet, and steps on one foot in a sweep.
+/// Sweeps over the feet, at most.
 const SWEEPS: usize = 200;
+/// Steps on one foot in a sweep, at most.
 const STEPS: usize = 60;
 /// Share of the largest compliance that is added to all, such that a mechanism without some of the
 /// motions has an inverse.
@@ -54,109 +67,115 @@ impl Step<'_> {
     /// Friction that would end the step at rest where the feet can carry it; otherwise that of the
     /// motion at half time, or at the end where a foot turns about, as in
     /// [`tribos_core::planar::PlanarBody::step`]. `start` is the friction of the step before.
-    pub fn solve(&self, start: &DVector<f64>) -> PyResult<Solution> {
-        let at_end = self.acceleration + self.velocity / self.dt;
-        let ended = if self.is_beyond(&at_end) {
+    pub fn solve(&self, start: &[Vector3<f64>]) -> PyResult<Solution> {
+        let metrics: Vec<Metric> = (0..self.limits.len())
+            .map(|foot| Metric::new(&self.block(foot)))
+            .collect();
+        let at_end = self.rate(1.0 / self.dt);
+        let ended = if self.is_beyond(&metrics, &at_end, start) {
             None
         } else {
-            Some(self.nearest(&at_end, start)?)
+            let ended = self.nearest(&metrics, &at_end, start)?;
+            if ended.is_held.iter().all(|held| *held) {
+                return Ok(ended);
+            }
+            Some(ended)
         };
-        if let Some(held) = ended
-            .as_ref()
-            .filter(|end| end.is_held.iter().all(|held| *held))
-        {
-            return Ok(Solution {
-                friction: held.friction.clone(),
-                is_held: held.is_held.clone(),
-            });
-        }
-        let at_half = self.acceleration + self.velocity * (2.0 / self.dt);
-        let midway = self.nearest(&at_half, start)?;
+        let midway = self.nearest(&metrics, &self.rate(2.0 / self.dt), start)?;
         if !self.turns_about(&self.after(&midway.friction)) {
             return Ok(midway);
         }
         let ended = match ended {
             Some(ended) => ended,
-            None => self.nearest(&at_end, start)?,
+            None => self.nearest(&metrics, &at_end, start)?,
         };
-        let power = ended
-            .friction
-            .dot(&(self.velocity + self.after(&ended.friction)));
+        let after = self.after(&ended.friction);
+        let motion = self
+            .velocity
+            .iter()
+            .zip(&after)
+            .map(|(now, then)| now + then);
+        let power: f64 = motion.zip(&ended.friction).map(|(u, f)| u.dot(f)).sum();
         Ok(if power > 0.0 { midway } else { ended })
     }
 
-    /// The velocity after the step.
-    fn after(&self, friction: &DVector<f64>) -> DVector<f64> {
-        self.velocity + (self.acceleration + self.compliance * friction) * self.dt
+    /// The acceleration that friction must take for rest after a time.
+    fn rate(&self, inv_time: f64) -> Rows {
+        let both = self.acceleration.iter().zip(self.velocity);
+        both.map(|(acceleration, velocity)| acceleration + velocity * inv_time)
+            .collect()
     }
 
-    /// True if a lone foot surely does not come to rest.
-    fn is_beyond(&self, rate: &DVector<f64>) -> bool {
-        let [limits] = self.limits else {
-            return false;
-        };
-        self.block(0).try_inverse().is_some_and(|inverse| {
-            let needed = inverse * rate.fixed_rows::<3>(0);
-            let most = BEYOND * limits.force;
-            needed.x.hypot(needed.y) > most || needed.z.abs() > most * limits.arm
+    /// The acceleration of a foot by friction of all.
+    fn response(&self, foot: usize, friction: &[Vector3<f64>]) -> Vector3<f64> {
+        let row = &self.compliance[foot * friction.len()..];
+        let each = row.iter().zip(friction);
+        each.fold(Vector3::zeros(), |sum, (block, friction)| {
+            sum + block * friction
         })
     }
 
+    /// The velocity after the step.
+    fn after(&self, friction: &[Vector3<f64>]) -> Rows {
+        let both = self.acceleration.iter().zip(self.velocity).enumerate();
+        both.map(|(foot, (acceleration, velocity))| {
+            velocity + (acceleration + self.response(foot, friction)) * self.dt
+        })
+        .collect()
+    }
+
+    /// True if a lone foot surely does not come to rest.
+    fn is_beyond(&self, metrics: &[Metric], rate: &[Vector3<f64>], start: &[Vector3<f64>]) -> bool {
+        let ([limits], [metric]) = (self.limits, metrics) else {
+            return false;
+        };
+        let slope = rate[0] + self.compliance[0] * start[0];
+        !metric.needed(&start[0], &slope, limits).1
+    }
+
     /// True if a foot's velocity or spin has another sense `after`.
-    fn turns_about(&self, after: &DVector<f64>) -> bool {
-        (0..self.limits.len()).any(|foot| {
-            let (u, v) = (
-                self.velocity.fixed_rows::<3>(3 * foot),
-                after.fixed_rows::<3>(3 * foot),
-            );
-            let arm = self.limits[foot].arm;
-            let speed_sq = u.x * u.x + u.y * u.y + (arm * u.z).powi(2);
+    fn turns_about(&self, after: &[Vector3<f64>]) -> bool {
+        let both = self.velocity.iter().zip(after).zip(self.limits);
+        both.into_iter().any(|((u, v), limits)| {
+            let arm_sq = limits.arm * limits.arm;
+            let speed_sq = u.x * u.x + u.y * u.y + arm_sq * u.z * u.z;
             let least = -REVERSAL * REVERSAL * speed_sq;
-            u.x * v.x + u.y * v.y < least || arm * arm * u.z * v.z < least
+            u.x * v.x + u.y * v.y < least || arm_sq * u.z * v.z < least
         })
     }
 
     /// A foot's own compliance.
     fn block(&self, foot: usize) -> Matrix3<f64> {
-        let mut block: Matrix3<f64> = self
-            .compliance
-            .fixed_view::<3, 3>(3 * foot, 3 * foot)
-            .into_owned();
-        let arm = self.limits[foot].arm;
-        let scale = block.m11 + block.m22 + block.m33 * arm * arm;
-        block.m11 += FLOOR * scale;
-        block.m22 += FLOOR * scale;
-        block.m33 += FLOOR * scale / (arm * arm).max(f64::MIN_POSITIVE);
+        let mut block = self.compliance[foot * self.limits.len() + foot];
+        let arm_sq = self.limits[foot].arm.powi(2).max(f64::MIN_POSITIVE);
+        let scale = FLOOR * (block.m11 + block.m22 + block.m33 * arm_sq);
+        block.m11 += scale;
+        block.m22 += scale;
+        block.m33 += scale / arm_sq;
         block
     }
 
     /// Friction f of the sets with the least f·(½ compliance·f + rate): sweeps over the feet.
-    fn nearest(&self, rate: &DVector<f64>, start: &DVector<f64>) -> PyResult<Solution> {
+    fn nearest(
+        &self,
+        metrics: &[Metric],
+        rate: &[Vector3<f64>],
+        start: &[Vector3<f64>],
+    ) -> PyResult<Solution> {
         let count = self.limits.len();
-        let mut solution = Solution {
-            friction: start.clone(),
-            is_held: vec![false; count],
-        };
-        let metrics: Vec<Metric> = (0..count)
-            .map(|foot| Metric::new(self.block(foot)))
-            .collect();
+        let mut friction = start.to_vec();
+        let mut is_held = vec![false; count];
         let scale = self.limits.iter().map(|l| l.force).fold(0.0, f64::max);
         for _ in 0..SWEEPS {
             let mut change: f64 = 0.0;
-            for (foot, metric) in metrics.iter().enumerate() {
-                let limits = &self.limits[foot];
-                let before: Vector3<f64> = solution.friction.fixed_rows::<3>(3 * foot).into_owned();
-                let slope = rate.fixed_rows::<3>(3 * foot)
-                    + self.compliance.rows(3 * foot, 3) * &solution.friction;
+            for (foot, (metric, limits)) in metrics.iter().zip(self.limits).enumerate() {
+                let before = friction[foot];
+                let slope = rate[foot] + self.response(foot, &friction);
                 let mut found = (before, false);
                 limits.sets.with(limits.force, &mut |set| {
                     found = metric.nearest(set, &before, &slope, limits);
                 })?;
-                solution
-                    .friction
-                    .fixed_rows_mut::<3>(3 * foot)
-                    .copy_from(&found.0);
-                solution.is_held[foot] = found.1;
+                (friction[foot], is_held[foot]) = found;
                 let moved = found.0 - before;
                 let arm = limits.arm.max(f64::MIN_POSITIVE);
                 change = change.max(moved.xy().norm()).max(moved.z.abs() / arm);
@@ -165,7 +184,7 @@ impl Step<'_> {
                 break;
             }
         }
-        Ok(solution)
+        Ok(Solution { friction, is_held })
     }
 }
 
@@ -182,22 +201,39 @@ struct Metric {
 }
 
 impl Metric {
-    fn new(compliance: Matrix3<f64>) -> Self {
+    fn new(compliance: &Matrix3<f64>) -> Self {
         // Equal diagonals: largest compliance of forces in the plane, and that of torques.
         let (a, b, c) = (compliance.m11, compliance.m22, compliance.m12);
         let largest = 0.5 * (a + b) + (0.5 * (a - b)).hypot(c);
         let length = (largest / compliance.m33).sqrt();
-        let scaling = Vector3::new(1.0, 1.0, length) / largest.sqrt();
-        let scaled = Matrix3::from_fn(|i, j| compliance[(i, j)] * scaling[i] * scaling[j]);
-        let values = scaled.symmetric_eigenvalues();
-        let top = values.max();
+        let scaling = Vector3::new(1.0, 1.0, length);
+        let scaled =
+            Matrix3::from_fn(|i, j| compliance[(i, j)] * scaling[i] * scaling[j] / largest);
+        let [least, most] = eigenvalues(&scaled);
         Self {
-            compliance,
+            compliance: *compliance,
             inverse: compliance.try_inverse(),
-            bound: largest * top,
+            bound: largest * most,
             length,
-            contraction: (1.0 - values.min() / top).clamp(0.0, 1.0 - f64::EPSILON),
+            contraction: (1.0 - least / most).clamp(0.0, 1.0 - f64::EPSILON),
         }
+    }
+
+    /// The friction that would bring the foot to rest, and false if it is surely too large.
+    fn needed(
+        &self,
+        start: &Vector3<f64>,
+        slope: &Vector3<f64>,
+        limits: &Limits<'_>,
+    ) -> (Vector3<f64>, bool) {
+        let Some(inverse) = &self.inverse else {
+            return (*start, false);
+        };
+        let needed = start - inverse * slope;
+        let most = BEYOND * limits.force;
+        let is_near = needed.x * needed.x + needed.y * needed.y <= most * most
+            && needed.z.abs() <= most * limits.arm;
+        (needed, is_near)
     }
 
     /// The friction of `set` with the least energy, from `start` where the energy has this `slope`; true
@@ -213,14 +249,9 @@ impl Metric {
             let wrench = wrench_of([wrench.x, wrench.y, wrench.z]);
             numbers(&set.project_with_length(&wrench, self.length).wrench).into()
         };
-        // The friction that is needed, if it can be carried.
-        if let Some(inverse) = &self.inverse {
-            let needed = start - inverse * slope;
-            let is_near = needed.x.hypot(needed.y) <= BEYOND * limits.force
-                && needed.z.abs() <= BEYOND * limits.force * limits.arm;
-            if is_near && project(&needed) == needed {
-                return (needed, true);
-            }
+        let (needed, is_near) = self.needed(start, slope, limits);
+        if is_near && project(&needed) == needed {
+            return (needed, true);
         }
         // Steps in the isotropic metric, each pulled back to the surface.
         let rates = Vector3::new(1.0, 1.0, self.length * self.length) / self.bound;
@@ -240,10 +271,19 @@ impl Metric {
     }
 }
 
-/// The largest torque per force of a patch about its origin, in m.
-pub fn arm(sets: &dyn Sets) -> PyResult<f64> {
-    let mut arm = f64::NAN;
-    let turn = twist_of([0.0, 0.0, 1.0]);
-    sets.with(1.0, &mut |set| arm = set.support(&turn))?;
-    Ok(arm)
+/// Off-diagonal elements up to which circles about the diagonal tell the eigenvalues well enough.
+const NEARLY_DIAGONAL: f64 = 1e-2;
+
+/// Bounds of the eigenvalues of a symmetric matrix.
+fn eigenvalues(matrix: &Matrix3<f64>) -> [f64; 2] {
+    let [xy, xz, yz] = [matrix.m12.abs(), matrix.m13.abs(), matrix.m23.abs()];
+    if xy + xz + yz > NEARLY_DIAGONAL {
+        let values = matrix.symmetric_eigenvalues();
+        return [values.min(), values.max()];
+    }
+    let [x, y, z] = [matrix.m11, matrix.m22, matrix.m33];
+    [
+        (x - xy - xz).min(y - xy - yz).min(z - xz - yz),
+        (x + xy + xz).max(y + xy + yz).max(z + xz + yz),
+    ]
 }
