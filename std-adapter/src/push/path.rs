@@ -13,6 +13,9 @@ use tribos_core::twist::Twist;
 const SHORTEST: f64 = 1e-12;
 /// Error of a step of fourth order over the difference to two steps of half its length.
 const RICHARDSON: f64 = 1.0 / 15.0;
+/// Rounding of a pose and of the pusher's place in it, in ulps of the largest coordinate: the difference of two
+/// ways of stepping is no smaller.
+const ROUNDING_ULPS: f64 = 8.0;
 /// A step whose error is this part of what it may be is doubled.
 const EASY: f64 = 1.0 / 64.0;
 
@@ -190,7 +193,7 @@ pub fn push_along(set: &dyn FrictionSet<f64>, drive: &Drive) -> Result<Journey, 
             let length = if step > left - shortest { left } else { step };
             let (next, error) = path.stepped(time, &state, length)?;
             steps += 1;
-            let allowed = drive.tolerance * length / drive.duration;
+            let allowed = drive.tolerance * length / drive.duration + path.rounding(time, &state);
             let at = path.moment(time + length, &next)?;
             let is_off = !path.is_on_side(&at);
             if (error > allowed || is_off) && length > 2.0 * shortest {
@@ -369,6 +372,14 @@ impl<'a> Path<'a> {
         Ok((halves, RICHARDSON * error))
     }
 
+    /// What rounding alone makes of a step's error.
+    fn rounding(&self, time: f64, state: &State) -> f64 {
+        let pusher = self.pusher + self.velocity * time;
+        let turn = state.z.abs() * self.set.radius();
+        let place = state.x.abs().max(state.y.abs()).max(pusher.amax());
+        ROUNDING_ULPS * f64::EPSILON * place.max(turn)
+    }
+
     fn is_on_side(&self, at: &Moment) -> bool {
         match self.drive.side {
             Side::Straight { right, left } => {
@@ -377,6 +388,42 @@ impl<'a> Path<'a> {
                 -right <= along && along <= left
             }
             Side::Round => true,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::friction::limit_surface;
+
+    #[test]
+    fn the_end_of_a_side_is_found_to_any_tolerance() {
+        let table = limit_surface(&"box:0.3x0.2".parse().unwrap(), 8.0, 1.0, None).unwrap();
+        for tolerance in [1e-5, 1e-7, 1e-9, 1e-11] {
+            let journey = push_along(
+                &*table,
+                &Drive {
+                    contact: PointContact::new([0.05, -0.1], [0.0, 1.0], 0.1).unwrap(),
+                    side: Side::Straight {
+                        right: 0.01,
+                        left: 0.01,
+                    },
+                    start: Pose::ORIGIN,
+                    velocity: [0.0, 0.02],
+                    duration: 100.0,
+                    samples: 100,
+                    tolerance,
+                },
+            )
+            .unwrap();
+            assert_eq!(journey.end, End::Slipped);
+            let last = journey.moments.last().unwrap();
+            assert!(
+                (last.contact.x - 0.04).abs() < 1e-11 + tolerance,
+                "{tolerance}"
+            );
+            assert!(journey.steps < 20_000, "{tolerance} {}", journey.steps);
         }
     }
 }
