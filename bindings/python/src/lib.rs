@@ -37,7 +37,6 @@ mod _native {
     use any_pressure::AnyPressure;
     #[pymodule_export]
     use command::command;
-    use crate::command::{command, host};
     #[pymodule_export]
     use contact::ContactLaw;
     #[pymodule_export]
@@ -58,13 +57,8 @@ mod _native {
     use mujoco::MujocoFeet;
     #[pymodule_export]
     use patch::Patch;
-    use planar::{planar_rollout, planar_step};
     #[pymodule_export]
     use planar::{planar_rollout, planar_step};
-    use push::{line_boundary, line_grip, motion_cone, push_along, push_modes, pushes};
-    use run::{Film, Stop, folder_scene, run_at_once, run_scene};
-    #[pymodule_export]
-    use scene::{library_scenes, scene_of_file, scene_of_settings, scene_of_text, vocabularies};
     #[pymodule_export]
     use push::{line_boundary, line_grip, motion_cone, push_along, push_modes, pushes};
     #[pymodule_export]

@@ -1,9 +1,8 @@
 """Loops of the package `tribos`, which documents them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
-from collections.abc import Sequence
 from typing import Any, final
 
 import numpy as np
