@@ -4,15 +4,18 @@
 //! types; here are the loops. Nothing of this module is public: it is `tribos._native`.
 
 mod arrays;
+mod atoms;
 mod command;
 mod friction;
 mod law;
 mod model;
+mod particles;
 mod patch;
 mod run;
 mod scene;
 mod surface;
 mod threads;
+mod vectors;
 
 use pyo3::prelude::*;
 
@@ -24,9 +27,13 @@ mod _native {
     #[pymodule_export]
     use crate::command::{command, host};
     #[pymodule_export]
+    use atoms::{Potential, System};
+    #[pymodule_export]
     use friction::Friction;
     #[pymodule_export]
     use law::{Law, laws};
+    #[pymodule_export]
+    use particles::World;
     #[pymodule_export]
     use patch::Patch;
     #[pymodule_export]

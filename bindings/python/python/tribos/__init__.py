@@ -13,7 +13,7 @@ broadcast. Any consistent set of units serves.
 
 import sys
 
-from tribos import _command, _native
+from tribos import _command, _native, cd, md
 from tribos._friction import Friction
 from tribos._laws import Law, laws
 from tribos._patches import (
@@ -73,9 +73,11 @@ __all__ = [
     "bar",
     "box",
     "cases",
+    "cd",
     "disk",
     "hertz",
     "laws",
+    "md",
     "mesh",
     "num_threads",
     "open_run",
