@@ -5,6 +5,7 @@
 
 mod any_pressure;
 mod arrays;
+mod atoms;
 mod command;
 mod contact;
 mod fit;
@@ -16,6 +17,7 @@ mod manifold;
 mod model;
 mod modes;
 mod mujoco;
+mod particles;
 mod patch;
 mod planar;
 mod push;
@@ -25,6 +27,7 @@ mod slide;
 mod state;
 mod surface;
 mod threads;
+mod vectors;
 
 use pyo3::prelude::*;
 
@@ -42,6 +45,8 @@ mod _native {
     #[pymodule_export]
     use fit::{fit_law, fit_laws, fit_support, predict_law};
     #[pymodule_export]
+    use atoms::{Potential, System};
+    #[pymodule_export]
     use friction::Friction;
     #[pymodule_export]
     use gradients::{RestMap, SurfaceDerivatives};
@@ -55,6 +60,7 @@ mod _native {
     use modes::Profiled;
     #[pymodule_export]
     use mujoco::MujocoFeet;
+    use particles::World;
     #[pymodule_export]
     use patch::Patch;
     #[pymodule_export]

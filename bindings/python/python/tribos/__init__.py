@@ -17,6 +17,7 @@ from tribos import _command, _native
 from tribos._any_pressure import AnyPressure, TorqueLimits, any_pressure
 from tribos._contact import Collision, ContactLaw, Plates, Spheres
 from tribos._fit import Estimate, LawFit, SupportFit, fit, fit_support
+from tribos import _command, _native, cd, md
 from tribos._friction import Friction
 from tribos._gradients import (
     PlanarStepBy,
@@ -137,12 +138,14 @@ __all__ = [
     "bar",
     "box",
     "cases",
+    "cd",
     "disk",
     "fit",
     "fit_support",
     "hertz",
     "inverse",
     "laws",
+    "md",
     "mesh",
     "modes",
     "motion_cone",

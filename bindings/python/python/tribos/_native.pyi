@@ -19,12 +19,15 @@ __all__ = [
     "Manifold",
     "MujocoFeet",
     "Patch",
+    "Potential",
     "Profiled",
     "RateState",
     "RestMap",
     "Slider",
     "Stop",
     "SurfaceDerivatives",
+    "System",
+    "World",
     "__version__",
     "command",
     "fit_law",
@@ -148,6 +151,16 @@ class Film:
     def steps(self) -> list[int]: ...
     def bodies(self) -> dict[str, Any]: ...
     def read(self, step: int) -> dict[str, Any]: ...
+
+@final
+class Potential:
+    def __new__(cls, species: list[list[float]], mixing: str, shift: str) -> Potential: ...
+    def evaluate(
+        self,
+        positions: ArrayLike,
+        species: list[int],
+        periods: tuple[float | None, float | None, float | None],
+    ) -> tuple[float, NDArray[np.float64], list[list[float]]]: ...
 
 @final
 class Stop:
@@ -408,3 +421,58 @@ class MujocoFeet:
     def state(
         self, foot: int
     ) -> tuple[float, list[float], list[float], list[list[float]], list[float], bool]: ...
+class System:
+    def __new__(
+        cls,
+        potential: Potential,
+        positions: ArrayLike,
+        *,
+        velocities: ArrayLike | None,
+        species: list[int],
+        masses: list[float],
+        periods: tuple[float | None, float | None, float | None],
+        thermostat: tuple[str, float, float],
+        integrator: str,
+        time_step: float,
+        skin: float,
+        seed: int,
+        kept: Any,
+    ) -> System: ...
+    def step(self, count: int) -> None: ...
+    def clock(self) -> tuple[float, int]: ...
+    def positions(self) -> NDArray[np.float64]: ...
+    def velocities(self) -> NDArray[np.float64]: ...
+    def forces(self) -> NDArray[np.float64]: ...
+    def energies(self) -> tuple[list[float], list[list[float]]]: ...
+    def state(self) -> tuple[Any, ...]: ...
+
+@final
+class World:
+    def __new__(
+        cls,
+        positions: ArrayLike,
+        radii: list[float],
+        *,
+        densities: list[float],
+        velocities: ArrayLike | None,
+        spins: ArrayLike | None,
+        pairs: tuple[list[float], bool],
+        at_walls: tuple[list[float], bool],
+        walls: list[Any],
+        gravity: tuple[float, float, float],
+        periods: tuple[float | None, float | None, float | None],
+        longest_step: float,
+        largest_motion: float,
+        tolerance: float,
+        sweeps: int,
+        sleep_speed: float,
+    ) -> World: ...
+    def step(self, count: int) -> None: ...
+    def clock(self) -> tuple[float, int]: ...
+    def positions(self) -> NDArray[np.float64]: ...
+    def velocities(self) -> NDArray[np.float64]: ...
+    def spins(self) -> NDArray[np.float64]: ...
+    def set(self, name: str, given: ArrayLike) -> None: ...
+    def walls(self) -> list[tuple[float, float]]: ...
+    def contacts(self) -> dict[str, Any]: ...
+    def report(self) -> dict[str, Any]: ...
