@@ -10,7 +10,7 @@ mod planar;
 use crate::arrays::refused;
 use foot::{Contact, Foot, Given};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use planar::{Limits, Rows, Step};
 use pyo3::prelude::*;
 
@@ -97,8 +97,8 @@ impl MujocoFeet {
         time: f64,
         dt: f64,
         contacts: PyReadonlyArray1<'_, i64>,
-        stiffness: PyReadonlyArray1<'_, f64>,
-        springs: PyReadonlyArray2<'_, f64>,
+        stiffness: &Bound<'_, PyArray1<f64>>,
+        springs: &Bound<'_, PyArray2<f64>>,
     ) -> PyResult<bool> {
         if time < self.time {
             self.lift();
@@ -107,8 +107,8 @@ impl MujocoFeet {
         let constraints = Constraints {
             layout: &self.layout,
             contacts: contacts.as_slice().map_err(refused)?,
-            stiffness: stiffness.as_slice().map_err(refused)?,
-            springs: springs.as_slice().map_err(refused)?.as_chunks().0,
+            stiffness,
+            springs,
         };
         let mut memory = self.memory.bind(py).readwrite();
         let memory = memory.as_slice_mut().map_err(refused)?;
@@ -206,8 +206,10 @@ impl<'a> View<'a> {
 struct Constraints<'a> {
     layout: &'a Layout,
     contacts: &'a [i64],
-    stiffness: &'a [f64],
-    springs: &'a [[f64; 4]],
+    /// Of each row: the inverse of its regularisation.
+    stiffness: &'a Bound<'a, PyArray1<f64>>,
+    /// Of each row: stiffness, damping, impedance and its derivative of its reference.
+    springs: &'a Bound<'a, PyArray2<f64>>,
 }
 
 impl Constraints<'_> {
@@ -235,15 +237,16 @@ impl Constraints<'_> {
                 continue;
             };
             let row = usize::try_from(integer(layout.row)).unwrap_or(usize::MAX);
-            if let (Some(&stiffness), Some(&spring)) =
-                (self.stiffness.get(row), self.springs.get(row))
+            let spring = [0, 1, 2].map(|column| self.springs.get_owned([row, column]));
+            if let (Some(stiffness), [Some(k), Some(b), Some(impedance)]) =
+                (self.stiffness.get_owned([row]), spring)
             {
                 out.push(Contact {
                     at: vector(layout.position),
                     normal: vector(layout.frame) * sign,
                     gap: number(layout.distance) - number(layout.margin),
                     stiffness,
-                    spring,
+                    spring: [k, b, impedance],
                 });
             }
         }
