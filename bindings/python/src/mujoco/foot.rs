@@ -23,7 +23,7 @@ pub struct Freedom {
     /// 1 for the foot, −1 for the floor.
     sign: f64,
     /// Root of its tree.
-    root: usize,
+    pub root: usize,
 }
 
 /// A body that moves freely.
