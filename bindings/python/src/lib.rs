@@ -41,7 +41,9 @@ mod _native {
     #[pymodule_export]
     use patch::Patch;
     #[pymodule_export]
-    use push::{line_boundary, line_grip, motion_cone, push_along, push_modes, pushes};
+    use push::{
+        line_boundary, line_grip, motion_cone, nearest_side, push_along, push_modes, pushes,
+    };
     #[pymodule_export]
     use surface::LimitSurface;
     #[pymodule_export]
