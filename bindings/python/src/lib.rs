@@ -67,6 +67,9 @@ mod _native {
     use planar::{planar_rollout, planar_step};
     #[pymodule_export]
     use push::{line_boundary, line_grip, motion_cone, push_along, push_modes, pushes};
+    use push::{
+        line_boundary, line_grip, motion_cone, nearest_side, push_along, push_modes, pushes,
+    };
     #[pymodule_export]
     use run::{Film, Stop, folder_scene, run_at_once, run_scene};
     #[pymodule_export]

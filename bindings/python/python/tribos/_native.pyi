@@ -41,6 +41,7 @@ __all__ = [
     "line_boundary",
     "line_grip",
     "motion_cone",
+    "nearest_side",
     "num_threads",
     "planar_rollout",
     "planar_step",
@@ -83,6 +84,9 @@ def line_grip(
 def motion_cone(
     surface: LimitSurface, force_limit: ArrayLike, contacts: ArrayLike
 ) -> NDArray[Any]: ...
+def nearest_side(
+    loops: list[list[list[float]]], at: list[float]
+) -> list[list[float]]: ...
 def num_threads() -> int: ...
 def predict_law(
     law: str, velocities: list[float], times: list[float] | None, values: list[float]
