@@ -37,15 +37,15 @@ mod _native {
     use super::*;
 
     #[pymodule_export]
+    use crate::command::{command, host};
+    #[pymodule_export]
     use any_pressure::AnyPressure;
     #[pymodule_export]
-    use command::command;
+    use atoms::{Potential, System};
     #[pymodule_export]
     use contact::ContactLaw;
     #[pymodule_export]
     use fit::{fit_law, fit_laws, fit_support, predict_law};
-    #[pymodule_export]
-    use atoms::{Potential, System};
     #[pymodule_export]
     use friction::Friction;
     #[pymodule_export]
@@ -60,13 +60,13 @@ mod _native {
     use modes::Profiled;
     #[pymodule_export]
     use mujoco::MujocoFeet;
+    #[pymodule_export]
     use particles::World;
     #[pymodule_export]
     use patch::Patch;
     #[pymodule_export]
     use planar::{planar_rollout, planar_step};
     #[pymodule_export]
-    use push::{line_boundary, line_grip, motion_cone, push_along, push_modes, pushes};
     use push::{
         line_boundary, line_grip, motion_cone, nearest_side, push_along, push_modes, pushes,
     };

@@ -13,11 +13,10 @@ broadcast. Any consistent set of units serves.
 
 import sys
 
-from tribos import _command, _native
+from tribos import _command, _native, cd, md
 from tribos._any_pressure import AnyPressure, TorqueLimits, any_pressure
 from tribos._contact import Collision, ContactLaw, Plates, Spheres
 from tribos._fit import Estimate, LawFit, SupportFit, fit, fit_support
-from tribos import _command, _native, cd, md
 from tribos._friction import Friction
 from tribos._gradients import (
     PlanarStepBy,
