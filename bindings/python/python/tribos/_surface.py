@@ -207,8 +207,7 @@ class LimitSurface:
 
         Examples
         --------
-        >>> import pytest
-        >>> matplotlib = pytest.importorskip("matplotlib")
+        >>> import matplotlib
         >>> matplotlib.use("Agg")
         >>> import tribos
         >>> table = tribos.LimitSurface(tribos.box(0.3, 0.2), mu=0.4, load=20.0)
