@@ -399,6 +399,24 @@ def test_a_step_of_pure_sliding_has_its_closed_form() -> None:
     assert step.at_rest.dtype == bool and not step.at_rest.any()
 
 
+@pytest.mark.parametrize("shape", ["disk", "box", "leaning", "points"])
+def test_a_turned_body_is_one_seen_from_turned_axes(shape: str) -> None:
+    body, twists, pushes = crates(shape)
+    angle = np.linspace(-7.0, 7.0, len(twists))
+    turn = np.zeros((len(twists), 3, 3))
+    turn[:, 0, 0] = turn[:, 1, 1] = np.cos(angle)
+    turn[:, 1, 0] = np.sin(angle)
+    turn[:, 0, 1], turn[:, 2, 2] = -np.sin(angle), 1.0
+    flat = body.step(twists, pushes, 0.01)
+    turned = [(turn @ rows[..., None])[..., 0] for rows in (twists, pushes, *flat[:2])]
+    step = body.step(turned[0], turned[1], 0.01, angle=angle)
+    np.testing.assert_allclose(step.twists, turned[2], atol=1e-9)
+    np.testing.assert_allclose(step.friction, turned[3], atol=1e-8)
+    assert np.array_equal(step.at_rest, flat.at_rest)
+    other = body.step(turned[0], turned[1], 0.01)
+    assert (abs(other.twists - step.twists).max() > 1e-3) == (shape != "disk")
+
+
 @pytest.mark.parametrize("shape", ["disk", "box", "points"])
 def test_bodies_together_are_bodies_alone_whatever_the_threads(shape: str) -> None:
     body, twists, pushes = crates(shape)
