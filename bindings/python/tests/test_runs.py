@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 import warnings
 from pathlib import Path
 
@@ -70,6 +71,18 @@ def test_a_sliding_bodys_files_are_those_of_the_command(name: str, tmp_path: Pat
     assert np.array_equal(memory.series, run.series) and memory.columns == run.columns
 
 
+def test_a_tips_files_are_those_of_the_command(tmp_path: Path) -> None:
+    tip = tribos.TipScene(
+        columns=12, rows=12, side=4, equilibration=0.1, drive_time=0.2, rest_time=0.1, samples=10
+    )
+    (tmp_path / "tip.toml").write_text(tip.to_toml())
+    command("run", str(tmp_path / "tip.toml"), "--out", str(tmp_path / "command"))
+    run = tribos.run(tip, tmp_path / "python")
+    assert files(tmp_path / "command") == files(tmp_path / "python")
+    assert run.scene == tip and run.series["time"][-1] == pytest.approx(0.3)
+    assert len(run.frames[-1].positions) == len(run.frames[0].radii) > 400
+
+
 @pytest.fixture(scope="module")
 def long(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The longer run by the command."""
@@ -80,15 +93,19 @@ def long(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def interrupted(delay: float, out: Path) -> str:
-    """Runs or goes on and presses Ctrl-C after `delay` seconds; what the interruption says."""
-    resume = out.exists()
-    timer = threading.Timer(delay, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
-    try:
-        with pytest.raises(KeyboardInterrupt, match="interrupted") as raised:
-            tribos.run(LONG, out, frames=10, resume=resume)
-    finally:
-        timer.join()
+    """Runs or goes on and presses Ctrl-C `delay` seconds after the begin; what the interruption says."""
+
+    def press() -> None:
+        while not (out / ".tribos-lock").exists():
+            time.sleep(0.001)
+        time.sleep(delay)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    finger = threading.Thread(target=press)
+    finger.start()
+    with pytest.raises(KeyboardInterrupt, match="interrupted") as raised:
+        tribos.run(LONG, out, frames=10, resume=out.exists())
+    finger.join()
     return str(raised.value)
 
 
@@ -220,6 +237,10 @@ def test_a_run_can_be_drawn() -> None:
     matplotlib.use("Agg")
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        for name, label in (("disk", "speed"), ("pipe-a", "to the left [m]")):
-            run = tribos.run(name)
+        for scene, label in (
+            ("disk", "speed"),
+            ("pipe-a", "to the left [m]"),
+            (POWDER, "porosity"),
+        ):
+            run = tribos.run(scene)
             assert run.plot().get_ylabel() == label

@@ -75,7 +75,8 @@ class Run:
 
         Of a disk: time [s], speed [m/s], spin [rad/s], distance [m], angle [rad], ratio [-],
         kinetic_energy and dissipated_energy [J]; in dimensionless units without them. Of a body in the
-        plane x and y [m] and vx and vy [m/s] too. Of powders and tips in the units of the scene.
+        plane x and y [m] and vx and vy [m/s] too. Of powders and tips in the units of the scene; angles of
+        tips are in degrees.
         """
         kind = np.dtype([(name, np.float64) for name in self._columns])
         return self._rows.view(kind).reshape(-1)
@@ -127,9 +128,9 @@ class Run:
             ax.legend()
         else:
             for name in names[1:]:
-                if "angle" in name:
+                if name == "angle" or name.startswith("layer_"):
                     ax.plot(series["time"], series[name], label=name)
-            ax.set(xlabel="time [tau]", ylabel="angle")
+            ax.set(xlabel="time [tau]", ylabel="angle [degree]")
             ax.legend()
         return ax
 
