@@ -5,6 +5,7 @@
 
 mod any_pressure;
 mod arrays;
+mod atoms;
 mod command;
 mod contact;
 mod fit;
@@ -16,6 +17,7 @@ mod manifold;
 mod model;
 mod modes;
 mod mujoco;
+mod particles;
 mod patch;
 mod planar;
 mod push;
@@ -25,6 +27,7 @@ mod slide;
 mod state;
 mod surface;
 mod threads;
+mod vectors;
 
 use pyo3::prelude::*;
 
@@ -34,10 +37,11 @@ mod _native {
     use super::*;
 
     #[pymodule_export]
+    use crate::command::{command, host};
+    #[pymodule_export]
     use any_pressure::AnyPressure;
     #[pymodule_export]
-    use command::command;
-    use crate::command::{command, host};
+    use atoms::{Potential, System};
     #[pymodule_export]
     use contact::ContactLaw;
     #[pymodule_export]
@@ -57,16 +61,15 @@ mod _native {
     #[pymodule_export]
     use mujoco::MujocoFeet;
     #[pymodule_export]
+    use particles::World;
+    #[pymodule_export]
     use patch::Patch;
-    use planar::{planar_rollout, planar_step};
     #[pymodule_export]
     use planar::{planar_rollout, planar_step};
-    use push::{line_boundary, line_grip, motion_cone, push_along, push_modes, pushes};
-    use run::{Film, Stop, folder_scene, run_at_once, run_scene};
     #[pymodule_export]
-    use scene::{library_scenes, scene_of_file, scene_of_settings, scene_of_text, vocabularies};
-    #[pymodule_export]
-    use push::{line_boundary, line_grip, motion_cone, push_along, push_modes, pushes};
+    use push::{
+        line_boundary, line_grip, motion_cone, nearest_side, push_along, push_modes, pushes,
+    };
     #[pymodule_export]
     use run::{Film, Stop, folder_scene, run_at_once, run_scene};
     #[pymodule_export]

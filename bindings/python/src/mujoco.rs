@@ -10,8 +10,8 @@ mod planar;
 use crate::arrays::refused;
 use foot::{Contact, Foot, Given};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
-use planar::{Limits, Rows, Step};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use planar::{Limits, Rows, Solution, Step};
 use pyo3::prelude::*;
 
 /// Where MuJoCo's arrays begin in the memory of a simulation.
@@ -51,6 +51,8 @@ struct Layout {
 #[pyclass(module = "tribos._native")]
 pub struct MujocoFeet {
     feet: Vec<Foot>,
+    /// Feet that move each other.
+    groups: Vec<Vec<usize>>,
     /// The simulation's memory.
     memory: Py<PyArray1<f64>>,
     places: Places,
@@ -73,8 +75,10 @@ impl MujocoFeet {
         layout: Layout,
         mass: Option<(Py<PyArray2<f64>>, Py<PyArray2<f64>>)>,
     ) -> PyResult<Self> {
+        let feet: Vec<Foot> = feet.into_iter().map(Given::foot).collect::<PyResult<_>>()?;
         Ok(Self {
-            feet: feet.into_iter().map(Given::foot).collect::<PyResult<_>>()?,
+            groups: groups(&feet),
+            feet,
             memory,
             places,
             layout,
@@ -97,8 +101,8 @@ impl MujocoFeet {
         time: f64,
         dt: f64,
         contacts: PyReadonlyArray1<'_, i64>,
-        stiffness: PyReadonlyArray1<'_, f64>,
-        springs: PyReadonlyArray2<'_, f64>,
+        stiffness: &Bound<'_, PyArray1<f64>>,
+        springs: &Bound<'_, PyArray2<f64>>,
     ) -> PyResult<bool> {
         if time < self.time {
             self.lift();
@@ -107,8 +111,8 @@ impl MujocoFeet {
         let constraints = Constraints {
             layout: &self.layout,
             contacts: contacts.as_slice().map_err(refused)?,
-            stiffness: stiffness.as_slice().map_err(refused)?,
-            springs: springs.as_slice().map_err(refused)?.as_chunks().0,
+            stiffness,
+            springs,
         };
         let mut memory = self.memory.bind(py).readwrite();
         let memory = memory.as_slice_mut().map_err(refused)?;
@@ -145,23 +149,32 @@ impl MujocoFeet {
             );
             return Ok(true);
         }
-        add_friction(&mut self.feet, memory, &self.places, None, dt)?;
+        add_friction(
+            &mut self.feet,
+            &self.groups,
+            memory,
+            &self.places,
+            (None, dt),
+        )?;
         Ok(false)
     }
 
     /// The rest of `step`, with the mass solved.
     fn push(&mut self, py: Python<'_>, dt: f64) -> PyResult<()> {
-        let solved = self
-            .mass
-            .as_ref()
-            .map(|(_, solved)| solved.bind(py).readonly());
-        let solved = match &solved {
-            Some(solved) => Some(solved.as_slice().map_err(refused)?),
-            None => None,
+        let Some((_, solved)) = &self.mass else {
+            return Ok(());
         };
+        let solved = solved.bind(py).readonly();
         let mut memory = self.memory.bind(py).readwrite();
         let memory = memory.as_slice_mut().map_err(refused)?;
-        add_friction(&mut self.feet, memory, &self.places, solved, dt)
+        let solved = Some(solved.as_slice().map_err(refused)?);
+        add_friction(
+            &mut self.feet,
+            &self.groups,
+            memory,
+            &self.places,
+            (solved, dt),
+        )
     }
 
     /// Of a foot: load, friction on it, its twist before the step, axes, centre, and whether it is held.
@@ -206,8 +219,10 @@ impl<'a> View<'a> {
 struct Constraints<'a> {
     layout: &'a Layout,
     contacts: &'a [i64],
-    stiffness: &'a [f64],
-    springs: &'a [[f64; 4]],
+    /// Of each row: the inverse of its regularisation.
+    stiffness: &'a Bound<'a, PyArray1<f64>>,
+    /// Of each row: stiffness, damping, impedance and its derivative of its reference.
+    springs: &'a Bound<'a, PyArray2<f64>>,
 }
 
 impl Constraints<'_> {
@@ -235,15 +250,16 @@ impl Constraints<'_> {
                 continue;
             };
             let row = usize::try_from(integer(layout.row)).unwrap_or(usize::MAX);
-            if let (Some(&stiffness), Some(&spring)) =
-                (self.stiffness.get(row), self.springs.get(row))
+            let spring = [0, 1, 2].map(|column| self.springs.get_owned([row, column]));
+            if let (Some(stiffness), [Some(k), Some(b), Some(impedance)]) =
+                (self.stiffness.get_owned([row]), spring)
             {
                 out.push(Contact {
                     at: vector(layout.position),
                     normal: vector(layout.frame) * sign,
                     gap: number(layout.distance) - number(layout.margin),
                     stiffness,
-                    spring,
+                    spring: [k, b, impedance],
                 });
             }
         }
@@ -268,64 +284,92 @@ fn write(feet: &[Foot], count: usize, rows: &mut [f64]) {
     }
 }
 
-/// Solves the step and adds the friction of the feet to the passive forces.
+/// Feet by groups with degrees of freedom of the same trees, directly or by way of others.
+fn groups(feet: &[Foot]) -> Vec<Vec<usize>> {
+    let mut groups: Vec<(Vec<usize>, Vec<usize>)> = Vec::new();
+    for (index, foot) in feet.iter().enumerate() {
+        let mut roots: Vec<usize> = foot.freedoms.iter().map(|freedom| freedom.root).collect();
+        let mut members = Vec::new();
+        groups.retain_mut(|(others, trees)| {
+            let is_other = !trees.iter().any(|tree| roots.contains(tree));
+            if !is_other {
+                members.append(others);
+                roots.append(trees);
+            }
+            is_other
+        });
+        members.push(index);
+        groups.push((members, roots));
+    }
+    groups.into_iter().map(|(members, _)| members).collect()
+}
+
+/// Solves the step for each group of feet and adds their friction to the passive forces.
 fn add_friction(
     feet: &mut [Foot],
+    groups: &[Vec<usize>],
     memory: &mut [f64],
     places: &Places,
-    solved: Option<&[f64]>,
-    dt: f64,
+    (solved, dt): (Option<&[f64]>, f64),
 ) -> PyResult<()> {
-    let view = View::new(memory, places);
-    let loaded: Vec<usize> = (0..feet.len())
-        .filter(|&foot| feet[foot].load > 0.0)
-        .collect();
-    let solution = {
-        let feet: Vec<&Foot> = loaded.iter().map(|&foot| &feet[foot]).collect();
-        let mobility = match solved {
-            None => free_mobility(&feet, &view),
-            Some(solved) => solved_mobility(&feet, &loaded, solved, places.freedoms),
-        };
-        let compliance = compliance(&feet, &mobility);
-        let last: Rows = feet.iter().map(|foot| foot.friction()).collect();
-        let velocity: Rows = feet.iter().map(|foot| foot.twist).collect();
-        let mut acceleration: Rows = Vec::with_capacity(feet.len());
-        for (row, foot) in compliance.chunks_exact(feet.len()).zip(&feet) {
-            let whole = foot
-                .motion(view.acceleration)
-                .fixed_rows::<3>(0)
-                .into_owned();
-            let own = row
-                .iter()
-                .zip(&last)
-                .map(|(block, friction)| block * friction);
-            acceleration.push(own.fold(whole, |left, one| left - one));
+    let mut loaded = Vec::new();
+    for group in groups {
+        loaded.clear();
+        for &foot in group {
+            if feet[foot].load > 0.0 {
+                loaded.push(foot);
+            } else {
+                feet[foot].take(&Vector3::zeros(), false);
+            }
         }
-        let limits: Vec<Limits<'_>> = feet.iter().map(|foot| foot.limits()).collect();
-        let step = Step {
-            limits: &limits,
-            compliance: &compliance,
-            velocity: &velocity,
-            acceleration: &acceleration,
-            dt,
-        };
-        step.solve(&last)?
-    };
-    for foot in feet.iter_mut() {
-        if !(foot.load > 0.0) {
-            foot.take(&Vector3::zeros(), false);
+        if loaded.is_empty() {
+            continue;
         }
-    }
-    let force = &mut memory[places.force..][..places.freedoms];
-    let found = solution.friction.iter().zip(&solution.is_held);
-    for (&foot, (friction, is_held)) in loaded.iter().zip(found) {
-        let foot = &mut feet[foot];
-        foot.take(friction, *is_held);
-        for (freedom, column) in foot.freedoms.iter().zip(&foot.jacobian) {
-            force[freedom.index] += column.fixed_rows::<3>(0).dot(friction);
+        let solution = solution(feet, &loaded, &View::new(memory, places), (solved, dt))?;
+        let force = &mut memory[places.force..][..places.freedoms];
+        let found = solution.friction.iter().zip(&solution.is_held);
+        for (&foot, (friction, is_held)) in loaded.iter().zip(found) {
+            let foot = &mut feet[foot];
+            foot.take(friction, *is_held);
+            for (freedom, column) in foot.freedoms.iter().zip(&foot.jacobian) {
+                force[freedom.index] += column.fixed_rows::<3>(0).dot(friction);
+            }
         }
     }
     Ok(())
+}
+
+/// Friction of those of the feet that are `loaded`.
+fn solution(
+    feet: &[Foot],
+    loaded: &[usize],
+    view: &View<'_>,
+    (solved, dt): (Option<&[f64]>, f64),
+) -> PyResult<Solution> {
+    let feet: Vec<&Foot> = loaded.iter().map(|&foot| &feet[foot]).collect();
+    let mobility = match solved {
+        None => free_mobility(&feet, view),
+        Some(solved) => solved_mobility(&feet, loaded, solved, view.velocity.len()),
+    };
+    let compliance = compliance(&feet, &mobility);
+    let last: Rows = feet.iter().map(|foot| foot.friction()).collect();
+    let velocity: Rows = feet.iter().map(|foot| foot.twist).collect();
+    let mut acceleration: Rows = Vec::with_capacity(feet.len());
+    for (row, foot) in compliance.chunks_exact(feet.len()).zip(&feet) {
+        let motion = foot.motion(view.acceleration);
+        let whole = motion.fixed_rows::<3>(0).into_owned();
+        let own = row.iter().zip(&last);
+        acceleration.push(own.fold(whole, |left, (block, friction)| left - block * friction));
+    }
+    let limits: Vec<Limits<'_>> = feet.iter().map(|foot| foot.limits()).collect();
+    let step = Step {
+        limits: &limits,
+        compliance: &compliance,
+        velocity: &velocity,
+        acceleration: &acceleration,
+        dt,
+    };
+    step.solve(&last)
 }
 
 /// Acceleration of each foot, row by row, that unit wrenches on each foot give, where all bodies move freely.

@@ -150,8 +150,8 @@ impl Stepper {
 /// Nanoseconds that a step takes, about.
 fn cost(patch: &Patch) -> usize {
     match patch.0 {
-        Shape::Round(..) => 500,
-        _ => 5_000,
+        Shape::Round(..) => 800,
+        _ => 3_000,
     }
 }
 

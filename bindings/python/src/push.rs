@@ -77,6 +77,12 @@ fn edge_numbers(edge: &ConeEdge) -> [f64; 8] {
     ])
 }
 
+/// Inward normal of the side of straight edges nearest to a place, and its reach to the right and to the left.
+#[pyfunction]
+pub fn nearest_side(loops: Vec<Vec<[f64; 2]>>, at: [f64; 2]) -> [[f64; 2]; 2] {
+    tribos::push::straight_side(loops, at)
+}
+
 /// Names of the modes, by their numbers in a row.
 #[pyfunction]
 pub fn push_modes() -> [&'static str; 4] {

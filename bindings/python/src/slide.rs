@@ -142,7 +142,7 @@ pub struct Slider {
 }
 
 /// Nanoseconds that a motion takes, about.
-const COST: usize = 8_000;
+const COST: usize = 10_000;
 
 #[pymethods]
 impl Slider {

@@ -158,7 +158,7 @@ def pushes(surface: tribos.LimitSurface, count: int) -> Any:
 SUPPORTS = [
     tribos.polygon([[-0.1, -0.05], [0.1, -0.05], [0.0, 0.1]]),
     tribos.bar(0.2),
-    tribos.mesh([[0, 0], [0.1, 0], [0, 0.1]], [[0, 1, 2]], [1.0, 1.0, 1.0]),
+    tribos.mesh([[0.0, 0.0], [0.1, 0.0], [0.0, 0.1]], [[0, 1, 2]], [1.0, 1.0, 1.0]),
     tribos.points([[-0.04, -0.02], [0.06, -0.03], [-0.02, 0.07]], [1.0, 2.0, 1.0]),
 ]
 

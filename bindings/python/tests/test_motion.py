@@ -262,6 +262,14 @@ def test_two_stable_ends_need_a_start() -> None:
     assert tribos.modes(viscous, 0.5, initial_ratio=0.7).final_ratio == 0.7
 
 
+def test_a_start_is_a_ratio() -> None:
+    ends = [tribos.modes(PUCK, initial_ratio=ratio).final_mode for ratio in (0.0, 2.0, math.inf)]
+    assert ends == ["spinning", "together", "sliding"]
+    for bad in (-1.0, math.nan, "fast"):
+        with pytest.raises(ValueError, match="initial_ratio must be"):
+            tribos.modes(PUCK, initial_ratio=bad)  # type: ignore[arg-type]
+
+
 def test_a_tall_body_settles_at_a_larger_ratio() -> None:
     flat, tall = (tribos.modes(PUCK, 0.5, lean=lean).final_ratio for lean in (0.0, 0.8))
     assert flat is not None and tall is not None and tall > flat
@@ -517,7 +525,7 @@ def polar_gyration(corners: Any) -> float:
         ({"inertia": math.nan}, "inertia must be > 0"),
         ({"mass": 1e-300, "inertia": 1e300}, "radius of gyration"),
         ({"load": -1.0}, "load must be >= 0"),
-        ({"load": math.nan}, "force limit"),
+        ({"load": math.nan}, "load must be >= 0 and finite"),
         ({"friction": tribos.Friction(tribos.disk(0.1), mu=1.0, alpha=0.5)}, "no limit surface"),
         ({"friction": 0.3}, "must be a tribos.Friction"),
     ],

@@ -177,10 +177,22 @@ def test_paths_end_where_the_side_ends_or_the_pusher_leaves() -> None:
     assert path.end == "slipped" and path.time[-1] < 100.0
     np.testing.assert_allclose(path.contact[-1], [0.04, -0.1], atol=1e-7)
     left = tribos.PointContact([-0.05, 0.0], [1.0, 0.0], mu=0.1)
-    path = tribos.push_along(PUCK, left, [0.01, 0.004], 1000.0, side="round", tolerance=1e-5)
+    path = tribos.push_along(PUCK, left, [0.01, 0.004], 1000.0, tolerance=1e-5)
     assert path.end == "separated"
     radii = np.linalg.norm(path.contact, axis=1)
     np.testing.assert_allclose(radii, 0.05, atol=1e-4)
+
+
+def test_a_contact_finds_the_normal_of_its_side() -> None:
+    ell = tribos.polygon([[0, 0], [0, 4], [1, 4], [1, 1], [4, 1], [4, 0]])
+    for place, normal in [([2.5, 1.0], [0, -1]), ([1.0, 3.0], [-1, 0]), ([3.0, -0.1], [0, 1])]:
+        np.testing.assert_array_equal(tribos.PointContact.on(ell, place, 0.3).normal, normal)
+    hole = [[1, 1], [2, 1], [2, 2], [1, 2]]
+    frame = tribos.polygon([[0, 0], [3, 0], [3, 3], [0, 3]], holes=[hole])
+    np.testing.assert_array_equal(tribos.PointContact.on(frame, [1.5, 1.1], 0.3).normal, [0, -1])
+    np.testing.assert_array_equal(tribos.PointContact.on(PUCK.patch, [0, 0.05], 0.3).normal, [0, -0.05])
+    with pytest.raises(ValueError, match="no sides"):
+        tribos.PointContact.on(tribos.points([[0, 0], [1, 0]]), [0, 0], 0.3)
 
 
 def test_the_command_gives_the_same_push() -> None:
@@ -193,7 +205,7 @@ def test_the_command_gives_the_same_push() -> None:
     np.testing.assert_array_equal(moved.wrench, [told[n] for n in ("force_x", "force_y", "torque")])
     angles = tribos.motion_cone(TABLE, FINGER).angles
     np.testing.assert_array_equal(angles, [told["motion_cone_right"], told["motion_cone_left"]])
-    path = tribos.push_along(*SCENE, 10.0, side=(0.1, 0.2))
+    path = tribos.push_along(*SCENE, 10.0)
     assert path.angle[-1] == told["end_angle"] and path.steps == told["steps"]
     np.testing.assert_array_equal(path.position[-1], [told["end_x"], told["end_y"]])
     assert TABLE.torque_limit == pytest.approx(told["yaw_limit"], rel=1e-13)

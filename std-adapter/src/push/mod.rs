@@ -39,6 +39,8 @@ pub use cone::{ConeEdge, MotionCone, motion_cone};
 pub use contact::PointContact;
 pub use error::PushError;
 pub use line::{Grip, LineContact};
+#[doc(hidden)]
+pub use outline::straight_side;
 pub use path::{Drive, End, Journey, Moment, Pose, Side, push_along};
 #[doc(hidden)]
 pub use scene::PUSH_BOX;

@@ -38,6 +38,20 @@ impl Shape {
     }
 }
 
+/// The inward normal of the side nearest to a place of an outline with straight edges, and how far the ends of
+/// that side are from there, to the right and to the left of somebody who looks inwards.
+///
+/// The outer loop comes first, in either sense; a loop of two corners is a bar.
+#[doc(hidden)]
+pub fn straight_side(loops: Vec<Vec<[f64; 2]>>, at: [f64; 2]) -> [[f64; 2]; 2] {
+    let shape = Shape {
+        loops,
+        centroid: None,
+        is_round: false,
+    };
+    nearest_side(&shape, at)
+}
+
 /// The inward normal of the side nearest to a place, and how far its ends are from there, to the right and
 /// to the left of somebody who looks inwards.
 pub(super) fn nearest_side(shape: &Shape, at: [f64; 2]) -> [[f64; 2]; 2] {

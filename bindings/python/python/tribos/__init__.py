@@ -11,13 +11,12 @@ torque)`` in N and N m, on the body. Both are the last axis of an array; all axe
 broadcast. Any consistent set of units serves.
 """
 
-from tribos import _native
+import sys
+
+from tribos import _command, _native, cd, md
 from tribos._any_pressure import AnyPressure, TorqueLimits, any_pressure
 from tribos._contact import Collision, ContactLaw, Plates, Spheres
 from tribos._fit import Estimate, LawFit, SupportFit, fit, fit_support
-import sys
-
-from tribos import _command, _native
 from tribos._friction import Friction
 from tribos._gradients import (
     PlanarStepBy,
@@ -28,10 +27,9 @@ from tribos._gradients import (
     slide_jacobian,
     softened,
 )
-from tribos._laws import Law, laws
-from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._inverse import Launch, inverse
 from tribos._laws import Law, laws
+from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._modes import FixedPoint, Modes, modes
 from tribos._patches import (
     Patch,
@@ -49,6 +47,7 @@ from tribos._patches import (
     punch,
     ring,
 )
+from tribos._planar import PlanarBody, Rollout, Step
 from tribos._push import (
     ConeEdge,
     Grip,
@@ -61,11 +60,10 @@ from tribos._push import (
     push,
     push_along,
 )
-from tribos._planar import PlanarBody, Rollout, Step
-from tribos._slide import Motion, Rest, slide, slide_path
-from tribos._state import LuGre, RateState
 from tribos._run import Run, open_run, resume, run
 from tribos._scene import Scene, scene
+from tribos._slide import Motion, Rest, slide, slide_path
+from tribos._state import LuGre, RateState
 from tribos._states import Frame, Frames, State
 from tribos._surface import LimitSurface
 from tribos._sweep import cases, run_case, sweep
@@ -139,12 +137,14 @@ __all__ = [
     "bar",
     "box",
     "cases",
+    "cd",
     "disk",
     "fit",
     "fit_support",
     "hertz",
     "inverse",
     "laws",
+    "md",
     "mesh",
     "modes",
     "motion_cone",

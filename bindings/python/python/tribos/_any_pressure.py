@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from tribos import _native
 from tribos._checks import number, pair, table
 
+Pair = Sequence[float] | NDArray[np.float64]
+
 
 @dataclass(frozen=True, eq=False)
 class TorqueLimits:
@@ -45,7 +47,7 @@ class AnyPressure:
     _handle: _native.AnyPressure
 
     def __init__(
-        self, corners: ArrayLike, centre: Sequence[float], mu: float, load: float
+        self, corners: ArrayLike, centre: Pair, mu: float, load: float
     ) -> None:
         places = table("corners", corners, 2).copy()
         places.flags.writeable = False
@@ -119,7 +121,7 @@ class AnyPressure:
 
 
 def any_pressure(
-    corners: ArrayLike, centre: Sequence[float], mu: float, load: float
+    corners: ArrayLike, centre: Pair, mu: float, load: float
 ) -> AnyPressure:
     """The wrenches that friction of a support can carry if only the centre of pressure is known.
 

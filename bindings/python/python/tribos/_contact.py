@@ -109,6 +109,16 @@ class Spheres:
             velocity, spin, mass=self.mass, radius=self.radius, inertia=self.inertia
         )
 
+    def _after(self, velocity: Array, spin: Array) -> Spheres:
+        """The same spheres with the motions of an answer, which need no checks."""
+        made = Spheres.__new__(Spheres)
+        velocity.flags.writeable = spin.flags.writeable = False
+        object.__setattr__(made, "velocity", velocity)
+        object.__setattr__(made, "spin", spin)
+        for name in ("mass", "radius", "inertia"):
+            object.__setattr__(made, name, getattr(self, name))
+        return made
+
     def __repr__(self) -> str:
         shape = f", shape={self.shape}" if self.shape else ""
         return (
@@ -403,9 +413,11 @@ def collide(
     solve = law._handle.spheres if isinstance(second, Spheres) else law._handle.plate
     answer = solve(rows, number("dt", dt))
     # The answer in parts: no part refers to the whole.
-    after = first.moving(answer[..., 0:3].copy(), answer[..., 3:6].copy())
+    after = first._after(answer[..., 0:3].copy(), answer[..., 3:6].copy())
     if isinstance(second, Spheres):
-        other: Spheres | Plates = second.moving(answer[..., 6:9].copy(), answer[..., 9:12].copy())
+        other: Spheres | Plates = second._after(
+            answer[..., 6:9].copy(), answer[..., 9:12].copy()
+        )
     else:
         other = Plates(answer[..., 6:9].copy(), mass=second.mass)
     return Collision(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -90,7 +91,7 @@ def modes(
 
 def _ratio(value: float) -> float:
     """A number from 0 to infinity."""
-    ratio = float(value)
+    ratio = math.inf if value == math.inf else number("initial_ratio", value)
     if not ratio >= 0.0:
         raise ValueError(f"initial_ratio must be from 0 to infinity, not {value!r}")
     return ratio

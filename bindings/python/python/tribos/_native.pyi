@@ -1,9 +1,8 @@
 """Loops of the package `tribos`, which documents them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
-from collections.abc import Sequence
 from typing import Any, final
 
 import numpy as np
@@ -20,12 +19,15 @@ __all__ = [
     "Manifold",
     "MujocoFeet",
     "Patch",
+    "Potential",
     "Profiled",
     "RateState",
     "RestMap",
     "Slider",
     "Stop",
     "SurfaceDerivatives",
+    "System",
+    "World",
     "__version__",
     "command",
     "fit_law",
@@ -39,6 +41,7 @@ __all__ = [
     "line_boundary",
     "line_grip",
     "motion_cone",
+    "nearest_side",
     "num_threads",
     "planar_rollout",
     "planar_step",
@@ -81,6 +84,9 @@ def line_grip(
 def motion_cone(
     surface: LimitSurface, force_limit: ArrayLike, contacts: ArrayLike
 ) -> NDArray[Any]: ...
+def nearest_side(
+    loops: list[list[list[float]]], at: list[float]
+) -> list[list[float]]: ...
 def num_threads() -> int: ...
 def predict_law(
     law: str, velocities: list[float], times: list[float] | None, values: list[float]
@@ -149,6 +155,16 @@ class Film:
     def steps(self) -> list[int]: ...
     def bodies(self) -> dict[str, Any]: ...
     def read(self, step: int) -> dict[str, Any]: ...
+
+@final
+class Potential:
+    def __new__(cls, species: list[list[float]], mixing: str, shift: str) -> Potential: ...
+    def evaluate(
+        self,
+        positions: ArrayLike,
+        species: list[int],
+        periods: tuple[float | None, float | None, float | None],
+    ) -> tuple[float, NDArray[np.float64], list[list[float]]]: ...
 
 @final
 class Stop:
@@ -409,3 +425,58 @@ class MujocoFeet:
     def state(
         self, foot: int
     ) -> tuple[float, list[float], list[float], list[list[float]], list[float], bool]: ...
+class System:
+    def __new__(
+        cls,
+        potential: Potential,
+        positions: ArrayLike,
+        *,
+        velocities: ArrayLike | None,
+        species: list[int],
+        masses: list[float],
+        periods: tuple[float | None, float | None, float | None],
+        thermostat: tuple[str, float, float],
+        integrator: str,
+        time_step: float,
+        skin: float,
+        seed: int,
+        kept: Any,
+    ) -> System: ...
+    def step(self, count: int) -> None: ...
+    def clock(self) -> tuple[float, int]: ...
+    def positions(self) -> NDArray[np.float64]: ...
+    def velocities(self) -> NDArray[np.float64]: ...
+    def forces(self) -> NDArray[np.float64]: ...
+    def energies(self) -> tuple[list[float], list[list[float]]]: ...
+    def state(self) -> tuple[Any, ...]: ...
+
+@final
+class World:
+    def __new__(
+        cls,
+        positions: ArrayLike,
+        radii: list[float],
+        *,
+        densities: list[float],
+        velocities: ArrayLike | None,
+        spins: ArrayLike | None,
+        pairs: tuple[list[float], bool],
+        at_walls: tuple[list[float], bool],
+        walls: list[Any],
+        gravity: tuple[float, float, float],
+        periods: tuple[float | None, float | None, float | None],
+        longest_step: float,
+        largest_motion: float,
+        tolerance: float,
+        sweeps: int,
+        sleep_speed: float,
+    ) -> World: ...
+    def step(self, count: int) -> None: ...
+    def clock(self) -> tuple[float, int]: ...
+    def positions(self) -> NDArray[np.float64]: ...
+    def velocities(self) -> NDArray[np.float64]: ...
+    def spins(self) -> NDArray[np.float64]: ...
+    def set(self, name: str, given: ArrayLike) -> None: ...
+    def walls(self) -> list[tuple[float, float]]: ...
+    def contacts(self) -> dict[str, Any]: ...
+    def report(self) -> dict[str, Any]: ...

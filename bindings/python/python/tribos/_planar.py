@@ -62,6 +62,9 @@ class PlanarBody:
     which it starts, stops or turns about. Results do not depend on the number of threads, and a
     batch gives the bits of its bodies one by one. NaN in twist or push gives NaN.
 
+    Cost: a step takes about 0.6 µs on a disk and 2 to 4 µs on a box or four points, on one thread,
+    and a call of its own 3 µs more; `rollout` makes one call of many steps.
+
     Only the product ``mu * load`` matters: an array of loads also varies the coefficient.
 
     Examples
@@ -270,8 +273,8 @@ def _positive(name: str, value: ArrayLike) -> Any:
 
 def _load(value: ArrayLike) -> Any:
     kept = _kept("load", value)
-    if np.any(np.less(kept, 0.0)):
-        raise ValueError(f"load must be >= 0, not {np.min(kept)}")
+    if not np.all((kept >= 0.0) & (kept < np.inf)):
+        raise ValueError("load must be >= 0 and finite")
     return kept
 
 

@@ -11,9 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
 from tribos._checks import number, pair, positive
+from tribos._patches import Patch, outline
 from tribos._surface import LimitSurface
 
 Array = NDArray[np.float64]
+Pair = Sequence[float] | NDArray[np.float64]
 
 
 class PointContact:
@@ -54,6 +56,35 @@ class PointContact:
         object.__setattr__(self, "normal", normals)
         object.__setattr__(self, "mu", coefficients)
         object.__setattr__(self, "_rows", rows)
+
+    @classmethod
+    def on(cls, patch: Patch, position: Pair, mu: float) -> PointContact:
+        """A contact at the side of a patch that is nearest to a place, with that side's inward normal.
+
+        Parameters
+        ----------
+        patch
+            A patch with straight edges, or a round one, which is touched on the line to its centre.
+        position
+            The place, in m.
+        mu
+            Coefficient of friction between pusher and body.
+
+        Examples
+        --------
+        >>> import tribos
+        >>> tribos.PointContact.on(tribos.box(0.3, 0.2), [0.05, -0.1], mu=0.3)
+        tribos.PointContact([0.05, -0.1], [0.0, 1.0], mu=0.3)
+        """
+        x, y = pair("position", position)
+        loops = outline(patch)
+        if loops:
+            normal = _native.nearest_side(loops, [x, y])[0]
+            # No -0 for people.
+            return cls([x, y], [part + 0.0 for part in normal], mu)
+        if patch.kind == "points":
+            raise ValueError("points have no sides: give the normal")
+        return cls([x, y], [-x, -y], mu)
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a contact is immutable; make a new one to change {name}")
@@ -228,10 +259,10 @@ def push(surface: LimitSurface, contact: PointContact, velocity: ArrayLike) -> P
 def push_along(
     surface: LimitSurface,
     contact: PointContact,
-    velocity: Sequence[float],
+    velocity: Pair,
     duration: float,
     *,
-    side: tuple[float, float] | str = (np.inf, np.inf),
+    side: tuple[float, float] | str | None = None,
     start: tuple[float, float, float] = (0.0, 0.0, 0.0),
     samples: int = 100,
     tolerance: float = 1e-7,
@@ -250,7 +281,8 @@ def push_along(
         How long it pushes, in s.
     side
         How far a straight side goes on from the contact, to the right and to the left, in m; or
-        ``"round"`` for a circle about the patch's origin.
+        ``"round"`` for a circle about the patch's origin. None for the patch's own side next to the
+        contact; of points a side without ends.
     start
         Place of the patch's origin in m, and its turn in rad, at the start.
     samples
@@ -262,24 +294,15 @@ def push_along(
     --------
     >>> import tribos
     >>> table = tribos.Friction(tribos.box(0.3, 0.2), mu=0.4).limit_surface(load=20.0)
-    >>> finger = tribos.PointContact([0.05, -0.1], [0.0, 1.0], mu=0.3)
-    >>> path = tribos.push_along(table, finger, [0.0, 0.02], 10.0, side=(0.1, 0.2))
+    >>> finger = tribos.PointContact.on(table.patch, [0.05, -0.1], mu=0.3)
+    >>> path = tribos.push_along(table, finger, [0.0, 0.02], 10.0)
     >>> path.end, path.position.shape, round(float(path.angle[-1]), 4)     # rad
     ('done', (101, 2), 0.8386)
     """
     force_limit = _one_load(surface)
     if contact._rows.shape != (5,):
         raise ValueError("a path has one contact, not a batch")
-    reach: list[float] | None
-    if isinstance(side, str):
-        if side != "round":
-            raise ValueError(f"side must be two lengths in m or 'round', not {side!r}")
-        reach = None
-    else:
-        right, left = side
-        reach = [float(right), float(left)]
-        if not all(length >= 0.0 for length in reach):
-            raise ValueError(f"side must be two lengths >= 0, not {side!r}")
+    reach = _reach(surface.patch, contact, side)
     x, y, angle = start
     count = int(samples)
     if not 0 < count < 2**32:
@@ -357,7 +380,7 @@ class LineContact:
     mu: float
     _row: list[float]
 
-    def __init__(self, first: Sequence[float], second: Sequence[float], mu: float) -> None:
+    def __init__(self, first: Pair, second: Pair, mu: float) -> None:
         start, end = pair("first", first), pair("second", second)
         coefficient = number("mu", mu)
         if start == end:
@@ -417,6 +440,26 @@ class LineContact:
 
     def __hash__(self) -> int:
         return hash(tuple(self._row))
+
+
+def _reach(
+    patch: Patch, contact: PointContact, side: tuple[float, float] | str | None
+) -> list[float] | None:
+    """How far a straight side goes on to the right and to the left; None for a round one."""
+    if side is None:
+        loops = outline(patch)
+        if loops:
+            reach: list[float] = _native.nearest_side(loops, contact.position.tolist())[1]
+            return reach
+        side = (np.inf, np.inf) if patch.kind == "points" else "round"
+    if isinstance(side, str):
+        if side != "round":
+            raise ValueError(f"side must be two lengths in m or 'round', not {side!r}")
+        return None
+    right, left = (float(length) for length in side)
+    if not (right >= 0.0 and left >= 0.0):
+        raise ValueError(f"side must be two lengths >= 0, not {side!r}")
+    return [right, left]
 
 
 def _push(rows: Array) -> Push:

@@ -120,9 +120,9 @@ class State:
     normal_forces: Floats | None
     """Normal forces, shape (m,), positive for pressure; None before the first step."""
     forces: Floats | None
-    """Forces on the first of each pair, shape (m, 3); None before the first step."""
+    """Forces on the second of each pair, shape (m, 3); None before the first step."""
     torques: Floats | None
-    """Torques on the first of each pair, shape (m, 3); None before the first step."""
+    """Torques on the second of each pair at the contact, shape (m, 3); None before the first step."""
 
     def __repr__(self) -> str:
         bodies, contacts = len(self.positions), len(self.contacts)

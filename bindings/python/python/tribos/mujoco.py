@@ -220,6 +220,8 @@ class Feet:
         for array, index, value in self._restore:
             array[index] = value
         self._restore.clear()
+        for state in self._states.values():
+            _STATES.pop(id(state.data), None)
         self._states.clear()
         if not _FEET:
             _uninstall()
@@ -262,6 +264,7 @@ class Feet:
         state = self._states.get(data._address)
         if state is None:
             state = self._states[data._address] = _State(self._model, data, self._given)
+            _STATES[id(data)] = state
         return state
 
 
@@ -307,13 +310,14 @@ class _Layout(NamedTuple):
 class _State:
     """The feet of one MjData."""
 
-    __slots__ = ("_mass", "_options", "_views", "is_lifted", "native")
+    __slots__ = ("_mass", "_options", "_views", "data", "is_lifted", "native")
 
     def __init__(self, model: Any, data: Any, given: list[_Given]) -> None:
         self._mass: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
         if not all(foot.is_free for foot in given):
             shape = (6 * len(given), model.nv)
             self._mass = (np.zeros(shape), np.zeros(shape))
+        self.data = data
         self._options = model.opt
         self._views: dict[int, NDArray[np.int64]] = {}
         self.is_lifted = True
@@ -350,7 +354,7 @@ class _State:
         """Adds the friction of this step to the passive forces."""
         count = data.ncon
         native = self.native
-        if not count or not data.nefc:
+        if not count:
             if not self.is_lifted:
                 native.lift()
                 self.is_lifted = True
@@ -511,7 +515,9 @@ def _index(model: Any, kind: str, name: object) -> int:
     return int(index)
 
 
+# Feet by their model's address; states by the identity of their data, which they keep alive.
 _FEET: dict[int, Feet] = {}
+_STATES: dict[int, _State] = {}
 _EARLIER: list[Any] = []
 
 
@@ -519,10 +525,13 @@ def _push(model: Any, data: Any) -> None:
     """MuJoCo's callback for passive forces."""
     for earlier in _EARLIER:
         earlier(model, data)
-    feet = _FEET.get(model._address)
-    if feet is not None:
-        state = feet._states.get(data._address) or feet._state_of(data)
-        state.push(model, data)
+    state = _STATES.get(id(data))
+    if state is None:
+        feet = _FEET.get(model._address)
+        if feet is None:
+            return
+        state = feet._state_of(data)
+    state.push(model, data)
 
 
 def _install() -> None:

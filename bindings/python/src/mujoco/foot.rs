@@ -23,7 +23,7 @@ pub struct Freedom {
     /// 1 for the foot, −1 for the floor.
     sign: f64,
     /// Root of its tree.
-    root: usize,
+    pub root: usize,
 }
 
 /// A body that moves freely.
@@ -43,8 +43,8 @@ pub struct Contact {
     pub gap: f64,
     /// Inverse of the solver's regularisation.
     pub stiffness: f64,
-    /// Stiffness, damping, impedance and its derivative of the solver's reference.
-    pub spring: [f64; 4],
+    /// Stiffness, damping and impedance of the solver's reference.
+    pub spring: [f64; 3],
 }
 
 /// A normal force as the solver has it: stiffness · max(0, reference − row · acceleration).
@@ -218,7 +218,7 @@ impl Foot {
             let moment = (contact.at - self.centre).cross(&contact.normal);
             let (x, y) = (self.axes.column(0), self.axes.column(1));
             let row = Vector3::new(1.0, moment.dot(&x), moment.dot(&y));
-            let [k, b, impedance, _] = contact.spring;
+            let [k, b, impedance] = contact.spring;
             self.normals.push(Normal {
                 row,
                 stiffness: contact.stiffness,

@@ -51,8 +51,10 @@ pub struct Solution {
 
 /// By how much friction must be exceeded to be exceeded beyond all rounding.
 const BEYOND: f64 = 1.01;
-/// Distance from the solution at which the iteration ends, in units of the largest friction.
+/// Distance from the solution at which the sweeps end, in units of the largest friction.
 const TOLERANCE: f64 = 1e-9;
+/// The same for a foot that slides alone, where the time step's own error is larger.
+const TOLERANCE_ALONE: f64 = 1e-7;
 /// Sweeps over the feet, at most.
 const SWEEPS: usize = 200;
 /// Steps on one foot in a sweep, at most.
@@ -165,6 +167,11 @@ impl Step<'_> {
         let count = self.limits.len();
         let mut friction = start.to_vec();
         let mut is_held = vec![false; count];
+        let tolerance = if count == 1 {
+            TOLERANCE_ALONE
+        } else {
+            TOLERANCE
+        };
         let scale = self.limits.iter().map(|l| l.force).fold(0.0, f64::max);
         for _ in 0..SWEEPS {
             let mut change: f64 = 0.0;
@@ -173,7 +180,7 @@ impl Step<'_> {
                 let slope = rate[foot] + self.response(foot, &friction);
                 let mut found = (before, false);
                 limits.sets.with(limits.force, &mut |set| {
-                    found = metric.nearest(set, &before, &slope, limits);
+                    found = metric.nearest(set, &before, &slope, limits, tolerance);
                 })?;
                 (friction[foot], is_held[foot]) = found;
                 let moved = found.0 - before;
@@ -244,6 +251,7 @@ impl Metric {
         start: &Vector3<f64>,
         slope: &Vector3<f64>,
         limits: &Limits<'_>,
+        tolerance: f64,
     ) -> (Vector3<f64>, bool) {
         let project = |wrench: &Vector3<f64>| -> Vector3<f64> {
             let wrench = wrench_of([wrench.x, wrench.y, wrench.z]);
@@ -263,7 +271,7 @@ impl Metric {
             let moved = next - at;
             at = next;
             let moved = moved.xy().norm().max(moved.z.abs() / self.length);
-            if left * moved <= TOLERANCE * limits.force {
+            if left * moved <= tolerance * limits.force {
                 break;
             }
         }
