@@ -26,7 +26,7 @@ the jump, and its motion after a step that ends at rest has a derivative of exac
 that has come to rest passes no gradient on, which is right but may surprise an optimiser. Where
 `wrench` itself must be differentiated through rest, `tribos.softened` has a law that is smooth.
 
-*Cost*: a callback costs 0.1 to 0.2 ms a call, whatever it computes; per item the kernel's time and
+*Cost*: a callback costs 0.1 to 0.3 ms a call, whatever it computes; per item the kernel's time and
 that of three copies. Many items a call cost little more than those of numpy arrays.
 """
 
