@@ -351,6 +351,36 @@ def test_models_can_be_compiled_in_a_pause():
         assert feet["foot"].friction[0] == pytest.approx(-0.3 * 0.2 * GRAVITY, rel=1e-2)
 
 
+@pytest.mark.parametrize("jacobian", ["dense", "sparse"])
+def test_a_sliding_ball_rolls_at_last_without_loss(jacobian):
+    model, data = world(
+        'type="sphere" size="0.05"', height=0.05, option=f'jacobian="{jacobian}"'
+    )
+    ball = tribos.Friction(tribos.hertz(1e-4), mu=0.3)
+    with tribos.mujoco.attach(model, data, {"foot": ball}, floor="floor") as feet:
+        slide(model, data, 1.0, 0.0, steps=400)
+        assert feet["foot"].is_held
+        # Five sevenths of its speed, up to MuJoCo's overlap, which makes the lever shorter.
+        lever = data.qpos[2] - feet["foot"].centre[2]
+        assert lever == pytest.approx(0.05, rel=1e-2)
+        rolling = 1.0 / (1.0 + 0.4 * (0.05 / lever) ** 2)
+        assert data.qvel[0] == pytest.approx(rolling, rel=1e-5)
+        # It rolls on without a loss.
+        speed = data.qvel[0]
+        mujoco.mj_step(model, data, nstep=300)
+        assert data.qvel[0] == pytest.approx(speed, rel=1e-9)
+
+
+def test_a_body_rests_again_after_a_reset():
+    model, data = world(PUCK)
+    with tribos.mujoco.attach(model, data, {"foot": DISK}, floor="floor") as feet:
+        first = slide(model, data, 1.0, 20.0)
+        mujoco.mj_resetData(model, data)
+        mujoco.mj_forward(model, data)
+        assert slide(model, data, 1.0, 20.0) == pytest.approx(first, rel=1e-6, abs=1e-9)
+        assert feet["foot"].is_held
+
+
 def test_a_lifted_foot_has_no_friction():
     model, data = world(PUCK, height=1.0)
     with tribos.mujoco.attach(model, data, {"foot": DISK}, floor="floor") as feet:
@@ -385,5 +415,10 @@ def test_what_cannot_be_attached_is_refused():
             feet["fot"]
     model.opt.integrator = mujoco.mjtIntegrator.mjINT_RK4
     with pytest.raises(ValueError, match="RK4"):
+        attach(model, data, {"foot": DISK}, floor="floor")
+    model.opt.integrator = mujoco.mjtIntegrator.mjINT_EULER
+    flags = mujoco.mjtDisableBit
+    model.opt.disableflags |= int(flags.mjDSBL_SPRING) | int(flags.mjDSBL_DAMPER)
+    with pytest.raises(ValueError, match="disabled"):
         attach(model, data, {"foot": DISK}, floor="floor")
     assert model.geom_condim.tolist() == [3, 3]
