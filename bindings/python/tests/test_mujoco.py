@@ -418,7 +418,8 @@ def test_what_cannot_be_attached_is_refused():
         attach(model, data, {"foot": DISK}, floor="floor")
     model.opt.integrator = mujoco.mjtIntegrator.mjINT_EULER
     flags = mujoco.mjtDisableBit
-    model.opt.disableflags |= int(flags.mjDSBL_SPRING) | int(flags.mjDSBL_DAMPER)
+    for name in ("PASSIVE", "SPRING", "DAMPER"):
+        model.opt.disableflags |= int(getattr(flags, f"mjDSBL_{name}", 0))
     with pytest.raises(ValueError, match="disabled"):
         attach(model, data, {"foot": DISK}, floor="floor")
     assert model.geom_condim.tolist() == [3, 3]

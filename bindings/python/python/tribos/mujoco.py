@@ -433,8 +433,9 @@ def _check_options(model: Any) -> None:
             "the integrator RK4 evaluates forces within a step: choose Euler, implicit or implicitfast"
         )
     flags = mujoco.mjtDisableBit
-    off = int(flags.mjDSBL_SPRING) | int(flags.mjDSBL_DAMPER)
-    if model.opt.disableflags & off == off:
+    # One flag before MuJoCo 3.3.4, and a pair since.
+    names = ("PASSIVE",) if hasattr(flags, "mjDSBL_PASSIVE") else ("SPRING", "DAMPER")
+    if all(model.opt.disableflags & int(getattr(flags, f"mjDSBL_{name}")) for name in names):
         raise ValueError("passive forces are disabled in the model's options")
 
 
