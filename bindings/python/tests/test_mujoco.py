@@ -423,3 +423,71 @@ def test_what_cannot_be_attached_is_refused():
     with pytest.raises(ValueError, match="disabled"):
         attach(model, data, {"foot": DISK}, floor="floor")
     assert model.geom_condim.tolist() == [3, 3]
+
+
+def test_a_stack_moves_as_one_body_until_its_top_is_left_behind():
+    text = f"""
+    <mujoco>
+      <option timestep="0.001" gravity="0 0 -{GRAVITY}"/>
+      <worldbody>
+        <geom name="floor" type="plane" size="9 9 0.1"/>
+        <body pos="0 0 0.01"><freejoint/>
+          <geom name="low" type="box" size="0.1 0.1 0.01" mass="0.4"/></body>
+        <body pos="0 0 0.03"><freejoint/>
+          <geom name="top" type="box" size="0.05 0.05 0.01" mass="0.2"/></body>
+      </worldbody>
+    </mujoco>"""
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    feet = {
+        "low": tribos.Friction(tribos.box(0.2, 0.2), mu=0.2),
+        "top": tribos.Friction(tribos.box(0.1, 0.1), mu=0.3),
+    }
+    with tribos.mujoco.attach(model, data, feet, floor={"low": "floor", "top": "low"}) as stack:
+        mujoco.mj_step(model, data, nstep=400)
+        # Weights are 6 N below and 2 N above: 1.2 N hold the stack, 0.6 N the top.
+        for push, low, top in (
+            (1.1, 0.0, 0.0),
+            (2.4, 2.0, 2.0),
+            (4.4, (4.4 - 1.2 - 0.6) / 0.4, 3.0),
+        ):
+            data.qfrc_applied[0] = push
+            mujoco.mj_step(model, data, nstep=20)
+            before = data.qvel.copy()
+            mujoco.mj_step(model, data, nstep=40)
+            rates = (data.qvel - before) / 0.04
+            assert rates[[0, 6]] == pytest.approx([low, top], rel=2e-2, abs=2e-3)
+            assert stack["low"].is_held == (push < 1.2)
+            assert stack["top"].is_held == (top == low)
+
+
+def test_a_table_on_four_feet_stands_still_and_slides_by_the_law():
+    feet = "".join(
+        f'<geom name="{name}" type="cylinder" size="0.02 0.01" pos="{x} {y} 0" mass="0.1"/>'
+        for name, x, y in (("a", 0.3, 0.2), ("b", -0.3, 0.2), ("c", -0.3, -0.2), ("d", 0.3, -0.2))
+    )
+    for share in (0.95, 1.2):
+        angle = math.atan(0.3 * share)
+        text = f"""
+        <mujoco>
+          <option timestep="0.001" gravity="{GRAVITY * math.sin(angle)} 0
+            -{GRAVITY * math.cos(angle)}"/>
+          <worldbody>
+            <geom name="floor" type="plane" size="9 9 0.1"/>
+            <body pos="0 0 0.01"><freejoint/>{feet}
+              <geom name="top" type="box" size="0.35 0.25 0.01" pos="0.05 0.02 0.05" mass="2"/></body>
+          </worldbody>
+        </mujoco>"""
+        model = mujoco.MjModel.from_xml_string(text)
+        data = mujoco.MjData(model)
+        foot = tribos.Friction(tribos.disk(0.02), mu=0.3)
+        with tribos.mujoco.attach(model, data, dict.fromkeys("abcd", foot), floor="floor") as table:
+            mujoco.mj_step(model, data, nstep=600)
+            start, speed = data.qpos[:3].copy(), data.qvel[0]
+            mujoco.mj_step(model, data, nstep=200)
+            if share < 1.0:
+                assert np.abs(data.qpos[:3] - start).max() < 1e-9
+                assert all(table[name].is_held for name in "abcd")
+            else:
+                expected = GRAVITY * (math.sin(angle) - 0.3 * math.cos(angle))
+                assert (data.qvel[0] - speed) / 0.2 == pytest.approx(expected, rel=1e-2)
