@@ -51,10 +51,11 @@ pub struct Solution {
 
 /// By how much friction must be exceeded to be exceeded beyond all rounding.
 const BEYOND: f64 = 1.01;
-/// Distance from the solution at which the sweeps end, in units of the largest friction.
-const TOLERANCE: f64 = 1e-9;
-/// The same for a foot that slides alone, where the time step's own error is larger.
-const TOLERANCE_ALONE: f64 = 1e-7;
+/// Distance from the solution at which iterations end, in units of the largest friction: less than the time
+/// step's own error while feet slide.
+const TOLERANCE: f64 = 1e-7;
+/// Acceleration that counts as none, in units of what the largest friction gives.
+const REST: f64 = 1e-9;
 /// Sweeps over the feet, at most.
 const SWEEPS: usize = 200;
 /// Steps on one foot in a sweep, at most.
@@ -147,7 +148,7 @@ impl Step<'_> {
         for (foot, metric) in metrics.iter().enumerate() {
             let (limits, friction_here) = (&self.limits[foot], &friction[foot]);
             let left = rate[foot] + self.response(foot, &friction);
-            let scale = TOLERANCE * metric.bound * limits.force;
+            let scale = REST * metric.bound * limits.force;
             let is_at_rest = left.xy().norm() <= scale && left.z.abs() * limits.arm <= scale;
             let mut is_carried = false;
             if is_at_rest {
@@ -240,11 +241,6 @@ impl Step<'_> {
         let count = self.limits.len();
         let mut friction = start.to_vec();
         let mut is_held = vec![false; count];
-        let tolerance = if count == 1 {
-            TOLERANCE_ALONE
-        } else {
-            TOLERANCE
-        };
         let scale = self.limits.iter().map(|l| l.force).fold(0.0, f64::max);
         for _ in 0..SWEEPS {
             let mut change: f64 = 0.0;
@@ -253,7 +249,7 @@ impl Step<'_> {
                 let slope = rate[foot] + self.response(foot, &friction);
                 let mut found = (before, false);
                 limits.sets.with(limits.force, &mut |set| {
-                    found = metric.nearest(set, &before, &slope, limits, tolerance);
+                    found = metric.nearest(set, &before, &slope, limits);
                 })?;
                 (friction[foot], is_held[foot]) = found;
                 let moved = found.0 - before;
@@ -330,7 +326,6 @@ impl Metric {
         start: &Vector3<f64>,
         slope: &Vector3<f64>,
         limits: &Limits<'_>,
-        tolerance: f64,
     ) -> (Vector3<f64>, bool) {
         let project = |wrench: &Vector3<f64>| self.project(set, wrench);
         let (needed, is_near) = self.needed(start, slope, limits);
@@ -347,7 +342,7 @@ impl Metric {
             let moved = next - at;
             at = next;
             let moved = moved.xy().norm().max(moved.z.abs() / self.length);
-            if left * moved <= tolerance * limits.force {
+            if left * moved <= TOLERANCE * limits.force {
                 break;
             }
         }
