@@ -2,8 +2,8 @@
 
     python mujoco_capsule.py
 
-Friction could carry many times the weight. MuJoCo's soft contacts let the capsule creep all the same; on
-exact patches it stands still.
+Friction could carry many times the weight. MuJoCo's soft contacts let the capsule creep all the
+same; on exact patches it stands still.
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@
 
     python mujoco_puck.py
 
-A spinning puck travels farther, because friction of each part of its face opposes that part's own motion.
-The exact travel is the integral of the equation of motion with `tribos.Friction`.
+A spinning puck travels farther, because friction of each part of its face opposes that part's own
+motion. The exact travel is the integral of the equation of motion with `tribos.Friction`.
 """
 
 from __future__ import annotations

@@ -58,11 +58,12 @@ pub struct MujocoFeet {
     places: Places,
     layout: Layout,
     /// The feet's Jacobians, and the inverse mass times them, where some body does not move freely.
-    mass: Option<(Py<PyArray2<f64>>, Py<PyArray2<f64>>)>,
+    mass: Option<Mass>,
     time: f64,
     contacts: Vec<Contact>,
 }
 
+type Mass = (Py<PyArray2<f64>>, Py<PyArray2<f64>>);
 type Triple = [f64; 3];
 
 #[pymethods]
@@ -73,7 +74,7 @@ impl MujocoFeet {
         memory: Py<PyArray1<f64>>,
         places: Places,
         layout: Layout,
-        mass: Option<(Py<PyArray2<f64>>, Py<PyArray2<f64>>)>,
+        mass: Option<Mass>,
     ) -> PyResult<Self> {
         let feet: Vec<Foot> = feet.into_iter().map(Given::foot).collect::<PyResult<_>>()?;
         Ok(Self {
@@ -448,8 +449,8 @@ fn compliance(feet: &[&Foot], mobility: &[Matrix6<f64>]) -> Vec<Matrix3<f64>> {
     let mut rows = nalgebra::DMatrix::zeros(size, size);
     let mut given = nalgebra::DMatrix::zeros(size, size);
     for i in 0..count {
-        for j in 0..count {
-            let mut block = part(at(i, j), 1, 1) * springs[j];
+        for (j, spring) in springs.iter().enumerate() {
+            let mut block = part(at(i, j), 1, 1) * spring;
             if i == j {
                 block += Matrix3::identity();
             }
@@ -464,10 +465,10 @@ fn compliance(feet: &[&Foot], mobility: &[Matrix6<f64>]) -> Vec<Matrix3<f64>> {
     for i in 0..count {
         for j in 0..count {
             let mut block = part(at(i, j), 0, 0);
-            for k in 0..count {
+            for (k, spring) in springs.iter().enumerate() {
                 if let Some(found) = &found {
                     let found = found.fixed_view::<3, 3>(3 * k, 3 * j);
-                    block -= part(at(i, k), 0, 1) * (springs[k] * found);
+                    block -= part(at(i, k), 0, 1) * (spring * found);
                 }
             }
             all.push(block);

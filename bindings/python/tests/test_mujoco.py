@@ -351,6 +351,36 @@ def test_models_can_be_compiled_in_a_pause():
         assert feet["foot"].friction[0] == pytest.approx(-0.3 * 0.2 * GRAVITY, rel=1e-2)
 
 
+@pytest.mark.parametrize("jacobian", ["dense", "sparse"])
+def test_a_sliding_ball_rolls_at_last_without_loss(jacobian):
+    model, data = world(
+        'type="sphere" size="0.05"', height=0.05, option=f'jacobian="{jacobian}"'
+    )
+    ball = tribos.Friction(tribos.hertz(1e-4), mu=0.3)
+    with tribos.mujoco.attach(model, data, {"foot": ball}, floor="floor") as feet:
+        slide(model, data, 1.0, 0.0, steps=400)
+        assert feet["foot"].is_held
+        # Five sevenths of its speed, up to MuJoCo's overlap, which makes the lever shorter.
+        lever = data.qpos[2] - feet["foot"].centre[2]
+        assert lever == pytest.approx(0.05, rel=1e-2)
+        rolling = 1.0 / (1.0 + 0.4 * (0.05 / lever) ** 2)
+        assert data.qvel[0] == pytest.approx(rolling, rel=1e-5)
+        # It rolls on without a loss.
+        speed = data.qvel[0]
+        mujoco.mj_step(model, data, nstep=300)
+        assert data.qvel[0] == pytest.approx(speed, rel=1e-9)
+
+
+def test_a_body_rests_again_after_a_reset():
+    model, data = world(PUCK)
+    with tribos.mujoco.attach(model, data, {"foot": DISK}, floor="floor") as feet:
+        first = slide(model, data, 1.0, 20.0)
+        mujoco.mj_resetData(model, data)
+        mujoco.mj_forward(model, data)
+        assert slide(model, data, 1.0, 20.0) == pytest.approx(first, rel=1e-6, abs=1e-9)
+        assert feet["foot"].is_held
+
+
 def test_a_lifted_foot_has_no_friction():
     model, data = world(PUCK, height=1.0)
     with tribos.mujoco.attach(model, data, {"foot": DISK}, floor="floor") as feet:
@@ -386,4 +416,78 @@ def test_what_cannot_be_attached_is_refused():
     model.opt.integrator = mujoco.mjtIntegrator.mjINT_RK4
     with pytest.raises(ValueError, match="RK4"):
         attach(model, data, {"foot": DISK}, floor="floor")
+    model.opt.integrator = mujoco.mjtIntegrator.mjINT_EULER
+    flags = mujoco.mjtDisableBit
+    for name in ("PASSIVE", "SPRING", "DAMPER"):
+        model.opt.disableflags |= int(getattr(flags, f"mjDSBL_{name}", 0))
+    with pytest.raises(ValueError, match="disabled"):
+        attach(model, data, {"foot": DISK}, floor="floor")
     assert model.geom_condim.tolist() == [3, 3]
+
+
+def test_a_stack_moves_as_one_body_until_its_top_is_left_behind():
+    text = f"""
+    <mujoco>
+      <option timestep="0.001" gravity="0 0 -{GRAVITY}"/>
+      <worldbody>
+        <geom name="floor" type="plane" size="9 9 0.1"/>
+        <body pos="0 0 0.01"><freejoint/>
+          <geom name="low" type="box" size="0.1 0.1 0.01" mass="0.4"/></body>
+        <body pos="0 0 0.03"><freejoint/>
+          <geom name="top" type="box" size="0.05 0.05 0.01" mass="0.2"/></body>
+      </worldbody>
+    </mujoco>"""
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    feet = {
+        "low": tribos.Friction(tribos.box(0.2, 0.2), mu=0.2),
+        "top": tribos.Friction(tribos.box(0.1, 0.1), mu=0.3),
+    }
+    with tribos.mujoco.attach(model, data, feet, floor={"low": "floor", "top": "low"}) as stack:
+        mujoco.mj_step(model, data, nstep=400)
+        # Weights are 6 N below and 2 N above: 1.2 N hold the stack, 0.6 N the top.
+        for push, low, top in (
+            (1.1, 0.0, 0.0),
+            (2.4, 2.0, 2.0),
+            (4.4, (4.4 - 1.2 - 0.6) / 0.4, 3.0),
+        ):
+            data.qfrc_applied[0] = push
+            mujoco.mj_step(model, data, nstep=20)
+            before = data.qvel.copy()
+            mujoco.mj_step(model, data, nstep=40)
+            rates = (data.qvel - before) / 0.04
+            assert rates[[0, 6]] == pytest.approx([low, top], rel=2e-2, abs=2e-3)
+            assert stack["low"].is_held == (push < 1.2)
+            assert stack["top"].is_held == (top == low)
+
+
+def test_a_table_on_four_feet_stands_still_and_slides_by_the_law():
+    feet = "".join(
+        f'<geom name="{name}" type="cylinder" size="0.02 0.01" pos="{x} {y} 0" mass="0.1"/>'
+        for name, x, y in (("a", 0.3, 0.2), ("b", -0.3, 0.2), ("c", -0.3, -0.2), ("d", 0.3, -0.2))
+    )
+    for share in (0.95, 1.2):
+        angle = math.atan(0.3 * share)
+        text = f"""
+        <mujoco>
+          <option timestep="0.001" gravity="{GRAVITY * math.sin(angle)} 0
+            -{GRAVITY * math.cos(angle)}"/>
+          <worldbody>
+            <geom name="floor" type="plane" size="9 9 0.1"/>
+            <body pos="0 0 0.01"><freejoint/>{feet}
+              <geom name="top" type="box" size="0.35 0.25 0.01" pos="0.05 0.02 0.05" mass="2"/></body>
+          </worldbody>
+        </mujoco>"""
+        model = mujoco.MjModel.from_xml_string(text)
+        data = mujoco.MjData(model)
+        foot = tribos.Friction(tribos.disk(0.02), mu=0.3)
+        with tribos.mujoco.attach(model, data, dict.fromkeys("abcd", foot), floor="floor") as table:
+            mujoco.mj_step(model, data, nstep=600)
+            start, speed = data.qpos[:3].copy(), data.qvel[0]
+            mujoco.mj_step(model, data, nstep=200)
+            if share < 1.0:
+                assert np.abs(data.qpos[:3] - start).max() < 1e-9
+                assert all(table[name].is_held for name in "abcd")
+            else:
+                expected = GRAVITY * (math.sin(angle) - 0.3 * math.cos(angle))
+                assert (data.qvel[0] - speed) / 0.2 == pytest.approx(expected, rel=1e-2)

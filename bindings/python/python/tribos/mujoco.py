@@ -1,8 +1,9 @@
 """Exact friction of contact patches in MuJoCo simulations.
 
-MuJoCo's own friction acts at points of contact. Here named geoms stand on a *patch* instead: a disk, a
-polygon, a Hertz contact, …, with the force and torque of the integral over it, and with a state of rest
-that does not creep. MuJoCo keeps the normal forces; friction enters as a passive force.
+MuJoCo's own friction acts at points of contact. Here named geoms stand on a *patch* instead: a
+disk, a polygon, a Hertz contact, …, with the force and torque of the integral over it, and with a
+state of rest that does not creep. MuJoCo keeps the normal forces; friction enters as a passive
+force.
 
 >>> import mujoco, tribos, tribos.mujoco
 >>> model = mujoco.MjModel.from_xml_string('''
@@ -29,18 +30,18 @@ True
 
 How it works
 ------------
-Contacts of the geoms with their floor are made frictionless while the feet are attached. In each step
-the load of a foot is the sum of its normal forces of the step before, and friction is that of an implicit
-step: the wrench that would bring the foot to rest relative to its floor, against its momentum and all
-other forces, brought to the nearest point of the limit surface in the metric of the effective masses.
-A foot that friction can hold therefore stands still exactly. Several feet of one body are solved
-together. Reactions act on the floor, which may move.
+Contacts of the geoms with their floor are made frictionless while the feet are attached. In each
+step the load of a foot is the sum of its normal forces of the step before, and friction is that of
+an implicit step: the wrench that would bring the foot to rest relative to its floor, against its
+momentum and all other forces, brought to the nearest point of the limit surface in the metric of
+the effective masses. A foot that friction can hold therefore stands still exactly. Several feet of
+one body are solved together. Reactions act on the floor, which may move.
 
-MuJoCo runs its callbacks when it compiles a model, and fails where they are Python's: compile models before
-feet are attached, or within `paused`.
+MuJoCo runs its callbacks when it compiles a model, and fails where they are Python's: compile
+models before feet are attached, or within `paused`.
 
-The step is of second order in the time step for velocities; MuJoCo's positions are of first order. Friction
-of a body that starts to touch begins one step late.
+The step is of second order in the time step for velocities; MuJoCo's positions are of first order.
+Friction of a body that starts to touch begins one step late.
 """
 
 from __future__ import annotations
@@ -74,8 +75,8 @@ class FootState(NamedTuple):
     twist
         Velocity in m/s and spin in rad/s relative to the floor, before the step, in the same axes.
     axes
-        The patch's x, y and normal in the rows, in the frame of the world; the normal points from the
-        floor to the foot.
+        The patch's x, y and normal in the rows, in the frame of the world; the normal points from
+        the floor to the foot.
     centre
         Origin of the patch, in m, in the frame of the world.
     is_held
@@ -103,13 +104,14 @@ def attach(
     Parameters
     ----------
     model, data
-        A `mujoco.MjModel` and its `mujoco.MjData`. `mujoco.mj_forward` is called once, such that the
-        loads are known. Other data of the same model have the same feet.
+        A `mujoco.MjModel` and its `mujoco.MjData`. `mujoco.mj_forward` is called once, such that
+        the loads are known. Other data of the same model have the same feet.
     feet
-        Dry friction of each foot, by the name of its geom, or by a tuple of names of geoms of one body
-        that share a patch.
+        Dry friction of each foot, by the name of its geom, or by a tuple of names of geoms of one
+        body that share a patch.
     floor
-        Name of the geom that the feet stand on, or one for each foot. It may be tilted and may move.
+        Name of the geom that the feet stand on, or one for each foot. It may be tilted and may
+        move.
     sites
         Sites that are the frames of patches, for feet whose geom's frame is not wanted.
 
@@ -120,19 +122,21 @@ def attach(
 
     Notes
     -----
-    The patch lies in the plane of contact. Its origin is that of its frame, projected along the normal.
-    Its frame is that of the geom (of the body for several geoms, or of the site given in sites): of the
-    frame's axes x, y, z, x, … the one after that along the normal is the patch's x. A foot whose frame
-    stands upright has its patch's x along the frame's x.
+    The patch lies in the plane of contact. Its origin is that of its frame, projected along the
+    normal. Its frame is that of the geom (of the body for several geoms, or of the site given in
+    sites): of the frame's axes x, y, z, x, … the one after that along the normal is the patch's x.
+    A foot whose frame stands upright has its patch's x along the frame's x.
 
-    MuJoCo's contacts have the larger ``condim`` of their geoms, or that of the geom of higher priority:
-    contacts of feet and floors with each other and with geoms of ``condim="1"`` are frictionless, too.
+    MuJoCo's contacts have the larger ``condim`` of their geoms, or that of the geom of higher
+    priority: contacts of feet and floors with each other and with geoms of ``condim="1"`` are
+    frictionless, too.
 
     Raises
     ------
     ValueError
-        For names that the model does not have, geoms of one foot on several bodies, laws without a limit
-        surface, the integrator RK4, disabled passive forces, and a model that has feet already.
+        For names that the model does not have, geoms of one foot on several bodies, laws without a
+        limit surface, the integrator RK4, disabled passive forces, and a model that has feet
+        already.
 
     Examples
     --------
@@ -433,8 +437,9 @@ def _check_options(model: Any) -> None:
             "the integrator RK4 evaluates forces within a step: choose Euler, implicit or implicitfast"
         )
     flags = mujoco.mjtDisableBit
-    off = int(flags.mjDSBL_SPRING) | int(flags.mjDSBL_DAMPER)
-    if model.opt.disableflags & off == off:
+    # One flag before MuJoCo 3.3.4, and a pair since.
+    names = ("PASSIVE",) if hasattr(flags, "mjDSBL_PASSIVE") else ("SPRING", "DAMPER")
+    if all(model.opt.disableflags & int(getattr(flags, f"mjDSBL_{name}")) for name in names):
         raise ValueError("passive forces are disabled in the model's options")
 
 

@@ -1,7 +1,7 @@
 //! Friction of several feet in one time step: each block of the impulses on its own limit surface.
 
 use crate::model::{Sets, numbers, twist_of, wrench_of};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use pyo3::PyResult;
 use tribos_core::limit_surface::FrictionSet;
 
@@ -51,10 +51,11 @@ pub struct Solution {
 
 /// By how much friction must be exceeded to be exceeded beyond all rounding.
 const BEYOND: f64 = 1.01;
-/// Distance from the solution at which the sweeps end, in units of the largest friction.
-const TOLERANCE: f64 = 1e-9;
-/// The same for a foot that slides alone, where the time step's own error is larger.
-const TOLERANCE_ALONE: f64 = 1e-7;
+/// Distance from the solution at which iterations end, in units of the largest friction: less than the time
+/// step's own error while feet slide.
+const TOLERANCE: f64 = 1e-7;
+/// Acceleration that counts as none, in units of what the largest friction gives.
+const REST: f64 = 1e-9;
 /// Sweeps over the feet, at most.
 const SWEEPS: usize = 200;
 /// Steps on one foot in a sweep, at most.
@@ -62,6 +63,10 @@ const STEPS: usize = 60;
 /// Share of the largest compliance that is added to all, such that a mechanism without some of the
 /// motions has an inverse.
 const FLOOR: f64 = 1e-12;
+/// Share of each foot's own compliance that is added to that of several feet of one body, which has no
+/// inverse, and how often the solution is refined for that.
+const REGULARISATION: f64 = 1e-7;
+const REFINEMENTS: usize = 3;
 /// Reversals of motions slower than this share of the foot's speed are rounding.
 const REVERSAL: f64 = 1e-9;
 
@@ -77,6 +82,9 @@ impl Step<'_> {
         let ended = if self.is_beyond(&metrics, &at_end, start) {
             None
         } else {
+            if let Some(held) = self.held_together(&metrics, &at_end, start)? {
+                return Ok(held);
+            }
             let ended = self.nearest(&metrics, &at_end, start)?;
             if ended.is_held.iter().all(|held| *held) {
                 return Ok(ended);
@@ -99,6 +107,63 @@ impl Step<'_> {
             .map(|(now, then)| now + then);
         let power: f64 = motion.zip(&ended.friction).map(|(u, f)| u.dot(f)).sum();
         Ok(if power > 0.0 { midway } else { ended })
+    }
+
+    /// Friction that brings several feet to rest at once, if they can carry it: the change from `start` is
+    /// the least one, as internal forces of feet of one body are not determined.
+    fn held_together(
+        &self,
+        metrics: &[Metric],
+        rate: &[Vector3<f64>],
+        start: &[Vector3<f64>],
+    ) -> PyResult<Option<Solution>> {
+        let count = self.limits.len();
+        if count == 1 {
+            return Ok(None);
+        }
+        let mut system = DMatrix::from_fn(3 * count, 3 * count, |i, j| {
+            self.compliance[i / 3 * count + j / 3][(i % 3, j % 3)]
+        });
+        for (foot, metric) in metrics.iter().enumerate() {
+            for row in 0..3 {
+                system[(3 * foot + row, 3 * foot + row)] +=
+                    REGULARISATION * metric.compliance[(row, row)];
+            }
+        }
+        let Some(factors) = system.cholesky() else {
+            return Ok(None);
+        };
+        let mut friction = start.to_vec();
+        for _ in 0..REFINEMENTS {
+            let mut left = DVector::zeros(3 * count);
+            for (foot, rate) in rate.iter().enumerate() {
+                let rest = rate + self.response(foot, &friction);
+                left.fixed_rows_mut::<3>(3 * foot).copy_from(&rest);
+            }
+            factors.solve_mut(&mut left);
+            for (foot, friction) in friction.iter_mut().enumerate() {
+                *friction -= left.fixed_rows::<3>(3 * foot);
+            }
+        }
+        for (foot, metric) in metrics.iter().enumerate() {
+            let (limits, friction_here) = (&self.limits[foot], &friction[foot]);
+            let left = rate[foot] + self.response(foot, &friction);
+            let scale = REST * metric.bound * limits.force;
+            let is_at_rest = left.xy().norm() <= scale && left.z.abs() * limits.arm <= scale;
+            let mut is_carried = false;
+            if is_at_rest {
+                limits.sets.with(limits.force, &mut |set| {
+                    is_carried = metric.project(set, friction_here) == *friction_here;
+                })?;
+            }
+            if !is_carried {
+                return Ok(None);
+            }
+        }
+        Ok(Some(Solution {
+            friction,
+            is_held: vec![true; count],
+        }))
     }
 
     /// The acceleration that friction must take for rest after a time.
@@ -126,13 +191,22 @@ impl Step<'_> {
         .collect()
     }
 
-    /// True if a lone foot surely does not come to rest.
+    /// True if surely no foot comes to rest.
     fn is_beyond(&self, metrics: &[Metric], rate: &[Vector3<f64>], start: &[Vector3<f64>]) -> bool {
-        let ([limits], [metric]) = (self.limits, metrics) else {
-            return false;
-        };
-        let slope = rate[0] + self.compliance[0] * start[0];
-        !metric.needed(&start[0], &slope, limits).1
+        if let ([limits], [metric]) = (self.limits, metrics) {
+            let slope = rate[0] + self.compliance[0] * start[0];
+            return !metric.needed(&start[0], &slope, limits).1;
+        }
+        // More acceleration of each foot than all of them can give it.
+        let rows = self.compliance.chunks_exact(self.limits.len());
+        rows.zip(rate).all(|(row, rate)| {
+            let each = row.iter().zip(self.limits).map(|(block, limits)| {
+                let force = block.fixed_view::<2, 2>(0, 0).norm();
+                let torque = block.m13.hypot(block.m23) * limits.arm;
+                (force + torque) * limits.force
+            });
+            rate.x.hypot(rate.y) > BEYOND * each.sum::<f64>()
+        })
     }
 
     /// True if a foot's velocity or spin has another sense `after`.
@@ -167,11 +241,6 @@ impl Step<'_> {
         let count = self.limits.len();
         let mut friction = start.to_vec();
         let mut is_held = vec![false; count];
-        let tolerance = if count == 1 {
-            TOLERANCE_ALONE
-        } else {
-            TOLERANCE
-        };
         let scale = self.limits.iter().map(|l| l.force).fold(0.0, f64::max);
         for _ in 0..SWEEPS {
             let mut change: f64 = 0.0;
@@ -180,7 +249,7 @@ impl Step<'_> {
                 let slope = rate[foot] + self.response(foot, &friction);
                 let mut found = (before, false);
                 limits.sets.with(limits.force, &mut |set| {
-                    found = metric.nearest(set, &before, &slope, limits, tolerance);
+                    found = metric.nearest(set, &before, &slope, limits);
                 })?;
                 (friction[foot], is_held[foot]) = found;
                 let moved = found.0 - before;
@@ -226,6 +295,12 @@ impl Metric {
         }
     }
 
+    /// The nearest friction in the isotropic metric.
+    fn project(&self, set: &dyn FrictionSet<f64>, wrench: &Vector3<f64>) -> Vector3<f64> {
+        let wrench = wrench_of([wrench.x, wrench.y, wrench.z]);
+        numbers(&set.project_with_length(&wrench, self.length).wrench).into()
+    }
+
     /// The friction that would bring the foot to rest, and false if it is surely too large.
     fn needed(
         &self,
@@ -251,12 +326,8 @@ impl Metric {
         start: &Vector3<f64>,
         slope: &Vector3<f64>,
         limits: &Limits<'_>,
-        tolerance: f64,
     ) -> (Vector3<f64>, bool) {
-        let project = |wrench: &Vector3<f64>| -> Vector3<f64> {
-            let wrench = wrench_of([wrench.x, wrench.y, wrench.z]);
-            numbers(&set.project_with_length(&wrench, self.length).wrench).into()
-        };
+        let project = |wrench: &Vector3<f64>| self.project(set, wrench);
         let (needed, is_near) = self.needed(start, slope, limits);
         if is_near && project(&needed) == needed {
             return (needed, true);
@@ -271,7 +342,7 @@ impl Metric {
             let moved = next - at;
             at = next;
             let moved = moved.xy().norm().max(moved.z.abs() / self.length);
-            if left * moved <= tolerance * limits.force {
+            if left * moved <= TOLERANCE * limits.force {
                 break;
             }
         }
