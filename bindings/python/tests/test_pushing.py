@@ -195,6 +195,17 @@ def test_a_contact_finds_the_normal_of_its_side() -> None:
         tribos.PointContact.on(tribos.points([[0, 0], [1, 0]]), [0, 0], 0.3)
 
 
+def test_a_path_knows_the_side_that_it_is_on() -> None:
+    slippery = tribos.PointContact([0.12, -0.1], [0.0, 1.0], mu=0.0)
+    path = tribos.push_along(TABLE, slippery, [0.01, 0.01], 100.0, samples=10)
+    assert path.end == "slipped"
+    np.testing.assert_allclose(path.contact[-1], [0.15, -0.1], atol=1e-7)
+    # Another normal is that of a flat pusher at a corner: it goes on beyond.
+    corner = tribos.PointContact([0.15, -0.1], [-0.1, 1.0], mu=0.0)
+    path = tribos.push_along(TABLE, corner, [0.01, 0.01], 2.0, samples=10)
+    assert path.end == "done"
+
+
 def test_the_command_gives_the_same_push() -> None:
     program = "import sys, tribos._command as c; sys.argv[0] = 'tribos'; c.main()"
     call = [sys.executable, "-c", program, "push", "push-box", "--format", "json"]

@@ -16,6 +16,8 @@ from tribos._surface import LimitSurface
 
 Array = NDArray[np.float64]
 Pair = Sequence[float] | NDArray[np.float64]
+# A contact with this angle to a side's normal, in rad, is on that side.
+_PARALLEL = 1e-9
 
 
 class PointContact:
@@ -282,7 +284,8 @@ def push_along(
     side
         How far a straight side goes on from the contact, to the right and to the left, in m; or
         ``"round"`` for a circle about the patch's origin. None for the patch's own side next to the
-        contact; of points a side without ends.
+        contact if its normal is the contact's, and for a straight side without ends if not: a flat
+        pusher at a corner, or points.
     start
         Place of the patch's origin in m, and its turn in rad, at the start.
     samples
@@ -447,11 +450,15 @@ def _reach(
 ) -> list[float] | None:
     """How far a straight side goes on to the right and to the left; None for a round one."""
     if side is None:
-        loops = outline(patch)
+        loops, (x, y) = outline(patch), contact.position.tolist()
+        inward, reach = [-x, -y], None
         if loops:
-            reach: list[float] = _native.nearest_side(loops, contact.position.tolist())[1]
-            return reach
-        side = (np.inf, np.inf) if patch.kind == "points" else "round"
+            inward, reach = _native.nearest_side(loops, [x, y])
+        u, v = contact.normal / np.linalg.norm(contact.normal)
+        size = np.hypot(*inward)
+        is_side = abs(u * inward[1] - v * inward[0]) <= _PARALLEL * size
+        is_side = is_side and u * inward[0] + v * inward[1] > 0.0 and patch.kind != "points"
+        return reach if is_side else [np.inf, np.inf]
     if isinstance(side, str):
         if side != "round":
             raise ValueError(f"side must be two lengths in m or 'round', not {side!r}")
