@@ -28,9 +28,9 @@ impl<R: Real, P: DryPatch<R>> PatchSurface<R, P> {
     /// use tribos_core::twist::Wrench;
     /// let sole = [[-0.06_f64, -0.04], [0.18, -0.05], [0.18, 0.05], [-0.06, 0.04]]; // m
     /// let floor = PatchSurface::new(Polygon::new(sole)?, 420.0)?; // μN in N
-    /// let [lowest, highest] = floor.torque_limits([200.0, 0.0]).ok_or("the foot slips")?; // N; N m
-    /// assert!((floor.gauge(&Wrench::new(200.0, 0.0, highest)) - 1.0).abs() < 1e-13);
-    /// assert!(highest > -lowest); // the heel is narrower than the ball of the foot
+    /// let [lowest, highest] = floor.torque_limits([0.0, 200.0]).ok_or("the foot slips")?; // N; N m
+    /// assert!((floor.gauge(&Wrench::new(0.0, 200.0, highest)) - 1.0).abs() < 1e-13);
+    /// assert!(highest > -lowest); // the centre of pressure lies ahead of the ankle
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn torque_limits(&self, force: [R; 2]) -> Option<[R; 2]> {
