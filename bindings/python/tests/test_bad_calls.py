@@ -2,6 +2,7 @@
 
 import gc
 import sys
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -51,6 +52,13 @@ NO_OUTPUTS = [
     READ_ONLY,
 ]
 TRIANGLE = [[0, 0], [1, 0], [0, 1]]
+BOOK = tribos.LimitSurface(tribos.box(0.3, 0.2), mu=0.4, load=20.0)
+FINGER = tribos.PointContact([0.05, -0.1], [0.0, 1.0], mu=0.3)
+CRATE = tribos.PlanarBody(BOX, mass=8.0, inertia=0.17)
+BALL = tribos.Spheres(mass=1.0, radius=0.1)
+RUBBER = tribos.ContactLaw(mu=0.5)
+BRISTLES = {"coulomb_force": 4.0, "static_force": 6.0, "stribeck_speed": 1e-3, "stiffness": 1e5}
+GRANITE = {"mu": 0.6, "a": 0.01, "b": 0.015, "reference_speed": 1e-6, "slip_distance": 1e-5}
 
 
 def calls() -> list[object]:
@@ -130,8 +138,79 @@ def calls() -> list[object]:
     wide = [np.zeros((4, 3)), np.zeros((2, 2, 3))]
     add("axes", lambda x: PUCK.wrench(x, [1.0, 2.0, 3.0]), wide)
     add("threads", tribos.set_num_threads, [0, -1, 10**9])
+    of_motion(add)
+    of_contacts(add)
+    of_scenes(add)
     add("surface of oil", lambda x: x.limit_surface(1.0), [tribos.Friction(tribos.disk(1.0), mu=1, alpha=1)])
     return [pytest.param(*call, id=name) for name, call in made]
+
+
+def of_motion(add: Callable[..., None]) -> None:
+    """Throws, launches, steps."""
+    for name in ("inertia_ratio", "gravity"):
+        add(f"slide {name}", lambda x, n=name: tribos.slide(PUCK, 1.0, 1.0, **{n: x}), [-1.0, "x", None, 1j])
+    speeds = ["x", None, 1j, [[1.0], [1.0, 2.0]], object()]
+    add("slide speed", lambda x: tribos.slide(PUCK, x, 1.0), speeds)
+    add("slide of", lambda x: tribos.slide(x, 1.0, 1.0), [None, "puck", tribos.disk(1.0), ICE, BOX])
+    viscous = tribos.Friction(tribos.disk(1.0), mu=1.0, alpha=1.0)
+    add("slide without rest", lambda x: tribos.slide(x, 1.0, 1.0), [viscous])
+    add("slide axes", lambda x: tribos.slide(PUCK, x, [1.0, 2.0, 3.0]), [[1.0, 2.0]])
+    throw = {"max_speed": 3.0, "max_spin": 10.0}
+    add("inverse x", lambda x: tribos.inverse(PUCK, x, 0.0, 0.0, **throw), [1e3, *NO_NUMBERS])
+    add("inverse turns", lambda x: tribos.inverse(PUCK, 1.0, 0.0, 0.0, turns=x, **throw), ["", "all", None])
+    limits = [-1.0, 0.0, *NO_NUMBERS]
+    add("inverse speed", lambda x: tribos.inverse(PUCK, 1.0, 0.0, 0.0, max_speed=x, max_spin=1.0), limits)
+    add("modes", lambda x: tribos.modes(PUCK, x), NOT_POSITIVE)
+    add("mass", lambda x: tribos.PlanarBody(BOX, x, 1.0), NOT_POSITIVE[:5] + ["x", None, 1j])
+    add("dt", lambda x: CRATE.step(np.zeros(3), np.zeros(3), x), [0.0, -1.0, NAN, INF, "x", None])
+    add("twists of a step", lambda x: CRATE.step(x, np.zeros(3), 0.1), NO_ROWS)
+    add("pushes of a step", lambda x: CRATE.step(np.zeros(3), x, 0.1), NO_ROWS)
+    pushes = [np.zeros(3), np.zeros((4, 2)), None, "x"]
+    add("rollout", lambda x: CRATE.rollout(np.zeros(3), x, 0.1), pushes)
+    for name in BRISTLES:
+        add(f"LuGre {name}", lambda x, n=name: tribos.LuGre(**{**BRISTLES, n: x}), [-1.0, NAN, "x", None])
+    for name in GRANITE:
+        values = [-1.0, "x", None] if name != "mu" else ["x", None]
+        add(f"rate and state {name}", lambda x, n=name: tribos.RateState(**{**GRANITE, n: x}), values)
+    add("softened", lambda x: tribos.softened(0.3, x), NOT_POSITIVE)
+
+
+def of_contacts(add: Callable[..., None]) -> None:
+    """Fingers, contacts, fits."""
+    add("normal of a finger", lambda x: tribos.PointContact([0.0, 0.0], x, mu=0.3), [[0.0, 0.0], "x", None])
+    add("mu of a finger", lambda x: tribos.PointContact([0.0, 0.0], [0.0, 1.0], mu=x), [-0.1, NAN, "x"])
+    add("pushed", lambda x: tribos.push(x, FINGER, [0.0, 1.0]), [None, BOX, 3.0])
+    add("velocity of a push", lambda x: tribos.push(BOOK, FINGER, x), ["x", None, [1.0], [1.0, 2.0, 3.0]])
+    add("cone", lambda x: tribos.motion_cone(BOOK, x), [None, "x", [0.0, 0.0]])
+    durations = [-1.0, NAN, INF, "x", None]
+    add("duration", lambda x: tribos.push_along(BOOK, FINGER, [0.0, 0.02], x), durations)
+    add("contact mu", lambda x: tribos.ContactLaw(mu=x), [-0.1, NAN, INF, "x", None])
+    add("restitution", lambda x: tribos.ContactLaw(restitution=x), [-0.1, 1.1, NAN, "x", None])
+    add("coupled", lambda x: tribos.ContactLaw(mu=0.5, patch=x), ["disk", tribos.box(1.0, 1.0)])
+    add("sphere mass", lambda x: tribos.Spheres(mass=x, radius=0.1), [0.0, -1.0, NAN, "x", None])
+    add("sphere radius", lambda x: tribos.Spheres(mass=1.0, radius=x), [0.0, -1.0, NAN, "x", None])
+    normals = [[0.0, 0.0, 0.0], [1.0, 0.0], "x", None, [NAN, 0.0, 1.0]]
+    add("normal", lambda x: RUBBER.collide(BALL, BALL, normal=x), normals)
+    add("steps of a manifold", lambda x: tribos.Manifold(RUBBER).solve(x), [0.0, -1.0, NAN, "x", None])
+    add("body", lambda x: tribos.Manifold(RUBBER).set_force(x, (0.0, 0.0, 0.0)), [0, -1, 7, "x", None])
+    columns = [{}, {"v": [1.0]}, {"v": [1.0, 2.0], "f": [1.0]}, None, 3.0, {"v": ["a"], "f": ["b"]}]
+    add("fit", lambda x: tribos.fit("power", x), columns)
+    add("fitted law", lambda x: tribos.fit(x, {"v": [1.0, 2.0, 3.0], "f": [1.0, 1.0, 1.0]}), ["", "no", None])
+    rows = [None, [], np.zeros((3, 5)), np.zeros((10, 6)), np.full((10, 6), NAN), "none.csv"]
+    add("pushes of a fit", tribos.fit_support, rows)
+
+
+def of_scenes(add: Callable[..., None]) -> None:
+    """Scenes, runs, sweeps."""
+    values = [-1.0, NAN, INF, "x", [], {}]
+    for name in ("radius", "mass", "coefficient"):
+        add(f"scene {name}", lambda x, n=name: tribos.SliderScene(**{n: x}), values)
+    texts = ["", "x", "body = 'cube'", "radius = 1", "body = 'disk'\nradius = -1", "body = 'disk'\nradus = 1"]
+    add("scene text", tribos.SliderScene.from_toml, texts[1:])
+    add("named scene", tribos.scene, ["", "none", "compaction"])
+    add("run", tribos.run, ["none", 3, None, PUCK])
+    add("swept key", lambda x: tribos.sweep("disk", x), [{"spn": [1.0]}, {"spin": []}, {"body": ["disk"]}])
+    add("seeds", lambda x: tribos.sweep("compaction-small", {"rolling": [0]}, seeds=x), [0, -1])
 
 
 CALLS = calls()
@@ -145,7 +224,7 @@ def test_a_bad_call_says_why(function, value) -> None:
 
 
 def test_there_are_enough_of_them() -> None:
-    assert len(CALLS) >= 300
+    assert len(CALLS) >= 600
 
 
 @pytest.mark.parametrize("value", [NAN, INF, -INF, 1e308, 5e-324, -0.0])
