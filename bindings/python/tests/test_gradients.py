@@ -97,6 +97,29 @@ def test_the_nearest_wrench_moves_as_differences_do(patch: tribos.Patch, length:
     assert np.abs(np.einsum("nij,ni->nj", jacobian, normal)).max() < 1e-8
 
 
+@pytest.mark.parametrize("patch", [tribos.disk(0.1), tribos.box(0.2, 0.1)], ids=repr)
+def test_second_derivatives_are_right_to_ten_digits(patch: tribos.Patch) -> None:
+    limits = surface(patch)
+    at = pushes(100, 1.3, patch)
+    width = 2e-4 * UNITS * LOAD
+
+    def sixth_order(of: Callable) -> np.ndarray:
+        columns = []
+        for axis, size in enumerate(width):
+            move = size * np.eye(3)[axis]
+            central = [(of(at + k * move) - of(at - k * move)) / (2 * k * size) for k in (1, 2, 3)]
+            columns.append(1.5 * central[0] - 0.6 * central[1] + 0.1 * central[2])
+        return np.stack(columns, axis=-1)
+
+    normal = scaled(limits.normal_jacobian(at), UNITS, 1 / UNITS)
+    off = normal - scaled(sixth_order(limits.normal), UNITS, 1 / UNITS)
+    assert (np.abs(off).max(axis=(-2, -1)) < 1e-10 * np.abs(normal).max(axis=(-2, -1))).all()
+    off = scaled(limits.project_jacobian(at) - sixth_order(limits.project), 1 / UNITS, 1 / UNITS)
+    # The width of the differences shows where the surface bends most.
+    assert np.quantile(np.abs(off).max(axis=(-2, -1)), 0.95) < 1e-10
+    assert np.abs(off).max() < 1e-8
+
+
 def test_wrenches_of_the_set_stay() -> None:
     for patch in PATCHES:
         inside = surface(patch).project_jacobian(pushes(5, 0.5, patch))

@@ -260,7 +260,7 @@ class LimitSurface:
     def normal_jacobian(self, wrenches: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
         """Derivatives of `normal` with respect to the wrench, of shape (..., 3, 3).
 
-        Components of the normal are rows. Accuracy: 1e-11 of the largest entry where the surface
+        Components of the normal are rows. Accuracy: 1e-10 of the largest entry where the surface
         is smooth. NaN for the zero wrench and without load.
         """
         return self._slopes().normal_jacobian(self._limits, wrenches, out)
