@@ -1,7 +1,7 @@
 """Speed of calls from Python beside the kernel's own loops, in one interleaved run.
 
-    cargo build --release -p tribos-python --example batch
-    python bindings/python/benches/speed.py target/release/examples/batch
+cargo build --release -p tribos-python --example batch
+python bindings/python/benches/speed.py target/release/examples/batch
 """
 
 import argparse
@@ -13,7 +13,6 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-
 import tribos
 
 COUNT = 100_000

@@ -8,10 +8,10 @@ same; on exact patches it stands still.
 
 from __future__ import annotations
 
-import mujoco
-
 import tribos
 import tribos.mujoco
+
+import mujoco
 
 MASS, GRAVITY, MU = 0.1, 9.81, 1.0  # kg, m/s², -
 
@@ -38,7 +38,9 @@ SCENE = """
 """
 
 
-def slip(margin: float, *, cone: str = "elliptic", noslip: int = 0, is_exact: bool = False) -> float:
+def slip(
+    margin: float, *, cone: str = "elliptic", noslip: int = 0, is_exact: bool = False
+) -> float:
     """Fall of the capsule between 1 s and 10 s, in m, where friction can carry `margin` times its weight."""
     text = SCENE.format(cone=cone, noslip=noslip, mu=MU, mass=MASS)
     model = mujoco.MjModel.from_xml_string(text)

@@ -7,7 +7,6 @@ import threading
 
 import numpy as np
 import pytest
-
 import tribos
 
 PUCK = tribos.Friction(tribos.disk(0.04), mu=0.3)

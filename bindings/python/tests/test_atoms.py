@@ -7,7 +7,6 @@ import pickle
 
 import numpy as np
 import pytest
-
 from tribos import md
 
 RNG = np.random.default_rng(7)
@@ -24,7 +23,11 @@ def cluster(count: int = 20) -> np.ndarray:
 def test_forces_are_the_gradient_of_the_energy(shift: str) -> None:
     places = cluster()
     potential = md.LennardJones(
-        [1.0, 0.7], [1.0, 0.9], [2.5, 2.3], shift=shift, mixing="arithmetic"  # type: ignore[arg-type]
+        [1.0, 0.7],
+        [1.0, 0.9],
+        [2.5, 2.3],
+        shift=shift,
+        mixing="arithmetic",  # type: ignore[arg-type]
     )
     kinds = [at % 2 for at in range(len(places))]
     made = potential.evaluate(places, species=kinds)
@@ -54,9 +57,7 @@ def test_the_energy_is_the_sum_over_pairs() -> None:
 def test_a_pair_vibrates_with_the_period_of_the_closed_form() -> None:
     bond = 2 ** (1 / 6)
     period = 2 * math.pi * bond / 12
-    system = md.System(
-        [[0, 0, 0], [bond + 1e-4, 0, 0]], md.LennardJones(), time_step=period / 1000
-    )
+    system = md.System([[0, 0, 0], [bond + 1e-4, 0, 0]], md.LennardJones(), time_step=period / 1000)
     system.step(500)
     stretch = system.positions[1, 0] - system.positions[0, 0] - bond
     assert stretch == pytest.approx(-1e-4, rel=2e-3)
@@ -111,7 +112,6 @@ def test_what_cannot_be_is_refused_with_the_librarys_words() -> None:
 def test_the_calculator_agrees_with_ases_own_for_a_free_cluster() -> None:
     ase = pytest.importorskip("ase")
     from ase.calculators.lj import LennardJones
-
     from tribos.ase import Calculator
 
     atoms = ase.Atoms("Ar20", positions=3.4 * cluster())
@@ -133,7 +133,6 @@ def test_the_calculator_agrees_with_ases_own_for_a_free_cluster() -> None:
 def test_the_stress_is_the_strains_derivative_of_the_energy() -> None:
     ase = pytest.importorskip("ase")
     from ase.calculators.lj import LennardJones
-
     from tribos.ase import Calculator
 
     sides = np.array([12.0, 13.0, 14.0])
@@ -179,7 +178,6 @@ def test_the_stress_is_the_strains_derivative_of_the_energy() -> None:
 def test_the_calculator_serves_ases_optimiser() -> None:
     ase = pytest.importorskip("ase")
     from ase.optimize import BFGS
-
     from tribos.ase import Calculator
 
     pair = ase.Atoms("Ar2", positions=[[0, 0, 0], [4.2, 0, 0]])

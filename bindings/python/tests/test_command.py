@@ -11,9 +11,8 @@ import time
 from pathlib import Path
 
 import pytest
-
 import tribos
-from test_runs import LONG, files
+from test_runs import LONG
 
 BINARY = Path(__file__).parents[3] / "target" / "debug" / "tribos"
 

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-
 import tribos
 
 RADIUS, MASS = 0.03, 0.2

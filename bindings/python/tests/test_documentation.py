@@ -7,7 +7,6 @@ import pkgutil
 import re
 
 import pytest
-
 import tribos
 
 # Packages that few have, and examples do without.

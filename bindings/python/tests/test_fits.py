@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-
 import tribos
 
 DATA = Path(__file__).parents[3] / "scenes" / "data"
@@ -240,7 +239,10 @@ def test_a_fit_reads_well(unknown: tribos.SupportFit) -> None:
     ("call", "text"),
     [
         (lambda: tribos.fit("glue", {"v": [1.0], "f": [1.0]}), "law to fit"),
-        (lambda: tribos.fit("power", {"v": [1.0], "g": [1.0]}), "no column f; the columns are v, g"),
+        (
+            lambda: tribos.fit("power", {"v": [1.0], "g": [1.0]}),
+            "no column f; the columns are v, g",
+        ),
         (lambda: tribos.fit("power", [1.0, 2.0]), "a table with the columns v, f"),
         (lambda: tribos.fit("power", {"v": [1.0, 2.0], "f": [1.0]}), "different lengths"),
         (lambda: tribos.fit("power", {"v": [1.0, -2.0], "f": [1.0, 1.0]}), "point 1: the speed"),

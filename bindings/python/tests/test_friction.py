@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
-
 import tribos
 
 
-@pytest.mark.parametrize(("tier", "bound"), [("table", 8e-16), ("compact", 1e-14), ("quadrature", 2e-9)])
+@pytest.mark.parametrize(
+    ("tier", "bound"), [("table", 8e-16), ("compact", 1e-14), ("quadrature", 2e-9)]
+)
 def test_the_disk_is_right_to_its_tier(table, tier: str, bound: float) -> None:
     rows = table("uniform.csv")
     dry = rows["alpha"] == 0.0
@@ -45,7 +46,12 @@ def test_a_square_is_right(table) -> None:
 
 @pytest.mark.parametrize(
     "patch",
-    [tribos.disk(0.1), tribos.ring(0.1), tribos.box(0.2, 0.1), tribos.points([[0, 0], [1, 0], [0, 1]])],
+    [
+        tribos.disk(0.1),
+        tribos.ring(0.1),
+        tribos.box(0.2, 0.1),
+        tribos.points([[0, 0], [1, 0], [0, 1]]),
+    ],
     ids=repr,
 )
 def test_a_limit_surface_is_made_of_friction(patch: tribos.Patch) -> None:

@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-
 import tribos
 
 PATCHES = [
@@ -33,7 +32,9 @@ def differences(of: Callable, at: np.ndarray, widths: np.ndarray) -> np.ndarray:
         for axis in range(at.shape[-1]):
             move = np.zeros(at.shape[-1])
             move[axis] = width[axis]
-            columns.append((np.asarray(of(at + move)) - np.asarray(of(at - move))) / (2 * width[axis]))
+            columns.append(
+                (np.asarray(of(at + move)) - np.asarray(of(at - move))) / (2 * width[axis])
+            )
         return np.stack(columns, axis=-1)
 
     return (4.0 * central(0.5 * widths) - central(widths)) / 3.0
@@ -86,7 +87,9 @@ def test_the_normal_turns_as_differences_do(patch: tribos.Patch) -> None:
 
 @pytest.mark.parametrize("length", [None, 0.02])
 @pytest.mark.parametrize("patch", PATCHES, ids=repr)
-def test_the_nearest_wrench_moves_as_differences_do(patch: tribos.Patch, length: float | None) -> None:
+def test_the_nearest_wrench_moves_as_differences_do(
+    patch: tribos.Patch, length: float | None
+) -> None:
     limits = surface(patch)
     at = pushes(40, 1.8, patch)
     jacobian = limits.project_jacobian(at, length=length)
@@ -140,7 +143,9 @@ def test_the_support_function_has_friction_as_its_slope(patch: tribos.Patch) -> 
     expected = differences(limits.support, twists, 1e-3 / UNITS)
     assert np.allclose(limits.support_gradient(twists) / UNITS, expected / UNITS, rtol=0, atol=1e-6)
     friction = tribos.Friction(patch, mu=MU)
-    assert np.allclose(limits.support_hessian(twists), -friction.jacobian(twists, LOAD), rtol=1e-9, atol=1e-12)
+    assert np.allclose(
+        limits.support_hessian(twists), -friction.jacobian(twists, LOAD), rtol=1e-9, atol=1e-12
+    )
     null = np.einsum("nij,nj->ni", limits.support_hessian(twists), twists)
     assert np.abs(null / UNITS).max() < 1e-9
 
@@ -166,7 +171,12 @@ def test_an_ellipsoid_has_its_closed_form() -> None:
     gradient = at / axes**2 / gauge
     assert np.allclose(limits.gauge_gradient(at), gradient, rtol=1e-12, atol=1e-14)
     outer = gradient[:, :, None] * gradient[:, None, :]
-    assert np.allclose(limits.gauge_hessian(at), (np.diag(axes**-2.0) - outer) / gauge[:, None], rtol=1e-9, atol=1e-9)
+    assert np.allclose(
+        limits.gauge_hessian(at),
+        (np.diag(axes**-2.0) - outer) / gauge[:, None],
+        rtol=1e-9,
+        atol=1e-9,
+    )
     expected = differences(limits.project, at, 1e-5 * UNITS * LOAD)
     assert np.allclose(limits.project_jacobian(at), expected, rtol=1e-6, atol=1e-8)
 
@@ -273,18 +283,30 @@ def test_a_first_load_slows_as_its_friction_does() -> None:
 
 
 @pytest.mark.parametrize("alpha", [0.0, 0.5, -0.5])
-@pytest.mark.parametrize("patch", [tribos.disk(0.08), tribos.hertz(0.08), tribos.annulus(0.04, 0.08)], ids=repr)
+@pytest.mark.parametrize(
+    "patch", [tribos.disk(0.08), tribos.hertz(0.08), tribos.annulus(0.04, 0.08)], ids=repr
+)
 def test_the_way_to_rest_follows_the_launch(patch: tribos.Patch, alpha: float) -> None:
     friction = tribos.Friction(patch, mu=0.3, alpha=alpha)
     at = np.array(
-        [[1.0, 12.5, 9.81, 0.08], [2.0, 3.0, 9.81, 0.05], [0.5, -40.0, 6.0, 0.08], [-1.0, 20.0, 9.81, 0.08]]
+        [
+            [1.0, 12.5, 9.81, 0.08],
+            [2.0, 3.0, 9.81, 0.05],
+            [0.5, -40.0, 6.0, 0.08],
+            [-1.0, 20.0, 9.81, 0.08],
+        ]
     )
 
     def thrown(x: np.ndarray) -> tribos.SlideJacobian:
-        return tribos.slide_jacobian(friction, x[..., 0], x[..., 1], gravity=x[..., 2], radius=x[..., 3])
+        return tribos.slide_jacobian(
+            friction, x[..., 0], x[..., 1], gravity=x[..., 2], radius=x[..., 3]
+        )
 
     throw = thrown(at)
-    got = np.stack([np.stack(by, axis=-1) for by in (throw.time_by, throw.distance_by, throw.angle_by)], axis=-2)
+    got = np.stack(
+        [np.stack(by, axis=-1) for by in (throw.time_by, throw.distance_by, throw.angle_by)],
+        axis=-2,
+    )
     expected = differences(
         lambda x: np.stack(thrown(x)[:3], axis=-1), at, np.array([1e-4, 1e-3, 1e-4, 1e-6])
     )
@@ -294,7 +316,9 @@ def test_the_way_to_rest_follows_the_launch(patch: tribos.Patch, alpha: float) -
 def test_a_launch_without_spin_goes_as_far_as_a_point() -> None:
     disk = tribos.Friction(tribos.disk(0.08), mu=0.25)
     throw = tribos.slide_jacobian(disk, 2.0, 0.0, gravity=10.0)
-    assert np.allclose([throw.time, throw.distance, throw.angle], [2.0 / 2.5, 4.0 / 5.0, 0.0], rtol=1e-13)
+    assert np.allclose(
+        [throw.time, throw.distance, throw.angle], [2.0 / 2.5, 4.0 / 5.0, 0.0], rtol=1e-13
+    )
     assert np.allclose(throw.time_by, [1 / 2.5, 0.0, -0.8 / 10.0, 0.0], rtol=1e-13)
     assert np.allclose(throw.distance_by, [2.0 / 2.5, 0.0, -0.8 / 10.0, 0.0], rtol=1e-13)
     rest = tribos.slide_jacobian(disk, 0.0, 0.0)
@@ -323,7 +347,9 @@ def test_launches_that_cannot_be_are_refused() -> None:
     with pytest.raises(ValueError, match="round"):
         tribos.slide_jacobian(tribos.Friction(tribos.box(0.1, 0.1), mu=0.3), 1.0, 1.0)
     with pytest.raises(ValueError, match="power of the speed"):
-        tribos.slide_jacobian(tribos.Friction(tribos.disk(0.1), law=tribos.softened(0.3, 0.1)), 1.0, 1.0)
+        tribos.slide_jacobian(
+            tribos.Friction(tribos.disk(0.1), law=tribos.softened(0.3, 0.1)), 1.0, 1.0
+        )
     with pytest.raises(ValueError, match="rest"):
         tribos.slide_jacobian(tribos.Friction(tribos.disk(0.1), mu=0.3, alpha=1.5), 1.0, 1.0)
     with pytest.raises(ValueError, match="mass"):

@@ -6,14 +6,12 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-
 import tribos
 
 jax = pytest.importorskip("jax")
 import jax.numpy as jnp  # noqa: E402
-from jax.test_util import check_grads  # noqa: E402
-
 import tribos.jax as tj  # noqa: E402
+from jax.test_util import check_grads  # noqa: E402
 
 DISK = tribos.Friction(tribos.disk(0.1), mu=0.5)
 FRICTIONS = [DISK, tribos.Friction(tribos.box(0.2, 0.1), mu=0.5)]
@@ -46,7 +44,9 @@ def test_powers_and_softened_laws_have_slopes() -> None:
     for friction in (
         tribos.Friction(tribos.disk(0.1), mu=0.5, alpha=0.5),
         tribos.Friction(tribos.box(0.2, 0.1), mu=0.5, alpha=1.0),
-        tribos.Friction(tribos.points([[0.1, 0], [-0.1, 0], [0, 0.2]]), law=tribos.softened(0.5, 0.1)),
+        tribos.Friction(
+            tribos.points([[0.1, 0], [-0.1, 0], [0, 0.2]]), law=tribos.softened(0.5, 0.1)
+        ),
     ):
         check(lambda twists, load, made=friction: tj.wrench(made, twists, load), TWISTS, LOADS)
     soft = tribos.Friction(tribos.disk(0.1), law=tribos.softened(0.5, 0.1))
@@ -59,7 +59,9 @@ def test_limit_surfaces_have_the_slopes_of_differences(friction: tribos.Friction
     check(lambda wrenches, load: tj.gauge(friction, wrenches, load), PUSHES, LOADS)
     check(lambda wrenches: tj.normal(friction, wrenches), PUSHES, tol=1e-5)
     check(lambda wrenches, load: tj.project(friction, wrenches, load), 2 * PUSHES, LOADS)
-    check(lambda wrenches, load: tj.project(friction, wrenches, load, length=0.03), 2 * PUSHES, LOADS)
+    check(
+        lambda wrenches, load: tj.project(friction, wrenches, load, length=0.03), 2 * PUSHES, LOADS
+    )
     inside = jax.jacfwd(lambda wrench: tj.project(friction, wrench, 10.0))(0.1 * PUSHES[0])
     assert np.array_equal(inside, np.eye(3))
     # Without load the first friction grows along the projection.
@@ -82,7 +84,9 @@ def test_a_step_into_rest_depends_on_nothing() -> None:
     def step(twist, push):
         return tj.planar_step(DISK, twist, push, 10.0, **BODY).twists
 
-    by_twist, by_push = jax.jacrev(step, argnums=(0, 1))(jnp.array([1e-3, 0, 0]), jnp.array([1.0, 0, 0.01]))
+    by_twist, by_push = jax.jacrev(step, argnums=(0, 1))(
+        jnp.array([1e-3, 0, 0]), jnp.array([1.0, 0, 0.01])
+    )
     assert not by_twist.any() and not by_push.any()
     assert tj.planar_step(DISK, jnp.zeros(3), jnp.zeros(3), 10.0, **BODY).at_rest.dtype == bool
 
@@ -130,7 +134,9 @@ def swung(friction: tribos.Friction, steps: int):
 
 
 @pytest.mark.parametrize("friction", FRICTIONS[:2], ids=repr)
-def test_a_gradient_through_a_hundred_steps_is_that_of_differences(friction: tribos.Friction) -> None:
+def test_a_gradient_through_a_hundred_steps_is_that_of_differences(
+    friction: tribos.Friction,
+) -> None:
     cost = swung(friction, 100)
     starts = jnp.array([[4.0, 1.0, 60.0], [5.0, 0.5, -40.0], [3.0, -4.0, 100.0]])
     push, load = jnp.array([0.3, 0.1, 0.01]), 5.0
@@ -172,8 +178,10 @@ def test_single_precision_is_rounded_once() -> None:
     exact = DISK.wrench(TWISTS.astype(np.float32), LOADS)
     assert np.array_equal(made, exact.astype(np.float32))
     slope = jax.grad(lambda x: tj.support(DISK, x, 10.0))(jnp.array(TWISTS[0]))
-    assert slope.dtype == jnp.float32 and np.allclose(slope, -exact[0] , rtol=1e-6)
-    step = jax.jit(lambda x: tj.planar_step(DISK, x, jnp.zeros(3), 10.0, **BODY))(jnp.array(TWISTS[0]))
+    assert slope.dtype == jnp.float32 and np.allclose(slope, -exact[0], rtol=1e-6)
+    step = jax.jit(lambda x: tj.planar_step(DISK, x, jnp.zeros(3), 10.0, **BODY))(
+        jnp.array(TWISTS[0])
+    )
     assert step.twists.dtype == jnp.float32
 
 

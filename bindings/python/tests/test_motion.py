@@ -381,8 +381,8 @@ def test_what_friction_holds_rests_to_the_bit(shape: str) -> None:
     friction = tribos.Friction(SHAPES[shape], mu=0.4)
     body = tribos.PlanarBody(friction, 2.0, 0.02)
     push = np.array([[3.0, 4.0, 0.0], [0.0, 0.0, 0.1], [7.7, 0.0, 0.0], [8.0, 0.0, 0.0]])
-    step = body.step(np.zeros((4, 3)), push, 0.1)       # it carries 7.848 N
-    if shape in ("leaning", "mesh"):      # a force through the origin turns them
+    step = body.step(np.zeros((4, 3)), push, 0.1)  # it carries 7.848 N
+    if shape in ("leaning", "mesh"):  # a force through the origin turns them
         push, step = push[1:2], body.step(ZERO, push[1:2], 0.1)
         assert step.at_rest.all()
     else:
@@ -631,18 +631,20 @@ def test_a_step_of_bristles_is_the_sum_of_small_ones() -> None:
     np.testing.assert_allclose(whole, deflection, rtol=1e-3, atol=1e-10)
     np.testing.assert_allclose(mean, impulse / 5e-3, rtol=1e-3, atol=1e-3)
     assert (abs(whole) <= JOINT.largest_deflection).all()
-    assert JOINT.step(1e-5, 0.0, 1.0) == (1e-5, 1.0)     # at rest it is a spring
+    assert JOINT.step(1e-5, 0.0, 1.0) == (1e-5, 1.0)  # at rest it is a spring
 
 
 def test_rate_and_state_keeps_its_formula() -> None:
     # V, θ, μ and its slope in 40 digits, above and below the transition.
-    exact = np.array([
-        (1e-6, 10.0, 0.6000019999999999, 10002.0),
-        (1e-3, 0.01, 0.5674612236050893, 12.0),
-        (1e-33, 1e3, 0.047380344358062154, 9.998466823052081e30),
-        (1e-30, 1.0, 0.013531921056797524, 8.748046244687522e27),
-        (10.0, 1e-6, 20.51940952174521, 2.001),
-    ])
+    exact = np.array(
+        [
+            (1e-6, 10.0, 0.6000019999999999, 10002.0),
+            (1e-3, 0.01, 0.5674612236050893, 12.0),
+            (1e-33, 1e3, 0.047380344358062154, 9.998466823052081e30),
+            (1e-30, 1.0, 0.013531921056797524, 8.748046244687522e27),
+            (10.0, 1e-6, 20.51940952174521, 2.001),
+        ]
+    )
     rock = tribos.RateState(**ROCK, viscous=2.0)
     speed, age, mu, slope = exact.T
     np.testing.assert_allclose(rock.friction(speed, age), mu, rtol=1e-13)
@@ -658,9 +660,11 @@ def test_ages_follow_their_differential_equation(evolution: str) -> None:
     age, speed = np.array([1.0, 10.0, 50.0]), np.array([[1e-6], [3e-6]])
     theta = np.broadcast_to(age, (2, 3))
     for _ in range(2000):
+
         def rate(theta: Any) -> Any:
             slid = speed * theta / 1e-5
             return 1.0 - slid if evolution == "ageing" else -slid * np.log(slid)
+
         theta = theta + 0.005 * rate(theta + 0.0025 * rate(theta))
     np.testing.assert_allclose(rock.step(age, speed, 10.0), theta, rtol=1e-5)
     held = rock.step(2.0, 0.0, 5.0)

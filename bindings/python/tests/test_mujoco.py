@@ -353,9 +353,7 @@ def test_models_can_be_compiled_in_a_pause():
 
 @pytest.mark.parametrize("jacobian", ["dense", "sparse"])
 def test_a_sliding_ball_rolls_at_last_without_loss(jacobian):
-    model, data = world(
-        'type="sphere" size="0.05"', height=0.05, option=f'jacobian="{jacobian}"'
-    )
+    model, data = world('type="sphere" size="0.05"', height=0.05, option=f'jacobian="{jacobian}"')
     ball = tribos.Friction(tribos.hertz(1e-4), mu=0.3)
     with tribos.mujoco.attach(model, data, {"foot": ball}, floor="floor") as feet:
         slide(model, data, 1.0, 0.0, steps=400)

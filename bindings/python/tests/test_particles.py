@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 import pytest
-
 import tribos
 from tribos import cd
 
@@ -51,7 +50,12 @@ def test_a_spinning_ball_is_braked_by_torsion_alone() -> None:
     radius, mu = 0.05, 0.01
     laws = cd.Laws(sliding=0.3, torsion=mu)
     ball = cd.World(
-        [[0, 0, radius]], radius, density=1000.0, spins=[[0, 0, 9.0]], walls=[FLOOR], laws=laws,
+        [[0, 0, radius]],
+        radius,
+        density=1000.0,
+        spins=[[0, 0, 9.0]],
+        walls=[FLOOR],
+        laws=laws,
         gravity=GRAVITY,
     )
     ball.step(100)

@@ -5,7 +5,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 import tribos
 
 # The disk of the first table: R = 8 cm, mu = 0.3, uniform thickness; thrown with 1 m/s.
@@ -46,7 +45,11 @@ def by_ellipsoid(spin: float) -> float:
     return distance
 
 
-METHODS = {"Tribos": by_exact_law, "independent budgets": by_independent_budgets, "ellipsoid": by_ellipsoid}
+METHODS = {
+    "Tribos": by_exact_law,
+    "independent budgets": by_independent_budgets,
+    "ellipsoid": by_ellipsoid,
+}
 
 
 def table(text: str, first: str) -> tuple[list[str], list[list[str]]]:
@@ -91,7 +94,10 @@ def test_errors_of_tiers_are_those_of_the_readme(readme: str, table_of_the_disk)
     for tier, bound in bounds.items():
         wrench = -tribos.Friction(tribos.disk(1.0), mu=1.0, tier=tier).wrench(twists, 1.0)
         moves = slide > 0.0
-        errors = np.abs(wrench[:, 0] - force)[moves] / force[moves], np.abs(wrench[:, 2] / torque - 1)
+        errors = (
+            np.abs(wrench[:, 0] - force)[moves] / force[moves],
+            np.abs(wrench[:, 2] / torque - 1),
+        )
         assert max(error.max() for error in errors) <= 1.5 * bound, tier
 
 

@@ -14,7 +14,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 import tribos
 
 POWDER = tribos.PowderScene(width=8.0, height=24.0, pressure=0.02, steps=400, duration=60.0)

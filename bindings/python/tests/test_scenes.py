@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 import tribos
 from tribos import _native, scenes
 from tribos._scene import subclasses, vocabulary

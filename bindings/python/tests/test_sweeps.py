@@ -14,7 +14,6 @@ import time
 from pathlib import Path
 
 import pytest
-
 import tribos
 from tribos._sweep import Row
 
@@ -73,7 +72,7 @@ def test_a_combination_that_fails_has_a_row_with_the_reason(tmp_path: Path) -> N
 
 
 def test_values_that_are_refused_everywhere_are_refused_at_once() -> None:
-    with pytest.raises(ValueError, match="`spin` must be a finite number, got \"a\""):
+    with pytest.raises(ValueError, match='`spin` must be a finite number, got "a"'):
         tribos.sweep("disk", {"spin": [1.0, "a"], "speed": [1.0, 2.0]})
     with pytest.raises(ValueError, match="unknown key `spinn`"):
         tribos.sweep("disk", {"spinn": [1.0]})

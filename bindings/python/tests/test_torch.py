@@ -2,14 +2,16 @@
 
 import numpy as np
 import pytest
-
 import tribos
 
 torch = pytest.importorskip("torch")
 
 import tribos.torch as tt  # noqa: E402
 
-FRICTIONS = [tribos.Friction(tribos.disk(0.1), mu=0.5), tribos.Friction(tribos.box(0.2, 0.1), mu=0.5)]
+FRICTIONS = [
+    tribos.Friction(tribos.disk(0.1), mu=0.5),
+    tribos.Friction(tribos.box(0.2, 0.1), mu=0.5),
+]
 TWISTS = [[1.0, 0.3, 12.0], [0.1, -0.4, -3.0]]
 PUSHES = [[3.0, 4.0, 0.1], [-9.0, 1.0, 0.2]]
 BODY = {"mass": 2.0, "inertia": 0.006, "dt": 0.01}
@@ -72,7 +74,9 @@ def test_a_gradient_through_a_hundred_steps_is_that_of_differences() -> None:
     def travelled(start):
         twist, way = start, 0.0
         for _ in range(100):
-            after = tt.planar_step(FRICTIONS[0], twist, torch.zeros(3, dtype=torch.float64), 5.0, **BODY).twists
+            after = tt.planar_step(
+                FRICTIONS[0], twist, torch.zeros(3, dtype=torch.float64), 5.0, **BODY
+            ).twists
             way = way + 0.005 * (twist + after)
             twist = after
         return way

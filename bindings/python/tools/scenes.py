@@ -1,6 +1,6 @@
 """Writes python/tribos/scenes.py from the library's tables of keys; a test holds the two together.
 
-    python tools/scenes.py
+python tools/scenes.py
 """
 
 from __future__ import annotations

@@ -46,9 +46,7 @@ class AnyPressure:
     load: float
     _handle: _native.AnyPressure
 
-    def __init__(
-        self, corners: ArrayLike, centre: Pair, mu: float, load: float
-    ) -> None:
+    def __init__(self, corners: ArrayLike, centre: Pair, mu: float, load: float) -> None:
         places = table("corners", corners, 2).copy()
         places.flags.writeable = False
         self.corners = places
@@ -120,9 +118,7 @@ class AnyPressure:
         return hash((self.corners.tobytes(), self.centre, self.mu, self.load))
 
 
-def any_pressure(
-    corners: ArrayLike, centre: Pair, mu: float, load: float
-) -> AnyPressure:
+def any_pressure(corners: ArrayLike, centre: Pair, mu: float, load: float) -> AnyPressure:
     """The wrenches that friction of a support can carry if only the centre of pressure is known.
 
     Load and centre of pressure of a foot on the floor are measured, the pressure is not. What this set

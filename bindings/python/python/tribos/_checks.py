@@ -30,12 +30,20 @@ def positive(name: str, value: object) -> float:
     return made
 
 
+def reals(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """An array of one's own, of real numbers."""
+    try:
+        array = np.asarray(value)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name} must be real numbers: {error}") from None
+    if array.dtype.kind not in "fiub":
+        raise ValueError(f"{name} must be real numbers, not {array.dtype}")
+    return np.array(array, dtype=np.float64)
+
+
 def table(name: str, value: ArrayLike, columns: int) -> NDArray[np.float64]:
     """Rows of finite numbers."""
-    try:
-        array = np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name} must be rows of {columns} numbers: {error}") from None
+    array = reals(name, value)
     if array.ndim != 2 or array.shape[1] != columns:
         raise ValueError(f"{name} must have shape (n, {columns}), not {array.shape}")
     if not np.isfinite(array).all():

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
-from tribos._checks import number
+from tribos._checks import number, reals
 from tribos._patches import Patch
 
 Array = NDArray[np.float64]
@@ -105,9 +105,7 @@ class Spheres:
 
     def moving(self, velocity: ArrayLike, spin: ArrayLike) -> Spheres:
         """The same spheres with another motion."""
-        return Spheres(
-            velocity, spin, mass=self.mass, radius=self.radius, inertia=self.inertia
-        )
+        return Spheres(velocity, spin, mass=self.mass, radius=self.radius, inertia=self.inertia)
 
     def _after(self, velocity: Array, spin: Array) -> Spheres:
         """The same spheres with the motions of an answer, which need no checks."""
@@ -153,9 +151,7 @@ class Plates:
     velocity: Array
     mass: Array
 
-    def __init__(
-        self, velocity: ArrayLike = (0.0, 0.0, 0.0), *, mass: ArrayLike = np.inf
-    ) -> None:
+    def __init__(self, velocity: ArrayLike = (0.0, 0.0, 0.0), *, mass: ArrayLike = np.inf) -> None:
         object.__setattr__(self, "velocity", _vectors("velocity", velocity))
         object.__setattr__(self, "mass", _positive("mass", mass))
 
@@ -415,9 +411,7 @@ def collide(
     # The answer in parts: no part refers to the whole.
     after = first._after(answer[..., 0:3].copy(), answer[..., 3:6].copy())
     if isinstance(second, Spheres):
-        other: Spheres | Plates = second._after(
-            answer[..., 6:9].copy(), answer[..., 9:12].copy()
-        )
+        other: Spheres | Plates = second._after(answer[..., 6:9].copy(), answer[..., 9:12].copy())
     else:
         other = Plates(answer[..., 6:9].copy(), mass=second.mass)
     return Collision(
@@ -441,10 +435,7 @@ def _put(rows: Array, at: int, body: Spheres | Plates) -> None:
 
 
 def _array(name: str, value: ArrayLike) -> Array:
-    try:
-        array = np.array(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name} must be real numbers: {error}") from None
+    array = reals(name, value)
     array.flags.writeable = False
     return array
 

@@ -80,7 +80,9 @@ class Friction:
         parameters = self.law.parameters
         dry = self.law.name == "power" and parameters["alpha"] == 0.0
         if self.law.name != "coulomb" and not dry:
-            raise ValueError(f"{self.law!r} has no limit surface: its friction depends on the speed")
+            raise ValueError(
+                f"{self.law!r} has no limit surface: its friction depends on the speed"
+            )
         return parameters["gamma" if dry else "mu"]
 
     def wrench(self, twists: ArrayLike, load: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:

@@ -464,4 +464,3 @@ def length_of(friction: Friction, length: float | None) -> float:
         return positive("length", length)
     x, y = friction.patch.centre
     return friction.patch.radius + math.hypot(x, y)
-

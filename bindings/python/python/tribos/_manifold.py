@@ -318,9 +318,7 @@ def _restored(
     for body, (velocity, spin) in zip(bodies, motions):
         if len(body) == 3:
             mass, inertia, radius = body
-            made.add_sphere(
-                mass=mass, radius=radius, velocity=velocity, spin=spin, inertia=inertia
-            )
+            made.add_sphere(mass=mass, radius=radius, velocity=velocity, spin=spin, inertia=inertia)
         else:
             made.add_plate(velocity=velocity, mass=body[0])
     for first, second, normal, gap in contacts:

@@ -319,9 +319,7 @@ def mesh(vertices: ArrayLike, triangles: ArrayLike, pressure: ArrayLike) -> Patc
     if indices.ndim != 2 or indices.shape[1] != 3 or indices.dtype.kind not in "iu":
         raise ValueError("triangles must be integers of shape (m, 3)")
     if len(values) != len(places):
-        raise ValueError(
-            f"pressure must have one value a vertex: {len(places)}, not {len(values)}"
-        )
+        raise ValueError(f"pressure must have one value a vertex: {len(places)}, not {len(values)}")
     if indices.size and (indices.min() < 0 or indices.max() >= len(places)):
         raise ValueError(f"triangles must index the {len(places)} vertices, from 0 on")
     rows = np.hstack((places, values))

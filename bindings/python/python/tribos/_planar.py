@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
-from tribos._checks import positive
+from tribos._checks import positive, reals
 from tribos._friction import Friction
 
 
@@ -219,9 +219,7 @@ class PlanarBody:
         """
         bodies = self._given(load, dt)
         patch = self.friction.patch._handle
-        return Rollout(
-            *_native.planar_rollout(patch, self._surface, bodies, twists, pushes, poses)
-        )
+        return Rollout(*_native.planar_rollout(patch, self._surface, bodies, twists, pushes, poses))
 
     def energy(self, twists: ArrayLike) -> Any:
         """Kinetic energy in J at twists of shape (..., 3)."""
@@ -256,10 +254,7 @@ def _made(friction: Friction, mass: Any, inertia: Any, load: Any) -> PlanarBody:
 
 def _kept(name: str, value: ArrayLike) -> Any:
     """A number, or an array of one's own."""
-    try:
-        array = np.array(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name} must be real numbers: {error}") from None
+    array = reals(name, value)
     array.flags.writeable = False
     return float(array) if array.ndim == 0 else array
 

@@ -36,7 +36,9 @@ def axes(ax: Any, *, projection: str | None = None) -> Any:
     if ax is None:
         return plt.figure().add_subplot(projection=projection)
     if projection == "3d" and not hasattr(ax, "plot_surface"):
-        raise ValueError("ax must be in three dimensions: plt.figure().add_subplot(projection='3d')")
+        raise ValueError(
+            "ax must be in three dimensions: plt.figure().add_subplot(projection='3d')"
+        )
     return ax
 
 
@@ -115,9 +117,7 @@ def svg(patch: Patch) -> str:
         if shape[0] == "circle":
             r = round(radius, 2)
             right, left = round(x + r, 2), round(x - r, 2)
-            paths.append(
-                f"M {right} {y} A {r} {r} 0 1 0 {left} {y} A {r} {r} 0 1 0 {right} {y} Z"
-            )
+            paths.append(f"M {right} {y} A {r} {r} 0 1 0 {left} {y} A {r} {r} 0 1 0 {right} {y} Z")
         else:
             x, y = at(shape[2])
             parts.append(f'<circle cx="{x}" cy="{y}" r="{round(shape[1], 2)}" fill="#4c78a8"/>')

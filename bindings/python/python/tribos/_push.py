@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
-from tribos._checks import number, pair, positive
+from tribos._checks import number, pair, positive, reals
 from tribos._patches import Patch, outline
 from tribos._surface import LimitSurface
 
@@ -51,6 +51,8 @@ class PointContact:
     def __init__(self, position: ArrayLike, normal: ArrayLike, mu: ArrayLike) -> None:
         places, normals = _rows("position", position, 2), _rows("normal", normal, 2)
         coefficients = _rows("mu", mu, 0)
+        if not np.all(np.any(normals != 0.0, axis=-1)):
+            raise ValueError("normal must not be zero")
         if not np.all(coefficients >= 0.0):
             raise ValueError("mu must be >= 0")
         rows = _joined(places, normals, coefficients[..., np.newaxis])
@@ -212,6 +214,7 @@ def motion_cone(surface: LimitSurface, contact: PointContact) -> MotionCone:
     >>> print(tribos.motion_cone(puck, finger).angles.round(4))            # rad
     [-1.0592  1.0592]
     """
+    _check(surface, contact)
     rows = _native.motion_cone(surface._handle, surface.force_limit, contact._rows)
 
     def edge(at: int) -> ConeEdge:
@@ -253,6 +256,7 @@ def push(surface: LimitSurface, contact: PointContact, velocity: ArrayLike) -> P
     >>> print(moved.twist.round(4))
     [-0.0046  0.0164  0.0729]
     """
+    _check(surface, contact)
     velocities = _rows("velocity", velocity, 2)
     rows = _joined(contact._rows, velocities)
     return _push(_native.pushes(surface._handle, surface.force_limit, rows))
@@ -302,6 +306,7 @@ def push_along(
     >>> path.end, path.position.shape, round(float(path.angle[-1]), 4)     # rad
     ('done', (101, 2), 0.8386)
     """
+    _check(surface, contact)
     force_limit = _one_load(surface)
     if contact._rows.shape != (5,):
         raise ValueError("a path has one contact, not a batch")
@@ -408,6 +413,7 @@ class LineContact:
         twists
             Motions in the coordinates of the body, of shape (..., 3).
         """
+        _check(surface, self)
         rows = _native.line_grip(surface._handle, surface.force_limit, self._row, twists)
         return Grip(
             is_stable=rows[..., 0] == 1.0,
@@ -425,12 +431,11 @@ class LineContact:
             Twists of shape (4 * count, 3), scaled as `LimitSurface.normal` does; the centre of rotation
             of one is ``(-velocity_y, velocity_x) / spin``.
         """
+        _check(surface, self)
         many = int(count)
         if many <= 0:
             raise ValueError(f"count must be a whole number > 0, not {count!r}")
-        return np.array(
-            _native.line_boundary(surface._handle, _one_load(surface), self._row, many)
-        )
+        return np.array(_native.line_boundary(surface._handle, _one_load(surface), self._row, many))
 
     def __repr__(self) -> str:
         return f"tribos.LineContact({list(self.first)}, {list(self.second)}, mu={self.mu!r})"
@@ -481,6 +486,13 @@ def _push(rows: Array) -> Push:
     )
 
 
+def _check(surface: object, contact: object) -> None:
+    if not isinstance(surface, LimitSurface):
+        raise ValueError(f"the surface must be a tribos.LimitSurface, not {surface!r}")
+    if not isinstance(contact, (LineContact, PointContact)):
+        raise ValueError(f"the contact must be a tribos.PointContact, not {contact!r}")
+
+
 def _one_load(surface: LimitSurface) -> float:
     if np.ndim(surface.force_limit) != 0:
         raise ValueError("the limit surface must have one load, not an array of them")
@@ -489,10 +501,7 @@ def _one_load(surface: LimitSurface) -> float:
 
 def _rows(name: str, value: ArrayLike, columns: int) -> Array:
     """Finite numbers, in rows of so many unless that is 0."""
-    try:
-        array = np.array(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name} must be real numbers: {error}") from None
+    array = reals(name, value)
     if columns and (array.ndim == 0 or array.shape[-1] != columns):
         raise ValueError(f"{name} must have shape (..., {columns}), not {array.shape}")
     if not np.isfinite(array).all():

@@ -6,8 +6,10 @@ import csv
 import html
 import json
 import os
+import shutil
 import sys
 import tempfile
+import weakref
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -36,7 +38,7 @@ class Run:
     _columns: tuple[str, ...]
     _rows: NDArray[np.float64]
     _folder: Path | None
-    _held: tempfile.TemporaryDirectory[str] | None
+    _held: _Held | None
     _frames: Frames
     _ends: tuple[State | None, State | None]
 
@@ -48,7 +50,7 @@ class Run:
         frames: Frames,
         ends: tuple[State | None, State | None],
         folder: Path | None = None,
-        held: tempfile.TemporaryDirectory[str] | None = None,
+        held: _Held | None = None,
     ) -> None:
         self._summary = summary
         self._columns = columns
@@ -239,7 +241,7 @@ def run(
     elif resume and not Path(out).is_dir():
         # Nothing is there yet: it starts.
         resume = False
-    held = None if out is not None else tempfile.TemporaryDirectory(prefix="tribos-")
+    held = None if out is not None else _Held()
     folder = Path(held.name if held is not None else os.fspath(out))  # type: ignore[arg-type]
     line = Line() if progress is True else None
     told = line if isinstance(progress, bool) else progress
@@ -282,7 +284,7 @@ def open_run(folder: str | os.PathLike[str]) -> Run:
     return _opened(place, None)
 
 
-def _opened(folder: Path, held: tempfile.TemporaryDirectory[str] | None) -> Run:
+def _opened(folder: Path, held: _Held | None) -> Run:
     summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
     with (folder / "series.csv").open(encoding="utf-8", newline="") as file:
         columns = tuple(next(csv.reader(file)))
@@ -290,6 +292,14 @@ def _opened(folder: Path, held: tempfile.TemporaryDirectory[str] | None) -> Run:
     ends = read_state(folder, "initial"), read_state(folder, "final")
     frames = Frames(folder / "frames")
     return Run(summary, columns, rows, frames, ends, None if held is not None else folder, held)
+
+
+class _Held:
+    """A folder that goes with the last object that holds it."""
+
+    def __init__(self) -> None:
+        self.name = tempfile.mkdtemp(prefix="tribos-")
+        weakref.finalize(self, shutil.rmtree, self.name, ignore_errors=True)
 
 
 def of(scene: Scene | str | os.PathLike[str]) -> Scene:

@@ -156,9 +156,7 @@ class Scene:
     def values(self) -> dict[str, Any]:
         """Keys and values in force, as the summaries of runs have them; None for what is off."""
         settings = [f"{key}={value}" for key, value in self._settings()]
-        values: dict[str, Any] = _native.scene_of_settings(
-            type(self).__name__, self.BODY, settings
-        )
+        values: dict[str, Any] = _native.scene_of_settings(type(self).__name__, self.BODY, settings)
         return values
 
     def replace(self: S, **changes: object) -> S:

@@ -234,9 +234,7 @@ class RateState:
         """Its parameters, as the class takes them, without the evolution."""
         return dict(zip(_RATE_STATE, self._parameters, strict=True))
 
-    def friction(
-        self, speed: ArrayLike, age: ArrayLike, *, out: NDArray[Any] | None = None
-    ) -> Any:
+    def friction(self, speed: ArrayLike, age: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
         """Friction per load at speeds in m/s and ages in s; 0 at rest."""
         return self._handle.friction(speed, age, out)
 

@@ -65,9 +65,7 @@ class Frames(Sequence[Frame]):
             self._steps = [frame.step for frame in kept]
         else:
             self._steps = [] if self._film is None else self._film.steps()
-        self._radii: Floats = (
-            np.empty(0) if self._film is None else self._film.bodies()["radii"]
-        )
+        self._radii: Floats = np.empty(0) if self._film is None else self._film.bodies()["radii"]
 
     @property
     def steps(self) -> list[int]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
-from tribos._checks import number
+from tribos._checks import number, reals
 from tribos._patches import Patch
 from tribos._plot import html, plot_surface, short
 
@@ -55,10 +55,7 @@ class LimitSurface:
         self.mu = number("mu", mu)
         if self.mu < 0.0:
             raise ValueError(f"mu must be >= 0, not {mu!r}")
-        try:
-            loads = np.array(load, dtype=np.float64)
-        except (TypeError, ValueError) as error:
-            raise ValueError(f"load must be real numbers: {error}") from None
+        loads = reals("load", load)
         if not np.all((loads >= 0.0) & (loads < np.inf)):
             raise ValueError("load must be >= 0 and finite")
         loads.flags.writeable = False
@@ -227,10 +224,13 @@ class LimitSurface:
             ("largest torque", short(self.torque_limit, "N m")),
         ]
         return html("Limit surface", rows, self.patch)
+
     def _slopes(self) -> _native.SurfaceDerivatives:
         from tribos import _gradients
 
-        made = _gradients.derivatives_of_ellipsoids if self.is_ellipsoid else _gradients.derivatives_of
+        made = (
+            _gradients.derivatives_of_ellipsoids if self.is_ellipsoid else _gradients.derivatives_of
+        )
         return made(self.patch)
 
     def gauge_gradient(self, wrenches: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:

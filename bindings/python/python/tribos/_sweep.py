@@ -24,9 +24,7 @@ PAUSE = 0.1
 """Time in s from one look for signals and finished runs to the next."""
 
 
-def run_case(
-    scene: str, overrides: Mapping[str, object] | None = None, *, threads: int = 1
-) -> Row:
+def run_case(scene: str, overrides: Mapping[str, object] | None = None, *, threads: int = 1) -> Row:
     """One run of a sweep as a row: a plain function of plain arguments, for any pool of workers.
 
     Parameters

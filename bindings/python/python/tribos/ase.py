@@ -83,7 +83,10 @@ class Calculator(_base.Calculator):  # type: ignore[misc]
         cell, periodic = self.atoms.cell.array, self.atoms.pbc
         if not np.array_equal(cell[periodic], np.diag(np.diag(cell))[periodic]):
             raise ValueError("the cell must have right angles, its periodic sides along x, y and z")
-        sides = [float(side) if is_periodic else None for side, is_periodic in zip(np.diag(cell), periodic)]
+        sides = [
+            float(side) if is_periodic else None
+            for side, is_periodic in zip(np.diag(cell), periodic)
+        ]
         # As many copies of the cell as the cut-off needs.
         copies = [1 if side is None else math.ceil(2.0 * self._reach / side) for side in sides]
         shifts = np.indices(copies).reshape(3, -1).T * np.diag(cell)

@@ -46,7 +46,17 @@ from tribos._friction import Friction
 from tribos._gradients import Operation, length_of
 from tribos._planar import Step
 
-__all__ = ["Slide", "Step", "gauge", "normal", "planar_step", "project", "slide", "support", "wrench"]
+__all__ = [
+    "Slide",
+    "Step",
+    "gauge",
+    "normal",
+    "planar_step",
+    "project",
+    "slide",
+    "support",
+    "wrench",
+]
 
 
 class Slide(NamedTuple):
@@ -229,7 +239,9 @@ def _apply(operation: Operation, *given: Any) -> tuple[Any, ...]:
             raise ValueError(f"twists and wrenches must have shape (..., {row}), not {array.shape}")
     ranks = [array.ndim - (row > 0) for array, row in zip(arrays, operation.inputs, strict=True)]
     missing = [(1,) * (max(ranks) - rank) for rank in ranks]
-    aligned = [array.reshape(more + array.shape) for array, more in zip(arrays, missing, strict=True)]
+    aligned = [
+        array.reshape(more + array.shape) for array, more in zip(arrays, missing, strict=True)
+    ]
     made: tuple[Any, ...] = _operate(operation, *aligned)
     return made
 
@@ -287,7 +299,9 @@ def _rule(
     rates = [jnp.zeros_like(value) for value in values]
     for (output, at), matrix in zip(pairs, found[count:], strict=True):
         i, j = "i" if operation.outputs[output] else "", "j" if operation.inputs[at] else ""
-        rates[output] = rates[output] + jnp.einsum(f"...{i}{j},...{j}->...{i}", matrix, tangents[at])
+        rates[output] = rates[output] + jnp.einsum(
+            f"...{i}{j},...{j}->...{i}", matrix, tangents[at]
+        )
     return tuple(values), tuple(rates)
 
 

@@ -75,7 +75,9 @@ class LennardJones:
     ) -> None:
         try:
             rows = np.stack(
-                np.broadcast_arrays(*np.atleast_1d(*(np.asarray(x, float) for x in (epsilon, sigma, cutoff)))),
+                np.broadcast_arrays(
+                    *np.atleast_1d(*(np.asarray(x, float) for x in (epsilon, sigma, cutoff)))
+                ),
                 axis=-1,
             )
         except (TypeError, ValueError):
@@ -106,9 +108,7 @@ class LennardJones:
     def __repr__(self) -> str:
         species, mixing, shift = self._arguments
         epsilon, sigma, cutoff = ([row[at] for row in species] for at in range(3))
-        return (
-            f"LennardJones({epsilon}, {sigma}, {cutoff}, shift={shift!r}, mixing={mixing!r})"
-        )
+        return f"LennardJones({epsilon}, {sigma}, {cutoff}, shift={shift!r}, mixing={mixing!r})"
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, LennardJones) and self._arguments == other._arguments
@@ -210,7 +210,9 @@ class System:
             raise ValueError(f"thermostat must be NoseHoover, Langevin or None, not {thermostat!r}")
         options: dict[str, Any] = {
             "species": _species(species, len(places)),
-            "masses": [float(mass) for mass in np.broadcast_to(np.asarray(masses, float), (kinds,))],
+            "masses": [
+                float(mass) for mass in np.broadcast_to(np.asarray(masses, float), (kinds,))
+            ],
             "periods": period,
             "thermostat": bath,
             "integrator": integrator,
@@ -293,7 +295,9 @@ class System:
         return len(self._arguments[1]["species"])
 
     def __repr__(self) -> str:
-        return f"System({len(self)} atoms, time={self.time:.6g}, temperature={self.temperature:.4g})"
+        return (
+            f"System({len(self)} atoms, time={self.time:.6g}, temperature={self.temperature:.4g})"
+        )
 
     def __reduce__(self) -> tuple[Any, ...]:
         potential, options = self._arguments

@@ -51,10 +51,10 @@ from contextlib import contextmanager
 from types import TracebackType
 from typing import Any, NamedTuple
 
-import mujoco  # type: ignore[import-untyped]
 import numpy as np
 from numpy.typing import NDArray
 
+import mujoco
 from tribos import _native
 from tribos._friction import Friction
 
@@ -330,10 +330,20 @@ class _State:
             (data.xpos, data.xmat),
             (data.site_xpos, data.site_xmat),
         )
-        rows = [array[row] for foot in given for table, row in [foot.frame] for array in frames[table]]
+        rows = [
+            array[row] for foot in given for table, row in [foot.frame] for array in frames[table]
+        ]
         memory, places = _memory(
             data,
-            [data.qvel, data.qacc, data.qfrc_passive, data.cdof, data.subtree_com, data.ximat, *rows],
+            [
+                data.qvel,
+                data.qacc,
+                data.qfrc_passive,
+                data.cdof,
+                data.subtree_com,
+                data.ximat,
+                *rows,
+            ],
         )
         velocity, acceleration, force, axes, centres, inertias, *others = places
         self.native = _native.MujocoFeet(
@@ -516,7 +526,9 @@ def _index(model: Any, kind: str, name: object) -> int:
             mujoco.mj_id2name(model, kinds[kind], index) for index in range(count)
         )
         known = ", ".join(repr(one) for one in names if one)
-        raise ValueError(f"the model has no {kind} {name!r}; its named {kind}s are: {known or 'none'}")
+        raise ValueError(
+            f"the model has no {kind} {name!r}; its named {kind}s are: {known or 'none'}"
+        )
     return int(index)
 
 

@@ -39,7 +39,17 @@ from tribos._friction import Friction
 from tribos._gradients import Operation, length_of
 from tribos._planar import Step
 
-__all__ = ["Slide", "Step", "gauge", "normal", "planar_step", "project", "slide", "support", "wrench"]
+__all__ = [
+    "Slide",
+    "Step",
+    "gauge",
+    "normal",
+    "planar_step",
+    "project",
+    "slide",
+    "support",
+    "wrench",
+]
 
 
 class Slide(NamedTuple):
