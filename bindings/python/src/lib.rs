@@ -37,13 +37,13 @@ mod _native {
     use super::*;
 
     #[pymodule_export]
+    use crate::command::{command, host};
+    #[pymodule_export]
     use any_pressure::AnyPressure;
     #[pymodule_export]
     use atoms::{Potential, System};
     #[pymodule_export]
     use contact::ContactLaw;
-    #[pymodule_export]
-    use crate::command::{command, host};
     #[pymodule_export]
     use fit::{fit_law, fit_laws, fit_support, predict_law};
     #[pymodule_export]
