@@ -2,8 +2,7 @@
 
 use crate::arrays::{Numbers, Output, Rows, broadcast, refused};
 use crate::law::Law;
-use crate::model::loads_over;
-use crate::model::{Batch, Model, model};
+use crate::model::{Batch, Model, loads_over, model};
 use crate::patch::{Patch, Shape};
 use crate::threads::fill;
 use pyo3::prelude::*;
@@ -15,6 +14,32 @@ pub struct Friction {
     model: Box<dyn Model>,
     /// Nanoseconds that a wrench takes, about.
     cost: usize,
+}
+
+impl Friction {
+    /// What `work` makes of loads and twists, in rows of `shape`.
+    fn each<'py, const N: usize>(
+        &self,
+        [twists, load]: [&Bound<'py, PyAny>; 2],
+        out: Option<&Bound<'py, PyAny>>,
+        (shape, cost): (&[usize], usize),
+        work: impl Fn(Batch<'_>, usize, &mut [[f64; N]]) + Sync,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (py, rows) = (twists.py(), Rows::<3>::new("twists", twists)?);
+        let loads = Numbers::new("load", load)?;
+        let batch = broadcast(&[&rows, &loads])?;
+        let (rows, loads) = (rows.over(&batch)?, loads_over(loads, &batch)?);
+        let given = Batch {
+            loads: loads.view()?,
+            twists: rows.view()?,
+        };
+        let mut output = Output::new(py, &batch, shape, out)?;
+        fill(py, output.rows::<N>()?, cost, |from, piece| {
+            work(given, from, piece);
+            Ok(())
+        })?;
+        output.finish()
+    }
 }
 
 #[pymethods]
@@ -35,53 +60,27 @@ impl Friction {
     #[pyo3(signature = (twists, load, out=None))]
     fn wrench<'py>(
         &self,
-        py: Python<'py>,
         twists: &Bound<'py, PyAny>,
         load: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let (twists, loads) = (
-            Rows::<3>::new("twists", twists)?,
-            Numbers::new("load", load)?,
-        );
-        let batch = broadcast(&[&twists, &loads])?;
-        let (twists, loads) = (twists.over(&batch)?, loads_over(loads, &batch)?);
-        let rows = Batch {
-            loads: loads.view()?,
-            twists: twists.view()?,
-        };
-        let mut output = Output::new(py, &batch, &[3], out)?;
-        fill(py, output.rows::<3>()?, self.cost, |from, piece| {
-            self.model.wrenches(rows, from, piece);
-            Ok(())
-        })?;
-        output.finish()
+        let rows = (&[3][..], self.cost);
+        self.each([twists, load], out, rows, |batch, from, piece| {
+            self.model.wrenches(batch, from, piece);
+        })
     }
 
     /// Their derivatives.
     #[pyo3(signature = (twists, load, out=None))]
     fn jacobian<'py>(
         &self,
-        py: Python<'py>,
         twists: &Bound<'py, PyAny>,
         load: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let (twists, loads) = (
-            Rows::<3>::new("twists", twists)?,
-            Numbers::new("load", load)?,
-        );
-        let batch = broadcast(&[&twists, &loads])?;
-        let (twists, loads) = (twists.over(&batch)?, loads_over(loads, &batch)?);
-        let rows = Batch {
-            loads: loads.view()?,
-            twists: twists.view()?,
-        };
-        let mut output = Output::new(py, &batch, &[3, 3], out)?;
-        fill(py, output.rows::<9>()?, 3 * self.cost, |from, piece| {
-            self.model.jacobians(rows, from, piece);
-            Ok(())
-        })?;
-        output.finish()
+        let rows = (&[3, 3][..], 3 * self.cost);
+        self.each([twists, load], out, rows, |batch, from, piece| {
+            self.model.jacobians(batch, from, piece);
+        })
     }
 }

@@ -17,27 +17,22 @@ pub struct LimitSurface {
 /// Nanoseconds that a projection takes, about.
 const COST: usize = 500;
 
-/// Force limits or a length, and rows, of a method, with the caller's array for results.
-struct Call<'a, 'py, const N: usize> {
-    limits: &'a Bound<'py, PyAny>,
-    rows: Rows<'py, N>,
-    out: Option<&'a Bound<'py, PyAny>>,
-}
-
 impl LimitSurface {
-    /// What `of` makes of the surface and of each row, in rows of `shape`.
+    /// What `of` makes of the surface of a force limit and of each row that is called `name`.
     fn each<'py, const N: usize, const M: usize>(
         &self,
-        py: Python<'py>,
-        call: Call<'_, 'py, N>,
-        shape: &[usize],
+        [limits, rows]: [&Bound<'py, PyAny>; 2],
+        name: &'static str,
+        out: Option<&Bound<'py, PyAny>>,
         of: impl Fn(&dyn FrictionSet<f64>, [f64; N]) -> [f64; M] + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let Call { limits, rows, out } = call;
+        let (py, rows) = (rows.py(), Rows::<N>::new(name, rows)?);
         let limits = Numbers::new("force limit", limits)?;
         let batch = broadcast(&[&rows, &limits])?;
         let (rows, limits) = (rows.over(&batch)?, limits.over(&batch)?);
         let (rows, limits) = (rows.view()?, limits.view()?);
+        // A number, not a row of one.
+        let shape: &[usize] = if M == 1 { &[] } else { &[M] };
         let mut output = Output::new(py, &batch, shape, out)?;
         fill(py, output.rows::<M>()?, COST, |from, piece| {
             if let View::One([limit]) = limits {
@@ -110,54 +105,37 @@ impl LimitSurface {
     #[pyo3(signature = (force_limit, wrenches, out=None))]
     fn gauge<'py>(
         &self,
-        py: Python<'py>,
         force_limit: &Bound<'py, PyAny>,
         wrenches: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let rows = Rows::<3>::new("wrenches", wrenches)?;
-        let call = Call {
-            limits: force_limit,
-            rows,
-            out,
-        };
-        self.each(py, call, &[], |set, row| [set.gauge(&wrench_of(row))])
+        self.each([force_limit, wrenches], "wrenches", out, |set, row| {
+            [set.gauge(&wrench_of(row))]
+        })
     }
 
     /// Support function at twists: the dissipated power, in W.
     #[pyo3(signature = (force_limit, twists, out=None))]
     fn support<'py>(
         &self,
-        py: Python<'py>,
         force_limit: &Bound<'py, PyAny>,
         twists: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let rows = Rows::<3>::new("twists", twists)?;
-        let call = Call {
-            limits: force_limit,
-            rows,
-            out,
-        };
-        self.each(py, call, &[], |set, row| [set.support(&twist_of(row))])
+        self.each([force_limit, twists], "twists", out, |set, row| {
+            [set.support(&twist_of(row))]
+        })
     }
 
     /// Friction at twists: points of the surface.
     #[pyo3(signature = (force_limit, twists, out=None))]
     fn wrench<'py>(
         &self,
-        py: Python<'py>,
         force_limit: &Bound<'py, PyAny>,
         twists: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let rows = Rows::<3>::new("twists", twists)?;
-        let call = Call {
-            limits: force_limit,
-            rows,
-            out,
-        };
-        self.each(py, call, &[3], |set, row| {
+        self.each([force_limit, twists], "twists", out, |set, row| {
             numbers(&set.wrench(&twist_of(row)))
         })
     }
@@ -166,18 +144,11 @@ impl LimitSurface {
     #[pyo3(signature = (force_limit, wrenches, out=None))]
     fn normal<'py>(
         &self,
-        py: Python<'py>,
         force_limit: &Bound<'py, PyAny>,
         wrenches: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let rows = Rows::<3>::new("wrenches", wrenches)?;
-        let call = Call {
-            limits: force_limit,
-            rows,
-            out,
-        };
-        self.each(py, call, &[3], |set, row| {
+        self.each([force_limit, wrenches], "wrenches", out, |set, row| {
             twist_numbers(&set.twist_normal_to(&wrench_of(row)))
         })
     }
@@ -186,18 +157,11 @@ impl LimitSurface {
     #[pyo3(signature = (force_limit, wrenches, out=None))]
     fn scale_to_surface<'py>(
         &self,
-        py: Python<'py>,
         force_limit: &Bound<'py, PyAny>,
         wrenches: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let rows = Rows::<3>::new("wrenches", wrenches)?;
-        let call = Call {
-            limits: force_limit,
-            rows,
-            out,
-        };
-        self.each(py, call, &[3], |set, row| {
+        self.each([force_limit, wrenches], "wrenches", out, |set, row| {
             numbers(&set.scale_to_surface(&wrench_of(row)))
         })
     }
@@ -206,7 +170,6 @@ impl LimitSurface {
     #[pyo3(signature = (force_limit, wrenches, length=None, out=None))]
     fn project<'py>(
         &self,
-        py: Python<'py>,
         force_limit: &Bound<'py, PyAny>,
         wrenches: &Bound<'py, PyAny>,
         length: Option<f64>,
@@ -217,13 +180,7 @@ impl LimitSurface {
                 "length must be > 0 and finite, not {length}"
             )));
         }
-        let rows = Rows::<3>::new("wrenches", wrenches)?;
-        let call = Call {
-            limits: force_limit,
-            rows,
-            out,
-        };
-        self.each(py, call, &[3], |set, row| {
+        self.each([force_limit, wrenches], "wrenches", out, |set, row| {
             let length = length.unwrap_or(set.radius());
             numbers(&set.project_with_length(&wrench_of(row), length).wrench)
         })
