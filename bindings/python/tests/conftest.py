@@ -2,10 +2,14 @@
 
 import csv
 import os
+import signal
 from pathlib import Path
 
 import numpy as np
 import pytest
+
+# A shell that starts the tests in the background has them ignore Ctrl-C.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 HERE = Path(__file__).resolve().parent
 REPOSITORY = Path(os.environ.get("TRIBOS_REPOSITORY", HERE.parents[2])).resolve()

@@ -168,4 +168,18 @@ def test_a_limit_surface_is_pickled() -> None:
     for thing in (surface, surface.ellipsoid()):
         other = pickle.loads(pickle.dumps(thing))
         assert np.array_equal(other.gauge(push), thing.gauge(push))
+        assert other == thing and hash(other) == hash(thing)
         assert repr(other) == repr(thing)
+
+
+@pytest.mark.parametrize(
+    ("thing", "name"),
+    [(PUCK, "law"), (PUCK.patch, "kind"), (PUCK.law, "name"), (PUCK.limit_surface(1.0), "load")],
+)
+def test_objects_do_not_change(thing: object, name: str) -> None:
+    before = repr(thing)
+    with pytest.raises(AttributeError):
+        setattr(thing, name, 1.0)
+    with pytest.raises(AttributeError):
+        delattr(thing, name)
+    assert repr(thing) == before

@@ -45,20 +45,27 @@ def hint(key: dict[str, Any]) -> str:
 
 
 def field(key: dict[str, Any]) -> str:
-    """A field with its documentation."""
+    """A field with its default."""
     name, default = field_name(key["name"]), key["default"]
     value = f'"{default}"' if isinstance(default, str) else repr(default)
     line = f"    {name}: {hint(key)} = {value}\n"
     if len(line) > WIDTH:
         line = f"    {name}: {hint(key)} = (\n        {value}\n    )\n"
+    return line
+
+
+def meaning(key: dict[str, Any]) -> str:
+    """A field's documentation, in its class'."""
     unit = "" if key["unit"] == "-" else f" *Unit*: {key['unit']}."
-    text = f'"""{key["meaning"]}{unit} *Value*: {key["values"]}."""'.replace("\\", "\\\\")
-    if '."."""' in text or text.endswith('""""'):
-        text = text[:-3] + ' """'
+    text = f"{key['meaning']}{unit} *Value*: {key['values']}.".replace("\\", "\\\\")
     filled = textwrap.fill(
-        text, WIDTH, initial_indent="    ", subsequent_indent="    ", break_long_words=False
+        text,
+        WIDTH,
+        initial_indent="        ",
+        subsequent_indent="        ",
+        break_long_words=False,
     )
-    return f"{line}{filled}\n"
+    return f"    {field_name(key['name'])}\n{filled}\n"
 
 
 def generated() -> str:
@@ -70,7 +77,8 @@ def generated() -> str:
         names.append(name)
         parts.append(
             f"\n\n@dataclass(frozen=True, kw_only=True, slots=True)\nclass {name}(Scene):\n"
-            f'    """{known["title"]}."""\n\n'
+            f'    """{known["title"]}.\n\n    Parameters\n    ----------\n'
+            f'{"".join(map(meaning, known["keys"]))}    """\n\n'
             f'    BODY: ClassVar[str] = "{known["body"]}"\n\n'
         )
         parts.append("".join(map(field, known["keys"])))

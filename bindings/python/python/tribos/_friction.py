@@ -7,13 +7,14 @@ from typing import Any
 from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
+from tribos._frozen import Frozen
 from tribos._laws import Law, law_of
 from tribos._patches import Patch
 from tribos._plot import html, short
 from tribos._surface import LimitSurface
 
 
-class Friction:
+class Friction(Frozen):
     """Friction of a patch under a law of the local speed.
 
     Every element of the patch resists along its own velocity ``v + spin × r``; force and torque are
@@ -69,10 +70,9 @@ class Friction:
     ) -> None:
         if not isinstance(patch, Patch):
             raise ValueError(f"the patch must be made by tribos.disk and the like, not {patch!r}")
-        self.patch = patch
-        self.law = law_of(mu, law, alpha)
-        self.tier = tier
-        self._handle = _native.Friction(patch._handle, self.law._handle, tier)
+        chosen = law_of(mu, law, alpha)
+        handle = _native.Friction(patch._handle, chosen._handle, tier)
+        self._keep(patch=patch, law=chosen, tier=tier, _handle=handle)
 
     @property
     def mu(self) -> float:
@@ -109,8 +109,9 @@ class Friction:
     ) -> Any:
         """Derivatives of `wrench` with respect to the twist, of shape (..., 3, 3), symmetric.
 
-        At rest they are infinite for dry friction: a law that is smooth there, such as
-        ``Law("power", gamma=…, alpha=1)`` or a Stribeck law with ``k``, has numbers.
+        At rest dry friction has no derivative: on round patches the result is the limit of damping, which is
+        infinite; on straight edges and points what does not move is left out, which gives 0. A law that
+        is smooth there, such as `softened` or ``Law("power", gamma=…, alpha=1)``, has its slope.
 
         Examples
         --------

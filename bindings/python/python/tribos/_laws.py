@@ -9,9 +9,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
 from tribos._checks import number
+from tribos._frozen import Frozen
 
 
-class Law:
+class Law(Frozen):
     """A law of the local sliding speed: friction per load as a function of the speed.
 
     Parameters
@@ -43,7 +44,7 @@ class Law:
         if parameters:
             given = [f"{key}={number(key, value)!r}" for key, value in parameters.items()]
             text = f"{name}{',' if ':' in name else ':'}{','.join(given)}"
-        self._handle = _native.Law(text)
+        self._keep(_handle=_native.Law(text))
 
     @property
     def text(self) -> str:

@@ -10,13 +10,14 @@ from numpy.typing import ArrayLike
 
 from tribos import _native
 from tribos._checks import number, pair, positive, table
+from tribos._frozen import Frozen
 from tribos._plot import svg
 
 Pair = Sequence[float]
 Parameters = tuple[tuple[str, Any], ...]
 
 
-class Patch:
+class Patch(Frozen):
     """A contact patch: its shape and how it spreads the load.
 
     Made by `disk`, `ring`, `annulus`, `hertz`, `punch`, `paraboloid`, `power`, `polynomial`,
@@ -40,15 +41,14 @@ class Patch:
     _surfaces: _native.LimitSurface | None
 
     def __init__(self, kind: str, parameters: Parameters, native: _native.Patch) -> None:
-        self.kind = kind
-        self._parameters = parameters
-        self._handle = native
-        self._surfaces = None
+        self._keep(kind=kind, _parameters=parameters, _handle=native, _surfaces=None)
 
     def _limits(self) -> _native.LimitSurface:
         """The limit surfaces of this patch for every force limit, made once."""
         if self._surfaces is None:
-            self._surfaces = _native.LimitSurface(self._handle)
+            surfaces = _native.LimitSurface(self._handle)
+            self._keep(_surfaces=surfaces)
+            return surfaces
         return self._surfaces
 
     @property

@@ -260,6 +260,11 @@ def run(
             progress=told,
             stop=None,
         )
+    except KeyboardInterrupt:
+        if held is None:
+            raise
+        reason = "interrupted; a run without a folder keeps nothing: give out to go on later"
+        raise KeyboardInterrupt(reason) from None
     finally:
         if line is not None:
             line.end()

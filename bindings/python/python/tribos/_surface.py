@@ -9,11 +9,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
 from tribos._checks import number, reals
+from tribos._frozen import Frozen
 from tribos._patches import Patch
 from tribos._plot import html, plot_surface, short
 
 
-class LimitSurface:
+class LimitSurface(Frozen):
     """All wrenches that dry friction of a patch carries: a closed convex set.
 
     Parameters
@@ -51,18 +52,16 @@ class LimitSurface:
     is_ellipsoid: bool
 
     def __init__(self, patch: Patch, mu: float, load: ArrayLike) -> None:
-        self.patch = patch
-        self.mu = number("mu", mu)
-        if self.mu < 0.0:
+        coefficient = number("mu", mu)
+        if coefficient < 0.0:
             raise ValueError(f"mu must be >= 0, not {mu!r}")
         loads = reals("load", load)
         if not np.all((loads >= 0.0) & (loads < np.inf)):
             raise ValueError("load must be >= 0 and finite")
         loads.flags.writeable = False
-        self.load = float(loads) if loads.ndim == 0 else loads
-        self._limits = self.mu * self.load
-        self._handle = patch._limits()
-        self.is_ellipsoid = False
+        kept = float(loads) if loads.ndim == 0 else loads
+        self._keep(patch=patch, mu=coefficient, load=kept, _limits=coefficient * kept)
+        self._keep(_handle=patch._limits(), is_ellipsoid=False)
 
     @property
     def force_limit(self) -> Any:
@@ -86,8 +85,7 @@ class LimitSurface:
         1.0 0.9356
         """
         made = LimitSurface(self.patch, self.mu, self.load)
-        made._handle = self._handle.ellipsoid()
-        made.is_ellipsoid = True
+        made._keep(_handle=self._handle.ellipsoid(), is_ellipsoid=True)
         return made
 
     def torque_limits(self, forces: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -133,8 +131,8 @@ class LimitSurface:
     def normal(self, wrenches: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
         """The motion that each push causes: the outward normal where its ray meets the surface.
 
-        Twists of shape (..., 3), scaled such that ``|velocity|² + (spin * radius)² = 1`` with the
-        patch's radius about the origin; friction under the push is ``-push / gauge``.
+        Twists of shape (..., 3), scaled such that ``|velocity|² + (spin * radius)² = 1`` with a
+        radius about the origin: the patch's, plus the distance of its centre of pressure; friction under the push is ``-push / gauge``.
         """
         return self._handle.normal(self._limits, wrenches, out)
 
@@ -305,7 +303,8 @@ class LimitSurface:
     def support_hessian(self, twists: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
         """Second derivatives of `support` with respect to the twist, of shape (..., 3, 3), symmetric.
 
-        Minus the Jacobian of friction. The twist itself is a null vector; infinite at rest.
+        Minus the Jacobian of friction. The twist itself is a null vector. At rest there is none: infinite on
+        round patches, 0 on straight edges and points, as `Friction.jacobian` has it.
         """
         return self._slopes().support_hessian(self._limits, twists, out)
 
@@ -313,6 +312,15 @@ class LimitSurface:
         load = self.load if isinstance(self.load, float) else f"<array {np.shape(self.load)}>"
         end = ".ellipsoid()" if self.is_ellipsoid else ""
         return f"tribos.LimitSurface({self.patch!r}, mu={self.mu!r}, load={load}){end}"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, LimitSurface):
+            return NotImplemented
+        mine, its = ((s.patch, s.mu, s.is_ellipsoid) for s in (self, other))
+        return mine == its and np.array_equal(self.load, other.load)
+
+    def __hash__(self) -> int:
+        return hash((self.patch, self.mu, self.is_ellipsoid, np.asarray(self.load).tobytes()))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _made, (self.patch, self.mu, self.load, self.is_ellipsoid)
