@@ -284,6 +284,7 @@ def of_scenes(add: Callable[..., None]) -> None:
     ]
     add("scene text", tribos.SliderScene.from_toml, texts[1:])
     add("named scene", tribos.scene, ["", "none", "compaction"])
+    add("run threads", lambda x: tribos.run("disk", threads=x), [0, -1, "x"])
     add("run", tribos.run, ["none", 3, None, PUCK])
     add("swept key", lambda x: tribos.sweep("disk", x), [{"spn": [1.0]}, {"spin": []}])
     add("seeds", lambda x: tribos.sweep("compaction-small", {"rolling": [0]}, seeds=x), [0, -1])

@@ -98,7 +98,7 @@ def test_errors_of_tiers_are_those_of_the_readme(readme: str, table_of_the_disk)
             np.abs(wrench[:, 0] - force)[moves] / force[moves],
             np.abs(wrench[:, 2] / torque - 1),
         )
-        assert max(error.max() for error in errors) <= 1.5 * bound, tier
+        assert max(error.max() for error in errors) <= bound, tier
 
 
 @pytest.fixture

@@ -229,6 +229,8 @@ def run(
     >>> round(float(puck.series["speed"][0]), 4)      # m/s
     1.0
     """
+    if threads is not None and threads < 1:
+        raise ValueError(f"threads must be 1 or more, not {threads}")
     known = of(scene)
     name, text = type(known).__name__, known.to_toml()
     if out is None:
