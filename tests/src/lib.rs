@@ -10,6 +10,7 @@ pub mod cross;
 pub mod fuzz;
 pub mod gas;
 pub mod hard;
+pub mod holds;
 pub mod laws;
 pub mod least_distance;
 pub mod linked;

@@ -11,5 +11,6 @@ mod planar_scrutiny;
 mod planar_steps;
 mod pressure_modes;
 mod pressure_stops;
+mod published_holds;
 mod push;
 mod sliders;
