@@ -16,7 +16,9 @@ use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
 use crate::patch::outline::{Edge, FlatPressure, Polygon};
 use crate::patch::points::Points;
 use crate::planar::{ElasticState, ElasticStep, NodeFoot, PlanarStep};
-use crate::presliding::{Anchor, Pose, PreslidingStep, Settled};
+use crate::presliding::{
+    Anchor, NodePresliding, NodePreslidingStep, Pose, PreslidingStep, Settled,
+};
 use crate::real::Real;
 use crate::twist::{Displacement, Twist, Wrench};
 use defmt::{Format, Formatter, write};
@@ -51,6 +53,10 @@ formats! {
         s.strain, s.friction, s.slip, s.dissipated, s.grip;
     [R: Real + Format] PreslidingStep<R>: |s| "{} under {}, slip {}, dissipated {}, {}",
         s.anchor, s.friction, s.slip, s.dissipated, s.grip;
+    [R: Real + Format] NodePreslidingStep<R>: |s| "under {}, dissipated {}, {} points slip",
+        s.friction, s.dissipated, s.slipping;
+    [R: Real + Format, P: NodePatch<R>, const CAPACITY: usize] NodePresliding<R, P, CAPACITY>: |p|
+        "bonds of {} points, {}", p.patch().nodes().len(), p.bonds();
     [R: Real + Format] Sphere<R>: |s| "sphere at velocity {}, spin {}, 1/m {}, 1/I {}",
         Components(s.velocity), Components(s.spin), s.inv_mass, s.inv_inertia;
     [R: Real + Format] Plate<R>: |p| "plate at velocity {}, 1/m {}",

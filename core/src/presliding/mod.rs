@@ -69,11 +69,16 @@
 //! ```
 
 mod bonds;
+mod gradual;
+mod nodes;
 mod pose;
+mod root;
 mod step;
 
 pub use bonds::Presliding;
 pub(crate) use bonds::Stiffness;
+pub use gradual::GradualPresliding;
+pub use nodes::{NodeBonds, NodePresliding, NodePreslidingStep};
 pub(crate) use pose::Axes;
 pub use pose::{Anchor, Pose};
 pub(crate) use step::not_below_zero;

@@ -120,7 +120,7 @@ impl<R: Real> Axes<R> {
     }
 
     #[inline]
-    fn to_floor(self, v: &Vector2<R>) -> Vector2<R> {
+    pub(super) fn to_floor(self, v: &Vector2<R>) -> Vector2<R> {
         let Self { cos, sin } = self;
         Vector2::new(cos * v.x - sin * v.y, cos * v.y + sin * v.x)
     }

@@ -84,16 +84,7 @@ impl<R: Real> Presliding<R> {
         let strain = anchor.strain(pose);
         let axes = Axes::at(pose.angle);
         let settled = settled(self.factors(), set, &axes.displacement_to_patch(&strain));
-        match settled.grip {
-            Grip::Stick => PreslidingStep {
-                anchor: *anchor,
-                friction: -self.factors().wrench(&strain),
-                slip: settled.slip,
-                dissipated: settled.dissipated,
-                grip: Grip::Stick,
-            },
-            Grip::Slip => settled.on_floor(axes, pose),
-        }
+        settled.on_floor(self.factors(), axes, anchor, pose)
     }
 
     /// Friction after the patch has `moved`, given the `strain` of its bonds before: the increment form.
@@ -159,11 +150,25 @@ impl<R: Real> Settled<R> {
 
     /// The same for a patch in `pose`, whose axes are those of the set.
     #[inline]
-    pub(super) fn on_floor(&self, axes: Axes<R>, pose: &Pose<R>) -> PreslidingStep<R> {
-        let strain = axes.displacement_to_floor(&self.strain);
+    pub(super) fn on_floor(
+        &self,
+        stiffness: &Stiffness<R>,
+        axes: Axes<R>,
+        anchor: &Anchor<R>,
+        pose: &Pose<R>,
+    ) -> PreslidingStep<R> {
+        // Bonds that hold keep the bits of their anchor, and their friction is that of the pose.
+        let (anchor, friction) = match self.grip {
+            Grip::Stick => (*anchor, -stiffness.wrench(&anchor.strain(pose))),
+            Grip::Slip => {
+                let strain = axes.displacement_to_floor(&self.strain);
+                let followed = Anchor::with_strain(pose, &strain);
+                (followed, axes.wrench_to_floor(&self.friction))
+            }
+        };
         PreslidingStep {
-            anchor: Anchor::with_strain(pose, &strain),
-            friction: axes.wrench_to_floor(&self.friction),
+            anchor,
+            friction,
             slip: axes.displacement_to_floor(&self.slip),
             dissipated: self.dissipated,
             grip: self.grip,

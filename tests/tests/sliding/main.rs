@@ -9,6 +9,7 @@ mod other_steppers;
 mod planar;
 mod planar_scrutiny;
 mod planar_steps;
+mod presliding;
 mod pressure_modes;
 mod pressure_stops;
 mod published_holds;
