@@ -1,6 +1,7 @@
 //! The results of the thesis, claim by claim: figures, tables and sections recomputed, each claim
 //! with the thesis' number, ours, and a verdict.
 
+mod direct;
 mod document;
 mod exhibit;
 mod exhibits;
@@ -61,6 +62,7 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("2.5", Alone(classical::figure_2_5)),
     ("2.7", Alone(creep::figure_2_7)),
     ("2.8", Alone(lubrication::figure_2_8)),
+    ("3.1", Alone(ring_and_disk::figure_3_1)),
     ("3.3", Alone(local_law::figure_3_3)),
     ("3.4", Alone(coupling::figure_3_4)),
     ("table-3.1", Alone(asymptotics::table_3_1)),

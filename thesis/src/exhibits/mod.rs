@@ -21,6 +21,7 @@ pub(crate) mod pipe;
 pub(crate) mod porosity;
 pub(crate) mod pressure;
 pub(crate) mod pressure_modes;
+pub(crate) mod ring_and_disk;
 pub(crate) mod stopping;
 pub(crate) mod stress;
 pub(crate) mod tilted;
