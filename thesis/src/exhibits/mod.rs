@@ -1,6 +1,7 @@
 //! The figures, tables and sections of the thesis, a module for each or for a few that belong together.
 
 pub(crate) mod asymptotics;
+pub(crate) mod board;
 pub(crate) mod classical;
 pub(crate) mod contact_exhibits;
 pub(crate) mod contact_laws;
