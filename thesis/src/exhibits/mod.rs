@@ -14,6 +14,7 @@ pub(crate) mod double_disk;
 pub(crate) mod growth;
 pub(crate) mod ice;
 pub(crate) mod interval;
+pub(crate) mod inverse;
 pub(crate) mod local_law;
 pub(crate) mod lubrication;
 pub(crate) mod odd;
