@@ -79,6 +79,7 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("3.16", Alone(tilted::figure_3_16)),
     ("3.17", Alone(pipe::figure_3_17)),
     ("3.19", Alone(ice::figure_3_19)),
+    ("section-3.5.2", Alone(curling::section_3_5_2)),
     ("4.2", Alone(contact_exhibits::figure_4_2)),
     ("4.3", Alone(contact_exhibits::figure_4_3)),
     ("4.5", Alone(deposit::figure_4_5)),

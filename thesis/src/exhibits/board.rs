@@ -67,7 +67,7 @@ pub fn section_3_1_board() -> Result<Exhibit> {
     let figure = Figure::new(
         "Final velocity ratio of a board: left of a curve it slides in the end, right of it it spins",
         Axis::linear("radius of the mass over that of the support").range(0.4, 1.8),
-        Axis::log10("final ratio v/(ωR)").range(1e-2, 1e2),
+        Axis::log10("final ratio v/(ωR)").range(0.05, 20.0),
     )
     .series(Series::line("on a ring", curve(1)))
     .series(Series::line("on a disk", curve(2)))

@@ -70,17 +70,13 @@ pub fn section_3_1_inverse() -> Result<Exhibit> {
     .size(900, 560)
     .legend(Legend::Below);
     for (i, distance) in DISTANCES.into_iter().enumerate() {
-        let curve = curve(&disk, &mut rows, linear(0.0, 36.0, 72), |angle| {
-            [distance, angle]
-        })?;
+        let curve = curve(&disk, &mut rows, squares(6.0), |angle| [distance, angle])?;
         let label = format!("distance {distance} R");
         figure = figure.series(Series::line(label, curve).color(Color::palette(i)));
     }
     for (i, angle) in ANGLES.into_iter().enumerate() {
-        let curve = curve(&disk, &mut rows, linear(0.0, 12.0, 72), |distance| {
-            [distance, angle]
-        })?;
-        let label = format!("{} turns", angle / TAU);
+        let curve = curve(&disk, &mut rows, squares(3.5), |distance| [distance, angle])?;
+        let label = format!("turns: {}", angle / TAU);
         figure = figure.series(Series::dashed(label, curve).color(Color::palette(i)));
     }
     let claims = [found()?, behaviour(&disk)?].concat();
@@ -98,6 +94,12 @@ pub fn section_3_1_inverse() -> Result<Exhibit> {
         rows,
         claims,
     ))
+}
+
+/// Up to the square of `most`, closer together at the beginning, where curves bend.
+fn squares(most: f64) -> Vec<f64> {
+    let roots = linear(0.0, most, 72).into_iter();
+    roots.map(|root| root * root).collect()
 }
 
 /// The launches along a curve of poses.
