@@ -1,6 +1,7 @@
 //! The results of the thesis, claim by claim: figures, tables and sections recomputed, each claim
 //! with the thesis' number, ours, and a verdict.
 
+mod direct;
 mod document;
 mod exhibit;
 mod exhibits;
@@ -61,6 +62,9 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("2.5", Alone(classical::figure_2_5)),
     ("2.7", Alone(creep::figure_2_7)),
     ("2.8", Alone(lubrication::figure_2_8)),
+    ("3.1", Alone(ring_and_disk::figure_3_1)),
+    ("section-3.1-board", Alone(board::section_3_1_board)),
+    ("section-3.1-inverse", Alone(inverse::section_3_1_inverse)),
     ("3.3", Alone(local_law::figure_3_3)),
     ("3.4", Alone(coupling::figure_3_4)),
     ("table-3.1", Alone(asymptotics::table_3_1)),
@@ -75,6 +79,7 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("3.16", Alone(tilted::figure_3_16)),
     ("3.17", Alone(pipe::figure_3_17)),
     ("3.19", Alone(ice::figure_3_19)),
+    ("section-3.5.2", Alone(curling::section_3_5_2)),
     ("4.2", Alone(contact_exhibits::figure_4_2)),
     ("4.3", Alone(contact_exhibits::figure_4_3)),
     ("4.5", Alone(deposit::figure_4_5)),

@@ -1,6 +1,7 @@
 //! The figures, tables and sections of the thesis, a module for each or for a few that belong together.
 
 pub(crate) mod asymptotics;
+pub(crate) mod board;
 pub(crate) mod classical;
 pub(crate) mod contact_exhibits;
 pub(crate) mod contact_laws;
@@ -8,11 +9,14 @@ pub(crate) mod contact_thresholds;
 pub(crate) mod contact_trials;
 pub(crate) mod coupling;
 pub(crate) mod creep;
+pub(crate) mod curling;
 pub(crate) mod deposit;
 pub(crate) mod double_disk;
 pub(crate) mod growth;
+pub(crate) mod heat;
 pub(crate) mod ice;
 pub(crate) mod interval;
+pub(crate) mod inverse;
 pub(crate) mod local_law;
 pub(crate) mod lubrication;
 pub(crate) mod odd;
@@ -21,6 +25,8 @@ pub(crate) mod pipe;
 pub(crate) mod porosity;
 pub(crate) mod pressure;
 pub(crate) mod pressure_modes;
+pub(crate) mod ring_and_disk;
+pub(crate) mod rock;
 pub(crate) mod stopping;
 pub(crate) mod stress;
 pub(crate) mod tilted;

@@ -1,0 +1,312 @@
+//! Section 3.5.2: what is observed of curling rocks, against every model of the library.
+
+use super::heat;
+use super::rock::{DRAW, SLOW, ends, models, path, shot, spin_for_a_metre};
+use crate::exhibit::Exhibit;
+use crate::text::Text;
+use anyhow::Result;
+use tribos::slide::curling::{BackHeavy, CurlingModel, CurlingRock, IceLaw, LeftRight};
+use tribos::slide::planar::Point;
+use tribos_report::claim::{Claim, Statement};
+use tribos_report::digits::short;
+use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
+use tribos_report::verdict::Allowance;
+
+const TEXT: Text = Text(include_str!("section-3.5.2.md"));
+
+/// Spins of a draw in the thesis, rad/s: the ends of its range, and half of the faster.
+const SPINS: [f64; 3] = [0.3, 0.7, 1.4];
+/// Spins of the curves.
+const SHOWN: [f64; 6] = [0.0, 0.3, 0.7, 1.4, 2.2, 3.0];
+/// What counts as "1 m" of curl, and a change that is weak if the spin is doubled: ours.
+const METRE: std::ops::Range<f64> = 0.5..1.5;
+const WEAK: f64 = 0.25;
+/// Ends that an experiment cannot tell apart, as a share of the time to rest: ours.
+const RESOLUTION: f64 = 0.05;
+/// Way forward and to the left of a slow rock with fast spin, m.
+const SLOW_FORWARD: std::ops::RangeInclusive<f64> = 3.0..=4.0;
+const SLOW_LEFT: std::ops::RangeInclusive<f64> = 0.5..=1.2;
+
+/// How a model fares with an observation, as it was found before.
+#[derive(Clone, Copy, PartialEq)]
+enum Fares {
+    Agrees,
+    Misses,
+    /// The model was given what is observed.
+    Imposed,
+}
+use Fares::{Agrees, Imposed, Misses};
+
+/// The observations: ids of their statements.
+const OBSERVED: [&str; 6] = ["side", "size", "spin", "together", "slow-path", "slow-end"];
+/// Models in the order of the library: the id of their reason, and how they fare.
+const FOUND: [(&str, [Fares; 6]); 7] = [
+    ("dry", [Misses, Misses, Misses, Agrees, Misses, Misses]),
+    (
+        "left-right",
+        [Misses, Misses, Misses, Agrees, Misses, Misses],
+    ),
+    (
+        "front-back",
+        [Misses, Misses, Misses, Agrees, Misses, Misses],
+    ),
+    (
+        "back-heavy",
+        [Agrees, Misses, Misses, Agrees, Misses, Misses],
+    ),
+    ("film", [Agrees, Misses, Misses, Agrees, Misses, Misses]),
+    (
+        "pivot-slide",
+        [Agrees, Agrees, Misses, Agrees, Misses, Misses],
+    ),
+    (
+        "scratch-guide",
+        [Agrees, Imposed, Imposed, Agrees, Misses, Misses],
+    ),
+];
+
+/// Curl over spin, paths of the slow shot, and the table of models and observations.
+pub fn section_3_5_2() -> Result<Exhibit> {
+    let models = models();
+    let mut rows = Vec::new();
+    let mut curls = Figure::new(
+        "",
+        Axis::linear("spin at launch [rad/s]").range(0.0, 3.0),
+        Axis::linear("curl of a draw to the left [m]").range(-0.1, 1.2),
+    );
+    let mut slow = Figure::new(
+        "",
+        Axis::linear("slow shot: forward [m]").range(-0.5, 4.0),
+        Axis::linear("to the left [m]").range(-0.5, 1.2),
+    );
+    let mut claims = Vec::new();
+    for (i, (model, found)) in models.iter().zip(FOUND).enumerate() {
+        let model = model.as_ref();
+        let draw = path(model, (DRAW, SPINS[2]))?;
+        let mut curve = Vec::new();
+        for spin in SHOWN {
+            let end = match draw.last() {
+                Some(end) if spin == SPINS[2] => *end,
+                _ => shot(model, (DRAW, spin))?,
+            };
+            let [forward, left] = end.position;
+            curve.push((spin, left));
+            rows.push(vec![i as f64, spin, forward, left, end.time]);
+        }
+        let slow_shot = path(model, SLOW)?;
+        let line = slow_shot
+            .iter()
+            .map(|point| (point.position[0], point.position[1]));
+        let half = curve.iter().find(|(spin, _)| *spin == SPINS[1]);
+        let half = half.map_or(f64::NAN, |(_, curl)| *curl);
+        claims.extend(observations(model, [&draw, &slow_shot], half, found)?);
+        curls = curls.series(Series::line_points(model.name(), curve));
+        slow = slow.series(Series::line(model.name(), line.collect()));
+    }
+    claims.extend(statements(models[0].as_ref(), models[5].as_ref())?);
+    claims.extend(heat_balance());
+    let title = "Curling models: a draw of 28 m, and a slow rock with fast spin";
+    Ok(Exhibit::new(
+        TEXT.prose(),
+        Panels::new(title, 2)
+            .figure(curls.legend(Legend::Below))
+            .figure(slow.legend(Legend::Below)),
+        &["model", "spin", "forward", "left", "time"],
+        rows,
+        claims,
+    ))
+}
+
+/// One model beside the six observations: paths of a draw and of the slow shot, and the curl of a
+/// draw with half the spin.
+fn observations(
+    model: &dyn CurlingModel,
+    [draw, slow]: [&[Point]; 2],
+    half: f64,
+    (reason, fares): (&str, [Fares; 6]),
+) -> Result<Vec<Claim>> {
+    let fast = draw.last().map_or(f64::NAN, |point| point.position[1]);
+    let [slide, turn] = ends(draw)?;
+    let [slow_slide, slow_turn] = ends(slow)?;
+    let [x, y] = slow.last().map_or([f64::NAN; 2], |point| point.position);
+    let parts = |share: f64| format!("{:.0} %", 100.0 * share);
+    let outcomes = [
+        (fast > 0.0, format!("{} m", short_metres(fast))),
+        (METRE.contains(&fast), format!("{} m", short_metres(fast))),
+        (
+            half > 0.0 && (fast / half - 1.0).abs() < WEAK,
+            format!("{} m and {} m", short_metres(half), short_metres(fast)),
+        ),
+        (
+            (slide - turn).abs() < RESOLUTION,
+            format!(
+                "slide after {}, spin after {} of the time",
+                parts(slide),
+                parts(turn)
+            ),
+        ),
+        (
+            SLOW_FORWARD.contains(&x) && SLOW_LEFT.contains(&y),
+            format!("{x:.2} m forward, {y:.2} m to the left"),
+        ),
+        (
+            slow_turn - slow_slide > RESOLUTION,
+            format!(
+                "slide after {}, spin after {} of the time",
+                parts(slow_slide),
+                parts(slow_turn)
+            ),
+        ),
+    ];
+    let why = TEXT.said(reason).basis;
+    let rows = OBSERVED.into_iter().zip(outcomes).zip(fares);
+    Ok(rows
+        .map(|((id, (agrees, ours)), fares)| {
+            let statement = TEXT.said(id).with("model", model.name());
+            judged(statement, ours, (agrees, fares), &why)
+        })
+        .collect())
+}
+
+/// Millimetres are enough, and nothing is exactly nothing.
+fn short_metres(length: f64) -> String {
+    short((1e3 * length).round() / 1e3)
+}
+
+/// The row of a model that agrees, or misses for the reason that its formula gives.
+fn judged(statement: Statement, ours: String, (agrees, fares): (bool, Fares), why: &str) -> Claim {
+    match fares {
+        Agrees => Claim::trend(statement, ours, agrees),
+        Imposed => {
+            let basis = why.to_owned();
+            Claim::definition(Statement { basis, ..statement }, ours, agrees)
+        }
+        Misses => {
+            let basis = why.to_owned();
+            Claim::contradiction(Statement { basis, ..statement }, ours, !agrees)
+        }
+    }
+}
+
+/// What the thesis says of the models themselves.
+fn statements(dry: &dyn CurlingModel, pivot: &dyn CurlingModel) -> Result<Vec<Claim>> {
+    let [_, half, fast] = SPINS;
+    let curl = |model: &dyn CurlingModel, spin| {
+        Ok::<_, anyhow::Error>(shot(model, (DRAW, spin))?.position[1])
+    };
+    let linear =
+        |model: &dyn CurlingModel| Ok::<_, anyhow::Error>(curl(model, fast)? / curl(model, half)?);
+    let ice = IceLaw::PENNER;
+    let heavy = |back_to_front: f64| BackHeavy { ice, back_to_front };
+    let (by_dry, by_heavy) = (linear(dry)?, linear(&heavy(10.0))?);
+    let needed = [10.0, 100.0, f64::INFINITY].map(|ratio| spin_for_a_metre(&heavy(ratio)));
+    let [ten, hundred, all] = needed;
+    let (ten, hundred, all) = (ten?, hundred?, all?);
+    let (pivot_half, pivot_fast) = (curl(pivot, half)?, curl(pivot, fast)?);
+    let plain = LeftRight { ice };
+    let (straight, spinner) = (shot(&plain, (DRAW, 0.0))?, shot(&plain, (DRAW, 3.0))?);
+    let turns = |spin: f64| {
+        Ok::<_, anyhow::Error>(shot(&plain, (DRAW, spin))?.angle / std::f64::consts::TAU)
+    };
+    let (few, many) = (turns(SPINS[0])?, turns(fast)?);
+    let draw = shot(&LeftRight { ice: IceLaw::DRAW }, (2.0131, 0.0))?;
+    Ok(vec![
+        Claim::trend(
+            TEXT.said("opposite"),
+            format!("{} m", short_metres(curl(dry, fast)?)),
+            curl(dry, fast)? < 0.0,
+        ),
+        Claim::trend(
+            TEXT.said("linear"),
+            format!("dry {by_dry:.3}, heavier at the back {by_heavy:.3} times as much"),
+            (by_dry - 2.0).abs() < 0.1 && (by_heavy - 2.0).abs() < 0.1,
+        ),
+        Claim::trend(
+            TEXT.said("back-factor"),
+            format!("{ten:.1}, {hundred:.1} and, with none in front, {all:.1} rad/s"),
+            all > fast && hundred > all && ten > hundred,
+        )
+        .printed("10 – 100"),
+        no_lateral_force()?,
+        Claim::contradiction(
+            TEXT.said("pivot-grows"),
+            format!(
+                "{} m and {} m",
+                short_metres(pivot_half),
+                short_metres(pivot_fast)
+            ),
+            pivot_fast < pivot_half,
+        ),
+        Claim::trend(
+            TEXT.said("spinner"),
+            format!(
+                "{:.2} m and {:.2} m",
+                straight.position[0], spinner.position[0]
+            ),
+            spinner.position[0] > straight.position[0],
+        ),
+        Claim::contradiction(
+            TEXT.said("turns"),
+            format!("{few:.1} and {many:.1} turns"),
+            few > 1.0 && few < 1.5 && many > 4.5,
+        )
+        .printed("1 – 4"),
+        Claim::contradiction(
+            TEXT.said("draw-time"),
+            format!("{:.1} s and {:.1} s", straight.time, draw.time),
+            straight.time > 22.0 && draw.time > 22.0,
+        )
+        .printed("≈ 20 s"),
+        Claim::not_checkable(TEXT.said("polished")),
+    ])
+}
+
+/// Left and right alone, for exponents of either sign.
+fn no_lateral_force() -> Result<Claim> {
+    let mut none = true;
+    for alpha in [-0.75, -0.5, -0.19, 0.5, 1.0, 2.0, 3.0] {
+        let ice = IceLaw {
+            alpha,
+            ..IceLaw::PENNER
+        };
+        let body = LeftRight { ice }.resistance(&CurlingRock::STANDARD)?;
+        for rim in [0.01, 0.1, 0.5, 2.0] {
+            none &= body.deceleration([1.0, 0.0, rim])[1] == 0.0;
+        }
+    }
+    Ok(Claim::trend(
+        TEXT.said("no-lateral"),
+        "0 to the bit for seven exponents from −0.75 to 3",
+        none,
+    ))
+}
+
+/// Eq. 3.39's exponent, and what its coefficient would need.
+fn heat_balance() -> Vec<Claim> {
+    /// Passing times of a contact, a decade apart in speed, and the error of the cells.
+    const TIMES: [f64; 2] = [0.25, 2.5];
+    const CELLS: f64 = 2e-3;
+    // Ice at −5 °C: warming in K, conductivity in W/(m K), heat capacity in J/(m³ K); band in m.
+    let (warming, conductivity, capacity, band) = (5.0, 2.2, 1.9e6, 5e-3);
+    let seen = heat::surface(&TIMES);
+    // Flux μ P v over the time ℓ/v warms the surface by a fixed amount: μ = ΔT/(P v S(ℓ/v)).
+    let exponent = match seen.as_slice() {
+        [short, long] => (long / short).ln() / (TIMES[1] / TIMES[0]).ln() - 1.0,
+        _ => f64::NAN,
+    };
+    let pressure = warming * f64::sqrt(std::f64::consts::PI * conductivity * capacity)
+        / (2.0 * IceLaw::PENNER.coefficient * f64::sqrt(band));
+    vec![
+        Claim::stated(
+            TEXT.said("exponent"),
+            ("−1/2", -0.5),
+            exponent,
+            Allowance::Exact(CELLS),
+        ),
+        Claim::not_checkable(
+            TEXT.said("coefficient")
+                .with("pressure", format!("{:.0}", 1e-6 * pressure)),
+        )
+        .printed("0.0080"),
+    ]
+}
