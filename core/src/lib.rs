@@ -77,6 +77,7 @@
 //! | [`coupling`] | law × patch → force, torque and Jacobian, in accuracy tiers chosen by type |
 //! | [`limit_surface`] | all wrenches that dry friction can carry: gauge, normal, projection |
 //! | [`modes`] | the ratio of sliding to spinning just before rest |
+//! | [`bond`] | bonds of a body at rest, and the load under which they let go |
 //! | [`slider`] | a body followed to rest |
 //! | [`planar`] | a body pushed and turned on its patch: implicit time steps that stick and slip |
 //! | [`holding`] | whether a push at rest holds or slips, from what is certain and what is possible |
@@ -98,6 +99,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+pub mod bond;
 pub mod contact;
 pub mod coupling;
 mod error;

@@ -72,6 +72,7 @@
 //! | module | contents |
 //! |---|---|
 //! | [`friction`] | patch, law and accuracy tier chosen by name; the catalogue of laws |
+//! | [`onset`] | what a contact holds under force and torque before it slides |
 //! | [`scene`] | scenes: plain data with defaults, their files, units and checks |
 //! | [`push`] | quasi-static pushing: motion cones, sticking and sliding, paths |
 //! | [`slide`] | sliding bodies: disk, cylinder, pipe, curling rock; launches that end at a wanted pose |
@@ -90,6 +91,7 @@ pub mod friction;
 #[doc(hidden)]
 pub mod golden;
 pub mod md;
+pub mod onset;
 pub mod powder;
 pub mod prelude;
 pub mod push;

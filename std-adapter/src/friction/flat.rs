@@ -161,9 +161,14 @@ impl FlatPatch {
     }
 }
 
+/// Place and pressure of the three corners of each triangle of a file.
+pub(crate) fn triangles_of(path: &Path) -> Result<Vec<[f64; 9]>, Refusal> {
+    columns::read(path, TRIANGLE, MOST_TRIANGLES)
+}
+
 /// The mesh of a file of triangles.
 fn mesh<R: Real>(path: &Path) -> Result<Mesh<R, Vec<Triangle<R>>>, Refusal> {
-    let rows = columns::read(path, TRIANGLE, MOST_TRIANGLES)?;
+    let rows = triangles_of(path)?;
     let corners = rows.as_flattened().chunks_exact(3);
     let vertices: Vec<Vertex<R>> = corners
         .map(|corner| {

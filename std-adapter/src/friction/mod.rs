@@ -46,6 +46,7 @@ mod visit;
 pub use catalogue::{Entry, LAWS, Parameter};
 #[doc(hidden)]
 pub use catalogue::{Maker, find};
+pub(crate) use flat::triangles_of;
 pub use flat::{Flat, FlatPatch};
 #[doc(hidden)]
 pub use law::AnyLaw;
@@ -58,7 +59,7 @@ pub use refusal::Refusal;
 #[doc(hidden)]
 pub use refusal::finite_number;
 pub use surface::limit_surface;
-pub(crate) use surface::points_of;
+pub(crate) use surface::{HeldNodes, points_of};
 pub use tier::Tier;
 #[doc(hidden)]
 pub use tier::{Evaluation, LARGEST_EXPONENT, valid_exponent};

@@ -73,13 +73,14 @@ pub(crate) fn points_of(file: &Path) -> Result<Vec<Node<f64>>, Refusal> {
 const MOST_POINTS: usize = 100_000;
 
 /// Nodes in a list.
-struct HeldNodes {
+#[derive(Debug)]
+pub(crate) struct HeldNodes {
     nodes: Vec<Node<f64>>,
     total: f64,
 }
 
 impl HeldNodes {
-    fn new(nodes: Vec<Node<f64>>) -> Result<Self, PatchError> {
+    pub(crate) fn new(nodes: Vec<Node<f64>>) -> Result<Self, PatchError> {
         let total = NodeSlice::new(&nodes)?.total_weight();
         Ok(Self { nodes, total })
     }

@@ -40,6 +40,7 @@ const fn only(precision: &'static str, instance: Instance) -> Instance {
 }
 
 const LAW: &[&str] = &["LocalLaw"];
+const BOND: &[&str] = &["LocalLaw", "BondLaw"];
 const TIER: &[&str] = &["Coupling", "Lateral", "Profile", "SmoothProfile"];
 const DRY: &[&str] = &[
     "Coupling",
@@ -71,6 +72,12 @@ pub const INSTANCES: &[Instance] = &[
     instance("law::Savkoor<R>", LAW),
     instance("law::SteadyLuGre<R>", LAW),
     instance("law::SteadyRateState<R>", LAW),
+    // Bonds.
+    instance("bond::Exponential<R>", BOND),
+    instance("bond::Weibull<R>", BOND),
+    similar(instance("bond::OneStrength<R>", BOND)),
+    similar(instance("bond::Saturating<R>", BOND)),
+    instance("bond::ReForming<R>", BOND),
     // What laws are made of.
     instance("law::Dieterich", &["Evolution"]),
     instance("law::Ruina", &["Evolution"]),

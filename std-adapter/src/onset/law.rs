@@ -1,0 +1,77 @@
+//! One type for all laws of bonds.
+
+use tribos_core::bond::{BondLaw, Exponential, OneStrength, ReForming, Saturating, Weibull};
+use tribos_core::law::LocalLaw;
+
+/// A law of bonds that was chosen at run time.
+///
+/// ```
+/// use tribos::kernel::bond::BondLaw;
+/// use tribos::onset::{Bond, BondLawOf};
+/// let law: BondLawOf = "re-forming-one-strength".parse::<Bond>()?.with(0.6, 1e-5)?; // m
+/// assert_eq!(law.largest_force(), 0.6); // per load
+/// assert_eq!(law.plateau(), 0.3); // of steady sliding
+/// # Ok::<(), tribos::friction::Refusal>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BondLawOf {
+    /// Bonds that yield.
+    Plastic(Saturating<f64>),
+    /// Bonds of exponentially spread strengths.
+    Exponential(Exponential<f64>),
+    /// Bonds of strengths spread by an exponent.
+    Weibull(Weibull<f64>),
+    /// Bonds of one strength.
+    OneStrength(OneStrength<f64>),
+    /// Bonds that re-form.
+    ReForming(ReForming<f64>),
+}
+
+impl BondLawOf {
+    /// The force at the first peak, or its limit where there is none.
+    pub fn largest_force(&self) -> f64 {
+        let peak = self.peak();
+        if peak.is_finite() {
+            self.friction(peak)
+        } else {
+            self.plateau()
+        }
+    }
+
+    fn law(&self) -> &dyn BondLaw<f64> {
+        match self {
+            Self::Plastic(law) => law,
+            Self::Exponential(law) => law,
+            Self::Weibull(law) => law,
+            Self::OneStrength(law) => law,
+            Self::ReForming(law) => law,
+        }
+    }
+}
+
+impl LocalLaw<f64> for BondLawOf {
+    fn friction(&self, speed: f64) -> f64 {
+        self.law().friction(speed)
+    }
+    fn slope(&self, speed: f64) -> f64 {
+        self.law().slope(speed)
+    }
+}
+
+impl BondLaw<f64> for BondLawOf {
+    fn stiffness(&self) -> f64 {
+        self.law().stiffness()
+    }
+    fn peak(&self) -> f64 {
+        self.law().peak()
+    }
+    fn is_abrupt(&self) -> bool {
+        self.law().is_abrupt()
+    }
+    fn plateau(&self) -> f64 {
+        self.law().plateau()
+    }
+    fn across(&self, strain: f64) -> f64 {
+        self.law().across(strain)
+    }
+}
