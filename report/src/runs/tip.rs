@@ -1,11 +1,12 @@
-//! Pictures of a tip: its atoms, coloured by part, and the angles over time.
+//! Pictures of a tip: its atoms, coloured by part, the angles over time of a turned one and the
+//! friction loop of a slid one.
 
 use crate::figure::{Axis, Color, Figure, Guide, Panels, Series};
 use crate::packing::{Packing, PackingError, PackingPicture};
 use crate::player::PART_COLORS;
 use crate::sheet::Sheet;
 use nalgebra::Vector3;
-use tribos::scene::TipScene;
+use tribos::scene::{DriveKind, TipScene};
 use tribos::tip::{Outcome, Part, Shape, TipRun};
 
 /// Colour of one marked atom in each part of the tip, which shows its rotation.
@@ -54,14 +55,73 @@ pub fn both_ends(scene: &TipScene, run: &TipRun) -> Result<Sheet, PackingError> 
         .map(|site| site.place)
         .collect();
     let end = &run.system().atoms().positions;
-    let title = format!("Tip on a substrate, λ = {}", scene.lambda);
+    let title = format!("Tip on a substrate, {}", title(scene));
     Ok(Sheet::new(title, 2)
         .drawing(atoms("Crystal", scene, &start)?.size(620, 480))
         .drawing(atoms("End", scene, end)?.size(620, 480)))
 }
 
-/// Angle of the driven layers, and of each layer of the tip, over time.
+/// The drive of a scene.
+fn title(scene: &TipScene) -> String {
+    match (scene.drive, scene.speed) {
+        (DriveKind::Slide, Some(speed)) => format!("support at speed {speed}"),
+        _ => format!("λ = {}", scene.lambda),
+    }
+}
+
+/// A turned tip: angle of the driven layers, and of each layer of the tip, over time. A slid one:
+/// its friction loop, and its forces, height and temperatures over time.
 pub fn series(scene: &TipScene, run: &TipRun, outcome: &Outcome) -> Panels {
+    match scene.drive {
+        DriveKind::Torque => turned(scene, run, outcome),
+        DriveKind::Slide => slid(scene, run),
+    }
+}
+
+/// Column of a series by its name, over another.
+fn curve(run: &TipRun, x: &str, y: &str) -> Vec<(f64, f64)> {
+    let columns = run.columns();
+    let number = |name: &str| columns.iter().position(|column| column == name);
+    let (Some(x), Some(y)) = (number(x), number(y)) else {
+        return Vec::new();
+    };
+    run.series().iter().map(|row| (row[x], row[y])).collect()
+}
+
+fn slid(scene: &TipScene, run: &TipRun) -> Panels {
+    let time = || Axis::linear("time [σ√(m/ε)]");
+    let driven: Vec<(f64, f64)> = curve(run, "time", "support")
+        .into_iter()
+        .zip(curve(run, "support", "lateral_force"))
+        .filter(|((time, _), _)| (0.0..=scene.drive_time).contains(time))
+        .map(|(_, point)| point)
+        .collect();
+    let friction = Figure::new(
+        "Friction loop",
+        Axis::linear("support [σ]"),
+        Axis::linear("lateral force [ε/σ]"),
+    )
+    .series(Series::line("", driven));
+    let ways = Figure::new("Ways along the drive", time(), Axis::linear("way [σ]"))
+        .series(Series::line("support", curve(run, "time", "support")))
+        .series(Series::line("tip", curve(run, "time", "tip")));
+    let work = Figure::new("", time(), Axis::linear("energy [ε]"))
+        .series(Series::line("work", curve(run, "time", "work")))
+        .series(Series::line("heat", curve(run, "time", "heat")));
+    let heat = Figure::new("", time(), Axis::linear("temperature [ε/k_B]"))
+        .series(Series::line(
+            "substrate",
+            curve(run, "time", "substrate_temperature"),
+        ))
+        .series(Series::line("tip", curve(run, "time", "tip_temperature")));
+    Panels::new(title(scene), 2)
+        .figure(friction)
+        .figure(ways)
+        .figure(work)
+        .figure(heat)
+}
+
+fn turned(scene: &TipScene, run: &TipRun, outcome: &Outcome) -> Panels {
     let rows = run.series();
     let first = rows.first().map_or(0, Vec::len) - scene.tip_layers;
     let curve = |column: usize| rows.iter().map(|row| (row[0], row[column])).collect();

@@ -23,6 +23,16 @@ pub enum Hold {
     },
 }
 
+/// Whose motion a thermostat takes for heat.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Frame {
+    /// All motion relative to the box.
+    #[default]
+    Box,
+    /// Motion relative to the mean velocity of the group along x and y, which is left alone.
+    Mean,
+}
+
 /// Properties of a group.
 ///
 /// ```
@@ -41,7 +51,10 @@ pub struct Group {
     pub hold: Hold,
     /// Thermostat of the group.
     pub thermostat: Thermostat,
-    /// Damping rate γ in 1/time: force −γv per mass on each atom. Exact for any γ·dt.
+    /// What the thermostat takes for heat.
+    pub frame: Frame,
+    /// Damping rate γ in 1/time: force −γv per mass on each atom, v relative to the support if
+    /// one pulls the group. Exact for any γ·dt.
     pub damping: f64,
     /// Constant force on each atom along z.
     pub load: f64,

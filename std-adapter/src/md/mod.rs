@@ -2,8 +2,8 @@
 //!
 //! [`atoms`] have one array per property; an [`interaction`] acts between neighbours
 //! ([`neighbours`]): [`pair`] forces or the embedded-atom method ([`eam`]). A [`system`] moves them
-//! group by group ([`group`]), with thermostats ([`thermostat`]) and a torque ([`drive`]);
-//! [`observe`] measures energies, temperature and angles. A [`configuration`] is read from or
+//! group by group ([`group`]), with thermostats ([`thermostat`]), a torque ([`drive`]) and a
+//! moving support ([`support`]); [`observe`] measures energies, temperature and angles. A [`configuration`] is read from or
 //! written to a file: [`lammps`] data and dumps, [`extended_xyz`].
 //!
 //! Forces between atoms of a file are part of the promise: [`configuration`], [`atoms`], [`neighbours`],
@@ -26,6 +26,8 @@ pub mod neighbours;
 #[doc(hidden)]
 pub mod observe;
 pub mod pair;
+#[doc(hidden)]
+pub mod support;
 #[doc(hidden)]
 pub mod system;
 #[doc(hidden)]

@@ -33,6 +33,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+use super::group::Frame;
 use super::interaction::Interaction;
 use super::system::System;
 use super::thermostat::Thermostat;
@@ -46,6 +47,24 @@ pub fn kinetic_energies<I: Interaction>(system: &System<I>) -> Vec<f64> {
     (0..system.groups().len())
         .map(|group| system.members(group).iter().map(part).sum())
         .collect()
+}
+
+/// Kinetic energy of a group that counts as heat, at the time of the positions: without its mean
+/// velocity along x and y where that is carried ([`Frame::Mean`](super::group::Frame)).
+pub fn heat_energy<I: Interaction>(system: &System<I>, group: usize) -> f64 {
+    let velocities = system.velocities_on_step();
+    let atoms = system.atoms();
+    let members = system.members(group);
+    let mut common = Vector3::zeros();
+    if system.groups()[group].frame == Frame::Mean {
+        let all: f64 = members.iter().map(|&atom| atoms.mass(atom)).sum();
+        for &atom in members {
+            common += velocities[atom] * (atoms.mass(atom) / all);
+        }
+        common.z = 0.0;
+    }
+    let part = |&atom: &usize| 0.5 * atoms.mass(atom) * (velocities[atom] - common).norm_squared();
+    members.iter().map(part).sum()
 }
 
 /// Temperature of a group: twice its kinetic energy over its freedoms, NaN without any.

@@ -56,7 +56,7 @@ pub use slider::{SliderScene, Stepper, Units};
 pub use table::Body;
 #[doc(hidden)]
 pub use template::{keys_page, template, toml_value, with_all_keys};
-pub use tip::{BathKind, BathSpin, DrivenHold, Reading, StageSteps, TipScene};
+pub use tip::{BathKind, BathSpin, DriveKind, DrivenHold, Reading, StageSteps, TipScene};
 #[doc(hidden)]
 pub use vocabulary::{Vocabulary, bodies, vocabulary};
 #[doc(hidden)]

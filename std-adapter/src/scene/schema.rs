@@ -18,7 +18,7 @@ const DRAFT: &str = "https://json-schema.org/draft/2020-12/schema";
 /// use tribos::scene::{schema, vocabulary};
 /// let tip = schema(vocabulary("tip").as_ref());
 /// assert_eq!(tip["properties"]["cutoff"]["exclusiveMinimum"], 1.0);
-/// assert_eq!(tip["required"], serde_json::json!(["lambda", "body"]));
+/// assert_eq!(tip["required"], serde_json::json!(["body"]));
 /// ```
 pub fn schema(body: Option<&Vocabulary>) -> Value {
     let mut schema = match body {

@@ -1,13 +1,24 @@
-//! The scene of a tip that is turned on a substrate (thesis, section 5.3).
+//! The scene of a tip that is turned or slid on a substrate (thesis, section 5.3).
 
 use super::key::{Domain::*, Need::*};
 use super::powder::MOST_SEEDS;
+use super::entries::Written;
 use super::reader::Judge;
-use super::table::{as_written, scene};
+use super::table::scene;
 use super::words::{Word, words};
 use crate::md::pair::Shift;
 use crate::md::system::Integrator;
 use crate::tip::{LAYERS_OF_A_KIND, Outline, Shape};
+
+/// What moves the tip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DriveKind {
+    /// A torque about the vertical on the driven layers.
+    Torque,
+    /// A support that pulls the driven layers through a spring.
+    Slide,
+}
+words!(DriveKind { Torque = "torque", Slide = "slide" });
 
 /// What the strength of the drive means; all driven atoms have the same angular acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,12 +54,12 @@ pub enum BathKind {
 }
 words!(BathKind { NoseHoover = "nose-hoover", Langevin = "langevin", None = "none" });
 
-/// Whether the tip's common rotation is heat for its Nosé–Hoover thermostat.
+/// Whether the tip's common motion is heat for its thermostat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BathSpin {
-    /// The rotation is left alone.
+    /// The rotation of a turned tip, or the velocity of a slid one, is left alone.
     Spared,
-    /// The rotation counts as heat.
+    /// The common motion counts as heat.
     Counts,
 }
 words!(BathSpin { Spared = "spared", Counts = "counts" });
@@ -79,7 +90,7 @@ impl StageSteps {
 const MOST_STEPS: f64 = 1e15;
 
 scene! {
-    /// A tip that is turned on a substrate. *Units*: σ, ε and m of the Lennard-Jones atoms are 1,
+    /// A tip that is turned or slid on a substrate. *Units*: σ, ε and m of the Lennard-Jones atoms are 1,
     /// times are in τ = σ√(m/ε).
     ///
     /// The default is the thesis' tip of 6330 atoms under its weakest drive.
@@ -98,8 +109,8 @@ scene! {
     /// assert!(run.step()?); // to the next line of the series
     /// # Ok::<(), tribos::tip::TipError>(())
     /// ```
-    pub struct TipScene = "tip", "A tip turned on a substrate",
-        rules, as_written;
+    pub struct TipScene = "tip", "A tip turned or slid on a substrate",
+        rules, in_force;
 
     /// Distance of neighbours in the crystal; the default is that of the potential's minimum.
     // 2^(1/6) (thesis, section 5.3).
@@ -122,8 +133,18 @@ scene! {
     orientation: f64 = 0.0, "degree", Between { above: -180.0, up_to: 180.0 };
     /// Height of the driven layers above their place in the crystal.
     raise: f64 = 0.0, "sigma", Finite;
-    /// Drive: force on each driven atom, see `reading`.
-    lambda: f64 = 0.017, "eps/sigma^2", Finite, Required;
+    /// What moves the tip: a torque on the driven layers, or a support that pulls them through a spring.
+    drive: DriveKind = DriveKind::Torque, "-", OneOf(DriveKind::WORDS);
+    /// Speed of the support.
+    speed: Option<f64> = None, "sigma/tau", Positive, PartOf("drive", "slide");
+    /// Direction in which the support moves, from the close-packed rows of the substrate along x.
+    direction: f64 = 0.0, "degree", Between { above: -360.0, up_to: 360.0 }, PartOf("drive", "slide");
+    /// Stiffness of the spring between the support and the driven layers.
+    stiffness: f64 = 10.0, "eps/sigma^2", Positive, PartOf("drive", "slide");
+    /// Way of the support from one turning point to the next; if left out it does not turn.
+    stroke: Option<f64> = None, "sigma", Positive, PartOf("drive", "slide");
+    /// Torque: force on each driven atom, see `reading`.
+    lambda: f64 = 0.017, "eps/sigma^2", Finite, UnlessGiven("speed");
     /// Meaning of lambda: the force at a distance of sigma from the axis, or the mean or largest force.
     reading: Reading = Reading::Angular, "-", OneOf(Reading::WORDS);
     /// How driven layers are held: z of each atom fixed, or z common and free under `load`.
@@ -146,9 +167,11 @@ scene! {
     relaxation: f64 = 0.5, "tau", Positive;
     /// Rate of the Langevin thermostat.
     friction: f64 = 1.0, "1/tau", Positive;
-    /// Whether the tip's common rotation is heat for its Nose-Hoover thermostat.
+    /// Whether the tip's common motion is heat for its thermostat: the rotation of a turned tip
+    /// (Nose-Hoover only), the velocity of a slid one.
     spin: BathSpin = BathSpin::Spared, "-", OneOf(BathSpin::WORDS);
-    /// Damping rate gamma of the driven atoms: the force on each is -gamma m v.
+    /// Damping rate gamma of the driven atoms: the force on each is -gamma m v, with v relative to
+    /// the support of a slid tip.
     damping: f64 = 0.1, "1/tau", NotNegative;
     /// Time before the drive is switched on.
     equilibration: f64 = 50.0, "tau", NotNegative;
@@ -188,6 +211,7 @@ fn rules(scene: &TipScene, judge: &mut Judge<'_>) {
     }
     tip_fits(scene, judge);
     steps_count(scene, judge);
+    slide_turns(scene, judge);
     // A thermostat cannot relax within a step: its unknown would swing faster than it is followed.
     let (relaxation, step) = (scene.relaxation, scene.time_step);
     if scene.thermostat == BathKind::NoseHoover && relaxation < step {
@@ -213,6 +237,40 @@ fn tip_fits(scene: &TipScene, judge: &mut Judge<'_>) {
             );
             judge.refuse(&[key, "side", "spacing", "cutoff", "skin"], message);
         }
+    }
+}
+
+/// A slid tip has a speed, moves less than half a spacing in a step of its support, and does not
+/// turn more than once in one.
+fn slide_turns(scene: &TipScene, judge: &mut Judge<'_>) {
+    if scene.drive == DriveKind::Torque {
+        return;
+    }
+    let Some(speed) = scene.speed else {
+        let message = "`speed` is missing: speed of the support [sigma/tau], a finite number > 0";
+        judge.refuse(&["speed", "drive"], message);
+        return;
+    };
+    let step = speed * scene.time_step;
+    let most = 0.5 * scene.spacing;
+    if step > most {
+        let message = format!(
+            "`speed` is {step:e} sigma a `time_step`, more than half the spacing, {most:.3}"
+        );
+        judge.refuse(&["speed", "time_step", "spacing"], message);
+    }
+    if let Some(stroke) = scene.stroke.filter(|&stroke| stroke < step) {
+        let message =
+            format!("`stroke` is {stroke:e}, less than the {step:e} sigma of a `time_step`");
+        judge.refuse(&["stroke", "speed", "time_step"], message);
+    }
+}
+
+/// A slid tip has no strength of a torque.
+fn in_force(scene: &TipScene, key: &str, written: Option<Written>) -> Option<Written> {
+    match key {
+        "lambda" if scene.drive == DriveKind::Slide => None,
+        _ => written,
     }
 }
 

@@ -3,11 +3,12 @@
 use super::shape::{Part, Site};
 use crate::md::atoms::Atoms;
 use crate::md::drive::TorqueDrive;
-use crate::md::group::{Group, Hold};
+use crate::md::group::{Frame, Group, Hold};
 use crate::md::pair::{LennardJones, LennardJonesError, Mixing, Pairing};
+use crate::md::support::Support;
 use crate::md::system::Setup;
 use crate::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat, ThermostatError};
-use crate::scene::{BathKind, BathSpin, DrivenHold, InvalidScene, Reading, TipScene};
+use crate::scene::{BathKind, BathSpin, DriveKind, DrivenHold, InvalidScene, Reading, TipScene};
 use crate::space::{PeriodicBox, PeriodicBoxError};
 use nalgebra::Vector3;
 
@@ -31,11 +32,13 @@ pub enum BuildError {
     Thermostat(#[from] ThermostatError),
 }
 
-/// The setup of a run, with the layer of each atom.
+/// The setup of a run, with the support of a slid tip and the layer of each atom.
 #[derive(Debug)]
 pub struct TipSystem {
     /// Atoms, groups in the order of [`Part::ALL`], drive.
     pub setup: Setup<LennardJones>,
+    /// The support of a slid tip.
+    pub support: Option<Support>,
     /// Layer of each atom, from the lowest of the substrate.
     pub layer_of: Vec<usize>,
 }
@@ -54,13 +57,14 @@ pub struct TipSystem {
 ///     side: 2,
 ///     ..TipScene::default()
 /// };
-/// let TipSystem { setup, layer_of } = build(&scene)?;
+/// let TipSystem { setup, support, layer_of } = build(&scene)?;
 /// assert_eq!(layer_of.last(), Some(&7)); // the highest of eight layers
 /// // The lowest layers are held, and all driven atoms have the angular acceleration λ.
 /// let base = (0..setup.atoms.len()).filter(|&atom| setup.group_of[atom] == 0);
 /// assert!(base.clone().all(|atom| setup.atoms.velocities[atom].norm() == 0.0));
 /// assert_eq!(base.count(), 2 * 8 * 8);
 /// assert_eq!(setup.drive.map(|drive| drive.acceleration), Some(0.01));
+/// assert!(support.is_none()); // it is not slid
 /// scene.cutoff = 0.0; // no potential
 /// assert!(matches!(build(&scene), Err(BuildError::Scene(_))));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -78,7 +82,7 @@ pub fn build(scene: &TipScene) -> Result<TipSystem, BuildError> {
         .collect();
     warm(scene, &groups, &group_of, &mut atoms);
     let setup = Setup {
-        drive: Some(drive(scene, &sites)),
+        drive: (scene.drive == DriveKind::Torque).then(|| drive(scene, &sites)),
         atoms,
         space: PeriodicBox::new([Some(x), Some(y), None])?,
         interaction: potential(scene)?,
@@ -90,7 +94,11 @@ pub fn build(scene: &TipScene) -> Result<TipSystem, BuildError> {
         seed: scene.seed,
     };
     let layer_of = sites.iter().map(|site| site.layer).collect();
-    Ok(TipSystem { setup, layer_of })
+    Ok(TipSystem {
+        setup,
+        support: support(scene, &sites),
+        layer_of,
+    })
 }
 
 /// Whether an atom belongs to the tip.
@@ -137,6 +145,10 @@ fn groups(scene: &TipScene) -> Result<Vec<Group>, ThermostatError> {
         match part {
             Part::Base => group.hold = Hold::Frozen,
             Part::SubstrateBath => group.thermostat = thermostat(scene, Spin::Counts)?,
+            Part::TipBath if is_carried(scene) => {
+                group.thermostat = thermostat(scene, Spin::Counts)?;
+                group.frame = Frame::Mean;
+            }
             Part::TipBath => group.thermostat = thermostat(scene, Spin::Spared { axis })?,
             Part::Surface | Part::Apex => {}
             Part::Driven => {
@@ -150,6 +162,11 @@ fn groups(scene: &TipScene) -> Result<Vec<Group>, ThermostatError> {
         Ok(group)
     };
     Part::ALL.into_iter().map(of_part).collect()
+}
+
+/// Whether the tip's bath moves with a mean velocity that is not heat.
+fn is_carried(scene: &TipScene) -> bool {
+    scene.drive == DriveKind::Slide && scene.spin == BathSpin::Spared
 }
 
 fn thermostat(scene: &TipScene, wanted: Spin) -> Result<Thermostat, ThermostatError> {
@@ -181,6 +198,33 @@ fn warm(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms: &mut Atoms) 
     }
 }
 
+/// The support of a slid tip: one spring for each driven atom, all together of the scene's stiffness.
+fn support(scene: &TipScene, sites: &[Site]) -> Option<Support> {
+    let speed = scene
+        .speed
+        .filter(|_| scene.drive == DriveKind::Slide)?;
+    let driven = sites.iter().filter(|site| site.part == Part::Driven);
+    let anchors: Vec<[f64; 2]> = driven.map(|site| [site.place.x, site.place.y]).collect();
+    let (sin, cos) = libm::sincos(scene.direction.to_radians());
+    let [from, until] = drive_times(scene);
+    Some(Support {
+        group: Part::ALL.len() - 1,
+        stiffness: scene.stiffness / anchors.len() as f64,
+        anchors,
+        direction: [cos, sin],
+        speed,
+        stroke: scene.stroke.unwrap_or(f64::INFINITY),
+        from,
+        until,
+    })
+}
+
+/// Times from the start of the run at which the drive begins and ends.
+fn drive_times(scene: &TipScene) -> [f64; 2] {
+    let steps = scene.stage_steps();
+    [steps.before, steps.before + steps.driven].map(|steps| steps as f64 * scene.time_step)
+}
+
 /// The torque of the second stage.
 pub(super) fn drive(scene: &TipScene, sites: &[Site]) -> TorqueDrive {
     let axis = scene.shape().axis();
@@ -196,12 +240,12 @@ pub(super) fn drive(scene: &TipScene, sites: &[Site]) -> TorqueDrive {
         Reading::Mean => arms().sum::<f64>() / arms().count() as f64,
         Reading::Largest => arms().fold(0.0, f64::max),
     };
-    let steps = scene.stage_steps();
+    let [from, until] = drive_times(scene);
     TorqueDrive {
         axis,
         acceleration: scene.lambda / length,
-        from: steps.before as f64 * scene.time_step,
-        until: (steps.before + steps.driven) as f64 * scene.time_step,
+        from,
+        until,
         groups: vec![Part::ALL.len() - 1],
     }
 }

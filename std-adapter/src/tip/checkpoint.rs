@@ -1,5 +1,6 @@
 //! Checkpoints of tip runs.
 
+use super::loops::{Loops, Totals, counts};
 use super::shape::Part;
 use super::watch;
 use crate::md::system::State;
@@ -9,7 +10,7 @@ use crate::scene::TipScene;
 use serde_json::Map;
 
 /// Version of the format.
-const VERSION: u64 = 2;
+const VERSION: u64 = 3;
 /// First key of the file.
 const NAME: &str = "tribos_tip";
 
@@ -21,6 +22,10 @@ pub(super) struct Checkpoint {
     pub angles: Vec<f64>,
     /// Work of the drive, in ε.
     pub work: f64,
+    /// Heat that thermostats and damping took.
+    pub heat: f64,
+    /// Turning points of a slid tip.
+    pub loops: Loops,
     /// Lines for averages.
     pub lines: Vec<Vec<f64>>,
     pub series: Vec<Vec<f64>>,
@@ -49,17 +54,22 @@ impl Checkpoint {
         );
         put("angles", self.angles.clone());
         put("work", vec![self.work]);
+        put("heat", vec![self.heat]);
+        let ends = self.loops.ends.iter();
+        put("ends", ends.flat_map(|end| [end.work, end.heat, end.energy]).collect());
+        put("turns", self.loops.turns.clone());
         put("lines", self.lines.iter().flatten().copied().collect());
         put("series", self.series.iter().flatten().copied().collect());
         sealed(map)
     }
 
-    /// Reads a file of the same scene, of so many atoms and numbers in a line of the series.
+    /// Reads a file of the same scene, of so many atoms and numbers in a line for averages and in one
+    /// of the series.
     pub fn read(
         text: &str,
         scene: &TipScene,
         atoms: usize,
-        width: usize,
+        [line_width, width]: [usize; 2],
     ) -> Result<Self, CheckpointError> {
         let value = opened(text, NAME, VERSION)?;
         same_scene(&value["scene"], &scene.json())?;
@@ -77,7 +87,7 @@ impl Checkpoint {
         if steps > last {
             return Err(damaged("steps"));
         }
-        let table = |name: &str, lines: u64| {
+        let table = |name: &str, width: usize, lines: u64| {
             let numbers = numbers(&value, name)?;
             let (lines_of, rest) = (numbers.chunks_exact(width), numbers.len() % width);
             if rest != 0 || lines_of.len() as u64 != lines {
@@ -85,6 +95,7 @@ impl Checkpoint {
             }
             Ok(lines_of.map(<[f64]>::to_vec).collect())
         };
+        let [ends, turns] = counts(scene, steps);
         let thermostats = finite("thermostats", 2 * Part::ALL.len())?;
         Ok(Self {
             state: State {
@@ -96,9 +107,19 @@ impl Checkpoint {
             },
             angles: finite("angles", 1 + scene.tip_layers)?,
             work: finite("work", 1)?.first().copied().unwrap_or_default(),
-            lines: table("lines", watch::lines(scene, steps))?,
+            heat: finite("heat", 1)?.first().copied().unwrap_or_default(),
+            loops: Loops {
+                ends: finite("ends", 3 * ends as usize)?
+                    .as_chunks()
+                    .0
+                    .iter()
+                    .map(|&[work, heat, energy]| Totals { work, heat, energy })
+                    .collect(),
+                turns: finite("turns", turns as usize)?,
+            },
+            lines: table("lines", line_width, watch::lines(scene, steps))?,
             // One line at the start and one after every interval of steps.
-            series: table("series", 1 + steps.div_ceil(scene.samples))?,
+            series: table("series", width, 1 + steps.div_ceil(scene.samples))?,
         })
     }
 }

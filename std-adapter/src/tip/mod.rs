@@ -1,4 +1,4 @@
-//! The tip on a substrate, turned by a torque (thesis, section 5.3): a [`scene::TipScene`] becomes a
+//! The tip on a substrate, turned by a torque or slid by a support (thesis, section 5.3): a [`scene::TipScene`] becomes a
 //! [`TipRun`], whose [`Outcome`] says whether it turned back, where it locked in and which layers
 //! slipped.
 //!
@@ -11,10 +11,13 @@ mod energy;
 #[doc(hidden)]
 pub mod export;
 mod frames;
+mod loops;
 mod outcome;
 mod run;
 mod session;
 mod shape;
+mod slid;
+mod start;
 mod watch;
 
 pub use crate::md::system::{Integrator, SystemError};
@@ -28,5 +31,7 @@ pub use energy::DriveEnergy;
 pub use outcome::{Outcome, Plateau, Verdict};
 pub use run::{TipError, TipRun};
 pub use shape::Outline;
+pub use slid::Slid;
+pub use start::Start;
 #[doc(hidden)]
 pub use shape::{LAYERS_OF_A_KIND, Part, Shape, Site};

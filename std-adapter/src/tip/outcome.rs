@@ -2,16 +2,29 @@
 
 use super::TipRun;
 use super::energy::DriveEnergy;
+use super::loops::Loops;
+use super::slid::{Look, Slid};
+use super::start::{Columns, Start};
 use crate::golden::{Measure, MeasureError, Measurement, digest};
 use crate::record::json_number;
 use crate::run::drive;
-use crate::scene::{StageSteps, TipScene};
+use crate::scene::{DriveKind, StageSteps, TipScene};
 use serde_json::{Value, json};
 
 /// Column of the driven layers' angle.
 const ANGLE: usize = 1;
+/// Column of the torque against the drive.
+const TORQUE: usize = 2;
+/// Column of the driven layers' height.
+const HEIGHT: usize = 3;
+/// Columns of the temperatures of the baths.
+const TEMPERATURES: [usize; 2] = [4, 5];
 /// Column of the potential energy.
 const POTENTIAL: usize = 6;
+/// Columns of a slid tip: position of the support, force of the spring, normal force.
+const SUPPORT: usize = 7;
+const LATERAL: usize = 9;
+const NORMAL: usize = 10;
 /// Time at the end of a stage over which angles are averaged, in τ.
 const END: f64 = 20.0;
 /// An angle below which the tip counts as turned back, in degrees. Thermal motion is a tenth of it.
@@ -30,7 +43,7 @@ pub enum Verdict {
     Reversible,
     /// The driven layers did not turn back.
     Irreversible,
-    /// Undecided: the run ended too early, or has no time after the drive.
+    /// Undecided: the run ended too early, or has no time after the drive; or the tip was slid.
     Open,
 }
 
@@ -102,6 +115,10 @@ pub struct Outcome {
     pub tip_temperature: f64,
     /// Energy balance of the drive.
     pub energy: DriveEnergy,
+    /// How well the tip was in equilibrium when the drive began.
+    pub start: Start,
+    /// Friction of a slid tip.
+    pub slid: Option<Slid>,
     /// Lines of the series.
     pub samples: usize,
 }
@@ -112,6 +129,8 @@ pub(super) struct Measured<'a> {
     pub lines: &'a [Vec<f64>],
     /// Column at which the angles of the tip's layers begin.
     pub layers: usize,
+    /// Turning points of a slid tip.
+    pub loops: &'a Loops,
     /// Work of the drive, in ε.
     pub work: f64,
     /// Lines of the series.
@@ -140,7 +159,7 @@ impl Outcome {
             .filter(|line| line[0] >= begin.max(0.0) && line[0] <= off)
             .map(|line| [line[0], line[ANGLE]])
             .collect();
-        let verdict = if !is_over || after == 0 {
+        let verdict = if !is_over || after == 0 || scene.drive == DriveKind::Slide {
             Verdict::Open
         } else if last[ANGLE].abs() < BACK {
             Verdict::Reversible
@@ -170,6 +189,9 @@ impl Outcome {
                     standard_error(series, (off - END).max(0.0), off),
                 ),
             },
+            start: start(series, begin.max(-END), width),
+            slid: (scene.drive == DriveKind::Slide)
+                .then(|| Slid::of(scene, &looks(series, off), measured.loops)),
             samples: measured.samples,
         }
     }
@@ -188,7 +210,7 @@ impl Outcome {
                 "angle_degrees": json_number(plateau.angle),
             })
         };
-        json!({
+        let mut json = json!({
             "scene": scene.json(),
             "verdict": verdict,
             "driven_angle_degrees": json_number(self.driven_angle),
@@ -200,9 +222,41 @@ impl Outcome {
             "plateaus": self.plateaus.iter().map(plateau).collect::<Vec<_>>(),
             "tip_temperature": json_number(self.tip_temperature),
             "drive_energy": self.energy.json(),
+            "start": self.start.json(),
             "samples": self.samples,
-        })
+        });
+        if let Some(slid) = &self.slid {
+            json["slid"] = slid.json();
+        }
+        json
     }
+}
+
+/// Equilibrium before the drive, from lines with three more numbers than the series.
+fn start(lines: &[Vec<f64>], from: f64, width: usize) -> Start {
+    let before = lines.iter().filter(|line| line[0] >= from && line[0] <= 0.0);
+    let before: Vec<&[f64]> = before.map(Vec::as_slice).collect();
+    let columns = Columns {
+        angle: ANGLE,
+        torque: TORQUE,
+        height: HEIGHT,
+        temperatures: TEMPERATURES,
+        energy: POTENTIAL,
+        force: [width, width + 1, width + 2],
+    };
+    Start::of(&before, columns)
+}
+
+/// Looks at a slid tip while it is driven.
+fn looks(lines: &[Vec<f64>], off: f64) -> Vec<Look> {
+    let driven = lines.iter().filter(|line| line[0] >= 0.0 && line[0] <= off);
+    let look = |line: &Vec<f64>| Look {
+        time: line[0],
+        support: line[SUPPORT],
+        force: line[LATERAL],
+        normal: line[NORMAL],
+    };
+    driven.map(look).collect()
 }
 
 /// Means of all columns over an interval of time; NaN if it has no line.

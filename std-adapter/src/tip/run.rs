@@ -2,18 +2,20 @@
 
 use super::build::{BuildError, TipSystem, build};
 use super::checkpoint::Checkpoint;
+use super::loops::is_noted;
 use super::outcome::{Measured, Outcome};
 use super::shape::Part;
 use super::watch::{Watch, interval};
 use crate::md::interaction::Wanted;
-use crate::md::observe::{kinetic_energies, temperature};
+use crate::md::observe::{heat_energy, temperature};
 use crate::md::pair::LennardJones;
 use crate::md::system::{System, SystemError};
 use crate::record::CheckpointError;
 use crate::run::Simulation;
-use crate::scene::TipScene;
+use crate::scene::{DriveKind, TipScene};
+use nalgebra::Vector3;
 
-/// Columns of the series before the angles of the tip's layers.
+/// First columns of the series.
 const FIXED_COLUMNS: [&str; 7] = [
     "time",
     "angle",
@@ -23,6 +25,21 @@ const FIXED_COLUMNS: [&str; 7] = [
     "tip_temperature",
     "potential_energy",
 ];
+
+/// Further columns of a slid tip: position of the support, mean displacement of the driven layers
+/// and force of the spring on them along the drive, force of all other atoms on them along z, work of
+/// the support, heat that thermostats and damping took.
+const SLID_COLUMNS: [&str; 6] = [
+    "support",
+    "tip",
+    "lateral_force",
+    "normal_force",
+    "work",
+    "heat",
+];
+
+/// Numbers that a line for averages has after those of the series: mean force on a driven atom.
+const FORCE: usize = 3;
 
 /// Why a run cannot start or continue.
 #[derive(Debug, thiserror::Error)]
@@ -89,7 +106,11 @@ pub struct TipRun {
 impl TipRun {
     /// A run that starts from the crystal.
     pub fn new(scene: &TipScene) -> Result<Self, TipError> {
-        let TipSystem { setup, layer_of } = build(scene)?;
+        let TipSystem {
+            setup,
+            support,
+            layer_of,
+        } = build(scene)?;
         let watch = Watch::new(scene, &layer_of, &setup.atoms.positions);
         let part_of = setup.group_of.clone();
         let mut run = Self {
@@ -100,21 +121,35 @@ impl TipRun {
             watch,
             series: Vec::new(),
         };
+        if let Some(support) = support {
+            run.system.set_support(support);
+        }
         run.watch.look(&run.system);
+        run.watch.note(&run.scene, &run.system);
         run.write_lines();
         Ok(run)
     }
 
     /// Resumes from a checkpoint of the same scene, with the same bits as without interruption.
     pub fn resume(scene: &TipScene, text: &str) -> Result<Self, TipError> {
-        let TipSystem { setup, layer_of } = build(scene)?;
+        let TipSystem {
+            setup,
+            support,
+            layer_of,
+        } = build(scene)?;
         let mut watch = Watch::new(scene, &layer_of, &setup.atoms.positions);
-        let width = FIXED_COLUMNS.len() + scene.tip_layers;
-        let kept = Checkpoint::read(text, scene, layer_of.len(), width)?;
-        watch.restore(&kept.angles, kept.work, kept.lines);
+        let width = first_columns(scene) + scene.tip_layers;
+        let widths = [width + FORCE, width];
+        let kept = Checkpoint::read(text, scene, layer_of.len(), widths)?;
+        watch.restore(&kept.angles, [kept.work, kept.heat], kept.loops, kept.lines);
+        let part_of = setup.group_of.clone();
+        let mut system = System::resume(setup, kept.state)?;
+        if let Some(support) = support {
+            system.set_support(support);
+        }
         Ok(Self {
-            part_of: setup.group_of.clone(),
-            system: System::resume(setup, kept.state)?,
+            part_of,
+            system,
             scene: scene.clone(),
             layer_of,
             watch,
@@ -128,6 +163,8 @@ impl TipRun {
             state: self.system.state(),
             angles: self.watch.angles().collect(),
             work: self.watch.work(),
+            heat: self.watch.heat(),
+            loops: self.watch.loops().clone(),
             lines: self.watch.lines().to_vec(),
             series: self.series.clone(),
         };
@@ -155,15 +192,20 @@ impl TipRun {
     }
 
     /// Names of the columns: times in τ from the start of the drive, angles in degrees, those of
-    /// the tip's layers from below.
+    /// the tip's layers from below. A slid tip has more of them before the layers.
+    ///
+    /// `lateral_force` is the spring's on the tip along the drive, `normal_force` that of all other
+    /// atoms on the driven layers along z, `support` and `tip` are their ways along the drive, `work`
+    /// and `heat` sums since the start of the run.
     pub fn columns(&self) -> Vec<String> {
         let layers = 1..=self.scene.tip_layers;
         let names = layers.map(|layer| format!("layer_{layer}"));
-        FIXED_COLUMNS
-            .map(String::from)
-            .into_iter()
-            .chain(names)
-            .collect()
+        let slid: &[&str] = match self.scene.drive {
+            DriveKind::Torque => &[],
+            DriveKind::Slide => &SLID_COLUMNS,
+        };
+        let first = FIXED_COLUMNS.iter().chain(slid);
+        first.map(|&name| name.into()).chain(names).collect()
     }
 
     /// The lines so far.
@@ -186,7 +228,8 @@ impl TipRun {
     pub fn outcome(&self) -> Outcome {
         let measured = Measured {
             lines: self.watch.lines(),
-            layers: FIXED_COLUMNS.len(),
+            layers: first_columns(&self.scene),
+            loops: self.watch.loops(),
             work: self.watch.work(),
             samples: self.series.len(),
         };
@@ -196,7 +239,9 @@ impl TipRun {
     /// Advances to a step and computes the sums of the interaction there.
     fn advance(&mut self, to: u64) -> Result<(), TipError> {
         while self.system.steps() < to {
-            let wanted = if self.system.steps() + 1 == to {
+            let next = self.system.steps() + 1;
+            let is_noted = is_noted(&self.scene, next);
+            let wanted = if next == to || is_noted {
                 Wanted::Sums
             } else {
                 Wanted::Forces
@@ -204,6 +249,9 @@ impl TipRun {
             self.watch.before(&self.system);
             self.system.step(wanted)?;
             self.watch.after(&self.system);
+            if is_noted {
+                self.watch.note(&self.scene, &self.system);
+            }
         }
         Ok(())
     }
@@ -216,7 +264,9 @@ impl TipRun {
     fn write_lines(&mut self) {
         let line = self.line();
         if self.wants_average() {
-            self.watch.keep(line.clone());
+            let mut line = line.clone();
+            line.extend(self.mean_force());
+            self.watch.keep(line);
         }
         if self.wants_sample() {
             self.series.push(line);
@@ -237,11 +287,11 @@ impl TipRun {
 
     /// The current state as a line.
     fn line(&self) -> Vec<f64> {
-        let kinetic = kinetic_energies(&self.system);
         let heat = |part: Part| {
             let group = Part::ALL.iter().position(|&other| other == part);
             let group = group.unwrap_or_default();
-            temperature(kinetic[group], self.system.heat_freedoms(group))
+            let kinetic = heat_energy(&self.system, group);
+            temperature(kinetic, self.system.heat_freedoms(group))
         };
         let mut line = vec![
             self.time(),
@@ -252,8 +302,34 @@ impl TipRun {
             heat(Part::TipBath),
             self.system.tally().energy,
         ];
+        line.extend(self.slid().into_iter().flatten());
         line.extend(self.watch.angles().skip(1).map(f64::to_degrees));
         line
+    }
+
+    /// The further columns of a slid tip.
+    fn slid(&self) -> Option<[f64; SLID_COLUMNS.len()]> {
+        let support = self.system.support()?;
+        let position = support.position(self.system.time());
+        let ([x, y], [along_x, along_y]) = (self.system.support_force(), support.direction);
+        let lateral = x * along_x + y * along_y;
+        let driven = self.system.members(Part::ALL.len() - 1).len() as f64;
+        Some([
+            position,
+            position - lateral / self.scene.stiffness,
+            lateral,
+            self.mean_force()[2] * driven,
+            self.watch.work(),
+            self.watch.heat(),
+        ])
+    }
+
+    /// Mean force of all other atoms on a driven one.
+    fn mean_force(&self) -> [f64; FORCE] {
+        let driven = self.system.members(Part::ALL.len() - 1);
+        let forces = driven.iter().map(|&atom| self.system.forces()[atom]);
+        let count = driven.len() as f64;
+        (forces.sum::<Vector3<f64>>() / count).into()
     }
 
     /// Torque of all other atoms on the driven ones about the axis, positive against the drive.
@@ -279,6 +355,15 @@ impl TipRun {
             .sum();
         sum / driven.len() as f64
     }
+}
+
+/// Number of columns before the angles of the tip's layers.
+fn first_columns(scene: &TipScene) -> usize {
+    FIXED_COLUMNS.len()
+        + match scene.drive {
+            DriveKind::Torque => 0,
+            DriveKind::Slide => SLID_COLUMNS.len(),
+        }
 }
 
 impl Simulation for TipRun {

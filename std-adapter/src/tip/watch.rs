@@ -1,16 +1,19 @@
 //! Measurements of a run, independent of its records: turns and work at every step, averages from
 //! lines whose interval depends only on the scene's stages.
 
+use super::loops::{self, Loops, Totals};
 use super::shape::Part;
 use crate::md::drive::TorqueDrive;
-use crate::md::observe::Torsion;
+use crate::md::observe::{Torsion, kinetic_energies};
 use crate::md::pair::LennardJones;
 use crate::md::system::System;
-use crate::scene::{StageSteps, TipScene};
+use crate::scene::{DriveKind, DrivenHold, StageSteps, TipScene};
 use nalgebra::Vector3;
 
 /// Time between the lines for averages, in τ.
 const INTERVAL: f64 = 0.5;
+/// Path of a support between the lines for averages, in spacings.
+const PART: f64 = 0.05;
 /// Least number of lines in the shortest stage, if it has as many steps.
 const LINES: u64 = 40;
 
@@ -26,7 +29,13 @@ pub(super) fn interval(scene: &TipScene) -> u64 {
         .into_iter()
         .filter(|&steps| steps > 0);
     let shortest = stages.min().unwrap_or(u64::MAX);
-    usual.min(shortest / LINES).max(1)
+    let sliding = match scene.speed {
+        Some(speed) if scene.drive == DriveKind::Slide => {
+            (PART * scene.spacing / (speed * scene.time_step)) as u64
+        }
+        _ => u64::MAX,
+    };
+    usual.min(shortest / LINES).min(sliding).max(1)
 }
 
 /// Number of lines after `steps` steps of a run: one at the start, one per interval, one at the end.
@@ -44,6 +53,10 @@ pub(super) struct Watch {
     torsions: Vec<Torsion>,
     /// Work of the drive, in ε.
     work: f64,
+    /// Heat that thermostats and damping took.
+    heat: f64,
+    /// Turning points of a slid tip.
+    loops: Loops,
     /// Positions of the driven atoms before the step.
     places: Vec<Vector3<f64>>,
     /// Lines for averages.
@@ -56,17 +69,26 @@ impl Watch {
         Self {
             torsions: torsions(scene, layer_of, positions),
             work: 0.0,
+            heat: 0.0,
+            loops: Loops::default(),
             places: Vec::new(),
             lines: Vec::new(),
         }
     }
 
     /// Restores the state of a checkpoint.
-    pub fn restore(&mut self, angles: &[f64], work: f64, lines: Vec<Vec<f64>>) {
+    pub fn restore(
+        &mut self,
+        angles: &[f64],
+        [work, heat]: [f64; 2],
+        loops: Loops,
+        lines: Vec<Vec<f64>>,
+    ) {
         for (torsion, &angle) in self.torsions.iter_mut().zip(angles) {
             torsion.restore(angle);
         }
-        self.work = work;
+        (self.work, self.heat) = (work, heat);
+        self.loops = loops;
         self.lines = lines;
     }
 
@@ -82,6 +104,9 @@ impl Watch {
     /// Updates the angles and adds the work of the drive; call it after a step.
     pub fn after(&mut self, system: &System<LennardJones>) {
         self.look(system);
+        let exchange = system.exchange();
+        self.heat += exchange.heat;
+        self.work += exchange.work;
         // The drive acts in a step if it is on in its middle.
         let middle = system.time() - 0.5 * system.time_step();
         if let Some(drive) = system.drive().filter(|drive| drive.is_on(middle)) {
@@ -123,10 +148,50 @@ impl Watch {
         self.work
     }
 
+    /// Heat that thermostats and damping took so far.
+    pub fn heat(&self) -> f64 {
+        self.heat
+    }
+
+    /// The turning points so far.
+    pub fn loops(&self) -> &Loops {
+        &self.loops
+    }
+
+    /// Notes an end of a slid tip's drive or a turning point if this step is one. The sums of the
+    /// interaction must be known.
+    pub fn note(&mut self, scene: &TipScene, system: &System<LennardJones>) {
+        let [ends, turns] = loops::counts(scene, system.steps());
+        if self.loops.ends.len() as u64 != ends {
+            self.loops.ends.push(Totals {
+                work: self.work,
+                heat: self.heat,
+                energy: stored_energy(scene, system),
+            });
+        }
+        if self.loops.turns.len() as u64 != turns {
+            self.loops.turns.push(self.work);
+        }
+    }
+
     /// The lines so far.
     pub fn lines(&self) -> &[Vec<f64>] {
         &self.lines
     }
+}
+
+/// Energy of atoms, springs and load.
+fn stored_energy(scene: &TipScene, system: &System<LennardJones>) -> f64 {
+    let kinetic: f64 = kinetic_energies(system).iter().sum();
+    let lifted = match scene.hold {
+        DrivenHold::Plane => 0.0,
+        DrivenHold::Level => {
+            let driven = system.members(Part::ALL.len() - 1).iter();
+            let heights = driven.map(|&atom| system.atoms().positions[atom].z);
+            scene.lift() * heights.sum::<f64>()
+        }
+    };
+    system.tally().energy + kinetic + system.support_energy() - lifted
 }
 
 /// Rotation of the driven atoms and of each layer of the tip.

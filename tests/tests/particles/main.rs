@@ -11,3 +11,4 @@ mod neighbours;
 mod tip_run;
 mod tip_scenes;
 mod tip_shape;
+mod tip_slid;

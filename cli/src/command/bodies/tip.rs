@@ -1,4 +1,4 @@
-//! Tips turned on a substrate.
+//! Tips turned or slid on a substrate.
 
 use super::kind::{Kind, told};
 use super::unfinished::session;
@@ -13,10 +13,10 @@ use serde_json::Value;
 use std::path::Path;
 use std::sync::Arc;
 use tribos::run::folder::Lock;
-use tribos::scene::TipScene;
+use tribos::scene::{DriveKind, TipScene};
 use tribos::tip::TipRun;
 
-/// Tips.
+/// Turned tips.
 static KIND: Kind = Kind {
     quantities: &[
         ("final_angle", "/final_angle_degrees"),
@@ -34,6 +34,27 @@ static KIND: Kind = Kind {
     ],
 };
 
+/// Slid tips.
+static SLID: Kind = Kind {
+    quantities: &[
+        ("friction", "/slid/friction"),
+        ("friction_forth", "/slid/friction_forth"),
+        ("friction_back", "/slid/friction_back"),
+        ("normal_force", "/slid/normal_force"),
+        ("period", "/slid/period"),
+        ("peak_force", "/slid/peak_force"),
+        ("tip_temperature", "/tip_temperature"),
+    ],
+    drawn: ["Friction of the tip", "loop area over path"],
+    share: ["with a friction loop", "/verdict", "open"],
+    told: &[
+        told("friction", 0, 1.0),
+        told("normal force", 3, 1.0),
+        told("period", 4, 1.0),
+        told("tip T", 6, 1.0),
+    ],
+};
+
 impl Commands for &TipScene {
     fn is_long(&self) -> bool {
         true
@@ -44,7 +65,10 @@ impl Commands for &TipScene {
     }
 
     fn kind(&self) -> &'static Kind {
-        &KIND
+        match self.drive {
+            DriveKind::Torque => &KIND,
+            DriveKind::Slide => &SLID,
+        }
     }
 
     fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
@@ -55,6 +79,11 @@ impl Commands for &TipScene {
         written
             .and_then(|()| tip::write_series(&run, lock.folder()))
             .map_err(Unfinished::Stopped)?;
+        if let Some(slid) = &outcome.slid {
+            let (friction, normal) = (shown(slid.friction), shown(slid.normal_force));
+            let told = format!("friction {friction} at a normal force of {normal}");
+            return Ok((outcome.json(self), told));
+        }
         let told = format!(
             "{} degrees driven, {} after it",
             shown(outcome.driven_angle),

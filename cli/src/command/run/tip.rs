@@ -1,4 +1,4 @@
-//! Tips turned on a substrate.
+//! Tips turned or slid on a substrate.
 
 use super::caller::Caller;
 use super::order::Order;
@@ -10,7 +10,7 @@ use tribos::record;
 use tribos::run::folder::OutputFolder;
 use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
 use tribos::scene::TipScene;
-use tribos::tip::{self, Outcome, TipError, TipRun, Verdict, export};
+use tribos::tip::{self, Outcome, Slid, TipError, TipRun, Verdict, export};
 use tribos_report::runs::tip as picture;
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
@@ -88,8 +88,45 @@ fn write(
     Ok(folder.write("summary.json", summary.as_bytes())?)
 }
 
+/// What a slid tip shows.
+fn told(slid: &Slid, outcome: &Outcome) -> String {
+    let balance = slid.heat + slid.stored;
+    format!(
+        "friction      {} as loop area over path, mean force {} forth and {} back, {} of {} strokes\n\
+         normal force  {} on the driven layers\n\
+         stick-slip    period {} ({} of the variance), {} slips from {} on average\n\
+         energy        work {} of the support, {} as heat and {} stored: {} together\n\
+         temperature   {} of the tip's bath\n\
+         start         force {}, {}, {} and torque {} +- {} on the driven layers before the drive\n",
+        shown(slid.friction),
+        shown(slid.friction_forth),
+        shown(slid.friction_back),
+        2 * slid.loops,
+        slid.strokes,
+        shown(slid.normal_force),
+        shown(slid.period),
+        shown(slid.period_share),
+        slid.slips,
+        shown(slid.peak_force),
+        shown(slid.work),
+        shown(slid.heat),
+        shown(slid.stored),
+        shown(balance),
+        shown(outcome.tip_temperature),
+        shown(outcome.start.force[0]),
+        shown(outcome.start.force[1]),
+        shown(outcome.start.force[2]),
+        shown(outcome.start.torque),
+        shown(outcome.start.torque_error),
+    )
+}
+
 /// A few lines for the person at the terminal.
 fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
+    if let Some(slid) = &outcome.slid {
+        let text = told(slid, outcome) + &format!("written to    {}\n", order.out.display());
+        return order.caller.report(&text);
+    }
     let verdict = match outcome.verdict {
         Verdict::Reversible => "reversible: the driven layers turned back",
         Verdict::Irreversible => "irreversible: the driven layers did not turn back",

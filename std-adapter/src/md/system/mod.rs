@@ -3,6 +3,7 @@
 mod error;
 mod motion;
 mod overlap;
+mod thermal;
 
 pub use error::SystemError;
 
@@ -11,6 +12,7 @@ use super::drive::TorqueDrive;
 use super::group::Group;
 use super::interaction::{Interaction, Tally, Wanted, evaluate};
 use super::neighbours::VerletList;
+use super::support::Support;
 use super::thermostat::Thermostat;
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
@@ -96,6 +98,15 @@ pub struct State {
     pub thermostats: Vec<[f64; 2]>,
 }
 
+/// Energy that a step exchanged with the outside.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Exchange {
+    /// Energy that thermostats and damping took from the atoms.
+    pub heat: f64,
+    /// Work that the support did on its springs and by the damping against it.
+    pub work: f64,
+}
+
 /// Atoms in motion.
 ///
 /// ```
@@ -147,6 +158,8 @@ pub struct System<I> {
     groups: Vec<Group>,
     members: Vec<Vec<usize>>,
     drive: Option<TorqueDrive>,
+    support: Option<Support>,
+    exchange: Exchange,
     integrator: Integrator,
     time_step: f64,
     seed: u64,
@@ -212,6 +225,8 @@ impl<I: Interaction> System<I> {
             groups: setup.groups,
             members,
             drive: setup.drive,
+            support: None,
+            exchange: Exchange::default(),
             integrator: setup.integrator,
             time_step: setup.time_step,
             seed: setup.seed,
@@ -310,6 +325,82 @@ impl<I: Interaction> System<I> {
     /// ```
     pub fn set_drive(&mut self, drive: Option<TorqueDrive>) {
         self.drive = drive;
+    }
+
+    /// The support that pulls a group.
+    pub fn support(&self) -> Option<&Support> {
+        self.support.as_ref()
+    }
+
+    /// Ties a group to a moving support from now on; it needs an anchor for each atom of the group.
+    ///
+    /// ```
+    /// # use nalgebra::Vector3;
+    /// # use tribos::md::pair::{LennardJones, Pairing, Shift};
+    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Wanted};
+    /// # use tribos::md::{support::Support, system::{Integrator, Setup, System}};
+    /// # use tribos::space::PeriodicBox;
+    /// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
+    /// # let mut system = System::new(Setup {
+    /// #     atoms: Atoms::at(vec![Vector3::zeros()]),
+    /// #     space: PeriodicBox::OPEN,
+    /// #     interaction: LennardJones::single(unit, Shift::None)?,
+    /// #     skin: 0.3,
+    /// #     groups: vec![Group::default()],
+    /// #     group_of: vec![0],
+    /// #     drive: None,
+    /// #     integrator: Integrator::VelocityVerlet,
+    /// #     time_step: 0.01,
+    /// #     seed: 1,
+    /// # })?;
+    /// // A lone atom on a spring with ω = 1, pulled at a speed of 1: x = t − sin t.
+    /// system.set_support(Support {
+    ///     group: 0,
+    ///     anchors: vec![[0.0; 2]],
+    ///     direction: [1.0, 0.0],
+    ///     stiffness: 1.0,
+    ///     speed: 1.0,
+    ///     stroke: f64::INFINITY,
+    ///     from: 0.0,
+    ///     until: 9.0,
+    /// });
+    /// let mut work = 0.0;
+    /// for _ in 0..200 {
+    ///     system.step(Wanted::Forces)?;
+    ///     work += system.exchange().work;
+    /// }
+    /// let time = system.time();
+    /// assert!((system.atoms().positions[0].x - (time - time.sin())).abs() < 1e-4);
+    /// assert!((work - (1.0 - time.cos())).abs() < 1e-4); // ∫ sin t dt
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn set_support(&mut self, support: Support) {
+        self.support = Some(support);
+    }
+
+    /// What the last step exchanged with thermostats, damping and support.
+    pub fn exchange(&self) -> Exchange {
+        self.exchange
+    }
+
+    /// Force of the support on its group; nothing without one.
+    pub fn support_force(&self) -> [f64; 2] {
+        self.support.as_ref().map_or([0.0; 2], |support| {
+            support.total(self.pulled(support), support.position(self.time()))
+        })
+    }
+
+    /// Energy of the support's springs; 0 without one.
+    pub fn support_energy(&self) -> f64 {
+        self.support.as_ref().map_or(0.0, |support| {
+            support.energy(self.pulled(support), support.position(self.time()))
+        })
+    }
+
+    /// Positions of the atoms that a support pulls.
+    fn pulled(&self, support: &Support) -> impl Iterator<Item = &Vector3<f64>> {
+        let members = self.members.get(support.group).map_or(&[][..], Vec::as_slice);
+        members.iter().map(|&atom| &self.atoms.positions[atom])
     }
 
     /// Steps taken.

@@ -1,9 +1,9 @@
 //! One step: thermostats, kicks and drifts in a symmetric order.
 
-use super::{Integrator, System, SystemError};
+use super::{Exchange, Integrator, System, SystemError};
 use crate::md::group::Hold;
 use crate::md::interaction::{Interaction, Wanted};
-use crate::md::thermostat::{Langevin, Noise, NoseHoover, Spin, Thermostat};
+use crate::md::thermostat::Thermostat;
 use nalgebra::Vector3;
 
 impl<I: Interaction> System<I> {
@@ -14,6 +14,8 @@ impl<I: Interaction> System<I> {
     /// before the drift. Langevin noise acts in the middle of the drift.
     pub fn step(&mut self, wanted: Wanted) -> Result<(), SystemError> {
         let half = 0.5 * self.time_step;
+        self.exchange = Exchange::default();
+        let begin = self.support_at();
         // The drive is on or off according to the middle of the last step and of this one.
         let [last, this] = [self.time() - half, self.time() + half];
         match self.integrator {
@@ -33,6 +35,7 @@ impl<I: Interaction> System<I> {
                 self.compute(wanted)?;
             }
         }
+        self.exchange.work += self.support_work(begin);
         Ok(())
     }
 
@@ -81,7 +84,23 @@ impl<I: Interaction> System<I> {
         self.atoms.velocities = velocities;
     }
 
-    /// Adds the forces of the interaction, loads and, if it is on at `at`, the drive to the velocities.
+    /// Position of the support, and its force along its direction.
+    fn support_at(&self) -> Option<[f64; 2]> {
+        let support = self.support.as_ref()?;
+        let ([x, y], [along_x, along_y]) = (self.support_force(), support.direction);
+        Some([support.position(self.time()), x * along_x + y * along_y])
+    }
+
+    /// Work of the springs' far ends in a step: mean force of both its ends times the displacement.
+    fn support_work(&self, begin: Option<[f64; 2]>) -> f64 {
+        match (begin, self.support_at()) {
+            (Some([from, first]), Some([to, last])) => 0.5 * (first + last) * (to - from),
+            _ => 0.0,
+        }
+    }
+
+    /// Adds the forces of the interaction, loads, the support and, if it is on at `at`, the drive to
+    /// the velocities.
     fn kick(&self, velocities: &mut [Vector3<f64>], time: f64, at: f64) {
         for (index, group) in self.groups.iter().enumerate() {
             if !group.hold.is_driven_by_forces() {
@@ -90,7 +109,9 @@ impl<I: Interaction> System<I> {
             let drive = self.drive.as_ref();
             let drive = drive.filter(|d| d.is_on(at) && d.groups.contains(&index));
             let common = self.common_lift(index);
-            for &atom in &self.members[index] {
+            let support = self.support.as_ref().filter(|s| s.group == index);
+            let support = support.map(|s| (s, s.position(self.time())));
+            for (number, &atom) in self.members[index].iter().enumerate() {
                 let inv_mass = 1.0 / self.atoms.mass(atom);
                 let mut push = self.forces[atom] * inv_mass;
                 push.z = match group.hold {
@@ -102,6 +123,11 @@ impl<I: Interaction> System<I> {
                     let [x, y] = drive.acceleration_at(&self.atoms.positions[atom]);
                     push.x += x;
                     push.y += y;
+                }
+                if let Some((support, position)) = support {
+                    let [x, y] = support.force(number, &self.atoms.positions[atom], position);
+                    push.x += x * inv_mass;
+                    push.y += y * inv_mass;
                 }
                 velocities[atom] += push * time;
             }
@@ -120,129 +146,6 @@ impl<I: Interaction> System<I> {
             mass += self.atoms.mass(atom);
         }
         force / mass
-    }
-
-    /// Applies damping and Nosé–Hoover thermostats.
-    fn thermalise(&mut self, time: f64) {
-        for index in 0..self.groups.len() {
-            let group = self.groups[index];
-            if !group.hold.is_driven_by_forces() {
-                continue;
-            }
-            if group.damping != 0.0 {
-                let factor = libm::exp(-group.damping * time);
-                for &atom in &self.members[index] {
-                    self.atoms.velocities[atom] *= factor;
-                }
-            }
-            if let Thermostat::NoseHoover(mut thermostat) = group.thermostat {
-                self.scale(index, &mut thermostat, time);
-                self.groups[index].thermostat = Thermostat::NoseHoover(thermostat);
-            }
-        }
-    }
-
-    /// Scales the velocities of a group, or their deviation from its common rotation.
-    fn scale(&mut self, index: usize, thermostat: &mut NoseHoover, time: f64) {
-        let freedoms = self.heat_freedoms(index);
-        match thermostat.spin() {
-            Spin::Counts => {
-                let factor = thermostat.scale(self.kinetic(index), freedoms, time);
-                for &atom in &self.members[index] {
-                    self.atoms.velocities[atom] *= factor;
-                }
-            }
-            Spin::Spared { axis } => {
-                let rate = self.mean_rate(index, axis);
-                let mut kinetic = 0.0;
-                for &atom in &self.members[index] {
-                    let common = self.turning(atom, axis, rate);
-                    let velocity = &mut self.atoms.velocities[atom];
-                    *velocity -= common;
-                    let mass = self.atoms.masses[usize::from(self.atoms.species[atom])];
-                    kinetic += 0.5 * mass * velocity.norm_squared();
-                }
-                let factor = thermostat.scale(kinetic, freedoms, time);
-                for &atom in &self.members[index] {
-                    let common = self.turning(atom, axis, rate);
-                    let velocity = &mut self.atoms.velocities[atom];
-                    *velocity = *velocity * factor + common;
-                }
-            }
-        }
-    }
-
-    /// Degrees of freedom of a group that its thermostat controls.
-    ///
-    /// ```
-    /// # use nalgebra::Vector3;
-    /// # use tribos::md::pair::{LennardJones, Pairing, Shift};
-    /// # use tribos::md::{atoms::Atoms, group::Group, interaction::Wanted};
-    /// # use tribos::space::PeriodicBox;
-    /// # use tribos::md::system::{Integrator, Setup, System};
-    /// # use tribos::md::thermostat::{NoseHoover, Spin, Thermostat};
-    /// # let unit = Pairing { epsilon: 1.0, sigma: 1.0, cutoff: 2.5 };
-    /// // The common rotation of a turned body is no heat: one freedom less.
-    /// let bath = NoseHoover::new(0.1, 0.5, Spin::Spared { axis: [0.0; 2] })?;
-    /// let turned = Group { thermostat: Thermostat::NoseHoover(bath), ..Group::default() };
-    /// # let system = System::new(Setup {
-    /// #     atoms: Atoms::at(vec![Vector3::x(), -Vector3::x()]),
-    /// #     space: PeriodicBox::OPEN,
-    /// #     interaction: LennardJones::single(unit, Shift::None)?,
-    /// #     skin: 0.3,
-    /// #     groups: vec![turned, Group::default()],
-    /// #     group_of: vec![0; 2],
-    /// #     drive: None,
-    /// #     integrator: Integrator::VelocityVerlet,
-    /// #     time_step: 0.005,
-    /// #     seed: 1,
-    /// # })?;
-    /// assert_eq!(system.groups()[0], turned);
-    /// assert_eq!(system.members(0), [0, 1]);
-    /// assert_eq!(system.heat_freedoms(0), 3.0 * 2.0 - 1.0);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn heat_freedoms(&self, index: usize) -> f64 {
-        let group = &self.groups[index];
-        let all = group.hold.freedoms(self.members[index].len());
-        let spared = match &group.thermostat {
-            Thermostat::NoseHoover(thermostat) => {
-                usize::from(thermostat.spin() != Spin::Counts && all > 0)
-            }
-            _ => 0,
-        };
-        (all - spared) as f64
-    }
-
-    /// Kinetic energy of a group, from the stored velocities.
-    fn kinetic(&self, index: usize) -> f64 {
-        let part = |&atom: &usize| {
-            0.5 * self.atoms.mass(atom) * self.atoms.velocities[atom].norm_squared()
-        };
-        self.members[index].iter().map(part).sum()
-    }
-
-    /// Angular momentum of a group over its moment of inertia about a vertical axis.
-    fn mean_rate(&self, index: usize, axis: [f64; 2]) -> f64 {
-        let (mut momentum, mut inertia) = (0.0, 0.0);
-        for &atom in &self.members[index] {
-            let (place, velocity) = (&self.atoms.positions[atom], &self.atoms.velocities[atom]);
-            let [x, y] = [place.x - axis[0], place.y - axis[1]];
-            let mass = self.atoms.mass(atom);
-            momentum += mass * (x * velocity.y - y * velocity.x);
-            inertia += mass * (x * x + y * y);
-        }
-        if inertia > 0.0 {
-            momentum / inertia
-        } else {
-            0.0
-        }
-    }
-
-    /// Velocity of an atom in a rotation about a vertical axis.
-    fn turning(&self, atom: usize, axis: [f64; 2], rate: f64) -> Vector3<f64> {
-        let place = &self.atoms.positions[atom];
-        Vector3::new(-rate * (place.y - axis[1]), rate * (place.x - axis[0]), 0.0)
     }
 
     /// Moves the atoms, with the noise of Langevin groups in the middle.
@@ -269,22 +172,6 @@ impl<I: Interaction> System<I> {
         for &atom in &self.members[index] {
             let velocity = self.atoms.velocities[atom];
             self.atoms.positions[atom] += velocity * time;
-        }
-    }
-
-    /// Applies friction and noise over a whole step, along the free axes.
-    fn shake(&mut self, index: usize, thermostat: &Langevin) {
-        let [kept, unit] = thermostat.factors(self.time_step);
-        let is_flat = matches!(self.groups[index].hold, Hold::Plane | Hold::Level);
-        let mut noise = Noise::new(self.seed, self.steps, index);
-        for &atom in &self.members[index] {
-            let size = unit / self.atoms.mass(atom).sqrt();
-            let velocity = &mut self.atoms.velocities[atom];
-            let lift = velocity.z;
-            *velocity = *velocity * kept + noise.vector() * size;
-            if is_flat {
-                velocity.z = lift;
-            }
         }
     }
 

@@ -140,6 +140,12 @@ fn what_must_be_given_is_what_the_reader_misses() {
     }
 }
 
+/// The text without the line of a key.
+fn without(text: &str, key: &str) -> String {
+    let is_other = |line: &&str| !line.starts_with(key);
+    text.lines().filter(is_other).map(|line| format!("{line}\n")).collect()
+}
+
 #[test]
 fn keys_that_depend_on_others_are_judged_as_the_reader_does() {
     let disk = "speed = 1\nspin = 1\ncoefficient = 1\nalpha = 0\ninertia_ratio = 0.5\n";
@@ -163,6 +169,12 @@ fn keys_that_depend_on_others_are_judged_as_the_reader_does() {
             match key.need {
                 Need::PartOf(other, word) | Need::OnlyWith(other, word) => {
                     assert!(!agreed(&text), "{text}");
+                    // A slid tip has a speed where a turned one has a torque.
+                    let text = match (other, key.name) {
+                        ("drive", "speed") => without(&text, "lambda"),
+                        ("drive", _) => format!("{}speed = 1\n", without(&text, "lambda")),
+                        _ => text,
+                    };
                     assert!(agreed(&format!("{text}{other} = \"{word}\"")), "{text}");
                 }
                 Need::NotWith(..) => {

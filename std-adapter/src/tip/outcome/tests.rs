@@ -8,6 +8,7 @@ fn seen(scene: &TipScene, lines: &[Vec<f64>]) -> Outcome {
     let measured = Measured {
         lines,
         layers: 7,
+        loops: &Loops::default(),
         work: 60.0,
         samples: lines.len(),
     };

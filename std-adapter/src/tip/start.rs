@@ -1,0 +1,173 @@
+//! How well the tip is in equilibrium at the moment the drive begins.
+
+use crate::record::json_number;
+use serde_json::{Value, json};
+
+/// The tip before the drive: means over the last 20 τ of the first stage, closer to its start if it
+/// is shorter. In equilibrium forces and torque are 0 within their errors, and nothing drifts.
+///
+/// Driven layers that are held in their plane (`hold = "plane"`) may have a mean force along z: it is
+/// the force that holds them, per atom. With a load in equilibrium it is the load.
+///
+/// ```
+/// use tribos::run::drive;
+/// use tribos::scene::TipScene;
+/// use tribos::tip::{Start, TipRun};
+/// let scene = TipScene {
+///     lambda: 0.0,
+///     columns: 8,
+///     rows: 8,
+///     substrate_layers: 4,
+///     tip_layers: 4,
+///     side: 2,
+///     equilibration: 5.0,
+///     drive_time: 0.0,
+///     rest_time: 0.0,
+///     ..TipScene::default()
+/// };
+/// let mut run = TipRun::new(&scene)?;
+/// drive(&mut run, |_, _| ())?;
+/// let start: Start = run.outcome().start;
+/// assert!(start.force[0].abs() < 10.0 * start.force_error[0]);
+/// assert!(start.torque.abs() < 10.0 * start.torque_error);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// *Units*: those of the scene. *Accuracy*: errors are standard errors of lines 0.5 τ apart
+/// (closer if a stage is short), treated as independent; neighbouring ones are correlated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start {
+    /// Mean force of all other atoms on a driven atom.
+    pub force: [f64; 3],
+    /// Standard errors of `force`.
+    pub force_error: [f64; 3],
+    /// Mean torque of all other atoms on the driven layers about the vertical axis.
+    pub torque: f64,
+    /// Standard error of `torque`.
+    pub torque_error: f64,
+    /// Mean temperatures of the thermostatted layers of substrate and tip.
+    pub temperature: [f64; 2],
+    /// Rise of the driven layers per time.
+    pub height_drift: f64,
+    /// Rotation of the driven layers per time, in degrees.
+    pub angle_drift: f64,
+    /// Rise of the potential energy per time.
+    pub energy_drift: f64,
+    /// Lines that the means are over.
+    pub lines: usize,
+}
+
+/// Columns of a line that tell of equilibrium.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Columns {
+    /// Of the angle of the driven layers.
+    pub angle: usize,
+    /// Of the torque against the drive.
+    pub torque: usize,
+    /// Of the height of the driven layers.
+    pub height: usize,
+    /// Of both temperatures.
+    pub temperatures: [usize; 2],
+    /// Of the potential energy.
+    pub energy: usize,
+    /// Of the three components of the mean force on a driven atom.
+    pub force: [usize; 3],
+}
+
+impl Start {
+    /// From lines before the drive, whose first column is the time.
+    pub(super) fn of(lines: &[&[f64]], columns: Columns) -> Self {
+        let [mean, error, slope] = [mean, standard_error, slope].map(|of| {
+            move |column: usize| of(lines, column)
+        });
+        Self {
+            force: columns.force.map(&mean),
+            force_error: columns.force.map(&error),
+            // A line has the torque against the drive.
+            torque: -mean(columns.torque),
+            torque_error: error(columns.torque),
+            temperature: columns.temperatures.map(&mean),
+            height_drift: slope(columns.height),
+            angle_drift: slope(columns.angle),
+            energy_drift: slope(columns.energy),
+            lines: lines.len(),
+        }
+    }
+
+    /// As JSON.
+    pub(super) fn json(&self) -> Value {
+        let list = |numbers: &[f64]| numbers.iter().copied().map(json_number).collect::<Vec<_>>();
+        json!({
+            "force": list(&self.force),
+            "force_error": list(&self.force_error),
+            "torque": json_number(self.torque),
+            "torque_error": json_number(self.torque_error),
+            "temperature": list(&self.temperature),
+            "height_drift": json_number(self.height_drift),
+            "angle_drift_degrees": json_number(self.angle_drift),
+            "energy_drift": json_number(self.energy_drift),
+            "lines": self.lines,
+        })
+    }
+}
+
+/// A column; NaN where a line is too short.
+fn values<'a>(lines: &'a [&[f64]], column: usize) -> impl Iterator<Item = f64> + 'a {
+    let of = move |line: &&[f64]| line.get(column).copied().unwrap_or(f64::NAN);
+    lines.iter().map(of)
+}
+
+fn mean(lines: &[&[f64]], column: usize) -> f64 {
+    values(lines, column).sum::<f64>() / lines.len() as f64
+}
+
+/// Standard error of a mean of independent numbers.
+fn standard_error(lines: &[&[f64]], column: usize) -> f64 {
+    let (count, mean) = (lines.len() as f64, mean(lines, column));
+    let square: f64 = values(lines, column).map(|x| (x - mean) * (x - mean)).sum();
+    (square / (count * (count - 1.0))).sqrt()
+}
+
+/// Slope of the straight line of least squares against the time.
+fn slope(lines: &[&[f64]], column: usize) -> f64 {
+    let [t0, x0] = [0, column].map(|column| mean(lines, column));
+    let times = || values(lines, 0).map(|time| time - t0);
+    let cross: f64 = times().zip(values(lines, column)).map(|(t, x)| t * (x - x0)).sum();
+    cross / times().map(|t| t * t).sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn means_errors_and_drifts_are_those_of_a_known_series() {
+        // x = 3 + 2 t with a scatter of ±1 that has no mean and no trend.
+        let lines: Vec<Vec<f64>> = (0..8)
+            .map(|k: i32| {
+                let t = f64::from(k) - 3.5;
+                let scatter = if [0, 3, 5, 6].contains(&k) { 1.0 } else { -1.0 };
+                vec![t, 3.0 + 2.0 * t, scatter, -5.0]
+            })
+            .collect();
+        let lines: Vec<&[f64]> = lines.iter().map(Vec::as_slice).collect();
+        let columns = Columns {
+            angle: 1,
+            torque: 3,
+            height: 2,
+            temperatures: [1, 3],
+            energy: 3,
+            force: [1, 2, 9],
+        };
+        let start = Start::of(&lines, columns);
+        assert_eq!((start.force[0], start.force[1]), (3.0, 0.0));
+        assert!(start.force[2].is_nan());
+        assert_eq!((start.torque, start.torque_error), (5.0, 0.0));
+        assert!((start.force_error[1] - (1.0 / 7.0_f64).sqrt()).abs() < 1e-15);
+        assert_eq!((start.angle_drift, start.energy_drift), (2.0, 0.0));
+        assert_eq!(start.temperature, [3.0, -5.0]);
+        assert_eq!(start.lines, 8);
+        // No line, no number.
+        assert!(Start::of(&[], columns).torque.is_nan());
+    }
+}
