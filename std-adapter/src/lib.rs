@@ -76,6 +76,7 @@
 //! | [`scene`] | scenes: plain data with defaults, their files, units and checks |
 //! | [`push`] | quasi-static pushing: motion cones, sticking and sliding, paths |
 //! | [`slide`] | sliding bodies: disk, cylinder, pipe, curling rock; launches that end at a wanted pose |
+//! | [`stick`] | bodies that hold, let go and hold again: on a spring, on an incline, on a turntable |
 //! | [`cd`], [`powder`] | rigid spheres in contact; cohesive powders under a piston |
 //! | [`md`], [`tip`] | pair potentials of atoms; a tip of atoms turned on a substrate |
 //! | [`fit`] | parameters of friction laws from measurements |
@@ -102,6 +103,7 @@ pub mod run;
 pub mod scene;
 pub mod slide;
 pub mod space;
+pub mod stick;
 pub mod tip;
 
 pub use tribos_core as kernel;

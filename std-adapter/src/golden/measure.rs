@@ -7,6 +7,7 @@ use crate::push::PushError;
 use crate::record::{ContactRow, Partner};
 use crate::scene::Scene;
 use crate::slide::SlideError;
+use crate::stick::StickError;
 use crate::tip::TipError;
 use nalgebra::Vector3;
 use serde_json::Value;
@@ -36,6 +37,9 @@ pub enum MeasureError {
     /// A pushed body.
     #[error(transparent)]
     Push(#[from] PushError),
+    /// A body that holds and slips.
+    #[error(transparent)]
+    Stick(#[from] StickError),
 }
 
 /// Results of a scene.

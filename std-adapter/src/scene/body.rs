@@ -8,7 +8,7 @@ use super::vocabulary::Vocabulary;
 use super::words::meant;
 use super::{
     Body, CurlingScene, CylinderScene, PipeScene, PlateScene, PowderScene, SceneError, SliderScene,
-    TipScene,
+    SpringScene, TipScene,
 };
 use serde_json::Value;
 use std::path::Path;
@@ -77,6 +77,8 @@ bodies! {
     Plate(PlateScene),
     /// A curling rock.
     Curling(CurlingScene),
+    /// A body on a spring.
+    Spring(SpringScene),
     /// A powder under a piston.
     Powder(PowderScene),
     /// A tip turned on a substrate.

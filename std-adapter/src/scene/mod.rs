@@ -26,6 +26,7 @@ mod push;
 mod reader;
 mod schema;
 mod slider;
+mod spring;
 mod table;
 mod template;
 #[cfg(test)]
@@ -52,6 +53,8 @@ pub use push::PushScene;
 #[doc(hidden)]
 pub use schema::schema;
 pub use slider::{SliderScene, Stepper, Units};
+pub(crate) use spring::NO_LAW;
+pub use spring::{SpringFriction, SpringScene};
 #[doc(hidden)]
 pub use table::Body;
 #[doc(hidden)]

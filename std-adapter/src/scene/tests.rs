@@ -5,13 +5,14 @@ use crate::powder::{Compaction, CompactionError};
 use crate::record::CheckpointError;
 
 /// Every body's default scene.
-fn defaults() -> [Scene; 7] {
+fn defaults() -> [Scene; 8] {
     [
         SliderScene::default().into(),
         CylinderScene::default().into(),
         PipeScene::default().into(),
         PlateScene::default().into(),
         CurlingScene::default().into(),
+        SpringScene::default().into(),
         PowderScene::default().into(),
         TipScene::default().into(),
     ]

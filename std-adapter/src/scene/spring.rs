@@ -1,0 +1,206 @@
+//! The scene of a body on a spring.
+
+use super::entries::Written;
+use super::key::{Domain, Domain::*, Need::*};
+use super::planar::MOST_SAMPLES;
+use super::reader::Judge;
+use super::table::scene;
+use super::words::{Word, words};
+use crate::friction::Law;
+use crate::stick::spring::{AgeLaw, Regime};
+use tribos_core::law::{LocalLaw, LuGreParameters, RateStateParameters};
+
+/// What resists a body on a spring.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpringFriction {
+    /// Dry friction: μ_s at rest, growing with its time or not, μ_d in motion.
+    Dry,
+    /// Rate and state.
+    RateState,
+    /// LuGre's bristles.
+    Bristles,
+    /// A law of the speed alone.
+    Speed,
+}
+words!(SpringFriction {
+    Dry = "dry",
+    RateState = "rate-state",
+    Bristles = "lugre",
+    Speed = "speed",
+});
+words!(AgeLaw { Ageing = "ageing", Slip = "slip" });
+words!(Regime {
+    Rests = "rests",
+    Creeps = "creeps",
+    Steady = "steady",
+    Oscillates = "oscillates",
+    StickSlip = "stick-slip",
+});
+
+scene! {
+    /// A body on a spring whose other end is pulled, held, and pulled again.
+    ///
+    /// The default is a block of 1 kg that sticks and slips.
+    ///
+    /// ```
+    /// use tribos::{scene::{SpringFriction, SpringScene}, stick::spring::{Regime, run}};
+    /// // Paper on paper under a stiff spring, without mass.
+    /// let friction = SpringFriction::RateState;
+    /// let paper = SpringScene {
+    ///     friction, mass: 0.0, load: 10.0, pull_speed: 1e-6, pull_time: 100.0, ..SpringScene::default()
+    /// };
+    /// let critical = paper.critical_stiffness().ok_or("another law")?; // 2e5 N/m
+    /// let stiff = SpringScene { stiffness: 1.5 * critical, ..paper };
+    /// assert_eq!(run(&stiff)?.outcome.regime, Regime::Creeps);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[derive(Copy)]
+    pub struct SpringScene = "spring", "A body on a spring that is pulled",
+        rules, in_force;
+
+    /// What resists the body.
+    friction: SpringFriction = SpringFriction::Dry, "-", OneOf(SpringFriction::WORDS);
+    /// Mass of the body; 0 for a quasi-static one under rate and state.
+    mass: f64 = 1.0, "kg", NotNegative, Required;
+    /// Load of the body on the floor.
+    load: f64 = 9.81, "N", Positive, Required;
+    /// Stiffness of the spring.
+    stiffness: f64 = 100.0, "N/m", Positive, Required;
+    /// Speed of the end of the spring.
+    pull_speed: f64 = 0.05, "m/s", Positive, Required;
+    /// How long it is pulled; with holds, before the first and after each.
+    pull_time: f64 = 20.0, "s", Positive, Required;
+    /// How long the end of the spring stands still first; it never does if left out.
+    hold: Option<f64> = None, "s", Positive;
+    /// Number of holds.
+    holds: u32 = 1, "-", Count { up_to: 1000.0 };
+    /// Duration of each hold over that of the one before.
+    hold_growth: f64 = 10.0, "-", Positive;
+    /// Static coefficient, of dry friction, of a contact not older than `cut_off`.
+    mu_static: f64 = 0.5, "-", NotNegative, PartOf("friction", "dry");
+    /// Dynamic coefficient, of dry friction.
+    mu_dynamic: f64 = 0.3, "-", NotNegative, PartOf("friction", "dry");
+    /// Growth of the static coefficient for each e-fold of the time of rest, of dry friction.
+    growth: f64 = 0.0, "-", NotNegative, PartOf("friction", "dry");
+    /// Time of rest from which it grows.
+    cut_off: f64 = 1.0, "s", Positive, PartOf("friction", "dry");
+    /// Coefficient of steady sliding with `reference_speed`, of rate and state.
+    mu_reference: f64 = 0.35, "-", NotNegative, PartOf("friction", "rate-state");
+    /// Direct effect a of the speed, of rate and state.
+    a: f64 = 0.01, "-", Positive, PartOf("friction", "rate-state");
+    /// Effect b of the age, of rate and state.
+    b: f64 = 0.03, "-", NotNegative, PartOf("friction", "rate-state");
+    /// Reference speed, of rate and state.
+    reference_speed: f64 = 1e-6, "m/s", Positive, PartOf("friction", "rate-state");
+    /// Memory length D_c, of rate and state.
+    slip_distance: f64 = 1e-6, "m", Positive, PartOf("friction", "rate-state");
+    /// Viscous term of the inertial branch, of rate and state.
+    viscous: f64 = 0.0, "s/m", NotNegative, PartOf("friction", "rate-state");
+    /// How the age evolves, of rate and state: Dieterich's ageing law or Ruina's slip law.
+    evolution: AgeLaw = AgeLaw::Ageing, "-", OneOf(AgeLaw::WORDS), PartOf("friction", "rate-state");
+    /// Speed of the steady sliding that rate and state starts from; 0.9 `pull_speed` if left out.
+    start_speed: Option<f64> = None, "m/s", Positive, PartOf("friction", "rate-state");
+    /// Coulomb force of the bristles.
+    coulomb_force: f64 = 3.0, "N", Positive, PartOf("friction", "lugre");
+    /// Static force of the bristles.
+    static_force: f64 = 5.0, "N", Positive, PartOf("friction", "lugre");
+    /// Stribeck speed of the bristles.
+    stribeck_speed: f64 = 0.01, "m/s", Positive, PartOf("friction", "lugre");
+    /// Stiffness of the bristles.
+    bristle_stiffness: f64 = 1e5, "N/m", Positive, PartOf("friction", "lugre");
+    /// Damping of the bristles.
+    bristle_damping: f64 = 316.0, "N s/m", NotNegative, PartOf("friction", "lugre");
+    /// Viscous damping beside the bristles.
+    viscous_damping: f64 = 0.4, "N s/m", NotNegative, PartOf("friction", "lugre");
+    /// Law of the speed, of friction "speed".
+    law: Option<Law> = None, "-", Domain::Law, PartOf("friction", "speed");
+    /// Error of a step, in units of the motion's scales; dry friction needs none.
+    tolerance: f64 = 1e-9, "-", Between { above: 0.0, up_to: 1e-3 };
+    /// Number of intervals of time in the series, for each pull and each hold.
+    samples: u32 = 400, "-", Count { up_to: MOST_SAMPLES };
+}
+
+/// What is missing where the law of the speed is.
+pub(crate) const NO_LAW: &str = "`law` is missing: friction = \"speed\" needs a law of the speed, such as \
+                                 \"stribeck:mu_s=0.4,mu_d=0.2,vs=0.05\"";
+
+fn rules(scene: &SpringScene, judge: &mut Judge<'_>) {
+    if scene.mass == 0.0 && scene.friction != SpringFriction::RateState {
+        let message = "only friction = \"rate-state\" has a motion without mass: give `mass` > 0";
+        judge.refuse(&["mass", "friction"], message);
+    }
+    if scene.friction == SpringFriction::Dry && scene.mu_dynamic > scene.mu_static {
+        let message = format!(
+            "`mu_dynamic` must not exceed `mu_static`, {}",
+            scene.mu_static
+        );
+        judge.refuse(&["mu_dynamic", "mu_static"], message);
+    }
+    let is_lugre = scene.friction == SpringFriction::Bristles;
+    if is_lugre && scene.coulomb_force > scene.static_force {
+        let most = scene.static_force;
+        let message = format!("`coulomb_force` must not exceed `static_force`, {most}");
+        judge.refuse(&["coulomb_force", "static_force"], message);
+    }
+    if scene.friction != SpringFriction::Speed {
+        return;
+    }
+    match &scene.law {
+        None => judge.refuse(&["friction", "law"], NO_LAW),
+        Some(law) => match law.made::<f64>() {
+            Err(refusal) => judge.refuse(&["law"], format!("`law`: {refusal}")),
+            Ok(made) if !made.friction(0.0).is_finite() => {
+                let message = format!(
+                    "friction of {} grows without bound at rest: such a body never lets go; give a law \
+                     that is finite there, or friction = \"rate-state\"",
+                    law.name()
+                );
+                judge.refuse(&["law"], message);
+            }
+            Ok(_) => {}
+        },
+    }
+}
+
+/// Where rate and state starts is a speed.
+fn in_force(scene: &SpringScene, key: &str, written: Option<Written>) -> Option<Written> {
+    match key {
+        "start_speed" => Some(Written::Number(scene.start())),
+        _ => written,
+    }
+}
+
+/// Speed at which rate and state starts, in speeds of the pull: near enough to be drawn to steady sliding,
+/// far enough to leave it where that is unstable.
+const START: f64 = 0.9;
+
+impl SpringScene {
+    /// The speed that rate and state starts with.
+    pub(crate) fn start(&self) -> f64 {
+        self.start_speed.unwrap_or(START * self.pull_speed)
+    }
+
+    /// Parameters of rate and state.
+    pub(crate) fn rate_state(&self) -> RateStateParameters<f64> {
+        RateStateParameters {
+            mu: self.mu_reference,
+            a: self.a,
+            b: self.b,
+            reference_speed: self.reference_speed,
+            slip_distance: self.slip_distance,
+            viscous: self.viscous,
+        }
+    }
+
+    /// Parameters of the bristles.
+    pub(crate) fn lugre(&self) -> LuGreParameters<f64> {
+        LuGreParameters {
+            coulomb_force: self.coulomb_force,
+            static_force: self.static_force,
+            stribeck_speed: self.stribeck_speed,
+            stiffness: self.bristle_stiffness,
+            bristle_damping: self.bristle_damping,
+            viscous_damping: self.viscous_damping,
+        }
+    }
+}
