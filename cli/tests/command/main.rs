@@ -13,6 +13,7 @@ mod friction;
 mod full_disk;
 mod golden;
 mod help;
+mod hold;
 mod inverse;
 mod messages;
 mod numbers;

@@ -118,6 +118,12 @@ impl<R: Real> StepLosses<R> {
     }
 }
 
+/// Rounding errors of position and friction within which a body on its bonds rests.
+///
+/// Rounded positions can keep a vibration of about one of them going; four end it and are still far
+/// below anything that a position shows.
+const REST_ULPS: f64 = 4.0;
+
 /// One direction of the step: m Δu = Δt (w − t) with stiffness k and damping c.
 struct Mode<R> {
     /// Δt/m
@@ -128,11 +134,13 @@ struct Mode<R> {
     stiffened: R,
     /// 1 + (k + c/Δt) Δt²/m
     inertia: R,
+    /// Largest friction.
+    limit: R,
 }
 
 impl<R: Real> Mode<R> {
     #[inline]
-    fn new(mass: R, stiffness: R, damping: R, dt: R) -> Self {
+    fn new(mass: R, [stiffness, damping]: [R; 2], limit: R, dt: R) -> Self {
         let stiffened = stiffness + damping / dt;
         let mobility = dt / mass;
         Self {
@@ -140,13 +148,26 @@ impl<R: Real> Mode<R> {
             stiffness,
             stiffened,
             inertia: R::ONE + stiffened * dt * mobility,
+            limit,
         }
     }
 
-    /// Motion after the step if the bonds hold.
+    /// Motion after the step if the bonds hold, from the `places` of patch and anchor.
+    ///
+    /// Zero where the push is balanced and nothing moves, as far as positions and friction resolve it.
     #[inline]
-    fn held(&self, velocity: R, push: R, strain: R) -> R {
-        (velocity + self.mobility * (push - self.stiffness * strain)) / self.inertia
+    fn held(&self, velocity: R, push: R, [place, anchor]: [R; 2], dt: R) -> R {
+        let left = push - self.stiffness * (place - anchor);
+        let after = (velocity + self.mobility * left) / self.inertia;
+        let (place, anchor) = (place.abs(), anchor.abs());
+        let farther = if place > anchor { place } else { anchor };
+        let ulps = R::from_f64(REST_ULPS) * R::EPSILON;
+        let resolved = ulps * (self.stiffness * farther + self.limit);
+        let moved = after.abs() * dt * self.stiffness;
+        if left.abs() <= resolved && moved <= resolved {
+            return R::ZERO;
+        }
+        after
     }
 
     /// S_d⁻¹ + Δt²/m, as a multiple of S_d⁻¹.
@@ -163,7 +184,8 @@ impl<R: Real> PlanarBody<R> {
     /// are in the axes of the floor.
     ///
     /// *Hold*: under a constant push within the set the body comes to the displacement S⁻¹ push and
-    /// stays: the bits of its pose and of its anchor do not change any more.
+    /// stays: its motion is zero and the bits of its pose and of its anchor do not change any more. It
+    /// rests from where push and bonds balance, and the step moves it, by 4 rounding errors at most.
     /// *Units*: length, radians, velocity, 1/time; force, force × length; time.
     /// *Accuracy*: first order in `dt`; it damps vibrations that the step does not resolve, and never
     /// gains energy. *Cost*: one projection, a sine and a cosine. *Special values*: NaN for NaN and
@@ -199,14 +221,20 @@ impl<R: Real> PlanarBody<R> {
     ) -> ElasticStep<R> {
         let dt = dt.dt();
         let (stiffness, [damping, torsional_damping]) = (bonds.factors(), bonds.damping());
-        let sliding = Mode::new(self.mass, stiffness.sliding, damping, dt);
-        let turning = Mode::new(self.inertia, stiffness.torsion, torsional_damping, dt);
+        let torque_limit = set.force_limit() * set.radius();
+        let sliding = [stiffness.sliding, damping];
+        let sliding = Mode::new(self.mass, sliding, set.force_limit(), dt);
+        let turning = [stiffness.torsion, torsional_damping];
+        let turning = Mode::new(self.inertia, turning, torque_limit, dt);
         let (u, e) = (&state.twist, state.anchor.strain(&state.pose));
+        let (at, anchor) = (&state.pose, &state.anchor.pose);
+        let x = [at.position.x, anchor.position.x];
+        let y = [at.position.y, anchor.position.y];
         // The step of bonds that hold.
         let held = Twist::new(
-            sliding.held(u.velocity.x, push.force.x, e.shift.x),
-            sliding.held(u.velocity.y, push.force.y, e.shift.y),
-            turning.held(u.spin, push.torque, e.turn),
+            sliding.held(u.velocity.x, push.force.x, x, dt),
+            sliding.held(u.velocity.y, push.force.y, y, dt),
+            turning.held(u.spin, push.torque, [at.angle, anchor.angle], dt),
         );
         let stiffened = Stiffness::new(sliding.stiffened, turning.stiffened);
         let wanted = stiffness.wrench(&e) + stiffened.wrench(&Displacement::along(&held, dt));

@@ -1,10 +1,14 @@
 //! Bodies that slide and spin: paths, rests, final motion, launches.
 
 mod curling;
+mod elastic_steps;
 mod final_motion;
 mod foot;
+mod gradual_presliding;
 mod holding;
+mod holding_verdicts;
 mod inverse;
+mod node_presliding;
 mod other_steppers;
 mod planar;
 mod planar_scrutiny;
