@@ -54,6 +54,21 @@ pub struct Page {
     pub environment: String,
     /// Parts of the report in order.
     pub sections: Vec<Section>,
+    /// What follows the sections, if anything does.
+    pub appendix: Option<Appendix>,
+}
+
+/// A table of words after the sections.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Appendix {
+    /// Heading.
+    pub heading: String,
+    /// One paragraph.
+    pub text: String,
+    /// Heads of the two columns.
+    pub head: [String; 2],
+    /// Rows of the table.
+    pub rows: Vec<[String; 2]>,
 }
 
 /// One part of the report.
@@ -111,6 +126,9 @@ impl Page {
         for section in &self.sections {
             html.push_str(&section.html());
         }
+        if let Some(appendix) = &self.appendix {
+            html.push_str(&appendix.html());
+        }
         if self.has_films() {
             html.push_str(&player::script());
         }
@@ -162,6 +180,24 @@ impl Section {
         let film = self.film.as_deref().unwrap_or_default();
         format!(
             "<section id=\"{id}\">\n<h2>{heading}</h2>\n{text}{figure}{film}{claims}</section>\n"
+        )
+    }
+}
+
+impl Appendix {
+    // Heading, paragraph and table.
+    fn html(&self) -> String {
+        let row = |cell: &str, [left, right]: &[String; 2]| {
+            let [left, right] = [inline(left), inline(right)];
+            format!("<tr><{cell}>{left}</{cell}><{cell}>{right}</{cell}></tr>\n")
+        };
+        let rows: String = self.rows.iter().map(|cells| row("td", cells)).collect();
+        format!(
+            "<section id=\"appendix\">\n<h2>{}</h2>\n{}<div class=\"scroll\">\n<table>\n<thead>{}</thead>\n\
+             <tbody>\n{rows}</tbody>\n</table>\n</div>\n</section>\n",
+            inline(&self.heading),
+            paragraphs(std::slice::from_ref(&self.text)),
+            row("th", &self.head)
         )
     }
 }

@@ -66,6 +66,28 @@ impl Points {
         sum
     }
 
+    /// The same under the gradient of a raised centre of mass.
+    pub fn leaning(&self, velocity: [f64; 3], alpha: f64, lean: f64) -> [f64; 3] {
+        self.friction(velocity, alpha, self.gradient(velocity, alpha, lean))
+    }
+
+    /// The gradient that bears the moment of friction about a raised centre of mass: l = −λ times
+    /// the force.
+    pub fn gradient(&self, velocity: [f64; 3], alpha: f64, lean: f64) -> [f64; 2] {
+        let level = self.friction(velocity, alpha, [0.0; 2]);
+        let by = |gradient| {
+            let all = self.friction(velocity, alpha, gradient);
+            [all[0] - level[0], all[1] - level[1]]
+        };
+        let ([xx, yx], [xy, yy]) = (by([1.0, 0.0]), by([0.0, 1.0]));
+        // (1 + λ ∂force/∂l) l = −λ force
+        let [a, b] = [1.0 + lean * xx, lean * xy];
+        let [c, d] = [lean * yx, 1.0 + lean * yy];
+        let [p, q] = [-lean * level[0], -lean * level[1]];
+        let whole = a * d - b * c;
+        [(d * p - b * q) / whole, (a * q - c * p) / whole]
+    }
+
     /// F against the velocity and T against the spin at v = ε, ωR = 1.
     pub fn reduced(&self, alpha: f64, ratio: f64) -> [f64; 2] {
         let [along, _, torque] = self.friction([ratio, 0.0, 1.0], alpha, [0.0; 2]);
@@ -80,6 +102,16 @@ pub fn to_rest(
     inertia_ratio: f64,
     launch: [f64; 3],
 ) -> Stop {
+    slowed(friction, [alpha, inertia_ratio], launch, SLOW)
+}
+
+/// Follows the motion until the speeds have fallen to this fraction of the launch.
+pub fn slowed(
+    friction: impl Fn([f64; 3]) -> [f64; 3],
+    [alpha, inertia_ratio]: [f64; 2],
+    launch: [f64; 3],
+    fraction: f64,
+) -> Stop {
     let size = |[vx, vy, w, ..]: [f64; 6]| vx.hypot(vy).hypot(w);
     // (v_x, v_y, w, x, y, angle)
     let rate = |[vx, vy, w, ..]: [f64; 6]| {
@@ -88,7 +120,7 @@ pub fn to_rest(
     };
     let mut state = [launch[0], launch[1], launch[2], 0.0, 0.0, 0.0];
     let (start, mut time) = (size(state), 0.0);
-    while size(state) > SLOW * start {
+    while size(state) > fraction * start {
         let step = STEP * size(state).powf(1.0 - alpha);
         state = runge_kutta(state, step, rate);
         time += step;

@@ -1,5 +1,6 @@
 //! What the report is written as: its page, the claims as a table, lines for the terminal.
 
+use super::coverage;
 use super::runs::Effort;
 use super::text::{Prose, Text};
 use std::fmt::Display;
@@ -97,6 +98,7 @@ pub fn page(sections: Vec<Section>, effort: Effort) -> Page {
         intro: paragraphs,
         environment: environment(effort),
         sections,
+        appendix: Some(coverage::appendix()),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The results of the thesis, claim by claim: figures, tables and sections recomputed, each claim
 //! with the thesis' number, ours, and a verdict.
 
+mod coverage;
 mod direct;
 mod document;
 mod exhibit;
@@ -90,6 +91,10 @@ const EXHIBITS: &[(&str, Maker)] = &[
     (
         "section-5.1-modes",
         Alone(pressure_modes::section_5_1_modes),
+    ),
+    (
+        "section-5.1-lateral",
+        Alone(lateral_modes::section_5_1_lateral),
     ),
     ("5.1", Alone(tip::figure_5_1)),
     ("5.2", Running(tip::figure_5_2, [40.0, 2300.0])),

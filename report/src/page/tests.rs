@@ -37,6 +37,12 @@ fn page() -> Page {
             film: None,
             claims,
         }],
+        appendix: Some(Appendix {
+            heading: "Left out & why".to_owned(),
+            text: "All <others> are shown.".to_owned(),
+            head: ["what".to_owned(), "why".to_owned()],
+            rows: vec![["figure 1".to_owned(), "a `drawing` <b>".to_owned()]],
+        }),
     }
 }
 
@@ -60,6 +66,20 @@ fn every_text_is_escaped() {
         assert!(html.contains(text), "{text}");
     }
     assert!(!html.contains("<script>") && !html.contains("of <b>"));
+}
+
+#[test]
+fn the_appendix_follows_the_sections_as_a_table() {
+    let html = page().html();
+    let row = "<tr><td>figure 1</td><td>a <code>drawing</code> &lt;b&gt;</td></tr>";
+    let place = |text: &str| html.find(text);
+    assert!(html.contains("<th>what</th><th>why</th>") && html.contains(row));
+    assert!(place("Left out &amp; why") > place("<section id=\"fig-1\">"));
+    let without = Page {
+        appendix: None,
+        ..page()
+    };
+    assert!(!without.html().contains("id=\"appendix\""));
 }
 
 #[test]

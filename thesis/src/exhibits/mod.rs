@@ -17,6 +17,7 @@ pub(crate) mod heat;
 pub(crate) mod ice;
 pub(crate) mod interval;
 pub(crate) mod inverse;
+pub(crate) mod lateral_modes;
 pub(crate) mod local_law;
 pub(crate) mod lubrication;
 pub(crate) mod odd;

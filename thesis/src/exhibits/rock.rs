@@ -47,10 +47,7 @@ pub(super) fn models() -> Vec<Box<dyn CurlingModel>> {
     ]
 }
 
-fn journey<'a>(
-    body: &'a Box<dyn Resistance>,
-    (speed, spin): (f64, f64),
-) -> Result<Journey<'a, Box<dyn Resistance>>> {
+fn journey<B: Resistance>(body: &B, (speed, spin): (f64, f64)) -> Result<Journey<'_, B>> {
     let launch = Launch {
         velocity: [speed, 0.0],
         spin,
