@@ -61,6 +61,7 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("2.5", Alone(classical::figure_2_5)),
     ("2.7", Alone(creep::figure_2_7)),
     ("2.8", Alone(lubrication::figure_2_8)),
+    ("section-3.1", Alone(onset::section_3_1)),
     ("3.3", Alone(local_law::figure_3_3)),
     ("3.4", Alone(coupling::figure_3_4)),
     ("table-3.1", Alone(asymptotics::table_3_1)),
