@@ -10,6 +10,7 @@
 //! - friction that dissipates;
 //! - refusals that report the position of the error.
 
+mod bonds;
 mod check;
 mod contacts;
 mod couplings;
@@ -58,9 +59,10 @@ pub const READERS: [Target; 4] = [
 ];
 
 /// Targets in the kernel.
-pub const KERNEL: [Target; 14] = [
+pub const KERNEL: [Target; 15] = [
     target("laws", 120, laws::memoryless),
     target("laws with memory", 120, laws::with_memory),
+    target("bonds", 20, bonds::bonds),
     target("special functions", 100, special::special),
     target("couplings", 110, couplings::couplings),
     target("patches", 30, patches::patches),
