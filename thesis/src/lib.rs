@@ -66,6 +66,7 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("3.1", Alone(ring_and_disk::figure_3_1)),
     ("section-3.1-board", Alone(board::section_3_1_board)),
     ("section-3.1-inverse", Alone(inverse::section_3_1_inverse)),
+    ("section-3.1", Alone(onset::section_3_1)),
     ("3.3", Alone(local_law::figure_3_3)),
     ("3.4", Alone(coupling::figure_3_4)),
     ("table-3.1", Alone(asymptotics::table_3_1)),

@@ -7,6 +7,7 @@ use clap_complete::engine::{ArgValueCompleter, PathCompleter, ValueCompleter};
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
 use tribos::friction::{LAWS, Patch, find};
+use tribos::onset::Bond;
 use tribos::run::program;
 use tribos::scene::{Domain, Key, LIBRARY, bodies, library_scene, vocabulary};
 
@@ -37,6 +38,8 @@ const COMPLETED: &[(&[&str], &str, Words)] = &[
     (&["wrench"], "patch", patches),
     (&["modes"], "patch", patches),
     (&["surface"], "patch", patches),
+    (&["onset"], "patch", patches),
+    (&["onset"], "bond", bonds),
     (&["inverse"], "patch", patches),
     (&["wrench"], "law", local_laws),
     (&["laws"], "curve", local_laws),
@@ -110,6 +113,16 @@ fn exhibits(current: &OsStr) -> Vec<CompletionCandidate> {
 
 fn laws(current: &OsStr) -> Vec<CompletionCandidate> {
     beginning(current, LAWS.iter().map(|law| (law.name, law.summary)))
+}
+
+fn bonds(current: &OsStr) -> Vec<CompletionCandidate> {
+    // What follows the sign is for the user to write.
+    let begun = |syntax: &'static str| syntax.split_inclusive('=').next().unwrap_or(syntax);
+    let all = Bond::SYNTAX.iter();
+    beginning(
+        current,
+        all.map(|(syntax, meaning)| (begun(syntax), *meaning)),
+    )
 }
 
 fn patches(current: &OsStr) -> Vec<CompletionCandidate> {

@@ -21,6 +21,7 @@ mod lines;
 mod manual;
 mod modes;
 mod number;
+mod onset;
 mod overview;
 mod presentation;
 mod progress;
@@ -75,6 +76,7 @@ fn documentation() -> [(&'static str, StyledStr); 18] {
         ("wrench", of::<wrench::Arguments>()),
         ("surface", of::<surface::Arguments>()),
         ("hold", of::<hold::Arguments>()),
+        ("onset", of::<onset::Arguments>()),
         ("push", of::<push::Arguments>()),
         ("modes", of::<modes::Arguments>()),
         ("laws", of::<laws::Arguments>()),
@@ -126,6 +128,8 @@ pub enum Command {
     Surface(surface::Arguments),
     /// Whether a push moves a body at rest: holds, slips or undecided, with margins.
     Hold(hold::Arguments),
+    /// Onset of sliding: what bonds hold under force and torque before the body slides.
+    Onset(onset::Arguments),
     /// A body that a pusher moves over the floor: sticking or sliding, motion cone, path.
     Push(push::Arguments),
     /// Final motion: fixed points of the velocity ratio and the phase diagram.
@@ -169,6 +173,7 @@ impl Command {
             Self::Wrench(arguments) => arguments.execute(),
             Self::Surface(arguments) => arguments.execute(),
             Self::Hold(arguments) => arguments.execute(),
+            Self::Onset(arguments) => arguments.execute(),
             Self::Push(arguments) => arguments.execute(),
             Self::Modes(arguments) => arguments.execute(),
             Self::Laws(arguments) => arguments.execute(),

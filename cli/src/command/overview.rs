@@ -8,6 +8,7 @@ pub const GROUPS: [(&str, &[&str]); 6] = [
     (
         "One contact",
         &["wrench", "surface", "hold", "push", "laws", "modes", "fit"],
+        &["wrench", "surface", "onset", "push", "laws", "modes", "fit"],
     ),
     (
         "Bodies, powders, atoms",

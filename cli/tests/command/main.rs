@@ -18,6 +18,7 @@ mod inverse;
 mod messages;
 mod numbers;
 mod odd_inputs;
+mod onset;
 mod patches;
 mod planar;
 mod player;

@@ -94,8 +94,8 @@ fn of_flat(flat: &FlatPatch, centre: Option<[f64; 2]>) -> Result<Vec<Node<f64>>,
         return of_mesh(file);
     }
     let loops = flat.loops()?;
-    if let ([[from, to]], FlatPatch::Bar(_)) = (loops[0].as_chunks::<2>().0, flat) {
-        return Ok(of_bar(*from, *to));
+    if let (FlatPatch::Bar(_), Some(&[from, to])) = (flat, loops.first().map(Vec::as_slice)) {
+        return Ok(of_bar(from, to));
     }
     let mut nodes = strips::nodes(&loops);
     if let Some(at) = centre {

@@ -41,6 +41,21 @@ fn every_patch_has_its_ratio_of_torque_to_force() {
     assert!((ratio("box:2x2", "exponential") - square).abs() < 1e-5);
 }
 
+/// The first maximum of the mean of r f(s r) over s, over the largest f: mpmath's quadrature with 20 digits, root
+/// of the derivative.
+#[test]
+fn round_patches_on_bonds_that_soften_have_their_ratios() {
+    for (patch, broad, sharp) in [
+        ("hertz", 0.560_037_469_9, 0.490_496_233_9),
+        ("punch", 0.765_142_056_2, 0.720_022_726_9),
+        ("annulus:0.5", 0.765_860_500_7, 0.715_380_115_2),
+        ("paraboloid", 0.503_750_358_6, 0.431_503_732_3),
+    ] {
+        assert!((ratio(patch, "exponential") - broad).abs() < 1e-5, "{patch}");
+        assert!((ratio(patch, "weibull:m=8") - sharp).abs() < 1e-5, "{patch}");
+    }
+}
+
 #[test]
 fn forces_scale_with_the_load_and_displacements_with_the_strain() {
     let small = Contact {

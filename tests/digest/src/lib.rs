@@ -11,6 +11,7 @@
 #![no_std]
 
 mod bodies;
+mod bonds;
 mod contacts;
 mod hash;
 mod holding;
@@ -116,6 +117,7 @@ pub const CHAPTERS: [Chapter; 41] = [
     little("meshes", meshes::meshes),
     speed("supports", supports::supports),
     little("presliding", presliding::presliding),
+    little("bonds", bonds::bonds),
 ];
 
 const DIGESTS: &str = include_str!("../digests.txt");

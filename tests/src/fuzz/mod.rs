@@ -10,6 +10,7 @@
 //! - friction that dissipates;
 //! - refusals that report the position of the error.
 
+mod bonds;
 mod check;
 mod contacts;
 mod couplings;
@@ -62,6 +63,9 @@ pub const READERS: [Target; 4] = [
 pub const KERNEL: [Target; 15] = [
     target("laws", 110, laws::memoryless),
     target("laws with memory", 110, laws::with_memory),
+    target("laws", 120, laws::memoryless),
+    target("laws with memory", 120, laws::with_memory),
+    target("bonds", 20, bonds::bonds),
     target("special functions", 100, special::special),
     target("couplings", 100, couplings::couplings),
     target("patches", 30, patches::patches),

@@ -21,6 +21,7 @@ pub(crate) mod lateral_modes;
 pub(crate) mod local_law;
 pub(crate) mod lubrication;
 pub(crate) mod odd;
+pub(crate) mod onset;
 pub(crate) mod packing;
 pub(crate) mod pipe;
 pub(crate) mod porosity;
