@@ -58,8 +58,10 @@ impl Maker {
 
 /// All exhibits in the order of the thesis.
 const EXHIBITS: &[(&str, Maker)] = &[
+    ("section-2.1", Alone(leonardo::section_2_1)),
     ("2.5", Alone(classical::figure_2_5)),
     ("2.7", Alone(creep::figure_2_7)),
+    ("section-2.3", Alone(stick_slip::section_2_3)),
     ("2.8", Alone(lubrication::figure_2_8)),
     ("3.3", Alone(local_law::figure_3_3)),
     ("3.4", Alone(coupling::figure_3_4)),

@@ -15,6 +15,7 @@ mod curling;
 mod cylinder;
 mod entries;
 mod hint;
+mod incline;
 mod key;
 mod library;
 mod pipe;
@@ -32,6 +33,7 @@ mod template;
 #[cfg(test)]
 mod tests;
 mod tip;
+mod turntable;
 mod vocabulary;
 mod words;
 
@@ -40,6 +42,7 @@ pub use curling::{CurlingScene, IceModel};
 pub use cylinder::CylinderScene;
 #[doc(hidden)]
 pub use hint::{nearest, number_hint};
+pub use incline::InclineScene;
 #[doc(hidden)]
 pub use key::{Domain, Key, Need};
 #[doc(hidden)]
@@ -60,6 +63,7 @@ pub use table::Body;
 #[doc(hidden)]
 pub use template::{keys_page, template, toml_value, with_all_keys};
 pub use tip::{BathKind, BathSpin, DrivenHold, Reading, StageSteps, TipScene};
+pub use turntable::TurntableScene;
 #[doc(hidden)]
 pub use vocabulary::{Vocabulary, bodies, vocabulary};
 #[doc(hidden)]

@@ -5,7 +5,7 @@ use crate::powder::{Compaction, CompactionError};
 use crate::record::CheckpointError;
 
 /// Every body's default scene.
-fn defaults() -> [Scene; 8] {
+fn defaults() -> [Scene; 10] {
     [
         SliderScene::default().into(),
         CylinderScene::default().into(),
@@ -13,6 +13,8 @@ fn defaults() -> [Scene; 8] {
         PlateScene::default().into(),
         CurlingScene::default().into(),
         SpringScene::default().into(),
+        InclineScene::default().into(),
+        TurntableScene::default().into(),
         PowderScene::default().into(),
         TipScene::default().into(),
     ]
@@ -64,7 +66,10 @@ fn every_key_sets_its_field() {
             let text = format!("{rest}{condition}{} = {value}\n", key.name);
             let Ok(read) = parse_scene("one.toml", &text, &[]) else {
                 // Values that other keys would have to follow.
-                assert!(["units", "side"].contains(&key.name), "{text}");
+                assert!(
+                    ["units", "side", "static_force"].contains(&key.name),
+                    "{text}"
+                );
                 continue;
             };
             assert_ne!(read, scene, "{text}");

@@ -61,4 +61,8 @@ macro_rules! measured {
         }
     )+};
 }
-measured!(crate::scene::SpringScene);
+measured!(
+    crate::scene::InclineScene,
+    crate::scene::SpringScene,
+    crate::scene::TurntableScene
+);

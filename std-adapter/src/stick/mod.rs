@@ -6,7 +6,9 @@
 
 mod error;
 mod held;
+pub mod incline;
 pub mod spring;
+pub mod turntable;
 
 pub use error::StickError;
 #[doc(hidden)]
