@@ -77,7 +77,7 @@ impl Arguments {
                 "{folder}: the run kept no frames; run it again without `--frames 0`"
             )));
         }
-        if ["spring", "incline", "turntable"].contains(&body) {
+        if ["spring", "incline", "turntable", "clamp"].contains(&body) {
             return Err(Failure::input(format!(
                 "{folder}: the motion of a {body} is in motion.svg and series.csv; it has no film"
             )));

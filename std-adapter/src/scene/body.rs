@@ -7,8 +7,8 @@ use super::table::Table;
 use super::vocabulary::Vocabulary;
 use super::words::meant;
 use super::{
-    Body, CurlingScene, CylinderScene, InclineScene, PipeScene, PlateScene, PowderScene,
-    SceneError, SliderScene, SpringScene, TipScene, TurntableScene,
+    Body, ClampScene, CurlingScene, CylinderScene, InclineScene, PipeScene, PlateScene,
+    PowderScene, SceneError, SliderScene, SpringScene, TipScene, TurntableScene,
 };
 use serde_json::Value;
 use std::path::Path;
@@ -83,6 +83,8 @@ bodies! {
     Incline(InclineScene),
     /// A body on a turntable.
     Turntable(TurntableScene),
+    /// A body in a pinch.
+    Clamp(ClampScene),
     /// A powder under a piston.
     Powder(PowderScene),
     /// A tip turned on a substrate.

@@ -72,6 +72,10 @@ pub const LIBRARY: &[LibraryScene] = &[
         text: include_str!("../../scenes/turntable.toml"),
     },
     LibraryScene {
+        name: "clamp",
+        text: include_str!("../../scenes/clamp.toml"),
+    },
+    LibraryScene {
         name: "compaction-small",
         text: include_str!("../../scenes/compaction-small.toml"),
     },

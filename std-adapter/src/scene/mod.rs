@@ -11,6 +11,7 @@
 //! its runs, and name it in the list of `body.rs`; a body in the plane implements `PlanarScene` only.
 
 mod body;
+mod clamp;
 mod curling;
 mod cylinder;
 mod entries;
@@ -38,6 +39,7 @@ mod vocabulary;
 mod words;
 
 pub use body::{Scene, parse_scene, read_scene};
+pub use clamp::ClampScene;
 pub use curling::{CurlingScene, IceModel};
 pub use cylinder::CylinderScene;
 #[doc(hidden)]
@@ -56,7 +58,6 @@ pub use push::PushScene;
 #[doc(hidden)]
 pub use schema::schema;
 pub use slider::{SliderScene, Stepper, Units};
-pub(crate) use spring::NO_LAW;
 pub use spring::{SpringFriction, SpringScene};
 #[doc(hidden)]
 pub use table::Body;

@@ -50,7 +50,7 @@ fn branch(known: &Vocabulary) -> Map<String, Value> {
     branch.insert("properties".into(), properties.into());
     branch.insert("required".into(), required(known).into());
     branch.insert("additionalProperties".into(), false.into());
-    let conditions = conditions(known.keys, &defaults);
+    let conditions = conditions(known.keys);
     if !conditions.is_empty() {
         branch.insert("allOf".into(), conditions.into());
     }
@@ -113,8 +113,7 @@ fn required(known: &Vocabulary) -> Vec<&'static str> {
 }
 
 /// What keys say about each other.
-fn conditions(keys: &[Key], defaults: &Map<String, Value>) -> Vec<Value> {
-    let says = |key: &str, word: &str| says(key, word, defaults.get(key));
+fn conditions(keys: &[Key]) -> Vec<Value> {
     let condition = |key: &Key| {
         let name = key.name;
         match key.need {
@@ -138,14 +137,9 @@ fn conditions(keys: &[Key], defaults: &Map<String, Value>) -> Vec<Value> {
     keys.iter().filter_map(condition).collect()
 }
 
-/// True of scenes in which a key has this word, or is left out where that is its default.
-fn says(key: &str, word: &str, default: Option<&Value>) -> Value {
-    let holds = json!({key: {"const": word}});
-    if default.is_some_and(|default| default == word) {
-        json!({"properties": holds})
-    } else {
-        json!({"properties": holds, "required": [key]})
-    }
+/// True of scenes in which a key has this word.
+fn says(key: &str, word: &str) -> Value {
+    json!({"properties": {key: {"const": word}}, "required": [key]})
 }
 
 #[cfg(test)]

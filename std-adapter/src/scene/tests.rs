@@ -5,7 +5,7 @@ use crate::powder::{Compaction, CompactionError};
 use crate::record::CheckpointError;
 
 /// Every body's default scene.
-fn defaults() -> [Scene; 10] {
+fn defaults() -> [Scene; 11] {
     [
         SliderScene::default().into(),
         CylinderScene::default().into(),
@@ -15,6 +15,7 @@ fn defaults() -> [Scene; 10] {
         SpringScene::default().into(),
         InclineScene::default().into(),
         TurntableScene::default().into(),
+        ClampScene::default().into(),
         PowderScene::default().into(),
         TipScene::default().into(),
     ]
@@ -66,10 +67,7 @@ fn every_key_sets_its_field() {
             let text = format!("{rest}{condition}{} = {value}\n", key.name);
             let Ok(read) = parse_scene("one.toml", &text, &[]) else {
                 // Values that other keys would have to follow.
-                assert!(
-                    ["units", "side", "static_force"].contains(&key.name),
-                    "{text}"
-                );
+                assert!(["units", "side"].contains(&key.name), "{text}");
                 continue;
             };
             assert_ne!(read, scene, "{text}");

@@ -62,6 +62,7 @@ macro_rules! measured {
     )+};
 }
 measured!(
+    crate::scene::ClampScene,
     crate::scene::InclineScene,
     crate::scene::SpringScene,
     crate::scene::TurntableScene

@@ -92,6 +92,25 @@ pub static TURNTABLE: Kind = Kind {
     ],
 };
 
+/// A body in a pinch.
+pub static CLAMP: Kind = Kind {
+    quantities: &[
+        ("loss_per_cycle", "/loss_per_cycle"),
+        ("heat", "/heat"),
+        ("drift_per_cycle", "/drift_per_cycle"),
+        ("least_position", "/least_position"),
+        ("most_position", "/most_position"),
+        ("release_time", "/release_time"),
+    ],
+    drawn: ["Heat of a cycle", "loss [J]"],
+    share: ["lets_go", "/ending", "lets go"],
+    told: &[
+        told("loss [J]", 0, 1.0),
+        told("drift [m]", 2, 1.0),
+        told("release [s]", 5, 1.0),
+    ],
+};
+
 impl Commands for Held<'_> {
     fn is_long(&self) -> bool {
         false

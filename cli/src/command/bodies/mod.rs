@@ -58,6 +58,7 @@ pub fn of(scene: &Scene) -> Box<dyn Commands + '_> {
         Scene::Spring(scene) => Box::new(Held::new(scene, &held::SPRING)),
         Scene::Incline(scene) => Box::new(Held::new(scene, &held::INCLINE)),
         Scene::Turntable(scene) => Box::new(Held::new(scene, &held::TURNTABLE)),
+        Scene::Clamp(scene) => Box::new(Held::new(scene, &held::CLAMP)),
         Scene::Powder(scene) => Box::new(scene),
         Scene::Tip(scene) => Box::new(scene),
     }

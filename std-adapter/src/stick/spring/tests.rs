@@ -299,7 +299,6 @@ fn stick_slip_under_stribecks_law_is_that_of_another_integrator() {
         ),
     ] {
         let scene = SpringScene {
-            friction: SpringFriction::Speed,
             law: Some(law.parse().unwrap()),
             mass,
             stiffness,
@@ -415,6 +414,8 @@ fn the_cycle_with_mass_is_that_of_another_integrator() {
 fn stick_slip_on_bristles_is_that_of_another_integrator() {
     let scene = SpringScene {
         friction: SpringFriction::Bristles,
+        coulomb_force: 3.0,
+        static_force: 5.0,
         ..SpringScene::default()
     };
     let outcome = run(&scene).unwrap().outcome;
