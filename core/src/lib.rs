@@ -79,6 +79,8 @@
 //! | [`modes`] | the ratio of sliding to spinning just before rest |
 //! | [`slider`] | a body followed to rest |
 //! | [`planar`] | a body pushed and turned on its patch: implicit time steps that stick and slip |
+//! | [`holding`] | whether a push at rest holds or slips, from what is certain and what is possible |
+//! | [`presliding`] | elastic hold before sliding: exact, without creep, with micro-slip and its losses |
 //! | [`contact`] | contacts of rigid bodies that open, slide, roll and spin: impulses under thresholds |
 //! | [`manifold`] | a few such contacts solved together, in a fixed amount of memory |
 //!
@@ -99,6 +101,7 @@
 pub mod contact;
 pub mod coupling;
 mod error;
+pub mod holding;
 pub mod law;
 pub mod limit_surface;
 #[cfg(feature = "defmt")]
@@ -108,6 +111,7 @@ pub mod modes;
 pub mod patch;
 pub mod planar;
 pub mod prelude;
+pub mod presliding;
 pub mod real;
 pub mod slider;
 mod special;

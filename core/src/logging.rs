@@ -15,9 +15,12 @@ use crate::patch::mesh::{Mesh, Triangle};
 use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
 use crate::patch::outline::{Edge, FlatPressure, Polygon};
 use crate::patch::points::Points;
-use crate::planar::{NodeFoot, PlanarStep};
+use crate::planar::{ElasticState, ElasticStep, NodeFoot, PlanarStep};
+use crate::presliding::{
+    Anchor, NodePresliding, NodePreslidingStep, Pose, PreslidingStep, Settled,
+};
 use crate::real::Real;
-use crate::twist::{Twist, Wrench};
+use crate::twist::{Displacement, Twist, Wrench};
 use defmt::{Format, Formatter, write};
 use nalgebra::Vector3;
 
@@ -42,6 +45,18 @@ formats! {
     [R: Real + Format] Components<R>: |v| "[{}, {}, {}]", v.0.x, v.0.y, v.0.z;
     [R: Real + Format] Twist<R>: |t| "twist [{}, {}; {}]", t.velocity.x, t.velocity.y, t.spin;
     [R: Real + Format] Wrench<R>: |w| "wrench [{}, {}; {}]", w.force.x, w.force.y, w.torque;
+    [R: Real + Format] Displacement<R>: |d| "displacement [{}, {}; {}]",
+        d.shift.x, d.shift.y, d.turn;
+    [R: Real + Format] Pose<R>: |p| "pose [{}, {}; {}]", p.position.x, p.position.y, p.angle;
+    [R: Real + Format] Anchor<R>: |a| "anchor at {}", a.pose;
+    [R: Real + Format] Settled<R>: |s| "{} under {}, slip {}, dissipated {}, {}",
+        s.strain, s.friction, s.slip, s.dissipated, s.grip;
+    [R: Real + Format] PreslidingStep<R>: |s| "{} under {}, slip {}, dissipated {}, {}",
+        s.anchor, s.friction, s.slip, s.dissipated, s.grip;
+    [R: Real + Format] NodePreslidingStep<R>: |s| "under {}, dissipated {}, {} points slip",
+        s.friction, s.dissipated, s.slipping;
+    [R: Real + Format, P: NodePatch<R>, const CAPACITY: usize] NodePresliding<R, P, CAPACITY>: |p|
+        "bonds of {} points, {}", p.patch().nodes().len(), p.bonds();
     [R: Real + Format] Sphere<R>: |s| "sphere at velocity {}, spin {}, 1/m {}, 1/I {}",
         Components(s.velocity), Components(s.spin), s.inv_mass, s.inv_inertia;
     [R: Real + Format] Plate<R>: |p| "plate at velocity {}, 1/m {}",
@@ -102,6 +117,9 @@ formats! {
     };
     [R: Real + Format] PlanarStep<R>: |s| "{} under {}, at rest: {}",
         s.twist, s.friction, s.is_at_rest;
+    [R: Real + Format] ElasticState<R>: |s| "{}, {}, {}", s.pose, s.twist, s.anchor;
+    [R: Real + Format] ElasticStep<R>: |s| "{} under {}, slip {}, {}, {}",
+        s.state, s.friction, s.slip, s.losses, s.grip;
     [R: Real + Format, P: NodePatch<R>, const CAPACITY: usize] NodeFoot<R, P, CAPACITY>: |p|
         "foot of {} points, limit {}", p.patch().nodes().len(), p.force_limit();
 }

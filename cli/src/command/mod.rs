@@ -13,6 +13,7 @@ mod file;
 mod fit;
 mod folder;
 mod golden;
+mod hold;
 pub(crate) mod interrupt;
 mod inverse;
 mod laws;
@@ -64,7 +65,7 @@ pub fn program() -> clap::Command {
 }
 
 /// What `--help` of a command begins with: the documentation of its arguments.
-fn documentation() -> [(&'static str, StyledStr); 17] {
+fn documentation() -> [(&'static str, StyledStr); 18] {
     fn of<A: clap::Args>() -> StyledStr {
         let command = A::augment_args(clap::Command::new(""));
         let text = command.get_long_about().or(command.get_about());
@@ -73,6 +74,7 @@ fn documentation() -> [(&'static str, StyledStr); 17] {
     [
         ("wrench", of::<wrench::Arguments>()),
         ("surface", of::<surface::Arguments>()),
+        ("hold", of::<hold::Arguments>()),
         ("push", of::<push::Arguments>()),
         ("modes", of::<modes::Arguments>()),
         ("laws", of::<laws::Arguments>()),
@@ -122,6 +124,8 @@ pub enum Command {
     Wrench(wrench::Arguments),
     /// Limit surface: the wrenches that dry friction carries, and the motion under a push.
     Surface(surface::Arguments),
+    /// Whether a push moves a body at rest: holds, slips or undecided, with margins.
+    Hold(hold::Arguments),
     /// A body that a pusher moves over the floor: sticking or sliding, motion cone, path.
     Push(push::Arguments),
     /// Final motion: fixed points of the velocity ratio and the phase diagram.
@@ -164,6 +168,7 @@ impl Command {
         match self {
             Self::Wrench(arguments) => arguments.execute(),
             Self::Surface(arguments) => arguments.execute(),
+            Self::Hold(arguments) => arguments.execute(),
             Self::Push(arguments) => arguments.execute(),
             Self::Modes(arguments) => arguments.execute(),
             Self::Laws(arguments) => arguments.execute(),

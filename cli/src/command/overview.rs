@@ -7,7 +7,7 @@ use std::fmt::Write;
 pub const GROUPS: [(&str, &[&str]); 6] = [
     (
         "One contact",
-        &["wrench", "surface", "push", "laws", "modes", "fit"],
+        &["wrench", "surface", "hold", "push", "laws", "modes", "fit"],
     ),
     (
         "Bodies, powders, atoms",

@@ -14,6 +14,7 @@ mod full_disk;
 mod golden;
 mod held;
 mod help;
+mod hold;
 mod inverse;
 mod messages;
 mod numbers;

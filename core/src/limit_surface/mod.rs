@@ -11,6 +11,7 @@
 //!
 //! [`LimitSurface`] is this set for any [`crate::coupling::DryCoupling`] and [`PatchSurface`] for
 //! polygons, bars, meshes, points and bodies on several of them; [`Ellipsoid`] is the usual approximation. All are a [`FrictionSet`].
+//! [`Scaled`] makes any of them stronger or weaker.
 //! [`AnyPressure`] is the set where only corners, load and centre of pressure are known.
 //!
 //! *Sign*: friction opposes the motion. A *push* is the wrench that moves the patch against its
@@ -44,6 +45,7 @@ mod meridian;
 mod patch;
 mod polar;
 mod quadratic;
+mod scaled;
 mod search;
 mod sharing;
 mod support_error;
@@ -53,6 +55,7 @@ pub use any_pressure::{AnyPressure, TorqueLimits};
 pub use ellipsoid::Ellipsoid;
 pub use exact::LimitSurface;
 pub use patch::PatchSurface;
+pub use scaled::Scaled;
 pub use support_error::SupportError;
 
 use crate::real::Real;

@@ -40,9 +40,11 @@
 //! ```
 
 mod balance;
+mod elastic;
 mod foot;
 mod step;
 
+pub use elastic::{ElasticState, ElasticStep, StepLosses};
 pub use foot::NodeFoot;
 pub use step::PlanarStep;
 

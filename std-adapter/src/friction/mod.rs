@@ -19,6 +19,7 @@
 //! | [`Law`] | a law of the local speed by name, with its parameters: `stribeck:mu_s=0.4,mu_d=0.2,vs=0.05` |
 //! | [`Tier`] | how force and torque are evaluated: `table`, `compact`, `quadrature` |
 //! | [`Friction`] | the three together: the kernel's coupling |
+//! | [`AtRest`] | whether a patch holds a push: for certain, not at all, or undecided |
 //! | [`LAWS`] | all laws of the kernel: formula, parameters, units, source |
 //!
 //! One place decides which tier serves which exponent:
@@ -34,6 +35,7 @@
 mod catalogue;
 mod columns;
 mod flat;
+mod hold;
 mod law;
 mod patch;
 mod precision;
@@ -47,6 +49,7 @@ pub use catalogue::{Entry, LAWS, Parameter};
 #[doc(hidden)]
 pub use catalogue::{Maker, find};
 pub use flat::{Flat, FlatPatch};
+pub use hold::AtRest;
 #[doc(hidden)]
 pub use law::AnyLaw;
 pub use law::Law;

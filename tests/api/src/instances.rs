@@ -182,6 +182,10 @@ pub const INSTANCES: &[Instance] = &[
         "limit_surface::PatchSurface<R, patch::points::Points<R, patch::nodes::Nodes<R, 3>>>",
         &["FrictionSet"],
     ),
+    instance(
+        "limit_surface::Scaled<'static, R, limit_surface::Ellipsoid<R>>",
+        &["FrictionSet"],
+    ),
     // Contacts.
     instance("contact::Sphere<R>", &["Body"]),
     instance("contact::Plate<R>", &["Body"]),

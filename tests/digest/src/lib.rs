@@ -23,6 +23,7 @@ mod patches;
 mod planes;
 mod polygon_powers;
 mod polygons;
+mod presliding;
 mod pressures;
 mod profiles;
 mod sets;
@@ -73,7 +74,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 40] = [
+pub const CHAPTERS: [Chapter; 41] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),
@@ -114,6 +115,7 @@ pub const CHAPTERS: [Chapter; 40] = [
     little("polygon powers", polygon_powers::polygon_powers),
     little("meshes", meshes::meshes),
     speed("supports", supports::supports),
+    little("presliding", presliding::presliding),
 ];
 
 const DIGESTS: &str = include_str!("../digests.txt");

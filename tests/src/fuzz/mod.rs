@@ -18,6 +18,7 @@ mod motions;
 mod patches;
 mod planes;
 mod polygons;
+mod presliding;
 mod sets;
 mod source;
 mod special;
@@ -58,20 +59,21 @@ pub const READERS: [Target; 4] = [
 ];
 
 /// Targets in the kernel.
-pub const KERNEL: [Target; 14] = [
-    target("laws", 120, laws::memoryless),
-    target("laws with memory", 120, laws::with_memory),
+pub const KERNEL: [Target; 15] = [
+    target("laws", 110, laws::memoryless),
+    target("laws with memory", 110, laws::with_memory),
     target("special functions", 100, special::special),
-    target("couplings", 110, couplings::couplings),
+    target("couplings", 100, couplings::couplings),
     target("patches", 30, patches::patches),
     target("planes", 100, planes::planes),
     target("limit surfaces", 60, sets::sets),
-    target("contacts", 130, contacts::contacts),
+    target("contacts", 120, contacts::contacts),
     target("manifolds", 40, contacts::manifolds),
     target("modes", 40, motions::modes),
     target("sliders", 13, motions::sliders),
     target("planar steps", 30, planes::steps),
     target("feet", 20, planes::feet),
+    target("presliding", 40, presliding::presliding),
     target("polygons", 40, polygons::polygons),
 ];
 

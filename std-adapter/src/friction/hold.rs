@@ -1,0 +1,69 @@
+//! Whether a patch by name holds a push at rest.
+
+use super::{Patch, Refusal, limit_surface};
+use tribos_core::holding::Holding;
+use tribos_core::law::DryFriction;
+use tribos_core::limit_surface::FrictionSet;
+use tribos_core::twist::{Twist, Wrench};
+
+/// A patch at rest under a load: what it holds for certain, and what it may hold at most.
+///
+/// The two sets are limit surfaces of the kinetic and of the static coefficient; what lies between
+/// depends on how the bonds of the contact share the push (see [`tribos_core::holding`]).
+///
+/// *Units*: `load` in N, `radius` of round patches in m; pushes act on the body at the origin of the
+/// patch, in N and N m. *Accuracy*: that of [`limit_surface`].
+///
+/// ```
+/// use tribos::friction::AtRest;
+/// use tribos::kernel::holding::Hold;
+/// use tribos::kernel::law::DryFriction;
+/// use tribos::prelude::*;
+/// let wood = DryFriction::new(0.5, 0.3)?; // static, kinetic
+/// let book = AtRest::new(&"box:0.2x0.1".parse()?, wood, 10.0, 1.0, None)?; // N; m
+/// let ask = |push: f64| book.holding(&Wrench::new(push, 0.0, 0.0)).hold; // N
+/// assert_eq!([2.0, 4.0, 6.0].map(ask), [Hold::Holds, Hold::Undecided, Hold::Slips]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct AtRest {
+    certain: Box<dyn FrictionSet<f64>>,
+    possible: Box<dyn FrictionSet<f64>>,
+}
+
+impl AtRest {
+    /// *Domain*: that of [`limit_surface`], whose last three arguments these are; 0 ≤ `load` < ∞.
+    pub fn new(
+        patch: &Patch,
+        dry: DryFriction<f64>,
+        load: f64,
+        radius: f64,
+        centre: Option<[f64; 2]>,
+    ) -> Result<Self, Refusal> {
+        let set = |mu: f64| limit_surface(patch, mu * load, radius, centre);
+        Ok(Self {
+            certain: set(dry.mu_dynamic())?,
+            possible: set(dry.mu_static())?,
+        })
+    }
+
+    /// The answer to a push, with its gauges.
+    pub fn holding(&self, push: &Wrench<f64>) -> Holding<f64> {
+        Holding::of(&*self.certain, &*self.possible, push)
+    }
+
+    /// The motion that a growing push of this direction starts: |velocity|² + (spin R)² = 1 for the
+    /// farthest distance R of the patch from its origin; zero without push.
+    pub fn first_motion(&self, push: &Wrench<f64>) -> Twist<f64> {
+        self.possible.twist_normal_to(push)
+    }
+}
+
+impl std::fmt::Debug for AtRest {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [certain, possible] = [&self.certain, &self.possible].map(|set| set.force_limit());
+        f.debug_struct("AtRest")
+            .field("certain_force_limit", &certain)
+            .field("possible_force_limit", &possible)
+            .finish()
+    }
+}

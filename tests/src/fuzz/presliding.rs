@@ -1,0 +1,149 @@
+//! Elastic bonds of patches, points and bodies.
+
+use super::check::{all_nan, finite, holds};
+use super::patches::node;
+use super::planes::{twist, wrench};
+use super::{Broken, Source};
+use tribos_core::contact::TimeStep;
+use tribos_core::holding::{Hold, Holding};
+use tribos_core::law::Grip;
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, Scaled};
+use tribos_core::patch::nodes::Nodes;
+use tribos_core::planar::{ElasticState, PlanarBody};
+use tribos_core::presliding::{
+    Anchor, GradualPresliding, NodeBonds, NodePresliding, Pose, Presliding, Settled,
+};
+use tribos_core::real::Real;
+use tribos_core::twist::{Displacement, Wrench};
+
+/// Points of a foot.
+const POINTS: usize = 3;
+
+pub fn presliding(source: &mut Source) -> Result<(), Broken> {
+    match source.below(4) {
+        0 => patch::<f64>(source),
+        1 => patch::<f32>(source),
+        2 => points::<f64>(source),
+        _ => points::<f32>(source),
+    }
+}
+
+fn pose<R: Real>(source: &mut Source) -> Pose<R> {
+    Pose::new(source.number(), source.number(), source.number())
+}
+
+fn displacement<R: Real>(source: &mut Source) -> Displacement<R> {
+    Displacement::along(&twist(source), source.positive())
+}
+
+fn parts<R: Real>(w: &Wrench<R>) -> [R; 3] {
+    [w.force.x, w.force.y, w.torque]
+}
+
+/// A set of some strength, and bonds.
+fn patch<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let (force, radius, torque) = (source.size::<R>(), source.positive(), source.positive());
+    let Ok(base) = Ellipsoid::new(force, radius, torque) else {
+        return Ok(());
+    };
+    let Ok(set) = Scaled::new(&base, source.positive::<R>()) else {
+        return Ok(());
+    };
+    let Ok(bonds) = Presliding::new(source.positive::<R>(), source.positive()) else {
+        return Ok(());
+    };
+    let (anchor, from, to) = (Anchor::at(pose(source)), pose::<R>(source), pose(source));
+    let step = bonds.step(&set, &anchor, &to);
+    finite(source, "friction on bonds", parts(&step.friction))?;
+    if step.grip == Grip::Stick {
+        holds(
+            step.anchor == anchor,
+            "bonds that hold keep their anchor",
+            &[step.dissipated],
+        )?;
+    }
+    if to.angle.is_nan() {
+        all_nan("friction on bonds", parts(&step.friction))?;
+    }
+    let strain = displacement(source);
+    let moved = displacement(source);
+    judged(source, &bonds.advance(&set, &strain, &moved))?;
+    let (breakaway, exponent) = (source.unit::<R>(), source.positive());
+    if let Ok(gradual) = GradualPresliding::new(bonds, breakaway, exponent) {
+        judged(source, &gradual.advance(&set, &strain, &moved))?;
+        let step = gradual.step(&set, &anchor, [&from, &to]);
+        finite(source, "friction on soft bonds", parts(&step.friction))?;
+    }
+    let push = wrench::<R>(source);
+    let answer = Holding::of(&set, &base, &push);
+    let is_nan = parts(&push).iter().any(|x| x.is_nan());
+    if is_nan {
+        holds(
+            answer.hold == Hold::Undecided,
+            "NaN is undecided",
+            &parts(&push),
+        )?;
+    }
+    on_bonds(source, &bonds, &set, &push)
+}
+
+fn judged<R: Real>(source: &Source, end: &Settled<R>) -> Result<(), Broken> {
+    finite(source, "settled friction", parts(&end.friction))?;
+    let heat = end.dissipated;
+    holds(heat >= R::ZERO || heat.is_nan(), "slip dissipates", &[heat])
+}
+
+/// A body on the bonds: finite, and without push it gains no energy.
+fn on_bonds<R: Real>(
+    source: &mut Source,
+    bonds: &Presliding<R>,
+    set: &impl FrictionSet<R>,
+    push: &Wrench<R>,
+) -> Result<(), Broken> {
+    let (mass, inertia, dt) = (source.positive::<R>(), source.positive(), source.positive());
+    let (Ok(body), Ok(dt)) = (PlanarBody::new(mass, inertia), TimeStep::new(dt)) else {
+        return Ok(());
+    };
+    let Ok(bonds) = bonds.with_damping(source.size(), source.size()) else {
+        return Ok(());
+    };
+    let state = ElasticState {
+        twist: twist(source),
+        ..ElasticState::at_rest(pose(source))
+    };
+    let step = body.step_elastic(&bonds, set, &state, push, dt);
+    finite(source, "a step on bonds", parts(&step.friction))?;
+    let losses = step.losses;
+    let all = [losses.slip, losses.damping, losses.rule];
+    let none_below_zero = all.iter().all(|x| *x >= R::ZERO || x.is_nan());
+    holds(none_below_zero, "no loss is negative", &all)
+}
+
+/// Points that let go one after the other.
+fn points<R: Real>(source: &mut Source) -> Result<(), Broken> {
+    let Ok(nodes) = Nodes::new([(); POINTS].map(|()| node::<R>(source))) else {
+        return Ok(());
+    };
+    let bonds = NodeBonds {
+        stiffness: source.positive(),
+        force_limit: source.size(),
+    };
+    let start = pose(source);
+    let Ok(mut bound) = NodePresliding::<R, _, POINTS>::new(nodes, bonds, &start) else {
+        return Ok(());
+    };
+    for _ in 0..3 {
+        let step = bound.step(&pose(source));
+        finite(source, "friction of points", parts(&step.friction))?;
+        let heat = step.dissipated;
+        holds(
+            heat >= R::ZERO || heat.is_nan(),
+            "points dissipate",
+            &[heat],
+        )?;
+        if bound.set_force_limit(source.size()).is_err() {
+            bound.anchor_at(&start);
+        }
+    }
+    Ok(())
+}
