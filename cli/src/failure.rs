@@ -10,6 +10,7 @@ use tribos::record::frames::FrameError;
 use tribos::run::folder::FolderError;
 use tribos::run::{NoCheckpoint, RunError};
 use tribos::slide::SlideError;
+use tribos::stick::StickError;
 use tribos_report::figure::FigureError;
 use tribos_report::image::ImageError;
 use tribos_report::runs::FilmError;
@@ -155,6 +156,16 @@ impl From<SlideError> for Failure {
     }
 }
 
+impl From<StickError> for Failure {
+    fn from(error: StickError) -> Self {
+        match error {
+            StickError::NotFinite { .. } | StickError::TooManySteps { .. } => Self::run(error),
+            StickError::Choice(refusal) => refusal.into(),
+            _ => Self::input(error),
+        }
+    }
+}
+
 impl From<PushError> for Failure {
     fn from(error: PushError) -> Self {
         match error {
@@ -172,6 +183,7 @@ impl From<MeasureError> for Failure {
             MeasureError::Compaction(error) => error.into(),
             MeasureError::Tip(error) => error.into(),
             MeasureError::Push(error) => error.into(),
+            MeasureError::Stick(error) => error.into(),
         }
     }
 }

@@ -60,8 +60,10 @@ impl Maker {
 
 /// All exhibits in the order of the thesis.
 const EXHIBITS: &[(&str, Maker)] = &[
+    ("section-2.1", Alone(leonardo::section_2_1)),
     ("2.5", Alone(classical::figure_2_5)),
     ("2.7", Alone(creep::figure_2_7)),
+    ("section-2.3", Alone(stick_slip::section_2_3)),
     ("2.8", Alone(lubrication::figure_2_8)),
     ("3.1", Alone(ring_and_disk::figure_3_1)),
     ("section-3.1-board", Alone(board::section_3_1_board)),

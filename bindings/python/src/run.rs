@@ -19,7 +19,8 @@ use tribos::record::Partner;
 use tribos::record::frames::{Bodies, Frame, FrameError, FrameFolder};
 use tribos::run::folder::Manifest;
 use tribos::scene::Scene;
-use tribos::slide::{self, COLUMNS, PATH_COLUMNS, PlanarScene, SlideError, run_path};
+use tribos::slide::{self, COLUMNS, PATH_COLUMNS, PlanarScene, run_path};
+use tribos::stick::HeldScene;
 use tribos_cli::failure::Failure;
 use tribos_cli::library::{Host, Pictures, Run};
 
@@ -230,6 +231,10 @@ pub fn run_at_once<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Opt
         Scene::Pipe(scene) => scene,
         Scene::Plate(scene) => scene,
         Scene::Curling(scene) => scene,
+        Scene::Spring(scene) => return held(py, scene).map(Some),
+        Scene::Incline(scene) => return held(py, scene).map(Some),
+        Scene::Turntable(scene) => return held(py, scene).map(Some),
+        Scene::Clamp(scene) => return held(py, scene).map(Some),
         Scene::Powder(_) | Scene::Tip(_) => return Ok(None),
     };
     let run = detached(py, || run_path(planar))?.map_err(slid)?;
@@ -238,8 +243,16 @@ pub fn run_at_once<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Opt
     Ok(Some((summary, PATH_COLUMNS.to_vec(), rows)))
 }
 
-fn slid(error: SlideError) -> PyErr {
-    match Failure::from(error) {
+/// A body that holds and slips.
+fn held<'py>(py: Python<'py>, scene: &(impl HeldScene + Sync)) -> PyResult<AtOnce<'py>> {
+    let run = detached(py, || scene.follow())?.map_err(slid)?;
+    let rows = table(py, &run.rows.concat(), run.columns.len())?;
+    let summary = python(py, &run.json(scene))?;
+    Ok((summary, run.columns.to_vec(), rows))
+}
+
+fn slid(error: impl Into<Failure>) -> PyErr {
+    match error.into() {
         Failure::Input(text) => PyValueError::new_err(text),
         other => PyRuntimeError::new_err(other.to_string()),
     }

@@ -77,6 +77,11 @@ impl Arguments {
                 "{folder}: the run kept no frames; run it again without `--frames 0`"
             )));
         }
+        if ["spring", "incline", "turntable", "clamp"].contains(&body) {
+            return Err(Failure::input(format!(
+                "{folder}: the motion of a {body} is in motion.svg and series.csv; it has no film"
+            )));
+        }
         if self.draws() {
             return Err(Failure::input(
                 "--still, --film, --color and --network are for powders and tips; \

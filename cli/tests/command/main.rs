@@ -12,6 +12,7 @@ mod folders;
 mod friction;
 mod full_disk;
 mod golden;
+mod held;
 mod help;
 mod hold;
 mod inverse;

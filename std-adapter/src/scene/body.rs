@@ -7,8 +7,8 @@ use super::table::Table;
 use super::vocabulary::Vocabulary;
 use super::words::meant;
 use super::{
-    Body, CurlingScene, CylinderScene, PipeScene, PlateScene, PowderScene, SceneError, SliderScene,
-    SpringScene, TipScene,
+    Body, ClampScene, CurlingScene, CylinderScene, InclineScene, PipeScene, PlateScene,
+    PowderScene, SceneError, SliderScene, SpringScene, TipScene, TurntableScene,
 };
 use serde_json::Value;
 use std::path::Path;
@@ -79,6 +79,12 @@ bodies! {
     Curling(CurlingScene),
     /// A body on a spring.
     Spring(SpringScene),
+    /// A block on an incline.
+    Incline(InclineScene),
+    /// A body on a turntable.
+    Turntable(TurntableScene),
+    /// A body in a pinch.
+    Clamp(ClampScene),
     /// A powder under a piston.
     Powder(PowderScene),
     /// A tip turned on a substrate.

@@ -52,6 +52,30 @@ pub const LIBRARY: &[LibraryScene] = &[
         text: include_str!("../../scenes/curling-slow.toml"),
     },
     LibraryScene {
+        name: "spring-block",
+        text: include_str!("../../scenes/spring-block.toml"),
+    },
+    LibraryScene {
+        name: "spring-paper",
+        text: include_str!("../../scenes/spring-paper.toml"),
+    },
+    LibraryScene {
+        name: "spring-holds",
+        text: include_str!("../../scenes/spring-holds.toml"),
+    },
+    LibraryScene {
+        name: "incline",
+        text: include_str!("../../scenes/incline.toml"),
+    },
+    LibraryScene {
+        name: "turntable",
+        text: include_str!("../../scenes/turntable.toml"),
+    },
+    LibraryScene {
+        name: "clamp",
+        text: include_str!("../../scenes/clamp.toml"),
+    },
+    LibraryScene {
         name: "compaction-small",
         text: include_str!("../../scenes/compaction-small.toml"),
     },

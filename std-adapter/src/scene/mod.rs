@@ -11,10 +11,12 @@
 //! its runs, and name it in the list of `body.rs`; a body in the plane implements `PlanarScene` only.
 
 mod body;
+mod clamp;
 mod curling;
 mod cylinder;
 mod entries;
 mod hint;
+mod incline;
 mod key;
 mod library;
 mod pipe;
@@ -32,14 +34,17 @@ mod template;
 #[cfg(test)]
 mod tests;
 mod tip;
+mod turntable;
 mod vocabulary;
 mod words;
 
 pub use body::{Scene, parse_scene, read_scene};
+pub use clamp::ClampScene;
 pub use curling::{CurlingScene, IceModel};
 pub use cylinder::CylinderScene;
 #[doc(hidden)]
 pub use hint::{nearest, number_hint};
+pub use incline::InclineScene;
 #[doc(hidden)]
 pub use key::{Domain, Key, Need};
 #[doc(hidden)]
@@ -53,13 +58,14 @@ pub use push::PushScene;
 #[doc(hidden)]
 pub use schema::schema;
 pub use slider::{SliderScene, Stepper, Units};
-pub(crate) use spring::NO_LAW;
 pub use spring::{SpringFriction, SpringScene};
 #[doc(hidden)]
 pub use table::Body;
 #[doc(hidden)]
 pub use template::{keys_page, template, toml_value, with_all_keys};
 pub use tip::{BathKind, BathSpin, DriveKind, DrivenHold, Reading, StageSteps, TipScene};
+pub use tip::{BathKind, BathSpin, DrivenHold, Reading, StageSteps, TipScene};
+pub use turntable::TurntableScene;
 #[doc(hidden)]
 pub use vocabulary::{Vocabulary, bodies, vocabulary};
 #[doc(hidden)]

@@ -19,14 +19,11 @@ pub enum SpringFriction {
     RateState,
     /// LuGre's bristles.
     Bristles,
-    /// A law of the speed alone.
-    Speed,
 }
 words!(SpringFriction {
     Dry = "dry",
     RateState = "rate-state",
     Bristles = "lugre",
-    Speed = "speed",
 });
 words!(AgeLaw { Ageing = "ageing", Slip = "slip" });
 words!(Regime {
@@ -77,13 +74,15 @@ scene! {
     /// Duration of each hold over that of the one before.
     hold_growth: f64 = 10.0, "-", Positive;
     /// Static coefficient, of dry friction, of a contact not older than `cut_off`.
-    mu_static: f64 = 0.5, "-", NotNegative, PartOf("friction", "dry");
+    mu_static: f64 = DRY[0], "-", NotNegative;
     /// Dynamic coefficient, of dry friction.
-    mu_dynamic: f64 = 0.3, "-", NotNegative, PartOf("friction", "dry");
+    mu_dynamic: f64 = DRY[1], "-", NotNegative;
     /// Growth of the static coefficient for each e-fold of the time of rest, of dry friction.
-    growth: f64 = 0.0, "-", NotNegative, PartOf("friction", "dry");
-    /// Time of rest from which it grows.
-    cut_off: f64 = 1.0, "s", Positive, PartOf("friction", "dry");
+    growth: f64 = DRY[2], "-", NotNegative;
+    /// Time of rest from which it grows, of dry friction.
+    cut_off: f64 = DRY[3], "s", Positive;
+    /// Law of the speed in place of dry friction.
+    law: Option<Law> = None, "-", Domain::Law;
     /// Coefficient of steady sliding with `reference_speed`, of rate and state.
     mu_reference: f64 = 0.35, "-", NotNegative, PartOf("friction", "rate-state");
     /// Direct effect a of the speed, of rate and state.
@@ -101,9 +100,9 @@ scene! {
     /// Speed of the steady sliding that rate and state starts from; 0.9 `pull_speed` if left out.
     start_speed: Option<f64> = None, "m/s", Positive, PartOf("friction", "rate-state");
     /// Coulomb force of the bristles.
-    coulomb_force: f64 = 3.0, "N", Positive, PartOf("friction", "lugre");
+    coulomb_force: f64 = 0.5, "N", Positive, PartOf("friction", "lugre");
     /// Static force of the bristles.
-    static_force: f64 = 5.0, "N", Positive, PartOf("friction", "lugre");
+    static_force: f64 = 0.8, "N", Positive, PartOf("friction", "lugre");
     /// Stribeck speed of the bristles.
     stribeck_speed: f64 = 0.01, "m/s", Positive, PartOf("friction", "lugre");
     /// Stiffness of the bristles.
@@ -112,24 +111,24 @@ scene! {
     bristle_damping: f64 = 316.0, "N s/m", NotNegative, PartOf("friction", "lugre");
     /// Viscous damping beside the bristles.
     viscous_damping: f64 = 0.4, "N s/m", NotNegative, PartOf("friction", "lugre");
-    /// Law of the speed, of friction "speed".
-    law: Option<Law> = None, "-", Domain::Law, PartOf("friction", "speed");
     /// Error of a step, in units of the motion's scales; dry friction needs none.
-    tolerance: f64 = 1e-9, "-", Between { above: 0.0, up_to: 1e-3 };
+    tolerance: f64 = 1e-9, "-", Between { above: 0.0, up_to: 0.01 };
     /// Number of intervals of time in the series, for each pull and each hold.
     samples: u32 = 400, "-", Count { up_to: MOST_SAMPLES };
 }
 
-/// What is missing where the law of the speed is.
-pub(crate) const NO_LAW: &str = "`law` is missing: friction = \"speed\" needs a law of the speed, such as \
-                                 \"stribeck:mu_s=0.4,mu_d=0.2,vs=0.05\"";
+/// Coefficients of dry friction at rest and in motion, growth, and the time from which it grows: of the size of
+/// wood on wood.
+const DRY: [f64; 4] = [0.5, 0.3, 0.0, 1.0];
+/// Their keys.
+const DRY_KEYS: [&str; 4] = ["mu_static", "mu_dynamic", "growth", "cut_off"];
 
 fn rules(scene: &SpringScene, judge: &mut Judge<'_>) {
     if scene.mass == 0.0 && scene.friction != SpringFriction::RateState {
         let message = "only friction = \"rate-state\" has a motion without mass: give `mass` > 0";
         judge.refuse(&["mass", "friction"], message);
     }
-    if scene.friction == SpringFriction::Dry && scene.mu_dynamic > scene.mu_static {
+    if scene.is_dry() && scene.mu_dynamic > scene.mu_static {
         let message = format!(
             "`mu_dynamic` must not exceed `mu_static`, {}",
             scene.mu_static
@@ -142,30 +141,49 @@ fn rules(scene: &SpringScene, judge: &mut Judge<'_>) {
         let message = format!("`coulomb_force` must not exceed `static_force`, {most}");
         judge.refuse(&["coulomb_force", "static_force"], message);
     }
-    if scene.friction != SpringFriction::Speed {
-        return;
-    }
-    match &scene.law {
-        None => judge.refuse(&["friction", "law"], NO_LAW),
-        Some(law) => match law.made::<f64>() {
-            Err(refusal) => judge.refuse(&["law"], format!("`law`: {refusal}")),
-            Ok(made) if !made.friction(0.0).is_finite() => {
-                let message = format!(
-                    "friction of {} grows without bound at rest: such a body never lets go; give a law \
-                     that is finite there, or friction = \"rate-state\"",
-                    law.name()
-                );
-                judge.refuse(&["law"], message);
-            }
-            Ok(_) => {}
-        },
+    no_dry_friction(scene, judge);
+    match scene.law.map(|law| (law, law.made::<f64>())) {
+        Some((_, Err(refusal))) => judge.refuse(&["law"], format!("`law`: {refusal}")),
+        Some((law, Ok(made))) if !made.friction(0.0).is_finite() => {
+            let message = format!(
+                "friction of {} grows without bound at rest: such a body never lets go; give a law \
+                 that is finite there, or friction = \"rate-state\"",
+                law.name()
+            );
+            judge.refuse(&["law"], message);
+        }
+        _ => {}
     }
 }
 
-/// Where rate and state starts is a speed.
+/// Refuses parameters of dry friction where something else resists.
+fn no_dry_friction(scene: &SpringScene, judge: &mut Judge<'_>) {
+    let values = [
+        scene.mu_static,
+        scene.mu_dynamic,
+        scene.growth,
+        scene.cut_off,
+    ];
+    let is_dry = scene.friction == SpringFriction::Dry;
+    if !is_dry && scene.law.is_some() {
+        let message =
+            "`law` is for friction \"dry\" only, whose place it takes; leave one of them out";
+        judge.refuse(&["law", "friction"], message);
+    }
+    for (key, (value, usual)) in DRY_KEYS.into_iter().zip(values.into_iter().zip(DRY)) {
+        if value != usual && (!is_dry || scene.law.is_some()) {
+            let message =
+                format!("`{key}` is for friction \"dry\" without `law` only; leave it out");
+            judge.refuse(&[key], message);
+        }
+    }
+}
+
+/// Where rate and state starts is a speed; where friction is not dry it has no coefficients.
 fn in_force(scene: &SpringScene, key: &str, written: Option<Written>) -> Option<Written> {
     match key {
         "start_speed" => Some(Written::Number(scene.start())),
+        _ if DRY_KEYS.contains(&key) => written.filter(|_| scene.is_dry()),
         _ => written,
     }
 }
@@ -175,6 +193,11 @@ fn in_force(scene: &SpringScene, key: &str, written: Option<Written>) -> Option<
 const START: f64 = 0.9;
 
 impl SpringScene {
+    /// Whether friction is dry.
+    pub(crate) fn is_dry(&self) -> bool {
+        self.friction == SpringFriction::Dry && self.law.is_none()
+    }
+
     /// The speed that rate and state starts with.
     pub(crate) fn start(&self) -> f64 {
         self.start_speed.unwrap_or(START * self.pull_speed)

@@ -5,7 +5,7 @@ use crate::powder::{Compaction, CompactionError};
 use crate::record::CheckpointError;
 
 /// Every body's default scene.
-fn defaults() -> [Scene; 8] {
+fn defaults() -> [Scene; 11] {
     [
         SliderScene::default().into(),
         CylinderScene::default().into(),
@@ -13,6 +13,9 @@ fn defaults() -> [Scene; 8] {
         PlateScene::default().into(),
         CurlingScene::default().into(),
         SpringScene::default().into(),
+        InclineScene::default().into(),
+        TurntableScene::default().into(),
+        ClampScene::default().into(),
         PowderScene::default().into(),
         TipScene::default().into(),
     ]

@@ -61,4 +61,9 @@ macro_rules! measured {
         }
     )+};
 }
-measured!(crate::scene::SpringScene);
+measured!(
+    crate::scene::ClampScene,
+    crate::scene::InclineScene,
+    crate::scene::SpringScene,
+    crate::scene::TurntableScene
+);

@@ -12,7 +12,7 @@ use tribos_report::figure::{Axis, Figure, Guide, Legend, Series};
 const TEXT: Text = Text(include_str!("figure-2.7.md"));
 
 /// Like paper on paper: memory length 1 µm (thesis), the rest ours. SI.
-const PAPER: RateStateParameters<f64> = RateStateParameters {
+pub(super) const PAPER: RateStateParameters<f64> = RateStateParameters {
     mu: 0.35,
     a: 0.01,
     b: 0.03,

@@ -3,6 +3,7 @@
 //! A body has its own file here, and its line in the list of [`of`].
 
 mod disk;
+mod held;
 mod kind;
 mod planar;
 mod powder;
@@ -15,6 +16,7 @@ pub use unfinished::Unfinished;
 use super::explain::slide;
 use super::run::order::Order;
 use crate::failure::Failure;
+use held::Held;
 use planar::InPlane;
 use serde_json::Value;
 use std::path::Path;
@@ -53,6 +55,10 @@ pub fn of(scene: &Scene) -> Box<dyn Commands + '_> {
         Scene::Pipe(scene) => path(scene, slide::pipe(scene)),
         Scene::Plate(scene) => path(scene, slide::plate(scene)),
         Scene::Curling(scene) => path(scene, slide::curling(scene)),
+        Scene::Spring(scene) => Box::new(Held::new(scene, &held::SPRING)),
+        Scene::Incline(scene) => Box::new(Held::new(scene, &held::INCLINE)),
+        Scene::Turntable(scene) => Box::new(Held::new(scene, &held::TURNTABLE)),
+        Scene::Clamp(scene) => Box::new(Held::new(scene, &held::CLAMP)),
         Scene::Powder(scene) => Box::new(scene),
         Scene::Tip(scene) => Box::new(scene),
     }

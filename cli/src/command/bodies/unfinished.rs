@@ -7,6 +7,7 @@ use std::sync::Arc;
 use tribos::run::folder::Lock;
 use tribos::run::{LongRun, RunError, Session, Start};
 use tribos::slide::SlideError;
+use tribos::stick::StickError;
 
 /// Why there is no result.
 pub enum Unfinished {
@@ -27,6 +28,12 @@ impl<E: Error + Into<Failure>> From<RunError<E>> for Unfinished {
 
 impl From<SlideError> for Unfinished {
     fn from(error: SlideError) -> Self {
+        Self::Refused(error.into())
+    }
+}
+
+impl From<StickError> for Unfinished {
+    fn from(error: StickError) -> Self {
         Self::Refused(error.into())
     }
 }

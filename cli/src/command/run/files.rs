@@ -4,6 +4,9 @@
 /// Of a disk.
 pub const DISK: &[&str] = &["summary.json", "series.csv", "motion.svg", "motion.png"];
 
+/// Of a body on a spring, on an incline, on a turntable or in a pinch.
+pub const HELD: &[&str] = DISK;
+
 /// Of a body in the plane.
 pub const PATH: &[&str] = &["summary.json", "series.csv", "path.svg", "path.png"];
 

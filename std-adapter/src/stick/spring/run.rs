@@ -8,8 +8,8 @@ use super::rate_state::RateStateMotion;
 use super::speed::SpeedMotion;
 use super::stability::critical_stiffness;
 use super::tally::Tally;
-use crate::friction::Refusal;
-use crate::scene::{NO_LAW, SpringFriction, SpringScene};
+use crate::friction::Law;
+use crate::scene::{SpringFriction, SpringScene};
 use crate::stick::{HeldRun, HeldScene, StickError};
 use tribos_core::law::{Ageing, LocalLaw, LuGre, RateState};
 
@@ -88,34 +88,40 @@ fn follower(scene: &SpringScene) -> Result<Box<dyn Follower>, StickError> {
         })))
     };
     Ok(match scene.friction {
-        SpringFriction::Dry => dry(scene.mu_static, scene.mu_dynamic, scene.growth)?,
+        SpringFriction::Dry => match scene.law {
+            None => dry(scene.mu_static, scene.mu_dynamic, scene.growth)?,
+            Some(law) => match coefficients(&law) {
+                Some([mu_static, mu_dynamic]) => dry(mu_static, mu_dynamic, 0.0)?,
+                None => {
+                    let law = law.made::<f64>()?;
+                    let masses = [mass, stiffness, load];
+                    Box::new(SpeedMotion::new(law, masses, speed, tolerance))
+                }
+            },
+        },
         SpringFriction::RateState => {
             let law = RateState::new(scene.rate_state())?;
-            let start = scene.start();
             let masses = [mass, stiffness, load];
-            let body =
-                RateStateMotion::new(law, scene.evolution, masses, [speed, start], tolerance);
-            Box::new(body)
+            let speeds = [speed, scene.start()];
+            let ages = scene.evolution;
+            Box::new(RateStateMotion::new(law, ages, masses, speeds, tolerance))
         }
         SpringFriction::Bristles => {
             let law = LuGre::new(scene.lugre())?;
             Box::new(BristleMotion::new(law, [mass, stiffness], speed, tolerance))
         }
-        SpringFriction::Speed => {
-            let law = scene.law.ok_or_else(|| Refusal::Syntax(NO_LAW.into()))?;
-            let value = |name: &str| law.values().find(|(known, _)| *known == name);
-            match (law.name(), value("mu_s"), value("mu_d")) {
-                ("dry", Some((_, mu_static)), Some((_, mu_dynamic))) => {
-                    dry(mu_static, mu_dynamic, 0.0)?
-                }
-                _ => {
-                    let law = law.made::<f64>()?;
-                    let masses = [mass, stiffness, load];
-                    Box::new(SpeedMotion::new(law, masses, speed, tolerance))
-                }
-            }
-        }
     })
+}
+
+/// Coefficients at rest and in motion of a law that is dry.
+fn coefficients(law: &Law) -> Option<[f64; 2]> {
+    let value = |name: &str| law.values().find(|(known, _)| *known == name);
+    let [at_rest, in_motion] = match law.name() {
+        "dry" => ["mu_s", "mu_d"],
+        "coulomb" => ["mu", "mu"],
+        _ => return None,
+    };
+    Some([value(at_rest)?.1, value(in_motion)?.1])
 }
 
 /// A pull or a hold.
@@ -396,16 +402,18 @@ impl HeldScene for SpringScene {
 
     fn carried(&self) -> Vec<(&'static str, String)> {
         let (unknowns, law, method) = match self.friction {
-            SpringFriction::Dry => (
-                "2: position and velocity",
-                format!("dry, mu_s = {}, mu_d = {}", self.mu_static, self.mu_dynamic),
-                "closed form: rest, and harmonic arcs between computed instants",
-            ),
-            SpringFriction::Speed => (
-                "2: velocity and spring force",
-                self.law.map_or(String::new(), |law| law.to_string()),
-                "RODAS, order 4, adaptive; the instants of rest and release are roots",
-            ),
+            SpringFriction::Dry => match self.law {
+                None => (
+                    "2: position and velocity",
+                    format!("dry, mu_s = {}, mu_d = {}", self.mu_static, self.mu_dynamic),
+                    "closed form: rest, and harmonic arcs between computed instants",
+                ),
+                Some(law) => (
+                    "2: velocity and spring force",
+                    law.to_string(),
+                    "RODAS, order 4, adaptive; the instants of rest and release are roots",
+                ),
+            },
             SpringFriction::RateState if self.mass == 0.0 => (
                 "2: logarithms of speed and age",
                 format!("rate and state, {}", self.evolution),
