@@ -66,7 +66,7 @@ pub fn program() -> clap::Command {
 }
 
 /// What `--help` of a command begins with: the documentation of its arguments.
-fn documentation() -> [(&'static str, StyledStr); 18] {
+fn documentation() -> [(&'static str, StyledStr); 19] {
     fn of<A: clap::Args>() -> StyledStr {
         let command = A::augment_args(clap::Command::new(""));
         let text = command.get_long_about().or(command.get_about());

@@ -7,8 +7,9 @@ use std::fmt::Write;
 pub const GROUPS: [(&str, &[&str]); 6] = [
     (
         "One contact",
-        &["wrench", "surface", "hold", "push", "laws", "modes", "fit"],
-        &["wrench", "surface", "onset", "push", "laws", "modes", "fit"],
+        &[
+            "wrench", "surface", "hold", "onset", "push", "laws", "modes", "fit",
+        ],
     ),
     (
         "Bodies, powders, atoms",

@@ -64,7 +64,6 @@ pub use table::Body;
 #[doc(hidden)]
 pub use template::{keys_page, template, toml_value, with_all_keys};
 pub use tip::{BathKind, BathSpin, DriveKind, DrivenHold, Reading, StageSteps, TipScene};
-pub use tip::{BathKind, BathSpin, DrivenHold, Reading, StageSteps, TipScene};
 pub use turntable::TurntableScene;
 #[doc(hidden)]
 pub use vocabulary::{Vocabulary, bodies, vocabulary};

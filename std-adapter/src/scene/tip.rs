@@ -1,8 +1,8 @@
 //! The scene of a tip that is turned or slid on a substrate (thesis, section 5.3).
 
+use super::entries::Written;
 use super::key::{Domain::*, Need::*};
 use super::powder::MOST_SEEDS;
-use super::entries::Written;
 use super::reader::Judge;
 use super::table::scene;
 use super::words::{Word, words};

@@ -75,7 +75,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 41] = [
+pub const CHAPTERS: [Chapter; 42] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),

@@ -60,18 +60,16 @@ pub const READERS: [Target; 4] = [
 ];
 
 /// Targets in the kernel.
-pub const KERNEL: [Target; 15] = [
+pub const KERNEL: [Target; 16] = [
     target("laws", 110, laws::memoryless),
     target("laws with memory", 110, laws::with_memory),
-    target("laws", 120, laws::memoryless),
-    target("laws with memory", 120, laws::with_memory),
     target("bonds", 20, bonds::bonds),
     target("special functions", 100, special::special),
-    target("couplings", 100, couplings::couplings),
+    target("couplings", 90, couplings::couplings),
     target("patches", 30, patches::patches),
     target("planes", 100, planes::planes),
     target("limit surfaces", 60, sets::sets),
-    target("contacts", 120, contacts::contacts),
+    target("contacts", 110, contacts::contacts),
     target("manifolds", 40, contacts::manifolds),
     target("modes", 40, motions::modes),
     target("sliders", 13, motions::sliders),

@@ -62,7 +62,10 @@ fn a_tip_that_touches_nothing_follows_its_support_without_friction() -> Result<(
         let at = |name: &str| columns.iter().position(|column| column == name);
         let (support, tip) = (at("support").ok_or("none")?, at("tip").ok_or("none")?);
         for line in run.series() {
-            assert!((line[support] - line[tip]).abs() < 3.0 * swing / 50.0, "{bath}");
+            assert!(
+                (line[support] - line[tip]).abs() < 3.0 * swing / 50.0,
+                "{bath}"
+            );
         }
     }
     Ok(())
@@ -79,7 +82,10 @@ fn a_tip_resists_in_both_directions_and_more_under_load() -> Result<(), Error> {
         };
         let slid = outcome(&scene)?;
         assert!(slid.friction > 0.0, "{slid:?}");
-        assert!((slid.normal_force / 38.0 / load.parse::<f64>()? - 1.0).abs() < 0.5, "{slid:?}");
+        assert!(
+            (slid.normal_force / 38.0 / load.parse::<f64>()? - 1.0).abs() < 0.5,
+            "{slid:?}"
+        );
         friction.push(slid.friction);
     }
     assert!(friction[1] > friction[0], "{friction:?}");
@@ -102,7 +108,11 @@ fn a_spring_twists_back_a_tip_that_is_turned_and_series_say_where_it_is() -> Res
         // The support's way is the triangle of its speed; the spring's force is its length.
         let path = 0.5 * line[0].max(0.0);
         let phase = path % (2.0 * 1.65);
-        let way = if phase <= 1.65 { phase } else { 2.0 * 1.65 - phase };
+        let way = if phase <= 1.65 {
+            phase
+        } else {
+            2.0 * 1.65 - phase
+        };
         assert!((line[support] - way).abs() < 1e-9, "{line:?}");
         let spring = scene.stiffness * (line[support] - line[tip]);
         assert!((line[force] - spring).abs() < 1e-9, "{line:?}");
@@ -118,7 +128,12 @@ fn a_spring_twists_back_a_tip_that_is_turned_and_series_say_where_it_is() -> Res
         ways.sum::<f64>() / driven.len() as f64
     };
     let last = run.series().last().ok_or("no line")?;
-    assert!((way(1) - last[tip]).abs() < 1e-9, "{} {}", way(1), last[tip]);
+    assert!(
+        (way(1) - last[tip]).abs() < 1e-9,
+        "{} {}",
+        way(1),
+        last[tip]
+    );
     assert!(way(0).abs() < 0.5, "{}", way(0));
     Ok(())
 }
@@ -131,10 +146,19 @@ fn a_slid_tip_has_a_speed_and_no_torque() {
         ("lambda = 1\nspeed = 1", "not both"),
         ("speed = 1", "`speed` is for drive \"slide\" only"),
         ("drive = \"slide\"\nspeed = 0", "`speed` must be"),
-        ("drive = \"slide\"\nspeed = 200", "more than half the spacing"),
+        (
+            "drive = \"slide\"\nspeed = 200",
+            "more than half the spacing",
+        ),
         ("drive = \"slide\"\nspeed = 1\nstroke = 1e-4", "`stroke` is"),
-        ("lambda = 1\nstiffness = 3", "`stiffness` is for drive \"slide\" only"),
-        ("drive = \"pull\"\nspeed = 1", "one of \"torque\", \"slide\""),
+        (
+            "lambda = 1\nstiffness = 3",
+            "`stiffness` is for drive \"slide\" only",
+        ),
+        (
+            "drive = \"pull\"\nspeed = 1",
+            "one of \"torque\", \"slide\"",
+        ),
     ] {
         match tiny(text) {
             Err(error) => assert!(error.to_string().contains(words), "{text}: {error}"),
