@@ -23,7 +23,7 @@ use tribos_report::image;
 /// A row has the share of the rotation in the displacement (0 deg pushed, 90 deg turned), force and torque about
 /// the centre of pressure, the displacement reached, the push over the one that dry friction with the
 /// same static coefficient carries along its ray (of_limit), and over that of steady sliding
-/// (static_over_dynamic). This is a model in the spirit of Dahmen, Farkas, Hinrichsen and Wolf (2005); it has
+/// (static_over_dynamic; nan for bonds that break for good). This is a model in the spirit of Dahmen, Farkas, Hinrichsen and Wolf (2005); it has
 /// none of their equations.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
@@ -188,8 +188,8 @@ impl Arguments {
             text += &format!(
                 "{:>9} {:>12} {:>12} {:>12} {ratio:>14}\n",
                 shown(point.share),
-                shown(force_of(point) / force),
-                shown(point.onset.push.torque / torque),
+                shown(without_noise(force_of(point) / force)),
+                shown(without_noise(point.onset.push.torque / torque)),
                 shown(point.of_limit),
             );
         }
@@ -258,6 +258,14 @@ impl Arguments {
 fn force_of(point: &OnsetPoint) -> f64 {
     point.onset.push.force.norm()
 }
+
+/// Zero for a share that is a rounding error.
+fn without_noise(share: f64) -> f64 {
+    if share.abs() < ROUNDING { 0.0 } else { share }
+}
+
+/// Rounding errors of sums over nodes, of their largest value.
+const ROUNDING: f64 = 1e-13;
 
 /// One row of the table; NaN where bonds do not re-form.
 fn row(point: &OnsetPoint) -> [f64; 9] {
