@@ -26,15 +26,16 @@ use crate::twist::{Twist, Wrench};
 /// assert!(!young?.contains(&push) && old?.contains(&push));
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scaled<'a, R, S: ?Sized> {
     set: &'a S,
     strength: R,
 }
 
-impl<R: Copy, S: ?Sized> Copy for Scaled<'_, R, S> {}
-impl<R: Copy, S: ?Sized> Clone for Scaled<'_, R, S> {
+impl<R: Real, S: FrictionSet<R> + ?Sized> Copy for Scaled<'_, R, S> {}
+
+impl<R: Real, S: FrictionSet<R> + ?Sized> Clone for Scaled<'_, R, S> {
     fn clone(&self) -> Self {
         *self
     }

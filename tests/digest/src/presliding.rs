@@ -114,7 +114,9 @@ fn scaled<R: Real>(hash: &mut Fnv, set: &Ellipsoid<R>) {
         hash.verdict(&Scaled::new(set, strength));
     }
     let weaker = Scaled::new(set, R::from_f64(0.375)).expect("positive");
-    hash.numbers([weaker.strength(), weaker.force_limit(), weaker.radius()]);
+    #[allow(clippy::clone_on_copy)]
+    let same = weaker.clone();
+    hash.numbers([weaker.strength(), same.force_limit(), weaker.radius()]);
     for _ in 0..STEPS {
         let motion = twist(&mut rng);
         let push = Wrench {

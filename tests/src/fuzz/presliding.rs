@@ -65,6 +65,12 @@ fn patch<R: Real>(source: &mut Source) -> Result<(), Broken> {
     if to.angle.is_nan() {
         all_nan("friction on bonds", parts(&step.friction))?;
     }
+    let stored = bonds.stored_energy(&anchor, &to);
+    holds(
+        stored >= R::ZERO || stored.is_nan(),
+        "bonds store energy",
+        &[stored],
+    )?;
     let strain = displacement(source);
     let moved = displacement(source);
     judged(source, &bonds.advance(&set, &strain, &moved))?;
@@ -84,7 +90,39 @@ fn patch<R: Real>(source: &mut Source) -> Result<(), Broken> {
             &parts(&push),
         )?;
     }
+    let (held, slips) = (answer.surely_held_scale(), answer.surely_slipping_scale());
+    holds(
+        held >= R::ZERO || held.is_nan(),
+        "scales are not negative",
+        &[held, slips],
+    )?;
+    asked(source, &set, &push)?;
     on_bonds(source, &bonds, &set, &push)
+}
+
+/// A set of some strength: the surface above a push, and the push that moves back.
+fn asked<R: Real>(
+    source: &mut Source,
+    set: &impl FrictionSet<R>,
+    push: &Wrench<R>,
+) -> Result<(), Broken> {
+    let motion = twist(source);
+    finite(source, "friction of a set", parts(&set.wrench(&motion)))?;
+    let normal = set.twist_normal_to(push);
+    let on = set.scale_to_surface(push);
+    let all = [normal.velocity.x, normal.velocity.y, normal.spin];
+    finite(source, "normal of a set", all)?;
+    if source.is_mild() && set.force_limit() > R::ZERO {
+        finite(source, "surface of a set", parts(&on))?;
+    }
+    let kept = set.gauge(&set.project(push).wrench);
+    let most = R::ONE + R::from_f64(1e-3);
+    let is_fair = source.is_mild() && set.force_limit() > R::ZERO;
+    holds(
+        !is_fair || kept <= most,
+        "what is projected is inside",
+        &[kept],
+    )
 }
 
 fn judged<R: Real>(source: &Source, end: &Settled<R>) -> Result<(), Broken> {
@@ -114,7 +152,7 @@ fn on_bonds<R: Real>(
     let step = body.step_elastic(&bonds, set, &state, push, dt);
     finite(source, "a step on bonds", parts(&step.friction))?;
     let losses = step.losses;
-    let all = [losses.slip, losses.damping, losses.rule];
+    let all = [losses.slip, losses.damping, losses.rule, losses.total()];
     let none_below_zero = all.iter().all(|x| *x >= R::ZERO || x.is_nan());
     holds(none_below_zero, "no loss is negative", &all)
 }

@@ -104,13 +104,20 @@ fn closed_cycles_lose_what_masings_rule_says() {
 #[test]
 fn inside_the_set_friction_depends_on_the_pose_alone_and_the_anchor_keeps_its_bits() {
     let mut rng = Lcg::new(71);
-    for set in sets() {
-        let start = Pose::new(3.0, -2.0, 0.7);
+    // Far from the origin, and so near that poses and their differences round apart.
+    let starts = [
+        Pose::new(3.0, -2.0, 0.7),
+        Pose::new(1.7e-5, -3.1e-6, 1.3e-3),
+    ];
+    for (set, start) in sets()
+        .iter()
+        .flat_map(|set| starts.map(|start| (set, start)))
+    {
         let (anchor, bonds) = (Anchor::at(start), bonds());
         for _ in 0..300 {
             let away = displacement(&mut rng, 0.3 * REACH);
             let pose = start.moved(&away);
-            let step = bonds.step(&*set, &anchor, &pose);
+            let step = bonds.step(&**set, &anchor, &pose);
             assert_eq!((step.anchor, step.grip), (anchor, Grip::Stick));
             assert_eq!((step.dissipated, step.slip), (0.0, Displacement::ZERO));
             let e = pose.since(&start);
