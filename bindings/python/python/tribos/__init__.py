@@ -69,13 +69,17 @@ from tribos._surface import LimitSurface
 from tribos._sweep import cases, run_case, sweep
 from tribos._threads import num_threads, set_num_threads
 from tribos.scenes import (
+    ClampScene,
     CurlingScene,
     CylinderScene,
+    InclineScene,
     PipeScene,
     PlateScene,
     PowderScene,
     SliderScene,
+    SpringScene,
     TipScene,
+    TurntableScene,
 )
 
 __version__: str = _native.__version__
@@ -84,6 +88,7 @@ _command.host(["python", *getattr(sys, "argv", [])])
 
 __all__ = [
     "AnyPressure",
+    "ClampScene",
     "Collision",
     "ConeEdge",
     "ContactForce",
@@ -96,6 +101,7 @@ __all__ = [
     "Frames",
     "Friction",
     "Grip",
+    "InclineScene",
     "Journey",
     "Launch",
     "Law",
@@ -127,11 +133,13 @@ __all__ = [
     "SliderScene",
     "SolverReport",
     "Spheres",
+    "SpringScene",
     "State",
     "Step",
     "SupportFit",
     "TipScene",
     "TorqueLimits",
+    "TurntableScene",
     "annulus",
     "any_pressure",
     "bar",

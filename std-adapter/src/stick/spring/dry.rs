@@ -102,7 +102,7 @@ impl DryMotion {
         for _ in 0..MOST_CORRECTIONS {
             let growth = self.block.load * self.block.mu_static.rate(Age { time: age + wait });
             let next = wait - missing(wait) / (rate - growth);
-            if !(next < wait) {
+            if next >= wait || next.is_nan() {
                 break;
             }
             wait = next;
@@ -190,7 +190,7 @@ impl Arc {
         // R² − drift²: of a body that has just been released it is the square of `cosine`.
         let square =
             self.cosine * self.cosine + (self.sine - self.drift) * (self.sine + self.drift);
-        if !(square >= 0.0) {
+        if square < 0.0 || square.is_nan() {
             return f64::INFINITY;
         }
         let half = libm::atan2(Real::sqrt(square), -self.drift);

@@ -90,6 +90,7 @@ fn a_body_that_sticks_keeps_its_place_to_the_bit_and_work_becomes_heat_and_tensi
             "{work} {stored} {heat}"
         );
     }
+    assert!(stuck > 1000, "{stuck}");
 }
 
 /// Without a difference of the coefficients the body stops for an instant at most.
