@@ -34,7 +34,7 @@ use tribos_report::verdict::Verdict;
 enum Maker {
     /// In a moment.
     Alone(fn() -> Result<Exhibit>),
-    /// In seconds, because bodies on points check it.
+    /// In seconds: journeys, and bodies on points that check them.
     Checked(fn() -> Result<Exhibit>, Seconds),
     /// From simulations, quick or full; compactions are shared. With the costs of both.
     Running(fn(&Runs) -> Result<Exhibit>, [Seconds; 2]),
@@ -66,11 +66,11 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("2.5", Alone(classical::figure_2_5)),
     ("2.7", Alone(creep::figure_2_7)),
     ("2.8", Alone(lubrication::figure_2_8)),
-    ("3.1", Checked(ring_and_disk::figure_3_1, 0.2)),
-    ("section-3.1-board", Checked(board::section_3_1_board, 0.5)),
+    ("3.1", Checked(ring_and_disk::figure_3_1, 0.4)),
+    ("section-3.1-board", Checked(board::section_3_1_board, 0.8)),
     (
         "section-3.1-inverse",
-        Checked(inverse::section_3_1_inverse, 0.5),
+        Checked(inverse::section_3_1_inverse, 0.7),
     ),
     ("3.3", Alone(local_law::figure_3_3)),
     ("3.4", Alone(coupling::figure_3_4)),
@@ -86,7 +86,7 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("3.16", Alone(tilted::figure_3_16)),
     ("3.17", Alone(pipe::figure_3_17)),
     ("3.19", Alone(ice::figure_3_19)),
-    ("section-3.5.2", Checked(curling::section_3_5_2, 1.5)),
+    ("section-3.5.2", Checked(curling::section_3_5_2, 1.7)),
     ("4.2", Alone(contact_exhibits::figure_4_2)),
     ("4.3", Alone(contact_exhibits::figure_4_3)),
     ("4.5", Alone(deposit::figure_4_5)),
@@ -100,7 +100,7 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ),
     (
         "section-5.1-lateral",
-        Checked(lateral_modes::section_5_1_lateral, 0.5),
+        Checked(lateral_modes::section_5_1_lateral, 0.7),
     ),
     ("5.1", Alone(tip::figure_5_1)),
     ("5.2", Running(tip::figure_5_2, [40.0, 2300.0])),

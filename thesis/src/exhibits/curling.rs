@@ -76,7 +76,7 @@ pub fn section_3_5_2() -> Result<Exhibit> {
     let mut slow = Figure::new(
         "",
         Axis::linear("slow shot: forward [m]").range(-0.5, 4.0),
-        Axis::linear("to the left [m]").range(-0.5, 1.2),
+        Axis::linear("to the left [m]").range(-0.5, 1.4),
     );
     let mut claims = Vec::new();
     for (i, (model, found)) in models.iter().zip(FOUND).enumerate() {
