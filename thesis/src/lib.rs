@@ -11,7 +11,7 @@ mod plan;
 mod runs;
 mod text;
 
-use Maker::{Alone, Running};
+use Maker::{Alone, Checked, Running};
 use anyhow::{Result, bail, ensure};
 use document::{claims_csv, counts, page};
 use exhibit::Exhibit;
@@ -34,6 +34,8 @@ use tribos_report::verdict::Verdict;
 enum Maker {
     /// In a moment.
     Alone(fn() -> Result<Exhibit>),
+    /// In seconds: journeys, and bodies on points that check them.
+    Checked(fn() -> Result<Exhibit>, Seconds),
     /// From simulations, quick or full; compactions are shared. With the costs of both.
     Running(fn(&Runs) -> Result<Exhibit>, [Seconds; 2]),
 }
@@ -44,7 +46,7 @@ const MOMENT: Seconds = 0.1;
 impl Maker {
     fn make(self, runs: &Runs) -> Result<Exhibit> {
         match self {
-            Self::Alone(make) => make(),
+            Self::Alone(make) | Self::Checked(make, _) => make(),
             Self::Running(make, _) => make(runs),
         }
     }
@@ -52,6 +54,7 @@ impl Maker {
     fn cost(self, effort: Effort) -> Seconds {
         match (self, effort) {
             (Self::Alone(_), _) => MOMENT,
+            (Self::Checked(_, cost), _) => cost,
             (Self::Running(_, [quick, _]), Effort::Quick) => quick,
             (Self::Running(_, [_, full]), Effort::Full) => full,
         }
@@ -69,6 +72,12 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("section-3.1-board", Alone(board::section_3_1_board)),
     ("section-3.1-inverse", Alone(inverse::section_3_1_inverse)),
     ("section-3.1", Alone(onset::section_3_1)),
+    ("3.1", Checked(ring_and_disk::figure_3_1, 0.4)),
+    ("section-3.1-board", Checked(board::section_3_1_board, 0.8)),
+    (
+        "section-3.1-inverse",
+        Checked(inverse::section_3_1_inverse, 0.7),
+    ),
     ("3.3", Alone(local_law::figure_3_3)),
     ("3.4", Alone(coupling::figure_3_4)),
     ("table-3.1", Alone(asymptotics::table_3_1)),
@@ -83,7 +92,7 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("3.16", Alone(tilted::figure_3_16)),
     ("3.17", Alone(pipe::figure_3_17)),
     ("3.19", Alone(ice::figure_3_19)),
-    ("section-3.5.2", Alone(curling::section_3_5_2)),
+    ("section-3.5.2", Checked(curling::section_3_5_2, 1.7)),
     ("4.2", Alone(contact_exhibits::figure_4_2)),
     ("4.3", Alone(contact_exhibits::figure_4_3)),
     ("4.5", Alone(deposit::figure_4_5)),
@@ -97,7 +106,7 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ),
     (
         "section-5.1-lateral",
-        Alone(lateral_modes::section_5_1_lateral),
+        Checked(lateral_modes::section_5_1_lateral, 0.7),
     ),
     ("5.1", Alone(tip::figure_5_1)),
     ("5.2", Running(tip::figure_5_2, [40.0, 2300.0])),

@@ -10,6 +10,7 @@ pub(crate) mod contact_trials;
 pub(crate) mod coupling;
 pub(crate) mod creep;
 pub(crate) mod curling;
+pub(crate) mod curling_statements;
 pub(crate) mod deposit;
 pub(crate) mod double_disk;
 pub(crate) mod growth;

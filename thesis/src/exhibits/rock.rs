@@ -21,9 +21,7 @@ const LOOKS: u32 = 1200;
 pub(super) fn models() -> Vec<Box<dyn CurlingModel>> {
     let ice = IceLaw::PENNER;
     vec![
-        Box::new(Dry {
-            coefficient: IceLaw::DRY.coefficient,
-        }),
+        Box::new(dry()),
         Box::new(LeftRight { ice }),
         Box::new(FrontBack { ice }),
         Box::new(BackHeavy {
@@ -35,16 +33,28 @@ pub(super) fn models() -> Vec<Box<dyn CurlingModel>> {
             front: 1.0,
             back: 0.0,
         }),
-        Box::new(PivotSlide {
-            ice,
-            weight: PivotSlide::WEIGHT,
-        }),
+        Box::new(pivot()),
         Box::new(ScratchGuide {
             ice,
             strength: ScratchGuide::STRENGTH,
             onset: ScratchGuide::ONSET,
         }),
     ]
+}
+
+/// Dry friction with the stop of Penner's law.
+pub(super) fn dry() -> Dry {
+    Dry {
+        coefficient: IceLaw::DRY.coefficient,
+    }
+}
+
+/// Pivots of the strength that its author gives.
+pub(super) fn pivot() -> PivotSlide {
+    PivotSlide {
+        ice: IceLaw::PENNER,
+        weight: PivotSlide::WEIGHT,
+    }
 }
 
 fn journey<B: Resistance>(body: &B, (speed, spin): (f64, f64)) -> Result<Journey<'_, B>> {
