@@ -31,7 +31,7 @@ pub fn vocabularies(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
             let (kind, words) = match key.domain {
                 Domain::Count { .. } => ("count", &[][..]),
                 Domain::OneOf(words) => ("word", words),
-                Domain::Law | Domain::Patch => ("text", &[][..]),
+                Domain::Law | Domain::Patch | Domain::Potential => ("text", &[][..]),
                 _ => ("number", &[][..]),
             };
             row.set_item("kind", kind)?;

@@ -88,8 +88,18 @@ fn curve(run: &TipRun, x: &str, y: &str) -> Vec<(f64, f64)> {
     run.series().iter().map(|row| (row[x], row[y])).collect()
 }
 
+/// Units of length, time, energy and temperature.
+fn units(scene: &TipScene) -> [&'static str; 4] {
+    if scene.potential.is_metal() {
+        ["Å", "ps", "eV", "K"]
+    } else {
+        ["σ", "σ√(m/ε)", "ε", "ε/k_B"]
+    }
+}
+
 fn slid(scene: &TipScene, run: &TipRun) -> Panels {
-    let time = || Axis::linear("time [σ√(m/ε)]");
+    let [length, time, energy, heat] = units(scene);
+    let time = || Axis::linear(format!("time [{time}]"));
     let driven: Vec<(f64, f64)> = curve(run, "time", "support")
         .into_iter()
         .zip(curve(run, "support", "lateral_force"))
@@ -98,17 +108,17 @@ fn slid(scene: &TipScene, run: &TipRun) -> Panels {
         .collect();
     let friction = Figure::new(
         "Friction loop",
-        Axis::linear("support [σ]"),
-        Axis::linear("lateral force [ε/σ]"),
+        Axis::linear(format!("support [{length}]")),
+        Axis::linear(format!("lateral force [{energy}/{length}]")),
     )
     .series(Series::line("", driven));
-    let ways = Figure::new("Ways along the drive", time(), Axis::linear("way [σ]"))
+    let ways = Figure::new("Ways along the drive", time(), Axis::linear(format!("way [{length}]")))
         .series(Series::line("support", curve(run, "time", "support")))
         .series(Series::line("tip", curve(run, "time", "tip")));
-    let work = Figure::new("", time(), Axis::linear("energy [ε]"))
+    let work = Figure::new("", time(), Axis::linear(format!("energy [{energy}]")))
         .series(Series::line("work", curve(run, "time", "work")))
         .series(Series::line("heat", curve(run, "time", "heat")));
-    let heat = Figure::new("", time(), Axis::linear("temperature [ε/k_B]"))
+    let heat = Figure::new("", time(), Axis::linear(format!("temperature [{heat}]")))
         .series(Series::line(
             "substrate",
             curve(run, "time", "substrate_temperature"),

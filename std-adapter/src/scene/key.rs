@@ -3,6 +3,7 @@
 use super::entries::Written;
 use super::words::meant;
 use crate::friction::{Law, Patch};
+use crate::tip::Potential;
 
 /// One key of a scene file.
 ///
@@ -59,6 +60,8 @@ pub enum Domain {
     Law,
     /// A contact patch, as [`crate::friction::Patch`] reads it.
     Patch,
+    /// A potential of atoms, as [`crate::tip::Potential`] reads it.
+    Potential,
 }
 
 /// When a file must or may give a key. Pairs are another key and one of its words.
@@ -94,6 +97,9 @@ impl Domain {
                 "a law with its parameters, such as \"stribeck:mu_s=0.4,mu_d=0.2,vs=0.05\"".into()
             }
             Self::Patch => "a patch such as \"box:0.3x0.2\", \"polygon:FILE\" or \"disk\"".into(),
+            Self::Potential => {
+                "\"lennard-jones\", \"sutton-chen:Cu\" or another metal, or \"eam:FILE\"".into()
+            }
             Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
         }
     }
@@ -108,7 +114,7 @@ impl Domain {
                 Self::Between { above, up_to } => x > above && x <= up_to,
                 Self::Fraction => (0.0..=1.0).contains(&x),
                 Self::Count { up_to } => x >= 1.0 && x <= up_to && x.fract() == 0.0,
-                Self::OneOf(_) | Self::Law | Self::Patch => false,
+                Self::OneOf(_) | Self::Law | Self::Patch | Self::Potential => false,
             }
     }
 }
@@ -127,7 +133,11 @@ impl Key {
             (Domain::Patch, Written::Text(text)) => {
                 return Some(format!("`{}`: {}", self.name, text.parse::<Patch>().err()?));
             }
-            (Domain::OneOf(_) | Domain::Law | Domain::Patch, other) => {
+            (Domain::Potential, Written::Text(text)) => {
+                let refused = text.parse::<Potential>().err()?;
+                return Some(format!("`{}`: {refused}", self.name));
+            }
+            (Domain::OneOf(_) | Domain::Law | Domain::Patch | Domain::Potential, other) => {
                 format!("not {}", other.kind())
             }
             (domain, Written::Number(x)) if domain.admits(*x) => return None,

@@ -95,6 +95,14 @@ pub const LIBRARY: &[LibraryScene] = &[
         name: "tip-irreversible",
         text: include_str!("../../scenes/tip-irreversible.toml"),
     },
+    LibraryScene {
+        name: "tip-slid",
+        text: include_str!("../../scenes/tip-slid.toml"),
+    },
+    LibraryScene {
+        name: "tip-metal",
+        text: include_str!("../../scenes/tip-metal.toml"),
+    },
 ];
 
 /// The scene of this name.

@@ -91,7 +91,7 @@ fn domain(domain: &Domain) -> Map<String, Value> {
         Domain::Count { up_to } => {
             json!({"type": "integer", "minimum": 1, "maximum": up_to as u64})
         }
-        Domain::Law | Domain::Patch => json!({"type": "string"}),
+        Domain::Law | Domain::Patch | Domain::Potential => json!({"type": "string"}),
         Domain::OneOf(words) => json!({"type": "string", "enum": words}),
     };
     match rules {

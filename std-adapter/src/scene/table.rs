@@ -8,6 +8,7 @@ use super::words::Word;
 use crate::friction::{Law, Patch};
 use crate::golden::{Measure, MeasureError, Measurement};
 use crate::record::json_number;
+use crate::tip::Potential;
 use serde_json::{Map, Value};
 use std::fmt::Debug;
 
@@ -85,6 +86,20 @@ impl Setting for Patch {
             && let Ok(patch) = text.parse()
         {
             *self = patch;
+        }
+    }
+}
+
+impl Setting for Potential {
+    fn written(&self) -> Option<Written> {
+        Some(Written::Text(self.to_string()))
+    }
+
+    fn set(&mut self, value: &Written) {
+        if let Written::Text(text) = value
+            && let Ok(potential) = text.parse()
+        {
+            *self = potential;
         }
     }
 }

@@ -52,6 +52,7 @@ fn every_key_sets_its_field() {
                 }
                 Domain::Law => "\"dry:mu_s=0.4,mu_d=0.3\"".into(),
                 Domain::Patch => "\"box:0.2x0.1\"".into(),
+                Domain::Potential => "\"sutton-chen:Ag\"".into(),
                 Domain::Count { .. } => format!("{}", was.as_u64().unwrap_or(30) + 4),
                 _ => format!("{}", 0.98 * was.as_f64().unwrap_or(0.8) + 0.0017),
             };

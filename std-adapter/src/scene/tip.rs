@@ -2,13 +2,14 @@
 
 use super::entries::Written;
 use super::key::{Domain::*, Need::*};
+use super::key::{Domain, Domain::*, Need::*};
 use super::powder::MOST_SEEDS;
 use super::reader::Judge;
 use super::table::scene;
 use super::words::{Word, words};
 use crate::md::pair::Shift;
 use crate::md::system::Integrator;
-use crate::tip::{LAYERS_OF_A_KIND, Outline, Shape};
+use crate::tip::{Face, LAYERS_OF_A_KIND, Outline, Potential, Shape};
 
 /// What moves the tip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,6 +66,7 @@ pub enum BathSpin {
 words!(BathSpin { Spared = "spared", Counts = "counts" });
 
 words!(Outline { Hexagon = "hexagon", Disk = "disk", Cone = "cone" });
+words!(Face { Fcc111 = "fcc111", Fcc100 = "fcc100", Fcc110 = "fcc110" });
 words!(Shift { None = "none", Energy = "energy", Force = "force" });
 words!(Integrator { LeapFrog = "leap-frog", VelocityVerlet = "velocity-verlet" });
 
@@ -90,8 +92,9 @@ impl StageSteps {
 const MOST_STEPS: f64 = 1e15;
 
 scene! {
-    /// A tip that is turned or slid on a substrate. *Units*: σ, ε and m of the Lennard-Jones atoms are 1,
-    /// times are in τ = σ√(m/ε).
+    /// A tip that is turned or slid on a substrate. *Units*: with the Lennard-Jones potential σ, ε and m
+    /// of the atoms are 1, times are in τ = σ√(m/ε). With a metal every σ stands for Å, every ε for eV,
+    /// every τ for ps and every ε/k_B for K.
     ///
     /// The default is the thesis' tip of 6330 atoms under its weakest drive.
     ///
@@ -112,24 +115,34 @@ scene! {
     pub struct TipScene = "tip", "A tip turned or slid on a substrate",
         rules, in_force;
 
-    /// Distance of neighbours in the crystal; the default is that of the potential's minimum.
+    /// Potential of all atoms. With a metal lengths are in A, energies in eV, times in ps, temperatures
+    /// in K and forces in eV/A where other keys say sigma, eps, tau, eps/k_B and eps/sigma.
+    potential: Potential = Potential::default(), "-", Domain::Potential;
+    /// Distance of neighbours in a Lennard-Jones crystal; the default is that of the potential's
+    /// minimum. A metal's follows from its potential, see `expansion`.
     // 2^(1/6) (thesis, section 5.3).
     spacing: f64 = 1.122_462_048_309_373, "sigma", Between { above: 0.5, up_to: 2.0 };
+    /// Part by which the crystals of a metal are wider than at zero temperature and pressure.
+    expansion: f64 = 0.0, "-", Between { above: -0.2, up_to: 0.2 };
+    /// Face of the substrate's crystal that is parallel to its layers; close-packed rows are along x.
+    face: Face = Face::Fcc111, "-", OneOf(Face::WORDS);
+    /// Face of the tip's crystal that is parallel to its layers.
+    tip_face: Face = Face::Fcc111, "-", OneOf(Face::WORDS);
     /// Atoms along x in a layer of the substrate, periodic.
     // 6330 atoms as six layers of 28 × 28 and six hexagons of ten a side: an inference from the
     // number.
     columns: usize = 28, "-", Count { up_to: 1000.0 };
-    /// Rows of atoms along y, an even number, periodic.
+    /// Rows of atoms along y, an even number for fcc111, periodic.
     rows: usize = 28, "-", Count { up_to: 1000.0 };
     /// Layers of the substrate: two frozen, two with a thermostat, the rest free; at least 4.
     substrate_layers: usize = 6, "-", Count { up_to: 100.0 };
     /// Layers of the tip: two driven, two with a thermostat, the rest free; at least 4.
     tip_layers: usize = 6, "-", Count { up_to: 100.0 };
-    /// Atoms on a side of the tip's top layer.
+    /// Atoms on a side of the tip's top layer, or from its middle to its rim.
     side: usize = 10, "-", Count { up_to: 300.0 };
     /// Outline of the tip's layers.
     outline: Outline = Outline::Hexagon, "-", OneOf(Outline::WORDS);
-    /// Angle by which the tip is turned out of registry.
+    /// Angle by which the tip's close-packed rows are turned out of those of the substrate.
     orientation: f64 = 0.0, "degree", Between { above: -180.0, up_to: 180.0 };
     /// Height of the driven layers above their place in the crystal.
     raise: f64 = 0.0, "sigma", Finite;
@@ -151,12 +164,12 @@ scene! {
     hold: DrivenHold = DrivenHold::Plane, "-", OneOf(DrivenHold::WORDS);
     /// Force on each driven atom towards the substrate; if left out it is 0.
     load: Option<f64> = None, "eps/sigma", Finite, OnlyWith("hold", "level");
-    /// Cut-off radius of the Lennard-Jones potential.
+    /// Cut-off radius of the Lennard-Jones potential; a metal has its own.
     // A usual choice; the thesis gives none, here and where no other source is named.
     cutoff: f64 = 2.5, "sigma", Between { above: 1.0, up_to: 10.0 };
-    /// How the potential is shifted at the cut-off.
+    /// How the Lennard-Jones potential is shifted at the cut-off.
     shift: Shift = Shift::None, "-", OneOf(<Shift as Word>::WORDS);
-    /// Depth of the potential between tip and substrate.
+    /// Depth of the Lennard-Jones potential between tip and substrate.
     adhesion: f64 = 1.0, "eps", Positive;
     /// Target temperature of the thermostats.
     // Thesis, section 5.3.
@@ -193,7 +206,8 @@ scene! {
 }
 
 fn rules(scene: &TipScene, judge: &mut Judge<'_>) {
-    if !scene.rows.is_multiple_of(2) {
+    metal(scene, judge);
+    if scene.face == Face::Fcc111 && !scene.rows.is_multiple_of(2) {
         judge.refuse(
             &["rows"],
             format!("`rows` must be even, not {}", scene.rows),
@@ -224,16 +238,16 @@ fn rules(scene: &TipScene, judge: &mut Judge<'_>) {
 
 /// The tip must not see its own images, nor the list reach round the box.
 fn tip_fits(scene: &TipScene, judge: &mut Judge<'_>) {
-    let (shape, cutoff) = (scene.shape(), scene.cutoff);
+    let (shape, cutoff) = (scene.shape(), scene.reach());
     let [x, y] = shape.periods();
     // Corners of two layers that are stacked to either side of the axis, however the tip is turned.
-    let aside = shape.spacing / 3.0_f64.sqrt();
-    let width = 2.0 * ((shape.side as f64 - 1.0) * shape.spacing + aside);
+    let width = 2.0 * shape.reach();
+    let unit = if scene.potential.is_metal() { "A" } else { "sigma" };
     let least = (width + cutoff).max(2.0 * cutoff).max(cutoff + scene.skin);
     for (key, period) in [("columns", x), ("rows", y)] {
         if period < least {
             let message = format!(
-                "`{key}`: the period is {period:.3} sigma, but tip and cut-off need {least:.3}"
+                "`{key}`: the period is {period:.3} {unit}, but tip and cut-off need {least:.3}"
             );
             judge.refuse(&[key, "side", "spacing", "cutoff", "skin"], message);
         }
@@ -252,7 +266,7 @@ fn slide_turns(scene: &TipScene, judge: &mut Judge<'_>) {
         return;
     };
     let step = speed * scene.time_step;
-    let most = 0.5 * scene.spacing;
+    let most = 0.5 * scene.spacings()[0];
     if step > most {
         let message = format!(
             "`speed` is {step:e} sigma a `time_step`, more than half the spacing, {most:.3}"
@@ -266,9 +280,39 @@ fn slide_turns(scene: &TipScene, judge: &mut Judge<'_>) {
     }
 }
 
-/// A slid tip has no strength of a torque.
+/// Keys of Lennard-Jones atoms have no say with a metal: left out, or what they are.
+fn metal(scene: &TipScene, judge: &mut Judge<'_>) {
+    if !scene.potential.is_metal() {
+        if scene.expansion != 0.0 {
+            let message = "`expansion` is for metals only; set `spacing`, or leave it out";
+            judge.refuse(&["expansion", "potential"], message);
+        }
+        return;
+    }
+    let usual = TipScene::default();
+    for (key, given, own, default) in [
+        ("spacing", scene.spacing, scene.spacings()[0], usual.spacing),
+        ("cutoff", scene.cutoff, scene.reach(), usual.cutoff),
+        ("adhesion", scene.adhesion, usual.adhesion, usual.adhesion),
+    ] {
+        if given != own && given != default {
+            let message = format!(
+                "`{key}` is for \"lennard-jones\" only; a metal has its own, {own}: leave it out"
+            );
+            judge.refuse(&[key, "potential"], message);
+        }
+    }
+    if scene.shift != usual.shift {
+        let message = "`shift` is for \"lennard-jones\" only; leave it out";
+        judge.refuse(&["shift", "potential"], message);
+    }
+}
+
+/// A slid tip has no strength of a torque; a metal has its own crystal and cut-off.
 fn in_force(scene: &TipScene, key: &str, written: Option<Written>) -> Option<Written> {
     match key {
+        "spacing" => Some(Written::Number(scene.spacings()[0])),
+        "cutoff" => Some(Written::Number(scene.reach())),
         "lambda" if scene.drive == DriveKind::Slide => None,
         _ => written,
     }
@@ -293,8 +337,12 @@ fn steps_count(scene: &TipScene, judge: &mut Judge<'_>) {
 impl TipScene {
     /// Crystal and tip.
     pub fn shape(&self) -> Shape {
+        let [spacing, tip_spacing] = self.spacings();
         Shape {
-            spacing: self.spacing,
+            face: self.face,
+            tip_face: self.tip_face,
+            spacing,
+            tip_spacing,
             columns: self.columns,
             rows: self.rows,
             substrate_layers: self.substrate_layers,
@@ -304,6 +352,19 @@ impl TipScene {
             orientation: self.orientation.to_radians(),
             raise: self.raise,
         }
+    }
+
+    /// Distances of neighbours in the crystals of substrate and tip.
+    pub fn spacings(&self) -> [f64; 2] {
+        match self.potential.spacings() {
+            Some(spacings) => spacings.map(|spacing| spacing * (1.0 + self.expansion)),
+            None => [self.spacing; 2],
+        }
+    }
+
+    /// Cut-off of the potential.
+    pub fn reach(&self) -> f64 {
+        self.potential.cutoff().unwrap_or(self.cutoff)
     }
 
     /// Force along z on each driven atom of a level tip.

@@ -1,5 +1,6 @@
 //! From a scene to atoms, groups, potential and drive.
 
+use super::forces::TipForces;
 use super::shape::{Part, Site};
 use crate::md::atoms::Atoms;
 use crate::md::drive::TorqueDrive;
@@ -36,7 +37,7 @@ pub enum BuildError {
 #[derive(Debug)]
 pub struct TipSystem {
     /// Atoms, groups in the order of [`Part::ALL`], drive.
-    pub setup: Setup<LennardJones>,
+    pub setup: Setup<TipForces>,
     /// The support of a slid tip.
     pub support: Option<Support>,
     /// Layer of each atom, from the lowest of the substrate.
@@ -102,24 +103,36 @@ pub fn build(scene: &TipScene) -> Result<TipSystem, BuildError> {
 }
 
 /// Whether an atom belongs to the tip.
-fn is_of_tip(part: Part) -> bool {
+pub(super) fn is_of_tip(part: Part) -> bool {
     matches!(part, Part::Apex | Part::TipBath | Part::Driven)
 }
 
 /// One species, or one each for the substrate and the tip if they differ.
 fn atoms(scene: &TipScene, sites: &[Site]) -> Atoms {
     let mut atoms = Atoms::at(sites.iter().map(|site| site.place).collect());
-    if scene.adhesion != 1.0 {
+    let of_site = |[substrate, tip]: [u8; 2], site: &Site| {
+        if is_of_tip(site.part) { tip } else { substrate }
+    };
+    if let Some((_, species)) = scene.potential.forces() {
+        let [substrate, tip] = scene.potential.masses();
+        atoms.masses = vec![substrate; 1 + usize::from(species[1])];
+        atoms.masses[usize::from(species[1])] = tip;
+        atoms.species = sites.iter().map(|site| of_site(species, site)).collect();
+    } else if scene.adhesion != 1.0 {
         atoms.masses = vec![1.0; 2];
-        atoms.species = sites
-            .iter()
-            .map(|site| u8::from(is_of_tip(site.part)))
-            .collect();
+        atoms.species = sites.iter().map(|site| of_site([0, 1], site)).collect();
     }
     atoms
 }
 
-fn potential(scene: &TipScene) -> Result<LennardJones, LennardJonesError> {
+fn potential(scene: &TipScene) -> Result<TipForces, LennardJonesError> {
+    match scene.potential.forces() {
+        Some((forces, _)) => Ok(forces.clone()),
+        None => lennard_jones(scene).map(TipForces::LennardJones),
+    }
+}
+
+fn lennard_jones(scene: &TipScene) -> Result<LennardJones, LennardJonesError> {
     let like = Pairing {
         epsilon: 1.0,
         sigma: 1.0,
@@ -170,7 +183,7 @@ fn is_carried(scene: &TipScene) -> bool {
 }
 
 fn thermostat(scene: &TipScene, wanted: Spin) -> Result<Thermostat, ThermostatError> {
-    let temperature = scene.temperature;
+    let temperature = scene.temperature * scene.potential.boltzmann();
     Ok(match scene.thermostat {
         BathKind::NoseHoover => {
             let spin = match scene.spin {
@@ -187,9 +200,10 @@ fn thermostat(scene: &TipScene, wanted: Spin) -> Result<Thermostat, ThermostatEr
 /// Velocities at twice the temperature, since atoms on lattice sites lose half of it to potential energy.
 fn warm(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms: &mut Atoms) {
     let mut noise = Noise::new(scene.seed, FIRST, 0);
-    let speed = (2.0 * scene.temperature).sqrt();
-    for (velocity, &group) in atoms.velocities.iter_mut().zip(group_of) {
-        let drawn = noise.vector() * speed;
+    let heat = 2.0 * scene.temperature * scene.potential.boltzmann();
+    for (atom, &group) in group_of.iter().enumerate() {
+        let drawn = noise.vector() * (heat / atoms.mass(atom)).sqrt();
+        let velocity = &mut atoms.velocities[atom];
         *velocity = match groups[usize::from(group)].hold {
             Hold::Frozen | Hold::Turning { .. } => Vector3::zeros(),
             Hold::Plane | Hold::Level => Vector3::new(drawn.x, drawn.y, 0.0),
@@ -241,7 +255,7 @@ pub(super) fn drive(scene: &TipScene, sites: &[Site]) -> TorqueDrive {
     let [from, until] = drive_times(scene);
     TorqueDrive {
         axis,
-        acceleration: scene.lambda / length,
+        acceleration: scene.lambda / (length * scene.potential.masses()[1]),
         from,
         until,
         groups: vec![Part::ALL.len() - 1],

@@ -130,7 +130,7 @@ pub fn cost(scene: &TipScene) -> Result<TipCost, TipError> {
             *count += 1;
         }
     }
-    let pairs = pairs(&setup.atoms.positions, &setup.space, scene.cutoff);
+    let pairs = pairs(&setup.atoms.positions, &setup.space, scene.reach());
     let mut system = System::new(setup)?;
     for _ in 0..WARM {
         system.step(Wanted::Forces)?;

@@ -1,6 +1,6 @@
 //! Files with which LAMMPS runs the same system.
 
-use super::build::{BuildError, TipSystem, build};
+use super::build::{BuildError, TipSystem, build, is_of_tip};
 use super::shape::Part;
 use crate::md::atoms::Atoms;
 use crate::md::configuration::Configuration;
@@ -8,7 +8,7 @@ use crate::md::lammps::data_file;
 use crate::md::pair::Shift;
 use crate::md::system::Integrator;
 use crate::record::number;
-use crate::scene::{BathKind, DrivenHold, StageSteps, TipScene};
+use crate::scene::{BathKind, DriveKind, DrivenHold, StageSteps, TipScene};
 use nalgebra::Vector3;
 
 /// Room above and below the atoms in the box of the files, in σ.
@@ -66,13 +66,14 @@ pub fn data(
     parts: &[u8],
 ) -> String {
     let heights = || positions.iter().map(|place| place.z);
+    let masses = scene.potential.plain_masses();
     let [x, y] = scene.shape().periods();
     data_file(&Configuration {
         atoms: Atoms {
             positions: positions.to_vec(),
             velocities: velocities.to_vec(),
             species: parts.to_vec(),
-            masses: vec![1.0; Part::ALL.len()],
+            masses: Part::ALL.map(|part| masses[usize::from(is_of_tip(part))]).to_vec(),
         },
         ids: (1..=positions.len() as u64).collect(),
         names: None,
@@ -98,10 +99,11 @@ fn script(scene: &TipScene) -> String {
         driven,
         after,
     } = scene.stage_steps();
+    let units = if scene.potential.is_metal() { "metal" } else { "lj" };
     let mut text = format!(
-        "# A tip on a substrate, turned by a torque: written by tribos export.\n\
+        "# A tip on a substrate: written by tribos export.\n\
          # Types: 1 base, 2 substrate bath, 3 surface, 4 apex, 5 tip bath, 6 driven.\n\
-         units lj\natom_style atomic\nboundary p p f\nread_data tip.data\n\n\
+         units {units}\natom_style atomic\nboundary p p f\nread_data tip.data\n\n\
          {}\nneighbor {} bin\nneigh_modify delay 0 every 1 check yes\n\n\
          group base type 1\ngroup driven type 6\ngroup mobile subtract all base\n\n\
          dump start all custom 1 start.dump id type x y z fx fy fz\n\
@@ -113,12 +115,37 @@ fn script(scene: &TipScene) -> String {
     );
     text += &motion(scene);
     text += &format!("timestep {}\nrun {before}\n\n", number(scene.time_step));
-    text += &drive(scene);
-    text += &format!("run {driven}\nunfix torque\nrun {after}\n");
+    text += &match scene.drive {
+        DriveKind::Torque => {
+            format!("{}run {driven}\nunfix torque\nrun {after}\n", drive(scene))
+        }
+        DriveKind::Slide => {
+            "# Here a support begins to pull the driven atoms, for which LAMMPS has no fix.\n".into()
+        }
+    };
     text
 }
 
+/// Embedded atoms of the scene's file. LAMMPS has no closed form of Sutton & Chen: a table of it must
+/// be there.
+fn embedded(scene: &TipScene, [substrate, tip]: [&str; 2]) -> String {
+    let potential = scene.potential.to_string();
+    let file = match potential.strip_prefix("eam:") {
+        Some(rest) => rest.split(',').next().unwrap_or(rest).to_owned(),
+        None => "sutton-chen.eam.alloy".into(),
+    };
+    let elements = Part::ALL.map(|part| if is_of_tip(part) { tip } else { substrate });
+    format!(
+        "# The table of the potential; a funcfl table needs pair_style eam and no elements.\n\
+         pair_style eam/alloy\npair_coeff * * {file} {}\n",
+        elements.join(" ")
+    )
+}
+
 fn pair(scene: &TipScene) -> String {
+    if let Some(elements) = scene.potential.elements() {
+        return embedded(scene, elements);
+    }
     let cutoff = number(scene.cutoff);
     let (style, shift) = match scene.shift {
         Shift::None => ("lj/cut", "no"),

@@ -39,7 +39,7 @@ impl TipRun {
     /// let (bodies, frame) = (run.bodies(100), run.frame());
     /// assert_eq!(bodies.radii.len(), frame.places.len());
     /// // Neighbours in the crystal touch, and nothing is turned before the drive.
-    /// assert_eq!(bodies.radii[0] + bodies.radii[1], scene.spacing);
+    /// assert_eq!(bodies.radii[0] + bodies.radii[1], scene.spacings()[0]);
     /// assert_eq!((frame.time, frame.measure), (-scene.equilibration, 0.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

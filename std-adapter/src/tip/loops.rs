@@ -32,10 +32,11 @@ pub(super) fn counts(scene: &TipScene, steps: u64) -> [u64; 2] {
     let (Some(speed), Some(stroke)) = (scene.speed, scene.stroke) else {
         return [ends, 0];
     };
-    // The n-th turning point is at the step nearest to n strokes.
+    // The n-th turning point is at the last step before n strokes, so that a drive of a whole number
+    // of strokes ends with one however its time is rounded.
     let each = stroke / (speed * scene.time_step);
     let driven_steps = (steps - before).min(driven) as f64;
-    let turns = ((driven_steps + 0.5) / each).ceil() - 1.0;
+    let turns = ((driven_steps + 1.0) / each).ceil() - 1.0;
     [ends, if turns > 0.0 { turns as u64 } else { 0 }]
 }
 
@@ -62,11 +63,11 @@ mod tests {
     }
 
     #[test]
-    fn turning_points_are_at_the_steps_nearest_to_whole_strokes() {
+    fn turning_points_are_at_the_last_steps_before_whole_strokes() {
         // A stroke lasts 1.234/0.005 = 246.8 steps; the drive from step 100 to step 1100.
         let slid = scene(Some(1.234));
         let noted: Vec<u64> = (0..=1200).filter(|&step| is_noted(&slid, step)).collect();
-        assert_eq!(noted, [100, 347, 594, 840, 1087, 1100]);
+        assert_eq!(noted, [100, 346, 593, 840, 1087, 1100]);
         assert_eq!(counts(&slid, 99), [0, 0]);
         assert_eq!(counts(&slid, 840), [1, 3]);
         assert_eq!(counts(&slid, 1200), [2, 4]);

@@ -10,9 +10,12 @@ mod cost;
 mod energy;
 #[doc(hidden)]
 pub mod export;
+mod forces;
 mod frames;
+mod lattice;
 mod loops;
 mod outcome;
+mod potential;
 mod run;
 mod session;
 mod shape;
@@ -28,7 +31,10 @@ pub use build::{TipSystem, build};
 #[doc(hidden)]
 pub use cost::{TipCost, cost, size};
 pub use energy::DriveEnergy;
+pub use forces::TipForces;
+pub use lattice::Face;
 pub use outcome::{Outcome, Plateau, Verdict};
+pub use potential::{Potential, PotentialError};
 pub use run::{TipError, TipRun};
 pub use shape::Outline;
 #[doc(hidden)]

@@ -2,13 +2,13 @@
 
 use super::build::{BuildError, TipSystem, build};
 use super::checkpoint::Checkpoint;
+use super::forces::TipForces;
 use super::loops::is_noted;
 use super::outcome::{Measured, Outcome};
 use super::shape::Part;
 use super::watch::{Watch, interval};
 use crate::md::interaction::Wanted;
 use crate::md::observe::{heat_energy, temperature};
-use crate::md::pair::LennardJones;
 use crate::md::system::{System, SystemError};
 use crate::record::CheckpointError;
 use crate::run::Simulation;
@@ -96,7 +96,7 @@ pub enum TipError {
 #[derive(Debug)]
 pub struct TipRun {
     scene: TipScene,
-    system: System<LennardJones>,
+    system: System<TipForces>,
     layer_of: Vec<usize>,
     part_of: Vec<u8>,
     watch: Watch,
@@ -172,7 +172,7 @@ impl TipRun {
     }
 
     /// The atoms in motion.
-    pub fn system(&self) -> &System<LennardJones> {
+    pub fn system(&self) -> &System<TipForces> {
         &self.system
     }
 
@@ -291,7 +291,8 @@ impl TipRun {
             let group = Part::ALL.iter().position(|&other| other == part);
             let group = group.unwrap_or_default();
             let kinetic = heat_energy(&self.system, group);
-            temperature(kinetic, self.system.heat_freedoms(group))
+            let energy = temperature(kinetic, self.system.heat_freedoms(group));
+            energy / self.scene.potential.boltzmann()
         };
         let mut line = vec![
             self.time(),

@@ -1,6 +1,11 @@
-//! A tip on a substrate: (111) layers of a face-centred cubic crystal.
+//! A tip on a substrate: layers of face-centred cubic crystals.
 
+use super::lattice::Face;
 use nalgebra::Vector3;
+
+/// Least height of a tip over a substrate whose crystal it does not continue, in mean spacings: no
+/// site of the one is on top of another so closely that the atoms repel each other much.
+const GAP: f64 = 0.9;
 
 /// Frozen and thermostatted layers of the substrate, driven and thermostatted ones of the tip.
 pub const LAYERS_OF_A_KIND: usize = 2;
@@ -8,7 +13,7 @@ pub const LAYERS_OF_A_KIND: usize = 2;
 /// Outline of the tip's layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outline {
-    /// A regular hexagon.
+    /// A regular hexagon with two corners on the close-packed row through its middle.
     Hexagon,
     /// A disk with the hexagon's corners on its rim.
     Disk,
@@ -19,9 +24,12 @@ pub enum Outline {
 /// Shape of a tip on a substrate. Lengths in any unit.
 ///
 /// ```
-/// use tribos::tip::{Outline, Shape, Site};
+/// use tribos::tip::{Face, Outline, Shape, Site};
 /// let shape = Shape {
+///     face: Face::Fcc111,
+///     tip_face: Face::Fcc111,
 ///     spacing: 1.0,
+///     tip_spacing: 1.0,
 ///     columns: 8,
 ///     rows: 8,
 ///     substrate_layers: 4,
@@ -43,11 +51,17 @@ pub enum Outline {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
-    /// Distance d of nearest neighbours.
+    /// Face of the substrate's crystal that is parallel to its layers.
+    pub face: Face,
+    /// Face of the tip's crystal that is parallel to its layers.
+    pub tip_face: Face,
+    /// Distance d of nearest neighbours in the substrate.
     pub spacing: f64,
+    /// Distance of nearest neighbours in the tip.
+    pub tip_spacing: f64,
     /// Atoms along x in a layer of the substrate, along the close-packed rows.
     pub columns: usize,
-    /// Rows of the substrate along y, an even number.
+    /// Rows of the substrate along y, an even number for (111).
     pub rows: usize,
     /// Layers of the substrate.
     pub substrate_layers: usize,
@@ -57,7 +71,8 @@ pub struct Shape {
     pub side: usize,
     /// Outline of the tip's layers.
     pub outline: Outline,
-    /// Angle by which the tip is turned about the vertical, in radians; 0 is in registry.
+    /// Angle by which the tip is turned about the vertical, in radians; at 0 the close-packed rows of
+    /// both crystals are along x.
     pub orientation: f64,
     /// Height of the driven layers above their position in the crystal.
     pub raise: f64,
@@ -66,10 +81,13 @@ pub struct Shape {
 /// Parts of the system, from below (thesis, fig. 5.1, with its colours).
 ///
 /// ```
-/// # use tribos::tip::{Outline, Shape};
+/// # use tribos::tip::{Face, Outline, Shape};
 /// use tribos::tip::{LAYERS_OF_A_KIND, Part};
 /// # let shape = Shape {
+/// #     face: Face::Fcc111,
+/// #     tip_face: Face::Fcc111,
 /// #     spacing: 1.0,
+/// #     tip_spacing: 1.0,
 /// #     columns: 8,
 /// #     rows: 8,
 /// #     substrate_layers: 5,
@@ -145,28 +163,46 @@ impl Shape {
     pub fn periods(&self) -> [f64; 2] {
         [
             self.columns as f64 * self.spacing,
-            self.rows as f64 * self.row_distance(),
+            self.rows as f64 * self.face.row_distance(self.spacing),
         ]
     }
 
     /// Axis of the tip, through a site of the lowest layer next to the middle.
     pub fn axis(&self) -> [f64; 2] {
-        // Even rows start at x = 0.
         let row = self.rows / 2;
-        let start = if row.is_multiple_of(2) { 0.0 } else { 0.5 };
         [
-            ((self.columns / 2) as f64 + start) * self.spacing,
-            row as f64 * self.row_distance(),
+            ((self.columns / 2) as f64 + self.face.row_start(row)) * self.spacing,
+            row as f64 * self.face.row_distance(self.spacing),
         ]
     }
 
-    /// Distance of two layers.
+    /// Distance of two layers of the substrate.
     pub fn layer_distance(&self) -> f64 {
-        self.spacing * (2.0_f64 / 3.0).sqrt()
+        self.face.layer_distance(self.spacing)
     }
 
-    fn row_distance(&self) -> f64 {
-        0.5 * self.spacing * 3.0_f64.sqrt()
+    /// Whether the tip continues the crystal of the substrate, but for a rotation of (111) layers.
+    pub fn is_one_crystal(&self) -> bool {
+        let is_alike = self.face == self.tip_face && self.spacing == self.tip_spacing;
+        is_alike && (self.face == Face::Fcc111 || self.orientation == 0.0)
+    }
+
+    /// Height of a layer in its crystal.
+    fn height(&self, layer: usize) -> f64 {
+        if layer < self.substrate_layers || self.is_one_crystal() {
+            return layer as f64 * self.layer_distance();
+        }
+        let above = self.tip_face.layer_distance(self.tip_spacing);
+        let usual = 0.5 * (self.layer_distance() + above);
+        let gap = usual.max(GAP * 0.5 * (self.spacing + self.tip_spacing));
+        let surface = (self.substrate_layers - 1) as f64 * self.layer_distance();
+        surface + gap + (layer - self.substrate_layers) as f64 * above
+    }
+
+    /// Largest distance of an atom of the tip from its axis.
+    pub fn reach(&self) -> f64 {
+        let aside = self.tip_face.overhang(self.tip_spacing);
+        (self.side as f64 - 1.0) * self.tip_spacing + aside
     }
 
     /// Number of layers.
@@ -184,7 +220,7 @@ impl Shape {
             } else {
                 0.0
             };
-            let height = layer as f64 * self.layer_distance() + raise;
+            let height = self.height(layer) + raise;
             let places = if layer < self.substrate_layers {
                 self.substrate_layer(layer)
             } else {
@@ -234,25 +270,16 @@ impl Shape {
         }
     }
 
-    /// Shift from a site of the lowest layer to one of this layer, for stacking ABC.
-    fn stacking(&self, layer: usize) -> f64 {
-        let step = self.spacing / 3.0_f64.sqrt();
-        match layer % 3 {
-            0 => 0.0,
-            1 => step,
-            _ => -step,
-        }
-    }
-
     fn substrate_layer(&self, layer: usize) -> Vec<[f64; 2]> {
         let [_, period] = self.periods();
+        let [aside, behind] = self.face.stacking(layer, self.spacing);
         let mut places = Vec::with_capacity(self.rows * self.columns);
         for row in 0..self.rows {
-            let y = row as f64 * self.row_distance() + self.stacking(layer);
+            let y = row as f64 * self.face.row_distance(self.spacing) + behind;
             let y = if y < 0.0 { y + period } else { y };
-            let start = if row % 2 == 0 { 0.0 } else { 0.5 };
+            let start = self.face.row_start(row);
             for column in 0..self.columns {
-                places.push([(column as f64 + start) * self.spacing, y]);
+                places.push([(column as f64 + start) * self.spacing + aside, y]);
             }
         }
         places
@@ -267,29 +294,52 @@ impl Shape {
         };
         let (sin, cos) = libm::sincos(self.orientation);
         let [x0, y0] = self.axis();
+        let [aside, behind] = self.tip_face.stacking(layer, self.tip_spacing);
         let place = |[x, y]: [f64; 2]| {
-            let y = y + self.stacking(layer);
+            let [x, y] = [x + aside, y + behind];
             [x0 + (cos * x - sin * y), y0 + (sin * x + cos * y)]
         };
         self.outlined(side).into_iter().map(place).collect()
     }
 
-    /// Sites of a triangular lattice around the origin within an outline.
+    /// Sites of a layer around the origin within an outline.
     fn outlined(&self, side: usize) -> Vec<[f64; 2]> {
         let reach = side as i64 - 1;
-        let is_inside = |q: i64, r: i64| match self.outline {
-            Outline::Disk => q * q + q * r + r * r <= reach * reach,
-            _ => q.abs().max(r.abs()).max((q + r).abs()) <= reach,
+        let row_distance = self.tip_face.row_distance(self.tip_spacing);
+        let is_triangular = self.tip_face == Face::Fcc111;
+        let is_inside = |q: i64, r: i64| match (is_triangular, self.outline) {
+            (true, Outline::Disk) => q * q + q * r + r * r <= reach * reach,
+            (true, _) => q.abs().max(r.abs()).max((q + r).abs()) <= reach,
+            (false, outline) => {
+                let x = (q as f64 * self.tip_spacing).abs();
+                let y = (r as f64 * row_distance).abs();
+                is_within(outline, reach as f64 * self.tip_spacing, [x, y])
+            }
         };
+        // Each row of a triangular lattice begins half a spacing on.
+        let slant = if is_triangular { 0.5 } else { 0.0 };
         let mut places = Vec::new();
         for r in -2 * reach..=2 * reach {
             for q in -2 * reach..=2 * reach {
                 if is_inside(q, r) {
-                    let x = (q as f64 + 0.5 * r as f64) * self.spacing;
-                    places.push([x, r as f64 * self.row_distance()]);
+                    let x = (q as f64 + slant * r as f64) * self.tip_spacing;
+                    places.push([x, r as f64 * row_distance]);
                 }
             }
         }
         places
+    }
+}
+
+/// Whether a place at these distances from both axes is within an outline, rounded outwards.
+fn is_within(outline: Outline, reach: f64, [x, y]: [f64; 2]) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    let reach = reach * (1.0 + ROUNDING);
+    match outline {
+        Outline::Disk => x * x + y * y <= reach * reach,
+        Outline::Hexagon | Outline::Cone => {
+            let slope = 3.0_f64.sqrt();
+            y <= 0.5 * slope * reach && y <= slope * (reach - x)
+        }
     }
 }

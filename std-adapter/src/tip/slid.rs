@@ -13,6 +13,8 @@ const BEGUN: f64 = 0.25;
 const WAVELENGTHS: usize = 400;
 /// Shortest wavelength tried, in spacings.
 const SHORTEST: f64 = 0.3;
+/// The force is called periodic if at least this part of its variance is at one wavelength.
+const PERIODIC: f64 = 0.3;
 /// A drop of the force counts as a slip if it is more than this part of the force's range.
 const SLIP: f64 = 0.5;
 
@@ -111,7 +113,7 @@ impl Slid {
         let strokes = Strokes::of(looks, strokes, stroke, scene.speed.unwrap_or(f64::NAN));
         let turned = strokes.later(TURNED);
         let begun = strokes.later(BEGUN);
-        let (period, period_share) = period(&begun, scene.spacing, stroke);
+        let (period, period_share) = period(&begun, scene.spacings()[0], stroke);
         let (slips, peak_force) = slips(&begun);
         let works = loop_works(&loops.turns);
         let loop_work = mean(works.iter().copied());
@@ -165,6 +167,7 @@ impl Slid {
             "heat": json_number(self.heat),
             "stored": json_number(self.stored),
             "imbalance": json_number(self.imbalance()),
+            "motion": if self.period_share >= PERIODIC { "periodic" } else { "irregular" },
         })
     }
 }
@@ -219,7 +222,8 @@ fn loop_works(turns: &[f64]) -> Vec<f64> {
 fn period(strokes: &[Vec<[f64; 3]>], spacing: f64, stroke: f64) -> (f64, f64) {
     let curves: Vec<Vec<[f64; 2]>> = strokes.iter().map(|stroke| detrended(stroke)).collect();
     let variance = mean(curves.iter().flatten().map(|[_, force]| force * force));
-    let [shortest, longest] = [SHORTEST * spacing, (1.0 - BEGUN) * stroke];
+    // At least two waves in the searched part of a stroke.
+    let [shortest, longest] = [SHORTEST * spacing, 0.5 * (1.0 - BEGUN) * stroke];
     if !(variance > 0.0 && longest > shortest) {
         return (f64::NAN, f64::NAN);
     }

@@ -1,11 +1,11 @@
 //! Measurements of a run, independent of its records: turns and work at every step, averages from
 //! lines whose interval depends only on the scene's stages.
 
+use super::forces::TipForces;
 use super::loops::{self, Loops, Totals};
 use super::shape::Part;
 use crate::md::drive::TorqueDrive;
 use crate::md::observe::{Torsion, kinetic_energies};
-use crate::md::pair::LennardJones;
 use crate::md::system::System;
 use crate::scene::{DriveKind, DrivenHold, StageSteps, TipScene};
 use nalgebra::Vector3;
@@ -31,7 +31,7 @@ pub(super) fn interval(scene: &TipScene) -> u64 {
     let shortest = stages.min().unwrap_or(u64::MAX);
     let sliding = match scene.speed {
         Some(speed) if scene.drive == DriveKind::Slide => {
-            (PART * scene.spacing / (speed * scene.time_step)) as u64
+            (PART * scene.spacings()[0] / (speed * scene.time_step)) as u64
         }
         _ => u64::MAX,
     };
@@ -93,7 +93,7 @@ impl Watch {
     }
 
     /// Stores the positions of the driven atoms; call it before a step.
-    pub fn before(&mut self, system: &System<LennardJones>) {
+    pub fn before(&mut self, system: &System<TipForces>) {
         let positions = &system.atoms().positions;
         let driven = system.members(Part::ALL.len() - 1);
         self.places.clear();
@@ -102,7 +102,7 @@ impl Watch {
     }
 
     /// Updates the angles and adds the work of the drive; call it after a step.
-    pub fn after(&mut self, system: &System<LennardJones>) {
+    pub fn after(&mut self, system: &System<TipForces>) {
         self.look(system);
         let exchange = system.exchange();
         self.heat += exchange.heat;
@@ -115,14 +115,14 @@ impl Watch {
     }
 
     /// Updates the angles.
-    pub fn look(&mut self, system: &System<LennardJones>) {
+    pub fn look(&mut self, system: &System<TipForces>) {
         for torsion in &mut self.torsions {
             torsion.look(&system.atoms().positions);
         }
     }
 
     /// Mean force of both ends times the displacement: a Σ m (r × r') for any motion of the atoms.
-    fn work_of_step(&self, system: &System<LennardJones>, drive: &TorqueDrive) -> f64 {
+    fn work_of_step(&self, system: &System<TipForces>, drive: &TorqueDrive) -> f64 {
         let [x0, y0] = drive.axis;
         let atoms = system.atoms();
         let driven = system.members(Part::ALL.len() - 1).iter();
@@ -160,7 +160,7 @@ impl Watch {
 
     /// Notes an end of a slid tip's drive or a turning point if this step is one. The sums of the
     /// interaction must be known.
-    pub fn note(&mut self, scene: &TipScene, system: &System<LennardJones>) {
+    pub fn note(&mut self, scene: &TipScene, system: &System<TipForces>) {
         let [ends, turns] = loops::counts(scene, system.steps());
         if self.loops.ends.len() as u64 != ends {
             self.loops.ends.push(Totals {
@@ -181,7 +181,7 @@ impl Watch {
 }
 
 /// Energy of atoms, springs and load.
-fn stored_energy(scene: &TipScene, system: &System<LennardJones>) -> f64 {
+fn stored_energy(scene: &TipScene, system: &System<TipForces>) -> f64 {
     let kinetic: f64 = kinetic_energies(system).iter().sum();
     let lifted = match scene.hold {
         DrivenHold::Plane => 0.0,

@@ -8,6 +8,7 @@ mod md_forces;
 mod md_lammps;
 mod md_neighbours;
 mod neighbours;
+mod tip_metal;
 mod tip_run;
 mod tip_scenes;
 mod tip_shape;

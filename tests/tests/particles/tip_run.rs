@@ -3,11 +3,10 @@
 use nalgebra::Vector3;
 use tribos::md::interaction::Wanted;
 use tribos::md::observe::{Torsion, conserved_energy};
-use tribos::md::pair::LennardJones;
 use tribos::md::system::{System, SystemError};
 use tribos::run::Simulation;
 use tribos::scene::TipScene;
-use tribos::tip::{Part, TipError, TipRun, build};
+use tribos::tip::{Part, TipError, TipForces, TipRun, build};
 use tribos_tests::tips::{tiny, to_the_end};
 
 type Error = Box<dyn std::error::Error>;
@@ -17,11 +16,11 @@ const COLD: &str = "temperature = 0\nthermostat = \"none\"\ndamping = 0\nequilib
                     integrator = \"velocity-verlet\"";
 
 /// Its system, before the first step.
-fn system(scene: &TipScene) -> Result<System<LennardJones>, Error> {
+fn system(scene: &TipScene) -> Result<System<TipForces>, Error> {
     Ok(System::new(build(scene)?.setup)?)
 }
 
-fn steps(system: &mut System<LennardJones>, count: usize) -> Result<(), Error> {
+fn steps(system: &mut System<TipForces>, count: usize) -> Result<(), Error> {
     for _ in 0..count {
         system.step(Wanted::Forces)?;
     }
@@ -29,7 +28,7 @@ fn steps(system: &mut System<LennardJones>, count: usize) -> Result<(), Error> {
 }
 
 /// Driven atoms.
-fn driven(system: &System<LennardJones>) -> &[usize] {
+fn driven(system: &System<TipForces>) -> &[usize] {
     system.members(Part::ALL.len() - 1)
 }
 
@@ -92,7 +91,7 @@ fn a_free_tip_gets_the_angular_momentum_of_the_drive_and_keeps_it() -> Result<()
         for step in 1..=400 {
             // Kicks of half a step at both ends of each step of the drive.
             let is_driven = step > 20 && step <= 220;
-            let kick = |system: &System<LennardJones>| {
+            let kick = |system: &System<TipForces>| {
                 let strength = if is_driven { scene.lambda } else { 0.0 };
                 0.5 * scene.time_step * strength * inertia(&scene, system)
             };
@@ -109,7 +108,7 @@ fn a_free_tip_gets_the_angular_momentum_of_the_drive_and_keeps_it() -> Result<()
 }
 
 /// Angular momentum of the tip about the axis.
-fn momentum(scene: &TipScene, system: &System<LennardJones>) -> f64 {
+fn momentum(scene: &TipScene, system: &System<TipForces>) -> f64 {
     let velocities = system.velocities_on_step();
     let atoms = (3..Part::ALL.len()).flat_map(|group| system.members(group));
     let part = |&atom: &usize| {
@@ -120,7 +119,7 @@ fn momentum(scene: &TipScene, system: &System<LennardJones>) -> f64 {
 }
 
 /// Moment of inertia of the driven atoms.
-fn inertia(scene: &TipScene, system: &System<LennardJones>) -> f64 {
+fn inertia(scene: &TipScene, system: &System<TipForces>) -> f64 {
     let part = |&atom: &usize| {
         let [x, y] = arm(scene, &system.atoms().positions[atom]);
         x * x + y * y

@@ -1,19 +1,20 @@
 //! A tip that is slid: the support, its work, and the friction loop.
 
-use tribos::run::Simulation;
 use tribos::scene::TipScene;
 use tribos::tip::{Slid, TipRun};
 use tribos_tests::tips::{tiny, to_the_end};
 
+const SLID: &str = "body = \"tip\"\ncolumns = 12\nrows = 14\nsubstrate_layers = 4\ntip_layers = 4\nside = 3\n\
+                    spacing = 1.1\ndrive = \"slide\"\nspeed = 0.5\nstroke = 1.65\nhold = \"level\"\n\
+                    load = 0.5\nadhesion = 0.3\nshift = \"force\"\nequilibration = 5\n\
+                    drive_time = 9.9\nrest_time = 0";
+
 type Error = Box<dyn std::error::Error>;
 
 /// A short loop and a half: three strokes of a spacing and a half.
-fn slid(text: &str) -> Result<TipScene, Error> {
-    tiny(&format!(
-        "drive = \"slide\"\nspeed = 0.5\nstroke = 1.65\nhold = \"level\"\nload = 0.5\n\
-         adhesion = 0.3\nshift = \"force\"\ntime_step = 0.005\nequilibration = 5\n\
-         drive_time = 9.9\nrest_time = 0\n{text}"
-    ))
+fn slid(keys: &[&str]) -> Result<TipScene, Error> {
+    let keys: Vec<String> = keys.iter().map(|&key| key.into()).collect();
+    Ok(TipScene::parse("tip.toml", SLID, &keys)?)
 }
 
 fn outcome(scene: &TipScene) -> Result<Slid, Error> {
@@ -28,12 +29,16 @@ fn the_supports_work_is_heat_and_stored_energy() -> Result<(), Error> {
         ("nose-hoover", "leap-frog", 0.0),
         ("nose-hoover", "velocity-verlet", 120.0),
         ("langevin", "leap-frog", -60.0),
-        ("langevin\"\nspin = \"counts", "velocity-verlet", 30.0),
+        ("langevin", "velocity-verlet", 30.0),
         ("none", "velocity-verlet", 0.0),
     ] {
-        let scene = slid(&format!(
-            "thermostat = \"{bath}\"\nintegrator = \"{integrator}\"\ndirection = {direction:?}"
-        ))?;
+        let spin = if direction == 30.0 { "counts" } else { "spared" };
+        let scene = slid(&[
+            &format!("thermostat={bath}"),
+            &format!("integrator={integrator}"),
+            &format!("direction={direction:?}"),
+            &format!("spin={spin}"),
+        ])?;
         let slid = outcome(&scene)?;
         let heat = slid.heat.abs() + slid.stored.abs();
         let error = (slid.work - slid.heat - slid.stored).abs();
@@ -48,10 +53,14 @@ fn the_supports_work_is_heat_and_stored_energy() -> Result<(), Error> {
 fn a_tip_that_touches_nothing_follows_its_support_without_friction() -> Result<(), Error> {
     for bath in ["nose-hoover", "langevin"] {
         // So little adhesion that the substrate neither holds nor carries it.
-        let scene = slid(&format!(
-            "thermostat = \"{bath}\"\nadhesion = 1e-14\nload = 0\ndamping = 1\ntemperature = 0.01\n\
-             stiffness = 50"
-        ))?;
+        let scene = slid(&[
+            &format!("thermostat={bath}"),
+            "adhesion=1e-14",
+            "load=0",
+            "damping=1",
+            "temperature=0.01",
+            "stiffness=50",
+        ])?;
         let mut run = TipRun::new(&scene)?;
         to_the_end(&mut run)?;
         let slid = run.outcome().slid.ok_or("it was not slid")?;
@@ -75,11 +84,8 @@ fn a_tip_that_touches_nothing_follows_its_support_without_friction() -> Result<(
 fn a_tip_resists_in_both_directions_and_more_under_load() -> Result<(), Error> {
     let mut friction = Vec::new();
     for load in ["0.2", "3.0"] {
-        let scene = slid("temperature = 0.02\nstiffness = 20\nadhesion = 0.5")?;
-        let scene = TipScene {
-            load: load.parse().ok(),
-            ..scene
-        };
+        let load_key = format!("load={load}");
+        let scene = slid(&["temperature=0.02", "stiffness=20", "adhesion=0.5", &load_key])?;
         let slid = outcome(&scene)?;
         assert!(slid.friction > 0.0, "{slid:?}");
         assert!(
@@ -94,7 +100,7 @@ fn a_tip_resists_in_both_directions_and_more_under_load() -> Result<(), Error> {
 
 #[test]
 fn a_spring_twists_back_a_tip_that_is_turned_and_series_say_where_it_is() -> Result<(), Error> {
-    let scene = slid("direction = 90\nsamples = 1")?;
+    let scene = slid(&["direction=90", "samples=1"])?;
     let mut run = TipRun::new(&scene)?;
     to_the_end(&mut run)?;
     let columns = run.columns();
@@ -143,7 +149,7 @@ fn a_slid_tip_has_a_speed_and_no_torque() {
     for (text, words) in [
         ("drive = \"slide\"", "`lambda` is missing"),
         ("drive = \"slide\"\nlambda = 1", "`speed` is missing"),
-        ("lambda = 1\nspeed = 1", "not both"),
+        ("drive = \"slide\"\nlambda = 1\nspeed = 1", "not both"),
         ("speed = 1", "`speed` is for drive \"slide\" only"),
         ("drive = \"slide\"\nspeed = 0", "`speed` must be"),
         (

@@ -36,3 +36,7 @@ pub(crate) mod stopping;
 pub(crate) mod stress;
 pub(crate) mod tilted;
 pub(crate) mod tip;
+pub(crate) mod tip_map;
+pub(crate) mod tip_metals;
+mod tip_runs;
+pub(crate) mod tip_slid;

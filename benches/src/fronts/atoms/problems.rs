@@ -5,14 +5,14 @@ use super::melt::{CUTOFF, Melt, SKIN, TIME_STEP};
 use crate::clock::Clock;
 use tribos::md::atoms::Atoms;
 use tribos::md::configuration::Configuration;
-use tribos::md::interaction::Wanted;
+use tribos::md::interaction::{Interaction, Wanted};
 use tribos::md::lammps::data_file;
 use tribos::md::pair::{LennardJones, Shift};
 use tribos::md::system::System;
 use tribos::run::Simulation;
 use tribos::scene::TipScene;
 use tribos::space::PeriodicBox;
-use tribos::tip::{TipRun, export};
+use tribos::tip::{TipForces, TipRun, export};
 
 /// Runs of an exported tip before the driven one: forces at the start, and the time before.
 const TIP_RUNS_BEFORE: usize = 2;
@@ -51,11 +51,16 @@ pub struct Ran {
     /// Their box.
     pub space: PeriodicBox,
     /// Interaction between the atoms.
-    pub interaction: LennardJones,
+    pub interaction: TipForces,
 }
 
 impl Ran {
-    fn new(system: &System<LennardJones>, energy: f64, since: &Since) -> Self {
+    fn new<I: Interaction>(
+        system: &System<I>,
+        interaction: TipForces,
+        energy: f64,
+        since: &Since,
+    ) -> Self {
         let seconds = since.clock.seconds();
         Self {
             seconds,
@@ -64,7 +69,7 @@ impl Ran {
             energy,
             atoms: system.atoms().clone(),
             space: *system.space(),
-            interaction: system.interaction().clone(),
+            interaction,
         }
     }
 }
@@ -77,7 +82,7 @@ struct Since {
 }
 
 impl Since {
-    fn now(system: &System<LennardJones>) -> Self {
+    fn now<I: Interaction>(system: &System<I>) -> Self {
         Self {
             steps: system.steps(),
             builds: system.list_builds(),
@@ -87,7 +92,7 @@ impl Since {
 }
 
 /// Potential energy.
-fn energy(system: &System<LennardJones>) -> f64 {
+fn energy<I: Interaction>(system: &System<I>) -> f64 {
     system.tally().energy
 }
 
@@ -125,7 +130,8 @@ impl Problem {
                 let energy = energy(&system);
                 let since = Since::now(&system);
                 advance(&mut system, *steps)?;
-                Ok(Ran::new(&system, energy, &since))
+                let forces = TipForces::LennardJones(system.interaction().clone());
+                Ok(Ran::new(&system, forces, energy, &since))
             }
             Self::Tip(scene) => run_tip(scene),
         }
@@ -178,7 +184,8 @@ fn run_tip(scene: &TipScene) -> Result<Ran, String> {
     until(&mut run, steps.before)?;
     let since = Since::now(run.system());
     until(&mut run, steps.before + steps.driven)?;
-    Ok(Ran::new(run.system(), energy, &since))
+    let forces = run.system().interaction().clone();
+    Ok(Ran::new(run.system(), forces, energy, &since))
 }
 
 fn melt_data(melt: &Melt) -> String {

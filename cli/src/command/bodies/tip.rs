@@ -46,7 +46,7 @@ static SLID: Kind = Kind {
         ("tip_temperature", "/tip_temperature"),
     ],
     drawn: ["Friction of the tip", "loop area over path"],
-    share: ["with a friction loop", "/verdict", "open"],
+    share: ["periodic", "/slid/motion", "periodic"],
     told: &[
         told("friction", 0, 1.0),
         told("normal force", 3, 1.0),

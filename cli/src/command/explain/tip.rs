@@ -1,11 +1,12 @@
 //! What a tip carries.
 
 use super::{duration, line};
+use crate::command::digits::shown;
 use crate::command::run::size::{Allowed, check};
 use crate::failure::Failure;
 use tribos::md::pair::Shift;
 use tribos::md::system::Integrator;
-use tribos::scene::{BathKind, DrivenHold, Reading, StageSteps, TipScene};
+use tribos::scene::{BathKind, DriveKind, DrivenHold, Reading, StageSteps, TipScene};
 use tribos::tip::{Part, cost, size};
 
 /// The whole account.
@@ -27,9 +28,10 @@ pub fn text(scene: &TipScene) -> Result<String, Failure> {
     text += &line(
         "pairs",
         format!(
-            "{} within the cut-off of {} sigma, {:.1} an atom",
+            "{} within the cut-off of {} {}, {:.1} an atom",
             cost.pairs,
-            scene.cutoff,
+            shown(scene.reach()),
+            units(scene)[0],
             2.0 * cost.pairs as f64 / atoms as f64
         ),
     );
@@ -44,9 +46,10 @@ pub fn text(scene: &TipScene) -> Result<String, Failure> {
     text += &line(
         "steps",
         format!(
-            "{} of {} tau, {}: {before} before the drive, {with} with it, {after} after",
+            "{} of {} {}, {}: {before} before the drive, {with} with it, {after} after",
             cost.steps.total(),
             scene.time_step,
+            units(scene)[1],
             integrator(scene.integrator)
         ),
     );
@@ -66,7 +69,28 @@ pub fn text(scene: &TipScene) -> Result<String, Failure> {
     Ok(text)
 }
 
+/// Units of lengths, times, energies and temperatures.
+fn units(scene: &TipScene) -> [&'static str; 4] {
+    if scene.potential.is_metal() {
+        ["A", "ps", "eV", "K"]
+    } else {
+        ["sigma", "tau", "eps", "eps/k_B"]
+    }
+}
+
+/// A metal, its crystals and its units.
+fn metal(scene: &TipScene, [substrate, tip]: [&str; 2]) -> String {
+    let [below, above] = scene.spacings().map(shown);
+    format!(
+        "{}: {substrate} with neighbours {below} A apart, tip of {tip} with {above} A; units A, ps, eV, K",
+        scene.potential
+    )
+}
+
 fn potential(scene: &TipScene) -> String {
+    if let Some(elements) = scene.potential.elements() {
+        return metal(scene, elements);
+    }
     let shift = match scene.shift {
         Shift::None => "cut",
         Shift::Energy => "shifted to zero energy",
@@ -82,13 +106,14 @@ fn potential(scene: &TipScene) -> String {
 
 fn thermostat(scene: &TipScene) -> String {
     let groups = scene.thermostat_groups();
+    let [_, tau, _, kelvin] = units(scene);
     let (relaxation, rate, heat) = (scene.relaxation, scene.friction, scene.temperature);
     match scene.thermostat {
         BathKind::NoseHoover => format!(
-            "Nose-Hoover on {groups} groups, one unknown each, relaxation {relaxation} tau, T = {heat}"
+            "Nose-Hoover on {groups} groups, one unknown each, relaxation {relaxation} {tau}, T = {heat} {kelvin}"
         ),
         BathKind::Langevin => {
-            format!("Langevin on {groups} groups, rate {rate} / tau, T = {heat}")
+            format!("Langevin on {groups} groups, rate {rate} / {tau}, T = {heat} {kelvin}")
         }
         BathKind::None => "none".into(),
     }
@@ -98,12 +123,16 @@ fn driven(scene: &TipScene) -> String {
     let lift = match scene.hold {
         DrivenHold::Plane => "height of each atom fixed".to_owned(),
         DrivenHold::Level => {
+            let [length, _, energy, _] = units(scene);
             format!(
-                "one common height under {} eps/sigma an atom",
+                "one common height under {} {energy}/{length} an atom",
                 -scene.lift()
             )
         }
     };
+    if scene.drive == DriveKind::Slide {
+        return slid(scene, &lift);
+    }
     // The reading says what lambda is, and with it the force on an atom.
     let [mean, largest] = levers(scene);
     let length = match scene.reading {
@@ -121,6 +150,24 @@ fn driven(scene: &TipScene) -> String {
          {lift}",
         scene.lambda,
         scene.lambda * largest / length,
+        scene.damping
+    )
+}
+
+/// The support of a slid tip.
+fn slid(scene: &TipScene, lift: &str) -> String {
+    let [length, time, energy, _] = units(scene);
+    let speed = scene.speed.unwrap_or(f64::NAN);
+    let path = speed * scene.drive_time;
+    let turns = scene.stroke.map_or("without turning".to_owned(), |stroke| {
+        format!("in strokes of {stroke} {length}")
+    });
+    format!(
+        "support at {speed} {length}/{time} over {} {length} {turns}, {} degrees from the rows, spring of {} \
+         {energy}/{length}^2; damping {} / {time}, {lift}",
+        shown(path),
+        scene.direction,
+        scene.stiffness,
         scene.damping
     )
 }

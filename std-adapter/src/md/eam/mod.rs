@@ -3,6 +3,8 @@
 //!
 //! [`Tabulated`] reads the functions from a file; [`SuttonChen`] has them in closed form.
 
+mod crystal;
+mod metals;
 mod passes;
 mod spline;
 mod sutton_chen;
@@ -11,6 +13,7 @@ mod tabulated;
 #[doc(hidden)]
 pub mod file;
 
+pub use metals::{SUTTON_CHEN, SuttonChenMetal};
 pub use sutton_chen::{SuttonChen, SuttonChenError, SuttonChenParameters};
 pub use tabulated::Tabulated;
 

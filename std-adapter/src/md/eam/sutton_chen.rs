@@ -1,6 +1,6 @@
 //! The closed form of Sutton & Chen (1990), Philos. Mag. Lett. 61, 139.
 
-use super::{Functions, Jet, PairJets, passes};
+use super::{Functions, Jet, PairJets, crystal, passes};
 use crate::md::interaction::{Interaction, Tally, Wanted};
 use crate::md::neighbours::VerletList;
 use nalgebra::Vector3;
@@ -128,6 +128,12 @@ impl SuttonChen {
         }
         let cutoff_sq = cutoff * cutoff;
         Ok(Self { given, cutoff_sq })
+    }
+
+    /// Distance of nearest neighbours and energy of an atom in the face-centred cubic crystal at zero
+    /// temperature and pressure; nothing if it does not bind.
+    pub fn crystal(&self, species: u8) -> Option<[f64; 2]> {
+        crystal::crystal(self, species)
     }
 
     /// The parameters.

@@ -2,7 +2,7 @@
 
 use super::file::{ElementError, PotentialFile};
 use super::spline::{Grid, Spline};
-use super::{Functions, Jet, PairJets, passes};
+use super::{Functions, Jet, PairJets, crystal, passes};
 use crate::md::interaction::{Interaction, Tally, Wanted};
 use crate::md::neighbours::VerletList;
 use nalgebra::Vector3;
@@ -83,6 +83,12 @@ impl Tabulated {
             densities: of_elements(&|e| Spline::through(&file.densities[e], file.distance_step)),
             pairs: pairs.map(|(a, b)| pair(a, b)).collect(),
         })
+    }
+
+    /// Distance of nearest neighbours and energy of an atom in the face-centred cubic crystal of a
+    /// species at zero temperature and pressure; nothing if it does not bind.
+    pub fn crystal(&self, species: u8) -> Option<[f64; 2]> {
+        crystal::crystal(self, species)
     }
 }
 

@@ -1,0 +1,150 @@
+//! Runs of small tips with several seeds a row, shared by the exhibits on section 5.3.
+
+use crate::runs::{Batch, Effort, Runs};
+use anyhow::{Result, anyhow};
+use std::num::NonZero;
+use std::thread::available_parallelism;
+use tribos::run::in_order;
+use tribos::scene::TipScene;
+use tribos::tip::{Outcome, TipRun};
+
+/// Runs of each row.
+pub(super) const SEEDS: u64 = 5;
+
+/// A row of runs that differ in their seeds.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    /// What its folders are named by.
+    pub name: String,
+    /// The scene, with any seed.
+    pub scene: TipScene,
+}
+
+/// What a run left.
+#[derive(Debug)]
+pub(super) struct Ran {
+    /// Its outcome.
+    pub outcome: Outcome,
+    /// Names and lines of its series.
+    pub columns: Vec<String>,
+    pub series: Vec<Vec<f64>>,
+}
+
+impl Ran {
+    /// Two columns of the series.
+    pub fn curve(&self, x: &str, y: &str) -> Vec<(f64, f64)> {
+        let number = |name: &str| self.columns.iter().position(|column| column == name);
+        match (number(x), number(y)) {
+            (Some(x), Some(y)) => self.series.iter().map(|line| (line[x], line[y])).collect(),
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// All seeds of each row, as many runs at a time as the machine has cores.
+pub(super) fn all(runs: &Runs, rows: &[Row]) -> Result<Vec<Vec<Ran>>> {
+    let count = rows.len() * SEEDS as usize;
+    let threads = available_parallelism().map_or(1, NonZero::get);
+    let batch = Batch::new(count, runs.reader());
+    let results = in_order(count, threads, |index| {
+        let row = &rows[index / SEEDS as usize];
+        let seed = 1 + index as u64 % SEEDS;
+        let name = format!("{},{},seed={seed}", row.name, runs.effort().name());
+        let scene = TipScene {
+            seed,
+            ..row.scene.clone()
+        };
+        let folder = runs.kept().run(&name);
+        let run: TipRun = runs.session(&folder).run(&scene)?;
+        batch.tell(&name);
+        anyhow::Ok(Ran {
+            outcome: run.outcome(),
+            columns: run.columns(),
+            series: run.series().to_vec(),
+        })
+    });
+    let mut results = results.into_iter();
+    let mut take = || {
+        let next = results.next().flatten();
+        next.ok_or_else(|| anyhow!("a run gave no result"))?
+    };
+    rows.iter()
+        .map(|_| (0..SEEDS).map(|_| take()).collect())
+        .collect()
+}
+
+/// Mean and standard error.
+pub(super) fn mean_and_error(values: &[f64]) -> [f64; 2] {
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    let square: f64 = values.iter().map(|x| (x - mean) * (x - mean)).sum();
+    [mean, (square / (count * (count - 1.0))).sqrt()]
+}
+
+/// A straight line by least squares.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line {
+    pub slope: f64,
+    /// Standard error of the slope, from the scatter about the line.
+    pub error: f64,
+    pub intercept: f64,
+}
+
+impl Line {
+    /// Through points, all of the same weight.
+    pub fn through(points: &[(f64, f64)]) -> Self {
+        let count = points.len() as f64;
+        let x0 = points.iter().map(|(x, _)| x).sum::<f64>() / count;
+        let y0 = points.iter().map(|(_, y)| y).sum::<f64>() / count;
+        let square: f64 = points.iter().map(|(x, _)| (x - x0) * (x - x0)).sum();
+        let cross: f64 = points.iter().map(|(x, y)| (x - x0) * (y - y0)).sum();
+        let slope = cross / square;
+        let intercept = y0 - slope * x0;
+        let rest: f64 = points
+            .iter()
+            .map(|(x, y)| (y - intercept - slope * x).powi(2))
+            .sum();
+        Self {
+            slope,
+            error: (rest / ((count - 2.0) * square)).sqrt(),
+            intercept,
+        }
+    }
+}
+
+/// As many strokes as give one whole loop after the first loading of the spring.
+pub(super) const STROKES: f64 = 3.0;
+
+/// A small tip that is slid along the close-packed rows, in units of σ, ε and m.
+pub(super) fn slid(effort: Effort, speed: f64, load: f64, temperature: f64) -> Row {
+    let spacing = TipScene::default().spacing;
+    let (spacings, time_step) = match effort {
+        Effort::Quick => (4.0, 0.015),
+        Effort::Full => (8.0, 0.01),
+    };
+    let stroke = spacings * spacing;
+    let scene = TipScene {
+        drive: tribos::scene::DriveKind::Slide,
+        speed: Some(speed),
+        stroke: Some(stroke),
+        stiffness: 40.0,
+        damping: 2.0,
+        hold: tribos::scene::DrivenHold::Level,
+        load: Some(load),
+        adhesion: 0.3,
+        shift: tribos::md::pair::Shift::Force,
+        columns: 8,
+        rows: 10,
+        substrate_layers: 4,
+        tip_layers: 4,
+        side: 3,
+        temperature,
+        time_step,
+        equilibration: 10.0,
+        drive_time: STROKES * stroke / speed,
+        rest_time: 0.0,
+        ..TipScene::default()
+    };
+    let name = format!("slid,speed={speed},load={load},temperature={temperature}");
+    Row { name, scene }
+}
