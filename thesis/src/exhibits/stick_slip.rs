@@ -22,7 +22,9 @@ const TOLERANCE: f64 = 1e-6;
 
 /// A run long enough for oscillations to grow or fade, in memory lengths, and for slips of a soft spring.
 fn scene(stiffness: f64, speed: f64) -> SpringScene {
-    let lengths = 150.0 * PAPER.slip_distance + 1.5 / stiffness;
+    // The viscous force comes over a way of its size over the stiffness.
+    let viscous = PAPER.viscous * speed / stiffness;
+    let lengths = 150.0 * PAPER.slip_distance + 1.5 / stiffness + 20.0 * viscous;
     SpringScene {
         friction: SpringFriction::RateState,
         mass: 0.0,

@@ -312,6 +312,291 @@ class CurlingScene(Scene):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class SpringScene(Scene):
+    """A body on a spring that is pulled.
+
+    Parameters
+    ----------
+    friction
+        What resists the body. *Value*: one of "dry", "rate-state", "lugre".
+    mass
+        Mass of the body; 0 for a quasi-static one under rate and state. *Unit*: kg. *Value*: a
+        finite number >= 0.
+    load
+        Load of the body on the floor. *Unit*: N. *Value*: a finite number > 0.
+    stiffness
+        Stiffness of the spring. *Unit*: N/m. *Value*: a finite number > 0.
+    pull_speed
+        Speed of the end of the spring. *Unit*: m/s. *Value*: a finite number > 0.
+    pull_time
+        How long it is pulled; with holds, before the first and after each. *Unit*: s. *Value*: a
+        finite number > 0.
+    hold
+        How long the end of the spring stands still first; it never does if left out. *Unit*: s.
+        *Value*: a finite number > 0.
+    holds
+        Number of holds. *Value*: a whole number from 1 to 1000.
+    hold_growth
+        Duration of each hold over that of the one before. *Value*: a finite number > 0.
+    mu_static
+        Static coefficient, of dry friction, of a contact not older than `cut_off`. *Value*: a
+        finite number >= 0.
+    mu_dynamic
+        Dynamic coefficient, of dry friction. *Value*: a finite number >= 0.
+    growth
+        Growth of the static coefficient for each e-fold of the time of rest, of dry friction.
+        *Value*: a finite number >= 0.
+    cut_off
+        Time of rest from which it grows, of dry friction. *Unit*: s. *Value*: a finite number > 0.
+    law
+        Law of the speed in place of dry friction. *Value*: a law with its parameters, such as
+        "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05".
+    mu_reference
+        Coefficient of steady sliding with `reference_speed`, of rate and state. *Value*: a finite
+        number >= 0.
+    a
+        Direct effect a of the speed, of rate and state. *Value*: a finite number > 0.
+    b
+        Effect b of the age, of rate and state. *Value*: a finite number >= 0.
+    reference_speed
+        Reference speed, of rate and state. *Unit*: m/s. *Value*: a finite number > 0.
+    slip_distance
+        Memory length D_c, of rate and state. *Unit*: m. *Value*: a finite number > 0.
+    viscous
+        Viscous term of the inertial branch, of rate and state. *Unit*: s/m. *Value*: a finite
+        number >= 0.
+    evolution
+        How the age evolves, of rate and state: Dieterich's ageing law or Ruina's slip law. *Value*:
+        one of "ageing", "slip".
+    start_speed
+        Speed of the steady sliding that rate and state starts from; 0.9 `pull_speed` if left out.
+        *Unit*: m/s. *Value*: a finite number > 0.
+    coulomb_force
+        Coulomb force of the bristles. *Unit*: N. *Value*: a finite number > 0.
+    static_force
+        Static force of the bristles. *Unit*: N. *Value*: a finite number > 0.
+    stribeck_speed
+        Stribeck speed of the bristles. *Unit*: m/s. *Value*: a finite number > 0.
+    bristle_stiffness
+        Stiffness of the bristles. *Unit*: N/m. *Value*: a finite number > 0.
+    bristle_damping
+        Damping of the bristles. *Unit*: N s/m. *Value*: a finite number >= 0.
+    viscous_damping
+        Viscous damping beside the bristles. *Unit*: N s/m. *Value*: a finite number >= 0.
+    tolerance
+        Error of a step, in units of the motion's scales; dry friction needs none. *Value*: a number
+        > 0 and <= 0.01.
+    samples
+        Number of intervals of time in the series, for each pull and each hold. *Value*: a whole
+        number from 1 to 1000000.
+    """
+
+    BODY: ClassVar[str] = "spring"
+
+    friction: Literal["dry", "rate-state", "lugre"] = "dry"
+    mass: float = 1.0
+    load: float = 9.81
+    stiffness: float = 100.0
+    pull_speed: float = 0.05
+    pull_time: float = 20.0
+    hold: float | None = None
+    holds: int = 1
+    hold_growth: float = 10.0
+    mu_static: float = 0.5
+    mu_dynamic: float = 0.3
+    growth: float = 0.0
+    cut_off: float = 1.0
+    law: str | None = None
+    mu_reference: float | None = None
+    a: float | None = None
+    b: float | None = None
+    reference_speed: float | None = None
+    slip_distance: float | None = None
+    viscous: float | None = None
+    evolution: Literal["ageing", "slip"] | None = None
+    start_speed: float | None = None
+    coulomb_force: float | None = None
+    static_force: float | None = None
+    stribeck_speed: float | None = None
+    bristle_stiffness: float | None = None
+    bristle_damping: float | None = None
+    viscous_damping: float | None = None
+    tolerance: float = 1e-09
+    samples: int = 400
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class InclineScene(Scene):
+    """A block on an incline.
+
+    Parameters
+    ----------
+    patch
+        Contact of the block with the incline: box:AxB, polygon:FILE, bar:L, or a round patch such
+        as disk. *Value*: a patch such as "box:0.3x0.2", "polygon:FILE" or "disk".
+    radius
+        Radius of a round patch. *Unit*: m. *Value*: a finite number > 0.
+    mass
+        Mass of the block. *Unit*: kg. *Value*: a finite number > 0.
+    gravity
+        Acceleration by gravity. *Unit*: m/s^2. *Value*: a finite number > 0.
+    mu_static
+        Static coefficient of a contact not older than `cut_off`. *Value*: a finite number >= 0.
+    mu_dynamic
+        Dynamic coefficient. *Value*: a finite number >= 0.
+    growth
+        Growth of the static coefficient for each e-fold of the time of rest. *Value*: a finite
+        number >= 0.
+    cut_off
+        Time of rest from which it grows. *Unit*: s. *Value*: a finite number > 0.
+    start_angle
+        Angle of the incline at the start. *Unit*: rad. *Value*: a finite number >= 0.
+    raise_rate
+        Rate at which it is raised, 0 for a fixed one. *Unit*: rad/s. *Value*: a finite number >= 0.
+    end_angle
+        Angle at which the raising ends. *Unit*: rad. *Value*: a number > 0 and <=
+        1.5707963267948966.
+    duration
+        End of the run. *Unit*: s. *Value*: a finite number > 0.
+    samples
+        Number of intervals of time in the series. *Value*: a whole number from 1 to 1000000.
+    """
+
+    BODY: ClassVar[str] = "incline"
+
+    patch: str = "disk"
+    radius: float = 0.05
+    mass: float = 1.0
+    gravity: float = 9.81
+    mu_static: float = 0.5
+    mu_dynamic: float = 0.3
+    growth: float = 0.0
+    cut_off: float = 1.0
+    start_angle: float = 0.0
+    raise_rate: float = 0.05
+    end_angle: float = 1.0
+    duration: float = 12.0
+    samples: int = 400
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class TurntableScene(Scene):
+    """A body on a turntable.
+
+    Parameters
+    ----------
+    patch
+        Contact of the body with the table, its x axis outward: box:AxB, polygon:FILE, bar:L, or a
+        round patch such as disk. *Value*: a patch such as "box:0.3x0.2", "polygon:FILE" or "disk".
+    radius
+        Radius of a round patch. *Unit*: m. *Value*: a finite number > 0.
+    mass
+        Mass of the body. *Unit*: kg. *Value*: a finite number > 0.
+    gyration_radius
+        Radius of gyration of the body about its upright axis. *Unit*: m. *Value*: a finite number >
+        0.
+    gravity
+        Acceleration by gravity. *Unit*: m/s^2. *Value*: a finite number > 0.
+    mu_static
+        Static coefficient. *Value*: a finite number > 0.
+    mu_dynamic
+        Dynamic coefficient. *Value*: a finite number >= 0.
+    distance
+        Distance of the body from the axis of the table. *Unit*: m. *Value*: a finite number > 0.
+    spin_up
+        Angular acceleration of the table. *Unit*: rad/s^2. *Value*: a finite number > 0.
+    table_radius
+        Radius of the table, where the run ends. *Unit*: m. *Value*: a finite number > 0.
+    duration
+        End of the run, if the body stays on the table. *Unit*: s. *Value*: a finite number > 0.
+    time_step
+        Length of a step of the sliding body. *Unit*: s. *Value*: a finite number > 0.
+    samples
+        Number of intervals of time in the series. *Value*: a whole number from 1 to 1000000.
+    """
+
+    BODY: ClassVar[str] = "turntable"
+
+    patch: str = "disk"
+    radius: float = 0.03
+    mass: float = 0.2
+    gyration_radius: float = 0.02
+    gravity: float = 9.81
+    mu_static: float = 0.4
+    mu_dynamic: float = 0.3
+    distance: float = 0.2
+    spin_up: float = 1.0
+    table_radius: float = 0.5
+    duration: float = 10.0
+    time_step: float = 0.0005
+    samples: int = 400
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ClampScene(Scene):
+    """A clamped body under a load that swings.
+
+    Parameters
+    ----------
+    patch
+        Contact of each pad: box:AxB, polygon:FILE, bar:L, or a round patch such as disk. *Value*: a
+        patch such as "box:0.3x0.2", "polygon:FILE" or "disk".
+    radius
+        Radius of a round patch. *Unit*: m. *Value*: a finite number > 0.
+    load
+        Load of both pads. *Unit*: N. *Value*: a finite number > 0.
+    mu_first
+        Friction coefficient of the first pad. *Value*: a finite number > 0.
+    mu_second
+        Friction coefficient of the second pad. *Value*: a finite number > 0.
+    stiffness_first
+        Stiffness of the first pad along the contact. *Unit*: N/m. *Value*: a finite number > 0.
+    stiffness_second
+        Stiffness of the second pad along the contact. *Unit*: N/m. *Value*: a finite number > 0.
+    torsion_lever_squared
+        Torsional stiffness of a pad over its stiffness; half the squared radius of a disk if left
+        out. *Unit*: m^2. *Value*: a finite number > 0.
+    force_mean
+        Mean of the force. *Unit*: N. *Value*: a finite number.
+    force_amplitude
+        Amplitude of the force. *Unit*: N. *Value*: a finite number.
+    torque_mean
+        Mean of the torque. *Unit*: N m. *Value*: a finite number.
+    torque_amplitude
+        Amplitude of the torque, in phase with the force. *Unit*: N m. *Value*: a finite number.
+    growth
+        Growth of both amplitudes from cycle to cycle, as a share of the first. *Value*: a finite
+        number >= 0.
+    period
+        Duration of a cycle. *Unit*: s. *Value*: a finite number > 0.
+    cycles
+        Number of cycles. *Value*: a whole number from 1 to 10000.
+    samples
+        Number of intervals of time in the series, for each cycle. *Value*: a whole number from 1 to
+        1000000.
+    """
+
+    BODY: ClassVar[str] = "clamp"
+
+    patch: str = "disk"
+    radius: float = 0.01
+    load: float = 20.0
+    mu_first: float = 0.3
+    mu_second: float = 0.5
+    stiffness_first: float = 20000.0
+    stiffness_second: float = 10000.0
+    torsion_lever_squared: float | None = None
+    force_mean: float = 0.0
+    force_amplitude: float = 11.0
+    torque_mean: float = 0.0
+    torque_amplitude: float = 0.0
+    growth: float = 0.0
+    period: float = 1.0
+    cycles: int = 5
+    samples: int = 200
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class PowderScene(Scene):
     """A powder under a piston.
 
@@ -546,11 +831,15 @@ class TipScene(Scene):
 
 
 __all__ = [
+    "ClampScene",
     "CurlingScene",
     "CylinderScene",
+    "InclineScene",
     "PipeScene",
     "PlateScene",
     "PowderScene",
     "SliderScene",
+    "SpringScene",
     "TipScene",
+    "TurntableScene",
 ]
