@@ -1,7 +1,6 @@
 //! The scene of a tip that is turned or slid on a substrate (thesis, section 5.3).
 
 use super::entries::Written;
-use super::key::{Domain::*, Need::*};
 use super::key::{Domain, Domain::*, Need::*};
 use super::powder::MOST_SEEDS;
 use super::reader::Judge;
@@ -242,7 +241,11 @@ fn tip_fits(scene: &TipScene, judge: &mut Judge<'_>) {
     let [x, y] = shape.periods();
     // Corners of two layers that are stacked to either side of the axis, however the tip is turned.
     let width = 2.0 * shape.reach();
-    let unit = if scene.potential.is_metal() { "A" } else { "sigma" };
+    let unit = if scene.potential.is_metal() {
+        "A"
+    } else {
+        "sigma"
+    };
     let least = (width + cutoff).max(2.0 * cutoff).max(cutoff + scene.skin);
     for (key, period) in [("columns", x), ("rows", y)] {
         if period < least {

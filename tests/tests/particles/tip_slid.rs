@@ -32,7 +32,11 @@ fn the_supports_work_is_heat_and_stored_energy() -> Result<(), Error> {
         ("langevin", "velocity-verlet", 30.0),
         ("none", "velocity-verlet", 0.0),
     ] {
-        let spin = if direction == 30.0 { "counts" } else { "spared" };
+        let spin = if direction == 30.0 {
+            "counts"
+        } else {
+            "spared"
+        };
         let scene = slid(&[
             &format!("thermostat={bath}"),
             &format!("integrator={integrator}"),
@@ -85,7 +89,12 @@ fn a_tip_resists_in_both_directions_and_more_under_load() -> Result<(), Error> {
     let mut friction = Vec::new();
     for load in ["0.2", "3.0"] {
         let load_key = format!("load={load}");
-        let scene = slid(&["temperature=0.02", "stiffness=20", "adhesion=0.5", &load_key])?;
+        let scene = slid(&[
+            "temperature=0.02",
+            "stiffness=20",
+            "adhesion=0.5",
+            &load_key,
+        ])?;
         let slid = outcome(&scene)?;
         assert!(slid.friction > 0.0, "{slid:?}");
         assert!(

@@ -59,10 +59,16 @@ struct Cell {
 }
 
 fn share(lambda: f64, ran: &[Ran]) -> [f64; 3] {
-    let back = ran.iter().filter(|ran| ran.outcome.verdict == Verdict::Reversible);
+    let back = ran
+        .iter()
+        .filter(|ran| ran.outcome.verdict == Verdict::Reversible);
     let angles = ran.iter().map(|ran| ran.outcome.driven_angle.abs());
     let count = ran.len() as f64;
-    [lambda, back.count() as f64 / count, angles.sum::<f64>() / count]
+    [
+        lambda,
+        back.count() as f64 / count,
+        angles.sum::<f64>() / count,
+    ]
 }
 
 impl Cell {
@@ -99,17 +105,30 @@ pub fn section_5_3_map(runs: &Runs) -> Result<Exhibit> {
         .map(|(&[load, temperature], ran)| Cell {
             load,
             temperature,
-            shares: strengths.iter().zip(ran).map(|(&lambda, ran)| share(lambda, ran)).collect(),
+            shares: strengths
+                .iter()
+                .zip(ran)
+                .map(|(&lambda, ran)| share(lambda, ran))
+                .collect(),
         })
         .collect();
     let line = |cell: &Cell| -> Vec<Vec<f64>> {
         let at = [cell.load, cell.temperature];
-        cell.shares.iter().map(|share| [&at[..], share].concat()).collect()
+        cell.shares
+            .iter()
+            .map(|share| [&at[..], share].concat())
+            .collect()
     };
     Ok(Exhibit::new(
         TEXT.prose_of(runs.effort()),
         figure(&cells, loads),
-        &["load", "temperature", "lambda", "share_turned_back", "driven_angle_degrees"],
+        &[
+            "load",
+            "temperature",
+            "lambda",
+            "share_turned_back",
+            "driven_angle_degrees",
+        ],
         cells.iter().flat_map(line).collect(),
         claims(&cells)
             .into_iter()
@@ -148,7 +167,12 @@ fn claims(cells: &[Cell]) -> Vec<Claim> {
             .iter()
             .map(|[lambda, share, _]| format!("{:.0} % at λ = {lambda}", 100.0 * share))
             .collect();
-        format!("N = {}, T = {}: {}", cell.load, cell.temperature, shares.join(", "))
+        format!(
+            "N = {}, T = {}: {}",
+            cell.load,
+            cell.temperature,
+            shares.join(", ")
+        )
     };
     let map: Vec<String> = cells.iter().map(words).collect();
     let mean = |is_of: &dyn Fn(&&Cell) -> bool| {
@@ -157,7 +181,10 @@ fn claims(cells: &[Cell]) -> Vec<Claim> {
     };
     let most = |number: fn(&Cell) -> f64| cells.iter().map(number).fold(0.0, f64::max);
     let (load, heat) = (most(|cell| cell.load), most(|cell| cell.temperature));
-    let least = cells.iter().map(|cell| cell.temperature).fold(f64::INFINITY, f64::min);
+    let least = cells
+        .iter()
+        .map(|cell| cell.temperature)
+        .fold(f64::INFINITY, f64::min);
     let effects = format!(
         "mean number of strengths that turn back: {:.2} without load, {:.2} under the largest; {:.2} when coldest, {:.2} when hottest",
         mean(&|cell| cell.load == 0.0),

@@ -48,7 +48,10 @@ fn energy(law: &impl Functions, species: u8, spacing: f64) -> [f64; 2] {
         }
     }
     let [embedded, slope] = law.embedding(species, density[0]);
-    [embedded + 0.5 * pairs[0], slope * density[1] + 0.5 * pairs[1]]
+    [
+        embedded + 0.5 * pairs[0],
+        slope * density[1] + 0.5 * pairs[1],
+    ]
 }
 
 /// Distance of nearest neighbours and energy of an atom in the crystal of lowest energy; nothing for
@@ -82,7 +85,14 @@ mod tests {
 
     #[test]
     fn shells_of_the_lattice_are_the_known_ones() {
-        let expected = [(1.0, 12.0), (2.0, 6.0), (3.0, 24.0), (4.0, 12.0), (5.0, 24.0), (6.0, 8.0)];
+        let expected = [
+            (1.0, 12.0),
+            (2.0, 6.0),
+            (3.0, 24.0),
+            (4.0, 12.0),
+            (5.0, 24.0),
+            (6.0, 8.0),
+        ];
         assert_eq!(shells(6.2), expected);
     }
 
@@ -95,9 +105,12 @@ mod tests {
             .map(|(square, count)| count * (2.0 / square).powf(0.5 * f64::from(k)))
             .sum();
         // √2 sites a volume of a spacing cubed.
-        let beyond = 2.0_f64.sqrt() * 4.0 * std::f64::consts::PI
+        let beyond = 2.0_f64.sqrt()
+            * 4.0
+            * std::f64::consts::PI
             * 2.0_f64.powf(0.5 * f64::from(k))
-            * reach.powi(3 - k) / f64::from(k - 3);
+            * reach.powi(3 - k)
+            / f64::from(k - 3);
         near + beyond
     }
 
@@ -118,7 +131,10 @@ mod tests {
             let metal = SUTTON_CHEN.iter().find(|metal| metal.name == name).unwrap();
             let law = SuttonChen::new(metal.parameters()).unwrap();
             let [spacing, energy] = crystal(&law, 0).unwrap();
-            assert!((spacing * 2.0_f64.sqrt() / metal.a - 1.0).abs() < 0.01, "{name}: {spacing}");
+            assert!(
+                (spacing * 2.0_f64.sqrt() / metal.a - 1.0).abs() < 0.01,
+                "{name}: {spacing}"
+            );
             assert!((energy / -cohesion - 1.0).abs() < 0.05, "{name}: {energy}");
         }
     }
