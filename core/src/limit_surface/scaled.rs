@@ -33,14 +33,6 @@ pub struct Scaled<'a, R, S: ?Sized> {
     strength: R,
 }
 
-impl<R: Real, S: FrictionSet<R> + ?Sized> Copy for Scaled<'_, R, S> {}
-
-impl<R: Real, S: FrictionSet<R> + ?Sized> Clone for Scaled<'_, R, S> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
 impl<'a, R: Real, S: FrictionSet<R> + ?Sized> Scaled<'a, R, S> {
     /// *Domain*: 0 < `strength` < ∞.
     pub fn new(set: &'a S, strength: R) -> Result<Self, LawError> {

@@ -212,21 +212,17 @@ impl<R: Real, S: FrictionSet<R> + ?Sized> Trial<'_, R, S> {
     fn within(&self, gauge: R) -> Wrench<R> {
         let law = self.law;
         let excess = |g| self.at(g).1 - self.driven * law.share(g);
-        let lowest = if law.breakaway > R::ZERO {
-            self.at(law.breakaway).1
-        } else {
-            // The normals of a small set point along the strain.
-            let strain = law.bonds.factors().strain(&self.wanted);
-            self.set.support(&Twist {
-                velocity: strain.shift,
-                spin: strain.turn,
-            })
-        };
+        // λ of the smallest set, whose normals point along the strain, is the largest of all.
+        let strain = law.bonds.factors().strain(&self.wanted);
+        let most = self.set.support(&Twist {
+            velocity: strain.shift,
+            spin: strain.turn,
+        });
         let highest = if gauge < R::ONE { gauge } else { R::ONE };
         let ends = [
-            Sample::new(law.breakaway, lowest),
+            Sample::new(law.breakaway, most),
             Sample::new(highest, excess(highest)),
         ];
-        self.at(falling_root(excess, ends, self.driven)).0
+        self.at(falling_root(excess, ends, most + self.driven)).0
     }
 }

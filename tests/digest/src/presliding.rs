@@ -114,9 +114,7 @@ fn scaled<R: Real>(hash: &mut Fnv, set: &Ellipsoid<R>) {
         hash.verdict(&Scaled::new(set, strength));
     }
     let weaker = Scaled::new(set, R::from_f64(0.375)).expect("positive");
-    #[allow(clippy::clone_on_copy)]
-    let same = weaker.clone();
-    hash.numbers([weaker.strength(), same.force_limit(), weaker.radius()]);
+    hash.numbers([weaker.strength(), weaker.force_limit(), weaker.radius()]);
     for _ in 0..STEPS {
         let motion = twist(&mut rng);
         let push = Wrench {
@@ -126,6 +124,7 @@ fn scaled<R: Real>(hash: &mut Fnv, set: &Ellipsoid<R>) {
         hash.numbers([weaker.support(&motion), weaker.gauge(&push)]);
         hash.wrench(&weaker.wrench(&motion));
         hash.twist(&weaker.twist_normal_to(&push));
+        hash.twist(&weaker.twist_resisted_by(&push));
         hash.wrench(&weaker.scale_to_surface(&push));
         hash.wrench(&weaker.project(&push).wrench);
         let answer = Holding::of(&weaker, set, &push);

@@ -8,7 +8,7 @@ use tribos_core::contact::TimeStep;
 use tribos_core::holding::{Hold, Holding};
 use tribos_core::law::Grip;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, Scaled};
-use tribos_core::patch::nodes::Nodes;
+use tribos_core::patch::nodes::{NodePatch, Nodes};
 use tribos_core::planar::{ElasticState, PlanarBody};
 use tribos_core::presliding::{
     Anchor, GradualPresliding, NodeBonds, NodePresliding, Pose, Presliding, Settled,
@@ -77,10 +77,26 @@ fn patch<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let (breakaway, exponent) = (source.unit::<R>(), source.positive());
     if let Ok(gradual) = GradualPresliding::new(bonds, breakaway, exponent) {
         judged(source, &gradual.advance(&set, &strain, &moved))?;
+        let kept = [gradual.breakaway(), gradual.exponent()];
+        let is_kept = kept == [breakaway, exponent] && *gradual.bonds() == bonds;
+        holds(is_kept, "parameters are kept", &kept)?;
         let step = gradual.step(&set, &anchor, [&from, &to]);
         finite(source, "friction on soft bonds", parts(&step.friction))?;
     }
     let push = wrench::<R>(source);
+    let under = bonds.strain_under(&push);
+    let stiffness = [bonds.stiffness(), bonds.torsional_stiffness()];
+    finite(source, "strain under a push", [under.shift.x, under.turn])?;
+    holds(
+        stiffness.iter().all(|k| *k > R::ZERO),
+        "stiffness is positive",
+        &stiffness,
+    )?;
+    holds(
+        set.strength() > R::ZERO,
+        "strength is positive",
+        &[set.strength()],
+    )?;
     let answer = Holding::of(&set, &base, &push);
     let is_nan = parts(&push).iter().any(|x| x.is_nan());
     if is_nan {
@@ -109,6 +125,13 @@ fn asked<R: Real>(
     let motion = twist(source);
     finite(source, "friction of a set", parts(&set.wrench(&motion)))?;
     let normal = set.twist_normal_to(push);
+    let resisted = set.twist_resisted_by(push);
+    let is_opposite = resisted == -normal || normal.spin.is_nan();
+    holds(
+        is_opposite,
+        "friction opposes",
+        &[normal.spin, resisted.spin],
+    )?;
     let on = set.scale_to_surface(push);
     let all = [normal.velocity.x, normal.velocity.y, normal.spin];
     finite(source, "normal of a set", all)?;
@@ -173,11 +196,14 @@ fn points<R: Real>(source: &mut Source) -> Result<(), Broken> {
     for _ in 0..3 {
         let step = bound.step(&pose(source));
         finite(source, "friction of points", parts(&step.friction))?;
-        let heat = step.dissipated;
+        let (heat, stored) = (step.dissipated, bound.stored_energy(&start));
+        let are_valid = [heat, stored].iter().all(|x| *x >= R::ZERO || x.is_nan());
+        holds(are_valid, "points dissipate", &[heat, stored])?;
+        let (reach, weight) = (bound.bonds().reach(), bound.patch().total_weight());
         holds(
-            heat >= R::ZERO || heat.is_nan(),
-            "points dissipate",
-            &[heat],
+            reach >= R::ZERO && weight > R::ZERO,
+            "points reach",
+            &[reach, weight],
         )?;
         if bound.set_force_limit(source.size()).is_err() {
             bound.anchor_at(&start);

@@ -8,7 +8,7 @@ use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, PatchSurf
 use tribos_core::patch::outline::Polygon;
 use tribos_core::planar::{ElasticState, PlanarBody};
 use tribos_core::presliding::{Anchor, Pose, Presliding};
-use tribos_core::twist::{Displacement, Twist, Wrench};
+use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::sweep::Lcg;
 
 const LIMIT: f64 = 5.0;
@@ -319,5 +319,4 @@ fn both_precisions_and_what_is_no_number() {
     assert!((double - single).abs() < 1e-5 * double, "{double} {single}");
     // v²/2μg = 0.08 m, less the spin's share and half of a step.
     assert!((0.07..0.09).contains(&double), "{double}");
-    let _ = Displacement::<f64>::ZERO;
 }
