@@ -133,7 +133,12 @@ fn observations(
         (METRE.contains(&fast), format!("{} m", short_metres(fast))),
         (
             half > 0.0 && (fast / half - 1.0).abs() < WEAK,
-            format!("{} m and {} m", short_metres(half), short_metres(fast)),
+            format!(
+                "{} m and {} m: {} m per rad/s",
+                short_metres(half),
+                short_metres(fast),
+                short_metres((fast - half) / (SPINS[2] - SPINS[1]))
+            ),
         ),
         (
             (slide - turn).abs() < RESOLUTION,
