@@ -123,7 +123,7 @@ pub struct OnsetSurface {
 
 /// What every ray of a surface needs.
 struct Rays<'a> {
-    bonds: Bonds<f64, super::BondLawOf, HeldNodes>,
+    bonds: Bonds<f64, super::AnyBond, HeldNodes>,
     contact: &'a Contact,
     centre: [f64; 2],
     reach: f64,

@@ -51,8 +51,14 @@ fn round_patches_on_bonds_that_soften_have_their_ratios() {
         ("annulus:0.5", 0.765_860_500_7, 0.715_380_115_2),
         ("paraboloid", 0.503_750_358_6, 0.431_503_732_3),
     ] {
-        assert!((ratio(patch, "exponential") - broad).abs() < 1e-5, "{patch}");
-        assert!((ratio(patch, "weibull:m=8") - sharp).abs() < 1e-5, "{patch}");
+        assert!(
+            (ratio(patch, "exponential") - broad).abs() < 1e-5,
+            "{patch}"
+        );
+        assert!(
+            (ratio(patch, "weibull:m=8") - sharp).abs() < 1e-5,
+            "{patch}"
+        );
     }
 }
 
