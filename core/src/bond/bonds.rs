@@ -42,7 +42,8 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
     ///
     /// *Domain*: at least two places carry load; one place holds no torque.
     pub fn new(law: L, patch: P) -> Result<Self, PatchError> {
-        if !(patch.total_weight() > R::ZERO) {
+        let is_loaded = patch.total_weight() > R::ZERO;
+        if !is_loaded {
             return Err(PatchError::Unloaded);
         }
         let bonds = Self {

@@ -158,12 +158,12 @@ mod tests {
     fn few_stages_have_elementary_ages() {
         for time in [0.0_f64, 1e-9, 0.1, 0.7, 1.99, 2.0, 3.0, 11.0, 700.0] {
             let one = mean_age(stages(1), time);
-            assert!((one.age + (-time).exp_m1()).abs() <= 1e-15 * one.age);
-            assert!((one.rate - (-time).exp()).abs() < 1e-15);
+            assert!((one.age + Real::exp_m1(-time)).abs() <= 1e-15 * one.age);
+            assert!((one.rate - Real::exp(-time)).abs() < 1e-15);
             let two = mean_age(stages(2), time);
-            let age = 0.75 - (-2.0 * time).exp() + 0.25 * (-4.0 * time).exp();
+            let age = 0.75 - Real::exp(-2.0 * time) + 0.25 * Real::exp(-4.0 * time);
             assert!((two.age - age).abs() < 2e-16, "{time} {} {age}", two.age);
-            let rate = 2.0 * (-2.0 * time).exp() - (-4.0 * time).exp();
+            let rate = 2.0 * Real::exp(-2.0 * time) - Real::exp(-4.0 * time);
             assert!((two.rate - rate).abs() < 1e-15);
         }
     }

@@ -154,7 +154,7 @@ fn ratio<L: BondLaw<f64>>(law: L) -> f64 {
 /// over y, 0.639885; the others are the numbers above.
 #[test]
 fn the_ratio_of_torque_to_force_tells_the_spread_of_strengths() {
-    let scaled = |m: f64| Weibull::new(1.0, m.powf(1.0 / m), m).unwrap();
+    let scaled = |m: f64| Weibull::new(1.0, Real::pow(m, 1.0 / m), m).unwrap();
     for (found, expected) in [
         (ratio(Saturating::new(1.0, 1.0).unwrap()), 2.0 / 3.0),
         (ratio(Exponential::new(1.0, 1.0).unwrap()), 0.639885),

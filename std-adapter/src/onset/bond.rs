@@ -1,6 +1,6 @@
 //! Laws of bonds by name.
 
-use super::BondLawOf;
+use super::AnyBond;
 use crate::friction::{Refusal, finite_number};
 use std::fmt;
 use std::str::FromStr;
@@ -60,27 +60,27 @@ impl Bond {
     /// The kernel's law of which a bond holds at most `coefficient` (a force per load), with the strain x0 in m.
     ///
     /// *Domain*: both positive and finite; the exponent and the number of stages as in the kernel.
-    pub fn with(self, coefficient: f64, strain: f64) -> Result<BondLawOf, Refusal> {
+    pub fn with(self, coefficient: f64, strain: f64) -> Result<AnyBond, Refusal> {
         let k = coefficient / strain;
         // The force at the peak for k = 1 and x0 = 1.
         let scaled = |peak: f64| k / peak;
         Ok(match self {
-            Self::Plastic => BondLawOf::Plastic(Saturating::new(k, strain)?),
+            Self::Plastic => AnyBond::Plastic(Saturating::new(k, strain)?),
             Self::Exponential => {
                 let k = scaled(Real::exp(-1.0_f64));
-                BondLawOf::Exponential(Exponential::new(k, strain)?)
+                AnyBond::Exponential(Exponential::new(k, strain)?)
             }
             Self::Weibull(m) => {
-                let unit = BondLawOf::Weibull(Weibull::new(1.0, 1.0, m)?);
-                BondLawOf::Weibull(Weibull::new(scaled(unit.largest_force()), strain, m)?)
+                let unit = AnyBond::Weibull(Weibull::new(1.0, 1.0, m)?);
+                AnyBond::Weibull(Weibull::new(scaled(unit.largest_force()), strain, m)?)
             }
-            Self::OneStrength => BondLawOf::OneStrength(OneStrength::new(k, strain)?),
+            Self::OneStrength => AnyBond::OneStrength(OneStrength::new(k, strain)?),
             Self::ReForming(n) => {
-                let unit = BondLawOf::ReForming(ReForming::new(1.0, 1.0, n)?);
+                let unit = AnyBond::ReForming(ReForming::new(1.0, 1.0, n)?);
                 let k = scaled(unit.largest_force());
-                BondLawOf::ReForming(ReForming::new(k, strain, n)?)
+                AnyBond::ReForming(ReForming::new(k, strain, n)?)
             }
-            Self::ReFormingOneStrength => BondLawOf::ReForming(ReForming::one_strength(k, strain)?),
+            Self::ReFormingOneStrength => AnyBond::ReForming(ReForming::one_strength(k, strain)?),
         })
     }
 }

@@ -7,14 +7,14 @@ use tribos_core::law::LocalLaw;
 ///
 /// ```
 /// use tribos::kernel::bond::BondLaw;
-/// use tribos::onset::{Bond, BondLawOf};
-/// let law: BondLawOf = "re-forming-one-strength".parse::<Bond>()?.with(0.6, 1e-5)?; // m
+/// use tribos::onset::{Bond, AnyBond};
+/// let law: AnyBond = "re-forming-one-strength".parse::<Bond>()?.with(0.6, 1e-5)?; // m
 /// assert_eq!(law.largest_force(), 0.6); // per load
 /// assert_eq!(law.plateau(), 0.3); // of steady sliding
 /// # Ok::<(), tribos::friction::Refusal>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum BondLawOf {
+pub enum AnyBond {
     /// Bonds that yield.
     Plastic(Saturating<f64>),
     /// Bonds of exponentially spread strengths.
@@ -27,7 +27,7 @@ pub enum BondLawOf {
     ReForming(ReForming<f64>),
 }
 
-impl BondLawOf {
+impl AnyBond {
     /// The force at the first peak, or its limit where there is none.
     pub fn largest_force(&self) -> f64 {
         let peak = self.peak();
@@ -49,7 +49,7 @@ impl BondLawOf {
     }
 }
 
-impl LocalLaw<f64> for BondLawOf {
+impl LocalLaw<f64> for AnyBond {
     fn friction(&self, speed: f64) -> f64 {
         self.law().friction(speed)
     }
@@ -58,7 +58,7 @@ impl LocalLaw<f64> for BondLawOf {
     }
 }
 
-impl BondLaw<f64> for BondLawOf {
+impl BondLaw<f64> for AnyBond {
     fn stiffness(&self) -> f64 {
         self.law().stiffness()
     }

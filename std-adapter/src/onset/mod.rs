@@ -28,7 +28,7 @@ mod surface;
 mod tests;
 
 pub use bond::Bond;
-pub use law::BondLawOf;
+pub use law::AnyBond;
 pub use surface::{Contact, OnsetPoint, OnsetSurface, Summary};
 
 #[cfg(doc)]

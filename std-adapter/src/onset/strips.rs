@@ -127,7 +127,7 @@ mod tests {
         let square = vec![[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]];
         let r = 2.0_f64.sqrt();
         let hole = vec![[0.0, -r], [r, 0.0], [0.0, r], [-r, 0.0]];
-        let second = 4.0_f64.powi(4) / 12.0 - 2.0_f64.powi(4) / 12.0;
+        let second = (256.0 - 16.0) / 12.0;
         is_near(
             moments(&nodes(&[square, hole].map(Vec::from))),
             [12.0, second, second],
@@ -154,7 +154,10 @@ mod tests {
         for count in [4, 5, 24] {
             let rule = legendre(count);
             for power in [0, 1, 2, 7] {
-                let mean: f64 = rule.iter().map(|[x, w]| w * x.powi(power)).sum();
+                let mean: f64 = rule
+                    .iter()
+                    .map(|[x, w]| w * Real::pow(*x, f64::from(power)))
+                    .sum();
                 assert!((mean - 1.0 / f64::from(power + 1)).abs() < 1e-14);
             }
         }

@@ -123,7 +123,7 @@ pub struct OnsetSurface {
 
 /// What every ray of a surface needs.
 struct Rays<'a> {
-    bonds: Bonds<f64, super::BondLawOf, HeldNodes>,
+    bonds: Bonds<f64, super::AnyBond, HeldNodes>,
     contact: &'a Contact,
     centre: [f64; 2],
     reach: f64,
@@ -266,7 +266,7 @@ impl Rays<'_> {
         let push = |point: Option<&OnsetPoint>| point.map(|point| point.onset.push);
         let (first, last) = (push(points.first()), push(points.last()));
         Summary {
-            force: first.map_or(f64::NAN, |push| push.force.x.hypot(push.force.y)),
+            force: first.map_or(f64::NAN, |push| Real::hypot(push.force.x, push.force.y)),
             torque: last.map_or(f64::NAN, |push| push.torque),
             reach: self.reach,
             static_over_dynamic: match self.bonds.law().plateau() {

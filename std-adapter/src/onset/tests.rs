@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::friction::Patch;
+use tribos_core::real::Real;
 
 fn surface(patch: &str, bond: &str, contact: &Contact) -> OnsetSurface {
     let (patch, bond) = (patch.parse::<Patch>(), bond.parse());
@@ -26,7 +27,11 @@ fn every_patch_has_its_ratio_of_torque_to_force() {
         ("hertz", 0.4, 3.0 * std::f64::consts::PI / 16.0),
         ("paraboloid", 1.0 / 3.0, 8.0 / 15.0),
         ("polynomial:1,-1", 1.0 / 3.0, 8.0 / 15.0),
-        ("box:2x2", 1.0 / 3.0, (root + 1.0_f64.asinh()) / 3.0 / root),
+        (
+            "box:2x2",
+            1.0 / 3.0,
+            (root + Real::asinh(1.0_f64)) / 3.0 / root,
+        ),
         ("bar:0.3", 1.0 / 3.0, 0.5),
     ] {
         assert!(
@@ -155,7 +160,7 @@ fn a_centre_of_pressure_beside_the_middle_is_the_place_of_the_rotation() {
     // The farthest corner from the centre of pressure, and the polar moment about it under the linear pressure:
     // that of the box without its displacement, 0.4²/12 + 0.3²/12 − 0.04² − 0.02².
     let brittle = surface("box:0.4x0.3", "one-strength", &contact).summary();
-    let reach = 0.24_f64.hypot(0.17);
+    let reach = Real::hypot(0.24_f64, 0.17);
     assert!((brittle.reach - reach).abs() < 1e-14);
     let moment = 0.25 / 12.0 - 0.002;
     assert!((brittle.torque - moment / reach).abs() < 1e-13);
