@@ -112,9 +112,13 @@ fn slid(scene: &TipScene, run: &TipRun) -> Panels {
         Axis::linear(format!("lateral force [{energy}/{length}]")),
     )
     .series(Series::line("", driven));
-    let ways = Figure::new("Ways along the drive", time(), Axis::linear(format!("way [{length}]")))
-        .series(Series::line("support", curve(run, "time", "support")))
-        .series(Series::line("tip", curve(run, "time", "tip")));
+    let ways = Figure::new(
+        "Ways along the drive",
+        time(),
+        Axis::linear(format!("way [{length}]")),
+    )
+    .series(Series::line("support", curve(run, "time", "support")))
+    .series(Series::line("tip", curve(run, "time", "tip")));
     let work = Figure::new("", time(), Axis::linear(format!("energy [{energy}]")))
         .series(Series::line("work", curve(run, "time", "work")))
         .series(Series::line("heat", curve(run, "time", "heat")));

@@ -106,18 +106,16 @@ impl Support {
         places: impl Iterator<Item = &'a Vector3<f64>>,
         position: f64,
     ) -> [f64; 2] {
-        places.enumerate().fold([0.0; 2], |[x, y], (number, place)| {
-            let [more_x, more_y] = self.force(number, place, position);
-            [x + more_x, y + more_y]
-        })
+        places
+            .enumerate()
+            .fold([0.0; 2], |[x, y], (number, place)| {
+                let [more_x, more_y] = self.force(number, place, position);
+                [x + more_x, y + more_y]
+            })
     }
 
     /// Energy of all springs.
-    pub fn energy<'a>(
-        &self,
-        places: impl Iterator<Item = &'a Vector3<f64>>,
-        position: f64,
-    ) -> f64 {
+    pub fn energy<'a>(&self, places: impl Iterator<Item = &'a Vector3<f64>>, position: f64) -> f64 {
         let squares = places.enumerate().map(|(number, place)| {
             let [x, y] = self.force(number, place, position);
             x * x + y * y

@@ -214,9 +214,7 @@ fn warm(scene: &TipScene, groups: &[Group], group_of: &[u8], atoms: &mut Atoms) 
 
 /// The support of a slid tip: one spring for each driven atom, all together of the scene's stiffness.
 fn support(scene: &TipScene, sites: &[Site]) -> Option<Support> {
-    let speed = scene
-        .speed
-        .filter(|_| scene.drive == DriveKind::Slide)?;
+    let speed = scene.speed.filter(|_| scene.drive == DriveKind::Slide)?;
     let driven = sites.iter().filter(|site| site.part == Part::Driven);
     let anchors: Vec<[f64; 2]> = driven.map(|site| [site.place.x, site.place.y]).collect();
     let (sin, cos) = libm::sincos(scene.direction.to_radians());

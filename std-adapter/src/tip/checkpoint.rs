@@ -56,7 +56,11 @@ impl Checkpoint {
         put("work", vec![self.work]);
         put("heat", vec![self.heat]);
         let ends = self.loops.ends.iter();
-        put("ends", ends.flat_map(|end| [end.work, end.heat, end.energy]).collect());
+        put(
+            "ends",
+            ends.flat_map(|end| [end.work, end.heat, end.energy])
+                .collect(),
+        );
         put("turns", self.loops.turns.clone());
         put("lines", self.lines.iter().flatten().copied().collect());
         put("series", self.series.iter().flatten().copied().collect());

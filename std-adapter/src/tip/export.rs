@@ -73,7 +73,9 @@ pub fn data(
             positions: positions.to_vec(),
             velocities: velocities.to_vec(),
             species: parts.to_vec(),
-            masses: Part::ALL.map(|part| masses[usize::from(is_of_tip(part))]).to_vec(),
+            masses: Part::ALL
+                .map(|part| masses[usize::from(is_of_tip(part))])
+                .to_vec(),
         },
         ids: (1..=positions.len() as u64).collect(),
         names: None,
@@ -99,7 +101,11 @@ fn script(scene: &TipScene) -> String {
         driven,
         after,
     } = scene.stage_steps();
-    let units = if scene.potential.is_metal() { "metal" } else { "lj" };
+    let units = if scene.potential.is_metal() {
+        "metal"
+    } else {
+        "lj"
+    };
     let mut text = format!(
         "# A tip on a substrate: written by tribos export.\n\
          # Types: 1 base, 2 substrate bath, 3 surface, 4 apex, 5 tip bath, 6 driven.\n\
@@ -120,7 +126,8 @@ fn script(scene: &TipScene) -> String {
             format!("{}run {driven}\nunfix torque\nrun {after}\n", drive(scene))
         }
         DriveKind::Slide => {
-            "# Here a support begins to pull the driven atoms, for which LAMMPS has no fix.\n".into()
+            "# Here a support begins to pull the driven atoms, for which LAMMPS has no fix.\n"
+                .into()
         }
     };
     text

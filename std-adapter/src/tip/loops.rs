@@ -80,7 +80,10 @@ mod tests {
         assert_eq!(noted, [100, 600, 1100]);
         assert_eq!(counts(&slid, 1100), [2, 2]);
         assert_eq!(counts(&scene(None), 1200), [2, 0]);
-        let turned = TipScene { drive: DriveKind::Torque, ..scene(Some(2.5)) };
+        let turned = TipScene {
+            drive: DriveKind::Torque,
+            ..scene(Some(2.5))
+        };
         assert!((0..=1200).all(|step| !is_noted(&turned, step)));
     }
 }

@@ -37,7 +37,7 @@ pub use outcome::{Outcome, Plateau, Verdict};
 pub use potential::{Potential, PotentialError};
 pub use run::{TipError, TipRun};
 pub use shape::Outline;
-pub use slid::Slid;
-pub use start::Start;
 #[doc(hidden)]
 pub use shape::{LAYERS_OF_A_KIND, Part, Shape, Site};
+pub use slid::Slid;
+pub use start::Start;

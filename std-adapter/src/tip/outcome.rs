@@ -234,7 +234,9 @@ impl Outcome {
 
 /// Equilibrium before the drive, from lines with three more numbers than the series.
 fn start(lines: &[Vec<f64>], from: f64, width: usize) -> Start {
-    let before = lines.iter().filter(|line| line[0] >= from && line[0] <= 0.0);
+    let before = lines
+        .iter()
+        .filter(|line| line[0] >= from && line[0] <= 0.0);
     let before: Vec<&[f64]> = before.map(Vec::as_slice).collect();
     let columns = Columns {
         angle: ANGLE,

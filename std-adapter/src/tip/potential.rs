@@ -119,7 +119,9 @@ impl Potential {
     /// Masses of an atom of substrate and tip in units of energy, time and length.
     pub fn masses(&self) -> [f64; 2] {
         let metal = self.0.as_ref();
-        metal.map_or([1.0; 2], |metal| metal.masses.map(|mass| mass * ATOMIC_MASS))
+        metal.map_or([1.0; 2], |metal| {
+            metal.masses.map(|mass| mass * ATOMIC_MASS)
+        })
     }
 
     /// Masses of an atom of substrate and tip as tables have them: in u for metals.
@@ -157,7 +159,10 @@ impl Metal {
     fn of_file(text: &str, rest: &str) -> Result<Self, PotentialError> {
         let mut parts = rest.split(',').map(str::trim);
         let file = parts.next().unwrap_or_default();
-        let refuse = |reason: String| PotentialError::File { file: file.into(), reason };
+        let refuse = |reason: String| PotentialError::File {
+            file: file.into(),
+            reason,
+        };
         let mut wanted: [Option<&str>; 2] = [None; 2];
         for part in parts {
             match part.split_once('=') {
@@ -184,11 +189,16 @@ impl Metal {
         let species = [0, elements.len() as u8 - 1];
         let name = |number: usize| {
             let element = &tables.elements[number];
-            element.name.clone().unwrap_or_else(|| format!("element {}", element.number))
+            element
+                .name
+                .clone()
+                .unwrap_or_else(|| format!("element {}", element.number))
         };
         let names = numbers.map(name);
         let [below, above] = [0, 1].map(|side| {
-            let unbound = || PotentialError::Unbound { name: names[side].clone() };
+            let unbound = || PotentialError::Unbound {
+                name: names[side].clone(),
+            };
             law.crystal(species[side]).ok_or_else(unbound)
         });
         Ok(Self {

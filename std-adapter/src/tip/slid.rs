@@ -185,7 +185,11 @@ impl Strokes {
             let Some(own) = strokes.get_mut(number as usize) else {
                 continue;
             };
-            let against = if number % 2.0 == 0.0 { look.force } else { -look.force };
+            let against = if number % 2.0 == 0.0 {
+                look.force
+            } else {
+                -look.force
+            };
             own.push([path - number, look.support, against, look.normal]);
         }
         Self(strokes)
@@ -195,7 +199,9 @@ impl Strokes {
     fn later(&self, from: f64) -> Vec<Vec<[f64; 3]>> {
         let of_stroke = |stroke: &Vec<[f64; 4]>| {
             let later = stroke.iter().filter(|[part, ..]| *part >= from);
-            later.map(|[_, x, force, normal]| [*x, *force, *normal]).collect()
+            later
+                .map(|[_, x, force, normal]| [*x, *force, *normal])
+                .collect()
         };
         self.0.iter().map(of_stroke).collect()
     }
@@ -218,7 +224,8 @@ fn period(strokes: &[Vec<[f64; 3]>], spacing: f64, stroke: f64) -> (f64, f64) {
     let variance = mean(curves.iter().flatten().map(|[_, force]| force * force));
     // At least two waves in the searched part of a stroke.
     let [shortest, longest] = [SHORTEST * spacing, 0.5 * (1.0 - BEGUN) * stroke];
-    if !(variance > 0.0 && longest > shortest) {
+    let is_known = variance > 0.0 && longest > shortest;
+    if !is_known {
         return (f64::NAN, f64::NAN);
     }
     let mut best = (f64::NAN, 0.0);
@@ -238,7 +245,10 @@ fn period(strokes: &[Vec<[f64; 3]>], spacing: f64, stroke: f64) -> (f64, f64) {
 fn detrended(looks: &[[f64; 3]]) -> Vec<[f64; 2]> {
     let x0 = mean(looks.iter().map(|[x, ..]| *x));
     let mean_force = mean(looks.iter().map(|[_, force, _]| *force));
-    let cross: f64 = looks.iter().map(|[x, force, _]| (x - x0) * (force - mean_force)).sum();
+    let cross: f64 = looks
+        .iter()
+        .map(|[x, force, _]| (x - x0) * (force - mean_force))
+        .sum();
     let square: f64 = looks.iter().map(|[x, ..]| (x - x0) * (x - x0)).sum();
     let slope = if square > 0.0 { cross / square } else { 0.0 };
     looks

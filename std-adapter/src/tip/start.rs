@@ -77,9 +77,8 @@ pub(super) struct Columns {
 impl Start {
     /// From lines before the drive, whose first column is the time.
     pub(super) fn of(lines: &[&[f64]], columns: Columns) -> Self {
-        let [mean, error, slope] = [mean, standard_error, slope].map(|of| {
-            move |column: usize| of(lines, column)
-        });
+        let [mean, error, slope] =
+            [mean, standard_error, slope].map(|of| move |column: usize| of(lines, column));
         Self {
             force: columns.force.map(&mean),
             force_error: columns.force.map(&error),
@@ -132,7 +131,10 @@ fn standard_error(lines: &[&[f64]], column: usize) -> f64 {
 fn slope(lines: &[&[f64]], column: usize) -> f64 {
     let [t0, x0] = [0, column].map(|column| mean(lines, column));
     let times = || values(lines, 0).map(|time| time - t0);
-    let cross: f64 = times().zip(values(lines, column)).map(|(t, x)| t * (x - x0)).sum();
+    let cross: f64 = times()
+        .zip(values(lines, column))
+        .map(|(t, x)| t * (x - x0))
+        .sum();
     cross / times().map(|t| t * t).sum::<f64>()
 }
 

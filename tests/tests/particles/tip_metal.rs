@@ -53,7 +53,13 @@ fn computed(scene: &TipScene, name: &str) -> Result<(Vec<Vector3<f64>>, f64), Er
         assert_eq!(atoms.species[atom], sites[usize::from(is_of_tip)]);
     }
     let mut forces = Vec::new();
-    let tally = evaluate(&setup.interaction, &mut list, &atoms, &mut forces, Wanted::Sums)?;
+    let tally = evaluate(
+        &setup.interaction,
+        &mut list,
+        &atoms,
+        &mut forces,
+        Wanted::Sums,
+    )?;
     Ok((forces, tally.energy))
 }
 
@@ -130,7 +136,10 @@ fn forces_of_a_copper_tip_are_those_of_lammps_and_near_the_closed_form() -> Resu
     let (closed, _) = computed(&copper("sutton-chen:Cu")?, "tip_copper")?;
     let off = deviation("tip_copper", &closed);
     assert!(off < 1e-5, "{off:.1e}");
-    let spacings = [tabulated.spacings()[0], copper("sutton-chen:Cu")?.spacings()[0]];
+    let spacings = [
+        tabulated.spacings()[0],
+        copper("sutton-chen:Cu")?.spacings()[0],
+    ];
     assert!((spacings[0] - spacings[1]).abs() < 1e-6, "{spacings:?}");
     Ok(())
 }
@@ -144,17 +153,22 @@ fn neighbours(scene: &TipScene, atom: usize) -> Result<(usize, f64), Error> {
     let others = (0..sites.len()).filter(|&other| other != atom);
     let distances: Vec<f64> = others
         .map(|other| {
-            space.displacement(&sites[other].place, &sites[atom].place).norm()
+            space
+                .displacement(&sites[other].place, &sites[atom].place)
+                .norm()
         })
         .collect();
-    let near = distances.iter().filter(|&&r| r < 1.2 * shape.spacing).count();
+    let near = distances
+        .iter()
+        .filter(|&&r| r < 1.2 * shape.spacing)
+        .count();
     Ok((near, distances.into_iter().fold(f64::INFINITY, f64::min)))
 }
 
 #[test]
 fn each_face_is_one_of_the_face_centred_cubic_crystal() -> Result<(), Error> {
     for face in ["fcc111", "fcc100", "fcc110"] {
-        for columns in [8, 9] {
+        for columns in [9, 10] {
             let scene = scene(&format!(
                 "body = \"tip\"\nlambda = 0\nface = \"{face}\"\ntip_face = \"{face}\"\nspacing = 1.1\n\
                  columns = {columns}\nrows = 10\nsubstrate_layers = 7\ntip_layers = 7\nside = 3"
@@ -170,13 +184,20 @@ fn each_face_is_one_of_the_face_centred_cubic_crystal() -> Result<(), Error> {
                 let from_axis = (site.place.x - x).hypot(site.place.y - y);
                 let is_inner = (2..5).contains(&site.layer)
                     || ((7..11).contains(&site.layer) && from_axis < 0.2);
-                assert!(!is_inner || near == 12, "{face}: {near} in layer {}", site.layer);
+                assert!(
+                    !is_inner || near == 12,
+                    "{face}: {near} in layer {}",
+                    site.layer
+                );
                 assert!(near <= 12);
             }
             // A volume of d³/√2 for each atom.
             let [x, y] = shape.periods();
             let volume = x * y * shape.layer_distance() / (columns * 10) as f64;
-            assert!((volume * 2.0_f64.sqrt() / 1.1_f64.powi(3) - 1.0).abs() < 1e-12, "{face}");
+            assert!(
+                (volume * 2.0_f64.sqrt() / 1.1_f64.powi(3) - 1.0).abs() < 1e-12,
+                "{face}"
+            );
         }
     }
     Ok(())
@@ -194,7 +215,10 @@ fn other_faces_and_turned_tips_touch_nothing_too_closely() -> Result<(), Error> 
                          substrate_layers = 4\ntip_layers = 4\nside = 3"
                     ))?;
                     let sites = scene.shape().sites();
-                    let tip = sites.iter().position(|site| site.layer == 4).ok_or("no tip")?;
+                    let tip = sites
+                        .iter()
+                        .position(|site| site.layer == 4)
+                        .ok_or("no tip")?;
                     for atom in tip..sites.len() {
                         let (_, least) = neighbours(&scene, atom)?;
                         let is_low = sites[atom].layer == 4;
@@ -224,23 +248,53 @@ fn a_metal_is_held_at_its_temperature_in_kelvin() -> Result<(), Error> {
     }
     // 63.546 u in eV ps²/Å².
     let mass = run.system().atoms().masses[0];
-    assert!((mass / (63.546 * 1.036_426_9e-4) - 1.0).abs() < 1e-7, "{mass}");
+    assert!(
+        (mass / (63.546 * 1.036_426_9e-4) - 1.0).abs() < 1e-7,
+        "{mass}"
+    );
     Ok(())
 }
 
 #[test]
 fn what_a_metal_has_itself_is_refused_as_a_key() {
     for (text, words) in [
-        ("potential = \"sutton-chen:Fe\"", "`potential`: no parameters for \"Fe\""),
-        ("potential = \"eam:nowhere.eam\"", "`potential`: nowhere.eam: "),
-        ("potential = \"eam\"", "`potential`: must be \"lennard-jones\""),
-        ("potential = \"morse\"", "`potential`: must be \"lennard-jones\""),
-        ("potential = \"sutton-chen:Cu\"\nspacing = 2.7", "`spacing` is for \"lennard-jones\" only"),
-        ("potential = \"sutton-chen:Cu\"\ncutoff = 5", "`cutoff` is for \"lennard-jones\" only"),
-        ("potential = \"sutton-chen:Cu\"\nadhesion = 0.5", "`adhesion` is for"),
-        ("potential = \"sutton-chen:Cu\"\nshift = \"force\"", "`shift` is for"),
+        (
+            "potential = \"sutton-chen:Fe\"",
+            "`potential`: no parameters for \"Fe\"",
+        ),
+        (
+            "potential = \"eam:nowhere.eam\"",
+            "`potential`: nowhere.eam: ",
+        ),
+        (
+            "potential = \"eam\"",
+            "`potential`: must be \"lennard-jones\"",
+        ),
+        (
+            "potential = \"morse\"",
+            "`potential`: must be \"lennard-jones\"",
+        ),
+        (
+            "potential = \"sutton-chen:Cu\"\nspacing = 2.7",
+            "`spacing` is for \"lennard-jones\" only",
+        ),
+        (
+            "potential = \"sutton-chen:Cu\"\ncutoff = 5",
+            "`cutoff` is for \"lennard-jones\" only",
+        ),
+        (
+            "potential = \"sutton-chen:Cu\"\nadhesion = 0.5",
+            "`adhesion` is for",
+        ),
+        (
+            "potential = \"sutton-chen:Cu\"\nshift = \"force\"",
+            "`shift` is for",
+        ),
         ("expansion = 0.01", "`expansion` is for metals only"),
-        ("face = \"fcc211\"", "one of \"fcc111\", \"fcc100\", \"fcc110\""),
+        (
+            "face = \"fcc211\"",
+            "one of \"fcc111\", \"fcc100\", \"fcc110\"",
+        ),
     ] {
         match small(text) {
             Err(error) => assert!(error.to_string().contains(words), "{text}: {error}"),

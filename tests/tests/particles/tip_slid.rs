@@ -32,7 +32,11 @@ fn the_supports_work_is_heat_and_stored_energy() -> Result<(), Error> {
         ("langevin", "velocity-verlet", 30.0),
         ("none", "velocity-verlet", 0.0),
     ] {
-        let spin = if direction == 30.0 { "counts" } else { "spared" };
+        let spin = if direction == 30.0 {
+            "counts"
+        } else {
+            "spared"
+        };
         let scene = slid(&[
             &format!("thermostat={bath}"),
             &format!("integrator={integrator}"),
@@ -57,21 +61,23 @@ fn a_tip_that_touches_nothing_follows_its_support_without_friction() -> Result<(
             &format!("thermostat={bath}"),
             "adhesion=1e-14",
             "load=0",
-            "damping=1",
-            "temperature=0.01",
+            "damping=2",
+            "temperature=1e-4",
             "stiffness=50",
+            "speed=0.05",
+            "stroke=2",
+            "drive_time=40",
         ])?;
         let mut run = TipRun::new(&scene)?;
         to_the_end(&mut run)?;
         let slid = run.outcome().slid.ok_or("it was not slid")?;
-        // The mass of 76 atoms on a spring of 50 swings with an amplitude of v √(m/k) or less.
-        let swing = 0.5 * (76.0_f64 * 50.0).sqrt();
-        assert!(slid.friction_forth.abs() < 0.5 * swing, "{bath} {slid:?}");
+        // Damping or a bath at rest in the box would resist with γ m v: 3.8 and 1.9.
+        assert!(slid.friction_forth.abs() < 0.3, "{bath} {slid:?}");
         let columns = run.columns();
         let at = |name: &str| columns.iter().position(|column| column == name);
         let (support, tip) = (at("support").ok_or("none")?, at("tip").ok_or("none")?);
         for line in run.series() {
-            assert!((line[support] - line[tip]).abs() < 3.0 * swing / 50.0, "{bath}");
+            assert!((line[support] - line[tip]).abs() < 0.2, "{bath}");
         }
     }
     Ok(())
@@ -80,12 +86,21 @@ fn a_tip_that_touches_nothing_follows_its_support_without_friction() -> Result<(
 #[test]
 fn a_tip_resists_in_both_directions_and_more_under_load() -> Result<(), Error> {
     let mut friction = Vec::new();
-    for load in ["0.2", "3.0"] {
+    for load in ["0.5", "4.0"] {
         let load_key = format!("load={load}");
-        let scene = slid(&["temperature=0.02", "stiffness=20", "adhesion=0.5", &load_key])?;
+        let scene = slid(&[
+            "speed=0.2",
+            "drive_time=24.75",
+            "stiffness=40",
+            "damping=2",
+            &load_key,
+        ])?;
         let slid = outcome(&scene)?;
         assert!(slid.friction > 0.0, "{slid:?}");
-        assert!((slid.normal_force / 38.0 / load.parse::<f64>()? - 1.0).abs() < 0.5, "{slid:?}");
+        assert!(
+            (slid.normal_force / 38.0 / load.parse::<f64>()? - 1.0).abs() < 0.5,
+            "{slid:?}"
+        );
         friction.push(slid.friction);
     }
     assert!(friction[1] > friction[0], "{friction:?}");
@@ -108,7 +123,11 @@ fn a_spring_twists_back_a_tip_that_is_turned_and_series_say_where_it_is() -> Res
         // The support's way is the triangle of its speed; the spring's force is its length.
         let path = 0.5 * line[0].max(0.0);
         let phase = path % (2.0 * 1.65);
-        let way = if phase <= 1.65 { phase } else { 2.0 * 1.65 - phase };
+        let way = if phase <= 1.65 {
+            phase
+        } else {
+            2.0 * 1.65 - phase
+        };
         assert!((line[support] - way).abs() < 1e-9, "{line:?}");
         let spring = scene.stiffness * (line[support] - line[tip]);
         assert!((line[force] - spring).abs() < 1e-9, "{line:?}");
@@ -124,7 +143,12 @@ fn a_spring_twists_back_a_tip_that_is_turned_and_series_say_where_it_is() -> Res
         ways.sum::<f64>() / driven.len() as f64
     };
     let last = run.series().last().ok_or("no line")?;
-    assert!((way(1) - last[tip]).abs() < 1e-9, "{} {}", way(1), last[tip]);
+    assert!(
+        (way(1) - last[tip]).abs() < 1e-9,
+        "{} {}",
+        way(1),
+        last[tip]
+    );
     assert!(way(0).abs() < 0.5, "{}", way(0));
     Ok(())
 }
@@ -137,10 +161,19 @@ fn a_slid_tip_has_a_speed_and_no_torque() {
         ("drive = \"slide\"\nlambda = 1\nspeed = 1", "not both"),
         ("speed = 1", "`speed` is for drive \"slide\" only"),
         ("drive = \"slide\"\nspeed = 0", "`speed` must be"),
-        ("drive = \"slide\"\nspeed = 200", "more than half the spacing"),
+        (
+            "drive = \"slide\"\nspeed = 200",
+            "more than half the spacing",
+        ),
         ("drive = \"slide\"\nspeed = 1\nstroke = 1e-4", "`stroke` is"),
-        ("lambda = 1\nstiffness = 3", "`stiffness` is for drive \"slide\" only"),
-        ("drive = \"pull\"\nspeed = 1", "one of \"torque\", \"slide\""),
+        (
+            "lambda = 1\nstiffness = 3",
+            "`stiffness` is for drive \"slide\" only",
+        ),
+        (
+            "drive = \"pull\"\nspeed = 1",
+            "one of \"torque\", \"slide\"",
+        ),
     ] {
         match tiny(text) {
             Err(error) => assert!(error.to_string().contains(words), "{text}: {error}"),

@@ -15,7 +15,7 @@ const TEXT: Text = Text(include_str!("section-5.3-map.md"));
 /// Loads on a driven atom, temperatures and strengths of the torque of each effort.
 const LOADS: [&[f64]; 2] = [&[0.0, 2.0], &[0.0, 1.0, 2.0]];
 const TEMPERATURES: [&[f64]; 2] = [&[0.02, 0.3], &[0.02, 0.1, 0.3]];
-const STRENGTHS: [&[f64]; 2] = [&[0.1, 0.2, 0.4], &[0.02, 0.04, 0.06, 0.08, 0.12]];
+const STRENGTHS: [&[f64]; 2] = [&[0.1, 0.2, 0.3], &[0.02, 0.04, 0.06, 0.08, 0.12]];
 
 fn scene(effort: Effort, [load, temperature, lambda]: [f64; 3]) -> TipScene {
     let small = TipScene {
@@ -23,14 +23,14 @@ fn scene(effort: Effort, [load, temperature, lambda]: [f64; 3]) -> TipScene {
         load: Some(load),
         temperature,
         hold: DrivenHold::Level,
-        time_step: 0.015,
+        time_step: 0.01,
         columns: 8,
         rows: 10,
         substrate_layers: 4,
         tip_layers: 4,
         side: 3,
         equilibration: 5.0,
-        drive_time: 20.0,
+        drive_time: 15.0,
         rest_time: 20.0,
         ..TipScene::default()
     };
@@ -59,10 +59,16 @@ struct Cell {
 }
 
 fn share(lambda: f64, ran: &[Ran]) -> [f64; 3] {
-    let back = ran.iter().filter(|ran| ran.outcome.verdict == Verdict::Reversible);
+    let back = ran
+        .iter()
+        .filter(|ran| ran.outcome.verdict == Verdict::Reversible);
     let angles = ran.iter().map(|ran| ran.outcome.driven_angle.abs());
     let count = ran.len() as f64;
-    [lambda, back.count() as f64 / count, angles.sum::<f64>() / count]
+    [
+        lambda,
+        back.count() as f64 / count,
+        angles.sum::<f64>() / count,
+    ]
 }
 
 impl Cell {
@@ -99,17 +105,30 @@ pub fn section_5_3_map(runs: &Runs) -> Result<Exhibit> {
         .map(|(&[load, temperature], ran)| Cell {
             load,
             temperature,
-            shares: strengths.iter().zip(ran).map(|(&lambda, ran)| share(lambda, ran)).collect(),
+            shares: strengths
+                .iter()
+                .zip(ran)
+                .map(|(&lambda, ran)| share(lambda, ran))
+                .collect(),
         })
         .collect();
     let line = |cell: &Cell| -> Vec<Vec<f64>> {
         let at = [cell.load, cell.temperature];
-        cell.shares.iter().map(|share| [&at[..], share].concat()).collect()
+        cell.shares
+            .iter()
+            .map(|share| [&at[..], share].concat())
+            .collect()
     };
     Ok(Exhibit::new(
         TEXT.prose_of(runs.effort()),
         figure(&cells, loads),
-        &["load", "temperature", "lambda", "share_turned_back", "driven_angle_degrees"],
+        &[
+            "load",
+            "temperature",
+            "lambda",
+            "share_turned_back",
+            "driven_angle_degrees",
+        ],
         cells.iter().flat_map(line).collect(),
         claims(&cells)
             .into_iter()
@@ -148,7 +167,12 @@ fn claims(cells: &[Cell]) -> Vec<Claim> {
             .iter()
             .map(|[lambda, share, _]| format!("{:.0} % at λ = {lambda}", 100.0 * share))
             .collect();
-        format!("N = {}, T = {}: {}", cell.load, cell.temperature, shares.join(", "))
+        format!(
+            "N = {}, T = {}: {}",
+            cell.load,
+            cell.temperature,
+            shares.join(", ")
+        )
     };
     let map: Vec<String> = cells.iter().map(words).collect();
     let mean = |is_of: &dyn Fn(&&Cell) -> bool| {
@@ -157,7 +181,10 @@ fn claims(cells: &[Cell]) -> Vec<Claim> {
     };
     let most = |number: fn(&Cell) -> f64| cells.iter().map(number).fold(0.0, f64::max);
     let (load, heat) = (most(|cell| cell.load), most(|cell| cell.temperature));
-    let least = cells.iter().map(|cell| cell.temperature).fold(f64::INFINITY, f64::min);
+    let least = cells
+        .iter()
+        .map(|cell| cell.temperature)
+        .fold(f64::INFINITY, f64::min);
     let effects = format!(
         "mean number of strengths that turn back: {:.2} without load, {:.2} under the largest; {:.2} when coldest, {:.2} when hottest",
         mean(&|cell| cell.load == 0.0),

@@ -130,9 +130,14 @@ fn claims(ran: &[Vec<Ran>]) -> Vec<Claim> {
     };
     let frictions: Vec<String> = ran.iter().enumerate().map(words).collect();
     let registry = [0, 2].map(|number| slid(&ran[number]));
-    let with = registry.iter().filter(|all| all.iter().any(|slid| slid.slips > 0));
+    let with = registry
+        .iter()
+        .filter(|all| all.iter().any(|slid| slid.slips > 0));
     let every: Vec<Slid> = ran.iter().flat_map(|ran| slid(ran)).collect();
-    let balance = every.iter().map(|slid| slid.imbalance().abs()).fold(0.0, f64::max);
+    let balance = every
+        .iter()
+        .map(|slid| slid.imbalance().abs())
+        .fold(0.0, f64::max);
     let [mean, [turned, _]] = [0, 1].map(|number| of(&ran[number], |slid| slid.friction));
     vec![
         Claim::trend(
@@ -140,7 +145,10 @@ fn claims(ran: &[Vec<Ran>]) -> Vec<Claim> {
             format!("slips on {} of 2 faces in registry", with.clone().count()),
             with.count() == 2,
         ),
-        Claim::not_checkable(TEXT.said("frictions").with("frictions", frictions.join("; "))),
+        Claim::not_checkable(
+            TEXT.said("frictions")
+                .with("frictions", frictions.join("; ")),
+        ),
         Claim::not_checkable(
             TEXT.said("registry")
                 .with("ratio", format!("{:.2}", turned / mean[0])),

@@ -77,7 +77,12 @@ pub fn section_5_3(runs: &Runs) -> Result<Exhibit> {
     let points: Vec<Point> = at
         .into_iter()
         .zip(all(runs, &rows)?)
-        .map(|([load, speed, temperature], ran)| Point { load, speed, temperature, ran })
+        .map(|([load, speed, temperature], ran)| Point {
+            load,
+            speed,
+            temperature,
+            ran,
+        })
         .collect();
     let usual = |point: &&Point| point.speed == SPEED && point.temperature == TEMPERATURE;
     let loads: Vec<&Point> = points.iter().filter(usual).collect();
@@ -158,18 +163,28 @@ fn figure(loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> Panels {
                 .series(curve(speeds, |point| point.speed)),
         )
         .figure(
-            Figure::new("Temperature", Axis::linear("temperature [ε/k_B]"), friction())
-                .series(curve(heats, |point| point.temperature)),
+            Figure::new(
+                "Temperature",
+                Axis::linear("temperature [ε/k_B]"),
+                friction(),
+            )
+            .series(curve(heats, |point| point.temperature)),
         )
 }
 
 /// What section 5.3 says of experiments and simulations of others.
 fn claims(row: &Row, loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> Vec<Claim> {
-    let at_own = |point: &&&Point| (point.load, point.speed, point.temperature) != (LOAD, SPEED, TEMPERATURE);
+    let at_own = |point: &&&Point| {
+        (point.load, point.speed, point.temperature) != (LOAD, SPEED, TEMPERATURE)
+    };
     let others = || speeds.iter().chain(heats).filter(at_own);
     let every = || loads.iter().chain(others());
     let slid = |point: &&&Point| -> Vec<Slid> {
-        point.ran.iter().filter_map(|ran| ran.outcome.slid).collect()
+        point
+            .ran
+            .iter()
+            .filter_map(|ran| ran.outcome.slid)
+            .collect()
     };
     let [period, error] = mean_and_error(
         &loads
@@ -179,7 +194,10 @@ fn claims(row: &Row, loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> V
     );
     let all: Vec<Slid> = every().flat_map(|point| slid(&point)).collect();
     let open = all.iter().filter(|slid| slid.loop_work > 0.0).count();
-    let balance = all.iter().map(|slid| slid.imbalance().abs()).fold(0.0, f64::max);
+    let balance = all
+        .iter()
+        .map(|slid| slid.imbalance().abs())
+        .fold(0.0, f64::max);
     vec![
         Claim::compared(
             TEXT.said("period"),

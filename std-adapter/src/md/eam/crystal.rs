@@ -48,7 +48,10 @@ fn energy(law: &impl Functions, species: u8, spacing: f64) -> [f64; 2] {
         }
     }
     let [embedded, slope] = law.embedding(species, density[0]);
-    [embedded + 0.5 * pairs[0], slope * density[1] + 0.5 * pairs[1]]
+    [
+        embedded + 0.5 * pairs[0],
+        slope * density[1] + 0.5 * pairs[1],
+    ]
 }
 
 /// Distance of nearest neighbours and energy of an atom in the crystal of lowest energy; nothing for
@@ -59,7 +62,8 @@ pub(super) fn crystal(law: &impl Functions, species: u8) -> Option<[f64; 2]> {
     let at = |number: usize| cutoff * (RANGE[0] + width * number as f64);
     let depth = |number: &usize| energy(law, species, at(*number))[0];
     let deepest = (0..=TRIED).min_by(|a, b| depth(a).total_cmp(&depth(b)))?;
-    if deepest == 0 || deepest == TRIED || !(depth(&deepest) < 0.0) {
+    let is_bound = depth(&deepest) < 0.0;
+    if deepest == 0 || deepest == TRIED || !is_bound {
         return None;
     }
     let [mut low, mut high] = [at(deepest - 1), at(deepest + 1)];
@@ -82,7 +86,14 @@ mod tests {
 
     #[test]
     fn shells_of_the_lattice_are_the_known_ones() {
-        let expected = [(1.0, 12.0), (2.0, 6.0), (3.0, 24.0), (4.0, 12.0), (5.0, 24.0), (6.0, 8.0)];
+        let expected = [
+            (1.0, 12.0),
+            (2.0, 6.0),
+            (3.0, 24.0),
+            (4.0, 12.0),
+            (5.0, 24.0),
+            (6.0, 8.0),
+        ];
         assert_eq!(shells(6.2), expected);
     }
 
@@ -95,9 +106,12 @@ mod tests {
             .map(|(square, count)| count * (2.0 / square).powf(0.5 * f64::from(k)))
             .sum();
         // √2 sites a volume of a spacing cubed.
-        let beyond = 2.0_f64.sqrt() * 4.0 * std::f64::consts::PI
+        let beyond = 2.0_f64.sqrt()
+            * 4.0
+            * std::f64::consts::PI
             * 2.0_f64.powf(0.5 * f64::from(k))
-            * reach.powi(3 - k) / f64::from(k - 3);
+            * reach.powi(3 - k)
+            / f64::from(k - 3);
         near + beyond
     }
 
@@ -118,7 +132,10 @@ mod tests {
             let metal = SUTTON_CHEN.iter().find(|metal| metal.name == name).unwrap();
             let law = SuttonChen::new(metal.parameters()).unwrap();
             let [spacing, energy] = crystal(&law, 0).unwrap();
-            assert!((spacing * 2.0_f64.sqrt() / metal.a - 1.0).abs() < 0.01, "{name}: {spacing}");
+            assert!(
+                (spacing * 2.0_f64.sqrt() / metal.a - 1.0).abs() < 0.01,
+                "{name}: {spacing}"
+            );
             assert!((energy / -cohesion - 1.0).abs() < 0.05, "{name}: {energy}");
         }
     }

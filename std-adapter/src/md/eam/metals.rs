@@ -57,7 +57,15 @@ const fn metal(
     [epsilon, a, c]: [f64; 3],
     [n, m]: [u32; 2],
 ) -> SuttonChenMetal {
-    SuttonChenMetal { name, mass, epsilon, a, c, n, m }
+    SuttonChenMetal {
+        name,
+        mass,
+        epsilon,
+        a,
+        c,
+        n,
+        m,
+    }
 }
 
 impl SuttonChenMetal {

@@ -399,7 +399,10 @@ impl<I: Interaction> System<I> {
 
     /// Positions of the atoms that a support pulls.
     fn pulled(&self, support: &Support) -> impl Iterator<Item = &Vector3<f64>> {
-        let members = self.members.get(support.group).map_or(&[][..], Vec::as_slice);
+        let members = self
+            .members
+            .get(support.group)
+            .map_or(&[][..], Vec::as_slice);
         members.iter().map(|&atom| &self.atoms.positions[atom])
     }
 

@@ -143,7 +143,10 @@ fn what_must_be_given_is_what_the_reader_misses() {
 /// The text without the line of a key.
 fn without(text: &str, key: &str) -> String {
     let is_other = |line: &&str| !line.starts_with(key);
-    text.lines().filter(is_other).map(|line| format!("{line}\n")).collect()
+    text.lines()
+        .filter(is_other)
+        .map(|line| format!("{line}\n"))
+        .collect()
 }
 
 #[test]

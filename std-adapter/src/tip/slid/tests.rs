@@ -88,7 +88,11 @@ fn a_loop_is_what_the_support_did_between_every_second_turning_point() {
 
 #[test]
 fn what_a_run_has_not_is_no_number() {
-    let none = Slid::of(&scene(Some(STROKE), 5.0), &looks(5.0, saw), &Loops::default());
+    let none = Slid::of(
+        &scene(Some(STROKE), 5.0),
+        &looks(5.0, saw),
+        &Loops::default(),
+    );
     assert_eq!((none.strokes, none.loops, none.slips), (0, 0, 0));
     assert!(none.friction.is_nan() && none.period.is_nan() && none.work.is_nan());
     assert!(none.json()["friction"].as_f64().is_none());
