@@ -219,9 +219,9 @@ fn other_faces_and_turned_tips_touch_nothing_too_closely() -> Result<(), Error> 
                         .iter()
                         .position(|site| site.layer == 4)
                         .ok_or("no tip")?;
-                    for atom in tip..sites.len() {
+                    for (atom, site) in sites.iter().enumerate().skip(tip) {
                         let (_, least) = neighbours(&scene, atom)?;
-                        let is_low = sites[atom].layer == 4;
+                        let is_low = site.layer == 4;
                         // (111) layers keep their distance however they are turned.
                         let closest = if is_low { 0.81 } else { 0.999 };
                         assert!(least > closest * scene.spacing, "{face} {tip_face} {least}");

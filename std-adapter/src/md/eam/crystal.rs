@@ -103,14 +103,14 @@ mod tests {
         let near: f64 = shells(reach * reach)
             .iter()
             .filter(|(square, _)| *square <= reach * reach)
-            .map(|(square, count)| count * (2.0 / square).powf(0.5 * f64::from(k)))
+            .map(|(square, count)| count * libm::pow(2.0 / square, 0.5 * f64::from(k)))
             .sum();
         // √2 sites a volume of a spacing cubed.
         let beyond = 2.0_f64.sqrt()
             * 4.0
             * std::f64::consts::PI
-            * 2.0_f64.powf(0.5 * f64::from(k))
-            * reach.powi(3 - k)
+            * libm::pow(2.0, 0.5 * f64::from(k))
+            * libm::pow(reach, f64::from(3 - k))
             / f64::from(k - 3);
         near + beyond
     }
