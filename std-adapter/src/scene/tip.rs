@@ -87,6 +87,8 @@ impl StageSteps {
     }
 }
 
+/// Largest distance of neighbours in a Lennard-Jones crystal, in σ: nothing holds a wider one.
+const WIDEST: f64 = 2.0;
 /// Three stages of so many steps are counted without rounding; a run takes years.
 const MOST_STEPS: f64 = 1e15;
 
@@ -120,7 +122,7 @@ scene! {
     /// Distance of neighbours in a Lennard-Jones crystal; the default is that of the potential's
     /// minimum. A metal's follows from its potential, see `expansion`.
     // 2^(1/6) (thesis, section 5.3).
-    spacing: f64 = 1.122_462_048_309_373, "sigma", Between { above: 0.5, up_to: 2.0 };
+    spacing: f64 = 1.122_462_048_309_373, "sigma", Between { above: 0.5, up_to: 10.0 };
     /// Part by which the crystals of a metal are wider than at zero temperature and pressure.
     expansion: f64 = 0.0, "-", Between { above: -0.2, up_to: 0.2 };
     /// Face of the substrate's crystal that is parallel to its layers; close-packed rows are along x.
@@ -286,6 +288,11 @@ fn slide_turns(scene: &TipScene, judge: &mut Judge<'_>) {
 /// Keys of Lennard-Jones atoms have no say with a metal: left out, or what they are.
 fn metal(scene: &TipScene, judge: &mut Judge<'_>) {
     if !scene.potential.is_metal() {
+        if scene.spacing > WIDEST {
+            let spacing = scene.spacing;
+            let message = format!("`spacing` must be at most {WIDEST} sigma, not {spacing}");
+            judge.refuse(&["spacing"], message);
+        }
         if scene.expansion != 0.0 {
             let message = "`expansion` is for metals only; set `spacing`, or leave it out";
             judge.refuse(&["expansion", "potential"], message);

@@ -224,7 +224,8 @@ fn period(strokes: &[Vec<[f64; 3]>], spacing: f64, stroke: f64) -> (f64, f64) {
     let variance = mean(curves.iter().flatten().map(|[_, force]| force * force));
     // At least two waves in the searched part of a stroke.
     let [shortest, longest] = [SHORTEST * spacing, 0.5 * (1.0 - BEGUN) * stroke];
-    if !(variance > 0.0 && longest > shortest) {
+    let is_known = variance > 0.0 && longest > shortest;
+    if !is_known {
         return (f64::NAN, f64::NAN);
     }
     let mut best = (f64::NAN, 0.0);

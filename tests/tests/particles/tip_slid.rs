@@ -61,16 +61,18 @@ fn a_tip_that_touches_nothing_follows_its_support_without_friction() -> Result<(
             &format!("thermostat={bath}"),
             "adhesion=1e-14",
             "load=0",
-            "damping=1",
-            "temperature=0.01",
+            "damping=2",
+            "temperature=1e-4",
             "stiffness=50",
+            "speed=0.05",
+            "stroke=2",
+            "drive_time=40",
         ])?;
         let mut run = TipRun::new(&scene)?;
         to_the_end(&mut run)?;
         let slid = run.outcome().slid.ok_or("it was not slid")?;
-        // The mass of 76 atoms on a spring of 50 swings with an amplitude of v √(m/k) or less.
-        let swing = 0.5 * (76.0_f64 * 50.0).sqrt();
-        assert!(slid.friction_forth.abs() < 0.5 * swing, "{bath} {slid:?}");
+        // Damping or a bath at rest in the box would resist with γ m v: 3.8 and 1.9.
+        assert!(slid.friction_forth.abs() < 0.3, "{bath} {slid:?}");
         let columns = run.columns();
         let at = |name: &str| columns.iter().position(|column| column == name);
         let (support, tip) = (at("support").ok_or("none")?, at("tip").ok_or("none")?);
@@ -79,6 +81,7 @@ fn a_tip_that_touches_nothing_follows_its_support_without_friction() -> Result<(
                 (line[support] - line[tip]).abs() < 3.0 * swing / 50.0,
                 "{bath}"
             );
+            assert!((line[support] - line[tip]).abs() < 0.2, "{bath}");
         }
     }
     Ok(())
@@ -87,12 +90,16 @@ fn a_tip_that_touches_nothing_follows_its_support_without_friction() -> Result<(
 #[test]
 fn a_tip_resists_in_both_directions_and_more_under_load() -> Result<(), Error> {
     let mut friction = Vec::new();
-    for load in ["0.2", "3.0"] {
+    for load in ["0.5", "4.0"] {
         let load_key = format!("load={load}");
         let scene = slid(&[
             "temperature=0.02",
             "stiffness=20",
             "adhesion=0.5",
+            "speed=0.2",
+            "drive_time=24.75",
+            "stiffness=40",
+            "damping=2",
             &load_key,
         ])?;
         let slid = outcome(&scene)?;

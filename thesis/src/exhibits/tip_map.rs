@@ -15,7 +15,7 @@ const TEXT: Text = Text(include_str!("section-5.3-map.md"));
 /// Loads on a driven atom, temperatures and strengths of the torque of each effort.
 const LOADS: [&[f64]; 2] = [&[0.0, 2.0], &[0.0, 1.0, 2.0]];
 const TEMPERATURES: [&[f64]; 2] = [&[0.02, 0.3], &[0.02, 0.1, 0.3]];
-const STRENGTHS: [&[f64]; 2] = [&[0.1, 0.2, 0.4], &[0.02, 0.04, 0.06, 0.08, 0.12]];
+const STRENGTHS: [&[f64]; 2] = [&[0.1, 0.2, 0.3], &[0.02, 0.04, 0.06, 0.08, 0.12]];
 
 fn scene(effort: Effort, [load, temperature, lambda]: [f64; 3]) -> TipScene {
     let small = TipScene {
@@ -23,14 +23,14 @@ fn scene(effort: Effort, [load, temperature, lambda]: [f64; 3]) -> TipScene {
         load: Some(load),
         temperature,
         hold: DrivenHold::Level,
-        time_step: 0.015,
+        time_step: 0.01,
         columns: 8,
         rows: 10,
         substrate_layers: 4,
         tip_layers: 4,
         side: 3,
         equilibration: 5.0,
-        drive_time: 20.0,
+        drive_time: 15.0,
         rest_time: 20.0,
         ..TipScene::default()
     };

@@ -62,7 +62,8 @@ pub(super) fn crystal(law: &impl Functions, species: u8) -> Option<[f64; 2]> {
     let at = |number: usize| cutoff * (RANGE[0] + width * number as f64);
     let depth = |number: &usize| energy(law, species, at(*number))[0];
     let deepest = (0..=TRIED).min_by(|a, b| depth(a).total_cmp(&depth(b)))?;
-    if deepest == 0 || deepest == TRIED || !(depth(&deepest) < 0.0) {
+    let is_bound = depth(&deepest) < 0.0;
+    if deepest == 0 || deepest == TRIED || !is_bound {
         return None;
     }
     let [mut low, mut high] = [at(deepest - 1), at(deepest + 1)];
@@ -102,7 +103,7 @@ mod tests {
         let near: f64 = shells(reach * reach)
             .iter()
             .filter(|(square, _)| *square <= reach * reach)
-            .map(|(square, count)| count * (2.0 / square).powf(0.5 * f64::from(k)))
+            .map(|(square, count)| count * libm::pow(2.0 / square, 0.5 * f64::from(k)))
             .sum();
         // √2 sites a volume of a spacing cubed.
         let beyond = 2.0_f64.sqrt()
@@ -110,6 +111,8 @@ mod tests {
             * std::f64::consts::PI
             * 2.0_f64.powf(0.5 * f64::from(k))
             * reach.powi(3 - k)
+            * libm::pow(2.0, 0.5 * f64::from(k))
+            * libm::pow(reach, f64::from(3 - k))
             / f64::from(k - 3);
         near + beyond
     }
