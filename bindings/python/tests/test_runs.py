@@ -59,7 +59,19 @@ def test_a_powders_files_are_those_of_the_command_to_the_byte(whole: Path, tmp_p
             assert here[name] == data, name
 
 
-@pytest.mark.parametrize("name", ["disk", "pipe-a", "plate", "curling-draw", "spring-block", "incline", "turntable", "clamp"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "disk",
+        "pipe-a",
+        "plate",
+        "curling-draw",
+        "spring-block",
+        "incline",
+        "turntable",
+        "clamp",
+    ],
+)
 def test_a_sliding_bodys_files_are_those_of_the_command(name: str, tmp_path: Path) -> None:
     command("run", name, "--out", str(tmp_path / "command"))
     run = tribos.run(name, tmp_path / "python")

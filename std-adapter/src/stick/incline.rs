@@ -314,6 +314,7 @@ impl HeldScene for InclineScene {
 }
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests {
     use super::*;
     use std::f64::consts::FRAC_PI_4;

@@ -378,6 +378,7 @@ impl HeldScene for TurntableScene {
 }
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests {
     use super::*;
 

@@ -22,6 +22,7 @@ mod speed;
 mod stability;
 mod tally;
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests;
 
 pub use motion::Moment;

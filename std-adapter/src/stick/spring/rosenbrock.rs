@@ -139,11 +139,12 @@ impl<const N: usize> Factored<N> {
             });
             rows.swap(column, largest);
             order.swap(column, largest);
-            for row in column + 1..N {
-                let factor = rows[row][column] / rows[column][column];
-                rows[row][column] = factor;
-                for k in column + 1..N {
-                    rows[row][k] -= factor * rows[column][k];
+            let pivot = rows[column];
+            for row in rows.iter_mut().skip(column + 1) {
+                let factor = row[column] / pivot[column];
+                row[column] = factor;
+                for (x, above) in row.iter_mut().zip(&pivot).skip(column + 1) {
+                    *x -= factor * above;
                 }
             }
         }
@@ -223,6 +224,7 @@ impl Pace {
 }
 
 #[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests {
     use super::*;
 
