@@ -13,7 +13,6 @@ const KILLED: [&str; 4] = ["3.4", "3.9", "4.5", "4.6"];
 
 /// Rows of each kind of verdict in a quick report.
 const COUNTS: [usize; 9] = [48, 93, 113, 29, 33, 10, 15, 18, 0];
-const COUNTS: [usize; 9] = [47, 73, 88, 27, 2, 10, 15, 21, 0];
 
 fn reproduce(folder: &Path) -> std::process::Command {
     let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tribos"));
@@ -93,6 +92,9 @@ fn the_whole_report_is_made_and_no_comparison_fails() -> Outcome {
         "section-5.1",
         "section-5.1-modes",
         "section-5.1-lateral",
+        "section-2.1",
+        "section-2.3",
+        "section-3.1",
         "section-5.3",
         "section-5.3-map",
         "section-5.3-metals",

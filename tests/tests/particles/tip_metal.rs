@@ -219,7 +219,6 @@ fn other_faces_and_turned_tips_touch_nothing_too_closely() -> Result<(), Error> 
                         .iter()
                         .position(|site| site.layer == 4)
                         .ok_or("no tip")?;
-                    for atom in tip..sites.len() {
                     for (atom, site) in sites.iter().enumerate().skip(tip) {
                         let (_, least) = neighbours(&scene, atom)?;
                         let is_low = site.layer == 4;

@@ -77,10 +77,6 @@ fn a_tip_that_touches_nothing_follows_its_support_without_friction() -> Result<(
         let at = |name: &str| columns.iter().position(|column| column == name);
         let (support, tip) = (at("support").ok_or("none")?, at("tip").ok_or("none")?);
         for line in run.series() {
-            assert!(
-                (line[support] - line[tip]).abs() < 3.0 * swing / 50.0,
-                "{bath}"
-            );
             assert!((line[support] - line[tip]).abs() < 0.2, "{bath}");
         }
     }
@@ -93,9 +89,6 @@ fn a_tip_resists_in_both_directions_and_more_under_load() -> Result<(), Error> {
     for load in ["0.5", "4.0"] {
         let load_key = format!("load={load}");
         let scene = slid(&[
-            "temperature=0.02",
-            "stiffness=20",
-            "adhesion=0.5",
             "speed=0.2",
             "drive_time=24.75",
             "stiffness=40",

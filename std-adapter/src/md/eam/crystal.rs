@@ -109,8 +109,6 @@ mod tests {
         let beyond = 2.0_f64.sqrt()
             * 4.0
             * std::f64::consts::PI
-            * 2.0_f64.powf(0.5 * f64::from(k))
-            * reach.powi(3 - k)
             * libm::pow(2.0, 0.5 * f64::from(k))
             * libm::pow(reach, f64::from(3 - k))
             / f64::from(k - 3);
