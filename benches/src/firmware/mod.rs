@@ -23,7 +23,7 @@ use programs::Program;
 pub const TIER: &str = "tier";
 
 /// Modules of the kernel without a price of their own, and why.
-pub const UNPRICED: [(&str, &str); 8] = [
+pub const UNPRICED: [(&str, &str); 7] = [
     ("coupling::dry", "hands calls on to the tier inside"),
     (
         "coupling::lean_profile",
@@ -33,7 +33,6 @@ pub const UNPRICED: [(&str, &str); 8] = [
     ("law::incline", "a few products for a body on a slope"),
     ("patch::borrowed", "borrows the caller's nodes"),
     ("patch::feet", "adds what its feet take"),
-    ("planar", "not priced yet: as many rounds as the pose needs"),
     (
         "planar::foot",
         "not priced yet: as many rounds as the pose needs",

@@ -128,7 +128,10 @@ fn unknown_exhibits_and_diagram_endings_are_refused() -> Outcome {
     let out = folder.path().display().to_string();
     let diagram = format!("{out}/diagram.pdf");
     for (arguments, words) in [
-        (vec!["reproduce", "--out", &out, "9.9"], "the names are 2.5"),
+        (
+            vec!["reproduce", "--out", &out, "9.9"],
+            "the names are section-2.1",
+        ),
         (vec!["reproduce"], "--out"),
         (vec!["modes", "--alpha", "0", "--inertia-ratio", "0"], "> 0"),
         (

@@ -75,13 +75,13 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
     ///
     /// *Units*: load as the push. *Accuracy*: displacement 1e-12 (f32: 1e-5), push to the rounding of its sum;
     /// both for the nodes, see [`Bonds`]. *Cost*: none for bonds of one strength, otherwise some 100 wrenches with stiffness.
-    /// *Special values*: `None` for a direction that is zero, infinite or NaN.
+    /// *Special values*: `None` for a direction that is zero, infinite or NaN, and where displacement or push are
+    /// NaN or out of range.
     pub fn onset(&self, load: R, direction: &Twist<R>) -> Option<Onset<R>> {
         let reach = self.largest_strain(direction);
         // Only ratios count: the farthest bond moves by 1.
         let direction = *direction * (R::ONE / reach);
-        let parts = [direction.velocity.x, direction.velocity.y, direction.spin];
-        if !(reach > R::ZERO && parts.iter().all(|part| part.is_finite())) {
+        if !(reach > R::ZERO && is_finite(&direction)) {
             return None;
         }
         let peak = self.law().peak();
@@ -89,20 +89,21 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
             return Some(self.yielding(load, &direction));
         }
         let first = direction * peak;
-        if self.law().is_abrupt() {
+        let (displacement, push, release) = if self.law().is_abrupt() {
             // Up to the first break the bonds are springs.
             let springs = NodeFriction::new(Spring(self.law().stiffness()), self.patch());
-            return Some(Onset {
-                displacement: first,
-                push: -springs.wrench(load, &first),
-                release: Release::Breaks,
-            });
-        }
-        let displacement = first * self.singular_at(&first)?;
-        Some(Onset {
+            (first, -springs.wrench(load, &first), Release::Breaks)
+        } else {
+            let displacement = first * self.singular_at(&first)?;
+            let push = -self.wrench(load, &displacement);
+            (displacement, push, Release::Softens)
+        };
+        let parts = [push.force.x, push.force.y, push.torque];
+        let is_in_range = is_finite(&displacement) && parts.iter().all(|part| part.is_finite());
+        is_in_range.then_some(Onset {
             displacement,
-            push: -self.wrench(load, &displacement),
-            release: Release::Softens,
+            push,
+            release,
         })
     }
 
@@ -149,6 +150,11 @@ impl<R: Real, L: BondLaw<R>, P: NodePatch<R>> Bonds<R, L, P> {
         }
         Some(low)
     }
+}
+
+fn is_finite<R: Real>(displacement: &Twist<R>) -> bool {
+    let Twist { velocity, spin } = displacement;
+    velocity.x.is_finite() && velocity.y.is_finite() && spin.is_finite()
 }
 
 /// True if a symmetric matrix is positive definite, by its pivots.

@@ -51,7 +51,7 @@ impl Default for Contact {
 /// use tribos::friction::Patch;
 /// use tribos::onset::{Bond, Contact, OnsetPoint, OnsetSurface};
 /// let surface = OnsetSurface::new(&Patch::Ring, Bond::OneStrength, &Contact::default(), 3)?;
-/// let [pushed, _, turned]: [OnsetPoint; 3] = *surface.points() else { panic!("three") };
+/// let [pushed, _, turned]: &[OnsetPoint] = surface.points() else { panic!("three") };
 /// assert!((pushed.onset.push.force.x - 1.0).abs() < 1e-12); // N
 /// assert!((turned.onset.push.torque - 1.0).abs() < 1e-12); // N m: all bonds have the full arm
 /// # Ok::<(), tribos::friction::Refusal>(())

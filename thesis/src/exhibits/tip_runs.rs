@@ -119,7 +119,7 @@ pub(super) const STROKES: f64 = 3.0;
 pub(super) fn slid(effort: Effort, speed: f64, load: f64, temperature: f64) -> Row {
     let spacing = TipScene::default().spacing;
     let (spacings, time_step) = match effort {
-        Effort::Quick => (4.0, 0.015),
+        Effort::Quick => (4.0, 0.01),
         Effort::Full => (8.0, 0.01),
     };
     let stroke = spacings * spacing;

@@ -1,12 +1,14 @@
 //! The measured items: what each program prepares and calls.
 
 mod bodies;
+mod holding;
 mod impulses;
 mod laws;
 mod patches;
 mod tiers;
 
 use bodies::BODIES;
+use holding::HOLDING;
 use impulses::IMPULSES;
 use laws::LAWS;
 use patches::PATCHES;
@@ -120,5 +122,6 @@ pub const BASELINE: Item = item(["baseline", "nothing"], BOTH, "", Code::new("()
 /// All items, the baseline first.
 pub fn all() -> impl Iterator<Item = Item> {
     let items = [BASELINE].into_iter().chain(LAWS).chain(TIERS);
-    items.chain(PATCHES).chain(BODIES).chain(IMPULSES)
+    let bodies = PATCHES.into_iter().chain(BODIES).chain(HOLDING);
+    items.chain(bodies).chain(IMPULSES)
 }
