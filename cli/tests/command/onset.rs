@@ -28,7 +28,7 @@ fn table_document_and_picture_have_the_same_curve() -> Outcome {
     let folder = tempfile::tempdir()?;
     let line = "onset --bond re-forming:n=64 --coefficient 0.5 --load 4 --radius 0.1 --points 5";
     let files = "--output onset.csv --picture onset.svg --format json";
-    let [out, said] = succeed(folder.path(), &format!("{line} {files}"))?;
+    let [out, said] = succeed(folder.path(), format!("{line} {files}"))?;
     assert!(
         said.contains("onset.csv") && said.contains("onset.svg"),
         "{said}"
@@ -49,7 +49,7 @@ fn table_document_and_picture_have_the_same_curve() -> Outcome {
             assert_eq!(Some(cell.parse()?), point[name].as_f64(), "{name}");
         }
     }
-    assert_eq!(told(&format!("{line} --format csv"))?, table);
+    assert_eq!(told(format!("{line} --format csv"))?, table);
     let picture = fs::read_to_string(folder.path().join("onset.svg"))?;
     assert!(picture.contains("re-forming:n=64 bonds (a model)"));
     Ok(())
