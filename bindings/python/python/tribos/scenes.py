@@ -715,17 +715,32 @@ class PowderScene(Scene):
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class TipScene(Scene):
-    """A tip turned on a substrate.
+    """A tip turned or slid on a substrate.
 
     Parameters
     ----------
+    potential
+        Potential of all atoms. With a metal lengths are in A, energies in eV, times in ps,
+        temperatures in K and forces in eV/A where other keys say sigma, eps, tau, eps/k_B and
+        eps/sigma. *Value*: "lennard-jones", "sutton-chen:Cu" or another metal, or "eam:FILE".
     spacing
-        Distance of neighbours in the crystal; the default is that of the potential's minimum.
-        *Unit*: sigma. *Value*: a number > 0.5 and <= 2.
+        Distance of neighbours in a Lennard-Jones crystal; the default is that of the potential's
+        minimum. A metal's follows from its potential, see `expansion`. *Unit*: sigma. *Value*: a
+        number > 0.5 and <= 10.
+    expansion
+        Part by which the crystals of a metal are wider than at zero temperature and pressure.
+        *Value*: a number > -0.2 and <= 0.2.
+    face
+        Face of the substrate's crystal that is parallel to its layers; close-packed rows are along
+        x. *Value*: one of "fcc111", "fcc100", "fcc110".
+    tip_face
+        Face of the tip's crystal that is parallel to its layers. *Value*: one of "fcc111",
+        "fcc100", "fcc110".
     columns
         Atoms along x in a layer of the substrate, periodic. *Value*: a whole number from 1 to 1000.
     rows
-        Rows of atoms along y, an even number, periodic. *Value*: a whole number from 1 to 1000.
+        Rows of atoms along y, an even number for fcc111, periodic. *Value*: a whole number from 1
+        to 1000.
     substrate_layers
         Layers of the substrate: two frozen, two with a thermostat, the rest free; at least 4.
         *Value*: a whole number from 1 to 100.
@@ -733,17 +748,32 @@ class TipScene(Scene):
         Layers of the tip: two driven, two with a thermostat, the rest free; at least 4. *Value*: a
         whole number from 1 to 100.
     side
-        Atoms on a side of the tip's top layer. *Value*: a whole number from 1 to 300.
+        Atoms on a side of the tip's top layer, or from its middle to its rim. *Value*: a whole
+        number from 1 to 300.
     outline
         Outline of the tip's layers. *Value*: one of "hexagon", "disk", "cone".
     orientation
-        Angle by which the tip is turned out of registry. *Unit*: degree. *Value*: a number > -180
-        and <= 180.
+        Angle by which the tip's close-packed rows are turned out of those of the substrate. *Unit*:
+        degree. *Value*: a number > -180 and <= 180.
     raise_
         Height of the driven layers above their place in the crystal. *Unit*: sigma. *Value*: a
         finite number.
+    drive
+        What moves the tip: a torque on the driven layers, or a support that pulls them through a
+        spring. *Value*: one of "torque", "slide".
+    speed
+        Speed of the support. *Unit*: sigma/tau. *Value*: a finite number > 0.
+    direction
+        Direction in which the support moves, from the close-packed rows of the substrate along x.
+        *Unit*: degree. *Value*: a number > -360 and <= 360.
+    stiffness
+        Stiffness of the spring between the support and the driven layers. *Unit*: eps/sigma^2.
+        *Value*: a finite number > 0.
+    stroke
+        Way of the support from one turning point to the next; if left out it does not turn. *Unit*:
+        sigma. *Value*: a finite number > 0.
     lambda_
-        Drive: force on each driven atom, see `reading`. *Unit*: eps/sigma^2. *Value*: a finite
+        Torque: force on each driven atom, see `reading`. *Unit*: eps/sigma^2. *Value*: a finite
         number.
     reading
         Meaning of lambda: the force at a distance of sigma from the axis, or the mean or largest
@@ -755,12 +785,14 @@ class TipScene(Scene):
         Force on each driven atom towards the substrate; if left out it is 0. *Unit*: eps/sigma.
         *Value*: a finite number.
     cutoff
-        Cut-off radius of the Lennard-Jones potential. *Unit*: sigma. *Value*: a number > 1 and <=
-        10.
+        Cut-off radius of the Lennard-Jones potential; a metal has its own. *Unit*: sigma. *Value*:
+        a number > 1 and <= 10.
     shift
-        How the potential is shifted at the cut-off. *Value*: one of "none", "energy", "force".
+        How the Lennard-Jones potential is shifted at the cut-off. *Value*: one of "none", "energy",
+        "force".
     adhesion
-        Depth of the potential between tip and substrate. *Unit*: eps. *Value*: a finite number > 0.
+        Depth of the Lennard-Jones potential between tip and substrate. *Unit*: eps. *Value*: a
+        finite number > 0.
     temperature
         Target temperature of the thermostats. *Unit*: eps/k_B. *Value*: a finite number >= 0.
     thermostat
@@ -770,11 +802,11 @@ class TipScene(Scene):
     friction
         Rate of the Langevin thermostat. *Unit*: 1/tau. *Value*: a finite number > 0.
     spin
-        Whether the tip's common rotation is heat for its Nose-Hoover thermostat. *Value*: one of
-        "spared", "counts".
+        Whether the tip's common motion is heat for its thermostat: the rotation of a turned tip
+        (Nose-Hoover only), the velocity of a slid one. *Value*: one of "spared", "counts".
     damping
-        Damping rate gamma of the driven atoms: the force on each is -gamma m v. *Unit*: 1/tau.
-        *Value*: a finite number >= 0.
+        Damping rate gamma of the driven atoms: the force on each is -gamma m v, with v relative to
+        the support of a slid tip. *Unit*: 1/tau. *Value*: a finite number >= 0.
     equilibration
         Time before the drive is switched on. *Unit*: tau. *Value*: a finite number >= 0.
     drive_time
@@ -798,7 +830,11 @@ class TipScene(Scene):
 
     BODY: ClassVar[str] = "tip"
 
+    potential: str = "lennard-jones"
     spacing: float = 1.122462048309373
+    expansion: float = 0.0
+    face: Literal["fcc111", "fcc100", "fcc110"] = "fcc111"
+    tip_face: Literal["fcc111", "fcc100", "fcc110"] = "fcc111"
     columns: int = 28
     rows: int = 28
     substrate_layers: int = 6
@@ -807,7 +843,12 @@ class TipScene(Scene):
     outline: Literal["hexagon", "disk", "cone"] = "hexagon"
     orientation: float = 0.0
     raise_: float = 0.0
-    lambda_: float = 0.017
+    drive: Literal["torque", "slide"] = "torque"
+    speed: float | None = None
+    direction: float | None = None
+    stiffness: float | None = None
+    stroke: float | None = None
+    lambda_: float | None = 0.017
     reading: Literal["angular", "mean", "largest"] = "angular"
     hold: Literal["plane", "level"] = "plane"
     load: float | None = None
