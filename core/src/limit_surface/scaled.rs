@@ -26,7 +26,7 @@ use crate::twist::{Twist, Wrench};
 /// assert!(!young?.contains(&push) && old?.contains(&push));
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scaled<'a, R, S: ?Sized> {
     set: &'a S,
