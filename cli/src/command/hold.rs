@@ -195,8 +195,8 @@ impl Answer {
         };
         line("surely held up to", margin(certain_gauge, held));
         line("surely slips from", margin(possible_gauge, slipping));
-        if self.push != Wrench::ZERO {
-            let Twist { velocity, spin } = self.first_motion;
+        let Twist { velocity, spin } = self.first_motion;
+        if self.push != Wrench::ZERO && spin.is_finite() {
             let motion = format!(
                 "{} m/s, {} rad/s",
                 in_plane(velocity.x, velocity.y),

@@ -44,7 +44,7 @@ impl Bond {
         ("exponential", "bonds break, in a broad spread of strengths"),
         (
             "weibull:m=M",
-            "bonds break; the larger M the less they differ",
+            "bonds break; the larger M, up to 200, the less they differ",
         ),
         ("one-strength", "all bonds break at one strain"),
         (
@@ -126,6 +126,9 @@ impl FromStr for Bond {
     }
 }
 
+/// Largest exponent: above it the strengths differ by less than the strains of neighbouring nodes.
+const MOST_WEIBULL: f64 = 200.0;
+
 /// The value of the only `key` of a law.
 fn value<'a>(rest: &'a str, key: &str, example: &str) -> Result<&'a str, Refusal> {
     match rest.split_once('=') {
@@ -137,8 +140,13 @@ fn value<'a>(rest: &'a str, key: &str, example: &str) -> Result<&'a str, Refusal
 fn weibull(rest: &str) -> Result<Bond, Refusal> {
     let m = finite_number(value(rest, "m", "an exponent, such as weibull:m=8")?)
         .map_err(|cure| Refusal::Syntax(format!("m: {cure}")))?;
-    // The kernel's law knows which exponents it serves.
+    // The kernel's law knows which exponents it serves; nodes resolve the break of the narrowest.
     Weibull::new(1.0, 1.0, m)?;
+    if m > MOST_WEIBULL {
+        return Err(Refusal::Syntax(format!(
+            "m: give at most {MOST_WEIBULL}, not {m}; the limit of equal strengths is one-strength"
+        )));
+    }
     Ok(Bond::Weibull(m))
 }
 

@@ -8,6 +8,7 @@ use super::table::scene;
 use super::words::{Word, words};
 use crate::friction::Law;
 use crate::stick::spring::{AgeLaw, Regime};
+use tribos_core::Real;
 use tribos_core::law::{LocalLaw, LuGreParameters, RateStateParameters};
 
 /// What resists a body on a spring.
@@ -123,6 +124,9 @@ const DRY: [f64; 4] = [0.5, 0.3, 0.0, 1.0];
 /// Their keys.
 const DRY_KEYS: [&str; 4] = ["mu_static", "mu_dynamic", "growth", "cut_off"];
 
+/// Times beyond this one, in s, leave too few digits for what follows.
+const LONGEST_HOLD: f64 = 1e12;
+
 fn rules(scene: &SpringScene, judge: &mut Judge<'_>) {
     if scene.mass == 0.0 && scene.friction != SpringFriction::RateState {
         let message = "only friction = \"rate-state\" has a motion without mass: give `mass` > 0";
@@ -140,6 +144,15 @@ fn rules(scene: &SpringScene, judge: &mut Judge<'_>) {
         let most = scene.static_force;
         let message = format!("`coulomb_force` must not exceed `static_force`, {most}");
         judge.refuse(&["coulomb_force", "static_force"], message);
+    }
+    let longest = scene.hold.map(|first| {
+        first * Real::pow(scene.hold_growth, f64::from(scene.holds.saturating_sub(1)))
+    });
+    if longest.is_some_and(|time| time > LONGEST_HOLD) {
+        let message = format!(
+            "the longest hold, hold * hold_growth^(holds - 1), must not exceed {LONGEST_HOLD:e} s"
+        );
+        judge.refuse(&["holds", "hold_growth", "hold"], message);
     }
     no_dry_friction(scene, judge);
     match scene.law.map(|law| (law, law.made::<f64>())) {

@@ -108,6 +108,9 @@ pub(super) fn regime(quarters: &[Tally; 2], speed: f64, weakens: bool) -> Regime
     }
 }
 
+/// Holds whose times differ by less, in the mean of ln, have no slope.
+const ALIKE: f64 = 1e-9;
+
 /// Slope of peak/load over ln(hold) by least squares.
 pub(super) fn healing(holds: &[Hold], load: f64) -> Option<f64> {
     let points = || holds.iter().map(|hold| (log(hold.time), hold.peak / load));
@@ -116,7 +119,7 @@ pub(super) fn healing(holds: &[Hold], load: f64) -> Option<f64> {
     let (x, y) = (mean(|point| point.0), mean(|point| point.1));
     let over: f64 = points().map(|point| (point.0 - x) * (point.1 - y)).sum();
     let under: f64 = points().map(|point| (point.0 - x) * (point.0 - x)).sum();
-    (under > 0.0).then(|| over / under)
+    (under > ALIKE * ALIKE * count).then(|| over / under)
 }
 
 fn log(x: f64) -> f64 {

@@ -370,10 +370,12 @@ impl HeldScene for SpringScene {
         ];
         if let Some(critical) = self.critical_stiffness() {
             let share = self.stiffness / critical;
-            told.push((
-                "critical",
-                format!("{critical:.6} N/m; this spring has {share:.4} of it"),
-            ));
+            let words = if critical > 0.0 {
+                format!("{critical:.6} N/m; this spring has {share:.4} of it")
+            } else {
+                "none: friction strengthens with the speed, every spring pulls steadily".into()
+            };
+            told.push(("critical", words));
         }
         if let Some(healing) = outcome.healing {
             told.push(("healing", format!("{healing:.5} per e-fold of the hold")));
