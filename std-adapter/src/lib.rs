@@ -93,6 +93,7 @@ pub mod friction;
 pub mod golden;
 pub mod md;
 pub mod onset;
+mod packing;
 pub mod powder;
 pub mod prelude;
 pub mod push;

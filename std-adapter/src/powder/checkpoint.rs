@@ -2,46 +2,20 @@
 
 use super::blocked::Window;
 use super::compaction::{COLUMNS, Ending, Totals};
-use super::packing::{Force, Forces};
 use super::stress::Stress;
-use crate::cd::EnergyBalance;
-use crate::record::kept::{damaged, groups, hex, numbers, one, opened, places, same_scene, triple};
+use crate::packing::Frozen;
+use crate::record::kept::{damaged, groups, hex, numbers, one, opened, same_scene};
 use crate::record::{CheckpointError, sealed};
 use crate::scene::PowderScene;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Matrix3;
 use serde_json::{Map, Value};
 
 /// Version of the format.
 const VERSION: u64 = 3;
 /// First key of a checkpoint file.
 const NAME: &str = "tribos_compaction";
-/// Lengths of a window, of the energy balance, and of a stored force with its bodies.
+/// Length of a window.
 const WINDOW: usize = 24;
-const BALANCE: usize = 10;
-const FORCE: usize = 10;
-
-/// Keys of the forces of pairs and at walls.
-const FORCES: [&str; 2] = ["pair_forces", "wall_forces"];
-const IMPACTS: [&str; 2] = ["pair_impacts", "wall_impacts"];
-
-/// The state of a world independent of its contact modes.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Frozen {
-    pub time: f64,
-    pub steps: u64,
-    pub positions: Vec<Vector3<f64>>,
-    /// Velocities and spins.
-    pub motions: Vec<[Vector3<f64>; 2]>,
-    /// Positions and velocities of the walls.
-    pub walls: Vec<(f64, Vector3<f64>)>,
-    pub energy: EnergyBalance,
-    /// Forces of lasting contacts.
-    pub forces: Forces,
-    /// Forces of the last step's impacts.
-    pub impacts: Forces,
-    pub awake: Vec<bool>,
-    pub still: Vec<u8>,
-}
 
 /// State of a run between two steps.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,28 +36,10 @@ impl Checkpoint {
         let mut map = Map::new();
         map.insert(NAME.into(), VERSION.into());
         map.insert("scene".into(), scene.json());
-        let frozen = &self.frozen;
+        self.frozen.put(&mut map);
         let mut put = |name: &str, numbers: Vec<f64>| {
             map.insert(name.into(), hex(&numbers).into());
         };
-        put("time", vec![frozen.time]);
-        put(
-            "positions",
-            frozen.positions.iter().flat_map(triple).collect(),
-        );
-        put(
-            "motions",
-            frozen.motions.iter().flatten().flat_map(triple).collect(),
-        );
-        let wall =
-            |(place, velocity): &(f64, Vector3<f64>)| [*place, velocity.x, velocity.y, velocity.z];
-        put("walls", frozen.walls.iter().flat_map(wall).collect());
-        put("book", energy_numbers(&frozen.energy).to_vec());
-        for (names, forces) in [(FORCES, &frozen.forces), (IMPACTS, &frozen.impacts)] {
-            for (name, forces) in names.iter().zip(forces) {
-                put(name, forces.iter().flat_map(force_numbers).collect());
-            }
-        }
         put("window", window_numbers(&self.window).to_vec());
         let complete = self
             .complete
@@ -92,7 +48,6 @@ impl Checkpoint {
         put("complete_window", complete.collect());
         put("wall_seconds", vec![self.totals.wall_seconds]);
         put("series", self.series.iter().flatten().copied().collect());
-        map.insert("steps".into(), frozen.steps.into());
         map.insert("iterations".into(), self.totals.iterations.into());
         for (name, steps) in [
             ("unmet", self.totals.unmet),
@@ -102,13 +57,6 @@ impl Checkpoint {
         ] {
             map.insert(name.into(), steps.into());
         }
-        let awake: String = frozen
-            .awake
-            .iter()
-            .map(|&is| if is { '1' } else { '0' })
-            .collect();
-        map.insert("awake".into(), awake.into());
-        map.insert("still".into(), frozen.still.clone().into());
         map.insert("ending".into(), self.ending.map(Ending::name).into());
         sealed(map)
     }
@@ -118,27 +66,9 @@ impl Checkpoint {
         let value = opened(text, NAME, VERSION)?;
         same_scene(&value["scene"], &scene.json())?;
         let whole = |name: &str| value[name].as_u64().ok_or_else(|| damaged(name));
-        let forces = |name: &str| -> Result<Vec<_>, CheckpointError> {
-            Ok(groups(&value, name)?.iter().map(force).collect())
-        };
-        let walls = groups(&value, "walls")?;
         let complete = numbers(&value, "complete_window")?;
         Ok(Self {
-            frozen: Frozen {
-                time: one(&value, "time")?,
-                steps: whole("steps")?,
-                positions: places(&value, "positions")?,
-                motions: motions(&value)?,
-                walls: walls
-                    .into_iter()
-                    .map(|[place, x, y, z]| (place, Vector3::new(x, y, z)))
-                    .collect(),
-                energy: energy(&numbers(&value, "book")?).ok_or_else(|| damaged("book"))?,
-                forces: [forces(FORCES[0])?, forces(FORCES[1])?],
-                impacts: [forces(IMPACTS[0])?, forces(IMPACTS[1])?],
-                awake: awake(&value)?,
-                still: still(&value)?,
-            },
+            frozen: Frozen::read(&value)?,
             window: window(&numbers(&value, "window")?).ok_or_else(|| damaged("window"))?,
             complete: match complete.split_last() {
                 None => None,
@@ -170,117 +100,17 @@ impl Checkpoint {
     /// as the scene writes in its number of steps.
     pub fn fits(&self, spheres: usize, samples: u64) -> Result<(), CheckpointError> {
         let frozen = &self.frozen;
-        let lengths = [
-            frozen.positions.len(),
-            frozen.motions.len(),
-            frozen.awake.len(),
-            frozen.still.len(),
-        ];
         let last = self.ending.is_some() && !frozen.steps.is_multiple_of(samples);
         let lines = 1 + frozen.steps / samples + u64::from(last);
         if self.series.len() as u64 != lines {
             return Err(damaged("series"));
         }
-        let known = |body: u32| (body as usize) < spheres;
-        let exist = |[pairs, walls]: &Forces| {
-            pairs.iter().all(|([a, b], _)| known(*a) && known(*b))
-                && walls.iter().all(|([a, wall], _)| known(*a) && *wall < 2)
-        };
-        let fits = lengths.iter().all(|&length| length == spheres)
-            && frozen.walls.len() == 2
-            && exist(&frozen.forces)
-            && exist(&frozen.impacts);
-        if fits {
+        if frozen.fits(spheres, 2) {
             Ok(())
         } else {
             Err(damaged("numbers of spheres"))
         }
     }
-}
-
-/// Velocities and spins in pairs.
-fn motions(value: &Value) -> Result<Vec<[Vector3<f64>; 2]>, CheckpointError> {
-    match places(value, "motions")?.as_chunks() {
-        (pairs, []) => Ok(pairs.to_vec()),
-        _ => Err(damaged("motions")),
-    }
-}
-
-/// One digit per sphere, 1 if it is awake.
-fn awake(value: &Value) -> Result<Vec<bool>, CheckpointError> {
-    let digits = value["awake"].as_str().ok_or_else(|| damaged("awake"))?;
-    let is_awake = |byte| match byte {
-        b'0' => Ok(false),
-        b'1' => Ok(true),
-        _ => Err(damaged("awake")),
-    };
-    digits.bytes().map(is_awake).collect()
-}
-
-/// Number of steps for which each sphere has been slow.
-fn still(value: &Value) -> Result<Vec<u8>, CheckpointError> {
-    let steps = value["still"].as_array().ok_or_else(|| damaged("still"))?;
-    let small = |steps: &Value| u8::try_from(steps.as_u64()?).ok();
-    let steps: Option<Vec<u8>> = steps.iter().map(small).collect();
-    steps.ok_or_else(|| damaged("still"))
-}
-
-fn energy_numbers(energy: &EnergyBalance) -> [f64; BALANCE] {
-    [
-        energy.work,
-        energy.normal,
-        energy.sliding,
-        energy.rolling,
-        energy.torsion,
-        energy.cohesion,
-        energy.stilled,
-        energy.kinetic,
-        f64::from(u8::from(energy.kinetic_initial.is_some())),
-        energy.kinetic_initial.unwrap_or(0.0),
-    ]
-}
-
-fn energy(numbers: &[f64]) -> Option<EnergyBalance> {
-    let &[
-        work,
-        normal,
-        sliding,
-        rolling,
-        torsion,
-        cohesion,
-        stilled,
-        kinetic,
-        begun,
-        initial,
-    ] = <&[f64; BALANCE]>::try_from(numbers).ok()?;
-    Some(EnergyBalance {
-        work,
-        normal,
-        sliding,
-        rolling,
-        torsion,
-        cohesion,
-        stilled,
-        kinetic,
-        kinetic_initial: (begun == 1.0).then_some(initial),
-    })
-}
-
-/// Numbers of bodies are far below 2⁵³ and therefore exact in f64.
-fn force_numbers((bodies, force): &([u32; 2], Force)) -> [f64; FORCE] {
-    let [a, b] = bodies.map(f64::from);
-    let ([sx, sy, sz], [rx, ry, rz]) = (triple(&force.sliding), triple(&force.rolling));
-    [a, b, force.normal, sx, sy, sz, rx, ry, rz, force.torsion]
-}
-
-fn force(&[a, b, normal, sx, sy, sz, rx, ry, rz, torsion]: &[f64; FORCE]) -> ([u32; 2], Force) {
-    let force = Force {
-        normal,
-        sliding: Vector3::new(sx, sy, sz),
-        rolling: Vector3::new(rx, ry, rz),
-        torsion,
-    };
-    ([a as u32, b as u32], force)
 }
 
 fn window_numbers(window: &Window) -> [f64; WINDOW] {

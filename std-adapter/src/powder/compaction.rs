@@ -4,12 +4,12 @@ use super::blocked::{Means, Window};
 use super::checkpoint::Checkpoint;
 use super::deposit::{BULK, Deposit, DepositError, volume_between};
 use super::error::CompactionError;
-use super::limits::Limits;
 use super::outcome::Outcome;
-use super::packing::{self, PISTON, Packing, branch, build};
+use super::parts::{PISTON, packing};
 use super::statistics::Statistics;
 use super::stress::Stress;
 use crate::cd::StepReport;
+use crate::packing::{Limits, Packing, branch, is_at};
 use crate::record::{ContactRow, Snapshot};
 use crate::run::Simulation;
 use crate::scene::PowderScene;
@@ -237,7 +237,7 @@ impl Compaction {
         if let Some(kept) = &kept {
             kept.fits(deposit.positions.len(), scene.samples.max(1))?;
         }
-        let packing = build(scene, &deposit, kept.as_ref().map(|kept| &kept.frozen))?;
+        let packing = packing(scene, &deposit, kept.as_ref().map(|kept| &kept.frozen))?;
         let solid = deposit
             .radii
             .iter()
@@ -388,7 +388,7 @@ impl Compaction {
             means: self.means(),
             pressure: scene.pressure,
             area: self.area(),
-            statistics: Statistics::of(&self.contacts, radii, &Limits::of(scene)),
+            statistics: Statistics::of(&self.contacts, radii, &Limits::of(&scene.material())),
             residual: self.report.residual.relative,
             iterations: self.totals.iterations,
             unmet: self.totals.unmet,
@@ -455,10 +455,7 @@ impl Compaction {
         let dt = self.report.dt;
 
         // Force on the piston, mean net force on a sphere, mean normal force of a contact.
-        let at_piston = self
-            .contacts
-            .iter()
-            .filter(|row| packing::is_at(row, PISTON));
+        let at_piston = self.contacts.iter().filter(|row| is_at(row, PISTON));
         let piston = at_piston.map(|row| row.force.z).sum();
         let net: f64 = before
             .iter()

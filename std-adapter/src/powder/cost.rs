@@ -1,9 +1,9 @@
 //! Forecast of the cost of a compaction: spheres, contacts, unknowns, and the time of an update.
 
-use super::carried::CarriedModes;
 use super::deposit::{Ballistic, Deposit};
 use super::error::CompactionError;
-use super::packing::{Packing, build};
+use super::parts::packing;
+use crate::packing::{CarriedModes, Packing};
 use crate::run::RunSize;
 use crate::scene::{Coupling, PowderScene, SweepMethod, SweepOrder, SweepStop};
 use crate::space::PeriodicBox;
@@ -104,7 +104,7 @@ pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
     };
     /// A dry friction coefficient.
     const USUAL: f64 = 0.3;
-    let carried = scene.carried();
+    let carried = scene.material().carried();
     let mu = scene.sliding;
     let plain = PowderScene {
         // The same coefficient, or the usual one for smooth spheres.
@@ -179,7 +179,7 @@ fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
         warm_start: false,
         ..scene.clone()
     };
-    build(&timed, &deposit, None)
+    Ok(packing(&timed, &deposit, None)?)
 }
 
 impl PowderCost {
@@ -198,7 +198,7 @@ impl PowderCost {
             1 => less.rolling = 0.0,
             _ => less.torsion = 0.0,
         }
-        less.carried().modes.unknowns()
+        less.material().carried().modes.unknowns()
     }
 }
 
@@ -231,7 +231,7 @@ mod tests {
             ("rolling = 0.1\ntorsion = 0.1", 6, Coupling::Independent),
             ("sliding = 0\nrolling = 0.1", 6, Coupling::Independent),
         ] {
-            let carried = scene(keys).carried();
+            let carried = scene(keys).material().carried();
             assert_eq!(carried.modes.unknowns(), unknowns, "{keys}");
             assert_eq!(carried.coupling, coupling, "{keys}");
         }

@@ -2,6 +2,7 @@
 
 use super::deposit::DepositError;
 use crate::cd::WorldError;
+use crate::packing::PackingError;
 use crate::record::CheckpointError;
 use crate::scene::InvalidScene;
 use tribos_core::contact::TouchError;
@@ -59,4 +60,14 @@ pub enum CompactionError {
     /// The checkpoint cannot be used.
     #[error(transparent)]
     Checkpoint(#[from] CheckpointError),
+}
+
+impl From<PackingError> for CompactionError {
+    fn from(error: PackingError) -> Self {
+        match error {
+            PackingError::Law(error) => Self::Law(error),
+            PackingError::Surface(error) => Self::Surface(error),
+            PackingError::World(error) => Self::World(error),
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Frames of a film of a compaction.
 
 use super::compaction::Compaction;
-use super::limits::Limits;
+use crate::packing::Limits;
 use crate::record::frames::{Bodies, Frame, FrameContact, Hold, Kind};
 
 impl Compaction {
@@ -41,7 +41,7 @@ impl Compaction {
     pub fn frame(&self) -> Frame {
         let (scene, radii) = (self.scene(), &self.deposit().radii);
         let [width, top] = [scene.width, self.height()].map(|side| side as f32);
-        let limits = Limits::of(scene);
+        let limits = Limits::of(&scene.material());
         self.with_snapshot(|now| Frame {
             step: self.steps(),
             time: now.time,

@@ -1,7 +1,6 @@
 //! Cohesive powders of spheres.
 
 mod blocked;
-mod carried;
 mod checkpoint;
 mod compaction;
 mod cost;
@@ -9,18 +8,17 @@ mod cost;
 pub mod deposit;
 mod error;
 mod frames;
-mod limits;
 mod outcome;
-mod packing;
+mod parts;
 mod session;
 mod statistics;
 mod stress;
 
+#[doc(hidden)]
+pub use crate::packing::{Carried, CarriedModes, Limits, Material};
 pub use crate::record::CheckpointError;
 #[doc(hidden)]
 pub use blocked::{Means, Window};
-#[doc(hidden)]
-pub use carried::{Carried, CarriedModes};
 #[doc(hidden)]
 pub use compaction::COLUMNS;
 pub use compaction::{Compaction, Ending};
@@ -28,11 +26,9 @@ pub use compaction::{Compaction, Ending};
 pub use cost::{PowderCost, cost, size};
 pub use deposit::DepositError;
 pub use error::CompactionError;
-#[doc(hidden)]
-pub use limits::Limits;
 pub use outcome::Outcome;
 #[doc(hidden)]
-pub use packing::PISTON;
+pub use parts::PISTON;
 pub use statistics::Statistics;
 #[doc(hidden)]
 pub use stress::Stress;

@@ -1,6 +1,6 @@
 //! Statistics of the contacts of a packing: coordination, forces, thresholds.
 
-use super::limits::Limits;
+use crate::packing::Limits;
 use crate::record::ContactRow;
 use crate::record::json_number;
 use serde_json::{Map, Value};
@@ -22,7 +22,7 @@ use serde_json::{Map, Value};
 ///     touch(1, Partner::Particle(2), Vector3::new(-0.5, 0.0, 0.0)),
 /// ];
 /// let scene = PowderScene { width: 6.0, height: 8.0, sliding: 0.3, ..PowderScene::default() };
-/// let found = Statistics::of(&contacts, &[1.0; 3], &Limits::of(&scene));
+/// let found = Statistics::of(&contacts, &[1.0; 3], &Limits::of(&scene.material()));
 /// assert_eq!((found.contacts, found.wall_contacts), (2, 1));
 /// assert_eq!(found.coordination, [0, 1, 2]); // one sphere has one contact, two have two
 /// assert_eq!(found.mean_coordination(), 5.0 / 3.0);

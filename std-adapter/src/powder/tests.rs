@@ -137,7 +137,7 @@ fn contacts_are_counted_by_sign_and_threshold() -> Tested {
     spins.torque = Vector3::new(-0.1875, 0.05, 0.0);
     (spins.a, spins.b) = (0, Partner::Particle(2));
     let rows = [slides, sticks, rolls, spins];
-    let limits = |overrides: &[&str]| scene(overrides).map(|scene| Limits::of(&scene));
+    let limits = |overrides: &[&str]| scene(overrides).map(|scene| Limits::of(&scene.material()));
     let rough = limits(&["sliding=0.3", "rolling=0.2", "torsion=0.5"])?;
     let found = Statistics::of(&rows, &[1.0; 4], &rough);
     assert_eq!((found.contacts, found.wall_contacts), (3, 1));
@@ -168,7 +168,7 @@ fn sliding_and_torsion_reach_a_joint_threshold_together() -> Tested {
         ("exact", [true, false]),
     ] {
         let scene = scene(&["torsion=0.5", &format!("coupling={coupling}")])?;
-        let limits = Limits::of(&scene);
+        let limits = Limits::of(&scene.material());
         for (share, slips) in [0.6, 0.5].into_iter().zip(slips) {
             let row = contact(share);
             let reached = limits.reached(&row, &[1.0; 2]);
@@ -191,7 +191,11 @@ fn smooth_walls_have_no_thresholds() -> Tested {
     );
     for (wall, reached) in [("smooth", None), ("full", Some([false; 3]))] {
         let scene = scene(&[&format!("wall={wall}")])?;
-        assert_eq!(Limits::of(&scene).reached(&row, &[1.0]), reached, "{wall}");
+        assert_eq!(
+            Limits::of(&scene.material()).reached(&row, &[1.0]),
+            reached,
+            "{wall}"
+        );
     }
     Ok(())
 }

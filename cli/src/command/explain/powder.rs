@@ -18,7 +18,7 @@ pub fn coefficients(scene: &PowderScene) -> [f64; 3] {
 /// The whole account.
 pub fn text(scene: &PowderScene) -> Result<String, Failure> {
     let cost = cost(scene)?;
-    let carried = scene.carried();
+    let carried = scene.material().carried();
     let mut text = line("contacts", modes(carried.modes));
     text += &line(
         "",
@@ -66,7 +66,7 @@ fn modes(modes: CarriedModes) -> String {
 
 /// Modes that are carried with a coefficient of zero.
 fn idle(scene: &PowderScene) -> String {
-    let (has, mu) = (scene.carried().modes.has(), coefficients(scene));
+    let (has, mu) = (scene.material().carried().modes.has(), coefficients(scene));
     let idle: Vec<&str> = MODES
         .iter()
         .enumerate()
@@ -108,7 +108,7 @@ fn restitution(scene: &PowderScene) -> String {
 
 fn thresholds(scene: &PowderScene) -> String {
     let units = ["P", "P r_eff", "P r_eff"];
-    let (has, mu) = (scene.carried().modes.has(), coefficients(scene));
+    let (has, mu) = (scene.material().carried().modes.has(), coefficients(scene));
     let limits: Vec<String> = (0..MODES.len())
         .filter(|&mode| has[mode])
         .map(|mode| format!("{} {} {}", MODES[mode], mu[mode], units[mode]))

@@ -52,7 +52,7 @@ pub fn text(scene: &PowderScene, out: &Path, command: &str) -> Result<String, Fa
 
 /// A mode that did next to nothing.
 fn advice(scene: &PowderScene, mode: usize, name: &str, share: f64, command: &str) -> String {
-    let before = scene.carried().modes.unknowns();
+    let before = scene.material().carried().modes.unknowns();
     let after = PowderCost::unknowns_without(scene, mode);
     let saved = if after < before {
         format!("{before} unknowns a contact become {after}")

@@ -1,95 +1,53 @@
-//! A world with its contact modes hidden behind a trait: steps, states, contacts.
+//! A world of contact dynamics with its contact modes hidden behind the trait of packings.
 
-use super::carried::CarriedModes;
-use super::checkpoint::Frozen;
-use super::deposit::{Deposit, SUBSTRATE};
-use super::error::CompactionError;
+use super::{Bodies, CarriedModes, Force, Forces, Frozen, Material, Method, Packing, PackingError};
 use crate::cd::internals::{Coefficients, Memory, Sleep, StoredForce};
 use crate::cd::{
     ContactLaws, EnergyBalance, Laws, Setup, State, StepReport, Wall, World, WorldError, solid,
 };
 use crate::record::{ContactRow, Partner};
-use crate::scene::{Coupling, PowderScene, WallLaw};
+use crate::scene::{Coupling, WallLaw};
 use nalgebra::Vector3;
 use std::fmt::Debug;
-use tribos_core::Error;
 use tribos_core::contact::{
-    Cohesion, ContactFriction, ContactModes, CoupledFriction, Modal, NormalLaw, Sphere, Thresholds,
-    Touch, TouchError,
+    ContactFriction, ContactModes, CoupledFriction, Modal, Sphere, Thresholds, Touch, TouchError,
 };
-use tribos_core::coupling::table;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
+use tribos_core::limit_surface::FrictionSet;
 
-/// Number of the piston among the walls.
-///
-/// ```
-/// use tribos::powder::{Compaction, PISTON};
-/// use tribos::record::Partner;
-/// use tribos::run::drive;
-/// # use tribos::scene::PowderScene;
-/// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
-/// // In a packing that is blocked the spheres below the piston bear its load.
-/// let mut compaction = Compaction::new(&scene)?;
-/// drive(&mut compaction, |_, _| ())?;
-/// let below = compaction.contacts().iter().filter(|row| row.b == Partner::Wall(PISTON));
-/// let force: f64 = below.map(|row| row.force.z).sum();
-/// assert!((force / scene.load() - 1.0).abs() < 0.05);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub const PISTON: u32 = 1;
+/// What a world starts from.
+type Parts<'a> = (&'a Material, Bodies, &'a Method, Option<&'a Frozen>);
 
-/// Units of the powder: cohesion and density are 1.
-const STRENGTH: f64 = 1.0;
-const DENSITY: f64 = 1.0;
-
-/// Spheres between a substrate and a piston, with any contact modes.
-pub(super) trait Packing: Debug {
-    /// Takes one step.
-    fn step(&mut self) -> Result<StepReport, WorldError>;
-    /// Elapsed time and number of steps.
-    fn clock(&self) -> (f64, u64);
-    /// Centres of the spheres.
-    fn positions(&self) -> &[Vector3<f64>];
-    /// Radii of the spheres.
-    fn radii(&self) -> &[f64];
-    /// Velocities, inverse masses and inertias of the spheres.
-    fn spheres(&self) -> &[Sphere<f64>];
-    /// Substrate and piston.
-    fn walls(&self) -> &[Wall];
-    /// Energy balance.
-    fn energy(&self) -> &EnergyBalance;
-    /// Contacts that carry a force or lie within the range of cohesion, with the forces of the last
-    /// step, including its impacts, at the current positions.
-    fn contacts(&self) -> Result<Vec<ContactRow>, TouchError>;
-    /// The complete state of a run.
-    fn freeze(&self) -> Frozen;
-}
-
-/// Builds the packing of a scene at its start or from a stored state. Modes whose coefficient is zero
-/// are omitted if a type without them exists.
+/// Builds a world whose type has the modes that resist.
 pub(super) fn build(
-    scene: &PowderScene,
-    deposit: &Deposit,
+    material: &Material,
+    bodies: Bodies,
+    method: &Method,
     frozen: Option<&Frozen>,
-) -> Result<Box<dyn Packing>, CompactionError> {
-    let (mu, mu_t, mu_n) = (scene.sliding, scene.rolling, scene.torsion);
-    let at = (scene, deposit, frozen);
-    let carried = scene.carried();
+) -> Result<Box<dyn Packing>, PackingError> {
+    let (mu, mu_t, mu_n) = (material.sliding, material.rolling, material.torsion);
+    let at = (material, bodies, method, frozen);
+    let carried = material.carried();
     match carried.coupling {
         Coupling::Independent => {}
-        Coupling::Ellipsoid => return coupled(at, [ellipsoid(scene, mu)?, ellipsoid(scene, 0.0)?]),
-        Coupling::Exact => return coupled(at, [exact(scene, mu)?, exact(scene, 0.0)?]),
+        Coupling::Ellipsoid => {
+            return coupled(at, [material.ellipsoid(mu)?, material.ellipsoid(0.0)?]);
+        }
+        Coupling::Exact => return coupled(at, [material.exact(mu)?, material.exact(0.0)?]),
     }
     match carried.modes {
         CarriedModes::Normal => boxed(at, [Thresholds::none(); 2]),
         CarriedModes::Sliding => boxed(
             at,
-            both(scene, Thresholds::sliding(mu)?, Thresholds::sliding(0.0)?),
+            both(
+                material,
+                Thresholds::sliding(mu)?,
+                Thresholds::sliding(0.0)?,
+            ),
         ),
         CarriedModes::SlidingTorsion => boxed(
             at,
             both(
-                scene,
+                material,
                 Thresholds::sliding_torsion(mu, mu_n)?,
                 Thresholds::sliding_torsion(0.0, 0.0)?,
             ),
@@ -97,7 +55,7 @@ pub(super) fn build(
         CarriedModes::SlidingRolling => boxed(
             at,
             both(
-                scene,
+                material,
                 Thresholds::sliding_rolling(mu, mu_t)?,
                 Thresholds::sliding_rolling(0.0, 0.0)?,
             ),
@@ -105,7 +63,7 @@ pub(super) fn build(
         CarriedModes::All => boxed(
             at,
             both(
-                scene,
+                material,
                 Thresholds::all(mu, mu_t, mu_n)?,
                 Thresholds::all(0.0, 0.0, 0.0)?,
             ),
@@ -113,46 +71,25 @@ pub(super) fn build(
     }
 }
 
-/// Torque of pure spinning over force limit and radius, under uniform pressure.
-const SPIN_TORQUE: f64 = 2.0 / 3.0;
-
-/// Radius of the contact in r_eff that follows from its two thresholds.
-fn contact_radius(scene: &PowderScene) -> f64 {
-    scene.torsion / (scene.sliding * SPIN_TORQUE)
-}
-
-/// What a contact of a joint set carries at a coefficient, in P and P r_eff.
-pub(super) fn ellipsoid(scene: &PowderScene, mu: f64) -> Result<Ellipsoid<f64>, Error> {
-    Ellipsoid::new(mu, contact_radius(scene), SPIN_TORQUE)
-}
-
-/// Exact limit surface that joins sliding and torsion at a coefficient `mu`.
-pub(super) fn exact(
-    scene: &PowderScene,
-    mu: f64,
-) -> Result<LimitSurface<f64, table::Coulomb>, Error> {
-    LimitSurface::new(table::Coulomb, mu, contact_radius(scene))
-}
-
 /// A world in which sliding and torsion share a set: one between spheres, one at smooth walls.
 fn coupled<S: FrictionSet<f64> + Copy + Debug + Send + Sync + 'static>(
-    at: (&PowderScene, &Deposit, Option<&Frozen>),
+    at: Parts<'_>,
     [rough, smooth]: [S; 2],
-) -> Result<Box<dyn Packing>, CompactionError> {
-    let scene = at.0;
-    let mu_t = scene.rolling;
+) -> Result<Box<dyn Packing>, PackingError> {
+    let material = at.0;
+    let mu_t = material.rolling;
     if mu_t > 0.0 {
         let law = |set, mu_t| CoupledFriction::all(set, mu_t);
-        boxed(at, both(scene, law(rough, mu_t)?, law(smooth, 0.0)?))
+        boxed(at, both(material, law(rough, mu_t)?, law(smooth, 0.0)?))
     } else {
         let law = CoupledFriction::sliding_torsion;
-        boxed(at, both(scene, law(rough), law(smooth)))
+        boxed(at, both(material, law(rough), law(smooth)))
     }
 }
 
 /// Friction between spheres and at walls.
-fn both<F: Copy>(scene: &PowderScene, rough: F, smooth: F) -> [F; 2] {
-    match scene.wall {
+fn both<F: Copy>(material: &Material, rough: F, smooth: F) -> [F; 2] {
+    match material.wall {
         WallLaw::Full => [rough, rough],
         WallLaw::Smooth | WallLaw::Bare => [rough, smooth],
     }
@@ -160,40 +97,34 @@ fn both<F: Copy>(scene: &PowderScene, rough: F, smooth: F) -> [F; 2] {
 
 /// A world with these contact modes.
 fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
-    (scene, deposit, frozen): (&PowderScene, &Deposit, Option<&Frozen>),
+    (material, bodies, method, frozen): Parts<'_>,
     friction: [F; 2],
-) -> Result<Box<dyn Packing>, CompactionError> {
-    let cohesion = Cohesion::new(STRENGTH, scene.cohesion_range, scene.attraction)?;
-    let pair = NormalLaw::new(cohesion, scene.restitution)?;
-    let wall = match scene.wall {
-        WallLaw::Full | WallLaw::Smooth => pair,
-        WallLaw::Bare => NormalLaw::new(Cohesion::NONE, scene.restitution)?,
+) -> Result<Box<dyn Packing>, PackingError> {
+    let Method::ContactDynamics {
+        solver,
+        step_limits,
+        still_speed,
+    } = *method;
+    let normal = material.normal_laws()?;
+    let law = |kind: usize| ContactLaws {
+        normal: normal[kind],
+        friction: friction[kind],
     };
-    let [of_pairs, of_walls] = friction;
     let laws = Laws {
-        pairs: ContactLaws {
-            normal: pair,
-            friction: of_pairs,
-        },
-        walls: ContactLaws {
-            normal: wall,
-            friction: of_walls,
-        },
+        pairs: law(0),
+        walls: law(1),
     };
-    let up = Vector3::z();
+    let spheres = bodies.radii.iter();
     let setup = Setup {
-        space: deposit.space,
-        positions: deposit.positions.clone(),
-        radii: deposit.radii.clone(),
-        spheres: deposit.radii.iter().map(|&r| solid(r, DENSITY)).collect(),
-        // The order of SUBSTRATE and PISTON.
-        walls: vec![
-            Wall::fixed(up, 0.0),
-            Wall::piston(-up, -deposit.height, scene.piston_mass, scene.load()),
-        ],
-        step_limits: scene.step_limits(),
-        solver: scene.contact_solver(),
-        sleep_speed: scene.still_speed,
+        spheres: spheres.map(|&r| solid(r, material.density)).collect(),
+        space: bodies.space,
+        positions: bodies.positions,
+        radii: bodies.radii,
+        walls: bodies.walls,
+        gravity: bodies.gravity,
+        step_limits,
+        solver,
+        sleep_speed: still_speed,
         ..Setup::new(laws)
     };
     let mut world = World::new(setup)?;
@@ -235,18 +166,6 @@ fn memory<M: ContactModes<f64>>(forces: &Forces) -> Memory<M> {
 fn forces<M: ContactModes<f64>>(memory: &Memory<M>) -> Forces {
     let force = |(bodies, modal): &StoredForce<M>| (*bodies, Force::of(modal));
     [0, 1].map(|kind: usize| memory.forces[kind].iter().map(force).collect())
-}
-
-/// Forces of pairs and at walls, with their bodies.
-pub(super) type Forces = [Vec<([u32; 2], Force)>; 2];
-
-/// Force and torque of a contact, in all modes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Force {
-    pub normal: f64,
-    pub sliding: Vector3<f64>,
-    pub rolling: Vector3<f64>,
-    pub torsion: f64,
 }
 
 impl Force {
@@ -354,16 +273,3 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         }
     }
 }
-
-/// Vector from the first centre of a contact to the second, or perpendicular to the wall.
-pub(super) fn branch(contact: &ContactRow, radii: &[f64]) -> Vector3<f64> {
-    let other = contact.b.particle().map_or(0.0, |b| radii[b as usize]);
-    contact.normal * (radii[contact.a as usize] + other + contact.gap)
-}
-
-/// True for a contact of a sphere with this wall.
-pub(super) fn is_at(contact: &ContactRow, wall: u32) -> bool {
-    contact.b == Partner::Wall(wall)
-}
-
-const _: () = assert!(SUBSTRATE == 0 && PISTON == 1);

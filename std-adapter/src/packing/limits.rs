@@ -1,8 +1,8 @@
-//! Friction thresholds of the contacts of a powder.
+//! Friction thresholds of the contacts of a packing.
 
-use super::packing::{ellipsoid, exact};
+use super::Material;
 use crate::record::{ContactRow, Partner};
-use crate::scene::{Coupling, PowderScene, WallLaw};
+use crate::scene::{Coupling, WallLaw};
 use nalgebra::Vector3;
 use tribos_core::coupling::table;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface};
@@ -14,7 +14,7 @@ const IDLE: f64 = 1e-9;
 /// rotation of the normal takes off it.
 const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 
-/// Thresholds of sliding, rolling and torsion of the contacts of a powder. A load of 99.9 % of its
+/// Thresholds of sliding, rolling and torsion of the contacts of a packing. A load of 99.9 % of its
 /// threshold or more counts as at the threshold.
 ///
 /// ```
@@ -29,7 +29,7 @@ const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 /// let contact = ContactRow { a, b, normal, gap: 0.0, force, torque };
 /// for (coupling, reached) in [(Coupling::Independent, false), (Coupling::Ellipsoid, true)] {
 ///     let scene = PowderScene { torsion: 0.5, coupling, ..PowderScene::default() };
-///     let limits = Limits::of(&scene);
+///     let limits = Limits::of(&scene.material());
 ///     assert_eq!(limits.resists(), [true, false, true]); // there is no rolling friction
 ///     assert_eq!(limits.reached(&contact, &[1.0; 2]), Some([reached, false, reached]));
 /// }
@@ -38,7 +38,8 @@ const AT_THRESHOLD: f64 = 1.0 - 1e-3;
 pub struct Limits {
     friction: [f64; 3],
     joint: Option<Joint>,
-    /// Largest gap at which cohesion acts.
+    /// Cohesion, and the largest gap at which it acts.
+    cohesion: f64,
     range: f64,
     rough_walls: bool,
 }
@@ -51,19 +52,21 @@ enum Joint {
 }
 
 impl Limits {
-    /// Thresholds of a scene.
-    pub fn of(scene: &PowderScene) -> Self {
-        // If the kernel refuses a scene's set, there is no packing and hence no contact.
-        let joint = match scene.carried().coupling {
+    /// Thresholds of a material.
+    pub fn of(material: &Material) -> Self {
+        // If the kernel refuses a material's set, there is no packing and hence no contact.
+        let mu = material.sliding;
+        let joint = match material.carried().coupling {
             Coupling::Independent => None,
-            Coupling::Ellipsoid => ellipsoid(scene, scene.sliding).ok().map(Joint::Ellipsoid),
-            Coupling::Exact => exact(scene, scene.sliding).ok().map(Joint::Exact),
+            Coupling::Ellipsoid => material.ellipsoid(mu).ok().map(Joint::Ellipsoid),
+            Coupling::Exact => material.exact(mu).ok().map(Joint::Exact),
         };
         Self {
-            friction: [scene.sliding, scene.rolling, scene.torsion],
+            friction: [mu, material.rolling, material.torsion],
             joint,
-            range: scene.cohesion_range,
-            rough_walls: scene.wall == WallLaw::Full,
+            cohesion: material.cohesion,
+            range: material.cohesion_range,
+            rough_walls: material.wall == WallLaw::Full,
         }
     }
 
@@ -77,7 +80,7 @@ impl Limits {
     /// no force, and at smooth walls.
     pub fn reached(&self, contact: &ContactRow, radii: &[f64]) -> Option<[bool; 3]> {
         let resists = matches!(contact.b, Partner::Particle(_)) || self.rough_walls;
-        let loads = relative_loads(contact, radii, self.range).filter(|_| resists)?;
+        let loads = self.relative_loads(contact, radii).filter(|_| resists)?;
         let is_at = |mode: usize| {
             let mu = self.friction[mode];
             mu > 0.0 && loads[mode] >= AT_THRESHOLD * mu
@@ -88,6 +91,30 @@ impl Limits {
             reached[2] = reached[0];
         }
         Some(reached)
+    }
+
+    /// Sliding force over P, rolling and torsion torque over P r_eff, to be compared with the coefficients.
+    /// `None` if the contact carries no force.
+    fn relative_loads(&self, contact: &ContactRow, radii: &[f64]) -> Option<[f64; 3]> {
+        let pulled = if contact.gap <= self.range {
+            self.cohesion
+        } else {
+            0.0
+        };
+        let bound = contact.normal_force() + pulled;
+        if bound.is_nan() || bound <= IDLE * self.cohesion {
+            return None;
+        }
+        let [ra, rb] = [Some(contact.a), contact.b.particle()]
+            .map(|body| body.map_or(f64::INFINITY, |body| radii[body as usize]));
+        let lever = bound / (1.0 / ra + 1.0 / rb);
+        let across = |v: &Vector3<f64>| (v - contact.normal * v.dot(&contact.normal)).norm();
+        let torsion = contact.torque.dot(&contact.normal).abs();
+        Some([
+            across(&contact.force) / bound,
+            across(&contact.torque) / lever,
+            torsion / lever,
+        ])
     }
 }
 
@@ -100,23 +127,4 @@ impl Joint {
             Self::Exact(set) => set.gauge(&wrench),
         }
     }
-}
-
-/// Sliding force over P, rolling and torsion torque over P r_eff, to be compared with the coefficients.
-/// `None` if the contact carries no force.
-fn relative_loads(contact: &ContactRow, radii: &[f64], range: f64) -> Option<[f64; 3]> {
-    let bound = contact.normal_force() + if contact.gap <= range { 1.0 } else { 0.0 };
-    if bound.is_nan() || bound <= IDLE {
-        return None;
-    }
-    let [ra, rb] = [Some(contact.a), contact.b.particle()]
-        .map(|body| body.map_or(f64::INFINITY, |body| radii[body as usize]));
-    let lever = bound / (1.0 / ra + 1.0 / rb);
-    let across = |v: &Vector3<f64>| (v - contact.normal * v.dot(&contact.normal)).norm();
-    let torsion = contact.torque.dot(&contact.normal).abs();
-    Some([
-        across(&contact.force) / bound,
-        across(&contact.torque) / lever,
-        torsion / lever,
-    ])
 }

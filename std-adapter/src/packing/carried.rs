@@ -1,7 +1,8 @@
 //! Modes that the contacts of a scene carry, and their limits.
 
+use super::Material;
 use crate::cd::internals::Link;
-use crate::scene::{Coupling, PowderScene};
+use crate::scene::Coupling;
 use tribos_core::contact::{
     AllModes, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion,
 };
@@ -29,7 +30,7 @@ pub enum CarriedModes {
     All,
 }
 
-/// Modes of a scene's contacts and the shape of their limits.
+/// Modes of a material's contacts and the shape of their limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Carried {
     /// Set of modes.
@@ -38,8 +39,8 @@ pub struct Carried {
     pub coupling: Coupling,
 }
 
-impl PowderScene {
-    /// Modes of the scene's contacts: the smallest set for which a type exists. Modes with a
+impl Material {
+    /// Modes of the material's contacts: the smallest set for which a type exists. Modes with a
     /// coefficient of zero in it are carried but never resist.
     ///
     /// ```
@@ -48,7 +49,7 @@ impl PowderScene {
     /// // Sliding resists unless it is switched off.
     /// let scene = PowderScene { torsion: 0.1, ..PowderScene::default() };
     /// let (modes, coupling) = (CarriedModes::SlidingTorsion, Coupling::Independent);
-    /// assert_eq!(scene.carried(), Carried { modes, coupling });
+    /// assert_eq!(scene.material().carried(), Carried { modes, coupling });
     /// ```
     pub fn carried(&self) -> Carried {
         let [slides, rolls, twists] = [self.sliding, self.rolling, self.torsion].map(|mu| mu > 0.0);

@@ -1,0 +1,211 @@
+//! The state of a packing, independent of its method and modes, and its part of a checkpoint.
+
+use crate::cd::EnergyBalance;
+use crate::record::CheckpointError;
+use crate::record::kept::{damaged, groups, hex, numbers, one, places, triple};
+use nalgebra::Vector3;
+use serde_json::{Map, Value};
+
+/// Lengths of the energy balance, and of a stored force with its bodies.
+const BALANCE: usize = 10;
+const FORCE: usize = 10;
+
+/// Keys of the forces of pairs and at walls.
+const FORCES: [&str; 2] = ["pair_forces", "wall_forces"];
+const IMPACTS: [&str; 2] = ["pair_impacts", "wall_impacts"];
+
+/// The state of a world independent of its contact modes.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Frozen {
+    pub time: f64,
+    pub steps: u64,
+    pub positions: Vec<Vector3<f64>>,
+    /// Velocities and spins.
+    pub motions: Vec<[Vector3<f64>; 2]>,
+    /// Positions and velocities of the walls.
+    pub walls: Vec<(f64, Vector3<f64>)>,
+    pub energy: EnergyBalance,
+    /// Forces of lasting contacts.
+    pub forces: Forces,
+    /// Forces of the last step's impacts.
+    pub impacts: Forces,
+    pub awake: Vec<bool>,
+    pub still: Vec<u8>,
+}
+
+/// Forces of pairs and at walls, with their bodies.
+pub(crate) type Forces = [Vec<([u32; 2], Force)>; 2];
+
+/// Force and torque of a contact, in all modes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Force {
+    pub normal: f64,
+    pub sliding: Vector3<f64>,
+    pub rolling: Vector3<f64>,
+    pub torsion: f64,
+}
+
+impl Frozen {
+    /// Adds the state to a checkpoint.
+    pub fn put(&self, map: &mut Map<String, Value>) {
+        let mut put = |name: &str, numbers: Vec<f64>| {
+            map.insert(name.into(), hex(&numbers).into());
+        };
+        put("time", vec![self.time]);
+        put(
+            "positions",
+            self.positions.iter().flat_map(triple).collect(),
+        );
+        put(
+            "motions",
+            self.motions.iter().flatten().flat_map(triple).collect(),
+        );
+        let wall =
+            |(place, velocity): &(f64, Vector3<f64>)| [*place, velocity.x, velocity.y, velocity.z];
+        put("walls", self.walls.iter().flat_map(wall).collect());
+        put("book", energy_numbers(&self.energy).to_vec());
+        for (names, forces) in [(FORCES, &self.forces), (IMPACTS, &self.impacts)] {
+            for (name, forces) in names.iter().zip(forces) {
+                put(name, forces.iter().flat_map(force_numbers).collect());
+            }
+        }
+        map.insert("steps".into(), self.steps.into());
+        let awake: String = self
+            .awake
+            .iter()
+            .map(|&is| if is { '1' } else { '0' })
+            .collect();
+        map.insert("awake".into(), awake.into());
+        map.insert("still".into(), self.still.clone().into());
+    }
+
+    /// Reads the state from a checkpoint.
+    pub fn read(value: &Value) -> Result<Self, CheckpointError> {
+        let steps = value["steps"].as_u64().ok_or_else(|| damaged("steps"))?;
+        let forces = |name: &str| -> Result<Vec<_>, CheckpointError> {
+            Ok(groups(value, name)?.iter().map(force).collect())
+        };
+        let walls = groups(value, "walls")?;
+        Ok(Self {
+            time: one(value, "time")?,
+            steps,
+            positions: places(value, "positions")?,
+            motions: motions(value)?,
+            walls: walls
+                .into_iter()
+                .map(|[place, x, y, z]| (place, Vector3::new(x, y, z)))
+                .collect(),
+            energy: energy(&numbers(value, "book")?).ok_or_else(|| damaged("book"))?,
+            forces: [forces(FORCES[0])?, forces(FORCES[1])?],
+            impacts: [forces(IMPACTS[0])?, forces(IMPACTS[1])?],
+            awake: awake(value)?,
+            still: still(value)?,
+        })
+    }
+
+    /// Whether the state has these numbers of spheres and walls, and forces only between them.
+    pub fn fits(&self, spheres: usize, walls: usize) -> bool {
+        let lengths = [
+            self.positions.len(),
+            self.motions.len(),
+            self.awake.len(),
+            self.still.len(),
+        ];
+        let known = |body: u32| (body as usize) < spheres;
+        let exist = |[pairs, plates]: &Forces| {
+            pairs.iter().all(|([a, b], _)| known(*a) && known(*b))
+                && plates
+                    .iter()
+                    .all(|([a, wall], _)| known(*a) && (*wall as usize) < walls)
+        };
+        lengths.iter().all(|&length| length == spheres)
+            && self.walls.len() == walls
+            && exist(&self.forces)
+            && exist(&self.impacts)
+    }
+}
+
+/// Velocities and spins in pairs.
+fn motions(value: &Value) -> Result<Vec<[Vector3<f64>; 2]>, CheckpointError> {
+    match places(value, "motions")?.as_chunks() {
+        (pairs, []) => Ok(pairs.to_vec()),
+        _ => Err(damaged("motions")),
+    }
+}
+
+/// One digit per sphere, 1 if it is awake.
+fn awake(value: &Value) -> Result<Vec<bool>, CheckpointError> {
+    let digits = value["awake"].as_str().ok_or_else(|| damaged("awake"))?;
+    let is_awake = |byte| match byte {
+        b'0' => Ok(false),
+        b'1' => Ok(true),
+        _ => Err(damaged("awake")),
+    };
+    digits.bytes().map(is_awake).collect()
+}
+
+/// Number of steps for which each sphere has been slow.
+fn still(value: &Value) -> Result<Vec<u8>, CheckpointError> {
+    let steps = value["still"].as_array().ok_or_else(|| damaged("still"))?;
+    let small = |steps: &Value| u8::try_from(steps.as_u64()?).ok();
+    let steps: Option<Vec<u8>> = steps.iter().map(small).collect();
+    steps.ok_or_else(|| damaged("still"))
+}
+
+fn energy_numbers(energy: &EnergyBalance) -> [f64; BALANCE] {
+    [
+        energy.work,
+        energy.normal,
+        energy.sliding,
+        energy.rolling,
+        energy.torsion,
+        energy.cohesion,
+        energy.stilled,
+        energy.kinetic,
+        f64::from(u8::from(energy.kinetic_initial.is_some())),
+        energy.kinetic_initial.unwrap_or(0.0),
+    ]
+}
+
+fn energy(numbers: &[f64]) -> Option<EnergyBalance> {
+    let &[
+        work,
+        normal,
+        sliding,
+        rolling,
+        torsion,
+        cohesion,
+        stilled,
+        kinetic,
+        begun,
+        initial,
+    ] = <&[f64; BALANCE]>::try_from(numbers).ok()?;
+    Some(EnergyBalance {
+        work,
+        normal,
+        sliding,
+        rolling,
+        torsion,
+        cohesion,
+        stilled,
+        kinetic,
+        kinetic_initial: (begun == 1.0).then_some(initial),
+    })
+}
+
+/// Numbers of bodies are far below 2⁵³ and therefore exact in f64.
+fn force_numbers((bodies, force): &([u32; 2], Force)) -> [f64; FORCE] {
+    let [a, b] = bodies.map(f64::from);
+    let ([sx, sy, sz], [rx, ry, rz]) = (triple(&force.sliding), triple(&force.rolling));
+    [a, b, force.normal, sx, sy, sz, rx, ry, rz, force.torsion]
+}
+
+fn force(&[a, b, normal, sx, sy, sz, rx, ry, rz, torsion]: &[f64; FORCE]) -> ([u32; 2], Force) {
+    let force = Force {
+        normal,
+        sliding: Vector3::new(sx, sy, sz),
+        rolling: Vector3::new(rx, ry, rz),
+        torsion,
+    };
+    ([a as u32, b as u32], force)
+}

@@ -1,0 +1,107 @@
+//! Packings: spheres between walls, with a material and a method for their contacts chosen at run time.
+//!
+//! A body's scene says the [`Material`], the [`Bodies`] and the [`Method`]; [`build`] makes a [`Packing`] of them.
+
+mod carried;
+mod frozen;
+mod limits;
+mod material;
+mod rigid;
+
+pub use carried::{Carried, CarriedModes};
+pub(crate) use frozen::{Force, Forces, Frozen};
+pub use limits::Limits;
+pub use material::Material;
+
+use crate::cd::{EnergyBalance, Solver, StepLimits, StepReport, Wall, WorldError};
+use crate::record::{ContactRow, Partner};
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+use std::fmt::Debug;
+use tribos_core::Error;
+use tribos_core::contact::{Sphere, TouchError};
+use tribos_core::law::LawError;
+
+/// Spheres and walls at the start.
+#[derive(Clone, Debug)]
+pub(crate) struct Bodies {
+    pub space: PeriodicBox,
+    pub positions: Vec<Vector3<f64>>,
+    pub radii: Vec<f64>,
+    pub walls: Vec<Wall>,
+    /// Acceleration of all spheres.
+    pub gravity: Vector3<f64>,
+}
+
+/// How the contacts of a step are found and solved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Method {
+    /// Rigid spheres with constraint forces.
+    ContactDynamics {
+        solver: Solver,
+        step_limits: StepLimits,
+        /// Slower groups that nothing touches are left alone.
+        still_speed: f64,
+    },
+}
+
+/// Why a packing cannot be built.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum PackingError {
+    /// The kernel refused a law.
+    #[error(transparent)]
+    Law(#[from] LawError),
+    /// The kernel refused a set of sliding and torsion.
+    #[error(transparent)]
+    Surface(#[from] Error),
+    /// The bodies or their motion are refused.
+    #[error(transparent)]
+    World(#[from] WorldError),
+}
+
+/// Spheres between walls, with any contact modes.
+pub(crate) trait Packing: Debug {
+    /// Takes one step.
+    fn step(&mut self) -> Result<StepReport, WorldError>;
+    /// Elapsed time and number of steps.
+    fn clock(&self) -> (f64, u64);
+    /// Centres of the spheres.
+    fn positions(&self) -> &[Vector3<f64>];
+    /// Radii of the spheres.
+    fn radii(&self) -> &[f64];
+    /// Velocities, inverse masses and inertias of the spheres.
+    fn spheres(&self) -> &[Sphere<f64>];
+    /// Walls, with their current places and velocities.
+    fn walls(&self) -> &[Wall];
+    /// Energy balance.
+    fn energy(&self) -> &EnergyBalance;
+    /// Contacts that carry a force or lie within the range of cohesion, with the forces of the last
+    /// step, including its impacts, at the current positions.
+    fn contacts(&self) -> Result<Vec<ContactRow>, TouchError>;
+    /// The complete state of a run.
+    fn freeze(&self) -> Frozen;
+}
+
+/// Builds a packing at its start or from a stored state. Modes whose coefficient is zero are omitted if a
+/// type without them exists.
+pub(crate) fn build(
+    material: &Material,
+    bodies: Bodies,
+    method: &Method,
+    frozen: Option<&Frozen>,
+) -> Result<Box<dyn Packing>, PackingError> {
+    match method {
+        Method::ContactDynamics { .. } => rigid::build(material, bodies, method, frozen),
+    }
+}
+
+/// Vector from the first centre of a contact to the second, or perpendicular to the wall.
+pub(crate) fn branch(contact: &ContactRow, radii: &[f64]) -> Vector3<f64> {
+    let other = contact.b.particle().map_or(0.0, |b| radii[b as usize]);
+    contact.normal * (radii[contact.a as usize] + other + contact.gap)
+}
+
+/// True for a contact of a sphere with this wall.
+pub(crate) fn is_at(contact: &ContactRow, wall: u32) -> bool {
+    contact.b == Partner::Wall(wall)
+}
