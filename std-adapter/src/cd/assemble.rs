@@ -1,5 +1,6 @@
 //! The contact problem of a step: contact search, free velocities, initial guess of the impulses.
 
+use super::image::{ImageVelocity, Images, seen};
 use super::impact::{self, Surroundings};
 use super::residual::Coefficients;
 use super::setup::WorldError;
@@ -18,7 +19,7 @@ const MEETING: f64 = 4.0;
 
 impl<F: ContactFriction<f64> + Coefficients> World<F> {
     /// Distance within which two surfaces may act on each other in a step.
-    fn reach(&self) -> f64 {
+    pub(super) fn reach(&self) -> f64 {
         let range = |law: &NormalLaw<f64>| law.cohesion().range();
         let [pair, wall] = &self.setup.laws.normal();
         range(pair)
@@ -29,16 +30,17 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     /// Renews the neighbour list once something has moved by half the margin.
     pub(super) fn list_neighbours(&mut self) -> Result<(), WorldError> {
         let skin = SKIN * self.setup.step_limits.motion;
-        let far = |(x, y): (&_, &_)| nalgebra::Vector3::norm(&(x - y)) > 0.5 * skin;
+        let margin = skin - self.drift;
+        let far = |(x, y): (&_, &_)| nalgebra::Vector3::norm(&(x - y)) > 0.5 * margin;
         let positions = &self.state.positions;
         let listed = self.listed_at.len() == positions.len();
-        if listed && !positions.iter().zip(&self.listed_at).any(far) {
+        if listed && margin > 0.0 && !positions.iter().zip(&self.listed_at).any(far) {
             return Ok(());
         }
         let reach = self.reach() + skin;
         let found = self
             .cells
-            .find(&self.setup.space, positions, &self.setup.radii, reach);
+            .find(&self.space(), positions, &self.setup.radii, reach);
         let found = found.map_err(|cause| WorldError::Neighbours {
             step: self.state.steps,
             cause,
@@ -46,12 +48,14 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         self.neighbours.clear();
         self.neighbours.extend_from_slice(found);
         self.listed_at.clone_from(&self.state.positions);
+        self.drift = 0.0;
         Ok(())
     }
 
     /// Sets up the problem of a step of length `dt`.
     pub(super) fn assemble(&mut self, dt: f64) -> Result<(), WorldError> {
         let (pairs, walls) = (self.touching_pairs()?, self.touching_walls()?);
+        let images = self.images(&pairs);
         let state = &mut self.state;
         state
             .sleep
@@ -65,6 +69,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         if impact::rebounds(laws) {
             let around = Surroundings {
                 touching: [&pairs, &walls],
+                images: &images,
                 awake,
                 laws,
                 gravity: &self.setup.gravity,
@@ -98,10 +103,16 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         // Lasting contacts; contacts that rebound were treated as impacts.
         let [pair, wall] = &laws.normal().map(lasting);
         problem.pairs.clear();
-        for (bodies, touch) in &pairs {
+        problem.images.clear();
+        let mut images = Images::new(&images);
+        for (number, (bodies, touch)) in pairs.iter().enumerate() {
             let [a, b] = bodies.map(|body| body as usize);
+            let image = images.of(number);
             if awake[a] || awake[b] {
-                let contact = Contact::new(touch, pair, &spheres[a], &spheres[b], dt);
+                let (a, b) = (&spheres[a], &seen(&spheres[b], image));
+                let contact = Contact::new(touch, pair, a, b, dt);
+                let number = problem.pairs.len() as u32;
+                problem.images.extend(image.map(|image| (number, image)));
                 problem.pairs.push(Link {
                     bodies: *bodies,
                     contact,
@@ -129,12 +140,12 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
 
     /// Pairs of spheres within interaction range, in ascending order.
     fn touching_pairs(&self) -> Result<Vec<Touching>, WorldError> {
-        let (reach, radii) = (self.reach(), &self.setup.radii);
+        let (reach, radii, space) = (self.reach(), &self.setup.radii, self.space());
         let mut found = Vec::new();
         for &[a, b] in &self.neighbours {
             let [i, j] = [a as usize, b as usize];
             let positions = &self.state.positions;
-            let apart = self.setup.space.displacement(&positions[i], &positions[j]);
+            let apart = space.displacement(&positions[i], &positions[j]);
             if apart.norm() - radii[i] - radii[j] > reach {
                 continue;
             }
@@ -148,6 +159,21 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             found.push(([a, b], touch));
         }
         Ok(found)
+    }
+
+    /// Pairs across the border of a sheared cell, with the velocities of the second spheres' images.
+    fn images(&self, pairs: &[Touching]) -> Vec<ImageVelocity> {
+        if self.setup.shear_rate == 0.0 {
+            return Vec::new();
+        }
+        let (positions, space) = (&self.state.positions, &self.setup.space);
+        let faster = self.level_velocity();
+        let image = |(number, ([a, b], _)): (usize, &Touching)| {
+            // The displacement leaves these whole periods out.
+            let levels = space.levels(positions[*b as usize].z - positions[*a as usize].z);
+            (levels != 0.0).then_some((number as u32, faster * -levels))
+        };
+        pairs.iter().enumerate().filter_map(image).collect()
     }
 
     /// Pairs of a sphere and a wall within interaction range, sphere by sphere.

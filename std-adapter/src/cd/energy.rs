@@ -47,7 +47,7 @@ use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate,
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EnergyBalance {
-    /// Work of the loads on walls, of prescribed wall motions, and of gravity.
+    /// Work of the loads on walls, of prescribed wall motions, of gravity, and of a shear.
     pub work: f64,
     /// Energy lost in collisions and in closing gaps.
     pub normal: f64,
@@ -112,10 +112,11 @@ impl EnergyBalance {
 
     /// Energy taken by each mode: −p·U⁺.
     fn contacts<F: ContactFriction<f64>>(&mut self, problem: &Spheres<F>) {
-        for link in &problem.pairs {
-            let [a, b] = link.bodies.map(|body| &problem.spheres[body as usize]);
-            let velocity = link.contact.velocity(a, b);
+        for (link, velocity) in problem.pair_velocities() {
             self.modes(&link.contact, &velocity);
+        }
+        if !problem.images.is_empty() {
+            self.work -= problem.shear_work();
         }
         for link in &problem.walls {
             let [a, b] = link.bodies.map(|body| body as usize);
@@ -144,6 +145,13 @@ impl EnergyBalance {
         self.sliding += taken.sliding;
         self.rolling += taken.rolling;
         self.torsion += taken.torsion;
+    }
+
+    /// Adds the work on a sphere that goes on as its image across the border of a sheared cell, from its
+    /// kinetic energy before and after.
+    pub(super) fn cross(&mut self, before: f64, after: f64) {
+        self.work += after - before;
+        self.kinetic += after - before;
     }
 
     /// Adds the energy of a body that is put to sleep.

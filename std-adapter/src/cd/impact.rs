@@ -25,6 +25,7 @@
 
 use super::assemble::Touching;
 use super::energy::Taken;
+use super::image::{ImageVelocity, Images, seen};
 use super::memory::StoredForce;
 use super::setup::{Laws, Wall};
 use super::spheres::{Link, Spheres};
@@ -48,6 +49,8 @@ const SLOW: f64 = 1e-9;
 pub(super) struct Surroundings<'a, F> {
     /// Pairs of spheres, and spheres with walls.
     pub touching: [&'a [Touching]; 2],
+    /// Pairs of them whose second sphere is an image.
+    pub images: &'a [ImageVelocity],
     /// One flag per sphere, true if awake.
     pub awake: &'a [bool],
     /// Contact laws.
@@ -186,15 +189,21 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         };
         let reflection = &mut self.reflection;
         reflection.pairs.clear();
+        reflection.images.clear();
         reflection.walls.clear();
         let mut fastest = 0.0_f64;
-        for (bodies, touch) in pairs.iter().filter(|_| kinds[0]) {
+        let mut images = Images::new(around.images);
+        for (pair, (bodies, touch)) in pairs.iter().enumerate().filter(|_| kinds[0]) {
             let [a, b] = bodies.map(|body| body as usize);
+            let image = images.of(pair);
             if awake[a] || awake[b] {
-                let contact = prepare(touch, &self.spheres[a], &self.spheres[b]);
-                let speed = contact.velocity(&self.spheres[a], &self.spheres[b]).normal;
+                let (a, b) = (&self.spheres[a], &seen(&self.spheres[b], image));
+                let contact = prepare(touch, a, b);
+                let speed = contact.velocity(a, b).normal;
                 if closing.impacts(touch, pair_law, &contact, [-speed, gravity]) {
                     fastest = fastest.max(-speed);
+                    let number = reflection.pairs.len() as u32;
+                    reflection.images.extend(image.map(|image| (number, image)));
                     reflection.pairs.push(Link {
                         bodies: *bodies,
                         contact,

@@ -110,6 +110,7 @@ mod tests {
             walls: vec![Wall::fixed(up, 0.0)],
             laws: Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, friction),
             gravity: Vector3::zeros(),
+            shear_rate: 0.0,
             step_limits: StepLimits {
                 longest: 0.01,
                 motion: 0.1,

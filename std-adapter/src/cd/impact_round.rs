@@ -80,6 +80,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         problem.free.1.clone_from(&source.plates);
         problem.pairs.clear();
         problem.pairs.extend(source.pairs.iter().map(rough));
+        problem.images.clone_from(&source.images);
         problem.walls.clear();
         problem.walls.extend(source.walls.iter().map(rough));
         problem.start();
@@ -165,23 +166,12 @@ fn modal<M: ContactModes<f64>>(normal: f64) -> Modal<f64, M> {
 
 /// Normal velocity of each contact, in the order of their numbers.
 fn normal_velocities<F: ContactFriction<f64>>(problem: &Spheres<F>) -> Vec<f64> {
-    let pairs = problem
-        .pairs
-        .iter()
-        .map(|link| pair_velocity(problem, link));
+    let pairs = problem.pair_velocities().map(|(_, velocity)| velocity);
     let walls = problem
         .walls
         .iter()
         .map(|link| wall_velocity(problem, link));
     pairs.chain(walls).map(|velocity| velocity.normal).collect()
-}
-
-fn pair_velocity<F: ContactFriction<f64>>(
-    problem: &Spheres<F>,
-    link: &Link<F::Modes>,
-) -> Modal<f64, F::Modes> {
-    let [a, b] = link.bodies.map(|body| &problem.spheres[body as usize]);
-    link.contact.velocity(a, b)
 }
 
 fn wall_velocity<F: ContactFriction<f64>>(
@@ -193,17 +183,22 @@ fn wall_velocity<F: ContactFriction<f64>>(
     link.contact.velocity(a, b)
 }
 
-/// Energy transferred to the drives of walls.
+/// Energy transferred to the drives of walls and of a shear.
 fn drives<F: ContactFriction<f64>>(problem: &Spheres<F>) -> f64 {
     let walls = problem.walls.iter();
-    walls
+    let walls: f64 = walls
         .map(|link| driven_work(link, &problem.plates[link.bodies[1] as usize]))
-        .sum()
+        .sum();
+    if problem.images.is_empty() {
+        walls
+    } else {
+        walls + problem.shear_work()
+    }
 }
 
 /// Energy −p·U⁺ taken by sliding, rolling and torsion, over all contacts.
 fn slipped<F: ContactFriction<f64>>(problem: &Spheres<F>) -> [f64; 3] {
-    let pairs = problem.pairs.iter().map(|l| (l, pair_velocity(problem, l)));
+    let pairs = problem.pair_velocities();
     let walls = problem.walls.iter().map(|l| (l, wall_velocity(problem, l)));
     let mut sums = [0.0; 3];
     for (link, u) in pairs.chain(walls) {

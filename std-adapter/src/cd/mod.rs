@@ -25,6 +25,7 @@
 mod accelerated;
 mod assemble;
 mod energy;
+mod image;
 mod impact;
 mod impact_rest;
 mod impact_round;
@@ -34,6 +35,9 @@ mod operator;
 mod residual;
 mod schedule;
 mod setup;
+mod shear;
+#[cfg(test)]
+mod shear_tests;
 mod sleep;
 mod solver;
 mod spheres;

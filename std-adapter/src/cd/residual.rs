@@ -7,7 +7,7 @@ use super::operator::{Operator, largest};
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Contact, ContactFriction, ContactModes, CoupledFriction, Modal, Thresholds,
+    Contact, ContactFriction, ContactModes, CoupledFriction, Modal, Sphere, Thresholds,
 };
 use tribos_core::internals::{AxialPart, PlanarPart};
 use tribos_core::limit_surface::FrictionSet;
@@ -103,9 +103,14 @@ where
     fresh.refresh();
     let mut sum = Sum::default();
     let [pair, wall] = &problem.friction;
-    for link in &fresh.pairs {
-        let [a, b] = link.bodies.map(|body| &fresh.spheres[body as usize]);
-        sum.add(link, &link.contact.velocity(a, b), pair);
+    let mut images = fresh.images.iter().peekable();
+    for (number, link) in fresh.pairs.iter().enumerate() {
+        let [a, b] = link.bodies.map(|body| fresh.spheres[body as usize]);
+        // An image moves faster than its sphere.
+        let faster = images.next_if(|(pair, _)| *pair as usize == number);
+        let velocity = faster.map_or(b.velocity, |(_, faster)| b.velocity + faster);
+        let b = Sphere { velocity, ..b };
+        sum.add(link, &link.contact.velocity(&a, &b), pair);
     }
     for link in &fresh.walls {
         let [a, b] = link.bodies.map(|body| body as usize);

@@ -1,11 +1,12 @@
 //! Order in which the pairs of a packing are visited.
 //!
 //! Spheres are divided into blocks of consecutive numbers. Pairs inside a block come block by block, so
-//! that blocks can be swept in parallel; pairs across blocks come last. Within each of these groups
-//! pairs are sorted by colours, such that no sphere has two pairs of the same colour: consecutive updates
+//! that blocks can be swept in parallel; pairs across blocks come after them, pairs with an image last.
+//! Within each of these groups pairs are sorted by colours, such that no sphere has two pairs of the same colour: consecutive updates
 //! then do not wait for each other's velocities. The order depends only on the contacts, never on
 //! the number of threads.
 
+use super::image::ImageVelocity;
 use super::spheres::Link;
 use std::ops::Range;
 use tribos_core::contact::ContactModes;
@@ -27,6 +28,8 @@ pub(super) struct Block {
 pub(super) struct Schedule {
     /// Blocks in order.
     pub blocks: Vec<Block>,
+    /// Position of the first pair with an image.
+    pub images: usize,
     /// Group and colour of each pair, and its position in the order.
     keys: Vec<(u32, u32, u32)>,
     /// Colours already used at each sphere, group by group.
@@ -34,8 +37,13 @@ pub(super) struct Schedule {
 }
 
 impl Schedule {
-    /// Sorts the pairs.
-    pub fn arrange<M: ContactModes<f64>>(&mut self, spheres: usize, pairs: &mut Vec<Link<M>>) {
+    /// Sorts the pairs, and renumbers their images in ascending order.
+    pub fn arrange<M: ContactModes<f64>>(
+        &mut self,
+        spheres: usize,
+        pairs: &mut Vec<Link<M>>,
+        images: &mut [ImageVelocity],
+    ) {
         let count = spheres.div_ceil(BLOCK).max(1);
         let across = count as u32;
         let block = |sphere: u32| sphere / BLOCK as u32;
@@ -45,10 +53,15 @@ impl Schedule {
             let group = if a == b { a } else { across };
             self.keys.push((group, 0, index as u32));
         }
+        for (pair, _) in images.iter() {
+            self.keys[*pair as usize].0 = across + 1;
+        }
         self.colour(spheres, across, pairs);
         self.keys.sort_unstable();
         let sorted: Vec<_> = self.keys.iter().map(|key| pairs[key.2 as usize]).collect();
         *pairs = sorted;
+        self.images = pairs.len() - images.len();
+        self.renumber(images);
 
         let mut start = 0;
         self.blocks.clear();
@@ -62,13 +75,24 @@ impl Schedule {
         }
     }
 
+    /// Puts the images into the order of their pairs, which are the last ones.
+    fn renumber(&self, images: &mut [ImageVelocity]) {
+        let old = images.to_vec();
+        for ((at, key), image) in self.keys.iter().enumerate().skip(self.images).zip(images) {
+            let found = old.binary_search_by_key(&key.2, |(pair, _)| *pair);
+            if let Some((_, velocity)) = found.ok().and_then(|found| old.get(found)) {
+                *image = (at as u32, *velocity);
+            }
+        }
+    }
+
     /// Gives each pair the first colour that neither of its spheres has yet, separately inside and across
     /// blocks. Spheres with very many contacts share the last colour.
     fn colour<M: ContactModes<f64>>(&mut self, spheres: usize, across: u32, pairs: &[Link<M>]) {
         self.taken.clear();
         self.taken.resize(2 * spheres, 0);
         for (key, link) in self.keys.iter_mut().zip(pairs) {
-            let apart = if key.0 == across { spheres } else { 0 };
+            let apart = if key.0 >= across { spheres } else { 0 };
             let [a, b] = link.bodies.map(|body| body as usize + apart);
             let free = (self.taken[a] | self.taken[b]).trailing_ones();
             let colour = free.min(u64::BITS - 1);

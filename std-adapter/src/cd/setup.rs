@@ -1,5 +1,6 @@
 //! Initial state, laws and parameters of a world.
 
+use super::shear::flow;
 use super::solver::Solver;
 use crate::space::PeriodicBox;
 use crate::space::pairs::NeighbourError;
@@ -141,6 +142,9 @@ pub struct Setup<F> {
     pub laws: Laws<F>,
     /// Acceleration of all spheres.
     pub gravity: Vector3<f64>,
+    /// Rate of a simple shear, the velocity along x over the height along z; 0 for none. It needs periods along
+    /// both axes; see [`Setup::sheared`].
+    pub shear_rate: f64,
     /// Limits of the time step.
     pub step_limits: StepLimits,
     /// How contacts are solved.
@@ -162,6 +166,7 @@ impl<F> Setup<F> {
             walls: Vec::new(),
             laws,
             gravity: Vector3::zeros(),
+            shear_rate: 0.0,
             step_limits: StepLimits::default(),
             solver: Solver::default(),
             sleep_speed: 0.0,
@@ -188,6 +193,50 @@ impl<F> Setup<F> {
     #[must_use]
     pub fn gravity(self, gravity: Vector3<f64>) -> Self {
         Self { gravity, ..self }
+    }
+
+    /// Shears the periodic cell, and adds the velocity of the flow at its height to every sphere given so far.
+    ///
+    /// *Formula*: v_x = rate (z − L_z/2). Images one period L_z higher move faster by rate L_z (Lees and
+    /// Edwards 1972). *Domain*: x and z are periodic, walls are parallel to the flow and its gradient, and
+    /// nothing sleeps.
+    ///
+    /// ```
+    /// use tribos::cd::{Laws, Setup, World, solid};
+    /// use tribos::kernel::contact::{Cohesion, NormalLaw, Thresholds};
+    /// use tribos::kernel::nalgebra::Vector3;
+    /// use tribos::space::PeriodicBox;
+    /// let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, Thresholds::sliding(0.5)?);
+    /// let mut setup = Setup::new(laws).sphere(Vector3::z() * 7.5, 1.0, solid(1.0, 1.0));
+    /// setup.space = PeriodicBox::new([Some(10.0), Some(10.0), Some(10.0)])?;
+    /// let mut world = World::new(setup.sheared(0.1))?;
+    /// world.step()?;
+    /// // A lone sphere moves with the flow at its height, and the images above it faster by 0.1 · 10.
+    /// let state = world.state();
+    /// assert_eq!(state.spheres[0].velocity, Vector3::x() * 0.25);
+    /// assert!((state.shear_offset - state.time).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn sheared(mut self, rate: f64) -> Self {
+        self.shear_rate = rate;
+        for (x, sphere) in self.positions.iter().zip(&mut self.spheres) {
+            sphere.velocity += flow(rate, &self.space, x.z);
+        }
+        self
+    }
+
+    /// Refuses a shear of a cell that cannot be sheared.
+    fn check_shear(&self) -> Result<(), WorldError> {
+        let rate = self.shear_rate;
+        let [x, _, z] = self.space.lengths();
+        let beside = |wall: &Wall| wall.outward.x == 0.0 && wall.outward.z == 0.0;
+        let can = x.is_some() && z.is_some() && self.sleep_speed == 0.0;
+        if rate == 0.0 || (can && rate.is_finite() && self.walls.iter().all(beside)) {
+            Ok(())
+        } else {
+            Err(WorldError::Shear { rate })
+        }
     }
 }
 
@@ -224,6 +273,7 @@ impl<F> Setup<F> {
         if !self.gravity.iter().all(|part| part.is_finite()) {
             return Err(WorldError::Gravity);
         }
+        self.check_shear()?;
         let sphere = |sphere: &Sphere<f64>| {
             MASSES.contains(&(1.0 / sphere.inv_mass))
                 && valid(sphere.inv_inertia)
@@ -356,6 +406,15 @@ pub enum WorldError {
     /// Gravity is infinite or NaN.
     #[error("gravity must be finite")]
     Gravity,
+    /// The cell cannot be sheared at this rate.
+    #[error(
+        "a shear needs a finite rate, not {rate}, periods along x and z, a sleep threshold of 0, and no walls \
+         but those that face along y"
+    )]
+    Shear {
+        /// Rate given.
+        rate: f64,
+    },
     /// A sphere has a mass outside the valid range, or a state that is not finite.
     #[error(
         "sphere {body}: the mass must lie between 1e-100 and 1e100, the inertia must be positive \

@@ -1,5 +1,6 @@
 //! The contact problem of spheres and plates.
 
+use super::image::{Image, ImageVelocity, Images, seen};
 use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::schedule::Schedule;
 use rayon::prelude::*;
@@ -66,6 +67,8 @@ pub struct Spheres<F: ContactFriction<f64>> {
     pub free: (Vec<Sphere<f64>>, Vec<Plate<f64>>),
     /// Contacts of spheres.
     pub pairs: Vec<Link<F::Modes>>,
+    /// Pairs whose second sphere takes part as an image across the border of a sheared cell, in ascending order.
+    pub images: Vec<ImageVelocity>,
     /// Contacts of a sphere with a plate.
     pub walls: Vec<Link<F::Modes>>,
     /// Friction between spheres, and at plates.
@@ -81,6 +84,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             plates: Vec::new(),
             free: (Vec::new(), Vec::new()),
             pairs: Vec::new(),
+            images: Vec::new(),
             walls: Vec::new(),
             friction,
             schedule: Schedule::default(),
@@ -90,7 +94,9 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     /// Sorts the pairs into the order of the sweep, and updates the velocities for new bodies, contacts and
     /// initial guesses.
     pub fn start(&mut self) {
-        self.schedule.arrange(self.free.0.len(), &mut self.pairs);
+        let count = self.free.0.len();
+        self.schedule
+            .arrange(count, &mut self.pairs, &mut self.images);
         self.spheres.clone_from(&self.free.0);
         self.plates.clone_from(&self.free.1);
         self.refresh();
@@ -99,6 +105,32 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     /// All links in the order of their numbers.
     pub fn links(&self) -> impl Iterator<Item = &Link<F::Modes>> {
         self.pairs.iter().chain(&self.walls)
+    }
+
+    /// The pairs with their relative velocities, those of images where these take part.
+    pub(super) fn pair_velocities(
+        &self,
+    ) -> impl Iterator<Item = (&Link<F::Modes>, Modal<f64, F::Modes>)> {
+        let mut images = Images::new(&self.images);
+        self.pairs.iter().enumerate().map(move |(pair, link)| {
+            let [a, b] = link.bodies.map(|body| &self.spheres[body as usize]);
+            let velocity = match images.of(pair) {
+                None => link.contact.velocity(a, b),
+                image => link.contact.velocity(a, &seen(b, image)),
+            };
+            (link, velocity)
+        })
+    }
+
+    /// Energy that the pairs transfer to the shear that moves their images.
+    pub(super) fn shear_work(&self) -> f64 {
+        let work = |(pair, velocity): &ImageVelocity| {
+            self.pairs.get(*pair as usize).map_or(0.0, |link| {
+                let contact = &link.contact;
+                contact.impulse().linear(contact.normal()).dot(velocity)
+            })
+        };
+        self.images.iter().map(work).sum()
     }
 
     /// Sweeps the pairs: blocks in parallel, then pairs across blocks. The data of the monitor do not depend
@@ -111,8 +143,11 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             .blocks
             .last()
             .map_or(0, |block| block.pairs.end);
+        let border = self.schedule.images;
         if way == Way::Backward {
-            let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[across..]);
+            let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[border..]);
+            sweep_images((pairs, &self.images), spheres, &friction, way, watch);
+            let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[across..border]);
             sweep_links(pairs, 0, spheres, &friction, way, watch);
         }
         let mut parts = Vec::with_capacity(blocks);
@@ -135,8 +170,25 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             watch.join(seen);
         }
         if way == Way::Forward {
-            let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[across..]);
+            let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[across..border]);
             sweep_links(pairs, 0, spheres, &friction, way, watch);
+            let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[border..]);
+            sweep_images((pairs, &self.images), spheres, &friction, way, watch);
+        }
+    }
+
+    /// Solves one pair.
+    fn visit_pair<W: Monitor>(&mut self, index: usize, watch: &mut W) {
+        let Some(link) = self.pairs.get_mut(index..=index) else {
+            return;
+        };
+        let (friction, spheres) = (self.friction[0], &mut self.spheres[..]);
+        match index.checked_sub(self.schedule.images) {
+            None => sweep_links(link, 0, spheres, &friction, Way::Forward, watch),
+            Some(image) => {
+                let images = &self.images[image..];
+                sweep_images((link, images), spheres, &friction, Way::Forward, watch);
+            }
         }
     }
 
@@ -183,6 +235,32 @@ fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
         links.iter_mut().for_each(update);
     } else {
         links.iter_mut().rev().for_each(&mut update);
+    }
+}
+
+/// Solves pairs with an image one after the other.
+fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
+    (links, images): (&mut [Link<F::Modes>], &[ImageVelocity]),
+    spheres: &mut [Sphere<f64>],
+    friction: &F,
+    way: Way,
+    watch: &mut W,
+) {
+    let mut update = |(link, (_, velocity)): (&mut Link<F::Modes>, &ImageVelocity)| {
+        let bodies = link.bodies.map(|body| body as usize);
+        if let Ok([a, sphere]) = spheres.get_disjoint_mut(bodies) {
+            let velocity = *velocity;
+            let change = link
+                .contact
+                .update(friction, a, &mut Image { sphere, velocity });
+            report(&link.contact, &change, watch);
+        }
+    };
+    let pairs = links.iter_mut().zip(images);
+    if way == Way::Forward {
+        pairs.for_each(update);
+    } else {
+        pairs.rev().for_each(&mut update);
     }
 }
 
@@ -261,11 +339,9 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
             Visit::Listed(order) => {
                 for &index in order {
                     let index = index as usize;
-                    if let Some(link) = self.pairs.get_mut(index..=index) {
-                        let friction = self.friction[0];
-                        sweep_links(link, 0, &mut self.spheres, &friction, Way::Forward, watch);
-                    } else {
-                        self.visit_wall(index - pairs, watch);
+                    match index.checked_sub(pairs) {
+                        None => self.visit_pair(index, watch),
+                        Some(wall) => self.visit_wall(wall, watch),
                     }
                 }
             }

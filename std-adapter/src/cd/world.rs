@@ -59,6 +59,8 @@ pub struct State<M: ContactModes<f64>> {
     pub spheres: Vec<Sphere<f64>>,
     /// Walls with their current positions and velocities.
     pub walls: Vec<Wall>,
+    /// Displacement along x of the images one period higher along z, from 0 to the period; 0 without a shear.
+    pub shear_offset: f64,
     /// Energy balance so far.
     pub energy: EnergyBalance,
     /// Contact forces of the last step, used as the initial guess for the next one.
@@ -104,6 +106,8 @@ pub struct World<F: ContactFriction<f64>> {
     pub(super) neighbours: Vec<[u32; 2]>,
     /// Positions for which the neighbour list was built.
     pub(super) listed_at: Vec<Vector3<f64>>,
+    /// Motion of the images since then, relative to the spheres.
+    pub(super) drift: f64,
     workspace: Workspace<F::Modes>,
     pub(super) impacts: Impacts<F>,
 }
@@ -124,6 +128,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             positions: setup.positions.clone(),
             spheres: setup.spheres.clone(),
             walls: setup.walls.clone(),
+            shear_offset: 0.0,
             energy: EnergyBalance::default(),
             memory: Memory::default(),
             impacts: Memory::default(),
@@ -140,6 +145,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             cells: Cells::default(),
             neighbours: Vec::new(),
             listed_at: Vec::new(),
+            drift: 0.0,
             workspace: Workspace::default(),
             impacts: Impacts::new(setup.laws.friction()),
             setup,
@@ -216,8 +222,9 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     /// Largest speed of any body.
     fn fastest(&self, spheres: &[Sphere<f64>], plates: &[Plate<f64>]) -> Result<f64, WorldError> {
         let mut fastest = 0.0_f64;
+        let shear = self.shear_speed();
         for (body, sphere) in spheres.iter().enumerate() {
-            let speed = sphere.velocity.norm();
+            let speed = self.own_speed(body, sphere) + shear;
             if !(speed + sphere.spin.norm()).is_finite() {
                 let step = self.state.steps;
                 return Err(WorldError::NotFinite { step, body });
@@ -262,6 +269,8 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         );
         state.time += dt;
         state.steps += 1;
+        self.shear(dt);
+        let (problem, state) = (&self.problem, &mut self.state);
         let contacts = problem.contacts();
         state.impacts.forces = self.impacts.mean_forces(dt);
         if counts.impacts > 0 {

@@ -24,6 +24,8 @@ pub(crate) struct Frozen {
     pub motions: Vec<[Vector3<f64>; 2]>,
     /// Positions and velocities of the walls.
     pub walls: Vec<(f64, Vector3<f64>)>,
+    /// Displacement of the images of a sheared cell, 0 without a shear.
+    pub shear_offset: f64,
     pub energy: EnergyBalance,
     /// Forces of lasting contacts.
     pub forces: Forces,
@@ -63,6 +65,9 @@ impl Frozen {
         let wall =
             |(place, velocity): &(f64, Vector3<f64>)| [*place, velocity.x, velocity.y, velocity.z];
         put("walls", self.walls.iter().flat_map(wall).collect());
+        if self.shear_offset != 0.0 {
+            put("shear_offset", vec![self.shear_offset]);
+        }
         put("book", energy_numbers(&self.energy).to_vec());
         for (names, forces) in [(FORCES, &self.forces), (IMPACTS, &self.impacts)] {
             for (name, forces) in names.iter().zip(forces) {
@@ -95,6 +100,10 @@ impl Frozen {
                 .into_iter()
                 .map(|[place, x, y, z]| (place, Vector3::new(x, y, z)))
                 .collect(),
+            shear_offset: match &value["shear_offset"] {
+                Value::Null => 0.0,
+                _ => one(value, "shear_offset")?,
+            },
             energy: energy(&numbers(value, "book")?).ok_or_else(|| damaged("book"))?,
             forces: [forces(FORCES[0])?, forces(FORCES[1])?],
             impacts: [forces(IMPACTS[0])?, forces(IMPACTS[1])?],

@@ -145,6 +145,7 @@ fn thaw<M: ContactModes<f64>>(frozen: &Frozen, state: &mut State<M>) {
     for (wall, (place, velocity)) in state.walls.iter_mut().zip(&frozen.walls) {
         (wall.place, wall.plate.velocity) = (*place, *velocity);
     }
+    state.shear_offset = frozen.shear_offset;
     state.energy = frozen.energy;
     state.sleep = Sleep::restored(frozen.awake.clone(), frozen.still.clone());
     state.memory = memory(&frozen.forces);
@@ -222,7 +223,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
     }
 
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {
-        let (setup, state) = (self.setup(), self.state());
+        let (setup, state, space) = (self.setup(), self.state(), self.space());
         let [pairs, walls] = &state.memory.forces;
         let [pair_law, wall_law] = &setup.laws.normal();
         let mut rows = Vec::with_capacity(pairs.len() + walls.len());
@@ -233,9 +234,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         for ([a, b], force) in pairs {
             let force = with_impact(0, [*a, *b], force);
             let [i, j] = [*a as usize, *b as usize];
-            let apart = setup
-                .space
-                .displacement(&state.positions[i], &state.positions[j]);
+            let apart = space.displacement(&state.positions[i], &state.positions[j]);
             let touch = Touch::spheres(&apart, [setup.radii[i], setup.radii[j]])?;
             if force.normal != 0.0 || touch.gap <= pair_law.cohesion().range() {
                 rows.push(Force::of(&force).row(*a, Partner::Particle(*b), &touch));
@@ -265,6 +264,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
                 .iter()
                 .map(|wall| (wall.place, wall.plate.velocity))
                 .collect(),
+            shear_offset: state.shear_offset,
             energy: state.energy,
             forces: forces(&state.memory),
             impacts: forces(&state.impacts),

@@ -4,6 +4,8 @@ mod grid;
 #[doc(hidden)]
 pub mod pairs;
 mod periodic;
+#[cfg(test)]
+mod sheared_tests;
 
 pub use pairs::NeighbourError;
 #[doc(hidden)]

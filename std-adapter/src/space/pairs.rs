@@ -152,11 +152,21 @@ impl Cells {
         self.pairs.clear();
         check(positions, radii, skin)?;
         check_reach(space, radii, skin)?;
-        let grid = Grid::new(space, positions, 2.0 * self.median(radii) + skin);
+        // A sheared border is crossed by images of the searching sphere instead of by the grid.
+        let is_sheared = space.offset() != 0.0;
+        let cut = if is_sheared {
+            space.open_upwards()
+        } else {
+            *space
+        };
+        let grid = Grid::new(&cut, positions, 2.0 * self.median(radii) + skin);
         self.sort_into(&grid, space, positions, radii);
         self.search(&grid, space, skin);
         // Cells come in the order of space, pairs in the order of particles.
         self.keys.sort_unstable();
+        if is_sheared {
+            self.keys.dedup();
+        }
         let pair = |&key: &u64| [(key >> 32) as u32, key as u32];
         self.pairs.extend(self.keys.iter().map(pair));
         Ok(&self.pairs)
@@ -221,18 +231,21 @@ impl Cells {
             if reach <= 0.0 {
                 continue;
             }
-            grid.near(&space.wrap(&entry.position), reach, |cells| {
-                let from = self.starts[*cells.start()] as usize;
-                let to = self.starts[cells.end() + 1] as usize;
-                for other in &self.entries[from..to] {
-                    let is_mine = (other.radius, other.index) < (entry.radius, entry.index);
-                    if is_mine && is_near(space, entry, other, skin) {
-                        let low = entry.index.min(other.index);
-                        let high = entry.index.max(other.index);
-                        self.keys.push(u64::from(low) << 32 | u64::from(high));
+            let lookouts = space.lookouts(space.wrap(&entry.position), reach);
+            for place in lookouts.iter().flatten() {
+                grid.near(place, reach, |cells| {
+                    let from = self.starts[*cells.start()] as usize;
+                    let to = self.starts[cells.end() + 1] as usize;
+                    for other in &self.entries[from..to] {
+                        let is_mine = (other.radius, other.index) < (entry.radius, entry.index);
+                        if is_mine && is_near(space, entry, other, skin) {
+                            let low = entry.index.min(other.index);
+                            let high = entry.index.max(other.index);
+                            self.keys.push(u64::from(low) << 32 | u64::from(high));
+                        }
                     }
-                }
-            });
+                });
+            }
         }
     }
 }

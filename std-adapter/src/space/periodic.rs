@@ -27,6 +27,8 @@ pub const AXES: [&str; 3] = ["x", "y", "z"];
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PeriodicBox {
     lengths: [Option<f64>; 3],
+    /// Displacement along x of the image one period higher along z (Lees and Edwards 1972).
+    offset: f64,
 }
 
 /// A length that cannot be a period.
@@ -47,7 +49,10 @@ pub struct PeriodicBoxError {
 
 impl PeriodicBox {
     /// Open along every axis.
-    pub const OPEN: Self = Self { lengths: [None; 3] };
+    pub const OPEN: Self = Self {
+        lengths: [None; 3],
+        offset: 0.0,
+    };
 
     /// A box with these periods, `None` for an open axis. *Domain*: finite, > 0.
     pub fn new(lengths: [Option<f64>; 3]) -> Result<Self, PeriodicBoxError> {
@@ -59,7 +64,10 @@ impl PeriodicBox {
                 _ => {}
             }
         }
-        Ok(Self { lengths })
+        Ok(Self {
+            lengths,
+            offset: 0.0,
+        })
     }
 
     /// The periods, `None` for an open axis.
@@ -75,7 +83,10 @@ impl PeriodicBox {
     /// otherwise half an ulp of each position.
     #[inline]
     pub fn displacement(&self, a: &Vector3<f64>, b: &Vector3<f64>) -> Vector3<f64> {
-        let straight = b - a;
+        let mut straight = b - a;
+        if self.offset != 0.0 {
+            straight.x -= self.offset * self.levels(straight.z);
+        }
         Vector3::new(
             nearest_image(straight.x, self.lengths[0]),
             nearest_image(straight.y, self.lengths[1]),
@@ -87,13 +98,74 @@ impl PeriodicBox {
     ///
     /// *Domain*: any; NaN and infinity give NaN along a periodic axis.
     pub fn wrap(&self, x: &Vector3<f64>) -> Vector3<f64> {
+        let mut along = x.x;
+        if self.offset != 0.0 {
+            along -= self.offset * self.level(x.z);
+        }
         Vector3::new(
-            wrapped(x.x, self.lengths[0]),
+            wrapped(along, self.lengths[0]),
             wrapped(x.y, self.lengths[1]),
             wrapped(x.z, self.lengths[2]),
         )
     }
+
+    /// The box whose images one period higher along z are displaced along x by `offset`. *Domain*: finite;
+    /// 0 unless x and z are periodic.
+    pub(crate) fn sheared(self, offset: f64) -> Self {
+        Self { offset, ..self }
+    }
+
+    /// Displacement along x of the image one period higher along z.
+    pub(crate) fn offset(&self) -> f64 {
+        self.offset
+    }
+
+    /// Whole periods along z between the ends of a distance and its nearest image: 0 for most pairs.
+    #[inline]
+    pub(crate) fn levels(&self, distance: f64) -> f64 {
+        match self.lengths[2] {
+            Some(length) if distance.abs() > 0.5 * length => (distance / length).round(),
+            _ => 0.0,
+        }
+    }
+
+    /// Number of periods along z by which [`PeriodicBox::wrap`] lowers a coordinate.
+    pub(crate) fn level(&self, z: f64) -> f64 {
+        match self.lengths[2] {
+            Some(length) => ((z - wrapped(z, Some(length))) / length).round(),
+            None => 0.0,
+        }
+    }
+
+    /// The box with its axis z open.
+    pub(crate) fn open_upwards(self) -> Self {
+        let [x, y, _] = self.lengths;
+        Self {
+            lengths: [x, y, None],
+            offset: 0.0,
+        }
+    }
+
+    /// The places from which a search looks around, for a `place` in the cell: itself and, in a sheared box,
+    /// its images beyond the borders along z that are within `reach`.
+    pub(crate) fn lookouts(&self, place: Vector3<f64>, reach: f64) -> [Option<Vector3<f64>>; 3] {
+        let mut all = [Some(place), None, None];
+        if let Some(height) = self.lengths[2].filter(|_| self.offset != 0.0) {
+            let moved = |levels: f64| {
+                let along = place.x + levels * self.offset;
+                let x = wrapped(along, self.lengths[0]);
+                Vector3::new(x, place.y, place.z + levels * height)
+            };
+            let wide = reach + ROUNDING * height;
+            all[1] = (place.z < wide).then(|| moved(1.0));
+            all[2] = (place.z > height - wide).then(|| moved(-1.0));
+        }
+        all
+    }
 }
+
+/// Relative tolerance for the rounding of a position, about 1e-15.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// `distance` minus whole periods, at most half of one.
 #[inline]
