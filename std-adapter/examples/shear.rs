@@ -99,7 +99,7 @@ fn momentum_flux<F: ContactFriction<f64> + Coefficients>(
         let own = sphere.velocity - flow;
         flux += own * own.transpose() * (dt / sphere.inv_mass);
     }
-    flux / sides.iter().product()
+    flux / sides.iter().product::<f64>()
 }
 
 /// Random spheres in a cube of this solid fraction, pushed apart until they hardly overlap.

@@ -62,6 +62,7 @@ where
         laws: Laws::uniform(cohesive, friction),
         gravity: Vector3::zeros(),
         shear_rate: 0.0,
+        mixture: None,
         step_limits: StepLimits {
             longest: 0.2,
             motion: 0.05,

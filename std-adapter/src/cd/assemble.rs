@@ -20,11 +20,9 @@ const MEETING: f64 = 4.0;
 impl<F: ContactFriction<f64> + Coefficients> World<F> {
     /// Distance within which two surfaces may act on each other in a step.
     pub(super) fn reach(&self) -> f64 {
-        let range = |law: &NormalLaw<f64>| law.cohesion().range();
-        let [pair, wall] = &self.setup.laws.normal();
-        range(pair)
-            .max(range(wall))
-            .max(MEETING * self.setup.step_limits.motion)
+        let book = self.setup.book();
+        let ranges = book.all().map(|law| law.normal.cohesion().range());
+        ranges.fold(MEETING * self.setup.step_limits.motion, f64::max)
     }
 
     /// Renews the neighbour list once something has moved by half the margin.
@@ -64,14 +62,14 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         let problem = &mut self.problem;
 
         // Impacts come first, at the middle of the step's load.
-        let laws = &self.setup.laws;
+        let book = self.setup.book();
         let (mut spheres, mut walls_before, mut loaded) = (&state.spheres, &state.walls, dt);
-        if impact::rebounds(laws) {
+        if impact::rebounds(book) {
             let around = Surroundings {
                 touching: [&pairs, &walls],
                 images: &images,
                 awake,
-                laws,
+                book,
                 gravity: &self.setup.gravity,
                 dt,
             };
@@ -101,7 +99,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         }
 
         // Lasting contacts; contacts that rebound were treated as impacts.
-        let [pair, wall] = &laws.normal().map(lasting);
+        let [pair, wall] = book.laws.normal().map(lasting);
         problem.pairs.clear();
         problem.images.clear();
         let mut images = Images::new(&images);
@@ -110,7 +108,11 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             let image = images.of(number);
             if awake[a] || awake[b] {
                 let (a, b) = (&spheres[a], &seen(&spheres[b], image));
-                let contact = Contact::new(touch, pair, a, b, dt);
+                let law = match book.mixture {
+                    None => pair,
+                    Some(mixture) => lasting(mixture.of_pair(*bodies).normal),
+                };
+                let contact = Contact::new(touch, &law, a, b, dt);
                 let number = problem.pairs.len() as u32;
                 problem.images.extend(image.map(|image| (number, image)));
                 problem.pairs.push(Link {
@@ -124,7 +126,11 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             let [a, b] = bodies.map(|body| body as usize);
             if awake[a] {
                 let (a, b) = (&spheres[a], &walls_before[b].plate);
-                let contact = Contact::new(touch, wall, a, b, dt);
+                let law = match book.mixture {
+                    None => wall,
+                    Some(mixture) => lasting(mixture.at_wall(*bodies).normal),
+                };
+                let contact = Contact::new(touch, &law, a, b, dt);
                 problem.walls.push(Link {
                     bodies: *bodies,
                     contact,

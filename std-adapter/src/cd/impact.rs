@@ -27,7 +27,8 @@ use super::assemble::Touching;
 use super::energy::Taken;
 use super::image::{ImageVelocity, Images, seen};
 use super::memory::StoredForce;
-use super::setup::{Laws, Wall};
+use super::mixture::LawBook;
+use super::setup::Wall;
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
 use tribos_core::contact::{
@@ -54,7 +55,7 @@ pub(super) struct Surroundings<'a, F> {
     /// One flag per sphere, true if awake.
     pub awake: &'a [bool],
     /// Contact laws.
-    pub laws: &'a Laws<F>,
+    pub book: LawBook<'a, F>,
     /// Acceleration of all spheres.
     pub gravity: &'a Vector3<f64>,
     /// Length of the step.
@@ -94,8 +95,8 @@ pub(super) struct Impacts<F: ContactFriction<f64>> {
 }
 
 /// Whether any contact law has restitution.
-pub(super) fn rebounds<F>(laws: &Laws<F>) -> bool {
-    laws.normal().iter().any(|law| law.restitution() > 0.0)
+pub(super) fn rebounds<F>(book: LawBook<'_, F>) -> bool {
+    book.all().any(|law| law.normal.restitution() > 0.0)
 }
 
 impl<F: ContactFriction<f64>> Impacts<F> {
@@ -127,12 +128,12 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         self.walls.clear();
         self.walls.extend_from_slice(walls);
         self.load(around);
-        let groups = groups(around.laws);
+        let groups = coefficients(around.book);
         let mut slow = None;
         while self.counts.rounds < MOST_ROUNDS {
             let mut fastest = 0.0_f64;
-            for (kinds, restitution) in &groups {
-                let speed = self.gather(*kinds, around, slow.unwrap_or(0.0));
+            for restitution in &groups {
+                let speed = self.gather(*restitution, around, slow.unwrap_or(0.0));
                 if speed > 0.0 {
                     self.round(*restitution);
                 }
@@ -177,11 +178,10 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         }
     }
 
-    /// Collects the contacts of these kinds that close faster than `slow`; returns the largest closing
+    /// Collects the contacts with this coefficient of restitution that close faster than `slow`; returns the largest closing
     /// speed, or 0 if there is none.
-    fn gather(&mut self, kinds: [bool; 2], around: &Surroundings<'_, F>, slow: f64) -> f64 {
+    fn gather(&mut self, restitution: f64, around: &Surroundings<'_, F>, slow: f64) -> f64 {
         let (awake, gravity) = (around.awake, around.gravity.norm());
-        let [pair_law, wall_law] = &around.laws.normal();
         let [pairs, walls] = around.touching;
         let closing = Closing {
             dt: around.dt,
@@ -193,14 +193,15 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         reflection.walls.clear();
         let mut fastest = 0.0_f64;
         let mut images = Images::new(around.images);
-        for (pair, (bodies, touch)) in pairs.iter().enumerate().filter(|_| kinds[0]) {
+        for (pair, (bodies, touch)) in pairs.iter().enumerate() {
             let [a, b] = bodies.map(|body| body as usize);
             let image = images.of(pair);
-            if awake[a] || awake[b] {
+            let law = &around.book.of_pair(*bodies).normal;
+            if law.restitution() == restitution && (awake[a] || awake[b]) {
                 let (a, b) = (&self.spheres[a], &seen(&self.spheres[b], image));
                 let contact = prepare(touch, a, b);
                 let speed = contact.velocity(a, b).normal;
-                if closing.impacts(touch, pair_law, &contact, [-speed, gravity]) {
+                if closing.impacts(touch, law, &contact, [-speed, gravity]) {
                     fastest = fastest.max(-speed);
                     let number = reflection.pairs.len() as u32;
                     reflection.images.extend(image.map(|image| (number, image)));
@@ -211,14 +212,15 @@ impl<F: ContactFriction<f64>> Impacts<F> {
                 }
             }
         }
-        for (bodies, touch) in walls.iter().filter(|_| kinds[1]) {
+        for (bodies, touch) in walls {
             let [a, b] = bodies.map(|body| body as usize);
-            if awake[a] {
+            let law = &around.book.at_wall(*bodies).normal;
+            if law.restitution() == restitution && awake[a] {
                 let wall = &self.walls[b];
                 let contact = prepare(&at_plate(touch), &self.spheres[a], &wall.plate);
                 let speed = contact.velocity(&self.spheres[a], &wall.plate).normal;
                 let load = gravity + (wall.force * wall.plate.inv_mass).abs();
-                if closing.impacts(touch, wall_law, &contact, [-speed, load]) {
+                if closing.impacts(touch, law, &contact, [-speed, load]) {
                     fastest = fastest.max(-speed);
                     reflection.walls.push(Link {
                         bodies: *bodies,
@@ -255,16 +257,17 @@ impl Closing {
     }
 }
 
-/// Kinds of contacts, pairs and walls, with the same coefficient of restitution: a reflection is
-/// guaranteed to lose energy only for a common one.
-fn groups<F>(laws: &Laws<F>) -> Vec<([bool; 2], f64)> {
-    let [pair, wall] = laws.normal().map(|law| law.restitution());
-    let groups = if pair == wall {
-        vec![([true, true], pair)]
-    } else {
-        vec![([true, false], pair), ([false, true], wall)]
-    };
-    groups.into_iter().filter(|(_, e)| *e > 0.0).collect()
+/// Coefficients of restitution of the laws, each once: a reflection is guaranteed to lose energy only for a
+/// common one.
+fn coefficients<F>(book: LawBook<'_, F>) -> Vec<f64> {
+    let mut all = Vec::new();
+    for law in book.all() {
+        let e = law.normal.restitution();
+        if e > 0.0 && !all.contains(&e) {
+            all.push(e);
+        }
+    }
+    all
 }
 
 /// A sphere that has reached its plate: the lever of friction is the radius, whatever gap the last step

@@ -109,6 +109,7 @@ mod tests {
             spheres: (0..count).map(thrown).collect(),
             walls: vec![Wall::fixed(up, 0.0)],
             laws: Laws::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, friction),
+            mixture: None,
             gravity: Vector3::zeros(),
             shear_rate: 0.0,
             step_limits: StepLimits {

@@ -61,9 +61,11 @@ impl<M: ContactModes<f64>> Memory<M> {
 
     /// Initialises contacts that existed before with their former force.
     pub fn recall<F: ContactFriction<f64, Modes = M>>(&self, problem: &mut Spheres<F>, dt: f64) {
-        let [pair, wall] = problem.friction;
-        recall(&self.forces[0], &mut problem.pairs, &pair, dt);
-        recall(&self.forces[1], &mut problem.walls, &wall, dt);
+        let (friction, mixture) = (problem.friction, problem.mixture.as_deref());
+        let pair = |bodies| mixture.map_or(friction[0], |mixture| mixture.of_pair(bodies).friction);
+        let wall = |bodies| mixture.map_or(friction[1], |mixture| mixture.at_wall(bodies).friction);
+        recall(&self.forces[0], &mut problem.pairs, pair, dt);
+        recall(&self.forces[1], &mut problem.walls, wall, dt);
     }
 
     /// Stores the forces of this step, and keeps those between bodies that slept through it.
@@ -103,7 +105,7 @@ pub(super) fn find<M: ContactModes<f64>>(
 fn recall<M: ContactModes<f64>, F: ContactFriction<f64, Modes = M>>(
     forces: &[StoredForce<M>],
     links: &mut [Link<M>],
-    friction: &F,
+    friction: impl Fn([u32; 2]) -> F,
     dt: f64,
 ) {
     let mut old = forces.iter().peekable();
@@ -113,7 +115,7 @@ fn recall<M: ContactModes<f64>, F: ContactFriction<f64, Modes = M>>(
             // The normal has turned since the last step.
             link.contact
                 .set_impulse(&Modal::default().plus_scaled(dt, force));
-            link.contact.admit(friction);
+            link.contact.admit(&friction(link.bodies));
         }
     }
 }

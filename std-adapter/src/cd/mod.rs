@@ -30,6 +30,9 @@ mod impact;
 mod impact_rest;
 mod impact_round;
 mod memory;
+mod mixture;
+#[cfg(test)]
+mod mixture_tests;
 mod nsgs;
 mod operator;
 mod residual;
@@ -44,6 +47,7 @@ mod spheres;
 mod world;
 
 pub use energy::EnergyBalance;
+pub use mixture::Mixture;
 pub use nsgs::{Iterations, Order, Stop};
 pub use residual::Residual;
 pub use setup::{ContactLaws, Laws, Setup, StepLimits, Wall, WorldError, solid};

@@ -102,7 +102,6 @@ where
     let mut fresh = problem.clone();
     fresh.refresh();
     let mut sum = Sum::default();
-    let [pair, wall] = &problem.friction;
     let mut images = fresh.images.iter().peekable();
     for (number, link) in fresh.pairs.iter().enumerate() {
         let [a, b] = link.bodies.map(|body| fresh.spheres[body as usize]);
@@ -110,12 +109,16 @@ where
         let faster = images.next_if(|(pair, _)| *pair as usize == number);
         let velocity = faster.map_or(b.velocity, |(_, faster)| b.velocity + faster);
         let b = Sphere { velocity, ..b };
-        sum.add(link, &link.contact.velocity(&a, &b), pair);
+        sum.add(
+            link,
+            &link.contact.velocity(&a, &b),
+            problem.pair_friction(link.bodies),
+        );
     }
     for link in &fresh.walls {
         let [a, b] = link.bodies.map(|body| body as usize);
         let velocity = link.contact.velocity(&fresh.spheres[a], &fresh.plates[b]);
-        sum.add(link, &velocity, wall);
+        sum.add(link, &velocity, problem.wall_friction(link.bodies));
     }
     sum.finish()
 }

@@ -1,5 +1,6 @@
 //! Initial state, laws and parameters of a world.
 
+use super::mixture::{LawBook, Mixture};
 use super::shear::flow;
 use super::solver::Solver;
 use crate::space::PeriodicBox;
@@ -140,6 +141,8 @@ pub struct Setup<F> {
     pub walls: Vec<Wall>,
     /// Contact laws.
     pub laws: Laws<F>,
+    /// Materials of the bodies and their laws, in place of `laws`, if there are several.
+    pub mixture: Option<Mixture<F>>,
     /// Acceleration of all spheres.
     pub gravity: Vector3<f64>,
     /// Rate of a simple shear, the velocity along x over the height along z; 0 for none. It needs periods along
@@ -165,6 +168,7 @@ impl<F> Setup<F> {
             spheres: Vec::new(),
             walls: Vec::new(),
             laws,
+            mixture: None,
             gravity: Vector3::zeros(),
             shear_rate: 0.0,
             step_limits: StepLimits::default(),
@@ -226,6 +230,14 @@ impl<F> Setup<F> {
         self
     }
 
+    /// The laws of the bodies.
+    pub(crate) fn book(&self) -> LawBook<'_, F> {
+        LawBook {
+            laws: &self.laws,
+            mixture: self.mixture.as_ref(),
+        }
+    }
+
     /// Refuses a shear of a cell that cannot be sheared.
     fn check_shear(&self) -> Result<(), WorldError> {
         let rate = self.shear_rate;
@@ -274,6 +286,10 @@ impl<F> Setup<F> {
             return Err(WorldError::Gravity);
         }
         self.check_shear()?;
+        let fits = |mixture: &Mixture<F>| mixture.fits(spheres, self.walls.len());
+        if !self.mixture.as_ref().is_none_or(fits) {
+            return Err(WorldError::Mixture);
+        }
         let sphere = |sphere: &Sphere<f64>| {
             MASSES.contains(&(1.0 / sphere.inv_mass))
                 && valid(sphere.inv_inertia)
@@ -406,6 +422,9 @@ pub enum WorldError {
     /// Gravity is infinite or NaN.
     #[error("gravity must be finite")]
     Gravity,
+    /// The numbers of bodies with a material are not those of the bodies.
+    #[error("a mixture needs one material for each sphere and each wall")]
+    Mixture,
     /// The cell cannot be sheared at this rate.
     #[error(
         "a shear needs a finite rate, not {rate}, periods along x and z, a sleep threshold of 0, and no walls \

@@ -1,9 +1,11 @@
 //! The contact problem of spheres and plates.
 
 use super::image::{Image, ImageVelocity, Images, seen};
+use super::mixture::{Mixture, PairFriction, Same};
 use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::schedule::Schedule;
 use rayon::prelude::*;
+use std::sync::Arc;
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
 
 impl<M: ContactModes<f64>> Impulse for Modal<f64, M> {
@@ -73,6 +75,8 @@ pub struct Spheres<F: ContactFriction<f64>> {
     pub walls: Vec<Link<F::Modes>>,
     /// Friction between spheres, and at plates.
     pub friction: [F; 2],
+    /// Materials and their friction, in place of `friction`, if there are several.
+    pub mixture: Option<Arc<Mixture<F>>>,
     schedule: Schedule,
 }
 
@@ -87,6 +91,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             images: Vec::new(),
             walls: Vec::new(),
             friction,
+            mixture: None,
             schedule: Schedule::default(),
         }
     }
@@ -100,6 +105,24 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         self.spheres.clone_from(&self.free.0);
         self.plates.clone_from(&self.free.1);
         self.refresh();
+    }
+
+    /// Friction between two spheres.
+    #[inline(always)]
+    pub(super) fn pair_friction(&self, bodies: [u32; 2]) -> &F {
+        match &self.mixture {
+            None => &self.friction[0],
+            Some(mixture) => &mixture.of_pair(bodies).friction,
+        }
+    }
+
+    /// Friction of a sphere at a plate.
+    #[inline(always)]
+    pub(super) fn wall_friction(&self, bodies: [u32; 2]) -> &F {
+        match &self.mixture {
+            None => &self.friction[1],
+            Some(mixture) => &mixture.at_wall(bodies).friction,
+        }
     }
 
     /// All links in the order of their numbers.
@@ -136,7 +159,18 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     /// Sweeps the pairs: blocks in parallel, then pairs across blocks. The data of the monitor do not depend
     /// on the number of threads.
     fn sweep_pairs<W: Monitor>(&mut self, way: Way, watch: &mut W) {
-        let friction = self.friction[0];
+        match self.mixture.clone() {
+            None => self.sweep_pairs_with(&Same(self.friction[0]), way, watch),
+            Some(mixture) => self.sweep_pairs_with(&*mixture, way, watch),
+        }
+    }
+
+    fn sweep_pairs_with<W: Monitor>(
+        &mut self,
+        friction: &impl PairFriction<F>,
+        way: Way,
+        watch: &mut W,
+    ) {
         let blocks = self.schedule.blocks.len();
         let across = self
             .schedule
@@ -146,9 +180,9 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         let border = self.schedule.images;
         if way == Way::Backward {
             let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[border..]);
-            sweep_images((pairs, &self.images), spheres, &friction, way, watch);
+            sweep_images((pairs, &self.images), spheres, friction, way, watch);
             let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[across..border]);
-            sweep_links(pairs, 0, spheres, &friction, way, watch);
+            sweep_links(pairs, 0, spheres, friction, way, watch);
         }
         let mut parts = Vec::with_capacity(blocks);
         let (mut spheres, mut pairs) = (&mut self.spheres[..], &mut self.pairs[..across]);
@@ -159,7 +193,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             parts.push((block.spheres.start as u32, own, links, watch.fork()));
         }
         let sweep = |(first, spheres, links, watch): &mut (u32, &mut [_], &mut [_], W)| {
-            sweep_links(links, *first, spheres, &friction, way, watch);
+            sweep_links(links, *first, spheres, friction, way, watch);
         };
         if across >= WORTHWHILE && rayon::current_num_threads() > 1 {
             parts.par_iter_mut().for_each(sweep);
@@ -171,9 +205,9 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         }
         if way == Way::Forward {
             let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[across..border]);
-            sweep_links(pairs, 0, spheres, &friction, way, watch);
+            sweep_links(pairs, 0, spheres, friction, way, watch);
             let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[border..]);
-            sweep_images((pairs, &self.images), spheres, &friction, way, watch);
+            sweep_images((pairs, &self.images), spheres, friction, way, watch);
         }
     }
 
@@ -182,12 +216,17 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         let Some(link) = self.pairs.get_mut(index..=index) else {
             return;
         };
-        let (friction, spheres) = (self.friction[0], &mut self.spheres[..]);
-        match index.checked_sub(self.schedule.images) {
-            None => sweep_links(link, 0, spheres, &friction, Way::Forward, watch),
-            Some(image) => {
-                let images = &self.images[image..];
-                sweep_images((link, images), spheres, &friction, Way::Forward, watch);
+        let spheres = &mut self.spheres[..];
+        let (one, both) = (Same(self.friction[0]), self.mixture.as_deref());
+        match (index.checked_sub(self.schedule.images), both) {
+            (None, None) => sweep_links(link, 0, spheres, &one, Way::Forward, watch),
+            (None, Some(mixture)) => sweep_links(link, 0, spheres, mixture, Way::Forward, watch),
+            (Some(image), both) => {
+                let pairs = (link, &self.images[image..]);
+                match both {
+                    None => sweep_images(pairs, spheres, &one, Way::Forward, watch),
+                    Some(mixture) => sweep_images(pairs, spheres, mixture, Way::Forward, watch),
+                }
             }
         }
     }
@@ -197,9 +236,13 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         let Some(link) = self.walls.get_mut(index) else {
             return;
         };
+        let friction = match &self.mixture {
+            None => &self.friction[1],
+            Some(mixture) => &mixture.at_wall(link.bodies).friction,
+        };
         let [a, b] = link.bodies.map(|body| body as usize);
         if let (Some(a), Some(b)) = (self.spheres.get_mut(a), self.plates.get_mut(b)) {
-            let change = link.contact.update(&self.friction[1], a, b);
+            let change = link.contact.update(friction, a, b);
             report(&link.contact, &change, watch);
         }
     }
@@ -220,13 +263,14 @@ fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
     links: &mut [Link<F::Modes>],
     first: u32,
     spheres: &mut [Sphere<f64>],
-    friction: &F,
+    friction: &impl PairFriction<F>,
     way: Way,
     watch: &mut W,
 ) {
     let mut update = |link: &mut Link<F::Modes>| {
         let bodies = link.bodies.map(|body| (body - first) as usize);
         if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
+            let friction = friction.of(link.bodies);
             let change = link.contact.update(friction, a, b);
             report(&link.contact, &change, watch);
         }
@@ -242,14 +286,14 @@ fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
 fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
     (links, images): (&mut [Link<F::Modes>], &[ImageVelocity]),
     spheres: &mut [Sphere<f64>],
-    friction: &F,
+    friction: &impl PairFriction<F>,
     way: Way,
     watch: &mut W,
 ) {
     let mut update = |(link, (_, velocity)): (&mut Link<F::Modes>, &ImageVelocity)| {
         let bodies = link.bodies.map(|body| body as usize);
         if let Ok([a, sphere]) = spheres.get_disjoint_mut(bodies) {
-            let velocity = *velocity;
+            let (velocity, friction) = (*velocity, friction.of(link.bodies));
             let change = link
                 .contact
                 .update(friction, a, &mut Image { sphere, velocity });
@@ -296,11 +340,17 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
 
     fn guess(&mut self, contact: usize, impulse: &Self::Impulse) {
         let walls = contact.wrapping_sub(self.pairs.len());
-        let (link, friction) = match self.pairs.get_mut(contact) {
-            Some(link) => (Some(link), &self.friction[0]),
-            None => (self.walls.get_mut(walls), &self.friction[1]),
+        let mixture = self.mixture.as_deref();
+        let (link, kind) = match self.pairs.get_mut(contact) {
+            Some(link) => (Some(link), 0),
+            None => (self.walls.get_mut(walls), 1),
         };
         if let Some(link) = link {
+            let friction = match (mixture, kind) {
+                (None, _) => &self.friction[kind],
+                (Some(mixture), 0) => &mixture.of_pair(link.bodies).friction,
+                (Some(mixture), _) => &mixture.at_wall(link.bodies).friction,
+            };
             link.contact.set_impulse_in_plane(impulse);
             link.contact.admit(friction);
         }

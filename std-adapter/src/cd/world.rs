@@ -12,6 +12,7 @@ use super::solver::Workspace;
 use super::spheres::Spheres;
 use crate::space::pairs::Cells;
 use nalgebra::Vector3;
+use std::sync::Arc;
 use tribos_core::contact::{ContactFriction, ContactModes, Plate, Sphere};
 
 /// Report of one step.
@@ -139,15 +140,19 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
 
     /// A world that continues from a state of a world with the same setup.
     pub fn resume(setup: Setup<F>, state: State<F::Modes>) -> Self {
+        let friction = setup.laws.friction();
+        let (mut problem, mut impacts) = (Spheres::new(friction), Impacts::new(friction));
+        problem.mixture = setup.mixture.clone().map(Arc::new);
+        impacts.friction.mixture.clone_from(&problem.mixture);
         Self {
-            problem: Spheres::new(setup.laws.friction()),
+            problem,
             state,
             cells: Cells::default(),
             neighbours: Vec::new(),
             listed_at: Vec::new(),
             drift: 0.0,
             workspace: Workspace::default(),
-            impacts: Impacts::new(setup.laws.friction()),
+            impacts,
             setup,
         }
     }
@@ -240,7 +245,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         let residual = residual(&self.problem);
         let (problem, state) = (&self.problem, &mut self.state);
         let (mut before, mut loaded) = ((&state.spheres[..], &state.walls[..]), dt);
-        let counts = if impact::rebounds(&self.setup.laws) {
+        let counts = if impact::rebounds(self.setup.book()) {
             state.energy.enter_impacts(&self.impacts.taken);
             before = (&self.impacts.spheres, &self.impacts.walls);
             loaded = 0.5 * dt;

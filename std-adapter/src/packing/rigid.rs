@@ -225,7 +225,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
     fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {
         let (setup, state, space) = (self.setup(), self.state(), self.space());
         let [pairs, walls] = &state.memory.forces;
-        let [pair_law, wall_law] = &setup.laws.normal();
+        let book = setup.book();
         let mut rows = Vec::with_capacity(pairs.len() + walls.len());
         let with_impact = |kind, bodies, force: &Modal<f64, F::Modes>| {
             let impact = state.impacts.force(kind, bodies);
@@ -236,7 +236,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
             let [i, j] = [*a as usize, *b as usize];
             let apart = space.displacement(&state.positions[i], &state.positions[j]);
             let touch = Touch::spheres(&apart, [setup.radii[i], setup.radii[j]])?;
-            if force.normal != 0.0 || touch.gap <= pair_law.cohesion().range() {
+            if force.normal != 0.0 || touch.gap <= book.of_pair([*a, *b]).normal.cohesion().range() {
                 rows.push(Force::of(&force).row(*a, Partner::Particle(*b), &touch));
             }
         }
@@ -245,7 +245,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
             let (i, wall) = (*a as usize, &state.walls[*b as usize]);
             let height = wall.outward.dot(&state.positions[i]) - wall.place;
             let touch = Touch::plate(height, &wall.outward, setup.radii[i])?;
-            if force.normal != 0.0 || touch.gap <= wall_law.cohesion().range() {
+            if force.normal != 0.0 || touch.gap <= book.at_wall([*a, *b]).normal.cohesion().range() {
                 rows.push(Force::of(&force).row(*a, Partner::Wall(*b), &touch));
             }
         }
