@@ -11,11 +11,10 @@ mod frames;
 mod outcome;
 mod parts;
 mod session;
-mod statistics;
-mod stress;
 
+pub use crate::packing::Statistics;
 #[doc(hidden)]
-pub use crate::packing::{Carried, CarriedModes, Limits, Material};
+pub use crate::packing::{Carried, CarriedModes, Limits, Material, Stress};
 pub use crate::record::CheckpointError;
 #[doc(hidden)]
 pub use blocked::{Means, Window};
@@ -29,9 +28,6 @@ pub use error::CompactionError;
 pub use outcome::Outcome;
 #[doc(hidden)]
 pub use parts::PISTON;
-pub use statistics::Statistics;
-#[doc(hidden)]
-pub use stress::Stress;
 
 #[cfg(test)]
 mod tests;

@@ -3,6 +3,7 @@
 use super::entries::Written;
 use super::words::meant;
 use crate::friction::{Law, Patch};
+use crate::grains::Ramp;
 use crate::tip::Potential;
 
 /// One key of a scene file.
@@ -62,6 +63,8 @@ pub enum Domain {
     Patch,
     /// A potential of atoms, as [`crate::tip::Potential`] reads it.
     Potential,
+    /// A number, or a ramp in time, as [`crate::grains::Ramp`] reads it.
+    Ramp,
 }
 
 /// When a file must or may give a key. Pairs are another key and one of its words.
@@ -100,6 +103,7 @@ impl Domain {
             Self::Potential => {
                 "\"lennard-jones\", \"sutton-chen:Cu\" or another metal, or \"eam:FILE\"".into()
             }
+            Self::Ramp => "a finite number, or a ramp such as \"0:0, 0.5:1e3, 1:0\"".into(),
             Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
         }
     }
@@ -108,7 +112,7 @@ impl Domain {
     pub(super) fn admits(&self, x: f64) -> bool {
         x.is_finite()
             && match *self {
-                Self::Finite => true,
+                Self::Finite | Self::Ramp => true,
                 Self::NotNegative => x >= 0.0,
                 Self::Positive => x > 0.0,
                 Self::Between { above, up_to } => x > above && x <= up_to,
@@ -136,6 +140,9 @@ impl Key {
             (Domain::Potential, Written::Text(text)) => {
                 let refused = text.parse::<Potential>().err()?;
                 return Some(format!("`{}`: {refused}", self.name));
+            }
+            (Domain::Ramp, Written::Text(text)) => {
+                return Some(format!("`{}`: {}", self.name, text.parse::<Ramp>().err()?));
             }
             (Domain::OneOf(_) | Domain::Law | Domain::Patch | Domain::Potential, other) => {
                 format!("not {}", other.kind())

@@ -92,6 +92,7 @@ fn domain(domain: &Domain) -> Map<String, Value> {
             json!({"type": "integer", "minimum": 1, "maximum": up_to as u64})
         }
         Domain::Law | Domain::Patch | Domain::Potential => json!({"type": "string"}),
+        Domain::Ramp => json!({"type": ["number", "string"]}),
         Domain::OneOf(words) => json!({"type": "string", "enum": words}),
     };
     match rules {

@@ -5,7 +5,7 @@ use crate::powder::{Compaction, CompactionError};
 use crate::record::CheckpointError;
 
 /// Every body's default scene.
-fn defaults() -> [Scene; 11] {
+fn defaults() -> [Scene; 12] {
     [
         SliderScene::default().into(),
         CylinderScene::default().into(),
@@ -17,6 +17,7 @@ fn defaults() -> [Scene; 11] {
         TurntableScene::default().into(),
         ClampScene::default().into(),
         PowderScene::default().into(),
+        GrainsScene::default().into(),
         TipScene::default().into(),
     ]
 }
@@ -78,7 +79,7 @@ fn every_key_sets_its_field() {
             let Ok(read) = parse_scene("one.toml", &text, &[]) else {
                 // Values that other keys would have to follow.
                 assert!(
-                    ["units", "side", "drive", "expansion"].contains(&key.name),
+                    ["units", "side", "drive", "expansion", "dimension"].contains(&key.name),
                     "{text}"
                 );
                 continue;

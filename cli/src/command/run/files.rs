@@ -29,6 +29,9 @@ pub const POWDER: &[&str] = &[
     "final-contacts.vtp",
 ];
 
+/// Results of grains.
+pub const GRAINS: &[&str] = POWDER;
+
 /// Results of a tip.
 pub const TIP: &[&str] = &[
     "summary.json",
