@@ -7,6 +7,7 @@ mod frozen;
 mod limits;
 mod material;
 mod rigid;
+mod soft;
 
 pub use carried::{Carried, CarriedModes};
 pub(crate) use frozen::{Force, Forces, Frozen};
@@ -15,6 +16,7 @@ pub use material::Material;
 
 use crate::cd::{EnergyBalance, Solver, StepLimits, StepReport, Wall, WorldError};
 use crate::record::{ContactRow, Partner};
+use crate::soft::Stiffness;
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::fmt::Debug;
@@ -43,6 +45,17 @@ pub(crate) enum Method {
         /// Slower groups that nothing touches are left alone.
         still_speed: f64,
     },
+    /// Springs and dashpots.
+    Soft(Springs),
+}
+
+/// The contacts of soft spheres. A step is as long as the limits allow and is made of stable ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Springs {
+    pub stiffness: Stiffness,
+    /// Damping ratio of a material without restitution.
+    pub damping: f64,
+    pub step_limits: StepLimits,
 }
 
 /// Why a packing cannot be built.
@@ -91,7 +104,9 @@ pub(crate) fn build(
     frozen: Option<&Frozen>,
 ) -> Result<Box<dyn Packing>, PackingError> {
     match method {
-        Method::ContactDynamics { .. } => rigid::build(material, bodies, method, frozen),
+        Method::ContactDynamics { .. } | Method::Soft(_) => {
+            rigid::build(material, bodies, method, frozen)
+        }
     }
 }
 

@@ -1,6 +1,8 @@
 //! A world of contact dynamics with its contact modes hidden behind the trait of packings.
 
-use super::{Bodies, CarriedModes, Force, Forces, Frozen, Material, Method, Packing, PackingError};
+use super::{
+    Bodies, CarriedModes, Force, Forces, Frozen, Material, Method, Packing, PackingError, soft,
+};
 use crate::cd::internals::{Coefficients, Memory, Sleep, StoredForce};
 use crate::cd::{
     ContactLaws, EnergyBalance, Laws, Setup, State, StepReport, Wall, World, WorldError, solid,
@@ -100,11 +102,6 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
     (material, bodies, method, frozen): Parts<'_>,
     friction: [F; 2],
 ) -> Result<Box<dyn Packing>, PackingError> {
-    let Method::ContactDynamics {
-        solver,
-        step_limits,
-        still_speed,
-    } = *method;
     let normal = material.normal_laws()?;
     let law = |kind: usize| ContactLaws {
         normal: normal[kind],
@@ -113,6 +110,16 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
     let laws = Laws {
         pairs: law(0),
         walls: law(1),
+    };
+    let (solver, step_limits, still_speed) = match *method {
+        Method::ContactDynamics {
+            solver,
+            step_limits,
+            still_speed,
+        } => (solver, step_limits, still_speed),
+        Method::Soft(springs) => {
+            return soft::boxed(material.density, bodies, &springs, frozen, laws);
+        }
     };
     let spheres = bodies.radii.iter();
     let setup = Setup {
@@ -169,7 +176,7 @@ fn forces<M: ContactModes<f64>>(memory: &Memory<M>) -> Forces {
 }
 
 impl Force {
-    fn of<M: ContactModes<f64>>(modal: &Modal<f64, M>) -> Self {
+    pub(super) fn of<M: ContactModes<f64>>(modal: &Modal<f64, M>) -> Self {
         Self {
             normal: modal.normal,
             sliding: modal.sliding(),
@@ -179,7 +186,7 @@ impl Force {
     }
 
     /// A row of the contact table, with the geometry of the contact.
-    fn row(&self, a: u32, b: Partner, touch: &Touch<f64>) -> ContactRow {
+    pub(super) fn row(&self, a: u32, b: Partner, touch: &Touch<f64>) -> ContactRow {
         let normal = touch.normal;
         ContactRow {
             a,
@@ -270,6 +277,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
             impacts: forces(&state.impacts),
             awake: state.sleep.awake().to_vec(),
             still: state.sleep.still().to_vec(),
+            origin: None,
         }
     }
 }
