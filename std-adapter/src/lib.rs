@@ -79,6 +79,7 @@
 //! | [`stick`] | bodies that hold, let go and hold again: on a spring, on an incline, on a turntable |
 //! | [`cd`], [`powder`] | rigid spheres in contact; cohesive powders under a piston |
 //! | [`grains`] | grains in boxes under gravity, pistons, moving plates and shaking |
+//! | [`soft`] | soft spheres: the same contacts with springs and dashpots |
 //! | [`md`], [`tip`] | pair potentials of atoms; a tip of atoms turned on a substrate |
 //! | [`fit`] | parameters of friction laws from measurements |
 //! | [`run`] | the driver: sessions with checkpoints, progress, cancellation |
@@ -105,6 +106,7 @@ pub mod record;
 pub mod run;
 pub mod scene;
 pub mod slide;
+pub mod soft;
 pub mod space;
 pub mod stick;
 pub mod tip;

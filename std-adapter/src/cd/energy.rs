@@ -59,6 +59,8 @@ pub struct EnergyBalance {
     pub torsion: f64,
     /// Work against cohesion: stored in stretched contacts, or lost in broken ones.
     pub cohesion: f64,
+    /// Elastic energy of soft contacts, less that at the start; 0 for rigid ones.
+    pub elastic: f64,
     /// Kinetic energy of bodies at the moment they are put to sleep.
     pub stilled: f64,
     /// Current kinetic energy.
@@ -68,11 +70,12 @@ pub struct EnergyBalance {
 }
 
 impl EnergyBalance {
-    /// Residual of the balance: rounding errors.
+    /// Residual of the balance: rounding errors of rigid contacts, and of the first order of the step for soft
+    /// ones.
     pub fn imbalance(&self) -> f64 {
         let spent = self.normal + self.sliding + self.rolling + self.torsion + self.cohesion;
         let kept = self.kinetic - self.kinetic_initial.unwrap_or(0.0);
-        self.work - spent - self.stilled - kept
+        self.work - spent - self.stilled - kept - self.elastic
     }
 
     /// Adds one step; spheres and walls are those at its start.

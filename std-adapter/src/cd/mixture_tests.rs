@@ -56,9 +56,11 @@ fn every_pair_of_materials_rebounds_and_slides_by_its_own_law() -> Answer {
     for (row, pair) in pairs.into_iter().enumerate() {
         let place = Vector3::y() * (10.0 * row as f64);
         let speed = Vector3::new(1.0, 2.0, 0.0);
-        both = both
-            .sphere(place, 1.0, thrown(speed))
-            .sphere(place + Vector3::x() * 2.0, 1.0, thrown(-speed));
+        both = both.sphere(place, 1.0, thrown(speed)).sphere(
+            place + Vector3::x() * 2.0,
+            1.0,
+            thrown(-speed),
+        );
         materials.extend(pair);
     }
     both.mixture = Some(Mixture::new(materials, Vec::new(), table(coefficients)?));
@@ -69,7 +71,10 @@ fn every_pair_of_materials_rebounds_and_slides_by_its_own_law() -> Answer {
         let rebound = world.state().spheres[2 * row].velocity;
         // Normal impulse (1 + e) m/2 · 2, and μ times that against the slip, over m.
         assert!((rebound.x + e).abs() < 1e-12, "{a} {b}: {rebound}");
-        assert!((2.0 - rebound.y - mu * (1.0 + e)).abs() < 1e-12, "{a} {b}: {rebound}");
+        assert!(
+            (2.0 - rebound.y - mu * (1.0 + e)).abs() < 1e-12,
+            "{a} {b}: {rebound}"
+        );
     }
     Ok(())
 }

@@ -259,7 +259,7 @@ const UNIT: f64 = 1e-12;
 
 impl<F> Setup<F> {
     /// Refuses parameters with which no step is possible.
-    pub(super) fn check(&self) -> Result<(), WorldError> {
+    pub(crate) fn check(&self) -> Result<(), WorldError> {
         let StepLimits { longest, motion } = self.step_limits;
         let valid = |x: f64| x > 0.0 && x.is_finite();
         if !(valid(longest) && valid(motion)) {
@@ -443,6 +443,30 @@ pub enum WorldError {
         /// Number of the sphere.
         body: usize,
     },
+    /// The spring of a soft contact is not positive and finite.
+    #[error("the stiffness of a contact must be positive and finite, not {given}")]
+    Stiffness {
+        /// Value given.
+        given: f64,
+    },
+    /// The dashpot of a soft contact is negative or not finite.
+    #[error("the damping ratio of a contact must be finite and not negative, not {given}")]
+    Damping {
+        /// Value given.
+        given: f64,
+    },
+    /// The step of soft spheres is no share of the longest stable one.
+    #[error("the share of the longest stable step must lie above 0 and not above 1, not {given}")]
+    StepShare {
+        /// Value given.
+        given: f64,
+    },
+    /// Soft spheres were given a cohesion that only resists opening.
+    #[error(
+        "cohesion that only resists opening needs constraint forces: soft spheres know a pull, \
+         Attraction::Pull"
+    )]
+    Resistance,
     /// A wall's normal is not a unit vector, or its state is not finite.
     #[error("wall {wall}: the normal must have length 1, place, velocity and force must be finite")]
     Wall {

@@ -302,3 +302,60 @@ fn cells_that_cannot_be_sheared_are_refused() -> Answer {
     assert!(World::new(beside).is_ok());
     Ok(())
 }
+
+/// Inertial number and stress ratio of a steady flow, after a strain of 2 and over one of 3.
+fn flow_law(mu: f64, spacing: f64) -> Result<[f64; 2], Box<dyn std::error::Error>> {
+    let friction = Thresholds::<f64, Sliding>::sliding(mu)?;
+    let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.7)?, friction);
+    let mut setup = gas(laws, [5, 5, 5], spacing, 1.0)?;
+    setup.solver = solver(1e-4);
+    let volume: f64 = setup.space.lengths().into_iter().flatten().product();
+    let middle = 0.5 * setup.space.lengths()[2].unwrap_or(0.0);
+    let mut world = World::new(setup)?;
+    let (mut shear, mut pressure, mut time) = (0.0, 0.0, 0.0);
+    while world.state().time < 5.0 {
+        let dt = world.step()?.dt;
+        if world.state().time < 2.0 {
+            continue;
+        }
+        time += dt;
+        for link in &world.problem().pairs {
+            let (contact, normal) = (&link.contact, link.contact.normal());
+            let [a, b] = contact.arms();
+            let impulse = contact.impulse().linear(normal) * (a + b);
+            shear -= impulse.x * normal.z;
+            pressure += impulse.dot(normal) / 3.0;
+        }
+        let state = world.state();
+        for (sphere, x) in state.spheres.iter().zip(&state.positions) {
+            let own = sphere.velocity - Vector3::x() * (x.z - middle);
+            shear -= dt * own.x * own.z / sphere.inv_mass;
+            pressure += dt * own.norm_squared() / (3.0 * sphere.inv_mass);
+        }
+    }
+    // Diameter 2, rate 1, density 1.
+    let inertial = 2.0 / (pressure / (volume * time)).sqrt();
+    Ok([inertial, shear / pressure])
+}
+
+#[test]
+fn stress_ratio_of_a_flow_lies_in_the_band_of_published_simulations() -> Answer {
+    // Chialvo, Sun and Sundaresan, Phys. Rev. E 85 (2012) 021305, for μ = 0.5 and e = 0.7.
+    let published = |inertial: f64| 0.382 + 0.37 / ((0.32 / inertial).powf(1.5) + 1.0);
+    let mut last = 0.0;
+    for spacing in [1.98, 2.05] {
+        let [inertial, ratio] = flow_law(0.5, spacing)?;
+        assert!((0.2..1.5).contains(&inertial), "{inertial}");
+        let band = published(inertial);
+        assert!(
+            (ratio - band).abs() < 0.08,
+            "{ratio} is not {band} at {inertial}"
+        );
+        // The looser flow is the faster one under the same pressure, and resists more.
+        assert!(inertial > last, "{inertial} {last}");
+        last = inertial;
+    }
+    let [_, smooth] = flow_law(0.0, 2.05)?;
+    assert!(smooth > 0.1 && smooth < 0.55, "{smooth}");
+    Ok(())
+}

@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use std::f64::consts::PI;
 
 /// Columns of the series, in the units of the scene.
-pub const COLUMNS: [&str; 33] = [
+pub const COLUMNS: [&str; 34] = [
     "time",
     "step",
     "width",
@@ -45,6 +45,7 @@ pub const COLUMNS: [&str; 33] = [
     "dissipated_rolling",
     "dissipated_torsion",
     "dissipated_cohesion",
+    "viscosity",
 ];
 
 /// Index of the residual among the columns.
@@ -160,9 +161,9 @@ impl Now<'_> {
             stress.m33,
             stress.m13,
             plate.z / plate_area,
-            -plate.x / plate_area,
+            self.shear_stress(-plate.x / plate_area, stress.m13),
             plate_speed,
-            plate_speed / height,
+            plate_speed / height + self.scene.shear_rate,
             gravity.x,
             gravity.z,
             self.surface_angle(),
@@ -174,7 +175,26 @@ impl Now<'_> {
             energy.rolling,
             energy.torsion,
             energy.cohesion,
+            self.viscosity(stress.m13),
         ]
+    }
+
+    /// Shear stress on the plate; of the contacts in a sheared box without walls.
+    fn shear_stress(&self, plate: f64, stress_xz: f64) -> f64 {
+        if self.scene.shear_rate == 0.0 {
+            plate
+        } else {
+            -stress_xz
+        }
+    }
+
+    /// Shear stress of the contacts over the rate of a sheared box; 0 without a rate.
+    fn viscosity(&self, stress_xz: f64) -> f64 {
+        if self.scene.shear_rate == 0.0 {
+            0.0
+        } else {
+            -stress_xz / self.scene.shear_rate
+        }
     }
 
     /// Slope of the free surface along x, in degrees, positive where it falls towards +x: the line of

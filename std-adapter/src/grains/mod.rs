@@ -16,6 +16,8 @@ mod placement;
 mod ramp;
 mod run;
 mod session;
+#[cfg(test)]
+mod sheared_tests;
 
 #[doc(hidden)]
 pub use cost::{GrainsCost, cost, size};

@@ -5,7 +5,7 @@ use super::layout::Layout;
 use super::loads::Loads;
 use super::placement::Start;
 use crate::cd::{Method as Sweeps, Solver, StepLimits, Wall};
-use crate::packing::{Bodies, Frozen, Material, Method, Packing, build};
+use crate::packing::{Bodies, Extras, Frozen, Material, Method, Packing, Second, build_with};
 use crate::scene::GrainsScene;
 use std::f64::consts::PI;
 
@@ -19,9 +19,16 @@ pub(super) fn packing(
     start: Start,
     frozen: Option<&Frozen>,
 ) -> Result<Box<dyn Packing>, GrainsError> {
+    let material = scene.material();
+    let extras = Extras {
+        shear_rate: scene.shear_rate,
+        second: scene.second(&start),
+    };
     let mass = scene.piston_mass.unwrap_or_else(|| {
-        let volumes = start.radii.iter().map(|radius| volume(*radius));
-        scene.density * volumes.sum::<f64>()
+        let grains = start.radii.iter().enumerate();
+        grains
+            .map(|(grain, radius)| extras.density(&material, grain) * volume(*radius))
+            .sum()
     });
     let wall = |(wall, face): (usize, &super::layout::Face)| {
         let (inward, place) = (face.inward(), layout.place(*face));
@@ -39,7 +46,7 @@ pub(super) fn packing(
         gravity: loads.gravity(0.0),
     };
     let method = method(scene);
-    let mut packing = build(&scene.material(), bodies, &method, frozen)?;
+    let mut packing = build_with(&material, (bodies, &extras), &method, frozen)?;
     // A stored state has its walls where they were.
     if frozen.is_none() && !loads.apply(layout, &mut *packing) {
         return Err(GrainsError::Driven);
@@ -72,6 +79,30 @@ fn method(scene: &GrainsScene) -> Method {
 }
 
 impl GrainsScene {
+    /// The second material, and between the two.
+    fn second(&self, start: &Start) -> Option<Second> {
+        if !start.is_second.contains(&true) {
+            return None;
+        }
+        let first = self.material();
+        let sliding = self.sliding_second.unwrap_or(first.sliding);
+        let mean = (first.sliding * sliding).sqrt();
+        let material = Material {
+            density: self.density_second.unwrap_or(first.density),
+            sliding,
+            ..first
+        };
+        let mixed = Material {
+            sliding: self.sliding_mixed.unwrap_or(mean),
+            ..first
+        };
+        Some(Second {
+            is_second: start.is_second.clone(),
+            material,
+            mixed,
+        })
+    }
+
     /// Longest time step.
     pub(super) fn longest_step(&self) -> f64 {
         let [_, strongest] = self.gravity.range();

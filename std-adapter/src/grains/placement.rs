@@ -8,6 +8,8 @@ use std::ops::ControlFlow;
 /// Streams of the seed: one for the radii, one for the places.
 const RADII: u64 = 0;
 const PLACES: u64 = 1;
+/// Stream for the grains of the second material.
+const SECOND: u64 = 2;
 /// Grains between two reports of the placement.
 const BATCH: usize = 1000;
 
@@ -16,6 +18,8 @@ const BATCH: usize = 1000;
 pub(super) struct Start {
     pub positions: Vec<Vector3<f64>>,
     pub radii: Vec<f64>,
+    /// One flag a grain, true if it is of the second material.
+    pub is_second: Vec<bool>,
 }
 
 /// Why grains cannot be placed.
@@ -68,7 +72,11 @@ pub(super) fn start(
     mut watch: impl FnMut(usize) -> ControlFlow<()>,
 ) -> Result<Start, PlacementError> {
     let lattice = Lattice::of(scene)?;
-    let radii = radii(scene);
+    let is_second = second(scene);
+    let mut radii = radii(scene);
+    for (radius, _) in radii.iter_mut().zip(&is_second).filter(|(_, is)| **is) {
+        *radius *= scene.radius_second;
+    }
     let mut random = Random::new(scene.seed, PLACES);
     let mut positions = Vec::with_capacity(scene.count);
     for (index, &radius) in radii.iter().enumerate() {
@@ -77,7 +85,23 @@ pub(super) fn start(
         }
         positions.push(lattice.place(index, radius, &mut random));
     }
-    Ok(Start { positions, radii })
+    Ok(Start {
+        positions,
+        radii,
+        is_second,
+    })
+}
+
+/// Which grains are of the second material: so many of all, each choice as likely (Knuth's algorithm S).
+fn second(scene: &GrainsScene) -> Vec<bool> {
+    let mut random = Random::new(scene.seed, SECOND);
+    let mut needed = (scene.share_second * scene.count as f64).round();
+    let mut choose = |index: usize| {
+        let is = needed > 0.0 && random.unit() * ((scene.count - index) as f64) < needed;
+        needed -= f64::from(u8::from(is));
+        is
+    };
+    (0..scene.count).map(&mut choose).collect()
 }
 
 /// Radii, uniform within their spread.
@@ -101,7 +125,12 @@ struct Lattice {
 
 impl Lattice {
     fn of(scene: &GrainsScene) -> Result<Self, PlacementError> {
-        let needed = 2.0 * scene.radius * (1.0 + scene.radius_spread) * scene.spacing;
+        let widest = if scene.share_second > 0.0 {
+            scene.radius_second.max(1.0)
+        } else {
+            1.0
+        };
+        let needed = 2.0 * widest * scene.radius * (1.0 + scene.radius_spread) * scene.spacing;
         let flat = scene.is_flat();
         let divide = |axis: &'static str, given: f64| {
             let places = (given / needed).floor();

@@ -251,7 +251,7 @@ impl Grains {
         let spins: Vec<_> = spheres.iter().map(|sphere| sphere.spin).collect();
         export(&Snapshot {
             time: self.time(),
-            space: self.layout.space,
+            space: self.packing.space(),
             extents: self.corners(),
             positions: self.packing.positions(),
             radii: self.packing.radii(),

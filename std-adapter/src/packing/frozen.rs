@@ -12,6 +12,8 @@ const FORCE: usize = 10;
 
 /// Keys of the forces of pairs and at walls.
 const FORCES: [&str; 2] = ["pair_forces", "wall_forces"];
+/// Key of what only soft spheres have: elastic energy now, energies at the start.
+const SOFT: &str = "soft";
 const IMPACTS: [&str; 2] = ["pair_impacts", "wall_impacts"];
 
 /// The state of a world independent of its contact modes.
@@ -29,10 +31,12 @@ pub(crate) struct Frozen {
     pub energy: EnergyBalance,
     /// Forces of lasting contacts.
     pub forces: Forces,
-    /// Forces of the last step's impacts.
+    /// Forces of the last step's impacts; of soft spheres the springs, with the slope of the normal one.
     pub impacts: Forces,
     pub awake: Vec<bool>,
     pub still: Vec<u8>,
+    /// Energies of springs and cohesion at the start, of soft spheres alone.
+    pub origin: Option<[f64; 2]>,
 }
 
 /// Forces of pairs and at walls, with their bodies.
@@ -69,6 +73,9 @@ impl Frozen {
             put("shear_offset", vec![self.shear_offset]);
         }
         put("book", energy_numbers(&self.energy).to_vec());
+        if let Some([elastic, cohesion]) = self.origin {
+            put(SOFT, vec![self.energy.elastic, elastic, cohesion]);
+        }
         for (names, forces) in [(FORCES, &self.forces), (IMPACTS, &self.impacts)] {
             for (name, forces) in names.iter().zip(forces) {
                 put(name, forces.iter().flat_map(force_numbers).collect());
@@ -91,6 +98,13 @@ impl Frozen {
             Ok(groups(value, name)?.iter().map(force).collect())
         };
         let walls = groups(value, "walls")?;
+        let soft: Option<[f64; 3]> = match &value[SOFT] {
+            Value::Null => None,
+            _ => {
+                let numbers = numbers(value, SOFT)?;
+                Some(<[f64; 3]>::try_from(numbers).map_err(|_| damaged(SOFT))?)
+            }
+        };
         Ok(Self {
             time: one(value, "time")?,
             steps,
@@ -104,11 +118,15 @@ impl Frozen {
                 Value::Null => 0.0,
                 _ => one(value, "shear_offset")?,
             },
-            energy: energy(&numbers(value, "book")?).ok_or_else(|| damaged("book"))?,
+            energy: EnergyBalance {
+                elastic: soft.map_or(0.0, |[elastic, ..]| elastic),
+                ..energy(&numbers(value, "book")?).ok_or_else(|| damaged("book"))?
+            },
             forces: [forces(FORCES[0])?, forces(FORCES[1])?],
             impacts: [forces(IMPACTS[0])?, forces(IMPACTS[1])?],
             awake: awake(value)?,
             still: still(value)?,
+            origin: soft.map(|[_, elastic, cohesion]| [elastic, cohesion]),
         })
     }
 
@@ -196,6 +214,7 @@ fn energy(numbers: &[f64]) -> Option<EnergyBalance> {
         rolling,
         torsion,
         cohesion,
+        elastic: 0.0,
         stilled,
         kinetic,
         kinetic_initial: (begun == 1.0).then_some(initial),

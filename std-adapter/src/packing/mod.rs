@@ -3,15 +3,18 @@
 //! A body's scene says the [`Material`], the [`Bodies`] and the [`Method`]; [`build`] makes a [`Packing`] of them.
 
 mod carried;
+mod extras;
 mod frozen;
 mod limits;
 mod material;
 mod rigid;
+mod soft;
 mod statistics;
 mod stress;
 mod totals;
 
 pub use carried::{Carried, CarriedModes};
+pub(crate) use extras::{Extras, Second};
 pub(crate) use frozen::{Force, Forces, Frozen};
 pub use limits::Limits;
 pub use material::Material;
@@ -21,6 +24,7 @@ pub(crate) use totals::Totals;
 
 use crate::cd::{EnergyBalance, Solver, StepLimits, StepReport, Wall, WorldError};
 use crate::record::{ContactRow, Partner};
+use crate::soft::Stiffness;
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::fmt::Debug;
@@ -49,6 +53,17 @@ pub(crate) enum Method {
         /// Slower groups that nothing touches are left alone.
         still_speed: f64,
     },
+    /// Springs and dashpots.
+    Soft(Springs),
+}
+
+/// The contacts of soft spheres. A step is as long as the limits allow and is made of stable ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Springs {
+    pub stiffness: Stiffness,
+    /// Damping ratio of a material without restitution.
+    pub damping: f64,
+    pub step_limits: StepLimits,
 }
 
 /// Why a packing cannot be built.
@@ -83,6 +98,8 @@ pub(crate) trait Packing: Debug {
     fn walls_mut(&mut self) -> Option<&mut [Wall]> {
         None
     }
+    /// The periodic box, with the images of a sheared one at their current places.
+    fn space(&self) -> PeriodicBox;
     /// Sets the acceleration of all spheres for the next steps; `false` of a method that cannot.
     fn set_gravity(&mut self, _gravity: Vector3<f64>) -> bool {
         false
@@ -104,8 +121,20 @@ pub(crate) fn build(
     method: &Method,
     frozen: Option<&Frozen>,
 ) -> Result<Box<dyn Packing>, PackingError> {
+    build_with(material, (bodies, &Extras::default()), method, frozen)
+}
+
+/// [`build`] with a shear or a second material.
+pub(crate) fn build_with(
+    material: &Material,
+    bodies: (Bodies, &Extras),
+    method: &Method,
+    frozen: Option<&Frozen>,
+) -> Result<Box<dyn Packing>, PackingError> {
     match method {
-        Method::ContactDynamics { .. } => rigid::build(material, bodies, method, frozen),
+        Method::ContactDynamics { .. } | Method::Soft(_) => {
+            rigid::build(material, bodies, method, frozen)
+        }
     }
 }
 

@@ -1,12 +1,17 @@
 //! A world of contact dynamics with its contact modes hidden behind the trait of packings.
 
-use super::{Bodies, CarriedModes, Force, Forces, Frozen, Material, Method, Packing, PackingError};
+use super::{
+    Bodies, CarriedModes, Extras, Force, Forces, Frozen, Material, Method, Packing, PackingError,
+    soft,
+};
 use crate::cd::internals::{Coefficients, Memory, Sleep, StoredForce};
 use crate::cd::{
-    ContactLaws, EnergyBalance, Laws, Setup, State, StepReport, Wall, World, WorldError, solid,
+    ContactLaws, EnergyBalance, Laws, Mixture, Setup, State, StepReport, Wall, World, WorldError,
+    solid,
 };
 use crate::record::{ContactRow, Partner};
 use crate::scene::{Coupling, WallLaw};
+use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_core::contact::{
@@ -15,75 +20,70 @@ use tribos_core::contact::{
 use tribos_core::limit_surface::FrictionSet;
 
 /// What a world starts from.
-type Parts<'a> = (&'a Material, Bodies, &'a Method, Option<&'a Frozen>);
+type Parts<'a> = (
+    &'a Material,
+    (Bodies, &'a Extras),
+    &'a Method,
+    Option<&'a Frozen>,
+);
 
 /// Builds a world whose type has the modes that resist.
 pub(super) fn build(
     material: &Material,
-    bodies: Bodies,
+    bodies: (Bodies, &Extras),
     method: &Method,
     frozen: Option<&Frozen>,
 ) -> Result<Box<dyn Packing>, PackingError> {
-    let (mu, mu_t, mu_n) = (material.sliding, material.rolling, material.torsion);
+    let carried = bodies.1.widest(material).carried();
     let at = (material, bodies, method, frozen);
-    let carried = material.carried();
     match carried.coupling {
         Coupling::Independent => {}
         Coupling::Ellipsoid => {
-            return coupled(at, [material.ellipsoid(mu)?, material.ellipsoid(0.0)?]);
+            return coupled(at, |m| Ok([m.ellipsoid(m.sliding)?, m.ellipsoid(0.0)?]));
         }
-        Coupling::Exact => return coupled(at, [material.exact(mu)?, material.exact(0.0)?]),
+        Coupling::Exact => {
+            return coupled(at, |m| Ok([m.exact(m.sliding)?, m.exact(0.0)?]));
+        }
     }
     match carried.modes {
-        CarriedModes::Normal => boxed(at, [Thresholds::none(); 2]),
-        CarriedModes::Sliding => boxed(
-            at,
-            both(
-                material,
-                Thresholds::sliding(mu)?,
-                Thresholds::sliding(0.0)?,
-            ),
-        ),
-        CarriedModes::SlidingTorsion => boxed(
-            at,
-            both(
-                material,
-                Thresholds::sliding_torsion(mu, mu_n)?,
-                Thresholds::sliding_torsion(0.0, 0.0)?,
-            ),
-        ),
-        CarriedModes::SlidingRolling => boxed(
-            at,
-            both(
-                material,
-                Thresholds::sliding_rolling(mu, mu_t)?,
-                Thresholds::sliding_rolling(0.0, 0.0)?,
-            ),
-        ),
-        CarriedModes::All => boxed(
-            at,
-            both(
-                material,
-                Thresholds::all(mu, mu_t, mu_n)?,
-                Thresholds::all(0.0, 0.0, 0.0)?,
-            ),
-        ),
+        CarriedModes::Normal => boxed(at, |_| Ok([Thresholds::none(); 2])),
+        CarriedModes::Sliding => boxed(at, |m| {
+            let of = Thresholds::sliding;
+            Ok(both(m, of(m.sliding)?, of(0.0)?))
+        }),
+        CarriedModes::SlidingTorsion => boxed(at, |m| {
+            let of = Thresholds::sliding_torsion;
+            Ok(both(m, of(m.sliding, m.torsion)?, of(0.0, 0.0)?))
+        }),
+        CarriedModes::SlidingRolling => boxed(at, |m| {
+            let of = Thresholds::sliding_rolling;
+            Ok(both(m, of(m.sliding, m.rolling)?, of(0.0, 0.0)?))
+        }),
+        CarriedModes::All => boxed(at, |m| {
+            let of = Thresholds::all;
+            let rough = of(m.sliding, m.rolling, m.torsion)?;
+            Ok(both(m, rough, of(0.0, 0.0, 0.0)?))
+        }),
     }
 }
 
 /// A world in which sliding and torsion share a set: one between spheres, one at smooth walls.
 fn coupled<S: FrictionSet<f64> + Copy + Debug + Send + Sync + 'static>(
     at: Parts<'_>,
-    [rough, smooth]: [S; 2],
+    sets: impl Fn(&Material) -> Result<[S; 2], PackingError>,
 ) -> Result<Box<dyn Packing>, PackingError> {
-    let material = at.0;
-    let mu_t = material.rolling;
-    if mu_t > 0.0 {
-        let law = |set, mu_t| CoupledFriction::all(set, mu_t);
-        boxed(at, both(material, law(rough, mu_t)?, law(smooth, 0.0)?))
+    if at.1.1.widest(at.0).rolling > 0.0 {
+        boxed(at, |m| {
+            let [rough, smooth] = sets(m)?;
+            let law = |set, mu_t| CoupledFriction::all(set, mu_t);
+            Ok(both(m, law(rough, m.rolling)?, law(smooth, 0.0)?))
+        })
     } else {
-        let law = CoupledFriction::sliding_torsion;
-        boxed(at, both(material, law(rough), law(smooth)))
+        boxed(at, |m| {
+            let law = CoupledFriction::sliding_torsion;
+            let [rough, smooth] = sets(m)?;
+            Ok(both(m, law(rough), law(smooth)))
+        })
     }
 }
 
@@ -95,28 +95,61 @@ fn both<F: Copy>(material: &Material, rough: F, smooth: F) -> [F; 2] {
     }
 }
 
-/// A world with these contact modes.
-fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
-    (material, bodies, method, frozen): Parts<'_>,
-    friction: [F; 2],
-) -> Result<Box<dyn Packing>, PackingError> {
-    let Method::ContactDynamics {
-        solver,
-        step_limits,
-        still_speed,
-    } = *method;
+/// Laws of a material with this friction.
+fn laws<F: Copy>(material: &Material, friction: [F; 2]) -> Result<Laws<F>, PackingError> {
     let normal = material.normal_laws()?;
     let law = |kind: usize| ContactLaws {
         normal: normal[kind],
         friction: friction[kind],
     };
-    let laws = Laws {
+    Ok(Laws {
         pairs: law(0),
         walls: law(1),
+    })
+}
+
+/// A world with these contact modes; `friction` gives that of a material between spheres and at walls.
+fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
+    (material, (bodies, extras), method, frozen): Parts<'_>,
+    friction: impl Fn(&Material) -> Result<[F; 2], PackingError>,
+) -> Result<Box<dyn Packing>, PackingError> {
+    let of = |material: &Material| laws(material, friction(material)?);
+    let first = of(material)?;
+    let mixture = match &extras.second {
+        None => None,
+        Some(second) => {
+            let laws = [first, of(&second.mixed)?, of(&second.material)?];
+            let materials = second.is_second.iter().map(|is| u8::from(*is));
+            // The law at a wall is that of the sphere.
+            let law = |[a, b]: [u8; 2]| Laws {
+                pairs: laws[usize::from(a + b)].pairs,
+                walls: laws[2 * usize::from(a)].walls,
+            };
+            let walls = vec![0; bodies.walls.len()];
+            Some(Mixture::new(materials.collect(), walls, law))
+        }
     };
-    let spheres = bodies.radii.iter();
+    let (solver, step_limits, still_speed) = match *method {
+        Method::ContactDynamics {
+            solver,
+            step_limits,
+            still_speed,
+        } => (solver, step_limits, still_speed),
+        // Springs know neither a shear nor several materials.
+        Method::Soft(_) if extras.shear_rate != 0.0 => {
+            let rate = extras.shear_rate;
+            return Err(WorldError::Shear { rate }.into());
+        }
+        Method::Soft(_) if mixture.is_some() => return Err(WorldError::Mixture.into()),
+        Method::Soft(springs) => {
+            return soft::boxed(material.density, bodies, &springs, frozen, first);
+        }
+    };
+    let density = |sphere: usize| extras.density(material, sphere);
+    let spheres = bodies.radii.iter().enumerate();
     let setup = Setup {
-        spheres: spheres.map(|&r| solid(r, material.density)).collect(),
+        spheres: spheres.map(|(i, &r)| solid(r, density(i))).collect(),
+        mixture,
         space: bodies.space,
         positions: bodies.positions,
         radii: bodies.radii,
@@ -125,9 +158,9 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
         step_limits,
         solver,
         sleep_speed: still_speed,
-        ..Setup::new(laws)
+        ..Setup::new(first)
     };
-    let mut world = World::new(setup)?;
+    let mut world = World::new(setup.sheared(extras.shear_rate))?;
     if let Some(frozen) = frozen {
         thaw(frozen, world.state_mut());
     }
@@ -170,7 +203,7 @@ fn forces<M: ContactModes<f64>>(memory: &Memory<M>) -> Forces {
 }
 
 impl Force {
-    fn of<M: ContactModes<f64>>(modal: &Modal<f64, M>) -> Self {
+    pub(super) fn of<M: ContactModes<f64>>(modal: &Modal<f64, M>) -> Self {
         Self {
             normal: modal.normal,
             sliding: modal.sliding(),
@@ -180,7 +213,7 @@ impl Force {
     }
 
     /// A row of the contact table, with the geometry of the contact.
-    fn row(&self, a: u32, b: Partner, touch: &Touch<f64>) -> ContactRow {
+    pub(super) fn row(&self, a: u32, b: Partner, touch: &Touch<f64>) -> ContactRow {
         let normal = touch.normal;
         ContactRow {
             a,
@@ -222,6 +255,10 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         Some(&mut self.state_mut().walls)
     }
 
+    fn space(&self) -> PeriodicBox {
+        World::space(self)
+    }
+
     fn set_gravity(&mut self, gravity: Vector3<f64>) -> bool {
         World::set_gravity(self, gravity);
         true
@@ -245,7 +282,8 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
             let [i, j] = [*a as usize, *b as usize];
             let apart = space.displacement(&state.positions[i], &state.positions[j]);
             let touch = Touch::spheres(&apart, [setup.radii[i], setup.radii[j]])?;
-            if force.normal != 0.0 || touch.gap <= book.of_pair([*a, *b]).normal.cohesion().range() {
+            if force.normal != 0.0 || touch.gap <= book.of_pair([*a, *b]).normal.cohesion().range()
+            {
                 rows.push(Force::of(&force).row(*a, Partner::Particle(*b), &touch));
             }
         }
@@ -254,7 +292,8 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
             let (i, wall) = (*a as usize, &state.walls[*b as usize]);
             let height = wall.outward.dot(&state.positions[i]) - wall.place;
             let touch = Touch::plate(height, &wall.outward, setup.radii[i])?;
-            if force.normal != 0.0 || touch.gap <= book.at_wall([*a, *b]).normal.cohesion().range() {
+            if force.normal != 0.0 || touch.gap <= book.at_wall([*a, *b]).normal.cohesion().range()
+            {
                 rows.push(Force::of(&force).row(*a, Partner::Wall(*b), &touch));
             }
         }
@@ -279,6 +318,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
             impacts: forces(&state.impacts),
             awake: state.sleep.awake().to_vec(),
             still: state.sleep.still().to_vec(),
+            origin: None,
         }
     }
 }

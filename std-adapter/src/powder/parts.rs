@@ -2,8 +2,8 @@
 
 use super::deposit::{Deposit, SUBSTRATE};
 use crate::cd::Wall;
-use crate::packing::{Bodies, Frozen, Material, Method, Packing, PackingError, build};
-use crate::scene::PowderScene;
+use crate::packing::{Bodies, Frozen, Material, Method, Packing, PackingError, Springs, build};
+use crate::scene::{ContactMethod, PowderScene};
 use nalgebra::Vector3;
 
 /// Number of the piston among the walls.
@@ -76,10 +76,17 @@ impl PowderScene {
 
     /// How the contacts of a step are found and solved.
     fn contact_method(&self) -> Method {
-        Method::ContactDynamics {
-            solver: self.contact_solver(),
-            step_limits: self.step_limits(),
-            still_speed: self.still_speed,
+        match self.method {
+            ContactMethod::ContactDynamics => Method::ContactDynamics {
+                solver: self.contact_solver(),
+                step_limits: self.step_limits(),
+                still_speed: self.still_speed,
+            },
+            ContactMethod::Soft => Method::Soft(Springs {
+                stiffness: self.spring(),
+                damping: self.damping,
+                step_limits: self.step_limits(),
+            }),
         }
     }
 }

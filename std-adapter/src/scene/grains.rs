@@ -89,6 +89,16 @@ scene! {
     seed: u64 = 1, "-", Count { up_to: MOST_SEEDS };
     /// Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
     spacing: f64 = 1.2, "-", Between { above: 1.0, up_to: 100.0 };
+    /// Share of the grains that are of a second material, chosen at random.
+    share_second: f64 = 0.0, "-", Fraction;
+    /// Radius of these, in mean radii of the others.
+    radius_second: f64 = 1.0, "-", Between { above: 0.0, up_to: 100.0 };
+    /// Density of the second material; that of the first if it is left out.
+    density_second: Option<f64> = None, "kg/m^3", Positive;
+    /// Sliding coefficient of the second material; that of the first if it is left out.
+    sliding_second: Option<f64> = None, "-", NotNegative;
+    /// Sliding coefficient between the two materials; the geometric mean of theirs if it is left out.
+    sliding_mixed: Option<f64> = None, "-", NotNegative;
     /// Cohesion F_coh: largest pull of a contact.
     cohesion: f64 = 0.0, "N", NotNegative;
     /// Gap up to which cohesion acts.
@@ -129,6 +139,8 @@ scene! {
     velocity_z: Option<Ramp> = None, "m/s", Ramp, OnlyWith("z", "walls");
     /// Speed of the plate above along x, which shears the grains.
     plate_speed: Ramp = Ramp::from(0.0), "m/s", Ramp, OnlyWith("z", "walls");
+    /// Rate at which a box without walls is sheared: speed along x over height along z.
+    shear_rate: f64 = 0.0, "1/s", Finite, OnlyWith("z", "periodic");
     /// Amplitude with which the box is shaken: all walls that are neither piston nor moved otherwise.
     shake_amplitude: f64 = 0.0, "m", NotNegative;
     /// Frequency of the shaking.
@@ -183,6 +195,10 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
     if scene.z == Ends::Periodic && scene.height.is_none() {
         let message = "`height` is the period where z = \"periodic\"; give it";
         judge.refuse(&["height", "z"], message);
+    }
+    if scene.shear_rate != 0.0 && scene.x == Sides::Walls {
+        let message = "a shear needs x = \"periodic\"; leave `shear_rate` out or `x`";
+        judge.refuse(&["shear_rate", "x"], message);
     }
     for (keys, axis) in CONTROLS.iter().zip([Axis::X, Axis::Y, Axis::Z]) {
         let [pressure, velocity] = [scene.pressure(axis), scene.velocity(axis)];

@@ -88,6 +88,10 @@ pub const LIBRARY: &[LibraryScene] = &[
         text: include_str!("../../scenes/compaction-4193.toml"),
     },
     LibraryScene {
+        name: "shear-periodic",
+        text: include_str!("../../scenes/shear-periodic.toml"),
+    },
+    LibraryScene {
         name: "tip-reversible",
         text: include_str!("../../scenes/tip-reversible.toml"),
     },

@@ -54,7 +54,10 @@ pub use library::{LIBRARY, LibraryScene, library_scene};
 pub use pipe::PipeScene;
 pub use planar::{FootPressure, Tipping};
 pub use plate::PlateScene;
-pub use powder::{Coupling, Criterion, PowderScene, SweepMethod, SweepOrder, SweepStop, WallLaw};
+pub use powder::{
+    ContactMethod, Coupling, Criterion, NormalForce, PowderScene, SweepMethod, SweepOrder,
+    SweepStop, WallLaw,
+};
 pub use problem::{InvalidScene, Problem, SceneError};
 pub use push::PushScene;
 #[doc(hidden)]

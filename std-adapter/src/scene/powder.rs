@@ -7,6 +7,7 @@ use super::table::scene;
 use super::words::{Word, words};
 use crate::cd::{Method, Order, Solver, StepLimits, Stop};
 use crate::powder::deposit::{Ballistic, DepositError, Until};
+use crate::soft::Stiffness;
 use tribos_core::contact::Attraction;
 
 /// What spheres do at substrate and piston.
@@ -81,6 +82,26 @@ pub enum SweepStop {
 }
 words!(SweepStop { Global = "global", Local = "local", Fixed = "fixed" });
 
+/// How the contacts of a step are found and solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContactMethod {
+    /// Rigid spheres with constraint forces.
+    ContactDynamics,
+    /// Springs and dashpots.
+    Soft,
+}
+words!(ContactMethod { ContactDynamics = "contact-dynamics", Soft = "soft" });
+
+/// Elastic force of a soft contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NormalForce {
+    /// In proportion to the overlap.
+    Linear,
+    /// To the power 3/2 of the overlap.
+    Hertz,
+}
+words!(NormalForce { Linear = "linear", Hertz = "hertz" });
+
 words!(only Attraction { Pull = "pull", Resistance = "resistance" });
 
 /// What f64 counts.
@@ -145,8 +166,19 @@ scene! {
     /// Mass of the piston.
     // Thesis, section 4.5.
     piston_mass: f64 = 1000.0, "rho R^3", Positive;
+    /// Rigid spheres with constraint forces, or soft ones with springs and dashpots.
+    method: ContactMethod = ContactMethod::ContactDynamics, "-", OneOf(ContactMethod::WORDS);
+    /// Stiffness of soft contacts: the overlap under the force F_coh is R over this number.
+    // Overlaps of a thousandth of the radius: ten times stiffer ones do not change the porosity.
+    stiffness: f64 = 1e3, "F_coh/R", Positive, PartOf("method", "soft");
+    /// Damping ratio of soft contacts in all modes, unless `restitution` is above 0.
+    damping: f64 = 1.0, "-", NotNegative, PartOf("method", "soft");
+    /// Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus `stiffness`/R.
+    normal_law: NormalForce = NormalForce::Linear, "-", OneOf(NormalForce::WORDS),
+        PartOf("method", "soft");
     /// Method for the contacts of a step.
-    solver: SweepMethod = SweepMethod::Accelerated, "-", OneOf(SweepMethod::WORDS);
+    solver: SweepMethod = SweepMethod::Accelerated, "-", OneOf(SweepMethod::WORDS),
+        PartOf("method", "contact-dynamics");
     /// Order of the contacts in a sweep of gauss-seidel.
     order: SweepOrder = SweepOrder::Alternating, "-", OneOf(SweepOrder::WORDS),
         OnlyWith("solver", "gauss-seidel");
@@ -158,10 +190,10 @@ scene! {
     tolerance: f64 = 1e-4, "-", Between { above: 0.0, up_to: 1.0 }, NotWith("stop", "fixed");
     /// Most sweeps of a step, N_I; all of them with stop = "fixed".
     // A bound for steps in which the tolerance is out of reach.
-    sweeps: usize = 1000, "-", Count { up_to: 1e6 };
+    sweeps: usize = 1000, "-", Count { up_to: 1e6 }, PartOf("method", "contact-dynamics");
     /// Whether a step starts from the forces of the last one.
-    warm_start: bool = true, "-", OneOf(bool::WORDS);
-    /// Largest distance that a sphere may move in a step.
+    warm_start: bool = true, "-", OneOf(bool::WORDS), PartOf("method", "contact-dynamics");
+    /// Largest distance that a sphere may move in a step; soft contacts divide it into stable ones.
     // A twentieth of a radius keeps the angle by which a normal turns in a step small.
     motion: f64 = 0.05, "R", Between { above: 0.0, up_to: 0.5 };
     /// Longest time step.
@@ -169,7 +201,8 @@ scene! {
     time_step: f64 = 0.2, "sqrt(rho R^4/F_coh)", Positive;
     /// Sleep threshold: slower groups that nothing touches are left alone; with 0 none is.
     // A speed with which a sphere would cross a hundredth of its radius in 10⁵ units of time.
-    still_speed: f64 = 1e-7, "sqrt(F_coh/rho)/R", NotNegative;
+    still_speed: f64 = 1e-7, "sqrt(F_coh/rho)/R", NotNegative,
+        PartOf("method", "contact-dynamics");
     /// Criterion of the end: forces balance and the piston stands, or the piston stands.
     blocked: Criterion = Criterion::Balance, "-", OneOf(Criterion::WORDS);
     /// Steps after which a run ends that is not blocked before.
@@ -181,8 +214,25 @@ scene! {
     samples: u64 = 20, "-", Count { up_to: 1e9 };
 }
 
-/// Width, capture radius and spread of the radii must fit together.
+/// Width, capture radius and spread of the radii must fit together, and so must method and cohesion.
 fn rules(scene: &PowderScene, judge: &mut Judge<'_>) {
+    if scene.method == ContactMethod::Soft {
+        for key in ["order", "stop", "tolerance"] {
+            if judge.is_given(key) {
+                let message = format!("`{key}` is not used with method = \"soft\"; leave it out");
+                judge.refuse(&[key, "method"], message);
+            }
+        }
+        if scene.attraction == Attraction::Resistance {
+            let message = "`attraction` must be \"pull\" with method = \"soft\": a resistance to opening \
+                           needs constraint forces";
+            judge.refuse(&["attraction", "method"], message);
+        }
+        if scene.restitution > 0.0 && judge.is_given("damping") {
+            let message = "give `damping` or a `restitution` above 0, not both";
+            judge.refuse(&["damping", "restitution"], message);
+        }
+    }
     if scene.radius_spread >= 1.0 {
         let spread = scene.radius_spread;
         let message = format!("`radius_spread` must be less than 1, not {spread}");
@@ -195,9 +245,16 @@ fn rules(scene: &PowderScene, judge: &mut Judge<'_>) {
     }
 }
 
-/// A number of spheres stands in place of the height.
+/// A number of spheres stands in place of the height, restitution in place of damping, springs in place of
+/// sweeps.
 fn in_force(scene: &PowderScene, key: &str, written: Option<Written>) -> Option<Written> {
-    written.filter(|_| key != "height" || scene.count.is_none())
+    let soft = scene.method == ContactMethod::Soft;
+    written.filter(|_| match key {
+        "height" => scene.count.is_none(),
+        "damping" => scene.restitution == 0.0,
+        "order" | "stop" | "tolerance" => !soft,
+        _ => true,
+    })
 }
 
 impl PowderScene {
@@ -244,6 +301,16 @@ impl PowderScene {
             method,
             most_sweeps: self.sweeps,
             warm_start: self.warm_start,
+        }
+    }
+
+    /// Normal spring of soft contacts.
+    #[doc(hidden)]
+    pub fn spring(&self) -> Stiffness {
+        match self.normal_law {
+            NormalForce::Linear => Stiffness::Linear(self.stiffness),
+            // The mean radius is 1.
+            NormalForce::Hertz => Stiffness::Hertz(self.stiffness),
         }
     }
 

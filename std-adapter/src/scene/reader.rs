@@ -38,6 +38,11 @@ impl<'a> Judge<'a> {
         Some(*origin)
     }
 
+    /// Whether the file gives a key.
+    pub fn is_given(&self, key: &str) -> bool {
+        self.place(key).is_some()
+    }
+
     /// Complains about every key that is not in the table.
     fn strangers(&mut self, keys: &[Key], entries: &Entries) {
         let is_known = |name: &str| keys.iter().any(|key| key.name == name);

@@ -1,0 +1,187 @@
+//! A world of soft spheres with its contact modes hidden behind the trait of packings.
+
+use super::{Bodies, Force, Forces, Frozen, Packing, PackingError, Springs};
+use crate::cd::{EnergyBalance, Laws, StepLimits, StepReport, Wall, WorldError, solid};
+use crate::record::{ContactRow, Partner};
+use crate::soft::{Setup, SoftContact, State, World};
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+use std::fmt::Debug;
+use tribos_core::contact::{ContactFriction, ContactModes, Modal, Sphere, Touch, TouchError};
+
+/// A world of soft spheres. A step of the packing is as long as one of contact dynamics and made of as many
+/// steps of the world as the springs need.
+#[derive(Debug)]
+struct SoftPacking<F: ContactFriction<f64>> {
+    world: World<F>,
+    steps: u64,
+    limits: StepLimits,
+}
+
+/// A packing with these contact modes.
+pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
+    density: f64,
+    bodies: Bodies,
+    springs: &Springs,
+    frozen: Option<&Frozen>,
+    laws: Laws<F>,
+) -> Result<Box<dyn Packing>, PackingError> {
+    let limits = springs.step_limits;
+    let setup = Setup {
+        spheres: bodies.radii.iter().map(|&r| solid(r, density)).collect(),
+        space: bodies.space,
+        positions: bodies.positions,
+        radii: bodies.radii,
+        walls: bodies.walls,
+        gravity: bodies.gravity,
+        damping: springs.damping,
+        longest: limits.longest,
+        ..Setup::new(laws, springs.stiffness)
+    };
+    let mut world = World::new(setup)?;
+    if let Some(frozen) = frozen {
+        thaw(frozen, &mut world)?;
+    }
+    let steps = frozen.map_or(0, |frozen| frozen.steps);
+    Ok(Box::new(SoftPacking {
+        world,
+        steps,
+        limits,
+    }))
+}
+
+/// Restores a stored state in a new world of the same bodies.
+fn thaw<F: ContactFriction<f64>>(frozen: &Frozen, world: &mut World<F>) -> Result<(), WorldError> {
+    let state = world.state_mut();
+    state.time = frozen.time;
+    state.steps = frozen.steps;
+    state.positions.clone_from(&frozen.positions);
+    for (sphere, [velocity, spin]) in state.spheres.iter_mut().zip(&frozen.motions) {
+        (sphere.velocity, sphere.spin) = (*velocity, *spin);
+    }
+    for (wall, (place, velocity)) in state.walls.iter_mut().zip(&frozen.walls) {
+        (wall.place, wall.plate.velocity) = (*place, *velocity);
+    }
+    state.energy = frozen.energy;
+    state.origin = frozen.origin;
+    world.restore(&[0, 1].map(|kind: usize| {
+        let stored = frozen.forces[kind].iter().zip(&frozen.impacts[kind]);
+        let contact = |((bodies, force), (_, springs)): (&Stored, &Stored)| {
+            (*bodies, [modal(force), modal(springs)])
+        };
+        stored.map(contact).collect()
+    }))
+}
+
+/// A stored force, or stored springs, with the bodies.
+type Stored = ([u32; 2], Force);
+
+fn modal<M: ContactModes<f64>>(force: &Force) -> Modal<f64, M> {
+    Modal::new(force.normal, force.sliding, force.rolling, force.torsion)
+}
+
+/// Forces of the contacts in range, or their springs.
+fn stored<M: ContactModes<f64>>(
+    state: &State<M>,
+    part: impl Fn(&SoftContact<M>) -> Modal<f64, M>,
+) -> Forces {
+    let one = |contact: &SoftContact<M>| (contact.bodies, Force::of(&part(contact)));
+    [0, 1].map(|kind: usize| {
+        let contacts = state.contacts[kind].iter();
+        contacts
+            .filter(|contact| contact.in_range)
+            .map(one)
+            .collect()
+    })
+}
+
+impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
+    fn step(&mut self) -> Result<StepReport, WorldError> {
+        // As far as contact dynamics would go: the longest step, or the largest motion.
+        let speed = self.world.fastest();
+        let span = self.limits.longest.min(self.limits.motion / speed);
+        let mut elapsed = 0.0;
+        loop {
+            let report = self.world.step()?;
+            elapsed += report.dt;
+            if elapsed + 0.5 * report.dt >= span {
+                self.steps += 1;
+                return Ok(StepReport {
+                    dt: elapsed,
+                    ..report
+                });
+            }
+        }
+    }
+
+    fn clock(&self) -> (f64, u64) {
+        (self.world.state().time, self.steps)
+    }
+
+    fn positions(&self) -> &[Vector3<f64>] {
+        &self.world.state().positions
+    }
+
+    fn radii(&self) -> &[f64] {
+        &self.world.setup().radii
+    }
+
+    fn spheres(&self) -> &[Sphere<f64>] {
+        &self.world.state().spheres
+    }
+
+    fn walls(&self) -> &[Wall] {
+        &self.world.state().walls
+    }
+
+    fn energy(&self) -> &EnergyBalance {
+        &self.world.state().energy
+    }
+
+    fn contacts(&self) -> Result<Vec<ContactRow>, TouchError> {
+        let [pairs, walls] = &self.world.state().contacts;
+        let in_range = |contact: &&SoftContact<F::Modes>| contact.in_range;
+        let row = |contact: &SoftContact<F::Modes>, b: Partner| {
+            let touch = Touch {
+                normal: contact.normal,
+                gap: contact.gap,
+                arms: [0.0; 2],
+                lever: 0.0,
+            };
+            Force::of(&contact.force).row(contact.bodies[0], b, &touch)
+        };
+        let pairs = pairs.iter().filter(in_range);
+        let pairs = pairs.map(|contact| row(contact, Partner::Particle(contact.bodies[1])));
+        let walls = walls.iter().filter(in_range);
+        let walls = walls.map(|contact| row(contact, Partner::Wall(contact.bodies[1])));
+        Ok(pairs.chain(walls).collect())
+    }
+
+    fn space(&self) -> PeriodicBox {
+        self.world.setup().space
+    }
+
+    fn freeze(&self) -> Frozen {
+        let state = self.world.state();
+        let bodies = state.spheres.len();
+        Frozen {
+            time: state.time,
+            steps: self.steps,
+            positions: state.positions.clone(),
+            motions: state.spheres.iter().map(|s| [s.velocity, s.spin]).collect(),
+            walls: state
+                .walls
+                .iter()
+                .map(|wall| (wall.place, wall.plate.velocity))
+                .collect(),
+            shear_offset: 0.0,
+            energy: state.energy,
+            forces: stored(state, |contact| contact.force),
+            // A soft contact has no impacts; its springs take their place.
+            impacts: stored(state, SoftContact::stored),
+            awake: vec![true; bodies],
+            still: vec![0; bodies],
+            origin: state.origin,
+        }
+    }
+}

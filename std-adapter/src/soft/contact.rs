@@ -1,0 +1,351 @@
+//! One contact: springs and dashpots in all modes, with thresholds.
+
+use super::law::Stiffness;
+use super::transport::Transport;
+use nalgebra::Vector3;
+use tribos_core::contact::{Cohesion, ContactFriction, ContactModes, Modal, Touch};
+use tribos_core::internals::{AxialPart, Block, Masses, PlanarPart, TangentialLoad};
+
+/// A pair of neighbours, or a sphere near a wall, with the springs of its contact.
+///
+/// See [`World`](super::World) for an example.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SoftContact<M: ContactModes<f64>> {
+    /// First body, a sphere; second body, a sphere or a wall.
+    pub bodies: [u32; 2],
+    /// Unit vector from the first body to the second, at the last step in which they were in range.
+    pub normal: Vector3<f64>,
+    /// Distance of the surfaces, negative for overlap.
+    pub gap: f64,
+    /// Whether the surfaces overlap or lie within the range of cohesion.
+    pub in_range: bool,
+    /// Force and torque on the second body.
+    pub force: Modal<f64, M>,
+    /// Tangent stiffness of the normal spring at which `springs` are measured.
+    pub(crate) slope: f64,
+    /// Elongations of the springs across the normal: displacement of the second body against the first.
+    pub(crate) springs: Modal<f64, M>,
+    shares: Shares,
+}
+
+/// Effective masses of a contact: that of the normal, and those of the other modes divided by it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Shares {
+    mass: f64,
+    sliding: f64,
+    turning: f64,
+}
+
+/// Motion of the second body relative to the first.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Motion {
+    /// Of the surfaces at the contact.
+    pub velocity: Vector3<f64>,
+    /// Difference of the spins.
+    pub spin: Vector3<f64>,
+    /// Mean of the spins: the plane of the contact turns about its normal with it.
+    pub turning: Vector3<f64>,
+}
+
+/// Laws of a contact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Law<F> {
+    pub stiffness: Stiffness,
+    /// Damping ratio ζ.
+    pub damping: f64,
+    pub cohesion: Cohesion<f64>,
+    pub friction: F,
+}
+
+/// Energies of a contact: stored now, and lost in a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Energies {
+    pub elastic: f64,
+    pub cohesion: f64,
+    pub normal: f64,
+    pub sliding: f64,
+    pub rolling: f64,
+    pub torsion: f64,
+}
+
+impl<M: ContactModes<f64>> SoftContact<M> {
+    /// Neighbours without springs. Every mode gets the frequency of the normal one: its stiffness is that of
+    /// the normal spring times the ratio of the effective masses, 2/7 for sliding and 2/5 R² for turning of
+    /// solid spheres.
+    pub(super) fn apart(bodies: [u32; 2], block: &Block<f64>) -> Self {
+        let mass = block.mass_normal;
+        Self {
+            bodies,
+            normal: Vector3::zeros(),
+            gap: f64::INFINITY,
+            in_range: false,
+            force: Modal::default(),
+            slope: 0.0,
+            springs: Modal::default(),
+            shares: Shares {
+                mass,
+                sliding: block.mass_sliding / mass,
+                turning: block.inertia / mass,
+            },
+        }
+    }
+
+    /// Takes over the springs of the same pair from an older list.
+    pub(super) fn recall(&mut self, old: &Self) {
+        *self = Self {
+            shares: self.shares,
+            ..*old
+        };
+    }
+
+    /// Restores the springs of a stored state.
+    pub(crate) fn restore(
+        &mut self,
+        touch: &Touch<f64>,
+        force: Modal<f64, M>,
+        springs: Modal<f64, M>,
+    ) {
+        self.in_range = true;
+        (self.normal, self.gap) = (touch.normal, touch.gap);
+        self.force = force;
+        self.slope = springs.normal;
+        self.springs = Modal::new(0.0, springs.sliding(), springs.rolling(), springs.torsion());
+    }
+
+    /// The springs, with the slope in place of the normal component.
+    pub(crate) fn stored(&self) -> Modal<f64, M> {
+        let springs = &self.springs;
+        Modal::new(
+            self.slope,
+            springs.sliding(),
+            springs.rolling(),
+            springs.torsion(),
+        )
+    }
+
+    /// Lets go: the energy of the springs is lost.
+    pub(super) fn part(&mut self, gap: f64) -> Energies {
+        self.gap = gap;
+        if !self.in_range {
+            return Energies::default();
+        }
+        let stored = self.stored_energies();
+        self.in_range = false;
+        (self.force, self.springs, self.slope) = (Modal::default(), Modal::default(), 0.0);
+        let [sliding, rolling, torsion] = stored;
+        Energies {
+            sliding,
+            rolling,
+            torsion,
+            ..Energies::default()
+        }
+    }
+
+    /// Elastic energies of sliding, rolling and torsion.
+    fn stored_energies(&self) -> [f64; 3] {
+        let (springs, slope) = (&self.springs, 0.5 * self.slope);
+        let sliding = if M::Sliding::PRESENT {
+            slope * self.shares.sliding * springs.sliding().norm_squared()
+        } else {
+            0.0
+        };
+        let turning = slope * self.shares.turning;
+        let rolling = if M::Rolling::PRESENT {
+            turning * springs.rolling().norm_squared()
+        } else {
+            0.0
+        };
+        [
+            sliding,
+            rolling,
+            turning * springs.torsion() * springs.torsion(),
+        ]
+    }
+
+    /// Brings springs and force to the end of a step of length `dt` that ended at `touch` with this motion.
+    pub(super) fn advance<F: ContactFriction<f64, Modes = M>>(
+        &mut self,
+        touch: &Touch<f64>,
+        motion: &Motion,
+        law: &Law<F>,
+        dt: f64,
+    ) -> Energies {
+        let n = &touch.normal;
+        let cohesion = law.cohesion.strength();
+        let pull = if touch.gap <= law.cohesion.range() {
+            cohesion
+        } else {
+            0.0
+        };
+        let before = self.stored_energies();
+        let opening = motion.velocity.dot(n);
+        self.carry(n, motion, dt);
+        self.gap = touch.gap;
+        self.in_range = true;
+
+        // Spring and dashpot along the normal push, or do nothing.
+        let overlap = if touch.gap < 0.0 { -touch.gap } else { 0.0 };
+        let [push, slope] = law.stiffness.force(overlap, touch.lever);
+        let dashpot = law.stiffness.dashpot(law.damping, slope, self.shares.mass);
+        let damped = push - dashpot * opening;
+        // P; NaN stays.
+        let bound = if overlap == 0.0 || damped < 0.0 {
+            0.0
+        } else {
+            damped
+        };
+
+        let normal_loss = (push - bound) * opening * dt;
+        let friction = self.resist(touch, motion, law, [bound, slope, dashpot], dt);
+        self.force = friction.force;
+        self.force.normal = bound - pull;
+        let [sliding, rolling, torsion] = self.stored_energies();
+        let lost = |mode: usize, now: f64, fed: f64| before[mode] + fed - now;
+        Energies {
+            elastic: law.stiffness.energy(overlap, push) + sliding + rolling + torsion,
+            cohesion: pull * (touch.gap - law.cohesion.range()),
+            normal: normal_loss,
+            sliding: lost(0, sliding, friction.fed[0]) + friction.viscous[0],
+            rolling: lost(1, rolling, friction.fed[1]) + friction.viscous[1],
+            torsion: lost(2, torsion, friction.fed[2]) + friction.viscous[2],
+        }
+    }
+
+    /// Turns the springs with the plane of the contact.
+    #[inline]
+    fn carry(&mut self, normal: &Vector3<f64>, motion: &Motion, dt: f64) {
+        if self.slope > 0.0 && (M::Sliding::PRESENT || M::Rolling::PRESENT) {
+            let angle = motion.turning.dot(normal) * dt;
+            let transport = Transport::new(&self.normal, normal, angle);
+            let sliding = transport.carry(&self.springs.sliding());
+            let rolling = if M::Rolling::PRESENT {
+                transport.carry(&self.springs.rolling())
+            } else {
+                Vector3::zeros()
+            };
+            self.springs = Modal::new(0.0, sliding, rolling, self.springs.torsion());
+        }
+        self.normal = *normal;
+    }
+
+    /// Loads the springs with the motion of the step and lets them slip at their thresholds; the dashpots
+    /// beside them share the thresholds.
+    #[inline]
+    fn resist<F: ContactFriction<f64, Modes = M>>(
+        &mut self,
+        touch: &Touch<f64>,
+        motion: &Motion,
+        law: &Law<F>,
+        [bound, slope, dashpot]: [f64; 3],
+        dt: f64,
+    ) -> Friction<M> {
+        if !(M::Sliding::PRESENT || M::Rolling::PRESENT || M::Torsion::PRESENT) {
+            return Friction::default();
+        }
+        let n = &touch.normal;
+        let Shares {
+            sliding: share,
+            turning,
+            ..
+        } = self.shares;
+        let (k, k_turn) = (share * slope, turning * slope);
+        let (c, c_turn) = (share * dashpot, turning * dashpot);
+        let slip = motion.velocity - n * motion.velocity.dot(n);
+        let twist = motion.spin.dot(n);
+        let roll = motion.spin - n * twist;
+
+        // A spring that stiffens keeps its force, one that softens its elongation: neither makes energy.
+        let kept = if slope > self.slope {
+            self.slope / slope
+        } else {
+            1.0
+        };
+        let held = [self.springs.sliding() * kept, self.springs.rolling() * kept];
+        let held_twist = self.springs.torsion() * kept;
+        let reached = [held[0] + slip * dt, held[1] + roll * dt];
+        let reached_twist = held_twist + twist * dt;
+        // Work done on the springs.
+        let fed = [
+            0.5 * k * (reached[0].norm_squared() - held[0].norm_squared()),
+            0.5 * k_turn * (reached[1].norm_squared() - held[1].norm_squared()),
+            0.5 * k_turn * (reached_twist * reached_twist - held_twist * held_twist),
+        ];
+
+        // Slip of the springs: the admissible force nearest in elastic energy.
+        let trial = TangentialLoad {
+            sliding: reached[0] * k,
+            torsion: reached_twist * k_turn,
+        };
+        let springs = Masses {
+            sliding: k,
+            torsion: k_turn,
+        };
+        let elastic = law.friction.hold(&trial, bound, touch.lever, &springs);
+        let trial_rolling = reached[1] * k_turn;
+        let elastic_rolling = law
+            .friction
+            .hold_rolling(&trial_rolling, bound, touch.lever);
+        let sliding = if elastic.sliding == trial.sliding {
+            reached[0]
+        } else {
+            elastic.sliding / k
+        };
+        let rolling = if elastic_rolling == trial_rolling {
+            reached[1]
+        } else {
+            elastic_rolling / k_turn
+        };
+        let torsion = if elastic.torsion == trial.torsion {
+            reached_twist
+        } else {
+            elastic.torsion / k_turn
+        };
+        self.slope = slope;
+        self.springs = Modal::new(0.0, sliding, rolling, torsion);
+
+        // Springs and dashpots together.
+        let trial = TangentialLoad {
+            sliding: elastic.sliding + slip * c,
+            torsion: elastic.torsion + twist * c_turn,
+        };
+        let dashpots = Masses {
+            sliding: c,
+            torsion: c_turn,
+        };
+        let total = law.friction.hold(&trial, bound, touch.lever, &dashpots);
+        let trial_rolling = elastic_rolling + roll * c_turn;
+        let total_rolling = law
+            .friction
+            .hold_rolling(&trial_rolling, bound, touch.lever);
+        Friction {
+            force: Modal::new(0.0, -total.sliding, -total_rolling, -total.torsion),
+            fed,
+            viscous: [
+                (total.sliding - elastic.sliding).dot(&slip) * dt,
+                (total_rolling - elastic_rolling).dot(&roll) * dt,
+                (total.torsion - elastic.torsion) * twist * dt,
+            ],
+        }
+    }
+}
+
+/// What friction does in a step: force on the second body, work on the springs and loss in the dashpots by
+/// mode.
+#[derive(Clone, Copy, Debug, Default)]
+struct Friction<M: ContactModes<f64>> {
+    force: Modal<f64, M>,
+    fed: [f64; 3],
+    viscous: [f64; 3],
+}
+
+impl Energies {
+    /// Adds those of another contact.
+    pub fn add(&mut self, other: &Self) {
+        self.elastic += other.elastic;
+        self.cohesion += other.cohesion;
+        self.normal += other.normal;
+        self.sliding += other.sliding;
+        self.rolling += other.rolling;
+        self.torsion += other.torsion;
+    }
+}

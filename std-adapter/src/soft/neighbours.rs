@@ -1,0 +1,104 @@
+//! Which bodies may come into contact before the next search.
+
+use super::contact::SoftContact;
+use super::world::World;
+use crate::cd::{Wall, WorldError};
+use nalgebra::Vector3;
+use tribos_core::contact::{Body, ContactFriction, ContactModes, Touch};
+use tribos_core::internals::Block;
+
+/// Margin of the list beyond the range of the contacts, in units of the smallest radius: some hundred steps of
+/// usual runs.
+const SKIN: f64 = 0.3;
+
+impl<F: ContactFriction<f64>> World<F> {
+    /// Renews the list of neighbours once something has moved by half the margin.
+    pub(super) fn list_neighbours(&mut self) -> Result<(), WorldError> {
+        let far = 0.5 * self.skin;
+        let positions = &self.state.positions;
+        let moved = |(x, y): (&Vector3<f64>, &Vector3<f64>)| (x - y).norm_squared() > far * far;
+        let shifted = |(wall, y): (&Wall, &f64)| (wall.place - y).abs() > far;
+        let is_listed = self.listed
+            && !positions.iter().zip(&self.listed_at).any(moved)
+            && !self.state.walls.iter().zip(&self.listed_walls).any(shifted);
+        if is_listed {
+            return Ok(());
+        }
+        let [range, at_walls] = self.laws.map(|law| law.cohesion.range());
+        let step = self.state.steps;
+        let found = self.cells.find(
+            &self.setup.space,
+            positions,
+            &self.setup.radii,
+            range.max(0.0) + self.skin,
+        );
+        let pairs = found.map_err(|cause| WorldError::Neighbours { step, cause })?;
+        let (spheres, radii) = (&self.state.spheres, &self.setup.radii);
+        let pairs = pairs.iter().map(|&bodies| {
+            let [i, j] = bodies.map(|body| body as usize);
+            let block = block([radii[i], radii[j]], &spheres[i], &spheres[j]);
+            SoftContact::apart(bodies, &block)
+        });
+        let mut lists = [pairs.collect(), Vec::new()];
+        for (i, x) in positions.iter().enumerate() {
+            for (w, wall) in self.state.walls.iter().enumerate() {
+                if wall.outward.dot(x) - wall.place - radii[i] <= at_walls + self.skin {
+                    let block = block([radii[i], 0.0], &spheres[i], &wall.plate);
+                    lists[1].push(SoftContact::apart([i as u32, w as u32], &block));
+                }
+            }
+        }
+        for (new, old) in lists.iter_mut().zip(&self.state.contacts) {
+            recall(new, old);
+        }
+        self.state.contacts = lists;
+        self.listed = true;
+        self.listed_at.clone_from(&self.state.positions);
+        self.listed_walls.clear();
+        self.listed_walls
+            .extend(self.state.walls.iter().map(|wall| wall.place));
+        Ok(())
+    }
+
+    /// Margin that fits into the periods.
+    pub(super) fn usual_skin(&self) -> f64 {
+        let smallest = self
+            .setup
+            .radii
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
+        let largest = self.setup.radii.iter().copied().fold(0.0, f64::max);
+        let range = self.laws[0].cohesion.range();
+        let lengths = self.setup.space.lengths().into_iter().flatten();
+        let room = lengths.fold(f64::INFINITY, f64::min) * 0.5 - 2.0 * largest - range;
+        let skin = (SKIN * smallest).min(room);
+        if skin > 0.0 && skin.is_finite() {
+            skin
+        } else {
+            0.0
+        }
+    }
+}
+
+/// Effective masses of two bodies whose surfaces just touch.
+fn block(radii: [f64; 2], a: &impl Body<f64>, b: &impl Body<f64>) -> Block<f64> {
+    let touch = Touch {
+        normal: Vector3::zeros(),
+        gap: 0.0,
+        arms: radii,
+        lever: 0.0,
+    };
+    Block::new(&touch, a, b)
+}
+
+/// Takes over springs; both lists are in ascending order of their bodies.
+fn recall<M: ContactModes<f64>>(new: &mut [SoftContact<M>], old: &[SoftContact<M>]) {
+    let mut old = old.iter().peekable();
+    for contact in new {
+        while old.next_if(|old| old.bodies < contact.bodies).is_some() {}
+        if let Some(old) = old.next_if(|old| old.bodies == contact.bodies) {
+            contact.recall(old);
+        }
+    }
+}
