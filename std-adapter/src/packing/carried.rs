@@ -3,6 +3,7 @@
 use super::Material;
 use crate::cd::internals::Link;
 use crate::scene::Coupling;
+use crate::soft::SoftContact;
 use tribos_core::contact::{
     AllModes, ContactModes, Frictionless, Sliding, SlidingRolling, SlidingTorsion,
 };
@@ -89,6 +90,17 @@ impl CarriedModes {
             Self::SlidingTorsion => size_of::<Link<SlidingTorsion>>(),
             Self::SlidingRolling => size_of::<Link<SlidingRolling>>(),
             Self::All => size_of::<Link<AllModes>>(),
+        }
+    }
+
+    /// Size of a soft contact, in bytes.
+    pub(crate) fn soft_bytes(self) -> usize {
+        match self {
+            Self::Normal => size_of::<SoftContact<Frictionless>>(),
+            Self::Sliding => size_of::<SoftContact<Sliding>>(),
+            Self::SlidingTorsion => size_of::<SoftContact<SlidingTorsion>>(),
+            Self::SlidingRolling => size_of::<SoftContact<SlidingRolling>>(),
+            Self::All => size_of::<SoftContact<AllModes>>(),
         }
     }
 

@@ -3,9 +3,11 @@
 use super::deposit::{Ballistic, Deposit};
 use super::error::CompactionError;
 use super::parts::packing;
+use crate::cd::solid;
 use crate::packing::{CarriedModes, Packing};
 use crate::run::RunSize;
-use crate::scene::{Coupling, PowderScene, SweepMethod, SweepOrder, SweepStop};
+use crate::scene::{ContactMethod, Coupling, PowderScene, SweepMethod, SweepOrder, SweepStop};
+use crate::soft::{self, StepLength};
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::time::Instant;
@@ -32,7 +34,7 @@ pub struct PowderCost {
     pub contacts: [usize; 2],
     /// Unknowns per contact.
     pub unknowns: usize,
-    /// Bytes per contact in the solver.
+    /// Bytes per contact in the solver, or per pair of soft neighbours.
     pub bytes: usize,
     /// Time of one contact update.
     pub update_seconds: f64,
@@ -58,6 +60,10 @@ const BYTES_A_SPHERE: f64 = 5e3;
 const SECONDS_A_SPHERE: f64 = 25e-3;
 /// Time of a step per sphere, with the usual number of sweeps.
 const SECONDS_A_STEP: f64 = 5e-6;
+/// Time of a stable step of soft contacts per sphere, and time in the scene's unit until the thesis' small
+/// system is blocked.
+const SOFT_SECONDS: f64 = 0.25e-6;
+const SOFT_TIME: f64 = 500.0;
 /// Largest number of spheres for which the deposit is grown to count them.
 const COUNTED: f64 = 2e5;
 
@@ -75,12 +81,46 @@ const COUNTED: f64 = 2e5;
 /// ```
 pub fn size(scene: &PowderScene) -> RunSize {
     let bodies = expected_spheres(scene);
-    let steps = bodies * scene.steps as f64 * SECONDS_A_STEP;
+    let [step, sphere] = match stable_step(scene) {
+        None => [SECONDS_A_STEP, SECONDS_A_SPHERE],
+        Some(stable) => [scene.time_step, SOFT_TIME].map(|time| time / stable * SOFT_SECONDS),
+    };
     RunSize {
         bodies,
         bytes: bodies * BYTES_A_SPHERE,
-        seconds: steps.min(bodies * SECONDS_A_SPHERE),
+        seconds: (bodies * scene.steps as f64 * step).min(bodies * sphere),
     }
+}
+
+/// Usual length of the stable steps of soft contacts, in the scene's unit of time; `None` for rigid ones.
+///
+/// ```
+/// use tribos::powder::stable_step;
+/// use tribos::scene::{ContactMethod, PowderScene};
+/// let soft = PowderScene { method: ContactMethod::Soft, stiffness: 1e4, ..PowderScene::default() };
+/// // 0.1 √(m/k) with m = 4π/3.
+/// assert!(stable_step(&soft).is_some_and(|dt| (dt / 2.05e-3 - 1.0).abs() < 0.02));
+/// assert_eq!(stable_step(&PowderScene::default()), None);
+/// ```
+pub fn stable_step(scene: &PowderScene) -> Option<f64> {
+    if scene.method != ContactMethod::Soft {
+        return None;
+    }
+    let radius = 1.0 - scene.radius_spread;
+    let sphere = solid(radius, scene.material().density);
+    let damping = if scene.restitution > 0.0 {
+        soft::damping(scene.restitution)
+    } else {
+        scene.damping
+    };
+    let cohesion = scene.material().cohesion;
+    let length = StepLength::of_spheres(
+        (scene.spring(), damping),
+        1.0 / sphere.inv_mass,
+        radius,
+        cohesion,
+    );
+    Some(length.next(&[], &[], 0.0, &[]))
 }
 
 /// Number of spheres in the deposit; `None` if width and capture radius are incompatible.
@@ -120,7 +160,10 @@ pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
         contacts: contacts_a_sphere(carried.modes)
             .map(|share| (share * spheres as f64).round() as usize),
         unknowns: carried.modes.unknowns(),
-        bytes: carried.modes.bytes(),
+        bytes: match scene.method {
+            ContactMethod::ContactDynamics => carried.modes.bytes(),
+            ContactMethod::Soft => carried.modes.soft_bytes(),
+        },
         update_seconds,
         sliding_seconds,
     })
@@ -142,8 +185,17 @@ fn update_seconds(scenes: [&PowderScene; 2]) -> Result<[f64; 2], CompactionError
         for (scene, least) in scenes.iter().zip(&mut least) {
             let mut packing = block(scene)?;
             let start = Instant::now();
-            let report = packing.step()?;
-            let updates = (report.iterations.sweeps * report.contacts).max(1);
+            let mut updates = 0;
+            // A step of soft contacts updates each of them once.
+            let steps = if scene.method == ContactMethod::Soft {
+                SWEEPS
+            } else {
+                1
+            };
+            for _ in 0..steps {
+                let report = packing.step()?;
+                updates += report.iterations.sweeps.max(1) * report.contacts.max(1);
+            }
             *least = least.min(start.elapsed().as_secs_f64() / updates as f64);
         }
     }
@@ -172,6 +224,10 @@ fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
     let timed = PowderScene {
         width,
         still_speed: 0.0,
+        // One stable step of soft contacts; sweeps do not depend on it.
+        time_step: scene
+            .time_step
+            .min(stable_step(scene).unwrap_or(f64::INFINITY)),
         solver: SweepMethod::GaussSeidel,
         order: SweepOrder::Fixed,
         stop: SweepStop::Fixed,

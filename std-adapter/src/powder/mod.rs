@@ -22,7 +22,7 @@ pub use blocked::{Means, Window};
 pub use compaction::COLUMNS;
 pub use compaction::{Compaction, Ending};
 #[doc(hidden)]
-pub use cost::{PowderCost, cost, size};
+pub use cost::{PowderCost, cost, size, stable_step};
 pub use deposit::DepositError;
 pub use error::CompactionError;
 pub use outcome::Outcome;

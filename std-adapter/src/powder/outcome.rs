@@ -7,7 +7,7 @@ use crate::golden::{Digest, Measure, MeasureError, Measurement, contacts, digest
 use crate::packing::Statistics;
 use crate::record::json_number;
 use crate::run::drive;
-use crate::scene::PowderScene;
+use crate::scene::{ContactMethod, PowderScene};
 use nalgebra::Matrix3;
 use serde_json::{Map, Value};
 
@@ -136,7 +136,11 @@ impl Outcome {
             ("kinetic", self.energy.kinetic),
             ("imbalance", self.energy.imbalance()),
         ];
-        put("energy", object(&others));
+        let mut energy = object(&others);
+        if let (ContactMethod::Soft, Value::Object(map)) = (scene.method, &mut energy) {
+            map.insert("elastic".into(), json_number(self.energy.elastic));
+        }
+        put("energy", energy);
         put("wall_seconds", json_number(self.wall_seconds));
         put("scene", scene.json());
         put("version", env!("CARGO_PKG_VERSION").into());

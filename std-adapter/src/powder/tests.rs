@@ -241,9 +241,14 @@ fn a_blocked_packing_carries_the_load_whatever_its_modes() -> Tested {
 
 #[test]
 fn a_resumed_run_ends_with_the_same_bits() -> Tested {
-    for modes in [["rolling=0.1", "torsion=0.1"], ["rolling=0", "torsion=0"]] {
-        let scene = scene(&modes)?;
-        let whole = finished(&modes)?;
+    for modes in [
+        &["rolling=0.1", "torsion=0.1"][..],
+        &["rolling=0", "torsion=0"],
+        &["rolling=0.1", "torsion=0.1", "method=soft"],
+        &["method=soft", "normal_law=hertz", "restitution=0.5"],
+    ] {
+        let scene = scene(modes)?;
+        let whole = finished(modes)?;
         let mut first = Compaction::new(&scene)?;
         // In the middle of a window, between two lines of the series.
         while first.steps() < whole.steps() / 2 + 7 {
@@ -263,6 +268,44 @@ fn a_resumed_run_ends_with_the_same_bits() -> Tested {
         assert_eq!(whole.contacts(), second.contacts());
     }
     Ok(())
+}
+
+#[test]
+fn soft_spheres_end_blocked_near_the_height_of_rigid_ones() -> Tested {
+    for modes in [["rolling=0", "torsion=0"], ["rolling=1", "torsion=1"]] {
+        let rigid = finished(&modes)?.outcome();
+        for law in ["linear", "hertz"] {
+            let law = format!("normal_law={law}");
+            let keys = [&modes[..], &["method=soft", &law, "stiffness=2e3"]].concat();
+            let soft = finished(&keys)?.outcome();
+            assert_eq!(soft.ending, Some(Ending::Blocked), "{keys:?}");
+            let [total, ..] = soft.stress_zz();
+            assert!((total - 1.0).abs() < 0.01, "{keys:?} {total}");
+            // Twenty spheres: one more or less that is caught is a point.
+            let apart = soft.porosity[1] - rigid.porosity[1];
+            assert!(apart.abs() < 0.05, "{keys:?} {apart}");
+            assert!(soft.statistics.max_overlap > rigid.statistics.max_overlap);
+            assert!(soft.energy.elastic > 0.0 && soft.iterations == 0);
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn keys_of_the_other_method_are_refused() {
+    for (keys, told) in [
+        (&["method=soft", "solver=gauss-seidel"][..], "solver"),
+        (&["method=soft", "tolerance=1e-3"], "tolerance"),
+        (&["method=soft", "sweeps=10"], "sweeps"),
+        (&["method=soft", "attraction=resistance"], "attraction"),
+        (&["method=soft", "restitution=0.5", "damping=1"], "damping"),
+        (&["stiffness=1e4"], "method = \"soft\""),
+        (&["method=soft", "stiffness=0"], "stiffness"),
+        (&["method=sfot"], "soft"),
+    ] {
+        let refused = scene(keys).expect_err("the scene is refused").to_string();
+        assert!(refused.contains(told), "{keys:?}: {refused}");
+    }
 }
 
 #[test]

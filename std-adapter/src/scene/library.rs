@@ -92,6 +92,10 @@ pub const LIBRARY: &[LibraryScene] = &[
         text: include_str!("../../scenes/shear-periodic.toml"),
     },
     LibraryScene {
+        name: "compaction-soft",
+        text: include_str!("../../scenes/compaction-soft.toml"),
+    },
+    LibraryScene {
         name: "tip-reversible",
         text: include_str!("../../scenes/tip-reversible.toml"),
     },

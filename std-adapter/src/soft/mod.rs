@@ -38,4 +38,5 @@ mod world;
 pub use contact::SoftContact;
 pub use law::{Stiffness, damping, restitution};
 pub use setup::Setup;
+pub(crate) use step_length::StepLength;
 pub use world::{State, World};

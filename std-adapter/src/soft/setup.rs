@@ -37,7 +37,7 @@ pub struct Setup<F> {
 }
 
 /// Usual share of the longest stable step: overlaps of a bounce are right to some per cent.
-const SHARE: f64 = 0.6;
+pub(super) const SHARE: f64 = 0.6;
 
 impl<F> Setup<F> {
     /// Open space without bodies and gravity, with critical damping, steps of at most 1 ms and 0.6 of the

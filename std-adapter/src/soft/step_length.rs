@@ -5,6 +5,7 @@
 //! twelve neighbours that move against each other: ω² = 8 k/m, with twice the damping ratio of a pair.
 
 use super::law::Stiffness;
+use super::setup::SHARE;
 use crate::cd::Wall;
 use nalgebra::Vector3;
 use tribos_core::contact::Sphere;
@@ -20,7 +21,7 @@ const MOTION: f64 = 0.02;
 
 /// What does not change in a run.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct StepLength {
+pub(crate) struct StepLength {
     stiffness: Stiffness,
     damping: f64,
     cohesion: f64,
@@ -50,6 +51,21 @@ impl StepLength {
             gravity: setup.gravity.norm(),
             longest: setup.longest,
             share: setup.share,
+        }
+    }
+
+    /// Spheres of one size at rest, held by a cohesion.
+    pub fn of_spheres(springs: (Stiffness, f64), mass: f64, radius: f64, cohesion: f64) -> Self {
+        let (stiffness, damping) = springs;
+        Self {
+            stiffness,
+            damping,
+            cohesion,
+            mass: [mass; 2],
+            radius: [radius; 2],
+            gravity: 0.0,
+            longest: f64::MAX,
+            share: SHARE,
         }
     }
 

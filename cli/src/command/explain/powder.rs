@@ -1,10 +1,12 @@
 //! What a powder carries.
 
 use super::{bytes, line};
+use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::cd::Method;
-use tribos::powder::{CarriedModes, Material, PowderCost, cost};
-use tribos::scene::{Coupling, PowderScene};
+use tribos::powder::{CarriedModes, Material, PowderCost, cost, stable_step};
+use tribos::scene::{ContactMethod, Coupling, NormalForce, PowderScene};
+use tribos::soft;
 use tribos_core::contact::Attraction;
 
 /// Names of the modes with friction, and the keys that switch them on.
@@ -32,9 +34,9 @@ pub fn text(scene: &PowderScene) -> Result<String, Failure> {
     text += &line("coupling", coupling(carried.coupling));
     text += &line("cohesion", cohesion(&scene.material(), "R"));
     text += &restitution(scene);
-    text += &line("solver", solver(scene));
+    text += &solver(scene);
     text += &size(&cost);
-    text += &speed(&cost, carried.modes);
+    text += &speed(scene, &cost, carried.modes);
     Ok(text)
 }
 
@@ -88,7 +90,7 @@ fn idle(scene: &PowderScene) -> String {
 
 /// How contacts rebound, and what that costs.
 fn restitution(scene: &PowderScene) -> String {
-    if scene.restitution == 0.0 {
+    if scene.restitution == 0.0 || scene.method == ContactMethod::Soft {
         return String::new();
     }
     line(
@@ -142,15 +144,47 @@ pub fn cohesion(material: &Material, unit: &str) -> String {
     format!("{how} up to a gap of {} {unit}", material.cohesion_range)
 }
 
+/// Springs, dashpots and their step.
+fn springs(scene: &PowderScene, step: f64) -> String {
+    let damping = if scene.restitution > 0.0 {
+        soft::damping(scene.restitution)
+    } else {
+        scene.damping
+    };
+    let law = match scene.normal_law {
+        NormalForce::Linear => format!("linear springs of {} F_coh/R", scene.stiffness),
+        NormalForce::Hertz => format!(
+            "Hertz contacts with a modulus of {} F_coh/R^2",
+            scene.stiffness
+        ),
+    };
+    let method = format!(
+        "none: {law}, damping ratio {}, restitution {}",
+        shown(damping),
+        shown(soft::restitution(damping))
+    );
+    let steps = format!(
+        "a force of F_coh overlaps by {} R; stable steps of {}, {:.0} in a longest step",
+        shown(scene.spring().overlap(1.0, 0.5)),
+        shown(step),
+        (scene.time_step / step).ceil()
+    );
+    line("solver", method) + &line("", steps)
+}
+
 fn solver(scene: &PowderScene) -> String {
+    if let Some(step) = stable_step(scene) {
+        return springs(scene, step);
+    }
     let solver = scene.contact_solver();
     let most = solver.most_sweeps;
-    match solver.method {
+    let text = match solver.method {
         Method::Accelerated { tolerance } => {
             format!("accelerated Gauss-Seidel to {tolerance:e}, at most {most} sweeps a step")
         }
         Method::GaussSeidel { .. } => format!("Gauss-Seidel, at most {most} sweeps a step"),
-    }
+    };
+    line("solver", text)
 }
 
 fn size(cost: &PowderCost) -> String {
@@ -167,7 +201,7 @@ fn size(cost: &PowderCost) -> String {
     text + &line("memory", format!("{} in the solver", bytes(cost.memory())))
 }
 
-fn speed(cost: &PowderCost, modes: CarriedModes) -> String {
+fn speed(scene: &PowderScene, cost: &PowderCost, modes: CarriedModes) -> String {
     const NANO: f64 = 1e9;
     const MILLION: f64 = 1e-6;
     const MILLI: f64 = 1e3;
@@ -185,10 +219,14 @@ fn speed(cost: &PowderCost, modes: CarriedModes) -> String {
     let [low, high] = cost
         .contacts
         .map(|contacts| MILLI * contacts as f64 * update);
+    let soft = scene.method == ContactMethod::Soft;
     text += &line(
-        "sweep",
+        if soft { "step" } else { "sweep" },
         format!("{low:.3} to {high:.3} ms over all contacts when compacted"),
     );
+    if soft {
+        return text;
+    }
     text + &line(
         "",
         "steps and sweeps follow from the motion: `--out DIR` of a run shows them",

@@ -11,7 +11,7 @@ pub use output::states;
 use output::{report, write};
 use tribos::powder::{self, Compaction, CompactionError};
 use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
-use tribos::scene::PowderScene;
+use tribos::scene::{ContactMethod, PowderScene};
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
 pub fn run(scene: &PowderScene, order: &Order<'_>) -> Result<(), Failure> {
@@ -71,11 +71,15 @@ fn tell(meter: &mut Meter<'_>, scene: &PowderScene, compaction: &Compaction, swe
     /// A packing is seldom blocked within fewer steps.
     const FEW: u64 = 5_000;
     let words = format!(
-        "step {:6}  height {:8.4}  porosity {:7.3} %  {sweeps:6.1} sweeps a step",
+        "step {:6}  height {:8.4}  porosity {:7.3} %",
         compaction.steps(),
         compaction.height(),
         100.0 * compaction.porosity()
     );
+    let words = match scene.method {
+        ContactMethod::ContactDynamics => format!("{words}  {sweeps:6.1} sweeps a step"),
+        ContactMethod::Soft => words,
+    };
     if scene.duration.is_some() || scene.steps <= FEW {
         meter.tell(compaction.progress(), format_args!("{words}"));
     } else {

@@ -141,6 +141,9 @@ fn budget(outcome: &Outcome) -> String {
         };
         text += &format!("  {name:<11} {}{share}\n", shown(energy));
     }
+    if outcome.energy.elastic != 0.0 {
+        text += &format!("  elastic     {}\n", shown(outcome.energy.elastic));
+    }
     text += &format!("  imbalance   {:.1e}\n", outcome.energy.imbalance());
     text
 }
