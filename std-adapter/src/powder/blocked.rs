@@ -107,6 +107,12 @@ impl Window {
 }
 
 impl Means {
+    /// The same without a part of σ_zz that does not bear the piston's load.
+    pub(super) fn less(mut self, stress_zz: f64) -> Self {
+        self.stress.plus.m33 -= stress_zz;
+        self
+    }
+
     /// Whether the packing is blocked under this pressure on this area.
     ///
     /// The piston must have moved by less than 10⁻³ R. The balance criterion also requires that the mean

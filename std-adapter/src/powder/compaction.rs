@@ -393,6 +393,14 @@ impl Compaction {
         self.scene.width * self.scene.width
     }
 
+    /// Mean σ_zz that bears the spheres' own weight: ∫ρgz dV over the volume.
+    fn weight_stress(&self) -> f64 {
+        let spheres = self.packing.spheres().iter();
+        let lifted = spheres.zip(self.packing.positions());
+        let moment: f64 = lifted.map(|(sphere, at)| at.z / sphere.inv_mass).sum();
+        self.scene.gravity * moment / (self.area() * self.height())
+    }
+
     fn wall_seconds(&self) -> f64 {
         self.totals.wall_seconds + self.started.elapsed().as_secs_f64()
     }
@@ -463,7 +471,7 @@ impl Compaction {
         let height = self.height();
         let mut blocked = false;
         if self.window.is_full(scene.piston_mass, scene.load()) {
-            let means = self.window.means(height);
+            let means = self.window.means(height).less(self.weight_stress());
             blocked = means.is_blocked(scene.blocked, scene.pressure, self.area());
             self.complete = Some((self.window, height));
             self.window = Window::starting(height);

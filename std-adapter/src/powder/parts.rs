@@ -52,7 +52,8 @@ fn bodies(scene: &PowderScene, deposit: &Deposit) -> Bodies {
             Wall::fixed(up, 0.0),
             Wall::piston(-up, -deposit.height, scene.piston_mass, scene.load()),
         ],
-        gravity: Vector3::zeros(),
+        // Not -0.0 without gravity.
+        gravity: Vector3::new(0.0, 0.0, 0.0 - scene.gravity),
     }
 }
 

@@ -152,6 +152,8 @@ scene! {
     /// Pressure on the piston.
     // Thesis, section 4.5.
     pressure: f64 = 1.0 / 400.0, "F_coh/R^2", Positive;
+    /// Acceleration of the spheres, downwards; the piston has its pressure alone.
+    gravity: f64 = 0.0, "F_coh/(rho R^3)", NotNegative;
     /// Gap d_c up to which cohesion acts.
     // Van der Waals attraction, F = A R/(12 D²) beyond the closest distance D₀ = 0.165 nm
     // (Israelachvili, Intermolecular and Surface Forces), takes the work F(D₀) D₀ to break: d_c is
