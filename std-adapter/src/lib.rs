@@ -78,6 +78,7 @@
 //! | [`slide`] | sliding bodies: disk, cylinder, pipe, curling rock; launches that end at a wanted pose |
 //! | [`stick`] | bodies that hold, let go and hold again: on a spring, on an incline, on a turntable |
 //! | [`cd`], [`powder`] | rigid spheres in contact; cohesive powders under a piston |
+//! | [`event`], [`gas`] | hard spheres from collision to collision; granular gases |
 //! | [`md`], [`tip`] | pair potentials of atoms; a tip of atoms turned on a substrate |
 //! | [`fit`] | parameters of friction laws from measurements |
 //! | [`run`] | the driver: sessions with checkpoints, progress, cancellation |
@@ -87,8 +88,10 @@
 //! command of this repository: they are no part of the promise and change without notice.
 
 pub mod cd;
+pub mod event;
 pub mod fit;
 pub mod friction;
+pub mod gas;
 #[doc(hidden)]
 pub mod golden;
 pub mod md;

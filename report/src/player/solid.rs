@@ -84,6 +84,12 @@ fn units(kind: Kind) -> Value {
             "speed": "√(F_coh/ρ)/R",
             "force": "F_coh",
         }),
+        Kind::Gas => json!({
+            "length": "R",
+            "time": "R√(m/T₀)",
+            "speed": "√(T₀/m)",
+            "force": "T₀/R",
+        }),
         Kind::Tip => json!({
             "length": "σ",
             "time": "σ√(m/ε)",

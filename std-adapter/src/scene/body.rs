@@ -7,7 +7,7 @@ use super::table::Table;
 use super::vocabulary::Vocabulary;
 use super::words::meant;
 use super::{
-    Body, ClampScene, CurlingScene, CylinderScene, InclineScene, PipeScene, PlateScene,
+    Body, ClampScene, CurlingScene, CylinderScene, GasScene, InclineScene, PipeScene, PlateScene,
     PowderScene, SceneError, SliderScene, SpringScene, TipScene, TurntableScene,
 };
 use serde_json::Value;
@@ -87,6 +87,8 @@ bodies! {
     Clamp(ClampScene),
     /// A powder under a piston.
     Powder(PowderScene),
+    /// A gas of spheres that cools.
+    Gas(GasScene),
     /// A tip turned on a substrate.
     Tip(TipScene),
 }

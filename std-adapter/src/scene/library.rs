@@ -88,6 +88,18 @@ pub const LIBRARY: &[LibraryScene] = &[
         text: include_str!("../../scenes/compaction-4193.toml"),
     },
     LibraryScene {
+        name: "gas-haff",
+        text: include_str!("../../scenes/gas-haff.toml"),
+    },
+    LibraryScene {
+        name: "gas-clusters",
+        text: include_str!("../../scenes/gas-clusters.toml"),
+    },
+    LibraryScene {
+        name: "gas-collapse",
+        text: include_str!("../../scenes/gas-collapse.toml"),
+    },
+    LibraryScene {
         name: "tip-reversible",
         text: include_str!("../../scenes/tip-reversible.toml"),
     },

@@ -15,6 +15,7 @@ mod clamp;
 mod curling;
 mod cylinder;
 mod entries;
+mod gas;
 mod hint;
 mod incline;
 mod key;
@@ -42,6 +43,7 @@ pub use body::{Scene, parse_scene, read_scene};
 pub use clamp::ClampScene;
 pub use curling::{CurlingScene, IceModel};
 pub use cylinder::CylinderScene;
+pub use gas::{GasMethod, GasScene};
 #[doc(hidden)]
 pub use hint::{nearest, number_hint};
 pub use incline::InclineScene;

@@ -5,7 +5,7 @@ use crate::powder::{Compaction, CompactionError};
 use crate::record::CheckpointError;
 
 /// Every body's default scene.
-fn defaults() -> [Scene; 11] {
+fn defaults() -> [Scene; 12] {
     [
         SliderScene::default().into(),
         CylinderScene::default().into(),
@@ -17,6 +17,7 @@ fn defaults() -> [Scene; 11] {
         TurntableScene::default().into(),
         ClampScene::default().into(),
         PowderScene::default().into(),
+        GasScene::default().into(),
         TipScene::default().into(),
     ]
 }

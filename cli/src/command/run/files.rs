@@ -29,6 +29,18 @@ pub const POWDER: &[&str] = &[
     "final-contacts.vtp",
 ];
 
+/// Results of a gas.
+pub const GAS: &[&str] = &[
+    "summary.json",
+    "series.csv",
+    "series.svg",
+    "series.png",
+    "spheres.svg",
+    "spheres.png",
+    "final.xyz",
+    "final.vtp",
+];
+
 /// Results of a tip.
 pub const TIP: &[&str] = &[
     "summary.json",

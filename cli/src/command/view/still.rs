@@ -77,6 +77,7 @@ fn title(frame: &Frame, kind: Kind) -> String {
             "step {step}, time {time:.1}, {:.1} % empty",
             100.0 * measure
         ),
+        Kind::Gas => format!("step {step}, time {time:.1}, temperature {measure:.3}"),
         Kind::Tip => format!("step {step}, time {time:.1}, angle {measure:.2}°"),
     }
 }

@@ -10,7 +10,7 @@ const FORMAT: u64 = 2;
 ///
 /// ```
 /// use tribos::record::frames::Kind;
-/// assert_eq!([Kind::Powder, Kind::Tip].map(Kind::name), ["powder", "tip"]);
+/// assert_eq!([Kind::Powder, Kind::Gas].map(Kind::name), ["powder", "gas"]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -18,6 +18,8 @@ pub enum Kind {
     Powder,
     /// Atoms of a tip on a substrate. *Units*: σ, ε, σ√(m/ε).
     Tip,
+    /// Spheres of a gas. *Units*: R, m, R√(m/T₀).
+    Gas,
 }
 
 /// Bodies of a run, the same in all its frames.
@@ -66,13 +68,18 @@ pub struct Bodies {
 }
 
 impl Kind {
-    const NAMES: [(Self, &str); 2] = [(Self::Powder, "powder"), (Self::Tip, "tip")];
+    const NAMES: [(Self, &str); 3] = [
+        (Self::Powder, "powder"),
+        (Self::Tip, "tip"),
+        (Self::Gas, "gas"),
+    ];
 
     /// Name of the kind in scenes.
     pub fn name(self) -> &'static str {
         match self {
             Self::Powder => Self::NAMES[0].1,
             Self::Tip => Self::NAMES[1].1,
+            Self::Gas => Self::NAMES[2].1,
         }
     }
 }
