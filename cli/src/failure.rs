@@ -181,6 +181,7 @@ impl From<MeasureError> for Failure {
         match error {
             MeasureError::Slide(error) => error.into(),
             MeasureError::Compaction(error) => error.into(),
+            MeasureError::Gas(error) => error.into(),
             MeasureError::Tip(error) => error.into(),
             MeasureError::Push(error) => error.into(),
             MeasureError::Grains(error) => error.into(),

@@ -80,6 +80,7 @@
 //! | [`cd`], [`powder`] | rigid spheres in contact; cohesive powders under a piston |
 //! | [`grains`] | grains in boxes under gravity, pistons, moving plates and shaking |
 //! | [`soft`] | soft spheres: the same contacts with springs and dashpots |
+//! | [`event`], [`gas`] | hard spheres from collision to collision; granular gases |
 //! | [`md`], [`tip`] | pair potentials of atoms; a tip of atoms turned on a substrate |
 //! | [`fit`] | parameters of friction laws from measurements |
 //! | [`run`] | the driver: sessions with checkpoints, progress, cancellation |
@@ -89,8 +90,10 @@
 //! command of this repository: they are no part of the promise and change without notice.
 
 pub mod cd;
+pub mod event;
 pub mod fit;
 pub mod friction;
+pub mod gas;
 #[doc(hidden)]
 pub mod golden;
 pub mod grains;

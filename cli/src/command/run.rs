@@ -3,6 +3,7 @@
 pub mod caller;
 pub mod disk;
 pub mod files;
+pub mod gas;
 pub mod grains;
 pub mod held;
 pub mod order;
@@ -33,7 +34,10 @@ use tribos::scene::bodies as names;
 /// Of a tip: angles.svg and .png (angles of the layers over time), tip.svg and .png (the atoms),
 /// initial.data and final.data (LAMMPS, OVITO; types are the parts from below).
 ///
-/// Of both: frames, the states of a film, which `tribos view DIR` shows in a browser.
+/// Of a gas: series.svg and .png (temperatures beside theory, clusters), spheres.svg and .png, and the last
+/// state as final.xyz and final.vtp.
+///
+/// Of all three: frames, the states of a film, which `tribos view DIR` shows in a browser.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = examples())]
 pub struct Arguments {
@@ -41,29 +45,29 @@ pub struct Arguments {
     scene: PathBuf,
     /// Folder for the results, created if missing. Results of an earlier command in it are removed
     /// first; files that tribos did not write are never replaced. A folder with an interrupted run of
-    /// a powder or a tip is refused: continue it with --resume or discard it with --anew.
+    /// a powder, a gas or a tip is refused: continue it with --resume or discard it with --anew.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Replace or add a key of the scene; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Powders and tips: continue from the checkpoint in DIR, to the same result as without the
+    /// Powders, gases and tips: continue from the checkpoint in DIR, to the same result as without the
     /// interruption. A finished run is not changed.
     #[arg(long)]
     resume: bool,
-    /// Powders and tips: discard the interrupted run in DIR and start from the beginning.
+    /// Powders, gases and tips: discard the interrupted run in DIR and start from the beginning.
     #[arg(long, conflicts_with = "resume")]
     anew: bool,
-    /// Powders and tips: seconds between checkpoints in DIR.
+    /// Powders, gases and tips: seconds between checkpoints in DIR.
     #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = number::pause)]
     #[arg(allow_negative_numbers = true)]
     checkpoint: Duration,
-    /// Powders and tips: largest number of frames kept in DIR/frames, evenly spread over the steps;
+    /// Powders, gases and tips: largest number of frames kept in DIR/frames, evenly spread over the steps;
     /// 0 for none. Frames do not change the results. [default: 100, or with --resume the number that
     /// the run began with]
     #[arg(long, value_name = "N", value_parser = frames)]
     frames: Option<u64>,
-    /// Powders and tips: run even if more than 4 GB of memory is expected.
+    /// Powders, gases and tips: run even if more than 4 GB of memory is expected.
     #[arg(long)]
     allow_large: bool,
 }
@@ -109,12 +113,12 @@ impl Arguments {
         let body = bodies::of(&scene);
         if self.resume && !body.is_long() {
             return Err(Failure::input(
-                "--resume is for powders and tips only; this scene runs in a moment, run it again",
+                "--resume is for powders, gases and tips only; this scene runs in a moment, run it again",
             ));
         }
         if self.frames.is_some() && !body.is_long() {
             return Err(Failure::input(
-                "--frames is for powders and tips only; `tribos view` shows this scene from its series",
+                "--frames is for powders, gases and tips only; `tribos view` shows this scene from its series",
             ));
         }
         let done = body.simulate(&Order {

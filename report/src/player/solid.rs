@@ -90,6 +90,12 @@ fn units(kind: Kind) -> Value {
             "speed": "m/s",
             "force": "N",
         }),
+        Kind::Gas => json!({
+            "length": "R",
+            "time": "R√(m/T₀)",
+            "speed": "√(T₀/m)",
+            "force": "T₀/R",
+        }),
         Kind::Tip => json!({
             "length": "σ",
             "time": "σ√(m/ε)",

@@ -86,6 +86,10 @@ fn title(bodies: &Bodies, summary: Option<&Value>) -> String {
             }
             title
         }
+        Kind::Gas => {
+            let e = told("restitution").map_or(String::new(), |value| format!(", e = {value}"));
+            format!("Gas of {count} spheres{e}")
+        }
         Kind::Tip => {
             let lambda = told("lambda").map_or(String::new(), |value| format!(", λ = {value}"));
             format!("Tip on a substrate, {count} atoms{lambda}")

@@ -2,6 +2,7 @@
 
 pub mod deposit;
 mod frames;
+pub mod gas;
 pub mod grains;
 pub mod powder;
 pub mod tip;

@@ -2,6 +2,7 @@
 
 use super::digest::Digest;
 use super::quantity::{Quantity, leaves};
+use crate::gas::GasError;
 use crate::grains::GrainsError;
 use crate::powder::CompactionError;
 use crate::push::PushError;
@@ -35,6 +36,9 @@ pub enum MeasureError {
     /// Grains in a box.
     #[error(transparent)]
     Grains(#[from] GrainsError),
+    /// A gas.
+    #[error(transparent)]
+    Gas(#[from] GasError),
     /// A tip.
     #[error(transparent)]
     Tip(#[from] TipError),

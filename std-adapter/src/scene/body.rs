@@ -7,7 +7,7 @@ use super::table::Table;
 use super::vocabulary::Vocabulary;
 use super::words::meant;
 use super::{
-    Body, ClampScene, CurlingScene, CylinderScene, GrainsScene, InclineScene, PipeScene,
+    Body, ClampScene, CurlingScene, CylinderScene, GasScene, GrainsScene, InclineScene, PipeScene,
     PlateScene, PowderScene, SceneError, SliderScene, SpringScene, TipScene, TurntableScene,
 };
 use serde_json::Value;
@@ -89,6 +89,8 @@ bodies! {
     Powder(PowderScene),
     /// Grains in a box.
     Grains(GrainsScene),
+    /// A gas of spheres that cools.
+    Gas(GasScene),
     /// A tip turned on a substrate.
     Tip(TipScene),
 }

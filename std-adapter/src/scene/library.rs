@@ -96,6 +96,18 @@ pub const LIBRARY: &[LibraryScene] = &[
         text: include_str!("../../scenes/compaction-soft.toml"),
     },
     LibraryScene {
+        name: "gas-haff",
+        text: include_str!("../../scenes/gas-haff.toml"),
+    },
+    LibraryScene {
+        name: "gas-clusters",
+        text: include_str!("../../scenes/gas-clusters.toml"),
+    },
+    LibraryScene {
+        name: "gas-collapse",
+        text: include_str!("../../scenes/gas-collapse.toml"),
+    },
+    LibraryScene {
         name: "tip-reversible",
         text: include_str!("../../scenes/tip-reversible.toml"),
     },

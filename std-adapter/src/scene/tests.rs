@@ -5,7 +5,7 @@ use crate::powder::{Compaction, CompactionError};
 use crate::record::CheckpointError;
 
 /// Every body's default scene.
-fn defaults() -> [Scene; 12] {
+fn defaults() -> [Scene; 13] {
     [
         SliderScene::default().into(),
         CylinderScene::default().into(),
@@ -18,6 +18,7 @@ fn defaults() -> [Scene; 12] {
         ClampScene::default().into(),
         PowderScene::default().into(),
         GrainsScene::default().into(),
+        GasScene::default().into(),
         TipScene::default().into(),
     ]
 }

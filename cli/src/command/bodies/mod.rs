@@ -3,6 +3,7 @@
 //! A body has its own file here, and its line in the list of [`of`].
 
 mod disk;
+mod gas;
 mod grains;
 mod held;
 mod kind;
@@ -62,6 +63,7 @@ pub fn of(scene: &Scene) -> Box<dyn Commands + '_> {
         Scene::Clamp(scene) => Box::new(Held::new(scene, &held::CLAMP)),
         Scene::Powder(scene) => Box::new(scene),
         Scene::Grains(scene) => Box::new(scene),
+        Scene::Gas(scene) => Box::new(scene),
         Scene::Tip(scene) => Box::new(scene),
     }
 }
@@ -69,6 +71,6 @@ pub fn of(scene: &Scene) -> Box<dyn Commands + '_> {
 /// Refuses the folder of a run that is not needed.
 fn at_once(out: Option<&Path>) -> Result<(), Failure> {
     let refused =
-        "--out is for powders and tips; the energy balance of a sliding body needs no run";
+        "--out is for powders, gases and tips; the energy balance of a sliding body needs no run";
     out.map_or(Ok(()), |_| Err(Failure::input(refused)))
 }

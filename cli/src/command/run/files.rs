@@ -32,6 +32,18 @@ pub const POWDER: &[&str] = &[
 /// Results of grains.
 pub const GRAINS: &[&str] = POWDER;
 
+/// Results of a gas.
+pub const GAS: &[&str] = &[
+    "summary.json",
+    "series.csv",
+    "series.svg",
+    "series.png",
+    "spheres.svg",
+    "spheres.png",
+    "final.xyz",
+    "final.vtp",
+];
+
 /// Results of a tip.
 pub const TIP: &[&str] = &[
     "summary.json",

@@ -45,11 +45,20 @@ impl Look {
     /// Fits the scale to all frames.
     pub fn of(run: &RunFrames, paint: Option<Paint>, network: bool) -> Result<Self, Failure> {
         let is_tip = run.bodies.kind == Kind::Tip;
-        let paint = paint.unwrap_or(if is_tip { Paint::Part } else { Paint::Layer });
+        let paint = paint.unwrap_or(match run.bodies.kind {
+            Kind::Tip => Paint::Part,
+            Kind::Powder | Kind::Grains => Paint::Layer,
+            Kind::Gas => Paint::Speed,
+        });
         let has_forces = matches!(paint, Paint::Force | Paint::Coordination) || network;
         if is_tip && has_forces {
             return Err(Failure::input(
                 "atoms have no contacts; colour a tip by part, layer or speed",
+            ));
+        }
+        if run.bodies.kind == Kind::Gas && (has_forces || paint == Paint::Part) {
+            return Err(Failure::input(
+                "the spheres of a gas have neither contacts nor parts; colour by speed or layer",
             ));
         }
         if !is_tip && paint == Paint::Part {
@@ -101,6 +110,8 @@ impl Look {
         let axis = match (self.paint, run.bodies.kind) {
             (Paint::Layer, Kind::Tip) => Axis::linear("layer"),
             (Paint::Layer, Kind::Powder) => Axis::linear("height in the deposit [R]"),
+            (Paint::Layer, Kind::Gas) => Axis::linear("height at the start [R]"),
+            (Paint::Speed, Kind::Gas) => Axis::log10("speed [√(T₀/m)]"),
             (Paint::Speed, Kind::Tip) => Axis::log10("speed [√(ε/m)]"),
             (Paint::Speed, Kind::Powder) => Axis::log10("speed [√(F_coh/ρ)/R]"),
             (Paint::Layer, Kind::Grains) => Axis::linear("initial height [m]"),
@@ -139,7 +150,7 @@ fn values(run: &RunFrames, frame: &Frame, paint: Paint) -> Vec<f64> {
             .iter()
             .map(|&layer| f64::from(layer) + 1.0)
             .collect(),
-        (Paint::Layer | Paint::Part, Kind::Powder | Kind::Grains) => {
+        (Paint::Layer | Paint::Part, Kind::Powder | Kind::Grains | Kind::Gas) => {
             run.frames[0].places.iter().map(|place| place.z).collect()
         }
         (Paint::Speed, _) => frame.speeds.iter().map(|&speed| speed.into()).collect(),

@@ -78,6 +78,7 @@ fn title(frame: &Frame, kind: Kind) -> String {
             100.0 * measure
         ),
         Kind::Grains => format!("step {step}, time {time:.3}"),
+        Kind::Gas => format!("step {step}, time {time:.1}, temperature {measure:.3}"),
         Kind::Tip => format!("step {step}, time {time:.1}, angle {measure:.2}°"),
     }
 }
@@ -87,5 +88,6 @@ fn force_unit(kind: Kind) -> &'static str {
     match kind {
         Kind::Powder | Kind::Tip => "F_coh",
         Kind::Grains => "N",
+        Kind::Gas => "T₀/R",
     }
 }

@@ -10,8 +10,8 @@ const FORMAT: u64 = 2;
 ///
 /// ```
 /// use tribos::record::frames::Kind;
-/// let kinds = [Kind::Powder, Kind::Grains, Kind::Tip];
-/// assert_eq!(kinds.map(Kind::name), ["powder", "grains", "tip"]);
+/// let kinds = [Kind::Powder, Kind::Grains, Kind::Gas, Kind::Tip];
+/// assert_eq!(kinds.map(Kind::name), ["powder", "grains", "gas", "tip"]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -21,6 +21,8 @@ pub enum Kind {
     Grains,
     /// Atoms of a tip on a substrate. *Units*: σ, ε, σ√(m/ε).
     Tip,
+    /// Spheres of a gas. *Units*: R, m, R√(m/T₀).
+    Gas,
 }
 
 /// Bodies of a run, the same in all its frames.
@@ -69,10 +71,11 @@ pub struct Bodies {
 }
 
 impl Kind {
-    const NAMES: [(Self, &str); 3] = [
+    const NAMES: [(Self, &str); 4] = [
         (Self::Powder, "powder"),
         (Self::Grains, "grains"),
         (Self::Tip, "tip"),
+        (Self::Gas, "gas"),
     ];
 
     /// Name of the kind in scenes.
@@ -81,6 +84,7 @@ impl Kind {
             Self::Powder => Self::NAMES[0].1,
             Self::Grains => Self::NAMES[1].1,
             Self::Tip => Self::NAMES[2].1,
+            Self::Gas => Self::NAMES[3].1,
         }
     }
 }

@@ -1,10 +1,12 @@
 //! Where the energy of a run went, and what could have been left out.
 
+mod gas;
 mod grains;
 mod powder;
 mod slide;
 mod tip;
 
+pub use gas::text as gas;
 pub use grains::text as grains;
 pub use powder::text as powder;
 pub use slide::{disk, planar};

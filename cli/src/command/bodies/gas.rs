@@ -1,0 +1,78 @@
+//! Granular gases.
+
+use super::kind::{Kind, told};
+use super::unfinished::session;
+use super::{Commands, Unfinished};
+use crate::command::digits::shown;
+use crate::command::explain::{after, gas as text};
+use crate::command::run::gas;
+use crate::command::run::order::Order;
+use crate::command::run::size::{Allowed, check};
+use crate::failure::Failure;
+use serde_json::Value;
+use std::path::Path;
+use std::sync::Arc;
+use tribos::gas::Gas;
+use tribos::run::folder::Lock;
+use tribos::scene::GasScene;
+
+/// Gases.
+static KIND: Kind = Kind {
+    quantities: &[
+        ("temperature", "/temperature"),
+        ("theory", "/theory"),
+        ("temperature_rotational", "/temperature_rotational"),
+        ("theory_rotational", "/theory_rotational"),
+        ("haff", "/haff"),
+        ("time", "/time"),
+        ("collisions", "/collisions"),
+        ("energy_lost", "/energy_lost"),
+        ("momentum", "/momentum"),
+        ("density_variance", "/density_variance_final"),
+        ("collisions_cured", "/collisions_cured"),
+    ],
+    drawn: ["Temperature at the end", "temperature [T0]"],
+    share: ["collapsed", "/ending", "collapse"],
+    told: &[
+        told("temperature", 0, 1.0),
+        told("mean field", 1, 1.0),
+        told("time", 5, 1.0),
+        told("collisions", 6, 1.0),
+        told("clusters", 9, 1.0),
+    ],
+};
+
+impl Commands for &GasScene {
+    fn is_long(&self) -> bool {
+        true
+    }
+
+    fn simulate(&self, order: &Order<'_>) -> Result<(), Failure> {
+        gas::run(self, order)
+    }
+
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+
+    fn summarize(&self, lock: &Arc<Lock>) -> Result<(Value, String), Unfinished> {
+        check(&tribos::gas::size(self), "spheres", Allowed::Usual).map_err(Unfinished::Refused)?;
+        let run: Gas = session(lock).run(*self)?;
+        let outcome = run.outcome();
+        let told = format!(
+            "temperature {} after {} collisions a sphere, {:.1} s",
+            shown(outcome.temperature),
+            shown(outcome.collisions),
+            outcome.wall_seconds
+        );
+        Ok((outcome.json(self), told))
+    }
+
+    fn explanation(&self) -> Result<String, Failure> {
+        text::text(self)
+    }
+
+    fn account(&self, out: Option<&Path>, _: &str) -> Result<String, Failure> {
+        out.map_or(Ok(String::new()), |out| after::gas(self, out))
+    }
+}

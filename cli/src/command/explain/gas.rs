@@ -1,0 +1,69 @@
+//! What a gas carries.
+
+use super::line;
+use crate::command::digits::shown;
+use crate::failure::Failure;
+use tribos::event::{Tangential, collision_rate, contact_value};
+use tribos::gas::GasError;
+use tribos::scene::{GasMethod, GasScene};
+
+/// The whole account.
+pub fn text(scene: &GasScene) -> Result<String, Failure> {
+    let law = scene.impact().map_err(GasError::from)?;
+    let e = scene.restitution;
+    let mut text = line(
+        "collision",
+        format!("normal restitution {e}, {}", tangent(law.tangential())),
+    );
+    text += &line("method", method(scene));
+    let (g, rate) = (
+        contact_value(scene.fraction),
+        collision_rate(scene.fraction, 1.0),
+    );
+    text += &line(
+        "Enskog",
+        format!(
+            "g = {} at contact (Carnahan-Starling), {} collisions a sphere and unit of time at T0",
+            shown(g),
+            shown(rate)
+        ),
+    );
+    if law.tangential() == Tangential::Smooth && e < 1.0 {
+        let share = (1.0 - e * e) / 3.0;
+        text += &line(
+            "Haff",
+            format!(
+                "T = T0 exp(-{} C) after C collisions a sphere, T = T0/(1 + t/{})^2 while homogeneous",
+                shown(share),
+                shown(2.0 / (share * rate))
+            ),
+        );
+    }
+    Ok(text)
+}
+
+fn tangent(tangential: Tangential) -> String {
+    match tangential {
+        Tangential::Smooth => "smooth: spins do not change".into(),
+        Tangential::Rough { restitution } => format!("tangential restitution {restitution}"),
+        Tangential::Coulomb { mu, restitution } => {
+            format!("tangential restitution {restitution} within friction {mu}")
+        }
+    }
+}
+
+fn method(scene: &GasScene) -> String {
+    match scene.method {
+        GasMethod::Events if scene.contact_time > 0.0 => format!(
+            "events: free flight from collision to collision; no loss within {} of the last one",
+            scene.contact_time
+        ),
+        GasMethod::Events => {
+            "events: free flight from collision to collision; a collapse ends the run".into()
+        }
+        GasMethod::ContactDynamics => format!(
+            "contact dynamics: steps in which no sphere moves farther than {} R, impacts first",
+            scene.motion
+        ),
+    }
+}

@@ -1,0 +1,136 @@
+//! Granular gases.
+
+use super::caller::Caller;
+use super::order::Order;
+use super::{files, size};
+use crate::command::digits::shown;
+use crate::failure::Failure;
+use tribos::gas::{self, COLUMNS, Ending, Gas, GasError, Outcome};
+use tribos::record::{extended_xyz, particles_vtp, write_series};
+use tribos::run::folder::OutputFolder;
+use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
+use tribos::scene::GasScene;
+use tribos_report::runs::gas as picture;
+
+/// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
+pub fn run(scene: &GasScene, order: &Order<'_>) -> Result<(), Failure> {
+    size::check(&gas::size(scene), "spheres", order.allowed)?;
+    let Some((folder, start)) = order.long(scene.json(), files::GAS)? else {
+        return Ok(());
+    };
+    // After its end an interruption costs no more than the results.
+    let run = simulate(scene, order.session(start, &folder), order.caller)
+        .map_err(|error| order.failure(error))?;
+    folder.remove(files::is_made_from_frames)?;
+    let outcome = run.outcome();
+    write(scene, &run, &outcome, &folder, order)?;
+    folder.check()?;
+    forget_checkpoint(order.out)?;
+    report(&outcome, order)
+}
+
+/// Runs the scene to its end and says how far it is.
+fn simulate(
+    scene: &GasScene,
+    session: Session<'_, Gas>,
+    caller: Caller<'_>,
+) -> Result<Gas, RunError<GasError>> {
+    caller.tell(format_args!("{}", size::told(&gas::size(scene), "spheres")));
+    let mut meter = caller.meter();
+    session
+        .on_progress(|run: &Gas| {
+            if meter.is_due(run.progress()) {
+                let (collisions, time) = (run.collisions(), run.time());
+                meter.tell(
+                    run.progress(),
+                    format_args!("{collisions:9.3} collisions a sphere  time {time:9.3}"),
+                );
+            }
+        })
+        .run(scene)
+}
+
+/// Writes series, the last state, pictures and at last the summary.
+fn write(
+    scene: &GasScene,
+    run: &Gas,
+    outcome: &Outcome,
+    folder: &OutputFolder,
+    order: &Order<'_>,
+) -> Result<(), Failure> {
+    folder.add(files::GAS)?;
+    let rows = run.series().iter();
+    let rows = rows.map(<[f64; COLUMNS.len()]>::as_slice);
+    write_series(&folder.path().join("series.csv"), &COLUMNS, rows)?;
+    for (name, export) in [
+        ("final.xyz", extended_xyz as fn(&_) -> _),
+        ("final.vtp", particles_vtp),
+    ] {
+        order.interrupted()?;
+        let text = run.with_snapshot(export)?.map_err(Failure::run)?;
+        folder.write(name, text.as_bytes())?;
+    }
+    folder.check()?;
+    order.draw("spheres", || picture::spheres(run).map_err(Failure::run))?;
+    order.draw("series", || Ok(picture::series(run)))?;
+    // Last: a summary stands only beside complete results.
+    let summary = format!("{:#}\n", outcome.json(scene));
+    Ok(folder.write("summary.json", summary.as_bytes())?)
+}
+
+/// A few lines for the person at the terminal.
+fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
+    let ending = match outcome.ending {
+        Some(Ending::Time) => "duration over",
+        Some(Ending::Collapse) => {
+            "inelastic collapse: time stands still while collisions go on; set contact_time, such as 1e-4"
+        }
+        Some(Ending::Rest) => "no sphere will meet another one",
+        Some(Ending::Collisions) | None => "collisions done",
+    };
+    let mut text = format!(
+        "ending        {ending}\n\
+         collisions    {} a sphere of {}, time {}, {:.1} s\n\
+         temperature   {} T0, mean field {} after as many collisions, Haff {} after the same time\n",
+        shown(outcome.collisions),
+        outcome.particles,
+        shown(outcome.time),
+        outcome.wall_seconds,
+        shown(outcome.temperature),
+        shown(outcome.theory),
+        shown(outcome.haff),
+    );
+    if outcome.temperature_rotational > 0.0 {
+        text += &format!(
+            "rotation      {} T0, mean field {}\n",
+            shown(outcome.temperature_rotational),
+            shown(outcome.theory_rotational)
+        );
+    }
+    let [before, after] = outcome.density_variance.map(shown);
+    text += &format!("clusters      variance over mean of counts {after} from {before}\n");
+    if outcome.cured > 0 {
+        text += &format!(
+            "contact time  {} collisions lost no energy\n",
+            outcome.cured
+        );
+    }
+    if outcome.unmet > 0 {
+        text += &format!(
+            "unmet         {} steps missed the tolerance of their impacts\n",
+            outcome.unmet
+        );
+    }
+    text += &format!("written to    {}\n", order.out.display());
+    order.caller.report(&text)
+}
+
+impl From<GasError> for Failure {
+    fn from(error: GasError) -> Self {
+        match error {
+            GasError::World(_) | GasError::NotFinite { .. } => Self::run(error),
+            // The scene or the checkpoint cannot be used.
+            _ => Self::input(error),
+        }
+    }
+}

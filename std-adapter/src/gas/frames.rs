@@ -1,0 +1,41 @@
+//! Frames of a film of a gas.
+
+use super::run::Gas;
+use crate::record::frames::{Bodies, Frame, Kind};
+
+impl Gas {
+    /// Data common to all frames of the film, which keeps at most `limit` of them.
+    pub fn bodies(&self, limit: u64) -> Bodies {
+        Bodies {
+            kind: Kind::Gas,
+            scene: self.scene().json(),
+            limit,
+            stride: 1,
+            periods: [self.length(); 2],
+            radii: vec![1.0; self.scene().count],
+            layers: Vec::new(),
+            parts: Vec::new(),
+            marked: Vec::new(),
+        }
+    }
+
+    /// The current state; its measure is the translational temperature.
+    pub fn frame(&self) -> Frame {
+        let state = self.state();
+        let length = self.length() as f32;
+        Frame {
+            step: self.steps(),
+            time: self.time(),
+            height: self.length(),
+            measure: state.temperatures().translational,
+            corners: [[0.0; 3], [length; 3]],
+            places: state.places,
+            speeds: state
+                .motions
+                .iter()
+                .map(|motion| motion.velocity.norm() as f32)
+                .collect(),
+            contacts: Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! Granular gases: spheres in a periodic cube that cool by their collisions.
+
+mod checkpoint;
+mod error;
+mod frames;
+mod medium;
+mod outcome;
+pub(crate) mod room;
+mod run;
+mod session;
+mod size;
+mod start;
+mod state;
+#[cfg(test)]
+mod tests;
+
+pub use crate::record::CheckpointError;
+pub use error::GasError;
+pub use outcome::Outcome;
+pub(crate) use room::edge;
+#[doc(hidden)]
+pub use run::COLUMNS;
+pub use run::{Ending, Gas};
+#[doc(hidden)]
+pub use size::size;

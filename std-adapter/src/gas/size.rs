@@ -1,0 +1,38 @@
+//! Rough cost of a run.
+
+use crate::run::RunSize;
+use crate::scene::{GasMethod, GasScene};
+
+/// Memory a sphere, in bytes: places, events and exports.
+const BYTES_A_SPHERE: f64 = 4e3;
+/// Time of a collision, in s, and of a sphere's time step of contact dynamics.
+const SECONDS_A_COLLISION: f64 = 3e-6;
+const SECONDS_A_SPHERE_STEP: f64 = 0.5e-6;
+/// Mean free path times the packing fraction, in R, at low density.
+const PATH: f64 = 0.24;
+
+/// Rough cost of a run of the scene.
+///
+/// *Accuracy*: a factor of 3 for the time.
+///
+/// ```
+/// use tribos::{gas::size, scene::GasScene};
+/// let small = size(&GasScene::default());
+/// assert!(small.bodies == 1000.0 && small.seconds < 1.0);
+/// ```
+pub fn size(scene: &GasScene) -> RunSize {
+    let bodies = scene.count as f64;
+    let events = 0.5 * bodies * (scene.mixing + scene.collisions);
+    let seconds = match scene.method {
+        GasMethod::Events => events * SECONDS_A_COLLISION,
+        GasMethod::ContactDynamics => {
+            let steps = 3.0 * PATH / (scene.fraction * scene.motion) + 1.0;
+            bodies * scene.collisions * steps * SECONDS_A_SPHERE_STEP
+        }
+    };
+    RunSize {
+        bodies,
+        bytes: bodies * BYTES_A_SPHERE,
+        seconds,
+    }
+}
