@@ -66,7 +66,7 @@ class SolidView {
   frameBox(frame) {
     const [low, high] = this.whole;
     const { height } = this.meta.frames[frame];
-    if (this.options.fit !== "frame" || this.meta.body === "tip") return this.whole;
+    if (this.options.fit !== "frame" || this.meta.body !== "powder") return this.whole;
     return [low, [high[0], high[1], height + this.largest]];
   }
 
@@ -227,6 +227,10 @@ class SolidView {
     const { meta } = this;
     const { step, time, height, measure } = meta.frames[frame];
     const lines = [`step ${step}`, `time ${digits(time)} ${meta.units.time}`];
+    if (meta.body === "gas") {
+      if (measure !== null) lines.push(`temperature ${digits(measure)} T₀`);
+      return lines;
+    }
     if (measure !== null) lines.push(meta.body === "tip" ? `angle ${measure.toFixed(2)}°` : `porosity ${(100 * measure).toFixed(2)} %`);
     if (height !== null) lines.push(`${meta.body === "tip" ? "driven layers at" : "piston at"} ${digits(height)} ${meta.units.length}`);
     return lines;

@@ -714,6 +714,69 @@ class PowderScene(Scene):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class GasScene(Scene):
+    """A gas of spheres that cools.
+
+    Parameters
+    ----------
+    count
+        Number of spheres. *Value*: a whole number from 1 to 1000000.
+    fraction
+        Packing fraction: share of the cube that the spheres fill. *Value*: a number > 0 and <= 0.6.
+    restitution
+        Coefficient of restitution: normal speed after a collision over that before. *Value*: a
+        number from 0 to 1.
+    tangential
+        Tangential restitution, from -1 (smooth) to 1; if left out spheres are smooth, or stop under
+        friction. *Value*: a number > -1 and <= 1.
+    friction
+        Sliding coefficient mu that limits the tangential impulse; if left out there is no such
+        limit. *Value*: a finite number >= 0.
+    rotational
+        Temperature of the spins at the start. *Unit*: T0. *Value*: a finite number >= 0.
+    contact_time
+        Contact time t_c: a collision sooner after a sphere's last one loses no energy; 0 for none.
+        *Unit*: R sqrt(m/T0). *Value*: a finite number >= 0.
+    seed
+        Seed of the places and velocities at the start. *Value*: a whole number from 1 to
+        9007199254740992.
+    mixing
+        Collisions a sphere without loss, before the run, that mix the start. *Value*: a finite
+        number >= 0.
+    collisions
+        Collisions a sphere after which a run ends; one of a pair counts for both. *Value*: a finite
+        number > 0.
+    duration
+        Time after which a run ends if it has not before; if left out there is no such bound.
+        *Unit*: R sqrt(m/T0). *Value*: a finite number > 0.
+    sample
+        Collisions a sphere from one line of the series to the next. *Value*: a finite number > 0.
+    method
+        How the motion is computed. *Value*: one of "events", "contact-dynamics".
+    motion
+        Largest distance that a sphere may move in a time step. *Unit*: R. *Value*: a number > 0 and
+        <= 1.
+    """
+
+    BODY: ClassVar[str] = "gas"
+
+    count: int = 1000
+    fraction: float = 0.05
+    restitution: float = 0.9
+    tangential: float | None = None
+    friction: float | None = None
+    rotational: float = 0.0
+    contact_time: float = 0.0
+    seed: int = 1
+    mixing: float = 20.0
+    collisions: float = 30.0
+    duration: float | None = None
+    sample: float = 0.5
+    method: Literal["events", "contact-dynamics"] = "events"
+    motion: float = 0.05
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class TipScene(Scene):
     """A tip turned or slid on a substrate.
 
@@ -875,6 +938,7 @@ __all__ = [
     "ClampScene",
     "CurlingScene",
     "CylinderScene",
+    "GasScene",
     "InclineScene",
     "PipeScene",
     "PlateScene",

@@ -6,11 +6,17 @@ use super::{files, size};
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::gas::{self, COLUMNS, Ending, Gas, GasError, Outcome};
-use tribos::record::{extended_xyz, particles_vtp, write_series};
+use tribos::record::{Snapshot, SnapshotError, extended_xyz, particles_vtp, write_series};
 use tribos::run::folder::OutputFolder;
 use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
 use tribos::scene::GasScene;
 use tribos_report::runs::gas as picture;
+
+/// A format of a state: text of a snapshot.
+type Export = fn(&Snapshot<'_>) -> Result<String, SnapshotError>;
+
+/// Files of the last state.
+const EXPORTS: [(&str, Export); 2] = [("final.xyz", extended_xyz), ("final.vtp", particles_vtp)];
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
 pub fn run(scene: &GasScene, order: &Order<'_>) -> Result<(), Failure> {
@@ -62,10 +68,7 @@ fn write(
     let rows = run.series().iter();
     let rows = rows.map(<[f64; COLUMNS.len()]>::as_slice);
     write_series(&folder.path().join("series.csv"), &COLUMNS, rows)?;
-    for (name, export) in [
-        ("final.xyz", extended_xyz as fn(&_) -> _),
-        ("final.vtp", particles_vtp),
-    ] {
+    for (name, export) in EXPORTS {
         order.interrupted()?;
         let text = run.with_snapshot(export)?.map_err(Failure::run)?;
         folder.write(name, text.as_bytes())?;
