@@ -7,11 +7,16 @@ mod frozen;
 mod limits;
 mod material;
 mod rigid;
+mod sizes;
+mod stored;
 
 pub use carried::{Carried, CarriedModes};
 pub(crate) use frozen::{Force, Forces, Frozen};
 pub use limits::Limits;
 pub use material::Material;
+pub use sizes::{Radii, Sizes, SizesError};
+pub use stored::STATE;
+pub(crate) use stored::{Shape, Stored};
 
 use crate::cd::{EnergyBalance, Solver, StepLimits, StepReport, Wall, WorldError};
 use crate::record::{ContactRow, Partner};

@@ -3,7 +3,7 @@
 use super::blocked::Window;
 use super::compaction::{COLUMNS, Ending, Totals};
 use super::stress::Stress;
-use crate::packing::Frozen;
+use crate::packing::{Frozen, Shape};
 use crate::record::kept::{damaged, groups, hex, numbers, one, opened, same_scene};
 use crate::record::{CheckpointError, sealed};
 use crate::scene::PowderScene;
@@ -32,10 +32,12 @@ pub(super) struct Checkpoint {
 
 impl Checkpoint {
     /// Text of the checkpoint file.
-    pub fn text(&self, scene: &PowderScene) -> String {
+    pub fn text(&self, scene: &PowderScene, shape: &Shape) -> String {
         let mut map = Map::new();
         map.insert(NAME.into(), VERSION.into());
         map.insert("scene".into(), scene.json());
+        // Read by runs that start from this state.
+        shape.put(&mut map);
         self.frozen.put(&mut map);
         let mut put = |name: &str, numbers: Vec<f64>| {
             map.insert(name.into(), hex(&numbers).into());

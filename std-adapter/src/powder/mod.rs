@@ -11,11 +11,12 @@ mod frames;
 mod outcome;
 mod parts;
 mod session;
+mod start;
 mod statistics;
 mod stress;
 
 #[doc(hidden)]
-pub use crate::packing::{Carried, CarriedModes, Limits, Material};
+pub use crate::packing::{Carried, CarriedModes, Limits, Material, STATE};
 pub use crate::record::CheckpointError;
 #[doc(hidden)]
 pub use blocked::{Means, Window};

@@ -3,6 +3,7 @@
 use super::entries::Written;
 use super::words::meant;
 use crate::friction::{Law, Patch};
+use crate::packing::Sizes;
 use crate::tip::Potential;
 
 /// One key of a scene file.
@@ -62,6 +63,10 @@ pub enum Domain {
     Patch,
     /// A potential of atoms, as [`crate::tip::Potential`] reads it.
     Potential,
+    /// A distribution of radii, as [`crate::scene::Sizes`] reads it.
+    Sizes,
+    /// The path of a file or a folder, relative to the working directory.
+    Path,
 }
 
 /// When a file must or may give a key. Pairs are another key and one of its words.
@@ -73,6 +78,8 @@ pub enum Need {
     Optional,
     /// Every file gives either this key or the named one; an override of that replaces this.
     UnlessGiven(&'static str),
+    /// Every file gives one of this key and the two named ones; an override of those replaces this.
+    UnlessEither(&'static str, &'static str),
     /// Every file gives it, except where the other key has this word: there it is 1.
     UnitWith(&'static str, &'static str),
     /// The key exists only where the other key has this word.
@@ -100,6 +107,8 @@ impl Domain {
             Self::Potential => {
                 "\"lennard-jones\", \"sutton-chen:Cu\" or another metal, or \"eam:FILE\"".into()
             }
+            Self::Sizes => Sizes::FORMS.into(),
+            Self::Path => "the path of a file or a folder".into(),
             Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
         }
     }
@@ -114,7 +123,12 @@ impl Domain {
                 Self::Between { above, up_to } => x > above && x <= up_to,
                 Self::Fraction => (0.0..=1.0).contains(&x),
                 Self::Count { up_to } => x >= 1.0 && x <= up_to && x.fract() == 0.0,
-                Self::OneOf(_) | Self::Law | Self::Patch | Self::Potential => false,
+                Self::OneOf(_)
+                | Self::Law
+                | Self::Patch
+                | Self::Potential
+                | Self::Sizes
+                | Self::Path => false,
             }
     }
 }
@@ -137,9 +151,19 @@ impl Key {
                 let refused = text.parse::<Potential>().err()?;
                 return Some(format!("`{}`: {refused}", self.name));
             }
-            (Domain::OneOf(_) | Domain::Law | Domain::Patch | Domain::Potential, other) => {
-                format!("not {}", other.kind())
+            (Domain::Sizes, Written::Text(text)) => {
+                return Some(format!("`{}`: {}", self.name, text.parse::<Sizes>().err()?));
             }
+            (Domain::Path, Written::Text(text)) if !text.trim().is_empty() => return None,
+            (
+                Domain::OneOf(_)
+                | Domain::Law
+                | Domain::Patch
+                | Domain::Potential
+                | Domain::Sizes
+                | Domain::Path,
+                other,
+            ) => format!("not {}", other.kind()),
             (domain, Written::Number(x)) if domain.admits(*x) => return None,
             (_, other) => other.got(),
         };
