@@ -183,6 +183,7 @@ impl From<MeasureError> for Failure {
             MeasureError::Compaction(error) => error.into(),
             MeasureError::Tip(error) => error.into(),
             MeasureError::Push(error) => error.into(),
+            MeasureError::Grains(error) => error.into(),
             MeasureError::Stick(error) => error.into(),
         }
     }

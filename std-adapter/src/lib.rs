@@ -78,6 +78,7 @@
 //! | [`slide`] | sliding bodies: disk, cylinder, pipe, curling rock; launches that end at a wanted pose |
 //! | [`stick`] | bodies that hold, let go and hold again: on a spring, on an incline, on a turntable |
 //! | [`cd`], [`powder`] | rigid spheres in contact; cohesive powders under a piston |
+//! | [`grains`] | grains in boxes under gravity, pistons, moving plates and shaking |
 //! | [`measure`] | stress, fabric, pair correlation, force chains of packings; packings of other programs |
 //! | [`md`], [`tip`] | pair potentials of atoms; a tip of atoms turned on a substrate |
 //! | [`fit`] | parameters of friction laws from measurements |
@@ -92,6 +93,7 @@ pub mod fit;
 pub mod friction;
 #[doc(hidden)]
 pub mod golden;
+pub mod grains;
 pub mod md;
 pub mod measure;
 pub mod onset;

@@ -12,11 +12,13 @@
 //! ```
 
 pub use crate::friction::{Friction, Law, Patch, Tier};
+pub use crate::grains::Grains;
 pub use crate::powder::Compaction;
 pub use crate::run::{Session, drive};
 pub use crate::scene::{
-    ClampScene, CurlingScene, CylinderScene, InclineScene, PipeScene, PlateScene, PowderScene,
-    Scene, SliderScene, SpringScene, TipScene, TurntableScene, parse_scene, read_scene,
+    ClampScene, CurlingScene, CylinderScene, GrainsScene, InclineScene, PipeScene, PlateScene,
+    PowderScene, Scene, SliderScene, SpringScene, TipScene, TurntableScene, parse_scene,
+    read_scene,
 };
 pub use crate::slide;
 pub use crate::tip::TipRun;

@@ -235,7 +235,7 @@ pub fn run_at_once<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Opt
         Scene::Incline(scene) => return held(py, scene).map(Some),
         Scene::Turntable(scene) => return held(py, scene).map(Some),
         Scene::Clamp(scene) => return held(py, scene).map(Some),
-        Scene::Powder(_) | Scene::Tip(_) => return Ok(None),
+        Scene::Powder(_) | Scene::Grains(_) | Scene::Tip(_) => return Ok(None),
     };
     let run = detached(py, || run_path(planar))?.map_err(slid)?;
     let rows = table(py, run.series.as_flattened(), PATH_COLUMNS.len())?;

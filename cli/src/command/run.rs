@@ -3,6 +3,7 @@
 pub mod caller;
 pub mod disk;
 pub mod files;
+pub mod grains;
 pub mod held;
 pub mod order;
 pub mod path;

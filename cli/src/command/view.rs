@@ -72,7 +72,7 @@ impl Arguments {
             )));
         };
         let body = summary["scene"]["body"].as_str().unwrap_or("disk");
-        if body == "powder" || body == "tip" {
+        if ["powder", "grains", "tip"].contains(&body) {
             return Err(Failure::input(format!(
                 "{folder}: the run kept no frames; run it again without `--frames 0`"
             )));

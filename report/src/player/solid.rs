@@ -84,6 +84,12 @@ fn units(kind: Kind) -> Value {
             "speed": "√(F_coh/ρ)/R",
             "force": "F_coh",
         }),
+        Kind::Grains => json!({
+            "length": "m",
+            "time": "s",
+            "speed": "m/s",
+            "force": "N",
+        }),
         Kind::Tip => json!({
             "length": "σ",
             "time": "σ√(m/ε)",

@@ -77,6 +77,15 @@ fn title(bodies: &Bodies, summary: Option<&Value>) -> String {
             }
             title
         }
+        Kind::Grains => {
+            let mut title = format!("{count} grains");
+            for (key, name) in [("sliding", "μ"), ("rolling", "μ_t"), ("torsion", "μ_n")] {
+                if let Some(value) = told(key) {
+                    title += &format!(", {name} = {value}");
+                }
+            }
+            title
+        }
         Kind::Tip => {
             let lambda = told("lambda").map_or(String::new(), |value| format!(", λ = {value}"));
             format!("Tip on a substrate, {count} atoms{lambda}")

@@ -2,6 +2,7 @@
 
 pub mod deposit;
 mod frames;
+pub mod grains;
 pub mod measure;
 pub mod powder;
 pub mod tip;

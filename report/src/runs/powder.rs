@@ -86,7 +86,8 @@ impl State {
         [before, compaction.with_snapshot(Self::of)]
     }
 
-    fn of(snapshot: &Snapshot<'_>) -> Self {
+    /// A snapshot.
+    pub(super) fn of(snapshot: &Snapshot<'_>) -> Self {
         let contact = |row: &ContactRow| Contact {
             a: row.a as usize,
             b: row.b.particle().map(|b| b as usize),
@@ -97,6 +98,22 @@ impl State {
             radii: snapshot.radii.to_vec(),
             contacts: snapshot.contacts.iter().map(contact).collect(),
         }
+    }
+
+    /// The packing without a piston, in a cell of these sides.
+    pub(super) fn open(&self, sides: [f64; 2]) -> Result<Packing<'_>, PackingError> {
+        Packing::new(&self.positions, &self.radii, sides, None)
+    }
+
+    /// Contacts with their forces.
+    pub(super) fn contacts(&self) -> &[Contact] {
+        &self.contacts
+    }
+
+    /// The largest magnitude of a normal force.
+    pub(super) fn largest_force(&self) -> f64 {
+        let forces = self.contacts.iter().map(|contact| contact.normal_force);
+        forces.map(f64::abs).fold(0.0, f64::max)
     }
 
     fn packing(&self, width: f64, height: f64) -> Result<Packing<'_>, PackingError> {

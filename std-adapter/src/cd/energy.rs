@@ -100,9 +100,10 @@ impl EnergyBalance {
             if plate.inv_mass > 0.0 {
                 self.work += wall.force * wall.outward.dot(&plate.velocity) * dt;
                 let mass = 1.0 / plate.inv_mass;
-                kinetic += 0.5 * mass * plate.velocity.norm_squared();
-                initial += 0.5 * mass * wall.plate.velocity.norm_squared();
-                self.normal += 0.5 * mass * (plate.velocity - wall.plate.velocity).norm_squared();
+                let [new, old] = [plate, &wall.plate].map(|plate| along(wall, &plate.velocity));
+                kinetic += 0.5 * mass * (new * new);
+                initial += 0.5 * mass * (old * old);
+                self.normal += 0.5 * mass * ((new - old) * (new - old));
             }
         }
         self.kinetic_initial.get_or_insert(initial);
@@ -177,12 +178,20 @@ impl Taken {
     pub fn from_motion(spheres: &[Sphere<f64>], walls: &[Wall]) -> Self {
         let moving = |sphere: &Sphere<f64>| kinetic_energy(sphere, &sphere.velocity, &sphere.spin);
         let plates = walls.iter().filter(|wall| wall.plate.inv_mass > 0.0);
-        let gliding = |wall: &Wall| 0.5 * wall.plate.velocity.norm_squared() / wall.plate.inv_mass;
+        let gliding = |wall: &Wall| {
+            let speed = along(wall, &wall.plate.velocity);
+            0.5 * (speed * speed) / wall.plate.inv_mass
+        };
         Self {
             kinetic: spheres.iter().map(moving).sum::<f64>() + plates.map(gliding).sum::<f64>(),
             ..Self::default()
         }
     }
+}
+
+/// Speed of a wall along its normal: its drive keeps the part across, whatever it bears.
+fn along(wall: &Wall, velocity: &Vector3<f64>) -> f64 {
+    wall.outward.dot(velocity)
 }
 
 /// ½ m v² + ½ I ω² of a sphere's mass and inertia.

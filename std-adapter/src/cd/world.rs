@@ -161,6 +161,12 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         &mut self.state
     }
 
+    /// Sets the acceleration of all spheres for the next steps. Bodies that sleep feel it once they wake.
+    /// *Domain*: finite; otherwise the next step fails.
+    pub fn set_gravity(&mut self, gravity: Vector3<f64>) {
+        self.setup.gravity = gravity;
+    }
+
     /// The contact problem of the last step, with its solution. If the law has restitution, the
     /// contacts' impulses include those of impacts, which a [`residual`] cannot judge:
     /// [`StepReport::residual`] judges the problem without them.

@@ -2,6 +2,7 @@
 
 use super::digest::Digest;
 use super::quantity::{Quantity, leaves};
+use crate::grains::GrainsError;
 use crate::powder::CompactionError;
 use crate::push::PushError;
 use crate::record::{ContactRow, Partner};
@@ -31,6 +32,9 @@ pub enum MeasureError {
     /// A powder.
     #[error(transparent)]
     Compaction(#[from] CompactionError),
+    /// Grains in a box.
+    #[error(transparent)]
+    Grains(#[from] GrainsError),
     /// A tip.
     #[error(transparent)]
     Tip(#[from] TipError),

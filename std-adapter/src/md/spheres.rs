@@ -23,7 +23,12 @@ impl Spheres {
     }
 
     /// Adds the radius of a sphere, if there is a column of them.
-    pub(super) fn add_radius(&mut self, line: Line<'_>, word: &str, factor: f64) -> Result<(), TextError> {
+    pub(super) fn add_radius(
+        &mut self,
+        line: Line<'_>,
+        word: &str,
+        factor: f64,
+    ) -> Result<(), TextError> {
         if let Some(radii) = &mut self.radii {
             radii.push(factor * line.positive("the size of a sphere", word)?);
         }

@@ -4,19 +4,27 @@
 
 mod carried;
 mod frozen;
+mod given;
 mod limits;
 mod material;
 mod rigid;
 mod sizes;
+mod statistics;
 mod stored;
+mod stress;
+mod totals;
 
 pub use carried::{Carried, CarriedModes};
 pub(crate) use frozen::{Force, Forces, Frozen};
+pub(crate) use given::given;
 pub use limits::Limits;
 pub use material::Material;
 pub use sizes::{Radii, Sizes, SizesError};
+pub use statistics::Statistics;
 pub use stored::STATE;
 pub(crate) use stored::{Shape, Stored};
+pub use stress::Stress;
+pub(crate) use totals::Totals;
 
 use crate::cd::{EnergyBalance, Solver, StepLimits, StepReport, Wall, WorldError};
 use crate::record::{ContactRow, Partner};
@@ -78,6 +86,14 @@ pub(crate) trait Packing: Debug {
     fn spheres(&self) -> &[Sphere<f64>];
     /// Walls, with their current places and velocities.
     fn walls(&self) -> &[Wall];
+    /// Walls, which a body may move and load between two steps; `None` of a method whose walls stay.
+    fn walls_mut(&mut self) -> Option<&mut [Wall]> {
+        None
+    }
+    /// Sets the acceleration of all spheres for the next steps; `false` of a method that cannot.
+    fn set_gravity(&mut self, _gravity: Vector3<f64>) -> bool {
+        false
+    }
     /// Energy balance.
     fn energy(&self) -> &EnergyBalance;
     /// Contacts that carry a force or lie within the range of cohesion, with the forces of the last

@@ -217,6 +217,15 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         &self.state().walls
     }
 
+    fn walls_mut(&mut self) -> Option<&mut [Wall]> {
+        Some(&mut self.state_mut().walls)
+    }
+
+    fn set_gravity(&mut self, gravity: Vector3<f64>) -> bool {
+        World::set_gravity(self, gravity);
+        true
+    }
+
     fn energy(&self) -> &EnergyBalance {
         &self.state().energy
     }

@@ -1,6 +1,6 @@
 //! Whether a packing is blocked, judged by means over windows of steps.
 
-use super::stress::Stress;
+use crate::packing::Stress;
 use crate::scene::Criterion;
 
 /// Least number of steps in a window: the pseudo-elastic waves of an iteration that stops early take

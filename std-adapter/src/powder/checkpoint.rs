@@ -1,10 +1,9 @@
 //! Checkpoint files: the complete state of a run, from which it continues with identical bits.
 
 use super::blocked::Window;
-use super::compaction::{COLUMNS, Ending, Totals};
-use super::stress::Stress;
-use crate::packing::{Frozen, Shape};
-use crate::record::kept::{damaged, groups, hex, numbers, one, opened, same_scene};
+use super::compaction::{COLUMNS, Ending};
+use crate::packing::{Frozen, Shape, Stress, Totals};
+use crate::record::kept::{damaged, groups, hex, numbers, opened, same_scene};
 use crate::record::{CheckpointError, sealed};
 use crate::scene::PowderScene;
 use nalgebra::Matrix3;
@@ -48,17 +47,8 @@ impl Checkpoint {
             .iter()
             .flat_map(|(window, height)| window_numbers(window).into_iter().chain([*height]));
         put("complete_window", complete.collect());
-        put("wall_seconds", vec![self.totals.wall_seconds]);
         put("series", self.series.iter().flatten().copied().collect());
-        map.insert("iterations".into(), self.totals.iterations.into());
-        for (name, steps) in [
-            ("unmet", self.totals.unmet),
-            ("solver_unmet", self.totals.solver_unmet),
-            ("cut", self.totals.cut),
-            ("impacts_unmet", self.totals.impacts_unmet),
-        ] {
-            map.insert(name.into(), steps.into());
-        }
+        self.totals.put(&mut map);
         map.insert("ending".into(), self.ending.map(Ending::name).into());
         sealed(map)
     }
@@ -67,7 +57,6 @@ impl Checkpoint {
     pub fn read(text: &str, scene: &PowderScene) -> Result<Self, CheckpointError> {
         let value = opened(text, NAME, VERSION)?;
         same_scene(&value["scene"], &scene.json())?;
-        let whole = |name: &str| value[name].as_u64().ok_or_else(|| damaged(name));
         let complete = numbers(&value, "complete_window")?;
         Ok(Self {
             frozen: Frozen::read(&value)?,
@@ -79,14 +68,7 @@ impl Checkpoint {
                     Some((window, *height))
                 }
             },
-            totals: Totals {
-                iterations: whole("iterations")?,
-                unmet: whole("unmet")?,
-                solver_unmet: whole("solver_unmet")?,
-                cut: whole("cut")?,
-                impacts_unmet: whole("impacts_unmet")?,
-                wall_seconds: one(&value, "wall_seconds")?,
-            },
+            totals: Totals::read(&value)?,
             series: groups(&value, "series")?,
             ending: match &value["ending"] {
                 Value::Null => None,

@@ -7,10 +7,8 @@ use super::error::CompactionError;
 use super::outcome::Outcome;
 use super::parts::{PISTON, packing};
 use super::start::Start;
-use super::statistics::Statistics;
-use super::stress::Stress;
 use crate::cd::StepReport;
-use crate::packing::{Limits, Packing, Shape, Stored, branch, is_at};
+use crate::packing::{Limits, Packing, Shape, Statistics, Stored, Stress, Totals, branch, is_at};
 use crate::record::{ContactRow, Snapshot};
 use crate::run::Simulation;
 use crate::scene::PowderScene;
@@ -86,23 +84,6 @@ impl Ending {
         let mut all = [Self::Blocked, Self::Time, Self::Steps].into_iter();
         all.find(|ending| ending.name() == name)
     }
-}
-
-/// Totals of a run.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Totals {
-    /// Sweeps of the solver.
-    pub iterations: u64,
-    /// Steps in which any tolerance or rule was not met.
-    pub unmet: u64,
-    /// Those in which the solver missed its stopping rule.
-    pub solver_unmet: u64,
-    /// Those in which the impacts were cut off.
-    pub cut: u64,
-    /// Those in which a part of the impacts missed its tolerance.
-    pub impacts_unmet: u64,
-    /// Wall-clock time in s, up to the last start.
-    pub wall_seconds: f64,
 }
 
 /// A compaction in progress.
@@ -591,18 +572,7 @@ impl Simulation for Compaction {
         }
         let before = self.packing.spheres().to_vec();
         self.report = self.packing.step()?;
-        self.totals.iterations += self.report.iterations.sweeps as u64;
-        let Totals {
-            unmet,
-            solver_unmet,
-            cut,
-            impacts_unmet,
-            ..
-        } = &mut self.totals;
-        *unmet += u64::from(!self.report.is_met());
-        *solver_unmet += u64::from(!self.report.iterations.met);
-        *cut += u64::from(self.report.impacts_cut);
-        *impacts_unmet += u64::from(self.report.impacts_unmet > 0);
+        self.totals.add(&self.report);
         self.measure(&before)?;
         let record = self.finite_record()?;
         self.ending = self.judge();

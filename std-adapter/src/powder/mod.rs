@@ -12,11 +12,10 @@ mod outcome;
 mod parts;
 mod session;
 mod start;
-mod statistics;
-mod stress;
 
+pub use crate::packing::Statistics;
 #[doc(hidden)]
-pub use crate::packing::{Carried, CarriedModes, Limits, Material, STATE};
+pub use crate::packing::{Carried, CarriedModes, Limits, Material, STATE, Stress};
 pub use crate::record::CheckpointError;
 #[doc(hidden)]
 pub use blocked::{Means, Window};
@@ -30,9 +29,6 @@ pub use error::CompactionError;
 pub use outcome::Outcome;
 #[doc(hidden)]
 pub use parts::PISTON;
-pub use statistics::Statistics;
-#[doc(hidden)]
-pub use stress::Stress;
 
 #[cfg(test)]
 mod tests;

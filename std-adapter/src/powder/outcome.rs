@@ -2,9 +2,9 @@
 
 use super::blocked::Means;
 use super::compaction::{COLUMNS, Compaction, Ending};
-use super::statistics::Statistics;
 use crate::cd::EnergyBalance;
 use crate::golden::{Digest, Measure, MeasureError, Measurement, contacts, digest};
+use crate::packing::Statistics;
 use crate::record::json_number;
 use crate::run::drive;
 use crate::scene::PowderScene;

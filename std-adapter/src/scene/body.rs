@@ -7,8 +7,8 @@ use super::table::Table;
 use super::vocabulary::Vocabulary;
 use super::words::meant;
 use super::{
-    Body, ClampScene, CurlingScene, CylinderScene, InclineScene, PipeScene, PlateScene,
-    PowderScene, SceneError, SliderScene, SpringScene, TipScene, TurntableScene,
+    Body, ClampScene, CurlingScene, CylinderScene, GrainsScene, InclineScene, PipeScene,
+    PlateScene, PowderScene, SceneError, SliderScene, SpringScene, TipScene, TurntableScene,
 };
 use serde_json::Value;
 use std::path::Path;
@@ -87,6 +87,8 @@ bodies! {
     Clamp(ClampScene),
     /// A powder under a piston.
     Powder(PowderScene),
+    /// Grains in a box.
+    Grains(GrainsScene),
     /// A tip turned on a substrate.
     Tip(TipScene),
 }

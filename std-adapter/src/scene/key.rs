@@ -3,6 +3,7 @@
 use super::entries::Written;
 use super::words::meant;
 use crate::friction::{Law, Patch};
+use crate::grains::Ramp;
 use crate::packing::Sizes;
 use crate::tip::Potential;
 
@@ -67,6 +68,8 @@ pub enum Domain {
     Sizes,
     /// The path of a file or a folder, relative to the working directory.
     Path,
+    /// A number, or a ramp in time, as [`crate::grains::Ramp`] reads it.
+    Ramp,
 }
 
 /// When a file must or may give a key. Pairs are another key and one of its words.
@@ -109,6 +112,7 @@ impl Domain {
             }
             Self::Sizes => Sizes::FORMS.into(),
             Self::Path => "the path of a file or a folder".into(),
+            Self::Ramp => "a finite number, or a ramp such as \"0:0, 0.5:1e3, 1:0\"".into(),
             Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
         }
     }
@@ -117,7 +121,7 @@ impl Domain {
     pub(super) fn admits(&self, x: f64) -> bool {
         x.is_finite()
             && match *self {
-                Self::Finite => true,
+                Self::Finite | Self::Ramp => true,
                 Self::NotNegative => x >= 0.0,
                 Self::Positive => x > 0.0,
                 Self::Between { above, up_to } => x > above && x <= up_to,
@@ -153,6 +157,9 @@ impl Key {
             }
             (Domain::Sizes, Written::Text(text)) => {
                 return Some(format!("`{}`: {}", self.name, text.parse::<Sizes>().err()?));
+            }
+            (Domain::Ramp, Written::Text(text)) => {
+                return Some(format!("`{}`: {}", self.name, text.parse::<Ramp>().err()?));
             }
             (Domain::Path, Written::Text(text)) if !text.trim().is_empty() => return None,
             (

@@ -15,6 +15,7 @@ mod clamp;
 mod curling;
 mod cylinder;
 mod entries;
+mod grains;
 mod hint;
 mod incline;
 mod key;
@@ -43,6 +44,7 @@ pub use body::{Scene, parse_scene, read_scene};
 pub use clamp::ClampScene;
 pub use curling::{CurlingScene, IceModel};
 pub use cylinder::CylinderScene;
+pub use grains::{Axis, Ends, GrainsScene, Sides};
 #[doc(hidden)]
 pub use hint::{nearest, number_hint};
 pub use incline::InclineScene;

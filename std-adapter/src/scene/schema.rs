@@ -95,6 +95,7 @@ fn domain(domain: &Domain) -> Map<String, Value> {
             json!({"type": "string"})
         }
         Domain::Path => json!({"type": "string", "minLength": 1}),
+        Domain::Ramp => json!({"type": ["number", "string"]}),
         Domain::OneOf(words) => json!({"type": "string", "enum": words}),
     };
     match rules {

@@ -7,6 +7,7 @@ use super::reader::{self, Judge};
 use super::words::Word;
 use crate::friction::{Law, Patch};
 use crate::golden::{Measure, MeasureError, Measurement};
+use crate::grains::Ramp;
 use crate::packing::Sizes;
 use crate::record::json_number;
 use crate::tip::Potential;
@@ -127,6 +128,25 @@ impl Setting for Potential {
             && let Ok(potential) = text.parse()
         {
             *self = potential;
+        }
+    }
+}
+
+impl Setting for Ramp {
+    fn written(&self) -> Option<Written> {
+        let text = || Written::Text(self.to_string());
+        Some(self.constant().map_or_else(text, Written::Number))
+    }
+
+    fn set(&mut self, value: &Written) {
+        match value {
+            Written::Number(x) => *self = Self::from(*x),
+            Written::Text(text) => {
+                if let Ok(ramp) = text.parse() {
+                    *self = ramp;
+                }
+            }
+            Written::Other(_) => {}
         }
     }
 }

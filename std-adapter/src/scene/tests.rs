@@ -5,7 +5,7 @@ use crate::powder::{Compaction, CompactionError};
 use crate::record::CheckpointError;
 
 /// Every body's default scene.
-fn defaults() -> [Scene; 11] {
+fn defaults() -> [Scene; 12] {
     [
         SliderScene::default().into(),
         CylinderScene::default().into(),
@@ -17,6 +17,7 @@ fn defaults() -> [Scene; 11] {
         TurntableScene::default().into(),
         ClampScene::default().into(),
         PowderScene::default().into(),
+        GrainsScene::default().into(),
         TipScene::default().into(),
     ]
 }
@@ -63,6 +64,7 @@ fn every_key_sets_its_field() {
                 .into_iter()
                 .filter(|(name, _)| *name != key.name)
                 .filter(|(name, _)| !(["count", "start"].contains(&key.name) && *name == "height"))
+                .filter(|(name, _)| !(key.name == "start" && *name == "count"))
                 .filter(|(name, _)| key.name != "law" || !["coefficient", "alpha"].contains(name))
                 .filter(|(name, _)| !(is_of_slide(key) && *name == "lambda"))
                 .map(|(name, value)| format!("{name} = {value}\n"))
@@ -80,7 +82,7 @@ fn every_key_sets_its_field() {
             let Ok(read) = parse_scene("one.toml", &text, &[]) else {
                 // Values that other keys would have to follow.
                 assert!(
-                    ["units", "side", "drive", "expansion"].contains(&key.name),
+                    ["units", "side", "drive", "expansion", "dimension"].contains(&key.name),
                     "{text}"
                 );
                 continue;

@@ -3,6 +3,7 @@
 //! A body has its own file here, and its line in the list of [`of`].
 
 mod disk;
+mod grains;
 mod held;
 mod kind;
 mod planar;
@@ -60,6 +61,7 @@ pub fn of(scene: &Scene) -> Box<dyn Commands + '_> {
         Scene::Turntable(scene) => Box::new(Held::new(scene, &held::TURNTABLE)),
         Scene::Clamp(scene) => Box::new(Held::new(scene, &held::CLAMP)),
         Scene::Powder(scene) => Box::new(scene),
+        Scene::Grains(scene) => Box::new(scene),
         Scene::Tip(scene) => Box::new(scene),
     }
 }

@@ -1,6 +1,7 @@
 //! `tribos explain`: which laws, modes and unknowns a scene carries, and what they cost.
 
 pub mod after;
+pub mod grains;
 pub mod held;
 pub mod powder;
 pub mod slide;

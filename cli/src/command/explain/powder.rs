@@ -3,7 +3,7 @@
 use super::{bytes, line};
 use crate::failure::Failure;
 use tribos::cd::Method;
-use tribos::powder::{CarriedModes, PowderCost, cost};
+use tribos::powder::{CarriedModes, Material, PowderCost, cost};
 use tribos::scene::{Coupling, PowderScene};
 use tribos_core::contact::Attraction;
 
@@ -28,9 +28,9 @@ pub fn text(scene: &PowderScene) -> Result<String, Failure> {
         ),
     );
     text += &idle(scene);
-    text += &line("thresholds", thresholds(scene));
+    text += &line("thresholds", thresholds(&scene.material()));
     text += &line("coupling", coupling(carried.coupling));
-    text += &line("cohesion", cohesion(scene));
+    text += &line("cohesion", cohesion(&scene.material(), "R"));
     text += &restitution(scene);
     text += &line("solver", solver(scene));
     text += &size(&cost);
@@ -38,7 +38,8 @@ pub fn text(scene: &PowderScene) -> Result<String, Failure> {
     Ok(text)
 }
 
-fn modes(modes: CarriedModes) -> String {
+/// Modes that are carried, and those that are not.
+pub fn modes(modes: CarriedModes) -> String {
     let names = MODES.iter().zip(modes.has());
     let carried: Vec<&str> = names
         .filter(|(_, has)| *has)
@@ -106,9 +107,11 @@ fn restitution(scene: &PowderScene) -> String {
     )
 }
 
-fn thresholds(scene: &PowderScene) -> String {
+/// Largest force and torques of a contact.
+pub fn thresholds(material: &Material) -> String {
     let units = ["P", "P r_eff", "P r_eff"];
-    let (has, mu) = (scene.material().carried().modes.has(), coefficients(scene));
+    let mu = [material.sliding, material.rolling, material.torsion];
+    let has = material.carried().modes.has();
     let limits: Vec<String> = (0..MODES.len())
         .filter(|&mode| has[mode])
         .map(|mode| format!("{} {} {}", MODES[mode], mu[mode], units[mode]))
@@ -119,7 +122,8 @@ fn thresholds(scene: &PowderScene) -> String {
     format!("{}, with P = F_n + F_coh", limits.join(", "))
 }
 
-fn coupling(coupling: Coupling) -> &'static str {
+/// How thresholds depend on each other.
+pub fn coupling(coupling: Coupling) -> &'static str {
     match coupling {
         Coupling::Independent => "independent: each mode has its own threshold",
         Coupling::Ellipsoid => {
@@ -129,12 +133,13 @@ fn coupling(coupling: Coupling) -> &'static str {
     }
 }
 
-fn cohesion(scene: &PowderScene) -> String {
-    let how = match scene.attraction {
+/// How cohesion acts at a gap, whose unit is named.
+pub fn cohesion(material: &Material, unit: &str) -> String {
+    let how = match material.attraction {
         Attraction::Pull => "a constant pull",
         Attraction::Resistance => "a resistance to opening",
     };
-    format!("{how} up to a gap of {} R", scene.cohesion_range)
+    format!("{how} up to a gap of {} {unit}", material.cohesion_range)
 }
 
 fn solver(scene: &PowderScene) -> String {

@@ -30,6 +30,9 @@ pub const POWDER: &[&str] = &[
     "final-state.json",
 ];
 
+/// Results of grains.
+pub const GRAINS: &[&str] = POWDER;
+
 /// Results of a tip.
 pub const TIP: &[&str] = &[
     "summary.json",

@@ -7,6 +7,7 @@ use super::order::Order;
 use super::{files, size};
 use crate::command::progress::Meter;
 use crate::failure::Failure;
+pub use output::states;
 use output::{report, write};
 use tribos::powder::{self, Compaction, CompactionError};
 use tribos::run::{RunError, Session, Simulation, forget_checkpoint};

@@ -103,6 +103,9 @@ impl Look {
             (Paint::Layer, Kind::Powder) => Axis::linear("height in the deposit [R]"),
             (Paint::Speed, Kind::Tip) => Axis::log10("speed [√(ε/m)]"),
             (Paint::Speed, Kind::Powder) => Axis::log10("speed [√(F_coh/ρ)/R]"),
+            (Paint::Layer, Kind::Grains) => Axis::linear("initial height [m]"),
+            (Paint::Speed, Kind::Grains) => Axis::log10("speed [m/s]"),
+            (Paint::Force, Kind::Grains) => Axis::linear("normal forces, sum [N]"),
             (Paint::Force, _) => Axis::linear("normal forces, sum [F_coh]"),
             (Paint::Coordination | Paint::Part, _) => Axis::linear("contacts"),
         };
@@ -136,7 +139,7 @@ fn values(run: &RunFrames, frame: &Frame, paint: Paint) -> Vec<f64> {
             .iter()
             .map(|&layer| f64::from(layer) + 1.0)
             .collect(),
-        (Paint::Layer | Paint::Part, Kind::Powder) => {
+        (Paint::Layer | Paint::Part, Kind::Powder | Kind::Grains) => {
             run.frames[0].places.iter().map(|place| place.z).collect()
         }
         (Paint::Speed, _) => frame.speeds.iter().map(|&speed| speed.into()).collect(),

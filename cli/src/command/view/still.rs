@@ -44,14 +44,14 @@ impl Which {
 pub fn png(run: &RunFrames, look: &Look, index: usize) -> Result<Vec<u8>, Failure> {
     let frame = &run.frames[index];
     let places: Vec<[f64; 3]> = frame.places.iter().map(|at| [at.x, at.y, at.z]).collect();
-    let is_powder = run.bodies.kind == Kind::Powder;
-    let piston = is_powder.then_some(frame.height);
+    let is_powder = run.bodies.kind != Kind::Tip;
+    let piston = (run.bodies.kind == Kind::Powder).then_some(frame.height);
     let packing = Packing::new(&places, &run.bodies.radii, run.bodies.periods, piston);
     let packing = packing.map_err(Failure::run)?;
     let title = title(frame, run.bodies.kind);
     let picture = match look.full_force {
         Some(full) => PackingPicture::forces(title, &packing, &contacts(frame))
-            .map(|picture| picture.full_force(full, "F_coh")),
+            .map(|picture| picture.full_force(full, force_unit(run.bodies.kind))),
         None => look.paint(PackingPicture::spheres(title, &packing), run, frame),
     };
     let (width, height) = SIZES[usize::from(!is_powder)];
@@ -77,6 +77,15 @@ fn title(frame: &Frame, kind: Kind) -> String {
             "step {step}, time {time:.1}, {:.1} % empty",
             100.0 * measure
         ),
+        Kind::Grains => format!("step {step}, time {time:.3}"),
         Kind::Tip => format!("step {step}, time {time:.1}, angle {measure:.2}°"),
+    }
+}
+
+/// Name of the unit of forces.
+fn force_unit(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Powder | Kind::Tip => "F_coh",
+        Kind::Grains => "N",
     }
 }

@@ -50,22 +50,60 @@ pub(super) fn frames(folder: &Path) -> Result<Vec<(u64, Assembly)>, AssemblyErro
 }
 
 fn of_frame(bodies: &Bodies, frame: &Frame) -> Assembly {
+    let scene = &bodies.scene;
+    // Grains may have walls along x and y and a period along z; a powder is periodic along x and y.
+    let is_open = |key: &str| scene[key] == "walls" || (key == "y" && scene["dimension"] == 2);
     let [x, y] = bodies.periods;
-    let space = PeriodicBox::new([Some(x), Some(y), None]).unwrap_or_default();
+    let upright = scene["height"]
+        .as_f64()
+        .filter(|_| scene["z"] == "periodic");
+    let periods = [
+        Some(x).filter(|_| !is_open("x")),
+        Some(y).filter(|_| !is_open("y")),
+        upright,
+    ];
+    let space = PeriodicBox::new(periods).unwrap_or_default();
     let mut assembly = Assembly::new(space, frame.places.clone(), bodies.radii.clone());
-    assembly.bounds[2] = [f64::from(frame.corners[0][2]), frame.height];
-    let row = |contact: &FrameContact| row(&assembly, contact);
-    assembly.contacts = frame.contacts.iter().map(row).collect();
+    for axis in 0..3 {
+        if space.lengths()[axis].is_none() {
+            assembly.bounds[axis] = frame.corners.map(|corner| f64::from(corner[axis]));
+        }
+    }
+    if bodies.kind == Kind::Powder {
+        assembly.bounds[2] = [0.0, frame.height];
+    }
+    let walls = walls(bodies);
+    let row = |contact: &FrameContact| row(&assembly, &walls, contact);
+    assembly.contacts = frame.contacts.iter().filter_map(row).collect();
     assembly.forces = Forces::Normal;
-    assembly.scene = bodies.scene.clone();
+    assembly.scene = scene.clone();
     assembly
 }
 
-/// A contact with its geometry; wall 0 is below and any other above.
-fn row(assembly: &Assembly, contact: &FrameContact) -> ContactRow {
+/// Axis of each wall, and whether it is at the high end: above and below, then at the sides.
+fn walls(bodies: &Bodies) -> Vec<(usize, bool)> {
+    let scene = &bodies.scene;
+    let both = |axis: usize| [(axis, false), (axis, true)];
+    if bodies.kind == Kind::Powder {
+        return both(2).to_vec();
+    }
+    let mut walls = match scene["z"].as_str() {
+        Some("floor") => vec![(2, false)],
+        Some("walls") => both(2).to_vec(),
+        _ => Vec::new(),
+    };
+    for (axis, key) in ["x", "y"].into_iter().enumerate() {
+        if scene[key] == "walls" {
+            walls.extend(both(axis));
+        }
+    }
+    walls
+}
+
+/// A contact with its geometry.
+fn row(assembly: &Assembly, walls: &[(usize, bool)], contact: &FrameContact) -> Option<ContactRow> {
     let (a, radii) = (contact.a as usize, &assembly.radii);
     let from = assembly.positions[a];
-    let [low, high] = assembly.bounds[2];
     let (way, other) = match contact.b {
         Partner::Particle(b) => {
             let way = assembly
@@ -73,16 +111,20 @@ fn row(assembly: &Assembly, contact: &FrameContact) -> ContactRow {
                 .displacement(&from, &assembly.positions[b as usize]);
             (way, radii[b as usize])
         }
-        Partner::Wall(0) => (Vector3::z() * (low - from.z), 0.0),
-        Partner::Wall(_) => (Vector3::z() * (high - from.z), 0.0),
+        Partner::Wall(wall) => {
+            let &(axis, is_high) = walls.get(wall as usize)?;
+            let mut way = Vector3::zeros();
+            way[axis] = assembly.bounds[axis][usize::from(is_high)] - from[axis];
+            (way, 0.0)
+        }
     };
     let normal = way.normalize();
-    ContactRow {
+    Some(ContactRow {
         a: contact.a,
         b: contact.b,
         normal,
         gap: way.norm() - radii[a] - other,
         force: normal * f64::from(contact.normal_force),
         torque: Vector3::zeros(),
-    }
+    })
 }

@@ -197,7 +197,7 @@ fn starts_that_do_not_fit_are_refused_with_what_would() -> Tested {
     );
     assert_eq!(
         told(&file(8.0, 3.0, 0.001))?,
-        "the mean radius is 0.001; lengths are in mean radii: divide all of them by 0.001"
+        "the mean radius is 0.001, and that of the scene is 1; multiply all lengths by 1000"
     );
     assert!(
         told("0\npbc=\"F F F\" Properties=species:S:1:pos:R:3:radius:R:1\n")?

@@ -10,12 +10,15 @@ const FORMAT: u64 = 2;
 ///
 /// ```
 /// use tribos::record::frames::Kind;
-/// assert_eq!([Kind::Powder, Kind::Tip].map(Kind::name), ["powder", "tip"]);
+/// let kinds = [Kind::Powder, Kind::Grains, Kind::Tip];
+/// assert_eq!(kinds.map(Kind::name), ["powder", "grains", "tip"]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Spheres under a piston. *Units*: R, F_coh, √(ρR⁴/F_coh).
     Powder,
+    /// Grains in a box. *Units*: SI, or those of the scene.
+    Grains,
     /// Atoms of a tip on a substrate. *Units*: σ, ε, σ√(m/ε).
     Tip,
 }
@@ -66,13 +69,18 @@ pub struct Bodies {
 }
 
 impl Kind {
-    const NAMES: [(Self, &str); 2] = [(Self::Powder, "powder"), (Self::Tip, "tip")];
+    const NAMES: [(Self, &str); 3] = [
+        (Self::Powder, "powder"),
+        (Self::Grains, "grains"),
+        (Self::Tip, "tip"),
+    ];
 
     /// Name of the kind in scenes.
     pub fn name(self) -> &'static str {
         match self {
             Self::Powder => Self::NAMES[0].1,
-            Self::Tip => Self::NAMES[1].1,
+            Self::Grains => Self::NAMES[1].1,
+            Self::Tip => Self::NAMES[2].1,
         }
     }
 }

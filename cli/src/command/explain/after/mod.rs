@@ -1,9 +1,11 @@
 //! Where the energy of a run went, and what could have been left out.
 
+mod grains;
 mod powder;
 mod slide;
 mod tip;
 
+pub use grains::text as grains;
 pub use powder::text as powder;
 pub use slide::{disk, planar};
 pub use tip::text as tip;

@@ -10,9 +10,9 @@ use tribos::powder::PowderCost;
 use tribos::scene::PowderScene;
 
 /// Share of all dissipation below which a mode counts as idle.
-const LITTLE: f64 = 0.01;
+pub(super) const LITTLE: f64 = 0.01;
 /// Entries of the summary.
-const PARTS: [&str; 5] = ["normal", "sliding", "rolling", "torsion", "cohesion"];
+pub(super) const PARTS: [&str; 5] = ["normal", "sliding", "rolling", "torsion", "cohesion"];
 
 /// The account of the run in `out`; `command` runs the scene anew, with one more override.
 pub fn text(scene: &PowderScene, out: &Path, command: &str) -> Result<String, Failure> {
@@ -73,7 +73,7 @@ fn advice(scene: &PowderScene, mode: usize, name: &str, share: f64, command: &st
 }
 
 /// Shares of contacts at their thresholds at the end.
-fn at_thresholds(summary: &Value) -> String {
+pub(super) fn at_thresholds(summary: &Value) -> String {
     let shares = MODES.iter().filter_map(|mode| {
         let place = format!("/statistics/at_threshold/{mode}");
         let share = summary.pointer(&place)?.as_f64()?;

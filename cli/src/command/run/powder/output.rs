@@ -56,7 +56,7 @@ pub fn write(
 }
 
 /// A state in all formats.
-fn states(
+pub fn states(
     snapshot: &Snapshot<'_>,
     stem: &str,
     folder: &OutputFolder,

@@ -1,6 +1,6 @@
 //! Statistics of the contacts of a packing: coordination, forces, thresholds.
 
-use crate::packing::Limits;
+use super::Limits;
 use crate::record::ContactRow;
 use crate::record::json_number;
 use serde_json::{Map, Value};

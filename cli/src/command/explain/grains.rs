@@ -1,0 +1,75 @@
+//! What grains carry.
+
+use super::powder::{cohesion, coupling, modes, thresholds};
+use super::{bytes, duration, line};
+use crate::failure::Failure;
+use tribos::grains::{GrainsCost, cost, size};
+use tribos::powder::CarriedModes;
+use tribos::scene::GrainsScene;
+
+/// The whole account.
+pub fn text(scene: &GrainsScene) -> Result<String, Failure> {
+    let cost = cost(scene)?;
+    let material = scene.material();
+    let carried = material.carried();
+    let mut text = line("contacts", modes(carried.modes));
+    text += &line(
+        "",
+        format!(
+            "{} unknowns each (normal 1, sliding 2, rolling 2, torsion 1), {} bytes",
+            cost.unknowns, cost.bytes
+        ),
+    );
+    text += &line("thresholds", thresholds(&material));
+    text += &line("coupling", coupling(carried.coupling));
+    text += &line(
+        "cohesion",
+        if material.cohesion > 0.0 {
+            format!("{} N, {}", material.cohesion, cohesion(&material, "m"))
+        } else {
+            "none".into()
+        },
+    );
+    text += &line(
+        "solver",
+        format!(
+            "accelerated Gauss-Seidel to {:e}, at most {} sweeps a step",
+            scene.tolerance, scene.sweeps
+        ),
+    );
+    text += &line("grains", cost.grains.to_string());
+    let [low, high] = cost.contacts;
+    text += &line(
+        "expected",
+        format!(
+            "{low} to {high} contacts when dense, {} to {} unknowns",
+            low * cost.unknowns,
+            high * cost.unknowns
+        ),
+    );
+    text += &line("memory", format!("{} in the solver", bytes(cost.memory())));
+    text += &update(&cost, carried.modes);
+    text += &line(
+        "steps",
+        format!(
+            "{:.0} of {:.3e} s at least; fast grains take shorter ones",
+            cost.steps, cost.longest_step
+        ),
+    );
+    text += &line(
+        "time",
+        format!("in the order of {}", duration(size(scene).seconds)),
+    );
+    Ok(text)
+}
+
+/// Time of an update, and what rolling and torsion add to it.
+fn update(cost: &GrainsCost, modes: CarriedModes) -> String {
+    const NANO: f64 = 1e9;
+    let mut rate = format!("{:.0} ns a contact here", NANO * cost.update_seconds);
+    if modes != CarriedModes::Sliding {
+        let ratio = cost.update_seconds / cost.sliding_seconds;
+        rate += &format!(", {ratio:.2} times what sliding alone takes");
+    }
+    line("update", rate)
+}

@@ -1,0 +1,66 @@
+//! Grains in a box.
+
+mod output;
+
+use super::caller::Caller;
+use super::order::Order;
+use super::{files, size};
+use crate::failure::Failure;
+use output::{report, write};
+use tribos::grains::{self, Grains, GrainsError};
+use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
+use tribos::scene::GrainsScene;
+
+/// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
+pub fn run(scene: &GrainsScene, order: &Order<'_>) -> Result<(), Failure> {
+    size::check(&grains::size(scene), "grains", order.allowed)?;
+    // All refusals come before the folder is touched.
+    Grains::check(scene)?;
+    let Some((folder, start)) = order.long(scene.json(), files::GRAINS)? else {
+        return Ok(());
+    };
+    let run = simulate(scene, order.session(start, &folder), order.caller)
+        .map_err(|error| order.failure(error))?;
+    folder.remove(files::is_made_from_frames)?;
+    let outcome = run.outcome();
+    write(scene, &run, &outcome, &folder, order)?;
+    folder.check()?;
+    forget_checkpoint(order.out)?;
+    report(&outcome, order)
+}
+
+/// Runs the scene to its end and says how far it is.
+fn simulate(
+    scene: &GrainsScene,
+    session: Session<'_, Grains>,
+    caller: Caller<'_>,
+) -> Result<Grains, RunError<GrainsError>> {
+    let size = grains::size(scene);
+    caller.tell(format_args!("{}", size::told(&size, "grains")));
+    let mut meter = caller.meter();
+    session
+        .on_progress(|run: &Grains| {
+            if meter.is_due(run.progress()) {
+                let words = format!(
+                    "step {:7}  time {:9.4}  {:4} sweeps",
+                    run.steps(),
+                    run.time(),
+                    run.last_step().iterations.sweeps
+                );
+                meter.tell(run.progress(), format_args!("{words}"));
+            }
+        })
+        .run(scene)
+}
+
+impl From<GrainsError> for Failure {
+    fn from(error: GrainsError) -> Self {
+        match error {
+            GrainsError::World(_) | GrainsError::Touch { .. } | GrainsError::NotFinite { .. } => {
+                Self::run(error)
+            }
+            // The scene, its placement, the laws or the checkpoint cannot be used.
+            _ => Self::input(error),
+        }
+    }
+}

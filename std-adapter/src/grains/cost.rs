@@ -1,0 +1,172 @@
+//! Forecast of the cost of a run: contacts, unknowns, time.
+
+use super::begin::start;
+use super::error::GrainsError;
+use super::layout::Layout;
+use super::loads::Loads;
+use super::parts::packing;
+use crate::measure::Assembly;
+use crate::run::RunSize;
+use crate::scene::{Coupling, Ends, GrainsScene, Sides};
+use std::ops::ControlFlow;
+use std::time::Instant;
+use tribos_core::contact::Sphere;
+
+/// Cost of a scene. *Units*: times in s on one core of this machine.
+///
+/// ```
+/// use tribos::grains::cost;
+/// // Beads that slide with friction: a normal and two tangential unknowns.
+/// let cost = cost(&tribos::scene::GrainsScene::default())?;
+/// assert_eq!((cost.grains, cost.unknowns), (100, 3));
+/// assert!(cost.update_seconds > 0.0);
+/// # Ok::<(), tribos::grains::GrainsError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct GrainsCost {
+    /// Number of grains.
+    pub grains: usize,
+    /// Lower and upper estimate of the number of contacts in a dense packing.
+    pub contacts: [usize; 2],
+    /// Unknowns per contact.
+    pub unknowns: usize,
+    /// Bytes per contact in the solver.
+    pub bytes: usize,
+    /// Longest time step.
+    pub longest_step: f64,
+    /// Number of steps of this length in the duration; fast grains take shorter ones.
+    pub steps: f64,
+    /// Time of one contact update.
+    pub update_seconds: f64,
+    /// Time of an update with sliding friction only.
+    pub sliding_seconds: f64,
+}
+
+/// Contacts per grain of a dense packing: isostatic with friction and without.
+const CONTACTS: [f64; 2] = [2.0, 3.0];
+/// Memory of a run per grain, in bytes, that of powders.
+const BYTES_A_GRAIN: f64 = 5e3;
+/// Time of a step per grain, with the usual number of sweeps.
+const SECONDS_A_STEP: f64 = 10e-6;
+/// Grains along an edge of the block whose updates are timed, sweeps of its step, and rounds.
+const EDGE: usize = 6;
+const SWEEPS: usize = 50;
+const ROUNDS: usize = 15;
+
+/// Rough cost of a run of the scene: the order of magnitude.
+///
+/// ```
+/// use tribos::grains::size;
+/// let size = size(&tribos::scene::GrainsScene { count: 1000, ..Default::default() });
+/// assert_eq!(size.bodies, 1000.0);
+/// ```
+pub fn size(scene: &GrainsScene) -> RunSize {
+    let bodies = count(scene) as f64;
+    let steps = (scene.duration / scene.longest_step()).min(scene.steps as f64);
+    RunSize {
+        bodies,
+        bytes: bodies * BYTES_A_GRAIN,
+        seconds: bodies * steps * SECONDS_A_STEP,
+    }
+}
+
+/// Number of grains; 0 if those of a start cannot be read.
+fn count(scene: &GrainsScene) -> usize {
+    match &scene.start {
+        Some(path) => Assembly::read(path).map_or(0, |grains| grains.radii.len()),
+        None => scene.count,
+    }
+}
+
+/// Counts unknowns, and times updates in a small block of grains under load.
+pub fn cost(scene: &GrainsScene) -> Result<GrainsCost, GrainsError> {
+    scene.check()?;
+    /// A dry friction coefficient.
+    const USUAL: f64 = 0.3;
+    let modes = scene.material().carried().modes;
+    let mu = scene.sliding;
+    let plain = GrainsScene {
+        sliding: if mu > 0.0 { mu } else { USUAL },
+        rolling: 0.0,
+        torsion: 0.0,
+        coupling: Coupling::Independent,
+        ..scene.clone()
+    };
+    let [update_seconds, sliding_seconds] = update_seconds([scene, &plain])?;
+    let longest_step = scene.longest_step();
+    Ok(GrainsCost {
+        grains: count(scene),
+        contacts: CONTACTS.map(|share| (share * count(scene) as f64).round() as usize),
+        unknowns: modes.unknowns(),
+        bytes: modes.bytes(),
+        longest_step,
+        steps: scene.duration / longest_step,
+        update_seconds,
+        sliding_seconds,
+    })
+}
+
+/// Time of an update under the laws of each scene: the minimum over alternating rounds.
+fn update_seconds(scenes: [&GrainsScene; 2]) -> Result<[f64; 2], GrainsError> {
+    let mut least = [f64::INFINITY; 2];
+    for _ in 0..ROUNDS {
+        for (scene, least) in scenes.iter().zip(&mut least) {
+            *least = least.min(timed(scene)?);
+        }
+    }
+    Ok(least)
+}
+
+/// Time of an update in a cubic lattice of grains that just touch, under gravity along a diagonal.
+fn timed(scene: &GrainsScene) -> Result<f64, GrainsError> {
+    let side = 2.0 * EDGE as f64 * scene.radius * (1.0 - 1e-9);
+    let block = GrainsScene {
+        width: side,
+        depth: None,
+        height: Some(side),
+        x: Sides::Periodic,
+        y: Sides::Periodic,
+        z: Ends::Periodic,
+        dimension: 3,
+        count: EDGE.pow(3),
+        radius: 0.5 * side / EDGE as f64 / (1.0 + 1e-9),
+        radius_spread: 0.0,
+        sizes: None,
+        start: None,
+        spacing: 1.0 + 1e-12,
+        sweeps: SWEEPS,
+        tolerance: f64::MIN_POSITIVE,
+        restitution: 0.0,
+        ..without_drives(scene)
+    };
+    let grains = start(&block, |_| ControlFlow::Continue(()))?;
+    let layout = Layout::of(&block, &grains)?;
+    let loads = Loads::of(&block, &layout);
+    let mut packing = packing(&block, (&layout, &loads), grains, None)?;
+    let began = Instant::now();
+    let report = packing.step()?;
+    let updates = (report.iterations.sweeps * report.contacts).max(1);
+    Ok(began.elapsed().as_secs_f64() / updates as f64)
+}
+
+/// The scene without moving walls.
+fn without_drives(scene: &GrainsScene) -> GrainsScene {
+    GrainsScene {
+        pressure_x: None,
+        pressure_y: None,
+        pressure_z: None,
+        velocity_x: None,
+        velocity_y: None,
+        velocity_z: None,
+        plate_speed: 0.0.into(),
+        ..scene.clone()
+    }
+}
+
+impl GrainsCost {
+    /// Memory of the grains and of the most contacts in the solver, in bytes, without neighbour lists.
+    pub fn memory(&self) -> usize {
+        let grain = 4 * size_of::<f64>() + 3 * size_of::<Sphere<f64>>();
+        self.grains * grain + self.contacts[1] * self.bytes
+    }
+}

@@ -1,0 +1,32 @@
+//! Grains in boxes: gravity, pistons, moving plates, shaking.
+//!
+//! A [`GrainsScene`](crate::scene::GrainsScene) says the box, the grains, their material and the loads,
+//! which may be [`Ramp`]s in time. [`Grains`] runs it.
+
+mod begin;
+mod checkpoint;
+mod cost;
+mod error;
+mod frames;
+mod layout;
+mod loads;
+mod measure;
+mod outcome;
+mod parts;
+mod placement;
+mod ramp;
+mod run;
+mod session;
+
+#[doc(hidden)]
+pub use cost::{GrainsCost, cost, size};
+pub use error::GrainsError;
+#[doc(hidden)]
+pub use measure::COLUMNS;
+pub use outcome::Outcome;
+pub use placement::PlacementError;
+pub use ramp::{Ramp, RampError};
+pub use run::{Ending, Grains};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,153 @@
+//! Summary of a run of grains.
+
+use super::error::GrainsError;
+use super::layout::End;
+use super::measure::COLUMNS;
+use super::run::{Ending, Grains};
+use crate::cd::EnergyBalance;
+use crate::golden::{Digest, Measure, MeasureError, Measurement, contacts, digest};
+use crate::packing::{Limits, Statistics};
+use crate::record::json_number;
+use crate::run::{Simulation, drive};
+use crate::scene::{Axis, GrainsScene};
+use serde_json::{Map, Value};
+
+/// Results of a run of grains, in the units of its scene.
+///
+/// [`GrainsScene`] has an example.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// Why the run ended; `None` if it has not.
+    pub ending: Option<Ending>,
+    /// Time at the end.
+    pub time: f64,
+    /// Number of steps taken.
+    pub steps: u64,
+    /// Number of grains.
+    pub grains: usize,
+    /// Mass of all grains.
+    pub mass: f64,
+    /// Force of the grains on the floor, downwards.
+    pub floor_force: f64,
+    /// The last line of the series, with the columns of [`COLUMNS`].
+    pub last: [f64; COLUMNS.len()],
+    /// Numbers and forces of the contacts at the end.
+    pub statistics: Statistics,
+    /// Total number of sweeps.
+    pub iterations: u64,
+    /// Steps in which any tolerance or rule was not met.
+    pub unmet: u64,
+    /// Energy balance.
+    pub energy: EnergyBalance,
+    /// Wall-clock time, in s.
+    pub wall_seconds: f64,
+}
+
+impl Grains {
+    /// Summary of the run so far.
+    pub fn outcome(&self) -> Outcome {
+        let now = self.now();
+        let radii = now.packing.radii();
+        let limits = Limits::of(&self.scene().material());
+        let masses = now
+            .packing
+            .spheres()
+            .iter()
+            .map(|grain| 1.0 / grain.inv_mass);
+        Outcome {
+            ending: self.ending(),
+            time: self.time(),
+            steps: self.steps(),
+            grains: radii.len(),
+            mass: masses.sum(),
+            floor_force: now.push(Axis::Z, End::Low),
+            last: self.record(),
+            statistics: Statistics::of(self.contacts(), radii, &limits),
+            iterations: self.totals().iterations,
+            unmet: self.totals().unmet,
+            energy: *now.packing.energy(),
+            wall_seconds: self.wall_seconds(),
+        }
+    }
+}
+
+impl Outcome {
+    /// A column of the last line of the series.
+    pub fn column(&self, name: &str) -> Option<f64> {
+        let column = COLUMNS.iter().position(|column| *column == name)?;
+        self.last.get(column).copied()
+    }
+
+    /// Where the energy went: names and energies.
+    pub fn dissipation(&self) -> [(&'static str, f64); 5] {
+        [
+            ("normal", self.energy.normal),
+            ("sliding", self.energy.sliding),
+            ("rolling", self.energy.rolling),
+            ("torsion", self.energy.torsion),
+            ("cohesion", self.energy.cohesion),
+        ]
+    }
+
+    /// The summary as JSON.
+    pub fn json(&self, scene: &GrainsScene) -> Value {
+        let mut map = Map::new();
+        map.insert("ending".into(), self.ending.map(Ending::name).into());
+        let mut put = |name: &str, value: Value| map.insert(name.into(), value);
+        put("grains", self.grains.into());
+        put("mass", json_number(self.mass));
+        put("time", json_number(self.time));
+        put("steps", self.steps.into());
+        put("iterations_total", self.iterations.into());
+        put("steps_unmet", self.unmet.into());
+        put("contacts", self.statistics.contacts.into());
+        let energies = COLUMNS.iter().position(|name| *name == "work");
+        let last = COLUMNS.iter().zip(self.last);
+        for (name, value) in last.take(energies.unwrap_or(COLUMNS.len())) {
+            if !["time", "step", "contacts", "kinetic"].contains(name) {
+                put(name, json_number(value));
+            }
+        }
+        put("max_overlap", json_number(self.statistics.max_overlap));
+        put("statistics", self.statistics.json());
+        put("dissipation", object(&self.dissipation()));
+        let others = [
+            ("work", self.energy.work),
+            ("kinetic", self.energy.kinetic),
+            ("imbalance", self.energy.imbalance()),
+        ];
+        put("energy", object(&others));
+        put("wall_seconds", json_number(self.wall_seconds));
+        put("scene", scene.json());
+        put("version", env!("CARGO_PKG_VERSION").into());
+        Value::Object(map)
+    }
+}
+
+fn object(numbers: &[(&str, f64)]) -> Value {
+    let entries = numbers
+        .iter()
+        .map(|(name, value)| ((*name).to_owned(), json_number(*value)));
+    Value::Object(entries.collect())
+}
+
+impl Measure for GrainsScene {
+    fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MeasureError> {
+        let mut grains = Grains::new(self)?;
+        drive::<Grains>(&mut grains, |_, _| watch())
+            .map_err(|error: GrainsError| MeasureError::from(error))?;
+        let rows = grains.series().iter().map(|row| row.to_vec());
+        let summary = grains.outcome().json(self);
+        let mut measurement = Measurement::new(&summary, &COLUMNS, rows);
+        measurement.state = grains.with_snapshot(|end| {
+            vec![
+                ("positions", digest(end.positions)),
+                ("radii", Digest::of(end.radii.iter().copied())),
+                ("velocities", digest(end.velocities.unwrap_or_default())),
+                ("spins", digest(end.spins.unwrap_or_default())),
+                ("contacts", contacts(end.contacts)),
+            ]
+        });
+        Ok(measurement)
+    }
+}

@@ -1,0 +1,99 @@
+//! What a packing of grains is made of: material, bodies and method of its scene.
+
+use super::error::GrainsError;
+use super::layout::Layout;
+use super::loads::Loads;
+use super::placement::Start;
+use crate::cd::{Method as Sweeps, Solver, StepLimits, Wall};
+use crate::packing::{Bodies, Frozen, Material, Method, Packing, build};
+use crate::scene::GrainsScene;
+use std::f64::consts::PI;
+
+/// A share of the duration that no step exceeds.
+const STEPS: f64 = 100.0;
+
+/// The packing of a scene, at its start or from a stored state.
+pub(super) fn packing(
+    scene: &GrainsScene,
+    (layout, loads): (&Layout, &Loads),
+    start: Start,
+    frozen: Option<&Frozen>,
+) -> Result<Box<dyn Packing>, GrainsError> {
+    let mass = scene.piston_mass.unwrap_or_else(|| {
+        let volumes = start.radii.iter().map(|radius| volume(*radius));
+        scene.density * volumes.sum::<f64>()
+    });
+    let wall = |(wall, face): (usize, &super::layout::Face)| {
+        let (inward, place) = (face.inward(), layout.place(*face));
+        if loads.is_piston(wall) {
+            Wall::piston(inward, place, mass, 0.0)
+        } else {
+            Wall::fixed(inward, place)
+        }
+    };
+    let bodies = Bodies {
+        space: layout.space,
+        positions: start.positions,
+        radii: start.radii,
+        walls: layout.faces.iter().enumerate().map(wall).collect(),
+        gravity: loads.gravity(0.0),
+    };
+    let method = method(scene);
+    let mut packing = build(&scene.material(), bodies, &method, frozen)?;
+    // A stored state has its walls where they were.
+    if frozen.is_none() && !loads.apply(layout, &mut *packing) {
+        return Err(GrainsError::Driven);
+    }
+    Ok(packing)
+}
+
+/// Volume of a sphere.
+pub(super) fn volume(radius: f64) -> f64 {
+    4.0 / 3.0 * PI * radius * radius * radius
+}
+
+/// How the contacts of a step are found and solved.
+fn method(scene: &GrainsScene) -> Method {
+    Method::ContactDynamics {
+        solver: Solver {
+            method: Sweeps::Accelerated {
+                tolerance: scene.tolerance,
+            },
+            most_sweeps: scene.sweeps,
+            warm_start: true,
+        },
+        step_limits: StepLimits {
+            motion: scene.motion * scene.radius,
+            longest: scene.longest_step(),
+        },
+        // Gravity and walls change in time, which would not wake grains that sleep.
+        still_speed: 0.0,
+    }
+}
+
+impl GrainsScene {
+    /// Longest time step.
+    pub(super) fn longest_step(&self) -> f64 {
+        let [_, strongest] = self.gravity.range();
+        let fall = (2.0 * self.motion * self.radius / strongest).sqrt();
+        let longest = fall.min(self.duration / STEPS);
+        self.time_step.unwrap_or(longest)
+    }
+
+    /// The material of the grains.
+    #[doc(hidden)]
+    pub fn material(&self) -> Material {
+        Material {
+            density: self.density,
+            cohesion: self.cohesion,
+            cohesion_range: self.cohesion_range,
+            attraction: self.attraction,
+            restitution: self.restitution,
+            sliding: self.sliding,
+            rolling: self.rolling,
+            torsion: self.torsion,
+            coupling: self.coupling,
+            wall: self.wall,
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! Grains as long runs.
+
+use super::{Grains, GrainsError, PlacementError};
+use crate::record::frames::{Bodies, Frame};
+use crate::run::{Cause, LongRun};
+use crate::scene::GrainsScene;
+use std::ops::ControlFlow;
+
+impl LongRun for Grains {
+    type Scene = GrainsScene;
+
+    fn begin(
+        scene: &GrainsScene,
+        checkpoint: Option<&str>,
+        growing: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Self, GrainsError> {
+        Self::begin(scene, checkpoint, growing)
+    }
+
+    fn cause(error: &GrainsError) -> Cause {
+        match error {
+            GrainsError::Checkpoint(_) => Cause::Checkpoint,
+            GrainsError::Placement(PlacementError::Stopped) => Cause::Stopped,
+            _ => Cause::Scene,
+        }
+    }
+
+    fn checkpoint(&self) -> String {
+        self.checkpoint()
+    }
+
+    fn steps(&self) -> u64 {
+        self.steps()
+    }
+
+    fn bodies(&self, limit: u64) -> Bodies {
+        self.bodies(limit)
+    }
+
+    fn frame(&self) -> Frame {
+        self.frame()
+    }
+}

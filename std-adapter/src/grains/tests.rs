@@ -1,0 +1,1 @@
+//! Grains do what their loads say.

@@ -1,0 +1,61 @@
+//! What the steps of a run add up to, beside the state of its packing.
+
+use crate::cd::StepReport;
+use crate::record::CheckpointError;
+use crate::record::kept::{damaged, hex, one};
+use serde_json::{Map, Value};
+
+/// Totals of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Totals {
+    /// Sweeps of the solver.
+    pub iterations: u64,
+    /// Steps in which any tolerance or rule was not met.
+    pub unmet: u64,
+    /// Those in which the solver missed its stopping rule.
+    pub solver_unmet: u64,
+    /// Those in which the impacts were cut off.
+    pub cut: u64,
+    /// Those in which a part of the impacts missed its tolerance.
+    pub impacts_unmet: u64,
+    /// Wall-clock time in s, up to the last start.
+    pub wall_seconds: f64,
+}
+
+impl Totals {
+    /// Adds a step.
+    pub fn add(&mut self, report: &StepReport) {
+        self.iterations += report.iterations.sweeps as u64;
+        self.unmet += u64::from(!report.is_met());
+        self.solver_unmet += u64::from(!report.iterations.met);
+        self.cut += u64::from(report.impacts_cut);
+        self.impacts_unmet += u64::from(report.impacts_unmet > 0);
+    }
+
+    /// Adds the totals to a checkpoint.
+    pub fn put(&self, map: &mut Map<String, Value>) {
+        map.insert("wall_seconds".into(), hex(&[self.wall_seconds]).into());
+        for (name, count) in [
+            ("iterations", self.iterations),
+            ("unmet", self.unmet),
+            ("solver_unmet", self.solver_unmet),
+            ("cut", self.cut),
+            ("impacts_unmet", self.impacts_unmet),
+        ] {
+            map.insert(name.into(), count.into());
+        }
+    }
+
+    /// Reads the totals from a checkpoint.
+    pub fn read(value: &Value) -> Result<Self, CheckpointError> {
+        let whole = |name: &str| value[name].as_u64().ok_or_else(|| damaged(name));
+        Ok(Self {
+            iterations: whole("iterations")?,
+            unmet: whole("unmet")?,
+            solver_unmet: whole("solver_unmet")?,
+            cut: whole("cut")?,
+            impacts_unmet: whole("impacts_unmet")?,
+            wall_seconds: one(value, "wall_seconds")?,
+        })
+    }
+}

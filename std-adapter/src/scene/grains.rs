@@ -1,0 +1,271 @@
+//! The scene of grains in a box: loads and walls that follow time.
+
+use super::entries::Written;
+use super::key::{Domain::*, Need::*};
+use super::powder::{Coupling, MOST_SEEDS, WallLaw};
+use super::reader::Judge;
+use super::table::scene;
+use super::words::{Word, words};
+use crate::grains::Ramp;
+use crate::packing::{Radii, Sizes, SizesError};
+use std::path::PathBuf;
+use tribos_core::contact::Attraction;
+
+/// What bounds the grains along a horizontal axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sides {
+    /// Space repeats.
+    Periodic,
+    /// A wall on each side.
+    Walls,
+}
+words!(Sides { Periodic = "periodic", Walls = "walls" });
+
+/// What bounds the grains along the vertical axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ends {
+    /// A floor, open above.
+    Floor,
+    /// A floor and a plate above.
+    Walls,
+    /// Space repeats.
+    Periodic,
+}
+words!(Ends { Floor = "floor", Walls = "walls", Periodic = "periodic" });
+
+/// An axis of the box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Along `width`.
+    X,
+    /// Along `depth`.
+    Y,
+    /// Upwards.
+    Z,
+}
+words!(Axis { X = "x", Y = "y", Z = "z" });
+
+scene! {
+    /// Grains in a box under gravity, pistons, moving plates and shaking. *Units*: SI; any other
+    /// consistent set of units works, because no constant of nature is inside.
+    ///
+    /// x runs along `width`, y along `depth`, z upwards. Loads are numbers or ramps in time, see
+    /// [`Ramp`].
+    ///
+    /// ```
+    /// use tribos::{grains::Grains, run::drive, scene::GrainsScene};
+    /// // Twenty beads of 1 cm fall on a floor and carry their weight to it.
+    /// let scene = GrainsScene { width: 0.1, count: 20, duration: 1.0, ..Default::default() };
+    /// let mut beads = Grains::new(&scene)?;
+    /// drive(&mut beads, |_, _| ())?;
+    /// let outcome = beads.outcome();
+    /// assert!((outcome.floor_force / (outcome.mass * 9.81) - 1.0).abs() < 0.01);
+    /// # Ok::<(), tribos::grains::GrainsError>(())
+    /// ```
+    pub struct GrainsScene = "grains", "Grains in a box",
+        rules, in_force;
+
+    /// Length of the box along x.
+    width: f64 = 0.1, "m", Positive, Required;
+    /// Length of the box along y; as long as `width` if it is left out. A two-dimensional box has none.
+    depth: Option<f64> = None, "m", Positive;
+    /// Height of the box: where the plate above starts, or the period. If it is left out, a plate starts
+    /// at the highest grain.
+    height: Option<f64> = None, "m", Positive, NotWith("z", "floor");
+    /// What bounds the box along x.
+    x: Sides = Sides::Periodic, "-", OneOf(Sides::WORDS);
+    /// What bounds the box along y.
+    y: Sides = Sides::Periodic, "-", OneOf(Sides::WORDS);
+    /// What bounds the box along z: a floor, floor and plate, or nothing.
+    z: Ends = Ends::Floor, "-", OneOf(Ends::WORDS);
+    /// 3, or 2 for spheres that stay in the plane y = 0 and spin about y.
+    dimension: u32 = 3, "-", Count { up_to: 3.0 };
+    /// Number of grains, unless `start` has them.
+    count: usize = 100, "-", Count { up_to: 1e6 }, UnlessGiven("start");
+    /// Grains to start from in place of random ones: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
+    start: Option<PathBuf> = None, "-", Path;
+    /// Mean radius of the grains.
+    radius: f64 = 0.005, "m", Positive, Required;
+    /// Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread.
+    radius_spread: f64 = 0.0, "-", NotNegative;
+    /// Distribution of the radii about their mean, in place of `radius_spread`.
+    sizes: Option<Sizes> = None, "-", Sizes;
+    /// Density of the grains.
+    density: f64 = 2500.0, "kg/m^3", Positive, Required;
+    /// Seed of the random start.
+    seed: u64 = 1, "-", Count { up_to: MOST_SEEDS };
+    /// Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
+    spacing: f64 = 1.2, "-", Between { above: 1.0, up_to: 100.0 };
+    /// Cohesion F_coh: largest pull of a contact.
+    cohesion: f64 = 0.0, "N", NotNegative;
+    /// Gap up to which cohesion acts.
+    cohesion_range: f64 = 0.0, "m", NotNegative;
+    /// Cohesion at a gap: a constant pull, or a resistance to opening.
+    attraction: Attraction = Attraction::Pull, "-", OneOf(Attraction::WORDS);
+    /// Coefficient of restitution: speed after an impact over speed before, at walls too.
+    restitution: f64 = 0.0, "-", Fraction;
+    /// Sliding coefficient mu: largest sliding force over P = F_n + F_coh.
+    // Glass beads, steel and sand lie between 0.2 and 0.6.
+    sliding: f64 = 0.5, "-", NotNegative;
+    /// Rolling coefficient mu_t: largest rolling torque over P r_eff.
+    rolling: f64 = 0.0, "-", NotNegative;
+    /// Torsion coefficient mu_n: largest torsion torque over P r_eff.
+    torsion: f64 = 0.0, "-", NotNegative;
+    /// How the thresholds of sliding and torsion depend on each other.
+    coupling: Coupling = Coupling::Independent, "-", OneOf(Coupling::WORDS);
+    /// Law at walls: that of grains, cohesion only, or neither.
+    wall: WallLaw = WallLaw::Full, "-", OneOf(WallLaw::WORDS);
+    /// Gravity, downwards.
+    // Standard gravity, to three digits.
+    gravity: Ramp = Ramp::from(9.81), "m/s^2", Ramp;
+    /// Angle by which gravity leans from -z towards x.
+    gravity_angle: Ramp = Ramp::from(0.0), "degree", Ramp;
+    /// Stress on the wall at the far end of x, which moves as a piston.
+    pressure_x: Option<Ramp> = None, "Pa", Ramp, OnlyWith("x", "walls");
+    /// Stress on the wall at the far end of y, which moves as a piston.
+    pressure_y: Option<Ramp> = None, "Pa", Ramp, OnlyWith("y", "walls");
+    /// Stress on the plate above, which moves as a piston without weight.
+    pressure_z: Option<Ramp> = None, "Pa", Ramp, OnlyWith("z", "walls");
+    /// Mass of every piston; that of all grains together if it is left out.
+    piston_mass: Option<f64> = None, "kg", Positive;
+    /// Speed of the wall at the far end of x along x; negative compresses.
+    velocity_x: Option<Ramp> = None, "m/s", Ramp, OnlyWith("x", "walls");
+    /// Speed of the wall at the far end of y along y; negative compresses.
+    velocity_y: Option<Ramp> = None, "m/s", Ramp, OnlyWith("y", "walls");
+    /// Speed of the plate above along z; negative compresses.
+    velocity_z: Option<Ramp> = None, "m/s", Ramp, OnlyWith("z", "walls");
+    /// Speed of the plate above along x, which shears the grains.
+    plate_speed: Ramp = Ramp::from(0.0), "m/s", Ramp, OnlyWith("z", "walls");
+    /// Amplitude with which the box is shaken: all walls that are neither piston nor moved otherwise.
+    shake_amplitude: f64 = 0.0, "m", NotNegative;
+    /// Frequency of the shaking.
+    shake_frequency: f64 = 25.0, "1/s", NotNegative;
+    /// Direction of the shaking.
+    shake_axis: Axis = Axis::Z, "-", OneOf(Axis::WORDS);
+    /// Time after which all ramps start again; without it they are followed once.
+    repeat: Option<f64> = None, "s", Positive;
+    /// Change of a sweep, relative to P, at which sweeps stop.
+    tolerance: f64 = 1e-4, "-", Between { above: 0.0, up_to: 1.0 };
+    /// Most sweeps of a step.
+    sweeps: usize = 1000, "-", Count { up_to: 1e6 };
+    /// Largest distance that a grain may move in a step, in mean radii.
+    // A twentieth of a radius keeps the angle by which a normal turns in a step small.
+    motion: f64 = 0.05, "-", Between { above: 0.0, up_to: 0.5 };
+    /// Longest time step; if it is left out, the time in which gravity moves a grain by `motion` from
+    /// rest, and at most a hundredth of `duration`.
+    time_step: Option<f64> = None, "s", Positive;
+    /// Time after which the run ends.
+    duration: f64 = 1.0, "s", Positive, Required;
+    /// Speed below which the grains are at rest: the run ends once their root mean square speed was lower
+    /// for 100 steps.
+    rest: Option<f64> = None, "m/s", Positive;
+    /// Steps after which a run ends in any case.
+    steps: u64 = 10_000_000, "-", Count { up_to: 1e9 };
+    /// Steps from one line of the series to the next.
+    samples: u64 = 50, "-", Count { up_to: 1e9 };
+}
+
+/// Keys of the controls of the three axes: stress and speed.
+const CONTROLS: [[&str; 2]; 3] = [
+    ["pressure_x", "velocity_x"],
+    ["pressure_y", "velocity_y"],
+    ["pressure_z", "velocity_z"],
+];
+
+/// Dimension, walls and loads must fit together.
+fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
+    if scene.dimension < 2 {
+        let message = format!("`dimension` must be 2 or 3, not {}", scene.dimension);
+        judge.refuse(&["dimension"], message);
+    }
+    if scene.is_flat() && (scene.depth.is_some() || scene.y == Sides::Walls) {
+        let message = "a scene with dimension = 2 has no `depth` and no walls along y";
+        judge.refuse(&["depth", "y", "dimension"], message);
+    }
+    if scene.radius_spread >= 1.0 {
+        let spread = scene.radius_spread;
+        let message = format!("`radius_spread` must be less than 1, not {spread}");
+        judge.refuse(&["radius_spread"], message);
+    }
+    if scene.sizes.is_some() && scene.radius_spread > 0.0 {
+        let message = "give `radius_spread` or `sizes`, not both";
+        judge.refuse(&["sizes", "radius_spread"], message);
+    } else if let Err(error) = scene.radii() {
+        judge.refuse(&["sizes"], error.to_string());
+    }
+    if scene.start.is_some() && (scene.sizes.is_some() || scene.radius_spread > 0.0) {
+        let message = "`start` has its own radii; leave out `sizes` and `radius_spread`";
+        judge.refuse(&["start"], message);
+    }
+    if scene.z == Ends::Periodic && scene.height.is_none() {
+        let message = "`height` is the period where z = \"periodic\"; give it";
+        judge.refuse(&["height", "z"], message);
+    }
+    for (keys, axis) in CONTROLS.iter().zip([Axis::X, Axis::Y, Axis::Z]) {
+        let [pressure, velocity] = [scene.pressure(axis), scene.velocity(axis)];
+        if pressure.is_some() && velocity.is_some() {
+            let message = format!("give `{}` or `{}`, not both", keys[0], keys[1]);
+            judge.refuse(keys, message);
+        }
+        not_negative(judge, keys[0], pressure);
+    }
+    not_negative(judge, "gravity", Some(&scene.gravity));
+}
+
+/// Refuses a ramp that becomes negative.
+fn not_negative(judge: &mut Judge<'_>, key: &'static str, ramp: Option<&Ramp>) {
+    if let Some([least, _]) = ramp.map(Ramp::range)
+        && least < 0.0
+    {
+        judge.refuse(&[key], format!("`{key}` must be >= 0, not {least}"));
+    }
+}
+
+/// A start stands in place of the keys of random grains, a distribution in place of the spread.
+fn in_force(scene: &GrainsScene, key: &str, written: Option<Written>) -> Option<Written> {
+    let starts = scene.start.is_some();
+    written.filter(|_| match key {
+        "count" | "seed" | "spacing" => !starts,
+        "radius_spread" => scene.sizes.is_none() && !starts,
+        _ => true,
+    })
+}
+
+impl GrainsScene {
+    /// Distribution of the radii, in mean radii, if `sizes` gives one.
+    pub(crate) fn radii(&self) -> Result<Option<Radii>, SizesError> {
+        self.sizes.as_ref().map(Sizes::radii).transpose()
+    }
+
+    /// Whether the grains stay in a plane.
+    pub(crate) fn is_flat(&self) -> bool {
+        self.dimension == 2
+    }
+
+    /// Depth of the box; of a two-dimensional one the mean diameter, so that stresses keep their unit.
+    pub(crate) fn box_depth(&self) -> f64 {
+        if self.is_flat() {
+            2.0 * self.radius
+        } else {
+            self.depth.unwrap_or(self.width)
+        }
+    }
+
+    /// Stress on the moving wall of an axis.
+    pub(crate) fn pressure(&self, axis: Axis) -> Option<&Ramp> {
+        match axis {
+            Axis::X => self.pressure_x.as_ref(),
+            Axis::Y => self.pressure_y.as_ref(),
+            Axis::Z => self.pressure_z.as_ref(),
+        }
+    }
+
+    /// Speed of the moving wall of an axis.
+    pub(crate) fn velocity(&self, axis: Axis) -> Option<&Ramp> {
+        match axis {
+            Axis::X => self.velocity_x.as_ref(),
+            Axis::Y => self.velocity_y.as_ref(),
+            Axis::Z => self.velocity_z.as_ref(),
+        }
+    }
+}
