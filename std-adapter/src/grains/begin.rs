@@ -100,3 +100,6 @@ fn check_inside(scene: &GrainsScene, path: &Path, start: &Start) -> Result<(), A
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;

@@ -98,10 +98,8 @@ fn counts(
     };
     let inner: Vec<usize> = assembly.positions.iter().map(inner).collect();
     let mut counts = vec![0.0; bins];
-    let mut centres = vec![0.0; bins];
-    for bin in 0..bins {
-        centres[bin] = inner.iter().filter(|last| **last > bin).count() as f64;
-    }
+    let farther = |bin: usize| inner.iter().filter(|last| **last > bin).count() as f64;
+    let centres = (0..bins).map(farther).collect();
     for [a, b] in pairs
         .into_iter()
         .map(|pair| pair.map(|index| index as usize))

@@ -91,10 +91,9 @@ fn domain(domain: &Domain) -> Map<String, Value> {
         Domain::Count { up_to } => {
             json!({"type": "integer", "minimum": 1, "maximum": up_to as u64})
         }
-        Domain::Law | Domain::Patch | Domain::Potential | Domain::Sizes => {
+        Domain::Law | Domain::Patch | Domain::Potential | Domain::Sizes | Domain::Path => {
             json!({"type": "string"})
         }
-        Domain::Path => json!({"type": "string", "minLength": 1}),
         Domain::Ramp => json!({"type": ["number", "string"]}),
         Domain::OneOf(words) => json!({"type": "string", "enum": words}),
     };

@@ -90,8 +90,8 @@ Examples:
   A powder, measured at its end and over all of its frames:
     tribos run compaction-small --set height=20 --out out/powder
     tribos measure out/powder --out out/powder-measures --frames
-  A packing of another program, with contacts up to a gap of 1 % of a radius:
-    tribos measure packing.xyz --gap 0.01 --format json";
+  A file, as one of another program, with contacts up to a gap of 1 % of a radius:
+    tribos measure out/powder/final.xyz --gap 0.01 --format json";
 
 /// Files that --out gets.
 const FILES: [&str; 19] = [

@@ -32,6 +32,9 @@ pub(crate) fn read_spheres(text: &str) -> Result<(Configuration, Spheres), TextE
     Ok((reader.configuration, reader.spheres))
 }
 
+/// Number and velocity of an atom, and the angular velocity of a sphere.
+type Motion<'a> = ([&'a str; 4], Option<[&'a str; 3]>);
+
 /// Style of the atoms of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Style {
@@ -229,7 +232,7 @@ impl Reader {
                 return Err(cut(lines, "a velocity", self.header.atoms, "Velocities"));
             };
             let words = line.words();
-            let (&[id, x, y, z], spin) = self.velocity_words(line, &words)?;
+            let ([id, x, y, z], spin) = self.velocity_words(line, &words)?;
             let number = line.whole("the number of an atom", 1..=u64::MAX, id)?;
             let Some(&index) = self.index_of.get(&number) else {
                 let valid = "that of an atom in the section Atoms, which stands before";
@@ -252,16 +255,11 @@ impl Reader {
     }
 
     /// Number and velocity, and the angular velocity of a sphere.
-    #[expect(clippy::type_complexity, reason = "slices of one line")]
-    fn velocity_words<'a, 'b>(
-        &self,
-        line: Line,
-        words: &'b [&'a str],
-    ) -> Result<(&'b [&'a str; 4], Option<[&'a str; 3]>), TextError> {
+    fn velocity_words<'a>(&self, line: Line, words: &[&'a str]) -> Result<Motion<'a>, TextError> {
         let wrong = |valid: &str| line.invalid("a line of Velocities", valid, line.text);
-        match (words.split_first_chunk::<4>(), self.style) {
-            (Some((head, [])), Style::Atomic) => Ok((head, None)),
-            (Some((head, &[wx, wy, wz])), Style::Sphere) => Ok((head, Some([wx, wy, wz]))),
+        match (words, self.style) {
+            (&[id, x, y, z], Style::Atomic) => Ok(([id, x, y, z], None)),
+            (&[id, x, y, z, wx, wy, wz], Style::Sphere) => Ok(([id, x, y, z], Some([wx, wy, wz]))),
             (_, Style::Atomic) => Err(wrong("ID VX VY VZ")),
             (_, Style::Sphere) => Err(wrong("ID VX VY VZ WX WY WZ")),
         }

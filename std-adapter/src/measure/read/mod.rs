@@ -281,9 +281,9 @@ impl Assembly {
             file: file.into(),
             cause,
         })?;
-        for axis in 0..3 {
-            if let Some(length) = periods[axis] {
-                self.bounds[axis] = [0.0, length];
+        for (bounds, length) in self.bounds.iter_mut().zip(periods) {
+            if let Some(length) = length {
+                *bounds = [0.0, length];
             }
         }
         Ok(self)
