@@ -81,6 +81,7 @@
 //! | [`grains`] | grains in boxes under gravity, pistons, moving plates and shaking |
 //! | [`soft`] | soft spheres: the same contacts with springs and dashpots |
 //! | [`event`], [`gas`] | hard spheres from collision to collision; granular gases |
+//! | [`measure`] | stress, fabric, pair correlation, force chains of packings; packings of other programs |
 //! | [`md`], [`tip`] | pair potentials of atoms; a tip of atoms turned on a substrate |
 //! | [`fit`] | parameters of friction laws from measurements |
 //! | [`run`] | the driver: sessions with checkpoints, progress, cancellation |
@@ -98,6 +99,7 @@ pub mod gas;
 pub mod golden;
 pub mod grains;
 pub mod md;
+pub mod measure;
 pub mod onset;
 mod packing;
 pub mod powder;

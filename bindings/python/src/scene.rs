@@ -31,13 +31,16 @@ pub fn vocabularies(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
             let (kind, words) = match key.domain {
                 Domain::Count { .. } => ("count", &[][..]),
                 Domain::OneOf(words) => ("word", words),
-                Domain::Law | Domain::Patch | Domain::Potential => ("text", &[][..]),
+                Domain::Law | Domain::Patch | Domain::Potential | Domain::Sizes | Domain::Path => {
+                    ("text", &[][..])
+                }
                 _ => ("number", &[][..]),
             };
             row.set_item("kind", kind)?;
             row.set_item("words", words)?;
             let (unless, unit_with) = match key.need {
-                Need::UnlessGiven(other) => (Some(other), None),
+                Need::UnlessGiven(other) => (Some(vec![other]), None),
+                Need::UnlessEither(one, two) => (Some(vec![one, two]), None),
                 Need::UnitWith(other, word) => (None, Some((other, word))),
                 _ => (None, None),
             };
@@ -62,7 +65,7 @@ pub fn vocabularies(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
 fn is_needed(need: Need) -> bool {
     matches!(
         need,
-        Need::Required | Need::UnlessGiven(_) | Need::UnitWith(..)
+        Need::Required | Need::UnlessGiven(_) | Need::UnlessEither(..) | Need::UnitWith(..)
     )
 }
 

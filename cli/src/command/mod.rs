@@ -19,6 +19,7 @@ mod inverse;
 mod laws;
 mod lines;
 mod manual;
+mod measure;
 mod modes;
 mod number;
 mod onset;
@@ -66,7 +67,7 @@ pub fn program() -> clap::Command {
 }
 
 /// What `--help` of a command begins with: the documentation of its arguments.
-fn documentation() -> [(&'static str, StyledStr); 19] {
+fn documentation() -> [(&'static str, StyledStr); 20] {
     fn of<A: clap::Args>() -> StyledStr {
         let command = A::augment_args(clap::Command::new(""));
         let text = command.get_long_about().or(command.get_about());
@@ -85,6 +86,7 @@ fn documentation() -> [(&'static str, StyledStr); 19] {
         ("deposit", of::<deposit::Arguments>()),
         ("eval", of::<eval::Arguments>()),
         ("export", of::<export::Arguments>()),
+        ("measure", of::<measure::Arguments>()),
         ("golden", of::<golden::Arguments>()),
         ("sweep", of::<sweep::Arguments>()),
         ("reproduce", of::<reproduce::Arguments>()),
@@ -148,6 +150,8 @@ pub enum Command {
     View(view::Arguments),
     /// Ballistic deposits of spheres: grown, exported, their porosity.
     Deposit(deposit::Arguments),
+    /// Stress, fabric, correlations, force chains of a packing.
+    Measure(measure::Arguments),
     /// Parameters of a friction law from measurements, with their standard errors.
     Fit(fit::Arguments),
     /// Forces, energy and pressure of atoms as a file has them.
@@ -183,6 +187,7 @@ impl Command {
             Self::Scene(arguments) => arguments.execute(),
             Self::View(arguments) => arguments.execute(),
             Self::Deposit(arguments) => arguments.execute(),
+            Self::Measure(arguments) => arguments.execute(),
             Self::Fit(arguments) => arguments.execute(),
             Self::Eval(arguments) => arguments.execute(),
             Self::Export(arguments) => arguments.execute(),

@@ -13,7 +13,9 @@ pub const GROUPS: [(&str, &[&str]); 6] = [
     ),
     (
         "Bodies, powders, atoms",
-        &["run", "view", "inverse", "deposit", "eval", "export"],
+        &[
+            "run", "view", "inverse", "deposit", "measure", "eval", "export",
+        ],
     ),
     ("What a run needs", &["scene", "explain"]),
     ("Many runs", &["sweep"]),

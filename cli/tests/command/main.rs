@@ -16,6 +16,7 @@ mod held;
 mod help;
 mod hold;
 mod inverse;
+mod measure;
 mod messages;
 mod numbers;
 mod odd_inputs;

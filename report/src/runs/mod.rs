@@ -4,6 +4,7 @@ pub mod deposit;
 mod frames;
 pub mod gas;
 pub mod grains;
+pub mod measure;
 pub mod powder;
 pub mod tip;
 

@@ -2,7 +2,7 @@
 
 use super::measure::Line;
 use super::run::Ending;
-use crate::packing::{Frozen, Totals};
+use crate::packing::{Frozen, Shape, Totals};
 use crate::record::kept::{damaged, groups, hex, opened, same_scene};
 use crate::record::{CheckpointError, sealed};
 use crate::scene::GrainsScene;
@@ -27,10 +27,12 @@ pub(super) struct Checkpoint {
 
 impl Checkpoint {
     /// Text of the checkpoint file.
-    pub fn text(&self, scene: &GrainsScene) -> String {
+    pub fn text(&self, scene: &GrainsScene, shape: &Shape) -> String {
         let mut map = Map::new();
         map.insert(NAME.into(), VERSION.into());
         map.insert("scene".into(), scene.json());
+        // Read by runs that start from this state.
+        shape.put(&mut map);
         self.frozen.put(&mut map);
         self.totals.put(&mut map);
         map.insert("slow".into(), self.slow.into());

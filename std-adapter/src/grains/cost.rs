@@ -1,10 +1,11 @@
 //! Forecast of the cost of a run: contacts, unknowns, time.
 
+use super::begin::start;
 use super::error::GrainsError;
 use super::layout::Layout;
 use super::loads::Loads;
 use super::parts::packing;
-use super::placement::start;
+use crate::measure::Assembly;
 use crate::run::RunSize;
 use crate::scene::{Coupling, Ends, GrainsScene, Sides};
 use std::ops::ControlFlow;
@@ -60,12 +61,20 @@ const ROUNDS: usize = 15;
 /// assert_eq!(size.bodies, 1000.0);
 /// ```
 pub fn size(scene: &GrainsScene) -> RunSize {
-    let bodies = scene.count as f64;
+    let bodies = count(scene) as f64;
     let steps = (scene.duration / scene.longest_step()).min(scene.steps as f64);
     RunSize {
         bodies,
         bytes: bodies * BYTES_A_GRAIN,
         seconds: bodies * steps * SECONDS_A_STEP,
+    }
+}
+
+/// Number of grains; 0 if those of a start cannot be read.
+fn count(scene: &GrainsScene) -> usize {
+    match &scene.start {
+        Some(path) => Assembly::read(path).map_or(0, |grains| grains.radii.len()),
+        None => scene.count,
     }
 }
 
@@ -86,8 +95,8 @@ pub fn cost(scene: &GrainsScene) -> Result<GrainsCost, GrainsError> {
     let [update_seconds, sliding_seconds] = update_seconds([scene, &plain])?;
     let longest_step = scene.longest_step();
     Ok(GrainsCost {
-        grains: scene.count,
-        contacts: CONTACTS.map(|share| (share * scene.count as f64).round() as usize),
+        grains: count(scene),
+        contacts: CONTACTS.map(|share| (share * count(scene) as f64).round() as usize),
         unknowns: modes.unknowns(),
         bytes: modes.bytes(),
         longest_step,
@@ -122,6 +131,8 @@ fn timed(scene: &GrainsScene) -> Result<f64, GrainsError> {
         count: EDGE.pow(3),
         radius: 0.5 * side / EDGE as f64 / (1.0 + 1e-9),
         radius_spread: 0.0,
+        sizes: None,
+        start: None,
         spacing: 1.0 + 1e-12,
         sweeps: SWEEPS,
         tolerance: f64::MIN_POSITIVE,

@@ -2,6 +2,7 @@
 
 use super::placement::PlacementError;
 use crate::cd::WorldError;
+use crate::measure::AssemblyError;
 use crate::packing::PackingError;
 use crate::record::CheckpointError;
 use crate::scene::InvalidScene;
@@ -26,6 +27,9 @@ pub enum GrainsError {
     /// The grains cannot be placed.
     #[error(transparent)]
     Placement(#[from] PlacementError),
+    /// The grains that the scene starts from cannot be used.
+    #[error("`start`: {0}")]
+    Start(#[from] AssemblyError),
     /// A length of the box cannot be a period.
     #[error(transparent)]
     Space(#[from] PeriodicBoxError),

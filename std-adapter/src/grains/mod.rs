@@ -3,6 +3,7 @@
 //! A [`GrainsScene`](crate::scene::GrainsScene) says the box, the grains, their material and the loads,
 //! which may be [`Ramp`]s in time. [`Grains`] runs it.
 
+mod begin;
 mod checkpoint;
 mod cost;
 mod error;

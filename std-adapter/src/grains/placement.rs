@@ -1,6 +1,8 @@
 //! The start: grains that touch neither each other nor a wall, at random places of a lattice.
 
+use crate::packing::{Frozen, Radii, SizesError};
 use crate::random::Random;
+use crate::record::ContactRow;
 use crate::scene::{Ends, GrainsScene, Sides};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
@@ -20,6 +22,9 @@ pub(super) struct Start {
     pub radii: Vec<f64>,
     /// One flag a grain, true if it is of the second material.
     pub is_second: Vec<bool>,
+    pub contacts: Vec<ContactRow>,
+    /// Motion, walls and forces of grains that were not placed at random.
+    pub frozen: Option<Frozen>,
 }
 
 /// Why grains cannot be placed.
@@ -34,6 +39,9 @@ pub(super) struct Start {
 /// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PlacementError {
+    /// The distribution of the radii is refused.
+    #[error(transparent)]
+    Sizes(#[from] SizesError),
     /// The box is narrower than one place of the lattice.
     #[error(
         "the box is {given} wide along {axis}, and a grain needs {needed} there at the start; \
@@ -71,9 +79,17 @@ pub(super) fn start(
     scene: &GrainsScene,
     mut watch: impl FnMut(usize) -> ControlFlow<()>,
 ) -> Result<Start, PlacementError> {
-    let lattice = Lattice::of(scene)?;
-    let is_second = second(scene);
-    let mut radii = radii(scene);
+    let distribution = scene.radii()?;
+    let distribution = distribution.as_ref();
+    let largest = distribution.map_or(1.0 + scene.radius_spread, |radii| radii.bounds()[1]);
+    let widest = if scene.share_second > 0.0 {
+        scene.radius_second.max(1.0)
+    } else {
+        1.0
+    };
+    let lattice = Lattice::of(scene, widest * largest)?;
+    let is_second = second(scene, scene.count);
+    let mut radii = radii(scene, distribution);
     for (radius, _) in radii.iter_mut().zip(&is_second).filter(|(_, is)| **is) {
         *radius *= scene.radius_second;
     }
@@ -89,25 +105,30 @@ pub(super) fn start(
         positions,
         radii,
         is_second,
+        contacts: Vec::new(),
+        frozen: None,
     })
 }
 
 /// Which grains are of the second material: so many of all, each choice as likely (Knuth's algorithm S).
-fn second(scene: &GrainsScene) -> Vec<bool> {
+pub(super) fn second(scene: &GrainsScene, count: usize) -> Vec<bool> {
     let mut random = Random::new(scene.seed, SECOND);
-    let mut needed = (scene.share_second * scene.count as f64).round();
+    let mut needed = (scene.share_second * count as f64).round();
     let mut choose = |index: usize| {
-        let is = needed > 0.0 && random.unit() * ((scene.count - index) as f64) < needed;
+        let is = needed > 0.0 && random.unit() * ((count - index) as f64) < needed;
         needed -= f64::from(u8::from(is));
         is
     };
-    (0..scene.count).map(&mut choose).collect()
+    (0..count).map(&mut choose).collect()
 }
 
-/// Radii, uniform within their spread.
-fn radii(scene: &GrainsScene) -> Vec<f64> {
+/// Radii of a distribution, or uniform within their spread.
+fn radii(scene: &GrainsScene, distribution: Option<&Radii>) -> Vec<f64> {
     let mut random = Random::new(scene.seed, RADII);
     let mut radius = || {
+        if let Some(distribution) = distribution {
+            return scene.radius * distribution.at(random.unit());
+        }
         let share = 2.0 * random.unit() - 1.0;
         scene.radius * (1.0 + scene.radius_spread * share)
     };
@@ -124,13 +145,9 @@ struct Lattice {
 }
 
 impl Lattice {
-    fn of(scene: &GrainsScene) -> Result<Self, PlacementError> {
-        let widest = if scene.share_second > 0.0 {
-            scene.radius_second.max(1.0)
-        } else {
-            1.0
-        };
-        let needed = 2.0 * widest * scene.radius * (1.0 + scene.radius_spread) * scene.spacing;
+    /// Places for grains up to `largest` mean radii.
+    fn of(scene: &GrainsScene, largest: f64) -> Result<Self, PlacementError> {
+        let needed = 2.0 * scene.radius * largest * scene.spacing;
         let flat = scene.is_flat();
         let divide = |axis: &'static str, given: f64| {
             let places = (given / needed).floor();

@@ -1,14 +1,14 @@
 //! A run of grains.
 
+use super::begin::start;
 use super::checkpoint::Checkpoint;
 use super::error::GrainsError;
 use super::layout::Layout;
 use super::loads::Loads;
 use super::measure::{COLUMNS, Line, Now, RESIDUAL};
 use super::parts::packing;
-use super::placement::start;
 use crate::cd::StepReport;
-use crate::packing::{Packing, Totals};
+use crate::packing::{Packing, Shape, Stored, Totals};
 use crate::record::{ContactRow, Snapshot};
 use crate::run::Simulation;
 use crate::scene::GrainsScene;
@@ -124,14 +124,15 @@ impl Grains {
         if let Some(kept) = &kept {
             kept.fits([start.radii.len(), layout.faces.len()], scene.samples)?;
         }
-        let frozen = kept.as_ref().map(|kept| &kept.frozen);
+        let (contacts, frozen) = (start.contacts.clone(), start.frozen.clone());
+        let frozen = kept.as_ref().map(|kept| &kept.frozen).or(frozen.as_ref());
         let packing = packing(scene, (&layout, &loads), start, frozen)?;
         let mut grains = Self {
             scene: scene.clone(),
             layout,
             loads,
             packing,
-            contacts: Vec::new(),
+            contacts,
             report: StepReport::default(),
             totals: Totals::default(),
             slow: 0,
@@ -171,7 +172,30 @@ impl Grains {
             series: self.series.clone(),
             ending: self.ending,
         };
-        checkpoint.text(&self.scene)
+        checkpoint.text(&self.scene, &self.shape())
+    }
+
+    /// The current state as a file, from which a run of another scene can start: `start` names the file or its
+    /// folder.
+    pub fn state(&self) -> String {
+        let stored = Stored {
+            scene: self.scene.json(),
+            shape: self.shape(),
+            frozen: self.packing.freeze(),
+        };
+        stored.text()
+    }
+
+    fn shape(&self) -> Shape {
+        let walls = self.packing.walls().iter();
+        // Contacts between two lines of the series are found anew.
+        let found = self.packing.contacts();
+        Shape {
+            space: self.layout.space,
+            radii: self.packing.radii().to_vec(),
+            outward: walls.map(|wall| wall.outward).collect(),
+            contacts: found.unwrap_or_else(|_| self.contacts.clone()),
+        }
     }
 
     /// The scene of the run.

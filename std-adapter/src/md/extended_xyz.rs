@@ -4,6 +4,7 @@ mod header;
 
 use super::atoms::{Atoms, MOST_SPECIES};
 use super::configuration::Configuration;
+use super::spheres::Spheres;
 use super::text::{Line, Lines, TextError};
 use header::Header;
 use nalgebra::Vector3;
@@ -31,25 +32,42 @@ const CUT_SHORT: &str = "is the file cut short?";
 /// order of their first appearance. Masses are 1. Without `Lattice` all axes are open and the box
 /// encloses the atoms.
 pub fn last_frame(text: &str) -> Result<Configuration, TextError> {
-    let mut lines = Lines::new(text);
     let mut last = None;
+    each_frame(text, |frame, _| last = Some(frame))?;
+    last.ok_or_else(|| {
+        Lines::new("")
+            .here()
+            .missing("a frame", "is the file empty?")
+    })
+}
+
+/// Reads all frames, of which there is one at least.
+pub(crate) fn each_frame(
+    text: &str,
+    mut take: impl FnMut(Configuration, Spheres),
+) -> Result<(), TextError> {
+    let mut lines = Lines::new(text);
+    let mut is_first = true;
     loop {
         while lines.peek().is_some_and(|line| line.text.trim().is_empty()) {
             lines.next();
         }
-        match (lines.peek(), last) {
-            (None, Some(frame)) => return Ok(frame),
-            _ => last = Some(frame(&mut lines)?),
+        if lines.peek().is_none() && !is_first {
+            return Ok(());
         }
+        is_first = false;
+        let (frame, spheres) = frame(&mut lines)?;
+        take(frame, spheres);
     }
 }
 
-fn frame(lines: &mut Lines) -> Result<Configuration, TextError> {
+fn frame(lines: &mut Lines) -> Result<(Configuration, Spheres), TextError> {
     let line = lines.need("the number of atoms", "is the file empty?")?;
     let most = u64::from(u32::MAX);
     let count = line.whole("the number of atoms", 0..=most, line.text.trim())?;
     let line = lines.need("the line of properties", CUT_SHORT)?;
     let header = Header::read(line)?;
+    let mut spheres = Spheres::begin(line, header.radius.is_some(), header.spin.is_some());
     let mut atoms = Atoms::at(Vec::new());
     let (mut ids, mut names) = (Vec::new(), Vec::new());
     let mut seen = HashSet::new();
@@ -68,6 +86,12 @@ fn frame(lines: &mut Lines) -> Result<Configuration, TextError> {
             .map(|at| vector(line, "a velocity", &words, at));
         let velocity = velocity.transpose()?.unwrap_or_else(Vector3::zeros);
         atoms.velocities.push(velocity);
+        if let Some(at) = header.radius {
+            spheres.add_radius(line, words[at], 1.0)?;
+        }
+        if let (Some(at), Some(spins)) = (header.spin, &mut spheres.spins) {
+            spins.push(vector(line, "an angular velocity", &words, at)?);
+        }
         names.push((line, words[header.species]));
         let id = match header.id {
             Some(at) => line.whole("the number of an atom", 0..=u64::MAX, words[at])?,
@@ -85,7 +109,7 @@ fn frame(lines: &mut Lines) -> Result<Configuration, TextError> {
     let names = number_species(&mut atoms, &names)?;
     atoms.check()?;
     let bounds = header.bounds.unwrap_or_else(|| extent(&atoms.positions));
-    Ok(Configuration {
+    let configuration = Configuration {
         atoms,
         ids,
         names,
@@ -94,7 +118,8 @@ fn frame(lines: &mut Lines) -> Result<Configuration, TextError> {
         is_periodic: header.is_periodic,
         step: 0,
         forces: None,
-    })
+    };
+    Ok((configuration, spheres))
 }
 
 /// A vector from three columns.

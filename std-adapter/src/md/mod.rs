@@ -26,6 +26,7 @@ pub mod neighbours;
 #[doc(hidden)]
 pub mod observe;
 pub mod pair;
+pub(crate) mod spheres;
 #[doc(hidden)]
 pub mod support;
 #[doc(hidden)]

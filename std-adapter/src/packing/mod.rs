@@ -5,20 +5,27 @@
 mod carried;
 mod extras;
 mod frozen;
+mod given;
 mod limits;
 mod material;
 mod rigid;
+mod sizes;
 mod soft;
 mod statistics;
+mod stored;
 mod stress;
 mod totals;
 
 pub use carried::{Carried, CarriedModes};
 pub(crate) use extras::{Extras, Second};
 pub(crate) use frozen::{Force, Forces, Frozen};
+pub(crate) use given::given;
 pub use limits::Limits;
 pub use material::Material;
+pub use sizes::{Radii, Sizes, SizesError};
 pub use statistics::Statistics;
+pub use stored::STATE;
+pub(crate) use stored::{Shape, Stored};
 pub use stress::Stress;
 pub(crate) use totals::Totals;
 

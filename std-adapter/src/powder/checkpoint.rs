@@ -2,7 +2,7 @@
 
 use super::blocked::Window;
 use super::compaction::{COLUMNS, Ending};
-use crate::packing::{Frozen, Stress, Totals};
+use crate::packing::{Frozen, Shape, Stress, Totals};
 use crate::record::kept::{damaged, groups, hex, numbers, opened, same_scene};
 use crate::record::{CheckpointError, sealed};
 use crate::scene::PowderScene;
@@ -31,10 +31,12 @@ pub(super) struct Checkpoint {
 
 impl Checkpoint {
     /// Text of the checkpoint file.
-    pub fn text(&self, scene: &PowderScene) -> String {
+    pub fn text(&self, scene: &PowderScene, shape: &Shape) -> String {
         let mut map = Map::new();
         map.insert(NAME.into(), VERSION.into());
         map.insert("scene".into(), scene.json());
+        // Read by runs that start from this state.
+        shape.put(&mut map);
         self.frozen.put(&mut map);
         let mut put = |name: &str, numbers: Vec<f64>| {
             map.insert(name.into(), hex(&numbers).into());

@@ -6,8 +6,9 @@ use super::deposit::{BULK, Deposit, DepositError, volume_between};
 use super::error::CompactionError;
 use super::outcome::Outcome;
 use super::parts::{PISTON, packing};
+use super::start::Start;
 use crate::cd::StepReport;
-use crate::packing::{Limits, Packing, Statistics, Stress, Totals, branch, is_at};
+use crate::packing::{Limits, Packing, Shape, Statistics, Stored, Stress, Totals, branch, is_at};
 use crate::record::{ContactRow, Snapshot};
 use crate::run::Simulation;
 use crate::scene::PowderScene;
@@ -110,6 +111,8 @@ impl Ending {
 pub struct Compaction {
     scene: PowderScene,
     deposit: Deposit,
+    /// Contacts at the start.
+    first_contacts: Vec<ContactRow>,
     packing: Box<dyn Packing>,
     /// Total volume of the spheres.
     solid: f64,
@@ -177,9 +180,12 @@ impl Compaction {
     /// assert!(matches!(refused, Err(CompactionError::Deposit(DepositError::Empty))));
     /// ```
     pub fn check(scene: &PowderScene) -> Result<(), CompactionError> {
-        let diameter = 2.0 * (1.0 - scene.radius_spread);
-        if scene.count.is_none() && scene.height < diameter {
+        let diameter = 2.0 * scene.least_radius();
+        if scene.start.is_none() && scene.count.is_none() && scene.height < diameter {
             return Err(DepositError::Empty.into());
+        }
+        if scene.start.is_some() {
+            return Self::new(scene).map(|_| ());
         }
         let two = PowderScene {
             count: Some(2),
@@ -212,13 +218,16 @@ impl Compaction {
         scene.check()?;
         let kept = checkpoint.map(|text| Checkpoint::read(text, scene));
         let kept = kept.transpose()?;
-        let deposit = scene
-            .ballistic()?
-            .grow_watched(scene.until(), scene.seed, watch)?;
+        let Start {
+            deposit,
+            contacts,
+            frozen,
+        } = Start::of(scene, watch)?;
         if let Some(kept) = &kept {
             kept.fits(deposit.positions.len(), scene.samples.max(1))?;
         }
-        let packing = packing(scene, &deposit, kept.as_ref().map(|kept| &kept.frozen))?;
+        let frozen = kept.as_ref().map(|kept| &kept.frozen).or(frozen.as_ref());
+        let packing = packing(scene, &deposit, frozen)?;
         let solid = deposit
             .radii
             .iter()
@@ -227,7 +236,8 @@ impl Compaction {
         let mut compaction = Self {
             scene: scene.clone(),
             window: Window::starting(deposit.height),
-            contacts: deposit.contacts(),
+            contacts: contacts.clone(),
+            first_contacts: contacts,
             deposit,
             packing,
             solid,
@@ -266,7 +276,51 @@ impl Compaction {
             series: self.series.clone(),
             ending: self.ending,
         };
-        checkpoint.text(&self.scene)
+        checkpoint.text(&self.scene, &self.shape())
+    }
+
+    /// The current state as a file, from which a run of another scene can start: `start` names the file or its
+    /// folder.
+    ///
+    /// ```
+    /// use tribos::powder::Compaction;
+    /// use tribos::run::Simulation;
+    /// # use tribos::scene::PowderScene;
+    /// # let scene = PowderScene { width: 6.0, height: 8.0, pressure: 0.02, ..PowderScene::default() };
+    /// let mut light = Compaction::new(&scene)?;
+    /// for _ in 0..20 {
+    ///     light.step()?;
+    /// }
+    /// # let home = tempfile::tempdir()?;
+    /// # let file = home.path().join("state.json");
+    /// std::fs::write(&file, light.state())?;
+    /// let heavy = PowderScene { pressure: 0.04, start: Some(file), ..scene };
+    /// let heavy = Compaction::new(&heavy)?;
+    /// assert_eq!((heavy.steps(), heavy.height()), (0, light.height()));
+    /// assert_eq!(heavy.contacts(), light.contacts());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn state(&self) -> String {
+        let stored = Stored {
+            scene: self.scene.json(),
+            shape: self.shape(),
+            frozen: self.packing.freeze(),
+        };
+        stored.text()
+    }
+
+    fn shape(&self) -> Shape {
+        Shape {
+            space: self.deposit.space,
+            radii: self.packing.radii().to_vec(),
+            outward: self
+                .packing
+                .walls()
+                .iter()
+                .map(|wall| wall.outward)
+                .collect(),
+            contacts: self.contacts.clone(),
+        }
     }
 
     /// The scene of the run.
@@ -305,9 +359,15 @@ impl Compaction {
         &self.series
     }
 
-    /// The deposit from which the run started.
+    /// The deposit, or the other spheres, from which the run started.
     pub fn deposit(&self) -> &Deposit {
         &self.deposit
+    }
+
+    /// Contacts at the start: those of the deposit, or of the state from which the run started.
+    #[doc(hidden)]
+    pub fn first_contacts(&self) -> &[ContactRow] {
+        &self.first_contacts
     }
 
     /// Contacts after the last step with their forces; before the first step, the contacts of the deposit.

@@ -3,13 +3,16 @@
 use super::deposit::{Ballistic, Deposit};
 use super::error::CompactionError;
 use super::parts::packing;
+use super::start::Start;
 use crate::cd::solid;
+use crate::measure::Assembly;
 use crate::packing::{CarriedModes, Packing};
 use crate::run::RunSize;
 use crate::scene::{ContactMethod, Coupling, PowderScene, SweepMethod, SweepOrder, SweepStop};
 use crate::soft::{self, StepLength};
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
+use std::ops::ControlFlow;
 use std::time::Instant;
 use tribos_core::contact::Sphere;
 
@@ -125,6 +128,9 @@ pub fn stable_step(scene: &PowderScene) -> Option<f64> {
 
 /// Number of spheres in the deposit; `None` if width and capture radius are incompatible.
 fn expected_spheres(scene: &PowderScene) -> f64 {
+    if let Some(path) = &scene.start {
+        return Assembly::read(path).map_or(0.0, |spheres| spheres.radii.len() as f64);
+    }
     let spheres = |ballistic: Ballistic| ballistic.expected_spheres(scene.until());
     scene.ballistic().map_or(0.0, spheres)
 }
@@ -137,8 +143,8 @@ pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
     scene.check()?;
     let expected = expected_spheres(scene);
     let spheres = if expected <= COUNTED {
-        let deposit = scene.ballistic()?.grow(scene.until(), scene.seed)?;
-        deposit.positions.len()
+        let start = Start::of(scene, |_| ControlFlow::Continue(()))?;
+        start.deposit.positions.len()
     } else {
         expected.round() as usize
     };

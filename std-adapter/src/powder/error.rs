@@ -2,6 +2,7 @@
 
 use super::deposit::DepositError;
 use crate::cd::WorldError;
+use crate::measure::AssemblyError;
 use crate::packing::PackingError;
 use crate::record::CheckpointError;
 use crate::scene::InvalidScene;
@@ -26,6 +27,9 @@ pub enum CompactionError {
     /// The deposit cannot be grown.
     #[error(transparent)]
     Deposit(#[from] DepositError),
+    /// The spheres that the scene starts from cannot be used.
+    #[error("`start`: {0}")]
+    Start(#[from] AssemblyError),
     /// The kernel refused a law.
     #[error(transparent)]
     Law(#[from] LawError),

@@ -11,10 +11,11 @@ mod frames;
 mod outcome;
 mod parts;
 mod session;
+mod start;
 
 pub use crate::packing::Statistics;
 #[doc(hidden)]
-pub use crate::packing::{Carried, CarriedModes, Limits, Material, Stress};
+pub use crate::packing::{Carried, CarriedModes, Limits, Material, STATE, Stress};
 pub use crate::record::CheckpointError;
 #[doc(hidden)]
 pub use blocked::{Means, Window};

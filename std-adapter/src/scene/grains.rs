@@ -1,11 +1,14 @@
 //! The scene of grains in a box: loads and walls that follow time.
 
+use super::entries::Written;
 use super::key::{Domain::*, Need::*};
 use super::powder::{Coupling, MOST_SEEDS, WallLaw};
 use super::reader::Judge;
-use super::table::{as_written, scene};
+use super::table::scene;
 use super::words::{Word, words};
 use crate::grains::Ramp;
+use crate::packing::{Radii, Sizes, SizesError};
+use std::path::PathBuf;
 use tribos_core::contact::Attraction;
 
 /// What bounds the grains along a horizontal axis.
@@ -60,7 +63,7 @@ scene! {
     /// # Ok::<(), tribos::grains::GrainsError>(())
     /// ```
     pub struct GrainsScene = "grains", "Grains in a box",
-        rules, as_written;
+        rules, in_force;
 
     /// Length of the box along x.
     width: f64 = 0.1, "m", Positive, Required;
@@ -77,12 +80,16 @@ scene! {
     z: Ends = Ends::Floor, "-", OneOf(Ends::WORDS);
     /// 3, or 2 for spheres that stay in the plane y = 0 and spin about y.
     dimension: u32 = 3, "-", Count { up_to: 3.0 };
-    /// Number of grains.
-    count: usize = 100, "-", Count { up_to: 1e6 }, Required;
+    /// Number of grains, unless `start` has them.
+    count: usize = 100, "-", Count { up_to: 1e6 }, UnlessGiven("start");
+    /// Grains to start from in place of random ones: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
+    start: Option<PathBuf> = None, "-", Path;
     /// Mean radius of the grains.
     radius: f64 = 0.005, "m", Positive, Required;
     /// Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread.
     radius_spread: f64 = 0.0, "-", NotNegative;
+    /// Distribution of the radii about their mean, in place of `radius_spread`.
+    sizes: Option<Sizes> = None, "-", Sizes;
     /// Density of the grains.
     density: f64 = 2500.0, "kg/m^3", Positive, Required;
     /// Seed of the random start.
@@ -192,6 +199,16 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
         let message = format!("`radius_spread` must be less than 1, not {spread}");
         judge.refuse(&["radius_spread"], message);
     }
+    if scene.sizes.is_some() && scene.radius_spread > 0.0 {
+        let message = "give `radius_spread` or `sizes`, not both";
+        judge.refuse(&["sizes", "radius_spread"], message);
+    } else if let Err(error) = scene.radii() {
+        judge.refuse(&["sizes"], error.to_string());
+    }
+    if scene.start.is_some() && (scene.sizes.is_some() || scene.radius_spread > 0.0) {
+        let message = "`start` has its own radii; leave out `sizes` and `radius_spread`";
+        judge.refuse(&["start"], message);
+    }
     if scene.z == Ends::Periodic && scene.height.is_none() {
         let message = "`height` is the period where z = \"periodic\"; give it";
         judge.refuse(&["height", "z"], message);
@@ -220,7 +237,22 @@ fn not_negative(judge: &mut Judge<'_>, key: &'static str, ramp: Option<&Ramp>) {
     }
 }
 
+/// A start stands in place of the keys of random grains, a distribution in place of the spread.
+fn in_force(scene: &GrainsScene, key: &str, written: Option<Written>) -> Option<Written> {
+    let starts = scene.start.is_some();
+    written.filter(|_| match key {
+        "count" | "seed" | "spacing" => !starts,
+        "radius_spread" => scene.sizes.is_none() && !starts,
+        _ => true,
+    })
+}
+
 impl GrainsScene {
+    /// Distribution of the radii, in mean radii, if `sizes` gives one.
+    pub(crate) fn radii(&self) -> Result<Option<Radii>, SizesError> {
+        self.sizes.as_ref().map(Sizes::radii).transpose()
+    }
+
     /// Whether the grains stay in a plane.
     pub(crate) fn is_flat(&self) -> bool {
         self.dimension == 2

@@ -4,6 +4,7 @@ use super::entries::Written;
 use super::words::meant;
 use crate::friction::{Law, Patch};
 use crate::grains::Ramp;
+use crate::packing::Sizes;
 use crate::tip::Potential;
 
 /// One key of a scene file.
@@ -63,6 +64,10 @@ pub enum Domain {
     Patch,
     /// A potential of atoms, as [`crate::tip::Potential`] reads it.
     Potential,
+    /// A distribution of radii, as [`crate::scene::Sizes`] reads it.
+    Sizes,
+    /// The path of a file or a folder, relative to the working directory.
+    Path,
     /// A number, or a ramp in time, as [`crate::grains::Ramp`] reads it.
     Ramp,
 }
@@ -76,6 +81,8 @@ pub enum Need {
     Optional,
     /// Every file gives either this key or the named one; an override of that replaces this.
     UnlessGiven(&'static str),
+    /// Every file gives one of this key and the two named ones; an override of those replaces this.
+    UnlessEither(&'static str, &'static str),
     /// Every file gives it, except where the other key has this word: there it is 1.
     UnitWith(&'static str, &'static str),
     /// The key exists only where the other key has this word.
@@ -103,6 +110,8 @@ impl Domain {
             Self::Potential => {
                 "\"lennard-jones\", \"sutton-chen:Cu\" or another metal, or \"eam:FILE\"".into()
             }
+            Self::Sizes => Sizes::FORMS.into(),
+            Self::Path => "the path of a file or a folder".into(),
             Self::Ramp => "a finite number, or a ramp such as \"0:0, 0.5:1e3, 1:0\"".into(),
             Self::OneOf(words) => format!("one of \"{}\"", words.join("\", \"")),
         }
@@ -118,7 +127,12 @@ impl Domain {
                 Self::Between { above, up_to } => x > above && x <= up_to,
                 Self::Fraction => (0.0..=1.0).contains(&x),
                 Self::Count { up_to } => x >= 1.0 && x <= up_to && x.fract() == 0.0,
-                Self::OneOf(_) | Self::Law | Self::Patch | Self::Potential => false,
+                Self::OneOf(_)
+                | Self::Law
+                | Self::Patch
+                | Self::Potential
+                | Self::Sizes
+                | Self::Path => false,
             }
     }
 }
@@ -141,12 +155,22 @@ impl Key {
                 let refused = text.parse::<Potential>().err()?;
                 return Some(format!("`{}`: {refused}", self.name));
             }
+            (Domain::Sizes, Written::Text(text)) => {
+                return Some(format!("`{}`: {}", self.name, text.parse::<Sizes>().err()?));
+            }
             (Domain::Ramp, Written::Text(text)) => {
                 return Some(format!("`{}`: {}", self.name, text.parse::<Ramp>().err()?));
             }
-            (Domain::OneOf(_) | Domain::Law | Domain::Patch | Domain::Potential, other) => {
-                format!("not {}", other.kind())
-            }
+            (Domain::Path, Written::Text(text)) if !text.trim().is_empty() => return None,
+            (
+                Domain::OneOf(_)
+                | Domain::Law
+                | Domain::Patch
+                | Domain::Potential
+                | Domain::Sizes
+                | Domain::Path,
+                other,
+            ) => format!("not {}", other.kind()),
             (domain, Written::Number(x)) if domain.admits(*x) => return None,
             (_, other) => other.got(),
         };

@@ -40,6 +40,7 @@ mod turntable;
 mod vocabulary;
 mod words;
 
+pub use crate::packing::{Radii, Sizes, SizesError};
 pub use body::{Scene, parse_scene, read_scene};
 pub use clamp::ClampScene;
 pub use curling::{CurlingScene, IceModel};

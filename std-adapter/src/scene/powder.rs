@@ -6,8 +6,10 @@ use super::reader::Judge;
 use super::table::scene;
 use super::words::{Word, words};
 use crate::cd::{Method, Order, Solver, StepLimits, Stop};
+use crate::packing::Sizes;
 use crate::powder::deposit::{Ballistic, DepositError, Until};
 use crate::soft::Stiffness;
+use std::path::PathBuf;
 use tribos_core::contact::Attraction;
 
 /// What spheres do at substrate and piston.
@@ -129,15 +131,19 @@ scene! {
 
     /// Side of the square base, periodic in x and y.
     width: f64 = 20.0, "R", Positive, Required;
-    /// Height at which the deposit is cut and the piston starts, unless `count` is given.
-    height: f64 = 61.5, "R", Positive, UnlessGiven("count");
+    /// Height at which the deposit is cut and the piston starts, unless `count` or `start` is given.
+    height: f64 = 61.5, "R", Positive, UnlessEither("count", "start");
     /// Number of spheres, in place of `height`.
     count: Option<usize> = None, "-", Count { up_to: 1e6 };
+    /// Spheres to start from in place of a deposit: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
+    start: Option<PathBuf> = None, "-", Path;
     /// Distance of centres at which a falling sphere is captured.
     // Thesis, section 4.5.
     capture_radius: f64 = 3.0, "R", Positive;
     /// Spread of the radii, which are uniform from 1 - spread to 1 + spread.
     radius_spread: f64 = 0.0, "R", NotNegative;
+    /// Distribution of the radii about their mean, in place of `radius_spread`.
+    sizes: Option<Sizes> = None, "-", Sizes;
     /// Seed of the deposit's random numbers.
     seed: u64 = 1, "-", Count { up_to: MOST_SEEDS };
     /// Sliding coefficient mu: largest sliding force over P = F_n + F_coh.
@@ -235,24 +241,41 @@ fn rules(scene: &PowderScene, judge: &mut Judge<'_>) {
             judge.refuse(&["damping", "restitution"], message);
         }
     }
-    if scene.radius_spread >= 1.0 {
+    if let Some(start) = &scene.start {
+        if scene.count.is_some() || scene.sizes.is_some() || scene.radius_spread > 0.0 {
+            let message = format!(
+                "`start` has its own spheres, those of {}; leave out `count`, `sizes` and `radius_spread`",
+                start.display()
+            );
+            judge.refuse(&["start"], message);
+        }
+    } else if scene.sizes.is_some() && scene.radius_spread > 0.0 {
+        judge.refuse(
+            &["sizes", "radius_spread"],
+            "give `radius_spread` or `sizes`, not both",
+        );
+    } else if scene.radius_spread >= 1.0 {
         let spread = scene.radius_spread;
         let message = format!("`radius_spread` must be less than 1, not {spread}");
         judge.refuse(&["radius_spread"], message);
     } else if let Err(error) = scene.ballistic() {
-        judge.refuse(
-            &["capture_radius", "width", "radius_spread"],
-            error.to_string(),
-        );
+        let keys: &[&'static str] = match error {
+            DepositError::Sizes(_) => &["sizes"],
+            _ => &["capture_radius", "width", "radius_spread", "sizes"],
+        };
+        judge.refuse(keys, error.to_string());
     }
 }
 
-/// A number of spheres stands in place of the height, restitution in place of damping, springs in place of
-/// sweeps.
+/// A number of spheres or a start stands in place of the height, a start or a distribution in place of the
+/// keys of the deposit, restitution in place of damping, springs in place of sweeps.
 fn in_force(scene: &PowderScene, key: &str, written: Option<Written>) -> Option<Written> {
+    let starts = scene.start.is_some();
     let soft = scene.method == ContactMethod::Soft;
     written.filter(|_| match key {
-        "height" => scene.count.is_none(),
+        "height" => scene.count.is_none() && !starts,
+        "radius_spread" => scene.sizes.is_none() && !starts,
+        "capture_radius" | "seed" => !starts,
         "damping" => scene.restitution == 0.0,
         "order" | "stop" | "tolerance" => !soft,
         _ => true,
@@ -272,8 +295,19 @@ impl PowderScene {
 
     /// How the deposit grows, if width, capture radius and spread fit together.
     pub fn ballistic(&self) -> Result<Ballistic, DepositError> {
+        if let Some(sizes) = &self.sizes {
+            return Ballistic::sized(self.width, sizes.radii()?, self.capture_radius);
+        }
         let radii = [1.0 - self.radius_spread, 1.0 + self.radius_spread];
         Ballistic::uneven(self.width, radii, self.capture_radius)
+    }
+
+    /// Smallest radius of the deposit; 0 if the distribution is refused.
+    pub(crate) fn least_radius(&self) -> f64 {
+        match &self.sizes {
+            Some(sizes) => sizes.radii().map_or(0.0, |radii| radii.bounds()[0]),
+            None => 1.0 - self.radius_spread,
+        }
     }
 
     /// When the deposit is complete.

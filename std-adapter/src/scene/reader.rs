@@ -87,6 +87,7 @@ impl<'a> Judge<'a> {
                     }
                     _ => {}
                 },
+                Need::UnlessEither(one, two) => self.one_of_three([name, one, two], key),
                 Need::UnitWith(other, word) => {
                     let is_unit = scene.says(other, word);
                     if !is_unit && !is_given && self.file.is_some() {
@@ -114,6 +115,24 @@ impl<'a> Judge<'a> {
                     }
                 }
             }
+        }
+    }
+
+    /// A file gives exactly one of three keys, of which an override replaces the first.
+    fn one_of_three(&mut self, [name, one, two]: [&'static str; 3], key: &Key) {
+        let [own, first, second] = [name, one, two].map(|key| self.place(key));
+        match (own, first.or(second)) {
+            (Some(Origin::Line(_)), Some(Origin::Override)) => {}
+            (Some(_), Some(_)) => {
+                let other = if first.is_some() { one } else { two };
+                let message = format!("give `{name}` or `{other}`, not both");
+                self.refuse(&[other, name], message);
+            }
+            (None, None) if self.file.is_some() => {
+                let message = format!("{}; or give `{one}` or `{two}`", key.missing());
+                self.refuse(&[name], message);
+            }
+            _ => {}
         }
     }
 

@@ -91,7 +91,9 @@ fn domain(domain: &Domain) -> Map<String, Value> {
         Domain::Count { up_to } => {
             json!({"type": "integer", "minimum": 1, "maximum": up_to as u64})
         }
-        Domain::Law | Domain::Patch | Domain::Potential => json!({"type": "string"}),
+        Domain::Law | Domain::Patch | Domain::Potential | Domain::Sizes | Domain::Path => {
+            json!({"type": "string"})
+        }
         Domain::Ramp => json!({"type": ["number", "string"]}),
         Domain::OneOf(words) => json!({"type": "string", "enum": words}),
     };
@@ -121,6 +123,9 @@ fn conditions(keys: &[Key]) -> Vec<Value> {
             Need::Required | Need::Optional => None,
             Need::UnlessGiven(other) => Some(json!({
                 "oneOf": [{"required": [name]}, {"required": [other]}]
+            })),
+            Need::UnlessEither(one, two) => Some(json!({
+                "oneOf": [{"required": [name]}, {"required": [one]}, {"required": [two]}]
             })),
             Need::UnitWith(other, word) => Some(json!({
                 "if": says(other, word),

@@ -8,10 +8,12 @@ use super::words::Word;
 use crate::friction::{Law, Patch};
 use crate::golden::{Measure, MeasureError, Measurement};
 use crate::grains::Ramp;
+use crate::packing::Sizes;
 use crate::record::json_number;
 use crate::tip::Potential;
 use serde_json::{Map, Value};
 use std::fmt::Debug;
+use std::path::PathBuf;
 
 /// A value that a key may set.
 pub(super) trait Setting {
@@ -73,6 +75,31 @@ impl Setting for Option<Law> {
     fn set(&mut self, value: &Written) {
         if let Written::Text(text) = value {
             *self = text.parse().ok();
+        }
+    }
+}
+
+impl Setting for Option<Sizes> {
+    fn written(&self) -> Option<Written> {
+        self.as_ref().map(|sizes| Written::Text(sizes.to_string()))
+    }
+
+    fn set(&mut self, value: &Written) {
+        if let Written::Text(text) = value {
+            *self = text.parse().ok();
+        }
+    }
+}
+
+impl Setting for Option<PathBuf> {
+    fn written(&self) -> Option<Written> {
+        let path = self.as_ref()?;
+        Some(Written::Text(path.display().to_string()))
+    }
+
+    fn set(&mut self, value: &Written) {
+        if let Written::Text(text) = value {
+            *self = Some(text.trim().into());
         }
     }
 }

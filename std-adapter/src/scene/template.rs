@@ -105,6 +105,9 @@ pub fn keys_page() -> String {
                 (_, Some(default)) => format!("`{default}`"),
                 (Need::Required, None) => "required".into(),
                 (Need::UnlessGiven(other), None) => format!("required unless `{other}` is given"),
+                (Need::UnlessEither(one, two), None) => {
+                    format!("required unless `{one}` or `{two}` is given")
+                }
                 (Need::UnitWith(other, word), None) => {
                     format!("required; 1 with {other} = \"{word}\"")
                 }

@@ -55,6 +55,8 @@ fn every_key_sets_its_field() {
                 Domain::Law => "\"dry:mu_s=0.4,mu_d=0.3\"".into(),
                 Domain::Patch => "\"box:0.2x0.1\"".into(),
                 Domain::Potential => "\"sutton-chen:Ag\"".into(),
+                Domain::Sizes => "\"normal:0.1\"".into(),
+                Domain::Path => "\"out/powder\"".into(),
                 Domain::Count { .. } => format!("{}", was.as_u64().unwrap_or(30) + 4),
                 _ => format!("{}", 0.98 * was.as_f64().unwrap_or(0.8) + 0.0017),
             };
@@ -62,7 +64,8 @@ fn every_key_sets_its_field() {
                 .least()
                 .into_iter()
                 .filter(|(name, _)| *name != key.name)
-                .filter(|(name, _)| !(key.name == "count" && *name == "height"))
+                .filter(|(name, _)| !(["count", "start"].contains(&key.name) && *name == "height"))
+                .filter(|(name, _)| !(key.name == "start" && *name == "count"))
                 .filter(|(name, _)| key.name != "law" || !["coefficient", "alpha"].contains(name))
                 .filter(|(name, _)| !(is_of_slide(key) && *name == "lambda"))
                 .map(|(name, value)| format!("{name} = {value}\n"))

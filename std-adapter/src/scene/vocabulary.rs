@@ -67,7 +67,9 @@ impl Vocabulary {
     pub fn least(&self) -> Vec<(&'static str, String)> {
         let values = (self.example)();
         let is_needed = |key: &&Key| match key.need {
-            Need::Required | Need::UnlessGiven(_) | Need::UnitWith(..) => true,
+            Need::Required | Need::UnlessGiven(_) | Need::UnlessEither(..) | Need::UnitWith(..) => {
+                true
+            }
             _ => key.name == "body" && self.body != DEFAULT_BODY,
         };
         let keys = self.keys.iter().filter(is_needed);

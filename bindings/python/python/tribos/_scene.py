@@ -78,7 +78,8 @@ class Scene:
                 continue
             is_default = value == key["default"]
             if key["unless"] is not None:
-                stands_in = getattr(self, field_name(key["unless"])) is not None
+                others = (getattr(self, field_name(other)) for other in key["unless"])
+                stands_in = any(other is not None for other in others)
                 is_left_out = is_default and stands_in
             elif key["unit_with"] is not None:
                 other, word = key["unit_with"]

@@ -27,6 +27,7 @@ pub const POWDER: &[&str] = &[
     "final.xyz",
     "final.vtp",
     "final-contacts.vtp",
+    "final-state.json",
 ];
 
 /// Results of grains.

@@ -15,6 +15,8 @@ pub(super) struct Header {
     pub place: usize,
     pub velocity: Option<usize>,
     pub id: Option<usize>,
+    pub radius: Option<usize>,
+    pub spin: Option<usize>,
 }
 
 /// Columns of a file without `Properties`.
@@ -64,6 +66,8 @@ impl Header {
                 .ok_or_else(|| line.missing("pos:R:3", "Properties must name it"))?,
             velocity: column(&["vel", "velo", "velocities"], "R", 3),
             id: column(&["id"], "I", 1),
+            radius: column(&["radius", "radii", "Radius"], "R", 1),
+            spin: column(&["omega", "angular_velocity"], "R", 3),
         })
     }
 }

@@ -15,6 +15,9 @@ pub(super) struct Columns {
     pub images: Option<[usize; 3]>,
     pub velocity: Option<[usize; 3]>,
     pub forces: Option<[usize; 3]>,
+    /// Column of the size of spheres, and its ratio to the radius.
+    pub size: Option<(usize, f64)>,
+    pub spin: Option<[usize; 3]>,
 }
 
 /// Names of position columns, preferred first, with whether they are fractions of the box and wrapped.
@@ -53,6 +56,10 @@ impl Columns {
             images: three(["ix", "iy", "iz"]).filter(|_| is_wrapped),
             velocity: three(["vx", "vy", "vz"]),
             forces: three(["fx", "fy", "fz"]),
+            size: find("radius")
+                .map(|at| (at, 1.0))
+                .or(find("diameter").map(|at| (at, 0.5))),
+            spin: three(["omegax", "omegay", "omegaz"]),
         })
     }
 }

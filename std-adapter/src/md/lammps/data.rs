@@ -3,6 +3,7 @@
 use super::header::{Header, section};
 use crate::md::atoms::Atoms;
 use crate::md::configuration::Configuration;
+use crate::md::spheres::Spheres;
 use crate::md::text::{Line, Lines, TextError};
 use nalgebra::Vector3;
 use std::collections::HashMap;
@@ -22,9 +23,54 @@ use std::collections::HashMap;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn read_data(text: &str) -> Result<Configuration, TextError> {
+    Ok(read(text, Style::Atomic)?.configuration)
+}
+
+/// The spheres of a data file (`atom_style sphere`).
+pub(crate) fn read_spheres(text: &str) -> Result<(Configuration, Spheres), TextError> {
+    let reader = read(text, Style::Sphere)?;
+    Ok((reader.configuration, reader.spheres))
+}
+
+/// Number and velocity of an atom, and the angular velocity of a sphere.
+type Motion<'a> = ([&'a str; 4], Option<[&'a str; 3]>);
+
+/// Style of the atoms of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Style {
+    Atomic,
+    Sphere,
+}
+
+impl Style {
+    /// Name in the heading of the section Atoms.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Atomic => "atomic",
+            Self::Sphere => "sphere",
+        }
+    }
+
+    fn cure(self) -> &'static str {
+        match self {
+            Self::Atomic => "write the file with atom_style atomic",
+            Self::Sphere => "write the file with atom_style sphere",
+        }
+    }
+
+    /// Words of a line before the image flags, and which of them is x.
+    fn words(self) -> (usize, usize) {
+        match self {
+            Self::Atomic => (5, 2),
+            Self::Sphere => (7, 4),
+        }
+    }
+}
+
+fn read(text: &str, style: Style) -> Result<Reader, TextError> {
     let mut lines = Lines::new(text);
     let header = Header::read(&mut lines)?;
-    let mut reader = Reader::new(header);
+    let mut reader = Reader::new(header, style);
     while let Some(line) = lines.next() {
         match section(line) {
             Some("Masses") => reader.masses(&mut lines)?,
@@ -36,7 +82,14 @@ pub fn read_data(text: &str) -> Result<Configuration, TextError> {
                 return Err(TextError::Unsupported {
                     line: line.number,
                     what: format!("the section `{other}`"),
-                    cure: "known are Masses, Atoms and Velocities; write the file with atom_style atomic",
+                    cure: match style {
+                        Style::Atomic => {
+                            "known are Masses, Atoms and Velocities; write the file with atom_style atomic"
+                        }
+                        Style::Sphere => {
+                            "known are Masses, Atoms and Velocities; write the file with atom_style sphere"
+                        }
+                    },
                 });
             }
             None if line.without_comment().text.is_empty() => {}
@@ -59,16 +112,20 @@ fn body<'a>(lines: &mut Lines<'a>) -> Option<Line<'a>> {
 
 struct Reader {
     header: Header,
+    style: Style,
+    spheres: Spheres,
     configuration: Configuration,
     index_of: HashMap<u64, usize>,
 }
 
 impl Reader {
-    fn new(header: Header) -> Self {
+    fn new(header: Header, style: Style) -> Self {
         let mut atoms = Atoms::at(Vec::new());
         atoms.masses = vec![1.0; header.species];
         Self {
             header,
+            style,
+            spheres: Spheres::default(),
             configuration: Configuration {
                 atoms,
                 ids: Vec::new(),
@@ -109,14 +166,15 @@ impl Reader {
 
     fn atoms(&mut self, heading: Line, lines: &mut Lines) -> Result<(), TextError> {
         if let Some((_, style)) = heading.text.split_once('#')
-            && style.trim() != "atomic"
+            && style.trim() != self.style.name()
         {
             return Err(TextError::Unsupported {
                 line: heading.number,
                 what: format!("the atom style `{}`", style.trim()),
-                cure: "write the file with atom_style atomic",
+                cure: self.style.cure(),
             });
         }
+        self.spheres = Spheres::begin(heading, self.style == Style::Sphere, false);
         if !self.configuration.ids.is_empty() {
             return Err(twice(heading, "the section", "Atoms"));
         }
@@ -131,11 +189,18 @@ impl Reader {
 
     fn atom(&mut self, line: Line) -> Result<(), TextError> {
         let words = line.words();
-        let &[id, species, x, y, z, ref flags @ ..] = words.as_slice() else {
-            return Err(wrong_atom(line));
-        };
-        if !matches!(flags.len(), 0 | 3) {
-            return Err(wrong_atom(line));
+        let (count, at) = self.style.words();
+        if words.len() != count && words.len() != count + 3 {
+            return Err(wrong_atom(line, self.style));
+        }
+        let (words, flags) = words.split_at(count);
+        let (id, species, [x, y, z]) = (
+            words[0],
+            words[1],
+            [words[at], words[at + 1], words[at + 2]],
+        );
+        if self.style == Style::Sphere {
+            self.spheres.add_radius(line, words[2], 0.5)?;
         }
         let number = line.whole("the number of an atom", 1..=u64::MAX, id)?;
         let index = self.configuration.ids.len();
@@ -167,9 +232,7 @@ impl Reader {
                 return Err(cut(lines, "a velocity", self.header.atoms, "Velocities"));
             };
             let words = line.words();
-            let &[id, x, y, z] = words.as_slice() else {
-                return Err(line.invalid("a line of Velocities", "ID VX VY VZ", line.text));
-            };
+            let ([id, x, y, z], spin) = self.velocity_words(line, &words)?;
             let number = line.whole("the number of an atom", 1..=u64::MAX, id)?;
             let Some(&index) = self.index_of.get(&number) else {
                 let valid = "that of an atom in the section Atoms, which stands before";
@@ -179,16 +242,35 @@ impl Reader {
                 return Err(twice(line, "the velocity of atom", id));
             }
             self.configuration.atoms.velocities[index] = vector(line, "a velocity", [x, y, z])?;
+            if let Some(words) = spin {
+                let count = self.configuration.ids.len();
+                let spins = self
+                    .spheres
+                    .spins
+                    .get_or_insert_with(|| vec![Vector3::zeros(); count]);
+                spins[index] = vector(line, "an angular velocity", words)?;
+            }
         }
         Ok(())
     }
 
-    fn finish(self, mut lines: Lines) -> Result<Configuration, TextError> {
+    /// Number and velocity, and the angular velocity of a sphere.
+    fn velocity_words<'a>(&self, line: Line, words: &[&'a str]) -> Result<Motion<'a>, TextError> {
+        let wrong = |valid: &str| line.invalid("a line of Velocities", valid, line.text);
+        match (words, self.style) {
+            (&[id, x, y, z], Style::Atomic) => Ok(([id, x, y, z], None)),
+            (&[id, x, y, z, wx, wy, wz], Style::Sphere) => Ok(([id, x, y, z], Some([wx, wy, wz]))),
+            (_, Style::Atomic) => Err(wrong("ID VX VY VZ")),
+            (_, Style::Sphere) => Err(wrong("ID VX VY VZ WX WY WZ")),
+        }
+    }
+
+    fn finish(self, mut lines: Lines) -> Result<Self, TextError> {
         if self.configuration.ids.len() != self.header.atoms {
             lines.need("the section Atoms", "is the file cut short?")?;
         }
         self.configuration.atoms.check()?;
-        Ok(self.configuration)
+        Ok(self)
     }
 }
 
@@ -214,7 +296,12 @@ fn cut(lines: &mut Lines, what: &'static str, count: usize, section: &str) -> Te
     lines.here().missing(what, cure)
 }
 
-fn wrong_atom(line: Line) -> TextError {
-    let valid = "ID TYPE X Y Z, and three image flags or none (atom_style atomic)";
+fn wrong_atom(line: Line, style: Style) -> TextError {
+    let valid = match style {
+        Style::Atomic => "ID TYPE X Y Z, and three image flags or none (atom_style atomic)",
+        Style::Sphere => {
+            "ID TYPE DIAMETER DENSITY X Y Z, and three image flags or none (atom_style sphere)"
+        }
+    };
     line.invalid("a line of Atoms", valid, line.text)
 }

@@ -5,6 +5,7 @@ use super::columns::Columns;
 use super::data::vector;
 use crate::md::atoms::{Atoms, MOST_SPECIES};
 use crate::md::configuration::Configuration;
+use crate::md::spheres::Spheres;
 use crate::md::text::{Line, Lines, TextError};
 use nalgebra::Vector3;
 use std::collections::HashSet;
@@ -33,6 +34,13 @@ const CUT_SHORT: &str = "is the file cut short?";
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn frames(text: &str) -> impl Iterator<Item = Result<Configuration, TextError>> {
+    sphere_frames(text).map(|frame| frame.map(|(frame, _)| frame))
+}
+
+/// All frames with the columns of spheres: `radius` or `diameter`, and `omegax omegay omegaz`.
+pub(crate) fn sphere_frames(
+    text: &str,
+) -> impl Iterator<Item = Result<(Configuration, Spheres), TextError>> {
     let mut lines = Lines::new(text);
     let mut is_over = false;
     std::iter::from_fn(move || {
@@ -61,7 +69,7 @@ pub fn last_frame(text: &str) -> Result<Configuration, TextError> {
     })
 }
 
-fn frame(lines: &mut Lines) -> Result<Configuration, TextError> {
+fn frame(lines: &mut Lines) -> Result<(Configuration, Spheres), TextError> {
     let mut head = Head::default();
     loop {
         let line = lines.need("ITEM: ATOMS", CUT_SHORT)?;
@@ -134,7 +142,7 @@ impl Head {
         item: Line,
         columns: &Columns,
         lines: &mut Lines,
-    ) -> Result<Configuration, TextError> {
+    ) -> Result<(Configuration, Spheres), TextError> {
         let before = |what: &str| format!("give ITEM: {what} before ITEM: ATOMS");
         let count = self.atoms;
         let count = count.ok_or_else(|| item.missing("their number", before("NUMBER OF ATOMS")))?;
@@ -151,10 +159,12 @@ impl Head {
             step: self.step,
             forces: columns.forces.map(|_| Vec::new()),
         };
+        let mut spheres = Spheres::begin(item, columns.size.is_some(), columns.spin.is_some());
         let mut seen = HashSet::new();
         for _ in 0..count {
             let line = lines.need("an atom", CUT_SHORT)?;
             atom(&mut all, columns, line)?;
+            sphere(&mut spheres, columns, line)?;
             if let Some(id) = all.ids.last().filter(|&&id| !seen.insert(id)) {
                 return Err(TextError::Twice {
                     line: line.number,
@@ -166,8 +176,20 @@ impl Head {
         let species = all.atoms.species.iter().max();
         all.atoms.masses = vec![1.0; species.map_or(1, |&most| usize::from(most) + 1)];
         all.atoms.check()?;
-        Ok(all)
+        Ok((all, spheres))
     }
+}
+
+fn sphere(spheres: &mut Spheres, columns: &Columns, line: Line) -> Result<(), TextError> {
+    let words = line.words();
+    if let Some((at, factor)) = columns.size {
+        spheres.add_radius(line, words[at], factor)?;
+    }
+    if let (Some(at), Some(spins)) = (columns.spin, &mut spheres.spins) {
+        let words = at.map(|column| words[column]);
+        spins.push(vector(line, "an angular velocity", words)?);
+    }
+    Ok(())
 }
 
 fn atom(all: &mut Configuration, columns: &Columns, line: Line) -> Result<(), TextError> {

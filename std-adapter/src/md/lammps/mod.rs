@@ -8,5 +8,7 @@ mod header;
 mod write;
 
 pub use data::read_data;
+pub(crate) use data::read_spheres;
+pub(crate) use dump::sphere_frames;
 pub use dump::{frames, last_frame};
 pub use write::{data_file, dump_frame};

@@ -1,6 +1,7 @@
 //! Errors of the growth of a deposit.
 
 use super::MOST_SPHERES;
+use crate::packing::SizesError;
 use crate::space::PeriodicBoxError;
 
 /// Why a deposit cannot be grown.
@@ -14,7 +15,7 @@ use crate::space::PeriodicBoxError;
 /// assert_eq!(nothing, Err(DepositError::Empty));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DepositError {
     /// A length is not a finite positive number.
     #[error("the {name} must be finite and positive, not {given}")]
@@ -27,6 +28,9 @@ pub enum DepositError {
     /// The width of the base is not a valid period.
     #[error(transparent)]
     Base(#[from] PeriodicBoxError),
+    /// The distribution of the radii is refused.
+    #[error(transparent)]
+    Sizes(#[from] SizesError),
     /// The bounds of the radii are in the wrong order.
     #[error("the smallest radius, {low}, exceeds the largest, {high}")]
     Radii {

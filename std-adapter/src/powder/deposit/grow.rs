@@ -99,15 +99,12 @@ impl Ballistic {
         /// Solid fraction of spheres that stick where they touch, and the exponent of its decrease.
         const TOUCHING: f64 = 0.1535;
         const POWER: f64 = 1.72;
-        let [low, high] = self.radii;
         let height = match until {
             Until::Count(count) => return count as f64,
             Until::Height(height) | Until::Cut(height) => height,
         };
-        let solid = TOUCHING * libm::pow((low + high) / self.capture_radius, POWER);
-        // Mean of r³ between the bounds.
-        let mean_cube = 0.25 * (low + high) * (low * low + high * high);
-        let sphere = 4.0 / 3.0 * PI * mean_cube;
+        let solid = TOUCHING * libm::pow(self.radii.two_means() / self.capture_radius, POWER);
+        let sphere = 4.0 / 3.0 * PI * self.radii.mean_cube();
         (solid * self.width * self.width * height / sphere).max(1.0)
     }
 
@@ -118,7 +115,7 @@ impl Ballistic {
         watch: &mut impl FnMut(usize) -> ControlFlow<()>,
         mut goes_on: impl FnMut(&Deposit) -> bool,
     ) -> Result<Deposit, DepositError> {
-        let [_, largest] = self.radii;
+        let [_, largest] = self.radii.bounds();
         let farthest = 2.0 * largest + self.capture_gap();
         let mut columns = Columns::new(self.space, self.width, farthest, largest);
         let mut random = Random::new(seed, STREAM);
@@ -157,11 +154,10 @@ impl Ballistic {
     /// Drops one sphere and brings it to rest.
     fn drop_one(&self, columns: &Columns, random: &mut Random) -> Landed {
         let [x, y] = [(); 2].map(|()| self.width * random.unit());
-        let [low, high] = self.radii;
-        let radius = if low < high {
-            low + (high - low) * random.unit()
+        let radius = if self.radii.are_equal() {
+            self.radii.at(0.0)
         } else {
-            low
+            self.radii.at(random.unit())
         };
         // The sphere is captured by another one above the height at which the substrate captures.
         let captured = Vector3::new(x, y, radius + self.substrate_gap());

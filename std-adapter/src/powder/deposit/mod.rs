@@ -15,11 +15,12 @@ pub use error::DepositError;
 #[doc(hidden)]
 pub use porosity::{BULK, volume_between};
 
+use crate::packing::Radii;
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 
-/// Random stream of a deposit. It gives x, y and, if radii differ, the radius of
-/// each sphere, in this order.
+/// Random stream of a deposit. It gives x, y and, if radii differ, the share of the spheres
+/// that are smaller, whose quantile is the radius, of each sphere, in this order.
 ///
 /// ```
 /// use tribos::powder::deposit::{Ballistic, STREAM, Until};
@@ -62,7 +63,7 @@ pub const MOST_SPHERES: usize = 20_000_000;
 /// only if r_capt < 2.5 R.
 ///
 /// *Unequal radii*: capture depends on the gap between the surfaces, r_capt − 2r̄ for every pair with
-/// r̄ the middle of the bounds, r_capt − r̄ for the substrate; the proof above remains valid (with a factor
+/// r̄ the mean radius, r_capt − r̄ for the substrate; the proof above remains valid (with a factor
 /// of the radii instead, a sphere could be moved into a smaller one).
 ///
 /// Any unit of length. In the thesis' units R = 1, and r_capt = 3 gives a porosity of 92 %.
@@ -73,11 +74,11 @@ pub const MOST_SPHERES: usize = 20_000_000;
 /// assert!((deposit.porosity() - 0.92).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Ballistic {
     space: PeriodicBox,
     width: f64,
-    radii: [f64; 2],
+    radii: Radii,
     capture_radius: f64,
 }
 
@@ -122,7 +123,8 @@ pub struct Deposit {
     pub positions: Vec<Vector3<f64>>,
     /// Radii.
     pub radii: Vec<f64>,
-    /// Parent of each sphere, an earlier one that it touches; `None` for the substrate.
+    /// Parent of each sphere, an earlier one that it touches; `None` for the substrate. Empty where the
+    /// spheres were not deposited but read from a file.
     pub parents: Vec<Option<u32>>,
     /// Side of the square base.
     pub width: f64,
@@ -150,6 +152,26 @@ impl Ballistic {
     /// ```
     pub fn uneven(width: f64, radii: [f64; 2], capture_radius: f64) -> Result<Self, DepositError> {
         let [low, high] = radii;
+        if low > high {
+            return Err(DepositError::Radii { low, high });
+        }
+        Self::sized(width, Radii::uniform(low, high), capture_radius)
+    }
+
+    /// Spheres with radii of any distribution about a mean of 1. *Domain*: all finite and positive, two mean
+    /// radii ≤ `capture_radius`, and the two largest spheres captured within width/2.
+    ///
+    /// ```
+    /// use tribos::powder::deposit::{Ballistic, Until};
+    /// use tribos::scene::Sizes;
+    /// let radii = Sizes::LogNormal(0.2).radii()?;
+    /// let deposit = Ballistic::sized(20.0, radii.clone(), 3.0)?.grow(Until::Count(100), 1)?;
+    /// let [low, high] = radii.bounds();
+    /// assert!(deposit.radii.iter().all(|radius| (low..=high).contains(radius)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn sized(width: f64, radii: Radii, capture_radius: f64) -> Result<Self, DepositError> {
+        let [low, high] = radii.bounds();
         for (name, given) in [
             ("width", width),
             ("smallest radius", low),
@@ -161,11 +183,9 @@ impl Ballistic {
             }
         }
         let space = PeriodicBox::new([Some(width), Some(width), None])?;
-        let least = low + high;
-        let farthest = high - low + capture_radius;
-        if low > high {
-            Err(DepositError::Radii { low, high })
-        } else if capture_radius < least {
+        let least = radii.two_means();
+        let farthest = 2.0 * high + (capture_radius - least);
+        if capture_radius < least {
             Err(DepositError::CaptureRadius {
                 given: capture_radius,
                 least,
@@ -184,11 +204,11 @@ impl Ballistic {
 
     /// The gap between surfaces at which spheres capture each other.
     fn capture_gap(&self) -> f64 {
-        self.capture_radius - (self.radii[0] + self.radii[1])
+        self.capture_radius - self.radii.two_means()
     }
 
     /// The gap above the substrate at which it captures.
     fn substrate_gap(&self) -> f64 {
-        self.capture_radius - 0.5 * (self.radii[0] + self.radii[1])
+        self.capture_radius - self.radii.mean()
     }
 }

@@ -6,6 +6,7 @@ use crate::command::run::order::Order;
 use crate::command::run::powder::states;
 use crate::failure::Failure;
 use tribos::grains::{COLUMNS, Ending, Grains, Outcome};
+use tribos::powder::STATE;
 use tribos::record::write_series;
 use tribos::run::folder::OutputFolder;
 use tribos::scene::GrainsScene;
@@ -27,6 +28,7 @@ pub fn write(
     let start = Grains::new(scene)?;
     start.with_snapshot(|snapshot| states(snapshot, "initial", folder, order))?;
     run.with_snapshot(|snapshot| states(snapshot, "final", folder, order))?;
+    folder.write(STATE, run.state().as_bytes())?;
 
     order.interrupted()?;
     folder.check()?;

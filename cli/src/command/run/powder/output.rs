@@ -4,7 +4,7 @@ use crate::command::digits::shown;
 use crate::command::run::files;
 use crate::command::run::order::Order;
 use crate::failure::Failure;
-use tribos::powder::{COLUMNS, Compaction, Ending, Outcome};
+use tribos::powder::{COLUMNS, Compaction, Ending, Outcome, STATE};
 use tribos::record::{
     Snapshot, SnapshotError, contacts_vtp, extended_xyz, particles_vtp, write_series,
 };
@@ -37,9 +37,10 @@ pub fn write(
     write_series(&out.join("series.csv"), &COLUMNS, rows)?;
 
     let deposit = compaction.deposit();
-    let contacts = deposit.contacts();
-    states(&deposit.snapshot(&contacts), "initial", folder, order)?;
+    let first = deposit.snapshot(compaction.first_contacts());
+    states(&first, "initial", folder, order)?;
     compaction.with_snapshot(|snapshot| states(snapshot, "final", folder, order))?;
+    folder.write(STATE, compaction.state().as_bytes())?;
 
     order.interrupted()?;
     folder.check()?;

@@ -1,0 +1,240 @@
+//! `tribos measure`: stress, fabric, correlations, force chains of a packing.
+
+mod report;
+
+use super::number;
+use crate::failure::Failure;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use tribos::measure::{Assembly, AssemblyError, Measures, Options, Table, series};
+use tribos::record::{write_atomically, write_series};
+use tribos::run::folder::{Contents, OutputFolder};
+use tribos_report::image;
+use tribos_report::runs::measure as figures;
+
+/// Measure a packing of spheres: porosity and its profile, stress, fabric, pair correlation, distribution of
+/// the normal forces, contacts and rattlers, force chains, levers of the contact torques.
+///
+/// Reads the last state of a run, or a file: extended XYZ with a column radius, LAMMPS data (atom_style
+/// sphere) or dump with radius or diameter, VTK PolyData (.vtp). A file of another program has no forces:
+/// its contacts are those of the geometry.
+///
+/// With --out it writes measures.json, a table (.csv) and a figure (.svg and .png) of each measure. Lengths,
+/// forces and stresses are in the units of the packing; those of a powder are R, F_coh and F_coh/R^2.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = EXAMPLES)]
+pub struct Arguments {
+    /// The folder of a run, or a file of spheres.
+    #[arg(value_name = "RUN|FILE")]
+    source: PathBuf,
+    /// Folder for the results, created if missing. Results of an earlier command in it are removed first;
+    /// files that tribos did not write are never replaced. The folder of a run is refused.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Measure also every frame of the run, or of a file with many, as a series over the steps; with the
+    /// bending of the force chains from frame to frame. Frames have normal forces only.
+    #[arg(long)]
+    frames: bool,
+    /// Largest distance of the pair correlation [default: ten mean radii, or what the box allows].
+    #[arg(long, value_name = "LENGTH", value_parser = number::positive, allow_negative_numbers = true)]
+    reach: Option<f64>,
+    /// Number of bins of the pair correlation.
+    #[arg(long, value_name = "N", default_value = "200", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    bins: u32,
+    /// Largest angle, in degrees, between a contact and the principal stresses of its spheres in a force
+    /// chain.
+    #[arg(long, value_name = "DEGREES", default_value = "45", value_parser = angle, allow_negative_numbers = true)]
+    angle: f64,
+    /// Fewest contacts of a sphere that is no rattler.
+    #[arg(long, value_name = "N", default_value = "2")]
+    least_contacts: usize,
+    /// Number of slices of the porosity profile.
+    #[arg(long, value_name = "N", default_value = "20", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    slices: u32,
+    /// Axis of the porosity profile.
+    #[arg(long, value_enum, default_value = "z")]
+    axis: Axis,
+    /// Largest gap of contacts, in mean radii, where no forces are known.
+    #[arg(long, value_name = "GAP", default_value = "0.001", value_parser = number::not_negative, allow_negative_numbers = true)]
+    gap: f64,
+    /// Density of the spheres, for the stress of their motion [default: that of the scene, or 1].
+    #[arg(long, value_name = "DENSITY", value_parser = number::positive, allow_negative_numbers = true)]
+    density: Option<f64>,
+    /// Periods along x, y and z, with - for an open axis, where the file does not have them.
+    #[arg(long, value_name = "X,Y,Z", value_parser = periods)]
+    periods: Option<Periods>,
+    /// Output format of the summary.
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+/// Periods of the axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Periods([Option<f64>; 3]);
+
+const EXAMPLES: &str = "\
+Examples:
+  A powder, measured at its end and over all of its frames:
+    tribos run compaction-small --set height=20 --out out/powder
+    tribos measure out/powder --out out/powder-measures --frames
+  A file, as one of another program, with contacts up to a gap of 1 % of a radius:
+    tribos measure out/powder/final.xyz --gap 0.01 --format json";
+
+/// Files that --out gets.
+const FILES: [&str; 19] = [
+    "measures.json",
+    "pair-correlation.csv",
+    "pair-correlation.svg",
+    "pair-correlation.png",
+    "coordination.csv",
+    "coordination.svg",
+    "coordination.png",
+    "porosity-profile.csv",
+    "porosity-profile.svg",
+    "porosity-profile.png",
+    "forces.csv",
+    "forces.svg",
+    "forces.png",
+    "force-chains.csv",
+    "force-chains.svg",
+    "force-chains.png",
+    "necks.csv",
+    "series.csv",
+    "series.svg",
+];
+
+/// An angle from 0 to 90 degrees.
+fn angle(text: &str) -> Result<f64, String> {
+    let degrees = number::positive(text)?;
+    if degrees <= 90.0 {
+        Ok(degrees)
+    } else {
+        Err("give an angle > 0 and <= 90 degrees".into())
+    }
+}
+
+/// Three lengths, each a number > 0 or `-`.
+fn periods(text: &str) -> Result<Periods, String> {
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    let &[x, y, z] = parts.as_slice() else {
+        return Err("give three periods, such as 20,20,-".into());
+    };
+    let period = |part: &str| match part {
+        "-" => Ok(None),
+        length => number::positive(length).map(Some),
+    };
+    Ok(Periods([period(x)?, period(y)?, period(z)?]))
+}
+
+impl Arguments {
+    /// Measures, writes and prints.
+    pub fn execute(self) -> Result<(), Failure> {
+        let options = self.options();
+        let state = self.periodic(Assembly::read(&self.source)?)?;
+        if state.radii.is_empty() {
+            return Err(Failure::input(format!(
+                "{}: there is no sphere",
+                self.source.display()
+            )));
+        }
+        let measures = Measures::of(state, &options).map_err(Failure::input)?;
+        let over_time = self.series(&options)?;
+        if let Some(out) = &self.out {
+            write(out, &measures, over_time.as_ref())?;
+        }
+        match self.format {
+            Format::Json => super::print(&format!("{:#}\n", measures.json())),
+            Format::Text => super::print(&report::text(
+                &measures,
+                over_time.as_ref(),
+                self.out.as_deref(),
+            )),
+        }
+    }
+
+    fn options(&self) -> Options {
+        Options {
+            gap: self.gap,
+            reach: self.reach,
+            bins: self.bins as usize,
+            angle: self.angle.to_radians(),
+            least_contacts: self.least_contacts,
+            slices: self.slices as usize,
+            axis: match self.axis {
+                Axis::X => 0,
+                Axis::Y => 1,
+                Axis::Z => 2,
+            },
+            density: self.density,
+        }
+    }
+
+    /// The spheres with the given periods.
+    fn periodic(&self, state: Assembly) -> Result<Assembly, Failure> {
+        match self.periods {
+            Some(Periods(periods)) => {
+                Ok(state.with_periods(&self.source.display().to_string(), periods)?)
+            }
+            None => Ok(state),
+        }
+    }
+
+    /// All frames, if they are wanted.
+    fn series(&self, options: &Options) -> Result<Option<Table>, Failure> {
+        if !self.frames {
+            return Ok(None);
+        }
+        let mut states = Vec::new();
+        for (step, state) in Assembly::read_all(&self.source)? {
+            states.push((step, self.periodic(state)?));
+        }
+        let (count, mut done, mut last) = (states.len(), 0, Instant::now());
+        let table = series(states, options, |step| {
+            done += 1;
+            if last.elapsed() >= Duration::from_secs(1) {
+                last = Instant::now();
+                super::tell(format_args!("frame {done} of {count}, step {step}"));
+            }
+        });
+        table.map(Some).map_err(Failure::input)
+    }
+}
+
+/// Writes the tables and figures, and at last the summary.
+fn write(out: &Path, measures: &Measures, over_time: Option<&Table>) -> Result<(), Failure> {
+    let folder = OutputFolder::begin(out, &Contents::of("measure", &FILES))?;
+    for table in measures.tables().iter().chain(over_time) {
+        let rows = table.rows.iter().map(Vec::as_slice);
+        let name = format!("{}.csv", table.name);
+        write_series(&out.join(name), table.columns, rows)?;
+    }
+    for (name, figure) in figures::figures(measures) {
+        folder.check()?;
+        image::write_both(out, name, &figure)?;
+    }
+    if let Some(table) = over_time {
+        let drawing = figures::series(table).svg()?;
+        write_atomically(&out.join("series.svg"), drawing.as_bytes())?;
+    }
+    let summary = format!("{:#}\n", measures.json());
+    Ok(folder.write("measures.json", summary.as_bytes())?)
+}
+
+impl From<AssemblyError> for Failure {
+    fn from(error: AssemblyError) -> Self {
+        Self::input(error)
+    }
+}

@@ -1,0 +1,95 @@
+//! Measures as a few lines for the person at the terminal.
+
+use crate::command::digits::shown;
+use std::path::Path;
+use tribos::measure::{Forces, Measures, Table};
+
+/// The lines.
+pub fn text(measures: &Measures, over_time: Option<&Table>, out: Option<&Path>) -> String {
+    let assembly = &measures.assembly;
+    let from = match assembly.forces {
+        Forces::Complete => "with their forces",
+        Forces::Normal => "with normal forces only",
+        Forces::Unknown => "of the geometry, without forces",
+    };
+    let coordination = &measures.coordination;
+    let mut text = format!(
+        "spheres       {}, mean radius {}\n\
+         porosity      {} %\n\
+         contacts      {} {from}\n\
+         coordination  {} a sphere; {} rattlers, {} without them\n\
+         fabric        anisotropy {}, largest {} along ({})\n",
+        assembly.radii.len(),
+        shown(assembly.mean_radius()),
+        shown(100.0 * measures.porosity),
+        assembly.contacts.len(),
+        shown(coordination.mean),
+        coordination.rattlers,
+        shown(coordination.mean_without),
+        shown(measures.fabric.anisotropy),
+        shown(measures.fabric.values[0]),
+        measures
+            .fabric
+            .direction
+            .map(|x| format!("{x:.3}"))
+            .as_slice()
+            .join(", "),
+    );
+    text += &loads(measures);
+    text += &necks(measures);
+    if let Some(table) = over_time {
+        text += &format!("frames        {}\n", table.rows.len());
+    }
+    if let Some(out) = out {
+        text += &format!("written to    {}\n", out.display());
+    }
+    text
+}
+
+/// Stress, forces and force chains, as far as they are known.
+fn loads(measures: &Measures) -> String {
+    let mut text = String::new();
+    if let Some(stress) = &measures.stress {
+        text += &format!(
+            "stress        pressure {}, deviator {}; of it motion {}\n",
+            shown(stress.pressure()),
+            shown(stress.deviator()),
+            shown(stress.kinetic.trace() / 3.0),
+        );
+    }
+    if let Some(forces) = &measures.forces {
+        let [decay, error] = forces.tail;
+        text += &format!(
+            "forces        {} push by {} on the mean, {} pull by {}; tail exp(-({decay:.2} +- {error:.2}) f/<f>)\n",
+            forces.signs[0],
+            shown(forces.mean),
+            forces.signs[1],
+            shown(forces.mean_pull),
+        );
+    }
+    if let Some(chains) = &measures.chains {
+        text += &format!(
+            "force chains  {} with {:.2} spheres on the mean, {} at most; {:.1} % of the spheres\n",
+            chains.chains.len(),
+            chains.mean_length(),
+            chains.longest(),
+            100.0 * chains.share,
+        );
+    }
+    text
+}
+
+/// Levers, where the coefficients are known.
+fn necks(measures: &Measures) -> String {
+    let necks = &measures.necks;
+    if necks.coefficients.is_none() || necks.necks.is_empty() {
+        return String::new();
+    }
+    format!(
+        "necks         levers {} of torsion and {} of rolling, radius R_c {}; {} beyond their sphere\n",
+        shown(necks.mean(|neck| neck.torsion_lever)),
+        shown(necks.mean(|neck| neck.rolling_lever)),
+        shown(necks.mean(|neck| neck.radius)),
+        necks.beyond,
+    )
+}

@@ -1,0 +1,106 @@
+//! Where the grains of a run come from: random places, a file, or the last state of another run.
+
+use super::error::GrainsError;
+use super::layout::Layout;
+use super::placement::{self, Start};
+use crate::measure::AssemblyError;
+use crate::packing::{Frozen, given};
+use crate::scene::{Ends, GrainsScene, Sides};
+use nalgebra::Vector3;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+/// How far a grain of a file may reach beyond a wall, over its radius.
+const BEYOND: f64 = 0.05;
+
+/// Grains at their random places, or those that the scene names.
+pub(super) fn start(
+    scene: &GrainsScene,
+    watch: impl FnMut(usize) -> ControlFlow<()>,
+) -> Result<Start, GrainsError> {
+    match &scene.start {
+        Some(path) => read(scene, path),
+        None => Ok(placement::start(scene, watch)?),
+    }
+}
+
+/// Grains of a file or a run in the box of the scene.
+fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
+    let (flat, depth) = (scene.is_flat(), scene.box_depth());
+    let x = (scene.x == Sides::Periodic).then_some((scene.width, "width"));
+    let y = (scene.y == Sides::Periodic && !flat).then_some((depth, "depth"));
+    let z = (scene.z == Ends::Periodic).then(|| (scene.height.unwrap_or(0.0), "height"));
+    let mut assembly = given(path, [x, y, z], scene.radius)?;
+    let frozen = assembly.frozen.take();
+    let mut start = Start {
+        positions: assembly.positions.clone(),
+        radii: assembly.radii.clone(),
+        is_second: placement::second(scene, assembly.radii.len()),
+        contacts: Vec::new(),
+        frozen: None,
+    };
+    let layout = Layout::of(scene, &start)?;
+    let inward: Vec<Vector3<f64>> = layout.faces.iter().map(|face| face.inward()).collect();
+    if let Some(frozen) = frozen.filter(|_| assembly.outward == inward) {
+        // The walls are those of the scene: everything goes on where it was.
+        start.contacts = assembly.contacts;
+        start.frozen = Some(frozen.at_start(false));
+        return Ok(start);
+    }
+
+    // The box of the file begins where that of the scene does, and the lowest grain lies on the floor.
+    let mut origin = Vector3::from(assembly.bounds.map(|[low, _]| low));
+    if z.is_none() {
+        origin.z = assembly.extent(2)[0];
+    }
+    if flat {
+        origin.y = 0.0;
+    }
+    for place in &mut start.positions {
+        *place -= origin;
+    }
+    check_inside(scene, path, &start)?;
+    let layout = Layout::of(scene, &start)?;
+    let walls = layout.faces.iter().map(|face| layout.place(*face));
+    start.frozen = Some(Frozen::moving(start.positions.clone(), &assembly, walls));
+    Ok(start)
+}
+
+/// Refuses grains beyond a wall, and grains beside the plane of a flat box.
+fn check_inside(scene: &GrainsScene, path: &Path, start: &Start) -> Result<(), AssemblyError> {
+    let refused = |reason: String| AssemblyError::Content {
+        file: path.display().to_string(),
+        reason,
+    };
+    let ends = [
+        (scene.x == Sides::Walls).then_some((scene.width, "x", "width")),
+        (scene.y == Sides::Walls).then_some((scene.box_depth(), "y", "depth")),
+        scene
+            .height
+            .filter(|_| scene.z == Ends::Walls)
+            .map(|height| (height, "z", "height")),
+    ];
+    for (grain, (place, radius)) in start.positions.iter().zip(&start.radii).enumerate() {
+        for (axis, end) in ends.into_iter().enumerate() {
+            let Some((length, name, key)) = end else {
+                continue;
+            };
+            let room = (1.0 - BEYOND) * radius;
+            if place[axis] < room || place[axis] > length - room {
+                return Err(refused(format!(
+                    "grain {grain} (from 0) reaches beyond the walls at {name} = 0 and {length}; make `{key}` larger"
+                )));
+            }
+        }
+        if scene.is_flat() && place.y != 0.0 {
+            return Err(refused(format!(
+                "grain {grain} (from 0) is at y = {}; with dimension = 2 all are at y = 0",
+                place.y
+            )));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,157 @@
+//! The last state of a packing as a file, complete to the bit: spheres, walls, contacts, motion.
+
+use super::Frozen;
+use crate::record::kept::{damaged, groups, hex, numbers, triple};
+use crate::record::{CheckpointError, ContactRow, Partner, sealed, unsealed};
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+use serde_json::{Map, Value};
+
+/// Name of the file in the folder of a run.
+pub const STATE: &str = "final-state.json";
+/// First key of the file, and the version of its format.
+const NAME: &str = "tribos_state";
+const VERSION: u64 = 1;
+/// Numbers of a stored contact: bodies, normal, gap, force, torque.
+const CONTACT: usize = 12;
+
+/// What a state consists of besides its motion.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Shape {
+    pub space: PeriodicBox,
+    pub radii: Vec<f64>,
+    /// Normals of the walls, into the space of the spheres.
+    pub outward: Vec<Vector3<f64>>,
+    pub contacts: Vec<ContactRow>,
+}
+
+/// A complete state with the scene that it came from.
+#[derive(Clone, Debug)]
+pub(crate) struct Stored {
+    pub scene: Value,
+    pub shape: Shape,
+    pub frozen: Frozen,
+}
+
+impl Shape {
+    /// Adds the shape to a checkpoint or a state.
+    pub fn put(&self, map: &mut Map<String, Value>) {
+        // No period is stored as 0.
+        let periods = self.space.lengths().map(|length| length.unwrap_or(0.0));
+        let contacts: Vec<f64> = self.contacts.iter().flat_map(contact_numbers).collect();
+        let outward: Vec<f64> = self.outward.iter().flat_map(triple).collect();
+        for (name, numbers) in [
+            ("periods", &periods[..]),
+            ("radii", &self.radii),
+            ("outward", &outward),
+            ("contacts", &contacts),
+        ] {
+            map.insert(name.into(), hex(numbers).into());
+        }
+    }
+
+    fn read(value: &Value) -> Result<Self, CheckpointError> {
+        let periods = numbers(value, "periods")?;
+        let &[x, y, z] = periods.as_slice() else {
+            return Err(damaged("periods"));
+        };
+        let period = |length: f64| (length != 0.0).then_some(length);
+        let contacts = groups(value, "contacts")?;
+        Ok(Self {
+            space: PeriodicBox::new([x, y, z].map(period)).map_err(|_| damaged("periods"))?,
+            radii: numbers(value, "radii")?,
+            outward: groups(value, "outward")?
+                .into_iter()
+                .map(Vector3::from)
+                .collect(),
+            contacts: contacts.iter().map(contact).collect(),
+        })
+    }
+}
+
+impl Stored {
+    /// Text of the file.
+    pub fn text(&self) -> String {
+        let mut map = Map::new();
+        map.insert(NAME.into(), VERSION.into());
+        map.insert("scene".into(), self.scene.clone());
+        self.shape.put(&mut map);
+        self.frozen.put(&mut map);
+        sealed(map)
+    }
+
+    /// Reads a state, or the state in a checkpoint of any kind.
+    pub fn read(text: &str) -> Result<Self, CheckpointError> {
+        let value = unsealed(text)
+            .ok_or_else(|| CheckpointError::Format("its digest is not that of its bytes".into()))?;
+        match value[NAME].as_u64() {
+            Some(found) if found != VERSION => {
+                return Err(CheckpointError::Version {
+                    found,
+                    read: VERSION,
+                });
+            }
+            None if value["radii"].is_null() => {
+                return Err(CheckpointError::Format("it is no state of spheres".into()));
+            }
+            _ => {}
+        }
+        let stored = Self {
+            scene: value["scene"].clone(),
+            shape: Shape::read(&value)?,
+            frozen: Frozen::read(&value)?,
+        };
+        let (spheres, walls) = (stored.shape.radii.len(), stored.shape.outward.len());
+        let known = |row: &ContactRow| {
+            let b = match row.b {
+                Partner::Particle(b) => (b as usize) < spheres,
+                Partner::Wall(wall) => (wall as usize) < walls,
+            };
+            b && (row.a as usize) < spheres
+        };
+        if stored.frozen.fits(spheres, walls) && stored.shape.contacts.iter().all(known) {
+            Ok(stored)
+        } else {
+            Err(damaged("numbers of spheres"))
+        }
+    }
+}
+
+/// Walls count down from −1, as in the exports of contacts.
+fn contact_numbers(row: &ContactRow) -> [f64; CONTACT] {
+    let b = match row.b {
+        Partner::Particle(b) => f64::from(b),
+        Partner::Wall(wall) => -1.0 - f64::from(wall),
+    };
+    let ([nx, ny, nz], [fx, fy, fz], [tx, ty, tz]) =
+        (triple(&row.normal), triple(&row.force), triple(&row.torque));
+    [
+        f64::from(row.a),
+        b,
+        nx,
+        ny,
+        nz,
+        row.gap,
+        fx,
+        fy,
+        fz,
+        tx,
+        ty,
+        tz,
+    ]
+}
+
+fn contact(&[a, b, nx, ny, nz, gap, fx, fy, fz, tx, ty, tz]: &[f64; CONTACT]) -> ContactRow {
+    ContactRow {
+        a: a as u32,
+        b: if b < 0.0 {
+            Partner::Wall((-1.0 - b) as u32)
+        } else {
+            Partner::Particle(b as u32)
+        },
+        normal: Vector3::new(nx, ny, nz),
+        gap,
+        force: Vector3::new(fx, fy, fz),
+        torque: Vector3::new(tx, ty, tz),
+    }
+}

@@ -1,0 +1,99 @@
+//! Where the spheres of a run come from: a deposit, a file, or the last state of another run.
+
+use super::deposit::Deposit;
+use super::error::CompactionError;
+use crate::measure::{Assembly, AssemblyError};
+use crate::packing::{Frozen, given};
+use crate::record::ContactRow;
+use crate::scene::{ContactMethod, PowderScene};
+use crate::space::PeriodicBox;
+use nalgebra::Vector3;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+/// Spheres at the start of a run.
+#[derive(Debug)]
+pub(super) struct Start {
+    pub deposit: Deposit,
+    pub contacts: Vec<ContactRow>,
+    /// Motion and forces of spheres that were not deposited.
+    pub frozen: Option<Frozen>,
+}
+
+impl Start {
+    /// Grows the deposit of the scene, or reads what it names.
+    pub fn of(
+        scene: &PowderScene,
+        watch: impl FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Self, CompactionError> {
+        if let Some(path) = &scene.start {
+            return Ok(read(scene, path)?);
+        }
+        let deposit = scene
+            .ballistic()?
+            .grow_watched(scene.until(), scene.seed, watch)?;
+        Ok(Self {
+            contacts: deposit.contacts(),
+            deposit,
+            frozen: None,
+        })
+    }
+}
+
+/// Spheres of a file or a run, between substrate and piston.
+fn read(scene: &PowderScene, path: &Path) -> Result<Start, AssemblyError> {
+    let width = Some((scene.width, "width"));
+    let mut assembly = given(path, [width, width, None], 1.0)?;
+    let [x, y, _] = assembly.space.lengths();
+    assembly.space = PeriodicBox::new([x, y, None]).map_err(|cause| AssemblyError::Box {
+        file: path.display().to_string(),
+        cause,
+    })?;
+    let of_powder = [Vector3::z(), -Vector3::z()];
+    match assembly.frozen.take() {
+        // The walls are those of a powder: everything goes on where it was.
+        Some(frozen) if assembly.outward == of_powder && frozen.walls[0].0 == 0.0 => {
+            Ok(go_on(scene, assembly, &frozen))
+        }
+        _ => Ok(between_plates(scene, &assembly)),
+    }
+}
+
+/// A run that goes on with other parameters.
+fn go_on(scene: &PowderScene, assembly: Assembly, frozen: &Frozen) -> Start {
+    Start {
+        contacts: assembly.contacts,
+        deposit: Deposit {
+            positions: frozen.positions.clone(),
+            radii: assembly.radii,
+            parents: Vec::new(),
+            width: scene.width,
+            space: assembly.space,
+            height: -frozen.walls[1].0,
+        },
+        frozen: Some(frozen.at_start(scene.method == ContactMethod::Soft)),
+    }
+}
+
+/// Spheres with the substrate at their lowest point and the piston at their highest.
+fn between_plates(scene: &PowderScene, assembly: &Assembly) -> Start {
+    let [low, high] = assembly.extent(2);
+    let lowered = |place: &Vector3<f64>| place - Vector3::z() * low;
+    let positions: Vec<_> = assembly.positions.iter().map(lowered).collect();
+    let walls = [0.0, low - high].into_iter();
+    Start {
+        frozen: Some(Frozen::moving(positions.clone(), assembly, walls)),
+        contacts: Vec::new(),
+        deposit: Deposit {
+            positions,
+            radii: assembly.radii.clone(),
+            parents: Vec::new(),
+            width: scene.width,
+            space: assembly.space,
+            height: high - low,
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests;
