@@ -61,7 +61,7 @@ impl ForceChains {
             .collect();
         let mean_stress = loaded.iter().sum::<f64>() / loaded.len() as f64;
         let is_strong = |index: u32| stresses[index as usize] >= (1.0 - ROUNDING) * mean_stress;
-        let links = links(&assembly.contacts, &directions, angle.cos(), is_strong);
+        let links = links(&assembly.contacts, &directions, libm::cos(angle), is_strong);
         let chains = follow(&links);
         let spheres: usize = chains.iter().map(Vec::len).sum();
         Self {

@@ -195,7 +195,7 @@ fn a_chain_that_bends_has_buckled_by_its_angle() {
         bent[1].y += aside;
         let after = with_forces(bent, contacts.clone());
         let change = chains.buckling(&before, &after);
-        let angle = 2.0 * f64::atan2(f64::abs(aside), 2.0);
+        let angle = 2.0 * libm::atan2(f64::abs(aside), 2.0);
         assert_eq!((change.triples, change.buckled), (1, buckled));
         assert!((change.mean - angle).abs() < 1e-14 && change.largest == change.mean);
     }
@@ -206,7 +206,7 @@ fn exponential_forces_have_the_tail_of_their_mean() {
     const COUNT: u32 = 20_000;
     for scale in [1.0, 37.0] {
         // Quantiles of an exponential distribution, whose excess over any force has the same mean.
-        let force = |n: u32| -scale * (1.0 - (f64::from(n) + 0.5) / f64::from(COUNT)).ln();
+        let force = |n: u32| -scale * libm::log(1.0 - (f64::from(n) + 0.5) / f64::from(COUNT));
         let touch = |n: u32| push(n, Partner::Particle(n + 1), Vector3::x(), force(n));
         let mut contacts: Vec<_> = (0..COUNT).map(touch).collect();
         contacts.push(push(0, Partner::Particle(9), Vector3::x(), -3.0 * scale));
@@ -214,7 +214,7 @@ fn exponential_forces_have_the_tail_of_their_mean() {
         let found = ForceDistribution::of(&contacts).unwrap();
         assert!((found.mean / scale - 1.0).abs() < 1e-3);
         assert!((found.tail[0] - 1.0).abs() < 5e-3, "{}", found.tail[0]);
-        let above = f64::from(COUNT) / 1.0_f64.exp();
+        let above = f64::from(COUNT) / libm::exp(1.0);
         assert!((found.tail[1] * above.sqrt() - 1.0).abs() < 0.01);
         assert_eq!(found.signs, [COUNT as usize, 1]);
         assert_eq!(found.mean_pull, 3.0 * scale);

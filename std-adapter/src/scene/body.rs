@@ -18,6 +18,7 @@ macro_rules! bodies {
     ($($(#[$doc:meta])+ $variant:ident($scene:ty)),+ $(,)?) => {
         /// A validated scene of any body.
         #[derive(Clone, Debug, PartialEq)]
+        #[allow(clippy::large_enum_variant, reason = "a run has one scene")]
         pub enum Scene {
             $($(#[$doc])+ $variant($scene)),+
         }
