@@ -49,7 +49,11 @@ impl Grains {
         let now = self.now();
         let radii = now.packing.radii();
         let limits = Limits::of(&self.scene().material());
-        let masses = now.packing.spheres().iter().map(|grain| 1.0 / grain.inv_mass);
+        let masses = now
+            .packing
+            .spheres()
+            .iter()
+            .map(|grain| 1.0 / grain.inv_mass);
         Outcome {
             ending: self.ending(),
             time: self.time(),

@@ -7,8 +7,8 @@ use super::table::Table;
 use super::vocabulary::Vocabulary;
 use super::words::meant;
 use super::{
-    Body, ClampScene, CurlingScene, CylinderScene, GrainsScene, InclineScene, PipeScene, PlateScene,
-    PowderScene, SceneError, SliderScene, SpringScene, TipScene, TurntableScene,
+    Body, ClampScene, CurlingScene, CylinderScene, GrainsScene, InclineScene, PipeScene,
+    PlateScene, PowderScene, SceneError, SliderScene, SpringScene, TipScene, TurntableScene,
 };
 use serde_json::Value;
 use std::path::Path;
