@@ -192,7 +192,7 @@ fn a_rough_column_carries_part_of_its_weight_and_a_smooth_one_nothing() {
         late.iter().sum::<f64>() / late.len() as f64 / (grains.outcome().mass * 9.81)
     };
     let rough = share(&scene);
-    assert!((0.1..0.85).contains(&rough), "{rough}");
+    assert!((0.1..0.97).contains(&rough), "{rough}");
     let smooth = share(&GrainsScene {
         wall: WallLaw::Bare,
         ..scene
@@ -202,8 +202,10 @@ fn a_rough_column_carries_part_of_its_weight_and_a_smooth_one_nothing() {
 
 #[test]
 fn a_shaken_floor_throws_grains_up_and_takes_them_along() {
+    // Beads that do not roll: they come to rest, and a floor takes them along.
     let scene = GrainsScene {
         sliding: 0.5,
+        rolling: 1.0,
         shake_amplitude: 2e-3,
         duration: 1.0,
         ..beads(20)
@@ -222,7 +224,7 @@ fn a_shaken_floor_throws_grains_up_and_takes_them_along() {
             },
         ]
         .map(|scene| column(&run(scene), "speed").pop().unwrap());
-        assert!(shaken > 0.01 && still < 1e-3, "{axis}: {shaken} {still}");
+        assert!(shaken > 0.03 && still < 2e-3, "{axis}: {shaken} {still}");
     }
 }
 
@@ -277,7 +279,7 @@ fn drum(rate: f64) -> GrainsScene {
         container: Container::Drum,
         drum_rate: rate.into(),
         duration: 1.5,
-        ..beads(60)
+        ..beads(28)
     }
 }
 

@@ -78,9 +78,9 @@ scene! {
     width: f64 = 0.1, "m", Positive, Required;
     /// Length of the box along y; as long as `width` if it is left out. A two-dimensional box has none.
     depth: Option<f64> = None, "m", Positive;
-    /// Height of the box: where the plate above starts, or the period. If it is left out, a plate starts
-    /// at the highest grain.
-    height: Option<f64> = None, "m", Positive, NotWith("z", "floor");
+    /// Height of the box: where the plate above starts, or the period; a floor alone does not use it. If it
+    /// is left out, a plate starts at the highest grain.
+    height: Option<f64> = None, "m", Positive;
     /// What bounds the box along x.
     x: Sides = Sides::Periodic, "-", OneOf(Sides::WORDS);
     /// What bounds the box along y.
@@ -220,10 +220,6 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
             &["x", "container"],
             "a drum has no walls along x; leave `x` out",
         );
-    }
-    if scene.container == Container::Hopper && scene.outlet >= scene.width {
-        let message = format!("`outlet` must be less than `width`, not {}", scene.outlet);
-        judge.refuse(&["outlet", "width"], message);
     }
     for (keys, axis) in CONTROLS.iter().zip([Axis::X, Axis::Y, Axis::Z]) {
         let [pressure, velocity] = [scene.pressure(axis), scene.velocity(axis)];
