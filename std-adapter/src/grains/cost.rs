@@ -7,7 +7,7 @@ use super::loads::Loads;
 use super::parts::packing;
 use crate::measure::Assembly;
 use crate::run::RunSize;
-use crate::scene::{Coupling, Ends, GrainsScene, Sides};
+use crate::scene::{Container, Coupling, Ends, GrainsScene, Sides};
 use std::ops::ControlFlow;
 use std::time::Instant;
 use tribos_core::contact::Sphere;
@@ -46,8 +46,8 @@ pub struct GrainsCost {
 const CONTACTS: [f64; 2] = [2.0, 3.0];
 /// Memory of a run per grain, in bytes, that of powders.
 const BYTES_A_GRAIN: f64 = 5e3;
-/// Time of a step per grain, with the usual number of sweeps.
-const SECONDS_A_STEP: f64 = 10e-6;
+/// Time of a step per grain, with some hundred sweeps, as dense beds need them.
+const SECONDS_A_STEP: f64 = 100e-6;
 /// Grains along an edge of the block whose updates are timed, sweeps of its step, and rounds.
 const EDGE: usize = 6;
 const SWEEPS: usize = 50;
@@ -128,6 +128,7 @@ fn timed(scene: &GrainsScene) -> Result<f64, GrainsError> {
         y: Sides::Periodic,
         z: Ends::Periodic,
         dimension: 3,
+        container: Container::Box,
         count: EDGE.pow(3),
         radius: 0.5 * side / EDGE as f64 / (1.0 + 1e-9),
         radius_spread: 0.0,
@@ -159,6 +160,7 @@ fn without_drives(scene: &GrainsScene) -> GrainsScene {
         velocity_y: None,
         velocity_z: None,
         plate_speed: 0.0.into(),
+        shake_amplitude: 0.0,
         ..scene.clone()
     }
 }

@@ -5,6 +5,7 @@
 
 mod begin;
 mod checkpoint;
+mod container;
 mod cost;
 mod error;
 mod frames;

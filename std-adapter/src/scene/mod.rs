@@ -46,7 +46,7 @@ pub use clamp::ClampScene;
 pub use curling::{CurlingScene, IceModel};
 pub use cylinder::CylinderScene;
 pub use gas::{GasMethod, GasScene};
-pub use grains::{Axis, Ends, GrainsScene, Sides};
+pub use grains::{Axis, Container, Ends, GrainsScene, Sides};
 #[doc(hidden)]
 pub use hint::{nearest, number_hint};
 pub use incline::InclineScene;
