@@ -153,7 +153,7 @@ fn a_dense_gas_collapses_and_a_contact_time_prevents_it() -> Tested {
     let dense = GasScene {
         count: 1000,
         fraction: 0.5,
-        restitution: 0.4,
+        restitution: 0.2,
         collisions: 200.0,
         ..GasScene::default()
     };
