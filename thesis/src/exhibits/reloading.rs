@@ -30,7 +30,7 @@ const FACTORS: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
 /// Change of a sweep, relative to P, at which sweeps stop.
 const TOLERANCE: f64 = 1e-4;
 /// A bound for the steps in which a piston of this mass falls on the deposit.
-const MOST_SWEEPS: usize = 150;
+const MOST_SWEEPS: usize = 100;
 /// Steps in which a piston without resistance falls by R from rest, over √2.
 const STEPS: f64 = 25.0;
 /// Largest motion of a step, in R.

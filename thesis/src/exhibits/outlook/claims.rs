@@ -195,17 +195,20 @@ fn of_sizes(map: &Map) -> Vec<Claim> {
     vec![
         Claim::own_statement(
             TEXT.said("sizes-additive"),
-            format!("ΔE = {} points, mean over the pressures", list(&excess)),
+            format!("{} points, mean over the pressures", list(&excess)),
             range(&excess) < FLUCTUATION,
         ),
         Claim::own_statement(
             TEXT.said("sizes-torques"),
-            format!("E₁(1,1) = {} points, mean over the pressures", list(&added)),
+            format!("{} points, mean over the pressures", list(&added)),
             range(&added) < 1.5 * FLUCTUATION,
         ),
         Claim::own_statement(
             TEXT.said("sizes-base"),
-            format!("E(0,0) = {} %, mean over the pressures", list(&base)),
+            format!(
+                "{} %, mean over the pressures",
+                list(&base).replace('+', "")
+            ),
             range(&base) < 1.5 * FLUCTUATION,
         ),
     ]
