@@ -247,6 +247,7 @@ fn of_coupling(map: &Map) -> Vec<Claim> {
                 .iter()
                 .all(|estimate| estimate.mean().abs() < FLUCTUATION),
         ),
+        coupling_by_pressure(map),
         Claim::own_statement(
             TEXT.said("coupling-sweeps"),
             format!(
@@ -264,6 +265,35 @@ fn of_coupling(map: &Map) -> Vec<Claim> {
             time.iter().all(|ratio| *ratio > 1.0),
         ),
     ]
+}
+
+/// What a coupling does where rolling is blocked as well, pressure by pressure.
+fn coupling_by_pressure(map: &Map) -> Claim {
+    let at = |coupling, pressure| {
+        let widths = SPREADS.iter();
+        let values =
+            widths.flat_map(|&spread| map.coupled((spread, pressure), [1.0; 2], coupling).values);
+        Estimate {
+            values: values.collect(),
+        }
+    };
+    let coupled = [COUPLINGS[1], COUPLINGS[2]];
+    let shown = |coupling| {
+        let each = PRESSURES.map(|pressure| match at(coupling, pressure) {
+            none if none.values.is_empty() => "no run".to_owned(),
+            some => format!("{:+.1}", 100.0 * some.mean()),
+        });
+        format!("{} {}", name(coupling), each.join(", "))
+    };
+    let all = coupled
+        .iter()
+        .flat_map(|&coupling| PRESSURES.map(|pressure| at(coupling, pressure)));
+    let mut known = all.filter(|estimate| !estimate.values.is_empty());
+    Claim::own_statement(
+        TEXT.said("coupling-by-pressure"),
+        format!("{} points", coupled.map(shown).join("; ")),
+        known.all(|estimate| estimate.mean().abs() < 3.0 * FLUCTUATION),
+    )
 }
 
 /// Stable and reliable.
