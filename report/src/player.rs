@@ -37,6 +37,20 @@ pub struct Film {
 }
 
 impl Film {
+    /// The same film that begins with one of the player's looks, by the name of its button.
+    #[must_use]
+    pub fn beginning_as(mut self, look: &str) -> Self {
+        self.meta["look"] = look.into();
+        self
+    }
+
+    /// The same film with another title.
+    #[must_use]
+    pub fn titled(mut self, title: &str) -> Self {
+        self.meta["title"] = title.into();
+        self
+    }
+
     /// The film's element, for any page that has [`style`] and, after the last film, [`script`].
     pub fn fragment(&self) -> String {
         // A closing tag within the text would end it.

@@ -14,6 +14,8 @@ pub struct Exhibit {
     pub prose: Prose,
     /// Shown below the figure.
     pub film: Option<Film>,
+    /// Pages of their own beside the report, by name.
+    pub pages: Vec<(String, Film)>,
     pub drawing: Box<dyn Drawing>,
     pub columns: Vec<&'static str>,
     pub rows: Vec<Vec<f64>>,
@@ -32,6 +34,7 @@ impl Exhibit {
         Self {
             prose,
             film: None,
+            pages: Vec::new(),
             drawing: Box::new(drawing),
             columns: columns.to_vec(),
             rows,

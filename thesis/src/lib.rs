@@ -90,8 +90,14 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("3.17", Alone(pipe::figure_3_17)),
     ("3.19", Alone(ice::figure_3_19)),
     ("section-3.5.2", Checked(curling::section_3_5_2, 1.7)),
+    ("section-4.1", Running(settling::section_4_1, [4.0, 300.0])),
+    ("section-4.2", Running(reloading::section_4_2, [5.0, 200.0])),
     ("4.2", Alone(contact_exhibits::figure_4_2)),
     ("4.3", Alone(contact_exhibits::figure_4_3)),
+    (
+        "section-4.4.2",
+        Running(sweeps::section_4_4_2, [2.0, 300.0]),
+    ),
     ("4.5", Alone(deposit::figure_4_5)),
     ("4.6", Running(packing::figure_4_6, [15.0, 50.0])),
     ("4.7", Running(porosity::figure_4_7, [75.0, 1000.0])),
@@ -105,6 +111,10 @@ const EXHIBITS: &[(&str, Maker)] = &[
         "section-5.1-lateral",
         Checked(lateral_modes::section_5_1_lateral, 0.7),
     ),
+    (
+        "section-5.2",
+        Running(outlook::section_5_2, [5.0, 15_000.0]),
+    ),
     ("5.1", Alone(tip::figure_5_1)),
     ("5.2", Running(tip::figure_5_2, [40.0, 2300.0])),
     ("section-5.3", Running(tip_slid::section_5_3, [15.0, 400.0])),
@@ -117,6 +127,7 @@ const EXHIBITS: &[(&str, Maker)] = &[
         Running(tip_metals::section_5_3_metals, [15.0, 300.0]),
     ),
     ("appendix-a", Alone(odd::appendix_a)),
+    ("appendix-b", Running(films::appendix_b, [1.0, 10.0])),
 ];
 
 /// Who follows a report while it is made.
@@ -267,11 +278,17 @@ fn write_exhibit(folder: &OutputFolder, name: &str, exhibit: Exhibit) -> Result<
         Some('2'..='5') => format!("figure-{name}"),
         _ => name.to_owned(),
     };
-    let files = ["csv", "svg", "png"].map(|ending| format!("{stem}.{ending}"));
-    folder.add(&files.each_ref().map(String::as_str))?;
+    let mut files = ["csv", "svg", "png"]
+        .map(|ending| format!("{stem}.{ending}"))
+        .to_vec();
+    files.extend(exhibit.pages.iter().map(|(name, _)| name.clone()));
+    folder.add(&files.iter().map(String::as_str).collect::<Vec<_>>())?;
     let rows = exhibit.rows.iter().map(Vec::as_slice);
     let csv = series_csv(&exhibit.columns, rows);
     write_atomically(&out.join(format!("{stem}.csv")), csv.as_bytes())?;
+    for (name, film) in &exhibit.pages {
+        write_atomically(&out.join(name), film.page().as_bytes())?;
+    }
     let svg = image::write_both(out, &stem, exhibit.drawing.as_ref())?;
     Ok(Section {
         id: stem,
@@ -279,7 +296,7 @@ fn write_exhibit(folder: &OutputFolder, name: &str, exhibit: Exhibit) -> Result<
         text: exhibit.prose.paragraphs,
         figure: Some(FigureRef {
             svg,
-            files: files.to_vec(),
+            files,
             caption: exhibit.prose.caption,
         }),
         film: exhibit.film.map(|film| film.fragment()),

@@ -21,6 +21,8 @@ use tribos_report::runs::powder::State;
 
 /// Frames of a film in the report.
 pub const FRAMES: u64 = 80;
+/// Rolling and torsion coefficients of the compactions in films (thesis, appendix B).
+pub const FILMED: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
 
 /// How much is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,9 +43,11 @@ impl Effort {
     }
 }
 
-/// A system of the thesis (section 4.5).
+/// A system: two of the thesis (section 4.5), and a tiny one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum System {
+    /// 85 spheres: not one of the thesis, for what takes many runs.
+    Tiny,
     /// 470 spheres.
     Small,
     /// 1015 spheres.
@@ -51,9 +55,10 @@ pub enum System {
 }
 
 impl System {
-    /// Its name in the thesis.
+    /// Its name, in the thesis too if it has it.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Tiny => "tiny",
             Self::Small => "small",
             Self::Large => "large",
         }
@@ -62,6 +67,7 @@ impl System {
     /// Side of the base and height of the piston at the start, in R.
     pub fn size(self) -> [f64; 2] {
         match self {
+            Self::Tiny => [10.0, 45.0],
             Self::Small => [20.0, 61.5],
             Self::Large => [25.0, 87.5],
         }
@@ -108,9 +114,10 @@ impl Case {
         self
     }
 
-    /// Frames kept: of the first packing without torques.
+    /// Frames kept: of the first packings of which there are films.
     fn frames(&self) -> u64 {
-        if *self == Self::new(self.system, [0.0; 2], 1) {
+        let is_filmed = |friction| *self == Self::new(self.system, friction, 1);
+        if self.system != System::Tiny && FILMED.into_iter().any(is_filmed) {
             FRAMES
         } else {
             0

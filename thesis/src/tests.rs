@@ -118,7 +118,11 @@ fn no_comparison_fails_and_no_number_is_long() -> Outcome {
 fn files(ending: &str) -> std::io::Result<Vec<(String, String)>> {
     let mut found = Vec::new();
     let all = concat!(env!("CARGO_MANIFEST_DIR"), "/src/exhibits");
-    for folder in [all.to_owned(), format!("{all}/porosity")] {
+    for folder in [
+        all.to_owned(),
+        format!("{all}/outlook"),
+        format!("{all}/porosity"),
+    ] {
         for entry in std::fs::read_dir(folder)? {
             let path = entry?.path();
             if path.extension().is_some_and(|name| name == ending) {

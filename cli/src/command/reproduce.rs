@@ -16,9 +16,10 @@ pub use tribos_thesis::names;
 use tribos_thesis::{Effort, Interrupted, Reader, Report, chosen};
 
 /// Reproduce the results of the thesis on friction laws and coupled friction (chapters 2 and 3,
-/// section 5.1 and appendix A), on the compaction of cohesive powders (chapter 4) and on torsion
-/// friction of atoms (section 5.3): every figure and table as CSV, SVG and PNG, and index.html with
-/// the thesis' claims, our numbers, their uncertainty, a verdict and its grounds, and with films.
+/// section 5.1 and appendix A), on the compaction of cohesive powders (chapter 4 and section 5.2) and
+/// on torsion friction of atoms (section 5.3): every figure and table as CSV, SVG and PNG, and
+/// index.html with the thesis' claims, our numbers, their uncertainty, a verdict and its grounds, and
+/// with films; those of appendix B are pages of their own.
 ///
 /// The expected cost is printed first. The command may be interrupted at any time; the same command
 /// continues from DIR/kept and ends with the same files. Runs use all cores.
@@ -31,8 +32,8 @@ pub struct Arguments {
     out: Option<PathBuf>,
     /// What to reproduce, such as 3.4 or table-3.1; everything if left out.
     names: Vec<String>,
-    /// Simulate everything that the thesis shows (4.6, 4.7, table 4.1, 5.2), not a sample of it: about
-    /// half an hour on two cores instead of a minute.
+    /// Simulate everything that the thesis shows (4.6, 4.7, table 4.1, 5.2), and the map of section 5.2,
+    /// not a sample of it: some hours on two cores instead of a minute or two.
     #[arg(long)]
     full: bool,
     /// Simulate a sample where the whole takes long: fewer seeds, coefficients and spheres, shorter

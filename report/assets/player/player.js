@@ -22,8 +22,9 @@ class Player {
     const parameters = meta.parameters ? [make("p", { class: "parameters" }, meta.parameters)] : [];
     root.replaceChildren(make("h2", {}, meta.title), ...parameters, this.looks(), this.stage, this.below, this.transport(), this.settings(), this.help());
     this.listen();
-    const [first] = Object.values(this.view.presets());
-    this.choose(first || {});
+    const looks = this.view.presets();
+    const [first] = Object.values(looks);
+    this.choose(looks[meta.look] || first || {});
     this.resize();
   }
 

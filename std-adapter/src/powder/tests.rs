@@ -240,6 +240,34 @@ fn a_blocked_packing_carries_the_load_whatever_its_modes() -> Tested {
 }
 
 #[test]
+fn a_powder_under_gravity_bears_its_weight_and_the_lid() -> Tested {
+    for gravity in ["0.01", "0.2"] {
+        let compaction = finished(&["rolling=0.3", &format!("gravity={gravity}")])?;
+        let outcome = compaction.outcome();
+        assert_eq!(outcome.ending, Some(Ending::Blocked), "{gravity}");
+        let area = outcome.area;
+        let mass: f64 = compaction
+            .deposit()
+            .radii
+            .iter()
+            .map(|r| 4.0 / 3.0 * std::f64::consts::PI * r * r * r)
+            .sum();
+        let weight = gravity.parse::<f64>()? * mass;
+        let at = |wall| {
+            let rows = compaction.contacts().iter();
+            let rows = rows.filter(move |row| row.b == Partner::Wall(wall));
+            rows.map(|row| row.force.z).sum::<f64>()
+        };
+        let (floor, lid) = (-at(0), at(PISTON));
+        let load = outcome.pressure * area;
+        assert!((lid / load - 1.0).abs() < 0.05, "{gravity}: lid {lid}");
+        let expected = load + weight;
+        assert!((floor / expected - 1.0).abs() < 0.05, "{gravity}: {floor}");
+    }
+    Ok(())
+}
+
+#[test]
 fn a_resumed_run_ends_with_the_same_bits() -> Tested {
     for modes in [
         &["rolling=0.1", "torsion=0.1"][..],

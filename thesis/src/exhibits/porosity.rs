@@ -3,7 +3,7 @@
 mod claims;
 mod grid;
 
-pub(super) use claims::few_sweeps;
+pub(super) use claims::{ADDITIVITY, FLUCTUATION, few_sweeps};
 
 use crate::exhibit::Exhibit;
 use crate::runs::{Case, Effort, Run, Runs, System};
@@ -54,7 +54,7 @@ impl Porosities {
             let corner = mu.iter().all(|mu| CORNERS.contains(mu));
             1..=match (runs.effort(), system) {
                 (Effort::Full, _) if corner => CORNER_SEEDS,
-                (_, System::Small) => SMALL_SEEDS,
+                (_, System::Tiny | System::Small) => SMALL_SEEDS,
                 (_, System::Large) => LARGE_SEEDS,
             }
         };

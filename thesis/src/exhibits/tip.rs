@@ -13,6 +13,7 @@ use tribos::scene::TipScene;
 use tribos::tip::{Outcome, Part, TipRun, Verdict};
 use tribos_report::claim::{Claim, Otherwise};
 use tribos_report::figure::{Axis, Figure, Guide, Series};
+use tribos_report::player::Film;
 use tribos_report::runs::tip::atoms;
 use tribos_report::verdict::Allowance;
 
@@ -29,6 +30,8 @@ const FULL: [f64; 10] = [
 const FULL_SEEDS: u64 = 3;
 /// Strength and seed of the film: a tip that is turned for good.
 const FILMED: (f64, u64) = (0.060, 1);
+/// The films of appendix B.
+pub(super) const LISTED: [(f64, u64); 2] = [(0.017, 1), (0.020, 1)];
 /// The last strength that the thesis found reversible.
 const REVERSIBLE: f64 = 0.017;
 /// Half of the step to the first that it found irreversible, 0.018.
@@ -151,11 +154,32 @@ fn all(runs: &Runs) -> Result<Vec<Turned>> {
         .collect()
 }
 
+/// The films of some runs, each once it has run, with the angles at the end.
+pub(super) fn films(runs: &Runs, cases: &[(f64, u64)]) -> Result<Vec<(Film, f64)>> {
+    let threads = available_parallelism().map_or(1, NonZero::get);
+    let results = in_order(cases.len(), threads, |index| {
+        let (lambda, seed) = cases[index];
+        let turned = turn((lambda, seed), runs)?;
+        anyhow::Ok((
+            film(&folder(lambda, seed, runs))?,
+            turned.outcome.final_angle,
+        ))
+    });
+    results
+        .into_iter()
+        .map(|film| film.ok_or_else(|| anyhow!("a run gave no result"))?)
+        .collect()
+}
+
 /// One run, on from where its folder has it.
 fn turn((lambda, seed): (f64, u64), runs: &Runs) -> Result<Turned> {
     let scene = scene(lambda, seed, runs.effort());
     let folder = folder(lambda, seed, runs);
-    let frames = if (lambda, seed) == FILMED { FRAMES } else { 0 };
+    let is_filmed = LISTED
+        .iter()
+        .chain([&FILMED])
+        .any(|run| *run == (lambda, seed));
+    let frames = if is_filmed { FRAMES } else { 0 };
     let run: TipRun = runs.session(&folder).frames(frames).run(&scene)?;
     Ok(Turned {
         lambda,

@@ -1,0 +1,202 @@
+//! Sums and differences of porosities over the map, deposit by deposit.
+
+use super::table::{Line, Made};
+use tribos::scene::Coupling;
+
+/// Mean of some deposits, and what it is good to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate {
+    /// One value a deposit.
+    pub values: Vec<f64>,
+}
+
+/// Two-sided 95 % quantiles of Student's t with 1, 2, … degrees of freedom (Abramowitz and Stegun, table 26.10).
+const STUDENT: [f64; 9] = [
+    12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262,
+];
+/// The same for more than that: a bound on what follows, 2.23 to 1.96.
+const STUDENT_BEYOND: f64 = 2.228;
+
+impl Estimate {
+    pub fn mean(&self) -> f64 {
+        self.values.iter().sum::<f64>() / self.values.len() as f64
+    }
+
+    /// Standard error of the mean; NaN of less than two.
+    pub fn error(&self) -> f64 {
+        let (count, mean) = (self.values.len() as f64, self.mean());
+        let square: f64 = self.values.iter().map(|x| (x - mean).powi(2)).sum();
+        (square / (count * (count - 1.0))).sqrt()
+    }
+
+    /// Half the width of the 95 % interval of the mean; NaN of less than two.
+    pub fn half_width(&self) -> f64 {
+        let freedom = self.values.len().saturating_sub(2);
+        self.error() * STUDENT.get(freedom).copied().unwrap_or(STUDENT_BEYOND)
+    }
+
+    /// Whether 0 lies outside of the 95 % interval.
+    pub fn differs_from_zero(&self) -> bool {
+        self.mean().abs() > self.half_width()
+    }
+}
+
+/// The runs of a map.
+#[derive(Debug)]
+pub struct Map {
+    lines: Vec<Line>,
+    /// Seeds of all lines, each once.
+    seeds: Vec<u64>,
+}
+
+/// A corner with its coupling, and its weight in a sum.
+pub type Term = ([f64; 2], Coupling, f64);
+
+impl Map {
+    pub fn new(lines: Vec<Line>) -> Self {
+        let mut seeds: Vec<u64> = lines.iter().map(|line| line.made.seed).collect();
+        seeds.sort_unstable();
+        seeds.dedup();
+        Self { lines, seeds }
+    }
+
+    pub fn lines(&self) -> &[Line] {
+        &self.lines
+    }
+
+    pub fn line(&self, made: Made) -> Option<&Line> {
+        self.lines.iter().find(|line| line.made == made)
+    }
+
+    /// Weighted sums over the terms in a cell, one of each deposit that has them all.
+    pub fn sums(
+        &self,
+        (spread, pressure): (f64, f64),
+        terms: &[Term],
+        of: impl Fn(&Line) -> f64,
+    ) -> Estimate {
+        let sum = |&seed: &u64| {
+            let parts = terms.iter().map(|&(corner, coupling, weight)| {
+                let coupling = if corner[1] > 0.0 {
+                    coupling
+                } else {
+                    Coupling::Independent
+                };
+                let made = Made {
+                    seed,
+                    spread,
+                    pressure,
+                    corner,
+                    coupling,
+                };
+                self.line(made).map(|line| weight * of(line))
+            });
+            parts.sum::<Option<f64>>()
+        };
+        let values = self.seeds.iter().filter_map(sum).collect();
+        Estimate { values }
+    }
+
+    /// Porosity at a corner.
+    pub fn porosity(&self, cell: (f64, f64), corner: [f64; 2], coupling: Coupling) -> Estimate {
+        self.sums(cell, &[(corner, coupling, 1.0)], |line| line.porosity)
+    }
+
+    /// E₁(1,1) − E₁(1,0) − E₁(0,1): 0 if the contributions add up.
+    pub fn excess(&self, cell: (f64, f64), coupling: Coupling) -> Estimate {
+        let terms = [
+            ([1.0, 1.0], coupling, 1.0),
+            ([1.0, 0.0], coupling, -1.0),
+            ([0.0, 1.0], coupling, -1.0),
+            ([0.0, 0.0], coupling, 1.0),
+        ];
+        self.sums(cell, &terms, |line| line.porosity)
+    }
+
+    /// What a coupling adds to the porosity at a corner.
+    pub fn coupled(&self, cell: (f64, f64), corner: [f64; 2], coupling: Coupling) -> Estimate {
+        let terms = [
+            (corner, coupling, 1.0),
+            (corner, Coupling::Independent, -1.0),
+        ];
+        self.sums(cell, &terms, |line| line.porosity)
+    }
+
+    /// Geometric mean over all pairs of the cost of a coupling over that of independent limits.
+    pub fn cost(&self, coupling: Coupling, of: impl Fn(&Line) -> f64) -> f64 {
+        let pair = |line: &&Line| line.made.coupling == coupling;
+        let ratios = self.lines.iter().filter(pair).filter_map(|line| {
+            let made = Made {
+                coupling: Coupling::Independent,
+                ..line.made
+            };
+            Some((of(line) / of(self.line(made)?)).ln())
+        });
+        let logarithms = Estimate {
+            values: ratios.collect(),
+        };
+        logarithms.mean().exp()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(seed: u64, corner: [f64; 2], coupling: Coupling, porosity: f64) -> Line {
+        Line {
+            made: Made {
+                seed,
+                spread: 0.0,
+                pressure: 0.01,
+                corner,
+                coupling,
+            },
+            blocked: true,
+            porosity,
+            contacts: 1.0,
+            steps: 1.0,
+            unmet: 0.0,
+            sweeps: 2.0 * porosity,
+            pull: 0.0,
+            seconds: 1.0,
+        }
+    }
+
+    const CELL: (f64, f64) = (0.0, 0.01);
+
+    #[test]
+    fn sums_are_taken_deposit_by_deposit_and_leave_out_what_is_not_complete() {
+        let corners = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
+        let mut lines = Vec::new();
+        // Deposits differ by 0.1, their excess does not.
+        for (seed, base) in [(1, 0.4), (2, 0.5)] {
+            for (corner, more) in corners.into_iter().zip([0.0, 0.1, 0.2, 0.28]) {
+                lines.push(line(seed, corner, Coupling::Independent, base + more));
+            }
+        }
+        lines.push(line(3, [0.0, 0.0], Coupling::Independent, 0.9));
+        lines.push(line(2, [0.0, 1.0], Coupling::Exact, 0.3));
+        let map = Map::new(lines);
+        let excess = map.excess(CELL, Coupling::Independent);
+        assert_eq!(excess.values.len(), 2);
+        assert!((excess.mean() + 0.02).abs() < 1e-15 && excess.error() < 1e-15);
+        assert!(excess.differs_from_zero());
+        let coupled = map.coupled(CELL, [0.0, 1.0], Coupling::Exact);
+        assert_eq!(coupled.values.len(), 1);
+        assert!((coupled.mean() + 0.3).abs() < 1e-15 && coupled.error().is_nan());
+        assert!(!coupled.differs_from_zero());
+        assert!((map.cost(Coupling::Exact, |line| line.sweeps) - 0.5).abs() < 1e-15);
+    }
+
+    #[test]
+    fn intervals_are_students() {
+        // numpy: mean 0.3, standard error 0.1; scipy.stats.t.ppf(0.975, 2) = 4.302653.
+        let three = Estimate {
+            values: vec![0.3 - 0.1 * 3f64.sqrt(), 0.3, 0.3 + 0.1 * 3f64.sqrt()],
+        };
+        assert!((three.error() - 0.1).abs() < 1e-15);
+        assert!((three.half_width() - 0.4303).abs() < 1e-12);
+        assert!(!three.differs_from_zero());
+    }
+}

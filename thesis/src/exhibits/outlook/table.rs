@@ -1,0 +1,235 @@
+//! Runs behind section 5.2: a kept table, or runs of this report.
+
+use crate::runs::{Case, Run, Runs, System};
+use anyhow::{Context, Result, anyhow};
+use tribos::powder::Ending;
+use tribos::scene::{Coupling, Criterion};
+
+/// The kept table with the commands that made it.
+const KEPT: &str = include_str!("runs.csv");
+
+/// Ratios of pressure to cohesion, P R²/F_coh: 1/1600 to 16/25.
+pub const PRESSURES: [f64; 6] = [0.000_625, 0.0025, 0.01, 0.04, 0.16, 0.64];
+/// Half the width of the distribution of radii, in mean radii.
+pub const SPREADS: [f64; 4] = [0.0, 0.2, 0.4, 0.6];
+/// The couplings of sliding and torsion, the one without first.
+pub const COUPLINGS: [Coupling; 3] = [Coupling::Independent, Coupling::Ellipsoid, Coupling::Exact];
+/// Rolling and torsion coefficients.
+pub const CORNERS: [[f64; 2]; 4] = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
+/// Deposits of each width in a full report.
+const SEEDS: u64 = 5;
+
+/// What a compaction was made with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Made {
+    pub seed: u64,
+    pub spread: f64,
+    pub pressure: f64,
+    /// μ_t and μ_n.
+    pub corner: [f64; 2],
+    pub coupling: Coupling,
+}
+
+/// A compaction and its end.
+#[derive(Clone, Debug)]
+pub struct Line {
+    pub made: Made,
+    pub blocked: bool,
+    pub porosity: f64,
+    pub contacts: f64,
+    pub steps: f64,
+    pub unmet: f64,
+    pub sweeps: f64,
+    /// σ_zz⁻ in units of the pressure.
+    pub pull: f64,
+    /// Wall-clock time, in s.
+    pub seconds: f64,
+}
+
+impl Made {
+    /// The case of the report's runs.
+    pub fn case(&self) -> Case {
+        let Self {
+            pressure, spread, ..
+        } = *self;
+        let mut case = Case::new(System::Small, self.corner, self.seed)
+            .with("blocked=piston", |scene| scene.blocked = Criterion::Piston)
+            .with(&format!("pressure={pressure}"), |scene| {
+                scene.pressure = pressure
+            })
+            .with(&format!("radius_spread={spread}"), |scene| {
+                scene.radius_spread = spread
+            });
+        if self.coupling != Coupling::Independent {
+            let coupling = self.coupling;
+            case = case.with(&format!("coupling={}", name(coupling)), |scene| {
+                scene.coupling = coupling
+            });
+        }
+        case
+    }
+
+    /// All that a full report makes.
+    fn all() -> Vec<Self> {
+        let mut all = Vec::new();
+        for seed in 1..=SEEDS {
+            for (spread, pressure) in cells() {
+                for corner in CORNERS {
+                    let couplings = if corner[1] > 0.0 {
+                        &COUPLINGS[..]
+                    } else {
+                        &COUPLINGS[..1]
+                    };
+                    all.extend(couplings.iter().map(|&coupling| Self {
+                        seed,
+                        spread,
+                        pressure,
+                        corner,
+                        coupling,
+                    }));
+                }
+            }
+        }
+        all
+    }
+}
+
+impl Line {
+    /// Of a run of this report.
+    pub fn of(made: Made, run: &Run) -> Self {
+        let outcome = &run.outcome;
+        Self {
+            made,
+            blocked: outcome.ending == Some(Ending::Blocked),
+            porosity: outcome.porosity[1],
+            contacts: outcome.statistics.contacts as f64,
+            steps: outcome.steps as f64,
+            unmet: outcome.unmet as f64,
+            sweeps: outcome.iterations as f64,
+            pull: outcome.stress_zz()[2],
+            seconds: outcome.wall_seconds,
+        }
+    }
+}
+
+/// Widths and pressures, width by width.
+pub fn cells() -> impl Iterator<Item = (f64, f64)> {
+    SPREADS.into_iter().flat_map(|spread| {
+        PRESSURES
+            .into_iter()
+            .map(move |pressure| (spread, pressure))
+    })
+}
+
+/// Its word in scenes.
+pub fn name(coupling: Coupling) -> &'static str {
+    match coupling {
+        Coupling::Independent => "independent",
+        Coupling::Ellipsoid => "ellipsoid",
+        Coupling::Exact => "exact",
+    }
+}
+
+/// Everything, run now.
+pub fn run(runs: &Runs) -> Result<Vec<Line>> {
+    let all = Made::all();
+    let cases: Vec<Case> = all.iter().map(Made::case).collect();
+    let done = runs.of(&cases)?;
+    Ok(all
+        .into_iter()
+        .zip(done)
+        .map(|(made, run)| Line::of(made, &run))
+        .collect())
+}
+
+/// The kept table.
+pub fn kept() -> Result<Vec<Line>> {
+    parse(KEPT)
+}
+
+/// Lines of a table with a head of columns; `#` begins a comment.
+fn parse(text: &str) -> Result<Vec<Line>> {
+    let mut lines = text
+        .lines()
+        .filter(|line| !line.starts_with('#') && !line.is_empty());
+    let columns: Vec<&str> = lines
+        .next()
+        .context("the table has no head")?
+        .split(',')
+        .collect();
+    lines
+        .map(|line| read(&columns, line).with_context(|| format!("in the line {line}")))
+        .collect()
+}
+
+fn read(columns: &[&str], line: &str) -> Result<Line> {
+    let words: Vec<&str> = line.split(',').collect();
+    let word = |name: &str| {
+        let at = columns.iter().position(|column| *column == name);
+        let found = at.and_then(|at| words.get(at)).copied();
+        found.ok_or_else(|| anyhow!("no {name}"))
+    };
+    let number = |name: &str| Ok::<f64, anyhow::Error>(word(name)?.parse()?);
+    let coupling = word("coupling")?;
+    let coupling = COUPLINGS.into_iter().find(|&known| name(known) == coupling);
+    Ok(Line {
+        made: Made {
+            seed: word("seed")?.parse()?,
+            spread: number("radius_spread")?,
+            pressure: number("pressure")?,
+            corner: [number("rolling")?, number("torsion")?],
+            coupling: coupling.context("unknown coupling")?,
+        },
+        blocked: word("ending")? == "blocked",
+        porosity: number("porosity_final")?,
+        contacts: number("contacts")?,
+        steps: number("steps")?,
+        unmet: number("steps_unmet")?,
+        sweeps: number("iterations_total")?,
+        pull: number("stress_zz_minus")?,
+        seconds: number("wall_seconds")?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kept_run_is_one_of_the_map_and_there_once() -> Result<()> {
+        let lines = kept()?;
+        for (at, line) in lines.iter().enumerate() {
+            let Made {
+                spread,
+                pressure,
+                corner,
+                coupling,
+                ..
+            } = line.made;
+            assert!(
+                SPREADS.contains(&spread) && PRESSURES.contains(&pressure),
+                "{:?}",
+                line.made
+            );
+            assert!(CORNERS.contains(&corner) && (0.0..1.0).contains(&line.porosity));
+            assert!(corner[1] > 0.0 || coupling == Coupling::Independent);
+            assert!(
+                lines[..at].iter().all(|other| other.made != line.made),
+                "{:?}",
+                line.made
+            );
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn a_full_map_has_eight_runs_a_cell_and_seed() {
+        assert_eq!(Made::all().len(), 5 * 24 * 8);
+    }
+
+    #[test]
+    fn a_table_without_a_column_is_refused() {
+        assert!(parse("seed,pressure\n1,0.01\n").is_err());
+        assert!(parse("# only a comment\n").is_err());
+    }
+}
