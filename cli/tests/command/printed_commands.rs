@@ -11,8 +11,14 @@ use std::process::{Command, Stdio};
 /// As printed for a reader who has the repository, and for one who has the command.
 const CALLS: [&str; 2] = ["cargo run --release -- ", "tribos "];
 /// Keys that cut a powder, and a tip, to a few steps.
-const SHORT: [(&str, &str); 2] = [
+const SHORT: [(&str, &str); 8] = [
     ("compaction-", " --set steps=2"),
+    ("shear-cell", " --set steps=2"),
+    ("column", " --set steps=2"),
+    ("heap", " --set steps=2"),
+    ("hopper", " --set steps=2"),
+    ("cyclic", " --set steps=2"),
+    ("shaken", " --set steps=2"),
     (
         "tip-",
         " --set equilibration=0.01 --set drive_time=0.01 --set rest_time=0.01",
