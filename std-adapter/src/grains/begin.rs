@@ -40,7 +40,7 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
         frozen: None,
     };
     let layout = Layout::of(scene, &start)?;
-    let inward: Vec<Vector3<f64>> = layout.faces.iter().map(|face| face.inward()).collect();
+    let inward: Vec<Vector3<f64>> = layout.parts.iter().map(|part| part.inward).collect();
     if let Some(frozen) = frozen.filter(|_| assembly.outward == inward) {
         // The walls are those of the scene: everything goes on where it was.
         start.contacts = assembly.contacts;
@@ -61,7 +61,7 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
     }
     check_inside(scene, path, &start)?;
     let layout = Layout::of(scene, &start)?;
-    let walls = layout.faces.iter().map(|face| layout.place(*face));
+    let walls = layout.parts.iter().map(|part| part.place);
     start.frozen = Some(Frozen::moving(start.positions.clone(), &assembly, walls));
     Ok(start)
 }

@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use std::f64::consts::PI;
 
 /// Columns of the series, in the units of the scene.
-pub const COLUMNS: [&str; 34] = [
+pub const COLUMNS: [&str; 35] = [
     "time",
     "step",
     "width",
