@@ -177,7 +177,6 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         } else {
             0.0
         };
-        let before = self.stored_energies();
         let opening = motion.velocity.dot(n);
         self.carry(n, motion, dt);
         self.gap = touch.gap;
@@ -199,15 +198,15 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         let friction = self.resist(touch, motion, law, [bound, slope, dashpot], dt);
         self.force = friction.force;
         self.force.normal = bound - pull;
-        let [sliding, rolling, torsion] = self.stored_energies();
-        let lost = |mode: usize, now: f64, fed: f64| before[mode] + fed - now;
+        let [sliding, rolling, torsion] = friction.lost;
         Energies {
-            elastic: law.stiffness.energy(overlap, push) + sliding + rolling + torsion,
+            elastic: law.stiffness.energy(overlap, push)
+                + self.stored_energies().iter().sum::<f64>(),
             cohesion: pull * (touch.gap - law.cohesion.range()),
             normal: normal_loss,
-            sliding: lost(0, sliding, friction.fed[0]) + friction.viscous[0],
-            rolling: lost(1, rolling, friction.fed[1]) + friction.viscous[1],
-            torsion: lost(2, torsion, friction.fed[2]) + friction.viscous[2],
+            sliding,
+            rolling,
+            torsion,
         }
     }
 
@@ -264,13 +263,6 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         let held_twist = self.springs.torsion() * kept;
         let reached = [held[0] + slip * dt, held[1] + roll * dt];
         let reached_twist = held_twist + twist * dt;
-        // Work done on the springs.
-        let fed = [
-            0.5 * k * (reached[0].norm_squared() - held[0].norm_squared()),
-            0.5 * k_turn * (reached[1].norm_squared() - held[1].norm_squared()),
-            0.5 * k_turn * (reached_twist * reached_twist - held_twist * held_twist),
-        ];
-
         // Slip of the springs: the admissible force nearest in elastic energy.
         let trial = TangentialLoad {
             sliding: reached[0] * k,
@@ -300,8 +292,26 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         } else {
             elastic.torsion / k_turn
         };
+        let old = self.stored_energies();
         self.slope = slope;
         self.springs = Modal::new(0.0, sliding, rolling, torsion);
+        // Losses by change of stiffness, by slip and in the dashpots.
+        let about = |x: f64| Vector3::new(x, 0.0, 0.0);
+        let slipped = [
+            slip_loss(k, &held[0], &reached[0], &sliding),
+            slip_loss(k_turn, &held[1], &reached[1], &rolling),
+            slip_loss(
+                k_turn,
+                &about(held_twist),
+                &about(reached_twist),
+                &about(torsion),
+            ),
+        ];
+        let softened = [
+            old[0] - 0.5 * k * held[0].norm_squared(),
+            old[1] - 0.5 * k_turn * held[1].norm_squared(),
+            old[2] - 0.5 * k_turn * held_twist * held_twist,
+        ];
 
         // Springs and dashpots together.
         let trial = TangentialLoad {
@@ -317,25 +327,35 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         let total_rolling = law
             .friction
             .hold_rolling(&trial_rolling, bound, touch.lever);
+        let viscous = [
+            (total.sliding - elastic.sliding).dot(&slip) * dt,
+            (total_rolling - elastic_rolling).dot(&roll) * dt,
+            (total.torsion - elastic.torsion) * twist * dt,
+        ];
         Friction {
             force: Modal::new(0.0, -total.sliding, -total_rolling, -total.torsion),
-            fed,
-            viscous: [
-                (total.sliding - elastic.sliding).dot(&slip) * dt,
-                (total_rolling - elastic_rolling).dot(&roll) * dt,
-                (total.torsion - elastic.torsion) * twist * dt,
-            ],
+            lost: [0, 1, 2].map(|mode: usize| softened[mode] + slipped[mode] + viscous[mode]),
         }
     }
 }
 
-/// What friction does in a step: force on the second body, work on the springs and loss in the dashpots by
-/// mode.
+/// Energy lost by a spring that was held, was strained further to `reached` and slipped back to `kept`: the work of
+/// the force that stays, and what a threshold that sinks takes from the store. Straining without a load loses
+/// nothing.
+#[inline]
+fn slip_loss(k: f64, held: &Vector3<f64>, reached: &Vector3<f64>, kept: &Vector3<f64>) -> f64 {
+    let energy = |spring: &Vector3<f64>| 0.5 * k * spring.norm_squared();
+    let most = energy(reached) - energy(kept);
+    let sunk = energy(held) - energy(kept);
+    let loss = k * kept.dot(&(reached - kept)) + if sunk > 0.0 { sunk } else { 0.0 };
+    if loss < most { loss } else { most }
+}
+
+/// What friction does in a step: force on the second body, and loss by mode.
 #[derive(Clone, Copy, Debug, Default)]
 struct Friction<M: ContactModes<f64>> {
     force: Modal<f64, M>,
-    fed: [f64; 3],
-    viscous: [f64; 3],
+    lost: [f64; 3],
 }
 
 impl Energies {
