@@ -8,6 +8,8 @@ mod md_forces;
 mod md_lammps;
 mod md_neighbours;
 mod neighbours;
+mod soft_contacts;
+mod soft_worlds;
 mod tip_metal;
 mod tip_run;
 mod tip_scenes;
