@@ -17,7 +17,8 @@ pub use crate::powder::Compaction;
 pub use crate::run::{Session, drive};
 pub use crate::scene::{
     ClampScene, CurlingScene, CylinderScene, GasScene, InclineScene, PipeScene, PlateScene,
-    PowderScene, Scene, SliderScene, SpringScene, TipScene, TurntableScene, parse_scene, read_scene,
+    PowderScene, Scene, SliderScene, SpringScene, TipScene, TurntableScene, parse_scene,
+    read_scene,
 };
 pub use crate::slide;
 pub use crate::tip::TipRun;
