@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 /// Overlap of spheres that is refused, in R: more than the rounding of a start from elsewhere.
 const OVERLAP: f64 = 1e-6;
 /// Time stands still if [`BURST`] collisions in a row, of any spheres, take less than this share of the time in
-/// which a sphere crosses its radius. By chance it takes 1e-5 of it or more with 1e6 spheres. In a collapse the
+/// which a sphere crosses its radius. By chance it takes 1e-6 of it with 1e6 spheres. In a collapse the
 /// intervals shrink until rounding ends them, some ten collisions later.
 const STILL: f64 = 1e-12;
 const BURST: u64 = 12;

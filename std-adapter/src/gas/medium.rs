@@ -45,7 +45,7 @@ pub(super) struct Stepped {
 pub(super) enum Kept {
     Events(Stored),
     Steps {
-        frozen: Frozen,
+        frozen: Box<Frozen>,
         collisions: u64,
         unmet: u64,
     },
@@ -90,7 +90,7 @@ impl Medium {
                 unmet,
             } => {
                 let places = frozen.positions.clone();
-                let gas = stepped(scene, length, places, Some(&frozen))?;
+                let gas = stepped(scene, length, places, Some(frozen.as_ref()))?;
                 Ok(Self::Steps(Stepped {
                     collisions,
                     unmet,
@@ -105,7 +105,7 @@ impl Medium {
         match self {
             Self::Events(gas) => Kept::Events(gas.freeze()),
             Self::Steps(gas) => Kept::Steps {
-                frozen: gas.packing.freeze(),
+                frozen: Box::new(gas.packing.freeze()),
                 collisions: gas.collisions,
                 unmet: gas.unmet,
             },
@@ -280,7 +280,7 @@ impl Kept {
                 }
                 let whole = |name: &str| value[name].as_u64().ok_or_else(|| damaged(name));
                 Ok(Self::Steps {
-                    frozen,
+                    frozen: Box::new(frozen),
                     collisions: whole("collisions")?,
                     unmet: whole("unmet")?,
                 })
