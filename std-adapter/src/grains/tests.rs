@@ -197,7 +197,8 @@ fn a_rough_column_carries_part_of_its_weight_and_a_smooth_one_nothing() {
         wall: WallLaw::Bare,
         ..scene
     });
-    assert!((smooth - 1.0).abs() < 0.02, "{smooth}");
+    // The bed of smooth beads still rattles.
+    assert!((smooth - 1.0).abs() < 0.05, "{smooth}");
 }
 
 #[test]
@@ -292,7 +293,7 @@ fn a_drum_lifts_its_bed_on_the_side_that_rises() {
             let mean = now.positions.iter().map(|x| x.x).sum::<f64>() / count;
             // The bottom moves along -x if the drum turns about +y.
             assert!(rate * (mean - 0.04) < -0.003, "{rate}: {mean}");
-            let reach = |x: &nalgebra::Vector3<f64>| (x.x - 0.04).hypot(x.z - 0.04);
+            let reach = |x: &nalgebra::Vector3<f64>| libm::hypot(x.x - 0.04, x.z - 0.04);
             assert!(now.positions.iter().all(|x| reach(x) < 0.0375));
         });
     }
