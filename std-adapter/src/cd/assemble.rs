@@ -195,7 +195,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         {
             for (w, wall) in self.state.walls.iter().enumerate() {
                 let height = wall.outward.dot(x) - wall.place;
-                if height - radius > reach {
+                if height - radius > reach || !wall.acts_on(x) {
                     continue;
                 }
                 let touch = Touch::plate(height, &wall.outward, radius);

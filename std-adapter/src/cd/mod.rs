@@ -50,7 +50,7 @@ pub use energy::EnergyBalance;
 pub use mixture::Mixture;
 pub use nsgs::{Iterations, Order, Stop};
 pub use residual::Residual;
-pub use setup::{ContactLaws, Laws, Setup, StepLimits, Wall, WorldError, solid};
+pub use setup::{ContactLaws, HalfSpace, Laws, Setup, StepLimits, Wall, WorldError, solid};
 pub use solver::{Method, Solver};
 pub use world::{State, StepReport, World};
 

@@ -6,7 +6,7 @@ use super::loads::Loads;
 use super::parts::packing;
 use super::placement::start;
 use crate::run::RunSize;
-use crate::scene::{Coupling, Ends, GrainsScene, Sides};
+use crate::scene::{Container, Coupling, Ends, GrainsScene, Sides};
 use std::ops::ControlFlow;
 use std::time::Instant;
 use tribos_core::contact::Sphere;
@@ -45,8 +45,8 @@ pub struct GrainsCost {
 const CONTACTS: [f64; 2] = [2.0, 3.0];
 /// Memory of a run per grain, in bytes, that of powders.
 const BYTES_A_GRAIN: f64 = 5e3;
-/// Time of a step per grain, with the usual number of sweeps.
-const SECONDS_A_STEP: f64 = 10e-6;
+/// Time of a step per grain, with some hundred sweeps, as dense beds need them.
+const SECONDS_A_STEP: f64 = 100e-6;
 /// Grains along an edge of the block whose updates are timed, sweeps of its step, and rounds.
 const EDGE: usize = 6;
 const SWEEPS: usize = 50;
@@ -119,6 +119,7 @@ fn timed(scene: &GrainsScene) -> Result<f64, GrainsError> {
         y: Sides::Periodic,
         z: Ends::Periodic,
         dimension: 3,
+        container: Container::Box,
         count: EDGE.pow(3),
         radius: 0.5 * side / EDGE as f64 / (1.0 + 1e-9),
         radius_spread: 0.0,
@@ -148,6 +149,7 @@ fn without_drives(scene: &GrainsScene) -> GrainsScene {
         velocity_y: None,
         velocity_z: None,
         plate_speed: 0.0.into(),
+        shake_amplitude: 0.0,
         ..scene.clone()
     }
 }

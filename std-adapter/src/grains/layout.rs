@@ -1,8 +1,9 @@
 //! The box: which walls it has, and its current lengths.
 
+use super::container;
 use super::placement::Start;
-use crate::cd::Wall;
-use crate::scene::{Axis, Ends, GrainsScene, Sides};
+use crate::cd::{HalfSpace, Wall};
+use crate::scene::{Axis, Container, Ends, GrainsScene, Sides};
 use crate::space::{PeriodicBox, PeriodicBoxError};
 use nalgebra::Vector3;
 
@@ -13,30 +14,40 @@ pub(super) enum End {
     High,
 }
 
-/// A wall's place in the box.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Face {
-    pub axis: Axis,
-    pub end: End,
+/// Which wall of a scene one is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Face {
+    /// An end of the box.
+    Side(Axis, End),
+    /// An inclined plane of a hopper.
+    Slope,
+    /// What closes a hopper.
+    Lid,
+    /// A facet of a drum with the unit vector along its motion.
+    Facet(Vector3<f64>),
 }
 
-/// The floor.
-pub(super) const FLOOR: Face = Face {
-    axis: Axis::Z,
-    end: End::Low,
-};
+/// A wall at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Part {
+    pub face: Face,
+    /// Unit normal into the space of the grains.
+    pub inward: Vector3<f64>,
+    /// Position along the normal.
+    pub place: f64,
+    /// Where it acts.
+    pub acts: Option<HalfSpace>,
+}
+
 /// The plate above.
-pub(super) const PLATE: Face = Face {
-    axis: Axis::Z,
-    end: End::High,
-};
+pub(super) const PLATE: Face = Face::Side(Axis::Z, End::High);
 
 /// Walls of a box at its start.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     pub space: PeriodicBox,
-    /// Faces of the walls, in the order of the packing's.
-    pub faces: Vec<Face>,
+    /// The walls, in the order of the packing's.
+    pub parts: Vec<Part>,
     /// Lengths at the start; along an open axis that of the grains.
     pub lengths: [f64; 3],
 }
@@ -61,13 +72,11 @@ impl Axis {
     }
 }
 
-impl Face {
-    /// Unit normal into the box.
-    pub fn inward(self) -> Vector3<f64> {
-        match self.end {
-            End::Low => self.axis.unit(),
-            End::High => -self.axis.unit(),
-        }
+/// Unit normal of an end into the box.
+pub(super) fn inward(axis: Axis, end: End) -> Vector3<f64> {
+    match end {
+        End::Low => axis.unit(),
+        End::High => -axis.unit(),
     }
 }
 
@@ -76,49 +85,56 @@ impl Layout {
     pub fn of(scene: &GrainsScene, start: &Start) -> Result<Self, PeriodicBoxError> {
         let grains = start.positions.iter().zip(&start.radii);
         let top = grains.map(|(x, radius)| x.z + radius).fold(0.0, f64::max);
-        let height = scene.height.unwrap_or(top);
+        let height = match scene.container {
+            Container::Drum => scene.width,
+            _ => scene.height.unwrap_or(top),
+        };
         let lengths = [scene.width, scene.box_depth(), height];
+        let is_drum = scene.container == Container::Drum;
         let repeats = [
-            scene.x == Sides::Periodic,
+            scene.x == Sides::Periodic && !is_drum,
             scene.y == Sides::Periodic && !scene.is_flat(),
             scene.z == Ends::Periodic,
         ];
         let periods = [0, 1, 2].map(|axis: usize| repeats[axis].then_some(lengths[axis]));
-        let mut faces = Vec::new();
+        let side = |face: (Axis, End)| Part {
+            face: Face::Side(face.0, face.1),
+            inward: inward(face.0, face.1),
+            place: match face.1 {
+                End::Low => 0.0,
+                End::High => -lengths[face.0.index()],
+            },
+            acts: None,
+        };
+        let mut parts = Vec::new();
         match scene.z {
-            Ends::Floor => faces.push(FLOOR),
-            Ends::Walls => faces.extend([FLOOR, PLATE]),
+            _ if is_drum => {}
+            Ends::Floor => parts.push(side((Axis::Z, End::Low))),
+            Ends::Walls => parts.extend([End::Low, End::High].map(|end| side((Axis::Z, end)))),
             Ends::Periodic => {}
         }
         for (axis, sides) in [(Axis::X, scene.x), (Axis::Y, scene.y)] {
             if sides == Sides::Walls {
-                faces.extend([End::Low, End::High].map(|end| Face { axis, end }));
+                parts.extend([End::Low, End::High].map(|end| side((axis, end))));
             }
         }
+        parts.extend(container::walls(scene));
         Ok(Self {
             space: PeriodicBox::new(periods)?,
-            faces,
+            parts,
             lengths,
         })
     }
 
-    /// Position of a wall along its normal at the start.
-    pub fn place(&self, face: Face) -> f64 {
-        match face.end {
-            End::Low => 0.0,
-            End::High => -self.lengths[face.axis.index()],
-        }
-    }
-
     /// Number of a wall.
     pub fn wall(&self, face: Face) -> Option<u32> {
-        let found = self.faces.iter().position(|other| *other == face);
+        let found = self.parts.iter().position(|part| part.face == face);
         found.map(|wall| wall as u32)
     }
 
     /// Current coordinate of a face.
     fn coordinate(&self, walls: &[Wall], axis: Axis, end: End) -> Option<f64> {
-        let wall = walls.get(self.wall(Face { axis, end })? as usize)?;
+        let wall = walls.get(self.wall(Face::Side(axis, end))? as usize)?;
         Some(match end {
             End::Low => wall.place,
             End::High => -wall.place,

@@ -1,7 +1,8 @@
 //! What drives the grains: gravity, pistons, moving plates, shaking, each at its time.
 
-use super::layout::{End, Face, Layout, PLATE};
+use super::layout::{End, Face, Layout, PLATE, Part};
 use super::ramp::Ramp;
+use crate::cd::HalfSpace;
 use crate::packing::Packing;
 use crate::scene::{Axis, GrainsScene};
 use nalgebra::Vector3;
@@ -16,6 +17,12 @@ enum Control {
     Stress(Ramp),
     /// With a speed along the axis.
     Speed(Ramp),
+    /// Not at all.
+    Fixed,
+    /// Opened at the time of the scene.
+    Lid,
+    /// Along itself with the drum.
+    Facet(Vector3<f64>),
 }
 
 /// The loads of a scene.
@@ -24,11 +31,21 @@ pub(super) struct Loads {
     gravity: Ramp,
     angle: Ramp,
     plate_speed: Ramp,
+    wall_speed: Ramp,
     /// Controls of the walls, in their order, with their places at the start.
     walls: Vec<(Face, Control, f64)>,
+    /// Rate of rotation of a drum, its radius, and the opening of a hopper.
+    drum: (Ramp, f64),
+    opening: f64,
     shake: Shake,
     repeat: Option<f64>,
 }
+
+/// Where an open lid acts.
+const NOWHERE: HalfSpace = HalfSpace {
+    direction: Vector3::new(0.0, 0.0, 1.0),
+    from: f64::INFINITY,
+};
 
 /// A harmonic motion of the box.
 #[derive(Clone, Copy, Debug)]
@@ -42,22 +59,26 @@ struct Shake {
 impl Loads {
     /// The loads of a scene on the walls of its box.
     pub fn of(scene: &GrainsScene, layout: &Layout) -> Self {
-        let control = |face: Face| match face.end {
-            End::Low => Control::Box,
-            End::High => match (scene.pressure(face.axis), scene.velocity(face.axis)) {
+        let control = |face: Face| match face {
+            Face::Side(_, End::Low) => Control::Box,
+            Face::Side(axis, End::High) => match (scene.pressure(axis), scene.velocity(axis)) {
                 (Some(stress), _) => Control::Stress(stress.clone()),
                 (None, Some(speed)) => Control::Speed(speed.clone()),
                 (None, None) => Control::Box,
             },
+            Face::Slope => Control::Fixed,
+            Face::Lid => Control::Lid,
+            Face::Facet(along) => Control::Facet(along),
         };
-        let faces = layout.faces.iter();
+        let wall = |part: &Part| (part.face, control(part.face), part.place);
         Self {
             gravity: scene.gravity.clone(),
             angle: scene.gravity_angle.clone(),
             plate_speed: scene.plate_speed.clone(),
-            walls: faces
-                .map(|&face| (face, control(face), layout.place(face)))
-                .collect(),
+            wall_speed: scene.wall_speed.clone(),
+            walls: layout.parts.iter().map(wall).collect(),
+            drum: (scene.drum_rate.clone(), 0.5 * scene.width),
+            opening: scene.opening,
             shake: Shake {
                 amplitude: scene.shake_amplitude,
                 rate: TAU * scene.shake_frequency,
@@ -110,11 +131,16 @@ impl Loads {
         };
         let (shift, swing) = self.shake.at(time);
         for (wall, (face, control, start)) in walls.iter_mut().zip(&self.walls) {
-            let axis = face.axis.unit();
-            let across = if *face == PLATE {
-                Vector3::x() * self.plate_speed(time)
-            } else {
-                Vector3::zeros()
+            let (area, axis) = match face {
+                Face::Side(axis, _) => (Layout::area(&extents, *axis), axis.unit()),
+                _ => (0.0, Vector3::zeros()),
+            };
+            let across = match face {
+                &PLATE => Vector3::x() * self.plate_speed(time),
+                Face::Side(Axis::X | Axis::Y, _) => {
+                    Vector3::z() * self.follow(&self.wall_speed, time)[0]
+                }
+                _ => Vector3::zeros(),
             };
             match control {
                 Control::Box => {
@@ -123,7 +149,7 @@ impl Loads {
                 }
                 Control::Stress(stress) => {
                     let [stress, _] = self.follow(stress, time);
-                    wall.force = stress * Layout::area(&extents, face.axis);
+                    wall.force = stress * area;
                     let along = axis * axis.dot(&wall.plate.velocity);
                     wall.plate.velocity = along + across;
                 }
@@ -132,6 +158,17 @@ impl Loads {
                     wall.place = start + wall.outward.dot(&axis) * way;
                     wall.plate.velocity = axis * speed + across;
                 }
+                Control::Facet(along) => {
+                    let (rate, radius) = &self.drum;
+                    let [rate, _] = self.follow(rate, time);
+                    // Roundings of its motion must not add up.
+                    wall.place = *start;
+                    wall.plate.velocity = along * (rate * radius);
+                }
+                Control::Lid if time >= self.opening => {
+                    wall.acts = Some(NOWHERE);
+                }
+                Control::Lid | Control::Fixed => {}
             }
         }
         is_done

@@ -1,17 +1,17 @@
 //! What is measured of the grains after a step.
 
-use super::layout::{End, Face, Layout, PLATE};
+use super::layout::{End, Face, Layout, PLATE, inward};
 use super::loads::Loads;
 use super::parts::volume;
 use crate::cd::StepReport;
 use crate::packing::{Packing, Stress, branch, is_at};
 use crate::record::ContactRow;
-use crate::scene::{Axis, Ends, GrainsScene};
+use crate::scene::{Axis, Container, Ends, GrainsScene};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
 /// Columns of the series, in the units of the scene.
-pub const COLUMNS: [&str; 34] = [
+pub const COLUMNS: [&str; 35] = [
     "time",
     "step",
     "width",
@@ -37,6 +37,7 @@ pub const COLUMNS: [&str; 34] = [
     "gravity_x",
     "gravity_z",
     "surface_angle",
+    "discharged",
     "sweeps",
     "residual",
     "work",
@@ -49,7 +50,7 @@ pub const COLUMNS: [&str; 34] = [
 ];
 
 /// Index of the residual among the columns.
-pub(super) const RESIDUAL: usize = 26;
+pub(super) const RESIDUAL: usize = 27;
 
 /// A line of the series.
 pub(super) type Line = [f64; COLUMNS.len()];
@@ -70,7 +71,7 @@ impl Now<'_> {
     /// mean height of the centres, weighted with mass: the surface of a level bed.
     pub fn extents(&self) -> [[f64; 2]; 3] {
         let mut extents = self.layout.extents(self.packing.walls());
-        if self.scene.z == Ends::Floor {
+        if self.scene.z == Ends::Floor && self.scene.container != Container::Drum {
             let low = extents[2][0];
             let (mut sum, mut mass) = (0.0, 0.0);
             for (x, radius) in self.packing.positions().iter().zip(self.packing.radii()) {
@@ -106,8 +107,7 @@ impl Now<'_> {
 
     /// Force of the grains that pushes a wall outwards.
     pub fn push(&self, axis: Axis, end: End) -> f64 {
-        let face = Face { axis, end };
-        -self.force(face).dot(&face.inward())
+        -self.force(Face::Side(axis, end)).dot(&inward(axis, end))
     }
 
     /// Stress of the contacts in a volume.
@@ -167,6 +167,7 @@ impl Now<'_> {
             gravity.x,
             gravity.z,
             self.surface_angle(),
+            self.discharged(),
             self.report.iterations.sweeps as f64,
             self.report.residual.relative,
             energy.work,
@@ -194,6 +195,19 @@ impl Now<'_> {
             Some(rate) if rate != 0.0 => -stress_xz / rate,
             _ => 0.0,
         }
+    }
+
+    /// Mass of the grains below the slot of a hopper; 0 without one.
+    fn discharged(&self) -> f64 {
+        if self.scene.container != Container::Hopper {
+            return 0.0;
+        }
+        let positions = self.packing.positions().iter();
+        let grains = positions.zip(self.packing.spheres());
+        grains
+            .filter(|(x, _)| x.z < self.scene.outlet_height)
+            .map(|(_, grain)| 1.0 / grain.inv_mass)
+            .sum()
     }
 
     /// Slope of the free surface along x, in degrees, positive where it falls towards +x: the line of

@@ -4,6 +4,7 @@
 //! which may be [`Ramp`]s in time. [`Grains`] runs it.
 
 mod checkpoint;
+mod container;
 mod cost;
 mod error;
 mod frames;

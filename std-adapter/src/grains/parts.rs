@@ -1,7 +1,7 @@
 //! What a packing of grains is made of: material, bodies and method of its scene.
 
 use super::error::GrainsError;
-use super::layout::Layout;
+use super::layout::{Layout, Part};
 use super::loads::Loads;
 use super::placement::Start;
 use crate::cd::{Method as Sweeps, Solver, StepLimits, Wall};
@@ -30,19 +30,22 @@ pub(super) fn packing(
             .map(|(grain, radius)| extras.density(&material, grain) * volume(*radius))
             .sum()
     });
-    let wall = |(wall, face): (usize, &super::layout::Face)| {
-        let (inward, place) = (face.inward(), layout.place(*face));
-        if loads.is_piston(wall) {
-            Wall::piston(inward, place, mass, 0.0)
+    let wall = |(wall, part): (usize, &Part)| {
+        let mass = if loads.is_piston(wall) {
+            mass
         } else {
-            Wall::fixed(inward, place)
+            f64::INFINITY
+        };
+        Wall {
+            acts: part.acts,
+            ..Wall::piston(part.inward, part.place, mass, 0.0)
         }
     };
     let bodies = Bodies {
         space: layout.space,
         positions: start.positions,
         radii: start.radii,
-        walls: layout.faces.iter().enumerate().map(wall).collect(),
+        walls: layout.parts.iter().enumerate().map(wall).collect(),
         gravity: loads.gravity(0.0),
     };
     let method = method(scene);

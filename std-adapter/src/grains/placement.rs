@@ -1,7 +1,8 @@
 //! The start: grains that touch neither each other nor a wall, at random places of a lattice.
 
+use super::container::has_room;
 use crate::random::Random;
-use crate::scene::{Ends, GrainsScene, Sides};
+use crate::scene::{Container, Ends, GrainsScene, Sides};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 
@@ -79,11 +80,21 @@ pub(super) fn start(
     }
     let mut random = Random::new(scene.seed, PLACES);
     let mut positions = Vec::with_capacity(scene.count);
-    for (index, &radius) in radii.iter().enumerate() {
-        if index % BATCH == 0 && watch(index).is_break() {
+    // Places outside a container stay empty.
+    let mut index = 0;
+    while let Some(&radius) = radii.get(positions.len()) {
+        if index % BATCH == 0 && watch(positions.len()).is_break() {
             return Err(PlacementError::Stopped);
         }
-        positions.push(lattice.place(index, radius, &mut random));
+        let place = lattice.place(index, radius, &mut random);
+        if has_room(scene, &place, radius) {
+            positions.push(place);
+        }
+        index += 1;
+        if scene.container == Container::Drum && place.z > scene.width + radius {
+            let (given, room) = (scene.count, positions.len());
+            return Err(PlacementError::Full { given, room });
+        }
     }
     Ok(Start {
         positions,

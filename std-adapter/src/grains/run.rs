@@ -122,7 +122,7 @@ impl Grains {
         let layout = Layout::of(scene, &start)?;
         let loads = Loads::of(scene, &layout);
         if let Some(kept) = &kept {
-            kept.fits([start.radii.len(), layout.faces.len()], scene.samples)?;
+            kept.fits([start.radii.len(), layout.parts.len()], scene.samples)?;
         }
         let frozen = kept.as_ref().map(|kept| &kept.frozen);
         let packing = packing(scene, (&layout, &loads), start, frozen)?;

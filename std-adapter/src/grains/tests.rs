@@ -1,1 +1,375 @@
 //! Grains do what their loads say.
+
+use super::*;
+use crate::run::{Simulation, drive};
+use crate::scene::{Axis, Container, Ends, GrainsScene, Sides, WallLaw};
+
+/// A run to its end.
+fn run(scene: &GrainsScene) -> Grains {
+    let mut grains = Grains::new(scene).unwrap();
+    drive(&mut grains, |_, _| ()).unwrap();
+    grains
+}
+
+/// A column of the series by its name.
+fn column(grains: &Grains, name: &str) -> Vec<f64> {
+    let column = COLUMNS.iter().position(|known| *known == name).unwrap();
+    grains.series().iter().map(|row| row[column]).collect()
+}
+
+fn ramp(text: &str) -> Ramp {
+    text.parse().unwrap()
+}
+
+/// A few beads with the usual tolerances.
+fn beads(count: usize) -> GrainsScene {
+    GrainsScene {
+        width: 0.05,
+        count,
+        radius: 0.005,
+        radius_spread: 0.2,
+        time_step: Some(2e-3),
+        samples: 5,
+        ..GrainsScene::default()
+    }
+}
+
+#[test]
+fn the_integral_of_a_ramp_is_that_of_its_values() {
+    for text in ["3", "0.5:2", "0:0, 1:4, 1.5:-2, 4:1", "2:1, 3:5"] {
+        let ramp = ramp(text);
+        assert_eq!(ramp.to_string().parse(), Ok(ramp.clone()));
+        let (n, end) = (200_000, 5.0);
+        let dt = end / f64::from(n);
+        let midpoints = (0..n).map(|i| ramp.at((f64::from(i) + 0.5) * dt) * dt);
+        let sum: f64 = midpoints.sum();
+        assert!((ramp.integral(end) - sum).abs() < 1e-7, "{text}: {sum}");
+    }
+    for text in [
+        "", "1:2, x", "1:2, 1:3", "2:0, 1:0", "-1:0", "0:inf", "0:1:2",
+    ] {
+        assert!(text.parse::<Ramp>().is_err(), "{text}");
+    }
+}
+
+#[test]
+fn the_floor_carries_the_weight_of_grains_at_rest_in_space_and_plane() {
+    for (dimension, sliding, rolling) in [(3, 0.5, 0.0), (3, 0.3, 0.2), (2, 0.4, 0.0)] {
+        let scene = GrainsScene {
+            dimension,
+            sliding,
+            rolling,
+            rest: Some(1e-3),
+            duration: 5.0,
+            ..beads(30)
+        };
+        let grains = run(&scene);
+        let outcome = grains.outcome();
+        assert_eq!(grains.ending(), Some(Ending::Rest));
+        let share = outcome.floor_force / (outcome.mass * 9.81);
+        assert!((share - 1.0).abs() < 0.01, "{dimension}: {share}");
+        assert!(outcome.energy.imbalance().abs() < 1e-12 * outcome.energy.work);
+    }
+}
+
+#[test]
+fn grains_of_two_dimensions_stay_in_their_plane_to_the_bit() {
+    let scene = GrainsScene {
+        dimension: 2,
+        width: 0.08,
+        x: Sides::Walls,
+        rolling: 0.1,
+        torsion: 0.1,
+        gravity_angle: ramp("0:0, 0.3:30"),
+        restitution: 0.3,
+        duration: 0.5,
+        ..beads(40)
+    };
+    let grains = run(&scene);
+    grains.with_snapshot(|now| {
+        assert!(now.contacts.len() > 40);
+        let motions = now.velocities.unwrap().iter().zip(now.spins.unwrap());
+        for (x, (v, w)) in now.positions.iter().zip(motions) {
+            assert_eq!([x.y, v.y, w.x, w.z], [0.0; 4]);
+        }
+    });
+}
+
+#[test]
+fn pistons_hold_the_stress_of_their_ramp_and_cycles_repeat_it() {
+    let scene = GrainsScene {
+        z: Ends::Walls,
+        gravity: 0.0.into(),
+        pressure_z: Some(ramp("0:500, 1:500, 1.05:2000, 1.5:2000")),
+        repeat: Some(1.5),
+        sliding: 0.2,
+        duration: 3.0,
+        ..beads(40)
+    };
+    let grains = run(&scene);
+    let [times, stresses] = ["time", "plate_stress"].map(|name| column(&grains, name));
+    let mean = |from: f64, to: f64| {
+        let inside = times.iter().zip(&stresses);
+        let inside: Vec<f64> = inside
+            .filter(|(time, _)| (from..to).contains(*time))
+            .map(|(_, stress)| *stress)
+            .collect();
+        inside.iter().sum::<f64>() / inside.len() as f64
+    };
+    for (from, to, stress) in [
+        (0.7, 1.0, 500.0),
+        (1.2, 1.5, 2000.0),
+        (2.2, 2.5, 500.0),
+        (2.7, 3.0, 2000.0),
+    ] {
+        let found = mean(from, to);
+        assert!((found / stress - 1.0).abs() < 0.05, "{from}: {found}");
+    }
+}
+
+#[test]
+fn walls_go_where_their_speed_takes_them() {
+    for (speed, moved) in [("0:0, 0.2:0.1", 0.01 + 0.03), ("-0.02", -0.01)] {
+        let scene = GrainsScene {
+            x: Sides::Walls,
+            z: Ends::Walls,
+            height: Some(0.1),
+            gravity: 0.0.into(),
+            velocity_z: Some(speed.parse().unwrap_or_else(|_| ramp(speed))),
+            velocity_x: Some(ramp(speed)),
+            duration: 0.5,
+            ..beads(8)
+        };
+        let mut grains = run(&scene);
+        // The last step goes beyond the end; the next would put the wall where the ramp is by then.
+        let time = grains.time();
+        let exact = scene.velocity(Axis::Z).unwrap().integral(time);
+        let height = column(&grains, "height").pop().unwrap();
+        assert!((exact - moved).abs() < 2e-3);
+        assert!((height - 0.1 - exact).abs() < 2e-5, "{height} {exact}");
+        let width = column(&grains, "width").pop().unwrap();
+        assert!((width - 0.05 - exact).abs() < 2e-5, "{width}");
+        assert!(!grains.step().unwrap());
+    }
+}
+
+#[test]
+fn moving_plates_shear_with_and_against_x_and_no_energy_is_missing() {
+    for sign in [1.0, -1.0] {
+        let scene = GrainsScene {
+            z: Ends::Walls,
+            gravity: 0.0.into(),
+            pressure_z: Some(1000.0.into()),
+            plate_speed: Ramp::through(&[[0.3, 0.0], [0.35, sign * 0.1]]).unwrap(),
+            duration: 1.0,
+            ..beads(60)
+        };
+        let grains = run(&scene);
+        let stresses = column(&grains, "shear_stress");
+        let late = &stresses[stresses.len() / 2..];
+        let mean = late.iter().sum::<f64>() / late.len() as f64;
+        assert!(sign * mean > 20.0 && mean.abs() < 500.0, "{sign}: {mean}");
+        let energy = grains.outcome().energy;
+        assert!(energy.imbalance().abs() < 1e-9 * energy.work, "{energy:?}");
+    }
+}
+
+#[test]
+fn a_rough_column_carries_part_of_its_weight_and_a_smooth_one_nothing() {
+    let scene = GrainsScene {
+        width: 0.04,
+        x: Sides::Walls,
+        y: Sides::Walls,
+        wall_speed: ramp("0.6:0, 0.65:0.02"),
+        sweeps: 300,
+        duration: 1.0,
+        ..beads(120)
+    };
+    let share = |scene: &GrainsScene| {
+        let grains = run(scene);
+        let forces = column(&grains, "floor_force");
+        let late = &forces[3 * forces.len() / 4..];
+        late.iter().sum::<f64>() / late.len() as f64 / (grains.outcome().mass * 9.81)
+    };
+    let rough = share(&scene);
+    assert!((0.1..0.97).contains(&rough), "{rough}");
+    let smooth = share(&GrainsScene {
+        wall: WallLaw::Bare,
+        ..scene
+    });
+    assert!((smooth - 1.0).abs() < 0.02, "{smooth}");
+}
+
+#[test]
+fn a_shaken_floor_throws_grains_up_and_takes_them_along() {
+    // Beads that do not roll: they come to rest, and a floor takes them along.
+    let scene = GrainsScene {
+        sliding: 0.5,
+        rolling: 1.0,
+        shake_amplitude: 2e-3,
+        duration: 1.0,
+        ..beads(20)
+    };
+    for (axis, frequency) in [(Axis::Z, 20.0), (Axis::X, 5.0)] {
+        let shaken = GrainsScene {
+            shake_axis: axis,
+            shake_frequency: frequency,
+            ..scene.clone()
+        };
+        let [shaken, still] = [
+            &shaken,
+            &GrainsScene {
+                shake_amplitude: 0.0,
+                ..scene.clone()
+            },
+        ]
+        .map(|scene| column(&run(scene), "speed").pop().unwrap());
+        assert!(shaken > 0.03 && still < 2e-3, "{axis}: {shaken} {still}");
+    }
+}
+
+/// A hopper above a floor.
+fn hopper() -> GrainsScene {
+    GrainsScene {
+        width: 0.16,
+        depth: Some(0.03),
+        x: Sides::Walls,
+        container: Container::Hopper,
+        outlet: 0.05,
+        outlet_height: 0.08,
+        duration: 1.2,
+        ..beads(80)
+    }
+}
+
+#[test]
+fn a_hopper_holds_its_grains_until_it_is_opened_and_loses_none() {
+    let closed = run(&GrainsScene {
+        opening: 9.0,
+        duration: 0.6,
+        ..hopper()
+    });
+    assert!(
+        column(&closed, "discharged")
+            .iter()
+            .all(|mass| *mass == 0.0)
+    );
+    let open = run(&GrainsScene {
+        opening: 0.5,
+        ..hopper()
+    });
+    let masses = column(&open, "discharged");
+    assert!(masses.windows(2).all(|pair| pair[0] <= pair[1] + 1e-15));
+    let all = open.outcome().mass;
+    assert!((0.3 * all..=all * (1.0 + 1e-12)).contains(&masses[masses.len() - 1]));
+    open.with_snapshot(|now| {
+        assert!(
+            now.positions
+                .iter()
+                .all(|x| x.z > 0.003 && x.x > 0.003 && x.x < 0.157)
+        );
+    });
+}
+
+/// A drum.
+fn drum(rate: f64) -> GrainsScene {
+    GrainsScene {
+        width: 0.08,
+        depth: Some(0.03),
+        container: Container::Drum,
+        drum_rate: rate.into(),
+        duration: 1.5,
+        ..beads(28)
+    }
+}
+
+#[test]
+fn a_drum_lifts_its_bed_on_the_side_that_rises() {
+    for rate in [1.5, -1.5] {
+        let grains = run(&drum(rate));
+        grains.with_snapshot(|now| {
+            let count = now.positions.len() as f64;
+            let mean = now.positions.iter().map(|x| x.x).sum::<f64>() / count;
+            // The bottom moves along -x if the drum turns about +y.
+            assert!(rate * (mean - 0.04) < -0.003, "{rate}: {mean}");
+            let reach = |x: &nalgebra::Vector3<f64>| (x.x - 0.04).hypot(x.z - 0.04);
+            assert!(now.positions.iter().all(|x| reach(x) < 0.0375));
+        });
+    }
+}
+
+#[test]
+fn a_run_resumes_to_the_byte() {
+    let sheared = GrainsScene {
+        z: Ends::Walls,
+        x: Sides::Walls,
+        pressure_z: Some(ramp("0:100, 0.5:1000")),
+        plate_speed: ramp("0:0, 0.1:0.1"),
+        repeat: Some(0.3),
+        ..beads(30)
+    };
+    let shaken = GrainsScene {
+        shake_amplitude: 1e-3,
+        restitution: 0.5,
+        ..beads(30)
+    };
+    for scene in [sheared, shaken, hopper(), drum(2.0)] {
+        let mut whole = Grains::new(&scene).unwrap();
+        for _ in 0..60 {
+            whole.step().unwrap();
+        }
+        let mut broken = Grains::resume(&scene, &whole.checkpoint()).unwrap();
+        for _ in 0..30 {
+            whole.step().unwrap();
+            broken.step().unwrap();
+        }
+        assert_eq!(whole.series(), broken.series());
+        let bits = |run: &Grains| run.with_snapshot(|now| now.positions.to_vec());
+        assert_eq!(bits(&whole), bits(&broken));
+    }
+}
+
+#[test]
+fn what_does_not_fit_together_is_refused_by_name() {
+    let scene = || GrainsScene::default();
+    let both = GrainsScene {
+        z: Ends::Walls,
+        pressure_z: Some(1.0.into()),
+        velocity_z: Some(1.0.into()),
+        ..scene()
+    };
+    let pull = GrainsScene {
+        z: Ends::Walls,
+        pressure_z: Some(ramp("0:1, 1:-1")),
+        ..scene()
+    };
+    let flat = GrainsScene {
+        dimension: 2,
+        depth: Some(1.0),
+        ..scene()
+    };
+    let periodic = GrainsScene {
+        z: Ends::Periodic,
+        ..scene()
+    };
+    for (scene, key) in [
+        (both, "pressure_z"),
+        (pull, "pressure_z"),
+        (flat, "depth"),
+        (periodic, "height"),
+    ] {
+        let refused = scene.check().unwrap_err().to_string();
+        assert!(refused.contains(&format!("`{key}`")), "{refused}");
+    }
+    let full = GrainsScene {
+        z: Ends::Walls,
+        height: Some(0.03),
+        count: 1000,
+        ..scene()
+    };
+    let refused = Grains::new(&full).unwrap_err();
+    assert!(matches!(
+        refused,
+        GrainsError::Placement(PlacementError::Full { given: 1000, .. })
+    ));
+}

@@ -30,6 +30,18 @@ pub enum Ends {
 }
 words!(Ends { Floor = "floor", Walls = "walls", Periodic = "periodic" });
 
+/// What holds the grains.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Container {
+    /// The box.
+    Box,
+    /// Two inclined planes above the floor of the box, with a slot between them.
+    Hopper,
+    /// A lying drum that turns about y, as wide as the box.
+    Drum,
+}
+words!(Container { Box = "box", Hopper = "hopper", Drum = "drum" });
+
 /// An axis of the box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
@@ -66,9 +78,9 @@ scene! {
     width: f64 = 0.1, "m", Positive, Required;
     /// Length of the box along y; as long as `width` if it is left out. A two-dimensional box has none.
     depth: Option<f64> = None, "m", Positive;
-    /// Height of the box: where the plate above starts, or the period. If it is left out, a plate starts
-    /// at the highest grain.
-    height: Option<f64> = None, "m", Positive, NotWith("z", "floor");
+    /// Height of the box: where the plate above starts, or the period; a floor alone does not use it. If it
+    /// is left out, a plate starts at the highest grain.
+    height: Option<f64> = None, "m", Positive;
     /// What bounds the box along x.
     x: Sides = Sides::Periodic, "-", OneOf(Sides::WORDS);
     /// What bounds the box along y.
@@ -77,6 +89,18 @@ scene! {
     z: Ends = Ends::Floor, "-", OneOf(Ends::WORDS);
     /// 3, or 2 for spheres that stay in the plane y = 0 and spin about y.
     dimension: u32 = 3, "-", Count { up_to: 3.0 };
+    /// What holds the grains: the box, a hopper in it, or a drum of diameter `width` about y.
+    container: Container = Container::Box, "-", OneOf(Container::WORDS);
+    /// Width of the slot of the hopper.
+    outlet: f64 = 0.05, "m", Positive, OnlyWith("container", "hopper");
+    /// Height of the slot above the floor.
+    outlet_height: f64 = 0.1, "m", Positive, OnlyWith("container", "hopper");
+    /// Angle of the planes of the hopper with the horizontal.
+    slope: f64 = 45.0, "degree", Between { above: 0.0, up_to: 89.0 }, OnlyWith("container", "hopper");
+    /// Time at which the slot is opened.
+    opening: f64 = 0.0, "s", NotNegative, OnlyWith("container", "hopper");
+    /// Rate of rotation of the drum.
+    drum_rate: Ramp = Ramp::from(1.0), "rad/s", Ramp, OnlyWith("container", "drum");
     /// Number of grains.
     count: usize = 100, "-", Count { up_to: 1e6 }, Required;
     /// Mean radius of the grains.
@@ -141,6 +165,8 @@ scene! {
     plate_speed: Ramp = Ramp::from(0.0), "m/s", Ramp, OnlyWith("z", "walls");
     /// Rate at which a box without walls along x and z is sheared: speed along x over height along z.
     shear_rate: Option<f64> = None, "1/s", Finite, OnlyWith("z", "periodic");
+    /// Speed of the walls along x and y upwards, which mobilizes their friction; negative downwards.
+    wall_speed: Ramp = Ramp::from(0.0), "m/s", Ramp;
     /// Amplitude with which the box is shaken: all walls that are neither piston nor moved otherwise.
     shake_amplitude: f64 = 0.0, "m", NotNegative;
     /// Frequency of the shaking.
@@ -199,6 +225,17 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
     if scene.shear_rate.is_some() && scene.x == Sides::Walls {
         let message = "a shear needs x = \"periodic\"; leave `shear_rate` out or `x`";
         judge.refuse(&["shear_rate", "x"], message);
+    }
+    if scene.container != Container::Box && (scene.z != Ends::Floor || scene.shake_amplitude > 0.0)
+    {
+        let message = "a hopper or a drum has z = \"floor\" and is not shaken";
+        judge.refuse(&["container", "z", "shake_amplitude"], message);
+    }
+    if scene.container == Container::Drum && scene.x == Sides::Walls {
+        judge.refuse(
+            &["x", "container"],
+            "a drum has no walls along x; leave `x` out",
+        );
     }
     for (keys, axis) in CONTROLS.iter().zip([Axis::X, Axis::Y, Axis::Z]) {
         let [pressure, velocity] = [scene.pressure(axis), scene.velocity(axis)];

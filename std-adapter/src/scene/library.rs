@@ -92,6 +92,30 @@ pub const LIBRARY: &[LibraryScene] = &[
         text: include_str!("../../scenes/shear-periodic.toml"),
     },
     LibraryScene {
+        name: "shear-cell",
+        text: include_str!("../../scenes/shear-cell.toml"),
+    },
+    LibraryScene {
+        name: "column",
+        text: include_str!("../../scenes/column.toml"),
+    },
+    LibraryScene {
+        name: "heap",
+        text: include_str!("../../scenes/heap.toml"),
+    },
+    LibraryScene {
+        name: "hopper",
+        text: include_str!("../../scenes/hopper.toml"),
+    },
+    LibraryScene {
+        name: "cyclic",
+        text: include_str!("../../scenes/cyclic.toml"),
+    },
+    LibraryScene {
+        name: "shaken",
+        text: include_str!("../../scenes/shaken.toml"),
+    },
+    LibraryScene {
         name: "tip-reversible",
         text: include_str!("../../scenes/tip-reversible.toml"),
     },

@@ -43,7 +43,7 @@ pub use body::{Scene, parse_scene, read_scene};
 pub use clamp::ClampScene;
 pub use curling::{CurlingScene, IceModel};
 pub use cylinder::CylinderScene;
-pub use grains::{Axis, Ends, GrainsScene, Sides};
+pub use grains::{Axis, Container, Ends, GrainsScene, Sides};
 #[doc(hidden)]
 pub use hint::{nearest, number_hint};
 pub use incline::InclineScene;

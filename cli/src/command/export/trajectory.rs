@@ -104,7 +104,9 @@ impl Trajectory {
                 frames_folder(&self.run).display()
             )));
         };
-        if ["powder", "grains", "tip"].contains(&summary["scene"]["body"].as_str().unwrap_or_default()) {
+        if ["powder", "grains", "tip"]
+            .contains(&summary["scene"]["body"].as_str().unwrap_or_default())
+        {
             return Err(Failure::input(format!(
                 "{folder}: the run kept no frames; run it again without `--frames 0`"
             )));

@@ -36,14 +36,18 @@ fn is_valid(schema: &Value, instance: &Value) -> bool {
     let compare = |rule: &Value, holds: fn(f64, f64) -> bool| {
         x.is_none_or(|x| holds(x, rule.as_f64().unwrap()))
     };
+    let is_of = |kind: &Value| match kind.as_str().unwrap() {
+        "object" => instance.is_object(),
+        "string" => instance.is_string(),
+        "number" => x.is_some(),
+        "integer" => x.is_some_and(|x| x.fract() == 0.0),
+        other => panic!("type {other}"),
+    };
     rules.iter().all(|(word, rule)| match word.as_str() {
         "$schema" | "title" | "description" | "default" | "then" | "else" => true,
-        "type" => match rule.as_str().unwrap() {
-            "object" => instance.is_object(),
-            "string" => instance.is_string(),
-            "number" => x.is_some(),
-            "integer" => x.is_some_and(|x| x.fract() == 0.0),
-            other => panic!("type {other}"),
+        "type" => match rule.as_array() {
+            Some(kinds) => kinds.iter().any(is_of),
+            None => is_of(rule),
         },
         "const" => match x {
             Some(x) => rule.as_f64() == Some(x),
