@@ -10,8 +10,8 @@ type Answer = Result<(), Box<dyn std::error::Error>>;
 /// 64 beads in a box that repeats, sheared at a rate.
 fn sheared(rate: f64) -> GrainsScene {
     GrainsScene {
-        width: 4.0 * 0.0111,
-        height: Some(4.0 * 0.0111),
+        width: 4.0 * 0.0112,
+        height: Some(4.0 * 0.0112),
         radius_spread: 0.1,
         z: Ends::Periodic,
         count: 64,
