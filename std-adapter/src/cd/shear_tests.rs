@@ -308,6 +308,16 @@ fn flow_law(mu: f64, spacing: f64) -> Result<[f64; 2], Box<dyn std::error::Error
     let friction = Thresholds::<f64, Sliding>::sliding(mu)?;
     let laws = Laws::uniform(NormalLaw::new(Cohesion::NONE, 0.7)?, friction);
     let mut setup = gas(laws, [5, 5, 5], spacing, 1.0)?;
+    // Equal spheres would order.
+    for (index, radius) in setup.radii.iter_mut().enumerate() {
+        *radius = 0.9 + 0.05 * (index * 7 % 5) as f64;
+        let sphere = &mut setup.spheres[index];
+        *sphere = Sphere {
+            velocity: sphere.velocity,
+            spin: sphere.spin,
+            ..solid(*radius, 1.0)
+        };
+    }
     setup.solver = solver(1e-4);
     let volume: f64 = setup.space.lengths().into_iter().flatten().product();
     let middle = 0.5 * setup.space.lengths()[2].unwrap_or(0.0);
@@ -339,17 +349,18 @@ fn flow_law(mu: f64, spacing: f64) -> Result<[f64; 2], Box<dyn std::error::Error
 }
 
 #[test]
-fn stress_ratio_of_a_flow_lies_in_the_band_of_published_simulations() -> Answer {
-    // Chialvo, Sun and Sundaresan, Phys. Rev. E 85 (2012) 021305, for μ = 0.5 and e = 0.7.
-    let published = |inertial: f64| 0.382 + 0.37 / ((0.32 / inertial).powf(1.5) + 1.0);
+fn stress_ratio_of_a_flow_lies_in_the_band_of_published_flows() -> Answer {
+    // Glass beads: Jop, Forterre and Pouliquen, Nature 441 (2006) 727. Simulated spheres with μ = 0.5 at constant
+    // volume lie up to 0.1 above (Chialvo, Sun and Sundaresan, Phys. Rev. E 85 (2012) 021305).
+    let beads = |inertial: f64| 0.38 + 0.26 / (0.279 / inertial + 1.0);
     let mut last = 0.0;
     for spacing in [1.98, 2.05] {
         let [inertial, ratio] = flow_law(0.5, spacing)?;
         assert!((0.2..1.5).contains(&inertial), "{inertial}");
-        let band = published(inertial);
+        let above = ratio - beads(inertial);
         assert!(
-            (ratio - band).abs() < 0.08,
-            "{ratio} is not {band} at {inertial}"
+            (-0.05..0.15).contains(&above),
+            "{ratio} at {inertial}: {above}"
         );
         // The looser flow is the faster one under the same pressure, and resists more.
         assert!(inertial > last, "{inertial} {last}");

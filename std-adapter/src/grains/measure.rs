@@ -163,7 +163,7 @@ impl Now<'_> {
             plate.z / plate_area,
             self.shear_stress(-plate.x / plate_area, stress.m13),
             plate_speed,
-            plate_speed / height + self.scene.shear_rate,
+            self.scene.shear_rate.unwrap_or(plate_speed / height),
             gravity.x,
             gravity.z,
             self.surface_angle(),
@@ -182,7 +182,7 @@ impl Now<'_> {
 
     /// Shear stress on the plate; of the contacts in a sheared box without walls.
     fn shear_stress(&self, plate: f64, stress_xz: f64) -> f64 {
-        if self.scene.shear_rate == 0.0 {
+        if self.scene.shear_rate.is_none() {
             plate
         } else {
             -stress_xz
@@ -191,10 +191,9 @@ impl Now<'_> {
 
     /// Shear stress of the contacts over the rate of a sheared box; 0 without a rate.
     fn viscosity(&self, stress_xz: f64) -> f64 {
-        if self.scene.shear_rate == 0.0 {
-            0.0
-        } else {
-            -stress_xz / self.scene.shear_rate
+        match self.scene.shear_rate {
+            Some(rate) if rate != 0.0 => -stress_xz / rate,
+            _ => 0.0,
         }
     }
 

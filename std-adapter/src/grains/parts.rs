@@ -21,7 +21,7 @@ pub(super) fn packing(
 ) -> Result<Box<dyn Packing>, GrainsError> {
     let material = scene.material();
     let extras = Extras {
-        shear_rate: scene.shear_rate,
+        shear_rate: scene.shear_rate.unwrap_or(0.0),
         second: scene.second(&start),
     };
     let mass = scene.piston_mass.unwrap_or_else(|| {

@@ -65,6 +65,8 @@ fn header(snapshot: &Snapshot) -> String {
         lattice[4 * axis] = lengths[axis].unwrap_or(high - low);
         origin[axis] = if lengths[axis].is_some() { 0.0 } else { low };
     }
+    // The third vector of a sheared box leans along x.
+    lattice[6] = snapshot.space.offset();
     let flag = |length: Option<f64>| if length.is_some() { "T" } else { "F" };
     let mut columns = String::from("species:S:1:id:I:1:pos:R:3:radius:R:1:n_neighb:I:1");
     if snapshot.velocities.is_some() {

@@ -170,8 +170,8 @@ scene! {
     velocity_z: Option<Ramp> = None, "m/s", Ramp, OnlyWith("z", "walls");
     /// Speed of the plate above along x, which shears the grains.
     plate_speed: Ramp = Ramp::from(0.0), "m/s", Ramp, OnlyWith("z", "walls");
-    /// Rate at which a box without walls is sheared: speed along x over height along z.
-    shear_rate: f64 = 0.0, "1/s", Finite, OnlyWith("z", "periodic");
+    /// Rate at which a box without walls along x and z is sheared: speed along x over height along z.
+    shear_rate: Option<f64> = None, "1/s", Finite, OnlyWith("z", "periodic");
     /// Speed of the walls along x and y upwards, which mobilizes their friction; negative downwards.
     wall_speed: Ramp = Ramp::from(0.0), "m/s", Ramp;
     /// Amplitude with which the box is shaken: all walls that are neither piston nor moved otherwise.
@@ -239,7 +239,7 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
         let message = "`height` is the period where z = \"periodic\"; give it";
         judge.refuse(&["height", "z"], message);
     }
-    if scene.shear_rate != 0.0 && scene.x == Sides::Walls {
+    if scene.shear_rate.is_some() && scene.x == Sides::Walls {
         let message = "a shear needs x = \"periodic\"; leave `shear_rate` out or `x`";
         judge.refuse(&["shear_rate", "x"], message);
     }
