@@ -6,9 +6,13 @@ use super::loads::Loads;
 use super::placement::Start;
 use crate::cd::{Method as Sweeps, Solver, StepLimits, Wall};
 use crate::packing::{Bodies, Extras, Frozen, Material, Method, Packing, Second, build_with};
+use crate::random::Random;
 use crate::scene::GrainsScene;
+use nalgebra::Vector3;
 use std::f64::consts::PI;
 
+/// Stream of the seed for the velocities of a sheared box.
+const VELOCITIES: u64 = 3;
 /// A share of the duration that no step exceeds.
 const STEPS: f64 = 100.0;
 
@@ -23,6 +27,7 @@ pub(super) fn packing(
     let extras = Extras {
         shear_rate: scene.shear_rate.unwrap_or(0.0),
         second: scene.second(&start),
+        velocities: scene.agitation(start.radii.len()),
     };
     let mass = scene.piston_mass.unwrap_or_else(|| {
         let grains = start.radii.iter().enumerate();
@@ -104,6 +109,23 @@ impl GrainsScene {
             material,
             mixed,
         })
+    }
+
+    /// Random velocities of a sheared box, of the rate times the radius and without momentum: the places of the
+    /// start lie in layers, which would pass each other.
+    fn agitation(&self, count: usize) -> Vec<Vector3<f64>> {
+        let Some(rate) = self.shear_rate else {
+            return Vec::new();
+        };
+        let mut random = Random::new(self.seed, VELOCITIES);
+        let mut part = || rate * self.radius * (2.0 * random.unit() - 1.0);
+        let flat = self.is_flat();
+        let mut all: Vec<_> = (0..count)
+            .map(|_| Vector3::new(part(), if flat { 0.0 } else { part() }, part()))
+            .collect();
+        let mean = all.iter().sum::<Vector3<f64>>() / count.max(1) as f64;
+        all.iter_mut().for_each(|velocity| *velocity -= mean);
+        all
     }
 
     /// Longest time step.

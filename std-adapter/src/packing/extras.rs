@@ -1,6 +1,7 @@
 //! What some bodies have beside material and walls: a shear, a second material.
 
 use super::Material;
+use nalgebra::Vector3;
 
 /// A shear and a second material, of which most bodies have neither.
 #[derive(Clone, Debug, Default)]
@@ -8,6 +9,8 @@ pub(crate) struct Extras {
     /// Rate of a simple shear, velocity along x over height along z.
     pub shear_rate: f64,
     pub second: Option<Second>,
+    /// Velocities at the start, beside that of the shear; none if there are fewer than spheres.
+    pub velocities: Vec<Vector3<f64>>,
 }
 
 /// A second material among the spheres.

@@ -160,7 +160,11 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
         sleep_speed: still_speed,
         ..Setup::new(first)
     };
-    let mut world = World::new(setup.sheared(extras.shear_rate))?;
+    let mut setup = setup.sheared(extras.shear_rate);
+    for (sphere, velocity) in setup.spheres.iter_mut().zip(&extras.velocities) {
+        sphere.velocity += velocity;
+    }
+    let mut world = World::new(setup)?;
     if let Some(frozen) = frozen {
         thaw(frozen, world.state_mut());
     }
