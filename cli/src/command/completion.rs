@@ -242,7 +242,7 @@ mod tests {
 
     #[test]
     fn words_are_those_that_the_program_takes() {
-        assert_eq!(values(library, "compaction-s"), ["compaction-small"]);
+        assert_eq!(values(library, "compaction-sm"), ["compaction-small"]);
         assert_eq!(values(all_bodies, "cy"), ["cylinder"]);
         assert_eq!(values(patches, "pol"), ["polynomial:", "polygon:"]);
         assert_eq!(values(local_laws, "strib"), ["stribeck:"]);

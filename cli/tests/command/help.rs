@@ -224,7 +224,10 @@ fn bash_completes_commands_options_and_values() -> Outcome {
         ("tribos sweep --me", "--merge"),
         ("tribos golden ve", "verify"),
         ("tribos wrench --tier comp", "compact"),
-        ("tribos run compaction-s", "compaction-small"),
+        (
+            "tribos run compaction-s",
+            "compaction-small compaction-soft",
+        ),
         ("tribos run disk --set ste", "stepper="),
         ("tribos run disk --set stepper = ver", "verlet"),
         ("tribos run tip-reversible --set lam", "lambda="),

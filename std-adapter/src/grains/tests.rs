@@ -175,24 +175,33 @@ fn moving_plates_shear_with_and_against_x_and_no_energy_is_missing() {
 }
 
 #[test]
-fn a_rough_column_carries_part_of_its_weight_and_a_smooth_one_nothing() {
+fn walls_that_move_up_carry_part_of_a_rough_column_and_nothing_of_a_smooth_one() {
+    // Moved on, the walls' friction is used up. Janssen: a share of (1 − exp(−h))/h is left on the floor,
+    // h = 4 μ K H/D = 1.2 for μ = 0.5, K = 0.4 and a height of 1.5 widths; 0.58.
     let scene = GrainsScene {
         width: 0.04,
         x: Sides::Walls,
         y: Sides::Walls,
-        wall_speed: ramp("0.6:0, 0.65:0.02"),
+        sliding: 0.5,
+        wall_speed: ramp("0.02"),
         sweeps: 300,
-        duration: 1.0,
+        tolerance: 1e-3,
+        duration: 0.7,
         ..beads(120)
     };
     let share = |scene: &GrainsScene| {
         let grains = run(scene);
-        let forces = column(&grains, "floor_force");
-        let late = &forces[3 * forces.len() / 4..];
+        let [times, forces] = ["time", "floor_force"].map(|name| column(&grains, name));
+        let late: Vec<f64> = times
+            .iter()
+            .zip(forces)
+            .filter(|(time, _)| **time > 0.4)
+            .map(|(_, force)| force)
+            .collect();
         late.iter().sum::<f64>() / late.len() as f64 / (grains.outcome().mass * 9.81)
     };
     let rough = share(&scene);
-    assert!((0.1..0.97).contains(&rough), "{rough}");
+    assert!((0.4..0.8).contains(&rough), "{rough}");
     let smooth = share(&GrainsScene {
         wall: WallLaw::Bare,
         ..scene

@@ -50,7 +50,7 @@ fn branch(known: &Vocabulary) -> Map<String, Value> {
     branch.insert("properties".into(), properties.into());
     branch.insert("required".into(), required(known).into());
     branch.insert("additionalProperties".into(), false.into());
-    let conditions = conditions(known.keys);
+    let conditions = conditions(known.keys, &defaults);
     if !conditions.is_empty() {
         branch.insert("allOf".into(), conditions.into());
     }
@@ -116,7 +116,15 @@ fn required(known: &Vocabulary) -> Vec<&'static str> {
 }
 
 /// What keys say about each other.
-fn conditions(keys: &[Key]) -> Vec<Value> {
+fn conditions(keys: &[Key], defaults: &Map<String, Value>) -> Vec<Value> {
+    // True of scenes in which a key has this word, given or by default.
+    let says = |key: &str, word: &str| {
+        let must = match defaults.get(key) {
+            Some(default) if default == word => Vec::new(),
+            _ => vec![key],
+        };
+        json!({"properties": {key: {"const": word}}, "required": must})
+    };
     let condition = |key: &Key| {
         let name = key.name;
         match key.need {
@@ -141,11 +149,6 @@ fn conditions(keys: &[Key]) -> Vec<Value> {
         }
     };
     keys.iter().filter_map(condition).collect()
-}
-
-/// True of scenes in which a key has this word.
-fn says(key: &str, word: &str) -> Value {
-    json!({"properties": {key: {"const": word}}, "required": [key]})
 }
 
 #[cfg(test)]

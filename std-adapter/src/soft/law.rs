@@ -107,7 +107,7 @@ impl Stiffness {
 /// ```
 /// use tribos::soft::restitution;
 /// assert_eq!(restitution(0.0), 1.0);
-/// assert!((restitution(0.2) - 0.5720).abs() < 1e-4);
+/// assert!((restitution(0.2) - 0.5717).abs() < 1e-4);
 /// assert!((restitution(1.0) - (-2.0_f64).exp()).abs() < 1e-15);
 /// ```
 pub fn restitution(damping: f64) -> f64 {

@@ -153,6 +153,15 @@ fn without(text: &str, key: &str) -> String {
         .collect()
 }
 
+/// A word that a key may have besides this one.
+fn another(known: &Vocabulary, key: &str, word: &str) -> &'static str {
+    let key = known.keys.iter().find(|known| known.name == key).unwrap();
+    let Domain::OneOf(words) = key.domain else {
+        panic!("{} has no words", key.name);
+    };
+    words.iter().find(|other| **other != word).unwrap()
+}
+
 #[test]
 fn keys_that_depend_on_others_are_judged_as_the_reader_does() {
     let disk = "speed = 1\nspin = 1\ncoefficient = 1\nalpha = 0\ninertia_ratio = 0.5\n";
@@ -170,10 +179,18 @@ fn keys_that_depend_on_others_are_judged_as_the_reader_does() {
         for key in known.keys {
             let value = match key.domain {
                 Domain::OneOf(words) => format!("\"{}\"", words[0]),
+                Domain::Count { .. } => "1".to_owned(),
                 _ => "0.5".to_owned(),
             };
             let text = format!("{}{} = {value}\n", known.least_text(), key.name);
             match key.need {
+                Need::PartOf(other, word) | Need::OnlyWith(other, word)
+                    if known.defaults().get(other).and_then(Value::as_str) == Some(word) =>
+                {
+                    assert!(agreed(&text), "{text}");
+                    let beside = format!("{text}{other} = \"{}\"", another(&known, other, word));
+                    assert!(!agreed(&beside), "{beside}");
+                }
                 Need::PartOf(other, word) | Need::OnlyWith(other, word) => {
                     assert!(!agreed(&text), "{text}");
                     // A slid tip has a speed where a turned one has a torque.
