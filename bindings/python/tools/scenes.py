@@ -38,7 +38,7 @@ def class_name(body: str) -> str:
 def hint(key: dict[str, Any]) -> str:
     """The type of a field."""
     words = ", ".join(f'"{word}"' for word in key["words"])
-    kind = {"number": "float", "count": "int", "text": "str", "word": f"Literal[{words}]"}
+    kind = {"number": "float", "count": "int", "text": "str", "ramp": "float | str", "word": f"Literal[{words}]"}
     can_be_off = key["default"] is None or key["unless"] is not None
     alternatives = [kind[key["kind"]]] + ["None"] * (can_be_off or key["name"] == "height")
     return " | ".join(alternatives)

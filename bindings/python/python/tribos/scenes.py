@@ -605,16 +605,23 @@ class PowderScene(Scene):
     width
         Side of the square base, periodic in x and y. *Unit*: R. *Value*: a finite number > 0.
     height
-        Height at which the deposit is cut and the piston starts, unless `count` is given. *Unit*:
-        R. *Value*: a finite number > 0.
+        Height at which the deposit is cut and the piston starts, unless `count` or `start` is
+        given. *Unit*: R. *Value*: a finite number > 0.
     count
         Number of spheres, in place of `height`. *Value*: a whole number from 1 to 1000000.
+    start
+        Spheres to start from in place of a deposit: a file (extended XYZ, LAMMPS data or dump,
+        VTP), or the folder of a run, whose last state goes on. *Value*: the path of a file or a
+        folder.
     capture_radius
         Distance of centres at which a falling sphere is captured. *Unit*: R. *Value*: a finite
         number > 0.
     radius_spread
         Spread of the radii, which are uniform from 1 - spread to 1 + spread. *Unit*: R. *Value*: a
         finite number >= 0.
+    sizes
+        Distribution of the radii about their mean, in place of `radius_spread`. *Value*: a
+        distribution such as "uniform:0.2", "normal:0.1", "lognormal:0.3" or "table:FILE.csv".
     seed
         Seed of the deposit's random numbers. *Value*: a whole number from 1 to 9007199254740992.
     sliding
@@ -631,6 +638,9 @@ class PowderScene(Scene):
         "independent", "ellipsoid", "exact".
     pressure
         Pressure on the piston. *Unit*: F_coh/R^2. *Value*: a finite number > 0.
+    gravity
+        Acceleration of the spheres, downwards; the piston has its pressure alone. *Unit*:
+        F_coh/(rho R^3). *Value*: a finite number >= 0.
     cohesion_range
         Gap d_c up to which cohesion acts. *Unit*: R. *Value*: a finite number >= 0.
     attraction
@@ -644,6 +654,18 @@ class PowderScene(Scene):
         "full", "smooth", "none".
     piston_mass
         Mass of the piston. *Unit*: rho R^3. *Value*: a finite number > 0.
+    method
+        Rigid spheres with constraint forces, or soft ones with springs and dashpots. *Value*: one
+        of "contact-dynamics", "soft".
+    stiffness
+        Stiffness of soft contacts: the overlap under the force F_coh is R over this number. *Unit*:
+        F_coh/R. *Value*: a finite number > 0.
+    damping
+        Damping ratio of soft contacts in all modes, unless `restitution` is above 0. *Value*: a
+        finite number >= 0.
+    normal_law
+        Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus
+        `stiffness`/R. *Value*: one of "linear", "hertz".
     solver
         Method for the contacts of a step. *Value*: one of "accelerated", "gauss-seidel".
     order
@@ -660,8 +682,8 @@ class PowderScene(Scene):
     warm_start
         Whether a step starts from the forces of the last one. *Value*: one of "on", "off".
     motion
-        Largest distance that a sphere may move in a step. *Unit*: R. *Value*: a number > 0 and <=
-        0.5.
+        Largest distance that a sphere may move in a step; soft contacts divide it into stable ones.
+        *Unit*: R. *Value*: a number > 0 and <= 0.5.
     time_step
         Longest time step. *Unit*: sqrt(rho R^4/F_coh). *Value*: a finite number > 0.
     still_speed
@@ -685,19 +707,26 @@ class PowderScene(Scene):
     width: float = 20.0
     height: float | None = 61.5
     count: int | None = None
+    start: str | None = None
     capture_radius: float = 3.0
     radius_spread: float = 0.0
+    sizes: str | None = None
     seed: int = 1
     sliding: float = 0.3
     rolling: float = 0.0
     torsion: float = 0.0
     coupling: Literal["independent", "ellipsoid", "exact"] = "independent"
     pressure: float = 0.0025
+    gravity: float = 0.0
     cohesion_range: float = 0.01
     attraction: Literal["pull", "resistance"] = "pull"
     restitution: float = 0.0
     wall: Literal["full", "smooth", "none"] = "full"
     piston_mass: float = 1000.0
+    method: Literal["contact-dynamics", "soft"] = "contact-dynamics"
+    stiffness: float | None = None
+    damping: float | None = None
+    normal_law: Literal["linear", "hertz"] | None = None
     solver: Literal["accelerated", "gauss-seidel"] = "accelerated"
     order: Literal["alternating", "fixed", "random"] = "alternating"
     stop: Literal["global", "local", "fixed"] = "global"
@@ -711,6 +740,236 @@ class PowderScene(Scene):
     steps: int = 200000
     duration: float | None = None
     samples: int = 20
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class GrainsScene(Scene):
+    """Grains in a box.
+
+    Parameters
+    ----------
+    width
+        Length of the box along x. *Unit*: m. *Value*: a finite number > 0.
+    depth
+        Length of the box along y; as long as `width` if it is left out. A two-dimensional box has
+        none. *Unit*: m. *Value*: a finite number > 0.
+    height
+        Height of the box: where the plate above starts, or the period; a floor alone does not use
+        it. If it is left out, a plate starts at the highest grain. *Unit*: m. *Value*: a finite
+        number > 0.
+    x
+        What bounds the box along x. *Value*: one of "periodic", "walls".
+    y
+        What bounds the box along y. *Value*: one of "periodic", "walls".
+    z
+        What bounds the box along z: a floor, floor and plate, or nothing. *Value*: one of "floor",
+        "walls", "periodic".
+    dimension
+        3, or 2 for spheres that stay in the plane y = 0 and spin about y. *Value*: a whole number
+        from 1 to 3.
+    container
+        What holds the grains: the box, a hopper in it, or a drum of diameter `width` about y.
+        *Value*: one of "box", "hopper", "drum".
+    outlet
+        Width of the slot of the hopper. *Unit*: m. *Value*: a finite number > 0.
+    outlet_height
+        Height of the slot above the floor. *Unit*: m. *Value*: a finite number > 0.
+    slope
+        Angle of the planes of the hopper with the horizontal. *Unit*: degree. *Value*: a number > 0
+        and <= 89.
+    opening
+        Time at which the slot is opened. *Unit*: s. *Value*: a finite number >= 0.
+    drum_rate
+        Rate of rotation of the drum. *Unit*: rad/s. *Value*: a finite number, or a ramp such as
+        "0:0, 0.5:1e3, 1:0".
+    count
+        Number of grains, unless `start` has them. *Value*: a whole number from 1 to 1000000.
+    start
+        Grains to start from in place of random ones: a file (extended XYZ, LAMMPS data or dump,
+        VTP), or the folder of a run, whose last state goes on. *Value*: the path of a file or a
+        folder.
+    radius
+        Mean radius of the grains. *Unit*: m. *Value*: a finite number > 0.
+    radius_spread
+        Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread. *Value*:
+        a finite number >= 0.
+    sizes
+        Distribution of the radii about their mean, in place of `radius_spread`. *Value*: a
+        distribution such as "uniform:0.2", "normal:0.1", "lognormal:0.3" or "table:FILE.csv".
+    density
+        Density of the grains. *Unit*: kg/m^3. *Value*: a finite number > 0.
+    seed
+        Seed of the random start. *Value*: a whole number from 1 to 9007199254740992.
+    spacing
+        Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
+        *Value*: a number > 1 and <= 100.
+    share_second
+        Share of the grains that are of a second material, chosen at random. *Value*: a number from
+        0 to 1.
+    radius_second
+        Radius of these, in mean radii of the others. *Value*: a number > 0 and <= 100.
+    density_second
+        Density of the second material; that of the first if it is left out. *Unit*: kg/m^3.
+        *Value*: a finite number > 0.
+    sliding_second
+        Sliding coefficient of the second material; that of the first if it is left out. *Value*: a
+        finite number >= 0.
+    sliding_mixed
+        Sliding coefficient between the two materials; the geometric mean of theirs if it is left
+        out. *Value*: a finite number >= 0.
+    cohesion
+        Cohesion F_coh: largest pull of a contact. *Unit*: N. *Value*: a finite number >= 0.
+    cohesion_range
+        Gap up to which cohesion acts. *Unit*: m. *Value*: a finite number >= 0.
+    attraction
+        Cohesion at a gap: a constant pull, or a resistance to opening. *Value*: one of "pull",
+        "resistance".
+    restitution
+        Coefficient of restitution: speed after an impact over speed before, at walls too. *Value*:
+        a number from 0 to 1.
+    sliding
+        Sliding coefficient mu: largest sliding force over P = F_n + F_coh. *Value*: a finite number
+        >= 0.
+    rolling
+        Rolling coefficient mu_t: largest rolling torque over P r_eff. *Value*: a finite number >=
+        0.
+    torsion
+        Torsion coefficient mu_n: largest torsion torque over P r_eff. *Value*: a finite number >=
+        0.
+    coupling
+        How the thresholds of sliding and torsion depend on each other. *Value*: one of
+        "independent", "ellipsoid", "exact".
+    wall
+        Law at walls: that of grains, cohesion only, or neither. *Value*: one of "full", "smooth",
+        "none".
+    gravity
+        Gravity, downwards. *Unit*: m/s^2. *Value*: a finite number, or a ramp such as "0:0,
+        0.5:1e3, 1:0".
+    gravity_angle
+        Angle by which gravity leans from -z towards x. *Unit*: degree. *Value*: a finite number, or
+        a ramp such as "0:0, 0.5:1e3, 1:0".
+    pressure_x
+        Stress on the wall at the far end of x, which moves as a piston. *Unit*: Pa. *Value*: a
+        finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+    pressure_y
+        Stress on the wall at the far end of y, which moves as a piston. *Unit*: Pa. *Value*: a
+        finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+    pressure_z
+        Stress on the plate above, which moves as a piston without weight. *Unit*: Pa. *Value*: a
+        finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+    piston_mass
+        Mass of every piston; that of all grains together if it is left out. *Unit*: kg. *Value*: a
+        finite number > 0.
+    velocity_x
+        Speed of the wall at the far end of x along x; negative compresses. *Unit*: m/s. *Value*: a
+        finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+    velocity_y
+        Speed of the wall at the far end of y along y; negative compresses. *Unit*: m/s. *Value*: a
+        finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+    velocity_z
+        Speed of the plate above along z; negative compresses. *Unit*: m/s. *Value*: a finite
+        number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+    plate_speed
+        Speed of the plate above along x, which shears the grains. *Unit*: m/s. *Value*: a finite
+        number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+    shear_rate
+        Rate at which a box without walls along x and z is sheared: speed along x over height along
+        z. *Unit*: 1/s. *Value*: a finite number.
+    wall_speed
+        Speed of the walls along x and y upwards, which mobilizes their friction; negative
+        downwards. *Unit*: m/s. *Value*: a finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+    shake_amplitude
+        Amplitude with which the box is shaken: all walls that are neither piston nor moved
+        otherwise. *Unit*: m. *Value*: a finite number >= 0.
+    shake_frequency
+        Frequency of the shaking. *Unit*: 1/s. *Value*: a finite number >= 0.
+    shake_axis
+        Direction of the shaking. *Value*: one of "x", "y", "z".
+    repeat
+        Time after which all ramps start again; without it they are followed once. *Unit*: s.
+        *Value*: a finite number > 0.
+    tolerance
+        Change of a sweep, relative to P, at which sweeps stop. *Value*: a number > 0 and <= 1.
+    sweeps
+        Most sweeps of a step. *Value*: a whole number from 1 to 1000000.
+    motion
+        Largest distance that a grain may move in a step, in mean radii. *Value*: a number > 0 and
+        <= 0.5.
+    time_step
+        Longest time step; if it is left out, the time in which gravity moves a grain by `motion`
+        from rest, and at most a hundredth of `duration`. *Unit*: s. *Value*: a finite number > 0.
+    duration
+        Time after which the run ends. *Unit*: s. *Value*: a finite number > 0.
+    rest
+        Speed below which the grains are at rest: the run ends once their root mean square speed was
+        lower for 100 steps. *Unit*: m/s. *Value*: a finite number > 0.
+    steps
+        Steps after which a run ends in any case. *Value*: a whole number from 1 to 1000000000.
+    samples
+        Steps from one line of the series to the next. *Value*: a whole number from 1 to 1000000000.
+    """
+
+    BODY: ClassVar[str] = "grains"
+
+    width: float = 0.1
+    depth: float | None = None
+    height: float | None = None
+    x: Literal["periodic", "walls"] = "periodic"
+    y: Literal["periodic", "walls"] = "periodic"
+    z: Literal["floor", "walls", "periodic"] = "floor"
+    dimension: int = 3
+    container: Literal["box", "hopper", "drum"] = "box"
+    outlet: float = 0.05
+    outlet_height: float = 0.1
+    slope: float = 45.0
+    opening: float = 0.0
+    drum_rate: float = 1.0
+    count: int | None = 100
+    start: str | None = None
+    radius: float = 0.005
+    radius_spread: float = 0.0
+    sizes: str | None = None
+    density: float = 2500.0
+    seed: int = 1
+    spacing: float = 1.2
+    share_second: float = 0.0
+    radius_second: float = 1.0
+    density_second: float | None = None
+    sliding_second: float | None = None
+    sliding_mixed: float | None = None
+    cohesion: float = 0.0
+    cohesion_range: float = 0.0
+    attraction: Literal["pull", "resistance"] = "pull"
+    restitution: float = 0.0
+    sliding: float = 0.5
+    rolling: float = 0.0
+    torsion: float = 0.0
+    coupling: Literal["independent", "ellipsoid", "exact"] = "independent"
+    wall: Literal["full", "smooth", "none"] = "full"
+    gravity: float = 9.81
+    gravity_angle: float = 0.0
+    pressure_x: float | None = None
+    pressure_y: float | None = None
+    pressure_z: float | None = None
+    piston_mass: float | None = None
+    velocity_x: float | None = None
+    velocity_y: float | None = None
+    velocity_z: float | None = None
+    plate_speed: float = 0.0
+    shear_rate: float | None = None
+    wall_speed: float = 0.0
+    shake_amplitude: float = 0.0
+    shake_frequency: float = 25.0
+    shake_axis: Literal["x", "y", "z"] = "z"
+    repeat: float | None = None
+    tolerance: float = 0.0001
+    sweeps: int = 1000
+    motion: float = 0.05
+    time_step: float | None = None
+    duration: float = 1.0
+    rest: float | None = None
+    steps: int = 10000000
+    samples: int = 50
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -773,7 +1032,7 @@ class GasScene(Scene):
     duration: float | None = None
     sample: float = 0.5
     method: Literal["events", "contact-dynamics"] = "events"
-    motion: float = 0.05
+    motion: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -939,6 +1198,7 @@ __all__ = [
     "CurlingScene",
     "CylinderScene",
     "GasScene",
+    "GrainsScene",
     "InclineScene",
     "PipeScene",
     "PlateScene",
