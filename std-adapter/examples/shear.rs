@@ -69,7 +69,7 @@ fn measure(mu: f64, e: f64, count: usize, strain: f64, phi: f64) -> Result<Strin
     let error = (scatter / (PARTS * (PARTS - 1)) as f64).sqrt();
     let pressure = parts.iter().map(|s| s.trace() / 3.0).sum::<f64>() / PARTS as f64;
     let inertial = RATE * DIAMETER / pressure.sqrt();
-    let scaled = pressure / (DIAMETER * RATE).powi(2);
+    let scaled = pressure / (DIAMETER * RATE * DIAMETER * RATE);
     let per_step = contacts as f64 / steps as f64;
     Ok(format!(
         "{phi:.3} {inertial:9.4} {mean:7.4} {error:.4} {scaled:14.3} {per_step:14.1} {unmet:4}/{steps} {residual:.0e}"
@@ -109,7 +109,7 @@ fn packed<F>(laws: Laws<F>, count: usize, fraction: f64) -> Result<Setup<F>, Fai
         .map(|_| 1.0 + SPREAD * (2.0 * random.unit() - 1.0))
         .collect();
     let solids: f64 = radii.iter().map(|r| 4.0 / 3.0 * PI * r * r * r).sum();
-    let side = (solids / fraction).cbrt();
+    let side = libm::cbrt(solids / fraction);
     let space = PeriodicBox::new([Some(side); 3])?;
     let mut place = || side * random.unit();
     let mut centres: Vec<_> = (0..count)

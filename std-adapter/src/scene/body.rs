@@ -17,7 +17,6 @@ use std::path::Path;
 macro_rules! bodies {
     ($($(#[$doc:meta])+ $variant:ident($scene:ty)),+ $(,)?) => {
         /// A validated scene of any body.
-        #[expect(clippy::large_enum_variant, reason = "a program has few scenes")]
         #[derive(Clone, Debug, PartialEq)]
         #[allow(clippy::large_enum_variant, reason = "a run has one scene")]
         pub enum Scene {

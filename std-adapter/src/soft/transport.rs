@@ -62,7 +62,7 @@ mod tests {
     fn a_turn_about_the_normal_turns_the_spring_by_the_angle() {
         let z = Vector3::z();
         let carried = Transport::new(&z, &z, 0.01).carry(&Vector3::x());
-        let expected = Vector3::new(0.01_f64.cos(), 0.01_f64.sin(), 0.0);
+        let expected = Vector3::new(libm::cos(0.01), libm::sin(0.01), 0.0);
         assert!((carried - expected).norm() < 1e-7);
     }
 }
