@@ -108,7 +108,7 @@ fn the_whole_report_is_made_and_no_comparison_fails() -> Outcome {
     }
     assert!(page.contains("0.653002") && !page.contains("0.653001789206"));
     assert!(page.contains("What of the thesis has no exhibit") && page.contains("figure 3.12"));
-    assert!(page.contains("<p class=\"lead\">Of ") && page.contains("soft-particle prototype"));
+    assert!(page.contains("<p class=\"lead\">Of ") && page.contains("Soft particles ("));
     let text = page.split("<script").next().unwrap_or_default();
     assert!(!text.contains('`'));
     the_page_is_shown(&folder.join("index.html"))

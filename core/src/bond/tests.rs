@@ -1,7 +1,5 @@
 //! Laws and onsets against independent numbers.
 
-extern crate std;
-
 use super::*;
 use crate::law::{LawError, LocalLaw};
 use crate::patch::PatchError;
@@ -251,21 +249,24 @@ fn static_friction_is_up_to_twice_the_dynamic_one() {
     assert_eq!(one.friction(one.peak()) / one.plateau(), 2.0);
 }
 
-fn all_laws() -> [std::boxed::Box<dyn BondLaw<f64>>; 7] {
-    [
-        std::boxed::Box::new(Exponential::new(3.0, 0.5).unwrap()),
-        std::boxed::Box::new(Weibull::new(3.0, 0.5, 3.0).unwrap()),
-        std::boxed::Box::new(OneStrength::new(3.0, 0.5).unwrap()),
-        std::boxed::Box::new(Saturating::new(3.0, 0.5).unwrap()),
-        std::boxed::Box::new(ReForming::new(3.0, 0.5, 1).unwrap()),
-        std::boxed::Box::new(ReForming::new(3.0, 0.5, 20).unwrap()),
-        std::boxed::Box::new(ReForming::one_strength(3.0, 0.5).unwrap()),
-    ]
+fn for_all_laws(check: impl Fn(usize, &dyn BondLaw<f64>)) {
+    let laws: [&dyn BondLaw<f64>; 7] = [
+        &Exponential::new(3.0, 0.5).unwrap(),
+        &Weibull::new(3.0, 0.5, 3.0).unwrap(),
+        &OneStrength::new(3.0, 0.5).unwrap(),
+        &Saturating::new(3.0, 0.5).unwrap(),
+        &ReForming::new(3.0, 0.5, 1).unwrap(),
+        &ReForming::new(3.0, 0.5, 20).unwrap(),
+        &ReForming::one_strength(3.0, 0.5).unwrap(),
+    ];
+    for (which, law) in laws.into_iter().enumerate() {
+        check(which, law);
+    }
 }
 
 #[test]
 fn slopes_are_the_derivatives_of_forces_and_start_with_the_stiffness() {
-    for (which, law) in all_laws().iter().enumerate() {
+    for_all_laws(|which, law| {
         assert_eq!(law.stiffness(), 3.0);
         assert!((law.friction(1e-9) / 3e-9 - 1.0).abs() < 1e-7, "{which}");
         assert!((law.slope(1e-9) / 3.0 - 1.0).abs() < 1e-7, "{which}");
@@ -276,12 +277,12 @@ fn slopes_are_the_derivatives_of_forces_and_start_with_the_stiffness() {
             let error = law.slope(strain) - rate;
             assert!(error.abs() < 1e-6, "{which} {strain} {error:e}");
         }
-    }
+    });
 }
 
 #[test]
 fn the_peak_is_where_the_force_ceases_to_grow() {
-    for (which, law) in all_laws().iter().enumerate() {
+    for_all_laws(|which, law| {
         let peak = law.peak();
         if peak.is_finite() {
             let top = law.friction(peak);
@@ -289,12 +290,12 @@ fn the_peak_is_where_the_force_ceases_to_grow() {
             assert!(law.friction(1.001 * peak) < top, "{which}");
             assert_eq!(law.is_abrupt(), law.friction(1.001 * peak) < 0.9 * top);
         }
-    }
+    });
 }
 
 #[test]
 fn laws_end_at_their_plateau_start_at_zero_and_keep_nan() {
-    for (which, law) in all_laws().iter().enumerate() {
+    for_all_laws(|which, law| {
         assert_eq!(law.friction(0.0), 0.0, "{which}");
         for far in [1e300, f64::INFINITY] {
             assert!((law.friction(far) - law.plateau()).abs() < 1e-14, "{which}");
@@ -302,7 +303,7 @@ fn laws_end_at_their_plateau_start_at_zero_and_keep_nan() {
         }
         let nan = f64::NAN;
         assert!(law.friction(nan).is_nan() && law.slope(nan).is_nan() && law.across(nan).is_nan());
-    }
+    });
 }
 
 #[test]

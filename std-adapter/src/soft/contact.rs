@@ -68,6 +68,34 @@ pub(super) struct Energies {
     pub torsion: f64,
 }
 
+impl Motion {
+    /// Power that forces on the second body take from the motion, by mode.
+    fn power_lost<M: ContactModes<f64>>(
+        &self,
+        by: &Modal<f64, M>,
+        normal: &Vector3<f64>,
+    ) -> [f64; 4] {
+        let power = [
+            by.normal * self.velocity.dot(normal),
+            by.sliding().dot(&self.velocity),
+            by.rolling().dot(&self.spin),
+            by.torsion() * self.spin.dot(normal),
+        ];
+        not_gained(power.map(|power| -power))
+    }
+}
+
+impl<F> Law<F> {
+    /// Cohesion across a gap.
+    fn pull(&self, gap: f64) -> f64 {
+        if gap <= self.cohesion.range() {
+            self.cohesion.strength()
+        } else {
+            0.0
+        }
+    }
+}
+
 impl<M: ContactModes<f64>> SoftContact<M> {
     /// Neighbours without springs. Every mode gets the frequency of the normal one: its stiffness is that of
     /// the normal spring times the ratio of the effective masses, 2/7 for sliding and 2/5 R² for turning of
@@ -171,13 +199,9 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         dt: f64,
     ) -> Energies {
         let n = &touch.normal;
-        let cohesion = law.cohesion.strength();
-        let pull = if touch.gap <= law.cohesion.range() {
-            cohesion
-        } else {
-            0.0
-        };
+        let pull = law.pull(touch.gap);
         let opening = motion.velocity.dot(n);
+        let before = self.dashpots(law, touch.lever);
         self.carry(n, motion, dt);
         self.gap = touch.gap;
         self.in_range = true;
@@ -194,20 +218,43 @@ impl<M: ContactModes<f64>> SoftContact<M> {
             damped
         };
 
-        let normal_loss = (push - bound) * opening * dt;
-        let friction = self.resist(touch, motion, law, [bound, slope, dashpot], dt);
-        self.force = friction.force;
+        let slipped = self.resist(touch, motion, law, [bound, slope, dashpot], dt);
         self.force.normal = bound - pull;
-        let [sliding, rolling, torsion] = friction.lost;
+        // The force at the start of a step acts until its end, at the mean of the velocities there: half of its
+        // work is booked with each.
+        let after = self.dashpots(law, touch.lever);
+        let viscous = |by: &Modal<f64, M>| motion.power_lost(by, n).map(|rate| 0.5 * dt * rate);
+        let [old, new] = [viscous(&before), viscous(&after)];
+        let lost = |mode: usize| old[mode] + new[mode] + slipped[mode];
         Energies {
             elastic: law.stiffness.energy(overlap, push)
                 + self.stored_energies().iter().sum::<f64>(),
             cohesion: pull * (touch.gap - law.cohesion.range()),
-            normal: normal_loss,
-            sliding,
-            rolling,
-            torsion,
+            normal: lost(0),
+            sliding: lost(1),
+            rolling: lost(2),
+            torsion: lost(3),
         }
+    }
+
+    /// Forces and torques on the second body beyond those of the springs and of cohesion.
+    fn dashpots<F>(&self, law: &Law<F>, lever: f64) -> Modal<f64, M> {
+        if !self.in_range {
+            return Modal::default();
+        }
+        let pull = law.pull(self.gap);
+        let [push, _] = law.stiffness.force((-self.gap).max(0.0), lever);
+        let (k, k_turn) = (
+            self.shares.sliding * self.slope,
+            self.shares.turning * self.slope,
+        );
+        let (force, springs) = (&self.force, &self.springs);
+        Modal::new(
+            force.normal + pull - push,
+            force.sliding() + springs.sliding() * k,
+            force.rolling() + springs.rolling() * k_turn,
+            force.torsion() + springs.torsion() * k_turn,
+        )
     }
 
     /// Turns the springs with the plane of the contact.
@@ -228,7 +275,7 @@ impl<M: ContactModes<f64>> SoftContact<M> {
     }
 
     /// Loads the springs with the motion of the step and lets them slip at their thresholds; the dashpots
-    /// beside them share the thresholds.
+    /// beside them share the thresholds. Returns what the springs lose, by mode.
     #[inline]
     fn resist<F: ContactFriction<f64, Modes = M>>(
         &mut self,
@@ -237,9 +284,9 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         law: &Law<F>,
         [bound, slope, dashpot]: [f64; 3],
         dt: f64,
-    ) -> Friction<M> {
+    ) -> [f64; 4] {
         if !(M::Sliding::PRESENT || M::Rolling::PRESENT || M::Torsion::PRESENT) {
-            return Friction::default();
+            return [0.0; 4];
         }
         let n = &touch.normal;
         let Shares {
@@ -327,35 +374,37 @@ impl<M: ContactModes<f64>> SoftContact<M> {
         let total_rolling = law
             .friction
             .hold_rolling(&trial_rolling, bound, touch.lever);
-        let viscous = [
-            (total.sliding - elastic.sliding).dot(&slip) * dt,
-            (total_rolling - elastic_rolling).dot(&roll) * dt,
-            (total.torsion - elastic.torsion) * twist * dt,
-        ];
-        Friction {
-            force: Modal::new(0.0, -total.sliding, -total_rolling, -total.torsion),
-            lost: [0, 1, 2].map(|mode: usize| softened[mode] + slipped[mode] + viscous[mode]),
-        }
+        self.force = Modal::new(0.0, -total.sliding, -total_rolling, -total.torsion);
+        let slipped = not_gained([0.0, slipped[0], slipped[1], slipped[2]]);
+        [
+            0.0,
+            softened[0] + slipped[1],
+            softened[1] + slipped[2],
+            softened[2] + slipped[3],
+        ]
     }
 }
 
-/// Energy lost by a spring that was held, was strained further to `reached` and slipped back to `kept`: the work of
-/// the force that stays, and what a threshold that sinks takes from the store. Straining without a load loses
-/// nothing.
+/// Energy lost by a spring that was held, was strained further to `reached` and slipped back to `kept`: the slip
+/// times the mean of the forces before and after it. Straining without a load loses nothing.
 #[inline]
 fn slip_loss(k: f64, held: &Vector3<f64>, reached: &Vector3<f64>, kept: &Vector3<f64>) -> f64 {
-    let energy = |spring: &Vector3<f64>| 0.5 * k * spring.norm_squared();
-    let most = energy(reached) - energy(kept);
-    let sunk = energy(held) - energy(kept);
-    let loss = k * kept.dot(&(reached - kept)) + if sunk > 0.0 { sunk } else { 0.0 };
-    if loss < most { loss } else { most }
+    0.5 * k * (held + kept).dot(&(reached - kept))
 }
 
-/// What friction does in a step: force on the second body, and loss by mode.
-#[derive(Clone, Copy, Debug, Default)]
-struct Friction<M: ContactModes<f64>> {
-    force: Modal<f64, M>,
-    lost: [f64; 3],
+/// Losses along the normal, by sliding, by rolling and by torsion without those that a late force at a turn of the
+/// motion would gain, which is an error of the step. Sliding and torsion, under one threshold, may pass energy to
+/// each other: their sum counts.
+#[inline]
+fn not_gained([normal, sliding, rolling, torsion]: [f64; 4]) -> [f64; 4] {
+    let kept = |loss: f64, part: f64| if loss < 0.0 { 0.0 } else { part };
+    let across = sliding + torsion;
+    [
+        kept(normal, normal),
+        kept(across, sliding),
+        kept(rolling, rolling),
+        kept(across, torsion),
+    ]
 }
 
 impl Energies {

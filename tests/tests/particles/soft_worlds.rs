@@ -142,7 +142,7 @@ fn losses<F: ContactFriction<f64>>(mut setup: Setup<F>, longest: f64, end: f64) 
 }
 
 #[test]
-fn no_mode_gains_energy_and_the_balance_closes_in_the_first_order_of_the_step() {
+fn no_mode_gains_energy_and_the_balance_closes_faster_than_in_the_first_order() {
     for stiffness in [Stiffness::Linear(200.0), Stiffness::Hertz(200.0)] {
         let of = |longest: f64| losses(cluster(3, laws(0.3, 0.05, 0.05), stiffness), longest, 1.0);
         let [coarse, middle, fine] = [4e-3, 2e-3, 1e-3].map(of);
@@ -150,11 +150,10 @@ fn no_mode_gains_energy_and_the_balance_closes_in_the_first_order_of_the_step() 
             assert!(least > -1e-12, "{stiffness:?}: {least:e}");
         }
         let errors = [coarse.1, middle.1, fine.1].map(f64::abs);
-        assert!(errors[0] < 0.1, "{stiffness:?}: {errors:?}");
-        for pair in errors.windows(2) {
-            let ratio = pair[0] / pair[1];
-            assert!((1.6..2.5).contains(&ratio), "{stiffness:?}: {errors:?}");
+        for (error, step) in errors.iter().zip([4.0, 2.0, 1.0]) {
+            assert!(*error < 5e-4 * step, "{stiffness:?}: {errors:?}");
         }
+        assert!(errors[0] > 4.0 * errors[2], "{stiffness:?}: {errors:?}");
     }
 }
 
@@ -166,7 +165,7 @@ fn sliding_and_torsion_under_one_threshold_lose_energy_too() {
     let setup = cluster(3, Laws::uniform(normal, friction), Stiffness::Linear(200.0));
     let (least, imbalance) = losses(setup, 1e-3, 1.0);
     assert!(least > -1e-12, "{least:e}");
-    assert!(imbalance.abs() < 0.05, "{imbalance}");
+    assert!(imbalance.abs() < 2e-3, "{imbalance:e}");
 }
 
 #[test]
