@@ -4,11 +4,10 @@
 //! which may be [`Ramp`]s in time. [`Grains`] runs it.
 
 mod begin;
-mod checkpoint;
 mod container;
 mod cost;
 mod error;
-mod frames;
+mod laden;
 mod layout;
 mod loads;
 mod measure;

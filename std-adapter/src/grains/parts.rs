@@ -56,8 +56,8 @@ pub(super) fn packing(
     let method = method(scene);
     let mut packing = build_with(&material, (bodies, &extras), &method, frozen)?;
     // A stored state has its walls where they were.
-    if frozen.is_none() && !loads.apply(layout, &mut *packing) {
-        return Err(GrainsError::Driven);
+    if frozen.is_none() {
+        loads.apply(layout, &mut *packing);
     }
     Ok(packing)
 }

@@ -52,15 +52,3 @@ fn simulate(
         })
         .run(scene)
 }
-
-impl From<GrainsError> for Failure {
-    fn from(error: GrainsError) -> Self {
-        match error {
-            GrainsError::World(_) | GrainsError::Touch { .. } | GrainsError::NotFinite { .. } => {
-                Self::run(error)
-            }
-            // The scene, its placement, the laws or the checkpoint cannot be used.
-            _ => Self::input(error),
-        }
-    }
-}
