@@ -21,7 +21,7 @@ mod session;
 mod sheared_tests;
 
 #[doc(hidden)]
-pub use cost::{GrainsCost, cost, size};
+pub use cost::{GrainsCost, cost, size, stable_step};
 pub use error::GrainsError;
 #[doc(hidden)]
 pub use measure::COLUMNS;

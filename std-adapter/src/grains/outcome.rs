@@ -8,7 +8,7 @@ use crate::golden::{Measure, MeasureError, Measurement};
 use crate::packing::{Statistics, losses, object};
 use crate::record::json_number;
 use crate::run::drive;
-use crate::scene::GrainsScene;
+use crate::scene::{ContactMethod, GrainsScene};
 use serde_json::{Map, Value};
 
 /// Results of a run of grains, in the units of its scene.
@@ -81,7 +81,11 @@ impl Outcome {
             ("kinetic", self.energy.kinetic),
             ("imbalance", self.energy.imbalance()),
         ];
-        put("energy", object(&others));
+        let mut energy = object(&others);
+        if let (ContactMethod::Soft, Value::Object(map)) = (scene.method, &mut energy) {
+            map.insert("elastic".into(), json_number(self.energy.elastic));
+        }
+        put("energy", energy);
         put("wall_seconds", json_number(self.wall_seconds));
         put("scene", scene.json());
         put("version", env!("CARGO_PKG_VERSION").into());

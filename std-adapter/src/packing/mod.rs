@@ -5,6 +5,7 @@
 
 mod body;
 mod carried;
+mod cost;
 mod drive;
 mod extras;
 mod frozen;
@@ -23,6 +24,7 @@ mod totals;
 
 pub(crate) use body::{Body, Bounds, Cadence, Ending, Seen};
 pub use carried::{Carried, CarriedModes};
+pub(crate) use cost::{stable_step, update_seconds};
 pub(crate) use drive::{Drive, Told, losses, object};
 pub(crate) use extras::{Extras, Second};
 pub(crate) use frozen::{Force, Forces, Frozen};
