@@ -8,7 +8,7 @@ use tribos::push::PushError;
 use tribos::record::WriteError;
 use tribos::record::frames::FrameError;
 use tribos::run::folder::FolderError;
-use tribos::run::{NoCheckpoint, RunError};
+use tribos::run::{NoCheckpoint, PackingRunError, RunError};
 use tribos::slide::SlideError;
 use tribos::stick::StickError;
 use tribos_report::figure::FigureError;
@@ -84,6 +84,17 @@ impl Failure {
             Self::Run(_) | Self::NoRoom(_) => RUN_FAILED,
             Self::Mismatch(_) => MISMATCH,
             Self::Interrupted(_) => interrupt::EXIT_CODE,
+        }
+    }
+}
+
+impl<P: Error + 'static> From<PackingRunError<P>> for Failure {
+    fn from(error: PackingRunError<P>) -> Self {
+        if error.is_of_course() {
+            Self::run(error)
+        } else {
+            // The scene, its placement, the laws or the checkpoint cannot be used.
+            Self::input(error)
         }
     }
 }

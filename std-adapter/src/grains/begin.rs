@@ -5,7 +5,7 @@ use super::layout::Layout;
 use super::placement::{self, Start};
 use crate::measure::AssemblyError;
 use crate::packing::{Frozen, given};
-use crate::scene::{Ends, GrainsScene, Sides};
+use crate::scene::{ContactMethod, Ends, GrainsScene, Sides};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -44,7 +44,7 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
     if let Some(frozen) = frozen.filter(|_| assembly.outward == inward) {
         // The walls are those of the scene: everything goes on where it was.
         start.contacts = assembly.contacts;
-        start.frozen = Some(frozen.at_start(false));
+        start.frozen = Some(frozen.at_start(scene.method == ContactMethod::Soft));
         return Ok(start);
     }
 

@@ -4,12 +4,12 @@ use super::begin::start;
 use super::error::GrainsError;
 use super::layout::Layout;
 use super::loads::Loads;
-use super::parts::packing;
+use super::parts::{self, volume};
 use crate::measure::Assembly;
+use crate::packing::{self, Method, Packing};
 use crate::run::RunSize;
-use crate::scene::{Container, Coupling, Ends, GrainsScene, Sides};
+use crate::scene::{ContactMethod, Container, Coupling, Ends, GrainsScene, Sides};
 use std::ops::ControlFlow;
-use std::time::Instant;
 use tribos_core::contact::Sphere;
 
 /// Cost of a scene. *Units*: times in s on one core of this machine.
@@ -48,10 +48,13 @@ const CONTACTS: [f64; 2] = [2.0, 3.0];
 const BYTES_A_GRAIN: f64 = 5e3;
 /// Time of a step per grain, with some hundred sweeps, as dense beds need them.
 const SECONDS_A_STEP: f64 = 100e-6;
-/// Grains along an edge of the block whose updates are timed, sweeps of its step, and rounds.
+/// Time of a stable step of soft contacts per grain, that of powders.
+const SOFT_SECONDS: f64 = 0.25e-6;
+/// Grains whose weight a usual contact bears.
+const LAYERS: f64 = 10.0;
+/// Grains along an edge of the block whose updates are timed, and sweeps of its step.
 const EDGE: usize = 6;
 const SWEEPS: usize = 50;
-const ROUNDS: usize = 15;
 
 /// Rough cost of a run of the scene: the order of magnitude.
 ///
@@ -62,11 +65,39 @@ const ROUNDS: usize = 15;
 /// ```
 pub fn size(scene: &GrainsScene) -> RunSize {
     let bodies = count(scene) as f64;
-    let steps = (scene.duration / scene.longest_step()).min(scene.steps as f64);
+    let longest = scene.longest_step();
+    let steps = (scene.duration / longest).min(scene.steps as f64);
+    let step = match stable_step(scene) {
+        None => SECONDS_A_STEP,
+        Some(stable) => (longest / stable).ceil() * SOFT_SECONDS,
+    };
     RunSize {
         bodies,
         bytes: bodies * BYTES_A_GRAIN,
-        seconds: bodies * steps * SECONDS_A_STEP,
+        seconds: bodies * steps * step,
+    }
+}
+
+/// Usual length of the stable steps of soft contacts; `None` for rigid ones.
+///
+/// ```
+/// use tribos::grains::stable_step;
+/// use tribos::scene::{ContactMethod, GrainsScene};
+/// // 0.1 √(m/k) with m = 1.3 g and k = 10 kN/m.
+/// let soft = GrainsScene { method: ContactMethod::Soft, ..GrainsScene::default() };
+/// assert!(stable_step(&soft).is_some_and(|dt| (dt / 3.6e-5 - 1.0).abs() < 0.03));
+/// assert_eq!(stable_step(&GrainsScene::default()), None);
+/// ```
+pub fn stable_step(scene: &GrainsScene) -> Option<f64> {
+    match scene.contact_method() {
+        Method::ContactDynamics { .. } => None,
+        Method::Soft(springs) => {
+            let (material, [_, gravity]) = (scene.material(), scene.gravity.range());
+            let mass = material.density * volume(scene.radius);
+            let smallest = scene.radius * scene.least_radius();
+            let force = LAYERS * mass * gravity;
+            Some(packing::stable_step(&springs, &material, smallest, force))
+        }
     }
 }
 
@@ -92,13 +123,16 @@ pub fn cost(scene: &GrainsScene) -> Result<GrainsCost, GrainsError> {
         coupling: Coupling::Independent,
         ..scene.clone()
     };
-    let [update_seconds, sliding_seconds] = update_seconds([scene, &plain])?;
+    let [update_seconds, sliding_seconds] = packing::update_seconds([scene, &plain], block)?;
     let longest_step = scene.longest_step();
     Ok(GrainsCost {
         grains: count(scene),
         contacts: CONTACTS.map(|share| (share * count(scene) as f64).round() as usize),
         unknowns: modes.unknowns(),
-        bytes: modes.bytes(),
+        bytes: match scene.method {
+            ContactMethod::ContactDynamics => modes.bytes(),
+            ContactMethod::Soft => modes.soft_bytes(),
+        },
         longest_step,
         steps: scene.duration / longest_step,
         update_seconds,
@@ -106,19 +140,8 @@ pub fn cost(scene: &GrainsScene) -> Result<GrainsCost, GrainsError> {
     })
 }
 
-/// Time of an update under the laws of each scene: the minimum over alternating rounds.
-fn update_seconds(scenes: [&GrainsScene; 2]) -> Result<[f64; 2], GrainsError> {
-    let mut least = [f64::INFINITY; 2];
-    for _ in 0..ROUNDS {
-        for (scene, least) in scenes.iter().zip(&mut least) {
-            *least = least.min(timed(scene)?);
-        }
-    }
-    Ok(least)
-}
-
-/// Time of an update in a cubic lattice of grains that just touch, under gravity along a diagonal.
-fn timed(scene: &GrainsScene) -> Result<f64, GrainsError> {
+/// A cubic lattice of grains that just touch, under gravity along a diagonal.
+fn block(scene: &GrainsScene) -> Result<Box<dyn Packing>, GrainsError> {
     let side = 2.0 * EDGE as f64 * scene.radius * (1.0 - 1e-9);
     let block = GrainsScene {
         width: side,
@@ -138,16 +161,14 @@ fn timed(scene: &GrainsScene) -> Result<f64, GrainsError> {
         sweeps: SWEEPS,
         tolerance: f64::MIN_POSITIVE,
         restitution: 0.0,
+        // One stable step of soft contacts; sweeps do not depend on it.
+        time_step: stable_step(scene).or(scene.time_step),
         ..without_drives(scene)
     };
     let grains = start(&block, |_| ControlFlow::Continue(()))?;
     let layout = Layout::of(&block, &grains)?;
     let loads = Loads::of(&block, &layout);
-    let mut packing = packing(&block, (&layout, &loads), grains, None)?;
-    let began = Instant::now();
-    let report = packing.step()?;
-    let updates = (report.iterations.sweeps * report.contacts).max(1);
-    Ok(began.elapsed().as_secs_f64() / updates as f64)
+    parts::packing(&block, (&layout, &loads), grains, None)
 }
 
 /// The scene without moving walls.

@@ -121,16 +121,14 @@ impl Loads {
     }
 
     /// Sets gravity and walls for a step from this time on. Walls that follow a speed or the shaking are
-    /// put where their motion has taken them by then. `false` if the method of the packing cannot.
-    pub fn apply(&self, layout: &Layout, packing: &mut dyn Packing) -> bool {
+    /// put where their motion has taken them by then.
+    pub fn apply(&self, layout: &Layout, packing: &mut dyn Packing) {
         let (time, _) = packing.clock();
         let extents = layout.extents(packing.walls());
-        let is_done = packing.set_gravity(self.gravity(time));
-        let Some(walls) = packing.walls_mut() else {
-            return false;
-        };
+        packing.set_gravity(self.gravity(time));
         let (shift, swing) = self.shake.at(time);
-        for (wall, (face, control, start)) in walls.iter_mut().zip(&self.walls) {
+        let walls = packing.walls_mut().iter_mut();
+        for (wall, (face, control, start)) in walls.zip(&self.walls) {
             let (area, axis) = match face {
                 Face::Side(axis, _) => (Layout::area(&extents, *axis), axis.unit()),
                 _ => (0.0, Vector3::zeros()),
@@ -171,7 +169,6 @@ impl Loads {
                 Control::Lid | Control::Fixed => {}
             }
         }
-        is_done
     }
 }
 

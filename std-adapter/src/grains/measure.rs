@@ -49,9 +49,6 @@ pub const COLUMNS: [&str; 35] = [
     "viscosity",
 ];
 
-/// Index of the residual among the columns.
-pub(super) const RESIDUAL: usize = 27;
-
 /// A line of the series.
 pub(super) type Line = [f64; COLUMNS.len()];
 
@@ -85,7 +82,7 @@ impl Now<'_> {
     }
 
     /// Share of the volume, or of the area in two dimensions, that is solid.
-    fn solid_fraction(&self, [width, depth, height]: [f64; 3]) -> f64 {
+    pub fn solid_fraction(&self, [width, depth, height]: [f64; 3]) -> f64 {
         let radii = self.packing.radii().iter();
         if self.scene.is_flat() {
             let area: f64 = radii.map(|radius| PI * radius * radius).sum();

@@ -4,11 +4,10 @@
 //! which may be [`Ramp`]s in time. [`Grains`] runs it.
 
 mod begin;
-mod checkpoint;
 mod container;
 mod cost;
 mod error;
-mod frames;
+mod laden;
 mod layout;
 mod loads;
 mod measure;
@@ -22,7 +21,7 @@ mod session;
 mod sheared_tests;
 
 #[doc(hidden)]
-pub use cost::{GrainsCost, cost, size};
+pub use cost::{GrainsCost, cost, size, stable_step};
 pub use error::GrainsError;
 #[doc(hidden)]
 pub use measure::COLUMNS;

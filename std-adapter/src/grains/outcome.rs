@@ -1,15 +1,14 @@
 //! Summary of a run of grains.
 
 use super::error::GrainsError;
-use super::layout::End;
 use super::measure::COLUMNS;
 use super::run::{Ending, Grains};
 use crate::cd::EnergyBalance;
-use crate::golden::{Digest, Measure, MeasureError, Measurement, contacts, digest};
-use crate::packing::{Limits, Statistics};
+use crate::golden::{Measure, MeasureError, Measurement};
+use crate::packing::{Statistics, losses, object};
 use crate::record::json_number;
-use crate::run::{Simulation, drive};
-use crate::scene::{Axis, GrainsScene};
+use crate::run::drive;
+use crate::scene::{ContactMethod, GrainsScene};
 use serde_json::{Map, Value};
 
 /// Results of a run of grains, in the units of its scene.
@@ -43,34 +42,6 @@ pub struct Outcome {
     pub wall_seconds: f64,
 }
 
-impl Grains {
-    /// Summary of the run so far.
-    pub fn outcome(&self) -> Outcome {
-        let now = self.now();
-        let radii = now.packing.radii();
-        let limits = Limits::of(&self.scene().material());
-        let masses = now
-            .packing
-            .spheres()
-            .iter()
-            .map(|grain| 1.0 / grain.inv_mass);
-        Outcome {
-            ending: self.ending(),
-            time: self.time(),
-            steps: self.steps(),
-            grains: radii.len(),
-            mass: masses.sum(),
-            floor_force: now.push(Axis::Z, End::Low),
-            last: self.record(),
-            statistics: Statistics::of(self.contacts(), radii, &limits),
-            iterations: self.totals().iterations,
-            unmet: self.totals().unmet,
-            energy: *now.packing.energy(),
-            wall_seconds: self.wall_seconds(),
-        }
-    }
-}
-
 impl Outcome {
     /// A column of the last line of the series.
     pub fn column(&self, name: &str) -> Option<f64> {
@@ -80,13 +51,7 @@ impl Outcome {
 
     /// Where the energy went: names and energies.
     pub fn dissipation(&self) -> [(&'static str, f64); 5] {
-        [
-            ("normal", self.energy.normal),
-            ("sliding", self.energy.sliding),
-            ("rolling", self.energy.rolling),
-            ("torsion", self.energy.torsion),
-            ("cohesion", self.energy.cohesion),
-        ]
+        losses(&self.energy)
     }
 
     /// The summary as JSON.
@@ -116,7 +81,11 @@ impl Outcome {
             ("kinetic", self.energy.kinetic),
             ("imbalance", self.energy.imbalance()),
         ];
-        put("energy", object(&others));
+        let mut energy = object(&others);
+        if let (ContactMethod::Soft, Value::Object(map)) = (scene.method, &mut energy) {
+            map.insert("elastic".into(), json_number(self.energy.elastic));
+        }
+        put("energy", energy);
         put("wall_seconds", json_number(self.wall_seconds));
         put("scene", scene.json());
         put("version", env!("CARGO_PKG_VERSION").into());
@@ -124,30 +93,11 @@ impl Outcome {
     }
 }
 
-fn object(numbers: &[(&str, f64)]) -> Value {
-    let entries = numbers
-        .iter()
-        .map(|(name, value)| ((*name).to_owned(), json_number(*value)));
-    Value::Object(entries.collect())
-}
-
 impl Measure for GrainsScene {
     fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MeasureError> {
         let mut grains = Grains::new(self)?;
         drive::<Grains>(&mut grains, |_, _| watch())
             .map_err(|error: GrainsError| MeasureError::from(error))?;
-        let rows = grains.series().iter().map(|row| row.to_vec());
-        let summary = grains.outcome().json(self);
-        let mut measurement = Measurement::new(&summary, &COLUMNS, rows);
-        measurement.state = grains.with_snapshot(|end| {
-            vec![
-                ("positions", digest(end.positions)),
-                ("radii", Digest::of(end.radii.iter().copied())),
-                ("velocities", digest(end.velocities.unwrap_or_default())),
-                ("spins", digest(end.spins.unwrap_or_default())),
-                ("contacts", contacts(end.contacts)),
-            ]
-        });
-        Ok(measurement)
+        Ok(grains.measurement(&grains.outcome().json(self)))
     }
 }

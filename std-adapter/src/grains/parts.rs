@@ -5,9 +5,11 @@ use super::layout::{Layout, Part};
 use super::loads::Loads;
 use super::placement::Start;
 use crate::cd::{Method as Sweeps, Solver, StepLimits, Wall};
-use crate::packing::{Bodies, Extras, Frozen, Material, Method, Packing, Second, build_with};
+use crate::packing::{
+    Bodies, Extras, Frozen, Material, Method, Packing, Second, Springs, build_with,
+};
 use crate::random::Random;
-use crate::scene::GrainsScene;
+use crate::scene::{ContactMethod, GrainsScene};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -53,11 +55,11 @@ pub(super) fn packing(
         walls: layout.parts.iter().enumerate().map(wall).collect(),
         gravity: loads.gravity(0.0),
     };
-    let method = method(scene);
+    let method = scene.contact_method();
     let mut packing = build_with(&material, (bodies, &extras), &method, frozen)?;
     // A stored state has its walls where they were.
-    if frozen.is_none() && !loads.apply(layout, &mut *packing) {
-        return Err(GrainsError::Driven);
+    if frozen.is_none() {
+        loads.apply(layout, &mut *packing);
     }
     Ok(packing)
 }
@@ -67,26 +69,34 @@ pub(super) fn volume(radius: f64) -> f64 {
     4.0 / 3.0 * PI * radius * radius * radius
 }
 
-/// How the contacts of a step are found and solved.
-fn method(scene: &GrainsScene) -> Method {
-    Method::ContactDynamics {
-        solver: Solver {
-            method: Sweeps::Accelerated {
-                tolerance: scene.tolerance,
-            },
-            most_sweeps: scene.sweeps,
-            warm_start: true,
-        },
-        step_limits: StepLimits {
-            motion: scene.motion * scene.radius,
-            longest: scene.longest_step(),
-        },
-        // Gravity and walls change in time, which would not wake grains that sleep.
-        still_speed: 0.0,
-    }
-}
-
 impl GrainsScene {
+    /// How the contacts of a step are found and solved.
+    pub(super) fn contact_method(&self) -> Method {
+        let step_limits = StepLimits {
+            motion: self.motion * self.radius,
+            longest: self.longest_step(),
+        };
+        match self.method {
+            ContactMethod::ContactDynamics => Method::ContactDynamics {
+                solver: Solver {
+                    method: Sweeps::Accelerated {
+                        tolerance: self.tolerance,
+                    },
+                    most_sweeps: self.sweeps,
+                    warm_start: true,
+                },
+                step_limits,
+                // Gravity and walls change in time, which would not wake grains that sleep.
+                still_speed: 0.0,
+            },
+            ContactMethod::Soft => Method::Soft(Springs {
+                stiffness: self.spring(),
+                damping: self.damping,
+                step_limits,
+            }),
+        }
+    }
+
     /// The second material, and between the two.
     fn second(&self, start: &Start) -> Option<Second> {
         if !start.is_second.contains(&true) {

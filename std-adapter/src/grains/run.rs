@@ -1,22 +1,22 @@
 //! A run of grains.
 
 use super::begin::start;
-use super::checkpoint::Checkpoint;
 use super::error::GrainsError;
-use super::layout::Layout;
+use super::laden::{Laden, Slow, bounds};
+use super::layout::{End, Layout};
 use super::loads::Loads;
-use super::measure::{COLUMNS, Line, Now, RESIDUAL};
+use super::measure::{COLUMNS, Now};
+use super::outcome::Outcome;
 use super::parts::packing;
 use crate::cd::StepReport;
-use crate::packing::{Packing, Shape, Stored, Totals};
+use crate::golden::Measurement;
+use crate::packing::{Drive, Kept, Limits, Statistics, Told};
+use crate::record::frames::{Bodies, Frame, Kind};
 use crate::record::{ContactRow, Snapshot};
 use crate::run::Simulation;
-use crate::scene::GrainsScene;
+use crate::scene::{Axis, GrainsScene};
+use serde_json::Value;
 use std::ops::ControlFlow;
-use std::time::Instant;
-
-/// Slow steps after which the grains count as at rest.
-const SLOW_STEPS: u64 = 100;
 
 /// Why a run ended.
 ///
@@ -51,11 +51,6 @@ impl Ending {
             Self::Steps => "steps",
         }
     }
-
-    pub(super) fn named(name: &str) -> Option<Self> {
-        let mut all = [Self::Rest, Self::Time, Self::Steps].into_iter();
-        all.find(|ending| ending.name() == name)
-    }
 }
 
 /// Grains in a box, a run in progress.
@@ -63,18 +58,7 @@ impl Ending {
 /// [`GrainsScene`] has an example.
 #[derive(Debug)]
 pub struct Grains {
-    scene: GrainsScene,
-    layout: Layout,
-    loads: Loads,
-    packing: Box<dyn Packing>,
-    contacts: Vec<ContactRow>,
-    report: StepReport,
-    totals: Totals,
-    /// Number of steps for which the grains have been slow.
-    slow: u64,
-    series: Vec<Line>,
-    ending: Option<Ending>,
-    started: Instant,
+    drive: Drive<Laden, { COLUMNS.len() }>,
 }
 
 impl Grains {
@@ -116,150 +100,91 @@ impl Grains {
         watch: impl FnMut(usize) -> ControlFlow<()>,
     ) -> Result<Self, GrainsError> {
         scene.check()?;
-        let kept = checkpoint.map(|text| Checkpoint::read(text, scene));
-        let kept = kept.transpose()?;
+        let kept = Kept::read(checkpoint, &scene.json())?;
         let start = start(scene, watch)?;
         let layout = Layout::of(scene, &start)?;
         let loads = Loads::of(scene, &layout);
         if let Some(kept) = &kept {
-            kept.fits([start.radii.len(), layout.parts.len()], scene.samples)?;
+            kept.fits(start.radii.len(), layout.parts.len(), bounds(scene))?;
         }
         let (contacts, frozen) = (start.contacts.clone(), start.frozen.clone());
-        let frozen = kept.as_ref().map(|kept| &kept.frozen).or(frozen.as_ref());
+        let kept_frozen = kept.as_ref().map(|kept: &Kept<Laden, _>| &kept.frozen);
+        let frozen = kept_frozen.or(frozen.as_ref());
         let packing = packing(scene, (&layout, &loads), start, frozen)?;
-        let mut grains = Self {
+        let body = Laden {
             scene: scene.clone(),
             layout,
             loads,
-            packing,
-            contacts,
-            report: StepReport::default(),
-            totals: Totals::default(),
-            slow: 0,
-            series: Vec::new(),
-            ending: None,
-            started: Instant::now(),
         };
-        match kept {
-            Some(kept) => grains.restore(kept)?,
-            None => grains.series.push(grains.record()),
-        }
-        Ok(grains)
-    }
-
-    /// Takes over what a checkpoint has beside the packing.
-    fn restore(&mut self, kept: Checkpoint) -> Result<(), GrainsError> {
-        self.totals = kept.totals;
-        self.slow = kept.slow;
-        self.series = kept.series;
-        self.ending = kept.ending;
-        self.find_contacts()?;
-        if let (Some(_), Some(last)) = (self.ending, self.series.last()) {
-            self.report.residual.relative = last[RESIDUAL];
-        }
-        Ok(())
+        let drive = Drive::begin((body, Slow(0)), (packing, contacts), kept)?;
+        Ok(Self { drive })
     }
 
     /// The run as a checkpoint file.
     pub fn checkpoint(&self) -> String {
-        let checkpoint = Checkpoint {
-            frozen: self.packing.freeze(),
-            totals: Totals {
-                wall_seconds: self.wall_seconds(),
-                ..self.totals
-            },
-            slow: self.slow,
-            series: self.series.clone(),
-            ending: self.ending,
-        };
-        checkpoint.text(&self.scene, &self.shape())
+        self.drive.checkpoint()
     }
 
     /// The current state as a file, from which a run of another scene can start: `start` names the file or its
     /// folder.
     pub fn state(&self) -> String {
-        let stored = Stored {
-            scene: self.scene.json(),
-            shape: self.shape(),
-            frozen: self.packing.freeze(),
-        };
-        stored.text()
-    }
-
-    fn shape(&self) -> Shape {
-        let walls = self.packing.walls().iter();
-        // Contacts between two lines of the series are found anew.
-        let found = self.packing.contacts();
-        Shape {
-            space: self.layout.space,
-            radii: self.packing.radii().to_vec(),
-            outward: walls.map(|wall| wall.outward).collect(),
-            contacts: found.unwrap_or_else(|_| self.contacts.clone()),
-        }
+        self.drive.state()
     }
 
     /// The scene of the run.
     pub fn scene(&self) -> &GrainsScene {
-        &self.scene
+        &self.drive.body.scene
     }
 
     /// Report of the last step.
     pub fn last_step(&self) -> &StepReport {
-        &self.report
+        &self.drive.seen.report
     }
 
     /// Number of steps so far.
     pub fn steps(&self) -> u64 {
-        self.packing.clock().1
+        self.drive.steps()
     }
 
     /// Elapsed time.
     pub fn time(&self) -> f64 {
-        self.packing.clock().0
+        self.drive.time()
     }
 
     /// Why the run has ended, if it has.
     pub fn ending(&self) -> Option<Ending> {
-        self.ending
+        self.drive.ending
     }
 
     /// Rows of the series so far, with the columns of [`COLUMNS`].
     pub fn series(&self) -> &[[f64; COLUMNS.len()]] {
-        &self.series
+        &self.drive.series
     }
 
     /// Contacts after the last step with their forces.
     pub fn contacts(&self) -> &[ContactRow] {
-        &self.contacts
+        &self.drive.seen.contacts
     }
 
     /// The current state for measurements.
     pub(super) fn now(&self) -> Now<'_> {
-        Now {
-            scene: &self.scene,
-            layout: &self.layout,
-            loads: &self.loads,
-            packing: &*self.packing,
-            contacts: &self.contacts,
-            report: &self.report,
-        }
-    }
-
-    pub(super) fn totals(&self) -> &Totals {
-        &self.totals
+        self.drive.body.now(&self.drive.seen)
     }
 
     /// Low and high corner of a box that holds the grains, open ends included.
-    pub(super) fn corners(&self) -> [[f64; 2]; 3] {
-        let mut corners = self.layout.extents(self.packing.walls());
-        if self.scene.is_flat() {
-            let most = self.packing.radii().iter().copied().fold(0.0, f64::max);
+    fn corners(&self) -> [[f64; 2]; 3] {
+        let Now {
+            layout, packing, ..
+        } = self.now();
+        let mut corners = layout.extents(packing.walls());
+        if self.scene().is_flat() {
+            let most = packing.radii().iter().copied().fold(0.0, f64::max);
             corners[1] = [-most, most];
         }
-        for (x, radius) in self.packing.positions().iter().zip(self.packing.radii()) {
-            let x = self.layout.space.wrap(x);
+        for (x, radius) in packing.positions().iter().zip(packing.radii()) {
+            let x = layout.space.wrap(x);
             for (axis, [low, high]) in corners.iter_mut().enumerate() {
-                if self.layout.space.lengths()[axis].is_none() {
+                if layout.space.lengths()[axis].is_none() {
                     *low = low.min(x[axis] - radius);
                     *high = high.max(x[axis] + radius);
                 }
@@ -270,63 +195,53 @@ impl Grains {
 
     /// Calls `export` with the current state.
     pub fn with_snapshot<T>(&self, export: impl FnOnce(&Snapshot<'_>) -> T) -> T {
-        let spheres = self.packing.spheres();
-        let velocities: Vec<_> = spheres.iter().map(|sphere| sphere.velocity).collect();
-        let spins: Vec<_> = spheres.iter().map(|sphere| sphere.spin).collect();
-        export(&Snapshot {
-            time: self.time(),
-            space: self.packing.space(),
+        self.drive.with_snapshot(self.corners(), export)
+    }
+
+    /// Data common to all frames of the film, which keeps at most `limit` of them.
+    pub fn bodies(&self, limit: u64) -> Bodies {
+        let periods = [self.scene().width, self.scene().box_depth()];
+        self.drive.bodies(Kind::Grains, periods, limit)
+    }
+
+    /// The current state.
+    pub fn frame(&self) -> Frame {
+        let extents = self.now().extents();
+        let lengths = extents.map(|[low, high]| high - low);
+        self.drive.frame(&Told {
+            limits: &Limits::of(&self.scene().material()),
+            height: lengths[2],
+            measure: 1.0 - self.now().solid_fraction(lengths),
             extents: self.corners(),
-            positions: self.packing.positions(),
-            radii: self.packing.radii(),
-            velocities: Some(&velocities),
-            spins: Some(&spins),
-            species: None,
-            contacts: &self.contacts,
         })
     }
 
-    pub(super) fn wall_seconds(&self) -> f64 {
-        self.totals.wall_seconds + self.started.elapsed().as_secs_f64()
-    }
-
-    fn find_contacts(&mut self) -> Result<(), GrainsError> {
-        let step = self.steps();
-        let contacts = self.packing.contacts();
-        self.contacts = contacts.map_err(|cause| GrainsError::Touch { step, cause })?;
-        Ok(())
-    }
-
-    /// The current line of the series, if all its values and the energy balance are finite.
-    fn finite_record(&self) -> Result<Line, GrainsError> {
-        let record = self.record();
-        let named = COLUMNS.into_iter().zip(record);
-        let balance = [("work", self.packing.energy().imbalance())];
-        match named.chain(balance).find(|(_, value)| !value.is_finite()) {
-            Some((column, value)) => Err(GrainsError::NotFinite {
-                step: self.steps(),
-                column,
-                value,
-            }),
-            None => Ok(record),
+    /// Summary of the run so far.
+    pub fn outcome(&self) -> Outcome {
+        let now = self.now();
+        let radii = now.packing.radii();
+        let limits = Limits::of(&self.scene().material());
+        let spheres = now.packing.spheres().iter();
+        let totals = self.drive.totals();
+        Outcome {
+            ending: self.ending(),
+            time: self.time(),
+            steps: self.steps(),
+            grains: radii.len(),
+            mass: spheres.map(|grain| 1.0 / grain.inv_mass).sum(),
+            floor_force: now.push(Axis::Z, End::Low),
+            last: self.record(),
+            statistics: Statistics::of(self.contacts(), radii, &limits),
+            iterations: totals.iterations,
+            unmet: totals.unmet,
+            energy: *now.packing.energy(),
+            wall_seconds: totals.wall_seconds,
         }
     }
 
-    /// Counts slow steps and applies the scene's limits.
-    fn judge(&mut self) -> Option<Ending> {
-        let (time, steps) = self.packing.clock();
-        let is_slow = self
-            .scene
-            .rest
-            .is_some_and(|rest| self.now().speed() < rest);
-        self.slow = if is_slow { self.slow + 1 } else { 0 };
-        if self.slow >= SLOW_STEPS {
-            Some(Ending::Rest)
-        } else if time >= self.scene.duration {
-            Some(Ending::Time)
-        } else {
-            (steps >= self.scene.steps).then_some(Ending::Steps)
-        }
+    /// The end of the run for golden files.
+    pub(super) fn measurement(&self, summary: &Value) -> Measurement {
+        self.drive.measurement(summary)
     }
 }
 
@@ -335,29 +250,15 @@ impl Simulation for Grains {
     type Error = GrainsError;
 
     fn record(&self) -> Self::Record {
-        self.now().line()
+        self.drive.line()
     }
 
     /// A run that has ended takes no more steps.
     fn step(&mut self) -> Result<bool, GrainsError> {
-        if self.ending.is_some() {
-            return Ok(false);
-        }
-        self.loads.apply(&self.layout, &mut *self.packing);
-        self.report = self.packing.step()?;
-        self.totals.add(&self.report);
-        self.ending = self.judge();
-        if self.ending.is_some() || self.steps().is_multiple_of(self.scene.samples) {
-            self.find_contacts()?;
-            let record = self.finite_record()?;
-            self.series.push(record);
-        }
-        Ok(self.ending.is_none())
+        self.drive.step()
     }
 
     fn progress(&self) -> f64 {
-        let (time, steps) = self.packing.clock();
-        let of_time = time / self.scene.duration;
-        of_time.max(steps as f64 / self.scene.steps as f64).min(1.0)
+        self.drive.progress()
     }
 }

@@ -18,11 +18,7 @@ impl LongRun for Grains {
     }
 
     fn cause(error: &GrainsError) -> Cause {
-        match error {
-            GrainsError::Checkpoint(_) => Cause::Checkpoint,
-            GrainsError::Placement(PlacementError::Stopped) => Cause::Stopped,
-            _ => Cause::Scene,
-        }
+        error.cause(|placement| matches!(placement, PlacementError::Stopped))
     }
 
     fn checkpoint(&self) -> String {

@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::run::{Simulation, drive};
-use crate::scene::{Axis, Container, Ends, GrainsScene, Sides, WallLaw};
+use crate::scene::{
+    Axis, ContactMethod, Container, Ends, GrainsScene, NormalForce, Sides, WallLaw,
+};
 
 /// A run to its end.
 fn run(scene: &GrainsScene) -> Grains {
@@ -15,6 +17,14 @@ fn run(scene: &GrainsScene) -> Grains {
 fn column(grains: &Grains, name: &str) -> Vec<f64> {
     let column = COLUMNS.iter().position(|known| *known == name).unwrap();
     grains.series().iter().map(|row| row[column]).collect()
+}
+
+/// Mean of a column over the lines after a time.
+fn late(grains: &Grains, name: &str, after: f64) -> f64 {
+    let [times, values] = ["time", name].map(|name| column(grains, name));
+    let late = times.iter().zip(values).filter(|(time, _)| **time > after);
+    let late: Vec<f64> = late.map(|(_, value)| value).collect();
+    late.iter().sum::<f64>() / late.len() as f64
 }
 
 fn ramp(text: &str) -> Ramp {
@@ -238,6 +248,142 @@ fn a_shaken_floor_throws_grains_up_and_takes_them_along() {
     }
 }
 
+/// The scene with soft grains.
+fn soft(scene: GrainsScene) -> GrainsScene {
+    GrainsScene {
+        method: ContactMethod::Soft,
+        ..scene
+    }
+}
+
+#[test]
+fn the_floor_carries_the_weight_of_soft_grains_unless_walls_bear_it() {
+    for (normal_law, dimension, restitution) in [
+        (NormalForce::Linear, 3, 0.0),
+        (NormalForce::Linear, 2, 0.6),
+        (NormalForce::Hertz, 3, 0.3),
+    ] {
+        let scene = GrainsScene {
+            normal_law,
+            dimension,
+            restitution,
+            rest: Some(1e-4),
+            duration: 5.0,
+            ..soft(beads(30))
+        };
+        let outcome = run(&scene).outcome();
+        assert_eq!(outcome.ending, Some(Ending::Rest));
+        let share = outcome.floor_force / (outcome.mass * 9.81);
+        assert!((share - 1.0).abs() < 0.01, "{normal_law} {share}");
+        assert!(outcome.energy.elastic > 0.0 && outcome.iterations == 0);
+    }
+    // Rough walls that move up bear a part of a column, smooth ones nothing.
+    let column_of = |wall: WallLaw| {
+        let scene = GrainsScene {
+            width: 0.04,
+            x: Sides::Walls,
+            y: Sides::Walls,
+            wall_speed: ramp("0.02"),
+            wall,
+            duration: 0.7,
+            ..soft(beads(120))
+        };
+        let grains = run(&scene);
+        late(&grains, "floor_force", 0.4) / (grains.outcome().mass * 9.81)
+    };
+    let [rough, smooth] = [WallLaw::Full, WallLaw::Bare].map(column_of);
+    // Contact dynamics leaves 0.38 to 0.49 of the weight to the floor, springs 0.33 to 0.44 (three seeds).
+    assert!((0.25..0.6).contains(&rough), "{rough}");
+    assert!((smooth - 1.0).abs() < 0.05, "{smooth}");
+}
+
+#[test]
+fn soft_grains_between_plates_bear_their_pressure_and_shear_with_them() {
+    for sign in [1.0, -1.0] {
+        let scene = GrainsScene {
+            z: Ends::Walls,
+            gravity: 0.0.into(),
+            pressure_z: Some(1000.0.into()),
+            plate_speed: Ramp::through(&[[0.3, 0.0], [0.35, sign * 0.1]]).unwrap(),
+            duration: 1.0,
+            ..soft(beads(60))
+        };
+        let mut grains = Grains::new(&scene).unwrap();
+        while grains.time() < 0.4 {
+            grains.step().unwrap();
+        }
+        let before = grains.outcome().energy;
+        drive(&mut grains, |_, _| ()).unwrap();
+        let [pressure, shear] =
+            ["plate_stress", "shear_stress"].map(|name| late(&grains, name, 0.4));
+        assert!((pressure / 1000.0 - 1.0).abs() < 0.05, "{sign}: {pressure}");
+        assert!(
+            sign * shear > 20.0 && shear.abs() < 500.0,
+            "{sign}: {shear}"
+        );
+        // The plate's work is lost; only the steps' own error is missing.
+        let after = grains.outcome().energy;
+        let missing = after.imbalance() - before.imbalance();
+        let work = after.work - before.work;
+        assert!(
+            work > 0.0 && missing.abs() < 0.05 * work,
+            "{missing} {work}"
+        );
+    }
+}
+
+#[test]
+fn what_springs_cannot_do_is_refused_with_key_value_and_cure() {
+    let refused = |keys: &str| {
+        let text = format!(
+            "body = \"grains\"\nwidth = 0.1\ncount = 9\nradius = 0.005\ndensity = 2500\nduration = 1\nmethod = \"soft\"\n{keys}"
+        );
+        GrainsScene::parse("soft.toml", &text, &[])
+            .map_or_else(|error| error.to_string(), |_| String::new())
+    };
+    assert_eq!(refused("stiffness = 1e5\nnormal_law = \"hertz\""), "");
+    for (keys, told) in [
+        ("share_second = 0.5", "`share_second` is 0.5"),
+        (
+            "z = \"periodic\"\nheight = 0.1\ngravity = 0\nshear_rate = 1",
+            "`shear_rate`",
+        ),
+        ("attraction = \"resistance\"", "`attraction`"),
+        ("restitution = 0.5\ndamping = 1", "`damping`"),
+        ("sweeps = 10", "sweeps"),
+        ("tolerance = 1e-3", "tolerance"),
+        ("stiffness = -1", "stiffness"),
+    ] {
+        let message = refused(keys);
+        assert!(message.contains(told), "{keys}: {message}");
+    }
+}
+
+#[test]
+fn gravity_is_refused_where_nothing_bears_the_grains() {
+    let periodic = |x: Sides, shear_rate: Option<f64>, gravity: Ramp| GrainsScene {
+        x,
+        z: Ends::Periodic,
+        height: Some(0.1),
+        shear_rate,
+        gravity,
+        ..GrainsScene::default()
+    };
+    for (scene, is_refused) in [
+        (periodic(Sides::Periodic, None, 9.81.into()), true),
+        (periodic(Sides::Periodic, None, ramp("0:0, 1:1e-9")), true),
+        (periodic(Sides::Periodic, Some(1.0), 9.81.into()), true),
+        (periodic(Sides::Periodic, Some(1.0), 0.0.into()), false),
+        // A chute.
+        (periodic(Sides::Walls, None, 9.81.into()), false),
+    ] {
+        let told = scene
+            .check()
+            .map_or_else(|error| error.to_string(), |()| String::new());
+        assert_eq!(told.contains("set gravity = 0"), is_refused, "{told}");
+    }
+}
+
 /// A hopper above a floor.
 fn hopper() -> GrainsScene {
     GrainsScene {
@@ -323,7 +469,11 @@ fn a_run_resumes_to_the_byte() {
         restitution: 0.5,
         ..beads(30)
     };
-    for scene in [sheared, shaken, hopper(), drum(2.0)] {
+    let soft_ones = [soft(sheared.clone()), soft(shaken.clone()), soft(hopper())];
+    for scene in [sheared, shaken, hopper(), drum(2.0)]
+        .into_iter()
+        .chain(soft_ones)
+    {
         let mut whole = Grains::new(&scene).unwrap();
         for _ in 0..60 {
             whole.step().unwrap();

@@ -1,14 +1,20 @@
 //! Packings: spheres between walls, with a material and a method for their contacts chosen at run time.
 //!
-//! A body's scene says the [`Material`], the [`Bodies`] and the [`Method`]; [`build`] makes a [`Packing`] of them.
+//! A body's scene says the [`Material`], the [`Bodies`] and the [`Method`]; [`build`] makes a [`Packing`] of them. A
+//! [`Drive`] runs it: the [`Body`] says its loads, its measures and when it ends.
 
+mod body;
 mod carried;
+mod cost;
+mod drive;
 mod extras;
 mod frozen;
 mod given;
+mod kept;
 mod limits;
 mod material;
 mod rigid;
+mod run_error;
 mod sizes;
 mod soft;
 mod statistics;
@@ -16,12 +22,17 @@ mod stored;
 mod stress;
 mod totals;
 
+pub(crate) use body::{Body, Bounds, Cadence, Ending, Seen};
 pub use carried::{Carried, CarriedModes};
+pub(crate) use cost::{stable_step, update_seconds};
+pub(crate) use drive::{Drive, Told, losses, object};
 pub(crate) use extras::{Extras, Second};
 pub(crate) use frozen::{Force, Forces, Frozen};
 pub(crate) use given::given;
+pub(crate) use kept::Kept;
 pub use limits::Limits;
 pub use material::Material;
+pub use run_error::PackingRunError;
 pub use sizes::{Radii, Sizes, SizesError};
 pub use statistics::Statistics;
 pub use stored::STATE;
@@ -101,16 +112,12 @@ pub(crate) trait Packing: Debug {
     fn spheres(&self) -> &[Sphere<f64>];
     /// Walls, with their current places and velocities.
     fn walls(&self) -> &[Wall];
-    /// Walls, which a body may move and load between two steps; `None` of a method whose walls stay.
-    fn walls_mut(&mut self) -> Option<&mut [Wall]> {
-        None
-    }
+    /// Walls, which a body may move and load between two steps.
+    fn walls_mut(&mut self) -> &mut [Wall];
     /// The periodic box, with the images of a sheared one at their current places.
     fn space(&self) -> PeriodicBox;
-    /// Sets the acceleration of all spheres for the next steps; `false` of a method that cannot.
-    fn set_gravity(&mut self, _gravity: Vector3<f64>) -> bool {
-        false
-    }
+    /// Sets the acceleration of all spheres for the next steps.
+    fn set_gravity(&mut self, gravity: Vector3<f64>);
     /// Energy balance.
     fn energy(&self) -> &EnergyBalance;
     /// Contacts that carry a force or lie within the range of cohesion, with the forces of the last
@@ -138,11 +145,7 @@ pub(crate) fn build_with(
     method: &Method,
     frozen: Option<&Frozen>,
 ) -> Result<Box<dyn Packing>, PackingError> {
-    match method {
-        Method::ContactDynamics { .. } | Method::Soft(_) => {
-            rigid::build(material, bodies, method, frozen)
-        }
-    }
+    rigid::build(material, bodies, method, frozen)
 }
 
 /// Vector from the first centre of a contact to the second, or perpendicular to the wall.

@@ -255,17 +255,16 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         &self.state().walls
     }
 
-    fn walls_mut(&mut self) -> Option<&mut [Wall]> {
-        Some(&mut self.state_mut().walls)
+    fn walls_mut(&mut self) -> &mut [Wall] {
+        &mut self.state_mut().walls
     }
 
     fn space(&self) -> PeriodicBox {
         World::space(self)
     }
 
-    fn set_gravity(&mut self, gravity: Vector3<f64>) -> bool {
+    fn set_gravity(&mut self, gravity: Vector3<f64>) {
         World::set_gravity(self, gravity);
-        true
     }
 
     fn energy(&self) -> &EnergyBalance {

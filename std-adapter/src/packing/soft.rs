@@ -134,6 +134,14 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
         &self.world.state().walls
     }
 
+    fn walls_mut(&mut self) -> &mut [Wall] {
+        &mut self.world.state_mut().walls
+    }
+
+    fn set_gravity(&mut self, gravity: Vector3<f64>) {
+        self.world.set_gravity(gravity);
+    }
+
     fn energy(&self) -> &EnergyBalance {
         &self.world.state().energy
     }

@@ -1,21 +1,18 @@
 //! Compaction of a deposit by a piston until it is blocked (thesis, sections 4.5 and 4.6).
 
-use super::blocked::{Means, Window};
-use super::checkpoint::Checkpoint;
 use super::deposit::{BULK, Deposit, DepositError, volume_between};
 use super::error::CompactionError;
 use super::outcome::Outcome;
-use super::parts::{PISTON, packing};
+use super::parts::packing;
+use super::press::{Press, Watch, bounds, height};
 use super::start::Start;
 use crate::cd::StepReport;
-use crate::packing::{Limits, Packing, Shape, Statistics, Stored, Stress, Totals, branch, is_at};
+use crate::packing::{Drive, Kept, Limits, Statistics, Told};
+use crate::record::frames::{Bodies, Frame, Kind};
 use crate::record::{ContactRow, Snapshot};
 use crate::run::Simulation;
 use crate::scene::PowderScene;
-use std::f64::consts::PI;
 use std::ops::ControlFlow;
-use std::time::Instant;
-use tribos_core::contact::Sphere;
 
 /// Columns of the series, in the units of the scene; `stress_zz` in units of the applied pressure.
 pub const COLUMNS: [&str; 15] = [
@@ -35,9 +32,6 @@ pub const COLUMNS: [&str; 15] = [
     "dissipated_cohesion",
     "work",
 ];
-
-/// Index of the residual among the columns.
-const RESIDUAL: usize = 7;
 
 /// Why a run ended.
 ///
@@ -79,11 +73,6 @@ impl Ending {
             Self::Steps => "steps",
         }
     }
-
-    pub(super) fn named(name: &str) -> Option<Self> {
-        let mut all = [Self::Blocked, Self::Time, Self::Steps].into_iter();
-        all.find(|ending| ending.name() == name)
-    }
 }
 
 /// A compaction in progress.
@@ -109,22 +98,9 @@ impl Ending {
 /// ```
 #[derive(Debug)]
 pub struct Compaction {
-    scene: PowderScene,
-    deposit: Deposit,
+    pub(super) drive: Drive<Press, { COLUMNS.len() }>,
     /// Contacts at the start.
     first_contacts: Vec<ContactRow>,
-    packing: Box<dyn Packing>,
-    /// Total volume of the spheres.
-    solid: f64,
-    contacts: Vec<ContactRow>,
-    stress: Stress,
-    report: StepReport,
-    window: Window,
-    complete: Option<(Window, f64)>,
-    totals: Totals,
-    series: Vec<[f64; COLUMNS.len()]>,
-    ending: Option<Ending>,
-    started: Instant,
 }
 
 impl Compaction {
@@ -177,7 +153,7 @@ impl Compaction {
     /// # };
     /// // A deposit that is cut at a height of half a sphere.
     /// let refused = Compaction::check(&flat);
-    /// assert!(matches!(refused, Err(CompactionError::Deposit(DepositError::Empty))));
+    /// assert!(matches!(refused, Err(CompactionError::Placement(DepositError::Empty))));
     /// ```
     pub fn check(scene: &PowderScene) -> Result<(), CompactionError> {
         let diameter = 2.0 * scene.least_radius();
@@ -208,7 +184,7 @@ impl Compaction {
     /// #     ..PowderScene::default()
     /// # };
     /// let stopped = Compaction::begin(&scene, None, |_spheres| ControlFlow::Break(()));
-    /// assert!(matches!(stopped, Err(CompactionError::Deposit(DepositError::Stopped))));
+    /// assert!(matches!(stopped, Err(CompactionError::Placement(DepositError::Stopped))));
     /// ```
     pub fn begin(
         scene: &PowderScene,
@@ -216,67 +192,27 @@ impl Compaction {
         watch: impl FnMut(usize) -> ControlFlow<()>,
     ) -> Result<Self, CompactionError> {
         scene.check()?;
-        let kept = checkpoint.map(|text| Checkpoint::read(text, scene));
-        let kept = kept.transpose()?;
-        let Start {
-            deposit,
-            contacts,
-            frozen,
-        } = Start::of(scene, watch)?;
+        let kept = Kept::read(checkpoint, &scene.json())?;
+        let start = Start::of(scene, watch)?;
+        let deposit = start.deposit;
         if let Some(kept) = &kept {
-            kept.fits(deposit.positions.len(), scene.samples.max(1))?;
+            kept.fits(deposit.positions.len(), 2, bounds(scene))?;
         }
-        let frozen = kept.as_ref().map(|kept| &kept.frozen).or(frozen.as_ref());
-        let packing = packing(scene, &deposit, frozen)?;
-        let solid = deposit
-            .radii
-            .iter()
-            .map(|r| 4.0 / 3.0 * PI * r * r * r)
-            .sum();
-        let mut compaction = Self {
-            scene: scene.clone(),
-            window: Window::starting(deposit.height),
-            contacts: contacts.clone(),
-            first_contacts: contacts,
-            deposit,
-            packing,
-            solid,
-            stress: Stress::default(),
-            report: StepReport::default(),
-            complete: None,
-            totals: Totals::default(),
-            series: Vec::new(),
-            ending: None,
-            started: Instant::now(),
-        };
-        match kept {
-            Some(kept) => {
-                compaction.window = kept.window;
-                compaction.complete = kept.complete;
-                compaction.totals = kept.totals;
-                compaction.series = kept.series;
-                compaction.ending = kept.ending;
-                compaction.look_again()?;
-            }
-            None => compaction.series.push(compaction.record()),
-        }
-        Ok(compaction)
+        let frozen = kept.as_ref().map(|kept: &Kept<Press, _>| &kept.frozen);
+        let packing = packing(scene, &deposit, frozen.or(start.frozen.as_ref()))?;
+        let watch = Watch::starting(deposit.height);
+        let body = Press::new(scene, deposit);
+        let first_contacts = start.contacts;
+        let drive = Drive::begin((body, watch), (packing, first_contacts.clone()), kept)?;
+        Ok(Self {
+            drive,
+            first_contacts,
+        })
     }
 
     /// The run as a checkpoint file.
     pub fn checkpoint(&self) -> String {
-        let checkpoint = Checkpoint {
-            frozen: self.packing.freeze(),
-            window: self.window,
-            complete: self.complete,
-            totals: Totals {
-                wall_seconds: self.wall_seconds(),
-                ..self.totals
-            },
-            series: self.series.clone(),
-            ending: self.ending,
-        };
-        checkpoint.text(&self.scene, &self.shape())
+        self.drive.checkpoint()
     }
 
     /// The current state as a file, from which a run of another scene can start: `start` names the file or its
@@ -301,67 +237,42 @@ impl Compaction {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn state(&self) -> String {
-        let stored = Stored {
-            scene: self.scene.json(),
-            shape: self.shape(),
-            frozen: self.packing.freeze(),
-        };
-        stored.text()
-    }
-
-    fn shape(&self) -> Shape {
-        Shape {
-            space: self.deposit.space,
-            radii: self.packing.radii().to_vec(),
-            outward: self
-                .packing
-                .walls()
-                .iter()
-                .map(|wall| wall.outward)
-                .collect(),
-            contacts: self.contacts.clone(),
-        }
-    }
-
-    /// The scene of the run.
-    pub(super) fn scene(&self) -> &PowderScene {
-        &self.scene
+        self.drive.state()
     }
 
     /// Current height of the piston.
     pub fn height(&self) -> f64 {
-        // Its normal points down.
-        -self.packing.walls()[PISTON as usize].place
+        height(&self.drive.seen)
     }
 
     /// Porosity: free share of the volume below the piston (thesis, eq. 4.5).
     pub fn porosity(&self) -> f64 {
-        1.0 - self.solid / (self.area() * self.height())
+        self.drive.body.porosity(&self.drive.seen)
     }
 
     /// Report of the last step.
     pub fn last_step(&self) -> &StepReport {
-        &self.report
+        &self.drive.seen.report
     }
 
     /// Number of steps so far.
     pub fn steps(&self) -> u64 {
-        self.packing.clock().1
+        self.drive.steps()
     }
 
     /// Why the run has ended, if it has.
     pub fn ending(&self) -> Option<Ending> {
-        self.ending
+        self.drive.ending
     }
 
     /// Rows of the series so far, with the columns of [`COLUMNS`].
     pub fn series(&self) -> &[[f64; COLUMNS.len()]] {
-        &self.series
+        &self.drive.series
     }
 
     /// The deposit, or the other spheres, from which the run started.
     pub fn deposit(&self) -> &Deposit {
-        &self.deposit
+        &self.drive.body.deposit
     }
 
     /// Contacts at the start: those of the deposit, or of the state from which the run started.
@@ -372,7 +283,7 @@ impl Compaction {
 
     /// Contacts after the last step with their forces; before the first step, the contacts of the deposit.
     pub fn contacts(&self) -> &[ContactRow] {
-        &self.contacts
+        &self.drive.seen.contacts
     }
 
     /// Calls `export` with the current state.
@@ -394,155 +305,78 @@ impl Compaction {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn with_snapshot<T>(&self, export: impl FnOnce(&Snapshot<'_>) -> T) -> T {
-        let spheres = self.packing.spheres();
-        let velocities: Vec<_> = spheres.iter().map(|sphere| sphere.velocity).collect();
-        let spins: Vec<_> = spheres.iter().map(|sphere| sphere.spin).collect();
-        let side = [0.0, self.scene.width];
-        export(&Snapshot {
-            time: self.packing.clock().0,
-            space: self.deposit.space,
-            extents: [side, side, [0.0, self.height()]],
-            positions: self.packing.positions(),
-            radii: self.packing.radii(),
-            velocities: Some(&velocities),
-            spins: Some(&spins),
-            species: None,
-            contacts: &self.contacts,
+        self.drive.with_snapshot(self.extents(), export)
+    }
+
+    /// Low and high coordinates of the box.
+    fn extents(&self) -> [[f64; 2]; 3] {
+        let side = [0.0, self.drive.body.scene.width];
+        [side, side, [0.0, self.height()]]
+    }
+
+    /// Data common to all frames of the film, which keeps at most `limit` of them.
+    pub fn bodies(&self, limit: u64) -> Bodies {
+        let width = self.drive.body.scene.width;
+        self.drive.bodies(Kind::Powder, [width; 2], limit)
+    }
+
+    /// The current state; before the first step the contacts of the deposit carry no force.
+    ///
+    /// ```
+    /// use tribos::powder::Compaction;
+    /// # use tribos::scene::PowderScene;
+    /// # let scene = PowderScene {
+    /// #     width: 6.0,
+    /// #     height: 8.0,
+    /// #     pressure: 0.02,
+    /// #     ..PowderScene::default()
+    /// # };
+    /// let compaction = Compaction::new(&scene)?;
+    /// let (bodies, first) = (compaction.bodies(100), compaction.frame());
+    /// assert_eq!(first.places.len(), bodies.radii.len());
+    /// assert_eq!((first.step, first.height), (0, compaction.height()));
+    /// assert!(first.speeds.iter().all(|speed| *speed == 0.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn frame(&self) -> Frame {
+        self.drive.frame(&Told {
+            limits: &Limits::of(&self.drive.body.scene.material()),
+            height: self.height(),
+            measure: self.porosity(),
+            extents: self.extents(),
         })
     }
 
     /// Summary of the run so far.
     pub fn outcome(&self) -> Outcome {
-        let height = self.height();
+        let Drive {
+            body, seen, watch, ..
+        } = &self.drive;
+        let (scene, area, height) = (&body.scene, body.area(), self.height());
         let [low, high] = BULK.map(|share| share * height);
-        let (positions, radii) = (self.packing.positions(), self.packing.radii());
+        let (positions, radii) = (seen.packing.positions(), seen.packing.radii());
         let bulk = volume_between(positions, radii, [low, high]);
-        let scene = &self.scene;
+        let totals = self.drive.totals();
         Outcome {
-            ending: self.ending,
-            time: self.packing.clock().0,
+            ending: self.drive.ending,
+            time: self.drive.time(),
             steps: self.steps(),
             particles: radii.len(),
-            heights: [self.deposit.height, height],
-            porosity: [self.deposit.porosity(), self.porosity()],
-            bulk_porosity: 1.0 - bulk / (self.area() * (high - low)),
-            means: self.means(),
+            heights: [body.deposit.height, height],
+            porosity: [body.deposit.porosity(), self.porosity()],
+            bulk_porosity: 1.0 - bulk / (area * (high - low)),
+            means: body.means(watch, seen),
             pressure: scene.pressure,
-            area: self.area(),
-            statistics: Statistics::of(&self.contacts, radii, &Limits::of(&scene.material())),
-            residual: self.report.residual.relative,
-            iterations: self.totals.iterations,
-            unmet: self.totals.unmet,
-            solver_unmet: self.totals.solver_unmet,
-            impacts_cut: self.totals.cut,
-            impacts_unmet: self.totals.impacts_unmet,
-            energy: *self.packing.energy(),
-            wall_seconds: self.wall_seconds(),
-        }
-    }
-
-    /// Means over the last complete window, or over the incomplete first one.
-    fn means(&self) -> Means {
-        match &self.complete {
-            Some((window, height)) => window.means(*height),
-            None => self.window.means(self.height()),
-        }
-    }
-
-    fn area(&self) -> f64 {
-        self.scene.width * self.scene.width
-    }
-
-    /// Mean σ_zz that bears the spheres' own weight: ∫ρgz dV over the volume.
-    fn weight_stress(&self) -> f64 {
-        let spheres = self.packing.spheres().iter();
-        let lifted = spheres.zip(self.packing.positions());
-        let moment: f64 = lifted.map(|(sphere, at)| at.z / sphere.inv_mass).sum();
-        self.scene.gravity * moment / (self.area() * self.height())
-    }
-
-    fn wall_seconds(&self) -> f64 {
-        self.totals.wall_seconds + self.started.elapsed().as_secs_f64()
-    }
-
-    /// Residual of the last step, computed from the stored forces; the last row of a run contains it.
-    fn look_again(&mut self) -> Result<(), CompactionError> {
-        let step = self.steps();
-        if step > 0 {
-            let contacts = self.packing.contacts();
-            self.contacts = contacts.map_err(|cause| CompactionError::Touch { step, cause })?;
-        }
-        if let (Some(_), Some(last)) = (self.ending, self.series.last()) {
-            self.report.residual.relative = last[RESIDUAL];
-        }
-        Ok(())
-    }
-
-    /// The current row of the series, if all its values and the energy balance are finite.
-    fn finite_record(&self) -> Result<[f64; COLUMNS.len()], CompactionError> {
-        let record = self.record();
-        let named = COLUMNS.into_iter().zip(record);
-        let balance = [("work", self.packing.energy().imbalance())];
-        match named.chain(balance).find(|(_, value)| !value.is_finite()) {
-            Some((column, value)) => Err(CompactionError::NotFinite {
-                step: self.steps(),
-                column,
-                value,
-            }),
-            None => Ok(record),
-        }
-    }
-
-    /// Updates contacts and stress after a step, and adds both to the window.
-    fn measure(&mut self, before: &[Sphere<f64>]) -> Result<(), CompactionError> {
-        let step = self.steps();
-        let contacts = self.packing.contacts();
-        self.contacts = contacts.map_err(|cause| CompactionError::Touch { step, cause })?;
-        let radii = self.packing.radii();
-        let volume = self.area() * self.height();
-        self.stress = Stress::of(&self.contacts, |contact| branch(contact, radii), volume);
-        let dt = self.report.dt;
-
-        // Force on the piston, mean net force on a sphere, mean normal force of a contact.
-        let at_piston = self.contacts.iter().filter(|row| is_at(row, PISTON));
-        let piston = at_piston.map(|row| row.force.z).sum();
-        let net: f64 = before
-            .iter()
-            .zip(self.packing.spheres())
-            .map(|(old, new)| (new.velocity - old.velocity).norm() / (new.inv_mass * dt))
-            .sum();
-        let normal: f64 = self
-            .contacts
-            .iter()
-            .map(|row| row.normal_force().abs())
-            .sum();
-        let forces = [
-            piston,
-            net / radii.len() as f64,
-            normal / self.contacts.len().max(1) as f64,
-        ];
-        self.window.add(dt, &self.stress, forces);
-        Ok(())
-    }
-
-    /// Closes a full window and applies the criterion; otherwise checks the scene's limits.
-    fn judge(&mut self) -> Option<Ending> {
-        let scene = &self.scene;
-        let height = self.height();
-        let mut blocked = false;
-        if self.window.is_full(scene.piston_mass, scene.load()) {
-            let means = self.window.means(height).less(self.weight_stress());
-            blocked = means.is_blocked(scene.blocked, scene.pressure, self.area());
-            self.complete = Some((self.window, height));
-            self.window = Window::starting(height);
-        }
-        let (time, steps) = self.packing.clock();
-        if blocked {
-            Some(Ending::Blocked)
-        } else if scene.duration.is_some_and(|end| time >= end) {
-            Some(Ending::Time)
-        } else {
-            (steps >= scene.steps).then_some(Ending::Steps)
+            area,
+            statistics: Statistics::of(&seen.contacts, radii, &Limits::of(&scene.material())),
+            residual: seen.report.residual.relative,
+            iterations: totals.iterations,
+            unmet: totals.unmet,
+            solver_unmet: totals.solver_unmet,
+            impacts_cut: totals.cut,
+            impacts_unmet: totals.impacts_unmet,
+            energy: *seen.packing.energy(),
+            wall_seconds: totals.wall_seconds,
         }
     }
 }
@@ -552,47 +386,15 @@ impl Simulation for Compaction {
     type Error = CompactionError;
 
     fn record(&self) -> Self::Record {
-        let (time, step) = self.packing.clock();
-        let energy = self.packing.energy();
-        [
-            time,
-            step as f64,
-            self.height(),
-            self.porosity(),
-            self.contacts.len() as f64,
-            self.stress.total().m33 / self.scene.pressure,
-            self.report.iterations.sweeps as f64,
-            self.report.residual.relative,
-            energy.kinetic,
-            energy.normal,
-            energy.sliding,
-            energy.rolling,
-            energy.torsion,
-            energy.cohesion,
-            energy.work,
-        ]
+        self.drive.line()
     }
 
     /// A run that has ended takes no more steps.
     fn step(&mut self) -> Result<bool, CompactionError> {
-        if self.ending.is_some() {
-            return Ok(false);
-        }
-        let before = self.packing.spheres().to_vec();
-        self.report = self.packing.step()?;
-        self.totals.add(&self.report);
-        self.measure(&before)?;
-        let record = self.finite_record()?;
-        self.ending = self.judge();
-        if self.ending.is_some() || self.steps().is_multiple_of(self.scene.samples) {
-            self.series.push(record);
-        }
-        Ok(self.ending.is_none())
+        self.drive.step()
     }
 
     fn progress(&self) -> f64 {
-        let (time, steps) = self.packing.clock();
-        let of_time = self.scene.duration.map_or(0.0, |end| time / end);
-        of_time.max(steps as f64 / self.scene.steps as f64).min(1.0)
+        self.drive.progress()
     }
 }

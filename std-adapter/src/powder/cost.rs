@@ -2,18 +2,15 @@
 
 use super::deposit::{Ballistic, Deposit};
 use super::error::CompactionError;
-use super::parts::packing;
+use super::parts;
 use super::start::Start;
-use crate::cd::solid;
 use crate::measure::Assembly;
-use crate::packing::{CarriedModes, Packing};
+use crate::packing::{self, CarriedModes, Method, Packing};
 use crate::run::RunSize;
 use crate::scene::{ContactMethod, Coupling, PowderScene, SweepMethod, SweepOrder, SweepStop};
-use crate::soft::{self, StepLength};
 use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
-use std::time::Instant;
 use tribos_core::contact::Sphere;
 
 /// Size of a scene and time of its updates. *Units*: times in s on one core of this machine.
@@ -106,24 +103,18 @@ pub fn size(scene: &PowderScene) -> RunSize {
 /// assert_eq!(stable_step(&PowderScene::default()), None);
 /// ```
 pub fn stable_step(scene: &PowderScene) -> Option<f64> {
-    if scene.method != ContactMethod::Soft {
-        return None;
+    match scene.contact_method() {
+        Method::ContactDynamics { .. } => None,
+        Method::Soft(springs) => {
+            let radius = 1.0 - scene.radius_spread;
+            Some(packing::stable_step(
+                &springs,
+                &scene.material(),
+                radius,
+                0.0,
+            ))
+        }
     }
-    let radius = 1.0 - scene.radius_spread;
-    let sphere = solid(radius, scene.material().density);
-    let damping = if scene.restitution > 0.0 {
-        soft::damping(scene.restitution)
-    } else {
-        scene.damping
-    };
-    let cohesion = scene.material().cohesion;
-    let length = StepLength::of_spheres(
-        (scene.spring(), damping),
-        1.0 / sphere.inv_mass,
-        radius,
-        cohesion,
-    );
-    Some(length.next(&[], &[], 0.0, &[]))
 }
 
 /// Number of spheres in the deposit; `None` if width and capture radius are incompatible.
@@ -160,7 +151,7 @@ pub fn cost(scene: &PowderScene) -> Result<PowderCost, CompactionError> {
         coupling: Coupling::Independent,
         ..scene.clone()
     };
-    let [update_seconds, sliding_seconds] = update_seconds([scene, &plain])?;
+    let [update_seconds, sliding_seconds] = packing::update_seconds([scene, &plain], block)?;
     Ok(PowderCost {
         spheres,
         contacts: contacts_a_sphere(carried.modes)
@@ -180,33 +171,8 @@ const EDGE: usize = 6;
 const SPACING: f64 = 2.0 - 1e-6;
 /// Shear of the block per layer, which mixes normals and tangents.
 const SHEAR: f64 = 0.05;
-/// Sweeps per step, so that the rest of the step is negligible, and number of timings.
+/// Sweeps per step, so that the rest of the step is negligible.
 const SWEEPS: usize = 50;
-const ROUNDS: usize = 31;
-
-/// Time of an update under the laws of each scene: the minimum over alternating rounds.
-fn update_seconds(scenes: [&PowderScene; 2]) -> Result<[f64; 2], CompactionError> {
-    let mut least = [f64::INFINITY; 2];
-    for _ in 0..ROUNDS {
-        for (scene, least) in scenes.iter().zip(&mut least) {
-            let mut packing = block(scene)?;
-            let start = Instant::now();
-            let mut updates = 0;
-            // A step of soft contacts updates each of them once.
-            let steps = if scene.method == ContactMethod::Soft {
-                SWEEPS
-            } else {
-                1
-            };
-            for _ in 0..steps {
-                let report = packing.step()?;
-                updates += report.iterations.sweeps.max(1) * report.contacts.max(1);
-            }
-            *least = least.min(start.elapsed().as_secs_f64() / updates as f64);
-        }
-    }
-    Ok(least)
-}
 
 /// A block of equal spheres under the scene's laws and a fixed number of sweeps.
 fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
@@ -241,7 +207,7 @@ fn block(scene: &PowderScene) -> Result<Box<dyn Packing>, CompactionError> {
         warm_start: false,
         ..scene.clone()
     };
-    Ok(packing(&timed, &deposit, None)?)
+    Ok(parts::packing(&timed, &deposit, None)?)
 }
 
 impl PowderCost {

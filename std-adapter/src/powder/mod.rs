@@ -1,15 +1,14 @@
 //! Cohesive powders of spheres.
 
 mod blocked;
-mod checkpoint;
 mod compaction;
 mod cost;
 #[doc(hidden)]
 pub mod deposit;
 mod error;
-mod frames;
 mod outcome;
 mod parts;
+mod press;
 mod session;
 mod start;
 

@@ -1,10 +1,10 @@
 //! Summary of a compaction.
 
 use super::blocked::Means;
-use super::compaction::{COLUMNS, Compaction, Ending};
+use super::compaction::{Compaction, Ending};
 use crate::cd::EnergyBalance;
-use crate::golden::{Digest, Measure, MeasureError, Measurement, contacts, digest};
-use crate::packing::Statistics;
+use crate::golden::{Measure, MeasureError, Measurement};
+use crate::packing::{Statistics, losses, object};
 use crate::record::json_number;
 use crate::run::drive;
 use crate::scene::{ContactMethod, PowderScene};
@@ -88,13 +88,7 @@ impl Outcome {
 
     /// Where the energy went: names and energies.
     pub fn dissipation(&self) -> [(&'static str, f64); 5] {
-        [
-            ("normal", self.energy.normal),
-            ("sliding", self.energy.sliding),
-            ("rolling", self.energy.rolling),
-            ("torsion", self.energy.torsion),
-            ("cohesion", self.energy.cohesion),
-        ]
+        losses(&self.energy)
     }
 
     /// The summary as JSON; `stress_zz` and its shares in units of the applied pressure, the
@@ -179,29 +173,11 @@ fn rows(tensor: &Matrix3<f64>) -> Value {
     Value::Array((0..3).map(row).map(Value::Array).collect())
 }
 
-fn object(numbers: &[(&str, f64)]) -> Value {
-    let entries = numbers
-        .iter()
-        .map(|(name, value)| ((*name).to_owned(), json_number(*value)));
-    Value::Object(entries.collect())
-}
-
 impl Measure for PowderScene {
     fn measured(&self, watch: &mut dyn FnMut()) -> Result<Measurement, MeasureError> {
         let mut compaction = Compaction::new(self)?;
         drive(&mut compaction, |_, _| watch())?;
-        let rows = compaction.series().iter().map(|row| row.to_vec());
         let summary = compaction.outcome().json(self);
-        let mut measurement = Measurement::new(&summary, &COLUMNS, rows);
-        measurement.state = compaction.with_snapshot(|end| {
-            vec![
-                ("positions", digest(end.positions)),
-                ("radii", Digest::of(end.radii.iter().copied())),
-                ("velocities", digest(end.velocities.unwrap_or_default())),
-                ("spins", digest(end.spins.unwrap_or_default())),
-                ("contacts", contacts(end.contacts)),
-            ]
-        });
-        Ok(measurement)
+        Ok(compaction.drive.measurement(&summary))
     }
 }

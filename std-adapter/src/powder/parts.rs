@@ -76,7 +76,7 @@ impl PowderScene {
     }
 
     /// How the contacts of a step are found and solved.
-    fn contact_method(&self) -> Method {
+    pub(super) fn contact_method(&self) -> Method {
         match self.method {
             ContactMethod::ContactDynamics => Method::ContactDynamics {
                 solver: self.contact_solver(),

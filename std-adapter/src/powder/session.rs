@@ -19,11 +19,7 @@ impl LongRun for Compaction {
     }
 
     fn cause(error: &CompactionError) -> Cause {
-        match error {
-            CompactionError::Checkpoint(_) => Cause::Checkpoint,
-            CompactionError::Deposit(DepositError::Stopped) => Cause::Stopped,
-            _ => Cause::Scene,
-        }
+        error.cause(|placement| matches!(placement, DepositError::Stopped))
     }
 
     fn checkpoint(&self) -> String {

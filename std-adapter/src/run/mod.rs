@@ -13,6 +13,7 @@ mod parallel;
 pub mod program;
 mod session;
 
+pub use crate::packing::PackingRunError;
 pub use folder::FolderError;
 #[doc(hidden)]
 pub use long_run::{Cause, LongRun};

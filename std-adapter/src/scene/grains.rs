@@ -2,12 +2,14 @@
 
 use super::entries::Written;
 use super::key::{Domain::*, Need::*};
+use super::method::{ContactMethod, NormalForce, soft_rules};
 use super::powder::{Coupling, MOST_SEEDS, WallLaw};
 use super::reader::Judge;
 use super::table::scene;
 use super::words::{Word, words};
 use crate::grains::Ramp;
 use crate::packing::{Radii, Sizes, SizesError};
+use crate::soft::Stiffness;
 use std::path::PathBuf;
 use tribos_core::contact::Attraction;
 
@@ -149,7 +151,7 @@ scene! {
     coupling: Coupling = Coupling::Independent, "-", OneOf(Coupling::WORDS);
     /// Law at walls: that of grains, cohesion only, or neither.
     wall: WallLaw = WallLaw::Full, "-", OneOf(WallLaw::WORDS);
-    /// Gravity, downwards.
+    /// Gravity, downwards; 0 where nothing bears the grains, as in a sheared box.
     // Standard gravity, to three digits.
     gravity: Ramp = Ramp::from(9.81), "m/s^2", Ramp;
     /// Angle by which gravity leans from -z towards x.
@@ -182,11 +184,21 @@ scene! {
     shake_axis: Axis = Axis::Z, "-", OneOf(Axis::WORDS);
     /// Time after which all ramps start again; without it they are followed once.
     repeat: Option<f64> = None, "s", Positive;
+    /// Rigid grains with constraint forces, or soft ones with springs and dashpots.
+    method: ContactMethod = ContactMethod::ContactDynamics, "-", OneOf(ContactMethod::WORDS);
+    /// Stiffness of soft contacts: force over overlap.
+    // A bead of 1 cm under its weight overlaps by a quarter of a thousandth of its radius.
+    stiffness: f64 = 1e4, "N/m", Positive, PartOf("method", "soft");
+    /// Damping ratio of soft contacts in all modes, unless `restitution` is above 0.
+    damping: f64 = 1.0, "-", NotNegative, PartOf("method", "soft");
+    /// Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus `stiffness`/`radius`.
+    normal_law: NormalForce = NormalForce::Linear, "-", OneOf(NormalForce::WORDS),
+        PartOf("method", "soft");
     /// Change of a sweep, relative to P, at which sweeps stop.
-    tolerance: f64 = 1e-4, "-", Between { above: 0.0, up_to: 1.0 };
+    tolerance: f64 = 1e-4, "-", Between { above: 0.0, up_to: 1.0 }, PartOf("method", "contact-dynamics");
     /// Most sweeps of a step.
-    sweeps: usize = 1000, "-", Count { up_to: 1e6 };
-    /// Largest distance that a grain may move in a step, in mean radii.
+    sweeps: usize = 1000, "-", Count { up_to: 1e6 }, PartOf("method", "contact-dynamics");
+    /// Largest distance that a grain may move in a step, in mean radii; soft contacts divide it into stable ones.
     // A twentieth of a radius keeps the angle by which a normal turns in a step small.
     motion: f64 = 0.05, "-", Between { above: 0.0, up_to: 0.5 };
     /// Longest time step; if it is left out, the time in which gravity moves a grain by `motion` from
@@ -243,6 +255,23 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
         let message = "a shear needs x = \"periodic\"; leave `shear_rate` out or `x`";
         judge.refuse(&["shear_rate", "x"], message);
     }
+    gravity_rule(scene, judge);
+    if scene.method == ContactMethod::Soft {
+        soft_rules(judge, scene.attraction, scene.restitution);
+        if scene.shear_rate.is_some() {
+            let message =
+                "`shear_rate` needs method = \"contact-dynamics\"; springs know no sheared images";
+            judge.refuse(&["shear_rate", "method"], message);
+        }
+        if scene.share_second > 0.0 {
+            let share = scene.share_second;
+            let message = format!(
+                "`share_second` is {share} and must be 0 with method = \"soft\": springs know one material; \
+                 take method = \"contact-dynamics\""
+            );
+            judge.refuse(&["share_second", "method"], message);
+        }
+    }
     if scene.container != Container::Box && (scene.z != Ends::Floor || scene.shake_amplitude > 0.0)
     {
         let message = "a hopper or a drum has z = \"floor\" and is not shaken";
@@ -265,6 +294,19 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
     not_negative(judge, "gravity", Some(&scene.gravity));
 }
 
+/// Refuses gravity where nothing bears the grains: they would fall for ever.
+fn gravity_rule(scene: &GrainsScene, judge: &mut Judge<'_>) {
+    let walls = [scene.x, scene.y].contains(&Sides::Walls) && scene.shear_rate.is_none();
+    let [_, most] = scene.gravity.range();
+    if scene.z == Ends::Periodic && !walls && most > 0.0 {
+        let message = format!(
+            "nothing bears the grains against a `gravity` of up to {most} where z = \"periodic\" without walls, \
+             or with `shear_rate`; set gravity = 0"
+        );
+        judge.refuse(&["gravity", "z"], message);
+    }
+}
+
 /// Refuses a ramp that becomes negative.
 fn not_negative(judge: &mut Judge<'_>, key: &'static str, ramp: Option<&Ramp>) {
     if let Some([least, _]) = ramp.map(Ramp::range)
@@ -274,12 +316,14 @@ fn not_negative(judge: &mut Judge<'_>, key: &'static str, ramp: Option<&Ramp>) {
     }
 }
 
-/// A start stands in place of the keys of random grains, a distribution in place of the spread.
+/// A start stands in place of the keys of random grains, a distribution in place of the spread, restitution in
+/// place of damping.
 fn in_force(scene: &GrainsScene, key: &str, written: Option<Written>) -> Option<Written> {
     let starts = scene.start.is_some();
     written.filter(|_| match key {
         "count" | "seed" | "spacing" => !starts,
         "radius_spread" => scene.sizes.is_none() && !starts,
+        "damping" => scene.restitution == 0.0,
         _ => true,
     })
 }
@@ -288,6 +332,21 @@ impl GrainsScene {
     /// Distribution of the radii, in mean radii, if `sizes` gives one.
     pub(crate) fn radii(&self) -> Result<Option<Radii>, SizesError> {
         self.sizes.as_ref().map(Sizes::radii).transpose()
+    }
+
+    /// Smallest radius, in mean radii; 0 if the distribution is refused.
+    pub(crate) fn least_radius(&self) -> f64 {
+        match self.radii() {
+            Ok(Some(radii)) => radii.bounds()[0],
+            Ok(None) => 1.0 - self.radius_spread,
+            Err(_) => 0.0,
+        }
+    }
+
+    /// Normal spring of soft contacts.
+    #[doc(hidden)]
+    pub fn spring(&self) -> Stiffness {
+        self.normal_law.spring(self.stiffness, self.radius)
     }
 
     /// Whether the grains stay in a plane.

@@ -21,6 +21,7 @@ mod hint;
 mod incline;
 mod key;
 mod library;
+mod method;
 mod pipe;
 mod planar;
 mod plate;
@@ -54,13 +55,11 @@ pub use incline::InclineScene;
 pub use key::{Domain, Key, Need};
 #[doc(hidden)]
 pub use library::{LIBRARY, LibraryScene, library_scene};
+pub use method::{ContactMethod, NormalForce};
 pub use pipe::PipeScene;
 pub use planar::{FootPressure, Tipping};
 pub use plate::PlateScene;
-pub use powder::{
-    ContactMethod, Coupling, Criterion, NormalForce, PowderScene, SweepMethod, SweepOrder,
-    SweepStop, WallLaw,
-};
+pub use powder::{Coupling, Criterion, PowderScene, SweepMethod, SweepOrder, SweepStop, WallLaw};
 pub use problem::{InvalidScene, Problem, SceneError};
 pub use push::PushScene;
 #[doc(hidden)]

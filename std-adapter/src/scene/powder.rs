@@ -2,6 +2,7 @@
 
 use super::entries::Written;
 use super::key::{Domain::*, Need::*};
+use super::method::{ContactMethod, NormalForce, soft_rules};
 use super::reader::Judge;
 use super::table::scene;
 use super::words::{Word, words};
@@ -83,26 +84,6 @@ pub enum SweepStop {
     Fixed,
 }
 words!(SweepStop { Global = "global", Local = "local", Fixed = "fixed" });
-
-/// How the contacts of a step are found and solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ContactMethod {
-    /// Rigid spheres with constraint forces.
-    ContactDynamics,
-    /// Springs and dashpots.
-    Soft,
-}
-words!(ContactMethod { ContactDynamics = "contact-dynamics", Soft = "soft" });
-
-/// Elastic force of a soft contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NormalForce {
-    /// In proportion to the overlap.
-    Linear,
-    /// To the power 3/2 of the overlap.
-    Hertz,
-}
-words!(NormalForce { Linear = "linear", Hertz = "hertz" });
 
 words!(only Attraction { Pull = "pull", Resistance = "resistance" });
 
@@ -231,15 +212,7 @@ fn rules(scene: &PowderScene, judge: &mut Judge<'_>) {
                 judge.refuse(&[key, "method"], message);
             }
         }
-        if scene.attraction == Attraction::Resistance {
-            let message = "`attraction` must be \"pull\" with method = \"soft\": a resistance to opening \
-                           needs constraint forces";
-            judge.refuse(&["attraction", "method"], message);
-        }
-        if scene.restitution > 0.0 && judge.is_given("damping") {
-            let message = "give `damping` or a `restitution` above 0, not both";
-            judge.refuse(&["damping", "restitution"], message);
-        }
+        soft_rules(judge, scene.attraction, scene.restitution);
     }
     if let Some(start) = &scene.start {
         if scene.count.is_some() || scene.sizes.is_some() || scene.radius_spread > 0.0 {
@@ -343,11 +316,8 @@ impl PowderScene {
     /// Normal spring of soft contacts.
     #[doc(hidden)]
     pub fn spring(&self) -> Stiffness {
-        match self.normal_law {
-            NormalForce::Linear => Stiffness::Linear(self.stiffness),
-            // The mean radius is 1.
-            NormalForce::Hertz => Stiffness::Hertz(self.stiffness),
-        }
+        // The mean radius is 1.
+        self.normal_law.spring(self.stiffness, 1.0)
     }
 
     /// Bounds of the time step.

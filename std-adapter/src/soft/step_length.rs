@@ -54,6 +54,11 @@ impl StepLength {
         }
     }
 
+    /// Takes account of another acceleration of all spheres.
+    pub fn set_gravity(&mut self, gravity: &Vector3<f64>) {
+        self.gravity = gravity.norm();
+    }
+
     /// Spheres of one size at rest, held by a cohesion.
     pub fn of_spheres(springs: (Stiffness, f64), mass: f64, radius: f64, cohesion: f64) -> Self {
         let (stiffness, damping) = springs;

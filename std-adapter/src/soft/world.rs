@@ -139,6 +139,12 @@ impl<F: ContactFriction<f64>> World<F> {
         &mut self.state
     }
 
+    /// Sets the acceleration of all spheres from the next step on.
+    pub fn set_gravity(&mut self, gravity: Vector3<f64>) {
+        self.setup.gravity = gravity;
+        self.length.set_gravity(&gravity);
+    }
+
     /// Largest speed of any body.
     pub(crate) fn fastest(&self) -> f64 {
         fastest(&self.state.spheres, &self.state.walls)
@@ -340,14 +346,16 @@ impl<F: ContactFriction<f64>> World<F> {
             let plate = &walls[w];
             let height = plate.outward.dot(&positions[i]) - plate.place;
             let gap = height - radii[i];
-            self.energies.push(if is_apart(gap, wall.cohesion.range()) {
-                Ok(contact.part(gap))
-            } else {
-                Touch::plate(height, &plate.outward, radii[i]).map(|touch| {
-                    let motion = relative(&touch, &spheres[i], &plate.plate, &Vector3::zeros());
-                    contact.advance(&touch, &motion, wall, dt)
-                })
-            });
+            let is_apart = is_apart(gap, wall.cohesion.range());
+            self.energies
+                .push(if is_apart || !plate.acts_on(&positions[i]) {
+                    Ok(contact.part(gap))
+                } else {
+                    Touch::plate(height, &plate.outward, radii[i]).map(|touch| {
+                        let motion = relative(&touch, &spheres[i], &plate.plate, &Vector3::zeros());
+                        contact.advance(&touch, &motion, wall, dt)
+                    })
+                });
         }
         self.sum()
     }

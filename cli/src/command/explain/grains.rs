@@ -1,9 +1,11 @@
 //! What grains carry.
 
-use super::powder::{cohesion, coupling, modes, thresholds};
+use super::powder::{Springs, cohesion, coupling, modes, springs, thresholds};
 use super::{bytes, duration, line};
+use crate::command::digits::shown;
 use crate::failure::Failure;
-use tribos::grains::{GrainsCost, cost, size};
+use tribos::cd::solid;
+use tribos::grains::{GrainsCost, cost, size, stable_step};
 use tribos::powder::CarriedModes;
 use tribos::scene::GrainsScene;
 
@@ -30,13 +32,7 @@ pub fn text(scene: &GrainsScene) -> Result<String, Failure> {
             "none".into()
         },
     );
-    text += &line(
-        "solver",
-        format!(
-            "accelerated Gauss-Seidel to {:e}, at most {} sweeps a step",
-            scene.tolerance, scene.sweeps
-        ),
-    );
+    text += &solver(scene, cost.longest_step);
     text += &line("grains", cost.grains.to_string());
     let [low, high] = cost.contacts;
     text += &line(
@@ -61,6 +57,28 @@ pub fn text(scene: &GrainsScene) -> Result<String, Failure> {
         format!("in the order of {}", duration(size(scene).seconds)),
     );
     Ok(text)
+}
+
+/// Sweeps, or springs with the overlap under the weight of one grain.
+fn solver(scene: &GrainsScene, longest: f64) -> String {
+    let Some(step) = stable_step(scene) else {
+        let (tolerance, sweeps) = (scene.tolerance, scene.sweeps);
+        let how =
+            format!("accelerated Gauss-Seidel to {tolerance:e}, at most {sweeps} sweeps a step");
+        return line("solver", how);
+    };
+    let stiffness = scene.spring();
+    let [_, gravity] = scene.gravity.range();
+    let weight = gravity / solid(scene.radius, scene.density).inv_mass;
+    let overlap = stiffness.overlap(weight, 0.5 * scene.radius);
+    springs(&Springs {
+        stiffness,
+        units: ["N/m", "Pa"],
+        damping: scene.damping,
+        restitution: scene.restitution,
+        overlap: ("the weight of a grain", format!("{} m", shown(overlap))),
+        steps: [step, longest],
+    })
 }
 
 /// Time of an update, and what rolling and torsion add to it.

@@ -5,8 +5,8 @@ use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::cd::Method;
 use tribos::powder::{CarriedModes, Material, PowderCost, cost, stable_step};
-use tribos::scene::{ContactMethod, Coupling, NormalForce, PowderScene};
-use tribos::soft;
+use tribos::scene::{ContactMethod, Coupling, PowderScene};
+use tribos::soft::{self, Stiffness};
 use tribos_core::contact::Attraction;
 
 /// Names of the modes with friction, and the keys that switch them on.
@@ -144,37 +144,60 @@ pub fn cohesion(material: &Material, unit: &str) -> String {
     format!("{how} up to a gap of {} {unit}", material.cohesion_range)
 }
 
+/// Springs of soft contacts, to be told.
+#[derive(Clone, Debug)]
+pub struct Springs<'a> {
+    pub stiffness: Stiffness,
+    /// Unit of a spring, and of Hertz's modulus.
+    pub units: [&'a str; 2],
+    pub damping: f64,
+    pub restitution: f64,
+    /// A usual force, and the overlap under it.
+    pub overlap: (&'a str, String),
+    /// Lengths of a stable step and of the longest step.
+    pub steps: [f64; 2],
+}
+
 /// Springs, dashpots and their step.
-fn springs(scene: &PowderScene, step: f64) -> String {
-    let damping = if scene.restitution > 0.0 {
-        soft::damping(scene.restitution)
+pub fn springs(told: &Springs<'_>) -> String {
+    let damping = if told.restitution > 0.0 {
+        soft::damping(told.restitution)
     } else {
-        scene.damping
+        told.damping
     };
-    let law = match scene.normal_law {
-        NormalForce::Linear => format!("linear springs of {} F_coh/R", scene.stiffness),
-        NormalForce::Hertz => format!(
-            "Hertz contacts with a modulus of {} F_coh/R^2",
-            scene.stiffness
-        ),
+    let [spring, modulus] = told.units;
+    let law = match told.stiffness {
+        Stiffness::Linear(given) => format!("linear springs of {given} {spring}"),
+        Stiffness::Hertz(given) => format!("Hertz contacts with a modulus of {given} {modulus}"),
     };
     let method = format!(
         "none: {law}, damping ratio {}, restitution {}",
         shown(damping),
         shown(soft::restitution(damping))
     );
+    let ((force, overlap), [stable, longest]) = (&told.overlap, told.steps);
     let steps = format!(
-        "a force of F_coh overlaps by {} R; stable steps of {}, {:.0} in a longest step",
-        shown(scene.spring().overlap(1.0, 0.5)),
-        shown(step),
-        (scene.time_step / step).ceil()
+        "{force} overlaps by {overlap}; stable steps of {}, {:.0} in a longest step",
+        shown(stable),
+        (longest / stable).ceil()
     );
     line("solver", method) + &line("", steps)
 }
 
 fn solver(scene: &PowderScene) -> String {
     if let Some(step) = stable_step(scene) {
-        return springs(scene, step);
+        let stiffness = scene.spring();
+        return springs(&Springs {
+            stiffness,
+            units: ["F_coh/R", "F_coh/R^2"],
+            damping: scene.damping,
+            restitution: scene.restitution,
+            overlap: (
+                "a force of F_coh",
+                format!("{} R", shown(stiffness.overlap(1.0, 0.5))),
+            ),
+            steps: [step, scene.time_step],
+        });
     }
     let solver = scene.contact_solver();
     let most = solver.most_sweeps;

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use output::{report, write};
 use tribos::grains::{self, Grains, GrainsError};
 use tribos::run::{RunError, Session, Simulation, forget_checkpoint};
-use tribos::scene::GrainsScene;
+use tribos::scene::{ContactMethod, GrainsScene};
 
 /// Runs the scene, on from a checkpoint if asked to, and writes its results into the folder.
 pub fn run(scene: &GrainsScene, order: &Order<'_>) -> Result<(), Failure> {
@@ -41,26 +41,16 @@ fn simulate(
     session
         .on_progress(|run: &Grains| {
             if meter.is_due(run.progress()) {
-                let words = format!(
-                    "step {:7}  time {:9.4}  {:4} sweeps",
-                    run.steps(),
-                    run.time(),
-                    run.last_step().iterations.sweeps
-                );
+                let words = format!("step {:7}  time {:9.4}", run.steps(), run.time());
+                let words = match scene.method {
+                    ContactMethod::ContactDynamics => {
+                        let sweeps = run.last_step().iterations.sweeps;
+                        format!("{words}  {sweeps:4} sweeps")
+                    }
+                    ContactMethod::Soft => words,
+                };
                 meter.tell(run.progress(), format_args!("{words}"));
             }
         })
         .run(scene)
-}
-
-impl From<GrainsError> for Failure {
-    fn from(error: GrainsError) -> Self {
-        match error {
-            GrainsError::World(_) | GrainsError::Touch { .. } | GrainsError::NotFinite { .. } => {
-                Self::run(error)
-            }
-            // The scene, its placement, the laws or the checkpoint cannot be used.
-            _ => Self::input(error),
-        }
-    }
 }

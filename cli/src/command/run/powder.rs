@@ -86,15 +86,3 @@ fn tell(meter: &mut Meter<'_>, scene: &PowderScene, compaction: &Compaction, swe
         meter.tell_open(format_args!("{words}"));
     }
 }
-
-impl From<CompactionError> for Failure {
-    fn from(error: CompactionError) -> Self {
-        match error {
-            CompactionError::World(_)
-            | CompactionError::Touch { .. }
-            | CompactionError::NotFinite { .. } => Self::run(error),
-            // The deposit, the laws or the checkpoint cannot be used.
-            _ => Self::input(error),
-        }
-    }
-}

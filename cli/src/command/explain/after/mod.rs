@@ -2,6 +2,7 @@
 
 mod gas;
 mod grains;
+mod packing;
 mod powder;
 mod slide;
 mod tip;

@@ -82,6 +82,9 @@ pub fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
     for (name, energy) in outcome.dissipation() {
         text += &format!("  {name:<11} {}\n", shown(energy));
     }
+    if outcome.energy.elastic != 0.0 {
+        text += &format!("  elastic     {}\n", shown(outcome.energy.elastic));
+    }
     text += &format!("  imbalance   {:.1e}\n", outcome.energy.imbalance());
     text += &format!("written to    {}\n", order.out.display());
     order.caller.report(&text)

@@ -1,0 +1,51 @@
+//! What updates of contacts cost, measured, and how long stable steps of springs are.
+
+use super::{Material, Packing, Springs};
+use crate::cd::{WorldError, solid};
+use crate::soft::{self, StepLength};
+use std::time::Instant;
+
+/// Number of timings.
+const ROUNDS: usize = 31;
+/// Steps of a timing without sweeps.
+const STEPS: usize = 50;
+
+/// Time of an update of a contact in the packing of each of two scenes: the minimum over alternating rounds.
+pub(crate) fn update_seconds<S, E: From<WorldError>>(
+    scenes: [&S; 2],
+    packing: impl Fn(&S) -> Result<Box<dyn Packing>, E>,
+) -> Result<[f64; 2], E> {
+    let mut least = [f64::INFINITY; 2];
+    for _ in 0..ROUNDS {
+        for (scene, least) in scenes.into_iter().zip(&mut least) {
+            let mut packing = packing(scene)?;
+            let start = Instant::now();
+            let mut updates = 0;
+            for _ in 0..STEPS {
+                let report = packing.step()?;
+                let sweeps = report.iterations.sweeps;
+                // A step of soft contacts updates each of them once.
+                updates += sweeps.max(1) * report.contacts.max(1);
+                if sweeps > 0 {
+                    break;
+                }
+            }
+            *least = least.min(start.elapsed().as_secs_f64() / updates as f64);
+        }
+    }
+    Ok(least)
+}
+
+/// Length of the stable steps of spheres at rest, of a smallest radius and under a force.
+pub(crate) fn stable_step(springs: &Springs, material: &Material, radius: f64, force: f64) -> f64 {
+    let sphere = solid(radius, material.density);
+    let damping = if material.restitution > 0.0 {
+        soft::damping(material.restitution)
+    } else {
+        springs.damping
+    };
+    let stiffness = springs.stiffness;
+    let laws = (stiffness, damping);
+    let length = StepLength::of_spheres(laws, 1.0 / sphere.inv_mass, radius, material.cohesion);
+    length.next(&[], &[], stiffness.overlap(force, 0.5 * radius), &[])
+}

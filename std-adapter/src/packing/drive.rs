@@ -1,0 +1,318 @@
+//! The driver of packings: steps, measurements, series, checkpoints, limits.
+//!
+//! A [`Body`] says its loads, its measures and when it ends; all else of a run is here.
+
+use super::body::{Body, Cadence, Ending, Seen};
+use super::kept::Kept;
+use super::{Limits, Packing, PackingRunError, Shape, Stored, Totals};
+use crate::cd::{EnergyBalance, StepReport};
+use crate::golden::{Digest, Measurement, contacts, digest};
+use crate::record::frames::{Bodies, Frame, FrameContact, Hold, Kind};
+use crate::record::kept::hex;
+use crate::record::{ContactRow, Snapshot, json_number, sealed};
+use serde_json::{Map, Value};
+use std::borrow::Cow;
+use std::error::Error;
+use std::time::Instant;
+
+/// A packing in motion.
+#[derive(Debug)]
+pub(crate) struct Drive<B: Body<N>, const N: usize> {
+    pub body: B,
+    pub watch: B::Watch,
+    pub seen: Seen,
+    pub series: Vec<[f64; N]>,
+    /// Why the run ended, if it has.
+    pub ending: Option<B::Ending>,
+    totals: Totals,
+    started: Instant,
+}
+
+/// What a frame tells of a body beside its spheres.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Told<'a> {
+    pub limits: &'a Limits,
+    pub height: f64,
+    pub measure: f64,
+    /// Low and high coordinates of the box.
+    pub extents: [[f64; 2]; 3],
+}
+
+impl<B: Body<N>, const N: usize> Drive<B, N> {
+    /// A run at its start, or where it was kept.
+    pub fn begin<P: Error>(
+        (body, watch): (B, B::Watch),
+        (packing, contacts): (Box<dyn Packing>, Vec<ContactRow>),
+        kept: Option<Kept<B, N>>,
+    ) -> Result<Self, PackingRunError<P>> {
+        let mut run = Self {
+            body,
+            watch,
+            seen: Seen {
+                packing,
+                contacts,
+                report: StepReport::default(),
+            },
+            series: Vec::new(),
+            ending: None,
+            totals: Totals::default(),
+            started: Instant::now(),
+        };
+        match kept {
+            Some(kept) => run.restore(kept)?,
+            None => run.series.push(run.line()),
+        }
+        Ok(run)
+    }
+
+    /// Takes over what a checkpoint has beside the packing.
+    fn restore<P: Error>(&mut self, kept: Kept<B, N>) -> Result<(), PackingRunError<P>> {
+        self.watch = kept.watch;
+        self.totals = kept.totals;
+        self.series = kept.series;
+        self.ending = kept.ending;
+        if self.steps() > 0 {
+            self.find_contacts()?;
+        }
+        // The last line of a run has the residual of its last step.
+        let residual = B::COLUMNS.iter().position(|name| *name == "residual");
+        if let (Some(_), Some(last), Some(column)) = (self.ending, self.series.last(), residual) {
+            self.seen.report.residual.relative = last[column];
+        }
+        Ok(())
+    }
+
+    /// Takes one step; `false` once the run has ended, which takes no more steps.
+    pub fn step<P: Error>(&mut self) -> Result<bool, PackingRunError<P>> {
+        if self.ending.is_some() {
+            return Ok(false);
+        }
+        let (watch, seen) = (&mut self.watch, &mut self.seen);
+        self.body.prepare(watch, &mut *seen.packing);
+        seen.report = seen.packing.step()?;
+        self.totals.add(&seen.report);
+        if B::CADENCE == Cadence::Steps {
+            self.look()?;
+        }
+
+        // Lines of the series; the last state is one of them.
+        let bounds = self.body.bounds();
+        let ending = if self.body.is_over(&mut self.watch, &self.seen) {
+            Some(B::Ending::OVER)
+        } else {
+            bounds.reached(self.seen.packing.clock())
+        };
+        let is_line = ending.is_some() || self.steps().is_multiple_of(bounds.samples);
+        if is_line && B::CADENCE == Cadence::Lines {
+            self.look()?;
+        }
+        if is_line || B::CADENCE == Cadence::Steps {
+            let line = self.finite_line()?;
+            if is_line {
+                self.series.push(line);
+            }
+        }
+        self.ending = ending;
+        Ok(ending.is_none())
+    }
+
+    /// Finds the contacts after a step and measures them.
+    fn look<P: Error>(&mut self) -> Result<(), PackingRunError<P>> {
+        self.find_contacts()?;
+        self.body.measure(&mut self.watch, &self.seen);
+        Ok(())
+    }
+
+    fn find_contacts<P: Error>(&mut self) -> Result<(), PackingRunError<P>> {
+        let step = self.steps();
+        let contacts = self.seen.packing.contacts();
+        self.seen.contacts = contacts.map_err(|cause| PackingRunError::Touch { step, cause })?;
+        Ok(())
+    }
+
+    /// The current line of the series.
+    pub fn line(&self) -> [f64; N] {
+        self.body.line(&self.watch, &self.seen)
+    }
+
+    /// The current line, if all its values and the energy balance are finite.
+    fn finite_line<P: Error>(&self) -> Result<[f64; N], PackingRunError<P>> {
+        let line = self.line();
+        let named = B::COLUMNS.into_iter().zip(line);
+        let balance = [("work", self.seen.packing.energy().imbalance())];
+        match named.chain(balance).find(|(_, value)| !value.is_finite()) {
+            Some((column, value)) => Err(PackingRunError::NotFinite {
+                step: self.steps(),
+                column,
+                value,
+            }),
+            None => Ok(line),
+        }
+    }
+
+    /// Share of the run that is done.
+    pub fn progress(&self) -> f64 {
+        self.body.bounds().progress(self.seen.packing.clock())
+    }
+
+    /// Elapsed time.
+    pub fn time(&self) -> f64 {
+        self.seen.packing.clock().0
+    }
+
+    /// Number of steps so far.
+    pub fn steps(&self) -> u64 {
+        self.seen.packing.clock().1
+    }
+
+    /// Sums over the steps, with the time up to now.
+    pub fn totals(&self) -> Totals {
+        Totals {
+            wall_seconds: self.totals.wall_seconds + self.started.elapsed().as_secs_f64(),
+            ..self.totals
+        }
+    }
+
+    /// Contacts at the current places: between two lines of the series they are found anew.
+    fn contacts_now(&self) -> Cow<'_, [ContactRow]> {
+        let found = match B::CADENCE {
+            Cadence::Lines => self.seen.packing.contacts().ok(),
+            Cadence::Steps => None,
+        };
+        found.map_or(Cow::Borrowed(self.seen.contacts.as_slice()), Cow::Owned)
+    }
+
+    fn shape(&self) -> Shape {
+        let walls = self.seen.packing.walls().iter();
+        Shape {
+            // Without the displacement of sheared images.
+            space: self.seen.packing.space().sheared(0.0),
+            radii: self.seen.packing.radii().to_vec(),
+            outward: walls.map(|wall| wall.outward).collect(),
+            contacts: self.contacts_now().into_owned(),
+        }
+    }
+
+    /// The run as a checkpoint file.
+    pub fn checkpoint(&self) -> String {
+        let mut map = Map::new();
+        map.insert(B::FORMAT.0.into(), B::FORMAT.1.into());
+        map.insert("scene".into(), self.body.scene());
+        // Read by runs that start from this state.
+        self.shape().put(&mut map);
+        self.seen.packing.freeze().put(&mut map);
+        self.totals().put(&mut map);
+        B::put(&self.watch, &mut map);
+        let series: Vec<f64> = self.series.iter().flatten().copied().collect();
+        map.insert("series".into(), hex(&series).into());
+        map.insert("ending".into(), self.ending.map(Ending::name).into());
+        sealed(map)
+    }
+
+    /// The current state as a file, from which a run of another scene can start.
+    pub fn state(&self) -> String {
+        let stored = Stored {
+            scene: self.body.scene(),
+            shape: self.shape(),
+            frozen: self.seen.packing.freeze(),
+        };
+        stored.text()
+    }
+
+    /// Calls `export` with the current state in a box of these extents.
+    pub fn with_snapshot<T>(
+        &self,
+        extents: [[f64; 2]; 3],
+        export: impl FnOnce(&Snapshot<'_>) -> T,
+    ) -> T {
+        let packing = &self.seen.packing;
+        let spheres = packing.spheres();
+        let velocities: Vec<_> = spheres.iter().map(|sphere| sphere.velocity).collect();
+        let spins: Vec<_> = spheres.iter().map(|sphere| sphere.spin).collect();
+        export(&Snapshot {
+            time: self.time(),
+            space: packing.space(),
+            extents,
+            positions: packing.positions(),
+            radii: packing.radii(),
+            velocities: Some(&velocities),
+            spins: Some(&spins),
+            species: None,
+            contacts: &self.seen.contacts,
+        })
+    }
+
+    /// Data common to all frames of a film.
+    pub fn bodies(&self, kind: Kind, periods: [f64; 2], limit: u64) -> Bodies {
+        Bodies {
+            kind,
+            scene: self.body.scene(),
+            limit,
+            stride: 1,
+            periods,
+            radii: self.seen.packing.radii().to_vec(),
+            layers: Vec::new(),
+            parts: Vec::new(),
+            marked: Vec::new(),
+        }
+    }
+
+    /// The current state as a frame.
+    pub fn frame(&self, told: &Told<'_>) -> Frame {
+        let packing = &self.seen.packing;
+        let (space, radii) = (packing.space(), packing.radii());
+        let corner = |end: usize| told.extents.map(|ends| ends[end] as f32);
+        let contact = |row: &ContactRow| FrameContact {
+            a: row.a,
+            b: row.b,
+            normal_force: row.normal_force() as f32,
+            hold: told.limits.reached(row, radii).map_or(Hold::OPEN, Hold::of),
+        };
+        let spheres = packing.spheres().iter();
+        Frame {
+            step: self.steps(),
+            time: self.time(),
+            height: told.height,
+            measure: told.measure,
+            corners: [corner(0), corner(1)],
+            places: packing.positions().iter().map(|x| space.wrap(x)).collect(),
+            speeds: spheres
+                .map(|sphere| sphere.velocity.norm() as f32)
+                .collect(),
+            contacts: self.contacts_now().iter().map(contact).collect(),
+        }
+    }
+
+    /// The end of a run for golden files.
+    pub fn measurement(&self, summary: &Value) -> Measurement {
+        let rows = self.series.iter().map(|row| row.to_vec());
+        let mut measurement = Measurement::new(summary, &B::COLUMNS, rows);
+        measurement.state = self.with_snapshot([[0.0; 2]; 3], |end| {
+            vec![
+                ("positions", digest(end.positions)),
+                ("radii", Digest::of(end.radii.iter().copied())),
+                ("velocities", digest(end.velocities.unwrap_or_default())),
+                ("spins", digest(end.spins.unwrap_or_default())),
+                ("contacts", contacts(end.contacts)),
+            ]
+        });
+        measurement
+    }
+}
+
+/// Where the energy went: names and energies.
+pub(crate) fn losses(energy: &EnergyBalance) -> [(&'static str, f64); 5] {
+    [
+        ("normal", energy.normal),
+        ("sliding", energy.sliding),
+        ("rolling", energy.rolling),
+        ("torsion", energy.torsion),
+        ("cohesion", energy.cohesion),
+    ]
+}
+
+/// Named numbers as a JSON object.
+pub(crate) fn object(numbers: &[(&str, f64)]) -> Value {
+    let entry = |(name, value): &(&str, f64)| ((*name).to_owned(), json_number(*value));
+    Value::Object(numbers.iter().map(entry).collect())
+}

@@ -1,0 +1,49 @@
+//! How the contacts of a scene are solved: rigid or soft.
+
+use super::reader::Judge;
+use super::words::words;
+use crate::soft::Stiffness;
+use tribos_core::contact::Attraction;
+
+/// How the contacts of a step are found and solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContactMethod {
+    /// Rigid spheres with constraint forces.
+    ContactDynamics,
+    /// Springs and dashpots.
+    Soft,
+}
+words!(ContactMethod { ContactDynamics = "contact-dynamics", Soft = "soft" });
+
+/// Elastic force of a soft contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NormalForce {
+    /// In proportion to the overlap.
+    Linear,
+    /// To the power 3/2 of the overlap.
+    Hertz,
+}
+words!(NormalForce { Linear = "linear", Hertz = "hertz" });
+
+impl NormalForce {
+    /// Normal spring of this stiffness; Hertz's modulus is the stiffness over the mean radius.
+    pub(crate) fn spring(self, stiffness: f64, radius: f64) -> Stiffness {
+        match self {
+            Self::Linear => Stiffness::Linear(stiffness),
+            Self::Hertz => Stiffness::Hertz(stiffness / radius),
+        }
+    }
+}
+
+/// Refuses what soft contacts cannot do.
+pub(super) fn soft_rules(judge: &mut Judge<'_>, attraction: Attraction, restitution: f64) {
+    if attraction == Attraction::Resistance {
+        let message = "`attraction` must be \"pull\" with method = \"soft\": a resistance to opening \
+                       needs constraint forces";
+        judge.refuse(&["attraction", "method"], message);
+    }
+    if restitution > 0.0 && judge.is_given("damping") {
+        let message = "give `damping` or a `restitution` above 0, not both";
+        judge.refuse(&["damping", "restitution"], message);
+    }
+}
