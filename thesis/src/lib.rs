@@ -10,6 +10,8 @@ mod kept;
 mod plan;
 mod runs;
 mod text;
+#[doc(hidden)]
+pub mod trials;
 
 use Maker::{Alone, Checked, Running};
 use anyhow::{Result, bail, ensure};

@@ -6,6 +6,7 @@ use crate::packing::PackingError;
 use crate::record::CheckpointError;
 use crate::scene::InvalidScene;
 use crate::space::PeriodicBoxError;
+use tribos_core::contact::TouchError;
 use tribos_core::law::LawError;
 
 /// Why a gas cannot start or continue.
@@ -42,6 +43,15 @@ pub enum GasError {
     /// The world of contact dynamics cannot start or go on.
     #[error(transparent)]
     World(#[from] WorldError),
+    /// Two spheres with the same centre have no normal.
+    #[error("after step {step}: {cause}")]
+    Touch {
+        /// Number of the step.
+        step: u64,
+        /// The kernel's reason.
+        #[source]
+        cause: TouchError,
+    },
     /// A number of the series left the range of f64.
     #[error("after step {step}: `{column}` is {value:e}")]
     NotFinite {

@@ -9,8 +9,10 @@ pub(crate) mod room;
 mod run;
 mod session;
 mod size;
+mod soft;
 mod start;
 mod state;
+mod stepped;
 #[cfg(test)]
 mod tests;
 
@@ -23,3 +25,5 @@ pub use run::COLUMNS;
 pub use run::{Ending, Gas};
 #[doc(hidden)]
 pub use size::size;
+#[doc(hidden)]
+pub use soft::{SoftCollision, soft_collision};

@@ -4,8 +4,8 @@ use super::line;
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use tribos::event::{Tangential, collision_rate, contact_value};
-use tribos::gas::GasError;
-use tribos::scene::{GasMethod, GasScene};
+use tribos::gas::{GasError, soft_collision};
+use tribos::scene::{GasMethod, GasScene, NormalForce};
 
 /// The whole account.
 pub fn text(scene: &GasScene) -> Result<String, Failure> {
@@ -65,5 +65,27 @@ fn method(scene: &GasScene) -> String {
             "contact dynamics: steps in which no sphere moves farther than {} R, impacts first",
             scene.motion
         ),
+        GasMethod::Soft => soft(scene),
     }
+}
+
+/// Springs, a usual collision and the step.
+fn soft(scene: &GasScene) -> String {
+    let law = match scene.normal_law {
+        NormalForce::Linear => format!("linear springs of {} T0/R^2", scene.stiffness),
+        NormalForce::Hertz => format!(
+            "Hertz contacts with a modulus of {} T0/R^3",
+            scene.stiffness
+        ),
+    };
+    let Some(usual) = soft_collision(scene) else {
+        return law;
+    };
+    format!(
+        "soft particles: {law}; a usual collision at T0 overlaps by {} R and lasts {}, {:.0} steps of {}",
+        shown(usual.overlap),
+        shown(usual.duration),
+        (usual.duration / usual.step).ceil(),
+        shown(usual.step)
+    )
 }

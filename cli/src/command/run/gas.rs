@@ -131,7 +131,9 @@ fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
 impl From<GasError> for Failure {
     fn from(error: GasError) -> Self {
         match error {
-            GasError::World(_) | GasError::NotFinite { .. } => Self::run(error),
+            GasError::World(_) | GasError::Touch { .. } | GasError::NotFinite { .. } => {
+                Self::run(error)
+            }
             // The scene or the checkpoint cannot be used.
             _ => Self::input(error),
         }

@@ -1,0 +1,130 @@
+//! A few spheres on a floor, moved by contact dynamics or soft particles.
+
+use super::Method;
+use anyhow::{Result, bail};
+use nalgebra::Vector3;
+use tribos::cd::internals::Coefficients;
+use tribos::cd::{self, Laws, Solver, StepLimits, Wall};
+use tribos::soft::{self, Stiffness};
+use tribos_core::contact::{Cohesion, ContactFriction, NormalLaw, Sphere};
+
+/// Longest step of soft particles whose contacts are open.
+const LONGEST: f64 = 1.0;
+
+/// Spheres of radius 1 over a floor at height 0 of the vertical axis `up`.
+#[derive(Clone, Debug)]
+pub struct Pile<F> {
+    pub up: Vector3<f64>,
+    pub gravity: Vector3<f64>,
+    pub friction: F,
+    pub spheres: Vec<(Vector3<f64>, Sphere<f64>)>,
+}
+
+/// The state after a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Look<'a> {
+    pub time: f64,
+    pub positions: &'a [Vector3<f64>],
+    pub spheres: &'a [Sphere<f64>],
+    /// Sum of the normal forces on the floor.
+    pub floor: f64,
+}
+
+impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
+    /// Runs for a time and shows every step; the number of updates of contacts.
+    pub fn run(self, method: Method, until: f64, see: impl FnMut(&Look<'_>)) -> Result<f64> {
+        match method {
+            Method::Events => bail!("events know no lasting contacts"),
+            Method::ContactDynamics { .. } => self.rigid(method, until, see),
+            Method::Soft { stiffness, share } => self.soft([stiffness, share], until, see),
+        }
+    }
+
+    fn laws(&self) -> Result<Laws<F>> {
+        Ok(Laws::uniform(
+            NormalLaw::new(Cohesion::NONE, 0.0)?,
+            self.friction,
+        ))
+    }
+
+    fn rigid(self, method: Method, until: f64, mut see: impl FnMut(&Look<'_>)) -> Result<f64> {
+        let Method::ContactDynamics {
+            tolerance,
+            sweeps,
+            step,
+        } = method
+        else {
+            bail!("not contact dynamics");
+        };
+        let mut setup = cd::Setup::new(self.laws()?)
+            .wall(Wall::fixed(self.up, 0.0))
+            .gravity(self.gravity);
+        setup.step_limits = StepLimits {
+            longest: step,
+            ..setup.step_limits
+        };
+        setup.solver = Solver {
+            method: cd::Method::Accelerated { tolerance },
+            most_sweeps: sweeps,
+            warm_start: true,
+        };
+        for (place, sphere) in &self.spheres {
+            setup = setup.sphere(*place, 1.0, *sphere);
+        }
+        let mut world = cd::World::new(setup)?;
+        let mut updates = 0.0;
+        while world.state().time < until {
+            let report = world.step()?;
+            updates += (report.contacts * report.iterations.sweeps.max(1)) as f64;
+            let state = world.state();
+            let [_, floor] = &state.memory.forces;
+            see(&Look {
+                time: state.time,
+                positions: &state.positions,
+                spheres: &state.spheres,
+                floor: floor.iter().map(|(_, force)| force.normal.abs()).sum(),
+            });
+        }
+        Ok(updates)
+    }
+
+    fn soft(
+        self,
+        [stiffness, share]: [f64; 2],
+        until: f64,
+        mut see: impl FnMut(&Look<'_>),
+    ) -> Result<f64> {
+        let mut setup = soft::Setup::new(self.laws()?, Stiffness::Linear(stiffness))
+            .wall(Wall::fixed(self.up, 0.0))
+            .gravity(self.gravity);
+        setup.longest = LONGEST;
+        setup.share = share;
+        for (place, sphere) in &self.spheres {
+            setup = setup.sphere(*place, 1.0, *sphere);
+        }
+        let mut world = soft::World::new(setup)?;
+        let mut updates = 0.0;
+        while world.state().time < until {
+            updates += world.step()?.contacts.max(1) as f64;
+            let state = world.state();
+            let [_, floor] = &state.contacts;
+            see(&Look {
+                time: state.time,
+                positions: &state.positions,
+                spheres: &state.spheres,
+                floor: floor.iter().map(|contact| contact.force.normal.abs()).sum(),
+            });
+        }
+        Ok(updates)
+    }
+}
+
+/// Deepest overlap of spheres and floor.
+pub fn deepest(look: &Look<'_>, up: &Vector3<f64>) -> f64 {
+    let floor = look.positions.iter().map(|x| 1.0 - up.dot(x));
+    let pairs = look.positions.iter().enumerate().flat_map(|(i, a)| {
+        let others = look.positions.iter().take(i);
+        others.map(move |b| 2.0 - (a - b).norm())
+    });
+    floor.chain(pairs).fold(0.0, f64::max)
+}
