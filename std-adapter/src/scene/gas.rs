@@ -1,7 +1,8 @@
 //! The scene of a granular gas in a periodic cube.
 
 use super::key::{Domain::*, Need::*};
-use super::powder::{MOST_SEEDS, NormalForce};
+use super::method::NormalForce;
+use super::powder::MOST_SEEDS;
 use super::reader::Judge;
 use super::table::{as_written, scene};
 use super::words::{Word, words};
