@@ -97,6 +97,10 @@ const EXHIBITS: &[(&str, Maker)] = &[
     ("4.2", Alone(contact_exhibits::figure_4_2)),
     ("4.3", Alone(contact_exhibits::figure_4_3)),
     (
+        "section-4.4.1",
+        Running(three_methods::section_4_4_1, [3.0, 300.0]),
+    ),
+    (
         "section-4.4.2",
         Running(sweeps::section_4_4_2, [2.0, 300.0]),
     ),

@@ -40,6 +40,7 @@ pub(crate) mod stick_slip;
 pub(crate) mod stopping;
 pub(crate) mod stress;
 pub(crate) mod sweeps;
+pub(crate) mod three_methods;
 pub(crate) mod tilted;
 pub(crate) mod tip;
 pub(crate) mod tip_map;

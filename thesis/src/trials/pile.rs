@@ -8,6 +8,8 @@ use tribos::cd::{self, Laws, Solver, StepLimits, Wall};
 use tribos::soft::{self, Stiffness};
 use tribos_core::contact::{Cohesion, ContactFriction, NormalLaw, Sphere};
 
+/// Largest motion of a step of contact dynamics, in R: steps are to bound it.
+const MOTION: f64 = 1.0;
 /// Longest step of soft particles whose contacts are open.
 const LONGEST: f64 = 1.0;
 
@@ -61,7 +63,7 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
             .gravity(self.gravity);
         setup.step_limits = StepLimits {
             longest: step,
-            ..setup.step_limits
+            motion: MOTION,
         };
         setup.solver = Solver {
             method: cd::Method::Accelerated { tolerance },
