@@ -1,9 +1,9 @@
 //! The contact problem of a step: contact search, free velocities, initial guess of the impulses.
 
+use super::error::WorldError;
 use super::image::{ImageVelocity, Images, seen};
 use super::impact::{self, Surroundings};
 use super::residual::Coefficients;
-use super::setup::WorldError;
 use super::spheres::Link;
 use super::world::World;
 use tribos_core::contact::{Contact, ContactFriction, NormalLaw, Touch};

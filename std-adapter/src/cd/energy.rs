@@ -11,8 +11,8 @@
 //! the contact modes, the last is the energy lost in inelastic collisions. Only the work and a pull of
 //! cohesion that closes a gap can raise the energy, so the scheme creates none.
 
-use super::setup::Wall;
 use super::spheres::{Link, Spheres};
+use super::wall::Wall;
 use nalgebra::Vector3;
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
 

@@ -28,8 +28,8 @@ use super::energy::Taken;
 use super::image::{ImageVelocity, Images, seen};
 use super::memory::StoredForce;
 use super::mixture::LawBook;
-use super::setup::Wall;
 use super::spheres::{Link, Spheres};
+use super::wall::Wall;
 use nalgebra::Vector3;
 use tribos_core::contact::{
     Body, Contact, ContactFriction, ContactModes, Frictionless, Modal, NormalLaw, Sphere,

@@ -25,6 +25,7 @@
 mod accelerated;
 mod assemble;
 mod energy;
+mod error;
 mod image;
 mod impact;
 mod impact_rest;
@@ -44,14 +45,17 @@ mod shear_tests;
 mod sleep;
 mod solver;
 mod spheres;
+mod wall;
 mod world;
 
 pub use energy::EnergyBalance;
+pub use error::WorldError;
 pub use mixture::Mixture;
 pub use nsgs::{Iterations, Order, Stop};
 pub use residual::Residual;
-pub use setup::{ContactLaws, HalfSpace, Laws, Setup, StepLimits, Wall, WorldError, solid};
+pub use setup::{ContactLaws, Laws, Setup, StepLimits, solid};
 pub use solver::{Method, Solver};
+pub use wall::{HalfSpace, Wall};
 pub use world::{State, StepReport, World};
 
 /// Internals of the solvers, public only for tests and benches of this project: no stable interface.

@@ -2,7 +2,7 @@
 
 use super::assemble::Touching;
 use super::energy::EnergyBalance;
-use super::setup::Wall;
+use super::wall::Wall;
 use tribos_core::contact::Sphere;
 
 /// Number of slow steps after which a group of bodies is put to sleep.

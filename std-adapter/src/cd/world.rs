@@ -1,15 +1,17 @@
 //! Motion of spheres and plates: implicit time stepping with contact impulses (Moreau and Jean).
 
 use super::energy::EnergyBalance;
+use super::error::WorldError;
 use super::impact::{self, Counts, Impacts};
 use super::memory::Memory;
 use super::nsgs::Iterations;
 use super::operator::Operator;
 use super::residual::{Coefficients, Residual, residual};
-use super::setup::{Setup, Wall, WorldError};
+use super::setup::Setup;
 use super::sleep::Sleep;
 use super::solver::Workspace;
 use super::spheres::Spheres;
+use super::wall::Wall;
 use crate::space::pairs::Cells;
 use nalgebra::Vector3;
 use std::sync::Arc;

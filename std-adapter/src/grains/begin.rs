@@ -4,7 +4,7 @@ use super::error::GrainsError;
 use super::layout::Layout;
 use super::placement::{self, Start};
 use crate::measure::AssemblyError;
-use crate::packing::{Frozen, given};
+use crate::packing::{Frozen, Second, given};
 use crate::scene::{ContactMethod, Ends, GrainsScene, Sides};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
@@ -35,7 +35,7 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<Start, GrainsError> {
     let mut start = Start {
         positions: assembly.positions.clone(),
         radii: assembly.radii.clone(),
-        is_second: placement::second(scene, assembly.radii.len()),
+        is_second: Second::choose(scene.seed, scene.share_second, assembly.radii.len()),
         contacts: Vec::new(),
         frozen: None,
     };

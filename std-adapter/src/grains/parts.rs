@@ -6,7 +6,7 @@ use super::loads::Loads;
 use super::placement::Start;
 use crate::cd::{Method as Sweeps, Solver, StepLimits, Wall};
 use crate::packing::{
-    Bodies, Extras, Frozen, Material, Method, Packing, Second, Springs, build_with,
+    Bodies, Differences, Extras, Frozen, Material, Method, Packing, Second, Springs, build_with,
 };
 use crate::random::Random;
 use crate::scene::{ContactMethod, GrainsScene};
@@ -26,9 +26,14 @@ pub(super) fn packing(
     frozen: Option<&Frozen>,
 ) -> Result<Box<dyn Packing>, GrainsError> {
     let material = scene.material();
+    let other = Differences {
+        density: scene.density_second,
+        sliding: scene.sliding_second,
+        sliding_mixed: scene.sliding_mixed,
+    };
     let extras = Extras {
         shear_rate: scene.shear_rate.unwrap_or(0.0),
-        second: scene.second(&start),
+        second: Second::beside(&material, &other, start.is_second),
         velocities: scene.agitation(start.radii.len()),
     };
     let mass = scene.piston_mass.unwrap_or_else(|| {
@@ -95,30 +100,6 @@ impl GrainsScene {
                 step_limits,
             }),
         }
-    }
-
-    /// The second material, and between the two.
-    fn second(&self, start: &Start) -> Option<Second> {
-        if !start.is_second.contains(&true) {
-            return None;
-        }
-        let first = self.material();
-        let sliding = self.sliding_second.unwrap_or(first.sliding);
-        let mean = (first.sliding * sliding).sqrt();
-        let material = Material {
-            density: self.density_second.unwrap_or(first.density),
-            sliding,
-            ..first
-        };
-        let mixed = Material {
-            sliding: self.sliding_mixed.unwrap_or(mean),
-            ..first
-        };
-        Some(Second {
-            is_second: start.is_second.clone(),
-            material,
-            mixed,
-        })
     }
 
     /// Random velocities of a sheared box, of the rate times the radius and without momentum: the places of the

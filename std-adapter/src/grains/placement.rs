@@ -1,7 +1,7 @@
 //! The start: grains that touch neither each other nor a wall, at random places of a lattice.
 
 use super::container::has_room;
-use crate::packing::{Frozen, Radii, SizesError};
+use crate::packing::{Frozen, Radii, Second, SizesError};
 use crate::random::Random;
 use crate::record::ContactRow;
 use crate::scene::{Container, Ends, GrainsScene, Sides};
@@ -11,8 +11,6 @@ use std::ops::ControlFlow;
 /// Streams of the seed: one for the radii, one for the places.
 const RADII: u64 = 0;
 const PLACES: u64 = 1;
-/// Stream for the grains of the second material.
-const SECOND: u64 = 2;
 /// Grains between two reports of the placement.
 const BATCH: usize = 1000;
 
@@ -89,7 +87,7 @@ pub(super) fn start(
         1.0
     };
     let lattice = Lattice::of(scene, widest * largest)?;
-    let is_second = second(scene, scene.count);
+    let is_second = Second::choose(scene.seed, scene.share_second, scene.count);
     let mut radii = radii(scene, distribution);
     for (radius, _) in radii.iter_mut().zip(&is_second).filter(|(_, is)| **is) {
         *radius *= scene.radius_second;
@@ -119,18 +117,6 @@ pub(super) fn start(
         contacts: Vec::new(),
         frozen: None,
     })
-}
-
-/// Which grains are of the second material: so many of all, each choice as likely (Knuth's algorithm S).
-pub(super) fn second(scene: &GrainsScene, count: usize) -> Vec<bool> {
-    let mut random = Random::new(scene.seed, SECOND);
-    let mut needed = (scene.share_second * count as f64).round();
-    let mut choose = |index: usize| {
-        let is = needed > 0.0 && random.unit() * ((count - index) as f64) < needed;
-        needed -= f64::from(u8::from(is));
-        is
-    };
-    (0..count).map(&mut choose).collect()
 }
 
 /// Radii of a distribution, or uniform within their spread.

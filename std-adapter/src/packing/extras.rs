@@ -1,6 +1,7 @@
 //! What some bodies have beside material and walls: a shear, a second material.
 
 use super::Material;
+use crate::random::Random;
 use nalgebra::Vector3;
 
 /// A shear and a second material, of which most bodies have neither.
@@ -21,6 +22,51 @@ pub(crate) struct Second {
     pub material: Material,
     /// What holds between spheres of the two; its density has no meaning.
     pub mixed: Material,
+}
+
+/// Stream of a seed for the spheres of the second material.
+const STREAM: u64 = 2;
+
+/// What a scene says of its second material; what it leaves out is that of the first, and between the two the
+/// geometric mean.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Differences {
+    pub density: Option<f64>,
+    pub sliding: Option<f64>,
+    pub sliding_mixed: Option<f64>,
+}
+
+impl Second {
+    /// Which of so many spheres are of the second material: a share of all, each choice as likely (Knuth's
+    /// algorithm S).
+    pub fn choose(seed: u64, share: f64, count: usize) -> Vec<bool> {
+        let mut random = Random::new(seed, STREAM);
+        let mut needed = (share * count as f64).round();
+        let mut choose = |index: usize| {
+            let is = needed > 0.0 && random.unit() * ((count - index) as f64) < needed;
+            needed -= f64::from(u8::from(is));
+            is
+        };
+        (0..count).map(&mut choose).collect()
+    }
+
+    /// The second material beside a first one; `None` if there is no sphere of it.
+    pub fn beside(first: &Material, other: &Differences, is_second: Vec<bool>) -> Option<Self> {
+        let sliding = other.sliding.unwrap_or(first.sliding);
+        let mean = (first.sliding * sliding).sqrt();
+        is_second.contains(&true).then(|| Self {
+            is_second,
+            material: Material {
+                density: other.density.unwrap_or(first.density),
+                sliding,
+                ..*first
+            },
+            mixed: Material {
+                sliding: other.sliding_mixed.unwrap_or(mean),
+                ..*first
+            },
+        })
+    }
 }
 
 impl Extras {

@@ -26,7 +26,7 @@ pub(crate) use body::{Body, Bounds, Cadence, Ending, Seen};
 pub use carried::{Carried, CarriedModes};
 pub(crate) use cost::{stable_step, update_seconds};
 pub(crate) use drive::{Drive, Told, losses, object};
-pub(crate) use extras::{Extras, Second};
+pub(crate) use extras::{Differences, Extras, Second};
 pub(crate) use frozen::{Force, Forces, Frozen};
 pub(crate) use given::given;
 pub(crate) use kept::Kept;

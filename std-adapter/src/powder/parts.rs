@@ -2,7 +2,10 @@
 
 use super::deposit::{Deposit, SUBSTRATE};
 use crate::cd::Wall;
-use crate::packing::{Bodies, Frozen, Material, Method, Packing, PackingError, Springs, build};
+use crate::packing::{
+    Bodies, Differences, Extras, Frozen, Material, Method, Packing, PackingError, Second, Springs,
+    build_with,
+};
 use crate::scene::{ContactMethod, PowderScene};
 use nalgebra::Vector3;
 
@@ -32,12 +35,19 @@ pub(super) fn packing(
     deposit: &Deposit,
     frozen: Option<&Frozen>,
 ) -> Result<Box<dyn Packing>, PackingError> {
-    build(
-        &scene.material(),
-        bodies(scene, deposit),
-        &scene.contact_method(),
-        frozen,
-    )
+    let material = scene.material();
+    let other = Differences {
+        density: scene.density_second,
+        sliding: scene.sliding_second,
+        sliding_mixed: scene.sliding_mixed,
+    };
+    let is_second = Second::choose(scene.seed, scene.share_second, deposit.radii.len());
+    let extras = Extras {
+        second: Second::beside(&material, &other, is_second),
+        ..Extras::default()
+    };
+    let bodies = (bodies(scene, deposit), &extras);
+    build_with(&material, bodies, &scene.contact_method(), frozen)
 }
 
 /// The deposit between substrate and piston.

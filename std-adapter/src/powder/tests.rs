@@ -320,11 +320,28 @@ fn soft_spheres_end_blocked_near_the_height_of_rigid_ones() -> Tested {
 }
 
 #[test]
+fn spheres_all_of_the_second_material_are_those_of_it_alone() -> Tested {
+    let first = finished(&["sliding=0.1"])?;
+    let second = finished(&["share_second=1", "sliding_second=0.1"])?;
+    assert_eq!(second.series(), first.series());
+    let heavy = finished(&["share_second=1", "sliding_second=0.1", "density_second=2"])?;
+    assert_ne!(heavy.series(), first.series());
+    // None of it, whatever it would be; and half of it, which is neither.
+    let none = finished(&["sliding_second=0.1", "density_second=2"])?;
+    assert_eq!(none.series(), finished(&[])?.series());
+    let half = finished(&["share_second=0.5", "sliding_second=0"])?;
+    assert_ne!(half.series(), none.series());
+    assert_eq!(half.ending(), Some(Ending::Blocked));
+    Ok(())
+}
+
+#[test]
 fn keys_of_the_other_method_are_refused() {
     for (keys, told) in [
         (&["method=soft", "solver=gauss-seidel"][..], "solver"),
         (&["method=soft", "tolerance=1e-3"], "tolerance"),
         (&["method=soft", "sweeps=10"], "sweeps"),
+        (&["method=soft", "share_second=0.5"], "share_second"),
         (&["method=soft", "attraction=resistance"], "attraction"),
         (&["method=soft", "restitution=0.5", "damping=1"], "damping"),
         (&["stiffness=1e4"], "method = \"soft\""),

@@ -257,19 +257,15 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
     }
     gravity_rule(scene, judge);
     if scene.method == ContactMethod::Soft {
-        soft_rules(judge, scene.attraction, scene.restitution);
+        soft_rules(
+            judge,
+            scene.attraction,
+            [scene.restitution, scene.share_second],
+        );
         if scene.shear_rate.is_some() {
             let message =
                 "`shear_rate` needs method = \"contact-dynamics\"; springs know no sheared images";
             judge.refuse(&["shear_rate", "method"], message);
-        }
-        if scene.share_second > 0.0 {
-            let share = scene.share_second;
-            let message = format!(
-                "`share_second` is {share} and must be 0 with method = \"soft\": springs know one material; \
-                 take method = \"contact-dynamics\""
-            );
-            judge.refuse(&["share_second", "method"], message);
         }
     }
     if scene.container != Container::Box && (scene.z != Ends::Floor || scene.shake_amplitude > 0.0)

@@ -35,8 +35,19 @@ impl NormalForce {
     }
 }
 
-/// Refuses what soft contacts cannot do.
-pub(super) fn soft_rules(judge: &mut Judge<'_>, attraction: Attraction, restitution: f64) {
+/// Refuses what soft contacts cannot do; `restitution` and the share of a second material are given together.
+pub(super) fn soft_rules(
+    judge: &mut Judge<'_>,
+    attraction: Attraction,
+    [restitution, share]: [f64; 2],
+) {
+    if share > 0.0 {
+        let message = format!(
+            "`share_second` is {share} and must be 0 with method = \"soft\": springs know one material; \
+             take method = \"contact-dynamics\""
+        );
+        judge.refuse(&["share_second", "method"], message);
+    }
     if attraction == Attraction::Resistance {
         let message = "`attraction` must be \"pull\" with method = \"soft\": a resistance to opening \
                        needs constraint forces";

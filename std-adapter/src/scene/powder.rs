@@ -136,6 +136,14 @@ scene! {
     torsion: f64 = 0.0, "-", NotNegative;
     /// How the thresholds of sliding and torsion depend on each other.
     coupling: Coupling = Coupling::Independent, "-", OneOf(Coupling::WORDS);
+    /// Share of the spheres that are of a second material, chosen at random.
+    share_second: f64 = 0.0, "-", Fraction;
+    /// Density of the second material; that of the first if it is left out.
+    density_second: Option<f64> = None, "rho", Positive;
+    /// Sliding coefficient of the second material; that of the first if it is left out.
+    sliding_second: Option<f64> = None, "-", NotNegative;
+    /// Sliding coefficient between the two materials; the geometric mean of theirs if it is left out.
+    sliding_mixed: Option<f64> = None, "-", NotNegative;
     /// Pressure on the piston.
     // Thesis, section 4.5.
     pressure: f64 = 1.0 / 400.0, "F_coh/R^2", Positive;
@@ -212,7 +220,11 @@ fn rules(scene: &PowderScene, judge: &mut Judge<'_>) {
                 judge.refuse(&[key, "method"], message);
             }
         }
-        soft_rules(judge, scene.attraction, scene.restitution);
+        soft_rules(
+            judge,
+            scene.attraction,
+            [scene.restitution, scene.share_second],
+        );
     }
     if let Some(start) = &scene.start {
         if scene.count.is_some() || scene.sizes.is_some() || scene.radius_spread > 0.0 {

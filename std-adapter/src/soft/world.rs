@@ -71,7 +71,7 @@ pub struct World<F: ContactFriction<f64>> {
     pub(super) listed_at: Vec<Vector3<f64>>,
     pub(super) listed_walls: Vec<f64>,
     /// Energies of all contacts in the last step.
-    energies: Vec<Result<Energies, TouchError>>,
+    pub(super) energies: Vec<Result<Energies, TouchError>>,
     /// Force and torque on each sphere, force on each wall.
     loads: Vec<[Vector3<f64>; 2]>,
     wall_loads: Vec<Vector3<f64>>,
@@ -359,87 +359,12 @@ impl<F: ContactFriction<f64>> World<F> {
         }
         self.sum()
     }
-
-    /// Energies of all contacts, added in their order.
-    fn sum(&self) -> Result<Energies, WorldError> {
-        let [pairs, walls] = &self.state.contacts;
-        let mut sum = Energies::default();
-        for (index, energies) in self.energies.iter().enumerate() {
-            match energies {
-                Ok(energies) => sum.add(energies),
-                Err(cause) => {
-                    let pair = pairs.get(index).map(|c| (c.bodies, "sphere"));
-                    let wall = walls.get(index.wrapping_sub(pairs.len()));
-                    let other = pair.or(wall.map(|c| (c.bodies, "wall")));
-                    let ([body, other], kind) = other.unwrap_or(([0; 2], "body"));
-                    return Err(WorldError::Touch {
-                        step: self.state.steps,
-                        body: body as usize,
-                        other: format!("{kind} {other}"),
-                        cause: *cause,
-                    });
-                }
-            }
-        }
-        Ok(sum)
-    }
-
-    /// Kinetic energy of spheres and pistons.
-    fn kinetic(&self) -> f64 {
-        let sphere = |sphere: &Sphere<f64>| {
-            sphere.velocity.norm_squared() / sphere.inv_mass
-                + sphere.spin.norm_squared() / sphere.inv_inertia
-        };
-        let pistons = self
-            .state
-            .walls
-            .iter()
-            .filter(|wall| wall.plate.inv_mass > 0.0);
-        let piston = |wall: &Wall| wall.plate.velocity.norm_squared() / wall.plate.inv_mass;
-        let spheres: f64 = self.state.spheres.iter().map(sphere).sum();
-        0.5 * (spheres + pistons.map(piston).sum::<f64>())
-    }
-
-    /// Enters a step into the energy balance.
-    fn enter(&mut self, taken: &Energies, dt: f64) {
-        let gravity = self.setup.gravity;
-        let kinetic = self.kinetic();
-        let State {
-            spheres,
-            walls,
-            contacts,
-            energy,
-            origin,
-            ..
-        } = &mut self.state;
-        let weight = |sphere: &Sphere<f64>| gravity.dot(&sphere.velocity) / sphere.inv_mass;
-        energy.work += spheres.iter().map(weight).sum::<f64>() * dt;
-        for wall in walls.iter().filter(|wall| wall.plate.inv_mass > 0.0) {
-            energy.work += wall.force * wall.outward.dot(&wall.plate.velocity) * dt;
-        }
-        // What moves a wall without regard to forces does their work.
-        for contact in contacts[1].iter().filter(|contact| contact.in_range) {
-            let wall = &walls[contact.bodies[1] as usize];
-            let felt = if wall.plate.inv_mass > 0.0 {
-                wall.outward * wall.outward.dot(&wall.plate.velocity)
-            } else {
-                Vector3::zeros()
-            };
-            energy.work -= loads(contact).0.dot(&(wall.plate.velocity - felt)) * dt;
-        }
-        let [elastic, cohesion] = origin.unwrap_or_default();
-        energy.elastic = taken.elastic - elastic;
-        energy.cohesion = taken.cohesion - cohesion;
-        energy.normal += taken.normal;
-        energy.sliding += taken.sliding;
-        energy.rolling += taken.rolling;
-        energy.torsion += taken.torsion;
-        energy.kinetic = kinetic;
-    }
 }
 
 /// Force and couple of a contact on its second body.
-fn loads<M: ContactModes<f64>>(contact: &SoftContact<M>) -> (Vector3<f64>, Vector3<f64>) {
+pub(super) fn loads<M: ContactModes<f64>>(
+    contact: &SoftContact<M>,
+) -> (Vector3<f64>, Vector3<f64>) {
     let SoftContact { normal, force, .. } = contact;
     (force.linear(normal), force.angular(normal))
 }
