@@ -22,7 +22,7 @@ const COLLISIONS: f64 = 8.0;
 /// First seed of the starts that give the gas' reference.
 const OTHER_STARTS: u64 = 1001;
 /// Spheres moved in the time of a collision of events, from the front "methods".
-const A_COLLISION: &str = "30";
+const A_COLLISION: &str = "25 to 90";
 /// Speed that counts as none, in √(g R).
 const STILL: f64 = 1e-7;
 /// Names of the panels.
