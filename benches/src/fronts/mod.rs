@@ -7,6 +7,7 @@ pub mod index;
 pub mod integrators;
 pub mod kernel;
 pub mod made;
+pub mod methods;
 pub mod patches;
 pub mod polygons;
 
@@ -28,6 +29,8 @@ pub enum Front {
     Integrators,
     /// Contacts of packings and their solvers.
     Contacts,
+    /// Events, contact dynamics and soft particles.
+    Methods,
     /// Molecular dynamics beside LAMMPS.
     Atoms,
     /// What each item costs a microcontroller.
@@ -36,25 +39,27 @@ pub enum Front {
 
 impl Front {
     /// In the order of the index.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Kernel,
         Self::Patches,
         Self::Polygons,
         Self::Integrators,
         Self::Contacts,
+        Self::Methods,
         Self::Atoms,
         Self::Firmware,
     ];
 
     /// The order of work: what builds comes before what is timed, and the kernel's front shows
     /// instructions that the firmware's counts.
-    const WORK: [Self; 7] = [
+    const WORK: [Self; 8] = [
         Self::Firmware,
         Self::Kernel,
         Self::Patches,
         Self::Polygons,
         Self::Integrators,
         Self::Contacts,
+        Self::Methods,
         Self::Atoms,
     ];
 
@@ -66,6 +71,7 @@ impl Front {
             Self::Polygons => "polygons",
             Self::Integrators => "integrators",
             Self::Contacts => "contacts",
+            Self::Methods => "methods",
             Self::Atoms => "atoms",
             Self::Firmware => "firmware",
         }
@@ -79,6 +85,7 @@ impl Front {
             Self::Polygons => "Flat feet: speed against error",
             Self::Integrators => "A disk brought to rest: step, order, error, cost",
             Self::Contacts => "Contacts of packings: speed, residual, size",
+            Self::Methods => "Three methods: error against time",
             Self::Atoms => "Atoms in motion: speed, conserved energy",
             Self::Firmware => "What the kernel costs a microcontroller",
         }
@@ -144,6 +151,7 @@ pub fn run(options: &Options) -> Result<(), String> {
             Front::Polygons => polygons::run(&setting)?,
             Front::Integrators => integrators::run(&setting)?,
             Front::Contacts => contacts::run(&setting)?,
+            Front::Methods => methods::run(&setting)?,
             Front::Atoms => atoms::run(&setting)?,
         };
         index::enter(&setting, front, &finding)?;

@@ -22,7 +22,7 @@ const COLLISIONS: f64 = 8.0;
 /// First seed of the starts that give the gas' reference.
 const OTHER_STARTS: u64 = 1001;
 /// Spheres moved in the time of a collision of events, from the front "methods".
-const A_COLLISION: &str = "30";
+const A_COLLISION: &str = "25 to 90";
 /// Speed that counts as none, in √(g R).
 const STILL: f64 = 1e-7;
 /// Names of the panels.
@@ -323,7 +323,7 @@ fn rigid_claims(points: &[Point], extent: &Extent) -> Vec<Claim> {
     let errors: Vec<f64> = of(points, 0, RIGID)
         .map(|point| point.found.errors[0])
         .collect();
-    let is_met = errors.iter().all(|error| *error < 1e-3)
+    let is_met = errors.last().is_some_and(|error| *error < 1e-3)
         && errors.windows(2).all(|pair| pair[1] <= pair[0]);
     let least = |kind| {
         let errors = of(points, 1, kind).map(|point| point.found.errors[0]);
