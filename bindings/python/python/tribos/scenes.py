@@ -636,6 +636,18 @@ class PowderScene(Scene):
     coupling
         How the thresholds of sliding and torsion depend on each other. *Value*: one of
         "independent", "ellipsoid", "exact".
+    share_second
+        Share of the spheres that are of a second material, chosen at random. *Value*: a number from
+        0 to 1.
+    density_second
+        Density of the second material; that of the first if it is left out. *Unit*: rho. *Value*: a
+        finite number > 0.
+    sliding_second
+        Sliding coefficient of the second material; that of the first if it is left out. *Value*: a
+        finite number >= 0.
+    sliding_mixed
+        Sliding coefficient between the two materials; the geometric mean of theirs if it is left
+        out. *Value*: a finite number >= 0.
     pressure
         Pressure on the piston. *Unit*: F_coh/R^2. *Value*: a finite number > 0.
     gravity
@@ -716,6 +728,10 @@ class PowderScene(Scene):
     rolling: float = 0.0
     torsion: float = 0.0
     coupling: Literal["independent", "ellipsoid", "exact"] = "independent"
+    share_second: float = 0.0
+    density_second: float | None = None
+    sliding_second: float | None = None
+    sliding_mixed: float | None = None
     pressure: float = 0.0025
     gravity: float = 0.0
     cohesion_range: float = 0.01
@@ -843,8 +859,8 @@ class GrainsScene(Scene):
         Law at walls: that of grains, cohesion only, or neither. *Value*: one of "full", "smooth",
         "none".
     gravity
-        Gravity, downwards. *Unit*: m/s^2. *Value*: a finite number, or a ramp such as "0:0,
-        0.5:1e3, 1:0".
+        Gravity, downwards; 0 where nothing bears the grains, as in a sheared box. *Unit*: m/s^2.
+        *Value*: a finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
     gravity_angle
         Angle by which gravity leans from -z towards x. *Unit*: degree. *Value*: a finite number, or
         a ramp such as "0:0, 0.5:1e3, 1:0".
@@ -888,13 +904,24 @@ class GrainsScene(Scene):
     repeat
         Time after which all ramps start again; without it they are followed once. *Unit*: s.
         *Value*: a finite number > 0.
+    method
+        Rigid grains with constraint forces, or soft ones with springs and dashpots. *Value*: one of
+        "contact-dynamics", "soft".
+    stiffness
+        Stiffness of soft contacts: force over overlap. *Unit*: N/m. *Value*: a finite number > 0.
+    damping
+        Damping ratio of soft contacts in all modes, unless `restitution` is above 0. *Value*: a
+        finite number >= 0.
+    normal_law
+        Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus
+        `stiffness`/`radius`. *Value*: one of "linear", "hertz".
     tolerance
         Change of a sweep, relative to P, at which sweeps stop. *Value*: a number > 0 and <= 1.
     sweeps
         Most sweeps of a step. *Value*: a whole number from 1 to 1000000.
     motion
-        Largest distance that a grain may move in a step, in mean radii. *Value*: a number > 0 and
-        <= 0.5.
+        Largest distance that a grain may move in a step, in mean radii; soft contacts divide it
+        into stable ones. *Value*: a number > 0 and <= 0.5.
     time_step
         Longest time step; if it is left out, the time in which gravity moves a grain by `motion`
         from rest, and at most a hundredth of `duration`. *Unit*: s. *Value*: a finite number > 0.
@@ -962,6 +989,10 @@ class GrainsScene(Scene):
     shake_frequency: float = 25.0
     shake_axis: Literal["x", "y", "z"] = "z"
     repeat: float | None = None
+    method: Literal["contact-dynamics", "soft"] = "contact-dynamics"
+    stiffness: float | None = None
+    damping: float | None = None
+    normal_law: Literal["linear", "hertz"] | None = None
     tolerance: float = 0.0001
     sweeps: int = 1000
     motion: float = 0.05
