@@ -51,23 +51,23 @@ pub struct Arguments {
     /// Replace or add a key of the scene; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
-    /// Powders, gases and tips: continue from the checkpoint in DIR, to the same result as without the
+    /// Powders, grains, gases and tips: continue from the checkpoint in DIR, to the same result as without the
     /// interruption. A finished run is not changed.
     #[arg(long)]
     resume: bool,
-    /// Powders, gases and tips: discard the interrupted run in DIR and start from the beginning.
+    /// Powders, grains, gases and tips: discard the interrupted run in DIR and start from the beginning.
     #[arg(long, conflicts_with = "resume")]
     anew: bool,
-    /// Powders, gases and tips: seconds between checkpoints in DIR.
+    /// Powders, grains, gases and tips: seconds between checkpoints in DIR.
     #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = number::pause)]
     #[arg(allow_negative_numbers = true)]
     checkpoint: Duration,
-    /// Powders, gases and tips: largest number of frames kept in DIR/frames, evenly spread over the steps;
+    /// Powders, grains, gases and tips: largest number of frames kept in DIR/frames, evenly spread over the steps;
     /// 0 for none. Frames do not change the results. [default: 100, or with --resume the number that
     /// the run began with]
     #[arg(long, value_name = "N", value_parser = frames)]
     frames: Option<u64>,
-    /// Powders, gases and tips: run even if more than 4 GB of memory is expected.
+    /// Powders, grains, gases and tips: run even if more than 4 GB of memory is expected.
     #[arg(long)]
     allow_large: bool,
 }
@@ -113,12 +113,12 @@ impl Arguments {
         let body = bodies::of(&scene);
         if self.resume && !body.is_long() {
             return Err(Failure::input(
-                "--resume is for powders, gases and tips only; this scene runs in a moment, run it again",
+                "--resume is for powders, grains, gases and tips only; this scene runs in a moment, run it again",
             ));
         }
         if self.frames.is_some() && !body.is_long() {
             return Err(Failure::input(
-                "--frames is for powders, gases and tips only; `tribos view` shows this scene from its series",
+                "--frames is for powders, grains, gases and tips only; `tribos view` shows this scene from its series",
             ));
         }
         let done = body.simulate(&Order {

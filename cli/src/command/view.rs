@@ -18,7 +18,7 @@ use tribos_report::runs::RunFrames;
 
 /// Write DIR/view.html, a page that plays the run in a browser, from a file and without a network.
 ///
-/// Powders and tips are shown from the frames that `tribos run` keeps in DIR/frames, bodies in the
+/// Powders, grains, gases and tips are shown from the frames that `tribos run` keeps in DIR/frames, bodies in the
 /// plane from series.csv and summary.json.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]

@@ -244,7 +244,8 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
         judge.refuse(&["sizes"], error.to_string());
     }
     if scene.start.is_some() && (scene.sizes.is_some() || scene.radius_spread > 0.0) {
-        let message = "`start` has its own radii; leave out `sizes` and `radius_spread`";
+        let message = "`start` has its own radii: leave out `sizes`, and leave out `radius_spread` \
+                       or set it to 0";
         judge.refuse(&["start"], message);
     }
     if scene.z == Ends::Periodic && scene.height.is_none() {

@@ -152,16 +152,21 @@ impl<M: ContactModes<f64>> SoftContact<M> {
     }
 
     /// Lets go: the energy of the springs is lost.
-    pub(super) fn part(&mut self, gap: f64) -> Energies {
+    pub(super) fn part<F>(&mut self, gap: f64, law: &Law<F>, lever: f64) -> Energies {
+        let opened = gap - self.gap;
+        let last = self.dashpots(law, lever).normal;
         self.gap = gap;
         if !self.in_range {
             return Energies::default();
         }
+        // The last half of what the dashpot takes: it holds a spring back that opens faster than it may.
+        let normal = -0.5 * last * opened;
         let stored = self.stored_energies();
         self.in_range = false;
         (self.force, self.springs, self.slope) = (Modal::default(), Modal::default(), 0.0);
         let [sliding, rolling, torsion] = stored;
         Energies {
+            normal: if normal > 0.0 { normal } else { 0.0 },
             sliding,
             rolling,
             torsion,

@@ -323,7 +323,8 @@ impl<F: ContactFriction<f64>> World<F> {
             let (apart, border) = nearest_image(space, &positions[i], &positions[j]);
             let gap = apart.norm() - (radii[i] + radii[j]);
             if is_apart(gap, pair.cohesion.range()) {
-                return Ok(contact.part(gap));
+                let lever = radii[i] * radii[j] / (radii[i] + radii[j]);
+                return Ok(contact.part(gap, pair, lever));
             }
             let touch = Touch::spheres(&apart, [radii[i], radii[j]])?;
             let motion = relative(&touch, &spheres[i], &spheres[j], &border);
@@ -349,7 +350,7 @@ impl<F: ContactFriction<f64>> World<F> {
             let is_apart = is_apart(gap, wall.cohesion.range());
             self.energies
                 .push(if is_apart || !plate.acts_on(&positions[i]) {
-                    Ok(contact.part(gap))
+                    Ok(contact.part(gap, wall, radii[i]))
                 } else {
                     Touch::plate(height, &plate.outward, radii[i]).map(|touch| {
                         let motion = relative(&touch, &spheres[i], &plate.plate, &Vector3::zeros());

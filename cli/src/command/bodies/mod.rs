@@ -70,7 +70,6 @@ pub fn of(scene: &Scene) -> Box<dyn Commands + '_> {
 
 /// Refuses the folder of a run that is not needed.
 fn at_once(out: Option<&Path>) -> Result<(), Failure> {
-    let refused =
-        "--out is for powders, gases and tips; the energy balance of a sliding body needs no run";
+    let refused = "--out is for powders, grains, gases and tips; the energy balance of a sliding body needs no run";
     out.map_or(Ok(()), |_| Err(Failure::input(refused)))
 }

@@ -78,6 +78,12 @@ impl Kind {
         (Self::Gas, "gas"),
     ];
 
+    /// The kind of a name.
+    pub(crate) fn named(name: &str) -> Option<Self> {
+        let known = Self::NAMES.into_iter().find(|(_, known)| *known == name);
+        known.map(|(kind, _)| kind)
+    }
+
     /// Name of the kind in scenes.
     pub fn name(self) -> &'static str {
         match self {
@@ -132,7 +138,7 @@ impl Bodies {
             return None;
         }
         let name = value["body"].as_str()?;
-        let (kind, _) = Kind::NAMES.into_iter().find(|(_, known)| *known == name)?;
+        let kind = Kind::named(name)?;
         let count = usize::try_from(value["particles"].as_u64()?).ok()?;
         // Particles and walls must fit into 32-bit numbers.
         if u32::try_from(count).ok()? > u32::MAX / 2 {

@@ -84,6 +84,34 @@ fn what_goes_on_stays_and_collections_are_not_replaced() -> Outcome {
 }
 
 #[test]
+fn runs_of_every_body_that_takes_long_are_kept() -> Outcome {
+    for body in ["powder", "grains", "gas", "tip"] {
+        let home = tempfile::tempdir()?;
+        let out = home.path();
+        let run = Contents {
+            about: serde_json::json!({ "body": body }),
+            ..contents("run", &["checkpoint.json", "summary.json"])
+        };
+        let held = OutputFolder::begin(out, &run)?;
+        write(out.join("checkpoint.json"), "x")?;
+        drop(held);
+        // Broken off: neither the same command nor another one begins in its place.
+        assert!(OutputFolder::begin(out, &run).is_err(), "{body}");
+        let other = contents("measure", &["measures.json"]);
+        assert!(OutputFolder::begin(out, &other).is_err(), "{body}");
+        // Finished: the same command does, another one does not.
+        let held = OutputFolder::go_on(out, &run)?;
+        write(out.join("summary.json"), "x")?;
+        drop(held);
+        assert!(OutputFolder::begin(out, &other).is_err(), "{body}");
+        assert!(out.join("checkpoint.json").exists() && out.join("summary.json").exists());
+        drop(OutputFolder::begin(out, &run)?);
+        assert!(!out.join("summary.json").exists(), "{body}");
+    }
+    Ok(())
+}
+
+#[test]
 fn a_damaged_manifest_or_one_that_leads_out_of_the_folder_is_refused() -> Outcome {
     let home = tempfile::tempdir()?;
     let out = home.path().join("out");

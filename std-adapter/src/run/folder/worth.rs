@@ -2,13 +2,13 @@
 
 use super::FolderError;
 use super::{Contents, Manifest};
+use crate::record::frames::Kind;
 use std::path::Path;
 
 /// Commands whose folders hold many results.
 const COLLECTIONS: [&str; 2] = ["sweep", "reproduce"];
-/// The command of one run, and bodies whose runs take long.
+/// The command of one run.
 const RUN: &str = "run";
-const LONG: [&str; 2] = ["powder", "tip"];
 
 /// What happens to an interrupted run when another one begins in its folder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +38,8 @@ pub fn refuse_loss(path: &Path, old: &Manifest, new: &Contents<'_>) -> Result<()
     if COLLECTIONS.contains(&old.command.as_str()) {
         return if is_other { Err(held()) } else { Ok(()) };
     }
-    let is_long = LONG.contains(&old.about["body"].as_str().unwrap_or_default());
+    // Bodies with frames take long.
+    let is_long = old.about["body"].as_str().and_then(Kind::named).is_some();
     if old.command != RUN || !is_long {
         return Ok(());
     }
