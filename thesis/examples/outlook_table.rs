@@ -36,12 +36,17 @@ const SUMMARY: [&str; 10] = [
 ];
 
 const HEAD: &str = "\
-# Final states of compactions, for section 5.2. For each seed S from 1 on two sweeps:
-#   tribos sweep scenes/compaction-small.toml --set blocked=piston --set seed=S --set rolling=0,1 --set torsion=0
-#     --set pressure=0.000625,0.0025,0.01,0.04,0.16,0.64 --set radius_spread=0,0.2,0.4,0.6 --out out/aS
-#   tribos sweep scenes/compaction-small.toml --set blocked=piston --set seed=S --set rolling=0,1 --set torsion=1
-#     --set coupling=independent,ellipsoid,exact --set pressure=0.000625,0.0025,0.01,0.04,0.16,0.64
-#     --set radius_spread=0,0.2,0.4,0.6 --out out/bS
+# Final states of compactions, for section 5.2. The first deposit at all pressures and widths:
+#   SWEEP=\"tribos sweep scenes/compaction-small.toml --set blocked=piston\"
+#   $SWEEP --set seed=1 --set rolling=0,1 --set torsion=0
+#     --set pressure=0.000625,0.0025,0.01,0.04,0.16,0.64 --set radius_spread=0,0.2,0.4,0.6 --out out/a1
+#   $SWEEP --set seed=1 --set rolling=0,1 --set torsion=1 --set coupling=independent,ellipsoid,exact
+#     --set pressure=0.000625,0.0025,0.01,0.04,0.16,0.64 --set radius_spread=0,0.2,0.4,0.6 --out out/b1
+# and for each seed S from 2 to 5 (the second also as the first without torsion):
+#   $SWEEP --set seed=S --set rolling=0,1 --set torsion=0
+#     --set pressure=0.0025,0.04,0.64 --set radius_spread=0,0.4 --out out/aS
+#   $SWEEP --set seed=S --set rolling=0,1 --set torsion=1 --set coupling=independent,exact
+#     --set pressure=0.0025,0.04,0.64 --set radius_spread=0,0.4 --out out/bS
 # and then
 #   cargo run -p tribos-thesis --example outlook_table -- thesis/src/exhibits/outlook/runs.csv out/a* out/b*
 ";

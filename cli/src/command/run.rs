@@ -28,7 +28,7 @@ use tribos::scene::bodies as names;
 /// Simulate the scene and write summary.json, series.csv and a plot: motion.svg and motion.png of
 /// a disk, spring, incline, turntable or clamp, path.svg and path.png of a body in the plane.
 ///
-/// Of a powder: series.svg and .png, packing.svg and .png (spheres before and after, the forces),
+/// Of a powder or grains: series.svg and .png, packing.svg and .png (spheres before and after, the forces),
 /// and both states as initial and final .xyz (OVITO, ASE), .vtp and -contacts.vtp (ParaView).
 ///
 /// Of a tip: angles.svg and .png (angles of the layers over time), tip.svg and .png (the atoms),
@@ -37,7 +37,7 @@ use tribos::scene::bodies as names;
 /// Of a gas: series.svg and .png (temperatures beside theory, clusters), spheres.svg and .png, and the last
 /// state as final.xyz and final.vtp.
 ///
-/// Of all three: frames, the states of a film, which `tribos view DIR` shows in a browser.
+/// Of all these: frames, the states of a film, which `tribos view DIR` shows in a browser.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = examples())]
 pub struct Arguments {
@@ -45,7 +45,7 @@ pub struct Arguments {
     scene: PathBuf,
     /// Folder for the results, created if missing. Results of an earlier command in it are removed
     /// first; files that tribos did not write are never replaced. A folder with an interrupted run of
-    /// a powder, a gas or a tip is refused: continue it with --resume or discard it with --anew.
+    /// a powder, grains, a gas or a tip is refused: continue it with --resume or discard it with --anew.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Replace or add a key of the scene; may be repeated.

@@ -11,12 +11,13 @@ use std::process::{Command, Stdio};
 /// As printed for a reader who has the repository, and for one who has the command.
 const CALLS: [&str; 2] = ["cargo run --release -- ", "tribos "];
 /// Keys that cut a powder, and a tip, to a few steps.
-const SHORT: [(&str, &str); 8] = [
+const SHORT: [(&str, &str); 9] = [
     ("compaction-", " --set steps=2"),
     ("shear-cell", " --set steps=2"),
     ("column", " --set steps=2"),
     ("heap", " --set steps=2"),
     ("hopper", " --set steps=2"),
+    ("drum", " --set steps=2"),
     ("cyclic", " --set steps=2"),
     ("shaken", " --set steps=2"),
     (

@@ -19,7 +19,7 @@ pub fn packing(before: &Grains, after: &Grains) -> Result<Sheet, PackingError> {
     let packings = [ends[0].open(periods)?, ends[1].open(periods)?];
     let picture = |name: &str, index: usize| {
         let picture = PackingPicture::spheres(name, &packings[index]).headroom(top);
-        picture.color_by(Axis::linear("initial height"), &heights)
+        picture.color_by(Axis::linear("initial height [m]"), &heights)
     };
     let full = ends[1].largest_force();
     let forces = PackingPicture::forces("Final forces", &packings[1], ends[1].contacts())?
@@ -40,7 +40,7 @@ pub fn series(grains: &Grains) -> Panels {
         rows.iter().map(|row| (row[0], row[column])).collect()
     };
     let panel = |axis: &str, names: &[(&str, &str)]| {
-        let figure = Figure::new("", Axis::linear("time"), Axis::linear(axis));
+        let figure = Figure::new("", Axis::linear("time [s]"), Axis::linear(axis));
         names.iter().fold(figure, |figure, (label, name)| {
             figure.series(Series::line(*label, curve(name)))
         })
@@ -48,7 +48,7 @@ pub fn series(grains: &Grains) -> Panels {
     Panels::new("", 2)
         .figure(panel("solid fraction", &[("", "solid_fraction")]))
         .figure(panel(
-            "force",
+            "force [N]",
             &[
                 ("floor", "floor_force"),
                 ("plate", "plate_force"),
@@ -56,7 +56,7 @@ pub fn series(grains: &Grains) -> Panels {
             ],
         ))
         .figure(panel(
-            "stress",
+            "stress [Pa]",
             &[
                 ("xx", "stress_xx"),
                 ("zz", "stress_zz"),
@@ -64,7 +64,7 @@ pub fn series(grains: &Grains) -> Panels {
             ],
         ))
         .figure(panel(
-            "energy",
+            "energy [J]",
             &[
                 ("work", "work"),
                 ("kinetic", "kinetic"),

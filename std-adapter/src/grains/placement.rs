@@ -57,17 +57,29 @@ pub enum PlacementError {
     /// There are more grains than places.
     #[error(
         "`count` is {given}, and the box has room for {room} grains at the start; \
-         make the box higher, `count` or `spacing` less"
+         {}, or `count` or `spacing` less",
+        larger(*.is_drum)
     )]
     Full {
         /// Number of grains.
         given: usize,
         /// Number of places.
         room: usize,
+        /// Whether the box is a drum, whose height is its width.
+        is_drum: bool,
     },
     /// The caller stopped the placement.
     #[error("the placement was stopped")]
     Stopped,
+}
+
+/// What has to be larger for more grains.
+fn larger(is_drum: bool) -> &'static str {
+    if is_drum {
+        "make the `width` of the drum more"
+    } else {
+        "make the box wider or higher"
+    }
 }
 
 /// Radii and places of a scene's grains; `watch` receives the number placed so far and can stop.
@@ -107,7 +119,11 @@ pub(super) fn start(
         index += 1;
         if scene.container == Container::Drum && place.z > scene.width + radius {
             let (given, room) = (scene.count, positions.len());
-            return Err(PlacementError::Full { given, room });
+            return Err(PlacementError::Full {
+                given,
+                room,
+                is_drum: true,
+            });
         }
     }
     Ok(Start {
@@ -189,6 +205,7 @@ impl Lattice {
             return Err(PlacementError::Full {
                 given: scene.count,
                 room: room as usize,
+                is_drum: false,
             });
         }
         Ok(Self {

@@ -231,7 +231,8 @@ impl Grains {
             mass: spheres.map(|grain| 1.0 / grain.inv_mass).sum(),
             floor_force: now.push(Axis::Z, End::Low),
             last: self.record(),
-            statistics: Statistics::of(self.contacts(), radii, &limits),
+            statistics: Statistics::of(self.contacts(), radii, &limits)
+                .of_materials(self.scene().share_second),
             iterations: totals.iterations,
             unmet: totals.unmet,
             energy: *now.packing.energy(),

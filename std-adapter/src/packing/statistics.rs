@@ -45,7 +45,8 @@ pub struct Statistics {
     /// Mean and largest pull of the contacts that pull.
     pub tension: [f64; 2],
     /// Fractions of the contacts between spheres that are at the threshold of sliding, rolling and
-    /// torsion; `None` for modes without friction. See [`Limits`].
+    /// torsion; `None` for modes without friction, and in a packing of two materials, which has more
+    /// thresholds than one. See [`Limits`].
     pub at_threshold: [Option<f64>; 3],
     /// Deepest overlap, a length; 0 if there is none.
     pub max_overlap: f64,
@@ -96,6 +97,14 @@ impl Statistics {
         found.at_threshold =
             [0, 1, 2].map(|mode: usize| resists[mode].then(|| mean(at[mode] as f64, carrying)));
         found
+    }
+
+    /// Without a share of contacts at their thresholds if a second material has thresholds of its own.
+    pub(crate) fn of_materials(mut self, share_second: f64) -> Self {
+        if share_second > 0.0 {
+            self.at_threshold = [None; 3];
+        }
+        self
     }
 
     /// Mean number of contacts of a sphere, including walls.

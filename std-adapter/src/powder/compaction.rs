@@ -368,7 +368,8 @@ impl Compaction {
             means: body.means(watch, seen),
             pressure: scene.pressure,
             area,
-            statistics: Statistics::of(&seen.contacts, radii, &Limits::of(&scene.material())),
+            statistics: Statistics::of(&seen.contacts, radii, &Limits::of(&scene.material()))
+                .of_materials(scene.share_second),
             residual: seen.report.residual.relative,
             iterations: totals.iterations,
             unmet: totals.unmet,

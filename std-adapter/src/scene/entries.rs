@@ -39,7 +39,7 @@ impl Written {
 }
 
 /// All keys of a scene.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Entries {
     pub values: BTreeMap<String, (Written, Origin)>,
 }

@@ -10,6 +10,7 @@ use super::words::{Word, words};
 use crate::grains::Ramp;
 use crate::packing::{Radii, Sizes, SizesError};
 use crate::soft::Stiffness;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use tribos_core::contact::Attraction;
 
@@ -215,6 +216,9 @@ scene! {
     samples: u64 = 50, "-", Count { up_to: 1e9 };
 }
 
+/// Masses of a mean grain whose inertia and energies are numbers too.
+const MASSES: RangeInclusive<f64> = 1e-90..=1e90;
+
 /// Keys of the controls of the three axes: stress and speed.
 const CONTROLS: [[&str; 2]; 3] = [
     ["pressure_x", "velocity_x"],
@@ -256,6 +260,18 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
         let message = "a shear needs x = \"periodic\"; leave `shear_rate` out or `x`";
         judge.refuse(&["shear_rate", "x"], message);
     }
+    let mass = scene.density
+        * std::f64::consts::TAU
+        * (scene.radius * scene.radius * scene.radius)
+        * (2.0 / 3.0);
+    if !MASSES.contains(&mass) {
+        let message = format!(
+            "`density` and `radius` make grains of {mass:e} kg, and masses must lie between {:e} and {:e}",
+            MASSES.start(),
+            MASSES.end()
+        );
+        judge.refuse(&["density", "radius"], message);
+    }
     gravity_rule(scene, judge);
     if scene.method == ContactMethod::Soft {
         soft_rules(
@@ -273,6 +289,13 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
     {
         let message = "a hopper or a drum has z = \"floor\" and is not shaken";
         judge.refuse(&["container", "z", "shake_amplitude"], message);
+    }
+    if scene.container == Container::Hopper && scene.outlet >= scene.width {
+        let message = format!(
+            "`outlet` must be less than the `width` of the box, {}, not {}",
+            scene.width, scene.outlet
+        );
+        judge.refuse(&["outlet", "width"], message);
     }
     if scene.container == Container::Drum && scene.x == Sides::Walls {
         judge.refuse(

@@ -72,7 +72,8 @@ pub enum Domain {
     Ramp,
 }
 
-/// When a file must or may give a key. Pairs are another key and one of its words.
+/// When a file must or may give a key. Pairs are another key and one of its words; where an override changes
+/// that key, what the file gives for the old word is left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Need {
     /// Every file gives it.

@@ -124,6 +124,10 @@ pub const LIBRARY: &[LibraryScene] = &[
         text: include_str!("../../scenes/hopper.toml"),
     },
     LibraryScene {
+        name: "drum",
+        text: include_str!("../../scenes/drum.toml"),
+    },
+    LibraryScene {
         name: "cyclic",
         text: include_str!("../../scenes/cyclic.toml"),
     },

@@ -149,6 +149,7 @@ impl<'a> Judge<'a> {
 
 /// The scene of a file's entries, or everything that is wrong with them.
 pub(super) fn read<T: Table>(entries: &Entries, problems: Vec<Problem>) -> Result<T, Vec<Problem>> {
+    let entries = &in_place::<T>(entries);
     let mut judge = Judge {
         file: Some(entries),
         problems,
@@ -178,6 +179,39 @@ pub(super) fn read<T: Table>(entries: &Entries, problems: Vec<Problem>) -> Resul
     } else {
         Err(problems)
     }
+}
+
+/// The entries without the keys of a file that an override of the key they depend on has put out of use.
+fn in_place<T: Table>(entries: &Entries) -> Entries {
+    let mut kept = entries.clone();
+    let defaults = T::default();
+    // A key that falls takes those with it that depend on it.
+    let mut moved: Vec<&str> = Vec::new();
+    for _ in T::rows() {
+        let is_out_of_use = |(key, _): &(&Key, _)| {
+            let (other, word, wanted) = match key.need {
+                Need::PartOf(other, word) | Need::OnlyWith(other, word) => (other, word, true),
+                Need::NotWith(other, word) => (other, word, false),
+                _ => return false,
+            };
+            let is_moved = match kept.values.get(other) {
+                Some((_, origin)) => *origin == Origin::Override,
+                None => moved.contains(&other),
+            };
+            let says = match kept.values.get(other) {
+                Some((value, _)) => *value == Written::Text(word.into()),
+                None => defaults.says(other, word),
+            };
+            let is_line = matches!(kept.values.get(key.name), Some((_, Origin::Line(_))));
+            is_line && is_moved && says != wanted
+        };
+        let Some((key, _)) = T::rows().find(is_out_of_use) else {
+            break;
+        };
+        kept.values.remove(key.name);
+        moved.push(key.name);
+    }
+    kept
 }
 
 /// Everything that is wrong with the fields of a scene.

@@ -106,6 +106,33 @@ fn every_key_sets_its_field() {
 }
 
 #[test]
+fn an_override_puts_keys_of_the_old_word_out_of_use() {
+    let read = |text: &str, set: &[&str]| {
+        let set: Vec<String> = set.iter().map(|item| (*item).to_owned()).collect();
+        parse_scene("one.toml", text, &set).map(|scene| scene.json())
+    };
+    let grains =
+        "body = \"grains\"\nwidth = 0.1\ncount = 9\nradius = 0.005\ndensity = 2500\nduration = 1\n";
+    let rigid = format!("{grains}sweeps = 300\ntolerance = 1e-3\n");
+    let soft = read(&rigid, &["method=soft"]).unwrap();
+    assert_eq!(soft, read(grains, &["method=soft"]).unwrap());
+    assert!(soft.get("sweeps").is_none());
+    // What is given beside the override, or by the file alone, still contradicts.
+    assert!(read(&rigid, &["method=soft", "sweeps=20"]).is_err());
+    assert!(read(&format!("{rigid}method = \"soft\"\n"), &[]).is_err());
+    let hopper = format!("{grains}container = \"hopper\"\noutlet = 0.02\n");
+    assert_eq!(
+        read(&hopper, &["container=box"]).unwrap(),
+        read(grains, &[]).unwrap()
+    );
+    // A key falls with the key that it depends on: without a stop there is no tolerance of one.
+    let powder =
+        "body = \"powder\"\nwidth = 20\ncount = 10\nsolver = \"gauss-seidel\"\nstop = \"fixed\"\n";
+    assert!(read(powder, &["tolerance=1e-3"]).is_err());
+    assert!(read(powder, &["tolerance=1e-3", "stop=local"]).is_ok());
+}
+
+#[test]
 fn fields_out_of_their_domain_are_refused_by_name_value_and_cure_all_at_once() {
     let scene = PowderScene {
         pressure: -1.0,

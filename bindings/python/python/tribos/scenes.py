@@ -1042,10 +1042,16 @@ class GasScene(Scene):
     sample
         Collisions a sphere from one line of the series to the next. *Value*: a finite number > 0.
     method
-        How the motion is computed. *Value*: one of "events", "contact-dynamics".
+        How the motion is computed. *Value*: one of "events", "contact-dynamics", "soft".
     motion
         Largest distance that a sphere may move in a time step. *Unit*: R. *Value*: a number > 0 and
         <= 1.
+    stiffness
+        Stiffness of soft contacts: a head-on collision at a relative speed of 1 overlaps by
+        1/sqrt(2 stiffness). *Unit*: T0/R^2. *Value*: a finite number > 0.
+    normal_law
+        Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus
+        `stiffness`/R. *Value*: one of "linear", "hertz".
     """
 
     BODY: ClassVar[str] = "gas"
@@ -1062,8 +1068,10 @@ class GasScene(Scene):
     collisions: float = 30.0
     duration: float | None = None
     sample: float = 0.5
-    method: Literal["events", "contact-dynamics"] = "events"
+    method: Literal["events", "contact-dynamics", "soft"] = "events"
     motion: float | None = None
+    stiffness: float | None = None
+    normal_law: Literal["linear", "hertz"] | None = None
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -103,7 +103,7 @@ fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
         shown(outcome.theory),
         shown(outcome.haff),
     );
-    if outcome.temperature_rotational > 0.0 {
+    if outcome.theory_rotational > 0.0 {
         text += &format!(
             "rotation      {} T0, mean field {}\n",
             shown(outcome.temperature_rotational),

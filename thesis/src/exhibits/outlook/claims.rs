@@ -165,15 +165,9 @@ fn mean_of(estimates: &[Estimate]) -> f64 {
 
 /// Spheres of different size.
 fn of_sizes(map: &Map) -> Vec<Claim> {
+    // Each pressure counts alike, however many deposits it has.
     let by_width = |of: &dyn Fn((f64, f64)) -> Estimate| {
-        SPREADS.map(|spread| {
-            let all = PRESSURES
-                .iter()
-                .flat_map(|&pressure| of((spread, pressure)).values);
-            Estimate {
-                values: all.collect(),
-            }
-        })
+        SPREADS.map(|spread| mean_of(&PRESSURES.map(|pressure| of((spread, pressure)))))
     };
     let excess = by_width(&|cell| map.excess(cell, Coupling::Independent));
     let torques = [
@@ -182,14 +176,12 @@ fn of_sizes(map: &Map) -> Vec<Claim> {
     ];
     let added = by_width(&|cell| map.sums(cell, &torques, |line| line.porosity));
     let base = by_width(&|cell| map.porosity(cell, [0.0; 2], Coupling::Independent));
-    let list = |estimates: &[Estimate]| {
-        let each = estimates
-            .iter()
-            .map(|estimate| format!("{:+.1}", 100.0 * estimate.mean()));
+    let list = |means: &[f64]| {
+        let each = means.iter().map(|mean| format!("{:+.1}", 100.0 * mean));
         each.collect::<Vec<_>>().join(", ")
     };
-    let range = |estimates: &[Estimate]| {
-        let means = estimates.iter().map(Estimate::mean);
+    let range = |means: &[f64]| {
+        let means = means.iter().copied();
         means.clone().fold(f64::MIN, f64::max) - means.fold(f64::MAX, f64::min)
     };
     vec![

@@ -51,11 +51,11 @@ pub fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
     };
     let column = |name: &str| shown(outcome.column(name).unwrap_or(f64::NAN));
     let mut text = format!(
-        "ending        {ending}: time {}, {} steps, {} sweeps, {:.1} s\n\
+        "ending        {ending}: time {} s, {} steps, {} sweeps; it took {:.1} s\n\
          grains        {}, {} kg, {} contacts, {:.2} a grain\n\
-         height        {}, solid fraction {}\n\
-         forces        floor {}, plate {}, side x {}\n\
-         stresses      zz {}, shear at the plate {}\n",
+         height        {} m, solid fraction {}\n\
+         forces        floor {} N, plate {} N, side x {} N\n\
+         stresses      zz {} Pa, shear at the plate {} Pa\n",
         shown(outcome.time),
         outcome.steps,
         outcome.iterations,
@@ -78,7 +78,7 @@ pub fn report(outcome: &Outcome, order: &Order<'_>) -> Result<(), Failure> {
             outcome.unmet
         );
     }
-    text += &format!("work          {}, of which\n", shown(outcome.energy.work));
+    text += &format!("work          {} J, of which\n", shown(outcome.energy.work));
     for (name, energy) in outcome.dissipation() {
         text += &format!("  {name:<11} {}\n", shown(energy));
     }
