@@ -70,12 +70,19 @@ pub struct EnergyBalance {
 }
 
 impl EnergyBalance {
-    /// Residual of the balance: rounding errors of rigid contacts, and of the first order of the step for soft
-    /// ones.
+    /// Residual of the balance: rounding errors of rigid contacts, errors of the step of soft ones.
     pub fn imbalance(&self) -> f64 {
         let spent = self.normal + self.sliding + self.rolling + self.torsion + self.cohesion;
         let kept = self.kinetic - self.kinetic_initial.unwrap_or(0.0);
         self.work - spent - self.stilled - kept - self.elastic
+    }
+
+    /// Takes the energy of moving spheres before the first entry.
+    pub(crate) fn before_first<'a>(&mut self, spheres: impl Iterator<Item = &'a Sphere<f64>>) {
+        if self.kinetic_initial.is_none() {
+            let each = spheres.map(|sphere| kinetic_energy(sphere, &sphere.velocity, &sphere.spin));
+            self.kinetic = each.sum();
+        }
     }
 
     /// Adds one step; spheres and walls are those at its start.

@@ -337,10 +337,10 @@ fn soft_spheres_keep_their_momentum_and_lose_what_springs_do_not_hold() -> Teste
         };
         let end = finished(&scene)?.outcome();
         let [before, after] = end.energy;
-        // The integrator makes an error of first order: a third of it remains in steps of a quarter.
+        // Contacts that are open hold the rest: a collision lasts 1 % of the time between two.
         assert!(end.momentum < 1e-9, "{end:?}");
         assert!(
-            (before - after - end.lost).abs() < 0.06 * end.lost,
+            (before - after - end.lost).abs() < 0.03 * end.lost,
             "{end:?}"
         );
         // Friction, and only friction, turns spheres.

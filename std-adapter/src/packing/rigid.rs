@@ -184,6 +184,7 @@ fn thaw<M: ContactModes<f64>>(frozen: &Frozen, state: &mut State<M>) {
     }
     state.shear_offset = frozen.shear_offset;
     state.energy = frozen.energy;
+    state.energy.before_first(state.spheres.iter());
     state.sleep = Sleep::restored(frozen.awake.clone(), frozen.still.clone());
     state.memory = memory(&frozen.forces);
     state.impacts = memory(&frozen.impacts);

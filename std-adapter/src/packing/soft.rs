@@ -63,6 +63,7 @@ fn thaw<F: ContactFriction<f64>>(frozen: &Frozen, world: &mut World<F>) -> Resul
         (wall.place, wall.plate.velocity) = (*place, *velocity);
     }
     state.energy = frozen.energy;
+    state.energy.before_first(state.spheres.iter());
     state.origin = frozen.origin;
     world.restore(&[0, 1].map(|kind: usize| {
         let stored = frozen.forces[kind].iter().zip(&frozen.impacts[kind]);

@@ -114,9 +114,9 @@ scene! {
     /// Mean radius of the grains.
     radius: f64 = 0.005, "m", Positive, Required;
     /// Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread.
-    radius_spread: f64 = 0.0, "-", NotNegative;
+    radius_spread: f64 = 0.0, "-", NotNegative, Without("start");
     /// Distribution of the radii about their mean, in place of `radius_spread`.
-    sizes: Option<Sizes> = None, "-", Sizes;
+    sizes: Option<Sizes> = None, "-", Sizes, Without("start");
     /// Density of the grains.
     density: f64 = 2500.0, "kg/m^3", Positive, Required;
     /// Seed of the random start.
@@ -248,8 +248,7 @@ fn rules(scene: &GrainsScene, judge: &mut Judge<'_>) {
         judge.refuse(&["sizes"], error.to_string());
     }
     if scene.start.is_some() && (scene.sizes.is_some() || scene.radius_spread > 0.0) {
-        let message = "`start` has its own radii: leave out `sizes`, and leave out `radius_spread` \
-                       or set it to 0";
+        let message = "`start` has its own radii; leave out `sizes` and `radius_spread`";
         judge.refuse(&["start"], message);
     }
     if scene.z == Ends::Periodic && scene.height.is_none() {

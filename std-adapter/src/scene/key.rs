@@ -92,6 +92,8 @@ pub enum Need {
     OnlyWith(&'static str, &'static str),
     /// A file may give it only where the other key does not have this word.
     NotWith(&'static str, &'static str),
+    /// A file may give it only without the other key; an override of that replaces this.
+    Without(&'static str),
 }
 
 impl Domain {

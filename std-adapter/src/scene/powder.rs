@@ -122,9 +122,9 @@ scene! {
     // Thesis, section 4.5.
     capture_radius: f64 = 3.0, "R", Positive;
     /// Spread of the radii, which are uniform from 1 - spread to 1 + spread.
-    radius_spread: f64 = 0.0, "R", NotNegative;
+    radius_spread: f64 = 0.0, "R", NotNegative, Without("start");
     /// Distribution of the radii about their mean, in place of `radius_spread`.
-    sizes: Option<Sizes> = None, "-", Sizes;
+    sizes: Option<Sizes> = None, "-", Sizes, Without("start");
     /// Seed of the deposit's random numbers.
     seed: u64 = 1, "-", Count { up_to: MOST_SEEDS };
     /// Sliding coefficient mu: largest sliding force over P = F_n + F_coh.

@@ -107,6 +107,12 @@ impl<'a> Judge<'a> {
                         self.refuse(&[name, other], message);
                     }
                 }
+                Need::Without(other) => {
+                    if is_given && self.is_given(other) {
+                        let message = format!("`{name}` is not used with `{other}`; leave it out");
+                        self.refuse(&[name, other], message);
+                    }
+                }
                 Need::NotWith(other, word) => {
                     if is_given && scene.says(other, word) {
                         let message =
@@ -189,9 +195,14 @@ fn in_place<T: Table>(entries: &Entries) -> Entries {
     let mut moved: Vec<&str> = Vec::new();
     for _ in T::rows() {
         let is_out_of_use = |(key, _): &(&Key, _)| {
+            let is_line = matches!(kept.values.get(key.name), Some((_, Origin::Line(_))));
             let (other, word, wanted) = match key.need {
                 Need::PartOf(other, word) | Need::OnlyWith(other, word) => (other, word, true),
                 Need::NotWith(other, word) => (other, word, false),
+                Need::Without(other) => {
+                    let place = kept.values.get(other).map(|(_, origin)| *origin);
+                    return is_line && place == Some(Origin::Override);
+                }
                 _ => return false,
             };
             let is_moved = match kept.values.get(other) {
@@ -202,7 +213,6 @@ fn in_place<T: Table>(entries: &Entries) -> Entries {
                 Some((value, _)) => *value == Written::Text(word.into()),
                 None => defaults.says(other, word),
             };
-            let is_line = matches!(kept.values.get(key.name), Some((_, Origin::Line(_))));
             is_line && is_moved && says != wanted
         };
         let Some((key, _)) = T::rows().find(is_out_of_use) else {

@@ -146,6 +146,9 @@ fn conditions(keys: &[Key], defaults: &Map<String, Value>) -> Vec<Value> {
             Need::NotWith(other, word) => Some(json!({
                 "if": says(other, word), "then": {"properties": {name: false}}
             })),
+            Need::Without(other) => Some(json!({
+                "if": {"required": [other]}, "then": {"properties": {name: false}}
+            })),
         }
     };
     keys.iter().filter_map(condition).collect()

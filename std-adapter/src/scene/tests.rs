@@ -125,6 +125,10 @@ fn an_override_puts_keys_of_the_old_word_out_of_use() {
         read(&hopper, &["container=box"]).unwrap(),
         read(grains, &[]).unwrap()
     );
+    let uneven = format!("{grains}radius_spread = 0.2\n");
+    let starts = read(&uneven, &["start=out/a"]).unwrap();
+    assert!(starts["radius_spread"].is_null());
+    assert!(read(&uneven, &["start=out/a", "radius_spread=0.1"]).is_err());
     // A key falls with the key that it depends on: without a stop there is no tolerance of one.
     let powder =
         "body = \"powder\"\nwidth = 20\ncount = 10\nsolver = \"gauss-seidel\"\nstop = \"fixed\"\n";
