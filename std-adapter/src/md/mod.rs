@@ -22,6 +22,7 @@ pub mod group;
 pub mod interaction;
 #[doc(hidden)]
 pub mod lammps;
+mod lanes;
 pub mod neighbours;
 #[doc(hidden)]
 pub mod observe;

@@ -13,6 +13,9 @@ mod tabulated;
 #[doc(hidden)]
 pub mod file;
 
+use super::lanes::Lanes;
+use super::neighbours::{LANES, Site};
+
 pub use metals::{SUTTON_CHEN, SuttonChenMetal};
 pub use sutton_chen::{SuttonChen, SuttonChenError, SuttonChenParameters};
 pub use tabulated::Tabulated;
@@ -24,16 +27,23 @@ type Jet = [f64; 2];
 /// energy.
 type PairJets = ([Jet; 2], Jet);
 
+/// The same of four pairs.
+type LanesOfJets = ([[Lanes; 2]; 2], [Lanes; 2]);
+
 /// The three functions of embedded atoms. All distances are below the cut-off.
 trait Functions: Sync {
     /// Square of the cut-off.
     fn cutoff_sq(&self) -> f64;
 
-    /// Density at the first of two atoms due to the second, and vice versa.
-    fn densities(&self, species: [u8; 2], r: f64) -> [f64; 2];
+    /// Whether both atoms of any pair contribute the same density to each other.
+    const ALIKE: bool;
 
     /// Densities and φ with their slopes.
     fn pair(&self, species: [u8; 2], r: f64) -> PairJets;
+
+    /// The same of an atom with a block of others, at these distances and their reciprocals.
+    fn pairs(&self, own: &Site, block: &[u32; LANES], sites: &[Site], r: [Lanes; 2])
+    -> LanesOfJets;
 
     /// F(ρ).
     fn embedding(&self, species: u8, density: f64) -> Jet;

@@ -1,12 +1,14 @@
-//! Forces of embedded atoms in three passes: densities, embedding energies, forces.
+//! Forces of embedded atoms in three passes: densities, embedding energies, forces. The first keeps the slopes
+//! of a pair, so that the last needs neither roots nor powers.
 
 use super::Functions;
 use crate::md::interaction::{Tally, Wanted};
-use crate::md::neighbours::{Chunk, Site, VerletList};
+use crate::md::lanes::{Lanes, across, take, ways};
+use crate::md::neighbours::{Chunk, VerletList};
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
 
-/// Forces on all atoms. Sums run chunk by chunk, independent of the number of threads.
+/// Forces on all atoms. Sums run chunk by chunk and lane by lane, independent of the number of threads.
 pub(super) fn forces<F: Functions>(
     law: &F,
     list: &mut VerletList,
@@ -14,14 +16,14 @@ pub(super) fn forces<F: Functions>(
     wanted: Wanted,
 ) -> Tally {
     let chunks = list.chunks_mut();
-    let parts: Vec<Vec<f64>> = chunks
+    let energies: Vec<f64> = chunks
         .par_iter_mut()
         .map(|chunk| densities(law, chunk))
         .collect();
-    let jets = embed(law, chunks, &parts, forces.len());
+    let jets = embed(law, chunks, forces.len());
     let tallies: Vec<Tally> = chunks
         .par_iter_mut()
-        .map(|chunk| over_pairs(law, chunk, &jets))
+        .map(|chunk| over_pairs::<F>(chunk, &jets, wanted))
         .collect();
     for chunk in &*chunks {
         for (slot, site) in chunk.window().iter().zip(chunk.sites()) {
@@ -33,54 +35,59 @@ pub(super) fn forces<F: Functions>(
             energy: f64::NAN,
             virial: Matrix3::repeat(f64::NAN),
         },
-        Wanted::Sums => {
-            let embedded = Tally {
-                energy: jets.iter().map(|[energy, _]| energy).sum(),
-                virial: Matrix3::zeros(),
-            };
-            tallies.into_iter().fold(embedded, |sum, part| Tally {
-                energy: sum.energy + part.energy,
-                virial: sum.virial + part.virial,
-            })
-        }
+        Wanted::Sums => Tally {
+            energy: jets.iter().map(|[energy, _]| energy).sum::<f64>()
+                + energies.iter().sum::<f64>(),
+            virial: tallies.iter().map(|part| part.virial).sum(),
+        },
     }
 }
 
-/// Densities that a chunk's pairs contribute to its sites.
-fn densities<F: Functions>(law: &F, chunk: &mut Chunk) -> Vec<f64> {
-    let (sites, rows) = chunk.sites_and_rows();
-    let mut densities = vec![0.0; sites.len()];
+/// Sums the densities of a chunk's pairs at its sites, keeps the slopes of the blocks over the distance, and
+/// returns the energy of the pairs.
+fn densities<F: Functions>(law: &F, chunk: &mut Chunk) -> f64 {
+    let cutoff_sq = Lanes::splat(law.cutoff_sq());
+    let cutoff = cutoff_sq.sqrt();
+    let mut energy = Lanes::ZERO;
+    let (sites, rows, kept) = chunk.sites_rows_and_kept();
+    kept.clear();
     for (here, blocks) in rows {
         let own = sites[here];
-        let mut sum = 0.0;
-        for &other in blocks.as_flattened() {
-            let there = &sites[other as usize];
-            let r_sq = way(&own, there).norm_squared();
-            if r_sq < law.cutoff_sq() {
-                let [at_own, at_other] = law.densities([own.species, there.species], r_sq.sqrt());
-                sum += at_own;
-                densities[other as usize] += at_other;
+        let mut sum = Lanes::ZERO;
+        for block in blocks {
+            let [x, y, z] = ways(&own, block, sites);
+            let r_sq = x * x + y * y + z * z;
+            let near = r_sq.simd_lt(cutoff_sq);
+            // Pairs beyond the cut-off are computed there, where every function is finite, and left out.
+            let r = near.select(r_sq.sqrt(), cutoff);
+            let within = |values: Lanes| near.select(values, Lanes::ZERO);
+            let inv = Lanes::ONE / r;
+            let ([at_own, at_other], pair) = law.pairs(&own, block, sites, [r, inv]);
+            sum += within(at_own[0]);
+            let there = within(at_other[0]).to_array();
+            for (&other, density) in block.iter().zip(there) {
+                sites[other as usize].density += density;
             }
+            energy += within(pair[0]);
+            kept.push(within(at_own[1] * inv));
+            if !F::ALIKE {
+                kept.push(within(at_other[1] * inv));
+            }
+            kept.push(within(pair[1] * inv));
         }
-        densities[here] += sum;
+        sites[here].density += across(sum);
     }
-    densities
+    across(energy)
 }
 
 /// F and F' of every atom at the sum of its densities.
-fn embed<F: Functions>(
-    law: &F,
-    chunks: &[Chunk],
-    parts: &[Vec<f64>],
-    atoms: usize,
-) -> Vec<[f64; 2]> {
+fn embed<F: Functions>(law: &F, chunks: &[Chunk], atoms: usize) -> Vec<[f64; 2]> {
     let mut sums = vec![(0_u8, 0.0); atoms];
-    for (chunk, densities) in chunks.iter().zip(parts) {
-        let places = chunk.window().iter().zip(chunk.sites());
-        for ((slot, site), density) in places.zip(densities) {
+    for chunk in chunks {
+        for (slot, site) in chunk.window().iter().zip(chunk.sites()) {
             let (species, sum) = &mut sums[slot.atom as usize];
             *species = site.species;
-            *sum += density;
+            *sum += site.density;
         }
     }
     sums.par_iter()
@@ -88,42 +95,47 @@ fn embed<F: Functions>(
         .collect()
 }
 
-/// The forces of a chunk's pairs on its sites.
-fn over_pairs<F: Functions>(law: &F, chunk: &mut Chunk, jets: &[[f64; 2]]) -> Tally {
-    let of = |atom: u32| jets[atom as usize][1];
-    let slopes: Vec<f64> = chunk.window().iter().map(|slot| of(slot.atom)).collect();
-    let mut tally = Tally::default();
-    let (sites, rows) = chunk.sites_and_rows();
+/// The forces of a chunk's pairs on its sites, and their virial.
+fn over_pairs<F: Functions>(chunk: &mut Chunk, jets: &[[f64; 2]], wanted: Wanted) -> Tally {
+    for (slot, site) in chunk.places_mut() {
+        site.density = jets[slot.atom as usize][1];
+    }
+    let mut virial = [[Lanes::ZERO; 3]; 3];
+    let (sites, rows, kept) = chunk.sites_rows_and_kept();
+    let mut kept = kept.chunks_exact(if F::ALIKE { 2 } else { 3 });
     for (here, blocks) in rows {
         let own = sites[here];
-        let mut sum = Vector3::zeros();
-        for &other in blocks.as_flattened() {
-            let other = other as usize;
-            let way = way(&own, &sites[other]);
-            let r_sq = way.norm_squared();
-            if r_sq < law.cutoff_sq() {
-                let r = r_sq.sqrt();
-                let ([at_own, at_other], energy) = law.pair([own.species, sites[other].species], r);
-                // −dE/dr of this pair, over r.
-                let slope = slopes[here] * at_own[1] + slopes[other] * at_other[1] + energy[1];
-                let force = way * (-slope / r);
-                sum += force;
-                for axis in 0..3 {
-                    sites[other].force[axis] -= force[axis];
+        let slope_here = Lanes::splat(own.density);
+        let mut force = [Lanes::ZERO; 3];
+        for (block, kept) in blocks.iter().zip(&mut kept) {
+            let way = ways(&own, block, sites);
+            let slope_there = Lanes::new(block.map(|other| sites[other as usize].density));
+            // −dE/dr of these pairs, over r.
+            let slope = match *kept {
+                [both, pair] => (slope_here + slope_there) * both + pair,
+                [at_own, at_other, pair] => slope_here * at_own + slope_there * at_other + pair,
+                _ => Lanes::ZERO,
+            };
+            let pull = way.map(|way| way * -slope);
+            for (sum, pull) in force.iter_mut().zip(pull) {
+                *sum += pull;
+            }
+            take(sites, block, pull);
+            if wanted == Wanted::Sums {
+                for (row, way) in virial.iter_mut().zip(way) {
+                    for (sum, pull) in row.iter_mut().zip(pull) {
+                        *sum += way * pull;
+                    }
                 }
-                tally.energy += energy[0];
-                tally.virial += way * force.transpose();
             }
         }
-        for axis in 0..3 {
-            sites[here].force[axis] += sum[axis];
+        for (sum, lanes) in sites[here].force.iter_mut().zip(force) {
+            *sum += across(lanes);
         }
     }
-    tally
-}
-
-/// Displacement from `there` to `here`.
-#[inline]
-fn way(here: &Site, there: &Site) -> Vector3<f64> {
-    Vector3::from(here.place) - Vector3::from(there.place)
+    let virial = virial.map(|row| row.map(across));
+    Tally {
+        energy: f64::NAN,
+        virial: Matrix3::from_fn(|row, column| virial[row][column]),
+    }
 }

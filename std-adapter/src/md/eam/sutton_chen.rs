@@ -1,8 +1,9 @@
 //! The closed form of Sutton & Chen (1990), Philos. Mag. Lett. 61, 139.
 
-use super::{Functions, Jet, PairJets, crystal, passes};
+use super::{Functions, Jet, LanesOfJets, PairJets, crystal, passes};
 use crate::md::interaction::{Interaction, Tally, Wanted};
-use crate::md::neighbours::VerletList;
+use crate::md::lanes::Lanes;
+use crate::md::neighbours::{LANES, Site, VerletList};
 use nalgebra::Vector3;
 
 /// E = ε (Σ (a/r)ⁿ S over pairs − c Σ √ρᵢ), ρᵢ = Σ (a/r)ᵐ S. Any consistent units.
@@ -141,45 +142,58 @@ impl SuttonChen {
         &self.given
     }
 
-    /// S.
-    #[inline]
-    fn taper(&self, r: f64) -> Jet {
-        let inv_width = 1.0 / (self.given.cutoff - self.given.taper);
-        let x = (r - self.given.taper) * inv_width;
-        if x <= 0.0 {
-            return [1.0, 0.0];
-        }
+    /// S and its slope.
+    #[inline(always)]
+    fn taper(&self, r: Lanes) -> [Lanes; 2] {
+        let inv_width = Lanes::splat(1.0 / (self.given.cutoff - self.given.taper));
+        let x = (r - Lanes::splat(self.given.taper)) * inv_width;
+        let positive = |x: Lanes| x.simd_gt(Lanes::ZERO).select(x, Lanes::ZERO);
+        let x = positive(x);
         // At the cut-off rounding may give a negative value.
-        let left = (1.0 - x).max(0.0);
-        let value = left * left * left * (1.0 + 3.0 * x + 6.0 * x * x);
-        [value, -30.0 * x * x * left * left * inv_width]
+        let left = positive(Lanes::ONE - x);
+        let cube = left * left * left;
+        let value = cube * (Lanes::ONE + x * (Lanes::splat(3.0) + Lanes::splat(6.0) * x));
+        let slope = Lanes::splat(-30.0) * (x * x) * (left * left) * inv_width;
+        [value, slope]
     }
 
-    /// (a/r)ᵏ S.
-    #[inline]
-    fn tapered_power(&self, k: u32, r: f64, [s, ds]: Jet) -> Jet {
-        let power = power(self.given.a / r, k);
-        [power * s, power * (ds - f64::from(k) / r * s)]
+    /// Density and energy of pairs at these distances and their reciprocals, with their slopes.
+    #[inline(always)]
+    fn jets(&self, [r, inv]: [Lanes; 2]) -> [[Lanes; 2]; 2] {
+        let SuttonChenParameters {
+            epsilon, a, n, m, ..
+        } = self.given;
+        let [s, ds] = self.taper(r);
+        let ratio = Lanes::splat(a) * inv;
+        let density = power(ratio, m);
+        let repulsion = Lanes::splat(epsilon) * density * power(ratio, n - m);
+        // (xᵏ S)' = xᵏ (S' − k S/r)
+        let fall = s * inv;
+        [(density, m), (repulsion, n)]
+            .map(|(value, k)| [value * s, value * (ds - Lanes::splat(f64::from(k)) * fall)])
     }
 }
 
 impl Functions for SuttonChen {
+    const ALIKE: bool = true;
+
     #[inline]
     fn cutoff_sq(&self) -> f64 {
         self.cutoff_sq
     }
 
-    #[inline]
-    fn densities(&self, _: [u8; 2], r: f64) -> [f64; 2] {
-        [self.tapered_power(self.given.m, r, self.taper(r))[0]; 2]
+    fn pair(&self, _: [u8; 2], r: f64) -> PairJets {
+        let r = Lanes::splat(r);
+        let [density, energy] = self
+            .jets([r, Lanes::ONE / r])
+            .map(|jet| jet.map(|lanes| lanes.to_array()[0]));
+        ([density; 2], energy)
     }
 
-    #[inline]
-    fn pair(&self, _: [u8; 2], r: f64) -> PairJets {
-        let taper = self.taper(r);
-        let repulsion = self.tapered_power(self.given.n, r, taper);
-        let energy = repulsion.map(|part| self.given.epsilon * part);
-        ([self.tapered_power(self.given.m, r, taper); 2], energy)
+    #[inline(always)]
+    fn pairs(&self, _: &Site, _: &[u32; LANES], _: &[Site], r: [Lanes; 2]) -> LanesOfJets {
+        let [density, energy] = self.jets(r);
+        ([density; 2], energy)
     }
 
     #[inline]
@@ -209,15 +223,17 @@ impl Interaction for SuttonChen {
 }
 
 /// xᵏ by squaring.
-#[inline]
-fn power(mut x: f64, mut k: u32) -> f64 {
-    let mut product = 1.0;
+#[inline(always)]
+fn power(mut x: Lanes, mut k: u32) -> Lanes {
+    let mut product = Lanes::ONE;
     while k > 0 {
         if k & 1 == 1 {
             product *= x;
         }
-        x *= x;
         k >>= 1;
+        if k > 0 {
+            x *= x;
+        }
     }
     product
 }

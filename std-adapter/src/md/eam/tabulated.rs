@@ -2,9 +2,10 @@
 
 use super::file::{ElementError, PotentialFile};
 use super::spline::{Grid, Spline};
-use super::{Functions, Jet, PairJets, crystal, passes};
+use super::{Functions, Jet, LanesOfJets, PairJets, crystal, passes};
 use crate::md::interaction::{Interaction, Tally, Wanted};
-use crate::md::neighbours::VerletList;
+use crate::md::lanes::Lanes;
+use crate::md::neighbours::{LANES, Site, VerletList};
 use nalgebra::Vector3;
 
 /// Embedded atoms whose functions come from a file, interpolated as LAMMPS does.
@@ -98,15 +99,7 @@ impl Functions for Tabulated {
         self.cutoff_sq
     }
 
-    #[inline]
-    fn densities(&self, [a, b]: [u8; 2], r: f64) -> [f64; 2] {
-        let spot = self.distances.spot(r);
-        let by_b = self.densities[usize::from(b)].value(spot);
-        if a == b {
-            return [by_b; 2];
-        }
-        [by_b, self.densities[usize::from(a)].value(spot)]
-    }
+    const ALIKE: bool = false;
 
     #[inline]
     fn pair(&self, [a, b]: [u8; 2], r: f64) -> PairJets {
@@ -122,6 +115,27 @@ impl Functions for Tabulated {
         let inv = 1.0 / r;
         let energy = product * inv;
         ([by_b, by_a], [energy, slope * inv - energy * inv])
+    }
+
+    #[inline]
+    fn pairs(
+        &self,
+        own: &Site,
+        block: &[u32; LANES],
+        sites: &[Site],
+        [r, _]: [Lanes; 2],
+    ) -> LanesOfJets {
+        let kinds = block.map(|other| sites[other as usize].species);
+        let r = r.to_array();
+        let jets: [PairJets; LANES] =
+            std::array::from_fn(|lane| self.pair([own.species, kinds[lane]], r[lane]));
+        let lanes =
+            |of: &dyn Fn(&PairJets) -> f64| Lanes::new(std::array::from_fn(|k| of(&jets[k])));
+        let jet = |of: fn(&PairJets) -> &Jet| [0, 1].map(|part| lanes(&|jets| of(jets)[part]));
+        (
+            [jet(|jets| &jets.0[0]), jet(|jets| &jets.0[1])],
+            jet(|jets| &jets.1),
+        )
     }
 
     #[inline]

@@ -2,6 +2,7 @@
 
 use super::cells::Cells;
 use super::images::Slot;
+use crate::md::lanes::Lanes;
 use nalgebra::Vector3;
 use std::ops::Range;
 
@@ -25,6 +26,8 @@ pub struct Site {
     pub force: [f64; 3],
     /// Species.
     pub species: u8,
+    /// Density of embedded atoms summed so far, then the slope of their embedding energy.
+    pub(crate) density: f64,
 }
 
 /// Owned slots with their neighbours.
@@ -69,6 +72,8 @@ pub struct Chunk {
     starts: Vec<u32>,
     neighbours: Vec<[u32; LANES]>,
     pairs: usize,
+    /// What a law of several passes keeps of every block from one to the next.
+    kept: Vec<Lanes>,
 }
 
 impl Chunk {
@@ -80,6 +85,7 @@ impl Chunk {
             place: [NOWHERE; 3],
             force: [0.0; 3],
             species: 0,
+            density: 0.0,
         };
         let mut sites = vec![blank; slots.len() + 1];
         for (site, slot) in sites.iter_mut().zip(&slots) {
@@ -91,6 +97,7 @@ impl Chunk {
             starts: vec![0],
             neighbours: Vec::new(),
             pairs: 0,
+            kept: Vec::new(),
             window: slots,
         };
         let mut row = Row::default();
@@ -121,6 +128,7 @@ impl Chunk {
         for (site, slot) in self.sites.iter_mut().zip(&self.window) {
             site.place = (positions[slot.atom as usize] + slot.shift).into();
             site.force = [0.0; 3];
+            site.density = 0.0;
         }
     }
 
@@ -147,6 +155,23 @@ impl Chunk {
         &mut [Site],
         impl Iterator<Item = (usize, &[[u32; LANES]])> + Clone,
     ) {
+        let (sites, rows, _) = self.sites_rows_and_kept();
+        (sites, rows)
+    }
+
+    /// Slots and sites in pairs.
+    pub(crate) fn places_mut(&mut self) -> impl Iterator<Item = (&Slot, &mut Site)> {
+        self.window.iter().zip(&mut self.sites)
+    }
+
+    /// Sites and rows, with what is kept of the blocks between passes.
+    pub(crate) fn sites_rows_and_kept(
+        &mut self,
+    ) -> (
+        &mut [Site],
+        impl Iterator<Item = (usize, &[[u32; LANES]])> + Clone,
+        &mut Vec<Lanes>,
+    ) {
         let blocks = &self.neighbours;
         let ends = self.starts.windows(2);
         let rows = self
@@ -154,7 +179,7 @@ impl Chunk {
             .clone()
             .zip(ends)
             .map(|(site, ends)| (site, &blocks[ends[0] as usize..ends[1] as usize]));
-        (&mut self.sites, rows)
+        (&mut self.sites, rows, &mut self.kept)
     }
 }
 

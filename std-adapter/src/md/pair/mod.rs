@@ -13,15 +13,11 @@ pub use lennard_jones::{LennardJones, LennardJonesError, Pairing};
 pub use mixing::Mixing;
 
 use super::interaction::{Tally, Wanted};
+use super::lanes::{Lanes, across, take, ways};
 use super::neighbours::{Chunk, LANES, Site, VerletList};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use sums::{ForcesOnly, Sums, Totals};
-
-/// One number for each of the pairs computed at once; every operation rounds as the scalar one
-/// does.
-type Lanes = wide::f64x4;
-const _: () = assert!(size_of::<Lanes>() == LANES * size_of::<f64>());
 
 /// A central force with a cut-off.
 trait PairLaw: Sync {
@@ -83,13 +79,7 @@ fn over_pairs<L: PairLaw, S: Sums>(law: &L, chunk: &mut Chunk) -> Tally {
             for (sum, pull) in force.iter_mut().zip(pull) {
                 *sum += pull;
             }
-            let [x, y, z] = pull.map(Lanes::to_array);
-            for (lane, &other) in block.iter().enumerate() {
-                let other = &mut sites[other as usize].force;
-                other[0] -= x[lane];
-                other[1] -= y[lane];
-                other[2] -= z[lane];
-            }
+            take(sites, block, pull);
             sums.add(|| law.energy(kinds, r_sq), &way, &pull);
         }
         for (sum, lanes) in sites[here].force.iter_mut().zip(force) {
@@ -97,20 +87,4 @@ fn over_pairs<L: PairLaw, S: Sums>(law: &L, chunk: &mut Chunk) -> Tally {
         }
     }
     sums.tally()
-}
-
-/// Displacements from each site of a block to `own`, axis by axis.
-#[inline(always)]
-fn ways(own: &Site, block: &[u32; LANES], sites: &[Site]) -> [Lanes; 3] {
-    let [a, b, c, d] = block.map(|other| &sites[other as usize].place);
-    std::array::from_fn(|axis| {
-        Lanes::splat(own.place[axis]) - Lanes::new([a[axis], b[axis], c[axis], d[axis]])
-    })
-}
-
-/// Sum over the lanes, halves first.
-#[inline(always)]
-fn across(lanes: Lanes) -> f64 {
-    let [a, b, c, d] = lanes.to_array();
-    (a + c) + (b + d)
 }
