@@ -20,8 +20,8 @@ use crate::twist::{Twist, Wrench};
 ///
 /// *Accuracy* (f64, table tier): gauge, surface points and projections 1e-15 of the limits, the motion's ratio
 /// 1e-15 relative; f32: 3e-7 of the limits.
-/// *Cost*, wrenches and Jacobians together: gauge 6 (at most 9), normal 8 (11), projection 6 inside
-/// and 13 outside (30, more for lengths far from the radius). Each of a projection's two searches
+/// *Cost*, wrenches and Jacobians together: gauge 6 (at most 9), normal 8 (11), projection none deep inside,
+/// 6 near the surface and 13 outside (30, more for lengths far from the radius). Each of a projection's two searches
 /// ends after at most 64 pairs.
 ///
 /// ```
@@ -91,6 +91,20 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
         meridian.point(spinning).torque
     }
 
+    /// True of wrenches so far inside that no search is needed, by the inscribed quadrangle; never of one whose
+    /// gauge would be found on the surface or outside.
+    #[inline]
+    fn is_deep_inside(&self, wrench: &Wrench<R>) -> bool {
+        // Squares of smaller numbers are lost.
+        let least = R::MIN_POSITIVE / R::EPSILON;
+        let square = wrench.force.x * wrench.force.x + wrench.force.y * wrench.force.y;
+        let is_plain = square > least || (wrench.force.x == R::ZERO && wrench.force.y == R::ZERO);
+        let torque = wrench.torque.abs() / self.radius;
+        let bound = self.meridian.gauge_bound(square.sqrt(), torque);
+        let most = self.force_limit * (R::ONE - R::TWO * collar());
+        is_plain && self.force_limit > least && bound < most
+    }
+
     #[inline]
     fn scaled(&self, wrench: &Wrench<R>) -> Scaled<R> {
         let polar = Polar::new(&wrench.force, wrench.torque);
@@ -156,10 +170,7 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
     fn pulled_to_zero(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
         let polar = Polar::new(&wrench.force, wrench.torque);
         if polar.planar == R::ZERO && polar.normal == R::ZERO {
-            return Projection {
-                wrench: *wrench,
-                region: Region::Inside,
-            };
+            return inside(wrench);
         }
         // Every twist is a normal of a point; this one lies along the displacement.
         let lever = length / self.radius;
@@ -192,6 +203,15 @@ impl<R: Real> Scaled<R> {
     fn is_infinite(&self) -> bool {
         let sum = self.lengths.force + self.lengths.torque;
         self.size == R::INFINITY && !sum.is_nan()
+    }
+}
+
+/// The answer to a wrench of the set.
+#[inline]
+fn inside<R: Real>(wrench: &Wrench<R>) -> Projection<R> {
+    Projection {
+        wrench: *wrench,
+        region: Region::Inside,
     }
 }
 
@@ -251,6 +271,11 @@ impl<R: Real, C: DryCoupling<R>> FrictionSet<R> for LimitSurface<R, C> {
         self.gauge_of(&scaled, &self.meridian.radial(scaled.unit, Aim::Gauge))
     }
 
+    #[inline]
+    fn contains(&self, wrench: &Wrench<R>) -> bool {
+        self.is_deep_inside(wrench) || self.gauge(wrench) <= R::ONE + collar()
+    }
+
     fn twist_normal_to(&self, push: &Wrench<R>) -> Twist<R> {
         let scaled = self.scaled(push);
         if scaled.is_zero() {
@@ -286,20 +311,17 @@ impl<R: Real, C: DryCoupling<R>> FrictionSet<R> for LimitSurface<R, C> {
         if self.force_limit == R::ZERO {
             return self.pulled_to_zero(wrench, length);
         }
+        if self.is_deep_inside(wrench) {
+            return inside(wrench);
+        }
         let scaled = self.scaled(wrench);
         if scaled.is_zero() {
-            return Projection {
-                wrench: *wrench,
-                region: Region::Inside,
-            };
+            return inside(wrench);
         }
         let radial = self.meridian.radial(scaled.unit, Aim::Gauge);
         let gauge = self.gauge_of(&scaled, &radial);
         if gauge < R::ONE - collar() {
-            Projection {
-                wrench: *wrench,
-                region: Region::Inside,
-            }
+            inside(wrench)
         } else if gauge <= R::ONE + collar() {
             let normal = self.twist_normal_to(wrench);
             Projection {

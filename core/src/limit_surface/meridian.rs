@@ -34,6 +34,8 @@ pub(super) struct Meridian<R, C> {
     equal: ReducedWrench<R>,
     /// m/M per h at the two poles: of torque in force, of force in torque.
     pole_slopes: [R; 2],
+    /// Lines through the equal point and a pole, as α f + β t = 1: of the force's pole, of the torque's.
+    chords: [[R; 2]; 2],
 }
 
 /// An outward normal: the larger of the two speeds is 1.
@@ -109,14 +111,30 @@ impl<R: Real, C: DryCoupling<R>> Meridian<R, C> {
         };
         let (sliding, near_sliding) = at(R::ONE, R::ZERO);
         let (spinning, near_spinning) = at(R::ZERO, R::ONE);
+        let [top, side] = [sliding.force, spinning.torque];
+        let chords = [
+            [R::ONE / top, (R::ONE - equal.force / top) / equal.torque],
+            [(R::ONE - equal.torque / side) / equal.force, R::ONE / side],
+        ];
         Self {
             equal,
+            chords,
             pole_slopes: [
                 near_sliding.torque_rim / sliding.force,
                 near_spinning.force_slide / spinning.torque,
             ],
             coupling,
         }
+    }
+
+    /// A bound from above of the gauge: the set is convex and holds its poles and the equal point.
+    ///
+    /// *Domain*: components ≥ 0; NaN gives NaN.
+    #[inline]
+    pub fn gauge_bound(&self, force: R, torque: R) -> R {
+        let [[a, b], [c, d]] = self.chords;
+        let [low, high] = [a * force + b * torque, c * force + d * torque];
+        if low > high { low } else { high }
     }
 
     /// The point whose outward normal is given.

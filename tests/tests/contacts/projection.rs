@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 use tribos_core::Real;
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::coupling::{Coupling, DryCoupling, ReducedWrench, compact};
+use tribos_core::internals::COLLAR_ULPS;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Region};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::surfaces::{FORCE_LIMIT, RADIUS, Ring, inner, norm, random_wrench, same_bits};
@@ -339,4 +340,39 @@ fn a_length_that_is_none_gives_nan_outside() {
         let inside = Wrench::new(0.1, 0.0, 0.0);
         assert_eq!(disk.project_with_length(&inside, length).wrench, inside);
     }
+}
+
+/// The quick test of wrenches deep inside says what the gauge says.
+fn assert_judged_by_the_gauge<R: Real, C: DryCoupling<R>>(name: &str, coupling: C) {
+    let real = R::from_f64;
+    let set = LimitSurface::new(coupling, real(FORCE_LIMIT), real(RADIUS)).expect("valid");
+    let collar = real(COLLAR_ULPS) * R::EPSILON;
+    let mut rng = Lcg::new(43);
+    let mut inside = 0;
+    for round in 0..20_000_u32 {
+        let size = rng.between(0.0, 1.3);
+        let wide = random_wrench(&mut rng, size);
+        let [x, y, torque] = [wide.force.x, wide.force.y, wide.torque].map(real);
+        let mut given = Wrench::new(x, y, torque);
+        if round % 2 == 0 {
+            // As close to the surface as rounding tells apart.
+            let below = real(f64::from(round % 512)) * R::EPSILON;
+            given = set.scale_to_surface(&given) * (R::ONE - below);
+        }
+        let is_inside = set.gauge(&given) < R::ONE - collar;
+        let got = set.project(&given);
+        assert_eq!(got.region == Region::Inside, is_inside, "{name}: {given:?}");
+        assert!(!is_inside || got.wrench == given, "{name}: {given:?}");
+        assert_eq!(set.contains(&given), set.gauge(&given) <= R::ONE + collar);
+        inside += u32::from(is_inside);
+    }
+    assert!((4_000..18_000).contains(&inside), "{name}: {inside}");
+}
+
+#[test]
+fn wrenches_deep_inside_are_told_from_others_as_the_gauge_tells_them() {
+    assert_judged_by_the_gauge::<f64, _>("table", Coulomb);
+    assert_judged_by_the_gauge::<f32, _>("table", Coulomb);
+    assert_judged_by_the_gauge::<f64, _>("ring", Ring);
+    assert_judged_by_the_gauge::<f64, _>("compact", compact::CompactCoulomb);
 }
