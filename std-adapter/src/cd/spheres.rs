@@ -7,6 +7,7 @@ use super::schedule::Schedule;
 use rayon::prelude::*;
 use std::sync::Arc;
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
+use tribos_prefetch::prefetch;
 
 impl<M: ContactModes<f64>> Impulse for Modal<f64, M> {
     #[inline(always)]
@@ -258,6 +259,9 @@ enum Way {
 /// Number of contacts below which threads cost more than they gain.
 const WORTHWHILE: usize = 2_000;
 
+/// How many pairs ahead bodies are fetched: the work of that many takes longer than the memory.
+const AHEAD: usize = 24;
+
 /// Solves pairs one after the other; the first element of `spheres` has the number `first`.
 fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
     links: &mut [Link<F::Modes>],
@@ -267,18 +271,32 @@ fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
     way: Way,
     watch: &mut W,
 ) {
-    let mut update = |link: &mut Link<F::Modes>| {
-        let bodies = link.bodies.map(|body| (body - first) as usize);
+    let number = |body: u32| (body - first) as usize;
+    let mut update = |links: &mut [Link<F::Modes>], at: usize, ahead: usize| {
+        // Bodies lie anywhere in memory: they are asked for before they are needed.
+        if let Some(soon) = links.get(ahead) {
+            for body in soon.bodies {
+                if let Some(sphere) = spheres.get(number(body)) {
+                    prefetch(sphere);
+                }
+            }
+        }
+        let Some(link) = links.get_mut(at) else {
+            return;
+        };
+        let bodies = link.bodies.map(number);
         if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
             let friction = friction.of(link.bodies);
             let change = link.contact.update(friction, a, b);
             report(&link.contact, &change, watch);
         }
     };
+    let count = links.len();
     if way == Way::Forward {
-        links.iter_mut().for_each(update);
+        (0..count).for_each(|at| update(links, at, at + AHEAD));
     } else {
-        links.iter_mut().rev().for_each(&mut update);
+        let order = (0..count).rev();
+        order.for_each(|at| update(links, at, at.wrapping_sub(AHEAD)));
     }
 }
 
@@ -359,7 +377,18 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
     fn refresh(&mut self) {
         self.spheres.copy_from_slice(&self.free.0);
         self.plates.copy_from_slice(&self.free.1);
-        for link in &self.pairs {
+        for (at, link) in self.pairs.iter().enumerate() {
+            for body in self
+                .pairs
+                .get(at + AHEAD)
+                .into_iter()
+                .flat_map(|soon| soon.bodies)
+            {
+                self.spheres
+                    .get(body as usize)
+                    .into_iter()
+                    .for_each(prefetch);
+            }
             let bodies = link.bodies.map(|body| body as usize);
             if let Ok([a, b]) = self.spheres.get_disjoint_mut(bodies) {
                 link.contact.apply(link.contact.impulse(), a, b);

@@ -49,8 +49,9 @@ fn densities<F: Functions>(law: &F, chunk: &mut Chunk) -> f64 {
     let cutoff_sq = Lanes::splat(law.cutoff_sq());
     let cutoff = cutoff_sq.sqrt();
     let mut energy = Lanes::ZERO;
-    let (sites, rows, kept) = chunk.sites_rows_and_kept();
+    let mut kept = std::mem::take(&mut chunk.kept);
     kept.clear();
+    let (sites, rows) = chunk.sites_and_rows();
     for (here, blocks) in rows {
         let own = sites[here];
         let mut sum = Lanes::ZERO;
@@ -77,6 +78,7 @@ fn densities<F: Functions>(law: &F, chunk: &mut Chunk) -> f64 {
         }
         sites[here].density += across(sum);
     }
+    chunk.kept = kept;
     across(energy)
 }
 
@@ -101,8 +103,9 @@ fn over_pairs<F: Functions>(chunk: &mut Chunk, jets: &[[f64; 2]], wanted: Wanted
         site.density = jets[slot.atom as usize][1];
     }
     let mut virial = [[Lanes::ZERO; 3]; 3];
-    let (sites, rows, kept) = chunk.sites_rows_and_kept();
-    let mut kept = kept.chunks_exact(if F::ALIKE { 2 } else { 3 });
+    let all = std::mem::take(&mut chunk.kept);
+    let mut kept = all.chunks_exact(if F::ALIKE { 2 } else { 3 });
+    let (sites, rows) = chunk.sites_and_rows();
     for (here, blocks) in rows {
         let own = sites[here];
         let slope_here = Lanes::splat(own.density);
@@ -133,6 +136,7 @@ fn over_pairs<F: Functions>(chunk: &mut Chunk, jets: &[[f64; 2]], wanted: Wanted
             *sum += across(lanes);
         }
     }
+    chunk.kept = all;
     let virial = virial.map(|row| row.map(across));
     Tally {
         energy: f64::NAN,

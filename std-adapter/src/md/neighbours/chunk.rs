@@ -73,7 +73,7 @@ pub struct Chunk {
     neighbours: Vec<[u32; LANES]>,
     pairs: usize,
     /// What a law of several passes keeps of every block from one to the next.
-    kept: Vec<Lanes>,
+    pub(crate) kept: Vec<Lanes>,
 }
 
 impl Chunk {
@@ -155,23 +155,6 @@ impl Chunk {
         &mut [Site],
         impl Iterator<Item = (usize, &[[u32; LANES]])> + Clone,
     ) {
-        let (sites, rows, _) = self.sites_rows_and_kept();
-        (sites, rows)
-    }
-
-    /// Slots and sites in pairs.
-    pub(crate) fn places_mut(&mut self) -> impl Iterator<Item = (&Slot, &mut Site)> {
-        self.window.iter().zip(&mut self.sites)
-    }
-
-    /// Sites and rows, with what is kept of the blocks between passes.
-    pub(crate) fn sites_rows_and_kept(
-        &mut self,
-    ) -> (
-        &mut [Site],
-        impl Iterator<Item = (usize, &[[u32; LANES]])> + Clone,
-        &mut Vec<Lanes>,
-    ) {
         let blocks = &self.neighbours;
         let ends = self.starts.windows(2);
         let rows = self
@@ -179,7 +162,12 @@ impl Chunk {
             .clone()
             .zip(ends)
             .map(|(site, ends)| (site, &blocks[ends[0] as usize..ends[1] as usize]));
-        (&mut self.sites, rows, &mut self.kept)
+        (&mut self.sites, rows)
+    }
+
+    /// Slots and sites in pairs.
+    pub(crate) fn places_mut(&mut self) -> impl Iterator<Item = (&Slot, &mut Site)> {
+        self.window.iter().zip(&mut self.sites)
     }
 }
 
