@@ -133,8 +133,8 @@ impl<R: Real, C: DryCoupling<R>> Meridian<R, C> {
     #[inline]
     pub fn gauge_bound(&self, force: R, torque: R) -> R {
         let [[a, b], [c, d]] = self.chords;
-        let [low, high] = [a * force + b * torque, c * force + d * torque];
-        if low > high { low } else { high }
+        let [one, other] = [a * force + b * torque, c * force + d * torque];
+        if one > other { one } else { other }
     }
 
     /// The point whose outward normal is given.

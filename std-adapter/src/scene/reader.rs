@@ -205,13 +205,12 @@ fn in_place<T: Table>(entries: &Entries) -> Entries {
                 }
                 _ => return false,
             };
-            let is_moved = match kept.values.get(other) {
-                Some((_, origin)) => *origin == Origin::Override,
-                None => moved.contains(&other),
-            };
-            let says = match kept.values.get(other) {
-                Some((value, _)) => *value == Written::Text(word.into()),
-                None => defaults.says(other, word),
+            let (is_moved, says) = match kept.values.get(other) {
+                Some((value, origin)) => (
+                    *origin == Origin::Override,
+                    *value == Written::Text(word.into()),
+                ),
+                None => (moved.contains(&other), defaults.says(other, word)),
             };
             is_line && is_moved && says != wanted
         };
