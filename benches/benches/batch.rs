@@ -7,21 +7,26 @@ use std::hint::black_box;
 use tribos_benches::contact::Contact;
 use tribos_benches::mix;
 use tribos_core::Real;
+use tribos_core::coupling::Coupling;
+use tribos_core::coupling::table::{Coulomb, Table32, Table64};
 
 const SEED: u64 = 1;
+/// An exponent for which no power is a root or a product.
+const ALPHA: f64 = 0.37;
 
-fn time<R: Real>(criterion: &mut Criterion, precision: &str) {
+fn time<R: Real>(criterion: &mut Criterion, coupling: impl Coupling<R>, name: &str) {
     let pairs = mix::long_pairs(SEED);
-    let mut contact = Contact::<R>::new(&pairs, SEED).expect("the contact of the benches is valid");
+    let mut contact =
+        Contact::<R, _>::new(coupling, &pairs, SEED).expect("the contact of the benches is valid");
     contact.assert_right();
     let mut group = criterion.benchmark_group("batch");
     group.throughput(Throughput::Elements(pairs.len() as u64));
-    group.bench_function(BenchmarkId::new("one by one", precision), |bencher| {
+    group.bench_function(BenchmarkId::new("one by one", name), |bencher| {
         bencher.iter(|| {
             black_box(contact.one_by_one());
         });
     });
-    group.bench_function(BenchmarkId::new("batch", precision), |bencher| {
+    group.bench_function(BenchmarkId::new("batch", name), |bencher| {
         bencher.iter(|| {
             black_box(contact.batch());
         });
@@ -30,8 +35,12 @@ fn time<R: Real>(criterion: &mut Criterion, precision: &str) {
 }
 
 fn batch(criterion: &mut Criterion) {
-    time::<f64>(criterion, "f64");
-    time::<f32>(criterion, "f32");
+    time::<f64>(criterion, Coulomb, "f64");
+    time::<f32>(criterion, Coulomb, "f32");
+    let double = Table64::new(ALPHA).expect("the exponent is in range");
+    time::<f64>(criterion, double, "f64 alpha 0.37");
+    let single = Table32::new(ALPHA as f32).expect("the exponent is in range");
+    time::<f32>(criterion, single, "f32 alpha 0.37");
 }
 
 criterion_group! {

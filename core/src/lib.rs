@@ -112,6 +112,7 @@ pub mod manifold;
 pub mod modes;
 pub mod patch;
 pub mod planar;
+mod power;
 pub mod prelude;
 pub mod presliding;
 pub mod real;

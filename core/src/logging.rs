@@ -5,7 +5,7 @@ use crate::contact::internals::{InPlane, PreparedContact, TangentialLoad};
 use crate::contact::{Contact, ContactModes, Modal, Plate, Sphere, Touch};
 use crate::coupling::flat::{DryPatch, FlatPower, Motion, PointLoad, Reduced};
 use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable};
-use crate::coupling::table::Table;
+use crate::coupling::table::{Disk, Table};
 use crate::coupling::tall::TallWrench;
 use crate::coupling::{DryCoupling, Lateral, Profile, compact::CompactPower};
 use crate::limit_surface::{AnyPressure, Ellipsoid, FrictionSet, LimitSurface, PatchSurface};
@@ -81,6 +81,8 @@ formats! {
         e.force_limit(), e.torque_limit(), e.radius();
     [R: Real + Format, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>: |t|
         "table of the disk, exponent {}", t.exponent();
+    [R: Real + Format, const CELLS: usize, const TERMS: usize] Disk<R, CELLS, TERMS>: |t|
+        "table of the disk without a power, exponent {}", t.exponent();
     [R: Real + Format, const CELLS: usize, const TERMS: usize] RoundTable<R, CELLS, TERMS>: |t|
         "table of exponent {}, mean r² {}", t.exponent(), t.mean_square_radius();
     [] PolynomialTable: |t| "table of a polynomial pressure, exponent {}", t.exponent();

@@ -1,11 +1,13 @@
 //! The scalar of the kernel, with all elementary functions that the kernel uses.
 
 use crate::coupling::SmoothProfile;
-use crate::coupling::table::{COULOMB_F32, COULOMB_F64, CoulombTable32, Table64};
+use crate::coupling::table::{COULOMB_F32, COULOMB_F64, CoulombTable32, CoulombTable64};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 mod sealed {
+    use crate::power::{STEP_BITS, STEPS, Split};
+
     /// What only the kernel needs of a precision.
     pub trait Sealed: Sized + 'static {
         /// True for `f32`: what it does not need is left out of a program.
@@ -28,12 +30,21 @@ mod sealed {
 
         /// Octaves on both sides of 1 that are safely in range.
         const MOST_OCTAVES: i32;
+
+        /// Speeds between this one and its reciprocal are ordinary: their squares, quotients and
+        /// reciprocals are normal numbers.
+        const LEAST_SPEED: Self;
+
+        /// Exponent and mantissa for [`crate::power`]; an exponent beyond all tables for numbers
+        /// that are not positive and normal.
+        fn split(self) -> Split<Self>;
     }
 
     /// The two functions of a binary format's exponent.
     macro_rules! octaves {
-        ($real:ty, $bits:ty, $signed:ty, $mantissa:expr, $most:expr) => {
+        ($real:ty, $bits:ty, $signed:ty, $mantissa:expr, $most:expr, $least_speed:expr) => {
             const MOST_OCTAVES: i32 = $most;
+            const LEAST_SPEED: Self = $least_speed;
             #[inline]
             fn octaves_above(self, other: Self) -> i32 {
                 // The bits of a positive number are its logarithm, but for 0.09 octaves.
@@ -52,11 +63,29 @@ mod sealed {
                 const BIAS: i32 = <$real>::MAX_EXP - 1;
                 Self::from_bits(((BIAS.wrapping_add(k)) as $bits) << $mantissa)
             }
+            #[inline]
+            fn split(self) -> Split<Self> {
+                const BIAS: $bits = (<$real>::MAX_EXP - 1) as $bits;
+                const HALF_CELL: $bits = 1 << ($mantissa - STEP_BITS - 1);
+                /// The upper half of the digits.
+                const FRONT: $bits = <$bits>::MAX << (($mantissa + 2) / 2);
+                let bits = self.to_bits();
+                let raised = bits.wrapping_add(HALF_CELL);
+                let exponent = (raised >> $mantissa).wrapping_sub(BIAS);
+                let mantissa = bits.wrapping_sub(exponent << $mantissa);
+                let head = Self::from_bits(mantissa & FRONT);
+                Split {
+                    exponent: exponent as $signed as usize,
+                    cell: (raised >> ($mantissa - STEP_BITS)) as usize % STEPS,
+                    head,
+                    tail: Self::from_bits(mantissa) - head,
+                }
+            }
         };
     }
 
     impl Sealed for f32 {
-        octaves!(f32, u32, i32, super::MANTISSA_F32, 120);
+        octaves!(f32, u32, i32, super::MANTISSA_F32, 120, 1e-15);
         const IS_SINGLE: bool = true;
         #[inline]
         fn pick<const COLUMNS: usize, const ROWS: usize>(
@@ -67,7 +96,7 @@ mod sealed {
         }
     }
     impl Sealed for f64 {
-        octaves!(f64, u64, i64, super::MANTISSA_F64, 1000);
+        octaves!(f64, u64, i64, super::MANTISSA_F64, 1000, 1e-140);
         const IS_SINGLE: bool = false;
         #[inline]
         fn pick<const COLUMNS: usize, const ROWS: usize>(
@@ -290,7 +319,7 @@ impl_real! {
     asinh() = libm::asinhf;
 }
 impl_real! {
-    f64, MANTISSA_F64, COULOMB_F64: Table64,
+    f64, MANTISSA_F64, COULOMB_F64: CoulombTable64,
     abs() = libm::fabs;
     copysign(sign) = libm::copysign;
     sqrt() = libm::sqrt;

@@ -246,7 +246,7 @@ typedef struct tribos_power_compact_f64 {
 // copied and moved, but not to a program with another version of the library.
 typedef struct tribos_power_table_f64 {
   // Internal data.
-  double opaque[2969];
+  double opaque[3202];
   // Marker of a completed build.
   uint32_t built;
 } tribos_power_table_f64;
@@ -607,7 +607,7 @@ typedef struct tribos_power_compact_f32 {
 // copied and moved, but not to a program with another version of the library.
 typedef struct tribos_power_table_f32 {
   // Internal data.
-  float opaque[673];
+  float opaque[906];
   // Marker of a completed build.
   uint32_t built;
 } tribos_power_table_f32;

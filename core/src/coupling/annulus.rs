@@ -198,6 +198,14 @@ impl<R: Real, P: SmoothProfile<R>> Profile<R> for Annulus<R, P> {
     fn exponent(&self) -> R {
         self.disk.exponent()
     }
+    #[inline]
+    fn speed_scale(&self, speed: R) -> R {
+        self.disk.speed_scale(speed)
+    }
+    #[inline]
+    fn rate_scale(&self, speed: R) -> R {
+        self.disk.rate_scale(speed)
+    }
 
     /// F/v and T/w at max(v, w) = 1.
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {

@@ -75,6 +75,10 @@ impl<R: Real, P: SmoothProfile<R>> Coupling<R> for Dry<P> {
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
         super::profile::jacobian(self, slide, rim)
     }
+    #[inline]
+    fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
+        super::profile::drag(self, slide, rim)
+    }
 }
 
 impl<R: Real, P: SmoothProfile<R>> DryCoupling<R> for Dry<P> {}

@@ -78,6 +78,10 @@ macro_rules! coupled {
             fn reduced_jacobian(&self, slide: R, rim: R) -> $crate::coupling::ReducedJacobian<R> {
                 $crate::coupling::profile::jacobian(self, slide, rim)
             }
+            #[inline]
+            fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
+                $crate::coupling::profile::drag(self, slide, rim)
+            }
         }
 
         impl<$($generics)*> $crate::coupling::Lateral<R> for $profile {

@@ -13,7 +13,7 @@
 //! Polygons, bars and meshes under Coulomb's law have closed forms, a few ulp without a table: [`flat`]; polygons
 //! under |v|^α need 127 prepared numbers.
 //!
-//! Tables take 23 KiB a law on the uniform disk and 46 KiB elsewhere (f32: 3 and 6 KiB) and the same
+//! Tables take 25 KiB a law on the uniform disk and 48 KiB elsewhere (f32: 4 and 7 KiB) and the same
 //! time for every pressure and exponent; compact tiers are code only, 5 times as slow, 150 times for
 //! any exponent.
 //!
@@ -139,6 +139,15 @@ pub trait Coupling<R: Real> {
 
     /// Analytic derivatives at the same arguments.
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R>;
+
+    /// F/v and T. *Domain*: ordinary speeds, whose squares are far from the ends of the number
+    /// range; `rim` may be 0.
+    #[doc(hidden)]
+    #[inline]
+    fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
+        let ReducedWrench { force, torque } = self.reduced_wrench(slide, rim);
+        [force / slide, torque]
+    }
 }
 
 /// A coupling whose wrench depends on the ratio of the two speeds alone: dry friction, α = 0.
@@ -169,5 +178,9 @@ impl<R: Real, C: Coupling<R> + ?Sized> Coupling<R> for &C {
     #[inline]
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
         (**self).reduced_jacobian(slide, rim)
+    }
+    #[inline]
+    fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
+        (**self).reduced_drag(slide, rim)
     }
 }

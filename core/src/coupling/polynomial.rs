@@ -9,7 +9,7 @@ use super::{Coupling, ReducedJacobian, ReducedWrench};
 use crate::law::{LawError, validated_exponent};
 use crate::patch::PolynomialPressure;
 
-/// A table of Φ and Χ for a polynomial pressure and one exponent, in f64 (46 KiB).
+/// A table of Φ and Χ for a polynomial pressure and one exponent, in f64 (48 KiB).
 ///
 /// *Accuracy*: as [`super::round::RoundTable64`], times Σ|wⱼ| of the pressure's shares.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +48,14 @@ impl Profile<f64> for PolynomialTable {
     fn factors(&self, at: &Speeds<f64>) -> [f64; 2] {
         self.sides.factors(at)
     }
+    #[inline]
+    fn speed_scale(&self, speed: f64) -> f64 {
+        self.sides.speed_scale(speed)
+    }
+    #[inline]
+    fn rate_scale(&self, speed: f64) -> f64 {
+        self.sides.rate_scale(speed)
+    }
 }
 
 impl SmoothProfile<f64> for PolynomialTable {
@@ -68,7 +76,7 @@ impl Coupling<f64> for PolynomialTable {
     }
 }
 
-/// A [`PolynomialTable`] with its lateral function (92 KiB together).
+/// A [`PolynomialTable`] with its lateral function (95 KiB together).
 ///
 /// ```
 /// use tribos_core::coupling::{Lateral, round::LateralPolynomialTable};
@@ -114,6 +122,14 @@ impl Profile<f64> for LateralPolynomialTable {
     #[inline]
     fn factors(&self, at: &Speeds<f64>) -> [f64; 2] {
         self.table.factors(at)
+    }
+    #[inline]
+    fn speed_scale(&self, speed: f64) -> f64 {
+        self.table.speed_scale(speed)
+    }
+    #[inline]
+    fn rate_scale(&self, speed: f64) -> f64 {
+        self.table.rate_scale(speed)
     }
 }
 

@@ -55,15 +55,12 @@ pub trait Profile<R: Real> {
     #[doc(hidden)]
     fn factors(&self, at: &Speeds<R>) -> [R; 2];
 
-    /// (F, T)/m^α = (a Φ, b Χ) with a = v/m and b = w/m.
+    /// Φ and T/m^α = b Χ with b = w/m.
     #[doc(hidden)]
     #[inline]
-    fn unscaled(&self, at: &Speeds<R>) -> ReducedWrench<R> {
+    fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
         let [phi, chi] = self.factors(at);
-        ReducedWrench {
-            force: at.slide * phi,
-            torque: at.rim * chi,
-        }
+        [phi, at.rim * chi]
     }
 
     /// C_α(ε) − C: its sign decides where ε goes, its size how fast.
@@ -124,8 +121,8 @@ impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
         (**self).factors(at)
     }
     #[inline]
-    fn unscaled(&self, at: &Speeds<R>) -> ReducedWrench<R> {
-        (**self).unscaled(at)
+    fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
+        (**self).drag_and_torque(at)
     }
     #[inline]
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
@@ -133,6 +130,14 @@ impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
     }
     fn inertia_ends(&self) -> [R; 2] {
         (**self).inertia_ends()
+    }
+    #[inline]
+    fn speed_scale(&self, speed: R) -> R {
+        (**self).speed_scale(speed)
+    }
+    #[inline]
+    fn rate_scale(&self, speed: R) -> R {
+        (**self).rate_scale(speed)
     }
 }
 
@@ -160,7 +165,11 @@ pub fn unscaled_wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) ->
     if speeds.at_rest() {
         return ReducedWrench::default();
     }
-    profile.unscaled(&speeds)
+    let [drag, torque] = profile.drag_and_torque(&speeds);
+    ReducedWrench {
+        force: speeds.slide * drag,
+        torque,
+    }
 }
 
 /// [`super::Coupling::reduced_wrench`] of a profile.
@@ -172,12 +181,27 @@ pub(super) fn wrench<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> R
     }
     let scale = profile.speed_scale(speeds.major);
     let [force, torque] = if speeds.may_be_scaled(scale, slide, rim) {
-        let ReducedWrench { force, torque } = profile.unscaled(&speeds);
-        [scale * force, scale * torque]
+        let [drag, torque] = profile.drag_and_torque(&speeds);
+        [scale * (speeds.slide * drag), scale * torque]
     } else {
         beyond::wrench(profile, &speeds, slide, rim)
     };
     ReducedWrench { force, torque }
+}
+
+/// [`super::Coupling::reduced_drag`] of a profile: one division for all.
+#[inline]
+pub(super) fn drag<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> [R; 2] {
+    let (speeds, per_major) = Speeds::of_ordinary(slide, rim);
+    let scale = profile.speed_scale(speeds.major);
+    let per_speed = scale * per_major;
+    if is_ordinary(scale) && is_ordinary(per_speed) {
+        let [drag, torque] = profile.drag_and_torque(&speeds);
+        [per_speed * drag, scale * torque]
+    } else {
+        let ReducedWrench { force, torque } = wrench(profile, slide, rim);
+        [force / slide, torque]
+    }
 }
 
 /// [`super::Coupling::reduced_jacobian`] of a profile.

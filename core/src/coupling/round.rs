@@ -25,7 +25,7 @@ pub struct RoundTable<R, const CELLS: usize, const TERMS: usize> {
 /// Exponents this close to 1 leave C_α too flat for a plain difference.
 const NEARLY_LINEAR: f64 = 0.125;
 
-/// Friction v^α under a pressure (1−r²)^q, from a table in f64 (46 KiB).
+/// Friction v^α under a pressure (1−r²)^q, from a table in f64 (48 KiB).
 ///
 /// ```
 /// use tribos_core::coupling::{Coupling, round::RoundTable64};
@@ -36,7 +36,7 @@ const NEARLY_LINEAR: f64 = 0.125;
 /// # Ok::<(), tribos_core::law::LawError>(())
 /// ```
 pub type RoundTable64 = RoundTable<f64, CELLS_F64, TERMS_F64>;
-/// Friction v^α under a pressure (1−r²)^q, from a table in f32 (6 KiB).
+/// Friction v^α under a pressure (1−r²)^q, from a table in f32 (7 KiB).
 ///
 /// ```
 /// use tribos_core::coupling::{Coupling, round::RoundTable32};
@@ -89,7 +89,7 @@ impl RoundTable32 {
     /// use tribos_core::coupling::round::RoundTable32;
     /// use tribos_core::law::LawError;
     /// use tribos_core::patch::PowerPressure;
-    /// assert!(size_of::<RoundTable32>() < 6 * 1024); // bytes of flash
+    /// assert!(size_of::<RoundTable32>() < 7 * 1024); // bytes of flash
     /// let refused = RoundTable32::new(-1.0, PowerPressure::HERTZ);
     /// assert!(matches!(refused, Err(LawError::Exponent { given: -1.0, .. })));
     /// ```
@@ -113,6 +113,14 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for RoundTable<
     #[inline]
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {
         self.sides.factors(at)
+    }
+    #[inline]
+    fn speed_scale(&self, speed: R) -> R {
+        self.sides.speed_scale(speed)
+    }
+    #[inline]
+    fn rate_scale(&self, speed: R) -> R {
+        self.sides.rate_scale(speed)
     }
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
         // The slope of a table is less accurate than its values: needed near α = 1 only.

@@ -4,6 +4,7 @@ use super::member::Member;
 use super::octave::{self, Cell, Pair};
 use super::profile::{Profile, SmoothProfile};
 use super::speeds::{Lead, Speeds};
+use crate::power::FixedPower;
 use crate::real::Real;
 
 /// The cells of Φ and its partner.
@@ -167,6 +168,7 @@ fn evaluated<R: Real, const TERMS: usize>(cell: &Cell<R, TERMS>, u: R) -> [R; 2]
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sides<R, const CELLS: usize, const TERMS: usize> {
     pub alpha: R,
+    power: FixedPower<R>,
     pub spinning: Side<R, CELLS, TERMS>,
     pub sliding: Side<R, CELLS, TERMS>,
 }
@@ -176,6 +178,7 @@ impl<const CELLS: usize, const TERMS: usize> Sides<f64, CELLS, TERMS> {
     pub const fn of_member(member: &Member) -> Self {
         Self {
             alpha: member.alpha,
+            power: FixedPower::<f64>::new(member.alpha),
             spinning: Side::build(&member.spinning()),
             sliding: Side::build(&member.sliding()),
         }
@@ -185,6 +188,7 @@ impl<const CELLS: usize, const TERMS: usize> Sides<f64, CELLS, TERMS> {
     pub fn of_shares(alpha: f64, shares: impl IntoIterator<Item = f64>) -> Self {
         let mut sum = Self {
             alpha,
+            power: FixedPower::<f64>::new(alpha),
             spinning: Side::empty(),
             sliding: Side::empty(),
         };
@@ -204,6 +208,7 @@ impl<const CELLS: usize, const TERMS: usize> Sides<f32, CELLS, TERMS> {
     pub const fn rounded(alpha: f32, wide: &Sides<f64, CELLS, TERMS>) -> Self {
         Self {
             alpha,
+            power: FixedPower::<f32>::new(alpha),
             spinning: Side::rounded(&wide.spinning),
             sliding: Side::rounded(&wide.sliding),
         }
@@ -228,6 +233,14 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Sides<R, CE
     #[inline]
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {
         self.leading(at).at_complement(at.complement())
+    }
+    #[inline]
+    fn speed_scale(&self, speed: R) -> R {
+        self.power.of(speed)
+    }
+    #[inline]
+    fn rate_scale(&self, speed: R) -> R {
+        self.power.rate(speed)
     }
 }
 

@@ -47,6 +47,25 @@ impl<R: Real> Speeds<R> {
         }
     }
 
+    /// From two ordinary speeds (from `LEAST_SPEED` up to its reciprocal), `rim` may be 0; with 1/m, the
+    /// only quotient.
+    #[inline]
+    pub(super) fn of_ordinary(slide: R, rim: R) -> (Self, R) {
+        let slides = slide > rim;
+        let (major, minor) = if slides { (slide, rim) } else { (rim, slide) };
+        let per_major = R::ONE / major;
+        let h = minor * per_major;
+        let (slide, rim) = if slides { (R::ONE, h) } else { (h, R::ONE) };
+        let gap = (major - minor) * per_major;
+        let speeds = Self {
+            major,
+            slide,
+            rim,
+            gap,
+        };
+        (speeds, per_major)
+    }
+
     /// From the smaller over the larger speed, `ratio` in [0, 1], with m = 1.
     #[inline]
     pub fn from_ratio(lead: Lead, ratio: R) -> Self {

@@ -1,12 +1,13 @@
 //! The quickest tier: polynomial tables, a few ulp, the same cost for every exponent.
 
+use super::DryCoupling;
 use super::family;
 use super::member::Member;
 use super::profile::{Profile, SmoothProfile};
 use super::side::Side;
 use super::speeds::Speeds;
-use super::{DryCoupling, ReducedWrench};
 use crate::law::{LawError, validated_exponent};
+use crate::power::FixedPower;
 use crate::real::Real;
 
 /// f64: 52 octaves of z reach the smallest gap between two speeds; degree 12.
@@ -21,15 +22,23 @@ const TERMS_COULOMB_F32: usize = 5;
 /// [`Table64::MAX_EXPONENT`], and that of every other table.
 pub(super) const MAX_EXPONENT: f64 = 10.0;
 
-/// Both tables: Φ and Θ; Χ = (1−a²)Φ/n + a²Θ with a = v/m, whichever speed leads.
+/// Φ and Θ of one exponent; Χ = (1−a²)Φ/n + a²Θ with a = v/m, whichever speed leads.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
-pub struct Table<R, const CELLS: usize, const TERMS: usize> {
+pub struct Disk<R, const CELLS: usize, const TERMS: usize> {
     alpha: R,
     side: Side<R, CELLS, TERMS>,
 }
 
-/// Friction v^α on a uniform disk, from a table of one exponent in f64 (23 KiB).
+/// Both tables: a disk, and the power of its scale.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Table<R, const CELLS: usize, const TERMS: usize> {
+    disk: Disk<R, CELLS, TERMS>,
+    power: FixedPower<R>,
+}
+
+/// Friction v^α on a uniform disk, from a table of one exponent in f64 (25 KiB).
 ///
 /// ```
 /// use tribos_core::coupling::{Coupling, table::Table64};
@@ -41,7 +50,7 @@ pub struct Table<R, const CELLS: usize, const TERMS: usize> {
 /// # Ok::<(), LawError>(())
 /// ```
 pub type Table64 = Table<f64, CELLS_F64, TERMS_F64>;
-/// Friction v^α on a uniform disk, from a table of one exponent in f32 (3 KiB).
+/// Friction v^α on a uniform disk, from a table of one exponent in f32 (4 KiB).
 ///
 /// ```
 /// use tribos_core::coupling::{Coupling, table::Table32};
@@ -60,7 +69,7 @@ impl Table64 {
     /// Builds the table of exponent α; `const`, so that a `static` table can live in flash.
     ///
     /// *Domain*: −1 < α ≤ 10. *Accuracy* of force and torque: 1.5e-15 relative for
-    /// α ≥ −0.75 (5 ulp at α = 0), 1.2e-14 below; Jacobian 2e-13 of F/v. *Cost*: about 300,000
+    /// α ≥ −0.75 (5 ulp at α = 0), 1.2e-14 below; Jacobian 2e-13 of F/v. *Cost*: about 350,000
     /// floating-point operations.
     ///
     /// ```
@@ -74,11 +83,16 @@ impl Table64 {
     /// ```
     pub const fn new(alpha: f64) -> Result<Self, LawError> {
         match validated_exponent(alpha, MAX_EXPONENT) {
-            Ok(alpha) => Ok(Self::build(alpha)),
+            Ok(alpha) => Ok(Self {
+                disk: Disk::<f64, _, _>::build(alpha),
+                power: FixedPower::<f64>::new(alpha),
+            }),
             Err(error) => Err(error),
         }
     }
+}
 
+impl Disk<f64, CELLS_F64, TERMS_F64> {
     const fn build(alpha: f64) -> Self {
         let disk = Member { alpha, order: 0.0 };
         Self {
@@ -92,25 +106,28 @@ impl Table32 {
     /// Builds the table of exponent α in f64 arithmetic and rounds it; `const`.
     ///
     /// *Domain*: −1 < α ≤ 10. *Accuracy* of force and torque: 5 ulp for
-    /// −0.75 ≤ α ≤ 5, 8 ulp up to 10; Jacobian 6e-6 of F/v. *Cost*: about 150,000 operations in
+    /// −0.75 ≤ α ≤ 5, 8 ulp up to 10; Jacobian 6e-6 of F/v. *Cost*: about 200,000 operations in
     /// f64.
     ///
     /// ```
     /// use tribos_core::coupling::{Coupling, table::Table32};
-    /// assert!(size_of::<Table32>() < 3 * 1024); // bytes of flash
+    /// assert!(size_of::<Table32>() < 4 * 1024); // bytes of flash
     /// let wrench = Table32::new(1.0)?.reduced_wrench(0.3, 0.4); // F = v, T = w/2
     /// assert!((wrench.force - 0.3).abs() < 1e-6 && (wrench.torque - 0.2).abs() < 1e-6);
     /// # Ok::<(), tribos_core::law::LawError>(())
     /// ```
     pub const fn new(alpha: f32) -> Result<Self, LawError> {
         match validated_exponent(alpha as f64, MAX_EXPONENT) {
-            Ok(_) => Ok(Self::build(alpha)),
+            Ok(_) => Ok(Self {
+                disk: Disk::<f32, _, _>::build(alpha),
+                power: FixedPower::<f32>::new(alpha),
+            }),
             Err(error) => Err(error),
         }
     }
 }
 
-impl<const TERMS: usize> Table<f32, CELLS_F32, TERMS> {
+impl<const TERMS: usize> Disk<f32, CELLS_F32, TERMS> {
     const fn build(alpha: f32) -> Self {
         let disk = Member {
             alpha: alpha as f64,
@@ -123,7 +140,7 @@ impl<const TERMS: usize> Table<f32, CELLS_F32, TERMS> {
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CELLS, TERMS> {
+impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Disk<R, CELLS, TERMS> {
     #[inline]
     fn exponent(&self) -> R {
         self.alpha
@@ -138,14 +155,11 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CE
     /// One formula for both regimes, since which speed leads is a coin toss to a branch predictor,
     /// and one whose two lines the compiler computes side by side.
     #[inline]
-    fn unscaled(&self, at: &Speeds<R>) -> ReducedWrench<R> {
+    fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
         let [phi, theta] = self.force_and_theta(at);
         let (a, h) = (at.slide, at.ratio());
         let spin = pure_spin_torque(self.alpha) * (R::ONE - a * a);
-        ReducedWrench {
-            force: a * phi,
-            torque: spin * phi + a * h * theta,
-        }
+        [phi, spin * phi + a * h * theta]
     }
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
         family::inertia_excess(self, R::ZERO, at, inertia_ratio)
@@ -155,7 +169,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CE
     }
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> Table<R, CELLS, TERMS> {
+impl<R: Real, const CELLS: usize, const TERMS: usize> Disk<R, CELLS, TERMS> {
     #[inline]
     fn force_and_theta(&self, at: &Speeds<R>) -> [R; 2] {
         let h = at.ratio();
@@ -169,7 +183,7 @@ fn pure_spin_torque<R: Real>(alpha: R) -> R {
     R::TWO / (R::ONE + R::TWO + alpha)
 }
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table<R, CELLS, TERMS> {
+impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Disk<R, CELLS, TERMS> {
     #[inline]
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         let [phi, slope] = self.side.value_and_slope(at.complement());
@@ -179,11 +193,48 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table
     }
 }
 
-/// Table of α = 0 in f32.
-pub(crate) type CoulombTable32 = Table<f32, CELLS_F32, TERMS_COULOMB_F32>;
+impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CELLS, TERMS> {
+    #[inline]
+    fn exponent(&self) -> R {
+        self.disk.alpha
+    }
+    #[inline]
+    fn factors(&self, at: &Speeds<R>) -> [R; 2] {
+        self.disk.factors(at)
+    }
+    #[inline]
+    fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
+        self.disk.drag_and_torque(at)
+    }
+    fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
+        self.disk.inertia_excess(at, inertia_ratio)
+    }
+    fn inertia_ends(&self) -> [R; 2] {
+        self.disk.inertia_ends()
+    }
+    #[inline]
+    fn speed_scale(&self, speed: R) -> R {
+        self.power.of(speed)
+    }
+    #[inline]
+    fn rate_scale(&self, speed: R) -> R {
+        self.power.rate(speed)
+    }
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table<R, CELLS, TERMS> {
+    #[inline]
+    fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        self.disk.factors_and_slope(at)
+    }
+}
+
+/// Tables of α = 0, which need no power.
+pub(crate) type CoulombTable64 = Disk<f64, CELLS_F64, TERMS_F64>;
+pub(crate) type CoulombTable32 = Disk<f32, CELLS_F32, TERMS_COULOMB_F32>;
 
 /// The tables of α = 0, in read-only memory.
-pub(crate) static COULOMB_F64: Table64 = Table64::build(0.0);
+pub(crate) static COULOMB_F64: CoulombTable64 = CoulombTable64::build(0.0);
 pub(crate) static COULOMB_F32: CoulombTable32 = CoulombTable32::build(0.0);
 
 /// Coulomb friction, α = 0, from a table built by the compiler: no constructor, no RAM, no power.
@@ -222,14 +273,22 @@ impl<R: Real> Profile<R> for Coulomb {
         R::coulomb_table().factors(at)
     }
     #[inline]
-    fn unscaled(&self, at: &Speeds<R>) -> ReducedWrench<R> {
-        R::coulomb_table().unscaled(at)
+    fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
+        R::coulomb_table().drag_and_torque(at)
     }
     fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
         R::coulomb_table().inertia_excess(at, inertia_ratio)
     }
     fn inertia_ends(&self) -> [R; 2] {
         R::coulomb_table().inertia_ends()
+    }
+    #[inline]
+    fn speed_scale(&self, speed: R) -> R {
+        R::coulomb_table().speed_scale(speed)
+    }
+    #[inline]
+    fn rate_scale(&self, speed: R) -> R {
+        R::coulomb_table().rate_scale(speed)
     }
 }
 

@@ -21,7 +21,7 @@ pub(super) struct Start {
 }
 
 impl Start {
-    /// Grows the deposit of the scene, or reads what it names.
+    /// Grows the deposit of the scene, or reads what it names. Spheres of a file keep their numbers.
     pub fn of(
         scene: &PowderScene,
         watch: impl FnMut(usize) -> ControlFlow<()>,
@@ -31,7 +31,8 @@ impl Start {
         }
         let deposit = scene
             .ballistic()?
-            .grow_watched(scene.until(), scene.seed, watch)?;
+            .grow_watched(scene.until(), scene.seed, watch)?
+            .numbered_for_run();
         Ok(Self {
             contacts: deposit.contacts(),
             deposit,

@@ -122,8 +122,7 @@ fn profile<R: Real, P: Profile<R>>(hash: &mut Fnv, tier: &P, count: usize) {
         let speeds = Speeds::new(slide, rim);
         hash.numbers([tier.inertia_excess(&speeds, R::HALF)]);
         hash.numbers(tier.factors(&speeds));
-        let unscaled = tier.unscaled(&speeds);
-        hash.numbers([unscaled.force, unscaled.torque]);
+        hash.numbers(tier.drag_and_torque(&speeds));
         hash.numbers([tier.speed_scale(slide), tier.rate_scale(rim)]);
     }
     for x in ends() {

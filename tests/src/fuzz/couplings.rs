@@ -89,6 +89,7 @@ fn closed<R: Real>(source: &mut Source) -> Result<(), Broken> {
 fn exact<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), Broken> {
     let (slide, rim) = (source.number::<R>(), source.number::<R>());
     let wrench = tier.reduced_wrench(slide, rim);
+    let [drag, _] = tier.reduced_drag(slide, rim);
     let jacobian = tier.reduced_jacobian(slide, rim);
     let slopes = [
         jacobian.force_per_slide,
@@ -104,6 +105,9 @@ fn exact<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), Br
     if slide.is_finite() && rim.is_finite() {
         let resists = wrench.force >= R::ZERO && wrench.torque >= R::ZERO;
         holds(resists, "force and torque ≥ 0", &values)?;
+        let is_ordinary = |speed: R| R::from_f64(1e-9) < speed && speed < R::from_f64(1e9);
+        let opposes = drag >= R::ZERO || !is_ordinary(slide) || !is_ordinary(rim);
+        holds(opposes, "drag ≥ 0", &values)?;
         numbers("Jacobian", slopes)?;
         finite(source, "wrench", [wrench.force, wrench.torque])?;
     }

@@ -7,6 +7,7 @@ pub mod curve;
 mod cut;
 mod error;
 mod grow;
+mod order;
 mod porosity;
 
 #[doc(hidden)]
