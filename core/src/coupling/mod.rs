@@ -24,6 +24,7 @@
 //! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
 
 mod annulus;
+mod batch;
 mod beyond;
 mod dry;
 mod family;
@@ -49,6 +50,8 @@ pub mod table;
 pub mod tall;
 
 pub use annulus::Annulus;
+use batch::Group;
+pub(crate) use batch::{LaneProfile, Laned};
 pub use dry::Dry;
 pub(crate) use family::inertia_ends;
 pub use friction::{Magnitudes, MagnitudesJacobian, PatchFriction};
@@ -148,6 +151,29 @@ pub trait Coupling<R: Real> {
         let ReducedWrench { force, torque } = self.reduced_wrench(slide, rim);
         [force / slide, torque]
     }
+
+    /// [`Coupling::reduced_drag`] of a group, to the same bits; nothing where a coupling has no
+    /// lanes, or a lane needs care.
+    #[doc(hidden)]
+    #[inline]
+    fn reduced_drags(&self, _slides: &Group<R>, _rims: &Group<R>) -> Option<[Group<R>; 2]> {
+        None
+    }
+
+    /// [`Coupling::reduced_wrench`] of a group, as [`Coupling::reduced_drags`].
+    #[doc(hidden)]
+    #[inline]
+    fn reduced_wrenches(&self, _slides: &Group<R>, _rims: &Group<R>) -> Option<[Group<R>; 2]> {
+        None
+    }
+
+    /// [`Coupling::reduced_jacobian`] of a group, as [`Coupling::reduced_drags`]; in the order of
+    /// the fields.
+    #[doc(hidden)]
+    #[inline]
+    fn reduced_jacobians(&self, _slides: &Group<R>, _rims: &Group<R>) -> Option<[Group<R>; 4]> {
+        None
+    }
 }
 
 /// A coupling whose wrench depends on the ratio of the two speeds alone: dry friction, α = 0.
@@ -182,5 +208,17 @@ impl<R: Real, C: Coupling<R> + ?Sized> Coupling<R> for &C {
     #[inline]
     fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
         (**self).reduced_drag(slide, rim)
+    }
+    #[inline]
+    fn reduced_drags(&self, slides: &Group<R>, rims: &Group<R>) -> Option<[Group<R>; 2]> {
+        (**self).reduced_drags(slides, rims)
+    }
+    #[inline]
+    fn reduced_wrenches(&self, slides: &Group<R>, rims: &Group<R>) -> Option<[Group<R>; 2]> {
+        (**self).reduced_wrenches(slides, rims)
+    }
+    #[inline]
+    fn reduced_jacobians(&self, slides: &Group<R>, rims: &Group<R>) -> Option<[Group<R>; 4]> {
+        (**self).reduced_jacobians(slides, rims)
     }
 }

@@ -78,6 +78,20 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Side<R, CELLS, TERMS> {
         self.cells.get(z.half_octave().saturating_sub(below))
     }
 
+    /// Some z in the cell of z = 0.
+    #[inline]
+    pub fn least(&self) -> R {
+        R::of_half_octave(const { R::HALF_OCTAVE_OF_ONE - (CELLS - 1) })
+    }
+
+    /// The cell that holds z from [`Side::least`] to 1, found without a branch.
+    #[inline]
+    pub fn cell_from_least(&self, z: R) -> &Cell<R, TERMS> {
+        let below = const { R::HALF_OCTAVE_OF_ONE - (CELLS - 1) };
+        let cell = self.cells.get(z.half_octave().wrapping_sub(below));
+        cell.unwrap_or(&self.cells[0])
+    }
+
     /// The cell of z = 0; out of line, so that finding the others needs no clamp.
     #[cold]
     #[inline(never)]
@@ -168,7 +182,7 @@ fn evaluated<R: Real, const TERMS: usize>(cell: &Cell<R, TERMS>, u: R) -> [R; 2]
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sides<R, const CELLS: usize, const TERMS: usize> {
     pub alpha: R,
-    power: FixedPower<R>,
+    pub power: FixedPower<R>,
     pub spinning: Side<R, CELLS, TERMS>,
     pub sliding: Side<R, CELLS, TERMS>,
 }

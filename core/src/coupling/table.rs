@@ -27,15 +27,15 @@ pub(super) const MAX_EXPONENT: f64 = 10.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Disk<R, const CELLS: usize, const TERMS: usize> {
     alpha: R,
-    side: Side<R, CELLS, TERMS>,
+    pub(super) side: Side<R, CELLS, TERMS>,
 }
 
 /// Both tables: a disk, and the power of its scale.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Table<R, const CELLS: usize, const TERMS: usize> {
-    disk: Disk<R, CELLS, TERMS>,
-    power: FixedPower<R>,
+    pub(super) disk: Disk<R, CELLS, TERMS>,
+    pub(super) power: FixedPower<R>,
 }
 
 /// Friction v^α on a uniform disk, from a table of one exponent in f64 (25 KiB).
@@ -179,7 +179,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Disk<R, CELLS, TERMS> {
 
 /// 2/(3+α): the reduced torque of pure spinning.
 #[inline]
-fn pure_spin_torque<R: Real>(alpha: R) -> R {
+pub(super) fn pure_spin_torque<R: Real>(alpha: R) -> R {
     R::TWO / (R::ONE + R::TWO + alpha)
 }
 
@@ -301,6 +301,6 @@ impl<R: Real> SmoothProfile<R> for Coulomb {
 
 impl<R: Real> DryCoupling<R> for Coulomb {}
 
-family::coupled!([R: Real, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>, |_table| R::ZERO);
+family::coupled_in_lanes!([R: Real, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>, |_table| R::ZERO);
 
-family::coupled!([R: Real] Coulomb, |_table| R::ZERO);
+family::coupled_in_lanes!([R: Real] Coulomb, |_table| R::ZERO);
