@@ -45,9 +45,11 @@ mod meridian;
 mod patch;
 mod polar;
 mod quadratic;
+mod rising;
 mod scaled;
 mod search;
 mod sharing;
+mod sketch;
 mod support_error;
 mod yaw;
 
