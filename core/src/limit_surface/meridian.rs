@@ -19,7 +19,7 @@
 //! that it has computed instead of computing another.
 
 use super::collar;
-use super::rising::{Step, solve_rising};
+use super::rising::{Rising, Step};
 use super::sketch::Sketch;
 use crate::coupling::{DryCoupling, Lead, ReducedWrench};
 use crate::real::Real;
@@ -182,11 +182,16 @@ impl<R: Real, C: DryCoupling<R>> Meridian<R, C> {
         }
     }
 
-    /// The normal where the ray of a point meets the curve, and the point's gauge
-    /// max p·(v, w)/D(v, w), which is stationary there.
+    #[inline]
+    fn local(&self, lead: Lead, ratio: R) -> Local<R> {
+        Local::of(&self.coupling, lead, ratio)
+    }
+
+    /// The search for the normal where the ray of a point meets the curve.
     ///
     /// *Domain*: finite components ≥ 0 of which the larger is of order 1; NaN gives NaN.
-    pub fn radial(&self, point: ReducedWrench<R>, aim: Aim<R>) -> Radial<R> {
+    #[inline]
+    pub fn ray(&self, point: ReducedWrench<R>, aim: Aim<R>) -> Ray<R> {
         let ReducedWrench { force, torque } = point;
         let lead = if force * self.equal.torque >= torque * self.equal.force {
             Lead::Sliding
@@ -196,41 +201,17 @@ impl<R: Real, C: DryCoupling<R>> Meridian<R, C> {
         let given = ordered(lead, force, torque);
         let [major, minor] = given;
         let start = self.sketch(lead).on_ray(minor / major);
-        let gauge_at =
-            |h, [on_major, on_minor]: [R; 2]| (major + minor * h) / (on_major + on_minor * h);
-        let is_side_known = |step: &Step<R>, at: &Local<R>| match aim {
-            Aim::Side(size) => {
-                let gauge = size * gauge_at(step.from, [at.major, at.minor]);
-                gauge > R::ONE + R::TWO * collar()
-                    || gauge + R::from_f64(SPREAD) * at.rate * (step.by * step.by)
-                        < R::ONE - R::TWO * collar()
-            }
-            _ => false,
-        };
-        let end = solve_rising(
-            start,
-            |h| Local::of(&self.coupling, lead, h),
-            |h, at| at.across_ray(h, given),
-            |step, at| match aim {
-                Aim::Normal => step.is_settled(),
-                _ => step.is_stationary() || is_side_known(step, at),
-            },
-        );
-        // Every normal bounds the gauge from below.
-        let gauge = if is_side_known(&end.step, &end.at) {
-            gauge_at(end.step.from, [end.at.major, end.at.minor])
-        } else {
-            gauge_at(end.ratio(), end.point())
-        };
-        Radial {
-            normal: normal_of(lead, end.ratio()),
-            gauge,
+        Ray {
+            lead,
+            given,
+            aim,
+            search: Rising::new(start),
         }
     }
 
-    /// The normal and the point of the curve nearest to one outside, in the norm
-    /// √(f² + t²/`lever_sq`).
-    pub fn nearest(&self, point: ReducedWrench<R>, lever_sq: R) -> Place<R> {
+    /// The search for the point of the curve nearest to one outside, in the norm √(f² + t²/`lever_sq`).
+    #[inline]
+    pub fn offset(&self, point: ReducedWrench<R>, lever_sq: R) -> Offset<R> {
         let ReducedWrench { force, torque } = point;
         let equal = &self.equal;
         let lead = if torque - equal.torque <= lever_sq * (force - equal.force) {
@@ -241,17 +222,116 @@ impl<R: Real, C: DryCoupling<R>> Meridian<R, C> {
         let given = ordered(lead, force, torque);
         let [weight, _] = ordered(lead, R::ONE / lever_sq, lever_sq);
         let start = self.sketch(lead).nearest(given, weight);
-        let end = solve_rising(
-            start,
-            |h| Local::of(&self.coupling, lead, h),
-            |h, at| at.beside_normal(h, given, weight),
-            |step, _| step.is_settled(),
-        );
-        let [major, minor] = end.point();
-        let [force, torque] = ordered(lead, major, minor);
-        Place {
-            normal: normal_of(lead, end.ratio()),
-            at: ReducedWrench { force, torque },
+        Offset {
+            lead,
+            given,
+            weight,
+            search: Rising::new(start),
         }
+    }
+}
+
+/// A search along the curve, one point of it after the other.
+pub(super) trait Search<R: Real> {
+    type Found;
+
+    /// Computes the next point; what is looked for, if that is known then.
+    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Self::Found>;
+}
+
+/// What a search finds.
+#[inline]
+pub(super) fn solved<R: Real, C: DryCoupling<R>, S: Search<R>>(
+    search: &mut S,
+    curve: &Meridian<R, C>,
+) -> S::Found {
+    loop {
+        if let Some(found) = search.advance(curve) {
+            return found;
+        }
+    }
+}
+
+/// The search for the normal on the ray of a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ray<R> {
+    lead: Lead,
+    given: [R; 2],
+    aim: Aim<R>,
+    search: Rising<R>,
+}
+
+/// The search for the nearest point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Offset<R> {
+    lead: Lead,
+    given: [R; 2],
+    weight: R,
+    search: Rising<R>,
+}
+
+impl<R: Real> Ray<R> {
+    /// The gauge by a normal: every one bounds it from below.
+    #[inline]
+    fn gauge(&self, ratio: R, [on_major, on_minor]: [R; 2]) -> R {
+        let [major, minor] = self.given;
+        (major + minor * ratio) / (on_major + on_minor * ratio)
+    }
+
+    /// True if the normal where a step starts tells on which side of 1 the gauge lies.
+    #[inline]
+    fn is_side_known(&self, step: &Step<R>, at: &Local<R>) -> bool {
+        let Aim::Side(size) = self.aim else {
+            return false;
+        };
+        let gauge = size * self.gauge(step.from, [at.major, at.minor]);
+        let gain = R::from_f64(SPREAD) * at.rate * (step.by * step.by);
+        gauge > R::ONE + R::TWO * collar() || gauge + gain < R::ONE - R::TWO * collar()
+    }
+}
+
+impl<R: Real> Search<R> for Ray<R> {
+    type Found = Radial<R>;
+
+    #[inline]
+    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Radial<R>> {
+        let ratio = self.search.at();
+        let at = curve.local(self.lead, ratio);
+        let this = *self;
+        let end = self
+            .search
+            .seen(at, at.across_ray(ratio, self.given), |step| {
+                match this.aim {
+                    Aim::Normal => step.is_settled(),
+                    _ => step.is_stationary() || this.is_side_known(step, &at),
+                }
+            })?;
+        let gauge = if self.is_side_known(&end.step, &end.at) {
+            self.gauge(end.step.from, [end.at.major, end.at.minor])
+        } else {
+            self.gauge(end.ratio(), end.point())
+        };
+        Some(Radial {
+            normal: normal_of(self.lead, end.ratio()),
+            gauge,
+        })
+    }
+}
+
+impl<R: Real> Search<R> for Offset<R> {
+    type Found = Place<R>;
+
+    #[inline]
+    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Place<R>> {
+        let ratio = self.search.at();
+        let at = curve.local(self.lead, ratio);
+        let value = at.beside_normal(ratio, self.given, self.weight);
+        let end = self.search.seen(at, value, Step::is_settled)?;
+        let [major, minor] = end.point();
+        let [force, torque] = ordered(self.lead, major, minor);
+        Some(Place {
+            normal: normal_of(self.lead, end.ratio()),
+            at: ReducedWrench { force, torque },
+        })
     }
 }

@@ -37,10 +37,12 @@
 //! ```
 
 mod any_pressure;
+mod batch;
 mod central_path;
 mod ellipsoid;
 mod exact;
 mod kinks;
+mod loaded;
 mod meridian;
 mod patch;
 mod polar;

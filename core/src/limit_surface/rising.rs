@@ -31,15 +31,6 @@ pub(super) struct End<R> {
 
 impl<R: Real> Step<R> {
     #[inline]
-    fn none(from: R) -> Self {
-        Self {
-            from,
-            by: R::ZERO,
-            before: R::ZERO,
-        }
-    }
-
-    #[inline]
     pub fn end(&self) -> R {
         self.from + self.by
     }
@@ -48,7 +39,8 @@ impl<R: Real> Step<R> {
     #[inline]
     pub fn is_settled(&self) -> bool {
         let end = self.end();
-        let [by, before] = [self.by, self.before].map(|step| (step / end).abs());
+        let per_end = R::ONE / end;
+        let [by, before] = [self.by, self.before].map(|step| (step * per_end).abs());
         // A step is the square of the one before times a constant, and so is the next one.
         let [next, least] = [by * by * by, by * by * (end * end)];
         let share = R::from_f64(SHARE) * R::EPSILON;
@@ -86,60 +78,93 @@ impl<R: Real> End<R> {
     }
 }
 
-/// The zero in [0, 1] of a function that rises through it, by Newton steps kept in the bracket;
+/// A search for the zero in [0, 1] of a function that rises through it, by Newton steps kept in the bracket;
 /// bisection replaces a step that leaves it or has no slope.
-///
-/// *Domain*: any `start`. `function` gives value and slope from the point. Ends at once on NaN.
-/// *Cost*: at most [`MAX_STEPS`] points.
-#[inline]
-pub(super) fn solve_rising<R: Real>(
-    start: R,
-    point: impl Fn(R) -> Local<R>,
-    function: impl Fn(R, &Local<R>) -> [R; 2],
-    is_done: impl Fn(&Step<R>, &Local<R>) -> bool,
-) -> End<R> {
-    let (mut low, mut high) = (R::ZERO, R::ONE);
-    let mut from = if start >= low && start <= high {
-        start
-    } else {
-        high
-    };
-    let mut before = R::ZERO;
-    let mut at = point(from);
-    for _ in 0..MAX_STEPS {
-        let [value, slope] = function(from, &at);
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rising<R> {
+    low: R,
+    high: R,
+    /// Where the next point is to be computed.
+    at: R,
+    /// The Newton step that led there, 0 if none did.
+    before: R,
+    /// How many points may follow that one.
+    left: u32,
+}
+
+impl<R: Real> Rising<R> {
+    /// *Domain*: any `start`.
+    #[inline]
+    pub fn new(start: R) -> Self {
+        let (low, high) = (R::ZERO, R::ONE);
+        Self {
+            low,
+            high,
+            at: if start >= low && start <= high {
+                start
+            } else {
+                high
+            },
+            before: R::ZERO,
+            left: MAX_STEPS,
+        }
+    }
+
+    /// Where the next point is to be computed.
+    #[inline]
+    pub fn at(&self) -> R {
+        self.at
+    }
+
+    /// Goes on from the next point, where the function has this value and slope. The end is known at once on
+    /// NaN, and after [`MAX_STEPS`] at the latest.
+    #[inline]
+    pub fn seen(
+        &mut self,
+        point: Local<R>,
+        [value, slope]: [R; 2],
+        is_done: impl FnOnce(&Step<R>) -> bool,
+    ) -> Option<End<R>> {
+        let from = self.at;
         if value < R::ZERO {
-            low = from;
-        } else if value > R::ZERO {
-            high = from;
+            self.low = from;
         } else {
-            break;
+            self.high = from;
         }
         let step = Step {
             from,
             by: -(value / slope),
-            before,
+            before: self.before,
         };
         let newton = step.end();
-        if slope.is_finite() && newton >= low && newton <= high {
-            if is_done(&step, &at) {
-                return End { step, at };
-            }
-            (from, before) = (newton, step.by);
-        } else {
-            let middle = R::HALF * (low + high);
-            let is_narrow =
-                (middle - from).abs() <= R::from_f64(SETTLED_ULPS) * R::EPSILON * middle;
-            (from, before) = (middle, R::ZERO);
-            if is_narrow {
-                at = point(from);
-                break;
-            }
+        // A value of zero or NaN is an end, and so is that of the last point.
+        let is_open = value.abs() > R::ZERO && self.left > 0;
+        let is_newton = slope.is_finite() && newton >= self.low && newton <= self.high;
+        if is_open && is_newton && !is_done(&step) {
+            (self.at, self.before) = (newton, step.by);
+            self.left -= 1;
+            return None;
         }
-        at = point(from);
+        let step = if is_open && is_newton {
+            step
+        } else if is_open {
+            self.bisect();
+            return None;
+        } else {
+            Step {
+                by: R::ZERO,
+                ..step
+            }
+        };
+        Some(End { step, at: point })
     }
-    End {
-        step: Step::none(from),
-        at,
+
+    #[cold]
+    fn bisect(&mut self) {
+        let middle = R::HALF * (self.low + self.high);
+        let least = R::from_f64(SETTLED_ULPS) * R::EPSILON * middle;
+        let is_narrow = (middle - self.at).abs() <= least;
+        self.left = if is_narrow { 0 } else { self.left - 1 };
+        (self.at, self.before) = (middle, R::ZERO);
     }
 }
