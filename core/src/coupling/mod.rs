@@ -192,9 +192,31 @@ pub trait Coupling<R: Real> {
 /// let [slow, fast] = [1.0, 2.0].map(|scale| dissipation(&Coulomb, 0.3 * scale, 0.4 * scale));
 /// assert!((fast - 2.0 * slow).abs() < 1e-15);
 /// ```
-pub trait DryCoupling<R: Real>: Coupling<R> {}
+pub trait DryCoupling<R: Real>: Coupling<R> {
+    /// The larger and the smaller component where the larger speed is 1 and the smaller one `ratio`,
+    /// and the slope of the smaller one.
+    #[doc(hidden)]
+    #[inline]
+    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+        let (slide, rim) = match lead {
+            Lead::Sliding => (R::ONE, ratio),
+            Lead::Spinning => (ratio, R::ONE),
+        };
+        let ReducedWrench { force, torque } = self.reduced_wrench(slide, rim);
+        let rates = self.reduced_jacobian(slide, rim);
+        match lead {
+            Lead::Sliding => [force, torque, rates.torque_rim],
+            Lead::Spinning => [torque, force, rates.force_slide],
+        }
+    }
+}
 
-impl<R: Real, C: DryCoupling<R> + ?Sized> DryCoupling<R> for &C {}
+impl<R: Real, C: DryCoupling<R> + ?Sized> DryCoupling<R> for &C {
+    #[inline]
+    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+        (**self).reduced_point(lead, ratio)
+    }
+}
 
 impl<R: Real, C: Coupling<R> + ?Sized> Coupling<R> for &C {
     #[inline]

@@ -5,7 +5,7 @@ use super::family;
 use super::member::Member;
 use super::profile::{Profile, SmoothProfile};
 use super::side::Side;
-use super::speeds::Speeds;
+use super::speeds::{Lead, Speeds};
 use crate::law::{LawError, validated_exponent};
 use crate::power::FixedPower;
 use crate::real::Real;
@@ -21,6 +21,9 @@ const TERMS_COULOMB_F32: usize = 5;
 
 /// [`Table64::MAX_EXPONENT`], and that of every other table.
 pub(super) const MAX_EXPONENT: f64 = 10.0;
+
+/// Below this many roots of rounding Φ' is not taken from Θ, which loses its digits like 1/z.
+const CLOSE: f64 = 64.0;
 
 /// Φ and Θ of one exponent; Χ = (1−a²)Φ/n + a²Θ with a = v/m, whichever speed leads.
 #[doc(hidden)]
@@ -191,6 +194,24 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Disk<
         let chi = family::torque_factor(R::ZERO, self.alpha, at, [phi, slope]);
         [phi, slope, chi]
     }
+    /// Φ' from Θ, next to equal speeds from the polynomial.
+    #[inline]
+    fn factors_and_rough_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        let [phi, theta] = self.force_and_theta(at);
+        let z = at.complement();
+        if z < R::from_f64(CLOSE) * R::EPSILON.sqrt() {
+            return self.factors_and_slope(at);
+        }
+        let moment = family::moment(R::ZERO, self.alpha);
+        let slope = (moment * theta - R::HALF * (R::ONE + self.alpha) * phi) / z;
+        let a_sq = at.slide * at.slide;
+        let spin = pure_spin_torque(self.alpha) * (R::ONE - a_sq);
+        let chi = match at.lead() {
+            Lead::Sliding => theta,
+            Lead::Spinning => spin * phi + a_sq * theta,
+        };
+        [phi, slope, chi]
+    }
 }
 
 impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CELLS, TERMS> {
@@ -226,6 +247,10 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table
     #[inline]
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         self.disk.factors_and_slope(at)
+    }
+    #[inline]
+    fn factors_and_rough_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        self.disk.factors_and_rough_slope(at)
     }
 }
 
@@ -297,9 +322,18 @@ impl<R: Real> SmoothProfile<R> for Coulomb {
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         R::coulomb_table().factors_and_slope(at)
     }
+    #[inline]
+    fn factors_and_rough_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        R::coulomb_table().factors_and_rough_slope(at)
+    }
 }
 
-impl<R: Real> DryCoupling<R> for Coulomb {}
+impl<R: Real> DryCoupling<R> for Coulomb {
+    #[inline]
+    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+        super::profile::point(self, lead, ratio)
+    }
+}
 
 family::coupled_in_lanes!([R: Real, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>, |_table| R::ZERO);
 
