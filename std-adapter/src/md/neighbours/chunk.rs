@@ -2,7 +2,6 @@
 
 use super::cells::Cells;
 use super::images::Slot;
-use crate::md::lanes::Lanes;
 use nalgebra::Vector3;
 use std::ops::Range;
 
@@ -16,37 +15,57 @@ const ABREAST: usize = 8;
 /// Coordinate of the site that pads the lanes: far from all others, with a finite square.
 const NOWHERE: f64 = 1e100;
 
-/// The data of a slot that the loop over pairs reads and writes, in one cache line.
+/// The data of a slot that the loop over pairs reads and writes, in one cache line and two
+/// registers of four numbers.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub struct Site {
-    /// Current position.
-    pub place: [f64; 3],
-    /// Force summed so far.
-    pub force: [f64; 3],
+    /// Current position, and the species as a number.
+    pub place: [f64; 4],
+    /// Force summed so far. The fourth number is the density of embedded atoms summed so far, then
+    /// the slope of their embedding energy.
+    pub force: [f64; 4],
+}
+
+impl Site {
     /// Species.
-    pub species: u8,
-    /// Density of embedded atoms summed so far, then the slope of their embedding energy.
-    pub(crate) density: f64,
+    #[inline(always)]
+    pub fn species(&self) -> usize {
+        self.place[3] as usize
+    }
+
+    /// Density or slope of an embedded atom.
+    #[inline(always)]
+    pub(crate) fn density(&self) -> f64 {
+        self.force[3]
+    }
+
+    #[inline(always)]
+    pub(crate) fn density_mut(&mut self) -> &mut f64 {
+        &mut self.force[3]
+    }
 }
 
 /// Owned slots with their neighbours.
 ///
 /// ```
-/// use nalgebra::Vector3;
+/// use nalgebra::{Vector3, Vector4};
 /// use tribos::md::neighbours::{Chunk, LANES, Site, VerletList};
 /// use tribos::space::PeriodicBox;
 /// // Springs of stiffness 1 and no length between all neighbours.
 /// fn pull(chunk: &mut Chunk) {
 ///     let nowhere = chunk.window().len(); // this site fills up the last block of a row
 ///     let (sites, rows) = chunk.sites_and_rows();
-///     let way = |a: &Site, b: &Site| Vector3::from(b.place) - Vector3::from(a.place);
+///     let vector = |of: [f64; 4]| Vector3::new(of[0], of[1], of[2]);
+///     let way = |a: &Site, b: &Site| vector(b.place) - vector(a.place);
 ///     for (here, blocks) in rows {
 ///         let sites_of = |block: &[u32; LANES]| block.map(|site| site as usize);
 ///         for there in blocks.iter().flat_map(sites_of).filter(|&site| site != nowhere) {
 ///             let force = way(&sites[here], &sites[there]);
-///             sites[here].force = (Vector3::from(sites[here].force) + force).into();
-///             sites[there].force = (Vector3::from(sites[there].force) - force).into();
+///             for axis in 0..3 {
+///                 sites[here].force[axis] += force[axis];
+///                 sites[there].force[axis] -= force[axis];
+///             }
 ///         }
 ///     }
 /// }
@@ -56,7 +75,7 @@ pub struct Site {
 /// let chunk = &mut list.chunks_mut()[0];
 /// pull(chunk);
 /// assert_eq!(chunk.pairs(), 1);
-/// let strengths = chunk.sites().iter().map(|site| Vector3::from(site.force).norm());
+/// let strengths = chunk.sites().iter().map(|site| Vector4::from(site.force).norm());
 /// assert_eq!(strengths.collect::<Vec<_>>(), [5.0, 5.0, 0.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -73,7 +92,7 @@ pub struct Chunk {
     neighbours: Vec<[u32; LANES]>,
     pairs: usize,
     /// What a law of several passes keeps of every block from one to the next.
-    pub(crate) kept: Vec<Lanes>,
+    pub(crate) kept: Vec<[f64; LANES]>,
 }
 
 impl Chunk {
@@ -82,14 +101,12 @@ impl Chunk {
         let window = cells.window(&owned);
         let slots = cells.slots()[window.clone()].to_vec();
         let blank = Site {
-            place: [NOWHERE; 3],
-            force: [0.0; 3],
-            species: 0,
-            density: 0.0,
+            place: [NOWHERE, NOWHERE, NOWHERE, 0.0],
+            force: [0.0; 4],
         };
         let mut sites = vec![blank; slots.len() + 1];
         for (site, slot) in sites.iter_mut().zip(&slots) {
-            site.species = species[slot.atom as usize];
+            site.place[3] = species[slot.atom as usize].into();
         }
         let mut chunk = Self {
             sites,
@@ -126,9 +143,9 @@ impl Chunk {
     /// Copies the positions of the atoms and clears the forces.
     pub(super) fn refresh(&mut self, positions: &[Vector3<f64>]) {
         for (site, slot) in self.sites.iter_mut().zip(&self.window) {
-            site.place = (positions[slot.atom as usize] + slot.shift).into();
-            site.force = [0.0; 3];
-            site.density = 0.0;
+            let place = positions[slot.atom as usize] + slot.shift;
+            site.place[..3].copy_from_slice(place.as_slice());
+            site.force = [0.0; 4];
         }
     }
 

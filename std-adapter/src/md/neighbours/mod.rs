@@ -226,7 +226,7 @@ impl VerletList {
     /// let chunk = &list.chunks_mut()[0];
     /// assert_eq!(chunk.pairs(), 1); // a new list would have none
     /// for (slot, site) in chunk.window().iter().zip(chunk.sites()) {
-    ///     assert_eq!(Vector3::from(site.place), now[slot.atom as usize]);
+    ///     assert_eq!(site.place[..3], now[slot.atom as usize].as_slice()[..]);
     /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
