@@ -39,6 +39,9 @@ mod sealed {
         /// that are not positive and normal.
         fn split(self) -> Split<Self>;
 
+        /// True from the smallest normal number up to the largest one: one comparison of bits.
+        fn normal_and_positive(self) -> bool;
+
         /// The least number with this count of half octaves, see [`super::Real::half_octave`].
         fn of_half_octave(count: usize) -> Self;
     }
@@ -65,6 +68,11 @@ mod sealed {
             fn power_of_two(k: i32) -> Self {
                 const BIAS: i32 = <$real>::MAX_EXP - 1;
                 Self::from_bits(((BIAS.wrapping_add(k)) as $bits) << $mantissa)
+            }
+            #[inline]
+            fn normal_and_positive(self) -> bool {
+                const LEAST: $bits = <$real>::MIN_POSITIVE.to_bits();
+                self.to_bits().wrapping_sub(LEAST) < <$real>::INFINITY.to_bits() - LEAST
             }
             #[inline]
             fn of_half_octave(count: usize) -> Self {
@@ -295,7 +303,7 @@ macro_rules! impl_real {
             }
             #[inline]
             fn coulomb_table() -> &'static $of {
-                &$table
+                &$table.0
             }
             #[inline]
             fn half_octave(self) -> usize {

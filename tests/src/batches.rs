@@ -1,7 +1,7 @@
 //! Batches against single calls, to the bit: speeds in groups as the kernel takes them.
 
 use crate::sweep::Lcg;
-use tribos_core::coupling::{Coupling, PatchFriction};
+use tribos_core::coupling::{Coupling, PatchFriction, ReducedJacobian};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
@@ -118,8 +118,33 @@ pub fn compare<R: Real, C: Coupling<R>>(coupling: &C, count: usize, seed: u64) {
                 "{twist:?}: {one:?} {jacobian:?}"
             );
         }
+        compare_reduced(coupling, &pairs, round);
         for wrench in wrenches.iter().skip(twists.len()) {
             assert!(*wrench == Wrench::ZERO, "beyond the twists");
         }
     }
+}
+
+fn of_jacobian<R>(of: ReducedJacobian<R>) -> [R; 4] {
+    [of.force_per_slide, of.force_slide, of.mixed, of.torque_rim]
+}
+
+fn compare_reduced<R: Real, C: Coupling<R>>(coupling: &C, pairs: &[[R; 2]], round: usize) {
+    let [slides, rims] = [0, 1].map(|i| pairs.iter().map(|pair| pair[i]).collect::<Vec<_>>());
+    let count = pairs.len() - round % 2;
+    let (mut forces, mut torques) = (vec![R::ONE; count + round % 2], vec![R::ONE; count]);
+    coupling.reduced_wrench_batch(&slides, &rims, &mut forces, &mut torques);
+    let mut jacobians = vec![ReducedJacobian::default(); count];
+    coupling.reduced_jacobian_batch(&slides, &rims, &mut jacobians);
+    let results = forces.iter().zip(&torques).zip(jacobians);
+    for (&[slide, rim], ((&force, &torque), jacobian)) in pairs.iter().zip(results) {
+        let one = coupling.reduced_wrench(slide, rim);
+        same([one.force, one.torque], [force, torque], (slide, rim));
+        let one = of_jacobian(coupling.reduced_jacobian(slide, rim));
+        same(one, of_jacobian(jacobian), (slide, rim));
+    }
+    assert!(
+        forces.iter().skip(count).all(|force| *force == R::ONE),
+        "beyond the torques"
+    );
 }

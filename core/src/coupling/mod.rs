@@ -143,6 +143,46 @@ pub trait Coupling<R: Real> {
     /// Analytic derivatives at the same arguments.
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R>;
 
+    /// [`Coupling::reduced_wrench`] of many speeds, to the same bits: `slides` and `rims` in, `forces`
+    /// and `torques` out. Elements beyond the shortest slice are not changed.
+    ///
+    /// *Cost*: tables take half the time of single calls (f32: a third) where the processor has
+    /// vectors.
+    ///
+    /// ```
+    /// use tribos_core::coupling::{Coupling, table::Coulomb};
+    /// let (slides, rims) = ([1.0_f64, 0.0], [0.0, 1.0]); // sliding alone, spinning in place
+    /// let (mut forces, mut torques) = ([0.0; 2], [0.0; 2]);
+    /// Coulomb.reduced_wrench_batch(&slides, &rims, &mut forces, &mut torques);
+    /// assert!((forces[0] - 1.0).abs() < 1e-15 && forces[1] == 0.0);
+    /// assert!(torques[0] == 0.0 && (torques[1] - 2.0 / 3.0).abs() < 1e-15);
+    /// ```
+    #[inline]
+    fn reduced_wrench_batch(&self, slides: &[R], rims: &[R], forces: &mut [R], torques: &mut [R]) {
+        batch::reduced_wrenches(self, [slides, rims], [forces, torques]);
+    }
+
+    /// [`Coupling::reduced_jacobian`] of many speeds, to the same bits. Elements beyond the shortest
+    /// slice are not changed.
+    ///
+    /// ```
+    /// use tribos_core::coupling::{Coupling, ReducedJacobian, table::Coulomb};
+    /// let (slides, rims) = ([1.0_f64, 2.0], [0.5, 1.0]);
+    /// let mut jacobians = [ReducedJacobian::default(); 2];
+    /// Coulomb.reduced_jacobian_batch(&slides, &rims, &mut jacobians);
+    /// // Dry friction forgets how fast both motions are: half the slope at twice the speeds.
+    /// assert_eq!(jacobians[1].force_slide * 2.0, jacobians[0].force_slide);
+    /// ```
+    #[inline]
+    fn reduced_jacobian_batch(
+        &self,
+        slides: &[R],
+        rims: &[R],
+        jacobians: &mut [ReducedJacobian<R>],
+    ) {
+        batch::reduced_jacobians(self, [slides, rims], jacobians);
+    }
+
     /// F/v and T. *Domain*: ordinary speeds, whose squares are far from the ends of the number
     /// range; `rim` may be 0.
     #[doc(hidden)]

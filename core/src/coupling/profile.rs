@@ -206,13 +206,20 @@ pub(super) fn drag<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> [R;
     let (speeds, per_major) = Speeds::of_ordinary(slide, rim);
     let scale = profile.speed_scale(speeds.major);
     let per_speed = scale * per_major;
-    if is_ordinary(scale) && is_ordinary(per_speed) {
+    // 1/m itself is ordinary.
+    if scale == R::ONE || is_ordinary(scale) && is_ordinary(per_speed) {
         let [drag, torque] = profile.drag_and_torque(&speeds);
         [per_speed * drag, scale * torque]
     } else {
-        let ReducedWrench { force, torque } = wrench(profile, slide, rim);
-        [force / slide, torque]
+        careful_drag(profile, slide, rim)
     }
+}
+
+#[cold]
+#[inline(never)]
+fn careful_drag<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> [R; 2] {
+    let ReducedWrench { force, torque } = wrench(profile, slide, rim);
+    [force / slide, torque]
 }
 
 /// [`super::Coupling::reduced_jacobian`] of a profile.

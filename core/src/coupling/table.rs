@@ -28,9 +28,10 @@ const CLOSE: f64 = 64.0;
 /// Φ and Θ of one exponent; Χ = (1−a²)Φ/n + a²Θ with a = v/m, whichever speed leads.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 pub struct Disk<R, const CELLS: usize, const TERMS: usize> {
-    alpha: R,
     pub(super) side: Side<R, CELLS, TERMS>,
+    alpha: R,
 }
 
 /// Both tables: a disk, and the power of its scale.
@@ -157,7 +158,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Disk<R, CEL
     }
     /// One formula for both regimes, since which speed leads is a coin toss to a branch predictor,
     /// and one whose two lines the compiler computes side by side.
-    #[inline]
+    #[inline(always)]
     fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
         let [phi, theta] = self.force_and_theta(at);
         let (a, h) = (at.slide, at.ratio());
@@ -223,7 +224,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CE
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {
         self.disk.factors(at)
     }
-    #[inline]
+    #[inline(always)]
     fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
         self.disk.drag_and_torque(at)
     }
@@ -258,9 +259,14 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table
 pub(crate) type CoulombTable64 = Disk<f64, CELLS_F64, TERMS_F64>;
 pub(crate) type CoulombTable32 = Disk<f32, CELLS_F32, TERMS_COULOMB_F32>;
 
+/// Aligned for vectors, which then take a cell's numbers as operands: its size is a multiple of 16.
+#[derive(Debug)]
+#[repr(C, align(16))]
+pub(crate) struct Aligned<T>(pub T);
+
 /// The tables of α = 0, in read-only memory.
-pub(crate) static COULOMB_F64: CoulombTable64 = CoulombTable64::build(0.0);
-pub(crate) static COULOMB_F32: CoulombTable32 = CoulombTable32::build(0.0);
+pub(crate) static COULOMB_F64: Aligned<CoulombTable64> = Aligned(CoulombTable64::build(0.0));
+pub(crate) static COULOMB_F32: Aligned<CoulombTable32> = Aligned(CoulombTable32::build(0.0));
 
 /// Coulomb friction, α = 0, from a table built by the compiler: no constructor, no RAM, no power.
 ///
@@ -297,7 +303,7 @@ impl<R: Real> Profile<R> for Coulomb {
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {
         R::coulomb_table().factors(at)
     }
-    #[inline]
+    #[inline(always)]
     fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
         R::coulomb_table().drag_and_torque(at)
     }

@@ -66,7 +66,8 @@ pub fn drags<R: Real, P: LaneProfile<R>>(
     };
     let scale = profile.speed_scales(major)?;
     let per_speed = scale * per_major;
-    if !(are_ordinary::<R>(scale) & are_ordinary::<R>(per_speed)).all() {
+    let ordinary = are_ordinary::<R>(scale) & are_ordinary::<R>(per_speed);
+    if !(scale.equal(Vector::splat(R::ONE)) | ordinary).all() {
         return None;
     }
     let [drag, torque] = profile.drags_and_torques(&at)?;

@@ -9,13 +9,31 @@ use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8};
 pub trait Laned: Sized {
     /// Eight of its numbers.
     type Lanes: Vector<Real = Self>;
+
+    /// The sum of aₙ uⁿ and that of bₙ uⁿ, side by side.
+    fn sums<const TERMS: usize>(pairs: &[[Self; 2]; TERMS], u: Self) -> [Self; 2];
 }
 
 impl Laned for f64 {
     type Lanes = f64x8;
+
+    #[inline(always)]
+    fn sums<const TERMS: usize>(pairs: &[[f64; 2]; TERMS], u: f64) -> [f64; 2] {
+        even_and_odd::<_, TERMS>(|n| f64x2::new(pairs[n]), f64x2::splat(u)).to_array()
+    }
 }
 impl Laned for f32 {
     type Lanes = f32x8;
+
+    #[inline(always)]
+    fn sums<const TERMS: usize>(pairs: &[[f32; 2]; TERMS], u: f32) -> [f32; 2] {
+        let term = |n: usize| {
+            let [a, b] = pairs[n];
+            f32x4::new([a, b, 0.0, 0.0])
+        };
+        let [phi, partner, ..] = even_and_odd::<_, TERMS>(term, f32x4::splat(u)).to_array();
+        [phi, partner]
+    }
 }
 
 /// Eight numbers, or a mask of ones or zeros for each.
