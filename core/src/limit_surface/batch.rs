@@ -19,8 +19,8 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
     /// A contact's load changes from step to step, and its surface with it in size alone: prepare it with the
     /// friction coefficient as force limit. Elements beyond the shortest slice are not changed.
     ///
-    /// *Domain*: 0 ≤ load < ∞. *Accuracy*: bit for bit [`super::FrictionSet::gauge`] of the surface with that
-    /// force limit.
+    /// *Domain*: 0 ≤ load < ∞. *Special values*: NaN for a negative load and every wrench but zero.
+    /// *Accuracy*: bit for bit [`super::FrictionSet::gauge`] of the surface with that force limit.
     ///
     /// ```
     /// use tribos_core::coupling::table::Coulomb;
@@ -67,7 +67,7 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
     /// [`LimitSurface::gauge_batch`]. Elements beyond the shortest slice are not changed.
     ///
     /// *Domain*: 0 ≤ load < ∞; `length` as in [`super::FrictionSet::project_with_length`], usually the radius.
-    /// *Accuracy*: bit for bit that of the surface with that force limit.
+    /// *Special values*: NaN for a negative load and every wrench but zero. *Accuracy*: bit for bit that of the surface with that force limit.
     ///
     /// ```
     /// use tribos_core::coupling::table::Coulomb;

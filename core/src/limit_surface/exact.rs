@@ -87,11 +87,17 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
         &self.meridian
     }
 
-    /// The set under `load` times the force limit.
+    /// The set under `load` times the force limit; no number for a negative load.
     #[inline]
     pub(super) fn loaded(&self, load: R) -> Loaded<'_, R, C> {
+        // A quotient by −0 would have the wrong sign.
+        let force_limit = self.force_limit * load + R::ZERO;
         Loaded {
-            force_limit: self.force_limit * load,
+            force_limit: if force_limit >= R::ZERO {
+                force_limit
+            } else {
+                R::NAN
+            },
             ..self.itself()
         }
     }

@@ -26,7 +26,12 @@ pub(super) struct Sketch<R> {
     terms: [[R; 2]; TERMS],
     /// M and m at equal speeds.
     equal: [R; 2],
+    /// The curve is an ellipse, as far as the sketch can tell.
+    is_ellipse: bool,
 }
+
+/// Rounding errors of a point that lies on an ellipse.
+const ELLIPSE_ULPS: f64 = 16.0;
 
 impl<R: Real> Sketch<R> {
     /// *Cost*: three wrenches and Jacobians.
@@ -48,11 +53,24 @@ impl<R: Real> Sketch<R> {
             *loss *= degree - R::ONE;
             degree += R::TWO;
         }
-        Self {
+        let mut sketch = Self {
             top: pole.major,
             terms,
             equal: [equal.major, equal.minor],
-        }
+            is_ellipse: false,
+        };
+        let off = sketch.on_ellipse(middle.minor / middle.major) - root;
+        sketch.is_ellipse = off.abs() <= R::from_f64(ELLIPSE_ULPS) * R::EPSILON;
+        sketch
+    }
+
+    /// h on the ray with m/M = `slope`: exact at both ends, and for an ellipse everywhere.
+    #[inline]
+    fn on_ellipse(&self, slope: R) -> R {
+        let [major, minor] = self.equal;
+        let [[pole_rate, _], ..] = self.terms;
+        let at_pole = pole_rate / self.top;
+        slope / (at_pole + (R::ONE - at_pole * major / minor) * slope)
     }
 
     /// The point at a ratio of speeds.
@@ -74,11 +92,10 @@ impl<R: Real> Sketch<R> {
     /// h on the ray with m/M = `slope`.
     #[inline]
     pub fn on_ray(&self, slope: R) -> R {
-        // Exact at both ends, and for an ellipse everywhere.
-        let [major, minor] = self.equal;
-        let [[pole_rate, _], ..] = self.terms;
-        let at_pole = pole_rate / self.top;
-        let first = slope / (at_pole + (R::ONE - at_pole * major / minor) * slope);
+        let first = self.on_ellipse(slope);
+        if self.is_ellipse {
+            return first;
+        }
         let at = self.at(first);
         let [value, rise] = at.across_ray(first, [R::ONE, slope]);
         kept(first - value / rise, first)
