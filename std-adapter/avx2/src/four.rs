@@ -17,6 +17,7 @@ use core::ops::{Add, Div, Mul, Sub};
 ///     #[inline(always)]
 ///     fn with_avx2(self, proof: Avx2) -> [f64; 4] {
 ///         let (x, one) = (F64x4::new(proof, &self.0), F64x4::splat(proof, 1.0));
+///         assert_eq!(x.below(one).bits(), 0b0001);
 ///         x.below(one).select(one / x.sqrt(), x).to_array()
 ///     }
 ///     fn without(self) -> [f64; 4] {
@@ -96,11 +97,11 @@ impl F64x4 {
         Self(unsafe { _mm256_blendv_pd(others.0, chosen.0, self.0) })
     }
 
-    /// Whether this mask is set anywhere.
+    /// This mask as bits, the first number's is the lowest.
     #[inline(always)]
-    pub fn is_any(self) -> bool {
+    pub fn bits(self) -> usize {
         // SAFETY: as in `store`.
-        unsafe { _mm256_movemask_pd(self.0) != 0 }
+        unsafe { _mm256_movemask_pd(self.0) as usize }
     }
 
     /// Rows as columns.

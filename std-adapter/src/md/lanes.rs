@@ -21,6 +21,9 @@ pub(super) trait Lanes:
 
     fn sqrt(self) -> Self;
 
+    /// A bit for each lane, from the lowest: whether it is less than that of the others.
+    fn which_below(self, others: Self) -> usize;
+
     /// `chosen` where these are less than `others`, `other` elsewhere.
     fn if_below(self, others: Self, chosen: Self, other: Self) -> Self;
 
@@ -68,6 +71,11 @@ impl Lanes for wide::f64x4 {
     }
 
     #[inline(always)]
+    fn which_below(self, others: Self) -> usize {
+        self.simd_lt(others).to_bitmask() as usize
+    }
+
+    #[inline(always)]
     fn if_below(self, others: Self, chosen: Self, other: Self) -> Self {
         self.simd_lt(others).select(chosen, other)
     }
@@ -98,6 +106,11 @@ impl Lanes for tribos_avx2::F64x4 {
     }
 
     #[inline(always)]
+    fn which_below(self, others: Self) -> usize {
+        self.below(others).bits()
+    }
+
+    #[inline(always)]
     fn if_below(self, others: Self, chosen: Self, other: Self) -> Self {
         self.below(others).select(chosen, other)
     }
@@ -119,9 +132,9 @@ impl Lanes for tribos_avx2::F64x4 {
     }
 }
 
-/// A loop over pairs, for any lanes.
-pub(super) trait OverPairs {
-    /// What the loop computes besides forces.
+/// A loop for any lanes.
+pub(super) trait InLanes {
+    /// What the loop computes.
     type Out;
 
     /// The loop.
@@ -130,14 +143,14 @@ pub(super) trait OverPairs {
 
 /// Runs a loop in the widest registers of the processor.
 #[inline]
-pub(super) fn run<W: OverPairs>(work: W) -> W::Out {
+pub(super) fn run<W: InLanes>(work: W) -> W::Out {
     tribos_avx2::run(Either(work))
 }
 
 /// The loop for both kinds of processors.
 struct Either<W>(W);
 
-impl<W: OverPairs> tribos_avx2::Work for Either<W> {
+impl<W: InLanes> tribos_avx2::Work for Either<W> {
     type Out = W::Out;
 
     #[cfg(target_arch = "x86_64")]

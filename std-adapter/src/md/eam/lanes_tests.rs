@@ -3,7 +3,7 @@
 use super::passes::{Densities, Forces, set_slopes};
 use super::*;
 use crate::md::interaction::Wanted;
-use crate::md::lanes::{self, OverPairs};
+use crate::md::lanes::{self, InLanes};
 use crate::md::neighbours::VerletList;
 use crate::random::Random;
 use crate::space::PeriodicBox;
@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 
 /// Bits of densities, energies, forces and virials, in lanes of a kind or of the processor.
 fn bits(law: &SuttonChen, is_plain: bool) -> Vec<u64> {
-    fn go<W: OverPairs>(work: W, is_plain: bool) -> W::Out {
+    fn go<W: InLanes>(work: W, is_plain: bool) -> W::Out {
         if is_plain {
             work.go::<wide::f64x4>(())
         } else {

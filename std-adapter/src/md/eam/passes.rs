@@ -3,7 +3,7 @@
 
 use super::Functions;
 use crate::md::interaction::{Tally, Wanted};
-use crate::md::lanes::{self, Lanes, OverPairs, across, spread, ways};
+use crate::md::lanes::{self, InLanes, Lanes, across, spread, ways};
 use crate::md::neighbours::{Chunk, LANES, Site, VerletList};
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
@@ -54,7 +54,7 @@ pub(super) struct Densities<'a, F> {
     pub(super) chunk: &'a mut Chunk,
 }
 
-impl<F: Functions> OverPairs for Densities<'_, F> {
+impl<F: Functions> InLanes for Densities<'_, F> {
     type Out = f64;
 
     /// Sums the densities of a chunk's pairs at its sites, keeps the slopes of the blocks over the distance, and
@@ -68,6 +68,8 @@ impl<F: Functions> OverPairs for Densities<'_, F> {
         let mut energy = zero;
         let mut kept = std::mem::take(&mut chunk.kept);
         kept.clear();
+        let mut near = std::mem::take(&mut chunk.near);
+        near.clear();
         let (sites, rows) = chunk.sites_and_rows();
         for (here, blocks) in rows {
             let own = sites[here];
@@ -76,6 +78,12 @@ impl<F: Functions> OverPairs for Densities<'_, F> {
             for block in blocks {
                 let [x, y, z] = ways(key, &place, block, sites);
                 let r_sq = x * x + y * y + z * z;
+                // Blocks beyond the cut-off would add zeros.
+                let is_near = r_sq.which_below(cutoff_sq) != 0;
+                near.push(is_near);
+                if !is_near {
+                    continue;
+                }
                 // Pairs beyond the cut-off are computed there, where every function is finite, and left out.
                 let r = r_sq.if_below(cutoff_sq, r_sq.sqrt(), cutoff);
                 let within = |values: N| r_sq.if_below(cutoff_sq, values, zero);
@@ -97,6 +105,7 @@ impl<F: Functions> OverPairs for Densities<'_, F> {
             *sites[here].density_mut() += across(sum);
         }
         chunk.kept = kept;
+        chunk.near = near;
         across(energy)
     }
 }
@@ -141,7 +150,7 @@ impl<'a, F> Forces<'a, F> {
     }
 }
 
-impl<F: Functions> OverPairs for Forces<'_, F> {
+impl<F: Functions> InLanes for Forces<'_, F> {
     type Out = Tally;
 
     /// The forces of a chunk's pairs on its sites, and their virial.
@@ -151,6 +160,8 @@ impl<F: Functions> OverPairs for Forces<'_, F> {
         let zero = N::splat(key, 0.0);
         let mut virial = [[zero; 3]; 3];
         let all = std::mem::take(&mut chunk.kept);
+        let near = std::mem::take(&mut chunk.near);
+        let mut is_near = near.iter();
         let mut kept = all.chunks_exact(if F::ALIKE { 2 } else { 3 });
         let (sites, rows) = chunk.sites_and_rows();
         for (here, blocks) in rows {
@@ -158,7 +169,8 @@ impl<F: Functions> OverPairs for Forces<'_, F> {
             let place = spread::<N>(key, &own);
             let slope_here = N::splat(key, own.density());
             let mut force = [zero; 3];
-            for (block, kept) in blocks.iter().zip(&mut kept) {
+            let near = |_: &&[u32; LANES]| is_near.next().is_some_and(|is_near| *is_near);
+            for (block, kept) in blocks.iter().filter(near).zip(&mut kept) {
                 let way = ways(key, &place, block, sites);
                 let slope_there = N::new(key, block.map(|other| sites[other as usize].density()));
                 let lanes = |kept: [f64; LANES]| N::new(key, kept);
@@ -189,6 +201,7 @@ impl<F: Functions> OverPairs for Forces<'_, F> {
             }
         }
         chunk.kept = all;
+        chunk.near = near;
         let virial = virial.map(|row| row.map(across));
         Tally {
             energy: f64::NAN,

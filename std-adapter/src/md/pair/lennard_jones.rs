@@ -205,6 +205,9 @@ pub(super) trait Source: Sync {
 
     fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> Self::Kinds;
 
+    /// Square of the largest cut-off.
+    fn reach_sq(&self) -> f64;
+
     /// One coefficient of every lane.
     fn each<N: Lanes>(
         &self,
@@ -222,6 +225,10 @@ impl Source for One {
 
     #[inline(always)]
     fn kinds(&self, _: &Site, _: &[u32; LANES], _: &[Site]) {}
+
+    fn reach_sq(&self) -> f64 {
+        self.0.cutoff_sq
+    }
 
     #[inline(always)]
     fn each<N: Lanes>(&self, key: N::Key, (): (), of: impl Fn(&Coefficients) -> f64) -> N {
@@ -243,6 +250,11 @@ impl Source for Many<'_> {
     fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> [usize; LANES] {
         let row = here.species() * self.species;
         block.map(|other| row + sites[other as usize].species())
+    }
+
+    fn reach_sq(&self) -> f64 {
+        let all = self.table.iter().map(|pair| pair.cutoff_sq);
+        all.fold(0.0, |most, cutoff_sq| cutoff_sq.max(most))
     }
 
     #[inline(always)]
@@ -316,6 +328,10 @@ impl<S: Source, E: End> PairLaw for Truncated<S, E> {
     #[inline(always)]
     fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> S::Kinds {
         self.source.kinds(here, block, sites)
+    }
+
+    fn reach_sq(&self) -> f64 {
+        self.source.reach_sq()
     }
 
     #[inline(always)]

@@ -15,7 +15,7 @@ pub use lennard_jones::{LennardJones, LennardJonesError, Pairing};
 pub use mixing::Mixing;
 
 use super::interaction::{Tally, Wanted};
-use super::lanes::{self, Lanes, OverPairs, across, spread, ways};
+use super::lanes::{self, InLanes, Lanes, across, spread, ways};
 use super::neighbours::{Chunk, LANES, Site, VerletList};
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -29,6 +29,9 @@ trait PairLaw: Sync {
 
     /// Species information of the site `here` and the sites of a block.
     fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> Self::Kinds;
+
+    /// Square of the largest cut-off.
+    fn reach_sq(&self) -> f64;
 
     /// −U'(r)/r at these squares of r; 0 beyond the cut-off.
     fn force_over_distance<N: Lanes>(&self, key: N::Key, kinds: Self::Kinds, r_sq: N) -> N;
@@ -80,7 +83,7 @@ impl<'a, L, S> Loop<'a, L, S> {
     }
 }
 
-impl<L: PairLaw, S: Summed> OverPairs for Loop<'_, L, S> {
+impl<L: PairLaw, S: Summed> InLanes for Loop<'_, L, S> {
     type Out = Tally;
 
     /// Adds the forces of a chunk's pairs to its sites, four neighbours of an owned site at a time.
@@ -88,6 +91,7 @@ impl<L: PairLaw, S: Summed> OverPairs for Loop<'_, L, S> {
     fn go<N: Lanes>(self, key: N::Key) -> Tally {
         let Self { law, chunk, .. } = self;
         let zero = N::splat(key, 0.0);
+        let reach_sq = N::splat(key, law.reach_sq());
         let mut sums = S::Sums::new(zero);
         let (sites, rows) = chunk.sites_and_rows();
         for (here, blocks) in rows {
@@ -98,6 +102,10 @@ impl<L: PairLaw, S: Summed> OverPairs for Loop<'_, L, S> {
                 let way = ways(key, &place, block, sites);
                 let [x, y, z] = way;
                 let r_sq = x * x + y * y + z * z;
+                // Blocks beyond the cut-off would add zeros.
+                if r_sq.which_below(reach_sq) == 0 {
+                    continue;
+                }
                 let kinds = law.kinds(&own, block, sites);
                 let strength = law.force_over_distance(key, kinds, r_sq);
                 let pull = way.map(|way| strength * way);

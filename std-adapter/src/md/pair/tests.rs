@@ -66,7 +66,7 @@ fn the_processor_does_not_change_the_bits() {
     }
 }
 
-/// Forces of all atoms, pair by pair without a list.
+/// Forces of all atoms, pair by pair without a list, after each moved almost as far as the list allows.
 #[test]
 fn forces_are_those_of_all_pairs() {
     let pairing = Pairing {
@@ -76,7 +76,13 @@ fn forces_are_those_of_all_pairs() {
     };
     let law = LennardJones::single(pairing, Shift::Energy).expect("in the domain");
     let mut list = list(2.5);
-    let places = list.reference().to_vec();
+    let mut random = Random::new(22, 1);
+    let mut places = list.reference().to_vec();
+    for place in &mut places {
+        let way = Vector3::from_fn(|_, _| random.unit() - 0.5);
+        *place += way * (0.14 / way.norm());
+    }
+    assert!(!list.update(&places, &[0; 700]).expect("few atoms"));
     let mut forces = vec![Vector3::zeros(); places.len()];
     law.forces(&mut list, &mut forces, Wanted::Forces);
     for (atom, force) in forces.iter().enumerate() {
