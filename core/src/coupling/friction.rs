@@ -207,7 +207,11 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         Matrix3::new(-xx, -xy, -xn, -xy, -yy, -yn, -xn, -yn, -nn)
     }
 
-    /// Wrenches of many twists under one load. Elements beyond the shorter slice are not changed.
+    /// Wrenches of many twists under one load, to the bits of single calls. Elements beyond the
+    /// shorter slice are not changed.
+    ///
+    /// *Cost*: tables take about half the time of single calls where the processor has vectors: they
+    /// compute eight twists side by side.
     ///
     /// ```
     /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
@@ -227,7 +231,8 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         batch::each(twists, wrenches, all, |twist| self.wrench(load, twist));
     }
 
-    /// Jacobians of many twists under one load. Elements beyond the shorter slice are not changed.
+    /// Jacobians of many twists under one load, to the bits of single calls. Elements beyond the
+    /// shorter slice are not changed.
     ///
     /// ```
     /// use tribos_core::coupling::{PatchFriction, table::Coulomb};

@@ -50,7 +50,6 @@ pub mod table;
 pub mod tall;
 
 pub use annulus::Annulus;
-use batch::Group;
 pub(crate) use batch::{LaneProfile, Laned};
 pub use dry::Dry;
 pub(crate) use family::inertia_ends;
@@ -146,8 +145,7 @@ pub trait Coupling<R: Real> {
     /// [`Coupling::reduced_wrench`] of many speeds, to the same bits: `slides` and `rims` in, `forces`
     /// and `torques` out. Elements beyond the shortest slice are not changed.
     ///
-    /// *Cost*: tables take half the time of single calls (f32: a third) where the processor has
-    /// vectors.
+    /// *Cost*: tables take about half the time of single calls where the processor has vectors.
     ///
     /// ```
     /// use tribos_core::coupling::{Coupling, table::Coulomb};
@@ -196,14 +194,14 @@ pub trait Coupling<R: Real> {
     /// lanes, or a lane needs care.
     #[doc(hidden)]
     #[inline]
-    fn reduced_drags(&self, _slides: &Group<R>, _rims: &Group<R>) -> Option<[Group<R>; 2]> {
+    fn reduced_drags(&self, _slides: &[R; 8], _rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
         None
     }
 
     /// [`Coupling::reduced_wrench`] of a group, as [`Coupling::reduced_drags`].
     #[doc(hidden)]
     #[inline]
-    fn reduced_wrenches(&self, _slides: &Group<R>, _rims: &Group<R>) -> Option<[Group<R>; 2]> {
+    fn reduced_wrenches(&self, _slides: &[R; 8], _rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
         None
     }
 
@@ -211,7 +209,7 @@ pub trait Coupling<R: Real> {
     /// the fields.
     #[doc(hidden)]
     #[inline]
-    fn reduced_jacobians(&self, _slides: &Group<R>, _rims: &Group<R>) -> Option<[Group<R>; 4]> {
+    fn reduced_jacobians(&self, _slides: &[R; 8], _rims: &[R; 8]) -> Option<[[R; 8]; 4]> {
         None
     }
 }
@@ -272,15 +270,15 @@ impl<R: Real, C: Coupling<R> + ?Sized> Coupling<R> for &C {
         (**self).reduced_drag(slide, rim)
     }
     #[inline]
-    fn reduced_drags(&self, slides: &Group<R>, rims: &Group<R>) -> Option<[Group<R>; 2]> {
+    fn reduced_drags(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
         (**self).reduced_drags(slides, rims)
     }
     #[inline]
-    fn reduced_wrenches(&self, slides: &Group<R>, rims: &Group<R>) -> Option<[Group<R>; 2]> {
+    fn reduced_wrenches(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
         (**self).reduced_wrenches(slides, rims)
     }
     #[inline]
-    fn reduced_jacobians(&self, slides: &Group<R>, rims: &Group<R>) -> Option<[Group<R>; 4]> {
+    fn reduced_jacobians(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 4]> {
         (**self).reduced_jacobians(slides, rims)
     }
 }

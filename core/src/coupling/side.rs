@@ -80,12 +80,14 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Side<R, CELLS, TERMS> {
     }
 
     /// Some z in the cell of z = 0.
+    #[allow(dead_code, reason = "for targets with vectors")]
     #[inline]
     pub fn least(&self) -> R {
         R::of_half_octave(const { R::HALF_OCTAVE_OF_ONE - (CELLS - 1) })
     }
 
     /// The cell that holds z from [`Side::least`] to 1, found without a branch.
+    #[allow(dead_code, reason = "for targets with vectors")]
     #[inline]
     pub fn cell_from_least(&self, z: R) -> &Cell<R, TERMS> {
         let below = const { R::HALF_OCTAVE_OF_ONE - (CELLS - 1) };

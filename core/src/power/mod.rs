@@ -131,12 +131,14 @@ impl<R: Real> FixedPower<R> {
     }
 
     /// α
+    #[allow(dead_code, reason = "for targets with vectors")]
     #[inline]
     pub fn alpha(&self) -> R {
         self.alpha
     }
 
     /// The coefficients of q.
+    #[allow(dead_code, reason = "for targets with vectors")]
     #[inline]
     pub fn terms(&self) -> [R; COEFFICIENTS] {
         self.terms
