@@ -104,7 +104,7 @@ where
     let mut sum = Sum::default();
     let mut images = fresh.images.iter().peekable();
     for (number, link) in fresh.pairs.iter().enumerate() {
-        let [a, b] = link.bodies.map(|body| fresh.spheres[body as usize]);
+        let [a, b] = link.bodies.map(|body| fresh.spheres[body as usize].0);
         // An image moves faster than its sphere.
         let faster = images.next_if(|(pair, _)| *pair as usize == number);
         let velocity = faster.map_or(b.velocity, |(_, faster)| b.velocity + faster);
@@ -117,7 +117,7 @@ where
     }
     for link in &fresh.walls {
         let [a, b] = link.bodies.map(|body| body as usize);
-        let velocity = link.contact.velocity(&fresh.spheres[a], &fresh.plates[b]);
+        let velocity = link.contact.velocity(&fresh.spheres[a].0, &fresh.plates[b]);
         sum.add(link, &velocity, problem.wall_friction(link.bodies));
     }
     sum.finish()
