@@ -131,7 +131,7 @@ impl EnergyBalance {
         }
         for link in &problem.walls {
             let [a, b] = link.bodies.map(|body| body as usize);
-            let (a, b) = (&problem.spheres[a], &problem.plates[b]);
+            let (a, b) = (&problem.spheres[a].0, &problem.plates[b]);
             let velocity = link.contact.velocity(a, b);
             self.modes(&link.contact, &velocity);
             self.work -= driven_work(link, b);

@@ -19,11 +19,13 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         let frictionless = <F::Modes as ContactModes<f64>>::UNKNOWNS
             == <Frictionless as ContactModes<f64>>::UNKNOWNS;
         if frictionless {
-            self.spheres.clone_from(&self.reflection.spheres);
+            self.spheres.clear();
+            self.spheres.extend(self.reflection.moving());
         } else {
             let rubbed = self.rub();
             self.counts.unmet += usize::from(!rubbed.met);
-            self.spheres.clone_from(&self.friction.spheres);
+            self.spheres.clear();
+            self.spheres.extend(self.friction.moving());
         }
         for (wall, plate) in self.walls.iter_mut().zip(&self.reflection.plates) {
             wall.plate = *plate;
@@ -76,7 +78,8 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     /// Friction under the normal impulses of the reflection.
     fn rub(&mut self) -> Iterations {
         let (source, problem) = (&self.reflection, &mut self.friction);
-        problem.free.0.clone_from(&source.spheres);
+        problem.free.0.clear();
+        problem.free.0.extend(source.moving());
         problem.free.1.clone_from(&source.plates);
         problem.pairs.clear();
         problem.pairs.extend(source.pairs.iter().map(rough));
@@ -179,7 +182,7 @@ fn wall_velocity<F: ContactFriction<f64>>(
     link: &Link<F::Modes>,
 ) -> Modal<f64, F::Modes> {
     let [a, b] = link.bodies.map(|body| body as usize);
-    let (a, b) = (&problem.spheres[a], &problem.plates[b]);
+    let (a, b) = (&problem.spheres[a].0, &problem.plates[b]);
     link.contact.velocity(a, b)
 }
 

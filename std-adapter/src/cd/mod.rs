@@ -23,6 +23,7 @@
 //! ```
 
 mod accelerated;
+mod aligned;
 mod assemble;
 mod energy;
 mod error;
@@ -45,6 +46,8 @@ mod shear_tests;
 mod sleep;
 mod solver;
 mod spheres;
+#[cfg(test)]
+mod sweep_tests;
 mod wall;
 mod world;
 
@@ -62,6 +65,7 @@ pub use world::{State, StepReport, World};
 #[doc(hidden)]
 pub mod internals {
     pub use super::accelerated::{Accelerated, Tolerance};
+    pub use super::aligned::Aligned;
     pub use super::memory::{Memory, StoredForce};
     pub use super::nsgs::{Sweeper, solve};
     pub use super::operator::{

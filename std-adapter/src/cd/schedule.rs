@@ -2,9 +2,10 @@
 //!
 //! Spheres are divided into blocks of consecutive numbers. Pairs inside a block come block by block, so
 //! that blocks can be swept in parallel; pairs across blocks come after them, pairs with an image last.
-//! Within each of these groups pairs are sorted by colours, such that no sphere has two pairs of the same colour: consecutive updates
-//! then do not wait for each other's velocities. The order depends only on the contacts, never on
-//! the number of threads.
+//! Within each of these groups pairs are sorted by colours, such that no sphere has two pairs of the same
+//! colour: consecutive updates then do not wait for each other's velocities, and the pairs of one colour
+//! across blocks can be solved in parallel. The order depends only on the contacts, never on the number of
+//! threads.
 
 use super::image::ImageVelocity;
 use super::spheres::Link;
@@ -23,11 +24,17 @@ pub(super) struct Block {
     pub pairs: Range<usize>,
 }
 
+/// Last colour, which spheres with very many contacts share.
+const SHARED: u32 = u64::BITS - 1;
+
 /// The order of visits.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Schedule {
     /// Blocks in order.
     pub blocks: Vec<Block>,
+    /// Positions of the pairs across blocks, colour by colour. The pairs of a colour have no sphere in
+    /// common; those that share the last one are a colour each.
+    pub across: Vec<Range<usize>>,
     /// Position of the first pair with an image.
     pub images: usize,
     /// Group and colour of each pair, and its position in the order.
@@ -73,6 +80,11 @@ impl Schedule {
             });
             start += length;
         }
+        self.across.clear();
+        for colour in self.keys[start..self.images].chunk_by(|a, b| a.1 == b.1 && a.1 < SHARED) {
+            self.across.push(start..start + colour.len());
+            start += colour.len();
+        }
     }
 
     /// Puts the images into the order of their pairs, which are the last ones.
@@ -95,7 +107,7 @@ impl Schedule {
             let apart = if key.0 >= across { spheres } else { 0 };
             let [a, b] = link.bodies.map(|body| body as usize + apart);
             let free = (self.taken[a] | self.taken[b]).trailing_ones();
-            let colour = free.min(u64::BITS - 1);
+            let colour = free.min(SHARED);
             self.taken[a] |= 1 << colour;
             self.taken[b] |= 1 << colour;
             key.1 = colour;

@@ -166,7 +166,7 @@ fn works<F: ContactFriction<f64> + Coefficients>(
             flux += contact.impulse().linear(normal).x * (a + b) * normal.z;
         }
         let spheres = &world.problem().spheres;
-        let carried = |s: &Sphere<f64>| s.velocity.x * s.velocity.z / s.inv_mass;
+        let carried = |s: &crate::cd::internals::Aligned| s.velocity.x * s.velocity.z / s.inv_mass;
         flux += dt * spheres.iter().map(carried).sum::<f64>();
     }
     let stress = rate * (moment(&world) - start - flux);

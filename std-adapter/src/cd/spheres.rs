@@ -1,5 +1,6 @@
 //! The contact problem of spheres and plates.
 
+use super::aligned::Aligned;
 use super::image::{Image, ImageVelocity, Images, seen};
 use super::mixture::{Mixture, PairFriction, Same};
 use super::operator::{Impulse, Monitor, Operator, Visit};
@@ -63,7 +64,7 @@ pub struct Link<M: ContactModes<f64>> {
 #[derive(Clone, Debug)]
 pub struct Spheres<F: ContactFriction<f64>> {
     /// Spheres with the velocities that follow from the current impulses.
-    pub spheres: Vec<Sphere<f64>>,
+    pub spheres: Vec<Aligned>,
     /// Plates with the velocities that follow from the current impulses.
     pub plates: Vec<Plate<f64>>,
     /// Spheres and plates with their velocities in the absence of contacts.
@@ -103,7 +104,9 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         let count = self.free.0.len();
         self.schedule
             .arrange(count, &mut self.pairs, &mut self.images);
-        self.spheres.clone_from(&self.free.0);
+        self.spheres.clear();
+        self.spheres
+            .extend(self.free.0.iter().map(|sphere| Aligned(*sphere)));
         self.plates.clone_from(&self.free.1);
         self.refresh();
     }
@@ -126,6 +129,11 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         }
     }
 
+    /// The spheres with their current velocities.
+    pub fn moving(&self) -> impl Iterator<Item = &Sphere<f64>> {
+        self.spheres.iter().map(|sphere| &sphere.0)
+    }
+
     /// All links in the order of their numbers.
     pub fn links(&self) -> impl Iterator<Item = &Link<F::Modes>> {
         self.pairs.iter().chain(&self.walls)
@@ -139,8 +147,8 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         self.pairs.iter().enumerate().map(move |(pair, link)| {
             let [a, b] = link.bodies.map(|body| &self.spheres[body as usize]);
             let velocity = match images.of(pair) {
-                None => link.contact.velocity(a, b),
-                image => link.contact.velocity(a, &seen(b, image)),
+                None => link.contact.velocity(&a.0, &b.0),
+                image => link.contact.velocity(&a.0, &seen(b, image)),
             };
             (link, velocity)
         })
@@ -182,8 +190,11 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         if way == Way::Backward {
             let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[border..]);
             sweep_images((pairs, &self.images), spheres, friction, way, watch);
-            let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[across..border]);
-            sweep_links(pairs, 0, spheres, friction, way, watch);
+            let colours = self.schedule.across.iter().rev();
+            for colour in colours.cloned() {
+                let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[colour]);
+                sweep_colour(pairs, spheres, friction, way, watch);
+            }
         }
         let mut parts = Vec::with_capacity(blocks);
         let (mut spheres, mut pairs) = (&mut self.spheres[..], &mut self.pairs[..across]);
@@ -205,8 +216,10 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             watch.join(seen);
         }
         if way == Way::Forward {
-            let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[across..border]);
-            sweep_links(pairs, 0, spheres, friction, way, watch);
+            for colour in self.schedule.across.iter().cloned() {
+                let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[colour]);
+                sweep_colour(pairs, spheres, friction, way, watch);
+            }
             let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[border..]);
             sweep_images((pairs, &self.images), spheres, friction, way, watch);
         }
@@ -243,7 +256,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         };
         let [a, b] = link.bodies.map(|body| body as usize);
         if let (Some(a), Some(b)) = (self.spheres.get_mut(a), self.plates.get_mut(b)) {
-            let change = link.contact.update(friction, a, b);
+            let change = link.contact.update(friction, &mut a.0, b);
             report(&link.contact, &change, watch);
         }
     }
@@ -266,7 +279,7 @@ const AHEAD: usize = 24;
 fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
     links: &mut [Link<F::Modes>],
     first: u32,
-    spheres: &mut [Sphere<f64>],
+    spheres: &mut [Aligned],
     friction: &impl PairFriction<F>,
     way: Way,
     watch: &mut W,
@@ -287,7 +300,7 @@ fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
         let bodies = link.bodies.map(number);
         if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
             let friction = friction.of(link.bodies);
-            let change = link.contact.update(friction, a, b);
+            let change = link.contact.update(friction, &mut a.0, &mut b.0);
             report(&link.contact, &change, watch);
         }
     };
@@ -300,10 +313,50 @@ fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
     }
 }
 
+/// Number of pairs of one colour below which threads cost more than they gain.
+const WORTHWHILE_COLOUR: usize = 500;
+/// Least number of pairs for a thread.
+const SHARE: usize = 200;
+
+/// Solves the pairs of a colour, which have no sphere in common: on several threads, if they are many.
+fn sweep_colour<F: ContactFriction<f64>, W: Monitor>(
+    links: &mut [Link<F::Modes>],
+    spheres: &mut [Aligned],
+    friction: &impl PairFriction<F>,
+    way: Way,
+    watch: &mut W,
+) {
+    if links.len() < WORTHWHILE_COLOUR || rayon::current_num_threads() == 1 {
+        return sweep_links(links, 0, spheres, friction, way, watch);
+    }
+    // Copies of the bodies are solved in parallel; then each body takes its motion in turn.
+    let mut solved = Vec::with_capacity(links.len());
+    let solve = |link: &mut Link<F::Modes>| {
+        let [mut a, mut b] = link.bodies.map(|body| spheres[body as usize].0);
+        let friction = friction.of(link.bodies);
+        let change = link.contact.update(friction, &mut a, &mut b);
+        (link.bodies, [a, b], watched(&link.contact, &change))
+    };
+    let shares = links.par_iter_mut().with_min_len(SHARE);
+    shares.map(solve).collect_into_vec(&mut solved);
+    let mut take = |(bodies, moved, seen): &([u32; 2], [Sphere<f64>; 2], [f64; 3])| {
+        for (body, moved) in bodies.iter().zip(moved) {
+            spheres[*body as usize].0 = *moved;
+        }
+        let [change_sq, bound, speed] = *seen;
+        watch.see(change_sq, bound, speed);
+    };
+    if way == Way::Forward {
+        solved.iter().for_each(take);
+    } else {
+        solved.iter().rev().for_each(&mut take);
+    }
+}
+
 /// Solves pairs with an image one after the other.
 fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
     (links, images): (&mut [Link<F::Modes>], &[ImageVelocity]),
-    spheres: &mut [Sphere<f64>],
+    spheres: &mut [Aligned],
     friction: &impl PairFriction<F>,
     way: Way,
     watch: &mut W,
@@ -312,9 +365,10 @@ fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
         let bodies = link.bodies.map(|body| body as usize);
         if let Ok([a, sphere]) = spheres.get_disjoint_mut(bodies) {
             let (velocity, friction) = (*velocity, friction.of(link.bodies));
+            let sphere = &mut sphere.0;
             let change = link
                 .contact
-                .update(friction, a, &mut Image { sphere, velocity });
+                .update(friction, &mut a.0, &mut Image { sphere, velocity });
             report(&link.contact, &change, watch);
         }
     };
@@ -332,9 +386,16 @@ fn report<M: ContactModes<f64>, W: Monitor>(
     change: &Modal<f64, M>,
     watch: &mut W,
 ) {
+    let [change_sq, bound, speed] = watched(contact, change);
+    watch.see(change_sq, bound, speed);
+}
+
+/// What a monitor records of a contact whose impulse has changed.
+#[inline(always)]
+fn watched<M: ContactModes<f64>>(contact: &Contact<f64, M>, change: &Modal<f64, M>) -> [f64; 3] {
     let change_sq = change.dot_with_lever(change, contact.lever());
     let speed = change.normal.abs() / contact.block().mass_normal;
-    watch.see(change_sq, contact.bound(), speed);
+    [change_sq, contact.bound(), speed]
 }
 
 impl<F: ContactFriction<f64>> Operator for Spheres<F> {
@@ -375,7 +436,9 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
     }
 
     fn refresh(&mut self) {
-        self.spheres.copy_from_slice(&self.free.0);
+        for (sphere, free) in self.spheres.iter_mut().zip(&self.free.0) {
+            sphere.0 = *free;
+        }
         self.plates.copy_from_slice(&self.free.1);
         for (at, link) in self.pairs.iter().enumerate() {
             for body in self
@@ -391,13 +454,14 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
             }
             let bodies = link.bodies.map(|body| body as usize);
             if let Ok([a, b]) = self.spheres.get_disjoint_mut(bodies) {
-                link.contact.apply(link.contact.impulse(), a, b);
+                link.contact
+                    .apply(link.contact.impulse(), &mut a.0, &mut b.0);
             }
         }
         for link in &self.walls {
             let [a, b] = link.bodies.map(|body| body as usize);
             if let (Some(a), Some(b)) = (self.spheres.get_mut(a), self.plates.get_mut(b)) {
-                link.contact.apply(link.contact.impulse(), a, b);
+                link.contact.apply(link.contact.impulse(), &mut a.0, b);
             }
         }
     }

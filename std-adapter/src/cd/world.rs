@@ -201,14 +201,14 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             let iterations = self
                 .workspace
                 .solve(&self.setup.solver, &mut self.problem, step);
-            let speed = self.fastest(&self.problem.spheres, &self.problem.plates)?;
+            let speed = self.fastest(self.problem.moving(), &self.problem.plates)?;
             // Contacts were searched up to the distance that two bodies can cover with this motion.
             if speed * dt <= 2.0 * self.setup.step_limits.motion {
                 return Ok(self.commit(dt, iterations));
             }
             dt *= 0.5;
         }
-        let speed = self.fastest(&self.problem.spheres, &self.problem.plates)?;
+        let speed = self.fastest(self.problem.moving(), &self.problem.plates)?;
         let step = self.state.steps;
         Err(WorldError::TooFast { step, speed })
     }
@@ -217,7 +217,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     fn time_step(&self) -> f64 {
         let State { spheres, walls, .. } = &self.state;
         let plates: Vec<_> = walls.iter().map(|wall| wall.plate).collect();
-        let speed = self.fastest(spheres, &plates).unwrap_or(0.0);
+        let speed = self.fastest(spheres.iter(), &plates).unwrap_or(0.0);
         let pull = |wall: &Wall| (wall.force * wall.plate.inv_mass).abs();
         let pushed = walls.iter().map(pull).fold(0.0, f64::max);
         let acceleration = pushed.max(self.setup.gravity.norm());
@@ -233,10 +233,14 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     }
 
     /// Largest speed of any body.
-    fn fastest(&self, spheres: &[Sphere<f64>], plates: &[Plate<f64>]) -> Result<f64, WorldError> {
+    fn fastest<'a>(
+        &self,
+        spheres: impl Iterator<Item = &'a Sphere<f64>>,
+        plates: &[Plate<f64>],
+    ) -> Result<f64, WorldError> {
         let mut fastest = 0.0_f64;
         let shear = self.shear_speed();
-        for (body, sphere) in spheres.iter().enumerate() {
+        for (body, sphere) in spheres.enumerate() {
             let speed = self.own_speed(body, sphere) + shear;
             if !(speed + sphere.spin.norm()).is_finite() {
                 let step = self.state.steps;
@@ -265,7 +269,8 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         state
             .energy
             .enter(state.sleep.awake(), before, problem, gravity, loaded);
-        state.spheres.clone_from(&problem.spheres);
+        state.spheres.clear();
+        state.spheres.extend(problem.moving());
         for (x, sphere) in state.positions.iter_mut().zip(&state.spheres) {
             *x += sphere.velocity * dt;
         }

@@ -1,0 +1,83 @@
+//! Sweeps by several threads against the sweep of one contact after the other.
+
+use super::internals::{GlobalChange, Link, Operator, Spheres, Visit};
+use super::solid;
+use crate::random::Random;
+use nalgebra::Vector3;
+use tribos_core::contact::{
+    Attraction, Cohesion, Contact, ContactFriction, NormalLaw, Sphere, Thresholds, Touch,
+};
+
+/// Spheres, several blocks of them, and pairs of random spheres.
+const SPHERES: usize = 5_000;
+const PAIRS: usize = 12_000;
+
+/// Spheres with random velocities, and contacts between any two of them in random directions; most pairs
+/// join two blocks.
+fn tangle<F: ContactFriction<f64>>(friction: F) -> Spheres<F> {
+    let mut random = Random::new(7, 1);
+    let mut number = |below: usize| (random.unit() * below as f64) as usize;
+    let mut vector =
+        |size: f64| Vector3::from([(); 3].map(|()| size * (number(2_001) as f64 / 1_000.0 - 1.0)));
+    let mut problem = Spheres::new([friction; 2]);
+    let ball = solid(1.0, 1.0);
+    for _ in 0..SPHERES {
+        let (velocity, spin) = (vector(1.0), vector(1.0));
+        problem.free.0.push(Sphere {
+            velocity,
+            spin,
+            ..ball
+        });
+    }
+    let cohesion = Cohesion::new(2.0, 0.01, Attraction::Pull).expect("cohesion is valid");
+    let law = NormalLaw::new(cohesion, 0.0).expect("the law is valid");
+    let mut random = Random::new(8, 1);
+    let mut number = |below: usize| (random.unit() * below as f64) as usize;
+    let mut taken = Vec::new();
+    while taken.len() < PAIRS {
+        let [a, b] = [number(SPHERES), number(SPHERES)];
+        if a != b {
+            taken.push([a.min(b), a.max(b)]);
+        }
+    }
+    taken.sort_unstable();
+    taken.dedup();
+    for [a, b] in taken {
+        let apart = vector(1.0).normalize() * (1.99 + 0.03 * number(1_000) as f64 / 1_000.0);
+        let touch = Touch::spheres(&apart, [1.0, 1.0]).expect("they are apart");
+        let [first, second] = [a, b].map(|body| &problem.free.0[body]);
+        let contact = Contact::new(&touch, &law, first, second, 0.01);
+        let bodies = [a as u32, b as u32];
+        problem.pairs.push(Link { bodies, contact });
+    }
+    problem.start();
+    problem
+}
+
+/// Impulses, motions and what a monitor saw after some sweeps to and fro.
+fn swept<F: ContactFriction<f64>>(threads: usize, friction: F) -> String {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.expect("threads can be made").install(|| {
+        let mut problem = tangle(friction);
+        let mut seen = Vec::new();
+        for visit in [Visit::Forward, Visit::Backward, Visit::Forward] {
+            let mut watch = GlobalChange::default();
+            problem.sweep(visit, &mut watch);
+            seen.push(watch);
+        }
+        let impulses: Vec<_> = problem
+            .links()
+            .map(|link| *link.contact.impulse())
+            .collect();
+        format!("{seen:?} {impulses:?} {:?}", problem.spheres)
+    })
+}
+
+#[test]
+fn colours_across_blocks_have_the_same_bits_on_any_number_of_threads() {
+    let all = Thresholds::all(0.3, 0.1, 0.1).expect("in range");
+    let alone = swept(1, all);
+    for threads in [2, 3] {
+        assert!(swept(threads, all) == alone, "{threads} threads");
+    }
+}
