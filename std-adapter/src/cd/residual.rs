@@ -101,15 +101,9 @@ where
 {
     let (spheres, plates) = velocities(problem);
     let mut sum = Sum::default();
-<<<<<<< HEAD
     let mut images = problem.images.iter().peekable();
     for (number, link) in problem.pairs.iter().enumerate() {
         let [a, b] = link.bodies.map(|body| spheres[body as usize]);
-=======
-    let mut images = fresh.images.iter().peekable();
-    for (number, link) in fresh.pairs.iter().enumerate() {
-        let [a, b] = link.bodies.map(|body| fresh.spheres[body as usize].0);
->>>>>>> w-cd
         // An image moves faster than its sphere.
         let faster = images.next_if(|(pair, _)| *pair as usize == number);
         let velocity = faster.map_or(b.velocity, |(_, faster)| b.velocity + faster);
@@ -122,11 +116,7 @@ where
     }
     for link in &problem.walls {
         let [a, b] = link.bodies.map(|body| body as usize);
-<<<<<<< HEAD
         let velocity = link.contact.velocity(&spheres[a], &plates[b]);
-=======
-        let velocity = link.contact.velocity(&fresh.spheres[a].0, &fresh.plates[b]);
->>>>>>> w-cd
         sum.add(link, &velocity, problem.wall_friction(link.bodies));
     }
     sum.finish()
