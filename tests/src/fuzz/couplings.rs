@@ -1,18 +1,23 @@
 //! Reduced wrenches of round patches and their derivatives.
 
 use super::check::{all_nan, finite, holds, numbers};
-use super::{Broken, Source};
+use super::{Broken, Source, planes};
 use std::sync::OnceLock;
 use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::RoundTable64;
 use tribos_core::coupling::table::{self, Table32, Table64};
-use tribos_core::coupling::{Annulus, Coupling, Lateral, Profile, compact};
+use tribos_core::coupling::{
+    Annulus, Coupling, Lateral, PatchFriction, Profile, ReducedJacobian, compact,
+};
 use tribos_core::internals::Speeds;
 use tribos_core::law::PowerLaw;
 use tribos_core::patch::PowerPressure;
 use tribos_core::real::Real;
+use tribos_core::twist::{Wrench, WrenchJacobian};
 
+/// Speeds of a batch: a group that the kernel may take in lanes, and some more.
+const BATCH: usize = 11;
 const EXPONENTS: [f64; 6] = [-0.9, -0.5, 0.25, 1.0, 1.5, 3.0];
 
 fn tables() -> &'static [Table64] {
@@ -111,7 +116,61 @@ fn exact<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), Br
         numbers("Jacobian", slopes)?;
         finite(source, "wrench", [wrench.force, wrench.torque])?;
     }
+    batches(source, tier)
+}
+
+/// Batches answer as single calls, to the bit.
+fn batches<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), Broken> {
+    let (slides, rims) = (numbers_of(source), numbers_of(source));
+    let [mut forces, mut torques] = [[R::ZERO; BATCH]; 2];
+    let mut slopes = [ReducedJacobian::default(); BATCH];
+    tier.reduced_wrench_batch(&slides, &rims, &mut forces, &mut torques);
+    tier.reduced_jacobian_batch(&slides, &rims, &mut slopes);
+    for at in 0..BATCH {
+        let (slide, rim) = (slides[at], rims[at]);
+        let (wrench, one) = (
+            tier.reduced_wrench(slide, rim),
+            tier.reduced_jacobian(slide, rim),
+        );
+        let all = slopes[at];
+        same("reduced force", forces[at], wrench.force)?;
+        same("reduced torque", torques[at], wrench.torque)?;
+        same("F/v", all.force_per_slide, one.force_per_slide)?;
+        same("∂F/∂v", all.force_slide, one.force_slide)?;
+        same("∂F/∂w", all.mixed, one.mixed)?;
+        same("∂T/∂w", all.torque_rim, one.torque_rim)?;
+    }
+    let Ok(patch) = PatchFriction::new(tier, source.size(), source.positive()) else {
+        return Ok(());
+    };
+    let (load, twists) = (
+        source.size(),
+        [(); BATCH].map(|()| planes::twist::<R>(source)),
+    );
+    let mut wrenches = [Wrench::ZERO; BATCH];
+    let mut jacobians = [WrenchJacobian::from_element(R::ZERO); BATCH];
+    patch.wrench_batch(load, &twists, &mut wrenches);
+    patch.jacobian_batch(load, &twists, &mut jacobians);
+    for ((twist, all), slopes) in twists.iter().zip(&wrenches).zip(&jacobians) {
+        let one = patch.wrench(load, twist);
+        same("force", all.force.x, one.force.x)?;
+        same("force", all.force.y, one.force.y)?;
+        same("torque", all.torque, one.torque)?;
+        for (all, one) in slopes.iter().zip(patch.wrench_jacobian(load, twist).iter()) {
+            same("Jacobian", *all, *one)?;
+        }
+    }
     Ok(())
+}
+
+fn numbers_of<R: Real>(source: &mut Source) -> [R; BATCH] {
+    [(); BATCH].map(|()| source.number())
+}
+
+fn same<R: Real>(what: &str, batch: R, one: R) -> Result<(), Broken> {
+    let is_same = batch.to_f64().to_bits() == one.to_f64().to_bits();
+    let is_same = is_same || batch.is_nan() && one.is_nan();
+    holds(is_same, what, &[batch, one])
 }
 
 fn lateral<R: Real>(source: &mut Source, tier: &impl Lateral<R>) -> Result<(), Broken> {
