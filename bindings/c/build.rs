@@ -4,9 +4,19 @@ use std::path::Path;
 use std::{env, fs};
 
 /// Files of `src/double`, in the order of the header.
-const MODULES: [&str; 11] = [
-    "vectors", "law", "patch", "nodes", "surface", "batch", "polygon", "slider", "planar",
-    "contact", "update",
+const MODULES: [&str; 12] = [
+    "vectors",
+    "law",
+    "patch",
+    "patch_batch",
+    "nodes",
+    "surface",
+    "batch",
+    "polygon",
+    "slider",
+    "planar",
+    "contact",
+    "update",
 ];
 
 fn main() -> std::io::Result<()> {

@@ -72,8 +72,41 @@ static void LOCAL(laws_with_state)(struct stream *s)
     NUMBER(NAME(rate_state_steady_slope)(&rock, x[0], &out));
 }
 
+enum { LOCAL(TWISTS) = 21 }; /* more than the library converts at once */
+
+static void LOCAL(draw_twists)(struct stream *s, NAME(twist) *twists)
+{
+    int i;
+
+    for (i = 0; i < LOCAL(TWISTS); ++i) {
+        twists[i] = LOCAL(draw_twist)(s, WIDE);
+    }
+}
+
+static void LOCAL(feed_wrenches)(struct stream *s, tribos_status status, const NAME(wrench) *w)
+{
+    int i;
+
+    for (i = 0; i < LOCAL(TWISTS); ++i) {
+        LOCAL(feed_wrench)(s, status, w[i]);
+    }
+}
+
+static void LOCAL(feed_jacobians)(struct stream *s, tribos_status status, const NAME(jacobian) *j)
+{
+    int i;
+
+    for (i = 0; i < LOCAL(TWISTS); ++i) {
+        LOCAL(feed_jacobian)(s, status, &j[i]);
+    }
+}
+
 static void LOCAL(patches)(struct stream *s)
 {
+    static NAME(twist) twists[LOCAL(TWISTS)];
+    static NAME(wrench) wrenches[LOCAL(TWISTS)];
+    static NAME(jacobian) jacobians[LOCAL(TWISTS)];
+    tribos_status status;
     REAL p[4];
     NAME(round) patch;
     NAME(twist) twist;
@@ -97,6 +130,11 @@ static void LOCAL(patches)(struct stream *s)
     JACOBIAN(NAME(ring_jacobian)(&patch, load, &twist, &out));
     WRENCH(NAME(punch_wrench)(&patch, load, &twist, &out));
     JACOBIAN(NAME(punch_jacobian)(&patch, load, &twist, &out));
+    LOCAL(draw_twists)(s, twists);
+    status = NAME(disk_wrench_batch)(&patch, load, twists, LOCAL(TWISTS), wrenches);
+    LOCAL(feed_wrenches)(s, status, wrenches);
+    status = NAME(disk_jacobian_batch)(&patch, load, twists, LOCAL(TWISTS), jacobians);
+    LOCAL(feed_jacobians)(s, status, jacobians);
 }
 
 static void LOCAL(powers)(struct stream *s)
@@ -119,6 +157,10 @@ static void LOCAL(powers)(struct stream *s)
 static void LOCAL(tables)(struct stream *s)
 {
     static NAME(power_table) table;
+    static NAME(twist) twists[LOCAL(TWISTS)];
+    static NAME(wrench) wrenches[LOCAL(TWISTS)];
+    static NAME(jacobian) jacobians[LOCAL(TWISTS)];
+    tribos_status status;
     const REAL alphas[6] = {(REAL)-0.5, (REAL)0.5, 3, -1, 11, 1};
     REAL p[3];
     int a, n;
@@ -137,6 +179,13 @@ static void LOCAL(tables)(struct stream *s)
             patch.radius = p[1];
             WRENCH(NAME(power_table_wrench)(&table, &patch, p[2], &twist, &out));
             JACOBIAN(NAME(power_table_jacobian)(&table, &patch, p[2], &twist, &out));
+            LOCAL(draw_twists)(s, twists);
+            status = NAME(power_table_wrench_batch)(
+                &table, &patch, p[2], twists, LOCAL(TWISTS), wrenches);
+            LOCAL(feed_wrenches)(s, status, wrenches);
+            status = NAME(power_table_jacobian_batch)(
+                &table, &patch, p[2], twists, LOCAL(TWISTS), jacobians);
+            LOCAL(feed_jacobians)(s, status, jacobians);
         }
     }
 }

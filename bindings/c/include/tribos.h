@@ -1121,6 +1121,36 @@ tribos_status tribos_power_table_jacobian_f64(const struct tribos_power_table_f6
                                               const struct tribos_twist_f64 *twist,
                                               struct tribos_jacobian_f64 *jacobian);
 
+// Wrenches of `count` twists under one load, to the bits of tribos_disk_wrench_f64.
+tribos_status tribos_disk_wrench_batch_f64(const struct tribos_round_f64 *patch,
+                                           double load,
+                                           const struct tribos_twist_f64 *twists,
+                                           size_t count,
+                                           struct tribos_wrench_f64 *wrenches);
+
+// Jacobians of `count` twists under one load, to the bits of tribos_disk_jacobian_f64.
+tribos_status tribos_disk_jacobian_batch_f64(const struct tribos_round_f64 *patch,
+                                             double load,
+                                             const struct tribos_twist_f64 *twists,
+                                             size_t count,
+                                             struct tribos_jacobian_f64 *jacobians);
+
+// Wrenches of `count` twists under one load, to the bits of tribos_power_table_wrench_f64.
+tribos_status tribos_power_table_wrench_batch_f64(const struct tribos_power_table_f64 *table,
+                                                  const struct tribos_round_f64 *patch,
+                                                  double load,
+                                                  const struct tribos_twist_f64 *twists,
+                                                  size_t count,
+                                                  struct tribos_wrench_f64 *wrenches);
+
+// Jacobians of `count` twists under one load, to the bits of tribos_power_table_jacobian_f64.
+tribos_status tribos_power_table_jacobian_batch_f64(const struct tribos_power_table_f64 *table,
+                                                    const struct tribos_round_f64 *patch,
+                                                    double load,
+                                                    const struct tribos_twist_f64 *twists,
+                                                    size_t count,
+                                                    struct tribos_jacobian_f64 *jacobians);
+
 // Wrench of Coulomb friction at `count` nodes.
 tribos_status tribos_nodes_coulomb_wrench_f64(const struct tribos_coulomb_f64 *law,
                                               const struct tribos_node_f64 *nodes,
@@ -1737,6 +1767,36 @@ tribos_status tribos_power_table_jacobian_f32(const struct tribos_power_table_f3
                                               float load,
                                               const struct tribos_twist_f32 *twist,
                                               struct tribos_jacobian_f32 *jacobian);
+
+// Wrenches of `count` twists under one load, to the bits of tribos_disk_wrench_f32.
+tribos_status tribos_disk_wrench_batch_f32(const struct tribos_round_f32 *patch,
+                                           float load,
+                                           const struct tribos_twist_f32 *twists,
+                                           size_t count,
+                                           struct tribos_wrench_f32 *wrenches);
+
+// Jacobians of `count` twists under one load, to the bits of tribos_disk_jacobian_f32.
+tribos_status tribos_disk_jacobian_batch_f32(const struct tribos_round_f32 *patch,
+                                             float load,
+                                             const struct tribos_twist_f32 *twists,
+                                             size_t count,
+                                             struct tribos_jacobian_f32 *jacobians);
+
+// Wrenches of `count` twists under one load, to the bits of tribos_power_table_wrench_f32.
+tribos_status tribos_power_table_wrench_batch_f32(const struct tribos_power_table_f32 *table,
+                                                  const struct tribos_round_f32 *patch,
+                                                  float load,
+                                                  const struct tribos_twist_f32 *twists,
+                                                  size_t count,
+                                                  struct tribos_wrench_f32 *wrenches);
+
+// Jacobians of `count` twists under one load, to the bits of tribos_power_table_jacobian_f32.
+tribos_status tribos_power_table_jacobian_batch_f32(const struct tribos_power_table_f32 *table,
+                                                    const struct tribos_round_f32 *patch,
+                                                    float load,
+                                                    const struct tribos_twist_f32 *twists,
+                                                    size_t count,
+                                                    struct tribos_jacobian_f32 *jacobians);
 
 // Wrench of Coulomb friction at `count` nodes.
 tribos_status tribos_nodes_coulomb_wrench_f32(const struct tribos_coulomb_f32 *law,

@@ -32,6 +32,7 @@ pub mod double {
     pub mod law;
     pub mod nodes;
     pub mod patch;
+    pub mod patch_batch;
     pub mod planar;
     pub mod polygon;
     pub mod slider;

@@ -2,6 +2,9 @@
 
 use crate::status::tribos_status;
 
+/// Elements of a batch that are converted at once, on the stack: two groups of the kernel's lanes.
+pub(crate) const CHUNK: usize = 16;
+
 /// A copy of the argument.
 #[inline(always)]
 pub(crate) unsafe fn read<T: Copy>(from: *const T) -> Result<T, tribos_status> {
@@ -26,6 +29,22 @@ pub(crate) unsafe fn slice_mut<'a, T>(
 ) -> Result<&'a mut [T], tribos_status> {
     fits::<T>(to.is_null(), count)?;
     Ok(core::slice::from_raw_parts_mut(to, count))
+}
+
+/// Pieces of `CHUNK` elements, the last one shorter. Unlike `chunks`, without a division that could panic.
+#[inline(always)]
+pub(crate) fn pieces<T>(of: &[T]) -> impl Iterator<Item = &[T]> {
+    let (whole, rest) = of.as_chunks::<CHUNK>();
+    let rest = (!rest.is_empty()).then_some(rest);
+    whole.iter().map(<[T; CHUNK]>::as_slice).chain(rest)
+}
+
+/// [`pieces`] to write to.
+#[inline(always)]
+pub(crate) fn pieces_mut<T>(of: &mut [T]) -> impl Iterator<Item = &mut [T]> {
+    let (whole, rest) = of.as_chunks_mut::<CHUNK>();
+    let rest = (!rest.is_empty()).then_some(rest);
+    whole.iter_mut().map(<[T; CHUNK]>::as_mut_slice).chain(rest)
 }
 
 /// Refuses null and arrays larger than half of the address space.
@@ -54,6 +73,15 @@ pub(crate) unsafe fn answer<T>(
             to.write(value);
             tribos_status::Ok
         }
+        Err(refusal) => refusal,
+    }
+}
+
+/// The status of a call that writes its results in place.
+#[inline(always)]
+pub(crate) fn status(result: impl FnOnce() -> Result<(), tribos_status>) -> tribos_status {
+    match result() {
+        Ok(()) => tribos_status::Ok,
         Err(refusal) => refusal,
     }
 }

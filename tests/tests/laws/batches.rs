@@ -9,7 +9,7 @@ use tribos_core::patch::PowerPressure;
 use tribos_core::twist::{Twist, Wrench};
 use tribos_tests::batches::{GROUP, compare};
 
-/// Inputs of each comparison of the quick test; `examples/batches.rs` takes more.
+/// Inputs of each comparison of the quick test; `tests/examples/batches.rs` takes more.
 const COUNT: usize = 150_000;
 
 #[test]

@@ -6,14 +6,11 @@
 
 use super::surface::{Set, tribos_disk_surface_f64, tribos_projection_f64};
 use super::vectors::{tribos_twist_f64, tribos_wrench_f64};
-use crate::memory::{read, slice, slice_mut};
+use crate::memory::{CHUNK, pieces, pieces_mut, read, slice, slice_mut, status};
 use crate::status::tribos_status;
 use tribos_core::limit_surface::{FrictionSet, Projection, Region};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
-
-/// Wrenches that are converted at once, on the stack.
-const CHUNK: usize = 16;
 
 /// The kernel's structures of up to `CHUNK` wrenches.
 #[inline(always)]
@@ -23,15 +20,6 @@ fn converted(from: &[tribos_wrench_f64]) -> [Wrench<f64>; CHUNK] {
         *to = (*from).into();
     }
     wrenches
-}
-
-/// The status of what has no result of its own.
-#[inline(always)]
-unsafe fn status(result: impl FnOnce() -> Result<(), tribos_status>) -> tribos_status {
-    match result() {
-        Ok(()) => tribos_status::Ok,
-        Err(refusal) => refusal,
-    }
 }
 
 /// Gauges of `count` wrenches, as tribos_disk_surface_gauge_f64.
@@ -46,9 +34,9 @@ pub unsafe extern "C" fn tribos_disk_surface_gauge_batch_f64(
 ) -> tribos_status {
     status(|| {
         let set = read(surface)?.set()?;
-        let loads = slice(loads, count)?.chunks(CHUNK);
-        let wrenches = slice(wrenches, count)?.chunks(CHUNK);
-        let gauges = slice_mut(gauges, count)?.chunks_mut(CHUNK);
+        let loads = pieces(slice(loads, count)?);
+        let wrenches = pieces(slice(wrenches, count)?);
+        let gauges = pieces_mut(slice_mut(gauges, count)?);
         for ((loads, wrenches), gauges) in loads.zip(wrenches).zip(gauges) {
             set.gauge_batch(loads, &converted(wrenches), gauges);
         }
@@ -66,8 +54,8 @@ pub unsafe extern "C" fn tribos_disk_surface_motion_batch_f64(
 ) -> tribos_status {
     status(|| {
         let set = read(surface)?.set()?;
-        let pushes = slice(pushes, count)?.chunks(CHUNK);
-        let twists = slice_mut(twists, count)?.chunks_mut(CHUNK);
+        let pushes = pieces(slice(pushes, count)?);
+        let twists = pieces_mut(slice_mut(twists, count)?);
         let mut motions = [Twist::ZERO; CHUNK];
         for (pushes, twists) in pushes.zip(twists) {
             set.twist_normal_to_batch(&converted(pushes), &mut motions);
@@ -97,9 +85,9 @@ pub unsafe extern "C" fn tribos_disk_surface_project_batch_f64(
         } else {
             length
         };
-        let loads = slice(loads, count)?.chunks(CHUNK);
-        let wrenches = slice(wrenches, count)?.chunks(CHUNK);
-        let projections = slice_mut(projections, count)?.chunks_mut(CHUNK);
+        let loads = pieces(slice(loads, count)?);
+        let wrenches = pieces(slice(wrenches, count)?);
+        let projections = pieces_mut(slice_mut(projections, count)?);
         let blank = Projection {
             wrench: Wrench::ZERO,
             region: Region::Inside,

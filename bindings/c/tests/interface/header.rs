@@ -42,8 +42,18 @@ fn generated() -> String {
         builder = builder.with_src(at(&format!("src/{common}.rs")));
     }
     for double in [
-        "vectors", "law", "patch", "nodes", "surface", "batch", "polygon", "slider", "planar",
-        "contact", "update",
+        "vectors",
+        "law",
+        "patch",
+        "patch_batch",
+        "nodes",
+        "surface",
+        "batch",
+        "polygon",
+        "slider",
+        "planar",
+        "contact",
+        "update",
     ] {
         builder = builder.with_src(at(&format!("src/double/{double}.rs")));
     }

@@ -1,5 +1,6 @@
 //! The C interface: its header, its programs, its refusals.
 
+mod batches;
 mod digest;
 mod examples;
 mod header;

@@ -27,6 +27,25 @@ impl<R: Precision> Case<R> {
     }
 }
 
+/// Twists of a batch: more than the C interface converts at once.
+const TWISTS: usize = 21;
+
+/// What C computes in batches, twist by twist.
+fn feed_batch<R: Precision, C: Coupling<R>>(s: &mut Stream, case: &Case<R>, coupling: C) {
+    let twists = [(); TWISTS].map(|()| s.twist(Range::Wide));
+    let friction = PatchFriction::new(coupling, case.coefficient, case.radius);
+    for twist in &twists {
+        s.wrench_of(friction.as_ref().map(|f| f.wrench(case.load, twist)));
+    }
+    for twist in &twists {
+        s.jacobian_of(
+            friction
+                .as_ref()
+                .map(|f| f.wrench_jacobian(case.load, twist)),
+        );
+    }
+}
+
 fn sound<C>(coupling: C) -> Result<C, ()> {
     Ok(coupling)
 }
@@ -45,6 +64,7 @@ pub fn round<R: Precision>(s: &mut Stream) {
     case.feed(s, sound(Hertz));
     case.feed(s, sound(Ring));
     case.feed(s, sound(FlatPunch));
+    feed_batch(s, &case, table::Coulomb);
 }
 
 pub fn powers<R: Precision>(s: &mut Stream) {
@@ -76,6 +96,7 @@ pub fn tables<R: Precision>(s: &mut Stream) {
                 twist: s.twist(Range::Wide),
             };
             case.feed(s, sound(&table));
+            feed_batch(s, &case, &table);
         }
     }
 }
