@@ -9,6 +9,7 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Instructions need qemu-system-arm and the targets thumbv7em-none-eabihf and thumbv6m-none-eabi of
 rustup. Without QEMU the firmware front tells flash alone, and the kernel's columns say so.
+The batch front counts instructions with Valgrind if it is installed (Debian: valgrind).
 The atoms front runs LAMMPS beside ours if `lmp` is on the PATH (Debian: lammps).")]
 pub struct Options {
     /// These fronts only: again, or NAME,NAME, for more of them
@@ -20,6 +21,9 @@ pub struct Options {
     /// Where tables and pictures go (docs/fronts; with --quick target/fronts)
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Runs the items of the batch front once, for the count of their instructions
+    #[arg(long, hide = true)]
+    pub run_batch_items: bool,
 }
 
 impl Options {

@@ -51,6 +51,14 @@ impl<R: Real, C: Coupling<R>> Contact<R, C> {
         &self.wrenches
     }
 
+    /// The Jacobian of every twist, each call hidden from the optimiser.
+    pub fn jacobians(&mut self) {
+        let load = R::from_f64(LOAD);
+        for twist in &self.twists {
+            black_box(self.disk.wrench_jacobian(load, black_box(twist)));
+        }
+    }
+
     /// Panics unless both ways agree to the bit.
     pub fn assert_right(&mut self) {
         let single = self.one_by_one().to_vec();

@@ -4,8 +4,9 @@ use std::path::Path;
 use std::{env, fs};
 
 /// Files of `src/double`, in the order of the header.
-const MODULES: [&str; 9] = [
-    "vectors", "law", "patch", "nodes", "surface", "polygon", "slider", "contact", "update",
+const MODULES: [&str; 11] = [
+    "vectors", "law", "patch", "nodes", "surface", "batch", "polygon", "slider", "planar",
+    "contact", "update",
 ];
 
 fn main() -> std::io::Result<()> {

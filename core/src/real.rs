@@ -1,6 +1,6 @@
 //! The scalar of the kernel, with all elementary functions that the kernel uses.
 
-use crate::coupling::SmoothProfile;
+use crate::coupling::LaneProfile;
 use crate::coupling::table::{COULOMB_F32, COULOMB_F64, CoulombTable32, CoulombTable64};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -9,7 +9,7 @@ mod sealed {
     use crate::power::{STEP_BITS, STEPS, Split};
 
     /// What only the kernel needs of a precision.
-    pub trait Sealed: Sized + 'static {
+    pub trait Sealed: Sized + 'static + crate::coupling::Laned {
         /// True for `f32`: what it does not need is left out of a program.
         const IS_SINGLE: bool;
 
@@ -38,6 +38,12 @@ mod sealed {
         /// Exponent and mantissa for [`crate::power`]; an exponent beyond all tables for numbers
         /// that are not positive and normal.
         fn split(self) -> Split<Self>;
+
+        /// True from the smallest normal number up to the largest one: one comparison of bits.
+        fn normal_and_positive(self) -> bool;
+
+        /// The least number with this count of half octaves, see [`super::Real::half_octave`].
+        fn of_half_octave(count: usize) -> Self;
     }
 
     /// The two functions of a binary format's exponent.
@@ -62,6 +68,15 @@ mod sealed {
             fn power_of_two(k: i32) -> Self {
                 const BIAS: i32 = <$real>::MAX_EXP - 1;
                 Self::from_bits(((BIAS.wrapping_add(k)) as $bits) << $mantissa)
+            }
+            #[inline]
+            fn normal_and_positive(self) -> bool {
+                const LEAST: $bits = <$real>::MIN_POSITIVE.to_bits();
+                self.to_bits().wrapping_sub(LEAST) < <$real>::INFINITY.to_bits() - LEAST
+            }
+            #[inline]
+            fn of_half_octave(count: usize) -> Self {
+                Self::from_bits((count as $bits) << ($mantissa - 1))
             }
             #[inline]
             fn split(self) -> Split<Self> {
@@ -165,7 +180,7 @@ pub trait Real:
 {
     /// Coulomb's table in this precision.
     #[doc(hidden)]
-    type CoulombTable: SmoothProfile<Self> + 'static;
+    type CoulombTable: LaneProfile<Self> + 'static;
 
     /// 0
     const ZERO: Self;
@@ -288,7 +303,7 @@ macro_rules! impl_real {
             }
             #[inline]
             fn coulomb_table() -> &'static $of {
-                &$table
+                &$table.0
             }
             #[inline]
             fn half_octave(self) -> usize {

@@ -5,6 +5,7 @@
 //! references are the tables of `tables/` or formulas of the test that uses them.
 
 pub mod atoms;
+pub mod batches;
 pub mod contacts;
 pub mod cross;
 pub mod fuzz;

@@ -1,6 +1,7 @@
 //! The fronts of the documentation: each is a page, tables and pictures in one folder.
 
 pub mod atoms;
+pub mod batch;
 pub mod contacts;
 pub mod firmware;
 pub mod index;
@@ -10,6 +11,7 @@ pub mod made;
 pub mod methods;
 pub mod patches;
 pub mod polygons;
+pub mod scale;
 
 use crate::args::Options;
 use crate::written::{self, Sheet};
@@ -21,6 +23,8 @@ use std::time::Instant;
 pub enum Front {
     /// One evaluation of force and torque.
     Kernel,
+    /// Calls one by one and in batches.
+    Batch,
     /// Every patch, law and tier.
     Patches,
     /// Flat feet with straight edges.
@@ -29,6 +33,8 @@ pub enum Front {
     Integrators,
     /// Contacts of packings and their solvers.
     Contacts,
+    /// Sweeps of packings from a thousand to a million spheres.
+    Scale,
     /// Events, contact dynamics and soft particles.
     Methods,
     /// Molecular dynamics beside LAMMPS.
@@ -39,12 +45,14 @@ pub enum Front {
 
 impl Front {
     /// In the order of the index.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::Kernel,
+        Self::Batch,
         Self::Patches,
         Self::Polygons,
         Self::Integrators,
         Self::Contacts,
+        Self::Scale,
         Self::Methods,
         Self::Atoms,
         Self::Firmware,
@@ -52,13 +60,15 @@ impl Front {
 
     /// The order of work: what builds comes before what is timed, and the kernel's front shows
     /// instructions that the firmware's counts.
-    const WORK: [Self; 8] = [
+    const WORK: [Self; 10] = [
         Self::Firmware,
         Self::Kernel,
+        Self::Batch,
         Self::Patches,
         Self::Polygons,
         Self::Integrators,
         Self::Contacts,
+        Self::Scale,
         Self::Methods,
         Self::Atoms,
     ];
@@ -67,10 +77,12 @@ impl Front {
     pub fn name(self) -> &'static str {
         match self {
             Self::Kernel => "kernel",
+            Self::Batch => "batch",
             Self::Patches => "patches",
             Self::Polygons => "polygons",
             Self::Integrators => "integrators",
             Self::Contacts => "contacts",
+            Self::Scale => "scale",
             Self::Methods => "methods",
             Self::Atoms => "atoms",
             Self::Firmware => "firmware",
@@ -81,10 +93,12 @@ impl Front {
     pub fn title(self) -> &'static str {
         match self {
             Self::Kernel => "Force and torque: speed against error",
+            Self::Batch => "One by one and in batches: time, instructions",
             Self::Patches => "Every patch, law and tier: speed, error, size",
             Self::Polygons => "Flat feet: speed against error",
             Self::Integrators => "A disk brought to rest: step, order, error, cost",
             Self::Contacts => "Contacts of packings: speed, residual, size",
+            Self::Scale => "Packings up to a million spheres: speed, order, threads, memory",
             Self::Methods => "Three methods: error against time",
             Self::Atoms => "Atoms in motion: speed, conserved energy",
             Self::Firmware => "What the kernel costs a microcontroller",
@@ -128,6 +142,9 @@ pub struct Finding {
 
 /// Makes the fronts asked for, and their part of the index.
 pub fn run(options: &Options) -> Result<(), String> {
+    if options.run_batch_items {
+        return batch::run_once();
+    }
     let made = made::now(options);
     let (out, fronts) = (options.out(), options.fronts());
     let setting = Setting {
@@ -147,10 +164,12 @@ pub fn run(options: &Options) -> Result<(), String> {
                 finding
             }
             Front::Kernel => kernel::run(&setting, counted.as_deref())?,
+            Front::Batch => batch::run(&setting)?,
             Front::Patches => patches::run(&setting).map_err(|error| error.to_string())?,
             Front::Polygons => polygons::run(&setting)?,
             Front::Integrators => integrators::run(&setting)?,
             Front::Contacts => contacts::run(&setting)?,
+            Front::Scale => scale::run(&setting)?,
             Front::Methods => methods::run(&setting)?,
             Front::Atoms => atoms::run(&setting)?,
         };

@@ -225,6 +225,66 @@ static void LOCAL(feed_projection)(struct stream *s, tribos_status status, NAME(
     }
 }
 
+static void LOCAL(batches)(struct stream *s, NAME(disk_surface) disk, REAL length, enum range range)
+{
+    enum { BATCH = 21 };
+    REAL loads[BATCH], gauges[BATCH];
+    NAME(wrench) pushes[BATCH];
+    NAME(twist) motions[BATCH];
+    NAME(projection) nearest[BATCH];
+    int i;
+
+    LOCAL(draws)(s, range, loads, BATCH);
+    for (i = 0; i < BATCH; ++i) {
+        pushes[i] = LOCAL(draw_wrench)(s, range);
+    }
+    if (ok(s, NAME(disk_surface_gauge_batch)(&disk, loads, pushes, BATCH, gauges))) {
+        for (i = 0; i < BATCH; ++i) {
+            feed_number(s, gauges[i]);
+        }
+    }
+    if (ok(s, NAME(disk_surface_motion_batch)(&disk, pushes, BATCH, motions))) {
+        for (i = 0; i < BATCH; ++i) {
+            LOCAL(feed_three)(s, motions[i].x, motions[i].y, motions[i].spin);
+        }
+    }
+    if (ok(s, NAME(disk_surface_project_batch)(&disk, loads, pushes, BATCH, length, nearest))) {
+        for (i = 0; i < BATCH; ++i) {
+            LOCAL(feed_projection)(s, TRIBOS_STATUS_OK, nearest[i]);
+        }
+    }
+}
+
+static void LOCAL(feed_step)(struct stream *s, tribos_status status, NAME(planar_step) step)
+{
+    if (ok(s, status)) {
+        feed_bits(s, step.is_at_rest);
+        LOCAL(feed_three)(s, step.twist.x, step.twist.y, step.twist.spin);
+        LOCAL(feed_three)(s, step.friction.x, step.friction.y, step.friction.torque);
+    }
+}
+
+static void LOCAL(planar_steps)(
+    struct stream *s, NAME(disk_surface) disk, NAME(ellipsoid) usual, enum range range)
+{
+    REAL p[3];
+    NAME(planar_body) body;
+    NAME(planar_step) step = {{0, 0, 0}, {0, 0, 0}, 0};
+    NAME(twist) twist;
+    NAME(wrench) push;
+    tribos_status status;
+
+    LOCAL(draws)(s, FIT, p, 3);
+    twist = LOCAL(draw_twist)(s, range);
+    push = LOCAL(draw_wrench)(s, range);
+    body.mass = p[0];
+    body.inertia = p[1];
+    status = NAME(planar_disk_step)(&body, &disk, &twist, &push, p[2], &step);
+    LOCAL(feed_step)(s, status, step);
+    status = NAME(planar_ellipsoid_step)(&body, &usual, &twist, &push, p[2], &step);
+    LOCAL(feed_step)(s, status, step);
+}
+
 static void LOCAL(surfaces)(struct stream *s, enum range range)
 {
     REAL p[4];
@@ -259,6 +319,8 @@ static void LOCAL(surfaces)(struct stream *s, enum range range)
     WRENCH(NAME(ellipsoid_scale)(&usual, &wrench, &out));
     status = NAME(ellipsoid_project)(&usual, &wrench, p[3], &nearest);
     LOCAL(feed_projection)(s, status, nearest);
+    LOCAL(batches)(s, disk, p[3], range);
+    LOCAL(planar_steps)(s, disk, usual, range);
 }
 
 #include "digest_polygons.h"

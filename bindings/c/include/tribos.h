@@ -389,6 +389,24 @@ typedef struct tribos_rest_f64 {
   uint32_t evaluations;
 } tribos_rest_f64;
 
+// A body on a patch that is centred below its centre of mass.
+typedef struct tribos_planar_body_f64 {
+  // Mass, positive and finite.
+  double mass;
+  // Moment of inertia about the normal, positive and finite. Units: mass x length^2.
+  double inertia;
+} tribos_planar_body_f64;
+
+// The end of a time step.
+typedef struct tribos_planar_step_f64 {
+  // The motion after the step.
+  struct tribos_twist_f64 twist;
+  // Friction on the body, as its mean over the step.
+  struct tribos_wrench_f64 friction;
+  // 1 if friction holds the body: the motion is zero, to the last bit. 0 else.
+  uint32_t is_at_rest;
+} tribos_planar_step_f64;
+
 // A vector in three dimensions.
 typedef struct tribos_vector_f64 {
   // First component.
@@ -749,6 +767,24 @@ typedef struct tribos_rest_f32 {
   // Evaluations of the wrench.
   uint32_t evaluations;
 } tribos_rest_f32;
+
+// A body on a patch that is centred below its centre of mass.
+typedef struct tribos_planar_body_f32 {
+  // Mass, positive and finite.
+  float mass;
+  // Moment of inertia about the normal, positive and finite. Units: mass x length^2.
+  float inertia;
+} tribos_planar_body_f32;
+
+// The end of a time step.
+typedef struct tribos_planar_step_f32 {
+  // The motion after the step.
+  struct tribos_twist_f32 twist;
+  // Friction on the body, as its mean over the step.
+  struct tribos_wrench_f32 friction;
+  // 1 if friction holds the body: the motion is zero, to the last bit. 0 else.
+  uint32_t is_at_rest;
+} tribos_planar_step_f32;
 
 // A vector in three dimensions.
 typedef struct tribos_vector_f32 {
@@ -1225,6 +1261,29 @@ tribos_status tribos_ellipsoid_project_f64(const struct tribos_ellipsoid_f64 *el
                                            double length,
                                            struct tribos_projection_f64 *projection);
 
+// Gauges of `count` wrenches, as tribos_disk_surface_gauge_f64.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_disk_surface_gauge_batch_f64(const struct tribos_disk_surface_f64 *surface,
+                                                  const double *loads,
+                                                  const struct tribos_wrench_f64 *wrenches,
+                                                  size_t count,
+                                                  double *gauges);
+
+// The motions caused by `count` pushes, as tribos_disk_surface_motion_f64; they do not depend on the load.
+tribos_status tribos_disk_surface_motion_batch_f64(const struct tribos_disk_surface_f64 *surface,
+                                                   const struct tribos_wrench_f64 *pushes,
+                                                   size_t count,
+                                                   struct tribos_twist_f64 *twists);
+
+// Projections of `count` wrenches, as tribos_disk_surface_project_f64; a length of 0 represents the radius.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_disk_surface_project_batch_f64(const struct tribos_disk_surface_f64 *surface,
+                                                    const double *loads,
+                                                    const struct tribos_wrench_f64 *wrenches,
+                                                    size_t count,
+                                                    double length,
+                                                    struct tribos_projection_f64 *projections);
+
 // Prepares a polygon, convex or not, under uniform pressure. `corners` holds the corners of `loops` loops
 // one after another, `counts` how many each has: first the outer loop, then holes inside of it and outside
 // of each other, clockwise or counterclockwise. `memory` has room for `room` edges, one a corner is needed.
@@ -1317,6 +1376,24 @@ tribos_status tribos_slider_energy_f64(const struct tribos_slider_f64 *slider,
 tribos_status tribos_slider_dissipation_f64(const struct tribos_slider_f64 *slider,
                                             const struct tribos_motion_f64 *motion,
                                             double *power_per_mass);
+
+// The motion of a body after the time dt under a constant push and the friction of a disk.
+// Accuracy: second order in dt while the body slides; rest is exact.
+// Special values: NaN for NaN, and where momentum/dt overflows.
+tribos_status tribos_planar_disk_step_f64(const struct tribos_planar_body_f64 *body,
+                                          const struct tribos_disk_surface_f64 *surface,
+                                          const struct tribos_twist_f64 *twist,
+                                          const struct tribos_wrench_f64 *push,
+                                          double dt,
+                                          struct tribos_planar_step_f64 *step);
+
+// As tribos_planar_disk_step_f64, under the friction of an ellipsoid.
+tribos_status tribos_planar_ellipsoid_step_f64(const struct tribos_planar_body_f64 *body,
+                                               const struct tribos_ellipsoid_f64 *ellipsoid,
+                                               const struct tribos_twist_f64 *twist,
+                                               const struct tribos_wrench_f64 *push,
+                                               double dt,
+                                               struct tribos_planar_step_f64 *step);
 
 // Contact geometry of two spheres; `displacement` is the vector from the first centre to the second.
 // Accuracy: the normal to 4 ulp, the gap to 2 ulp of the distance.
@@ -1801,6 +1878,29 @@ tribos_status tribos_ellipsoid_project_f32(const struct tribos_ellipsoid_f32 *el
                                            float length,
                                            struct tribos_projection_f32 *projection);
 
+// Gauges of `count` wrenches, as tribos_disk_surface_gauge_f32.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_disk_surface_gauge_batch_f32(const struct tribos_disk_surface_f32 *surface,
+                                                  const float *loads,
+                                                  const struct tribos_wrench_f32 *wrenches,
+                                                  size_t count,
+                                                  float *gauges);
+
+// The motions caused by `count` pushes, as tribos_disk_surface_motion_f32; they do not depend on the load.
+tribos_status tribos_disk_surface_motion_batch_f32(const struct tribos_disk_surface_f32 *surface,
+                                                   const struct tribos_wrench_f32 *pushes,
+                                                   size_t count,
+                                                   struct tribos_twist_f32 *twists);
+
+// Projections of `count` wrenches, as tribos_disk_surface_project_f32; a length of 0 represents the radius.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_disk_surface_project_batch_f32(const struct tribos_disk_surface_f32 *surface,
+                                                    const float *loads,
+                                                    const struct tribos_wrench_f32 *wrenches,
+                                                    size_t count,
+                                                    float length,
+                                                    struct tribos_projection_f32 *projections);
+
 // Prepares a polygon, convex or not, under uniform pressure. `corners` holds the corners of `loops` loops
 // one after another, `counts` how many each has: first the outer loop, then holes inside of it and outside
 // of each other, clockwise or counterclockwise. `memory` has room for `room` edges, one a corner is needed.
@@ -1893,6 +1993,24 @@ tribos_status tribos_slider_energy_f32(const struct tribos_slider_f32 *slider,
 tribos_status tribos_slider_dissipation_f32(const struct tribos_slider_f32 *slider,
                                             const struct tribos_motion_f32 *motion,
                                             float *power_per_mass);
+
+// The motion of a body after the time dt under a constant push and the friction of a disk.
+// Accuracy: second order in dt while the body slides; rest is exact.
+// Special values: NaN for NaN, and where momentum/dt overflows.
+tribos_status tribos_planar_disk_step_f32(const struct tribos_planar_body_f32 *body,
+                                          const struct tribos_disk_surface_f32 *surface,
+                                          const struct tribos_twist_f32 *twist,
+                                          const struct tribos_wrench_f32 *push,
+                                          float dt,
+                                          struct tribos_planar_step_f32 *step);
+
+// As tribos_planar_disk_step_f32, under the friction of an ellipsoid.
+tribos_status tribos_planar_ellipsoid_step_f32(const struct tribos_planar_body_f32 *body,
+                                               const struct tribos_ellipsoid_f32 *ellipsoid,
+                                               const struct tribos_twist_f32 *twist,
+                                               const struct tribos_wrench_f32 *push,
+                                               float dt,
+                                               struct tribos_planar_step_f32 *step);
 
 // Contact geometry of two spheres; `displacement` is the vector from the first centre to the second.
 // Accuracy: the normal to 4 ulp, the gap to 2 ulp of the distance.

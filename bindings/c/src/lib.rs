@@ -27,10 +27,12 @@ pub mod table;
 
 /// The interface in double precision.
 pub mod double {
+    pub mod batch;
     pub mod contact;
     pub mod law;
     pub mod nodes;
     pub mod patch;
+    pub mod planar;
     pub mod polygon;
     pub mod slider;
     pub mod surface;

@@ -182,7 +182,12 @@ macro_rules! dry_profiles {
             }
         }
 
-        impl<R: Real> DryCoupling<R> for $form {}
+        impl<R: Real> DryCoupling<R> for $form {
+            #[inline]
+            fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+                super::profile::point(self, lead, ratio)
+            }
+        }
 
         family::coupled!([R: Real] $form, |_form| order::<Self, R>());
     )*};

@@ -69,7 +69,12 @@ impl<R: Real> SmoothProfile<R> for CompactCoulomb {
     }
 }
 
-impl<R: Real> DryCoupling<R> for CompactCoulomb {}
+impl<R: Real> DryCoupling<R> for CompactCoulomb {
+    #[inline]
+    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+        super::profile::point(self, lead, ratio)
+    }
+}
 
 /// |v|^α for any −1 < α ≤ 128 under any pressure (1−r²)^q, from the power series and its
 /// continuation.

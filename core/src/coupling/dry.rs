@@ -3,7 +3,7 @@
 use super::{
     Coupling, DryCoupling, Lateral, LateralJacobian, Profile, ReducedJacobian, ReducedWrench,
 };
-use super::{SmoothProfile, Speeds};
+use super::{Lead, SmoothProfile, Speeds};
 use crate::law::LawError;
 use crate::real::Real;
 
@@ -64,6 +64,10 @@ impl<R: Real, P: SmoothProfile<R>> SmoothProfile<R> for Dry<P> {
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         self.profile.factors_and_slope(at)
     }
+    #[inline]
+    fn factors_and_rough_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        self.profile.factors_and_rough_slope(at)
+    }
 }
 
 impl<R: Real, P: SmoothProfile<R>> Coupling<R> for Dry<P> {
@@ -81,7 +85,12 @@ impl<R: Real, P: SmoothProfile<R>> Coupling<R> for Dry<P> {
     }
 }
 
-impl<R: Real, P: SmoothProfile<R>> DryCoupling<R> for Dry<P> {}
+impl<R: Real, P: SmoothProfile<R>> DryCoupling<R> for Dry<P> {
+    #[inline]
+    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+        super::profile::point(self, lead, ratio)
+    }
+}
 
 impl<R: Real, P: SmoothProfile<R> + Lateral<R>> Lateral<R> for Dry<P> {
     #[inline]

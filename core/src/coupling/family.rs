@@ -70,20 +70,57 @@ pub(super) fn inertia_excess<R: Real, P: SmoothProfile<R>>(
 macro_rules! coupled {
     ([$($generics:tt)*] $profile:ty, |$this:ident| $order:expr) => {
         impl<$($generics)*> $crate::coupling::Coupling<R> for $profile {
+            $crate::coupling::family::coupling_methods!();
+        }
+
+        $crate::coupling::family::lateral!([$($generics)*] $profile, |$this| $order);
+    };
+}
+
+/// The same, of a profile that computes groups in lanes.
+macro_rules! coupled_in_lanes {
+    ([$($generics:tt)*] $profile:ty, |$this:ident| $order:expr) => {
+        impl<$($generics)*> $crate::coupling::Coupling<R> for $profile {
+            $crate::coupling::family::coupling_methods!();
+
             #[inline]
-            fn reduced_wrench(&self, slide: R, rim: R) -> $crate::coupling::ReducedWrench<R> {
-                $crate::coupling::profile::wrench(self, slide, rim)
+            fn reduced_drags(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
+                $crate::coupling::batch::drags(self, slides, rims)
             }
             #[inline]
-            fn reduced_jacobian(&self, slide: R, rim: R) -> $crate::coupling::ReducedJacobian<R> {
-                $crate::coupling::profile::jacobian(self, slide, rim)
+            fn reduced_wrenches(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
+                $crate::coupling::batch::wrenches(self, slides, rims)
             }
             #[inline]
-            fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
-                $crate::coupling::profile::drag(self, slide, rim)
+            fn reduced_jacobians(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 4]> {
+                $crate::coupling::batch::jacobians(self, slides, rims)
             }
         }
 
+        $crate::coupling::family::lateral!([$($generics)*] $profile, |$this| $order);
+    };
+}
+
+/// The methods of [`super::Coupling`].
+macro_rules! coupling_methods {
+    () => {
+        #[inline]
+        fn reduced_wrench(&self, slide: R, rim: R) -> $crate::coupling::ReducedWrench<R> {
+            $crate::coupling::profile::wrench(self, slide, rim)
+        }
+        #[inline]
+        fn reduced_jacobian(&self, slide: R, rim: R) -> $crate::coupling::ReducedJacobian<R> {
+            $crate::coupling::profile::jacobian(self, slide, rim)
+        }
+        #[inline]
+        fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
+            $crate::coupling::profile::drag(self, slide, rim)
+        }
+    };
+}
+
+macro_rules! lateral {
+    ([$($generics:tt)*] $profile:ty, |$this:ident| $order:expr) => {
         impl<$($generics)*> $crate::coupling::Lateral<R> for $profile {
             #[inline]
             fn lateral(&self, slide: R, rim: R) -> R {
@@ -102,4 +139,4 @@ macro_rules! coupled {
         }
     };
 }
-pub(super) use coupled;
+pub(super) use {coupled, coupled_in_lanes, coupling_methods, lateral};

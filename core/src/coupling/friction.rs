@@ -1,5 +1,6 @@
 //! A round contact with its dimensions: radius, coefficient, load.
 
+use super::batch;
 use super::wide::is_ordinary;
 use super::{Coupling, ReducedWrench};
 use crate::error::Error;
@@ -206,7 +207,11 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
         Matrix3::new(-xx, -xy, -xn, -xy, -yy, -yn, -xn, -yn, -nn)
     }
 
-    /// Wrenches of many twists under one load. Elements beyond the shorter slice are not changed.
+    /// Wrenches of many twists under one load, to the bits of single calls. Elements beyond the
+    /// shorter slice are not changed.
+    ///
+    /// *Cost*: tables take about half the time of single calls where the processor has vectors: they
+    /// compute eight twists side by side.
     ///
     /// ```
     /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
@@ -221,9 +226,35 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     /// ```
     #[inline]
     pub fn wrench_batch(&self, load: R, twists: &[Twist<R>], wrenches: &mut [Wrench<R>]) {
-        for (twist, wrench) in twists.iter().zip(wrenches) {
-            *wrench = self.wrench(load, twist);
-        }
+        let sizes = [self.coefficient * load, self.radius];
+        let all = |twists: &_| batch::patch_wrenches(&self.coupling, sizes, twists);
+        batch::each(twists, wrenches, all, |twist| self.wrench(load, twist));
+    }
+
+    /// Jacobians of many twists under one load, to the bits of single calls. Elements beyond the
+    /// shorter slice are not changed.
+    ///
+    /// ```
+    /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+    /// use tribos_core::twist::{Twist, WrenchJacobian};
+    /// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?;
+    /// let twists = [1.0, 2.0].map(|scale| Twist::new(scale * 0.2, 0.0, scale * 5.0)); // m/s, rad/s
+    /// let mut jacobians = [WrenchJacobian::zeros(); 2];
+    /// puck.jacobian_batch(1.7, &twists, &mut jacobians);
+    /// assert_eq!(jacobians[1] * 2.0, jacobians[0]); // dry friction forgets the speed
+    /// # Ok::<(), tribos_core::Error>(())
+    /// ```
+    #[inline]
+    pub fn jacobian_batch(
+        &self,
+        load: R,
+        twists: &[Twist<R>],
+        jacobians: &mut [WrenchJacobian<R>],
+    ) {
+        let sizes = [self.coefficient * load, self.radius];
+        let all = |twists: &_| batch::patch_jacobians(&self.coupling, sizes, twists);
+        let one = |twist: &_| self.wrench_jacobian(load, twist);
+        batch::each(twists, jacobians, all, one);
     }
 
     /// The coupling.

@@ -24,6 +24,7 @@
 //! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
 
 mod annulus;
+mod batch;
 mod beyond;
 mod dry;
 mod family;
@@ -49,6 +50,7 @@ pub mod table;
 pub mod tall;
 
 pub use annulus::Annulus;
+pub(crate) use batch::{LaneProfile, Laned};
 pub use dry::Dry;
 pub(crate) use family::inertia_ends;
 pub use friction::{Magnitudes, MagnitudesJacobian, PatchFriction};
@@ -140,6 +142,45 @@ pub trait Coupling<R: Real> {
     /// Analytic derivatives at the same arguments.
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R>;
 
+    /// [`Coupling::reduced_wrench`] of many speeds, to the same bits: `slides` and `rims` in, `forces`
+    /// and `torques` out. Elements beyond the shortest slice are not changed.
+    ///
+    /// *Cost*: tables take about half the time of single calls where the processor has vectors.
+    ///
+    /// ```
+    /// use tribos_core::coupling::{Coupling, table::Coulomb};
+    /// let (slides, rims) = ([1.0_f64, 0.0], [0.0, 1.0]); // sliding alone, spinning in place
+    /// let (mut forces, mut torques) = ([0.0; 2], [0.0; 2]);
+    /// Coulomb.reduced_wrench_batch(&slides, &rims, &mut forces, &mut torques);
+    /// assert!((forces[0] - 1.0).abs() < 1e-15 && forces[1] == 0.0);
+    /// assert!(torques[0] == 0.0 && (torques[1] - 2.0 / 3.0).abs() < 1e-15);
+    /// ```
+    #[inline]
+    fn reduced_wrench_batch(&self, slides: &[R], rims: &[R], forces: &mut [R], torques: &mut [R]) {
+        batch::reduced_wrenches(self, [slides, rims], [forces, torques]);
+    }
+
+    /// [`Coupling::reduced_jacobian`] of many speeds, to the same bits. Elements beyond the shortest
+    /// slice are not changed.
+    ///
+    /// ```
+    /// use tribos_core::coupling::{Coupling, ReducedJacobian, table::Coulomb};
+    /// let (slides, rims) = ([1.0_f64, 2.0], [0.5, 1.0]);
+    /// let mut jacobians = [ReducedJacobian::default(); 2];
+    /// Coulomb.reduced_jacobian_batch(&slides, &rims, &mut jacobians);
+    /// // Dry friction forgets how fast both motions are: half the slope at twice the speeds.
+    /// assert_eq!(jacobians[1].force_slide * 2.0, jacobians[0].force_slide);
+    /// ```
+    #[inline]
+    fn reduced_jacobian_batch(
+        &self,
+        slides: &[R],
+        rims: &[R],
+        jacobians: &mut [ReducedJacobian<R>],
+    ) {
+        batch::reduced_jacobians(self, [slides, rims], jacobians);
+    }
+
     /// F/v and T. *Domain*: ordinary speeds, whose squares are far from the ends of the number
     /// range; `rim` may be 0.
     #[doc(hidden)]
@@ -147,6 +188,29 @@ pub trait Coupling<R: Real> {
     fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
         let ReducedWrench { force, torque } = self.reduced_wrench(slide, rim);
         [force / slide, torque]
+    }
+
+    /// [`Coupling::reduced_drag`] of a group, to the same bits; nothing where a coupling has no
+    /// lanes, or a lane needs care.
+    #[doc(hidden)]
+    #[inline]
+    fn reduced_drags(&self, _slides: &[R; 8], _rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
+        None
+    }
+
+    /// [`Coupling::reduced_wrench`] of a group, as [`Coupling::reduced_drags`].
+    #[doc(hidden)]
+    #[inline]
+    fn reduced_wrenches(&self, _slides: &[R; 8], _rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
+        None
+    }
+
+    /// [`Coupling::reduced_jacobian`] of a group, as [`Coupling::reduced_drags`]; in the order of
+    /// the fields.
+    #[doc(hidden)]
+    #[inline]
+    fn reduced_jacobians(&self, _slides: &[R; 8], _rims: &[R; 8]) -> Option<[[R; 8]; 4]> {
+        None
     }
 }
 
@@ -166,9 +230,31 @@ pub trait Coupling<R: Real> {
 /// let [slow, fast] = [1.0, 2.0].map(|scale| dissipation(&Coulomb, 0.3 * scale, 0.4 * scale));
 /// assert!((fast - 2.0 * slow).abs() < 1e-15);
 /// ```
-pub trait DryCoupling<R: Real>: Coupling<R> {}
+pub trait DryCoupling<R: Real>: Coupling<R> {
+    /// The larger and the smaller component where the larger speed is 1 and the smaller one `ratio`,
+    /// and the slope of the smaller one.
+    #[doc(hidden)]
+    #[inline]
+    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+        let (slide, rim) = match lead {
+            Lead::Sliding => (R::ONE, ratio),
+            Lead::Spinning => (ratio, R::ONE),
+        };
+        let ReducedWrench { force, torque } = self.reduced_wrench(slide, rim);
+        let rates = self.reduced_jacobian(slide, rim);
+        match lead {
+            Lead::Sliding => [force, torque, rates.torque_rim],
+            Lead::Spinning => [torque, force, rates.force_slide],
+        }
+    }
+}
 
-impl<R: Real, C: DryCoupling<R> + ?Sized> DryCoupling<R> for &C {}
+impl<R: Real, C: DryCoupling<R> + ?Sized> DryCoupling<R> for &C {
+    #[inline]
+    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+        (**self).reduced_point(lead, ratio)
+    }
+}
 
 impl<R: Real, C: Coupling<R> + ?Sized> Coupling<R> for &C {
     #[inline]
@@ -182,5 +268,17 @@ impl<R: Real, C: Coupling<R> + ?Sized> Coupling<R> for &C {
     #[inline]
     fn reduced_drag(&self, slide: R, rim: R) -> [R; 2] {
         (**self).reduced_drag(slide, rim)
+    }
+    #[inline]
+    fn reduced_drags(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
+        (**self).reduced_drags(slides, rims)
+    }
+    #[inline]
+    fn reduced_wrenches(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 2]> {
+        (**self).reduced_wrenches(slides, rims)
+    }
+    #[inline]
+    fn reduced_jacobians(&self, slides: &[R; 8], rims: &[R; 8]) -> Option<[[R; 8]; 4]> {
+        (**self).reduced_jacobians(slides, rims)
     }
 }

@@ -9,6 +9,7 @@ use crate::special::{Gauss, Jet};
 
 /// One cell: Φ(z) = Σ aₙ uⁿ and Θ(z) = Σ bₙ uⁿ with u = z − center, stored as pairs (aₙ, bₙ).
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 pub(super) struct Cell<R, const TERMS: usize> {
     pub center: R,
     /// 1 − center, the cell's center in x: u = mirror − x keeps every digit of a small x.

@@ -109,6 +109,13 @@ pub trait Profile<R: Real> {
 pub trait SmoothProfile<R: Real>: Profile<R> {
     /// Φ, Φ' (with respect to x = h²) and Χ.
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3];
+
+    /// The same, and Φ' for a Newton step: half of its digits are enough.
+    #[doc(hidden)]
+    #[inline]
+    fn factors_and_rough_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        self.factors_and_slope(at)
+    }
 }
 
 impl<R: Real, P: Profile<R> + ?Sized> Profile<R> for &P {
@@ -145,6 +152,10 @@ impl<R: Real, P: SmoothProfile<R> + ?Sized> SmoothProfile<R> for &P {
     #[inline]
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         (**self).factors_and_slope(at)
+    }
+    #[inline]
+    fn factors_and_rough_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        (**self).factors_and_rough_slope(at)
     }
 }
 
@@ -195,13 +206,20 @@ pub(super) fn drag<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> [R;
     let (speeds, per_major) = Speeds::of_ordinary(slide, rim);
     let scale = profile.speed_scale(speeds.major);
     let per_speed = scale * per_major;
-    if is_ordinary(scale) && is_ordinary(per_speed) {
+    // 1/m itself is ordinary.
+    if scale == R::ONE || is_ordinary(scale) && is_ordinary(per_speed) {
         let [drag, torque] = profile.drag_and_torque(&speeds);
         [per_speed * drag, scale * torque]
     } else {
-        let ReducedWrench { force, torque } = wrench(profile, slide, rim);
-        [force / slide, torque]
+        careful_drag(profile, slide, rim)
     }
+}
+
+#[cold]
+#[inline(never)]
+fn careful_drag<R: Real, P: Profile<R>>(profile: &P, slide: R, rim: R) -> [R; 2] {
+    let ReducedWrench { force, torque } = wrench(profile, slide, rim);
+    [force / slide, torque]
 }
 
 /// [`super::Coupling::reduced_jacobian`] of a profile.
@@ -244,6 +262,17 @@ fn unscaled_jacobian<R: Real>(alpha: R, speeds: &Speeds<R>, [phi, slope, chi]: [
             let mixed = -h * ((R::ONE - alpha) * phi + x_bend);
             [phi, phi + x_bend, mixed, alpha * chi - h * mixed]
         }
+    }
+}
+
+/// [`super::DryCoupling::reduced_point`] of a profile.
+#[inline]
+pub(super) fn point<R: Real, P: SmoothProfile<R>>(profile: &P, lead: Lead, ratio: R) -> [R; 3] {
+    let speeds = Speeds::from_ratio(lead, ratio);
+    let [phi, slope, chi] = profile.factors_and_rough_slope(&speeds);
+    match lead {
+        Lead::Sliding => [phi, ratio * chi, -(R::TWO * slope)],
+        Lead::Spinning => [chi, ratio * phi, phi + R::TWO * (ratio * ratio) * slope],
     }
 }
 

@@ -19,7 +19,7 @@ use crate::real::Real;
 #[derive(Clone, Copy, Debug)]
 pub struct RoundTable<R, const CELLS: usize, const TERMS: usize> {
     order: R,
-    sides: Sides<R, CELLS, TERMS>,
+    pub(super) sides: Sides<R, CELLS, TERMS>,
 }
 
 /// Exponents this close to 1 leave C_α too flat for a plain difference.
@@ -146,4 +146,4 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R>
 
 pub use super::polynomial::{LateralPolynomialTable, PolynomialTable};
 
-family::coupled!([R: Real, const CELLS: usize, const TERMS: usize] RoundTable<R, CELLS, TERMS>, |table| table.order);
+family::coupled_in_lanes!([R: Real, const CELLS: usize, const TERMS: usize] RoundTable<R, CELLS, TERMS>, |table| table.order);

@@ -9,6 +9,7 @@ use crate::real::Real;
 
 /// The cells of Φ and its partner.
 #[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
 pub(super) struct Side<R, const CELLS: usize, const TERMS: usize> {
     cells: [Cell<R, TERMS>; CELLS],
 }
@@ -78,6 +79,22 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Side<R, CELLS, TERMS> {
         self.cells.get(z.half_octave().saturating_sub(below))
     }
 
+    /// Some z in the cell of z = 0.
+    #[allow(dead_code, reason = "for targets with vectors")]
+    #[inline]
+    pub fn least(&self) -> R {
+        R::of_half_octave(const { R::HALF_OCTAVE_OF_ONE - (CELLS - 1) })
+    }
+
+    /// The cell that holds z from [`Side::least`] to 1, found without a branch.
+    #[allow(dead_code, reason = "for targets with vectors")]
+    #[inline]
+    pub fn cell_from_least(&self, z: R) -> &Cell<R, TERMS> {
+        let below = const { R::HALF_OCTAVE_OF_ONE - (CELLS - 1) };
+        let cell = self.cells.get(z.half_octave().wrapping_sub(below));
+        cell.unwrap_or(&self.cells[0])
+    }
+
     /// The cell of z = 0; out of line, so that finding the others needs no clamp.
     #[cold]
     #[inline(never)]
@@ -87,7 +104,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Side<R, CELLS, TERMS> {
 
     /// Both functions at x = h², for functions as smooth as those of the uniform disk: near z = 0
     /// the rounding of z does not matter to them.
-    #[inline]
+    #[inline(always)]
     pub fn at_square(&self, x: R) -> [R; 2] {
         let cell = match self.cell(R::ONE - x) {
             Some(cell) => cell,
@@ -141,34 +158,17 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Side<R, CELLS, TERMS> {
     }
 }
 
-/// Even and odd powers apart, on pairs.
-#[inline]
+/// Both functions at `u` from the center.
+#[inline(always)]
 fn evaluated<R: Real, const TERMS: usize>(cell: &Cell<R, TERMS>, u: R) -> [R; 2] {
-    let square = u * u;
-    let mut sums = [cell.terms[TERMS - 1], cell.terms[TERMS - 2]];
-    for n in (1..TERMS - 2).rev() {
-        let sum = &mut sums[(TERMS - 1 - n) % 2];
-        sum[0] = sum[0] * square + cell.terms[n][0];
-        sum[1] = sum[1] * square + cell.terms[n][1];
-    }
-    // The sums end with the first and the second power.
-    let [first, second] = if TERMS.is_multiple_of(2) {
-        sums
-    } else {
-        [sums[1], sums[0]]
-    };
-    let [phi, partner] = cell.terms[0];
-    [
-        phi + (first[0] * u + second[0] * square),
-        partner + (first[1] * u + second[1] * square),
-    ]
+    R::sums(&cell.terms, u)
 }
 
 /// The cells of both regimes under exponent α: Φ and Χ.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sides<R, const CELLS: usize, const TERMS: usize> {
     pub alpha: R,
-    power: FixedPower<R>,
+    pub power: FixedPower<R>,
     pub spinning: Side<R, CELLS, TERMS>,
     pub sliding: Side<R, CELLS, TERMS>,
 }

@@ -23,6 +23,8 @@ pub struct Speeds<R> {
     pub(super) slide: R,
     /// w/m
     pub(super) rim: R,
+    /// h, the smaller speed over the larger one.
+    ratio: R,
     /// |v − w|/m, from the speeds themselves.
     gap: R,
 }
@@ -40,6 +42,7 @@ impl<R: Real> Speeds<R> {
                 major,
                 slide: a,
                 rim: b,
+                ratio: a * b,
                 gap: (slide - rim).abs() / major,
             }
         } else {
@@ -51,17 +54,19 @@ impl<R: Real> Speeds<R> {
     /// only quotient.
     #[inline]
     pub(super) fn of_ordinary(slide: R, rim: R) -> (Self, R) {
+        // A selection for each, by a comparison of its own: which speed leads is a coin toss to a
+        // branch predictor, and selections in common become branches, or a quotient on each side.
+        let major = if slide > rim { slide } else { rim };
+        let minor = if slide < rim { slide } else { rim };
         let slides = slide > rim;
-        let (major, minor) = if slides { (slide, rim) } else { (rim, slide) };
         let per_major = R::ONE / major;
-        let h = minor * per_major;
-        let (slide, rim) = if slides { (R::ONE, h) } else { (h, R::ONE) };
-        let gap = (major - minor) * per_major;
+        let ratio = minor * per_major;
         let speeds = Self {
             major,
-            slide,
-            rim,
-            gap,
+            slide: if slides { R::ONE } else { ratio },
+            rim: if slides { ratio } else { R::ONE },
+            ratio,
+            gap: (major - minor) * per_major,
         };
         (speeds, per_major)
     }
@@ -77,6 +82,7 @@ impl<R: Real> Speeds<R> {
             major: R::ONE,
             slide,
             rim,
+            ratio,
             gap: R::ONE - ratio,
         }
     }
@@ -122,6 +128,7 @@ impl<R: Real> Speeds<R> {
             major: slide + rim,
             slide: a,
             rim: b,
+            ratio: a * b,
             gap: (a - b).abs(),
         }
     }
@@ -133,6 +140,7 @@ impl<R: Real> Speeds<R> {
             major: self.major.to_f64(),
             slide: self.slide.to_f64(),
             rim: self.rim.to_f64(),
+            ratio: self.ratio.to_f64(),
             gap: self.gap.to_f64(),
         }
     }
@@ -153,10 +161,10 @@ impl<R: Real> Speeds<R> {
         }
     }
 
-    /// h, the smaller speed over the larger one: one of the two factors is 1.
+    /// h, the smaller speed over the larger one.
     #[inline]
     pub fn ratio(&self) -> R {
-        self.slide * self.rim
+        self.ratio
     }
 
     /// z = 1 − h², without cancellation near equal speeds.

@@ -5,7 +5,7 @@ use super::family;
 use super::member::Member;
 use super::profile::{Profile, SmoothProfile};
 use super::side::Side;
-use super::speeds::Speeds;
+use super::speeds::{Lead, Speeds};
 use crate::law::{LawError, validated_exponent};
 use crate::power::FixedPower;
 use crate::real::Real;
@@ -22,20 +22,24 @@ const TERMS_COULOMB_F32: usize = 5;
 /// [`Table64::MAX_EXPONENT`], and that of every other table.
 pub(super) const MAX_EXPONENT: f64 = 10.0;
 
+/// Below this many roots of rounding Φ' is not taken from Θ, which loses its digits like 1/z.
+const CLOSE: f64 = 64.0;
+
 /// Φ and Θ of one exponent; Χ = (1−a²)Φ/n + a²Θ with a = v/m, whichever speed leads.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 pub struct Disk<R, const CELLS: usize, const TERMS: usize> {
+    pub(super) side: Side<R, CELLS, TERMS>,
     alpha: R,
-    side: Side<R, CELLS, TERMS>,
 }
 
 /// Both tables: a disk, and the power of its scale.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Table<R, const CELLS: usize, const TERMS: usize> {
-    disk: Disk<R, CELLS, TERMS>,
-    power: FixedPower<R>,
+    pub(super) disk: Disk<R, CELLS, TERMS>,
+    pub(super) power: FixedPower<R>,
 }
 
 /// Friction v^α on a uniform disk, from a table of one exponent in f64 (25 KiB).
@@ -154,7 +158,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Disk<R, CEL
     }
     /// One formula for both regimes, since which speed leads is a coin toss to a branch predictor,
     /// and one whose two lines the compiler computes side by side.
-    #[inline]
+    #[inline(always)]
     fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
         let [phi, theta] = self.force_and_theta(at);
         let (a, h) = (at.slide, at.ratio());
@@ -179,7 +183,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Disk<R, CELLS, TERMS> {
 
 /// 2/(3+α): the reduced torque of pure spinning.
 #[inline]
-fn pure_spin_torque<R: Real>(alpha: R) -> R {
+pub(super) fn pure_spin_torque<R: Real>(alpha: R) -> R {
     R::TWO / (R::ONE + R::TWO + alpha)
 }
 
@@ -189,6 +193,24 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Disk<
         let [phi, slope] = self.side.value_and_slope(at.complement());
         // One table read serves all.
         let chi = family::torque_factor(R::ZERO, self.alpha, at, [phi, slope]);
+        [phi, slope, chi]
+    }
+    /// Φ' from Θ, next to equal speeds from the polynomial.
+    #[inline]
+    fn factors_and_rough_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        let [phi, theta] = self.force_and_theta(at);
+        let z = at.complement();
+        if z < R::from_f64(CLOSE) * R::EPSILON.sqrt() {
+            return self.factors_and_slope(at);
+        }
+        let moment = family::moment(R::ZERO, self.alpha);
+        let slope = (moment * theta - R::HALF * (R::ONE + self.alpha) * phi) / z;
+        let a_sq = at.slide * at.slide;
+        let spin = pure_spin_torque(self.alpha) * (R::ONE - a_sq);
+        let chi = match at.lead() {
+            Lead::Sliding => theta,
+            Lead::Spinning => spin * phi + a_sq * theta,
+        };
         [phi, slope, chi]
     }
 }
@@ -202,7 +224,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Profile<R> for Table<R, CE
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {
         self.disk.factors(at)
     }
-    #[inline]
+    #[inline(always)]
     fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
         self.disk.drag_and_torque(at)
     }
@@ -227,15 +249,24 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> SmoothProfile<R> for Table
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         self.disk.factors_and_slope(at)
     }
+    #[inline]
+    fn factors_and_rough_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        self.disk.factors_and_rough_slope(at)
+    }
 }
 
 /// Tables of α = 0, which need no power.
 pub(crate) type CoulombTable64 = Disk<f64, CELLS_F64, TERMS_F64>;
 pub(crate) type CoulombTable32 = Disk<f32, CELLS_F32, TERMS_COULOMB_F32>;
 
+/// Aligned for vectors, which then take a cell's numbers as operands: its size is a multiple of 16.
+#[derive(Debug)]
+#[repr(C, align(16))]
+pub(crate) struct Aligned<T>(pub T);
+
 /// The tables of α = 0, in read-only memory.
-pub(crate) static COULOMB_F64: CoulombTable64 = CoulombTable64::build(0.0);
-pub(crate) static COULOMB_F32: CoulombTable32 = CoulombTable32::build(0.0);
+pub(crate) static COULOMB_F64: Aligned<CoulombTable64> = Aligned(CoulombTable64::build(0.0));
+pub(crate) static COULOMB_F32: Aligned<CoulombTable32> = Aligned(CoulombTable32::build(0.0));
 
 /// Coulomb friction, α = 0, from a table built by the compiler: no constructor, no RAM, no power.
 ///
@@ -272,7 +303,7 @@ impl<R: Real> Profile<R> for Coulomb {
     fn factors(&self, at: &Speeds<R>) -> [R; 2] {
         R::coulomb_table().factors(at)
     }
-    #[inline]
+    #[inline(always)]
     fn drag_and_torque(&self, at: &Speeds<R>) -> [R; 2] {
         R::coulomb_table().drag_and_torque(at)
     }
@@ -297,10 +328,19 @@ impl<R: Real> SmoothProfile<R> for Coulomb {
     fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
         R::coulomb_table().factors_and_slope(at)
     }
+    #[inline]
+    fn factors_and_rough_slope(&self, at: &Speeds<R>) -> [R; 3] {
+        R::coulomb_table().factors_and_rough_slope(at)
+    }
 }
 
-impl<R: Real> DryCoupling<R> for Coulomb {}
+impl<R: Real> DryCoupling<R> for Coulomb {
+    #[inline]
+    fn reduced_point(&self, lead: Lead, ratio: R) -> [R; 3] {
+        super::profile::point(self, lead, ratio)
+    }
+}
 
-family::coupled!([R: Real, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>, |_table| R::ZERO);
+family::coupled_in_lanes!([R: Real, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>, |_table| R::ZERO);
 
-family::coupled!([R: Real] Coulomb, |_table| R::ZERO);
+family::coupled_in_lanes!([R: Real] Coulomb, |_table| R::ZERO);

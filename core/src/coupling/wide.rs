@@ -145,7 +145,7 @@ impl<R: Real> Wide<R> {
 /// True if a product with `scale` can be formed at once.
 #[inline]
 pub(super) fn is_ordinary<R: Real>(scale: R) -> bool {
-    scale >= R::MIN_POSITIVE && scale.is_finite()
+    scale.normal_and_positive()
 }
 
 #[cfg(test)]

@@ -1,8 +1,9 @@
 //! The exact limit surface of a dry coupling.
 
-use super::meridian::{Aim, Meridian, Normal, Radial};
+use super::loaded::{Loaded, inside};
+use super::meridian::{Meridian, Normal};
 use super::polar::Polar;
-use super::{Ellipsoid, FrictionSet, Projection, Region, collar};
+use super::{Ellipsoid, FrictionSet, Projection, collar};
 use crate::coupling::{DryCoupling, ReducedWrench};
 use crate::error::Error;
 use crate::law::validated_not_negative;
@@ -20,9 +21,9 @@ use crate::twist::{Twist, Wrench};
 ///
 /// *Accuracy* (f64, table tier): gauge, surface points and projections 1e-15 of the limits, the motion's ratio
 /// 1e-15 relative; f32: 3e-7 of the limits.
-/// *Cost*, wrenches and Jacobians together: gauge 6 (at most 9), normal 8 (11), projection none deep inside,
-/// 6 near the surface and 13 outside (30, more for lengths far from the radius). Each of a projection's two searches
-/// ends after at most 64 pairs.
+/// *Cost* in points of the coupling with their rates, on the uniform disk: gauge 2, normal 2 or 3, projection
+/// none deep inside, 1 to 3 next to the surface, 2 outside (more for lengths far from the radius). A projection's
+/// two searches end after at most 64 points each. A surface is prepared with 9.
 ///
 /// ```
 /// use tribos_core::coupling::table::Coulomb;
@@ -42,17 +43,6 @@ pub struct LimitSurface<R, C> {
     meridian: Meridian<R, C>,
     force_limit: R,
     radius: R,
-}
-
-/// A wrench on the quarter plane.
-struct Scaled<R> {
-    polar: Polar<R>,
-    /// Force and torque/radius.
-    lengths: ReducedWrench<R>,
-    /// The larger of the two.
-    size: R,
-    /// The two in units of the larger one.
-    unit: ReducedWrench<R>,
 }
 
 impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
@@ -91,145 +81,42 @@ impl<R: Real, C: DryCoupling<R>> LimitSurface<R, C> {
         meridian.point(spinning).torque
     }
 
-    /// True of wrenches so far inside that no search is needed, by the inscribed quadrangle; never of one whose
-    /// gauge would be found on the surface or outside.
+    /// The curve in reduced units.
     #[inline]
-    fn is_deep_inside(&self, wrench: &Wrench<R>) -> bool {
-        // Squares of smaller numbers are lost.
-        let least = R::MIN_POSITIVE / R::EPSILON;
-        let square = wrench.force.x * wrench.force.x + wrench.force.y * wrench.force.y;
-        let is_plain = square > least || (wrench.force.x == R::ZERO && wrench.force.y == R::ZERO);
-        let torque = wrench.torque.abs() / self.radius;
-        let bound = self.meridian.gauge_bound(square.sqrt(), torque);
-        let most = self.force_limit * (R::ONE - R::TWO * collar());
-        is_plain && self.force_limit > least && bound < most
+    pub(super) fn meridian(&self) -> &Meridian<R, C> {
+        &self.meridian
     }
 
+    /// The set under `load` times the force limit; no number for a negative load.
     #[inline]
-    fn scaled(&self, wrench: &Wrench<R>) -> Scaled<R> {
-        let polar = Polar::new(&wrench.force, wrench.torque);
-        let (force, torque) = (polar.planar, polar.normal / self.radius);
-        let size = if force > torque { force } else { torque };
-        Scaled {
-            polar,
-            lengths: ReducedWrench { force, torque },
-            size,
-            unit: ReducedWrench {
-                force: force / size,
-                torque: torque / size,
+    pub(super) fn loaded(&self, load: R) -> Loaded<'_, R, C> {
+        // A quotient by −0 would have the wrong sign.
+        let force_limit = self.force_limit * load + R::ZERO;
+        Loaded {
+            force_limit: if force_limit >= R::ZERO {
+                force_limit
+            } else {
+                R::NAN
             },
+            ..self.itself()
         }
     }
 
-    /// The gauge of a wrench of which the ray is known.
+    /// The projection of a wrench that is not deep inside.
+    #[inline(never)]
+    fn searched(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
+        let projection = self.itself().project(wrench, length);
+        projection.answer(&self.meridian)
+    }
+
+    /// The set itself.
     #[inline]
-    fn gauge_of(&self, scaled: &Scaled<R>, radial: &Radial<R>) -> R {
-        // Infinity over infinity is a direction lost, not a gauge.
-        if scaled.is_infinite() {
-            return R::INFINITY;
+    fn itself(&self) -> Loaded<'_, R, C> {
+        Loaded {
+            meridian: &self.meridian,
+            force_limit: self.force_limit,
+            radius: self.radius,
         }
-        scaled.size / self.force_limit * radial.gauge
-    }
-
-    /// A normal in the quarter plane as a twist of length 1.
-    #[inline]
-    fn twist(&self, polar: &Polar<R>, normal: Normal<R>) -> Twist<R> {
-        let length = normal.slide.hypot(normal.rim);
-        polar.twist(normal.slide / length, normal.rim / length / self.radius)
-    }
-
-    #[inline]
-    fn surface_wrench(&self, polar: &Polar<R>, at: ReducedWrench<R>) -> Wrench<R> {
-        let torque = self.force_limit * self.radius * at.torque;
-        polar.wrench(self.force_limit * at.force, torque)
-    }
-
-    /// The nearest point for a wrench outside.
-    fn pulled_back(&self, scaled: &Scaled<R>, radial: &Radial<R>, length: R) -> Projection<R> {
-        let lever = length / self.radius;
-        let far = ReducedWrench {
-            force: scaled.lengths.force / self.force_limit,
-            torque: scaled.lengths.torque / self.force_limit,
-        };
-        let gauge = self.gauge_of(scaled, radial);
-        if !(gauge.is_finite() && length > R::ZERO && length.is_finite()) {
-            return nowhere();
-        }
-        let radial = Radial { gauge, ..*radial };
-        let normal = self.meridian.nearest(far, lever * lever, &radial);
-        Projection {
-            wrench: self.surface_wrench(&scaled.polar, self.meridian.point(normal)),
-            region: Region::OnSurface {
-                normal: self.twist(&scaled.polar, normal),
-            },
-        }
-    }
-
-    /// The projection onto {0}, the set without force limit.
-    #[cold]
-    fn pulled_to_zero(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
-        let polar = Polar::new(&wrench.force, wrench.torque);
-        if polar.planar == R::ZERO && polar.normal == R::ZERO {
-            return inside(wrench);
-        }
-        // Every twist is a normal of a point; this one lies along the displacement.
-        let lever = length / self.radius;
-        let (slide, rim) = (polar.planar, polar.normal / length / lever);
-        let norm = slide.hypot(rim);
-        if !(norm.is_finite() && length > R::ZERO) {
-            return nowhere();
-        }
-        let normal = Normal {
-            slide: slide / norm,
-            rim: rim / norm,
-        };
-        Projection {
-            wrench: Wrench::ZERO,
-            region: Region::OnSurface {
-                normal: self.twist(&polar, normal),
-            },
-        }
-    }
-}
-
-impl<R: Real> Scaled<R> {
-    #[inline]
-    fn is_zero(&self) -> bool {
-        self.lengths.force == R::ZERO && self.lengths.torque == R::ZERO
-    }
-
-    /// True if infinite without being NaN.
-    #[inline]
-    fn is_infinite(&self) -> bool {
-        let sum = self.lengths.force + self.lengths.torque;
-        self.size == R::INFINITY && !sum.is_nan()
-    }
-}
-
-/// The answer to a wrench of the set.
-#[inline]
-fn inside<R: Real>(wrench: &Wrench<R>) -> Projection<R> {
-    Projection {
-        wrench: *wrench,
-        region: Region::Inside,
-    }
-}
-
-/// The answer to a wrench that has no nearest point.
-#[cold]
-fn nowhere<R: Real>() -> Projection<R> {
-    let nan = nalgebra::Vector2::new(R::NAN, R::NAN);
-    Projection {
-        wrench: Wrench {
-            force: nan,
-            torque: R::NAN,
-        },
-        region: Region::OnSurface {
-            normal: Twist {
-                velocity: nan,
-                spin: R::NAN,
-            },
-        },
     }
 }
 
@@ -260,76 +147,35 @@ impl<R: Real, C: DryCoupling<R>> FrictionSet<R> for LimitSurface<R, C> {
             force: -force,
             torque: -torque,
         };
-        self.surface_wrench(&polar, against)
+        self.itself().surface_wrench(&polar, against)
     }
 
+    #[inline]
     fn gauge(&self, wrench: &Wrench<R>) -> R {
-        let scaled = self.scaled(wrench);
-        if scaled.is_zero() {
-            return R::ZERO;
-        }
-        self.gauge_of(&scaled, &self.meridian.radial(scaled.unit, Aim::Gauge))
+        self.itself().gauge(wrench).answer(&self.meridian)
     }
 
     #[inline]
     fn contains(&self, wrench: &Wrench<R>) -> bool {
-        self.is_deep_inside(wrench) || self.gauge(wrench) <= R::ONE + collar()
+        self.itself().is_deep_inside(wrench) || self.gauge(wrench) <= R::ONE + collar()
     }
 
+    #[inline]
     fn twist_normal_to(&self, push: &Wrench<R>) -> Twist<R> {
-        let scaled = self.scaled(push);
-        if scaled.is_zero() {
-            return Twist::ZERO;
-        }
-        let Radial { normal, gauge } = self.meridian.radial(scaled.unit, Aim::Normal);
-        // A direction that is not a number has no normal, though the search ends somewhere.
-        let Normal { slide, rim } = normal;
-        let known = R::ONE + R::ZERO * gauge;
-        self.twist(
-            &scaled.polar,
-            Normal {
-                slide: slide * known,
-                rim: rim * known,
-            },
-        )
+        self.itself().twist_normal_to(push).answer(&self.meridian)
     }
 
+    #[inline]
     fn scale_to_surface(&self, wrench: &Wrench<R>) -> Wrench<R> {
-        let scaled = self.scaled(wrench);
-        if scaled.is_zero() {
-            return *wrench;
-        }
-        let Radial { gauge, .. } = self.meridian.radial(scaled.unit, Aim::Gauge);
-        let at = ReducedWrench {
-            force: scaled.unit.force / gauge,
-            torque: scaled.unit.torque / gauge,
-        };
-        self.surface_wrench(&scaled.polar, at)
+        self.itself().scale_to_surface(wrench)
     }
 
+    #[inline]
     fn project_with_length(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
-        if self.force_limit == R::ZERO {
-            return self.pulled_to_zero(wrench, length);
-        }
-        if self.is_deep_inside(wrench) {
+        let set = self.itself();
+        if set.is_deep_inside(wrench) {
             return inside(wrench);
         }
-        let scaled = self.scaled(wrench);
-        if scaled.is_zero() {
-            return inside(wrench);
-        }
-        let radial = self.meridian.radial(scaled.unit, Aim::Gauge);
-        let gauge = self.gauge_of(&scaled, &radial);
-        if gauge < R::ONE - collar() {
-            inside(wrench)
-        } else if gauge <= R::ONE + collar() {
-            let normal = self.twist_normal_to(wrench);
-            Projection {
-                wrench: *wrench,
-                region: Region::OnSurface { normal },
-            }
-        } else {
-            self.pulled_back(&scaled, &radial, length)
-        }
+        self.searched(wrench, length)
     }
 }

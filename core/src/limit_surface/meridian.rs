@@ -14,17 +14,19 @@
 //! are unique: along the curve both rise through zero, the second because a normal that points
 //! inwards from the quarter plane never leaves the set. κ is the squared ratio of
 //! the lever that weighs torque to the radius if spinning leads, its inverse if sliding leads.
+//!
+//! The curve depends on the ratio alone, so that dM/dh = −h dm/dh: the last step of a search moves the point
+//! that it has computed instead of computing another.
 
-use crate::coupling::{DryCoupling, ReducedJacobian, ReducedWrench};
+use super::collar;
+use super::rising::{Rising, Step};
+use super::sketch::Sketch;
+use crate::coupling::{DryCoupling, Lead, ReducedWrench};
 use crate::real::Real;
 
-/// More steps than any search needs: bisection alone gets from 1 to the rounding error.
-const MAX_STEPS: u32 = 64;
-/// Relative step of a search below which its end is known to rounding: noise of the couplings is
-/// smaller, and a Newton step that small has squared it away.
-const SETTLED_ULPS: f64 = 256.0;
-/// Radius of curvature of a typical surface, for the start of the search for the nearest point.
-const TYPICAL_CURVATURE_RADIUS: f64 = 0.5;
+/// What a gauge gains on the way from a normal to that of the ray, over the square of the step and the rate: ½ is
+/// expected.
+const SPREAD: f64 = 16.0;
 
 /// The curve of one coupling.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,10 +34,12 @@ pub(super) struct Meridian<R, C> {
     pub coupling: C,
     /// Point at equal speeds, where the leading component changes.
     equal: ReducedWrench<R>,
-    /// m/M per h at the two poles: of torque in force, of force in torque.
-    pole_slopes: [R; 2],
+    /// Where searches start: sliding leads, spinning leads.
+    sketches: [Sketch<R>; 2],
     /// Lines through the equal point and a pole, as α f + β t = 1: of the force's pole, of the torque's.
     chords: [[R; 2]; 2],
+    /// 1/D of pure sliding, of pure spinning and of equal speeds.
+    tangents: [R; 3],
 }
 
 /// An outward normal: the larger of the two speeds is 1.
@@ -45,73 +49,92 @@ pub(super) struct Normal<R> {
     pub rim: R,
 }
 
-/// Which speed is the larger one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Lead {
-    Slide,
-    Rim,
+/// Point and rate at one normal, the leading component first.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Local<R> {
+    pub major: R,
+    pub minor: R,
+    /// dm/dh
+    pub rate: R,
 }
 
-/// Point and rates at one normal, the leading component first.
-struct Local<R> {
-    major: R,
-    minor: R,
-    mixed: R,
-    minor_rate: R,
+/// A normal and its point of the curve.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place<R> {
+    pub normal: Normal<R>,
+    pub at: ReducedWrench<R>,
 }
 
 /// A point's normal along its ray.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Radial<R> {
     pub normal: Normal<R>,
-    /// Gauge of the given point.
+    /// Gauge of the given point, over its size.
     pub gauge: R,
 }
 
 /// How closely the normal along a ray is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Aim {
-    /// The gauge: stationary in the normal, half of its digits are enough.
+pub(super) enum Aim<R> {
+    /// The gauge: stationary in the normal, a quarter of its digits are enough.
     Gauge,
     /// The normal itself.
     Normal,
+    /// Which side of 1 the gauge lies on, of a point of this size in units of the force limit. The gauge itself
+    /// only in the collar.
+    Side(R),
 }
 
-impl Lead {
+#[inline]
+fn normal_of<R: Real>(lead: Lead, ratio: R) -> Normal<R> {
+    let [slide, rim] = ordered(lead, R::ONE, ratio);
+    Normal { slide, rim }
+}
+
+/// Force and torque, or the other way round: the leading component first; and back.
+#[inline]
+fn ordered<T>(lead: Lead, force: T, torque: T) -> [T; 2] {
+    match lead {
+        Lead::Sliding => [force, torque],
+        Lead::Spinning => [torque, force],
+    }
+}
+
+impl<R: Real> Local<R> {
     #[inline]
-    fn normal<R: Real>(self, ratio: R) -> Normal<R> {
-        match self {
-            Self::Slide => Normal {
-                slide: R::ONE,
-                rim: ratio,
-            },
-            Self::Rim => Normal {
-                slide: ratio,
-                rim: R::ONE,
-            },
-        }
+    pub fn of(coupling: &impl DryCoupling<R>, lead: Lead, ratio: R) -> Self {
+        let [major, minor, rate] = coupling.reduced_point(lead, ratio);
+        Self { major, minor, rate }
     }
 
-    /// Force and torque, or the other way round: the leading component first.
+    /// A m − a M and its rate.
     #[inline]
-    fn order<T>(self, force: T, torque: T) -> [T; 2] {
-        match self {
-            Self::Slide => [force, torque],
-            Self::Rim => [torque, force],
-        }
+    pub fn across_ray(&self, ratio: R, [major, minor]: [R; 2]) -> [R; 2] {
+        [
+            major * self.minor - minor * self.major,
+            (major + minor * ratio) * self.rate,
+        ]
+    }
+
+    /// (A − M) h − κ (a − m) and its rate.
+    ///
+    /// Products with a weight only overflow where the other component leads.
+    #[inline]
+    pub fn beside_normal(&self, ratio: R, [major, minor]: [R; 2], weight: R) -> [R; 2] {
+        let ahead = major - self.major;
+        [
+            ahead * ratio - weight * (minor - self.minor),
+            ahead + (ratio * ratio + weight) * self.rate,
+        ]
     }
 }
 
 impl<R: Real, C: DryCoupling<R>> Meridian<R, C> {
     pub fn new(coupling: C) -> Self {
-        let equal = coupling.reduced_wrench(R::ONE, R::ONE);
-        let at = |slide, rim| {
-            let w = coupling.reduced_wrench(slide, rim);
-            (w, coupling.reduced_jacobian(slide, rim))
-        };
-        let (sliding, near_sliding) = at(R::ONE, R::ZERO);
-        let (spinning, near_spinning) = at(R::ZERO, R::ONE);
-        let [top, side] = [sliding.force, spinning.torque];
+        let point = |slide, rim| coupling.reduced_wrench(slide, rim);
+        let equal = point(R::ONE, R::ONE);
+        let top = point(R::ONE, R::ZERO).force;
+        let side = point(R::ZERO, R::ONE).torque;
         let chords = [
             [R::ONE / top, (R::ONE - equal.force / top) / equal.torque],
             [(R::ONE - equal.torque / side) / equal.force, R::ONE / side],
@@ -119,10 +142,8 @@ impl<R: Real, C: DryCoupling<R>> Meridian<R, C> {
         Self {
             equal,
             chords,
-            pole_slopes: [
-                near_sliding.torque_rim / sliding.force,
-                near_spinning.force_slide / spinning.torque,
-            ],
+            tangents: [top, side, equal.force + equal.torque].map(|power| R::ONE / power),
+            sketches: [Lead::Sliding, Lead::Spinning].map(|lead| Sketch::of(&coupling, lead)),
             coupling,
         }
     }
@@ -137,144 +158,180 @@ impl<R: Real, C: DryCoupling<R>> Meridian<R, C> {
         if one > other { one } else { other }
     }
 
+    /// True if the gauge is more than `most`: the tangents at the poles and at the equal point leave the point
+    /// outside.
+    #[inline]
+    pub fn is_beyond_tangents(&self, point: ReducedWrench<R>, most: R) -> bool {
+        let ReducedWrench { force, torque } = point;
+        let [slide, spin, equal] = self.tangents;
+        force * slide > most || torque * spin > most || (force + torque) * equal > most
+    }
+
     /// The point whose outward normal is given.
     #[inline]
     pub fn point(&self, normal: Normal<R>) -> ReducedWrench<R> {
         self.coupling.reduced_wrench(normal.slide, normal.rim)
     }
 
-    /// The normal where the ray of a point meets the curve, and the point's gauge
-    /// max p·(v, w)/D(v, w), which is stationary there.
-    ///
-    /// *Domain*: finite components ≥ 0 of which the larger is of order 1; NaN gives NaN.
-    pub fn radial(&self, point: ReducedWrench<R>, aim: Aim) -> Radial<R> {
-        let ReducedWrench { force, torque } = point;
-        let lead = if force * self.equal.torque >= torque * self.equal.force {
-            Lead::Slide
-        } else {
-            Lead::Rim
-        };
-        let [major, minor] = lead.order(force, torque);
-        let tolerance = match aim {
-            Aim::Gauge => R::EPSILON.sqrt(),
-            Aim::Normal => settled(),
-        };
-        let start = self.start(lead, minor / major);
-        let ratio = solve_rising(start, tolerance, |h| {
-            let at = self.local(lead, h);
-            [
-                major * at.minor - minor * at.major,
-                major * at.minor_rate - minor * at.mixed,
-            ]
-        });
-        let normal = lead.normal(ratio);
-        let on = self.point(normal);
-        let power = normal.slide * on.force + normal.rim * on.torque;
-        Radial {
-            normal,
-            gauge: (force * normal.slide + torque * normal.rim) / power,
-        }
-    }
-
-    /// The normal at the point of the curve nearest to one outside, in the norm
-    /// √(f² + t²/`lever_sq`). `radial` is what [`Meridian::radial`] says about the point.
-    ///
-    /// Products with a weight only overflow where the other component leads.
-    pub fn nearest(&self, point: ReducedWrench<R>, lever_sq: R, radial: &Radial<R>) -> Normal<R> {
-        let ReducedWrench { force, torque } = point;
-        let equal = &self.equal;
-        let lead = if torque - equal.torque <= lever_sq * (force - equal.force) {
-            Lead::Slide
-        } else {
-            Lead::Rim
-        };
-        let [major, minor] = lead.order(force, torque);
-        let [weight, _] = lead.order(R::ONE / lever_sq, lever_sq);
-        // Close by the normal is that of the ray, far away the direction of the point.
-        let bend = R::from_f64(TYPICAL_CURVATURE_RADIUS);
-        let away = R::ONE - R::ONE / radial.gauge;
-        let [lean, rest] = lead.order(
-            bend * radial.normal.slide + away * force,
-            bend * radial.normal.rim + away * torque / lever_sq,
-        );
-        let ratio = solve_rising(rest / lean, settled(), |h| {
-            let at = self.local(lead, h);
-            let ahead = major - at.major;
-            [
-                ahead * h - weight * (minor - at.minor),
-                ahead - h * at.mixed + weight * at.minor_rate,
-            ]
-        });
-        lead.normal(ratio)
-    }
-
-    /// h on the ray with m/M = `slope`: exact at both ends, and for an ellipse everywhere.
     #[inline]
-    fn start(&self, lead: Lead, slope: R) -> R {
-        let [at_pole, _] = lead.order(self.pole_slopes[0], self.pole_slopes[1]);
-        let [major, minor] = lead.order(self.equal.force, self.equal.torque);
-        let at_equal = minor / major;
-        slope / (at_pole + (R::ONE - at_pole / at_equal) * slope)
+    fn sketch(&self, lead: Lead) -> &Sketch<R> {
+        let [slide, rim] = &self.sketches;
+        match lead {
+            Lead::Sliding => slide,
+            Lead::Spinning => rim,
+        }
     }
 
     #[inline]
     fn local(&self, lead: Lead, ratio: R) -> Local<R> {
-        let Normal { slide, rim } = lead.normal(ratio);
-        let ReducedWrench { force, torque } = self.coupling.reduced_wrench(slide, rim);
-        let ReducedJacobian {
-            force_slide,
-            mixed,
-            torque_rim,
-            ..
-        } = self.coupling.reduced_jacobian(slide, rim);
-        let [major, minor] = lead.order(force, torque);
-        let [_, minor_rate] = lead.order(force_slide, torque_rim);
-        Local {
-            major,
-            minor,
-            mixed,
-            minor_rate,
-        }
+        Local::of(&self.coupling, lead, ratio)
     }
-}
 
-#[inline]
-fn settled<R: Real>() -> R {
-    R::from_f64(SETTLED_ULPS) * R::EPSILON
-}
-
-/// The zero in [0, 1] of a function that rises through it, by Newton steps kept in the bracket;
-/// bisection replaces a step that leaves it or has no slope.
-///
-/// *Domain*: any `start`. `function` gives value and slope. Ends at once on NaN.
-/// *Cost*: at most [`MAX_STEPS`] calls.
-#[inline]
-fn solve_rising<R: Real>(start: R, tolerance: R, function: impl Fn(R) -> [R; 2]) -> R {
-    let (mut low, mut high) = (R::ZERO, R::ONE);
-    let mut at = if start >= low && start <= high {
-        start
-    } else {
-        high
-    };
-    for _ in 0..MAX_STEPS {
-        let [value, slope] = function(at);
-        if value < R::ZERO {
-            low = at;
-        } else if value > R::ZERO {
-            high = at;
+    /// The search for the normal where the ray of a point meets the curve.
+    ///
+    /// *Domain*: finite components ≥ 0 of which the larger is of order 1; NaN gives NaN.
+    #[inline]
+    pub fn ray(&self, point: ReducedWrench<R>, aim: Aim<R>) -> Ray<R> {
+        let ReducedWrench { force, torque } = point;
+        let lead = if force * self.equal.torque >= torque * self.equal.force {
+            Lead::Sliding
         } else {
-            return at;
-        }
-        let newton = at - value / slope;
-        let next = if slope.is_finite() && newton >= low && newton <= high {
-            newton
-        } else {
-            R::HALF * (low + high)
+            Lead::Spinning
         };
-        if (next - at).abs() <= tolerance * next {
-            return next;
+        let given = ordered(lead, force, torque);
+        let [major, minor] = given;
+        let start = self.sketch(lead).on_ray(minor / major);
+        Ray {
+            lead,
+            given,
+            aim,
+            search: Rising::new(start),
         }
-        at = next;
     }
-    at
+
+    /// The search for the point of the curve nearest to one outside, in the norm √(f² + t²/`lever_sq`).
+    #[inline]
+    pub fn offset(&self, point: ReducedWrench<R>, lever_sq: R) -> Offset<R> {
+        let ReducedWrench { force, torque } = point;
+        let equal = &self.equal;
+        let lead = if torque - equal.torque <= lever_sq * (force - equal.force) {
+            Lead::Sliding
+        } else {
+            Lead::Spinning
+        };
+        let given = ordered(lead, force, torque);
+        let [weight, _] = ordered(lead, R::ONE / lever_sq, lever_sq);
+        let start = self.sketch(lead).nearest(given, weight);
+        Offset {
+            lead,
+            given,
+            weight,
+            search: Rising::new(start),
+        }
+    }
+}
+
+/// A search along the curve, one point of it after the other.
+pub(super) trait Search<R: Real> {
+    type Found;
+
+    /// Computes the next point; what is looked for, if that is known then.
+    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Self::Found>;
+}
+
+/// What a search finds.
+#[inline]
+pub(super) fn solved<R: Real, C: DryCoupling<R>, S: Search<R>>(
+    search: &mut S,
+    curve: &Meridian<R, C>,
+) -> S::Found {
+    loop {
+        if let Some(found) = search.advance(curve) {
+            return found;
+        }
+    }
+}
+
+/// The search for the normal on the ray of a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ray<R> {
+    lead: Lead,
+    given: [R; 2],
+    aim: Aim<R>,
+    search: Rising<R>,
+}
+
+/// The search for the nearest point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Offset<R> {
+    lead: Lead,
+    given: [R; 2],
+    weight: R,
+    search: Rising<R>,
+}
+
+impl<R: Real> Ray<R> {
+    /// The gauge by a normal: every one bounds it from below.
+    #[inline]
+    fn gauge(&self, ratio: R, [on_major, on_minor]: [R; 2]) -> R {
+        let [major, minor] = self.given;
+        (major + minor * ratio) / (on_major + on_minor * ratio)
+    }
+
+    /// True if the normal where a step starts tells on which side of 1 the gauge lies.
+    #[inline]
+    fn is_side_known(&self, step: &Step<R>, at: &Local<R>) -> bool {
+        let Aim::Side(size) = self.aim else {
+            return false;
+        };
+        let gauge = size * self.gauge(step.from, [at.major, at.minor]);
+        let gain = R::from_f64(SPREAD) * at.rate * (step.by * step.by);
+        gauge > R::ONE + R::TWO * collar() || gauge + gain < R::ONE - R::TWO * collar()
+    }
+}
+
+impl<R: Real> Search<R> for Ray<R> {
+    type Found = Radial<R>;
+
+    #[inline]
+    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Radial<R>> {
+        let ratio = self.search.at();
+        let at = curve.local(self.lead, ratio);
+        let this = *self;
+        let end = self
+            .search
+            .seen(at, at.across_ray(ratio, self.given), |step| {
+                match this.aim {
+                    Aim::Normal => step.is_settled(),
+                    _ => step.is_stationary() || this.is_side_known(step, &at),
+                }
+            })?;
+        let gauge = if self.is_side_known(&end.step, &end.at) {
+            self.gauge(end.step.from, [end.at.major, end.at.minor])
+        } else {
+            self.gauge(end.ratio(), end.point())
+        };
+        Some(Radial {
+            normal: normal_of(self.lead, end.ratio()),
+            gauge,
+        })
+    }
+}
+
+impl<R: Real> Search<R> for Offset<R> {
+    type Found = Place<R>;
+
+    #[inline]
+    fn advance<C: DryCoupling<R>>(&mut self, curve: &Meridian<R, C>) -> Option<Place<R>> {
+        let ratio = self.search.at();
+        let at = curve.local(self.lead, ratio);
+        let value = at.beside_normal(ratio, self.given, self.weight);
+        let end = self.search.seen(at, value, Step::is_settled)?;
+        let [major, minor] = end.point();
+        let [force, torque] = ordered(self.lead, major, minor);
+        Some(Place {
+            normal: normal_of(self.lead, end.ratio()),
+            at: ReducedWrench { force, torque },
+        })
+    }
 }

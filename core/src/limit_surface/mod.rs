@@ -37,17 +37,21 @@
 //! ```
 
 mod any_pressure;
+mod batch;
 mod central_path;
 mod ellipsoid;
 mod exact;
 mod kinks;
+mod loaded;
 mod meridian;
 mod patch;
 mod polar;
 mod quadratic;
+mod rising;
 mod scaled;
 mod search;
 mod sharing;
+mod sketch;
 mod support_error;
 mod yaw;
 

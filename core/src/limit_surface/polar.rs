@@ -19,7 +19,7 @@ impl<R: Real> Polar<R> {
     /// A wrench or twist in parts; both units are left as they are.
     #[inline]
     pub fn new(vector: &Vector2<R>, normal: R) -> Self {
-        let planar = vector.x.hypot(vector.y);
+        let planar = length(vector);
         // Without length there is no axis, and none is needed.
         let axis = if planar == R::ZERO {
             [R::ZERO; 2]
@@ -46,5 +46,17 @@ impl<R: Real> Polar<R> {
     pub fn twist(&self, speed: R, spin: R) -> Twist<R> {
         let [x, y] = self.axis;
         Twist::new(speed * x, speed * y, self.sign * spin)
+    }
+}
+
+/// The length, from the squares where these are ordinary numbers. *Accuracy*: 2 ulp.
+#[inline]
+fn length<R: Real>(vector: &Vector2<R>) -> R {
+    let square = vector.x * vector.x + vector.y * vector.y;
+    let least = R::LEAST_SPEED * R::LEAST_SPEED;
+    if square > least && square < R::ONE / least {
+        square.sqrt()
+    } else {
+        vector.x.hypot(vector.y)
     }
 }

@@ -13,6 +13,7 @@
 mod build;
 
 use crate::real::Real;
+use core::ops::{Add, Mul, Sub};
 
 /// Octaves of x in the table: 2⁻³² ≤ x < 2³², about.
 const OCTAVES: usize = 64;
@@ -46,6 +47,21 @@ struct Cell<R> {
     inverse: R,
     head: R,
     tail: R,
+}
+
+/// The factors of a power: a number, or one for each of several powers at once.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Parts<V> {
+    /// The upper digits of m.
+    pub head: V,
+    /// The lower digits of m.
+    pub tail: V,
+    /// c
+    pub inverse: V,
+    /// 2^(eα) as head and tail.
+    pub octave: [V; 2],
+    /// c^(−α) as head and tail.
+    pub cell: [V; 2],
 }
 
 /// x^α and x^(α−1) for a fixed α in 1.9 KiB (f32: 0.9 KiB).
@@ -93,30 +109,69 @@ impl<R: Real> FixedPower<R> {
     /// `x`^α, NaN where the table does not reach.
     #[inline]
     fn inside(&self, x: R) -> R {
-        let split = x.split();
-        let Some(&[high, low]) = self.octaves.get(split.octave()) else {
-            return R::NAN;
-        };
-        let cell = &self.cells[split.cell % STEPS];
-        let t = (split.head * cell.inverse - R::ONE) + split.tail * cell.inverse;
-        let front = high * cell.head;
-        let rest = high * cell.tail + low * (cell.head + cell.tail);
-        front + (rest + (front + rest) * (t * self.bend(t)))
+        match self.parts(x) {
+            Some(parts) => parts.joined(&self.terms, R::ONE, R::IS_SINGLE),
+            None => R::NAN,
+        }
     }
 
-    /// q(t)
+    /// What the table has for `x`.
     #[inline]
-    fn bend(&self, t: R) -> R {
-        let [a, b, c, d, e, f, g, h] = self.terms;
-        let square = t * t;
-        let lower = (a + b * t) + (c + d * t) * square;
-        let upper = if R::IS_SINGLE {
-            e
-        } else {
-            (e + f * t) + (g + h * t) * square
-        };
-        lower + upper * (square * square)
+    pub fn parts(&self, x: R) -> Option<Parts<R>> {
+        let split = x.split();
+        let octave = *self.octaves.get(split.octave())?;
+        let cell = &self.cells[split.cell % STEPS];
+        Some(Parts {
+            head: split.head,
+            tail: split.tail,
+            inverse: cell.inverse,
+            octave,
+            cell: [cell.head, cell.tail],
+        })
     }
+
+    /// α
+    #[allow(dead_code, reason = "for targets with vectors")]
+    #[inline]
+    pub fn alpha(&self) -> R {
+        self.alpha
+    }
+
+    /// The coefficients of q.
+    #[allow(dead_code, reason = "for targets with vectors")]
+    #[inline]
+    pub fn terms(&self) -> [R; COEFFICIENTS] {
+        self.terms
+    }
+}
+
+impl<V: Copy + Add<Output = V> + Sub<Output = V> + Mul<Output = V>> Parts<V> {
+    /// The power, with the coefficients of q, 1, and whether the precision is single.
+    #[inline(always)]
+    pub fn joined(&self, terms: &[V; COEFFICIENTS], one: V, is_single: bool) -> V {
+        let ([high, low], [head, tail]) = (self.octave, self.cell);
+        let t = (self.head * self.inverse - one) + self.tail * self.inverse;
+        let front = high * head;
+        let rest = high * tail + low * (head + tail);
+        front + (rest + (front + rest) * (t * bend(terms, t, is_single)))
+    }
+}
+
+/// q(t)
+#[inline(always)]
+fn bend<V: Copy + Add<Output = V> + Mul<Output = V>>(
+    &[a, b, c, d, e, f, g, h]: &[V; COEFFICIENTS],
+    t: V,
+    is_single: bool,
+) -> V {
+    let square = t * t;
+    let lower = (a + b * t) + (c + d * t) * square;
+    let upper = if is_single {
+        e
+    } else {
+        (e + f * t) + (g + h * t) * square
+    };
+    lower + upper * (square * square)
 }
 
 impl<R> Split<R> {

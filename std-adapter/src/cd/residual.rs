@@ -3,11 +3,11 @@
 //! Velocities are recomputed from the impulses. Each law is treated as a set: its conditions on a
 //! contact are implemented here a second time, from the formulas, not through [`Contact::update`].
 
-use super::operator::{Operator, largest};
+use super::operator::largest;
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
 use tribos_core::contact::{
-    Contact, ContactFriction, ContactModes, CoupledFriction, Modal, Sphere, Thresholds,
+    Contact, ContactFriction, ContactModes, CoupledFriction, Modal, Plate, Sphere, Thresholds,
 };
 use tribos_core::internals::{AxialPart, PlanarPart};
 use tribos_core::limit_surface::FrictionSet;
@@ -99,12 +99,11 @@ pub fn residual<F>(problem: &Spheres<F>) -> Residual
 where
     F: ContactFriction<f64> + Coefficients,
 {
-    let mut fresh = problem.clone();
-    fresh.refresh();
+    let (spheres, plates) = velocities(problem);
     let mut sum = Sum::default();
-    let mut images = fresh.images.iter().peekable();
-    for (number, link) in fresh.pairs.iter().enumerate() {
-        let [a, b] = link.bodies.map(|body| fresh.spheres[body as usize].0);
+    let mut images = problem.images.iter().peekable();
+    for (number, link) in problem.pairs.iter().enumerate() {
+        let [a, b] = link.bodies.map(|body| spheres[body as usize]);
         // An image moves faster than its sphere.
         let faster = images.next_if(|(pair, _)| *pair as usize == number);
         let velocity = faster.map_or(b.velocity, |(_, faster)| b.velocity + faster);
@@ -115,12 +114,32 @@ where
             problem.pair_friction(link.bodies),
         );
     }
-    for link in &fresh.walls {
+    for link in &problem.walls {
         let [a, b] = link.bodies.map(|body| body as usize);
-        let velocity = link.contact.velocity(&fresh.spheres[a].0, &fresh.plates[b]);
+        let velocity = link.contact.velocity(&spheres[a], &plates[b]);
         sum.add(link, &velocity, problem.wall_friction(link.bodies));
     }
     sum.finish()
+}
+
+/// Bodies with the velocities that follow from the impulses, in the order of the contacts.
+fn velocities<F: ContactFriction<f64>>(
+    problem: &Spheres<F>,
+) -> (Vec<Sphere<f64>>, Vec<Plate<f64>>) {
+    let (mut spheres, mut plates) = problem.free.clone();
+    for Link { bodies, contact } in &problem.pairs {
+        let bodies = bodies.map(|body| body as usize);
+        if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
+            contact.apply(contact.impulse(), a, b);
+        }
+    }
+    for Link { bodies, contact } in &problem.walls {
+        let [a, b] = bodies.map(|body| body as usize);
+        if let (Some(a), Some(b)) = (spheres.get_mut(a), plates.get_mut(b)) {
+            contact.apply(contact.impulse(), a, b);
+        }
+    }
+    (spheres, plates)
 }
 
 #[derive(Default)]

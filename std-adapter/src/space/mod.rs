@@ -4,6 +4,7 @@ mod grid;
 #[doc(hidden)]
 pub mod pairs;
 mod periodic;
+mod search;
 #[cfg(test)]
 mod sheared_tests;
 

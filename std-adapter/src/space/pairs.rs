@@ -1,8 +1,10 @@
 //! Pairs of nearby spheres, found by linked cells.
 
 use super::grid::Grid;
+use super::search::{Entry, Search};
 use super::{AXES, PeriodicBox};
 use nalgebra::Vector3;
+use rayon::prelude::*;
 
 /// Why a neighbour search is refused.
 ///
@@ -74,14 +76,6 @@ pub enum NeighbourError {
     },
 }
 
-/// A particle in its cell.
-#[derive(Clone, Copy, Debug)]
-struct Entry {
-    position: Vector3<f64>,
-    radius: f64,
-    index: u32,
-}
-
 /// Buffers of a search, reused by the next one.
 ///
 /// ```
@@ -106,19 +100,24 @@ pub struct Cells {
     entries: Vec<Entry>,
     /// Sorted radii, for the median.
     radii: Vec<f64>,
-    /// Pairs as sort keys: i in the upper half, j in the lower.
-    keys: Vec<u64>,
+    /// Pairs as they are found, by stretches of entries.
+    found: Vec<Vec<[u32; 2]>>,
+    /// First pair of each particle in `pairs`, and the end of the last.
+    ends: Vec<usize>,
     pairs: Vec<[u32; 2]>,
 }
+
+/// Entries whose neighbours one thread searches at a time.
+const STRETCH: usize = 8192;
 
 /// All pairs i < j with |xⱼ − xᵢ| − rᵢ − rⱼ < `skin`, in ascending order of (i, j); distances are
 /// those of [`PeriodicBox::displacement`].
 ///
 /// *Domain*: finite positions, inside the cell or not; radii finite and ≥ 0; `skin` finite, negative
 /// for overlapping pairs only; two largest radii and the skin at most half of every period. *Cost*:
-/// proportional to particles and pairs for similar radii and evenly spread positions; each sphere
-/// searches for smaller ones within its own diameter plus the skin, so a few large spheres among
-/// many small ones are cheap. Far outliers along an open axis make cells coarse and the search
+/// proportional to particles and pairs for similar radii and evenly spread positions; where radii
+/// differ much, each sphere searches for smaller ones within its own diameter plus the skin, so a few
+/// large spheres among many small ones are cheap. Large searches are shared among rayon's threads. Far outliers along an open axis make cells coarse and the search
 /// slower. For a time loop keep a [`Cells`] instead.
 ///
 /// ```
@@ -159,16 +158,14 @@ impl Cells {
         } else {
             *space
         };
-        let grid = Grid::new(&cut, positions, 2.0 * self.median(radii) + skin);
+        let median = self.median(radii);
+        let grid = Grid::new(&cut, positions, 2.0 * median + skin);
         self.sort_into(&grid, space, positions, radii);
-        self.search(&grid, space, skin);
-        // Cells come in the order of space, pairs in the order of particles.
-        self.keys.sort_unstable();
+        self.search(&Search::new(&grid, space, radii, (median, skin)));
+        self.order(positions.len());
         if is_sheared {
-            self.keys.dedup();
+            self.pairs.dedup();
         }
-        let pair = |&key: &u64| [(key >> 32) as u32, key as u32];
-        self.pairs.extend(self.keys.iter().map(pair));
         Ok(&self.pairs)
     }
 
@@ -223,38 +220,48 @@ impl Cells {
         }
     }
 
-    /// Every sphere searches for smaller ones, and for equal ones of lower index.
-    fn search(&mut self, grid: &Grid, space: &PeriodicBox, skin: f64) {
-        self.keys.clear();
-        for entry in &self.entries {
-            let reach = 2.0 * entry.radius + skin;
-            if reach <= 0.0 {
-                continue;
-            }
-            let lookouts = space.lookouts(space.wrap(&entry.position), reach);
-            for place in lookouts.iter().flatten() {
-                grid.near(place, reach, |cells| {
-                    let from = self.starts[*cells.start()] as usize;
-                    let to = self.starts[cells.end() + 1] as usize;
-                    for other in &self.entries[from..to] {
-                        let is_mine = (other.radius, other.index) < (entry.radius, entry.index);
-                        if is_mine && is_near(space, entry, other, skin) {
-                            let low = entry.index.min(other.index);
-                            let high = entry.index.max(other.index);
-                            self.keys.push(u64::from(low) << 32 | u64::from(high));
-                        }
-                    }
-                });
-            }
+    /// Searches around all entries, stretch by stretch.
+    fn search(&mut self, search: &Search<'_>) {
+        let (entries, starts) = (&self.entries[..], &self.starts[..]);
+        let stretches = entries.len().div_ceil(STRETCH);
+        self.found.resize_with(stretches, Vec::new);
+        let search = |(stretch, found): (usize, &mut Vec<[u32; 2]>)| {
+            found.clear();
+            let first = stretch * STRETCH;
+            let last = entries.len().min(first + STRETCH);
+            search.around(first..last, entries, starts, found);
+        };
+        if stretches > 1 && rayon::current_num_threads() > 1 {
+            self.found.par_iter_mut().enumerate().for_each(search);
+        } else {
+            self.found.iter_mut().enumerate().for_each(search);
         }
     }
-}
 
-/// Whether the gap between two spheres is below `skin`.
-#[inline]
-fn is_near(space: &PeriodicBox, a: &Entry, b: &Entry, skin: f64) -> bool {
-    let distance = space.displacement(&a.position, &b.position).norm();
-    distance - (a.radius + b.radius) < skin
+    /// Counting sort of the pairs: they were found in the order of space, and come out in that of particles.
+    fn order(&mut self, particles: usize) {
+        let found = || self.found.iter().flatten();
+        self.ends.clear();
+        self.ends.resize(particles + 1, 0);
+        for [low, _] in found() {
+            self.ends[*low as usize] += 1;
+        }
+        let mut end = 0;
+        for list in &mut self.ends {
+            end += *list;
+            *list = end;
+        }
+        // Ends become starts as the pairs go in.
+        self.pairs.resize(end, [0; 2]);
+        for pair in self.found.iter().flatten() {
+            let place = &mut self.ends[pair[0] as usize];
+            *place -= 1;
+            self.pairs[*place] = *pair;
+        }
+        for bounds in self.ends.windows(2) {
+            self.pairs[bounds[0]..bounds[1]].sort_unstable();
+        }
+    }
 }
 
 /// Refuses positions, radii and skins that are not finite.

@@ -10,6 +10,7 @@
 //! ```
 #![no_std]
 
+mod batches;
 mod bodies;
 mod bonds;
 mod contacts;
@@ -75,7 +76,7 @@ const fn speed(name: &'static str, run: fn() -> u64) -> Chapter {
 }
 
 /// All digests.
-pub const CHAPTERS: [Chapter; 42] = [
+pub const CHAPTERS: [Chapter; 43] = [
     memory("tables f64", tiers::tables_f64),
     memory("tables f32", tiers::tables_f32),
     speed("compact", tiers::compact),
@@ -118,6 +119,7 @@ pub const CHAPTERS: [Chapter; 42] = [
     speed("supports", supports::supports),
     little("presliding", presliding::presliding),
     little("bonds", bonds::bonds),
+    memory("batches", batches::batches),
 ];
 
 const DIGESTS: &str = include_str!("../digests.txt");

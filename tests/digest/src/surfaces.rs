@@ -10,7 +10,7 @@ use tribos_core::law::{
     Bristle, ContactAge, Dieterich, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPower,
     PlateauPowerParameters, RateState, RateStateParameters, Ruina, Stribeck, StribeckParameters,
 };
-use tribos_core::limit_surface::{FrictionSet, LimitSurface, Region};
+use tribos_core::limit_surface::{FrictionSet, LimitSurface, Projection, Region};
 use tribos_core::patch::nodes::NodeList;
 use tribos_core::patch::polar::PolarRule;
 use tribos_core::patch::polygon::polygon;
@@ -87,6 +87,39 @@ fn surface<R: Real, C: DryCoupling<R>>(hash: &mut Fnv, coupling: C) {
             hash.number(v);
         }
         hash.feed(u64::from(projection.region == Region::Inside));
+    }
+    batches(hash, &set, &mut rng);
+}
+
+/// Batches: gauges, normals and projections, with loads and a length.
+fn batches<R: Real, C: DryCoupling<R>>(hash: &mut Fnv, set: &LimitSurface<R, C>, rng: &mut Lcg) {
+    const BATCH: usize = 20;
+    for _ in 0..ARGUMENTS / 40 {
+        let pushes = [(); BATCH].map(|()| {
+            let [x, y, torque] = [(); 3].map(|()| speed::<R>(rng) - speed::<R>(rng));
+            Wrench::new(x, y, torque)
+        });
+        let loads = [(); BATCH].map(|()| speed::<R>(rng));
+        let mut gauges = [R::ZERO; BATCH];
+        let mut motions = [Twist::ZERO; BATCH];
+        let mut nearest = pushes.map(|wrench| Projection {
+            wrench,
+            region: Region::Inside,
+        });
+        set.gauge_batch(&loads, &pushes, &mut gauges);
+        set.twist_normal_to_batch(&pushes, &mut motions);
+        set.project_batch(R::HALF, &loads, &pushes, &mut nearest);
+        for gauge in gauges {
+            hash.number(gauge);
+        }
+        for motion in motions {
+            hash.number(motion.velocity.x);
+            hash.number(motion.spin);
+        }
+        for projection in nearest {
+            hash.number(projection.wrench.force.y);
+            hash.number(projection.wrench.torque);
+        }
     }
 }
 

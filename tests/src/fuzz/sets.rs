@@ -3,10 +3,15 @@
 use super::check::{at_most, finite, holds};
 use super::planes::{dissipates, twist, wrench};
 use super::{Broken, Source};
+use tribos_core::coupling::DryCoupling;
 use tribos_core::coupling::closed::{FlatPunch, Hertz, Ring};
 use tribos_core::coupling::table::Coulomb;
-use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Region};
+use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Projection, Region};
 use tribos_core::real::Real;
+use tribos_core::twist::Twist;
+
+/// Wrenches of a batch: more than go side by side.
+const BATCH: usize = 11;
 
 /// One set and one query.
 pub fn sets(source: &mut Source) -> Result<(), Broken> {
@@ -20,15 +25,55 @@ pub fn sets(source: &mut Source) -> Result<(), Broken> {
 fn of<R: Real>(source: &mut Source) -> Result<(), Broken> {
     let (force, radius) = (source.size::<R>(), source.positive::<R>());
     match source.below(6) {
-        0 => LimitSurface::new(Hertz, force, radius).map_or(Ok(()), |set| asked(source, &set)),
+        0 => LimitSurface::new(Hertz, force, radius).map_or(Ok(()), |set| round(source, &set)),
         1 => LimitSurface::new(Ring, force, radius).map_or(Ok(()), |set| asked(source, &set)),
         2 => LimitSurface::new(FlatPunch, force, radius).map_or(Ok(()), |set| asked(source, &set)),
         3 => {
             let set = Ellipsoid::new(force, radius, source.positive());
             set.map_or(Ok(()), |set| asked(source, &set))
         }
-        _ => LimitSurface::new(Coulomb, force, radius).map_or(Ok(()), |set| asked(source, &set)),
+        _ => LimitSurface::new(Coulomb, force, radius).map_or(Ok(()), |set| round(source, &set)),
     }
+}
+
+/// A round patch: one query, and a batch of them.
+fn round<R: Real, C: DryCoupling<R>>(
+    source: &mut Source,
+    set: &LimitSurface<R, C>,
+) -> Result<(), Broken> {
+    asked(source, set)?;
+    let (pushes, length) = ([(); BATCH].map(|()| wrench(source)), source.positive());
+    let loads = [(); BATCH].map(|()| source.size::<R>());
+    let mut gauges = [R::NAN; BATCH];
+    let mut motions = [Twist::ZERO; BATCH];
+    let mut nearest = pushes.map(|wrench| Projection {
+        wrench,
+        region: Region::Inside,
+    });
+    set.gauge_batch(&loads, &pushes, &mut gauges);
+    set.twist_normal_to_batch(&pushes, &mut motions);
+    set.project_batch(length, &loads, &pushes, &mut nearest);
+    for (load, (push, (gauge, near))) in loads
+        .iter()
+        .zip(pushes.iter().zip(gauges.iter().zip(nearest)))
+    {
+        let Ok(alone) = LimitSurface::new(set.coupling(), set.force_limit() * *load, set.radius())
+        else {
+            continue;
+        };
+        let one = alone.project_with_length(push, length).wrench;
+        let answers = [
+            [near.wrench.force.x, one.force.x],
+            [near.wrench.force.y, one.force.y],
+            [near.wrench.torque, one.torque],
+            [*gauge, alone.gauge(push)],
+        ];
+        for [a, b] in answers {
+            let is_same = a == b || a.is_nan() && b.is_nan();
+            holds(is_same, "a batch answers as one call", &[a, b])?;
+        }
+    }
+    Ok(())
 }
 
 pub fn asked<R: Real, S: FrictionSet<R>>(source: &mut Source, set: &S) -> Result<(), Broken> {

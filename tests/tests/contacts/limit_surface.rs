@@ -187,7 +187,7 @@ fn searches_are_short() {
             &|w| {
                 black_box(set.gauge(w));
             },
-            10,
+            8,
         ),
         (
             "normal",
@@ -196,7 +196,7 @@ fn searches_are_short() {
             &|w| {
                 black_box(set.twist_normal_to(w));
             },
-            12,
+            8,
         ),
         (
             "project inside",
@@ -205,7 +205,7 @@ fn searches_are_short() {
             &|w| {
                 black_box(set.project(w));
             },
-            10,
+            8,
         ),
         (
             "project near",
@@ -214,7 +214,7 @@ fn searches_are_short() {
             &|w| {
                 black_box(set.project(w));
             },
-            40,
+            16,
         ),
         (
             "project far",
@@ -223,7 +223,7 @@ fn searches_are_short() {
             &|w| {
                 black_box(set.project(w));
             },
-            50,
+            8,
         ),
     ];
     let mut rng = Lcg::new(35);

@@ -21,3 +21,4 @@ mod manifold_extremes;
 mod patch_surface;
 mod point_surface;
 mod projection;
+mod surface_batch;

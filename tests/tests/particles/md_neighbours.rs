@@ -49,7 +49,8 @@ fn listed(list: &mut VerletList) -> Vec<[u32; 2]> {
         let (sites, rows) = chunk.sites_and_rows();
         for (here, blocks) in rows {
             for &other in blocks.as_flattened() {
-                let [a, b] = [here, other as usize].map(|at| Vector3::from(sites[at].place));
+                let place = |at: usize| Vector3::from_row_slice(&sites[at].place[..3]);
+                let [a, b] = [place(here), place(other as usize)];
                 if (a - b).norm_squared() < cutoff_sq {
                     let mut pair = [atoms[here], atoms[other as usize]];
                     pair.sort_unstable();

@@ -105,6 +105,71 @@ fn equal_spheres_are_all_found() {
 }
 
 #[test]
+fn similar_spheres_are_all_found() {
+    let mut rng = Lcg::new(15);
+    let mut found = 0;
+    for lengths in KINDS {
+        for [least, most] in [[0.8, 0.81], [0.7, 0.9], [0.5, 1.0]] {
+            for skin in [0.5, 0.1, -0.7, -1.3] {
+                let radius = |rng: &mut Lcg, _| rng.between(least, most);
+                let packing = scattered(&mut rng, lengths, 6.0, radius, 200);
+                let (positions, radii) = (&packing.positions, &packing.radii);
+                let got = neighbours(&packing.space, positions, radii, skin).unwrap();
+                assert_eq!(
+                    got,
+                    brute_force(&packing, skin),
+                    "{lengths:?} {least} {most} {skin}"
+                );
+                found += got.len();
+            }
+        }
+    }
+    assert!(found > 10_000, "{found}");
+}
+
+/// Pairs of spheres in order of x, compared only as long as their places along x are near.
+fn by_order(packing: &Packing, skin: f64) -> Vec<[u32; 2]> {
+    let Packing {
+        positions, radii, ..
+    } = packing;
+    let mut order: Vec<usize> = (0..positions.len()).collect();
+    order.sort_by(|&a, &b| positions[a].x.total_cmp(&positions[b].x));
+    let largest = radii.iter().copied().fold(0.0, f64::max);
+    let mut out = Vec::new();
+    for (at, &a) in order.iter().enumerate() {
+        let near = |b: &usize| positions[*b].x - positions[a].x <= 2.0 * largest + skin;
+        for &b in order[at + 1..].iter().take_while(|b| near(b)) {
+            if (positions[b] - positions[a]).norm() - radii[a] - radii[b] < skin {
+                out.push([a.min(b) as u32, a.max(b) as u32]);
+            }
+        }
+    }
+    out.sort_unstable();
+    out
+}
+
+#[test]
+fn large_packings_give_the_same_pairs_on_any_number_of_threads() {
+    let mut rng = Lcg::new(16);
+    for largest in [1.0, 4.0] {
+        let radius = |rng: &mut Lcg, i: usize| match i % 1000 {
+            0 => largest,
+            _ => rng.between(0.8, 1.0),
+        };
+        let packing = scattered(&mut rng, [None; 3], 30.0, radius, 20_000);
+        let expected = by_order(&packing, 0.2);
+        assert!(expected.len() > 20_000, "{}", expected.len());
+        for threads in [1, 2, 3] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            let pool = pool.build().unwrap();
+            let (positions, radii) = (&packing.positions, &packing.radii);
+            let got = pool.install(|| neighbours(&packing.space, positions, radii, 0.2));
+            assert_eq!(got.unwrap(), expected, "{largest} {threads}");
+        }
+    }
+}
+
+#[test]
 fn uneven_spheres_are_all_found() {
     let mut rng = Lcg::new(12);
     let mut found = 0;

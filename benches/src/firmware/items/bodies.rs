@@ -12,7 +12,7 @@ macro_rules! on_table {
 /// The same with the modules of the limit surface.
 macro_rules! surface {
     () => {
-        on_table!("limit_surface limit_surface::exact limit_surface::meridian limit_surface::polar")
+        on_table!("limit_surface limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch")
     };
 }
 
@@ -68,7 +68,7 @@ pub const BODIES: [Item; 11] = [
     item(
         ["limit surface", "ellipsoid: projection"],
         NARROW,
-        "limit_surface limit_surface::ellipsoid limit_surface::exact limit_surface::meridian limit_surface::polar",
+        "limit_surface limit_surface::ellipsoid limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch",
         Code::new("Ellipsoid::new(1.0 as R, 1.0, 0.625).ok()?", PROJECTION),
     ),
     item(

@@ -18,7 +18,7 @@ macro_rules! exact {
     ($($more:literal),*) => {
         round!(
             "coupling::table coupling::side",
-            "limit_surface limit_surface::exact limit_surface::meridian limit_surface::polar",
+            "limit_surface limit_surface::exact limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch",
             "contact contact::block contact::body contact::update contact::coupled",
             "contact::friction contact::modes contact::normal contact::pair contact::both_slip",
             "contact::touch contact::vector" $(, $more)*
@@ -31,7 +31,7 @@ macro_rules! ellipsoid {
     () => {
         impulse!(
             "limit_surface limit_surface::ellipsoid limit_surface::exact",
-            "limit_surface::meridian limit_surface::polar",
+            "limit_surface::loaded limit_surface::meridian limit_surface::polar limit_surface::rising limit_surface::sketch",
             "contact::coupled contact::pair contact::both_slip"
         )
     };

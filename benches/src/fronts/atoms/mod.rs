@@ -1,6 +1,7 @@
 //! Molecular dynamics: atom-steps a second beside LAMMPS, conserved energy against the time step.
 
 mod drift;
+mod gromacs;
 mod lammps;
 pub mod melt;
 mod parts;
@@ -12,7 +13,7 @@ use super::{Finding, Front, Setting};
 use crate::written::{self, short};
 use drift::{Run, SHIFTS};
 use problems::Problem;
-use race::Race;
+use race::{Peers, Race};
 use std::path::Path;
 use tribos_report::figure::{Axis, Figure, Legend, Panels, Series};
 
@@ -75,7 +76,9 @@ name with its thermostats (leap-frog here, velocity Verlet in LAMMPS: the same p
 driven. LAMMPS runs one process on one thread with the pair styles of its package OPT; its time is that of \
 its loop times its share of the processor, the shares of forces and lists are those that it prints (lists \
 without the exchange of atoms, which it counts apart). Ours of forces and lists are timed alone on the last \
-places. The potential energy at the start must agree to 1e-10, or nothing is compared.
+places. The potential energy at the start must agree to 1e-10, or nothing is compared. Where GROMACS is \
+installed in double precision (Debian: `gromacs`, built for SSE4.1), it runs the melts on one thread with the same \
+cut-off, lists of the same reach that live as many steps as ours, and no thermostat; its log has six digits of the energy.
 ";
 
 /// Interpretation of the drift.
@@ -90,6 +93,10 @@ Drifts below their error are none that this time could show.
 /// Ours and theirs, and ours on two threads.
 fn speeds(setting: &Setting<'_>, extent: &Extent) -> Result<(Vec<Race>, String), String> {
     let release = lammps::release();
+    let peers = Peers {
+        lammps: release.is_some(),
+        gromacs: gromacs::is_installed(),
+    };
     let mut problems = Vec::new();
     for (cubes, steps) in extent.melts {
         problems.push(Problem::melt(cubes, extent.melting, steps)?);
@@ -97,7 +104,7 @@ fn speeds(setting: &Setting<'_>, extent: &Extent) -> Result<(Vec<Race>, String),
     problems.push(Problem::tip(setting.quick));
     let races: Result<Vec<Race>, String> = problems
         .iter()
-        .map(|problem| race::race(problem, extent.rounds, release.is_some()))
+        .map(|problem| race::race(problem, extent.rounds, peers))
         .collect();
     let races = races?;
     let sheet = race::sheet(&races, extent.rounds, release.as_deref());
@@ -145,6 +152,13 @@ fn line(races: &[Race], runs: &[Run]) -> String {
         let beside = match race.theirs {
             Some(_) => format!(", {} times LAMMPS' speed", short(race.ratio)),
             None => String::new(),
+        };
+        let beside = match race.gromacs {
+            Some(anchor) => format!(
+                "{beside}, {} times GROMACS' in double precision",
+                short(anchor.ratio)
+            ),
+            None => beside,
         };
         let speed = short(1e-6 / race.ours.per_atom_step);
         format!(

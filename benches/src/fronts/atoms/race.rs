@@ -1,5 +1,6 @@
 //! Speed of ours and of LAMMPS, run in turn on one core.
 
+use super::gromacs;
 use super::lammps::{self, MISSING, Told};
 use super::parts::{self, Parts};
 use super::problems::{Problem, Ran};
@@ -9,6 +10,9 @@ use std::iter::once;
 
 /// Both programs compute the same energy of the start, relative: sums of other orders.
 const SAME_ENERGY: f64 = 1e-10;
+
+/// The same of GROMACS, whose log has six digits.
+const SAME_LOGGED_ENERGY: f64 = 1e-5;
 
 /// Speed of one program on one problem; the processor's times.
 #[derive(Clone, Copy, Debug)]
@@ -38,12 +42,33 @@ pub struct Race {
     pub theirs: Option<Speed>,
     /// Speed of Tribos over that of LAMMPS, median over the rounds.
     pub ratio: f64,
+    /// Speed of GROMACS, if it is installed and the problem is a melt.
+    pub gromacs: Option<Anchor>,
 }
 
-/// Runs both in turn, `rounds` times.
-pub fn race(problem: &Problem, rounds: usize, has_lammps: bool) -> Result<Race, String> {
-    let input = has_lammps.then(|| problem.input()).transpose()?;
+/// Speed of a program that is only timed as a whole.
+#[derive(Clone, Copy, Debug)]
+pub struct Anchor {
+    /// Seconds per atom and step.
+    pub per_atom_step: f64,
+    /// Speed of Tribos over that of the program, median over the rounds.
+    pub ratio: f64,
+}
+
+/// Which other programs are installed.
+#[derive(Clone, Copy, Debug)]
+pub struct Peers {
+    /// LAMMPS.
+    pub lammps: bool,
+    /// GROMACS in double precision.
+    pub gromacs: bool,
+}
+
+/// Runs all in turn, `rounds` times.
+pub fn race(problem: &Problem, rounds: usize, peers: Peers) -> Result<Race, String> {
+    let input = peers.lammps.then(|| problem.input()).transpose()?;
     let (mut ours, mut theirs, mut ratios) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut anchors, mut anchor_ratios) = (Vec::new(), Vec::new());
     let mut atoms = 0;
     for _ in 0..rounds {
         let ran = problem.run()?;
@@ -52,9 +77,15 @@ pub fn race(problem: &Problem, rounds: usize, has_lammps: bool) -> Result<Race, 
         ours.push(own_speed(&ran, &parts));
         if let Some(input) = &input {
             let told = lammps::run(input)?;
-            agree(ran.energy, told.energy)?;
+            agree("LAMMPS", ran.energy, told.energy, SAME_ENERGY)?;
             theirs.push(their_speed(&ran, &told));
             ratios.push(told.seconds / ran.seconds);
+        }
+        if let (true, Problem::Melt { melt, steps }) = (peers.gromacs, problem) {
+            let told = gromacs::run(melt, *steps, (*steps / ran.builds.max(1)).max(1))?;
+            agree("GROMACS", ran.energy, told.energy, SAME_LOGGED_ENERGY)?;
+            anchors.push(told.seconds / (*steps as f64 * atoms as f64));
+            anchor_ratios.push(told.seconds / ran.seconds);
         }
     }
     Ok(Race {
@@ -63,16 +94,20 @@ pub fn race(problem: &Problem, rounds: usize, has_lammps: bool) -> Result<Race, 
         ours: middle(&ours),
         theirs: (!theirs.is_empty()).then(|| middle(&theirs)),
         ratio: median(&ratios),
+        gromacs: (!anchors.is_empty()).then(|| Anchor {
+            per_atom_step: median(&anchors),
+            ratio: median(&anchor_ratios),
+        }),
     })
 }
 
 /// Refuses to compare programs that compute different things.
-fn agree(ours: f64, theirs: f64) -> Result<(), String> {
-    if (ours - theirs).abs() <= SAME_ENERGY * ours.abs() {
+fn agree(peer: &str, ours: f64, theirs: f64, tolerance: f64) -> Result<(), String> {
+    if (ours - theirs).abs() <= tolerance * ours.abs() {
         Ok(())
     } else {
         Err(format!(
-            "LAMMPS' potential energy at the start is {theirs}, ours {ours}: \
+            "{peer}: the potential energy at the start is {theirs}, ours {ours}: \
              they do not run the same"
         ))
     }
@@ -128,11 +163,14 @@ pub fn sheet(races: &[Race], rounds: usize, release: Option<&str>) -> Sheet {
         let ours = row(race, "tribos", Some(&race.ours), ratio);
         let theirs = race.theirs.as_ref();
         let one = if theirs.is_some() { "1" } else { "-" };
-        once(ours).chain(once(row(race, &peer, theirs, one.into())))
+        let anchor = race.gromacs.iter().map(|anchor| anchored(race, anchor));
+        once(ours)
+            .chain(once(row(race, &peer, theirs, one.into())))
+            .chain(anchor)
     });
     Sheet {
         about: format!(
-            "One core: median of {rounds} rounds of both programs in turn from the same places and velocities"
+            "One core: median of {rounds} rounds of the programs in turn from the same places and velocities"
         ),
         header: vec![
             "problem",
@@ -147,6 +185,23 @@ pub fn sheet(races: &[Race], rounds: usize, release: Option<&str>) -> Sheet {
         ],
         rows: rows.collect(),
     }
+}
+
+/// GROMACS' row; lists and forces are not told apart.
+fn anchored(race: &Race, anchor: &Anchor) -> Vec<String> {
+    let over_lammps = match race.theirs {
+        Some(_) => short(race.ratio / anchor.ratio),
+        None => "-".into(),
+    };
+    let mut row = vec![
+        race.name.into(),
+        race.atoms.to_string(),
+        "GROMACS (double)".into(),
+        short(1e-6 / anchor.per_atom_step),
+        over_lammps,
+    ];
+    row.resize(9, "-".into());
+    row
 }
 
 fn row(race: &Race, program: &str, speed: Option<&Speed>, ratio: String) -> Vec<String> {
@@ -170,9 +225,10 @@ mod tests {
 
     #[test]
     fn programs_that_differ_are_not_compared() {
-        assert!(agree(-6.75, -6.75 * (1.0 + 1e-13)).is_ok());
-        assert!(agree(-6.75, -6.7501).is_err());
-        assert!(agree(-6.75, f64::NAN).is_err());
+        let agree = |theirs| agree("LAMMPS", -6.75, theirs, SAME_ENERGY);
+        assert!(agree(-6.75 * (1.0 + 1e-13)).is_ok());
+        assert!(agree(-6.7501).is_err());
+        assert!(agree(f64::NAN).is_err());
     }
 
     #[test]
@@ -190,6 +246,7 @@ mod tests {
             ours: speed,
             theirs: None,
             ratio: f64::NAN,
+            gromacs: None,
         };
         let rows = sheet(&[race], 5, None).rows;
         assert_eq!(rows[0][2..5], ["tribos", "2.00", "-"]);

@@ -1,8 +1,8 @@
 //! The limit surface: all wrenches that dry friction can carry.
 //!
 //! Friction opposes the motion; a push is the wrench that moves the patch against friction. Each call
-//! builds the surface again: it validates two numbers and computes three wrenches of the disk, in addition
-//! to the 6 to 13 of a gauge, a normal or a projection.
+//! builds the surface again: it validates two numbers and computes six points of the disk, in addition
+//! to the 2 or 3 of a gauge, a normal or a projection. A batch builds it once.
 
 use super::vectors::{tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read};
@@ -69,7 +69,7 @@ impl From<Projection<f64>> for tribos_projection_f64 {
 }
 
 /// Parameters of a set.
-trait Set: Copy {
+pub(super) trait Set: Copy {
     type Set: FrictionSet<f64>;
     fn set(self) -> Result<Self::Set, Error>;
 }

@@ -42,7 +42,8 @@ fn generated() -> String {
         builder = builder.with_src(at(&format!("src/{common}.rs")));
     }
     for double in [
-        "vectors", "law", "patch", "nodes", "surface", "polygon", "slider", "contact", "update",
+        "vectors", "law", "patch", "nodes", "surface", "batch", "polygon", "slider", "planar",
+        "contact", "update",
     ] {
         builder = builder.with_src(at(&format!("src/double/{double}.rs")));
     }

@@ -4,6 +4,8 @@
 //! [`Tabulated`] reads the functions from a file; [`SuttonChen`] has them in closed form.
 
 mod crystal;
+#[cfg(test)]
+mod lanes_tests;
 mod metals;
 mod passes;
 mod spline;
@@ -14,7 +16,7 @@ mod tabulated;
 pub mod file;
 
 use super::lanes::Lanes;
-use super::neighbours::{LANES, Site};
+use super::neighbours::LANES;
 
 pub use metals::{SUTTON_CHEN, SuttonChenMetal};
 pub use sutton_chen::{SuttonChen, SuttonChenError, SuttonChenParameters};
@@ -28,7 +30,7 @@ type Jet = [f64; 2];
 type PairJets = ([Jet; 2], Jet);
 
 /// The same of four pairs.
-type LanesOfJets = ([[Lanes; 2]; 2], [Lanes; 2]);
+type LanesOfJets<N> = ([[N; 2]; 2], [N; 2]);
 
 /// The three functions of embedded atoms. All distances are below the cut-off.
 trait Functions: Sync {
@@ -41,9 +43,13 @@ trait Functions: Sync {
     /// Densities and φ with their slopes.
     fn pair(&self, species: [u8; 2], r: f64) -> PairJets;
 
-    /// The same of an atom with a block of others, at these distances and their reciprocals.
-    fn pairs(&self, own: &Site, block: &[u32; LANES], sites: &[Site], r: [Lanes; 2])
-    -> LanesOfJets;
+    /// The same of a block of pairs of these species, at these distances and their reciprocals.
+    fn pairs<N: Lanes>(
+        &self,
+        key: N::Key,
+        kinds: impl FnOnce() -> [[u8; 2]; LANES],
+        r: [N; 2],
+    ) -> LanesOfJets<N>;
 
     /// F(ρ).
     fn embedding(&self, species: u8, density: f64) -> Jet;

@@ -3,10 +3,11 @@
 
 use super::Functions;
 use crate::md::interaction::{Tally, Wanted};
-use crate::md::lanes::{Lanes, across, take, ways};
-use crate::md::neighbours::{Chunk, VerletList};
+use crate::md::lanes::{self, InLanes, Lanes, across, spread, ways};
+use crate::md::neighbours::{Chunk, LANES, Site, VerletList};
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
+use std::marker::PhantomData;
 
 /// Forces on all atoms. Sums run chunk by chunk and lane by lane, independent of the number of threads.
 pub(super) fn forces<F: Functions>(
@@ -18,16 +19,20 @@ pub(super) fn forces<F: Functions>(
     let chunks = list.chunks_mut();
     let energies: Vec<f64> = chunks
         .par_iter_mut()
-        .map(|chunk| densities(law, chunk))
+        .map(|chunk| lanes::run(Densities { law, chunk }))
         .collect();
     let jets = embed(law, chunks, forces.len());
     let tallies: Vec<Tally> = chunks
         .par_iter_mut()
-        .map(|chunk| over_pairs::<F>(chunk, &jets, wanted))
+        .map(|chunk| {
+            set_slopes(chunk, &jets);
+            lanes::run(Forces::<F>::new(chunk, wanted))
+        })
         .collect();
     for chunk in &*chunks {
         for (slot, site) in chunk.window().iter().zip(chunk.sites()) {
-            forces[slot.atom as usize] += Vector3::from(site.force);
+            let [x, y, z, _] = site.force;
+            forces[slot.atom as usize] += Vector3::new(x, y, z);
         }
     }
     match wanted {
@@ -43,43 +48,70 @@ pub(super) fn forces<F: Functions>(
     }
 }
 
-/// Sums the densities of a chunk's pairs at its sites, keeps the slopes of the blocks over the distance, and
-/// returns the energy of the pairs.
-fn densities<F: Functions>(law: &F, chunk: &mut Chunk) -> f64 {
-    let cutoff_sq = Lanes::splat(law.cutoff_sq());
-    let cutoff = cutoff_sq.sqrt();
-    let mut energy = Lanes::ZERO;
-    let mut kept = std::mem::take(&mut chunk.kept);
-    kept.clear();
-    let (sites, rows) = chunk.sites_and_rows();
-    for (here, blocks) in rows {
-        let own = sites[here];
-        let mut sum = Lanes::ZERO;
-        for block in blocks {
-            let [x, y, z] = ways(&own, block, sites);
-            let r_sq = x * x + y * y + z * z;
-            let near = r_sq.simd_lt(cutoff_sq);
-            // Pairs beyond the cut-off are computed there, where every function is finite, and left out.
-            let r = near.select(r_sq.sqrt(), cutoff);
-            let within = |values: Lanes| near.select(values, Lanes::ZERO);
-            let inv = Lanes::ONE / r;
-            let ([at_own, at_other], pair) = law.pairs(&own, block, sites, [r, inv]);
-            sum += within(at_own[0]);
-            let there = within(at_other[0]).to_array();
-            for (&other, density) in block.iter().zip(there) {
-                sites[other as usize].density += density;
+/// The first pass over a chunk's pairs.
+pub(super) struct Densities<'a, F> {
+    pub(super) law: &'a F,
+    pub(super) chunk: &'a mut Chunk,
+}
+
+impl<F: Functions> InLanes for Densities<'_, F> {
+    type Out = f64;
+
+    /// Sums the densities of a chunk's pairs at its sites, keeps the slopes of the blocks over the distance, and
+    /// returns the energy of the pairs.
+    #[inline(always)]
+    fn go<N: Lanes>(self, key: N::Key) -> f64 {
+        let Self { law, chunk } = self;
+        let [zero, one] = [0.0, 1.0].map(|number| N::splat(key, number));
+        let cutoff_sq = N::splat(key, law.cutoff_sq());
+        let cutoff = cutoff_sq.sqrt();
+        let mut energy = zero;
+        let mut kept = std::mem::take(&mut chunk.kept);
+        kept.clear();
+        let mut near = std::mem::take(&mut chunk.near);
+        near.clear();
+        let (sites, rows) = chunk.sites_and_rows();
+        for (here, blocks) in rows {
+            let own = sites[here];
+            let place = spread::<N>(key, &own);
+            let mut sum = zero;
+            for block in blocks {
+                let [x, y, z] = ways(key, &place, block, sites);
+                let r_sq = x * x + y * y + z * z;
+                // Blocks beyond the cut-off would add zeros.
+                let is_near = r_sq.which_below(cutoff_sq) != 0;
+                near.push(is_near);
+                if !is_near {
+                    continue;
+                }
+                // Pairs beyond the cut-off are computed there, where every function is finite, and left out.
+                let r = r_sq.if_below(cutoff_sq, r_sq.sqrt(), cutoff);
+                let within = |values: N| r_sq.if_below(cutoff_sq, values, zero);
+                let inv = one / r;
+                let kinds = || block.map(|other| [&own, &sites[other as usize]].map(species));
+                let ([at_own, at_other], pair) = law.pairs(key, kinds, [r, inv]);
+                sum = sum + within(at_own[0]);
+                let there = within(at_other[0]).to_array();
+                for (&other, density) in block.iter().zip(there) {
+                    *sites[other as usize].density_mut() += density;
+                }
+                energy = energy + within(pair[0]);
+                kept.push(within(at_own[1] * inv).to_array());
+                if !F::ALIKE {
+                    kept.push(within(at_other[1] * inv).to_array());
+                }
+                kept.push(within(pair[1] * inv).to_array());
             }
-            energy += within(pair[0]);
-            kept.push(within(at_own[1] * inv));
-            if !F::ALIKE {
-                kept.push(within(at_other[1] * inv));
-            }
-            kept.push(within(pair[1] * inv));
+            *sites[here].density_mut() += across(sum);
         }
-        sites[here].density += across(sum);
+        chunk.kept = kept;
+        chunk.near = near;
+        across(energy)
     }
-    chunk.kept = kept;
-    across(energy)
+}
+
+fn species(site: &Site) -> u8 {
+    site.species() as u8
 }
 
 /// F and F' of every atom at the sum of its densities.
@@ -88,8 +120,8 @@ fn embed<F: Functions>(law: &F, chunks: &[Chunk], atoms: usize) -> Vec<[f64; 2]>
     for chunk in chunks {
         for (slot, site) in chunk.window().iter().zip(chunk.sites()) {
             let (species, sum) = &mut sums[slot.atom as usize];
-            *species = site.species;
-            *sum += site.density;
+            *species = site.species() as u8;
+            *sum += site.density();
         }
     }
     sums.par_iter()
@@ -97,49 +129,83 @@ fn embed<F: Functions>(law: &F, chunks: &[Chunk], atoms: usize) -> Vec<[f64; 2]>
         .collect()
 }
 
-/// The forces of a chunk's pairs on its sites, and their virial.
-fn over_pairs<F: Functions>(chunk: &mut Chunk, jets: &[[f64; 2]], wanted: Wanted) -> Tally {
+/// Puts the slopes of the embedding energies at the sites of a chunk.
+pub(super) fn set_slopes(chunk: &mut Chunk, jets: &[[f64; 2]]) {
     for (slot, site) in chunk.places_mut() {
-        site.density = jets[slot.atom as usize][1];
+        *site.density_mut() = jets[slot.atom as usize][1];
     }
-    let mut virial = [[Lanes::ZERO; 3]; 3];
-    let all = std::mem::take(&mut chunk.kept);
-    let mut kept = all.chunks_exact(if F::ALIKE { 2 } else { 3 });
-    let (sites, rows) = chunk.sites_and_rows();
-    for (here, blocks) in rows {
-        let own = sites[here];
-        let slope_here = Lanes::splat(own.density);
-        let mut force = [Lanes::ZERO; 3];
-        for (block, kept) in blocks.iter().zip(&mut kept) {
-            let way = ways(&own, block, sites);
-            let slope_there = Lanes::new(block.map(|other| sites[other as usize].density));
-            // −dE/dr of these pairs, over r.
-            let slope = match *kept {
-                [both, pair] => (slope_here + slope_there) * both + pair,
-                [at_own, at_other, pair] => slope_here * at_own + slope_there * at_other + pair,
-                _ => Lanes::ZERO,
-            };
-            let pull = way.map(|way| way * -slope);
-            for (sum, pull) in force.iter_mut().zip(pull) {
-                *sum += pull;
-            }
-            take(sites, block, pull);
-            if wanted == Wanted::Sums {
-                for (row, way) in virial.iter_mut().zip(way) {
-                    for (sum, pull) in row.iter_mut().zip(pull) {
-                        *sum += way * pull;
+}
+
+/// The last pass over a chunk's pairs.
+pub(super) struct Forces<'a, F> {
+    law: PhantomData<F>,
+    chunk: &'a mut Chunk,
+    wanted: Wanted,
+}
+
+impl<'a, F> Forces<'a, F> {
+    pub(super) fn new(chunk: &'a mut Chunk, wanted: Wanted) -> Self {
+        let law = PhantomData;
+        Self { law, chunk, wanted }
+    }
+}
+
+impl<F: Functions> InLanes for Forces<'_, F> {
+    type Out = Tally;
+
+    /// The forces of a chunk's pairs on its sites, and their virial.
+    #[inline(always)]
+    fn go<N: Lanes>(self, key: N::Key) -> Tally {
+        let Self { chunk, wanted, .. } = self;
+        let zero = N::splat(key, 0.0);
+        let mut virial = [[zero; 3]; 3];
+        let all = std::mem::take(&mut chunk.kept);
+        let near = std::mem::take(&mut chunk.near);
+        let mut is_near = near.iter();
+        let mut kept = all.chunks_exact(if F::ALIKE { 2 } else { 3 });
+        let (sites, rows) = chunk.sites_and_rows();
+        for (here, blocks) in rows {
+            let own = sites[here];
+            let place = spread::<N>(key, &own);
+            let slope_here = N::splat(key, own.density());
+            let mut force = [zero; 3];
+            let near = |_: &&[u32; LANES]| is_near.next().is_some_and(|is_near| *is_near);
+            for (block, kept) in blocks.iter().filter(near).zip(&mut kept) {
+                let way = ways(key, &place, block, sites);
+                let slope_there = N::new(key, block.map(|other| sites[other as usize].density()));
+                let lanes = |kept: [f64; LANES]| N::new(key, kept);
+                // −dE/dr of these pairs, over r.
+                let slope = match *kept {
+                    [both, pair] => (slope_here + slope_there) * lanes(both) + lanes(pair),
+                    [at_own, at_other, pair] => {
+                        slope_here * lanes(at_own) + slope_there * lanes(at_other) + lanes(pair)
+                    }
+                    _ => zero,
+                };
+                let strength = zero - slope;
+                let pull = way.map(|way| way * strength);
+                for (sum, pull) in force.iter_mut().zip(pull) {
+                    *sum = *sum + pull;
+                }
+                N::take(key, sites, block, pull);
+                if wanted == Wanted::Sums {
+                    for (row, way) in virial.iter_mut().zip(way) {
+                        for (sum, pull) in row.iter_mut().zip(pull) {
+                            *sum = *sum + way * pull;
+                        }
                     }
                 }
             }
+            for (sum, lanes) in sites[here].force.iter_mut().zip(force) {
+                *sum += across(lanes);
+            }
         }
-        for (sum, lanes) in sites[here].force.iter_mut().zip(force) {
-            *sum += across(lanes);
+        chunk.kept = all;
+        chunk.near = near;
+        let virial = virial.map(|row| row.map(across));
+        Tally {
+            energy: f64::NAN,
+            virial: Matrix3::from_fn(|row, column| virial[row][column]),
         }
-    }
-    chunk.kept = all;
-    let virial = virial.map(|row| row.map(across));
-    Tally {
-        energy: f64::NAN,
-        virial: Matrix3::from_fn(|row, column| virial[row][column]),
     }
 }

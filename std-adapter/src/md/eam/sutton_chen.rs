@@ -3,7 +3,7 @@
 use super::{Functions, Jet, LanesOfJets, PairJets, crystal, passes};
 use crate::md::interaction::{Interaction, Tally, Wanted};
 use crate::md::lanes::Lanes;
-use crate::md::neighbours::{LANES, Site, VerletList};
+use crate::md::neighbours::{LANES, VerletList};
 use nalgebra::Vector3;
 
 /// E = ε (Σ (a/r)ⁿ S over pairs − c Σ √ρᵢ), ρᵢ = Σ (a/r)ᵐ S. Any consistent units.
@@ -144,33 +144,36 @@ impl SuttonChen {
 
     /// S and its slope.
     #[inline(always)]
-    fn taper(&self, r: Lanes) -> [Lanes; 2] {
-        let inv_width = Lanes::splat(1.0 / (self.given.cutoff - self.given.taper));
-        let x = (r - Lanes::splat(self.given.taper)) * inv_width;
-        let positive = |x: Lanes| x.simd_gt(Lanes::ZERO).select(x, Lanes::ZERO);
+    fn taper<N: Lanes>(&self, key: N::Key, r: N) -> [N; 2] {
+        let [zero, one, three, six] = [0.0, 1.0, 3.0, 6.0].map(|number| N::splat(key, number));
+        let inv_width = N::splat(key, 1.0 / (self.given.cutoff - self.given.taper));
+        let x = (r - N::splat(key, self.given.taper)) * inv_width;
+        let positive = |x: N| zero.if_below(x, x, zero);
         let x = positive(x);
         // At the cut-off rounding may give a negative value.
-        let left = positive(Lanes::ONE - x);
+        let left = positive(one - x);
         let cube = left * left * left;
-        let value = cube * (Lanes::ONE + x * (Lanes::splat(3.0) + Lanes::splat(6.0) * x));
-        let slope = Lanes::splat(-30.0) * (x * x) * (left * left) * inv_width;
+        let value = cube * (one + x * (three + six * x));
+        let slope = N::splat(key, -30.0) * (x * x) * (left * left) * inv_width;
         [value, slope]
     }
 
     /// Density and energy of pairs at these distances and their reciprocals, with their slopes.
     #[inline(always)]
-    fn jets(&self, [r, inv]: [Lanes; 2]) -> [[Lanes; 2]; 2] {
+    fn jets<N: Lanes>(&self, key: N::Key, [r, inv]: [N; 2]) -> [[N; 2]; 2] {
         let SuttonChenParameters {
             epsilon, a, n, m, ..
         } = self.given;
-        let [s, ds] = self.taper(r);
-        let ratio = Lanes::splat(a) * inv;
-        let density = power(ratio, m);
-        let repulsion = Lanes::splat(epsilon) * density * power(ratio, n - m);
+        let [s, ds] = self.taper(key, r);
+        let ratio = N::splat(key, a) * inv;
+        let density = power(key, ratio, m);
+        let repulsion = N::splat(key, epsilon) * density * power(key, ratio, n - m);
         // (xᵏ S)' = xᵏ (S' − k S/r)
         let fall = s * inv;
-        [(density, m), (repulsion, n)]
-            .map(|(value, k)| [value * s, value * (ds - Lanes::splat(f64::from(k)) * fall)])
+        [(density, m), (repulsion, n)].map(|(value, k)| {
+            let k = N::splat(key, f64::from(k));
+            [value * s, value * (ds - k * fall)]
+        })
     }
 }
 
@@ -183,16 +186,22 @@ impl Functions for SuttonChen {
     }
 
     fn pair(&self, _: [u8; 2], r: f64) -> PairJets {
-        let r = Lanes::splat(r);
+        let r: wide::f64x4 = Lanes::splat((), r);
+        let one: wide::f64x4 = Lanes::splat((), 1.0);
         let [density, energy] = self
-            .jets([r, Lanes::ONE / r])
+            .jets((), [r, one / r])
             .map(|jet| jet.map(|lanes| lanes.to_array()[0]));
         ([density; 2], energy)
     }
 
     #[inline(always)]
-    fn pairs(&self, _: &Site, _: &[u32; LANES], _: &[Site], r: [Lanes; 2]) -> LanesOfJets {
-        let [density, energy] = self.jets(r);
+    fn pairs<N: Lanes>(
+        &self,
+        key: N::Key,
+        _: impl FnOnce() -> [[u8; 2]; LANES],
+        r: [N; 2],
+    ) -> LanesOfJets<N> {
+        let [density, energy] = self.jets(key, r);
         ([density; 2], energy)
     }
 
@@ -224,15 +233,15 @@ impl Interaction for SuttonChen {
 
 /// xᵏ by squaring.
 #[inline(always)]
-fn power(mut x: Lanes, mut k: u32) -> Lanes {
-    let mut product = Lanes::ONE;
+fn power<N: Lanes>(key: N::Key, mut x: N, mut k: u32) -> N {
+    let mut product = N::splat(key, 1.0);
     while k > 0 {
         if k & 1 == 1 {
-            product *= x;
+            product = product * x;
         }
         k >>= 1;
         if k > 0 {
-            x *= x;
+            x = x * x;
         }
     }
     product

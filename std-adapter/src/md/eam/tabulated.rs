@@ -5,7 +5,7 @@ use super::spline::{Grid, Spline};
 use super::{Functions, Jet, LanesOfJets, PairJets, crystal, passes};
 use crate::md::interaction::{Interaction, Tally, Wanted};
 use crate::md::lanes::Lanes;
-use crate::md::neighbours::{LANES, Site, VerletList};
+use crate::md::neighbours::{LANES, VerletList};
 use nalgebra::Vector3;
 
 /// Embedded atoms whose functions come from a file, interpolated as LAMMPS does.
@@ -117,20 +117,17 @@ impl Functions for Tabulated {
         ([by_b, by_a], [energy, slope * inv - energy * inv])
     }
 
-    #[inline]
-    fn pairs(
+    #[inline(always)]
+    fn pairs<N: Lanes>(
         &self,
-        own: &Site,
-        block: &[u32; LANES],
-        sites: &[Site],
-        [r, _]: [Lanes; 2],
-    ) -> LanesOfJets {
-        let kinds = block.map(|other| sites[other as usize].species);
-        let r = r.to_array();
-        let jets: [PairJets; LANES] =
-            std::array::from_fn(|lane| self.pair([own.species, kinds[lane]], r[lane]));
+        key: N::Key,
+        kinds: impl FnOnce() -> [[u8; 2]; LANES],
+        [r, _]: [N; 2],
+    ) -> LanesOfJets<N> {
+        let (kinds, r) = (kinds(), r.to_array());
+        let jets: [PairJets; LANES] = std::array::from_fn(|lane| self.pair(kinds[lane], r[lane]));
         let lanes =
-            |of: &dyn Fn(&PairJets) -> f64| Lanes::new(std::array::from_fn(|k| of(&jets[k])));
+            |of: &dyn Fn(&PairJets) -> f64| N::new(key, std::array::from_fn(|k| of(&jets[k])));
         let jet = |of: fn(&PairJets) -> &Jet| [0, 1].map(|part| lanes(&|jets| of(jets)[part]));
         (
             [jet(|jets| &jets.0[0]), jet(|jets| &jets.0[1])],

@@ -1,11 +1,16 @@
 //! Slots sorted into cells as wide as the reach of the list.
 
-use super::images::Slot;
+use super::LANES;
+use super::images::{Slot, fill_slots};
+use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 use std::ops::Range;
 
 /// Cells per slot at most; far outliers make cells wider instead of more.
 const CELLS_PER_SLOT: f64 = 4.0;
+
+/// Cells along x within the reach: slim ones, since a row of them is one range of slots whatever their number.
+const SLIM: usize = 3;
 
 /// Tolerance as a fraction of a cell's width, far more than rounding can move a cell's border.
 const DOUBT: f64 = 1e-6;
@@ -35,6 +40,12 @@ impl Axis {
         inner.min(self.cells - 3) + 1
     }
 
+    /// First and last cell within `reach` of `x`, with some doubt.
+    fn span(&self, x: f64, reach: f64) -> [usize; 2] {
+        let reach = reach + DOUBT / self.inv_width;
+        [self.cell(x - reach), self.cell(x + reach)]
+    }
+
     /// Squares of the least distances from `x` to the cell before its own, its own and the next,
     /// rounded down.
     fn gaps_sq(&self, x: f64) -> [f64; 3] {
@@ -51,7 +62,7 @@ impl Axis {
 pub struct Cells {
     axes: [Axis; 3],
     slots: Vec<Slot>,
-    /// Positions of the slots, one array per axis.
+    /// Positions of the slots, one array per axis, and a block of none.
     places: [Vec<f64>; 3],
     /// Cell of each slot.
     cell_of: Vec<u32>,
@@ -59,14 +70,23 @@ pub struct Cells {
     starts: Vec<u32>,
     /// Number of images before each slot, and in total.
     images: Vec<u32>,
+    /// Memory of the sorting: slots with their cells, and the place of the next slot of each cell.
+    unsorted: Vec<Slot>,
+    unsorted_cells: Vec<u32>,
+    next: Vec<u32>,
 }
 
 impl Cells {
-    /// Sorts `slots`; within a cell they keep their order.
-    pub fn sort(&mut self, positions: &[Vector3<f64>], slots: Vec<Slot>, reach: f64) {
+    /// Sorts the atoms and their images; within a cell they keep their order.
+    pub fn fill(&mut self, space: &PeriodicBox, positions: &[Vector3<f64>], reach: f64) {
+        let mut slots = std::mem::take(&mut self.unsorted);
+        fill_slots(&mut slots, space, positions, reach);
         let place = |slot: &Slot| positions[slot.atom as usize] + slot.shift;
-        self.lay(slots.iter().map(place), slots.len(), reach);
-        let cells: Vec<u32> = slots.iter().map(|slot| self.cell(&place(slot))).collect();
+        let count = slots.len();
+        self.lay(slots.iter().map(place), count, reach);
+        let mut cells = std::mem::take(&mut self.unsorted_cells);
+        cells.clear();
+        cells.extend(slots.iter().map(|slot| self.cell(&place(slot))));
         let [x, y, z] = self.axes.map(|axis| axis.cells);
         self.starts.clear();
         self.starts.resize(x * y * z + 1, 0);
@@ -76,17 +96,23 @@ impl Cells {
         for cell in 1..self.starts.len() {
             self.starts[cell] += self.starts[cell - 1];
         }
-        let mut next = self.starts.clone();
-        let mut order = vec![0_u32; slots.len()];
-        for (slot, &cell) in cells.iter().enumerate() {
-            order[next[cell as usize] as usize] = slot as u32;
-            next[cell as usize] += 1;
+        self.next.clone_from(&self.starts);
+        self.slots.clone_from(&slots);
+        self.cell_of.resize(count, 0);
+        for along in &mut self.places {
+            along.clear();
+            along.resize(count + LANES, f64::NAN);
         }
-        let order = || order.iter().map(|&slot| slot as usize);
-        self.cell_of = order().map(|slot| cells[slot]).collect();
-        self.slots = order().map(|slot| slots[slot]).collect();
-        let places: Vec<Vector3<f64>> = self.slots.iter().map(place).collect();
-        self.places = std::array::from_fn(|axis| places.iter().map(|place| place[axis]).collect());
+        for (slot, &cell) in slots.iter().zip(&cells) {
+            let next = &mut self.next[cell as usize];
+            let at = *next as usize;
+            *next += 1;
+            self.slots[at] = *slot;
+            self.cell_of[at] = cell;
+            for (along, x) in self.places.iter_mut().zip(place(slot).iter()) {
+                along[at] = *x;
+            }
+        }
         let count = |before: &mut u32, slot: &Slot| {
             *before += u32::from(slot.is_image);
             Some(*before)
@@ -94,6 +120,7 @@ impl Cells {
         self.images.clear();
         self.images.push(0);
         self.images.extend(self.slots.iter().scan(0, count));
+        (self.unsorted, self.unsorted_cells) = (slots, cells);
     }
 
     /// Fits the cells to all positions.
@@ -114,12 +141,13 @@ impl Cells {
             .iter()
             .map(|[l, h]| ((h - l) / width).max(1.0))
             .product::<f64>()
-            > most
+            > most / SLIM as f64
         {
             width *= 2.0;
         }
         for (axis, extent) in extent.into_iter().enumerate() {
-            self.axes[axis] = Axis::new(extent, width);
+            let cells = if axis == 0 { SLIM } else { 1 };
+            self.axes[axis] = Axis::new(extent, width / cells as f64);
         }
     }
 
@@ -134,7 +162,7 @@ impl Cells {
         &self.slots
     }
 
-    /// Positions of the sorted slots along x, y and z.
+    /// Positions of the sorted slots along x, y and z, and of a block more that is nowhere.
     pub fn places(&self) -> [&[f64]; 3] {
         let [x, y, z] = &self.places;
         [x, y, z]
@@ -150,40 +178,50 @@ impl Cells {
         self.images[slots.end] > self.images[slots.start]
     }
 
-    /// The nine rows of three cells around the cell of `slot`, as ranges of slots in ascending order.
-    pub fn around(&self, slot: usize) -> [Range<usize>; 9] {
-        std::array::from_fn(|row| self.row(slot, row, [1, 1]))
-    }
-
-    /// One of these rows, with `beside` cells left and right of its middle one.
-    fn row(&self, slot: usize, row: usize, [left, right]: [usize; 2]) -> Range<usize> {
+    /// The slots of one of the nine rows around the cell of `slot`, in cells `first` to `last` along x.
+    fn row(&self, slot: usize, row: usize, [first, last]: [usize; 2]) -> Range<usize> {
         let [x, y, _] = self.axes.map(|axis| axis.cells);
         let own = self.cell_of[slot] as usize;
         let (dz, dy) = (row / 3, row % 3);
-        let middle = own + dz * x * y + dy * x - x * y - x;
-        self.starts[middle - left] as usize..self.starts[middle + right + 1] as usize
+        let start = own - own % x + dz * x * y + dy * x - x * y - x;
+        self.starts[start + first] as usize..self.starts[start + last + 1] as usize
     }
 
-    /// The same rows without the cells that are entirely beyond `reach_sq`.
-    pub fn in_reach(&self, slot: usize, reach_sq: f64) -> [Range<usize>; 9] {
-        let place = self.place(slot);
-        let [x, y, z]: [[f64; 3]; 3] =
-            std::array::from_fn(|axis| self.axes[axis].gaps_sq(place[axis]));
+    /// The slots of some of the nine rows of cells around `slot`, the row `from` and the next ones,
+    /// without cells entirely beyond `reach_sq`.
+    #[inline(always)]
+    pub fn in_reach<const ROWS: usize>(
+        &self,
+        slot: usize,
+        reach_sq: f64,
+        from: usize,
+    ) -> [Range<usize>; ROWS] {
+        let [x, y, z] = self.place(slot);
+        let [y, z] = [(1, y), (2, z)].map(|(axis, place)| self.axes[axis].gaps_sq(place));
         std::array::from_fn(|row| {
-            let aside = z[row / 3] + y[row % 3];
-            if aside >= reach_sq {
+            let row = from + row;
+            let left_sq = reach_sq - (z[row / 3] + y[row % 3]);
+            if left_sq <= 0.0 {
                 return 0..0;
             }
-            let beside = [x[0], x[2]].map(|gap_sq| usize::from(aside + gap_sq < reach_sq));
-            self.row(slot, row, beside)
+            self.row(slot, row, self.axes[0].span(x, left_sq.sqrt()))
         })
+    }
+
+    /// Whether there may be images in reach before `slot`.
+    #[inline]
+    pub fn has_image_before(&self, slot: usize) -> bool {
+        let own = self.cell_of[slot] as usize % self.axes[0].cells;
+        let span = [own.saturating_sub(SLIM), own + SLIM];
+        let last = self.axes[0].cells - 1;
+        (0..5).any(|row| self.has_image(&self.row(slot, row, span.map(|cell| cell.min(last)))))
     }
 
     /// Slots of all cells around those of `owned`.
     pub fn window(&self, owned: &Range<usize>) -> Range<usize> {
-        let rows = |slot: usize| self.around(slot);
-        let first = rows(owned.start)[0].start;
-        let last = rows(owned.end - 1)[8].end;
+        let whole = [0, self.axes[0].cells - 1];
+        let first = self.row(owned.start, 0, whole).start;
+        let last = self.row(owned.end - 1, 8, whole).end;
         first.min(owned.start)..last.max(owned.end)
     }
 }

@@ -2,7 +2,8 @@
 
 use super::cells::Cells;
 use super::images::Slot;
-use crate::md::lanes::Lanes;
+use super::row::Row;
+use crate::md::lanes::{InLanes, Lanes};
 use nalgebra::Vector3;
 use std::ops::Range;
 
@@ -10,43 +11,72 @@ use std::ops::Range;
 /// whatever its vector width.
 pub const LANES: usize = 4;
 
-/// Number of distances tested at once when a list is built.
-const ABREAST: usize = 8;
-
 /// Coordinate of the site that pads the lanes: far from all others, with a finite square.
 const NOWHERE: f64 = 1e100;
 
-/// The data of a slot that the loop over pairs reads and writes, in one cache line.
+/// The data of a slot that the loop over pairs reads and writes, in one cache line and two
+/// registers of four numbers.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub struct Site {
-    /// Current position.
-    pub place: [f64; 3],
-    /// Force summed so far.
-    pub force: [f64; 3],
+    /// Current position, and the species as a number.
+    pub place: [f64; 4],
+    /// Force summed so far. The fourth number is the density of embedded atoms summed so far, then
+    /// the slope of their embedding energy.
+    pub force: [f64; 4],
+}
+
+impl Site {
+    /// A site out of reach.
+    fn nowhere(species: u8) -> Self {
+        Self {
+            place: [NOWHERE, NOWHERE, NOWHERE, species.into()],
+            force: [0.0; 4],
+        }
+    }
+
     /// Species.
-    pub species: u8,
-    /// Density of embedded atoms summed so far, then the slope of their embedding energy.
-    pub(crate) density: f64,
+    #[inline(always)]
+    pub fn species(&self) -> usize {
+        self.place[3] as usize
+    }
+
+    /// Density or slope of an embedded atom.
+    #[inline(always)]
+    pub(crate) fn density(&self) -> f64 {
+        self.force[3]
+    }
+
+    #[inline(always)]
+    pub(crate) fn density_mut(&mut self) -> &mut f64 {
+        &mut self.force[3]
+    }
 }
 
 /// Owned slots with their neighbours.
 ///
+/// In the row of a slot come first the neighbours that were within the cut-off when the list was built,
+/// then those within the skin: most of the last blocks stay beyond the cut-off as a whole, and need no
+/// forces.
+///
 /// ```
-/// use nalgebra::Vector3;
+/// use nalgebra::{Vector3, Vector4};
 /// use tribos::md::neighbours::{Chunk, LANES, Site, VerletList};
 /// use tribos::space::PeriodicBox;
 /// // Springs of stiffness 1 and no length between all neighbours.
 /// fn pull(chunk: &mut Chunk) {
 ///     let nowhere = chunk.window().len(); // this site fills up the last block of a row
 ///     let (sites, rows) = chunk.sites_and_rows();
-///     let way = |a: &Site, b: &Site| Vector3::from(b.place) - Vector3::from(a.place);
+///     let vector = |of: [f64; 4]| Vector3::new(of[0], of[1], of[2]);
+///     let way = |a: &Site, b: &Site| vector(b.place) - vector(a.place);
 ///     for (here, blocks) in rows {
 ///         let sites_of = |block: &[u32; LANES]| block.map(|site| site as usize);
 ///         for there in blocks.iter().flat_map(sites_of).filter(|&site| site != nowhere) {
 ///             let force = way(&sites[here], &sites[there]);
-///             sites[here].force = (Vector3::from(sites[here].force) + force).into();
-///             sites[there].force = (Vector3::from(sites[there].force) - force).into();
+///             for axis in 0..3 {
+///                 sites[here].force[axis] += force[axis];
+///                 sites[there].force[axis] -= force[axis];
+///             }
 ///         }
 ///     }
 /// }
@@ -56,13 +86,13 @@ pub struct Site {
 /// let chunk = &mut list.chunks_mut()[0];
 /// pull(chunk);
 /// assert_eq!(chunk.pairs(), 1);
-/// let strengths = chunk.sites().iter().map(|site| Vector3::from(site.force).norm());
+/// let strengths = chunk.sites().iter().map(|site| Vector4::from(site.force).norm());
 /// assert_eq!(strengths.collect::<Vec<_>>(), [5.0, 5.0, 0.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Chunk {
-    /// Owned slots and all slots within reach of them, ordered by cells.
+    /// Owned slots and all their neighbours, ordered by cells.
     window: Vec<Slot>,
     /// One site for each slot of the window, and a last one that pads the lanes.
     sites: Vec<Site>,
@@ -73,66 +103,62 @@ pub struct Chunk {
     neighbours: Vec<[u32; LANES]>,
     pairs: usize,
     /// What a law of several passes keeps of every block from one to the next.
-    pub(crate) kept: Vec<Lanes>,
+    pub(crate) kept: Vec<[f64; LANES]>,
+    /// Whether it kept something of each block.
+    pub(crate) near: Vec<bool>,
+    /// Number of the site of each slot of the cells around, while the list is built.
+    numbers: Vec<u32>,
 }
 
 impl Chunk {
-    /// The pairs of `owned` slots nearer than the root of `reach_sq`.
-    pub(super) fn build(cells: &Cells, owned: Range<usize>, reach_sq: f64, species: &[u8]) -> Self {
-        let window = cells.window(&owned);
-        let slots = cells.slots()[window.clone()].to_vec();
-        let blank = Site {
-            place: [NOWHERE; 3],
-            force: [0.0; 3],
-            species: 0,
-            density: 0.0,
-        };
-        let mut sites = vec![blank; slots.len() + 1];
-        for (site, slot) in sites.iter_mut().zip(&slots) {
-            site.species = species[slot.atom as usize];
-        }
-        let mut chunk = Self {
-            sites,
-            owned: owned.start - window.start..owned.end - window.start,
-            starts: vec![0],
-            neighbours: Vec::new(),
-            pairs: 0,
-            kept: Vec::new(),
-            window: slots,
-        };
-        let mut row = Row::default();
-        for slot in owned {
-            row.count = 0;
-            if !cells.slots()[slot].is_image {
-                row.fill(cells, slot, reach_sq, window.start);
-            }
-            chunk.push_row(&mut row);
-        }
-        chunk
+    /// Adds a row of `first`-based slots and pads its last block with the slot after the last.
+    fn push_row(&mut self, row: &mut Row, nowhere: u32) {
+        let (pairs, blocks) = row.blocks(nowhere);
+        self.pairs += pairs;
+        self.neighbours.extend_from_slice(blocks);
+        self.starts.push(self.neighbours.len() as u32);
     }
 
-    /// Adds a row and pads its last block with the distant site.
-    fn push_row(&mut self, row: &mut Row) {
-        self.pairs += row.count;
-        let nowhere = self.window.len() as u32;
-        let full = row.count.next_multiple_of(LANES);
-        row.make_room(LANES);
-        row.sites[row.count..full].fill(nowhere);
-        self.neighbours
-            .extend_from_slice(row.sites[..full].as_chunks().0);
-        self.starts.push(self.neighbours.len() as u32);
+    /// Makes sites for the slots of `around` that are owned or neighbours, and renumbers the
+    /// neighbours.
+    fn number(&mut self, around: &[Slot], owned: Range<usize>, species: &[u8]) {
+        const UNUSED: u32 = u32::MAX;
+        let numbers = &mut self.numbers;
+        numbers.clear();
+        numbers.resize(around.len() + 1, UNUSED);
+        numbers[owned.clone()].fill(0);
+        for &slot in self.neighbours.as_flattened() {
+            numbers[slot as usize] = 0;
+        }
+        self.window.clear();
+        self.sites.clear();
+        for (number, slot) in numbers.iter_mut().zip(around) {
+            if *number != UNUSED {
+                *number = self.window.len() as u32;
+                self.window.push(*slot);
+                let species = species[slot.atom as usize];
+                self.sites.push(Site::nowhere(species));
+            }
+        }
+        self.sites.push(Site::nowhere(0));
+        numbers[around.len()] = self.window.len() as u32;
+        for slot in self.neighbours.as_flattened_mut() {
+            *slot = numbers[*slot as usize];
+        }
+        let start = numbers[owned.start] as usize;
+        self.owned = start..start + owned.len();
     }
 
     /// Copies the positions of the atoms and clears the forces.
     pub(super) fn refresh(&mut self, positions: &[Vector3<f64>]) {
         for (site, slot) in self.sites.iter_mut().zip(&self.window) {
-            site.place = (positions[slot.atom as usize] + slot.shift).into();
-            site.force = [0.0; 3];
-            site.density = 0.0;
+            let place = positions[slot.atom as usize] + slot.shift;
+            site.place[..3].copy_from_slice(place.as_slice());
+            site.force = [0.0; 4];
         }
     }
 
-    /// Slots of this chunk and within its reach; the first [`window`](Self::window)`.len()` sites
+    /// Slots of this chunk and their neighbours; the first [`window`](Self::window)`.len()` sites
     /// belong to them.
     pub fn window(&self) -> &[Slot] {
         &self.window
@@ -171,80 +197,38 @@ impl Chunk {
     }
 }
 
-/// Neighbours of one slot; the memory is reused for the next slot.
-#[derive(Debug, Default)]
-struct Row {
-    /// Sites; entries from `count` on are unused.
-    sites: Vec<u32>,
-    count: usize,
+/// A new list for a chunk, in its memory.
+pub(super) struct Build<'a> {
+    pub(super) chunk: &'a mut Chunk,
+    pub(super) cells: &'a Cells,
+    pub(super) owned: Range<usize>,
+    /// Squares of the cut-off, and of the cut-off plus the skin.
+    pub(super) reaches_sq: [f64; 2],
+    /// Species of the atoms.
+    pub(super) species: &'a [u8],
 }
 
-impl Row {
-    /// Finds the neighbours of a slot that is not an image: all images in reach, and the atoms after it.
-    fn fill(&mut self, cells: &Cells, slot: usize, reach_sq: f64, first: usize) {
-        let place = cells.place(slot);
-        for range in cells.in_reach(slot, reach_sq) {
-            // Rows before the slot matter only for their images.
-            let before = range.start..range.end.min(slot);
-            if !before.is_empty() && cells.has_image(&before) {
-                for other in before.filter(|&other| cells.slots()[other].is_image) {
-                    let [way_sq] = ways_sq(cells.place(other).map(|along| [along]), place);
-                    self.make_room(1);
-                    self.keep(other - first, way_sq < reach_sq);
-                }
-            }
-            let later = range.start.max(slot + 1)..range.end;
-            if !later.is_empty() {
-                self.test(cells.places(), place, reach_sq, later, first);
-            }
-        }
-    }
+impl InLanes for Build<'_> {
+    type Out = ();
 
-    /// Keeps the slots of `later` that are in reach, testing several distances at once.
-    fn test(
-        &mut self,
-        places: [&[f64]; 3],
-        place: [f64; 3],
-        reach_sq: f64,
-        later: Range<usize>,
-        first: usize,
-    ) {
-        self.make_room(later.len());
-        let mut site = later.start - first;
-        let [x, y, z] = places.map(|along| along[later.clone()].as_chunks::<ABREAST>());
-        for ((x, y), z) in x.0.iter().zip(y.0).zip(z.0) {
-            for way_sq in ways_sq([*x, *y, *z], place) {
-                self.keep(site, way_sq < reach_sq);
-                site += 1;
-            }
-        }
-        for ((x, y), z) in x.1.iter().zip(y.1).zip(z.1) {
-            let [way_sq] = ways_sq([[*x], [*y], [*z]], place);
-            self.keep(site, way_sq < reach_sq);
-            site += 1;
-        }
-    }
-
-    fn make_room(&mut self, more: usize) {
-        let needed = self.count + more;
-        if self.sites.len() < needed {
-            self.sites.resize(needed.next_power_of_two(), 0);
-        }
-    }
-
-    /// Always written, kept if near, so there is no branch to predict.
     #[inline(always)]
-    fn keep(&mut self, site: usize, is_near: bool) {
-        self.sites[self.count] = site as u32;
-        self.count += usize::from(is_near);
+    fn go<N: Lanes>(self, key: N::Key) {
+        let Self { chunk, cells, .. } = self;
+        let window = cells.window(&self.owned);
+        let around = &cells.slots()[window.clone()];
+        chunk.pairs = 0;
+        chunk.neighbours.clear();
+        chunk.starts.clear();
+        chunk.starts.push(0);
+        let mut row = Row::default();
+        for slot in self.owned.clone() {
+            row.clear();
+            if !cells.slots()[slot].is_image {
+                row.fill::<N>(key, cells, slot, self.reaches_sq, window.start);
+            }
+            chunk.push_row(&mut row, around.len() as u32);
+        }
+        let owned = self.owned.start - window.start..self.owned.end - window.start;
+        chunk.number(around, owned, self.species);
     }
-}
-
-/// Squared distances from `place` to some others.
-#[inline(always)]
-fn ways_sq<const N: usize>(there: [[f64; N]; 3], place: [f64; 3]) -> [f64; N] {
-    std::array::from_fn(|lane| {
-        let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| there[axis][lane] - place[axis]);
-        x * x + y * y + z * z
-    })
 }

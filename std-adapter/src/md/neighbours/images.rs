@@ -34,9 +34,14 @@ pub struct Slot {
 ///
 /// Of two opposite images one suffices, since (i, j + L) and (i − L, j) are the same pair: the one
 /// whose last shifted axis is shifted upwards.
-pub fn slots(space: &PeriodicBox, positions: &[Vector3<f64>], reach: f64) -> Vec<Slot> {
+pub fn fill_slots(
+    slots: &mut Vec<Slot>,
+    space: &PeriodicBox,
+    positions: &[Vector3<f64>],
+    reach: f64,
+) {
     let lengths = space.lengths();
-    let mut slots = Vec::with_capacity(2 * positions.len());
+    slots.clear();
     for (atom, place) in positions.iter().enumerate() {
         let inside = space.wrap(place);
         let home = inside - place;
@@ -55,7 +60,6 @@ pub fn slots(space: &PeriodicBox, positions: &[Vector3<f64>], reach: f64) -> Vec
             }
         }
     }
-    slots
 }
 
 /// Shifts that keep a coordinate within `reach` of the cell: zero, and up to two by a period.

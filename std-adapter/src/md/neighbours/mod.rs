@@ -3,14 +3,17 @@
 mod cells;
 mod chunk;
 mod images;
+mod row;
 
 #[doc(hidden)]
 pub use chunk::{Chunk, LANES, Site};
 #[doc(hidden)]
 pub use images::Slot;
 
+use super::lanes;
 use crate::space::{AXES, PeriodicBox};
 use cells::Cells;
+use chunk::Build;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
@@ -192,20 +195,26 @@ impl VerletList {
     /// Builds the list for atoms at `positions`.
     pub fn build(&mut self, positions: &[Vector3<f64>], species: &[u8]) -> Result<(), ListError> {
         let reach = self.cutoff + self.skin;
-        let slots = images::slots(&self.space, positions, reach);
-        if u32::try_from(slots.len()).is_err() {
+        self.cells.fill(&self.space, positions, reach);
+        let (cells, count) = (&self.cells, self.cells.slots().len());
+        if u32::try_from(count).is_err() {
             let given = positions.len();
             return Err(ListError::TooMany { given });
         }
-        self.cells.sort(positions, slots, reach);
-        let (cells, count) = (&self.cells, self.cells.slots().len());
-        let ends = (0..count).step_by(SLOTS_PER_CHUNK);
-        self.chunks = ends
-            .map(|start| start..(start + SLOTS_PER_CHUNK).min(count))
-            .collect::<Vec<_>>()
-            .into_par_iter()
-            .map(|owned| Chunk::build(cells, owned, reach * reach, species))
-            .collect();
+        self.chunks
+            .resize_with(count.div_ceil(SLOTS_PER_CHUNK), Chunk::default);
+        let reaches_sq = [self.cutoff, reach].map(|reach| reach * reach);
+        let build = |(index, chunk): (usize, &mut Chunk)| {
+            let start = index * SLOTS_PER_CHUNK;
+            lanes::run(Build {
+                chunk,
+                cells,
+                owned: start..(start + SLOTS_PER_CHUNK).min(count),
+                reaches_sq,
+                species,
+            });
+        };
+        self.chunks.par_iter_mut().enumerate().for_each(build);
         self.reference.clear();
         self.reference.extend_from_slice(positions);
         self.builds += 1;
@@ -226,7 +235,7 @@ impl VerletList {
     /// let chunk = &list.chunks_mut()[0];
     /// assert_eq!(chunk.pairs(), 1); // a new list would have none
     /// for (slot, site) in chunk.window().iter().zip(chunk.sites()) {
-    ///     assert_eq!(Vector3::from(site.place), now[slot.atom as usize]);
+    ///     assert_eq!(site.place[..3], now[slot.atom as usize].as_slice()[..]);
     /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

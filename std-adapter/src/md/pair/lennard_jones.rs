@@ -195,22 +195,30 @@ impl Interaction for LennardJones {
     }
 }
 
-fn law<S, E>(source: S, end: E) -> Truncated<S, E> {
+pub(super) fn law<S, E>(source: S, end: E) -> Truncated<S, E> {
     Truncated { source, end }
 }
 
 /// Source of the coefficients of a block of pairs.
-trait Source: Sync {
+pub(super) trait Source: Sync {
     type Kinds: Copy;
 
     fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> Self::Kinds;
 
+    /// Square of the largest cut-off.
+    fn reach_sq(&self) -> f64;
+
     /// One coefficient of every lane.
-    fn each(&self, kinds: Self::Kinds, of: impl Fn(&Coefficients) -> f64) -> Lanes;
+    fn each<N: Lanes>(
+        &self,
+        key: N::Key,
+        kinds: Self::Kinds,
+        of: impl Fn(&Coefficients) -> f64,
+    ) -> N;
 }
 
 /// One species: constant coefficients.
-struct One(Coefficients);
+pub(super) struct One(pub(super) Coefficients);
 
 impl Source for One {
     type Kinds = ();
@@ -218,16 +226,20 @@ impl Source for One {
     #[inline(always)]
     fn kinds(&self, _: &Site, _: &[u32; LANES], _: &[Site]) {}
 
+    fn reach_sq(&self) -> f64 {
+        self.0.cutoff_sq
+    }
+
     #[inline(always)]
-    fn each(&self, (): (), of: impl Fn(&Coefficients) -> f64) -> Lanes {
-        Lanes::splat(of(&self.0))
+    fn each<N: Lanes>(&self, key: N::Key, (): (), of: impl Fn(&Coefficients) -> f64) -> N {
+        N::splat(key, of(&self.0))
     }
 }
 
 /// Several species: a table of coefficients.
-struct Many<'a> {
-    species: usize,
-    table: &'a [Coefficients],
+pub(super) struct Many<'a> {
+    pub(super) species: usize,
+    pub(super) table: &'a [Coefficients],
 }
 
 impl Source for Many<'_> {
@@ -236,57 +248,67 @@ impl Source for Many<'_> {
 
     #[inline(always)]
     fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> [usize; LANES] {
-        let row = usize::from(here.species) * self.species;
-        block.map(|other| row + usize::from(sites[other as usize].species))
+        let row = here.species() * self.species;
+        block.map(|other| row + sites[other as usize].species())
+    }
+
+    fn reach_sq(&self) -> f64 {
+        let all = self.table.iter().map(|pair| pair.cutoff_sq);
+        all.fold(0.0, |most, cutoff_sq| cutoff_sq.max(most))
     }
 
     #[inline(always)]
-    fn each(&self, kinds: [usize; LANES], of: impl Fn(&Coefficients) -> f64) -> Lanes {
-        Lanes::new(kinds.map(|kind| of(&self.table[kind])))
+    fn each<N: Lanes>(
+        &self,
+        key: N::Key,
+        kinds: [usize; LANES],
+        of: impl Fn(&Coefficients) -> f64,
+    ) -> N {
+        N::new(key, kinds.map(|kind| of(&self.table[kind])))
     }
 }
 
 /// The shift of the force at the cut-off, and the corresponding energy.
-trait End: Sync {
-    /// Force over distance at 1/r².
-    fn force(&self, force_at_cutoff: Lanes, inv_sq: Lanes) -> Lanes;
+pub(super) trait End: Sync {
+    /// −U'(r)/r at 1/r², given its unshifted value.
+    fn force<N: Lanes>(&self, unshifted: N, force_at_cutoff: N, inv_sq: N) -> N;
 
-    /// At r².
-    fn energy(&self, force_at_cutoff: Lanes, r_sq: Lanes) -> Lanes;
+    /// The shift of the energy at r².
+    fn energy<N: Lanes>(&self, offset: N, force_at_cutoff: N, r_sq: N) -> N;
 }
 
-/// No shift, and no square root.
-struct Plain;
+/// No shift of the force, and no square root.
+pub(super) struct Plain;
 
 impl End for Plain {
     #[inline(always)]
-    fn force(&self, _: Lanes, _: Lanes) -> Lanes {
-        Lanes::ZERO
+    fn force<N: Lanes>(&self, unshifted: N, _: N, _: N) -> N {
+        unshifted
     }
 
     #[inline(always)]
-    fn energy(&self, _: Lanes, _: Lanes) -> Lanes {
-        Lanes::ZERO
+    fn energy<N: Lanes>(&self, offset: N, _: N, _: N) -> N {
+        offset
     }
 }
 
 /// Shift by the force at the cut-off.
-struct Shifted;
+pub(super) struct Shifted;
 
 impl End for Shifted {
     #[inline(always)]
-    fn force(&self, force_at_cutoff: Lanes, inv_sq: Lanes) -> Lanes {
-        force_at_cutoff * inv_sq.sqrt()
+    fn force<N: Lanes>(&self, unshifted: N, force_at_cutoff: N, inv_sq: N) -> N {
+        unshifted - force_at_cutoff * inv_sq.sqrt()
     }
 
     #[inline(always)]
-    fn energy(&self, force_at_cutoff: Lanes, r_sq: Lanes) -> Lanes {
-        force_at_cutoff * r_sq.sqrt()
+    fn energy<N: Lanes>(&self, offset: N, force_at_cutoff: N, r_sq: N) -> N {
+        offset + force_at_cutoff * r_sq.sqrt()
     }
 }
 
 /// The potential with its coefficients and its shift.
-struct Truncated<S, E> {
+pub(super) struct Truncated<S, E> {
     source: S,
     end: E,
 }
@@ -294,9 +316,9 @@ struct Truncated<S, E> {
 impl<S: Source, E: End> Truncated<S, E> {
     /// The values where r is below the cut-off, 0 elsewhere.
     #[inline(always)]
-    fn within(&self, kinds: S::Kinds, r_sq: Lanes, values: Lanes) -> Lanes {
-        let cutoff_sq = self.source.each(kinds, |pair| pair.cutoff_sq);
-        r_sq.simd_lt(cutoff_sq).select(values, Lanes::ZERO)
+    fn within<N: Lanes>(&self, key: N::Key, kinds: S::Kinds, r_sq: N, values: N) -> N {
+        let cutoff_sq = self.source.each(key, kinds, |pair| pair.cutoff_sq);
+        r_sq.if_below(cutoff_sq, values, N::splat(key, 0.0))
     }
 }
 
@@ -308,30 +330,31 @@ impl<S: Source, E: End> PairLaw for Truncated<S, E> {
         self.source.kinds(here, block, sites)
     }
 
-    #[inline(always)]
-    fn force_over_distance(&self, kinds: S::Kinds, r_sq: Lanes) -> Lanes {
-        let force12 = self.source.each(kinds, |pair| pair.force12);
-        let force6 = self.source.each(kinds, |pair| pair.force6);
-        let at_cutoff = self.source.each(kinds, |pair| pair.force_at_cutoff);
-        let inv_sq = Lanes::ONE / r_sq;
-        let inv6 = inv_sq * inv_sq * inv_sq;
-        let strength = inv6 * (force12 * inv6 - force6) * inv_sq;
-        self.within(kinds, r_sq, strength - self.end.force(at_cutoff, inv_sq))
+    fn reach_sq(&self) -> f64 {
+        self.source.reach_sq()
     }
 
     #[inline(always)]
-    fn energy(&self, kinds: S::Kinds, r_sq: Lanes) -> Lanes {
-        let energy12 = self.source.each(kinds, |pair| pair.energy12);
-        let energy6 = self.source.each(kinds, |pair| pair.energy6);
-        let offset = self.source.each(kinds, |pair| pair.offset);
-        let at_cutoff = self.source.each(kinds, |pair| pair.force_at_cutoff);
-        let inv_sq = Lanes::ONE / r_sq;
+    fn force_over_distance<N: Lanes>(&self, key: N::Key, kinds: S::Kinds, r_sq: N) -> N {
+        let force12: N = self.source.each(key, kinds, |pair| pair.force12);
+        let force6 = self.source.each(key, kinds, |pair| pair.force6);
+        let at_cutoff = self.source.each(key, kinds, |pair| pair.force_at_cutoff);
+        let inv_sq = N::splat(key, 1.0) / r_sq;
         let inv6 = inv_sq * inv_sq * inv_sq;
-        let energy = inv6 * (energy12 * inv6 - energy6);
-        self.within(
-            kinds,
-            r_sq,
-            energy + (offset + self.end.energy(at_cutoff, r_sq)),
-        )
+        let unshifted = inv6 * (force12 * inv6 - force6) * inv_sq;
+        let strength = self.end.force(unshifted, at_cutoff, inv_sq);
+        self.within(key, kinds, r_sq, strength)
+    }
+
+    #[inline(always)]
+    fn energy<N: Lanes>(&self, key: N::Key, kinds: S::Kinds, r_sq: N) -> N {
+        let energy12: N = self.source.each(key, kinds, |pair| pair.energy12);
+        let energy6 = self.source.each(key, kinds, |pair| pair.energy6);
+        let offset = self.source.each(key, kinds, |pair| pair.offset);
+        let at_cutoff = self.source.each(key, kinds, |pair| pair.force_at_cutoff);
+        let inv_sq = N::splat(key, 1.0) / r_sq;
+        let inv6 = inv_sq * inv_sq * inv_sq;
+        let energy = inv6 * (energy12 * inv6 - energy6) + self.end.energy(offset, at_cutoff, r_sq);
+        self.within(key, kinds, r_sq, energy)
     }
 }

@@ -4,6 +4,8 @@ mod coefficients;
 mod lennard_jones;
 mod mixing;
 mod sums;
+#[cfg(test)]
+mod tests;
 
 #[doc(hidden)]
 pub use coefficients::Coefficients;
@@ -13,11 +15,12 @@ pub use lennard_jones::{LennardJones, LennardJonesError, Pairing};
 pub use mixing::Mixing;
 
 use super::interaction::{Tally, Wanted};
-use super::lanes::{Lanes, across, take, ways};
+use super::lanes::{self, InLanes, Lanes, across, spread, ways};
 use super::neighbours::{Chunk, LANES, Site, VerletList};
 use nalgebra::Vector3;
 use rayon::prelude::*;
-use sums::{ForcesOnly, Sums, Totals};
+use std::marker::PhantomData;
+use sums::{ForcesOnly, Summed, Sums, Totals};
 
 /// A central force with a cut-off.
 trait PairLaw: Sync {
@@ -27,11 +30,14 @@ trait PairLaw: Sync {
     /// Species information of the site `here` and the sites of a block.
     fn kinds(&self, here: &Site, block: &[u32; LANES], sites: &[Site]) -> Self::Kinds;
 
+    /// Square of the largest cut-off.
+    fn reach_sq(&self) -> f64;
+
     /// −U'(r)/r at these squares of r; 0 beyond the cut-off.
-    fn force_over_distance(&self, kinds: Self::Kinds, r_sq: Lanes) -> Lanes;
+    fn force_over_distance<N: Lanes>(&self, key: N::Key, kinds: Self::Kinds, r_sq: N) -> N;
 
     /// U(r); 0 beyond the cut-off.
-    fn energy(&self, kinds: Self::Kinds, r_sq: Lanes) -> Lanes;
+    fn energy<N: Lanes>(&self, key: N::Key, kinds: Self::Kinds, r_sq: N) -> N;
 }
 
 /// Forces of a law on all atoms, with the requested sums.
@@ -45,13 +51,14 @@ fn forces<L: PairLaw>(
     let tallies: Vec<Tally> = chunks
         .par_iter_mut()
         .map(|chunk| match wanted {
-            Wanted::Forces => over_pairs::<L, ForcesOnly>(law, chunk),
-            Wanted::Sums => over_pairs::<L, Totals>(law, chunk),
+            Wanted::Forces => lanes::run(Loop::<L, ForcesOnly>::new(law, chunk)),
+            Wanted::Sums => lanes::run(Loop::<L, Totals>::new(law, chunk)),
         })
         .collect();
     for chunk in &*chunks {
         for (slot, site) in chunk.window().iter().zip(chunk.sites()) {
-            forces[slot.atom as usize] += Vector3::from(site.force);
+            let [x, y, z, _] = site.force;
+            forces[slot.atom as usize] += Vector3::new(x, y, z);
         }
     }
     tallies
@@ -62,29 +69,56 @@ fn forces<L: PairLaw>(
         })
 }
 
-/// Adds the forces of a chunk's pairs to its sites, four neighbours of an owned site at a time.
-fn over_pairs<L: PairLaw, S: Sums>(law: &L, chunk: &mut Chunk) -> Tally {
-    let mut sums = S::default();
-    let (sites, rows) = chunk.sites_and_rows();
-    for (here, blocks) in rows {
-        let own = sites[here];
-        let mut force = [Lanes::ZERO; 3];
-        for block in blocks {
-            let way = ways(&own, block, sites);
-            let [x, y, z] = way;
-            let r_sq = x * x + y * y + z * z;
-            let kinds = law.kinds(&own, block, sites);
-            let strength = law.force_over_distance(kinds, r_sq);
-            let pull = way.map(|way| strength * way);
-            for (sum, pull) in force.iter_mut().zip(pull) {
-                *sum += pull;
-            }
-            take(sites, block, pull);
-            sums.add(|| law.energy(kinds, r_sq), &way, &pull);
-        }
-        for (sum, lanes) in sites[here].force.iter_mut().zip(force) {
-            *sum += across(lanes);
-        }
+/// The loop over a chunk's pairs.
+struct Loop<'a, L, S> {
+    law: &'a L,
+    chunk: &'a mut Chunk,
+    sums: PhantomData<S>,
+}
+
+impl<'a, L, S> Loop<'a, L, S> {
+    fn new(law: &'a L, chunk: &'a mut Chunk) -> Self {
+        let sums = PhantomData;
+        Self { law, chunk, sums }
     }
-    sums.tally()
+}
+
+impl<L: PairLaw, S: Summed> InLanes for Loop<'_, L, S> {
+    type Out = Tally;
+
+    /// Adds the forces of a chunk's pairs to its sites, four neighbours of an owned site at a time.
+    #[inline(always)]
+    fn go<N: Lanes>(self, key: N::Key) -> Tally {
+        let Self { law, chunk, .. } = self;
+        let zero = N::splat(key, 0.0);
+        let reach_sq = N::splat(key, law.reach_sq());
+        let mut sums = S::Sums::new(zero);
+        let (sites, rows) = chunk.sites_and_rows();
+        for (here, blocks) in rows {
+            let own = sites[here];
+            let place = spread::<N>(key, &own);
+            let mut force = [zero; 3];
+            for block in blocks {
+                let way = ways(key, &place, block, sites);
+                let [x, y, z] = way;
+                let r_sq = x * x + y * y + z * z;
+                // Blocks beyond the cut-off would add zeros.
+                if r_sq.which_below(reach_sq) == 0 {
+                    continue;
+                }
+                let kinds = law.kinds(&own, block, sites);
+                let strength = law.force_over_distance(key, kinds, r_sq);
+                let pull = way.map(|way| strength * way);
+                for (sum, pull) in force.iter_mut().zip(pull) {
+                    *sum = *sum + pull;
+                }
+                N::take(key, sites, block, pull);
+                sums.add(|| law.energy(key, kinds, r_sq), &way, &pull);
+            }
+            for (sum, lanes) in sites[here].force.iter_mut().zip(force) {
+                *sum += across(lanes);
+            }
+        }
+        sums.tally()
+    }
 }

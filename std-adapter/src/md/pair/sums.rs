@@ -3,22 +3,38 @@
 use super::{Lanes, Tally, across};
 use nalgebra::Matrix3;
 
+/// What a loop sums.
+pub(super) trait Summed: Send {
+    /// The sums while the loop runs.
+    type Sums<N: Lanes>: Sums<N>;
+}
+
 /// Accumulates the contributions of blocks of pairs.
-pub(super) trait Sums: Default {
+pub(super) trait Sums<N> {
+    fn new(zero: N) -> Self;
+
     /// Adds a block; the energy is computed only if it is summed.
-    fn add(&mut self, energy: impl FnOnce() -> Lanes, way: &[Lanes; 3], force: &[Lanes; 3]);
+    fn add(&mut self, energy: impl FnOnce() -> N, way: &[N; 3], force: &[N; 3]);
 
     /// The sums.
     fn tally(&self) -> Tally;
 }
 
 /// No sums.
-#[derive(Default)]
 pub(super) struct ForcesOnly;
 
-impl Sums for ForcesOnly {
+impl Summed for ForcesOnly {
+    type Sums<N: Lanes> = Self;
+}
+
+impl<N: Lanes> Sums<N> for ForcesOnly {
     #[inline(always)]
-    fn add(&mut self, _: impl FnOnce() -> Lanes, _: &[Lanes; 3], _: &[Lanes; 3]) {}
+    fn new(_: N) -> Self {
+        Self
+    }
+
+    #[inline(always)]
+    fn add(&mut self, _: impl FnOnce() -> N, _: &[N; 3], _: &[N; 3]) {}
 
     fn tally(&self) -> Tally {
         Tally {
@@ -28,23 +44,35 @@ impl Sums for ForcesOnly {
     }
 }
 
+/// Energy and virial.
+pub(super) struct Totals;
+
+impl Summed for Totals {
+    type Sums<N: Lanes> = LaneTotals<N>;
+}
+
 /// Energy and virial, lane by lane.
-#[derive(Default)]
-pub(super) struct Totals {
-    energy: Lanes,
+pub(super) struct LaneTotals<N> {
+    energy: N,
     /// Virial components xx, yy, zz, xy, xz, yz.
-    virial: [Lanes; 6],
+    virial: [N; 6],
 }
 
 /// Axes of displacement and force in each component of the virial.
 const AXES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
 
-impl Sums for Totals {
+impl<N: Lanes> Sums<N> for LaneTotals<N> {
     #[inline(always)]
-    fn add(&mut self, energy: impl FnOnce() -> Lanes, way: &[Lanes; 3], force: &[Lanes; 3]) {
-        self.energy += energy();
+    fn new(zero: N) -> Self {
+        let (energy, virial) = (zero, [zero; 6]);
+        Self { energy, virial }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, energy: impl FnOnce() -> N, way: &[N; 3], force: &[N; 3]) {
+        self.energy = self.energy + energy();
         for (sum, [a, b]) in self.virial.iter_mut().zip(AXES) {
-            *sum += way[a] * force[b];
+            *sum = *sum + way[a] * force[b];
         }
     }
 

@@ -29,7 +29,9 @@ impl Deposit {
     }
 
     /// The spheres in the order of the curve; those with the same key keep their order.
-    fn along_curve(self) -> Self {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn along_curve(self) -> Self {
         let cell = self.radii.iter().copied().fold(0.0, f64::max) * 2.0;
         let mut keys: Vec<(u64, u32)> = self
             .positions

@@ -1,8 +1,10 @@
 //! Limit surfaces.
 
 use super::stream::{Precision, Range, Stream};
+use tribos_core::contact::TimeStep;
 use tribos_core::coupling::table::Coulomb;
 use tribos_core::limit_surface::{Ellipsoid, FrictionSet, LimitSurface, Projection, Region};
+use tribos_core::planar::{PlanarBody, PlanarStep};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -15,6 +17,81 @@ pub fn both<R: Precision>(s: &mut Stream, range: Range) {
     feed_projection(s, disk.ok().map(|set| set.project(&wrench)));
     let usual = Ellipsoid::new(limit, radius, spin_torque);
     feed(s, usual.ok(), &twist, &wrench, length);
+    batches(s, disk.ok(), length, range);
+    steps(
+        s,
+        [disk.ok().map(Sets::Disk), usual.ok().map(Sets::Ellipsoid)],
+        range,
+    );
+}
+
+/// More than are converted at once.
+const BATCH: usize = 21;
+
+fn batches<R: Precision>(
+    s: &mut Stream,
+    set: Option<LimitSurface<R, Coulomb>>,
+    length: R,
+    range: Range,
+) {
+    let loads: [R; BATCH] = s.draws(range);
+    let pushes = [(); BATCH].map(|()| s.wrench(range));
+    let mut gauges = [R::ZERO; BATCH];
+    let mut motions = [Twist::ZERO; BATCH];
+    let mut nearest = pushes.map(|wrench| Projection {
+        wrench,
+        region: Region::Inside,
+    });
+    let set = set.ok_or(());
+    if let Some(set) = s.ok(set) {
+        set.gauge_batch(&loads, &pushes, &mut gauges);
+        s.numbers(gauges);
+    }
+    if let Some(set) = s.ok(set) {
+        set.twist_normal_to_batch(&pushes, &mut motions);
+        for motion in motions {
+            s.numbers([motion.velocity.x, motion.velocity.y, motion.spin]);
+        }
+    }
+    if let Some(set) = s.ok(set) {
+        let length = if length == R::ZERO {
+            set.radius()
+        } else {
+            length
+        };
+        set.project_batch(length, &loads, &pushes, &mut nearest);
+        for projection in nearest {
+            feed_projection(s, Some(projection));
+        }
+    }
+}
+
+enum Sets<R> {
+    Disk(LimitSurface<R, Coulomb>),
+    Ellipsoid(Ellipsoid<R>),
+}
+
+fn steps<R: Precision>(s: &mut Stream, sets: [Option<Sets<R>>; 2], range: Range) {
+    let [mass, inertia, dt]: [R; 3] = s.draws(Range::Fit);
+    let (twist, push) = (s.twist(range), s.wrench(range));
+    let body = PlanarBody::new(mass, inertia).ok();
+    for set in sets {
+        let step = (|| {
+            let (body, set, dt) = (body?, set?, TimeStep::new(dt).ok()?);
+            Some(match set {
+                Sets::Disk(set) => body.step(&set, &twist, &push, dt),
+                Sets::Ellipsoid(set) => body.step(&set, &twist, &push, dt),
+            })
+        })();
+        if let Some(step) = s.ok(step.ok_or(())) {
+            s.feed_bits(step.is_at_rest.into());
+            let PlanarStep {
+                twist, friction, ..
+            } = step;
+            s.numbers([twist.velocity.x, twist.velocity.y, twist.spin]);
+            s.numbers([friction.force.x, friction.force.y, friction.torque]);
+        }
+    }
 }
 
 fn feed<R: Precision, S: FrictionSet<R>>(

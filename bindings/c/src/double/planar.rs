@@ -1,0 +1,87 @@
+//! Implicit time steps of a body on its patch, with exact sticking.
+//!
+//! Friction that balances the push within its limit surface holds the body, to the last bit. Otherwise it
+//! opposes the motion at half time, and takes power from it.
+
+use super::surface::{Set, tribos_disk_surface_f64, tribos_ellipsoid_f64};
+use super::vectors::{tribos_twist_f64, tribos_wrench_f64};
+use crate::memory::{answer, read};
+use crate::status::tribos_status;
+use tribos_core::contact::TimeStep;
+use tribos_core::planar::{PlanarBody, PlanarStep};
+
+/// A body on a patch that is centred below its centre of mass.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_planar_body_f64 {
+    /// Mass, positive and finite.
+    pub mass: f64,
+    /// Moment of inertia about the normal, positive and finite. Units: mass x length^2.
+    pub inertia: f64,
+}
+
+/// The end of a time step.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_planar_step_f64 {
+    /// The motion after the step.
+    pub twist: tribos_twist_f64,
+    /// Friction on the body, as its mean over the step.
+    pub friction: tribos_wrench_f64,
+    /// 1 if friction holds the body: the motion is zero, to the last bit. 0 else.
+    pub is_at_rest: u32,
+}
+
+impl From<PlanarStep<f64>> for tribos_planar_step_f64 {
+    #[inline(always)]
+    fn from(step: PlanarStep<f64>) -> Self {
+        Self {
+            twist: step.twist.into(),
+            friction: step.friction.into(),
+            is_at_rest: step.is_at_rest.into(),
+        }
+    }
+}
+
+/// One step on a set.
+#[inline(always)]
+unsafe fn step_on<S: Set>(
+    body: *const tribos_planar_body_f64,
+    set: *const S,
+    twist: *const tribos_twist_f64,
+    push: *const tribos_wrench_f64,
+    dt: f64,
+) -> Result<tribos_planar_step_f64, tribos_status> {
+    let (body, set) = (read(body)?, read(set)?.set()?);
+    let body = PlanarBody::new(body.mass, body.inertia)?;
+    let (twist, push) = (read(twist)?.into(), read(push)?.into());
+    Ok(body.step(&set, &twist, &push, TimeStep::new(dt)?).into())
+}
+
+/// The motion of a body after the time dt under a constant push and the friction of a disk.
+/// Accuracy: second order in dt while the body slides; rest is exact.
+/// Special values: NaN for NaN, and where momentum/dt overflows.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_planar_disk_step_f64(
+    body: *const tribos_planar_body_f64,
+    surface: *const tribos_disk_surface_f64,
+    twist: *const tribos_twist_f64,
+    push: *const tribos_wrench_f64,
+    dt: f64,
+    step: *mut tribos_planar_step_f64,
+) -> tribos_status {
+    answer(step, || step_on(body, surface, twist, push, dt))
+}
+
+/// As tribos_planar_disk_step_f64, under the friction of an ellipsoid.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_planar_ellipsoid_step_f64(
+    body: *const tribos_planar_body_f64,
+    ellipsoid: *const tribos_ellipsoid_f64,
+    twist: *const tribos_twist_f64,
+    push: *const tribos_wrench_f64,
+    dt: f64,
+    step: *mut tribos_planar_step_f64,
+) -> tribos_status {
+    answer(step, || step_on(body, ellipsoid, twist, push, dt))
+}

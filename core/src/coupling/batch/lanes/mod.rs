@@ -1,0 +1,15 @@
+//! Groups in lanes: the formulas of the scalar functions, a selection for every branch.
+
+mod patch;
+mod power;
+mod profile;
+mod speeds;
+mod vector;
+
+pub use patch::{patch_jacobians, patch_wrenches};
+pub use profile::LaneProfile;
+pub use speeds::{drags, jacobians, wrenches};
+pub use vector::Laned;
+
+/// The lanes of a precision.
+type Lanes<R> = <R as Laned>::Lanes;

@@ -1,0 +1,101 @@
+//! Contacts with their dimensions.
+
+use super::super::Group;
+use super::Lanes;
+use super::speeds::are_ordinary;
+use super::vector::Vector;
+use crate::coupling::Coupling;
+use crate::real::Real;
+use crate::twist::{Twist, Wrench, WrenchJacobian};
+use nalgebra::Matrix3;
+
+/// The three components of the twists.
+#[inline(always)]
+fn components<R: Real>(twists: &Group<Twist<R>>) -> [Lanes<R>; 3] {
+    [
+        Vector::new(twists.each_ref().map(|twist| twist.velocity.x)),
+        Vector::new(twists.each_ref().map(|twist| twist.velocity.y)),
+        Vector::new(twists.each_ref().map(|twist| twist.spin)),
+    ]
+}
+
+/// `size` ≥ 0 with the sign of `sign`.
+#[inline(always)]
+fn signed<R: Real>(size: Lanes<R>, sign: Lanes<R>) -> Lanes<R> {
+    size | (sign & Vector::splat(-R::ZERO))
+}
+
+/// Wrenches of a patch with the given radius and coefficient × load; nothing if a twist or a wrench
+/// is out of the ordinary.
+#[inline(always)]
+pub fn patch_wrenches<R: Real, C: Coupling<R>>(
+    coupling: &C,
+    [strength, radius]: [R; 2],
+    twists: &Group<Twist<R>>,
+) -> Option<Group<Wrench<R>>> {
+    let splat = Lanes::<R>::splat;
+    let [x, y, spin] = components(twists);
+    let rim = (spin * splat(radius)).abs();
+    let square = x * x + y * y;
+    let (least, most) = (R::LEAST_SPEED, R::ONE / R::LEAST_SPEED);
+    let moves = square.above(splat(least * least)) & splat(most * most).above(square);
+    let turns = rim.above(splat(least)) & splat(most).above(rim);
+    if !(moves & (turns | rim.equal(splat(R::ZERO)))).all() {
+        return None;
+    }
+    let [drag, torque] = coupling
+        .reduced_drags(&square.sqrt().to_array(), &rim.to_array())?
+        .map(Lanes::<R>::new);
+    let drag = splat(strength) * drag;
+    if !are_ordinary::<R>(drag).all() {
+        return None;
+    }
+    let torque = signed::<R>(splat(strength * radius) * torque, spin);
+    let [x, y, torque] = [-(drag * x), -(drag * y), -torque].map(Vector::to_array);
+    let mut wrenches = [Wrench::ZERO; super::super::GROUP];
+    for (((wrench, x), y), torque) in wrenches.iter_mut().zip(x).zip(y).zip(torque) {
+        *wrench = Wrench::new(x, y, torque);
+    }
+    Some(wrenches)
+}
+
+/// ∂wrench/∂twist.
+#[inline(always)]
+pub fn patch_jacobians<R: Real, C: Coupling<R>>(
+    coupling: &C,
+    [strength, radius]: [R; 2],
+    twists: &Group<Twist<R>>,
+) -> Option<Group<WrenchJacobian<R>>> {
+    let splat = Lanes::<R>::splat;
+    let [x, y, spin] = components(twists);
+    let [none, one, infinite] = [R::ZERO, R::ONE, R::INFINITY].map(splat);
+    let (large, small) = (x.abs().larger(y.abs()), x.abs().smaller(y.abs()));
+    let finite = infinite.above(x.abs()) & infinite.above(y.abs());
+    if !(finite & large.above(none)).all() {
+        return None;
+    }
+    let quotient = small / large;
+    let speed = large * (one + quotient * quotient).sqrt();
+    let rim = spin * splat(radius);
+    let [across, along, mixed, turn] = coupling
+        .reduced_jacobians(&speed.to_array(), &rim.to_array())?
+        .map(Lanes::<R>::new);
+    let (cos, sin) = (x / speed, y / speed);
+    let (along, across) = (splat(strength) * along, splat(strength) * across);
+    let alike = along.equal(across);
+    let (cc, ss) = (cos * cos, sin * sin);
+    let xx = alike.select(along, along * cc + across * ss);
+    let xy = alike.select(none, (along - across) * cos * sin);
+    let yy = alike.select(along, along * ss + across * cc);
+    let mixed = splat(strength * radius) * mixed * signed::<R>(one, spin);
+    let (xn, yn) = (mixed * cos, mixed * sin);
+    let nn = splat(strength * radius * radius) * turn;
+    let entries = [xx, xy, xn, yy, yn, nn].map(|entry| (-entry).to_array());
+    let mut jacobians = [Matrix3::from_element(R::ZERO); super::super::GROUP];
+    let [xx, xy, xn, yy, yn, nn] = entries.each_ref().map(|entry| entry.iter().copied());
+    let columns = xx.zip(xy).zip(xn).zip(yy).zip(yn).zip(nn);
+    for (jacobian, (((((xx, xy), xn), yy), yn), nn)) in jacobians.iter_mut().zip(columns) {
+        *jacobian = Matrix3::new(xx, xy, xn, xy, yy, yn, xn, yn, nn);
+    }
+    Some(jacobians)
+}

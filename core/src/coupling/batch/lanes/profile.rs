@@ -1,0 +1,215 @@
+//! Tables in lanes.
+
+use super::super::Group;
+use super::speeds::LaneSpeeds;
+use super::vector::Vector;
+use super::{Lanes, power};
+use crate::coupling::family::moment;
+use crate::coupling::octave::Cell;
+use crate::coupling::round::RoundTable;
+use crate::coupling::side::Sides;
+use crate::coupling::table::{Coulomb, Disk, Table, pure_spin_torque};
+use crate::coupling::{Profile, SmoothProfile};
+use crate::real::Real;
+
+/// [`SmoothProfile`] of a group. Nothing where an argument is out of the ordinary.
+pub trait LaneProfile<R: Real>: SmoothProfile<R> {
+    /// Φ and T/m^α.
+    fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]>;
+    /// Φ, Φ' and Χ.
+    fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]>;
+    /// `speed`^α
+    fn speed_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>>;
+    /// `speed`^(α−1)
+    fn rate_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>>;
+}
+
+/// One number of each cell.
+#[inline(always)]
+fn of_each<R: Real, const TERMS: usize>(
+    cells: &Group<&Cell<R, TERMS>>,
+    number: impl Fn(&Cell<R, TERMS>) -> R,
+) -> Lanes<R> {
+    Vector::new(cells.map(number))
+}
+
+/// Both functions at `u` from the centers.
+#[inline(always)]
+fn evaluated<R: Real, const TERMS: usize>(
+    cells: &Group<&Cell<R, TERMS>>,
+    u: Lanes<R>,
+) -> [Lanes<R>; 2] {
+    Lanes::<R>::sums(cells.map(|cell| &cell.terms), u)
+}
+
+/// Φ and Φ' at z.
+#[inline(always)]
+fn value_and_slope<R: Real, const TERMS: usize>(
+    cells: &Group<&Cell<R, TERMS>>,
+    z: Lanes<R>,
+) -> [Lanes<R>; 2] {
+    let u = z - of_each(cells, |cell| cell.center);
+    let mut phi = of_each(cells, |cell| cell.terms[TERMS - 1][0]);
+    let mut slope = Lanes::<R>::splat(R::ZERO);
+    for n in (0..TERMS - 1).rev() {
+        slope = slope * u + phi;
+        phi = phi * u + of_each(cells, |cell| cell.terms[n][0]);
+    }
+    [phi, -slope]
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> Disk<R, CELLS, TERMS> {
+    #[inline(always)]
+    fn cells(&self, z: Lanes<R>) -> Group<&Cell<R, TERMS>> {
+        let z = z.larger(Vector::splat(self.side.least()));
+        z.to_array().map(|z| self.side.cell_from_least(z))
+    }
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Disk<R, CELLS, TERMS> {
+    #[inline(always)]
+    fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
+        let one = Lanes::<R>::splat(R::ONE);
+        let (a, h) = (at.slide(), at.ratio);
+        let x = h * h;
+        let cells = self.cells(one - x);
+        let [phi, theta] = evaluated(&cells, of_each(&cells, |cell| cell.mirror) - x);
+        let spin = Lanes::<R>::splat(pure_spin_torque(self.exponent())) * (one - a * a);
+        Some([phi, spin * phi + a * h * theta])
+    }
+
+    #[inline(always)]
+    fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]> {
+        let z = at.complement();
+        if !z.above(Vector::splat(R::ZERO)).all() {
+            return None;
+        }
+        let [phi, slope] = value_and_slope(&self.cells(z), z);
+        let alpha = self.exponent();
+        let inv_n = Lanes::<R>::splat(R::ONE / moment(R::ZERO, alpha));
+        let half = Lanes::<R>::splat(R::HALF * (R::ONE + alpha));
+        let theta = inv_n * (half * phi + z * slope);
+        let x = at.ratio * at.ratio;
+        let chi = at.slides.select(theta, inv_n * z * phi + x * theta);
+        Some([phi, slope, chi])
+    }
+
+    #[inline(always)]
+    fn speed_scales(&self, _: Lanes<R>) -> Option<Lanes<R>> {
+        Some(Vector::splat(R::ONE))
+    }
+
+    #[inline(always)]
+    fn rate_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
+        Some(Lanes::<R>::splat(R::ONE) / speed)
+    }
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Table<R, CELLS, TERMS> {
+    #[inline(always)]
+    fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
+        self.disk.drags_and_torques(at)
+    }
+    #[inline(always)]
+    fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]> {
+        self.disk.factors_and_slopes(at)
+    }
+    #[inline(always)]
+    fn speed_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
+        power::of(&self.power, speed)
+    }
+    #[inline(always)]
+    fn rate_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
+        power::rate(&self.power, speed)
+    }
+}
+
+impl<R: Real> LaneProfile<R> for Coulomb {
+    #[inline(always)]
+    fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
+        R::coulomb_table().drags_and_torques(at)
+    }
+    #[inline(always)]
+    fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]> {
+        R::coulomb_table().factors_and_slopes(at)
+    }
+    #[inline(always)]
+    fn speed_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
+        R::coulomb_table().speed_scales(speed)
+    }
+    #[inline(always)]
+    fn rate_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
+        R::coulomb_table().rate_scales(speed)
+    }
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Sides<R, CELLS, TERMS> {
+    #[inline(always)]
+    fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
+        let z = at.complement();
+        let cells = self.cells_of(at, z)?;
+        let [phi, chi] = evaluated(&cells, z - of_each(&cells, |cell| cell.center));
+        Some([phi, at.rim() * chi])
+    }
+
+    #[inline(always)]
+    fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]> {
+        let z = at.complement();
+        let cells = self.cells_of(at, z)?;
+        let [_, chi] = evaluated(&cells, z - of_each(&cells, |cell| cell.center));
+        let [phi, slope] = value_and_slope(&cells, z);
+        Some([phi, slope, chi])
+    }
+
+    #[inline(always)]
+    fn speed_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
+        power::of(&self.power, speed)
+    }
+
+    #[inline(always)]
+    fn rate_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
+        power::rate(&self.power, speed)
+    }
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> Sides<R, CELLS, TERMS> {
+    /// The cells of the side that leads in each lane; none at equal speeds.
+    #[inline(always)]
+    fn cells_of(&self, at: &LaneSpeeds<R>, z: Lanes<R>) -> Option<Group<&Cell<R, TERMS>>> {
+        if !z.above(Vector::splat(R::ZERO)).all() {
+            return None;
+        }
+        let mut slides = at.leads();
+        let z = z.larger(Vector::splat(self.sliding.least()));
+        Some(z.to_array().map(|z| {
+            let side = if slides & 1 == 0 {
+                &self.spinning
+            } else {
+                &self.sliding
+            };
+            slides >>= 1;
+            side.cell_from_least(z)
+        }))
+    }
+}
+
+impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R>
+    for RoundTable<R, CELLS, TERMS>
+{
+    #[inline(always)]
+    fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
+        self.sides.drags_and_torques(at)
+    }
+    #[inline(always)]
+    fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]> {
+        self.sides.factors_and_slopes(at)
+    }
+    #[inline(always)]
+    fn speed_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
+        self.sides.speed_scales(speed)
+    }
+    #[inline(always)]
+    fn rate_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
+        self.sides.rate_scales(speed)
+    }
+}

@@ -1,0 +1,157 @@
+//! The speeds of a group in units of the larger ones, and what profiles make of them.
+
+use super::super::Group;
+use super::vector::Vector;
+use super::{LaneProfile, Lanes};
+use crate::real::Real;
+
+/// [`crate::coupling::Speeds`] of a group.
+#[derive(Clone, Copy, Debug)]
+pub struct LaneSpeeds<R: Real> {
+    /// A mask: v > w.
+    pub slides: Lanes<R>,
+    /// h
+    pub ratio: Lanes<R>,
+    /// |v − w|/m
+    pub gap: Lanes<R>,
+}
+
+impl<R: Real> LaneSpeeds<R> {
+    /// v/m
+    #[inline(always)]
+    pub fn slide(&self) -> Lanes<R> {
+        self.slides.select(Vector::splat(R::ONE), self.ratio)
+    }
+
+    /// w/m
+    #[inline(always)]
+    pub fn rim(&self) -> Lanes<R> {
+        self.slides.select(self.ratio, Vector::splat(R::ONE))
+    }
+
+    /// A bit for each lane in which sliding leads, as [`crate::coupling::Speeds::lead`] tells it:
+    /// not where h was rounded to 1.
+    #[inline(always)]
+    pub fn leads(&self) -> u32 {
+        (self.slides & Lanes::<R>::splat(R::ONE).above(self.ratio)).bits()
+    }
+
+    /// z = 1 − h²
+    #[inline(always)]
+    pub fn complement(&self) -> Lanes<R> {
+        self.gap * (Lanes::<R>::splat(R::ONE) + self.ratio)
+    }
+}
+
+/// Masks scales with which a product can be formed at once.
+#[inline(always)]
+pub fn are_ordinary<R: Real>(scale: Lanes<R>) -> Lanes<R> {
+    scale.at_least(Vector::splat(R::MIN_POSITIVE)) & Lanes::<R>::splat(R::INFINITY).above(scale)
+}
+
+/// F/v and T of ordinary speeds.
+#[inline(always)]
+pub fn drags<R: Real, P: LaneProfile<R>>(
+    profile: &P,
+    slides: &Group<R>,
+    rims: &Group<R>,
+) -> Option<[Group<R>; 2]> {
+    let [slide, rim] = [slides, rims].map(|speeds| Lanes::<R>::new(*speeds));
+    let (major, minor) = (slide.larger(rim), slide.smaller(rim));
+    let per_major = Lanes::<R>::splat(R::ONE) / major;
+    let at = LaneSpeeds {
+        slides: slide.above(rim),
+        ratio: minor * per_major,
+        gap: (major - minor) * per_major,
+    };
+    let scale = profile.speed_scales(major)?;
+    let per_speed = scale * per_major;
+    let ordinary = are_ordinary::<R>(scale) & are_ordinary::<R>(per_speed);
+    if !(scale.equal(Vector::splat(R::ONE)) | ordinary).all() {
+        return None;
+    }
+    let [drag, torque] = profile.drags_and_torques(&at)?;
+    Some([per_speed * drag, scale * torque].map(Vector::to_array))
+}
+
+/// The speeds of a group, divided one by one.
+struct Divided<R: Real> {
+    at: LaneSpeeds<R>,
+    major: Lanes<R>,
+    /// A mask: h and its powers have all digits.
+    resolved: Lanes<R>,
+}
+
+/// None for rest, infinities and NaN.
+#[inline(always)]
+fn divided<R: Real>(slides: &Group<R>, rims: &Group<R>) -> Option<Divided<R>> {
+    let [slide, rim] = [slides, rims].map(|speeds| Lanes::<R>::new(*speeds).abs());
+    let [none, infinite] = [R::ZERO, R::INFINITY].map(Lanes::<R>::splat);
+    let finite = infinite.above(slide) & infinite.above(rim);
+    let (major, minor) = (slide.larger(rim), slide.smaller(rim));
+    if !(finite & major.above(none)).all() {
+        return None;
+    }
+    let ratio = minor / major;
+    let square_is_normal = (ratio * ratio).at_least(Vector::splat(R::MIN_POSITIVE));
+    Some(Divided {
+        at: LaneSpeeds {
+            slides: slide.above(rim),
+            ratio,
+            gap: (major - minor) / major,
+        },
+        major,
+        resolved: square_is_normal | minor.equal(none),
+    })
+}
+
+/// F and T.
+#[inline(always)]
+pub fn wrenches<R: Real, P: LaneProfile<R>>(
+    profile: &P,
+    slides: &Group<R>,
+    rims: &Group<R>,
+) -> Option<[Group<R>; 2]> {
+    let Divided {
+        at,
+        major,
+        resolved,
+    } = divided(slides, rims)?;
+    let scale = profile.speed_scales(major)?;
+    let may_be_scaled = scale.equal(Vector::splat(R::ONE)) | (are_ordinary::<R>(scale) & resolved);
+    if !may_be_scaled.all() {
+        return None;
+    }
+    let [drag, torque] = profile.drags_and_torques(&at)?;
+    Some([scale * (at.slide() * drag), scale * torque].map(Vector::to_array))
+}
+
+/// F/v, ∂F/∂v, ∂F/∂w and ∂T/∂w.
+#[inline(always)]
+pub fn jacobians<R: Real, P: LaneProfile<R>>(
+    profile: &P,
+    slides: &Group<R>,
+    rims: &Group<R>,
+) -> Option<[Group<R>; 4]> {
+    let Divided {
+        at,
+        major,
+        resolved,
+    } = divided(slides, rims)?;
+    let scale = profile.rate_scales(major)?;
+    if !(are_ordinary::<R>(scale) & resolved).all() {
+        return None;
+    }
+    let [phi, slope, chi] = profile.factors_and_slopes(&at)?;
+    let h = at.ratio;
+    let alpha = Lanes::<R>::splat(profile.exponent());
+    let beta = Lanes::<R>::splat(R::ONE - profile.exponent());
+    let bend = Lanes::<R>::splat(R::TWO) * slope;
+    let x_bend = h * h * bend;
+    let mixed = -h * (beta * phi + x_bend);
+    let force_slide = at.slides.select(alpha * phi - x_bend, phi + x_bend);
+    let turned = at.slides.select(bend, h * mixed);
+    let mixed = at.slides.select(h * bend, mixed);
+    let all = [phi, force_slide, mixed, alpha * chi - turned];
+    Some(all.map(|entry| (scale * entry).to_array()))
+}

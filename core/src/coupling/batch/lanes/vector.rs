@@ -1,0 +1,203 @@
+//! Eight numbers side by side; every operation rounds as the scalar one does.
+
+use super::super::Group;
+use core::fmt::Debug;
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
+use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8};
+
+/// A precision whose numbers go in lanes.
+pub trait Laned: Sized {
+    /// Eight of its numbers.
+    type Lanes: Vector<Real = Self>;
+
+    /// The sum of aₙ uⁿ and that of bₙ uⁿ, side by side.
+    fn sums<const TERMS: usize>(pairs: &[[Self; 2]; TERMS], u: Self) -> [Self; 2];
+}
+
+impl Laned for f64 {
+    type Lanes = f64x8;
+
+    #[inline(always)]
+    fn sums<const TERMS: usize>(pairs: &[[f64; 2]; TERMS], u: f64) -> [f64; 2] {
+        even_and_odd::<_, TERMS>(|n| f64x2::new(pairs[n]), f64x2::splat(u)).to_array()
+    }
+}
+impl Laned for f32 {
+    type Lanes = f32x8;
+
+    #[inline(always)]
+    fn sums<const TERMS: usize>(pairs: &[[f32; 2]; TERMS], u: f32) -> [f32; 2] {
+        let term = |n: usize| {
+            let [a, b] = pairs[n];
+            f32x4::new([a, b, 0.0, 0.0])
+        };
+        let [phi, partner, ..] = even_and_odd::<_, TERMS>(term, f32x4::splat(u)).to_array();
+        [phi, partner]
+    }
+}
+
+/// Eight numbers, or a mask of ones or zeros for each.
+///
+/// Comparisons with NaN are false.
+pub trait Vector:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + BitAnd<Output = Self>
+    + BitOr<Output = Self>
+{
+    /// A lane.
+    type Real;
+
+    fn new(numbers: Group<Self::Real>) -> Self;
+    fn splat(number: Self::Real) -> Self;
+    fn to_array(self) -> Group<Self::Real>;
+    fn sqrt(self) -> Self;
+    fn abs(self) -> Self;
+    /// *Domain*: no NaN, no zeros of different sign.
+    fn larger(self, other: Self) -> Self;
+    /// *Domain*: that of [`Vector::larger`].
+    fn smaller(self, other: Self) -> Self;
+    fn above(self, other: Self) -> Self;
+    fn at_least(self, other: Self) -> Self;
+    fn equal(self, other: Self) -> Self;
+    /// `yes` where this mask has ones.
+    fn select(self, yes: Self, no: Self) -> Self;
+    /// True if every lane of this mask has ones.
+    fn all(self) -> bool;
+    /// The mask, a bit a lane.
+    fn bits(self) -> u32;
+    /// The sum of aₙ uⁿ and that of bₙ uⁿ, of the pairs (aₙ, bₙ) that each lane has.
+    fn sums<const TERMS: usize>(pairs: Group<&[[Self::Real; 2]; TERMS]>, u: Self) -> [Self; 2];
+}
+
+macro_rules! vector {
+    ($lanes:ty, $real:ty, $sums:path, $parts:ty, |$part:ident| $joined:expr) => {
+        impl Vector for $lanes {
+            type Real = $real;
+
+            #[inline(always)]
+            fn new(numbers: Group<$real>) -> Self {
+                <$lanes>::new(numbers)
+            }
+            #[inline(always)]
+            fn splat(number: $real) -> Self {
+                <$lanes>::splat(number)
+            }
+            #[inline(always)]
+            fn to_array(self) -> Group<$real> {
+                self.to_array()
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                self.sqrt()
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                self.abs()
+            }
+            #[inline(always)]
+            fn larger(self, other: Self) -> Self {
+                self.fast_max(other)
+            }
+            #[inline(always)]
+            fn smaller(self, other: Self) -> Self {
+                self.fast_min(other)
+            }
+            #[inline(always)]
+            fn above(self, other: Self) -> Self {
+                self.simd_gt(other)
+            }
+            #[inline(always)]
+            fn at_least(self, other: Self) -> Self {
+                self.simd_ge(other)
+            }
+            #[inline(always)]
+            fn equal(self, other: Self) -> Self {
+                self.simd_eq(other)
+            }
+            #[inline(always)]
+            fn select(self, yes: Self, no: Self) -> Self {
+                <$lanes>::select(self, yes, no)
+            }
+            #[inline(always)]
+            fn all(self) -> bool {
+                let $part: $parts = bytemuck::cast(self);
+                ($joined).all()
+            }
+            #[inline(always)]
+            fn bits(self) -> u32 {
+                self.to_bitmask()
+            }
+            #[inline(always)]
+            fn sums<const TERMS: usize>(pairs: Group<&[[$real; 2]; TERMS]>, u: Self) -> [Self; 2] {
+                $sums(pairs, u)
+            }
+        }
+    };
+}
+
+vector!(f64x8, f64, double_sums, [f64x2; 4], |of| (of[0] & of[1])
+    & (of[2] & of[3]));
+vector!(f32x8, f32, single_sums, [f32x4; 2], |of| of[0] & of[1]);
+
+/// Both functions of a contact lie next to each other, and those of the next contact beside them: a
+/// coefficient is loaded, not gathered.
+#[inline(always)]
+fn double_sums<const TERMS: usize>(
+    [a, b, c, d, e, f, g, h]: Group<&[[f64; 2]; TERMS]>,
+    u: f64x8,
+) -> [f64x8; 2] {
+    let two = |[[a, b], [c, d]]: [[f64; 2]; 2]| f64x4::new([a, b, c, d]);
+    let of_two = |a: &[[f64; 2]; TERMS], b: &[[f64; 2]; TERMS], u, v| {
+        even_and_odd::<_, TERMS>(|n| two([a[n], b[n]]), two([[u; 2], [v; 2]])).to_array()
+    };
+    let u = u.to_array();
+    let [p, q] = [of_two(a, b, u[0], u[1]), of_two(c, d, u[2], u[3])];
+    let [r, s] = [of_two(e, f, u[4], u[5]), of_two(g, h, u[6], u[7])];
+    let unzipped =
+        |i: usize, j: usize| f64x8::new([p[i], p[j], q[i], q[j], r[i], r[j], s[i], s[j]]);
+    [unzipped(0, 2), unzipped(1, 3)]
+}
+
+/// [`double_sums`] with four contacts side by side.
+#[inline(always)]
+fn single_sums<const TERMS: usize>(pairs: Group<&[[f32; 2]; TERMS]>, u: f32x8) -> [f32x8; 2] {
+    let [a, b, c, d, e, f, g, h] = pairs;
+    let four =
+        |[[a, b], [c, d], [e, f], [g, h]]: [[f32; 2]; 4]| f32x8::new([a, b, c, d, e, f, g, h]);
+    let u = u.to_array().map(|u| [u; 2]);
+    let low = |n: usize| four([a[n], b[n], c[n], d[n]]);
+    let high = |n: usize| four([e[n], f[n], g[n], h[n]]);
+    let low = even_and_odd::<_, TERMS>(low, four([u[0], u[1], u[2], u[3]])).to_array();
+    let high = even_and_odd::<_, TERMS>(high, four([u[4], u[5], u[6], u[7]])).to_array();
+    let [p, q] = [low, high];
+    [
+        f32x8::new([p[0], p[2], p[4], p[6], q[0], q[2], q[4], q[6]]),
+        f32x8::new([p[1], p[3], p[5], p[7], q[1], q[3], q[5], q[7]]),
+    ]
+}
+
+/// Σ term(n) uⁿ, even and odd powers apart.
+#[inline(always)]
+fn even_and_odd<V: Copy + Add<Output = V> + Mul<Output = V>, const TERMS: usize>(
+    term: impl Fn(usize) -> V,
+    u: V,
+) -> V {
+    let square = u * u;
+    let mut sums = [term(TERMS - 1), term(TERMS - 2)];
+    for n in (1..TERMS - 2).rev() {
+        let sum = &mut sums[(TERMS - 1 - n) % 2];
+        *sum = *sum * square + term(n);
+    }
+    let [first, second] = if TERMS.is_multiple_of(2) {
+        sums
+    } else {
+        [sums[1], sums[0]]
+    };
+    term(0) + (first * u + second * square)
+}

@@ -1,0 +1,140 @@
+//! Many speeds under one coupling, in groups of eight: side by side where the processor has vectors.
+//!
+//! The scalar functions are the definition. Where the target has vectors whose roots and quotients
+//! round as the scalar ones do, a table computes a group of ordinary speeds in lanes, to the same
+//! bits; a group with a lane out of the ordinary goes to the scalar function as a whole, and so does
+//! every group elsewhere.
+
+#[cfg(any(
+    target_feature = "sse2",
+    all(target_arch = "aarch64", target_feature = "neon"),
+    target_feature = "simd128"
+))]
+#[path = "lanes/mod.rs"]
+mod ways;
+#[cfg(not(any(
+    target_feature = "sse2",
+    all(target_arch = "aarch64", target_feature = "neon"),
+    target_feature = "simd128"
+)))]
+#[path = "alone.rs"]
+mod ways;
+
+pub(crate) use ways::LaneProfile;
+pub use ways::Laned;
+pub(super) use ways::{drags, jacobians, patch_jacobians, patch_wrenches, wrenches};
+
+use super::{Coupling, ReducedJacobian, ReducedWrench};
+use crate::real::Real;
+
+/// Speeds in a group.
+pub const GROUP: usize = 8;
+
+/// One value for each speed of a group.
+pub type Group<T> = [T; GROUP];
+
+/// Calls `all` with each group of inputs and of outputs; where it answers no outputs, and for what
+/// remains of the slices, each output is `one` of its input. Elements beyond the shorter slice are
+/// not changed.
+#[inline(always)]
+pub(super) fn each<I, O>(
+    inputs: &[I],
+    outputs: &mut [O],
+    all: impl Fn(&Group<I>) -> Option<Group<O>>,
+    one: impl Fn(&I) -> O,
+) {
+    let count = inputs.len().min(outputs.len());
+    let (inputs, last_inputs) = groups(inputs, count);
+    let (outputs, last_outputs) = groups_mut(outputs, count);
+    for (inputs, outputs) in inputs.iter().zip(outputs) {
+        match all(inputs) {
+            Some(group) => *outputs = group,
+            None => singly(inputs, outputs, &one),
+        }
+    }
+    singly(last_inputs, last_outputs, &one);
+}
+
+/// The first `count` of a slice, in groups, and what remains.
+#[inline(always)]
+fn groups<T>(of: &[T], count: usize) -> (&[Group<T>], &[T]) {
+    of.get(..count).unwrap_or(of).as_chunks()
+}
+
+/// [`groups`] to write to.
+#[inline(always)]
+fn groups_mut<T>(of: &mut [T], count: usize) -> (&mut [Group<T>], &mut [T]) {
+    of.get_mut(..count).unwrap_or_default().as_chunks_mut()
+}
+
+/// Force and torque of slide and rim.
+#[inline(always)]
+pub(super) fn reduced_wrenches<R: Real, C: Coupling<R> + ?Sized>(
+    coupling: &C,
+    [slides, rims]: [&[R]; 2],
+    [forces, torques]: [&mut [R]; 2],
+) {
+    let inputs = slides.len().min(rims.len());
+    let count = inputs.min(forces.len()).min(torques.len());
+    let ([slides, rims], [forces, torques]) = (
+        [slides, rims].map(|speeds| groups(speeds, count)),
+        [forces, torques].map(|results| groups_mut(results, count)),
+    );
+    let singly = |[slides, rims]: [&[R]; 2], [forces, torques]: [&mut [R]; 2]| {
+        let results = forces.iter_mut().zip(torques);
+        for ((&slide, &rim), (f, t)) in slides.iter().zip(rims).zip(results) {
+            let ReducedWrench { force, torque } = coupling.reduced_wrench(slide, rim);
+            (*f, *t) = (force, torque);
+        }
+    };
+    let results = forces.0.iter_mut().zip(torques.0);
+    for ((slides, rims), (forces, torques)) in slides.0.iter().zip(rims.0).zip(results) {
+        match coupling.reduced_wrenches(slides, rims) {
+            Some(group) => [*forces, *torques] = group,
+            None => singly([slides, rims], [forces, torques]),
+        }
+    }
+    singly([slides.1, rims.1], [forces.1, torques.1]);
+}
+
+/// Jacobians of slide and rim.
+#[inline(always)]
+pub(super) fn reduced_jacobians<R: Real, C: Coupling<R> + ?Sized>(
+    coupling: &C,
+    [slides, rims]: [&[R]; 2],
+    jacobians: &mut [ReducedJacobian<R>],
+) {
+    let count = slides.len().min(rims.len()).min(jacobians.len());
+    let [slides, rims] = [slides, rims].map(|speeds| groups(speeds, count));
+    let jacobians = groups_mut(jacobians, count);
+    let singly = |[slides, rims]: [&[R]; 2], jacobians: &mut [ReducedJacobian<R>]| {
+        for ((&slide, &rim), jacobian) in slides.iter().zip(rims).zip(jacobians) {
+            *jacobian = coupling.reduced_jacobian(slide, rim);
+        }
+    };
+    for ((slides, rims), jacobians) in slides.0.iter().zip(rims.0).zip(jacobians.0) {
+        let Some([a, b, c, d]) = coupling.reduced_jacobians(slides, rims) else {
+            singly([slides, rims], jacobians);
+            continue;
+        };
+        let entries = a.iter().zip(b).zip(c).zip(d);
+        for (jacobian, (((&force_per_slide, force_slide), mixed), torque_rim)) in
+            jacobians.iter_mut().zip(entries)
+        {
+            *jacobian = ReducedJacobian {
+                force_per_slide,
+                force_slide,
+                mixed,
+                torque_rim,
+            };
+        }
+    }
+    singly([slides.1, rims.1], jacobians.1);
+}
+
+#[inline]
+fn singly<I, O>(inputs: &[I], outputs: &mut [O], one: &impl Fn(&I) -> O) {
+    for (input, output) in inputs.iter().zip(outputs) {
+        *output = one(input);
+    }
+}

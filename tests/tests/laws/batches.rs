@@ -1,0 +1,88 @@
+//! Batches have the bits of single calls.
+
+use tribos_core::Real;
+use tribos_core::coupling::closed::Hertz;
+use tribos_core::coupling::round::{RoundTable32, RoundTable64};
+use tribos_core::coupling::table::{Coulomb, Table32, Table64};
+use tribos_core::coupling::{Coupling, PatchFriction};
+use tribos_core::patch::PowerPressure;
+use tribos_core::twist::{Twist, Wrench};
+use tribos_tests::batches::{GROUP, compare};
+
+/// Inputs of each comparison of the quick test; `examples/batches.rs` takes more.
+const COUNT: usize = 150_000;
+
+#[test]
+fn tables_of_dry_friction_have_the_bits_of_single_calls() {
+    compare::<f64, _>(&Coulomb, COUNT, 1);
+    compare::<f32, _>(&Coulomb, COUNT, 2);
+}
+
+#[test]
+fn tables_of_a_power_have_the_bits_of_single_calls() {
+    for (seed, alpha) in [(3, -0.9), (4, 0.0), (5, 0.37), (6, 1.0), (7, 9.5)] {
+        compare(&Table64::new(alpha).unwrap(), COUNT, seed);
+        compare(&Table32::new(alpha as f32).unwrap(), COUNT, seed);
+    }
+}
+
+#[test]
+fn tables_of_round_pressures_have_the_bits_of_single_calls() {
+    for (seed, alpha) in [(8, -0.5), (9, 0.0), (10, 0.37)] {
+        for pressure in [PowerPressure::RING, PowerPressure::HERTZ] {
+            compare(
+                &RoundTable64::new(alpha, pressure).unwrap(),
+                COUNT / 2,
+                seed,
+            );
+            compare(
+                &RoundTable32::new(alpha as f32, pressure).unwrap(),
+                COUNT / 2,
+                seed,
+            );
+        }
+    }
+}
+
+#[test]
+fn couplings_without_lanes_have_batches() {
+    compare::<f64, _>(&Hertz, COUNT / 4, 11);
+    compare::<f32, _>(&Hertz, COUNT / 4, 12);
+}
+
+/// True if an ordinary group goes in lanes.
+fn goes_in_lanes<R: Real>(coupling: impl Coupling<R>) -> bool {
+    let speeds = [0.1, 0.2, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0].map(R::from_f64);
+    let others = [0.0, 0.3, 0.4, 1.1, 1.9, 3.0, 8.0, 1.0].map(R::from_f64);
+    coupling.reduced_drags(&speeds, &others).is_some()
+}
+
+#[test]
+fn tables_go_in_lanes_where_there_are_vectors() {
+    let has = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
+    assert_eq!(goes_in_lanes::<f64>(Coulomb), has);
+    assert_eq!(goes_in_lanes::<f32>(&Coulomb), has);
+    assert_eq!(goes_in_lanes(Table64::new(0.37).unwrap()), has);
+    assert_eq!(goes_in_lanes(Table32::new(0.37).unwrap()), has);
+    assert!(!goes_in_lanes::<f64>(Hertz));
+}
+
+#[test]
+fn elements_beyond_the_shorter_slice_stay() {
+    let puck = PatchFriction::new(Coulomb, 0.3, 0.04).unwrap();
+    let twists = [Twist::new(1.0, 0.5, 3.0); GROUP + 1];
+    let one = puck.wrench(1.7, &twists[0]);
+    for inputs in 0..=GROUP + 1 {
+        for outputs in 0..=GROUP + 1 {
+            let mut wrenches = [Wrench::ZERO; GROUP + 1];
+            puck.wrench_batch(1.7, &twists[..inputs], &mut wrenches[..outputs]);
+            let done = inputs.min(outputs);
+            assert!(wrenches[..done].iter().all(|wrench| *wrench == one));
+            assert!(
+                wrenches[done..]
+                    .iter()
+                    .all(|wrench| *wrench == Wrench::ZERO)
+            );
+        }
+    }
+}
