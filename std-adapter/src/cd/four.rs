@@ -59,16 +59,20 @@ type Vectors<L> = [L; 3];
 /// What a monitor records of each contact: change², P, speed.
 pub(super) type Records = [[f64; 4]; 3];
 
-/// Solves four links without a common sphere, whose spheres have these places; returns what monitors record.
+/// Solves four links without a common sphere, the first of `spheres` having the number `first`; returns what
+/// monitors record.
 ///
 /// `None`, and nothing is done, if there is no such sphere.
 #[inline(always)]
 pub(super) fn update<L: Four, M: ContactModes<f64>>(
     links: &mut [Link<M>; 4],
-    spheres: &mut [Aligned],
-    places: [[usize; 4]; 2],
+    (first, spheres): (u32, &mut [Aligned]),
     (alike, limits): &(Alike, Limits),
 ) -> Option<Records> {
+    let places = [0, 1].map(|end| {
+        let [a, b, c, d] = &*links;
+        [a, b, c, d].map(|link| (link.bodies[end] - first) as usize)
+    });
     let n: Vectors<L> = [0, 1, 2].map(|axis| gather(links, |contact| contact.normal()[axis]));
     let arm: L = gather(links, |contact| contact.arms()[0]);
     let mass_sliding: L = gather(links, |contact| contact.block().mass_sliding);

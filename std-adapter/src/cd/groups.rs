@@ -7,7 +7,7 @@ use std::ops::Range;
 use tribos_core::contact::ContactModes;
 
 /// Number of pairs solved at a time.
-const LANES: usize = 4;
+pub(super) const LANES: usize = 4;
 
 /// The groups of a problem: four consecutive pairs of alike spheres, no two of which share one.
 #[derive(Clone, Debug, Default)]

@@ -1,14 +1,13 @@
 //! Sweeps over the pairs of spheres: one after the other, four at a time, or a colour on several threads.
 
 use super::aligned::Aligned;
-use super::four;
-use super::groups::Groups;
+use super::four::{self, Records};
+use super::groups::{Groups, LANES};
 use super::image::{Image, ImageVelocity};
 use super::mixture::PairFriction;
 use super::operator::Monitor;
 use super::spheres::Link;
 use rayon::prelude::*;
-use std::marker::PhantomData;
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Sphere};
 use tribos_lanes::{Four, Task};
 use tribos_prefetch::prefetch;
@@ -37,44 +36,70 @@ pub(super) fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
     watch: &mut W,
 ) {
     let number = |body: u32| (body - first) as usize;
-    match groups {
-        Some(groups) => tribos_lanes::run(Grouped {
-            links,
-            groups,
-            spheres,
-            first,
-            friction,
-            way,
-            watch,
-            law: PhantomData::<F>,
-        }),
-        None => {
-            let count = links.len();
-            let mut update = |at: usize, ahead: usize| {
-                fetch(links.get(ahead), spheres, number);
-                solve_one(links, at, spheres, number, friction, watch);
-            };
-            if way == Way::Forward {
-                (0..count).for_each(|at| update(at, at + AHEAD));
-            } else {
-                (0..count)
-                    .rev()
-                    .for_each(|at| update(at, at.wrapping_sub(AHEAD)));
+    let count = links.len();
+    let mut done = 0;
+    while done < count {
+        let at = way.place(done, count);
+        if let Some(groups) = groups.filter(|groups| groups.begins(way.start(at))) {
+            let (records, solved) = solve_run(links, groups, (first, spheres), way, at);
+            for group in records.iter().take(solved) {
+                show(group, way, watch);
+            }
+            done += LANES * solved;
+            if solved > 0 {
+                continue;
             }
         }
+        fetch(links.get(way.ahead(at)), spheres, first);
+        solve_one(links, at, spheres, number, friction, watch);
+        done += 1;
+    }
+}
+
+impl Way {
+    /// Position of the pair that comes after so many others.
+    #[inline(always)]
+    fn place(self, done: usize, count: usize) -> usize {
+        match self {
+            Self::Forward => done,
+            Self::Backward => count - 1 - done,
+        }
+    }
+
+    /// Position of the first pair of a group, from that of the pair which comes first on this way.
+    #[inline(always)]
+    fn start(self, at: usize) -> usize {
+        match self {
+            Self::Forward => at,
+            Self::Backward => at.wrapping_sub(LANES - 1),
+        }
+    }
+
+    /// Position of the pair whose bodies are to be fetched, if there is one.
+    #[inline(always)]
+    fn ahead(self, at: usize) -> usize {
+        match self {
+            Self::Forward => at + AHEAD,
+            Self::Backward => at.wrapping_sub(AHEAD),
+        }
+    }
+}
+
+/// Lets a monitor see the contacts of a group in the order of the sweep.
+#[inline(always)]
+fn show<W: Monitor>([change_sq, bound, speed]: &Records, way: Way, watch: &mut W) {
+    for turn in 0..LANES {
+        let lane = way.place(turn, LANES);
+        watch.see(change_sq[lane], bound[lane], speed[lane]);
     }
 }
 
 /// Asks for the bodies of a link, which lie anywhere in memory, before they are needed.
 #[inline(always)]
-fn fetch<M: ContactModes<f64>>(
-    soon: Option<&Link<M>>,
-    spheres: &[Aligned],
-    number: impl Fn(u32) -> usize,
-) {
+fn fetch<M: ContactModes<f64>>(soon: Option<&Link<M>>, spheres: &[Aligned], first: u32) {
     if let Some(soon) = soon {
         for body in soon.bodies {
-            if let Some(sphere) = spheres.get(number(body)) {
+            if let Some(sphere) = spheres.get((body - first) as usize) {
                 prefetch(sphere);
             }
         }
@@ -102,84 +127,78 @@ fn solve_one<F: ContactFriction<f64>, W: Monitor>(
     }
 }
 
-/// A sweep over pairs of which most are solved four at a time.
-struct Grouped<'a, F: ContactFriction<f64>, P, W> {
-    links: &'a mut [Link<F::Modes>],
+/// Number of groups that are solved before a monitor sees them.
+const RUN: usize = 16;
+
+/// Solves groups one after the other, the first of which has the pair at `at`, as far as there is one after
+/// another; returns what a monitor records, and their number. Apart from monitors and frictions: a copy for each
+/// of these would take minutes to compile.
+#[inline(never)]
+fn solve_run<M: ContactModes<f64>>(
+    links: &mut [Link<M>],
+    groups: Groups<'_>,
+    (first, spheres): (u32, &mut [Aligned]),
+    way: Way,
+    at: usize,
+) -> ([Records; RUN], usize) {
+    let mut records = [Records::default(); RUN];
+    let solved = tribos_lanes::run(Run {
+        links,
+        groups,
+        spheres,
+        first,
+        way,
+        at,
+        records: &mut records,
+    });
+    (records, solved)
+}
+
+/// Groups one after the other.
+struct Run<'a, M: ContactModes<f64>> {
+    links: &'a mut [Link<M>],
     groups: Groups<'a>,
     spheres: &'a mut [Aligned],
     first: u32,
-    friction: &'a P,
     way: Way,
-    watch: &'a mut W,
-    law: PhantomData<F>,
+    at: usize,
+    records: &'a mut [Records; RUN],
 }
 
-impl<F: ContactFriction<f64>, P: PairFriction<F>, W: Monitor> Task for Grouped<'_, F, P, W> {
-    type Output = ();
+impl<M: ContactModes<f64>> Task for Run<'_, M> {
+    type Output = usize;
 
     #[inline(always)]
-    fn run<L: Four>(self) {
+    fn run<L: Four>(self) -> usize {
         let Self {
             links,
             groups,
             spheres,
             first,
-            friction,
             way,
-            watch,
-            ..
+            at,
+            records,
         } = self;
-        let number = |body: u32| (body - first) as usize;
-        let count = links.len();
-        let mut done = 0;
-        while done < count {
-            // The next pair, and the first of its group.
-            let (at, start) = if way == Way::Forward {
-                (done, done)
-            } else {
-                (count - 1 - done, (count - 1 - done).wrapping_sub(3))
+        let mut start = way.start(at);
+        for (solved, record) in records.iter_mut().enumerate() {
+            let group = links.get_mut(start..).filter(|_| groups.begins(start));
+            let Some(four) = group.and_then(|rest| rest.first_chunk_mut::<LANES>()) else {
+                return solved;
             };
-            let four = if groups.begins(start) {
-                links
-                    .get_mut(start..)
-                    .and_then(|rest| rest.first_chunk_mut::<4>())
-            } else {
-                None
+            let Some(seen) = four::update::<L, M>(four, (first, spheres), groups.common) else {
+                return solved;
             };
-            let Some(four) = four else {
-                let ahead = if way == Way::Forward {
-                    at + AHEAD
-                } else {
-                    at.wrapping_sub(AHEAD)
-                };
-                fetch(links.get(ahead), spheres, number);
-                solve_one(links, at, spheres, number, friction, watch);
-                done += 1;
-                continue;
-            };
-            let places = [0, 1].map(|end| {
-                let [a, b, c, d] = &*four;
-                [a, b, c, d].map(|link| number(link.bodies[end]))
-            });
-            let records = four::update::<L, F::Modes>(four, spheres, places, groups.common);
-            if let Some([change_sq, bound, speed]) = records {
-                let mut see = |lane: usize| watch.see(change_sq[lane], bound[lane], speed[lane]);
-                if way == Way::Forward {
-                    (0..4).for_each(&mut see);
-                } else {
-                    (0..4).rev().for_each(&mut see);
-                }
+            *record = seen;
+            for lane in 0..LANES {
+                let ahead = way.ahead(start).wrapping_add(lane);
+                fetch(links.get(ahead), spheres, first);
             }
-            let ahead = if way == Way::Forward {
-                start + AHEAD
-            } else {
-                start.wrapping_sub(AHEAD)
+            start = match way {
+                Way::Forward => start + LANES,
+                Way::Backward => start.wrapping_sub(LANES),
             };
-            for lane in 0..4 {
-                fetch(links.get(ahead.wrapping_add(lane)), spheres, number);
-            }
-            done += 4;
         }
+        RUN
     }
 }
 
