@@ -69,26 +69,25 @@ pub(super) fn update<L: Four, M: ContactModes<f64>>(
     (first, spheres): (u32, &mut [Aligned]),
     (alike, limits): &(Alike, Limits),
 ) -> Option<Records> {
-    let places = [0, 1].map(|end| {
-        let [a, b, c, d] = &*links;
-        [a, b, c, d].map(|link| (link.bodies[end] - first) as usize)
-    });
-    let n: Vectors<L> = [0, 1, 2].map(|axis| gather(links, |contact| contact.normal()[axis]));
+    let place = |lane: usize, end: usize| (links[lane].bodies[end] - first) as usize;
+    let places = [
+        [place(0, 0), place(1, 0), place(2, 0), place(3, 0)],
+        [place(0, 1), place(1, 1), place(2, 1), place(3, 1)],
+    ];
+    let n: Vectors<L> = gather_vectors(links, |contact| *contact.normal());
     let arm: L = gather(links, |contact| contact.arms()[0]);
     let mass_sliding: L = gather(links, |contact| contact.block().mass_sliding);
     let cohesion: L = gather(links, |contact| contact.cohesion());
     let allowance: L = gather(links, |contact| contact.allowance());
     let old_normal: L = gather(links, |contact| contact.impulse().normal);
-    let old_sliding: Vectors<L> =
-        [0, 1, 2].map(|axis| gather(links, |contact| contact.impulse().sliding()[axis]));
-    let old_rolling: Vectors<L> =
-        [0, 1, 2].map(|axis| gather(links, |contact| contact.impulse().rolling()[axis]));
+    let old_sliding: Vectors<L> = gather_vectors(links, |contact| contact.impulse().sliding());
+    let old_rolling: Vectors<L> = gather_vectors(links, |contact| contact.impulse().rolling());
     let old_torsion: L = gather(links, |contact| contact.impulse().torsion());
     let [va, wa] = motions::<L>(spheres, places[0])?;
     let [vb, wb] = motions::<L>(spheres, places[1])?;
     let zero = L::splat(0.0);
-    let [mass_normal, inertia, lever] =
-        [alike.mass_normal, alike.inertia, alike.lever].map(L::splat);
+    let (mass_normal, inertia) = (L::splat(alike.mass_normal), L::splat(alike.inertia));
+    let lever = L::splat(alike.lever);
 
     // Relative velocity, mode by mode.
     let drift = minus(vb, va);
@@ -166,8 +165,8 @@ pub(super) fn update<L: Four, M: ContactModes<f64>>(
     store(spheres, places[1], vb, turned, wb);
 
     let normals = new_normal.lanes();
-    let slidings = new_sliding.map(L::lanes);
-    let rollings = new_rolling.map(L::lanes);
+    let slidings = axes(new_sliding);
+    let rollings = axes(new_rolling);
     let torsions = new_torsion.lanes();
     let vector = |axes: &[[f64; 4]; 3], lane: usize| {
         Vector3::new(axes[0][lane], axes[1][lane], axes[2][lane])
@@ -182,6 +181,37 @@ pub(super) fn update<L: Four, M: ContactModes<f64>>(
     }
     let speed = change_normal.abs() / mass_normal;
     Some([change_sq.lanes(), bound.lanes(), speed.lanes()])
+}
+
+/// A vector of each contact.
+#[inline(always)]
+fn gather_vectors<L: Four, M: ContactModes<f64>>(
+    links: &[Link<M>; 4],
+    value: impl Fn(&Contact<f64, M>) -> Vector3<f64>,
+) -> Vectors<L> {
+    let [a, b, c, d] = links;
+    vectors([
+        &value(&a.contact),
+        &value(&b.contact),
+        &value(&c.contact),
+        &value(&d.contact),
+    ])
+}
+
+/// Four vectors, axis by axis. Written out, as `map` of an array may be left a call, which has no AVX2.
+#[inline(always)]
+fn vectors<L: Four>([a, b, c, d]: [&Vector3<f64>; 4]) -> Vectors<L> {
+    [
+        L::new([a.x, b.x, c.x, d.x]),
+        L::new([a.y, b.y, c.y, d.y]),
+        L::new([a.z, b.z, c.z, d.z]),
+    ]
+}
+
+/// The numbers of four vectors, axis by axis.
+#[inline(always)]
+fn axes<L: Four>([x, y, z]: Vectors<L>) -> [[f64; 4]; 3] {
+    [x.lanes(), y.lanes(), z.lanes()]
 }
 
 /// A number of each contact.
@@ -204,16 +234,8 @@ fn gather<L: Four, M: ContactModes<f64>>(
 fn motions<L: Four>(spheres: &[Aligned], [a, b, c, d]: [usize; 4]) -> Option<[Vectors<L>; 2]> {
     let (a, b) = (spheres.get(a)?, spheres.get(b)?);
     let (c, d) = (spheres.get(c)?, spheres.get(d)?);
-    let velocity = [0, 1, 2].map(|axis| {
-        L::new([
-            a.velocity[axis],
-            b.velocity[axis],
-            c.velocity[axis],
-            d.velocity[axis],
-        ])
-    });
-    let spin =
-        [0, 1, 2].map(|axis| L::new([a.spin[axis], b.spin[axis], c.spin[axis], d.spin[axis]]));
+    let velocity = vectors([&a.velocity, &b.velocity, &c.velocity, &d.velocity]);
+    let spin = vectors([&a.spin, &b.spin, &c.spin, &d.spin]);
     Some([velocity, spin])
 }
 
@@ -226,7 +248,7 @@ fn store<L: Four>(
     turned: bool,
     spin: Vectors<L>,
 ) {
-    let (velocity, spin) = (velocity.map(L::lanes), spin.map(L::lanes));
+    let (velocity, spin) = (axes(velocity), axes(spin));
     for lane in 0..4 {
         if let Some(sphere) = spheres.get_mut(places[lane]) {
             sphere.velocity = Vector3::new(velocity[0][lane], velocity[1][lane], velocity[2][lane]);
@@ -277,7 +299,7 @@ fn clamp<L: Four>(x: L, bound: L) -> L {
 /// The nearest points of discs, as the kernel projects.
 #[inline(always)]
 fn project<L: Four>(q: Vectors<L>, bound: L) -> Vectors<L> {
-    let [zero, one, least] = [0.0, 1.0, f64::MIN_POSITIVE].map(L::splat);
+    let (zero, one, least) = (L::splat(0.0), L::splat(1.0), L::splat(f64::MIN_POSITIVE));
     let length_sq = dot(q, q);
     let in_range = least
         .less(length_sq)
@@ -300,8 +322,8 @@ fn project<L: Four>(q: Vectors<L>, bound: L) -> Vectors<L> {
 /// Squares and quotients beyond the normal numbers.
 #[inline(always)]
 fn project_each<L: Four>(q: Vectors<L>, bound: L) -> Vectors<L> {
-    let nearest = nearest_each(q.map(L::lanes), bound.lanes());
-    nearest.map(L::new)
+    let [x, y, z] = nearest_each(axes(q), bound.lanes());
+    [L::new(x), L::new(y), L::new(z)]
 }
 
 #[cold]

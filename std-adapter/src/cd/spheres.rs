@@ -6,7 +6,9 @@ use super::image::{ImageVelocity, Images, seen};
 use super::mixture::{Mixture, PairFriction, Same};
 use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::schedule::Schedule;
-use super::sweep::{AHEAD, WORTHWHILE, Way, report, sweep_colour, sweep_images, sweep_links};
+use super::sweep::{
+    AHEAD, WORTHWHILE, Way, report, solve_one, sweep_colour, sweep_images, sweep_links,
+};
 use rayon::prelude::*;
 use std::sync::Arc;
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
@@ -262,22 +264,20 @@ impl<F: ContactFriction<f64>> Spheres<F> {
 
     /// Solves one pair.
     fn visit_pair<W: Monitor>(&mut self, index: usize, watch: &mut W) {
-        let Some(link) = self.pairs.get_mut(index..=index) else {
-            return;
-        };
         let spheres = &mut self.spheres[..];
         let (one, both) = (Same(self.friction[0]), self.mixture.as_deref());
-        match (index.checked_sub(self.schedule.images), both) {
-            (None, None) => sweep_links(link, None, (0, spheres), &one, Way::Forward, watch),
-            (None, Some(mixture)) => {
-                sweep_links(link, None, (0, spheres), mixture, Way::Forward, watch)
+        let Some(image) = index.checked_sub(self.schedule.images) else {
+            match both {
+                None => solve_one(&mut self.pairs, index, (0, spheres), &one, watch),
+                Some(both) => solve_one(&mut self.pairs, index, (0, spheres), both, watch),
             }
-            (Some(image), both) => {
-                let pairs = (link, &self.images[image..]);
-                match both {
-                    None => sweep_images(pairs, spheres, &one, Way::Forward, watch),
-                    Some(mixture) => sweep_images(pairs, spheres, mixture, Way::Forward, watch),
-                }
+            return;
+        };
+        if let Some(link) = self.pairs.get_mut(index..=index) {
+            let pairs = (link, &self.images[image..]);
+            match both {
+                None => sweep_images(pairs, spheres, &one, Way::Forward, watch),
+                Some(both) => sweep_images(pairs, spheres, both, Way::Forward, watch),
             }
         }
     }

@@ -35,13 +35,14 @@ pub(super) fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
     way: Way,
     watch: &mut W,
 ) {
-    let number = |body: u32| (body - first) as usize;
     let count = links.len();
+    let mut records = [Records::default(); RUN];
     let mut done = 0;
     while done < count {
         let at = way.place(done, count);
         if let Some(groups) = groups.filter(|groups| groups.begins(way.start(at))) {
-            let (records, solved) = solve_run(links, groups, (first, spheres), way, at);
+            let bodies = (first, &mut *spheres);
+            let solved = solve_run(links, groups, bodies, (way, at), &mut records);
             for group in records.iter().take(solved) {
                 show(group, way, watch);
             }
@@ -51,7 +52,7 @@ pub(super) fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
             }
         }
         fetch(links.get(way.ahead(at)), spheres, first);
-        solve_one(links, at, spheres, number, friction, watch);
+        solve_one(links, at, (first, spheres), friction, watch);
         done += 1;
     }
 }
@@ -106,20 +107,19 @@ fn fetch<M: ContactModes<f64>>(soon: Option<&Link<M>>, spheres: &[Aligned], firs
     }
 }
 
-/// Solves one pair.
+/// Solves one pair; the first element of `spheres` has the number `first`.
 #[inline(always)]
-fn solve_one<F: ContactFriction<f64>, W: Monitor>(
+pub(super) fn solve_one<F: ContactFriction<f64>, W: Monitor>(
     links: &mut [Link<F::Modes>],
     at: usize,
-    spheres: &mut [Aligned],
-    number: impl Fn(u32) -> usize,
+    (first, spheres): (u32, &mut [Aligned]),
     friction: &impl PairFriction<F>,
     watch: &mut W,
 ) {
     let Some(link) = links.get_mut(at) else {
         return;
     };
-    let bodies = link.bodies.map(number);
+    let bodies = link.bodies.map(|body| (body - first) as usize);
     if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
         let friction = friction.of(link.bodies);
         let change = link.contact.update(friction, &mut a.0, &mut b.0);
@@ -131,27 +131,25 @@ fn solve_one<F: ContactFriction<f64>, W: Monitor>(
 const RUN: usize = 16;
 
 /// Solves groups one after the other, the first of which has the pair at `at`, as far as there is one after
-/// another; returns what a monitor records, and their number. Apart from monitors and frictions: a copy for each
+/// another; gives what a monitor records, and returns their number. Apart from monitors and frictions: a copy for each
 /// of these would take minutes to compile.
 #[inline(never)]
 fn solve_run<M: ContactModes<f64>>(
     links: &mut [Link<M>],
     groups: Groups<'_>,
     (first, spheres): (u32, &mut [Aligned]),
-    way: Way,
-    at: usize,
-) -> ([Records; RUN], usize) {
-    let mut records = [Records::default(); RUN];
-    let solved = tribos_lanes::run(Run {
+    (way, at): (Way, usize),
+    records: &mut [Records; RUN],
+) -> usize {
+    tribos_lanes::run(Run {
         links,
         groups,
         spheres,
         first,
         way,
         at,
-        records: &mut records,
-    });
-    (records, solved)
+        records,
+    })
 }
 
 /// Groups one after the other.
