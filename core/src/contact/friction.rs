@@ -42,6 +42,12 @@ pub trait ContactFriction<R: Real>: Copy + Send + Sync {
     /// The admissible rolling torque nearest to `trial`.
     #[doc(hidden)]
     fn hold_rolling(&self, trial: &Vector3<R>, bound: R, lever: R) -> Vector3<R>;
+
+    /// The coefficients of sliding, rolling and torsion, if each of these has a threshold of its own.
+    #[doc(hidden)]
+    fn independent_limits(&self) -> Option<[R; 3]> {
+        None
+    }
 }
 
 /// Three independent thresholds, a product of sets: |F_t| ≤ μ P, |T_t| ≤ μ_t P r_eff,
@@ -168,6 +174,11 @@ impl<R: Real, M: ContactModes<R>> ContactFriction<R> for Thresholds<R, M> {
     #[inline(always)]
     fn hold_rolling(&self, trial: &Vector3<R>, bound: R, lever: R) -> Vector3<R> {
         project_on_disc(trial, self.rolling * (bound * lever))
+    }
+
+    #[inline(always)]
+    fn independent_limits(&self) -> Option<[R; 3]> {
+        Some([self.sliding, self.rolling, self.torsion])
     }
 }
 

@@ -27,6 +27,8 @@ mod aligned;
 mod assemble;
 mod energy;
 mod error;
+mod four;
+mod groups;
 mod image;
 mod impact;
 mod impact_rest;
@@ -46,6 +48,7 @@ mod shear_tests;
 mod sleep;
 mod solver;
 mod spheres;
+mod sweep;
 #[cfg(test)]
 mod sweep_tests;
 mod wall;

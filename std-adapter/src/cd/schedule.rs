@@ -87,6 +87,12 @@ impl Schedule {
         }
     }
 
+    /// Positions of the pairs that are swept together: those of each block, and each colour across blocks.
+    pub fn parts(&self) -> impl Iterator<Item = Range<usize>> {
+        let blocks = self.blocks.iter().map(|block| block.pairs.clone());
+        blocks.chain(self.across.iter().cloned())
+    }
+
     /// Puts the images into the order of their pairs, which are the last ones.
     fn renumber(&self, images: &mut [ImageVelocity]) {
         let old = images.to_vec();

@@ -1,10 +1,14 @@
 //! The contact problem of spheres and plates.
 
 use super::aligned::Aligned;
-use super::image::{Image, ImageVelocity, Images, seen};
+use super::groups::{Grouping, Groups};
+use super::image::{ImageVelocity, Images, seen};
 use super::mixture::{Mixture, PairFriction, Same};
 use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::schedule::Schedule;
+use super::sweep::{
+    AHEAD, WORTHWHILE, Way, report, solve_one, sweep_colour, sweep_images, sweep_links,
+};
 use rayon::prelude::*;
 use std::sync::Arc;
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
@@ -80,6 +84,7 @@ pub struct Spheres<F: ContactFriction<f64>> {
     /// Materials and their friction, in place of `friction`, if there are several.
     pub mixture: Option<Arc<Mixture<F>>>,
     schedule: Schedule,
+    grouping: Grouping,
 }
 
 impl<F: ContactFriction<f64>> Spheres<F> {
@@ -95,6 +100,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             friction,
             mixture: None,
             schedule: Schedule::default(),
+            grouping: Grouping::default(),
         }
     }
 
@@ -108,7 +114,29 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         self.spheres
             .extend(self.free.0.iter().map(|sphere| Aligned(*sphere)));
         self.plates.clone_from(&self.free.1);
+        self.group();
         self.refresh();
+    }
+
+    /// Groups the pairs that are solved four at a time.
+    fn group(&mut self) {
+        let limits = match &self.mixture {
+            None => self.friction[0].independent_limits(),
+            Some(_) => None,
+        };
+        let parts = self.schedule.parts();
+        self.grouping
+            .arrange(limits, parts, &self.pairs, &self.spheres);
+    }
+
+    /// Solves every pair by itself until the next [`Spheres::start`]; for comparisons, as the bits are the same.
+    pub fn without_lanes(&mut self) {
+        self.grouping.clear();
+    }
+
+    /// Number of pairs that are solved four at a time.
+    pub fn side_by_side(&self) -> usize {
+        self.grouping.count()
     }
 
     /// Friction between two spheres.
@@ -192,8 +220,9 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             sweep_images((pairs, &self.images), spheres, friction, way, watch);
             let colours = self.schedule.across.iter().rev();
             for colour in colours.cloned() {
+                let groups = self.grouping.of(colour.clone());
                 let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[colour]);
-                sweep_colour(pairs, spheres, friction, way, watch);
+                sweep_colour(pairs, groups, spheres, friction, way, watch);
             }
         }
         let mut parts = Vec::with_capacity(blocks);
@@ -202,23 +231,31 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             let (own, rest) = spheres.split_at_mut(block.spheres.len());
             let (links, others) = pairs.split_at_mut(block.pairs.len());
             (spheres, pairs) = (rest, others);
-            parts.push((block.spheres.start as u32, own, links, watch.fork()));
+            let groups = self.grouping.of(block.pairs.clone());
+            parts.push((block.spheres.start as u32, own, links, groups, watch.fork()));
         }
-        let sweep = |(first, spheres, links, watch): &mut (u32, &mut [_], &mut [_], W)| {
-            sweep_links(links, *first, spheres, friction, way, watch);
+        let sweep = |(first, spheres, links, groups, watch): &mut (
+            u32,
+            &mut [_],
+            &mut [_],
+            Option<Groups<'_>>,
+            W,
+        )| {
+            sweep_links(links, *groups, (*first, spheres), friction, way, watch);
         };
         if across >= WORTHWHILE && rayon::current_num_threads() > 1 {
             parts.par_iter_mut().for_each(sweep);
         } else {
             parts.iter_mut().for_each(sweep);
         }
-        for (_, _, _, seen) in &parts {
+        for (_, _, _, _, seen) in &parts {
             watch.join(seen);
         }
         if way == Way::Forward {
             for colour in self.schedule.across.iter().cloned() {
+                let groups = self.grouping.of(colour.clone());
                 let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[colour]);
-                sweep_colour(pairs, spheres, friction, way, watch);
+                sweep_colour(pairs, groups, spheres, friction, way, watch);
             }
             let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[border..]);
             sweep_images((pairs, &self.images), spheres, friction, way, watch);
@@ -227,20 +264,20 @@ impl<F: ContactFriction<f64>> Spheres<F> {
 
     /// Solves one pair.
     fn visit_pair<W: Monitor>(&mut self, index: usize, watch: &mut W) {
-        let Some(link) = self.pairs.get_mut(index..=index) else {
-            return;
-        };
         let spheres = &mut self.spheres[..];
         let (one, both) = (Same(self.friction[0]), self.mixture.as_deref());
-        match (index.checked_sub(self.schedule.images), both) {
-            (None, None) => sweep_links(link, 0, spheres, &one, Way::Forward, watch),
-            (None, Some(mixture)) => sweep_links(link, 0, spheres, mixture, Way::Forward, watch),
-            (Some(image), both) => {
-                let pairs = (link, &self.images[image..]);
-                match both {
-                    None => sweep_images(pairs, spheres, &one, Way::Forward, watch),
-                    Some(mixture) => sweep_images(pairs, spheres, mixture, Way::Forward, watch),
-                }
+        let Some(image) = index.checked_sub(self.schedule.images) else {
+            match both {
+                None => solve_one(&mut self.pairs, index, (0, spheres), &one, watch),
+                Some(both) => solve_one(&mut self.pairs, index, (0, spheres), both, watch),
+            }
+            return;
+        };
+        if let Some(link) = self.pairs.get_mut(index..=index) {
+            let pairs = (link, &self.images[image..]);
+            match both {
+                None => sweep_images(pairs, spheres, &one, Way::Forward, watch),
+                Some(both) => sweep_images(pairs, spheres, both, Way::Forward, watch),
             }
         }
     }
@@ -260,142 +297,6 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             report(&link.contact, &change, watch);
         }
     }
-}
-
-/// Direction of a sweep.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Way {
-    Forward,
-    Backward,
-}
-
-/// Number of contacts below which threads cost more than they gain.
-const WORTHWHILE: usize = 2_000;
-
-/// How many pairs ahead bodies are fetched: the work of that many takes longer than the memory.
-const AHEAD: usize = 24;
-
-/// Solves pairs one after the other; the first element of `spheres` has the number `first`.
-fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
-    links: &mut [Link<F::Modes>],
-    first: u32,
-    spheres: &mut [Aligned],
-    friction: &impl PairFriction<F>,
-    way: Way,
-    watch: &mut W,
-) {
-    let number = |body: u32| (body - first) as usize;
-    let mut update = |links: &mut [Link<F::Modes>], at: usize, ahead: usize| {
-        // Bodies lie anywhere in memory: they are asked for before they are needed.
-        if let Some(soon) = links.get(ahead) {
-            for body in soon.bodies {
-                if let Some(sphere) = spheres.get(number(body)) {
-                    prefetch(sphere);
-                }
-            }
-        }
-        let Some(link) = links.get_mut(at) else {
-            return;
-        };
-        let bodies = link.bodies.map(number);
-        if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
-            let friction = friction.of(link.bodies);
-            let change = link.contact.update(friction, &mut a.0, &mut b.0);
-            report(&link.contact, &change, watch);
-        }
-    };
-    let count = links.len();
-    if way == Way::Forward {
-        (0..count).for_each(|at| update(links, at, at + AHEAD));
-    } else {
-        let order = (0..count).rev();
-        order.for_each(|at| update(links, at, at.wrapping_sub(AHEAD)));
-    }
-}
-
-/// Number of pairs of one colour below which threads cost more than they gain.
-const WORTHWHILE_COLOUR: usize = 500;
-/// Least number of pairs for a thread.
-const SHARE: usize = 200;
-
-/// Solves the pairs of a colour, which have no sphere in common: on several threads, if they are many.
-fn sweep_colour<F: ContactFriction<f64>, W: Monitor>(
-    links: &mut [Link<F::Modes>],
-    spheres: &mut [Aligned],
-    friction: &impl PairFriction<F>,
-    way: Way,
-    watch: &mut W,
-) {
-    if links.len() < WORTHWHILE_COLOUR || rayon::current_num_threads() == 1 {
-        return sweep_links(links, 0, spheres, friction, way, watch);
-    }
-    // Copies of the bodies are solved in parallel; then each body takes its motion in turn.
-    let mut solved = Vec::with_capacity(links.len());
-    let solve = |link: &mut Link<F::Modes>| {
-        let [mut a, mut b] = link.bodies.map(|body| spheres[body as usize].0);
-        let friction = friction.of(link.bodies);
-        let change = link.contact.update(friction, &mut a, &mut b);
-        (link.bodies, [a, b], watched(&link.contact, &change))
-    };
-    let shares = links.par_iter_mut().with_min_len(SHARE);
-    shares.map(solve).collect_into_vec(&mut solved);
-    let mut take = |(bodies, moved, seen): &([u32; 2], [Sphere<f64>; 2], [f64; 3])| {
-        for (body, moved) in bodies.iter().zip(moved) {
-            spheres[*body as usize].0 = *moved;
-        }
-        let [change_sq, bound, speed] = *seen;
-        watch.see(change_sq, bound, speed);
-    };
-    if way == Way::Forward {
-        solved.iter().for_each(take);
-    } else {
-        solved.iter().rev().for_each(&mut take);
-    }
-}
-
-/// Solves pairs with an image one after the other.
-fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
-    (links, images): (&mut [Link<F::Modes>], &[ImageVelocity]),
-    spheres: &mut [Aligned],
-    friction: &impl PairFriction<F>,
-    way: Way,
-    watch: &mut W,
-) {
-    let mut update = |(link, (_, velocity)): (&mut Link<F::Modes>, &ImageVelocity)| {
-        let bodies = link.bodies.map(|body| body as usize);
-        if let Ok([a, sphere]) = spheres.get_disjoint_mut(bodies) {
-            let (velocity, friction) = (*velocity, friction.of(link.bodies));
-            let sphere = &mut sphere.0;
-            let change = link
-                .contact
-                .update(friction, &mut a.0, &mut Image { sphere, velocity });
-            report(&link.contact, &change, watch);
-        }
-    };
-    let pairs = links.iter_mut().zip(images);
-    if way == Way::Forward {
-        pairs.for_each(update);
-    } else {
-        pairs.rev().for_each(&mut update);
-    }
-}
-
-#[inline(always)]
-fn report<M: ContactModes<f64>, W: Monitor>(
-    contact: &Contact<f64, M>,
-    change: &Modal<f64, M>,
-    watch: &mut W,
-) {
-    let [change_sq, bound, speed] = watched(contact, change);
-    watch.see(change_sq, bound, speed);
-}
-
-/// What a monitor records of a contact whose impulse has changed.
-#[inline(always)]
-fn watched<M: ContactModes<f64>>(contact: &Contact<f64, M>, change: &Modal<f64, M>) -> [f64; 3] {
-    let change_sq = change.dot_with_lever(change, contact.lever());
-    let speed = change.normal.abs() / contact.block().mass_normal;
-    [change_sq, contact.bound(), speed]
 }
 
 impl<F: ContactFriction<f64>> Operator for Spheres<F> {

@@ -54,11 +54,24 @@ fn tangle<F: ContactFriction<f64>>(friction: F) -> Spheres<F> {
     problem
 }
 
+/// Whether pairs are solved four at a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Lanes {
+    Four,
+    One,
+}
+
 /// Impulses, motions and what a monitor saw after some sweeps to and fro.
-fn swept<F: ContactFriction<f64>>(threads: usize, friction: F) -> String {
+fn swept<F: ContactFriction<f64>>(threads: usize, lanes: Lanes, friction: F) -> String {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     pool.expect("threads can be made").install(|| {
         let mut problem = tangle(friction);
+        if lanes == Lanes::One {
+            problem.without_lanes();
+            assert_eq!(problem.side_by_side(), 0);
+        } else {
+            assert!(10 * problem.side_by_side() > 9 * problem.pairs.len());
+        }
         let mut seen = Vec::new();
         for visit in [Visit::Forward, Visit::Backward, Visit::Forward] {
             let mut watch = GlobalChange::default();
@@ -76,8 +89,24 @@ fn swept<F: ContactFriction<f64>>(threads: usize, friction: F) -> String {
 #[test]
 fn colours_across_blocks_have_the_same_bits_on_any_number_of_threads() {
     let all = Thresholds::all(0.3, 0.1, 0.1).expect("in range");
-    let alone = swept(1, all);
+    let alone = swept(1, Lanes::One, all);
     for threads in [2, 3] {
-        assert!(swept(threads, all) == alone, "{threads} threads");
+        for lanes in [Lanes::One, Lanes::Four] {
+            assert!(swept(threads, lanes, all) == alone, "{threads} threads");
+        }
+    }
+}
+
+#[test]
+fn four_contacts_side_by_side_have_the_bits_of_one_after_the_other() {
+    fn compare<F: ContactFriction<f64>>(friction: F) {
+        assert!(swept(1, Lanes::Four, friction) == swept(1, Lanes::One, friction));
+    }
+    compare(Thresholds::none());
+    for [mu, mu_rolling, mu_torsion] in [[0.3, 0.1, 0.1], [0.0, 0.0, 0.0], [1e-310, 0.1, 1.0]] {
+        compare(Thresholds::sliding(mu).expect("in range"));
+        compare(Thresholds::sliding_rolling(mu, mu_rolling).expect("in range"));
+        compare(Thresholds::sliding_torsion(mu, mu_torsion).expect("in range"));
+        compare(Thresholds::all(mu, mu_rolling, mu_torsion).expect("in range"));
     }
 }
