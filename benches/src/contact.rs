@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use std::hint::black_box;
 use tribos_core::coupling::{Coupling, PatchFriction};
 use tribos_core::real::Real;
-use tribos_core::twist::{Twist, Wrench};
+use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
 /// Why the contact of the benches could not be made; it does not happen.
 type Refused = Box<dyn core::error::Error>;
@@ -21,6 +21,7 @@ pub struct Contact<R: Real, C> {
     disk: PatchFriction<R, C>,
     twists: Vec<Twist<R>>,
     wrenches: Vec<Wrench<R>>,
+    jacobians: Vec<WrenchJacobian<R>>,
 }
 
 impl<R: Real, C: Coupling<R>> Contact<R, C> {
@@ -31,6 +32,7 @@ impl<R: Real, C: Coupling<R>> Contact<R, C> {
         Ok(Self {
             disk: PatchFriction::new(coupling, R::from_f64(MU), radius)?,
             wrenches: vec![Wrench::ZERO; twists.len()],
+            jacobians: vec![WrenchJacobian::from_element(R::ZERO); twists.len()],
             twists,
         })
     }
@@ -52,11 +54,20 @@ impl<R: Real, C: Coupling<R>> Contact<R, C> {
     }
 
     /// The Jacobian of every twist, each call hidden from the optimiser.
-    pub fn jacobians(&mut self) {
+    pub fn jacobians(&mut self) -> &[WrenchJacobian<R>] {
         let load = R::from_f64(LOAD);
-        for twist in &self.twists {
-            black_box(self.disk.wrench_jacobian(load, black_box(twist)));
+        for (twist, jacobian) in self.twists.iter().zip(&mut self.jacobians) {
+            *jacobian = black_box(self.disk.wrench_jacobian(load, black_box(twist)));
         }
+        &self.jacobians
+    }
+
+    /// The Jacobians of all twists in one call.
+    pub fn jacobian_batch(&mut self) -> &[WrenchJacobian<R>] {
+        let (twists, jacobians) = (black_box(&self.twists), black_box(&mut self.jacobians));
+        self.disk
+            .jacobian_batch(R::from_f64(LOAD), twists, jacobians);
+        &self.jacobians
     }
 
     /// Panics unless both ways agree to the bit.
@@ -65,6 +76,11 @@ impl<R: Real, C: Coupling<R>> Contact<R, C> {
         assert!(
             single == self.batch(),
             "the batch differs from single calls"
+        );
+        let single = self.jacobians().to_vec();
+        assert!(
+            single == self.jacobian_batch(),
+            "the batch of Jacobians differs from single calls"
         );
     }
 }

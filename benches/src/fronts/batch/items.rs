@@ -7,8 +7,8 @@ use std::cell::RefCell;
 use std::hint::black_box;
 use std::rc::Rc;
 use tribos_core::Real;
-use tribos_core::coupling::Coupling;
 use tribos_core::coupling::table::{Coulomb, Table32, Table64};
+use tribos_core::coupling::{Coupling, ReducedWrench};
 use tribos_core::limit_surface::{FrictionSet, LimitSurface};
 use tribos_core::twist::Wrench;
 
@@ -19,6 +19,8 @@ const ALPHA: f64 = 0.37;
 /// Force limit and radius of the limit surface.
 const LIMIT: f64 = 0.5;
 const RADIUS: f64 = 0.08;
+/// Why a batch is not timed.
+const BROKEN: &str = "the batch differs from single calls";
 /// Wrenches of each projection.
 const WRENCHES: usize = 3800;
 
@@ -111,8 +113,9 @@ where
         one,
         batch,
     };
+    let [one, batch] = reduced(coupling, &pairs);
     Ok(vec![
-        item("reduced wrench", reduced(coupling, &pairs), None),
+        item("reduced wrench", one, Some(batch)),
         item(
             "wrench",
             run(|contact| {
@@ -122,18 +125,42 @@ where
                 black_box(contact.batch());
             })),
         ),
-        item("Jacobian", run(Contact::jacobians), None),
+        item(
+            "Jacobian",
+            run(|contact| {
+                black_box(contact.jacobians());
+            }),
+            Some(run(|contact| {
+                black_box(contact.jacobian_batch());
+            })),
+        ),
     ])
 }
 
-/// Reduced wrenches of speeds, one by one.
-fn reduced<R: Real, C: Coupling<R> + 'static>(coupling: C, pairs: &[[f64; 2]]) -> Run {
-    let pairs: Vec<[R; 2]> = pairs.iter().map(|pair| pair.map(R::from_f64)).collect();
-    Box::new(move || {
-        for &[slide, rim] in &pairs {
-            black_box(coupling.reduced_wrench(black_box(slide), black_box(rim)));
+/// Reduced wrenches of speeds, one by one and in a batch.
+fn reduced<R: Real, C: Coupling<R> + Clone + 'static>(coupling: C, pairs: &[[f64; 2]]) -> [Run; 2] {
+    let speeds = [0, 1].map(|of| -> Vec<R> {
+        let speeds = pairs.iter().map(|pair| R::from_f64(pair[of]));
+        speeds.collect()
+    });
+    let [mut forces, mut torques] = [(); 2].map(|()| vec![R::ZERO; pairs.len()]);
+    coupling.reduced_wrench_batch(&speeds[0], &speeds[1], &mut forces, &mut torques);
+    for (at, (&slide, &rim)) in speeds[0].iter().zip(&speeds[1]).enumerate() {
+        let ReducedWrench { force, torque } = coupling.reduced_wrench(slide, rim);
+        assert!((force, torque) == (forces[at], torques[at]), "{BROKEN}");
+    }
+    let (single, alone) = (coupling.clone(), speeds.clone());
+    let one = move || {
+        for (&slide, &rim) in alone[0].iter().zip(&alone[1]) {
+            black_box(single.reduced_wrench(black_box(slide), black_box(rim)));
         }
-    })
+    };
+    let batch = move || {
+        let [slides, rims] = black_box(&speeds);
+        coupling.reduced_wrench_batch(slides, rims, &mut forces, &mut torques);
+        black_box((&forces, &torques));
+    };
+    [Box::new(one), Box::new(batch)]
 }
 
 /// Regions of the projection: the gauges of its wrenches.
@@ -151,6 +178,19 @@ where
     let surface = LimitSurface::new(Coulomb, R::from_f64(LIMIT), R::from_f64(RADIUS))?;
     let region = |(name, gauges): (&'static str, [f64; 2])| {
         let wrenches = wrenches(&surface, gauges);
+        let (pushes, loads) = (wrenches.clone(), vec![R::ONE; wrenches.len()]);
+        let mut nearest: Vec<_> = pushes
+            .iter()
+            .map(|wrench| surface.project(wrench))
+            .collect();
+        let single = nearest.clone();
+        surface.project_batch(surface.radius(), &loads, &pushes, &mut nearest);
+        assert!(single == nearest, "{BROKEN}");
+        let batch = move || {
+            let pushes = black_box(&pushes);
+            surface.project_batch(surface.radius(), &loads, pushes, &mut nearest);
+            black_box(&nearest);
+        };
         Item {
             label: Label {
                 name,
@@ -163,7 +203,7 @@ where
                     black_box(surface.project(black_box(wrench)));
                 }
             }),
-            batch: None,
+            batch: Some(Box::new(batch)),
         }
     };
     Ok(REGIONS.map(region).into())
@@ -204,6 +244,6 @@ mod tests {
         labels.sort_unstable();
         labels.dedup();
         assert_eq!(labels.len(), count);
-        assert!(items.iter().any(|item| item.batch.is_some()));
+        assert!(items.iter().all(|item| item.batch.is_some()));
     }
 }
