@@ -74,6 +74,7 @@ fn met<R: Real, F: ContactFriction<R>>(hash: &mut Fnv, friction: &F) {
             hash.number(*x);
         }
     }
+    hash.numbers(friction.independent_limits().into_iter().flatten());
     manifold(hash, friction);
 }
 

@@ -100,7 +100,9 @@ fn smooth<R: Real, P: SmoothProfile<R> + Lateral<R>>(hash: &mut Fnv, tier: &P, c
     both(hash, tier, count);
     profile(hash, tier, count);
     for (slide, rim) in arguments(107, count) {
-        hash.numbers(tier.factors_and_slope(&Speeds::new(slide, rim)));
+        let speeds = Speeds::new(slide, rim);
+        hash.numbers(tier.factors_and_slope(&speeds));
+        hash.numbers(tier.factors_and_rough_slope(&speeds));
     }
 }
 

@@ -81,6 +81,10 @@ fn updated<R: Real, F: ContactFriction<R>>(
     let Some(law) = normal_law::<R>(source) else {
         return Ok(());
     };
+    if let Some(limits) = friction.independent_limits() {
+        let resist = limits.iter().all(|limit| *limit >= R::ZERO);
+        holds(resist, "coefficients ≥ 0", &limits)?;
+    }
     let (across, radius) = (source.vector(), source.positive::<R>());
     let mut a = sphere::<R>(source);
     let dt = source.positive();

@@ -220,7 +220,8 @@ fn annulus(source: &mut Source) -> Result<(), Broken> {
         resists || !source.is_mild(),
         "force and torque ≥ 0",
         &[slide, rim, wrench.force, wrench.torque],
-    )
+    )?;
+    batches(source, &ring)
 }
 
 fn quadrature(source: &mut Source) -> Result<(), Broken> {
@@ -241,5 +242,6 @@ fn quadrature(source: &mut Source) -> Result<(), Broken> {
         resists || !source.is_mild(),
         "force and torque ≥ 0",
         &[slide, rim, wrench.force, wrench.torque],
-    )
+    )?;
+    batches(source, &disk)
 }
