@@ -51,6 +51,7 @@ pub fn polynomials() -> u64 {
         for speeds in arguments(167, 60) {
             at(&mut hash, &table, speeds);
         }
+        slopes(&mut hash, &table, 60);
         let table = LateralPolynomialTable::new(alpha, &mixed).expect("in range");
         smooth(&mut hash, &table, 60);
     }
@@ -99,6 +100,10 @@ fn plain_forms_of<R: Real>(hash: &mut Fnv) {
 fn smooth<R: Real, P: SmoothProfile<R> + Lateral<R>>(hash: &mut Fnv, tier: &P, count: usize) {
     both(hash, tier, count);
     profile(hash, tier, count);
+    slopes(hash, tier, count);
+}
+
+fn slopes<R: Real, P: SmoothProfile<R>>(hash: &mut Fnv, tier: &P, count: usize) {
     for (slide, rim) in arguments(107, count) {
         let speeds = Speeds::new(slide, rim);
         hash.numbers(tier.factors_and_slope(&speeds));
