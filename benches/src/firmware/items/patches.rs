@@ -52,7 +52,7 @@ pub const PATCHES: [Item; 19] = [
     item(
         ["patch", "Hertz: table: Coulomb"],
         BOTH,
-        round!("coupling::round coupling::side"),
+        round!("coupling::round coupling::side coupling::batch::ways"),
         Code::new("&TABLE", "couple(object, a, b)").with_statics(HERTZ_TABLE),
     ),
     coupled(
@@ -76,14 +76,14 @@ pub const PATCHES: [Item; 19] = [
     coupled(
         "annulus: table: Coulomb",
         NARROW,
-        round!("coupling::annulus coupling::table coupling::side"),
+        round!("coupling::annulus coupling::table coupling::side coupling::batch::ways"),
         "Annulus::new(table::Coulomb, 0.5 as R).ok()?",
     ),
     coupled(
         "polynomial: table built at run time",
         WIDE,
         round!(
-            "coupling::polynomial coupling::side coupling::member coupling::octave special::hypergeometric patch::polynomial"
+            "coupling::polynomial coupling::side coupling::batch::ways coupling::member coupling::octave power power::build special::hypergeometric patch::polynomial"
         ),
         "round::PolynomialTable::new(0.0, &PolynomialPressure::new([1.0, -2.0, 1.5]).ok()?).ok()?",
     ),

@@ -25,13 +25,13 @@ pub const TIERS: [Item; 7] = [
     tier(
         "table: Coulomb",
         BOTH,
-        round!("coupling::table coupling::side"),
+        round!("coupling::table coupling::side coupling::batch::ways"),
         "table::Coulomb",
     ),
     item(
         [TIER, "table: alpha 0.5"],
         BOTH,
-        round!("coupling::table coupling::side"),
+        round!("coupling::table coupling::side coupling::batch::ways power"),
         Code::new("&TABLE", "couple(object, a, b)").with_statics(HALF_TABLE),
     ),
     tier(
