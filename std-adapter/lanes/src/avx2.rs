@@ -118,4 +118,17 @@ impl Four for Register {
     fn any(self) -> bool {
         unsafe { _mm256_movemask_pd(self.0) != 0 }
     }
+    #[inline(always)]
+    fn transpose([a, b, c, d]: [Self; 4]) -> [Self; 4] {
+        let (ab, cd) = unsafe { (_mm256_unpacklo_pd(a.0, b.0), _mm256_unpacklo_pd(c.0, d.0)) };
+        let (ba, dc) = unsafe { (_mm256_unpackhi_pd(a.0, b.0), _mm256_unpackhi_pd(c.0, d.0)) };
+        unsafe {
+            [
+                Self(_mm256_permute2f128_pd::<0x20>(ab, cd)),
+                Self(_mm256_permute2f128_pd::<0x20>(ba, dc)),
+                Self(_mm256_permute2f128_pd::<0x31>(ab, cd)),
+                Self(_mm256_permute2f128_pd::<0x31>(ba, dc)),
+            ]
+        }
+    }
 }

@@ -58,6 +58,22 @@ pub trait Four:
     fn select(self, yes: Self, no: Self) -> Self;
     /// Whether this mask holds anywhere.
     fn any(self) -> bool;
+    /// The columns of four rows.
+    #[inline(always)]
+    fn transpose(rows: [Self; 4]) -> [Self; 4] {
+        let [a, b, c, d] = [
+            rows[0].lanes(),
+            rows[1].lanes(),
+            rows[2].lanes(),
+            rows[3].lanes(),
+        ];
+        [
+            Self::new([a[0], b[0], c[0], d[0]]),
+            Self::new([a[1], b[1], c[1], d[1]]),
+            Self::new([a[2], b[2], c[2], d[2]]),
+            Self::new([a[3], b[3], c[3], d[3]]),
+        ]
+    }
 }
 
 /// Work that is written for any four lanes. Mark `run` and what it calls `#[inline(always)]`: instructions are
@@ -125,6 +141,8 @@ mod tests {
                     let all = selected.chain(numbers).chain([x.copysign(y)]);
                     found.extend(all.map(|lanes| lanes.lanes().map(bits)));
                     found.push([u64::from(less.any()); 4]);
+                    let turned = L::transpose([x, y, x + y, x * y]);
+                    found.extend(turned.map(|lanes| lanes.lanes().map(bits)));
                 }
             }
             found
@@ -160,10 +178,12 @@ mod tests {
         // And those of the scalar operations.
         let found = run(All(numbers));
         let (a, b) = (numbers[8], numbers[3]);
-        let at = 15 * (8 * 12 + 3) + 6;
+        let at = 19 * (8 * 12 + 3) + 6;
         let wanted = [a + b, a - b, a * b, a / b, -a, a.sqrt(), a.abs()];
         for (lanes, wanted) in found[at..].iter().zip(wanted) {
             assert_eq!(lanes[0], wanted.to_bits());
         }
+        let first = [a, b, a + b, a * b];
+        assert_eq!(found[at + 9], first.map(f64::to_bits));
     }
 }

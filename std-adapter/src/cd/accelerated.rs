@@ -152,11 +152,13 @@ impl<I: Impulse> Accelerated<I> {
             }
             progress.see(change.relative(), sweeps, most);
             let older = 0.5 * (1.0 + (1.0 + 4.0 * age * age).sqrt());
-            if self.along(problem) < 0.0 {
+            if problem.along(&self.start, &self.swept) < 0.0 {
                 age = (LEFT * age).max(1.0);
                 self.rest(problem);
             } else {
-                self.extrapolate(problem, (age - 1.0) / older);
+                let beta = (age - 1.0) / older;
+                problem.extrapolate(beta, &mut self.start, &mut self.swept);
+                problem.refresh();
                 age = older;
                 sweeps += EXTRAPOLATION;
             }
@@ -194,29 +196,6 @@ impl<I: Impulse> Accelerated<I> {
             sweeps += EXTRAPOLATION;
         }
         Iterations { sweeps, met: false }
-    }
-
-    /// (x − y)·(y − x₋), summed in the order of the contacts: negative if the sweep leads back.
-    fn along<O: Operator<Impulse = I>>(&self, problem: &O) -> f64 {
-        let mut sum = 0.0;
-        for (contact, (start, swept)) in self.start.iter().zip(&self.swept).enumerate() {
-            let moved = problem.impulse(contact).plus_scaled(-1.0, start);
-            let ahead = start.plus_scaled(-1.0, swept);
-            sum += problem.dot(contact, &moved, &ahead);
-        }
-        sum
-    }
-
-    /// Extrapolates by `beta` times the last step.
-    fn extrapolate<O: Operator<Impulse = I>>(&mut self, problem: &mut O, beta: f64) {
-        for (contact, (start, swept)) in self.start.iter_mut().zip(&mut self.swept).enumerate() {
-            let now = problem.impulse(contact);
-            let step = now.plus_scaled(-1.0, swept);
-            problem.guess(contact, &now.plus_scaled(beta, &step));
-            *start = problem.impulse(contact);
-            *swept = now;
-        }
-        problem.refresh();
     }
 
     /// Continues from the result of the sweep, without extrapolation.

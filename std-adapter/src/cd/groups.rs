@@ -27,6 +27,13 @@ pub(super) struct Groups<'a> {
 }
 
 impl Groups<'_> {
+    /// The groups from a pair on, which is counted as the first from there.
+    #[inline(always)]
+    pub fn from(self, at: usize) -> Self {
+        let begins = self.begins.get(at..).unwrap_or_default();
+        Groups { begins, ..self }
+    }
+
     /// Whether a group begins here.
     #[inline(always)]
     pub fn begins(&self, at: usize) -> bool {

@@ -37,6 +37,7 @@ mod memory;
 mod mixture;
 #[cfg(test)]
 mod mixture_tests;
+mod momentum;
 mod nsgs;
 mod operator;
 mod residual;
@@ -51,6 +52,7 @@ mod spheres;
 mod sweep;
 #[cfg(test)]
 mod sweep_tests;
+mod vectors;
 mod wall;
 mod world;
 

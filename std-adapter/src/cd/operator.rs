@@ -113,6 +113,30 @@ pub trait Operator {
     /// Recomputes the velocities from all impulses, in the order of the contacts.
     fn refresh(&mut self);
 
+    /// (x − y)·(y − x₋), summed in the order of the contacts: x are the impulses now, after a sweep from `start` y;
+    /// `swept` are those after the sweep before.
+    fn along(&self, start: &[Self::Impulse], swept: &[Self::Impulse]) -> f64 {
+        let mut sum = 0.0;
+        for (contact, (start, swept)) in start.iter().zip(swept).enumerate() {
+            let moved = self.impulse(contact).plus_scaled(-1.0, start);
+            let ahead = start.plus_scaled(-1.0, swept);
+            sum += self.dot(contact, &moved, &ahead);
+        }
+        sum
+    }
+
+    /// Guesses x + β (x − x₋) from the impulses x now and `swept` x₋; leaves the guesses in `start`, and x in
+    /// `swept`. Velocities are invalid until [`Operator::refresh`].
+    fn extrapolate(&mut self, beta: f64, start: &mut [Self::Impulse], swept: &mut [Self::Impulse]) {
+        for (contact, (start, swept)) in start.iter_mut().zip(swept).enumerate() {
+            let now = self.impulse(contact);
+            let step = now.plus_scaled(-1.0, swept);
+            self.guess(contact, &now.plus_scaled(beta, &step));
+            *start = self.impulse(contact);
+            *swept = now;
+        }
+    }
+
     /// Solves the laws of every contact in turn, with all other contacts held fixed.
     fn sweep<W: Monitor>(&mut self, visit: Visit<'_>, watch: &mut W);
 }

@@ -4,15 +4,13 @@ use super::aligned::Aligned;
 use super::groups::{Grouping, Groups};
 use super::image::{ImageVelocity, Images, seen};
 use super::mixture::{Mixture, PairFriction, Same};
+use super::momentum;
 use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::schedule::Schedule;
-use super::sweep::{
-    AHEAD, WORTHWHILE, Way, report, solve_one, sweep_colour, sweep_images, sweep_links,
-};
+use super::sweep::{WORTHWHILE, Way, report, solve_one, sweep_colour, sweep_images, sweep_links};
 use rayon::prelude::*;
 use std::sync::Arc;
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
-use tribos_prefetch::prefetch;
 
 impl<M: ContactModes<f64>> Impulse for Modal<f64, M> {
     #[inline(always)]
@@ -262,6 +260,27 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         }
     }
 
+    fn extrapolate_with(
+        &mut self,
+        friction: &impl PairFriction<F>,
+        beta: f64,
+        [start, swept]: [&mut [Modal<f64, F::Modes>]; 2],
+    ) {
+        let pairs = self.pairs.len();
+        let (start, start_walls) = start.split_at_mut(pairs.min(start.len()));
+        let (swept, swept_walls) = swept.split_at_mut(pairs.min(swept.len()));
+        let groups = self.grouping.of(0..pairs);
+        momentum::extrapolate(&mut self.pairs, groups, friction, beta, [start, swept]);
+        let walls = start_walls.iter_mut().zip(swept_walls);
+        for (wall, (start, swept)) in walls.enumerate() {
+            let now = self.impulse(pairs + wall);
+            let step = now.minus(swept);
+            self.guess(pairs + wall, &now.plus_scaled(beta, &step));
+            *start = self.impulse(pairs + wall);
+            *swept = now;
+        }
+    }
+
     /// Solves one pair.
     fn visit_pair<W: Monitor>(&mut self, index: usize, watch: &mut W) {
         let spheres = &mut self.spheres[..];
@@ -341,29 +360,29 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
             sphere.0 = *free;
         }
         self.plates.copy_from_slice(&self.free.1);
-        for (at, link) in self.pairs.iter().enumerate() {
-            for body in self
-                .pairs
-                .get(at + AHEAD)
-                .into_iter()
-                .flat_map(|soon| soon.bodies)
-            {
-                self.spheres
-                    .get(body as usize)
-                    .into_iter()
-                    .for_each(prefetch);
-            }
-            let bodies = link.bodies.map(|body| body as usize);
-            if let Ok([a, b]) = self.spheres.get_disjoint_mut(bodies) {
-                link.contact
-                    .apply(link.contact.impulse(), &mut a.0, &mut b.0);
-            }
-        }
+        let groups = self.grouping.of(0..self.pairs.len());
+        momentum::apply(&self.pairs, groups, &mut self.spheres);
         for link in &self.walls {
             let [a, b] = link.bodies.map(|body| body as usize);
             if let (Some(a), Some(b)) = (self.spheres.get_mut(a), self.plates.get_mut(b)) {
                 link.contact.apply(link.contact.impulse(), &mut a.0, b);
             }
+        }
+    }
+
+    fn along(&self, start: &[Self::Impulse], swept: &[Self::Impulse]) -> f64 {
+        let mut sum = 0.0;
+        for ((link, start), swept) in self.links().zip(start).zip(swept) {
+            let moved = link.contact.impulse().minus(start);
+            sum += moved.dot_with_lever(&start.minus(swept), link.contact.lever());
+        }
+        sum
+    }
+
+    fn extrapolate(&mut self, beta: f64, start: &mut [Self::Impulse], swept: &mut [Self::Impulse]) {
+        match self.mixture.clone() {
+            None => self.extrapolate_with(&Same(self.friction[0]), beta, [start, swept]),
+            Some(mixture) => self.extrapolate_with(&*mixture, beta, [start, swept]),
         }
     }
 

@@ -20,7 +20,7 @@ pub(super) enum Way {
 }
 
 /// Number of contacts below which threads cost more than they gain.
-pub(super) const WORTHWHILE: usize = 2_000;
+pub(super) const WORTHWHILE: usize = 10_000;
 
 /// How many pairs ahead bodies are fetched: the work of that many takes longer than the memory.
 pub(super) const AHEAD: usize = 24;
@@ -97,7 +97,7 @@ fn show<W: Monitor>([change_sq, bound, speed]: &Records, way: Way, watch: &mut W
 
 /// Asks for the bodies of a link, which lie anywhere in memory, before they are needed.
 #[inline(always)]
-fn fetch<M: ContactModes<f64>>(soon: Option<&Link<M>>, spheres: &[Aligned], first: u32) {
+pub(super) fn fetch<M: ContactModes<f64>>(soon: Option<&Link<M>>, spheres: &[Aligned], first: u32) {
     if let Some(soon) = soon {
         for body in soon.bodies {
             if let Some(sphere) = spheres.get((body - first) as usize) {
@@ -201,7 +201,7 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
 }
 
 /// Number of pairs of one colour below which threads cost more than they gain.
-const WORTHWHILE_COLOUR: usize = 500;
+const WORTHWHILE_COLOUR: usize = 4_000;
 /// Least number of pairs for a thread.
 const SHARE: usize = 200;
 

@@ -8,7 +8,7 @@ use anyhow::Result;
 use tribos::tip::Slid;
 use tribos_report::claim::{Claim, Otherwise};
 use tribos_report::figure::{Axis, Figure, Panels, Series};
-use tribos_report::verdict::Allowance;
+use tribos_report::verdict::{Allowance, Verdict};
 
 const TEXT: Text = Text(include_str!("section-5.3.md"));
 
@@ -242,27 +242,32 @@ fn load_line(loads: &[&Point]) -> Line {
 
 fn load_claim(loads: &[&Point]) -> Claim {
     let line = load_line(loads);
-    // Means of the rows against the line, in standard errors of such a mean. The scatter is that of all rows, as the
-    // line takes it to be: of five seeds alone it is known to a third, and one row in 25 would be 3 of its own
-    // errors off.
-    let scatter = loads.iter().map(|point| point.friction()[1].powi(2));
-    let error = (scatter.sum::<f64>() / loads.len() as f64).sqrt();
-    let off = loads
-        .iter()
-        .map(|point| {
-            let [friction, _] = point.friction();
+    // Means of the rows against the line, in their standard errors and in parts of the friction.
+    let off = |size: fn([f64; 2]) -> f64| {
+        let rows = loads.iter().map(|point| {
             let [normal, _] = point.of(|slid| slid.normal_force);
-            (friction - line.intercept - line.slope * normal).abs() / error
-        })
-        .fold(0.0, f64::max);
-    Claim::trend(
+            let friction = point.friction();
+            (friction[0] - line.intercept - line.slope * normal).abs() / size(friction)
+        });
+        rows.fold(0.0, f64::max)
+    };
+    let (errors, parts) = (off(|[_, error]| error), off(|[friction, _]| friction));
+    let claim = Claim::trend(
         TEXT.said("load"),
         format!(
-            "F = {:.2} + ({:.4} ± {:.4}) N; rows are within {off:.1} standard errors of it",
-            line.intercept, line.slope, line.error
+            "F = {:.2} + ({:.4} ± {:.4}) N; rows are within {errors:.1} standard errors or {:.0} % of it",
+            line.intercept,
+            line.slope,
+            line.error,
+            100.0 * parts
         ),
-        line.slope > 3.0 * line.error && off < 4.0,
-    )
+        line.slope > 3.0 * line.error,
+    );
+    let verdict = match claim.verdict {
+        Verdict::Trend(_) if errors >= 4.0 => Verdict::Differs(TEXT.said("load-differs").basis),
+        verdict => verdict,
+    };
+    Claim { verdict, ..claim }
 }
 
 /// An increase with ln v that is larger than three of its errors, or none that shows.

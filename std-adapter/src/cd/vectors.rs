@@ -1,0 +1,254 @@
+//! Vectors of four contacts or bodies, axis by axis: read, computed with, and written.
+//!
+//! Functions in place of closures: a closure may be left a call, which has no AVX2.
+
+use super::aligned::Aligned;
+use tribos_core::contact::{ContactModes, Modal};
+use tribos_core::internals::{AxialPart, PlanarPart, project_on_disc};
+use tribos_core::nalgebra::Vector3;
+use tribos_lanes::Four;
+
+/// Rounding of a projected vector's own square, as in the kernel's projection on a disc.
+const COLLAR: f64 = 1.0 + 8.0 * f64::EPSILON;
+
+/// Vectors of four contacts or bodies, axis by axis.
+pub(super) type Vectors<L> = [L; 3];
+
+/// Impulses of four contacts; zero in modes that these do not have.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Impulses<L> {
+    pub normal: L,
+    pub sliding: Vectors<L>,
+    pub rolling: Vectors<L>,
+    pub torsion: L,
+}
+
+impl<L: Four> Impulses<L> {
+    /// No impulses.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        let zero = L::splat(0.0);
+        Self {
+            normal: zero,
+            sliding: [zero; 3],
+            rolling: [zero; 3],
+            torsion: zero,
+        }
+    }
+
+    /// The impulses of four contacts.
+    #[inline(always)]
+    pub fn read<M: ContactModes<f64>>([a, b, c, d]: [&Modal<f64, M>; 4]) -> Self {
+        let mut read = Self::zero();
+        if M::Sliding::PRESENT {
+            let [normal, x, y, z] = L::transpose([forces(a), forces(b), forces(c), forces(d)]);
+            (read.normal, read.sliding) = (normal, [x, y, z]);
+        } else {
+            read.normal = L::new([a.normal, b.normal, c.normal, d.normal]);
+        }
+        if M::Rolling::PRESENT {
+            let [x, y, z, torsion] = L::transpose([torques(a), torques(b), torques(c), torques(d)]);
+            (read.rolling, read.torsion) = ([x, y, z], torsion);
+        } else if M::Torsion::PRESENT {
+            read.torsion = L::new([a.torsion(), b.torsion(), c.torsion(), d.torsion()]);
+        }
+        read
+    }
+
+    /// The impulses, contact by contact.
+    #[inline(always)]
+    pub fn write<M: ContactModes<f64>>(self) -> [Modal<f64, M>; 4] {
+        let [x, y, z] = self.sliding;
+        let forces = if M::Sliding::PRESENT {
+            rows([self.normal, x, y, z])
+        } else {
+            let [a, b, c, d] = self.normal.lanes();
+            let row = |normal| [normal, 0.0, 0.0, 0.0];
+            [row(a), row(b), row(c), row(d)]
+        };
+        let [x, y, z] = self.rolling;
+        let torques = if M::Rolling::PRESENT {
+            rows([x, y, z, self.torsion])
+        } else {
+            let [a, b, c, d] = self.torsion.lanes();
+            let row = |torsion| [0.0, 0.0, 0.0, torsion];
+            [row(a), row(b), row(c), row(d)]
+        };
+        let one = |lane: usize| {
+            let [normal, x, y, z] = forces[lane];
+            let [u, v, w, torsion] = torques[lane];
+            Modal::new(
+                normal,
+                Vector3::new(x, y, z),
+                Vector3::new(u, v, w),
+                torsion,
+            )
+        };
+        [one(0), one(1), one(2), one(3)]
+    }
+}
+
+/// Normal impulse and sliding.
+#[inline(always)]
+fn forces<L: Four, M: ContactModes<f64>>(one: &Modal<f64, M>) -> L {
+    let sliding = one.sliding();
+    L::new([one.normal, sliding.x, sliding.y, sliding.z])
+}
+
+/// Rolling and torsion.
+#[inline(always)]
+fn torques<L: Four, M: ContactModes<f64>>(one: &Modal<f64, M>) -> L {
+    let rolling = one.rolling();
+    L::new([rolling.x, rolling.y, rolling.z, one.torsion()])
+}
+
+/// Four spheres in motion.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bodies<L> {
+    pub velocity: Vectors<L>,
+    pub spin: Vectors<L>,
+    /// Inverse masses and inertias, which are written back as they were.
+    inverses: [L; 2],
+}
+
+impl<L: Four> Bodies<L> {
+    /// The spheres at four places; `None` if there is none at one of them.
+    #[inline(always)]
+    pub fn read(spheres: &[Aligned], [a, b, c, d]: [usize; 4]) -> Option<Self> {
+        let (a, b) = (spheres.get(a)?, spheres.get(b)?);
+        let (c, d) = (spheres.get(c)?, spheres.get(d)?);
+        let [vx, vy, vz, wx] = L::transpose([first(a), first(b), first(c), first(d)]);
+        let [wy, wz, inv_mass, inv_inertia] =
+            L::transpose([second(a), second(b), second(c), second(d)]);
+        Some(Self {
+            velocity: [vx, vy, vz],
+            spin: [wx, wy, wz],
+            inverses: [inv_mass, inv_inertia],
+        })
+    }
+
+    /// Gives the spheres at four places these velocities and, where these have `turned`, these spins.
+    #[inline(always)]
+    pub fn write(self, spheres: &mut [Aligned], places: [usize; 4], turned: bool) {
+        let ([vx, vy, vz], [wx, wy, wz]) = (self.velocity, self.spin);
+        let [inv_mass, inv_inertia] = self.inverses;
+        let first = rows([vx, vy, vz, wx]);
+        let second = if turned {
+            rows([wy, wz, inv_mass, inv_inertia])
+        } else {
+            first
+        };
+        for lane in 0..4 {
+            if let Some(sphere) = spheres.get_mut(places[lane]) {
+                let [x, y, z, spin] = first[lane];
+                sphere.velocity = Vector3::new(x, y, z);
+                if turned {
+                    let [y, z, inv_mass, inv_inertia] = second[lane];
+                    sphere.spin = Vector3::new(spin, y, z);
+                    (sphere.inv_mass, sphere.inv_inertia) = (inv_mass, inv_inertia);
+                }
+            }
+        }
+    }
+}
+
+/// First half of a sphere: velocity and x of the spin.
+#[inline(always)]
+fn first<L: Four>(one: &Aligned) -> L {
+    let velocity = &one.velocity;
+    L::new([velocity.x, velocity.y, velocity.z, one.spin.x])
+}
+
+/// Second half: y and z of the spin, the inverses.
+#[inline(always)]
+fn second<L: Four>(one: &Aligned) -> L {
+    L::new([one.spin.y, one.spin.z, one.inv_mass, one.inv_inertia])
+}
+
+/// The numbers of four columns, row by row.
+#[inline(always)]
+fn rows<L: Four>(columns: [L; 4]) -> [[f64; 4]; 4] {
+    let [a, b, c, d] = L::transpose(columns);
+    [a.lanes(), b.lanes(), c.lanes(), d.lanes()]
+}
+
+#[inline(always)]
+pub(super) fn plus<L: Four>(a: Vectors<L>, b: Vectors<L>) -> Vectors<L> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+#[inline(always)]
+pub(super) fn minus<L: Four>(a: Vectors<L>, b: Vectors<L>) -> Vectors<L> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[inline(always)]
+pub(super) fn scaled<L: Four>(a: Vectors<L>, s: L) -> Vectors<L> {
+    [a[0] * s, a[1] * s, a[2] * s]
+}
+
+#[inline(always)]
+pub(super) fn dot<L: Four>(a: Vectors<L>, b: Vectors<L>) -> L {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[inline(always)]
+pub(super) fn cross<L: Four>(a: Vectors<L>, b: Vectors<L>) -> Vectors<L> {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+/// `x` limited to ±`bound`; NaN stays NaN.
+#[inline(always)]
+pub(super) fn clamp<L: Four>(x: L, bound: L) -> L {
+    let size = x.abs();
+    let beyond = bound.less(size).select(bound, L::splat(f64::NAN));
+    size.less_or_equal(bound).select(size, beyond).copysign(x)
+}
+
+/// The nearest points of discs, as the kernel projects.
+#[inline(always)]
+pub(super) fn project<L: Four>(q: Vectors<L>, bound: L) -> Vectors<L> {
+    let (zero, one, least) = (L::splat(0.0), L::splat(1.0), L::splat(f64::MIN_POSITIVE));
+    let length_sq = dot(q, q);
+    let in_range = least
+        .less(length_sq)
+        .and(length_sq.less(L::splat(f64::INFINITY)));
+    let scale = bound * (length_sq.sqrt() * (one / length_sq));
+    // Where nothing is to be projected, as at the start, the vector remains.
+    let nothing = q[0].equal(zero).and(q[1].equal(zero)).and(q[2].equal(zero));
+    let vanishing = scale.less(least).and(zero.less(bound));
+    let everywhere = zero.equal(zero);
+    let ordinary = in_range.and_not(vanishing).or(nothing);
+    if everywhere.and_not(ordinary).any() {
+        return project_each(q, bound);
+    }
+    let inside = length_sq
+        .less_or_equal(bound * bound * L::splat(COLLAR))
+        .or(nothing);
+    scaled(q, inside.select(one, scale))
+}
+
+/// Squares and quotients beyond the normal numbers.
+#[inline(always)]
+fn project_each<L: Four>(q: Vectors<L>, bound: L) -> Vectors<L> {
+    let q = [q[0].lanes(), q[1].lanes(), q[2].lanes()];
+    let [x, y, z] = nearest_each(q, bound.lanes());
+    [L::new(x), L::new(y), L::new(z)]
+}
+
+#[cold]
+#[inline(never)]
+fn nearest_each(q: [[f64; 4]; 3], bounds: [f64; 4]) -> [[f64; 4]; 3] {
+    let mut nearest = q;
+    for (lane, bound) in bounds.into_iter().enumerate() {
+        let one = project_on_disc(&Vector3::new(q[0][lane], q[1][lane], q[2][lane]), bound);
+        for (axis, component) in nearest.iter_mut().zip(one.iter()) {
+            axis[lane] = *component;
+        }
+    }
+    nearest
+}
