@@ -55,18 +55,13 @@ use super::operator::{GlobalChange, Impulse, Operator, Visit};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Accelerated<I> {
-    /// Impulses y before the sweep.
-    start: Vec<I>,
     /// Impulses x₋ after the previous sweep.
     swept: Vec<I>,
 }
 
 impl<I> Default for Accelerated<I> {
     fn default() -> Self {
-        Self {
-            start: Vec::new(),
-            swept: Vec::new(),
-        }
+        Self { swept: Vec::new() }
     }
 }
 
@@ -136,29 +131,26 @@ impl<I: Impulse> Accelerated<I> {
     ) -> Iterations {
         let goal = goal.into();
         let contacts = problem.contacts();
-        self.start.clear();
-        self.start
+        self.swept.clear();
+        self.swept
             .extend((0..contacts).map(|contact| problem.impulse(contact)));
-        self.swept.clone_from(&self.start);
         let mut age = 1.0_f64;
         let mut sweeps = 0;
         let mut progress = Progress::default();
         while sweeps < most {
             let mut change = GlobalChange::default();
-            problem.sweep(Visit::Forward, &mut change);
+            problem.sweep_on(&self.swept, &mut change);
             sweeps += 1;
             if change.relative() <= goal.relative && change.speed <= goal.speed {
                 return Iterations { sweeps, met: true };
             }
             progress.see(change.relative(), sweeps, most);
             let older = 0.5 * (1.0 + (1.0 + 4.0 * age * age).sqrt());
-            if problem.along(&self.start, &self.swept) < 0.0 {
+            if change.along < 0.0 {
                 age = (LEFT * age).max(1.0);
                 self.rest(problem);
             } else {
-                let beta = (age - 1.0) / older;
-                problem.extrapolate(beta, &mut self.start, &mut self.swept);
-                problem.refresh();
+                problem.extrapolate((age - 1.0) / older, &mut self.swept);
                 age = older;
                 sweeps += EXTRAPOLATION;
             }
@@ -188,7 +180,7 @@ impl<I: Impulse> Accelerated<I> {
             if change.relative() <= goal.relative && change.speed <= goal.speed {
                 return Iterations { sweeps, met: true };
             }
-            for (contact, start) in self.start.iter().enumerate() {
+            for (contact, start) in self.swept.iter().enumerate() {
                 let step = problem.impulse(contact).plus_scaled(-1.0, start);
                 problem.guess(contact, &start.plus_scaled(share, &step));
             }
@@ -200,9 +192,8 @@ impl<I: Impulse> Accelerated<I> {
 
     /// Continues from the result of the sweep, without extrapolation.
     fn rest<O: Operator<Impulse = I>>(&mut self, problem: &O) {
-        for (contact, (start, swept)) in self.start.iter_mut().zip(&mut self.swept).enumerate() {
-            *start = problem.impulse(contact);
-            *swept = *start;
+        for (contact, swept) in self.swept.iter_mut().enumerate() {
+            *swept = problem.impulse(contact);
         }
     }
 }

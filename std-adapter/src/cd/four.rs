@@ -50,8 +50,8 @@ impl Alike {
 /// Limits of friction, as [`Thresholds`](tribos_core::contact::Thresholds) has them: sliding, rolling, torsion.
 pub(super) type Limits = [f64; 3];
 
-/// What a monitor records of each contact: change², P, speed.
-pub(super) type Records = [[f64; 4]; 3];
+/// What a monitor records of each contact: change², P, speed, and the product with the step before.
+pub(super) type Records = [[f64; 4]; 4];
 
 /// Where four contacts are, and between which spheres.
 struct Places<L> {
@@ -137,12 +137,13 @@ fn turns<M: ContactModes<f64>>() -> bool {
 }
 
 /// Solves four links without a common sphere, the first of `spheres` having the number `first`; returns what
-/// monitors record.
+/// monitors record. The step before led from `swept` to the impulses.
 ///
 /// `None`, and nothing is done, if there is no such sphere.
 #[inline(always)]
 pub(super) fn update<L: Four, M: ContactModes<f64>>(
     links: &mut [Link<M>; 4],
+    swept: Option<&[Modal<f64, M>; 4]>,
     (first, spheres): (u32, &mut [Aligned]),
     (alike, limits): &(Alike, Limits),
 ) -> Option<Records> {
@@ -178,57 +179,42 @@ pub(super) fn update<L: Four, M: ContactModes<f64>>(
     }
     let bound = admit::<L, M>(&mut new, cohesion, alike.lever, limits);
 
-    let mut change = Impulses::zero();
-    change.normal = new.normal - old.normal;
-    let mut change_sq = change.normal * change.normal;
-    if M::Sliding::PRESENT {
-        change.sliding = minus(new.sliding, old.sliding);
-        change_sq = change_sq + dot(change.sliding, change.sliding);
-    }
-    let mut torques = L::splat(0.0);
-    if M::Rolling::PRESENT {
-        change.rolling = minus(new.rolling, old.rolling);
-        torques = torques + dot(change.rolling, change.rolling);
-    }
-    if M::Torsion::PRESENT {
-        change.torsion = new.torsion - old.torsion;
-        torques = torques + change.torsion * change.torsion;
-    }
-    if turns::<M>() {
-        let lever = L::splat(alike.lever);
-        change_sq = change_sq + torques / (lever * lever);
-    }
+    let change = new.minus::<M>(&old);
+    let lever_sq = L::splat(alike.lever * alike.lever);
+    let change_sq = change.dot::<M>(&change, lever_sq);
+    let along = match swept {
+        Some([a, b, c, d]) => {
+            let before = old.minus::<M>(&Impulses::read([a, b, c, d]));
+            change.dot::<M>(&before, lever_sq)
+        }
+        None => L::splat(0.0),
+    };
 
     places.apply::<M>(&change, alike, [a, b], spheres);
     set(links, &new.write());
     let speed = change.normal.abs() / mass_normal;
-    Some([change_sq.lanes(), bound.lanes(), speed.lanes()])
+    Some([
+        change_sq.lanes(),
+        bound.lanes(),
+        speed.lanes(),
+        along.lanes(),
+    ])
 }
 
-/// Applies the impulses of four links without a common sphere to their spheres, as [`Contact::apply`] does.
+/// Moves the impulses of four links without a common sphere on by `beta` times their last step, to what the
+/// contacts admit, and applies them to the spheres. `swept` are the impulses before that step, then those after it.
 ///
 /// `None`, and nothing is done, if there is no such sphere.
-#[inline(always)]
-pub(super) fn apply<L: Four, M: ContactModes<f64>>(
-    links: &[Link<M>; 4],
-    spheres: &mut [Aligned],
-    alike: &Alike,
-) -> Option<()> {
-    let places = Places::<L>::of(links, 0);
-    let bodies = places.bodies(spheres)?;
-    places.apply::<M>(&impulses::<L, M>(links), alike, bodies, spheres);
-    Some(())
-}
-
-/// Moves the impulses of four links on by `beta` times their last step, to what the contacts admit; `swept` are
-/// those before that step, then those before this.
 #[inline(always)]
 pub(super) fn extrapolate<L: Four, M: ContactModes<f64>>(
     links: &mut [Link<M>; 4],
     swept: &mut [Modal<f64, M>; 4],
+    (first, spheres): (u32, &mut [Aligned]),
     beta: f64,
     (alike, limits): &(Alike, Limits),
-) {
+) -> Option<()> {
+    let places = Places::<L>::of(links, first);
+    let bodies = places.bodies(spheres)?;
     let now = impulses::<L, M>(links);
     let [a, b, c, d] = &*swept;
     let old = Impulses::<L>::read([a, b, c, d]);
@@ -245,10 +231,12 @@ pub(super) fn extrapolate<L: Four, M: ContactModes<f64>>(
     }
     let cohesion: L = gather(links, |contact| contact.cohesion());
     admit::<L, M>(&mut new, cohesion, alike.lever, limits);
+    places.apply::<M>(&new, alike, bodies, spheres);
     for (swept, link) in swept.iter_mut().zip(links.iter()) {
         *swept = *link.contact.impulse();
     }
     set(links, &new.write());
+    Some(())
 }
 
 /// A number that goes on by `beta` times the step to it, as `Modal::plus_scaled` rounds.

@@ -27,9 +27,9 @@ pub(super) struct Groups<'a> {
 }
 
 impl Groups<'_> {
-    /// The groups from a pair on, which is counted as the first from there.
+    /// The groups from a pair on, which counts as the first.
     #[inline(always)]
-    pub fn from(self, at: usize) -> Self {
+    pub fn after(self, at: usize) -> Self {
         let begins = self.begins.get(at..).unwrap_or_default();
         Groups { begins, ..self }
     }

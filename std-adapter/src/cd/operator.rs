@@ -16,6 +16,8 @@ pub trait Monitor: Send {
     /// Records one contact: the square of its impulse's change, P (the force scale of its friction), and
     /// the change of its normal speed.
     fn see(&mut self, change_sq: f64, bound: f64, speed: f64);
+    /// Records the product of a contact's change with its step before, in [`Operator::sweep_on`].
+    fn follow(&mut self, _along: f64) {}
     /// Adds the data of a monitor that observed the contacts after those of this one.
     fn join(&mut self, later: &Self);
 }
@@ -113,32 +115,32 @@ pub trait Operator {
     /// Recomputes the velocities from all impulses, in the order of the contacts.
     fn refresh(&mut self);
 
-    /// (x − y)·(y − x₋), summed in the order of the contacts: x are the impulses now, after a sweep from `start` y;
-    /// `swept` are those after the sweep before.
-    fn along(&self, start: &[Self::Impulse], swept: &[Self::Impulse]) -> f64 {
-        let mut sum = 0.0;
+    /// Solves the laws of every contact in turn, with all other contacts held fixed.
+    fn sweep<W: Monitor>(&mut self, visit: Visit<'_>, watch: &mut W);
+
+    /// A sweep forward from impulses y to x, with `swept` x₋ those after the sweep before. The monitor follows
+    /// (x − y)·(y − x₋), contact by contact: a negative sum says that the sweep leads back.
+    fn sweep_on<W: Monitor>(&mut self, swept: &[Self::Impulse], watch: &mut W) {
+        let start: Vec<_> = (0..self.contacts()).map(|at| self.impulse(at)).collect();
+        self.sweep(Visit::Forward, watch);
         for (contact, (start, swept)) in start.iter().zip(swept).enumerate() {
-            let moved = self.impulse(contact).plus_scaled(-1.0, start);
-            let ahead = start.plus_scaled(-1.0, swept);
-            sum += self.dot(contact, &moved, &ahead);
+            let change = self.impulse(contact).plus_scaled(-1.0, start);
+            let before = start.plus_scaled(-1.0, swept);
+            watch.follow(self.dot(contact, &change, &before));
         }
-        sum
     }
 
-    /// Guesses x + β (x − x₋) from the impulses x now and `swept` x₋; leaves the guesses in `start`, and x in
-    /// `swept`. Velocities are invalid until [`Operator::refresh`].
-    fn extrapolate(&mut self, beta: f64, start: &mut [Self::Impulse], swept: &mut [Self::Impulse]) {
-        for (contact, (start, swept)) in start.iter_mut().zip(swept).enumerate() {
+    /// Goes on to x + β (x − x₋), as far as admissible, from the impulses x now and `swept` x₋, which become x;
+    /// velocities follow.
+    fn extrapolate(&mut self, beta: f64, swept: &mut [Self::Impulse]) {
+        for (contact, swept) in swept.iter_mut().enumerate() {
             let now = self.impulse(contact);
             let step = now.plus_scaled(-1.0, swept);
             self.guess(contact, &now.plus_scaled(beta, &step));
-            *start = self.impulse(contact);
             *swept = now;
         }
+        self.refresh();
     }
-
-    /// Solves the laws of every contact in turn, with all other contacts held fixed.
-    fn sweep<W: Monitor>(&mut self, visit: Visit<'_>, watch: &mut W);
 }
 
 /// A monitor that records nothing and has no cost.
@@ -183,6 +185,8 @@ pub struct GlobalChange {
     pub mean: [f64; 2],
     /// Largest correction of the normal speed at a contact.
     pub speed: f64,
+    /// Sum of the products that [`Monitor::follow`] records.
+    pub along: f64,
 }
 
 impl GlobalChange {
@@ -222,11 +226,17 @@ impl Monitor for GlobalChange {
         self.mean[1] += bound;
     }
 
+    #[inline(always)]
+    fn follow(&mut self, along: f64) {
+        self.along += along;
+    }
+
     fn join(&mut self, later: &Self) {
         self.change_sq += later.change_sq;
         self.bound_sq += later.bound_sq;
         self.mean[0] += later.mean[0];
         self.mean[1] += later.mean[1];
+        self.along += later.along;
         self.speed = largest(self.speed, later.speed);
     }
 }

@@ -3,9 +3,8 @@
 //! Spheres are divided into blocks of consecutive numbers. Pairs inside a block come block by block, so
 //! that blocks can be swept in parallel; pairs across blocks come after them, pairs with an image last.
 //! Within each of these groups pairs are sorted by colours, such that no sphere has two pairs of the same
-//! colour: consecutive updates then do not wait for each other's velocities, and the pairs of one colour
-//! across blocks can be solved in parallel. The order depends only on the contacts, never on the number of
-//! threads.
+//! colour: consecutive updates then do not wait for each other's velocities, and four of them can be solved side
+//! by side. The order depends only on the contacts, never on the number of threads.
 
 use super::image::ImageVelocity;
 use super::spheres::Link;
@@ -32,9 +31,6 @@ const SHARED: u32 = u64::BITS - 1;
 pub(super) struct Schedule {
     /// Blocks in order.
     pub blocks: Vec<Block>,
-    /// Positions of the pairs across blocks, colour by colour. The pairs of a colour have no sphere in
-    /// common; those that share the last one are a colour each.
-    pub across: Vec<Range<usize>>,
     /// Position of the first pair with an image.
     pub images: usize,
     /// Group and colour of each pair, and its position in the order.
@@ -80,17 +76,17 @@ impl Schedule {
             });
             start += length;
         }
-        self.across.clear();
-        for colour in self.keys[start..self.images].chunk_by(|a, b| a.1 == b.1 && a.1 < SHARED) {
-            self.across.push(start..start + colour.len());
-            start += colour.len();
-        }
     }
 
-    /// Positions of the pairs that are swept together: those of each block, and each colour across blocks.
+    /// Positions of the pairs across blocks.
+    pub fn across(&self) -> Range<usize> {
+        self.blocks.last().map_or(0, |block| block.pairs.end)..self.images
+    }
+
+    /// Positions of the pairs that are swept together: those of each block, and those across blocks.
     pub fn parts(&self) -> impl Iterator<Item = Range<usize>> {
         let blocks = self.blocks.iter().map(|block| block.pairs.clone());
-        blocks.chain(self.across.iter().cloned())
+        blocks.chain([self.across()])
     }
 
     /// Puts the images into the order of their pairs, which are the last ones.

@@ -1,13 +1,15 @@
 //! The contact problem of spheres and plates.
 
 use super::aligned::Aligned;
-use super::groups::{Grouping, Groups};
+use super::groups::Grouping;
 use super::image::{ImageVelocity, Images, seen};
 use super::mixture::{Mixture, PairFriction, Same};
-use super::momentum;
+use super::momentum::{Moving, extrapolate};
 use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::schedule::Schedule;
-use super::sweep::{WORTHWHILE, Way, report, solve_one, sweep_colour, sweep_images, sweep_links};
+use super::sweep::{
+    AHEAD, Pairs, WORTHWHILE, Way, fetch, solve_one, sweep_images, sweep_links, update,
+};
 use rayon::prelude::*;
 use std::sync::Arc;
 use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Plate, Sphere};
@@ -192,11 +194,11 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     }
 
     /// Sweeps the pairs: blocks in parallel, then pairs across blocks. The data of the monitor do not depend
-    /// on the number of threads.
-    fn sweep_pairs<W: Monitor>(&mut self, way: Way, watch: &mut W) {
+    /// on the number of threads. `swept` are the impulses after the sweep before, or empty.
+    fn sweep_pairs<W: Monitor>(&mut self, way: Way, swept: &[Modal<f64, F::Modes>], watch: &mut W) {
         match self.mixture.clone() {
-            None => self.sweep_pairs_with(&Same(self.friction[0]), way, watch),
-            Some(mixture) => self.sweep_pairs_with(&*mixture, way, watch),
+            None => self.sweep_pairs_with(&Same(self.friction[0]), way, swept, watch),
+            Some(mixture) => self.sweep_pairs_with(&*mixture, way, swept, watch),
         }
     }
 
@@ -204,80 +206,144 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         &mut self,
         friction: &impl PairFriction<F>,
         way: Way,
+        swept: &[Modal<f64, F::Modes>],
         watch: &mut W,
     ) {
-        let blocks = self.schedule.blocks.len();
-        let across = self
-            .schedule
-            .blocks
-            .last()
-            .map_or(0, |block| block.pairs.end);
-        let border = self.schedule.images;
         if way == Way::Backward {
-            let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[border..]);
-            sweep_images((pairs, &self.images), spheres, friction, way, watch);
-            let colours = self.schedule.across.iter().rev();
-            for colour in colours.cloned() {
-                let groups = self.grouping.of(colour.clone());
-                let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[colour]);
-                sweep_colour(pairs, groups, spheres, friction, way, watch);
-            }
+            self.sweep_images(friction, way, swept, watch);
+            self.sweep_across(friction, way, swept, watch);
         }
-        let mut parts = Vec::with_capacity(blocks);
+        let across = self.schedule.across().start;
+        let mut parts = Vec::with_capacity(self.schedule.blocks.len());
         let (mut spheres, mut pairs) = (&mut self.spheres[..], &mut self.pairs[..across]);
         for block in &self.schedule.blocks {
             let (own, rest) = spheres.split_at_mut(block.spheres.len());
             let (links, others) = pairs.split_at_mut(block.pairs.len());
             (spheres, pairs) = (rest, others);
-            let groups = self.grouping.of(block.pairs.clone());
-            parts.push((block.spheres.start as u32, own, links, groups, watch.fork()));
+            let stretch = Pairs {
+                links,
+                swept: swept.get(block.pairs.clone()).unwrap_or_default(),
+                groups: self.grouping.of(block.pairs.clone()),
+            };
+            parts.push((stretch, (block.spheres.start as u32, own), watch.fork()));
         }
-        let sweep = |(first, spheres, links, groups, watch): &mut (
-            u32,
-            &mut [_],
-            &mut [_],
-            Option<Groups<'_>>,
-            W,
-        )| {
-            sweep_links(links, *groups, (*first, spheres), friction, way, watch);
+        let sweep = |(pairs, spheres, mut watch): (Pairs<'_, F::Modes>, (u32, &mut [_]), W)| {
+            sweep_links(pairs, spheres, friction, way, &mut watch);
+            watch
         };
-        if across >= WORTHWHILE && rayon::current_num_threads() > 1 {
-            parts.par_iter_mut().for_each(sweep);
+        let seen: Vec<W> = if shared(across) {
+            parts.into_par_iter().map(sweep).collect()
         } else {
-            parts.iter_mut().for_each(sweep);
-        }
-        for (_, _, _, _, seen) in &parts {
+            parts.into_iter().map(sweep).collect()
+        };
+        for seen in &seen {
             watch.join(seen);
         }
         if way == Way::Forward {
-            for colour in self.schedule.across.iter().cloned() {
-                let groups = self.grouping.of(colour.clone());
-                let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[colour]);
-                sweep_colour(pairs, groups, spheres, friction, way, watch);
-            }
-            let (spheres, pairs) = (&mut self.spheres[..], &mut self.pairs[border..]);
-            sweep_images((pairs, &self.images), spheres, friction, way, watch);
+            self.sweep_across(friction, way, swept, watch);
+            self.sweep_images(friction, way, swept, watch);
         }
+    }
+
+    /// Sweeps the pairs across blocks.
+    fn sweep_across<W: Monitor>(
+        &mut self,
+        friction: &impl PairFriction<F>,
+        way: Way,
+        swept: &[Modal<f64, F::Modes>],
+        watch: &mut W,
+    ) {
+        let across = self.schedule.across();
+        let pairs = Pairs {
+            swept: swept.get(across.clone()).unwrap_or_default(),
+            groups: self.grouping.of(across.clone()),
+            links: &mut self.pairs[across],
+        };
+        sweep_links(pairs, (0, &mut self.spheres), friction, way, watch);
+    }
+
+    /// Sweeps the pairs with an image.
+    fn sweep_images<W: Monitor>(
+        &mut self,
+        friction: &impl PairFriction<F>,
+        way: Way,
+        swept: &[Modal<f64, F::Modes>],
+        watch: &mut W,
+    ) {
+        let border = self.schedule.images;
+        let pairs = Pairs {
+            swept: swept.get(border..self.pairs.len()).unwrap_or_default(),
+            groups: None,
+            links: &mut self.pairs[border..],
+        };
+        let spheres = &mut self.spheres[..];
+        sweep_images(pairs, &self.images, spheres, friction, way, watch);
     }
 
     fn extrapolate_with(
         &mut self,
         friction: &impl PairFriction<F>,
         beta: f64,
-        [start, swept]: [&mut [Modal<f64, F::Modes>]; 2],
+        swept: &mut [Modal<f64, F::Modes>],
     ) {
+        self.release();
+        let across = self.schedule.across().start;
         let pairs = self.pairs.len();
-        let (start, start_walls) = start.split_at_mut(pairs.min(start.len()));
-        let (swept, swept_walls) = swept.split_at_mut(pairs.min(swept.len()));
-        let groups = self.grouping.of(0..pairs);
-        momentum::extrapolate(&mut self.pairs, groups, friction, beta, [start, swept]);
-        let walls = start_walls.iter_mut().zip(swept_walls);
-        for (wall, (start, swept)) in walls.enumerate() {
+        let (inside, rest) = self.pairs.split_at_mut(across);
+        let (swept_inside, swept) = swept.split_at_mut(across);
+        let (swept_rest, swept_walls) = swept.split_at_mut(pairs - across);
+        let mut parts = Vec::with_capacity(self.schedule.blocks.len());
+        let (mut spheres, mut links, mut swept) = (&mut self.spheres[..], inside, swept_inside);
+        for block in &self.schedule.blocks {
+            let (bodies, own, old);
+            (bodies, spheres) = spheres.split_at_mut(block.spheres.len());
+            (own, links) = links.split_at_mut(block.pairs.len());
+            (old, swept) = swept.split_at_mut(block.pairs.len());
+            let moving = Moving {
+                links: own,
+                swept: old,
+                groups: self.grouping.of(block.pairs.clone()),
+            };
+            parts.push((moving, (block.spheres.start as u32, bodies)));
+        }
+        let go_on = |(pairs, spheres): (Moving<'_, F::Modes>, (u32, &mut [_]))| {
+            extrapolate(pairs, spheres, friction, beta);
+        };
+        if shared(across) {
+            parts.into_par_iter().for_each(go_on);
+        } else {
+            parts.into_iter().for_each(go_on);
+        }
+        let moving = Moving {
+            links: rest,
+            swept: swept_rest,
+            groups: self.grouping.of(across..pairs),
+        };
+        extrapolate(moving, (0, &mut self.spheres), friction, beta);
+        for (wall, swept) in swept_walls.iter_mut().enumerate() {
             let now = self.impulse(pairs + wall);
             let step = now.minus(swept);
             self.guess(pairs + wall, &now.plus_scaled(beta, &step));
-            *start = self.impulse(pairs + wall);
             *swept = now;
+        }
+        self.apply_walls();
+    }
+
+    /// Gives all bodies their velocities in the absence of contacts.
+    fn release(&mut self) {
+        for (sphere, free) in self.spheres.iter_mut().zip(&self.free.0) {
+            sphere.0 = *free;
+        }
+        self.plates.copy_from_slice(&self.free.1);
+    }
+
+    /// Applies the impulses at plates.
+    fn apply_walls(&mut self) {
+        for link in &self.walls {
+            let [a, b] = link.bodies.map(|body| body as usize);
+            if let (Some(a), Some(b)) = (self.spheres.get_mut(a), self.plates.get_mut(b)) {
+                link.contact.apply(link.contact.impulse(), &mut a.0, b);
+            }
         }
     }
 
@@ -286,23 +352,34 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         let spheres = &mut self.spheres[..];
         let (one, both) = (Same(self.friction[0]), self.mixture.as_deref());
         let Some(image) = index.checked_sub(self.schedule.images) else {
+            let link = self.pairs.get_mut(index).map(|link| (link, None));
             match both {
-                None => solve_one(&mut self.pairs, index, (0, spheres), &one, watch),
-                Some(both) => solve_one(&mut self.pairs, index, (0, spheres), both, watch),
+                None => solve_one(link, (0, spheres), &one, watch),
+                Some(both) => solve_one(link, (0, spheres), both, watch),
             }
             return;
         };
-        if let Some(link) = self.pairs.get_mut(index..=index) {
-            let pairs = (link, &self.images[image..]);
+        if let Some(links) = self.pairs.get_mut(index..=index) {
+            let pairs = Pairs {
+                links,
+                swept: &[],
+                groups: None,
+            };
+            let images = &self.images[image..];
             match both {
-                None => sweep_images(pairs, spheres, &one, Way::Forward, watch),
-                Some(both) => sweep_images(pairs, spheres, both, Way::Forward, watch),
+                None => sweep_images(pairs, images, spheres, &one, Way::Forward, watch),
+                Some(both) => sweep_images(pairs, images, spheres, both, Way::Forward, watch),
             }
         }
     }
 
     #[inline(always)]
-    fn visit_wall<W: Monitor>(&mut self, index: usize, watch: &mut W) {
+    fn visit_wall<W: Monitor>(
+        &mut self,
+        index: usize,
+        swept: Option<&Modal<f64, F::Modes>>,
+        watch: &mut W,
+    ) {
         let Some(link) = self.walls.get_mut(index) else {
             return;
         };
@@ -312,8 +389,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         };
         let [a, b] = link.bodies.map(|body| body as usize);
         if let (Some(a), Some(b)) = (self.spheres.get_mut(a), self.plates.get_mut(b)) {
-            let change = link.contact.update(friction, &mut a.0, b);
-            report(&link.contact, &change, watch);
+            update(&mut link.contact, swept, friction, &mut a.0, b).tell(watch);
         }
     }
 }
@@ -356,58 +432,58 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
     }
 
     fn refresh(&mut self) {
-        for (sphere, free) in self.spheres.iter_mut().zip(&self.free.0) {
-            sphere.0 = *free;
-        }
-        self.plates.copy_from_slice(&self.free.1);
-        let groups = self.grouping.of(0..self.pairs.len());
-        momentum::apply(&self.pairs, groups, &mut self.spheres);
-        for link in &self.walls {
-            let [a, b] = link.bodies.map(|body| body as usize);
-            if let (Some(a), Some(b)) = (self.spheres.get_mut(a), self.plates.get_mut(b)) {
-                link.contact.apply(link.contact.impulse(), &mut a.0, b);
+        self.release();
+        for (at, link) in self.pairs.iter().enumerate() {
+            fetch(self.pairs.get(at + AHEAD), &self.spheres, 0);
+            let bodies = link.bodies.map(|body| body as usize);
+            if let Ok([a, b]) = self.spheres.get_disjoint_mut(bodies) {
+                let contact = &link.contact;
+                contact.apply(contact.impulse(), &mut a.0, &mut b.0);
             }
         }
+        self.apply_walls();
     }
 
-    fn along(&self, start: &[Self::Impulse], swept: &[Self::Impulse]) -> f64 {
-        let mut sum = 0.0;
-        for ((link, start), swept) in self.links().zip(start).zip(swept) {
-            let moved = link.contact.impulse().minus(start);
-            sum += moved.dot_with_lever(&start.minus(swept), link.contact.lever());
+    fn sweep_on<W: Monitor>(&mut self, swept: &[Self::Impulse], watch: &mut W) {
+        self.sweep_pairs(Way::Forward, swept, watch);
+        let pairs = self.pairs.len();
+        for wall in 0..self.walls.len() {
+            self.visit_wall(wall, swept.get(pairs + wall), watch);
         }
-        sum
     }
 
-    fn extrapolate(&mut self, beta: f64, start: &mut [Self::Impulse], swept: &mut [Self::Impulse]) {
+    /// *Panics* if `swept` has no impulse for a pair.
+    fn extrapolate(&mut self, beta: f64, swept: &mut [Self::Impulse]) {
         match self.mixture.clone() {
-            None => self.extrapolate_with(&Same(self.friction[0]), beta, [start, swept]),
-            Some(mixture) => self.extrapolate_with(&*mixture, beta, [start, swept]),
+            None => self.extrapolate_with(&Same(self.friction[0]), beta, swept),
+            Some(mixture) => self.extrapolate_with(&*mixture, beta, swept),
         }
     }
 
     fn sweep<W: Monitor>(&mut self, visit: Visit<'_>, watch: &mut W) {
         let (pairs, walls) = (self.pairs.len(), self.walls.len());
         match visit {
-            Visit::Forward => {
-                self.sweep_pairs(Way::Forward, watch);
-                (0..walls).for_each(|index| self.visit_wall(index, watch));
-            }
+            Visit::Forward => self.sweep_on(&[], watch),
             Visit::Backward => {
-                (0..walls)
-                    .rev()
-                    .for_each(|index| self.visit_wall(index, watch));
-                self.sweep_pairs(Way::Backward, watch);
+                for wall in (0..walls).rev() {
+                    self.visit_wall(wall, None, watch);
+                }
+                self.sweep_pairs(Way::Backward, &[], watch);
             }
             Visit::Listed(order) => {
                 for &index in order {
                     let index = index as usize;
                     match index.checked_sub(pairs) {
                         None => self.visit_pair(index, watch),
-                        Some(wall) => self.visit_wall(wall, watch),
+                        Some(wall) => self.visit_wall(wall, None, watch),
                     }
                 }
             }
         }
     }
+}
+
+/// Whether so many pairs are work for several threads.
+fn shared(pairs: usize) -> bool {
+    pairs >= WORTHWHILE && rayon::current_num_threads() > 1
 }

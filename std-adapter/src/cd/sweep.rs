@@ -1,4 +1,4 @@
-//! Sweeps over the pairs of spheres: one after the other, four at a time, or a colour on several threads.
+//! Sweeps over the pairs of spheres: one after the other, or four at a time.
 
 use super::aligned::Aligned;
 use super::four::{self, Records};
@@ -7,8 +7,7 @@ use super::image::{Image, ImageVelocity};
 use super::mixture::PairFriction;
 use super::operator::Monitor;
 use super::spheres::Link;
-use rayon::prelude::*;
-use tribos_core::contact::{Contact, ContactFriction, ContactModes, Modal, Sphere};
+use tribos_core::contact::{Body, Contact, ContactFriction, ContactModes, Modal};
 use tribos_lanes::{Four, Task};
 use tribos_prefetch::prefetch;
 
@@ -25,16 +24,29 @@ pub(super) const WORTHWHILE: usize = 10_000;
 /// How many pairs ahead bodies are fetched: the work of that many takes longer than the memory.
 pub(super) const AHEAD: usize = 24;
 
+/// Pairs that are swept together.
+pub(super) struct Pairs<'a, M: ContactModes<f64>> {
+    pub links: &'a mut [Link<M>],
+    /// Their impulses after the sweep before, if a monitor follows the steps; empty else.
+    pub swept: &'a [Modal<f64, M>],
+    /// Which of them are solved four at a time.
+    pub groups: Option<Groups<'a>>,
+}
+
 /// Solves pairs one after the other, or four at a time where they are grouped; the first element of `spheres`
 /// has the number `first`. Both give the same bits.
 pub(super) fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
-    links: &mut [Link<F::Modes>],
-    groups: Option<Groups<'_>>,
+    pairs: Pairs<'_, F::Modes>,
     (first, spheres): (u32, &mut [Aligned]),
     friction: &impl PairFriction<F>,
     way: Way,
     watch: &mut W,
 ) {
+    let Pairs {
+        links,
+        swept,
+        groups,
+    } = pairs;
     let count = links.len();
     let mut records = [Records::default(); RUN];
     let mut done = 0;
@@ -42,7 +54,7 @@ pub(super) fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
         let at = way.place(done, count);
         if let Some(groups) = groups.filter(|groups| groups.begins(way.start(at))) {
             let bodies = (first, &mut *spheres);
-            let solved = solve_run(links, groups, bodies, (way, at), &mut records);
+            let solved = solve_run((links, swept), groups, bodies, (way, at), &mut records);
             for group in records.iter().take(solved) {
                 show(group, way, watch);
             }
@@ -52,7 +64,8 @@ pub(super) fn sweep_links<F: ContactFriction<f64>, W: Monitor>(
             }
         }
         fetch(links.get(way.ahead(at)), spheres, first);
-        solve_one(links, at, (first, spheres), friction, watch);
+        let link = links.get_mut(at).map(|link| (link, swept.get(at)));
+        solve_one(link, (first, spheres), friction, watch);
         done += 1;
     }
 }
@@ -88,10 +101,11 @@ impl Way {
 
 /// Lets a monitor see the contacts of a group in the order of the sweep.
 #[inline(always)]
-fn show<W: Monitor>([change_sq, bound, speed]: &Records, way: Way, watch: &mut W) {
+fn show<W: Monitor>([change_sq, bound, speed, along]: &Records, way: Way, watch: &mut W) {
     for turn in 0..LANES {
         let lane = way.place(turn, LANES);
         watch.see(change_sq[lane], bound[lane], speed[lane]);
+        watch.follow(along[lane]);
     }
 }
 
@@ -107,23 +121,66 @@ pub(super) fn fetch<M: ContactModes<f64>>(soon: Option<&Link<M>>, spheres: &[Ali
     }
 }
 
+/// A pair, and its impulse after the sweep before if a monitor follows it.
+pub(super) type One<'a, M> = (&'a mut Link<M>, Option<&'a Modal<f64, M>>);
+
 /// Solves one pair; the first element of `spheres` has the number `first`.
 #[inline(always)]
 pub(super) fn solve_one<F: ContactFriction<f64>, W: Monitor>(
-    links: &mut [Link<F::Modes>],
-    at: usize,
+    pair: Option<One<'_, F::Modes>>,
     (first, spheres): (u32, &mut [Aligned]),
     friction: &impl PairFriction<F>,
     watch: &mut W,
 ) {
-    let Some(link) = links.get_mut(at) else {
+    let Some((link, swept)) = pair else {
         return;
     };
     let bodies = link.bodies.map(|body| (body - first) as usize);
     if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
         let friction = friction.of(link.bodies);
-        let change = link.contact.update(friction, &mut a.0, &mut b.0);
-        report(&link.contact, &change, watch);
+        update(&mut link.contact, swept, friction, &mut a.0, &mut b.0).tell(watch);
+    }
+}
+
+/// What a monitor records of a contact.
+pub(super) struct Seen {
+    /// change², P, speed
+    change: [f64; 3],
+    /// Product of the change with the step before, if that is followed.
+    along: Option<f64>,
+}
+
+impl Seen {
+    #[inline(always)]
+    pub fn tell<W: Monitor>(&self, watch: &mut W) {
+        let [change_sq, bound, speed] = self.change;
+        watch.see(change_sq, bound, speed);
+        if let Some(along) = self.along {
+            watch.follow(along);
+        }
+    }
+}
+
+/// Solves a contact; the step before led from `swept` to its impulse.
+#[inline(always)]
+pub(super) fn update<F: ContactFriction<f64>>(
+    contact: &mut Contact<f64, F::Modes>,
+    swept: Option<&Modal<f64, F::Modes>>,
+    friction: &F,
+    a: &mut impl Body<f64>,
+    b: &mut impl Body<f64>,
+) -> Seen {
+    let before = swept.map(|swept| contact.impulse().minus(swept));
+    let change = contact.update(friction, a, b);
+    let lever = contact.lever();
+    let speed = change.normal.abs() / contact.block().mass_normal;
+    Seen {
+        change: [
+            change.dot_with_lever(&change, lever),
+            contact.bound(),
+            speed,
+        ],
+        along: before.map(|before| change.dot_with_lever(&before, lever)),
     }
 }
 
@@ -135,7 +192,7 @@ const RUN: usize = 16;
 /// of these would take minutes to compile.
 #[inline(never)]
 fn solve_run<M: ContactModes<f64>>(
-    links: &mut [Link<M>],
+    (links, swept): (&mut [Link<M>], &[Modal<f64, M>]),
     groups: Groups<'_>,
     (first, spheres): (u32, &mut [Aligned]),
     (way, at): (Way, usize),
@@ -143,6 +200,7 @@ fn solve_run<M: ContactModes<f64>>(
 ) -> usize {
     tribos_lanes::run(Run {
         links,
+        swept,
         groups,
         spheres,
         first,
@@ -155,6 +213,7 @@ fn solve_run<M: ContactModes<f64>>(
 /// Groups one after the other.
 struct Run<'a, M: ContactModes<f64>> {
     links: &'a mut [Link<M>],
+    swept: &'a [Modal<f64, M>],
     groups: Groups<'a>,
     spheres: &'a mut [Aligned],
     first: u32,
@@ -170,6 +229,7 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
     fn run<L: Four>(self) -> usize {
         let Self {
             links,
+            swept,
             groups,
             spheres,
             first,
@@ -183,7 +243,9 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
             let Some(four) = group.and_then(|rest| rest.first_chunk_mut::<LANES>()) else {
                 return solved;
             };
-            let Some(seen) = four::update::<L, M>(four, (first, spheres), groups.common) else {
+            let old = swept.get(start..).and_then(<[_]>::first_chunk);
+            let bodies = (first, &mut *spheres);
+            let Some(seen) = four::update::<L, M>(four, old, bodies, groups.common) else {
                 return solved;
             };
             *record = seen;
@@ -200,88 +262,36 @@ impl<M: ContactModes<f64>> Task for Run<'_, M> {
     }
 }
 
-/// Number of pairs of one colour below which threads cost more than they gain.
-const WORTHWHILE_COLOUR: usize = 4_000;
-/// Least number of pairs for a thread.
-const SHARE: usize = 200;
-
-/// Solves the pairs of a colour, which have no sphere in common: on several threads, if they are many.
-pub(super) fn sweep_colour<F: ContactFriction<f64>, W: Monitor>(
-    links: &mut [Link<F::Modes>],
-    groups: Option<Groups<'_>>,
-    spheres: &mut [Aligned],
-    friction: &impl PairFriction<F>,
-    way: Way,
-    watch: &mut W,
-) {
-    if links.len() < WORTHWHILE_COLOUR || rayon::current_num_threads() == 1 {
-        return sweep_links(links, groups, (0, spheres), friction, way, watch);
-    }
-    // Copies of the bodies are solved in parallel; then each body takes its motion in turn.
-    let mut solved = Vec::with_capacity(links.len());
-    let solve = |link: &mut Link<F::Modes>| {
-        let [mut a, mut b] = link.bodies.map(|body| spheres[body as usize].0);
-        let friction = friction.of(link.bodies);
-        let change = link.contact.update(friction, &mut a, &mut b);
-        (link.bodies, [a, b], watched(&link.contact, &change))
-    };
-    let shares = links.par_iter_mut().with_min_len(SHARE);
-    shares.map(solve).collect_into_vec(&mut solved);
-    let mut take = |(bodies, moved, seen): &([u32; 2], [Sphere<f64>; 2], [f64; 3])| {
-        for (body, moved) in bodies.iter().zip(moved) {
-            spheres[*body as usize].0 = *moved;
-        }
-        let [change_sq, bound, speed] = *seen;
-        watch.see(change_sq, bound, speed);
-    };
-    if way == Way::Forward {
-        solved.iter().for_each(take);
-    } else {
-        solved.iter().rev().for_each(&mut take);
-    }
-}
-
 /// Solves pairs with an image one after the other.
 pub(super) fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
-    (links, images): (&mut [Link<F::Modes>], &[ImageVelocity]),
+    pairs: Pairs<'_, F::Modes>,
+    images: &[ImageVelocity],
     spheres: &mut [Aligned],
     friction: &impl PairFriction<F>,
     way: Way,
     watch: &mut W,
 ) {
-    let mut update = |(link, (_, velocity)): (&mut Link<F::Modes>, &ImageVelocity)| {
+    let Pairs { links, swept, .. } = pairs;
+    let mut solve = |(at, (link, (_, velocity))): (usize, (&mut Link<_>, &ImageVelocity))| {
         let bodies = link.bodies.map(|body| body as usize);
         if let Ok([a, sphere]) = spheres.get_disjoint_mut(bodies) {
             let (velocity, friction) = (*velocity, friction.of(link.bodies));
             let sphere = &mut sphere.0;
-            let change = link
-                .contact
-                .update(friction, &mut a.0, &mut Image { sphere, velocity });
-            report(&link.contact, &change, watch);
+            let mut image = Image { sphere, velocity };
+            let seen = update(
+                &mut link.contact,
+                swept.get(at),
+                friction,
+                &mut a.0,
+                &mut image,
+            );
+            seen.tell(watch);
         }
     };
-    let pairs = links.iter_mut().zip(images);
+    let pairs = links.iter_mut().zip(images).enumerate();
     if way == Way::Forward {
-        pairs.for_each(update);
+        pairs.for_each(solve);
     } else {
-        pairs.rev().for_each(&mut update);
+        pairs.rev().for_each(&mut solve);
     }
-}
-
-#[inline(always)]
-pub(super) fn report<M: ContactModes<f64>, W: Monitor>(
-    contact: &Contact<f64, M>,
-    change: &Modal<f64, M>,
-    watch: &mut W,
-) {
-    let [change_sq, bound, speed] = watched(contact, change);
-    watch.see(change_sq, bound, speed);
-}
-
-/// What a monitor records of a contact whose impulse has changed.
-#[inline(always)]
-fn watched<M: ContactModes<f64>>(contact: &Contact<f64, M>, change: &Modal<f64, M>) -> [f64; 3] {
-    let change_sq = change.dot_with_lever(change, contact.lever());
-    let speed = change.normal.abs() / contact.block().mass_normal;
-    [change_sq, contact.bound(), speed]
 }

@@ -1,6 +1,8 @@
 //! Sweeps by several threads against the sweep of one contact after the other.
 
-use super::internals::{GlobalChange, Link, Operator, Spheres, Visit};
+use super::internals::{
+    Accelerated, GlobalChange, Link, Monitor, Operator, Spheres, Tolerance, Visit,
+};
 use super::solid;
 use crate::random::Random;
 use nalgebra::Vector3;
@@ -78,12 +80,60 @@ fn swept<F: ContactFriction<f64>>(threads: usize, lanes: Lanes, friction: F) -> 
             problem.sweep(visit, &mut watch);
             seen.push(watch);
         }
-        let impulses: Vec<_> = problem
-            .links()
-            .map(|link| *link.contact.impulse())
-            .collect();
-        format!("{seen:?} {impulses:?} {:?}", problem.spheres)
+        Accelerated::default().solve(&mut problem, NEVER, SWEEPS);
+        format!("{seen:?} {}", solution(&problem))
     })
+}
+
+/// A tolerance that no sweep meets, and a number of sweeps in which momentum is gained and lost.
+const NEVER: Tolerance = Tolerance {
+    relative: 0.0,
+    speed: 0.0,
+};
+const SWEEPS: usize = 60;
+
+/// Impulses and motions.
+fn solution<F: ContactFriction<f64>>(problem: &Spheres<F>) -> String {
+    let links = problem.links();
+    let impulses: Vec<_> = links.map(|link| *link.contact.impulse()).collect();
+    format!("{impulses:?} {:?}", problem.spheres)
+}
+
+/// A problem whose momentum is that of any problem, contact by contact.
+struct Plain<F: ContactFriction<f64>>(Spheres<F>);
+
+impl<F: ContactFriction<f64>> Operator for Plain<F> {
+    type Impulse = <Spheres<F> as Operator>::Impulse;
+
+    fn contacts(&self) -> usize {
+        self.0.contacts()
+    }
+    fn impulse(&self, contact: usize) -> Self::Impulse {
+        self.0.impulse(contact)
+    }
+    fn dot(&self, contact: usize, a: &Self::Impulse, b: &Self::Impulse) -> f64 {
+        self.0.dot(contact, a, b)
+    }
+    fn guess(&mut self, contact: usize, impulse: &Self::Impulse) {
+        self.0.guess(contact, impulse);
+    }
+    fn refresh(&mut self) {
+        self.0.refresh();
+    }
+    fn sweep<W: Monitor>(&mut self, visit: Visit<'_>, watch: &mut W) {
+        self.0.sweep(visit, watch);
+    }
+}
+
+#[test]
+fn momentum_of_all_pairs_at_once_has_the_bits_of_one_contact_after_the_other() {
+    let all = Thresholds::all(0.3, 0.1, 0.1).expect("in range");
+    let (mut four, mut plain) = (tangle(all), Plain(tangle(all)));
+    plain.0.without_lanes();
+    let iterations = Accelerated::default().solve(&mut four, NEVER, SWEEPS);
+    let one_by_one = Accelerated::default().solve(&mut plain, NEVER, SWEEPS);
+    assert_eq!(iterations, one_by_one);
+    assert!(solution(&four) == solution(&plain.0));
 }
 
 #[test]

@@ -55,6 +55,43 @@ impl<L: Four> Impulses<L> {
         read
     }
 
+    /// Differences, mode by mode.
+    #[inline(always)]
+    pub fn minus<M: ContactModes<f64>>(&self, other: &Self) -> Self {
+        let mut change = Self::zero();
+        change.normal = self.normal - other.normal;
+        if M::Sliding::PRESENT {
+            change.sliding = minus(self.sliding, other.sliding);
+        }
+        if M::Rolling::PRESENT {
+            change.rolling = minus(self.rolling, other.rolling);
+        }
+        if M::Torsion::PRESENT {
+            change.torsion = self.torsion - other.torsion;
+        }
+        change
+    }
+
+    /// Products of impulses, with torques counted as forces at a lever, whose square this is.
+    #[inline(always)]
+    pub fn dot<M: ContactModes<f64>>(&self, other: &Self, lever_sq: L) -> L {
+        let mut sum = self.normal * other.normal;
+        if M::Sliding::PRESENT {
+            sum = sum + dot(self.sliding, other.sliding);
+        }
+        let mut torques = L::splat(0.0);
+        if M::Rolling::PRESENT {
+            torques = torques + dot(self.rolling, other.rolling);
+        }
+        if M::Torsion::PRESENT {
+            torques = torques + self.torsion * other.torsion;
+        }
+        if M::Rolling::PRESENT || M::Torsion::PRESENT {
+            sum = sum + torques / lever_sq;
+        }
+        sum
+    }
+
     /// The impulses, contact by contact.
     #[inline(always)]
     pub fn write<M: ContactModes<f64>>(self) -> [Modal<f64, M>; 4] {
