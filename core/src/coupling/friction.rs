@@ -227,8 +227,30 @@ impl<R: Real, C: Coupling<R>> PatchFriction<R, C> {
     #[inline]
     pub fn wrench_batch(&self, load: R, twists: &[Twist<R>], wrenches: &mut [Wrench<R>]) {
         let sizes = [self.coefficient * load, self.radius];
-        let all = |twists: &_| batch::patch_wrenches(&self.coupling, sizes, twists);
-        batch::each(twists, wrenches, all, |twist| self.wrench(load, twist));
+        let all = |twists: [&_; 3]| batch::patch_wrenches(&self.coupling, sizes, twists);
+        batch::twist_wrenches(twists, wrenches, all, |twist| self.wrench(load, twist));
+    }
+
+    /// [`PatchFriction::wrench_batch`] for a structure of arrays: velocities along x and y and spins of the
+    /// twists, forces along x and y and torques of the wrenches, to the same bits. Elements beyond the
+    /// shortest slice are not changed.
+    ///
+    /// ```
+    /// use tribos_core::coupling::{PatchFriction, table::Coulomb};
+    /// use tribos_core::twist::Twist;
+    /// let puck = PatchFriction::new(Coulomb, 0.3_f64, 0.04)?;
+    /// let (vx, vy, spins) = ([0.2, -0.1], [0.0, 0.3], [5.0, -2.0]); // m/s, m/s, rad/s
+    /// let ([mut fx, mut fy], mut torques) = ([[0.0; 2]; 2], [0.0; 2]);
+    /// puck.wrench_columns(1.7, [&vx, &vy, &spins], [&mut fx, &mut fy, &mut torques]);
+    /// let second = puck.wrench(1.7, &Twist::new(vx[1], vy[1], spins[1]));
+    /// assert_eq!([fx[1], fy[1], torques[1]], [second.force.x, second.force.y, second.torque]);
+    /// # Ok::<(), tribos_core::Error>(())
+    /// ```
+    #[inline]
+    pub fn wrench_columns(&self, load: R, twists: [&[R]; 3], wrenches: [&mut [R]; 3]) {
+        let sizes = [self.coefficient * load, self.radius];
+        let all = |twists: [&_; 3]| batch::patch_wrenches(&self.coupling, sizes, twists);
+        batch::component_wrenches(twists, wrenches, all, |twist| self.wrench(load, twist));
     }
 
     /// Jacobians of many twists under one load, to the bits of single calls. Elements beyond the

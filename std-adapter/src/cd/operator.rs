@@ -17,7 +17,9 @@ pub trait Monitor: Send {
     /// the change of its normal speed.
     fn see(&mut self, change_sq: f64, bound: f64, speed: f64);
     /// Records the product of a contact's change with its step before, in [`Operator::sweep_on`].
-    fn follow(&mut self, _along: f64) {}
+    fn follow(&mut self, along: f64) {
+        let _ = along;
+    }
     /// Adds the data of a monitor that observed the contacts after those of this one.
     fn join(&mut self, later: &Self);
 }

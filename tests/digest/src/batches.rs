@@ -49,9 +49,16 @@ fn of<R: Real, C: Coupling<R>>(hash: &mut Fnv, coupling: &C) {
             (slides[SPEEDS - 5], twists[SPEEDS - 5].spin) = (end, end);
         }
         reduced(hash, coupling, &slides, &rims);
-        let mut wrenches = [Wrench::ZERO; SPEEDS];
-        patch.wrench_batch(load, &twists, &mut wrenches);
-        wrenches.iter().for_each(|wrench| hash.wrench(wrench));
+        let (vx, vy) = (
+            twists.map(|twist| twist.velocity.x),
+            twists.map(|twist| twist.velocity.y),
+        );
+        let spins = twists.map(|twist| twist.spin);
+        let [mut fx, mut fy, mut torques] = [[R::ZERO; SPEEDS]; 3];
+        patch.wrench_columns(load, [&vx, &vy, &spins], [&mut fx, &mut fy, &mut torques]);
+        for ((fx, fy), torque) in fx.into_iter().zip(fy).zip(torques) {
+            hash.wrench(&Wrench::new(fx, fy, torque));
+        }
         let mut jacobians = [WrenchJacobian::from_element(R::ZERO); SPEEDS];
         patch.jacobian_batch(load, &twists, &mut jacobians);
         for jacobian in jacobians {

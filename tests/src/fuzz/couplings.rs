@@ -14,7 +14,7 @@ use tribos_core::internals::Speeds;
 use tribos_core::law::PowerLaw;
 use tribos_core::patch::PowerPressure;
 use tribos_core::real::Real;
-use tribos_core::twist::{Wrench, WrenchJacobian};
+use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
 /// Speeds of a batch: a group that the kernel may take in lanes, and some more.
 const BATCH: usize = 11;
@@ -151,6 +151,7 @@ fn batches<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), 
     let mut jacobians = [WrenchJacobian::from_element(R::ZERO); BATCH];
     patch.wrench_batch(load, &twists, &mut wrenches);
     patch.jacobian_batch(load, &twists, &mut jacobians);
+    columns(&patch, load, &twists, &wrenches)?;
     for ((twist, all), slopes) in twists.iter().zip(&wrenches).zip(&jacobians) {
         let one = patch.wrench(load, twist);
         same("force", all.force.x, one.force.x)?;
@@ -159,6 +160,28 @@ fn batches<R: Real>(source: &mut Source, tier: &impl Coupling<R>) -> Result<(), 
         for (all, one) in slopes.iter().zip(patch.wrench_jacobian(load, twist).iter()) {
             same("Jacobian", *all, *one)?;
         }
+    }
+    Ok(())
+}
+
+/// The same wrenches from the components of the twists.
+fn columns<R: Real>(
+    patch: &PatchFriction<R, impl Coupling<R>>,
+    load: R,
+    twists: &[Twist<R>; BATCH],
+    wrenches: &[Wrench<R>; BATCH],
+) -> Result<(), Broken> {
+    let (vx, vy) = (
+        twists.map(|twist| twist.velocity.x),
+        twists.map(|twist| twist.velocity.y),
+    );
+    let spins = twists.map(|twist| twist.spin);
+    let [mut fx, mut fy, mut torques] = [[R::ZERO; BATCH]; 3];
+    patch.wrench_columns(load, [&vx, &vy, &spins], [&mut fx, &mut fy, &mut torques]);
+    for (((wrench, fx), fy), torque) in wrenches.iter().zip(fx).zip(fy).zip(torques) {
+        same("force", fx, wrench.force.x)?;
+        same("force", fy, wrench.force.y)?;
+        same("torque", torque, wrench.torque)?;
     }
     Ok(())
 }

@@ -86,3 +86,31 @@ fn elements_beyond_the_shorter_slice_stay() {
         }
     }
 }
+
+#[test]
+fn components_beyond_the_shortest_slice_stay() {
+    const MOST: usize = GROUP + 1;
+    let puck = PatchFriction::new(Coulomb, 0.3, 0.04).unwrap();
+    let one = puck.wrench(1.7, &Twist::new(1.0, 0.5, 3.0));
+    let (vx, vy, spins) = ([1.0; MOST], [0.5; MOST], [3.0; MOST]);
+    for lengths in [
+        [MOST; 6],
+        [MOST, MOST, GROUP, MOST, MOST, MOST],
+        [1, 2, 3, 4, 5, 6],
+        [0; 6],
+    ] {
+        let [a, b, c, d, e, f] = lengths;
+        let [mut fx, mut fy, mut torques] = [[f64::NAN; MOST]; 3];
+        let twists = [&vx[..a], &vy[..b], &spins[..c]];
+        puck.wrench_columns(1.7, twists, [&mut fx[..d], &mut fy[..e], &mut torques[..f]]);
+        let done = lengths.into_iter().min().unwrap();
+        for at in 0..MOST {
+            let found = [fx[at], fy[at], torques[at]];
+            if at < done {
+                assert_eq!(found, [one.force.x, one.force.y, one.torque]);
+            } else {
+                assert!(found.iter().all(|component| component.is_nan()));
+            }
+        }
+    }
+}

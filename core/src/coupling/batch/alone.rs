@@ -3,7 +3,7 @@
 use super::Group;
 use crate::coupling::{Coupling, SmoothProfile};
 use crate::real::Real;
-use crate::twist::{Twist, Wrench, WrenchJacobian};
+use crate::twist::{Twist, WrenchJacobian};
 use core::ops::{Add, Mul};
 
 /// A precision; here without lanes.
@@ -71,8 +71,8 @@ pub fn jacobians<R: Real, P: LaneProfile<R>>(
 pub fn patch_wrenches<R: Real, C: Coupling<R>>(
     _: &C,
     _: [R; 2],
-    _: &Group<Twist<R>>,
-) -> Option<Group<Wrench<R>>> {
+    _: [&Group<R>; 3],
+) -> Option<[Group<R>; 3]> {
     None
 }
 

@@ -26,6 +26,7 @@ pub(super) use ways::{drags, jacobians, patch_jacobians, patch_wrenches, wrenche
 
 use super::{Coupling, ReducedJacobian, ReducedWrench};
 use crate::real::Real;
+use crate::twist::{Twist, Wrench};
 
 /// Speeds in a group.
 pub const GROUP: usize = 8;
@@ -95,6 +96,64 @@ pub(super) fn reduced_wrenches<R: Real, C: Coupling<R> + ?Sized>(
         }
     }
     singly([slides.1, rims.1], [forces.1, torques.1]);
+}
+
+/// Wrenches of twists, eight of them at once by `all`, else one by one.
+#[inline(always)]
+pub(super) fn twist_wrenches<R: Real>(
+    twists: &[Twist<R>],
+    wrenches: &mut [Wrench<R>],
+    all: impl Fn([&Group<R>; 3]) -> Option<[Group<R>; 3]>,
+    one: impl Fn(&Twist<R>) -> Wrench<R>,
+) {
+    let side_by_side = |twists: &Group<Twist<R>>| {
+        let x = twists.each_ref().map(|twist| twist.velocity.x);
+        let y = twists.each_ref().map(|twist| twist.velocity.y);
+        let spin = twists.each_ref().map(|twist| twist.spin);
+        let [x, y, torque] = all([&x, &y, &spin])?;
+        let mut wrenches = [Wrench::ZERO; GROUP];
+        for (((wrench, x), y), torque) in wrenches.iter_mut().zip(x).zip(y).zip(torque) {
+            *wrench = Wrench::new(x, y, torque);
+        }
+        Some(wrenches)
+    };
+    each(twists, wrenches, side_by_side, one);
+}
+
+/// [`twist_wrenches`] where each component of twists and wrenches has a slice of its own.
+#[inline(always)]
+pub(super) fn component_wrenches<R: Real>(
+    twists: [&[R]; 3],
+    wrenches: [&mut [R]; 3],
+    all: impl Fn([&Group<R>; 3]) -> Option<[Group<R>; 3]>,
+    one: impl Fn(&Twist<R>) -> Wrench<R>,
+) {
+    let shortest = |count: usize, length: usize| count.min(length);
+    let count = twists
+        .iter()
+        .map(|slice| slice.len())
+        .fold(usize::MAX, shortest);
+    let count = wrenches
+        .iter()
+        .map(|slice| slice.len())
+        .fold(count, shortest);
+    let singly = |[vx, vy, spin]: [&[R]; 3], [fx, fy, torque]: [&mut [R]; 3]| {
+        let results = fx.iter_mut().zip(fy).zip(torque);
+        for (((&vx, &vy), &spin), ((fx, fy), torque)) in vx.iter().zip(vy).zip(spin).zip(results) {
+            let wrench = one(&Twist::new(vx, vy, spin));
+            (*fx, *fy, *torque) = (wrench.force.x, wrench.force.y, wrench.torque);
+        }
+    };
+    let [vx, vy, spin] = twists.map(|slice| groups(slice, count));
+    let [fx, fy, torque] = wrenches.map(|slice| groups_mut(slice, count));
+    let results = fx.0.iter_mut().zip(fy.0).zip(torque.0);
+    for (((vx, vy), spin), ((fx, fy), torque)) in vx.0.iter().zip(vy.0).zip(spin.0).zip(results) {
+        match all([vx, vy, spin]) {
+            Some(group) => [*fx, *fy, *torque] = group,
+            None => singly([vx, vy, spin], [fx, fy, torque]),
+        }
+    }
+    singly([vx.1, vy.1, spin.1], [fx.1, fy.1, torque.1]);
 }
 
 /// Jacobians of slide and rim.

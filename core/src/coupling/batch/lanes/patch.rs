@@ -6,7 +6,7 @@ use super::speeds::are_ordinary;
 use super::vector::Vector;
 use crate::coupling::Coupling;
 use crate::real::Real;
-use crate::twist::{Twist, Wrench, WrenchJacobian};
+use crate::twist::{Twist, WrenchJacobian};
 use nalgebra::Matrix3;
 
 /// The three components of the twists.
@@ -25,16 +25,16 @@ fn signed<R: Real>(size: Lanes<R>, sign: Lanes<R>) -> Lanes<R> {
     size | (sign & Vector::splat(-R::ZERO))
 }
 
-/// Wrenches of a patch with the given radius and coefficient × load; nothing if a twist or a wrench
-/// is out of the ordinary.
+/// Forces and torques of a patch with the given radius and coefficient × load at the components of
+/// twists; nothing if a twist or a wrench is out of the ordinary.
 #[inline(always)]
 pub fn patch_wrenches<R: Real, C: Coupling<R>>(
     coupling: &C,
     [strength, radius]: [R; 2],
-    twists: &Group<Twist<R>>,
-) -> Option<Group<Wrench<R>>> {
+    twists: [&Group<R>; 3],
+) -> Option<[Group<R>; 3]> {
     let splat = Lanes::<R>::splat;
-    let [x, y, spin] = components(twists);
+    let [x, y, spin] = twists.map(|components| Lanes::<R>::new(*components));
     let rim = (spin * splat(radius)).abs();
     let square = x * x + y * y;
     let (least, most) = (R::LEAST_SPEED, R::ONE / R::LEAST_SPEED);
@@ -51,12 +51,7 @@ pub fn patch_wrenches<R: Real, C: Coupling<R>>(
         return None;
     }
     let torque = signed::<R>(splat(strength * radius) * torque, spin);
-    let [x, y, torque] = [-(drag * x), -(drag * y), -torque].map(Vector::to_array);
-    let mut wrenches = [Wrench::ZERO; super::super::GROUP];
-    for (((wrench, x), y), torque) in wrenches.iter_mut().zip(x).zip(y).zip(torque) {
-        *wrench = Wrench::new(x, y, torque);
-    }
-    Some(wrenches)
+    Some([-(drag * x), -(drag * y), -torque].map(Vector::to_array))
 }
 
 /// ∂wrench/∂twist.
