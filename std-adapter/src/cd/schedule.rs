@@ -12,7 +12,7 @@ use std::ops::Range;
 use tribos_core::contact::ContactModes;
 
 /// Spheres per block: with their contacts a few hundred kilobytes, the size of a core's own cache.
-const BLOCK: usize = 1024;
+pub(super) const BLOCK: usize = 1024;
 
 /// A block of spheres and the pairs inside it.
 #[derive(Clone, Debug, PartialEq, Eq)]

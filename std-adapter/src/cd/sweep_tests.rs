@@ -3,19 +3,22 @@
 use super::internals::{
     Accelerated, GlobalChange, Link, Monitor, Operator, Spheres, Tolerance, Visit,
 };
+use super::schedule::BLOCK;
 use super::solid;
+use super::sweep::WORTHWHILE;
 use crate::random::Random;
 use nalgebra::Vector3;
 use tribos_core::contact::{
     Attraction, Cohesion, Contact, ContactFriction, NormalLaw, Sphere, Thresholds, Touch,
 };
 
-/// Spheres, several blocks of them, and pairs of random spheres.
+/// Spheres, several blocks of them, and pairs whose numbers differ by so much at most: enough of them lie inside
+/// of blocks to be shared among threads, and many join two blocks.
 const SPHERES: usize = 5_000;
-const PAIRS: usize = 12_000;
+const PAIRS: usize = 16_000;
+const REACH: usize = 300;
 
-/// Spheres with random velocities, and contacts between any two of them in random directions; most pairs
-/// join two blocks.
+/// Spheres with random velocities, and contacts in random directions.
 fn tangle<F: ContactFriction<f64>>(friction: F) -> Spheres<F> {
     let mut random = Random::new(7, 1);
     let mut number = |below: usize| (random.unit() * below as f64) as usize;
@@ -37,13 +40,16 @@ fn tangle<F: ContactFriction<f64>>(friction: F) -> Spheres<F> {
     let mut number = |below: usize| (random.unit() * below as f64) as usize;
     let mut taken = Vec::new();
     while taken.len() < PAIRS {
-        let [a, b] = [number(SPHERES), number(SPHERES)];
-        if a != b {
-            taken.push([a.min(b), a.max(b)]);
+        let a = number(SPHERES);
+        let b = a + 1 + number(REACH);
+        if b < SPHERES {
+            taken.push([a, b]);
         }
     }
     taken.sort_unstable();
     taken.dedup();
+    let inside = taken.iter().filter(|[a, b]| a / BLOCK == b / BLOCK).count();
+    assert!(inside >= WORTHWHILE && taken.len() - inside > 1_000);
     for [a, b] in taken {
         let apart = vector(1.0).normalize() * (1.99 + 0.03 * number(1_000) as f64 / 1_000.0);
         let touch = Touch::spheres(&apart, [1.0, 1.0]).expect("they are apart");
@@ -137,7 +143,7 @@ fn momentum_of_all_pairs_at_once_has_the_bits_of_one_contact_after_the_other() {
 }
 
 #[test]
-fn colours_across_blocks_have_the_same_bits_on_any_number_of_threads() {
+fn blocks_and_pairs_across_them_have_the_same_bits_on_any_number_of_threads() {
     let all = Thresholds::all(0.3, 0.1, 0.1).expect("in range");
     let alone = swept(1, Lanes::One, all);
     for threads in [2, 3] {
