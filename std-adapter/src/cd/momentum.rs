@@ -33,8 +33,14 @@ pub(super) fn extrapolate<F: ContactFriction<f64>>(
     let mut at = 0;
     while at < links.len() {
         if let Some(groups) = groups.filter(|groups| groups.begins(at)) {
-            let rest = (&mut links[at..], &mut swept[at..]);
-            let done = extrapolate_run(rest, groups.after(at), (first, &mut *spheres), beta);
+            let done = all_groups(Run {
+                links: &mut links[at..],
+                swept: &mut swept[at..],
+                groups: groups.after(at),
+                first,
+                spheres: &mut *spheres,
+                beta,
+            });
             at += done;
             if done > 0 {
                 continue;
@@ -72,23 +78,11 @@ fn extrapolate_one<F: ContactFriction<f64>>(
     }
 }
 
-/// Extrapolates the groups at the beginning of these pairs, as far as there is one after another, and returns the
+/// Extrapolates the groups at the beginning of some pairs, as far as there is one after another, and returns the
 /// number of their pairs. Apart from frictions: a copy for each would take minutes to compile.
 #[inline(never)]
-fn extrapolate_run<M: ContactModes<f64>>(
-    (links, swept): (&mut [Link<M>], &mut [Modal<f64, M>]),
-    groups: Groups<'_>,
-    (first, spheres): (u32, &mut [Aligned]),
-    beta: f64,
-) -> usize {
-    tribos_lanes::run(Run {
-        links,
-        swept,
-        groups,
-        first,
-        spheres,
-        beta,
-    })
+fn all_groups<M: ContactModes<f64>>(run: Run<'_, M>) -> usize {
+    tribos_lanes::run(run)
 }
 
 /// Groups one after the other.
