@@ -3,7 +3,7 @@
 //! `cargo run --release -p tribos-tests --example hold [STEPS]`
 //!
 //! The table of docs/presliding.md. The same bodies in engines: `bindings/python/benches/hold.py`,
-//! `engines/rapier/examples/hold.rs`.
+//! `engines/rapier/examples/grip.rs`.
 
 use rayon::prelude::*;
 use tribos_core::coupling::{DryCoupling, table::Coulomb};

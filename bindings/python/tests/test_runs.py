@@ -19,8 +19,8 @@ import tribos
 POWDER = tribos.PowderScene(width=8.0, height=24.0, pressure=0.02, steps=400, duration=60.0)
 """Some forty spheres, in less than a second."""
 
-LONG = tribos.PowderScene(width=14.0, height=40.0, pressure=0.02, steps=700)
-"""A hundred and fifty spheres; the run is interrupted on its way."""
+LONG = tribos.PowderScene(width=20.0, height=57.0, pressure=0.02, steps=1000)
+"""Four hundred spheres; it takes seconds and is interrupted within the first half of one."""
 
 
 def files(folder: Path) -> dict[str, bytes]:
